@@ -1,0 +1,94 @@
+/*
+ * planar.h -- the contract between the physics and the geometry:
+ * an autonomous, analytic vector field on a box of the plane,
+ *
+ *     z' = f(z) = direction(z) * exp(log_scale(z)),     z = (x, y).
+ *
+ * The field comes in two factors so that nothing overflows where f itself
+ * would.  manifold/ and portrait/ see the physics only through this struct.
+ *
+ * Every function below takes z as an *offset* from `origin`.  Whoever fills
+ * the struct puts the origin where digits matter (on an equilibrium) and
+ * evaluates differences from there without cancellation; offset zero means
+ * exactly the origin.  All functions are total on the domain and never fail;
+ * `ctx` is passed back unchanged.
+ */
+#ifndef CORE_PLANAR_H
+#define CORE_PLANAR_H
+
+#include <stddef.h>
+
+#include "jet.h"
+#include "plane.h"
+
+struct planar_axis {
+    const char *name;      /* what is drawn and stored, e.g. "v" */
+    const char *unit;      /* UDUNITS; "1" if none */
+    const char *long_name; /* one plain phrase */
+    bool is_log;           /* the coordinate is the ln of what is stored */
+};
+
+/* A quantity whose time integral rides along every curve. */
+struct planar_observable {
+    const char *name;
+    const char *unit; /* of the integral */
+    const char *long_name;
+};
+
+struct planar_field {
+    struct vec2 direction;
+    double log_scale;
+};
+
+struct planar_jacobian {
+    struct planar_field field; /* f at the same point */
+    struct mat2 matrix;        /* Df(z) = matrix * exp(field.log_scale) */
+};
+
+/* A curve x -> (x, steady y(x)) that carries every equilibrium: they are the
+ * zeros of `balance`, which is monotone between consecutive `turning` points
+ * (ascending).  x and y absolute; long double, because near a fold every digit
+ * counts. */
+struct planar_steady {
+    long double (*balance)(const void *ctx, long double x);
+    long double (*y)(const void *ctx, long double x);
+    long double turning[4];
+    size_t turnings;
+    long double lo, hi; /* range of x to search */
+};
+
+enum { PLANAR_OBSERVABLES_MAX = 6 };
+
+struct planar {
+    const char *name;
+    struct planar_axis axis[2];
+    struct box domain; /* of absolute coordinates origin + z */
+    struct vec2 origin;
+
+    void (*field)(const void *ctx, struct vec2 z, struct planar_field *f);
+    void (*jacobian)(const void *ctx, struct vec2 z, struct planar_jacobian *J);
+
+    /* Coefficient k of the Taylor series of f * exp(-w->log_scale) along the
+     * curve whose coefficients 0..k are x[], y[]: writes fx[k] and fy[k].
+     * Called for k = 0, 1, 2, ... with the same arrays and workspace; the
+     * call with k = 0 fixes w->log_scale for the whole series.  A second call
+     * with the same k replaces the first.  NULL: the system has no jets. */
+    void (*jet)(const void *ctx, struct jet_work *w, size_t k, const double x[],
+                const double y[], double fx[], double fy[]);
+
+    /* Observables: their rates per unit of time at z with the gradient in z,
+     * and (after `jet` with the same k) coefficient k of the series of
+     * rate * exp(-w->log_scale). */
+    const struct planar_observable *observables;
+    size_t observable_count;
+    void (*rate_gradient)(const void *ctx, size_t which, struct vec2 z,
+                          double *rate, struct vec2 *gradient);
+    void (*rate_jet)(const void *ctx, size_t which, struct jet_work *w,
+                     size_t k, const double x[], const double y[],
+                     double rate[]);
+
+    const struct planar_steady *steady; /* borrowed; NULL if none is known */
+    const void *ctx;                    /* borrowed: outlives the system */
+};
+
+#endif

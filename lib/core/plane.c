@@ -1,0 +1,41 @@
+#include "plane.h"
+
+#include <math.h>
+
+double vec2_length(struct vec2 v)
+{
+    return hypot(v.x, v.y);
+}
+
+double mat2_det(struct mat2 A)
+{
+    const double w = A.xy * A.yx;
+    const double e = fma(-A.xy, A.yx, w); /* e = w - xy*yx, exactly */
+    const double f = fma(A.xx, A.yy, -w);
+    return f + e;
+}
+
+struct eigen2 mat2_eigenvalues(struct mat2 A)
+{
+    const double m = 0.5 * (A.xx + A.yy), d = 0.5 * (A.xx - A.yy);
+    const double radicand = fma(d, d, A.xy * A.yx);
+
+    if (radicand < 0.0)
+        return (struct eigen2){ { m, m }, sqrt(-radicand) };
+    const double far = m + copysign(sqrt(radicand), m);
+    const double near = far == 0.0 ? 0.0 : mat2_det(A) / far;
+    return (struct eigen2){ { fmin(far, near), fmax(far, near) }, 0.0 };
+}
+
+struct vec2 mat2_eigenvector(struct mat2 A, double lambda)
+{
+    const double p = A.xx - lambda, q = A.yy - lambda;
+    struct vec2 v = fabs(q) >= fabs(p) ? (struct vec2){ q, -A.yx }
+                                       : (struct vec2){ -A.xy, p };
+    if (v.x == 0.0 && v.y == 0.0) /* a triangular matrix, or a multiple of 1 */
+        v = A.xy == 0.0 && A.yx != 0.0 ? (struct vec2){ 0.0, 1.0 }
+                                       : (struct vec2){ 1.0, 0.0 };
+    const double length = vec2_length(v);
+    const double sign = v.x < 0.0 || (v.x == 0.0 && v.y < 0.0) ? -1.0 : 1.0;
+    return vec2_scale(sign / length, v);
+}

@@ -1,0 +1,63 @@
+/* plane.h -- vectors, matrices and boxes of the plane, by value; no failure. */
+#ifndef CORE_PLANE_H
+#define CORE_PLANE_H
+
+#include <stdbool.h>
+
+struct vec2 {
+    double x, y;
+};
+
+/* Row-major: for a Jacobian, xy = d f_x / d y. */
+struct mat2 {
+    double xx, xy, yx, yy;
+};
+
+/* Closed: lo <= z <= hi in both coordinates. */
+struct box {
+    struct vec2 lo, hi;
+};
+
+static inline struct vec2 vec2_add(struct vec2 u, struct vec2 v)
+{
+    return (struct vec2){ u.x + v.x, u.y + v.y };
+}
+
+static inline struct vec2 vec2_sub(struct vec2 u, struct vec2 v)
+{
+    return (struct vec2){ u.x - v.x, u.y - v.y };
+}
+
+static inline struct vec2 vec2_scale(double s, struct vec2 v)
+{
+    return (struct vec2){ s * v.x, s * v.y };
+}
+
+static inline bool box_holds(struct box b, struct vec2 z)
+{
+    return z.x >= b.lo.x && z.x <= b.hi.x && z.y >= b.lo.y && z.y <= b.hi.y;
+}
+
+/* Euclidean length, without overflow. */
+double vec2_length(struct vec2 v);
+
+/* det(A), with relative error at most 2 units of roundoff barring
+ * under/overflow: Kahan's algorithm, bound from Jeannerod, Louvet, Muller,
+ * Math. Comp. 82 (2013) 2245-2264. */
+double mat2_det(struct mat2 A);
+
+/* Eigenvalues of a 2x2 matrix.  Real: re[0] <= re[1], im = 0, the root far
+ * from zero first, then Vieta, so that neither suffers cancellation beyond
+ * that of det(A).  Complex: re[0] = re[1], im > 0. */
+struct eigen2 {
+    double re[2];
+    double im;
+};
+struct eigen2 mat2_eigenvalues(struct mat2 A);
+
+/* A unit eigenvector of A to the real eigenvalue lambda, with x > 0, or x = 0
+ * and y > 0.  Taken from the row of A - lambda with the larger diagonal, which
+ * is the one that does not cancel. */
+struct vec2 mat2_eigenvector(struct mat2 A, double lambda);
+
+#endif

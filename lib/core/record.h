@@ -1,0 +1,80 @@
+/*
+ * record.h -- how a result describes itself.
+ *
+ * A record is a plain C struct; its type is a table with one line per member:
+ * name, unit, meaning, offset.  The same table drives HDF5 data sets, JSON
+ * keys, the printed report and the documentation, so that none can disagree.
+ */
+#ifndef CORE_RECORD_H
+#define CORE_RECORD_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* A computed number: either a value with an absolute error bound in its own
+ * unit, or the reason (a plain sentence) why there is none. */
+struct quantity {
+    double value;
+    double error;
+    double conditioning; /* relative; NaN where nobody asked */
+    const char *reason;  /* borrowed, static; NULL when the value exists */
+};
+
+/* C type of a member. */
+enum record_kind {
+    RECORD_REAL,     /* double */
+    RECORD_COUNT,    /* int64_t */
+    RECORD_CODE,     /* int8_t, words in record_field.codes */
+    RECORD_QUANTITY, /* struct quantity */
+    RECORD_TEXT,     /* const char *, may be NULL */
+};
+
+struct record_field {
+    const char *name; /* HDF5 name = JSON key */
+    const char *unit; /* UDUNITS; "1" if none */
+    const char *text; /* one plain phrase: CF long_name */
+    size_t offset;
+    enum record_kind kind;
+    const char *const *codes; /* RECORD_CODE: NULL-ended words, code = index;
+                                 -1 means "no value" */
+};
+
+struct record_type {
+    const char *name;
+    const char *text;
+    const struct record_field *fields;
+    size_t count;
+    size_t size; /* sizeof the struct */
+};
+
+/* `count` structs of one type, one after another; borrowed. */
+struct record_array {
+    const struct record_type *type;
+    const void *at;
+    size_t count;
+};
+
+static inline const void *record_member(const struct record_array *a, size_t i,
+                                        const struct record_field *f)
+{
+    return (const char *) a->at + i * a->type->size + f->offset;
+}
+
+/* True for a quantity that exists. */
+static inline int quantity_exists(const struct quantity *q)
+{
+    return q->reason == NULL;
+}
+
+static inline struct quantity quantity_of(double value, double error)
+{
+    return (struct quantity){ value, error, (double) __builtin_nanf(""), NULL };
+}
+
+static inline struct quantity quantity_none(const char *reason)
+{
+    const double nan = (double) __builtin_nanf("");
+    return (struct quantity){ nan, nan, nan, reason };
+}
+
+#endif

@@ -1,0 +1,34 @@
+/*
+ * anchor.h -- a point of the steady-state curve, prepared for evaluating the
+ * field around it without cancellation (model section 6).
+ *
+ * The chart is x = ln v and y = ln psi (y = psi where psi is a logarithm).
+ * Offsets X, Y are measured from the anchor (x0, y0), psi0 = psi_ss(v0).
+ */
+#ifndef FRICTION_ANCHOR_H
+#define FRICTION_ANCHOR_H
+
+#include "law.h"
+
+/* The same members for each scalar type T (double, long double, 113 bits). */
+#define ANCHOR_MEMBERS(T)                                                      \
+    T x0, y0;        /* chart coordinates */                                   \
+    T v0, psi0;      /* slip rate, state = psi_ss(v0) */                       \
+    T log_psi0;      /* ln |psi0| */                                           \
+    T mu0;           /* mu(v0, psi0) */                                        \
+    T force0;        /* tan(alpha) - mu0: 0 at an equilibrium */               \
+    T a, b;          /* direct and evolution effect */                         \
+    T theta_r;       /* psi0/(c' + psi0): weight of psi in theta */            \
+    T steady_r;      /* v0/(1/R + v0): weight of v in psi_ss and T */          \
+    T log_inertia;   /* ln(cos(alpha)/(eps^2 v0)) */                           \
+    T log_rate;      /* ln(1/T(v0)), minus y0 where y = ln psi */              \
+    T w0, q0;        /* asinh form: w0 = mu_log/a, q0 = 4 exp(-2 w0) */        \
+    T kappa0;        /* v0/V_c */                                              \
+    T log_kappa0;    /* ln of it */                                            \
+    T log_composite; /* ln of exp(-v0/V_c)/(v0 psi0), Kato-Tullis */
+
+struct anchor {
+    ANCHOR_MEMBERS(double)
+};
+
+#endif

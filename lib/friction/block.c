@@ -1,0 +1,128 @@
+/* The planar contract filled in by friction: thin wrappers that hand the
+ * block's law and anchor to the formulas of field_formula.h. */
+#include "block.h"
+
+#include <math.h>
+
+#include "tolerance.h"
+
+static long double balance(const void *ctx, long double x)
+{
+    const struct block *b = ctx;
+    return steady_tau(&b->law, &b->material, b->tan_alpha) -
+           steady_mu_log(&b->law, &b->material, x);
+}
+
+static long double steady_curve(const void *ctx, long double x)
+{
+    const struct block *b = ctx;
+    return steady_y(&b->law, &b->material, x);
+}
+
+static void field(const void *ctx, struct vec2 z, struct planar_field *f)
+{
+    const struct block *b = ctx;
+    field_real(&b->law, &b->at, z, f);
+}
+
+static void jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
+{
+    const struct block *b = ctx;
+    field_dual(&b->law, &b->at, z, J);
+}
+
+static void jet(const void *ctx, struct jet_work *w, size_t k, const double x[],
+                const double y[], double fx[], double fy[])
+{
+    const struct block *b = ctx;
+    field_jet(&b->law, &b->at, w, k, x, y, fx, fy);
+}
+
+static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
+                          double *rate, struct vec2 *gradient)
+{
+    const struct block *b = ctx;
+    field_dual_rate(&b->law, &b->at, (enum block_observable) which, z, rate,
+                    gradient);
+}
+
+static void rate_jet(const void *ctx, size_t which, struct jet_work *w,
+                     size_t k, const double x[], const double y[],
+                     double rate[])
+{
+    const struct block *b = ctx;
+    field_jet_rate(&b->law, &b->at, (enum block_observable) which, w, k, x, y,
+                   rate);
+}
+
+static const struct planar_observable observables[BLOCK_OBSERVABLES] = {
+    [BLOCK_SLIP] = { "slip", "1", "slip in units of L" },
+    [BLOCK_WORK] = { "work", "1",
+                     "frictional work per unit normal force, units of L" },
+    [BLOCK_EXCESS] = { "excess", "1",
+                       "slip in excess of steady slip at v_sp, units of L" },
+};
+
+void block_init(struct block *b, const struct law *law,
+                const struct material *m, long double tan_alpha)
+{
+    const long double top = steady_x_max(law);
+
+    *b = (struct block){ .law = *law, .material = *m, .tan_alpha = tan_alpha };
+    b->steady.balance = balance;
+    b->steady.y = steady_curve;
+    b->steady.turnings = steady_extrema(law, m, b->steady.turning);
+    b->steady.lo = -(long double) TOL_LN_RANGE;
+    b->steady.hi =
+        top < (long double) TOL_LN_RANGE ? top : (long double) TOL_LN_RANGE;
+}
+
+void block_anchor(struct block *b, long double x, bool equilibrium)
+{
+    steady_anchor(&b->law, &b->material, b->tan_alpha, x, equilibrium, &b->at);
+}
+
+struct planar block_planar(const struct block *b)
+{
+    const bool is_log = law_psi_is_log(&b->law);
+    const double y = is_log ? TOL_PSI_RANGE : TOL_LN_RANGE;
+
+    return (struct planar){
+        .name = b->law.preset,
+        .axis = { { "v", "1", "slip rate in units of V_star", true },
+                  { "psi", "1", "interfacial state", !is_log } },
+        .domain = { { -TOL_LN_RANGE, -y }, { TOL_LN_RANGE, y } },
+        .origin = { b->at.x0, b->at.y0 },
+        .field = field,
+        .jacobian = jacobian,
+        .jet = jet,
+        .observables = observables,
+        .observable_count = BLOCK_OBSERVABLES,
+        .rate_gradient = rate_gradient,
+        .rate_jet = rate_jet,
+        .steady = &b->steady,
+        .ctx = b,
+    };
+}
+
+double block_mu(const struct block *b, struct vec2 z)
+{
+    double work, v;
+    struct vec2 unused;
+
+    field_dual_rate(&b->law, &b->at, BLOCK_WORK, z, &work, &unused);
+    field_dual_rate(&b->law, &b->at, BLOCK_SLIP, z, &v, &unused);
+    return work / v;
+}
+
+double block_energy_defect(const struct block *b, double v0, double v1,
+                           double slip, double work)
+{
+    const double t = (double) b->tan_alpha, cosine = 1.0 / hypot(1.0, t);
+    const double kinetic =
+        0.5 * material_eps2(&b->material) * (v1 - v0) * (v1 + v0);
+    const double down = t * cosine * slip, up = cosine * work;
+    const double scale = fmax(fabs(kinetic), fmax(fabs(down), fabs(up)));
+
+    return scale == 0.0 ? 0.0 : (kinetic - down + up) / scale;
+}

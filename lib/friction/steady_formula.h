@@ -1,0 +1,166 @@
+/*
+ * steady_formula.h -- steady states and anchors, written once for every
+ * scalar type.  The including file defines
+ *     T            the scalar type,
+ *     NAME(f)      the name of function f for this type,
+ *     FN(f)        the mathematical function f for this type (FN(exp), ...).
+ * x = ln v throughout.
+ */
+
+/* u = W(exp(-k)), Lambert's W, from w + exp(w) = -k with w = ln u. */
+static T NAME(lambert)(T k)
+{
+    T w = k > 1 ? -k : (T) -1;
+
+    for (int i = 0; i < 60; i++) {
+        const T e = FN(exp)(w), step = (w + e + k) / (1 + e);
+        w -= step;
+        if (FN(fabs)(step) <= FN(fabs)(w) * (T) 1e-36)
+            break;
+    }
+    return FN(exp)(w);
+}
+
+/* 1/R, and c as it stands beside psi: c, or c/(1 + R). */
+static T NAME(inverse_R)(const struct material *m)
+{
+    return 1 / (T) m->R;
+}
+
+static T NAME(offset)(const struct law *law, const struct material *m)
+{
+    switch (law->theta) {
+        case THETA_LN_C_PSI:
+            return (T) m->c;
+        case THETA_LN_C_1PR_PSI:
+            return (T) m->c / (1 + (T) m->R);
+        default:
+            return 0;
+    }
+}
+
+/* psi_ss(v) */
+static T NAME(psi_ss)(const struct law *law, const struct material *m, T x)
+{
+    const T r = NAME(inverse_R)(m), v = FN(exp)(x);
+
+    switch (law->psi_ss) {
+        case PSI_SS_INVERSE:
+            return FN(exp)(-x);
+        case PSI_SS_MINUS_LOG:
+            return -x;
+        case PSI_SS_SPINODAL:
+            return (1 + r) / (r + v);
+        case PSI_SS_SPINODAL_UNIT:
+            return r / (r + v);
+        default:
+            return FN(exp)(NAME(lambert)(v / (T) m->V_c) - x);
+    }
+}
+
+/* The chart's y on the steady-state curve. */
+static T NAME(y_ss)(const struct law *law, const struct material *m, T x)
+{
+    if (law->psi_ss == PSI_SS_INVERSE && !law_psi_is_log(law))
+        return -x;
+    if (law->psi_ss == PSI_SS_LAMBERT)
+        return NAME(lambert)(FN(exp)(x) / (T) m->V_c) - x;
+    const T psi = NAME(psi_ss)(law, m, x);
+    return law_psi_is_log(law) ? psi : FN(log)(psi);
+}
+
+/* theta(psi_ss(v)) */
+static T NAME(theta_ss)(const struct law *law, const struct material *m, T x)
+{
+    const T psi = NAME(psi_ss)(law, m, x);
+
+    switch (law->theta) {
+        case THETA_LN_PSI:
+            return NAME(y_ss)(law, m, x);
+        case THETA_PSI:
+            return psi;
+        case THETA_LN_C_PSI:
+            return FN(log)((T) m->c + psi);
+        default:
+            return FN(log)((T) m->c + (1 + (T) m->R) * psi);
+    }
+}
+
+/* mu_star + a ln v + b theta(psi_ss): the log form (2) in steady state. */
+static T NAME(mu_log_ss)(const struct law *law, const struct material *m, T x)
+{
+    return (T) m->mu_star + (T) m->a * x + (T) m->b * NAME(theta_ss)(law, m, x);
+}
+
+/* a asinh(exp(w)/2), w = mu_log/a, (4a). */
+static T NAME(mu_asinh)(T a, T w)
+{
+    if (w > 1)
+        return a * (w + FN(log1p)((FN(sqrt)(1 + 4 * FN(exp)(-2 * w)) - 1) / 2));
+    return a * FN(asinh)(FN(exp)(w) / 2);
+}
+
+/* mu_ss(v) */
+static T NAME(mu_ss)(const struct law *law, const struct material *m, T x)
+{
+    const T mu = NAME(mu_log_ss)(law, m, x);
+    return law->form == FRICTION_LOG ? mu
+                                     : NAME(mu_asinh)((T) m->a, mu / (T) m->a);
+}
+
+/* The value of mu_log at which mu = tan(alpha). */
+static T NAME(tau)(const struct law *law, const struct material *m, T tan_alpha)
+{
+    const T a = (T) m->a;
+
+    return law->form == FRICTION_LOG
+               ? tan_alpha
+               : tan_alpha + a * FN(log)(-FN(expm1)(-2 * tan_alpha / a));
+}
+
+/* ln(1/T(v)) */
+static T NAME(log_rate)(const struct law *law, const struct material *m, T x)
+{
+    const T r = NAME(inverse_R)(m);
+
+    switch (law->timescale) {
+        case TIMESCALE_SLIP:
+            return x;
+        case TIMESCALE_SPINODAL:
+            return FN(log)(r + FN(exp)(x));
+        case TIMESCALE_AGEING44:
+            return FN(log)(r) - FN(log)(NAME(psi_ss)(law, m, x));
+        default:
+            return FN(log)(r) - NAME(psi_ss)(law, m, x);
+    }
+}
+
+/* Everything about the point x of the steady-state curve.  `equilibrium`: the
+ * force balance is zero there by construction, not by subtraction. */
+static void NAME(anchor)(const struct law *law, const struct material *m,
+                         T alpha_tan, T x, bool equilibrium,
+                         struct NAME(anchor) * at)
+{
+    const T r = NAME(inverse_R)(m), mu_log = NAME(mu_log_ss)(law, m, x);
+    const T eps2 = (T) m->V_star * (T) m->V_star / ((T) m->g * (T) m->L);
+
+    at->x0 = x;
+    at->y0 = NAME(y_ss)(law, m, x);
+    at->v0 = FN(exp)(x);
+    at->psi0 = NAME(psi_ss)(law, m, x);
+    at->log_psi0 = law_psi_is_log(law) ? FN(log)(FN(fabs)(at->psi0)) : at->y0;
+    at->mu0 = equilibrium ? alpha_tan : NAME(mu_ss)(law, m, x);
+    at->force0 = alpha_tan - at->mu0;
+    at->a = (T) m->a;
+    at->b = (T) m->b;
+    at->theta_r = at->psi0 / (NAME(offset)(law, m) + at->psi0);
+    at->steady_r = at->v0 / (r + at->v0);
+    at->log_inertia = -FN(log)(eps2) - FN(log1p)(alpha_tan * alpha_tan) / 2 - x;
+    at->log_rate =
+        NAME(log_rate)(law, m, x) - (law_psi_is_log(law) ? 0 : at->y0);
+    at->w0 = mu_log / (T) m->a;
+    at->q0 = 4 * FN(exp)(-2 * at->w0);
+    at->kappa0 = at->v0 / (T) m->V_c;
+    at->log_kappa0 = x - FN(log)((T) m->V_c);
+    at->log_composite = -at->kappa0 - x - at->y0;
+}

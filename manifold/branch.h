@@ -1,0 +1,45 @@
+/*
+ * branch.h -- one half of an invariant manifold of a saddle, from the saddle
+ * outward, and how it ends.
+ */
+#ifndef MANIFOLD_BRANCH_H
+#define MANIFOLD_BRANCH_H
+
+#include "curve.h"
+#include "local.h"
+
+/* Why a branch ended: data, not an error. */
+enum branch_end {
+    BRANCH_LIMIT_X,     /* y -> +-infinity while x has a limit */
+    BRANCH_LIMIT_Y,     /* x -> +-infinity while y has a limit */
+    BRANCH_DOMAIN,      /* left the domain without a limit */
+    BRANCH_EQUILIBRIUM, /* ran into an equilibrium */
+    BRANCH_STEPS,       /* more steps than allowed */
+    BRANCH_ENDS
+};
+
+struct branch {
+    enum manifold_kind kind;
+    int side;           /* sign of the independent coordinate of the series */
+    struct carry carry; /* what rides along: curve components 2, 3, ... */
+    bool from_saddle[LOCAL_CARRY_MAX]; /* counted from the saddle itself, not
+                                          from the end of the series */
+    struct curve curve;                /* owned; component 0, 1: offsets */
+    enum branch_end end;
+    int sign;          /* LIMIT_*: sign of the infinity */
+    struct vec2 limit; /* offsets at the end; the infinite one as reached */
+    struct vec2 error; /* bound on the limit's truncation error, from the last
+                          terms of every step and the tail */
+    double total[LOCAL_CARRY_MAX]; /* integrals at the end */
+    double total_error[LOCAL_CARRY_MAX];
+    size_t steps, rejected, evaluations; /* a jet of order k counts once */
+};
+
+void branch_free(struct branch *b);
+
+/* Slope dy/dx of the manifold at theta on a piece, from the field (exact up to
+ * rounding); at the saddle itself the eigenvector's. */
+double branch_slope(const struct planar *sys, const struct branch *b,
+                    size_t piece, double theta);
+
+#endif

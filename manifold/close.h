@@ -1,0 +1,20 @@
+/* close.h -- what is left of a branch that approaches an asymptote. */
+#ifndef MANIFOLD_CLOSE_H
+#define MANIFOLD_CLOSE_H
+
+#include "local.h"
+
+struct tail {
+    double unknown; /* change of the dependent coordinate from z to infinity */
+    double unknown_error;
+    double integral[LOCAL_CARRY_MAX];
+    double integral_error[LOCAL_CARRY_MAX];
+};
+
+/* The dependent coordinate and the carried integrals from z to ind ->
+ * toward * infinity, where the slope d dep/d ind decays at least
+ * exponentially.  False, with *t undefined, where it does not decay. */
+bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
+                const struct carry *carry, struct tail *t);
+
+#endif

@@ -1,0 +1,47 @@
+/* equilibrium.h -- zeros of a planar system and their linear type. */
+#ifndef MANIFOLD_EQUILIBRIUM_H
+#define MANIFOLD_EQUILIBRIUM_H
+
+#include "planar.h"
+#include "status.h"
+
+enum { EQUILIBRIA_MAX = 5 }; /* monotone pieces of a steady curve */
+
+enum equilibrium_type {
+    EQUILIBRIUM_SADDLE,
+    EQUILIBRIUM_STABLE_NODE,
+    EQUILIBRIUM_SADDLE_NODE, /* one eigenvalue is zero: at a fold */
+    EQUILIBRIUM_UNSTABLE_NODE,
+    EQUILIBRIUM_FOCUS,
+    EQUILIBRIUM_TYPES
+};
+extern const char *const equilibrium_type_names[];
+
+struct equilibrium {
+    enum equilibrium_type type;
+    struct vec2 z;      /* absolute coordinates */
+    double lambda[2];   /* ascending, per unit of the system's time; real parts
+                           of a focus; may be infinite */
+    struct mat2 matrix; /* Df = matrix * exp(log_scale) */
+    double scaled[2];   /* eigenvalues of `matrix`, ascending */
+    double log_scale;
+};
+
+/* A zero of the balance along the steady curve. */
+struct steady_root {
+    long double x;
+    bool fold; /* a turning point that just touches zero */
+};
+
+/* Every zero of sys->steady->balance in [lo, hi], ascending: one in each
+ * monotone piece whose ends differ in sign, to the last bit of a long double.
+ * Returns their number, at most EQUILIBRIA_MAX. */
+size_t equilibrium_find(const struct planar *sys,
+                        struct steady_root root[EQUILIBRIA_MAX]);
+
+/* Linear type of the equilibrium at sys->origin.  `fold`: one eigenvalue is
+ * known to be zero. */
+void equilibrium_at(const struct planar *sys, bool fold,
+                    struct equilibrium *out);
+
+#endif

@@ -1,0 +1,360 @@
+/*
+ * Taylor steps on the graph of a stable manifold.  Method: the slope
+ * S = f_dep/f_ind is built order by order with the graph itself (Jorba & Zou,
+ * Exp. Math. 14 (2005) 99-117); step from the last two coefficients.
+ * What we changed: dep is y while the curve is flatter than TOL_SLOPE_STEEP
+ * and x above, so vertical walls cost nothing; each step's end is checked
+ * against the field, because near a fold the coefficients alone deceive; what
+ * remains of a branch that approaches an asymptote is closed by quadrature
+ * (close.c) instead of being crawled along.
+ */
+#include "grow.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "close.h"
+#include "tolerance.h"
+
+struct grow_options grow_defaults(double rtol)
+{
+    return (struct grow_options){ .rtol = rtol,
+                                  .order = TOL_TAYLOR_ORDER,
+                                  .max_steps = 2000 };
+}
+
+/* One step in the making: series in s, ind = at + s. */
+struct grower {
+    const struct planar *sys;
+    const struct grow_options *o;
+    struct branch *b;
+    double tol;
+    int ind;    /* independent coordinate */
+    int toward; /* sign of its steps */
+    struct vec2 z;
+    double total[LOCAL_CARRY_MAX];
+    double h; /* step chosen, positive */
+    struct jet_work work;
+    double at[2][JET_SIZE]; /* x(s), y(s) */
+    double f[2][JET_SIZE];
+    double slope[JET_SIZE];
+    double rate[JET_SIZE];
+    double integral[LOCAL_CARRY_MAX][JET_SIZE];
+};
+
+static double coordinate(struct vec2 z, int i)
+{
+    return i == 0 ? z.x : z.y;
+}
+
+/* y(x) or x(y)?  Keeps the outward sense across a change. */
+static void choose_graph(struct grower *g)
+{
+    struct planar_field f;
+
+    g->sys->field(g->sys->ctx, g->z, &f);
+    const double dx = f.direction.x, dy = f.direction.y;
+    const int now = g->ind == 0
+                        ? (fabs(dy) < TOL_SLOPE_STEEP * fabs(dx) ? 0 : 1)
+                        : (fabs(dy) < TOL_SLOPE_FLAT * fabs(dx) ? 0 : 1);
+    if (now == g->ind)
+        return;
+    const double slope = now == 1 ? dy / dx : dx / dy;
+    g->toward = slope >= 0.0 ? g->toward : -g->toward;
+    g->ind = now;
+}
+
+static void set_start(struct grower *g)
+{
+    g->at[0][0] = g->z.x;
+    g->at[1][0] = g->z.y;
+    g->at[g->ind][1] = 1.0;
+    for (size_t k = 2; k <= g->o->order; k++)
+        g->at[g->ind][k] = 0.0;
+    g->work.linear = g->at[g->ind];
+}
+
+static void carry_order(struct grower *g, size_t i, size_t k)
+{
+    double *q = g->integral[i];
+
+    if (g->o->carry.which[i] == CARRY_TIME)
+        g->rate[k] = k == 0 ? exp(-g->work.log_scale) : 0.0;
+    else
+        g->sys->rate_jet(g->sys->ctx, (size_t) g->o->carry.which[i], &g->work,
+                         k, g->at[0], g->at[1], g->rate);
+    /* q' f_ind = rate: q'[k] from rate[k] and q'[0..k-1] = j q[j] */
+    double sum = g->rate[k];
+    for (size_t j = 0; j < k; j++)
+        sum -= (double) (j + 1) * q[j + 1] * g->f[g->ind][k - j];
+    q[k + 1] = sum / g->f[g->ind][0] / (double) (k + 1);
+}
+
+static void expand(struct grower *g)
+{
+    const double *num = g->f[1 - g->ind], *den = g->f[g->ind];
+    double *dep = g->at[1 - g->ind];
+
+    set_start(g);
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        g->integral[i][0] = 0.0;
+    for (size_t k = 0; k < g->o->order; k++) {
+        g->sys->jet(g->sys->ctx, &g->work, k, g->at[0], g->at[1], g->f[0],
+                    g->f[1]);
+        g->slope[k] = jet_quotient(k, num, den, g->slope);
+        dep[k + 1] = g->slope[k] / (double) (k + 1);
+        for (size_t i = 0; i < g->o->carry.count; i++)
+            carry_order(g, i, k);
+    }
+    g->b->evaluations++;
+}
+
+/* What an error of the unknown is measured against: its own size, or where it
+ * passes through zero the size of the curve's rise. */
+static double scale_of_unknown(const struct grower *g)
+{
+    const double dep = fabs(g->at[1 - g->ind][0]);
+    const double rise = fabs(g->slope[0]) * fabs(g->at[g->ind][0]);
+    return fmax(dep, fmin(rise, 1.0));
+}
+
+static double step_for(const double u[], size_t order, double scale, double tol)
+{
+    double h = HUGE_VAL;
+
+    for (size_t k = order - 1; k <= order; k++)
+        if (u[k] != 0.0)
+            h = fmin(h, pow(tol * scale / fabs(u[k]), 1.0 / (double) k));
+    return h;
+}
+
+static void choose_step(struct grower *g)
+{
+    const size_t order = g->o->order;
+    double h = step_for(g->at[1 - g->ind], order, scale_of_unknown(g), g->tol);
+
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        if (g->b->from_saddle[i])
+            h = fmin(h,
+                     step_for(g->integral[i], order,
+                              fabs(g->total[i]) + fabs(g->integral[i][1]) * h,
+                              g->tol));
+    g->h = fmin(h, TOL_STEP_MAX);
+}
+
+static struct vec2 step_end(const struct grower *g, double s)
+{
+    const double dep = jet_at(g->o->order, g->at[1 - g->ind], s);
+    return local_point(g->ind, g->at[g->ind][0] + s, dep);
+}
+
+/* The series' slope at the end of the step against the field's. */
+static bool step_holds(const struct grower *g, struct vec2 end)
+{
+    const double s = g->toward * g->h;
+    const double slope = jet_slope_at(g->o->order, g->at[1 - g->ind], s);
+    const double field = local_slope(g->sys, g->ind, end);
+    const double allowed =
+        TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / g->h;
+    const double rounding = 1e-13 * (fabs(slope) + fabs(g->slope[0]));
+
+    return fabs(slope - field) <= allowed + rounding;
+}
+
+/* Shortens the step so that the independent coordinate stays in the domain;
+ * true when the step now ends on the edge. */
+static bool clip_to_domain(struct grower *g)
+{
+    const struct planar *sys = g->sys;
+    const double here = g->at[g->ind][0] + coordinate(sys->origin, g->ind);
+    const double edge =
+        coordinate(g->toward > 0 ? sys->domain.hi : sys->domain.lo, g->ind);
+    const double room = (edge - here) * g->toward;
+
+    if (room > g->h)
+        return false;
+    g->h = fmax(room, 0.0);
+    return true;
+}
+
+static void add_errors(struct grower *g)
+{
+    const double h = g->h;
+    const size_t n = g->o->order;
+    const double *dep = g->at[1 - g->ind];
+    const double top = pow(h, (double) n - 1.0);
+    const double error = top * (fabs(dep[n - 1]) + h * fabs(dep[n]));
+
+    if (g->ind == 0)
+        g->b->error.y += error;
+    else
+        g->b->error.x += error;
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        g->b->total_error[i] +=
+            top * (fabs(g->integral[i][n - 1]) + h * fabs(g->integral[i][n]));
+}
+
+/* Writes u(toward * h * theta) + start as polynomial in theta. */
+static void store_series(const double u[], size_t order, double start, double s,
+                         double coef[])
+{
+    double power = s;
+
+    coef[0] = start;
+    for (size_t k = 1; k <= order; k++, power *= s)
+        coef[k] = u[k] * power;
+}
+
+static enum status store_step(struct grower *g)
+{
+    const size_t n = g->o->order;
+    const double s = g->toward * g->h;
+    double *coef;
+    const enum status status = curve_push(&g->b->curve, n, &coef);
+
+    if (status != STATUS_OK)
+        return status;
+    store_series(g->at[0], n, g->at[0][0], s, coef);
+    store_series(g->at[1], n, g->at[1][0], s, coef + (n + 1));
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        store_series(g->integral[i], n, g->total[i], s,
+                     coef + (i + 2) * (n + 1));
+    return STATUS_OK;
+}
+
+static void advance(struct grower *g)
+{
+    const double s = g->toward * g->h;
+
+    g->z = step_end(g, s);
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        g->total[i] += jet_at(g->o->order, g->integral[i], s);
+    g->b->steps++;
+}
+
+/* The rate of a branch's approach to an asymptote, from the step just taken:
+ * everything still unknown changes by less than TOL_TAIL from here on. */
+static bool may_close(const struct grower *g)
+{
+    const double s = g->toward * g->h;
+    const size_t n = g->o->order;
+    const double slope = jet_slope_at(n, g->at[1 - g->ind], s);
+    const double unknown = fabs(coordinate(g->z, 1 - g->ind));
+
+    if (!(fabs(slope) <= TOL_TAIL * fmin(1.0, unknown)))
+        return false;
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        if (g->b->from_saddle[i] &&
+            !(fabs(jet_slope_at(n, g->integral[i], s)) <=
+              TOL_TAIL * fabs(g->total[i])))
+            return false;
+    return true;
+}
+
+static bool try_close(struct grower *g)
+{
+    struct tail t;
+
+    if (!may_close(g) ||
+        !close_tail(g->sys, g->ind, g->toward, g->z, &g->o->carry, &t))
+        return false;
+    g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
+    g->b->sign = g->toward;
+    if (g->ind == 1) {
+        g->z.x += t.unknown;
+        g->b->error.x += t.unknown_error;
+    } else {
+        g->z.y += t.unknown;
+        g->b->error.y += t.unknown_error;
+    }
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        g->total[i] += t.integral[i];
+        g->b->total_error[i] += t.integral_error[i];
+    }
+    return true;
+}
+
+/* One accepted step; *done when the branch has ended. */
+static enum status step(struct grower *g, bool *done)
+{
+    choose_graph(g);
+    expand(g);
+    choose_step(g);
+    bool edge = clip_to_domain(g);
+    while (!step_holds(g, step_end(g, g->toward * g->h))) {
+        g->h *= 0.5;
+        edge = false;
+        g->b->rejected++;
+        if (!(g->h > 4.0 * DBL_EPSILON * (1.0 + fabs(g->at[g->ind][0]))))
+            return STATUS_NO_CONVERGENCE;
+    }
+    add_errors(g);
+    const enum status s = store_step(g);
+    if (s != STATUS_OK)
+        return s;
+    advance(g);
+    *done = try_close(g);
+    if (!*done && edge) {
+        g->b->end = BRANCH_DOMAIN;
+        *done = true;
+    }
+    return STATUS_OK;
+}
+
+static enum status start_branch(struct grower *g, const struct local_series *u,
+                                int side)
+{
+    const size_t n = u->order;
+    const double s = side * u->radius;
+    double line[JET_SIZE] = { 0.0, 1.0 }, *coef;
+    const enum status status = curve_push(&g->b->curve, n, &coef);
+
+    if (status != STATUS_OK)
+        return status;
+    store_series(u->ind == 0 ? line : u->c, n, 0.0, s, coef);
+    store_series(u->ind == 0 ? u->c : line, n, 0.0, s, coef + (n + 1));
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        store_series(u->integral[i], n, 0.0, s, coef + (i + 2) * (n + 1));
+        g->b->from_saddle[i] = u->converges[i];
+        g->total[i] = jet_at(n, u->integral[i], s);
+        g->b->total_error[i] = u->integral_tail[i];
+    }
+    g->z = local_point(u->ind, s, jet_at(n, u->c, s));
+    g->ind = u->ind;
+    g->toward = side;
+    *(u->ind == 0 ? &g->b->error.y : &g->b->error.x) = u->tail;
+    return STATUS_OK;
+}
+
+enum status grow_branch(const struct planar *sys,
+                        const struct local_series *start, int side,
+                        const struct grow_options *o, struct branch *out)
+{
+    struct grower g;
+    bool done = false;
+
+    *out = (struct branch){ .kind = MANIFOLD_STABLE,
+                            .side = side,
+                            .carry = o->carry,
+                            .curve = CURVE_EMPTY(2 + o->carry.count),
+                            .end = BRANCH_STEPS };
+    g.sys = sys;
+    g.o = o;
+    g.b = out;
+    g.tol = TOL_TAYLOR_STEP * o->rtol;
+    enum status s = start_branch(&g, start, side);
+    while (s == STATUS_OK && !done && out->steps < o->max_steps) {
+        s = step(&g, &done);
+        if (s == STATUS_OK && out->steps % 64 == 0 &&
+            monitor_tell(o->monitor, "manifold", out->steps, 0))
+            s = STATUS_STOPPED;
+    }
+    if (s != STATUS_OK) {
+        branch_free(out);
+        return s;
+    }
+    out->limit = g.z;
+    for (size_t i = 0; i < o->carry.count; i++)
+        out->total[i] = g.total[i];
+    return STATUS_OK;
+}

@@ -1,0 +1,30 @@
+/*
+ * grow.h -- the stable manifold of a saddle, grown outward from its series.
+ *
+ * Backward along its stable manifold a saddle is not stiff: the graph y(x) or
+ * x(y), whichever is flatter, is continued by Taylor steps.
+ */
+#ifndef MANIFOLD_GROW_H
+#define MANIFOLD_GROW_H
+
+#include "branch.h"
+#include "monitor.h"
+
+struct grow_options {
+    double rtol;  /* asked of the limits and integrals */
+    size_t order; /* of the Taylor series; TOL_TAYLOR_ORDER */
+    size_t max_steps;
+    struct carry carry;
+    const struct monitor *monitor; /* borrowed, may be NULL */
+};
+
+struct grow_options grow_defaults(double rtol);
+
+/* The branch on the given side (+1: growing ind, -1) of the local series, to
+ * its limit or the end of the domain.  On error *out is empty. */
+MUST_CHECK enum status grow_branch(const struct planar *sys,
+                                   const struct local_series *start, int side,
+                                   const struct grow_options *o,
+                                   struct branch *out);
+
+#endif

@@ -1,0 +1,192 @@
+/*
+ * The graph of an invariant manifold over one coordinate, by the recursion of
+ * its invariance equation  S(s) f_ind(s) = f_dep(s),  S = d dep/d ind, order
+ * by order: at a saddle both sides vanish and order k gives
+ *     c[k] (k lambda - mu) = known,   lambda this, mu the other eigenvalue,
+ * which is never singular (Poincare; Cabre, Fontich & de la Llave 2005).
+ * What is ours: the field comes as jets, so no formula is differentiated by
+ * hand, and the radius is checked against the field itself.
+ */
+#include "local.h"
+
+#include <math.h>
+
+#include "tolerance.h"
+
+/* Working series: the field along the graph. */
+struct graph {
+    const struct planar *sys;
+    struct jet_work work;
+    double s[JET_SIZE]; /* ind = s */
+    double f[2][JET_SIZE];
+};
+
+static void graph_jet(struct graph *g, const struct local_series *u, size_t k)
+{
+    const double *x = u->ind == 0 ? g->s : u->c;
+    const double *y = u->ind == 0 ? u->c : g->s;
+
+    g->sys->jet(g->sys->ctx, &g->work, k, x, y, g->f[0], g->f[1]);
+}
+
+/* What order k leaves on the right when c[k] is still zero. */
+static double defect_of_order(const double *dep, const double *ind,
+                              const double *c, size_t k)
+{
+    double sum = dep[k] - c[1] * ind[k];
+
+    for (size_t j = 1; j + 1 < k; j++)
+        sum -= (double) (j + 1) * c[j + 1] * ind[k - j];
+    return sum;
+}
+
+static void carry_order(struct graph *g, const struct carry *carry,
+                        struct local_series *u, double rate[][JET_SIZE],
+                        size_t k)
+{
+    const double *x = u->ind == 0 ? g->s : u->c;
+    const double *y = u->ind == 0 ? u->c : g->s;
+
+    for (size_t i = 0; i < carry->count; i++) {
+        if (carry->which[i] == CARRY_TIME)
+            rate[i][k] = k == 0 ? 1.0 : 0.0;
+        else
+            g->sys->rate_jet(g->sys->ctx, (size_t) carry->which[i], &g->work, k,
+                             x, y, rate[i]);
+    }
+}
+
+static void build(struct graph *g, const struct carry *carry,
+                  const struct equilibrium *e, enum manifold_kind kind,
+                  struct local_series *u, double rate[][JET_SIZE])
+{
+    const double *dep = g->f[1 - u->ind], *ind = g->f[u->ind];
+    double lambda = 0.0, other = 0.0;
+
+    for (size_t k = 0; k <= u->order; k++) {
+        if (k >= 2) {
+            u->c[k] = 0.0;
+            graph_jet(g, u, k);
+            u->c[k] = defect_of_order(dep, ind, u->c, k) /
+                      ((double) k * lambda - other);
+        } else if (k == 1) {
+            const double unit = exp(e->log_scale - g->work.log_scale);
+            lambda = unit * e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
+            other = unit * e->scaled[kind == MANIFOLD_STABLE ? 1 : 0];
+        }
+        graph_jet(g, u, k);
+        carry_order(g, carry, u, rate, k);
+    }
+}
+
+/* q' = rate/f_ind with both zero at the saddle: divide the shifted series. */
+static void build_integrals(const struct graph *g, const struct carry *carry,
+                            double rate[][JET_SIZE], struct local_series *u)
+{
+    const double *den = g->f[u->ind] + 1;
+    double quotient[JET_SIZE];
+
+    for (size_t i = 0; i < carry->count; i++) {
+        u->converges[i] = rate[i][0] == 0.0;
+        for (size_t k = 0; k <= u->order; k++)
+            u->integral[i][k] = 0.0;
+        for (size_t k = 0; u->converges[i] && k < u->order; k++) {
+            quotient[k] = jet_quotient(k, rate[i] + 1, den, quotient);
+            u->integral[i][k + 1] = quotient[k] / (double) (k + 1);
+        }
+    }
+}
+
+double local_slope(const struct planar *sys, int ind, struct vec2 z)
+{
+    struct planar_field f;
+
+    sys->field(sys->ctx, z, &f);
+    return ind == 0 ? f.direction.y / f.direction.x
+                    : f.direction.x / f.direction.y;
+}
+
+/* Radius at which the last two terms of u fall to tol times its first. */
+static double radius_of(const double u[], size_t order, double tol)
+{
+    double radius = HUGE_VAL;
+
+    for (size_t k = order - 1; k <= order; k++)
+        if (u[k] != 0.0)
+            radius = fmin(radius, pow(tol * fabs(u[1]) / fabs(u[k]),
+                                      1.0 / (double) (k - 1)));
+    return radius;
+}
+
+static double last_terms(const double u[], size_t order, double s)
+{
+    return fabs(u[order]) * pow(s, (double) order) +
+           fabs(u[order - 1]) * pow(s, (double) (order - 1));
+}
+
+/* The series' slope against the field's at +-s, relative. */
+static double slope_defect(const struct planar *sys,
+                           const struct local_series *u, double s)
+{
+    double worst = 0.0;
+
+    for (int side = -1; side <= 1; side += 2) {
+        const double t = side * s, dep = jet_at(u->order, u->c, t);
+        const double slope = jet_slope_at(u->order, u->c, t);
+        const double field =
+            local_slope(sys, u->ind, local_point(u->ind, t, dep));
+        const double defect =
+            fabs(slope - field) / (fabs(slope) + fabs(u->c[1]));
+        if (!(defect <= worst))
+            worst = defect;
+    }
+    return worst;
+}
+
+static enum status find_radius(const struct planar *sys,
+                               const struct carry *carry, double tol,
+                               struct local_series *u)
+{
+    double radius = radius_of(u->c, u->order, tol);
+
+    for (size_t i = 0; i < carry->count; i++)
+        if (u->converges[i] && u->integral[i][1] != 0.0)
+            radius = fmin(radius, radius_of(u->integral[i], u->order, tol));
+    radius = fmin(0.9 * radius, TOL_SERIES_RADIUS_MAX);
+    for (int i = 0; i < 60; i++, radius *= 0.5)
+        if (slope_defect(sys, u, radius) <= TOL_SLOPE_CHECK * tol + 1e-13)
+            break;
+    u->radius = radius;
+    u->tail = last_terms(u->c, u->order, radius);
+    for (size_t i = 0; i < carry->count; i++)
+        u->integral_tail[i] = last_terms(u->integral[i], u->order, radius);
+    return radius > 1e-12 ? STATUS_OK : STATUS_NO_CONVERGENCE;
+}
+
+enum status local_at(const struct planar *sys, const struct equilibrium *e,
+                     enum manifold_kind kind, const struct carry *carry,
+                     size_t order, double tol, struct local_series *out)
+{
+    const double lambda = e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
+    const double other = e->scaled[kind == MANIFOLD_STABLE ? 1 : 0];
+    struct graph g;
+    double rate[LOCAL_CARRY_MAX][JET_SIZE];
+
+    if (sys->jet == NULL || order < 4 || order >= JET_SIZE)
+        return STATUS_BAD_ARGUMENT;
+    if (kind == MANIFOLD_STABLE ? !(lambda < 0.0 && other >= 0.0)
+                                : !(lambda > 0.0 && other <= 0.0))
+        return STATUS_NOT_HYPERBOLIC;
+    const struct vec2 v = mat2_eigenvector(e->matrix, lambda);
+    out->ind = fabs(v.y) <= fabs(v.x) ? 0 : 1;
+    out->order = order;
+    out->c[0] = 0.0;
+    out->c[1] = out->ind == 0 ? v.y / v.x : v.x / v.y;
+    g.sys = sys;
+    for (size_t k = 0; k <= order; k++)
+        g.s[k] = k == 1 ? 1.0 : 0.0;
+    g.work.linear = g.s;
+    build(&g, carry, e, kind, out, rate);
+    build_integrals(&g, carry, rate, out);
+    return find_radius(sys, carry, tol, out);
+}

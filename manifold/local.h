@@ -1,0 +1,58 @@
+/*
+ * local.h -- the invariant manifolds at a saddle as Taylor series.
+ *
+ * Near a saddle each invariant manifold is the graph of one coordinate, the
+ * dependent one, over the other: dep = sum_k c[k] ind^k (Poincare).  The same
+ * series serves both branches (ind > 0 and ind < 0).
+ */
+#ifndef MANIFOLD_LOCAL_H
+#define MANIFOLD_LOCAL_H
+
+#include "equilibrium.h"
+
+enum manifold_kind { MANIFOLD_STABLE, MANIFOLD_UNSTABLE };
+
+enum { LOCAL_CARRY_MAX = 4 };
+
+/* A quantity integrated along a branch: an observable's index, or time. */
+enum { CARRY_TIME = -1 };
+struct carry {
+    int which[LOCAL_CARRY_MAX];
+    size_t count;
+};
+
+struct local_series {
+    int ind; /* 0: y(x); 1: x(y) */
+    size_t order;
+    double c[JET_SIZE];
+    /* Integrals over time from the saddle, as series in ind; only those whose
+     * rate vanishes at the saddle converge, the others are identically zero
+     * here (and are counted from the end of the series). */
+    double integral[LOCAL_CARRY_MAX][JET_SIZE];
+    bool converges[LOCAL_CARRY_MAX];
+    double radius; /* where the last terms reach tol and the defect is small */
+    double tail;   /* size of the last terms of c at the radius */
+    double integral_tail[LOCAL_CARRY_MAX];
+};
+
+/* The manifold of the saddle at sys->origin, order <= JET_SIZE - 1.
+ * STATUS_NOT_HYPERBOLIC if `e` has no such manifold (the strong stable
+ * manifold of a saddle-node exists), STATUS_BAD_ARGUMENT if the system has no
+ * jets, STATUS_NO_CONVERGENCE if no radius is small enough; then *out is
+ * undefined. */
+MUST_CHECK enum status local_at(const struct planar *sys,
+                                const struct equilibrium *e,
+                                enum manifold_kind kind,
+                                const struct carry *carry, size_t order,
+                                double tol, struct local_series *out);
+
+/* dep's derivative by ind from the field at z: f_dep / f_ind. */
+double local_slope(const struct planar *sys, int ind, struct vec2 z);
+
+/* The point of the plane with the given coordinates. */
+static inline struct vec2 local_point(int ind, double s, double dep)
+{
+    return ind == 0 ? (struct vec2){ s, dep } : (struct vec2){ dep, s };
+}
+
+#endif
