@@ -16,11 +16,17 @@
 #include "close.h"
 #include "tolerance.h"
 
+size_t grow_order(double rtol)
+{
+    const double order = TOL_ORDER_BASE - TOL_ORDER_PER_DIGIT * log10(rtol);
+    return (size_t) fmin(fmax(order, 6.0), JET_SIZE - 1);
+}
+
 struct grow_options grow_defaults(double rtol)
 {
     return (struct grow_options){ .rtol = rtol,
-                                  .order = TOL_TAYLOR_ORDER,
-                                  .max_steps = 2000 };
+                                  .order = grow_order(rtol),
+                                  .max_steps = TOL_BRANCH_STEPS };
 }
 
 /* One step in the making: series in s, ind = at + s. */
@@ -39,6 +45,7 @@ struct grower {
     double f[2][JET_SIZE];
     double slope[JET_SIZE];
     double rate[JET_SIZE];
+    double swift[LOCAL_CARRY_MAX][JET_SIZE]; /* d integral/d ind */
     double integral[LOCAL_CARRY_MAX][JET_SIZE];
 };
 
@@ -76,18 +83,13 @@ static void set_start(struct grower *g)
 
 static void carry_order(struct grower *g, size_t i, size_t k)
 {
-    double *q = g->integral[i];
-
     if (g->o->carry.which[i] == CARRY_TIME)
         g->rate[k] = k == 0 ? exp(-g->work.log_scale) : 0.0;
     else
         g->sys->rate_jet(g->sys->ctx, (size_t) g->o->carry.which[i], &g->work,
                          k, g->at[0], g->at[1], g->rate);
-    /* q' f_ind = rate: q'[k] from rate[k] and q'[0..k-1] = j q[j] */
-    double sum = g->rate[k];
-    for (size_t j = 0; j < k; j++)
-        sum -= (double) (j + 1) * q[j + 1] * g->f[g->ind][k - j];
-    q[k + 1] = sum / g->f[g->ind][0] / (double) (k + 1);
+    g->swift[i][k] = jet_quotient(k, g->rate, g->f[g->ind], g->swift[i]);
+    g->integral[i][k + 1] = g->swift[i][k] / (double) (k + 1);
 }
 
 static void expand(struct grower *g)
@@ -109,13 +111,15 @@ static void expand(struct grower *g)
     g->b->evaluations++;
 }
 
-/* What an error of the unknown is measured against: its own size, or where it
- * passes through zero the size of the curve's rise. */
+/* What an error of the unknown is measured against: y against the distance
+ * from the saddle, x - which has the limit we are after - against itself, or
+ * where it passes through zero against the curve's rise. */
 static double scale_of_unknown(const struct grower *g)
 {
-    const double dep = fabs(g->at[1 - g->ind][0]);
-    const double rise = fabs(g->slope[0]) * fabs(g->at[g->ind][0]);
-    return fmax(dep, fmin(rise, 1.0));
+    const double x = fabs(g->at[0][0]), y = fabs(g->at[1][0]);
+    const double rise = fabs(g->slope[0]) * y;
+
+    return g->ind == 0 ? x + y : fmax(x, fmin(rise, 1.0));
 }
 
 static double step_for(const double u[], size_t order, double scale, double tol)
@@ -241,6 +245,8 @@ static bool may_close(const struct grower *g)
     const double slope = jet_slope_at(n, g->at[1 - g->ind], s);
     const double unknown = fabs(coordinate(g->z, 1 - g->ind));
 
+    if (g->o->reach && box_holds(*g->o->reach, vec2_add(g->sys->origin, g->z)))
+        return false;
     if (!(fabs(slope) <= TOL_TAIL * fmin(1.0, unknown)))
         return false;
     for (size_t i = 0; i < g->o->carry.count; i++)

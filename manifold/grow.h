@@ -12,11 +12,16 @@
 
 struct grow_options {
     double rtol;  /* asked of the limits and integrals */
-    size_t order; /* of the Taylor series; TOL_TAYLOR_ORDER */
+    size_t order; /* of the Taylor series */
     size_t max_steps;
     struct carry carry;
+    const struct box *reach; /* absolute, borrowed; the branch is not closed
+                                inside it; NULL: close as soon as possible */
     const struct monitor *monitor; /* borrowed, may be NULL */
 };
+
+/* The order of Taylor series that is cheapest for an accuracy. */
+size_t grow_order(double rtol);
 
 struct grow_options grow_defaults(double rtol);
 

@@ -106,15 +106,18 @@ double local_slope(const struct planar *sys, int ind, struct vec2 z)
                     : f.direction.x / f.direction.y;
 }
 
-/* Radius at which the last two terms of u fall to tol times its first. */
+/* Radius at which the last two terms of u fall to tol times its first - or,
+ * where that is zero by symmetry, its largest - coefficient. */
 static double radius_of(const double u[], size_t order, double tol)
 {
-    double radius = HUGE_VAL;
+    double radius = HUGE_VAL, size = fabs(u[1]);
 
+    for (size_t k = 2; u[1] == 0.0 && k <= order; k++)
+        size = fmax(size, fabs(u[k]));
     for (size_t k = order - 1; k <= order; k++)
         if (u[k] != 0.0)
-            radius = fmin(radius, pow(tol * fabs(u[1]) / fabs(u[k]),
-                                      1.0 / (double) (k - 1)));
+            radius = fmin(radius,
+                          pow(tol * size / fabs(u[k]), 1.0 / (double) (k - 1)));
     return radius;
 }
 
@@ -135,8 +138,9 @@ static double slope_defect(const struct planar *sys,
         const double slope = jet_slope_at(u->order, u->c, t);
         const double field =
             local_slope(sys, u->ind, local_point(u->ind, t, dep));
-        const double defect =
-            fabs(slope - field) / (fabs(slope) + fabs(u->c[1]));
+        const double off = fabs(slope - field);
+        const double size = fabs(slope) + fabs(u->c[1]);
+        const double defect = off == 0.0 ? 0.0 : off / size;
         if (!(defect <= worst))
             worst = defect;
     }

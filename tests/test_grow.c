@@ -1,0 +1,212 @@
+/* The stable manifold against systems whose manifolds are known exactly. */
+#include "grow.h"
+
+#include <math.h>
+
+#include "check.h"
+#include "fixtures.h"
+
+/* Branches of a fixture's saddle at its origin. */
+static enum status branches_of(const struct planar *sys, double rtol,
+                               struct branch b[2])
+{
+    struct grow_options o = grow_defaults(rtol);
+    struct local_series u;
+    struct equilibrium e;
+
+    o.max_steps = 400;
+    o.carry =
+        (struct carry){ { FIXTURE_X_MOVED, FIXTURE_Y_MOVED, CARRY_TIME }, 3 };
+    b[0].curve = b[1].curve = CURVE_EMPTY(5);
+    equilibrium_at(sys, false, &e);
+    assert_int_equal(e.type, EQUILIBRIUM_SADDLE);
+    enum status s =
+        local_at(sys, &e, MANIFOLD_STABLE, &o.carry, o.order, 0.01 * rtol, &u);
+    for (int i = 0; i < 2 && s == STATUS_OK; i++)
+        s = grow_branch(sys, &u, i == 0 ? 1 : -1, &o, &b[i]);
+    return s;
+}
+
+/* Distance from the exact manifold, first order: implicit over its gradient,
+ * relative to the size of the numbers that make z. */
+static double distance(const struct fixture *f, struct vec2 z)
+{
+    const double h = 1e-6 * (1.0 + fabs(z.x) + fabs(z.y));
+    const double here = fixture_implicit(f, FIXTURE_STABLE, z);
+    const struct vec2 e = { z.x + h, z.y }, w = { z.x - h, z.y };
+    const struct vec2 n = { z.x, z.y + h }, s = { z.x, z.y - h };
+    const double gx = (fixture_implicit(f, FIXTURE_STABLE, e) -
+                       fixture_implicit(f, FIXTURE_STABLE, w)) /
+                      (2.0 * h);
+    const double gy = (fixture_implicit(f, FIXTURE_STABLE, n) -
+                       fixture_implicit(f, FIXTURE_STABLE, s)) /
+                      (2.0 * h);
+    return fabs(here) / hypot(gx, gy);
+}
+
+static bool nearby(struct vec2 u)
+{
+    return fabs(u.x) < 1.2 && fabs(u.y) < 3.0;
+}
+
+static void check_branch(const struct fixture *f, const struct branch *b,
+                         double tol)
+{
+    double at[CURVE_DIM_MAX];
+
+    for (size_t i = 0; i < b->curve.count; i++)
+        for (int k = 0; k <= 4; k++) {
+            curve_at(&b->curve, i, 0.25 * k, at);
+            const struct vec2 z = { at[0], at[1] };
+            const struct vec2 u = fixture_base_point(f, z);
+            if (!nearby(u))
+                return;
+            const double size = 1.0 + fabs(z.x) + fabs(z.y);
+            CHECK(distance(f, z) <= tol * size,
+                  "base %d piece %zu of %zu, u = (%g, %g): distance %.3g",
+                  (int) f->base, i, b->curve.count, u.x, u.y, distance(f, z));
+            CHECK(fabs(at[2] - u.x) <= 100.0 * tol * size &&
+                      fabs(at[3] - u.y) <= 100.0 * tol * size,
+                  "integrals (%.15g, %.15g) instead of (%.15g, %.15g)", at[2],
+                  at[3], u.x, u.y);
+        }
+}
+
+static void check_fixture(const struct fixture *f, double rtol)
+{
+    const struct planar sys = fixture_planar(f);
+    struct branch b[2];
+    const enum status s = branches_of(&sys, rtol, b);
+
+    CHECK(s == STATUS_OK, "base %d: %s", (int) f->base, status_text(s));
+    for (int i = 0; i < 2; i++) {
+        CHECK(b[i].curve.count > 1, "only %zu pieces", b[i].curve.count);
+        check_branch(f, &b[i], 100.0 * rtol + 1e-13);
+        branch_free(&b[i]);
+        branch_free(&b[i]);
+    }
+}
+
+static void plain_systems_have_their_exact_manifolds(void **state)
+{
+    (void) state;
+    for (int base = 0; base < FIXTURE_BASES; base++) {
+        struct fixture f;
+        fixture_plain(&f, (enum fixture_base) base);
+        check_fixture(&f, 1e-12);
+        check_fixture(&f, 1e-6);
+    }
+}
+
+static void sheared_systems_have_their_exact_manifolds(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 400; i++) {
+        struct fixture f;
+        fixture_random(&f, (enum fixture_base)(i % FIXTURE_BASES), &rng);
+        check_fixture(&f, 1e-12);
+    }
+}
+
+static void a_node_has_no_such_manifold(void **state)
+{
+    struct fixture f;
+    struct local_series u;
+    struct equilibrium e;
+    const struct carry none = { .count = 0 };
+
+    (void) state;
+    fixture_plain(&f, FIXTURE_PITCHFORK);
+    fixture_center(&f, f.equilibrium[1].base);
+    const struct planar sys = fixture_planar(&f);
+    equilibrium_at(&sys, false, &e);
+    assert_int_equal(e.type, EQUILIBRIUM_STABLE_NODE);
+    assert_int_equal(
+        local_at(&sys, &e, MANIFOLD_UNSTABLE, &none, 20, 1e-14, &u),
+        STATUS_NOT_HYPERBOLIC);
+}
+
+static void a_system_without_jets_is_refused(void **state)
+{
+    struct fixture f;
+    struct local_series u;
+    struct equilibrium e;
+    const struct carry none = { .count = 0 };
+
+    (void) state;
+    fixture_plain(&f, FIXTURE_DUFFING);
+    struct planar sys = fixture_planar(&f);
+    equilibrium_at(&sys, false, &e);
+    sys.jet = NULL;
+    assert_int_equal(local_at(&sys, &e, MANIFOLD_STABLE, &none, 20, 1e-14, &u),
+                     STATUS_BAD_ARGUMENT);
+}
+
+static void unstable_series_lie_on_the_exact_manifold(void **state)
+{
+    uint64_t rng = check_seed() + 1;
+    const struct carry none = { .count = 0 };
+
+    (void) state;
+    for (int i = 0; i < 400; i++) {
+        struct fixture f;
+        struct local_series u;
+        struct equilibrium e;
+        fixture_random(&f, (enum fixture_base)(i % FIXTURE_BASES), &rng);
+        const struct planar sys = fixture_planar(&f);
+        equilibrium_at(&sys, false, &e);
+        assert_int_equal(
+            local_at(&sys, &e, MANIFOLD_UNSTABLE, &none, 20, 1e-14, &u),
+            STATUS_OK);
+        for (int k = -4; k <= 4; k++) {
+            const double s = 0.25 * k * u.radius;
+            const struct vec2 z = local_point(u.ind, s, jet_at(20, u.c, s));
+            const double q = fixture_implicit(&f, FIXTURE_UNSTABLE, z);
+            CHECK(fabs(q) <= 1e-11 * (1.0 + fabs(z.x) + fabs(z.y)),
+                  "base %d at %g of %g: %.3g", (int) f.base, s, u.radius, q);
+        }
+    }
+}
+
+static int stop_at_once(void *ctx, const char *stage, uint64_t done,
+                        uint64_t total)
+{
+    (void) ctx, (void) stage, (void) done, (void) total;
+    return 1;
+}
+
+static void the_monitor_can_stop_a_long_branch(void **state)
+{
+    const struct monitor monitor = { stop_at_once, NULL };
+    struct grow_options o = grow_defaults(1e-12);
+    struct fixture f;
+    struct local_series u;
+    struct equilibrium e;
+    struct branch b;
+
+    (void) state;
+    fixture_plain(&f, FIXTURE_DUFFING); /* a loop that never ends */
+    const struct planar sys = fixture_planar(&f);
+    o.monitor = &monitor;
+    equilibrium_at(&sys, false, &e);
+    assert_int_equal(
+        local_at(&sys, &e, MANIFOLD_STABLE, &o.carry, o.order, 1e-14, &u),
+        STATUS_OK);
+    assert_int_equal(grow_branch(&sys, &u, 1, &o, &b), STATUS_STOPPED);
+    assert_int_equal(b.curve.count, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(plain_systems_have_their_exact_manifolds),
+        cmocka_unit_test(sheared_systems_have_their_exact_manifolds),
+        cmocka_unit_test(a_node_has_no_such_manifold),
+        cmocka_unit_test(a_system_without_jets_is_refused),
+        cmocka_unit_test(unstable_series_lie_on_the_exact_manifold),
+        cmocka_unit_test(the_monitor_can_stop_a_long_branch),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
