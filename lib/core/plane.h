@@ -38,6 +38,13 @@ static inline bool box_holds(struct box b, struct vec2 z)
     return z.x >= b.lo.x && z.x <= b.hi.x && z.y >= b.lo.y && z.y <= b.hi.y;
 }
 
+/* The box with `part` of its width added on every side. */
+static inline struct box box_grow(struct box b, double part)
+{
+    const struct vec2 more = vec2_scale(part, vec2_sub(b.hi, b.lo));
+    return (struct box){ vec2_sub(b.lo, more), vec2_add(b.hi, more) };
+}
+
 /* Euclidean length, without overflow. */
 double vec2_length(struct vec2 v);
 

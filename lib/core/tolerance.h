@@ -26,11 +26,15 @@
 /* Bound on the steps of any one integration: a hang is worse than an error. */
 #define TOL_MAX_STEPS 1000000
 
-/* Taylor series along a manifold: order (16 to 28 tie in speed), and the
- * tolerance of one step for a promise of rtol on the result: step errors add
- * up over some fifty steps. */
-#define TOL_TAYLOR_ORDER 22
-#define TOL_TAYLOR_STEP  0.01
+/* Taylor series along a manifold: order = base - per digit * log10(rtol), 22
+ * at 1e-12 (16 to 28 tie in speed) and 14 at 1e-6; and the tolerance of one
+ * step for a promise of rtol on the result: step errors add up over some fifty
+ * steps. */
+#define TOL_ORDER_BASE 6.0
+#define TOL_ORDER_PER_DIGIT 1.35
+#define TOL_TAYLOR_STEP 0.01
+/* No branch needs a tenth of this. */
+#define TOL_BRANCH_STEPS 2000
 /* Never a series start further than this from the saddle, in ln v or ln psi:
  * beyond, the defect at the two ends no longer speaks for the middle. */
 #define TOL_SERIES_RADIUS_MAX 2.0
@@ -44,7 +48,99 @@
 /* A branch is closed by quadrature when what is left of it is below this,
  * relative to min(1, unknown): eight Laguerre nodes then give 1e-14. */
 #define TOL_TAIL 1e-8
+/* Stored rows of a branch: a reader's Hermite interpolation is this near the
+ * curve, in ln v or ln psi; and the largest distance between two rows. */
+#define TOL_HERMITE 1e-6
+#define TOL_ROW_SPACING 0.5
+/* Curves run on beyond the window by this much of its width. */
+#define TOL_WINDOW_MARGIN 0.1
 /* Longest Taylor step, in the independent coordinate. */
 #define TOL_STEP_MAX 50.0
+
+/* Step control of flow.h and orbit.h.  Safety: aim for an error of about half
+ * the tolerance, since a rejected step costs more than a short one. */
+#define TOL_STEP_SAFETY 0.9
+/* The step never changes by more than this: an estimate is local. */
+#define TOL_STEP_SHRINK 0.2
+#define TOL_STEP_GROWTH 5.0
+/* Errors below this fraction of the tolerance count as this in the control. */
+#define TOL_STEP_ERROR_FLOOR 1e-4
+/* Shorter steps are no steps: reached after some fifty rejections, as where
+ * a field is NaN. */
+#define TOL_STEP_MIN 1e-30
+/* First step: probe of the second derivative, as a fraction of the way; error
+ * aimed at, as a fraction of the tolerance. */
+#define TOL_STEP_PROBE 1e-6
+#define TOL_STEP_FIRST 0.01
+/* Steps between two calls of a monitor. */
+#define TOL_MONITOR_STEPS 64
+
+/* Samples of each event function on a piece: polynomials of degree at most 7
+ * seldom turn more often than this resolves. */
+#define TOL_EVENT_SAMPLES 8
+/* Shortest stride, in theta, of the walk to a passage: what stays beyond for
+ * less grazes by less than a thousandth of the way a piece can make. */
+#define TOL_PASSAGE_STEP 0x1p-10
+/* The same into a box, as a fraction of its width: a chord across a corner
+ * shorter than this comes no nearer the middle than 99 % of the edge. */
+#define TOL_PASSAGE_CHORD 0x1p-6
+/* An orbit whose steps shrink below this times |z| is stuck: z + h = z, as
+ * where the field ends in NaN. */
+#define TOL_ORBIT_STALL 1e-15
+/* An orbit at rest ends here, dimensionless: as far as a double goes. */
+#define TOL_TIME_MAX 1e300
+
+/* A point of a drawn curve may be left out when the line passes this near to
+ * it, in px (1/96 inch): a tenth of a dot of a printer at 200 dots an inch. */
+#define TOL_FIGURE_PX 0.05
+/* Cells along each side of a drawn raster, at least: about as many as there
+ * are px, so that a viewer that blurs images blurs nothing visible. */
+#define TOL_FIGURE_CELLS 400
+
+/* Nullclines, lengths as fractions of the window's sides.  Grid on which their
+ * signs are looked at, cells a side: what is smaller than a cell, or two pieces
+ * nearer than one, may be missed. */
+#define TOL_NULLCLINE_CELLS 64
+/* The drawn polyline stays this near the curve: a px at 1000 px. */
+#define TOL_NULLCLINE_CHORD 1e-3
+/* Longest and shortest step, and the tangent of the largest angle between the
+ * chord and the tangents at its ends: beyond, the step may have changed over
+ * to another piece; shorter than the shortest, the curve has a cusp. */
+#define TOL_NULLCLINE_STEP_MAX 0x1p-5
+#define TOL_NULLCLINE_STEP_MIN 1e-7
+#define TOL_NULLCLINE_ANGLE    0.3
+/* Steps aim at this fraction of the tolerance: a refused one costs more. */
+#define TOL_NULLCLINE_SAFETY 0.7
+/* Width at which roots are closed: the rounding of a number below 1. */
+#define TOL_NULLCLINE_ROOT 1e-16
+/* How far beside a root the signs are looked at, and tangents differenced,
+ * where the component is too small to have digits. */
+#define TOL_NULLCLINE_ASIDE 1e-6
+/* A seed is on the traced curve when it is this near the cubic through two
+ * points and tangents, plus the second times the cubic's height: a circle is
+ * off its cubic by 0.01 times that at the largest angle allowed. */
+#define TOL_NULLCLINE_MATCH       1e-7
+#define TOL_NULLCLINE_MATCH_CUBIC 0.1
+/* Points of one piece: a hang is worse than a gap. */
+#define TOL_NULLCLINE_POINTS 20000
+
+/* Trajectories of a portrait: steps of each, enough for fifty turns around a
+ * centre; how far beyond the window they go, so that no end shows; starts
+ * chosen at a time (fixed, so that the number of threads changes nothing);
+ * candidates for each start; spacing of the points that stand for a curve
+ * when the next starts are chosen (fractions of the window). */
+#define TOL_PORTRAIT_STEPS      20000
+#define TOL_PORTRAIT_MARGIN     0.05
+#define TOL_PORTRAIT_BATCH      4
+#define TOL_PORTRAIT_CANDIDATES 16
+#define TOL_PORTRAIT_SPACING    0.01
+
+/* HDF5 files.  Side of the square chunks of a grid, in cells: half a megabyte
+ * of doubles, which stays in HDF5's chunk cache of 1 MiB. */
+#define STORE_CHUNK 256
+/* Level of zlib: higher ones cost several times more for a few per cent. */
+#define STORE_DEFLATE 1
+/* Growth of a file in memory, bytes: larger than most whole files. */
+#define STORE_GROWTH ((size_t) 1 << 20)
 
 #endif

@@ -1,0 +1,61 @@
+/*
+ * event.h -- sign changes of functions along a curve: found between samples
+ * of a polynomial piece, located on it by root finding.
+ */
+#ifndef CORE_EVENT_H
+#define CORE_EVENT_H
+
+#include <stdbool.h>
+
+#include "curve.h"
+
+enum { EVENT_COUNT_MAX = 16 };
+
+/* Happens where value(s, u) changes sign along a curve u(s).  Arriving at
+ * zero counts, leaving it does not: a start on the section is no event. */
+struct event {
+    double (*value)(const void *ctx, double s, const double u[]);
+    const void *ctx; /* borrowed */
+    int direction;   /* > 0: rising only; < 0: falling only; 0: both */
+    bool stop;       /* the curve ends here; otherwise only recorded */
+};
+
+struct event_hit {
+    size_t which; /* index of the event */
+    size_t piece; /* of the curve */
+    double theta; /* on that piece */
+    double s;     /* independent variable */
+    double u[CURVE_DIM_MAX];
+};
+
+/* Hits in the order of the curve, and where its last piece left each sign. */
+struct event_log {
+    struct event_hit *hit; /* owned */
+    size_t count, room;
+    double last[EVENT_COUNT_MAX];
+};
+
+#define EVENT_LOG_EMPTY ((struct event_log){ .count = 0 })
+
+/* Before the first piece: the events' values at the start. */
+void event_begin(struct event_log *log, const struct event *e, size_t count,
+                 double s, const double u[]);
+
+/* Appends the hits on the last piece of c for 0 < theta <= *end, where
+ * s = s0 + theta h.  A stop event sets *end to its theta and *stop to its
+ * index; later hits are dropped.  Without one *stop = count.  Two sign
+ * changes between neighbouring samples (TOL_EVENT_SAMPLES a piece) are
+ * missed.  STATUS_NO_MEMORY: hits so far are kept. */
+MUST_CHECK enum status event_scan(struct event_log *log, const struct event *e,
+                                  size_t count, const struct curve *c,
+                                  double s0, double h, double *end,
+                                  size_t *stop);
+
+/* Cuts the last piece of c at theta = end in (0, 1], which becomes theta = 1,
+ * also in the hits on that piece. */
+void event_trim(struct event_log *log, struct curve *c, double end);
+
+/* Leaves *log empty, so a second call is harmless. */
+void event_free(struct event_log *log);
+
+#endif

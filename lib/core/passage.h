@@ -1,0 +1,33 @@
+/*
+ * passage.h -- where the last piece of a curve first enters or leaves a box
+ * of its (x, y) plane, or a component first passes a value.
+ */
+#ifndef CORE_PASSAGE_H
+#define CORE_PASSAGE_H
+
+#include "curve.h"
+#include "plane.h"
+
+/* What passage_* return when it does not happen: beyond every theta. */
+#define PASSAGE_NEVER 2.0
+
+/* Each returns the first theta in [0, 1] to the last digit, 0 if it holds at
+ * the start already.  Walks by strides no longer than the distance still to
+ * go over the largest speed, so nothing is jumped over.  Only a dip for less
+ * than TOL_PASSAGE_STEP of the piece may be missed, for passage_into one
+ * shorter than TOL_PASSAGE_CHORD of the box, whose width must be positive. */
+
+/* First inside b, edges included. */
+double passage_into(const struct curve *c, struct box b);
+
+/* First outside b, edges excluded. */
+double passage_out_of(const struct curve *c, struct box b);
+
+/* First at or beyond value on the side of its sign: u_i >= value > 0 or
+ * u_i <= value < 0. */
+double passage_beyond(const struct curve *c, size_t i, double value);
+
+/* Distance in the maximum norm from z to b, negative inside. */
+double passage_distance(struct box b, struct vec2 z);
+
+#endif

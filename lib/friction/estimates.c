@@ -1,0 +1,177 @@
+/* Formulas (29)-(42).  Roots are sought on logarithms of ratios, which neither
+ * overflow nor cancel, by bisection to the last bit: they cost microseconds. */
+#include "estimates.h"
+
+#include <math.h>
+
+/* What a root function needs. */
+struct root_context {
+    double psi; /* psi_sp0 */
+    double constant;
+    double slope; /* y = slope * x on Y = 0 */
+};
+
+typedef double root_function(const struct root_context *c, double x);
+
+static double bisect(root_function *f, const struct root_context *c, double lo,
+                     double hi)
+{
+    const bool up = f(c, lo) < 0.0;
+
+    for (int i = 0; i < 2000; i++) {
+        const double mid = 0.5 * (lo + hi);
+        if (!(mid > fmin(lo, hi) && mid < fmax(lo, hi)))
+            break;
+        if ((f(c, mid) < 0.0) == up)
+            lo = mid;
+        else
+            hi = mid;
+    }
+    return 0.5 * (lo + hi);
+}
+
+/* ln sinh u, u > 0 */
+static double log_sinh(double u)
+{
+    return u > 1.0 ? u + log(-0.5 * expm1(-2.0 * u)) : log(sinh(u));
+}
+
+double estimates_persistence(double eta, double psi_sp)
+{
+    return eta * log1p(2.0 / expm1(psi_sp));
+}
+
+bool estimates_at(const struct law *law, const struct material *m,
+                  double tan_alpha, struct estimates *e)
+{
+    const double d = m->b - m->a, tiny = 1e-16;
+
+    if (law->kinetics != KINETICS_SINH || law_psi_is_log(law) || !(d > 0.0))
+        return false;
+    const double eta = law_eta(law, m), x = (m->mu_star - tan_alpha) / d;
+    const double f = m->mu_star + d * log(log(2.0 * eta / tiny));
+    *e = (struct estimates){
+        .eta = eta,
+        .ln_v_sp0 = x,
+        .v_sp0 = exp(x),
+        .psi_sp0 = exp(-x),
+        .x_k = estimates_persistence(eta, exp(-x)),
+        .x_k_small_psi = eta * (M_LN2 + x),
+        .x_k_zero_slope = eta * (M_LN2 + m->mu_star / d),
+        .alpha_f_bound = atan(m->mu_star + d * M_LN2),
+        .alpha_f = atan(f),
+        .tan_alpha_f = f,
+    };
+    return true;
+}
+
+/* ---- chi(v) = 1 -------------------------------------------------------- */
+
+/* ln chi with x = ln(v/v_sp0): 2x + const + ln(sinh(psi (1 - e^-x))/x) */
+static double log_chi(const struct root_context *c, double x)
+{
+    const double u = -c->psi * expm1(-x);
+
+    if (x == 0.0)
+        return c->constant + log(c->psi);
+    return 2.0 * x + c->constant + log_sinh(fabs(u)) - log(fabs(x));
+}
+
+/* its derivative, which increases from -infinity to 2 */
+static double log_chi_slope(const struct root_context *c, double x)
+{
+    const double u = -c->psi * expm1(-x), du = c->psi * exp(-x);
+
+    if (fabs(x) < 1e-5)
+        return 1.5 + (c->psi * c->psi / 3.0 + 1.0 / 12.0) * x;
+    return 2.0 + du / tanh(u) - 1.0 / x;
+}
+
+size_t estimates_chi(const struct material *m, const struct estimates *e,
+                     double tan_alpha, double root[2])
+{
+    const double a_cos = m->a / hypot(1.0, tan_alpha);
+    const struct root_context c = {
+        .psi = e->psi_sp0,
+        .constant =
+            log(material_eps2(m) / (e->eta * a_cos)) + 3.0 * e->ln_v_sp0,
+    };
+    double lo = -1.0, hi = 1.0;
+
+    while (log_chi_slope(&c, lo) > 0.0 && lo > -1e6)
+        lo *= 2.0;
+    while (log_chi_slope(&c, hi) < 0.0 && hi < 1e6)
+        hi *= 2.0;
+    const double bottom = bisect(log_chi_slope, &c, lo, hi);
+    if (!(log_chi(&c, bottom) < 0.0))
+        return 0;
+    for (double step = 1.0; log_chi(&c, lo) < 0.0 && step < 1e6; step *= 2.0)
+        lo -= step;
+    for (double step = 1.0; log_chi(&c, hi) < 0.0 && step < 1e6; step *= 2.0)
+        hi += step;
+    root[0] = bisect(log_chi, &c, lo, bottom);
+    root[1] = bisect(log_chi, &c, bottom, hi);
+    return 2;
+}
+
+/* ---- dY/dX = -xi ------------------------------------------------------- */
+
+/* ln of the ratio of the two terms of (38) on Y = 0, x = B X, y = slope x:
+ * positive between the saddle and the root. */
+static double log_xi_ratio(const struct root_context *c, double x)
+{
+    const double y = c->slope * x;
+    const double top = fmax(y, -x), gap = -expm1(-fabs(x + y));
+    const double u = top > 700.0 ? HUGE_VAL : c->psi * exp(top) * gap;
+
+    return c->constant + log(fabs(x)) - 2.0 * x + y - log_sinh(u);
+}
+
+static double first_root(const struct root_context *c, int side)
+{
+    const double nearest = 1e-6, factor = 1.01, step = 0.01;
+    double x = nearest;
+
+    if (!(log_xi_ratio(c, side * x) > 0.0))
+        return (double) NAN;
+    while (x < 1e6) {
+        const double next = fmin(x * factor, x + step);
+        if (!(log_xi_ratio(c, side * next) > 0.0))
+            return bisect(log_xi_ratio, c, side * x, side * next);
+        x = x > 100.0 ? x * factor : next;
+    }
+    return (double) NAN;
+}
+
+struct estimates_xi estimates_xi_at(const struct material *m,
+                                    const struct estimates *e, double tan_alpha,
+                                    double xi)
+{
+    const double per_v = 1.0 / (hypot(1.0, tan_alpha) * material_eps2(m));
+    const double A = m->a * per_v * e->psi_sp0, B = m->b * per_v * e->psi_sp0;
+    const double rate = e->v_sp0; /* 1/psi_sp0 */
+    /* lambda^2 + (A + rate) lambda + rate (A - B) = 0 */
+    const double half = 0.5 * (A + rate);
+    const double root =
+        sqrt(half * half + rate * per_v * e->psi_sp0 * (m->b - m->a));
+    const double minus = -half - root;
+    const double plus = -rate * per_v * e->psi_sp0 * (m->b - m->a) / minus;
+    const double upper = A + plus, lower = -B * rate / upper; /* A + lambda */
+    const struct root_context c = {
+        .psi = e->psi_sp0,
+        .slope = -lower / B,
+        .constant = log(-minus) + log(xi * upper - lower) - log1p(-xi) -
+                    log(B) - 2.0 * e->ln_v_sp0,
+    };
+
+    return (struct estimates_xi){ first_root(&c, -1), first_root(&c, 1) };
+}
+
+struct estimates_strength estimates_strength_at(const struct material *m,
+                                                double tan_alpha, double v_sp,
+                                                double x_k, double ln_ratio)
+{
+    const double G = 0.5 * material_eps2(m) * hypot(1.0, tan_alpha) * v_sp *
+                     v_sp * expm1(2.0 * ln_ratio);
+    return (struct estimates_strength){ tan_alpha + G / x_k, G };
+}

@@ -1,0 +1,144 @@
+#include "jet.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "check.h"
+
+/* Series of exp(a s). */
+static void exponential(double a, double u[])
+{
+    u[0] = 1.0;
+    for (size_t k = 1; k < JET_SIZE; k++)
+        u[k] = u[k - 1] * a / (double) k;
+}
+
+static void check_series(const double u[], const double ref[], double ulps,
+                         const char *what)
+{
+    for (size_t k = 0; k < JET_SIZE; k++)
+        CHECK(fabs(u[k] - ref[k]) <= ulps * DBL_EPSILON * fabs(ref[k]),
+              "%s: coefficient %zu is %a, true %a", what, k, u[k], ref[k]);
+}
+
+static void product_of_exponentials_adds_their_rates(void **state)
+{
+    double u[JET_SIZE], v[JET_SIZE], ref[JET_SIZE], w[JET_SIZE];
+
+    (void) state;
+    exponential(0.75, u);
+    exponential(0.5, v);
+    exponential(1.25, ref);
+    for (size_t k = 0; k < JET_SIZE; k++)
+        w[k] = jet_product(k, u, v);
+    check_series(w, ref, 64.0, "exp(0.75 s) exp(0.5 s)");
+}
+
+static void quotient_undoes_the_product(void **state)
+{
+    double one[JET_SIZE] = { 1.0 }, den[JET_SIZE] = { 1.0, -0.5 };
+    double q[JET_SIZE], ref[JET_SIZE];
+
+    (void) state;
+    for (size_t k = 0; k < JET_SIZE; k++) {
+        q[k] = jet_quotient(k, one, den, q);
+        ref[k] = ldexp(1.0, -(int) k); /* 1/(1 - s/2) */
+    }
+    check_series(q, ref, 0.0, "1/(1 - s/2)");
+
+    uint64_t rng = check_seed();
+    double num[JET_SIZE], back[JET_SIZE];
+    for (size_t k = 0; k < JET_SIZE; k++) {
+        num[k] = check_uniform(&rng, 1.0, 2.0);
+        den[k] = k ? check_uniform(&rng, -0.01, 0.01) : 3.0;
+    }
+    for (size_t k = 0; k < JET_SIZE; k++)
+        q[k] = jet_quotient(k, num, den, q);
+    for (size_t k = 0; k < JET_SIZE; k++)
+        back[k] = jet_product(k, q, den);
+    check_series(back, num, 16.0, "(num/den) den");
+}
+
+/* e = exp(u): k e[k] = sum j u[j] e[k-j]. */
+static void chain_gives_the_exponential_of_a_series(void **state)
+{
+    static struct jet_work w;
+    double u[JET_SIZE] = { 0.0 }, e[JET_SIZE] = { 1.0 }, ref[JET_SIZE];
+
+    (void) state;
+    for (size_t k = 1; k < JET_SIZE; k++) /* u = -log(1 - s): exp u = sum s^k */
+        u[k] = 1.0 / (double) k;
+    for (size_t k = 1; k < JET_SIZE; k++)
+        e[k] = jet_chain(&w, k, u, e) / (double) k;
+    for (size_t k = 0; k < JET_SIZE; k++)
+        ref[k] = 1.0;
+    check_series(e, ref, 64.0, "exp(-log(1 - s))");
+}
+
+/* sine and cosine of 3 s, with and without the shortcut for linear series. */
+static void chain_gives_sine_and_cosine(void **state)
+{
+    static struct jet_work w;
+    double u[JET_SIZE] = { 0.0, 3.0 };
+
+    (void) state;
+    for (int pass = 0; pass < 2; pass++) {
+        double s[JET_SIZE] = { 0.0 }, c[JET_SIZE] = { 1.0 }, ref[JET_SIZE];
+        w.linear = pass ? u : NULL;
+        for (size_t k = 1; k < JET_SIZE; k++) {
+            s[k] = jet_chain(&w, k, u, c) / (double) k;
+            c[k] = -jet_chain(&w, k, u, s) / (double) k;
+        }
+        exponential(3.0, ref);
+        for (size_t k = 0; k < JET_SIZE; k++)
+            ref[k] *= k % 2 ? (k % 4 == 1 ? 1.0 : -1.0) : 0.0;
+        check_series(s, ref, 64.0, pass ? "sin, linear" : "sin");
+        exponential(3.0, ref);
+        for (size_t k = 0; k < JET_SIZE; k++)
+            ref[k] *= k % 2 ? 0.0 : (k % 4 == 0 ? 1.0 : -1.0);
+        check_series(c, ref, 64.0, pass ? "cos, linear" : "cos");
+    }
+}
+
+static void series_sum_to_their_function_and_its_slope(void **state)
+{
+    double u[JET_SIZE];
+    uint64_t rng = check_seed();
+
+    (void) state;
+    exponential(1.0, u);
+    for (int i = 0; i < 1000; i++) {
+        const double s = check_uniform(&rng, -2.0, 2.0);
+        CHECK(fabs(jet_at(JET_SIZE - 1, u, s) - exp(s)) < 1e-14, "s = %a", s);
+        CHECK(fabs(jet_slope_at(JET_SIZE - 1, u, s) - exp(s)) < 1e-14, "s = %a",
+              s);
+    }
+    CHECK(jet_at(2, u, 2.0) == 5.0, "order 2: %g", jet_at(2, u, 2.0));
+    CHECK(jet_slope_at(2, u, 2.0) == 3.0, "order 2");
+    CHECK(jet_slope_at(0, u, 2.0) == 0.0, "constant");
+}
+
+static void slots_are_found_again_in_call_order(void **state)
+{
+    static struct jet_work w;
+    double *const first = jet_slot(&w), *const second = jet_slot(&w);
+
+    (void) state;
+    assert_true(first != second);
+    w.used = 0;
+    assert_ptr_equal(jet_slot(&w), first);
+    assert_ptr_equal(jet_slot(&w), second);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(product_of_exponentials_adds_their_rates),
+        cmocka_unit_test(quotient_undoes_the_product),
+        cmocka_unit_test(chain_gives_the_exponential_of_a_series),
+        cmocka_unit_test(chain_gives_sine_and_cosine),
+        cmocka_unit_test(series_sum_to_their_function_and_its_slope),
+        cmocka_unit_test(slots_are_found_again_in_call_order),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

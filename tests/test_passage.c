@@ -1,0 +1,110 @@
+#include "passage.h"
+
+#include <math.h>
+
+#include "check.h"
+
+/* One random piece of degree 4 in 3 components, of size about 1. */
+static void random_piece(struct curve *c, uint64_t *rng)
+{
+    double *coef;
+
+    assert_int_equal(curve_push(c, 4, &coef), STATUS_OK);
+    for (size_t i = 0; i < 3 * 5; i++)
+        coef[i] = check_uniform(rng, -1.0, 1.0);
+}
+
+enum { FINE = 4000, RUN = 2 + FINE / 1024 };
+
+/* The first of FINE samples that begins a stay inside (or outside) b longer
+ * than what may be missed; > 1: none. */
+static double sampled(const struct curve *c, struct box b, bool inside)
+{
+    int stay = 0;
+
+    for (int i = 0; i <= FINE; i++) {
+        double u[3];
+        curve_at(c, c->count - 1, (double) i / FINE, u);
+        stay =
+            box_holds(b, (struct vec2){ u[0], u[1] }) == inside ? stay + 1 : 0;
+        if (stay == RUN)
+            return (double) (i - RUN + 1) / FINE;
+    }
+    return PASSAGE_NEVER;
+}
+
+static void passages_through_boxes_agree_with_fine_sampling(void **state)
+{
+    uint64_t rng = check_seed();
+    struct curve c = CURVE_EMPTY(3);
+    int found = 0;
+
+    (void) state;
+    for (int i = 0; i < 2000; i++) {
+        const double w = exp(check_uniform(&rng, -4.0, 0.0));
+        const struct vec2 z = { check_uniform(&rng, -1, 1),
+                                check_uniform(&rng, -1, 1) };
+        const struct box b = { { z.x - w, z.y - w }, { z.x + w, z.y + w } };
+        random_piece(&c, &rng);
+        for (int inside = 0; inside < 2; inside++) {
+            const double ref = sampled(&c, b, inside);
+            const double theta =
+                inside ? passage_into(&c, b) : passage_out_of(&c, b);
+            CHECK(theta <= ref + 1e-12, "%g, sampled %g", theta, ref);
+            if (theta > 1.0)
+                continue;
+            double u[3];
+            curve_at(&c, c.count - 1, theta, u);
+            const double d = passage_distance(b, (struct vec2){ u[0], u[1] });
+            CHECK(theta == 0.0 || fabs(d) < 1e-14, "edge missed by %g", d);
+            found += theta > 0.0;
+        }
+    }
+    CHECK(found > 100, "only %d passages", found);
+    curve_free(&c);
+}
+
+static void values_are_passed_on_the_side_of_their_sign(void **state)
+{
+    struct curve c = CURVE_EMPTY(3);
+    double *coef;
+
+    (void) state;
+    assert_int_equal(curve_push(&c, 2, &coef), STATUS_OK);
+    for (size_t i = 0; i < 9; i++)
+        coef[i] = 0.0;
+    coef[7] = 4.0; /* 4 theta - 4 theta^2: up to 1 and back */
+    coef[8] = -4.0;
+    CHECK(fabs(passage_beyond(&c, 2, 0.75) - 0.25) < 1e-15, "0.75");
+    CHECK(passage_beyond(&c, 2, 1.0 + 1e-6) == PASSAGE_NEVER, "above");
+    CHECK(passage_beyond(&c, 2, -1e-6) == PASSAGE_NEVER, "below");
+    CHECK(passage_beyond(&c, 0, 1.0) == PASSAGE_NEVER, "constant");
+    coef[7] = -4.0;
+    coef[8] = 4.0;
+    CHECK(fabs(passage_beyond(&c, 2, -0.75) - 0.25) < 1e-15, "-0.75");
+    curve_free(&c);
+}
+
+static void distance_is_signed_and_in_the_maximum_norm(void **state)
+{
+    const struct box b = { { 0, 0 }, { 2, 4 } };
+
+    (void) state;
+    CHECK(passage_distance(b, (struct vec2){ 1, 1.5 }) == -1.0, "inside");
+    CHECK(passage_distance(b, (struct vec2){ 3, 6.5 }) == 2.5, "corner");
+    CHECK(passage_distance(b, (struct vec2){ 2, 1 }) == 0.0, "edge");
+    CHECK(passage_distance(
+              (struct box){ { -INFINITY, -INFINITY }, { INFINITY, INFINITY } },
+              (struct vec2){ 2, 1 }) == -INFINITY,
+          "plane");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(passages_through_boxes_agree_with_fine_sampling),
+        cmocka_unit_test(values_are_passed_on_the_side_of_their_sign),
+        cmocka_unit_test(distance_is_signed_and_in_the_maximum_norm),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
