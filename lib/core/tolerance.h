@@ -113,14 +113,19 @@
 #define TOL_NULLCLINE_SAFETY 0.7
 /* Width at which roots are closed: the rounding of a number below 1. */
 #define TOL_NULLCLINE_ROOT 1e-16
-/* How far beside a root the signs are looked at, and tangents differenced,
- * where the component is too small to have digits. */
-#define TOL_NULLCLINE_ASIDE 1e-6
-/* A seed is on the traced curve when it is this near the cubic through two
- * points and tangents, plus the second times the cubic's height: a circle is
- * off its cubic by 0.01 times that at the largest angle allowed. */
-#define TOL_NULLCLINE_MATCH       1e-7
-#define TOL_NULLCLINE_MATCH_CUBIC 0.1
+/* Where a component is too small to have digits: how far beside a zero its
+ * signs are looked at, and how far along tangents are differenced. */
+#define TOL_NULLCLINE_ASIDE 1e-12
+#define TOL_NULLCLINE_ALONG 1e-6
+/* Two zeros this near are one: roots are closed far below it. */
+#define TOL_NULLCLINE_MATCH 1e-7
+/* A step is smooth when the curve is this near the cubic through its ends and
+ * tangents, as a fraction of the cubic's height: a circle is off by 0.01 at
+ * the largest angle allowed, a change to a crossing piece by more than 0.1.
+ * Whether a zero lies on a step is asked when it is this near the chord, as a
+ * fraction of it: more than the angle above allows. */
+#define TOL_NULLCLINE_SMOOTH 0.05
+#define TOL_NULLCLINE_NEAR   0.1
 /* Points of one piece: a hang is worse than a gap. */
 #define TOL_NULLCLINE_POINTS 20000
 
@@ -142,5 +147,10 @@
 #define STORE_DEFLATE 1
 /* Growth of a file in memory, bytes: larger than most whole files. */
 #define STORE_GROWTH ((size_t) 1 << 20)
+
+/* Nullclines as drawn: the polyline is this near the curve, as a part of the
+ * window: a tenth of a pixel; and arrows of the direction field along each
+ * side of the window. */
+#define TOL_ARROWS 20
 
 #endif

@@ -19,9 +19,11 @@
     T force0;        /* tan(alpha) - mu0: 0 at an equilibrium */               \
     T a, b;          /* direct and evolution effect */                         \
     T theta_r;       /* psi0/(c' + psi0): weight of psi in theta */            \
+    T theta_s;       /* c'/(c' + psi0) */                                      \
     T steady_r;      /* v0/(1/R + v0): weight of v in psi_ss and T */          \
+    T steady_s;      /* (1/R)/(1/R + v0) */                                    \
     T log_inertia;   /* ln(cos(alpha)/(eps^2 v0)) */                           \
-    T log_rate;      /* ln(1/T(v0)), minus y0 where y = ln psi */              \
+    T log_rate;      /* ln(1/T(v0)), for (45) ln(1/R); less y0 = ln psi0 */    \
     T w0, q0;        /* asinh form: w0 = mu_log/a, q0 = 4 exp(-2 w0) */        \
     T kappa0;        /* v0/V_c */                                              \
     T log_kappa0;    /* ln of it */                                            \

@@ -1,10 +1,13 @@
 /* The field with its gradient: a number is {value, d/dX, d/dY}. */
 #include "field.h"
-#include "scalar.h"
+
+#include <math.h>
 
 #define KIND(f) dual_##f
 #define FN(f)   f
+#define SCALAR  double
 #define VAR(w)  double w[3]
+#include "scalar.h"
 
 typedef double dual_num;
 typedef double dual_real;
@@ -34,8 +37,7 @@ static inline void dual_linear(struct dual_ctx *c, double p, double q,
 {
     (void) c;
     for (int i = 0; i < 3; i++)
-        out[i] = q * u[i] + (r == 0.0 ? 0.0 : r * v[i]);
-    out[0] += p;
+        out[i] = (i == 0 ? p : 0.0) + q * u[i] + (r == 0.0 ? 0.0 : r * v[i]);
 }
 
 static inline void dual_product(struct dual_ctx *c, const double *u,
@@ -64,11 +66,28 @@ static inline void dual_expm1(struct dual_ctx *c, double p, double log_p,
     chain(value, s * slope, u, out);
 }
 
-static inline void dual_log1p_expm1(struct dual_ctx *c, double r,
+static inline void dual_difference(struct dual_ctx *c, double p,
+                                   const double *u, const double *w,
+                                   double *out)
+{
+    (void) c;
+    const double a = scalar_exp(p, u[0]), b = scalar_exp(p, w[0]);
+    out[0] = scalar_difference(p, u[0], w[0]);
+    out[1] = a * u[1] - b * w[1];
+    out[2] = a * u[2] - b * w[2];
+}
+
+static inline void dual_log1p_expm1(struct dual_ctx *c, double r, double s,
                                     const double *u, double *out)
 {
     (void) c;
-    chain(scalar_log1p_expm1(r, u[0]), scalar_logistic(r, u[0]), u, out);
+    chain(scalar_log1p_expm1(r, s, u[0]), scalar_logistic(r, s, u[0]), u, out);
+}
+
+static inline void dual_sinh(struct dual_ctx *c, const double *u, double *out)
+{
+    (void) c;
+    chain(scalar_sinh(u[0]), scalar_cosh(u[0]), u, out);
 }
 
 static inline void dual_friction(struct dual_ctx *c, double a, double w0,
@@ -76,7 +95,7 @@ static inline void dual_friction(struct dual_ctx *c, double a, double w0,
 {
     (void) c;
     chain(a * scalar_friction(w0, q0, u[0]),
-          a * sqrt(1.0 - scalar_friction_bend(w0, u[0])), u, out);
+          a * scalar_friction_slope(w0 + u[0]), u, out);
 }
 
 #include "field_formula.h"

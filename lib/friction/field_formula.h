@@ -9,8 +9,9 @@
  *
  * tan(alpha) - mu = force0 - (mu - mu0) and psi - psi_ss are built from
  * differences to the anchor, so that no digit is lost near an equilibrium;
- * exponents are added before anything is exponentiated, so that nothing
- * overflows (model section 6).
+ * psi - psi_ss of two positive numbers is the larger times 1 - their ratio,
+ * so that none is lost far away either; exponents are added before anything
+ * is exponentiated, so that nothing overflows (model section 6).
  *
  * A number is an array of KIND(num) whose element 0 is its value.  The
  * including file (one per kind: field_*.c) defines
@@ -24,7 +25,9 @@
  *     product(c, u, w)              u w
  *     exp(c, l, s, u)               e^(l + s (u - u[0]))
  *     expm1(c, p, ln p, s, u)       p (e^(s u) - 1), also where it overflows
- *     log1p_expm1(c, r, u)          ln(1 + r (e^u - 1))
+ *     difference(c, p, u, w)        p (e^u - e^w)
+ *     log1p_expm1(c, r, 1 - r, u)   ln(1 + r (e^u - 1))
+ *     sinh(c, u)                    e^(-|u[0]|) sinh u
  *     friction(c, a, w0, q0, u)     a (asinh(e^(w0+u)/2) - asinh(e^w0/2))
  */
 
@@ -41,7 +44,7 @@ static void KIND(theta)(const struct law *law, const struct KIND(anchor) * at,
         case THETA_LN_C_PSI: /* ln((c + psi)/(c + psi0)) */
         case THETA_LN_C_1PR_PSI:
         default:
-            KIND(log1p_expm1)(c, at->theta_r, Y, out);
+            KIND(log1p_expm1)(c, at->theta_r, at->theta_s, Y, out);
             break;
     }
 }
@@ -71,41 +74,74 @@ static void KIND(saturation)(const struct law *law,
 {
     if (law->psi_ss == PSI_SS_SPINODAL || law->psi_ss == PSI_SS_SPINODAL_UNIT ||
         law->timescale == TIMESCALE_SPINODAL)
-        KIND(log1p_expm1)(c, at->steady_r, X, out);
+        KIND(log1p_expm1)(c, at->steady_r, at->steady_s, X, out);
     else
         KIND(linear)(c, 0, 0, X, 0, X, out);
 }
 
-/* psi_ss(v) - psi0, with l = saturation */
-static void KIND(steady)(const struct law *law, const struct KIND(anchor) * at,
-                         struct KIND(ctx) * c, const KIND(num) * X,
-                         const KIND(num) * l, KIND(num) * out)
+/* ln(psi_ss/psi0), with l = saturation; psi_ss - psi0 where it is -ln v */
+static void KIND(steady)(const struct law *law, struct KIND(ctx) * c,
+                         const KIND(num) * X, const KIND(num) * l,
+                         KIND(num) * out)
 {
-    switch (law->psi_ss) {
-        case PSI_SS_INVERSE:
-            KIND(expm1)(c, at->psi0, at->log_psi0, -1, X, out);
-            break;
-        case PSI_SS_MINUS_LOG:
-            KIND(linear)(c, 0, -1, X, 0, X, out);
-            break;
-        default:
-            KIND(expm1)(c, at->psi0, at->log_psi0, -1, l, out);
-            break;
+    if (law->psi_ss == PSI_SS_INVERSE || law->psi_ss == PSI_SS_MINUS_LOG)
+        KIND(linear)(c, 0, -1, X, 0, X, out);
+    else
+        KIND(linear)(c, 0, -1, l, 0, l, out);
+}
+
+/* psi - psi_ss, with s = steady */
+static void KIND(lag)(const struct law *law, const struct KIND(anchor) * at,
+                      struct KIND(ctx) * c, const KIND(num) * Y,
+                      const KIND(num) * s, KIND(num) * out)
+{
+    VAR(change);
+
+    if (law_psi_is_log(law) && law->psi_ss == PSI_SS_MINUS_LOG) {
+        KIND(linear)(c, 0, 1, Y, -1, s, out);
+    } else if (law_psi_is_log(law)) {
+        KIND(expm1)(c, at->psi0, at->log_psi0, 1, s, change);
+        KIND(linear)(c, 0, 1, Y, -1, change, out);
+    } else if (law->psi_ss == PSI_SS_MINUS_LOG) {
+        KIND(expm1)(c, at->psi0, at->log_psi0, 1, Y, change);
+        KIND(linear)(c, 0, 1, change, -1, s, out);
+    } else {
+        KIND(difference)(c, at->psi0, Y, s, out);
     }
 }
 
-/* ln(T0/T(v)), with l = saturation and s = psi_ss - psi0 */
+/* ln(T0/T(v)), with l = saturation; 0 where freeze takes care of it */
 static void KIND(quickness)(const struct law *law, struct KIND(ctx) * c,
                             const KIND(num) * X, const KIND(num) * l,
-                            const KIND(num) * s, KIND(num) * out)
+                            KIND(num) * out)
 {
     if (law->timescale == TIMESCALE_SPINODAL ||
         (law->timescale == TIMESCALE_AGEING44 && law->psi_ss != PSI_SS_INVERSE))
         KIND(linear)(c, 0, 1, l, 0, l, out);
-    else if (law->timescale == TIMESCALE_SLIP45)
-        KIND(linear)(c, 0, -1, s, 0, s, out);
     else
-        KIND(linear)(c, 0, 1, X, 0, X, out);
+        KIND(linear)(c, 0, law_freezes(law) ? 0 : 1, X, 0, X, out);
+}
+
+/* The exponent -psi_ss of 1/T in (45).  sinh(psi - psi_ss) brings the same
+ * exponent back when psi < psi_ss, and both may be as large as 1e300: under
+ * the sinh it is written -psi + (psi - psi_ss), and hyperbolic adds the
+ * second part to its own. */
+static void KIND(freeze)(const struct law *law, const struct KIND(anchor) * at,
+                         struct KIND(ctx) * c, const KIND(num) * Y,
+                         const KIND(num) * s, const KIND(num) * w,
+                         KIND(num) * out)
+{
+    VAR(psi);
+    const KIND(num) *u = law->kinetics == KINETICS_SINH ? Y : s;
+
+    if (!law_freezes(law)) {
+        KIND(linear)(c, 0, 1, w, 0, w, out);
+    } else if (law_psi_is_log(law) && u == Y) {
+        KIND(linear)(c, -at->psi0, 1, w, -1, Y, out);
+    } else {
+        KIND(exp)(c, at->log_psi0 + u[0], 1, u, psi);
+        KIND(linear)(c, 0, 1, w, -1, psi, out);
+    }
 }
 
 /* Kinetics: K(d) exp(w) as mantissa * exp(exponent); returns the exponent's
@@ -121,22 +157,20 @@ static KIND(real) KIND(first_order)(struct KIND(ctx) * c, const KIND(num) * d,
     return KIND(order)(c) == 0 ? w[0] + FN(log)(c->frozen[0]) : 0;
 }
 
-/* Hyperbolic: sinh d = -sgn expm1(-2 sgn d) e^(sgn d) / 2. */
-static KIND(real) KIND(hyperbolic)(struct KIND(ctx) * c, const KIND(num) * d,
-                                   const KIND(num) * w, KIND(num) * mantissa,
-                                   KIND(num) * exponent)
+/* Hyperbolic: sinh d, scaled down; `more` d are added to the exponent. */
+static KIND(real) KIND(hyperbolic)(struct KIND(ctx) * c, int more,
+                                   const KIND(num) * d, const KIND(num) * w,
+                                   KIND(num) * mantissa, KIND(num) * exponent)
 {
-    if (KIND(order)(c) == 0)
-        c->frozen[0] = d[0] < 0 ? -1 : 1;
-    const KIND(real) sign = c->frozen[0];
-    KIND(expm1)
-    (c, -sign / 2, FN(log)((KIND(real)) 0.5), -2 * sign, d, mantissa);
-    KIND(linear)(c, 0, 1, w, sign, d, exponent);
-    return w[0] + FN(fabs)(d[0]);
+    KIND(sinh)(c, d, mantissa);
+    KIND(linear)(c, 0, 1, w, more, d, exponent);
+    return w[0] + (d[0] < 0 ? more - 1 : more + 1) * d[0];
 }
 
 /* Kato-Tullis: dY/dt = v (E - z), z = ln(v psi), E = exp(-v/V_c - z), with
- * E = z at the anchor.  E overflows long before v psi does. */
+ * E = z at the anchor.  E - E0 near it; where v/V_c has dropped away from its
+ * value there, E less what it would be without v/V_c, X and Y.  E overflows
+ * long before v psi does. */
 static KIND(real)
     KIND(composite)(const struct KIND(anchor) * at, struct KIND(ctx) * c,
                     const KIND(num) * X, const KIND(num) * Y,
@@ -146,43 +180,28 @@ static KIND(real)
     VAR(cut);
     VAR(q);
     VAR(heal);
-    const KIND(real) log0 = at->log_composite;
+    if (KIND(order)(c) == 0)
+        c->frozen[3] = X[0] < -1;
+    const bool far = c->frozen[3] > 0;
+    const KIND(real) z0 = at->x0 + at->y0;
+    const KIND(real) log0 = far ? -z0 : at->log_composite;
 
     KIND(linear)(c, 0, 1, X, 1, Y, z);
-    KIND(expm1)(c, at->kappa0, at->log_kappa0, 1, X, cut);
+    if (far)
+        KIND(exp)(c, at->log_kappa0 + X[0], 1, X, cut);
+    else
+        KIND(expm1)(c, at->kappa0, at->log_kappa0, 1, X, cut);
     KIND(linear)(c, 0, -1, z, -1, cut, q);
     if (KIND(order)(c) == 0) {
         c->frozen[0] = q[0] + log0 > 0 ? q[0] + log0 : 0;
         c->frozen[1] = FN(exp)(log0 - c->frozen[0]);
         c->frozen[2] = FN(exp)(-c->frozen[0]);
     }
+    const KIND(real) rest = far ? c->frozen[2] * z0 - c->frozen[1] : 0;
     KIND(expm1)(c, c->frozen[1], log0 - c->frozen[0], 1, q, heal);
-    KIND(linear)(c, 0, -1, heal, c->frozen[2], z, mantissa);
+    KIND(linear)(c, rest, -1, heal, c->frozen[2], z, mantissa);
     KIND(linear)(c, 0, 1, X, 0, X, exponent);
     return X[0] + c->frozen[0];
-}
-
-/* psi - psi_ss(v) and w = ln(T0 psi0/(T psi)) [ln(T0/T)]. */
-static void KIND(lag)(const struct law *law, const struct KIND(anchor) * at,
-                      struct KIND(ctx) * c, const KIND(num) * X,
-                      const KIND(num) * Y, KIND(num) * d, KIND(num) * w)
-{
-    VAR(l);
-    VAR(psi);
-    VAR(steady);
-    VAR(t);
-
-    KIND(saturation)(law, at, c, X, l);
-    KIND(steady)(law, at, c, X, l, steady);
-    KIND(quickness)(law, c, X, l, steady, t);
-    if (law_psi_is_log(law)) {
-        KIND(linear)(c, 0, 1, Y, -1, steady, d);
-        KIND(linear)(c, 0, 1, t, 0, t, w);
-        return;
-    }
-    KIND(expm1)(c, at->psi0, at->log_psi0, 1, Y, psi);
-    KIND(linear)(c, 0, 1, psi, -1, steady, d);
-    KIND(linear)(c, 0, 1, t, -1, Y, w);
 }
 
 static KIND(real)
@@ -191,15 +210,25 @@ static KIND(real)
                    const KIND(num) * Y, KIND(num) * mantissa,
                    KIND(num) * exponent)
 {
+    VAR(l);
+    VAR(s);
     VAR(d);
+    VAR(t);
+    VAR(u);
     VAR(w);
 
     if (law->kinetics == KINETICS_COMPOSITE)
         return at->x0 + KIND(composite)(at, c, X, Y, mantissa, exponent);
-    KIND(lag)(law, at, c, X, Y, d, w);
+    KIND(saturation)(law, at, c, X, l);
+    KIND(steady)(law, c, X, l, s);
+    KIND(lag)(law, at, c, Y, s, d);
+    KIND(quickness)(law, c, X, l, t);
+    KIND(linear)(c, 0, 1, t, law_psi_is_log(law) ? 0 : -1, Y, u);
+    KIND(freeze)(law, at, c, Y, s, u, w);
     return at->log_rate +
            (law->kinetics == KINETICS_SINH
-                ? KIND(hyperbolic)(c, d, w, mantissa, exponent)
+                ? KIND(hyperbolic)(c, law_freezes(law), d, w, mantissa,
+                                   exponent)
                 : KIND(first_order)(c, d, w, mantissa, exponent));
 }
 

@@ -1,11 +1,14 @@
 /* The field along a curve: a number is its Taylor series, one coefficient a
  * call (core/jet.h).  Helper series take slots of their own. */
 #include "field.h"
-#include "scalar.h"
+
+#include <math.h>
 
 #define KIND(f) jet_##f
 #define FN(f)   f
+#define SCALAR  double
 #define VAR(w)  double *w = jet_slot(c->work)
+#include "scalar.h"
 
 typedef double jet_num;
 typedef double jet_real;
@@ -28,9 +31,7 @@ static inline void jet_linear(struct jet_ctx *c, double p, double q,
 {
     const size_t k = c->k;
 
-    out[k] = q * u[k] + (r == 0.0 ? 0.0 : r * v[k]);
-    if (k == 0)
-        out[0] += p;
+    out[k] = (k == 0 ? p : 0.0) + q * u[k] + (r == 0.0 ? 0.0 : r * v[k]);
 }
 
 static inline void jet_times(struct jet_ctx *c, const double *u,
@@ -63,27 +64,62 @@ static inline void jet_expm1(struct jet_ctx *c, double p, double log_p,
     out[k] = e[k] = s * jet_chain(c->work, k, u, e) / (double) k;
 }
 
+/* p e^u and p e^w as series of their own */
+static inline void jet_difference(struct jet_ctx *c, double p, const double *u,
+                                  const double *w, double *out)
+{
+    VAR(eu);
+    VAR(ew);
+    const size_t k = c->k;
+
+    if (k == 0) {
+        out[0] = scalar_difference(p, u[0], w[0]);
+        eu[0] = scalar_exp(p, u[0]);
+        ew[0] = scalar_exp(p, w[0]);
+        return;
+    }
+    eu[k] = jet_chain(c->work, k, u, eu) / (double) k;
+    ew[k] = jet_chain(c->work, k, w, ew) / (double) k;
+    out[k] = eu[k] - ew[k];
+}
+
 /* w' = p u' with the logistic p, p' = p (1 - p) u' */
-static inline void jet_log1p_expm1(struct jet_ctx *c, double r, const double *u,
-                                   double *out)
+static inline void jet_log1p_expm1(struct jet_ctx *c, double r, double s,
+                                   const double *u, double *out)
 {
     VAR(p);
     VAR(slope);
     const size_t k = c->k;
 
-    if (r == 1.0) {
+    if (s == 0.0) {
         out[k] = u[k];
         return;
     }
     if (k == 0) {
-        out[0] = scalar_log1p_expm1(r, u[0]);
-        p[0] = scalar_logistic(r, u[0]);
-        slope[0] = p[0] * ((1.0 - r) * exp(-u[0]) * p[0] / r);
+        out[0] = scalar_log1p_expm1(r, s, u[0]);
+        p[0] = scalar_logistic(r, s, u[0]);
+        slope[0] = p[0] * scalar_logistic_rest(r, s, u[0]);
         return;
     }
     out[k] = jet_chain(c->work, k, u, p) / (double) k;
     p[k] = jet_chain(c->work, k, u, slope) / (double) k;
     slope[k] = p[k] - jet_product(k, p, p);
+}
+
+/* s' = c u', c' = s u'; as e^(2u) - 1 over e^u, coefficient k would lose a
+ * factor 3^k where u is steep */
+static inline void jet_sinh(struct jet_ctx *c, const double *u, double *out)
+{
+    VAR(even);
+    const size_t k = c->k;
+
+    if (k == 0) {
+        out[0] = scalar_sinh(u[0]);
+        even[0] = scalar_cosh(u[0]);
+        return;
+    }
+    out[k] = jet_chain(c->work, k, u, even) / (double) k;
+    even[k] = jet_chain(c->work, k, u, out) / (double) k;
 }
 
 /* m = asinh(e^w/2): m' = t w', t = tanh m, t' = t b w', b = 1 - t^2 */
@@ -97,8 +133,8 @@ static inline void jet_friction(struct jet_ctx *c, double a, double w0,
 
     if (k == 0) {
         out[0] = a * scalar_friction(w0, q0, u[0]);
-        b[0] = scalar_friction_bend(w0, u[0]);
-        t[0] = sqrt(1.0 - b[0]);
+        b[0] = scalar_friction_bend(w0 + u[0]);
+        t[0] = scalar_friction_slope(w0 + u[0]);
         tb[0] = t[0] * b[0];
         return;
     }

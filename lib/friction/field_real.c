@@ -1,10 +1,13 @@
 /* The field in plain double: a number is its value. */
 #include "field.h"
-#include "scalar.h"
+
+#include <math.h>
 
 #define KIND(f) real_##f
 #define FN(f)   f
+#define SCALAR  double
 #define VAR(w)  double w[1]
+#include "scalar.h"
 
 typedef double real_num;
 typedef double real_real;
@@ -48,11 +51,25 @@ static inline void real_expm1(struct real_ctx *c, double p, double log_p,
     out[0] = scalar_expm1(p, log_p, s * u[0]);
 }
 
-static inline void real_log1p_expm1(struct real_ctx *c, double r,
+static inline void real_difference(struct real_ctx *c, double p,
+                                   const double *u, const double *w,
+                                   double *out)
+{
+    (void) c;
+    out[0] = scalar_difference(p, u[0], w[0]);
+}
+
+static inline void real_log1p_expm1(struct real_ctx *c, double r, double s,
                                     const double *u, double *out)
 {
     (void) c;
-    out[0] = scalar_log1p_expm1(r, u[0]);
+    out[0] = scalar_log1p_expm1(r, s, u[0]);
+}
+
+static inline void real_sinh(struct real_ctx *c, const double *u, double *out)
+{
+    (void) c;
+    out[0] = scalar_sinh(u[0]);
 }
 
 static inline void real_friction(struct real_ctx *c, double a, double w0,

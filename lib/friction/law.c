@@ -155,8 +155,10 @@ static enum status check_composition(const struct law *law,
     if (law->timescale == TIMESCALE_AGEING44 && law->psi_ss == PSI_SS_MINUS_LOG)
         return refuse(why, "timescale ageing44 is R psi_ss(v) and needs "
                            "psi_ss > 0, but psi_ss is minus_log");
-    if ((law->psi_ss == PSI_SS_LAMBERT) !=
-        (law->kinetics == KINETICS_COMPOSITE))
+    const bool composite = law->kinetics == KINETICS_COMPOSITE;
+    if (composite != (law->psi_ss == PSI_SS_LAMBERT) ||
+        (composite &&
+         (law->theta != THETA_LN_PSI || law->timescale != TIMESCALE_SLIP)))
         return refuse(why, "kato_tullis is a law of its own, not a component");
     if (isinf(m->R) && (law->theta == THETA_LN_C_1PR_PSI ||
                         law->psi_ss == PSI_SS_SPINODAL_UNIT ||
@@ -185,8 +187,9 @@ enum status law_check(const struct law *law, const struct material *m,
         snprintf(why->text, sizeof why->text, "%s = %.17g must be %s",
                  keys[key].name, value,
                  key == MATERIAL_MU_STAR ? "finite"
-                 : may_be_zero           ? "zero or positive"
-                                         : "positive");
+                 : may_be_zero           ? "zero or positive, and finite"
+                 : key == MATERIAL_R     ? "positive"
+                                         : "positive and finite");
         return STATUS_BAD_ARGUMENT;
     }
     return check_composition(law, m, why);

@@ -102,6 +102,13 @@ static inline bool law_psi_is_log(const struct law *law)
     return law->theta == THETA_PSI;
 }
 
+/* T = R exp(psi_ss) with psi_ss > 0, (45): the state freezes as v -> 0. */
+static inline bool law_freezes(const struct law *law)
+{
+    return law->timescale == TIMESCALE_SLIP45 &&
+           law->psi_ss != PSI_SS_MINUS_LOG;
+}
+
 /* eps^2 = V_star^2 / (g L), below (17). */
 double material_eps2(const struct material *m);
 

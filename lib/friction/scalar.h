@@ -1,68 +1,112 @@
 /*
- * scalar.h -- the delicate scalar functions behind every kind of number, in
- * double: order 0 of an operation is the same code everywhere.
+ * scalar.h -- the delicate scalar functions behind every kind of number: order
+ * 0 of an operation is the same code everywhere.  The including file defines
+ *     SCALAR   the scalar type,
+ *     FN(f)    the mathematical function f for this type (FN(exp), ...).
  */
 #ifndef FRICTION_SCALAR_H
 #define FRICTION_SCALAR_H
 
-#include <math.h>
+/* p e^u, where e^u may overflow and the product does not */
+static inline SCALAR scalar_exp(SCALAR p, SCALAR u)
+{
+    const SCALAR half = FN(exp)(u / 2);
+    return p * half * half;
+}
 
 /* p (e^u - 1), log_p = ln |p|; p may under- or overflow where the product
  * does not. */
-static inline double scalar_expm1(double p, double log_p, double u)
+static inline SCALAR scalar_expm1(SCALAR p, SCALAR log_p, SCALAR u)
 {
-    if (u > 1.0)
-        return copysign(exp(log_p + u), p) - p;
-    return p * expm1(u);
+    if (u > 1)
+        return FN(copysign)(FN(exp)(log_p + u), p) - p;
+    return p * FN(expm1)(u);
 }
 
-/* ln(1 + r (e^u - 1)), 0 <= r <= 1 */
-static inline double scalar_log1p_expm1(double r, double u)
+/* p (e^u - e^w): the larger times 1 - their ratio */
+static inline SCALAR scalar_difference(SCALAR p, SCALAR u, SCALAR w)
 {
-    if (r == 1.0)
+    if (u > w)
+        return -scalar_exp(p, u) * FN(expm1)(w - u);
+    return scalar_exp(p, w) * FN(expm1)(u - w);
+}
+
+/* e^-|u| sinh u and e^-|u| cosh u */
+static inline SCALAR scalar_sinh(SCALAR u)
+{
+    return FN(copysign)(FN(expm1)(-2 * FN(fabs)(u)) / 2, u);
+}
+
+static inline SCALAR scalar_cosh(SCALAR u)
+{
+    return (1 + FN(exp)(-2 * FN(fabs)(u))) / 2;
+}
+
+/* ln(1 + r (e^u - 1)) = ln(r e^u + s), r + s = 1: both are given, because the
+ * smaller has no digits left in the other */
+static inline SCALAR scalar_log1p_expm1(SCALAR r, SCALAR s, SCALAR u)
+{
+    if (s == 0)
         return u;
-    if (u > 700.0)
-        return u + log(r + (1.0 - r) * exp(-u));
-    return log1p(r * expm1(u));
+    if (u > 700)
+        return u + FN(log)(r + s * FN(exp)(-u));
+    const SCALAR change = r * FN(expm1)(u);
+    return 2 * change > -1 ? FN(log1p)(change) : FN(log)(s + r * FN(exp)(u));
 }
 
-/* d/du of the above: r e^u/(1 + r (e^u - 1)) */
-static inline double scalar_logistic(double r, double u)
+/* d/du of the above, r e^u/(r e^u + s), and 1 - it, s/(r e^u + s) */
+static inline SCALAR scalar_logistic(SCALAR r, SCALAR s, SCALAR u)
 {
-    return r / (r + (1.0 - r) * exp(-u));
+    const SCALAR e = FN(exp)(-FN(fabs)(u));
+    return s == 0 ? 1 : u < 0 ? r * e / (r * e + s) : r / (r + s * e);
+}
+
+static inline SCALAR scalar_logistic_rest(SCALAR r, SCALAR s, SCALAR u)
+{
+    return s == 0 ? 0 : scalar_logistic(s, r, -u);
 }
 
 /* asinh(e^w/2) for any w */
-static inline double scalar_asinh_exp(double w)
+static inline SCALAR scalar_asinh_exp(SCALAR w)
 {
-    if (w > 1.0)
-        return w + log1p(0.5 * (sqrt(1.0 + 4.0 * exp(-2.0 * w)) - 1.0));
-    return asinh(0.5 * exp(w));
+    if (w > 1)
+        return w + FN(log1p)((FN(sqrt)(1 + 4 * FN(exp)(-2 * w)) - 1) / 2);
+    return FN(asinh)(FN(exp)(w) / 2);
 }
 
-/* asinh(e^(w0 + u)/2) - asinh(e^w0/2), q0 = 4 e^(-2 w0) */
-static inline double scalar_friction(double w0, double q0, double u)
+/* asinh(e^(w0 + u)/2) - asinh(e^w0/2), q0 = 4 e^(-2 w0).  The difference is
+ * asinh(t root0 - t0 root), t = e^w/2, root = sqrt(1 + t^2), times what makes
+ * t^2 - t0^2 of it. */
+static inline SCALAR scalar_friction(SCALAR w0, SCALAR q0, SCALAR u)
 {
-    const double w = w0 + u;
+    const SCALAR w = w0 + u, fair = 0.7;
 
-    if (w0 > 0.7 && w > 0.7) { /* both e^w/2 > 1 */
-        const double s0 = sqrt(1.0 + q0), s = sqrt(1.0 + q0 * exp(-2.0 * u));
-        const double ds = q0 * expm1(-2.0 * u) / (s + s0);
-        return u + log1p(ds / (1.0 + s0));
+    if (w0 > fair && w > fair) { /* both t > 1 */
+        const SCALAR q = 4 * FN(exp)(-2 * w);
+        const SCALAR dq =
+            u < 0 ? -q * FN(expm1)(2 * u) : q0 * FN(expm1)(-2 * u);
+        const SCALAR s0 = FN(sqrt)(1 + q0), s = FN(sqrt)(1 + q);
+        return u + FN(log1p)(dq / ((s + s0) * (1 + s0)));
     }
-    if (fabs(u) < 1.0) {
-        const double t0 = 0.5 * exp(w0), t = 0.5 * exp(w);
-        const double root0 = sqrt(1.0 + t0 * t0), root = sqrt(1.0 + t * t);
-        return asinh(t0 * t0 * expm1(2.0 * u) / (t * root0 + t0 * root));
+    if (FN(fabs)(u) < 1) {
+        const SCALAR t0 = FN(exp)(w0) / 2, e = FN(exp)(u), t = t0 * e;
+        const SCALAR root0 = FN(sqrt)(1 + t0 * t0), root = FN(sqrt)(1 + t * t);
+        return FN(asinh)(t0 * FN(expm1)(2 * u) / (e * root0 + root));
     }
     return scalar_asinh_exp(w) - scalar_asinh_exp(w0);
 }
 
-/* 1 - (d/du of the above)^2 = 1/(1 + e^(2w)/4) */
-static inline double scalar_friction_bend(double w0, double u)
+/* d/du of the above, tanh of asinh(e^w/2), and 1 - its square */
+static inline SCALAR scalar_friction_slope(SCALAR w)
 {
-    const double e = exp(-2.0 * (w0 + u));
-    return isinf(e) ? 1.0 : 4.0 * e / (1.0 + 4.0 * e);
+    return w > 0 ? 1 / FN(sqrt)(1 + 4 * FN(exp)(-2 * w))
+                 : FN(exp)(w) / FN(sqrt)(FN(exp)(2 * w) + 4);
+}
+
+static inline SCALAR scalar_friction_bend(SCALAR w)
+{
+    return w > 0 ? 4 * FN(exp)(-2 * w) / (1 + 4 * FN(exp)(-2 * w))
+                 : 4 / (4 + FN(exp)(2 * w));
 }
 
 #endif

@@ -118,7 +118,7 @@ static T NAME(tau)(const struct law *law, const struct material *m, T tan_alpha)
                : tan_alpha + a * FN(log)(-FN(expm1)(-2 * tan_alpha / a));
 }
 
-/* ln(1/T(v)) */
+/* ln(1/T(v)), for (45) without the -psi_ss */
 static T NAME(log_rate)(const struct law *law, const struct material *m, T x)
 {
     const T r = NAME(inverse_R)(m);
@@ -131,7 +131,7 @@ static T NAME(log_rate)(const struct law *law, const struct material *m, T x)
         case TIMESCALE_AGEING44:
             return FN(log)(r) - FN(log)(NAME(psi_ss)(law, m, x));
         default:
-            return FN(log)(r) - NAME(psi_ss)(law, m, x);
+            return FN(log)(r) + (law_freezes(law) ? 0 : x);
     }
 }
 
@@ -141,7 +141,8 @@ static void NAME(anchor)(const struct law *law, const struct material *m,
                          T alpha_tan, T x, bool equilibrium,
                          struct NAME(anchor) * at)
 {
-    const T r = NAME(inverse_R)(m), mu_log = NAME(mu_log_ss)(law, m, x);
+    const T r = NAME(inverse_R)(m), c = NAME(offset)(law, m);
+    const T mu_log = NAME(mu_log_ss)(law, m, x);
     const T eps2 = (T) m->V_star * (T) m->V_star / ((T) m->g * (T) m->L);
 
     at->x0 = x;
@@ -153,7 +154,9 @@ static void NAME(anchor)(const struct law *law, const struct material *m,
     at->force0 = alpha_tan - at->mu0;
     at->a = (T) m->a;
     at->b = (T) m->b;
-    at->theta_r = at->psi0 / (NAME(offset)(law, m) + at->psi0);
+    at->theta_s = c > 0 ? c / (c + at->psi0) : 0;
+    at->theta_r = c > 0 ? at->psi0 / (c + at->psi0) : 1;
+    at->steady_s = r / (r + at->v0);
     at->steady_r = at->v0 / (r + at->v0);
     at->log_inertia = -FN(log)(eps2) - FN(log1p)(alpha_tan * alpha_tan) / 2 - x;
     at->log_rate =

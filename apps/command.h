@@ -1,0 +1,44 @@
+/* command.h -- what slipway can do, one line a command. */
+#ifndef APPS_COMMAND_H
+#define APPS_COMMAND_H
+
+#include <stdio.h>
+
+#include "options.h"
+#include "status.h"
+
+enum exit_code {
+    EXIT_DONE = 0,   /* also "does not exist" */
+    EXIT_CHECK = 1,  /* a check failed */
+    EXIT_USAGE = 2,  /* command line or scene */
+    EXIT_NUMBER = 3, /* numerical failure */
+    EXIT_FILE = 4,   /* cannot read or write */
+    EXIT_INTERRUPT = 130
+};
+
+struct command {
+    const char *name;
+    const char *arguments;
+    const char *text;    /* one phrase */
+    const char *example; /* a line to try */
+    enum exit_code (*run)(const struct options *o);
+};
+
+/* NULL if there is no such command; *nearest then is its likely meaning. */
+const struct command *command_find(const char *name, const char **nearest);
+
+/* The table, for --help and 'slipway help'. */
+void command_list(FILE *out);
+
+enum exit_code command_study(const struct options *o);
+enum exit_code command_portrait(const struct options *o);
+enum exit_code command_knees(const struct options *o);
+enum exit_code command_plan(const struct options *o);
+enum exit_code command_laws(const struct options *o);
+enum exit_code command_info(const struct options *o);
+enum exit_code command_help(const struct options *o);
+
+/* Prints "slipway: TEXT" and answers the exit code for s. */
+enum exit_code command_fail(enum status s, const char *text);
+
+#endif

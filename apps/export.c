@@ -1,0 +1,199 @@
+#include "export.h"
+
+#include <gsl/gsl_version.h>
+#include <stdio.h>
+
+#include "library.h"
+#include "rows.h"
+#include "store.h"
+#include "store_records.h"
+
+/* One group of rows with `axis`; frees the rows. */
+static enum status put_rows(struct store *out, const char *group,
+                            struct rows *rows, const char *axis,
+                            enum status sampled)
+{
+    const struct record_array a = rows_array(rows);
+    const enum status s =
+        sampled == STATUS_OK ? store_put_records(out, group, &a, axis)
+                             : sampled;
+
+    rows_free(rows);
+    return s;
+}
+
+static enum status put_manifolds(const struct study *s, struct store *out)
+{
+    static const char *const group[][SIDES] = {
+        { "/manifold/stable_upper", "/manifold/stable_lower" },
+        { "/manifold/unstable_upper", "/manifold/unstable_lower" },
+    };
+    enum status status = STATUS_OK;
+
+    for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
+        struct rows r = rows_of(&record_branch);
+        status = put_rows(out, group[0][i], &r, "arc",
+                          rows_branch(s, &s->stable[i], &r));
+        if (status != STATUS_OK || !plan_has(s->stages, STAGE_UNSTABLE))
+            continue;
+        struct rows u = rows_of(&record_branch);
+        status = put_rows(out, group[1][i], &u, "arc",
+                          rows_unstable(s, &s->unstable[i], &u));
+    }
+    return status;
+}
+
+static enum status put_nullclines(const struct study *s, struct store *out)
+{
+    static const char *const name[NULLCLINES] = { "v", "psi" };
+    enum status status = STATUS_OK;
+
+    for (int i = 0; i < NULLCLINES; i++)
+        for (size_t k = 0; k < s->portrait.nullcline[i].count; k++) {
+            char group[64];
+            struct rows r = rows_of(&record_nullcline);
+            if (status != STATUS_OK)
+                return status;
+            snprintf(group, sizeof group, "/nullcline/%s_%zu", name[i], k);
+            status = put_rows(
+                out, group, &r, "arc",
+                rows_nullcline(s, &s->portrait.nullcline[i].piece[k], &r));
+        }
+    return status;
+}
+
+static enum status put_trajectory(const struct study *s,
+                                  const struct trajectory *t, size_t number,
+                                  struct store *out)
+{
+    char group[64];
+    struct rows r = rows_of(&record_trajectory);
+
+    snprintf(group, sizeof group, "/trajectory_%zu", number);
+    enum status status =
+        put_rows(out, group, &r, "time", rows_trajectory(s, &t->curve, &r));
+    if (status == STATUS_OK)
+        status = store_put_text(out, group, "end", study_end_name(t));
+    if (status == STATUS_OK)
+        status = store_put_real(out, group, "energy_defect",
+                                study_energy_defect(s, &t->curve));
+    return status;
+}
+
+static enum status put_trajectories(const struct study *s, struct store *out)
+{
+    const struct trajectories *set[] = { &s->chosen,
+                                         &s->portrait.trajectories };
+    enum status status = STATUS_OK;
+    size_t number = 0;
+
+    for (int i = 0; i < 2; i++)
+        for (size_t k = 0; k < set[i]->count && status == STATUS_OK; k++)
+            if (set[i]->at[k].curve.count > 0)
+                status = put_trajectory(s, &set[i]->at[k], number++, out);
+    return status;
+}
+
+static enum status put_arrows(const struct study *s, struct store *out)
+{
+    struct rows r = rows_of(&record_arrow);
+    return put_rows(out, "/field_arrows", &r, NULL, rows_arrows(s, &r));
+}
+
+static enum status put_critical(const struct study *s, struct store *out)
+{
+    const struct critical_numbers *c = &s->critical;
+    const struct record_array up = { &record_knee, c->knees_upper,
+                                     c->knees_upper_count };
+    const struct record_array low = { &record_knee, c->knees_lower,
+                                      c->knees_lower_count };
+    enum status status =
+        store_put_scalars(out, "/critical", &record_critical, c);
+
+    if (status == STATUS_OK && plan_has(s->stages, STAGE_KNEES))
+        status = store_put_records(out, "/critical/knees_upper", &up, NULL);
+    if (status == STATUS_OK && plan_has(s->stages, STAGE_KNEES))
+        status = store_put_records(out, "/critical/knees_lower", &low, NULL);
+    return status;
+}
+
+/* What made the file: no clock, path, host or thread count. */
+static enum status put_provenance(const struct study *s, struct store *out)
+{
+    struct material m = s->block.material;
+    char formula[256], libraries[128];
+    const char *const text[][2] = {
+        { "scene", s->scene->text },
+        { "overrides", s->scene->overrides },
+        { "version", SLIPWAY_VERSION },
+        { "compiler", __VERSION__ },
+        { "libraries", libraries },
+        { "law", s->block.law.preset },
+        { "friction", friction_form_names[s->block.law.form] },
+        { "formula", formula },
+    };
+    enum status status = STATUS_OK;
+
+    law_formula(&s->block.law, formula, sizeof formula);
+    snprintf(libraries, sizeof libraries, "GSL %s, HDF5 %s", GSL_VERSION,
+             store_library_version());
+    for (size_t i = 0; i < sizeof text / sizeof *text && !status; i++)
+        status = store_put_text(out, "/provenance", text[i][0], text[i][1]);
+    for (int key = 0; key < MATERIAL_KEYS && !status; key++)
+        status = store_put_real(
+            out, "/provenance", material_key_name((enum material_key) key),
+            *material_member(&m, (enum material_key) key));
+    if (!status)
+        status = store_put_real(out, "/provenance", "alpha", s->scene->alpha);
+    if (!status)
+        status =
+            store_put_real(out, "/provenance", "eps2", material_eps2(&m));
+    return status;
+}
+
+static enum status put_all(const struct study *s, struct store *out)
+{
+    const struct record_array steady = { &record_steady, s->steady,
+                                         s->equilibria };
+    const unsigned stages = s->stages;
+    enum status status = put_provenance(s, out);
+
+    if (!status)
+        status = store_put_records(out, "/equilibria", &steady, NULL);
+    if (!status)
+        status = store_put_scalars(out, "/saddle", &record_saddle,
+                                   &s->saddle_numbers);
+    if (!status && plan_has(stages, STAGE_FOLDS))
+        status = store_put_scalars(out, "/folds", &record_folds, &s->folds);
+    if (!status && plan_has(stages, STAGE_STABLE) && s->saddle >= 0)
+        status = put_manifolds(s, out);
+    if (!status && plan_has(stages, STAGE_CRITICAL))
+        status = put_critical(s, out);
+    if (!status && plan_has(stages, STAGE_NULLCLINES))
+        status = put_nullclines(s, out);
+    if (!status && plan_has(stages, STAGE_ARROWS))
+        status = put_arrows(s, out);
+    if (!status && plan_has(stages, STAGE_TRAJECTORIES))
+        status = put_trajectories(s, out);
+    return status;
+}
+
+enum status export_study(const struct study *s, const char *path,
+                         struct fault *why)
+{
+    struct store *out = NULL;
+    const char *title =
+        s->scene->title[0] ? s->scene->title : s->block.law.preset;
+    enum status status = store_create(path, title, &out, why);
+
+    if (status != STATUS_OK)
+        return status;
+    status = put_all(s, out);
+    if (status == STATUS_OK || status == STATUS_IO)
+        status = store_commit(out, why);
+    else
+        snprintf(why->text, sizeof why->text, "%s: %s", path,
+                 status_text(status));
+    store_free(&out);
+    return status;
+}

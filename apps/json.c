@@ -1,0 +1,85 @@
+#include "json.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+json_t *json_number(double value)
+{
+    if (isnan(value))
+        return json_null();
+    if (isinf(value))
+        return json_string(value > 0 ? "inf" : "-inf");
+    return json_real(value);
+}
+
+json_t *json_quantity(const struct quantity *q)
+{
+    json_t *j = json_object();
+
+    if (!quantity_exists(q)) {
+        json_object_set_new(j, "value", json_null());
+        json_object_set_new(j, "reason", json_string(q->reason));
+        return j;
+    }
+    json_object_set_new(j, "value", json_number(q->value));
+    json_object_set_new(j, "error", json_number(q->error));
+    if (!isnan(q->conditioning))
+        json_object_set_new(j, "conditioning", json_number(q->conditioning));
+    return j;
+}
+
+static json_t *json_code(int8_t code, const char *const *words)
+{
+    return code < 0 ? json_null() : json_string(words[code]);
+}
+
+static json_t *json_member(const struct record_field *f, const void *member)
+{
+    switch (f->kind) {
+        case RECORD_REAL:
+            return json_number(*(const double *) member);
+        case RECORD_COUNT:
+            return json_integer(*(const int64_t *) member);
+        case RECORD_CODE:
+            return json_code(*(const int8_t *) member, f->codes);
+        case RECORD_QUANTITY:
+            return json_quantity(member);
+        case RECORD_TEXT:
+            break;
+    }
+    const char *text = *(const char *const *) member;
+    return text ? json_string(text) : json_null();
+}
+
+json_t *json_record(const struct record_type *type, const void *at)
+{
+    const struct record_array one = { type, at, 1 };
+    json_t *j = json_object();
+
+    for (size_t i = 0; i < type->count; i++) {
+        const struct record_field *f = &type->fields[i];
+        json_object_set_new(j, f->name,
+                            json_member(f, record_member(&one, 0, f)));
+    }
+    return j;
+}
+
+json_t *json_records(const struct record_array *a)
+{
+    json_t *list = json_array();
+
+    for (size_t i = 0; i < a->count; i++)
+        json_array_append_new(
+            list, json_record(a->type, (const char *) a->at + i * a->type->size));
+    return list;
+}
+
+bool json_print(json_t *j)
+{
+    const size_t flags = JSON_INDENT(2) | JSON_REAL_PRECISION(17);
+    const bool ok = j != NULL && json_dumpf(j, stdout, flags) == 0 &&
+                    putchar('\n') != EOF && fflush(stdout) == 0;
+
+    json_decref(j);
+    return ok;
+}

@@ -1,0 +1,49 @@
+/* slipway laws: the presets, their formulas and parameters. */
+#include "command.h"
+#include "json.h"
+#include "law.h"
+
+static json_t *law_json(const struct law *law)
+{
+    char formula[256];
+    json_t *j = json_object(), *uses = json_array();
+
+    law_formula(law, formula, sizeof formula);
+    for (int key = 0; key < MATERIAL_KEYS; key++)
+        if (law_uses(law, (enum material_key) key))
+            json_array_append_new(
+                uses, json_string(material_key_name((enum material_key) key)));
+    json_object_set_new(j, "name", json_string(law->preset));
+    json_object_set_new(j, "equation", json_string(law->equation));
+    json_object_set_new(j, "formula", json_string(formula));
+    json_object_set_new(j, "parameters", uses);
+    return j;
+}
+
+static void print_law(const struct law *law)
+{
+    char formula[256];
+
+    law_formula(law, formula, sizeof formula);
+    printf("%-16s %-22s %s\n", law->preset, law->equation, formula);
+}
+
+enum exit_code command_laws(const struct options *o)
+{
+    json_t *list = o->json ? json_array() : NULL;
+    const struct law *law;
+
+    for (size_t i = 0; (law = law_preset_at(i)) != NULL; i++) {
+        if (list)
+            json_array_append_new(list, law_json(law));
+        else
+            print_law(law);
+    }
+    if (list)
+        return json_print(list) ? EXIT_DONE : EXIT_FILE;
+    printf("\nmu = a asinh((v/2) exp((mu_star + b theta)/a))   --friction "
+           "asinh (default), (4a)\n"
+           "mu = mu_star + a ln v + b theta                  --friction log, "
+           "(2)\n");
+    return EXIT_DONE;
+}

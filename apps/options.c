@@ -1,0 +1,207 @@
+#include "options.h"
+
+#include <argp.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command.h"
+
+const char *argp_program_version = "slipway " SLIPWAY_VERSION;
+
+enum key { KEY_SET = 256, KEY_LAW, KEY_FRICTION, KEY_ALPHA, KEY_RTOL,
+           KEY_FIGURE, KEY_KEEP, KEY_JSON, KEY_THREADS, KEY_PROGRESS,
+           KEY_SEED };
+
+static const struct argp_option option_table[] = {
+    { "set", KEY_SET, "KEY=VALUE", 0, "Set any scene key, e.g. slope.alpha=0.3",
+      0 },
+    { "law", KEY_LAW, "NAME", 0, "Friction law (see 'slipway laws')", 0 },
+    { "friction", KEY_FRICTION, "FORM", 0, "Friction form: asinh or log", 0 },
+    { "alpha", KEY_ALPHA, "RAD", 0, "Slope angle in radians", 0 },
+    { "rtol", KEY_RTOL, "TOL", 0, "Relative accuracy [1e-12]", 0 },
+    { "output", 'o', "FILE.h5", 0, "Write the results to this HDF5 file", 0 },
+    { "figure", KEY_FIGURE, "FILE", 0, "Draw FILE.svg, .pdf or .png", 0 },
+    { "keep-script", KEY_KEEP, 0, 0,
+      "Leave the figure's gnuplot script and data beside it", 0 },
+    { "json", KEY_JSON, 0, 0, "Print JSON instead of a table", 0 },
+    { "threads", KEY_THREADS, "N", 0, "Number of threads [all]", 0 },
+    { "progress", KEY_PROGRESS, "HOW", 0, "auto, json or none [auto]", 0 },
+    { "quiet", 'q', 0, 0, "Print nothing but errors", 0 },
+    { "seed", KEY_SEED, "N", 0, "Seed of everything random", 0 },
+    { 0 },
+};
+
+/* The scene key that an option stands for; NULL: none. */
+static const char *scene_key(int key)
+{
+    switch (key) {
+        case KEY_LAW:
+            return "law.preset";
+        case KEY_FRICTION:
+            return "law.friction";
+        case KEY_ALPHA:
+            return "slope.alpha";
+        case KEY_RTOL:
+            return "accuracy.rtol";
+        case KEY_SEED:
+            return "trajectories.seed";
+        case 'o':
+            return "output.hdf5";
+        case KEY_FIGURE:
+            return "output.figure";
+        default:
+            return NULL;
+    }
+}
+
+/* One line, exit 2: the command line is wrong. */
+static _Noreturn void refuse(const char *what, const char *value,
+                             const char *expected)
+{
+    fprintf(stderr, "slipway: %s%s: %s\n", what, value, expected);
+    exit(2);
+}
+
+static bool is_path(int key)
+{
+    return key == 'o' || key == KEY_FIGURE;
+}
+
+/* Takes over one "key=value". */
+static void add_text(struct options *o, char *text)
+{
+    if (text == NULL || o->sets == OPTIONS_SETS)
+        refuse("--set ", text ? text : "", "too many settings");
+    o->set[o->sets++] = text;
+}
+
+/* Adds KEY=VALUE; a path becomes a YAML single-quoted text. */
+static void add_set(struct options *o, const char *key, const char *value,
+                    bool quote)
+{
+    const size_t room = strlen(key) + 2 * strlen(value) + 4;
+    char *text = malloc(room), *end = text;
+
+    if (text == NULL)
+        refuse("", key, "out of memory");
+    end += sprintf(end, "%s=%s", key, quote ? "'" : "");
+    for (; *value; value++) {
+        *end++ = *value;
+        if (quote && *value == '\'')
+            *end++ = '\'';
+    }
+    strcpy(end, quote ? "'" : "");
+    add_text(o, text);
+}
+
+static int parse_count(const char *text)
+{
+    char *end;
+    const long n = strtol(text, &end, 10);
+
+    if (end == text || *end || n < 1 || n > 4096)
+        refuse("--threads ", text, "expected a number from 1 to 4096");
+    return (int) n;
+}
+
+static enum progress parse_progress(const char *text)
+{
+    if (strcmp(text, "json") == 0)
+        return PROGRESS_JSON;
+    if (strcmp(text, "none") == 0)
+        return PROGRESS_NONE;
+    if (strcmp(text, "auto") != 0)
+        refuse("--progress ", text, "expected auto, json or none");
+    return PROGRESS_AUTO;
+}
+
+static void add_argument(struct options *o, char *argument)
+{
+    if (o->command == NULL)
+        o->command = argument;
+    else if (o->files < OPTIONS_FILES)
+        o->file[o->files++] = argument;
+    else
+        refuse("", argument, "too many arguments");
+}
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    struct options *o = state->input;
+
+    if (scene_key(key)) {
+        add_set(o, scene_key(key), value, is_path(key));
+        return 0;
+    }
+    switch (key) {
+        case KEY_SET:
+            if (strchr(value, '=') == NULL)
+                refuse("--set ", value, "expected KEY=VALUE");
+            add_text(o, strdup(value));
+            return 0;
+        case KEY_JSON:
+            o->json = true;
+            return 0;
+        case KEY_KEEP:
+            o->keep_script = true;
+            return 0;
+        case 'q':
+            o->quiet = true;
+            return 0;
+        case KEY_THREADS:
+            o->threads = parse_count(value);
+            return 0;
+        case KEY_PROGRESS:
+            o->progress = parse_progress(value);
+            return 0;
+        case ARGP_KEY_ARG:
+            add_argument(o, value);
+            return 0;
+        case ARGP_KEY_ERROR:
+            refuse("", state->argv[state->next > 1 ? state->next - 1 : 0],
+                   "unknown option or missing value (see slipway --help)");
+        default:
+            return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/* The list of commands and the examples, below the options. */
+static char *help_filter(int key, const char *text, void *input)
+{
+    char *help = NULL;
+    size_t size = 0;
+
+    (void) input;
+    if (key != ARGP_KEY_HELP_POST_DOC)
+        return (char *) (uintptr_t) text;
+    FILE *out = open_memstream(&help, &size);
+    if (out == NULL)
+        return NULL;
+    command_list(out);
+    fclose(out);
+    return help;
+}
+
+void options_parse(struct options *o, int argc, char *argv[])
+{
+    static const struct argp argp = {
+        .options = option_table,
+        .parser = parse,
+        .args_doc = "COMMAND [SCENE.yaml]",
+        .doc = "Phase planes of rate-and-state friction: steady states, the "
+               "saddle's manifolds, critical velocities.\v-",
+        .help_filter = help_filter,
+    };
+
+    *o = (struct options){ 0 };
+    argp_parse(&argp, argc, argv, ARGP_NO_ERRS, NULL, o);
+}
+
+void options_free(struct options *o)
+{
+    for (size_t i = 0; i < o->sets; i++)
+        free(o->set[i]);
+    o->sets = 0;
+}

@@ -1,0 +1,28 @@
+/* options.h -- the command line, once for all commands. */
+#ifndef APPS_OPTIONS_H
+#define APPS_OPTIONS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { OPTIONS_SETS = 64, OPTIONS_FILES = 64 };
+
+enum progress { PROGRESS_AUTO, PROGRESS_JSON, PROGRESS_NONE };
+
+struct options {
+    const char *command;
+    const char *file[OPTIONS_FILES]; /* arguments after the command */
+    size_t files;
+    char *set[OPTIONS_SETS]; /* owned: "key=value", in order */
+    size_t sets;
+    bool json, keep_script, quiet;
+    int threads; /* 0: what OpenMP chooses */
+    enum progress progress;
+};
+
+/* Parses argv; prints help, version or one line of complaint itself and ends
+ * the process for those (exit 0, 0, 2). */
+void options_parse(struct options *o, int argc, char *argv[]);
+void options_free(struct options *o);
+
+#endif

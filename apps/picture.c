@@ -1,0 +1,336 @@
+/* A study drawn: every curve goes from the chart through one function to the
+ * numbers on the axes. */
+#include "picture.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "draw.h"
+#include "physical.h"
+#include "tolerance.h"
+
+struct picture {
+    const struct study *s;
+    struct figure figure;
+    struct mat2 basis; /* eigenvectors, for eigen axes */
+    enum axes axes;
+};
+
+/* Eigenvectors as columns, both with x-component 1. */
+static struct mat2 eigen_basis_of(const struct equilibrium *e)
+{
+    const struct vec2 u = mat2_eigenvector(e->matrix, e->scaled[0]);
+    const struct vec2 w = mat2_eigenvector(e->matrix, e->scaled[1]);
+    return (struct mat2){ 1.0, 1.0, u.y / u.x, w.y / w.x };
+}
+
+/* (X, Y) with (x, y) = basis (X, Y), (36). */
+static struct vec2 eigen_from_chart(struct mat2 P, struct vec2 z)
+{
+    const double det = P.yy - P.yx;
+    return (struct vec2){ (P.yy * z.x - z.y) / det, (z.y - P.yx * z.x) / det };
+}
+
+/* From an offset in the chart to what the axes show. */
+static struct vec2 shown(const struct picture *p, struct vec2 z)
+{
+    const struct study *s = p->s;
+    const struct block *b = &s->block;
+    const bool si = s->scene->units == UNITS_SI;
+
+    if (p->axes == AXES_EIGEN)
+        return eigen_from_chart(p->basis, z);
+    const double v = b->at.v0 * exp(z.x), y = b->at.y0 + z.y;
+    const double psi = law_psi_is_log(&b->law) ? y : b->at.psi0 * exp(z.y);
+    if (si)
+        return (struct vec2){ v * b->material.V_star,
+                              physical_phi(&b->law, &b->material, psi) };
+    return (struct vec2){ v, law_psi_is_log(&b->law) ? exp(psi) : psi };
+}
+
+/* ---- axes ---------------------------------------------------------------- */
+
+static void labels(const struct picture *p, char *x, char *y, size_t size)
+{
+    const struct block *b = &p->s->block;
+    const bool si = p->s->scene->units == UNITS_SI;
+
+    if (p->axes == AXES_EIGEN) {
+        snprintf(x, size, "X: along the stable direction, B X of (36)");
+        snprintf(y, size, "Y: along the unstable direction, B Y of (36)");
+        return;
+    }
+    snprintf(x, size, si ? "slip rate V (m/s)" : "slip rate v = V/V*");
+    if (si)
+        snprintf(y, size, "interfacial state φ%s",
+                 strcmp(physical_unit(&b->law), "s") == 0 ? " (s)" : "");
+    else
+        snprintf(y, size, law_psi_is_log(&b->law)
+                              ? "interfacial state φ = exp ψ"
+                              : "interfacial state ψ");
+}
+
+/* The window's corners on the axes; for eigen axes a square around the saddle
+ * that holds both critical velocities. */
+static struct box frame(const struct picture *p)
+{
+    const struct study *s = p->s;
+    struct box w = study_window(s);
+
+    if (p->axes != AXES_EIGEN)
+        return (struct box){ shown(p, vec2_sub(w.lo, s->system.origin)),
+                             shown(p, vec2_sub(w.hi, s->system.origin)) };
+    double reach = 1.0;
+    for (int i = 0; i < SIDES; i++)
+        if (s->stable[i].curve.count > 0)
+            reach = fmax(reach, fabs(s->stable[i].limit.x));
+    reach *= 1.5;
+    return (struct box){ { -reach, -reach }, { reach, reach } };
+}
+
+static enum status start_figure(struct picture *p)
+{
+    const struct study *s = p->s;
+    const struct box f = frame(p);
+    char title[512], x[96], y[96];
+
+    snprintf(title, sizeof title, "%s%s%s, α = %.6g rad", s->scene->title,
+             s->scene->title[0] ? " — " : "", s->block.law.preset,
+             s->scene->alpha);
+    labels(p, x, y, sizeof x);
+    return figure_init(
+        &p->figure, title,
+        &(struct figure_axis){ x, f.lo.x, f.hi.x, p->axes == AXES_LOG },
+        &(struct figure_axis){ y, f.lo.y, f.hi.y, p->axes == AXES_LOG });
+}
+
+/* ---- layers -------------------------------------------------------------- */
+
+/* Points on their way to a layer; owned. */
+struct points {
+    double *x, *y;
+    size_t count, room;
+};
+
+static enum status add_point(struct points *q, struct vec2 at)
+{
+    if (q->count == q->room) {
+        const size_t room = q->room ? 2 * q->room : 512;
+        double *x = realloc(q->x, room * sizeof *x);
+        if (x)
+            q->x = x;
+        double *y = x ? realloc(q->y, room * sizeof *y) : NULL;
+        if (y == NULL)
+            return STATUS_NO_MEMORY;
+        q->y = y;
+        q->room = room;
+    }
+    q->x[q->count] = at.x;
+    q->y[q->count++] = at.y;
+    return STATUS_OK;
+}
+
+static void free_points(struct points *q)
+{
+    free(q->x);
+    free(q->y);
+}
+
+/* Hands the points to the figure as a curve and frees them. */
+static enum status flush(struct picture *p, struct points *q,
+                         enum figure_role role, const char *entry,
+                         const double *heads, size_t head_count,
+                         enum status status)
+{
+    const struct figure_curve c = { .style = { .role = role },
+                                    .entry = entry,
+                                    .x = q->x,
+                                    .y = q->y,
+                                    .count = q->count,
+                                    .heads = heads,
+                                    .head_count = head_count };
+
+    if (status == STATUS_OK && q->count > 1)
+        status = figure_add_curve(&p->figure, &c);
+    free_points(q);
+    return status;
+}
+
+/* Sixteen points a piece draw any of our polynomials smoothly. */
+static enum status add_curve(struct picture *p, const struct curve *c,
+                             enum figure_role role, const char *entry,
+                             bool arrow)
+{
+    enum { PER_PIECE = 16 };
+    static const double head[] = { 0.5 };
+    struct points q = { 0 };
+    double at[CURVE_DIM_MAX];
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < c->count; i++)
+        for (int k = i == 0 ? 0 : 1; k <= PER_PIECE && !status; k++) {
+            curve_at(c, i, (double) k / PER_PIECE, at);
+            status = add_point(&q, shown(p, (struct vec2){ at[0], at[1] }));
+        }
+    return flush(p, &q, role, entry, head, arrow ? 1 : 0, status);
+}
+
+static enum status add_nullclines(struct picture *p)
+{
+    static const enum figure_role role[] = { FIGURE_NULLCLINE_X,
+                                             FIGURE_NULLCLINE_Y };
+    static const char *const entry[] = { "dv/dt = 0", "dψ/dt = 0" };
+    enum status status = STATUS_OK;
+
+    for (int i = 0; i < NULLCLINES; i++)
+        for (size_t k = 0; k < p->s->portrait.nullcline[i].count; k++) {
+            const struct polyline *l = &p->s->portrait.nullcline[i].piece[k];
+            struct points q = { 0 };
+            for (size_t j = 0; j < l->count && !status; j++)
+                status = add_point(
+                    &q, shown(p, vec2_sub(l->at[j], p->s->system.origin)));
+            status = flush(p, &q, role[i], entry[i], NULL, 0, status);
+            if (status != STATUS_OK)
+                return status;
+        }
+    return status;
+}
+
+static enum status add_trajectories(struct picture *p)
+{
+    const struct trajectories *spread = &p->s->portrait.trajectories;
+    const struct trajectories *chosen = &p->s->chosen;
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < spread->count && !status; i++)
+        status = add_curve(p, &spread->at[i].curve, FIGURE_TRAJECTORY,
+                           "trajectories", true);
+    for (size_t i = 0; i < chosen->count && !status; i++)
+        status = add_curve(p, &chosen->at[i].curve, FIGURE_HIGHLIGHT,
+                           "trajectory from the given start", true);
+    return status;
+}
+
+/* The asymptote that closes a branch, drawn to the window's edge. */
+static enum status add_asymptote(struct picture *p, const struct branch *b)
+{
+    const struct box w = study_window(p->s);
+    const struct vec2 origin = p->s->system.origin;
+    struct points q = { 0 };
+    struct vec2 end = b->limit;
+
+    if (b->end != BRANCH_LIMIT_X && b->end != BRANCH_LIMIT_Y)
+        return STATUS_OK;
+    if (b->end == BRANCH_LIMIT_X)
+        end.y = (b->sign > 0 ? fmax(w.hi.y, b->limit.y + origin.y)
+                             : fmin(w.lo.y, b->limit.y + origin.y)) -
+                origin.y;
+    else
+        end.x = (b->sign > 0 ? fmax(w.hi.x, b->limit.x + origin.x)
+                             : fmin(w.lo.x, b->limit.x + origin.x)) -
+                origin.x;
+    enum status status = add_point(&q, shown(p, b->limit));
+    if (status == STATUS_OK)
+        status = add_point(&q, shown(p, end));
+    return flush(p, &q, FIGURE_STABLE, "stable manifold", NULL, 0, status);
+}
+
+static enum status add_manifolds(struct picture *p)
+{
+    enum status status = STATUS_OK;
+
+    for (int i = 0; i < SIDES && !status; i++)
+        status = add_curve(p, &p->s->unstable[i].curve, FIGURE_UNSTABLE,
+                           "unstable manifold", false);
+    for (int i = 0; i < SIDES && !status; i++) {
+        if (p->s->stable[i].curve.count == 0)
+            continue;
+        status = add_curve(p, &p->s->stable[i].curve, FIGURE_STABLE,
+                           "stable manifold", false);
+        if (!status)
+            status = add_asymptote(p, &p->s->stable[i]);
+    }
+    return status;
+}
+
+static enum status add_equilibria(struct picture *p)
+{
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < p->s->equilibria && !status; i++) {
+        const bool saddle = p->s->equilibrium[i].type == EQUILIBRIUM_SADDLE;
+        const struct vec2 at = shown(
+            p, vec2_sub(p->s->equilibrium[i].z, p->s->system.origin));
+        status = figure_add_points(
+            &p->figure,
+            &(struct figure_points){
+                .style = { .role = FIGURE_EQUILIBRIUM },
+                .entry = saddle ? "saddle" : "stable node",
+                .x = &at.x,
+                .y = &at.y,
+                .count = 1,
+                .mark = saddle ? FIGURE_CIRCLE : FIGURE_DISC });
+    }
+    return status;
+}
+
+static enum status add_arrows(struct picture *p)
+{
+    const struct arrows *a = &p->s->portrait.arrows;
+    struct points at = { 0 }, along = { 0 };
+    enum status status = STATUS_OK;
+
+    if (p->axes == AXES_EIGEN)
+        return STATUS_OK;
+    const struct box w = p->axes == AXES_LOG ? study_window(p->s) : frame(p);
+    const struct vec2 size = vec2_sub(w.hi, w.lo);
+    for (size_t i = 0; i < a->columns * a->rows && !status; i++) {
+        status = add_point(
+            &at, shown(p, vec2_sub(a->at[i].z, p->s->system.origin)));
+        if (!status)
+            status = add_point(
+                &along, (struct vec2){ a->at[i].direction.x * size.x,
+                                       a->at[i].direction.y * size.y });
+    }
+    if (!status && at.count > 0)
+        status = figure_add_arrows(&p->figure, &(struct figure_arrows){
+                                                   .style = { FIGURE_FIELD,
+                                                              0, 0 },
+                                                   .x = at.x,
+                                                   .y = at.y,
+                                                   .dx = along.x,
+                                                   .dy = along.y,
+                                                   .count = at.count });
+    free_points(&at);
+    free_points(&along);
+    return status;
+}
+
+enum status picture_draw(const struct study *s, const char *path,
+                         bool keep_script, struct fault *why)
+{
+    static enum status (*const layer[])(struct picture *) = {
+        add_arrows, add_trajectories, add_nullclines, add_manifolds,
+        add_equilibria
+    };
+    struct picture p = { .s = s,
+                         .figure = FIGURE_EMPTY,
+                         .axes = s->scene->window.axes };
+
+    if (s->saddle >= 0)
+        p.basis = eigen_basis_of(&s->equilibrium[s->saddle]);
+    else if (p.axes == AXES_EIGEN)
+        p.axes = AXES_LOG; /* nothing to be eigen about */
+    enum status status = start_figure(&p);
+    for (size_t i = 0; i < sizeof layer / sizeof *layer && !status; i++)
+        status = layer[i](&p);
+    if (status == STATUS_OK)
+        status = figure_write(&p.figure, path, keep_script, why);
+    else
+        snprintf(why->text, sizeof why->text, "%s: %s", path,
+                 status_text(status));
+    figure_free(&p.figure);
+    return status;
+}

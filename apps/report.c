@@ -1,0 +1,157 @@
+#include "report.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- text ------------------------------------------------------------- */
+
+/* "name   value +- error" or "name   -   reason" */
+static void print_quantity(FILE *out, const char *name,
+                           const struct quantity *q)
+{
+    if (!quantity_exists(q))
+        fprintf(out, "  %-16s -  (%s)\n", name, q->reason);
+    else
+        fprintf(out, "  %-16s %-22.15g +- %.1e\n", name, q->value, q->error);
+}
+
+static void print_record(FILE *out, const struct record_type *type,
+                         const void *at)
+{
+    const struct record_array one = { type, at, 1 };
+
+    for (size_t i = 0; i < type->count; i++) {
+        const struct record_field *f = &type->fields[i];
+        const void *member = record_member(&one, 0, f);
+        if (f->kind == RECORD_QUANTITY)
+            print_quantity(out, f->name, member);
+        else if (f->kind == RECORD_CODE && *(const int8_t *) member >= 0)
+            fprintf(out, "  %-16s %s\n", f->name,
+                    f->codes[*(const int8_t *) member]);
+    }
+}
+
+static void print_steady(FILE *out, const struct study *s)
+{
+    fprintf(out, "steady states\n");
+    if (s->equilibria == 0)
+        fprintf(out, "  none: mu_ss(v) = tan(alpha) has no solution for v in "
+                     "[1e-300, 1e300]\n");
+    else
+        fprintf(out, "  %-12s %-22s %-22s %-15s %s\n", "type", "v", "psi",
+                "lambda_minus", "lambda_plus");
+    for (size_t i = 0; i < s->equilibria; i++) {
+        const struct steady_number *e = &s->steady[i];
+        fprintf(out, "  %-12s %-22.15g %-22.15g %-15.8g %.8g\n",
+                equilibrium_type_names[e->type], e->v.value, e->psi.value,
+                e->lambda_minus.value, e->lambda_plus.value);
+    }
+}
+
+static void print_knees(FILE *out, const char *name,
+                        const struct knee_number knee[], size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        fprintf(out, "  %-16s v = %.12g +- %.1e, psi = %.12g +- %.1e\n", name,
+                knee[i].v.value, knee[i].v.error, knee[i].psi.value,
+                knee[i].psi.error);
+    if (count == 0)
+        fprintf(out, "  %-16s -  (slope never passes through 1)\n", name);
+}
+
+void report_print(FILE *out, const struct study *s)
+{
+    const struct critical_numbers *c = &s->critical;
+
+    fprintf(out, "%s (%s form), alpha = %.17g rad\n", s->block.law.preset,
+            friction_form_names[s->block.law.form], s->scene->alpha);
+    if (plan_has(s->stages, STAGE_STEADY))
+        print_steady(out, s);
+    if (plan_has(s->stages, STAGE_FOLDS)) {
+        fprintf(out, "folds\n");
+        print_record(out, &record_folds, &s->folds);
+    }
+    if (plan_has(s->stages, STAGE_CRITICAL)) {
+        fprintf(out, "stable manifold of the saddle\n");
+        print_record(out, &record_critical, c);
+    }
+    if (plan_has(s->stages, STAGE_KNEES) && s->saddle >= 0) {
+        print_knees(out, "knees_upper", c->knees_upper, c->knees_upper_count);
+        print_knees(out, "knees_lower", c->knees_lower, c->knees_lower_count);
+    }
+}
+
+/* ---- JSON ------------------------------------------------------------- */
+
+static json_t *parameters_json(const struct study *s)
+{
+    struct material m = s->block.material;
+    json_t *j = json_object();
+
+    for (int key = 0; key < MATERIAL_KEYS; key++)
+        if (key != MATERIAL_V_C || law_uses(&s->block.law, MATERIAL_V_C))
+            json_object_set_new(
+                j, material_key_name((enum material_key) key),
+                json_number(*material_member(&m, (enum material_key) key)));
+    json_object_set_new(j, "eps2", json_number(material_eps2(&m)));
+    json_object_set_new(j, "eta", json_number(law_eta(&s->block.law, &m)));
+    return j;
+}
+
+static json_t *knees_json(const struct knee_number knee[], size_t count)
+{
+    const struct record_array a = { &record_knee, knee, count };
+    return json_records(&a);
+}
+
+static json_t *cost_json(const struct study *s)
+{
+    const struct stage_cost total = study_cost(s);
+    json_t *j = json_object();
+
+    json_object_set_new(j, "field_evaluations",
+                        json_integer((json_int_t) total.field_evaluations));
+    json_object_set_new(j, "seconds", json_number(total.seconds));
+    return j;
+}
+
+static void add_critical(json_t *j, const struct study *s)
+{
+    const struct critical_numbers *c = &s->critical;
+    json_t *numbers = json_record(&record_critical, c);
+
+    json_object_update(j, numbers);
+    json_decref(numbers);
+    if (!plan_has(s->stages, STAGE_KNEES))
+        return;
+    json_object_set_new(j, "knee_upper",
+                        json_record(&record_knee, &c->knee_upper));
+    json_object_set_new(j, "knee_lower",
+                        json_record(&record_knee, &c->knee_lower));
+    json_object_set_new(j, "knees_upper",
+                        knees_json(c->knees_upper, c->knees_upper_count));
+    json_object_set_new(j, "knees_lower",
+                        knees_json(c->knees_lower, c->knees_lower_count));
+}
+
+json_t *report_json(const struct study *s)
+{
+    const struct record_array steady = { &record_steady, s->steady,
+                                         s->equilibria };
+    json_t *j = json_object();
+
+    json_object_set_new(j, "law", json_string(s->block.law.preset));
+    json_object_set_new(j, "form",
+                        json_string(friction_form_names[s->block.law.form]));
+    json_object_set_new(j, "alpha", json_number(s->scene->alpha));
+    json_object_set_new(j, "parameters", parameters_json(s));
+    json_object_set_new(j, "equilibria", json_records(&steady));
+    if (plan_has(s->stages, STAGE_FOLDS))
+        json_object_set_new(j, "folds", json_record(&record_folds, &s->folds));
+    json_object_set_new(j, "saddle",
+                        json_record(&record_saddle, &s->saddle_numbers));
+    if (plan_has(s->stages, STAGE_CRITICAL))
+        add_critical(j, s);
+    json_object_set_new(j, "cost", cost_json(s));
+    return j;
+}

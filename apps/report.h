@@ -1,0 +1,16 @@
+/* report.h -- a study as text for people and as JSON for programs. */
+#ifndef APPS_REPORT_H
+#define APPS_REPORT_H
+
+#include <stdio.h>
+
+#include "json.h"
+#include "study.h"
+
+/* Steady states, folds, saddle, critical numbers, knees, with "+-". */
+void report_print(FILE *out, const struct study *s);
+
+/* The object of `knees --json`, as far as the study went. */
+json_t *report_json(const struct study *s);
+
+#endif

@@ -1,0 +1,185 @@
+/* slipway study and its shortcuts: read the scene, run what it asks for, write
+ * the file, draw the figure, print the numbers. */
+#include "command.h"
+#include "export.h"
+#include "picture.h"
+#include "progress.h"
+#include "report.h"
+
+#define BIT(p) (1u << PRODUCT_##p)
+
+/* What a shortcut adds to a scene, or runs without one. */
+struct shortcut {
+    unsigned always;       /* products it cannot do without */
+    unsigned if_none;      /* products where the scene names none */
+    const char *figure;    /* drawn where the scene names no output at all */
+    bool print_numbers;    /* the report goes to stdout */
+    size_t spread;         /* trajectories without a scene */
+};
+
+static const struct shortcut study_shortcut = {
+    .if_none = BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(MANIFOLDS) | BIT(KNEES),
+    .print_numbers = true,
+};
+
+static const struct shortcut portrait_shortcut = {
+    .always = BIT(EQUILIBRIA),
+    .if_none = BIT(NULLCLINES) | BIT(MANIFOLDS) | BIT(TRAJECTORIES),
+    .figure = "portrait.svg",
+    .spread = 20,
+};
+
+static const struct shortcut knees_shortcut = {
+    .always = BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(KNEES) | BIT(ESTIMATES),
+    .print_numbers = true,
+};
+
+static enum status read_scene(const struct options *o,
+                              const struct shortcut *how, struct scene *scene,
+                              struct fault *why)
+{
+    const char *path = o->files ? o->file[0] : NULL;
+    enum status s;
+
+    if (o->files > 1) {
+        snprintf(why->text, sizeof why->text, "%s: one scene is enough",
+                 o->file[1]);
+        return STATUS_BAD_SCENE;
+    }
+    s = scene_read(scene, path, o->set, o->sets, why);
+    if (s != STATUS_OK)
+        return s;
+    if (scene->products == 0) {
+        scene->products = how->if_none;
+        if (scene->starts + scene->spread == 0)
+            scene->spread = how->spread;
+    }
+    scene->products |= how->always;
+    return STATUS_OK;
+}
+
+static void print_remarks(const struct study *s)
+{
+    const char *text[4];
+    const size_t n = study_remarks(s, text, 4);
+
+    for (size_t i = 0; i < n; i++)
+        printf("note: %s\n", text[i]);
+}
+
+static enum status write_files(const struct study *s, const struct options *o,
+                               const struct shortcut *how, struct fault *why)
+{
+    const struct scene *c = s->scene;
+    const char *figure =
+        c->figure ? c->figure : c->hdf5 ? NULL : how->figure;
+    enum status status = STATUS_OK;
+
+    if (c->hdf5)
+        status = export_study(s, c->hdf5, why);
+    if (status == STATUS_OK && figure)
+        status = picture_draw(s, figure, o->keep_script, why);
+    if (status != STATUS_OK || o->quiet || o->json)
+        return status;
+    if (c->hdf5)
+        printf("wrote %s\n", c->hdf5);
+    if (figure)
+        printf("wrote %s\n", figure);
+    return status;
+}
+
+static enum exit_code print_results(const struct study *s,
+                                    const struct options *o,
+                                    const struct shortcut *how)
+{
+    if (o->json)
+        return json_print(report_json(s)) ? EXIT_DONE : EXIT_FILE;
+    if (!o->quiet && how->print_numbers)
+        report_print(stdout, s);
+    if (!o->quiet)
+        print_remarks(s);
+    if (fflush(stdout) != 0)
+        return command_fail(STATUS_IO, "cannot write to standard output");
+    return EXIT_DONE;
+}
+
+static enum exit_code run(const struct options *o, const struct shortcut *how)
+{
+    struct scene scene;
+    struct study study;
+    struct fault why = { "" };
+    enum exit_code code;
+
+    enum status s = read_scene(o, how, &scene, &why);
+    if (s != STATUS_OK)
+        return command_fail(s == STATUS_NO_MEMORY ? s : s, why.text);
+    s = study_run(&study, &scene, progress_monitor(o), &why);
+    progress_end();
+    if (s != STATUS_OK) {
+        scene_free(&scene);
+        return command_fail(s, why.text);
+    }
+    s = write_files(&study, o, how, &why);
+    code = s == STATUS_OK ? print_results(&study, o, how)
+                          : command_fail(s, why.text);
+    study_free(&study);
+    scene_free(&scene);
+    return code;
+}
+
+enum exit_code command_study(const struct options *o)
+{
+    return run(o, &study_shortcut);
+}
+
+enum exit_code command_portrait(const struct options *o)
+{
+    return run(o, &portrait_shortcut);
+}
+
+enum exit_code command_knees(const struct options *o)
+{
+    return run(o, &knees_shortcut);
+}
+
+/* ---- plan ------------------------------------------------------------------ */
+
+static json_t *plan_json(unsigned stages)
+{
+    json_t *list = json_array();
+
+    for (int i = 0; i < STAGES; i++) {
+        if (!plan_has(stages, (enum stage) i))
+            continue;
+        json_t *j = json_object();
+        json_object_set_new(j, "stage", json_string(stage_table[i].name));
+        json_object_set_new(j, "text", json_string(stage_table[i].text));
+        json_object_set_new(j, "work", json_string(stage_table[i].cost));
+        json_array_append_new(list, j);
+    }
+    return list;
+}
+
+enum exit_code command_plan(const struct options *o)
+{
+    struct scene scene;
+    struct fault why = { "" };
+    const enum status s = read_scene(o, &study_shortcut, &scene, &why);
+
+    if (s != STATUS_OK)
+        return command_fail(s, why.text);
+    const unsigned stages = plan_stages(scene.products) | 1u << STAGE_STEADY;
+    enum exit_code code = EXIT_DONE;
+    if (o->json)
+        code = json_print(plan_json(stages)) ? EXIT_DONE : EXIT_FILE;
+    for (int i = 0; i < STAGES && !o->json; i++)
+        if (plan_has(stages, (enum stage) i))
+            printf("%-13s %-48s %s\n", stage_table[i].name,
+                   stage_table[i].text, stage_table[i].cost);
+    if (!o->json && scene.hdf5)
+        printf("%-13s %s\n", "write", scene.hdf5);
+    if (!o->json && scene.figure)
+        printf("%-13s %s\n", "draw", scene.figure);
+    scene_free(&scene);
+    return code;
+}

@@ -1,0 +1,21 @@
+/* physical.h -- between the dimensionless state psi and the physical phi. */
+#ifndef FRICTION_PHYSICAL_H
+#define FRICTION_PHYSICAL_H
+
+#include "law.h"
+
+/* phi of psi (model section 1): (L/V_star) psi in s for `dieterich*`,
+ * (L/V_star) e^psi for `ruina`, (2 L/V_star) e^psi for `perrin`, psi/(1 + R)
+ * for `spinodal`, `spinodal_gen`, psi for `spinodal_phi_gen`; composed laws as
+ * the preset with the same theta. */
+double physical_phi(const struct law *law, const struct material *m,
+                    double psi);
+
+/* The inverse, for phi > 0. */
+double physical_psi(const struct law *law, const struct material *m,
+                    double phi);
+
+/* "s", or "1" where phi is dimensionless. */
+const char *physical_unit(const struct law *law);
+
+#endif

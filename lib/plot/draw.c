@@ -1,0 +1,129 @@
+#include "draw.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "gnuplot.h"
+#include "pdf.h"
+#include "script.h"
+#include "workshop.h"
+
+static enum status check_axis(const struct figure_axis *a, const char *name,
+                              struct fault *fault)
+{
+    if (isfinite(a->lo) && isfinite(a->hi) && a->lo < a->hi &&
+        (!a->is_log || a->lo > 0))
+        return STATUS_OK;
+    snprintf(fault->text, sizeof fault->text,
+             "the %s axis of the figure cannot run from %.17g to %.17g%s", name,
+             a->lo, a->hi, a->is_log ? " on a log scale" : "");
+    return STATUS_BAD_ARGUMENT;
+}
+
+static enum status check_size(const struct figure *f, struct fault *fault)
+{
+    if (f->width >= 300 && f->width <= 8000 && f->height >= 200 &&
+        f->height <= 8000)
+        return STATUS_OK;
+    snprintf(fault->text, sizeof fault->text,
+             "a figure of %g x %g px: 300 x 200 to 8000 x 8000 is possible",
+             f->width, f->height);
+    return STATUS_BAD_ARGUMENT;
+}
+
+static enum status check_figure(const struct figure *f, struct fault *fault)
+{
+    enum status s = check_size(f, fault);
+    if (s == STATUS_OK)
+        s = check_axis(&f->x, "x", fault);
+    if (s == STATUS_OK)
+        s = check_axis(&f->y, "y", fault);
+    return s;
+}
+
+static enum status refuse_ending(const char *path, struct fault *fault)
+{
+    const char *slash = strrchr(path, '/');
+    const char *dot = strrchr(slash ? slash : path, '.');
+    snprintf(fault->text, sizeof fault->text,
+             "%.300s: unknown figure format '%.80s', expected .svg, .pdf or "
+             ".png",
+             path, dot ? dot : "");
+    return STATUS_BAD_ARGUMENT;
+}
+
+/* Closes a file that may be NULL; false if it is, or anything went wrong. */
+static bool close_file(FILE *file)
+{
+    if (!file)
+        return false;
+    const bool failed = ferror(file) != 0;
+    return fclose(file) == 0 && !failed;
+}
+
+static enum status io_fault(struct fault *fault, const char *path)
+{
+    snprintf(fault->text, sizeof fault->text, "cannot write %.300s: %s", path,
+             strerror(errno));
+    return STATUS_IO;
+}
+
+static enum status write_script(const struct figure *f, const struct device *d,
+                                const struct workshop *w, struct fault *fault)
+{
+    const struct script_names names = { w->name[WORKSHOP_FIGURE],
+                                        w->name[WORKSHOP_DATA] };
+    FILE *script = fopen(w->made[WORKSHOP_SCRIPT], "w");
+    FILE *data = fopen(w->made[WORKSHOP_DATA], "w");
+    enum status s = STATUS_OK;
+    if (script && data)
+        s = script_write(f, d, &names, script, data);
+    const bool script_ok = close_file(script);
+    const bool data_ok = close_file(data);
+    if (s != STATUS_OK || (script_ok && data_ok))
+        return s;
+    return io_fault(fault, w->goal[WORKSHOP_DATA]);
+}
+
+static enum status finish_pdf(const struct workshop *w, struct fault *fault)
+{
+    const enum status s = pdf_forget_date(w->made[WORKSHOP_FIGURE]);
+    return s == STATUS_IO ? io_fault(fault, w->goal[WORKSHOP_FIGURE]) : s;
+}
+
+static enum status make(const struct figure *f, const struct device *d,
+                        const struct workshop *w, bool keep_script,
+                        struct fault *fault)
+{
+    enum status s = write_script(f, d, w, fault);
+    if (s == STATUS_OK)
+        s = gnuplot_run(w->folder, w->name[WORKSHOP_SCRIPT], fault);
+    if (s == STATUS_OK && strcmp(d->extension, ".pdf") == 0)
+        s = finish_pdf(w, fault);
+    if (s == STATUS_OK)
+        s = workshop_deliver(w, WORKSHOP_FIGURE, fault);
+    if (s == STATUS_OK && keep_script)
+        s = workshop_deliver(w, WORKSHOP_DATA, fault);
+    if (s == STATUS_OK && keep_script)
+        s = workshop_deliver(w, WORKSHOP_SCRIPT, fault);
+    return s;
+}
+
+enum status figure_write(const struct figure *f, const char *path,
+                         bool keep_script, struct fault *fault)
+{
+    const struct device *device = device_find(path);
+    struct workshop w;
+    if (!device)
+        return refuse_ending(path, fault);
+    enum status s = check_figure(f, fault);
+    if (s == STATUS_OK)
+        s = workshop_open(path, &w, fault);
+    if (s != STATUS_OK)
+        return s;
+    s = make(f, device, &w, keep_script, fault);
+    workshop_close(&w);
+    return s;
+}

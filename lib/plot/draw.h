@@ -1,0 +1,28 @@
+/* draw.h -- a figure into a file. */
+#ifndef PLOT_DRAW_H
+#define PLOT_DRAW_H
+
+#include "figure.h"
+
+/*
+ * Draws the figure into `path`, whose ending chooses the format: .svg, .pdf or
+ * .png (two dots per px).  With keep_script, NAME.gp and NAME.dat stay beside
+ * NAME.svg, so that `gnuplot -d NAME.gp` in that folder draws it again;
+ * NAME.dat holds the clipped curves, thinned where no eye could tell.
+ *
+ * Everything is made in a temporary folder beside the target and moved into
+ * place at the end, the figure first: a failure leaves no partial file, and
+ * before the first move none at all.  The same figure gives the same bytes with
+ * the same gnuplot and fonts (PDF: and the same time zone); the creation date
+ * of a PDF, which gnuplot cannot leave out, is set to 1970.
+ *
+ * STATUS_BAD_ARGUMENT: unknown ending, or an axis without a range.
+ * STATUS_IO: the folder cannot be written.
+ * STATUS_NO_GNUPLOT: gnuplot is missing or failed.
+ * STATUS_NO_MEMORY.
+ * All but the last fill *fault.
+ */
+MUST_CHECK enum status figure_write(const struct figure *f, const char *path,
+                                    bool keep_script, struct fault *fault);
+
+#endif

@@ -1,0 +1,182 @@
+/*
+ * figure.h -- a picture built in memory: two axes, layers drawn in the order
+ * they were added, a legend.  draw.h turns it into a file.
+ *
+ * Numbers are in the unit of their axis (v, not ln v).  A point with a
+ * coordinate that is not finite, or not positive on a log axis, breaks a line
+ * and hides a mark.  Everything outside the axes' box is cut off exactly at
+ * the frame.  All arrays and texts are *copied*; nothing given to a function
+ * below needs to outlive the call.  Texts are UTF-8 and shown as they are:
+ * there is no markup.
+ */
+#ifndef PLOT_FIGURE_H
+#define PLOT_FIGURE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "status.h"
+
+/* What a thing is; decides colour, width and dash.  The colours are those of
+ * Okabe & Ito (2008), which colour-blind readers tell apart; widths and dashes
+ * differ as well, so that a grey print can be read. */
+enum figure_role {
+    FIGURE_TRAJECTORY,
+    FIGURE_HIGHLIGHT,   /* the one trajectory the text talks about */
+    FIGURE_STABLE,      /* stable manifold */
+    FIGURE_UNSTABLE,    /* unstable manifold */
+    FIGURE_NULLCLINE_X, /* where dx/dt = 0: dashed */
+    FIGURE_NULLCLINE_Y, /* where dy/dt = 0: solid */
+    FIGURE_FIELD,
+    FIGURE_EQUILIBRIUM,
+    FIGURE_SERIES_1, /* curves that are just numbered */
+    FIGURE_SERIES_2,
+    FIGURE_SERIES_3,
+    FIGURE_SERIES_4,
+    FIGURE_SERIES_5,
+    FIGURE_SERIES_6,
+    FIGURE_SHADE_1, /* light tints for regions: blue-grey, sand, ... */
+    FIGURE_SHADE_2,
+    FIGURE_SHADE_3,
+    FIGURE_SHADE_4,
+    FIGURE_SHADE_5,
+    FIGURE_SHADE_6,
+    FIGURE_ROLES
+};
+
+enum figure_dash {
+    FIGURE_DASH_OF_ROLE,
+    FIGURE_SOLID,
+    FIGURE_DASHED,
+    FIGURE_DOTTED
+};
+
+/* { .role = r } alone is the role's own look. */
+struct figure_style {
+    enum figure_role role;
+    enum figure_dash dash;
+    double width; /* px; 0: the role's */
+};
+
+enum figure_mark {
+    FIGURE_DISC,   /* filled: nodes */
+    FIGURE_CIRCLE, /* white inside: saddles */
+    FIGURE_SQUARE, /* filled */
+    FIGURE_PLUS,
+    FIGURE_CROSS
+};
+
+struct figure_axis {
+    const char *label; /* NULL: none */
+    double lo, hi;     /* finite, lo < hi; 0 < lo if is_log */
+    bool is_log;
+};
+
+/* In each of the following, `entry` is the line in the legend; NULL: none.
+ * Layers with the same entry share one line. */
+
+struct figure_curve {
+    struct figure_style style;
+    const char *entry;
+    const double *x, *y;
+    size_t count;
+    const double *heads; /* arrowheads along the curve, as fractions in [0, 1]
+                            of its visible length */
+    size_t head_count;
+};
+
+struct figure_points {
+    struct figure_style style;
+    const char *entry;
+    const double *x, *y;
+    size_t count;
+    enum figure_mark mark;
+    double size; /* diameter in px; 0: 10 */
+};
+
+/* A direction field: arrows of one length, centred on (x, y), along (dx, dy)
+ * per unit of x or y, per unit of ln x or ln y on a log axis.  A zero or
+ * undefined direction draws nothing. */
+struct figure_arrows {
+    struct figure_style style;
+    const char *entry;
+    const double *x, *y, *dx, *dy;
+    size_t count;
+    double length; /* px; 0: 14 */
+};
+
+/* A filled polygon without a border; it may reach beyond the box. */
+struct figure_region {
+    enum figure_role role;
+    const char *entry;
+    const double *x, *y;
+    size_t count;
+};
+
+/* Which label of a raster gets which tint; labels not listed stay white. */
+struct figure_shade {
+    int8_t label;
+    enum figure_role role;
+    const char *entry;
+};
+enum { FIGURE_SHADES_MAX = 16 };
+
+/* A raster fills the axes' box with nx x ny >= 1 equal cells (equal in ln x
+ * where x is a log axis); row j, counted upward, starts at [j * nx].  A figure
+ * has at most one raster, which lies under everything else. */
+struct figure_labels {
+    const int8_t *label;
+    size_t nx, ny;
+    const struct figure_shade *shades;
+    size_t shade_count; /* 1 .. FIGURE_SHADES_MAX */
+};
+
+/* Numbers as a tint from pale (lo) to blue (hi), explained by a bar under the
+ * legend; cells that are not finite stay white. */
+struct figure_map {
+    const double *value;
+    size_t nx, ny;
+    struct figure_axis scale; /* lo = hi: the range of the values */
+};
+
+struct figure_layer; /* layer.h */
+struct figure_raster;
+
+struct figure {
+    double width, height;        /* px; 900 x 600, may be changed at will */
+    char *title;                 /* owned */
+    struct figure_axis x, y;     /* labels owned */
+    struct figure_layer *layers; /* owned */
+    size_t layer_count, layer_room;
+    struct figure_raster *raster; /* owned; NULL if none */
+};
+
+#define FIGURE_EMPTY ((struct figure){ .title = NULL })
+
+/* Title may be NULL.  The ranges are checked when the figure is drawn.  On
+ * STATUS_NO_MEMORY *f is FIGURE_EMPTY. */
+MUST_CHECK enum status figure_init(struct figure *f, const char *title,
+                                   const struct figure_axis *x,
+                                   const struct figure_axis *y);
+
+/* On STATUS_NO_MEMORY the figure is unchanged. */
+MUST_CHECK enum status figure_add_curve(struct figure *f,
+                                        const struct figure_curve *c);
+MUST_CHECK enum status figure_add_points(struct figure *f,
+                                         const struct figure_points *p);
+MUST_CHECK enum status figure_add_arrows(struct figure *f,
+                                         const struct figure_arrows *a);
+MUST_CHECK enum status figure_add_region(struct figure *f,
+                                         const struct figure_region *r);
+
+/* A second raster replaces the first. */
+MUST_CHECK enum status figure_add_labels(struct figure *f,
+                                         const struct figure_labels *l);
+MUST_CHECK enum status figure_add_map(struct figure *f,
+                                      const struct figure_map *m);
+
+/* Leaves FIGURE_EMPTY, so a second call is harmless. */
+void figure_free(struct figure *f);
+
+#endif

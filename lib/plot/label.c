@@ -1,0 +1,103 @@
+#include "label.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+struct glyph {
+    uint32_t code;
+    size_t bytes; /* of the text */
+};
+
+/* The smallest code that needs so many bytes: anything below is overlong. */
+static const uint32_t first_code[5] = { 0, 0, 0x80, 0x800, 0x10000 };
+
+static bool code_is_text(uint32_t c)
+{
+    return c <= 0x10ffff && !(c >= 0xd800 && c <= 0xdfff) &&
+           (c & 0xfffe) != 0xfffe;
+}
+
+/* The first character of a text that is not empty; '?' for a byte that is not
+ * UTF-8, a blank for a control character. */
+static struct glyph glyph_read(const char *text)
+{
+    const uint8_t *b = (const uint8_t *) text;
+    const struct glyph bad = { '?', 1 };
+    if (b[0] < 0x80)
+        return (struct glyph){ b[0] < ' ' || b[0] == 0x7f ? ' ' : b[0], 1 };
+    const size_t n = b[0] >= 0xf8   ? 0
+                     : b[0] >= 0xf0 ? 4
+                     : b[0] >= 0xe0 ? 3
+                     : b[0] >= 0xc0 ? 2
+                                    : 0;
+    if (n == 0)
+        return bad;
+    uint32_t code = b[0] & (0x7fu >> n);
+    for (size_t k = 1; k < n; k++) {
+        if ((b[k] & 0xc0) != 0x80)
+            return bad;
+        code = code << 6 | (b[k] & 0x3fu);
+    }
+    if (code < first_code[n] || !code_is_text(code))
+        return bad;
+    return (struct glyph){ code >= 0x80 && code < 0xa0 ? ' ' : code, n };
+}
+
+static double glyph_width(uint32_t code)
+{
+    if (code >= 0x1100)
+        return code >= 0x2000 && code < 0x2e80 ? 1.0 : 1.1;
+    if (code >= 0x80)
+        return 0.85;
+    const char c = (char) code;
+    if (strchr(" !'(),-./:;I[\\]`fijlrt|", c))
+        return 0.42;
+    if (strchr("%@MWmw", c))
+        return 1.0;
+    if ((c >= 'A' && c <= 'Z') || strchr("#&+<=>^~", c))
+        return 0.84;
+    return 0.64;
+}
+
+double label_width(const char *text)
+{
+    double width = 0;
+    while (*text) {
+        const struct glyph g = glyph_read(text);
+        width += glyph_width(g.code);
+        text += g.bytes;
+    }
+    return width;
+}
+
+void label_write(FILE *out, const char *text, double room)
+{
+    const double ellipsis = 1;
+    double left = label_width(text) <= room ? room + ellipsis : room;
+    fputc('\'', out);
+    while (*text) {
+        const struct glyph g = glyph_read(text);
+        left -= glyph_width(g.code);
+        if (left < ellipsis - 1e-9) {
+            fputs("\xe2\x80\xa6", out);
+            break;
+        }
+        if (g.code == '\'')
+            fputs("''", out);
+        else if (g.code < 0x80)
+            fputc((int) g.code, out);
+        else
+            fwrite(text, 1, g.bytes, out);
+        text += g.bytes;
+    }
+    fputc('\'', out);
+}
+
+void label_write_path(FILE *out, const char *name)
+{
+    fputs("'./", out);
+    for (; *name; name++)
+        fputs(*name == '\'' ? "''" : (char[]){ *name, 0 }, out);
+    fputc('\'', out);
+}

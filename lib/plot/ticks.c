@@ -1,0 +1,159 @@
+#include "ticks.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "label.h"
+
+enum { LABELS_MAX = 8 };
+
+/* Decades between labels, and between the small ticks (0: at 2 ... 9). */
+static const int decade_steps[][2] = {
+    { 1, 0 },   { 2, 1 },   { 3, 1 },   { 5, 1 },    { 10, 5 },
+    { 20, 10 }, { 30, 10 }, { 50, 10 }, { 100, 50 }, { 200, 100 },
+};
+
+/* Receives one tick; text "" for a small one. */
+struct tick_sink {
+    FILE *out; /* NULL: only measure */
+    size_t count;
+    double width;
+};
+
+static void put(struct tick_sink *k, const struct scale *s, double at,
+                const char *text)
+{
+    if (!(at >= s->lo && at <= s->hi))
+        return;
+    if (k->out)
+        fprintf(k->out, "%s'%s' %.15g %d", k->count ? ", " : "", text, at,
+                text[0] == '\0');
+    k->count++;
+    const double raised = strchr(text, '^') ? label_width("^{}") + 0.5 : 0;
+    k->width = fmax(k->width, label_width(text) - raised);
+}
+
+/* "10^{-6}" with a true minus sign, "2x10^{...}" where the factor is not 1. */
+static void power_text(char text[64], double factor, int exponent)
+{
+    char front[32] = "";
+    if (factor != 1)
+        snprintf(front, sizeof front, "%.6g\xc3\x97", factor);
+    snprintf(text, 64, "%s10^{%s%d}", front, exponent < 0 ? "\xe2\x88\x92" : "",
+             exponent < 0 ? -exponent : exponent);
+}
+
+static void number_text(char text[64], double value, double step, double top)
+{
+    if (value == 0) {
+        snprintf(text, 64, "0");
+    } else if (top >= 1e-3 && top < 1e5) {
+        const int places = (int) fmax(0, -floor(log10(step) + 1e-9));
+        snprintf(text, 64, "%s%.*f", value < 0 ? "\xe2\x88\x92" : "", places,
+                 fabs(value));
+    } else {
+        const int n = (int) floor(log10(top) + 1e-9);
+        char tail[64];
+        power_text(tail, fabs(value) * pow(10, -n), n);
+        snprintf(text, 64, "%s%.60s", value < 0 ? "\xe2\x88\x92" : "", tail);
+    }
+}
+
+static int labels_fit(const struct scale *s, double spacing)
+{
+    return (int) fmin(LABELS_MAX, fmax(2, s->pixels / spacing + 1));
+}
+
+static void linear_ticks(struct tick_sink *k, const struct scale *s, int labels)
+{
+    const double least = s->hi / (labels - 1) - s->lo / (labels - 1);
+    const double power = pow(10, floor(log10(least)));
+    const double m = least / power;
+    const double factor = m <= 1 ? 1 : m <= 2 ? 2 : m <= 5 ? 5 : 10;
+    const double step = factor * power;
+    const int parts = factor == 2 ? 4 : 5;
+    const double top = fmax(fabs(s->lo), fabs(s->hi));
+    const double first = ceil(s->lo / step - 1e-9) - 1;
+    for (int i = 0; i <= labels + 2; i++) {
+        char text[64];
+        const double at = (first + i) * step;
+        number_text(text, at, step, top);
+        put(k, s, at, text);
+        for (int j = 1; j < parts; j++)
+            put(k, s, at + step * j / parts, "");
+    }
+}
+
+/* Labels at every `step` decades; small ticks in between. */
+static void decade_ticks(struct tick_sink *k, const struct scale *s, int step,
+                         int small)
+{
+    const int first = (int) floor(s->a), last = (int) ceil(s->b);
+    for (int n = first; n <= last; n++) {
+        char text[64] = "";
+        if (n % step == 0)
+            power_text(text, 1, n);
+        if (n % step == 0 || (small > 0 && n % small == 0))
+            put(k, s, pow(10, n), text);
+        for (int m = 2; small == 0 && m < 10; m++)
+            put(k, s, m * pow(10, n), "");
+    }
+}
+
+/* Less than two decades: 1, 2, 5 times powers of ten; 1, 3 if short of room. */
+static void mantissa_ticks(struct tick_sink *k, const struct scale *s,
+                           int labels)
+{
+    const char *labelled = 3 * (s->b - s->a) + 1 <= labels ? "125" : "13";
+    const int first = (int) floor(s->a), last = (int) ceil(s->b);
+    for (int n = first; n <= last; n++) {
+        for (int m = 1; m < 10; m++) {
+            char text[64] = "";
+            const double at = m * pow(10, n);
+            if (strchr(labelled, '0' + m))
+                number_text(text, at, pow(10, n), at);
+            put(k, s, at, text);
+        }
+    }
+}
+
+static void log_ticks(struct tick_sink *k, const struct scale *s, int labels)
+{
+    const double decades = s->b - s->a;
+    const size_t n = sizeof decade_steps / sizeof decade_steps[0];
+    size_t i = 0;
+    if (decades < 0.7) {
+        linear_ticks(k, s, labels);
+    } else if (decades < 2) {
+        mantissa_ticks(k, s, labels);
+    } else {
+        while (i + 1 < n && decades / decade_steps[i][0] + 1 > labels)
+            i++;
+        decade_ticks(k, s, decade_steps[i][0], decade_steps[i][1]);
+    }
+}
+
+static void all_ticks(struct tick_sink *k, const struct scale *s,
+                      double spacing)
+{
+    const int labels = labels_fit(s, spacing);
+    if (s->is_log)
+        log_ticks(k, s, labels);
+    else
+        linear_ticks(k, s, labels);
+}
+
+void ticks_write(FILE *out, const struct scale *s, double spacing)
+{
+    struct tick_sink k = { .out = out };
+    fputc('(', out);
+    all_ticks(&k, s, spacing);
+    fputc(')', out);
+}
+
+double ticks_width(const struct scale *s, double spacing)
+{
+    struct tick_sink k = { .out = NULL };
+    all_ticks(&k, s, spacing);
+    return k.width;
+}

@@ -1,0 +1,18 @@
+/* ticks.h -- where an axis has ticks and what they say. */
+#ifndef PLOT_TICKS_H
+#define PLOT_TICKS_H
+
+#include <stdio.h>
+
+#include "scale.h"
+
+/* Writes "('label' position level, ...)", level 0 with a label, 1 without, at
+ * most 8 labels, about `spacing` pixels or more apart.  Log axes: decades,
+ * every 1, 2, 3, 5, 10, ...; below two decades also 2 and 5; well below one,
+ * and on linear axes, multiples of 1, 2 or 5 times a power of ten. */
+void ticks_write(FILE *out, const struct scale *s, double spacing);
+
+/* Upper estimate of the widest label in units of the font size. */
+double ticks_width(const struct scale *s, double spacing);
+
+#endif

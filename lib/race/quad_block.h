@@ -1,0 +1,41 @@
+/*
+ * quad_block.h -- the 113-bit oracle: the formulas of lib/friction compiled
+ * for __float128.  Same chart, same meaning of every argument as in block.h
+ * and field.h; x = ln v.
+ */
+#ifndef RACE_QUAD_BLOCK_H
+#define RACE_QUAD_BLOCK_H
+
+#include "field.h"
+#include "quad.h"
+
+struct quad_anchor {
+    ANCHOR_MEMBERS(quad)
+};
+
+/* The field: (direction_x, direction_y) * exp(log_scale). */
+struct quad_field {
+    quad direction[2], log_scale;
+};
+
+/* mu_ss(v), and the chart's y at psi_ss(v). */
+quad quad_block_mu_ss(const struct law *law, const struct material *m, quad x);
+quad quad_block_y_ss(const struct law *law, const struct material *m, quad x);
+
+/* The steady state mu_ss(v) = tan(alpha) between lo and hi, where
+ * mu_ss - tan(alpha) must have opposite signs, by bisection to the last bit. */
+quad quad_block_equilibrium(const struct law *law, const struct material *m,
+                            quad tan_alpha, quad lo, quad hi);
+
+/* The point x of the steady-state curve; `equilibrium` as in block_anchor. */
+void quad_block_anchor(const struct law *law, const struct material *m,
+                       quad tan_alpha, quad x, bool equilibrium,
+                       struct quad_anchor *at);
+
+/* The field and the rate of an observable at an offset from the anchor. */
+void quad_block_field(const struct law *law, const struct quad_anchor *at,
+                      quad X, quad Y, struct quad_field *f);
+quad quad_block_rate(const struct law *law, const struct quad_anchor *at,
+                     enum block_observable which, quad X, quad Y);
+
+#endif

@@ -1,0 +1,82 @@
+/*
+ * scene.h -- what a user asks for: a YAML file, overridden key by key.
+ *
+ * One table (schema.c) drives parsing, ranges, defaults and messages.  The
+ * text is read as libyaml events into a small tree that remembers where every
+ * value stands, because a message must name file, line, column and key; the
+ * libraries that load YAML straight into structs cannot say that.
+ *
+ * Defaults: law.friction asinh; Table 2's material; gravity 9.81; window v
+ * 1e-6..1e6, psi 1e-3..1e2 (psi -7..5 where psi is a logarithm); axes log;
+ * dimensionless units; estimates.xi 0.85 0.9 0.99 0.999; no trajectories; seed
+ * 1; rtol 1e-12; no output.  A law and a slope must be given.
+ */
+#ifndef SCENE_SCENE_H
+#define SCENE_SCENE_H
+
+#include <stdint.h>
+
+#include "law.h"
+
+enum product {
+    PRODUCT_EQUILIBRIA,
+    PRODUCT_FOLDS,
+    PRODUCT_NULLCLINES,
+    PRODUCT_FIELD_ARROWS,
+    PRODUCT_MANIFOLDS,
+    PRODUCT_KNEES,
+    PRODUCT_ESTIMATES,
+    PRODUCT_TRAJECTORIES,
+    PRODUCTS
+};
+extern const char *const product_names[];
+
+enum axes { AXES_LOG, AXES_LINEAR, AXES_EIGEN };
+enum units { UNITS_DIMENSIONLESS, UNITS_SI };
+
+struct scene_start {
+    double v, psi; /* dimensionless, whatever the scene's units */
+};
+
+struct scene_window {
+    double v[2], psi[2];
+    enum axes axes;
+};
+
+struct scene {
+    char *title; /* owned; "" if none */
+    struct law law;
+    struct material material;
+    double alpha; /* rad */
+    long double tan_alpha;
+    struct scene_window window; /* dimensionless */
+    enum units units;           /* of start values and figure axes */
+    unsigned products;          /* bits 1 << enum product; 0: not given */
+    double *xi;                 /* owned */
+    size_t xi_count;
+    struct scene_start *start; /* owned */
+    size_t starts;
+    size_t spread;
+    uint64_t seed;
+    double until_time, until_slip; /* 0: no limit */
+    size_t linear_slip, log_time;  /* samples; 0: as the steps fall */
+    double rtol;
+    char *hdf5, *figure; /* owned; NULL: none */
+    char *text;          /* owned: the file as read, "" without one */
+    char *overrides;     /* owned: one "key=value" a line */
+};
+
+/* Reads `path` (NULL: no file, the overrides are all), applies the overrides
+ * "key=value" in order, fills defaults and checks everything.
+ *
+ * STATUS_BAD_SCENE with one line FILE:LINE:COL: (or --set KEY=VALUE:) in *why;
+ * STATUS_IO where the file cannot be read; STATUS_NO_MEMORY.  On failure *s is
+ * empty and need not be freed, though scene_free is harmless. */
+MUST_CHECK enum status scene_read(struct scene *s, const char *path,
+                                  char *const override[], size_t overrides,
+                                  struct fault *why);
+
+/* A second call is harmless. */
+void scene_free(struct scene *s);
+
+#endif

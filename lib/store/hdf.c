@@ -1,0 +1,146 @@
+#include "hdf.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const unsigned in_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
+
+/* Keeps the innermost reason; HDF5 puts times and new lines into some. */
+static herr_t innermost(unsigned depth, const H5E_error2_t *error, void *ctx)
+{
+    struct store *st = ctx;
+
+    if (depth == 0 && error->desc != NULL && error->desc[0] != '\0') {
+        snprintf(st->reason, sizeof st->reason, "%s", error->desc);
+        st->reason[strcspn(st->reason, "\n")] = '\0';
+    }
+    return 0;
+}
+
+int64_t hdf_took(struct store *st, int64_t answer)
+{
+    if (answer < 0 && st->status == STATUS_OK) {
+        hdf_fail(st, STATUS_IO, "HDF5 refused");
+        H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, st);
+    }
+    return answer;
+}
+
+void hdf_fail(struct store *st, enum status s, const char *reason)
+{
+    if (st->status != STATUS_OK)
+        return;
+    st->status = s;
+    snprintf(st->reason, sizeof st->reason, "%s", reason);
+}
+
+enum status hdf_blame(const struct store *st, struct fault *fault)
+{
+    if (st->status != STATUS_OK)
+        snprintf(fault->text, sizeof fault->text, "%.250s: %s", st->path,
+                 st->reason);
+    return st->status;
+}
+
+void *hdf_memory(struct store *st, size_t count, size_t size)
+{
+    void *at = calloc(count > 0 ? count : 1, size);
+
+    if (at == NULL)
+        hdf_fail(st, STATUS_NO_MEMORY, status_text(STATUS_NO_MEMORY));
+    return at;
+}
+
+void hdf_close(hid_t id)
+{
+    if (id >= 0)
+        H5Idec_ref(id);
+}
+
+hid_t hdf_properties(struct store *st, hid_t class)
+{
+    const hid_t list = hdf_took(st, H5Pcreate(class));
+
+    hdf_took(st, H5Pset_obj_track_times(list, false));
+    hdf_took(st, H5Pset_attr_creation_order(list, in_order));
+    if (class != H5P_DATASET_CREATE)
+        hdf_took(st, H5Pset_link_creation_order(list, in_order));
+    return list;
+}
+
+/* One step down; closes `parent`. */
+static hid_t child(struct store *st, hid_t parent, const char *name)
+{
+    const int64_t found = hdf_took(st, H5Lexists(parent, name, H5P_DEFAULT));
+    const hid_t list = hdf_properties(st, H5P_GROUP_CREATE);
+    const hid_t group =
+        found > 0 ? H5Gopen2(parent, name, H5P_DEFAULT)
+                  : H5Gcreate2(parent, name, H5P_DEFAULT, list, H5P_DEFAULT);
+
+    hdf_took(st, group);
+    hdf_close(list);
+    hdf_close(parent);
+    return group;
+}
+
+hid_t hdf_group(struct store *st, const char *path)
+{
+    hid_t group = hdf_took(st, H5Gopen2(st->file, "/", H5P_DEFAULT));
+    char name[256];
+
+    assert(path[0] == '/');
+    for (path++; path[0] != '\0'; path += path[0] == '/') {
+        const size_t length = strcspn(path, "/");
+        assert(length > 0 && length < sizeof name);
+        memcpy(name, path, length);
+        name[length] = '\0';
+        group = child(st, group, name);
+        path += length;
+    }
+    return group;
+}
+
+hid_t hdf_text_type(struct store *st, size_t size)
+{
+    const hid_t type = hdf_took(st, H5Tcopy(H5T_C_S1));
+
+    hdf_took(st, H5Tset_size(type, size));
+    hdf_took(st, H5Tset_cset(type, H5T_CSET_UTF8));
+    hdf_took(st, H5Tset_strpad(type, H5T_STR_NULLPAD));
+    return type;
+}
+
+static void put_attribute(struct store *st, hid_t object, const char *key,
+                          hid_t space, hid_t type, hid_t native,
+                          const void *values)
+{
+    const hid_t attribute = hdf_took(
+        st, H5Acreate2(object, key, type, space, H5P_DEFAULT, H5P_DEFAULT));
+
+    hdf_took(st, H5Awrite(attribute, native, values));
+    hdf_close(attribute);
+}
+
+void hdf_put_text(struct store *st, hid_t object, const char *key,
+                  const char *text)
+{
+    const hid_t space = hdf_took(st, H5Screate(H5S_SCALAR));
+    const size_t length = strlen(text);
+    const hid_t type = hdf_text_type(st, length > 0 ? length : 1);
+
+    put_attribute(st, object, key, space, type, type, text);
+    hdf_close(type);
+    hdf_close(space);
+}
+
+void hdf_put_numbers(struct store *st, hid_t object, const char *key,
+                     hid_t type, hid_t native, size_t count, const void *values)
+{
+    const hsize_t extent = count;
+    const hid_t space = hdf_took(st, H5Screate_simple(1, &extent, NULL));
+
+    put_attribute(st, object, key, space, type, native, values);
+    hdf_close(space);
+}

@@ -1,0 +1,149 @@
+#include "replace.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { NAME_ROOM = 64, NAMES_MAX = 1000 };
+
+struct place {
+    char target[PATH_MAX]; /* symbolic links followed */
+    char folder[PATH_MAX];
+    char temporary[PATH_MAX + NAME_ROOM];
+};
+
+static enum status blame(const char *path, const char *why, struct fault *fault)
+{
+    snprintf(fault->text, sizeof fault->text, "%s: %s", path, why);
+    return STATUS_IO;
+}
+
+/* Zero, or the errno that says why there is no such place. */
+static int place_find(const char *path, struct place *p)
+{
+    const char *slash;
+
+    if (realpath(path, p->target) == NULL) {
+        if (errno != ENOENT || path[0] == '\0')
+            return errno;
+        if (strlen(path) >= sizeof p->target)
+            return ENAMETOOLONG;
+        strcpy(p->target, path);
+    }
+    slash = strrchr(p->target, '/');
+    if (slash == NULL) {
+        strcpy(p->folder, ".");
+        return 0;
+    }
+    const size_t length = slash == p->target ? 1 : (size_t) (slash - p->target);
+    memcpy(p->folder, p->target, length);
+    p->folder[length] = '\0';
+    return 0;
+}
+
+/* NULL, or why this place takes no file. */
+static const char *place_refuses(const struct place *p)
+{
+    struct stat about;
+
+    if (stat(p->target, &about) == 0 && !S_ISREG(about.st_mode))
+        return S_ISDIR(about.st_mode) ? strerror(EISDIR) : "not a regular file";
+    if (faccessat(AT_FDCWD, p->folder, W_OK | X_OK, AT_EACCESS) != 0)
+        return strerror(errno);
+    return NULL;
+}
+
+/* A descriptor of a file nobody else has, or -1 and errno. */
+static int open_temporary(struct place *p)
+{
+    for (int k = 0; k < NAMES_MAX; k++) {
+        snprintf(p->temporary, sizeof p->temporary, "%s/.slipway-%ld-%d.tmp",
+                 p->folder, (long) getpid(), k);
+        const int fd =
+            open(p->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (fd >= 0 || errno != EEXIST)
+            return fd;
+    }
+    return -1;
+}
+
+static int write_all(int fd, const char *bytes, size_t size)
+{
+    while (size > 0) {
+        const ssize_t took = write(fd, bytes, size);
+        if (took < 0 && errno == EINTR)
+            continue;
+        if (took <= 0)
+            return took < 0 ? errno : ENOSPC;
+        bytes += took;
+        size -= (size_t) took;
+    }
+    return fsync(fd) == 0 ? 0 : errno;
+}
+
+/* The new name survives a power cut only once its folder is on the disk; some
+ * file systems cannot sync a folder and say EINVAL, which is no failure. */
+static int sync_folder(const char *folder)
+{
+    int error = 0;
+    const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+
+    if (fd < 0)
+        return errno;
+    if (fsync(fd) != 0 && errno != EINVAL)
+        error = errno;
+    close(fd);
+    return error;
+}
+
+static int replace_at(struct place *p, const void *bytes, size_t size)
+{
+    const int fd = open_temporary(p);
+    int error;
+
+    if (fd < 0)
+        return errno;
+    error = write_all(fd, bytes, size);
+    if (close(fd) != 0 && error == 0)
+        error = errno;
+    if (error == 0 && rename(p->temporary, p->target) != 0)
+        error = errno;
+    if (error != 0) {
+        unlink(p->temporary);
+        return error;
+    }
+    return sync_folder(p->folder);
+}
+
+static enum status find(const char *path, struct place *p, struct fault *fault)
+{
+    const int error = place_find(path, p);
+    const char *why = error != 0 ? strerror(error) : place_refuses(p);
+
+    return why == NULL ? STATUS_OK : blame(path, why, fault);
+}
+
+enum status replace_check(const char *path, struct fault *fault)
+{
+    struct place p;
+
+    return find(path, &p, fault);
+}
+
+enum status replace_file(const char *path, const void *bytes, size_t size,
+                         struct fault *fault)
+{
+    struct place p;
+    const enum status s = find(path, &p, fault);
+    int error;
+
+    if (s != STATUS_OK)
+        return s;
+    error = replace_at(&p, bytes, size);
+    return error == 0 ? STATUS_OK : blame(path, strerror(error), fault);
+}

@@ -1,0 +1,22 @@
+/* replace.h -- a file that appears whole or not at all.  Knows no format. */
+#ifndef STORE_REPLACE_H
+#define STORE_REPLACE_H
+
+#include <stddef.h>
+
+#include "status.h"
+
+/* Could replace_file(path) work: is the folder there and writable, and is
+ * `path` new or a regular file?  Changes nothing.  STATUS_IO with the path and
+ * the system's reason in *fault. */
+MUST_CHECK enum status replace_check(const char *path, struct fault *fault);
+
+/* Writes bytes[0 .. size-1] to a new file in the folder of `path`, syncs it,
+ * renames it over `path` and syncs the folder: at every moment `path` is the
+ * old file (or none) or the whole new one.  Of a symbolic link the file it
+ * names is replaced, not the link.  On STATUS_IO the temporary file is gone
+ * and `path` untouched, unless only the last sync failed. */
+MUST_CHECK enum status replace_file(const char *path, const void *bytes,
+                                    size_t size, struct fault *fault);
+
+#endif

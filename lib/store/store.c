@@ -1,0 +1,192 @@
+/* The file is built by HDF5's memory driver and written by replace.c: HDF5
+ * 1.10 crashes on closing a file that could not be flushed, and hides the
+ * system's reason among its own.  libver bounds are pinned, because "latest"
+ * means other bytes in other versions of HDF5. */
+#include "store.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "hdf.h"
+#include "replace.h"
+#include "tolerance.h"
+
+static struct store *store_new(const char *path, struct fault *fault)
+{
+    struct store *st = calloc(1, sizeof *st);
+    char *copy = st != NULL ? malloc(strlen(path) + 1) : NULL;
+
+    if (copy == NULL) {
+        snprintf(fault->text, sizeof fault->text, "%.250s: %s", path,
+                 status_text(STATUS_NO_MEMORY));
+        free(st);
+        return NULL;
+    }
+    strcpy(copy, path);
+    st->file = H5I_INVALID_HID;
+    st->path = copy;
+    return st;
+}
+
+/* Hands over a healthy store, or frees it and says what is wrong. */
+static enum status hand_over(struct store *st, struct store **store,
+                             struct fault *fault)
+{
+    const enum status s = hdf_blame(st, fault);
+
+    if (s != STATUS_OK)
+        store_free(&st);
+    *store = st;
+    return s;
+}
+
+static hid_t access_list(struct store *st)
+{
+    const hid_t access = hdf_took(st, H5Pcreate(H5P_FILE_ACCESS));
+
+    hdf_took(st, H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
+    return access;
+}
+
+static void create_in_memory(struct store *st)
+{
+    const hid_t access = access_list(st);
+    const hid_t create = hdf_properties(st, H5P_FILE_CREATE);
+    char name[32]; /* never seen on disk, but HDF5 wants each its own */
+
+    snprintf(name, sizeof name, "%p", (void *) st);
+    hdf_took(st, H5Pset_fapl_core(access, STORE_GROWTH, false));
+    hdf_took(st, H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
+    st->file = hdf_took(st, H5Fcreate(name, H5F_ACC_TRUNC, create, access));
+    hdf_close(create);
+    hdf_close(access);
+}
+
+enum status store_create(const char *path, const char *title,
+                         struct store **store, struct fault *fault)
+{
+    struct store *st;
+    const enum status s = replace_check(path, fault);
+
+    *store = NULL;
+    if (s != STATUS_OK)
+        return s;
+    st = store_new(path, fault);
+    if (st == NULL)
+        return STATUS_NO_MEMORY;
+    create_in_memory(st);
+    hdf_put_text(st, st->file, "Conventions", "CF-1.10");
+    hdf_put_text(st, st->file, "title", title);
+    return hand_over(st, store, fault);
+}
+
+/* The system says "no such file" better than HDF5 does. */
+static void look_at_file(struct store *st)
+{
+    struct stat about;
+    const int fd = open(st->path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+
+    if (fd < 0) {
+        hdf_fail(st, STATUS_IO, strerror(errno));
+        return;
+    }
+    if (fstat(fd, &about) != 0)
+        hdf_fail(st, STATUS_IO, strerror(errno));
+    else if (S_ISDIR(about.st_mode))
+        hdf_fail(st, STATUS_IO, strerror(EISDIR));
+    else if (!S_ISREG(about.st_mode))
+        hdf_fail(st, STATUS_IO, "not a regular file");
+    close(fd);
+}
+
+enum status store_open(const char *path, struct store **store,
+                       struct fault *fault)
+{
+    struct store *st = store_new(path, fault);
+
+    *store = NULL;
+    if (st == NULL)
+        return STATUS_NO_MEMORY;
+    look_at_file(st);
+    if (st->status == STATUS_OK) {
+        const hid_t access = access_list(st);
+        hdf_took(st, H5Pset_file_locking(access, false, true));
+        st->file = hdf_took(st, H5Fopen(path, H5F_ACC_RDONLY, access));
+        hdf_close(access);
+    }
+    return hand_over(st, store, fault);
+}
+
+enum status store_put_text(struct store *st, const char *path, const char *key,
+                           const char *text)
+{
+    if (st->status == STATUS_OK) {
+        const hid_t group = hdf_group(st, path);
+        hdf_put_text(st, group, key, text);
+        hdf_close(group);
+    }
+    return st->status;
+}
+
+static enum status put_number(struct store *st, const char *path,
+                              const char *key, hid_t type, hid_t native,
+                              const void *value)
+{
+    if (st->status == STATUS_OK) {
+        const hid_t group = hdf_group(st, path);
+        hdf_put_numbers(st, group, key, type, native, 1, value);
+        hdf_close(group);
+    }
+    return st->status;
+}
+
+enum status store_put_real(struct store *st, const char *path, const char *key,
+                           double value)
+{
+    return put_number(st, path, key, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value);
+}
+
+enum status store_put_count(struct store *st, const char *path, const char *key,
+                            int64_t value)
+{
+    return put_number(st, path, key, H5T_STD_I64LE, H5T_NATIVE_INT64, &value);
+}
+
+/* The finished image lies in the memory driver's buffer: no second copy. */
+enum status store_commit(struct store *st, struct fault *fault)
+{
+    enum status s;
+    void **image = NULL;
+    int64_t size = -1;
+
+    if (st->status == STATUS_OK) {
+        hdf_took(st, H5Fflush(st->file, H5F_SCOPE_GLOBAL));
+        size = hdf_took(st, H5Fget_file_image(st->file, NULL, 0));
+        hdf_took(st,
+                 H5Fget_vfd_handle(st->file, H5P_DEFAULT, (void **) &image));
+    }
+    s = hdf_blame(st, fault);
+    if (s == STATUS_OK)
+        s = replace_file(st->path, *image, (size_t) size, fault);
+    hdf_close(st->file);
+    st->file = H5I_INVALID_HID;
+    return s;
+}
+
+void store_free(struct store **store)
+{
+    struct store *st = *store;
+
+    if (st == NULL)
+        return;
+    hdf_close(st->file);
+    free(st->path);
+    free(st);
+    *store = NULL;
+}

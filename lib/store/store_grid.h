@@ -1,0 +1,37 @@
+/* store_grid.h -- two-dimensional data sets over two shared axes, written a
+ * block of rows at a time.
+ *
+ *     store_put_axis(st, "/basin", "psi", "1", "state", np, psi);
+ *     store_put_axis(st, "/basin", "v", "1", "slip rate", nv, v);
+ *     store_put_layer(st, "/basin", &label, "psi", "v");
+ *     store_put_rows(st, "/basin", &label, first, rows, cells);     ...
+ */
+#ifndef STORE_GRID_H
+#define STORE_GRID_H
+
+#include "record.h"
+#include "store.h"
+
+/* A float64 coordinate of a group, which layers then name. */
+MUST_CHECK enum status store_put_axis(struct store *store, const char *group,
+                                      const char *name, const char *unit,
+                                      const char *text, size_t count,
+                                      const double *values);
+
+/* A new data set [length of axis `row`][length of axis `column`], both put
+ * before, in compressed chunks.  Of *f name, unit, text, kind (RECORD_REAL or
+ * RECORD_CODE: float64, int8) and codes count.  Cells never written are NaN or
+ * -1. */
+MUST_CHECK enum status store_put_layer(struct store *store, const char *group,
+                                       const struct record_field *f,
+                                       const char *row, const char *column);
+
+/* Rows first .. first + count - 1 of a layer: `values` holds count * (length
+ * of the column axis) doubles or int8_t, row by row.  Blocks of STORE_CHUNK
+ * rows from row 0 on compress each chunk once. */
+MUST_CHECK enum status store_put_rows(struct store *store, const char *group,
+                                      const struct record_field *f,
+                                      size_t first, size_t count,
+                                      const void *values);
+
+#endif

@@ -1,0 +1,124 @@
+/* Closed forms and roots found to the last bit: the errors are roundings,
+ * magnified by 1/(b - a) in everything that hangs on v_sp0. */
+#include "estimate_numbers.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "estimates.h"
+
+static const char not_here[] =
+    "the estimate needs hyperbolic kinetics, theta a logarithm of psi, b > a";
+static const char no_root[] = "the estimate's equation has no such root";
+
+static struct quantity number(double value, double relative)
+{
+    return isnan(value) ? quantity_none(no_root)
+                        : quantity_of(value, fabs(value) * relative);
+}
+
+static struct estimate_numbers nothing(const double xi[], size_t n)
+{
+    const struct quantity none = quantity_none(not_here);
+    struct estimate_numbers e = { .v_sp0 = none,
+                                  .psi_sp0 = none,
+                                  .x_k = none,
+                                  .x_k_small_psi = none,
+                                  .x_k_zero_slope = none,
+                                  .mu_s_exact_v_plus = none,
+                                  .alpha_f = none,
+                                  .tan_alpha_f = none,
+                                  .chi_v_minus = none,
+                                  .chi_v_plus = none,
+                                  .xi_count = n };
+
+    for (size_t i = 0; i < n; i++)
+        e.xi[i] = (struct xi_number){ xi[i], none, none, none, none };
+    return e;
+}
+
+struct maker {
+    const struct material *m;
+    const struct estimates *e;
+    double tan_alpha;
+    double unit; /* relative error of v_sp0 */
+};
+
+static void add_chi(const struct maker *k, struct estimate_numbers *out)
+{
+    double root[2];
+
+    out->chi_roots = estimates_chi(k->m, k->e, k->tan_alpha, root);
+    out->chi_v_minus = out->chi_v_plus = quantity_none(
+        out->chi_roots == 0 ? "chi(v) = 1 has no root"
+                            : "both roots of chi(v) = 1 lie on one side of "
+                              "v_sp");
+    for (size_t i = 0; i < out->chi_roots; i++) {
+        out->chi_root[i] = number(k->e->v_sp0 * exp(root[i]), 4.0 * k->unit);
+        if (root[i] < 0.0)
+            out->chi_v_minus = out->chi_root[i];
+        else if (!quantity_exists(&out->chi_v_plus))
+            out->chi_v_plus = out->chi_root[i];
+    }
+}
+
+static struct xi_number xi_number(const struct maker *k, double xi)
+{
+    const struct estimates_xi x =
+        estimates_xi_at(k->m, k->e, k->tan_alpha, xi);
+    const struct estimates_strength s = estimates_strength_at(
+        k->m, k->tan_alpha, k->e->v_sp0, k->e->x_k, x.plus);
+    const double unit = 8.0 * k->unit;
+
+    return (struct xi_number){
+        .xi = xi,
+        .v_minus = number(k->e->v_sp0 * exp(x.minus), unit),
+        .v_plus = number(k->e->v_sp0 * exp(x.plus), unit),
+        .mu_s = number(s.mu_s, 4.0 * unit),
+        .G = number(s.G, 4.0 * unit),
+    };
+}
+
+static struct quantity strength(const struct maker *k, const struct block *b,
+                                const struct critical_numbers *c)
+{
+    if (!quantity_exists(&c->ln_v_plus))
+        return quantity_none("there is no v_plus");
+    const double x_k = estimates_persistence(k->e->eta, b->at.psi0);
+    const double ratio = c->ln_v_plus.value - b->at.x0;
+    const struct estimates_strength s =
+        estimates_strength_at(k->m, k->tan_alpha, b->at.v0, x_k, ratio);
+    const double relative = 2.0 * c->ln_v_plus.error / ratio + 8.0 * k->unit;
+
+    return number(s.mu_s, relative);
+}
+
+struct estimate_numbers numbers_estimates(const struct block *b,
+                                          const double xi[], size_t xi_count,
+                                          const struct critical_numbers *c)
+{
+    const struct material *m = &b->material;
+    const double t = (double) b->tan_alpha;
+    const size_t n = xi_count < ESTIMATES_XI_MAX ? xi_count : ESTIMATES_XI_MAX;
+    struct estimate_numbers out = nothing(xi, n);
+    struct estimates e;
+
+    if (!estimates_at(&b->law, m, t, &e))
+        return out;
+    const double lost = (fabs(m->mu_star) + fabs(t)) / (m->b - m->a) +
+                        fabs(e.ln_v_sp0) * (1.0 + e.psi_sp0);
+    const struct maker k = { m, &e, t, DBL_EPSILON * (4.0 + 2.0 * lost) };
+    out.v_sp0 = number(e.v_sp0, k.unit);
+    out.psi_sp0 = number(e.psi_sp0, k.unit);
+    out.x_k = number(e.x_k, 2.0 * k.unit * (1.0 + e.psi_sp0));
+    out.x_k_small_psi =
+        quantity_of(e.x_k_small_psi, 2.0 * k.unit * (1.0 + fabs(e.x_k_small_psi)));
+    out.x_k_zero_slope = number(e.x_k_zero_slope, 2.0 * k.unit);
+    out.alpha_f = number(e.alpha_f, 8.0 * DBL_EPSILON);
+    out.tan_alpha_f = number(e.tan_alpha_f, 8.0 * DBL_EPSILON);
+    out.mu_s_exact_v_plus = strength(&k, b, c);
+    add_chi(&k, &out);
+    for (size_t i = 0; i < n; i++)
+        out.xi[i] = xi_number(&k, xi[i]);
+    return out;
+}

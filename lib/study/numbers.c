@@ -1,0 +1,387 @@
+/*
+ * Numbers from curves.  Error bars: what the integration reports (last terms
+ * of every step, tail) plus a floor for rounding, which grows with the size of
+ * the logarithms involved and with the cancellation in the determinant of the
+ * saddle's Jacobian - the measure of how near a fold is.
+ */
+#include "numbers.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "knee.h"
+#include "tolerance.h"
+
+/* (|ad| + |bc|)/|ad - bc|: digits lost between a, b and b - a. */
+static double cancellation(const struct equilibrium *e)
+{
+    const struct mat2 m = e->matrix;
+    const double det = e->scaled[0] * e->scaled[1];
+
+    return det == 0.0 ? 1.0 / DBL_EPSILON
+                      : (fabs(m.xx * m.yy) + fabs(m.xy * m.yx)) / fabs(det);
+}
+
+/* Relative uncertainty of v, psi at a steady state: one rounding to double,
+ * and what a long double root of the balance leaves near a fold. */
+static double steady_floor(const struct block *b)
+{
+    const long double x = (long double) b->at.x0, h = 1e-5L;
+    const struct law *law = &b->law;
+    const struct material *m = &b->material;
+    const long double slope =
+        (steady_mu_log(law, m, x + h) - steady_mu_log(law, m, x - h)) / (2 * h);
+    const double size = fabs(b->at.a * b->at.x0) + fabs(m->mu_star) +
+                        fabs(b->at.b * b->at.y0) + b->at.b + 1.0;
+    const double noise = 16.0 * (double) LDBL_EPSILON * size;
+    const double bend = 0.1 * (m->a + m->b); /* mu_ss'' is never far below */
+    const double linear = noise / (double) fabsl(slope);
+
+    return 2.0 * DBL_EPSILON + fmin(linear, sqrt(noise / bend));
+}
+
+struct steady_number numbers_steady(const struct block *b,
+                                    const struct equilibrium *e)
+{
+    const double floor = steady_floor(b), lost = cancellation(e);
+    const double unit = 8.0 * DBL_EPSILON *
+                        (1.0 + 0.25 * fabs(e->log_scale) +
+                         fabs(b->at.log_inertia) * 0.25);
+    const double psi_floor =
+        law_psi_is_log(&b->law)
+            ? floor + 2.0 * DBL_EPSILON * fabs(b->at.psi0)
+            : 2.0 * floor * b->at.psi0;
+    struct steady_number s = {
+        .type = (int8_t) e->type,
+        .v = quantity_of(b->at.v0, floor * b->at.v0),
+        .psi = quantity_of(b->at.psi0, psi_floor),
+        .mu = quantity_of(b->at.mu0, 2.0 * DBL_EPSILON * fabs(b->at.mu0)),
+    };
+
+    for (int i = 0; i < 2; i++) {
+        const double size = fabs(e->lambda[i]);
+        const bool near = fabs(e->scaled[i]) < fabs(e->scaled[1 - i]);
+        *(i == 0 ? &s.lambda_minus : &s.lambda_plus) = quantity_of(
+            e->lambda[i], size * (unit + floor) * (near ? 1.0 + lost : 4.0));
+    }
+    return s;
+}
+
+struct saddle_numbers numbers_saddle(const struct steady_number *s)
+{
+    return (struct saddle_numbers){ s->v, s->psi, s->lambda_minus,
+                                    s->lambda_plus };
+}
+
+static const char no_saddle[] = "there is no saddle at this slope";
+
+struct saddle_numbers numbers_no_saddle(void)
+{
+    const struct quantity none = quantity_none(no_saddle);
+    return (struct saddle_numbers){ none, none, none, none };
+}
+
+/* ---- folds ---------------------------------------------------------- */
+
+static struct quantity fold_angle(const struct law *law,
+                                  const struct material *m, long double x)
+{
+    const double alpha = (double) atanl(steady_mu(law, m, x));
+    return quantity_of(alpha, 4.0 * DBL_EPSILON * fabs(alpha));
+}
+
+static struct quantity fold_rate(long double x)
+{
+    const double v = (double) expl(x);
+    return quantity_of(v, v * (4.0 + fabs((double) x)) * DBL_EPSILON);
+}
+
+/* (11), (12) and the cusp c* = (1+R)(b-a)^2/(4ab), for spinodal laws with
+ * theta = ln(c + psi), where v = (a+b)/((b-a) R). */
+static void fold_estimates(const struct law *law, const struct material *m,
+                           struct fold_numbers *f)
+{
+    const double a = m->a, b = m->b, d = b - a;
+    const bool spinodal =
+        law->psi_ss == PSI_SS_SPINODAL || law->psi_ss == PSI_SS_SPINODAL_UNIT;
+    const double eps = 16.0 * DBL_EPSILON;
+
+    if (!spinodal || !law_uses(law, MATERIAL_C) || !isfinite(m->R) || !(d > 0))
+        return;
+    f->v_M_eq11 = quantity_of(a / (d * m->R), eps * a / (d * m->R));
+    if (m->c > 0.0)
+        f->v_m_eq12 = quantity_of(d / (a * m->c), eps * d / (a * m->c));
+    const long double rise = (long double) b - (long double) a;
+    const long double c = (1 + (long double) m->R) * rise * rise /
+                          (4 * (long double) a * (long double) b);
+    struct material cusp = *m;
+    cusp.c = (double) c;
+    const long double sum = (long double) a + (long double) b;
+    const long double x = logl(sum / (rise * (long double) m->R));
+    f->c_cusp = quantity_of((double) c, eps * (double) c);
+    f->alpha_cusp = fold_angle(law, &cusp, x);
+}
+
+struct fold_numbers numbers_folds(const struct law *law,
+                                  const struct material *m)
+{
+    static const char monotone[] =
+        "mu_ss has no such extremum for this law and material";
+    static const char no_estimate[] =
+        "the estimate needs a spinodal law with theta = ln(c + psi), finite R "
+        "and b > a";
+    const struct quantity none = quantity_none(monotone);
+    const struct quantity not_this = quantity_none(no_estimate);
+    struct fold_numbers f = { none,     none,     none,     none,    none,
+                              not_this, not_this, not_this, not_this };
+    long double x[4];
+    const size_t n = steady_extrema(law, m, x);
+
+    for (size_t i = 0; i < n; i++) {
+        const long double h = 1e-4L;
+        const long double here = steady_mu_log(law, m, x[i]);
+        const bool maximum = here > steady_mu_log(law, m, x[i] - h);
+        if (maximum) {
+            const double mu = (double) steady_mu(law, m, x[i]);
+            f.v_M = fold_rate(x[i]);
+            f.alpha_cM = fold_angle(law, m, x[i]);
+            f.mu_s = quantity_of(mu, 4.0 * DBL_EPSILON * fabs(mu));
+        } else {
+            f.v_m = fold_rate(x[i]);
+            f.alpha_cm = fold_angle(law, m, x[i]);
+        }
+    }
+    fold_estimates(law, m, &f);
+    return f;
+}
+
+/* ---- critical numbers ----------------------------------------------- */
+
+/* Rounding floor of an offset of size |z| on a branch, absolute. */
+static double branch_floor(const struct block *b, const struct equilibrium *e,
+                           double z)
+{
+    const double logs = fabs(b->at.x0) + fabs(b->at.log_inertia) +
+                        fabs(b->at.log_rate) + fabs(z);
+    const double lost = cancellation(e);
+    const double weak = fmin(fabs(z), 1.0); /* a short branch moves little */
+
+    return DBL_EPSILON * (2.0 * weak * (8.0 + logs) + 0.25 * weak * lost +
+                          2.0 * fabs(z));
+}
+
+struct limit {
+    struct quantity value, log; /* v (or psi) and its ln */
+};
+
+/* v = v0 e^X with X known to `error`. */
+static struct limit limit_of(double v0, double x0, double X, double error,
+                             double floor)
+{
+    const double value = v0 * exp(X), relative = expm1(error + floor);
+    const double log = x0 + X;
+
+    return (struct limit){
+        quantity_of(value, value * (relative + 2.0 * DBL_EPSILON)),
+        quantity_of(log, error + floor + 2.0 * DBL_EPSILON * fabs(log)),
+    };
+}
+
+struct builder {
+    const struct block *b;
+    const struct equilibrium *e;
+    const struct branch *upper, *lower;
+    double floor; /* relative, of v at the saddle */
+    struct critical_numbers *out;
+};
+
+static void upper_numbers(struct builder *n)
+{
+    const struct branch *u = n->upper;
+    const struct block *b = n->b;
+    struct critical_numbers *out = n->out;
+
+    out->upper_end = u->end == BRANCH_LIMIT_X && u->sign > 0 ? END_PSI_INF
+                     : u->end == BRANCH_DOMAIN               ? END_OPEN
+                                                             : END_TRUNCATED;
+    if (out->upper_end != END_PSI_INF) {
+        const struct quantity none = quantity_none(
+            "the upper branch is open: v has no limit as psi grows");
+        out->v_plus = out->ln_v_plus = none;
+        out->x_excess = out->mu_s_num = out->mu_s_mean = none;
+        out->fracture_energy = none;
+        return;
+    }
+    const double X = u->limit.x;
+    const double floor = n->floor + branch_floor(b, n->e, X);
+    const struct limit v = limit_of(b->at.v0, b->at.x0, X, u->error.x, floor);
+    out->v_plus = v.value;
+    out->ln_v_plus = v.log;
+}
+
+/* x_excess and the static friction numbers, (32), (41) with exact slip. */
+static void static_friction(struct builder *n)
+{
+    const struct block *b = n->b;
+    const struct branch *u = n->upper;
+    struct critical_numbers *out = n->out;
+    const double t = (double) b->tan_alpha, X = u->limit.x;
+    const double k = 0.5 * material_eps2(&b->material) * hypot(1.0, t) *
+                     b->at.v0 * b->at.v0;
+    const double excess = -u->total[0], lost = cancellation(n->e);
+    const double floor = DBL_EPSILON * (64.0 + 2.0 * lost +
+                                        4.0 * fabs(b->at.x0) + 4.0 * fabs(X));
+    const double slip_error = u->total_error[0] / excess + floor + n->floor;
+    /* relative errors of expm1(X)^2 and expm1(2 X) */
+    const double dX = u->error.x + branch_floor(b, n->e, X);
+    const double square = 2.0 * dX * exp(X) / expm1(X) + floor + 2 * n->floor;
+    const double rise = 2.0 * dX * exp(2.0 * X) / expm1(2.0 * X) + floor +
+                        2.0 * n->floor;
+    const double energy = k * expm1(2.0 * X), mean = k * expm1(X) * expm1(X);
+
+    out->x_excess = quantity_of(excess, excess * slip_error);
+    out->fracture_energy = quantity_of(energy, energy * rise);
+    out->mu_s_num = quantity_of(
+        t + energy / excess,
+        energy / excess * (rise + slip_error) + 2.0 * DBL_EPSILON * t);
+    out->mu_s_mean =
+        quantity_of(t + mean / excess, mean / excess * (square + slip_error) +
+                                           2.0 * DBL_EPSILON * t);
+}
+
+static enum end_code lower_code(const struct branch *l)
+{
+    if (l->end == BRANCH_LIMIT_X && l->sign < 0)
+        return END_PSI_0;
+    if (l->end == BRANCH_LIMIT_Y && l->sign < 0)
+        return END_V_0;
+    return END_TRUNCATED;
+}
+
+static void lower_numbers(struct builder *n)
+{
+    const struct branch *l = n->lower;
+    const struct block *b = n->b;
+    struct critical_numbers *out = n->out;
+    const bool is_log = law_psi_is_log(&b->law);
+
+    out->lower_end = (int8_t) lower_code(l);
+    if (out->lower_end == END_PSI_0) {
+        const double floor = n->floor + branch_floor(b, n->e, l->limit.x);
+        const struct limit v =
+            limit_of(b->at.v0, b->at.x0, l->limit.x, l->error.x, floor);
+        out->v_minus = v.value;
+        out->ln_v_minus = v.log;
+        out->psi_at_v0 = quantity_none(
+            "the lower branch ends at v_minus > 0 and never meets v = 0");
+    } else {
+        out->v_minus = out->ln_v_minus = quantity_none(
+            out->lower_end == END_V_0
+                ? "the lower branch meets v = 0 at a finite psi"
+                : "the lower branch leaves [1e-300, 1e300] without a limit");
+        out->psi_at_v0 = quantity_none(
+            "the lower branch leaves [1e-300, 1e300] without a limit");
+    }
+    if (out->lower_end == END_V_0) {
+        const double floor = n->floor + branch_floor(b, n->e, l->limit.y);
+        const struct limit psi =
+            limit_of(b->at.psi0, b->at.y0, l->limit.y, l->error.y, floor);
+        out->psi_at_v0 = is_log ? psi.log : psi.value;
+    }
+    const double deficit = fabs(l->total[0]), lost = cancellation(n->e);
+    const double floor = DBL_EPSILON * (64.0 + 2.0 * lost +
+                                        4.0 * fabs(b->at.x0));
+    out->x_deficit =
+        out->lower_end == END_TRUNCATED
+            ? quantity_none("the lower branch has no end to integrate to")
+            : quantity_of(deficit,
+                          l->total_error[0] + deficit * (floor + n->floor));
+}
+
+struct critical_numbers numbers_no_critical(void)
+{
+    const struct quantity none = quantity_none(no_saddle);
+    const struct knee_number knee = { none, none };
+
+    return (struct critical_numbers){
+        .upper_end = -1,
+        .lower_end = -1,
+        .v_plus = none,
+        .ln_v_plus = none,
+        .v_minus = none,
+        .ln_v_minus = none,
+        .psi_at_v0 = none,
+        .knee_upper = knee,
+        .knee_lower = knee,
+        .x_excess = none,
+        .x_deficit = none,
+        .mu_s_num = none,
+        .mu_s_mean = none,
+        .fracture_energy = none,
+    };
+}
+
+struct critical_numbers numbers_critical(const struct block *b,
+                                         const struct equilibrium *e,
+                                         const struct branch *upper,
+                                         const struct branch *lower)
+{
+    struct critical_numbers out = numbers_no_critical();
+    struct builder n = { b, e, upper, lower, steady_floor(b), &out };
+
+    upper_numbers(&n);
+    if (out.upper_end == END_PSI_INF)
+        static_friction(&n);
+    lower_numbers(&n);
+    return out;
+}
+
+/* ---- knees ----------------------------------------------------------- */
+
+static struct knee_number knee_number(const struct block *b,
+                                      const struct branch *branch,
+                                      const struct knee *k)
+{
+    const double ex = k->error.x + branch->error.x + 2.0 * DBL_EPSILON;
+    const double ey = k->error.y + branch->error.y + 2.0 * DBL_EPSILON;
+    const double v = b->at.v0 * exp(k->z.x), psi = b->at.psi0 * exp(k->z.y);
+    const double y = b->at.y0 + k->z.y;
+
+    return (struct knee_number){
+        quantity_of(v, v * ex),
+        law_psi_is_log(&b->law)
+            ? quantity_of(y, ey + DBL_EPSILON * fabs(y))
+            : quantity_of(psi, psi * ey),
+    };
+}
+
+static void knees_of(const struct block *b, const struct planar *sys,
+                     const struct branch *branch, struct knee_number *first,
+                     struct knee_number all[KNEES_MAX], size_t *count)
+{
+    struct knee found[KNEES_MAX];
+    const size_t n = knee_find(sys, branch, found, KNEES_MAX);
+    const struct quantity none =
+        quantity_none("the slope of this branch never rises through 1");
+    bool seen = false;
+
+    *first = (struct knee_number){ none, none };
+    *count = n < KNEES_MAX ? n : KNEES_MAX;
+    for (size_t i = 0; i < *count; i++) {
+        all[i] = knee_number(b, branch, &found[i]);
+        if (found[i].rising && !seen) {
+            *first = all[i];
+            seen = true;
+        }
+    }
+}
+
+void numbers_knees(const struct block *b, const struct planar *sys,
+                   const struct branch *upper, const struct branch *lower,
+                   struct critical_numbers *out)
+{
+    knees_of(b, sys, upper, &out->knee_upper, out->knees_upper,
+             &out->knees_upper_count);
+    knees_of(b, sys, lower, &out->knee_lower, out->knees_lower,
+             &out->knees_lower_count);
+}

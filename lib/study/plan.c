@@ -1,0 +1,45 @@
+#include "plan.h"
+
+#define BIT(s) (1u << STAGE_##s)
+#define ASKED(p) (1u << PRODUCT_##p)
+
+const struct stage_info stage_table[STAGES] = {
+    [STAGE_STEADY] = { "steady", "steady states, their types, the saddle",
+                       "microseconds", 0, ASKED(EQUILIBRIA) },
+    [STAGE_FOLDS] = { "folds", "extrema of mu_ss, folds, cusp", "microseconds",
+                      0, ASKED(FOLDS) | ASKED(KNEES) },
+    [STAGE_STABLE] = { "stable", "both branches of the stable manifold",
+                       "about 50 Taylor steps", BIT(STEADY),
+                       ASKED(MANIFOLDS) },
+    [STAGE_UNSTABLE] = { "unstable", "both branches of the unstable manifold",
+                         "two stiff orbits", BIT(STEADY), ASKED(MANIFOLDS) },
+    [STAGE_CRITICAL] = { "critical", "critical velocities, slip, mu_s",
+                         "microseconds", BIT(STABLE), ASKED(KNEES) },
+    [STAGE_KNEES] = { "knees", "where the manifold's slope passes through 1",
+                      "microseconds", BIT(STABLE) | BIT(CRITICAL),
+                      ASKED(KNEES) },
+    [STAGE_ESTIMATES] = { "estimates", "the paper's formulas (29)-(42)",
+                          "microseconds", BIT(CRITICAL), ASKED(ESTIMATES) },
+    [STAGE_NULLCLINES] = { "nullclines", "zero sets of dv/dt and dpsi/dt",
+                           "some thousand field evaluations", BIT(STEADY),
+                           ASKED(NULLCLINES) },
+    [STAGE_ARROWS] = { "arrows", "direction field",
+                       "one field evaluation an arrow", BIT(STEADY),
+                       ASKED(FIELD_ARROWS) },
+    [STAGE_TRAJECTORIES] = { "trajectories", "forward orbits",
+                             "some hundred stiff steps an orbit",
+                             BIT(STEADY), ASKED(TRAJECTORIES) },
+};
+
+unsigned plan_stages(unsigned products)
+{
+    unsigned stages = 0;
+
+    for (int s = 0; s < STAGES; s++)
+        if (products & stage_table[s].products)
+            stages |= 1u << s;
+    for (int s = STAGES; s-- > 0;) /* needs point backward only */
+        if (plan_has(stages, (enum stage) s))
+            stages |= stage_table[s].needs;
+    return stages;
+}

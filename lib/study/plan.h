@@ -1,0 +1,42 @@
+/* plan.h -- which stage feeds which: a product runs the stages it needs and
+ * nothing else. */
+#ifndef STUDY_PLAN_H
+#define STUDY_PLAN_H
+
+#include <stddef.h>
+
+#include "scene.h"
+
+enum stage {
+    STAGE_STEADY,       /* equilibria, their types, the saddle */
+    STAGE_FOLDS,        /* extrema of mu_ss */
+    STAGE_STABLE,       /* both branches of the stable manifold */
+    STAGE_UNSTABLE,     /* both branches of the unstable manifold */
+    STAGE_CRITICAL,     /* numbers read off the stable branches */
+    STAGE_KNEES,        /* crossings of slope 1 */
+    STAGE_ESTIMATES,    /* the paper's formulas (29)-(42) */
+    STAGE_NULLCLINES,   /* in the window */
+    STAGE_ARROWS,       /* direction field in the window */
+    STAGE_TRAJECTORIES, /* forward orbits */
+    STAGES
+};
+
+struct stage_info {
+    const char *name;
+    const char *text;  /* what it does, one phrase */
+    const char *cost;  /* how much work to expect, one phrase */
+    unsigned needs;    /* bits 1 << enum stage */
+    unsigned products; /* the scene's products (bits) that ask for it */
+};
+
+extern const struct stage_info stage_table[STAGES];
+
+/* The stages a set of products runs, closed under `needs`: bits. */
+unsigned plan_stages(unsigned products);
+
+static inline int plan_has(unsigned stages, enum stage s)
+{
+    return (stages >> s) & 1u;
+}
+
+#endif

@@ -1,0 +1,268 @@
+/* Curves sampled.  A piece is halved until the cubic Hermite interpolant that
+ * a reader of the file would build agrees with the curve at the middle. */
+#include "rows.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tolerance.h"
+
+struct rows rows_of(const struct record_type *type)
+{
+    return (struct rows){ .type = type };
+}
+
+void rows_free(struct rows *r)
+{
+    free(r->at);
+    *r = rows_of(r->type);
+}
+
+static enum status push(struct rows *r, const void *row)
+{
+    if (r->count == r->room) {
+        const size_t room = r->room ? 2 * r->room : 256;
+        void *at = realloc(r->at, room * r->type->size);
+        if (at == NULL)
+            return STATUS_NO_MEMORY;
+        r->at = at;
+        r->room = room;
+    }
+    memcpy((char *) r->at + r->count++ * r->type->size, row, r->type->size);
+    return STATUS_OK;
+}
+
+/* A point of a branch in the making: chart coordinates and all the rest. */
+struct sample {
+    double theta;
+    struct vec2 z; /* offset */
+    double slope;  /* dy/dx */
+    double at[CURVE_DIM_MAX];
+};
+
+/* Where each stored integral sits in the curve, 0: not carried. */
+struct columns {
+    size_t slip, time, work, excess;
+    double sign; /* of the stored integrals along the curve */
+};
+
+struct sampler {
+    const struct study *s;
+    const struct curve *curve;
+    const struct branch *branch; /* NULL for an orbit */
+    struct columns columns;
+    double error;
+    struct rows *rows;
+    double arc;
+    struct vec2 last;
+};
+
+static double slope_at(const struct sampler *p, size_t piece, double theta,
+                       struct vec2 z)
+{
+    if (p->branch)
+        return branch_slope(&p->s->system, p->branch, piece, theta);
+    return local_slope(&p->s->system, 0, z);
+}
+
+static struct sample sample_at(const struct sampler *p, size_t piece,
+                               double theta)
+{
+    struct sample t = { .theta = theta };
+
+    curve_at(p->curve, piece, theta, t.at);
+    t.z = (struct vec2){ t.at[0], t.at[1] };
+    t.slope = slope_at(p, piece, theta, t.z);
+    return t;
+}
+
+/* Distance of the middle from the Hermite cubic through the ends, over the
+ * flatter coordinate. */
+static double hermite_defect(const struct sample *a, const struct sample *m,
+                             const struct sample *b)
+{
+    const bool flat = fabs(m->slope) < 1.0;
+    const double s0 = flat ? a->z.x : a->z.y, s1 = flat ? b->z.x : b->z.y;
+    const double u0 = flat ? a->z.y : a->z.x, u1 = flat ? b->z.y : b->z.x;
+    const double d0 = flat ? a->slope : 1.0 / a->slope;
+    const double d1 = flat ? b->slope : 1.0 / b->slope;
+    const double h = s1 - s0, t = ((flat ? m->z.x : m->z.y) - s0) / h;
+
+    if (h == 0.0)
+        return 0.0;
+    const double u = (1.0 - t) * (1.0 - t) * ((1.0 + 2.0 * t) * u0 + t * h * d0) +
+                     t * t * ((3.0 - 2.0 * t) * u1 + (t - 1.0) * h * d1);
+    return fabs(u - (flat ? m->z.y : m->z.x));
+}
+
+static double psi_of(const struct study *s, double y)
+{
+    return s->system.axis[1].is_log ? s->block.at.psi0 * exp(y)
+                                    : s->block.at.y0 + y;
+}
+
+static double carried(const struct sample *t, size_t column, double sign)
+{
+    return column ? sign * t->at[column] : 0.0;
+}
+
+static enum status add_branch_row(struct sampler *p, const struct sample *t)
+{
+    const struct vec2 step = vec2_sub(t->z, p->last);
+    const struct columns *c = &p->columns;
+
+    p->arc += vec2_length(step);
+    p->last = t->z;
+    const struct branch_row row = {
+        .arc = p->arc,
+        .v = p->s->block.at.v0 * exp(t->z.x),
+        .psi = psi_of(p->s, t->z.y),
+        .slope = t->slope,
+        .slip = carried(t, c->slip, c->sign),
+        .time = carried(t, c->time, c->sign),
+        .work = carried(t, c->work, c->sign),
+        .excess = carried(t, c->excess, c->sign),
+        .error = p->error,
+    };
+    return push(p->rows, &row);
+}
+
+/* Rows of a piece behind a, up to and with b. */
+static enum status refine(struct sampler *p, size_t piece,
+                          const struct sample *a, const struct sample *b,
+                          int depth)
+{
+    const struct sample m = sample_at(p, piece, 0.5 * (a->theta + b->theta));
+    const double distance = vec2_length(vec2_sub(b->z, a->z));
+    const bool fine = hermite_defect(a, &m, b) <= 0.2 * TOL_HERMITE &&
+                      distance <= TOL_ROW_SPACING;
+
+    if (fine || depth == 0)
+        return add_branch_row(p, b);
+    enum status s = refine(p, piece, a, &m, depth - 1);
+    if (s == STATUS_OK)
+        s = refine(p, piece, &m, b, depth - 1);
+    return s;
+}
+
+static enum status sample_curve(struct sampler *p)
+{
+    enum status s = STATUS_OK;
+
+    for (size_t piece = 0; piece < p->curve->count && s == STATUS_OK; piece++) {
+        const struct sample a = sample_at(p, piece, 0.0);
+        const struct sample b = sample_at(p, piece, 1.0);
+        if (piece == 0)
+            s = add_branch_row(p, &a);
+        if (s == STATUS_OK)
+            s = refine(p, piece, &a, &b, 12);
+    }
+    return s;
+}
+
+enum status rows_branch(const struct study *s, const struct branch *b,
+                        struct rows *r)
+{
+    struct sampler p = { .s = s,
+                         .curve = &b->curve,
+                         .branch = b,
+                         .columns = { .sign = 1.0 },
+                         .error = b->error.x + b->error.y,
+                         .rows = r };
+
+    for (size_t i = 0; i < b->carry.count; i++) {
+        size_t *column = b->carry.which[i] == CARRY_TIME ? &p.columns.time
+                         : b->carry.which[i] == BLOCK_SLIP ? &p.columns.slip
+                         : b->carry.which[i] == BLOCK_WORK ? &p.columns.work
+                                                           : &p.columns.excess;
+        *column = i + 2;
+    }
+    return sample_curve(&p);
+}
+
+enum status rows_unstable(const struct study *s, const struct orbit *o,
+                          struct rows *r)
+{
+    struct sampler p = { .s = s,
+                         .curve = &o->curve,
+                         .columns = { .time = 2,
+                                      .slip = 3 + BLOCK_SLIP,
+                                      .work = 3 + BLOCK_WORK,
+                                      .excess = 3 + BLOCK_EXCESS,
+                                      .sign = 1.0 },
+                         .error = o->error[0] + o->error[1],
+                         .rows = r };
+    return sample_curve(&p);
+}
+
+enum status rows_nullcline(const struct study *s, const struct polyline *line,
+                           struct rows *r)
+{
+    double arc = 0.0;
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < line->count && status == STATUS_OK; i++) {
+        if (i > 0)
+            arc += vec2_length(vec2_sub(line->at[i], line->at[i - 1]));
+        const struct vec2 z = vec2_sub(line->at[i], s->system.origin);
+        const struct nullcline_row row = {
+            arc, s->block.at.v0 * exp(z.x), psi_of(s, z.y)
+        };
+        status = push(r, &row);
+    }
+    return status;
+}
+
+static struct trajectory_row trajectory_row(const struct study *s,
+                                            const double at[])
+{
+    const struct vec2 z = { at[0], at[1] };
+
+    return (struct trajectory_row){
+        .time = at[2],
+        .v = s->block.at.v0 * exp(z.x),
+        .psi = psi_of(s, z.y),
+        .slip = at[3 + BLOCK_SLIP],
+        .mu = block_mu(&s->block, z),
+        .work = at[3 + BLOCK_WORK],
+    };
+}
+
+enum status rows_trajectory(const struct study *s, const struct curve *c,
+                            struct rows *r)
+{
+    enum { PER_STEP = 3 };
+    double at[CURVE_DIM_MAX];
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < c->count; i++)
+        for (int k = i == 0 ? 0 : 1; k <= PER_STEP; k++) {
+            curve_at(c, i, (double) k / PER_STEP, at);
+            const struct trajectory_row row = trajectory_row(s, at);
+            status = push(r, &row);
+            if (status != STATUS_OK)
+                return status;
+        }
+    return status;
+}
+
+enum status rows_arrows(const struct study *s, struct rows *r)
+{
+    const struct arrows *a = &s->portrait.arrows;
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < a->columns * a->rows && status == STATUS_OK; i++) {
+        const struct arrow *t = &a->at[i];
+        const struct vec2 z = vec2_sub(t->z, s->system.origin);
+        const struct arrow_row row = {
+            .v = s->block.at.v0 * exp(z.x),
+            .psi = psi_of(s, z.y),
+            .direction_v = t->direction.x,
+            .direction_psi = t->direction.y,
+            .log10_speed = t->log10_speed,
+        };
+        status = push(r, &row);
+    }
+    return status;
+}

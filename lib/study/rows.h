@@ -1,0 +1,45 @@
+/* rows.h -- a study's curves as tables of points, for files and figures. */
+#ifndef STUDY_ROWS_H
+#define STUDY_ROWS_H
+
+#include "study.h"
+
+/* A growable table of one record type; at is owned. */
+struct rows {
+    const struct record_type *type;
+    void *at; /* owned */
+    size_t count, room;
+};
+
+struct rows rows_of(const struct record_type *type);
+void rows_free(struct rows *r);
+
+static inline struct record_array rows_array(const struct rows *r)
+{
+    return (struct record_array){ r->type, r->at, r->count };
+}
+
+/* Points of a stable branch (struct branch_row), so dense that cubic Hermite
+ * interpolation with the stored slopes (of ln psi over ln v where |slope| < 1,
+ * of ln v over ln psi elsewhere) is within TOL_HERMITE of the curve.  Rows are
+ * added to *r; on error *r holds what fitted. */
+MUST_CHECK enum status rows_branch(const struct study *s,
+                                   const struct branch *b, struct rows *r);
+
+/* The same of an unstable branch. */
+MUST_CHECK enum status rows_unstable(const struct study *s,
+                                     const struct orbit *o, struct rows *r);
+
+/* A piece of nullcline (struct nullcline_row). */
+MUST_CHECK enum status rows_nullcline(const struct study *s,
+                                      const struct polyline *line,
+                                      struct rows *r);
+
+/* A trajectory (struct trajectory_row), a few points a step. */
+MUST_CHECK enum status rows_trajectory(const struct study *s,
+                                       const struct curve *c, struct rows *r);
+
+/* The direction field (struct arrow_row). */
+MUST_CHECK enum status rows_arrows(const struct study *s, struct rows *r);
+
+#endif

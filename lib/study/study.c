@@ -1,0 +1,430 @@
+/* The stages of a study, each reading what earlier ones left and filling its
+ * own members.  The one room where friction meets manifold and portrait. */
+#include "study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "tolerance.h"
+
+/* ---- steady states --------------------------------------------------- */
+
+static void anchor_at(struct study *s, long double x, bool equilibrium)
+{
+    block_anchor(&s->block, x, equilibrium);
+    s->system = block_planar(&s->block);
+}
+
+static size_t find_steady(struct study *s, struct steady_root *root)
+{
+    const size_t n = equilibrium_find(&s->system, root);
+
+    s->saddle = -1;
+    for (size_t i = 0; i < n; i++) {
+        anchor_at(s, root[i].x, true);
+        equilibrium_at(&s->system, root[i].fold, &s->equilibrium[i]);
+        s->steady[i] = numbers_steady(&s->block, &s->equilibrium[i]);
+        if (s->equilibrium[i].type == EQUILIBRIUM_SADDLE)
+            s->saddle = (int) i;
+    }
+    s->equilibria = n;
+    return n;
+}
+
+static enum status run_steady(struct study *s, const struct monitor *monitor,
+                              struct fault *why)
+{
+    struct steady_root root[EQUILIBRIA_MAX];
+    struct planar_jacobian J;
+
+    (void) monitor, (void) why;
+    anchor_at(s, 0.0L, false);
+    const size_t n = find_steady(s, root);
+    const size_t home = s->saddle >= 0 ? (size_t) s->saddle : 0;
+    if (n > 0)
+        anchor_at(s, root[home].x, true);
+    else
+        anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
+    s->saddle_numbers = s->saddle >= 0 ? numbers_saddle(&s->steady[home])
+                                       : numbers_no_saddle();
+    s->critical = numbers_no_critical();
+    s->system.jacobian(s->system.ctx, (struct vec2){ 0.0, 0.0 }, &J);
+    const struct eigen2 e = mat2_eigenvalues(J.matrix);
+    s->stable_rate =
+        fmax(fabs(e.re[0]), fabs(e.re[1])) * exp(J.field.log_scale);
+    s->cost[STAGE_STEADY].field_evaluations = n + 1;
+    return STATUS_OK;
+}
+
+static enum status run_folds(struct study *s, const struct monitor *monitor,
+                             struct fault *why)
+{
+    (void) monitor, (void) why;
+    s->folds = numbers_folds(&s->block.law, &s->block.material);
+    return STATUS_OK;
+}
+
+/* ---- manifolds ------------------------------------------------------- */
+
+/* Everything that rides along when branches are stored, or only what the
+ * critical numbers need. */
+static struct carry carry_for(unsigned stages)
+{
+    if (plan_has(stages, STAGE_UNSTABLE))
+        return (struct carry){
+            { BLOCK_EXCESS, BLOCK_SLIP, CARRY_TIME, BLOCK_WORK }, 4
+        };
+    return (struct carry){ { BLOCK_EXCESS }, 1 };
+}
+
+/* The window in chart coordinates. */
+struct box study_window(const struct study *s)
+{
+    const struct scene *c = s->scene;
+    const bool is_log = s->system.axis[1].is_log;
+
+    return (struct box){
+        { log(c->window.v[0]),
+          is_log ? log(c->window.psi[0]) : c->window.psi[0] },
+        { log(c->window.v[1]),
+          is_log ? log(c->window.psi[1]) : c->window.psi[1] },
+    };
+}
+
+struct window study_frame(const struct study *s)
+{
+    return (struct window){ .box = study_window(s),
+                            .exponential = { s->scene->window.axes ==
+                                                 AXES_LINEAR,
+                                             s->scene->window.axes ==
+                                                     AXES_LINEAR &&
+                                                 s->system.axis[1].is_log } };
+}
+
+static int side_sign(const struct local_series *u, enum side side)
+{
+    const int up = u->ind == 0 || u->c[1] > 0.0 ? 1 : -1; /* towards v > v_sp */
+    return side == SIDE_UPPER ? up : -up;
+}
+
+static enum status local_series(struct study *s, enum manifold_kind kind,
+                                const struct carry *carry,
+                                struct local_series *u)
+{
+    const double tol = TOL_TAYLOR_STEP * s->scene->rtol;
+    return local_at(&s->system, &s->equilibrium[s->saddle], kind, carry,
+                    grow_order(s->scene->rtol), tol, u);
+}
+
+static enum status run_stable(struct study *s, const struct monitor *monitor,
+                              struct fault *why)
+{
+    struct grow_options o = grow_defaults(s->scene->rtol);
+    const struct box window = study_window(s);
+    struct local_series u;
+
+    if (s->saddle < 0)
+        return STATUS_OK;
+    o.carry = carry_for(s->stages);
+    o.monitor = monitor;
+    o.reach = plan_has(s->stages, STAGE_UNSTABLE) ? &window : NULL;
+    enum status status = local_series(s, MANIFOLD_STABLE, &o.carry, &u);
+    for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
+        status = grow_branch(&s->system, &u, side_sign(&u, (enum side) i), &o,
+                             &s->stable[i]);
+        s->cost[STAGE_STABLE].field_evaluations +=
+            s->stable[i].evaluations * o.order;
+    }
+    if (status != STATUS_OK)
+        snprintf(why->text, sizeof why->text,
+                 "the stable manifold of the saddle at v = %.6g: %s",
+                 s->block.at.v0, status_text(status));
+    return status;
+}
+
+static enum status run_unstable(struct study *s, const struct monitor *monitor,
+                                struct fault *why)
+{
+    const struct carry none = { .count = 0 };
+    struct vec2 target[EQUILIBRIA_MAX];
+    struct local_series u;
+    size_t n = 0;
+
+    if (s->saddle < 0)
+        return STATUS_OK;
+    enum status status = local_series(s, MANIFOLD_UNSTABLE, &none, &u);
+    for (size_t i = 0; i < s->equilibria; i++)
+        if ((int) i != s->saddle)
+            target[n++] = vec2_sub(s->equilibrium[i].z, s->system.origin);
+    const struct box window = box_grow(study_window(s), TOL_WINDOW_MARGIN);
+    for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
+        struct orbit_options o = orbit_defaults(&s->system, s->stable_rate);
+        const double t = side_sign(&u, (enum side) i) * u.radius;
+        o.window = &window;
+        o.target = target;
+        o.targets = n;
+        status = orbit_init(&s->unstable[i], &s->system,
+                            local_point(u.ind, t, jet_at(u.order, u.c, t)), &o);
+        if (status == STATUS_OK)
+            status = orbit_run(&s->unstable[i], monitor);
+        s->unstable[i].options.window = NULL; /* they were borrowed from here */
+        s->unstable[i].options.target = NULL;
+        s->cost[STAGE_UNSTABLE].field_evaluations +=
+            s->unstable[i].field_calls + s->unstable[i].jacobian_calls;
+    }
+    if (status != STATUS_OK)
+        snprintf(why->text, sizeof why->text,
+                 "the unstable manifold of the saddle at v = %.6g: %s",
+                 s->block.at.v0, status_text(status));
+    return status;
+}
+
+static enum status run_critical(struct study *s, const struct monitor *monitor,
+                                struct fault *why)
+{
+    (void) monitor, (void) why;
+    if (s->saddle >= 0)
+        s->critical = numbers_critical(&s->block, &s->equilibrium[s->saddle],
+                                       &s->stable[SIDE_UPPER],
+                                       &s->stable[SIDE_LOWER]);
+    return STATUS_OK;
+}
+
+static enum status run_knees(struct study *s, const struct monitor *monitor,
+                             struct fault *why)
+{
+    (void) monitor, (void) why;
+    if (s->saddle >= 0)
+        numbers_knees(&s->block, &s->system, &s->stable[SIDE_UPPER],
+                      &s->stable[SIDE_LOWER], &s->critical);
+    return STATUS_OK;
+}
+
+static enum status run_estimates(struct study *s, const struct monitor *monitor,
+                                 struct fault *why)
+{
+    (void) monitor, (void) why;
+    s->estimates = numbers_estimates(&s->block, s->scene->xi,
+                                     s->scene->xi_count, &s->critical);
+    return STATUS_OK;
+}
+
+/* ---- portrait -------------------------------------------------------- */
+
+static enum status run_nullclines(struct study *s,
+                                  const struct monitor *monitor,
+                                  struct fault *why)
+{
+    (void) monitor, (void) why;
+    const enum status status =
+        portrait_find_nullclines(&s->portrait, TOL_NULLCLINE_CHORD);
+    s->cost[STAGE_NULLCLINES].field_evaluations =
+        s->portrait.nullcline[NULLCLINE_X].evaluations +
+        s->portrait.nullcline[NULLCLINE_Y].evaluations;
+    return status;
+}
+
+static enum status run_arrows(struct study *s, const struct monitor *monitor,
+                              struct fault *why)
+{
+    (void) monitor, (void) why;
+    const enum status status =
+        portrait_find_arrows(&s->portrait, TOL_ARROWS, TOL_ARROWS);
+    s->cost[STAGE_ARROWS].field_evaluations = s->portrait.arrows.evaluations;
+    return status;
+}
+
+static size_t attractors(const struct study *s, struct vec2 target[])
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < s->equilibria; i++)
+        if (s->equilibrium[i].type == EQUILIBRIUM_STABLE_NODE)
+            target[n++] = vec2_sub(s->equilibrium[i].z, s->system.origin);
+    return n;
+}
+
+static enum status run_starts(struct study *s,
+                              const struct trajectory_options *o,
+                              struct fault *why)
+{
+    const struct scene *c = s->scene;
+    struct vec2 *start = calloc(c->starts + 1, sizeof *start);
+
+    if (start == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < c->starts; i++)
+        start[i] = (struct vec2){ log(c->start[i].v),
+                                  s->system.axis[1].is_log
+                                      ? log(c->start[i].psi)
+                                      : c->start[i].psi };
+    const enum status status =
+        trajectory_run(&s->system, &s->portrait.window, start, c->starts, o,
+                       &s->chosen);
+    if (status == STATUS_BAD_ARGUMENT)
+        snprintf(why->text, sizeof why->text,
+                 "a trajectory starts outside [1e-300, 1e300]");
+    free(start);
+    return status;
+}
+
+static enum status run_trajectories(struct study *s,
+                                    const struct monitor *monitor,
+                                    struct fault *why)
+{
+    const struct scene *c = s->scene;
+    struct trajectory_options o =
+        trajectory_defaults(&s->system, s->stable_rate);
+    struct vec2 target[EQUILIBRIA_MAX];
+
+    o.orbit.target = target;
+    o.orbit.targets = attractors(s, target);
+    o.orbit.arrival = TOL_ARREST;
+    o.orbit.rtol = fmax(c->rtol, TOL_ORBIT_RTOL);
+    o.seed = c->seed;
+    o.monitor = monitor;
+    if (c->until_time > 0.0)
+        o.orbit.reach[0] = c->until_time;
+    if (c->until_slip > 0.0)
+        o.orbit.reach[1 + BLOCK_SLIP] = c->until_slip;
+    enum status status = STATUS_OK;
+    if (c->starts > 0)
+        status = run_starts(s, &o, why);
+    if (status == STATUS_OK && c->spread > 0)
+        status = portrait_spread_trajectories(&s->portrait, c->spread, &o);
+    s->cost[STAGE_TRAJECTORIES].field_evaluations =
+        s->chosen.evaluations + s->portrait.trajectories.evaluations;
+    return status;
+}
+
+/* ---- running ---------------------------------------------------------- */
+
+typedef enum status stage_function(struct study *s,
+                                   const struct monitor *monitor,
+                                   struct fault *why);
+
+static stage_function *const stage_run[STAGES] = {
+    [STAGE_STEADY] = run_steady,
+    [STAGE_FOLDS] = run_folds,
+    [STAGE_STABLE] = run_stable,
+    [STAGE_UNSTABLE] = run_unstable,
+    [STAGE_CRITICAL] = run_critical,
+    [STAGE_KNEES] = run_knees,
+    [STAGE_ESTIMATES] = run_estimates,
+    [STAGE_NULLCLINES] = run_nullclines,
+    [STAGE_ARROWS] = run_arrows,
+    [STAGE_TRAJECTORIES] = run_trajectories,
+};
+
+static double seconds(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
+}
+
+static enum status run_stage(struct study *s, enum stage stage,
+                             const struct monitor *monitor, struct fault *why)
+{
+    const double start = seconds();
+    enum status status;
+
+    if (monitor_tell(monitor, stage_table[stage].name, 0, 0))
+        return STATUS_STOPPED;
+    status = stage_run[stage](s, monitor, why);
+    s->cost[stage].ran = true;
+    s->cost[stage].seconds = seconds() - start;
+    if (status == STATUS_OK && stage == STAGE_STEADY) {
+        const struct window window = study_frame(s);
+        status = portrait_init(&s->portrait, &s->system, &window);
+        if (status == STATUS_BAD_ARGUMENT)
+            snprintf(why->text, sizeof why->text,
+                     "the window reaches beyond [1e-300, 1e300]");
+    }
+    return status;
+}
+
+enum status study_run(struct study *s, const struct scene *scene,
+                      const struct monitor *monitor, struct fault *why)
+{
+    enum status status = STATUS_OK;
+
+    *s = (struct study){ .scene = scene, .saddle = -1 };
+    s->stages = plan_stages(scene->products) | 1u << STAGE_STEADY;
+    why->text[0] = '\0';
+    block_init(&s->block, &scene->law, &scene->material, scene->tan_alpha);
+    for (int i = 0; i < STAGES && status == STATUS_OK; i++)
+        if (plan_has(s->stages, (enum stage) i))
+            status = run_stage(s, (enum stage) i, monitor, why);
+    if (status == STATUS_OK)
+        return STATUS_OK;
+    if (why->text[0] == '\0')
+        snprintf(why->text, sizeof why->text, "%s", status_text(status));
+    study_free(s);
+    return status;
+}
+
+void study_free(struct study *s)
+{
+    for (int i = 0; i < SIDES; i++) {
+        branch_free(&s->stable[i]);
+        orbit_free(&s->unstable[i]);
+    }
+    trajectory_free(&s->chosen);
+    portrait_free(&s->portrait);
+}
+
+const char *study_end_name(const struct trajectory *t)
+{
+    static const char *const name[] = {
+        [ORBIT_RUNNING] = "given_up",       [ORBIT_LEFT_DOMAIN] = "left_domain",
+        [ORBIT_LEFT_WINDOW] = "left_window", [ORBIT_ARRIVED] = "arrived",
+        [ORBIT_REACHED] = "limit",          [ORBIT_EVENT] = "event",
+    };
+    return name[t->end];
+}
+
+double study_energy_defect(const struct study *s, const struct curve *c)
+{
+    double first[CURVE_DIM_MAX], last[CURVE_DIM_MAX];
+    const size_t slip = 3 + BLOCK_SLIP, work = 3 + BLOCK_WORK;
+
+    curve_at(c, 0, 0.0, first);
+    curve_at(c, c->count - 1, 1.0, last);
+    return block_energy_defect(&s->block, s->block.at.v0 * exp(first[0]),
+                               s->block.at.v0 * exp(last[0]),
+                               last[slip] - first[slip],
+                               last[work] - first[work]);
+}
+
+struct stage_cost study_cost(const struct study *s)
+{
+    struct stage_cost total = { .ran = true };
+
+    for (int i = 0; i < STAGES; i++) {
+        total.field_evaluations += s->cost[i].field_evaluations;
+        total.seconds += s->cost[i].seconds;
+    }
+    return total;
+}
+
+size_t study_remarks(const struct study *s, const char *text[], size_t room)
+{
+    size_t n = 0;
+
+    if (plan_has(s->stages, STAGE_STEADY) && s->equilibria == 0 && n < room)
+        text[n++] = "no steady state: mu_ss(v) = tan(alpha) has no solution";
+    else if (s->saddle < 0 && n < room)
+        text[n++] = "no saddle at this slope, hence no separatrix";
+    const struct box window = study_window(s);
+    bool inside = false;
+    for (size_t i = 0; i < s->equilibria; i++)
+        inside |= box_holds(window, s->equilibrium[i].z);
+    if (s->equilibria > 0 && !inside && n < room)
+        text[n++] = "no steady state inside the window";
+    return n;
+}

@@ -1,0 +1,87 @@
+/*
+ * study.h -- give it a scene, and it returns the steady states, the saddle's
+ * manifolds, the portrait and the critical numbers the scene asks for.
+ *
+ *     struct study s;
+ *     study_run(&s, &scene, NULL, &fault);
+ *     ... read s ...
+ *     study_free(&s);
+ *
+ * Only the stages in plan_stages(scene->products) run; what belongs to the
+ * others stays empty.  Coordinates as in block.h; curves are offsets from
+ * system.origin.
+ */
+#ifndef STUDY_STUDY_H
+#define STUDY_STUDY_H
+
+#include "estimate_numbers.h"
+#include "numbers.h"
+#include "orbit.h"
+#include "plan.h"
+#include "portrait.h"
+#include "records.h"
+
+enum side { SIDE_UPPER, SIDE_LOWER, SIDES }; /* v > v_sp, v < v_sp */
+
+struct stage_cost {
+    bool ran;
+    size_t field_evaluations; /* a jet counts as one a coefficient */
+    double seconds;
+};
+
+struct study {
+    const struct scene *scene; /* borrowed */
+    unsigned stages;           /* bits of enum stage */
+
+    /* The block anchored at the saddle; without one at an equilibrium, or
+     * without any somewhere on the steady curve. */
+    struct block block;
+    struct planar system; /* borrows block: a study must not move */
+    double stable_rate;   /* fastest rate at the anchor, per t* */
+
+    struct equilibrium equilibrium[EQUILIBRIA_MAX]; /* ascending in v */
+    struct steady_number steady[EQUILIBRIA_MAX];
+    size_t equilibria;
+    int saddle; /* index; -1 if there is none */
+
+    struct saddle_numbers saddle_numbers;
+    struct fold_numbers folds;
+    struct critical_numbers critical;
+
+    struct branch stable[SIDES];  /* owned */
+    struct orbit unstable[SIDES]; /* owned; start at the series' end */
+    struct portrait portrait;     /* owned; trajectories: the spread ones */
+    struct trajectories chosen;   /* owned; from the scene's own starts */
+    struct estimate_numbers estimates;
+
+    struct stage_cost cost[STAGES];
+};
+
+/* STATUS_OK also where something does not exist: the reason is in the number.
+ * On error *s is empty and *why says what failed. */
+MUST_CHECK enum status study_run(struct study *s, const struct scene *scene,
+                                 const struct monitor *monitor,
+                                 struct fault *why);
+
+/* A second call is harmless. */
+void study_free(struct study *s);
+
+/* The scene's window in absolute chart coordinates, and as drawn. */
+struct box study_window(const struct study *s);
+struct window study_frame(const struct study *s);
+
+/* Why a trajectory ended, in one word: "arrived", "left_window", ... */
+const char *study_end_name(const struct trajectory *t);
+
+/* The relative defect of the energy balance (27) along a whole curve whose
+ * integrals are those of block.h, from component 3 on. */
+double study_energy_defect(const struct study *s, const struct curve *c);
+
+/* Sum over the stages. */
+struct stage_cost study_cost(const struct study *s);
+
+/* What is missing from the portrait and why, one plain sentence each; the
+ * number of sentences written to text[] (static strings). */
+size_t study_remarks(const struct study *s, const char *text[], size_t room);
+
+#endif
