@@ -117,6 +117,17 @@ static enum status put_critical(const struct study *s, struct store *out)
     return status;
 }
 
+static enum status put_estimates(const struct study *s, struct store *out)
+{
+    const struct estimate_numbers *e = &s->estimates;
+    const struct record_array xi = { &record_xi, e->xi, e->xi_count };
+    const enum status status =
+        store_put_scalars(out, "/estimates", &record_estimates, e);
+
+    return status ? status
+                  : store_put_records(out, "/estimates/xi", &xi, "xi");
+}
+
 /* What made the file: no clock, path, host or thread count. */
 static enum status put_provenance(const struct study *s, struct store *out)
 {
@@ -169,6 +180,8 @@ static enum status put_all(const struct study *s, struct store *out)
         status = put_manifolds(s, out);
     if (!status && plan_has(stages, STAGE_CRITICAL))
         status = put_critical(s, out);
+    if (!status && plan_has(stages, STAGE_ESTIMATES))
+        status = put_estimates(s, out);
     if (!status && plan_has(stages, STAGE_NULLCLINES))
         status = put_nullclines(s, out);
     if (!status && plan_has(stages, STAGE_ARROWS))

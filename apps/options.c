@@ -8,11 +8,9 @@
 
 #include "command.h"
 
-const char *argp_program_version = "slipway " SLIPWAY_VERSION;
-
 enum key { KEY_SET = 256, KEY_LAW, KEY_FRICTION, KEY_ALPHA, KEY_RTOL,
            KEY_FIGURE, KEY_KEEP, KEY_JSON, KEY_THREADS, KEY_PROGRESS,
-           KEY_SEED };
+           KEY_SEED, KEY_HELP, KEY_VERSION };
 
 static const struct argp_option option_table[] = {
     { "set", KEY_SET, "KEY=VALUE", 0, "Set any scene key, e.g. slope.alpha=0.3",
@@ -30,6 +28,8 @@ static const struct argp_option option_table[] = {
     { "progress", KEY_PROGRESS, "HOW", 0, "auto, json or none [auto]", 0 },
     { "quiet", 'q', 0, 0, "Print nothing but errors", 0 },
     { "seed", KEY_SEED, "N", 0, "Seed of everything random", 0 },
+    { "help", KEY_HELP, 0, 0, "Print this", -1 },
+    { "version", KEY_VERSION, 0, 0, "Print the version", -1 },
     { 0 },
 };
 
@@ -127,6 +127,19 @@ static void add_argument(struct options *o, char *argument)
         refuse("", argument, "too many arguments");
 }
 
+static const struct argp argp;
+
+static _Noreturn void print_and_leave(bool help)
+{
+    char name[] = "slipway";
+
+    if (help)
+        argp_help(&argp, stdout, ARGP_HELP_STD_HELP & ~ARGP_HELP_EXIT_OK, name);
+    else
+        printf("slipway %s\n", SLIPWAY_VERSION);
+    exit(fflush(stdout) == 0 ? EXIT_DONE : EXIT_FILE);
+}
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct options *o = state->input;
@@ -156,6 +169,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
         case KEY_PROGRESS:
             o->progress = parse_progress(value);
             return 0;
+        case KEY_HELP:
+        case KEY_VERSION:
+            print_and_leave(key == KEY_HELP);
         case ARGP_KEY_ARG:
             add_argument(o, value);
             return 0;
@@ -184,19 +200,20 @@ static char *help_filter(int key, const char *text, void *input)
     return help;
 }
 
+static const struct argp argp = {
+    .options = option_table,
+    .parser = parse,
+    .args_doc = "COMMAND [SCENE.yaml]",
+    .doc = "Phase planes of rate-and-state friction: steady states, the "
+           "saddle's manifolds, critical velocities.\v-",
+    .help_filter = help_filter,
+};
+
+/* argp's own messages take two lines; ours is one (ARGP_KEY_ERROR). */
 void options_parse(struct options *o, int argc, char *argv[])
 {
-    static const struct argp argp = {
-        .options = option_table,
-        .parser = parse,
-        .args_doc = "COMMAND [SCENE.yaml]",
-        .doc = "Phase planes of rate-and-state friction: steady states, the "
-               "saddle's manifolds, critical velocities.\v-",
-        .help_filter = help_filter,
-    };
-
     *o = (struct options){ 0 };
-    argp_parse(&argp, argc, argv, ARGP_NO_ERRS, NULL, o);
+    argp_parse(&argp, argc, argv, ARGP_NO_ERRS | ARGP_NO_HELP, NULL, o);
 }
 
 void options_free(struct options *o)

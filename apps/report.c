@@ -59,6 +59,31 @@ static void print_knees(FILE *out, const char *name,
         fprintf(out, "  %-16s -  (slope never passes through 1)\n", name);
 }
 
+/* The paper's estimates, and where they mislead. */
+static void print_estimates(FILE *out, const struct study *s)
+{
+    const struct estimate_numbers *e = &s->estimates;
+
+    fprintf(out, "estimates of the paper (log form, c = 0)\n");
+    print_record(out, &record_estimates, e);
+    if (!quantity_exists(&e->x_k))
+        return;
+    print_quantity(out, "chi v_minus", &e->chi_v_minus);
+    print_quantity(out, "chi v_plus", &e->chi_v_plus);
+    for (size_t i = 0; i < e->xi_count; i++)
+        fprintf(out,
+                "  xi = %-11g v_minus %.6g, v_plus %.6g, mu_s %.6g, G %.6g\n",
+                e->xi[i].xi, e->xi[i].v_minus.value, e->xi[i].v_plus.value,
+                e->xi[i].mu_s.value, e->xi[i].G.value);
+    fprintf(out,
+            "  note: x_k neglects psi_ss, so (41) diverges near alpha_f where "
+            "mu_s_mean does not;\n"
+            "  note: the xi estimate has no limit as xi -> 1; chi = 1 finds "
+            "the knees, not v_plus and v_minus;\n"
+            "  note: (43) prints 0.378 = atan(alpha_f); a friction coefficient "
+            "is tan_alpha_f, and it depends on the arbitrary e = 1e-16.\n");
+}
+
 void report_print(FILE *out, const struct study *s)
 {
     const struct critical_numbers *c = &s->critical;
@@ -79,6 +104,8 @@ void report_print(FILE *out, const struct study *s)
         print_knees(out, "knees_upper", c->knees_upper, c->knees_upper_count);
         print_knees(out, "knees_lower", c->knees_lower, c->knees_lower_count);
     }
+    if (plan_has(s->stages, STAGE_ESTIMATES))
+        print_estimates(out, s);
 }
 
 /* ---- JSON ------------------------------------------------------------- */
@@ -134,6 +161,28 @@ static void add_critical(json_t *j, const struct study *s)
                         knees_json(c->knees_lower, c->knees_lower_count));
 }
 
+static json_t *chi_json(const struct estimate_numbers *e)
+{
+    json_t *j = json_object(), *roots = json_array();
+
+    for (size_t i = 0; i < e->chi_roots; i++)
+        json_array_append_new(roots, json_quantity(&e->chi_root[i]));
+    json_object_set_new(j, "roots", roots);
+    json_object_set_new(j, "v_minus", json_quantity(&e->chi_v_minus));
+    json_object_set_new(j, "v_plus", json_quantity(&e->chi_v_plus));
+    return j;
+}
+
+static json_t *estimates_json(const struct estimate_numbers *e)
+{
+    const struct record_array xi = { &record_xi, e->xi, e->xi_count };
+    json_t *j = json_record(&record_estimates, e);
+
+    json_object_set_new(j, "chi", chi_json(e));
+    json_object_set_new(j, "xi", json_records(&xi));
+    return j;
+}
+
 json_t *report_json(const struct study *s)
 {
     const struct record_array steady = { &record_steady, s->steady,
@@ -152,6 +201,8 @@ json_t *report_json(const struct study *s)
                         json_record(&record_saddle, &s->saddle_numbers));
     if (plan_has(s->stages, STAGE_CRITICAL))
         add_critical(j, s);
+    if (plan_has(s->stages, STAGE_ESTIMATES))
+        json_object_set_new(j, "estimates", estimates_json(&s->estimates));
     json_object_set_new(j, "cost", cost_json(s));
     return j;
 }

@@ -142,3 +142,30 @@ static const struct record_field arrow_fields[] = {
 };
 const struct record_type record_arrow =
     TYPE("field_arrows", arrow_fields, arrow_row, "direction field");
+
+static const struct record_field estimate_fields[] = {
+    QUANTITY(estimate_numbers, v_sp0, "1", "slip rate at the saddle, (29)"),
+    QUANTITY(estimate_numbers, psi_sp0, "1", "state at the saddle, (29)"),
+    QUANTITY(estimate_numbers, x_k, "1",
+             "persistence length in units of L, (30)"),
+    QUANTITY(estimate_numbers, x_k_small_psi, "1", "its limit (31)"),
+    QUANTITY(estimate_numbers, x_k_zero_slope, "1", "(31) at alpha = 0"),
+    QUANTITY(estimate_numbers, mu_s_exact_v_plus, "1",
+             "static friction (41) with the exact saddle and v_plus"),
+    QUANTITY(estimate_numbers, alpha_f, "rad", "friction angle (42)"),
+    QUANTITY(estimate_numbers, tan_alpha_f, "1",
+             "its tangent; (43) prints the arctangent"),
+};
+const struct record_type record_estimates =
+    TYPE("estimates", estimate_fields, estimate_numbers,
+         "the analytic estimates of section 4");
+
+static const struct record_field xi_fields[] = {
+    REAL(xi_number, xi, "1", "coefficient xi of (38)"),
+    QUANTITY(xi_number, v_minus, "1", "critical slip rate (39)"),
+    QUANTITY(xi_number, v_plus, "1", "critical slip rate (39)"),
+    QUANTITY(xi_number, mu_s, "1", "static friction (41)"),
+    QUANTITY(xi_number, G, "1", "fracture energy (32)"),
+};
+const struct record_type record_xi =
+    TYPE("xi", xi_fields, xi_number, "the eigen-coordinate estimate");

@@ -3,6 +3,7 @@
 #ifndef STUDY_RECORDS_H
 #define STUDY_RECORDS_H
 
+#include "estimate_numbers.h"
 #include "numbers.h"
 
 /* A stored point of a branch.  Integrals run from the saddle where they
@@ -32,7 +33,7 @@ struct arrow_row {
     double log10_speed; /* of (ln v, ln psi) per t* */
 };
 
-extern const struct record_type record_arrow;
+extern const struct record_type record_arrow, record_estimates, record_xi;
 extern const struct record_type record_steady, record_folds, record_saddle,
     record_critical, record_knee, record_branch, record_nullcline,
     record_trajectory;

@@ -283,6 +283,7 @@ static enum status run_trajectories(struct study *s,
     o.orbit.target = target;
     o.orbit.targets = attractors(s, target);
     o.orbit.arrival = TOL_ARREST;
+    o.orbit.observables = BLOCK_EXCESS; /* slip and work: enough for (27) */
     o.orbit.rtol = fmax(c->rtol, TOL_ORBIT_RTOL);
     o.seed = c->seed;
     o.monitor = monitor;
@@ -293,6 +294,7 @@ static enum status run_trajectories(struct study *s,
     enum status status = STATUS_OK;
     if (c->starts > 0)
         status = run_starts(s, &o, why);
+    o.orbit.rtol = fmax(c->rtol, TOL_SPREAD_RTOL);
     if (status == STATUS_OK && c->spread > 0)
         status = portrait_spread_trajectories(&s->portrait, c->spread, &o);
     s->cost[STAGE_TRAJECTORIES].field_evaluations =
