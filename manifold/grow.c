@@ -4,7 +4,9 @@
  * Exp. Math. 14 (2005) 99-117); step from the last two coefficients.
  * What we changed: dep is y while the curve is flatter than TOL_SLOPE_STEEP
  * and x above, so vertical walls cost nothing; each step's end is checked
- * against the field, because near a fold the coefficients alone deceive; what
+ * against the field, because near a fold the coefficients alone deceive; each
+ * step's error is carried on by the linearised equation, to the curve's end
+ * and into the integrals, so that the bar is about the result; what
  * remains of a branch that approaches an asymptote is closed by quadrature
  * (close.c) instead of being crawled along.
  */
@@ -39,7 +41,8 @@ struct grower {
     int toward; /* sign of its steps */
     struct vec2 z;
     double total[LOCAL_CARRY_MAX];
-    double h; /* step chosen, positive */
+    double delta; /* bound so far on the error of the dependent coordinate */
+    double h;     /* step chosen, positive */
     struct jet_work work;
     double at[2][JET_SIZE]; /* x(s), y(s) */
     double f[2][JET_SIZE];
@@ -67,6 +70,7 @@ static void choose_graph(struct grower *g)
     if (now == g->ind)
         return;
     const double slope = now == 1 ? dy / dx : dx / dy;
+    g->delta /= fabs(slope); /* the same distance along the other axis */
     g->toward = slope >= 0.0 ? g->toward : -g->toward;
     g->ind = now;
 }
@@ -181,21 +185,60 @@ static bool clip_to_domain(struct grower *g)
     return true;
 }
 
-static void add_errors(struct grower *g)
-{
-    const double h = g->h;
-    const size_t n = g->o->order;
-    const double *dep = g->at[1 - g->ind];
-    const double top = pow(h, (double) n - 1.0);
-    const double error = top * (fabs(dep[n - 1]) + h * fabs(dep[n]));
+/* How errors of dep travel at z: d slope/d dep, and d/d dep of each carried
+ * integral's derivative by ind. */
+struct sensitivity {
+    double slope;
+    double integral[LOCAL_CARRY_MAX];
+};
 
-    if (g->ind == 0)
-        g->b->error.y += error;
-    else
-        g->b->error.x += error;
+static struct sensitivity sensitivity_at(const struct grower *g, struct vec2 z)
+{
+    const struct planar *sys = g->sys;
+    const bool over_x = g->ind == 0;
+    struct planar_jacobian J;
+    struct sensitivity out = { 0 };
+
+    sys->jacobian(sys->ctx, z, &J);
+    const struct vec2 f = J.field.direction;
+    const double ind = over_x ? f.x : f.y, dep = over_x ? f.y : f.x;
+    const double ind_d = over_x ? J.matrix.xy : J.matrix.yx;
+    const double dep_d = over_x ? J.matrix.yy : J.matrix.xx;
+    out.slope = (dep_d - dep / ind * ind_d) / ind;
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        double rate;
+        struct vec2 gradient;
+        if (!g->b->from_saddle[i])
+            continue;
+        sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z, &rate,
+                           &gradient);
+        const double rate_d = over_x ? gradient.y : gradient.x;
+        out.integral[i] =
+            (rate_d - rate / ind * ind_d) / ind * exp(-J.field.log_scale);
+    }
+    return out;
+}
+
+/* Last terms of a series over the step: what its truncation may have cost. */
+static double truncation(const struct grower *g, const double u[])
+{
+    const size_t n = g->o->order;
+    const double top = pow(g->h, (double) n - 1.0);
+    return TOL_SAFETY * top * (fabs(u[n - 1]) + g->h * fabs(u[n]));
+}
+
+/* The step to `end`: its own errors, and those before it carried along. */
+static void add_errors(struct grower *g, struct vec2 end)
+{
+    const struct sensitivity s = sensitivity_at(g, end);
+    const double growth = g->toward * g->h * s.slope;
+
+    if (growth > 0.0)
+        g->delta *= exp(fmin(growth, 50.0));
+    g->delta += truncation(g, g->at[1 - g->ind]);
     for (size_t i = 0; i < g->o->carry.count; i++)
-        g->b->total_error[i] +=
-            top * (fabs(g->integral[i][n - 1]) + h * fabs(g->integral[i][n]));
+        g->b->total_error[i] += truncation(g, g->integral[i]) +
+                                g->h * g->delta * fabs(s.integral[i]);
 }
 
 /* Writes u(toward * h * theta) + start as polynomial in theta. */
@@ -218,6 +261,7 @@ static enum status store_step(struct grower *g)
 
     if (status != STATUS_OK)
         return status;
+    g->b->curve.piece[g->b->curve.count - 1].error = g->delta;
     store_series(g->at[0], n, g->at[0][0], s, coef);
     store_series(g->at[1], n, g->at[1][0], s, coef + (n + 1));
     for (size_t i = 0; i < g->o->carry.count; i++)
@@ -266,13 +310,8 @@ static bool try_close(struct grower *g)
         return false;
     g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
     g->b->sign = g->toward;
-    if (g->ind == 1) {
-        g->z.x += t.unknown;
-        g->b->error.x += t.unknown_error;
-    } else {
-        g->z.y += t.unknown;
-        g->b->error.y += t.unknown_error;
-    }
+    *(g->ind == 1 ? &g->z.x : &g->z.y) += t.unknown;
+    g->delta += t.unknown_error;
     for (size_t i = 0; i < g->o->carry.count; i++) {
         g->total[i] += t.integral[i];
         g->b->total_error[i] += t.integral_error[i];
@@ -294,7 +333,7 @@ static enum status step(struct grower *g, bool *done)
         if (!(g->h > 4.0 * DBL_EPSILON * (1.0 + fabs(g->at[g->ind][0]))))
             return STATUS_NO_CONVERGENCE;
     }
-    add_errors(g);
+    add_errors(g, step_end(g, g->toward * g->h));
     const enum status s = store_step(g);
     if (s != STATUS_OK)
         return s;
@@ -328,7 +367,7 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
     g->z = local_point(u->ind, s, jet_at(n, u->c, s));
     g->ind = u->ind;
     g->toward = side;
-    *(u->ind == 0 ? &g->b->error.y : &g->b->error.x) = u->tail;
+    g->delta = g->b->curve.piece[0].error = u->tail;
     return STATUS_OK;
 }
 
@@ -360,6 +399,7 @@ enum status grow_branch(const struct planar *sys,
         return s;
     }
     out->limit = g.z;
+    *(g.ind == 1 ? &out->error.x : &out->error.y) = g.delta;
     for (size_t i = 0; i < o->carry.count; i++)
         out->total[i] = g.total[i];
     return STATUS_OK;

@@ -1,7 +1,8 @@
 /*
- * Knees of a branch.  Crossings are bracketed on the stored polynomials; each
- * is located twice, on the polynomial's derivative and on the field's slope
- * along the polynomial, and the difference of the two is the error.
+ * Knees of a branch.  Crossings are bracketed on the stored polynomials and
+ * count only where the field's slope crosses too; each is located twice, on
+ * the polynomial's derivative and on the field's slope along the polynomial,
+ * and the difference of the two is the error.
  */
 #include "knee.h"
 
@@ -72,31 +73,66 @@ static struct vec2 point_of(const struct seeker *s, double theta)
     return (struct vec2){ at[0], at[1] };
 }
 
-/* The crossing in [lo, hi], by both routes. */
-static struct knee locate(const struct seeker *s, double lo, double hi,
-                          bool rising)
+static double piece_error(const struct seeker *s)
 {
+    return s->b->curve.piece[s->piece].error;
+}
+
+/* How far the field's slope is off at z, where it is 1: what the curve's error
+ * does to it - whether that is along x or y makes a difference of as much as
+ * the error itself to the knee - and rounding. */
+static double slope_uncertainty(const struct seeker *s, struct vec2 z)
+{
+    struct planar_jacobian J;
+
+    s->sys->jacobian(s->sys->ctx, z, &J);
+    const struct mat2 m = J.matrix;
+    const double fx = J.field.direction.x;
+    const double by_y = (m.yy - m.xy) / fx, by_x = (m.yx - m.xx) / fx;
+    const double noise =
+        4.0 * DBL_EPSILON * (4.0 + fabs(by_x * z.x) + fabs(by_y * z.y));
+    return noise + fmin(fabs(by_x), fabs(by_y)) * piece_error(s);
+}
+
+/* d slope/d theta along the curve. */
+static double bend(const struct seeker *s, double theta)
+{
+    const double h = 1e-4;
+    const double lo = fmax(theta - h, 0.0), hi = fmin(theta + h, 1.0);
+    const double below = local_slope(s->sys, 0, point_of(s, lo));
+    const double above = local_slope(s->sys, 0, point_of(s, hi));
+
+    return fabs(above - below) / (hi - lo);
+}
+
+/* The crossing in [lo, hi] by both routes; false where the field's slope does
+ * not cross in [wide_lo, wide_hi] around it. */
+static bool locate(const struct seeker *s, double lo, double hi, bool rising,
+                   struct knee *out)
+{
+    const double wide_lo = fmax(lo - (hi - lo), 0.0);
+    const double wide_hi = fmin(hi + (hi - lo), 1.0);
+    const double at_lo = by_field(s, wide_lo), at_hi = by_field(s, wide_hi);
+
+    if (!((at_lo < 0.0) != (at_hi < 0.0)))
+        return false;
     const double first = root_in(by_polynomial, s, lo, hi);
-    const bool both = (by_field(s, lo) < 0.0) != (by_field(s, hi) < 0.0);
-    const double second = both ? root_in(by_field, s, lo, hi) : first;
+    const double second = root_in(by_field, s, wide_lo, wide_hi);
     const struct vec2 p = point_of(s, first), q = point_of(s, second);
-    const struct vec2 origin = s->sys->origin;
-    /* how far the root moves when the slope is off by a rounding error */
-    const double span = fabs(by_field(s, hi) - by_field(s, lo)) / (hi - lo);
+    const double off = slope_uncertainty(s, q), shift = off / bend(s, second);
     double d[CURVE_DIM_MAX];
     curve_slope_at(&s->b->curve, s->piece, second, d);
-    const double noise =
-        64.0 * DBL_EPSILON * fabs(d[0]) / span * (1.0 + fabs(q.x) + fabs(q.y));
-    const double shift = both ? noise : noise + fabs(hi - lo);
+    const double floor = 2.0 * piece_error(s) + 4.0 * DBL_EPSILON;
 
-    return (struct knee){
+    *out = (struct knee){
         .z = q,
-        .error = { fabs(p.x - q.x) + fabs(d[0]) * shift +
-                       4.0 * DBL_EPSILON * (fabs(q.x) + fabs(origin.x)),
-                   fabs(p.y - q.y) + fabs(d[1]) * shift +
-                       4.0 * DBL_EPSILON * (fabs(q.y) + fabs(origin.y)) },
+        .error = { 2.0 * fabs(p.x - q.x) + fabs(d[0]) * shift +
+                       floor * (1.0 + fabs(q.x)),
+                   2.0 * fabs(p.y - q.y) + fabs(d[1]) * shift +
+                       floor * (1.0 + fabs(q.y)) },
         .rising = rising,
     };
+    return true;
 }
 
 size_t knee_find(const struct planar *sys, const struct branch *b,
@@ -110,9 +146,11 @@ size_t knee_find(const struct planar *sys, const struct branch *b,
         for (int i = 1; i <= SAMPLES; i++) {
             const double hi = (double) i / SAMPLES;
             const double at_hi = by_polynomial(&s, hi);
-            if ((at_lo < 0.0) != (at_hi < 0.0)) {
+            struct knee found;
+            if ((at_lo < 0.0) != (at_hi < 0.0) &&
+                locate(&s, lo, hi, at_lo < 0.0, &found)) {
                 if (n < room)
-                    knee[n] = locate(&s, lo, hi, at_lo < 0.0);
+                    knee[n] = found;
                 n++;
             }
             lo = hi;

@@ -20,6 +20,8 @@ enum { CURVE_DIM_MAX = 10 };
 struct curve_piece {
     size_t degree;
     size_t first; /* index into curve.coef of component 0, coefficient 0 */
+    double error; /* bound on the error of (x, y) at its end, as far as the
+                     curve's maker knows; 0 where it does not say */
 };
 
 struct curve {

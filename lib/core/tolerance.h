@@ -153,4 +153,12 @@
  * side of the window. */
 #define TOL_ARROWS 20
 
+/* Trajectories that only fill a picture: their starts are arbitrary, and a
+ * hundred-thousandth of a window is far below a pixel. */
+#define TOL_SPREAD_RTOL 1e-6
+
+/* What is left out of a Taylor step, in units of its last two terms: the rest
+ * of a series used near its radius of convergence. */
+#define TOL_SAFETY 4.0
+
 #endif

@@ -64,8 +64,7 @@ static void add_chi(const struct maker *k, struct estimate_numbers *out)
 
 static struct xi_number xi_number(const struct maker *k, double xi)
 {
-    const struct estimates_xi x =
-        estimates_xi_at(k->m, k->e, k->tan_alpha, xi);
+    const struct estimates_xi x = estimates_xi_at(k->m, k->e, k->tan_alpha, xi);
     const struct estimates_strength s = estimates_strength_at(
         k->m, k->tan_alpha, k->e->v_sp0, k->e->x_k, x.plus);
     const double unit = 8.0 * k->unit;
@@ -111,8 +110,8 @@ struct estimate_numbers numbers_estimates(const struct block *b,
     out.v_sp0 = number(e.v_sp0, k.unit);
     out.psi_sp0 = number(e.psi_sp0, k.unit);
     out.x_k = number(e.x_k, 2.0 * k.unit * (1.0 + e.psi_sp0));
-    out.x_k_small_psi =
-        quantity_of(e.x_k_small_psi, 2.0 * k.unit * (1.0 + fabs(e.x_k_small_psi)));
+    out.x_k_small_psi = quantity_of(
+        e.x_k_small_psi, 2.0 * k.unit * (1.0 + fabs(e.x_k_small_psi)));
     out.x_k_zero_slope = number(e.x_k_zero_slope, 2.0 * k.unit);
     out.alpha_f = number(e.alpha_f, 8.0 * DBL_EPSILON);
     out.tan_alpha_f = number(e.tan_alpha_f, 8.0 * DBL_EPSILON);

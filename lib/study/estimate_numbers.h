@@ -16,7 +16,7 @@ struct xi_number {
 struct estimate_numbers {
     struct quantity v_sp0, psi_sp0;                     /* (29) */
     struct quantity x_k, x_k_small_psi, x_k_zero_slope; /* (30), (31) */
-    struct quantity mu_s_exact_v_plus; /* (41) with exact v_plus, saddle */
+    struct quantity mu_s_exact_v_plus;    /* (41) with exact v_plus, saddle */
     struct quantity alpha_f, tan_alpha_f; /* (42); (43) without its misprint */
     struct quantity chi_root[2];          /* (34), all */
     size_t chi_roots;

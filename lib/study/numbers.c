@@ -44,13 +44,12 @@ struct steady_number numbers_steady(const struct block *b,
                                     const struct equilibrium *e)
 {
     const double floor = steady_floor(b), lost = cancellation(e);
-    const double unit = 8.0 * DBL_EPSILON *
-                        (1.0 + 0.25 * fabs(e->log_scale) +
-                         fabs(b->at.log_inertia) * 0.25);
-    const double psi_floor =
-        law_psi_is_log(&b->law)
-            ? floor + 2.0 * DBL_EPSILON * fabs(b->at.psi0)
-            : 2.0 * floor * b->at.psi0;
+    const double unit =
+        8.0 * DBL_EPSILON *
+        (1.0 + 0.25 * fabs(e->log_scale) + fabs(b->at.log_inertia) * 0.25);
+    const double psi_floor = law_psi_is_log(&b->law)
+                                 ? floor + 2.0 * DBL_EPSILON * fabs(b->at.psi0)
+                                 : 2.0 * floor * b->at.psi0;
     struct steady_number s = {
         .type = (int8_t) e->type,
         .v = quantity_of(b->at.v0, floor * b->at.v0),
@@ -166,8 +165,8 @@ static double branch_floor(const struct block *b, const struct equilibrium *e,
     const double lost = cancellation(e);
     const double weak = fmin(fabs(z), 1.0); /* a short branch moves little */
 
-    return DBL_EPSILON * (2.0 * weak * (8.0 + logs) + 0.25 * weak * lost +
-                          2.0 * fabs(z));
+    return DBL_EPSILON *
+           (2.0 * weak * (8.0 + logs) + 0.25 * weak * lost + 2.0 * fabs(z));
 }
 
 struct limit {
@@ -226,8 +225,8 @@ static void static_friction(struct builder *n)
     const struct branch *u = n->upper;
     struct critical_numbers *out = n->out;
     const double t = (double) b->tan_alpha, X = u->limit.x;
-    const double k = 0.5 * material_eps2(&b->material) * hypot(1.0, t) *
-                     b->at.v0 * b->at.v0;
+    const double k =
+        0.5 * material_eps2(&b->material) * hypot(1.0, t) * b->at.v0 * b->at.v0;
     const double excess = -u->total[0], lost = cancellation(n->e);
     const double floor = DBL_EPSILON * (64.0 + 2.0 * lost +
                                         4.0 * fabs(b->at.x0) + 4.0 * fabs(X));
@@ -235,15 +234,15 @@ static void static_friction(struct builder *n)
     /* relative errors of expm1(X)^2 and expm1(2 X) */
     const double dX = u->error.x + branch_floor(b, n->e, X);
     const double square = 2.0 * dX * exp(X) / expm1(X) + floor + 2 * n->floor;
-    const double rise = 2.0 * dX * exp(2.0 * X) / expm1(2.0 * X) + floor +
-                        2.0 * n->floor;
+    const double rise =
+        2.0 * dX * exp(2.0 * X) / expm1(2.0 * X) + floor + 2.0 * n->floor;
     const double energy = k * expm1(2.0 * X), mean = k * expm1(X) * expm1(X);
 
     out->x_excess = quantity_of(excess, excess * slip_error);
     out->fracture_energy = quantity_of(energy, energy * rise);
-    out->mu_s_num = quantity_of(
-        t + energy / excess,
-        energy / excess * (rise + slip_error) + 2.0 * DBL_EPSILON * t);
+    out->mu_s_num =
+        quantity_of(t + energy / excess, energy / excess * (rise + slip_error) +
+                                             2.0 * DBL_EPSILON * t);
     out->mu_s_mean =
         quantity_of(t + mean / excess, mean / excess * (square + slip_error) +
                                            2.0 * DBL_EPSILON * t);
@@ -289,8 +288,8 @@ static void lower_numbers(struct builder *n)
         out->psi_at_v0 = is_log ? psi.log : psi.value;
     }
     const double deficit = fabs(l->total[0]), lost = cancellation(n->e);
-    const double floor = DBL_EPSILON * (64.0 + 2.0 * lost +
-                                        4.0 * fabs(b->at.x0));
+    const double floor =
+        DBL_EPSILON * (64.0 + 2.0 * lost + 4.0 * fabs(b->at.x0));
     out->x_deficit =
         out->lower_end == END_TRUNCATED
             ? quantity_none("the lower branch has no end to integrate to")
@@ -339,19 +338,17 @@ struct critical_numbers numbers_critical(const struct block *b,
 /* ---- knees ----------------------------------------------------------- */
 
 static struct knee_number knee_number(const struct block *b,
-                                      const struct branch *branch,
                                       const struct knee *k)
 {
-    const double ex = k->error.x + branch->error.x + 2.0 * DBL_EPSILON;
-    const double ey = k->error.y + branch->error.y + 2.0 * DBL_EPSILON;
+    const double ex = k->error.x + 2.0 * DBL_EPSILON;
+    const double ey = k->error.y + 2.0 * DBL_EPSILON;
     const double v = b->at.v0 * exp(k->z.x), psi = b->at.psi0 * exp(k->z.y);
     const double y = b->at.y0 + k->z.y;
 
     return (struct knee_number){
         quantity_of(v, v * ex),
-        law_psi_is_log(&b->law)
-            ? quantity_of(y, ey + DBL_EPSILON * fabs(y))
-            : quantity_of(psi, psi * ey),
+        law_psi_is_log(&b->law) ? quantity_of(y, ey + DBL_EPSILON * fabs(y))
+                                : quantity_of(psi, psi * ey),
     };
 }
 
@@ -368,7 +365,7 @@ static void knees_of(const struct block *b, const struct planar *sys,
     *first = (struct knee_number){ none, none };
     *count = n < KNEES_MAX ? n : KNEES_MAX;
     for (size_t i = 0; i < *count; i++) {
-        all[i] = knee_number(b, branch, &found[i]);
+        all[i] = knee_number(b, &found[i]);
         if (found[i].rising && !seen) {
             *first = all[i];
             seen = true;

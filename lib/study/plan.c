@@ -1,6 +1,6 @@
 #include "plan.h"
 
-#define BIT(s) (1u << STAGE_##s)
+#define BIT(s)   (1u << STAGE_##s)
 #define ASKED(p) (1u << PRODUCT_##p)
 
 const struct stage_info stage_table[STAGES] = {
@@ -9,8 +9,7 @@ const struct stage_info stage_table[STAGES] = {
     [STAGE_FOLDS] = { "folds", "extrema of mu_ss, folds, cusp", "microseconds",
                       0, ASKED(FOLDS) | ASKED(KNEES) },
     [STAGE_STABLE] = { "stable", "both branches of the stable manifold",
-                       "about 50 Taylor steps", BIT(STEADY),
-                       ASKED(MANIFOLDS) },
+                       "about 50 Taylor steps", BIT(STEADY), ASKED(MANIFOLDS) },
     [STAGE_UNSTABLE] = { "unstable", "both branches of the unstable manifold",
                          "two stiff orbits", BIT(STEADY), ASKED(MANIFOLDS) },
     [STAGE_CRITICAL] = { "critical", "critical velocities, slip, mu_s",
@@ -27,8 +26,8 @@ const struct stage_info stage_table[STAGES] = {
                        "one field evaluation an arrow", BIT(STEADY),
                        ASKED(FIELD_ARROWS) },
     [STAGE_TRAJECTORIES] = { "trajectories", "forward orbits",
-                             "some hundred stiff steps an orbit",
-                             BIT(STEADY), ASKED(TRAJECTORIES) },
+                             "some hundred stiff steps an orbit", BIT(STEADY),
+                             ASKED(TRAJECTORIES) },
 };
 
 unsigned plan_stages(unsigned products)

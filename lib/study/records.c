@@ -5,7 +5,7 @@ const char *const end_names[] = { "psi_inf", "open",      "psi_0",
 
 #define FIELD(type, kind, member, unit, text)                                  \
     {                                                                          \
-        #member, unit, text, offsetof(struct type, member), kind, NULL         \
+#member, unit, text, offsetof(struct type, member), kind, NULL         \
     }
 #define QUANTITY(type, member, unit, text)                                     \
     FIELD(type, RECORD_QUANTITY, member, unit, text)
@@ -13,7 +13,7 @@ const char *const end_names[] = { "psi_inf", "open",      "psi_0",
     FIELD(type, RECORD_REAL, member, unit, text)
 #define CODE(type, member, text, words)                                        \
     {                                                                          \
-        #member, "1", text, offsetof(struct type, member), RECORD_CODE, words  \
+#member, "1", text, offsetof(struct type, member), RECORD_CODE, words  \
     }
 #define TYPE(name, fields, type, text)                                         \
     {                                                                          \
@@ -129,8 +129,8 @@ static const struct record_field trajectory_fields[] = {
     REAL(trajectory_row, work, "1",
          "frictional work per unit normal force, units of L"),
 };
-const struct record_type record_trajectory = TYPE(
-    "trajectory", trajectory_fields, trajectory_row, "one forward orbit");
+const struct record_type record_trajectory =
+    TYPE("trajectory", trajectory_fields, trajectory_row, "one forward orbit");
 
 static const struct record_field arrow_fields[] = {
     REAL(arrow_row, v, "1", "slip rate in units of V_star"),

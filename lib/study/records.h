@@ -30,7 +30,7 @@ struct trajectory_row {
 struct arrow_row {
     double v, psi;
     double direction_v, direction_psi; /* unit vector as drawn */
-    double log10_speed; /* of (ln v, ln psi) per t* */
+    double log10_speed;                /* of (ln v, ln psi) per t* */
 };
 
 extern const struct record_type record_arrow, record_estimates, record_xi;

@@ -35,6 +35,7 @@ static enum status push(struct rows *r, const void *row)
 
 /* A point of a branch in the making: chart coordinates and all the rest. */
 struct sample {
+    size_t piece;
     double theta;
     struct vec2 z; /* offset */
     double slope;  /* dy/dx */
@@ -52,7 +53,7 @@ struct sampler {
     const struct curve *curve;
     const struct branch *branch; /* NULL for an orbit */
     struct columns columns;
-    double error;
+    double error; /* of the whole curve */
     struct rows *rows;
     double arc;
     struct vec2 last;
@@ -69,7 +70,7 @@ static double slope_at(const struct sampler *p, size_t piece, double theta,
 static struct sample sample_at(const struct sampler *p, size_t piece,
                                double theta)
 {
-    struct sample t = { .theta = theta };
+    struct sample t = { .piece = piece, .theta = theta };
 
     curve_at(p->curve, piece, theta, t.at);
     t.z = (struct vec2){ t.at[0], t.at[1] };
@@ -91,8 +92,9 @@ static double hermite_defect(const struct sample *a, const struct sample *m,
 
     if (h == 0.0)
         return 0.0;
-    const double u = (1.0 - t) * (1.0 - t) * ((1.0 + 2.0 * t) * u0 + t * h * d0) +
-                     t * t * ((3.0 - 2.0 * t) * u1 + (t - 1.0) * h * d1);
+    const double u =
+        (1.0 - t) * (1.0 - t) * ((1.0 + 2.0 * t) * u0 + t * h * d0) +
+        t * t * ((3.0 - 2.0 * t) * u1 + (t - 1.0) * h * d1);
     return fabs(u - (flat ? m->z.y : m->z.x));
 }
 
@@ -123,7 +125,7 @@ static enum status add_branch_row(struct sampler *p, const struct sample *t)
         .time = carried(t, c->time, c->sign),
         .work = carried(t, c->work, c->sign),
         .excess = carried(t, c->excess, c->sign),
-        .error = p->error,
+        .error = p->error + p->curve->piece[t->piece].error,
     };
     return push(p->rows, &row);
 }
@@ -168,11 +170,10 @@ enum status rows_branch(const struct study *s, const struct branch *b,
                          .curve = &b->curve,
                          .branch = b,
                          .columns = { .sign = 1.0 },
-                         .error = b->error.x + b->error.y,
                          .rows = r };
 
     for (size_t i = 0; i < b->carry.count; i++) {
-        size_t *column = b->carry.which[i] == CARRY_TIME ? &p.columns.time
+        size_t *column = b->carry.which[i] == CARRY_TIME   ? &p.columns.time
                          : b->carry.which[i] == BLOCK_SLIP ? &p.columns.slip
                          : b->carry.which[i] == BLOCK_WORK ? &p.columns.work
                                                            : &p.columns.excess;
@@ -206,9 +207,8 @@ enum status rows_nullcline(const struct study *s, const struct polyline *line,
         if (i > 0)
             arc += vec2_length(vec2_sub(line->at[i], line->at[i - 1]));
         const struct vec2 z = vec2_sub(line->at[i], s->system.origin);
-        const struct nullcline_row row = {
-            arc, s->block.at.v0 * exp(z.x), psi_of(s, z.y)
-        };
+        const struct nullcline_row row = { arc, s->block.at.v0 * exp(z.x),
+                                           psi_of(s, z.y) };
         status = push(r, &row);
     }
     return status;

@@ -48,8 +48,8 @@ static enum status run_steady(struct study *s, const struct monitor *monitor,
         anchor_at(s, root[home].x, true);
     else
         anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
-    s->saddle_numbers = s->saddle >= 0 ? numbers_saddle(&s->steady[home])
-                                       : numbers_no_saddle();
+    s->saddle_numbers =
+        s->saddle >= 0 ? numbers_saddle(&s->steady[home]) : numbers_no_saddle();
     s->critical = numbers_no_critical();
     s->system.jacobian(s->system.ctx, (struct vec2){ 0.0, 0.0 }, &J);
     const struct eigen2 e = mat2_eigenvalues(J.matrix);
@@ -96,12 +96,11 @@ struct box study_window(const struct study *s)
 
 struct window study_frame(const struct study *s)
 {
-    return (struct window){ .box = study_window(s),
-                            .exponential = { s->scene->window.axes ==
-                                                 AXES_LINEAR,
-                                             s->scene->window.axes ==
-                                                     AXES_LINEAR &&
-                                                 s->system.axis[1].is_log } };
+    return (
+        struct window){ .box = study_window(s),
+                        .exponential = { s->scene->window.axes == AXES_LINEAR,
+                                         s->scene->window.axes == AXES_LINEAR &&
+                                             s->system.axis[1].is_log } };
 }
 
 static int side_sign(const struct local_series *u, enum side side)
@@ -187,9 +186,9 @@ static enum status run_critical(struct study *s, const struct monitor *monitor,
 {
     (void) monitor, (void) why;
     if (s->saddle >= 0)
-        s->critical = numbers_critical(&s->block, &s->equilibrium[s->saddle],
-                                       &s->stable[SIDE_UPPER],
-                                       &s->stable[SIDE_LOWER]);
+        s->critical =
+            numbers_critical(&s->block, &s->equilibrium[s->saddle],
+                             &s->stable[SIDE_UPPER], &s->stable[SIDE_LOWER]);
     return STATUS_OK;
 }
 
@@ -257,13 +256,11 @@ static enum status run_starts(struct study *s,
     if (start == NULL)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < c->starts; i++)
-        start[i] = (struct vec2){ log(c->start[i].v),
-                                  s->system.axis[1].is_log
-                                      ? log(c->start[i].psi)
-                                      : c->start[i].psi };
-    const enum status status =
-        trajectory_run(&s->system, &s->portrait.window, start, c->starts, o,
-                       &s->chosen);
+        start[i] = (struct vec2){ log(c->start[i].v), s->system.axis[1].is_log
+                                                          ? log(c->start[i].psi)
+                                                          : c->start[i].psi };
+    const enum status status = trajectory_run(&s->system, &s->portrait.window,
+                                              start, c->starts, o, &s->chosen);
     if (status == STATUS_BAD_ARGUMENT)
         snprintf(why->text, sizeof why->text,
                  "a trajectory starts outside [1e-300, 1e300]");
@@ -309,16 +306,11 @@ typedef enum status stage_function(struct study *s,
                                    struct fault *why);
 
 static stage_function *const stage_run[STAGES] = {
-    [STAGE_STEADY] = run_steady,
-    [STAGE_FOLDS] = run_folds,
-    [STAGE_STABLE] = run_stable,
-    [STAGE_UNSTABLE] = run_unstable,
-    [STAGE_CRITICAL] = run_critical,
-    [STAGE_KNEES] = run_knees,
-    [STAGE_ESTIMATES] = run_estimates,
-    [STAGE_NULLCLINES] = run_nullclines,
-    [STAGE_ARROWS] = run_arrows,
-    [STAGE_TRAJECTORIES] = run_trajectories,
+    [STAGE_STEADY] = run_steady,       [STAGE_FOLDS] = run_folds,
+    [STAGE_STABLE] = run_stable,       [STAGE_UNSTABLE] = run_unstable,
+    [STAGE_CRITICAL] = run_critical,   [STAGE_KNEES] = run_knees,
+    [STAGE_ESTIMATES] = run_estimates, [STAGE_NULLCLINES] = run_nullclines,
+    [STAGE_ARROWS] = run_arrows,       [STAGE_TRAJECTORIES] = run_trajectories,
 };
 
 static double seconds(void)
@@ -383,9 +375,12 @@ void study_free(struct study *s)
 const char *study_end_name(const struct trajectory *t)
 {
     static const char *const name[] = {
-        [ORBIT_RUNNING] = "given_up",       [ORBIT_LEFT_DOMAIN] = "left_domain",
-        [ORBIT_LEFT_WINDOW] = "left_window", [ORBIT_ARRIVED] = "arrived",
-        [ORBIT_REACHED] = "limit",          [ORBIT_EVENT] = "event",
+        [ORBIT_RUNNING] = "given_up",
+        [ORBIT_LEFT_DOMAIN] = "left_domain",
+        [ORBIT_LEFT_WINDOW] = "left_window",
+        [ORBIT_ARRIVED] = "arrived",
+        [ORBIT_REACHED] = "limit",
+        [ORBIT_EVENT] = "event",
     };
     return name[t->end];
 }
