@@ -47,7 +47,7 @@ struct grower {
     double at[2][JET_SIZE]; /* x(s), y(s) */
     double f[2][JET_SIZE];
     double slope[JET_SIZE];
-    double rate[JET_SIZE];
+    double rate[LOCAL_CARRY_MAX][JET_SIZE];
     double swift[LOCAL_CARRY_MAX][JET_SIZE]; /* d integral/d ind */
     double integral[LOCAL_CARRY_MAX][JET_SIZE];
 };
@@ -88,11 +88,11 @@ static void set_start(struct grower *g)
 static void carry_order(struct grower *g, size_t i, size_t k)
 {
     if (g->o->carry.which[i] == CARRY_TIME)
-        g->rate[k] = k == 0 ? exp(-g->work.log_scale) : 0.0;
+        g->rate[i][k] = k == 0 ? exp(-g->work.log_scale) : 0.0;
     else
         g->sys->rate_jet(g->sys->ctx, (size_t) g->o->carry.which[i], &g->work,
-                         k, g->at[0], g->at[1], g->rate);
-    g->swift[i][k] = jet_quotient(k, g->rate, g->f[g->ind], g->swift[i]);
+                         k, g->at[0], g->at[1], g->rate[i]);
+    g->swift[i][k] = jet_quotient(k, g->rate[i], g->f[g->ind], g->swift[i]);
     g->integral[i][k + 1] = g->swift[i][k] / (double) (k + 1);
 }
 
@@ -142,11 +142,9 @@ static void choose_step(struct grower *g)
     double h = step_for(g->at[1 - g->ind], order, scale_of_unknown(g), g->tol);
 
     for (size_t i = 0; i < g->o->carry.count; i++)
-        if (g->b->from_saddle[i])
-            h = fmin(h,
-                     step_for(g->integral[i], order,
-                              fabs(g->total[i]) + fabs(g->integral[i][1]) * h,
-                              g->tol));
+        h = fmin(h, step_for(g->integral[i], order,
+                             fabs(g->total[i]) + fabs(g->integral[i][1]) * h,
+                             g->tol));
     g->h = fmin(h, TOL_STEP_MAX);
 }
 
@@ -280,25 +278,31 @@ static void advance(struct grower *g)
     g->b->steps++;
 }
 
-/* The rate of a branch's approach to an asymptote, from the step just taken:
- * everything still unknown changes by less than TOL_TAIL from here on. */
-static bool may_close(const struct grower *g)
+/* Whether everything still unknown changes by less than `part` of itself per
+ * unit of the independent coordinate, at the end of the step just taken. */
+static bool hardly_changes(const struct grower *g, double part)
 {
     const double s = g->toward * g->h;
     const size_t n = g->o->order;
     const double slope = jet_slope_at(n, g->at[1 - g->ind], s);
     const double unknown = fabs(coordinate(g->z, 1 - g->ind));
 
-    if (g->o->reach && box_holds(*g->o->reach, vec2_add(g->sys->origin, g->z)))
-        return false;
-    if (!(fabs(slope) <= TOL_TAIL * fmin(1.0, unknown)))
+    if (!(fabs(slope) <= part * fmin(1.0, unknown)))
         return false;
     for (size_t i = 0; i < g->o->carry.count; i++)
         if (g->b->from_saddle[i] &&
             !(fabs(jet_slope_at(n, g->integral[i], s)) <=
-              TOL_TAIL * fabs(g->total[i])))
+              part * fabs(g->total[i])))
             return false;
     return true;
+}
+
+/* Inside the reach a branch is followed until nothing at all changes. */
+static bool may_close(const struct grower *g)
+{
+    const bool inside =
+        g->o->reach && box_holds(*g->o->reach, vec2_add(g->sys->origin, g->z));
+    return hardly_changes(g, inside ? TOL_TAIL_NIL : TOL_TAIL);
 }
 
 static bool try_close(struct grower *g)

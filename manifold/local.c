@@ -9,6 +9,7 @@
  */
 #include "local.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "tolerance.h"
@@ -147,9 +148,24 @@ static double slope_defect(const struct planar *sys,
     return worst;
 }
 
+/* Relative rounding of the field's slope near the saddle along the manifold:
+ * on a slow manifold each component is a small difference of large terms. */
+static double slope_rounding(const struct equilibrium *e, double lambda,
+                             const struct local_series *u)
+{
+    const struct mat2 m = e->matrix;
+    const double c = u->c[1], size = fabs(lambda);
+    const double ind =
+        u->ind == 0 ? fabs(m.xx) + fabs(m.xy * c) : fabs(m.yy) + fabs(m.yx * c);
+    const double dep =
+        u->ind == 0 ? fabs(m.yx) + fabs(m.yy * c) : fabs(m.xy) + fabs(m.xx * c);
+    const double lost = ind / size + (c == 0.0 ? 0.0 : dep / fabs(size * c));
+    return 8.0 * DBL_EPSILON * (lost + 32.0);
+}
+
 static enum status find_radius(const struct planar *sys,
                                const struct carry *carry, double tol,
-                               struct local_series *u)
+                               double rounding, struct local_series *u)
 {
     double radius = radius_of(u->c, u->order, tol);
 
@@ -158,7 +174,7 @@ static enum status find_radius(const struct planar *sys,
             radius = fmin(radius, radius_of(u->integral[i], u->order, tol));
     radius = fmin(0.9 * radius, TOL_SERIES_RADIUS_MAX);
     for (int i = 0; i < 60; i++, radius *= 0.5)
-        if (slope_defect(sys, u, radius) <= TOL_SLOPE_CHECK * tol + 1e-13)
+        if (slope_defect(sys, u, radius) <= TOL_SLOPE_CHECK * tol + rounding)
             break;
     u->radius = radius;
     u->tail = last_terms(u->c, u->order, radius);
@@ -192,5 +208,5 @@ enum status local_at(const struct planar *sys, const struct equilibrium *e,
     g.work.linear = g.s;
     build(&g, carry, e, kind, out, rate);
     build_integrals(&g, carry, rate, out);
-    return find_radius(sys, carry, tol, out);
+    return find_radius(sys, carry, tol, slope_rounding(e, lambda, out), out);
 }

@@ -29,19 +29,19 @@ static inline int word_of(const char *text, const char *const *names)
 static inline struct law row_law(const struct csv *c)
 {
     const struct law *preset = law_preset_find(csv_text(c, "law"));
-    struct law law = preset ? *preset
-                            : (struct law){ .preset = "composed",
-                                            .equation = "composed" };
+    struct law law =
+        preset ? *preset
+               : (struct law){ .preset = "composed", .equation = "composed" };
 
-    law.form = strcmp(csv_text(c, "form"), "log") == 0 ? FRICTION_LOG
-                                                        : FRICTION_ASINH;
+    law.form =
+        strcmp(csv_text(c, "form"), "log") == 0 ? FRICTION_LOG : FRICTION_ASINH;
     if (preset == NULL) {
         law.theta = (enum theta) word_of(csv_text(c, "theta"), theta_names);
         law.psi_ss = (enum psi_ss) word_of(csv_text(c, "psi_ss"), psi_ss_names);
-        law.timescale = (enum timescale) word_of(csv_text(c, "timescale"),
-                                                 timescale_names);
-        law.kinetics = (enum kinetics) word_of(csv_text(c, "kinetics"),
-                                               kinetics_names);
+        law.timescale =
+            (enum timescale) word_of(csv_text(c, "timescale"), timescale_names);
+        law.kinetics =
+            (enum kinetics) word_of(csv_text(c, "kinetics"), kinetics_names);
     }
     return law;
 }
@@ -58,12 +58,16 @@ static inline struct material row_material(const struct csv *c)
     return m;
 }
 
+/* Branches are not closed inside this box; NULL: as soon as possible. */
+static const struct box *solve_reach;
+
 static inline enum status solve_branches(struct solved *s, double rtol)
 {
     struct grow_options o = grow_defaults(rtol);
     struct local_series u;
 
     o.carry = (struct carry){ { BLOCK_EXCESS }, 1 };
+    o.reach = solve_reach;
     enum status status = local_at(&s->system, &s->saddle, MANIFOLD_STABLE,
                                   &o.carry, o.order, 0.01 * rtol, &u);
     const int up = u.ind == 0 || u.c[1] > 0.0 ? 1 : -1;
@@ -73,16 +77,15 @@ static inline enum status solve_branches(struct solved *s, double rtol)
         status = grow_branch(&s->system, &u, -up, &o, &s->lower);
     if (status != STATUS_OK)
         return status;
-    s->numbers =
-        numbers_critical(&s->block, &s->saddle, &s->upper, &s->lower);
+    s->numbers = numbers_critical(&s->block, &s->saddle, &s->upper, &s->lower);
     numbers_knees(&s->block, &s->system, &s->upper, &s->lower, &s->numbers);
     return STATUS_OK;
 }
 
 /* Law, material and slope solved; free with solved_free. */
 static inline enum status solve(struct solved *s, const struct law *law,
-                                const struct material *m,
-                                long double tan_alpha, double rtol)
+                                const struct material *m, long double tan_alpha,
+                                double rtol)
 {
     struct steady_root root[EQUILIBRIA_MAX];
 

@@ -54,6 +54,8 @@
 #define TOL_ROW_SPACING 0.5
 /* Curves run on beyond the window by this much of its width. */
 #define TOL_WINDOW_MARGIN 0.1
+/* Below this no double changes any more: the branch is its asymptote. */
+#define TOL_TAIL_NIL 1e-18
 /* Longest Taylor step, in the independent coordinate. */
 #define TOL_STEP_MAX 50.0
 

@@ -163,6 +163,29 @@ static enum status sample_curve(struct sampler *p)
     return s;
 }
 
+/* Beyond its last step a closed branch is its asymptote: one more row where
+ * that meets the window's edge, if it is further out. */
+static enum status add_asymptote(struct sampler *p)
+{
+    const struct branch *b = p->branch;
+    const struct box w = study_window(p->s);
+    const struct vec2 origin = p->s->system.origin;
+    const size_t last = p->curve->count - 1;
+    struct sample t = sample_at(p, last, 1.0);
+    const struct vec2 edge = vec2_sub(b->sign > 0 ? w.hi : w.lo, origin);
+
+    if (b->end == BRANCH_LIMIT_X && b->sign * (edge.y - t.z.y) > 0.0) {
+        t.z = (struct vec2){ b->limit.x, edge.y };
+        t.slope = HUGE_VAL;
+    } else if (b->end == BRANCH_LIMIT_Y && b->sign * (edge.x - t.z.x) > 0.0) {
+        t.z = (struct vec2){ edge.x, b->limit.y };
+        t.slope = 0.0;
+    } else {
+        return STATUS_OK;
+    }
+    return add_branch_row(p, &t);
+}
+
 enum status rows_branch(const struct study *s, const struct branch *b,
                         struct rows *r)
 {
@@ -179,7 +202,8 @@ enum status rows_branch(const struct study *s, const struct branch *b,
                                                            : &p.columns.excess;
         *column = i + 2;
     }
-    return sample_curve(&p);
+    const enum status status = sample_curve(&p);
+    return status == STATUS_OK ? add_asymptote(&p) : status;
 }
 
 enum status rows_unstable(const struct study *s, const struct orbit *o,

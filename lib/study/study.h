@@ -77,6 +77,10 @@ const char *study_end_name(const struct trajectory *t);
  * integrals are those of block.h, from component 3 on. */
 double study_energy_defect(const struct study *s, const struct curve *c);
 
+/* The same along a stable branch that carries slip and work, from the end of
+ * its series to its last stored point. */
+double study_branch_defect(const struct study *s, const struct branch *b);
+
 /* Sum over the stages. */
 struct stage_cost study_cost(const struct study *s);
 

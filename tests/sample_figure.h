@@ -1,0 +1,19 @@
+/*
+ * sample_figure.h -- a phase portrait in closed form that has everything
+ * lib/plot can draw but a map: the linear saddle p' = p, q' = -q, seen in
+ * log10 v = p + 0.6 q and log10 psi = q - 0.4 p.
+ */
+#ifndef TESTS_SAMPLE_FIGURE_H
+#define TESTS_SAMPLE_FIGURE_H
+
+#include "figure.h"
+
+extern const struct figure_axis sample_v, sample_psi;
+
+/* On failure *f is FIGURE_EMPTY. */
+MUST_CHECK enum status sample_portrait(struct figure *f, const char *title);
+
+MUST_CHECK enum status sample_mark(struct figure *f, enum figure_mark mark,
+                                   const char *entry, double x, double y);
+
+#endif

@@ -1,0 +1,346 @@
+/* What lib/plot computes before gnuplot sees it: axes, ticks, clipped and
+ * thinned lines, arrowheads, quoted texts. */
+#include "check.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "label.h"
+#include "stroke.h"
+#include "ticks.h"
+
+static const struct figure_axis unit = { NULL, 0, 100, false };
+static const struct figure_axis decades = { NULL, 1e-6, 1e6, true };
+
+static struct scale unit_scale(void)
+{
+    return scale_of(&unit, 100);
+}
+
+static void an_axis_maps_there_and_back(void **state)
+{
+    (void) state;
+    uint64_t seed = check_seed();
+    const struct scale s = scale_of(&decades, 600);
+    for (int k = 0; k < 1000; k++) {
+        const double v = pow(10, check_uniform(&seed, -6, 6));
+        const double back = scale_value(&s, scale_pixel(&s, v));
+        CHECK(fabs(back / v - 1) < 1e-13, "%g -> %g", v, back);
+    }
+    for (int k = 0; k < 100; k++) {
+        const double lo = pow(10, check_uniform(&seed, -300, 0));
+        const double hi = pow(10, check_uniform(&seed, 0, 300));
+        const struct figure_axis axis = { NULL, lo, hi, true };
+        const struct scale t = scale_of(&axis, 600);
+        assert_true(scale_value(&t, 0) == lo && scale_value(&t, 600) == hi);
+    }
+    assert_true(scale_pixel(&s, 1e-6) == 0 && scale_pixel(&s, 1e6) == 600);
+    assert_true(isnan(scale_pixel(&s, 0)) && isnan(scale_pixel(&s, -1)));
+    CHECK(fabs(scale_rate(&s) * log(10) - 50) < 1e-12, "%g", scale_rate(&s));
+}
+
+/* Distance of a point from the segment p -> q. */
+static double distance(struct vec2 z, struct vec2 p, struct vec2 q)
+{
+    const struct vec2 d = vec2_sub(q, p), e = vec2_sub(z, p);
+    const double dd = d.x * d.x + d.y * d.y;
+    const double t = dd > 0 ? (d.x * e.x + d.y * e.y) / dd : 0;
+    return vec2_length(vec2_sub(e, vec2_scale(fmin(fmax(t, 0), 1), d)));
+}
+
+static bool on_frame(struct vec2 p)
+{
+    return p.x == 0 || p.x == 100 || p.y == 0 || p.y == 100;
+}
+
+static void a_clipped_segment_is_the_part_in_the_box(void **state)
+{
+    (void) state;
+    uint64_t seed = check_seed();
+    const struct scale s = unit_scale();
+    const struct box box = { { 0, 0 }, { 100, 100 } };
+    struct stroke out = STROKE_EMPTY;
+    int visible = 0;
+    for (int k = 0; k < 5000; k++) {
+        double x[2], y[2];
+        for (int i = 0; i < 2; i++) {
+            x[i] = check_uniform(&seed, -150, 250);
+            y[i] = check_uniform(&seed, -150, 250);
+        }
+        const struct vec2 p = { x[0], y[0] }, q = { x[1], y[1] };
+        assert_int_equal(stroke_clip(&s, &s, x, y, 2, &out), STATUS_OK);
+        visible += out.count == 2;
+        for (size_t i = 0; i < out.count; i++) {
+            const double off = distance(out.at[i], p, q);
+            CHECK(box_holds(box, out.at[i]) && off < 1e-11, "off %g", off);
+            CHECK(box_holds(box, i ? q : p) || on_frame(out.at[i]), "short");
+        }
+        for (int j = 0; j <= 20; j++) {
+            const struct vec2 z =
+                vec2_add(p, vec2_scale(j / 20.0, vec2_sub(q, p)));
+            if (box_holds(box, z))
+                CHECK(out.count == 2 &&
+                          distance(z, out.at[0], out.at[1]) < 1e-11,
+                      "lost %g %g", z.x, z.y);
+        }
+    }
+    CHECK(visible > 500, "%d", visible);
+    stroke_free(&out);
+    stroke_free(&out);
+}
+
+static void a_line_that_leaves_and_returns_has_two_pieces(void **state)
+{
+    (void) state;
+    const struct scale s = unit_scale();
+    const double x[] = { 50, 150, 150, 50, 40 };
+    const double y[] = { 20, 20, 60, 60, 50 };
+    struct stroke out = STROKE_EMPTY;
+    assert_int_equal(stroke_clip(&s, &s, x, y, 5, &out), STATUS_OK);
+    assert_int_equal(out.count, 6);
+    assert_true(out.at[1].x == 100 && isnan(out.at[2].x));
+    assert_true(out.at[3].x == 100 && out.at[3].y == 60);
+    CHECK(fabs(stroke_length(&out) - 100 - hypot(10, 10)) < 1e-12, "%g",
+          stroke_length(&out));
+    stroke_free(&out);
+}
+
+/* Shoelace formula. */
+static double area(const struct stroke *s)
+{
+    double sum = 0;
+    for (size_t k = 0; k < s->count; k++) {
+        const struct vec2 p = s->at[k], q = s->at[(k + 1) % s->count];
+        sum += p.x * q.y - q.x * p.y;
+    }
+    return fabs(sum) / 2;
+}
+
+/* Area of a triangle in the box: its sections by rows, midpoint rule. */
+static double area_by_rows(const double x[3], const double y[3], int rows)
+{
+    double sum = 0;
+    for (int j = 0; j < rows; j++) {
+        const double at = 100 * (j + 0.5) / rows;
+        double lo = INFINITY, hi = -INFINITY;
+        for (int i = 0; i < 3; i++) {
+            const int n = (i + 1) % 3;
+            if ((y[i] < at) == (y[n] < at))
+                continue;
+            const double cut =
+                x[i] + (at - y[i]) / (y[n] - y[i]) * (x[n] - x[i]);
+            lo = fmin(lo, cut);
+            hi = fmax(hi, cut);
+        }
+        if (lo < hi)
+            sum += fmax(0, fmin(hi, 100) - fmax(lo, 0));
+    }
+    return sum * 100 / rows;
+}
+
+static void a_clipped_region_keeps_the_area_in_the_box(void **state)
+{
+    (void) state;
+    uint64_t seed = check_seed();
+    const struct scale s = unit_scale();
+    struct stroke out = STROKE_EMPTY;
+    for (int k = 0; k < 300; k++) {
+        double x[3], y[3];
+        for (int i = 0; i < 3; i++) {
+            x[i] = check_uniform(&seed, -100, 200);
+            y[i] = check_uniform(&seed, -100, 200);
+        }
+        assert_int_equal(stroke_clip_region(&s, &s, x, y, 3, &out), STATUS_OK);
+        const double found = area(&out), wanted = area_by_rows(x, y, 2000);
+        CHECK(fabs(found - wanted) < 5, "%g, by rows %g", found, wanted);
+    }
+    stroke_free(&out);
+}
+
+static void thinning_stays_within_its_tolerance(void **state)
+{
+    (void) state;
+    enum { N = 2000 };
+    uint64_t seed = check_seed();
+    const struct scale s = unit_scale();
+    struct stroke out = STROKE_EMPTY, all = STROKE_EMPTY;
+    double x[N], y[N];
+    for (int k = 0; k < N; k++) {
+        x[k] = 50 + 45 * cos(0.008 * k) + check_uniform(&seed, -0.02, 0.02);
+        y[k] = 50 + 45 * sin(0.011 * k) + check_uniform(&seed, -0.02, 0.02);
+    }
+    assert_int_equal(stroke_clip(&s, &s, x, y, N, &all), STATUS_OK);
+    assert_int_equal(stroke_clip(&s, &s, x, y, N, &out), STATUS_OK);
+    stroke_thin(&out, 0.1);
+    CHECK(out.count < N / 4, "%zu left", out.count);
+    assert_memory_equal(&out.at[0], &all.at[0], sizeof out.at[0]);
+    assert_memory_equal(&out.at[out.count - 1], &all.at[N - 1],
+                        sizeof out.at[0]);
+    for (size_t k = 0; k < all.count; k++) {
+        double least = INFINITY;
+        for (size_t i = 0; i + 1 < out.count; i++)
+            least = fmin(least, distance(all.at[k], out.at[i], out.at[i + 1]));
+        CHECK(least <= 0.1 * (1 + 1e-9), "point %zu is %g away", k, least);
+    }
+    stroke_free(&out);
+    stroke_free(&all);
+}
+
+static void a_straight_line_thins_to_its_ends(void **state)
+{
+    (void) state;
+    const struct scale s = unit_scale();
+    double x[] = { 0, 1, 2, 3, 90, NAN, 5, 5, 5, 5 };
+    double y[] = { 0, 1, 2, 3, 90, 0, 10, 80, 20, 70 };
+    struct stroke out = STROKE_EMPTY;
+    assert_int_equal(stroke_clip(&s, &s, x, y, 10, &out), STATUS_OK);
+    stroke_thin(&out, 0.05);
+    /* two ends, the break, and all four points of the line that turns back */
+    assert_int_equal(out.count, 7);
+    assert_true(out.at[1].x == 90 && isnan(out.at[2].x));
+    assert_true(out.at[4].y == 80 && out.at[5].y == 20);
+    stroke_free(&out);
+}
+
+static void an_arrowhead_points_along_the_line(void **state)
+{
+    (void) state;
+    const struct scale s = unit_scale();
+    const double x[] = { 10, 50, NAN, 80, 80 }, y[] = { 20, 20, 0, 90, 30 };
+    struct stroke out = STROKE_EMPTY;
+    struct vec2 head[3];
+    assert_int_equal(stroke_clip(&s, &s, x, y, 5, &out), STATUS_OK);
+    assert_true(stroke_head(&out, 0.2, 8, head)); /* 20 of 100 px: x = 30 */
+    assert_true(fabs(head[1].x - 34) < 1e-12 && head[1].y == 20);
+    assert_true(fabs(head[0].x - 26) < 1e-12 && head[0].y > 20);
+    assert_true(stroke_head(&out, 1, 8, head)); /* tip at the very end */
+    assert_true(head[1].x == 80 && fabs(head[1].y - 30) < 1e-12);
+    assert_true(stroke_head(&out, 0, 8, head)); /* base at the start */
+    assert_true(fabs(head[0].x - 10) < 1e-12);
+    assert_false(stroke_head(&out, 0.1, 30, head)); /* too long for it */
+    stroke_free(&out);
+    assert_false(stroke_head(&out, 0.5, 8, head));
+}
+
+/* What the function writes, as a text; freed by the caller. */
+static char *ticks_text(const struct figure_axis *axis, double pixels,
+                        double spacing)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    const struct scale s = scale_of(axis, pixels);
+    ticks_write(out, &s, spacing);
+    fclose(out);
+    return text;
+}
+
+static void labels_are_few_apart_and_on_the_axis(void **state)
+{
+    (void) state;
+    uint64_t seed = check_seed();
+    for (int k = 0; k < 3000; k++) {
+        struct figure_axis axis = { .is_log = k % 2 };
+        const double span = pow(10, check_uniform(&seed, -2, 2.7));
+        axis.lo = check_uniform(&seed, -200, 200) / 2;
+        axis.hi = axis.lo + span;
+        if (axis.is_log) {
+            axis.lo = pow(10, axis.lo);
+            axis.hi = axis.lo * pow(10, fmin(span, 200));
+        }
+        const double pixels = check_uniform(&seed, 130, 700);
+        const struct scale s = scale_of(&axis, pixels);
+        char *text = ticks_text(&axis, pixels, 60);
+        int labels = 0;
+        double last = -INFINITY;
+        for (char *t = strchr(text, '\''); t; t = strchr(t, '\'')) {
+            char *end = strchr(t + 1, '\''), *rest;
+            const double at = strtod(end + 1, &rest);
+            const double px = scale_pixel(&s, at);
+            CHECK(px >= -1e-6 && px <= pixels + 1e-6, "%s", text);
+            if (end > t + 1) {
+                CHECK(px - last > 24, "%g px apart: %s", px - last, text);
+                last = px;
+                labels++;
+            }
+            t = rest;
+        }
+        CHECK(labels >= 1 && labels <= 8, "[%g, %g] %d: %s", axis.lo, axis.hi,
+              labels, text);
+        free(text);
+    }
+}
+
+static void decades_are_labelled_as_powers_of_ten(void **state)
+{
+    (void) state;
+    char *text = ticks_text(&decades, 600, 60);
+    CHECK(strstr(text, "'10^{\xe2\x88\x92"
+                       "6}' 1e-06 0"),
+          "%s", text);
+    CHECK(strstr(text, "'10^{4}' 10000 0") && strstr(text, "'' 1000 1"), "%s",
+          text);
+    free(text);
+}
+
+static void check_label(const char *text, double room, const char *wanted)
+{
+    char *found = NULL;
+    size_t size;
+    FILE *out = open_memstream(&found, &size);
+    label_write(out, text, room);
+    fclose(out);
+    assert_string_equal(found, wanted);
+    free(found);
+}
+
+static void a_label_is_one_inert_string(void **state)
+{
+    (void) state;
+    check_label("it's", 100, "'it''s'");
+    check_label("a\nb\x7f\x1b", 100, "'a b  '");
+    check_label("\xcf\x88 \xf0\x9f\x8c\x8d", 100,
+                "'\xcf\x88 \xf0\x9f\x8c\x8d'");
+    check_label("\xc0\xa7", 100,
+                "'?"
+                "?'"); /* overlong quote */
+    check_label("\xe2\x88", 100,
+                "'?"
+                "?'"); /* cut short */
+    check_label("\xf5\x80\x80\x80", 100,
+                "'?"
+                "?"
+                "?"
+                "?'"); /* beyond Unicode */
+    check_label("\xef\xbf\xbf", 100,
+                "'?"
+                "?"
+                "?'"); /* not for XML */
+    check_label("", 0, "''");
+}
+
+static void a_label_without_room_is_cut(void **state)
+{
+    (void) state;
+    check_label("abcdefghij", label_width("abcdefghij"), "'abcdefghij'");
+    check_label("abcdefghij", label_width("abcde") + 1, "'abcde\xe2\x80\xa6'");
+    check_label("abc", 0, "'\xe2\x80\xa6'");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_axis_maps_there_and_back),
+        cmocka_unit_test(a_clipped_segment_is_the_part_in_the_box),
+        cmocka_unit_test(a_line_that_leaves_and_returns_has_two_pieces),
+        cmocka_unit_test(a_clipped_region_keeps_the_area_in_the_box),
+        cmocka_unit_test(thinning_stays_within_its_tolerance),
+        cmocka_unit_test(a_straight_line_thins_to_its_ends),
+        cmocka_unit_test(an_arrowhead_points_along_the_line),
+        cmocka_unit_test(labels_are_few_apart_and_on_the_axis),
+        cmocka_unit_test(decades_are_labelled_as_powers_of_ten),
+        cmocka_unit_test(a_label_is_one_inert_string),
+        cmocka_unit_test(a_label_without_room_is_cut),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
