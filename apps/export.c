@@ -14,9 +14,9 @@ static enum status put_rows(struct store *out, const char *group,
                             enum status sampled)
 {
     const struct record_array a = rows_array(rows);
-    const enum status s =
-        sampled == STATUS_OK ? store_put_records(out, group, &a, axis)
-                             : sampled;
+    const enum status s = sampled == STATUS_OK
+                              ? store_put_records(out, group, &a, axis)
+                              : sampled;
 
     rows_free(rows);
     return s;
@@ -124,8 +124,7 @@ static enum status put_estimates(const struct study *s, struct store *out)
     const enum status status =
         store_put_scalars(out, "/estimates", &record_estimates, e);
 
-    return status ? status
-                  : store_put_records(out, "/estimates/xi", &xi, "xi");
+    return status ? status : store_put_records(out, "/estimates/xi", &xi, "xi");
 }
 
 /* What made the file: no clock, path, host or thread count. */
@@ -151,14 +150,13 @@ static enum status put_provenance(const struct study *s, struct store *out)
     for (size_t i = 0; i < sizeof text / sizeof *text && !status; i++)
         status = store_put_text(out, "/provenance", text[i][0], text[i][1]);
     for (int key = 0; key < MATERIAL_KEYS && !status; key++)
-        status = store_put_real(
-            out, "/provenance", material_key_name((enum material_key) key),
-            *material_member(&m, (enum material_key) key));
+        status = store_put_real(out, "/provenance",
+                                material_key_name((enum material_key) key),
+                                *material_member(&m, (enum material_key) key));
     if (!status)
         status = store_put_real(out, "/provenance", "alpha", s->scene->alpha);
     if (!status)
-        status =
-            store_put_real(out, "/provenance", "eps2", material_eps2(&m));
+        status = store_put_real(out, "/provenance", "eps2", material_eps2(&m));
     return status;
 }
 

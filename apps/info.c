@@ -33,9 +33,9 @@ static void add_item(json_t *list, const struct store_item *item)
         json_array_append_new(shape,
                               json_integer((json_int_t) item->extent[i]));
     json_object_set_new(j, "path", json_string(item->path));
-    json_object_set_new(j, "kind",
-                        json_string(item->kind == STORE_GROUP ? "group"
-                                                              : "dataset"));
+    json_object_set_new(
+        j, "kind",
+        json_string(item->kind == STORE_GROUP ? "group" : "dataset"));
     json_object_set_new(j, "shape", shape);
     json_object_set_new(j, "units", json_string(item->units));
     json_object_set_new(j, "long_name", json_string(item->long_name));

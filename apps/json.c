@@ -70,7 +70,8 @@ json_t *json_records(const struct record_array *a)
 
     for (size_t i = 0; i < a->count; i++)
         json_array_append_new(
-            list, json_record(a->type, (const char *) a->at + i * a->type->size));
+            list,
+            json_record(a->type, (const char *) a->at + i * a->type->size));
     return list;
 }
 

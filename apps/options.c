@@ -8,9 +8,21 @@
 
 #include "command.h"
 
-enum key { KEY_SET = 256, KEY_LAW, KEY_FRICTION, KEY_ALPHA, KEY_RTOL,
-           KEY_FIGURE, KEY_KEEP, KEY_JSON, KEY_THREADS, KEY_PROGRESS,
-           KEY_SEED, KEY_HELP, KEY_VERSION };
+enum key {
+    KEY_SET = 256,
+    KEY_LAW,
+    KEY_FRICTION,
+    KEY_ALPHA,
+    KEY_RTOL,
+    KEY_FIGURE,
+    KEY_KEEP,
+    KEY_JSON,
+    KEY_THREADS,
+    KEY_PROGRESS,
+    KEY_SEED,
+    KEY_HELP,
+    KEY_VERSION
+};
 
 static const struct argp_option option_table[] = {
     { "set", KEY_SET, "KEY=VALUE", 0, "Set any scene key, e.g. slope.alpha=0.3",

@@ -33,21 +33,29 @@ static struct vec2 eigen_from_chart(struct mat2 P, struct vec2 z)
     return (struct vec2){ (P.yy * z.x - z.y) / det, (z.y - P.yx * z.x) / det };
 }
 
+/* From (v, psi) to what the axes show; psi that is a logarithm as e^psi. */
+static struct vec2 shown_value(const struct picture *p, struct vec2 u)
+{
+    const struct block *b = &p->s->block;
+
+    if (p->s->scene->units == UNITS_SI)
+        return (struct vec2){ u.x * b->material.V_star,
+                              physical_phi(&b->law, &b->material, u.y) };
+    return (struct vec2){ u.x, law_psi_is_log(&b->law) ? exp(u.y) : u.y };
+}
+
 /* From an offset in the chart to what the axes show. */
 static struct vec2 shown(const struct picture *p, struct vec2 z)
 {
-    const struct study *s = p->s;
-    const struct block *b = &s->block;
-    const bool si = s->scene->units == UNITS_SI;
+    const struct block *b = &p->s->block;
 
     if (p->axes == AXES_EIGEN)
         return eigen_from_chart(p->basis, z);
-    const double v = b->at.v0 * exp(z.x), y = b->at.y0 + z.y;
-    const double psi = law_psi_is_log(&b->law) ? y : b->at.psi0 * exp(z.y);
-    if (si)
-        return (struct vec2){ v * b->material.V_star,
-                              physical_phi(&b->law, &b->material, psi) };
-    return (struct vec2){ v, law_psi_is_log(&b->law) ? exp(psi) : psi };
+    const double y = b->at.y0 + z.y;
+    return shown_value(
+        p,
+        (struct vec2){ b->at.v0 * exp(z.x),
+                       law_psi_is_log(&b->law) ? y : b->at.psi0 * exp(z.y) });
 }
 
 /* ---- axes ---------------------------------------------------------------- */
@@ -67,9 +75,9 @@ static void labels(const struct picture *p, char *x, char *y, size_t size)
         snprintf(y, size, "interfacial state φ%s",
                  strcmp(physical_unit(&b->law), "s") == 0 ? " (s)" : "");
     else
-        snprintf(y, size, law_psi_is_log(&b->law)
-                              ? "interfacial state φ = exp ψ"
-                              : "interfacial state ψ");
+        snprintf(y, size,
+                 law_psi_is_log(&b->law) ? "interfacial state φ = exp ψ"
+                                         : "interfacial state ψ");
 }
 
 /* The window's corners on the axes; for eigen axes a square around the saddle
@@ -77,11 +85,12 @@ static void labels(const struct picture *p, char *x, char *y, size_t size)
 static struct box frame(const struct picture *p)
 {
     const struct study *s = p->s;
-    struct box w = study_window(s);
+    const struct scene_window *w = &s->scene->window;
 
     if (p->axes != AXES_EIGEN)
-        return (struct box){ shown(p, vec2_sub(w.lo, s->system.origin)),
-                             shown(p, vec2_sub(w.hi, s->system.origin)) };
+        return (
+            struct box){ shown_value(p, (struct vec2){ w->v[0], w->psi[0] }),
+                         shown_value(p, (struct vec2){ w->v[1], w->psi[1] }) };
     double reach = 1.0;
     for (int i = 0; i < SIDES; i++)
         if (s->stable[i].curve.count > 0)
@@ -237,13 +246,21 @@ static enum status add_asymptote(struct picture *p, const struct branch *b)
     return flush(p, &q, FIGURE_STABLE, "stable manifold", NULL, 0, status);
 }
 
-static enum status add_manifolds(struct picture *p)
+/* Under the nullclines, which it follows closely. */
+static enum status add_unstable(struct picture *p)
 {
     enum status status = STATUS_OK;
 
     for (int i = 0; i < SIDES && !status; i++)
         status = add_curve(p, &p->s->unstable[i].curve, FIGURE_UNSTABLE,
                            "unstable manifold", false);
+    return status;
+}
+
+static enum status add_manifolds(struct picture *p)
+{
+    enum status status = STATUS_OK;
+
     for (int i = 0; i < SIDES && !status; i++) {
         if (p->s->stable[i].curve.count == 0)
             continue;
@@ -261,17 +278,16 @@ static enum status add_equilibria(struct picture *p)
 
     for (size_t i = 0; i < p->s->equilibria && !status; i++) {
         const bool saddle = p->s->equilibrium[i].type == EQUILIBRIUM_SADDLE;
-        const struct vec2 at = shown(
-            p, vec2_sub(p->s->equilibrium[i].z, p->s->system.origin));
+        const struct vec2 at =
+            shown(p, vec2_sub(p->s->equilibrium[i].z, p->s->system.origin));
         status = figure_add_points(
-            &p->figure,
-            &(struct figure_points){
-                .style = { .role = FIGURE_EQUILIBRIUM },
-                .entry = saddle ? "saddle" : "stable node",
-                .x = &at.x,
-                .y = &at.y,
-                .count = 1,
-                .mark = saddle ? FIGURE_CIRCLE : FIGURE_DISC });
+            &p->figure, &(struct figure_points){
+                            .style = { .role = FIGURE_EQUILIBRIUM },
+                            .entry = saddle ? "saddle" : "stable node",
+                            .x = &at.x,
+                            .y = &at.y,
+                            .count = 1,
+                            .mark = saddle ? FIGURE_CIRCLE : FIGURE_DISC });
     }
     return status;
 }
@@ -287,22 +303,22 @@ static enum status add_arrows(struct picture *p)
     const struct box w = p->axes == AXES_LOG ? study_window(p->s) : frame(p);
     const struct vec2 size = vec2_sub(w.hi, w.lo);
     for (size_t i = 0; i < a->columns * a->rows && !status; i++) {
-        status = add_point(
-            &at, shown(p, vec2_sub(a->at[i].z, p->s->system.origin)));
+        status =
+            add_point(&at, shown(p, vec2_sub(a->at[i].z, p->s->system.origin)));
         if (!status)
-            status = add_point(
-                &along, (struct vec2){ a->at[i].direction.x * size.x,
-                                       a->at[i].direction.y * size.y });
+            status = add_point(&along,
+                               (struct vec2){ a->at[i].direction.x * size.x,
+                                              a->at[i].direction.y * size.y });
     }
     if (!status && at.count > 0)
-        status = figure_add_arrows(&p->figure, &(struct figure_arrows){
-                                                   .style = { FIGURE_FIELD,
-                                                              0, 0 },
-                                                   .x = at.x,
-                                                   .y = at.y,
-                                                   .dx = along.x,
-                                                   .dy = along.y,
-                                                   .count = at.count });
+        status = figure_add_arrows(
+            &p->figure,
+            &(struct figure_arrows){ .style = { FIGURE_FIELD, 0, 0 },
+                                     .x = at.x,
+                                     .y = at.y,
+                                     .dx = along.x,
+                                     .dy = along.y,
+                                     .count = at.count });
     free_points(&at);
     free_points(&along);
     return status;
@@ -312,8 +328,8 @@ enum status picture_draw(const struct study *s, const char *path,
                          bool keep_script, struct fault *why)
 {
     static enum status (*const layer[])(struct picture *) = {
-        add_arrows, add_trajectories, add_nullclines, add_manifolds,
-        add_equilibria
+        add_arrows,     add_trajectories, add_unstable,
+        add_nullclines, add_manifolds,    add_equilibria
     };
     struct picture p = { .s = s,
                          .figure = FIGURE_EMPTY,

@@ -17,8 +17,9 @@ static void on_signal(int number)
 static void show(const char *stage, uint64_t done, uint64_t total)
 {
     if (how == PROGRESS_JSON) {
-        fprintf(stderr, "{\"stage\": \"%s\", \"done\": %llu, \"total\": %llu}\n",
-                stage, (unsigned long long) done, (unsigned long long) total);
+        fprintf(stderr,
+                "{\"stage\": \"%s\", \"done\": %llu, \"total\": %llu}\n", stage,
+                (unsigned long long) done, (unsigned long long) total);
         return;
     }
     if (total > 0)

@@ -10,11 +10,11 @@
 
 /* What a shortcut adds to a scene, or runs without one. */
 struct shortcut {
-    unsigned always;       /* products it cannot do without */
-    unsigned if_none;      /* products where the scene names none */
-    const char *figure;    /* drawn where the scene names no output at all */
-    bool print_numbers;    /* the report goes to stdout */
-    size_t spread;         /* trajectories without a scene */
+    unsigned always;    /* products it cannot do without */
+    unsigned if_none;   /* products where the scene names none */
+    const char *figure; /* drawn where the scene names no output at all */
+    bool print_numbers; /* the report goes to stdout */
+    size_t spread;      /* trajectories without a scene */
 };
 
 static const struct shortcut study_shortcut = {
@@ -71,8 +71,7 @@ static enum status write_files(const struct study *s, const struct options *o,
                                const struct shortcut *how, struct fault *why)
 {
     const struct scene *c = s->scene;
-    const char *figure =
-        c->figure ? c->figure : c->hdf5 ? NULL : how->figure;
+    const char *figure = c->figure ? c->figure : c->hdf5 ? NULL : how->figure;
     enum status status = STATUS_OK;
 
     if (c->hdf5)
@@ -142,7 +141,8 @@ enum exit_code command_knees(const struct options *o)
     return run(o, &knees_shortcut);
 }
 
-/* ---- plan ------------------------------------------------------------------ */
+/* ---- plan ------------------------------------------------------------------
+ */
 
 static json_t *plan_json(unsigned stages)
 {
@@ -174,8 +174,8 @@ enum exit_code command_plan(const struct options *o)
         code = json_print(plan_json(stages)) ? EXIT_DONE : EXIT_FILE;
     for (int i = 0; i < STAGES && !o->json; i++)
         if (plan_has(stages, (enum stage) i))
-            printf("%-13s %-48s %s\n", stage_table[i].name,
-                   stage_table[i].text, stage_table[i].cost);
+            printf("%-13s %-48s %s\n", stage_table[i].name, stage_table[i].text,
+                   stage_table[i].cost);
     if (!o->json && scene.hdf5)
         printf("%-13s %s\n", "write", scene.hdf5);
     if (!o->json && scene.figure)

@@ -41,7 +41,6 @@ static void rates_at(const struct planar *sys, int ind, int toward,
                      struct tail_point *p)
 {
     struct planar_field f;
-    struct vec2 gradient;
     double rate = 1.0;
 
     sys->field(sys->ctx, z, &f);
@@ -51,7 +50,7 @@ static void rates_at(const struct planar *sys, int ind, int toward,
     for (size_t i = 0; i < carry->count; i++) {
         if (carry->which[i] != CARRY_TIME)
             sys->rate_gradient(sys->ctx, (size_t) carry->which[i], z, &rate,
-                               &gradient);
+                               NULL);
         else
             rate = 1.0;
         p->integral[i] = toward * rate * exp(-f.log_scale) / along;

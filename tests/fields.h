@@ -37,7 +37,8 @@ static inline void fields_rate(const void *ctx, size_t which, struct vec2 z,
     (void) ctx;
     (void) which;
     *r = z.x;
-    *gradient = (struct vec2){ 1.0, 0.0 };
+    if (gradient)
+        *gradient = (struct vec2){ 1.0, 0.0 };
 }
 
 static inline struct planar planar_of(const struct fixture *x,

@@ -167,7 +167,8 @@ static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
     for (size_t i = 0; i < f->shears; i++)
         shear_carry(&f->about[i], &F);
     *rate = speed * rates[which];
-    *gradient = vec2_scale(speed, F.gradient);
+    if (gradient)
+        *gradient = vec2_scale(speed, F.gradient);
 }
 
 static void rate_jet(const void *ctx, size_t which, struct jet_work *w,

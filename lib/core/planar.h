@@ -76,7 +76,8 @@ struct planar {
     void (*jet)(const void *ctx, struct jet_work *w, size_t k, const double x[],
                 const double y[], double fx[], double fy[]);
 
-    /* Observables: their rates per unit of time at z with the gradient in z,
+    /* Observables: their rates per unit of time at z with the gradient in z
+     * (which may be NULL where only the rate is wanted),
      * and (after `jet` with the same k) coefficient k of the series of
      * rate * exp(-w->log_scale). */
     const struct planar_observable *observables;

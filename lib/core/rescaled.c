@@ -37,7 +37,6 @@ void rescaled_rhs(const struct rescaled *r, struct vec2 z, double du[])
 {
     const struct planar *sys = r->system;
     struct planar_field f;
-    struct vec2 unused;
     double rate;
 
     sys->field(sys->ctx, z, &f);
@@ -46,7 +45,7 @@ void rescaled_rhs(const struct rescaled *r, struct vec2 z, double du[])
     du[1] = s.d.y / s.n;
     du[2] = s.a / s.n;
     for (size_t i = 0; i < r->observables; i++) {
-        sys->rate_gradient(sys->ctx, i, z, &rate, &unused);
+        sys->rate_gradient(sys->ctx, i, z, &rate, NULL);
         du[3 + i] = rate * du[2];
     }
 }

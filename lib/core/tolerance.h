@@ -156,11 +156,15 @@
 #define TOL_ARROWS 20
 
 /* Trajectories that only fill a picture: their starts are arbitrary, and a
- * hundred-thousandth of a window is far below a pixel. */
-#define TOL_SPREAD_RTOL 1e-6
+ * ten-thousandth of ln v is far below a pixel. */
+#define TOL_SPREAD_RTOL 1e-4
 
 /* What is left out of a Taylor step, in units of its last two terms: the rest
  * of a series used near its radius of convergence. */
 #define TOL_SAFETY 4.0
+
+/* The unstable manifold is followed from its series at most this far from the
+ * saddle: no gap that an eye could see. */
+#define TOL_UNSTABLE_START 1e-3
 
 #endif

@@ -42,8 +42,12 @@ static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
                           double *rate, struct vec2 *gradient)
 {
     const struct block *b = ctx;
-    field_dual_rate(&b->law, &b->at, (enum block_observable) which, z, rate,
-                    gradient);
+    const enum block_observable o = (enum block_observable) which;
+
+    if (gradient == NULL)
+        *rate = field_real_rate(&b->law, &b->at, o, z);
+    else
+        field_dual_rate(&b->law, &b->at, o, z, rate, gradient);
 }
 
 static void rate_jet(const void *ctx, size_t which, struct jet_work *w,
@@ -107,12 +111,8 @@ struct planar block_planar(const struct block *b)
 
 double block_mu(const struct block *b, struct vec2 z)
 {
-    double work, v;
-    struct vec2 unused;
-
-    field_dual_rate(&b->law, &b->at, BLOCK_WORK, z, &work, &unused);
-    field_dual_rate(&b->law, &b->at, BLOCK_SLIP, z, &v, &unused);
-    return work / v;
+    return field_real_rate(&b->law, &b->at, BLOCK_WORK, z) /
+           field_real_rate(&b->law, &b->at, BLOCK_SLIP, z);
 }
 
 double block_energy_defect(const struct block *b, double v0, double v1,

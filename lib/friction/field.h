@@ -19,6 +19,9 @@ enum block_observable {
 void field_real(const struct law *law, const struct anchor *at, struct vec2 z,
                 struct planar_field *f);
 
+double field_real_rate(const struct law *law, const struct anchor *at,
+                       enum block_observable which, struct vec2 z);
+
 void field_dual(const struct law *law, const struct anchor *at, struct vec2 z,
                 struct planar_jacobian *J);
 void field_dual_rate(const struct law *law, const struct anchor *at,

@@ -124,8 +124,8 @@ static void KIND(quickness)(const struct law *law, struct KIND(ctx) * c,
 
 /* The exponent -psi_ss of 1/T in (45).  sinh(psi - psi_ss) brings the same
  * exponent back when psi < psi_ss, and both may be as large as 1e300: under
- * the sinh it is written -psi + (psi - psi_ss), and hyperbolic adds the
- * second part to its own. */
+ * the sinh it is written -psi + (psi - psi_ss), and `freezing` looks after the
+ * second part. */
 static void KIND(freeze)(const struct law *law, const struct KIND(anchor) * at,
                          struct KIND(ctx) * c, const KIND(num) * Y,
                          const KIND(num) * s, const KIND(num) * w,
@@ -157,14 +157,27 @@ static KIND(real) KIND(first_order)(struct KIND(ctx) * c, const KIND(num) * d,
     return KIND(order)(c) == 0 ? w[0] + FN(log)(c->frozen[0]) : 0;
 }
 
-/* Hyperbolic: sinh d, scaled down; `more` d are added to the exponent. */
-static KIND(real) KIND(hyperbolic)(struct KIND(ctx) * c, int more,
-                                   const KIND(num) * d, const KIND(num) * w,
-                                   KIND(num) * mantissa, KIND(num) * exponent)
+/* Hyperbolic: sinh d, scaled down. */
+static KIND(real) KIND(hyperbolic)(struct KIND(ctx) * c, const KIND(num) * d,
+                                   const KIND(num) * w, KIND(num) * mantissa,
+                                   KIND(num) * exponent)
 {
     KIND(sinh)(c, d, mantissa);
-    KIND(linear)(c, 0, 1, w, more, d, exponent);
-    return w[0] + (d[0] < 0 ? more - 1 : more + 1) * d[0];
+    KIND(linear)(c, 0, 1, w, 0, w, exponent);
+    return w[0] + FN(fabs)(d[0]);
+}
+
+/* With (45): sinh d e^d = (e^(2d) - 1)/2. */
+static KIND(real) KIND(freezing)(struct KIND(ctx) * c, const KIND(num) * d,
+                                 const KIND(num) * w, KIND(num) * mantissa,
+                                 KIND(num) * exponent)
+{
+    if (KIND(order)(c) == 0)
+        c->frozen[0] = d[0] < 0 ? 1 : -1;
+    const KIND(real) sign = c->frozen[0], log_half = -FN(log)(2);
+    KIND(expm1)(c, sign / 2, log_half, 2 * sign, d, mantissa);
+    KIND(linear)(c, 0, 1, w, sign < 0 ? 2 : 0, d, exponent);
+    return w[0] + (sign < 0 ? 2 * d[0] : 0);
 }
 
 /* Kato-Tullis: dY/dt = v (E - z), z = ln(v psi), E = exp(-v/V_c - z), with
@@ -225,11 +238,11 @@ static KIND(real)
     KIND(quickness)(law, c, X, l, t);
     KIND(linear)(c, 0, 1, t, law_psi_is_log(law) ? 0 : -1, Y, u);
     KIND(freeze)(law, at, c, Y, s, u, w);
-    return at->log_rate +
-           (law->kinetics == KINETICS_SINH
-                ? KIND(hyperbolic)(c, law_freezes(law), d, w, mantissa,
-                                   exponent)
-                : KIND(first_order)(c, d, w, mantissa, exponent));
+    return at->log_rate + (law->kinetics == KINETICS_LINEAR
+                               ? KIND(first_order)(c, d, w, mantissa, exponent)
+                           : law_freezes(law)
+                               ? KIND(freezing)(c, d, w, mantissa, exponent)
+                               : KIND(hyperbolic)(c, d, w, mantissa, exponent));
 }
 
 /* Both components times exp(-c->scale), which order 0 fixes for the series. */

@@ -80,6 +80,7 @@ static inline void real_friction(struct real_ctx *c, double a, double w0,
 }
 
 #include "field_formula.h"
+#include "rate_formula.h"
 
 void field_real(const struct law *law, const struct anchor *at, struct vec2 z,
                 struct planar_field *f)
@@ -88,4 +89,14 @@ void field_real(const struct law *law, const struct anchor *at, struct vec2 z,
 
     real_field(law, at, &c, &z.x, &z.y, &f->direction.x, &f->direction.y);
     f->log_scale = c.scale;
+}
+
+double field_real_rate(const struct law *law, const struct anchor *at,
+                       enum block_observable which, struct vec2 z)
+{
+    struct real_ctx c = { 0 };
+    double rate;
+
+    real_rate(law, at, &c, which, 0.0, &z.x, &z.y, &rate);
+    return rate;
 }

@@ -75,7 +75,7 @@ static void put_box(FILE *out, const struct layout *p)
             p->left / p->width, (p->left + p->x.pixels) / p->width,
             p->bottom / p->height, (p->bottom + p->y.pixels) / p->height);
     fprintf(out, "set border 15 front lw 1.2 lc rgb '#202020'\n"
-                 "set tics front textcolor rgb '#202020'\n");
+                 "set clip two\nset tics front textcolor rgb '#202020'\n");
     put_axis(out, "x", &p->x, side_by_side(&p->x));
     put_axis(out, "y", &p->y, LAYOUT_SPACING_Y);
 }

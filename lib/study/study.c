@@ -161,7 +161,8 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
     const struct box window = box_grow(study_window(s), TOL_WINDOW_MARGIN);
     for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
         struct orbit_options o = orbit_defaults(&s->system, s->stable_rate);
-        const double t = side_sign(&u, (enum side) i) * u.radius;
+        const double t =
+            side_sign(&u, (enum side) i) * fmin(u.radius, TOL_UNSTABLE_START);
         o.window = &window;
         o.target = target;
         o.targets = n;
