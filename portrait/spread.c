@@ -19,6 +19,8 @@ static double uniform(uint64_t *state)
     return (double) ((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
+#define SLANT 0.1 /* sine of the least angle with the frame */
+
 static double fraction(double x)
 {
     return x - floor(x);
@@ -51,13 +53,16 @@ static struct vec2 around(double p, struct vec2 *inward)
     }
 }
 
-static bool flows(const struct planar *system, struct vec2 z,
-                  struct vec2 inward)
+/* Whether an orbit from the edge enters at an angle that can be seen; one that
+ * runs along the frame is no picture. */
+static bool flows(const struct planar *system, const struct window *w,
+                  struct vec2 z, struct vec2 inward)
 {
     struct planar_field f;
 
     system->field(system->ctx, vec2_sub(z, system->origin), &f);
-    return f.direction.x * inward.x + f.direction.y * inward.y > 0.0;
+    const struct vec2 d = window_push(w, z, f.direction);
+    return d.x * inward.x + d.y * inward.y > SLANT * vec2_length(d);
 }
 
 static void list(struct spread *s, const struct planar *system, size_t count,
@@ -74,7 +79,7 @@ static void list(struct spread *s, const struct planar *system, size_t count,
         const struct vec2 edge =
             around(4.0 * fraction(q + n * golden), &inward);
         add(s, SPREAD_INTERIOR, unit);
-        if (flows(system, window_at(s->window, edge), inward))
+        if (flows(system, s->window, window_at(s->window, edge), inward))
             add(s, SPREAD_EDGE, edge);
     }
 }

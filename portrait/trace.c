@@ -67,29 +67,41 @@ static double cubic_at(const struct cubic *c, double s)
 }
 
 /* Whether there is a zero within tol of the cubic, straight across the chord,
- * at the fraction s of it. */
+ * at the fraction s of it, or a little further, in case another piece crosses
+ * just there. */
 static bool cubic_holds(struct zero *q, const struct cubic *c, double s,
                         double tol)
 {
-    const double length = sqrt(c->length2), y = cubic_at(c, s);
+    const double length = sqrt(c->length2);
     const struct vec2 up = { -c->chord.y / length, c->chord.x / length };
-    const struct vec2 foot = vec2_add(c->a, vec2_scale(s, c->chord));
-    double width;
+    bool holds = false;
 
-    return zero_within(q, vec2_add(foot, vec2_scale(y, up)), up,
-                       TOL_NULLCLINE_MATCH, tol, &width);
+    for (int i = 0; i < 2 && !holds; i++) {
+        const double at = s + 0.05 * i;
+        const struct vec2 u = vec2_add(vec2_add(c->a, vec2_scale(at, c->chord)),
+                                       vec2_scale(cubic_at(c, at), up));
+        double width;
+        holds = zero_within(q, u, up, TOL_NULLCLINE_MATCH, tol, &width);
+    }
+    return holds;
+}
+
+/* How far from its cubic a smooth curve may be. */
+static double cubic_tolerance(const struct cubic *c)
+{
+    return TOL_NULLCLINE_MATCH + TOL_NULLCLINE_SMOOTH * c->height;
 }
 
 /* Whether the zeros a and b lie on one smooth curve, which the cubic between
- * them then follows.  Where two pieces cross at a small angle a step from one
- * to the other looks like a bend, but no cubic at two places. */
+ * them then follows, to its own tolerance or `tol`.  Where two pieces cross at
+ * a small angle a step from one to the other looks like a bend, but no cubic
+ * at two places. */
 static bool smooth(struct zero *q, const struct station *a,
-                   const struct station *b, double least, struct cubic *c)
+                   const struct station *b, double tol, struct cubic *c)
 {
     if (!cubic_between(a, b, TOL_NULLCLINE_ANGLE, c))
         return false;
-    const double tol =
-        TOL_NULLCLINE_MATCH + TOL_NULLCLINE_SMOOTH * fmax(least, c->height);
+    tol = fmax(tol, cubic_tolerance(c));
     return cubic_holds(q, c, 1.0 / 3.0, tol) &&
            cubic_holds(q, c, 2.0 / 3.0, tol);
 }
@@ -170,8 +182,9 @@ static bool accept(const struct trace *t, const struct station *a,
 }
 
 /* Whether the zero u lies on the step from a: the curve is smooth on both sides
- * of it.  No stricter than the step itself was, since a point may well lie
- * where the cubic to it is flat. */
+ * of it.  Less strict than the step itself was: u may be where the cubic to it
+ * is flat or where the first one was worse than at the places looked at, and
+ * a point taken for passed is the lesser evil; its piece has others. */
 static bool passes(const struct trace *t, const struct station *a,
                    const struct step *step, struct vec2 u)
 {
@@ -180,7 +193,7 @@ static bool passes(const struct trace *t, const struct station *a,
     const struct vec2 d = vec2_sub(u, a->at);
     const struct vec2 forward = vec2_scale(1.0 / length, c->chord);
     const double near = TOL_NULLCLINE_NEAR * length + TOL_NULLCLINE_MATCH;
-    const double ahead = dot(d, forward);
+    const double ahead = dot(d, forward), tol = 4.0 * cubic_tolerance(c);
     struct station at = { .at = u };
     struct cubic unused;
 
@@ -191,8 +204,8 @@ static bool passes(const struct trace *t, const struct station *a,
         vec2_length(vec2_sub(u, step->to.at)) <= TOL_NULLCLINE_MATCH)
         return true;
     return zero_tangent(t->zero, u, forward, &at.tangent) &&
-           smooth(t->zero, a, &at, c->height, &unused) &&
-           smooth(t->zero, &at, &step->to, c->height, &unused);
+           smooth(t->zero, a, &at, tol, &unused) &&
+           smooth(t->zero, &at, &step->to, tol, &unused);
 }
 
 /* Where the curve from a, which goes on to b outside, meets the edge on the
