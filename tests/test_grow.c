@@ -41,7 +41,7 @@ static double distance(const struct fixture *f, struct vec2 z)
     const double gy = (fixture_implicit(f, FIXTURE_STABLE, n) -
                        fixture_implicit(f, FIXTURE_STABLE, s)) /
                       (2.0 * h);
-    return fabs(here) / hypot(gx, gy);
+    return here == 0.0 ? 0.0 : fabs(here) / hypot(gx, gy);
 }
 
 static bool nearby(struct vec2 u)

@@ -167,4 +167,22 @@
  * saddle: no gap that an eye could see. */
 #define TOL_UNSTABLE_START 1e-3
 
+/* The stable manifold in eigen-coordinates (eigen.c).  Step tolerance for a
+ * promise of rtol, and of the second run that it is compared with. */
+#define TOL_EIGEN_STEP   0.1
+#define TOL_EIGEN_COARSE 100.0
+/* Where the search for a start begins, in X: halved until it is good. */
+#define TOL_EIGEN_START 0.25
+/* A branch has ended when what is left is below this part of rtol, so that
+ * the end never dominates the error; and the slowest decay of a rate, per unit
+ * of ln v or ln psi, that can be told from none. */
+#define TOL_EIGEN_REST  0.01
+#define TOL_EIGEN_DECAY 0.2
+/* Longest step in (X, Y): a few times the width of the narrowest bend between
+ * two straight parts. */
+#define TOL_EIGEN_LONGEST 8.0
+/* Where steps fail, points at this part of the distance from the saddle tell
+ * whether an equilibrium lies between. */
+#define TOL_EIGEN_ODD 1e-8
+
 #endif

@@ -5,10 +5,13 @@
 #include <stddef.h>
 
 /* Fewest insertions, deletions, changes and swaps of neighbours that turn a
- * into b (Damerau 1964); words are cut at 40 letters. */
+ * into b (Damerau 1964, no letter touched twice), A and a being the same;
+ * words are cut at 40 letters. */
 size_t spell_distance(const char *a, const char *b);
 
-/* Whether b is near enough to a to be what was meant. */
-int spell_is_near(const char *a, const char *b);
+/* Of a NULL-ended list the word that may have been meant, the nearest one, the
+ * first among equals; NULL if none is near: one slip for every three letters
+ * of the longer word. */
+const char *spell_nearest(const char *word, const char *const *known);
 
 #endif

@@ -1,0 +1,391 @@
+/* Taylor coefficients of the field and its observables against a second
+ * implementation: the formulas compiled once more for whole series of 113-bit
+ * coefficients, with recurrences of their own. */
+#include "field.h"
+
+#include <math.h>
+
+#include "setting.h"
+
+enum { ORDER = 24, N = ORDER + 1 };
+
+#define KIND(f) series_##f
+#define FN(f)   f##q
+#define SCALAR  quad
+#define VAR(w)  quad w[N]
+#include "scalar.h"
+
+typedef quad series_num;
+typedef quad series_real;
+struct series_ctx {
+    quad scale, frozen[4];
+};
+#define series_anchor quad_anchor
+
+static int series_order(const struct series_ctx *c)
+{
+    (void) c;
+    return 0;
+}
+
+static void series_linear(struct series_ctx *c, quad p, quad q, const quad *u,
+                          quad r, const quad *v, quad *out)
+{
+    (void) c;
+    for (int k = 0; k < N; k++)
+        out[k] = q * u[k] + r * v[k];
+    out[0] += p;
+}
+
+static void series_product(struct series_ctx *c, const quad *u, const quad *v,
+                           quad *out)
+{
+    quad sum[N] = { 0 };
+
+    (void) c;
+    for (int i = 0; i < N; i++)
+        for (int j = 0; u[i] != 0 && i + j < N; j++)
+            sum[i + j] += u[i] * v[j];
+    for (int k = 0; k < N; k++)
+        out[k] = sum[k];
+}
+
+/* u/v */
+static void over(const quad *u, const quad *v, quad *out)
+{
+    for (int k = 0; k < N; k++) {
+        quad sum = u[k];
+        for (int j = 1; j <= k; j++)
+            sum -= v[j] * out[k - j];
+        out[k] = sum / v[0];
+    }
+}
+
+/* The integral of v u' from `start` */
+static void integral(const quad *v, const quad *u, quad start, quad *out)
+{
+    out[0] = start;
+    for (int k = 1; k < N; k++) {
+        out[k] = 0;
+        for (int j = 1; j <= k; j++)
+            out[k] += j * u[j] * v[k - j] / k;
+    }
+}
+
+static void series_exp(struct series_ctx *c, quad l, quad s, const quad *u,
+                       quad *out)
+{
+    quad power[N], term[N] = { 1 };
+
+    out[0] = 1;
+    for (int k = 1; k < N; k++)
+        out[k] = 0;
+    for (int k = 0; k < N; k++)
+        power[k] = k == 0 ? 0 : s * u[k];
+    for (int j = 1; j < N; j++) { /* e^w = sum of w^j/j!, w[0] = 0 */
+        series_product(c, term, power, term);
+        for (int k = 0; k < N; k++) {
+            term[k] /= j;
+            out[k] += term[k];
+        }
+    }
+    for (int k = 0; k < N; k++)
+        out[k] *= expq(l);
+}
+
+static void series_expm1(struct series_ctx *c, quad p, quad log_p, quad s,
+                         const quad *u, quad *out)
+{
+    series_exp(c, log_p + s * u[0], s, u, out);
+    for (int k = 0; k < N; k++)
+        out[k] = copysignq(1, p) * out[k];
+    out[0] = scalar_expm1(p, log_p, s * u[0]);
+}
+
+static void series_difference(struct series_ctx *c, quad p, const quad *u,
+                              const quad *w, quad *out)
+{
+    quad e[N];
+
+    series_exp(c, u[0], 1, u, out);
+    series_exp(c, w[0], 1, w, e);
+    for (int k = 0; k < N; k++)
+        out[k] = p * (out[k] - e[k]);
+}
+
+static void series_log1p_expm1(struct series_ctx *c, quad r, quad s,
+                               const quad *u, quad *out)
+{
+    quad g[N], part[N];
+
+    series_exp(c, u[0], 1, u, g);
+    for (int k = 0; k < N; k++)
+        g[k] *= r;
+    for (int k = 0; k < N; k++)
+        part[k] = g[k];
+    part[0] += s;
+    over(g, part, g);
+    integral(g, u, scalar_log1p_expm1(r, s, u[0]), out);
+}
+
+static void series_sinh(struct series_ctx *c, const quad *u, quad *out)
+{
+    quad e[N];
+
+    series_exp(c, u[0] - fabsq(u[0]), 1, u, out);
+    series_exp(c, -u[0] - fabsq(u[0]), -1, u, e);
+    for (int k = 0; k < N; k++)
+        out[k] = (out[k] - e[k]) / 2;
+}
+
+/* The slope of asinh(e^w/2) is 1/sqrt(1 + 4 e^(-2 w)). */
+static void series_friction(struct series_ctx *c, quad a, quad w0, quad q0,
+                            const quad *u, quad *out)
+{
+    quad g[N], root[N], one[N] = { 1 };
+
+    series_exp(c, -2 * (w0 + u[0]), -2, u, g);
+    for (int k = 0; k < N; k++)
+        g[k] *= 4;
+    g[0] += 1;
+    root[0] = sqrtq(g[0]);
+    for (int k = 1; k < N; k++) {
+        quad sum = g[k];
+        for (int j = 1; j < k; j++)
+            sum -= root[j] * root[k - j];
+        root[k] = sum / (2 * root[0]);
+    }
+    over(one, root, g);
+    integral(g, u, scalar_friction(w0, q0, u[0]), out);
+    for (int k = 0; k < N; k++)
+        out[k] *= a;
+}
+
+#include "field_formula.h"
+#include "rate_formula.h"
+
+/* A curve, the field along it in both kinds, and the rates. */
+struct curve {
+    double x[JET_SIZE], y[JET_SIZE];
+    double f[2][JET_SIZE], rate[BLOCK_OBSERVABLES][JET_SIZE];
+    struct jet_work work;
+    quad exact[2][N], exact_rate[BLOCK_OBSERVABLES][N], exact_scale;
+};
+
+static void exact_series(const struct setting *s, struct curve *c)
+{
+    struct series_ctx ctx = { 0 };
+    quad X[N], Y[N];
+
+    for (int k = 0; k < N; k++) {
+        X[k] = c->x[k];
+        Y[k] = c->y[k];
+    }
+    series_field(&s->law, &s->at, &ctx, X, Y, c->exact[0], c->exact[1]);
+    c->exact_scale = ctx.scale;
+    for (int i = 0; i < BLOCK_OBSERVABLES; i++)
+        series_rate(&s->law, &s->at, &ctx, (enum block_observable) i, ctx.scale,
+                    X, Y, c->exact_rate[i]);
+}
+
+/* Changes the parameter's unit, so that coefficients of the field neither grow
+ * nor shrink; by powers of two, exactly. */
+static void balance(struct curve *c)
+{
+    int unit = -1000;
+
+    for (int i = 0; i < 2; i++) {
+        const quad ref = fabsq(c->exact[i][0]) + fabsq(c->exact[i][1]) +
+                         fabsq(c->exact[i][2]);
+        for (int k = 8; k < N; k++) {
+            const double size = (double) (fabsq(c->exact[i][k]) / ref);
+            if (size > 0 && isfinite(size))
+                unit = (int) fmax(unit, ceil(log2(size) / k));
+        }
+    }
+    for (int k = 1; k < N && unit > -1000; k++) {
+        c->x[k] = ldexp(c->x[k], -unit * k);
+        c->y[k] = ldexp(c->y[k], -unit * k);
+    }
+}
+
+static void double_series(const struct setting *s, struct curve *c)
+{
+    for (size_t k = 0; k < N; k++) {
+        field_jet(&s->law, &s->b.at, &c->work, k, c->x, c->y, c->f[0], c->f[1]);
+        for (size_t i = 0; i < BLOCK_OBSERVABLES; i++)
+            field_jet_rate(&s->law, &s->b.at, (enum block_observable) i,
+                           &c->work, k, c->x, c->y, c->rate[i]);
+    }
+}
+
+/* A random polynomial curve through a point not far from the anchor; straight
+ * in x if `straight`.  False where the law is too wild to compare: a state of
+ * 300 makes exponents of 300. */
+static bool draw_curve(const struct setting *s, bool straight, uint64_t *seed,
+                       struct curve *c)
+{
+    const struct vec2 z = draw_near(-6, 0.7, seed);
+    const double psi = law_psi_is_log(&s->law) ? fabs(s->b.at.y0 + z.y)
+                                               : exp(s->b.at.y0 + z.y);
+    const double psi_ss =
+        fabs((double) steady_psi(&s->law, &s->m, s->x + (long double) z.x));
+
+    if (!(psi < 300 && psi_ss < 300 && fabsq(s->at.w0) < 1000))
+        return false;
+    *c = (struct curve){ .x = { z.x }, .y = { z.y } };
+    for (int k = 1; k < N; k++) {
+        c->x[k] = straight && k > 1 ? 0 : check_uniform(seed, -1, 1);
+        c->y[k] = check_uniform(seed, -1, 1);
+    }
+    c->work.linear = straight ? c->x : NULL;
+    exact_series(s, c);
+    balance(c);
+    exact_series(s, c);
+    return true;
+}
+
+/* Coefficient by coefficient, relative to the largest within four orders, or
+ * to earlier ones less a factor four an order.  Under (45) with a sinh a
+ * steep e^(2d) - 1 meets a steep exponential, which loses a factor up to three
+ * an order where psi is close to psi_ss. */
+static void check_series(const struct setting *s, const char *name,
+                         const double *found, const quad *exact, quad shift,
+                         quad floor)
+{
+    for (int k = 0; k < N; k++) {
+        quad size = floor;
+        for (int j = 0; j < N && j <= k + 4; j++) {
+            const quad part = ldexp(1, j < k - 4 ? -2 * (k - j) : 0);
+            size =
+                fabsq(exact[j]) * part > size ? fabsq(exact[j]) * part : size;
+        }
+        const quad want = exact[k] * expq(shift);
+        const double loss = law_freezes(&s->law) ? pow(3, k) : 1;
+        CHECK(fabsq(found[k] - want) <=
+                  fmax(1e-11 + 1e-12 * k, 1e-14 * loss) * size * expq(shift) +
+                      1e-300,
+              "law %zu: %s[%d] = %.17g, not %.17g, size %g", s->number, name, k,
+              found[k], (double) want, (double) size);
+    }
+}
+
+static void coefficients_are_exact_to_order_24(void **state)
+{
+    static const char *const names[] = { "slip", "work", "excess" };
+    uint64_t seed = check_seed();
+    struct setting s;
+    static struct curve c;
+    size_t curves = 0;
+
+    (void) state;
+    for (size_t i = 0; i < LAWS * 2; i++) {
+        if (!draw_setting(i, 6, &seed, &s) ||
+            !draw_curve(&s, i / LAWS, &seed, &c))
+            continue;
+        curves++;
+        double_series(&s, &c);
+        const quad shift = c.exact_scale - c.work.log_scale;
+        /* mu is mu0 + (mu - mu0) */
+        const quad mu0_v = fabsq(s.at.mu0 * c.exact_rate[BLOCK_SLIP][0]);
+        check_series(&s, "fx", c.f[0], c.exact[0], shift, 0);
+        check_series(&s, "fy", c.f[1], c.exact[1], shift, 0);
+        for (int j = 0; j < BLOCK_OBSERVABLES; j++)
+            check_series(&s, names[j], c.rate[j], c.exact_rate[j], shift,
+                         j == BLOCK_WORK ? mu0_v : 0);
+    }
+    CHECK(curves > LAWS / 2, "only %zu curves", curves);
+}
+
+static void the_series_sums_to_the_field_on_the_curve(void **state)
+{
+    uint64_t seed = check_seed() + 1;
+    struct setting s;
+    static struct curve c;
+
+    (void) state;
+    for (size_t i = 0; i < LAWS; i++) {
+        if (!draw_setting(i, 6, &seed, &s) || !draw_curve(&s, false, &seed, &c))
+            continue;
+        double_series(&s, &c);
+        const double t = check_uniform(&seed, -0.1, 0.1);
+        const struct vec2 z = { jet_at(ORDER, c.x, t), jet_at(ORDER, c.y, t) };
+        struct planar_field f;
+        field_real(&s.law, &s.b.at, z, &f);
+        const double factor = exp(f.log_scale - c.work.log_scale);
+        const double direction[2] = { f.direction.x, f.direction.y };
+        for (int j = 0; j < 2; j++) {
+            double size = 0;
+            for (int k = 0; k < N; k++)
+                size += fabs(c.f[j][k]) * pow(fabs(t), k);
+            const double want = direction[j] * factor;
+            const double sum = jet_at(ORDER, c.f[j], t);
+            CHECK(fabs(sum - want) <= 1e-11 * (size + fabs(want)),
+                  "law %zu at s=%g: f%d = %.17g, not %.17g", s.number, t, j,
+                  sum, want);
+        }
+    }
+}
+
+static void the_shortcut_for_a_straight_x_changes_nothing(void **state)
+{
+    uint64_t seed = check_seed() + 2;
+    struct setting s;
+    static struct curve c, plain;
+
+    (void) state;
+    for (size_t i = 0; i < LAWS; i++) {
+        if (!draw_setting(i, 6, &seed, &s) || !draw_curve(&s, true, &seed, &c))
+            continue;
+        plain = c;
+        plain.work.linear = NULL;
+        double_series(&s, &c);
+        double_series(&s, &plain);
+        for (int j = 0; j < 2; j++)
+            for (int k = 0; k < N; k++)
+                CHECK(fabs(c.f[j][k] - plain.f[j][k]) <=
+                          1e-13 * (double) k *
+                              (fabs(c.f[j][k]) + (double) fabsq(c.exact[j][0]) +
+                               (double) fabsq(c.exact[j][1]) + 1e-30),
+                      "law %zu: f%d[%d] = %.17g and %.17g", s.number, j, k,
+                      c.f[j][k], plain.f[j][k]);
+    }
+}
+
+static void a_second_call_replaces_the_first(void **state)
+{
+    uint64_t seed = check_seed() + 3;
+    struct setting s;
+    static struct curve c, twice;
+
+    (void) state;
+    for (size_t i = 0; i < LAWS; i++) {
+        if (!draw_setting(i, 6, &seed, &s) || !draw_curve(&s, false, &seed, &c))
+            continue;
+        twice = c;
+        double_series(&s, &c);
+        for (size_t k = 0; k < N; k++) {
+            twice.y[k] = 0.5 * c.y[k] + 0.25; /* a guess, then the value */
+            field_jet(&s.law, &s.b.at, &twice.work, k, twice.x, twice.y,
+                      twice.f[0], twice.f[1]);
+            twice.y[k] = c.y[k];
+            field_jet(&s.law, &s.b.at, &twice.work, k, twice.x, twice.y,
+                      twice.f[0], twice.f[1]);
+            assert_true(twice.f[0][k] == c.f[0][k] &&
+                        twice.f[1][k] == c.f[1][k]);
+        }
+        assert_true(twice.work.log_scale == c.work.log_scale);
+        assert_true(c.work.used <= JET_SLOTS);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(coefficients_are_exact_to_order_24),
+        cmocka_unit_test(the_series_sums_to_the_field_on_the_curve),
+        cmocka_unit_test(the_shortcut_for_a_straight_x_changes_nothing),
+        cmocka_unit_test(a_second_call_replaces_the_first),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
