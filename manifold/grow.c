@@ -43,6 +43,7 @@ struct grower {
     double total[LOCAL_CARRY_MAX];
     double delta; /* bound so far on the error of the dependent coordinate */
     double h;     /* step chosen, positive */
+    struct planar_field end; /* the field at the end of the last step */
     struct jet_work work;
     double at[2][JET_SIZE]; /* x(s), y(s) */
     double f[2][JET_SIZE];
@@ -60,13 +61,10 @@ static double coordinate(struct vec2 z, int i)
 /* y(x) or x(y)?  Keeps the outward sense across a change. */
 static void choose_graph(struct grower *g)
 {
-    struct planar_field f;
+    const double dx = g->end.direction.x, dy = g->end.direction.y;
+    const double steep = g->ind == 0 ? TOL_SLOPE_STEEP : TOL_SLOPE_FLAT;
+    const int now = fabs(dy) < steep * fabs(dx) ? 0 : 1;
 
-    g->sys->field(g->sys->ctx, g->z, &f);
-    const double dx = f.direction.x, dy = f.direction.y;
-    const int now = g->ind == 0
-                        ? (fabs(dy) < TOL_SLOPE_STEEP * fabs(dx) ? 0 : 1)
-                        : (fabs(dy) < TOL_SLOPE_FLAT * fabs(dx) ? 0 : 1);
     if (now == g->ind)
         return;
     const double slope = now == 1 ? dy / dx : dx / dy;
@@ -126,14 +124,16 @@ static double scale_of_unknown(const struct grower *g)
     return g->ind == 0 ? x + y : fmax(x, fmin(rise, 1.0));
 }
 
+/* The step at which the last two terms of u fall to tol * scale. */
 static double step_for(const double u[], size_t order, double scale, double tol)
 {
-    double h = HUGE_VAL;
+    const double goal = log(tol * scale);
+    double least = HUGE_VAL;
 
     for (size_t k = order - 1; k <= order; k++)
         if (u[k] != 0.0)
-            h = fmin(h, pow(tol * scale / fabs(u[k]), 1.0 / (double) k));
-    return h;
+            least = fmin(least, (goal - log(fabs(u[k]))) / (double) k);
+    return exp(least);
 }
 
 static void choose_step(struct grower *g)
@@ -155,11 +155,13 @@ static struct vec2 step_end(const struct grower *g, double s)
 }
 
 /* The series' slope at the end of the step against the field's. */
-static bool step_holds(const struct grower *g, struct vec2 end)
+static bool step_holds(struct grower *g, struct vec2 end)
 {
     const double s = g->toward * g->h;
     const double slope = jet_slope_at(g->o->order, g->at[1 - g->ind], s);
-    const double field = local_slope(g->sys, g->ind, end);
+    g->sys->field(g->sys->ctx, end, &g->end);
+    const struct vec2 d = g->end.direction;
+    const double field = g->ind == 0 ? d.y / d.x : d.x / d.y;
     const double allowed =
         TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / g->h;
     const double rounding = 1e-13 * (fabs(slope) + fabs(g->slope[0]));
@@ -221,7 +223,10 @@ static struct sensitivity sensitivity_at(const struct grower *g, struct vec2 z)
 static double truncation(const struct grower *g, const double u[])
 {
     const size_t n = g->o->order;
-    const double top = pow(g->h, (double) n - 1.0);
+    double top = 1.0, square = g->h;
+
+    for (size_t k = n - 1; k > 0; k >>= 1, square *= square)
+        top *= k & 1 ? square : 1.0;
     return TOL_SAFETY * top * (fabs(u[n - 1]) + g->h * fabs(u[n]));
 }
 
@@ -369,6 +374,7 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
         g->b->total_error[i] = u->integral_tail[i];
     }
     g->z = local_point(u->ind, s, jet_at(n, u->c, s));
+    g->sys->field(g->sys->ctx, g->z, &g->end);
     g->ind = u->ind;
     g->toward = side;
     g->delta = g->b->curve.piece[0].error = u->tail;

@@ -263,7 +263,7 @@ static void check_series(const struct setting *s, const char *name,
         const quad want = exact[k] * expq(shift);
         const double loss = law_freezes(&s->law) ? pow(3, k) : 1;
         CHECK(fabsq(found[k] - want) <=
-                  fmax(1e-11 + 1e-12 * k, 1e-14 * loss) * size * expq(shift) +
+                  fmax(1e-11 * (1 + k), 1e-14 * loss) * size * expq(shift) +
                       1e-300,
               "law %zu: %s[%d] = %.17g, not %.17g, size %g", s->number, name, k,
               found[k], (double) want, (double) size);

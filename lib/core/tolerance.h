@@ -184,5 +184,23 @@
 /* Where steps fail, points at this part of the distance from the saddle tell
  * whether an equilibrium lies between. */
 #define TOL_EIGEN_ODD 1e-8
+/* Bars: parts of the steps' summed estimates (measured: true errors stay below
+ * a hundredth of them where rounding does not rule) and of what the end adds
+ * (measured: an exponential through two steps is right to a factor of two);
+ * roundings that a curve of some 300 steps adds up, in units of roundoff. */
+#define TOL_EIGEN_ESTIMATES 0.01
+#define TOL_EIGEN_RESTS     10.0
+#define TOL_EIGEN_ROUNDING  8.0
+
+/* Scenes.  Bytes of a file, depth of nesting, keys of one map: far more than a
+ * scene needs, so that a wrong file is refused at once. */
+#define SCENE_BYTES ((size_t) 1 << 20)
+#define SCENE_DEPTH 16
+#define SCENE_KEYS  64
+/* Values of estimates.xi: each is one column of a report. */
+#define SCENE_XI 64
+/* Start values and windows lie where the laws are computed, v (and psi > 0)
+ * within 1/SCENE_RANGE..SCENE_RANGE: TOL_LN_RANGE as a factor. */
+#define SCENE_RANGE 1e300
 
 #endif

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "text.h"
-
 struct node *node_new(enum node_kind kind, struct place at)
 {
     struct node *n = malloc(sizeof *n);
@@ -20,7 +18,8 @@ enum status node_adopt(struct node *parent, struct node *child)
 {
     const size_t n = parent->count;
 
-    if ((n & (n - 1)) == 0) { /* full: capacities are powers of two */
+    /* Capacities are powers of two; after node_remove there may be more. */
+    if ((n & (n - 1)) == 0) {
         struct node **grown =
             realloc(parent->child, (n ? 2 * n : 1) * sizeof(struct node *));
         if (grown == NULL) {
@@ -71,8 +70,6 @@ const struct node *node_at(const struct node *root, const char *path)
 void node_remove(struct node *parent, size_t i)
 {
     node_free(parent->child[i]);
-    /* Removing must leave a capacity that node_adopt can tell: it may grow
-     * sooner than it has to, never later. */
     parent->count--;
     memmove(parent->child + i, parent->child + i + 1,
             (parent->count - i) * sizeof *parent->child);
@@ -81,6 +78,20 @@ void node_remove(struct node *parent, size_t i)
 bool node_is_nothing(const struct node *n)
 {
     return n->kind == NODE_SCALAR && n->text[0] == '\0';
+}
+
+struct text_shown node_shown(const struct node *n)
+{
+    struct text_shown shown = { "a list" };
+
+    if (n->kind == NODE_MAP)
+        strcpy(shown.text, "a map of keys");
+    if (n->kind == NODE_SCALAR) {
+        text_show(n->text, shown.text + 1, sizeof shown.text - 2);
+        shown.text[0] = '\'';
+        strcat(shown.text, "'");
+    }
+    return shown;
 }
 
 void node_free(struct node *n)

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "status.h"
+#include "text.h"
 
 /* A point of a file, or an override as a whole. */
 struct place {
@@ -48,6 +49,9 @@ void node_remove(struct node *parent, size_t i);
 
 /* A key with nothing behind it, which may stand for an empty map. */
 bool node_is_nothing(const struct node *n);
+
+/* A value as it stands in messages: 'its text', a list or a map of keys. */
+struct text_shown node_shown(const struct node *n);
 
 /* NULL is harmless. */
 void node_free(struct node *n);

@@ -22,8 +22,7 @@ bool number_read(const char *text, double *value)
         *value = (double) INFINITY;
         return true;
     }
-    if (size == 0 || size > LETTERS ||
-        strspn(text, "+-.0123456789eE") != size)
+    if (size == 0 || size > LETTERS || strspn(text, "+-.0123456789eE") != size)
         return false;
     const bool has_point = whole < size;
     snprintf(copy, sizeof copy, "%.*s%.8s%s", (int) whole, text,

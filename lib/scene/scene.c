@@ -1,5 +1,5 @@
 /* A scene from file and overrides: tree, table, then what only the whole can
- * tell: a law and one slope are there, parts fit together. */
+ * tell: a law and a slope are there, parts fit together. */
 #include "scene.h"
 
 #include <errno.h>
@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "document.h"
+#include "override.h"
 #include "physical.h"
 #include "schema.h"
 #include "tolerance.h"
-
-enum { FILE_MAX = 1 << 20 };
 
 /* ---- the file ------------------------------------------------------------ */
 
@@ -21,9 +21,30 @@ static enum status cannot_read(const char *path, const char *reason,
 {
     char shown[300];
 
-    node_printable(path, shown, sizeof shown);
+    text_show_end(path, shown, sizeof shown);
     snprintf(why->text, sizeof why->text, "%s: cannot read: %s", shown, reason);
     return STATUS_IO;
+}
+
+/* The whole of an open file, a zero after it; *text is owned by the caller,
+ * whatever is returned. */
+static enum status read_open(FILE *file, const char *path, char **text,
+                             size_t *size, struct fault *why)
+{
+    *text = malloc(SCENE_BYTES + 1);
+    if (*text == NULL)
+        return STATUS_NO_MEMORY;
+    errno = 0;
+    *size = fread(*text, 1, SCENE_BYTES + 1, file);
+    if (ferror(file))
+        return cannot_read(path, strerror(errno), why);
+    if (*size > SCENE_BYTES)
+        return cannot_read(path, "more than 1 MiB is no scene", why);
+    (*text)[*size] = '\0';
+    char *fitted = realloc(*text, *size + 1);
+    if (fitted)
+        *text = fitted;
+    return STATUS_OK;
 }
 
 static enum status read_file(const char *path, char **text, size_t *size,
@@ -33,73 +54,201 @@ static enum status read_file(const char *path, char **text, size_t *size,
 
     if (file == NULL)
         return cannot_read(path, strerror(errno), why);
-    *text = malloc(FILE_MAX + 1);
-    if (*text == NULL) {
-        fclose(file);
-        return STATUS_NO_MEMORY;
-    }
-    errno = 0;
-    *size = fread(*text, 1, FILE_MAX + 1, file);
-    const int error = ferror(file) ? errno : 0;
+    const enum status s = read_open(file, path, text, size, why);
     fclose(file);
-    if (error)
-        return cannot_read(path, strerror(error), why);
-    if (*size > FILE_MAX)
-        return cannot_read(path, "more than 1 MiB is no scene", why);
-    (*text)[*size] = '\0';
-    char *fitted = realloc(*text, *size + 1);
-    if (fitted)
-        *text = fitted;
-    return STATUS_OK;
-}
-
-/* ---- overrides ----------------------------------------------------------- */
-
-/* Setting one of these keys takes back the others of its group. */
-static const char *const alternatives[][2] = {
-    { "slope", "alpha" },     { "slope", "alpha_deg" },
-    { "slope", "tan_alpha" }, { "law", "preset" },
-    { "law", "theta" },       { "law", "psi_ss" },
-    { "law", "timescale" },   { "law", "kinetics" },
-    { "sample", "log_time" }, { "sample", "linear_slip" },
-};
-
-static bool is_component(const char *key)
-{
-    return strcmp(key, "theta") == 0 || strcmp(key, "psi_ss") == 0 ||
-           strcmp(key, "timescale") == 0 || strcmp(key, "kinetics") == 0;
-}
-
-static void take_back(struct node *root, const char *set)
-{
-    for (size_t i = 0; i < sizeof alternatives / sizeof *alternatives; i++) {
-        const char *section = alternatives[i][0], *key = alternatives[i][1];
-        const size_t n = strlen(section);
-        struct node *map = node_find(root, section);
-        if (strncmp(set, section, n) != 0 || set[n] != '.' || map == NULL ||
-            map->kind != NODE_MAP)
-            continue;
-        char own[64];
-        snprintf(own, sizeof own, "%.*s", (int) strcspn(set + n + 1, "="),
-                 set + n + 1);
-        const bool both_parts = is_component(own) && is_component(key);
-        if (strcmp(own, "friction") != 0 && !both_parts)
-            node_remove(map, key);
-    }
-}
-
-static enum status override_all(struct node *root, char *const override[],
-                                size_t overrides, struct fault *why)
-{
-    enum status s = STATUS_OK;
-
-    for (size_t i = 0; i < overrides && s == STATUS_OK; i++) {
-        take_back(root, override[i]);
-        s = node_override(root, override[i], why);
-    }
     return s;
 }
 
+/* ---- defaults ------------------------------------------------------------ */
+
+static enum status set_defaults(struct scene *s)
+{
+    static const double xi[] = { 0.85, 0.9, 0.99, 0.999 };
+
+    s->law.preset = "composed";
+    s->law.equation = "composed";
+    s->material = material_bristol_board();
+    s->window = (struct scene_window){ { 1e-6, 1e6 }, { NAN, NAN }, AXES_LOG };
+    s->seed = 1;
+    s->rtol = TOL_RTOL_DEFAULT;
+    s->xi_count = sizeof xi / sizeof *xi;
+    s->title = text_copy("", 0);
+    s->xi = malloc(sizeof xi);
+    if (s->title == NULL || s->xi == NULL)
+        return STATUS_NO_MEMORY;
+    memcpy(s->xi, xi, sizeof xi);
+    return STATUS_OK;
+}
+
+/* ---- checks of the whole ------------------------------------------------- */
+
+/* The place of a path, or of what holds it. */
+static struct place place_of(const struct node *root, const char *section,
+                             const char *path)
+{
+    const struct node *n = node_at(root, path);
+
+    if (n == NULL)
+        n = node_at(root, section);
+    return n ? n->at : root->at;
+}
+
+static enum status check_law(const struct node *root, const struct scene *s,
+                             struct fault *why)
+{
+    static const char *const part[] = { "theta", "psi_ss", "timescale",
+                                        "kinetics" };
+    const struct node *law = node_find(root, "law");
+    const struct place at = place_of(root, "law", "law");
+    const char *missing = NULL;
+    int parts = 0;
+
+    (void) s;
+    for (int i = 0; i < 4; i++) {
+        const bool given = node_find(law, part[i]) != NULL;
+        parts += given;
+        missing = given ? missing : part[i];
+    }
+    if (node_find(law, "preset") || parts == 4)
+        return STATUS_OK;
+    if (parts == 0)
+        return place_blame(at, why,
+                           "no law, expected 'law: {preset: NAME}' or --law "
+                           "NAME (see slipway laws)");
+    return place_blame(at, why,
+                       "law: %s is missing, expected theta, psi_ss, timescale "
+                       "and kinetics together",
+                       missing);
+}
+
+static enum status check_slope(const struct node *root, const struct scene *s,
+                               struct fault *why)
+{
+    const struct node *slope = node_find(root, "slope");
+
+    (void) s;
+    if (slope && slope->count > 0)
+        return STATUS_OK;
+    return place_blame(place_of(root, "slope", "slope"), why,
+                       "no slope, expected 'slope: {alpha: RAD}' or --alpha "
+                       "RAD");
+}
+
+static enum status check_material(const struct node *root,
+                                  const struct scene *s, struct fault *why)
+{
+    const struct node *material = node_find(root, "material");
+    struct fault reason;
+
+    for (int i = 0; i < MATERIAL_KEYS; i++) {
+        const enum material_key key = (enum material_key) i;
+        const struct node *n = node_find(material, material_key_name(key));
+        if (n && !law_uses(&s->law, key))
+            return place_blame(n->key_at, why,
+                               "material.%s: the law %s does not use it",
+                               n->key, s->law.preset);
+    }
+    if (law_uses(&s->law, MATERIAL_V_C) && !node_find(material, "V_c"))
+        return place_blame(place_of(root, "law", "law.preset"), why,
+                           "law.preset: kato_tullis needs material.V_c, a "
+                           "number > 0");
+    if (law_check(&s->law, &s->material, &reason) != STATUS_OK)
+        return place_blame(place_of(root, "law", "law.preset"), why, "%s",
+                           reason.text);
+    return STATUS_OK;
+}
+
+/* Where psi is a logarithm, its own range; else that of v. */
+static bool psi_in_range(const struct law *law, double psi)
+{
+    if (law_psi_is_log(law))
+        return fabs(psi) <= TOL_PSI_RANGE;
+    return psi >= 1.0 / SCENE_RANGE && psi <= SCENE_RANGE;
+}
+
+static const char *psi_expected(const struct law *law)
+{
+    return law_psi_is_log(law) ? "a number from -700 to 700"
+                               : "a number from 1e-300 to 1e300";
+}
+
+static enum status check_window(const struct node *root, const struct scene *s,
+                                struct fault *why)
+{
+    for (int i = 0; i < 2; i++) {
+        const struct node *psi = node_at(root, "window.psi");
+        if (psi == NULL || psi_in_range(&s->law, s->window.psi[i]))
+            continue;
+        return place_blame(psi->child[i]->at, why,
+                           "window.psi: %s is not allowed, expected %s",
+                           node_shown(psi->child[i]).text,
+                           psi_expected(&s->law));
+    }
+    return STATUS_OK;
+}
+
+static enum status check_starts(const struct node *root, const struct scene *s,
+                                struct fault *why)
+{
+    const struct node *list = node_at(root, "trajectories.starts");
+
+    for (size_t i = 0; i < s->starts; i++) {
+        const struct scene_start z = s->start[i];
+        const struct node *v = node_find(list->child[i], "v");
+        const struct node *psi = node_find(list->child[i], "psi");
+        if (!(z.v >= 1.0 / SCENE_RANGE && z.v <= SCENE_RANGE))
+            return place_blame(v->at, why,
+                               "trajectories.starts: v = %s is not allowed, "
+                               "expected v/V_star from 1e-300 to 1e300",
+                               node_shown(v).text);
+        if (!psi_in_range(&s->law, z.psi))
+            return place_blame(psi->at, why,
+                               "trajectories.starts: psi = %s is not allowed, "
+                               "expected %s",
+                               node_shown(psi).text,
+                               s->units == UNITS_SI ? "phi > 0 in SI units"
+                                                    : psi_expected(&s->law));
+    }
+    return STATUS_OK;
+}
+
+/* ---- the whole ----------------------------------------------------------- */
+
+/* What a scene leaves open where psi is a logarithm, and starts in SI units. */
+static void settle(struct scene *s)
+{
+    const bool is_log = law_psi_is_log(&s->law);
+
+    if (isnan(s->window.psi[0])) {
+        s->window.psi[0] = is_log ? -7.0 : 1e-3;
+        s->window.psi[1] = is_log ? 5.0 : 1e2;
+    }
+    for (size_t i = 0; i < s->starts && s->units == UNITS_SI; i++) {
+        s->start[i].v /= s->material.V_star;
+        s->start[i].psi = physical_psi(&s->law, &s->material, s->start[i].psi);
+    }
+}
+
+static enum status fill(const struct node *root, struct scene *s,
+                        struct fault *why)
+{
+    static enum status (*const check[])(
+        const struct node *, const struct scene *,
+        struct fault *) = { check_law, check_slope, check_material,
+                            check_window, check_starts };
+    enum status status = set_defaults(s);
+
+    if (status == STATUS_OK)
+        status = schema_apply(root, s, why);
+    if (status == STATUS_OK)
+        settle(s);
+    for (size_t i = 0; i < sizeof check / sizeof *check; i++)
+        if (status == STATUS_OK)
+            status = check[i](root, s, why);
+    return status;
+}
+
+/* One override a line. */
 static char *joined(char *const override[], size_t overrides)
 {
     size_t size = 1;
@@ -114,174 +263,25 @@ static char *joined(char *const override[], size_t overrides)
     return text;
 }
 
-/* ---- defaults and checks -------------------------------------------------- */
-
-static enum status set_defaults(struct scene *s)
+/* Text and overrides stay with the scene; *root is the caller's. */
+static enum status read_tree(struct scene *s, const char *path,
+                             char *const override[], size_t overrides,
+                             struct node **root, struct fault *why)
 {
-    static const double xi[] = { 0.85, 0.9, 0.99, 0.999 };
+    size_t size = 0;
+    enum status status = STATUS_OK;
 
-    s->law.preset = "composed";
-    s->law.equation = "composed";
-    s->material = material_bristol_board();
-    s->window = (struct scene_window){ { 1e-6, 1e6 }, { NAN, NAN }, AXES_LOG };
-    s->seed = 1;
-    s->rtol = TOL_RTOL_DEFAULT;
-    s->xi_count = sizeof xi / sizeof *xi;
-    s->title = strdup("");
-    s->xi = malloc(sizeof xi);
-    if (s->title == NULL || s->xi == NULL)
-        return STATUS_NO_MEMORY;
-    memcpy(s->xi, xi, sizeof xi);
-    return STATUS_OK;
-}
-
-/* A preset or all four components. */
-static enum status check_law(const struct node *root, struct fault *why)
-{
-    static const char *const part[] = { "theta", "psi_ss", "timescale",
-                                        "kinetics" };
-    const struct node *law = node_find(root, "law");
-    const bool preset = law && node_find(law, "preset");
-    int parts = 0;
-
-    for (int i = 0; i < 4; i++)
-        parts += law && node_find(law, part[i]) != NULL;
-    if (law == NULL || (!preset && parts == 0))
-        return node_blame(law ? law : root, why,
-                          "no law: add 'law: {preset: NAME}' or --law NAME "
-                          "(see slipway laws)");
-    if (preset && parts > 0)
-        return node_blame(law, why,
-                          "law: either preset or components, not both");
-    for (int i = 0; !preset && i < 4; i++)
-        if (node_find(law, part[i]) == NULL)
-            return node_blame(law, why,
-                              "law: a composed law needs theta, psi_ss, "
-                              "timescale and kinetics; %s is missing",
-                              part[i]);
-    return STATUS_OK;
-}
-
-static enum status check_slope(const struct node *root, struct fault *why)
-{
-    const struct node *slope = node_find(root, "slope");
-
-    if (slope == NULL || slope->count == 0)
-        return node_blame(slope ? slope : root, why,
-                          "no slope: add 'slope: {alpha: RAD}' or --alpha RAD");
-    if (slope->count > 1)
-        return node_blame(slope->child[1], why,
-                          "slope: exactly one of alpha, alpha_deg, tan_alpha, "
-                          "not both %s and %s",
-                          slope->child[0]->key, slope->child[1]->key);
-    return STATUS_OK;
-}
-
-static enum status check_material(const struct node *root,
-                                  const struct scene *s, struct fault *why)
-{
-    const struct node *material = node_find(root, "material");
-    const struct node *law = node_find(root, "law");
-    struct fault reason;
-
-    for (int i = 0; material && i < MATERIAL_KEYS; i++) {
-        const enum material_key key = (enum material_key) i;
-        const struct node *n = node_find(material, material_key_name(key));
-        if (n && !law_uses(&s->law, key))
-            return node_blame(n, why, "material.%s: the law %s does not use it",
-                              n->key, s->law.preset);
-    }
-    if (law_uses(&s->law, MATERIAL_V_C) &&
-        (material == NULL || node_find(material, "V_c") == NULL))
-        return node_blame(law, why,
-                          "law.preset: kato_tullis needs material.V_c");
-    if (law_check(&s->law, &s->material, &reason) != STATUS_OK)
-        return node_blame(law, why, "%s", reason.text);
-    return STATUS_OK;
-}
-
-static enum status check_window(const struct node *root, struct scene *s,
-                                struct fault *why)
-{
-    const struct node *window = node_find(root, "window");
-    const bool is_log = !law_psi_is_log(&s->law);
-    struct scene_window *w = &s->window;
-
-    if (isnan(w->psi[0])) {
-        w->psi[0] = is_log ? 1e-3 : -7.0;
-        w->psi[1] = is_log ? 1e2 : 5.0;
-    }
-    if (!(w->v[0] >= 1e-300))
-        return node_blame(node_find(window, "v"), why,
-                          "window.v: %.17g, expected a lower end >= 1e-300",
-                          w->v[0]);
-    if (is_log && !(w->psi[0] >= 1e-300))
-        return node_blame(node_find(window, "psi"), why,
-                          "window.psi: %.17g, expected a lower end >= 1e-300",
-                          w->psi[0]);
-    if (!is_log && !(w->psi[0] >= -TOL_PSI_RANGE && w->psi[1] <= TOL_PSI_RANGE))
-        return node_blame(node_find(window, "psi"), why,
-                          "window.psi: expected ends between -700 and 700");
-    return STATUS_OK;
-}
-
-/* Start values become dimensionless; psi > 0 unless it is a logarithm. */
-static enum status check_starts(const struct node *root, struct scene *s,
-                                struct fault *why)
-{
-    const bool si = s->units == UNITS_SI;
-
-    for (size_t i = 0; i < s->starts; i++) {
-        struct scene_start *z = &s->start[i];
-        if ((si || !law_psi_is_log(&s->law)) && !(z->psi > 0.0)) {
-            const struct node *n =
-                node_find(node_find(root, "trajectories"), "starts");
-            return node_blame(n->child[i], why,
-                              "trajectories.starts: psi = %.17g, expected a "
-                              "number > 0",
-                              z->psi);
-        }
-        if (si) {
-            z->v /= s->material.V_star;
-            z->psi = physical_psi(&s->law, &s->material, z->psi);
-        }
-    }
-    return STATUS_OK;
-}
-
-static enum status check_figure(const struct node *root, const struct scene *s,
-                                struct fault *why)
-{
-    const char *dot = s->figure ? strrchr(s->figure, '.') : ".svg";
-
-    if (dot && (strcmp(dot, ".svg") == 0 || strcmp(dot, ".pdf") == 0 ||
-                strcmp(dot, ".png") == 0))
-        return STATUS_OK;
-    return node_blame(node_find(node_find(root, "output"), "figure"), why,
-                      "output.figure: '%s' is not allowed, expected a path "
-                      "ending in .svg, .pdf or .png",
-                      s->figure);
-}
-
-static enum status fill(const struct node *root, struct scene *s,
-                        struct fault *why)
-{
-    enum status status = set_defaults(s);
-
+    if (path)
+        status = read_file(path, &s->text, &size, why);
+    else if ((s->text = text_copy("", 0)) == NULL)
+        status = STATUS_NO_MEMORY;
     if (status == STATUS_OK)
-        status = schema_apply(root, s, why);
-    if (status == STATUS_OK)
-        status = check_law(root, why);
-    if (status == STATUS_OK)
-        status = check_slope(root, why);
-    if (status == STATUS_OK)
-        status = check_material(root, s, why);
-    if (status == STATUS_OK)
-        status = check_window(root, s, why);
-    if (status == STATUS_OK)
-        status = check_starts(root, s, why);
-    if (status == STATUS_OK)
-        status = check_figure(root, s, why);
+        status = document_read(s->text, size, path, root, why);
+    for (size_t i = 0; i < overrides && status == STATUS_OK; i++)
+        status = override_apply(*root, override[i], why);
+    if (status == STATUS_OK &&
+        (s->overrides = joined(override, overrides)) == NULL)
+        status = STATUS_NO_MEMORY;
     return status;
 }
 
@@ -290,22 +290,10 @@ enum status scene_read(struct scene *s, const char *path,
                        struct fault *why)
 {
     struct node *root = NULL;
-    size_t size = 0;
-    enum status status = STATUS_OK;
 
     *s = (struct scene){ .text = NULL };
     snprintf(why->text, sizeof why->text, "%s", status_text(STATUS_NO_MEMORY));
-    if (path)
-        status = read_file(path, &s->text, &size, why);
-    else if ((s->text = strdup("")) == NULL)
-        status = STATUS_NO_MEMORY;
-    if (status == STATUS_OK)
-        status = node_parse(s->text, size, path ? path : "command line", &root,
-                            why);
-    if (status == STATUS_OK)
-        status = override_all(root, override, overrides, why);
-    if (status == STATUS_OK && (s->overrides = joined(override, overrides)) == NULL)
-        status = STATUS_NO_MEMORY;
+    enum status status = read_tree(s, path, override, overrides, &root, why);
     if (status == STATUS_OK)
         status = fill(root, s, why);
     node_free(root);

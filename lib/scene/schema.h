@@ -1,32 +1,41 @@
-/* schema.h -- the one table of scene keys: what each holds, where it goes in
- * struct scene, its range and its default in words. */
+/*
+ * schema.h -- the one table of scene keys: what each holds, where it goes in
+ * struct scene, and its range; and what the table alone can check.
+ */
 #ifndef SCENE_SCHEMA_H
 #define SCENE_SCHEMA_H
 
 #include "node.h"
 #include "scene.h"
 
-struct schema_key;
-
-/* Reads a node into the scene; errors as scene_read. */
-typedef enum status schema_reader(const struct schema_key *key,
-                                  const struct node *n, struct scene *s,
-                                  struct fault *why);
-
 struct schema_key {
     const char *path; /* "window.v" */
-    schema_reader *read;
-    size_t offset;             /* of the member of struct scene */
-    const char *const *names;  /* words allowed, by code */
-    double lo, hi;             /* lo < value < hi, or <= where closed */
-    const char *expected;      /* what the value must be, for messages */
-    const char *default_text;  /* for the documentation */
+    /* Reads a value into the scene; errors as scene_read. */
+    enum status (*read)(const struct schema_key *key, const struct node *n,
+                        struct scene *s, struct fault *why);
+    size_t offset;            /* of a member of struct scene, if there is one */
+    double lo, hi;            /* of numbers */
+    bool open_lo, open_hi;    /* lo (hi) itself is not allowed */
+    const char *const *words; /* allowed, by code; NULL-ended */
+    const char *expected;     /* for messages; NULL: the words */
+    int side; /* keys of one section on different sides exclude each other; 0:
+                 on none */
 };
 
 /* Ends with path NULL. */
 extern const struct schema_key schema_table[];
 
-/* Assigns every node of the tree through the table; refuses unknown keys. */
+/* STATUS_BAD_SCENE, "unknown key ..." blamed on `at`, unless path is a key or
+ * holds keys. */
+MUST_CHECK enum status schema_check_path(const char *path, struct place at,
+                                         struct fault *why);
+
+/* Whether the keys at two paths exclude each other. */
+bool schema_excludes(const char *path, const char *other);
+
+/* Assigns every value of the tree; refuses unknown keys, values out of range
+ * and keys that exclude each other.  Errors as scene_read; part of the scene
+ * may be assigned then. */
 MUST_CHECK enum status schema_apply(const struct node *root, struct scene *s,
                                     struct fault *why);
 

@@ -21,7 +21,7 @@ static size_t decode(const unsigned char *s, unsigned *code)
 {
     static const unsigned bits[] = { 0, 0x7f, 0x1f, 0x0f, 0x07 };
     static const unsigned least[] = { 0, 0, 0x80, 0x800, 0x10000 };
-    const size_t size = s[0] < 0x80          ? 1
+    const size_t size = s[0] < 0x80         ? 1
                         : s[0] >> 5 == 0x06 ? 2
                         : s[0] >> 4 == 0x0e ? 3
                         : s[0] >> 3 == 0x1e ? 4
@@ -111,4 +111,16 @@ struct text_shown text_shown(const char *text)
 
     text_show(text, shown.text, sizeof shown.text);
     return shown;
+}
+
+void text_list(const char *const *words, char *out, size_t size)
+{
+    size_t used = 0;
+
+    out[0] = '\0';
+    for (size_t i = 0; words[i] && used < size; i++) {
+        const char *comma = i == 0 ? "" : words[i + 1] ? ", " : " or ";
+        used +=
+            (size_t) snprintf(out + used, size - used, "%s%s", comma, words[i]);
+    }
 }

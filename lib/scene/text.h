@@ -23,4 +23,7 @@ struct text_shown {
 };
 struct text_shown text_shown(const char *text);
 
+/* "a, b or c" of a NULL-ended list, cut at size - 1. */
+void text_list(const char *const *words, char *out, size_t size);
+
 #endif

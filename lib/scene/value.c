@@ -1,0 +1,330 @@
+#include "value.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "number.h"
+#include "spell.h"
+#include "text.h"
+#include "tolerance.h"
+
+/* Blames a value; offers the nearest word where words are expected. */
+static enum status refuse(const struct schema_key *key, const struct node *n,
+                          struct fault *why)
+{
+    const char *expected = key->expected ? key->expected : "", *near = NULL;
+    char words[240] = "";
+
+    if (key->words)
+        text_list(key->words, words, sizeof words);
+    if (key->words && n->kind == NODE_SCALAR)
+        near = spell_nearest(n->text, key->words);
+    return place_blame(n->at, why, "%s: %s is not allowed, expected %s%s%s%s%s",
+                       key->path, node_shown(n).text, expected, words,
+                       near ? " (did you mean " : "", near ? near : "",
+                       near ? "?)" : "");
+}
+
+/* ---- numbers ------------------------------------------------------------- */
+
+static void *member(struct scene *s, const struct schema_key *key)
+{
+    return (char *) s + key->offset;
+}
+
+static bool is_number(const struct schema_key *key, const struct node *n,
+                      double *value)
+{
+    double x;
+
+    if (n->kind != NODE_SCALAR || !number_read(n->text, &x) || x < key->lo ||
+        x > key->hi || (key->open_lo && x == key->lo) ||
+        (key->open_hi && x == key->hi))
+        return false;
+    *value = x;
+    return true;
+}
+
+static bool is_whole(const struct schema_key *key, const struct node *n,
+                     uint64_t *value)
+{
+    uint64_t x;
+
+    if (n->kind != NODE_SCALAR || !number_read_whole(n->text, &x) ||
+        x < (uint64_t) key->lo || x > (uint64_t) key->hi)
+        return false;
+    *value = x;
+    return true;
+}
+
+enum status value_real(const struct schema_key *key, const struct node *n,
+                       struct scene *s, struct fault *why)
+{
+    return is_number(key, n, member(s, key)) ? STATUS_OK : refuse(key, n, why);
+}
+
+enum status value_seed(const struct schema_key *key, const struct node *n,
+                       struct scene *s, struct fault *why)
+{
+    return is_whole(key, n, member(s, key)) ? STATUS_OK : refuse(key, n, why);
+}
+
+enum status value_count(const struct schema_key *key, const struct node *n,
+                        struct scene *s, struct fault *why)
+{
+    uint64_t count;
+
+    if (!is_whole(key, n, &count))
+        return refuse(key, n, why);
+    *(size_t *) member(s, key) = (size_t) count;
+    return STATUS_OK;
+}
+
+enum status value_pair(const struct schema_key *key, const struct node *n,
+                       struct scene *s, struct fault *why)
+{
+    double *pair = member(s, key), x[2];
+
+    if (n->kind != NODE_LIST || n->count != 2)
+        return place_blame(n->at, why, "%s: this is no pair, expected [lo, hi]",
+                           key->path);
+    for (int i = 0; i < 2; i++)
+        if (!is_number(key, n->child[i], &x[i]))
+            return refuse(key, n->child[i], why);
+    if (x[0] >= x[1])
+        return place_blame(n->at, why,
+                           "%s: [%s, %s] is empty, expected lo < hi", key->path,
+                           text_shown(n->child[0]->text).text,
+                           text_shown(n->child[1]->text).text);
+    pair[0] = x[0];
+    pair[1] = x[1];
+    return STATUS_OK;
+}
+
+/* ---- texts --------------------------------------------------------------- */
+
+enum status value_text(const struct schema_key *key, const struct node *n,
+                       struct scene *s, struct fault *why)
+{
+    char **text = member(s, key);
+
+    if (n->kind != NODE_SCALAR)
+        return refuse(key, n, why);
+    char *copy = text_copy(n->text, strlen(n->text));
+    if (copy == NULL)
+        return STATUS_NO_MEMORY;
+    free(*text);
+    *text = copy;
+    return STATUS_OK;
+}
+
+enum status value_path(const struct schema_key *key, const struct node *n,
+                       struct scene *s, struct fault *why)
+{
+    char **path = member(s, key);
+
+    if (!node_is_nothing(n))
+        return value_text(key, n, s, why);
+    free(*path);
+    *path = NULL;
+    return STATUS_OK;
+}
+
+enum status value_figure(const struct schema_key *key, const struct node *n,
+                         struct scene *s, struct fault *why)
+{
+    const char *dot = n->kind == NODE_SCALAR ? strrchr(n->text, '.') : NULL;
+    const bool drawn =
+        dot && (strcmp(dot, ".svg") == 0 || strcmp(dot, ".pdf") == 0 ||
+                strcmp(dot, ".png") == 0);
+
+    return drawn || node_is_nothing(n) ? value_path(key, n, s, why)
+                                       : refuse(key, n, why);
+}
+
+/* ---- words --------------------------------------------------------------- */
+
+/* -1 if n is none of the words. */
+static int code_of(const struct node *n, const char *const *words)
+{
+    for (int i = 0; n->kind == NODE_SCALAR && words[i]; i++)
+        if (strcmp(n->text, words[i]) == 0)
+            return i;
+    return -1;
+}
+
+enum status value_choice(const struct schema_key *key, const struct node *n,
+                         struct scene *s, struct fault *why)
+{
+    const int code = code_of(n, key->words);
+
+    if (code < 0)
+        return refuse(key, n, why);
+    *(int *) member(s, key) = code;
+    return STATUS_OK;
+}
+
+enum status value_board(const struct schema_key *key, const struct node *n,
+                        struct scene *s, struct fault *why)
+{
+    (void) s;
+    return code_of(n, key->words) < 0 ? refuse(key, n, why) : STATUS_OK;
+}
+
+enum status value_products(const struct schema_key *key, const struct node *n,
+                           struct scene *s, struct fault *why)
+{
+    unsigned products = 0;
+
+    if (n->kind != NODE_LIST)
+        return refuse(key, n, why);
+    for (size_t i = 0; i < n->count; i++) {
+        const int code = code_of(n->child[i], key->words);
+        if (code < 0)
+            return refuse(key, n->child[i], why);
+        products |= 1u << code;
+    }
+    s->products = products;
+    return STATUS_OK;
+}
+
+enum status value_preset(const struct schema_key *key, const struct node *n,
+                         struct scene *s, struct fault *why)
+{
+    const struct law *law = NULL;
+
+    if (n->kind == NODE_SCALAR)
+        law = law_preset_find(n->text);
+    if (law == NULL) {
+        const char *words[32] = { NULL };
+        struct schema_key with_words = *key;
+        for (size_t i = 0; i < 31 && law_preset_at(i); i++)
+            words[i] = law_preset_at(i)->preset;
+        with_words.words = words;
+        return refuse(&with_words, n, why);
+    }
+    const enum friction_form form = s->law.form;
+    s->law = *law;
+    s->law.form = form;
+    return STATUS_OK;
+}
+
+/* ---- slopes -------------------------------------------------------------- */
+
+static const long double pi = 3.141592653589793238462643383279502884L;
+
+enum status value_alpha(const struct schema_key *key, const struct node *n,
+                        struct scene *s, struct fault *why)
+{
+    if (!is_number(key, n, &s->alpha))
+        return refuse(key, n, why);
+    s->tan_alpha = tanl((long double) s->alpha);
+    return STATUS_OK;
+}
+
+/* Steep slopes from the angle that is left to 90 degrees, which is exact. */
+enum status value_alpha_deg(const struct schema_key *key, const struct node *n,
+                            struct scene *s, struct fault *why)
+{
+    double degrees;
+
+    if (!is_number(key, n, &degrees))
+        return refuse(key, n, why);
+    const long double x = (long double) degrees, rad = pi / 180;
+    s->alpha = (double) (x * rad);
+    s->tan_alpha = x <= 45 ? tanl(x * rad) : 1 / tanl((90 - x) * rad);
+    return STATUS_OK;
+}
+
+enum status value_tan_alpha(const struct schema_key *key, const struct node *n,
+                            struct scene *s, struct fault *why)
+{
+    double x;
+
+    if (!is_number(key, n, &x))
+        return refuse(key, n, why);
+    s->alpha = atan(x);
+    s->tan_alpha = (long double) x;
+    return STATUS_OK;
+}
+
+/* ---- lists --------------------------------------------------------------- */
+
+enum status value_xi(const struct schema_key *key, const struct node *n,
+                     struct scene *s, struct fault *why)
+{
+    if (n->kind != NODE_LIST || n->count == 0 || n->count > SCENE_XI)
+        return refuse(key, n, why);
+    double *xi = malloc(n->count * sizeof *xi);
+    if (xi == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < n->count; i++)
+        if (!is_number(key, n->child[i], &xi[i])) {
+            free(xi);
+            return refuse(key, n->child[i], why);
+        }
+    free(s->xi);
+    s->xi = xi;
+    s->xi_count = n->count;
+    return STATUS_OK;
+}
+
+/* {v: V, psi: P}: positive v, psi any finite number yet. */
+static enum status read_start(const struct schema_key *key,
+                              const struct node *n, struct scene_start *start,
+                              struct fault *why)
+{
+    static const struct schema_key parts[] = {
+        { .path = "trajectories.starts: v",
+          .lo = 0.0,
+          .open_lo = true,
+          .hi = DBL_MAX,
+          .expected = "a number > 0" },
+        { .path = "trajectories.starts: psi",
+          .lo = -DBL_MAX,
+          .hi = DBL_MAX,
+          .expected = "a number" },
+    };
+
+    if (n->kind != NODE_MAP)
+        return refuse(key, n, why);
+    for (size_t i = 0; i < n->count; i++)
+        if (strcmp(n->child[i]->key, "v") && strcmp(n->child[i]->key, "psi"))
+            return place_blame(n->child[i]->key_at, why,
+                               "%s: unknown key '%s', expected v and psi",
+                               key->path, text_shown(n->child[i]->key).text);
+    const struct node *v = node_find(n, "v"), *psi = node_find(n, "psi");
+    if (v == NULL || psi == NULL)
+        return place_blame(n->at, why,
+                           "%s: %s is missing, expected {v: V, "
+                           "psi: P}",
+                           key->path, v ? "psi" : "v");
+    if (!is_number(&parts[0], v, &start->v))
+        return refuse(&parts[0], v, why);
+    if (!is_number(&parts[1], psi, &start->psi))
+        return refuse(&parts[1], psi, why);
+    return STATUS_OK;
+}
+
+enum status value_starts(const struct schema_key *key, const struct node *n,
+                         struct scene *s, struct fault *why)
+{
+    if (n->kind != NODE_LIST)
+        return refuse(key, n, why);
+    if (n->count == 0)
+        return STATUS_OK;
+    struct scene_start *start = malloc(n->count * sizeof *start);
+    if (start == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < n->count; i++)
+        if (read_start(key, n->child[i], &start[i], why) != STATUS_OK) {
+            free(start);
+            return STATUS_BAD_SCENE;
+        }
+    s->start = start;
+    s->starts = n->count;
+    return STATUS_OK;
+}
