@@ -4,11 +4,11 @@
  * Exp. Math. 14 (2005) 99-117); step from the last two coefficients.
  * What we changed: dep is y while the curve is flatter than TOL_SLOPE_STEEP
  * and x above, so vertical walls cost nothing; each step's end is checked
- * against the field, because near a fold the coefficients alone deceive; each
- * step's error is carried on by the linearised equation, to the curve's end
- * and into the integrals, so that the bar is about the result; what
- * remains of a branch that approaches an asymptote is closed by quadrature
- * (close.c) instead of being crawled along.
+ * against the field, because near a fold the coefficients alone deceive, and
+ * that defect is the step's error; it is carried on by the linearised
+ * equation, to the curve's end and into the integrals, so that the bar is
+ * about the result; what remains of a branch that approaches an asymptote is
+ * closed by quadrature (close.c) instead of being crawled along.
  */
 #include "grow.h"
 
@@ -31,6 +31,13 @@ struct grow_options grow_defaults(double rtol)
                                   .max_steps = TOL_BRANCH_STEPS };
 }
 
+/* At a point of the curve: slope of dep and of the carried integrals by ind,
+ * and how both change with dep, which is how errors of dep travel. */
+struct outward {
+    double slope, slope_d;
+    double swift[LOCAL_CARRY_MAX], swift_d[LOCAL_CARRY_MAX];
+};
+
 /* One step in the making: series in s, ind = at + s. */
 struct grower {
     const struct planar *sys;
@@ -43,7 +50,8 @@ struct grower {
     double total[LOCAL_CARRY_MAX];
     double delta; /* bound so far on the error of the dependent coordinate */
     double h;     /* step chosen, positive */
-    struct planar_field end; /* the field at the end of the last step */
+    struct planar_jacobian end; /* the field at the end of the last step */
+    struct outward out;         /* and what travels there */
     struct jet_work work;
     double at[2][JET_SIZE]; /* x(s), y(s) */
     double f[2][JET_SIZE];
@@ -58,19 +66,49 @@ static double coordinate(struct vec2 z, int i)
     return i == 0 ? z.x : z.y;
 }
 
+/* From the field at the end of the last step, z. */
+static void look_outward(struct grower *g, struct vec2 z)
+{
+    const struct planar *sys = g->sys;
+    const struct planar_jacobian *J = &g->end;
+    const bool over_x = g->ind == 0;
+    const struct vec2 f = J->field.direction;
+    const double ind = over_x ? f.x : f.y, dep = over_x ? f.y : f.x;
+    const double ind_d = over_x ? J->matrix.xy : J->matrix.yx;
+    const double dep_d = over_x ? J->matrix.yy : J->matrix.xx;
+    const double unit = exp(-J->field.log_scale);
+
+    g->out.slope = dep / ind;
+    g->out.slope_d = (dep_d - g->out.slope * ind_d) / ind;
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        double rate;
+        struct vec2 gradient;
+        if (!g->b->from_saddle[i])
+            continue;
+        sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z, &rate,
+                           &gradient);
+        const double rate_d = over_x ? gradient.y : gradient.x;
+        g->out.swift[i] = unit * rate / ind;
+        g->out.swift_d[i] = unit * (rate_d - rate / ind * ind_d) / ind;
+    }
+}
+
 /* y(x) or x(y)?  Keeps the outward sense across a change. */
 static void choose_graph(struct grower *g)
 {
-    const double dx = g->end.direction.x, dy = g->end.direction.y;
+    const double dx = g->end.field.direction.x, dy = g->end.field.direction.y;
     const double steep = g->ind == 0 ? TOL_SLOPE_STEEP : TOL_SLOPE_FLAT;
     const int now = fabs(dy) < steep * fabs(dx) ? 0 : 1;
 
     if (now == g->ind)
         return;
     const double slope = now == 1 ? dy / dx : dx / dy;
-    g->delta /= fabs(slope); /* the same distance along the other axis */
+    g->delta /= fabs(slope); /* the same distance along the other axis, */
+    for (size_t i = 0; i < g->o->carry.count; i++) /* gone at another time */
+        g->b->total_error[i] += fabs(g->out.swift[i]) * g->delta;
     g->toward = slope >= 0.0 ? g->toward : -g->toward;
     g->ind = now;
+    look_outward(g, g->z);
 }
 
 static void set_start(struct grower *g)
@@ -91,7 +129,7 @@ static void carry_order(struct grower *g, size_t i, size_t k)
         g->sys->rate_jet(g->sys->ctx, (size_t) g->o->carry.which[i], &g->work,
                          k, g->at[0], g->at[1], g->rate[i]);
     g->swift[i][k] = jet_quotient(k, g->rate[i], g->f[g->ind], g->swift[i]);
-    g->integral[i][k + 1] = g->swift[i][k] / (double) (k + 1);
+    g->integral[i][k + 1] = g->swift[i][k] * jet_inverse[k + 1];
 }
 
 static void expand(struct grower *g)
@@ -106,7 +144,7 @@ static void expand(struct grower *g)
         g->sys->jet(g->sys->ctx, &g->work, k, g->at[0], g->at[1], g->f[0],
                     g->f[1]);
         g->slope[k] = jet_quotient(k, num, den, g->slope);
-        dep[k + 1] = g->slope[k] / (double) (k + 1);
+        dep[k + 1] = g->slope[k] * jet_inverse[k + 1];
         for (size_t i = 0; i < g->o->carry.count; i++)
             carry_order(g, i, k);
     }
@@ -159,8 +197,8 @@ static bool step_holds(struct grower *g, struct vec2 end)
 {
     const double s = g->toward * g->h;
     const double slope = jet_slope_at(g->o->order, g->at[1 - g->ind], s);
-    g->sys->field(g->sys->ctx, end, &g->end);
-    const struct vec2 d = g->end.direction;
+    g->sys->jacobian(g->sys->ctx, end, &g->end);
+    const struct vec2 d = g->end.field.direction;
     const double field = g->ind == 0 ? d.y / d.x : d.x / d.y;
     const double allowed =
         TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / g->h;
@@ -185,63 +223,42 @@ static bool clip_to_domain(struct grower *g)
     return true;
 }
 
-/* How errors of dep travel at z: d slope/d dep, and d/d dep of each carried
- * integral's derivative by ind. */
-struct sensitivity {
-    double slope;
-    double integral[LOCAL_CARRY_MAX];
-};
-
-static struct sensitivity sensitivity_at(const struct grower *g, struct vec2 z)
-{
-    const struct planar *sys = g->sys;
-    const bool over_x = g->ind == 0;
-    struct planar_jacobian J;
-    struct sensitivity out = { 0 };
-
-    sys->jacobian(sys->ctx, z, &J);
-    const struct vec2 f = J.field.direction;
-    const double ind = over_x ? f.x : f.y, dep = over_x ? f.y : f.x;
-    const double ind_d = over_x ? J.matrix.xy : J.matrix.yx;
-    const double dep_d = over_x ? J.matrix.yy : J.matrix.xx;
-    out.slope = (dep_d - dep / ind * ind_d) / ind;
-    for (size_t i = 0; i < g->o->carry.count; i++) {
-        double rate;
-        struct vec2 gradient;
-        if (!g->b->from_saddle[i])
-            continue;
-        sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z, &rate,
-                           &gradient);
-        const double rate_d = over_x ? gradient.y : gradient.x;
-        out.integral[i] =
-            (rate_d - rate / ind * ind_d) / ind * exp(-J.field.log_scale);
-    }
-    return out;
-}
-
-/* Last terms of a series over the step: what its truncation may have cost. */
-static double truncation(const struct grower *g, const double u[])
+/* What the truncation of u over the step may have cost: the first term left out
+ * is h/(n + 1) times what its derivative is off at the end; where that is zero
+ * by chance, a part of the last terms. */
+static double truncation(const struct grower *g, const double u[], double off)
 {
     const size_t n = g->o->order;
     double top = 1.0, square = g->h;
 
     for (size_t k = n - 1; k > 0; k >>= 1, square *= square)
         top *= k & 1 ? square : 1.0;
-    return TOL_SAFETY * top * (fabs(u[n - 1]) + g->h * fabs(u[n]));
+    const double last = top * (fabs(u[n - 1]) + g->h * fabs(u[n]));
+    const double next = fmin(fabs(off) * g->h / (double) (n + 1), last);
+    return TOL_STEP_BAR_NEXT * next + TOL_STEP_BAR_LAST * last;
 }
 
 /* The step to `end`: its own errors, and those before it carried along. */
 static void add_errors(struct grower *g, struct vec2 end)
 {
-    const struct sensitivity s = sensitivity_at(g, end);
-    const double growth = g->toward * g->h * s.slope;
+    const double s = g->toward * g->h;
+    const size_t n = g->o->order;
+    const struct outward before = g->out;
+    look_outward(g, end);
+    const double growth =
+        0.5 * g->toward * g->h * (before.slope_d + g->out.slope_d);
 
     if (growth > 0.0)
         g->delta *= exp(fmin(growth, 50.0));
-    g->delta += truncation(g, g->at[1 - g->ind]);
+    g->delta +=
+        truncation(g, g->at[1 - g->ind],
+                   jet_slope_at(n, g->at[1 - g->ind], s) - g->out.slope);
     for (size_t i = 0; i < g->o->carry.count; i++)
-        g->b->total_error[i] += truncation(g, g->integral[i]) +
-                                g->h * g->delta * fabs(s.integral[i]);
+        g->b->total_error[i] +=
+            truncation(g, g->integral[i],
+                       jet_slope_at(n, g->integral[i], s) - g->out.swift[i]) +
+            g->h * g->delta *
+                fmax(fabs(before.swift_d[i]), fabs(g->out.swift_d[i]));
 }
 
 /* Writes u(toward * h * theta) + start as polynomial in theta. */
@@ -284,20 +301,16 @@ static void advance(struct grower *g)
 }
 
 /* Whether everything still unknown changes by less than `part` of itself per
- * unit of the independent coordinate, at the end of the step just taken. */
+ * unit of the independent coordinate. */
 static bool hardly_changes(const struct grower *g, double part)
 {
-    const double s = g->toward * g->h;
-    const size_t n = g->o->order;
-    const double slope = jet_slope_at(n, g->at[1 - g->ind], s);
     const double unknown = fabs(coordinate(g->z, 1 - g->ind));
 
-    if (!(fabs(slope) <= part * fmin(1.0, unknown)))
+    if (!(fabs(g->out.slope) <= part * fmin(1.0, unknown)))
         return false;
     for (size_t i = 0; i < g->o->carry.count; i++)
         if (g->b->from_saddle[i] &&
-            !(fabs(jet_slope_at(n, g->integral[i], s)) <=
-              part * fabs(g->total[i])))
+            !(fabs(g->out.swift[i]) <= part * fabs(g->total[i])))
             return false;
     return true;
 }
@@ -307,7 +320,25 @@ static bool may_close(const struct grower *g)
 {
     const bool inside =
         g->o->reach && box_holds(*g->o->reach, vec2_add(g->sys->origin, g->z));
-    return hardly_changes(g, inside ? TOL_TAIL_NIL : TOL_TAIL);
+
+    if (inside)
+        return hardly_changes(g, TOL_TAIL_NIL);
+    return hardly_changes(
+        g, fmin(TOL_TAIL_PART * sqrt(g->o->rtol), TOL_TAIL_MOST));
+}
+
+/* Whether the tail adds little to the bars; at the latest where it adds little
+ * to the numbers. */
+static bool tail_holds(const struct grower *g, const struct tail *t)
+{
+    const double part = TOL_TAYLOR_STEP * g->o->rtol;
+    const double unknown = fabs(coordinate(g->z, 1 - g->ind));
+    bool holds = t->unknown_error <= part * fmin(1.0, unknown);
+
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        if (g->b->from_saddle[i])
+            holds &= t->integral_error[i] <= part * fabs(g->total[i]);
+    return holds || hardly_changes(g, TOL_TAIL);
 }
 
 static bool try_close(struct grower *g)
@@ -315,7 +346,8 @@ static bool try_close(struct grower *g)
     struct tail t;
 
     if (!may_close(g) ||
-        !close_tail(g->sys, g->ind, g->toward, g->z, &g->o->carry, &t))
+        !close_tail(g->sys, g->ind, g->toward, g->z, &g->o->carry, &t) ||
+        !tail_holds(g, &t))
         return false;
     g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
     g->b->sign = g->toward;
@@ -374,9 +406,11 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
         g->b->total_error[i] = u->integral_tail[i];
     }
     g->z = local_point(u->ind, s, jet_at(n, u->c, s));
-    g->sys->field(g->sys->ctx, g->z, &g->end);
+    g->sys->jacobian(g->sys->ctx, g->z, &g->end);
     g->ind = u->ind;
     g->toward = side;
+    g->out = (struct outward){ 0 };
+    look_outward(g, g->z);
     g->delta = g->b->curve.piece[0].error = u->tail;
     return STATUS_OK;
 }

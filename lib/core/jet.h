@@ -12,6 +12,7 @@
 #define CORE_JET_H
 
 #include <stddef.h>
+#include <string.h>
 
 enum {
     JET_SIZE = 32,  /* coefficients 0..31 */
@@ -34,17 +35,96 @@ static inline double *jet_slot(struct jet_work *w)
     return w->slot[w->used++];
 }
 
+/* 0, 1, 2, ... and 0, 1, 1/2, 1/3, ... */
+extern const double jet_number[JET_SIZE], jet_inverse[JET_SIZE];
+
+/* Sums run in lanes whose order is fixed here, not by the compiler, so that
+ * the same numbers come out of every instruction set; the newest coefficients
+ * come last, so that a processor can work ahead of them. */
+typedef double jet_pair __attribute__((vector_size(16)));
+
+static inline jet_pair jet_load(const double *p)
+{
+    jet_pair q;
+    memcpy(&q, p, sizeof q);
+    return q;
+}
+
+/* {p[0], p[-1]} */
+static inline jet_pair jet_load_back(const double *p)
+{
+    const jet_pair q = jet_load(p - 1);
+    return (jet_pair){ q[1], q[0] };
+}
+
+/* sum_{j=1}^{k-1} u[j] v[k-j] */
+static inline double jet_inner(size_t k, const double u[], const double v[])
+{
+    jet_pair low = { 0 }, high = { 0 };
+    double rest = 0.0;
+    size_t j = 1;
+
+    for (; j + 4 <= k; j += 4) {
+        low += jet_load(u + j) * jet_load_back(v + k - j);
+        high += jet_load(u + j + 2) * jet_load_back(v + k - j - 2);
+    }
+    for (; j < k; j++)
+        rest += u[j] * v[k - j];
+    low += high;
+    return low[0] + low[1] + rest;
+}
+
 /* sum_{j=0}^{k} u[j] v[k-j] */
-double jet_product(size_t k, const double u[], const double v[]);
+static inline double jet_product(size_t k, const double u[], const double v[])
+{
+    if (k == 0)
+        return u[0] * v[0];
+    return jet_inner(k, u, v) + (u[0] * v[k] + u[k] * v[0]);
+}
+
+/* sum_{j=0}^{k} u[j] u[k-j] */
+static inline double jet_square(size_t k, const double u[])
+{
+    double sum = 0.0;
+
+    for (size_t j = 1; 2 * j < k; j++)
+        sum += u[j] * u[k - j];
+    sum += k == 0 ? 0.0 : u[0] * u[k];
+    return 2.0 * sum + (k % 2 == 0 ? u[k / 2] * u[k / 2] : 0.0);
+}
 
 /* sum_{j=1}^{k} j u[j] v[k-j]: k times coefficient k of the integral of u' v;
  * one term where u is w->linear. */
-double jet_chain(const struct jet_work *w, size_t k, const double u[],
-                 const double v[]);
+static inline double jet_chain(const struct jet_work *w, size_t k,
+                               const double u[], const double v[])
+{
+    jet_pair low = { 0 }, high = { 0 };
+    double rest = 0.0;
+    size_t j = 1;
+
+    if (u == w->linear)
+        return u[1] * v[k - 1];
+    for (; j + 4 <= k; j += 4) {
+        low += jet_load(jet_number + j) * jet_load(u + j) *
+               jet_load_back(v + k - j);
+        high += jet_load(jet_number + j + 2) * jet_load(u + j + 2) *
+                jet_load_back(v + k - j - 2);
+    }
+    for (; j < k; j++)
+        rest += jet_number[j] * u[j] * v[k - j];
+    low += high;
+    return low[0] + low[1] + rest + jet_number[k] * u[k] * v[0];
+}
 
 /* Coefficient k of num / den, den[0] != 0, given quotient[0..k-1]. */
-double jet_quotient(size_t k, const double num[], const double den[],
-                    const double quotient[]);
+static inline double jet_quotient(size_t k, const double num[],
+                                  const double den[], const double quotient[])
+{
+    if (k == 0)
+        return num[0] / den[0];
+    return (num[k] - jet_inner(k, quotient, den) - quotient[0] * den[k]) /
+           den[0];
+}
 
 /* sum_{k=0}^{order} u[k] s^k, and its derivative. */
 double jet_at(size_t order, const double u[], double s);

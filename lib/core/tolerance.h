@@ -32,7 +32,10 @@
  * steps. */
 #define TOL_ORDER_BASE 6.0
 #define TOL_ORDER_PER_DIGIT 1.35
-#define TOL_TAYLOR_STEP 0.01
+#define TOL_TAYLOR_STEP 0.05
+/* The bar of a step: this many times its first missing and its last terms. */
+#define TOL_STEP_BAR_NEXT 4.0
+#define TOL_STEP_BAR_LAST 0.4
 /* No branch needs a tenth of this. */
 #define TOL_BRANCH_STEPS 2000
 /* Never a series start further than this from the saddle, in ln v or ln psi:
@@ -45,9 +48,12 @@
  * again: apart, so that the choice does not flip back and forth. */
 #define TOL_SLOPE_STEEP 4.0
 #define TOL_SLOPE_FLAT  0.3
-/* A branch is closed by quadrature when what is left of it is below this,
- * relative to min(1, unknown): eight Laguerre nodes then give 1e-14. */
-#define TOL_TAIL 1e-8
+/* What is left of a branch is tried by quadrature when it changes by less than
+ * PART sqrt(rtol) and MOST a unit, relative to min(1, unknown), and taken when
+ * the quadrature's error is small, at the latest below TOL_TAIL. */
+#define TOL_TAIL_PART 10.0
+#define TOL_TAIL_MOST 1e-3
+#define TOL_TAIL      1e-8
 /* Stored rows of a branch: a reader's Hermite interpolation is this near the
  * curve, in ln v or ln psi; and the largest distance between two rows. */
 #define TOL_HERMITE 1e-6
@@ -202,5 +208,29 @@
 /* Start values and windows lie where the laws are computed, v (and psi > 0)
  * within 1/SCENE_RANGE..SCENE_RANGE: TOL_LN_RANGE as a factor. */
 #define SCENE_RANGE 1e300
+
+/* Tables (CSV).  Bytes of a file, bytes of a cell, columns: far more than a
+ * table of numbers needs, so that a wrong file is refused at once. */
+#define TABLE_BYTES   ((size_t) 64 << 20)
+#define TABLE_CELL    4096
+#define TABLE_COLUMNS 1024
+
+/* Checks against stored numbers.  What rounding an input by half an ulp costs
+ * is a central difference over this part of the input, tried a hundredth as
+ * large where a fold is nearer; and a margin, for a difference is no
+ * derivative. */
+#define CHECK_NUDGE     1e-7
+#define CHECK_NUDGE_MIN 1e-12
+#define CHECK_MARGIN    1.2
+/* Derivatives by alpha: first nudge, as a part of alpha, factor between two,
+ * and their number (Ridders, Adv. Eng. Softw. 4, 1982); the bar is this many
+ * times the last change of the extrapolation. */
+#define CHECK_RIDDERS_START 2e-3
+#define CHECK_RIDDERS_RATIO 2.0
+#define CHECK_RIDDERS_STEPS 14
+#define CHECK_RIDDERS_BAR   10.0
+/* What is recorded may differ from what is recomputed by two error bars: each
+ * is that near the truth. */
+#define CHECK_RECORDED_BARS 2.0
 
 #endif

@@ -46,7 +46,8 @@ static inline void jet_exp(struct jet_ctx *c, double l, double s,
 {
     const size_t k = c->k;
 
-    out[k] = k == 0 ? exp(l) : s * jet_chain(c->work, k, u, out) / (double) k;
+    out[k] =
+        k == 0 ? exp(l) : s * jet_chain(c->work, k, u, out) * jet_inverse[k];
 }
 
 /* w' = s u' (w + p), with e = w + p kept as a series of its own */
@@ -61,7 +62,7 @@ static inline void jet_expm1(struct jet_ctx *c, double p, double log_p,
         e[0] = copysign(exp(log_p + s * u[0]), p);
         return;
     }
-    out[k] = e[k] = s * jet_chain(c->work, k, u, e) / (double) k;
+    out[k] = e[k] = s * jet_chain(c->work, k, u, e) * jet_inverse[k];
 }
 
 /* p e^u and p e^w as series of their own */
@@ -78,8 +79,8 @@ static inline void jet_difference(struct jet_ctx *c, double p, const double *u,
         ew[0] = scalar_exp(p, w[0]);
         return;
     }
-    eu[k] = jet_chain(c->work, k, u, eu) / (double) k;
-    ew[k] = jet_chain(c->work, k, w, ew) / (double) k;
+    eu[k] = jet_chain(c->work, k, u, eu) * jet_inverse[k];
+    ew[k] = jet_chain(c->work, k, w, ew) * jet_inverse[k];
     out[k] = eu[k] - ew[k];
 }
 
@@ -101,9 +102,9 @@ static inline void jet_log1p_expm1(struct jet_ctx *c, double r, double s,
         slope[0] = p[0] * scalar_logistic_rest(r, s, u[0]);
         return;
     }
-    out[k] = jet_chain(c->work, k, u, p) / (double) k;
-    p[k] = jet_chain(c->work, k, u, slope) / (double) k;
-    slope[k] = p[k] - jet_product(k, p, p);
+    out[k] = jet_chain(c->work, k, u, p) * jet_inverse[k];
+    p[k] = jet_chain(c->work, k, u, slope) * jet_inverse[k];
+    slope[k] = p[k] - jet_square(k, p);
 }
 
 /* s' = c u', c' = s u'; as e^(2u) - 1 over e^u, coefficient k would lose a
@@ -118,8 +119,8 @@ static inline void jet_sinh(struct jet_ctx *c, const double *u, double *out)
         even[0] = scalar_cosh(u[0]);
         return;
     }
-    out[k] = jet_chain(c->work, k, u, even) / (double) k;
-    even[k] = jet_chain(c->work, k, u, out) / (double) k;
+    out[k] = jet_chain(c->work, k, u, even) * jet_inverse[k];
+    even[k] = jet_chain(c->work, k, u, out) * jet_inverse[k];
 }
 
 /* m = asinh(e^w/2): m' = t w', t = tanh m, t' = t b w', b = 1 - t^2 */
@@ -138,9 +139,9 @@ static inline void jet_friction(struct jet_ctx *c, double a, double w0,
         tb[0] = t[0] * b[0];
         return;
     }
-    out[k] = a * jet_chain(c->work, k, u, t) / (double) k;
-    t[k] = jet_chain(c->work, k, u, tb) / (double) k;
-    b[k] = -jet_product(k, t, t);
+    out[k] = a * jet_chain(c->work, k, u, t) * jet_inverse[k];
+    t[k] = jet_chain(c->work, k, u, tb) * jet_inverse[k];
+    b[k] = -jet_square(k, t);
     tb[k] = jet_product(k, t, b);
 }
 
