@@ -1,0 +1,339 @@
+/* Pieces are split where their growing coordinate turns (zeros of a
+ * polynomial's derivative), joined into strands as long as it grows the same
+ * way, and inverted by Newton steps kept in a bracket. */
+#include "separatrix.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "newton.h"
+#include "tolerance.h"
+
+struct separatrix separatrix_empty(int along, struct vec2 origin)
+{
+    return (struct separatrix){ .along = along, .origin = origin };
+}
+
+static double along_of(const struct separatrix *s, struct vec2 z)
+{
+    return s->along == SEPARATRIX_X ? z.x : z.y;
+}
+
+static double across_of(const struct separatrix *s, struct vec2 z)
+{
+    return s->along == SEPARATRIX_X ? z.y : z.x;
+}
+
+/* ---- polynomials -----------------------------------------------------------
+ */
+
+struct series {
+    const double *c;
+    size_t degree;
+};
+
+static struct series component(const struct curve *c, size_t piece, int i)
+{
+    return (struct series){ curve_component(c, piece, (size_t) i),
+                            c->piece[piece].degree };
+}
+
+static double series_at(struct series p, double theta, double *slope)
+{
+    double value = p.c[p.degree], rate = 0.0;
+
+    for (size_t k = p.degree; k-- > 0;) {
+        rate = rate * theta + value;
+        value = value * theta + p.c[k];
+    }
+    *slope = rate;
+    return value;
+}
+
+static double slope_at(const void *ctx, double theta)
+{
+    double slope;
+
+    series_at(*(const struct series *) ctx, theta, &slope);
+    return slope;
+}
+
+/* Whether the derivative keeps its sign on [0, 1] because its first term
+ * outweighs the others. */
+static bool plainly_monotone(struct series p)
+{
+    double rest = 0.0;
+
+    for (size_t k = 2; k <= p.degree; k++)
+        rest += (double) k * fabs(p.c[k]);
+    return rest < fabs(p.c[1]);
+}
+
+enum { TURNS_MAX = 8, TURN_SAMPLES = 32 };
+
+/* Where p' changes sign within (0, 1). */
+static size_t turns(struct series p, double turn[TURNS_MAX])
+{
+    double before = slope_at(&p, 0.0);
+    size_t n = 0;
+
+    if (plainly_monotone(p))
+        return 0;
+    for (int i = 1; i <= TURN_SAMPLES && n < TURNS_MAX; i++) {
+        const double theta = (double) i / TURN_SAMPLES;
+        const double here = slope_at(&p, theta);
+        struct newton_root root;
+        if ((before < 0.0) != (here < 0.0) &&
+            newton_find(slope_at, &p, theta - 1.0 / TURN_SAMPLES, theta, 0.0,
+                        &root) == STATUS_OK)
+            turn[n++] = root.x;
+        before = here;
+    }
+    return n;
+}
+
+/* ---- strands ---------------------------------------------------------------
+ */
+
+/* Pieces of a chain in their order, each monotone in `along`. */
+struct chain {
+    struct separatrix *s;
+    struct strand strand; /* being built, falling ones in falling order */
+    int way;              /* sign of its growth; 0: empty */
+};
+
+static enum status push_piece(struct strand *t, struct strand_piece p)
+{
+    if (t->count == t->room) {
+        const size_t room = t->room ? 2 * t->room : 64;
+        struct strand_piece *grown = realloc(t->piece, room * sizeof *grown);
+        if (grown == NULL)
+            return STATUS_NO_MEMORY;
+        t->piece = grown;
+        t->room = room;
+    }
+    t->piece[t->count++] = p;
+    return STATUS_OK;
+}
+
+static void turn_round(struct strand *t)
+{
+    for (size_t i = 0, j = t->count; i + 1 < j--; i++) {
+        const struct strand_piece p = t->piece[i];
+        t->piece[i] = t->piece[j];
+        t->piece[j] = p;
+    }
+    for (size_t i = 0; i < t->count; i++) {
+        const double from = t->piece[i].from;
+        t->piece[i].from = t->piece[i].to;
+        t->piece[i].to = from;
+    }
+}
+
+/* Rounding must leave no gap between two pieces. */
+static void close_gaps(struct strand *t)
+{
+    for (size_t i = 1; i < t->count; i++)
+        t->piece[i].lo = t->piece[i - 1].hi;
+}
+
+static enum status end_strand(struct chain *c)
+{
+    struct separatrix *s = c->s;
+    const double origin = along_of(s, s->origin);
+
+    if (c->way == 0)
+        return STATUS_OK;
+    if (s->count == s->room) {
+        const size_t room = s->room ? 2 * s->room : 4;
+        struct strand *grown = realloc(s->strand, room * sizeof *grown);
+        if (grown == NULL)
+            return STATUS_NO_MEMORY;
+        s->strand = grown;
+        s->room = room;
+    }
+    if (c->way < 0)
+        turn_round(&c->strand);
+    close_gaps(&c->strand);
+    c->strand.lo = origin + c->strand.piece[0].lo;
+    c->strand.hi = origin + c->strand.piece[c->strand.count - 1].hi;
+    s->strand[s->count++] = c->strand;
+    c->strand = (struct strand){ .piece = NULL };
+    c->way = 0;
+    return STATUS_OK;
+}
+
+/* `from` and `to` in the chain's order; start and end are the growing
+ * coordinate there. */
+static enum status add_part(struct chain *c, struct strand_piece p,
+                            double start, double end)
+{
+    const int way = end > start ? 1 : end < start ? -1 : c->way;
+
+    if (start == end) /* it moves along its row: nothing can cross it */
+        return STATUS_OK;
+    if (way != c->way) {
+        const enum status status = end_strand(c);
+        if (status != STATUS_OK)
+            return status;
+    }
+    c->way = way;
+    p.lo = fmin(start, end);
+    p.hi = fmax(start, end);
+    return push_piece(&c->strand, p);
+}
+
+/* One piece of the curve, forward or backward, split where it turns. */
+static enum status add_piece(struct chain *c, const struct curve *curve,
+                             size_t piece, bool backward)
+{
+    const struct series p = component(curve, piece, c->s->along);
+    double turn[TURNS_MAX], cut[TURNS_MAX + 2], slope;
+    const size_t n = turns(p, turn);
+    enum status status = STATUS_OK;
+
+    cut[0] = 0.0;
+    for (size_t i = 0; i < n; i++)
+        cut[i + 1] = turn[i];
+    cut[n + 1] = 1.0;
+    for (size_t i = 0; i <= n && status == STATUS_OK; i++) {
+        const double from = backward ? cut[n + 1 - i] : cut[i];
+        const double to = backward ? cut[n - i] : cut[i + 1];
+        status = add_part(
+            c,
+            (struct strand_piece){
+                .curve = curve, .piece = piece, .from = from, .to = to },
+            series_at(p, from, &slope), series_at(p, to, &slope));
+    }
+    return status;
+}
+
+/* The asymptote beyond a branch's end, if it runs along `along`. */
+static enum status add_ray(struct chain *c, const struct branch *b,
+                           bool backward)
+{
+    const enum branch_end end =
+        c->s->along == SEPARATRIX_Y ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
+    const double start = along_of(c->s, b->limit);
+    const double far = b->sign > 0 ? HUGE_VAL : -HUGE_VAL;
+    const struct strand_piece p = { .at = across_of(c->s, b->limit),
+                                    .error = across_of(c->s, b->error) };
+
+    if (b->end != end)
+        return STATUS_OK;
+    return backward ? add_part(c, p, far, start) : add_part(c, p, start, far);
+}
+
+static enum status add_inward(struct chain *c, const struct branch *b)
+{
+    enum status status = add_ray(c, b, true);
+
+    for (size_t i = b->curve.count; i-- > 0 && status == STATUS_OK;)
+        status = add_piece(c, &b->curve, i, true);
+    return status;
+}
+
+static enum status add_outward(struct chain *c, const struct branch *b)
+{
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < b->curve.count && status == STATUS_OK; i++)
+        status = add_piece(c, &b->curve, i, false);
+    return status == STATUS_OK ? add_ray(c, b, false) : status;
+}
+
+enum status separatrix_add(struct separatrix *s, const struct branch *one,
+                           const struct branch *other)
+{
+    struct chain c = { .s = s };
+    enum status status = one ? add_inward(&c, one) : STATUS_OK;
+
+    if (status == STATUS_OK && other)
+        status = add_outward(&c, other);
+    if (status == STATUS_OK)
+        status = end_strand(&c);
+    free(c.strand.piece);
+    return status;
+}
+
+/* ---- crossings -------------------------------------------------------------
+ */
+
+/* The theta where p = w between q->from and q->to, from the first of which to
+ * the second it rises from q->lo to q->hi.  Newton, kept in the bracket. */
+static double solve(struct series p, double w, const struct strand_piece *q)
+{
+    double from = q->from, to = q->to;
+    const double part = fmin(fmax((w - q->lo) / (q->hi - q->lo), 0.0), 1.0);
+    double theta = from + (to - from) * part;
+
+    for (int i = 0; i < 100; i++) {
+        double slope;
+        const double off = series_at(p, theta, &slope) - w;
+        if (off == 0.0)
+            return theta;
+        *(off < 0.0 ? &from : &to) = theta;
+        double next = theta - off / slope;
+        if (!((next > from) == (next < to)) || !isfinite(next))
+            next = 0.5 * (from + to);
+        if (fabs(next - theta) <= 0x1p-52)
+            return next;
+        theta = next;
+    }
+    return theta;
+}
+
+/* The piece that holds the offset w: the last one that begins at or below. */
+static const struct strand_piece *piece_at(const struct strand *t, double w)
+{
+    size_t lo = 0, hi = t->count;
+
+    while (hi - lo > 1) {
+        const size_t middle = (lo + hi) / 2;
+        *(t->piece[middle].lo <= w ? &lo : &hi) = middle;
+    }
+    return &t->piece[lo];
+}
+
+struct crossing separatrix_cross(const struct separatrix *s, size_t i, double w)
+{
+    const double offset = w - along_of(s, s->origin);
+    const struct strand_piece *p = piece_at(&s->strand[i], offset);
+    const double base = across_of(s, s->origin);
+
+    if (p->curve == NULL)
+        return (struct crossing){ base + p->at, p->error, i };
+    const struct series up = component(p->curve, p->piece, s->along);
+    const struct series out = component(p->curve, p->piece, 1 - s->along);
+    double rise, run;
+    const double theta = solve(up, offset, p);
+    series_at(up, theta, &rise);
+    const double at = series_at(out, theta, &run);
+    const double error = p->curve->piece[p->piece].error;
+    return (struct crossing){ base + at, error * (1.0 + fabs(run / rise)), i };
+}
+
+size_t separatrix_row(const struct separatrix *s, double w,
+                      struct crossing out[])
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < s->count; i++) {
+        if (!(w >= s->strand[i].lo && w < s->strand[i].hi))
+            continue;
+        const struct crossing c = separatrix_cross(s, i, w);
+        size_t k = n++;
+        for (; k > 0 && out[k - 1].at > c.at; k--)
+            out[k] = out[k - 1];
+        out[k] = c;
+    }
+    return n;
+}
+
+void separatrix_free(struct separatrix *s)
+{
+    for (size_t i = 0; i < s->count; i++)
+        free(s->strand[i].piece);
+    free(s->strand);
+    *s = separatrix_empty(s->along, s->origin);
+}

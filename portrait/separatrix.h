@@ -1,0 +1,68 @@
+/*
+ * separatrix.h -- the curves that divide a plane into basins, cut into strands
+ * along which one coordinate only grows: a row of a grid (or a column) meets
+ * each strand at most once, and where is the root of a polynomial.
+ *
+ * A stable manifold is taken as one chain, from the end of one branch through
+ * the saddle to the end of the other; an end with a limit goes on along its
+ * asymptote to infinity.
+ */
+#ifndef PORTRAIT_SEPARATRIX_H
+#define PORTRAIT_SEPARATRIX_H
+
+#include "branch.h"
+
+enum { SEPARATRIX_X, SEPARATRIX_Y };
+
+/* Part of one piece of a curve, from theta `from` to theta `to`, or, with
+ * curve NULL, a ray parallel to the axis. */
+struct strand_piece {
+    const struct curve *curve; /* borrowed */
+    size_t piece;
+    double from, to;
+    double lo, hi;    /* of the growing coordinate, as offsets, lo <= hi */
+    double at, error; /* of the other one, on a ray */
+};
+
+struct strand {
+    struct strand_piece *piece; /* owned; ascending */
+    size_t count, room;
+    double lo, hi; /* its whole range, absolute; may be infinite */
+};
+
+struct separatrix {
+    int along; /* SEPARATRIX_Y: strands grow in y and cross rows */
+    struct vec2 origin;
+    struct strand *strand; /* owned */
+    size_t count, room;
+};
+
+/* No strands yet. */
+struct separatrix separatrix_empty(int along, struct vec2 origin);
+
+/* Adds a saddle's stable manifold.  Either branch may be NULL; both must
+ * outlive the separatrix, whose origin is theirs.  STATUS_NO_MEMORY: some of
+ * the strands may be there. */
+MUST_CHECK enum status separatrix_add(struct separatrix *s,
+                                      const struct branch *one,
+                                      const struct branch *other);
+
+struct crossing {
+    double at;    /* the other coordinate, absolute */
+    double error; /* bound, from the curve's own; infinite where it is flat */
+    size_t strand;
+};
+
+/* Where strand number i has its growing coordinate equal to w (absolute),
+ * strand.lo <= w < strand.hi; to a few units of rounding. */
+struct crossing separatrix_cross(const struct separatrix *s, size_t i,
+                                 double w);
+
+/* All crossings at w, ascending; their number.  out has room for s->count. */
+size_t separatrix_row(const struct separatrix *s, double w,
+                      struct crossing out[]);
+
+/* A second call is harmless. */
+void separatrix_free(struct separatrix *s);
+
+#endif

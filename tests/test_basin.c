@@ -1,0 +1,223 @@
+/* Basins of systems whose boundaries are known exactly. */
+#include "basin.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "check.h"
+#include "fault_alloc.h"
+#include "fixtures.h"
+#include "grow.h"
+#include "orbit.h"
+
+enum { COLUMNS = 41, ROWS = 37 };
+
+struct sample {
+    struct fixture f;
+    struct planar sys;
+    struct branch branch[2];
+    struct separatrix separatrix;
+    double x[COLUMNS], y[ROWS];
+    struct basin_grid grid;
+};
+
+static void make_grid(struct sample *s, struct box w)
+{
+    for (int i = 0; i < COLUMNS; i++)
+        s->x[i] = w.lo.x + (i + 0.5) / COLUMNS * (w.hi.x - w.lo.x);
+    for (int j = 0; j < ROWS; j++)
+        s->y[j] = w.lo.y + (j + 0.5) / ROWS * (w.hi.y - w.lo.y);
+    s->grid = (struct basin_grid){ s->x, s->y, COLUMNS, ROWS, w };
+}
+
+static enum status grow_both(struct sample *s, const struct box *reach)
+{
+    struct grow_options o = grow_defaults(1e-12);
+    struct local_series u;
+    struct equilibrium e;
+
+    o.max_steps = 400;
+    o.reach = reach;
+    equilibrium_at(&s->sys, false, &e);
+    enum status status =
+        local_at(&s->sys, &e, MANIFOLD_STABLE, &o.carry, o.order, 1e-14, &u);
+    for (int i = 0; i < 2 && status == STATUS_OK; i++)
+        status = grow_branch(&s->sys, &u, i == 0 ? 1 : -1, &o, &s->branch[i]);
+    return status;
+}
+
+static void sample_free(struct sample *s)
+{
+    separatrix_free(&s->separatrix);
+    branch_free(&s->branch[0]);
+    branch_free(&s->branch[1]);
+}
+
+/* False where the manifold runs too far for the steps allowed. */
+static bool sample_make(struct sample *s, enum fixture_base base, uint64_t *rng)
+{
+    fixture_random(&s->f, base, rng);
+    s->sys = fixture_planar(&s->f);
+    s->branch[0].curve = s->branch[1].curve = CURVE_EMPTY(2);
+    const struct vec2 c = { s->sys.origin.x + check_uniform(rng, -0.6, 0.6),
+                            s->sys.origin.y + check_uniform(rng, -0.6, 0.6) };
+    const struct box w = { { c.x - check_uniform(rng, 0.4, 1.2),
+                             c.y - check_uniform(rng, 0.4, 1.2) },
+                           { c.x + check_uniform(rng, 0.4, 1.2),
+                             c.y + check_uniform(rng, 0.4, 1.2) } };
+    make_grid(s, w);
+    s->separatrix = separatrix_empty(SEPARATRIX_Y, s->sys.origin);
+    if (grow_both(s, &w) != STATUS_OK)
+        return false;
+    assert_int_equal(
+        separatrix_add(&s->separatrix, &s->branch[1], &s->branch[0]),
+        STATUS_OK);
+    return true;
+}
+
+/* The sign of the base coordinate X where the forward orbit ends. */
+static enum status fate(const void *ctx, struct vec2 z, int8_t *label)
+{
+    const struct sample *s = ctx;
+    struct orbit_options options = orbit_defaults(&s->sys, exp(s->f.log_rate));
+    struct orbit orbit;
+
+    options.observables = 0;
+    options.rtol = 1e-8;
+    options.reach[0] = 8.0 * exp(-s->f.log_rate);
+    enum status status =
+        orbit_init(&orbit, &s->sys, vec2_sub(z, s->sys.origin), &options);
+    if (status == STATUS_OK)
+        status = orbit_run(&orbit, NULL);
+    const struct vec2 end = { orbit.u[0], orbit.u[1] };
+    *label = fixture_base_point(&s->f, end).x > 0.0 ? 1 : -1;
+    orbit_free(&orbit);
+    return status == STATUS_NO_CONVERGENCE ? STATUS_OK : status;
+}
+
+/* Distance of z from the boundary X = 0, first order. */
+static double distance(const struct fixture *f, struct vec2 z)
+{
+    const double h = 1e-6;
+    const double X = fixture_base_point(f, z).x;
+    const double gx =
+        fixture_base_point(f, (struct vec2){ z.x + h, z.y }).x - X;
+    const double gy =
+        fixture_base_point(f, (struct vec2){ z.x, z.y + h }).x - X;
+    return X * h / hypot(gx, gy);
+}
+
+static size_t wrong_cells(const struct sample *s, const int8_t *label)
+{
+    size_t wrong = 0;
+
+    for (size_t j = 0; j < ROWS; j++)
+        for (size_t i = 0; i < COLUMNS; i++) {
+            const struct vec2 z = { s->x[i] - s->sys.origin.x,
+                                    s->y[j] - s->sys.origin.y };
+            const double d = distance(&s->f, z);
+            wrong +=
+                fabs(d) > 1e-9 && (d > 0.0) != (label[j * COLUMNS + i] > 0);
+        }
+    return wrong;
+}
+
+static void every_cell_has_the_label_of_its_side(void **state)
+{
+    uint64_t rng = check_seed();
+    size_t made = 0, cut = 0;
+
+    (void) state;
+    for (int n = 0; n < 1000; n++) {
+        static const enum fixture_base base[] = { FIXTURE_PITCHFORK,
+                                                  FIXTURE_PARABOLA };
+        struct sample s;
+        struct basin b;
+        int8_t label[ROWS * COLUMNS];
+        if (!sample_make(&s, base[n % 2], &rng)) {
+            sample_free(&s);
+            continue;
+        }
+        assert_int_equal(basin_init(&b, &s.separatrix, &s.grid), STATUS_OK);
+        assert_int_equal(basin_label(&b, fate, &s), STATUS_OK);
+        basin_fill(&b, 0, ROWS, label);
+        const size_t wrong = wrong_cells(&s, label);
+        CHECK(wrong == 0, "system %d: %zu of %d cells wrong", n, wrong,
+              ROWS * COLUMNS);
+        made++;
+        cut += b.cuts > 0;
+        basin_free(&b);
+        basin_free(&b);
+        sample_free(&s);
+    }
+    print_message("%zu systems, %zu of them with a boundary in the window\n",
+                  made, cut);
+    CHECK(made > 990 && cut > 700, "only %zu systems, %zu cut", made, cut);
+}
+
+static void crossings_lie_on_the_manifold(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int n = 0; n < 200; n++) {
+        struct sample s;
+        struct crossing c[64];
+        if (!sample_make(&s, n % 2 ? FIXTURE_PITCHFORK : FIXTURE_PARABOLA,
+                         &rng)) {
+            sample_free(&s);
+            continue;
+        }
+        for (int j = 0; j < ROWS; j++) {
+            const size_t found = separatrix_row(&s.separatrix, s.y[j], c);
+            for (size_t k = 0; k < found; k++) {
+                const struct vec2 z = { c[k].at - s.sys.origin.x,
+                                        s.y[j] - s.sys.origin.y };
+                if (!(fabs(z.x) < 3.0))
+                    continue;
+                const double d = fabs(distance(&s.f, z));
+                CHECK(d < 1e-10, "system %d: off by %.2g at (%g, %g)", n, d,
+                      z.x, z.y);
+                CHECK(k == 0 || c[k - 1].at <= c[k].at, "%s", "not in order");
+            }
+        }
+        sample_free(&s);
+    }
+}
+
+static void every_allocation_fails_once(void **state)
+{
+    uint64_t rng = check_seed();
+    struct sample s;
+    struct basin b;
+
+    (void) state;
+    while (!sample_make(&s, FIXTURE_PITCHFORK, &rng))
+        sample_free(&s);
+    enum status status = STATUS_NO_MEMORY;
+    long k = 0;
+    for (; status != STATUS_OK; k++) {
+        struct separatrix again = separatrix_empty(SEPARATRIX_Y, s.sys.origin);
+        fault_alloc_at(k);
+        status = separatrix_add(&again, &s.branch[1], &s.branch[0]);
+        if (status == STATUS_OK)
+            status = basin_init(&b, &again, &s.grid);
+        fault_alloc_at(FAULT_ALLOC_NEVER);
+        assert_true(status == STATUS_OK || status == STATUS_NO_MEMORY);
+        if (status == STATUS_OK)
+            basin_free(&b);
+        separatrix_free(&again);
+    }
+    CHECK(k > 5, "only %ld allocations", k);
+    sample_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_cell_has_the_label_of_its_side),
+        cmocka_unit_test(crossings_lie_on_the_manifold),
+        cmocka_unit_test(every_allocation_fails_once),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
