@@ -62,6 +62,19 @@ struct crossing separatrix_cross(const struct separatrix *s, size_t i,
 size_t separatrix_row(const struct separatrix *s, double w,
                       struct crossing out[]);
 
+/* A measure of the plane: each coordinate, or exp of it, counts evenly. */
+struct measure {
+    bool exponential[2];
+};
+
+/* The area between strand i, taken no further than lo .. hi, and the axis
+ * along which it grows, over the rows from .. to (all absolute, finite, inside
+ * the strand's range): the integral of clamp(at, lo, hi) dw in this measure.
+ * *error bounds quadrature and curve. */
+double separatrix_area(const struct separatrix *s, size_t i, double from,
+                       double to, double lo, double hi, struct measure m,
+                       double *error);
+
 /* A second call is harmless. */
 void separatrix_free(struct separatrix *s);
 

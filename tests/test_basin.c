@@ -17,6 +17,8 @@ struct sample {
     struct planar sys;
     struct branch branch[2];
     struct separatrix separatrix;
+    struct regions regions;
+    struct box window;
     double x[COLUMNS], y[ROWS];
     struct basin_grid grid;
 };
@@ -27,7 +29,8 @@ static void make_grid(struct sample *s, struct box w)
         s->x[i] = w.lo.x + (i + 0.5) / COLUMNS * (w.hi.x - w.lo.x);
     for (int j = 0; j < ROWS; j++)
         s->y[j] = w.lo.y + (j + 0.5) / ROWS * (w.hi.y - w.lo.y);
-    s->grid = (struct basin_grid){ s->x, s->y, COLUMNS, ROWS, w };
+    s->grid = (struct basin_grid){ s->x, s->y, COLUMNS, ROWS };
+    s->window = w;
 }
 
 static enum status grow_both(struct sample *s, const struct box *reach)
@@ -48,6 +51,7 @@ static enum status grow_both(struct sample *s, const struct box *reach)
 
 static void sample_free(struct sample *s)
 {
+    regions_free(&s->regions);
     separatrix_free(&s->separatrix);
     branch_free(&s->branch[0]);
     branch_free(&s->branch[1]);
@@ -59,6 +63,7 @@ static bool sample_make(struct sample *s, enum fixture_base base, uint64_t *rng)
     fixture_random(&s->f, base, rng);
     s->sys = fixture_planar(&s->f);
     s->branch[0].curve = s->branch[1].curve = CURVE_EMPTY(2);
+    s->regions = (struct regions){ .separatrix = NULL };
     const struct vec2 c = { s->sys.origin.x + check_uniform(rng, -0.6, 0.6),
                             s->sys.origin.y + check_uniform(rng, -0.6, 0.6) };
     const struct box w = { { c.x - check_uniform(rng, 0.4, 1.2),
@@ -72,6 +77,7 @@ static bool sample_make(struct sample *s, enum fixture_base base, uint64_t *rng)
     assert_int_equal(
         separatrix_add(&s->separatrix, &s->branch[1], &s->branch[0]),
         STATUS_OK);
+    assert_int_equal(regions_init(&s->regions, &s->separatrix), STATUS_OK);
     return true;
 }
 
@@ -138,14 +144,15 @@ static void every_cell_has_the_label_of_its_side(void **state)
             sample_free(&s);
             continue;
         }
-        assert_int_equal(basin_init(&b, &s.separatrix, &s.grid), STATUS_OK);
-        assert_int_equal(basin_label(&b, fate, &s), STATUS_OK);
+        assert_int_equal(basin_init(&b, &s.regions, &s.grid), STATUS_OK);
+        assert_int_equal(regions_label(&s.regions, &s.window, fate, &s),
+                         STATUS_OK);
         basin_fill(&b, 0, ROWS, label);
         const size_t wrong = wrong_cells(&s, label);
         CHECK(wrong == 0, "system %d: %zu of %d cells wrong", n, wrong,
               ROWS * COLUMNS);
         made++;
-        cut += b.cuts > 0;
+        cut += s.regions.most > 0;
         basin_free(&b);
         basin_free(&b);
         sample_free(&s);
@@ -185,6 +192,61 @@ static void crossings_lie_on_the_manifold(void **state)
     }
 }
 
+/* The share of a fine grid's points on each side, against the quadrature. */
+static double counted(const struct sample *s, struct measure m)
+{
+    enum { FINE = 400 };
+    const struct box w = s->window;
+    double inside = 0.0;
+
+    for (int j = 0; j < FINE; j++)
+        for (int i = 0; i < FINE; i++) {
+            const struct vec2 z = {
+                w.lo.x + (i + 0.5) / FINE * (w.hi.x - w.lo.x),
+                w.lo.y + (j + 0.5) / FINE * (w.hi.y - w.lo.y)
+            };
+            const double weight = (m.exponential[0] ? exp(z.x) : 1.0) *
+                                  (m.exponential[1] ? exp(z.y) : 1.0);
+            const struct vec2 offset = vec2_sub(z, s->sys.origin);
+            inside += fixture_base_point(&s->f, offset).x > 0.0 ? weight : 0.0;
+        }
+    return inside * (w.hi.x - w.lo.x) * (w.hi.y - w.lo.y) / FINE / FINE;
+}
+
+static void areas_are_those_of_the_sides(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int n = 0; n < 60; n++) {
+        const struct measure m = { { n % 3 == 1, n % 3 > 0 } };
+        struct sample s;
+        struct crossing c[64];
+        double error, other;
+        if (!sample_make(&s, n % 2 ? FIXTURE_PITCHFORK : FIXTURE_PARABOLA,
+                         &rng)) {
+            sample_free(&s);
+            continue;
+        }
+        assert_int_equal(regions_label(&s.regions, &s.window, fate, &s),
+                         STATUS_OK);
+        const struct box w = s.window;
+        const double all =
+            (m.exponential[0] ? exp(w.hi.x) - exp(w.lo.x) : w.hi.x - w.lo.x) *
+            (m.exponential[1] ? exp(w.hi.y) - exp(w.lo.y) : w.hi.y - w.lo.y);
+        const double right = regions_area(&s.regions, 1, w, m, c, &error);
+        const double left = regions_area(&s.regions, -1, w, m, c, &other);
+        CHECK(fabs(right + left - all) <= 1e-12 * all, "%g + %g, not %g", right,
+              left, all);
+        CHECK(fabs(right - counted(&s, m)) <= 4e-3 * all,
+              "system %d: %.9g of %.9g, counted %.9g", n, right, all,
+              counted(&s, m));
+        CHECK(error <= 1e-9 * all && other <= 1e-9 * all, "errors %g, %g",
+              error / all, other / all);
+        sample_free(&s);
+    }
+}
+
 static void every_allocation_fails_once(void **state)
 {
     uint64_t rng = check_seed();
@@ -200,12 +262,16 @@ static void every_allocation_fails_once(void **state)
         struct separatrix again = separatrix_empty(SEPARATRIX_Y, s.sys.origin);
         fault_alloc_at(k);
         status = separatrix_add(&again, &s.branch[1], &s.branch[0]);
+        struct regions regions = { .separatrix = NULL };
         if (status == STATUS_OK)
-            status = basin_init(&b, &again, &s.grid);
+            status = regions_init(&regions, &again);
+        if (status == STATUS_OK)
+            status = basin_init(&b, &regions, &s.grid);
         fault_alloc_at(FAULT_ALLOC_NEVER);
         assert_true(status == STATUS_OK || status == STATUS_NO_MEMORY);
         if (status == STATUS_OK)
             basin_free(&b);
+        regions_free(&regions);
         separatrix_free(&again);
     }
     CHECK(k > 5, "only %ld allocations", k);
@@ -217,6 +283,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_cell_has_the_label_of_its_side),
         cmocka_unit_test(crossings_lie_on_the_manifold),
+        cmocka_unit_test(areas_are_those_of_the_sides),
         cmocka_unit_test(every_allocation_fails_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

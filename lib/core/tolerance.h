@@ -30,9 +30,9 @@
  * at 1e-12 (16 to 28 tie in speed) and 14 at 1e-6; and the tolerance of one
  * step for a promise of rtol on the result: step errors add up over some fifty
  * steps. */
-#define TOL_ORDER_BASE 6.0
+#define TOL_ORDER_BASE      6.0
 #define TOL_ORDER_PER_DIGIT 1.35
-#define TOL_TAYLOR_STEP 0.05
+#define TOL_TAYLOR_STEP     0.05
 /* The bar of a step: this many times its first missing and its last terms. */
 #define TOL_STEP_BAR_NEXT 4.0
 #define TOL_STEP_BAR_LAST 0.4
@@ -56,7 +56,7 @@
 #define TOL_TAIL      1e-8
 /* Stored rows of a branch: a reader's Hermite interpolation is this near the
  * curve, in ln v or ln psi; and the largest distance between two rows. */
-#define TOL_HERMITE 1e-6
+#define TOL_HERMITE     1e-6
 #define TOL_ROW_SPACING 0.5
 /* Curves run on beyond the window by this much of its width. */
 #define TOL_WINDOW_MARGIN 0.1
@@ -215,7 +215,10 @@
 #define TABLE_CELL    4096
 #define TABLE_COLUMNS 1024
 
-/* Checks against stored numbers.  What rounding an input by half an ulp costs
+/* Checks against stored numbers.  Today's are computed to this accuracy, so
+ * that their own bars hide as little as possible. */
+#define CHECK_RTOL 1e-13
+/* What rounding an input by half an ulp costs
  * is a central difference over this part of the input, tried a hundredth as
  * large where a fold is nearer; and a margin, for a difference is no
  * derivative. */
@@ -223,14 +226,40 @@
 #define CHECK_NUDGE_MIN 1e-12
 #define CHECK_MARGIN    1.2
 /* Derivatives by alpha: first nudge, as a part of alpha, factor between two,
- * and their number (Ridders, Adv. Eng. Softw. 4, 1982); the bar is this many
- * times the last change of the extrapolation. */
+ * and their number (Ridders, Adv. Eng. Softw. 4, 1982); the bar holds this many
+ * times the last change of the extrapolation, and is never below what tables
+ * of derivatives are good for, relative. */
 #define CHECK_RIDDERS_START 2e-3
 #define CHECK_RIDDERS_RATIO 2.0
 #define CHECK_RIDDERS_STEPS 14
 #define CHECK_RIDDERS_BAR   10.0
+#define CHECK_RIDDERS_FLOOR 1e-9
 /* What is recorded may differ from what is recomputed by two error bars: each
  * is that near the truth. */
 #define CHECK_RECORDED_BARS 2.0
+
+/* An orbit rests where v would reach zero, and psi infinity, within this part
+ * of the time it took so far; power laws are far above it.  And the steps an
+ * orbit may take: ten times what an accurate one to a node needs. */
+#define TOL_REST_SOON  1e-10
+#define TOL_FATE_STEPS 50000
+
+/* Labels by forward integration (trap.c): how far inside a quadrant its own
+ * orbit starts; accuracy of the first attempt, and of the next ones; and the
+ * distance from the saddle, in tolerances, at which a label is certain: errors
+ * of a few hundred steps, grown a hundredfold on the way. */
+#define TOL_TRAP_START  0.5
+#define TOL_TRAP_RTOL   1e-5
+#define TOL_TRAP_FINER  1e-3
+#define TOL_TRAP_FINEST 1e-12
+#define TOL_TRAP_FAR    1e6
+
+/* Areas beside a separatrix: relative error of a piece, and how often one is
+ * halved around a kink. */
+#define TOL_AREA       1e-13
+#define TOL_AREA_DEPTH 40
+
+/* From so many rows of a basin map on, threads pay. */
+#define BASIN_PARALLEL_ROWS 256
 
 #endif

@@ -1,0 +1,221 @@
+#include "region.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- bands --------------------------------------------------------------- */
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *) a, y = *(const double *) b;
+    return (x > y) - (x < y);
+}
+
+static size_t collect_ends(const struct separatrix *s, double end[])
+{
+    size_t n = 0;
+
+    end[n++] = -HUGE_VAL;
+    for (size_t i = 0; i < s->count; i++) {
+        if (isfinite(s->strand[i].lo))
+            end[n++] = s->strand[i].lo;
+        if (isfinite(s->strand[i].hi))
+            end[n++] = s->strand[i].hi;
+    }
+    qsort(end, n, sizeof *end, ascending);
+    return n;
+}
+
+static size_t strands_in(const struct separatrix *s, const struct band *band)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < s->count; i++)
+        n += s->strand[i].lo <= band->lo && s->strand[i].hi >= band->hi;
+    return n;
+}
+
+static enum status find_bands(struct regions *r)
+{
+    const struct separatrix *s = r->separatrix;
+    double *end = malloc((2 * s->count + 1) * sizeof *end);
+
+    r->band = calloc(2 * s->count + 1, sizeof *r->band);
+    if (end == NULL || r->band == NULL) {
+        free(end);
+        return STATUS_NO_MEMORY;
+    }
+    const size_t n = collect_ends(s, end);
+    for (size_t i = 0; i < n; i++) {
+        struct band band = { end[i], i + 1 < n ? end[i + 1] : HUGE_VAL, 0, 0 };
+        if (!(band.lo < band.hi))
+            continue;
+        band.strands = strands_in(s, &band);
+        band.first = r->count;
+        r->count += band.strands + 1;
+        r->most = band.strands > r->most ? band.strands : r->most;
+        r->band[r->bands++] = band;
+    }
+    free(end);
+    return STATUS_OK;
+}
+
+enum status regions_init(struct regions *r, const struct separatrix *separatrix)
+{
+    *r = (struct regions){ .separatrix = separatrix };
+    if (separatrix->along != SEPARATRIX_Y)
+        return STATUS_BAD_ARGUMENT;
+    enum status s = find_bands(r);
+    if (s == STATUS_OK) {
+        r->region = calloc(r->count, sizeof *r->region);
+        s = r->region ? STATUS_OK : STATUS_NO_MEMORY;
+    }
+    for (size_t i = 0; s == STATUS_OK && i < r->count; i++)
+        r->region[i].label = REGION_UNLABELLED;
+    if (s != STATUS_OK)
+        regions_free(r);
+    return s;
+}
+
+const struct band *regions_band(const struct regions *r, double y)
+{
+    size_t i = 0;
+
+    while (i + 1 < r->bands && !(y < r->band[i].hi))
+        i++;
+    return &r->band[i];
+}
+
+size_t regions_at(const struct regions *r, struct vec2 z, struct crossing c[])
+{
+    const struct band *band = regions_band(r, z.y);
+    const size_t n = separatrix_row(r->separatrix, z.y, c);
+    size_t k = 0;
+
+    while (k < n && z.x >= c[k].at)
+        k++;
+    return band->first + k;
+}
+
+/* ---- labels -------------------------------------------------------------- */
+
+/* A number between lo and hi, either of which may be infinite. */
+static double between(double lo, double hi)
+{
+    if (lo == -HUGE_VAL && hi == HUGE_VAL)
+        return 0.0;
+    if (lo == -HUGE_VAL)
+        return hi - 1.0;
+    return hi == HUGE_VAL ? lo + 1.0 : 0.5 * (lo + hi);
+}
+
+/* Puts seeds into the regions that the row y crosses between lo and hi. */
+static void seed_row(struct regions *r, const struct band *band, double y,
+                     double lo, double hi, struct crossing c[])
+{
+    const size_t n = separatrix_row(r->separatrix, y, c);
+
+    for (size_t k = 0; k <= n && n == band->strands; k++) {
+        struct region *g = &r->region[band->first + k];
+        const double left = k == 0 ? lo : fmax(c[k - 1].at, lo);
+        const double right = k == n ? hi : fmin(c[k].at, hi);
+        if (g->is_seeded || !(left < right))
+            continue;
+        g->seed = (struct vec2){ between(left, right), y };
+        g->is_seeded = true;
+    }
+}
+
+enum { SEED_ROWS = 16 };
+
+/* Rows from the middle of the band (of its part in the box) outward. */
+static void seed_band(struct regions *r, const struct band *band,
+                      const struct box *only, struct crossing c[])
+{
+    const double lo = only ? fmax(band->lo, only->lo.y) : band->lo;
+    const double hi = only ? fmin(band->hi, only->hi.y) : band->hi;
+    const double left = only ? only->lo.x : -HUGE_VAL;
+    const double right = only ? only->hi.x : HUGE_VAL;
+    const double middle = between(lo, hi);
+
+    if (!(lo < hi))
+        return;
+    seed_row(r, band, middle, left, right, c);
+    for (int i = 1; i < SEED_ROWS && isfinite(lo) && isfinite(hi); i++) {
+        const double part = (double) ((i + 1) / 2) / (SEED_ROWS + 1);
+        const double y = middle + (i % 2 ? part : -part) * (hi - lo);
+        seed_row(r, band, y, left, right, c);
+    }
+}
+
+enum status regions_label(struct regions *r, const struct box *only,
+                          region_fate *fate, const void *ctx)
+{
+    struct crossing *c = malloc((r->separatrix->count + 1) * sizeof *c);
+    enum status s = c ? STATUS_OK : STATUS_NO_MEMORY;
+
+    for (size_t i = 0; i < r->bands && s == STATUS_OK; i++)
+        seed_band(r, &r->band[i], only, c);
+    for (size_t i = 0; i < r->count && s == STATUS_OK; i++)
+        if (r->region[i].is_seeded && r->region[i].label == REGION_UNLABELLED)
+            s = fate(ctx, r->region[i].seed, &r->region[i].label);
+    free(c);
+    return s;
+}
+
+/* ---- areas --------------------------------------------------------------- */
+
+static double stretch(bool exponential, double lo, double hi)
+{
+    return exponential ? exp(hi) - exp(lo) : hi - lo;
+}
+
+/* The area left of strand number k of a band, from the box's left edge; k = 0
+ * is that edge itself, k > strands the right one. */
+static double left_of(const struct regions *r, const struct band *band,
+                      size_t k, struct box part, struct measure m,
+                      struct crossing c[], double *error)
+{
+    const double edge = m.exponential[0] ? exp(part.lo.x) : part.lo.x;
+    const double rows = stretch(m.exponential[1], part.lo.y, part.hi.y);
+
+    *error = 0.0;
+    if (k == 0)
+        return 0.0;
+    if (k > band->strands)
+        return rows * stretch(m.exponential[0], part.lo.x, part.hi.x);
+    separatrix_row(r->separatrix, 0.5 * (part.lo.y + part.hi.y), c);
+    return separatrix_area(r->separatrix, c[k - 1].strand, part.lo.y, part.hi.y,
+                           part.lo.x, part.hi.x, m, error) -
+           rows * edge;
+}
+
+double regions_area(const struct regions *r, int8_t label, struct box w,
+                    struct measure m, struct crossing c[], double *error)
+{
+    double sum = 0.0;
+
+    *error = 0.0;
+    for (size_t i = 0; i < r->bands; i++) {
+        const struct band *band = &r->band[i];
+        struct box part = w;
+        double one, other;
+        part.lo.y = fmax(w.lo.y, band->lo);
+        part.hi.y = fmin(w.hi.y, band->hi);
+        for (size_t k = 0; k <= band->strands && part.lo.y < part.hi.y; k++) {
+            if (r->region[band->first + k].label != label)
+                continue;
+            sum += left_of(r, band, k + 1, part, m, c, &one) -
+                   left_of(r, band, k, part, m, c, &other);
+            *error += one + other;
+        }
+    }
+    return sum;
+}
+
+void regions_free(struct regions *r)
+{
+    free(r->band);
+    free(r->region);
+    *r = (struct regions){ .separatrix = NULL };
+}

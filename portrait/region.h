@@ -1,0 +1,63 @@
+/*
+ * region.h -- the regions into which separatrices divide the plane.
+ *
+ * Between the ends of strands their order along a row does not change, for
+ * stable manifolds do not cross: a `band` of rows, in which regions are
+ * counted from the left.  One basin may consist of several regions; each is
+ * labelled by the fate of one point in it, never by assumption.
+ */
+#ifndef PORTRAIT_REGION_H
+#define PORTRAIT_REGION_H
+
+#include <stdint.h>
+
+#include "separatrix.h"
+
+struct region {
+    bool is_seeded;
+    struct vec2 seed; /* a point of it, absolute */
+    int8_t label;     /* REGION_UNLABELLED before it is asked for */
+};
+enum { REGION_UNLABELLED = -2 };
+
+struct band {
+    double lo, hi;         /* rows lo <= y < hi; may be infinite */
+    size_t strands, first; /* regions number first .. first + strands */
+};
+
+struct regions {
+    const struct separatrix *separatrix; /* borrowed; along y */
+    struct band *band;                   /* owned; from below */
+    size_t bands;
+    struct region *region; /* owned */
+    size_t count;
+    size_t most; /* strands in any band */
+};
+
+/* STATUS_BAD_ARGUMENT: not along y; STATUS_NO_MEMORY.  On error *r is empty. */
+MUST_CHECK enum status regions_init(struct regions *r,
+                                    const struct separatrix *separatrix);
+
+const struct band *regions_band(const struct regions *r, double y);
+
+/* The number of the region of an absolute point; c has room for most + 1. */
+size_t regions_at(const struct regions *r, struct vec2 z, struct crossing c[]);
+
+/* The label of the forward orbit from z, an absolute point. */
+typedef enum status region_fate(const void *ctx, struct vec2 z, int8_t *label);
+
+/* Asks for the fate of each region's seed; of those inside `only`, where it is
+ * not NULL (a seed is put there wherever the region reaches it at all).
+ * Regions that have a label keep it; errors of `fate` are passed on. */
+MUST_CHECK enum status regions_label(struct regions *r, const struct box *only,
+                                     region_fate *fate, const void *ctx);
+
+/* The area of the regions with this label within a finite box; *error bounds
+ * it; c as above. */
+double regions_area(const struct regions *r, int8_t label, struct box w,
+                    struct measure m, struct crossing c[], double *error);
+
+/* A second call is harmless. */
+void regions_free(struct regions *r);
+
+#endif
