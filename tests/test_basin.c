@@ -8,6 +8,7 @@
 #include "fault_alloc.h"
 #include "fixtures.h"
 #include "grow.h"
+#include "margin.h"
 #include "orbit.h"
 
 enum { COLUMNS = 41, ROWS = 37 };
@@ -192,6 +193,67 @@ static void crossings_lie_on_the_manifold(void **state)
     }
 }
 
+/* A step to just this side of the named margin keeps the side, a step beyond
+ * changes it; without a margin there is one label. */
+static void check_margin(const struct sample *s, struct margin_line *l,
+                         const struct separatrix *cuts, struct vec2 z)
+{
+    const bool row = cuts->along == SEPARATRIX_Y;
+    double error;
+
+    margin_find(l, &s->regions, cuts, row ? z.y : z.x);
+    const double far = margin_at(l, row ? z.x : z.y, &error);
+    if (!isfinite(far)) {
+        assert_int_equal(l->count, 0);
+        return;
+    }
+    for (int beyond = 0; beyond < 2; beyond++) {
+        const double step = far + copysign(1e-9, beyond ? far : -far);
+        const struct vec2 to = { row ? z.x + step : z.x,
+                                 row ? z.y : z.y + step };
+        const double d = distance(&s->f, vec2_sub(to, s->sys.origin));
+        const double from = distance(&s->f, vec2_sub(z, s->sys.origin));
+        if (fabs(to.x - z.x) + fabs(to.y - z.y) < 2.0 && fabs(d) > 1e-12)
+            CHECK(((d > 0.0) == (from > 0.0)) == !beyond,
+                  "from (%g, %g) by %g %s: %g after %g", z.x, z.y, far,
+                  row ? "right" : "up", d, from);
+    }
+}
+
+static void margins_lead_just_to_the_other_side(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int n = 0; n < 100; n++) {
+        struct sample s;
+        struct margin_line l;
+        if (!sample_make(&s, n % 2 ? FIXTURE_PITCHFORK : FIXTURE_PARABOLA,
+                         &rng)) {
+            sample_free(&s);
+            continue;
+        }
+        struct separatrix columns =
+            separatrix_empty(SEPARATRIX_X, s.sys.origin);
+        assert_int_equal(separatrix_add(&columns, &s.branch[1], &s.branch[0]),
+                         STATUS_OK);
+        assert_int_equal(regions_label(&s.regions, &s.window, fate, &s),
+                         STATUS_OK);
+        assert_int_equal(margin_init(&l, &s.separatrix, &columns), STATUS_OK);
+        for (int i = 0; i < 30; i++) {
+            const struct vec2 z = {
+                check_uniform(&rng, s.window.lo.x, s.window.hi.x),
+                check_uniform(&rng, s.window.lo.y, s.window.hi.y)
+            };
+            check_margin(&s, &l, &s.separatrix, z);
+            check_margin(&s, &l, &columns, z);
+        }
+        margin_free(&l);
+        separatrix_free(&columns);
+        sample_free(&s);
+    }
+}
+
 /* The share of a fine grid's points on each side, against the quadrature. */
 static double counted(const struct sample *s, struct measure m)
 {
@@ -283,6 +345,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_cell_has_the_label_of_its_side),
         cmocka_unit_test(crossings_lie_on_the_manifold),
+        cmocka_unit_test(margins_lead_just_to_the_other_side),
         cmocka_unit_test(areas_are_those_of_the_sides),
         cmocka_unit_test(every_allocation_fails_once),
     };

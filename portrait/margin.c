@@ -1,0 +1,90 @@
+#include "margin.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum status margin_init(struct margin_line *l, const struct separatrix *one,
+                        const struct separatrix *other)
+{
+    const size_t a = one ? one->count : 0, b = other ? other->count : 0;
+    const size_t room = (a > b ? a : b) + 1;
+
+    /* One line is found while another row is crossed for its labels. */
+    *l = (struct margin_line){ .room = room };
+    l->at = malloc(2 * room * sizeof *l->at);
+    l->label = malloc((room + 1) * sizeof *l->label);
+    if (l->at && l->label)
+        return STATUS_OK;
+    margin_free(l);
+    return STATUS_NO_MEMORY;
+}
+
+/* The label between two crossings, either of which may be missing. */
+static int8_t label_between(const struct regions *r,
+                            const struct separatrix *cuts, double w, double lo,
+                            double hi, struct crossing scratch[])
+{
+    const double middle = lo == -HUGE_VAL  ? (hi == HUGE_VAL ? 0.0 : hi - 1.0)
+                          : hi == HUGE_VAL ? lo + 1.0
+                                           : 0.5 * (lo + hi);
+    const struct vec2 z = cuts->along == SEPARATRIX_Y
+                              ? (struct vec2){ middle, w }
+                              : (struct vec2){ w, middle };
+
+    return r->region[regions_at(r, z, scratch)].label;
+}
+
+void margin_find(struct margin_line *l, const struct regions *r,
+                 const struct separatrix *cuts, double w)
+{
+    struct crossing *scratch = l->at + l->room;
+    const size_t n = separatrix_row(cuts, w, l->at);
+    size_t kept = 0;
+
+    l->label[0] = label_between(r, cuts, w, -HUGE_VAL,
+                                n > 0 ? l->at[0].at : HUGE_VAL, scratch);
+    for (size_t k = 0; k < n; k++) {
+        const double hi = k + 1 < n ? l->at[k + 1].at : HUGE_VAL;
+        const int8_t next = label_between(r, cuts, w, l->at[k].at, hi, scratch);
+        if (next == l->label[kept])
+            continue;
+        l->at[kept++] = l->at[k];
+        l->label[kept] = next;
+    }
+    l->count = kept;
+}
+
+static size_t interval(const struct margin_line *l, double at)
+{
+    size_t k = 0;
+
+    while (k < l->count && at >= l->at[k].at)
+        k++;
+    return k;
+}
+
+int8_t margin_label(const struct margin_line *l, double at)
+{
+    return l->label[interval(l, at)];
+}
+
+double margin_at(const struct margin_line *l, double at, double *error)
+{
+    const size_t k = interval(l, at);
+    const double down = k > 0 ? at - l->at[k - 1].at : HUGE_VAL;
+    const double up = k < l->count ? l->at[k].at - at : HUGE_VAL;
+
+    if (down < up) {
+        *error = l->at[k - 1].error;
+        return -down;
+    }
+    *error = k < l->count ? l->at[k].error : HUGE_VAL;
+    return up;
+}
+
+void margin_free(struct margin_line *l)
+{
+    free(l->at);
+    free(l->label);
+    *l = (struct margin_line){ .at = NULL };
+}

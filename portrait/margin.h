@@ -1,0 +1,40 @@
+/*
+ * margin.h -- how far a state is from another fate along a row or a column:
+ * the push that starts what stops, the brake that stops what slides.
+ */
+#ifndef PORTRAIT_MARGIN_H
+#define PORTRAIT_MARGIN_H
+
+#include "region.h"
+
+/* Where the label changes along a line of the plane: label[k] from at[k-1] to
+ * at[k].  All absolute. */
+struct margin_line {
+    struct crossing *at; /* owned; ascending */
+    int8_t *label;       /* owned; count + 1 */
+    size_t count, room;
+};
+
+/* Room for the lines of both separatrices; they may be NULL.
+ * STATUS_NO_MEMORY: *l is empty. */
+MUST_CHECK enum status margin_init(struct margin_line *l,
+                                   const struct separatrix *one,
+                                   const struct separatrix *other);
+
+/* The row y = w (cuts along y) or the column x = w (cuts along x), whose
+ * regions must all be labelled: r's separatrix is along y, cuts is the same
+ * curves along either. */
+void margin_find(struct margin_line *l, const struct regions *r,
+                 const struct separatrix *cuts, double w);
+
+/* The label at a point of the line. */
+int8_t margin_label(const struct margin_line *l, double at);
+
+/* From a point of the line to the nearest change of label, signed, and the
+ * bound on its error; infinite where there is none. */
+double margin_at(const struct margin_line *l, double at, double *error);
+
+/* A second call is harmless. */
+void margin_free(struct margin_line *l);
+
+#endif
