@@ -13,6 +13,8 @@ static const struct command table[] = {
       "slipway plan scenes/fig07b.yaml", command_plan },
     { "knees", "[SCENE.yaml]", "critical velocities, knees, static friction",
       "slipway knees --law dieterich_gen --alpha 0.34 --json", command_knees },
+    { "check", "TABLE.csv...", "do stored numbers still hold? or --record them",
+      "slipway check --record scenes/fig07b.yaml -o fig07b.csv", command_check },
     { "laws", "", "the friction laws and their formulas",
       "slipway laws", command_laws },
     { "info", "FILE.h5 [scene]", "what a result file holds; prints its scene",
@@ -86,6 +88,28 @@ enum exit_code command_fail(enum status s, const char *text)
     }
 }
 
+enum exit_code command_unwritten(void)
+{
+    return command_fail(STATUS_IO, "cannot write to standard output");
+}
+
+enum exit_code command_allow(const struct options *o, size_t arguments)
+{
+    if (o->files <= arguments)
+        return EXIT_DONE;
+    fprintf(stderr,
+            "slipway: %s: %s: one argument too many (see slipway help "
+            "%s)\n",
+            o->command, o->file[arguments], o->command);
+    return EXIT_USAGE;
+}
+
+void command_describe(FILE *out, const struct command *c)
+{
+    fprintf(out, "slipway %s %s\n  %s\nExample:\n  %s\n", c->name, c->arguments,
+            c->text, c->example);
+}
+
 enum exit_code command_help(const struct options *o)
 {
     const char *nearest = NULL;
@@ -96,6 +120,8 @@ enum exit_code command_help(const struct options *o)
         command_list(stdout);
         return EXIT_DONE;
     }
+    if (command_allow(o, 1) != EXIT_DONE)
+        return EXIT_USAGE;
     const struct command *c = command_find(o->file[0], &nearest);
     if (c == NULL) {
         fprintf(stderr, "slipway: no command '%s'%s%s%s\n", o->file[0],
@@ -103,7 +129,6 @@ enum exit_code command_help(const struct options *o)
                 nearest ? "?" : "");
         return EXIT_USAGE;
     }
-    printf("slipway %s %s\n  %s\nExample:\n  %s\n", c->name, c->arguments,
-           c->text, c->example);
+    command_describe(stdout, c);
     return EXIT_DONE;
 }

@@ -27,6 +27,9 @@ struct command {
 /* NULL if there is no such command; *nearest then is its likely meaning. */
 const struct command *command_find(const char *name, const char **nearest);
 
+/* What it does and an example, a few lines. */
+void command_describe(FILE *out, const struct command *c);
+
 /* The table, for --help and 'slipway help'. */
 void command_list(FILE *out);
 
@@ -34,11 +37,19 @@ enum exit_code command_study(const struct options *o);
 enum exit_code command_portrait(const struct options *o);
 enum exit_code command_knees(const struct options *o);
 enum exit_code command_plan(const struct options *o);
+enum exit_code command_check(const struct options *o);
 enum exit_code command_laws(const struct options *o);
 enum exit_code command_info(const struct options *o);
 enum exit_code command_help(const struct options *o);
 
 /* Prints "slipway: TEXT" and answers the exit code for s. */
 enum exit_code command_fail(enum status s, const char *text);
+
+/* The complaint when standard output refuses what was printed. */
+enum exit_code command_unwritten(void);
+
+/* For commands that take at most so many arguments: complains of the first
+ * beyond them; EXIT_DONE if there is none. */
+enum exit_code command_allow(const struct options *o, size_t arguments);
 
 #endif

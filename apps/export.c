@@ -2,6 +2,8 @@
 
 #include <gsl/gsl_version.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "library.h"
 #include "rows.h"
@@ -127,14 +129,40 @@ static enum status put_estimates(const struct study *s, struct store *out)
     return status ? status : store_put_records(out, "/estimates/xi", &xi, "xi");
 }
 
+/* The overrides but those of the output: where a file lies is not part of what
+ * it holds.  Owned by the caller. */
+static char *lasting_overrides(const char *overrides)
+{
+    char *kept = calloc(strlen(overrides) + 1, 1), *end = kept;
+
+    for (const char *line = overrides; kept && *line;) {
+        const size_t size = strcspn(line, "\n") + 1;
+        if (strncmp(line, "output.", 7) != 0 && strncmp(line, "output=", 7))
+            end = (char *) memcpy(end, line, size) + size;
+        line += size;
+    }
+    return kept;
+}
+
+static enum status put_scene(const struct study *s, struct store *out)
+{
+    char *overrides = lasting_overrides(s->scene->overrides);
+    enum status status = overrides ? STATUS_OK : STATUS_NO_MEMORY;
+
+    if (!status)
+        status = store_put_text(out, "/provenance", "scene", s->scene->text);
+    if (!status)
+        status = store_put_text(out, "/provenance", "overrides", overrides);
+    free(overrides);
+    return status;
+}
+
 /* What made the file: no clock, path, host or thread count. */
 static enum status put_provenance(const struct study *s, struct store *out)
 {
     struct material m = s->block.material;
     char formula[256], libraries[128];
     const char *const text[][2] = {
-        { "scene", s->scene->text },
-        { "overrides", s->scene->overrides },
         { "version", SLIPWAY_VERSION },
         { "compiler", __VERSION__ },
         { "libraries", libraries },
@@ -142,7 +170,7 @@ static enum status put_provenance(const struct study *s, struct store *out)
         { "friction", friction_form_names[s->block.law.form] },
         { "formula", formula },
     };
-    enum status status = STATUS_OK;
+    enum status status = put_scene(s, out);
 
     law_formula(&s->block.law, formula, sizeof formula);
     snprintf(libraries, sizeof libraries, "GSL %s, HDF5 %s", GSL_VERSION,

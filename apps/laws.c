@@ -30,9 +30,12 @@ static void print_law(const struct law *law)
 
 enum exit_code command_laws(const struct options *o)
 {
-    json_t *list = o->json ? json_array() : NULL;
+    json_t *list;
     const struct law *law;
 
+    if (command_allow(o, 0) != EXIT_DONE)
+        return EXIT_USAGE;
+    list = o->json ? json_array() : NULL;
     for (size_t i = 0; (law = law_preset_at(i)) != NULL; i++) {
         if (list)
             json_array_append_new(list, law_json(law));
@@ -40,7 +43,7 @@ enum exit_code command_laws(const struct options *o)
             print_law(law);
     }
     if (list)
-        return json_print(list) ? EXIT_DONE : EXIT_FILE;
+        return json_print(list) ? EXIT_DONE : command_unwritten();
     printf("\nmu = a asinh((v/2) exp((mu_star + b theta)/a))   --friction "
            "asinh (default), (4a)\n"
            "mu = mu_star + a ln v + b theta                  --friction log, "

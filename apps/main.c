@@ -1,8 +1,10 @@
 /* slipway: phase planes of rate-and-state friction.  main() reads the command
  * line and hands over to one command. */
+#include <fcntl.h>
 #include <gsl/gsl_errno.h>
 #include <omp.h>
 #include <stdio.h>
+#include <unistd.h>
 
 #include "command.h"
 #include "library.h"
@@ -21,16 +23,34 @@ static enum exit_code run(const struct options *o)
     return EXIT_USAGE;
 }
 
+/* A closed stream must not become some file we open: what we print would end
+ * up in it.  Opened the wrong way round, writing to it fails as it should. */
+static void keep_streams_apart(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) < 0)
+            (void) !open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+/* What was printed must have arrived. */
+static enum exit_code finish(enum exit_code code)
+{
+    const bool arrived = fflush(stdout) == 0 && !ferror(stdout);
+
+    return arrived || code != EXIT_DONE ? code : command_unwritten();
+}
+
 int main(int argc, char *argv[])
 {
     struct options o;
 
+    keep_streams_apart();
     gsl_set_error_handler_off();
     store_silence();
     options_parse(&o, argc, argv);
     if (o.threads > 0)
         omp_set_num_threads(o.threads);
-    const enum exit_code code = run(&o);
+    const enum exit_code code = finish(run(&o));
     options_free(&o);
     return (int) code;
 }

@@ -17,6 +17,8 @@ enum key {
     KEY_FIGURE,
     KEY_KEEP,
     KEY_JSON,
+    KEY_TAP,
+    KEY_RECORD,
     KEY_THREADS,
     KEY_PROGRESS,
     KEY_SEED,
@@ -31,11 +33,15 @@ static const struct argp_option option_table[] = {
     { "friction", KEY_FRICTION, "FORM", 0, "Friction form: asinh or log", 0 },
     { "alpha", KEY_ALPHA, "RAD", 0, "Slope angle in radians", 0 },
     { "rtol", KEY_RTOL, "TOL", 0, "Relative accuracy [1e-12]", 0 },
-    { "output", 'o', "FILE.h5", 0, "Write the results to this HDF5 file", 0 },
+    { "output", 'o', "FILE", 0,
+      "Write the results to this HDF5 file (check: CSV)", 0 },
     { "figure", KEY_FIGURE, "FILE", 0, "Draw FILE.svg, .pdf or .png", 0 },
     { "keep-script", KEY_KEEP, 0, 0,
       "Leave the figure's gnuplot script and data beside it", 0 },
     { "json", KEY_JSON, 0, 0, "Print JSON instead of a table", 0 },
+    { "tap", KEY_TAP, 0, 0, "check: print TAP instead of a table", 0 },
+    { "record", KEY_RECORD, 0, 0,
+      "check: write a table from scenes or options to -o", 0 },
     { "threads", KEY_THREADS, "N", 0, "Number of threads [all]", 0 },
     { "progress", KEY_PROGRESS, "HOW", 0, "auto, json or none [auto]", 0 },
     { "quiet", 'q', 0, 0, "Print nothing but errors", 0 },
@@ -141,21 +147,39 @@ static void add_argument(struct options *o, char *argument)
 
 static const struct argp argp;
 
-static _Noreturn void print_and_leave(bool help)
+/* All of it, or what concerns one command. */
+static void print_help(const char *command)
 {
+    const char *nearest;
+    const struct command *c = command ? command_find(command, &nearest) : NULL;
     char name[] = "slipway";
 
-    if (help)
+    if (c == NULL) {
         argp_help(&argp, stdout, ARGP_HELP_STD_HELP & ~ARGP_HELP_EXIT_OK, name);
+        return;
+    }
+    command_describe(stdout, c);
+    printf("Options of all commands:\n");
+    argp_help(&argp, stdout, ARGP_HELP_LONG, name);
+}
+
+static _Noreturn void print_and_leave(const struct options *o, bool help)
+{
+    if (help)
+        print_help(o->command);
     else
         printf("slipway %s\n", SLIPWAY_VERSION);
-    exit(fflush(stdout) == 0 ? EXIT_DONE : EXIT_FILE);
+    if (fflush(stdout) != 0)
+        exit((int) command_unwritten());
+    exit(EXIT_DONE);
 }
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct options *o = state->input;
 
+    if (key == 'o')
+        o->output = value;
     if (scene_key(key)) {
         add_set(o, scene_key(key), value, is_path(key));
         return 0;
@@ -168,6 +192,12 @@ static error_t parse(int key, char *value, struct argp_state *state)
             return 0;
         case KEY_JSON:
             o->json = true;
+            return 0;
+        case KEY_TAP:
+            o->tap = true;
+            return 0;
+        case KEY_RECORD:
+            o->record = true;
             return 0;
         case KEY_KEEP:
             o->keep_script = true;
@@ -183,7 +213,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
             return 0;
         case KEY_HELP:
         case KEY_VERSION:
-            print_and_leave(key == KEY_HELP);
+            print_and_leave(o, key == KEY_HELP);
         case ARGP_KEY_ARG:
             add_argument(o, value);
             return 0;
@@ -225,7 +255,8 @@ static const struct argp argp = {
 void options_parse(struct options *o, int argc, char *argv[])
 {
     *o = (struct options){ 0 };
-    argp_parse(&argp, argc, argv, ARGP_NO_ERRS | ARGP_NO_HELP, NULL, o);
+    argp_parse(&argp, argc, argv, ARGP_NO_ERRS | ARGP_NO_HELP | ARGP_IN_ORDER,
+               NULL, o);
 }
 
 void options_free(struct options *o)

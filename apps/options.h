@@ -15,7 +15,8 @@ struct options {
     size_t files;
     char *set[OPTIONS_SETS]; /* owned: "key=value", in order */
     size_t sets;
-    bool json, keep_script, quiet;
+    const char *output; /* of -o, borrowed; NULL: none */
+    bool json, keep_script, quiet, tap, record;
     int threads; /* 0: what OpenMP chooses */
     enum progress progress;
 };

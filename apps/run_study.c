@@ -1,9 +1,13 @@
 /* slipway study and its shortcuts: read the scene, run what it asks for, write
  * the file, draw the figure, print the numbers. */
+#include <stdlib.h>
+#include <string.h>
+
 #include "command.h"
 #include "export.h"
 #include "picture.h"
 #include "progress.h"
+#include "replace.h"
 #include "report.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
@@ -34,6 +38,61 @@ static const struct shortcut knees_shortcut = {
     .print_numbers = true,
 };
 
+/* What a shortcut adds is written down like what the user did: the file then
+ * says what was run. */
+static enum status add_override(struct scene *s, const char *line)
+{
+    const size_t old = strlen(s->overrides);
+    char *longer = realloc(s->overrides, old + strlen(line) + 2);
+
+    if (longer == NULL)
+        return STATUS_NO_MEMORY;
+    sprintf(longer + old, "%s\n", line);
+    s->overrides = longer;
+    return STATUS_OK;
+}
+
+static enum status set_products(struct scene *s, unsigned products)
+{
+    char line[512] = "products=[";
+
+    if (products == s->products)
+        return STATUS_OK;
+    s->products = products;
+    for (int p = 0; p < PRODUCTS; p++)
+        if (products & 1u << p)
+            snprintf(line + strlen(line), sizeof line - strlen(line), "%s%s",
+                     strchr(line, '[')[1] ? ", " : "", product_names[p]);
+    strcat(line, "]");
+    return add_override(s, line);
+}
+
+static enum status set_spread(struct scene *s, size_t spread)
+{
+    char line[64];
+
+    if (s->spread == spread)
+        return STATUS_OK;
+    s->spread = spread;
+    snprintf(line, sizeof line, "trajectories.spread=%zu", spread);
+    return add_override(s, line);
+}
+
+static enum status apply(const struct shortcut *how, struct scene *s,
+                         struct fault *why)
+{
+    const unsigned asked = s->products ? s->products : how->if_none;
+    enum status status = STATUS_OK;
+
+    if (s->products == 0 && s->starts + s->spread == 0)
+        status = set_spread(s, how->spread);
+    if (status == STATUS_OK)
+        status = set_products(s, asked | how->always);
+    if (status != STATUS_OK)
+        snprintf(why->text, sizeof why->text, "%s", status_text(status));
+    return status;
+}
+
 static enum status read_scene(const struct options *o,
                               const struct shortcut *how, struct scene *scene,
                               struct fault *why)
@@ -49,13 +108,35 @@ static enum status read_scene(const struct options *o,
     s = scene_read(scene, path, o->set, o->sets, why);
     if (s != STATUS_OK)
         return s;
-    if (scene->products == 0) {
-        scene->products = how->if_none;
-        if (scene->starts + scene->spread == 0)
-            scene->spread = how->spread;
+    s = apply(how, scene, why);
+    if (s != STATUS_OK)
+        scene_free(scene);
+    return s;
+}
+
+/* The figure to draw; NULL: none. */
+static const char *figure_of(const struct scene *c, const struct shortcut *how)
+{
+    return c->figure ? c->figure : c->hdf5 ? NULL : how->figure;
+}
+
+/* Could both files be written?  Asked before anything is computed. */
+static enum status check_files(const struct scene *c,
+                               const struct shortcut *how, struct fault *why)
+{
+    const char *figure = figure_of(c, how);
+    enum status s = STATUS_OK;
+
+    if (c->hdf5 && figure && strcmp(c->hdf5, figure) == 0) {
+        snprintf(why->text, sizeof why->text,
+                 "%.300s: both the HDF5 file and the figure", figure);
+        return STATUS_BAD_SCENE;
     }
-    scene->products |= how->always;
-    return STATUS_OK;
+    if (c->hdf5)
+        s = replace_check(c->hdf5, why);
+    if (s == STATUS_OK && figure)
+        s = replace_check(figure, why);
+    return s;
 }
 
 static void print_remarks(const struct study *s)
@@ -70,19 +151,17 @@ static void print_remarks(const struct study *s)
 static enum status write_files(const struct study *s, const struct options *o,
                                const struct shortcut *how, struct fault *why)
 {
-    const struct scene *c = s->scene;
-    const char *figure = c->figure ? c->figure : c->hdf5 ? NULL : how->figure;
+    const char *hdf5 = s->scene->hdf5, *figure = figure_of(s->scene, how);
+    const bool tell = !o->quiet && !o->json;
     enum status status = STATUS_OK;
 
-    if (c->hdf5)
-        status = export_study(s, c->hdf5, why);
+    if (hdf5)
+        status = export_study(s, hdf5, why);
+    if (status == STATUS_OK && hdf5 && tell)
+        printf("wrote %s\n", hdf5);
     if (status == STATUS_OK && figure)
         status = picture_draw(s, figure, o->keep_script, why);
-    if (status != STATUS_OK || o->quiet || o->json)
-        return status;
-    if (c->hdf5)
-        printf("wrote %s\n", c->hdf5);
-    if (figure)
+    if (status == STATUS_OK && figure && tell)
         printf("wrote %s\n", figure);
     return status;
 }
@@ -92,13 +171,11 @@ static enum exit_code print_results(const struct study *s,
                                     const struct shortcut *how)
 {
     if (o->json)
-        return json_print(report_json(s)) ? EXIT_DONE : EXIT_FILE;
+        return json_print(report_json(s)) ? EXIT_DONE : command_unwritten();
     if (!o->quiet && how->print_numbers)
         report_print(stdout, s);
     if (!o->quiet)
         print_remarks(s);
-    if (fflush(stdout) != 0)
-        return command_fail(STATUS_IO, "cannot write to standard output");
     return EXIT_DONE;
 }
 
@@ -111,8 +188,10 @@ static enum exit_code run(const struct options *o, const struct shortcut *how)
 
     enum status s = read_scene(o, how, &scene, &why);
     if (s != STATUS_OK)
-        return command_fail(s == STATUS_NO_MEMORY ? s : s, why.text);
-    s = study_run(&study, &scene, progress_monitor(o), &why);
+        return command_fail(s, why.text);
+    s = check_files(&scene, how, &why);
+    if (s == STATUS_OK)
+        s = study_run(&study, &scene, progress_monitor(o), &why);
     progress_end();
     if (s != STATUS_OK) {
         scene_free(&scene);
@@ -171,7 +250,7 @@ enum exit_code command_plan(const struct options *o)
     const unsigned stages = plan_stages(scene.products) | 1u << STAGE_STEADY;
     enum exit_code code = EXIT_DONE;
     if (o->json)
-        code = json_print(plan_json(stages)) ? EXIT_DONE : EXIT_FILE;
+        code = json_print(plan_json(stages)) ? EXIT_DONE : command_unwritten();
     for (int i = 0; i < STAGES && !o->json; i++)
         if (plan_has(stages, (enum stage) i))
             printf("%-13s %-48s %s\n", stage_table[i].name, stage_table[i].text,

@@ -260,6 +260,9 @@
 #define TOL_AREA_DEPTH 40
 
 /* From so many rows of a basin map on, threads pay. */
-#define BASIN_PARALLEL_ROWS 256
+#define BASIN_PARALLEL_ROWS 4096
+
+/* Shares of a window are differences of areas, which round. */
+#define TOL_SHARE_ROUNDING 1e-14
 
 #endif

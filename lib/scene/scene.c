@@ -70,6 +70,8 @@ static enum status set_defaults(struct scene *s)
     s->material = material_bristol_board();
     s->window = (struct scene_window){ { 1e-6, 1e6 }, { NAN, NAN }, AXES_LOG };
     s->seed = 1;
+    s->cells[0] = s->cells[1] = 512;
+    s->audit = 1000;
     s->rtol = TOL_RTOL_DEFAULT;
     s->xi_count = sizeof xi / sizeof *xi;
     s->title = text_copy("", 0);

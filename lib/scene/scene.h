@@ -8,7 +8,8 @@
  *
  * Defaults: law.friction asinh; Table 2's material; gravity 9.81; window v
  * 1e-6..1e6, psi 1e-3..1e2 (psi -7..5 where psi is a logarithm); axes log;
- * dimensionless units; estimates.xi 0.85 0.9 0.99 0.999; no trajectories; seed
+ * dimensionless units; estimates.xi 0.85 0.9 0.99 0.999; no trajectories;
+ * basins 512 x 512, audit 1000, not exact; seed
  * 1; rtol 1e-12; no output.  A law and a slope must be given.
  */
 #ifndef SCENE_SCENE_H
@@ -27,6 +28,8 @@ enum product {
     PRODUCT_KNEES,
     PRODUCT_ESTIMATES,
     PRODUCT_TRAJECTORIES,
+    PRODUCT_BASINS,
+    PRODUCT_MARGIN,
     PRODUCTS
 };
 extern const char *const product_names[];
@@ -60,6 +63,9 @@ struct scene {
     uint64_t seed;
     double until_time, until_slip; /* 0: no limit */
     size_t linear_slip, log_time;  /* samples; 0: as the steps fall */
+    size_t cells[2];               /* of a basin map, along v and psi */
+    size_t audit; /* cells checked by forward integration; 0: none */
+    bool exact;   /* every cell by forward integration */
     double rtol;
     char *hdf5, *figure; /* owned; NULL: none */
     char *text;          /* owned: the file as read, "" without one */

@@ -10,15 +10,16 @@
 #include "tolerance.h"
 #include "value.h"
 
-const char *const product_names[] = { "equilibria", "folds",
-                                      "nullclines", "field_arrows",
-                                      "manifolds",  "knees",
-                                      "estimates",  "trajectories",
-                                      NULL };
+const char *const product_names[] = {
+    "equilibria", "folds",  "nullclines", "field_arrows",
+    "manifolds",  "knees",  "estimates",  "trajectories",
+    "basins",     "margin", NULL
+};
 _Static_assert(sizeof product_names / sizeof *product_names == PRODUCTS + 1,
                "each product has a name");
 static const char *const axes_names[] = { "log", "linear", "eigen", NULL };
 static const char *const units_names[] = { "dimensionless", "si", NULL };
+static const char *const flag_names[] = { "false", "true", NULL };
 static const char *const board_names[] = { "bristol_board", NULL };
 
 /* ---- the table ----------------------------------------------------------- */
@@ -97,6 +98,12 @@ const struct schema_key schema_table[] = {
     { "trajectories.sample.log_time", value_count, AT(log_time),
       FROM(2), TO(1000000), .side = 2,
       .expected = "a whole number from 2 to 1000000" },
+
+    { "basins.cells", value_cells, AT(cells), FROM(1), TO(32768),
+      .expected = "two whole numbers [nv, npsi] from 1 to 32768" },
+    { "basins.audit", value_count, AT(audit), FROM(0), TO(1000000),
+      .expected = "a whole number from 0 to 1000000" },
+    { "basins.exact", value_flag, AT(exact), .words = flag_names },
 
     { "accuracy.rtol", value_real, AT(rtol), FROM(1e-14), TO(0.1),
       .expected = "a number from 1e-14 to 0.1" },

@@ -104,6 +104,22 @@ enum status value_pair(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
+enum status value_cells(const struct schema_key *key, const struct node *n,
+                        struct scene *s, struct fault *why)
+{
+    size_t *cells = member(s, key);
+    uint64_t count;
+
+    if (n->kind != NODE_LIST || n->count != 2)
+        return refuse(key, n, why);
+    for (int i = 0; i < 2; i++) {
+        if (!is_whole(key, n->child[i], &count))
+            return refuse(key, n->child[i], why);
+        cells[i] = (size_t) count;
+    }
+    return STATUS_OK;
+}
+
 /* ---- texts --------------------------------------------------------------- */
 
 enum status value_text(const struct schema_key *key, const struct node *n,
@@ -164,6 +180,17 @@ enum status value_choice(const struct schema_key *key, const struct node *n,
     if (code < 0)
         return refuse(key, n, why);
     *(int *) member(s, key) = code;
+    return STATUS_OK;
+}
+
+enum status value_flag(const struct schema_key *key, const struct node *n,
+                       struct scene *s, struct fault *why)
+{
+    const int code = code_of(n, key->words);
+
+    if (code < 0)
+        return refuse(key, n, why);
+    *(bool *) member(s, key) = code == 1;
     return STATUS_OK;
 }
 

@@ -21,6 +21,8 @@ VALUE_READER(value_pair);      /* double[2], lo < hi */
 VALUE_READER(value_count);     /* size_t */
 VALUE_READER(value_seed);      /* uint64_t */
 VALUE_READER(value_choice);    /* enum: the word's code */
+VALUE_READER(value_flag);      /* bool, of "false" and "true" */
+VALUE_READER(value_cells);     /* size_t[2] */
 VALUE_READER(value_preset);    /* law, but its form */
 VALUE_READER(value_board);     /* material.preset: the default already */
 VALUE_READER(value_alpha);     /* alpha and tan_alpha, of rad, */

@@ -28,6 +28,9 @@ const struct stage_info stage_table[STAGES] = {
     [STAGE_TRAJECTORIES] = { "trajectories", "forward orbits",
                              "some hundred stiff steps an orbit", BIT(STEADY),
                              ASKED(TRAJECTORIES) },
+    [STAGE_BASINS] = { "basins", "the fate of every cell of a grid",
+                       "microseconds a row, a stiff orbit an audited cell",
+                       BIT(STABLE), ASKED(BASINS) | ASKED(MARGIN) },
 };
 
 unsigned plan_stages(unsigned products)

@@ -18,6 +18,7 @@ enum stage {
     STAGE_NULLCLINES,   /* in the window */
     STAGE_ARROWS,       /* direction field in the window */
     STAGE_TRAJECTORIES, /* forward orbits */
+    STAGE_BASINS,       /* the fate of every cell of a grid */
     STAGES
 };
 

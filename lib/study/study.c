@@ -129,7 +129,10 @@ static enum status run_stable(struct study *s, const struct monitor *monitor,
         return STATUS_OK;
     o.carry = carry_for(s->stages);
     o.monitor = monitor;
-    o.reach = plan_has(s->stages, STAGE_UNSTABLE) ? &window : NULL;
+    o.reach =
+        plan_has(s->stages, STAGE_UNSTABLE) || plan_has(s->stages, STAGE_BASINS)
+            ? &window
+            : NULL;
     enum status status = local_series(s, MANIFOLD_STABLE, &o.carry, &u);
     for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
         status = grow_branch(&s->system, &u, side_sign(&u, (enum side) i), &o,
@@ -300,6 +303,18 @@ static enum status run_trajectories(struct study *s,
     return status;
 }
 
+static enum status run_basins(struct study *s, const struct monitor *monitor,
+                              struct fault *why)
+{
+    enum status status = basin_map_init(&s->basins, s, monitor);
+
+    (void) why;
+    if (status == STATUS_OK && s->scene->audit > 0 && !s->scene->exact)
+        status = basin_map_audit(&s->basins, s->scene->audit, s->scene->seed,
+                                 monitor);
+    return status;
+}
+
 /* ---- running ---------------------------------------------------------- */
 
 typedef enum status stage_function(struct study *s,
@@ -312,6 +327,7 @@ static stage_function *const stage_run[STAGES] = {
     [STAGE_CRITICAL] = run_critical,   [STAGE_KNEES] = run_knees,
     [STAGE_ESTIMATES] = run_estimates, [STAGE_NULLCLINES] = run_nullclines,
     [STAGE_ARROWS] = run_arrows,       [STAGE_TRAJECTORIES] = run_trajectories,
+    [STAGE_BASINS] = run_basins,
 };
 
 static double seconds(void)
@@ -369,6 +385,7 @@ void study_free(struct study *s)
         branch_free(&s->stable[i]);
         orbit_free(&s->unstable[i]);
     }
+    basin_map_free(&s->basins);
     trajectory_free(&s->chosen);
     portrait_free(&s->portrait);
 }

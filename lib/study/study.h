@@ -14,6 +14,7 @@
 #ifndef STUDY_STUDY_H
 #define STUDY_STUDY_H
 
+#include "basin_map.h"
 #include "estimate_numbers.h"
 #include "numbers.h"
 #include "orbit.h"
@@ -53,6 +54,7 @@ struct study {
     struct portrait portrait;     /* owned; trajectories: the spread ones */
     struct trajectories chosen;   /* owned; from the scene's own starts */
     struct estimate_numbers estimates;
+    struct basin_map basins;
 
     struct stage_cost cost[STAGES];
 };

@@ -1,0 +1,224 @@
+/* slipway check: do the numbers of a table still hold?  And --record, which
+ * writes such a table. */
+#include <string.h>
+
+#include "baseline.h"
+#include "check_report.h"
+#include "command.h"
+#include "number.h"
+#include "progress.h"
+#include "replace.h"
+#include "tolerance.h"
+
+/* ---- checking ------------------------------------------------------------ */
+
+/* All tables of the command line, and what became of them. */
+struct checks {
+    struct table table[OPTIONS_FILES];
+    struct regression regression[OPTIONS_FILES];
+    size_t count;
+};
+
+static enum status usage(struct fault *why, const char *format,
+                         const char *text)
+{
+    snprintf(why->text, sizeof why->text, format, text_shown(text).text);
+    return STATUS_BAD_ARGUMENT;
+}
+
+/* A table brings its own slopes: only --rtol may be set. */
+static enum status read_rtol(const struct options *o, double *rtol,
+                             struct fault *why)
+{
+    static const char key[] = "accuracy.rtol=";
+
+    *rtol = CHECK_RTOL;
+    if (o->output)
+        return usage(why, "check: -o %s: only --record writes a file",
+                     o->output);
+    for (size_t i = 0; i < o->sets; i++) {
+        const char *value = o->set[i] + sizeof key - 1;
+        if (strncmp(o->set[i], key, sizeof key - 1) != 0)
+            return usage(why,
+                         "check: %s: a table brings its own slopes (to write "
+                         "one: --record)",
+                         o->set[i]);
+        if (!number_read(value, rtol) || !(*rtol >= 1e-14 && *rtol <= 0.1))
+            return usage(why,
+                         "check: --rtol %s: expected a number from 1e-14 to "
+                         "0.1",
+                         value);
+    }
+    return STATUS_OK;
+}
+
+static enum status read_tables(const struct options *o, struct checks *c,
+                               struct fault *why)
+{
+    if (o->files == 0)
+        return usage(why, "check: no table, expected %s", "TABLE.csv");
+    for (size_t i = 0; i < o->files; i++) {
+        const enum status s = table_read(&c->table[i], o->file[i], why);
+        if (s != STATUS_OK)
+            return s;
+        c->count++;
+    }
+    return STATUS_OK;
+}
+
+static enum status run_tables(const struct options *o, double rtol,
+                              struct checks *c, struct fault *why)
+{
+    const struct monitor *monitor = progress_monitor(o);
+    enum status s = STATUS_OK;
+
+    for (size_t i = 0; i < c->count && s == STATUS_OK; i++)
+        s = regression_run(&c->regression[i], &c->table[i], rtol, monitor, why);
+    progress_end();
+    return s;
+}
+
+static void free_checks(struct checks *c)
+{
+    for (size_t i = 0; i < c->count; i++) {
+        regression_free(&c->regression[i]);
+        table_free(&c->table[i]);
+    }
+}
+
+static bool print_json(const struct checks *c)
+{
+    json_t *j = json_object(), *list = json_array();
+
+    for (size_t i = 0; i < c->count; i++)
+        json_array_append_new(list, check_report_json(&c->regression[i]));
+    json_object_set_new(j, "tables", list);
+    return json_print(j);
+}
+
+static bool print_tap(const struct checks *c)
+{
+    size_t rows = 0, number = 0;
+
+    for (size_t i = 0; i < c->count; i++)
+        rows += c->table[i].rows;
+    printf("1..%zu\n", rows);
+    for (size_t i = 0; i < c->count; i++)
+        check_report_tap(stdout, &c->regression[i], &number);
+    return fflush(stdout) == 0;
+}
+
+static bool print_checks(const struct options *o, const struct checks *c)
+{
+    if (o->json)
+        return print_json(c);
+    if (o->tap)
+        return print_tap(c);
+    for (size_t i = 0; i < c->count && !o->quiet; i++)
+        check_report_print(stdout, &c->regression[i]);
+    return fflush(stdout) == 0;
+}
+
+static enum exit_code verdict(const struct checks *c)
+{
+    size_t moved = 0, failed = 0;
+
+    for (size_t i = 0; i < c->count; i++) {
+        moved += c->regression[i].moved;
+        failed += c->regression[i].failed;
+    }
+    return failed ? EXIT_NUMBER : moved ? EXIT_CHECK : EXIT_DONE;
+}
+
+static enum exit_code check(const struct options *o)
+{
+    struct checks c = { .count = 0 };
+    struct fault why = { "" };
+    double rtol;
+
+    enum status s = read_rtol(o, &rtol, &why);
+    if (s == STATUS_OK)
+        s = read_tables(o, &c, &why);
+    if (s == STATUS_OK)
+        s = run_tables(o, rtol, &c, &why);
+    enum exit_code code = s == STATUS_OK ? verdict(&c) : EXIT_DONE;
+    if (s != STATUS_OK)
+        code = command_fail(s, why.text);
+    else if (!print_checks(o, &c))
+        code = command_fail(STATUS_IO, "cannot write to standard output");
+    free_checks(&c);
+    return code;
+}
+
+/* ---- recording ----------------------------------------------------------- */
+
+static enum status record_scene(const struct options *o, const char *path,
+                                struct baseline *b, struct fault *why)
+{
+    struct scene scene;
+
+    enum status s = scene_read(&scene, path, o->set, o->sets, why);
+    if (s != STATUS_OK)
+        return s;
+    const char *name = scene.title[0] ? scene.title
+                       : path         ? path
+                                      : "command line";
+    s = baseline_add(b, name, &scene, why);
+    scene_free(&scene);
+    return s;
+}
+
+static enum status record_scenes(const struct options *o, struct baseline *b,
+                                 struct fault *why)
+{
+    const struct monitor *monitor = progress_monitor(o);
+    const size_t count = o->files ? o->files : 1;
+    enum status s = STATUS_OK;
+
+    if (o->output)
+        s = replace_check(o->output, why);
+    for (size_t i = 0; i < count && s == STATUS_OK; i++) {
+        if (monitor_tell(monitor, "scenes", i, count))
+            s = STATUS_STOPPED;
+        else
+            s = record_scene(o, o->files ? o->file[i] : NULL, b, why);
+    }
+    progress_end();
+    return s;
+}
+
+static enum status write_baseline(const struct options *o,
+                                  const struct baseline *b, struct fault *why)
+{
+    enum status s = STATUS_OK;
+
+    if (o->output)
+        s = replace_file(o->output, b->text, b->size, why);
+    if (s != STATUS_OK)
+        return s;
+    if (o->output && !o->quiet)
+        printf("wrote %s: %zu rows\n", o->output, b->rows);
+    if (o->output == NULL)
+        fputs(b->text, stdout);
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return STATUS_OK;
+    snprintf(why->text, sizeof why->text, "cannot write to standard output");
+    return STATUS_IO;
+}
+
+static enum exit_code record(const struct options *o)
+{
+    struct baseline b = { .text = NULL };
+    struct fault why = { "" };
+
+    enum status s = record_scenes(o, &b, &why);
+    if (s == STATUS_OK)
+        s = write_baseline(o, &b, &why);
+    baseline_free(&b);
+    return s == STATUS_OK ? EXIT_DONE : command_fail(s, why.text);
+}
+
+enum exit_code command_check(const struct options *o)
+{
+    return o->record ? record(o) : check(o);
+}

@@ -1,0 +1,161 @@
+/*
+ * With E = exp(log_inertia - X) = cos(alpha)/(eps^2 v) the first component is
+ * E (tan(alpha) - mu), and mu a function of a and of
+ * mu_log = mu_star + a x + b theta; the second knows of R alone, through
+ * r = 1/R in psi_ss and T.  By hand, because the formulas of field_formula.h
+ * hold differences to an anchor that moves with the parameters.
+ */
+#include "parameter.h"
+
+#include <math.h>
+
+#define SCALAR double
+#define FN(f)  f
+#include "scalar.h"
+
+const char *parameter_missing(const struct law *law, const struct material *m,
+                              enum parameter p)
+{
+    if (p == PARAMETER_C && !law_uses(law, MATERIAL_C))
+        return "the law does not use c";
+    if (p == PARAMETER_R && !law_uses(law, MATERIAL_R))
+        return "the law does not use R";
+    if (p == PARAMETER_R && isinf(m->R))
+        return "R is infinite";
+    return NULL;
+}
+
+/* A point in absolute coordinates. */
+struct place {
+    double x, y, v, psi;
+};
+
+static struct place place_at(const struct block *b, struct vec2 z)
+{
+    const double x = b->at.x0 + z.x, y = b->at.y0 + z.y;
+    return (struct place){ x, y, exp(x), law_psi_is_log(&b->law) ? y : exp(y) };
+}
+
+/* theta and its derivatives by c and R. */
+struct theta_parts {
+    double theta, by_c, by_R;
+};
+
+static struct theta_parts theta_at(const struct block *b,
+                                   const struct place *at)
+{
+    const double c = b->material.c, R = b->material.R;
+
+    switch (b->law.theta) {
+        case THETA_LN_C_PSI:
+            return (struct theta_parts){ log(c + at->psi), 1 / (c + at->psi),
+                                         0 };
+        case THETA_LN_C_1PR_PSI: {
+            const double rise = c / at->psi + 1 + R;
+            return (struct theta_parts){ at->y + log(rise),
+                                         1 / (c + (1 + R) * at->psi),
+                                         1 / rise };
+        }
+        default: /* ln psi, psi */
+            return (struct theta_parts){ at->y, 0, 0 };
+    }
+}
+
+/* d mu/d p, but for alpha and eps2; *mu too. */
+static void friction_parts(const struct block *b, const struct place *at,
+                           double *mu, double by[PARAMETERS])
+{
+    const struct theta_parts t = theta_at(b, at);
+    const double a = b->material.a, k = b->material.b;
+    const double mu_log = b->material.mu_star + a * at->x + k * t.theta;
+    const double w = mu_log / a;
+    const bool bent = b->law.form == FRICTION_ASINH;
+    const double slope = bent ? scalar_friction_slope(w) : 1;
+
+    *mu = bent ? a * scalar_asinh_exp(w) : mu_log;
+    by[PARAMETER_A] = *mu / a + slope * (at->x - w);
+    by[PARAMETER_B] = slope * t.theta;
+    by[PARAMETER_MU_STAR] = slope;
+    by[PARAMETER_C] = slope * k * t.by_c;
+    by[PARAMETER_R] = slope * k * t.by_R;
+}
+
+/* psi_ss(v), where it depends on R, and d ln psi_ss/d r. */
+static void steady_parts(const struct law *law, double r, double v, double *psi,
+                         double *by_r)
+{
+    const bool unit = law->psi_ss == PSI_SS_SPINODAL_UNIT;
+
+    *psi = *by_r = 0;
+    if (law->psi_ss != PSI_SS_SPINODAL && !unit)
+        return;
+    *psi = (unit ? r : 1 + r) / (r + v);
+    *by_r = unit ? v / (r * (r + v)) : (v - 1) / ((1 + r) * (r + v));
+}
+
+/* ln(1/T), where T depends on R, and its derivative by r. */
+static void quickness_parts(const struct law *law, double r,
+                            const struct place *at, double psi_ss, double by_r,
+                            double *log_rate, double *rate_by_r)
+{
+    const double log_psi = psi_ss > 0 ? log(psi_ss) : -at->x;
+
+    switch (law->timescale) {
+        case TIMESCALE_SLIP:
+            *log_rate = at->x;
+            *rate_by_r = 0;
+            break;
+        case TIMESCALE_SPINODAL:
+            *log_rate = log(r + at->v);
+            *rate_by_r = 1 / (r + at->v);
+            break;
+        case TIMESCALE_AGEING44: /* psi_ss = 0 here: it is 1/v */
+            *log_rate = log(r) - log_psi;
+            *rate_by_r = law->psi_ss == PSI_SS_SPINODAL_UNIT ? 1 / (r + at->v)
+                                                             : 1 / r - by_r;
+            break;
+        default:
+            *log_rate = log(r) - (psi_ss > 0 ? psi_ss : log_psi);
+            *rate_by_r = 1 / r - psi_ss * by_r;
+            break;
+    }
+}
+
+/* d f_y/d R, f_y = -K(d)/(T psi), d = psi - psi_ss: what psi_ss does is
+ * K'(d)/K(d) f_y where d is large, because nothing overflows there. */
+static double state_by_R(const struct block *b, const struct place *at,
+                         const struct planar_field *f)
+{
+    const double r = 1 / b->material.R, fy = f->direction.y;
+    const bool hyperbolic = b->law.kinetics == KINETICS_SINH;
+    double psi_ss, by_r, log_rate, rate_by_r, shift = 0;
+
+    if (!(r > 0) || b->law.kinetics == KINETICS_COMPOSITE)
+        return 0;
+    steady_parts(&b->law, r, at->v, &psi_ss, &by_r);
+    quickness_parts(&b->law, r, at, psi_ss, by_r, &log_rate, &rate_by_r);
+    const double d = at->psi - psi_ss;
+    if (psi_ss > 0 && fabs(d) > 1) {
+        shift = -fy * (hyperbolic ? 1 / tanh(d) : 1 / d);
+    } else if (psi_ss > 0) {
+        const double y = law_psi_is_log(&b->law) ? 0 : at->y;
+        shift = exp(log_rate - y - f->log_scale) * (hyperbolic ? cosh(d) : 1);
+    }
+    return -r * r * (fy * rate_by_r + shift * psi_ss * by_r);
+}
+
+void parameter_field(const void *ctx, struct vec2 z,
+                     const struct planar_field *f, struct vec2 out[PARAMETERS])
+{
+    const struct block *b = ctx;
+    const struct place at = place_at(b, z);
+    const double unit = exp(b->at.log_inertia - z.x - f->log_scale);
+    double mu, by[PARAMETERS] = { 0 };
+
+    friction_parts(b, &at, &mu, by);
+    for (int p = 0; p < PARAMETERS; p++)
+        out[p] = (struct vec2){ -unit * by[p], 0 };
+    out[PARAMETER_ALPHA].x = unit * (1 + (double) b->tan_alpha * mu);
+    out[PARAMETER_EPS2].x = -f->direction.x / material_eps2(&b->material);
+    out[PARAMETER_R].y = state_by_R(b, &at, f);
+}

@@ -1,0 +1,73 @@
+/*
+ * basin_map.h -- the fate of every cell of the scene's (v, psi) grid, the
+ * share of each basin, and how far a cell is from another fate.
+ *
+ * By default rows are cut by the stable manifold and each region is labelled
+ * by one forward orbit (region.h); `exact` labels every cell by its own
+ * (trap.h).  Both share nothing but the field, and the audit plays one against
+ * the other.
+ */
+#ifndef STUDY_BASIN_MAP_H
+#define STUDY_BASIN_MAP_H
+
+#include "basin.h"
+#include "fate.h"
+#include "margin.h"
+#include "trap.h"
+
+/* Of the window, by area in the chart (log) and in v and psi (linear; psi as
+ * it is where it is a logarithm). */
+struct basin_fraction {
+    struct quantity log, linear;
+};
+
+struct basin_audit {
+    size_t cells, disagreements;
+    size_t *wrong; /* owned: row * columns + column of each disagreement */
+};
+
+struct basin_map {
+    const struct study *study; /* borrowed */
+    size_t columns, rows;      /* v, psi */
+    double *v, *psi;           /* owned: cell centres as stored */
+    double *x, *y;             /* owned: the same in the chart */
+    bool exact;
+    struct separatrix along[2]; /* along x: columns; along y: rows */
+    struct regions regions;
+    struct basin basin;
+    struct trap trap;
+    struct basin_fraction fraction[FATES];
+    struct basin_audit audit;
+};
+
+/* Prepares the map of s, whose steady states and stable branches are known;
+ * grid, window and `exact` are its scene's.  STATUS_NO_MEMORY,
+ * STATUS_STOPPED; *m is then empty.  m must not move. */
+MUST_CHECK enum status basin_map_init(struct basin_map *m,
+                                      const struct study *s,
+                                      const struct monitor *monitor);
+
+/* Labels (enum fate) of rows first .. first + count - 1 into
+ * out[count * columns]; in parallel, the same at any number of threads. */
+MUST_CHECK enum status basin_map_rows(const struct basin_map *m, size_t first,
+                                      size_t count, int8_t out[]);
+
+/* ln of the factor on v, and the shift of ln psi (of psi where it is a
+ * logarithm), to the nearest other fate along the cell's row and column, for
+ * rows first .. first + count - 1; infinite where there is none.
+ * STATUS_NO_MEMORY. */
+MUST_CHECK enum status basin_map_margins(const struct basin_map *m,
+                                         size_t first, size_t count, double v[],
+                                         double psi[]);
+
+/* Follows the orbits of `cells` cells, drawn with `seed`: an eighth of them
+ * beside a boundary, the others anywhere.  Fills m->audit.  STATUS_NO_MEMORY,
+ * STATUS_STOPPED. */
+MUST_CHECK enum status basin_map_audit(struct basin_map *m, size_t cells,
+                                       uint64_t seed,
+                                       const struct monitor *monitor);
+
+/* A second call is harmless. */
+void basin_map_free(struct basin_map *m);
+
+#endif

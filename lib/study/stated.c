@@ -1,0 +1,299 @@
+#include "stated.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "number.h"
+#include "spell.h"
+
+/* Columns that state nothing: labels, and what the tables say of their own
+ * digits. */
+static const char *const labels[] = { "name",      "title",       "note",
+                                      "comment",   "tag",         "seconds",
+                                      "tolerance", "digits_lost", NULL };
+static const char *const label_heads[] = { "dig_", "digits_lost_", NULL };
+
+/* ---- the header ---------------------------------------------------------- */
+
+static bool is_listed(const char *name, const char *const *list)
+{
+    while (*list && strcmp(name, *list) != 0)
+        list++;
+    return *list != NULL;
+}
+
+static bool is_label(const char *name)
+{
+    for (size_t i = 0; label_heads[i]; i++)
+        if (strncmp(name, label_heads[i], strlen(label_heads[i])) == 0)
+            return true;
+    return is_listed(name, labels);
+}
+
+static size_t find_column(const struct table *t, const char *name, size_t size)
+{
+    for (size_t i = 0; i < t->columns; i++) {
+        const char *other = table_header(t, i)->text;
+        if (strlen(other) == size && strncmp(other, name, size) == 0)
+            return i;
+    }
+    return STATED_NO_COLUMN;
+}
+
+/* The column that NAME_tol is about; STATED_NO_COLUMN if it is about none. */
+static size_t tolerance_of(const struct table *t, const char *name)
+{
+    const size_t size = strlen(name);
+
+    if (size <= 4 || strcmp(name + size - 4, "_tol") != 0)
+        return STATED_NO_COLUMN;
+    const size_t i = find_column(t, name, size - 4);
+    const struct record_field *field =
+        i == STATED_NO_COLUMN ? NULL : row_column(table_header(t, i)->text);
+    return field && field->kind == RECORD_QUANTITY ? i : STATED_NO_COLUMN;
+}
+
+static enum status blame_name(const struct table *t,
+                              const struct table_cell *cell, struct fault *why)
+{
+    enum { KNOWN = 128 };
+    const char *known[KNOWN];
+    size_t n = 0;
+
+    for (size_t i = 0; i < record_row.count && n < KNOWN - 1; i++)
+        known[n++] = record_row.fields[i].name;
+    for (size_t i = 0; slope_row_columns[i] && n < KNOWN - 1; i++)
+        known[n++] = slope_row_columns[i];
+    for (size_t i = 0; labels[i] && n < KNOWN - 1; i++)
+        known[n++] = labels[i];
+    known[n] = NULL;
+    const char *near = spell_nearest(cell->text, known);
+    return place_blame(table_place(t, cell), why,
+                       "unknown column '%s'%s%s%s (see docs/check.md)",
+                       text_shown(cell->text).text,
+                       near ? ", did you mean " : "", near ? near : "",
+                       near ? "?" : "");
+}
+
+static enum status read_header(struct stated *s, struct fault *why)
+{
+    const struct table *t = s->table;
+
+    for (size_t i = 0; i < t->columns; i++) {
+        const char *name = table_header(t, i)->text;
+        const struct record_field *field = row_column(name);
+        if (field)
+            s->column[s->columns++] =
+                (struct stated_column){ field, i, STATED_NO_COLUMN };
+        else if (!is_label(name) && !is_listed(name, slope_row_columns) &&
+                 tolerance_of(t, name) == STATED_NO_COLUMN)
+            return blame_name(t, table_header(t, i), why);
+    }
+    for (size_t i = 0; i < t->columns; i++) {
+        const size_t of = tolerance_of(t, table_header(t, i)->text);
+        for (size_t k = 0; k < s->columns; k++)
+            if (s->column[k].at == of)
+                s->column[k].tolerance = i;
+    }
+    return STATUS_OK;
+}
+
+/* ---- cells --------------------------------------------------------------- */
+
+/* Half a unit of the last digit of a decimal number. */
+static double half_unit(const char *text)
+{
+    const char *e = strpbrk(text, "eE"), *point = strchr(text, '.');
+    const size_t size = e ? (size_t) (e - text) : strlen(text);
+    const long power = e ? strtol(e + 1, NULL, 10) : 0;
+    const long places = point ? (long) size - (long) (point - text) - 1 : 0;
+
+    return 0.5 * pow(10.0, (double) (power - places));
+}
+
+static bool read_code(const struct record_field *f, const char *text,
+                      int8_t *code)
+{
+    if (strcmp(text, "psi_minus_inf_truncated") == 0)
+        text = "truncated";
+    for (int8_t i = 0; f->codes[i]; i++)
+        if (strcmp(f->codes[i], text) == 0) {
+            *code = i;
+            return true;
+        }
+    return false;
+}
+
+/* False where the cell makes no sense in its column. */
+static bool read_value(const struct record_field *f, struct stated_value *v)
+{
+    const char *text = v->cell->text;
+
+    if (text[0] == '\0')
+        return true;
+    if (strcmp(text, "none") == 0 || strcmp(text, "-inf") == 0 ||
+        strcmp(text, "inf") == 0) {
+        v->said = SAID_NONE;
+        return f->kind != RECORD_COUNT;
+    }
+    v->said = f->kind == RECORD_CODE ? SAID_CODE : SAID_NUMBER;
+    if (f->kind == RECORD_CODE)
+        return read_code(f, text, &v->code);
+    v->printed = half_unit(text);
+    return number_read(text, &v->number);
+}
+
+struct stated_value stated_at(const struct stated *s, size_t row, size_t i)
+{
+    const struct stated_column *c = &s->column[i];
+    struct stated_value v = { .cell = table_at(s->table, row, c->at) };
+
+    (void) read_value(c->field, &v);
+    return v;
+}
+
+static enum status check_cell(const struct stated *s, size_t row, size_t i,
+                              struct fault *why)
+{
+    const struct stated_column *c = &s->column[i];
+    struct stated_value v = { .cell = table_at(s->table, row, c->at) };
+    char words[160] = "a decimal number or none";
+
+    if (read_value(c->field, &v))
+        return STATUS_OK;
+    if (c->field->kind == RECORD_COUNT)
+        strcpy(words, "a whole number");
+    if (c->field->kind == RECORD_CODE)
+        text_list(c->field->codes, words, sizeof words);
+    return place_blame(table_place(s->table, v.cell), why,
+                       "%s: '%s' makes no sense here, expected %s",
+                       c->field->name, text_shown(v.cell->text).text, words);
+}
+
+/* ---- tolerances ---------------------------------------------------------- */
+
+bool stated_tolerance(const struct stated *s, size_t row, size_t i,
+                      double value, double *tolerance)
+{
+    const struct stated_column *c = &s->column[i];
+    const struct table_cell *common = table_find(s->table, row, "tolerance");
+
+    if (c->tolerance != STATED_NO_COLUMN &&
+        number_read(table_at(s->table, row, c->tolerance)->text, tolerance))
+        return true;
+    if (common == NULL || !number_read(common->text, tolerance))
+        return false;
+    *tolerance *= fabs(value);
+    return true;
+}
+
+double stated_lost(const struct stated *s, size_t row)
+{
+    const struct table_cell *cell = table_find(s->table, row, "digits_lost");
+    double digits;
+
+    return cell && number_read(cell->text, &digits) ? pow(10.0, digits - 15.0)
+                                                    : 0.0;
+}
+
+static enum status check_tolerance(const struct table *t,
+                                   const struct table_cell *cell,
+                                   const char *name, struct fault *why)
+{
+    double value;
+
+    if (cell == NULL || cell->text[0] == '\0')
+        return STATUS_OK;
+    if (number_read(cell->text, &value) && value >= 0.0 && isfinite(value))
+        return STATUS_OK;
+    return place_blame(table_place(t, cell), why,
+                       "%s: '%s' is no tolerance, expected a number >= 0", name,
+                       text_shown(cell->text).text);
+}
+
+static enum status check_tolerances(const struct stated *s, size_t row,
+                                    struct fault *why)
+{
+    const struct table *t = s->table;
+    enum status status =
+        check_tolerance(t, table_find(t, row, "tolerance"), "tolerance", why);
+
+    if (status == STATUS_OK)
+        status = check_tolerance(t, table_find(t, row, "digits_lost"),
+                                 "digits_lost", why);
+    for (size_t i = 0; i < s->columns && status == STATUS_OK; i++) {
+        const size_t at = s->column[i].tolerance;
+        if (at != STATED_NO_COLUMN)
+            status = check_tolerance(t, table_at(t, row, at),
+                                     table_header(t, at)->text, why);
+    }
+    return status;
+}
+
+/* ---- rows ---------------------------------------------------------------- */
+
+unsigned stated_products(const struct stated *s, size_t row)
+{
+    unsigned products = 0;
+
+    for (size_t i = 0; i < s->columns; i++)
+        if (stated_at(s, row, i).said != SAID_NOTHING)
+            products |= row_column_products(s->column[i].field);
+    return products;
+}
+
+bool stated_derives(const struct stated *s, size_t row)
+{
+    for (size_t i = 0; i < s->columns; i++)
+        if (row_column_is_derivative(s->column[i].field) &&
+            stated_at(s, row, i).said == SAID_NUMBER)
+            return true;
+    return false;
+}
+
+static enum status check_row(const struct stated *s, size_t row,
+                             struct fault *why)
+{
+    const unsigned slopeless = 1u << PRODUCT_FOLDS;
+    struct slope_row slope;
+    enum status status = slope_row_read(s->table, row, &slope, why);
+
+    for (size_t i = 0; i < s->columns && status == STATUS_OK; i++)
+        status = check_cell(s, row, i, why);
+    if (status == STATUS_OK)
+        status = check_tolerances(s, row, why);
+    if (status == STATUS_OK && isnan(slope.alpha) &&
+        (stated_products(s, row) & ~slopeless))
+        status = place_blame(table_place(s->table, table_at(s->table, row, 0)),
+                             why, "no alpha, expected an angle in rad");
+    return status;
+}
+
+enum status stated_read(struct stated *s, const struct table *t,
+                        struct fault *why)
+{
+    *s = (struct stated){ .table = t };
+    s->column = malloc(t->columns * sizeof *s->column);
+    if (s->column == NULL) {
+        snprintf(why->text, sizeof why->text, "%s",
+                 status_text(STATUS_NO_MEMORY));
+        return STATUS_NO_MEMORY;
+    }
+    enum status status = read_header(s, why);
+    if (status == STATUS_OK && s->columns == 0)
+        status = place_blame(table_place(t, table_header(t, 0)), why,
+                             "no column states a number to check");
+    for (size_t row = 0; row < t->rows && status == STATUS_OK; row++)
+        status = check_row(s, row, why);
+    if (status != STATUS_OK)
+        stated_free(s);
+    return status;
+}
+
+void stated_free(struct stated *s)
+{
+    free(s->column);
+    *s = (struct stated){ .table = s->table };
+}

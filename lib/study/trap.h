@@ -1,0 +1,33 @@
+/*
+ * trap.h -- labels of states by forward integration that ends early: the
+ * quadrants v < v_sp, psi > psi_sp and v > v_sp, psi < psi_sp of the saddle
+ * cannot be left, since mu grows with psi and psi_ss falls with v, so the fate
+ * of an orbit is that of the quadrant it enters.  Shares nothing with the
+ * separatrix but the field: the independent check of basin maps.
+ */
+#ifndef STUDY_TRAP_H
+#define STUDY_TRAP_H
+
+#include "fate.h"
+
+enum { TRAPS = 2 };
+
+struct trap {
+    const struct study *study; /* borrowed */
+    bool set;                  /* there is a saddle */
+    int8_t fate[TRAPS];        /* of the slow and the fast quadrant */
+};
+
+/* Follows one orbit from inside each quadrant to its end.  STATUS_NO_MEMORY,
+ * STATUS_STOPPED. */
+MUST_CHECK enum status trap_init(struct trap *t, const struct study *s,
+                                 const struct monitor *monitor);
+
+/* The label (enum fate) of the absolute chart point z, right unless z lies
+ * within rounding of the boundary: an orbit that passes the saddle too closely
+ * for its accuracy is followed again, more accurately.  *evaluations (may be
+ * NULL) is increased by those of the field.  Errors as fate_find. */
+MUST_CHECK enum status trap_label(const struct trap *t, struct vec2 z,
+                                  int8_t *label, size_t *evaluations);
+
+#endif

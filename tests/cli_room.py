@@ -1,0 +1,125 @@
+"""What the cli_*.py share: a folder to run slipway in, and TAP."""
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import traceback
+
+LAWS = ['dieterich', 'dieterich_gen', 'ruina', 'perrin', 'spinodal',
+        'spinodal_gen', 'spinodal_phi_gen']
+SLOPE = ['--law', 'dieterich_gen', '--alpha', '0.34']
+READER = '/usr/bin/python3'  # Debian's, with h5py and xarray
+
+
+class Room:
+    """An empty folder of its own, with slipway first in PATH."""
+
+    def __init__(self, folder, slipway, source):
+        self.folder = folder
+        self.source = source
+        self.slipway = slipway
+        self.bin = os.path.join(folder, '.bin')
+        os.mkdir(self.bin)
+        os.symlink(slipway, os.path.join(self.bin, 'slipway'))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, text):
+        with open(self.path(name), 'wb') as file:
+            file.write(text if isinstance(text, bytes) else text.encode())
+
+    def bytes(self, name):
+        with open(self.path(name), 'rb') as file:
+            return file.read()
+
+    def read(self, name):
+        return self.bytes(name).decode()
+
+    def names(self, folder='.'):
+        return sorted(name for name in os.listdir(self.path(folder))
+                      if name != '.bin')
+
+    def make(self, name):
+        os.makedirs(self.path(name))
+
+    def bring(self, name):
+        """A copy of a folder of the project."""
+        shutil.copytree(os.path.join(self.source, name), self.path(name))
+
+    def fake(self, name, body):
+        path = os.path.join(self.bin, name)
+        with open(path, 'w', encoding='utf-8') as file:
+            file.write('#!/bin/sh\n' + body + '\n')
+        os.chmod(path, 0o755)
+
+    def environment(self, **changes):
+        found = dict(os.environ, PATH=self.bin + ':' + os.environ['PATH'])
+        found.pop('OMP_NUM_THREADS', None)
+        return {**found, **changes}
+
+    def run(self, *args, cwd='.', **changes):
+        """slipway with these arguments and changes of the environment."""
+        return subprocess.run(
+            [self.slipway, *args], cwd=self.path(cwd), text=True, timeout=60,
+            env=self.environment(**changes), capture_output=True,
+            stdin=subprocess.DEVNULL, check=False)
+
+    def good(self, *args, **how):
+        """The same; it must succeed and complain of nothing."""
+        done = self.run(*args, **how)
+        expect((done.returncode, done.stderr) == (0, ''), done)
+        return done.stdout
+
+    def json(self, *args):
+        return json.loads(self.good(*args, '--json'))
+
+    def shell(self, text, cwd='.'):
+        return subprocess.run(
+            ['sh', '-c', text], cwd=self.path(cwd), text=True, timeout=60,
+            env=self.environment(), capture_output=True,
+            stdin=subprocess.DEVNULL, check=False)
+
+    def reference(self, name):
+        path = os.path.join(self.source, 'tests', 'reference', name)
+        with open(path, encoding='utf-8') as file:
+            return list(csv.DictReader(file))
+
+    def script(self, name):
+        return os.path.join(self.source, 'tests', name)
+
+
+def expect(holds, *told):
+    """Told to whoever reads the log."""
+    assert holds, ' '.join(str(item) for item in told)
+
+
+def refused(done, code, *words):
+    """Exactly one line, which holds the words, and nothing printed."""
+    lines = done.stderr.splitlines()
+    expect(done.returncode == code and done.stdout == '' and len(lines) == 1
+           and lines[0].startswith('slipway: ') and lines[0].isprintable()
+           and len(lines[0]) < 600 and all(word in lines[0] for word in words),
+           f'expected exit {code}, one line with {words}:', done)
+
+
+def run_cases(cases):
+    """usage of every cli_*.py: PATH_TO_SLIPWAY SOURCE_ROOT"""
+    slipway, source = (os.path.realpath(path) for path in sys.argv[1:])
+    failed = False
+    print(f'1..{len(cases)}')
+    for number, case in enumerate(cases, 1):
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                case(Room(os.path.realpath(folder), slipway, source))
+                bad = ''
+            except Exception:  # whatever it was, the next case runs
+                bad = traceback.format_exc()
+        failed = failed or bad != ''
+        print(f'{"not ok" if bad else "ok"} {number} - {case.__name__}')
+        print(''.join('# ' + line + '\n' for line in bad.splitlines()), end='',
+              flush=True)
+    sys.exit(failed)
