@@ -36,6 +36,7 @@ void command_list(FILE *out);
 enum exit_code command_study(const struct options *o);
 enum exit_code command_portrait(const struct options *o);
 enum exit_code command_knees(const struct options *o);
+enum exit_code command_basin(const struct options *o);
 enum exit_code command_plan(const struct options *o);
 enum exit_code command_check(const struct options *o);
 enum exit_code command_laws(const struct options *o);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "export_basin.h"
 #include "library.h"
 #include "rows.h"
 #include "store.h"
@@ -119,6 +120,17 @@ static enum status put_critical(const struct study *s, struct store *out)
     return status;
 }
 
+static enum status put_sensitivities(const struct study *s, struct store *out)
+{
+    const struct sensitivities *d = &s->sensitivities;
+    const enum status status = store_put_scalars(
+        out, "/critical/sensitivities/v_plus", &record_sensitivity, &d->v_plus);
+
+    return status ? status
+                  : store_put_scalars(out, "/critical/sensitivities/v_minus",
+                                      &record_sensitivity, &d->v_minus);
+}
+
 static enum status put_estimates(const struct study *s, struct store *out)
 {
     const struct estimate_numbers *e = &s->estimates;
@@ -188,7 +200,8 @@ static enum status put_provenance(const struct study *s, struct store *out)
     return status;
 }
 
-static enum status put_all(const struct study *s, struct store *out)
+static enum status put_all(const struct study *s, struct store *out,
+                           const struct monitor *monitor)
 {
     const struct record_array steady = { &record_steady, s->steady,
                                          s->equilibria };
@@ -208,17 +221,21 @@ static enum status put_all(const struct study *s, struct store *out)
         status = put_critical(s, out);
     if (!status && plan_has(stages, STAGE_ESTIMATES))
         status = put_estimates(s, out);
+    if (!status && plan_has(stages, STAGE_SENSITIVITIES))
+        status = put_sensitivities(s, out);
     if (!status && plan_has(stages, STAGE_NULLCLINES))
         status = put_nullclines(s, out);
     if (!status && plan_has(stages, STAGE_ARROWS))
         status = put_arrows(s, out);
     if (!status && plan_has(stages, STAGE_TRAJECTORIES))
         status = put_trajectories(s, out);
+    if (!status && plan_has(stages, STAGE_BASINS))
+        status = export_basin(s, out, monitor);
     return status;
 }
 
 enum status export_study(const struct study *s, const char *path,
-                         struct fault *why)
+                         const struct monitor *monitor, struct fault *why)
 {
     struct store *out = NULL;
     const char *title =
@@ -227,7 +244,7 @@ enum status export_study(const struct study *s, const char *path,
 
     if (status != STATUS_OK)
         return status;
-    status = put_all(s, out);
+    status = put_all(s, out, monitor);
     if (status == STATUS_OK || status == STATUS_IO)
         status = store_commit(out, why);
     else

@@ -4,8 +4,10 @@
 
 #include "study.h"
 
-/* Writes all that the study holds to path, whole or not at all. */
+/* Writes all that the study holds to path, whole or not at all; the rows of a
+ * basin map are computed on the way.  `monitor` may be NULL. */
 MUST_CHECK enum status export_study(const struct study *s, const char *path,
+                                    const struct monitor *monitor,
                                     struct fault *why);
 
 #endif

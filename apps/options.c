@@ -22,6 +22,8 @@ enum key {
     KEY_THREADS,
     KEY_PROGRESS,
     KEY_SEED,
+    KEY_EXACT,
+    KEY_SENSITIVITIES,
     KEY_HELP,
     KEY_VERSION
 };
@@ -45,6 +47,10 @@ static const struct argp_option option_table[] = {
     { "threads", KEY_THREADS, "N", 0, "Number of threads [all]", 0 },
     { "progress", KEY_PROGRESS, "HOW", 0, "auto, json or none [auto]", 0 },
     { "quiet", 'q', 0, 0, "Print nothing but errors", 0 },
+    { "exact", KEY_EXACT, 0, 0,
+      "basin: label every cell by its own forward integration", 0 },
+    { "sensitivities", KEY_SENSITIVITIES, 0, 0,
+      "Add derivatives by the inputs, and what rounding these costs", 0 },
     { "seed", KEY_SEED, "N", 0, "Seed of everything random", 0 },
     { "help", KEY_HELP, 0, 0, "Print this", -1 },
     { "version", KEY_VERSION, 0, 0, "Print the version", -1 },
@@ -189,6 +195,12 @@ static error_t parse(int key, char *value, struct argp_state *state)
             if (strchr(value, '=') == NULL)
                 refuse("--set ", value, "expected KEY=VALUE");
             add_text(o, strdup(value));
+            return 0;
+        case KEY_SENSITIVITIES:
+            o->sensitivities = true;
+            return 0;
+        case KEY_EXACT:
+            add_set(o, "basins.exact", "true", false);
             return 0;
         case KEY_JSON:
             o->json = true;

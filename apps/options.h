@@ -16,7 +16,7 @@ struct options {
     char *set[OPTIONS_SETS]; /* owned: "key=value", in order */
     size_t sets;
     const char *output; /* of -o, borrowed; NULL: none */
-    bool json, keep_script, quiet, tap, record;
+    bool json, keep_script, quiet, tap, record, sensitivities;
     int threads; /* 0: what OpenMP chooses */
     enum progress progress;
 };

@@ -324,12 +324,44 @@ static enum status add_arrows(struct picture *p)
     return status;
 }
 
+/* The basins as tints; not on eigen axes, whose window is another. */
+static enum status add_basins(struct picture *p)
+{
+    enum { COLUMNS = 720, ROWS = 480 };
+    static const struct figure_shade shade[] = {
+        { FATE_CREEP, FIGURE_SHADE_1, "creeps" },
+        { FATE_SLIDING, FIGURE_SHADE_2, "slides" },
+        { FATE_REST_FINITE, FIGURE_SHADE_3, "comes to rest" },
+        { FATE_REST_ASYMPTOTIC, FIGURE_SHADE_4, "rests as t → ∞" },
+        { FATE_RUNAWAY, FIGURE_SHADE_5, "runs away" },
+        { FATE_UNDECIDED, FIGURE_SHADE_6, "undecided" },
+    };
+
+    if (!plan_has(p->s->stages, STAGE_BASINS) || p->axes == AXES_EIGEN)
+        return STATUS_OK;
+    int8_t *label = malloc((size_t) COLUMNS * ROWS);
+    if (label == NULL)
+        return STATUS_NO_MEMORY;
+    enum status status = basin_map_raster(&p->s->basins, COLUMNS, ROWS, label);
+    struct figure_shade shown[FATES];
+    size_t count = 0;
+    for (int i = 0; i < FATES; i++)
+        if (p->s->basins.fraction[i].log.value > 0.0)
+            shown[count++] = shade[i];
+    if (status == STATUS_OK)
+        status = figure_add_labels(
+            &p->figure,
+            &(struct figure_labels){ label, COLUMNS, ROWS, shown, count });
+    free(label);
+    return status;
+}
+
 enum status picture_draw(const struct study *s, const char *path,
                          bool keep_script, struct fault *why)
 {
     static enum status (*const layer[])(struct picture *) = {
-        add_arrows,     add_trajectories, add_unstable,
-        add_nullclines, add_manifolds,    add_equilibria
+        add_basins,     add_arrows,    add_trajectories, add_unstable,
+        add_nullclines, add_manifolds, add_equilibria
     };
     struct picture p = { .s = s,
                          .figure = FIGURE_EMPTY,

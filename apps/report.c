@@ -3,16 +3,23 @@
 #include <math.h>
 #include <string.h>
 
+#include "report_basin.h"
+
 /* ---- text ------------------------------------------------------------- */
 
-/* "name   value +- error" or "name   -   reason" */
+/* "name   value +- error" or "name   -   reason"; what rounding of the inputs
+ * costs follows where it is known. */
 static void print_quantity(FILE *out, const char *name,
                            const struct quantity *q)
 {
     if (!quantity_exists(q))
         fprintf(out, "  %-16s -  (%s)\n", name, q->reason);
     else
-        fprintf(out, "  %-16s %-22.15g +- %.1e\n", name, q->value, q->error);
+        fprintf(out, "  %-16s %-22.15g +- %.1e", name, q->value, q->error);
+    if (quantity_exists(q) && !isnan(q->conditioning))
+        fprintf(out, "  (inputs +- %.1e)", q->conditioning * fabs(q->value));
+    if (quantity_exists(q))
+        fputc('\n', out);
 }
 
 static void print_record(FILE *out, const struct record_type *type,
@@ -29,6 +36,14 @@ static void print_record(FILE *out, const struct record_type *type,
             fprintf(out, "  %-16s %s\n", f->name,
                     f->codes[*(const int8_t *) member]);
     }
+}
+
+static void print_sensitivities(FILE *out, const struct sensitivities *d)
+{
+    fprintf(out, "sensitivities d ln v_plus/d p\n");
+    print_record(out, &record_sensitivity, &d->v_plus);
+    fprintf(out, "sensitivities d ln v_minus/d p\n");
+    print_record(out, &record_sensitivity, &d->v_minus);
 }
 
 static void print_steady(FILE *out, const struct study *s)
@@ -104,8 +119,12 @@ void report_print(FILE *out, const struct study *s)
         print_knees(out, "knees_upper", c->knees_upper, c->knees_upper_count);
         print_knees(out, "knees_lower", c->knees_lower, c->knees_lower_count);
     }
+    if (plan_has(s->stages, STAGE_SENSITIVITIES))
+        print_sensitivities(out, &s->sensitivities);
     if (plan_has(s->stages, STAGE_ESTIMATES))
         print_estimates(out, s);
+    if (plan_has(s->stages, STAGE_BASINS))
+        report_basin_print(out, &s->basins);
 }
 
 /* ---- JSON ------------------------------------------------------------- */
@@ -183,6 +202,17 @@ static json_t *estimates_json(const struct estimate_numbers *e)
     return j;
 }
 
+static json_t *sensitivities_json(const struct sensitivities *d)
+{
+    json_t *j = json_object();
+
+    json_object_set_new(j, "v_plus",
+                        json_record(&record_sensitivity, &d->v_plus));
+    json_object_set_new(j, "v_minus",
+                        json_record(&record_sensitivity, &d->v_minus));
+    return j;
+}
+
 json_t *report_json(const struct study *s)
 {
     const struct record_array steady = { &record_steady, s->steady,
@@ -203,6 +233,11 @@ json_t *report_json(const struct study *s)
         add_critical(j, s);
     if (plan_has(s->stages, STAGE_ESTIMATES))
         json_object_set_new(j, "estimates", estimates_json(&s->estimates));
+    if (plan_has(s->stages, STAGE_SENSITIVITIES))
+        json_object_set_new(j, "sensitivities",
+                            sensitivities_json(&s->sensitivities));
+    if (plan_has(s->stages, STAGE_BASINS))
+        json_object_set_new(j, "basin", report_basin_json(&s->basins));
     json_object_set_new(j, "cost", cost_json(s));
     return j;
 }

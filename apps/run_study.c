@@ -38,6 +38,11 @@ static const struct shortcut knees_shortcut = {
     .print_numbers = true,
 };
 
+static const struct shortcut basin_shortcut = {
+    .always = BIT(EQUILIBRIA) | BIT(BASINS),
+    .print_numbers = true,
+};
+
 /* What a shortcut adds is written down like what the user did: the file then
  * says what was run. */
 static enum status add_override(struct scene *s, const char *line)
@@ -78,10 +83,11 @@ static enum status set_spread(struct scene *s, size_t spread)
     return add_override(s, line);
 }
 
-static enum status apply(const struct shortcut *how, struct scene *s,
-                         struct fault *why)
+static enum status apply(const struct options *o, const struct shortcut *how,
+                         struct scene *s, struct fault *why)
 {
-    const unsigned asked = s->products ? s->products : how->if_none;
+    const unsigned asked = (s->products ? s->products : how->if_none) |
+                           (o->sensitivities ? BIT(SENSITIVITIES) : 0);
     enum status status = STATUS_OK;
 
     if (s->products == 0 && s->starts + s->spread == 0)
@@ -108,7 +114,7 @@ static enum status read_scene(const struct options *o,
     s = scene_read(scene, path, o->set, o->sets, why);
     if (s != STATUS_OK)
         return s;
-    s = apply(how, scene, why);
+    s = apply(o, how, scene, why);
     if (s != STATUS_OK)
         scene_free(scene);
     return s;
@@ -156,7 +162,7 @@ static enum status write_files(const struct study *s, const struct options *o,
     enum status status = STATUS_OK;
 
     if (hdf5)
-        status = export_study(s, hdf5, why);
+        status = export_study(s, hdf5, progress_monitor(o), why);
     if (status == STATUS_OK && hdf5 && tell)
         printf("wrote %s\n", hdf5);
     if (status == STATUS_OK && figure)
@@ -179,6 +185,20 @@ static enum exit_code print_results(const struct study *s,
     return EXIT_DONE;
 }
 
+/* Files are written and numbers printed: the user may see for himself. */
+static enum exit_code judge_audit(const struct basin_map *m)
+{
+    char text[160];
+
+    if (m->audit.disagreements == 0)
+        return EXIT_DONE;
+    snprintf(text, sizeof text,
+             "audit: the orbits of %zu of %zu cells have another fate than "
+             "the map says",
+             m->audit.disagreements, m->audit.cells);
+    return command_fail(STATUS_NO_CONVERGENCE, text);
+}
+
 static enum exit_code run(const struct options *o, const struct shortcut *how)
 {
     struct scene scene;
@@ -198,8 +218,11 @@ static enum exit_code run(const struct options *o, const struct shortcut *how)
         return command_fail(s, why.text);
     }
     s = write_files(&study, o, how, &why);
+    progress_end();
     code = s == STATUS_OK ? print_results(&study, o, how)
                           : command_fail(s, why.text);
+    if (code == EXIT_DONE)
+        code = judge_audit(&study.basins);
     study_free(&study);
     scene_free(&scene);
     return code;
@@ -237,6 +260,11 @@ static json_t *plan_json(unsigned stages)
         json_array_append_new(list, j);
     }
     return list;
+}
+
+enum exit_code command_basin(const struct options *o)
+{
+    return run(o, &basin_shortcut);
 }
 
 enum exit_code command_plan(const struct options *o)

@@ -51,7 +51,8 @@ static enum status cut_rows(struct basin *b)
 }
 
 /* The middle of a region's longest run of cells is its seed. */
-static void seed_row(struct basin *b, size_t row, size_t longest[])
+static void seed_row(const struct basin *b, struct regions *regions, size_t row,
+                     size_t longest[])
 {
     const struct band *band = regions_band(b->regions, b->grid.y[row]);
     const size_t *cut = b->cut + row * b->regions->most;
@@ -60,7 +61,7 @@ static void seed_row(struct basin *b, size_t row, size_t longest[])
         const size_t number = band->first + k;
         const size_t from = k == 0 ? 0 : cut[k - 1];
         const size_t to = k == band->strands ? b->grid.columns : cut[k];
-        struct region *g = &b->regions->region[number];
+        struct region *g = &regions->region[number];
         if (to <= from || to - from <= longest[number])
             continue;
         longest[number] = to - from;
@@ -70,28 +71,26 @@ static void seed_row(struct basin *b, size_t row, size_t longest[])
     }
 }
 
-static enum status seed_regions(struct basin *b)
+enum status basin_seed(const struct basin *b, struct regions *regions)
 {
     size_t *longest = calloc(b->regions->count, sizeof *longest);
 
     if (longest == NULL)
         return STATUS_NO_MEMORY;
     for (size_t j = 0; j < b->grid.rows; j++)
-        seed_row(b, j, longest);
+        seed_row(b, regions, j, longest);
     free(longest);
     return STATUS_OK;
 }
 
-enum status basin_init(struct basin *b, struct regions *regions,
+enum status basin_init(struct basin *b, const struct regions *regions,
                        const struct basin_grid *grid)
 {
     *b = (struct basin){ .regions = regions, .grid = *grid };
     if (grid->rows == 0 || grid->columns == 0)
         return STATUS_BAD_ARGUMENT;
     b->cut = malloc((grid->rows * regions->most + 1) * sizeof *b->cut);
-    enum status s = b->cut ? cut_rows(b) : STATUS_NO_MEMORY;
-    if (s == STATUS_OK)
-        s = seed_regions(b);
+    const enum status s = b->cut ? cut_rows(b) : STATUS_NO_MEMORY;
     if (s != STATUS_OK)
         basin_free(b);
     return s;

@@ -15,17 +15,22 @@ struct basin_grid {
 };
 
 struct basin {
-    struct regions *regions; /* borrowed */
+    const struct regions *regions; /* borrowed */
     struct basin_grid grid;
     size_t *cut; /* owned; rows * regions->most: in each row the first column
                     right of each strand */
 };
 
-/* Cuts the rows, in parallel, the same at any number of threads, and puts the
- * seed of every region that has cells among them; to be labelled afterwards.
+/* Cuts the rows, in parallel, the same at any number of threads.
  * STATUS_BAD_ARGUMENT: no cells; STATUS_NO_MEMORY.  On error *b is empty. */
-MUST_CHECK enum status basin_init(struct basin *b, struct regions *regions,
+MUST_CHECK enum status basin_init(struct basin *b,
+                                  const struct regions *regions,
                                   const struct basin_grid *grid);
+
+/* Puts the seed of every region that has cells into the middle of its longest
+ * run of them; `regions` are b's.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status basin_seed(const struct basin *b,
+                                  struct regions *regions);
 
 /* With all regions labelled, those of rows first .. first + count - 1 into
  * out[count * columns], row after row; in parallel. */

@@ -146,6 +146,7 @@ static void every_cell_has_the_label_of_its_side(void **state)
             continue;
         }
         assert_int_equal(basin_init(&b, &s.regions, &s.grid), STATUS_OK);
+        assert_int_equal(basin_seed(&b, &s.regions), STATUS_OK);
         assert_int_equal(regions_label(&s.regions, &s.window, fate, &s),
                          STATUS_OK);
         basin_fill(&b, 0, ROWS, label);
@@ -329,6 +330,11 @@ static void every_allocation_fails_once(void **state)
             status = regions_init(&regions, &again);
         if (status == STATUS_OK)
             status = basin_init(&b, &regions, &s.grid);
+        if (status == STATUS_OK) {
+            status = basin_seed(&b, &regions);
+            if (status != STATUS_OK)
+                basin_free(&b);
+        }
         fault_alloc_at(FAULT_ALLOC_NEVER);
         assert_true(status == STATUS_OK || status == STATUS_NO_MEMORY);
         if (status == STATUS_OK)

@@ -265,4 +265,42 @@
 /* Shares of a window are differences of areas, which round. */
 #define TOL_SHARE_ROUNDING 1e-14
 
+/* One state (push.c).  Its orbit is run at two tolerances, the coarse one and
+ * the next finer; where their fates differ, finer ones, down to the finest.
+ * Half the side of the box around the saddle where the fates of regions are
+ * asked for first, in ln v and ln psi: a factor 1e8 either way.  What rounding
+ * does to a coordinate and to a root, per unit of either. */
+#define TOL_PUSH_COARSE   1e-8
+#define TOL_PUSH_FINER    0.01
+#define TOL_PUSH_FINEST   1e-13
+#define TOL_PUSH_NEAR     20.0
+#define TOL_PUSH_ROUNDING 0x1p-50
+
+/* Sensitivities (sensitivity.c).  Tolerance of the finer run, as a part of what
+ * is asked for, down to what doubles hold; never ask less of the coarser one;
+ * Gauss points a piece of the two (measured: 8 leave 1e-14). */
+#define TOL_VARIATION_FINE     0.03
+#define TOL_VARIATION_FINEST   3e-14
+#define TOL_VARIATION_COARSEST 1e-12
+#define TOL_VARIATION_NODES    8
+#define TOL_VARIATION_FEWER    6
+/* Bars: e-folds that what is left at the end may take to decay; above this part
+ * of the value it never does; roundings, in units of roundoff. */
+#define TOL_VARIATION_REST     10.0
+#define TOL_VARIATION_OPEN     1e-9
+#define TOL_VARIATION_ROUNDING 64.0
+
+/* Conditioning (conditioning.c): accuracy of the recomputed numbers; the first
+ * change of an input, relative, a fold further than ten times that away; how
+ * much smaller it gets in a step, and at most.  Two differences are alike when
+ * they differ by less than BEND, or by what noise may do; a derivative is
+ * trusted to TRUST. */
+#define TOL_CONDITION_RTOL      1e-12
+#define TOL_CONDITION_NUDGE     1e-7
+#define TOL_CONDITION_SHRINK    0.01
+#define TOL_CONDITION_NUDGE_MIN 1e-12
+#define TOL_CONDITION_BEND      0.1
+#define TOL_CONDITION_NOISE     1e-11
+#define TOL_CONDITION_TRUST     1e-2
+
 #endif

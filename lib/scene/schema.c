@@ -11,9 +11,9 @@
 #include "value.h"
 
 const char *const product_names[] = {
-    "equilibria", "folds",  "nullclines", "field_arrows",
-    "manifolds",  "knees",  "estimates",  "trajectories",
-    "basins",     "margin", NULL
+    "equilibria",   "folds",  "nullclines", "field_arrows",
+    "manifolds",    "knees",  "estimates",  "sensitivities",
+    "trajectories", "basins", "margin",     NULL
 };
 _Static_assert(sizeof product_names / sizeof *product_names == PRODUCTS + 1,
                "each product has a name");

@@ -24,14 +24,14 @@ static void make_axis(size_t n, double lo, double hi, bool is_log, bool linear,
     }
 }
 
-static enum status make_grid(struct basin_map *m)
+static enum status make_grid(struct basin_map *m, size_t columns, size_t rows)
 {
     const struct study *s = m->study;
     const struct box w = study_window(s);
     const bool linear = s->scene->window.axes == AXES_LINEAR;
 
-    m->columns = s->scene->cells[0];
-    m->rows = s->scene->cells[1];
+    m->columns = columns;
+    m->rows = rows;
     m->x = malloc(m->columns * sizeof *m->x);
     m->v = malloc(m->columns * sizeof *m->v);
     m->y = malloc(m->rows * sizeof *m->y);
@@ -45,15 +45,6 @@ static enum status make_grid(struct basin_map *m)
 }
 
 /* ---- regions ------------------------------------------------------------- */
-
-static enum status fate_of(const void *ctx, struct vec2 z, int8_t *label)
-{
-    struct fate_result r;
-    const enum status s = fate_find(ctx, z, TOL_TRAP_RTOL, false, NULL, &r);
-
-    *label = (int8_t) r.fate;
-    return s;
-}
 
 static enum status cut_plane(struct basin_map *m)
 {
@@ -71,7 +62,9 @@ static enum status cut_plane(struct basin_map *m)
     if (status == STATUS_OK)
         status = basin_init(&m->basin, &m->regions, &grid);
     if (status == STATUS_OK)
-        status = regions_label(&m->regions, NULL, fate_of, s);
+        status = basin_seed(&m->basin, &m->regions);
+    if (status == STATUS_OK)
+        status = regions_label(&m->regions, NULL, fate_label, s);
     return status;
 }
 
@@ -112,7 +105,7 @@ enum status basin_map_init(struct basin_map *m, const struct study *s,
                            const struct monitor *monitor)
 {
     *m = (struct basin_map){ .study = s, .exact = s->scene->exact };
-    enum status status = make_grid(m);
+    enum status status = make_grid(m, s->scene->cells[0], s->scene->cells[1]);
 
     if (status == STATUS_OK)
         status = cut_plane(m);
@@ -159,6 +152,22 @@ enum status basin_map_rows(const struct basin_map *m, size_t first,
         return follow_rows(m, first, count, out);
     basin_fill(&m->basin, first, count, out);
     return STATUS_OK;
+}
+
+enum status basin_map_raster(const struct basin_map *m, size_t columns,
+                             size_t rows, int8_t out[])
+{
+    struct basin_map raster = { .study = m->study };
+    enum status s = make_grid(&raster, columns, rows);
+
+    if (s == STATUS_OK) {
+        const struct basin_grid grid = { raster.x, raster.y, columns, rows };
+        s = basin_init(&raster.basin, &m->regions, &grid);
+    }
+    if (s == STATUS_OK)
+        basin_fill(&raster.basin, 0, rows, out);
+    basin_map_free(&raster);
+    return s;
 }
 
 /* ---- margins ------------------------------------------------------------- */

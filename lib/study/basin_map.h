@@ -52,6 +52,12 @@ MUST_CHECK enum status basin_map_init(struct basin_map *m,
 MUST_CHECK enum status basin_map_rows(const struct basin_map *m, size_t first,
                                       size_t count, int8_t out[]);
 
+/* Labels by the separatrix of another grid over the same window, such as a
+ * picture's.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status basin_map_raster(const struct basin_map *m,
+                                        size_t columns, size_t rows,
+                                        int8_t out[]);
+
 /* ln of the factor on v, and the shift of ln psi (of psi where it is a
  * logarithm), to the nearest other fate along the cell's row and column, for
  * rows first .. first + count - 1; infinite where there is none.

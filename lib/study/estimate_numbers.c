@@ -9,12 +9,17 @@
 
 static const char not_here[] =
     "the estimate needs hyperbolic kinetics, theta a logarithm of psi, b > a";
+static const char too_large[] = "the estimate is beyond the range of a double";
 static const char no_root[] = "the estimate's equation has no such root";
 
 static struct quantity number(double value, double relative)
 {
-    return isnan(value) ? quantity_none(no_root)
-                        : quantity_of(value, fabs(value) * relative);
+    const double error = fabs(value) * relative;
+
+    if (isnan(value))
+        return quantity_none(no_root);
+    return isfinite(error) ? quantity_of(value, error)
+                           : quantity_none(too_large);
 }
 
 static struct estimate_numbers nothing(const double xi[], size_t n)
@@ -41,7 +46,7 @@ struct maker {
     const struct material *m;
     const struct estimates *e;
     double tan_alpha;
-    double unit; /* relative error of v_sp0 */
+    double unit; /* relative error of what hangs on v_sp0 */
 };
 
 static void add_chi(const struct maker *k, struct estimate_numbers *out)
@@ -104,11 +109,12 @@ struct estimate_numbers numbers_estimates(const struct block *b,
 
     if (!estimates_at(&b->law, m, t, &e))
         return out;
-    const double lost = (fabs(m->mu_star) + fabs(t)) / (m->b - m->a) +
-                        fabs(e.ln_v_sp0) * (1.0 + e.psi_sp0);
+    const double given = (fabs(m->mu_star) + fabs(t)) / (m->b - m->a);
+    const double saddle = 4.0 + 2.0 * (given + fabs(e.ln_v_sp0));
+    const double lost = given + fabs(e.ln_v_sp0) * (1.0 + e.psi_sp0);
     const struct maker k = { m, &e, t, DBL_EPSILON * (4.0 + 2.0 * lost) };
-    out.v_sp0 = number(e.v_sp0, k.unit);
-    out.psi_sp0 = number(e.psi_sp0, k.unit);
+    out.v_sp0 = number(e.v_sp0, DBL_EPSILON * saddle);
+    out.psi_sp0 = number(e.psi_sp0, DBL_EPSILON * saddle);
     out.x_k = number(e.x_k, 2.0 * k.unit * (1.0 + e.psi_sp0));
     out.x_k_small_psi = quantity_of(
         e.x_k_small_psi, 2.0 * k.unit * (1.0 + fabs(e.x_k_small_psi)));

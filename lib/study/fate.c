@@ -192,3 +192,12 @@ enum status fate_find(const struct study *s, struct vec2 z, double rtol,
     orbit_free(&o);
     return status;
 }
+
+enum status fate_label(const void *study, struct vec2 z, int8_t *label)
+{
+    struct fate_result r;
+    const enum status s = fate_find(study, z, TOL_TRAP_RTOL, false, NULL, &r);
+
+    *label = (int8_t) r.fate;
+    return s;
+}

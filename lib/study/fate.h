@@ -50,4 +50,9 @@ MUST_CHECK enum status fate_find(const struct study *s, struct vec2 z,
                                  const struct monitor *monitor,
                                  struct fate_result *out);
 
+/* The fate alone, coarsely, of a point well inside its region: region_fate of
+ * region.h, with a struct study for context.  Errors as fate_find. */
+MUST_CHECK enum status fate_label(const void *study, struct vec2 z,
+                                  int8_t *label);
+
 #endif

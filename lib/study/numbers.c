@@ -12,8 +12,7 @@
 #include "knee.h"
 #include "tolerance.h"
 
-/* (|ad| + |bc|)/|ad - bc|: digits lost between a, b and b - a. */
-static double cancellation(const struct equilibrium *e)
+double numbers_cancellation(const struct equilibrium *e)
 {
     const struct mat2 m = e->matrix;
     const double det = e->scaled[0] * e->scaled[1];
@@ -43,7 +42,7 @@ static double steady_floor(const struct block *b)
 struct steady_number numbers_steady(const struct block *b,
                                     const struct equilibrium *e)
 {
-    const double floor = steady_floor(b), lost = cancellation(e);
+    const double floor = steady_floor(b), lost = numbers_cancellation(e);
     const double unit =
         8.0 * DBL_EPSILON *
         (1.0 + 0.25 * fabs(e->log_scale) + fabs(b->at.log_inertia) * 0.25);
@@ -162,7 +161,7 @@ static double branch_floor(const struct block *b, const struct equilibrium *e,
 {
     const double logs = fabs(b->at.x0) + fabs(b->at.log_inertia) +
                         fabs(b->at.log_rate) + fabs(z);
-    const double lost = cancellation(e);
+    const double lost = numbers_cancellation(e);
     const double weak = fmin(fabs(z), 1.0); /* a short branch moves little */
 
     return DBL_EPSILON *
@@ -227,7 +226,7 @@ static void static_friction(struct builder *n)
     const double t = (double) b->tan_alpha, X = u->limit.x;
     const double k =
         0.5 * material_eps2(&b->material) * hypot(1.0, t) * b->at.v0 * b->at.v0;
-    const double excess = -u->total[0], lost = cancellation(n->e);
+    const double excess = -u->total[0], lost = numbers_cancellation(n->e);
     const double floor = DBL_EPSILON * (64.0 + 2.0 * lost +
                                         4.0 * fabs(b->at.x0) + 4.0 * fabs(X));
     const double slip_error = u->total_error[0] / excess + floor + n->floor;
@@ -287,7 +286,7 @@ static void lower_numbers(struct builder *n)
             limit_of(b->at.psi0, b->at.y0, l->limit.y, l->error.y, floor);
         out->psi_at_v0 = is_log ? psi.log : psi.value;
     }
-    const double deficit = fabs(l->total[0]), lost = cancellation(n->e);
+    const double deficit = fabs(l->total[0]), lost = numbers_cancellation(n->e);
     const double floor =
         DBL_EPSILON * (64.0 + 2.0 * lost + 4.0 * fabs(b->at.x0));
     out->x_deficit =

@@ -63,6 +63,10 @@ struct critical_numbers {
 struct steady_number numbers_steady(const struct block *b,
                                     const struct equilibrium *e);
 
+/* (|ad| + |bc|)/|ad - bc| of the Jacobian [a b; c d]: 10^(digits lost between
+ * a, b and b - a), which grows towards a fold. */
+double numbers_cancellation(const struct equilibrium *e);
+
 struct saddle_numbers numbers_saddle(const struct steady_number *s);
 struct saddle_numbers numbers_no_saddle(void);
 

@@ -8,17 +8,18 @@
 #include "scene.h"
 
 enum stage {
-    STAGE_STEADY,       /* equilibria, their types, the saddle */
-    STAGE_FOLDS,        /* extrema of mu_ss */
-    STAGE_STABLE,       /* both branches of the stable manifold */
-    STAGE_UNSTABLE,     /* both branches of the unstable manifold */
-    STAGE_CRITICAL,     /* numbers read off the stable branches */
-    STAGE_KNEES,        /* crossings of slope 1 */
-    STAGE_ESTIMATES,    /* the paper's formulas (29)-(42) */
-    STAGE_NULLCLINES,   /* in the window */
-    STAGE_ARROWS,       /* direction field in the window */
-    STAGE_TRAJECTORIES, /* forward orbits */
-    STAGE_BASINS,       /* the fate of every cell of a grid */
+    STAGE_STEADY,        /* equilibria, their types, the saddle */
+    STAGE_FOLDS,         /* extrema of mu_ss */
+    STAGE_STABLE,        /* both branches of the stable manifold */
+    STAGE_UNSTABLE,      /* both branches of the unstable manifold */
+    STAGE_CRITICAL,      /* numbers read off the stable branches */
+    STAGE_KNEES,         /* crossings of slope 1 */
+    STAGE_ESTIMATES,     /* the paper's formulas (29)-(42) */
+    STAGE_SENSITIVITIES, /* derivatives by the inputs, conditioning */
+    STAGE_NULLCLINES,    /* in the window */
+    STAGE_ARROWS,        /* direction field in the window */
+    STAGE_TRAJECTORIES,  /* forward orbits */
+    STAGE_BASINS,        /* the fate of every cell of a grid */
     STAGES
 };
 

@@ -169,3 +169,23 @@ static const struct record_field xi_fields[] = {
 };
 const struct record_type record_xi =
     TYPE("xi", xi_fields, xi_number, "the eigen-coordinate estimate");
+
+#define BY(parameter, name, unit, text)                                        \
+    {                                                                          \
+        name, unit, text,                                                      \
+            offsetof(struct sensitivity_numbers, by[PARAMETER_##parameter]),   \
+            RECORD_QUANTITY, NULL                                              \
+    }
+
+static const struct record_field sensitivity_fields[] = {
+    BY(ALPHA, "alpha", "rad-1", "derivative of ln v by the slope angle"),
+    BY(A, "a", "1", "derivative of ln v by a"),
+    BY(B, "b", "1", "derivative of ln v by b"),
+    BY(MU_STAR, "mu_star", "1", "derivative of ln v by mu_star"),
+    BY(C, "c", "1", "derivative of ln v by c"),
+    BY(R, "R", "1", "derivative of ln v by R"),
+    BY(EPS2, "eps2", "1", "derivative of ln v by eps^2 = V_star^2/(g L)"),
+};
+const struct record_type record_sensitivity =
+    TYPE("sensitivities", sensitivity_fields, sensitivity_numbers,
+         "how a critical slip rate answers to the parameters");

@@ -5,6 +5,7 @@
 
 #include "estimate_numbers.h"
 #include "numbers.h"
+#include "sensitivity.h"
 
 /* A stored point of a branch.  Integrals run from the saddle where they
  * converge there (excess), else from the first point after it. */
@@ -33,7 +34,8 @@ struct arrow_row {
     double log10_speed;                /* of (ln v, ln psi) per t* */
 };
 
-extern const struct record_type record_arrow, record_estimates, record_xi;
+extern const struct record_type record_arrow, record_estimates, record_xi,
+    record_sensitivity;
 extern const struct record_type record_steady, record_folds, record_saddle,
     record_critical, record_knee, record_branch, record_nullcline,
     record_trajectory;

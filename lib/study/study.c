@@ -8,6 +8,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "conditioning.h"
 #include "tolerance.h"
 
 /* ---- steady states --------------------------------------------------- */
@@ -166,6 +167,7 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
         struct orbit_options o = orbit_defaults(&s->system, s->stable_rate);
         const double t =
             side_sign(&u, (enum side) i) * fmin(u.radius, TOL_UNSTABLE_START);
+        o.max_steps = TOL_PORTRAIT_STEPS;
         o.window = &window;
         o.target = target;
         o.targets = n;
@@ -173,6 +175,8 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
                             local_point(u.ind, t, jet_at(u.order, u.c, t)), &o);
         if (status == STATUS_OK)
             status = orbit_run(&s->unstable[i], monitor);
+        if (status == STATUS_TOO_MANY_STEPS || status == STATUS_NO_CONVERGENCE)
+            status = STATUS_OK; /* as far as it got; study_remarks says so */
         s->unstable[i].options.window = NULL; /* they were borrowed from here */
         s->unstable[i].options.target = NULL;
         s->cost[STAGE_UNSTABLE].field_evaluations +=
@@ -213,6 +217,24 @@ static enum status run_estimates(struct study *s, const struct monitor *monitor,
     s->estimates = numbers_estimates(&s->block, s->scene->xi,
                                      s->scene->xi_count, &s->critical);
     return STATUS_OK;
+}
+
+static enum status run_sensitivities(struct study *s,
+                                     const struct monitor *monitor,
+                                     struct fault *why)
+{
+    size_t *evaluations = &s->cost[STAGE_SENSITIVITIES].field_evaluations;
+    enum status status = STATUS_OK;
+
+    (void) why;
+    s->sensitivities = sensitivity_none("there is no saddle at this slope");
+    if (s->saddle >= 0)
+        status = sensitivity_find(&s->block, &s->equilibrium[s->saddle],
+                                  &s->critical, s->scene->rtol,
+                                  &s->sensitivities, evaluations);
+    return status
+               ? status
+               : conditioning_find(s, monitor, &s->sensitivities, evaluations);
 }
 
 /* ---- portrait -------------------------------------------------------- */
@@ -322,11 +344,17 @@ typedef enum status stage_function(struct study *s,
                                    struct fault *why);
 
 static stage_function *const stage_run[STAGES] = {
-    [STAGE_STEADY] = run_steady,       [STAGE_FOLDS] = run_folds,
-    [STAGE_STABLE] = run_stable,       [STAGE_UNSTABLE] = run_unstable,
-    [STAGE_CRITICAL] = run_critical,   [STAGE_KNEES] = run_knees,
-    [STAGE_ESTIMATES] = run_estimates, [STAGE_NULLCLINES] = run_nullclines,
-    [STAGE_ARROWS] = run_arrows,       [STAGE_TRAJECTORIES] = run_trajectories,
+    [STAGE_STEADY] = run_steady,
+    [STAGE_FOLDS] = run_folds,
+    [STAGE_STABLE] = run_stable,
+    [STAGE_UNSTABLE] = run_unstable,
+    [STAGE_CRITICAL] = run_critical,
+    [STAGE_KNEES] = run_knees,
+    [STAGE_ESTIMATES] = run_estimates,
+    [STAGE_SENSITIVITIES] = run_sensitivities,
+    [STAGE_NULLCLINES] = run_nullclines,
+    [STAGE_ARROWS] = run_arrows,
+    [STAGE_TRAJECTORIES] = run_trajectories,
     [STAGE_BASINS] = run_basins,
 };
 
@@ -458,5 +486,11 @@ size_t study_remarks(const struct study *s, const char *text[], size_t room)
         inside |= box_holds(window, s->equilibrium[i].z);
     if (s->equilibria > 0 && !inside && n < room)
         text[n++] = "no steady state inside the window";
+    const bool cut = plan_has(s->stages, STAGE_UNSTABLE) && s->saddle >= 0 &&
+                     (s->unstable[0].end == ORBIT_RUNNING ||
+                      s->unstable[1].end == ORBIT_RUNNING);
+    if (cut && n < room)
+        text[n++] = "an unstable branch stops inside the window: it takes more "
+                    "steps than the bound allows";
     return n;
 }

@@ -21,6 +21,7 @@
 #include "plan.h"
 #include "portrait.h"
 #include "records.h"
+#include "sensitivity.h"
 
 enum side { SIDE_UPPER, SIDE_LOWER, SIDES }; /* v > v_sp, v < v_sp */
 
@@ -54,6 +55,7 @@ struct study {
     struct portrait portrait;     /* owned; trajectories: the spread ones */
     struct trajectories chosen;   /* owned; from the scene's own starts */
     struct estimate_numbers estimates;
+    struct sensitivities sensitivities;
     struct basin_map basins;
 
     struct stage_cost cost[STAGES];

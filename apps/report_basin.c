@@ -1,0 +1,51 @@
+#include "report_basin.h"
+
+static bool is_there(const struct basin_map *m, int fate)
+{
+    return m->fraction[fate].log.value > 0.0;
+}
+
+void report_basin_print(FILE *out, const struct basin_map *m)
+{
+    fprintf(out, "basins in the window, %zu x %zu cells\n", m->columns,
+            m->rows);
+    fprintf(out, "  %-16s %-30s %s\n", "fate", "share in the chart",
+            "share in v and psi");
+    for (int i = 0; i < FATES; i++) {
+        const struct basin_fraction *f = &m->fraction[i];
+        if (is_there(m, i))
+            fprintf(out, "  %-16s %-17.13f +- %-9.1e %.13f +- %.1e\n",
+                    fate_names[i], f->log.value, f->log.error, f->linear.value,
+                    f->linear.error);
+    }
+    if (m->audit.cells > 0)
+        fprintf(out, "  audit: %zu cells followed, %zu disagree\n",
+                m->audit.cells, m->audit.disagreements);
+}
+
+static json_t *shares_json(const struct basin_map *m)
+{
+    json_t *all = json_object();
+
+    for (int i = 0; i < FATES; i++) {
+        if (!is_there(m, i))
+            continue;
+        json_t *one = json_object();
+        json_object_set_new(one, "log", json_quantity(&m->fraction[i].log));
+        json_object_set_new(one, "linear",
+                            json_quantity(&m->fraction[i].linear));
+        json_object_set_new(all, fate_names[i], one);
+    }
+    return all;
+}
+
+json_t *report_basin_json(const struct basin_map *m)
+{
+    json_t *audit =
+        json_pack("{sI sI}", "cells", (json_int_t) m->audit.cells,
+                  "disagreements", (json_int_t) m->audit.disagreements);
+
+    return json_pack("{s[II] so so}", "cells", (json_int_t) m->columns,
+                     (json_int_t) m->rows, "fractions", shares_json(m), "audit",
+                     audit);
+}

@@ -1,0 +1,16 @@
+/* report_basin.h -- the shares and the audit of a basin map. */
+#ifndef APPS_REPORT_BASIN_H
+#define APPS_REPORT_BASIN_H
+
+#include <stdio.h>
+
+#include "json.h"
+#include "study.h"
+
+void report_basin_print(FILE *out, const struct basin_map *m);
+
+/* {"cells": [nv, npsi], "fractions": {fate: {"log", "linear"}}, "audit":
+ * {"cells", "disagreements"}}; a new reference, NULL without memory. */
+json_t *report_basin_json(const struct basin_map *m);
+
+#endif

@@ -1,0 +1,289 @@
+/*
+ * One input at a time is multiplied by 1 - h and 1 + h.  Near a fold that may
+ * be too far: numbers whose two differences are unlike, or which a neighbour
+ * lacks, wait for a smaller h.  L, V_star and g enter through
+ * eps^2 = V_star^2/(g L) alone: moving g speaks for all three.
+ */
+#include "conditioning.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "study.h"
+#include "tolerance.h"
+
+enum { INPUT_ALPHA = MATERIAL_KEYS, INPUTS, NUMBERS_MAX = 512 };
+
+/* The numbers of a study, in a fixed order. */
+struct numbers {
+    struct quantity *at[NUMBERS_MAX]; /* borrowed */
+    size_t count;
+};
+
+static void add(struct numbers *n, struct quantity *q)
+{
+    if (n->count < NUMBERS_MAX)
+        n->at[n->count++] = q;
+}
+
+static void add_record(struct numbers *n, const struct record_type *type,
+                       void *record)
+{
+    for (size_t i = 0; i < type->count; i++)
+        if (type->fields[i].kind == RECORD_QUANTITY)
+            add(n, (void *) ((char *) record + type->fields[i].offset));
+}
+
+static void add_knees(struct numbers *n, struct critical_numbers *c)
+{
+    add_record(n, &record_knee, &c->knee_upper);
+    add_record(n, &record_knee, &c->knee_lower);
+    for (size_t i = 0; i < c->knees_upper_count; i++)
+        add_record(n, &record_knee, &c->knees_upper[i]);
+    for (size_t i = 0; i < c->knees_lower_count; i++)
+        add_record(n, &record_knee, &c->knees_lower[i]);
+}
+
+static void add_estimates(struct numbers *n, struct estimate_numbers *e)
+{
+    add_record(n, &record_estimates, e);
+    add(n, &e->chi_v_minus);
+    add(n, &e->chi_v_plus);
+    for (size_t i = 0; i < e->chi_roots; i++)
+        add(n, &e->chi_root[i]);
+    for (size_t i = 0; i < e->xi_count; i++)
+        add_record(n, &record_xi, &e->xi[i]);
+}
+
+static struct numbers numbers_of(struct study *s, unsigned stages)
+{
+    struct numbers n = { .count = 0 };
+
+    for (size_t i = 0; i < s->equilibria; i++)
+        add_record(&n, &record_steady, &s->steady[i]);
+    add_record(&n, &record_saddle, &s->saddle_numbers);
+    add_record(&n, &record_critical, &s->critical);
+    if (plan_has(stages, STAGE_FOLDS))
+        add_record(&n, &record_folds, &s->folds);
+    if (plan_has(stages, STAGE_KNEES))
+        add_knees(&n, &s->critical);
+    if (plan_has(stages, STAGE_ESTIMATES))
+        add_estimates(&n, &s->estimates);
+    return n;
+}
+
+/* ---- neighbours -----------------------------------------------------------
+ */
+
+struct neighbour {
+    struct study study;
+    struct scene scene;
+    bool found;
+};
+
+struct search {
+    struct study *s;
+    struct numbers numbers; /* of s */
+    struct neighbour *here, *up, *down;
+    struct sensitivities *exact;
+    size_t evaluations;
+};
+
+/* The study with one input multiplied by `factor`, at an accuracy fit for
+ * differences. */
+static void recompute(struct search *f, int input, double factor,
+                      struct neighbour *n)
+{
+    const bool estimates = plan_has(f->s->stages, STAGE_ESTIMATES);
+    struct scene *c = &n->scene;
+    struct fault why;
+
+    *c = *f->s->scene; /* borrows what that owns */
+    c->rtol = fmin(c->rtol, TOL_CONDITION_RTOL);
+    c->products = 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_KNEES |
+                  (estimates ? 1u << PRODUCT_ESTIMATES : 0);
+    if (input == INPUT_ALPHA && factor != 1.0) {
+        c->alpha *= factor;
+        c->tan_alpha = tanl((long double) c->alpha);
+    } else if (input != INPUT_ALPHA) {
+        *material_member(&c->material, (enum material_key) input) *= factor;
+    }
+    study_free(&n->study);
+    n->found =
+        c->alpha < M_PI_2 && study_run(&n->study, c, NULL, &why) == STATUS_OK;
+    if (n->found)
+        f->evaluations += study_cost(&n->study).field_evaluations;
+}
+
+/* ---- rates ----------------------------------------------------------------
+ */
+
+/* d q/d ln p from its neighbours; false where they do not tell it: one is
+ * missing, or the two differences are unlike. */
+static bool rate_of(const struct quantity *q, const struct quantity *up,
+                    const struct quantity *down, double nudge, double *rate)
+{
+    const bool above = quantity_exists(up), below = quantity_exists(down);
+
+    if (!quantity_exists(q) || (!above && !below))
+        return !quantity_exists(q);
+    if (!above || !below) {
+        *rate = ((above ? up : down)->value - q->value) / nudge;
+        return false;
+    }
+    const double first = up->value - down->value;
+    const double second = up->value - 2.0 * q->value + down->value;
+    const double noise = TOL_CONDITION_NOISE * fabs(q->value);
+    *rate = first / (2.0 * nudge);
+    return fabs(second) <= TOL_CONDITION_BEND * fabs(first) + noise;
+}
+
+/* d q/d ln p of every number, infinite where it cannot be told; false if some
+ * would rather have a smaller nudge. */
+static bool find_rates(struct search *f, double nudge, double rate[],
+                       bool settled[])
+{
+    const struct numbers here = numbers_of(&f->here->study, f->s->stages);
+    const struct numbers up = numbers_of(&f->up->study, f->s->stages);
+    const struct numbers down = numbers_of(&f->down->study, f->s->stages);
+    bool all = true;
+
+    if (!f->up->found || !f->down->found || up.count != here.count ||
+        down.count != here.count)
+        return false;
+    for (size_t i = 0; i < here.count; i++) {
+        if (!settled[i])
+            settled[i] =
+                rate_of(here.at[i], up.at[i], down.at[i], nudge, &rate[i]);
+        all = all && settled[i];
+    }
+    return all;
+}
+
+/* How often the rounding of an input counts. */
+static double weight_of(const struct scene *c, int input)
+{
+    const enum material_key key = (enum material_key) input;
+    const double t = (double) c->tan_alpha;
+    struct material m = c->material;
+
+    if (input == INPUT_ALPHA) /* a tangent that is a double was given as one */
+        return c->tan_alpha == (long double) t ? t / ((1.0 + t * t) * c->alpha)
+                                               : 1.0;
+    const double value = *material_member(&m, key);
+    if (key == MATERIAL_L || key == MATERIAL_V_STAR || value == 0.0 ||
+        !isfinite(value) || !law_uses(&c->law, key))
+        return 0.0;
+    return key == MATERIAL_G ? 4.0 : 1.0;
+}
+
+/* ---- the second opinion on sensitivities -----------------------------------
+ */
+
+static const struct {
+    enum parameter parameter;
+    int input;
+} same[] = { { PARAMETER_ALPHA, INPUT_ALPHA },
+             { PARAMETER_A, MATERIAL_A },
+             { PARAMETER_B, MATERIAL_B },
+             { PARAMETER_C, MATERIAL_C },
+             { PARAMETER_R, MATERIAL_R },
+             { PARAMETER_EPS2, MATERIAL_G },
+             { PARAMETER_MU_STAR, MATERIAL_MU_STAR } };
+
+/* Where d ln v/d ln p = rate contradicts *exact, the bar says so. */
+static void hold_against(struct quantity *exact, double p, double rate)
+{
+    const double off = fabs(exact->value - rate / p);
+    const double trust = TOL_CONDITION_TRUST * (1.0 + fabs(rate)) / fabs(p);
+
+    if (quantity_exists(exact) && off > exact->error + trust)
+        exact->error = off;
+}
+
+static void hold_all(struct search *f, int input, const double rate[],
+                     const bool settled[])
+{
+    const struct scene *c = f->s->scene;
+    struct material m = c->material;
+
+    for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
+        const enum parameter which = same[k].parameter;
+        if (same[k].input != input)
+            continue;
+        const double p = which == PARAMETER_ALPHA ? c->alpha
+                         : which == PARAMETER_EPS2
+                             ? -material_eps2(&m) /* ~ 1/g */
+                             : *material_member(&m, (enum material_key) input);
+        for (size_t i = 0; i < f->numbers.count; i++) {
+            const struct quantity *q = f->numbers.at[i];
+            if (settled[i] && q == &f->s->critical.ln_v_plus)
+                hold_against(&f->exact->v_plus.by[which], p, rate[i]);
+            if (settled[i] && q == &f->s->critical.ln_v_minus)
+                hold_against(&f->exact->v_minus.by[which], p, rate[i]);
+        }
+    }
+}
+
+/* ---- all inputs ------------------------------------------------------------
+ */
+
+static void add_input(struct search *f, int input, double weight)
+{
+    double rate[NUMBERS_MAX], nudge = TOL_CONDITION_NUDGE;
+    bool settled[NUMBERS_MAX] = { false };
+
+    for (size_t i = 0; i < f->numbers.count; i++)
+        rate[i] = HUGE_VAL;
+    do {
+        recompute(f, input, 1.0 + nudge, f->up);
+        recompute(f, input, 1.0 - nudge, f->down);
+    } while (!find_rates(f, nudge, rate, settled) &&
+             (nudge *= TOL_CONDITION_SHRINK) >= TOL_CONDITION_NUDGE_MIN);
+    for (size_t i = 0; i < f->numbers.count; i++) {
+        struct quantity *q = f->numbers.at[i];
+        if (quantity_exists(q) && q->value != 0.0)
+            q->conditioning += weight * 0x1p-53 * fabs(rate[i] / q->value);
+    }
+    hold_all(f, input, rate, settled);
+}
+
+static enum status add_inputs(struct search *f, const struct monitor *monitor)
+{
+    recompute(f, INPUT_ALPHA, 1.0, f->here);
+    if (!f->here->found ||
+        numbers_of(&f->here->study, f->s->stages).count != f->numbers.count)
+        return STATUS_OK; /* at a loose rtol knees may come and go */
+    for (size_t i = 0; i < f->numbers.count; i++)
+        if (quantity_exists(f->numbers.at[i]))
+            f->numbers.at[i]->conditioning = 0.0;
+    for (int input = 0; input < INPUTS; input++) {
+        const double weight = weight_of(f->s->scene, input);
+        if (monitor_tell(monitor, "sensitivities", (uint64_t) input, INPUTS))
+            return STATUS_STOPPED;
+        if (weight > 0.0)
+            add_input(f, input, weight);
+    }
+    return STATUS_OK;
+}
+
+enum status conditioning_find(struct study *s, const struct monitor *monitor,
+                              struct sensitivities *exact, size_t *evaluations)
+{
+    struct neighbour *n = calloc(3, sizeof *n);
+
+    if (n == NULL)
+        return STATUS_NO_MEMORY;
+    struct search f = { .s = s,
+                        .numbers = numbers_of(s, s->stages),
+                        .here = &n[0],
+                        .up = &n[1],
+                        .down = &n[2],
+                        .exact = exact };
+    const enum status status = add_inputs(&f, monitor);
+    for (int i = 0; i < 3; i++)
+        study_free(&n[i].study);
+    free(n);
+    *evaluations += f.evaluations;
+    return status;
+}

@@ -1,0 +1,245 @@
+/* The row and the column of a state are crossed by the stable branches, which
+ * says its fate and the nearest other one; slip and time come from its orbit,
+ * run twice, for the orbit's own error sums are no bounds. */
+#include "push.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "grow.h"
+#include "tolerance.h"
+
+#define QUANTITY(member, text_)                                                \
+    {                                                                          \
+        .name = #member, .unit = "1", .text = text_,                           \
+        .offset = offsetof(struct push_answer, member),                        \
+        .kind = RECORD_QUANTITY                                                \
+    }
+
+static const struct record_field push_fields[] = {
+    { .name = "fate",
+      .unit = "1",
+      .text = "what becomes of the state",
+      .offset = offsetof(struct push_answer, fate),
+      .kind = RECORD_CODE,
+      .codes = fate_names },
+    QUANTITY(slip, "slip to arrest in units of L"),
+    QUANTITY(time, "time to arrest in units of L/V_star"),
+    QUANTITY(mu_mean, "mean friction over that slip"),
+    QUANTITY(v_kick, "factor on v to the nearest other fate"),
+    QUANTITY(psi_kick, "factor on psi (or shift of it) to the nearest other "
+                       "fate"),
+};
+const struct record_type record_push = {
+    "push", "what becomes of a state and what would change that", push_fields,
+    sizeof push_fields / sizeof *push_fields, sizeof(struct push_answer)
+};
+
+/* ---- the plane ----------------------------------------------------------- */
+
+/* Both branches to the ends of the domain: every row and column that meets
+ * them does so on the curve itself or where its limit is exact. */
+static enum status grow_stable(struct push *p, const struct monitor *monitor)
+{
+    struct study *s = &p->study;
+    struct grow_options o = grow_defaults(p->scene.rtol);
+    struct local_series u;
+
+    o.reach = &s->system.domain;
+    o.monitor = monitor;
+    enum status status =
+        local_at(&s->system, &s->equilibrium[s->saddle], MANIFOLD_STABLE,
+                 &o.carry, o.order, TOL_TAYLOR_STEP * o.rtol, &u);
+    for (int i = 0; i < SIDES && status == STATUS_OK; i++)
+        status =
+            grow_branch(&s->system, &u, i == 0 ? 1 : -1, &o, &s->stable[i]);
+    return status;
+}
+
+static enum status cut_plane(struct push *p)
+{
+    struct branch *stable = p->study.stable;
+    enum status status = STATUS_OK;
+
+    for (int i = 0; i < 2 && status == STATUS_OK && p->study.saddle >= 0; i++)
+        status = separatrix_add(&p->along[i], &stable[0], &stable[1]);
+    if (status == STATUS_OK)
+        status = regions_init(&p->regions, &p->along[SEPARATRIX_Y]);
+    return status;
+}
+
+/* Regions near the anchor are asked for there, where orbits are short. */
+static enum status label_regions(struct push *p)
+{
+    const struct study *s = &p->study;
+    const struct vec2 half = { TOL_PUSH_NEAR, TOL_PUSH_NEAR };
+    const struct box near = { vec2_sub(s->system.origin, half),
+                              vec2_add(s->system.origin, half) };
+    enum status status = regions_label(&p->regions, &near, fate_label, s);
+
+    if (status == STATUS_OK)
+        status = regions_label(&p->regions, &s->system.domain, fate_label, s);
+    return status;
+}
+
+enum status push_init(struct push *p, const struct scene *scene,
+                      const struct monitor *monitor, struct fault *why)
+{
+    *p = (struct push){ .scene = *scene };
+    p->scene.products = 1u << PRODUCT_EQUILIBRIA;
+    enum status status = study_run(&p->study, &p->scene, monitor, why);
+    if (status != STATUS_OK)
+        return status;
+    for (int i = 0; i < 2; i++)
+        p->along[i] = separatrix_empty(i, p->study.system.origin);
+    if (p->study.saddle >= 0)
+        status = grow_stable(p, monitor);
+    if (status == STATUS_OK)
+        status = cut_plane(p);
+    if (status == STATUS_OK)
+        status = label_regions(p);
+    if (status == STATUS_OK)
+        return STATUS_OK;
+    snprintf(why->text, sizeof why->text, "the basins of the slope: %s",
+             status_text(status));
+    push_free(p);
+    return status;
+}
+
+void push_free(struct push *p)
+{
+    regions_free(&p->regions);
+    separatrix_free(&p->along[0]);
+    separatrix_free(&p->along[1]);
+    study_free(&p->study);
+}
+
+/* ---- slip and time ------------------------------------------------------- */
+
+/* The finer value; the bar holds the other and both own ones. */
+static struct quantity compare(struct quantity coarse, struct quantity fine)
+{
+    if (!quantity_exists(&coarse) || !quantity_exists(&fine))
+        return quantity_exists(&fine) ? coarse : fine;
+    return quantity_of(fine.value, fabs(fine.value - coarse.value) +
+                                       fmax(fine.error, coarse.error));
+}
+
+static enum status follow(const struct push *p, struct vec2 z,
+                          const struct monitor *monitor,
+                          struct push_answer *out)
+{
+    struct fate_result coarse, fine = { .fate = FATE_UNDECIDED };
+    double rtol = TOL_PUSH_COARSE;
+    enum status s = fate_find(&p->study, z, rtol, true, monitor, &fine);
+
+    do {
+        coarse = fine;
+        rtol *= TOL_PUSH_FINER;
+        if (s == STATUS_OK)
+            s = fate_find(&p->study, z, rtol, true, monitor, &fine);
+    } while (s == STATUS_OK && rtol * TOL_PUSH_FINER >= TOL_PUSH_FINEST &&
+             !((int8_t) fine.fate == out->fate && coarse.fate == fine.fate));
+    if ((int8_t) fine.fate == out->fate && coarse.fate == fine.fate) {
+        out->slip = compare(coarse.slip, fine.slip);
+        out->time = compare(coarse.time, fine.time);
+        out->mu_mean = compare(coarse.mu_mean, fine.mu_mean);
+    } else {
+        out->slip = out->time = out->mu_mean = quantity_none(
+            "the state is too near the boundary for its orbit to be followed");
+    }
+    return s;
+}
+
+/* ---- kicks --------------------------------------------------------------- */
+
+/* Along a row or a column, from the point `at` of it. */
+static struct quantity kick_from(const struct push *p,
+                                 const struct margin_line *l, double at,
+                                 bool is_log, const char *none)
+{
+    double error;
+    const double shift = margin_at(l, at, &error);
+    const double rounding = TOL_PUSH_ROUNDING * (1.0 + fabs(at) + fabs(shift));
+    const double factor = exp(shift);
+
+    if (p->study.saddle < 0)
+        return quantity_none("no saddle at this slope, hence one fate for all");
+    if (isinf(shift))
+        return quantity_none(none);
+    if (!is_log)
+        return quantity_of(shift, error + rounding);
+    if (isinf(factor) || factor == 0.0)
+        return quantity_none("the factor is beyond the range of a double");
+    return quantity_of(factor, factor * (error + rounding));
+}
+
+static void find_kicks(const struct push *p, struct margin_line *l,
+                       struct vec2 z, struct push_answer *out)
+{
+    const struct planar_axis *axis = p->study.system.axis;
+
+    margin_find(l, &p->regions, &p->along[SEPARATRIX_X], z.x);
+    out->psi_kick = kick_from(p, l, z.y, axis[1].is_log,
+                              "no other fate at this v, whatever psi");
+    margin_find(l, &p->regions, &p->along[SEPARATRIX_Y], z.y);
+    out->v_kick =
+        kick_from(p, l, z.x, true, "no other fate at this psi, whatever v");
+    out->fate = margin_label(l, z.x);
+}
+
+/* ---- states -------------------------------------------------------------- */
+
+static struct vec2 chart_point(const struct push *p, struct push_state at)
+{
+    return (struct vec2){ log(at.v), p->study.system.axis[1].is_log
+                                         ? log(at.psi)
+                                         : at.psi };
+}
+
+bool push_holds(const struct push *p, struct push_state at)
+{
+    return box_holds(p->study.system.domain, chart_point(p, at));
+}
+
+enum status push_find(const struct push *p, struct push_state at,
+                      const struct monitor *monitor, struct push_answer *out)
+{
+    struct margin_line l;
+
+    if (!push_holds(p, at))
+        return STATUS_BAD_ARGUMENT;
+    const enum status s = margin_init(&l, &p->along[0], &p->along[1]);
+    if (s != STATUS_OK)
+        return s;
+    const struct vec2 z = chart_point(p, at);
+    *out = (struct push_answer){ .fate = FATE_NONE };
+    find_kicks(p, &l, z, out);
+    margin_free(&l);
+    return follow(p, z, monitor, out);
+}
+
+enum status push_find_all(const struct push *p, const struct push_state at[],
+                          size_t count, const struct monitor *monitor,
+                          struct push_answer out[])
+{
+    enum { BLOCK = 64 };
+    enum status failed = STATUS_OK;
+
+    for (size_t first = 0; first < count && failed == STATUS_OK;
+         first += BLOCK) {
+        const size_t end = first + BLOCK < count ? first + BLOCK : count;
+#pragma omp parallel for schedule(dynamic)
+        for (size_t i = first; i < end; i++) {
+            const enum status s = push_find(p, at[i], NULL, &out[i]);
+            if (s != STATUS_OK) {
+#pragma omp atomic write
+                failed = s;
+            }
+        }
+        if (failed == STATUS_OK && monitor_tell(monitor, "states", end, count))
+            failed = STATUS_STOPPED;
+    }
+    return failed;
+}

@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""Figures, gnuplot and the stages that run (TAP).
+
+usage: cli_figures.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import json
+import xml.etree.ElementTree
+
+from cli_room import SLOPE, expect, run_cases
+
+SVG = '{http://www.w3.org/2000/svg}'
+
+# ---- only what a scene needs -------------------------------------------------
+
+
+def stages_run(room, *args):
+    """The stages in the order they began, as --progress json tells."""
+    done = room.run(*args, '--progress', 'json', '--quiet')
+    expect(done.returncode == 0, done)
+    lines = [json.loads(line) for line in done.stderr.splitlines()]
+    expect(all(set(line) == {'stage', 'done', 'total'} for line in lines), lines)
+    return list(dict.fromkeys(line['stage'] for line in lines))
+
+
+def stages_planned(room, *args):
+    return [stage['stage'] for stage in room.json('plan', *args)]
+
+
+PRODUCTS = ['equilibria', 'folds', 'nullclines', 'field_arrows', 'manifolds',
+            'knees', 'estimates', 'trajectories']
+
+
+def what_is_planned_is_what_runs(room):
+    room.bring('scenes')
+    sets = [[product] for product in PRODUCTS] + [
+        ['equilibria', 'trajectories'], ['knees', 'nullclines'], PRODUCTS]
+    plans = set()
+    for products in sets:
+        args = [*SLOPE, '--set', f'products=[{", ".join(products)}]', '--set',
+                'trajectories.spread=2']
+        plan = stages_planned(room, *args)
+        expect(stages_run(room, 'study', *args) == plan, products, plan)
+        plans.add(tuple(plan))
+    expect(len(plans) > 8, plans)
+    for scene in room.names('scenes')[:4]:
+        args = ['scenes/' + scene, '-o', 'a.h5', '--figure', 'a.svg']
+        expect(stages_run(room, 'study', *args)
+               == stages_planned(room, *args), scene)
+
+
+def equilibria_alone_cost_no_manifold(room):
+    args = [*SLOPE, '--set', 'products=[equilibria]']
+    expect(stages_planned(room, *args) == ['steady'], 'plan')
+    expect(stages_run(room, 'study', *args) == ['steady'], 'run')
+    cost = room.json('study', *args)['cost']
+    expect(cost['field_evaluations'] <= 8, cost)
+    room.good('study', *args, '-o', 'a.h5')
+    groups = [item['path'] for item in room.json('info', 'a.h5')
+              if item['kind'] == 'group']
+    expect(groups == ['/', '/provenance', '/equilibria', '/saddle'], groups)
+
+
+def a_plan_runs_and_writes_nothing(room):
+    room.fake('gnuplot', ': >marker')
+    said = room.good('plan', *SLOPE, '-o', 'a.h5', '--figure', 'a.svg')
+    expect('a.h5' in said and 'a.svg' in said, said)
+    expect(stages_run(room, 'plan', *SLOPE) == [], 'it ran')
+    expect(room.names() == [], room.names())
+
+
+def without_a_figure_no_gnuplot_starts(room):
+    room.fake('gnuplot', f': >{room.path("marker")}; exit 1')
+    room.good('portrait', *SLOPE, '-o', 'a.h5')
+    room.good('study', *SLOPE)
+    room.good('knees', *SLOPE, '-o', 'b.h5')
+    expect(room.names() == ['a.h5', 'b.h5'], room.names())
+    done = room.run('portrait', *SLOPE)  # which draws: the marker is no dud
+    expect(done.returncode == 4 and room.names()
+           == ['a.h5', 'b.h5', 'marker'], done, room.names())
+
+
+# ---- titles ------------------------------------------------------------------
+
+HOSTILE = [
+    'it\'s "quoted" `touch x` $(touch x)', 'system("touch x")',
+    "'; system 'touch x' #", '"; system("touch x"); "', "' . system('touch x')",
+    '`touch x`\\\n!touch x', 'a\nsystem("touch x")\n!touch x', '|touch x',
+    '%s %d %n %1$s {/Symbol a} ^b _c @d &{e} ~f{.8-}', '\\n \\t \\ \\\\ \\q',
+    '<script>alert(1)</script> & ]]> &amp;', '\x1b[31mred\x07',
+    'α→β — 世界 \U0001f600 \u202etfel', 'é' * 3000, 'x ' * 5000, ' ', '"', "'",
+    '\\', '@x', '!touch x', 'x" ; !touch x', '$0', '\u2028\u0085', '--', '# a',
+]
+
+
+def hostile_titles_are_drawn_and_never_run(room):
+    for title in HOSTILE:
+        room.write('a.yaml', 'title: ' + json.dumps(title) + '\n'
+                   'law: {preset: ruina}\nslope: {alpha: 0.34}\n'
+                   'products: [nullclines]\noutput: {figure: a.svg}\n')
+        expect(room.good('study', 'a.yaml', '--quiet', '--keep-script') == '',
+               title)
+        expect(room.names() == ['a.dat', 'a.gp', 'a.svg', 'a.yaml'],
+               title[:99], room.names())
+        svg = xml.etree.ElementTree.parse(room.path('a.svg'))
+        texts = [''.join(text.itertext()).strip()
+                 for text in svg.iter(SVG + 'text')]
+        words = title.split()
+        expect(not words or not words[0].isalnum() or len(title) > 999
+               or any(words[0] in text for text in texts), title[:99], texts)
+
+
+def hostile_file_names_are_only_names(room):
+    for name in ("it's $(touch x).svg", '|touch x.svg', '`touch x`.svg',
+                 '-x.svg', '<a.svg', 'a"; system("touch x").svg', '%s.svg',
+                 '!touch x.svg', 'é.svg'):
+        room.good('portrait', *SLOPE, '--figure', name, '--set',
+                  'products=[equilibria]')
+        expect(room.names() == [name], name, room.names())
+        xml.etree.ElementTree.parse(room.path(name))
+        room.shell('rm ./*.svg')
+
+
+# ---- scripts -----------------------------------------------------------------
+
+def a_kept_script_draws_the_figure_again(room):
+    room.make('figures')
+    for ending in ('svg', 'png'):
+        room.good('portrait', *SLOPE, '--figure', 'figures/a.' + ending,
+                  '--keep-script')
+        expect(room.names('figures') == sorted(['a.dat', 'a.gp',
+                                                'a.' + ending]),
+               room.names('figures'))
+        before = room.bytes('figures/a.' + ending)
+        moved = room.shell(f'mv figures moved; rm moved/a.{ending}; '
+                           'cd moved && gnuplot -d a.gp')
+        expect(moved.returncode == 0, moved)
+        expect(room.bytes('moved/a.' + ending) == before, ending)
+        room.shell('rm -r moved; mkdir figures')
+
+
+def every_format_is_what_its_name_says(room):
+    for ending, start in (('svg', b'<?xml'), ('pdf', b'%PDF'),
+                          ('png', b'\x89PNG')):
+        room.good('portrait', *SLOPE, '--figure', 'a.' + ending)
+        expect(room.bytes('a.' + ending).startswith(start), ending)
+    expect(room.names() == ['a.pdf', 'a.png', 'a.svg'], room.names())
+
+
+run_cases([
+    what_is_planned_is_what_runs,
+    equilibria_alone_cost_no_manifold,
+    a_plan_runs_and_writes_nothing,
+    without_a_figure_no_gnuplot_starts,
+    hostile_titles_are_drawn_and_never_run,
+    hostile_file_names_are_only_names,
+    a_kept_script_draws_the_figure_again,
+    every_format_is_what_its_name_says,
+])

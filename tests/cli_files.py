@@ -1,0 +1,187 @@
+#!/usr/bin/env python3
+"""The HDF5 files that slipway writes, and slipway info (TAP).
+
+usage: cli_files.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import os
+import socket
+import subprocess
+import time
+
+from cli_room import LAWS, READER, SLOPE, expect, run_cases
+
+SCENE = '''# a comment, and an odd   blank
+title: "b \\"q\\" \\u03b1"
+law: {preset: spinodal_gen}
+slope: {alpha: 0.34}
+products: [equilibria, nullclines, manifolds, trajectories, knees, estimates]
+trajectories: {starts: [{v: 1258.9, psi: 100}], spread: 6, seed: 1}
+output: {hdf5: out.h5, figure: out.svg}
+'''
+
+
+def reads(room, script, *args):
+    """What Debian's python prints."""
+    done = subprocess.run([READER, room.script(script), *args],
+                          cwd=room.folder, text=True, capture_output=True,
+                          check=False)
+    expect(done.returncode == 0, script, *args, done.stdout, done.stderr)
+    return done.stdout
+
+
+# ---- readers -----------------------------------------------------------------
+
+def every_reader_opens_a_portrait(room):
+    room.write('a.yaml', SCENE)
+    room.good('portrait', 'a.yaml')
+    reads(room, 'open_file.py', 'out.h5')
+    reads(room, 'read_file.py', 'layout', 'out.h5')
+
+
+def every_reader_opens_a_portrait_without_a_saddle(room):
+    room.good('portrait', '--law', 'ruina', '--alpha', '1.5', '-o', 'a.h5',
+              '--set', 'products=[equilibria, knees, estimates, nullclines, '
+              'manifolds, field_arrows]')
+    reads(room, 'open_file.py', 'a.h5')
+
+
+def exact_points_lie_on_the_stored_curve(room):
+    """By cubic interpolation with the stored slopes, to a millionth."""
+    slopes = {}
+    for row in room.reference('manifold_points.csv'):
+        slopes.setdefault((row['law'], row['alpha']), []).append(row)
+    met = listed = 0
+    for (law, alpha), rows in slopes.items():
+        room.write('points.csv', 'branch,v,psi\n' + ''.join(
+            f'{row["branch"]},{row["v"]},{row["psi"]}\n' for row in rows))
+        room.good('study', '--law', law, '--alpha', alpha, '-o', 'a.h5',
+                  '--set', 'products=[manifolds]', '--set',
+                  'window={v: [1e-30, 1e30], psi: [1e-30, 1e30]}')
+        met += int(reads(room, 'read_file.py', 'curve', 'a.h5', 'points.csv'))
+        listed += len(rows)
+    expect(listed == 280 and met > 0.7 * listed, met, 'of', listed)
+
+
+# ---- the same bytes ----------------------------------------------------------
+
+def the_same_bytes_from_anywhere_at_any_time(room):
+    room.write('a.yaml', SCENE)
+    room.good('portrait', 'a.yaml')
+    wanted = room.bytes('out.h5'), room.bytes('out.svg')
+    time.sleep(1.1)  # HDF5 counts in seconds
+    for folder, args, changes in (
+            ('b', [], {}),
+            ('c/d e', ['--threads', '1'], {'TZ': 'Asia/Tokyo'}),
+            ('f', ['--threads', '2'], {'LC_ALL': 'C', 'HOME': '/nonexistent'}),
+            ('g', ['--quiet'], {'OMP_NUM_THREADS': '3', 'TZ': 'UTC+11'}),
+            ('h', ['--json', '--progress', 'none'], {'LANG': 'de_DE.UTF-8'})):
+        room.make(folder)
+        name = os.path.join(folder, 'a.yaml')
+        room.write(name, SCENE)
+        os.utime(room.path(name), (1e9, 1e9))
+        room.good('portrait', 'a.yaml', *args, cwd=folder, **changes)
+        expect(room.bytes(folder + '/out.h5') == wanted[0], folder, 'HDF5')
+        expect(room.bytes(folder + '/out.svg') == wanted[1], folder, 'figure')
+    room.make('away')
+    room.good('study', room.path('a.yaml'), '-o', room.path('away/other.h5'),
+              '--figure', 'other.svg', cwd='b')
+    expect(room.bytes('away/other.h5') == wanted[0], 'another name')
+
+
+def the_file_tells_nothing_of_where_it_was_made(room):
+    room.write('a.yaml', SCENE)
+    room.good('study', 'a.yaml', '-o', room.path('there.h5'), '--set',
+              'slope.alpha=0.35', '--threads', '2')
+    found = room.bytes('there.h5')
+    expect(SCENE.encode() in found and b'slope.alpha=0.35\n' in found, 'scene')
+    for secret in (room.folder, room.source, 'there.h5', 'threads',
+                   socket.gethostname(), time.strftime('%Y-%m')):
+        expect(len(secret) < 4 or secret.encode() not in found, secret)
+
+
+# ---- info --------------------------------------------------------------------
+
+def info_says_what_the_file_holds(room):
+    room.write('a.yaml', SCENE)
+    room.good('portrait', 'a.yaml')
+    lines = room.good('info', 'out.h5').splitlines()
+    for group in ('/', '/provenance', '/equilibria', '/saddle',
+                  '/manifold/stable_upper', '/manifold/unstable_lower',
+                  '/critical', '/estimates', '/nullcline/v_0', '/trajectory_0'):
+        expect(group in lines, group, lines)
+    expect(any(line.split()[:3] == ['v', '3', '1'] and 'V_star' in line
+               for line in lines), lines)
+    expect('  law                    spinodal_gen' in lines, lines)
+    items = {item['path']: item for item in room.json('info', 'out.h5')}
+    expect(items['/equilibria/v']['shape'] == [3]
+           and items['/equilibria/v']['kind'] == 'dataset'
+           and items['/provenance']['texts']['scene'] == SCENE
+           and items['/']['texts']['title'] == 'b "q" α', items['/'])
+
+
+def info_says_why_a_number_is_missing(room):
+    room.good('knees', '--law', 'ruina', '--alpha', '0.34', '-o', 'a.h5')
+    expect('upper branch is open' in room.good('info', 'a.h5'), 'no reason')
+
+
+def the_printed_scene_gives_the_same_bytes(room):
+    room.write('a.yaml', SCENE)
+    room.good('portrait', 'a.yaml')
+    expect(room.good('info', 'out.h5', 'scene') == SCENE, 'another scene')
+    room.make('again')
+    room.write('again/a.yaml', room.good('info', 'out.h5', 'scene'))
+    room.good('study', 'a.yaml', cwd='again')
+    expect(room.bytes('again/out.h5') == room.bytes('out.h5'), 'other bytes')
+
+
+TITLE = 'T: #1 \'q\' "r" % {s} [t] \\n \u00e9\u4e16\U0001f600 - ? ! & *'
+
+
+def overrides_and_shortcuts_are_part_of_the_printed_scene(room):
+    room.write('a.yaml', SCENE)
+    quoted = TITLE.replace("'", "''")
+    for command, args in (
+            ('portrait', ['a.yaml', '--alpha', '0.35', '--set',
+                          f"title='{quoted}'", '--set', 'material.a=0.03',
+                          '--set', 'products=[manifolds]']),
+            ('portrait', [*SLOPE]),
+            ('portrait', ['--law', 'ruina', '--set', 'slope.alpha_deg=19.5',
+                          '--seed', '7', '--set',
+                          'trajectories.starts=[{v: 2, psi: -3}]']),
+            ('knees', ['--set', 'law={theta: psi, psi_ss: minus_log, '
+                       'timescale: slip45, kinetics: sinh, friction: log}',
+                       '--set', 'slope.tan_alpha=0.36', '--rtol', '1e-9'])):
+        room.good(command, *args, '-o', 'a.h5', '--figure', 'a.svg')
+        scene = room.good('info', 'a.h5', 'scene')
+        room.write('b.yaml', scene)
+        expect('a.h5' not in scene and 'a.svg' not in scene, scene)
+        room.good('study', 'b.yaml', '-o', 'b.h5', '--figure', 'b.svg')
+        reads(room, 'read_file.py', 'same', 'a.h5', 'b.h5')
+        expect(room.bytes('a.svg') == room.bytes('b.svg'), args, 'figure')
+        expect(room.good('info', 'b.h5', 'scene') == scene, scene)
+        if TITLE[:3] in str(args):
+            texts = room.json('info', 'b.h5')[0]['texts']
+            expect(texts['title'] == TITLE, texts)
+
+
+def every_law_is_written_and_read(room):
+    for law in LAWS + ['kato_tullis']:
+        more = ['--set', 'material.V_c=1e3'] if law == 'kato_tullis' else []
+        room.good('study', '--law', law, '--alpha', '0.34', *more, '-o',
+                  'a.h5')
+        expect('  law                    ' + law
+               in room.good('info', 'a.h5').splitlines(), law)
+
+
+run_cases([
+    every_reader_opens_a_portrait,
+    every_reader_opens_a_portrait_without_a_saddle,
+    exact_points_lie_on_the_stored_curve,
+    the_same_bytes_from_anywhere_at_any_time,
+    the_file_tells_nothing_of_where_it_was_made,
+    info_says_what_the_file_holds,
+    info_says_why_a_number_is_missing,
+    the_printed_scene_gives_the_same_bytes,
+    overrides_and_shortcuts_are_part_of_the_printed_scene,
+    every_law_is_written_and_read,
+])
