@@ -153,6 +153,9 @@
 #define STORE_CHUNK 256
 /* Level of zlib: higher ones cost several times more for a few per cent. */
 #define STORE_DEFLATE 1
+/* Up to so many attributes, or links of a group, stand in the object's header:
+ * beyond, a B-tree and a heap cost less than looking through them all. */
+#define STORE_COMPACT 64
 /* Growth of a file in memory, bytes: larger than most whole files. */
 #define STORE_GROWTH ((size_t) 1 << 20)
 
@@ -174,11 +177,18 @@
 #define TOL_UNSTABLE_START 1e-3
 
 /* The stable manifold in eigen-coordinates (eigen.c).  Step tolerance for a
- * promise of rtol, and of the second run that it is compared with. */
+ * promise of rtol, the smallest that doubles hold, and that of the second run
+ * to compare with. */
 #define TOL_EIGEN_STEP   0.1
+#define TOL_EIGEN_FINEST 3e-14
 #define TOL_EIGEN_COARSE 100.0
-/* Where the search for a start begins, in X: halved until it is good. */
-#define TOL_EIGEN_START 0.25
+/* Steps of one run: where a branch crosses the whole chart while an integral
+ * grows like e^(2x), a step is a tenth of a unit. */
+#define TOL_EIGEN_STEPS 40000
+/* Where the search for a start begins, in X, and the most it shortens it in one
+ * attempt: a field may change over 1e-300. */
+#define TOL_EIGEN_START   0.25
+#define TOL_EIGEN_SHORTEN 0.01
 /* A branch has ended when what is left is below this part of rtol, so that
  * the end never dominates the error; and the slowest decay of a rate, per unit
  * of ln v or ln psi, that can be told from none. */
@@ -241,18 +251,26 @@
 /* An orbit rests where v would reach zero, and psi infinity, within this part
  * of the time it took so far; power laws are far above it.  And the steps an
  * orbit may take: ten times what an accurate one to a node needs. */
-#define TOL_REST_SOON  1e-10
-#define TOL_FATE_STEPS 50000
+#define TOL_REST_SOON 1e-10
+/* Below this ln v (1e-10) a rest is taken for one when hundred times less than
+ * the time so far is left. */
+#define TOL_REST_DEEP      (-23.0)
+#define TOL_REST_DEEP_SOON 0.01
+#define TOL_FATE_STEPS     50000
 
 /* Labels by forward integration (trap.c): how far inside a quadrant its own
  * orbit starts; accuracy of the first attempt, and of the next ones; and the
  * distance from the saddle, in tolerances, at which a label is certain: errors
  * of a few hundred steps, grown a hundredfold on the way. */
 #define TOL_TRAP_START  0.5
-#define TOL_TRAP_RTOL   1e-5
+#define TOL_TRAP_RTOL   1e-6
 #define TOL_TRAP_FINER  1e-3
 #define TOL_TRAP_FINEST 1e-12
-#define TOL_TRAP_FAR    1e6
+#define TOL_TRAP_FAR    1e4
+/* First step in the chart, and steps before an orbit is followed to its end
+ * by the L-stable method instead. */
+#define TOL_TRAP_STEP  1.0
+#define TOL_TRAP_STEPS 1000
 
 /* Areas beside a separatrix: relative error of a piece, and how often one is
  * halved around a kink. */
@@ -270,22 +288,26 @@
  * Half the side of the box around the saddle where the fates of regions are
  * asked for first, in ln v and ln psi: a factor 1e8 either way.  What rounding
  * does to a coordinate and to a root, per unit of either. */
-#define TOL_PUSH_COARSE   1e-8
+#define TOL_PUSH_COARSE   1e-9
 #define TOL_PUSH_FINER    0.01
-#define TOL_PUSH_FINEST   1e-13
+#define TOL_PUSH_FINEST   5e-14
 #define TOL_PUSH_NEAR     20.0
 #define TOL_PUSH_ROUNDING 0x1p-50
 
 /* Sensitivities (sensitivity.c).  Tolerance of the finer run, as a part of what
  * is asked for, down to what doubles hold; never ask less of the coarser one;
- * Gauss points a piece of the two (measured: 8 leave 1e-14). */
+ * Gauss points a piece of the two (measured: 8 leave 1e-13). */
 #define TOL_VARIATION_FINE     0.03
 #define TOL_VARIATION_FINEST   3e-14
 #define TOL_VARIATION_COARSEST 1e-12
-#define TOL_VARIATION_NODES    8
-#define TOL_VARIATION_FEWER    6
-/* Bars: e-folds that what is left at the end may take to decay; above this part
- * of the value it never does; roundings, in units of roundoff. */
+#define TOL_VARIATION_NODES    10
+#define TOL_VARIATION_FEWER    7
+/* Shortest part of a piece. */
+#define TOL_VARIATION_SHORTEST 0x1p-20
+/* Bars: this many times the finer run's tolerance, for two runs may agree by
+ * chance; e-folds that what is left at the end may take to decay; above this
+ * part of the value it never does; roundings, in units of roundoff. */
+#define TOL_VARIATION_BAR      5.0
 #define TOL_VARIATION_REST     10.0
 #define TOL_VARIATION_OPEN     1e-9
 #define TOL_VARIATION_ROUNDING 64.0

@@ -2,31 +2,18 @@
 
 #include <math.h>
 
+#include "control.h"
+#include "explicit8.h"
 #include "study.h"
 #include "tolerance.h"
 
-/* > 0 inside the slow quadrant (sign +1) or the fast one (-1). */
-static double inside(struct vec2 offset, double sign)
+/* The quadrant that an offset lies in: 0 slow, 1 fast, TRAPS neither. */
+static int trap_at(struct vec2 offset)
 {
-    return fmin(-sign * offset.x, sign * offset.y);
+    if (offset.x < 0.0 && offset.y > 0.0)
+        return 0;
+    return offset.x > 0.0 && offset.y < 0.0 ? 1 : TRAPS;
 }
-
-static double enters_slow(const void *ctx, double s, const double u[])
-{
-    (void) ctx, (void) s;
-    return inside((struct vec2){ u[0], u[1] }, 1.0);
-}
-
-static double enters_fast(const void *ctx, double s, const double u[])
-{
-    (void) ctx, (void) s;
-    return inside((struct vec2){ u[0], u[1] }, -1.0);
-}
-
-static const struct event entries[TRAPS] = {
-    { .value = enters_slow, .direction = 1, .stop = true },
-    { .value = enters_fast, .direction = 1, .stop = true },
-};
 
 enum status trap_init(struct trap *t, const struct study *s,
                       const struct monitor *monitor)
@@ -45,32 +32,63 @@ enum status trap_init(struct trap *t, const struct study *s,
     return status;
 }
 
-/* Follows z until it is caught; *far: how far from the saddle, in units of
- * the tolerance; NaN where it is caught nowhere. */
-static enum status follow(const struct trap *t, struct vec2 z, double rtol,
-                          int8_t *label, double *far, size_t *evaluations)
+/* du/ds = f/|f|: arc length of the chart, along which an orbit outside the
+ * traps is not stiff, for there both its coordinates only fall or only rise. */
+static void unit_speed(const void *ctx, double s, const double u[], double du[])
 {
-    const struct study *s = t->study;
-    struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
-    struct orbit o;
+    const struct study *study = ctx;
+    struct planar_field f;
 
-    options.rtol = rtol;
-    options.observables = 0;
-    options.event = entries;
-    options.events = TRAPS;
-    enum status status = orbit_init(&o, &s->system, z, &options);
-    if (status != STATUS_OK)
-        return status;
-    status = orbit_run(&o, NULL);
-    *far = NAN;
-    if (status == STATUS_OK && o.end == ORBIT_EVENT) {
-        *label = t->fate[o.end_index];
-        *far = fmax(fabs(o.u[0]), fabs(o.u[1])) / rtol;
+    (void) s;
+    study->system.field(study->system.ctx, (struct vec2){ u[0], u[1] }, &f);
+    const double x = f.direction.x, y = f.direction.y;
+    const double n = sqrt(x * x + y * y);
+    const double size = n > 1e-140 && n < 1e140 ? n : vec2_length(f.direction);
+    du[0] = x / size;
+    du[1] = y / size;
+}
+
+/* Distance of the saddle from the chord of a step. */
+static double chord_distance(const double a[], const double b[])
+{
+    const double dx = b[0] - a[0], dy = b[1] - a[1];
+    const double square = dx * dx + dy * dy;
+    const double part = square > 0.0 ? -(a[0] * dx + a[1] * dy) / square : 0.0;
+    const double t = fmin(fmax(part, 0.0), 1.0);
+
+    return hypot(a[0] + t * dx, a[1] + t * dy);
+}
+
+/* The trap that z ends in; TRAPS where it takes too long to tell.  *near: how
+ * close it came to the saddle. */
+static int follow(const struct trap *t, struct vec2 z, double rtol,
+                  double *near, size_t *evaluations)
+{
+    const struct ode ode = { 2, unit_speed, t->study };
+    const double atol[2] = { rtol, rtol };
+    double u[2] = { z.x, z.y }, u1[2], error[2], h = TOL_TRAP_STEP, factor;
+    struct control control = CONTROL_INIT(8.0);
+    struct explicit8 work;
+
+    *near = vec2_length(z);
+    unit_speed(t->study, 0.0, u, work.k[0]);
+    for (int n = 0; n < TOL_TRAP_STEPS; n++) {
+        const double off =
+            explicit8_try(&work, &ode, 0.0, u, h, atol, 0.0, u1, error);
+        const bool accepted = control_judge(&control, off, &factor);
+        *evaluations += EXPLICIT8_CALLS + accepted;
+        h *= factor;
+        if (!accepted)
+            continue;
+        *near = fmin(*near, chord_distance(u, u1));
+        u[0] = u1[0];
+        u[1] = u1[1];
+        const int caught = trap_at((struct vec2){ u[0], u[1] });
+        if (caught < TRAPS)
+            return caught;
+        unit_speed(t->study, 0.0, u, work.k[0]);
     }
-    if (evaluations)
-        *evaluations += o.field_calls + o.jacobian_calls;
-    orbit_free(&o);
-    return status == STATUS_NO_MEMORY ? status : STATUS_OK;
+    return TRAPS;
 }
 
 static enum status to_the_end(const struct trap *t, struct vec2 z,
@@ -81,8 +99,7 @@ static enum status to_the_end(const struct trap *t, struct vec2 z,
         fate_find(t->study, z, TOL_TRAP_RTOL, false, NULL, &r);
 
     *label = (int8_t) r.fate;
-    if (evaluations)
-        *evaluations += r.field_evaluations;
+    *evaluations += r.field_evaluations;
     return s;
 }
 
@@ -90,20 +107,20 @@ enum status trap_label(const struct trap *t, struct vec2 z, int8_t *label,
                        size_t *evaluations)
 {
     const struct vec2 offset = vec2_sub(z, t->study->system.origin);
+    int caught = t->set ? trap_at(offset) : TRAPS;
+    double near = 0.0, rtol = TOL_TRAP_RTOL;
+    size_t spent = 0;
+    enum status s = STATUS_OK;
 
-    if (!t->set)
-        return to_the_end(t, z, label, evaluations);
-    for (int i = 0; i < TRAPS; i++)
-        if (inside(offset, i == 0 ? 1.0 : -1.0) > 0.0) {
-            *label = t->fate[i];
-            return STATUS_OK;
-        }
-    for (double rtol = TOL_TRAP_RTOL; rtol >= TOL_TRAP_FINEST;
-         rtol *= TOL_TRAP_FINER) {
-        double far;
-        const enum status s = follow(t, offset, rtol, label, &far, evaluations);
-        if (s != STATUS_OK || far >= TOL_TRAP_FAR)
-            return s;
-    }
-    return STATUS_OK;
+    if (t->set && caught == TRAPS)
+        for (; near < TOL_TRAP_FAR * rtol && rtol >= TOL_TRAP_FINEST;
+             rtol *= TOL_TRAP_FINER)
+            caught = follow(t, offset, rtol, &near, &spent);
+    if (caught < TRAPS)
+        *label = t->fate[caught];
+    else
+        s = to_the_end(t, z, label, &spent);
+    if (evaluations)
+        *evaluations += spent;
+    return s;
 }

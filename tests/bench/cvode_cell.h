@@ -1,0 +1,15 @@
+/* cvode_cell.h -- the fate of one state by CVODE's BDF to the node, as a user
+ * of SUNDIALS would find it; built only where SUNDIALS was found. */
+#ifndef BENCH_CVODE_CELL_H
+#define BENCH_CVODE_CELL_H
+
+#include "plain.h"
+
+bool cvode_is_there(void);
+
+/* Of the offset z from the saddle: in (ln v, ln psi), rtol 1e-6, first step
+ * 1e-3 over the fastest rate, until within 1 % of a node; FATE_CREEP or
+ * FATE_SLIDING, -1 where CVODE gives up. */
+int cvode_label(struct plain *p, const double z[2]);
+
+#endif
