@@ -65,35 +65,63 @@ static enum status put_nullclines(const struct study *s, struct store *out)
     return status;
 }
 
-static enum status put_trajectory(const struct study *s,
-                                  const struct trajectory *t, size_t number,
-                                  struct store *out)
+/* A trajectory on its way into the file. */
+struct track {
+    const struct trajectory *at;
+    struct rows rows; /* owned */
+    enum status sampled;
+};
+
+/* Frees the rows. */
+static enum status put_track(const struct study *s, struct track *t,
+                             size_t number, struct store *out)
 {
     char group[64];
-    struct rows r = rows_of(&record_trajectory);
 
     snprintf(group, sizeof group, "/trajectory_%zu", number);
-    enum status status =
-        put_rows(out, group, &r, "time", rows_trajectory(s, &t->curve, &r));
+    enum status status = put_rows(out, group, &t->rows, "time", t->sampled);
     if (status == STATUS_OK)
-        status = store_put_text(out, group, "end", study_end_name(t));
+        status = store_put_text(out, group, "end", study_end_name(t->at));
     if (status == STATUS_OK)
         status = store_put_real(out, group, "energy_defect",
-                                study_energy_defect(s, &t->curve));
+                                study_energy_defect(s, &t->at->curve));
     return status;
 }
 
-static enum status put_trajectories(const struct study *s, struct store *out)
+/* Those with points; returns how many. */
+static size_t collect_tracks(const struct study *s, struct track *track)
 {
     const struct trajectories *set[] = { &s->chosen,
                                          &s->portrait.trajectories };
-    enum status status = STATUS_OK;
-    size_t number = 0;
+    size_t n = 0;
 
     for (int i = 0; i < 2; i++)
-        for (size_t k = 0; k < set[i]->count && status == STATUS_OK; k++)
+        for (size_t k = 0; k < set[i]->count; k++)
             if (set[i]->at[k].curve.count > 0)
-                status = put_trajectory(s, &set[i]->at[k], number++, out);
+                track[n++] =
+                    (struct track){ .at = &set[i]->at[k],
+                                    .rows = rows_of(&record_trajectory) };
+    return n;
+}
+
+/* Sampled on all threads first: that takes a third of the time of writing. */
+static enum status put_trajectories(const struct study *s, struct store *out)
+{
+    const size_t most = s->chosen.count + s->portrait.trajectories.count;
+    struct track *track = calloc(most + 1, sizeof *track);
+    enum status status = track ? STATUS_OK : STATUS_NO_MEMORY;
+    const size_t n = track ? collect_tracks(s, track) : 0;
+
+#pragma omp parallel for schedule(dynamic, 1)
+    for (size_t k = 0; k < n; k++)
+        track[k].sampled =
+            rows_trajectory(s, &track[k].at->curve, &track[k].rows);
+    for (size_t k = 0; k < n; k++)
+        if (status == STATUS_OK)
+            status = put_track(s, &track[k], k, out);
+        else
+            rows_free(&track[k].rows);
+    free(track);
     return status;
 }
 
@@ -240,8 +268,9 @@ enum status export_study(const struct study *s, const char *path,
     struct store *out = NULL;
     const char *title =
         s->scene->title[0] ? s->scene->title : s->block.law.preset;
-    enum status status = store_create(path, title, &out, why);
 
+    store_silence();
+    enum status status = store_create(path, title, &out, why);
     if (status != STATUS_OK)
         return status;
     status = put_all(s, out, monitor);

@@ -5,8 +5,11 @@
 
 #include "store_grid.h"
 #include "store_records.h"
+#include "tolerance.h"
 
-enum { BLOCK_ROWS = 64 };
+/* Rows written at a time: whole chunks, each compressed once.  Of those with
+ * orbits of their own so many cells between two looks at Ctrl-C. */
+enum { BLOCK_ROWS = STORE_CHUNK, LOOK_CELLS = 1 << 13 };
 
 static const char group[] = "/basin";
 
@@ -110,10 +113,28 @@ struct row_block {
     double *margin[2]; /* owned; NULL where nobody asks */
 };
 
-static enum status put_block(const struct basin_map *m, struct store *out,
-                             struct row_block *b, size_t first, size_t count)
+static enum status label_block(const struct basin_map *m, size_t first,
+                               size_t count, int8_t label[],
+                               const struct monitor *monitor)
 {
-    enum status s = basin_map_rows(m, first, count, b->label);
+    const size_t step = m->exact ? LOOK_CELLS / m->columns + 1 : count;
+    enum status s = STATUS_OK;
+
+    for (size_t j = 0; j < count && s == STATUS_OK; j += step) {
+        const size_t n = count - j < step ? count - j : step;
+        s = basin_map_rows(m, first + j, n, label + j * m->columns);
+        if (s == STATUS_OK &&
+            monitor_tell(monitor, "rows", first + j + n, m->rows))
+            s = STATUS_STOPPED;
+    }
+    return s;
+}
+
+static enum status put_block(const struct basin_map *m, struct store *out,
+                             struct row_block *b, size_t first, size_t count,
+                             const struct monitor *monitor)
+{
+    enum status s = label_block(m, first, count, b->label, monitor);
 
     if (s == STATUS_OK)
         s = store_put_rows(out, group, &label_field, first, count, b->label);
@@ -137,9 +158,8 @@ static enum status put_blocks(const struct basin_map *m, struct store *out,
 
     for (size_t j = 0; j < m->rows && s == STATUS_OK; j += BLOCK_ROWS) {
         const size_t left = m->rows - j;
-        s = put_block(m, out, b, j, left < BLOCK_ROWS ? left : BLOCK_ROWS);
-        if (s == STATUS_OK && monitor_tell(monitor, "rows", j, m->rows))
-            s = STATUS_STOPPED;
+        s = put_block(m, out, b, j, left < BLOCK_ROWS ? left : BLOCK_ROWS,
+                      monitor);
     }
     return s;
 }
@@ -169,7 +189,8 @@ enum status export_basin(const struct study *s, struct store *out,
 {
     const struct basin_map *m = &s->basins;
     const bool margins = s->scene->products & (1u << PRODUCT_MARGIN);
-    const size_t cells = BLOCK_ROWS * m->columns;
+    const size_t rows = m->rows < BLOCK_ROWS ? m->rows : BLOCK_ROWS;
+    const size_t cells = rows * m->columns;
     struct row_block b = { .label = malloc(cells) };
 
     for (int i = 0; margins && i < 2; i++)

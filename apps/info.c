@@ -4,6 +4,7 @@
 
 #include "command.h"
 #include "json.h"
+#include "library.h"
 #include "merge.h"
 #include "store_read.h"
 
@@ -112,6 +113,7 @@ enum exit_code command_info(const struct options *o)
     if (o->files == 0 || (o->files > 1 && !scene))
         return command_fail(STATUS_BAD_SCENE,
                             "info: expected FILE.h5, then perhaps 'scene'");
+    store_silence();
     enum status s = store_open(o->file[0], &file, &why);
     if (s != STATUS_OK)
         return command_fail(s, why.text);

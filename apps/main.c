@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include "command.h"
-#include "library.h"
 
 static enum exit_code run(const struct options *o)
 {
@@ -46,7 +45,6 @@ int main(int argc, char *argv[])
 
     keep_streams_apart();
     gsl_set_error_handler_off();
-    store_silence();
     options_parse(&o, argc, argv);
     if (o.threads > 0)
         omp_set_num_threads(o.threads);

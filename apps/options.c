@@ -24,6 +24,9 @@ enum key {
     KEY_SEED,
     KEY_EXACT,
     KEY_SENSITIVITIES,
+    KEY_V,
+    KEY_PSI,
+    KEY_STATES,
     KEY_HELP,
     KEY_VERSION
 };
@@ -52,6 +55,10 @@ static const struct argp_option option_table[] = {
     { "sensitivities", KEY_SENSITIVITIES, 0, 0,
       "Add derivatives by the inputs, and what rounding these costs", 0 },
     { "seed", KEY_SEED, "N", 0, "Seed of everything random", 0 },
+    { "v", KEY_V, "V", 0, "push: slip rate in units of V_star", 0 },
+    { "psi", KEY_PSI, "PSI", 0, "push: interfacial state", 0 },
+    { "states", KEY_STATES, "FILE", 0,
+      "push: many states, a CSV file with columns v and psi", 0 },
     { "help", KEY_HELP, 0, 0, "Print this", -1 },
     { "version", KEY_VERSION, 0, 0, "Print the version", -1 },
     { 0 },
@@ -180,16 +187,35 @@ static _Noreturn void print_and_leave(const struct options *o, bool help)
     exit(EXIT_DONE);
 }
 
+/* Where an option is kept as it was given; NULL: not at all. */
+static const char **text_option(struct options *o, int key)
+{
+    switch (key) {
+        case 'o':
+            return &o->output;
+        case KEY_V:
+            return &o->v;
+        case KEY_PSI:
+            return &o->psi;
+        case KEY_STATES:
+            return &o->states;
+        default:
+            return NULL;
+    }
+}
+
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct options *o = state->input;
 
-    if (key == 'o')
-        o->output = value;
+    if (text_option(o, key))
+        *text_option(o, key) = value;
     if (scene_key(key)) {
         add_set(o, scene_key(key), value, is_path(key));
         return 0;
     }
+    if (text_option(o, key))
+        return 0;
     switch (key) {
         case KEY_SET:
             if (strchr(value, '=') == NULL)

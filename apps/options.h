@@ -15,7 +15,8 @@ struct options {
     size_t files;
     char *set[OPTIONS_SETS]; /* owned: "key=value", in order */
     size_t sets;
-    const char *output; /* of -o, borrowed; NULL: none */
+    const char *output;           /* of -o, borrowed; NULL: none */
+    const char *v, *psi, *states; /* of push, borrowed; NULL: not given */
     bool json, keep_script, quiet, tap, record, sensitivities;
     int threads; /* 0: what OpenMP chooses */
     enum progress progress;

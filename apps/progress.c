@@ -1,11 +1,27 @@
 #include "progress.h"
 
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
+#include <string.h>
+#include <time.h>
 #include <unistd.h>
+
+enum { BAR_WIDTH = 20 };
+
+/* Seconds between two lines of a stage; its first and last are always shown. */
+static const double rest = 0.1;
+
+/* What is shown of the stage at hand. */
+struct shown {
+    const char *stage;  /* borrowed; NULL: none yet */
+    double begun, last; /* seconds */
+    uint64_t from;      /* done when it was first told of */
+};
 
 static volatile sig_atomic_t interrupted;
 static enum progress how;
+static struct shown shown;
 static bool line_shown;
 
 static void on_signal(int number)
@@ -14,17 +30,60 @@ static void on_signal(int number)
     interrupted = 1;
 }
 
+static double now(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
+}
+
+/* Notes that it is time for another line of this stage. */
+static bool is_due(const char *stage, uint64_t done, uint64_t total)
+{
+    const double t = now();
+    const bool same = shown.stage && strcmp(shown.stage, stage) == 0;
+
+    if (same && t - shown.last < rest && !(total > 0 && done >= total))
+        return false;
+    if (!same || done < shown.from)
+        shown = (struct shown){ stage, t, t, done };
+    shown.last = t;
+    return true;
+}
+
+static void show_json(const char *stage, uint64_t done, uint64_t total)
+{
+    fprintf(stderr, "{\"stage\": \"%s\", \"done\": %llu, \"total\": %llu}\n",
+            stage, (unsigned long long) done, (unsigned long long) total);
+}
+
+/* stage [#####---------------]  25 %  1.2e+03/s  0:42 left */
+static void show_bar(const char *stage, uint64_t done, uint64_t total)
+{
+    const double part = (double) done / (double) total;
+    const double passed = shown.last - shown.begun;
+    char bar[BAR_WIDTH + 1] = "";
+
+    for (int i = 0; i < BAR_WIDTH; i++)
+        bar[i] = i < (int) (part * BAR_WIDTH) ? '#' : '-';
+    fprintf(stderr, "\r\033[K%s [%s] %3.0f %%", stage, bar, 100.0 * part);
+    if (done > shown.from && passed > 0.0) {
+        const double rate = (double) (done - shown.from) / passed;
+        const double left = (double) (total - done) / rate;
+        fprintf(stderr, "  %.3g/s  %.0f:%02.0f left", rate, floor(left / 60.0),
+                fmod(floor(left), 60.0));
+    }
+}
+
 static void show(const char *stage, uint64_t done, uint64_t total)
 {
     if (how == PROGRESS_JSON) {
-        fprintf(stderr,
-                "{\"stage\": \"%s\", \"done\": %llu, \"total\": %llu}\n", stage,
-                (unsigned long long) done, (unsigned long long) total);
+        show_json(stage, done, total);
         return;
     }
     if (total > 0)
-        fprintf(stderr, "\r\033[K%s: %llu of %llu", stage,
-                (unsigned long long) done, (unsigned long long) total);
+        show_bar(stage, done < total ? done : total, total);
     else
         fprintf(stderr, "\r\033[K%s", stage);
     line_shown = true;
@@ -33,7 +92,7 @@ static void show(const char *stage, uint64_t done, uint64_t total)
 static int tell(void *ctx, const char *stage, uint64_t done, uint64_t total)
 {
     (void) ctx;
-    if (how != PROGRESS_NONE)
+    if (how != PROGRESS_NONE && is_due(stage, done, total))
         show(stage, done, total);
     return interrupted;
 }

@@ -1,5 +1,6 @@
-/* progress.h -- the monitor of long work: a line on a terminal, JSON lines for
- * programs, and Ctrl-C. */
+/* progress.h -- the monitor of long work: a bar with rate and time left on a
+ * terminal, JSON lines for programs, and Ctrl-C.  Ten lines a second at most,
+ * but the first and the last of every stage. */
 #ifndef APPS_PROGRESS_H
 #define APPS_PROGRESS_H
 

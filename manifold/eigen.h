@@ -3,24 +3,22 @@
  * nothing with grow.h but the field: no jets, an explicit Runge-Kutta method,
  * other coordinates, another start and another end.
  *
- * Eigen-coordinates W = (X, Y) of an offset z from the saddle,
- *
- *     z = P W,     columns of P: eigenvectors to lambda_-, lambda_+,
- *
- * (36) of Putelat & Dawes (2015), whose X and Y are these over B.  The
- * manifold is Y = S(X), S(0) = S'(0) = 0, S' = Ydot/Xdot, (37).  Far out
- * S' -> -1, where neither X nor Y is singled out, so the curve is followed in
- * its arc length s in the (X, Y) plane: dW/ds = -Wdot/|Wdot|.
+ * In eigen-coordinates W = (X, Y) (eigen_frame.h) the manifold is Y = S(X),
+ * S(0) = S'(0) = 0, S' = Ydot/Xdot, (37).  Far out S' -> -1, where neither X
+ * nor Y is singled out, so the curve is followed in its arc length s in the
+ * (X, Y) plane: dW/ds = -Wdot/|Wdot|; and where z has become a small difference
+ * of large X and Y, in its arc length in the plane of z.
  */
 #ifndef MANIFOLD_EIGEN_H
 #define MANIFOLD_EIGEN_H
 
 #include "branch.h"
+#include "eigen_frame.h"
 #include "monitor.h"
 
 struct eigen_options {
-    double rtol; /* asked of the limits and integrals */
-    size_t max_steps;
+    double rtol;      /* asked of the limits and integrals */
+    size_t max_steps; /* of each of two runs */
     struct carry carry;
     const struct monitor *monitor; /* borrowed, may be NULL */
 };
@@ -35,20 +33,14 @@ struct eigen_branch {
     struct curve curve; /* owned; the same pieces, components 0, 1: X, Y */
 };
 
-/* P.  Each column has its larger component 1 in size and x > 0 (y > 0 where
- * x = 0): x-component 1 where the eigenvector is flatter than the diagonal. */
-struct mat2 eigen_basis(const struct equilibrium *e);
-
-/* P W, and P^-1 z: not finite where the eigenvectors coincide. */
-struct vec2 eigen_point(struct mat2 basis, struct vec2 W);
-struct vec2 eigen_coordinates(struct mat2 basis, struct vec2 z);
-
 /* The half of the stable manifold with X > 0 (side +1: towards larger x;
  * larger y where it leaves the saddle vertically) or X < 0 (side -1), of the
  * saddle `e` at sys->origin; uses sys->field and sys->rate_gradient only.
  * Limits and totals come from a run with a tenth of rtol; errors also from its
- * difference to a second run, a hundred times coarser and from another start.
- * STATUS_BAD_ARGUMENT: rtol not in (0, 1), side not +-1, too much to carry;
+ * difference to a second run, a hundred times coarser and from another start;
+ * they are infinite where the two end differently.
+ * STATUS_BAD_ARGUMENT: rtol not in (0, 1), side not +-1, too much to carry, the
+ * saddle outside sys->domain;
  * STATUS_NOT_HYPERBOLIC: `e` has no such manifold; STATUS_NO_CONVERGENCE: no
  * start is near enough, or no step is short enough; STATUS_STOPPED;
  * STATUS_NO_MEMORY.  On error *out is empty. */

@@ -1,8 +1,7 @@
 /*
- * Knees of a branch.  Crossings are bracketed on the stored polynomials and
- * count only where the field's slope crosses too; each is located twice, on
- * the polynomial's derivative and on the field's slope along the polynomial,
- * and the difference of the two is the error.
+ * Knees of a branch: sign changes of the field's slope less 1 along the stored
+ * polynomials, from piece to piece without a gap.  What the polynomials' own
+ * slope is off there, together with the curve's error, is the error.
  */
 #include "knee.h"
 
@@ -17,12 +16,13 @@ struct seeker {
     size_t piece;
 };
 
-/* Sign as of dy/dx - 1, smooth also where the branch is vertical. */
-static double by_polynomial(const struct seeker *s, double theta)
+/* Sign as of dy/dx - 1, smooth also where the branch is vertical: at the saddle
+ * from the polynomial, elsewhere from the field. */
+static double at_saddle(const struct seeker *s)
 {
     double d[CURVE_DIM_MAX];
 
-    curve_slope_at(&s->b->curve, s->piece, theta, d);
+    curve_slope_at(&s->b->curve, 0, 0.0, d);
     return copysign(1.0, d[0]) * (d[1] - d[0]);
 }
 
@@ -36,20 +36,18 @@ static double by_field(const struct seeker *s, double theta)
     return copysign(1.0, f.direction.x) * (f.direction.y - f.direction.x);
 }
 
-typedef double seeker_function(const struct seeker *s, double theta);
-
-/* A root in [lo, hi], where f changes sign: bracketed secant steps. */
-static double root_in(seeker_function *f, const struct seeker *s, double lo,
-                      double hi)
+/* The root in [lo, hi] of by_field, which changes sign: bracketed secant
+ * steps. */
+static double root_in(const struct seeker *s, double lo, double hi)
 {
-    double at_lo = f(s, lo), at_hi = f(s, hi);
+    double at_lo = by_field(s, lo), at_hi = by_field(s, hi);
     int side = 0;
 
     for (int i = 0; i < 100 && hi - lo > DBL_EPSILON; i++) {
         double t = hi - at_hi * (hi - lo) / (at_hi - at_lo);
         if (!(t > lo && t < hi) || i % 8 == 7)
             t = 0.5 * (lo + hi);
-        const double at = f(s, t);
+        const double at = by_field(s, t);
         if (at == 0.0)
             return t;
         if ((at < 0.0) == (at_lo < 0.0)) {
@@ -105,34 +103,27 @@ static double bend(const struct seeker *s, double theta)
     return fabs(above - below) / (hi - lo);
 }
 
-/* The crossing in [lo, hi] by both routes; false where the field's slope does
- * not cross in [wide_lo, wide_hi] around it. */
-static bool locate(const struct seeker *s, double lo, double hi, bool rising,
-                   struct knee *out)
+/* The crossing in [lo, hi], by the field; the polynomials' own slope there,
+ * off as they are, would cross elsewhere. */
+static struct knee locate(const struct seeker *s, double lo, double hi,
+                          bool rising)
 {
-    const double wide_lo = fmax(lo - (hi - lo), 0.0);
-    const double wide_hi = fmin(hi + (hi - lo), 1.0);
-    const double at_lo = by_field(s, wide_lo), at_hi = by_field(s, wide_hi);
-
-    if (!((at_lo < 0.0) != (at_hi < 0.0)))
-        return false;
-    const double first = root_in(by_polynomial, s, lo, hi);
-    const double second = root_in(by_field, s, wide_lo, wide_hi);
-    const struct vec2 p = point_of(s, first), q = point_of(s, second);
-    const double off = slope_uncertainty(s, q), shift = off / bend(s, second);
-    double d[CURVE_DIM_MAX];
-    curve_slope_at(&s->b->curve, s->piece, second, d);
+    const bool jumped = (by_field(s, lo) < 0.0) != rising;
+    const double theta = jumped ? lo : root_in(s, lo, hi);
+    const struct vec2 z = point_of(s, theta);
     const double floor = 2.0 * piece_error(s) + 4.0 * DBL_EPSILON;
+    double d[CURVE_DIM_MAX];
 
-    *out = (struct knee){
-        .z = q,
-        .error = { 2.0 * fabs(p.x - q.x) + fabs(d[0]) * shift +
-                       floor * (1.0 + fabs(q.x)),
-                   2.0 * fabs(p.y - q.y) + fabs(d[1]) * shift +
-                       floor * (1.0 + fabs(q.y)) },
+    curve_slope_at(&s->b->curve, s->piece, theta, d);
+    const double off =
+        slope_uncertainty(s, z) + 2.0 * fabs((d[1] - d[0]) / d[0]);
+    const double shift = off / bend(s, theta);
+    return (struct knee){
+        .z = z,
+        .error = { fabs(d[0]) * shift + floor * (1.0 + fabs(z.x)),
+                   fabs(d[1]) * shift + floor * (1.0 + fabs(z.y)) },
         .rising = rising,
     };
-    return true;
 }
 
 size_t knee_find(const struct planar *sys, const struct branch *b,
@@ -141,21 +132,18 @@ size_t knee_find(const struct planar *sys, const struct branch *b,
     struct seeker s = { sys, b, 0 };
     size_t n = 0;
 
-    for (; s.piece < b->curve.count; s.piece++) {
-        double lo = 0.0, at_lo = by_polynomial(&s, 0.0);
-        for (int i = 1; i <= SAMPLES; i++) {
-            const double hi = (double) i / SAMPLES;
-            const double at_hi = by_polynomial(&s, hi);
-            struct knee found;
-            if ((at_lo < 0.0) != (at_hi < 0.0) &&
-                locate(&s, lo, hi, at_lo < 0.0, &found)) {
+    double at_lo = at_saddle(&s); /* the field vanishes at the saddle */
+    for (; s.piece < b->curve.count; s.piece++)
+        for (int i = 0; i < SAMPLES; i++) {
+            const double lo = (double) i / SAMPLES;
+            const double hi = (double) (i + 1) / SAMPLES;
+            const double at_hi = by_field(&s, hi);
+            if ((at_lo < 0.0) != (at_hi < 0.0)) {
                 if (n < room)
-                    knee[n] = found;
+                    knee[n] = locate(&s, lo, hi, at_lo < 0.0);
                 n++;
             }
-            lo = hi;
             at_lo = at_hi;
         }
-    }
     return n;
 }

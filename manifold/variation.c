@@ -2,14 +2,16 @@
  * Collocation at Gauss points on the pieces of the branch, of order twice
  * their number (Hairer, Lubich & Wanner, Geometric Numerical Integration
  * (2006), II.1.2).  The pieces are Taylor steps, so the curve's singularities
- * are several of their lengths away and few points will do.  What we changed:
- * the first piece starts on the saddle, where the equation is 0/0; the points
- * do not touch it, and the start value is known.
+ * are several of their lengths away and few points will do; where those of the
+ * equation are nearer the last Legendre coefficients tell, and the piece is
+ * halved.  What we changed: the first piece starts on the saddle, where the
+ * equation is 0/0; the points do not touch it, and the start value is known.
  */
 #include "variation.h"
 
-#include <float.h>
 #include <math.h>
+
+#include "tolerance.h"
 
 enum { NODES = VARIATION_NODES_MAX };
 
@@ -18,6 +20,7 @@ struct collocation {
     double node[NODES];           /* in [0, 1] */
     double weight[NODES];         /* integral to 1 */
     double partial[NODES][NODES]; /* to node i: sum_j partial[i][j] f_j */
+    double last[2][NODES]; /* coefficients of P_n-2, P_n-1: sum last[][j] f_j */
 };
 
 /* Legendre's P_0..P_n at x. */
@@ -66,6 +69,10 @@ static void collocation_init(struct collocation *c, size_t n)
                 sum += P[j][k] * (P[i][k + 1] - P[i][k - 1]);
             c->partial[i][j] = 0.25 * weight[j] * sum;
         }
+    for (size_t j = 0; j < n; j++)
+        for (size_t k = 0; k < 2; k++)
+            c->last[k][j] =
+                ((double) (n - 2 + k) + 0.5) * weight[j] * P[j][n - 2 + k];
 }
 
 /* Everything on the way along one branch. */
@@ -73,7 +80,7 @@ struct walk {
     const struct planar *sys;
     const struct branch *b;
     const struct variation *v;
-    const struct collocation *rule;
+    struct collocation rule;
     int ind; /* independent coordinate of the piece */
     double eta[VARIATION_MAX];
 };
@@ -137,25 +144,65 @@ static struct vec2 point_at(const struct branch *b, size_t piece, double theta)
     return (struct vec2){ at[0], at[1] };
 }
 
-/* The unknowns are d eta/d theta at the nodes. */
-static void cross_piece(struct walk *w, size_t piece)
+/* d eta/d theta at the nodes of [from, from + width] of a piece. */
+static void find_rates(const struct walk *w, size_t piece, double from,
+                       double width, double rate[NODES][VARIATION_MAX])
 {
-    const struct collocation *c = w->rule;
+    const struct collocation *c = &w->rule;
     const double *ind = curve_component(&w->b->curve, piece, (size_t) w->ind);
-    double A[NODES][NODES], rate[NODES][VARIATION_MAX];
+    const double unit = width * ind[1];
+    double A[NODES][NODES];
 
     for (size_t i = 0; i < c->n; i++) {
+        const double theta = from + width * c->node[i];
         double grow;
-        equation_at(w, point_at(w->b, piece, c->node[i]), &grow, rate[i]);
+        equation_at(w, point_at(w->b, piece, theta), &grow, rate[i]);
         for (size_t j = 0; j < c->n; j++)
-            A[i][j] = (i == j) - ind[1] * grow * c->partial[i][j];
+            A[i][j] = (i == j) - unit * grow * c->partial[i][j];
         for (size_t p = 0; p < w->v->count; p++)
-            rate[i][p] = ind[1] * (grow * w->eta[p] + rate[i][p]);
+            rate[i][p] = unit * (grow * w->eta[p] + rate[i][p]);
     }
     solve(c->n, A, rate, w->v->count);
-    for (size_t p = 0; p < w->v->count; p++)
-        for (size_t i = 0; i < c->n; i++)
-            w->eta[p] += c->weight[i] * rate[i][p];
+}
+
+/* The end is good to about the square of what the last coefficients are. */
+static bool is_resolved(const struct walk *w, double rate[NODES][VARIATION_MAX])
+{
+    const struct collocation *c = &w->rule;
+
+    for (size_t p = 0; p < w->v->count; p++) {
+        double size = fabs(w->eta[p]), last[2] = { 0.0, 0.0 };
+        for (size_t i = 0; i < c->n; i++) {
+            size = fmax(size, fabs(rate[i][p]));
+            last[0] += c->last[0][i] * rate[i][p];
+            last[1] += c->last[1][i] * rate[i][p];
+        }
+        const double left = fmax(fabs(last[0]), fabs(last[1]));
+        if (left > sqrt(w->v->tol) * size)
+            return false;
+    }
+    return true;
+}
+
+/* From theta = 0 to 1, halving as needed. */
+static void cross_piece(struct walk *w, size_t piece)
+{
+    const struct collocation *c = &w->rule;
+    double rate[NODES][VARIATION_MAX], from = 0.0, width = 1.0;
+
+    while (from < 1.0) {
+        find_rates(w, piece, from, width, rate);
+        if (!is_resolved(w, rate) && width > TOL_VARIATION_SHORTEST) {
+            width *= 0.5;
+            continue;
+        }
+        for (size_t p = 0; p < w->v->count; p++)
+            for (size_t i = 0; i < c->n; i++)
+                w->eta[p] += c->weight[i] * rate[i][p];
+        from += width;
+        if (fmod(from, 2.0 * width) == 0.0 && width < 1.0)
+            width *= 2.0;
+    }
 }
 
 /* The coordinate over which a piece is a graph is linear in theta. */
@@ -169,24 +216,36 @@ static int graph_of(const struct branch *b, size_t piece)
     return linear ? 0 : 1;
 }
 
+/* The solution of A dz = -g by rows of size one: the two components of a field
+ * may differ by a factor of 1e240. */
+static struct vec2 motion_of(struct mat2 A, struct vec2 g)
+{
+    const double x = fmax(fabs(A.xx), fabs(A.xy));
+    const double y = fmax(fabs(A.yx), fabs(A.yy));
+    const struct mat2 m = { A.xx / x, A.xy / x, A.yx / y, A.yy / y };
+    const struct vec2 h = { g.x / x, g.y / y };
+    const double det = mat2_det(m);
+
+    return (struct vec2){ (m.xy * h.y - m.yy * h.x) / det,
+                          (m.yx * h.x - m.xx * h.y) / det };
+}
+
 /* eta at the saddle, from the saddle's own motion. */
 static void start(struct walk *w)
 {
     const struct vec2 origin = { 0.0, 0.0 };
+    const double *x = curve_component(&w->b->curve, 0, 0);
+    const double *y = curve_component(&w->b->curve, 0, 1);
     struct planar_jacobian J;
     struct vec2 g[VARIATION_MAX];
 
     w->sys->jacobian(w->sys->ctx, origin, &J);
     w->v->gradient(w->v->ctx, origin, &J.field, g);
     w->ind = graph_of(w->b, 0);
-    const double *x = curve_component(&w->b->curve, 0, 0);
-    const double *y = curve_component(&w->b->curve, 0, 1);
-    const struct mat2 m = J.matrix;
-    const double det = mat2_det(m);
     for (size_t i = 0; i < w->v->count; i++) {
-        const double dx = (m.xy * g[i].y - m.yy * g[i].x) / det;
-        const double dy = (m.yx * g[i].x - m.xx * g[i].y) / det;
-        w->eta[i] = w->ind == 0 ? dy - y[1] / x[1] * dx : dx - x[1] / y[1] * dy;
+        const struct vec2 d = motion_of(J.matrix, g[i]);
+        w->eta[i] =
+            w->ind == 0 ? d.y - y[1] / x[1] * d.x : d.x - x[1] / y[1] * d.y;
     }
 }
 
@@ -201,14 +260,12 @@ static void change_graph(struct walk *w, int ind, struct vec2 z)
 }
 
 void variation_along(const struct planar *sys, const struct branch *b,
-                     const struct variation *v, size_t nodes, double end[],
-                     double rest[])
+                     const struct variation *v, double end[], double rest[])
 {
-    struct collocation rule;
-    struct walk w = { .sys = sys, .b = b, .v = v, .rule = &rule };
+    struct walk w = { .sys = sys, .b = b, .v = v };
     double grow, push[VARIATION_MAX];
 
-    collocation_init(&rule, nodes);
+    collocation_init(&w.rule, v->nodes);
     start(&w);
     for (size_t piece = 0; piece < b->curve.count; piece++) {
         const int ind = graph_of(b, piece);

@@ -22,15 +22,16 @@ struct variation {
     void (*gradient)(const void *ctx, struct vec2 z,
                      const struct planar_field *f, struct vec2 out[]);
     const void *ctx; /* borrowed */
+    size_t nodes;    /* Gauss points a piece, 2..VARIATION_NODES_MAX */
+    double tol;      /* pieces are halved until what is left, relative, is
+                        about this */
 };
 
-/* Along the branch by collocation at `nodes` Gauss points a piece.
- * end[i]: eta at the end of the branch's curve, of x where that is a graph
- * over y and of y where it is one over x; rest[i]: |d eta/d ind| there, about
- * what a branch with a limit leaves out.  Not finite where the field's
- * derivatives are not. */
+/* Along the branch's curve.  end[i]: eta at the end of the branch's curve, of x
+ * where that is a graph over y and of y where it is one over x; rest[i]: |d
+ * eta/d ind| there, about what a branch with a limit leaves out.  Not finite
+ * where the field's derivatives are not. */
 void variation_along(const struct planar *sys, const struct branch *b,
-                     const struct variation *v, size_t nodes, double end[],
-                     double rest[]);
+                     const struct variation *v, double end[], double rest[]);
 
 #endif

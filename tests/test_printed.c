@@ -1,23 +1,23 @@
 /* The numbers that Putelat & Dawes (2015) print, and the same with the digits
- * an independent computation gave them.  Each is compared to half a unit of
- * its last digit. */
+ * an independent computation gave them, rounded or cut off.  Each is compared
+ * to one unit of its last digit. */
 #include <math.h>
 
 #include "asked.h"
 
-/* Half a unit of the last digit of a decimal like 2.81e3, and a little. */
-static double half_unit(const char *text)
+/* A unit of the last digit of a decimal like 2.81e3. */
+static double last_digit(const char *text)
 {
     const char *e = strchr(text, 'e'), *point = strchr(text, '.');
     const char *end = e ? e : text + strlen(text);
     const double digits = point ? (double) (end - point - 1) : 0.0;
 
-    return 0.501 * pow(10.0, (e ? strtod(e + 1, NULL) : 0.0) - digits);
+    return pow(10.0, (e ? strtod(e + 1, NULL) : 0.0) - digits);
 }
 
 static void same(const char *what, double value, const char *text)
 {
-    CHECK(fabs(value - strtod(text, NULL)) <= half_unit(text),
+    CHECK(fabs(value - strtod(text, NULL)) <= last_digit(text),
           "%s = %.12g, printed %s", what, value, text);
 }
 

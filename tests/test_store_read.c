@@ -8,6 +8,7 @@
 #include "fault_alloc.h"
 #include "own_folder.h"
 #include "sample_store.h"
+#include "tolerance.h"
 
 enum { LONG_TEXT = 100000 };
 
@@ -112,6 +113,55 @@ static void a_text_of_any_length_reads_back(void **state)
     sample_no_handles();
 }
 
+/* More than stand in an object's header. */
+enum { MANY = 3 * STORE_COMPACT };
+
+struct many {
+    int texts, groups;
+};
+
+/* Names fall in the alphabet as they are put. */
+static const char *many_name(const char *before, int k)
+{
+    static char name[16];
+
+    snprintf(name, sizeof name, "%s%04d", before, MANY - k);
+    return name;
+}
+
+static int see_many(void *ctx, const struct store_item *item)
+{
+    struct many *seen = ctx;
+
+    if (item->kind == STORE_GROUP && strcmp(item->path, "/") != 0)
+        assert_string_equal(item->path, many_name("/g", seen->groups++));
+    if (item->kind == STORE_TEXT && item->key[0] == 'k')
+        assert_string_equal(item->key, many_name("k", seen->texts++));
+    return 0;
+}
+
+static void many_groups_and_texts_keep_the_order_put(void **state)
+{
+    const char *path = own_path("out.h5");
+    struct many seen = { 0, 0 };
+    struct store *st;
+    struct fault fault = { "" };
+
+    (void) state;
+    assert_int_equal(store_create(path, "", &st, &fault), STATUS_OK);
+    for (int k = 0; k < MANY; k++) {
+        (void) !store_put_text(st, "/", many_name("k", k), "text");
+        (void) !store_put_text(st, many_name("/g", k), "text", "text");
+    }
+    assert_int_equal(store_commit(st, &fault), STATUS_OK);
+    store_free(&st);
+    assert_int_equal(store_open(path, &st, &fault), STATUS_OK);
+    assert_int_equal(store_visit(st, see_many, &seen, &fault), STATUS_OK);
+    store_free(&st);
+    assert_int_equal(seen.groups, MANY);
+    assert_int_equal(seen.texts, MANY);
+}
+
 static void damaged_files_are_refused_in_one_line(void **state)
 {
     const char *path = own_path("out.h5");
@@ -165,6 +215,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_visit_tells_of_everything_in_the_order_put),
         TEST(a_text_of_any_length_reads_back),
+        TEST(many_groups_and_texts_keep_the_order_put),
         TEST(damaged_files_are_refused_in_one_line),
         TEST(any_allocation_may_fail),
     };

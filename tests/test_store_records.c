@@ -2,6 +2,7 @@
 #include "store_records.h"
 
 #include <hdf5.h>
+#include <hdf5_hl.h>
 #include <math.h>
 #include <string.h>
 
@@ -22,6 +23,48 @@ static void every_reader_opens_the_sample(void **state)
     snprintf(command, sizeof command,
              "/usr/bin/python3 '%s/tests/open_file.py' '%s' >&2", root, path);
     assert_int_equal(system(command), 0);
+}
+
+static herr_t is_tied(hid_t set, unsigned dimension, hid_t axis, void *ctx)
+{
+    int *ties = ctx;
+
+    assert_int_equal(H5DSis_attached(set, axis, dimension), 1);
+    ++*ties;
+    return 0;
+}
+
+static herr_t count_ties(hid_t root, const char *name, const H5O_info_t *info,
+                         void *ctx)
+{
+    const hid_t set = H5Oopen(root, name, H5P_DEFAULT);
+    int *ties = ctx;
+
+    if (info->type == H5O_TYPE_DATASET && H5DSis_scale(set) == 0) {
+        const hid_t space = H5Dget_space(set);
+        const int rank = H5Sget_simple_extent_ndims(space);
+        const int before = *ties;
+        for (int i = 0; i < rank; i++)
+            H5DSiterate_scales(set, (unsigned) i, NULL, is_tied, ties);
+        CHECK(*ties == before + rank, "%s", name);
+        H5Sclose(space);
+    }
+    H5Oclose(set);
+    return 0;
+}
+
+static void every_data_set_knows_its_axes_and_they_know_it(void **state)
+{
+    int ties = 0;
+    hid_t file;
+
+    (void) state;
+    sample_must_write(own_path("out.h5"));
+    file = H5Fopen(own_path("out.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
+    H5Ovisit2(file, H5_INDEX_CRT_ORDER, H5_ITER_INC, count_ties, &ties,
+              H5O_INFO_BASIC);
+    H5Fclose(file);
+    assert_int_equal(ties, SAMPLE_TIES);
 }
 
 static void read_set(const char *name, hid_t type, void *values)
@@ -112,6 +155,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(every_reader_opens_the_sample),
+        TEST(every_data_set_knows_its_axes_and_they_know_it),
         TEST(columns_hold_what_the_records_held),
         TEST(texts_are_stored_in_utf_8),
         TEST(a_grid_keeps_its_rows_and_fills_the_rest),

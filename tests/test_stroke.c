@@ -298,6 +298,8 @@ static void a_label_is_one_inert_string(void **state)
 {
     (void) state;
     check_label("it's", 100, "'it''s'");
+    check_label("''a'", 100, "\"'\".\"'\".'a'''");
+    check_label("a]]>", 100, "'a]] >'");
     check_label("a\nb\x7f\x1b", 100, "'a b  '");
     check_label("\xcf\x88 \xf0\x9f\x8c\x8d", 100,
                 "'\xcf\x88 \xf0\x9f\x8c\x8d'");

@@ -32,7 +32,7 @@
  * steps. */
 #define TOL_ORDER_BASE      6.0
 #define TOL_ORDER_PER_DIGIT 1.35
-#define TOL_TAYLOR_STEP     0.05
+#define TOL_TAYLOR_STEP     0.02
 /* The bar of a step: this many times its first missing and its last terms. */
 #define TOL_STEP_BAR_NEXT 4.0
 #define TOL_STEP_BAR_LAST 0.4
@@ -190,23 +190,32 @@
 #define TOL_EIGEN_START   0.25
 #define TOL_EIGEN_SHORTEN 0.01
 /* A branch has ended when what is left is below this part of rtol, so that
- * the end never dominates the error; and the slowest decay of a rate, per unit
- * of ln v or ln psi, that can be told from none. */
+ * the end never dominates the error; at the edge of the domain, which is only
+ * where doubles end, this part will do; and the slowest decay of a rate, per
+ * unit of ln v or ln psi, that can be told from none. */
 #define TOL_EIGEN_REST  0.01
+#define TOL_EIGEN_EDGE  1e-3
 #define TOL_EIGEN_DECAY 0.2
-/* Longest step in (X, Y): a few times the width of the narrowest bend between
- * two straight parts. */
+/* Longest step, in the plane: a few times the width of the narrowest bend
+ * between two straight parts. */
 #define TOL_EIGEN_LONGEST 8.0
+/* Where z = P W has become this many times smaller than what it is the
+ * difference of, W is left for z: steps cannot make up for more. */
+#define TOL_EIGEN_LOST 10.0
 /* Where steps fail, points at this part of the distance from the saddle tell
  * whether an equilibrium lies between. */
 #define TOL_EIGEN_ODD 1e-8
-/* Bars: parts of the steps' summed estimates (measured: true errors stay below
- * a hundredth of them where rounding does not rule) and of what the end adds
- * (measured: an exponential through two steps is right to a factor of two);
- * roundings that a curve of some 300 steps adds up, in units of roundoff. */
-#define TOL_EIGEN_ESTIMATES 0.01
+/* What is an integral's rate only by this many roundings is none. */
+#define TOL_EIGEN_NOISE 64.0
+/* Bars: parts of the steps' estimates (of order 5 only; measured: true errors
+ * stay below a tenth of them where rounding does not rule) and of what the
+ * end adds (measured: an exponential through two steps is right to a factor of
+ * two); roundings of a step of twelve stages, in units of roundoff; and the
+ * most an error grows in one, as an exponent: e^50 is nothing known. */
+#define TOL_EIGEN_ESTIMATES 0.1
 #define TOL_EIGEN_RESTS     10.0
-#define TOL_EIGEN_ROUNDING  8.0
+#define TOL_EIGEN_ROUNDING  4.0
+#define TOL_EIGEN_GROWTH    50.0
 
 /* Scenes.  Bytes of a file, depth of nesting, keys of one map: far more than a
  * scene needs, so that a wrong file is refused at once. */
@@ -257,6 +266,9 @@
 #define TOL_REST_DEEP      (-23.0)
 #define TOL_REST_DEEP_SOON 0.01
 #define TOL_FATE_STEPS     50000
+/* Half the side of the box around the anchor where the fates of regions are
+ * asked for first, in ln v and ln psi: a factor 1e8 either way. */
+#define TOL_FATE_NEAR 20.0
 
 /* Labels by forward integration (trap.c): how far inside a quadrant its own
  * orbit starts; accuracy of the first attempt, and of the next ones; and the
@@ -265,8 +277,11 @@
 #define TOL_TRAP_START  0.5
 #define TOL_TRAP_RTOL   1e-6
 #define TOL_TRAP_FINER  1e-3
-#define TOL_TRAP_FINEST 1e-12
+#define TOL_TRAP_FINEST 5e-13
 #define TOL_TRAP_FAR    1e4
+/* The same for the distance from the stable manifold where an orbit is caught:
+ * a few steps, not magnified. */
+#define TOL_TRAP_SIDE 30.0
 /* First step in the chart, and steps before an orbit is followed to its end
  * by the L-stable method instead. */
 #define TOL_TRAP_STEP  1.0
@@ -285,13 +300,10 @@
 
 /* One state (push.c).  Its orbit is run at two tolerances, the coarse one and
  * the next finer; where their fates differ, finer ones, down to the finest.
- * Half the side of the box around the saddle where the fates of regions are
- * asked for first, in ln v and ln psi: a factor 1e8 either way.  What rounding
- * does to a coordinate and to a root, per unit of either. */
+ * What rounding does to a coordinate and to a root, per unit of either. */
 #define TOL_PUSH_COARSE   1e-9
 #define TOL_PUSH_FINER    0.01
 #define TOL_PUSH_FINEST   5e-14
-#define TOL_PUSH_NEAR     20.0
 #define TOL_PUSH_ROUNDING 0x1p-50
 
 /* Sensitivities (sensitivity.c).  Tolerance of the finer run, as a part of what
@@ -306,11 +318,13 @@
 #define TOL_VARIATION_SHORTEST 0x1p-20
 /* Bars: this many times the finer run's tolerance, for two runs may agree by
  * chance; e-folds that what is left at the end may take to decay; above this
- * part of the value it never does; roundings, in units of roundoff. */
+ * part of the value it never does; roundings, in units of roundoff; and the
+ * part of the bar of the saddle's place that is felt (measured: 1/4000). */
 #define TOL_VARIATION_BAR      5.0
 #define TOL_VARIATION_REST     10.0
 #define TOL_VARIATION_OPEN     1e-9
 #define TOL_VARIATION_ROUNDING 64.0
+#define TOL_VARIATION_PLACE    0.1
 
 /* Conditioning (conditioning.c): accuracy of the recomputed numbers; the first
  * change of an input, relative, a fold further than ten times that away; how

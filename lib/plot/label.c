@@ -75,6 +75,10 @@ void label_write(FILE *out, const char *text, double room)
 {
     const double ellipsis = 1;
     double left = label_width(text) <= room ? room + ellipsis : room;
+    /* gnuplot takes a doubled quote that comes first for an empty string */
+    for (; *text == '\''; text++, left -= glyph_width('\''))
+        fputs("\"'\".", out);
+    const char *start = text;
     fputc('\'', out);
     while (*text) {
         const struct glyph g = glyph_read(text);
@@ -83,6 +87,9 @@ void label_write(FILE *out, const char *text, double room)
             fputs("\xe2\x80\xa6", out);
             break;
         }
+        if (g.code == '>' && text - start > 1 && text[-1] == ']' &&
+            text[-2] == ']')
+            fputc(' ', out); /* XML forbids what gnuplot would leave there */
         if (g.code == '\'')
             fputs("''", out);
         else if (g.code < 0x80)

@@ -10,8 +10,9 @@
 double label_width(const char *text);
 
 /* Writes the text in single quotes, where gnuplot expands nothing: quotes
- * doubled, control characters as blanks, what is no UTF-8 as '?'.  A text wider
- * than `room` (same unit as label_width) is cut and ends in an ellipsis. */
+ * doubled (those that come first as "'". before it), control characters as
+ * blanks, what is no UTF-8 as '?', "]]>" as "]] >".  A text wider than `room`
+ * (same unit as label_width) is cut and ends in an ellipsis. */
 void label_write(FILE *out, const char *text, double room);
 
 /* A file name of the current folder in single quotes, as "./NAME", so that

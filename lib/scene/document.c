@@ -53,9 +53,11 @@ static enum status wrong_byte(const struct reader *r)
     const size_t offset = r->parser.problem_offset;
     const struct place at = place_at(r, mark_of_byte(r->text, offset));
 
-    return place_blame(
-        at, r->why, "byte %zu of the %s: %s, expected text in UTF-8",
-        r->skipped + offset, at.is_set ? "value" : "file", r->parser.problem);
+    return place_blame(at, r->why,
+                       "byte 0x%02x at offset %zu of the %s: %s, expected "
+                       "text in UTF-8",
+                       (unsigned char) r->text[offset], r->skipped + offset,
+                       at.is_set ? "value" : "file", r->parser.problem);
 }
 
 static enum status wrong_syntax(const struct reader *r)
@@ -68,9 +70,10 @@ static enum status wrong_syntax(const struct reader *r)
     if (p->context && from.line != at.line)
         snprintf(since, sizeof since, " that begins in line %zu", from.line);
     return place_blame(at, r->why,
-                       "%s %s%s, expected YAML: 'key: value', indented by "
+                       "%s%s%s%s, expected YAML: 'key: value', indented by "
                        "spaces, brackets and quotes closed",
-                       p->problem, p->context ? p->context : "", since);
+                       p->problem, p->context ? " " : "",
+                       p->context ? p->context : "", since);
 }
 
 /* The next event, which yaml_event_delete must free. */
@@ -136,8 +139,7 @@ static enum status check_key(const struct reader *r, const yaml_event_t *key,
         return s;
     if (key->type != YAML_SCALAR_EVENT)
         return place_blame(at, r->why,
-                           "this key is no word, expected 'key: "
-                           "value'");
+                           "this key is no word, expected 'key: value'");
     const char *word = (const char *) key->data.scalar.value;
     if (strlen(word) != key->data.scalar.length)
         return place_blame(at, r->why, "a zero byte is not allowed in a key");

@@ -82,15 +82,17 @@ bool node_is_nothing(const struct node *n)
 
 struct text_shown node_shown(const struct node *n)
 {
-    struct text_shown shown = { "a list" };
+    struct text_shown shown;
 
-    if (n->kind == NODE_MAP)
-        strcpy(shown.text, "a map of keys");
-    if (n->kind == NODE_SCALAR) {
-        text_show(n->text, shown.text + 1, sizeof shown.text - 2);
-        shown.text[0] = '\'';
-        strcat(shown.text, "'");
+    if (n->kind != NODE_SCALAR) {
+        snprintf(shown.text, sizeof shown.text, "%s %s",
+                 n->count ? "a" : "an empty",
+                 n->kind == NODE_LIST ? "list" : "map of keys");
+        return shown;
     }
+    shown.text[0] = '\'';
+    text_show(n->text, shown.text + 1, sizeof shown.text - 2);
+    strcat(shown.text, "'");
     return shown;
 }
 
@@ -106,7 +108,7 @@ void node_free(struct node *n)
     free(n);
 }
 
-/* "FILE:LINE:COL", "--set KEY=VALUE", "FILE" or "command line". */
+/* "FILE:LINE:COL", "--set KEY=VALUE" or "command line". */
 static void place_show(struct place at, char *out, size_t size)
 {
     char name[200];

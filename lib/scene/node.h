@@ -50,7 +50,8 @@ void node_remove(struct node *parent, size_t i);
 /* A key with nothing behind it, which may stand for an empty map. */
 bool node_is_nothing(const struct node *n);
 
-/* A value as it stands in messages: 'its text', a list or a map of keys. */
+/* A value as it stands in messages: 'its text', a list or a map of keys, an
+ * empty list or map of keys. */
 struct text_shown node_shown(const struct node *n);
 
 /* NULL is harmless. */

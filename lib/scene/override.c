@@ -36,9 +36,7 @@ static enum status enter(struct node *map, const char *path, size_t size,
     if (n && node_is_nothing(n))
         n->kind = NODE_MAP;
     if (n && n->kind != NODE_MAP)
-        return place_blame(n->at, why,
-                           "%.*s: %s is not allowed, expected keys and values",
-                           (int) size, path, node_shown(n).text);
+        return schema_blame_section(path, size, n, why);
     *out = n;
     if (n)
         return STATUS_OK;

@@ -9,8 +9,10 @@
  * slope.alpha takes slope.alpha_deg out, law.preset the components of a law.
  * `set` must outlive the tree.
  *
- * STATUS_BAD_SCENE with one line that begins with --set KEY=VALUE: in *why;
- * STATUS_NO_MEMORY.  The tree may then lack what the key excludes. */
+ * STATUS_BAD_SCENE with one line in *why, which begins with --set KEY=VALUE:
+ * or, where a value of the tree stands in place of keys, with that one's
+ * FILE:LINE:COL:; STATUS_NO_MEMORY.  The tree may then lack what the key
+ * excludes. */
 MUST_CHECK enum status override_apply(struct node *root, const char *set,
                                       struct fault *why);
 

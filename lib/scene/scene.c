@@ -26,24 +26,29 @@ static enum status cannot_read(const char *path, const char *reason,
     return STATUS_IO;
 }
 
-/* The whole of an open file, a zero after it; *text is owned by the caller,
- * whatever is returned. */
+/* The whole of an open file, a zero after it; *text, first NULL, is owned by
+ * the caller, whatever is returned. */
 static enum status read_open(FILE *file, const char *path, char **text,
                              size_t *size, struct fault *why)
 {
-    *text = malloc(SCENE_BYTES + 1);
-    if (*text == NULL)
-        return STATUS_NO_MEMORY;
+    size_t room = 2048;
+
     errno = 0;
-    *size = fread(*text, 1, SCENE_BYTES + 1, file);
+    do {
+        room *= 2;
+        char *grown = realloc(*text, room + 1);
+        if (grown == NULL)
+            return STATUS_NO_MEMORY;
+        *text = grown;
+        *size += fread(*text + *size, 1, room - *size, file);
+    } while (*size == room && *size <= SCENE_BYTES);
     if (ferror(file))
         return cannot_read(path, strerror(errno), why);
     if (*size > SCENE_BYTES)
-        return cannot_read(path, "more than 1 MiB is no scene", why);
+        return place_blame((struct place){ path, false, 1, 1 }, why,
+                           "a file of more than %zu bytes, expected a scene",
+                           SCENE_BYTES);
     (*text)[*size] = '\0';
-    char *fitted = realloc(*text, *size + 1);
-    if (fitted)
-        *text = fitted;
     return STATUS_OK;
 }
 
@@ -136,28 +141,55 @@ static enum status check_slope(const struct node *root, const struct scene *s,
                        "RAD");
 }
 
+/* A key of the material that the law has no use for. */
+static enum status blame_unused(const struct node *n, const struct law *law,
+                                struct fault *why)
+{
+    const char *used[MATERIAL_KEYS + 1] = { NULL };
+    char names[100];
+    size_t count = 0;
+
+    for (int key = 0; key < MATERIAL_G; key++)
+        if (law_uses(law, (enum material_key) key))
+            used[count++] = material_key_name((enum material_key) key);
+    text_list(used, names, sizeof names);
+    return place_blame(n->key_at, why,
+                       "material.%s: not used by this law (%s), expected %s",
+                       n->key, law->preset, names);
+}
+
 static enum status check_material(const struct node *root,
                                   const struct scene *s, struct fault *why)
 {
     const struct node *material = node_find(root, "material");
-    struct fault reason;
 
     for (int i = 0; i < MATERIAL_KEYS; i++) {
         const enum material_key key = (enum material_key) i;
         const struct node *n = node_find(material, material_key_name(key));
         if (n && !law_uses(&s->law, key))
-            return place_blame(n->key_at, why,
-                               "material.%s: the law %s does not use it",
-                               n->key, s->law.preset);
+            return blame_unused(n, &s->law, why);
     }
     if (law_uses(&s->law, MATERIAL_V_C) && !node_find(material, "V_c"))
         return place_blame(place_of(root, "law", "law.preset"), why,
-                           "law.preset: kato_tullis needs material.V_c, a "
-                           "number > 0");
-    if (law_check(&s->law, &s->material, &reason) != STATUS_OK)
-        return place_blame(place_of(root, "law", "law.preset"), why, "%s",
-                           reason.text);
+                           "law.preset: kato_tullis needs material.V_c, "
+                           "expected a number > 0");
     return STATUS_OK;
+}
+
+/* Ranges are the table's; left are components and an infinite R. */
+static enum status check_composition(const struct node *root,
+                                     const struct scene *s, struct fault *why)
+{
+    struct material finite = s->material;
+    struct fault reason;
+
+    if (law_check(&s->law, &s->material, &reason) == STATUS_OK)
+        return STATUS_OK;
+    finite.R = 1.0;
+    const bool by_R = law_check(&s->law, &finite, why) == STATUS_OK;
+    const char *key = by_R ? "material.R" : "law.timescale";
+    return place_blame(place_of(root, "law", key), why, "%s: %s", key,
+                       reason.text);
 }
 
 /* Where psi is a logarithm, its own range; else that of v. */
@@ -200,12 +232,12 @@ static enum status check_starts(const struct node *root, const struct scene *s,
         const struct node *psi = node_find(list->child[i], "psi");
         if (!(z.v >= 1.0 / SCENE_RANGE && z.v <= SCENE_RANGE))
             return place_blame(v->at, why,
-                               "trajectories.starts: v = %s is not allowed, "
+                               "trajectories.starts: v: %s is not allowed, "
                                "expected v/V_star from 1e-300 to 1e300",
                                node_shown(v).text);
         if (!psi_in_range(&s->law, z.psi))
             return place_blame(psi->at, why,
-                               "trajectories.starts: psi = %s is not allowed, "
+                               "trajectories.starts: psi: %s is not allowed, "
                                "expected %s",
                                node_shown(psi).text,
                                s->units == UNITS_SI ? "phi > 0 in SI units"
@@ -236,8 +268,8 @@ static enum status fill(const struct node *root, struct scene *s,
 {
     static enum status (*const check[])(
         const struct node *, const struct scene *,
-        struct fault *) = { check_law, check_slope, check_material,
-                            check_window, check_starts };
+        struct fault *) = { check_law,         check_slope,  check_material,
+                            check_composition, check_window, check_starts };
     enum status status = set_defaults(s);
 
     if (status == STATUS_OK)
@@ -258,10 +290,11 @@ static char *joined(char *const override[], size_t overrides)
     for (size_t i = 0; i < overrides; i++)
         size += strlen(override[i]) + 1;
     char *text = malloc(size), *end = text;
-    for (size_t i = 0; text && i < overrides; i++)
-        end += sprintf(end, "%s\n", override[i]);
-    if (text)
-        *end = '\0';
+    if (text == NULL)
+        return NULL;
+    for (size_t i = 0; i < overrides; i++)
+        end = stpcpy(stpcpy(end, override[i]), "\n");
+    *end = '\0';
     return text;
 }
 

@@ -8,9 +8,10 @@
  *
  * Defaults: law.friction asinh; Table 2's material; gravity 9.81; window v
  * 1e-6..1e6, psi 1e-3..1e2 (psi -7..5 where psi is a logarithm); axes log;
- * dimensionless units; estimates.xi 0.85 0.9 0.99 0.999; no trajectories;
- * basins 512 x 512, audit 1000, not exact; seed
- * 1; rtol 1e-12; no output.  A law and a slope must be given.
+ * dimensionless units; no products (each command has its own); estimates.xi
+ * 0.85 0.9 0.99 0.999; no trajectories, their seed 1 and without limits;
+ * basins 512 x 512, audit 1000, not exact; rtol 1e-12; no output.  A law and a
+ * slope must be given.
  */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
@@ -76,9 +77,10 @@ struct scene {
 /* Reads `path` (NULL: no file, the overrides are all), applies the overrides
  * "key=value" in order, fills defaults and checks everything.
  *
- * STATUS_BAD_SCENE with one line FILE:LINE:COL: (or --set KEY=VALUE:) in *why;
- * STATUS_IO where the file cannot be read; STATUS_NO_MEMORY.  On failure *s is
- * empty and need not be freed, though scene_free is harmless. */
+ * STATUS_BAD_SCENE with one line FILE:LINE:COL: (or --set KEY=VALUE:, or
+ * command line:) in *why, also for a file beyond SCENE_BYTES; STATUS_IO where
+ * the file cannot be read; STATUS_NO_MEMORY.  On failure *s is empty and need
+ * not be freed, though scene_free is harmless. */
 MUST_CHECK enum status scene_read(struct scene *s, const char *path,
                                   char *const override[], size_t overrides,
                                   struct fault *why);

@@ -117,7 +117,12 @@ const struct schema_key schema_table[] = {
 
 /* ---- keys ---------------------------------------------------------------- */
 
-enum { PATH_SIZE = 128, LEVEL_WORDS = 32, WORD_SIZE = 24 };
+enum {
+    KEYS = sizeof schema_table / sizeof *schema_table - 1,
+    PATH_SIZE = 128,
+    LEVEL_WORDS = 32,
+    WORD_SIZE = 24
+};
 
 static const struct schema_key *find_key(const char *path)
 {
@@ -169,14 +174,20 @@ static void level_find(const char *path, size_t head, struct level *l)
     l->list[count] = NULL;
 }
 
-/* The key elsewhere whose last word this is, such as slope.alpha of alpha. */
-static const char *same_word(const char *word)
+/* The key, wherever it is, whose last word is near to this one, such as
+ * slope.alpha of alpha; NULL if there is none. */
+static const char *near_elsewhere(const char *word)
 {
-    for (const struct schema_key *k = schema_table; k->path; k++) {
-        const char *dot = strrchr(k->path, '.');
-        if (strcmp(dot ? dot + 1 : k->path, word) == 0)
-            return k->path;
+    const char *last[KEYS + 1] = { NULL };
+
+    for (size_t i = 0; i < KEYS; i++) {
+        const char *dot = strrchr(schema_table[i].path, '.');
+        last[i] = dot ? dot + 1 : schema_table[i].path;
     }
+    const char *near = spell_nearest(word, last);
+    for (size_t i = 0; near && i < KEYS; i++)
+        if (last[i] == near)
+            return schema_table[i].path;
     return NULL;
 }
 
@@ -192,15 +203,15 @@ static enum status unknown(const char *path, size_t head, struct place at,
     level_find(path, head, &level);
     text_list(level.list, words, sizeof words);
     const char *near = spell_nearest(word, level.list);
-    const char *parent = near ? path : "";
+    const size_t parent = near ? head : 0;
     if (near == NULL)
-        near = same_word(word);
+        near = near_elsewhere(word);
     if (near == NULL)
         return place_blame(at, why, "unknown key '%s', expected %s",
                            text_shown(path).text, words);
-    return place_blame(
-        at, why, "unknown key '%s', expected %s (did you mean %.*s%s?)",
-        text_shown(path).text, words, (int) (*parent ? head : 0), parent, near);
+    return place_blame(at, why,
+                       "unknown key '%s', expected %s (did you mean %.*s%s?)",
+                       text_shown(path).text, words, (int) parent, path, near);
 }
 
 enum status schema_check_path(const char *path, struct place at,
@@ -218,6 +229,20 @@ enum status schema_check_path(const char *path, struct place at,
             return STATUS_OK;
         head = end + 1;
     }
+}
+
+enum status schema_blame_section(const char *path, size_t size,
+                                 const struct node *n, struct fault *why)
+{
+    struct level level;
+    char section[PATH_SIZE], words[200];
+
+    snprintf(section, sizeof section, "%.*s.", (int) size, path);
+    level_find(section, size + 1, &level);
+    text_list(level.list, words, sizeof words);
+    return place_blame(n->at, why,
+                       "%.*s: %s is not allowed, expected a map of keys, %s",
+                       (int) size, path, node_shown(n).text, words);
 }
 
 /* ---- a whole tree -------------------------------------------------------- */
@@ -270,9 +295,7 @@ static enum status apply_one(const struct node *n, const char *path,
         return apply_below(n, path, s, why);
     if (node_is_nothing(n))
         return STATUS_OK;
-    return place_blame(n->at, why,
-                       "%s: %s is not allowed, expected keys and values", path,
-                       node_shown(n).text);
+    return schema_blame_section(path, strlen(path), n, why);
 }
 
 static enum status apply_below(const struct node *map, const char *prefix,

@@ -30,6 +30,11 @@ extern const struct schema_key schema_table[];
 MUST_CHECK enum status schema_check_path(const char *path, struct place at,
                                          struct fault *why);
 
+/* STATUS_BAD_SCENE: n stands where the keys should be that the first `size`
+ * letters of path hold. */
+enum status schema_blame_section(const char *path, size_t size,
+                                 const struct node *n, struct fault *why);
+
 /* Whether the keys at two paths exclude each other. */
 bool schema_excludes(const char *path, const char *other);
 

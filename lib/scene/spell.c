@@ -41,7 +41,7 @@ const char *spell_nearest(const char *word, const char *const *known)
     size_t best = LETTERS;
 
     for (; *known; known++) {
-        const size_t n = strlen(word), m = strlen(*known);
+        const size_t n = strnlen(word, LETTERS), m = strnlen(*known, LETTERS);
         const size_t distance = spell_distance(word, *known);
         if (distance <= (n > m ? n : m) / 3 && distance < best) {
             best = distance;

@@ -11,7 +11,7 @@ size_t spell_distance(const char *a, const char *b);
 
 /* Of a NULL-ended list the word that may have been meant, the nearest one, the
  * first among equals; NULL if none is near: one slip for every three letters
- * of the longer word. */
+ * of the longer word, cut as above. */
 const char *spell_nearest(const char *word, const char *const *known);
 
 #endif

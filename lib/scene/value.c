@@ -206,7 +206,7 @@ enum status value_products(const struct schema_key *key, const struct node *n,
 {
     unsigned products = 0;
 
-    if (n->kind != NODE_LIST)
+    if (n->kind != NODE_LIST || n->count == 0)
         return refuse(key, n, why);
     for (size_t i = 0; i < n->count; i++) {
         const int code = code_of(n->child[i], key->words);
@@ -299,6 +299,18 @@ enum status value_xi(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
+static enum status unknown_in_start(const struct schema_key *key,
+                                    const struct node *n, struct fault *why)
+{
+    static const char *const known[] = { "v", "psi", NULL };
+    const char *near = spell_nearest(n->key, known);
+
+    return place_blame(
+        n->key_at, why, "%s: unknown key '%s', expected v and psi%s%s%s",
+        key->path, text_shown(n->key).text, near ? " (did you mean " : "",
+        near ? near : "", near ? "?)" : "");
+}
+
 /* {v: V, psi: P}: positive v, psi any finite number yet. */
 static enum status read_start(const struct schema_key *key,
                               const struct node *n, struct scene_start *start,
@@ -320,14 +332,11 @@ static enum status read_start(const struct schema_key *key,
         return refuse(key, n, why);
     for (size_t i = 0; i < n->count; i++)
         if (strcmp(n->child[i]->key, "v") && strcmp(n->child[i]->key, "psi"))
-            return place_blame(n->child[i]->key_at, why,
-                               "%s: unknown key '%s', expected v and psi",
-                               key->path, text_shown(n->child[i]->key).text);
+            return unknown_in_start(key, n->child[i], why);
     const struct node *v = node_find(n, "v"), *psi = node_find(n, "psi");
     if (v == NULL || psi == NULL)
         return place_blame(n->at, why,
-                           "%s: %s is missing, expected {v: V, "
-                           "psi: P}",
+                           "%s: %s is missing, expected {v: V, psi: P}",
                            key->path, v ? "psi" : "v");
     if (!is_number(&parts[0], v, &start->v))
         return refuse(&parts[0], v, why);
@@ -339,18 +348,20 @@ static enum status read_start(const struct schema_key *key,
 enum status value_starts(const struct schema_key *key, const struct node *n,
                          struct scene *s, struct fault *why)
 {
+    enum status status = STATUS_OK;
+
     if (n->kind != NODE_LIST)
         return refuse(key, n, why);
-    if (n->count == 0)
-        return STATUS_OK;
-    struct scene_start *start = malloc(n->count * sizeof *start);
+    struct scene_start *start = malloc((n->count + 1) * sizeof *start);
     if (start == NULL)
         return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < n->count; i++)
-        if (read_start(key, n->child[i], &start[i], why) != STATUS_OK) {
-            free(start);
-            return STATUS_BAD_SCENE;
-        }
+    for (size_t i = 0; i < n->count && status == STATUS_OK; i++)
+        status = read_start(key, n->child[i], &start[i], why);
+    if (status != STATUS_OK) {
+        free(start);
+        return status;
+    }
+    free(s->start);
     s->start = start;
     s->starts = n->count;
     return STATUS_OK;

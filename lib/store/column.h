@@ -7,6 +7,7 @@
 
 #include <hdf5.h>
 
+#include "axis.h"
 #include "hdf.h"
 #include "record.h"
 
@@ -24,24 +25,21 @@ struct column {
 /* Borrows from *f. */
 struct column column_of(const struct record_field *f);
 
-/* A new data set with one axis for each of `rank` (0: a scalar) open scales,
- * whose extents it takes; two-dimensional ones are chunked and compressed.
- * Returned open, all fill values. */
+/* A new data set with `rank` (0: a scalar) axes, whose extents it takes; with
+ * two it is chunked and compressed.  Returned open, all fill values. */
 hid_t column_create(struct store *st, hid_t group, const struct column *c,
-                    int rank, const hid_t axis[]);
+                    int rank, struct axis *const axis[]);
 
 /* A new one-dimensional data set that is itself an axis, with its values.
- * Returned open, to be given to column_create. */
-hid_t column_axis(struct store *st, hid_t group, const struct column *c,
-                  size_t count, const void *values);
+ * NULL (noted) on failure. */
+struct axis *column_axis(struct store *st, hid_t group, const struct column *c,
+                         size_t count, const void *values);
 
 /* All values of a column, in the C type of its kind. */
 void column_write(struct store *st, hid_t set, const struct column *c,
                   const void *values);
 
-/* What column_write hands to HDF5: borrowed, but for text, which the caller
- * closes with column_type_close. */
-hid_t column_type(struct store *st, const struct column *c);
-void column_type_close(const struct column *c, hid_t type);
+/* The type of `values` there; borrowed. */
+hid_t column_type(const struct store *st, const struct column *c);
 
 #endif

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const unsigned in_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
-
 /* Keeps the innermost reason; HDF5 puts times and new lines into some. */
 static herr_t innermost(unsigned depth, const H5E_error2_t *error, void *ctx)
 {
@@ -59,33 +57,26 @@ void hdf_close(hid_t id)
         H5Idec_ref(id);
 }
 
-hid_t hdf_properties(struct store *st, hid_t class)
+hid_t hdf_space(struct store *st, int rank, const hsize_t extent[])
 {
-    const hid_t list = hdf_took(st, H5Pcreate(class));
-
-    hdf_took(st, H5Pset_obj_track_times(list, false));
-    hdf_took(st, H5Pset_attr_creation_order(list, in_order));
-    if (class != H5P_DATASET_CREATE)
-        hdf_took(st, H5Pset_link_creation_order(list, in_order));
-    return list;
+    hdf_took(st, H5Sset_extent_simple(st->kit.space, rank, extent, NULL));
+    return st->kit.space;
 }
 
 /* One step down; closes `parent`. */
 static hid_t child(struct store *st, hid_t parent, const char *name)
 {
     const int64_t found = hdf_took(st, H5Lexists(parent, name, H5P_DEFAULT));
-    const hid_t list = hdf_properties(st, H5P_GROUP_CREATE);
-    const hid_t group =
-        found > 0 ? H5Gopen2(parent, name, H5P_DEFAULT)
-                  : H5Gcreate2(parent, name, H5P_DEFAULT, list, H5P_DEFAULT);
+    const hid_t group = found > 0 ? H5Gopen2(parent, name, H5P_DEFAULT)
+                                  : H5Gcreate2(parent, name, H5P_DEFAULT,
+                                               st->kit.group, H5P_DEFAULT);
 
     hdf_took(st, group);
-    hdf_close(list);
     hdf_close(parent);
     return group;
 }
 
-hid_t hdf_group(struct store *st, const char *path)
+static hid_t descend(struct store *st, const char *path)
 {
     hid_t group = hdf_took(st, H5Gopen2(st->file, "/", H5P_DEFAULT));
     char name[256];
@@ -102,22 +93,26 @@ hid_t hdf_group(struct store *st, const char *path)
     return group;
 }
 
-hid_t hdf_text_type(struct store *st, size_t size)
+hid_t hdf_group(struct store *st, const char *path)
 {
-    const hid_t type = hdf_took(st, H5Tcopy(H5T_C_S1));
-
-    hdf_took(st, H5Tset_size(type, size));
-    hdf_took(st, H5Tset_cset(type, H5T_CSET_UTF8));
-    hdf_took(st, H5Tset_strpad(type, H5T_STR_NULLPAD));
-    return type;
+    if (st->group_path == NULL || strcmp(st->group_path, path) != 0) {
+        hdf_close(st->group);
+        free(st->group_path);
+        st->group = descend(st, path);
+        st->group_path = hdf_memory(st, strlen(path) + 1, 1);
+        if (st->group_path != NULL)
+            strcpy(st->group_path, path);
+    }
+    return st->group;
 }
 
-static void put_attribute(struct store *st, hid_t object, const char *key,
-                          hid_t space, hid_t type, hid_t native,
-                          const void *values)
+void hdf_put(struct store *st, hid_t object, const char *key, int rank,
+             size_t count, hid_t type, hid_t native, const void *values)
 {
-    const hid_t attribute = hdf_took(
-        st, H5Acreate2(object, key, type, space, H5P_DEFAULT, H5P_DEFAULT));
+    const hsize_t extent = count;
+    const hid_t attribute =
+        hdf_took(st, H5Acreate2(object, key, type, hdf_space(st, rank, &extent),
+                                H5P_DEFAULT, H5P_DEFAULT));
 
     hdf_took(st, H5Awrite(attribute, native, values));
     hdf_close(attribute);
@@ -126,21 +121,9 @@ static void put_attribute(struct store *st, hid_t object, const char *key,
 void hdf_put_text(struct store *st, hid_t object, const char *key,
                   const char *text)
 {
-    const hid_t space = hdf_took(st, H5Screate(H5S_SCALAR));
     const size_t length = strlen(text);
-    const hid_t type = hdf_text_type(st, length > 0 ? length : 1);
+    const hid_t type = st->kit.text;
 
-    put_attribute(st, object, key, space, type, type, text);
-    hdf_close(type);
-    hdf_close(space);
-}
-
-void hdf_put_numbers(struct store *st, hid_t object, const char *key,
-                     hid_t type, hid_t native, size_t count, const void *values)
-{
-    const hsize_t extent = count;
-    const hid_t space = hdf_took(st, H5Screate_simple(1, &extent, NULL));
-
-    put_attribute(st, object, key, space, type, native, values);
-    hdf_close(space);
+    hdf_took(st, H5Tset_size(type, length > 0 ? length : 1));
+    hdf_put(st, object, key, 0, 1, type, type, text);
 }

@@ -9,11 +9,16 @@
 
 #include <hdf5.h>
 
+#include "kit.h"
 #include "status.h"
 
 struct store {
     hid_t file;         /* owned; negative once closed */
     char *path;         /* owned; as the caller gave it */
+    struct kit kit;     /* owned */
+    hid_t group;        /* owned; the one put to last, or negative */
+    char *group_path;   /* owned; its path, or NULL */
+    struct axis *axes;  /* owned; all put so far, the last first */
     enum status status; /* of the first failure */
     char reason[256];   /* of the first failure; one line */
 };
@@ -33,22 +38,20 @@ void *hdf_memory(struct store *st, size_t count, size_t size);
 /* Any kind of handle; a negative one is skipped. */
 void hdf_close(hid_t id);
 
-/* Property list of the given class with times off and creation order tracked
- * and indexed for attributes. */
-hid_t hdf_properties(struct store *st, hid_t class);
+/* st->kit.space in a shape; rank 0: a scalar. */
+hid_t hdf_space(struct store *st, int rank, const hsize_t extent[]);
 
-/* The group at an absolute path; it and those above are made where missing. */
+/* The group at an absolute path; it and those above are made where missing.
+ * Borrowed, until the next call. */
 hid_t hdf_group(struct store *st, const char *path);
 
-/* UTF-8 text of `size` bytes, padded with zeros, or H5T_VARIABLE. */
-hid_t hdf_text_type(struct store *st, size_t size);
+/* A new attribute of an open object, of `rank` 0 or 1; memory holds the values
+ * as `native`, the file as `type`. */
+void hdf_put(struct store *st, hid_t object, const char *key, int rank,
+             size_t count, hid_t type, hid_t native, const void *values);
 
-/* New attributes of an open object. */
+/* A text of any length; an empty one is a single zero. */
 void hdf_put_text(struct store *st, hid_t object, const char *key,
                   const char *text);
-/* `count` numbers; memory holds them as `native`, the file as `type`. */
-void hdf_put_numbers(struct store *st, hid_t object, const char *key,
-                     hid_t type, hid_t native, size_t count,
-                     const void *values);
 
 #endif

@@ -86,21 +86,6 @@ static int write_all(int fd, const char *bytes, size_t size)
     return fsync(fd) == 0 ? 0 : errno;
 }
 
-/* The new name survives a power cut only once its folder is on the disk; some
- * file systems cannot sync a folder and say EINVAL, which is no failure. */
-static int sync_folder(const char *folder)
-{
-    int error = 0;
-    const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-
-    if (fd < 0)
-        return errno;
-    if (fsync(fd) != 0 && errno != EINVAL)
-        error = errno;
-    close(fd);
-    return error;
-}
-
 static int replace_at(struct place *p, const void *bytes, size_t size)
 {
     const int fd = open_temporary(p);
@@ -113,11 +98,9 @@ static int replace_at(struct place *p, const void *bytes, size_t size)
         error = errno;
     if (error == 0 && rename(p->temporary, p->target) != 0)
         error = errno;
-    if (error != 0) {
+    if (error != 0)
         unlink(p->temporary);
-        return error;
-    }
-    return sync_folder(p->folder);
+    return error;
 }
 
 static enum status find(const char *path, struct place *p, struct fault *fault)

@@ -11,11 +11,11 @@
  * the system's reason in *fault. */
 MUST_CHECK enum status replace_check(const char *path, struct fault *fault);
 
-/* Writes bytes[0 .. size-1] to a new file in the folder of `path`, syncs it,
- * renames it over `path` and syncs the folder: at every moment `path` is the
- * old file (or none) or the whole new one.  Of a symbolic link the file it
+/* Writes bytes[0 .. size-1] to a new file in the folder of `path`, syncs it
+ * and renames it over `path`: at every moment, and after a power cut, `path` is
+ * the old file (or none) or the whole new one.  Of a symbolic link the file it
  * names is replaced, not the link.  On STATUS_IO the temporary file is gone
- * and `path` untouched, unless only the last sync failed. */
+ * and `path` untouched. */
 MUST_CHECK enum status replace_file(const char *path, const void *bytes,
                                     size_t size, struct fault *fault);
 

@@ -13,6 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "axis.h"
 #include "hdf.h"
 #include "replace.h"
 #include "tolerance.h"
@@ -30,6 +31,8 @@ static struct store *store_new(const char *path, struct fault *fault)
     }
     strcpy(copy, path);
     st->file = H5I_INVALID_HID;
+    st->group = H5I_INVALID_HID;
+    st->kit = kit_none();
     st->path = copy;
     return st;
 }
@@ -57,9 +60,10 @@ static hid_t access_list(struct store *st)
 static void create_in_memory(struct store *st)
 {
     const hid_t access = access_list(st);
-    const hid_t create = hdf_properties(st, H5P_FILE_CREATE);
+    const hid_t create = hdf_took(st, H5Pcreate(H5P_FILE_CREATE));
     char name[32]; /* never seen on disk, but HDF5 wants each its own */
 
+    kit_set_order(st, create, H5P_FILE_CREATE);
     snprintf(name, sizeof name, "%p", (void *) st);
     hdf_took(st, H5Pset_fapl_core(access, STORE_GROWTH, false));
     hdf_took(st, H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
@@ -81,6 +85,7 @@ enum status store_create(const char *path, const char *title,
     if (st == NULL)
         return STATUS_NO_MEMORY;
     create_in_memory(st);
+    kit_make(st);
     hdf_put_text(st, st->file, "Conventions", "CF-1.10");
     hdf_put_text(st, st->file, "title", title);
     return hand_over(st, store, fault);
@@ -126,11 +131,8 @@ enum status store_open(const char *path, struct store **store,
 enum status store_put_text(struct store *st, const char *path, const char *key,
                            const char *text)
 {
-    if (st->status == STATUS_OK) {
-        const hid_t group = hdf_group(st, path);
-        hdf_put_text(st, group, key, text);
-        hdf_close(group);
-    }
+    if (st->status == STATUS_OK)
+        hdf_put_text(st, hdf_group(st, path), key, text);
     return st->status;
 }
 
@@ -138,11 +140,8 @@ static enum status put_number(struct store *st, const char *path,
                               const char *key, hid_t type, hid_t native,
                               const void *value)
 {
-    if (st->status == STATUS_OK) {
-        const hid_t group = hdf_group(st, path);
-        hdf_put_numbers(st, group, key, type, native, 1, value);
-        hdf_close(group);
-    }
+    if (st->status == STATUS_OK)
+        hdf_put(st, hdf_group(st, path), key, 1, 1, type, native, value);
     return st->status;
 }
 
@@ -159,23 +158,39 @@ enum status store_put_count(struct store *st, const char *path, const char *key,
 }
 
 /* The finished image lies in the memory driver's buffer: no second copy. */
-enum status store_commit(struct store *st, struct fault *fault)
+static const void *finish(struct store *st, size_t *size)
 {
-    enum status s;
     void **image = NULL;
-    int64_t size = -1;
 
     if (st->status == STATUS_OK) {
+        axis_finish(st);
         hdf_took(st, H5Fflush(st->file, H5F_SCOPE_GLOBAL));
-        size = hdf_took(st, H5Fget_file_image(st->file, NULL, 0));
+        *size = (size_t) hdf_took(st, H5Fget_file_image(st->file, NULL, 0));
         hdf_took(st,
                  H5Fget_vfd_handle(st->file, H5P_DEFAULT, (void **) &image));
     }
-    s = hdf_blame(st, fault);
-    if (s == STATUS_OK)
-        s = replace_file(st->path, *image, (size_t) size, fault);
+    return image != NULL ? *image : NULL;
+}
+
+static void close_all(struct store *st)
+{
+    axis_free(st);
+    kit_free(&st->kit);
+    hdf_close(st->group);
     hdf_close(st->file);
+    st->group = H5I_INVALID_HID;
     st->file = H5I_INVALID_HID;
+}
+
+enum status store_commit(struct store *st, struct fault *fault)
+{
+    size_t size = 0;
+    const void *image = finish(st, &size);
+    enum status s = hdf_blame(st, fault);
+
+    if (s == STATUS_OK)
+        s = replace_file(st->path, image, size, fault);
+    close_all(st);
     return s;
 }
 
@@ -185,7 +200,8 @@ void store_free(struct store **store)
 
     if (st == NULL)
         return;
-    hdf_close(st->file);
+    close_all(st);
+    free(st->group_path);
     free(st->path);
     free(st);
     *store = NULL;

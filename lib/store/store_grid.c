@@ -11,17 +11,9 @@ enum status store_put_axis(struct store *st, const char *path, const char *name,
     const struct column c = {
         .name = name, .unit = unit, .text = text, .kind = RECORD_REAL
     };
-    if (st->status == STATUS_OK) {
-        const hid_t group = hdf_group(st, path);
-        hdf_close(column_axis(st, group, &c, count, values));
-        hdf_close(group);
-    }
+    if (st->status == STATUS_OK)
+        column_axis(st, hdf_group(st, path), &c, count, values);
     return st->status;
-}
-
-static hid_t open_set(struct store *st, hid_t group, const char *name)
-{
-    return hdf_took(st, H5Dopen2(group, name, H5P_DEFAULT));
 }
 
 enum status store_put_layer(struct store *st, const char *path,
@@ -33,12 +25,10 @@ enum status store_put_layer(struct store *st, const char *path,
     assert(f->kind == RECORD_REAL || f->kind == RECORD_CODE);
     if (st->status == STATUS_OK) {
         const hid_t group = hdf_group(st, path);
-        const hid_t axis[2] = { open_set(st, group, row),
-                                open_set(st, group, column) };
-        hdf_close(column_create(st, group, &c, 2, axis));
-        hdf_close(axis[0]);
-        hdf_close(axis[1]);
-        hdf_close(group);
+        struct axis *const axis[2] = { axis_find(st, group, row),
+                                       axis_find(st, group, column) };
+        if (axis[0] != NULL && axis[1] != NULL)
+            hdf_close(column_create(st, group, &c, 2, axis));
     }
     return st->status;
 }
@@ -70,10 +60,9 @@ enum status store_put_rows(struct store *st, const char *path,
 
     if (st->status == STATUS_OK) {
         const hid_t group = hdf_group(st, path);
-        const hid_t set = open_set(st, group, f->name);
+        const hid_t set = hdf_took(st, H5Dopen2(group, f->name, H5P_DEFAULT));
         write_rows(st, set, &c, first, count, values);
         hdf_close(set);
-        hdf_close(group);
     }
     return st->status;
 }

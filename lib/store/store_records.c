@@ -12,8 +12,7 @@ struct sheet {
     struct store *st;
     hid_t group;
     const struct record_array *a;
-    int rank;   /* 0: scalars */
-    hid_t axis; /* rank 1: open scale */
+    struct axis *axis; /* NULL: scalars */
 };
 
 static const char *const existence[] = { "absent", "present", NULL };
@@ -38,7 +37,7 @@ static hid_t put_values(const struct sheet *sh, const struct column *c,
     hid_t set = H5I_INVALID_HID;
 
     if (values != NULL) {
-        set = column_create(sh->st, sh->group, c, sh->rank, &sh->axis);
+        set = column_create(sh->st, sh->group, c, sh->axis != NULL, &sh->axis);
         column_write(sh->st, set, c, values);
     }
     return set;
@@ -190,34 +189,35 @@ static void put_field(const struct sheet *sh, const struct record_field *f)
         hdf_close(put_members(sh, &c, f->offset));
 }
 
-static hid_t put_index(const struct sheet *sh)
+static struct axis *put_index(const struct sheet *sh)
 {
     const struct column n = {
         .name = "n", .unit = "1", .text = "index", .kind = RECORD_COUNT
     };
     int64_t *values = hdf_memory(sh->st, sh->a->count, sizeof *values);
-    hid_t set = H5I_INVALID_HID;
+    struct axis *axis = NULL;
 
     for (size_t i = 0; values != NULL && i < sh->a->count; i++)
         values[i] = (int64_t) i;
     if (values != NULL)
-        set = column_axis(sh->st, sh->group, &n, sh->a->count, values);
+        axis = column_axis(sh->st, sh->group, &n, sh->a->count, values);
     free(values);
-    return set;
+    return axis;
 }
 
-static hid_t put_axis(const struct sheet *sh, const struct record_field *f)
+static struct axis *put_axis(const struct sheet *sh,
+                             const struct record_field *f)
 {
     const struct column c = column_of(f);
     char *values = hdf_memory(sh->st, sh->a->count, size_of(f->kind));
-    hid_t set = H5I_INVALID_HID;
+    struct axis *axis = NULL;
 
     if (values != NULL) {
         gather(sh->a, f->offset, size_of(f->kind), values);
-        set = column_axis(sh->st, sh->group, &c, sh->a->count, values);
+        axis = column_axis(sh->st, sh->group, &c, sh->a->count, values);
     }
     free(values);
-    return set;
+    return axis;
 }
 
 /* NULL for NULL. */
@@ -244,7 +244,7 @@ enum status store_put_records(struct store *st, const char *group,
                               const struct record_array *a, const char *axis)
 {
     const struct record_field *f = field_named(a->type, axis);
-    struct sheet sh = { .st = st, .a = a, .rank = 1 };
+    struct sheet sh = { .st = st, .a = a };
 
     assert(f == NULL || f->kind == RECORD_REAL || f->kind == RECORD_COUNT);
     if (st->status != STATUS_OK)
@@ -252,8 +252,6 @@ enum status store_put_records(struct store *st, const char *group,
     sh.group = hdf_group(st, group);
     sh.axis = f != NULL ? put_axis(&sh, f) : put_index(&sh);
     put_fields(&sh, f);
-    hdf_close(sh.axis);
-    hdf_close(sh.group);
     return st->status;
 }
 
@@ -262,13 +260,11 @@ enum status store_put_scalars(struct store *st, const char *group,
                               const void *record)
 {
     const struct record_array one = { type, record, 1 };
-    struct sheet sh = { .st = st, .a = &one, .rank = 0 };
+    struct sheet sh = { .st = st, .a = &one };
 
     if (st->status != STATUS_OK)
         return st->status;
     sh.group = hdf_group(st, group);
-    sh.axis = H5I_INVALID_HID;
     put_fields(&sh, NULL);
-    hdf_close(sh.group);
     return st->status;
 }

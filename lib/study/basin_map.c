@@ -64,7 +64,7 @@ static enum status cut_plane(struct basin_map *m)
     if (status == STATUS_OK)
         status = basin_seed(&m->basin, &m->regions);
     if (status == STATUS_OK)
-        status = regions_label(&m->regions, NULL, fate_label, s);
+        status = fate_label_regions(s, &m->regions);
     return status;
 }
 
@@ -294,6 +294,8 @@ enum status basin_map_audit(struct basin_map *m, size_t cells, uint64_t seed,
     bool *wrong = calloc(cells + 1, sizeof *wrong);
     enum status s = STATUS_NO_MEMORY;
 
+    free(m->audit.wrong);
+    m->audit = (struct basin_audit){ .cells = 0 };
     m->audit.wrong = malloc((cells + 1) * sizeof *m->audit.wrong);
     if (cell && wrong && m->audit.wrong) {
         for (size_t i = 0; i < cells; i++)

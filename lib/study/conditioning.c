@@ -72,8 +72,7 @@ static struct numbers numbers_of(struct study *s, unsigned stages)
     return n;
 }
 
-/* ---- neighbours -----------------------------------------------------------
- */
+/* ---- neighbours --------------------------------------------------------- */
 
 struct neighbour {
     struct study study;
@@ -90,9 +89,9 @@ struct search {
 };
 
 /* The study with one input multiplied by `factor`, at an accuracy fit for
- * differences. */
-static void recompute(struct search *f, int input, double factor,
-                      struct neighbour *n)
+ * differences; only STATUS_NO_MEMORY is an error. */
+static enum status recompute(struct search *f, int input, double factor,
+                             struct neighbour *n)
 {
     const bool estimates = plan_has(f->s->stages, STAGE_ESTIMATES);
     struct scene *c = &n->scene;
@@ -109,14 +108,17 @@ static void recompute(struct search *f, int input, double factor,
         *material_member(&c->material, (enum material_key) input) *= factor;
     }
     study_free(&n->study);
-    n->found =
-        c->alpha < M_PI_2 && study_run(&n->study, c, NULL, &why) == STATUS_OK;
+    n->found = false;
+    if (!(c->alpha < M_PI_2))
+        return STATUS_OK;
+    const enum status status = study_run(&n->study, c, NULL, &why);
+    n->found = status == STATUS_OK;
     if (n->found)
         f->evaluations += study_cost(&n->study).field_evaluations;
+    return status == STATUS_NO_MEMORY ? status : STATUS_OK;
 }
 
-/* ---- rates ----------------------------------------------------------------
- */
+/* ---- rates -------------------------------------------------------------- */
 
 /* d q/d ln p from its neighbours; false where they do not tell it: one is
  * missing, or the two differences are unlike. */
@@ -160,6 +162,14 @@ static bool find_rates(struct search *f, double nudge, double rate[],
     return all;
 }
 
+/* A slope given by its tangent has one that is a double, and an angle whose
+ * tangent is another. */
+static bool given_by_tangent(const struct scene *c)
+{
+    return c->tan_alpha == (long double) (double) c->tan_alpha &&
+           c->tan_alpha != tanl((long double) c->alpha);
+}
+
 /* How often the rounding of an input counts. */
 static double weight_of(const struct scene *c, int input)
 {
@@ -167,9 +177,8 @@ static double weight_of(const struct scene *c, int input)
     const double t = (double) c->tan_alpha;
     struct material m = c->material;
 
-    if (input == INPUT_ALPHA) /* a tangent that is a double was given as one */
-        return c->tan_alpha == (long double) t ? t / ((1.0 + t * t) * c->alpha)
-                                               : 1.0;
+    if (input == INPUT_ALPHA) /* d ln alpha/d ln tan(alpha) */
+        return given_by_tangent(c) ? t / ((1.0 + t * t) * c->alpha) : 1.0;
     const double value = *material_member(&m, key);
     if (key == MATERIAL_L || key == MATERIAL_V_STAR || value == 0.0 ||
         !isfinite(value) || !law_uses(&c->law, key))
@@ -177,8 +186,7 @@ static double weight_of(const struct scene *c, int input)
     return key == MATERIAL_G ? 4.0 : 1.0;
 }
 
-/* ---- the second opinion on sensitivities -----------------------------------
- */
+/* ---- the second opinion on sensitivities -------------------------------- */
 
 static const struct {
     enum parameter parameter;
@@ -225,19 +233,22 @@ static void hold_all(struct search *f, int input, const double rate[],
     }
 }
 
-/* ---- all inputs ------------------------------------------------------------
- */
+/* ---- all inputs --------------------------------------------------------- */
 
-static void add_input(struct search *f, int input, double weight)
+static enum status add_input(struct search *f, int input, double weight)
 {
     double rate[NUMBERS_MAX], nudge = TOL_CONDITION_NUDGE;
     bool settled[NUMBERS_MAX] = { false };
+    enum status status;
 
     for (size_t i = 0; i < f->numbers.count; i++)
         rate[i] = HUGE_VAL;
     do {
-        recompute(f, input, 1.0 + nudge, f->up);
-        recompute(f, input, 1.0 - nudge, f->down);
+        status = recompute(f, input, 1.0 + nudge, f->up);
+        if (status == STATUS_OK)
+            status = recompute(f, input, 1.0 - nudge, f->down);
+        if (status != STATUS_OK)
+            return status;
     } while (!find_rates(f, nudge, rate, settled) &&
              (nudge *= TOL_CONDITION_SHRINK) >= TOL_CONDITION_NUDGE_MIN);
     for (size_t i = 0; i < f->numbers.count; i++) {
@@ -246,25 +257,27 @@ static void add_input(struct search *f, int input, double weight)
             q->conditioning += weight * 0x1p-53 * fabs(rate[i] / q->value);
     }
     hold_all(f, input, rate, settled);
+    return STATUS_OK;
 }
 
 static enum status add_inputs(struct search *f, const struct monitor *monitor)
 {
-    recompute(f, INPUT_ALPHA, 1.0, f->here);
-    if (!f->here->found ||
+    enum status status = recompute(f, INPUT_ALPHA, 1.0, f->here);
+
+    if (status != STATUS_OK || !f->here->found ||
         numbers_of(&f->here->study, f->s->stages).count != f->numbers.count)
-        return STATUS_OK; /* at a loose rtol knees may come and go */
+        return status; /* at a loose rtol knees may come and go */
     for (size_t i = 0; i < f->numbers.count; i++)
         if (quantity_exists(f->numbers.at[i]))
             f->numbers.at[i]->conditioning = 0.0;
-    for (int input = 0; input < INPUTS; input++) {
+    for (int input = 0; input < INPUTS && status == STATUS_OK; input++) {
         const double weight = weight_of(f->s->scene, input);
         if (monitor_tell(monitor, "sensitivities", (uint64_t) input, INPUTS))
             return STATUS_STOPPED;
         if (weight > 0.0)
-            add_input(f, input, weight);
+            status = add_input(f, input, weight);
     }
-    return STATUS_OK;
+    return status;
 }
 
 enum status conditioning_find(struct study *s, const struct monitor *monitor,

@@ -17,11 +17,11 @@
 struct study;
 
 /* Fills `conditioning` of every number that exists in s and is read off the
- * equilibria, folds, branches, knees and estimates; infinite where no
+ * equilibria, folds, branches, knees and estimates: infinite where no
  * neighbour of an input has the number, NaN where s differs too much from
- * itself at a finer rtol.  Where a sensitivity in *exact is
- * further from the differences than both allow, its error grows to that.
- * *evaluations grows by the field evaluations.
+ * itself at a finer rtol.  Where a sensitivity in *exact is further from the
+ * differences than both allow, its error grows to that.  *evaluations grows by
+ * the field evaluations.
  *
  * STATUS_NO_MEMORY, STATUS_STOPPED: some are filled. */
 MUST_CHECK enum status conditioning_find(struct study *s,

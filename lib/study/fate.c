@@ -4,7 +4,9 @@
  * both is nothing beside the time so far.  (A state far from the slow curve
  * moves as fast in one of them only, one that rests like a power of time takes
  * as long again.)  It must be seen long before v = 1e-300, since psi and
- * psi_ss then agree to all digits that ln v and ln psi have. */
+ * psi_ss then agree to all digits that ln v and ln psi have: deep below all
+ * slip rates of interest less is asked.  Meanwhile the block is stopped by a
+ * friction that hardly changes, which tells what is left. */
 #include "fate.h"
 
 #include <math.h>
@@ -47,19 +49,27 @@ static struct goals goals_of(const struct study *s)
     return g;
 }
 
+/* direction * exp(log_scale), either of which may leave the doubles. */
+static double rate_of(double direction, double log_scale)
+{
+    return copysign(exp(log(fabs(direction)) + log_scale), direction);
+}
+
 /* d/dt of both coordinates at the end of the orbit; may be infinite. */
 static struct vec2 rates(const struct study *s, const struct orbit *o)
 {
     struct planar_field f;
 
     s->system.field(s->system.ctx, (struct vec2){ o->u[0], o->u[1] }, &f);
-    return vec2_scale(exp(f.log_scale), f.direction);
+    return (struct vec2){ rate_of(f.direction.x, f.log_scale),
+                          rate_of(f.direction.y, f.log_scale) };
 }
 
 static bool rests(const struct study *s, const struct orbit *o)
 {
     const struct vec2 rate = rates(s, o);
-    const double soon = TOL_REST_SOON * o->u[2];
+    const bool deep = s->system.origin.x + o->u[0] < TOL_REST_DEEP;
+    const double soon = (deep ? TOL_REST_DEEP_SOON : TOL_REST_SOON) * o->u[2];
 
     return -rate.x * soon > 1.0 && rate.y * soon > 1.0;
 }
@@ -103,23 +113,48 @@ static enum fate fate_at_end(const struct study *s, const struct goals *g,
     return fate;
 }
 
-/* What is still to come of the slip at the end of an orbit that rests:
- * v ~ t^-p leaves v t/(p - 1).  Infinite where p <= 1. */
-static double slip_left(const struct study *s, const struct orbit *o)
+/* What is still to come at the end of an orbit, or nearly so. */
+struct rest {
+    double time, slip; /* may be infinite */
+};
+
+/* At constant friction v falls to 0 like a line; v ~ t^-p leaves v t/(p - 1)
+ * of slip, infinite where p <= 1. */
+static struct rest rest_of(const struct study *s, const struct orbit *o,
+                           enum fate fate)
 {
     const double v = s->block.at.v0 * exp(o->u[0]), t = o->u[2];
-    const double p = -rates(s, o).x * t;
+    const double rate = -rates(s, o).x, p = rate * t;
 
-    return p > 1.0 ? v * t / (p - 1.0) : HUGE_VAL;
+    if (fate == FATE_REST_FINITE)
+        return (struct rest){ 1.0 / rate, 0.5 * v / rate };
+    if (fate == FATE_REST_ASYMPTOTIC)
+        return (struct rest){ HUGE_VAL,
+                              p > 1.0 ? v * t / (p - 1.0) : HUGE_VAL };
+    return (struct rest){ 0.0, 0.0 };
+}
+
+/* The integrals of an orbit whose slip is finite; what is left of it is
+ * added, and is in the bars. */
+static void observe_slip(const struct orbit *o, struct rest left,
+                         struct fate_result *out)
+{
+    const double passed = o->u[3 + BLOCK_SLIP], work = o->u[3 + BLOCK_WORK];
+    const double slip_error = o->error[3 + BLOCK_SLIP] + left.slip;
+    const double work_error = o->error[3 + BLOCK_WORK];
+
+    out->slip = quantity_of(passed + left.slip, slip_error);
+    out->mu_mean =
+        passed > 0.0
+            ? quantity_of(work / passed,
+                          (work_error + work / passed * slip_error) / passed)
+            : quantity_none("no slip before arrest");
 }
 
 static void observe_end(const struct study *s, const struct orbit *o,
                         struct fate_result *out)
 {
-    const double slip = o->u[3 + BLOCK_SLIP], work = o->u[3 + BLOCK_WORK];
-    const double slip_error = o->error[3 + BLOCK_SLIP];
-    const double left =
-        out->fate == FATE_REST_ASYMPTOTIC ? slip_left(s, o) : 0.0;
+    const struct rest left = rest_of(s, o, out->fate);
     static const char runs_away[] = "the block runs away";
     static const char undecided[] = "the fate is undecided";
     static const char never[] = "the block never quite stops";
@@ -130,19 +165,13 @@ static void observe_end(const struct study *s, const struct orbit *o,
         out->slip = out->time = out->mu_mean = quantity_none(why);
         return;
     }
-    out->time = out->fate == FATE_REST_ASYMPTOTIC
+    out->time = isinf(left.time)
                     ? quantity_none(never)
-                    : quantity_of(o->u[2], o->error[2]);
-    out->slip = left < HUGE_VAL ? quantity_of(slip, slip_error + left)
-                                : quantity_none(unbounded);
-    out->mu_mean =
-        slip > 0.0
-            ? quantity_of(work / slip, (o->error[3 + BLOCK_WORK] +
-                                        work / slip * (slip_error + left)) /
-                                           slip)
-            : quantity_none("no slip before arrest");
-    if (left == HUGE_VAL)
-        out->mu_mean = quantity_none(unbounded);
+                    : quantity_of(o->u[2] + left.time, o->error[2] + left.time);
+    if (isinf(left.slip))
+        out->slip = out->mu_mean = quantity_none(unbounded);
+    else
+        observe_slip(o, left, out);
 }
 
 /* orbit_run, which also ends where the block rests or runs away. */
@@ -193,11 +222,25 @@ enum status fate_find(const struct study *s, struct vec2 z, double rtol,
     return status;
 }
 
-enum status fate_label(const void *study, struct vec2 z, int8_t *label)
+/* ---- regions ------------------------------------------------------------- */
+
+static enum status label_seed(const void *study, struct vec2 z, int8_t *label)
 {
     struct fate_result r;
     const enum status s = fate_find(study, z, TOL_TRAP_RTOL, false, NULL, &r);
 
     *label = (int8_t) r.fate;
     return s;
+}
+
+enum status fate_label_regions(const struct study *s, struct regions *r)
+{
+    const struct vec2 half = { TOL_FATE_NEAR, TOL_FATE_NEAR };
+    const struct box near = { vec2_sub(s->system.origin, half),
+                              vec2_add(s->system.origin, half) };
+    enum status status = regions_label(r, &near, label_seed, s);
+
+    if (status == STATUS_OK)
+        status = regions_label(r, &s->system.domain, label_seed, s);
+    return status;
 }

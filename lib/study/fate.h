@@ -11,6 +11,7 @@
 #include "equilibrium.h"
 #include "monitor.h"
 #include "record.h"
+#include "region.h"
 
 struct study;
 
@@ -50,9 +51,10 @@ MUST_CHECK enum status fate_find(const struct study *s, struct vec2 z,
                                  const struct monitor *monitor,
                                  struct fate_result *out);
 
-/* The fate alone, coarsely, of a point well inside its region: region_fate of
- * region.h, with a struct study for context.  Errors as fate_find. */
-MUST_CHECK enum status fate_label(const void *study, struct vec2 z,
-                                  int8_t *label);
+/* The label (enum fate) of every region of the plane that has none yet, by the
+ * orbit of its seed or of a point in the domain, near the anchor if it can be.
+ * Errors as fate_find. */
+MUST_CHECK enum status fate_label_regions(const struct study *s,
+                                          struct regions *r);
 
 #endif

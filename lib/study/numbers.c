@@ -21,9 +21,7 @@ double numbers_cancellation(const struct equilibrium *e)
                       : (fabs(m.xx * m.yy) + fabs(m.xy * m.yx)) / fabs(det);
 }
 
-/* Relative uncertainty of v, psi at a steady state: one rounding to double,
- * and what a long double root of the balance leaves near a fold. */
-static double steady_floor(const struct block *b)
+double numbers_floor(const struct block *b)
 {
     const long double x = (long double) b->at.x0, h = 1e-5L;
     const struct law *law = &b->law;
@@ -42,7 +40,7 @@ static double steady_floor(const struct block *b)
 struct steady_number numbers_steady(const struct block *b,
                                     const struct equilibrium *e)
 {
-    const double floor = steady_floor(b), lost = numbers_cancellation(e);
+    const double floor = numbers_floor(b), lost = numbers_cancellation(e);
     const double unit =
         8.0 * DBL_EPSILON *
         (1.0 + 0.25 * fabs(e->log_scale) + fabs(b->at.log_inertia) * 0.25);
@@ -325,7 +323,7 @@ struct critical_numbers numbers_critical(const struct block *b,
                                          const struct branch *lower)
 {
     struct critical_numbers out = numbers_no_critical();
-    struct builder n = { b, e, upper, lower, steady_floor(b), &out };
+    struct builder n = { b, e, upper, lower, numbers_floor(b), &out };
 
     upper_numbers(&n);
     if (out.upper_end == END_PSI_INF)

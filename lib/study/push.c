@@ -69,20 +69,6 @@ static enum status cut_plane(struct push *p)
     return status;
 }
 
-/* Regions near the anchor are asked for there, where orbits are short. */
-static enum status label_regions(struct push *p)
-{
-    const struct study *s = &p->study;
-    const struct vec2 half = { TOL_PUSH_NEAR, TOL_PUSH_NEAR };
-    const struct box near = { vec2_sub(s->system.origin, half),
-                              vec2_add(s->system.origin, half) };
-    enum status status = regions_label(&p->regions, &near, fate_label, s);
-
-    if (status == STATUS_OK)
-        status = regions_label(&p->regions, &s->system.domain, fate_label, s);
-    return status;
-}
-
 enum status push_init(struct push *p, const struct scene *scene,
                       const struct monitor *monitor, struct fault *why)
 {
@@ -98,7 +84,7 @@ enum status push_init(struct push *p, const struct scene *scene,
     if (status == STATUS_OK)
         status = cut_plane(p);
     if (status == STATUS_OK)
-        status = label_regions(p);
+        status = fate_label_regions(&p->study, &p->regions);
     if (status == STATUS_OK)
         return STATUS_OK;
     snprintf(why->text, sizeof why->text, "the basins of the slope: %s",
@@ -130,24 +116,28 @@ static enum status follow(const struct push *p, struct vec2 z,
                           const struct monitor *monitor,
                           struct push_answer *out)
 {
-    struct fate_result coarse, fine = { .fate = FATE_UNDECIDED };
+    static const char too_near[] =
+        "the state is too near the boundary for its orbit to be followed";
+    struct fate_result coarse, fine;
     double rtol = TOL_PUSH_COARSE;
-    enum status s = fate_find(&p->study, z, rtol, true, monitor, &fine);
+    bool agree = false;
+    enum status s = fate_find(&p->study, z, rtol, true, monitor, &coarse);
 
-    do {
-        coarse = fine;
+    while (s == STATUS_OK && !agree && coarse.reason == NULL &&
+           rtol * TOL_PUSH_FINER >= TOL_PUSH_FINEST) {
         rtol *= TOL_PUSH_FINER;
-        if (s == STATUS_OK)
-            s = fate_find(&p->study, z, rtol, true, monitor, &fine);
-    } while (s == STATUS_OK && rtol * TOL_PUSH_FINER >= TOL_PUSH_FINEST &&
-             !((int8_t) fine.fate == out->fate && coarse.fate == fine.fate));
-    if ((int8_t) fine.fate == out->fate && coarse.fate == fine.fate) {
+        s = fate_find(&p->study, z, rtol, true, monitor, &fine);
+        agree = (int8_t) coarse.fate == out->fate && fine.fate == coarse.fate;
+        if (!agree)
+            coarse = fine;
+    }
+    if (agree) {
         out->slip = compare(coarse.slip, fine.slip);
         out->time = compare(coarse.time, fine.time);
         out->mu_mean = compare(coarse.mu_mean, fine.mu_mean);
     } else {
-        out->slip = out->time = out->mu_mean = quantity_none(
-            "the state is too near the boundary for its orbit to be followed");
+        const char *why = coarse.reason ? coarse.reason : too_near;
+        out->slip = out->time = out->mu_mean = quantity_none(why);
     }
     return s;
 }

@@ -21,8 +21,9 @@ struct sensitivities {
 struct sensitivities sensitivity_none(const char *reason);
 
 /* Of the saddle e at b's anchor, to about rtol; c says which limits exist.
- * Errors of local_at and grow_branch; then *out is undefined.  *evaluations
- * grows by the field evaluations; a jet counts as one a coefficient. */
+ * STATUS_NO_MEMORY, STATUS_BAD_ARGUMENT and STATUS_NOT_HYPERBOLIC as local_at
+ * and grow_branch; then *out is undefined.  *evaluations grows by the field
+ * evaluations; a jet counts as one a coefficient. */
 MUST_CHECK enum status sensitivity_find(const struct block *b,
                                         const struct equilibrium *e,
                                         const struct critical_numbers *c,

@@ -15,12 +15,23 @@ static int trap_at(struct vec2 offset)
     return offset.x > 0.0 && offset.y < 0.0 ? 1 : TRAPS;
 }
 
+/* The left eigenvector of the growing eigenvalue. */
+static struct vec2 across_of(const struct equilibrium *saddle)
+{
+    const struct mat2 m = saddle->matrix;
+    const struct mat2 transposed = { m.xx, m.yx, m.xy, m.yy };
+
+    return mat2_eigenvector(transposed, saddle->scaled[1]);
+}
+
 enum status trap_init(struct trap *t, const struct study *s,
                       const struct monitor *monitor)
 {
     enum status status = STATUS_OK;
 
     *t = (struct trap){ .study = s, .set = s->saddle >= 0 };
+    if (t->set)
+        t->across = across_of(&s->equilibrium[s->saddle]);
     for (int i = 0; i < TRAPS && t->set && status == STATUS_OK; i++) {
         const double step = i == 0 ? -TOL_TRAP_START : TOL_TRAP_START;
         const struct vec2 z = { s->system.origin.x + step,
@@ -59,18 +70,20 @@ static double chord_distance(const double a[], const double b[])
     return hypot(a[0] + t * dx, a[1] + t * dy);
 }
 
-/* The trap that z ends in; TRAPS where it takes too long to tell.  *near: how
- * close it came to the saddle. */
+/* The trap that z ends in; TRAPS where it takes too long to tell.  *certain: it
+ * neither came too close to the saddle for this tolerance nor was too close to
+ * the stable manifold when it was caught. */
 static int follow(const struct trap *t, struct vec2 z, double rtol,
-                  double *near, size_t *evaluations)
+                  bool *certain, size_t *evaluations)
 {
     const struct ode ode = { 2, unit_speed, t->study };
     const double atol[2] = { rtol, rtol };
     double u[2] = { z.x, z.y }, u1[2], error[2], h = TOL_TRAP_STEP, factor;
     struct control control = CONTROL_INIT(8.0);
     struct explicit8 work;
+    double near = vec2_length(z);
 
-    *near = vec2_length(z);
+    *certain = false;
     unit_speed(t->study, 0.0, u, work.k[0]);
     for (int n = 0; n < TOL_TRAP_STEPS; n++) {
         const double off =
@@ -80,10 +93,12 @@ static int follow(const struct trap *t, struct vec2 z, double rtol,
         h *= factor;
         if (!accepted)
             continue;
-        *near = fmin(*near, chord_distance(u, u1));
+        near = fmin(near, chord_distance(u, u1));
         u[0] = u1[0];
         u[1] = u1[1];
         const int caught = trap_at((struct vec2){ u[0], u[1] });
+        const double side = fabs(t->across.x * u[0] + t->across.y * u[1]);
+        *certain = near >= TOL_TRAP_FAR * rtol && side >= TOL_TRAP_SIDE * rtol;
         if (caught < TRAPS)
             return caught;
         unit_speed(t->study, 0.0, u, work.k[0]);
@@ -108,14 +123,13 @@ enum status trap_label(const struct trap *t, struct vec2 z, int8_t *label,
 {
     const struct vec2 offset = vec2_sub(z, t->study->system.origin);
     int caught = t->set ? trap_at(offset) : TRAPS;
-    double near = 0.0, rtol = TOL_TRAP_RTOL;
+    bool certain = !t->set || caught < TRAPS;
     size_t spent = 0;
     enum status s = STATUS_OK;
 
-    if (t->set && caught == TRAPS)
-        for (; near < TOL_TRAP_FAR * rtol && rtol >= TOL_TRAP_FINEST;
-             rtol *= TOL_TRAP_FINER)
-            caught = follow(t, offset, rtol, &near, &spent);
+    for (double rtol = TOL_TRAP_RTOL; !certain && rtol >= TOL_TRAP_FINEST;
+         rtol *= TOL_TRAP_FINER)
+        caught = follow(t, offset, rtol, &certain, &spent);
     if (caught < TRAPS)
         *label = t->fate[caught];
     else

@@ -16,6 +16,8 @@ struct trap {
     const struct study *study; /* borrowed */
     bool set;                  /* there is a saddle */
     int8_t fate[TRAPS];        /* of the slow and the fast quadrant */
+    struct vec2 across;        /* unit; normal to the stable manifold at the
+                                  saddle, which may lie almost on an axis */
 };
 
 /* Follows one orbit from inside each quadrant to its end.  STATUS_NO_MEMORY,

@@ -1,0 +1,260 @@
+/*
+ * The graph y(x) or x(y), whichever is flatter, in offsets from the saddle.
+ * Start: the eigenvector of differences 1e-18 away from the saddle.  Near the
+ * saddle, with s = ln|ind|, r = dep/ind and w = excess/ind are all but
+ * constant:  dr/ds = slope - r,  dw/ds = d excess/d ind - w.  Further out the
+ * graph itself.  End: where nothing changes any more, by tol.
+ */
+#include "quad_branch.h"
+
+#include <math.h>
+
+#include "quad_step.h"
+
+enum { STEPS_MAX = 4000 };
+
+static const double start = 1e-18, near_saddle = 1e-2;
+static const double steep = 1.5; /* |slope| above which the graph turns */
+static const double longest = 8.0;
+static const double far = 300.0; /* no limit within this of the saddle */
+
+struct grower {
+    const struct law *law;
+    const struct quad_anchor *at;
+    quad tol;
+    int ind;      /* 0: y(x), 1: x(y) */
+    int way;      /* sign of the steps of ind */
+    bool near;    /* in r, w over s */
+    quad s, u[2]; /* ind, or ln|ind|; dep and excess, or r and w */
+    quad h;
+    quad slope, rate; /* d dep/d ind, d excess/d ind at the last point */
+    struct quad_branch *out;
+};
+
+static quad field_at(const struct grower *g, const quad z[2], quad rate[2])
+{
+    struct quad_field f;
+
+    quad_block_field(g->law, g->at, z[0], z[1], &f);
+    rate[0] = f.direction[0];
+    rate[1] = f.direction[1];
+    g->out->evaluations++;
+    return f.log_scale;
+}
+
+/* d dep/d ind and d excess/d ind. */
+static void slopes(const struct grower *g, quad ind, quad dep, quad out[2])
+{
+    const quad z[2] = { g->ind == 0 ? ind : dep, g->ind == 0 ? dep : ind };
+    quad f[2];
+    const quad scale = field_at(g, z, f);
+    const quad excess =
+        quad_block_rate(g->law, g->at, BLOCK_EXCESS, z[0], z[1]);
+
+    out[0] = f[1 - g->ind] / f[g->ind];
+    out[1] = excess * expq(-scale) / f[g->ind];
+}
+
+static void graph_rates(const void *ctx, quad s, const quad u[2], quad du[2])
+{
+    const struct grower *g = ctx;
+
+    slopes(g, s, u[0], du);
+}
+
+static void near_rates(const void *ctx, quad s, const quad u[2], quad du[2])
+{
+    const struct grower *g = ctx;
+    const quad ind = g->way * expq(s);
+
+    slopes(g, ind, u[0] * ind, du);
+    du[0] -= u[0];
+    du[1] -= u[1];
+}
+
+/* ---- start ----------------------------------------------------------- */
+
+/* The field's linear part, rates per offset, up to a common factor. */
+static void linear_part(const struct grower *g, quad J[2][2])
+{
+    quad scale[2];
+
+    for (int j = 0; j < 2; j++) {
+        const quad z[2] = { j == 0 ? (quad) start : 0,
+                            j == 1 ? (quad) start : 0 };
+        quad f[2];
+        scale[j] = field_at(g, z, f);
+        for (int i = 0; i < 2; i++)
+            J[i][j] = f[i];
+    }
+    for (int i = 0; i < 2; i++)
+        J[i][1] *= expq(scale[1] - scale[0]);
+}
+
+/* The eigenvector to the negative eigenvalue; false where there is none or
+ * the other is not positive. */
+static bool set_start(struct grower *g, int side)
+{
+    quad J[2][2], slope[2];
+
+    linear_part(g, J);
+    const quad half = (J[0][0] + J[1][1]) / 2;
+    const quad det = J[0][0] * J[1][1] - J[0][1] * J[1][0];
+    if (!(det < 0))
+        return false;
+    const quad minus = half - copysignq(sqrtq(half * half - det), 1);
+    const quad p = minus - J[0][0], q = minus - J[1][1];
+    /* (J01, p) and (q, J10) are multiples of it: take the longer */
+    const bool first = fabsq(J[0][1]) + fabsq(p) > fabsq(q) + fabsq(J[1][0]);
+    const quad x = first ? J[0][1] : q, y = first ? p : J[1][0];
+    g->ind = fabsq(y) > fabsq(x);
+    g->way = g->ind == 0 || (x > 0) == (y > 0) ? side : -side;
+    g->near = true;
+    g->s = logq((quad) start);
+    g->u[0] = g->ind == 0 ? y / x : x / y;
+    slopes(g, g->way * (quad) start, g->u[0] * g->way * (quad) start, slope);
+    g->u[1] = slope[1];
+    g->slope = g->u[0];
+    g->h = 1;
+    return true;
+}
+
+/* ---- steps ----------------------------------------------------------- */
+
+/* Error of a step over what is allowed, and of dep alone, absolute. */
+static quad step_error(const struct grower *g, const quad error[2],
+                       const quad to[2])
+{
+    quad size = fabsq(to[0]);
+
+    if (!g->near) /* dep may pass through zero */
+        size += fabsq(g->h * g->slope) / 16;
+    if (!g->near && size > 1)
+        size = 1;
+    const quad dep = error[0] / (size * g->tol);
+    const quad excess = error[1] / (fabsq(to[1]) * g->tol);
+    return dep + excess;
+}
+
+static void choose_step(struct grower *g, double error)
+{
+    double factor = 3.0;
+
+    if (!(error < HUGE_VAL))
+        factor = 0.2;
+    else if (error > 0.0)
+        factor = 0.8 * pow(error, -1.0 / QUAD_STEP_ORDER);
+    g->h *= fmin(fmax(factor, 0.2), 3.0);
+    if (g->h > longest)
+        g->h = longest;
+}
+
+/* Moves on by one accepted step; false when none is short enough. */
+static bool move(struct grower *g)
+{
+    for (int attempt = 0; attempt < 60; attempt++) {
+        const quad h = g->near ? g->h : g->way * g->h;
+        quad to[2], error[2];
+        quad_step(g->near ? near_rates : graph_rates, g, g->s, h, g->u, to,
+                  error);
+        const double wrong = (double) step_error(g, error, to);
+        if (wrong <= 1.0) {
+            g->s += h;
+            g->u[0] = to[0];
+            g->u[1] = to[1];
+            g->out->error += g->near ? 0 : error[0];
+            g->out->excess_error += g->near ? 0 : error[1];
+            choose_step(g, wrong);
+            return true;
+        }
+        choose_step(g, wrong);
+    }
+    return false;
+}
+
+/* From r, w over ln|ind| to the graph. */
+static void leave_saddle(struct grower *g)
+{
+    const quad ind = g->way * expq(g->s);
+
+    g->near = false;
+    g->s = ind;
+    g->u[0] *= ind;
+    g->u[1] *= ind;
+    g->h = fabsq(ind) / 2;
+}
+
+/* The other coordinate becomes the independent one. */
+static void turn(struct grower *g)
+{
+    if (g->near)
+        leave_saddle(g);
+    const quad ind = g->s;
+    g->s = g->u[0];
+    g->u[0] = ind;
+    g->h *= fabsq(g->slope);
+    g->way = g->slope > 0 ? g->way : -g->way;
+    g->slope = 1 / g->slope;
+    g->ind = 1 - g->ind;
+}
+
+/* ---- end ------------------------------------------------------------- */
+
+/* Whether nothing changes any more. */
+static bool is_done(const struct grower *g)
+{
+    const quad dep = fabsq(g->u[0]), still = g->tol / 10;
+
+    return fabsq(g->slope) < still * (dep < 1 ? dep : 1) &&
+           fabsq(g->rate) < still * fabsq(g->u[1]);
+}
+
+static bool has_ended(const struct grower *g)
+{
+    struct quad_branch *out = g->out;
+    const bool done = is_done(g);
+    /* psi far above psi_0, too, where y is its logarithm */
+    const bool beyond = fabsq(g->s) > (law_psi_is_log(g->law) ? far : 30.0);
+
+    out->end = QUAD_TRUNCATED;
+    if (g->ind == 1 && g->way > 0) {
+        out->end = done ? QUAD_PSI_INF : QUAD_OPEN;
+        return done || (beyond && g->at->y0 + g->s > log(far));
+    }
+    if (done)
+        out->end = g->ind == 1 ? QUAD_PSI_0 : g->way < 0 ? QUAD_V_0 : out->end;
+    return done || fabsq(g->s) > far;
+}
+
+bool quad_branch_grow(const struct law *law, const struct quad_anchor *at,
+                      int side, double tol, struct quad_branch *out)
+{
+    struct grower g = { .law = law, .at = at, .tol = tol, .out = out };
+    bool ended = false;
+
+    *out = (struct quad_branch){ .end = QUAD_TRUNCATED };
+    if (!set_start(&g, side))
+        return false;
+    while (!ended && out->steps < STEPS_MAX && move(&g)) {
+        quad both[2];
+        const quad ind = g.near ? g.way * expq(g.s) : g.s;
+        slopes(&g, ind, g.near ? g.u[0] * ind : g.u[0], both);
+        g.slope = both[0];
+        g.rate = both[1];
+        out->steps++;
+        if (fabsq(g.slope) > steep)
+            turn(&g);
+        else if (g.near && fabsq(ind) > near_saddle)
+            leave_saddle(&g);
+        else if (!g.near)
+            ended = has_ended(&g);
+    }
+    if (!ended)
+        out->end = QUAD_TRUNCATED;
+    out->x = g.ind == 0 ? g.s : g.u[0];
+    out->y = g.ind == 0 ? g.u[0] : g.s;
+    out->excess = -g.u[1];
+    out->error /= fabsq(g.u[0]);
+    out->excess_error /= fabsq(g.u[1]);
+    return true;
+}

@@ -1,0 +1,81 @@
+/* scenes.h -- scenes of texts and overrides, and whether two are the same.
+ * Give the test the dependency own_folder and its set-up. */
+#ifndef TESTS_SCENES_H
+#define TESTS_SCENES_H
+
+#include <string.h>
+
+#include "check.h"
+#include "own_folder.h"
+#include "scene.h"
+
+/* Reads `text` as the file s.yaml (NULL: no file) with `sets`, one "key=value"
+ * a line. */
+static inline enum status scene_of(struct scene *s, const char *text,
+                                   const char *sets, struct fault *why)
+{
+    char lines[1024], *rest = lines, *set[32], *line;
+    const char *path = text ? own_path("s.yaml") : NULL;
+    size_t count = 0;
+
+    if (text)
+        file_write(path, text, strlen(text));
+    assert_true(strlen(sets) < sizeof lines);
+    strcpy(lines, sets);
+    while ((line = strsep(&rest, "\n")) != NULL && count < 32)
+        if (*line)
+            set[count++] = line;
+    return scene_read(s, path, set, count, why);
+}
+
+/* The same, which must succeed. */
+static inline struct scene scene_made(const char *text, const char *sets)
+{
+    struct scene s;
+    struct fault why;
+
+    CHECK(scene_of(&s, text, sets, &why) == STATUS_OK, "%s", why.text);
+    return s;
+}
+
+static inline bool same_text(const char *a, const char *b)
+{
+    return a == b || (a && b && strcmp(a, b) == 0);
+}
+
+static inline bool same_law(const struct law *a, const struct law *b)
+{
+    return same_text(a->preset, b->preset) &&
+           same_text(a->equation, b->equation) && a->form == b->form &&
+           a->theta == b->theta && a->psi_ss == b->psi_ss &&
+           a->timescale == b->timescale && a->kinetics == b->kinetics;
+}
+
+static inline bool same_lists(const struct scene *a, const struct scene *b)
+{
+    return a->xi_count == b->xi_count &&
+           memcmp(a->xi, b->xi, a->xi_count * sizeof *a->xi) == 0 &&
+           a->starts == b->starts &&
+           (a->starts == 0 ||
+            memcmp(a->start, b->start, a->starts * sizeof *a->start) == 0);
+}
+
+/* All but what it was read from: text and overrides. */
+static inline bool scene_same(const struct scene *a, const struct scene *b)
+{
+    return same_text(a->title, b->title) && same_law(&a->law, &b->law) &&
+           memcmp(&a->material, &b->material, sizeof a->material) == 0 &&
+           a->alpha == b->alpha && a->tan_alpha == b->tan_alpha &&
+           memcmp(a->window.v, b->window.v, sizeof a->window.v) == 0 &&
+           memcmp(a->window.psi, b->window.psi, sizeof a->window.psi) == 0 &&
+           a->window.axes == b->window.axes && a->units == b->units &&
+           a->products == b->products && same_lists(a, b) &&
+           a->spread == b->spread && a->seed == b->seed &&
+           a->until_time == b->until_time && a->until_slip == b->until_slip &&
+           a->linear_slip == b->linear_slip && a->log_time == b->log_time &&
+           a->cells[0] == b->cells[0] && a->cells[1] == b->cells[1] &&
+           a->audit == b->audit && a->exact == b->exact && a->rtol == b->rtol &&
+           same_text(a->hdf5, b->hdf5) && same_text(a->figure, b->figure);
+}
+
+#endif

@@ -1,0 +1,237 @@
+/* Bars never lie: the numbers of random laws at random parameters against the
+ * 113-bit branches of lib/race, at every accuracy asked for.  CHECK_COUNT sets
+ * how many draws, CHECK_SEED which. */
+#include "quad_branch.h"
+
+#include <math.h>
+
+#include "check.h"
+#include "laws.h"
+#include "records.h"
+#include "reference_rows.h"
+#include "steady.h"
+#include "tolerance.h"
+
+/* A random slope, solved in 113 bits; the same slope in double needs no
+ * rounding of any input. */
+struct draw {
+    struct law law;
+    struct material m;
+    long double tan_alpha;
+    struct quad_anchor at;
+    struct quad_branch upper, lower;
+    char name[200];
+};
+
+/* Whether doubles hold the system around x: psi within its domain with room to
+ * spare, and for (45) a rate exp(-psi_ss) that does not underflow. */
+static bool is_in_range(const struct draw *d, long double x)
+{
+    const long double psi = steady_psi(&d->law, &d->m, x);
+
+    return !(law_psi_is_log(&d->law) || law_freezes(&d->law)) ||
+           fabsl(psi) < 0.5L * (long double) TOL_PSI_RANGE;
+}
+
+/* A saddle's x within the range where friction is measured, and beyond. */
+static bool draw_slope(struct draw *d, uint64_t *seed, long double *x)
+{
+    const long double h = 1e-6L;
+
+    *x = (long double) check_uniform(seed, -16, 16);
+    if (*x + h >= steady_x_max(&d->law))
+        return false;
+    const long double below = steady_mu_log(&d->law, &d->m, *x - h);
+    const long double above = steady_mu_log(&d->law, &d->m, *x + h);
+    d->tan_alpha = steady_mu(&d->law, &d->m, *x);
+    return below > above && d->tan_alpha > 0.02L && d->tan_alpha < 5.0L &&
+           is_in_range(d, *x);
+}
+
+static bool draw_one(size_t i, uint64_t *seed, struct draw *d)
+{
+    long double x;
+
+    if (!laws_draw(i % LAWS, seed, &d->law, &d->m))
+        return false;
+    for (int attempt = 0; attempt < 20; attempt++)
+        if (draw_slope(d, seed, &x)) {
+            snprintf(d->name, sizeof d->name,
+                     "draw %zu: %s %s %s %s %s tan alpha %.17Lg", i,
+                     friction_form_names[d->law.form],
+                     theta_names[d->law.theta],
+                     d->law.kinetics == KINETICS_COMPOSITE
+                         ? "kato_tullis"
+                         : psi_ss_names[d->law.psi_ss],
+                     timescale_names[d->law.timescale],
+                     d->law.kinetics == KINETICS_LINEAR ? "linear" : "sinh",
+                     d->tan_alpha);
+            return true;
+        }
+    return false;
+}
+
+/* The saddle that the numbers are of, to the last of 113 bits. */
+static bool solve_exactly(struct draw *d, const struct block *b)
+{
+    const double tol = 1e-18;
+
+    for (double width = 1e-15; width < 1e-3; width *= 10) {
+        const quad wide = width * (1 + fabs(b->at.x0));
+        const quad x = b->at.x0, lo = x - wide, hi = x + wide;
+        if (!(quad_block_mu_ss(&d->law, &d->m, lo) > d->tan_alpha &&
+              quad_block_mu_ss(&d->law, &d->m, hi) < d->tan_alpha))
+            continue;
+        quad_block_anchor(
+            &d->law, &d->m, d->tan_alpha,
+            quad_block_equilibrium(&d->law, &d->m, d->tan_alpha, lo, hi), true,
+            &d->at);
+        return quad_branch_grow(&d->law, &d->at, 1, tol, &d->upper) &&
+               quad_branch_grow(&d->law, &d->at, -1, tol, &d->lower);
+    }
+    return false;
+}
+
+struct tally {
+    size_t rows, bars, loose;
+    double log_bar; /* sum of log10 of relative bars */
+};
+
+static void hold(const struct draw *d, double rtol, const char *what,
+                 const struct quantity *q, quad want, struct tally *t)
+{
+    const double off = (double) fabsq(q->value - want);
+    const double size = (double) fabsq(want);
+
+    CHECK(quantity_exists(q), "%s: %s: %s", d->name, what, q->reason);
+    CHECK(off <= q->error, "%s, rtol %g: %s = %.17g +- %.2g is off by %.2g",
+          d->name, rtol, what, q->value, q->error, off);
+    t->bars++;
+    t->loose += q->error > 100.0 * fmax(off, 1e-13 * size);
+    t->log_bar += log10(q->error / size);
+}
+
+static void hold_upper(const struct draw *d, double rtol,
+                       const struct critical_numbers *n, struct tally *t)
+{
+    const quad v0 = d->at.v0, v = v0 * expq(d->upper.x);
+    const quad tangent = d->tan_alpha, excess = d->upper.excess;
+    const quad eps2 =
+        (quad) d->m.V_star * d->m.V_star / ((quad) d->m.g * d->m.L);
+    const quad half = eps2 * sqrtq(1 + tangent * tangent) / 2;
+    const quad G = half * v0 * v0 * expm1q(2 * d->upper.x);
+    const quad mean = half * (v - v0) * v0 * expm1q(d->upper.x);
+
+    if (d->upper.end != QUAD_PSI_INF)
+        return;
+    hold(d, rtol, "v_plus", &n->v_plus, v, t);
+    hold(d, rtol, "ln_v_plus", &n->ln_v_plus, d->at.x0 + d->upper.x, t);
+    hold(d, rtol, "x_excess", &n->x_excess, excess, t);
+    hold(d, rtol, "fracture_energy", &n->fracture_energy, G, t);
+    if (n->x_excess.error >= n->x_excess.value)
+        return; /* nothing can be divided by it */
+    hold(d, rtol, "mu_s_num", &n->mu_s_num, tangent + G / excess, t);
+    hold(d, rtol, "mu_s_mean", &n->mu_s_mean, tangent + mean / excess, t);
+}
+
+static void hold_lower(const struct draw *d, double rtol,
+                       const struct critical_numbers *n, struct tally *t)
+{
+    const quad x = d->at.x0 + d->lower.x, y = d->at.y0 + d->lower.y;
+
+    if (d->lower.end == QUAD_PSI_0) {
+        hold(d, rtol, "v_minus", &n->v_minus, expq(x), t);
+        hold(d, rtol, "ln_v_minus", &n->ln_v_minus, x, t);
+    } else if (d->lower.end == QUAD_V_0) {
+        hold(d, rtol, "psi_at_v0", &n->psi_at_v0,
+             law_psi_is_log(&d->law) ? y : expq(y), t);
+    }
+    if (d->lower.end != QUAD_TRUNCATED)
+        hold(d, rtol, "x_deficit", &n->x_deficit, -d->lower.excess, t);
+}
+
+/* A lower branch that never settles, but by less than a double can tell, is as
+ * good as one that meets v = 0. */
+static void hold_ends(const struct draw *d, double rtol,
+                      const struct critical_numbers *n, struct tally *t)
+{
+    static const enum end_code code[] = {
+        [QUAD_PSI_INF] = END_PSI_INF,     [QUAD_OPEN] = END_OPEN,
+        [QUAD_PSI_0] = END_PSI_0,         [QUAD_V_0] = END_V_0,
+        [QUAD_TRUNCATED] = END_TRUNCATED,
+    };
+    const quad y = d->at.y0 + d->lower.y;
+
+    CHECK(n->upper_end == (int8_t) code[d->upper.end], "%s: %s, not %s",
+          d->name, end_names[n->upper_end], end_names[code[d->upper.end]]);
+    if (d->lower.end == QUAD_TRUNCATED && n->lower_end == END_V_0)
+        hold(d, rtol, "psi_at_v0", &n->psi_at_v0,
+             law_psi_is_log(&d->law) ? y : expq(y), t);
+    else
+        CHECK(n->lower_end == (int8_t) code[d->lower.end], "%s: %s, not %s",
+              d->name, end_names[n->lower_end], end_names[code[d->lower.end]]);
+}
+
+enum { LEVELS = 5 }; /* rtol 1e-4, 1e-6, ... 1e-12 */
+
+static bool hold_draw(size_t i, uint64_t *seed, struct tally tally[LEVELS])
+{
+    struct draw d;
+    bool known = false;
+
+    if (!draw_one(i, seed, &d))
+        return false;
+    for (int k = LEVELS; k-- > 0;) {
+        const double rtol = pow(10.0, -4 - 2 * k);
+        struct solved s;
+        const enum status status = solve(&s, &d.law, &d.m, d.tan_alpha, rtol);
+        CHECK(status == STATUS_OK && s.has_saddle, "%s: %s", d.name,
+              status_text(status));
+        if (!known && !solve_exactly(&d, &s.block))
+            fail_msg("%s: no branches in 113 bits", d.name);
+        known = true;
+        hold_ends(&d, rtol, &s.numbers, &tally[k]);
+        hold_upper(&d, rtol, &s.numbers, &tally[k]);
+        hold_lower(&d, rtol, &s.numbers, &tally[k]);
+        tally[k].rows++;
+        solved_free(&s);
+    }
+    return true;
+}
+
+static void bars_hold_on_random_laws_and_parameters(void **state)
+{
+    const char *count = getenv("CHECK_COUNT");
+    const size_t rows = count ? strtoul(count, NULL, 10) : 60;
+    struct tally tally[LEVELS] = { { 0 } };
+    uint64_t seed = check_seed();
+
+    (void) state;
+    if (laws_emulated())
+        skip();
+    for (size_t i = 0; tally[0].rows < rows; i++)
+        hold_draw(check_bits(&seed), &seed, tally);
+    for (int k = 0; k < LEVELS; k++) {
+        const struct tally *t = &tally[k];
+        const double bar = pow(10.0, t->log_bar / (double) t->bars);
+        print_message("rtol 1e-%d: %zu bars, typically %.1e, %zu above 100 "
+                      "times the error\n",
+                      4 + 2 * k, t->bars, bar, t->loose);
+        if (k > 0) {
+            const struct tally *u = &tally[k - 1];
+            CHECK(bar < 0.5 * pow(10.0, u->log_bar / (double) u->bars),
+                  "bars do not shrink from 1e-%d", 2 + 2 * k);
+        }
+    }
+    const struct tally *last = &tally[LEVELS - 1];
+    CHECK(10 * last->loose <= last->bars, "%zu of %zu bars are loose",
+          last->loose, last->bars);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bars_hold_on_random_laws_and_parameters),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

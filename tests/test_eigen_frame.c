@@ -1,0 +1,116 @@
+/* Eigen-coordinates of a saddle: the basis, and a field seen in it. */
+#include "eigen_frame.h"
+
+#include <math.h>
+
+#include "check.h"
+#include "fixtures.h"
+
+/* A random saddle with its system. */
+static void draw_saddle(uint64_t *rng, size_t i, struct fixture *f,
+                        struct planar *sys, struct equilibrium *e)
+{
+    fixture_random(f, (enum fixture_base)(i % FIXTURE_BASES), rng);
+    *sys = fixture_planar(f);
+    equilibrium_at(sys, false, e);
+}
+
+static void coordinates_there_and_back_are_the_point(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 1000; i++) {
+        const struct mat2 P = { 1.0, check_uniform(&rng, -1, 1),
+                                check_uniform(&rng, -0.5, 0.5), 1.0 };
+        const struct vec2 z = { check_uniform(&rng, -9, 9),
+                                check_uniform(&rng, -9, 9) };
+        const struct vec2 back = eigen_point(P, eigen_coordinates(P, z));
+        CHECK(hypot(back.x - z.x, back.y - z.y) <= 1e-13,
+              "(%g, %g) became (%g, %g)", z.x, z.y, back.x, back.y);
+    }
+}
+
+static void check_column(struct mat2 A, double lambda, struct vec2 u)
+{
+    const struct vec2 Au = eigen_point(A, u);
+    const double size = fabs(A.xx) + fabs(A.xy) + fabs(A.yx) + fabs(A.yy);
+
+    CHECK(hypot(Au.x - lambda * u.x, Au.y - lambda * u.y) <= 1e-13 * size,
+          "A (%g, %g) = (%g, %g), lambda %g", u.x, u.y, Au.x, Au.y, lambda);
+    CHECK(fabs(fmax(fabs(u.x), fabs(u.y)) - 1.0) <= 1e-15, "(%g, %g)", u.x,
+          u.y);
+    CHECK(u.x > 0.0 || (u.x == 0.0 && u.y > 0.0), "(%g, %g)", u.x, u.y);
+}
+
+static void columns_are_eigenvectors_of_size_one(void **state)
+{
+    uint64_t rng = check_seed() + 1;
+
+    (void) state;
+    for (size_t i = 0; i < 400; i++) {
+        struct fixture f;
+        struct planar sys;
+        struct equilibrium e;
+        draw_saddle(&rng, i, &f, &sys, &e);
+        const struct mat2 P = eigen_basis(&e);
+        check_column(e.matrix, e.scaled[0], (struct vec2){ P.xx, P.yx });
+        check_column(e.matrix, e.scaled[1], (struct vec2){ P.xy, P.yy });
+    }
+}
+
+/* dX/dt = lambda_- X, dY/dt = lambda_+ Y to first order. */
+static void near_the_saddle_the_axes_go_their_own_ways(void **state)
+{
+    uint64_t rng = check_seed() + 2;
+    const struct carry none = { .count = 0 };
+
+    (void) state;
+    for (size_t i = 0; i < 400; i++) {
+        struct fixture f;
+        struct planar sys;
+        struct equilibrium e;
+        double log_scale;
+        draw_saddle(&rng, i, &f, &sys, &e);
+        const struct eigen_frame g = eigen_frame_at(&sys, &e, &none);
+        const struct vec2 W = { 1e-7, 2e-7 };
+        const struct vec2 v = eigen_velocity(&g, W, &log_scale);
+        const double unit = exp(log_scale);
+        CHECK(fabs(unit * v.x - e.lambda[0] * W.x) <=
+                  1e-5 * fabs(e.lambda[0] * W.x) + 1e-5 * unit * W.y,
+              "Xdot = %g, lambda X = %g", unit * v.x, e.lambda[0] * W.x);
+        CHECK(fabs(unit * v.y - e.lambda[1] * W.y) <=
+                  1e-5 * fabs(e.lambda[1] * W.y) + 1e-5 * unit * W.x,
+              "Ydot = %g, lambda Y = %g", unit * v.y, e.lambda[1] * W.y);
+        CHECK(fabs(g.ratio * e.lambda[0] / e.lambda[1] - 1.0) <= 1e-12,
+              "ratio %g", g.ratio);
+    }
+}
+
+static void integrals_converge_whose_rate_vanishes_at_the_saddle(void **state)
+{
+    const struct carry carry = { { FIXTURE_X_MOVED, FIXTURE_CLOCK, CARRY_TIME },
+                                 3 };
+    struct fixture f;
+    struct equilibrium e;
+
+    (void) state;
+    fixture_plain(&f, FIXTURE_DUFFING);
+    const struct planar sys = fixture_planar(&f);
+    equilibrium_at(&sys, false, &e);
+    const struct eigen_frame g = eigen_frame_at(&sys, &e, &carry);
+    assert_true(g.converges[0]);
+    assert_false(g.converges[1]);
+    assert_false(g.converges[2]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(coordinates_there_and_back_are_the_point),
+        cmocka_unit_test(columns_are_eigenvectors_of_size_one),
+        cmocka_unit_test(near_the_saddle_the_axes_go_their_own_ways),
+        cmocka_unit_test(integrals_converge_whose_rate_vanishes_at_the_saddle),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

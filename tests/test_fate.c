@@ -1,0 +1,285 @@
+/* What becomes of states, how far and how long they slide. */
+#include "fate.h"
+
+#include "fault_alloc.h"
+#include "slope.h"
+#include "tolerance.h"
+
+static const char *const steady_only[] = { "products=[equilibria]", NULL };
+
+static struct fate_result find(const struct slope *s, struct vec2 z,
+                               double rtol)
+{
+    struct fate_result r;
+    const enum status status = fate_find(&s->study, z, rtol, true, NULL, &r);
+
+    CHECK(status == STATUS_OK, "%s", status_text(status));
+    CHECK((r.reason != NULL) == (r.fate == FATE_UNDECIDED), "%s: %s",
+          fate_names[r.fate], r.reason ? r.reason : "no reason");
+    return r;
+}
+
+/* The fate of one state of a law at a slope. */
+static enum fate fate_at(const char *law, const char *alpha, double v,
+                         double psi)
+{
+    struct slope s;
+
+    slope_make(&s, law, NULL, alpha, steady_only);
+    const struct fate_result r = find(&s, slope_point(&s, v, psi), 1e-8);
+    const struct fate_result coarse = find(&s, slope_point(&s, v, psi), 1e-5);
+    CHECK(r.fate == coarse.fate, "%s: %s and %s", law, fate_names[r.fate],
+          fate_names[coarse.fate]);
+    slope_free(&s);
+    return r.fate;
+}
+
+#define IS(law, alpha, v, psi, expected)                                       \
+    do {                                                                       \
+        const enum fate found_ = fate_at(law, alpha, v, psi);                  \
+        CHECK(found_ == (expected), "%s at %s, (%g, %g): %s", law, alpha,      \
+              (double) (v), (double) (psi), fate_names[found_]);               \
+    } while (0)
+
+/* ---- fates --------------------------------------------------------------- */
+
+static void check_row(struct slope *s, const struct csv *c)
+{
+    const struct fate_result r = find(s, row_point(s, c), 1e-10);
+
+    CHECK((int) r.fate == row_fate(c), "row %zu: %s", c->row,
+          fate_names[r.fate]);
+}
+
+static void every_reference_state_has_its_fate(void **state)
+{
+    (void) state;
+    const int rows = each_basin_row(1e-6, steady_only, check_row);
+    CHECK(rows >= 440, "%d rows", rows);
+}
+
+static void a_saddle_parts_rest_from_running_away(void **state)
+{
+    (void) state;
+    IS("dieterich_gen", "0.34", 1e3, 10, FATE_REST_FINITE);
+    IS("dieterich_gen", "0.34", 3e3, 10, FATE_RUNAWAY);
+    IS("dieterich", "0.34", 1e4, 2, FATE_RUNAWAY);
+    IS("perrin", "0.34", 1e3, 2, FATE_RUNAWAY);
+    IS("ruina", "0.34", 1e4, 2, FATE_RUNAWAY);
+}
+
+static void a_saddle_parts_the_creep_node_from_the_sliding_one(void **state)
+{
+    (void) state;
+    IS("spinodal", "0.34", 1e3, 2, FATE_CREEP);
+    IS("spinodal", "0.34", 4e3, 2, FATE_SLIDING);
+    IS("spinodal_phi_gen", "0.34", 1e-5, 0.01, FATE_CREEP);
+    IS("spinodal_phi_gen", "0.34", 3, 0.001, FATE_SLIDING);
+}
+
+static void without_a_saddle_all_go_the_same_way(void **state)
+{
+    (void) state;
+    for (double v = 1e-5; v < 1e6; v *= 30.0) {
+        IS("spinodal_gen", "0.2", v, 1.0, FATE_CREEP);
+        IS("spinodal_gen", "0.45", v, 1.0, FATE_SLIDING);
+    }
+}
+
+/* v -> 0 like a power of time, if the orbit can be followed so far. */
+static void creep_without_a_node_is_no_rest_in_finite_time(void **state)
+{
+    static const char *const law[] = { "dieterich", "ruina", "perrin" };
+
+    (void) state;
+    for (int i = 0; i < 3; i++) {
+        const enum fate found = fate_at(law[i], "0.34", 1.0, 2.0);
+        CHECK(found == FATE_REST_ASYMPTOTIC || found == FATE_UNDECIDED,
+              "%s: %s", law[i], fate_names[found]);
+    }
+}
+
+/* psi rises there at a rate of e^1000 and more, which no double holds. */
+static void states_far_below_psi_ss_rest_no_sooner_than_v_can_fall(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "dieterich_gen", NULL, "0.34", steady_only);
+    for (double v = 1e-5; v < 0.02; v *= 3.0) {
+        const struct fate_result r = find(&s, slope_point(&s, v, 0.01), 1e-7);
+        CHECK(r.fate == FATE_REST_FINITE, "v = %g: %s", v, fate_names[r.fate]);
+        const double soonest = material_eps2(&s.study.block.material) * v;
+        CHECK(r.time.value > soonest, "v = %g: %g < %g", v, r.time.value,
+              soonest);
+    }
+    slope_free(&s);
+}
+
+/* ---- slip, time, friction ------------------------------------------------ */
+
+/* eps^2 v^2/2 = work cos(alpha) - slip sin(alpha), (27), down to v = 0. */
+static void check_energy(const struct slope *s, double v,
+                         const struct fate_result *r)
+{
+    const double alpha = s->scene.alpha;
+    const double eps2 = material_eps2(&s->study.block.material);
+    const double mean =
+        tan(alpha) + eps2 * v * v / (2.0 * cos(alpha) * r->slip.value);
+
+    CHECK(fabs(r->mu_mean.value - mean) <= 1e-7 * mean, "%.12g, not %.12g",
+          r->mu_mean.value, mean);
+}
+
+static void the_energy_lost_is_the_work_of_friction(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "dieterich_gen", NULL, "0.34", steady_only);
+    for (double v = 1e-5; v < 3e3; v *= 10.0) {
+        const struct fate_result r = find(&s, slope_point(&s, v, 10.0), 1e-9);
+        CHECK(r.fate == FATE_REST_FINITE, "v = %g: %s", v, fate_names[r.fate]);
+        check_energy(&s, v, &r);
+    }
+    slope_free(&s);
+}
+
+/* The last rows of transient.csv are at v = 1e-10. */
+static void a_rest_comes_when_the_table_says(void **state)
+{
+    struct csv c;
+    int rests = 0;
+
+    (void) state;
+    csv_open(&c, "transient.csv");
+    while (csv_next(&c)) {
+        struct slope s;
+        if (strcmp(csv_text(&c, "kind"), "v_equals_final") != 0 ||
+            csv_number(&c, "key", 1.0) > 1e-9)
+            continue;
+        slope_make(&s, csv_text(&c, "law"), csv_text(&c, "form"),
+                   csv_text(&c, "alpha"), steady_only);
+        const double v = pow(10.0, 3.1);
+        const struct fate_result r = find(&s, slope_point(&s, v, 100.0), 1e-11);
+        const double t = csv_number(&c, "t", 0), x = csv_number(&c, "x", 0);
+        CHECK(r.fate == FATE_REST_FINITE, "%s", fate_names[r.fate]);
+        CHECK(fabs(r.time.value - t) <= r.time.error, "%.16g +- %g, not %.16g",
+              r.time.value, r.time.error, t);
+        CHECK(r.time.error < 1e-9 * t, "%g", r.time.error);
+        CHECK(fabs(r.slip.value - x) < 1e-10, "%.16g, not %.16g", r.slip.value,
+              x);
+        check_energy(&s, v, &r);
+        slope_free(&s);
+        rests++;
+    }
+    assert_int_equal(rests, 2);
+}
+
+static void a_creep_node_is_reached_when_the_table_says(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", "asinh", "0.34", steady_only);
+    const struct fate_result r =
+        find(&s, slope_point(&s, pow(10.0, 3.1), 100.0), 1e-10);
+    /* the rows v = 0.01 and psi = 90: 215 % and 0.4 % from the node */
+    CHECK(r.time.value > 1.0350825 && r.time.value < 188.67, "%g",
+          r.time.value);
+    CHECK(r.slip.value > 0.524527 && r.slip.value < 0.749535, "%g",
+          r.slip.value);
+    slope_free(&s);
+}
+
+static void what_does_not_stop_has_neither_slip_nor_time(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "dieterich_gen", NULL, "0.34", steady_only);
+    const struct fate_result r = find(&s, slope_point(&s, 1e4, 10.0), 1e-8);
+    assert_int_equal(r.fate, FATE_RUNAWAY);
+    assert_string_equal(r.slip.reason, "the block runs away");
+    assert_false(quantity_exists(&r.time) || quantity_exists(&r.mu_mean));
+    slope_free(&s);
+}
+
+/* ---- errors -------------------------------------------------------------- */
+
+static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
+{
+    (void) ctx, (void) stage, (void) done, (void) total;
+    return 1;
+}
+
+static void states_outside_the_domain_are_refused(void **state)
+{
+    const struct vec2 outside[] = { { 700.0, 0.0 },
+                                    { 0.0, -700.0 },
+                                    { NAN, 0.0 } };
+    struct fate_result r;
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(fate_find(&s.study, outside[i], 1e-8, true, NULL, &r),
+                         STATUS_BAD_ARGUMENT);
+    slope_free(&s);
+}
+
+static void a_monitor_stops_a_long_orbit(void **state)
+{
+    const struct monitor monitor = { stop, NULL };
+    struct fate_result r;
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "dieterich_gen", NULL, "0.34", steady_only);
+    assert_int_equal(fate_find(&s.study, slope_point(&s, 1e3, 10.0), 1e-12,
+                               true, &monitor, &r),
+                     STATUS_STOPPED);
+    slope_free(&s);
+}
+
+static void every_allocation_may_fail(void **state)
+{
+    enum status status = STATUS_NO_MEMORY;
+    struct fate_result r;
+    struct slope s;
+    long k = 0;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    const struct vec2 z = slope_point(&s, 1e3, 10.0);
+    for (; status == STATUS_NO_MEMORY; k++) {
+        fault_alloc_at(k);
+        status = fate_find(&s.study, z, 1e-5, true, NULL, &r);
+    }
+    fault_alloc_at(FAULT_ALLOC_NEVER);
+    assert_int_equal(status, STATUS_OK);
+    CHECK(k > 3, "%ld allocations", k);
+    slope_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_reference_state_has_its_fate),
+        cmocka_unit_test(a_saddle_parts_rest_from_running_away),
+        cmocka_unit_test(a_saddle_parts_the_creep_node_from_the_sliding_one),
+        cmocka_unit_test(without_a_saddle_all_go_the_same_way),
+        cmocka_unit_test(creep_without_a_node_is_no_rest_in_finite_time),
+        cmocka_unit_test(
+            states_far_below_psi_ss_rest_no_sooner_than_v_can_fall),
+        cmocka_unit_test(the_energy_lost_is_the_work_of_friction),
+        cmocka_unit_test(a_rest_comes_when_the_table_says),
+        cmocka_unit_test(a_creep_node_is_reached_when_the_table_says),
+        cmocka_unit_test(what_does_not_stop_has_neither_slip_nor_time),
+        cmocka_unit_test(states_outside_the_domain_are_refused),
+        cmocka_unit_test(a_monitor_stops_a_long_orbit),
+        cmocka_unit_test(every_allocation_may_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
