@@ -358,6 +358,7 @@ struct patch {
     const struct strand_piece *p;
     double lo, hi;
     struct measure m;
+    double allowed; /* error of one panel */
 };
 
 /* The integrand by theta; *slack: what the curve's own error does to it. */
@@ -410,12 +411,17 @@ static double integrate(const struct patch *q, double a, double b, int depth,
     const double check = rule(q, a, b, coarse, 5, &other);
     const double off = fabs(best - check), middle = 0.5 * (a + b);
 
-    if (off <= TOL_AREA * fabs(best) || depth == 0) {
+    if (off <= q->allowed || depth == 0) {
         *error += off + slack;
         return best;
     }
     return integrate(q, a, middle, depth - 1, error) +
            integrate(q, middle, b, depth - 1, error);
+}
+
+static double stretch(bool exponential, double lo, double hi)
+{
+    return exponential ? exp(hi) - exp(lo) : hi - lo;
 }
 
 static double ray_area(const struct patch *q, double from, double to,
@@ -437,12 +443,14 @@ double separatrix_area(const struct separatrix *s, size_t i, double from,
                        double *error)
 {
     const double base = along_of(s, s->origin);
+    const double whole = stretch(m.exponential[s->along], from, to) *
+                         stretch(m.exponential[1 - s->along], lo, hi);
     double sum = 0.0;
 
     *error = 0.0;
     for (size_t k = 0; k < s->strand[i].count; k++) {
         const struct strand_piece *p = &s->strand[i].piece[k];
-        const struct patch q = { s, p, lo, hi, m };
+        const struct patch q = { s, p, lo, hi, m, TOL_AREA * whole };
         const double a = fmax(p->lo, from - base), b = fmin(p->hi, to - base);
         if (!(a < b))
             continue;

@@ -106,7 +106,8 @@ static void avoid_point(struct spread *s, struct vec2 unit)
         for (size_t i = 0; i < s->count[k]; i++) {
             struct spread_candidate *c = &s->candidate[k][i];
             const struct vec2 d = vec2_sub(c->unit, unit);
-            c->gap = fmin(c->gap, d.x * d.x + d.y * d.y);
+            const double gap = d.x * d.x + d.y * d.y;
+            c->gap = gap < c->gap ? gap : c->gap;
         }
 }
 

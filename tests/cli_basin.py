@@ -169,8 +169,8 @@ def every_regime_is_labelled(room):
 # ---- killed, interrupted -----------------------------------------------------
 
 def a_killed_run_leaves_the_old_file_or_the_new_one(room):
-    scene = [*SADDLE, '--set', 'products=[basins, margin]', *small(300, 200, 0),
-             '--quiet', '-o', 'a.h5']
+    scene = [*SADDLE, *small(300, 200, 0), '--set',
+             'products=[basins, margin]', '--quiet', '-o', 'a.h5']
     whole = []
     for alpha in ('0.34', '0.33'):
         start = time.monotonic()
@@ -252,7 +252,7 @@ def a_terminal_shows_a_bar_with_rate_and_time_left(room):
            and '\n' not in ''.join(shown), shown)
     for args in (['--quiet'], ['--progress', 'none']):
         expect(seen_on_a_terminal(room, *SADDLE, *small(), *args) == '', args)
-    room.good(*scene, '--progress', 'auto')  # complains of nothing: no terminal
+    room.good(*scene, '--progress', 'auto')  # no terminal: no complaint
 
 
 # ---- full disks, memory ------------------------------------------------------

@@ -106,7 +106,7 @@ static void stiff_solutions_keep_the_tolerance(void **state)
                   o.u[0]);
             CHECK(fabs(o.u[3] - 50.0) < 1e-6, "rate %g: integral %.12g", stiff,
                   o.u[3]);
-            CHECK(o.steps < 3000, "rate %g: %zu steps", stiff, o.steps);
+            CHECK(o.steps < 200, "rate %g: %zu steps", stiff, o.steps);
             orbit_free(&o);
         }
     }
@@ -128,7 +128,7 @@ static void relaxation_oscillations_are_followed(void **state)
         run(&o, &sys, (struct vec2){ 2.0, 2.0 / 3.0 }, &p, ORBIT_REACHED);
         CHECK(fabs(o.u[0] - ref[k]) < 2e-9, "t = %d: off by %g", k + 1,
               o.u[0] - ref[k]);
-        CHECK(o.steps < 3000, "%zu steps", o.steps);
+        CHECK(o.steps < 600, "%zu steps", o.steps);
         orbit_free(&o);
     }
 }
@@ -150,10 +150,10 @@ static void slip_rides_along_over_a_stiff_layer(void **state)
     CHECK(fabs(o.u[2] - log(5e3)) < 1e-7, "t off by %g", o.u[2] - log(5e3));
     CHECK(fabs(o.u[3] - 4.999) < 1e-7, "integral off by %g", o.u[3] - 4.999);
     CHECK(o.error[3] > 0.0 && o.error[3] < 1e-6, "error sum %g", o.error[3]);
-    CHECK(o.field_calls == 7 * (o.steps + o.rejected) &&
-              o.jacobian_calls == o.steps,
-          "%zu, %zu calls in %zu steps", o.field_calls, o.jacobian_calls,
-          o.steps);
+    CHECK(o.field_calls < 15 * o.steps &&
+              o.jacobian_calls == o.steps + o.rejected + 1,
+          "%zu, %zu calls in %zu + %zu steps", o.field_calls, o.jacobian_calls,
+          o.steps, o.rejected);
     orbit_free(&o);
 }
 

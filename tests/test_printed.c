@@ -116,10 +116,12 @@ static void eigenvalues_are_those_of_footnote_5(void **state)
     asked_free(&a);
 }
 
+/* v_minus of dieterich_gen has also been given as 0.0428168720, a slip of its
+ * last digit: manifold.csv has 0.04281687280. */
 static void critical_velocities_are_those_of_figure_11(void **state)
 {
     static const char *const rows[][3] = {
-        { "dieterich_gen", "2832.2233588", "0.0428168720" },
+        { "dieterich_gen", "2832.2233588", "0.0428168728" },
         { "spinodal_gen", "2850.8257094", "0.0332582855" },
     };
 

@@ -1,5 +1,7 @@
 /* Changed against the book: the growth after a rejection is at most 1, as in
- * the authors' own programs, and NaN shrinks the step like a huge error. */
+ * the authors' own programs, NaN shrinks the step like a huge error, and a
+ * tiny error before does not hold the step back: with it a step that hardly
+ * matters would grow by half only. */
 #include "control.h"
 
 #include <math.h>
@@ -20,8 +22,9 @@ bool control_judge(struct control *c, double error, double *factor)
         c->rejected = true;
         return false;
     }
-    const double f = TOL_STEP_SAFETY * pow(floored(error), -0.7 / c->order) *
-                     pow(c->previous, 0.4 / c->order);
+    const double f =
+        TOL_STEP_SAFETY * pow(floored(error), -0.7 / c->order) *
+        pow(fmax(c->previous, TOL_STEP_ERROR_SMALL), 0.4 / c->order);
 
     *factor =
         fmin(fmax(f, TOL_STEP_SHRINK), c->rejected ? 1.0 : TOL_STEP_GROWTH);

@@ -1,4 +1,7 @@
-/* Rodas5P with PI step control.  What is ours: the clock, observables weighed
+/* Radau IIA with a step control that continues trends: Gustafsson, ACM Trans.
+ * Math. Softw. 20 (1994) 496-517, as in Hairer & Wanner, Solving ODEs II, sec.
+ * IV.8, but also where they lengthen the step, since times and rates change by
+ * powers of e from step to step.  What is ours: the clock, observables weighed
  * against their largest value so far, and stops found on the dense output
  * without jumping over any. */
 #include "orbit.h"
@@ -10,7 +13,8 @@
 #include "passage.h"
 #include "tolerance.h"
 
-enum { COEFS = ROSENBROCK_DEGREE + 1 };
+/* ORDER: the error estimate goes as h^ORDER. */
+enum { COEFS = RADAU_DEGREE + 1, ORDER = RADAU_STAGES + 1 };
 
 struct orbit_options orbit_defaults(const struct planar *system, double kappa)
 {
@@ -70,27 +74,39 @@ static void judge_start(struct orbit *o, struct vec2 z)
     }
 }
 
-static void linearise(struct orbit *o)
+static struct vec2 place(const struct orbit *o)
 {
-    rescaled_linear(&o->clock, (struct vec2){ o->u[0], o->u[1] }, &o->linear);
-    o->jacobian_calls++;
+    return (struct vec2){ o->u[0], o->u[1] };
 }
 
-/* Where the second derivative alone would make an error of the order asked
- * for. */
-static double first_step(const struct orbit *o)
+/* A step on which nothing changes by more than a small part of itself: neither
+ * the direction nor any rate. */
+static double first_step(const struct orbit *o, const struct cascade_linear *l)
 {
-    const double *du = o->linear.du;
-    const struct vec2 *J = o->linear.slope;
-    const double bend =
-        hypot(J[0].x * du[0] + J[0].y * du[1], J[1].x * du[0] + J[1].y * du[1]);
-
+    const double *du = l->du;
     const double least =
         2.0 * TOL_ORBIT_STALL * fmax(fabs(o->u[0]), fabs(o->u[1]));
-    const double h =
-        pow(TOL_STEP_FIRST * o->options.rtol, 1.0 / o->control.order) /
-        fmax(1.0, bend);
-    return fmax(h, least);
+    double fastest = 1.0;
+
+    for (size_t i = 0; i < o->curve.dim; i++) {
+        const struct vec2 g = l->slope[i];
+        const double size = i < 2 ? 1.0 : fabs(du[i]);
+        const double rate = fabs(g.x * du[0] + g.y * du[1]) / size;
+        fastest = isfinite(rate) ? fmax(fastest, rate) : fastest;
+    }
+    return fmax(pow(o->options.rtol, 1.0 / ORDER) / fastest, least);
+}
+
+/* The rates at the start and what the first step needs. */
+static void begin(struct orbit *o)
+{
+    struct cascade_linear l;
+
+    rescaled_linear(&o->clock, place(o), &l);
+    o->jacobian_calls++;
+    memcpy(o->du, l.du, sizeof o->du);
+    o->h = first_step(o, &l);
+    o->rate = 1.0;
 }
 
 enum status orbit_init(struct orbit *o, const struct planar *system,
@@ -107,9 +123,7 @@ enum status orbit_init(struct orbit *o, const struct planar *system,
     o->curve = CURVE_EMPTY(3 + options->observables);
     o->u[0] = z.x;
     o->u[1] = z.y;
-    o->control = CONTROL_INIT(5.0);
-    linearise(o);
-    o->h = first_step(o);
+    begin(o);
     event_begin(&o->log, options->event, options->events, 0.0, o->u);
     judge_start(o, z);
     return STATUS_OK;
@@ -190,33 +204,140 @@ static enum status advance(struct orbit *o, double h, const double u1[],
         o->error[i] += fabs(error[i]);
         o->peak[i] = fmax(o->peak[i], fabs(o->u[i]));
     }
-    if (o->end == ORBIT_RUNNING)
-        linearise(o);
     return s;
+}
+
+/* A step as tried. */
+struct attempt {
+    double h; /* signed */
+    struct radau radau;
+    double u1[CURVE_DIM_MAX], error[CURVE_DIM_MAX];
+    double coef[CURVE_DIM_MAX * COEFS];
+    double fastest; /* rate of the field on the way, per unit of time */
+};
+
+/* The stages as the last step suggests, where it reaches so far. */
+static void guess(const struct orbit *o, struct attempt *a)
+{
+    const double ratio = o->last.h != 0.0 ? a->h / o->last.h : INFINITY;
+
+    a->radau.rate = o->rate;
+    if (ratio <= TOL_ORBIT_EXTEND)
+        radau_extend(&a->radau,
+                     curve_component(&o->curve, o->curve.count - 1, 0), ratio);
+    else
+        radau_start(&a->radau, o->du, a->h);
+}
+
+/* The step itself; false where its equations were not solved. */
+static bool solve(struct orbit *o, struct attempt *a)
+{
+    const struct cascade system = rescaled_cascade(&o->clock);
+    const double tol = TOL_ORBIT_SOLVED * o->options.rtol;
+    struct cascade_linear at;
+
+    guess(o, a);
+    rescaled_linear(&o->clock, vec2_add(place(o), a->radau.z[RADAU_MIDDLE]),
+                    &at);
+    o->jacobian_calls++;
+    a->fastest = rescaled_rate(&at);
+    memcpy(at.du, o->du, sizeof at.du);
+    const bool solved = radau_solve(&a->radau, &system, &at, o->u, a->h, tol);
+    o->rate = a->radau.rate;
+    o->field_calls += RADAU_STAGES * a->radau.iterations;
+    if (!solved)
+        return false;
+    radau_finish(&a->radau, &system, &at, o->u, a->h, a->coef, a->error);
+    o->field_calls++;
+    for (size_t i = 0; i < o->curve.dim; i++) {
+        a->u1[i] = 0.0;
+        for (size_t j = COEFS; j-- > 0;)
+            a->u1[i] += a->coef[i * COEFS + j];
+    }
+    return true;
+}
+
+/* What to multiply a refused step by; NaN is a huge error. */
+static double shorter(double ratio)
+{
+    const double f = TOL_STEP_SAFETY * pow(ratio, -1.0 / ORDER);
+    return fmin(fmax(f, TOL_STEP_SHRINK), 1.0);
+}
+
+/* What to multiply an accepted step by: as if error and step went on changing
+ * as they did, and not so far that the next one is hard to solve. */
+static double longer(const struct orbit *o, const struct attempt *a,
+                     double ratio)
+{
+    const double error = fmax(ratio, TOL_STEP_ERROR_FLOOR);
+    const double most = o->refused ? 1.0 : TOL_STEP_GROWTH;
+    double f = TOL_STEP_SAFETY * pow(error, -1.0 / ORDER);
+
+    if (o->last.h != 0.0) {
+        const double trend =
+            a->h / o->last.h * pow(o->last.ratio / error, 1.0 / ORDER);
+        f *= fmin(trend, TOL_ORBIT_TREND);
+    }
+    if (a->radau.iterations > 1)
+        f = fmin(f,
+                 fmax(sqrt(TOL_ORBIT_RATE / a->radau.rate), TOL_ORBIT_RETREAT));
+    return fmin(fmax(f, TOL_STEP_SHRINK), most);
+}
+
+/* Where the field changes far faster than kappa, rounding alone moves an orbit
+ * that creeps along a slow curve at more than kappa, and it would stand still
+ * on its clock: the clock follows the field, in steps that rarely come. */
+static void keep_pace(struct orbit *o, double fastest)
+{
+    const double kappa = fmin(fmax(o->options.kappa, TOL_ORBIT_PACE * fastest),
+                              TOL_ORBIT_PACE_MAX);
+    const double ratio = kappa / o->clock.kappa;
+
+    if (!(ratio > TOL_ORBIT_PACE_STEP || ratio < 1.0 / TOL_ORBIT_PACE_STEP) ||
+        !(o->du[2] > 0.0))
+        return;
+    const double pace = hypot(kappa * o->du[2], hypot(o->du[0], o->du[1]));
+    for (size_t i = 0; i < o->curve.dim; i++)
+        o->du[i] /= pace;
+    o->clock.kappa = kappa;
+    o->h *= pace;
+    o->last.h *= pace;
+}
+
+/* Appends an accepted step. */
+static enum status accept(struct orbit *o, const struct attempt *a,
+                          double ratio)
+{
+    double *coef;
+    const enum status s = curve_push(&o->curve, RADAU_DEGREE, &coef);
+
+    if (s != STATUS_OK)
+        return s;
+    memcpy(coef, a->coef, o->curve.dim * COEFS * sizeof *coef);
+    memcpy(o->du, a->radau.du[RADAU_STAGES - 1], sizeof o->du);
+    o->h = fabs(a->h) * longer(o, a, ratio);
+    o->last.h = a->h;
+    o->last.ratio = fmax(ratio, TOL_STEP_ERROR_FLOOR);
+    o->refused = false;
+    const enum status done = advance(o, a->h, a->u1, a->error);
+    keep_pace(o, a->fastest);
+    return done;
 }
 
 /* One attempt at a step of signed size h. */
 static enum status attempt(struct orbit *o, double h, bool *accepted)
 {
-    const size_t dim = o->curve.dim;
-    const struct cascade system = rescaled_cascade(&o->clock);
-    struct rosenbrock work;
-    double u1[CURVE_DIM_MAX], *coef, factor;
-    const double *error = work.k[ROSENBROCK_STAGES - 1];
+    struct attempt a = { .h = h };
+    const bool solved = solve(o, &a);
+    const double ratio = solved ? error_ratio(o, a.u1, a.error) : INFINITY;
 
-    rosenbrock_try(&work, &system, &o->linear, o->u, h, u1);
-    o->field_calls += ROSENBROCK_CALLS;
-    *accepted = control_judge(&o->control, error_ratio(o, u1, error), &factor);
-    o->h = fabs(h) * factor;
-    if (!*accepted) {
-        o->rejected++;
-        return STATUS_OK;
-    }
-    const enum status s = curve_push(&o->curve, ROSENBROCK_DEGREE, &coef);
-    if (s != STATUS_OK)
-        return s;
-    rosenbrock_dense(&work, dim, o->u, u1, coef);
-    return advance(o, h, u1, error);
+    *accepted = ratio <= 1.0;
+    if (*accepted)
+        return accept(o, &a, ratio);
+    o->h = fabs(h) * (solved ? shorter(ratio) : TOL_ORBIT_RETREAT);
+    o->refused = true;
+    o->rejected++;
+    return STATUS_OK;
 }
 
 enum status orbit_step(struct orbit *o)

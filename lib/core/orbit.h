@@ -1,12 +1,11 @@
 /*
  * orbit.h -- one orbit of a planar system, forward or backward in time, with
  * time and the observables' integrals as components, by the L-stable method
- * of rosenbrock.h on the clock of rescaled.h.
+ * of radau.h on the clock of rescaled.h.
  */
 #ifndef CORE_ORBIT_H
 #define CORE_ORBIT_H
 
-#include "control.h"
 #include "event.h"
 #include "monitor.h"
 #include "rescaled.h"
@@ -49,7 +48,7 @@ enum orbit_end {
 struct orbit {
     struct orbit_options options;
     struct rescaled clock;
-    struct curve curve;      /* owned; dim = 3 + observables, degree 4 */
+    struct curve curve;      /* owned; dim = 3 + observables, degree 5 */
     struct event_log log;    /* owned; its s is the rescaled time */
     double u[CURVE_DIM_MAX]; /* end of the curve */
     double tau;              /* rescaled time there, negative backward */
@@ -59,8 +58,12 @@ struct orbit {
     double error[CURVE_DIM_MAX]; /* sum of the steps' error estimates */
     double peak[CURVE_DIM_MAX];  /* largest |u_i| so far */
     double h;                    /* size of the next step in tau, > 0 */
-    struct control control;
-    struct cascade_linear linear; /* at u */
+    double du[CURVE_DIM_MAX];    /* at u, per tau */
+    struct {
+        double h, ratio; /* signed size; error over what is allowed */
+    } last;              /* accepted step; h = 0: there is none */
+    bool refused;        /* the last attempt was */
+    double rate;         /* of the solution of its equations: radau.h */
 };
 
 /* Starts at the offset z with t = 0 and all integrals 0.  A start outside the

@@ -57,6 +57,8 @@ static double first(const struct walk *w, double speed, double stride,
         return 0.0;
     while (at < 1.0) {
         struct newton_root root;
+        if (left > speed * (1.0 - at))
+            return PASSAGE_NEVER;
         const double step = fmax(left / speed, stride);
         const double next = fmin(at + step, 1.0);
         left = to_go(w, next);

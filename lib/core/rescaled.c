@@ -33,17 +33,25 @@ static struct scaled scale(const struct planar_field *f, double kappa)
     return (struct scaled){ { 0.0, 0.0 }, 1.0, kappa, unit }; /* f = 0 */
 }
 
-void rescaled_rhs(const struct rescaled *r, struct vec2 z, double du[])
+static void plane(const void *ctx, struct vec2 z, double du[])
 {
-    const struct planar *sys = r->system;
+    const struct rescaled *r = ctx;
     struct planar_field f;
-    double rate;
 
-    sys->field(sys->ctx, z, &f);
+    r->system->field(r->system->ctx, z, &f);
     const struct scaled s = scale(&f, r->kappa);
     du[0] = s.d.x / s.n;
     du[1] = s.d.y / s.n;
     du[2] = s.a / s.n;
+}
+
+/* dt/dtau is there already. */
+static void integrals(const void *ctx, struct vec2 z, double du[])
+{
+    const struct rescaled *r = ctx;
+    const struct planar *sys = r->system;
+    double rate;
+
     for (size_t i = 0; i < r->observables; i++) {
         sys->rate_gradient(sys->ctx, i, z, &rate, NULL);
         du[3 + i] = rate * du[2];
@@ -80,12 +88,17 @@ void rescaled_linear(const struct rescaled *r, struct vec2 z,
     }
 }
 
-static void cascade_rhs(const void *ctx, struct vec2 z, double du[])
+double rescaled_rate(const struct cascade_linear *l)
 {
-    rescaled_rhs(ctx, z, du);
+    const struct vec2 p = vec2_scale(-1.0 / l->du[2], l->slope[2]);
+    const struct vec2 x = vec2_add(l->slope[0], vec2_scale(l->du[0], p));
+    const struct vec2 y = vec2_add(l->slope[1], vec2_scale(l->du[1], p));
+
+    return fmax(fmax(fabs(x.x), fabs(x.y)), fmax(fabs(y.x), fabs(y.y))) /
+           l->du[2];
 }
 
 struct cascade rescaled_cascade(const struct rescaled *r)
 {
-    return (struct cascade){ 3 + r->observables, cascade_rhs, r };
+    return (struct cascade){ 3 + r->observables, plane, integrals, r };
 }

@@ -11,7 +11,7 @@
 #define CORE_RESCALED_H
 
 #include "planar.h"
-#include "rosenbrock.h"
+#include "radau.h"
 
 struct rescaled {
     const struct planar *system; /* borrowed */
@@ -19,16 +19,17 @@ struct rescaled {
     size_t observables;          /* <= system->observable_count */
 };
 
-/* d(x, y, t, q...)/dtau at the offset z; finite for log scales of any size
- * as long as directions and rates are. */
-void rescaled_rhs(const struct rescaled *r, struct vec2 z, double du[]);
-
-/* The same with the gradients. */
+/* d(x, y, t, q...)/dtau at the offset z with the gradients; finite for log
+ * scales of any size as long as directions and rates are. */
 void rescaled_linear(const struct rescaled *r, struct vec2 z,
                      struct cascade_linear *out);
 
-/* The system of dimension 3 + observables that rosenbrock.h integrates;
- * borrows r. */
+/* The largest entry of the Jacobian Df, per unit of time, of what
+ * rescaled_linear gave. */
+double rescaled_rate(const struct cascade_linear *l);
+
+/* The same without, as the system of dimension 3 + observables that radau.h
+ * integrates; borrows r. */
 struct cascade rescaled_cascade(const struct rescaled *r);
 
 #endif

@@ -14,9 +14,9 @@
 /* Range of psi where psi is itself a logarithm. */
 #define TOL_PSI_RANGE 700.0
 
-/* Trajectories, relative error per unit of ln v, ln psi: an order-5 method
- * costs four times more per two digits; figures and energy balances to nine
- * digits are plenty. */
+/* Trajectories, relative error per unit of ln v, ln psi: three digits more
+ * cost twice the time; figures and energy balances to nine digits are
+ * plenty. */
 #define TOL_ORBIT_RTOL 1e-9
 
 /* An orbit has arrived when it is this near an equilibrium, in both ln v and
@@ -73,6 +73,8 @@
 #define TOL_STEP_GROWTH 5.0
 /* Errors below this fraction of the tolerance count as this in the control. */
 #define TOL_STEP_ERROR_FLOOR 1e-4
+/* And below this, as the error before: it damps only steps that matter. */
+#define TOL_STEP_ERROR_SMALL 0.1
 /* Shorter steps are no steps: reached after some fifty rejections, as where
  * a field is NaN. */
 #define TOL_STEP_MIN 1e-30
@@ -146,7 +148,7 @@
 #define TOL_PORTRAIT_MARGIN     0.05
 #define TOL_PORTRAIT_BATCH      4
 #define TOL_PORTRAIT_CANDIDATES 16
-#define TOL_PORTRAIT_SPACING    0.01
+#define TOL_PORTRAIT_SPACING    0.02
 
 /* HDF5 files.  Side of the square chunks of a grid, in cells: half a megabyte
  * of doubles, which stays in HDF5's chunk cache of 1 MiB. */
@@ -207,8 +209,8 @@
 #define TOL_EIGEN_ODD 1e-8
 /* What is an integral's rate only by this many roundings is none. */
 #define TOL_EIGEN_NOISE 64.0
-/* Bars: parts of the steps' estimates (of order 5 only; measured: true errors
- * stay below a tenth of them where rounding does not rule) and of what the
+/* Bars: a part of the steps' estimates (of order 5; measured: true errors stay
+ * below a tenth of them where rounding does not rule) and defects; of what the
  * end adds (measured: an exponential through two steps is right to a factor of
  * two); roundings of a step of twelve stages, in units of roundoff; and the
  * most an error grows in one, as an exponent: e^50 is nothing known. */
@@ -266,6 +268,20 @@
 #define TOL_REST_DEEP      (-23.0)
 #define TOL_REST_DEEP_SOON 0.01
 #define TOL_FATE_STEPS     50000
+/* An orbit that has not arrived after so many times the slowest scale of the
+ * steady states has left every scale; below this power of time it has not. */
+#define TOL_FATE_LATE     1e30
+#define TOL_FATE_TIME_MAX 1e200
+#define TOL_FATE_POWER    0.1
+/* v fades like a power of time when that is the same, to CHANGE, over the last
+ * factor PART of the time and the one before, further than DEPTH below v_sp in
+ * ln v; looked at every so many steps.  Its slip may grow like a logarithm
+ * where the power is within LOGARITHM/ln(t) of 1. */
+#define TOL_FADE_PART      0.01
+#define TOL_FADE_CHANGE    0.1
+#define TOL_FADE_DEPTH     (-12.0)
+#define TOL_FADE_STEPS     32
+#define TOL_FADE_LOGARITHM 3.0
 /* Half the side of the box around the anchor where the fates of regions are
  * asked for first, in ln v and ln psi: a factor 1e8 either way. */
 #define TOL_FATE_NEAR 20.0
@@ -338,5 +354,34 @@
 #define TOL_CONDITION_BEND      0.1
 #define TOL_CONDITION_NOISE     1e-11
 #define TOL_CONDITION_TRUST     1e-2
+
+/* The clock of an orbit: this part of the field's largest rate, so that its
+ * rounding, 1e-15 of it, stays far below; no more than MAX per unit of time,
+ * lest kappa t overflow; changed by no less than this factor. */
+#define TOL_ORBIT_PACE      1e-10
+#define TOL_ORBIT_PACE_MAX  1e150
+#define TOL_ORBIT_PACE_STEP 10.0
+
+/* Steps of radau.h.  Iterations, at most; how much less sure a rate is that was
+ * measured on the step before, and the least such rate (a lucky one says
+ * nothing); changes that are nothing: this part of the tolerance, or so many
+ * roundings of the coordinates. */
+#define TOL_RADAU_ITERATIONS 10
+#define TOL_RADAU_DISTRUST   10.0
+#define TOL_RADAU_LEAST      1e-3
+#define TOL_RADAU_NIL        1e-3
+#define TOL_RADAU_ROUNDING   32.0
+
+/* Steps of an orbit.  Its equations are solved to this part of the tolerance;
+ * stages are guessed from the step before when they lie this far ahead of it,
+ * in its lengths; a trend may lengthen a step by this factor; an iteration
+ * should leave this part of the error (measured: longer steps cost more
+ * iterations than they save), and steps retreat by this factor at a time from
+ * where it does not. */
+#define TOL_ORBIT_SOLVED  0.03
+#define TOL_ORBIT_EXTEND  3.0
+#define TOL_ORBIT_TREND   3.0
+#define TOL_ORBIT_RATE    0.1
+#define TOL_ORBIT_RETREAT 0.5
 
 #endif

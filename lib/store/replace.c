@@ -58,18 +58,49 @@ static const char *place_refuses(const struct place *p)
     return NULL;
 }
 
-/* A descriptor of a file nobody else has, or -1 and errno. */
-static int open_temporary(struct place *p)
+static int open_new(const char *name, int fd)
+{
+    (void) fd;
+    return open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+/* /proc names files without a name, and asks for no privileges. */
+static int link_new(const char *name, int fd)
+{
+    char from[32];
+
+    snprintf(from, sizeof from, "/proc/self/fd/%d", fd);
+    return linkat(AT_FDCWD, from, AT_FDCWD, name, AT_SYMLINK_FOLLOW);
+}
+
+/* What `make` makes under the first name that nobody has, or -1 and errno;
+ * p->temporary is then empty. */
+static int make_temporary(struct place *p, int (*make)(const char *, int),
+                          int fd)
 {
     for (int k = 0; k < NAMES_MAX; k++) {
         snprintf(p->temporary, sizeof p->temporary, "%s/.slipway-%ld-%d.tmp",
                  p->folder, (long) getpid(), k);
-        const int fd =
-            open(p->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (fd >= 0 || errno != EEXIST)
-            return fd;
+        const int made = make(p->temporary, fd);
+        if (made >= 0)
+            return made;
+        if (errno != EEXIST)
+            break;
     }
+    p->temporary[0] = '\0';
     return -1;
+}
+
+/* A descriptor of a file nobody else has, or -1 and errno.  Where the system
+ * can, it has no name yet: a kill while it is written leaves nothing. */
+static int open_temporary(struct place *p)
+{
+    const int fd = access("/proc/self/fd", X_OK) == 0
+                       ? open(p->folder, O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666)
+                       : -1;
+
+    p->temporary[0] = '\0';
+    return fd >= 0 ? fd : make_temporary(p, open_new, -1);
 }
 
 static int write_all(int fd, const char *bytes, size_t size)
@@ -94,11 +125,14 @@ static int replace_at(struct place *p, const void *bytes, size_t size)
     if (fd < 0)
         return errno;
     error = write_all(fd, bytes, size);
+    if (error == 0 && p->temporary[0] == '\0' &&
+        make_temporary(p, link_new, fd) != 0)
+        error = errno;
     if (close(fd) != 0 && error == 0)
         error = errno;
     if (error == 0 && rename(p->temporary, p->target) != 0)
         error = errno;
-    if (error != 0)
+    if (error != 0 && p->temporary[0] != '\0')
         unlink(p->temporary);
     return error;
 }

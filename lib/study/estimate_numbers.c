@@ -83,18 +83,21 @@ static struct xi_number xi_number(const struct maker *k, double xi)
     };
 }
 
+/* (41) with the exact v_plus: (32) is then the fracture energy, which keeps
+ * its digits where v_plus is next to v_sp. */
 static struct quantity strength(const struct maker *k, const struct block *b,
                                 const struct critical_numbers *c)
 {
-    if (!quantity_exists(&c->ln_v_plus))
+    const struct quantity *G = &c->fracture_energy;
+
+    if (!quantity_exists(G))
         return quantity_none("there is no v_plus");
     const double x_k = estimates_persistence(k->e->eta, b->at.psi0);
-    const double ratio = c->ln_v_plus.value - b->at.x0;
-    const struct estimates_strength s =
-        estimates_strength_at(k->m, k->tan_alpha, b->at.v0, x_k, ratio);
-    const double relative = 2.0 * c->ln_v_plus.error / ratio + 8.0 * k->unit;
+    const double rise = G->value / x_k;
 
-    return number(s.mu_s, relative);
+    return quantity_of(k->tan_alpha + rise,
+                       rise * (G->error / G->value + 8.0 * k->unit) +
+                           DBL_EPSILON * k->tan_alpha);
 }
 
 struct estimate_numbers numbers_estimates(const struct block *b,

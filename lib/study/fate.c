@@ -9,7 +9,9 @@
  * friction that hardly changes, which tells what is left. */
 #include "fate.h"
 
+#include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "study.h"
 #include "tolerance.h"
@@ -49,6 +51,17 @@ static struct goals goals_of(const struct study *s)
     return g;
 }
 
+/* The slowest time scale of the steady states; without any, 1 (t*). */
+static double slow_time(const struct study *s)
+{
+    double slowest = s->equilibria > 0 ? 0.0 : 1.0;
+
+    for (size_t i = 0; i < s->equilibria; i++)
+        for (int k = 0; k < 2; k++)
+            slowest = fmax(slowest, 1.0 / fabs(s->equilibrium[i].lambda[k]));
+    return fmin(fmax(slowest, 1.0), TOL_FATE_TIME_MAX);
+}
+
 /* direction * exp(log_scale), either of which may leave the doubles. */
 static double rate_of(double direction, double log_scale)
 {
@@ -83,15 +96,47 @@ static bool runs_away(const struct study *s, const struct orbit *o)
     return (size_t) s->saddle + 1 == s->equilibria;
 }
 
+/* The power of time that v follows from a part of the time so far, `from`, to
+ * another, `to`: the rates at the end of an orbit are mostly rounding.  NaN
+ * where it has no such past. */
+static double power_of_time(const struct orbit *o, double from, double to)
+{
+    double end[CURVE_DIM_MAX] = { o->u[0], o->u[1], o->u[2] };
+    double u[CURVE_DIM_MAX];
+
+    for (size_t i = o->curve.count; i-- > 0;) {
+        curve_at(&o->curve, i, 0.0, u);
+        if (u[2] >= to * o->u[2])
+            memcpy(end, u, 3 * sizeof *u);
+        if (u[2] <= from * o->u[2])
+            return (end[0] - u[0]) / log(end[2] / fmax(u[2], DBL_MIN));
+    }
+    return (double) NAN;
+}
+
+/* In the quadrant v < v_sp, psi > psi_sp and without a node in it, v has
+ * followed one power of time for a long time.  (Rest in finite time follows
+ * none, and falls ever faster.) */
+static bool fades(const struct study *s, const struct orbit *o)
+{
+    if (s->saddle != 0 || o->steps % TOL_FADE_STEPS != 0 ||
+        !(o->u[0] < TOL_FADE_DEPTH && o->u[1] > 0.0))
+        return false;
+    const double late = power_of_time(o, TOL_FADE_PART, 1.0);
+    const double early =
+        power_of_time(o, TOL_FADE_PART * TOL_FADE_PART, TOL_FADE_PART);
+    return late < 0.0 && fabs(late - early) <= -TOL_FADE_CHANGE * late;
+}
+
 /* An orbit that has left every scale: v -> inf or v -> 0 like a power of
  * time. */
-static enum fate fate_beyond(const struct study *s, const struct orbit *o)
+static enum fate fate_beyond(const struct orbit *o)
 {
-    const double rate = rates(s, o).x;
+    const double power = power_of_time(o, TOL_FADE_PART, 1.0);
 
-    return rate > 0.0   ? FATE_RUNAWAY
-           : rate < 0.0 ? FATE_REST_ASYMPTOTIC
-                        : FATE_UNDECIDED;
+    return power > TOL_FATE_POWER    ? FATE_RUNAWAY
+           : power < -TOL_FATE_POWER ? FATE_REST_ASYMPTOTIC
+                                     : FATE_UNDECIDED;
 }
 
 static enum fate fate_at_end(const struct study *s, const struct goals *g,
@@ -103,11 +148,13 @@ static enum fate fate_at_end(const struct study *s, const struct goals *g,
     if (o->end == ORBIT_ARRIVED)
         fate = g->fate[o->end_index];
     else if (o->end == ORBIT_LEFT_DOMAIN || o->end == ORBIT_REACHED)
-        fate = fate_beyond(s, o);
+        fate = fate_beyond(o);
     else if (runs_away(s, o))
         fate = FATE_RUNAWAY;
     else if (rests(s, o))
         fate = FATE_REST_FINITE;
+    else if (fades(s, o))
+        fate = FATE_REST_ASYMPTOTIC;
     if (fate == FATE_UNDECIDED)
         *reason = "the orbit could not be followed to an end";
     return fate;
@@ -119,19 +166,20 @@ struct rest {
 };
 
 /* At constant friction v falls to 0 like a line; v ~ t^-p leaves v t/(p - 1)
- * of slip, infinite where p <= 1. */
+ * of slip, infinite where p <= 1, or so near 1 that it may be a logarithm. */
 static struct rest rest_of(const struct study *s, const struct orbit *o,
                            enum fate fate)
 {
     const double v = s->block.at.v0 * exp(o->u[0]), t = o->u[2];
-    const double rate = -rates(s, o).x, p = rate * t;
+    const double rate = -rates(s, o).x;
 
     if (fate == FATE_REST_FINITE)
         return (struct rest){ 1.0 / rate, 0.5 * v / rate };
-    if (fate == FATE_REST_ASYMPTOTIC)
-        return (struct rest){ HUGE_VAL,
-                              p > 1.0 ? v * t / (p - 1.0) : HUGE_VAL };
-    return (struct rest){ 0.0, 0.0 };
+    if (fate != FATE_REST_ASYMPTOTIC)
+        return (struct rest){ 0.0, 0.0 };
+    const double more = -power_of_time(o, TOL_FADE_PART, 1.0) - 1.0;
+    const bool grows = more * log(t) < TOL_FADE_LOGARITHM;
+    return (struct rest){ HUGE_VAL, grows ? HUGE_VAL : v * t / more };
 }
 
 /* The integrals of an orbit whose slip is finite; what is left of it is
@@ -158,7 +206,8 @@ static void observe_end(const struct study *s, const struct orbit *o,
     static const char runs_away[] = "the block runs away";
     static const char undecided[] = "the fate is undecided";
     static const char never[] = "the block never quite stops";
-    static const char unbounded[] = "the slip grows without bound";
+    static const char unbounded[] =
+        "the slip grows without bound, or its limit is out of reach";
 
     if (out->fate == FATE_RUNAWAY || out->fate == FATE_UNDECIDED) {
         const char *why = out->fate == FATE_RUNAWAY ? runs_away : undecided;
@@ -181,9 +230,10 @@ static enum status run(const struct study *s, struct orbit *o,
     enum status status = STATUS_OK;
 
     while (status == STATUS_OK && o->end == ORBIT_RUNNING && !rests(s, o) &&
-           !runs_away(s, o)) {
+           !fades(s, o) && !runs_away(s, o)) {
         status = orbit_step(o);
-        if (o->steps % 1024 == 0 && monitor_tell(monitor, "orbit", o->steps, 0))
+        if (o->steps % TOL_MONITOR_STEPS == 0 &&
+            monitor_tell(monitor, "orbit", o->steps, 0))
             status = STATUS_STOPPED;
     }
     return status;
@@ -203,6 +253,7 @@ enum status fate_find(const struct study *s, struct vec2 z, double rtol,
     options.targets = goals.count;
     options.arrival = TOL_ARREST;
     options.max_steps = TOL_FATE_STEPS;
+    options.reach[0] = TOL_FATE_LATE * slow_time(s);
     *out = (struct fate_result){ .fate = FATE_UNDECIDED };
     enum status status =
         orbit_init(&o, &s->system, vec2_sub(z, s->system.origin), &options);
