@@ -62,7 +62,8 @@ static void seed_row(const struct basin *b, struct regions *regions, size_t row,
         const size_t from = k == 0 ? 0 : cut[k - 1];
         const size_t to = k == band->strands ? b->grid.columns : cut[k];
         struct region *g = &regions->region[number];
-        if (to <= from || to - from <= longest[number])
+        if (to <= from || to - from <= longest[number] ||
+            g->label != REGION_UNLABELLED)
             continue;
         longest[number] = to - from;
         g->is_seeded = true;

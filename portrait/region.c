@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- bands --------------------------------------------------------------- */
 
@@ -172,45 +173,45 @@ static double stretch(bool exponential, double lo, double hi)
 
 /* The area left of strand number k of a band, from the box's left edge; k = 0
  * is that edge itself, k > strands the right one. */
-static double left_of(const struct regions *r, const struct band *band,
-                      size_t k, struct box part, struct measure m,
-                      struct crossing c[], double *error)
+static struct area left_of(const struct regions *r, const struct band *band,
+                           size_t k, struct box part, struct measure m,
+                           const struct crossing c[])
 {
     const double edge = m.exponential[0] ? exp(part.lo.x) : part.lo.x;
     const double rows = stretch(m.exponential[1], part.lo.y, part.hi.y);
+    struct area a = { 0.0, 0.0 };
 
-    *error = 0.0;
-    if (k == 0)
-        return 0.0;
     if (k > band->strands)
-        return rows * stretch(m.exponential[0], part.lo.x, part.hi.x);
-    separatrix_row(r->separatrix, 0.5 * (part.lo.y + part.hi.y), c);
-    return separatrix_area(r->separatrix, c[k - 1].strand, part.lo.y, part.hi.y,
-                           part.lo.x, part.hi.x, m, error) -
-           rows * edge;
+        a.value = rows * stretch(m.exponential[0], part.lo.x, part.hi.x);
+    else if (k > 0)
+        a.value =
+            separatrix_area(r->separatrix, c[k - 1].strand, part.lo.y,
+                            part.hi.y, part.lo.x, part.hi.x, m, &a.error) -
+            rows * edge;
+    return a;
 }
 
-double regions_area(const struct regions *r, int8_t label, struct box w,
-                    struct measure m, struct crossing c[], double *error)
+/* Each strand is integrated once, for the regions on both its sides. */
+void regions_areas(const struct regions *r, struct box w, struct measure m,
+                   struct crossing c[], struct area out[])
 {
-    double sum = 0.0;
-
-    *error = 0.0;
+    memset(out, 0, r->count * sizeof *out);
     for (size_t i = 0; i < r->bands; i++) {
         const struct band *band = &r->band[i];
         struct box part = w;
-        double one, other;
         part.lo.y = fmax(w.lo.y, band->lo);
         part.hi.y = fmin(w.hi.y, band->hi);
-        for (size_t k = 0; k <= band->strands && part.lo.y < part.hi.y; k++) {
-            if (r->region[band->first + k].label != label)
-                continue;
-            sum += left_of(r, band, k + 1, part, m, c, &one) -
-                   left_of(r, band, k, part, m, c, &other);
-            *error += one + other;
+        if (!(part.lo.y < part.hi.y))
+            continue;
+        separatrix_row(r->separatrix, 0.5 * (part.lo.y + part.hi.y), c);
+        struct area left = { 0.0, 0.0 };
+        for (size_t k = 0; k <= band->strands; k++) {
+            const struct area next = left_of(r, band, k + 1, part, m, c);
+            out[band->first + k] = (struct area){ next.value - left.value,
+                                                  next.error + left.error };
+            left = next;
         }
     }
-    return sum;
 }
 
 void regions_free(struct regions *r)

@@ -52,10 +52,14 @@ typedef enum status region_fate(const void *ctx, struct vec2 z, int8_t *label);
 MUST_CHECK enum status regions_label(struct regions *r, const struct box *only,
                                      region_fate *fate, const void *ctx);
 
-/* The area of the regions with this label within a finite box; *error bounds
- * it; c as above. */
-double regions_area(const struct regions *r, int8_t label, struct box w,
-                    struct measure m, struct crossing c[], double *error);
+/* An area and a bound of its error. */
+struct area {
+    double value, error;
+};
+
+/* The area of every region within a finite box: out[r->count]; c as above. */
+void regions_areas(const struct regions *r, struct box w, struct measure m,
+                   struct crossing c[], struct area out[]);
 
 /* A second call is harmless. */
 void regions_free(struct regions *r);

@@ -86,17 +86,46 @@ static void without_a_saddle_all_go_the_same_way(void **state)
     }
 }
 
-/* v -> 0 like a power of time, if the orbit can be followed so far. */
+/* v -> 0 like a power of time. */
 static void creep_without_a_node_is_no_rest_in_finite_time(void **state)
 {
-    static const char *const law[] = { "dieterich", "ruina", "perrin" };
-
     (void) state;
-    for (int i = 0; i < 3; i++) {
-        const enum fate found = fate_at(law[i], "0.34", 1.0, 2.0);
-        CHECK(found == FATE_REST_ASYMPTOTIC || found == FATE_UNDECIDED,
-              "%s: %s", law[i], fate_names[found]);
+    IS("dieterich", "0.34", 1.0, 2.0, FATE_REST_ASYMPTOTIC);
+    IS("ruina", "0.34", 1.0, 2.0, FATE_REST_ASYMPTOTIC);
+    IS("perrin", "0.34", 1.0, 2.0, FATE_REST_ASYMPTOTIC);
+    IS("dieterich", "0.34", 7e-3, 7500.0, FATE_REST_ASYMPTOTIC);
+    IS("perrin", "0.34", 1e-3, 9.0, FATE_REST_ASYMPTOTIC);
+}
+
+/* Without a saddle the plane is one region. */
+static int8_t label_beside_node(const char *law, const char *alpha)
+{
+    struct separatrix none;
+    struct regions r;
+    struct slope s;
+
+    slope_make(&s, law, NULL, alpha, steady_only);
+    none = separatrix_empty(SEPARATRIX_Y, s.study.system.origin);
+    assert_int_equal(regions_init(&r, &none), STATUS_OK);
+    assert_int_equal(fate_label_beside_nodes(&s.study, &r), STATUS_OK);
+    const struct region only = r.region[0];
+    if (only.is_seeded) {
+        const struct vec2 off = vec2_sub(only.seed, s.study.equilibrium[0].z);
+        CHECK(hypot(off.x, off.y) < 0.2, "seed %g, %g away", off.x, off.y);
     }
+    regions_free(&r);
+    separatrix_free(&none);
+    slope_free(&s);
+    return only.label;
+}
+
+static void a_region_is_labelled_beside_its_node(void **state)
+{
+    (void) state;
+    assert_int_equal(label_beside_node("spinodal_gen", "0.2"), FATE_CREEP);
+    assert_int_equal(label_beside_node("spinodal_gen", "0.45"), FATE_SLIDING);
+    assert_int_equal(label_beside_node("dieterich_gen", "0.42"),
+                     REGION_UNLABELLED);
 }
 
 /* psi rises there at a rate of e^1000 and more, which no double holds. */
@@ -271,6 +300,7 @@ int main(void)
         cmocka_unit_test(a_saddle_parts_the_creep_node_from_the_sliding_one),
         cmocka_unit_test(without_a_saddle_all_go_the_same_way),
         cmocka_unit_test(creep_without_a_node_is_no_rest_in_finite_time),
+        cmocka_unit_test(a_region_is_labelled_beside_its_node),
         cmocka_unit_test(
             states_far_below_psi_ss_rest_no_sooner_than_v_can_fall),
         cmocka_unit_test(the_energy_lost_is_the_work_of_friction),

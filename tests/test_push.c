@@ -393,7 +393,7 @@ static void every_allocation_may_fail(void **state)
         push_free(&p.push);
     }
     assert_int_equal(status, STATUS_OK);
-    CHECK(k > 40, "%ld allocations", k);
+    CHECK(k > 20, "%ld allocations", k);
     scene_free(&p.scene);
 }
 

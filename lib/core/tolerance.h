@@ -282,9 +282,18 @@
 #define TOL_FADE_DEPTH     (-12.0)
 #define TOL_FADE_STEPS     32
 #define TOL_FADE_LOGARITHM 3.0
-/* Half the side of the box around the anchor where the fates of regions are
- * asked for first, in ln v and ln psi: a factor 1e8 either way. */
-#define TOL_FATE_NEAR 20.0
+
+/* The boxes beside a node where the fates of regions are asked for first, in
+ * ln v and ln psi from the node: outside TOL_ARREST, well inside its basin, so
+ * that orbits are short and need not be accurate. */
+#define TOL_FATE_BESIDE_FROM (-0.1)
+#define TOL_FATE_BESIDE_TO   (-0.02)
+#define TOL_FATE_BESIDE_RTOL 1e-4
+
+/* Half the sides of the boxes around the anchor where fates are asked for next,
+ * in ln v and ln psi: near it orbits are gentle. */
+#define TOL_FATE_NEAR 3.0
+#define TOL_FATE_FAR  20.0
 
 /* Labels by forward integration (trap.c): how far inside a quadrant its own
  * orbit starts; accuracy of the first attempt, and of the next ones; and the
@@ -356,9 +365,11 @@
 #define TOL_CONDITION_TRUST     1e-2
 
 /* The clock of an orbit: this part of the field's largest rate, so that its
- * rounding, 1e-15 of it, stays far below; no more than MAX per unit of time,
- * lest kappa t overflow; changed by no less than this factor. */
-#define TOL_ORBIT_PACE      1e-10
+ * rounding, 1e-15 of it, stays far below, and the stages of a step, which start
+ * as far as this from a slow curve, are solved without slowing the clock; no
+ * more than MAX per unit of time, lest kappa t overflow; changed by no less
+ * than this factor. */
+#define TOL_ORBIT_PACE      1e-8
 #define TOL_ORBIT_PACE_MAX  1e150
 #define TOL_ORBIT_PACE_STEP 10.0
 

@@ -62,26 +62,39 @@ static enum status cut_plane(struct basin_map *m)
     if (status == STATUS_OK)
         status = basin_init(&m->basin, &m->regions, &grid);
     if (status == STATUS_OK)
+        status = fate_label_beside_nodes(s, &m->regions);
+    if (status == STATUS_OK)
         status = basin_seed(&m->basin, &m->regions);
     if (status == STATUS_OK)
         status = fate_label_regions(s, &m->regions);
     return status;
 }
 
-static struct quantity share(const struct basin_map *m, int8_t label,
-                             struct measure measure, struct crossing scratch[])
+/* The window's in this measure. */
+static double whole_area(struct box w, struct measure m)
 {
-    const struct box w = study_window(m->study);
     const double width =
-        measure.exponential[0] ? exp(w.hi.x) - exp(w.lo.x) : w.hi.x - w.lo.x;
+        m.exponential[0] ? exp(w.hi.x) - exp(w.lo.x) : w.hi.x - w.lo.x;
     const double height =
-        measure.exponential[1] ? exp(w.hi.y) - exp(w.lo.y) : w.hi.y - w.lo.y;
-    double error;
-    const double area =
-        regions_area(&m->regions, label, w, measure, scratch, &error);
+        m.exponential[1] ? exp(w.hi.y) - exp(w.lo.y) : w.hi.y - w.lo.y;
 
-    return quantity_of(area / (width * height),
-                       error / (width * height) + TOL_SHARE_ROUNDING);
+    return width * height;
+}
+
+/* The share of the regions with this label. */
+static struct quantity share(const struct regions *r, const struct area area[],
+                             int8_t label, double whole)
+{
+    struct area sum = { 0.0, 0.0 };
+
+    for (size_t i = 0; i < r->count; i++) {
+        if (r->region[i].label != label)
+            continue;
+        sum.value += area[i].value;
+        sum.error += area[i].error;
+    }
+    return quantity_of(sum.value / whole,
+                       sum.error / whole + TOL_SHARE_ROUNDING);
 }
 
 static enum status find_fractions(struct basin_map *m)
@@ -89,16 +102,24 @@ static enum status find_fractions(struct basin_map *m)
     const bool is_log = m->study->system.axis[1].is_log;
     const struct measure chart = { { false, false } };
     const struct measure linear = { { true, is_log } };
-    struct crossing *scratch = malloc((m->regions.most + 1) * sizeof *scratch);
+    const struct box w = study_window(m->study);
+    const struct regions *r = &m->regions;
+    struct crossing *scratch = malloc((r->most + 1) * sizeof *scratch);
+    struct area *area = malloc(2 * r->count * sizeof *area);
+    const enum status s = scratch && area ? STATUS_OK : STATUS_NO_MEMORY;
 
-    if (scratch == NULL)
-        return STATUS_NO_MEMORY;
-    for (int8_t i = 0; i < FATES; i++) {
-        m->fraction[i].log = share(m, i, chart, scratch);
-        m->fraction[i].linear = share(m, i, linear, scratch);
+    if (s == STATUS_OK) {
+        regions_areas(r, w, chart, scratch, area);
+        regions_areas(r, w, linear, scratch, area + r->count);
+    }
+    for (int8_t i = 0; i < FATES && s == STATUS_OK; i++) {
+        m->fraction[i].log = share(r, area, i, whole_area(w, chart));
+        m->fraction[i].linear =
+            share(r, area + r->count, i, whole_area(w, linear));
     }
     free(scratch);
-    return STATUS_OK;
+    free(area);
+    return s;
 }
 
 enum status basin_map_init(struct basin_map *m, const struct study *s,

@@ -94,10 +94,11 @@ static struct quantity strength(const struct maker *k, const struct block *b,
         return quantity_none("there is no v_plus");
     const double x_k = estimates_persistence(k->e->eta, b->at.psi0);
     const double rise = G->value / x_k;
+    const double error =
+        G->error / x_k + 8.0 * k->unit * rise + DBL_EPSILON * k->tan_alpha;
 
-    return quantity_of(k->tan_alpha + rise,
-                       rise * (G->error / G->value + 8.0 * k->unit) +
-                           DBL_EPSILON * k->tan_alpha);
+    return isfinite(error) ? quantity_of(k->tan_alpha + rise, error)
+                           : quantity_none(too_large);
 }
 
 struct estimate_numbers numbers_estimates(const struct block *b,

@@ -275,23 +275,53 @@ enum status fate_find(const struct study *s, struct vec2 z, double rtol,
 
 /* ---- regions ------------------------------------------------------------- */
 
-static enum status label_seed(const void *study, struct vec2 z, int8_t *label)
+/* Who asks for the fates of regions. */
+struct asker {
+    const struct study *study;
+    double rtol;
+};
+
+static enum status label_seed(const void *asker, struct vec2 z, int8_t *label)
 {
+    const struct asker *a = asker;
     struct fate_result r;
-    const enum status s = fate_find(study, z, TOL_TRAP_RTOL, false, NULL, &r);
+    const enum status s = fate_find(a->study, z, a->rtol, false, NULL, &r);
 
     *label = (int8_t) r.fate;
     return s;
 }
 
+/* Those with a point in the box from z + from to z + to. */
+static enum status label_in(const struct asker *a, struct regions *r,
+                            struct vec2 z, double from, double to)
+{
+    const struct vec2 lo = { from, from }, hi = { to, to };
+    const struct box box = { vec2_add(z, lo), vec2_add(z, hi) };
+
+    return regions_label(r, &box, label_seed, a);
+}
+
+enum status fate_label_beside_nodes(const struct study *s, struct regions *r)
+{
+    const struct asker a = { s, TOL_FATE_BESIDE_RTOL };
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < s->equilibria && status == STATUS_OK; i++)
+        if ((int) i != s->saddle)
+            status = label_in(&a, r, s->equilibrium[i].z, TOL_FATE_BESIDE_FROM,
+                              TOL_FATE_BESIDE_TO);
+    return status;
+}
+
 enum status fate_label_regions(const struct study *s, struct regions *r)
 {
-    const struct vec2 half = { TOL_FATE_NEAR, TOL_FATE_NEAR };
-    const struct box near = { vec2_sub(s->system.origin, half),
-                              vec2_add(s->system.origin, half) };
-    enum status status = regions_label(r, &near, label_seed, s);
+    const struct asker a = { s, TOL_TRAP_RTOL };
+    const double half[] = { TOL_FATE_NEAR, TOL_FATE_FAR };
+    enum status status = fate_label_beside_nodes(s, r);
 
+    for (int i = 0; i < 2 && status == STATUS_OK; i++)
+        status = label_in(&a, r, s->system.origin, -half[i], half[i]);
     if (status == STATUS_OK)
-        status = regions_label(r, &s->system.domain, label_seed, s);
+        status = regions_label(r, &s->system.domain, label_seed, &a);
     return status;
 }

@@ -51,9 +51,14 @@ MUST_CHECK enum status fate_find(const struct study *s, struct vec2 z,
                                  const struct monitor *monitor,
                                  struct fate_result *out);
 
-/* The label (enum fate) of every region of the plane that has none yet, by the
- * orbit of its seed or of a point in the domain, near the anchor if it can be.
- * Errors as fate_find. */
+/* The label (enum fate) of the regions that come close to a stable node, by the
+ * orbit, which is short, of a point there.  Errors as fate_find. */
+MUST_CHECK enum status fate_label_beside_nodes(const struct study *s,
+                                               struct regions *r);
+
+/* Those, and the label of every other region of the plane that has none yet, by
+ * the orbit of its seed or of a point in the domain, near the anchor if it can
+ * be. */
 MUST_CHECK enum status fate_label_regions(const struct study *s,
                                           struct regions *r);
 
