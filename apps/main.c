@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gsl/gsl_errno.h>
 #include <omp.h>
+#include <signal.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -44,6 +45,7 @@ int main(int argc, char *argv[])
     struct options o;
 
     keep_streams_apart();
+    signal(SIGXFSZ, SIG_IGN); /* a file too large is an error like another */
     gsl_set_error_handler_off();
     options_parse(&o, argc, argv);
     if (o.threads > 0)

@@ -13,7 +13,7 @@
     ENTRY(STATUS_NO_CONVERGENCE, "iteration stopped before its tolerance")  \
     ENTRY(STATUS_NOT_HYPERBOLIC, "equilibrium is not a hyperbolic saddle")  \
     ENTRY(STATUS_TOO_MANY_STEPS, "more steps than the bound allows")        \
-    ENTRY(STATUS_STOPPED, "stopped by the caller's monitor")                \
+    ENTRY(STATUS_STOPPED, "interrupted")                                    \
     ENTRY(STATUS_BAD_SCENE, "the scene or an option is wrong")              \
     ENTRY(STATUS_IO, "cannot read or write a file")                         \
     ENTRY(STATUS_NO_GNUPLOT, "gnuplot is missing or failed")
