@@ -262,7 +262,7 @@ def a_file_size_limit_exits_4_and_keeps_the_old_file(room):
     done = subprocess.run(
         [room.slipway, *SADDLE, *small(300, 200, 0), '--set',
          'products=[basins, margin]', '-o', 'a.h5'], cwd=room.folder,
-        text=True, capture_output=True, check=False, restore_signals=False,
+        text=True, capture_output=True, check=False,
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE,
                                               (50000, 50000)))
     refused(done, 4, 'a.h5', 'File too large')
