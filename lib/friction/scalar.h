@@ -7,6 +7,18 @@
 #ifndef FRICTION_SCALAR_H
 #define FRICTION_SCALAR_H
 
+/* e^u - 1 and ln(1 + x), where the plain way, several times faster, is as
+ * good: the difference, the sum is not near what it is made of */
+static inline SCALAR scalar_em1(SCALAR u)
+{
+    return u > 1 || u < -1 ? FN(exp)(u) - 1 : FN(expm1)(u);
+}
+
+static inline SCALAR scalar_ln1p(SCALAR x)
+{
+    return x > 1 ? FN(log)(1 + x) : FN(log1p)(x);
+}
+
 /* p e^u, where e^u may overflow and the product does not */
 static inline SCALAR scalar_exp(SCALAR p, SCALAR u)
 {
@@ -20,21 +32,21 @@ static inline SCALAR scalar_expm1(SCALAR p, SCALAR log_p, SCALAR u)
 {
     if (u > 1)
         return FN(copysign)(FN(exp)(log_p + u), p) - p;
-    return p * FN(expm1)(u);
+    return p * scalar_em1(u);
 }
 
 /* p (e^u - e^w): the larger times 1 - their ratio */
 static inline SCALAR scalar_difference(SCALAR p, SCALAR u, SCALAR w)
 {
     if (u > w)
-        return -scalar_exp(p, u) * FN(expm1)(w - u);
-    return scalar_exp(p, w) * FN(expm1)(u - w);
+        return -scalar_exp(p, u) * scalar_em1(w - u);
+    return scalar_exp(p, w) * scalar_em1(u - w);
 }
 
 /* e^-|u| sinh u and e^-|u| cosh u */
 static inline SCALAR scalar_sinh(SCALAR u)
 {
-    return FN(copysign)(FN(expm1)(-2 * FN(fabs)(u)) / 2, u);
+    return FN(copysign)(scalar_em1(-2 * FN(fabs)(u)) / 2, u);
 }
 
 static inline SCALAR scalar_cosh(SCALAR u)
@@ -50,8 +62,8 @@ static inline SCALAR scalar_log1p_expm1(SCALAR r, SCALAR s, SCALAR u)
         return u;
     if (u > 700)
         return u + FN(log)(r + s * FN(exp)(-u));
-    const SCALAR change = r * FN(expm1)(u);
-    return 2 * change > -1 ? FN(log1p)(change) : FN(log)(s + r * FN(exp)(u));
+    const SCALAR change = r * scalar_em1(u);
+    return 2 * change > -1 ? scalar_ln1p(change) : FN(log)(s + r * FN(exp)(u));
 }
 
 /* d/du of the above, r e^u/(r e^u + s), and 1 - it, s/(r e^u + s) */
@@ -70,7 +82,7 @@ static inline SCALAR scalar_logistic_rest(SCALAR r, SCALAR s, SCALAR u)
 static inline SCALAR scalar_asinh_exp(SCALAR w)
 {
     if (w > 1)
-        return w + FN(log1p)((FN(sqrt)(1 + 4 * FN(exp)(-2 * w)) - 1) / 2);
+        return w + scalar_ln1p((FN(sqrt)(1 + 4 * FN(exp)(-2 * w)) - 1) / 2);
     return FN(asinh)(FN(exp)(w) / 2);
 }
 
@@ -84,14 +96,14 @@ static inline SCALAR scalar_friction(SCALAR w0, SCALAR q0, SCALAR u)
     if (w0 > fair && w > fair) { /* both t > 1 */
         const SCALAR q = 4 * FN(exp)(-2 * w);
         const SCALAR dq =
-            u < 0 ? -q * FN(expm1)(2 * u) : q0 * FN(expm1)(-2 * u);
+            u < 0 ? -q * scalar_em1(2 * u) : q0 * scalar_em1(-2 * u);
         const SCALAR s0 = FN(sqrt)(1 + q0), s = FN(sqrt)(1 + q);
-        return u + FN(log1p)(dq / ((s + s0) * (1 + s0)));
+        return u + scalar_ln1p(dq / ((s + s0) * (1 + s0)));
     }
     if (FN(fabs)(u) < 1) {
         const SCALAR t0 = FN(exp)(w0) / 2, e = FN(exp)(u), t = t0 * e;
         const SCALAR root0 = FN(sqrt)(1 + t0 * t0), root = FN(sqrt)(1 + t * t);
-        return FN(asinh)(t0 * FN(expm1)(2 * u) / (e * root0 + root));
+        return FN(asinh)(t0 * scalar_em1(2 * u) / (e * root0 + root));
     }
     return scalar_asinh_exp(w) - scalar_asinh_exp(w0);
 }
