@@ -17,7 +17,7 @@
 #define CHECK(cond, ...)                                                       \
     do {                                                                       \
         if (!(cond)) {                                                         \
-            char check_text_[512];                                             \
+            char check_text_[1024];                                            \
             snprintf(check_text_, sizeof check_text_, __VA_ARGS__);            \
             fail_msg("%s: %s  [CHECK_SEED=%llu]", #cond, check_text_,          \
                      (unsigned long long) check_seed());                       \
