@@ -1,15 +1,18 @@
 /*
- * Gauss-Laguerre quadrature of the slope from z to infinity, scaled by the
- * slope's own rate of decay kappa: with u = kappa |ind - ind_z| the integrand
- * is e^-u times something smooth.  dep moves by the first-order approach
+ * Gauss-Laguerre quadrature of a rate from z to infinity, scaled by its own
+ * rate of decay kappa at z: with u = kappa |ind - ind_z| the integrand is e^-u
+ * times something smooth.  dep moves by the first-order approach
  * g0/kappa (1 - e^-u) meanwhile (one Picard iterate).  Error: the four-point
  * rule's difference, and what the slope makes of an approach that is off by as
  * much as the quadrature is from g0/kappa.  Nodes and weights: Abramowitz &
- * Stegun 25.4.45, here to 17 digits, weights times e^node.
+ * Stegun 25.4.45, here to 17 digits, weights times e^node.  Integrals may
+ * decay much more slowly than the slope, which may be 0 in a double.
  */
 #include "close.h"
 
 #include <math.h>
+
+#include "tolerance.h"
 
 enum { FINE = 8, COARSE = 4 };
 
@@ -32,89 +35,151 @@ static const double coarse_weight[COARSE] = { 0.83273912383788925,
                                               3.6311463058215179,
                                               6.4871450844076623 };
 
+/* Rates at a point, per unit of |ind - ind_z|. */
 struct tail_point {
-    double unknown;                   /* d dep/du0, u0 = |ind - ind_z| */
-    double integral[LOCAL_CARRY_MAX]; /* d integral/du0 */
+    double unknown;
+    double integral[LOCAL_CARRY_MAX];
 };
-
-static void rates_at(const struct planar *sys, int ind, int toward,
-                     struct vec2 z, const struct carry *carry,
-                     struct tail_point *p)
-{
-    struct planar_field f;
-    double rate = 1.0;
-
-    sys->field(sys->ctx, z, &f);
-    const double along = ind == 0 ? f.direction.x : f.direction.y;
-    const double across = ind == 0 ? f.direction.y : f.direction.x;
-    p->unknown = toward * across / along;
-    for (size_t i = 0; i < carry->count; i++) {
-        if (carry->which[i] != CARRY_TIME)
-            sys->rate_gradient(sys->ctx, (size_t) carry->which[i], z, &rate,
-                               NULL);
-        else
-            rate = 1.0;
-        p->integral[i] = toward * rate * exp(-f.log_scale) / along;
-    }
-}
 
 struct approach {
     const struct planar *sys;
     const struct carry *carry;
     int ind, toward;
     struct vec2 z;
-    double first; /* slope at z, per u0 */
-    double kappa;
+    struct tail_point first, kappa; /* rates at z, and how fast they decay */
+    double stiffness;               /* |d slope/d dep| at z */
 };
 
-static void point_at(const struct approach *a, double u, struct tail_point *p)
+/* Infinite where the rate is below the smallest double. */
+static double decay_rate(double rate, double growth)
 {
-    const double moved = -a->first / a->kappa * expm1(-u);
-    const double ind =
-        (a->ind == 0 ? a->z.x : a->z.y) + a->toward * u / a->kappa;
-    const double dep = (a->ind == 0 ? a->z.y : a->z.x) + moved;
-
-    rates_at(a->sys, a->ind, a->toward, local_point(a->ind, ind, dep), a->carry,
-             p);
+    return rate == 0.0 ? HUGE_VAL : -growth;
 }
 
-static void quadrature(const struct approach *a, size_t n, const double node[],
-                       const double weight[], struct tail_point *sum)
+static void look(struct approach *a)
+{
+    const struct planar *sys = a->sys;
+    struct planar_jacobian J;
+
+    sys->jacobian(sys->ctx, a->z, &J);
+    const bool over_x = a->ind == 0;
+    const struct vec2 f = J.field.direction;
+    const double along = over_x ? f.x : f.y, across = over_x ? f.y : f.x;
+    const double along_i = over_x ? J.matrix.xx : J.matrix.yy;
+    const double along_d = over_x ? J.matrix.xy : J.matrix.yx;
+    const double across_i = over_x ? J.matrix.yx : J.matrix.xy;
+    const double across_d = over_x ? J.matrix.yy : J.matrix.xx;
+    const double slower = along_i / along, unit = exp(-J.field.log_scale);
+
+    a->first.unknown = a->toward * across / along;
+    a->kappa.unknown =
+        decay_rate(across, a->toward * (across_i / across - slower));
+    a->stiffness = fabs((across_d - across / along * along_d) / along);
+    for (size_t i = 0; i < a->carry->count; i++) {
+        double rate = 1.0;
+        struct vec2 gradient = { 0.0, 0.0 };
+        if (a->carry->which[i] != CARRY_TIME)
+            sys->rate_gradient(sys->ctx, (size_t) a->carry->which[i], a->z,
+                               &rate, &gradient);
+        const double rate_i = over_x ? gradient.x : gradient.y;
+        a->first.integral[i] = a->toward * rate * unit / along;
+        a->kappa.integral[i] = decay_rate(a->first.integral[i],
+                                          a->toward * (rate_i / rate - slower));
+    }
+}
+
+static void rates_at(const struct approach *a, struct vec2 z,
+                     struct tail_point *p)
+{
+    const struct planar *sys = a->sys;
+    struct planar_field f;
+    double rate = 1.0;
+
+    sys->field(sys->ctx, z, &f);
+    const double along = a->ind == 0 ? f.direction.x : f.direction.y;
+    const double across = a->ind == 0 ? f.direction.y : f.direction.x;
+    p->unknown = a->toward * across / along;
+    for (size_t i = 0; i < a->carry->count; i++) {
+        if (a->carry->which[i] != CARRY_TIME)
+            sys->rate_gradient(sys->ctx, (size_t) a->carry->which[i], z, &rate,
+                               NULL);
+        else
+            rate = 1.0;
+        p->integral[i] = a->toward * rate * exp(-f.log_scale) / along;
+    }
+}
+
+/* The rates at a distance beyond z. */
+static void rates_beyond(const struct approach *a, double distance,
+                         struct tail_point *p)
+{
+    const double kappa = a->kappa.unknown;
+    const double moved = -a->first.unknown / kappa * expm1(-kappa * distance);
+    const double ind = (a->ind == 0 ? a->z.x : a->z.y) + a->toward * distance;
+    const double dep = (a->ind == 0 ? a->z.y : a->z.x) + moved;
+
+    rates_at(a, local_point(a->ind, ind, dep), p);
+}
+
+static void quadrature(const struct approach *a, double kappa, size_t n,
+                       const double node[], const double weight[],
+                       struct tail_point *sum)
 {
     *sum = (struct tail_point){ 0 };
     for (size_t k = 0; k < n; k++) {
         struct tail_point p;
-        point_at(a, node[k], &p);
-        sum->unknown += weight[k] * p.unknown / a->kappa;
+        rates_beyond(a, node[k] / kappa, &p);
+        sum->unknown += weight[k] * p.unknown / kappa;
         for (size_t i = 0; i < a->carry->count; i++)
-            sum->integral[i] += weight[k] * p.integral[i] / a->kappa;
+            sum->integral[i] += weight[k] * p.integral[i] / kappa;
     }
 }
 
-/* The relative rate of decay of the slope at z; not positive: no decay. */
-static double decay_rate(const struct planar *sys, int ind, int toward,
-                         struct vec2 z)
+static void both_rules(const struct approach *a, double kappa,
+                       struct tail_point *fine, struct tail_point *coarse)
 {
-    const double du = 1e-3;
-    const struct vec2 next = ind == 0 ? (struct vec2){ z.x + toward * du, z.y }
-                                      : (struct vec2){ z.x, z.y + toward * du };
-    const double here = local_slope(sys, ind, z);
-    const double there = local_slope(sys, ind, next);
-
-    if (here == 0.0) /* decayed below the smallest double */
-        return HUGE_VAL;
-    return -log(there / here) / du;
+    quadrature(a, kappa, FINE, fine_node, fine_weight, fine);
+    quadrature(a, kappa, COARSE, coarse_node, coarse_weight, coarse);
 }
 
-/* |d slope/d dep| at z */
-static double stiffness(const struct planar *sys, int ind, struct vec2 z)
+/* Integral i by itself. */
+static void close_integral(const struct approach *a, size_t i, struct tail *t)
 {
-    struct planar_jacobian J;
+    const double kappa = a->kappa.integral[i];
+    struct tail_point fine, coarse;
 
-    sys->jacobian(sys->ctx, z, &J);
-    const struct vec2 f = J.field.direction;
-    return ind == 0 ? fabs((J.matrix.yy - f.y / f.x * J.matrix.xy) / f.x)
-                    : fabs((J.matrix.xx - f.x / f.y * J.matrix.yx) / f.y);
+    t->integral[i] = t->integral_error[i] = 0.0;
+    if (kappa == HUGE_VAL)
+        return;
+    if (!(kappa > TOL_LIMIT_DECAY)) {
+        t->integral_error[i] = HUGE_VAL;
+        return;
+    }
+    both_rules(a, kappa, &fine, &coarse);
+    t->integral[i] = fine.integral[i];
+    t->integral_error[i] = fabs(fine.integral[i] - coarse.integral[i]);
+}
+
+/* The dependent coordinate, and the integrals that decay as it does. */
+static void close_unknown(const struct approach *a, struct tail *t)
+{
+    const double kappa = a->kappa.unknown;
+    struct tail_point fine, coarse;
+
+    both_rules(a, kappa, &fine, &coarse);
+    t->unknown = fine.unknown;
+    const double off = fabs(fine.unknown - a->first.unknown / kappa);
+    t->unknown_error =
+        fabs(fine.unknown - coarse.unknown) + off * a->stiffness / kappa;
+    for (size_t i = 0; i < a->carry->count; i++) {
+        t->integral[i] = fine.integral[i];
+        t->integral_error[i] = fabs(fine.integral[i] - coarse.integral[i]);
+    }
+}
+
+static bool is_alike(double kappa, double other)
+{
+    return kappa < 1.5 * other && other < 1.5 * kappa;
 }
 
 bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
@@ -123,24 +188,16 @@ bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
     struct approach a = {
         .sys = sys, .carry = carry, .ind = ind, .toward = toward, .z = z
     };
-    struct tail_point fine, coarse;
 
     *t = (struct tail){ 0 };
-    a.kappa = decay_rate(sys, ind, toward, z);
-    a.first = toward * local_slope(sys, ind, z);
-    if (a.kappa == HUGE_VAL)
-        return true;
-    if (!(a.kappa > 0.2))
+    look(&a);
+    const double kappa = a.kappa.unknown;
+    if (!(kappa > TOL_LIMIT_DECAY))
         return false;
-    quadrature(&a, FINE, fine_node, fine_weight, &fine);
-    quadrature(&a, COARSE, coarse_node, coarse_weight, &coarse);
-    t->unknown = fine.unknown;
-    const double off = fabs(fine.unknown - a.first / a.kappa);
-    const double part = off * stiffness(sys, ind, z) / a.kappa;
-    t->unknown_error = fabs(fine.unknown - coarse.unknown) + part;
-    for (size_t i = 0; i < carry->count; i++) {
-        t->integral[i] = fine.integral[i];
-        t->integral_error[i] = fabs(fine.integral[i] - coarse.integral[i]);
-    }
+    if (kappa < HUGE_VAL)
+        close_unknown(&a, t);
+    for (size_t i = 0; i < carry->count; i++)
+        if (kappa == HUGE_VAL || !is_alike(kappa, a.kappa.integral[i]))
+            close_integral(&a, i, t);
     return isfinite(t->unknown);
 }

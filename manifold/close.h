@@ -8,7 +8,7 @@ struct tail {
     double unknown; /* change of the dependent coordinate from z to infinity */
     double unknown_error;
     double integral[LOCAL_CARRY_MAX];
-    double integral_error[LOCAL_CARRY_MAX];
+    double integral_error[LOCAL_CARRY_MAX]; /* infinite where it diverges */
 };
 
 /* The dependent coordinate and the carried integrals from z to ind ->

@@ -14,6 +14,7 @@
 
 #include "eigen_end.h"
 #include "eigen_leg.h"
+#include "limit.h"
 #include "tolerance.h"
 
 struct eigen_options eigen_defaults(double rtol)
@@ -47,13 +48,15 @@ static bool settle(struct route *r, const struct eigen_course *earlier,
                    const struct eigen_course *now, double part)
 {
     const double *total = last_leg(r)->flow.u + 2;
+    const int sign = now->at > earlier->at ? 1 : -1;
     struct eigen_rest rest;
 
-    if (!eigen_end_near(r->frame, earlier, now, total, part, &rest))
+    if (!eigen_end_near(r->frame, earlier, now, total, part, &rest) ||
+        !limit_exists(r->frame->sys, now->ind, sign, now->dep))
         return false;
     r->rest = rest;
     r->end = now->ind == 0 ? BRANCH_LIMIT_Y : BRANCH_LIMIT_X;
-    r->sign = now->at > earlier->at ? 1 : -1;
+    r->sign = sign;
     return true;
 }
 
@@ -238,7 +241,8 @@ static void report_totals(const struct route *fine, const struct route *coarse,
         b->total[i] = total;
         b->total_error[i] = ends_alike(fine, coarse)
                                 ? bar(off, last_leg(fine)->drift.total[i],
-                                      fine->rest.total[i], total)
+                                      fine->rest.total[i], total) +
+                                      TOL_INTEGRAL_NIL
                                 : HUGE_VAL;
     }
 }

@@ -158,6 +158,58 @@ static void find_defect(const struct eigen_leg *l, double h, double defect[])
     }
 }
 
+/* The largest defect, in tolerances. */
+static double bend(const struct eigen_leg *l, const double defect[])
+{
+    const struct flow_options *o = &l->flow.options;
+    double worst = 0.0;
+
+    for (size_t i = 0; i < l->ode.dim; i++) {
+        const double size = o->atol[i] + o->rtol * fabs(l->flow.u[i]);
+        worst = defect[i] <= worst * size ? worst : defect[i] / size;
+    }
+    return worst;
+}
+
+/* Undoes the last step, the next one to be of length h; the arrays may have
+ * moved meanwhile. */
+static void take_back(struct flow *f, const struct flow *before, double h)
+{
+    const struct flow after = *f;
+
+    *f = *before;
+    f->curve = after.curve;
+    f->curve.count = before->curve.count;
+    f->curve.coefs = before->curve.coefs;
+    f->log.hit = after.log.hit;
+    f->log.room = after.log.room;
+    f->calls = after.calls;
+    f->rejected = after.rejected + 1;
+    f->h = h;
+}
+
+/* A step without bends that its estimates missed; what halving it hardly
+ * changes is rounding. */
+static enum status step(struct eigen_leg *l, double defect[])
+{
+    const struct flow before = l->flow;
+    double most = HUGE_VAL;
+
+    for (;;) {
+        const enum status s = flow_step(&l->flow, HUGE_VAL);
+        if (s != STATUS_OK)
+            return s;
+        const double h = l->flow.s - before.s;
+        find_defect(l, h, defect);
+        const double off = bend(l, defect);
+        if (l->flow.end == FLOW_EVENT || off <= TOL_EIGEN_DEFECT ||
+            !(off < 0.5 * most))
+            return STATUS_OK;
+        most = off;
+        take_back(&l->flow, &before, 0.5 * h);
+    }
+}
+
 enum status eigen_leg_step(struct eigen_leg *l)
 {
     const double s = l->flow.s;
@@ -165,10 +217,9 @@ enum status eigen_leg_step(struct eigen_leg *l)
 
     memcpy(before, l->flow.error, sizeof before);
     set_weights(l);
-    const enum status status = flow_step(&l->flow, HUGE_VAL);
+    const enum status status = step(l, error);
     if (status != STATUS_OK)
         return status;
-    find_defect(l, l->flow.s - s, error);
     for (size_t i = 0; i < l->ode.dim; i++)
         error[i] =
             TOL_EIGEN_ESTIMATES * (error[i] + l->flow.error[i] - before[i]);

@@ -16,6 +16,7 @@
 #include <math.h>
 
 #include "close.h"
+#include "limit.h"
 #include "tolerance.h"
 
 size_t grow_order(double rtol)
@@ -38,7 +39,7 @@ struct outward {
     double swift[LOCAL_CARRY_MAX], swift_d[LOCAL_CARRY_MAX];
 };
 
-/* One step in the making: series in s, ind = at + s. */
+/* One step in the making: series in s, ind = at + unit s. */
 struct grower {
     const struct planar *sys;
     const struct grow_options *o;
@@ -49,7 +50,9 @@ struct grower {
     struct vec2 z;
     double total[LOCAL_CARRY_MAX];
     double delta; /* bound so far on the error of the dependent coordinate */
-    double h;     /* step chosen, positive */
+    double unit;  /* of steps, a power of two; 1 but where a field changes over
+                     far less (local.h) */
+    double h;     /* step chosen, of s, positive */
     struct planar_jacobian end; /* the field at the end of the last step */
     struct outward out;         /* and what travels there */
     struct jet_work work;
@@ -115,7 +118,7 @@ static void set_start(struct grower *g)
 {
     g->at[0][0] = g->z.x;
     g->at[1][0] = g->z.y;
-    g->at[g->ind][1] = 1.0;
+    g->at[g->ind][1] = g->unit;
     for (size_t k = 2; k <= g->o->order; k++)
         g->at[g->ind][k] = 0.0;
     g->work.linear = g->at[g->ind];
@@ -129,7 +132,7 @@ static void carry_order(struct grower *g, size_t i, size_t k)
         g->sys->rate_jet(g->sys->ctx, (size_t) g->o->carry.which[i], &g->work,
                          k, g->at[0], g->at[1], g->rate[i]);
     g->swift[i][k] = jet_quotient(k, g->rate[i], g->f[g->ind], g->swift[i]);
-    g->integral[i][k + 1] = g->swift[i][k] * jet_inverse[k + 1];
+    g->integral[i][k + 1] = g->swift[i][k] * g->unit * jet_inverse[k + 1];
 }
 
 static void expand(struct grower *g)
@@ -144,7 +147,7 @@ static void expand(struct grower *g)
         g->sys->jet(g->sys->ctx, &g->work, k, g->at[0], g->at[1], g->f[0],
                     g->f[1]);
         g->slope[k] = jet_quotient(k, num, den, g->slope);
-        dep[k + 1] = g->slope[k] * jet_inverse[k + 1];
+        dep[k + 1] = g->slope[k] * g->unit * jet_inverse[k + 1];
         for (size_t i = 0; i < g->o->carry.count; i++)
             carry_order(g, i, k);
     }
@@ -179,29 +182,31 @@ static void choose_step(struct grower *g)
     const size_t order = g->o->order;
     double h = step_for(g->at[1 - g->ind], order, scale_of_unknown(g), g->tol);
 
-    for (size_t i = 0; i < g->o->carry.count; i++)
-        h = fmin(h, step_for(g->integral[i], order,
-                             fabs(g->total[i]) + fabs(g->integral[i][1]) * h,
-                             g->tol));
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        const double scale = fabs(g->total[i]) + fabs(g->integral[i][1]) * h;
+        if (scale > TOL_INTEGRAL_NIL)
+            h = fmin(h, step_for(g->integral[i], order, scale, g->tol));
+    }
     g->h = fmin(h, TOL_STEP_MAX);
 }
 
 static struct vec2 step_end(const struct grower *g, double s)
 {
     const double dep = jet_at(g->o->order, g->at[1 - g->ind], s);
-    return local_point(g->ind, g->at[g->ind][0] + s, dep);
+    return local_point(g->ind, g->at[g->ind][0] + s * g->unit, dep);
 }
 
 /* The series' slope at the end of the step against the field's. */
 static bool step_holds(struct grower *g, struct vec2 end)
 {
     const double s = g->toward * g->h;
-    const double slope = jet_slope_at(g->o->order, g->at[1 - g->ind], s);
+    const double slope =
+        jet_slope_at(g->o->order, g->at[1 - g->ind], s) / g->unit;
     g->sys->jacobian(g->sys->ctx, end, &g->end);
     const struct vec2 d = g->end.field.direction;
     const double field = g->ind == 0 ? d.y / d.x : d.x / d.y;
     const double allowed =
-        TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / g->h;
+        TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / (g->unit * g->h);
     const double rounding = 1e-13 * (fabs(slope) + fabs(g->slope[0]));
 
     return fabs(slope - field) <= allowed + rounding;
@@ -215,7 +220,7 @@ static bool clip_to_domain(struct grower *g)
     const double here = g->at[g->ind][0] + coordinate(sys->origin, g->ind);
     const double edge =
         coordinate(g->toward > 0 ? sys->domain.hi : sys->domain.lo, g->ind);
-    const double room = (edge - here) * g->toward;
+    const double room = (edge - here) * g->toward / g->unit;
 
     if (room > g->h)
         return false;
@@ -224,8 +229,8 @@ static bool clip_to_domain(struct grower *g)
 }
 
 /* What the truncation of u over the step may have cost: the first term left out
- * is h/(n + 1) times what its derivative is off at the end; where that is zero
- * by chance, a part of the last terms. */
+ * is h/(n + 1) times what its derivative by s is off at the end; where that is
+ * zero by chance, a part of the last terms. */
 static double truncation(const struct grower *g, const double u[], double off)
 {
     const size_t n = g->o->order;
@@ -234,7 +239,8 @@ static double truncation(const struct grower *g, const double u[], double off)
     for (size_t k = n - 1; k > 0; k >>= 1, square *= square)
         top *= k & 1 ? square : 1.0;
     const double last = top * (fabs(u[n - 1]) + g->h * fabs(u[n]));
-    const double next = fmin(fabs(off) * g->h / (double) (n + 1), last);
+    const double next =
+        fmin(fabs(off) * g->h / (double) (n + 1), TOL_STEP_BAR_MOST * last);
     return TOL_STEP_BAR_NEXT * next + TOL_STEP_BAR_LAST * last;
 }
 
@@ -243,21 +249,23 @@ static void add_errors(struct grower *g, struct vec2 end)
 {
     const double s = g->toward * g->h;
     const size_t n = g->o->order;
+    const double unit = g->unit, way = g->h * unit;
     const struct outward before = g->out;
     look_outward(g, end);
     const double growth =
-        0.5 * g->toward * g->h * (before.slope_d + g->out.slope_d);
+        0.5 * g->toward * way * (before.slope_d + g->out.slope_d);
 
     if (growth > 0.0)
         g->delta *= exp(fmin(growth, 50.0));
     g->delta +=
         truncation(g, g->at[1 - g->ind],
-                   jet_slope_at(n, g->at[1 - g->ind], s) - g->out.slope);
+                   jet_slope_at(n, g->at[1 - g->ind], s) - unit * g->out.slope);
     for (size_t i = 0; i < g->o->carry.count; i++)
         g->b->total_error[i] +=
             truncation(g, g->integral[i],
-                       jet_slope_at(n, g->integral[i], s) - g->out.swift[i]) +
-            g->h * g->delta *
+                       jet_slope_at(n, g->integral[i], s) -
+                           unit * g->out.swift[i]) +
+            way * g->delta *
                 fmax(fabs(before.swift_d[i]), fabs(g->out.swift_d[i]));
 }
 
@@ -297,6 +305,8 @@ static void advance(struct grower *g)
     g->z = step_end(g, s);
     for (size_t i = 0; i < g->o->carry.count; i++)
         g->total[i] += jet_at(g->o->order, g->integral[i], s);
+    if (g->unit < 1.0) /* as long as the last step, which powers of 2 keep */
+        g->unit = fmin(ldexp(g->unit, ilogb(g->h)), 1.0);
     g->b->steps++;
 }
 
@@ -347,7 +357,8 @@ static bool try_close(struct grower *g)
 
     if (!may_close(g) ||
         !close_tail(g->sys, g->ind, g->toward, g->z, &g->o->carry, &t) ||
-        !tail_holds(g, &t))
+        !tail_holds(g, &t) ||
+        !limit_exists(g->sys, g->ind, g->toward, coordinate(g->z, 1 - g->ind)))
         return false;
     g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
     g->b->sign = g->toward;
@@ -371,7 +382,8 @@ static enum status step(struct grower *g, bool *done)
         g->h *= 0.5;
         edge = false;
         g->b->rejected++;
-        if (!(g->h > 4.0 * DBL_EPSILON * (1.0 + fabs(g->at[g->ind][0]))))
+        if (!(g->unit * g->h >
+              4.0 * DBL_EPSILON * (g->unit + fabs(g->at[g->ind][0]))))
             return STATUS_NO_CONVERGENCE;
     }
     add_errors(g, step_end(g, g->toward * g->h));
@@ -380,7 +392,8 @@ static enum status step(struct grower *g, bool *done)
         return s;
     advance(g);
     *done = try_close(g);
-    if (!*done && edge) {
+    if (!*done &&
+        (edge || !box_holds(g->sys->domain, vec2_add(g->sys->origin, g->z)))) {
         g->b->end = BRANCH_DOMAIN;
         *done = true;
     }
@@ -392,7 +405,7 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
 {
     const size_t n = u->order;
     const double s = side * u->radius;
-    double line[JET_SIZE] = { 0.0, 1.0 }, *coef;
+    double line[JET_SIZE] = { 0.0, u->unit }, *coef;
     const enum status status = curve_push(&g->b->curve, n, &coef);
 
     if (status != STATUS_OK)
@@ -405,7 +418,8 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
         g->total[i] = jet_at(n, u->integral[i], s);
         g->b->total_error[i] = u->integral_tail[i];
     }
-    g->z = local_point(u->ind, s, jet_at(n, u->c, s));
+    g->z = local_series_at(u, s);
+    g->unit = u->unit;
     g->sys->jacobian(g->sys->ctx, g->z, &g->end);
     g->ind = u->ind;
     g->toward = side;
@@ -444,7 +458,9 @@ enum status grow_branch(const struct planar *sys,
     }
     out->limit = g.z;
     *(g.ind == 1 ? &out->error.x : &out->error.y) = g.delta;
-    for (size_t i = 0; i < o->carry.count; i++)
+    for (size_t i = 0; i < o->carry.count; i++) {
         out->total[i] = g.total[i];
+        out->total_error[i] += TOL_INTEGRAL_NIL;
+    }
     return STATUS_OK;
 }

@@ -14,6 +14,8 @@
 
 #include "tolerance.h"
 
+enum { UNITS = 8 }; /* tried */
+
 /* Working series: the field along the graph. */
 struct graph {
     const struct planar *sys;
@@ -32,13 +34,13 @@ static void graph_jet(struct graph *g, const struct local_series *u, size_t k)
 
 /* What order k leaves on the right when c[k] is still zero. */
 static double defect_of_order(const double *dep, const double *ind,
-                              const double *c, size_t k)
+                              const struct local_series *u, size_t k)
 {
-    double sum = dep[k] - c[1] * ind[k];
+    double sum = u->c[1] * ind[k];
 
     for (size_t j = 1; j + 1 < k; j++)
-        sum -= (double) (j + 1) * c[j + 1] * ind[k - j];
-    return sum;
+        sum += (double) (j + 1) * u->c[j + 1] * ind[k - j];
+    return dep[k] - sum / u->unit;
 }
 
 static void carry_order(struct graph *g, const struct carry *carry,
@@ -68,8 +70,8 @@ static void build(struct graph *g, const struct carry *carry,
         if (k >= 2) {
             u->c[k] = 0.0;
             graph_jet(g, u, k);
-            u->c[k] = defect_of_order(dep, ind, u->c, k) /
-                      ((double) k * lambda - other);
+            u->c[k] =
+                defect_of_order(dep, ind, u, k) / ((double) k * lambda - other);
         } else if (k == 1) {
             const double unit = exp(e->log_scale - g->work.log_scale);
             lambda = unit * e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
@@ -93,7 +95,7 @@ static void build_integrals(const struct graph *g, const struct carry *carry,
             u->integral[i][k] = 0.0;
         for (size_t k = 0; u->converges[i] && k < u->order; k++) {
             quotient[k] = jet_quotient(k, rate[i] + 1, den, quotient);
-            u->integral[i][k + 1] = quotient[k] / (double) (k + 1);
+            u->integral[i][k + 1] = u->unit * quotient[k] / (double) (k + 1);
         }
     }
 }
@@ -105,6 +107,11 @@ double local_slope(const struct planar *sys, int ind, struct vec2 z)
     sys->field(sys->ctx, z, &f);
     return ind == 0 ? f.direction.y / f.direction.x
                     : f.direction.x / f.direction.y;
+}
+
+struct vec2 local_series_at(const struct local_series *u, double s)
+{
+    return local_point(u->ind, s * u->unit, jet_at(u->order, u->c, s));
 }
 
 /* Radius at which the last two terms of u fall to tol times its first - or,
@@ -135,12 +142,11 @@ static double slope_defect(const struct planar *sys,
     double worst = 0.0;
 
     for (int side = -1; side <= 1; side += 2) {
-        const double t = side * s, dep = jet_at(u->order, u->c, t);
-        const double slope = jet_slope_at(u->order, u->c, t);
-        const double field =
-            local_slope(sys, u->ind, local_point(u->ind, t, dep));
+        const double t = side * s;
+        const double slope = jet_slope_at(u->order, u->c, t) / u->unit;
+        const double field = local_slope(sys, u->ind, local_series_at(u, t));
         const double off = fabs(slope - field);
-        const double size = fabs(slope) + fabs(u->c[1]);
+        const double size = fabs(slope) + fabs(u->c[1] / u->unit);
         const double defect = off == 0.0 ? 0.0 : off / size;
         if (!(defect <= worst))
             worst = defect;
@@ -154,7 +160,7 @@ static double slope_rounding(const struct equilibrium *e, double lambda,
                              const struct local_series *u)
 {
     const struct mat2 m = e->matrix;
-    const double c = u->c[1], size = fabs(lambda);
+    const double c = u->c[1] / u->unit, size = fabs(lambda);
     const double ind =
         u->ind == 0 ? fabs(m.xx) + fabs(m.xy * c) : fabs(m.yy) + fabs(m.yx * c);
     const double dep =
@@ -170,7 +176,7 @@ static enum status find_radius(const struct planar *sys,
     double radius = radius_of(u->c, u->order, tol);
 
     for (size_t i = 0; i < carry->count; i++)
-        if (u->converges[i] && u->integral[i][1] != 0.0)
+        if (u->converges[i] && fabs(u->integral[i][1]) > TOL_INTEGRAL_NIL)
             radius = fmin(radius, radius_of(u->integral[i], u->order, tol));
     radius = fmin(0.9 * radius, TOL_SERIES_RADIUS_MAX);
     for (int i = 0; i < 60; i++, radius *= 0.5)
@@ -183,14 +189,48 @@ static enum status find_radius(const struct planar *sys,
     return radius > 1e-12 ? STATUS_OK : STATUS_NO_CONVERGENCE;
 }
 
+/* The length over which the field changes, in units, from the highest
+ * coefficient that has not overflowed. */
+static double length_of(const struct local_series *u)
+{
+    const double first = u->c[1] == 0.0 ? u->unit : u->c[1];
+
+    for (size_t k = u->order; k >= 2; k--) {
+        const double ratio = fabs(u->c[k] / first);
+        if (ratio > 0.0 && isfinite(ratio))
+            return pow(ratio, -1.0 / (double) (k - 1));
+    }
+    return u->c[2] == 0.0 ? 1.0 : TOL_SERIES_SHRINK;
+}
+
+/* The series of the given slope, in a smaller unit where powers of the length
+ * over which the field changes would overflow. */
+static void expand(const struct planar *sys, const struct carry *carry,
+                   const struct equilibrium *e, enum manifold_kind kind,
+                   double slope, struct local_series *u)
+{
+    double rate[LOCAL_CARRY_MAX][JET_SIZE], length = 1.0;
+    struct graph g = { .sys = sys };
+
+    g.work.linear = g.s;
+    u->unit = 1.0;
+    for (int i = 0; i == 0 || (i < UNITS && length < TOL_SERIES_NEAR); i++) {
+        u->unit *= exp2(floor(log2(length)));
+        u->c[0] = 0.0;
+        u->c[1] = slope * u->unit;
+        g.s[1] = u->unit;
+        build(&g, carry, e, kind, u, rate);
+        length = length_of(u);
+    }
+    build_integrals(&g, carry, rate, u);
+}
+
 enum status local_at(const struct planar *sys, const struct equilibrium *e,
                      enum manifold_kind kind, const struct carry *carry,
                      size_t order, double tol, struct local_series *out)
 {
     const double lambda = e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
     const double other = e->scaled[kind == MANIFOLD_STABLE ? 1 : 0];
-    struct graph g;
-    double rate[LOCAL_CARRY_MAX][JET_SIZE];
 
     if (sys->jet == NULL || order < 4 || order >= JET_SIZE)
         return STATUS_BAD_ARGUMENT;
@@ -200,13 +240,6 @@ enum status local_at(const struct planar *sys, const struct equilibrium *e,
     const struct vec2 v = mat2_eigenvector(e->matrix, lambda);
     out->ind = fabs(v.y) <= fabs(v.x) ? 0 : 1;
     out->order = order;
-    out->c[0] = 0.0;
-    out->c[1] = out->ind == 0 ? v.y / v.x : v.x / v.y;
-    g.sys = sys;
-    for (size_t k = 0; k <= order; k++)
-        g.s[k] = k == 1 ? 1.0 : 0.0;
-    g.work.linear = g.s;
-    build(&g, carry, e, kind, out, rate);
-    build_integrals(&g, carry, rate, out);
+    expand(sys, carry, e, kind, out->ind == 0 ? v.y / v.x : v.x / v.y, out);
     return find_radius(sys, carry, tol, slope_rounding(e, lambda, out), out);
 }

@@ -2,8 +2,10 @@
  * local.h -- the invariant manifolds at a saddle as Taylor series.
  *
  * Near a saddle each invariant manifold is the graph of one coordinate, the
- * dependent one, over the other: dep = sum_k c[k] ind^k (Poincare).  The same
- * series serves both branches (ind > 0 and ind < 0).
+ * dependent one, over the other: dep = sum_k c[k] (ind/unit)^k (Poincare).  The
+ * same series serves both branches (ind > 0 and ind < 0).  The unit is 1, or a
+ * power of two about as small as the length over which the field changes: that
+ * may be 1e-200.
  */
 #ifndef MANIFOLD_LOCAL_H
 #define MANIFOLD_LOCAL_H
@@ -24,13 +26,15 @@ struct carry {
 struct local_series {
     int ind; /* 0: y(x); 1: x(y) */
     size_t order;
+    double unit;
     double c[JET_SIZE];
-    /* Integrals over time from the saddle, as series in ind; only those whose
+    /* Integrals over time from the saddle, likewise; only those whose
      * rate vanishes at the saddle converge, the others are identically zero
      * here (and are counted from the end of the series). */
     double integral[LOCAL_CARRY_MAX][JET_SIZE];
     bool converges[LOCAL_CARRY_MAX];
-    double radius; /* where the last terms reach tol and the defect is small */
+    double radius; /* of ind/unit, where the last terms reach tol and the defect
+                      is small */
     double tail;   /* size of the last terms of c at the radius */
     double integral_tail[LOCAL_CARRY_MAX];
 };
@@ -45,6 +49,9 @@ MUST_CHECK enum status local_at(const struct planar *sys,
                                 enum manifold_kind kind,
                                 const struct carry *carry, size_t order,
                                 double tol, struct local_series *out);
+
+/* The point of the series at s = ind/unit. */
+struct vec2 local_series_at(const struct local_series *u, double s);
 
 /* dep's derivative by ind from the field at z: f_dep / f_ind. */
 double local_slope(const struct planar *sys, int ind, struct vec2 z);

@@ -33,14 +33,25 @@
 #define TOL_ORDER_BASE      6.0
 #define TOL_ORDER_PER_DIGIT 1.35
 #define TOL_TAYLOR_STEP     0.02
-/* The bar of a step: this many times its first missing and its last terms. */
+/* The bar of a step: this many times its first missing and its last terms; the
+ * first one is no more than MOST of the last ones, but what roundings make of
+ * it (beside a kink terms may be small by chance). */
 #define TOL_STEP_BAR_NEXT 4.0
 #define TOL_STEP_BAR_LAST 0.4
+#define TOL_STEP_BAR_MOST 4.0
 /* No branch needs a tenth of this. */
 #define TOL_BRANCH_STEPS 2000
+/* Integrals below this have no digits in a double: the smallest normal number
+ * over its roundoff. */
+#define TOL_INTEGRAL_NIL 1e-292
 /* Never a series start further than this from the saddle, in ln v or ln psi:
  * beyond, the defect at the two ends no longer speaks for the middle. */
 #define TOL_SERIES_RADIUS_MAX 2.0
+/* Where a field changes over less than this, in ln v or ln psi, series are in
+ * a smaller unit: its powers of a thirtieth would overflow.  And by how much
+ * smaller where even the first ones do. */
+#define TOL_SERIES_NEAR   1e-6
+#define TOL_SERIES_SHRINK 1e-100
 /* A step is kept when the series' slope agrees with the field's at its end to
  * this many times its tolerance: a derivative loses a factor of the order. */
 #define TOL_SLOPE_CHECK 300.0
@@ -204,6 +215,10 @@
 /* Where z = P W has become this many times smaller than what it is the
  * difference of, W is left for z: steps cannot make up for more. */
 #define TOL_EIGEN_LOST 10.0
+/* A step is halved where its polynomial is further than this from a solution
+ * between its stages, in tolerances: one in a thousand is (measured), most at
+ * kinks that a step's estimates miss. */
+#define TOL_EIGEN_DEFECT 30.0
 /* Where steps fail, points at this part of the distance from the saddle tell
  * whether an equilibrium lies between. */
 #define TOL_EIGEN_ODD 1e-8
@@ -394,5 +409,9 @@
 #define TOL_ORBIT_TREND   3.0
 #define TOL_ORBIT_RATE    0.1
 #define TOL_ORBIT_RETREAT 0.5
+
+/* A slope that decays faster than this, per unit of ln v or ln psi, has a
+ * limit: those of laws decay at a rate of 1 at least, or do not. */
+#define TOL_LIMIT_DECAY 0.2
 
 #endif

@@ -17,6 +17,7 @@ static const double start = 1e-18, near_saddle = 1e-2;
 static const double steep = 1.5; /* |slope| above which the graph turns */
 static const double longest = 8.0;
 static const double far = 300.0; /* no limit within this of the saddle */
+static const double decay = 0.2; /* rate at which a slope decays to nothing */
 
 struct grower {
     const struct law *law;
@@ -201,12 +202,24 @@ static void turn(struct grower *g)
 /* ---- end ------------------------------------------------------------- */
 
 /* Whether nothing changes any more. */
-static bool is_done(const struct grower *g)
+static bool is_still(const struct grower *g)
 {
     const quad dep = fabsq(g->u[0]), still = g->tol / 10;
 
     return fabsq(g->slope) < still * (dep < 1 ? dep : 1) &&
            fabsq(g->rate) < still * fabsq(g->u[1]);
+}
+
+/* Whether nothing ever will: as ind runs on, the slope decays exponentially. */
+static bool is_done(const struct grower *g)
+{
+    quad middle[2], edge[2];
+
+    if (!is_still(g))
+        return false;
+    slopes(g, g->s + g->way * (quad) far, g->u[0], middle);
+    slopes(g, g->s + g->way * (quad) far * 2, g->u[0], edge);
+    return edge[0] == 0 || logq(middle[0] / edge[0]) > decay * (quad) far;
 }
 
 static bool has_ended(const struct grower *g)
