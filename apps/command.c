@@ -19,6 +19,11 @@ static const struct command table[] = {
     { "push", "[SCENE.yaml]", "one state: stops or slides, and what changes it",
       "slipway push --law dieterich_gen --alpha 0.34 --v 1e3 --psi 10",
       command_push },
+    { "simulate", "[SCENE.yaml]", "the motion from a start: events, phases",
+      "slipway simulate --law dieterich_gen --alpha 0.34 --v 1e3 --psi 10",
+      command_simulate },
+    { "rabinowicz", "[SCENE.yaml]", "impact experiments: l_k, and fits to data",
+      "slipway rabinowicz scenes/rabinowicz.yaml", command_rabinowicz },
     { "check", "TABLE.csv...", "do stored numbers still hold? or --record them",
       "slipway check --record scenes/fig07b.yaml -o fig07b.csv", command_check },
     { "laws", "", "the friction laws and their formulas",
@@ -67,7 +72,7 @@ void command_list(FILE *out)
 {
     fprintf(out, "Commands:\n");
     for (int i = 0; i < COMMANDS; i++)
-        fprintf(out, "  %-9s %-15s %s\n", table[i].name, table[i].arguments,
+        fprintf(out, "  %-10s %-15s %s\n", table[i].name, table[i].arguments,
                 table[i].text);
     fprintf(out, "\nExamples:\n");
     for (int i = 0; i < COMMANDS; i++)

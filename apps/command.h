@@ -38,6 +38,8 @@ enum exit_code command_portrait(const struct options *o);
 enum exit_code command_knees(const struct options *o);
 enum exit_code command_basin(const struct options *o);
 enum exit_code command_push(const struct options *o);
+enum exit_code command_simulate(const struct options *o);
+enum exit_code command_rabinowicz(const struct options *o);
 enum exit_code command_plan(const struct options *o);
 enum exit_code command_check(const struct options *o);
 enum exit_code command_laws(const struct options *o);

@@ -184,13 +184,13 @@ static char *lasting_overrides(const char *overrides)
     return kept;
 }
 
-static enum status put_scene(const struct study *s, struct store *out)
+static enum status put_scene(const struct scene *scene, struct store *out)
 {
-    char *overrides = lasting_overrides(s->scene->overrides);
+    char *overrides = lasting_overrides(scene->overrides);
     enum status status = overrides ? STATUS_OK : STATUS_NO_MEMORY;
 
     if (!status)
-        status = store_put_text(out, "/provenance", "scene", s->scene->text);
+        status = store_put_text(out, "/provenance", "scene", scene->text);
     if (!status)
         status = store_put_text(out, "/provenance", "overrides", overrides);
     free(overrides);
@@ -198,21 +198,21 @@ static enum status put_scene(const struct study *s, struct store *out)
 }
 
 /* What made the file: no clock, path, host or thread count. */
-static enum status put_provenance(const struct study *s, struct store *out)
+enum status export_provenance(const struct scene *scene, struct store *out)
 {
-    struct material m = s->block.material;
+    struct material m = scene->material;
     char formula[256], libraries[128];
     const char *const text[][2] = {
         { "version", SLIPWAY_VERSION },
         { "compiler", __VERSION__ },
         { "libraries", libraries },
-        { "law", s->block.law.preset },
-        { "friction", friction_form_names[s->block.law.form] },
+        { "law", scene->law.preset },
+        { "friction", friction_form_names[scene->law.form] },
         { "formula", formula },
     };
-    enum status status = put_scene(s, out);
+    enum status status = put_scene(scene, out);
 
-    law_formula(&s->block.law, formula, sizeof formula);
+    law_formula(&scene->law, formula, sizeof formula);
     snprintf(libraries, sizeof libraries, "GSL %s, HDF5 %s", GSL_VERSION,
              store_library_version());
     for (size_t i = 0; i < sizeof text / sizeof *text && !status; i++)
@@ -222,7 +222,7 @@ static enum status put_provenance(const struct study *s, struct store *out)
                                 material_key_name((enum material_key) key),
                                 *material_member(&m, (enum material_key) key));
     if (!status)
-        status = store_put_real(out, "/provenance", "alpha", s->scene->alpha);
+        status = store_put_real(out, "/provenance", "alpha", scene->alpha);
     if (!status)
         status = store_put_real(out, "/provenance", "eps2", material_eps2(&m));
     return status;
@@ -234,7 +234,7 @@ static enum status put_all(const struct study *s, struct store *out,
     const struct record_array steady = { &record_steady, s->steady,
                                          s->equilibria };
     const unsigned stages = s->stages;
-    enum status status = put_provenance(s, out);
+    enum status status = export_provenance(s->scene, out);
 
     if (!status)
         status = store_put_records(out, "/equilibria", &steady, NULL);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "export_fields.h"
 #include "store_grid.h"
 #include "store_records.h"
 #include "tolerance.h"
@@ -138,6 +139,8 @@ static enum status put_block(const struct basin_map *m, struct store *out,
 
     if (s == STATUS_OK)
         s = store_put_rows(out, group, &label_field, first, count, b->label);
+    if (s == STATUS_OK)
+        s = export_field_rows(m->study, out, first, count, monitor);
     if (s != STATUS_OK || b->margin[0] == NULL)
         return s;
     s = basin_map_margins(m, first, count, b->margin[0], b->margin[1]);
@@ -181,6 +184,8 @@ static enum status put_axes(const struct study *study, bool margins,
         s = store_put_layer(out, group, &margin_field, "psi", "v");
     if (s == STATUS_OK && margins)
         s = store_put_layer(out, group, &margin_psi_field, "psi", "v");
+    if (s == STATUS_OK)
+        s = export_field_layers(study, out);
     return s;
 }
 

@@ -27,6 +27,7 @@ enum key {
     KEY_V,
     KEY_PSI,
     KEY_STATES,
+    KEY_DATA,
     KEY_HELP,
     KEY_VERSION
 };
@@ -55,10 +56,12 @@ static const struct argp_option option_table[] = {
     { "sensitivities", KEY_SENSITIVITIES, 0, 0,
       "Add derivatives by the inputs, and what rounding these costs", 0 },
     { "seed", KEY_SEED, "N", 0, "Seed of everything random", 0 },
-    { "v", KEY_V, "V", 0, "push: slip rate in units of V_star", 0 },
-    { "psi", KEY_PSI, "PSI", 0, "push: interfacial state", 0 },
+    { "v", KEY_V, "V", 0, "push, simulate: slip rate in units of V_star", 0 },
+    { "psi", KEY_PSI, "PSI", 0, "push, simulate: interfacial state", 0 },
     { "states", KEY_STATES, "FILE", 0,
       "push: many states, a CSV file with columns v and psi", 0 },
+    { "data", KEY_DATA, "FILE", 0,
+      "rabinowicz: a CSV file with columns tan_alpha and l_k or x_k", 0 },
     { "help", KEY_HELP, 0, 0, "Print this", -1 },
     { "version", KEY_VERSION, 0, 0, "Print the version", -1 },
     { 0 },
@@ -82,6 +85,8 @@ static const char *scene_key(int key)
             return "output.hdf5";
         case KEY_FIGURE:
             return "output.figure";
+        case KEY_DATA:
+            return "rabinowicz.data";
         default:
             return NULL;
     }
@@ -97,7 +102,7 @@ static _Noreturn void refuse(const char *what, const char *value,
 
 static bool is_path(int key)
 {
-    return key == 'o' || key == KEY_FIGURE;
+    return key == 'o' || key == KEY_FIGURE || key == KEY_DATA;
 }
 
 /* Takes over one "key=value". */

@@ -16,6 +16,7 @@ struct picture {
     struct figure figure;
     struct mat2 basis; /* eigenvectors, for eigen axes */
     enum axes axes;
+    const struct monitor *monitor; /* borrowed */
 };
 
 /* Eigenvectors as columns, both with x-component 1. */
@@ -337,7 +338,8 @@ static enum status add_basins(struct picture *p)
         { FATE_UNDECIDED, FIGURE_SHADE_6, "undecided" },
     };
 
-    if (!plan_has(p->s->stages, STAGE_BASINS) || p->axes == AXES_EIGEN)
+    if (!plan_has(p->s->stages, STAGE_BASINS) || p->axes == AXES_EIGEN ||
+        p->s->fields.which != 0)
         return STATUS_OK;
     int8_t *label = malloc((size_t) COLUMNS * ROWS);
     if (label == NULL)
@@ -356,16 +358,58 @@ static enum status add_basins(struct picture *p)
     return status;
 }
 
+/* The first field asked for as an image instead; no finer than the grid. */
+static enum status add_field(struct picture *p)
+{
+    enum { COLUMNS = 144, ROWS = 96 };
+    static const struct {
+        const char *label;
+        bool is_log;
+    } look[CELL_FIELDS] = {
+        [CELL_SLIP] = { "slip to arrest x/L", true },
+        [CELL_TIME] = { "time to arrest t V*/L", true },
+        [CELL_MU_MEAN] = { "mean friction", false },
+        [CELL_V_PEAK] = { "largest slip rate", true },
+        [CELL_MU_PEAK] = { "largest friction", false },
+    };
+    const struct fields *f = &p->s->fields;
+    const struct basin_map *m = &p->s->basins;
+    const size_t nx = m->columns < COLUMNS ? m->columns : COLUMNS;
+    const size_t ny = m->rows < ROWS ? m->rows : ROWS;
+    enum cell_field k = 0;
+
+    if (f->which == 0 || p->axes == AXES_EIGEN)
+        return STATUS_OK;
+    while (!(f->which >> k & 1u))
+        k++;
+    double *value = malloc(nx * ny * sizeof *value);
+    if (value == NULL)
+        return STATUS_NO_MEMORY;
+    enum status status = fields_raster(f, k, nx, ny, p->monitor, value);
+    if (status == STATUS_OK)
+        status = figure_add_map(
+            &p->figure,
+            &(struct figure_map){ .value = value,
+                                  .nx = nx,
+                                  .ny = ny,
+                                  .scale = { .label = look[k].label,
+                                             .is_log = look[k].is_log } });
+    free(value);
+    return status;
+}
+
 enum status picture_draw(const struct study *s, const char *path,
-                         bool keep_script, struct fault *why)
+                         bool keep_script, const struct monitor *monitor,
+                         struct fault *why)
 {
     static enum status (*const layer[])(struct picture *) = {
-        add_basins,     add_arrows,    add_trajectories, add_unstable,
-        add_nullclines, add_manifolds, add_equilibria
+        add_basins,   add_field,      add_arrows,    add_trajectories,
+        add_unstable, add_nullclines, add_manifolds, add_equilibria
     };
     struct picture p = { .s = s,
                          .figure = FIGURE_EMPTY,
-                         .axes = s->scene->window.axes };
+                         .axes = s->scene->window.axes,
+                         .monitor = monitor };
 
     if (s->saddle >= 0)
         p.basis = eigen_basis_of(&s->equilibrium[s->saddle]);

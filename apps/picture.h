@@ -4,8 +4,12 @@
 
 #include "study.h"
 
-/* Draws the portrait into path (.svg, .pdf, .png); errors as figure_write. */
+/* Draws the portrait into path (.svg, .pdf, .png): over the basins, or over the
+ * first field of the cells that the study asks for, which is computed here.
+ * Errors as figure_write; STATUS_STOPPED. */
 MUST_CHECK enum status picture_draw(const struct study *s, const char *path,
-                                    bool keep_script, struct fault *why);
+                                    bool keep_script,
+                                    const struct monitor *monitor,
+                                    struct fault *why);
 
 #endif

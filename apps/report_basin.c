@@ -1,8 +1,36 @@
 #include "report_basin.h"
 
+#include "study.h"
+
 static bool is_there(const struct basin_map *m, int fate)
 {
     return m->fraction[fate].log.value > 0.0;
+}
+
+/* They are too many to print. */
+static void print_fields(FILE *out, const struct fields *f)
+{
+    const struct scene *c = f->study->scene;
+
+    fprintf(out, "  fields of each cell:");
+    for (int k = 0; k < CELL_FIELDS; k++)
+        if (f->which >> k & 1u)
+            fprintf(out, " %s", record_cell.fields[1 + 2 * k].name);
+    fprintf(out, ", to a relative %.6g\n", f->rtol);
+    if (c->hdf5 == NULL)
+        fprintf(out, "  they are computed for files only: give -o FILE.h5%s\n",
+                c->figure ? "" : " or --figure FILE");
+}
+
+static json_t *fields_json(const struct fields *f)
+{
+    json_t *list = json_array();
+
+    for (int k = 0; k < CELL_FIELDS; k++)
+        if (f->which >> k & 1u)
+            json_array_append_new(
+                list, json_string(record_cell.fields[1 + 2 * k].name));
+    return list;
 }
 
 void report_basin_print(FILE *out, const struct basin_map *m)
@@ -21,6 +49,8 @@ void report_basin_print(FILE *out, const struct basin_map *m)
     if (m->audit.cells > 0)
         fprintf(out, "  audit: %zu cells followed, %zu disagree\n",
                 m->audit.cells, m->audit.disagreements);
+    if (m->study->fields.which)
+        print_fields(out, &m->study->fields);
 }
 
 static json_t *shares_json(const struct basin_map *m)
@@ -45,7 +75,7 @@ json_t *report_basin_json(const struct basin_map *m)
         json_pack("{sI sI}", "cells", (json_int_t) m->audit.cells,
                   "disagreements", (json_int_t) m->audit.disagreements);
 
-    return json_pack("{s[II] so so}", "cells", (json_int_t) m->columns,
+    return json_pack("{s[II] so so so}", "cells", (json_int_t) m->columns,
                      (json_int_t) m->rows, "fractions", shares_json(m), "audit",
-                     audit);
+                     audit, "fields", fields_json(&m->study->fields));
 }

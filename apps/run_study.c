@@ -166,7 +166,8 @@ static enum status write_files(const struct study *s, const struct options *o,
     if (status == STATUS_OK && hdf5 && tell)
         printf("wrote %s\n", hdf5);
     if (status == STATUS_OK && figure)
-        status = picture_draw(s, figure, o->keep_script, why);
+        status =
+            picture_draw(s, figure, o->keep_script, progress_monitor(o), why);
     if (status == STATUS_OK && figure && tell)
         printf("wrote %s\n", figure);
     return status;

@@ -51,6 +51,16 @@ static inline bool same_law(const struct law *a, const struct law *b)
            a->timescale == b->timescale && a->kinetics == b->kinetics;
 }
 
+static inline bool same_experiment(const struct scene_rabinowicz *a,
+                                   const struct scene_rabinowicz *b)
+{
+    return a->block_mass == b->block_mass && a->ball_mass == b->ball_mass &&
+           a->restitution == b->restitution && a->slopes == b->slopes &&
+           (a->slopes == 0 || memcmp(a->tan_alpha, b->tan_alpha,
+                                     a->slopes * sizeof *a->tan_alpha) == 0) &&
+           same_text(a->data, b->data) && a->smoothing == b->smoothing;
+}
+
 static inline bool same_lists(const struct scene *a, const struct scene *b)
 {
     return a->xi_count == b->xi_count &&
@@ -74,8 +84,11 @@ static inline bool scene_same(const struct scene *a, const struct scene *b)
            a->until_time == b->until_time && a->until_slip == b->until_slip &&
            a->linear_slip == b->linear_slip && a->log_time == b->log_time &&
            a->cells[0] == b->cells[0] && a->cells[1] == b->cells[1] &&
-           a->audit == b->audit && a->exact == b->exact && a->rtol == b->rtol &&
-           same_text(a->hdf5, b->hdf5) && same_text(a->figure, b->figure);
+           a->audit == b->audit && a->exact == b->exact &&
+           a->cell_rtol == b->cell_rtol &&
+           same_experiment(&a->rabinowicz, &b->rabinowicz) &&
+           a->rtol == b->rtol && same_text(a->hdf5, b->hdf5) &&
+           same_text(a->figure, b->figure);
 }
 
 #endif

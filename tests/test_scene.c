@@ -59,6 +59,7 @@ static void everything_but_law_and_slope_has_a_default(void **state)
     assert_int_equal(s.cells[1], 512);
     assert_int_equal(s.audit, 1000);
     assert_false(s.exact);
+    assert_true(s.cell_rtol == 1e-6);
     assert_true(s.rtol == 1e-12);
     assert_null(s.hdf5);
     assert_null(s.figure);
@@ -114,7 +115,7 @@ static const char full[] =
     "estimates: {xi: [0.31, 0.32]}\n"
     "trajectories: {starts: [{v: 33, psi: 34}], spread: 35, seed: 36, "
     "until: {time: 37, slip: 38}, sample: {linear_slip: 39}}\n"
-    "basins: {cells: [41, 42], audit: 43, exact: true}\n"
+    "basins: {cells: [41, 42], audit: 43, exact: true, rtol: 1e-5}\n"
     "accuracy: {rtol: 1e-5}\n"
     "output: {hdf5: a.h5, figure: b.pdf}\n";
 
@@ -166,6 +167,7 @@ static void trajectories_and_basins_are_where_their_names_say(void **state)
     assert_int_equal(s.cells[1], 42);
     assert_int_equal(s.audit, 43);
     assert_true(s.exact);
+    assert_true(s.cell_rtol == 1e-5);
     scene_free(&s);
     s = scene_made(full, "trajectories.sample.log_time=40");
     assert_int_equal(s.linear_slip, 0);

@@ -67,6 +67,14 @@ static const struct {
     { "basins.cells", "[7, 8]", "[512, 512]", LAW SLOPE },
     { "basins.audit", "7", "1000", LAW SLOPE },
     { "basins.exact", "true", "false", LAW SLOPE },
+    { "basins.rtol", "1e-9", "1e-6", LAW SLOPE },
+
+    { "rabinowicz.block_mass", "7", "8", LAW SLOPE },
+    { "rabinowicz.ball_mass", "7", "8", LAW SLOPE },
+    { "rabinowicz.restitution", "0", "0.5", LAW SLOPE },
+    { "rabinowicz.tan_alpha", "[0.1, 0.2]", "[0.1, 0.3]", LAW SLOPE },
+    { "rabinowicz.data", "a.csv", "b.csv", LAW SLOPE },
+    { "rabinowicz.smoothing", "1e-3", "1e-4", LAW SLOPE },
 
     { "accuracy.rtol", "1e-9", "1e-12", LAW SLOPE },
 
@@ -175,6 +183,8 @@ static void the_ends_of_each_range_belong_to_it(void **state)
         "basins.cells=[1, 32768]",
         "basins.audit=0",
         "basins.audit=1000000",
+        "basins.rtol=1e-11",
+        "basins.rtol=0.1",
         "accuracy.rtol=1e-14",
         "accuracy.rtol=0.1",
     };

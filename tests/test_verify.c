@@ -255,6 +255,34 @@ static void both_routes_agree_on_every_row_at_every_accuracy(void **state)
     }
 }
 
+/* sinh(psi - psi_ss) changes over 1/psi in ln psi, here 1e-30 and 1e-100: so
+ * small is what a branch does. */
+static void branches_may_be_short_beyond_measure(void **state)
+{
+    struct material m = material_bristol_board();
+
+    (void) state;
+    for (int digits = 30; digits <= 100; digits += 70) {
+        const long double x = -(long double) digits * logl(10.0L);
+        const struct law *law = law_preset_find("dieterich_gen");
+        struct solved s;
+        struct verification v;
+        m.mu_star = 3.5;
+        assert_int_equal(solve(&s, law, &m, steady_mu(law, &m, x), 1e-12),
+                         STATUS_OK);
+        assert_true(s.has_saddle);
+        assert_int_equal(verify(&s, 1e-12, &v), STATUS_OK);
+        assert_int_equal(v.disagreements, 0);
+        const double size = pow(10.0, -digits);
+        const double X = s.upper.limit.x, error = s.upper.error.x;
+        CHECK(X > 10.0 * size && X < 1e4 * size, "1e-%d: %g", digits, X);
+        CHECK(s.lower.limit.x < -10.0 * size && s.lower.limit.x > -1e4 * size,
+              "1e-%d: %g", digits, s.lower.limit.x);
+        CHECK(error < 1e-9 * X, "1e-%d: %g +- %g", digits, X, error);
+        solved_free(&s);
+    }
+}
+
 /* ---- what it says ----------------------------------------------------------
  */
 
@@ -370,6 +398,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(both_routes_agree_on_random_sets),
         cmocka_unit_test(both_routes_agree_on_every_row_at_every_accuracy),
+        cmocka_unit_test(branches_may_be_short_beyond_measure),
         cmocka_unit_test(a_number_moved_by_two_bars_is_noticed),
         cmocka_unit_test(another_end_and_a_missing_number_are_noticed),
         cmocka_unit_test(numbers_that_do_not_exist_agree),

@@ -85,13 +85,14 @@ MAY_SEE = {
     'lib/core': [],
     'lib/friction': ['lib/core'],
     'lib/scene': ['lib/core', 'lib/friction'],
+    'lib/fit': ['lib/core', 'lib/friction'],
     'lib/store': ['lib/core'],
     'lib/plot': ['lib/core'],
     'manifold': ['lib/core'],
     'portrait': ['lib/core', 'manifold'],
     'lib/race': ['lib/core', 'lib/friction'],
-    'lib/study': ['lib/core', 'lib/friction', 'lib/scene', 'manifold',
-                  'portrait'],
+    'lib/study': ['lib/core', 'lib/friction', 'lib/scene', 'lib/fit',
+                  'manifold', 'portrait'],
 }
 
 

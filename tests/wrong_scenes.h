@@ -9,10 +9,11 @@
 #define NOT " is not allowed, expected "
 #define TOP                                                                    \
     "title, law, material, slope, gravity, window, units, products, "          \
-    "estimates, trajectories, basins, accuracy or output"
+    "estimates, trajectories, basins, rabinowicz, accuracy or output"
 #define PRODUCTS_KNOWN                                                         \
     "equilibria, folds, nullclines, field_arrows, manifolds, knees, "          \
-    "estimates, sensitivities, trajectories, basins or margin"
+    "estimates, sensitivities, trajectories, basins, margin, slip, time, "     \
+    "friction or peak"
 #define LAWS                                                                   \
     "dieterich, dieterich_gen, ruina, perrin, spinodal, spinodal_gen, "        \
     "spinodal_phi_gen or kato_tullis"
@@ -36,8 +37,6 @@ static const struct wrong wrong_keys[] = {
       "3:1: unknown key 'sweep', expected " TOP },
     { LAW SLOPE "spring_block: {sigma: 1}\n",
       "3:1: unknown key 'spring_block', expected " TOP },
-    { LAW SLOPE "rabinowicz: {}\n",
-      "3:1: unknown key 'rabinowicz', expected " TOP },
     { LAW SLOPE "GRAVITY: 9.81\n",
       "3:1: unknown key 'GRAVITY', expected " TOP " (did you mean gravity?)" },
     { LAW SLOPE "law.friction: log\n",
@@ -66,10 +65,14 @@ static const struct wrong wrong_keys[] = {
     { LAW SLOPE "trajectories: {starts: [{v: 1, psi: 2, t: 0}]}\n",
       "3:40: trajectories.starts: unknown key 't', expected v and psi" },
     { LAW SLOPE "basins: {refine: 1e-3}\n",
-      "3:10: unknown key 'basins.refine', expected cells, audit or exact" },
+      "3:10: unknown key 'basins.refine', expected cells, audit, exact or "
+      "rtol" },
     { LAW SLOPE "output: {hdf: a.h5}\n",
       "3:10: unknown key 'output.hdf', expected hdf5 or figure (did you mean "
       "output.hdf5?)" },
+    { LAW SLOPE "rabinowicz: {mass: 1}\n",
+      "3:14: unknown key 'rabinowicz.mass', expected block_mass, ball_mass, "
+      "restitution, tan_alpha, data or smoothing" },
     { LAW SLOPE "estimates: {zeta: [0.5]}\n",
       "3:13: unknown key 'estimates.zeta', expected xi" },
     { LAW SLOPE "accuracy: {tol: 1e-9}\n",
@@ -142,6 +145,17 @@ static const struct wrong wrong_kinds[] = {
     { LAW SLOPE "estimates: {xi: []}\n",
       "3:17: estimates.xi: an empty list" NOT
       "1 to 64 numbers xi in brackets, 0 < xi < 1" },
+    { LAW SLOPE "rabinowicz: {restitution: 1.1}\n",
+      "3:27: rabinowicz.restitution: '1.1'" NOT "a number from 0 to 1" },
+    { LAW SLOPE "rabinowicz: {block_mass: 0}\n",
+      "3:26: rabinowicz.block_mass: '0'" NOT "a number > 0" },
+    { LAW SLOPE "rabinowicz: {smoothing: 0}\n",
+      "3:25: rabinowicz.smoothing: '0'" NOT "a number from 1e-12 to 1" },
+    { LAW SLOPE "rabinowicz: {tan_alpha: [0.1, -1]}\n",
+      "3:31: rabinowicz.tan_alpha: '-1'" NOT
+      "1 to 1000 numbers tan_alpha > 0 in brackets" },
+    { LAW SLOPE "rabinowicz: {data: [a]}\n",
+      "3:20: rabinowicz.data: a list" NOT "a path" },
     { LAW SLOPE "estimates: {xi: 0.9}\n",
       "3:17: estimates.xi: '0.9'" NOT
       "1 to 64 numbers xi in brackets, 0 < xi < 1" },
@@ -289,6 +303,8 @@ static const struct wrong wrong_numbers[] = {
       "two whole numbers [nv, npsi] from 1 to 32768" },
     { LAW SLOPE "basins: {audit: -1}\n",
       "3:17: basins.audit: '-1'" NOT "a whole number from 0 to 1000000" },
+    { LAW SLOPE "basins: {rtol: 0}\n",
+      "3:16: basins.rtol: '0'" NOT "a number from 1e-11 to 0.1" },
 };
 
 static const struct wrong wrong_together[] = {

@@ -414,4 +414,181 @@
  * limit: those of laws decay at a rate of 1 at least, or do not. */
 #define TOL_LIMIT_DECAY 0.2
 
+/* Cells run to their fates (cells.c).  Relative accuracy where the scene does
+ * not say: four digits more than arrest is defined to.  Orbits are first
+ * followed to this part of the accuracy asked for (errors of slip and time are
+ * some ten times the tolerance), at most this (looser ones miss where a block
+ * rests), then finer by this factor, down to the finest that doubles hold, as
+ * long as bars shrink to this part; least bar, in tolerances of the finest run;
+ * what rounding does to a coordinate, per unit of it; and what steps leave
+ * across the stable manifold, in tolerances (measured: 4e-3 at most). */
+#define TOL_CELLS_RTOL     1e-6
+#define TOL_CELLS_START    0.1
+#define TOL_CELLS_COARSEST 1e-5
+#define TOL_CELLS_FINER    0.1
+#define TOL_CELLS_FINEST   1e-12
+#define TOL_CELLS_GAIN     0.7
+#define TOL_CELLS_LEAST    10.0
+#define TOL_CELLS_ROUNDING 0x1p-50
+#define TOL_CELLS_ACROSS   0.01
+/* Fields in pictures (fields.c): a thousandth is less than a tint. */
+#define TOL_FIELDS_PICTURE 1e-3
+
+/* Peaks along an orbit (peak.c).  Samples of a step; the part of the distance
+ * between three samples at which a peak is found: it errs by the square.  The
+ * steps around it are followed again to this part of the orbit's tolerance,
+ * down to the finest. */
+#define TOL_PEAK_SAMPLES 4
+#define TOL_PEAK_WIDTH   1e-6
+#define TOL_PEAK_FINER   1e-3
+#define TOL_PEAK_FINEST  1e-13
+
+/* Transients (moment.c, transient.c).  Below this component of a direction mu
+ * is compared with tan(alpha) itself; a block rests where less than this part
+ * of the time so far is left, below this ln v (1e-11) where TOL_REST_DEEP_SOON
+ * of it is; and how far, on a piece, one looks to both sides
+ * of an event to see which way it goes. */
+#define TOL_MOMENT_DIRECTION 1e-100
+#define TOL_MOMENT_REST      1e-17
+#define TOL_MOMENT_DEEP      (-25.4)
+#define TOL_MOMENT_ASIDE     0.05
+
+/* A turn of ln v, ln psi or mu along an orbit is one when it is this many
+ * times the orbit's tolerance high (rounding makes turns a tenth of it high);
+ * bars in units of what the coarser orbit changes, for two may agree by
+ * chance; and what rounding does to numbers along an orbit, in units of
+ * roundoff, at once and with each step (measured: half of that). */
+#define TOL_TIMELINE_TURN     1.0
+#define TOL_TIMELINE_BAR      8.0
+#define TOL_TIMELINE_ROUNDING 16.0
+#define TOL_TIMELINE_STEP     0.02
+
+/* Orbits of transients: tolerance as a part of what is asked for (their events
+ * are good to a hundredth of it), the finest that helps and the coarsest that
+ * still follows the curve; that of the second orbit, to compare with; steps,
+ * several times what the finest takes; how much looser the next attempt is
+ * where they do not suffice; where a block runs away or fades, as
+ * factors on v; and where arrest is looked for at the end of a run that was
+ * arrested, in units of its distance; and the relative defect of the balance
+ * of energy of a run that is wrong, in units of rtol (measured: 1e-3). */
+#define TOL_TRANSIENT_STEP     10.0
+#define TOL_TRANSIENT_FINEST   3e-13
+#define TOL_TRANSIENT_COARSEST 1e-6
+#define TOL_TRANSIENT_RATIO    10.0
+#define TOL_TRANSIENT_STEPS    60000
+#define TOL_TRANSIENT_RETREAT  100.0
+#define TOL_TRANSIENT_FAST     1e6
+#define TOL_TRANSIENT_SLOW     1e-8
+#define TOL_TRANSIENT_REACH    2.0
+#define TOL_TRANSIENT_ENERGY   1e5
+
+/* Phases of sliding: a block is on the v-nullcline where mu is this near to
+ * tan(alpha), relative (inertia takes it there at once, friction laws change
+ * by more along the way). */
+#define TOL_PHASE_NEAR 0.01
+
+/* Fits to Rabinowicz's experiment (lib/fit).  Iterations and tolerance of the
+ * parameters, of order one: far below what noise leaves; passes that find
+ * weights from the curve (measured: at noise of 1 % the second moves mu_s by
+ * 0.02 of its standard deviation, the third by 1e-4, a fourth by 1e-6); where
+ * the curve is below this part of a value, the weight stays as it was. */
+#define FIT_ITERATIONS   200
+#define FIT_TOLERANCE    1e-12
+#define FIT_PASSES       3
+#define FIT_WEIGHT_LEAST 0.1
+/* Outside a 95 % interval on each side; and the chance below which a chi2 is
+ * told to be too large. */
+#define FIT_TAIL   0.025
+#define FIT_CHANCE 1e-3
+/* Where the band of a curve leaves zero: the first step, in widths expected;
+ * growth of steps, slow, lest one jump over a gap; beyond this, in half ranges
+ * of the data, nothing bounds it; halvings of the last step. */
+#define FIT_BAND_STEP     0.02
+#define FIT_BAND_GROWTH   1.02
+#define FIT_BAND_FAR      100.0
+#define FIT_BAND_HALVINGS 60
+/* (30) is (31) to rounding above this ln v_sp0, and nothing above this psi. */
+#define FIT_STRAIGHT 20.0
+#define FIT_GONE     700.0
+/* Smoothings tried: at the largest, modes of sin(pi u) fade to a thousandth;
+ * at the least, those of sin(9 pi u) to a half; factor between two.  Where a
+ * curve is lower than this part of its top, it bends as if it were not; points
+ * of a curve. */
+#define FIT_SMOOTHEST   1.0
+#define FIT_ROUGHEST    1e-9
+#define FIT_SMOOTHER    2.0
+#define FIT_FLAT        0.01
+#define FIT_SLIP_POINTS 101
+
+/* Scenes of Rabinowicz's experiment: slopes of a list, each a computation of
+ * milliseconds; the steepest; and the least smoothing, far below what keeps
+ * any data's noise. */
+#define SCENE_SLOPES          1000
+#define SCENE_TAN             1e6
+#define SCENE_SMOOTHING_LEAST 1e-12
+
+/* What a few operations round, as a part of a release distance. */
+#define RELEASE_ROUNDING 0x1p-50
+
+/* The slow curve (slow_curve.c).  Accuracy of its orbit, and of a second one of
+ * what is left of a rest; steps, in e-folds of the slow rate and in ln psi,
+ * that polynomials of degree 5 bear to 1e-11, and their number; how much of
+ * what twice the step misses one step may; and the largest ratio of the slow
+ * rate to the fast one. */
+#define TOL_SLOW_RTOL    1e-11
+#define TOL_SLOW_COARSE  1e-10
+#define TOL_SLOW_STEP    0.05
+#define TOL_SLOW_LONGEST 0.1
+#define TOL_SLOW_STEPS   20000
+#define TOL_SLOW_MISSED  0.05
+#define TOL_SLOW_GAP     0.1
+/* Its series at the saddle: order, and end, where it is the tangent to as many
+ * digits.  Beyond a node: nearest and furthest start in ln psi, growth of the
+ * steps to it, halvings of the domain, and e-folds after which any orbit is on
+ * it to rounding. */
+#define TOL_SLOW_ORDER    8
+#define TOL_SLOW_START    1e-5
+#define TOL_SLOW_NEAREST  0.02
+#define TOL_SLOW_FURTHEST 15.0
+#define TOL_SLOW_GAP_LEAST_X 1e-14
+#define TOL_SLOW_GAP_LEAST_Y 1e-11
+#define TOL_SLOW_CLEAR 0.003
+#define TOL_SLOW_GAP_START 0.5
+#define TOL_SLOW_STRIDE   1.1
+#define TOL_SLOW_HALVINGS 60
+#define TOL_SLOW_SETTLED  36.0
+/* Roundings of a sum of a thousand steps, relative to the sum. */
+#define TOL_SLOW_ROUNDING 0x1p-46
+
+/* The fast layer (layer.c): tolerance for a promise of rtol, landing distance
+ * from it on, and closer for a finer one; how far beyond the distance a step
+ * aims; nearest to an arrest box; steps.  Bars: what the fibre's curvature and
+ * the slow rates change of what it corrects, and of errors of the steps. */
+#define TOL_LAYER_PART 1e-2
+#define TOL_LAYER_PLAIN     1e-6
+#define TOL_LAYER_LANDING   0.03
+#define TOL_LAYER_CLOSER    0.001
+#define TOL_LAYER_AIM       0.7
+#define TOL_LAYER_NEAREST   1e-4
+#define TOL_LAYER_ARREST    1.01
+#define TOL_LAYER_STEPS     200
+#define TOL_LAYER_FIRST     0.1
+#define TOL_LAYER_BEND      5.0
+#define TOL_LAYER_TRANSPORT 3.0
+#define TOL_LAYER_MU 20.0
+/* A side of the saddle is told from this much of the distance on; what is left
+ * of the distance by a step towards a peak beside the curve. */
+#define TOL_LAYER_SIDE    0.5
+#define TOL_LAYER_RISE    0.3
+/* A maximum on a step (crest.c): samples, and the part of it it is found to. */
+#define TOL_CREST_SAMPLES 8
+#define TOL_CREST_WIDTH 1e-5
+
+/* Many states by the slow curve (fast_cells.c).  How much finer the next try of
+ * one is whose bars are too wide, the finest, and the least bar, relative, of
+ * what passes a node's slow approach. */
+#define TOL_FAST_FINER  0.03
+#define TOL_FAST_FINEST 1e-12
+#define TOL_FAST_LEAST  2e-11
+
 #endif

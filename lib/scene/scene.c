@@ -77,6 +77,8 @@ static enum status set_defaults(struct scene *s)
     s->seed = 1;
     s->cells[0] = s->cells[1] = 512;
     s->audit = 1000;
+    s->cell_rtol = TOL_CELLS_RTOL;
+    s->rabinowicz.restitution = -1.0;
     s->rtol = TOL_RTOL_DEFAULT;
     s->xi_count = sizeof xi / sizeof *xi;
     s->title = text_copy("", 0);
@@ -342,6 +344,8 @@ void scene_free(struct scene *s)
     free(s->title);
     free(s->xi);
     free(s->start);
+    free(s->rabinowicz.tan_alpha);
+    free(s->rabinowicz.data);
     free(s->hdf5);
     free(s->figure);
     free(s->text);

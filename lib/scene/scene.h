@@ -10,8 +10,8 @@
  * 1e-6..1e6, psi 1e-3..1e2 (psi -7..5 where psi is a logarithm); axes log;
  * dimensionless units; no products (each command has its own); estimates.xi
  * 0.85 0.9 0.99 0.999; no trajectories, their seed 1 and without limits;
- * basins 512 x 512, audit 1000, not exact; rtol 1e-12; no output.  A law and a
- * slope must be given.
+ * basins 512 x 512, audit 1000, not exact, their rtol 1e-6; rtol 1e-12; no
+ * output.  A law and a slope must be given.
  */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
@@ -32,6 +32,10 @@ enum product {
     PRODUCT_TRAJECTORIES,
     PRODUCT_BASINS,
     PRODUCT_MARGIN,
+    PRODUCT_SLIP,
+    PRODUCT_TIME,
+    PRODUCT_FRICTION,
+    PRODUCT_PEAK,
     PRODUCTS
 };
 extern const char *const product_names[];
@@ -46,6 +50,16 @@ struct scene_start {
 struct scene_window {
     double v[2], psi[2];
     enum axes axes;
+};
+
+/* Rabinowicz's experiment: his block and ball, and what he measured. */
+struct scene_rabinowicz {
+    double block_mass, ball_mass; /* kg; 0: not given */
+    double restitution;           /* negative: not given */
+    double *tan_alpha; /* owned; slopes to compute l_k at; NULL: the scene's */
+    size_t slopes;
+    char *data;       /* owned: path of a CSV file; NULL: none */
+    double smoothing; /* of slip_curve.h; 0: found from the data */
 };
 
 struct scene {
@@ -66,8 +80,10 @@ struct scene {
     double until_time, until_slip; /* 0: no limit */
     size_t linear_slip, log_time;  /* samples; 0: as the steps fall */
     size_t cells[2];               /* of a basin map, along v and psi */
-    size_t audit; /* cells checked by forward integration; 0: none */
-    bool exact;   /* every cell by forward integration */
+    size_t audit;     /* cells checked by forward integration; 0: none */
+    bool exact;       /* every cell by forward integration */
+    double cell_rtol; /* of slip, time and friction of the cells */
+    struct scene_rabinowicz rabinowicz;
     double rtol;
     char *hdf5, *figure; /* owned; NULL: none */
     char *text;          /* owned: the file as read, "" without one */

@@ -11,9 +11,10 @@
 #include "value.h"
 
 const char *const product_names[] = {
-    "equilibria",   "folds",  "nullclines", "field_arrows",
-    "manifolds",    "knees",  "estimates",  "sensitivities",
-    "trajectories", "basins", "margin",     NULL
+    "equilibria",   "folds",    "nullclines", "field_arrows",
+    "manifolds",    "knees",    "estimates",  "sensitivities",
+    "trajectories", "basins",   "margin",     "slip",
+    "time",         "friction", "peak",       NULL
 };
 _Static_assert(sizeof product_names / sizeof *product_names == PRODUCTS + 1,
                "each product has a name");
@@ -104,6 +105,20 @@ const struct schema_key schema_table[] = {
     { "basins.audit", value_count, AT(audit), FROM(0), TO(1000000),
       .expected = "a whole number from 0 to 1000000" },
     { "basins.exact", value_flag, AT(exact), .words = flag_names },
+    { "basins.rtol", value_real, AT(cell_rtol), FROM(1e-11), TO(0.1),
+      .expected = "a number from 1e-11 to 0.1" },
+
+    { "rabinowicz.block_mass", AT(rabinowicz.block_mass), POSITIVE },
+    { "rabinowicz.ball_mass", AT(rabinowicz.ball_mass), POSITIVE },
+    { "rabinowicz.restitution", value_real, AT(rabinowicz.restitution),
+      FROM(0.0), TO(1.0), .expected = "a number from 0 to 1" },
+    { "rabinowicz.tan_alpha", value_slopes, ABOVE(0.0), TO(SCENE_TAN),
+      .expected = "1 to 1000 numbers tan_alpha > 0 in brackets" },
+    { "rabinowicz.data", value_path, AT(rabinowicz.data),
+      .expected = "a path" },
+    { "rabinowicz.smoothing", value_real, AT(rabinowicz.smoothing),
+      FROM(SCENE_SMOOTHING_LEAST), TO(1.0),
+      .expected = "a number from 1e-12 to 1" },
 
     { "accuracy.rtol", value_real, AT(rtol), FROM(1e-14), TO(0.1),
       .expected = "a number from 1e-14 to 0.1" },

@@ -280,23 +280,38 @@ enum status value_tan_alpha(const struct schema_key *key, const struct node *n,
 
 /* ---- lists --------------------------------------------------------------- */
 
+/* One to `most` numbers in the key's range, instead of those in *list. */
+static enum status read_list(const struct schema_key *key, const struct node *n,
+                             size_t most, double **list, size_t *count,
+                             struct fault *why)
+{
+    if (n->kind != NODE_LIST || n->count == 0 || n->count > most)
+        return refuse(key, n, why);
+    double *x = malloc(n->count * sizeof *x);
+    if (x == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < n->count; i++)
+        if (!is_number(key, n->child[i], &x[i])) {
+            free(x);
+            return refuse(key, n->child[i], why);
+        }
+    free(*list);
+    *list = x;
+    *count = n->count;
+    return STATUS_OK;
+}
+
 enum status value_xi(const struct schema_key *key, const struct node *n,
                      struct scene *s, struct fault *why)
 {
-    if (n->kind != NODE_LIST || n->count == 0 || n->count > SCENE_XI)
-        return refuse(key, n, why);
-    double *xi = malloc(n->count * sizeof *xi);
-    if (xi == NULL)
-        return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < n->count; i++)
-        if (!is_number(key, n->child[i], &xi[i])) {
-            free(xi);
-            return refuse(key, n->child[i], why);
-        }
-    free(s->xi);
-    s->xi = xi;
-    s->xi_count = n->count;
-    return STATUS_OK;
+    return read_list(key, n, SCENE_XI, &s->xi, &s->xi_count, why);
+}
+
+enum status value_slopes(const struct schema_key *key, const struct node *n,
+                         struct scene *s, struct fault *why)
+{
+    return read_list(key, n, SCENE_SLOPES, &s->rabinowicz.tan_alpha,
+                     &s->rabinowicz.slopes, why);
 }
 
 static enum status unknown_in_start(const struct schema_key *key,

@@ -30,6 +30,7 @@ VALUE_READER(value_alpha_deg); /* degrees */
 VALUE_READER(value_tan_alpha); /* and the tangent */
 VALUE_READER(value_products);  /* products, from a list of words */
 VALUE_READER(value_xi);        /* xi, xi_count; each in the key's range */
+VALUE_READER(value_slopes);    /* rabinowicz.tan_alpha, slopes */
 VALUE_READER(value_starts);    /* start, starts, in the scene's units */
 
 #undef VALUE_READER

@@ -24,12 +24,21 @@ static void make_axis(size_t n, double lo, double hi, bool is_log, bool linear,
     }
 }
 
-static enum status make_grid(struct basin_map *m, size_t columns, size_t rows)
+void basin_map_axis(const struct study *s, enum basin_axis axis, size_t n,
+                    double chart[], double stored[])
 {
-    const struct study *s = m->study;
     const struct box w = study_window(s);
     const bool linear = s->scene->window.axes == AXES_LINEAR;
 
+    if (axis == BASIN_V)
+        make_axis(n, w.lo.x, w.hi.x, true, linear, chart, stored);
+    else
+        make_axis(n, w.lo.y, w.hi.y, s->system.axis[1].is_log, linear, chart,
+                  stored);
+}
+
+static enum status make_grid(struct basin_map *m, size_t columns, size_t rows)
+{
     m->columns = columns;
     m->rows = rows;
     m->x = malloc(m->columns * sizeof *m->x);
@@ -38,9 +47,8 @@ static enum status make_grid(struct basin_map *m, size_t columns, size_t rows)
     m->psi = malloc(m->rows * sizeof *m->psi);
     if (!m->x || !m->v || !m->y || !m->psi)
         return STATUS_NO_MEMORY;
-    make_axis(m->columns, w.lo.x, w.hi.x, true, linear, m->x, m->v);
-    make_axis(m->rows, w.lo.y, w.hi.y, s->system.axis[1].is_log, linear, m->y,
-              m->psi);
+    basin_map_axis(m->study, BASIN_V, m->columns, m->x, m->v);
+    basin_map_axis(m->study, BASIN_PSI, m->rows, m->y, m->psi);
     return STATUS_OK;
 }
 

@@ -40,6 +40,13 @@ struct basin_map {
     struct basin_audit audit;
 };
 
+enum basin_axis { BASIN_V, BASIN_PSI };
+
+/* The centres of n cells along an axis of the scene's window, in the chart and
+ * as stored. */
+void basin_map_axis(const struct study *s, enum basin_axis axis, size_t n,
+                    double chart[], double stored[]);
+
 /* Prepares the map of s, whose steady states and stable branches are known;
  * grid, window and `exact` are its scene's.  STATUS_NO_MEMORY,
  * STATUS_STOPPED; *m is then empty.  m must not move. */

@@ -235,8 +235,14 @@ static void static_friction(struct builder *n)
         2.0 * dX * exp(2.0 * X) / expm1(2.0 * X) + floor + 2.0 * n->floor;
     const double energy = k * expm1(2.0 * X), mean = k * expm1(X) * expm1(X);
 
-    out->x_excess = quantity_of(excess, excess * slip_error);
+    out->x_excess =
+        quantity_of(excess, u->total_error[0] + excess * (floor + n->floor));
     out->fracture_energy = quantity_of(energy, energy * rise);
+    if (!(excess > TOL_INTEGRAL_NIL)) {
+        out->mu_s_num = out->mu_s_mean =
+            quantity_none("x_excess is too small for a double to divide by");
+        return;
+    }
     out->mu_s_num =
         quantity_of(t + energy / excess, energy / excess * (rise + slip_error) +
                                              2.0 * DBL_EPSILON * t);

@@ -35,6 +35,10 @@ const struct stage_info stage_table[STAGES] = {
     [STAGE_BASINS] = { "basins", "the fate of every cell of a grid",
                        "microseconds a row, a stiff orbit an audited cell",
                        BIT(STABLE), ASKED(BASINS) | ASKED(MARGIN) },
+    [STAGE_FIELDS] = { "fields", "slip, time, friction of every cell of it",
+                       "two stiff orbits a cell, four for peaks", BIT(BASINS),
+                       ASKED(SLIP) | ASKED(TIME) | ASKED(FRICTION) |
+                           ASKED(PEAK) },
 };
 
 unsigned plan_stages(unsigned products)

@@ -20,6 +20,7 @@ enum stage {
     STAGE_ARROWS,        /* direction field in the window */
     STAGE_TRAJECTORIES,  /* forward orbits */
     STAGE_BASINS,        /* the fate of every cell of a grid */
+    STAGE_FIELDS,        /* slip, time, friction of every cell of it */
     STAGES
 };
 

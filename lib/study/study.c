@@ -165,14 +165,14 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
     const struct box window = box_grow(study_window(s), TOL_WINDOW_MARGIN);
     for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
         struct orbit_options o = orbit_defaults(&s->system, s->stable_rate);
-        const double t =
-            side_sign(&u, (enum side) i) * fmin(u.radius, TOL_UNSTABLE_START);
+        const double t = side_sign(&u, (enum side) i) *
+                         fmin(u.radius, TOL_UNSTABLE_START / u.unit);
         o.max_steps = TOL_PORTRAIT_STEPS;
         o.window = &window;
         o.target = target;
         o.targets = n;
-        status = orbit_init(&s->unstable[i], &s->system,
-                            local_point(u.ind, t, jet_at(u.order, u.c, t)), &o);
+        status =
+            orbit_init(&s->unstable[i], &s->system, local_series_at(&u, t), &o);
         if (status == STATUS_OK)
             status = orbit_run(&s->unstable[i], monitor);
         if (status == STATUS_TOO_MANY_STEPS || status == STATUS_NO_CONVERGENCE)
@@ -356,6 +356,7 @@ static stage_function *const stage_run[STAGES] = {
     [STAGE_ARROWS] = run_arrows,
     [STAGE_TRAJECTORIES] = run_trajectories,
     [STAGE_BASINS] = run_basins,
+    [STAGE_FIELDS] = fields_prepare,
 };
 
 static double seconds(void)

@@ -16,6 +16,7 @@
 
 #include "basin_map.h"
 #include "estimate_numbers.h"
+#include "fields.h"
 #include "numbers.h"
 #include "orbit.h"
 #include "plan.h"
@@ -57,6 +58,7 @@ struct study {
     struct estimate_numbers estimates;
     struct sensitivities sensitivities;
     struct basin_map basins;
+    struct fields fields;
 
     struct stage_cost cost[STAGES];
 };

@@ -72,9 +72,10 @@ static double chord_distance(const double a[], const double b[])
 
 /* The trap that z ends in; TRAPS where it takes too long to tell.  *certain: it
  * neither came too close to the saddle for this tolerance nor was too close to
- * the stable manifold when it was caught. */
+ * the stable manifold when it was caught.  *passed: how close it came to
+ * either. */
 static int follow(const struct trap *t, struct vec2 z, double rtol,
-                  bool *certain, size_t *evaluations)
+                  bool *certain, double *passed, size_t *evaluations)
 {
     const struct ode ode = { 2, unit_speed, t->study };
     const double atol[2] = { rtol, rtol };
@@ -98,6 +99,7 @@ static int follow(const struct trap *t, struct vec2 z, double rtol,
         u[1] = u1[1];
         const int caught = trap_at((struct vec2){ u[0], u[1] });
         const double side = fabs(t->across.x * u[0] + t->across.y * u[1]);
+        *passed = fmin(near, side);
         *certain = near >= TOL_TRAP_FAR * rtol && side >= TOL_TRAP_SIDE * rtol;
         if (caught < TRAPS)
             return caught;
@@ -118,8 +120,8 @@ static enum status to_the_end(const struct trap *t, struct vec2 z,
     return s;
 }
 
-enum status trap_label(const struct trap *t, struct vec2 z, int8_t *label,
-                       size_t *evaluations)
+enum status trap_pass(const struct trap *t, struct vec2 z, int8_t *label,
+                      double *near, size_t *evaluations)
 {
     const struct vec2 offset = vec2_sub(z, t->study->system.origin);
     int caught = t->set ? trap_at(offset) : TRAPS;
@@ -127,9 +129,11 @@ enum status trap_label(const struct trap *t, struct vec2 z, int8_t *label,
     size_t spent = 0;
     enum status s = STATUS_OK;
 
+    *near = t->set ? fabs(t->across.x * offset.x + t->across.y * offset.y)
+                   : HUGE_VAL;
     for (double rtol = TOL_TRAP_RTOL; !certain && rtol >= TOL_TRAP_FINEST;
          rtol *= TOL_TRAP_FINER)
-        caught = follow(t, offset, rtol, &certain, &spent);
+        caught = follow(t, offset, rtol, &certain, near, &spent);
     if (caught < TRAPS)
         *label = t->fate[caught];
     else
@@ -137,4 +141,12 @@ enum status trap_label(const struct trap *t, struct vec2 z, int8_t *label,
     if (evaluations)
         *evaluations += spent;
     return s;
+}
+
+enum status trap_label(const struct trap *t, struct vec2 z, int8_t *label,
+                       size_t *evaluations)
+{
+    double near;
+
+    return trap_pass(t, z, label, &near, evaluations);
 }

@@ -32,4 +32,11 @@ MUST_CHECK enum status trap_init(struct trap *t, const struct study *s,
 MUST_CHECK enum status trap_label(const struct trap *t, struct vec2 z,
                                   int8_t *label, size_t *evaluations);
 
+/* The same, and how near the saddle the orbit passes, in the chart, or may pass
+ * still: its distance from the stable manifold, straightened, where a trap
+ * catches it.  Infinite without a saddle. */
+MUST_CHECK enum status trap_pass(const struct trap *t, struct vec2 z,
+                                 int8_t *label, double *near,
+                                 size_t *evaluations);
+
 #endif

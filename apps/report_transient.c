@@ -1,0 +1,110 @@
+#include "report_transient.h"
+
+#include <math.h>
+
+/* ---- text -----------------------------------------------------------------
+ */
+
+static void print_quantity(FILE *out, const char *name,
+                           const struct quantity *q)
+{
+    if (!quantity_exists(q))
+        fprintf(out, "  %-13s -  (%s)\n", name, q->reason);
+    else
+        fprintf(out, "  %-13s %-22.15g +- %.1e\n", name, q->value, q->error);
+}
+
+static void print_phases(FILE *out, const struct transient *t)
+{
+    fprintf(out,
+            "  phase  from time %-14sto time %-16sfrom slip %-14sto slip\n", "",
+            "", "");
+    for (int i = 0; i < PHASES; i++) {
+        const struct phase *p = &t->phase[i];
+        if (!quantity_exists(&p->start_time) || !quantity_exists(&p->end_time))
+            fprintf(out, "  %-6d -  (%s)\n", i + 1,
+                    quantity_exists(&p->start_time) ? p->end_time.reason
+                                                    : p->start_time.reason);
+        else
+            fprintf(out, "  %-6d %-24.15g%-24.15g%-24.15g%.15g\n", i + 1,
+                    p->start_time.value, p->end_time.value, p->start_slip.value,
+                    p->end_slip.value);
+    }
+}
+
+static void print_number(FILE *out, const struct quantity *q)
+{
+    if (quantity_exists(q))
+        fprintf(out, " %-13.8g", q->value);
+    else
+        fprintf(out, " %-13s", "-");
+}
+
+static void print_event(FILE *out, const struct transient_event *e)
+{
+    char name[64];
+
+    if (isnan(e->level) || e->what <= MOMENT_V_PLUS)
+        snprintf(name, sizeof name, "%s", moment_names[e->what]);
+    else
+        snprintf(name, sizeof name, "%s %.3g", moment_names[e->what], e->level);
+    fprintf(out, "  %-26s %-22.15g", name, e->time.value);
+    print_number(out, &e->slip);
+    print_number(out, &e->v);
+    print_number(out, &e->psi);
+    print_number(out, &e->mu);
+    fprintf(out, " %.1e\n", e->time.error);
+}
+
+static void print_run(FILE *out, const struct transient *t)
+{
+    const struct transient_summary *sum = &t->sum;
+
+    fprintf(out, "v = %.17g, psi = %.17g: %s, ends by %s%s%s%s\n", sum->v,
+            sum->psi, fate_names[sum->fate], transient_end_names[sum->end],
+            t->reason ? " (" : "", t->reason ? t->reason : "",
+            t->reason ? ")" : "");
+    print_quantity(out, "time", &sum->time);
+    print_quantity(out, "slip", &sum->slip);
+    print_quantity(out, "mu_mean", &sum->mu_mean);
+    fprintf(out, "  %-13s %.1e of its largest term\n", "energy (27)",
+            sum->energy_defect);
+    print_phases(out, t);
+    fprintf(out, "  %-26s %-22s %-13s %-13s %-13s %-13s %s\n", "event", "time",
+            "slip", "v", "psi", "mu", "time +-");
+    for (size_t i = 0; i < t->events; i++)
+        print_event(out, &t->event[i]);
+}
+
+void report_simulation_print(FILE *out, const struct simulation *s)
+{
+    for (size_t i = 0; i < s->runs; i++)
+        print_run(out, &s->run[i]);
+}
+
+/* ---- JSON -----------------------------------------------------------------
+ */
+
+static json_t *run_json(const struct transient *t)
+{
+    const struct record_array events = { &record_transient_event, t->event,
+                                         t->events };
+    const struct record_array phases = { &record_phase, t->phase, PHASES };
+    json_t *j = json_record(&record_transient, &t->sum);
+
+    json_object_set_new(j, "reason",
+                        t->reason ? json_string(t->reason) : json_null());
+    json_object_set_new(j, "phases", json_records(&phases));
+    json_object_set_new(j, "events", json_records(&events));
+    return j;
+}
+
+json_t *report_simulation_json(const struct simulation *s)
+{
+    json_t *list = json_array(), *all = json_object();
+
+    for (size_t i = 0; i < s->runs; i++)
+        json_array_append_new(list, run_json(&s->run[i]));
+    json_object_set_new(all, "trajectories", list);
+    return all;
+}

@@ -1,0 +1,161 @@
+/* slipway simulate: the motion of the block from each start of a scene, or
+ * from the one of --v and --psi. */
+#include <math.h>
+#include <string.h>
+
+#include "command.h"
+#include "export_transient.h"
+#include "number.h"
+#include "picture_transient.h"
+#include "progress.h"
+#include "replace.h"
+#include "report_transient.h"
+#include "tolerance.h"
+
+static enum status complain(struct fault *why, const char *text)
+{
+    snprintf(why->text, sizeof why->text, "simulate: %s", text);
+    return STATUS_BAD_ARGUMENT;
+}
+
+/* A start on the command line, as a setting of the scene. */
+static enum status start_setting(const struct options *o, char *text,
+                                 size_t size, struct fault *why)
+{
+    double v, psi;
+
+    if (!o->v || !o->psi)
+        return complain(why, o->v ? "no start, expected --psi beside --v"
+                                  : "no start, expected --v beside --psi");
+    if (!number_read(o->v, &v))
+        return complain(why, "--v: expected a number");
+    if (!number_read(o->psi, &psi))
+        return complain(why, "--psi: expected a number");
+    snprintf(text, size, "trajectories.starts=[{v: %.17g, psi: %.17g}]", v,
+             psi);
+    return STATUS_OK;
+}
+
+static enum status read_scene(const struct options *o, struct scene *scene,
+                              struct fault *why)
+{
+    char *set[OPTIONS_SETS + 1], start[128];
+    size_t sets = o->sets;
+    enum status s = STATUS_OK;
+
+    if (o->files > 1)
+        return complain(why, "one scene is enough");
+    if (o->states)
+        return complain(why, "--states belongs to push");
+    memcpy(set, o->set, o->sets * sizeof *set);
+    if (o->v || o->psi) {
+        s = start_setting(o, start, sizeof start, why);
+        set[sets++] = start;
+    }
+    return s ? s
+             : scene_read(scene, o->files ? o->file[0] : NULL, set, sets, why);
+}
+
+/* Could the files be written?  Asked before anything is computed. */
+static enum status check_files(const struct scene *c, struct fault *why)
+{
+    char timed[PICTURE_PATH];
+    enum status s = STATUS_OK;
+
+    if (c->figure && !picture_time_path(c->figure, timed))
+        return complain(why, "the path of the figure is too long");
+    if (c->hdf5)
+        s = replace_check(c->hdf5, why);
+    if (s == STATUS_OK && c->figure)
+        s = replace_check(c->figure, why);
+    return s != STATUS_OK || !c->figure ? s : replace_check(timed, why);
+}
+
+static void tell(const struct options *o, const char *path)
+{
+    if (!o->quiet && !o->json)
+        printf("wrote %s\n", path);
+}
+
+static enum status write_files(const struct simulation *s,
+                               const struct options *o, struct fault *why)
+{
+    const char *hdf5 = s->scene.hdf5, *figure = s->scene.figure;
+    char timed[PICTURE_PATH];
+    enum status status = STATUS_OK;
+
+    if (hdf5)
+        status = export_simulation(s, hdf5, why);
+    if (status == STATUS_OK && hdf5)
+        tell(o, hdf5);
+    if (status != STATUS_OK || !figure)
+        return status;
+    status = picture_simulation(s, figure, o->keep_script, why);
+    if (status == STATUS_OK) {
+        tell(o, figure);
+        if (picture_time_path(figure, timed))
+            tell(o, timed);
+    }
+    return status;
+}
+
+/* Numbers are printed and files written: the user may see for himself. */
+static enum exit_code judge(const struct simulation *s)
+{
+    for (size_t i = 0; i < s->runs; i++) {
+        char text[128];
+        const double defect = s->run[i].sum.energy_defect;
+        if (fabs(defect) <= TOL_TRANSIENT_ENERGY * s->scene.rtol)
+            continue;
+        snprintf(text, sizeof text,
+                 "run %zu: the balance of energy (27) is off by %.1e of its "
+                 "largest term",
+                 i, defect);
+        return command_fail(STATUS_NO_CONVERGENCE, text);
+    }
+    return EXIT_DONE;
+}
+
+static enum exit_code print_results(const struct simulation *s,
+                                    const struct options *o)
+{
+    if (o->json)
+        return json_print(report_simulation_json(s)) ? EXIT_DONE
+                                                     : command_unwritten();
+    if (!o->quiet)
+        report_simulation_print(stdout, s);
+    return EXIT_DONE;
+}
+
+static enum exit_code run(const struct options *o, const struct scene *scene)
+{
+    struct simulation s;
+    struct fault why = { "" };
+
+    enum status status = check_files(scene, &why);
+    if (status == STATUS_OK)
+        status = simulation_run(&s, scene, progress_monitor(o), &why);
+    progress_end();
+    if (status != STATUS_OK)
+        return command_fail(status, why.text);
+    status = write_files(&s, o, &why);
+    enum exit_code code = status == STATUS_OK ? print_results(&s, o)
+                                              : command_fail(status, why.text);
+    if (code == EXIT_DONE)
+        code = judge(&s);
+    simulation_free(&s);
+    return code;
+}
+
+enum exit_code command_simulate(const struct options *o)
+{
+    struct scene scene;
+    struct fault why = { "" };
+    const enum status s = read_scene(o, &scene, &why);
+
+    if (s != STATUS_OK)
+        return command_fail(s, why.text);
+    const enum exit_code code = run(o, &scene);
+    scene_free(&scene);
+    return code;
+}

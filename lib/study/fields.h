@@ -1,0 +1,37 @@
+/*
+ * fields.h -- slip, time, friction and peaks (cells.h) over the grid of the
+ * basin map, a block of cells at a time: a grid need not fit into memory.
+ */
+#ifndef STUDY_FIELDS_H
+#define STUDY_FIELDS_H
+
+#include "cells.h"
+
+struct fields {
+    const struct study *study; /* borrowed */
+    unsigned which;            /* bits of enum cell_field; 0: none asked for */
+    double rtol;
+};
+
+/* The stage of a study (study.c): fills s->fields with what its scene's
+ * products ask for.  Always STATUS_OK. */
+MUST_CHECK enum status fields_prepare(struct study *s,
+                                      const struct monitor *monitor,
+                                      struct fault *why);
+
+/* Cells first .. first + count - 1 of the grid of the study's basin map, row by
+ * row from row 0, into out[count].  The monitor hears of "cells" done of the
+ * whole grid.  Otherwise as cells_find, which does it. */
+MUST_CHECK enum status fields_find(const struct fields *f, size_t first,
+                                   size_t count, const struct monitor *monitor,
+                                   struct cell out[]);
+
+/* One field on another grid over the same window, good enough for a picture
+ * (TOL_FIELDS_PICTURE); row j, counted upward, starts at out[j * columns].
+ * STATUS_NO_MEMORY, STATUS_STOPPED. */
+MUST_CHECK enum status fields_raster(const struct fields *f,
+                                     enum cell_field field, size_t columns,
+                                     size_t rows, const struct monitor *monitor,
+                                     double out[]);
+
+#endif

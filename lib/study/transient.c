@@ -1,0 +1,329 @@
+/* Two orbits by orbit.h, the second ten times finer, which is what is kept.
+ * Measured on the runs of Figs 14, 15: at 1e-11 times of events are good to
+ * 1e-12, where |mu - tan(alpha)| is 1e-7 to 3e-10; below 3e-13 the rounding of
+ * some ten thousand steps takes over. */
+#include "transient.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "timeline.h"
+#include "tolerance.h"
+
+const char *const transient_end_names[] = { "rest",       "arrest",
+                                            "until_time", "until_slip",
+                                            "runaway",    "faded",
+                                            "lost",       NULL };
+
+/* ---- records --------------------------------------------------------------
+ */
+
+#define FIELD(type, member, kind_, text_)                                      \
+    {                                                                          \
+        .name = #member, .unit = "1", .text = text_,                           \
+        .offset = offsetof(struct type, member), .kind = kind_                 \
+    }
+#define CODE(type, member, names, text_)                                       \
+    {                                                                          \
+        .name = #member, .unit = "1", .text = text_,                           \
+        .offset = offsetof(struct type, member), .kind = RECORD_CODE,          \
+        .codes = names                                                         \
+    }
+#define SUM(member, kind, text)                                                \
+    FIELD(transient_summary, member, RECORD_##kind, text)
+#define EVENT(member, kind, text)                                              \
+    FIELD(transient_event, member, RECORD_##kind, text)
+
+static const struct record_field summary_fields[] = {
+    SUM(v, REAL, "slip rate at the start in units of V_star"),
+    SUM(psi, REAL, "interfacial state at the start"),
+    CODE(transient_summary, fate, fate_names, "what becomes of the start"),
+    CODE(transient_summary, end, transient_end_names, "why the run ended"),
+    SUM(time, QUANTITY, "time of the run in units of L/V_star"),
+    SUM(slip, QUANTITY, "slip of the run in units of L"),
+    SUM(mu_mean, QUANTITY, "mean friction over that slip"),
+    SUM(energy_defect, REAL, "relative defect of the balance of energy (27)"),
+    SUM(steps, COUNT, "steps of the finer orbit"),
+    SUM(field_evaluations, COUNT, "field evaluations of both orbits"),
+};
+const struct record_type record_transient = {
+    "transient", "a run from a start", summary_fields,
+    sizeof summary_fields / sizeof *summary_fields,
+    sizeof(struct transient_summary)
+};
+
+static const struct record_field event_fields[] = {
+    CODE(transient_event, what, moment_names, "what happens"),
+    EVENT(level, REAL, "the value that v, psi, |mu - tan(alpha)| takes"),
+    EVENT(time, QUANTITY, "time since the start in units of L/V_star"),
+    EVENT(slip, QUANTITY, "slip since the start in units of L"),
+    EVENT(v, QUANTITY, "slip rate in units of V_star"),
+    EVENT(psi, QUANTITY, "interfacial state"),
+    EVENT(mu, QUANTITY, "friction coefficient"),
+};
+const struct record_type record_transient_event = {
+    "transient_event", "what happens along a run", event_fields,
+    sizeof event_fields / sizeof *event_fields, sizeof(struct transient_event)
+};
+
+/* ---- one orbit ------------------------------------------------------------
+ */
+
+static const struct moment_level near_tan[] = {
+    { MOMENT_MU_NEARS, 1e-1 }, { MOMENT_MU_NEARS, 1e-2 },
+    { MOMENT_MU_NEARS, 1e-3 }, { MOMENT_MU_NEARS, 1e-4 },
+    { MOMENT_MU_NEARS, 1e-5 }, { MOMENT_MU_NEARS, 1e-6 },
+    { MOMENT_MU_NEARS, 1e-7 },
+};
+
+struct transient_options transient_defaults(const struct scene *c)
+{
+    return (struct transient_options){
+        .until_time = c->until_time,
+        .until_slip = c->until_slip,
+        .rtol = c->rtol,
+        .level = near_tan,
+        .levels = sizeof near_tan / sizeof *near_tan,
+    };
+}
+
+/* What both orbits of a run share; must not move. */
+struct course {
+    const struct study *study;
+    struct vec2 start; /* offset */
+    enum fate fate;
+    struct moment_watches watches;
+    struct box window; /* absolute: beyond it v runs away or fades */
+    struct orbit_options options;
+};
+
+/* Without limits of the scene's, where the fate itself never ends: some powers
+ * of ten from start and saddle. */
+static struct box window_of(const struct course *c, bool limited)
+{
+    const double start = c->study->system.origin.x + c->start.x;
+    struct box w = c->study->system.domain;
+
+    if (!limited && c->fate == FATE_RUNAWAY)
+        w.hi.x = fmin(w.hi.x, fmax(start, c->study->system.origin.x) +
+                                  log(TOL_TRANSIENT_FAST));
+    if (!limited && c->fate == FATE_REST_ASYMPTOTIC)
+        w.lo.x = fmax(w.lo.x, fmin(start, c->study->system.origin.x) +
+                                  log(TOL_TRANSIENT_SLOW));
+    return w;
+}
+
+static double finest(double rtol)
+{
+    return fmin(fmax(TOL_TRANSIENT_STEP * rtol, TOL_TRANSIENT_FINEST),
+                TOL_TRANSIENT_COARSEST);
+}
+
+static void course_set(struct course *c, const struct transient_options *o)
+{
+    const bool limited = o->until_time > 0.0 || o->until_slip > 0.0;
+
+    moment_watch_all(&c->watches, c->study, o->level, o->levels, !limited);
+    c->window = window_of(c, limited);
+    c->options = orbit_defaults(&c->study->system, c->study->stable_rate);
+    c->options.observables = BLOCK_EXCESS; /* slip and work */
+    c->options.window = &c->window;
+    c->options.event = c->watches.event;
+    c->options.events = c->watches.count;
+    c->options.max_steps = TOL_TRANSIENT_STEPS;
+    if (o->until_time > 0.0)
+        c->options.reach[0] = o->until_time;
+    if (o->until_slip > 0.0)
+        c->options.reach[1 + BLOCK_SLIP] = o->until_slip;
+}
+
+/* An orbit that gets stuck is kept as far as it goes. */
+static enum status follow(const struct course *c, double rtol,
+                          const struct monitor *monitor, struct orbit *out)
+{
+    struct orbit_options options = c->options;
+
+    options.rtol = rtol;
+    enum status s = orbit_init(out, &c->study->system, c->start, &options);
+    if (s == STATUS_OK)
+        s = orbit_run(out, monitor);
+    return s == STATUS_NO_CONVERGENCE || s == STATUS_TOO_MANY_STEPS ? STATUS_OK
+                                                                    : s;
+}
+
+/* ---- what came of it ------------------------------------------------------
+ */
+
+static enum transient_end end_of(const struct course *c, const struct orbit *o)
+{
+    if (o->end == ORBIT_EVENT)
+        return c->watches.watch[o->end_index].what == MOMENT_REST
+                   ? TRANSIENT_REST
+                   : TRANSIENT_ARREST;
+    if (o->end == ORBIT_REACHED && fabs(o->u[2]) < TOL_TIME_MAX)
+        return o->end_index == 0 ? TRANSIENT_UNTIL_TIME : TRANSIENT_UNTIL_SLIP;
+    if (o->end == ORBIT_LEFT_WINDOW && c->fate == FATE_RUNAWAY)
+        return TRANSIENT_RUNAWAY;
+    if (o->end == ORBIT_LEFT_WINDOW && c->fate == FATE_REST_ASYMPTOTIC)
+        return TRANSIENT_FADED;
+    return TRANSIENT_LOST;
+}
+
+/* The end knows better than the orbit that was asked first. */
+static enum fate fate_at(const struct course *c, const struct orbit *o,
+                         enum transient_end end)
+{
+    const struct equilibrium *node =
+        moment_node_at(c->study, (struct vec2){ o->u[0], o->u[1] },
+                       TOL_TRANSIENT_REACH * TOL_ARREST);
+
+    if (end == TRANSIENT_REST)
+        return FATE_REST_FINITE;
+    return end == TRANSIENT_ARREST && node ? fate_of_node(c->study, node)
+                                           : c->fate;
+}
+
+/* Of the whole run; at rest, what is left is added. */
+static void sum_up(const struct course *c, const struct orbit *coarse,
+                   const struct orbit *fine, struct transient_summary *sum)
+{
+    const size_t slip = 3 + BLOCK_SLIP, work = 3 + BLOCK_WORK;
+    struct moment_rest left = { 0.0, 0.0 };
+
+    if (sum->end == TRANSIENT_REST)
+        left = moment_rest_at(c->study, fine->u);
+    sum->time = timeline_compare(fine, coarse->u[2] + left.time,
+                                 fine->u[2] + left.time);
+    sum->time.error += left.time;
+    sum->slip = timeline_compare(fine, coarse->u[slip] + left.slip,
+                                 fine->u[slip] + left.slip);
+    sum->slip.error += left.slip;
+    sum->mu_mean =
+        fine->u[slip] > 0.0 && coarse->u[slip] > 0.0
+            ? timeline_compare(fine, coarse->u[work] / coarse->u[slip],
+                               fine->u[work] / fine->u[slip])
+            : quantity_none("no slip in this run");
+    sum->energy_defect = fine->curve.count > 0
+                             ? study_energy_defect(c->study, &fine->curve)
+                             : 0.0;
+}
+
+static void judge(const struct course *c, const struct orbit *coarse,
+                  const struct orbit *fine, struct transient *t)
+{
+    static const char unclear[] =
+        "orbits of two tolerances end in different ways";
+    static const char lost[] = "the orbit cannot be followed further";
+    struct transient_summary *sum = &t->sum;
+    const enum transient_end end = end_of(c, fine);
+
+    sum->end = (int8_t) end;
+    sum->fate = (int8_t) fate_at(c, fine, end);
+    sum->steps = (int64_t) fine->steps;
+    sum->field_evaluations =
+        (int64_t) (coarse->field_calls + coarse->jacobian_calls +
+                   fine->field_calls + fine->jacobian_calls);
+    sum_up(c, coarse, fine, sum);
+    if (end == TRANSIENT_LOST)
+        t->reason = lost;
+    if (end_of(c, coarse) == end &&
+        fate_at(c, coarse, end) == (enum fate) sum->fate)
+        return;
+    sum->fate = FATE_UNDECIDED;
+    t->reason = unclear;
+    sum->time = sum->slip = sum->mu_mean = quantity_none(unclear);
+}
+
+/* Both orbits, to what they say. */
+static enum status run_at(const struct course *c, double rtol,
+                          const struct monitor *monitor, struct transient *out)
+{
+    struct orbit coarse = { .steps = 0 }, fine = { .steps = 0 };
+    enum status s = follow(c, TOL_TRANSIENT_RATIO * rtol, monitor, &coarse);
+
+    if (s == STATUS_OK)
+        s = follow(c, rtol, monitor, &fine);
+    if (s == STATUS_OK)
+        s = timeline_find(c->study, &c->watches, &coarse, &fine, &out->event,
+                          &out->events);
+    if (s == STATUS_OK) {
+        judge(c, &coarse, &fine, out);
+        out->curve = fine.curve; /* now theirs */
+        fine.curve = CURVE_EMPTY(fine.curve.dim);
+        phase_find(c->study, out, out->phase);
+    }
+    orbit_free(&coarse);
+    orbit_free(&fine);
+    return s;
+}
+
+/* Where the field is rounding, as deep on slow curves, a looser orbit goes
+ * further. */
+static enum status run(struct course *c, const struct transient_options *o,
+                       const struct monitor *monitor, struct transient *out)
+{
+    const struct transient empty = *out;
+    double rtol = finest(o->rtol);
+
+    course_set(c, o);
+    enum status s = run_at(c, rtol, monitor, out);
+    while (s == STATUS_OK && out->sum.end == TRANSIENT_LOST &&
+           rtol < TOL_TRANSIENT_COARSEST) {
+        rtol = fmin(TOL_TRANSIENT_RETREAT * rtol, TOL_TRANSIENT_COARSEST);
+        transient_free(out);
+        *out = empty;
+        s = run_at(c, rtol, monitor, out);
+    }
+    return s;
+}
+
+/* Nothing to follow: the start is where blocks are arrested. */
+static bool is_there(const struct course *c, const struct transient_options *o,
+                     struct transient_summary *sum)
+{
+    const struct equilibrium *node =
+        moment_node_at(c->study, c->start, TOL_ARREST);
+    const struct quantity zero = quantity_of(0.0, 0.0);
+
+    if (node == NULL || o->until_time > 0.0 || o->until_slip > 0.0)
+        return false;
+    sum->fate = (int8_t) fate_of_node(c->study, node);
+    sum->end = TRANSIENT_ARREST;
+    sum->time = sum->slip = zero;
+    sum->mu_mean = quantity_none("no slip in this run");
+    return true;
+}
+
+enum status transient_find(const struct study *s, struct scene_start start,
+                           const struct transient_options *options,
+                           const struct monitor *monitor, struct transient *out)
+{
+    const struct vec2 z = { log(start.v), s->system.axis[1].is_log
+                                              ? log(start.psi)
+                                              : start.psi };
+    struct course c = { .study = s, .start = vec2_sub(z, s->system.origin) };
+    struct fate_result fate;
+
+    *out = (struct transient){ .sum = { .v = start.v, .psi = start.psi } };
+    if (!box_holds(s->system.domain, z))
+        return STATUS_BAD_ARGUMENT;
+    enum status status =
+        fate_find(s, z, TOL_PUSH_COARSE, false, monitor, &fate);
+    c.fate = fate.fate;
+    out->reason = fate.reason;
+    if (status == STATUS_OK && is_there(&c, options, &out->sum))
+        phase_find(s, out, out->phase);
+    else if (status == STATUS_OK)
+        status = run(&c, options, monitor, out);
+    if (status != STATUS_OK)
+        transient_free(out);
+    return status;
+}
+
+void transient_free(struct transient *t)
+{
+    free(t->event);
+    curve_free(&t->curve);
+    *t = (struct transient){ .event = NULL };
+}

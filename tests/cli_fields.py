@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+"""Slip, time, friction and peaks of a grid from the command line (TAP).
+
+usage: cli_fields.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import json
+import os
+import signal
+import subprocess
+import time
+
+from cli_room import READER, expect, refused, run_cases
+
+SADDLE = ['basin', '--law', 'spinodal_gen', '--alpha', '0.34']
+ALL = {'slip': ['slip'], 'time': ['time'], 'friction': ['mu_mean'],
+       'peak': ['v_peak', 'mu_peak']}
+REST = ['basin', '--law', 'dieterich_gen', '--alpha', '0.34', '--set',
+        'window={v: [1e-3, 1e5], psi: [0.01, 100]}']
+
+
+def grid(products, nv=24, npsi=18, more=''):
+    return ['--set', f'basins={{cells: [{nv}, {npsi}], audit: 20{more}}}',
+            '--set', 'products=[' + ', '.join(products) + ']']
+
+
+def fields(room, *names):
+    done = subprocess.run([READER, room.script('read_fields.py'), *names],
+                          cwd=room.folder, text=True, capture_output=True,
+                          check=False)
+    expect(done.returncode == 0, names, done.stdout, done.stderr)
+    return json.loads(done.stdout)
+
+
+# ---- what the files hold -----------------------------------------------------
+
+def each_product_writes_its_fields_and_no_other(room):
+    for product in ALL:
+        room.good(*SADDLE, *grid([product], 8, 6), '-o', product + '.h5')
+    room.good(*SADDLE, *grid(['basins'], 8, 6), '-o', 'basins.h5')
+    found = fields(room, 'basins.h5', *(p + '.h5' for p in ALL))
+    expect(found['basins.h5']['holds'] == [], found['basins.h5'])
+    for product, names in ALL.items():
+        holds = ['exit_reason', *names, *(n + '_error' for n in names)]
+        expect(found[product + '.h5']['holds'] == sorted(holds), product,
+               found[product + '.h5'])
+
+
+def every_cell_of_a_bistable_slope_has_every_number(room):
+    room.good(*SADDLE, *grid(ALL, 16, 12), '-o', 'a.h5')
+    found = fields(room, 'a.h5')['a.h5']
+    expect(set(found['exits']) == {'creep', 'sliding'}
+           and found['differ'] == 0 and found['rtol'] == 1e-6, found)
+    for name in sum(ALL.values(), []):
+        expect(found['missing'][name] == 0
+               and found['worst'][name] <= 1e-6, name, found)
+
+
+def what_does_not_exist_is_missing_from_the_file(room):
+    room.good(*REST, *grid(ALL, 12, 9), '-o', 'a.h5')
+    found = fields(room, 'a.h5')['a.h5']
+    gone = found['exits']['runaway']
+    expect(gone > 5 and found['exits']['rest_finite'] > 5
+           and found['differ'] == 0, found)
+    for name in ('slip', 'time', 'mu_mean', 'v_peak'):
+        expect(found['missing'][name] == gone, name, found)
+    expect(found['missing']['mu_peak'] == 12 * 9, found)
+
+
+def a_cell_is_what_push_says(room):
+    room.good(*SADDLE, *grid(ALL, 5, 4), '-o', 'a.h5')
+    for cell in fields(room, 'a.h5')['a.h5']['some']:
+        told = room.json('push', '--law', 'spinodal_gen', '--alpha', '0.34',
+                         '--v', repr(cell['v']), '--psi', repr(cell['psi']))
+        expect(told['fate'] == cell['exit_reason'], told, cell)
+        for name in ('slip', 'time', 'mu_mean'):
+            apart = abs(told[name]['value'] - cell[name])
+            expect(apart <= told[name]['error'] + cell[name + '_error'],
+                   name, told, cell)
+
+
+def the_accuracy_asked_for_is_that_of_the_file(room):
+    for rtol in (1e-4, 1e-8):
+        room.good(*SADDLE, *grid(['slip', 'time'], 6, 5, f', rtol: {rtol}'),
+                  '-o', 'a.h5')
+        found = fields(room, 'a.h5')['a.h5']
+        expect(found['rtol'] == rtol and found['worst']['slip'] <= rtol
+               and found['worst']['time'] <= rtol, rtol, found)
+
+
+def the_scene_of_figure_7_is_computed_as_it_stands(room):
+    room.bring('scenes')
+    room.make('outputs')
+    room.good('study', 'scenes/fig07b_slip.yaml', '--set',
+              'basins.cells=[16, 12]')
+    found = fields(room, 'outputs/fig07b_slip.h5')['outputs/fig07b_slip.h5']
+    expect({'slip', 'time', 'mu_mean'} < set(found['holds'])
+           and found['differ'] == 0, found)
+    expect(os.path.getsize(room.path('outputs/fig07b_slip.svg')) > 1e4,
+           'no figure')
+
+
+# ---- the same file, figures --------------------------------------------------
+
+def the_same_bytes_at_any_thread_count(room):
+    for threads in ('1', '3'):
+        room.good(*SADDLE, *grid(ALL, 16, 12, ', rtol: 1e-4'), '--threads',
+                  threads, '-o', threads + '.h5', '--figure', threads + '.svg')
+    for ending in ('.h5', '.svg'):
+        expect(room.bytes('1' + ending) == room.bytes('3' + ending), ending)
+
+
+def a_figure_shows_the_first_field_under_the_separatrix(room):
+    for products, label in ((['time', 'slip'], 'slip to arrest'),
+                            (['peak'], 'largest slip rate'),
+                            (['friction', 'basins'], 'mean friction')):
+        room.good(*SADDLE, *grid(products, 6, 5), '--figure', 'a.svg')
+        drawn = room.read('a.svg')
+        expect(label in drawn and 'stable manifold' in drawn
+               and 'creeps' not in drawn, products)
+    room.good(*SADDLE, *grid(['basins'], 6, 5), '--figure', 'a.svg')
+    expect('creeps' in room.read('a.svg'), 'no basins')
+
+
+# ---- told --------------------------------------------------------------------
+
+def fields_are_told_with_the_numbers(room):
+    done = room.good(*SADDLE, *grid(['slip', 'peak'], 4, 3))
+    expect('slip v_peak mu_peak, to a relative 1e-06' in done
+           and '-o FILE.h5' in done, done)
+    expect('-o FILE.h5' not in room.good(*SADDLE, *grid(['slip'], 4, 3), '-o',
+                                         'a.h5'), 'told too much')
+    told = room.json(*SADDLE, *grid(['time'], 4, 3))
+    expect(told['basin']['fields'] == ['time'], told['basin'])
+
+
+def the_plan_names_the_fields_where_they_are_asked_for(room):
+    for products, there in ((['slip'], True), (['peak'], True),
+                            (['basins', 'margin'], False)):
+        plan = room.json('plan', *SADDLE[1:], *grid(products))
+        stages = [item['stage'] for item in plan]
+        expect(('fields' in stages) == there and 'basins' in stages, plan)
+
+
+def progress_counts_cells(room):
+    done = room.run(*SADDLE, *grid(['slip'], 64, 9), '--progress', 'json',
+                    '-o', 'a.h5')
+    lines = [json.loads(line) for line in done.stderr.splitlines()]
+    cells = [line for line in lines if line['stage'] == 'cells']
+    expect(done.returncode == 0 and cells[-1]['done'] == 64 * 9
+           and all(line['total'] == 64 * 9 for line in cells), lines)
+    expect([line['done'] for line in cells]
+           == sorted({line['done'] for line in cells}), cells)
+
+
+def an_interrupt_leaves_nothing(room):
+    job = subprocess.Popen(
+        [room.slipway, *SADDLE, *grid(ALL, 512, 512), '-o', 'a.h5',
+         '--progress', 'json'], cwd=room.folder, text=True,
+        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, env=room.environment())
+    try:
+        while json.loads(job.stderr.readline())['stage'] != 'cells':
+            pass
+        start = time.monotonic()
+        job.send_signal(signal.SIGINT)
+        job.communicate(timeout=20)
+    finally:
+        job.kill()
+    expect(job.returncode == 130 and time.monotonic() - start < 5
+           and room.names() == [], job.returncode, room.names())
+
+
+def wrong_fields_are_refused_in_one_line(room):
+    for override, *words in (('products=[slips]', 'products', 'slip?'),
+                             ('products=[mu_mean]', 'friction'),
+                             ('basins.rtol=0', 'basins.rtol', '1e-11 to 0.1'),
+                             ('basins.rtol=no', 'basins.rtol')):
+        refused(room.run(*SADDLE, '--set', override), 2, override, *words)
+
+
+run_cases([
+    each_product_writes_its_fields_and_no_other,
+    every_cell_of_a_bistable_slope_has_every_number,
+    what_does_not_exist_is_missing_from_the_file,
+    a_cell_is_what_push_says,
+    the_accuracy_asked_for_is_that_of_the_file,
+    the_scene_of_figure_7_is_computed_as_it_stands,
+    the_same_bytes_at_any_thread_count,
+    a_figure_shows_the_first_field_under_the_separatrix,
+    fields_are_told_with_the_numbers,
+    the_plan_names_the_fields_where_they_are_asked_for,
+    progress_counts_cells,
+    an_interrupt_leaves_nothing,
+    wrong_fields_are_refused_in_one_line,
+])

@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+"""slipway simulate as users call it (TAP).
+
+usage: cli_simulate.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import subprocess
+
+from cli_room import READER, SLOPE, expect, refused, run_cases
+
+START = ['--v', '1258.9254117941673', '--psi', '100']
+KEYS = ['v', 'psi', 'fate', 'end', 'time', 'slip', 'mu_mean', 'energy_defect',
+        'steps', 'field_evaluations', 'reason', 'phases', 'events']
+REST = 0.8417232056933424, 0.4942932325338876
+SCENE = '''law: {preset: spinodal_gen}
+slope: {alpha: 0.34}
+trajectories:
+  starts: [{v: 1258.9254117941673, psi: 100}, {v: 4e3, psi: 10}]
+  %s
+output: {hdf5: a.h5}
+'''
+READ = '''
+import h5py, numpy
+with h5py.File('a.h5') as f:
+    for k in (0, 1):
+        g = f[f'trajectory_{k}']
+        assert abs(g.attrs['energy_defect']) < 1e-10, g.attrs['energy_defect']
+        for name in ('v', 'psi', 'slip', 'mu'):
+            assert g[name].dims[0][0].name == g['time'].name, name
+        assert set(g['events']) >= {'what', 'time', 'slip', 'v', 'psi', 'mu'}
+        assert len(g['phases/n']) == 3
+        print(k, g.attrs['end'].decode() if isinstance(g.attrs['end'], bytes)
+              else g.attrs['end'], *sorted(n for n in g
+              if n in ('linear_slip', 'log_time')))
+    for name, axis in (('linear_slip', 'slip'), ('log_time', 'time')):
+        if name in f['trajectory_0']:
+            t = f['trajectory_0'][name]
+            assert t['v'].dims[0][0].name == t[axis].name
+            x = t[axis][...]
+            step = numpy.diff(x if axis == 'slip' else numpy.log(x))
+            assert numpy.ptp(step) < 1e-6 * abs(step).max(), step
+            print(name, len(x))
+'''
+
+
+def one_run(room, *args):
+    found = room.json('simulate', *args)
+    expect(list(found) == ['trajectories'], found)
+    return found['trajectories'][0]
+
+
+def a_start_on_the_command_line_is_run_to_its_end(room):
+    run = one_run(room, *SLOPE, *START)
+    expect(list(run) == KEYS, list(run))
+    expect((run['fate'], run['end'], run['reason']) ==
+           ('rest_finite', 'rest', None), run)
+    for name, expected in zip(('time', 'slip'), REST):
+        found = run[name]
+        expect(abs(found['value'] - expected) < min(1e-12, found['error']),
+               name, found)
+    expect(abs(run['energy_defect']) < 1e-12, run)
+    expect(room.names() == [], room.names())
+
+
+def events_come_in_the_order_of_time(room):
+    events = one_run(room, *SLOPE, *START)['events']
+    times = [event['time']['value'] for event in events]
+    expect(times == sorted(times) and len(times) > 10, times)
+    names = [event['what'] for event in events]
+    for name in ('v_sp', 'psi_minimum', 'mu_minimum', 'v_minus', 'rest',
+                 'mu_nears_tan_alpha', 'mu_leaves_tan_alpha'):
+        expect(name in names, name, names)
+
+
+def people_read_the_same_numbers(room):
+    said = room.good('simulate', *SLOPE, *START)
+    run = one_run(room, *SLOPE, *START)
+    expect('rest_finite, ends by rest' in said, said)
+    for name in ('time', 'slip', 'mu_mean'):
+        expect(f'{run[name]["value"]:.15g}' in said, name, said)
+    expect(room.good('simulate', *SLOPE, *START, '--quiet') == '', 'quiet')
+
+
+def read_back(room):
+    done = subprocess.run([READER, '-c', READ], cwd=room.path('.'), text=True,
+                          capture_output=True, check=False)
+    expect(done.returncode == 0, done.stderr)
+    return done.stdout.splitlines()
+
+
+def a_scene_fills_a_file(room):
+    room.write('a.yaml', SCENE % 'seed: 1')
+    room.good('simulate', 'a.yaml')
+    expect(read_back(room) == ['0 arrest linear_slip log_time',
+                               '1 arrest linear_slip log_time',
+                               'linear_slip 201', 'log_time 201'],
+           read_back(room))
+    one = room.bytes('a.h5')
+    room.good('simulate', 'a.yaml', '--threads', '1')
+    expect(room.bytes('a.h5') == one, 'threads change the file')
+
+
+def a_scene_chooses_samples_and_limits(room):
+    room.write('a.yaml', SCENE % 'until: {time: 1e6}\n'
+               '  sample: {log_time: 30}')
+    room.good('simulate', 'a.yaml', '--quiet')
+    expect(read_back(room) == ['0 until_time log_time',
+                               '1 until_time log_time', 'log_time 30'],
+           read_back(room))
+    run = one_run(room, 'a.yaml')
+    expect(run['time'] == {'value': 1e6, 'error': run['time']['error']}, run)
+    expect('arrest' in [event['what'] for event in run['events']], run)
+
+
+def figures_show_friction_and_slip_rate(room):
+    room.good('simulate', *SLOPE, *START, '--figure', 'a.svg')
+    expect(room.names() == ['a.svg', 'a_time.svg'], room.names())
+    expect('friction coefficient' in room.read('a.svg'), 'a.svg')
+    expect('slip rate' in room.read('a_time.svg'), 'a_time.svg')
+
+
+def figures_of_the_paper_have_scenes(room):
+    room.bring('scenes')
+    room.make('outputs')
+    for name, end in (('fig14', 'rest'), ('fig15', 'arrest')):
+        run = one_run(room, f'scenes/{name}.yaml')
+        expect(run['end'] == end, name, run['end'])
+        expect(all(phase['end_time']['value'] is not None
+                   for phase in run['phases']), name, run['phases'])
+
+
+def wrong_starts_are_refused(room):
+    for args, words in (
+            ([], ['no start', 'trajectories.starts']),
+            (['--v', '1'], ['--psi']),
+            (['--psi', '1'], ['--v']),
+            (['--v', 'x', '--psi', '1'], ['--v', 'number']),
+            (['--v', '-1', '--psi', '1'], ['number > 0']),
+            (['--states', 'a.csv'], ['--states'])):
+        refused(room.run('simulate', *SLOPE, *args), 2, *words)
+    expect(room.names() == [], room.names())
+
+
+def a_folder_that_is_not_there_costs_nothing(room):
+    for option in ('-o', '--figure'):
+        refused(room.run('simulate', *SLOPE, *START, option, 'no/a.svg'), 4,
+                'no/a')
+
+
+if __name__ == '__main__':
+    run_cases([
+        a_start_on_the_command_line_is_run_to_its_end,
+        events_come_in_the_order_of_time,
+        people_read_the_same_numbers,
+        a_scene_fills_a_file,
+        a_scene_chooses_samples_and_limits,
+        figures_show_friction_and_slip_rate,
+        figures_of_the_paper_have_scenes,
+        wrong_starts_are_refused,
+        a_folder_that_is_not_there_costs_nothing,
+    ])

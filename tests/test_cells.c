@@ -1,0 +1,553 @@
+/* Slip, time, friction and peaks of many states.
+ *
+ * CELL_STATES=2000 tries more states than a test can afford. */
+#include "cells.h"
+
+#include <omp.h>
+
+#include "fault_alloc.h"
+#include "peak.h"
+#include "slope.h"
+#include "tolerance.h"
+
+enum { ALL = (1 << CELL_FIELDS) - 1 };
+static const char *const steady_only[] = { "products=[equilibria]", NULL };
+
+static double value_of(const struct cell *c, size_t field)
+{
+    const struct record_array a = { &record_cell, c, 1 };
+    return *(const double *) record_member(&a, 0, &record_cell.fields[field]);
+}
+
+/* NaN of a number that does not exist. */
+static double value(const struct cell *c, enum cell_field k)
+{
+    return value_of(c, 1 + 2 * (size_t) k);
+}
+
+static double error(const struct cell *c, enum cell_field k)
+{
+    return value_of(c, 2 + 2 * (size_t) k);
+}
+
+static void find(const struct slope *s, const struct vec2 z[], size_t n,
+                 double rtol, unsigned which, struct cell out[])
+{
+    const enum status status =
+        cells_find(&s->study, z, n, rtol, which, NULL, out);
+    CHECK(status == STATUS_OK, "%s", status_text(status));
+}
+
+static struct cell find_one(const struct slope *s, double v, double psi,
+                            double rtol)
+{
+    const struct vec2 z = slope_point(s, v, psi);
+    struct cell c;
+
+    find(s, &z, 1, rtol, ALL, &c);
+    return c;
+}
+
+static bool same(const struct cell *a, const struct cell *b)
+{
+    bool is = a->exit_reason == b->exit_reason;
+
+    for (size_t i = 1; i < record_cell.count; i++) {
+        const double x = value_of(a, i), y = value_of(b, i);
+        is = is && memcmp(&x, &y, sizeof x) == 0;
+    }
+    return is;
+}
+
+static void is_near(const struct cell *c, enum cell_field k, double truth)
+{
+    CHECK(fabs(value(c, k) - truth) <= error(c, k),
+          "%s: %.16g +- %g, not %.16g", record_cell.fields[1 + 2 * k].name,
+          value(c, k), error(c, k), truth);
+}
+
+/* ---- against the table --------------------------------------------------- */
+
+/* The block passes a row before it stops exactly if its slip is still less. */
+static void check_transient(const struct cell *c, const struct csv *row)
+{
+    const double t = csv_number(row, "t", 0), x = csv_number(row, "x", 0);
+    const double mu = csv_number(row, "mu", 0);
+
+    if (strcmp(csv_text(row, "kind"), "initial") == 0) {
+        is_near(c, CELL_V_PEAK, pow(10.0, 3.1));
+        if (c->exit_reason == FATE_CREEP)
+            is_near(c, CELL_MU_PEAK, mu);
+    }
+    if (strcmp(csv_text(row, "kind"), "v_equals_final") == 0 &&
+        csv_number(row, "key", 1.0) < 1e-9) {
+        is_near(c, CELL_TIME, t);
+        is_near(c, CELL_SLIP, x);
+    }
+    if (fabs(t - c->time) > c->time_error && fabs(x - c->slip) > c->slip_error)
+        CHECK((t < c->time) == (x < c->slip), "row %zu: %g %g, %g %g", row->row,
+              t, c->time, x, c->slip);
+}
+
+static void transients_are_those_of_the_table(void **state)
+{
+    static const char *const form[] = { "asinh", "log" };
+    static const char *const law[] = { "dieterich_gen", "spinodal_gen" };
+
+    (void) state;
+    for (int k = 0; k < 4; k++) {
+        struct slope s;
+        struct csv row;
+        slope_make(&s, law[k / 2], form[k % 2], "0.34", steady_only);
+        const struct cell c = find_one(&s, pow(10.0, 3.1), 100.0, 1e-6);
+        assert_int_equal(c.exit_reason, k / 2 ? FATE_CREEP : FATE_REST_FINITE);
+        CHECK(c.time_error <= 1e-6 * c.time && c.slip_error <= 1e-6 * c.slip,
+              "%g of %g, %g of %g", c.time_error, c.time, c.slip_error, c.slip);
+        csv_open(&row, "transient.csv");
+        while (csv_next(&row))
+            if (strcmp(csv_text(&row, "law"), law[k / 2]) == 0 &&
+                strcmp(csv_text(&row, "form"), form[k % 2]) == 0)
+                check_transient(&c, &row);
+        slope_free(&s);
+    }
+}
+
+/* ---- against tight runs -------------------------------------------------- */
+
+/* Its own error is mostly what is left of an orbit that only fades. */
+static struct quantity tight_value(const struct fate_result *r,
+                                   const struct peaks *p, enum cell_field k)
+{
+    const struct quantity q[CELL_FIELDS] = {
+        [CELL_SLIP] = r->slip,
+        [CELL_TIME] = r->time,
+        [CELL_MU_MEAN] = r->mu_mean,
+        [CELL_V_PEAK] = quantity_of(exp(p->x), 0.0),
+        [CELL_MU_PEAK] = quantity_of(p->mu, 0.0),
+    };
+    return q[k];
+}
+
+/* 1 if the state could be compared. */
+static int check_tight(const struct slope *s, struct vec2 z,
+                       const struct cell *c)
+{
+    struct fate_result r;
+    struct peaks p;
+
+    assert_int_equal(fate_find(&s->study, z, 1e-12, true, NULL, &r), 0);
+    assert_int_equal(peaks_find(&s->study, z, 1e-12, r.steps, &p), 0);
+    if (r.fate == FATE_UNDECIDED)
+        return 0;
+    CHECK((int) r.fate == c->exit_reason, "(%g, %g): %s, not %s", z.x, z.y,
+          fate_names[c->exit_reason], fate_names[r.fate]);
+    for (int k = 0; k < CELL_FIELDS; k++) {
+        const struct quantity q = tight_value(&r, &p, (enum cell_field) k);
+        const double found = value(c, (enum cell_field) k);
+        const double bar = error(c, (enum cell_field) k);
+        CHECK(isnan(found) == isnan(bar) &&
+                  !(fabs(found - q.value) > bar + q.error),
+              "(%.17g, %.17g) %s: %.16g +- %g, not %.16g", z.x, z.y,
+              record_cell.fields[1 + 2 * k].name, found, bar, q.value);
+    }
+    return 1;
+}
+
+/* A random slope of any law, and as many states of it. */
+static int check_slope(const char *law, uint64_t *rng, size_t states)
+{
+    struct vec2 *z = calloc(states, sizeof *z);
+    struct cell *c = calloc(states, sizeof *c);
+    char alpha[32], a[40], L[40];
+    const char *const more[] = { "products=[equilibria]", a, L, NULL };
+    struct slope s;
+    int compared = 0;
+
+    snprintf(alpha, sizeof alpha, "%.3f", check_uniform(rng, 0.3, 0.38));
+    snprintf(a, sizeof a, "material.a=%g", check_uniform(rng, 0.028, 0.038));
+    snprintf(L, sizeof L, "material.L=%g", exp(check_uniform(rng, -17, -11)));
+    slope_make(&s, law, check_bits(rng) % 2 ? "log" : "asinh", alpha, more);
+    for (size_t i = 0; i < states; i++)
+        z[i] = (struct vec2){ check_uniform(rng, -10, 10),
+                              check_uniform(rng, -4, 4) };
+    find(&s, z, states, 1e-6, ALL, c);
+    for (size_t i = 0; i < states; i++)
+        compared += check_tight(&s, z[i], &c[i]);
+    slope_free(&s);
+    free(z);
+    free(c);
+    return compared;
+}
+
+static void errors_of_random_states_lie_within_their_bars(void **state)
+{
+    static const char *const law[] = { "dieterich",       "dieterich_gen",
+                                       "ruina",           "perrin",
+                                       "spinodal",        "spinodal_gen",
+                                       "spinodal_phi_gen" };
+    enum { LAWS_ = sizeof law / sizeof *law, EACH = 12 };
+    const char *asked = getenv("CELL_STATES");
+    const int states = asked ? atoi(asked) : LAWS_ * EACH;
+    uint64_t rng = check_seed();
+    int compared = 0;
+
+    (void) state;
+    for (int i = 0; i * EACH < states; i++)
+        compared += check_slope(law[i % LAWS_], &rng, EACH);
+    print_message("# %d of %d states compared\n", compared, states);
+    CHECK(compared > states - states / 20, "%d of %d", compared, states);
+}
+
+/* At some tolerances the dense output is off by 1e-7 where v turns. */
+static void a_peak_inside_a_step_is_found_at_any_tolerance(void **state)
+{
+    const char *const more[] = { steady_only[0], "material.a=0.037808",
+                                 "material.L=7.48577e-08", NULL };
+    const struct vec2 z = { 1.48313, -2.43498 };
+    struct slope s;
+    struct peaks fine, p;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.32244", more);
+    assert_int_equal(peaks_find(&s.study, z, 1e-13, 100000, &fine), 0);
+    for (double rtol = 1e-5; rtol > 1e-12; rtol *= 0.316) {
+        assert_int_equal(peaks_find(&s.study, z, rtol, 100000, &p), 0);
+        const double dx = fabs(p.x - fine.x), dmu = fabs(p.mu - fine.mu);
+        CHECK(dx < rtol + 1e-13 && dmu < rtol + 1e-13, "%g: %g, %g", rtol, dx,
+              dmu);
+    }
+    slope_free(&s);
+}
+
+/* There dv/dt = 0: friction is what the slope pulls. */
+static void a_peak_of_v_after_the_start_lies_on_the_nullcline(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    for (double psi = 0.01; psi < 0.3; psi *= 2.0) {
+        const struct cell c = find_one(&s, 1.0, psi, 1e-8);
+        CHECK(c.v_peak > 1.0 + c.v_peak_error, "psi = %g: %g", psi, c.v_peak);
+        if (c.exit_reason != FATE_CREEP)
+            continue;
+        /* psi has risen meanwhile, or v would still rise */
+        const struct vec2 at =
+            vec2_sub(slope_point(&s, c.v_peak, psi), s.study.system.origin);
+        CHECK(block_mu(&s.study.block, at) <= tan(0.34) + 1e-9, "psi = %g",
+              psi);
+    }
+    slope_free(&s);
+}
+
+/* ---- energy -------------------------------------------------------------- */
+
+/* (27): the speed at arrest that slip and work imply is the node's, within what
+ * arrest means. */
+static void check_energy(const struct slope *s, double v, const struct cell *c,
+                         double v_end)
+{
+    const double alpha = s->scene.alpha;
+    const double eps2 = material_eps2(&s->study.block.material);
+    const double work = cos(alpha) * c->mu_mean * c->slip;
+    const double pull = sin(alpha) * c->slip;
+    const double end = 0.5 * eps2 * v * v + pull - work;
+    const double slack = c->slip_error * (sin(alpha) + c->mu_mean) +
+                         c->slip * c->mu_mean_error + 1e-14 * (pull + work);
+    const double far = exp(2.0 * TOL_ARREST * 1.0001);
+
+    CHECK(end >= 0.5 * eps2 * v_end * v_end / far - slack &&
+              end <= 0.5 * eps2 * v_end * v_end * far + slack,
+          "v = %g: %g, slack %g, end %g", v, end, slack, v_end);
+}
+
+static void energy_is_balanced_in_every_cell(void **state)
+{
+    enum { N = 60 };
+    uint64_t rng = check_seed();
+    struct vec2 z[N];
+    struct cell c[N];
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    for (int i = 0; i < N; i++)
+        z[i] = (struct vec2){ check_uniform(&rng, -10, 13),
+                              check_uniform(&rng, -6, 6) };
+    find(&s, z, N, 1e-6, ALL, c);
+    const double end[] = { exp(s.study.equilibrium[0].z.x),
+                           exp(s.study.equilibrium[2].z.x) };
+    for (int i = 0; i < N; i++) {
+        assert_in_range(c[i].exit_reason, FATE_CREEP, FATE_SLIDING);
+        check_energy(&s, exp(z[i].x), &c[i], end[c[i].exit_reason]);
+    }
+    slope_free(&s);
+}
+
+/* ---- accuracy ------------------------------------------------------------ */
+
+static void errors_are_no_larger_than_asked_for(void **state)
+{
+    enum { N = 20 };
+    uint64_t rng = check_seed();
+    struct vec2 z[N];
+    struct cell c[N];
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    for (int i = 0; i < N; i++)
+        z[i] = (struct vec2){ check_uniform(&rng, -10, 13),
+                              check_uniform(&rng, -6, 6) };
+    for (double rtol = 1e-3; rtol > 1e-10; rtol *= 1e-3) {
+        find(&s, z, N, rtol, ALL, c);
+        for (int i = 0; i < N; i++)
+            for (enum cell_field k = 0; k < CELL_FIELDS; k++)
+                CHECK(error(&c[i], k) <= rtol * value(&c[i], k),
+                      "%g: (%g, %g): %g +- %g", rtol, z[i].x, z[i].y,
+                      value(&c[i], k), error(&c[i], k));
+    }
+    slope_free(&s);
+}
+
+static int told, untold;
+
+static void check_near(struct slope *s, const struct csv *row)
+{
+    const struct vec2 z = row_point(s, row);
+    struct fate_result r;
+    struct cell c;
+
+    if (row_distance(row) > 1e-6)
+        return;
+    find(s, &z, 1, 1e-4, 1u << CELL_TIME, &c);
+    CHECK(c.exit_reason == row_fate(row) || c.exit_reason == FATE_UNDECIDED,
+          "row %zu: %s", row->row, fate_names[c.exit_reason]);
+    if (c.exit_reason == FATE_UNDECIDED)
+        untold++;
+    if (c.exit_reason == FATE_UNDECIDED)
+        return;
+    told++;
+    assert_int_equal(fate_find(&s->study, z, 1e-13, true, NULL, &r), 0);
+    CHECK(fabs(c.time - r.time.value) <= c.time_error + 0.01,
+          "row %zu: %.9g +- %g, not %.9g", row->row, c.time, c.time_error,
+          r.time.value);
+    find(s, &z, 1, 1e-2, 0, &c);
+    CHECK(c.exit_reason == row_fate(row) || c.exit_reason == FATE_UNDECIDED,
+          "row %zu: %s", row->row, fate_names[c.exit_reason]);
+}
+
+/* Rows of basin.csv down to 1e-9 from the boundary, far nearer than what the
+ * first tolerances resolve. */
+static void states_beside_the_boundary_are_never_given_the_other_fate(
+    void **state)
+{
+    (void) state;
+    told = untold = 0;
+    each_basin_row(1e-9, steady_only, check_near);
+    print_message("# %d told, %d undecided\n", told, untold);
+    CHECK(told > 9 * untold, "%d told, %d undecided", told, untold);
+}
+
+/* ---- what does not exist ------------------------------------------------- */
+
+static void has(const struct cell *c, unsigned which)
+{
+    for (enum cell_field k = 0; k < CELL_FIELDS; k++)
+        CHECK(isnan(value(c, k)) == !(which >> k & 1u) &&
+                  isnan(error(c, k)) == !(which >> k & 1u),
+              "%s: field %d: %g +- %g", fate_names[c->exit_reason], (int) k,
+              value(c, k), error(c, k));
+}
+
+static void what_does_not_exist_is_not_a_number(void **state)
+{
+    static const struct {
+        const char *law;
+        double v;
+        enum fate fate;
+        unsigned has;
+    } is[] = {
+        { "dieterich_gen", 1e4, FATE_RUNAWAY, 0 },
+        { "dieterich_gen", 1e3, FATE_REST_FINITE, ALL & ~(1u << CELL_MU_PEAK) },
+        { "perrin", 1.0, FATE_REST_ASYMPTOTIC, ALL & ~(1u << CELL_TIME) },
+        { "ruina", 1.0, FATE_REST_ASYMPTOTIC,
+          1u << CELL_V_PEAK | 1u << CELL_MU_PEAK },
+        { "spinodal_gen", 1e3, FATE_CREEP, ALL },
+        { "spinodal_gen", 1e4, FATE_SLIDING, ALL },
+    };
+
+    (void) state;
+    for (size_t i = 0; i < sizeof is / sizeof *is; i++) {
+        struct slope s;
+        slope_make(&s, is[i].law, NULL, "0.34", steady_only);
+        const struct cell c = find_one(&s, is[i].v, 2.0, 1e-4);
+        CHECK(c.exit_reason == (int) is[i].fate, "%s: %s", is[i].law,
+              fate_names[c.exit_reason]);
+        has(&c, is[i].has);
+        slope_free(&s);
+    }
+}
+
+static void a_state_at_a_node_has_arrived(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    const struct vec2 node = s.study.equilibrium[0].z;
+    const double v = exp(node.x + 0.005), psi = exp(node.y - 0.005);
+    const struct cell c = find_one(&s, v, psi, 1e-6);
+    assert_int_equal(c.exit_reason, FATE_CREEP);
+    assert_true(c.slip == 0.0 && c.time == 0.0 && isnan(c.mu_mean));
+    is_near(&c, CELL_V_PEAK, v);
+    slope_free(&s);
+}
+
+static void only_what_is_asked_for_is_computed(void **state)
+{
+    struct slope s;
+    struct cell c, all;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    const struct vec2 z = slope_point(&s, 1e3, 2.0);
+    find(&s, &z, 1, 1e-6, ALL, &all);
+    for (unsigned which = 0; which < 1u << CELL_FIELDS; which += 5) {
+        find(&s, &z, 1, 1e-6, which, &c);
+        assert_int_equal(c.exit_reason, all.exit_reason);
+        has(&c, which);
+    }
+    slope_free(&s);
+}
+
+/* ---- threads, errors ----------------------------------------------------- */
+
+static void a_cell_is_the_same_alone_and_at_any_number_of_threads(void **state)
+{
+    enum { N = 300 };
+    const int threads = omp_get_max_threads();
+    static struct cell one[N], three[N];
+    uint64_t rng = check_seed();
+    struct vec2 z[N];
+    struct slope s;
+    struct cell c;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    for (int i = 0; i < N; i++)
+        z[i] = (struct vec2){ check_uniform(&rng, -10, 13),
+                              check_uniform(&rng, -6, 6) };
+    omp_set_num_threads(1);
+    find(&s, z, N, 1e-3, ALL, one);
+    omp_set_num_threads(3);
+    find(&s, z, N, 1e-3, ALL, three);
+    omp_set_num_threads(threads);
+    for (int i = 0; i < N; i++)
+        CHECK(same(&one[i], &three[i]), "cell %d", i);
+    find(&s, &z[N - 1], 1, 1e-3, ALL, &c);
+    assert_true(same(&c, &one[N - 1]));
+    slope_free(&s);
+}
+
+static void wrong_arguments_leave_the_cells_untouched(void **state)
+{
+    static const double rtol[] = { 0.0, 1.0, -1.0, NAN };
+    struct cell c[2] = { { .exit_reason = 77 }, { .exit_reason = 78 } };
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    const struct vec2 z[] = { { 0.0, 0.0 }, { 700.0, 0.0 } };
+    for (int i = 0; i < 4; i++)
+        assert_int_equal(cells_find(&s.study, z, 1, rtol[i], ALL, NULL, c),
+                         STATUS_BAD_ARGUMENT);
+    assert_int_equal(cells_find(&s.study, z, 2, 1e-6, ALL, NULL, c),
+                     STATUS_BAD_ARGUMENT);
+    assert_true(c[0].exit_reason == 77 && c[1].exit_reason == 78);
+    assert_int_equal(cells_find(&s.study, z, 0, 1e-6, ALL, NULL, c), STATUS_OK);
+    slope_free(&s);
+}
+
+struct hearing {
+    uint64_t done;
+    int calls, most;
+};
+
+static int hear(void *ctx, const char *stage, uint64_t done, uint64_t total)
+{
+    struct hearing *h = ctx;
+
+    assert_string_equal(stage, "cells");
+    assert_true(done > h->done && done <= total);
+    h->done = done;
+    return ++h->calls == h->most;
+}
+
+static void a_monitor_hears_of_cells_and_may_stop(void **state)
+{
+    enum { N = 600 };
+    static struct vec2 z[N];
+    static struct cell c[N];
+    struct hearing all = { .most = -1 }, few = { .most = 2 };
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    for (int i = 0; i < N; i++)
+        z[i] = s.study.equilibrium[0].z;
+    assert_int_equal(
+        cells_find(&s.study, z, N, 1e-3, 0, &(struct monitor){ hear, &all }, c),
+        STATUS_OK);
+    assert_int_equal(all.done, N);
+    assert_int_equal(
+        cells_find(&s.study, z, N, 1e-3, 0, &(struct monitor){ hear, &few }, c),
+        STATUS_STOPPED);
+    assert_true(few.calls == 2 && few.done < N);
+    slope_free(&s);
+}
+
+static void every_allocation_may_fail(void **state)
+{
+    const int threads = omp_get_max_threads();
+    enum status status = STATUS_NO_MEMORY;
+    struct slope s;
+    struct cell c;
+    long k = 0;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    const struct vec2 z = slope_point(&s, 1.0, 0.05);
+    omp_set_num_threads(1);
+    for (; status == STATUS_NO_MEMORY; k++) {
+        fault_alloc_at(k);
+        status = cells_find(&s.study, &z, 1, 1e-3, ALL, NULL, &c);
+    }
+    fault_alloc_at(FAULT_ALLOC_NEVER);
+    omp_set_num_threads(threads);
+    assert_int_equal(status, STATUS_OK);
+    CHECK(k > 10, "%ld allocations", k);
+    slope_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(transients_are_those_of_the_table),
+        cmocka_unit_test(errors_of_random_states_lie_within_their_bars),
+        cmocka_unit_test(a_peak_inside_a_step_is_found_at_any_tolerance),
+        cmocka_unit_test(a_peak_of_v_after_the_start_lies_on_the_nullcline),
+        cmocka_unit_test(energy_is_balanced_in_every_cell),
+        cmocka_unit_test(errors_are_no_larger_than_asked_for),
+        cmocka_unit_test(
+            states_beside_the_boundary_are_never_given_the_other_fate),
+        cmocka_unit_test(what_does_not_exist_is_not_a_number),
+        cmocka_unit_test(a_state_at_a_node_has_arrived),
+        cmocka_unit_test(only_what_is_asked_for_is_computed),
+        cmocka_unit_test(a_cell_is_the_same_alone_and_at_any_number_of_threads),
+        cmocka_unit_test(wrong_arguments_leave_the_cells_untouched),
+        cmocka_unit_test(a_monitor_hears_of_cells_and_may_stop),
+        cmocka_unit_test(every_allocation_may_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,148 @@
+/* Fields over the grid of the basin map. */
+#include "fields.h"
+
+#include "fault_alloc.h"
+#include "slope.h"
+
+#define GRID "window={v: [1e-3, 1e5], psi: [1e-3, 10]}"
+
+static const char *const small[] = { "products=[slip, friction]", GRID,
+                                     "basins={cells: [19, 17], audit: 0, rtol: "
+                                     "1e-4}",
+                                     NULL };
+
+static void products_say_which_fields(void **state)
+{
+    static const struct {
+        const char *products;
+        unsigned which;
+    } ask[] = {
+        { "products=[basins]", 0 },
+        { "products=[slip]", 1u << CELL_SLIP },
+        { "products=[time]", 1u << CELL_TIME },
+        { "products=[friction]", 1u << CELL_MU_MEAN },
+        { "products=[peak]", 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK },
+        { "products=[peak, slip, time, friction]", (1u << CELL_FIELDS) - 1 },
+    };
+
+    (void) state;
+    for (size_t i = 0; i < sizeof ask / sizeof *ask; i++) {
+        const char *const more[] = { ask[i].products, small[2], NULL };
+        struct slope s;
+        slope_make(&s, "spinodal_gen", NULL, "0.34", more);
+        CHECK(s.study.fields.which == ask[i].which, "%s: %x", ask[i].products,
+              s.study.fields.which);
+        CHECK(s.study.cost[STAGE_FIELDS].ran == (ask[i].which != 0), "%s",
+              ask[i].products);
+        slope_free(&s);
+    }
+}
+
+static void a_cell_of_the_grid_is_that_of_its_centre(void **state)
+{
+    enum { N = 19 * 17 };
+    static struct cell all[N], part[N];
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", small);
+    const struct basin_map *m = &s.study.basins;
+    assert_int_equal(fields_find(&s.study.fields, 0, N, NULL, all), STATUS_OK);
+    assert_int_equal(fields_find(&s.study.fields, 40, 100, NULL, part),
+                     STATUS_OK);
+    for (size_t i = 0; i < N; i++) {
+        const struct vec2 z = { log(m->v[i % 19]), log(m->psi[i / 19]) };
+        struct fate_result r;
+        if (i >= 40 && i < 140)
+            CHECK(all[i].slip == part[i - 40].slip, "cell %zu", i);
+        if (i % 10)
+            continue;
+        assert_int_equal(fate_find(&s.study, z, 1e-9, true, NULL, &r), 0);
+        CHECK(r.fate == (enum fate) all[i].exit_reason, "cell %zu", i);
+        CHECK(fabs(r.slip.value - all[i].slip) <= all[i].slip_error &&
+                  fabs(r.mu_mean.value - all[i].mu_mean) <=
+                      all[i].mu_mean_error &&
+                  all[i].slip_error <= 1e-4 * all[i].slip && isnan(all[i].time),
+              "cell %zu: %g +- %g", i, all[i].slip, all[i].slip_error);
+    }
+    slope_free(&s);
+}
+
+static void a_raster_shows_the_window_of_the_grid(void **state)
+{
+    enum { N = 19 * 17 };
+    static struct cell cell[N];
+    static double raster[N];
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", small);
+    assert_int_equal(fields_find(&s.study.fields, 0, N, NULL, cell), STATUS_OK);
+    assert_int_equal(
+        fields_raster(&s.study.fields, CELL_SLIP, 19, 17, NULL, raster),
+        STATUS_OK);
+    for (int i = 0; i < N; i++)
+        CHECK(fabs(raster[i] / cell[i].slip - 1.0) < 1e-3, "%d: %g, %g", i,
+              raster[i], cell[i].slip);
+    assert_int_equal(
+        fields_raster(&s.study.fields, CELL_V_PEAK, 3, 2, NULL, raster),
+        STATUS_OK);
+    CHECK(raster[2] > raster[0], "%g, %g", raster[2], raster[0]);
+    slope_free(&s);
+}
+
+static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
+{
+    int *calls = ctx;
+
+    assert_string_equal(stage, "cells");
+    CHECK(done == 296 && total == 323, "%g of %g", (double) done,
+          (double) total);
+    return ++*calls;
+}
+
+static void a_monitor_hears_of_the_whole_grid(void **state)
+{
+    static struct cell cell[283];
+    struct slope s;
+    int calls = 0;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", small);
+    assert_int_equal(fields_find(&s.study.fields, 40, 283,
+                                 &(struct monitor){ stop, &calls }, cell),
+                     STATUS_STOPPED);
+    assert_int_equal(calls, 1);
+    slope_free(&s);
+}
+
+static void allocations_may_fail(void **state)
+{
+    enum status status = STATUS_NO_MEMORY;
+    struct slope s;
+    double raster[1];
+    long k = 0;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", small);
+    for (; status == STATUS_NO_MEMORY; k++) {
+        fault_alloc_at(k);
+        status = fields_raster(&s.study.fields, CELL_SLIP, 1, 1, NULL, raster);
+    }
+    fault_alloc_at(FAULT_ALLOC_NEVER);
+    assert_int_equal(status, STATUS_OK);
+    CHECK(k > 4, "%ld allocations", k);
+    slope_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(products_say_which_fields),
+        cmocka_unit_test(a_cell_of_the_grid_is_that_of_its_centre),
+        cmocka_unit_test(a_raster_shows_the_window_of_the_grid),
+        cmocka_unit_test(a_monitor_hears_of_the_whole_grid),
+        cmocka_unit_test(allocations_may_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,545 @@
+/* Runs of Figs 14 and 15 against transient.csv, and what must hold of any. */
+#include "transient.h"
+
+#include <float.h>
+
+#include "fault_alloc.h"
+#include "sample.h"
+#include "slope.h"
+#include "tolerance.h"
+
+static struct transient find(const struct slope *s, double v, double psi,
+                             const struct transient_options *o)
+{
+    struct transient t;
+    const struct scene_start start = { v, psi };
+    const enum status status = transient_find(&s->study, start, o, NULL, &t);
+
+    CHECK(status == STATUS_OK, "%s", status_text(status));
+    return t;
+}
+
+/* ---- transient.csv ------------------------------------------------------- */
+
+/* All levels of the table, in two sets. */
+enum { SETS = 2 };
+static const struct moment_level levels[SETS][MOMENT_LEVELS_MAX] = {
+    { { MOMENT_MU_NEARS, 0.1 },
+      { MOMENT_MU_NEARS, 0.01 },
+      { MOMENT_MU_NEARS, 1e-3 },
+      { MOMENT_MU_NEARS, 1e-4 },
+      { MOMENT_MU_NEARS, 1e-5 },
+      { MOMENT_MU_NEARS, 1e-7 },
+      { MOMENT_MU_NEARS, 3e-6 } },
+    { { MOMENT_V, 100 },
+      { MOMENT_V, 1 },
+      { MOMENT_V, 0.01 },
+      { MOMENT_V, 1e-5 },
+      { MOMENT_V, 1e-10 },
+      { MOMENT_PSI, 90 },
+      { MOMENT_MU_NEARS, 0.03 } },
+};
+
+static const struct {
+    const char *kind;
+    enum moment what;
+} kinds[] = {
+    { "v_sp_crossing", MOMENT_V_SP },
+    { "v_minus_crossing", MOMENT_V_MINUS },
+    { "psi_minimum", MOMENT_PSI_MIN },
+    { "mu_minus_tan_below", MOMENT_MU_NEARS },
+    { "mu_minus_tan_above", MOMENT_MU_LEAVES },
+    { "v_equals", MOMENT_V },
+    { "v_equals_final", MOMENT_V },
+    { "psi_rising_to", MOMENT_PSI },
+};
+
+/* The runs of one law and form. */
+struct table_runs {
+    struct slope slope;
+    struct transient t[SETS];
+    double tolerance; /* relative */
+    int rows;
+};
+
+static void start_runs(struct table_runs *r, const struct csv *c,
+                       const char *rtol)
+{
+    const char *const more[] = { "products=[knees]", rtol, NULL };
+    const bool creeps = strcmp(csv_text(c, "law"), "spinodal_gen") == 0;
+
+    slope_make(&r->slope, csv_text(c, "law"), csv_text(c, "form"), "0.34",
+               more);
+    for (int i = 0; i < SETS; i++) {
+        struct transient_options o = transient_defaults(&r->slope.scene);
+        o.level = levels[i];
+        o.levels = MOMENT_LEVELS_MAX;
+        o.until_time = creeps ? 1e6 : 0.0;
+        r->t[i] = find(&r->slope, pow(10, 3.1), 100, &o);
+        CHECK(r->t[i].sum.end ==
+                  (creeps ? TRANSIENT_UNTIL_TIME : TRANSIENT_REST),
+              "%s", transient_end_names[r->t[i].sum.end]);
+    }
+}
+
+static void end_runs(struct table_runs *r)
+{
+    for (int i = 0; i < SETS; i++)
+        transient_free(&r->t[i]);
+    slope_free(&r->slope);
+}
+
+static bool has_level(const struct transient_event *e, double level)
+{
+    return isnan(e->level) || e->what <= MOMENT_V_PLUS ||
+           fabs(e->level - level) <= 1e-12 * level;
+}
+
+/* The event of the row; NULL if it was not seen. */
+static const struct transient_event *event_of(const struct table_runs *r,
+                                              enum moment what,
+                                              const struct csv *c)
+{
+    const double key = csv_number(c, "key", 0), t = csv_number(c, "t", 0);
+    const struct transient_event *best = NULL;
+
+    for (int k = 0; k < SETS; k++)
+        for (size_t i = 0; i < r->t[k].events; i++) {
+            const struct transient_event *e = &r->t[k].event[i];
+            if (e->what == (int8_t) what && has_level(e, key) &&
+                (best == NULL ||
+                 fabs(e->time.value - t) < fabs(best->time.value - t)))
+                best = e;
+        }
+    return best;
+}
+
+/* A level of mu - tan(alpha) is known to some roundings of mu, which moves the
+ * event by that over the rate, per ln(t), of what is watched. */
+static double allowance(const struct table_runs *r,
+                        const struct transient_event *e)
+{
+    const double step = 1e-3 * e->time.value;
+    const struct trajectory_row a =
+        sample_at_time(&r->slope.study, &r->t[0], e->time.value - step);
+    const struct trajectory_row b =
+        sample_at_time(&r->slope.study, &r->t[0], e->time.value + step);
+
+    if (e->what != MOMENT_MU_NEARS && e->what != MOMENT_MU_LEAVES)
+        return 0.0;
+    return 1e-16 * e->mu.value / (fabs(b.mu - a.mu) / 2e-3);
+}
+
+static void is_near(const struct csv *c, const char *column, double found,
+                    double tolerance)
+{
+    const double expected = csv_number(c, column, 0);
+
+    CHECK(fabs(found - expected) <= tolerance * fabs(expected),
+          "row %zu (%s %s), %s: %.17g, expected %.17g, off by %.1e of it "
+          "(%.1e)",
+          c->row, csv_text(c, "kind"), csv_text(c, "key"), column, found,
+          expected, fabs(found / expected - 1.0), tolerance);
+}
+
+static void check_event(const struct table_runs *r, enum moment what,
+                        const struct csv *c)
+{
+    const struct transient_event *e = event_of(r, what, c);
+
+    CHECK(e != NULL, "row %zu: no such event", c->row);
+    const double tolerance = r->tolerance + allowance(r, e);
+    const struct {
+        const char *column;
+        const struct quantity *q;
+    } part[] = { { "t", &e->time },
+                 { "x", &e->slip },
+                 { "v", &e->v },
+                 { "psi", &e->psi },
+                 { "mu", &e->mu } };
+    for (int i = 0; i < 5; i++) {
+        const double expected = csv_number(c, part[i].column, 0);
+        is_near(c, part[i].column, part[i].q->value, tolerance);
+        CHECK(fabs(part[i].q->value - expected) <=
+                  part[i].q->error + 2.0 * allowance(r, e) * expected,
+              "row %zu (%s), %s: %.17g, expected %.17g, bar %.1e, off %.1e",
+              c->row, csv_text(c, "kind"), part[i].column, part[i].q->value,
+              expected, part[i].q->error, part[i].q->value - expected);
+    }
+}
+
+static void check_sample(const struct table_runs *r, const struct csv *c)
+{
+    const bool timed = strcmp(csv_text(c, "kind"), "time") == 0;
+    const double key = csv_number(c, "key", 0);
+    const struct trajectory_row at =
+        timed ? sample_at_time(&r->slope.study, &r->t[0], key)
+              : sample_at_slip(&r->slope.study, &r->t[0], key);
+
+    is_near(c, "t", at.time, r->tolerance);
+    is_near(c, "x", at.slip, r->tolerance);
+    is_near(c, "v", at.v, r->tolerance);
+    is_near(c, "psi", at.psi, r->tolerance);
+    is_near(c, "mu", at.mu, r->tolerance);
+}
+
+/* Minima of mu are flat: their places are exempt, their values are not. */
+static void check_table_row(struct table_runs *r, const struct csv *c)
+{
+    const char *kind = csv_text(c, "kind");
+
+    r->rows++;
+    if (strcmp(kind, "time") == 0 || strcmp(kind, "slip") == 0)
+        check_sample(r, c);
+    else if (strcmp(kind, "mu_minimum") == 0)
+        is_near(c, "mu", event_of(r, MOMENT_MU_MIN, c)->mu.value, 1e-13);
+    else if (strcmp(kind, "initial") != 0)
+        for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+            if (strcmp(kind, kinds[i].kind) == 0)
+                check_event(r, kinds[i].what, c);
+}
+
+static void check_table(const char *rtol, double tolerance)
+{
+    struct table_runs r = { .tolerance = tolerance };
+    struct csv c;
+    char law[64] = "";
+
+    csv_open(&c, "transient.csv");
+    while (csv_next(&c)) {
+        char name[64];
+        snprintf(name, sizeof name, "%s %s", csv_text(&c, "law"),
+                 csv_text(&c, "form"));
+        if (strcmp(name, law) != 0) {
+            if (law[0])
+                end_runs(&r);
+            strcpy(law, name);
+            start_runs(&r, &c, rtol);
+        }
+        check_table_row(&r, &c);
+    }
+    end_runs(&r);
+    CHECK(r.rows >= 250, "%d rows", r.rows);
+}
+
+static void every_reference_row_holds_at_the_default_accuracy(void **state)
+{
+    (void) state;
+    check_table("accuracy.rtol=1e-12", 1e-8);
+}
+
+static void every_reference_row_holds_at_the_tightest_accuracy(void **state)
+{
+    (void) state;
+    check_table("accuracy.rtol=1e-14", 1e-11);
+}
+
+/* ---- single runs --------------------------------------------------------- */
+
+static void make(struct slope *s, const char *law)
+{
+    slope_make(s, law, NULL, "0.34",
+               (const char *const[]){ "products=[knees]", NULL });
+}
+
+/* From the start of Figs 14 and 15, or another; limits 0: none. */
+static struct transient run(const struct slope *s, double v, double psi,
+                            double until_time, double until_slip)
+{
+    struct transient_options o = transient_defaults(&s->scene);
+
+    o.until_time = until_time;
+    o.until_slip = until_slip;
+    return find(s, v, psi, &o);
+}
+
+static void is_quantity(const struct quantity *q, double expected, double far)
+{
+    CHECK(quantity_exists(q) && fabs(q->value - expected) <= far,
+          "%.17g, expected %.17g: %s", q->value, expected,
+          q->reason ? q->reason : "");
+}
+
+static void the_block_of_fig_14_rests_when_the_reference_says(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    make(&s, "dieterich_gen");
+    struct transient t = run(&s, pow(10, 3.1), 100, 0, 0);
+    const double time = 0.8417232056933424, slip = 0.4942932325338876;
+    assert_int_equal(t.sum.fate, FATE_REST_FINITE);
+    assert_int_equal(t.sum.end, TRANSIENT_REST);
+    is_quantity(&t.sum.time, time, t.sum.time.error);
+    is_quantity(&t.sum.slip, slip, t.sum.slip.error);
+    is_quantity(&t.sum.time, time, 1e-12);
+    is_quantity(&t.sum.slip, slip, 1e-12);
+    const struct transient_event *last = &t.event[t.events - 1];
+    assert_int_equal(last->what, MOMENT_REST);
+    is_quantity(&last->time, time, 1e-12);
+    is_quantity(&last->v, 0, 0);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+/* Sec. 4.4 reads 0.325 and 0.494 off Fig 14(a). */
+static void the_phases_of_fig_14_are_those_of_the_paper(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    make(&s, "dieterich_gen");
+    struct transient t = run(&s, pow(10, 3.1), 100, 0, 0);
+    is_quantity(&t.phase[0].start_slip, 0, 0);
+    is_quantity(&t.phase[0].end_slip, 0.325, 5e-4);
+    is_quantity(&t.phase[1].start_slip, t.phase[0].end_slip.value, 0);
+    is_quantity(&t.phase[1].end_slip, 0.494, 5e-4);
+    is_quantity(&t.phase[2].start_time, t.phase[1].end_time.value, 0);
+    is_quantity(&t.phase[2].end_time, t.sum.time.value, 0);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+static void without_v_minus_there_is_no_third_phase(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    make(&s, "spinodal");
+    struct transient t = run(&s, 1e2, 2, 0, 0);
+    assert_int_equal(t.sum.end, TRANSIENT_ARREST);
+    assert_true(quantity_exists(&t.phase[1].end_time));
+    assert_false(quantity_exists(&t.phase[2].start_time));
+    transient_free(&t);
+    slope_free(&s);
+}
+
+static void a_start_below_v_minus_is_in_the_third_phase(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    make(&s, "dieterich_gen");
+    struct transient t = run(&s, 1e-3, 10, 0, 0);
+    assert_int_equal(t.sum.end, TRANSIENT_REST);
+    assert_false(quantity_exists(&t.phase[0].start_time));
+    assert_false(quantity_exists(&t.phase[1].start_time));
+    is_quantity(&t.phase[2].start_time, 0, 0);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+/* Rates there are rounding, and change sign hundreds of times. */
+static void nothing_turns_where_the_block_only_creeps(void **state)
+{
+    struct slope s;
+    int turns[MOMENTS] = { 0 };
+
+    (void) state;
+    make(&s, "spinodal_gen");
+    struct transient t = run(&s, pow(10, 3.1), 100, 1e6, 0);
+    for (size_t i = 0; i < t.events; i++)
+        turns[t.event[i].what]++;
+    assert_int_equal(turns[MOMENT_PSI_MIN], 1);
+    assert_int_equal(turns[MOMENT_MU_MIN], 1);
+    assert_int_equal(turns[MOMENT_MU_MAX], 1);
+    assert_int_equal(
+        turns[MOMENT_PSI_MAX] + turns[MOMENT_V_MIN] + turns[MOMENT_V_MAX], 0);
+    assert_int_equal(turns[MOMENT_ARREST], 1);
+    assert_int_equal(t.sum.end, TRANSIENT_UNTIL_TIME);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+static void every_law_keeps_the_balance_of_energy(void **state)
+{
+    static const char *const law[] = { "dieterich",       "dieterich_gen",
+                                       "ruina",           "perrin",
+                                       "spinodal",        "spinodal_gen",
+                                       "spinodal_phi_gen" };
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 7; i++) {
+        struct slope s;
+        make(&s, law[i]);
+        for (int k = 0; k < 3; k++) {
+            const double v = exp(check_uniform(&seed, -3, 8));
+            const double psi = exp(check_uniform(&seed, -2, 2));
+            struct transient t = run(&s, v, psi, 0, 0);
+            CHECK(t.sum.end != TRANSIENT_LOST && t.curve.count > 0,
+                  "%s from (%g, %g)", law[i], v, psi);
+            CHECK(fabs(t.sum.energy_defect) <= 1e-10, "%s from (%g, %g): %g",
+                  law[i], v, psi, t.sum.energy_defect);
+            transient_free(&t);
+        }
+        slope_free(&s);
+    }
+}
+
+static void runs_end_where_they_are_told(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    make(&s, "dieterich_gen");
+    struct transient t = run(&s, pow(10, 3.1), 100, 0.1, 0);
+    assert_int_equal(t.sum.end, TRANSIENT_UNTIL_TIME);
+    is_quantity(&t.sum.time, 0.1, 1e-15);
+    transient_free(&t);
+    t = run(&s, pow(10, 3.1), 100, 0, 0.25);
+    assert_int_equal(t.sum.end, TRANSIENT_UNTIL_SLIP);
+    is_quantity(&t.sum.slip, 0.25, 1e-15);
+    assert_int_equal(t.sum.fate, FATE_REST_FINITE);
+    transient_free(&t);
+    t = run(&s, 4e3, 10, 0, 0);
+    assert_int_equal(t.sum.end, TRANSIENT_RUNAWAY);
+    assert_int_equal(t.sum.fate, FATE_RUNAWAY);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+static void slow_orbits_are_followed_far(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    make(&s, "dieterich");
+    struct transient t = run(&s, 1, 2, 0, 0);
+    assert_int_equal(t.sum.end, TRANSIENT_FADED);
+    assert_int_equal(t.sum.fate, FATE_REST_ASYMPTOTIC);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+static void a_start_at_a_node_goes_nowhere(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    make(&s, "spinodal_gen");
+    struct transient t = run(&s, 0.0011727063018, 90.39886780, 0, 0);
+    assert_int_equal(t.sum.end, TRANSIENT_ARREST);
+    assert_int_equal(t.sum.fate, FATE_CREEP);
+    assert_int_equal(t.curve.count, 0);
+    assert_false(quantity_exists(&t.phase[0].start_time));
+    is_quantity(&t.sum.slip, 0, 0);
+    transient_free(&t);
+    t = run(&s, 0.0011727063018, 90.39886780, 10, 0);
+    assert_int_equal(t.sum.end, TRANSIENT_UNTIL_TIME);
+    is_quantity(&t.sum.slip, 0.011727063018, 1e-9);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+static void samples_are_evenly_spaced_and_on_the_orbit(void **state)
+{
+    enum { N = 50 };
+    struct trajectory_row by_slip[N], by_time[N];
+    struct slope s;
+
+    (void) state;
+    make(&s, "dieterich_gen");
+    struct transient t = run(&s, pow(10, 3.1), 100, 0, 0);
+    sample_linear_slip(&s.study, &t, N, by_slip);
+    sample_log_time(&s.study, &t, N, by_time);
+    const double ratio = by_time[1].time / by_time[0].time;
+    for (int i = 0; i + 1 < N; i++) {
+        CHECK(fabs(by_slip[i + 1].slip - by_slip[i].slip -
+                   t.sum.slip.value / (N - 1)) < 1e-12,
+              "%d", i);
+        CHECK(fabs(by_time[i + 1].time / by_time[i].time / ratio - 1) < 1e-9,
+              "%d", i);
+        const struct trajectory_row at =
+            sample_at_time(&s.study, &t, by_slip[i].time);
+        CHECK(fabs(at.slip - by_slip[i].slip) < 1e-12, "%d: %.17g, %.17g", i,
+              at.slip, by_slip[i].slip);
+    }
+    CHECK(by_slip[0].time == 0 && by_slip[0].slip == 0, "%g", by_slip[0].time);
+    CHECK(fabs(by_time[N - 1].time - t.sum.time.value) < 1e-12, "%g",
+          by_time[N - 1].time);
+    CHECK(by_time[0].time < 1e-40, "%g", by_time[0].time);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+static void starts_outside_the_domain_are_refused(void **state)
+{
+    struct slope s;
+    struct transient t;
+
+    (void) state;
+    make(&s, "perrin");
+    const struct transient_options o = transient_defaults(&s.scene);
+    assert_int_equal(
+        transient_find(&s.study, (struct scene_start){ 1, 800 }, &o, NULL, &t),
+        STATUS_BAD_ARGUMENT);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
+{
+    (void) ctx, (void) stage, (void) done, (void) total;
+    return 1;
+}
+
+static void a_monitor_stops_a_run(void **state)
+{
+    const struct monitor monitor = { .tell = stop };
+    struct slope s;
+    struct transient t;
+
+    (void) state;
+    make(&s, "dieterich_gen");
+    const struct transient_options o = transient_defaults(&s.scene);
+    assert_int_equal(transient_find(&s.study, (struct scene_start){ 1e3, 10 },
+                                    &o, &monitor, &t),
+                     STATUS_STOPPED);
+    slope_free(&s);
+}
+
+static void every_failing_allocation_is_reported(void **state)
+{
+    struct slope s;
+    struct transient t;
+    enum status status = STATUS_NO_MEMORY;
+    long k;
+
+    (void) state;
+    make(&s, "dieterich_gen");
+    struct transient_options o = transient_defaults(&s.scene);
+    o.rtol = 1e-7;
+    for (k = 0; status == STATUS_NO_MEMORY; k++) {
+        fault_alloc_at(k);
+        status = transient_find(&s.study, (struct scene_start){ 1e3, 10 }, &o,
+                                NULL, &t);
+    }
+    fault_alloc_at(FAULT_ALLOC_NEVER);
+    assert_int_equal(status, STATUS_OK);
+    CHECK(k > 6, "%ld allocations", k);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_reference_row_holds_at_the_default_accuracy),
+        cmocka_unit_test(every_reference_row_holds_at_the_tightest_accuracy),
+        cmocka_unit_test(the_block_of_fig_14_rests_when_the_reference_says),
+        cmocka_unit_test(the_phases_of_fig_14_are_those_of_the_paper),
+        cmocka_unit_test(without_v_minus_there_is_no_third_phase),
+        cmocka_unit_test(a_start_below_v_minus_is_in_the_third_phase),
+        cmocka_unit_test(nothing_turns_where_the_block_only_creeps),
+        cmocka_unit_test(every_law_keeps_the_balance_of_energy),
+        cmocka_unit_test(runs_end_where_they_are_told),
+        cmocka_unit_test(slow_orbits_are_followed_far),
+        cmocka_unit_test(a_start_at_a_node_goes_nowhere),
+        cmocka_unit_test(samples_are_evenly_spaced_and_on_the_orbit),
+        cmocka_unit_test(starts_outside_the_domain_are_refused),
+        cmocka_unit_test(a_monitor_stops_a_run),
+        cmocka_unit_test(every_failing_allocation_is_reported),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
