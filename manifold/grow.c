@@ -363,10 +363,10 @@ static bool try_close(struct grower *g)
     g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
     g->b->sign = g->toward;
     *(g->ind == 1 ? &g->z.x : &g->z.y) += t.unknown;
-    g->delta += t.unknown_error;
+    g->delta += TOL_TAIL_BAR * t.unknown_error;
     for (size_t i = 0; i < g->o->carry.count; i++) {
         g->total[i] += t.integral[i];
-        g->b->total_error[i] += t.integral_error[i];
+        g->b->total_error[i] += TOL_TAIL_BAR * t.integral_error[i];
     }
     return true;
 }

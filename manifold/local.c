@@ -14,8 +14,6 @@
 
 #include "tolerance.h"
 
-enum { UNITS = 8 }; /* tried */
-
 /* Working series: the field along the graph. */
 struct graph {
     const struct planar *sys;
@@ -189,38 +187,50 @@ static enum status find_radius(const struct planar *sys,
     return radius > 1e-12 ? STATUS_OK : STATUS_NO_CONVERGENCE;
 }
 
-/* The length over which the field changes, in units, from the highest
- * coefficient that has not overflowed. */
+/* The length over which the field changes, in units: from the larger of the
+ * last two coefficients, for one may vanish by symmetry; 0 where they have
+ * overflowed, infinite where both vanish. */
 static double length_of(const struct local_series *u)
 {
     const double first = u->c[1] == 0.0 ? u->unit : u->c[1];
+    double length = HUGE_VAL;
 
-    for (size_t k = u->order; k >= 2; k--) {
+    for (size_t k = u->order - 1; k <= u->order; k++) {
         const double ratio = fabs(u->c[k] / first);
-        if (ratio > 0.0 && isfinite(ratio))
-            return pow(ratio, -1.0 / (double) (k - 1));
+        if (!isfinite(ratio))
+            return 0.0;
+        if (ratio > 0.0)
+            length = fmin(length, pow(ratio, -1.0 / (double) (k - 1)));
     }
-    return u->c[2] == 0.0 ? 1.0 : TOL_SERIES_SHRINK;
+    return length;
 }
 
-/* The series of the given slope, in a smaller unit where powers of the length
- * over which the field changes would overflow. */
+/* The series of the given slope, in a smaller unit - found by bisection of its
+ * exponent - where powers of the length over which the field changes would
+ * overflow. */
 static void expand(const struct planar *sys, const struct carry *carry,
                    const struct equilibrium *e, enum manifold_kind kind,
                    double slope, struct local_series *u)
 {
-    double rate[LOCAL_CARRY_MAX][JET_SIZE], length = 1.0;
+    const double near = TOL_SERIES_NEAR;
+    double rate[LOCAL_CARRY_MAX][JET_SIZE];
     struct graph g = { .sys = sys };
+    int least = DBL_MIN_EXP, most = 0, exponent = 0;
 
     g.work.linear = g.s;
-    u->unit = 1.0;
-    for (int i = 0; i == 0 || (i < UNITS && length < TOL_SERIES_NEAR); i++) {
-        u->unit *= exp2(floor(log2(length)));
-        u->c[0] = 0.0;
+    u->c[0] = 0.0;
+    for (;;) {
+        u->unit = ldexp(1.0, exponent);
         u->c[1] = slope * u->unit;
         g.s[1] = u->unit;
         build(&g, carry, e, kind, u, rate);
-        length = length_of(u);
+        const double length = length_of(u);
+        if (length > near && (length < 1.0 / near || exponent == 0))
+            break;
+        *(length > near ? &least : &most) = exponent;
+        if (most - least < 2)
+            break;
+        exponent = least + (most - least) / 2;
     }
     build_integrals(&g, carry, rate, u);
 }

@@ -8,7 +8,7 @@
 #include "fault_alloc.h"
 #include "reference_rows.h"
 #include "rows.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 static char law_option[] = "law.preset=spinodal_gen";
 static char slope_option[] = "slope.alpha=0.34";

@@ -1,6 +1,7 @@
 /*
  * tolerance.h -- every tunable number of Slipway: default, unit, reason.
- * No algorithm has a literal tolerance of its own.
+ * No algorithm has a literal tolerance of its own; those of lib/study alone are
+ * in study_tolerance.h.
  */
 #ifndef CORE_TOLERANCE_H
 #define CORE_TOLERANCE_H
@@ -48,10 +49,8 @@
  * beyond, the defect at the two ends no longer speaks for the middle. */
 #define TOL_SERIES_RADIUS_MAX 2.0
 /* Where a field changes over less than this, in ln v or ln psi, series are in
- * a smaller unit: its powers of a thirtieth would overflow.  And by how much
- * smaller where even the first ones do. */
-#define TOL_SERIES_NEAR   1e-6
-#define TOL_SERIES_SHRINK 1e-100
+ * a smaller unit: the thirtieth power of a smaller length overflows. */
+#define TOL_SERIES_NEAR 1e-6
 /* A step is kept when the series' slope agrees with the field's at its end to
  * this many times its tolerance: a derivative loses a factor of the order. */
 #define TOL_SLOPE_CHECK 300.0
@@ -65,12 +64,9 @@
 #define TOL_TAIL_PART 10.0
 #define TOL_TAIL_MOST 1e-3
 #define TOL_TAIL      1e-8
-/* Stored rows of a branch: a reader's Hermite interpolation is this near the
- * curve, in ln v or ln psi; and the largest distance between two rows. */
-#define TOL_HERMITE     1e-6
-#define TOL_ROW_SPACING 0.5
-/* Curves run on beyond the window by this much of its width. */
-#define TOL_WINDOW_MARGIN 0.1
+/* Its bar: this many times the quadrature's own difference (measured: a kink
+ * beyond cost 1.1 of it, once in 50 000 bars). */
+#define TOL_TAIL_BAR 2.0
 /* Below this no double changes any more: the branch is its asymptote. */
 #define TOL_TAIL_NIL 1e-18
 /* Longest Taylor step, in the independent coordinate. */
@@ -172,23 +168,6 @@
 /* Growth of a file in memory, bytes: larger than most whole files. */
 #define STORE_GROWTH ((size_t) 1 << 20)
 
-/* Nullclines as drawn: the polyline is this near the curve, as a part of the
- * window: a tenth of a pixel; and arrows of the direction field along each
- * side of the window. */
-#define TOL_ARROWS 20
-
-/* Trajectories that only fill a picture: their starts are arbitrary, and a
- * ten-thousandth of ln v is far below a pixel. */
-#define TOL_SPREAD_RTOL 1e-4
-
-/* What is left out of a Taylor step, in units of its last two terms: the rest
- * of a series used near its radius of convergence. */
-#define TOL_SAFETY 4.0
-
-/* The unstable manifold is followed from its series at most this far from the
- * saddle: no gap that an eye could see. */
-#define TOL_UNSTABLE_START 1e-3
-
 /* The stable manifold in eigen-coordinates (eigen.c).  Step tolerance for a
  * promise of rtol, the smallest that doubles hold, and that of the second run
  * to compare with. */
@@ -254,10 +233,9 @@
 /* Checks against stored numbers.  Today's are computed to this accuracy, so
  * that their own bars hide as little as possible. */
 #define CHECK_RTOL 1e-13
-/* What rounding an input by half an ulp costs
- * is a central difference over this part of the input, tried a hundredth as
- * large where a fold is nearer; and a margin, for a difference is no
- * derivative. */
+/* What rounding an input by half an ulp costs is a central difference over this
+ * part of the input, tried a hundredth as large where a fold is nearer; and a
+ * margin, for a difference is no derivative. */
 #define CHECK_NUDGE     1e-7
 #define CHECK_NUDGE_MIN 1e-12
 #define CHECK_MARGIN    1.2
@@ -274,59 +252,6 @@
  * is that near the truth. */
 #define CHECK_RECORDED_BARS 2.0
 
-/* An orbit rests where v would reach zero, and psi infinity, within this part
- * of the time it took so far; power laws are far above it.  And the steps an
- * orbit may take: ten times what an accurate one to a node needs. */
-#define TOL_REST_SOON 1e-10
-/* Below this ln v (1e-10) a rest is taken for one when hundred times less than
- * the time so far is left. */
-#define TOL_REST_DEEP      (-23.0)
-#define TOL_REST_DEEP_SOON 0.01
-#define TOL_FATE_STEPS     50000
-/* An orbit that has not arrived after so many times the slowest scale of the
- * steady states has left every scale; below this power of time it has not. */
-#define TOL_FATE_LATE     1e30
-#define TOL_FATE_TIME_MAX 1e200
-#define TOL_FATE_POWER    0.1
-/* v fades like a power of time when that is the same, to CHANGE, over the last
- * factor PART of the time and the one before, further than DEPTH below v_sp in
- * ln v; looked at every so many steps.  Its slip may grow like a logarithm
- * where the power is within LOGARITHM/ln(t) of 1. */
-#define TOL_FADE_PART      0.01
-#define TOL_FADE_CHANGE    0.1
-#define TOL_FADE_DEPTH     (-12.0)
-#define TOL_FADE_STEPS     32
-#define TOL_FADE_LOGARITHM 3.0
-
-/* The boxes beside a node where the fates of regions are asked for first, in
- * ln v and ln psi from the node: outside TOL_ARREST, well inside its basin, so
- * that orbits are short and need not be accurate. */
-#define TOL_FATE_BESIDE_FROM (-0.1)
-#define TOL_FATE_BESIDE_TO   (-0.02)
-#define TOL_FATE_BESIDE_RTOL 1e-4
-
-/* Half the sides of the boxes around the anchor where fates are asked for next,
- * in ln v and ln psi: near it orbits are gentle. */
-#define TOL_FATE_NEAR 3.0
-#define TOL_FATE_FAR  20.0
-
-/* Labels by forward integration (trap.c): how far inside a quadrant its own
- * orbit starts; accuracy of the first attempt, and of the next ones; and the
- * distance from the saddle, in tolerances, at which a label is certain: errors
- * of a few hundred steps, grown a hundredfold on the way. */
-#define TOL_TRAP_START  0.5
-#define TOL_TRAP_RTOL   1e-6
-#define TOL_TRAP_FINER  1e-3
-#define TOL_TRAP_FINEST 5e-13
-#define TOL_TRAP_FAR    1e4
-/* The same for the distance from the stable manifold where an orbit is caught:
- * a few steps, not magnified. */
-#define TOL_TRAP_SIDE 30.0
-/* First step in the chart, and steps before an orbit is followed to its end
- * by the L-stable method instead. */
-#define TOL_TRAP_STEP  1.0
-#define TOL_TRAP_STEPS 1000
-
 /* Areas beside a separatrix: relative error of a piece, and how often one is
  * halved around a kink. */
 #define TOL_AREA       1e-13
@@ -335,50 +260,8 @@
 /* From so many rows of a basin map on, threads pay. */
 #define BASIN_PARALLEL_ROWS 4096
 
-/* Shares of a window are differences of areas, which round. */
-#define TOL_SHARE_ROUNDING 1e-14
-
-/* One state (push.c).  Its orbit is run at two tolerances, the coarse one and
- * the next finer; where their fates differ, finer ones, down to the finest.
- * What rounding does to a coordinate and to a root, per unit of either. */
-#define TOL_PUSH_COARSE   1e-9
-#define TOL_PUSH_FINER    0.01
-#define TOL_PUSH_FINEST   5e-14
-#define TOL_PUSH_ROUNDING 0x1p-50
-
-/* Sensitivities (sensitivity.c).  Tolerance of the finer run, as a part of what
- * is asked for, down to what doubles hold; never ask less of the coarser one;
- * Gauss points a piece of the two (measured: 8 leave 1e-13). */
-#define TOL_VARIATION_FINE     0.03
-#define TOL_VARIATION_FINEST   3e-14
-#define TOL_VARIATION_COARSEST 1e-12
-#define TOL_VARIATION_NODES    10
-#define TOL_VARIATION_FEWER    7
 /* Shortest part of a piece. */
 #define TOL_VARIATION_SHORTEST 0x1p-20
-/* Bars: this many times the finer run's tolerance, for two runs may agree by
- * chance; e-folds that what is left at the end may take to decay; above this
- * part of the value it never does; roundings, in units of roundoff; and the
- * part of the bar of the saddle's place that is felt (measured: 1/4000). */
-#define TOL_VARIATION_BAR      5.0
-#define TOL_VARIATION_REST     10.0
-#define TOL_VARIATION_OPEN     1e-9
-#define TOL_VARIATION_ROUNDING 64.0
-#define TOL_VARIATION_PLACE    0.1
-
-/* Conditioning (conditioning.c): accuracy of the recomputed numbers; the first
- * change of an input, relative, a fold further than ten times that away; how
- * much smaller it gets in a step, and at most.  Two differences are alike when
- * they differ by less than BEND, or by what noise may do; a derivative is
- * trusted to TRUST. */
-#define TOL_CONDITION_RTOL      1e-12
-#define TOL_CONDITION_NUDGE     1e-7
-#define TOL_CONDITION_SHRINK    0.01
-#define TOL_CONDITION_NUDGE_MIN 1e-12
-#define TOL_CONDITION_BEND      0.1
-#define TOL_CONDITION_NOISE     1e-11
-#define TOL_CONDITION_TRUST     1e-2
-
 /* The clock of an orbit: this part of the field's largest rate, so that its
  * rounding, 1e-15 of it, stays far below, and the stages of a step, which start
  * as far as this from a slow curve, are solved without slowing the clock; no
@@ -414,78 +297,13 @@
  * limit: those of laws decay at a rate of 1 at least, or do not. */
 #define TOL_LIMIT_DECAY 0.2
 
-/* Cells run to their fates (cells.c).  Relative accuracy where the scene does
- * not say: four digits more than arrest is defined to.  Orbits are first
- * followed to this part of the accuracy asked for (errors of slip and time are
- * some ten times the tolerance), at most this (looser ones miss where a block
- * rests), then finer by this factor, down to the finest that doubles hold, as
- * long as bars shrink to this part; least bar, in tolerances of the finest run;
- * what rounding does to a coordinate, per unit of it; and what steps leave
- * across the stable manifold, in tolerances (measured: 4e-3 at most). */
-#define TOL_CELLS_RTOL     1e-6
-#define TOL_CELLS_START    0.1
-#define TOL_CELLS_COARSEST 1e-5
-#define TOL_CELLS_FINER    0.1
-#define TOL_CELLS_FINEST   1e-12
-#define TOL_CELLS_GAIN     0.7
-#define TOL_CELLS_LEAST    10.0
-#define TOL_CELLS_ROUNDING 0x1p-50
-#define TOL_CELLS_ACROSS   0.01
-/* Fields in pictures (fields.c): a thousandth is less than a tint. */
-#define TOL_FIELDS_PICTURE 1e-3
+/* Fields of a basin map, relative accuracy where the scene does not say: four
+ * digits more than arrest is defined to. */
+#define TOL_CELLS_RTOL 1e-6
 
-/* Peaks along an orbit (peak.c).  Samples of a step; the part of the distance
- * between three samples at which a peak is found: it errs by the square.  The
- * steps around it are followed again to this part of the orbit's tolerance,
- * down to the finest. */
-#define TOL_PEAK_SAMPLES 4
-#define TOL_PEAK_WIDTH   1e-6
-#define TOL_PEAK_FINER   1e-3
-#define TOL_PEAK_FINEST  1e-13
-
-/* Transients (moment.c, transient.c).  Below this component of a direction mu
- * is compared with tan(alpha) itself; a block rests where less than this part
- * of the time so far is left, below this ln v (1e-11) where TOL_REST_DEEP_SOON
- * of it is; and how far, on a piece, one looks to both sides
- * of an event to see which way it goes. */
-#define TOL_MOMENT_DIRECTION 1e-100
-#define TOL_MOMENT_REST      1e-17
-#define TOL_MOMENT_DEEP      (-25.4)
-#define TOL_MOMENT_ASIDE     0.05
-
-/* A turn of ln v, ln psi or mu along an orbit is one when it is this many
- * times the orbit's tolerance high (rounding makes turns a tenth of it high);
- * bars in units of what the coarser orbit changes, for two may agree by
- * chance; and what rounding does to numbers along an orbit, in units of
- * roundoff, at once and with each step (measured: half of that). */
-#define TOL_TIMELINE_TURN     1.0
-#define TOL_TIMELINE_BAR      8.0
-#define TOL_TIMELINE_ROUNDING 16.0
-#define TOL_TIMELINE_STEP     0.02
-
-/* Orbits of transients: tolerance as a part of what is asked for (their events
- * are good to a hundredth of it), the finest that helps and the coarsest that
- * still follows the curve; that of the second orbit, to compare with; steps,
- * several times what the finest takes; how much looser the next attempt is
- * where they do not suffice; where a block runs away or fades, as
- * factors on v; and where arrest is looked for at the end of a run that was
- * arrested, in units of its distance; and the relative defect of the balance
- * of energy of a run that is wrong, in units of rtol (measured: 1e-3). */
-#define TOL_TRANSIENT_STEP     10.0
-#define TOL_TRANSIENT_FINEST   3e-13
-#define TOL_TRANSIENT_COARSEST 1e-6
-#define TOL_TRANSIENT_RATIO    10.0
-#define TOL_TRANSIENT_STEPS    60000
-#define TOL_TRANSIENT_RETREAT  100.0
-#define TOL_TRANSIENT_FAST     1e6
-#define TOL_TRANSIENT_SLOW     1e-8
-#define TOL_TRANSIENT_REACH    2.0
-#define TOL_TRANSIENT_ENERGY   1e5
-
-/* Phases of sliding: a block is on the v-nullcline where mu is this near to
- * tan(alpha), relative (inertia takes it there at once, friction laws change
- * by more along the way). */
-#define TOL_PHASE_NEAR 0.01
+/* Relative defect of the balance of energy of a transient that is wrong, in
+ * units of rtol (measured: 1e-3). */
+#define TOL_TRANSIENT_ENERGY 1e5
 
 /* Fits to Rabinowicz's experiment (lib/fit).  Iterations and tolerance of the
  * parameters, of order one: far below what noise leaves; passes that find
@@ -529,66 +347,5 @@
 
 /* What a few operations round, as a part of a release distance. */
 #define RELEASE_ROUNDING 0x1p-50
-
-/* The slow curve (slow_curve.c).  Accuracy of its orbit, and of a second one of
- * what is left of a rest; steps, in e-folds of the slow rate and in ln psi,
- * that polynomials of degree 5 bear to 1e-11, and their number; how much of
- * what twice the step misses one step may; and the largest ratio of the slow
- * rate to the fast one. */
-#define TOL_SLOW_RTOL    1e-11
-#define TOL_SLOW_COARSE  1e-10
-#define TOL_SLOW_STEP    0.05
-#define TOL_SLOW_LONGEST 0.1
-#define TOL_SLOW_STEPS   20000
-#define TOL_SLOW_MISSED  0.05
-#define TOL_SLOW_GAP     0.1
-/* Its series at the saddle: order, and end, where it is the tangent to as many
- * digits.  Beyond a node: nearest and furthest start in ln psi, growth of the
- * steps to it, halvings of the domain, and e-folds after which any orbit is on
- * it to rounding. */
-#define TOL_SLOW_ORDER    8
-#define TOL_SLOW_START    1e-5
-#define TOL_SLOW_NEAREST  0.02
-#define TOL_SLOW_FURTHEST 15.0
-#define TOL_SLOW_GAP_LEAST_X 1e-14
-#define TOL_SLOW_GAP_LEAST_Y 1e-11
-#define TOL_SLOW_CLEAR 0.003
-#define TOL_SLOW_GAP_START 0.5
-#define TOL_SLOW_STRIDE   1.1
-#define TOL_SLOW_HALVINGS 60
-#define TOL_SLOW_SETTLED  36.0
-/* Roundings of a sum of a thousand steps, relative to the sum. */
-#define TOL_SLOW_ROUNDING 0x1p-46
-
-/* The fast layer (layer.c): tolerance for a promise of rtol, landing distance
- * from it on, and closer for a finer one; how far beyond the distance a step
- * aims; nearest to an arrest box; steps.  Bars: what the fibre's curvature and
- * the slow rates change of what it corrects, and of errors of the steps. */
-#define TOL_LAYER_PART 1e-2
-#define TOL_LAYER_PLAIN     1e-6
-#define TOL_LAYER_LANDING   0.03
-#define TOL_LAYER_CLOSER    0.001
-#define TOL_LAYER_AIM       0.7
-#define TOL_LAYER_NEAREST   1e-4
-#define TOL_LAYER_ARREST    1.01
-#define TOL_LAYER_STEPS     200
-#define TOL_LAYER_FIRST     0.1
-#define TOL_LAYER_BEND      5.0
-#define TOL_LAYER_TRANSPORT 3.0
-#define TOL_LAYER_MU 20.0
-/* A side of the saddle is told from this much of the distance on; what is left
- * of the distance by a step towards a peak beside the curve. */
-#define TOL_LAYER_SIDE    0.5
-#define TOL_LAYER_RISE    0.3
-/* A maximum on a step (crest.c): samples, and the part of it it is found to. */
-#define TOL_CREST_SAMPLES 8
-#define TOL_CREST_WIDTH 1e-5
-
-/* Many states by the slow curve (fast_cells.c).  How much finer the next try of
- * one is whose bars are too wide, the finest, and the least bar, relative, of
- * what passes a node's slow approach. */
-#define TOL_FAST_FINER  0.03
-#define TOL_FAST_FINEST 1e-12
-#define TOL_FAST_LEAST  2e-11
 
 #endif

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "study.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 /* ---- the grid ------------------------------------------------------------ */
 

@@ -9,7 +9,7 @@
 
 #include "peak.h"
 #include "study.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 #define FIELD(member, unit_, text_)                                            \
     {                                                                          \

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 #include "study.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 enum { INPUT_ALPHA = MATERIAL_KEYS, INPUTS, NUMBERS_MAX = 512 };
 

@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "study.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 const char *const fate_names[] = { "creep",       "sliding",
                                    "rest_finite", "rest_asymptotic",

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "study.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 /* Cells between two looks at the monitor. */
 enum { LOOK = 256 };

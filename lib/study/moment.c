@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "study.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 const char *const moment_names[] = { "v_sp",
                                      "v_minus",

@@ -8,7 +8,7 @@
 #include <math.h>
 
 #include "study.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 typedef double peak_value(const struct study *s, struct vec2 z);
 

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "tolerance.h"
+#include "study_tolerance.h"
 #include "transient.h"
 
 #define QUANTITY(member, unit_, text_)                                         \

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "grow.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 #define QUANTITY(member, text_)                                                \
     {                                                                          \

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 struct rows rows_of(const struct record_type *type)
 {

@@ -9,7 +9,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "tolerance.h"
+#include "study_tolerance.h"
 #include "variation.h"
 
 struct sensitivities sensitivity_none(const char *reason)

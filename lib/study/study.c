@@ -9,7 +9,7 @@
 #include <time.h>
 
 #include "conditioning.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 /* ---- steady states --------------------------------------------------- */
 

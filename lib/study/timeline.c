@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 /* One hit of an orbit. */
 struct mark {

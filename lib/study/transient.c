@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "study_tolerance.h"
 #include "timeline.h"
-#include "tolerance.h"
 
 const char *const transient_end_names[] = { "rest",       "arrest",
                                             "until_time", "until_slip",

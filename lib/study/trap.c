@@ -5,7 +5,7 @@
 #include "control.h"
 #include "explicit8.h"
 #include "study.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 /* The quadrant that an offset lies in: 0 slow, 1 fast, TRAPS neither. */
 static int trap_at(struct vec2 offset)

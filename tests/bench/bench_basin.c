@@ -20,7 +20,7 @@
 #include "cvode_cell.h"
 #include "plain.h"
 #include "study.h"
-#include "tolerance.h"
+#include "study_tolerance.h"
 
 enum { CELLS = 1000, SAMPLE = 10000, REPEATS = 9 };
 

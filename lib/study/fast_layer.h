@@ -1,0 +1,47 @@
+/*
+ * fast_layer.h -- a state falls onto the slow curve (slow_curve.h): slip, time
+ * and peaks from there to its arrest, by explicit steps on the way down and the
+ * curve's table for the rest.
+ */
+#ifndef STUDY_FAST_LAYER_H
+#define STUDY_FAST_LAYER_H
+
+#include "slow_curve.h"
+
+enum layer_end {
+    LAYER_LANDED,
+    LAYER_RESTED, /* v = 0 before it landed */
+    LAYER_RAN,    /* into v > v_sp, psi < psi_sp, where no node is */
+    LAYER_UNSURE, /* landed, but on this side of the saddle only perhaps */
+    LAYER_LOST    /* none of these */
+};
+
+/* How to follow one. */
+struct layer_options {
+    double rtol;    /* of each step, absolute in ln v and ln psi */
+    double landing; /* from the slow curve, in ln v */
+    bool peaks;
+};
+
+/* Values as of struct cell; errors absolute. */
+struct layer {
+    enum layer_end end;
+    int8_t fate;
+    double time, time_error;
+    double slip, slip_error;
+    double x_end;           /* ln(v/v0) at arrest; -HUGE_VAL: v = 0 */
+    double x_peak, mu_peak; /* with the error of a point of the orbit: */
+    double place_error;     /* in ln v and ln psi */
+    double mu_error;        /* more, of mu_peak alone */
+    size_t steps, calls;
+};
+
+struct layer_options layer_defaults(double rtol);
+
+/* From the offset z of the curve's system.  Never fails: *out says whether it
+ * landed; of one that is lost nothing else is
+ * known, of one that ran the fate alone. */
+void layer_follow(const struct slow_curve *c, struct vec2 z,
+                  const struct layer_options *options, struct layer *out);
+
+#endif

@@ -1,0 +1,360 @@
+/* Each branch is run by orbit.h in steps so short that a polynomial of degree
+ * 5 through both ends, their slopes and curvatures is as good as the ends:
+ * time and slip have those from the field, dT/dy = 1/y', dX/dy = v/y'. */
+#include "slow_branch.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "crest.h"
+#include "study.h"
+#include "study_tolerance.h"
+
+/* ---- knots --------------------------------------------------------------- */
+
+static double slip_rate(const struct study *s, double x)
+{
+    return exp(s->block.at.x0 + x);
+}
+
+/* The fast direction and how much faster it is than all else. */
+static void split(const struct planar_jacobian *J, double speed,
+                  struct slow_knot *k)
+{
+    const struct eigen2 e = mat2_eigenvalues(J->matrix);
+    const double slow = fmax(fabs(e.re[1]), speed);
+
+    k->gap = e.im == 0.0 && e.re[0] < 0.0 ? slow / -e.re[0] : HUGE_VAL;
+    k->fast = -e.re[0] * exp(J->field.log_scale);
+    k->fibre = mat2_eigenvector(J->matrix, e.re[0]);
+}
+
+/* At the offset u with the slope dx/dy, but for the values of time and slip.
+ * Returns |d ln y'/dy|. */
+static double knot_at(const struct study *s, const double u[], double slope,
+                      struct slow_knot *k)
+{
+    const struct vec2 z = { u[0], u[1] };
+    struct planar_jacobian J;
+
+    s->system.jacobian(s->system.ctx, z, &J);
+    const struct vec2 d = J.field.direction;
+    const double rate = d.y * exp(J.field.log_scale);
+    const double bend = (J.matrix.yx * slope + J.matrix.yy) / d.y;
+    const double v = slip_rate(s, z.x);
+    *k = (struct slow_knot){ .y = z.y, .x = z.x, .x_slope = slope };
+    k->time[1] = -1.0 / rate;
+    k->time[2] = bend / rate;
+    k->slip[1] = -v / rate;
+    k->slip[2] = v * (bend - slope) / rate;
+    split(&J, vec2_length(d), k);
+    return fabs(bend);
+}
+
+/* The last step of an orbit. */
+struct last_step {
+    const struct study *study;
+    const struct curve *curve;
+};
+
+static double mu_on(const void *ctx, double theta)
+{
+    const struct last_step *l = ctx;
+    double u[CURVE_DIM_MAX];
+
+    curve_at(l->curve, l->curve->count - 1, theta, u);
+    return block_mu(&l->study->block, (struct vec2){ u[0], u[1] });
+}
+
+/* The largest friction on the way to a knot, v being largest at an end. */
+static double mu_until(const struct study *s, const struct orbit *o)
+{
+    const struct last_step l = { s, &o->curve };
+    const struct vec2 z = { o->u[0], o->u[1] };
+
+    return o->curve.count > 0 ? crest_of(mu_on, &l) : block_mu(&s->block, z);
+}
+
+static struct slow_knot *push(struct slow_branch *b)
+{
+    if (b->count == b->room) {
+        const size_t room = b->room ? 2 * b->room : 256;
+        struct slow_knot *more = realloc(b->knot, room * sizeof *more);
+        if (more == NULL)
+            return NULL;
+        b->knot = more;
+        b->room = room;
+    }
+    return &b->knot[b->count++];
+}
+
+double slow_quintic(const double f[3], const double g[3], double h,
+                    double theta, double *slope)
+{
+    const double f1 = h * f[1], g1 = h * g[1];
+    const double f2 = 0.5 * h * h * f[2], g2 = 0.5 * h * h * g[2];
+    const double rise = g[0] - f[0];
+    const double a = rise - f1 - f2, b = g1 - f1 - 2.0 * f2, c = g2 - f2;
+    const double c3 = 10.0 * a - 4.0 * b + c;
+    const double c4 = -15.0 * a + 7.0 * b - 2.0 * c;
+    const double c5 = 6.0 * a - 3.0 * b + c;
+    const double t = theta;
+
+    *slope =
+        (f1 + t * (2.0 * f2 + t * (3.0 * c3 + t * (4.0 * c4 + t * 5.0 * c5)))) /
+        h;
+    return f[0] + t * (f1 + t * (f2 + t * (c3 + t * (c4 + t * c5))));
+}
+
+/* ---- a branch ------------------------------------------------------------ */
+
+/* Steps no longer than what the polynomials bear. */
+static void hold_back(struct orbit *o, double bend)
+{
+    const double speed = fabs(o->du[1]);
+    const double most = fmin(TOL_SLOW_STEP / bend, TOL_SLOW_LONGEST);
+
+    if (speed * o->h > most)
+        o->h = most / speed;
+}
+
+/* dx/dy at the end of the orbit, which may be a step cut short. */
+static double slope_of(const struct orbit *o)
+{
+    double du[CURVE_DIM_MAX];
+
+    if (o->end == ORBIT_RUNNING)
+        return o->du[0] / o->du[1];
+    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, du);
+    return du[0] / du[1];
+}
+
+/* Whether a knot may be landed on: the rates are apart and so many e-folds of
+ * their difference have passed that any orbit would be on the curve. */
+static void tell(struct slow_knot *k, double dt, double *folds)
+{
+    *folds = k->gap < 1.0 ? *folds + k->fast * (1.0 - k->gap) * dt : 0.0;
+    if (!(*folds >= TOL_SLOW_SETTLED && k->gap < TOL_SLOW_GAP))
+        k->gap = HUGE_VAL;
+}
+
+/* Where the rates are so far apart that rounding in the fast coordinate shows
+ * in the slow one; sooner where that is not y, of whose rate all is made. */
+static bool is_noisy(const struct slow_knot *k)
+{
+    const bool fast_y = fabs(k->fibre.y) > fabs(k->fibre.x);
+
+    return k->gap < (fast_y ? TOL_SLOW_GAP_LEAST_Y : TOL_SLOW_GAP_LEAST_X);
+}
+
+/* What a component gained on the last step, whatever it was before. */
+static double gained(const struct orbit *o, size_t i)
+{
+    double sum = 0.0;
+
+    if (o->curve.count == 0)
+        return 0.0;
+    const size_t last = o->curve.count - 1;
+    const double *c = curve_component(&o->curve, last, i);
+    for (size_t j = o->curve.piece[last].degree; j > 0; j--)
+        sum += c[j];
+    return sum;
+}
+
+/* Runs the orbit to its end; without a node ahead, until the rates are alike.
+ */
+static enum status follow(const struct study *s, struct orbit *o, double folds,
+                          bool node_ahead, const struct monitor *monitor,
+                          struct slow_branch *b)
+{
+    enum status status = STATUS_OK;
+
+    for (bool goes_on = true; goes_on && status == STATUS_OK;) {
+        struct slow_knot *const k = push(b);
+        if (k == NULL)
+            return STATUS_NO_MEMORY;
+        const double bend = knot_at(s, o->u, slope_of(o), k);
+        k->time_bar = -o->error[2];
+        k->slip_bar = -o->error[3 + BLOCK_SLIP];
+        k->mu = mu_until(s, o);
+        k->time[0] = -gained(o, 2);
+        k->slip[0] = -gained(o, 3 + BLOCK_SLIP);
+        tell(k, -k->time[0], &folds);
+        goes_on = o->end == ORBIT_RUNNING && o->steps < TOL_SLOW_STEPS &&
+                  (node_ahead || isfinite(k->gap));
+        if (!goes_on)
+            break;
+        if (isfinite(k->gap))
+            hold_back(o, bend);
+        status = orbit_step(o);
+        if (status == STATUS_OK && o->steps % TOL_MONITOR_STEPS == 0 &&
+            monitor_tell(monitor, "slow curve", o->steps, 0))
+            status = STATUS_STOPPED;
+    }
+    return status == STATUS_NO_CONVERGENCE || status == STATUS_TOO_MANY_STEPS
+               ? STATUS_OK
+               : status;
+}
+
+/* What is still to come at the last knot: nothing at a node, else by the orbit
+ * from there, if it rests. */
+static enum status finish(const struct study *s, const struct orbit *o,
+                          int8_t node_fate, struct slow_branch *b)
+{
+    const struct slow_knot *last = &b->knot[b->count - 1];
+    const struct vec2 z = { last->x + s->system.origin.x,
+                            last->y + s->system.origin.y };
+    struct fate_result fine, coarse;
+
+    b->fate = FATE_UNDECIDED;
+    if (o->end == ORBIT_ARRIVED) {
+        b->fate = node_fate;
+        b->x_end = last->x;
+        return STATUS_OK;
+    }
+    if (!b->from_saddle || !box_holds(s->system.domain, z))
+        return STATUS_OK;
+    enum status status = fate_find(s, z, TOL_SLOW_RTOL, true, NULL, &fine);
+    if (status == STATUS_OK)
+        status = fate_find(s, z, TOL_SLOW_COARSE, true, NULL, &coarse);
+    if (status != STATUS_OK || fine.fate != FATE_REST_FINITE ||
+        coarse.fate != FATE_REST_FINITE)
+        return status;
+    b->fate = FATE_REST_FINITE;
+    b->x_end = -HUGE_VAL;
+    const double time_bar =
+        fine.time.error + fabs(fine.time.value - coarse.time.value);
+    const double slip_bar =
+        fine.slip.error + fabs(fine.slip.value - coarse.slip.value);
+    for (size_t i = 0; i < b->count; i++) {
+        b->knot[i].time[0] += fine.time.value;
+        b->knot[i].slip[0] += fine.slip.value;
+        b->knot[i].time_bar += time_bar;
+        b->knot[i].slip_bar += slip_bar;
+    }
+    return status;
+}
+
+/* What a polynomial over two steps misses at the knot between is 64 times what
+ * one over one step misses. */
+static void judge(struct slow_branch *b)
+{
+    struct slow_knot *const k = b->knot;
+    double ignored;
+
+    for (size_t i = 1; i + 1 < b->count; i++) {
+        const double h = k[i + 1].y - k[i - 1].y;
+        const double theta = (k[i].y - k[i - 1].y) / h;
+        const double t =
+            slow_quintic(k[i - 1].time, k[i + 1].time, h, theta, &ignored);
+        const double x =
+            slow_quintic(k[i - 1].slip, k[i + 1].slip, h, theta, &ignored);
+        const double dt = TOL_SLOW_MISSED * fabs(t - k[i].time[0]);
+        const double dx = TOL_SLOW_MISSED * fabs(x - k[i].slip[0]);
+        k[i].time_error = fmax(k[i].time_error, dt);
+        k[i + 1].time_error = fmax(k[i + 1].time_error, dt);
+        k[i].slip_error = fmax(k[i].slip_error, dx);
+        k[i + 1].slip_error = fmax(k[i + 1].slip_error, dx);
+    }
+}
+
+/* From each step's to all to come, and the peaks to come. */
+static void look_back(struct slow_branch *b)
+{
+    const double time_bar = b->knot[b->count - 1].time_bar;
+    const double slip_bar = b->knot[b->count - 1].slip_bar;
+    double time = 0.0, slip = 0.0, x_peak = -HUGE_VAL, mu_peak = -HUGE_VAL;
+
+    for (size_t i = b->count; i-- > 0;) {
+        struct slow_knot *k = &b->knot[i];
+        const double dt = -k->time[0], dx = -k->slip[0];
+        k->time[0] = time;
+        k->slip[0] = slip;
+        k->time_bar += TOL_SLOW_ROUNDING * time - time_bar;
+        k->slip_bar += TOL_SLOW_ROUNDING * slip - slip_bar;
+        k->x_peak = x_peak = fmax(x_peak, k->x);
+        k->mu_peak = mu_peak;
+        mu_peak = fmax(mu_peak, k->mu);
+        time += dt;
+        slip += dx;
+    }
+}
+
+/* Drops knots at the end far from the saddle, from the node, where rounding
+ * moves y back. */
+static void make_monotone(struct slow_branch *b)
+{
+    const struct slow_knot *k = b->knot;
+    size_t first = 0, last = b->count - 1;
+    const double way =
+        b->from_saddle ? k[1].y - k[0].y : k[last].y - k[last - 1].y;
+
+    if (b->from_saddle) {
+        for (last = 0; last + 1 < b->count; last++)
+            if (!((k[last + 1].y - k[last].y) * way > 0.0))
+                break;
+    } else {
+        for (first = last; first > 0; first--)
+            if (!((k[first].y - k[first - 1].y) * way > 0.0))
+                break;
+    }
+    b->count = last + 1 - first;
+    memmove(b->knot, b->knot + first, b->count * sizeof *k);
+}
+
+enum status slow_branch_run(const struct study *s, struct vec2 z,
+                            bool from_saddle, const struct monitor *monitor,
+                            struct slow_branch *b)
+{
+    struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
+    struct vec2 goal[EQUILIBRIA_MAX];
+    int8_t fate[EQUILIBRIA_MAX] = { FATE_UNDECIDED };
+    struct orbit o;
+
+    options.rtol = TOL_SLOW_RTOL;
+    options.observables = 1;
+    options.target = goal;
+    for (size_t i = 0; i < s->equilibria; i++) {
+        if ((int) i == s->saddle)
+            continue;
+        fate[options.targets] = (int8_t) fate_of_node(s, &s->equilibrium[i]);
+        goal[options.targets++] =
+            vec2_sub(s->equilibrium[i].z, s->system.origin);
+    }
+    *b = (struct slow_branch){ .from_saddle = from_saddle,
+                               .fate = FATE_UNDECIDED };
+    bool ahead = !from_saddle;
+    for (size_t i = 0; i < options.targets; i++)
+        ahead = ahead || goal[i].y * z.y > 0.0;
+    enum status status = orbit_init(&o, &s->system, z, &options);
+    if (status != STATUS_OK)
+        return STATUS_OK;
+    if (o.end == ORBIT_RUNNING)
+        status = follow(s, &o, from_saddle ? HUGE_VAL : 0.0, ahead, monitor, b);
+    if (status == STATUS_OK && b->count > 2) {
+        look_back(b);
+        judge(b);
+        status = finish(s, &o, fate[o.end_index], b);
+        make_monotone(b);
+    }
+    orbit_free(&o);
+    return status;
+}
+
+bool slow_branch_may_start(const struct study *s, int fast, struct vec2 z)
+{
+    struct planar_jacobian J;
+    struct slow_knot k;
+
+    s->system.jacobian(s->system.ctx, z, &J);
+    split(&J, vec2_length(J.field.direction), &k);
+    return k.gap < TOL_SLOW_GAP_START && !is_noisy(&k) &&
+           (fabs(k.fibre.x) > fabs(k.fibre.y)) == (fast == 0);
+}
+
+void slow_branch_free(struct slow_branch *b)
+{
+    free(b->knot);
+    *b = (struct slow_branch){ .fate = FATE_UNDECIDED };
+}

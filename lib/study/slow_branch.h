@@ -1,0 +1,55 @@
+/*
+ * slow_branch.h -- one orbit along a slow curve (slow_curve.h), as a table of
+ * the slip and time that are still to come.
+ */
+#ifndef STUDY_SLOW_BRANCH_H
+#define STUDY_SLOW_BRANCH_H
+
+#include "fate.h"
+
+/* One point of the orbit, an offset from the system's origin. */
+struct slow_knot {
+    double y, x, x_slope;
+    double time[3], slip[3];       /* with two derivatives by y */
+    double time_error, slip_error; /* from the knot before to this one */
+    double time_bar, slip_bar;     /* from here on */
+    double fast;                   /* |lambda|, per unit of time */
+    double gap;        /* the slow rate over it; HUGE_VAL: not to land on */
+    struct vec2 fibre; /* unit */
+    double mu;         /* largest on the way to this knot */
+    double x_peak, mu_peak; /* from here on */
+};
+
+/* In order of time, so that y rises or falls.  At a node's box of arrest, or
+ * at rest in finite time, its fate ends; x_end is -HUGE_VAL there. */
+struct slow_branch {
+    struct slow_knot *knot; /* owned */
+    size_t count, room;
+    int8_t fate;
+    double x_end;
+    bool from_saddle;
+    double grows; /* from_saddle: the growing eigenvalue */
+};
+
+/* The orbit from the offset z: on the curve already if from_saddle, which may
+ * also end at rest; from elsewhere it lands first, and ends at a node.  b->fate
+ * is FATE_UNDECIDED where it does neither.  STATUS_NO_MEMORY, STATUS_STOPPED;
+ * *b is to be freed in any case. */
+MUST_CHECK enum status slow_branch_run(const struct study *s, struct vec2 z,
+                                       bool from_saddle,
+                                       const struct monitor *monitor,
+                                       struct slow_branch *b);
+
+/* Whether the rates at the offset z are apart, and x (fast = 0) or y settles
+ * first. */
+bool slow_branch_may_start(const struct study *s, int fast, struct vec2 z);
+
+/* The polynomial of degree 5 with value, slope and curvature f at y = 0 and g
+ * at y = h, at theta h; and its slope there. */
+double slow_quintic(const double f[3], const double g[3], double h,
+                    double theta, double *slope);
+
+/* A second call is harmless. */
+void slow_branch_free(struct slow_branch *b);
+
+#endif

@@ -1,0 +1,57 @@
+/*
+ * slow_curve.h -- the curve that all orbits of a slope land on, and what is
+ * still to come from each of its points.
+ *
+ * Near its steady states the block forgets a direction far faster than it
+ * moves along the other: orbits fall onto one curve x = x_s(y) -- the saddle's
+ * unstable manifold, and beyond each node the curve that leads back to it --
+ * and follow it to arrest (cells.h).  The curve is an orbit: it is run once,
+ * and slip and time to arrest are kept as functions of y.  An orbit c away
+ * from it, along the fibre e of the fast rate lambda, arrives together with the
+ * point it projects on (Fenichel, J. Diff. Eq. 31, 1979, 53-98).
+ */
+#ifndef STUDY_SLOW_CURVE_H
+#define STUDY_SLOW_CURVE_H
+
+#include "slow_branch.h"
+
+/* One point of it; per unit of y where it says slope. */
+struct slow_point {
+    int8_t fate;
+    double x, x_slope; /* offset from the system's origin */
+    double time, slip; /* to arrest, units of L/V_star and L */
+    double time_slope, slip_slope;
+    double time_error, slip_error; /* absolute, of the table */
+    double fast;                   /* |lambda|, per unit of time */
+    double gap;                    /* the slow rate over it, < 1 */
+    struct vec2 fibre;             /* unit */
+    double x_end;                  /* at arrest; -HUGE_VAL at rest */
+    double x_peak, mu_peak;        /* largest from some later point on */
+};
+
+enum { SLOW_BRANCHES = 4 };
+
+struct slow_curve {
+    const struct study *study; /* borrowed */
+    struct slow_branch branch[SLOW_BRANCHES];
+    size_t branches;
+    double time_least, slip_least; /* of states outside the boxes of arrest */
+    bool rests;     /* a branch, or all beside it, ends at v = 0 */
+    bool runs_away; /* v > v_sp, psi < psi_sp holds no node */
+};
+
+/* Of s, whose steady states are known.  Branches that do not end at a node or
+ * at rest in finite time are left out, and so are parts where the rates are too
+ * much alike (TOL_SLOW_GAP); there may be none at all.  STATUS_NO_MEMORY,
+ * STATUS_STOPPED: *c is empty. */
+MUST_CHECK enum status slow_curve_init(struct slow_curve *c,
+                                       const struct study *s,
+                                       const struct monitor *monitor);
+
+/* Its point at the offset y; false where there is none. */
+bool slow_curve_at(const struct slow_curve *c, double y, struct slow_point *p);
+
+/* A second call is harmless. */
+void slow_curve_free(struct slow_curve *c);
+
+#endif

@@ -1,0 +1,47 @@
+/* The largest value of a function. */
+#include "crest.h"
+
+#include <math.h>
+
+#include "check.h"
+
+static double hill(const void *ctx, double t)
+{
+    const double at = *(const double *) ctx;
+    return 1.0 - (t - at) * (t - at);
+}
+
+static void a_maximum_anywhere_is_found(void **state)
+{
+    (void) state;
+    for (double at = -0.5; at < 1.5; at += 0.0371) {
+        const double inside = fmin(fmax(at, 0.0), 1.0);
+        const double found = crest_of(hill, &at);
+        CHECK(fabs(found - hill(&at, inside)) < 1e-8, "at %g: %.12g", at,
+              found);
+    }
+}
+
+static double two_hills(const void *ctx, double t)
+{
+    (void) ctx;
+    return sin(11.0 * t) + 0.1 * t;
+}
+
+static void of_two_the_higher_is_found(void **state)
+{
+    (void) state;
+    /* cos(11 t) = -0.1/11, the second time it falls */
+    const double t = (2.5 * acos(-1.0) + asin(0.1 / 11.0)) / 11.0;
+    CHECK(fabs(crest_of(two_hills, NULL) - two_hills(NULL, t)) < 1e-8, "%g",
+          crest_of(two_hills, NULL));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_maximum_anywhere_is_found),
+        cmocka_unit_test(of_two_the_higher_is_found),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,236 @@
+/* Many states the fast way, against whole orbits.
+ *
+ * CELL_STATES=2000 tries more states than a test can afford. */
+#include "fast_cells.h"
+
+#include <omp.h>
+
+#include "fault_alloc.h"
+#include "slope.h"
+#include "tolerance.h"
+
+enum { ALL = (1 << CELL_FIELDS) - 1, MOST = 4000 };
+static const char *const steady_only[] = { "products=[equilibria]", NULL };
+
+struct place {
+    struct slope s;
+    struct fast_cells f;
+};
+
+static void make(struct place *p, const char *law, const char *alpha)
+{
+    slope_make(&p->s, law, NULL, alpha, steady_only);
+    assert_int_equal(fast_cells_init(&p->f, &p->s.study, NULL), STATUS_OK);
+}
+
+static void drop(struct place *p)
+{
+    fast_cells_free(&p->f);
+    fast_cells_free(&p->f);
+    slope_free(&p->s);
+}
+
+static size_t find(const struct place *p, const struct vec2 z[], size_t n,
+                   double rtol, unsigned which, struct cell out[])
+{
+    size_t whole;
+    const enum status status =
+        fast_cells_find(&p->f, z, n, rtol, which, NULL, out, &whole);
+
+    CHECK(status == STATUS_OK, "%s", status_text(status));
+    return whole;
+}
+
+static double value_of(const struct cell *c, size_t field)
+{
+    const struct record_array a = { &record_cell, c, 1 };
+    return *(const double *) record_member(&a, 0, &record_cell.fields[field]);
+}
+
+/* Each value within both errors of that of the whole orbit. */
+static void check_cell(struct vec2 z, const struct cell *fast,
+                       const struct cell *slow)
+{
+    CHECK(fast->exit_reason == slow->exit_reason, "(%.17g, %.17g): %s, not %s",
+          z.x, z.y, fate_names[fast->exit_reason],
+          fate_names[slow->exit_reason]);
+    for (size_t k = 1; k < record_cell.count; k += 2) {
+        const double a = value_of(fast, k), b = value_of(slow, k);
+        const double bar = value_of(fast, k + 1) + value_of(slow, k + 1);
+        if (isnan(a) && isnan(b))
+            continue;
+        CHECK(fabs(a - b) <= bar, "(%.17g, %.17g) %s: %.15g, not %.15g +- %g",
+              z.x, z.y, record_cell.fields[k].name, a, b, bar);
+    }
+}
+
+static size_t states(void)
+{
+    const char *s = getenv("CELL_STATES");
+    const size_t n = s ? (size_t) strtoul(s, NULL, 10) / 8 : 5;
+    return n < MOST ? n : MOST;
+}
+
+static void check_law(const char *law, const char *alpha, unsigned which,
+                      uint64_t *seed)
+{
+    static struct cell fast[MOST], slow[MOST];
+    static struct vec2 z[MOST];
+    const size_t n = states();
+    struct place p;
+
+    make(&p, law, alpha);
+    for (size_t i = 0; i < n; i++)
+        z[i] = (struct vec2){ check_uniform(seed, -6, 9),
+                              check_uniform(seed, -6, 6) };
+    find(&p, z, n, 1e-6, which, fast);
+    assert_int_equal(cells_find(&p.s.study, z, n, 1e-7, which, NULL, slow),
+                     STATUS_OK);
+    for (size_t i = 0; i < n; i++)
+        check_cell(z[i], &fast[i], &slow[i]);
+    drop(&p);
+}
+
+static void every_value_is_that_of_the_whole_orbit(void **state)
+{
+    const unsigned integrals = ALL & ~(3u << CELL_V_PEAK);
+    uint64_t seed = check_seed();
+
+    (void) state;
+    check_law("spinodal_gen", "0.34", ALL, &seed);
+    check_law("spinodal_gen", "0.30", integrals, &seed);
+    check_law("spinodal", "0.34", ALL, &seed);
+    check_law("spinodal", "0.2", integrals, &seed);
+    check_law("spinodal_phi_gen", "0.38", ALL, &seed);
+    check_law("spinodal_phi_gen", "0.34", integrals, &seed);
+    check_law("spinodal", "0.38", ALL, &seed);
+    check_law("spinodal_phi_gen", "0.30", integrals, &seed);
+}
+
+static void most_states_need_no_whole_orbit(void **state)
+{
+    enum { N = 300 };
+    uint64_t seed = check_seed();
+    struct vec2 z[N];
+    struct cell c[N];
+    struct place p;
+    int wide = 0;
+
+    (void) state;
+    make(&p, "spinodal_gen", "0.34");
+    for (int i = 0; i < N; i++)
+        z[i] = (struct vec2){ check_uniform(&seed, -6, 9),
+                              check_uniform(&seed, -6, 6) };
+    const unsigned which = 1u << CELL_SLIP | 1u << CELL_TIME;
+    const size_t whole = find(&p, z, N, 1e-6, which, c);
+    CHECK(whole <= N / 20, "%zu whole orbits", whole);
+    for (int i = 0; i < N; i++)
+        wide += c[i].slip_error > 1e-6 * c[i].slip ||
+                c[i].time_error > 1e-6 * c[i].time;
+    CHECK(wide <= N / 10, "%d bars too wide", wide);
+    drop(&p);
+}
+
+static void any_number_of_threads_gives_the_same_bits(void **state)
+{
+    enum { N = 100 };
+    uint64_t seed = check_seed();
+    struct cell one[N], two[N];
+    struct vec2 z[N];
+    struct place p;
+
+    (void) state;
+    make(&p, "spinodal", "0.34");
+    for (int i = 0; i < N; i++)
+        z[i] = (struct vec2){ check_uniform(&seed, -6, 9),
+                              check_uniform(&seed, -6, 6) };
+    memset(one, 0, sizeof one);
+    memset(two, 0, sizeof two);
+    const int threads = omp_get_max_threads();
+    omp_set_num_threads(1);
+    find(&p, z, N, 1e-5, 1u << CELL_SLIP, one);
+    omp_set_num_threads(2);
+    find(&p, z, N, 1e-5, 1u << CELL_SLIP, two);
+    omp_set_num_threads(threads);
+    for (int i = 0; i < N; i++) {
+        assert_int_equal(one[i].exit_reason, two[i].exit_reason);
+        assert_memory_equal(&one[i].slip, &two[i].slip, 2 * sizeof(double));
+    }
+    drop(&p);
+}
+
+/* No slow curve: as cells_find does. */
+static void other_laws_take_their_whole_orbits(void **state)
+{
+    struct cell fast, slow;
+    struct place p;
+
+    (void) state;
+    make(&p, "ruina", "0.34");
+    const struct vec2 z = slope_point(&p.s, 1.0, 2.0);
+    assert_int_equal(find(&p, &z, 1, 1e-4, ALL, &fast), 1);
+    assert_int_equal(cells_find(&p.s.study, &z, 1, 1e-4, ALL, NULL, &slow),
+                     STATUS_OK);
+    check_cell(z, &fast, &slow);
+    drop(&p);
+}
+
+static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
+{
+    (void) ctx, (void) stage, (void) done, (void) total;
+    return 1;
+}
+
+static void wrong_arguments_and_monitors_are_answered(void **state)
+{
+    const struct monitor monitor = { stop, NULL };
+    const struct vec2 good = { 1.0, 1.0 }, bad = { 700.0, 0.0 };
+    struct place p;
+    struct cell c;
+
+    (void) state;
+    make(&p, "spinodal", "0.34");
+    assert_int_equal(fast_cells_find(&p.f, &bad, 1, 1e-6, 0, NULL, &c, NULL),
+                     STATUS_BAD_ARGUMENT);
+    assert_int_equal(fast_cells_find(&p.f, &good, 1, 1.0, 0, NULL, &c, NULL),
+                     STATUS_BAD_ARGUMENT);
+    assert_int_equal(
+        fast_cells_find(&p.f, &good, 1, 1e-6, 0, &monitor, &c, NULL),
+        STATUS_STOPPED);
+    assert_int_equal(fast_cells_find(&p.f, &good, 1, 1e-6, 0, NULL, &c, NULL),
+                     STATUS_OK);
+    assert_true(isnan(c.slip) && isnan(c.mu_peak_error));
+    drop(&p);
+}
+
+static void every_allocation_may_fail(void **state)
+{
+    enum status status = STATUS_NO_MEMORY;
+    struct fast_cells f;
+    struct slope s;
+    struct cell c;
+
+    (void) state;
+    slope_make(&s, "ruina", NULL, "0.34", steady_only);
+    const struct vec2 z = slope_point(&s, 1.0, 2.0);
+    assert_int_equal(fast_cells_init(&f, &s.study, NULL), STATUS_OK);
+    fault_alloc_at(0);
+    status = fast_cells_find(&f, &z, 1, 1e-3, 1u, NULL, &c, NULL);
+    fault_alloc_at(FAULT_ALLOC_NEVER);
+    assert_int_equal(status, STATUS_NO_MEMORY);
+    fast_cells_free(&f);
+    slope_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_value_is_that_of_the_whole_orbit),
+        cmocka_unit_test(most_states_need_no_whole_orbit),
+        cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
+        cmocka_unit_test(other_laws_take_their_whole_orbits),
+        cmocka_unit_test(wrong_arguments_and_monitors_are_answered),
+        cmocka_unit_test(every_allocation_may_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,182 @@
+/* States that fall onto the slow curve. */
+#include "fast_layer.h"
+
+#include "slope.h"
+#include "tolerance.h"
+
+static const char *const steady_only[] = { "products=[equilibria]", NULL };
+
+struct place {
+    struct slope s;
+    struct slow_curve c;
+};
+
+static void make(struct place *p, const char *law, const char *alpha)
+{
+    slope_make(&p->s, law, NULL, alpha, steady_only);
+    assert_int_equal(slow_curve_init(&p->c, &p->s.study, NULL), STATUS_OK);
+}
+
+static void drop(struct place *p)
+{
+    slow_curve_free(&p->c);
+    slope_free(&p->s);
+}
+
+static struct layer follow(const struct place *p, struct vec2 z, double rtol)
+{
+    const struct layer_options options = layer_defaults(rtol);
+    struct layer l;
+
+    layer_follow(&p->c, vec2_sub(z, p->s.study.system.origin), &options, &l);
+    return l;
+}
+
+/* Against the whole orbit. */
+static void check_state(const struct place *p, struct vec2 z, double rtol)
+{
+    const struct layer l = follow(p, z, rtol);
+    struct fate_result r;
+
+    if (l.end == LAYER_LOST || l.end == LAYER_UNSURE)
+        return;
+    assert_int_equal(fate_find(&p->s.study, z, 1e-10, true, NULL, &r),
+                     STATUS_OK);
+    CHECK((int8_t) r.fate == l.fate, "(%g, %g): %s, not %s", z.x, z.y,
+          fate_names[l.fate], fate_names[r.fate]);
+    if (l.end == LAYER_RAN)
+        return;
+    /* an orbit's own error sums are no bounds */
+    const double more = 1e-7;
+    CHECK(fabs(l.time - r.time.value) <= l.time_error + more * l.time,
+          "(%.17g, %.17g): %.12g +- %g, not %.12g", z.x, z.y, l.time,
+          l.time_error, r.time.value);
+    CHECK(fabs(l.slip - r.slip.value) <= l.slip_error + more * l.slip,
+          "(%.17g, %.17g): %.12g +- %g, not %.12g", z.x, z.y, l.slip,
+          l.slip_error, r.slip.value);
+}
+
+static void slip_and_time_are_those_of_the_whole_orbit(void **state)
+{
+    static const struct {
+        const char *law, *alpha;
+    } at[] = { { "spinodal_gen", "0.34" },
+               { "spinodal", "0.30" },
+               { "spinodal_phi_gen", "0.38" },
+               { "dieterich_gen", "0.34" } };
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 4; i++) {
+        struct place p;
+        make(&p, at[i].law, at[i].alpha);
+        for (int k = 0; k < 12; k++) {
+            const struct vec2 z = { check_uniform(&seed, -8, 9),
+                                    check_uniform(&seed, -8, 8) };
+            check_state(&p, z, k % 2 ? 1e-6 : 1e-9);
+        }
+        drop(&p);
+    }
+}
+
+static void most_states_land_in_a_few_steps(void **state)
+{
+    uint64_t seed = check_seed();
+    size_t landed = 0, steps = 0;
+    struct place p;
+
+    (void) state;
+    make(&p, "spinodal_gen", "0.34");
+    for (int k = 0; k < 200; k++) {
+        const struct vec2 z = { check_uniform(&seed, -8, 9),
+                                check_uniform(&seed, -8, 8) };
+        const struct layer l = follow(&p, z, 1e-6);
+        landed += l.end == LAYER_LANDED;
+        steps += l.steps;
+    }
+    CHECK(landed >= 180, "%zu of 200", landed);
+    CHECK(steps < 200 * 40, "%zu steps", steps);
+    drop(&p);
+}
+
+/* Nearer the separatrix bars grow like 1/distance, and never too little. */
+static void bars_grow_towards_the_separatrix(void **state)
+{
+    struct place p;
+    double before = 0.0;
+
+    (void) state;
+    make(&p, "spinodal_gen", "0.34");
+    const double x = log(2850.8257094); /* v_plus */
+    for (double q = 1e-2; q > 1e-6; q *= 0.1) {
+        const struct vec2 z = { x - q, 5.0 };
+        const struct layer l = follow(&p, z, 1e-9);
+        assert_int_equal(l.fate, FATE_CREEP);
+        CHECK(l.time_error > before, "q %g: %g after %g", q, l.time_error,
+              before);
+        before = l.time_error;
+        check_state(&p, z, 1e-9);
+    }
+    assert_int_equal(follow(&p, (struct vec2){ x + 1e-4, 5.0 }, 1e-9).fate,
+                     FATE_SLIDING);
+    drop(&p);
+}
+
+/* Of loose steps, whose true errors are far above those of the whole orbit;
+ * these states slide most of their way before they land. */
+static void bars_hold_what_loose_steps_miss(void **state)
+{
+    uint64_t seed = check_seed();
+    struct place p;
+
+    (void) state;
+    make(&p, "spinodal", "0.2");
+    for (int k = 0; k < 40; k++) {
+        const struct vec2 z = { check_uniform(&seed, 7, 9.5),
+                                check_uniform(&seed, -8, 9) };
+        check_state(&p, z, 1e-2);
+    }
+    drop(&p);
+}
+
+static void beside_a_node_nothing_is_said(void **state)
+{
+    struct place p;
+
+    (void) state;
+    make(&p, "spinodal", "0.34");
+    const struct vec2 node = p.s.study.equilibrium[0].z;
+    const struct vec2 inside = { node.x + 0.005, node.y - 0.005 };
+    const struct vec2 level = { node.x + 3.0, node.y + 0.004 };
+    assert_int_equal(follow(&p, inside, 1e-6).end, LAYER_LOST);
+    assert_int_equal(follow(&p, level, 1e-6).end, LAYER_LOST);
+    drop(&p);
+}
+
+static void a_runaway_is_known_at_once(void **state)
+{
+    struct place p;
+
+    (void) state;
+    make(&p, "dieterich_gen", "0.34");
+    const struct vec2 o = p.s.study.system.origin;
+    const struct layer l =
+        follow(&p, (struct vec2){ o.x + 1.0, o.y - 1.0 }, 1e-6);
+    assert_int_equal(l.end, LAYER_RAN);
+    assert_int_equal(l.fate, FATE_RUNAWAY);
+    assert_int_equal(l.steps, 0);
+    drop(&p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(slip_and_time_are_those_of_the_whole_orbit),
+        cmocka_unit_test(most_states_land_in_a_few_steps),
+        cmocka_unit_test(bars_grow_towards_the_separatrix),
+        cmocka_unit_test(bars_hold_what_loose_steps_miss),
+        cmocka_unit_test(beside_a_node_nothing_is_said),
+        cmocka_unit_test(a_runaway_is_known_at_once),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,175 @@
+/* The curve all orbits land on. */
+#include "slow_curve.h"
+
+#include "fault_alloc.h"
+#include "slope.h"
+#include "tolerance.h"
+
+static const char *const steady_only[] = { "products=[equilibria]", NULL };
+
+static void make(struct slow_curve *c, struct slope *s, const char *law,
+                 const char *alpha)
+{
+    slope_make(s, law, NULL, alpha, steady_only);
+    const enum status status = slow_curve_init(c, &s->study, NULL);
+    CHECK(status == STATUS_OK, "%s", status_text(status));
+}
+
+static void drop(struct slow_curve *c, struct slope *s)
+{
+    slow_curve_free(c);
+    slow_curve_free(c);
+    slope_free(s);
+}
+
+/* The orbit from a point of it takes the time and slip that are tabulated. */
+static int check_point(const struct slow_curve *c, const struct slope *s,
+                       double y)
+{
+    struct slow_point p;
+    struct fate_result r;
+
+    if (!slow_curve_at(c, y, &p))
+        return 0;
+    const struct vec2 o = s->study.system.origin;
+    const struct vec2 z = { o.x + p.x, o.y + y };
+    assert_int_equal(fate_find(&s->study, z, 1e-10, true, NULL, &r), STATUS_OK);
+    CHECK((int8_t) r.fate == p.fate, "y %g: %s", y, fate_names[r.fate]);
+    CHECK(fabs(r.time.value - p.time) <= 3e-8 * p.time,
+          "y %g: %.12g, not %.12g", y, p.time, r.time.value);
+    CHECK(fabs(r.slip.value - p.slip) <= 3e-8 * p.slip,
+          "y %g: %.12g, not %.12g", y, p.slip, r.slip.value);
+    return 1;
+}
+
+static void check_curve(const char *law, const char *alpha, int least)
+{
+    struct slow_curve c;
+    struct slope s;
+    int points = 0;
+
+    make(&c, &s, law, alpha);
+    for (double y = 3.1e-4; y < 8.0; y *= 4.3)
+        points += check_point(&c, &s, y) + check_point(&c, &s, -y);
+    CHECK(points >= least, "%s at %s: %d points", law, alpha, points);
+    drop(&c, &s);
+}
+
+static void orbits_on_it_take_the_tabulated_time_and_slip(void **state)
+{
+    (void) state;
+    check_curve("spinodal_gen", "0.34", 9);
+    check_curve("spinodal", "0.30", 9);
+    check_curve("spinodal_phi_gen", "0.38", 9);
+    check_curve("dieterich_gen", "0.34", 5);
+    check_curve("spinodal", "0.2", 4);
+}
+
+/* Its slopes are those of what it tabulates. */
+static void time_and_slip_change_as_their_slopes_say(void **state)
+{
+    struct slow_point p, q;
+    struct slow_curve c;
+    struct slope s;
+    const double h = 1e-6;
+
+    (void) state;
+    make(&c, &s, "spinodal_gen", "0.34");
+    for (double y = -7.0; y < 3.0; y += 0.37) {
+        if (!slow_curve_at(&c, y, &p) || !slow_curve_at(&c, y + h, &q))
+            continue;
+        CHECK(fabs((q.time - p.time) / h / p.time_slope - 1.0) < 1e-4,
+              "y %g: %g, not %g", y, (q.time - p.time) / h, p.time_slope);
+        CHECK(fabs((q.slip - p.slip) / h / p.slip_slope - 1.0) < 1e-4,
+              "y %g: %g, not %g", y, (q.slip - p.slip) / h, p.slip_slope);
+        CHECK(fabs((q.x - p.x) / h - p.x_slope) < 1e-3, "y %g: %g, not %g", y,
+              (q.x - p.x) / h, p.x_slope);
+    }
+    drop(&c, &s);
+}
+
+/* Close to the saddle, time grows like -ln(y)/lambda. */
+static void beside_the_saddle_time_grows_like_a_logarithm(void **state)
+{
+    struct slow_point p, q;
+    struct slow_curve c;
+    struct slope s;
+
+    (void) state;
+    make(&c, &s, "spinodal_gen", "0.34");
+    const double lambda = s.study.equilibrium[s.study.saddle].lambda[1];
+    for (int side = -1; side <= 1; side += 2) {
+        assert_true(slow_curve_at(&c, side * 1e-9, &p));
+        assert_true(slow_curve_at(&c, side * 1e-7, &q));
+        CHECK(fabs((p.time - q.time) * lambda / log(100.0) - 1.0) < 1e-6, "%g",
+              p.time - q.time);
+    }
+    assert_false(slow_curve_at(&c, 0.0, &p));
+    drop(&c, &s);
+}
+
+static void there_is_none_where_blocks_never_quite_stop(void **state)
+{
+    const char *const laws[] = { "dieterich", "ruina", "perrin" };
+    struct slow_curve c;
+    struct slope s;
+
+    (void) state;
+    for (int i = 0; i < 3; i++) {
+        make(&c, &s, laws[i], "0.34");
+        assert_int_equal(c.branches, 0);
+        assert_true(c.runs_away);
+        drop(&c, &s);
+    }
+}
+
+static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
+{
+    (void) ctx, (void) stage, (void) done, (void) total;
+    return 1;
+}
+
+static void a_monitor_stops_it(void **state)
+{
+    const struct monitor monitor = { stop, NULL };
+    struct slow_curve c;
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    assert_int_equal(slow_curve_init(&c, &s.study, &monitor), STATUS_STOPPED);
+    assert_int_equal(c.branches, 0);
+    drop(&c, &s);
+}
+
+static void every_allocation_may_fail(void **state)
+{
+    enum status status = STATUS_NO_MEMORY;
+    struct slow_curve c;
+    struct slope s;
+    long k = 0;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
+    for (; status == STATUS_NO_MEMORY; k++) {
+        fault_alloc_at(k);
+        status = slow_curve_init(&c, &s.study, NULL);
+    }
+    fault_alloc_at(FAULT_ALLOC_NEVER);
+    assert_int_equal(status, STATUS_OK);
+    CHECK(k > 20, "%ld allocations", k);
+    drop(&c, &s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(orbits_on_it_take_the_tabulated_time_and_slip),
+        cmocka_unit_test(time_and_slip_change_as_their_slopes_say),
+        cmocka_unit_test(beside_the_saddle_time_grows_like_a_logarithm),
+        cmocka_unit_test(there_is_none_where_blocks_never_quite_stop),
+        cmocka_unit_test(a_monitor_stops_it),
+        cmocka_unit_test(every_allocation_may_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
