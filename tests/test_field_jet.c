@@ -11,6 +11,7 @@ enum { ORDER = 24, N = ORDER + 1 };
 
 #define KIND(f) series_##f
 #define FN(f)   f##q
+#define REAL(f) scalar_##f
 #define SCALAR  quad
 #define VAR(w)  quad w[N]
 #include "scalar.h"

@@ -5,6 +5,7 @@
 
 #define KIND(f) dual_##f
 #define FN(f)   f
+#define REAL(f) scalar_##f
 #define SCALAR  double
 #define VAR(w)  double w[3]
 #include "scalar.h"

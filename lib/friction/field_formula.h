@@ -15,8 +15,11 @@
  *
  * A number is an array of KIND(num) whose element 0 is its value.  The
  * including file (one per kind: field_*.c) defines
- *     KIND(f), FN(f)   the names of f for this kind and for its scalars;
- *     KIND(real)       the scalar type;
+ *     KIND(f)          the name of f for this kind;
+ *     KIND(real)       the type of an element;
+ *     REAL(f)          the name of f for elements: size(u) = |u|, power(u) =
+ *                      e^u, ln(u), larger(u, w), and with plain scalars p, q, r
+ *                      at_least(p, u), choose(u, p, q, r) = u < p ? q : r;
  *     VAR(w)           declares a number w;
  *     KIND(ctx)        with members scale, frozen[]: fixed at order 0;
  *     KIND(order)(c)   the order being computed, 0 but for jets;
@@ -150,11 +153,13 @@ static KIND(real) KIND(first_order)(struct KIND(ctx) * c, const KIND(num) * d,
                                     const KIND(num) * w, KIND(num) * mantissa,
                                     KIND(num) * exponent)
 {
-    if (KIND(order)(c) == 0)
-        c->frozen[0] = FN(fabs)(d[0]) > 1 ? FN(fabs)(d[0]) : 1;
+    if (KIND(order)(c) == 0) {
+        c->frozen[0] = REAL(at_least)(1, REAL(size)(d[0]));
+        c->frozen[1] = REAL(ln)(c->frozen[0]);
+    }
     KIND(linear)(c, 0, 1 / c->frozen[0], d, 0, d, mantissa);
     KIND(linear)(c, 0, 1, w, 0, w, exponent);
-    return KIND(order)(c) == 0 ? w[0] + FN(log)(c->frozen[0]) : 0;
+    return w[0] + c->frozen[1];
 }
 
 /* Hyperbolic: sinh d, scaled down. */
@@ -164,7 +169,7 @@ static KIND(real) KIND(hyperbolic)(struct KIND(ctx) * c, const KIND(num) * d,
 {
     KIND(sinh)(c, d, mantissa);
     KIND(linear)(c, 0, 1, w, 0, w, exponent);
-    return w[0] + FN(fabs)(d[0]);
+    return w[0] + REAL(size)(d[0]);
 }
 
 /* With (45): sinh d e^d = (e^(2d) - 1)/2. */
@@ -172,12 +177,14 @@ static KIND(real) KIND(freezing)(struct KIND(ctx) * c, const KIND(num) * d,
                                  const KIND(num) * w, KIND(num) * mantissa,
                                  KIND(num) * exponent)
 {
-    if (KIND(order)(c) == 0)
-        c->frozen[0] = d[0] < 0 ? 1 : -1;
-    const KIND(real) sign = c->frozen[0], log_half = -FN(log)(2);
-    KIND(expm1)(c, sign / 2, log_half, 2 * sign, d, mantissa);
-    KIND(linear)(c, 0, 1, w, sign < 0 ? 2 : 0, d, exponent);
-    return w[0] + (sign < 0 ? 2 * d[0] : 0);
+    if (KIND(order)(c) == 0) {
+        c->frozen[0] = REAL(choose)(d[0], 0, 1, -1);
+        c->frozen[1] = REAL(ln)(c->frozen[0] * c->frozen[0] / 2);
+    }
+    const KIND(real) sign = c->frozen[0];
+    KIND(expm1)(c, sign / 2, c->frozen[1], 2 * sign, d, mantissa);
+    KIND(linear)(c, 0, 1, w, 1 - sign, d, exponent);
+    return w[0] + (1 - sign) * d[0];
 }
 
 /* Kato-Tullis: dY/dt = v (E - z), z = ln(v psi), E = exp(-v/V_c - z), with
@@ -190,29 +197,29 @@ static KIND(real)
                     KIND(num) * mantissa, KIND(num) * exponent)
 {
     VAR(z);
+    VAR(cut_near);
+    VAR(cut_far);
     VAR(cut);
     VAR(q);
     VAR(heal);
     if (KIND(order)(c) == 0)
-        c->frozen[3] = X[0] < -1;
-    const bool far = c->frozen[3] > 0;
-    const KIND(real) z0 = at->x0 + at->y0;
-    const KIND(real) log0 = far ? -z0 : at->log_composite;
+        c->frozen[3] = REAL(choose)(X[0], -1, 1, 0);
+    const KIND(real) far = c->frozen[3], near = 1 - far;
+    const KIND(real) log0 = near * at->log_composite - far * (at->x0 + at->y0);
 
     KIND(linear)(c, 0, 1, X, 1, Y, z);
-    if (far)
-        KIND(exp)(c, at->log_kappa0 + X[0], 1, X, cut);
-    else
-        KIND(expm1)(c, at->kappa0, at->log_kappa0, 1, X, cut);
+    KIND(exp)(c, at->log_kappa0 + X[0], 1, X, cut_far);
+    KIND(expm1)(c, at->kappa0, at->log_kappa0, 1, X, cut_near);
+    KIND(linear)(c, 0, near, cut_near, far, cut_far, cut);
     KIND(linear)(c, 0, -1, z, -1, cut, q);
     if (KIND(order)(c) == 0) {
-        c->frozen[0] = q[0] + log0 > 0 ? q[0] + log0 : 0;
-        c->frozen[1] = FN(exp)(log0 - c->frozen[0]);
-        c->frozen[2] = FN(exp)(-c->frozen[0]);
+        c->frozen[0] = REAL(at_least)(0, q[0] + log0);
+        c->frozen[1] = REAL(power)(log0 - c->frozen[0]);
+        c->frozen[2] = REAL(power)(-c->frozen[0]);
     }
-    const KIND(real) rest = far ? c->frozen[2] * z0 - c->frozen[1] : 0;
+    const KIND(real) kept = c->frozen[2] * (at->x0 + at->y0) - c->frozen[1];
     KIND(expm1)(c, c->frozen[1], log0 - c->frozen[0], 1, q, heal);
-    KIND(linear)(c, rest, -1, heal, c->frozen[2], z, mantissa);
+    KIND(linear)(c, far * kept, -1, heal, c->frozen[2], z, mantissa);
     KIND(linear)(c, 0, 1, X, 0, X, exponent);
     return X[0] + c->frozen[0];
 }
@@ -263,7 +270,7 @@ static void KIND(field)(const struct law *law, const struct KIND(anchor) * at,
     const KIND(real) x = at->log_inertia - X[0];
     const KIND(real) y = KIND(kinetics)(law, at, c, X, Y, mantissa, exponent);
     if (KIND(order)(c) == 0)
-        c->scale = x > y ? x : y;
+        c->scale = REAL(larger)(x, y);
     KIND(exp)(c, x - c->scale, -1, X, ex);
     KIND(product)(c, force, ex, fx);
     KIND(exp)(c, y - c->scale, 1, exponent, ey);

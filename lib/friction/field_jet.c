@@ -6,6 +6,7 @@
 
 #define KIND(f) jet_##f
 #define FN(f)   f
+#define REAL(f) scalar_##f
 #define SCALAR  double
 #define VAR(w)  double *w = jet_slot(c->work)
 #include "scalar.h"

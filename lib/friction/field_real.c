@@ -5,6 +5,7 @@
 
 #define KIND(f) real_##f
 #define FN(f)   f
+#define REAL(f) scalar_##f
 #define SCALAR  double
 #define VAR(w)  double w[1]
 #include "scalar.h"

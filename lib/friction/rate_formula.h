@@ -18,7 +18,8 @@ static void KIND(rate)(const struct law *law, const struct KIND(anchor) * at,
             KIND(exp)(c, at->x0 + X[0] - scale, 1, X, out);
             break;
         case BLOCK_EXCESS:
-            KIND(expm1)(c, FN(exp)(at->x0 - scale), at->x0 - scale, 1, X, out);
+            KIND(expm1)
+            (c, REAL(power)(at->x0 - scale), at->x0 - scale, 1, X, out);
             break;
         default: /* BLOCK_WORK */
             KIND(mu)(law, at, c, X, Y, mu);

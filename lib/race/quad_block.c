@@ -5,6 +5,7 @@
 #define NAME(f) quad_##f
 #define KIND(f) quad_##f
 #define FN(f)   f##q
+#define REAL(f) scalar_##f
 #define SCALAR  quad
 #define VAR(w)  quad w[1]
 #include "scalar.h"
