@@ -8,7 +8,8 @@
  * that defect is the step's error; it is carried on by the linearised
  * equation, to the curve's end and into the integrals, so that the bar is
  * about the result; what remains of a branch that approaches an asymptote is
- * closed by quadrature (close.c) instead of being crawled along.
+ * closed by quadrature (close.c) instead of being crawled along.  Both branches
+ * step together, each with steps of its own length.
  */
 #include "grow.h"
 
@@ -16,6 +17,7 @@
 #include <math.h>
 
 #include "close.h"
+#include "graph.h"
 #include "limit.h"
 #include "tolerance.h"
 
@@ -39,11 +41,12 @@ struct outward {
     double swift[LOCAL_CARRY_MAX], swift_d[LOCAL_CARRY_MAX];
 };
 
-/* One step in the making: series in s, ind = at + unit s. */
+/* One step in the making: series in s, ind = at + unit s (graph.h). */
 struct grower {
     const struct planar *sys;
     const struct grow_options *o;
     struct branch *b;
+    bool done;
     double tol;
     int ind;    /* independent coordinate */
     int toward; /* sign of its steps */
@@ -55,13 +58,7 @@ struct grower {
     double h;     /* step chosen, of s, positive */
     struct planar_jacobian end; /* the field at the end of the last step */
     struct outward out;         /* and what travels there */
-    struct jet_work work;
-    double at[2][JET_SIZE]; /* x(s), y(s) */
-    double f[2][JET_SIZE];
-    double slope[JET_SIZE];
-    double rate[LOCAL_CARRY_MAX][JET_SIZE];
-    double swift[LOCAL_CARRY_MAX][JET_SIZE]; /* d integral/d ind */
-    double integral[LOCAL_CARRY_MAX][JET_SIZE];
+    struct graph_series u;
 };
 
 static double coordinate(struct vec2 z, int i)
@@ -114,44 +111,23 @@ static void choose_graph(struct grower *g)
     look_outward(g, g->z);
 }
 
-static void set_start(struct grower *g)
+/* The next step's series of each; one that is done stands in the other's
+ * place. */
+static void expand(struct grower g[2])
 {
-    g->at[0][0] = g->z.x;
-    g->at[1][0] = g->z.y;
-    g->at[g->ind][1] = g->unit;
-    for (size_t k = 2; k <= g->o->order; k++)
-        g->at[g->ind][k] = 0.0;
-    g->work.linear = g->at[g->ind];
-}
+    const struct grower *const two[2] = { &g[g[0].done], &g[!g[1].done] };
+    const struct grow_options *o = g[0].o;
+    struct graph_start start[2];
+    struct graph_series u[2];
 
-static void carry_order(struct grower *g, size_t i, size_t k)
-{
-    if (g->o->carry.which[i] == CARRY_TIME)
-        g->rate[i][k] = k == 0 ? exp(-g->work.log_scale) : 0.0;
-    else
-        g->sys->rate_jet(g->sys->ctx, (size_t) g->o->carry.which[i], &g->work,
-                         k, g->at[0], g->at[1], g->rate[i]);
-    g->swift[i][k] = jet_quotient(k, g->rate[i], g->f[g->ind], g->swift[i]);
-    g->integral[i][k + 1] = g->swift[i][k] * g->unit * jet_inverse[k + 1];
-}
-
-static void expand(struct grower *g)
-{
-    const double *num = g->f[1 - g->ind], *den = g->f[g->ind];
-    double *dep = g->at[1 - g->ind];
-
-    set_start(g);
-    for (size_t i = 0; i < g->o->carry.count; i++)
-        g->integral[i][0] = 0.0;
-    for (size_t k = 0; k < g->o->order; k++) {
-        g->sys->jet(g->sys->ctx, &g->work, k, g->at[0], g->at[1], g->f[0],
-                    g->f[1]);
-        g->slope[k] = jet_quotient(k, num, den, g->slope);
-        dep[k + 1] = g->slope[k] * g->unit * jet_inverse[k + 1];
-        for (size_t i = 0; i < g->o->carry.count; i++)
-            carry_order(g, i, k);
-    }
-    g->b->evaluations++;
+    for (int i = 0; i < 2; i++)
+        start[i] = (struct graph_start){ two[i]->z, two[i]->ind, two[i]->unit };
+    graph_expand(g[0].sys, &o->carry, o->order, start, u);
+    for (int i = 0; i < 2; i++)
+        if (!g[i].done) {
+            g[i].u = u[i];
+            g[i].b->evaluations++;
+        }
 }
 
 /* What an error of the unknown is measured against: y against the distance
@@ -159,8 +135,8 @@ static void expand(struct grower *g)
  * where it passes through zero against the curve's rise. */
 static double scale_of_unknown(const struct grower *g)
 {
-    const double x = fabs(g->at[0][0]), y = fabs(g->at[1][0]);
-    const double rise = fabs(g->slope[0]) * y;
+    const double x = fabs(g->u.at[0][0]), y = fabs(g->u.at[1][0]);
+    const double rise = fabs(g->u.slope) * y;
 
     return g->ind == 0 ? x + y : fmax(x, fmin(rise, 1.0));
 }
@@ -180,20 +156,21 @@ static double step_for(const double u[], size_t order, double scale, double tol)
 static void choose_step(struct grower *g)
 {
     const size_t order = g->o->order;
-    double h = step_for(g->at[1 - g->ind], order, scale_of_unknown(g), g->tol);
+    double h =
+        step_for(g->u.at[1 - g->ind], order, scale_of_unknown(g), g->tol);
 
     for (size_t i = 0; i < g->o->carry.count; i++) {
-        const double scale = fabs(g->total[i]) + fabs(g->integral[i][1]) * h;
+        const double scale = fabs(g->total[i]) + fabs(g->u.integral[i][1]) * h;
         if (scale > TOL_INTEGRAL_NIL)
-            h = fmin(h, step_for(g->integral[i], order, scale, g->tol));
+            h = fmin(h, step_for(g->u.integral[i], order, scale, g->tol));
     }
     g->h = fmin(h, TOL_STEP_MAX);
 }
 
 static struct vec2 step_end(const struct grower *g, double s)
 {
-    const double dep = jet_at(g->o->order, g->at[1 - g->ind], s);
-    return local_point(g->ind, g->at[g->ind][0] + s * g->unit, dep);
+    const double dep = jet_at(g->o->order, g->u.at[1 - g->ind], s);
+    return local_point(g->ind, g->u.at[g->ind][0] + s * g->unit, dep);
 }
 
 /* The series' slope at the end of the step against the field's. */
@@ -201,13 +178,13 @@ static bool step_holds(struct grower *g, struct vec2 end)
 {
     const double s = g->toward * g->h;
     const double slope =
-        jet_slope_at(g->o->order, g->at[1 - g->ind], s) / g->unit;
+        jet_slope_at(g->o->order, g->u.at[1 - g->ind], s) / g->unit;
     g->sys->jacobian(g->sys->ctx, end, &g->end);
     const struct vec2 d = g->end.field.direction;
     const double field = g->ind == 0 ? d.y / d.x : d.x / d.y;
     const double allowed =
         TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / (g->unit * g->h);
-    const double rounding = 1e-13 * (fabs(slope) + fabs(g->slope[0]));
+    const double rounding = 1e-13 * (fabs(slope) + fabs(g->u.slope));
 
     return fabs(slope - field) <= allowed + rounding;
 }
@@ -217,7 +194,7 @@ static bool step_holds(struct grower *g, struct vec2 end)
 static bool clip_to_domain(struct grower *g)
 {
     const struct planar *sys = g->sys;
-    const double here = g->at[g->ind][0] + coordinate(sys->origin, g->ind);
+    const double here = g->u.at[g->ind][0] + coordinate(sys->origin, g->ind);
     const double edge =
         coordinate(g->toward > 0 ? sys->domain.hi : sys->domain.lo, g->ind);
     const double room = (edge - here) * g->toward / g->unit;
@@ -257,13 +234,13 @@ static void add_errors(struct grower *g, struct vec2 end)
 
     if (growth > 0.0)
         g->delta *= exp(fmin(growth, 50.0));
-    g->delta +=
-        truncation(g, g->at[1 - g->ind],
-                   jet_slope_at(n, g->at[1 - g->ind], s) - unit * g->out.slope);
+    g->delta += truncation(g, g->u.at[1 - g->ind],
+                           jet_slope_at(n, g->u.at[1 - g->ind], s) -
+                               unit * g->out.slope);
     for (size_t i = 0; i < g->o->carry.count; i++)
         g->b->total_error[i] +=
-            truncation(g, g->integral[i],
-                       jet_slope_at(n, g->integral[i], s) -
+            truncation(g, g->u.integral[i],
+                       jet_slope_at(n, g->u.integral[i], s) -
                            unit * g->out.swift[i]) +
             way * g->delta *
                 fmax(fabs(before.swift_d[i]), fabs(g->out.swift_d[i]));
@@ -290,10 +267,10 @@ static enum status store_step(struct grower *g)
     if (status != STATUS_OK)
         return status;
     g->b->curve.piece[g->b->curve.count - 1].error = g->delta;
-    store_series(g->at[0], n, g->at[0][0], s, coef);
-    store_series(g->at[1], n, g->at[1][0], s, coef + (n + 1));
+    store_series(g->u.at[0], n, g->u.at[0][0], s, coef);
+    store_series(g->u.at[1], n, g->u.at[1][0], s, coef + (n + 1));
     for (size_t i = 0; i < g->o->carry.count; i++)
-        store_series(g->integral[i], n, g->total[i], s,
+        store_series(g->u.integral[i], n, g->total[i], s,
                      coef + (i + 2) * (n + 1));
     return STATUS_OK;
 }
@@ -304,7 +281,7 @@ static void advance(struct grower *g)
 
     g->z = step_end(g, s);
     for (size_t i = 0; i < g->o->carry.count; i++)
-        g->total[i] += jet_at(g->o->order, g->integral[i], s);
+        g->total[i] += jet_at(g->o->order, g->u.integral[i], s);
     if (g->unit < 1.0) /* as long as the last step, which powers of 2 keep */
         g->unit = fmin(ldexp(g->unit, ilogb(g->h)), 1.0);
     g->b->steps++;
@@ -371,11 +348,10 @@ static bool try_close(struct grower *g)
     return true;
 }
 
-/* One accepted step; *done when the branch has ended. */
-static enum status step(struct grower *g, bool *done)
+/* One accepted step by the series expanded; g->done when the branch has
+ * ended. */
+static enum status step(struct grower *g)
 {
-    choose_graph(g);
-    expand(g);
     choose_step(g);
     bool edge = clip_to_domain(g);
     while (!step_holds(g, step_end(g, g->toward * g->h))) {
@@ -383,7 +359,7 @@ static enum status step(struct grower *g, bool *done)
         edge = false;
         g->b->rejected++;
         if (!(g->unit * g->h >
-              4.0 * DBL_EPSILON * (g->unit + fabs(g->at[g->ind][0]))))
+              4.0 * DBL_EPSILON * (g->unit + fabs(g->u.at[g->ind][0]))))
             return STATUS_NO_CONVERGENCE;
     }
     add_errors(g, step_end(g, g->toward * g->h));
@@ -391,18 +367,28 @@ static enum status step(struct grower *g, bool *done)
     if (s != STATUS_OK)
         return s;
     advance(g);
-    *done = try_close(g);
-    if (!*done &&
+    g->done = try_close(g);
+    if (!g->done &&
         (edge || !box_holds(g->sys->domain, vec2_add(g->sys->origin, g->z)))) {
         g->b->end = BRANCH_DOMAIN;
-        *done = true;
+        g->done = true;
     }
-    return STATUS_OK;
+    if (g->b->steps == g->o->max_steps)
+        g->done = true;
+    return !g->done && g->b->steps % 64 == 0 &&
+                   monitor_tell(g->o->monitor, "manifold", g->b->steps, 0)
+               ? STATUS_STOPPED
+               : STATUS_OK;
 }
 
 static enum status start_branch(struct grower *g, const struct local_series *u,
                                 int side)
 {
+    *g->b = (struct branch){ .kind = MANIFOLD_STABLE,
+                             .side = side,
+                             .carry = g->o->carry,
+                             .curve = CURVE_EMPTY(2 + g->o->carry.count),
+                             .end = BRANCH_STEPS };
     const size_t n = u->order;
     const double s = side * u->radius;
     double line[JET_SIZE] = { 0.0, u->unit }, *coef;
@@ -426,41 +412,76 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
     g->out = (struct outward){ 0 };
     look_outward(g, g->z);
     g->delta = g->b->curve.piece[0].error = u->tail;
+    g->done = g->o->max_steps == 0;
     return STATUS_OK;
+}
+
+static void finish(struct grower *g)
+{
+    g->b->limit = g->z;
+    *(g->ind == 1 ? &g->b->error.x : &g->b->error.y) = g->delta;
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        g->b->total[i] = g->total[i];
+        g->b->total_error[i] += TOL_INTEGRAL_NIL;
+    }
+}
+
+static enum status grow(struct grower g[2], const struct local_series *start)
+{
+    enum status s = STATUS_OK;
+
+    for (int i = 0; i < 2; i++)
+        if (!g[i].done && s == STATUS_OK)
+            s = start_branch(&g[i], start, i == 0 ? 1 : -1);
+    while (s == STATUS_OK && !(g[0].done && g[1].done)) {
+        for (int i = 0; i < 2; i++)
+            if (!g[i].done)
+                choose_graph(&g[i]);
+        expand(g);
+        for (int i = 0; i < 2; i++)
+            if (!g[i].done && s == STATUS_OK)
+                s = step(&g[i]);
+    }
+    return s;
+}
+
+static struct grower grower_of(const struct planar *sys,
+                               const struct grow_options *o, struct branch *out)
+{
+    *out = (struct branch){ .curve = CURVE_EMPTY(2 + o->carry.count) };
+    return (struct grower){
+        .sys = sys, .o = o, .b = out, .tol = TOL_TAYLOR_STEP * o->rtol
+    };
+}
+
+enum status grow_branches(const struct planar *sys,
+                          const struct local_series *start,
+                          const struct grow_options *o, struct branch out[2])
+{
+    struct grower g[2] = { grower_of(sys, o, &out[0]),
+                           grower_of(sys, o, &out[1]) };
+    const enum status s = grow(g, start);
+
+    for (int i = 0; i < 2; i++) {
+        if (s == STATUS_OK)
+            finish(&g[i]);
+        else
+            branch_free(&out[i]);
+    }
+    return s;
 }
 
 enum status grow_branch(const struct planar *sys,
                         const struct local_series *start, int side,
                         const struct grow_options *o, struct branch *out)
 {
-    struct grower g;
-    bool done = false;
+    struct grower g[2] = { grower_of(sys, o, out), grower_of(sys, o, out) };
 
-    *out = (struct branch){ .kind = MANIFOLD_STABLE,
-                            .side = side,
-                            .carry = o->carry,
-                            .curve = CURVE_EMPTY(2 + o->carry.count),
-                            .end = BRANCH_STEPS };
-    g.sys = sys;
-    g.o = o;
-    g.b = out;
-    g.tol = TOL_TAYLOR_STEP * o->rtol;
-    enum status s = start_branch(&g, start, side);
-    while (s == STATUS_OK && !done && out->steps < o->max_steps) {
-        s = step(&g, &done);
-        if (s == STATUS_OK && out->steps % 64 == 0 &&
-            monitor_tell(o->monitor, "manifold", out->steps, 0))
-            s = STATUS_STOPPED;
-    }
-    if (s != STATUS_OK) {
+    g[side > 0 ? 1 : 0].done = true;
+    const enum status s = grow(g, start);
+    if (s == STATUS_OK)
+        finish(&g[side > 0 ? 0 : 1]);
+    else
         branch_free(out);
-        return s;
-    }
-    out->limit = g.z;
-    *(g.ind == 1 ? &out->error.x : &out->error.y) = g.delta;
-    for (size_t i = 0; i < o->carry.count; i++) {
-        out->total[i] = g.total[i];
-        out->total_error[i] += TOL_INTEGRAL_NIL;
-    }
-    return STATUS_OK;
+    return s;
 }

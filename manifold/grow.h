@@ -25,8 +25,15 @@ size_t grow_order(double rtol);
 
 struct grow_options grow_defaults(double rtol);
 
-/* The branch on the given side (+1: growing ind, -1) of the local series, to
- * its limit or the end of the domain.  On error *out is empty. */
+/* Both branches of the local series, out[0] on the side of growing ind and
+ * out[1] on the other, to their limits or the end of the domain: their series
+ * are expanded side by side.  On error both are empty. */
+MUST_CHECK enum status grow_branches(const struct planar *sys,
+                                     const struct local_series *start,
+                                     const struct grow_options *o,
+                                     struct branch out[2]);
+
+/* One of them, +1 or -1, at the price of both; on error *out is empty. */
 MUST_CHECK enum status grow_branch(const struct planar *sys,
                                    const struct local_series *start, int side,
                                    const struct grow_options *o,

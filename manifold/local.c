@@ -14,86 +14,81 @@
 
 #include "tolerance.h"
 
-/* Working series: the field along the graph. */
+/* Working series: the field along the graph, the same in both lanes. */
 struct graph {
     const struct planar *sys;
     struct jet_work work;
-    double s[JET_SIZE]; /* ind = s */
-    double f[2][JET_SIZE];
+    jet_pair at[2][JET_SIZE]; /* ind = s, dep = u->c */
+    jet_pair f[2][JET_SIZE];
+    jet_pair rate[LOCAL_CARRY_MAX][JET_SIZE];
 };
 
 static void graph_jet(struct graph *g, const struct local_series *u, size_t k)
 {
-    const double *x = u->ind == 0 ? g->s : u->c;
-    const double *y = u->ind == 0 ? u->c : g->s;
-
-    g->sys->jet(g->sys->ctx, &g->work, k, x, y, g->f[0], g->f[1]);
+    g->at[1 - u->ind][k] = JET_PAIR(u->c[k]);
+    g->at[u->ind][k] = JET_PAIR(k == 1 ? u->unit : 0.0);
+    g->sys->jet(g->sys->ctx, &g->work, k, g->at[0], g->at[1], g->f[0], g->f[1]);
 }
 
 /* What order k leaves on the right when c[k] is still zero. */
-static double defect_of_order(const double *dep, const double *ind,
+static double defect_of_order(const struct graph *g,
                               const struct local_series *u, size_t k)
 {
-    double sum = u->c[1] * ind[k];
+    const jet_pair *ind = g->f[u->ind];
+    double sum = u->c[1] * ind[k][0];
 
     for (size_t j = 1; j + 1 < k; j++)
-        sum += (double) (j + 1) * u->c[j + 1] * ind[k - j];
-    return dep[k] - sum / u->unit;
+        sum += (double) (j + 1) * u->c[j + 1] * ind[k - j][0];
+    return g->f[1 - u->ind][k][0] - sum / u->unit;
 }
 
-static void carry_order(struct graph *g, const struct carry *carry,
-                        struct local_series *u, double rate[][JET_SIZE],
-                        size_t k)
+static void carry_order(struct graph *g, const struct carry *carry, size_t k)
 {
-    const double *x = u->ind == 0 ? g->s : u->c;
-    const double *y = u->ind == 0 ? u->c : g->s;
-
     for (size_t i = 0; i < carry->count; i++) {
         if (carry->which[i] == CARRY_TIME)
-            rate[i][k] = k == 0 ? 1.0 : 0.0;
+            g->rate[i][k] = JET_PAIR(k == 0 ? 1.0 : 0.0);
         else
             g->sys->rate_jet(g->sys->ctx, (size_t) carry->which[i], &g->work, k,
-                             x, y, rate[i]);
+                             g->at[0], g->at[1], g->rate[i]);
     }
 }
 
 static void build(struct graph *g, const struct carry *carry,
                   const struct equilibrium *e, enum manifold_kind kind,
-                  struct local_series *u, double rate[][JET_SIZE])
+                  struct local_series *u)
 {
-    const double *dep = g->f[1 - u->ind], *ind = g->f[u->ind];
     double lambda = 0.0, other = 0.0;
 
     for (size_t k = 0; k <= u->order; k++) {
         if (k >= 2) {
             u->c[k] = 0.0;
             graph_jet(g, u, k);
-            u->c[k] =
-                defect_of_order(dep, ind, u, k) / ((double) k * lambda - other);
+            u->c[k] = defect_of_order(g, u, k) / ((double) k * lambda - other);
         } else if (k == 1) {
-            const double unit = exp(e->log_scale - g->work.log_scale);
+            const double unit = exp(e->log_scale - g->work.log_scale[0]);
             lambda = unit * e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
             other = unit * e->scaled[kind == MANIFOLD_STABLE ? 1 : 0];
         }
         graph_jet(g, u, k);
-        carry_order(g, carry, u, rate, k);
+        carry_order(g, carry, k);
     }
 }
 
 /* q' = rate/f_ind with both zero at the saddle: divide the shifted series. */
 static void build_integrals(const struct graph *g, const struct carry *carry,
-                            double rate[][JET_SIZE], struct local_series *u)
+                            struct local_series *u)
 {
-    const double *den = g->f[u->ind] + 1;
-    double quotient[JET_SIZE];
+    const jet_pair *den = g->f[u->ind] + 1;
+    jet_pair quotient[JET_SIZE];
 
     for (size_t i = 0; i < carry->count; i++) {
-        u->converges[i] = rate[i][0] == 0.0;
+        const jet_pair *rate = g->rate[i];
+        u->converges[i] = rate[0][0] == 0.0;
         for (size_t k = 0; k <= u->order; k++)
             u->integral[i][k] = 0.0;
         for (size_t k = 0; u->converges[i] && k < u->order; k++) {
-            quotient[k] = jet_quotient(k, rate[i] + 1, den, quotient);
-            u->integral[i][k + 1] = u->unit * quotient[k] / (double) (k + 1);
+            quotient[k] = jet_quotient(k, rate + 1, den, quotient);
+            u->integral[i][k + 1] = u->unit * quotient[k][0] / (double) (k + 1);
         }
     }
 }
@@ -213,17 +208,16 @@ static void expand(const struct planar *sys, const struct carry *carry,
                    double slope, struct local_series *u)
 {
     const double near = TOL_SERIES_NEAR;
-    double rate[LOCAL_CARRY_MAX][JET_SIZE];
-    struct graph g = { .sys = sys };
+    struct graph g;
     int least = DBL_MIN_EXP, most = 0, exponent = 0;
 
-    g.work.linear = g.s;
+    g.sys = sys;
+    g.work.linear = g.at[u->ind];
     u->c[0] = 0.0;
     for (;;) {
         u->unit = ldexp(1.0, exponent);
         u->c[1] = slope * u->unit;
-        g.s[1] = u->unit;
-        build(&g, carry, e, kind, u, rate);
+        build(&g, carry, e, kind, u);
         const double length = length_of(u);
         if (length > near && (length < 1.0 / near || exponent == 0))
             break;
@@ -232,7 +226,7 @@ static void expand(const struct planar *sys, const struct carry *carry,
             break;
         exponent = least + (most - least) / 2;
     }
-    build_integrals(&g, carry, rate, u);
+    build_integrals(&g, carry, u);
 }
 
 enum status local_at(const struct planar *sys, const struct equilibrium *e,

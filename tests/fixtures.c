@@ -106,9 +106,10 @@ static void field(const void *ctx, struct vec2 z, struct planar_field *out)
     *out = J.field;
 }
 
-static double cubic_jet(const double c[4], size_t k, const double *const t[4])
+static jet_pair cubic_jet(const double c[4], size_t k,
+                          const jet_pair *const t[4])
 {
-    double sum = k == 0 ? c[0] : 0.0;
+    jet_pair sum = JET_PAIR(k == 0 ? c[0] : 0.0);
 
     for (size_t j = 1; j < 4; j++)
         sum += c[j] * t[j][k];
@@ -117,34 +118,46 @@ static double cubic_jet(const double c[4], size_t k, const double *const t[4])
 
 /* Series of the base field along (x, y), into v; sine' = cosine x'. */
 static void base_jet(const struct fixture_local *g, struct jet_work *w,
-                     size_t k, const double x[], const double y[],
-                     double *const v[2])
+                     size_t k, const jet_pair x[], const jet_pair y[],
+                     jet_pair *const v[2])
 {
-    double *square = jet_slot(w), *cube = jet_slot(w);
-    double *sine = jet_slot(w), *cosine = jet_slot(w);
-    const double *const power[4] = { NULL, x, square, cube };
+    jet_pair *square = jet_slot(w), *cube = jet_slot(w);
+    jet_pair *sine = jet_slot(w), *cosine = jet_slot(w), *dx = jet_slot(w);
+    const jet_pair *const power[4] = { NULL, x, square, cube };
 
+    dx[k] = jet_number[k] * x[k];
     square[k] = jet_product(k, x, x);
     cube[k] = jet_product(k, x, square);
-    sine[k] = k == 0 ? sin(x[0]) : jet_chain(w, k, x, cosine) / (double) k;
-    cosine[k] = k == 0 ? cos(x[0]) : -jet_chain(w, k, x, sine) / (double) k;
+    sine[k] = k == 0 ? (jet_pair){ sin(x[0][0]), sin(x[0][1]) }
+                     : jet_chain(w, k, x, dx, cosine);
+    cosine[k] = k == 0 ? (jet_pair){ cos(x[0][0]), cos(x[0][1]) }
+                       : -jet_chain(w, k, x, dx, sine);
     v[0][k] = cubic_jet(g->p, k, power) + g->y * y[k];
     v[1][k] = cubic_jet(g->q, k, power) - g->b * y[k] + g->s * sine[k] +
               g->c * cosine[k];
 }
 
+static jet_pair scale_of(const struct fixture *f, const struct jet_work *w)
+{
+    return (jet_pair){ exp(f->log_rate - w->log_scale[0]),
+                       exp(f->log_rate - w->log_scale[1]) };
+}
+
 /* The base field's series take the first two slots, where rate_jet finds
  * them. */
-static void jet(const void *ctx, struct jet_work *w, size_t k, const double x[],
-                const double y[], double fx[], double fy[])
+static void jet(const void *ctx, struct jet_work *w, size_t k,
+                const jet_pair x[], const jet_pair y[], jet_pair fx[],
+                jet_pair fy[])
 {
     const struct fixture *f = ctx;
-    const double *z[2] = { x, y }, *v[2], *slope[FIXTURE_SHEARS_MAX];
+    const jet_pair *z[2] = { x, y }, *v[2], *slope[FIXTURE_SHEARS_MAX];
 
     if (k == 0)
-        w->log_scale = f->log_rate + tilt_at(f, (struct vec2){ x[0], y[0] });
+        for (int i = 0; i < JET_LANES; i++)
+            w->log_scale[i] =
+                f->log_rate + tilt_at(f, (struct vec2){ x[0][i], y[0][i] });
     w->used = 0;
-    double *const base[2] = { jet_slot(w), jet_slot(w) };
+    jet_pair *const base[2] = { jet_slot(w), jet_slot(w) };
     for (size_t i = f->shears; i-- > 0;)
         slope[i] = shear_jet_undo(&f->about[i], w, k, z);
     base_jet(&f->local, w, k, z[0], z[1], base);
@@ -152,8 +165,8 @@ static void jet(const void *ctx, struct jet_work *w, size_t k, const double x[],
     v[1] = base[1];
     for (size_t i = 0; i < f->shears; i++)
         shear_jet_carry(&f->about[i], w, k, slope[i], v);
-    fx[k] = v[0][k] * exp(f->log_rate - w->log_scale);
-    fy[k] = v[1][k] * exp(f->log_rate - w->log_scale);
+    fx[k] = v[0][k] * scale_of(f, w);
+    fy[k] = v[1][k] * scale_of(f, w);
 }
 
 static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
@@ -172,16 +185,16 @@ static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
 }
 
 static void rate_jet(const void *ctx, size_t which, struct jet_work *w,
-                     size_t k, const double x[], const double y[],
-                     double rate[])
+                     size_t k, const jet_pair x[], const jet_pair y[],
+                     jet_pair rate[])
 {
     const struct fixture *f = ctx;
-    const double e = exp(f->log_rate - w->log_scale);
+    const jet_pair e = scale_of(f, w);
 
     (void) x;
     (void) y;
     if (which == FIXTURE_CLOCK)
-        rate[k] = k == 0 ? e : 0.0;
+        rate[k] = k == 0 ? e : JET_PAIR(0.0);
     else
         rate[k] = e * w->slot[which][k];
 }

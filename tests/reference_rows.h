@@ -64,19 +64,20 @@ static const struct box *solve_reach;
 static inline enum status solve_branches(struct solved *s, double rtol)
 {
     struct grow_options o = grow_defaults(rtol);
+    struct branch branch[2];
     struct local_series u;
 
     o.carry = (struct carry){ { BLOCK_EXCESS }, 1 };
     o.reach = solve_reach;
     enum status status = local_at(&s->system, &s->saddle, MANIFOLD_STABLE,
                                   &o.carry, o.order, 0.01 * rtol, &u);
-    const int up = u.ind == 0 || u.c[1] > 0.0 ? 1 : -1;
+    const bool up = u.ind == 0 || u.c[1] > 0.0;
     if (status == STATUS_OK)
-        status = grow_branch(&s->system, &u, up, &o, &s->upper);
-    if (status == STATUS_OK)
-        status = grow_branch(&s->system, &u, -up, &o, &s->lower);
+        status = grow_branches(&s->system, &u, &o, branch);
     if (status != STATUS_OK)
         return status;
+    s->upper = branch[up ? 0 : 1];
+    s->lower = branch[up ? 1 : 0];
     s->numbers = numbers_critical(&s->block, &s->saddle, &s->upper, &s->lower);
     numbers_knees(&s->block, &s->system, &s->upper, &s->lower, &s->numbers);
     return STATUS_OK;

@@ -82,18 +82,18 @@ void shear_carry(const struct shear *s, struct shear_frame *f)
     f->gradient = flip_vec(s->vertical, g);
 }
 
-const double *shear_jet_undo(const struct shear *s, struct jet_work *w,
-                             size_t k, const double *z[2])
+const jet_pair *shear_jet_undo(const struct shear *s, struct jet_work *w,
+                               size_t k, const jet_pair *z[2])
 {
     const size_t m = s->vertical ? 1 : 0;
-    const double *t = z[1 - m];
-    double *before = jet_slot(w), *slope = jet_slot(w);
-    const double *power = t; /* t^j */
+    const jet_pair *t = z[1 - m];
+    jet_pair *before = jet_slot(w), *slope = jet_slot(w);
+    const jet_pair *power = t; /* t^j */
 
     before[k] = z[m][k] - s->coef[1] * t[k] - (k == 0 ? s->coef[0] : 0.0);
-    slope[k] = k == 0 ? s->coef[1] : 0.0;
+    slope[k] = JET_PAIR(k == 0 ? s->coef[1] : 0.0);
     for (size_t j = 2; j <= s->degree; j++) {
-        double *next = jet_slot(w);
+        jet_pair *next = jet_slot(w);
         slope[k] += (double) j * s->coef[j] * power[k];
         next[k] = jet_product(k, t, power);
         before[k] -= s->coef[j] * next[k];
@@ -104,10 +104,10 @@ const double *shear_jet_undo(const struct shear *s, struct jet_work *w,
 }
 
 void shear_jet_carry(const struct shear *s, struct jet_work *w, size_t k,
-                     const double *slope, const double *v[2])
+                     const jet_pair *slope, const jet_pair *v[2])
 {
     const size_t m = s->vertical ? 1 : 0;
-    double *after = jet_slot(w);
+    jet_pair *after = jet_slot(w);
 
     after[k] = v[m][k] + jet_product(k, slope, v[1 - m]);
     v[m] = after;

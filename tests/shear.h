@@ -42,9 +42,9 @@ void shear_carry(const struct shear *s, struct shear_frame *f);
  * Undo: the two series z[] are replaced by those before the map; returns the
  * series of p' along the curve.  Carry: the field's two series v[] before the
  * map are replaced by those after it, given what undo returned. */
-const double *shear_jet_undo(const struct shear *s, struct jet_work *w,
-                             size_t k, const double *z[2]);
+const jet_pair *shear_jet_undo(const struct shear *s, struct jet_work *w,
+                               size_t k, const jet_pair *z[2]);
 void shear_jet_carry(const struct shear *s, struct jet_work *w, size_t k,
-                     const double *slope, const double *v[2]);
+                     const jet_pair *slope, const jet_pair *v[2]);
 
 #endif

@@ -45,8 +45,8 @@ static enum status grow_both(struct sample *s, const struct box *reach)
     equilibrium_at(&s->sys, false, &e);
     enum status status =
         local_at(&s->sys, &e, MANIFOLD_STABLE, &o.carry, o.order, 1e-14, &u);
-    for (int i = 0; i < 2 && status == STATUS_OK; i++)
-        status = grow_branch(&s->sys, &u, i == 0 ? 1 : -1, &o, &s->branch[i]);
+    if (status == STATUS_OK)
+        status = grow_branches(&s->sys, &u, &o, s->branch);
     return status;
 }
 

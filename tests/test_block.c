@@ -22,7 +22,9 @@ static void the_system_is_the_field_around_the_anchor(void **state)
         struct planar_field f, g;
         struct planar_jacobian J;
         struct jet_work w = { 0 };
-        double x[2] = { z.x }, y[2] = { z.y }, fx[2], fy[2], rate[2], r;
+        const jet_pair x = JET_PAIR(z.x), y = JET_PAIR(z.y);
+        jet_pair fx, fy, rate;
+        double r;
         struct vec2 gradient;
 
         assert_true(p.origin.x == s.b.at.x0 && p.origin.y == s.b.at.y0);
@@ -31,18 +33,19 @@ static void the_system_is_the_field_around_the_anchor(void **state)
         field_real(&s.law, &s.b.at, z, &g);
         assert_memory_equal(&f, &g, sizeof f);
         assert_memory_equal(&J.field, &g, sizeof g);
-        p.jet(p.ctx, &w, 0, x, y, fx, fy);
-        assert_true(fx[0] == f.direction.x && fy[0] == f.direction.y &&
-                    w.log_scale == f.log_scale);
+        p.jet(p.ctx, &w, 0, &x, &y, &fx, &fy);
+        for (int l = 0; l < JET_LANES; l++)
+            assert_true(fx[l] == f.direction.x && fy[l] == f.direction.y &&
+                        w.log_scale[l] == f.log_scale);
         for (size_t j = 0; j < p.observable_count; j++) {
             p.rate_gradient(p.ctx, j, z, &r, &gradient);
             const double both = r;
             p.rate_gradient(p.ctx, j, z, &r, NULL);
             assert_true(r == both);
-            p.rate_jet(p.ctx, j, &w, 0, x, y, rate);
-            const double want = r * exp(-w.log_scale);
+            p.rate_jet(p.ctx, j, &w, 0, &x, &y, &rate);
+            const double want = r * exp(-w.log_scale[0]);
             CHECK(fabs(rate[0] - want) <=
-                      1e-15 * fabs(want) * (2 + fabs(w.log_scale)) + 1e-300,
+                      1e-15 * fabs(want) * (2 + fabs(w.log_scale[0])) + 1e-300,
                   "law %zu: %s %g %g", s.number, p.observables[j].name, rate[0],
                   want);
         }
@@ -185,12 +188,13 @@ static void free_sliding_turns_height_into_speed(void **state)
 static void orbit_step(const struct setting *s, struct vec2 *z,
                        double integral[BLOCK_OBSERVABLES])
 {
-    static double x[JET_SIZE], y[JET_SIZE], fx[JET_SIZE], fy[JET_SIZE];
-    static double rate[BLOCK_OBSERVABLES][JET_SIZE];
+    static jet_pair x[JET_SIZE], y[JET_SIZE], fx[JET_SIZE], fy[JET_SIZE];
+    static jet_pair rate[BLOCK_OBSERVABLES][JET_SIZE];
     static struct jet_work w;
+    double end[2][JET_SIZE];
 
-    x[0] = z->x;
-    y[0] = z->y;
+    x[0] = JET_PAIR(z->x);
+    y[0] = JET_PAIR(z->y);
     for (size_t k = 0; k < ORDER; k++) {
         field_jet(&s->law, &s->b.at, &w, k, x, y, fx, fy);
         x[k + 1] = fx[k] / (double) (k + 1);
@@ -201,13 +205,16 @@ static void orbit_step(const struct setting *s, struct vec2 *z,
     }
     double h = 0.1;
     for (int k = ORDER - 1; k <= ORDER; k++)
-        h = fmin(h, 0.5 * pow(1e-16 / (fabs(x[k]) + fabs(y[k])), 1.0 / k));
+        h = fmin(h,
+                 0.5 * pow(1e-16 / (fabs(x[k][0]) + fabs(y[k][1])), 1.0 / k));
     for (int i = 0; i < BLOCK_OBSERVABLES; i++) {
         double power = h;
         for (int k = 0; k < ORDER; k++, power *= h)
-            integral[i] += rate[i][k] * power / (k + 1);
+            integral[i] += rate[i][k][0] * power / (k + 1);
     }
-    *z = (struct vec2){ jet_at(ORDER, x, h), jet_at(ORDER, y, h) };
+    jet_take(ORDER, x, 0, end[0]);
+    jet_take(ORDER, y, 1, end[1]);
+    *z = (struct vec2){ jet_at(ORDER, end[0], h), jet_at(ORDER, end[1], h) };
 }
 
 static void every_orbit_keeps_its_energy(void **state)

@@ -4,6 +4,7 @@
 #include "field.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "setting.h"
 
@@ -169,7 +170,8 @@ static void series_friction(struct series_ctx *c, quad a, quad w0, quad q0,
 struct curve {
     double x[JET_SIZE], y[JET_SIZE];
     double f[2][JET_SIZE], rate[BLOCK_OBSERVABLES][JET_SIZE];
-    struct jet_work work;
+    double log_scale;
+    bool straight;
     quad exact[2][N], exact_rate[BLOCK_OBSERVABLES][N], exact_scale;
 };
 
@@ -210,14 +212,52 @@ static void balance(struct curve *c)
     }
 }
 
-static void double_series(const struct setting *s, struct curve *c)
+/* The series of two curves, side by side. */
+struct pairs {
+    jet_pair x[JET_SIZE], y[JET_SIZE], f[2][JET_SIZE];
+    jet_pair rate[BLOCK_OBSERVABLES][JET_SIZE];
+    struct jet_work work;
+};
+
+static void pairs_put(struct pairs *p, size_t i, const struct curve *c)
 {
     for (size_t k = 0; k < N; k++) {
-        field_jet(&s->law, &s->b.at, &c->work, k, c->x, c->y, c->f[0], c->f[1]);
+        p->x[k][i] = c->x[k];
+        p->y[k][i] = c->y[k];
+    }
+}
+
+static void pairs_take(const struct pairs *p, size_t i, struct curve *c)
+{
+    for (int j = 0; j < 2; j++)
+        jet_take(N - 1, p->f[j], i, c->f[j]);
+    for (int j = 0; j < BLOCK_OBSERVABLES; j++)
+        jet_take(N - 1, p->rate[j], i, c->rate[j]);
+    c->log_scale = p->work.log_scale[i];
+}
+
+static void pairs_expand(struct pairs *p, const struct setting *s)
+{
+    for (size_t k = 0; k < N; k++) {
+        field_jet(&s->law, &s->b.at, &p->work, k, p->x, p->y, p->f[0], p->f[1]);
         for (size_t i = 0; i < BLOCK_OBSERVABLES; i++)
             field_jet_rate(&s->law, &s->b.at, (enum block_observable) i,
-                           &c->work, k, c->x, c->y, c->rate[i]);
+                           &p->work, k, p->x, p->y, p->rate[i]);
     }
+}
+
+/* Of two curves of one law; a may be b. */
+static void double_series(const struct setting *s, struct curve *a,
+                          struct curve *b)
+{
+    static struct pairs p;
+
+    pairs_put(&p, 0, a);
+    pairs_put(&p, 1, b);
+    p.work.linear = a->straight && b->straight ? p.x : NULL;
+    pairs_expand(&p, s);
+    pairs_take(&p, 0, a);
+    pairs_take(&p, 1, b);
 }
 
 /* A random polynomial curve through a point not far from the anchor; straight
@@ -239,7 +279,7 @@ static bool draw_curve(const struct setting *s, bool straight, uint64_t *seed,
         c->x[k] = straight && k > 1 ? 0 : check_uniform(seed, -1, 1);
         c->y[k] = check_uniform(seed, -1, 1);
     }
-    c->work.linear = straight ? c->x : NULL;
+    c->straight = straight;
     exact_series(s, c);
     balance(c);
     exact_series(s, c);
@@ -285,8 +325,8 @@ static void coefficients_are_exact_to_order_24(void **state)
             !draw_curve(&s, i / LAWS, &seed, &c))
             continue;
         curves++;
-        double_series(&s, &c);
-        const quad shift = c.exact_scale - c.work.log_scale;
+        double_series(&s, &c, &c);
+        const quad shift = c.exact_scale - c.log_scale;
         /* mu is mu0 + (mu - mu0) */
         const quad mu0_v = fabsq(s.at.mu0 * c.exact_rate[BLOCK_SLIP][0]);
         check_series(&s, "fx", c.f[0], c.exact[0], shift, 0);
@@ -308,12 +348,12 @@ static void the_series_sums_to_the_field_on_the_curve(void **state)
     for (size_t i = 0; i < LAWS; i++) {
         if (!draw_setting(i, 6, &seed, &s) || !draw_curve(&s, false, &seed, &c))
             continue;
-        double_series(&s, &c);
+        double_series(&s, &c, &c);
         const double t = check_uniform(&seed, -0.1, 0.1);
         const struct vec2 z = { jet_at(ORDER, c.x, t), jet_at(ORDER, c.y, t) };
         struct planar_field f;
         field_real(&s.law, &s.b.at, z, &f);
-        const double factor = exp(f.log_scale - c.work.log_scale);
+        const double factor = exp(f.log_scale - c.log_scale);
         const double direction[2] = { f.direction.x, f.direction.y };
         for (int j = 0; j < 2; j++) {
             double size = 0;
@@ -339,9 +379,9 @@ static void the_shortcut_for_a_straight_x_changes_nothing(void **state)
         if (!draw_setting(i, 6, &seed, &s) || !draw_curve(&s, true, &seed, &c))
             continue;
         plain = c;
-        plain.work.linear = NULL;
-        double_series(&s, &c);
-        double_series(&s, &plain);
+        plain.straight = false;
+        double_series(&s, &c, &c);
+        double_series(&s, &plain, &plain);
         for (int j = 0; j < 2; j++)
             for (int k = 0; k < N; k++)
                 CHECK(fabs(c.f[j][k] - plain.f[j][k]) <=
@@ -357,27 +397,64 @@ static void a_second_call_replaces_the_first(void **state)
 {
     uint64_t seed = check_seed() + 3;
     struct setting s;
-    static struct curve c, twice;
+    static struct curve c;
+    static struct pairs p, twice;
 
     (void) state;
     for (size_t i = 0; i < LAWS; i++) {
         if (!draw_setting(i, 6, &seed, &s) || !draw_curve(&s, false, &seed, &c))
             continue;
-        twice = c;
-        double_series(&s, &c);
+        pairs_put(&p, 0, &c);
+        pairs_put(&p, 1, &c);
+        twice = p;
+        pairs_expand(&p, &s);
         for (size_t k = 0; k < N; k++) {
-            twice.y[k] = 0.5 * c.y[k] + 0.25; /* a guess, then the value */
+            twice.y[k] = 0.5 * p.y[k] + 0.25; /* a guess, then the value */
             field_jet(&s.law, &s.b.at, &twice.work, k, twice.x, twice.y,
                       twice.f[0], twice.f[1]);
-            twice.y[k] = c.y[k];
+            twice.y[k] = p.y[k];
             field_jet(&s.law, &s.b.at, &twice.work, k, twice.x, twice.y,
                       twice.f[0], twice.f[1]);
-            assert_true(twice.f[0][k] == c.f[0][k] &&
-                        twice.f[1][k] == c.f[1][k]);
+            for (int j = 0; j < JET_LANES; j++)
+                assert_true(twice.f[0][k][j] == p.f[0][k][j] &&
+                            twice.f[1][k][j] == p.f[1][k][j]);
         }
-        assert_true(twice.work.log_scale == c.work.log_scale);
-        assert_true(c.work.used <= JET_SLOTS);
+        assert_true(twice.work.log_scale[0] == p.work.log_scale[0]);
+        assert_true(p.work.used <= JET_SLOTS);
     }
+}
+
+static bool same(const struct curve *a, const struct curve *b)
+{
+    return a->log_scale == b->log_scale &&
+           memcmp(a->f, b->f, sizeof a->f) == 0 &&
+           memcmp(a->rate, b->rate, sizeof a->rate) == 0;
+}
+
+static void two_curves_side_by_side_do_not_touch(void **state)
+{
+    uint64_t seed = check_seed() + 4;
+    struct setting s;
+    static struct curve c, d, alone_c, alone_d;
+    size_t pairs = 0;
+
+    (void) state;
+    for (size_t i = 0; i < LAWS; i++) {
+        if (!draw_setting(i, 6, &seed, &s) ||
+            !draw_curve(&s, false, &seed, &c) ||
+            !draw_curve(&s, i % 2, &seed, &d))
+            continue;
+        alone_c = c;
+        alone_d = d;
+        double_series(&s, &c, &d);
+        double_series(&s, &alone_c, &alone_c);
+        alone_d.straight = false;
+        double_series(&s, &alone_d, &alone_d);
+        CHECK(same(&c, &alone_c) && same(&d, &alone_d),
+              "law %zu: a curve feels its neighbour", s.number);
+        pairs++;
+    }
+    CHECK(pairs > LAWS / 4, "only %zu pairs", pairs);
 }
 
 int main(void)
@@ -387,6 +464,7 @@ int main(void)
         cmocka_unit_test(the_series_sums_to_the_field_on_the_curve),
         cmocka_unit_test(the_shortcut_for_a_straight_x_changes_nothing),
         cmocka_unit_test(a_second_call_replaces_the_first),
+        cmocka_unit_test(two_curves_side_by_side_do_not_touch),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

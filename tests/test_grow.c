@@ -22,8 +22,8 @@ static enum status branches_of(const struct planar *sys, double rtol,
     assert_int_equal(e.type, EQUILIBRIUM_SADDLE);
     enum status s =
         local_at(sys, &e, MANIFOLD_STABLE, &o.carry, o.order, 0.01 * rtol, &u);
-    for (int i = 0; i < 2 && s == STATUS_OK; i++)
-        s = grow_branch(sys, &u, i == 0 ? 1 : -1, &o, &b[i]);
+    if (s == STATUS_OK)
+        s = grow_branches(sys, &u, &o, b);
     return s;
 }
 

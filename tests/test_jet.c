@@ -5,25 +5,30 @@
 
 #include "check.h"
 
-/* Series of exp(a s). */
-static void exponential(double a, double u[])
+/* Series of exp(a s), of exp(-a s/2) in the other lane. */
+static void exponential(double a, jet_pair u[])
 {
-    u[0] = 1.0;
+    const jet_pair both = { a, -0.5 * a };
+
+    u[0] = JET_PAIR(1.0);
     for (size_t k = 1; k < JET_SIZE; k++)
-        u[k] = u[k - 1] * a / (double) k;
+        u[k] = u[k - 1] * both / (double) k;
 }
 
-static void check_series(const double u[], const double ref[], double ulps,
+static void check_series(const jet_pair u[], const jet_pair ref[], double ulps,
                          const char *what)
 {
     for (size_t k = 0; k < JET_SIZE; k++)
-        CHECK(fabs(u[k] - ref[k]) <= ulps * DBL_EPSILON * fabs(ref[k]),
-              "%s: coefficient %zu is %a, true %a", what, k, u[k], ref[k]);
+        for (int i = 0; i < JET_LANES; i++)
+            CHECK(fabs(u[k][i] - ref[k][i]) <=
+                      ulps * DBL_EPSILON * fabs(ref[k][i]),
+                  "%s, lane %d: coefficient %zu is %a, true %a", what, i, k,
+                  u[k][i], ref[k][i]);
 }
 
 static void product_of_exponentials_adds_their_rates(void **state)
 {
-    double u[JET_SIZE], v[JET_SIZE], ref[JET_SIZE], w[JET_SIZE];
+    jet_pair u[JET_SIZE], v[JET_SIZE], ref[JET_SIZE], w[JET_SIZE];
 
     (void) state;
     exponential(0.75, u);
@@ -36,22 +41,25 @@ static void product_of_exponentials_adds_their_rates(void **state)
 
 static void quotient_undoes_the_product(void **state)
 {
-    double one[JET_SIZE] = { 1.0 }, den[JET_SIZE] = { 1.0, -0.5 };
-    double q[JET_SIZE], ref[JET_SIZE];
+    jet_pair one[JET_SIZE] = { { 1.0, 3.0 } };
+    jet_pair den[JET_SIZE] = { { 1.0, 1.0 }, { -0.5, 0.25 } };
+    jet_pair q[JET_SIZE], ref[JET_SIZE];
 
     (void) state;
     for (size_t k = 0; k < JET_SIZE; k++) {
         q[k] = jet_quotient(k, one, den, q);
-        ref[k] = ldexp(1.0, -(int) k); /* 1/(1 - s/2) */
+        ref[k][0] = ldexp(1.0, -(int) k);
+        ref[k][1] = ldexp(k % 2 ? -3.0 : 3.0, -2 * (int) k);
     }
-    check_series(q, ref, 0.0, "1/(1 - s/2)");
+    check_series(q, ref, 0.0, "1/(1 - s/2), 3/(1 + s/4)");
 
     uint64_t rng = check_seed();
-    double num[JET_SIZE], back[JET_SIZE];
-    for (size_t k = 0; k < JET_SIZE; k++) {
-        num[k] = check_uniform(&rng, 1.0, 2.0);
-        den[k] = k ? check_uniform(&rng, -0.01, 0.01) : 3.0;
-    }
+    jet_pair num[JET_SIZE], back[JET_SIZE];
+    for (size_t k = 0; k < JET_SIZE; k++)
+        for (int i = 0; i < JET_LANES; i++) {
+            num[k][i] = check_uniform(&rng, 1.0, 2.0);
+            den[k][i] = k ? check_uniform(&rng, -0.01, 0.01) : 3.0;
+        }
     for (size_t k = 0; k < JET_SIZE; k++)
         q[k] = jet_quotient(k, num, den, q);
     for (size_t k = 0; k < JET_SIZE; k++)
@@ -59,35 +67,40 @@ static void quotient_undoes_the_product(void **state)
     check_series(back, num, 16.0, "(num/den) den");
 }
 
-/* e = exp(u): k e[k] = sum j u[j] e[k-j]. */
+/* e = exp(u): e' = u' e. */
 static void chain_gives_the_exponential_of_a_series(void **state)
 {
     static struct jet_work w;
-    double u[JET_SIZE] = { 0.0 }, e[JET_SIZE] = { 1.0 }, ref[JET_SIZE];
+    jet_pair u[JET_SIZE] = { 0 }, e[JET_SIZE] = { { 1.0, 1.0 } };
+    jet_pair du[JET_SIZE] = { 0 }, ref[JET_SIZE];
 
     (void) state;
-    for (size_t k = 1; k < JET_SIZE; k++) /* u = -log(1 - s): exp u = sum s^k */
-        u[k] = 1.0 / (double) k;
+    for (size_t k = 1; k < JET_SIZE; k++) /* -log(1 -+ s): exp u = 1/(1 -+ s) */
+        u[k] = (jet_pair){ 1.0, k % 2 ? -1.0 : 1.0 } / (double) k;
     for (size_t k = 1; k < JET_SIZE; k++)
-        e[k] = jet_chain(&w, k, u, e) / (double) k;
+        du[k] = jet_number[k] * u[k];
+    for (size_t k = 1; k < JET_SIZE; k++)
+        e[k] = jet_chain(&w, k, u, du, e);
     for (size_t k = 0; k < JET_SIZE; k++)
-        ref[k] = 1.0;
-    check_series(e, ref, 64.0, "exp(-log(1 - s))");
+        ref[k] = (jet_pair){ 1.0, k % 2 ? -1.0 : 1.0 };
+    check_series(e, ref, 64.0, "exp(-log(1 -+ s))");
 }
 
 /* sine and cosine of 3 s, with and without the shortcut for linear series. */
 static void chain_gives_sine_and_cosine(void **state)
 {
     static struct jet_work w;
-    double u[JET_SIZE] = { 0.0, 3.0 };
+    jet_pair u[JET_SIZE] = { { 0.0, 0.0 }, { 3.0, -1.5 } };
+    const jet_pair *const du = u; /* 0 and u[1] */
 
     (void) state;
     for (int pass = 0; pass < 2; pass++) {
-        double s[JET_SIZE] = { 0.0 }, c[JET_SIZE] = { 1.0 }, ref[JET_SIZE];
+        jet_pair s[JET_SIZE] = { 0 }, c[JET_SIZE] = { { 1.0, 1.0 } };
+        jet_pair ref[JET_SIZE];
         w.linear = pass ? u : NULL;
         for (size_t k = 1; k < JET_SIZE; k++) {
-            s[k] = jet_chain(&w, k, u, c) / (double) k;
-            c[k] = -jet_chain(&w, k, u, s) / (double) k;
+            s[k] = jet_chain(&w, k, u, du, c);
+            c[k] = -jet_chain(&w, k, u, du, s);
         }
         exponential(3.0, ref);
         for (size_t k = 0; k < JET_SIZE; k++)
@@ -102,11 +115,13 @@ static void chain_gives_sine_and_cosine(void **state)
 
 static void series_sum_to_their_function_and_its_slope(void **state)
 {
+    jet_pair both[JET_SIZE];
     double u[JET_SIZE];
     uint64_t rng = check_seed();
 
     (void) state;
-    exponential(1.0, u);
+    exponential(-2.0, both);
+    jet_take(JET_SIZE - 1, both, 1, u);
     for (int i = 0; i < 1000; i++) {
         const double s = check_uniform(&rng, -2.0, 2.0);
         CHECK(fabs(jet_at(JET_SIZE - 1, u, s) - exp(s)) < 1e-14, "s = %a", s);
@@ -121,7 +136,7 @@ static void series_sum_to_their_function_and_its_slope(void **state)
 static void slots_are_found_again_in_call_order(void **state)
 {
     static struct jet_work w;
-    double *const first = jet_slot(&w), *const second = jet_slot(&w);
+    jet_pair *const first = jet_slot(&w), *const second = jet_slot(&w);
 
     (void) state;
     assert_true(first != second);

@@ -14,6 +14,12 @@ const double jet_inverse[JET_SIZE] = {
 };
 /* clang-format on */
 
+void jet_take(size_t order, const jet_pair u[], size_t lane, double out[])
+{
+    for (size_t k = 0; k <= order; k++)
+        out[k] = u[k][lane];
+}
+
 double jet_at(size_t order, const double u[], double s)
 {
     double sum = u[order];

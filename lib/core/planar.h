@@ -68,13 +68,14 @@ struct planar {
     void (*field)(const void *ctx, struct vec2 z, struct planar_field *f);
     void (*jacobian)(const void *ctx, struct vec2 z, struct planar_jacobian *J);
 
-    /* Coefficient k of the Taylor series of f * exp(-w->log_scale) along the
-     * curve whose coefficients 0..k are x[], y[]: writes fx[k] and fy[k].
+    /* Coefficient k of the Taylor series of f * exp(-w->log_scale) along two
+     * curves whose coefficients 0..k are x[], y[]: writes fx[k] and fy[k].
      * Called for k = 0, 1, 2, ... with the same arrays and workspace; the
      * call with k = 0 fixes w->log_scale for the whole series.  A second call
      * with the same k replaces the first.  NULL: the system has no jets. */
-    void (*jet)(const void *ctx, struct jet_work *w, size_t k, const double x[],
-                const double y[], double fx[], double fy[]);
+    void (*jet)(const void *ctx, struct jet_work *w, size_t k,
+                const jet_pair x[], const jet_pair y[], jet_pair fx[],
+                jet_pair fy[]);
 
     /* Observables: their rates per unit of time at z with the gradient in z
      * (which may be NULL where only the rate is wanted),
@@ -85,8 +86,8 @@ struct planar {
     void (*rate_gradient)(const void *ctx, size_t which, struct vec2 z,
                           double *rate, struct vec2 *gradient);
     void (*rate_jet)(const void *ctx, size_t which, struct jet_work *w,
-                     size_t k, const double x[], const double y[],
-                     double rate[]);
+                     size_t k, const jet_pair x[], const jet_pair y[],
+                     jet_pair rate[]);
 
     const struct planar_steady *steady; /* borrowed; NULL if none is known */
     const void *ctx;                    /* borrowed: outlives the system */

@@ -31,8 +31,9 @@ static void jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
     field_dual(&b->law, &b->at, z, J);
 }
 
-static void jet(const void *ctx, struct jet_work *w, size_t k, const double x[],
-                const double y[], double fx[], double fy[])
+static void jet(const void *ctx, struct jet_work *w, size_t k,
+                const jet_pair x[], const jet_pair y[], jet_pair fx[],
+                jet_pair fy[])
 {
     const struct block *b = ctx;
     field_jet(&b->law, &b->at, w, k, x, y, fx, fy);
@@ -51,8 +52,8 @@ static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
 }
 
 static void rate_jet(const void *ctx, size_t which, struct jet_work *w,
-                     size_t k, const double x[], const double y[],
-                     double rate[])
+                     size_t k, const jet_pair x[], const jet_pair y[],
+                     jet_pair rate[])
 {
     const struct block *b = ctx;
     field_jet_rate(&b->law, &b->at, (enum block_observable) which, w, k, x, y,

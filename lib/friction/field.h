@@ -30,10 +30,10 @@ void field_dual_rate(const struct law *law, const struct anchor *at,
 
 /* Coefficient k: the contract of planar.jet and planar.rate_jet. */
 void field_jet(const struct law *law, const struct anchor *at,
-               struct jet_work *w, size_t k, const double x[], const double y[],
-               double fx[], double fy[]);
+               struct jet_work *w, size_t k, const jet_pair x[],
+               const jet_pair y[], jet_pair fx[], jet_pair fy[]);
 void field_jet_rate(const struct law *law, const struct anchor *at,
                     enum block_observable which, struct jet_work *w, size_t k,
-                    const double x[], const double y[], double rate[]);
+                    const jet_pair x[], const jet_pair y[], jet_pair rate[]);
 
 #endif

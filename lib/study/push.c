@@ -51,10 +51,8 @@ static enum status grow_stable(struct push *p, const struct monitor *monitor)
     enum status status =
         local_at(&s->system, &s->equilibrium[s->saddle], MANIFOLD_STABLE,
                  &o.carry, o.order, TOL_TAYLOR_STEP * o.rtol, &u);
-    for (int i = 0; i < SIDES && status == STATUS_OK; i++)
-        status =
-            grow_branch(&s->system, &u, i == 0 ? 1 : -1, &o, &s->stable[i]);
-    return status;
+    return status == STATUS_OK ? grow_branches(&s->system, &u, &o, s->stable)
+                               : status;
 }
 
 static enum status cut_plane(struct push *p)

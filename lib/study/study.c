@@ -124,6 +124,7 @@ static enum status run_stable(struct study *s, const struct monitor *monitor,
 {
     struct grow_options o = grow_defaults(s->scene->rtol);
     const struct box window = study_window(s);
+    struct branch branch[SIDES];
     struct local_series u;
 
     if (s->saddle < 0)
@@ -135,9 +136,10 @@ static enum status run_stable(struct study *s, const struct monitor *monitor,
             ? &window
             : NULL;
     enum status status = local_series(s, MANIFOLD_STABLE, &o.carry, &u);
+    if (status == STATUS_OK)
+        status = grow_branches(&s->system, &u, &o, branch);
     for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
-        status = grow_branch(&s->system, &u, side_sign(&u, (enum side) i), &o,
-                             &s->stable[i]);
+        s->stable[i] = branch[side_sign(&u, (enum side) i) > 0 ? 0 : 1];
         s->cost[STAGE_STABLE].field_evaluations +=
             s->stable[i].evaluations * o.order;
     }

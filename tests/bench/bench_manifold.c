@@ -34,8 +34,7 @@ static struct answer our_answer(struct block *b, double rtol, bool all)
     o.carry = (struct carry){ { BLOCK_EXCESS }, 1 };
     if (local_at(&sys, &e, MANIFOLD_STABLE, &o.carry, o.order, 0.01 * rtol,
                  &u) != STATUS_OK ||
-        grow_branch(&sys, &u, 1, &o, &branch[0]) != STATUS_OK ||
-        grow_branch(&sys, &u, -1, &o, &branch[1]) != STATUS_OK)
+        grow_branches(&sys, &u, &o, branch) != STATUS_OK)
         return none;
     struct critical_numbers n = numbers_critical(b, &e, &branch[0], &branch[1]);
     if (all)
