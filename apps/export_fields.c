@@ -54,7 +54,7 @@ enum status export_field_rows(const struct study *s, struct store *out,
     struct cell *cell = malloc(n * sizeof *cell);
     double *one = malloc(n * sizeof *one);
     enum status status =
-        cell && one ? fields_find(&s->fields, first * columns, n, monitor, cell)
+        cell && one ? fields_find(&s->fields, first, count, monitor, cell)
                     : STATUS_NO_MEMORY;
     for (size_t i = 0; i < record_cell.count && status == STATUS_OK; i++) {
         const struct record_field *f = &record_cell.fields[i];

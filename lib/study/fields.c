@@ -28,41 +28,62 @@ enum status fields_prepare(struct study *s, const struct monitor *monitor,
     return STATUS_OK;
 }
 
-/* Cell centres in the chart. */
-struct centres {
-    const double *x, *y;
-    size_t columns, rows;
+/* What finds states of the grid, and tells how far it is. */
+struct finder {
+    const struct study *study;
+    const struct monitor *monitor;
+    size_t before, total; /* cells, for the monitor */
 };
 
-/* Cells first .. first + count - 1 of the centres. */
-static enum status find(const struct fields *f, const struct centres *at,
-                        size_t first, size_t count,
-                        const struct monitor *monitor, struct cell out[])
+static enum status find(void *ctx, const struct vec2 z[], size_t n, double rtol,
+                        unsigned which, struct cell out[])
 {
-    const size_t end = first + count, total = at->columns * at->rows;
-    struct vec2 z[LOOK];
+    const struct finder *f = ctx;
     enum status status = STATUS_OK;
 
-    for (size_t i = first; i < end && status == STATUS_OK; i += LOOK) {
-        const size_t n = end - i < LOOK ? end - i : LOOK;
-        for (size_t k = 0; k < n; k++)
-            z[k] = (struct vec2){ at->x[(i + k) % at->columns],
-                                  at->y[(i + k) / at->columns] };
-        status = cells_find(f->study, z, n, f->rtol, f->which, NULL,
-                            out + (i - first));
-        if (status == STATUS_OK && monitor_tell(monitor, "cells", i + n, total))
+    for (size_t i = 0; i < n && status == STATUS_OK; i += LOOK) {
+        const size_t some = n - i < LOOK ? n - i : LOOK;
+        status = cells_find(f->study, z + i, some, rtol, which, NULL, out + i);
+        if (status == STATUS_OK &&
+            monitor_tell(f->monitor, "cells", f->before, f->total))
             status = STATUS_STOPPED;
     }
     return status;
 }
 
-enum status fields_find(const struct fields *f, size_t first, size_t count,
+static enum status fill(const struct fields *f, struct finder *finder,
+                        const struct patchwork_grid *grid, struct cell out[])
+{
+    const struct patchwork_source source = { find, finder };
+    const enum status status =
+        patchwork_fill(grid, &source, f->rtol, f->which, out, NULL);
+
+    finder->before += grid->columns * grid->rows;
+    return status;
+}
+
+/* In bands of one row of squares, so that the monitor hears often. */
+enum status fields_find(const struct fields *f, size_t first, size_t rows,
                         const struct monitor *monitor, struct cell out[])
 {
     const struct basin_map *m = &f->study->basins;
-    const struct centres at = { m->x, m->y, m->columns, m->rows };
+    const size_t n = m->columns, end = first + rows;
+    struct finder finder = { f->study, monitor, first * n, n * m->rows };
+    int8_t *label = malloc(n * PATCHWORK_TILE);
+    enum status status = label ? STATUS_OK : STATUS_NO_MEMORY;
 
-    return find(f, &at, first, count, monitor, out);
+    if (first % PATCHWORK_TILE != 0)
+        status = STATUS_BAD_ARGUMENT;
+    for (size_t j = first; j < end && status == STATUS_OK;
+         j += PATCHWORK_TILE) {
+        const size_t some = end - j < PATCHWORK_TILE ? end - j : PATCHWORK_TILE;
+        const struct patchwork_grid grid = { m->x, m->y + j, label, n, some };
+        status = basin_map_rows(m, j, some, label);
+        if (status == STATUS_OK)
+            status = fill(f, &finder, &grid, out + (j - first) * n);
+    }
+    free(label);
+    return status;
 }
 
 static double value_of(const struct cell *c, enum cell_field field)
@@ -80,23 +101,28 @@ enum status fields_raster(const struct fields *f, enum cell_field field,
                           const struct monitor *monitor, double out[])
 {
     const struct fields rough = { f->study, 1u << field, TOL_FIELDS_PICTURE };
-    const size_t longest = columns > rows ? columns : rows;
+    const size_t n = columns * rows, longest = columns > rows ? columns : rows;
+    struct finder finder = { f->study, monitor, 0, n };
     double *x = malloc(columns * sizeof *x), *y = malloc(rows * sizeof *y);
     double *stored = malloc(longest * sizeof *stored);
-    struct cell *cell = malloc(columns * rows * sizeof *cell);
+    struct cell *cell = malloc(n * sizeof *cell);
+    int8_t *label = malloc(n);
     enum status status = STATUS_NO_MEMORY;
 
-    if (x && y && stored && cell) {
-        const struct centres at = { x, y, columns, rows };
+    if (x && y && stored && cell && label) {
+        const struct patchwork_grid grid = { x, y, label, columns, rows };
         basin_map_axis(f->study, BASIN_V, columns, x, stored);
         basin_map_axis(f->study, BASIN_PSI, rows, y, stored);
-        status = find(&rough, &at, 0, columns * rows, monitor, cell);
+        status = basin_map_raster(&f->study->basins, columns, rows, label);
+        if (status == STATUS_OK)
+            status = fill(&rough, &finder, &grid, cell);
     }
-    for (size_t i = 0; i < columns * rows && status == STATUS_OK; i++)
+    for (size_t i = 0; i < n && status == STATUS_OK; i++)
         out[i] = value_of(&cell[i], field);
     free(x);
     free(y);
     free(stored);
     free(cell);
+    free(label);
     return status;
 }

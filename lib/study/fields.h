@@ -5,7 +5,7 @@
 #ifndef STUDY_FIELDS_H
 #define STUDY_FIELDS_H
 
-#include "cells.h"
+#include "patchwork.h"
 
 struct fields {
     const struct study *study; /* borrowed */
@@ -19,11 +19,12 @@ MUST_CHECK enum status fields_prepare(struct study *s,
                                       const struct monitor *monitor,
                                       struct fault *why);
 
-/* Cells first .. first + count - 1 of the grid of the study's basin map, row by
- * row from row 0, into out[count].  The monitor hears of "cells" done of the
- * whole grid.  Otherwise as cells_find, which does it. */
+/* Rows first .. first + rows - 1 of the grid of the study's basin map, cell by
+ * cell, by few states of it (patchwork.h).  The monitor hears of "cells" done
+ * of the whole grid.  Otherwise as cells_find.  STATUS_BAD_ARGUMENT: first is
+ * no multiple of PATCHWORK_TILE; so the bits do not depend on the parts. */
 MUST_CHECK enum status fields_find(const struct fields *f, size_t first,
-                                   size_t count, const struct monitor *monitor,
+                                   size_t rows, const struct monitor *monitor,
                                    struct cell out[]);
 
 /* One field on another grid over the same window, good enough for a picture

@@ -255,4 +255,12 @@
 #define TOL_TRANSIENT_SLOW     1e-8
 #define TOL_TRANSIENT_REACH    2.0
 
+/* Fields interpolated on a grid (patchwork.c).  Accuracy of the samples, as a
+ * part of what is asked for: their bars grow by Lebesgue's constant of 8 x 8
+ * Chebyshev points, 3.8; and how many times the largest miss at the tested
+ * cells a bar holds (measured: the largest of all is up to 3 times that). */
+#define TOL_PATCH_SAMPLES  0.1
+#define TOL_PATCH_LEBESGUE 4.0
+#define TOL_PATCH_TESTS    5.0
+
 #endif
