@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "export_basin.h"
+#include "export_diagram.h"
 #include "library.h"
 #include "rows.h"
 #include "store.h"
@@ -148,6 +149,17 @@ static enum status put_critical(const struct study *s, struct store *out)
     return status;
 }
 
+static enum status put_taylor(const struct study *s, struct store *out)
+{
+    static const char group[] = "/taylor_series";
+    const struct record_array terms = { &record_taylor_term, s->taylor.term,
+                                        s->taylor.terms };
+    const enum status status = store_put_records(out, group, &terms, "order");
+
+    return status ? status
+                  : store_put_scalars(out, group, &record_taylor, &s->taylor);
+}
+
 static enum status put_sensitivities(const struct study *s, struct store *out)
 {
     const struct sensitivities *d = &s->sensitivities;
@@ -243,10 +255,12 @@ static enum status put_all(const struct study *s, struct store *out,
                                    &s->saddle_numbers);
     if (!status && plan_has(stages, STAGE_FOLDS))
         status = store_put_scalars(out, "/folds", &record_folds, &s->folds);
-    if (!status && plan_has(stages, STAGE_STABLE) && s->saddle >= 0)
+    if (!status && plan_has(stages, STAGE_STABLE) && study_has_manifolds(s))
         status = put_manifolds(s, out);
     if (!status && plan_has(stages, STAGE_CRITICAL))
         status = put_critical(s, out);
+    if (!status && plan_has(stages, STAGE_TAYLOR))
+        status = put_taylor(s, out);
     if (!status && plan_has(stages, STAGE_ESTIMATES))
         status = put_estimates(s, out);
     if (!status && plan_has(stages, STAGE_SENSITIVITIES))
@@ -259,6 +273,8 @@ static enum status put_all(const struct study *s, struct store *out,
         status = put_trajectories(s, out);
     if (!status && plan_has(stages, STAGE_BASINS))
         status = export_basin(s, out, monitor);
+    if (!status)
+        status = export_diagrams(s, out);
     return status;
 }
 

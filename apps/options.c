@@ -23,11 +23,15 @@ enum key {
     KEY_PROGRESS,
     KEY_SEED,
     KEY_EXACT,
+    KEY_QUICK,
     KEY_SENSITIVITIES,
+    KEY_RESUME,
     KEY_V,
     KEY_PSI,
     KEY_STATES,
     KEY_DATA,
+    KEY_SCENES,
+    KEY_ONLY,
     KEY_HELP,
     KEY_VERSION
 };
@@ -40,12 +44,13 @@ static const struct argp_option option_table[] = {
     { "alpha", KEY_ALPHA, "RAD", 0, "Slope angle in radians", 0 },
     { "rtol", KEY_RTOL, "TOL", 0, "Relative accuracy [1e-12]", 0 },
     { "output", 'o', "FILE", 0,
-      "Write the results to this HDF5 file (check: CSV)", 0 },
+      "Write the results to this HDF5 file (check: CSV; gallery: a folder)",
+      0 },
     { "figure", KEY_FIGURE, "FILE", 0, "Draw FILE.svg, .pdf or .png", 0 },
     { "keep-script", KEY_KEEP, 0, 0,
       "Leave the figure's gnuplot script and data beside it", 0 },
     { "json", KEY_JSON, 0, 0, "Print JSON instead of a table", 0 },
-    { "tap", KEY_TAP, 0, 0, "check: print TAP instead of a table", 0 },
+    { "tap", KEY_TAP, 0, 0, "check, stress: print TAP instead of a table", 0 },
     { "record", KEY_RECORD, 0, 0,
       "check: write a table from scenes or options to -o", 0 },
     { "threads", KEY_THREADS, "N", 0, "Number of threads [all]", 0 },
@@ -53,8 +58,13 @@ static const struct argp_option option_table[] = {
     { "quiet", 'q', 0, 0, "Print nothing but errors", 0 },
     { "exact", KEY_EXACT, 0, 0,
       "basin: label every cell by its own forward integration", 0 },
+    { "quick", KEY_QUICK, 0, 0,
+      "workprec: in some seconds, but coarsely; stress: a part of the cases",
+      0 },
     { "sensitivities", KEY_SENSITIVITIES, 0, 0,
       "Add derivatives by the inputs, and what rounding these costs", 0 },
+    { "resume", KEY_RESUME, 0, 0,
+      "sweep: go on where an interrupted one stopped", 0 },
     { "seed", KEY_SEED, "N", 0, "Seed of everything random", 0 },
     { "v", KEY_V, "V", 0, "push, simulate: slip rate in units of V_star", 0 },
     { "psi", KEY_PSI, "PSI", 0, "push, simulate: interfacial state", 0 },
@@ -62,6 +72,10 @@ static const struct argp_option option_table[] = {
       "push: many states, a CSV file with columns v and psi", 0 },
     { "data", KEY_DATA, "FILE", 0,
       "rabinowicz: a CSV file with columns tan_alpha and l_k or x_k", 0 },
+    { "scenes", KEY_SCENES, "DIR", 0,
+      "gallery: the folder of scenes, instead of ./scenes", 0 },
+    { "only", KEY_ONLY, "PATTERN", 0, "stress: the cases with this in the name",
+      0 },
     { "help", KEY_HELP, 0, 0, "Print this", -1 },
     { "version", KEY_VERSION, 0, 0, "Print the version", -1 },
     { 0 },
@@ -187,7 +201,7 @@ static _Noreturn void print_and_leave(const struct options *o, bool help)
         print_help(o->command);
     else
         printf("slipway %s\n", SLIPWAY_VERSION);
-    if (fflush(stdout) != 0)
+    if (fflush(stdout) != 0 || ferror(stdout))
         exit((int) command_unwritten());
     exit(EXIT_DONE);
 }
@@ -204,6 +218,35 @@ static const char **text_option(struct options *o, int key)
             return &o->psi;
         case KEY_STATES:
             return &o->states;
+        case KEY_SCENES:
+            return &o->scenes;
+        case KEY_ONLY:
+            return &o->only;
+        default:
+            return NULL;
+    }
+}
+
+/* Where an option without a value is noted; NULL: it has one. */
+static bool *flag_option(struct options *o, int key)
+{
+    switch (key) {
+        case KEY_SENSITIVITIES:
+            return &o->sensitivities;
+        case KEY_QUICK:
+            return &o->quick;
+        case KEY_RESUME:
+            return &o->resume;
+        case KEY_JSON:
+            return &o->json;
+        case KEY_TAP:
+            return &o->tap;
+        case KEY_RECORD:
+            return &o->record;
+        case KEY_KEEP:
+            return &o->keep_script;
+        case 'q':
+            return &o->quiet;
         default:
             return NULL;
     }
@@ -219,7 +262,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
         add_set(o, scene_key(key), value, is_path(key));
         return 0;
     }
-    if (text_option(o, key))
+    if (flag_option(o, key))
+        *flag_option(o, key) = true;
+    if (text_option(o, key) || flag_option(o, key))
         return 0;
     switch (key) {
         case KEY_SET:
@@ -227,26 +272,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
                 refuse("--set ", value, "expected KEY=VALUE");
             add_text(o, strdup(value));
             return 0;
-        case KEY_SENSITIVITIES:
-            o->sensitivities = true;
-            return 0;
         case KEY_EXACT:
             add_set(o, "basins.exact", "true", false);
-            return 0;
-        case KEY_JSON:
-            o->json = true;
-            return 0;
-        case KEY_TAP:
-            o->tap = true;
-            return 0;
-        case KEY_RECORD:
-            o->record = true;
-            return 0;
-        case KEY_KEEP:
-            o->keep_script = true;
-            return 0;
-        case 'q':
-            o->quiet = true;
             return 0;
         case KEY_THREADS:
             o->threads = parse_count(value);

@@ -17,7 +17,9 @@ struct options {
     size_t sets;
     const char *output;           /* of -o, borrowed; NULL: none */
     const char *v, *psi, *states; /* of push, borrowed; NULL: not given */
-    bool json, keep_script, quiet, tap, record, sensitivities;
+    const char *scenes;           /* of gallery, likewise */
+    const char *only;             /* of stress, likewise */
+    bool json, keep_script, quiet, tap, record, sensitivities, resume, quick;
     int threads; /* 0: what OpenMP chooses */
     enum progress progress;
 };

@@ -8,7 +8,10 @@
 #include <string.h>
 
 #include "draw.h"
+#include "panel.h"
 #include "physical.h"
+#include "picture_diagram.h"
+#include "picture_taylor.h"
 #include "tolerance.h"
 
 struct picture {
@@ -17,6 +20,9 @@ struct picture {
     struct mat2 basis; /* eigenvectors, for eigen axes */
     enum axes axes;
     const struct monitor *monitor; /* borrowed */
+    struct cell *raster;           /* owned: fields of the image below; NULL */
+    size_t columns, rows;          /* of it; 0: none */
+    enum cell_field field;         /* shown now */
 };
 
 /* Eigenvectors as columns, both with x-component 1. */
@@ -211,12 +217,20 @@ static enum status add_nullclines(struct picture *p)
 static enum status add_trajectories(struct picture *p)
 {
     const struct trajectories *spread = &p->s->portrait.trajectories;
-    const struct trajectories *chosen = &p->s->chosen;
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i < spread->count && !status; i++)
         status = add_curve(p, &spread->at[i].curve, FIGURE_TRAJECTORY,
                            "trajectories", true);
+    return status;
+}
+
+/* Over the nullclines and manifolds, which they follow closely. */
+static enum status add_chosen(struct picture *p)
+{
+    const struct trajectories *chosen = &p->s->chosen;
+    enum status status = STATUS_OK;
+
     for (size_t i = 0; i < chosen->count && !status; i++)
         status = add_curve(p, &chosen->at[i].curve, FIGURE_HIGHLIGHT,
                            "trajectory from the given start", true);
@@ -325,6 +339,19 @@ static enum status add_arrows(struct picture *p)
     return status;
 }
 
+/* The power series in v; not on eigen axes. */
+static struct vec2 shown_plain(const void *ctx, struct vec2 u)
+{
+    return shown_value(ctx, u);
+}
+
+static enum status add_taylor(struct picture *p)
+{
+    return p->axes == AXES_EIGEN
+               ? STATUS_OK
+               : picture_add_taylor(p->s, shown_plain, p, &p->figure);
+}
+
 /* The basins as tints; not on eigen axes, whose window is another. */
 static enum status add_basins(struct picture *p)
 {
@@ -358,10 +385,19 @@ static enum status add_basins(struct picture *p)
     return status;
 }
 
-/* The first field asked for as an image instead; no finer than the grid. */
+static double field_of(const struct cell *c, enum cell_field field)
+{
+    const double value[CELL_FIELDS] = { [CELL_SLIP] = c->slip,
+                                        [CELL_TIME] = c->time,
+                                        [CELL_MU_MEAN] = c->mu_mean,
+                                        [CELL_V_PEAK] = c->v_peak,
+                                        [CELL_MU_PEAK] = c->mu_peak };
+    return value[field];
+}
+
+/* A field as an image instead. */
 static enum status add_field(struct picture *p)
 {
-    enum { COLUMNS = 144, ROWS = 96 };
     static const struct {
         const char *label;
         bool is_log;
@@ -372,29 +408,115 @@ static enum status add_field(struct picture *p)
         [CELL_V_PEAK] = { "largest slip rate", true },
         [CELL_MU_PEAK] = { "largest friction", false },
     };
-    const struct fields *f = &p->s->fields;
-    const struct basin_map *m = &p->s->basins;
-    const size_t nx = m->columns < COLUMNS ? m->columns : COLUMNS;
-    const size_t ny = m->rows < ROWS ? m->rows : ROWS;
-    enum cell_field k = 0;
+    const size_t n = p->columns * p->rows;
 
-    if (f->which == 0 || p->axes == AXES_EIGEN)
+    if (n == 0)
         return STATUS_OK;
-    while (!(f->which >> k & 1u))
-        k++;
-    double *value = malloc(nx * ny * sizeof *value);
+    double *value = malloc(n * sizeof *value);
     if (value == NULL)
         return STATUS_NO_MEMORY;
-    enum status status = fields_raster(f, k, nx, ny, p->monitor, value);
-    if (status == STATUS_OK)
-        status = figure_add_map(
-            &p->figure,
-            &(struct figure_map){ .value = value,
-                                  .nx = nx,
-                                  .ny = ny,
-                                  .scale = { .label = look[k].label,
-                                             .is_log = look[k].is_log } });
+    for (size_t i = 0; i < n; i++)
+        value[i] = field_of(&p->raster[i], p->field);
+    const enum status status = figure_add_map(
+        &p->figure,
+        &(struct figure_map){ .value = value,
+                              .nx = p->columns,
+                              .ny = p->rows,
+                              .scale = { .label = look[p->field].label,
+                                         .is_log = look[p->field].is_log } });
     free(value);
+    return status;
+}
+
+static enum status draw_portrait(struct picture *p)
+{
+    static enum status (*const layer[])(struct picture *) = {
+        add_basins,       add_field,     add_arrows,     add_taylor,
+        add_trajectories, add_unstable,  add_nullclines, add_manifolds,
+        add_chosen,       add_equilibria
+    };
+    enum status status;
+
+    if (p->s->saddle >= 0)
+        p->basis = eigen_basis_of(&p->s->equilibrium[p->s->saddle]);
+    else if (p->axes == AXES_EIGEN)
+        p->axes = AXES_LOG; /* nothing to be eigen about */
+    status = start_figure(p);
+    for (size_t i = 0; i < sizeof layer / sizeof *layer && !status; i++)
+        status = layer[i](p);
+    return status;
+}
+
+/* Of p->figure, drawn with the given status. */
+static enum status write_figure(struct picture *p, enum status status,
+                                const char *path, bool keep_script,
+                                struct fault *why)
+{
+    if (status == STATUS_OK)
+        status = figure_write(&p->figure, path, keep_script, why);
+    else
+        snprintf(why->text, sizeof why->text, "%.300s: %s", path,
+                 status_text(status));
+    figure_free(&p->figure);
+    p->figure = FIGURE_EMPTY;
+    return status;
+}
+
+/* The cells behind the pictures, no finer than the grid. */
+static enum status find_raster(struct picture *p)
+{
+    enum { COLUMNS = 144, ROWS = 96 };
+    const struct basin_map *m = &p->s->basins;
+
+    p->columns = m->columns < COLUMNS ? m->columns : COLUMNS;
+    p->rows = m->rows < ROWS ? m->rows : ROWS;
+    p->raster = malloc(p->columns * p->rows * sizeof *p->raster);
+    return p->raster ? fields_raster(&p->s->fields, p->columns, p->rows,
+                                     p->monitor, p->raster)
+                     : STATUS_NO_MEMORY;
+}
+
+static const char *const field_panel[CELL_FIELDS] = {
+    [CELL_SLIP] = "_slip",       [CELL_TIME] = "_time",
+    [CELL_MU_MEAN] = "_mu_mean", [CELL_V_PEAK] = "_v_peak",
+    [CELL_MU_PEAK] = "_mu_peak",
+};
+
+static bool shows_fields(const struct study *s)
+{
+    return s->fields.which != 0 && s->scene->window.axes != AXES_EIGEN &&
+           !picture_has_diagram(s);
+}
+
+const char *picture_panel(const struct study *s, size_t i)
+{
+    if (i == 0)
+        return "";
+    for (size_t k = 0, n = 0; k < CELL_FIELDS && shows_fields(s); k++)
+        if (s->fields.which >> k & 1u && n++ == i)
+            return field_panel[k];
+    return NULL;
+}
+
+/* One picture for each field, the first where the figure was asked for. */
+static enum status draw_fields(struct picture *p, const char *path,
+                               bool keep_script, struct fault *why)
+{
+    enum status status = find_raster(p);
+    size_t shown = 0;
+
+    if (status != STATUS_OK)
+        return write_figure(p, status, path, keep_script, why);
+    for (int k = 0; k < CELL_FIELDS && status == STATUS_OK; k++) {
+        char to[PANEL_PATH];
+        if (!(p->s->fields.which >> k & 1u))
+            continue;
+        p->field = (enum cell_field) k;
+        status = panel_path(path, picture_panel(p->s, shown++), to)
+                     ? draw_portrait(p)
+                     : STATUS_BAD_ARGUMENT;
+        status = write_figure(p, status, to, keep_script, why);
+    }
     return status;
 }
 
@@ -402,27 +524,19 @@ enum status picture_draw(const struct study *s, const char *path,
                          bool keep_script, const struct monitor *monitor,
                          struct fault *why)
 {
-    static enum status (*const layer[])(struct picture *) = {
-        add_basins,   add_field,      add_arrows,    add_trajectories,
-        add_unstable, add_nullclines, add_manifolds, add_equilibria
-    };
     struct picture p = { .s = s,
                          .figure = FIGURE_EMPTY,
                          .axes = s->scene->window.axes,
                          .monitor = monitor };
+    enum status status;
 
-    if (s->saddle >= 0)
-        p.basis = eigen_basis_of(&s->equilibrium[s->saddle]);
-    else if (p.axes == AXES_EIGEN)
-        p.axes = AXES_LOG; /* nothing to be eigen about */
-    enum status status = start_figure(&p);
-    for (size_t i = 0; i < sizeof layer / sizeof *layer && !status; i++)
-        status = layer[i](&p);
-    if (status == STATUS_OK)
-        status = figure_write(&p.figure, path, keep_script, why);
+    if (picture_has_diagram(s))
+        status = write_figure(&p, picture_diagram(s, &p.figure), path,
+                              keep_script, why);
+    else if (shows_fields(s))
+        status = draw_fields(&p, path, keep_script, why);
     else
-        snprintf(why->text, sizeof why->text, "%s: %s", path,
-                 status_text(status));
-    figure_free(&p.figure);
+        status = write_figure(&p, draw_portrait(&p), path, keep_script, why);
+    free(p.raster);
     return status;
 }

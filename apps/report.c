@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "report_basin.h"
+#include "report_diagram.h"
 
 /* ---- text ------------------------------------------------------------- */
 
@@ -57,9 +58,14 @@ static void print_steady(FILE *out, const struct study *s)
                 "lambda_minus", "lambda_plus");
     for (size_t i = 0; i < s->equilibria; i++) {
         const struct steady_number *e = &s->steady[i];
-        fprintf(out, "  %-12s %-22.15g %-22.15g %-15.8g %.8g\n",
+        char lambda[2][32] = { "-", "-" };
+        if (quantity_exists(&e->lambda_minus))
+            snprintf(lambda[0], 32, "%.8g", e->lambda_minus.value);
+        if (quantity_exists(&e->lambda_plus))
+            snprintf(lambda[1], 32, "%.8g", e->lambda_plus.value);
+        fprintf(out, "  %-12s %-22.15g %-22.15g %-15s %s\n",
                 equilibrium_type_names[e->type], e->v.value, e->psi.value,
-                e->lambda_minus.value, e->lambda_plus.value);
+                lambda[0], lambda[1]);
     }
 }
 
@@ -115,9 +121,13 @@ void report_print(FILE *out, const struct study *s)
         fprintf(out, "stable manifold of the saddle\n");
         print_record(out, &record_critical, c);
     }
-    if (plan_has(s->stages, STAGE_KNEES) && s->saddle >= 0) {
+    if (plan_has(s->stages, STAGE_KNEES) && study_has_manifolds(s)) {
         print_knees(out, "knees_upper", c->knees_upper, c->knees_upper_count);
         print_knees(out, "knees_lower", c->knees_lower, c->knees_lower_count);
+    }
+    if (plan_has(s->stages, STAGE_TAYLOR)) {
+        fprintf(out, "power series of the manifold in v - v_sp\n");
+        print_record(out, &record_taylor, &s->taylor);
     }
     if (plan_has(s->stages, STAGE_SENSITIVITIES))
         print_sensitivities(out, &s->sensitivities);
@@ -125,6 +135,7 @@ void report_print(FILE *out, const struct study *s)
         print_estimates(out, s);
     if (plan_has(s->stages, STAGE_BASINS))
         report_basin_print(out, &s->basins);
+    report_diagrams_print(out, s);
 }
 
 /* ---- JSON ------------------------------------------------------------- */
@@ -202,6 +213,16 @@ static json_t *estimates_json(const struct estimate_numbers *e)
     return j;
 }
 
+static json_t *taylor_json(const struct taylor_series *t)
+{
+    const struct record_array terms = { &record_taylor_term, t->term,
+                                        t->terms };
+    json_t *j = json_record(&record_taylor, t);
+
+    json_object_set_new(j, "terms", json_records(&terms));
+    return j;
+}
+
 static json_t *sensitivities_json(const struct sensitivities *d)
 {
     json_t *j = json_object();
@@ -231,6 +252,8 @@ json_t *report_json(const struct study *s)
                         json_record(&record_saddle, &s->saddle_numbers));
     if (plan_has(s->stages, STAGE_CRITICAL))
         add_critical(j, s);
+    if (plan_has(s->stages, STAGE_TAYLOR))
+        json_object_set_new(j, "taylor_series", taylor_json(&s->taylor));
     if (plan_has(s->stages, STAGE_ESTIMATES))
         json_object_set_new(j, "estimates", estimates_json(&s->estimates));
     if (plan_has(s->stages, STAGE_SENSITIVITIES))
@@ -238,6 +261,7 @@ json_t *report_json(const struct study *s)
                             sensitivities_json(&s->sensitivities));
     if (plan_has(s->stages, STAGE_BASINS))
         json_object_set_new(j, "basin", report_basin_json(&s->basins));
+    report_diagrams_json(j, s);
     json_object_set_new(j, "cost", cost_json(s));
     return j;
 }

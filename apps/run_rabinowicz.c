@@ -1,38 +1,64 @@
 /* slipway rabinowicz: critical release distances of a law, and what measured
  * ones say of it. */
-#include <string.h>
+#include <stdio.h>
 
 #include "command.h"
 #include "export_rabinowicz.h"
+#include "panel.h"
+#include "picture_rabinowicz.h"
+#include "picture_transient.h"
 #include "progress.h"
 #include "replace.h"
 #include "report_rabinowicz.h"
 
-static enum status check_options(const struct options *o, struct fault *why)
+/* Could the files be written?  Asked before anything is computed. */
+static enum status check_files(const struct scene *c, struct fault *why)
 {
-    static const char figure[] = "output.figure=";
+    char path[PANEL_PATH];
+    enum status s = c->hdf5 ? replace_check(c->hdf5, why) : STATUS_OK;
 
-    for (size_t i = 0; i < o->sets; i++)
-        if (strncmp(o->set[i], figure, sizeof figure - 1) == 0) {
-            snprintf(why->text, sizeof why->text,
-                     "rabinowicz: %s: rabinowicz draws no figure",
-                     text_shown(o->set[i]).text);
-            return STATUS_BAD_ARGUMENT;
+    if (c->figure && !c->rabinowicz.data) {
+        snprintf(why->text, sizeof why->text,
+                 "rabinowicz: %.300s: a figure shows data, expected --data",
+                 c->figure);
+        return STATUS_BAD_ARGUMENT;
+    }
+    for (int i = 0; c->figure && i < PICTURE_RABINOWICZ_PANELS && !s; i++) {
+        if (panel_path(c->figure, picture_rabinowicz_panel[i], path)) {
+            s = replace_check(path, why);
+            continue;
         }
-    return STATUS_OK;
+        snprintf(why->text, sizeof why->text,
+                 "rabinowicz: the path of the figure is too long");
+        s = STATUS_BAD_ARGUMENT;
+    }
+    return s;
 }
 
 static enum status run(const struct options *o, const struct scene *scene,
                        struct release *r, struct fault *why)
 {
-    enum status s = scene->hdf5 ? replace_check(scene->hdf5, why) : STATUS_OK;
+    enum status s = check_files(scene, why);
 
     if (s == STATUS_OK)
         s = release_run(r, scene, progress_monitor(o), why);
     progress_end();
     if (s == STATUS_OK && scene->hdf5)
         s = export_rabinowicz(r, scene, scene->hdf5, why);
+    if (s == STATUS_OK && scene->figure)
+        s = picture_rabinowicz(r, scene, scene->figure, o->keep_script, why);
     return s;
+}
+
+static void tell_files(const struct scene *scene)
+{
+    char path[PANEL_PATH];
+
+    if (scene->hdf5)
+        printf("wrote %s\n", scene->hdf5);
+    for (int i = 0; scene->figure && i < PICTURE_RABINOWICZ_PANELS; i++)
+        if (panel_path(scene->figure, picture_rabinowicz_panel[i], path))
+            printf("wrote %s\n", path);
 }
 
 static enum exit_code print(const struct options *o, const struct scene *scene,
@@ -44,8 +70,7 @@ static enum exit_code print(const struct options *o, const struct scene *scene,
     if (o->quiet)
         return EXIT_DONE;
     report_rabinowicz_print(stdout, r);
-    if (scene->hdf5)
-        printf("wrote %s\n", scene->hdf5);
+    tell_files(scene);
     return EXIT_DONE;
 }
 
@@ -57,10 +82,8 @@ enum exit_code command_rabinowicz(const struct options *o)
 
     if (command_allow(o, 1) != EXIT_DONE)
         return EXIT_USAGE;
-    enum status s = check_options(o, &why);
-    if (s == STATUS_OK)
-        s = scene_read(&scene, o->files ? o->file[0] : NULL, o->set, o->sets,
-                       &why);
+    enum status s =
+        scene_read(&scene, o->files ? o->file[0] : NULL, o->set, o->sets, &why);
     if (s != STATUS_OK)
         return command_fail(s, why.text);
     s = run(o, &scene, &r, &why);

@@ -6,6 +6,7 @@
 #include "command.h"
 #include "export_transient.h"
 #include "number.h"
+#include "panel.h"
 #include "picture_transient.h"
 #include "progress.h"
 #include "replace.h"
@@ -59,16 +60,14 @@ static enum status read_scene(const struct options *o, struct scene *scene,
 /* Could the files be written?  Asked before anything is computed. */
 static enum status check_files(const struct scene *c, struct fault *why)
 {
-    char timed[PICTURE_PATH];
-    enum status s = STATUS_OK;
+    char path[PANEL_PATH];
+    enum status s = c->hdf5 ? replace_check(c->hdf5, why) : STATUS_OK;
 
-    if (c->figure && !picture_time_path(c->figure, timed))
-        return complain(why, "the path of the figure is too long");
-    if (c->hdf5)
-        s = replace_check(c->hdf5, why);
-    if (s == STATUS_OK && c->figure)
-        s = replace_check(c->figure, why);
-    return s != STATUS_OK || !c->figure ? s : replace_check(timed, why);
+    for (int i = 0; c->figure && i < PICTURE_PANELS && s == STATUS_OK; i++)
+        s = panel_path(c->figure, picture_transient_panel[i], path)
+                ? replace_check(path, why)
+                : complain(why, "the path of the figure is too long");
+    return s;
 }
 
 static void tell(const struct options *o, const char *path)
@@ -81,7 +80,7 @@ static enum status write_files(const struct simulation *s,
                                const struct options *o, struct fault *why)
 {
     const char *hdf5 = s->scene.hdf5, *figure = s->scene.figure;
-    char timed[PICTURE_PATH];
+    char path[PANEL_PATH];
     enum status status = STATUS_OK;
 
     if (hdf5)
@@ -91,11 +90,9 @@ static enum status write_files(const struct simulation *s,
     if (status != STATUS_OK || !figure)
         return status;
     status = picture_simulation(s, figure, o->keep_script, why);
-    if (status == STATUS_OK) {
-        tell(o, figure);
-        if (picture_time_path(figure, timed))
-            tell(o, timed);
-    }
+    for (int i = 0; i < PICTURE_PANELS && status == STATUS_OK; i++)
+        if (panel_path(figure, picture_transient_panel[i], path))
+            tell(o, path);
     return status;
 }
 

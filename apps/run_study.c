@@ -5,10 +5,14 @@
 
 #include "command.h"
 #include "export.h"
+#include "panel.h"
 #include "picture.h"
 #include "progress.h"
+#include "remark.h"
 #include "replace.h"
 #include "report.h"
+#include "report_sweep.h"
+#include "scene_command.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
 
@@ -18,10 +22,12 @@ struct shortcut {
     unsigned if_none;   /* products where the scene names none */
     const char *figure; /* drawn where the scene names no output at all */
     bool print_numbers; /* the report goes to stdout */
+    bool hands_over;    /* scenes that are for another command */
     size_t spread;      /* trajectories without a scene */
 };
 
 static const struct shortcut study_shortcut = {
+    .hands_over = true,
     .if_none = BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(MANIFOLDS) | BIT(KNEES),
     .print_numbers = true,
 };
@@ -86,7 +92,10 @@ static enum status set_spread(struct scene *s, size_t spread)
 static enum status apply(const struct options *o, const struct shortcut *how,
                          struct scene *s, struct fault *why)
 {
-    const unsigned asked = (s->products ? s->products : how->if_none) |
+    const unsigned none = how->hands_over && s->sweep.axes > 0
+                              ? knees_shortcut.always
+                              : how->if_none;
+    const unsigned asked = (s->products ? s->products : none) |
                            (o->sensitivities ? BIT(SENSITIVITIES) : 0);
     enum status status = STATUS_OK;
 
@@ -99,13 +108,15 @@ static enum status apply(const struct options *o, const struct shortcut *how,
     return status;
 }
 
+/* *other: the command the scene is for instead of this one, or NULL. */
 static enum status read_scene(const struct options *o,
                               const struct shortcut *how, struct scene *scene,
-                              struct fault *why)
+                              const struct command **other, struct fault *why)
 {
-    const char *path = o->files ? o->file[0] : NULL;
+    const char *path = o->files ? o->file[0] : NULL, *nearest;
     enum status s;
 
+    *other = NULL;
     if (o->files > 1) {
         snprintf(why->text, sizeof why->text, "%s: one scene is enough",
                  o->file[1]);
@@ -114,6 +125,9 @@ static enum status read_scene(const struct options *o,
     s = scene_read(scene, path, o->set, o->sets, why);
     if (s != STATUS_OK)
         return s;
+    const char *name = scene_command(scene);
+    if (how->hands_over && strcmp(name, "study") != 0)
+        *other = command_find(name, &nearest);
     s = apply(o, how, scene, why);
     if (s != STATUS_OK)
         scene_free(scene);
@@ -168,8 +182,11 @@ static enum status write_files(const struct study *s, const struct options *o,
     if (status == STATUS_OK && figure)
         status =
             picture_draw(s, figure, o->keep_script, progress_monitor(o), why);
-    if (status == STATUS_OK && figure && tell)
-        printf("wrote %s\n", figure);
+    for (size_t i = 0; figure && picture_panel(s, i) && !status && tell; i++) {
+        char path[PANEL_PATH];
+        if (panel_path(figure, picture_panel(s, i), path))
+            printf("wrote %s\n", path);
+    }
     return status;
 }
 
@@ -202,14 +219,19 @@ static enum exit_code judge_audit(const struct basin_map *m)
 
 static enum exit_code run(const struct options *o, const struct shortcut *how)
 {
+    const struct command *other;
     struct scene scene;
     struct study study;
     struct fault why = { "" };
     enum exit_code code;
 
-    enum status s = read_scene(o, how, &scene, &why);
+    enum status s = read_scene(o, how, &scene, &other, &why);
     if (s != STATUS_OK)
         return command_fail(s, why.text);
+    if (other) {
+        scene_free(&scene);
+        return other->run(o);
+    }
     s = check_files(&scene, how, &why);
     if (s == STATUS_OK)
         s = study_run(&study, &scene, progress_monitor(o), &why);
@@ -247,10 +269,33 @@ enum exit_code command_knees(const struct options *o)
 /* ---- plan ------------------------------------------------------------------
  */
 
-static json_t *plan_json(unsigned stages)
+/* The points of a sweep, at each of which the stages run. */
+static json_t *sweep_json(const struct scene *scene)
+{
+    json_t *j = json_object();
+    char text[256];
+    const size_t points = report_sweep_plan(scene, text, sizeof text);
+
+    json_object_set_new(j, "stage", json_string("sweep"));
+    json_object_set_new(j, "text", json_string(text));
+    json_object_set_new(j, "points", json_integer((json_int_t) points));
+    return j;
+}
+
+static void print_sweep(const struct scene *scene)
+{
+    char text[256];
+    const size_t points = report_sweep_plan(scene, text, sizeof text);
+
+    printf("%-13s %zu points: %s\n", "sweep", points, text);
+}
+
+static json_t *plan_json(const struct scene *scene, unsigned stages)
 {
     json_t *list = json_array();
 
+    if (scene->sweep.axes > 0)
+        json_array_append_new(list, sweep_json(scene));
     for (int i = 0; i < STAGES; i++) {
         if (!plan_has(stages, (enum stage) i))
             continue;
@@ -270,16 +315,24 @@ enum exit_code command_basin(const struct options *o)
 
 enum exit_code command_plan(const struct options *o)
 {
+    const struct command *other;
     struct scene scene;
     struct fault why = { "" };
-    const enum status s = read_scene(o, &study_shortcut, &scene, &why);
+    const enum status s = read_scene(o, &study_shortcut, &scene, &other, &why);
 
     if (s != STATUS_OK)
         return command_fail(s, why.text);
-    const unsigned stages = plan_stages(scene.products) | 1u << STAGE_STEADY;
+    const bool sweeps = scene.sweep.axes > 0;
+    const unsigned stages =
+        other && !sweeps ? 0 : plan_stages(scene.products) | 1u << STAGE_STEADY;
     enum exit_code code = EXIT_DONE;
+    if (sweeps && !o->json)
+        print_sweep(&scene);
+    else if (other && !o->json)
+        printf("%-13s %s\n", other->name, other->text);
     if (o->json)
-        code = json_print(plan_json(stages)) ? EXIT_DONE : command_unwritten();
+        code = json_print(plan_json(&scene, stages)) ? EXIT_DONE
+                                                     : command_unwritten();
     for (int i = 0; i < STAGES && !o->json; i++)
         if (plan_has(stages, (enum stage) i))
             printf("%-13s %-48s %s\n", stage_table[i].name, stage_table[i].text,

@@ -312,7 +312,8 @@ enum status eigen_branch(const struct planar *sys, const struct equilibrium *e,
     memset(out, 0, sizeof *out);
     if (!good_options(o, side) || !box_holds(sys->domain, sys->origin))
         return STATUS_BAD_ARGUMENT;
-    if (!(e->scaled[0] < 0.0 && e->scaled[1] >= 0.0))
+    if (!(e->scaled[0] < 0.0 && e->scaled[1] >= 0.0) ||
+        equilibrium_is_beyond(e))
         return STATUS_NOT_HYPERBOLIC;
     const struct eigen_frame g = eigen_frame_at(sys, e, &o->carry);
     out->basis = g.basis;

@@ -41,9 +41,9 @@ struct eigen_branch {
  * they are infinite where the two end differently.
  * STATUS_BAD_ARGUMENT: rtol not in (0, 1), side not +-1, too much to carry, the
  * saddle outside sys->domain;
- * STATUS_NOT_HYPERBOLIC: `e` has no such manifold; STATUS_NO_CONVERGENCE: no
- * start is near enough, or no step is short enough; STATUS_STOPPED;
- * STATUS_NO_MEMORY.  On error *out is empty. */
+ * STATUS_NOT_HYPERBOLIC: `e` has no such manifold, or equilibrium_is_beyond;
+ * STATUS_NO_CONVERGENCE: no start is near enough, or no step is short enough;
+ * STATUS_STOPPED; STATUS_NO_MEMORY.  On error *out is empty. */
 MUST_CHECK enum status eigen_branch(const struct planar *sys,
                                     const struct equilibrium *e, int side,
                                     const struct eigen_options *o,

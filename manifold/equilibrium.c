@@ -3,6 +3,7 @@
  * a bracketed secant (Illinois: Dowell & Jarratt, BIT 11 (1971) 168-174). */
 #include "equilibrium.h"
 
+#include <float.h>
 #include <math.h>
 
 const char *const equilibrium_type_names[] = { "saddle",      "stable_node",
@@ -74,10 +75,24 @@ size_t equilibrium_find(const struct planar *sys,
     return n;
 }
 
-static enum equilibrium_type type_of(const struct eigen2 *e, bool fold)
+/* Whether the balance rises along the steady curve, as it does at a saddle. */
+static bool balance_rises(const struct planar *sys)
+{
+    const long double x = (long double) sys->origin.x, h = 1e-6L;
+
+    return sys->steady->balance(sys->ctx, x - h) <
+           sys->steady->balance(sys->ctx, x + h);
+}
+
+/* An eigenvalue that is no fold's zero is one that left the doubles. */
+static enum equilibrium_type type_of(const struct planar *sys,
+                                     const struct eigen2 *e, bool fold)
 {
     if (fold)
         return EQUILIBRIUM_SADDLE_NODE;
+    if (e->re[0] < 0.0 && fabs(e->re[1]) < DBL_MIN && sys->steady)
+        return balance_rises(sys) ? EQUILIBRIUM_SADDLE
+                                  : EQUILIBRIUM_STABLE_NODE;
     if (e->im > 0.0)
         return EQUILIBRIUM_FOCUS;
     if (e->re[0] < 0.0 && e->re[1] > 0.0)
@@ -95,7 +110,7 @@ void equilibrium_at(const struct planar *sys, bool fold,
     if (fold)
         e.re[fabs(e.re[0]) < fabs(e.re[1]) ? 0 : 1] = 0.0;
     *out = (struct equilibrium){
-        .type = type_of(&e, fold),
+        .type = type_of(sys, &e, fold),
         .z = sys->origin,
         .matrix = J.matrix,
         .scaled = { e.re[0], e.re[1] },
@@ -104,4 +119,10 @@ void equilibrium_at(const struct planar *sys, bool fold,
     for (int i = 0; i < 2; i++)
         out->lambda[i] =
             copysign(exp(log(fabs(e.re[i])) + J.field.log_scale), e.re[i]);
+}
+
+bool equilibrium_is_beyond(const struct equilibrium *e)
+{
+    return e->type != EQUILIBRIUM_SADDLE_NODE &&
+           fmin(fabs(e->scaled[0]), fabs(e->scaled[1])) < DBL_MIN;
 }

@@ -40,8 +40,13 @@ size_t equilibrium_find(const struct planar *sys,
                         struct steady_root root[EQUILIBRIA_MAX]);
 
 /* Linear type of the equilibrium at sys->origin.  `fold`: one eigenvalue is
- * known to be zero. */
+ * known to be zero.  Where one has left the doubles, sys->steady, if there is
+ * one, tells a saddle, at which the balance rises, from a node. */
 void equilibrium_at(const struct planar *sys, bool fold,
                     struct equilibrium *out);
+
+/* Whether the eigenvalues are further apart than doubles can tell: the smaller
+ * one is not zero, but its `scaled` has no digits. */
+bool equilibrium_is_beyond(const struct equilibrium *e);
 
 #endif

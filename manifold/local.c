@@ -241,6 +241,8 @@ enum status local_at(const struct planar *sys, const struct equilibrium *e,
     if (kind == MANIFOLD_STABLE ? !(lambda < 0.0 && other >= 0.0)
                                 : !(lambda > 0.0 && other <= 0.0))
         return STATUS_NOT_HYPERBOLIC;
+    if (equilibrium_is_beyond(e))
+        return STATUS_NOT_HYPERBOLIC;
     const struct vec2 v = mat2_eigenvector(e->matrix, lambda);
     out->ind = fabs(v.y) <= fabs(v.x) ? 0 : 1;
     out->order = order;

@@ -41,9 +41,10 @@ struct local_series {
 
 /* The manifold of the saddle at sys->origin, order <= JET_SIZE - 1.
  * STATUS_NOT_HYPERBOLIC if `e` has no such manifold (the strong stable
- * manifold of a saddle-node exists), STATUS_BAD_ARGUMENT if the system has no
- * jets, STATUS_NO_CONVERGENCE if no radius is small enough; then *out is
- * undefined. */
+ * manifold of a saddle-node exists) or is beyond doubles
+ * (equilibrium_is_beyond), STATUS_BAD_ARGUMENT if the system has no jets,
+ * STATUS_NO_CONVERGENCE if no radius is small enough; then *out is undefined.
+ */
 MUST_CHECK enum status local_at(const struct planar *sys,
                                 const struct equilibrium *e,
                                 enum manifold_kind kind,

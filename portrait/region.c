@@ -203,7 +203,9 @@ void regions_areas(const struct regions *r, struct box w, struct measure m,
         part.hi.y = fmin(w.hi.y, band->hi);
         if (!(part.lo.y < part.hi.y))
             continue;
-        separatrix_row(r->separatrix, 0.5 * (part.lo.y + part.hi.y), c);
+        const double middle = 0.5 * (part.lo.y + part.hi.y);
+        if (separatrix_row(r->separatrix, middle, c) != band->strands)
+            continue; /* as thin as rounding: no row lies in it */
         struct area left = { 0.0, 0.0 };
         for (size_t k = 0; k <= band->strands; k++) {
             const struct area next = left_of(r, band, k + 1, part, m, c);

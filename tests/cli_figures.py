@@ -133,6 +133,26 @@ def hostile_file_names_are_only_names(room):
         room.shell('rm ./*.svg')
 
 
+# ---- the power series ----------------------------------------------------
+
+def the_power_series_is_drawn_told_and_stored(room):
+    room.bring('scenes')
+    found = room.json('study', 'scenes/taylor.yaml', '-o', 'a.h5', '--figure',
+                      'a.svg')['taylor_series']
+    expect([term['order'] for term in found['terms']] == list(range(32)),
+           found)
+    expect(0 < found['radius']['error'] < found['radius']['value'], found)
+    for words in ('power series, order 14', 'the series converges'):
+        expect(words in room.read('a.svg'), words)
+    held = {item['path'] for item in room.json('info', 'a.h5')}
+    expect({'/taylor_series/order', '/taylor_series/coefficient_error',
+            '/taylor_series/radius'} <= held, held)
+    flat = room.json('study', *SLOPE, '--set', 'law.preset=spinodal_gen',
+                     '--set', 'slope.alpha=0.28', '--set',
+                     'products=[taylor_series]')['taylor_series']
+    expect(flat['terms'] == [] and 'saddle' in flat['radius']['reason'], flat)
+
+
 # ---- scripts -----------------------------------------------------------------
 
 def a_kept_script_draws_the_figure_again(room):
@@ -166,6 +186,7 @@ run_cases([
     without_a_figure_no_gnuplot_starts,
     hostile_titles_are_drawn_and_never_run,
     hostile_file_names_are_only_names,
+    the_power_series_is_drawn_told_and_stored,
     a_kept_script_draws_the_figure_again,
     every_format_is_what_its_name_says,
 ])

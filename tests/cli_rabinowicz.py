@@ -119,9 +119,41 @@ def malformed_tables_cost_one_line_and_write_nothing(room):
     expect(room.names() == ['a.csv'], room.names())
 
 
+def figures_show_the_fit_and_friction_over_slip(room):
+    room.bring('scenes')
+    said = room.good('rabinowicz', 'scenes/fig08.yaml', '-o', 'a.h5',
+                     '--figure', 'a.svg')
+    expect('wrote a.svg' in said and 'wrote a_friction.svg' in said, said)
+    first, second = room.read('a.svg'), room.read('a_friction.svg')
+    for word in ('synthetic', 'l_k tan α (mm)', 'parabola (33), fitted',
+                 'static friction μ_s = 0.61', '95 % band', 'data'):
+        expect(word in first, word)
+    for word in ('synthetic', 'slip s_k (μm)', 'smoothing spline (25)'):
+        expect(word in second, word)
+    # without masses K is not known; without errors there are no bars
+    room.write('b.csv', 'tan_alpha,l_k\n' + ''.join(
+        f'{t},{(0.6 - t) * (0.38 - t) / t * (1 + 0.01 * (-1) ** k)}\n'
+        for k, t in enumerate((0.1, 0.15, 0.2, 0.25, 0.3, 0.35))))
+    room.good('rabinowicz', *SLOPE, '--data', 'b.csv', '--figure', 'b.svg')
+    expect('s_k/K' in room.read('b_friction.svg')
+           and '95 % bars' not in room.read('b.svg'), 'b.svg')
+    # too few for a curve of friction over slip
+    room.write('c.csv', 'tan_alpha,l_k\n0.1,1\n0.2,0.5\n')
+    refused(room.run('rabinowicz', *SLOPE, '--data', 'c.csv', '--figure',
+                     'c.svg'), 2, 'rabinowicz:')
+    expect('c.svg' not in room.names(), room.names())
+
+
+def study_runs_a_scene_that_is_for_rabinowicz(room):
+    room.bring('scenes')
+    room.make('outputs')
+    expect(room.json('study', SCENE) == room.json('rabinowicz', SCENE), 'same')
+
+
 def wrong_words_cost_one_line(room):
     refused(room.run('rabinowicz'), 2, 'law')
-    refused(room.run('rabinowicz', *SLOPE, '--figure', 'a.svg'), 2, 'a.svg')
+    refused(room.run('rabinowicz', *SLOPE, '--figure', 'a.svg'), 2, 'a.svg',
+            '--data')
     refused(room.run('rabinowicz', 'a.yaml', 'b.yaml'), 2, 'b.yaml')
     refused(room.run('rabinowicz', *SLOPE, '--set',
                      'rabinowicz.restitution=2'), 2, 'restitution')
@@ -140,5 +172,7 @@ run_cases([
     without_masses_a_reason_takes_their_place,
     roots_that_cannot_be_told_apart_cost_a_warning,
     malformed_tables_cost_one_line_and_write_nothing,
+    figures_show_the_fit_and_friction_over_slip,
+    study_runs_a_scene_that_is_for_rabinowicz,
     wrong_words_cost_one_line,
 ])

@@ -113,9 +113,14 @@ def a_scene_chooses_samples_and_limits(room):
 
 def figures_show_friction_and_slip_rate(room):
     room.good('simulate', *SLOPE, *START, '--figure', 'a.svg')
-    expect(room.names() == ['a.svg', 'a_time.svg'], room.names())
-    expect('friction coefficient' in room.read('a.svg'), 'a.svg')
-    expect('slip rate' in room.read('a_time.svg'), 'a_time.svg')
+    for name, words in (('a', ['friction coefficient', 'slip', 'tan α']),
+                        ('a_slip', ['slip rate', 'interfacial state', 'slip']),
+                        ('a_time', ['slip rate', 'interfacial state', 'time']),
+                        ('a_friction', ['friction coefficient', 'time']),
+                        ('a_position', ['slip x/L', 'time'])):
+        svg = room.read(name + '.svg')
+        expect(all(word in svg for word in [*words, 'ends of phases']), name)
+    expect(len(room.names()) == 5, room.names())
 
 
 def figures_of_the_paper_have_scenes(room):
@@ -126,6 +131,16 @@ def figures_of_the_paper_have_scenes(room):
         expect(run['end'] == end, name, run['end'])
         expect(all(phase['end_time']['value'] is not None
                    for phase in run['phases']), name, run['phases'])
+
+
+def study_runs_a_scene_that_only_has_starts(room):
+    room.write('a.yaml', SCENE % 'seed: 1')
+    expect(room.json('study', 'a.yaml') == room.json('simulate', 'a.yaml'),
+           'same')
+    expect(room.good('plan', 'a.yaml').startswith('simulate '), 'plan')
+    for more in ('trajectories.spread=2', 'products=[trajectories]'):
+        expect('equilibria' in room.json('study', 'a.yaml', '--set', more),
+               more)
 
 
 def wrong_starts_are_refused(room):
@@ -155,6 +170,7 @@ if __name__ == '__main__':
         a_scene_chooses_samples_and_limits,
         figures_show_friction_and_slip_rate,
         figures_of_the_paper_have_scenes,
+        study_runs_a_scene_that_only_has_starts,
         wrong_starts_are_refused,
         a_folder_that_is_not_there_costs_nothing,
     ])

@@ -44,6 +44,8 @@ def every_example_works(room):
     room.make('outputs')
     examples = examples_of(room.good('help'))
     for line in examples:
+        if line.startswith('slipway gallery'):
+            continue  # half a minute; cli_gallery.py runs it
         done = room.shell(line)
         expect((done.returncode, done.stderr) == (0, ''), line, done)
 

@@ -61,6 +61,13 @@ static inline bool same_experiment(const struct scene_rabinowicz *a,
            same_text(a->data, b->data) && a->smoothing == b->smoothing;
 }
 
+static inline bool same_spring(const struct scene_spring *a,
+                               const struct scene_spring *b)
+{
+    return a->sigma == b->sigma && a->mass == b->mass && a->v[0] == b->v[0] &&
+           a->v[1] == b->v[1];
+}
+
 static inline bool same_lists(const struct scene *a, const struct scene *b)
 {
     return a->xi_count == b->xi_count &&
@@ -68,6 +75,24 @@ static inline bool same_lists(const struct scene *a, const struct scene *b)
            a->starts == b->starts &&
            (a->starts == 0 ||
             memcmp(a->start, b->start, a->starts * sizeof *a->start) == 0);
+}
+
+static inline bool same_axis(const struct scene_axis *a,
+                             const struct scene_axis *b)
+{
+    return same_text(a->key, b->key) && a->from == b->from && a->to == b->to &&
+           a->points == b->points && a->scale == b->scale &&
+           a->count == b->count &&
+           (a->count == 0 ||
+            memcmp(a->value, b->value, a->count * sizeof *a->value) == 0);
+}
+
+static inline bool same_sweep(const struct scene_sweep *a,
+                              const struct scene_sweep *b)
+{
+    return a->axes == b->axes && a->refine == b->refine &&
+           same_axis(&a->axis[0], &b->axis[0]) &&
+           same_axis(&a->axis[1], &b->axis[1]);
 }
 
 /* All but what it was read from: text and overrides. */
@@ -87,8 +112,10 @@ static inline bool scene_same(const struct scene *a, const struct scene *b)
            a->audit == b->audit && a->exact == b->exact &&
            a->cell_rtol == b->cell_rtol &&
            same_experiment(&a->rabinowicz, &b->rabinowicz) &&
-           a->rtol == b->rtol && same_text(a->hdf5, b->hdf5) &&
-           same_text(a->figure, b->figure);
+           same_spring(&a->spring_block, &b->spring_block) &&
+           a->fold_c[0] == b->fold_c[0] && a->fold_c[1] == b->fold_c[1] &&
+           same_sweep(&a->sweep, &b->sweep) && a->rtol == b->rtol &&
+           same_text(a->hdf5, b->hdf5) && same_text(a->figure, b->figure);
 }
 
 #endif

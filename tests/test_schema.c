@@ -13,6 +13,8 @@
 #define LAW      "law.preset=dieterich_gen\n"
 #define SPINODAL "law.preset=spinodal_gen\n"
 #define SLOPE    "slope.alpha=0.3\n"
+#define KEY      "sweep.key=slope.alpha\n"
+#define VALUES   "sweep.values=[0.1, 0.2]\n"
 #define THETA    "law.theta=ln_psi\n"
 #define PSI_SS   "law.psi_ss=inverse\n"
 #define TIME     "law.timescale=slip\n"
@@ -75,6 +77,22 @@ static const struct {
     { "rabinowicz.tan_alpha", "[0.1, 0.2]", "[0.1, 0.3]", LAW SLOPE },
     { "rabinowicz.data", "a.csv", "b.csv", LAW SLOPE },
     { "rabinowicz.smoothing", "1e-3", "1e-4", LAW SLOPE },
+
+    { "sweep.key", "slope.alpha", "material.a", LAW SLOPE VALUES },
+    { "sweep.from", "0.1", "0.2",
+      LAW SLOPE KEY "sweep.to=1\nsweep.points=3\n" },
+    { "sweep.to", "0.5", "0.6",
+      LAW SLOPE KEY "sweep.from=0.1\nsweep.points=3\n" },
+    { "sweep.points", "7", "8", LAW SLOPE KEY "sweep.from=0.1\nsweep.to=1\n" },
+    { "sweep.scale", "log", "linear", LAW SLOPE KEY VALUES },
+    { "sweep.values", "[0.1, 0.2]", "[0.1, 0.3]", LAW SLOPE KEY },
+    { "sweep.refine", "0.1", "0.2", LAW SLOPE KEY VALUES },
+
+    { "spring_block.sigma", "7", "1e3", LAW SLOPE },
+    { "spring_block.mass", "0", "7", LAW SLOPE },
+    { "spring_block.v", "[1e-3, 1e3]", "[1e-6, 1e6]", LAW SLOPE },
+
+    { "fold_curves.c", "[1e-3, 1]", "[1e-14, 10]", LAW SLOPE },
 
     { "accuracy.rtol", "1e-9", "1e-12", LAW SLOPE },
 
@@ -180,6 +198,9 @@ static void the_ends_of_each_range_belong_to_it(void **state)
         "trajectories.sample.log_time=2",
         "trajectories.sample.linear_slip=1000000",
         "estimates.xi=[1e-300, 0.99999999999999989]",
+        "spring_block.mass=0",
+        "spring_block.v=[1e-300, 1e300]",
+        "fold_curves.c=[1e-300, 1e300]",
         "basins.cells=[1, 32768]",
         "basins.audit=0",
         "basins.audit=1000000",

@@ -7,6 +7,7 @@
 #include "check.h"
 #include "fault_alloc.h"
 #include "reference_rows.h"
+#include "remark.h"
 #include "rows.h"
 #include "study_tolerance.h"
 

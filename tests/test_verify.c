@@ -127,6 +127,7 @@ static bool is_outside(const struct solved *s)
     const double *scaled = s->saddle.scaled;
 
     return !box_holds(s->system.domain, s->system.origin) ||
+           equilibrium_is_beyond(&s->saddle) ||
            fabs(scaled[1]) < 1e-300 * fabs(scaled[0]);
 }
 

@@ -90,9 +90,10 @@ MAY_SEE = {
     'lib/plot': ['lib/core'],
     'manifold': ['lib/core'],
     'portrait': ['lib/core', 'manifold'],
-    'lib/race': ['lib/core', 'lib/friction'],
     'lib/study': ['lib/core', 'lib/friction', 'lib/scene', 'lib/fit',
                   'manifold', 'portrait'],
+    'lib/race': ['lib/core', 'lib/friction', 'lib/scene', 'lib/fit',
+                 'lib/study', 'manifold', 'portrait'],
 }
 
 

@@ -73,6 +73,12 @@ static void what_is_no_number_or_out_of_range_is_refused(void **state)
     all_refused(wrong_numbers, COUNT(wrong_numbers));
 }
 
+static void sweeps_over_nothing_sensible_are_refused(void **state)
+{
+    (void) state;
+    all_refused(wrong_sweeps, COUNT(wrong_sweeps));
+}
+
 static void parts_that_do_not_fit_together_are_refused(void **state)
 {
     (void) state;
@@ -212,6 +218,7 @@ int main(void)
         IN_FOLDER(keys_given_twice_are_refused),
         IN_FOLDER(values_of_another_kind_are_refused),
         IN_FOLDER(what_is_no_number_or_out_of_range_is_refused),
+        IN_FOLDER(sweeps_over_nothing_sensible_are_refused),
         IN_FOLDER(parts_that_do_not_fit_together_are_refused),
         IN_FOLDER(a_wrong_override_is_named_whole),
         cmocka_unit_test(without_a_file_the_command_line_is_to_blame),

@@ -9,11 +9,13 @@
 #define NOT " is not allowed, expected "
 #define TOP                                                                    \
     "title, law, material, slope, gravity, window, units, products, "          \
-    "estimates, trajectories, basins, rabinowicz, accuracy or output"
+    "estimates, trajectories, basins, rabinowicz, sweep, spring_block, "       \
+    "fold_curves, accuracy or output"
 #define PRODUCTS_KNOWN                                                         \
     "equilibria, folds, nullclines, field_arrows, manifolds, knees, "          \
-    "estimates, sensitivities, trajectories, basins, margin, slip, time, "     \
-    "friction or peak"
+    "estimates, taylor_series, sensitivities, trajectories, basins, margin, "  \
+    "slip, time, friction, peak, friction_law, spring_block, bifurcation or "  \
+    "fold_curves"
 #define LAWS                                                                   \
     "dieterich, dieterich_gen, ruina, perrin, spinodal, spinodal_gen, "        \
     "spinodal_phi_gen or kato_tullis"
@@ -33,10 +35,14 @@ static const struct wrong wrong_keys[] = {
                                 " (did you mean slope.alpha?)" },
     { LAW SLOPE "basin: {}\n",
       "3:1: unknown key 'basin', expected " TOP " (did you mean basins?)" },
-    { LAW SLOPE "sweep: {key: slope.alpha}\n",
-      "3:1: unknown key 'sweep', expected " TOP },
-    { LAW SLOPE "spring_block: {sigma: 1}\n",
-      "3:1: unknown key 'spring_block', expected " TOP },
+    { LAW SLOPE "sweep: {keys: slope.alpha}\n",
+      "3:9: unknown key 'sweep.keys', expected key, from, to, points, scale, "
+      "values or refine (did you mean sweep.key?)" },
+    { LAW SLOPE "sweep: [{key: slope.alpha, values: [0.1, 0.2], step: 1}]\n",
+      "3:48: unknown key 'sweep.step', expected key, from, to, points, scale, "
+      "values or refine" },
+    { LAW SLOPE "spring_block: {k: 1}\n",
+      "3:16: unknown key 'spring_block.k', expected sigma, mass or v" },
     { LAW SLOPE "GRAVITY: 9.81\n",
       "3:1: unknown key 'GRAVITY', expected " TOP " (did you mean gravity?)" },
     { LAW SLOPE "law.friction: log\n",
@@ -66,13 +72,14 @@ static const struct wrong wrong_keys[] = {
       "3:40: trajectories.starts: unknown key 't', expected v and psi" },
     { LAW SLOPE "basins: {refine: 1e-3}\n",
       "3:10: unknown key 'basins.refine', expected cells, audit, exact or "
-      "rtol" },
+      "rtol (did you mean sweep.refine?)" },
     { LAW SLOPE "output: {hdf: a.h5}\n",
       "3:10: unknown key 'output.hdf', expected hdf5 or figure (did you mean "
       "output.hdf5?)" },
     { LAW SLOPE "rabinowicz: {mass: 1}\n",
       "3:14: unknown key 'rabinowicz.mass', expected block_mass, ball_mass, "
-      "restitution, tan_alpha, data or smoothing" },
+      "restitution, tan_alpha, data or smoothing (did you mean "
+      "spring_block.mass?)" },
     { LAW SLOPE "estimates: {zeta: [0.5]}\n",
       "3:13: unknown key 'estimates.zeta', expected xi" },
     { LAW SLOPE "accuracy: {tol: 1e-9}\n",
@@ -99,6 +106,80 @@ static const struct wrong wrong_twice[] = {
       "2:21: key 'alpha' is given twice, expected it once" },
     { LAW SLOPE "trajectories: {starts: [{v: 1, v: 2, psi: 1}]}\n",
       "3:32: key 'v' is given twice, expected it once" },
+};
+
+/* What is wrong with a sweep, key by key and as a whole. */
+#define RANGE     "from: 0.2, to: 0.4, points: 3"
+#define NUMBER    "the key of a number, such as slope.alpha"
+#define SWEEPABLE "equilibria, folds, knees, estimates or sensitivities"
+static const struct wrong wrong_sweeps[] = {
+    { LAW SLOPE "sweep: 3\n",
+      "3:8: sweep: '3'" NOT "a map of keys, key, from, to, points, scale, "
+      "values or refine" },
+    { LAW SLOPE "sweep: []\n",
+      "3:8: sweep: a list of 0, expected one or two of {key: KEY, ...}" },
+    { LAW SLOPE "sweep: [{}, {}, {}]\n",
+      "3:8: sweep: a list of 3, expected one or two of {key: KEY, ...}" },
+    { LAW SLOPE "sweep: [slope.alpha]\n",
+      "3:9: sweep: 'slope.alpha'" NOT "a map of keys, key, from, to, points, "
+      "scale, values or refine" },
+    { LAW SLOPE "sweep: {key: slope.alfa, " RANGE "}\n",
+      "3:14: sweep.key: 'slope.alfa'" NOT NUMBER
+      " (did you mean slope.alpha?)" },
+    { LAW SLOPE "sweep: {key: title, " RANGE "}\n",
+      "3:14: sweep.key: 'title'" NOT NUMBER },
+    { LAW SLOPE "sweep: {key: sweep.from, " RANGE "}\n",
+      "3:14: sweep.key: 'sweep.from'" NOT NUMBER },
+    { LAW SLOPE "sweep: {" RANGE "}\n",
+      "3:8: sweep: key is missing, expected " NUMBER },
+    { LAW SLOPE "sweep: {key: slope.alpha, from: 0.2, points: 3}\n",
+      "3:8: sweep: to is missing, expected from, to and points, or values" },
+    { LAW SLOPE "sweep: {key: slope.alpha, from: 0.2, values: [1]}\n",
+      "3:38: sweep.values: not beside sweep.from, expected one of the two" },
+    { LAW SLOPE "sweep: {key: slope.alpha, from: 0.4, to: 0.2, points: 3}\n",
+      "3:33: sweep: from 0.4 to 0.2 is empty, expected from < to" },
+    { LAW SLOPE "sweep: {key: slope.alpha, from: 0, to: 0.2, points: 3}\n",
+      "3:33: sweep.from: slope.alpha: 0" NOT
+      "an angle in rad, 0 < alpha < pi/2" },
+    { LAW SLOPE "sweep: {key: slope.alpha, from: 0.2, to: 2, points: 3}\n",
+      "3:42: sweep.to: slope.alpha: 2" NOT
+      "an angle in rad, 0 < alpha < pi/2" },
+    { LAW SLOPE "sweep: {key: slope.alpha, from: 0.2, to: 0.3, points: 1}\n",
+      "3:55: sweep.points: '1'" NOT "a whole number from 2 to 250000" },
+    { LAW SLOPE "sweep: {key: material.mu_star, from: -1, to: 1, points: 3, "
+                "scale: log}\n",
+      "3:38: sweep: -1 on a log scale, expected numbers > 0" },
+    { LAW SLOPE "sweep: {key: slope.alpha, values: [0.2, -1]}\n",
+      "3:41: sweep.values: slope.alpha: -1" NOT
+      "an angle in rad, 0 < alpha < pi/2" },
+    { LAW SLOPE "sweep: {key: slope.alpha, values: [0.2, 0.2]}\n",
+      "3:41: sweep.values: 0.20000000000000001 after 0.20000000000000001, "
+      "expected numbers that grow" },
+    { LAW SLOPE "sweep: {key: material.c, from: 0, to: 1, points: 3}\n",
+      "3:14: sweep.key: material.c: not used by this law (dieterich_gen), "
+      "expected another key" },
+    { LAW SLOPE "sweep: [{key: slope.alpha, " RANGE "},\n"
+                "        {key: slope.tan_alpha, " RANGE "}]\n",
+      "4:15: sweep.key: slope.tan_alpha beside slope.alpha, expected another" },
+    { LAW SLOPE "sweep: [{key: slope.alpha, from: 0.2, to: 0.4, points: 501},\n"
+                "        {key: material.a, from: 0.01, to: 0.02, points: 500}]"
+                "\n",
+      "4:9: sweep: a grid of 501 x 500 points, expected at most 250000 in "
+      "all" },
+    { LAW SLOPE "sweep: [{key: slope.alpha, " RANGE "},\n"
+                "        {key: material.a, " RANGE ", refine: 0.1}]\n",
+      "4:9: sweep.refine: not for a grid, expected one key" },
+    { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", refine: 0}\n",
+      "3:66: sweep.refine: '0'" NOT
+      "a number from 1e-6 to 1, the tolerance in ln v" },
+    { LAW SLOPE "products: [knees, basins]\n"
+                "sweep: {key: slope.alpha, " RANGE "}\n",
+      "3:11: products: basins is no number at a point of a sweep, "
+      "expected " SWEEPABLE },
+    { LAW SLOPE "products: [folds]\n"
+                "sweep: {key: slope.alpha, " RANGE ", refine: 0.1}\n",
+      "3:11: products: no knees beside sweep.refine, expected them: it follows "
+      "v_plus and v_minus" },
 };
 
 static const struct wrong wrong_kinds[] = {
@@ -147,6 +228,16 @@ static const struct wrong wrong_kinds[] = {
       "1 to 64 numbers xi in brackets, 0 < xi < 1" },
     { LAW SLOPE "rabinowicz: {restitution: 1.1}\n",
       "3:27: rabinowicz.restitution: '1.1'" NOT "a number from 0 to 1" },
+    { LAW SLOPE "spring_block: {sigma: 0}\n",
+      "3:23: spring_block.sigma: '0'" NOT "a number > 0" },
+    { LAW SLOPE "spring_block: {mass: -1}\n",
+      "3:22: spring_block.mass: '-1'" NOT "a number >= 0" },
+    { LAW SLOPE "spring_block: {v: 3}\n",
+      "3:19: spring_block.v: this is no pair, expected [lo, hi]" },
+    { LAW SLOPE "fold_curves: {c: [0, 1]}\n",
+      "3:19: fold_curves.c: '0'" NOT "a number from 1e-300 to 1e300" },
+    { LAW SLOPE "fold_curves: {c: [2, 1]}\n",
+      "3:18: fold_curves.c: [2, 1] is empty, expected lo < hi" },
     { LAW SLOPE "rabinowicz: {block_mass: 0}\n",
       "3:26: rabinowicz.block_mass: '0'" NOT "a number > 0" },
     { LAW SLOPE "rabinowicz: {smoothing: 0}\n",

@@ -348,4 +348,15 @@
 /* What a few operations round, as a part of a release distance. */
 #define RELEASE_ROUNDING 0x1p-50
 
+/* Points of a sweep in all, 500 x 500: a million studies are hours, and their
+ * numbers fill memory before (1.4 kB a point). */
+#define SCENE_POINTS 250000
+
+/* A block pulled through a spring: sigma where the scene gives none, that of a
+ * decimetre of rock or paper board; and the c of fold curves, from where even
+ * the minimum of mu_ss is next to no friction to beyond the cusp (Table 2). */
+#define SCENE_SIGMA      1e3
+#define SCENE_FOLD_LEAST 1e-14
+#define SCENE_FOLD_MOST  10.0
+
 #endif

@@ -1,7 +1,7 @@
 /*
  * The graph y(x) or x(y), whichever is flatter, in offsets from the saddle.
- * Start: the eigenvector of differences 1e-18 away from the saddle.  Near the
- * saddle, with s = ln|ind|, r = dep/ind and w = excess/ind are all but
+ * Start: the eigenvector of differences 1e-18/(1 + psi) away from the saddle.
+ * Near it, with s = ln|ind|, r = dep/ind and w = excess/ind are all but
  * constant:  dr/ds = slope - r,  dw/ds = d excess/d ind - w.  Further out the
  * graph itself.  End: where nothing changes any more, by tol.
  */
@@ -13,7 +13,7 @@
 
 enum { STEPS_MAX = 4000 };
 
-static const double start = 1e-18, near_saddle = 1e-2;
+static const double nearest = 1e-18, near_saddle = 1e-2;
 static const double steep = 1.5; /* |slope| above which the graph turns */
 static const double longest = 8.0;
 static const double far = 300.0; /* no limit within this of the saddle */
@@ -23,6 +23,7 @@ struct grower {
     const struct law *law;
     const struct quad_anchor *at;
     quad tol;
+    quad start;   /* distance from the saddle where the growth starts */
     int ind;      /* 0: y(x), 1: x(y) */
     int way;      /* sign of the steps of ind */
     bool near;    /* in r, w over s */
@@ -81,8 +82,7 @@ static void linear_part(const struct grower *g, quad J[2][2])
     quad scale[2];
 
     for (int j = 0; j < 2; j++) {
-        const quad z[2] = { j == 0 ? (quad) start : 0,
-                            j == 1 ? (quad) start : 0 };
+        const quad z[2] = { j == 0 ? g->start : 0, j == 1 ? g->start : 0 };
         quad f[2];
         scale[j] = field_at(g, z, f);
         for (int i = 0; i < 2; i++)
@@ -111,9 +111,9 @@ static bool set_start(struct grower *g, int side)
     g->ind = fabsq(y) > fabsq(x);
     g->way = g->ind == 0 || (x > 0) == (y > 0) ? side : -side;
     g->near = true;
-    g->s = logq((quad) start);
+    g->s = logq(g->start);
     g->u[0] = g->ind == 0 ? y / x : x / y;
-    slopes(g, g->way * (quad) start, g->u[0] * g->way * (quad) start, slope);
+    slopes(g, g->way * g->start, g->u[0] * g->way * g->start, slope);
     g->u[1] = slope[1];
     g->slope = g->u[0];
     g->h = 1;
@@ -243,9 +243,12 @@ bool quad_branch_grow(const struct law *law, const struct quad_anchor *at,
                       int side, double tol, struct quad_branch *out)
 {
     struct grower g = { .law = law, .at = at, .tol = tol, .out = out };
+    /* what counts in the kinetics is psi times an offset of ln psi */
+    const quad psi = law_psi_is_log(law) ? 0 : fabsq(at->psi0);
     bool ended = false;
 
     *out = (struct quad_branch){ .end = QUAD_TRUNCATED };
+    g.start = nearest / (1 + psi);
     if (!set_start(&g, side))
         return false;
     while (!ended && out->steps < STEPS_MAX && move(&g)) {

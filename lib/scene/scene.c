@@ -11,6 +11,7 @@
 #include "document.h"
 #include "override.h"
 #include "physical.h"
+#include "scene_sweep.h"
 #include "schema.h"
 #include "tolerance.h"
 
@@ -79,6 +80,10 @@ static enum status set_defaults(struct scene *s)
     s->audit = 1000;
     s->cell_rtol = TOL_CELLS_RTOL;
     s->rabinowicz.restitution = -1.0;
+    s->spring_block.sigma = SCENE_SIGMA;
+    s->spring_block.mass = s->spring_block.v[0] = NAN;
+    s->fold_c[0] = SCENE_FOLD_LEAST;
+    s->fold_c[1] = SCENE_FOLD_MOST;
     s->rtol = TOL_RTOL_DEFAULT;
     s->xi_count = sizeof xi / sizeof *xi;
     s->title = text_copy("", 0);
@@ -133,10 +138,7 @@ static enum status check_law(const struct node *root, const struct scene *s,
 static enum status check_slope(const struct node *root, const struct scene *s,
                                struct fault *why)
 {
-    const struct node *slope = node_find(root, "slope");
-
-    (void) s;
-    if (slope && slope->count > 0)
+    if (s->alpha > 0.0)
         return STATUS_OK;
     return place_blame(place_of(root, "slope", "slope"), why,
                        "no slope, expected 'slope: {alpha: RAD}' or --alpha "
@@ -171,7 +173,8 @@ static enum status check_material(const struct node *root,
         if (n && !law_uses(&s->law, key))
             return blame_unused(n, &s->law, why);
     }
-    if (law_uses(&s->law, MATERIAL_V_C) && !node_find(material, "V_c"))
+    if (law_uses(&s->law, MATERIAL_V_C) && !node_find(material, "V_c") &&
+        !scene_sweeps(s, "material.V_c"))
         return place_blame(place_of(root, "law", "law.preset"), why,
                            "law.preset: kato_tullis needs material.V_c, "
                            "expected a number > 0");
@@ -250,11 +253,23 @@ static enum status check_starts(const struct node *root, const struct scene *s,
 
 /* ---- the whole ----------------------------------------------------------- */
 
+/* A block pressed by its own weight, where nothing else is said. */
+static void settle_spring(struct scene *s)
+{
+    struct scene_spring *b = &s->spring_block;
+
+    if (isnan(b->mass))
+        b->mass = b->sigma / s->material.g;
+    if (isnan(b->v[0]))
+        memcpy(b->v, s->window.v, sizeof b->v);
+}
+
 /* What a scene leaves open where psi is a logarithm, and starts in SI units. */
 static void settle(struct scene *s)
 {
     const bool is_log = law_psi_is_log(&s->law);
 
+    settle_spring(s);
     if (isnan(s->window.psi[0])) {
         s->window.psi[0] = is_log ? -7.0 : 1e-3;
         s->window.psi[1] = is_log ? 5.0 : 1e2;
@@ -271,13 +286,16 @@ static enum status fill(const struct node *root, struct scene *s,
     static enum status (*const check[])(
         const struct node *, const struct scene *,
         struct fault *) = { check_law,         check_slope,  check_material,
-                            check_composition, check_window, check_starts };
+                            check_composition, check_window, check_starts,
+                            scene_sweep_check };
     enum status status = set_defaults(s);
 
     if (status == STATUS_OK)
         status = schema_apply(root, s, why);
     if (status == STATUS_OK)
         settle(s);
+    if (status == STATUS_OK)
+        status = scene_sweep_fill(root, s, why);
     for (size_t i = 0; i < sizeof check / sizeof *check; i++)
         if (status == STATUS_OK)
             status = check[i](root, s, why);
@@ -346,6 +364,9 @@ void scene_free(struct scene *s)
     free(s->start);
     free(s->rabinowicz.tan_alpha);
     free(s->rabinowicz.data);
+    for (int i = 0; i < SCENE_AXES; i++)
+        free(s->sweep.axis[i].value);
+    free(s->sweep.draft.value);
     free(s->hdf5);
     free(s->figure);
     free(s->text);

@@ -9,9 +9,10 @@
  * Defaults: law.friction asinh; Table 2's material; gravity 9.81; window v
  * 1e-6..1e6, psi 1e-3..1e2 (psi -7..5 where psi is a logarithm); axes log;
  * dimensionless units; no products (each command has its own); estimates.xi
- * 0.85 0.9 0.99 0.999; no trajectories, their seed 1 and without limits;
- * basins 512 x 512, audit 1000, not exact, their rtol 1e-6; rtol 1e-12; no
- * output.  A law and a slope must be given.
+ * 0.85 0.9 0.99 0.999; spring_block sigma 1000 Pa, as heavy as that, over the
+ * window's v; fold_curves c 1e-14..10; no trajectories, their seed 1 and
+ * without limits; basins 512 x 512, audit 1000, not exact, their rtol 1e-6; no
+ * sweep; rtol 1e-12; no output.  A law and a slope must be given.
  */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
@@ -28,6 +29,7 @@ enum product {
     PRODUCT_MANIFOLDS,
     PRODUCT_KNEES,
     PRODUCT_ESTIMATES,
+    PRODUCT_TAYLOR_SERIES,
     PRODUCT_SENSITIVITIES,
     PRODUCT_TRAJECTORIES,
     PRODUCT_BASINS,
@@ -36,6 +38,10 @@ enum product {
     PRODUCT_TIME,
     PRODUCT_FRICTION,
     PRODUCT_PEAK,
+    PRODUCT_FRICTION_LAW,
+    PRODUCT_SPRING_BLOCK,
+    PRODUCT_BIFURCATION,
+    PRODUCT_FOLD_CURVES,
     PRODUCTS
 };
 extern const char *const product_names[];
@@ -52,6 +58,13 @@ struct scene_window {
     enum axes axes;
 };
 
+/* A block pulled through a spring on level ground, Fig 1(b). */
+struct scene_spring {
+    double sigma; /* normal stress, Pa */
+    double mass;  /* of the block, kg/m^2 */
+    double v[2];  /* speeds of pulling, dimensionless */
+};
+
 /* Rabinowicz's experiment: his block and ball, and what he measured. */
 struct scene_rabinowicz {
     double block_mass, ball_mass; /* kg; 0: not given */
@@ -60,6 +73,25 @@ struct scene_rabinowicz {
     size_t slopes;
     char *data;       /* owned: path of a CSV file; NULL: none */
     double smoothing; /* of slip_curve.h; 0: found from the data */
+};
+
+/* A key and the values it takes, one after another. */
+enum sweep_scale { SWEEP_LINEAR, SWEEP_LOG };
+struct scene_axis {
+    const char *key; /* of the schema, static; NULL: none */
+    double from, to; /* as given; both 0: values were listed */
+    size_t points;
+    enum sweep_scale scale; /* of the points between, and of drawings */
+    double *value;          /* owned; ascending */
+    size_t count;
+};
+enum { SCENE_AXES = 2 };
+
+struct scene_sweep {
+    struct scene_axis axis[SCENE_AXES];
+    size_t axes;             /* 0: no sweep; 2: a grid */
+    double refine;           /* in ln v; 0: not at all */
+    struct scene_axis draft; /* the axis being read */
 };
 
 struct scene {
@@ -84,6 +116,9 @@ struct scene {
     bool exact;       /* every cell by forward integration */
     double cell_rtol; /* of slip, time and friction of the cells */
     struct scene_rabinowicz rabinowicz;
+    struct scene_spring spring_block;
+    double fold_c[2]; /* fold curves from c to c */
+    struct scene_sweep sweep;
     double rtol;
     char *hdf5, *figure; /* owned; NULL: none */
     char *text;          /* owned: the file as read, "" without one */

@@ -11,16 +11,20 @@
 #include "value.h"
 
 const char *const product_names[] = {
-    "equilibria",   "folds",    "nullclines", "field_arrows",
-    "manifolds",    "knees",    "estimates",  "sensitivities",
-    "trajectories", "basins",   "margin",     "slip",
-    "time",         "friction", "peak",       NULL
+    "equilibria",   "folds",         "nullclines",
+    "field_arrows", "manifolds",     "knees",
+    "estimates",    "taylor_series", "sensitivities",
+    "trajectories", "basins",        "margin",
+    "slip",         "time",          "friction",
+    "peak",         "friction_law",  "spring_block",
+    "bifurcation",  "fold_curves",   NULL
 };
 _Static_assert(sizeof product_names / sizeof *product_names == PRODUCTS + 1,
                "each product has a name");
 static const char *const axes_names[] = { "log", "linear", "eigen", NULL };
 static const char *const units_names[] = { "dimensionless", "si", NULL };
 static const char *const flag_names[] = { "false", "true", NULL };
+static const char *const scale_names[] = { "linear", "log", NULL };
 static const char *const board_names[] = { "bristol_board", NULL };
 
 /* ---- the table ----------------------------------------------------------- */
@@ -120,6 +124,31 @@ const struct schema_key schema_table[] = {
       FROM(SCENE_SMOOTHING_LEAST), TO(1.0),
       .expected = "a number from 1e-12 to 1" },
 
+    { "sweep.key", value_key, AT(sweep.draft.key),
+      .expected = "the key of a number, such as slope.alpha" },
+    { "sweep.from", value_real, AT(sweep.draft.from), FROM(-DBL_MAX),
+      TO(DBL_MAX), .side = 1, .expected = "a number" },
+    { "sweep.to", value_real, AT(sweep.draft.to), FROM(-DBL_MAX), TO(DBL_MAX),
+      .side = 1, .expected = "a number" },
+    { "sweep.points", value_count, AT(sweep.draft.points), FROM(2),
+      TO(SCENE_POINTS), .side = 1,
+      .expected = "a whole number from 2 to 250000" },
+    { "sweep.scale", value_choice, AT(sweep.draft.scale),
+      .words = scale_names },
+    { "sweep.values", value_values, FROM(-DBL_MAX), TO(DBL_MAX), .side = 2,
+      .expected = "1 to 250000 numbers in brackets" },
+    { "sweep.refine", value_real, AT(sweep.refine), FROM(1e-6), TO(1.0),
+      .expected = "a number from 1e-6 to 1, the tolerance in ln v" },
+
+    { "spring_block.sigma", AT(spring_block.sigma), POSITIVE },
+    { "spring_block.mass", value_real, AT(spring_block.mass), FROM(0.0),
+      TO(DBL_MAX), .expected = "a number >= 0" },
+    { "spring_block.v", value_pair, AT(spring_block.v), FROM(1 / SCENE_RANGE),
+      TO(SCENE_RANGE), .expected = "a number from 1e-300 to 1e300" },
+
+    { "fold_curves.c", value_pair, AT(fold_c), FROM(1 / SCENE_RANGE),
+      TO(SCENE_RANGE), .expected = "a number from 1e-300 to 1e300" },
+
     { "accuracy.rtol", value_real, AT(rtol), FROM(1e-14), TO(0.1),
       .expected = "a number from 1e-14 to 0.1" },
 
@@ -139,7 +168,9 @@ enum {
     WORD_SIZE = 24
 };
 
-static const struct schema_key *find_key(const char *path)
+_Static_assert((int) KEYS <= (int) SCHEMA_KEYS_MAX, "lists of keys have room");
+
+const struct schema_key *schema_find(const char *path)
 {
     for (const struct schema_key *k = schema_table; k->path; k++)
         if (strcmp(k->path, path) == 0)
@@ -159,7 +190,7 @@ static bool holds_keys(const char *path)
 
 bool schema_excludes(const char *path, const char *other)
 {
-    const struct schema_key *a = find_key(path), *b = find_key(other);
+    const struct schema_key *a = schema_find(path), *b = schema_find(other);
 
     return a && b && a->side && b->side && a->side != b->side;
 }
@@ -238,7 +269,7 @@ enum status schema_check_path(const char *path, struct place at,
         if (end >= sizeof known)
             return unknown(path, head, at, why);
         snprintf(known, sizeof known, "%.*s", (int) end, path);
-        if (!holds_keys(known) && (path[end] || !find_key(known)))
+        if (!holds_keys(known) && (path[end] || !schema_find(known)))
             return unknown(path, head, at, why);
         if (path[end] == '\0')
             return STATUS_OK;
@@ -299,11 +330,36 @@ static enum status check_key(const struct node *n, const char *path,
 static enum status apply_below(const struct node *map, const char *prefix,
                                struct scene *s, struct fault *why);
 
+/* Only the axes of a sweep may be a list of sections. */
+static enum status apply_axes(const struct node *list, struct scene *s,
+                              struct fault *why)
+{
+    enum status status = STATUS_OK;
+
+    if (list->count == 0 || list->count > SCENE_AXES)
+        return place_blame(list->at, why,
+                           "sweep: a list of %zu, expected one or two of "
+                           "{key: KEY, ...}",
+                           list->count);
+    for (size_t i = 0; i < list->count && status == STATUS_OK; i++) {
+        const struct node *axis = list->child[i];
+        if (axis->kind != NODE_MAP)
+            return schema_blame_section("sweep", strlen("sweep"), axis, why);
+        status = apply_below(axis, "sweep", s, why);
+        s->sweep.axis[i] = s->sweep.draft;
+        s->sweep.draft = (struct scene_axis){ .key = NULL };
+    }
+    s->sweep.axes = list->count;
+    return status;
+}
+
 static enum status apply_one(const struct node *n, const char *path,
                              struct scene *s, struct fault *why)
 {
-    const struct schema_key *key = find_key(path);
+    const struct schema_key *key = schema_find(path);
 
+    if (n->kind == NODE_LIST && strcmp(path, "sweep") == 0)
+        return apply_axes(n, s, why);
     if (key)
         return key->read(key, n, s, why);
     if (n->kind == NODE_MAP)

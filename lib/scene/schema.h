@@ -23,7 +23,11 @@ struct schema_key {
 };
 
 /* Ends with path NULL. */
+enum { SCHEMA_KEYS_MAX = 128 };
 extern const struct schema_key schema_table[];
+
+/* The key at a path; NULL if there is none. */
+const struct schema_key *schema_find(const char *path);
 
 /* STATUS_BAD_SCENE, "unknown key ..." blamed on `at`, unless path is a key or
  * holds keys. */

@@ -35,14 +35,19 @@ static void *member(struct scene *s, const struct schema_key *key)
     return (char *) s + key->offset;
 }
 
+static bool in_range(const struct schema_key *key, double x)
+{
+    return x >= key->lo && x <= key->hi && !(key->open_lo && x == key->lo) &&
+           !(key->open_hi && x == key->hi);
+}
+
 static bool is_number(const struct schema_key *key, const struct node *n,
                       double *value)
 {
     double x;
 
-    if (n->kind != NODE_SCALAR || !number_read(n->text, &x) || x < key->lo ||
-        x > key->hi || (key->open_lo && x == key->lo) ||
-        (key->open_hi && x == key->hi))
+    if (n->kind != NODE_SCALAR || !number_read(n->text, &x) ||
+        !in_range(key, x))
         return false;
     *value = x;
     return true;
@@ -243,39 +248,102 @@ enum status value_preset(const struct schema_key *key, const struct node *n,
 
 static const long double pi = 3.141592653589793238462643383279502884L;
 
-enum status value_alpha(const struct schema_key *key, const struct node *n,
-                        struct scene *s, struct fault *why)
+static void set_alpha(struct scene *s, double rad)
 {
-    if (!is_number(key, n, &s->alpha))
-        return refuse(key, n, why);
-    s->tan_alpha = tanl((long double) s->alpha);
-    return STATUS_OK;
+    s->alpha = rad;
+    s->tan_alpha = tanl((long double) rad);
 }
 
 /* Steep slopes from the angle that is left to 90 degrees, which is exact. */
-enum status value_alpha_deg(const struct schema_key *key, const struct node *n,
-                            struct scene *s, struct fault *why)
+static void set_alpha_deg(struct scene *s, double degrees)
 {
-    double degrees;
-
-    if (!is_number(key, n, &degrees))
-        return refuse(key, n, why);
     const long double x = (long double) degrees, rad = pi / 180;
+
     s->alpha = (double) (x * rad);
     s->tan_alpha = x <= 45 ? tanl(x * rad) : 1 / tanl((90 - x) * rad);
-    return STATUS_OK;
 }
 
-enum status value_tan_alpha(const struct schema_key *key, const struct node *n,
-                            struct scene *s, struct fault *why)
+static void set_tan_alpha(struct scene *s, double x)
+{
+    s->alpha = atan(x);
+    s->tan_alpha = (long double) x;
+}
+
+static enum status read_slope(const struct schema_key *key,
+                              const struct node *n, struct scene *s,
+                              void (*set)(struct scene *, double),
+                              struct fault *why)
 {
     double x;
 
     if (!is_number(key, n, &x))
         return refuse(key, n, why);
-    s->alpha = atan(x);
-    s->tan_alpha = (long double) x;
+    set(s, x);
     return STATUS_OK;
+}
+
+enum status value_alpha(const struct schema_key *key, const struct node *n,
+                        struct scene *s, struct fault *why)
+{
+    return read_slope(key, n, s, set_alpha, why);
+}
+
+enum status value_alpha_deg(const struct schema_key *key, const struct node *n,
+                            struct scene *s, struct fault *why)
+{
+    return read_slope(key, n, s, set_alpha_deg, why);
+}
+
+enum status value_tan_alpha(const struct schema_key *key, const struct node *n,
+                            struct scene *s, struct fault *why)
+{
+    return read_slope(key, n, s, set_tan_alpha, why);
+}
+
+/* ---- keys of a sweep ----------------------------------------------------- */
+
+bool value_is_real(const struct schema_key *key)
+{
+    return (key->read == value_real && strncmp(key->path, "sweep.", 6) != 0) ||
+           key->read == value_alpha || key->read == value_alpha_deg ||
+           key->read == value_tan_alpha;
+}
+
+bool value_set(const struct schema_key *key, double x, struct scene *s)
+{
+    if (!in_range(key, x))
+        return false;
+    if (key->read == value_alpha)
+        set_alpha(s, x);
+    else if (key->read == value_alpha_deg)
+        set_alpha_deg(s, x);
+    else if (key->read == value_tan_alpha)
+        set_tan_alpha(s, x);
+    else
+        *(double *) member(s, key) = x;
+    return true;
+}
+
+enum status value_key(const struct schema_key *key, const struct node *n,
+                      struct scene *s, struct fault *why)
+{
+    const char *known[SCHEMA_KEYS_MAX + 1] = { NULL };
+    size_t count = 0;
+
+    for (const struct schema_key *k = schema_table; k->path; k++)
+        if (value_is_real(k))
+            known[count++] = k->path;
+    for (size_t i = 0; i < count && n->kind == NODE_SCALAR; i++)
+        if (strcmp(known[i], n->text) == 0) {
+            *(const char **) member(s, key) = known[i];
+            return STATUS_OK;
+        }
+    const char *near =
+        n->kind == NODE_SCALAR ? spell_nearest(n->text, known) : NULL;
+    return place_blame(n->at, why, "%s: %s is not allowed, expected %s%s%s%s",
+                       key->path, node_shown(n).text, key->expected,
+                       near ? " (did you mean " : "", near ? near : "",
+                       near ? "?)" : "");
 }
 
 /* ---- lists --------------------------------------------------------------- */
@@ -312,6 +380,13 @@ enum status value_slopes(const struct schema_key *key, const struct node *n,
 {
     return read_list(key, n, SCENE_SLOPES, &s->rabinowicz.tan_alpha,
                      &s->rabinowicz.slopes, why);
+}
+
+enum status value_values(const struct schema_key *key, const struct node *n,
+                         struct scene *s, struct fault *why)
+{
+    return read_list(key, n, SCENE_POINTS, &s->sweep.draft.value,
+                     &s->sweep.draft.count, why);
 }
 
 static enum status unknown_in_start(const struct schema_key *key,

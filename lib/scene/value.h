@@ -32,7 +32,16 @@ VALUE_READER(value_products);  /* products, from a list of words */
 VALUE_READER(value_xi);        /* xi, xi_count; each in the key's range */
 VALUE_READER(value_slopes);    /* rabinowicz.tan_alpha, slopes */
 VALUE_READER(value_starts);    /* start, starts, in the scene's units */
+VALUE_READER(value_key);       /* sweep.draft.key: a key of a real number */
+VALUE_READER(value_values);    /* sweep.draft.value, count */
 
 #undef VALUE_READER
+
+/* Whether a key holds one real number. */
+bool value_is_real(const struct schema_key *key);
+
+/* Gives such a key a value; false, and the scene as it was, where that is out
+ * of its range. */
+bool value_set(const struct schema_key *key, double x, struct scene *s);
 
 #endif

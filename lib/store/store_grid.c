@@ -16,6 +16,25 @@ enum status store_put_axis(struct store *st, const char *path, const char *name,
     return st->status;
 }
 
+enum status store_put_column(struct store *st, const char *path,
+                             const struct record_field *f, const char *name,
+                             const void *values)
+{
+    const struct column c = column_of(f);
+
+    assert(f->kind == RECORD_REAL || f->kind == RECORD_CODE);
+    if (st->status == STATUS_OK) {
+        const hid_t group = hdf_group(st, path);
+        struct axis *const axis = axis_find(st, group, name);
+        if (axis != NULL) {
+            const hid_t set = column_create(st, group, &c, 1, &axis);
+            column_write(st, set, &c, values);
+            hdf_close(set);
+        }
+    }
+    return st->status;
+}
+
 enum status store_put_layer(struct store *st, const char *path,
                             const struct record_field *f, const char *row,
                             const char *column)

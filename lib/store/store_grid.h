@@ -1,5 +1,5 @@
-/* store_grid.h -- two-dimensional data sets over two shared axes, written a
- * block of rows at a time.
+/* store_grid.h -- data sets over axes that they share: over one, or over two
+ * and then written a block of rows at a time.
  *
  *     store_put_axis(st, "/basin", "psi", "1", "state", np, psi);
  *     store_put_axis(st, "/basin", "v", "1", "slip rate", nv, v);
@@ -17,6 +17,11 @@ MUST_CHECK enum status store_put_axis(struct store *store, const char *group,
                                       const char *name, const char *unit,
                                       const char *text, size_t count,
                                       const double *values);
+
+/* A new data set over one axis put before, with its values: of *f as below. */
+MUST_CHECK enum status store_put_column(struct store *store, const char *group,
+                                        const struct record_field *f,
+                                        const char *axis, const void *values);
 
 /* A new data set [length of axis `row`][length of axis `column`], both put
  * before, in compressed chunks.  Of *f name, unit, text, kind (RECORD_REAL or

@@ -60,6 +60,8 @@ static enum status cut_plane(struct basin_map *m)
     const struct basin_grid grid = { m->x, m->y, m->columns, m->rows };
     enum status status = STATUS_OK;
 
+    if (s->saddle >= 0 && !study_has_manifolds(s))
+        return STATUS_NOT_HYPERBOLIC;
     for (int i = 0; i < 2; i++)
         m->along[i] = separatrix_empty(i, s->system.origin);
     for (int i = 0; i < 2 && status == STATUS_OK && s->saddle >= 0; i++)

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "fast_layer.h"
+#include "layer_lanes.h"
 #include "study.h"
 #include "study_tolerance.h"
 
@@ -15,7 +15,7 @@ static const unsigned integrals =
 enum status fast_cells_init(struct fast_cells *f, const struct study *s,
                             const struct monitor *monitor)
 {
-    *f = (struct fast_cells){ .study = s };
+    *f = (struct fast_cells){ .study = s, .lanes = layer_lanes_width(8) };
     return slow_curve_init(&f->curve, s, monitor);
 }
 
@@ -118,41 +118,98 @@ static bool knows_friction(const struct cell *c, double rtol)
     return !(c->mu_peak_error > rtol * c->mu_peak);
 }
 
-/* False: this one needs its whole orbit. */
-static bool find(const struct fast_cells *f, struct vec2 z, double rtol,
-                 unsigned which, struct cell *out)
-{
-    const struct vec2 offset = vec2_sub(z, f->study->system.origin);
-    bool found = false;
-
-    for (double tol = rtol; tol >= TOL_FAST_FINEST; tol *= TOL_FAST_FINER) {
-        struct layer_options options = layer_defaults(tol);
-        struct layer l;
-        options.peaks = (which & peaks) != 0;
-        layer_follow(&f->curve, offset, &options, &l);
-        if (l.end == LAYER_LOST)
-            break;
-        if (l.end == LAYER_UNSURE)
-            continue;
-        found = true;
-        *out = cell_of(f->study, z.x, which, &l);
-        if (l.end == LAYER_RAN || worst_of(out, which) <= rtol)
-            break;
-    }
-    return found && knows_friction(out, rtol);
-}
-
 /* ---- many ---------------------------------------------------------------- */
 
-/* One state, its orbit whole where need be. */
-static enum status find_any(const struct fast_cells *f, struct vec2 z,
-                            double rtol, unsigned which, struct cell *out,
-                            size_t *whole)
+/* States followed together, and those of them that are not done. */
+enum { TOGETHER = 128 };
+struct batch {
+    const struct fast_cells *fast;
+    double rtol;
+    unsigned which;
+    const struct vec2 *z; /* of the batch */
+    struct cell *out;
+    bool found[TOGETHER];
+    size_t of[TOGETHER], open; /* job i is of state of[i] */
+    struct layer_job job[TOGETHER];
+    struct layer layer[TOGETHER];
+};
+
+static void follow(struct batch *b)
 {
-    if (find(f, z, rtol, which, out))
-        return STATUS_OK;
-    ++*whole;
-    return cells_find(f->study, &z, 1, rtol, which, NULL, out);
+    const struct slow_curve *c = &b->fast->curve;
+
+    if (b->fast->lanes > 1 && !(b->which & peaks)) {
+        layer_lanes_follow(c, b->fast->lanes, b->job, b->open, b->layer);
+        return;
+    }
+    for (size_t i = 0; i < b->open; i++)
+        layer_follow(c, b->job[i].z, &b->job[i].options, &b->layer[i]);
+}
+
+/* How much finer to follow what job i left to wish for; 0: not again. */
+static double finer(struct batch *b, size_t i)
+{
+    const struct layer *l = &b->layer[i];
+    const size_t k = b->of[i];
+
+    if (l->end == LAYER_LOST)
+        return 0.0;
+    if (l->end == LAYER_UNSURE)
+        return TOL_FAST_FINER;
+    b->found[k] = true;
+    b->out[k] = cell_of(b->fast->study, b->z[k].x, b->which, l);
+    const double excess = worst_of(&b->out[k], b->which) / b->rtol;
+    if (l->end == LAYER_RAN || excess <= 1.0)
+        return 0.0;
+    return fmax(TOL_FAST_FINER, TOL_FAST_AIM / excess);
+}
+
+static void set_job(struct batch *b, size_t i, size_t k, double tol)
+{
+    const struct vec2 origin = b->fast->study->system.origin;
+
+    b->of[i] = k;
+    b->job[i].z = vec2_sub(b->z[k], origin);
+    b->job[i].options = layer_defaults(tol);
+    b->job[i].options.peaks = (b->which & peaks) != 0;
+}
+
+/* n states, n <= TOGETHER. */
+static void find_by_curve(struct batch *b, size_t n)
+{
+    b->open = n;
+    for (size_t k = 0; k < n; k++) {
+        set_job(b, k, k, b->rtol);
+        b->found[k] = false;
+    }
+    while (b->open > 0) {
+        size_t open = 0;
+        follow(b);
+        for (size_t i = 0; i < b->open; i++) {
+            const double tol = b->job[i].options.promise * finer(b, i);
+            if (tol >= TOL_FAST_FINEST)
+                set_job(b, open++, b->of[i], tol);
+        }
+        b->open = open;
+    }
+}
+
+/* Those whose orbits are needed whole are left to cells_find. */
+static enum status find(const struct fast_cells *f, const struct vec2 z[],
+                        size_t n, double rtol, unsigned which,
+                        struct cell out[], size_t *whole)
+{
+    struct batch b = { f, rtol, which, .z = z, .out = out };
+    enum status status = STATUS_OK;
+
+    find_by_curve(&b, n);
+    for (size_t k = 0; k < n && status == STATUS_OK; k++) {
+        if (b.found[k] && knows_friction(&out[k], rtol))
+            continue;
+        ++*whole;
+        status = cells_find(f->study, &z[k], 1, rtol, which, NULL, &out[k]);
+    }
+    return status;
 }
 
 enum status fast_cells_find(const struct fast_cells *f, const struct vec2 z[],
@@ -160,7 +217,7 @@ enum status fast_cells_find(const struct fast_cells *f, const struct vec2 z[],
                             const struct monitor *m, struct cell out[],
                             size_t *whole)
 {
-    enum { BLOCK = 4096 };
+    enum { BLOCK = 32 * TOGETHER };
     enum status failed = STATUS_OK;
     size_t left = 0;
 
@@ -171,10 +228,11 @@ enum status fast_cells_find(const struct fast_cells *f, const struct vec2 z[],
             return STATUS_BAD_ARGUMENT;
     for (size_t first = 0; first < n && failed == STATUS_OK; first += BLOCK) {
         const size_t end = n - first < BLOCK ? n : first + BLOCK;
-#pragma omp parallel for schedule(dynamic, 16) reduction(+ : left)
-        for (size_t i = first; i < end; i++) {
+#pragma omp parallel for schedule(dynamic) reduction(+ : left)
+        for (size_t i = first; i < end; i += TOGETHER) {
+            const size_t some = end - i < TOGETHER ? end - i : TOGETHER;
             const enum status status =
-                find_any(f, z[i], rtol, which, &out[i], &left);
+                find(f, &z[i], some, rtol, which, &out[i], &left);
             if (status != STATUS_OK) {
 #pragma omp atomic write
                 failed = status;

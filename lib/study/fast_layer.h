@@ -18,6 +18,7 @@ enum layer_end {
 
 /* How to follow one. */
 struct layer_options {
+    double promise; /* relative, of time and slip */
     double rtol;    /* of each step, absolute in ln v and ln psi */
     double landing; /* from the slow curve, in ln v */
     bool peaks;

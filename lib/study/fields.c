@@ -1,12 +1,13 @@
 #include "fields.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "study.h"
 #include "study_tolerance.h"
 
 /* Cells between two looks at the monitor. */
-enum { LOOK = 256 };
+enum { LOOK = 1024 };
 
 enum status fields_prepare(struct study *s, const struct monitor *monitor,
                            struct fault *why)
@@ -20,17 +21,27 @@ enum status fields_prepare(struct study *s, const struct monitor *monitor,
         { PRODUCT_FRICTION, 1u << CELL_MU_MEAN },
         { PRODUCT_PEAK, 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK },
     };
-    (void) monitor, (void) why;
-    s->fields = (struct fields){ s, 0, s->scene->cell_rtol };
+    s->fields = (struct fields){ s, 0, s->scene->cell_rtol, .fast = { 0 } };
     for (size_t i = 0; i < sizeof asks / sizeof *asks; i++)
         if (s->scene->products & 1u << asks[i].product)
             s->fields.which |= asks[i].which;
-    return STATUS_OK;
+    if (s->fields.which == 0)
+        return STATUS_OK;
+    const enum status status = fast_cells_init(&s->fields.fast, s, monitor);
+    if (status != STATUS_OK)
+        snprintf(why->text, sizeof why->text, "the fields of the cells: %s",
+                 status_text(status));
+    return status;
+}
+
+void fields_free(struct fields *f)
+{
+    fast_cells_free(&f->fast);
 }
 
 /* What finds states of the grid, and tells how far it is. */
 struct finder {
-    const struct study *study;
+    const struct fast_cells *fast;
     const struct monitor *monitor;
     size_t before, total; /* cells, for the monitor */
 };
@@ -43,7 +54,8 @@ static enum status find(void *ctx, const struct vec2 z[], size_t n, double rtol,
 
     for (size_t i = 0; i < n && status == STATUS_OK; i += LOOK) {
         const size_t some = n - i < LOOK ? n - i : LOOK;
-        status = cells_find(f->study, z + i, some, rtol, which, NULL, out + i);
+        status = fast_cells_find(f->fast, z + i, some, rtol, which, NULL,
+                                 out + i, NULL);
         if (status == STATUS_OK &&
             monitor_tell(f->monitor, "cells", f->before, f->total))
             status = STATUS_STOPPED;
@@ -55,10 +67,13 @@ static enum status fill(const struct fields *f, struct finder *finder,
                         const struct patchwork_grid *grid, struct cell out[])
 {
     const struct patchwork_source source = { find, finder };
-    const enum status status =
+    enum status status =
         patchwork_fill(grid, &source, f->rtol, f->which, out, NULL);
 
     finder->before += grid->columns * grid->rows;
+    if (status == STATUS_OK &&
+        monitor_tell(finder->monitor, "cells", finder->before, finder->total))
+        status = STATUS_STOPPED;
     return status;
 }
 
@@ -68,7 +83,7 @@ enum status fields_find(const struct fields *f, size_t first, size_t rows,
 {
     const struct basin_map *m = &f->study->basins;
     const size_t n = m->columns, end = first + rows;
-    struct finder finder = { f->study, monitor, first * n, n * m->rows };
+    struct finder finder = { &f->fast, monitor, first * n, n * m->rows };
     int8_t *label = malloc(n * PATCHWORK_TILE);
     enum status status = label ? STATUS_OK : STATUS_NO_MEMORY;
 
@@ -86,43 +101,30 @@ enum status fields_find(const struct fields *f, size_t first, size_t rows,
     return status;
 }
 
-static double value_of(const struct cell *c, enum cell_field field)
+enum status fields_raster(const struct fields *f, size_t columns, size_t rows,
+                          const struct monitor *monitor, struct cell out[])
 {
-    const double value[CELL_FIELDS] = { [CELL_SLIP] = c->slip,
-                                        [CELL_TIME] = c->time,
-                                        [CELL_MU_MEAN] = c->mu_mean,
-                                        [CELL_V_PEAK] = c->v_peak,
-                                        [CELL_MU_PEAK] = c->mu_peak };
-    return value[field];
-}
-
-enum status fields_raster(const struct fields *f, enum cell_field field,
-                          size_t columns, size_t rows,
-                          const struct monitor *monitor, double out[])
-{
-    const struct fields rough = { f->study, 1u << field, TOL_FIELDS_PICTURE };
-    const size_t n = columns * rows, longest = columns > rows ? columns : rows;
-    struct finder finder = { f->study, monitor, 0, n };
+    const struct fields rough = { .study = f->study,
+                                  .which = f->which,
+                                  .rtol = TOL_FIELDS_PICTURE };
+    const size_t longest = columns > rows ? columns : rows;
+    struct finder finder = { &f->fast, monitor, 0, columns * rows };
     double *x = malloc(columns * sizeof *x), *y = malloc(rows * sizeof *y);
     double *stored = malloc(longest * sizeof *stored);
-    struct cell *cell = malloc(n * sizeof *cell);
-    int8_t *label = malloc(n);
+    int8_t *label = malloc(columns * rows);
     enum status status = STATUS_NO_MEMORY;
 
-    if (x && y && stored && cell && label) {
+    if (x && y && stored && label) {
         const struct patchwork_grid grid = { x, y, label, columns, rows };
         basin_map_axis(f->study, BASIN_V, columns, x, stored);
         basin_map_axis(f->study, BASIN_PSI, rows, y, stored);
         status = basin_map_raster(&f->study->basins, columns, rows, label);
         if (status == STATUS_OK)
-            status = fill(&rough, &finder, &grid, cell);
+            status = fill(&rough, &finder, &grid, out);
     }
-    for (size_t i = 0; i < n && status == STATUS_OK; i++)
-        out[i] = value_of(&cell[i], field);
     free(x);
     free(y);
     free(stored);
-    free(cell);
     free(label);
     return status;
 }

@@ -5,34 +5,38 @@
 #ifndef STUDY_FIELDS_H
 #define STUDY_FIELDS_H
 
+#include "fast_cells.h"
 #include "patchwork.h"
 
 struct fields {
     const struct study *study; /* borrowed */
     unsigned which;            /* bits of enum cell_field; 0: none asked for */
     double rtol;
+    struct fast_cells fast; /* owned */
 };
 
 /* The stage of a study (study.c): fills s->fields with what its scene's
- * products ask for.  Always STATUS_OK. */
+ * products ask for.  STATUS_NO_MEMORY, STATUS_STOPPED. */
 MUST_CHECK enum status fields_prepare(struct study *s,
                                       const struct monitor *monitor,
                                       struct fault *why);
 
 /* Rows first .. first + rows - 1 of the grid of the study's basin map, cell by
  * cell, by few states of it (patchwork.h).  The monitor hears of "cells" done
- * of the whole grid.  Otherwise as cells_find.  STATUS_BAD_ARGUMENT: first is
- * no multiple of PATCHWORK_TILE; so the bits do not depend on the parts. */
+ * of the whole grid.  Otherwise as fast_cells_find.  STATUS_BAD_ARGUMENT: first
+ * is no multiple of PATCHWORK_TILE; so the bits do not depend on the parts. */
 MUST_CHECK enum status fields_find(const struct fields *f, size_t first,
                                    size_t rows, const struct monitor *monitor,
                                    struct cell out[]);
 
-/* One field on another grid over the same window, good enough for a picture
- * (TOL_FIELDS_PICTURE); row j, counted upward, starts at out[j * columns].
- * STATUS_NO_MEMORY, STATUS_STOPPED. */
-MUST_CHECK enum status fields_raster(const struct fields *f,
-                                     enum cell_field field, size_t columns,
+/* The same fields on another grid over the same window, good enough for a
+ * picture (TOL_FIELDS_PICTURE); row j, counted upward, starts at
+ * out[j * columns].  STATUS_NO_MEMORY, STATUS_STOPPED. */
+MUST_CHECK enum status fields_raster(const struct fields *f, size_t columns,
                                      size_t rows, const struct monitor *monitor,
-                                     double out[]);
+                                     struct cell out[]);
+
+/* A second call is harmless. */
+void fields_free(struct fields *f);
 
 #endif

@@ -211,7 +211,7 @@ static void add_critical(struct moment_watches *w, const struct study *s,
 
 void moment_watch_all(struct moment_watches *w, const struct study *s,
                       const struct moment_level *level, size_t levels,
-                      bool stop)
+                      bool rest, bool stop)
 {
     const double none = (double) NAN;
 
@@ -226,9 +226,11 @@ void moment_watch_all(struct moment_watches *w, const struct study *s,
     add(w, s, MOMENT_ARREST, none, 0.0);
     w->event[w->count - 1].direction = -1;
     w->event[w->count - 1].stop = stop;
-    add(w, s, MOMENT_REST, none, 0.0);
-    w->event[w->count - 1].direction = 1;
-    w->event[w->count - 1].stop = true;
+    if (rest) {
+        add(w, s, MOMENT_REST, none, 0.0);
+        w->event[w->count - 1].direction = 1;
+        w->event[w->count - 1].stop = true;
+    }
     const double near = TOL_PHASE_NEAR * (double) s->block.tan_alpha;
     add(w, s, MOMENT_MU_NEARS, near, near);
     for (size_t i = 0; i < levels && i < MOMENT_LEVELS_MAX; i++)

@@ -58,10 +58,11 @@ enum { MOMENT_LEVELS_MAX = 7 };
 
 /* Everything that exists in s, whose critical numbers are known, the nearness
  * that phases go by (TOL_PHASE_NEAR tan(alpha)), and the levels.  Orbits stop
- * at rest, and at arrest where `stop` is true. */
+ * at rest where `rest` is true, which watches for it, and at arrest where
+ * `stop` is. */
 void moment_watch_all(struct moment_watches *w, const struct study *s,
                       const struct moment_level *level, size_t levels,
-                      bool stop);
+                      bool rest, bool stop);
 
 /* What a hit on the curve c means; of a turn, that it is one: *_MIN. */
 enum moment moment_of(const struct moment_watches *w,

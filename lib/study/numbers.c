@@ -9,6 +9,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "cusp.h"
 #include "knee.h"
 #include "tolerance.h"
 
@@ -57,8 +58,12 @@ struct steady_number numbers_steady(const struct block *b,
     for (int i = 0; i < 2; i++) {
         const double size = fabs(e->lambda[i]);
         const bool near = fabs(e->scaled[i]) < fabs(e->scaled[1 - i]);
-        *(i == 0 ? &s.lambda_minus : &s.lambda_plus) = quantity_of(
-            e->lambda[i], size * (unit + floor) * (near ? 1.0 + lost : 4.0));
+        *(i == 0 ? &s.lambda_minus : &s.lambda_plus) =
+            near && equilibrium_is_beyond(e)
+                ? quantity_none("the eigenvalue is beyond the range of a "
+                                "double")
+                : quantity_of(e->lambda[i], size * (unit + floor) *
+                                                (near ? 1.0 + lost : 4.0));
     }
     return s;
 }
@@ -92,8 +97,21 @@ static struct quantity fold_rate(long double x)
     return quantity_of(v, v * (4.0 + fabs((double) x)) * DBL_EPSILON);
 }
 
-/* (11), (12) and the cusp c* = (1+R)(b-a)^2/(4ab), for spinodal laws with
- * theta = ln(c + psi), where v = (a+b)/((b-a) R). */
+/* The cusp of Fig 4. */
+static void fold_cusp(const struct law *law, const struct material *m,
+                      struct fold_numbers *f)
+{
+    const struct cusp at = cusp_find(law, m);
+    struct material there = *m;
+
+    if (at.reason)
+        return;
+    there.c = (double) at.c;
+    f->c_cusp = quantity_of(there.c, 16.0 * DBL_EPSILON * there.c);
+    f->alpha_cusp = fold_angle(law, &there, at.x);
+}
+
+/* (11), (12), for spinodal laws with theta = ln(c + psi). */
 static void fold_estimates(const struct law *law, const struct material *m,
                            struct fold_numbers *f)
 {
@@ -107,15 +125,6 @@ static void fold_estimates(const struct law *law, const struct material *m,
     f->v_M_eq11 = quantity_of(a / (d * m->R), eps * a / (d * m->R));
     if (m->c > 0.0)
         f->v_m_eq12 = quantity_of(d / (a * m->c), eps * d / (a * m->c));
-    const long double rise = (long double) b - (long double) a;
-    const long double c = (1 + (long double) m->R) * rise * rise /
-                          (4 * (long double) a * (long double) b);
-    struct material cusp = *m;
-    cusp.c = (double) c;
-    const long double sum = (long double) a + (long double) b;
-    const long double x = logl(sum / (rise * (long double) m->R));
-    f->c_cusp = quantity_of((double) c, eps * (double) c);
-    f->alpha_cusp = fold_angle(law, &cusp, x);
 }
 
 struct fold_numbers numbers_folds(const struct law *law,
@@ -148,6 +157,7 @@ struct fold_numbers numbers_folds(const struct law *law,
         }
     }
     fold_estimates(law, m, &f);
+    fold_cusp(law, m, &f);
     return f;
 }
 
@@ -300,9 +310,9 @@ static void lower_numbers(struct builder *n)
                           l->total_error[0] + deficit * (floor + n->floor));
 }
 
-struct critical_numbers numbers_no_critical(void)
+struct critical_numbers numbers_none(const char *reason)
 {
-    const struct quantity none = quantity_none(no_saddle);
+    const struct quantity none = quantity_none(reason);
     const struct knee_number knee = { none, none };
 
     return (struct critical_numbers){
@@ -321,6 +331,11 @@ struct critical_numbers numbers_no_critical(void)
         .mu_s_mean = none,
         .fracture_energy = none,
     };
+}
+
+struct critical_numbers numbers_no_critical(void)
+{
+    return numbers_none(no_saddle);
 }
 
 struct critical_numbers numbers_critical(const struct block *b,

@@ -84,7 +84,9 @@ struct critical_numbers numbers_critical(const struct block *b,
                                          const struct equilibrium *e,
                                          const struct branch *upper,
                                          const struct branch *lower);
+/* None of them: there is no saddle; for another reason (static). */
 struct critical_numbers numbers_no_critical(void);
+struct critical_numbers numbers_none(const char *reason);
 
 void numbers_knees(const struct block *b, const struct planar *sys,
                    const struct branch *upper, const struct branch *lower,

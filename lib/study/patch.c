@@ -79,7 +79,8 @@ static void transform(double f[], size_t stride)
         f[(size_t) k * stride] = c[k] * (k == 0 ? 1.0 : 2.0) / PATCH_SIDE;
 }
 
-/* The last coefficients in each direction, and half of those before. */
+/* The last coefficients in each direction, and a part of those before: they
+ * alone may vanish by symmetry. */
 static double last_of(const struct patch *p, int field)
 {
     double sum = 0.0;
@@ -89,7 +90,7 @@ static double last_of(const struct patch *p, int field)
             const int k = i > j ? i : j;
             const double size = fabs(p->coef[field][j][i]);
             if (k >= PATCH_SIDE - 2)
-                sum += k == PATCH_SIDE - 1 ? size : 0.5 * size;
+                sum += k == PATCH_SIDE - 1 ? size : TOL_PATCH_BEFORE * size;
         }
     return sum;
 }

@@ -17,6 +17,8 @@ const struct stage_info stage_table[STAGES] = {
     [STAGE_KNEES] = { "knees", "where the manifold's slope passes through 1",
                       "microseconds", BIT(STABLE) | BIT(CRITICAL),
                       ASKED(KNEES) },
+    [STAGE_TAYLOR] = { "taylor_series", "the manifold's power series in v",
+                       "microseconds", BIT(CRITICAL), ASKED(TAYLOR_SERIES) },
     [STAGE_ESTIMATES] = { "estimates", "the paper's formulas (29)-(42)",
                           "microseconds", BIT(CRITICAL), ASKED(ESTIMATES) },
     [STAGE_SENSITIVITIES] = { "sensitivities",
@@ -39,6 +41,14 @@ const struct stage_info stage_table[STAGES] = {
                        "two stiff orbits a cell, four for peaks", BIT(BASINS),
                        ASKED(SLIP) | ASKED(TIME) | ASKED(FRICTION) |
                            ASKED(PEAK) },
+    [STAGE_FRICTION_LAW] = { "friction_law", "steady-state friction over v",
+                             "a millisecond", 0, ASKED(FRICTION_LAW) },
+    [STAGE_SPRING_BLOCK] = { "spring_block", "stick-slip boundary over v",
+                             "a millisecond", 0, ASKED(SPRING_BLOCK) },
+    [STAGE_BIFURCATION] = { "bifurcation", "steady states over all slopes",
+                            "a millisecond", 0, ASKED(BIFURCATION) },
+    [STAGE_FOLD_CURVES] = { "fold_curves", "folds over c, to the cusp",
+                            "a millisecond", 0, ASKED(FOLD_CURVES) },
 };
 
 unsigned plan_stages(unsigned products)

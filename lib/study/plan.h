@@ -14,6 +14,7 @@ enum stage {
     STAGE_UNSTABLE,      /* both branches of the unstable manifold */
     STAGE_CRITICAL,      /* numbers read off the stable branches */
     STAGE_KNEES,         /* crossings of slope 1 */
+    STAGE_TAYLOR,        /* the manifold's power series in v */
     STAGE_ESTIMATES,     /* the paper's formulas (29)-(42) */
     STAGE_SENSITIVITIES, /* derivatives by the inputs, conditioning */
     STAGE_NULLCLINES,    /* in the window */
@@ -21,6 +22,10 @@ enum stage {
     STAGE_TRAJECTORIES,  /* forward orbits */
     STAGE_BASINS,        /* the fate of every cell of a grid */
     STAGE_FIELDS,        /* slip, time, friction of every cell of it */
+    STAGE_FRICTION_LAW,  /* diagrams of steady sliding: Fig 1(a), */
+    STAGE_SPRING_BLOCK,  /* Fig 1(b), */
+    STAGE_BIFURCATION,   /* Fig 3, */
+    STAGE_FOLD_CURVES,   /* Fig 4 */
     STAGES
 };
 

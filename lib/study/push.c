@@ -174,7 +174,8 @@ static void find_kicks(const struct push *p, struct margin_line *l,
     margin_find(l, &p->regions, &p->along[SEPARATRIX_Y], z.y);
     out->v_kick =
         kick_from(p, l, z.x, true, "no other fate at this psi, whatever v");
-    out->fate = margin_label(l, z.x);
+    const int8_t label = margin_label(l, z.x);
+    out->fate = label < 0 ? FATE_UNDECIDED : label; /* beyond a cut branch */
 }
 
 /* ---- states -------------------------------------------------------------- */

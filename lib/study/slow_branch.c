@@ -303,6 +303,54 @@ static void make_monotone(struct slow_branch *b)
     memmove(b->knot, b->knot + first, b->count * sizeof *k);
 }
 
+/* ---- looking up ---------------------------------------------------------- */
+
+/* Where y lies between the ends, in even parts. */
+static double part_of(const struct slow_branch *b, double y)
+{
+    const double first = b->knot[0].y, last = b->knot[b->count - 1].y;
+
+    return TOL_SLOW_BINS * (double) b->count * ((y - first) / (last - first));
+}
+
+static enum status fill_bins(struct slow_branch *b)
+{
+    const size_t bins = TOL_SLOW_BINS * b->count;
+    size_t k = 0;
+
+    b->bin = malloc((bins + 2) * sizeof *b->bin);
+    if (b->bin == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < bins + 2; i++) {
+        while (k + 1 < b->count && part_of(b, b->knot[k + 1].y) <= (double) i)
+            k++;
+        b->bin[i] = (uint32_t) k;
+    }
+    return STATUS_OK;
+}
+
+size_t slow_branch_interval(const struct slow_branch *b, double y)
+{
+    const struct slow_knot *k = b->knot;
+    const bool rises = k[b->count - 1].y > k[0].y;
+    const double part = part_of(b, y);
+
+    if (!(part >= 0.0 && part <= TOL_SLOW_BINS * (double) b->count))
+        return 0;
+    const uint32_t *bin = b->bin + (size_t) part;
+    size_t lo = bin[0], hi = bin[1] + 1 < b->count ? bin[1] + 1 : b->count - 1;
+    while (hi - lo > 1) {
+        const size_t mid = (lo + hi) / 2;
+        if (rises ? k[mid].y <= y : k[mid].y >= y)
+            lo = mid;
+        else
+            hi = mid;
+    }
+    return hi;
+}
+
+/* ---- a whole one --------------------------------------------------------- */
+
 enum status slow_branch_run(const struct study *s, struct vec2 z,
                             bool from_saddle, const struct monitor *monitor,
                             struct slow_branch *b)
@@ -338,6 +386,8 @@ enum status slow_branch_run(const struct study *s, struct vec2 z,
         status = finish(s, &o, fate[o.end_index], b);
         make_monotone(b);
     }
+    if (status == STATUS_OK && b->count > 2)
+        status = fill_bins(b);
     orbit_free(&o);
     return status;
 }
@@ -356,5 +406,6 @@ bool slow_branch_may_start(const struct study *s, int fast, struct vec2 z)
 void slow_branch_free(struct slow_branch *b)
 {
     free(b->knot);
+    free(b->bin);
     *b = (struct slow_branch){ .fate = FATE_UNDECIDED };
 }

@@ -5,6 +5,8 @@
 #ifndef STUDY_SLOW_BRANCH_H
 #define STUDY_SLOW_BRANCH_H
 
+#include <stdint.h>
+
 #include "fate.h"
 
 /* One point of the orbit, an offset from the system's origin. */
@@ -25,6 +27,7 @@ struct slow_knot {
 struct slow_branch {
     struct slow_knot *knot; /* owned */
     size_t count, room;
+    uint32_t *bin; /* owned: the last knot before each of even parts */
     int8_t fate;
     double x_end;
     bool from_saddle;
@@ -43,6 +46,9 @@ MUST_CHECK enum status slow_branch_run(const struct study *s, struct vec2 z,
 /* Whether the rates at the offset z are apart, and x (fast = 0) or y settles
  * first. */
 bool slow_branch_may_start(const struct study *s, int fast, struct vec2 z);
+
+/* The interval of knots that holds y: its later end; 0: none. */
+size_t slow_branch_interval(const struct slow_branch *b, double y);
 
 /* The polynomial of degree 5 with value, slope and curvature f at y = 0 and g
  * at y = h, at theta h; and its slope there. */

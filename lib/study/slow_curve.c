@@ -170,25 +170,6 @@ enum status slow_curve_init(struct slow_curve *c, const struct study *s,
 
 /* ---- points -------------------------------------------------------------- */
 
-/* The interval of knots that holds y: its later end; 0: none. */
-static size_t interval(const struct slow_branch *b, double y)
-{
-    const struct slow_knot *k = b->knot;
-    const bool rises = k[b->count - 1].y > k[0].y;
-    size_t lo = 0, hi = b->count - 1;
-
-    if (rises ? y < k[lo].y || y > k[hi].y : y > k[lo].y || y < k[hi].y)
-        return 0;
-    while (hi - lo > 1) {
-        const size_t mid = (lo + hi) / 2;
-        if (rises ? k[mid].y <= y : k[mid].y >= y)
-            lo = mid;
-        else
-            hi = mid;
-    }
-    return hi;
-}
-
 /* What hardly changes within an interval is its first knot's. */
 static struct slow_point common(const struct slow_branch *b,
                                 const struct slow_knot *k,
@@ -208,14 +189,22 @@ static struct slow_point common(const struct slow_branch *b,
     };
 }
 
-/* Between the saddle and the first knot: T' = 1/(lambda y) + what is the same
+/* Whether y lies between the saddle and the first knot. */
+static bool near_saddle(const struct slow_branch *b, double y)
+{
+    const double part = y / b->knot->y;
+
+    return b->from_saddle && part > 0.0 && part < 1.0;
+}
+
+/* There T' = 1/(lambda y) + what is the same
  * as at the knot. */
 static bool at_saddle(const struct slow_branch *b, double y, double v,
                       struct slow_point *p)
 {
     const struct slow_knot *k = b->knot;
 
-    if (!b->from_saddle || !(y / k->y > 0.0 && y / k->y < 1.0))
+    if (!near_saddle(b, y))
         return false;
     const double fold = log(k->y / y) / b->grows;
     const double time_rest = k->time[1] + 1.0 / (b->grows * k->y);
@@ -231,17 +220,26 @@ static bool at_saddle(const struct slow_branch *b, double y, double v,
     return true;
 }
 
+/* x between knot f and the next. */
+static double x_inside(const struct slow_knot *f, double y, double *slope)
+{
+    const struct slow_knot *g = f + 1;
+    const double h = g->y - f->y, t = (y - f->y) / h;
+    const double rise = g->x - f->x;
+    const double f1 = h * f->x_slope - rise, g1 = h * g->x_slope - rise;
+
+    *slope = f->x_slope + t * (g->x_slope - f->x_slope);
+    return f->x + t * rise + t * (1.0 - t) * ((1.0 - t) * f1 - t * g1);
+}
+
 static void inside(const struct slow_branch *b, size_t i, double y,
                    struct slow_point *p)
 {
     const struct slow_knot *f = &b->knot[i - 1], *g = &b->knot[i];
     const double h = g->y - f->y, t = (y - f->y) / h;
-    const double rise = g->x - f->x;
-    const double f1 = h * f->x_slope - rise, g1 = h * g->x_slope - rise;
 
     *p = common(b, f, g);
-    p->x = f->x + t * rise + t * (1.0 - t) * ((1.0 - t) * f1 - t * g1);
-    p->x_slope += t * (g->x_slope - f->x_slope);
+    p->x = x_inside(f, y, &p->x_slope);
     p->fast += t * (g->fast - f->fast);
     p->fibre.x += t * (g->fibre.x - f->fibre.x);
     p->fibre.y += t * (g->fibre.y - f->fibre.y);
@@ -249,11 +247,30 @@ static void inside(const struct slow_branch *b, size_t i, double y,
     p->slip = slow_quintic(f->slip, g->slip, h, t, &p->slip_slope);
 }
 
+bool slow_curve_beside(const struct slow_curve *c, double y, double *x,
+                       double *x_slope)
+{
+    for (size_t i = 0; i < c->branches; i++) {
+        const struct slow_branch *b = &c->branch[i];
+        const size_t k = slow_branch_interval(b, y);
+        if (k > 0 && isfinite(b->knot[k - 1].gap) && isfinite(b->knot[k].gap)) {
+            *x = x_inside(&b->knot[k - 1], y, x_slope);
+            return true;
+        }
+        if (near_saddle(b, y)) {
+            *x_slope = b->knot->x / b->knot->y;
+            *x = *x_slope * y;
+            return true;
+        }
+    }
+    return false;
+}
+
 bool slow_curve_at(const struct slow_curve *c, double y, struct slow_point *p)
 {
     for (size_t i = 0; i < c->branches; i++) {
         const struct slow_branch *b = &c->branch[i];
-        const size_t k = interval(b, y);
+        const size_t k = slow_branch_interval(b, y);
         if (k > 0 && isfinite(b->knot[k - 1].gap) && isfinite(b->knot[k].gap)) {
             inside(b, k, y, p);
             return true;

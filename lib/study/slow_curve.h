@@ -51,6 +51,10 @@ MUST_CHECK enum status slow_curve_init(struct slow_curve *c,
 /* Its point at the offset y; false where there is none. */
 bool slow_curve_at(const struct slow_curve *c, double y, struct slow_point *p);
 
+/* x and dx/dy alone, which is several times faster. */
+bool slow_curve_beside(const struct slow_curve *c, double y, double *x,
+                       double *x_slope);
+
 /* A second call is harmless. */
 void slow_curve_free(struct slow_curve *c);
 

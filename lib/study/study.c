@@ -35,6 +35,14 @@ static size_t find_steady(struct study *s, struct steady_root *root)
     return n;
 }
 
+static const char beyond[] =
+    "the saddle's eigenvalues are further apart than doubles can tell";
+
+bool study_has_manifolds(const struct study *s)
+{
+    return s->saddle >= 0 && !equilibrium_is_beyond(&s->equilibrium[s->saddle]);
+}
+
 static enum status run_steady(struct study *s, const struct monitor *monitor,
                               struct fault *why)
 {
@@ -51,7 +59,7 @@ static enum status run_steady(struct study *s, const struct monitor *monitor,
         anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
     s->saddle_numbers =
         s->saddle >= 0 ? numbers_saddle(&s->steady[home]) : numbers_no_saddle();
-    s->critical = numbers_no_critical();
+    s->critical = s->saddle < 0 ? numbers_no_critical() : numbers_none(beyond);
     s->system.jacobian(s->system.ctx, (struct vec2){ 0.0, 0.0 }, &J);
     const struct eigen2 e = mat2_eigenvalues(J.matrix);
     s->stable_rate =
@@ -127,7 +135,7 @@ static enum status run_stable(struct study *s, const struct monitor *monitor,
     struct branch branch[SIDES];
     struct local_series u;
 
-    if (s->saddle < 0)
+    if (!study_has_manifolds(s))
         return STATUS_OK;
     o.carry = carry_for(s->stages);
     o.monitor = monitor;
@@ -158,7 +166,7 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
     struct local_series u;
     size_t n = 0;
 
-    if (s->saddle < 0)
+    if (!study_has_manifolds(s))
         return STATUS_OK;
     enum status status = local_series(s, MANIFOLD_UNSTABLE, &none, &u);
     for (size_t i = 0; i < s->equilibria; i++)
@@ -195,7 +203,7 @@ static enum status run_critical(struct study *s, const struct monitor *monitor,
                                 struct fault *why)
 {
     (void) monitor, (void) why;
-    if (s->saddle >= 0)
+    if (study_has_manifolds(s))
         s->critical =
             numbers_critical(&s->block, &s->equilibrium[s->saddle],
                              &s->stable[SIDE_UPPER], &s->stable[SIDE_LOWER]);
@@ -206,10 +214,17 @@ static enum status run_knees(struct study *s, const struct monitor *monitor,
                              struct fault *why)
 {
     (void) monitor, (void) why;
-    if (s->saddle >= 0)
+    if (study_has_manifolds(s))
         numbers_knees(&s->block, &s->system, &s->stable[SIDE_UPPER],
                       &s->stable[SIDE_LOWER], &s->critical);
     return STATUS_OK;
+}
+
+static enum status run_taylor(struct study *s, const struct monitor *monitor,
+                              struct fault *why)
+{
+    (void) monitor, (void) why;
+    return taylor_series_find(s, &s->taylor);
 }
 
 static enum status run_estimates(struct study *s, const struct monitor *monitor,
@@ -229,8 +244,9 @@ static enum status run_sensitivities(struct study *s,
     enum status status = STATUS_OK;
 
     (void) why;
-    s->sensitivities = sensitivity_none("there is no saddle at this slope");
-    if (s->saddle >= 0)
+    s->sensitivities = sensitivity_none(
+        s->saddle < 0 ? "there is no saddle at this slope" : beyond);
+    if (study_has_manifolds(s))
         status = sensitivity_find(&s->block, &s->equilibrium[s->saddle],
                                   &s->critical, s->scene->rtol,
                                   &s->sensitivities, evaluations);
@@ -352,6 +368,7 @@ static stage_function *const stage_run[STAGES] = {
     [STAGE_UNSTABLE] = run_unstable,
     [STAGE_CRITICAL] = run_critical,
     [STAGE_KNEES] = run_knees,
+    [STAGE_TAYLOR] = run_taylor,
     [STAGE_ESTIMATES] = run_estimates,
     [STAGE_SENSITIVITIES] = run_sensitivities,
     [STAGE_NULLCLINES] = run_nullclines,
@@ -359,6 +376,10 @@ static stage_function *const stage_run[STAGES] = {
     [STAGE_TRAJECTORIES] = run_trajectories,
     [STAGE_BASINS] = run_basins,
     [STAGE_FIELDS] = fields_prepare,
+    [STAGE_FRICTION_LAW] = diagram_friction_law,
+    [STAGE_SPRING_BLOCK] = diagram_spring_block,
+    [STAGE_BIFURCATION] = diagram_bifurcation,
+    [STAGE_FOLD_CURVES] = diagram_fold_curves,
 };
 
 static double seconds(void)
@@ -417,6 +438,8 @@ void study_free(struct study *s)
         orbit_free(&s->unstable[i]);
     }
     basin_map_free(&s->basins);
+    fields_free(&s->fields);
+    diagrams_free(&s->diagrams);
     trajectory_free(&s->chosen);
     portrait_free(&s->portrait);
 }
@@ -473,27 +496,4 @@ struct stage_cost study_cost(const struct study *s)
         total.seconds += s->cost[i].seconds;
     }
     return total;
-}
-
-size_t study_remarks(const struct study *s, const char *text[], size_t room)
-{
-    size_t n = 0;
-
-    if (plan_has(s->stages, STAGE_STEADY) && s->equilibria == 0 && n < room)
-        text[n++] = "no steady state: mu_ss(v) = tan(alpha) has no solution";
-    else if (s->saddle < 0 && n < room)
-        text[n++] = "no saddle at this slope, hence no separatrix";
-    const struct box window = study_window(s);
-    bool inside = false;
-    for (size_t i = 0; i < s->equilibria; i++)
-        inside |= box_holds(window, s->equilibrium[i].z);
-    if (s->equilibria > 0 && !inside && n < room)
-        text[n++] = "no steady state inside the window";
-    const bool cut = plan_has(s->stages, STAGE_UNSTABLE) && s->saddle >= 0 &&
-                     (s->unstable[0].end == ORBIT_RUNNING ||
-                      s->unstable[1].end == ORBIT_RUNNING);
-    if (cut && n < room)
-        text[n++] = "an unstable branch stops inside the window: it takes more "
-                    "steps than the bound allows";
-    return n;
 }

@@ -15,6 +15,7 @@
 #define STUDY_STUDY_H
 
 #include "basin_map.h"
+#include "diagram.h"
 #include "estimate_numbers.h"
 #include "fields.h"
 #include "numbers.h"
@@ -23,6 +24,7 @@
 #include "portrait.h"
 #include "records.h"
 #include "sensitivity.h"
+#include "taylor_series.h"
 
 enum side { SIDE_UPPER, SIDE_LOWER, SIDES }; /* v > v_sp, v < v_sp */
 
@@ -55,10 +57,12 @@ struct study {
     struct orbit unstable[SIDES]; /* owned; start at the series' end */
     struct portrait portrait;     /* owned; trajectories: the spread ones */
     struct trajectories chosen;   /* owned; from the scene's own starts */
+    struct taylor_series taylor;
     struct estimate_numbers estimates;
     struct sensitivities sensitivities;
     struct basin_map basins;
     struct fields fields;
+    struct diagrams diagrams; /* owned */
 
     struct stage_cost cost[STAGES];
 };
@@ -71,6 +75,9 @@ MUST_CHECK enum status study_run(struct study *s, const struct scene *scene,
 
 /* A second call is harmless. */
 void study_free(struct study *s);
+
+/* Whether there is a saddle whose manifolds doubles can hold. */
+bool study_has_manifolds(const struct study *s);
 
 /* The scene's window in absolute chart coordinates, and as drawn. */
 struct box study_window(const struct study *s);
@@ -89,9 +96,5 @@ double study_branch_defect(const struct study *s, const struct branch *b);
 
 /* Sum over the stages. */
 struct stage_cost study_cost(const struct study *s);
-
-/* What is missing from the portrait and why, one plain sentence each; the
- * number of sentences written to text[] (static strings). */
-size_t study_remarks(const struct study *s, const char *text[], size_t room);
 
 #endif

@@ -167,7 +167,7 @@
 #define TOL_SLOW_COARSE  1e-10
 #define TOL_SLOW_STEP    0.05
 #define TOL_SLOW_LONGEST 0.1
-#define TOL_SLOW_STEPS   20000
+#define TOL_SLOW_STEPS   4000
 #define TOL_SLOW_MISSED  0.05
 #define TOL_SLOW_GAP     0.1
 /* Its series at the saddle: order, and end, where it is the tangent to as many
@@ -187,26 +187,47 @@
 #define TOL_SLOW_STRIDE      1.1
 #define TOL_SLOW_HALVINGS    60
 #define TOL_SLOW_SETTLED     36.0
+/* Bins a knot to look one up in. */
+#define TOL_SLOW_BINS 4
 /* Roundings of a sum of a thousand steps, relative to the sum. */
 #define TOL_SLOW_ROUNDING 0x1p-46
 
-/* The fast layer (fast_layer.c): tolerance for a promise of rtol, landing
- * distance from it on, and closer for a finer one; how far beyond the distance
- * a step aims; nearest to an arrest box; steps.  Bars: what the fibre's
- * curvature and the slow rates change of what it corrects, and of errors of the
- * steps. */
-#define TOL_LAYER_PART      0.1
+/* The fast layer (fast_layer.c, landing.c): tolerance for a promise of rtol,
+ * landing distance from it on, and closer for a finer one; how far beyond the
+ * distance a step aims; where none lands beside a box of arrest, in its size;
+ * steps; the first and the shortest.  Bars: what the fibre's curvature and the
+ * slow rates change of what it corrects, and of errors of the steps (measured:
+ * bars are 4 times what they bound, or more). */
+#define TOL_LAYER_PART      0.03
 #define TOL_LAYER_PLAIN     1e-6
 #define TOL_LAYER_LANDING   0.03
 #define TOL_LAYER_CLOSER    0.001
 #define TOL_LAYER_AIM       0.7
-#define TOL_LAYER_NEAREST   1e-4
 #define TOL_LAYER_ARREST    1.01
 #define TOL_LAYER_STEPS     200
 #define TOL_LAYER_FIRST     0.1
+#define TOL_LAYER_SHORTEST  1e-12
 #define TOL_LAYER_BEND      5.0
-#define TOL_LAYER_TRANSPORT 3.0
+#define TOL_LAYER_TRANSPORT 6.0
 #define TOL_LAYER_MU        20.0
+/* It lands only where the fibre's part of the bar is within this part of what
+ * was promised, or this near; nearer by this factor at most at once. */
+#define TOL_LAYER_BENT  0.3
+#define TOL_LAYER_TOUCH 1e-6
+#define TOL_LAYER_DIVE  1e-3
+/* A box of arrest is come nearer by so much of the way at once.  Nearer than
+ * BESIDE its face is aimed at; reached at FACE, and only by an orbit that
+ * closes at this rate or faster, so many of its errors from every corner. */
+#define TOL_LAYER_NEARER  0.9
+#define TOL_LAYER_BESIDE  1e-3
+#define TOL_LAYER_FACE    1e-12
+#define TOL_LAYER_HEAD_ON 0.1
+#define TOL_LAYER_CORNER  10.0
+/* The least part of the estimates of order 5 that a step of order 8 misses: in
+ * loose steps its own word is no bound; the least bar, as a part of what was
+ * promised. */
+#define TOL_LAYER_FAIR  0.1
+#define TOL_LAYER_LEAST 0.01
 /* A side of the saddle is told from this much of the distance on; what is left
  * of the distance by a step towards a peak beside the curve. */
 #define TOL_LAYER_SIDE 0.5
@@ -216,9 +237,11 @@
 #define TOL_CREST_WIDTH   1e-5
 
 /* Many states by the slow curve (fast_cells.c).  How much finer the next try of
- * one is whose bars are too wide, the finest, and the least bar, relative, of
- * what passes a node's slow approach. */
-#define TOL_FAST_FINER  0.03
+ * one is at most whose bars are too wide, and what part of the promise it aims
+ * at; the finest; and the least bar, relative, of what passes a node's slow
+ * approach. */
+#define TOL_FAST_FINER  0.01
+#define TOL_FAST_AIM    0.3
 #define TOL_FAST_FINEST 1e-12
 #define TOL_FAST_LEAST  2e-11
 
@@ -255,12 +278,39 @@
 #define TOL_TRANSIENT_SLOW     1e-8
 #define TOL_TRANSIENT_REACH    2.0
 
+/* Curves of steady states (steady_curve.c, spring_curve.c, fold_curve.c).
+ * Points: more than there are 2 px on an axis of 600, most of them where one
+ * sees them; an even step from 1e-4 to 1e4 has its decades among them.  Apart
+ * in ln v for a second derivative of mu_ss, which changes over distances of
+ * one; and how far before v = 1 psi = -ln v ends. */
+#define STUDY_STEADY_POINTS 401
+#define STUDY_SPRING_POINTS 801
+#define STUDY_FOLD_POINTS   401
+#define TOL_EXTREMUM_REACH  1e-3L
+#define TOL_STEADY_SHY      1e-6
+
+/* The power series in v (taylor_series.c).  Order 14 agrees with the curve
+ * while it is this near, relative (an eye sees no less in a figure); accuracy
+ * of that place; tests of the radius that differ by more than a factor SETTLED
+ * say that the ratios have no line yet; and roundings of a coefficient, in
+ * units of roundoff of its terms (measured: 10). */
+#define TOL_TAYLOR_AGREE    0.01
+#define TOL_TAYLOR_PLACE    1e-9
+#define TOL_TAYLOR_SETTLED  2.0
+#define TOL_TAYLOR_ROUNDING 64.0
+
+/* Sweeps (sweep.c).  Halvings of a span: next to a fold 2^-48 of it is as near
+ * as the rounding of the key lets one come. */
+#define STUDY_REFINE_DEPTH 48
+
 /* Fields interpolated on a grid (patchwork.c).  Accuracy of the samples, as a
  * part of what is asked for: their bars grow by Lebesgue's constant of 8 x 8
- * Chebyshev points, 3.8; and how many times the largest miss at the tested
- * cells a bar holds (measured: the largest of all is up to 3 times that). */
+ * Chebyshev points, 3.8; the part of the last coefficients but one that a bar
+ * holds; and how many times the largest miss at the tested cells (measured:
+ * true errors stay below a third of such bars). */
 #define TOL_PATCH_SAMPLES  0.1
 #define TOL_PATCH_LEBESGUE 4.0
+#define TOL_PATCH_BEFORE   0.1
 #define TOL_PATCH_TESTS    5.0
 
 #endif

@@ -120,11 +120,21 @@ static double finest(double rtol)
                 TOL_TRANSIENT_COARSEST);
 }
 
-static void course_set(struct course *c, const struct transient_options *o)
+/* Whether the fate is a rest, for all that is known: between the points of a
+ * long step another run may seem to rest. */
+static bool may_rest(enum fate fate)
+{
+    return fate == FATE_REST_FINITE || fate == FATE_REST_ASYMPTOTIC ||
+           fate == FATE_UNDECIDED;
+}
+
+static void course_set(struct course *c, const struct transient_options *o,
+                       bool rest)
 {
     const bool limited = o->until_time > 0.0 || o->until_slip > 0.0;
 
-    moment_watch_all(&c->watches, c->study, o->level, o->levels, !limited);
+    moment_watch_all(&c->watches, c->study, o->level, o->levels, rest,
+                     !limited);
     c->window = window_of(c, limited);
     c->options = orbit_defaults(&c->study->system, c->study->stable_rate);
     c->options.observables = BLOCK_EXCESS; /* slip and work */
@@ -266,13 +276,14 @@ static enum status run(struct course *c, const struct transient_options *o,
     const struct transient empty = *out;
     double rtol = finest(o->rtol);
 
-    course_set(c, o);
+    course_set(c, o, may_rest(c->fate));
     enum status s = run_at(c, rtol, monitor, out);
     while (s == STATUS_OK && out->sum.end == TRANSIENT_LOST &&
            rtol < TOL_TRANSIENT_COARSEST) {
         rtol = fmin(TOL_TRANSIENT_RETREAT * rtol, TOL_TRANSIENT_COARSEST);
         transient_free(out);
         *out = empty;
+        course_set(c, o, true); /* the fate may have been wrong */
         s = run_at(c, rtol, monitor, out);
     }
     return s;

@@ -1,8 +1,8 @@
 /*
- * bench_cells -- slip and time of states of spinodal_gen at alpha = 0.34, a
- * cell: by the slow curve, by whole orbits with error bars, by one whole orbit,
- * and (the fate alone, to the node) by CVODE's BDF where SUNDIALS was found.
- * One thread; ratios of one run.
+ * bench_cells -- slip and time to arrest, a cell, in one run: by the slow curve
+ * one state after the other and in 2, 4 and 8 lanes, on one thread and two; by
+ * whole orbits with bars (cells_find); and by CVODE's BDF where SUNDIALS was
+ * found, at the tolerance at which nine of ten states are as good as ours.
  */
 #include <math.h>
 #include <stdio.h>
@@ -12,16 +12,22 @@
 
 #include "cvode_cell.h"
 #include "fast_cells.h"
+#include "layer_lanes.h"
 #include "plain.h"
 #include "study.h"
 
-enum { CELLS = 2000, FEW = 40 };
+enum { CELLS = 2000, FEW = 20, REPEATS = 3 };
+
+static const unsigned which = 1u << CELL_SLIP | 1u << CELL_TIME;
 
 struct sample {
     struct scene scene;
     struct study study;
+    struct fast_cells fast;
     struct vec2 z[CELLS];
-    struct cell cell[CELLS];
+    struct cell cell[CELLS], exact[CELLS];
+    double error[CELLS];
+    enum fate fate;
 };
 
 static void die(const char *why)
@@ -30,95 +36,233 @@ static void die(const char *why)
     exit(1);
 }
 
-static void make(struct sample *s)
+static void find(struct sample *s, double rtol, struct cell out[],
+                 size_t *whole)
 {
-    char law[] = "law.preset=spinodal_gen", slope[] = "slope.alpha=0.34";
-    char *const set[] = { law, slope };
+    if (fast_cells_find(&s->fast, s->z, CELLS, rtol, which, NULL, out, whole) !=
+        STATUS_OK)
+        die("the fast way failed");
+}
+
+/* Points of a lattice that repeats nothing, of one fate. */
+static void choose_states(struct sample *s, const double box[4])
+{
+    struct cell c;
+    int n = 0;
+
+    for (int i = 0; n < CELLS && i < 40 * CELLS; i++) {
+        const struct vec2 z = {
+            box[0] + box[1] * fmod(i * 0.6180339887498949, 1.0),
+            box[2] + box[3] * fmod(i * 0.7548776662466927, 1.0)
+        };
+        if (fast_cells_find(&s->fast, &z, 1, 1e-3, 0, NULL, &c, NULL) ==
+                STATUS_OK &&
+            c.exit_reason == (int8_t) s->fate)
+            s->z[n++] = z;
+    }
+    if (n < CELLS)
+        die("too few states");
+}
+
+static void make(struct sample *s, const char *law, enum fate fate,
+                 const double box[4])
+{
+    char preset[64], slope[] = "slope.alpha=0.34";
+    char *const set[] = { preset, slope };
     struct fault why;
 
+    snprintf(preset, sizeof preset, "law.preset=%s", law);
     if (scene_read(&s->scene, NULL, set, 2, &why) != STATUS_OK)
         die(why.text);
     s->scene.products = 1u << PRODUCT_EQUILIBRIA;
     if (study_run(&s->study, &s->scene, NULL, &why) != STATUS_OK)
         die(why.text);
-    for (int i = 0; i < CELLS; i++) /* a lattice that repeats nothing */
-        s->z[i] = (struct vec2){ -6.0 + 15.0 * fmod(i * 0.6180339887, 1.0),
-                                 -6.0 + 12.0 * (i + 0.5) / CELLS };
-}
-
-static double fast_time(struct sample *s, double rtol, size_t *whole)
-{
-    const unsigned which = 1u << CELL_SLIP | 1u << CELL_TIME;
-    struct fast_cells f;
     const double start = plain_now();
-
-    if (fast_cells_init(&f, &s->study, NULL) != STATUS_OK ||
-        fast_cells_find(&f, s->z, CELLS, rtol, which, NULL, s->cell, whole))
-        die("the fast way failed");
-    fast_cells_free(&f);
-    return (plain_now() - start) / CELLS;
+    if (fast_cells_init(&s->fast, &s->study, NULL) != STATUS_OK)
+        die("no slow curve");
+    printf("\n%s, alpha 0.34, %s: the slow curve once in %.1f ms\n", law,
+           fate_names[fate], 1e3 * (plain_now() - start));
+    s->fate = fate;
+    choose_states(s, box);
+    find(s, 1e-10, s->exact, NULL);
 }
 
-static double slow_time(struct sample *s, double rtol)
+static void drop(struct sample *s)
 {
-    const unsigned which = 1u << CELL_SLIP | 1u << CELL_TIME;
-    struct cell c[FEW];
+    fast_cells_free(&s->fast);
+    study_free(&s->study);
+    scene_free(&s->scene);
+}
+
+/* ---- errors -------------------------------------------------------------- */
+
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *) a, y = *(const double *) b;
+    return (x > y) - (x < y);
+}
+
+/* Nine of ten are below; *worst. */
+static double ninth_tenth(double error[], size_t n, double *worst)
+{
+    qsort(error, n, sizeof *error, by_size);
+    *worst = error[n - 1];
+    return error[n * 9 / 10];
+}
+
+static double miss(const struct cell *exact, double slip, double time)
+{
+    return fmax(fabs(slip / exact->slip - 1.0), fabs(time / exact->time - 1.0));
+}
+
+/* ---- CVODE --------------------------------------------------------------- */
+
+enum { TOLS = 9 };
+struct rival {
+    double error[TOLS], seconds[TOLS];
+};
+
+static struct cvode_end end_of(const struct sample *s)
+{
+    const struct study *t = &s->study;
+    struct cvode_end end = { .rests = s->fate == FATE_REST_FINITE };
+
+    for (size_t i = 0; i < t->equilibria; i++) {
+        const struct vec2 z = vec2_sub(t->equilibrium[i].z, t->system.origin);
+        if ((int) i != t->saddle &&
+            fate_of_node(t, &t->equilibrium[i]) == s->fate) {
+            end.x = z.x;
+            end.y = z.y;
+        }
+    }
+    return end;
+}
+
+static void run_rival(struct sample *s, struct rival *r)
+{
+    struct plain p =
+        plain_of(&s->study.block, &s->study.equilibrium[s->study.saddle]);
+    const struct cvode_end end = end_of(s);
+    double worst, slip, time;
+
+    for (int k = 0; k < TOLS; k++) {
+        const double tol = 1e-3 * pow(10.0, -k);
+        double error[FEW];
+        const double start = plain_now();
+        for (int i = 0; i < FEW; i++) {
+            const size_t at = (size_t) i * (CELLS / FEW);
+            const struct vec2 z = vec2_sub(s->z[at], s->study.system.origin);
+            const double from[2] = { z.x, z.y };
+            error[i] = cvode_cell(&p, from, &end, tol, s->fast.curve.slip_least,
+                                  &slip, &time)
+                           ? miss(&s->exact[at], slip, time)
+                           : HUGE_VAL;
+        }
+        r->seconds[k] = (plain_now() - start) / FEW;
+        r->error[k] = ninth_tenth(error, FEW, &worst);
+    }
+}
+
+/* Seconds a cell at that error, between the two tolerances beside it. */
+static double rival_at(const struct rival *r, double error)
+{
+    for (int k = 1; k < TOLS; k++)
+        if (r->error[k] < error && r->error[k - 1] >= error) {
+            const double part = log(error / r->error[k - 1]) /
+                                log(r->error[k] / r->error[k - 1]);
+            return r->seconds[k - 1] *
+                   pow(r->seconds[k] / r->seconds[k - 1], part);
+        }
+    return error > r->error[0] ? r->seconds[0] : (double) NAN;
+}
+
+/* ---- ours ---------------------------------------------------------------- */
+
+/* The best of a few, a cell. */
+static double seconds(struct sample *s, double rtol, int lanes, int threads,
+                      size_t *whole)
+{
+    double best = HUGE_VAL;
+
+    s->fast.lanes = lanes;
+    omp_set_num_threads(threads);
+    for (int i = 0; i < REPEATS; i++) {
+        const double start = plain_now();
+        find(s, rtol, s->cell, whole);
+        best = fmin(best, plain_now() - start);
+    }
+    omp_set_num_threads(1);
+    return best / CELLS;
+}
+
+static double whole_seconds(struct sample *s, double rtol)
+{
+    struct cell c;
     const double start = plain_now();
 
     for (int i = 0; i < FEW; i++)
         if (cells_find(&s->study, &s->z[i * (CELLS / FEW)], 1, rtol, which,
-                       NULL, &c[i]) != STATUS_OK)
+                       NULL, &c) != STATUS_OK)
             die("a whole orbit failed");
     return (plain_now() - start) / FEW;
 }
 
-static double orbit_time(struct sample *s, double rtol)
+static void compare(struct sample *s, double rtol, const struct rival *r)
 {
-    struct fate_result r;
-    const double start = plain_now();
+    static const int lanes[] = { 1, 2, 4, 8 };
+    const int widest = layer_lanes_width(8);
+    size_t whole = 0;
+    double worst, us = 0.0;
 
-    for (int i = 0; i < FEW; i++)
-        if (fate_find(&s->study, s->z[i * (CELLS / FEW)], rtol, true, NULL,
-                      &r) != STATUS_OK)
-            die("an orbit failed");
-    return (plain_now() - start) / FEW;
-}
-
-static double cvode_time(struct sample *s)
-{
-    struct plain p =
-        plain_of(&s->study.block, &s->study.equilibrium[s->study.saddle]);
-    const struct vec2 o = s->study.system.origin;
-    const double start = plain_now();
-
-    for (int i = 0; i < FEW; i++) {
-        const struct vec2 z = vec2_sub(s->z[i * (CELLS / FEW)], o);
-        const double at[2] = { z.x, z.y };
-        (void) cvode_label(&p, at);
+    printf("%-6.0e", rtol);
+    for (int k = 0; k < 4; k++) {
+        if (lanes[k] > widest)
+            continue;
+        us = 1e6 * seconds(s, rtol, lanes[k], 1, &whole);
+        printf(" %7.2f", us);
     }
-    return (plain_now() - start) / FEW;
+    const double two = 1e6 * seconds(s, rtol, widest, 2, &whole);
+    for (int i = 0; i < CELLS; i++)
+        s->error[i] = miss(&s->exact[i], s->cell[i].slip, s->cell[i].time);
+    const double error = ninth_tenth(s->error, CELLS, &worst);
+    const double rival = 1e6 * rival_at(r, fmax(error, 1e-15));
+    const double orbit = 1e6 * whole_seconds(s, rtol);
+    printf(" %7.2f %5.2f %6zu %8.1e %8.1e %8.0f %7.0f %7.0f %7.0f\n", two,
+           us / two, whole, error, worst, orbit, orbit / us, rival, rival / us);
 }
 
 int main(void)
 {
+    static const struct {
+        const char *law;
+        enum fate fate;
+        double box[4];
+    } at[] = {
+        { "spinodal_gen", FATE_CREEP, { -6.0, 15.0, -6.0, 12.0 } },
+        { "spinodal_gen", FATE_SLIDING, { -6.0, 15.0, -6.0, 12.0 } },
+        { "dieterich_gen", FATE_REST_FINITE, { -2.0, 4.0, -1.0, 3.0 } },
+    };
     static struct sample s;
-    size_t whole;
 
+    setvbuf(stdout, NULL, _IOLBF, 0);
     omp_set_num_threads(1);
-    make(&s);
-    const double rival = cvode_is_there() ? cvode_time(&s) : (double) NAN;
-    printf("rtol     fast us  (whole)  bars us   one orbit us  CVODE us  "
-           "bars/fast  orbit/fast  CVODE/fast\n");
-    for (int k = 0; k < 3; k++) {
-        const double rtol = k == 0 ? 1e-4 : k == 1 ? 1e-6 : 1e-9;
-        const double fast = fast_time(&s, rtol, &whole);
-        const double slow = slow_time(&s, rtol);
-        const double orbit = orbit_time(&s, 0.1 * rtol);
-        printf("%-7.0e %8.1f %8zu %9.0f %14.0f %9.0f %10.1f %11.1f %11.1f\n",
-               rtol, 1e6 * fast, whole, 1e6 * slow, 1e6 * orbit, 1e6 * rival,
-               slow / fast, orbit / fast, rival / fast);
+    for (int i = 0; i < 3; i++) {
+        struct rival r = { { 0.0 }, { 0.0 } };
+        make(&s, at[i].law, at[i].fate, at[i].box);
+        if (cvode_is_there())
+            run_rival(&s, &r);
+        for (int k = 0; k < TOLS && cvode_is_there(); k++)
+            printf("CVODE at 1e-%d: %.0f us, 90 %% within %.1e\n", k + 3,
+                   1e6 * r.seconds[k], r.error[k]);
+        printf(
+            "us a cell of %d: one by one, 2 lanes, 4 and 8 where there are; "
+            "the widest on 2 threads\nrtol\t1 by 1 ... lanes ... 2 threads "
+            "gain whole  90%%err   worst  orbit us  ratio  CVODE us  ratio\n",
+            CELLS);
+        compare(&s, 1e-4, &r);
+        compare(&s, 1e-6, &r);
+        compare(&s, 1e-9, &r);
+        drop(&s);
     }
-    study_free(&s.study);
-    scene_free(&s.scene);
     return 0;
 }

@@ -13,6 +13,14 @@ int cvode_label(struct plain *p, const double z[2])
     return -1;
 }
 
+bool cvode_cell(struct plain *p, const double z[2], const struct cvode_end *end,
+                double tol, double slip_least, double *slip, double *time)
+{
+    (void) p, (void) z, (void) end, (void) tol, (void) slip_least;
+    (void) slip, (void) time;
+    return false;
+}
+
 #else
 
 #include <cvode/cvode.h>
@@ -88,6 +96,73 @@ int cvode_label(struct plain *p, const double z[2])
     SUNMatDestroy(A);
     N_VDestroy(y);
     return label;
+}
+
+struct cell_run {
+    struct plain *plain;
+    const struct cvode_end *end;
+};
+
+static int cell_rhs(realtype t, N_Vector y, N_Vector dy, void *ctx)
+{
+    const struct cell_run *r = ctx;
+    const double *z = N_VGetArrayPointer(y);
+    double *d = N_VGetArrayPointer(dy);
+
+    if (rhs(t, y, dy, r->plain) != 0)
+        return 1;
+    d[2] = r->plain->v * exp(z[0]);
+    return 0;
+}
+
+static int cell_root(realtype t, N_Vector y, realtype *g, void *ctx)
+{
+    const struct cell_run *r = ctx;
+    const double *z = N_VGetArrayPointer(y);
+
+    (void) t;
+    g[0] = r->end->rests
+               ? z[0] + 12.0
+               : fmax(fabs(z[0] - r->end->x), fabs(z[1] - r->end->y)) - 0.01;
+    return 0;
+}
+
+bool cvode_cell(struct plain *p, const double z[2], const struct cvode_end *end,
+                double tol, double slip_least, double *slip, double *time)
+{
+    static SUNContext context;
+    if (context == NULL && SUNContext_Create(NULL, &context) != 0)
+        return false;
+    struct cell_run run = { p, end };
+    N_Vector y = N_VNew_Serial(3, context), least = N_VNew_Serial(3, context);
+    SUNMatrix A = SUNDenseMatrix(3, 3, context);
+    SUNLinearSolver solver = SUNLinSol_Dense(y, A, context);
+    void *cv = CVodeCreate(CV_BDF, context);
+    double *u = N_VGetArrayPointer(y), *l = N_VGetArrayPointer(least), d[2];
+
+    u[0] = z[0];
+    u[1] = z[1];
+    u[2] = 0.0;
+    l[0] = l[1] = tol;
+    l[2] = tol * slip_least;
+    const double large = exp(plain_field(p, z[0], z[1], d));
+    const double rate = large * (fabs(d[0]) + fabs(d[1])) + 1e5;
+    CVodeInit(cv, cell_rhs, 0.0, y);
+    CVodeSVtolerances(cv, tol, least);
+    CVodeSetUserData(cv, &run);
+    CVodeSetLinearSolver(cv, solver, A);
+    CVodeSetInitStep(cv, 1e-3 / rate);
+    CVodeSetMaxNumSteps(cv, 50000);
+    CVodeSetErrFile(cv, NULL);
+    CVodeRootInit(cv, 1, cell_root);
+    const bool good = CVode(cv, 1e9, y, time, CV_NORMAL) == CV_ROOT_RETURN;
+    *slip = u[2];
+    CVodeFree(&cv);
+    SUNLinSolFree(solver);
+    SUNMatDestroy(A);
+    N_VDestroy(y);
+    N_VDestroy(least);
+    return good;
 }
 
 #endif

@@ -12,4 +12,17 @@ bool cvode_is_there(void);
  * FATE_SLIDING, -1 where CVODE gives up. */
 int cvode_label(struct plain *p, const double z[2]);
 
+/* Where a cell ends: within 1 % of a node of (ln v, ln psi), an offset from the
+ * saddle, or (rests) at ln v = ln v_sp - 12, where next to nothing is left. */
+struct cvode_end {
+    bool rests;
+    double x, y;
+};
+
+/* Slip and time from the offset z to there; slip as a component, the end by
+ * root finding; `slip_least`: what tolerances of slip are relative to at least.
+ * False: CVODE gives up. */
+bool cvode_cell(struct plain *p, const double z[2], const struct cvode_end *end,
+                double tol, double slip_least, double *slip, double *time);
+
 #endif

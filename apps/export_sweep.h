@@ -1,0 +1,15 @@
+/* export_sweep.h -- a sweep as an HDF5 file. */
+#ifndef APPS_EXPORT_SWEEP_H
+#define APPS_EXPORT_SWEEP_H
+
+#include "sweep.h"
+
+/* Writes /sweep: the keys as axes named by their last word; over them, for
+ * every number of a point NAME, NAME_error (and NAME_conditioning) and the int8
+ * NAME_exists, whose flag_meanings say why a number is missing; every code.
+ * Then /provenance.  STATUS_IO or STATUS_NO_MEMORY with the path in *why; an
+ * old file is then untouched. */
+MUST_CHECK enum status export_sweep(const struct sweep *s, const char *path,
+                                    struct fault *why);
+
+#endif

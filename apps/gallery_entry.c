@@ -1,0 +1,202 @@
+/* One scene of the gallery: run twice, for SVG and PNG, and described. */
+#include "gallery_entry.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "picture_rabinowicz.h"
+#include "picture_transient.h"
+#include "replace.h"
+#include "scene_command.h"
+
+bool gallery_path(char out[PATH_MAX], const char *folder, const char *name,
+                  const char *ending)
+{
+    return snprintf(out, PATH_MAX, "%s/%s%s", folder, name, ending) < PATH_MAX;
+}
+
+/* Its data file, looked for beside the scene where it is not found from here;
+ * NULL where nothing has to change.  Owned by the caller. */
+static char *moved_data(const struct gallery_place *g, const struct scene *s)
+{
+    char path[PATH_MAX], *set = NULL;
+    const char *data = s->rabinowicz.data;
+    const char *slash = data ? strrchr(data, '/') : NULL;
+
+    if (data == NULL || access(data, R_OK) == 0 ||
+        !gallery_path(path, g->scenes, slash ? slash + 1 : data, "") ||
+        strchr(path, '\'') || access(path, R_OK) != 0)
+        return NULL;
+    return asprintf(&set, "rabinowicz.data='%s'", path) < 0 ? NULL : set;
+}
+
+/* "output.hdf5='DIR/NAME.h5'", with quotes as YAML wants them; owned. */
+static char *output_set(const struct gallery_place *g,
+                        const struct gallery_entry *e, const char *key,
+                        const char *ending)
+{
+    char path[PATH_MAX];
+
+    if (!gallery_path(path, g->output, e->figure.name, ending))
+        return NULL;
+    char *set = malloc(strlen(key) + 2 * strlen(path) + 4), *end = set;
+    if (set == NULL)
+        return NULL;
+    end += sprintf(end, "%s='", key);
+    for (const char *c = path; *c; c++) {
+        if (*c == '\'')
+            *end++ = '\'';
+        *end++ = *c;
+    }
+    strcpy(end, "'");
+    return set;
+}
+
+/* The user's settings but those of the output, which are the gallery's. */
+static size_t take_sets(const struct options *from, struct options *to)
+{
+    to->sets = 0;
+    for (size_t i = 0; i < from->sets; i++)
+        if (strncmp(from->set[i], "output", 6) != 0)
+            to->set[to->sets++] = from->set[i];
+    return to->sets;
+}
+
+/* Runs the scene's command with its figure as NAME + ending. */
+static enum exit_code run_as(const struct gallery_place *g,
+                             struct gallery_entry *e, const char *ending)
+{
+    const char *name = scene_command(&e->scene), *nearest;
+    const struct command *c = command_find(name, &nearest);
+    struct options o = *g->options;
+    char *own[] = { output_set(g, e, "output.hdf5", ".h5"),
+                    output_set(g, e, "output.figure", ending),
+                    moved_data(g, &e->scene) };
+    enum exit_code code = EXIT_FILE;
+
+    o.command = name;
+    o.file[0] = e->path;
+    o.files = 1;
+    o.quiet = true;
+    o.json = false;
+    o.output = NULL;
+    take_sets(g->options, &o);
+    const bool fits = o.sets + 3 <= OPTIONS_SETS && own[0] && own[1];
+    for (int i = 0; fits && i < 3; i++)
+        if (own[i])
+            o.set[o.sets++] = own[i];
+    if (c != NULL && fits)
+        code = c->run(&o);
+    else
+        command_fail(STATUS_IO,
+                     fits ? "gallery: a scene for a command that is not there"
+                          : "gallery: too many settings, or a long path");
+    for (int i = 0; i < 3; i++)
+        free(own[i]);
+    return code;
+}
+
+/* The scene's first comment, its lines joined; owned. */
+static char *first_comment(const char *text)
+{
+    char *out = calloc(strlen(text) + 1, 1), *end = out;
+
+    while (out && *text == '#') {
+        const size_t n = strcspn(text, "\n");
+        const size_t from = strspn(text, "# ");
+        if (end > out)
+            *end++ = ' ';
+        if (from < n) {
+            memcpy(end, text + from, n - from);
+            end += n - from;
+        }
+        text += n + (text[n] == '\n');
+    }
+    return out;
+}
+
+/* A file of the gallery that was made; from which its panels are known. */
+static void add_panel(const struct gallery_place *g, struct gallery_entry *e,
+                      const char *panel)
+{
+    char name[PAGE_NAME], path[PATH_MAX];
+
+    if (e->figure.panels < PAGE_PANELS &&
+        snprintf(name, PAGE_NAME, "%s%s", e->figure.name, panel) < PAGE_NAME &&
+        gallery_path(path, g->output, name, ".svg") && access(path, R_OK) == 0)
+        strcpy(e->figure.panel[e->figure.panels++], name);
+}
+
+static void find_panels(const struct gallery_place *g, struct gallery_entry *e)
+{
+    const char *name = scene_command(&e->scene);
+    const bool many = strcmp(name, "simulate") == 0;
+    const bool two = strcmp(name, "rabinowicz") == 0;
+
+    for (int i = 0; many && i < PICTURE_PANELS; i++)
+        add_panel(g, e, picture_transient_panel[i]);
+    for (int i = 0; two && i < PICTURE_RABINOWICZ_PANELS; i++)
+        add_panel(g, e, picture_rabinowicz_panel[i]);
+    if (!many && !two)
+        add_panel(g, e, "");
+}
+
+static enum exit_code copy_scene(const struct gallery_place *g,
+                                 const struct gallery_entry *e)
+{
+    struct fault why = { "" };
+    char path[PATH_MAX];
+
+    if (!gallery_path(path, g->output, e->figure.name, ".yaml"))
+        return EXIT_FILE;
+    const enum status s =
+        replace_file(path, e->scene.text, strlen(e->scene.text), &why);
+    return s == STATUS_OK ? EXIT_DONE : command_fail(s, why.text);
+}
+
+static void describe(struct gallery_entry *e)
+{
+    e->comment = first_comment(e->scene.text);
+    if (asprintf(&e->command, "slipway %s %s", scene_command(&e->scene),
+                 e->path) < 0)
+        e->command = NULL;
+    e->figure.title = e->scene.title ? e->scene.title : "";
+    e->figure.comment = e->comment ? e->comment : "";
+    e->figure.command = e->command ? e->command : "";
+}
+
+void gallery_build(const struct gallery_place *g, struct gallery_entry *e)
+{
+    struct options o = *g->options;
+    struct fault why = { "" };
+
+    take_sets(g->options, &o);
+    const enum status s = scene_read(&e->scene, e->path, o.set, o.sets, &why);
+    if (s != STATUS_OK) {
+        e->scene = (struct scene){ .title = NULL };
+        e->code = command_fail(s, why.text);
+    }
+    if (s == STATUS_OK && e->scene.figure) {
+        e->code = run_as(g, e, ".svg");
+        if (e->code == EXIT_DONE)
+            e->code = run_as(g, e, ".png");
+        if (e->code == EXIT_DONE)
+            e->code = copy_scene(g, e);
+        if (e->code == EXIT_DONE)
+            find_panels(g, e);
+    }
+    if (e->scene.text == NULL)
+        e->scene.text = calloc(1, 1);
+    describe(e);
+    if (e->code != EXIT_DONE)
+        e->figure.failure = "This scene failed; nothing was drawn.";
+}
+
+void gallery_entry_free(struct gallery_entry *e)
+{
+    free(e->comment);
+    free(e->command);
+    e->comment = e->command = NULL;
+    scene_free(&e->scene);
+}

@@ -1,0 +1,38 @@
+/* gallery_entry.h -- one scene made into one figure of the gallery. */
+#ifndef APPS_GALLERY_ENTRY_H
+#define APPS_GALLERY_ENTRY_H
+
+#include <limits.h>
+
+#include "command.h"
+#include "page.h"
+#include "scene.h"
+
+/* Where all of them come from and go; borrowed. */
+struct gallery_place {
+    const struct options *options;
+    const char *scenes, *output; /* folders */
+};
+
+struct gallery_entry {
+    char path[PATH_MAX];       /* of the scene; given */
+    struct page_figure figure; /* its name is given; borrows from here */
+    struct scene scene;        /* owned */
+    char *comment, *command;   /* owned */
+    enum exit_code code;
+};
+
+/* Runs the scene by the command it is for: NAME.svg, .png, .h5 and the scene
+ * itself as NAME.yaml.  A scene that draws nothing is not run and has no
+ * panels; of one that fails the command has complained, and e->code says how.
+ * The user's settings hold for every scene, those of the output for none. */
+void gallery_build(const struct gallery_place *g, struct gallery_entry *e);
+
+/* A second call is harmless. */
+void gallery_entry_free(struct gallery_entry *e);
+
+/* FOLDER/NAME + ending; false if that is too long. */
+bool gallery_path(char out[PATH_MAX], const char *folder, const char *name,
+                  const char *ending);
+
+#endif

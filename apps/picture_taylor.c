@@ -1,0 +1,86 @@
+#include "picture_taylor.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+
+enum { POINTS = 2000 };
+
+struct sums {
+    const struct study *s;
+    struct vec2 (*shown)(const void *ctx, struct vec2);
+    const void *ctx;
+    struct figure *f;
+};
+
+/* Where a sum is negative a log axis shows it falling. */
+static double lowest(const struct study *s)
+{
+    return s->scene->window.axes == AXES_LOG && !law_psi_is_log(&s->block.law)
+               ? DBL_MIN
+               : -DBL_MAX;
+}
+
+static enum status add_sum(const struct sums *q, size_t order,
+                           enum figure_role role)
+{
+    const struct box w = study_window(q->s);
+    double x[POINTS + 1], y[POINTS + 1];
+    char entry[32];
+
+    for (int i = 0; i <= POINTS; i++) {
+        const double v = exp(w.lo.x + (double) i / POINTS * (w.hi.x - w.lo.x));
+        const double psi =
+            taylor_series_at(&q->s->taylor, order, v, q->s->block.at.v0);
+        const struct vec2 at =
+            q->shown(q->ctx, (struct vec2){ v, fmax(psi, lowest(q->s)) });
+        x[i] = at.x;
+        y[i] = at.y;
+    }
+    snprintf(entry, sizeof entry, "power series, order %zu", order);
+    return figure_add_curve(q->f,
+                            &(struct figure_curve){ .style = { .role = role },
+                                                    .entry = entry,
+                                                    .x = x,
+                                                    .y = y,
+                                                    .count = POINTS + 1 });
+}
+
+static enum status add_band(const struct sums *q)
+{
+    const struct scene_window *w = &q->s->scene->window;
+    const double v_sp = q->s->block.at.v0, R = q->s->taylor.radius.value;
+    const struct vec2 a =
+        q->shown(q->ctx, (struct vec2){ fmax(v_sp - R, w->v[0]), w->psi[0] });
+    const struct vec2 b =
+        q->shown(q->ctx, (struct vec2){ v_sp + R, w->psi[1] });
+
+    return figure_add_region(
+        q->f, &(struct figure_region){ FIGURE_SHADE_2, "the series converges",
+                                       (double[]){ a.x, b.x, b.x, a.x },
+                                       (double[]){ a.y, a.y, b.y, b.y }, 4 });
+}
+
+enum status picture_add_taylor(const struct study *s,
+                               struct vec2 (*shown)(const void *ctx,
+                                                    struct vec2),
+                               const void *ctx, struct figure *f)
+{
+    static const struct {
+        size_t order;
+        enum figure_role role;
+    } sum[] = { { 2, FIGURE_SERIES_5 },
+                { 6, FIGURE_SERIES_3 },
+                { TAYLOR_PAPER, FIGURE_HIGHLIGHT },
+                { 30, FIGURE_SERIES_4 } };
+    const struct sums q = { s, shown, ctx, f };
+    enum status status = STATUS_OK;
+
+    if (s->taylor.terms == 0)
+        return STATUS_OK;
+    if (quantity_exists(&s->taylor.radius))
+        status = add_band(&q);
+    for (size_t i = 0; i < sizeof sum / sizeof *sum && !status; i++)
+        status = add_sum(&q, sum[i].order, sum[i].role);
+    return status;
+}

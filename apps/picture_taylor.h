@@ -1,0 +1,16 @@
+/* picture_taylor.h -- the power series of the stable manifold in a portrait. */
+#ifndef APPS_PICTURE_TAYLOR_H
+#define APPS_PICTURE_TAYLOR_H
+
+#include "figure.h"
+#include "study.h"
+
+/* Adds sums of several orders, over the whole window, and a band over where
+ * the series converges; nothing where the study has no such series.
+ * shown(ctx, (v, psi)) is the point on the axes.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status picture_add_taylor(const struct study *s,
+                                          struct vec2 (*shown)(const void *ctx,
+                                                               struct vec2),
+                                          const void *ctx, struct figure *f);
+
+#endif

@@ -1,0 +1,18 @@
+/* report_diagram.h -- the diagrams of steady sliding in numbers: extrema,
+ * folds, the cusp, the stiffest springs that still stick and slip. */
+#ifndef APPS_REPORT_DIAGRAM_H
+#define APPS_REPORT_DIAGRAM_H
+
+#include <stdio.h>
+
+#include "json.h"
+#include "study.h"
+
+/* What the study's stages hold of them. */
+void report_diagrams_print(FILE *out, const struct study *s);
+
+/* The same into j: friction_law {extrema[]}, bifurcation {folds[]},
+ * spring_block {sigma mass extrema[]}, fold_curves {cusp{}}. */
+void report_diagrams_json(json_t *j, const struct study *s);
+
+#endif

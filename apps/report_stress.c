@@ -1,0 +1,154 @@
+#include "report_stress.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "stress_tolerance.h"
+
+static const char *agreement(int8_t agree)
+{
+    return agree < 0 ? "-" : agree == STRESS_AGREE ? "yes" : "no";
+}
+
+/* ---- for people ---------------------------------------------------------- */
+
+static void print_digits(FILE *out, double digits)
+{
+    if (isnan(digits))
+        fprintf(out, " %6s", "-");
+    else
+        fprintf(out, " %6.1f", digits);
+}
+
+static void print_row(FILE *out, const struct stress_row *row)
+{
+    fprintf(out, "%-62s %-8s", row->name, stress_outcome_names[row->outcome]);
+    print_digits(out, row->digits);
+    print_digits(out, row->allowed);
+    print_digits(out, row->missing);
+    if (isnan(row->bar))
+        fprintf(out, " %7s", "-");
+    else
+        fprintf(out, " %7.2g", row->bar);
+    fprintf(out, " %6lld %9.2e %9.2e %-5s %s\n", (long long) row->steps,
+            row->seconds, row->oracle_seconds, agreement(row->agree),
+            row->outcome != STRESS_EXACT && row->reason ? row->reason : "");
+}
+
+/* Cases that are neither exact nor said not to exist. */
+static void print_rest(FILE *out, const struct stress *s)
+{
+    bool told = false;
+
+    for (size_t i = 0; i < s->count; i++) {
+        const struct stress_row *row = &s->row[i];
+        if (row->outcome == STRESS_EXACT || row->outcome == STRESS_NONE)
+            continue;
+        if (!told)
+            fprintf(out, "not exact, and the options that repeat it:\n");
+        told = true;
+        fprintf(out, "  %s: %s, %s%s%s\n    %s\n", row->name,
+                stress_outcome_names[row->outcome], row->reason,
+                row->worst ? ": " : "", row->worst ? row->worst : "",
+                row->settings);
+    }
+}
+
+void report_stress_print(FILE *out, const struct stress *s)
+{
+    fprintf(out, "%-62s %-8s %6s %6s %6s %7s %6s %9s %9s %-5s %s\n", "case",
+            "outcome", "digits", "allow", "lack", "err/bar", "steps", "s",
+            "oracle s", "agree", "reason");
+    for (size_t i = 0; i < s->count; i++)
+        print_row(out, &s->row[i]);
+    print_rest(out, s);
+    fprintf(out, "%zu cases:", s->count);
+    for (int i = 0; i < STRESS_OUTCOMES; i++)
+        fprintf(out, "%s %zu %s", i > 0 ? "," : "", s->outcome[i],
+                stress_outcome_names[i]);
+    fprintf(out,
+            "\n%zu of %zu with digits within %g of what conditioning "
+            "allows (%.1f %%)\n",
+            s->full, s->counted, STRESS_MISSING,
+            s->counted ? 100.0 * (double) s->full / (double) s->counted
+                       : 100.0);
+}
+
+/* ---- JSON ---------------------------------------------------------------- */
+
+static json_t *parameters_json(const struct scene *c)
+{
+    json_t *j = json_object();
+    struct material m = c->material;
+
+    for (int key = 0; key < MATERIAL_KEYS; key++) {
+        const enum material_key which = (enum material_key) key;
+        if (law_uses(&c->law, which))
+            json_object_set_new(j, material_key_name(which),
+                                json_number(*material_member(&m, which)));
+    }
+    json_object_set_new(j, "eps2", json_number(material_eps2(&m)));
+    json_object_set_new(j, "alpha", json_number(c->alpha));
+    json_object_set_new(j, "rtol", json_number(c->rtol));
+    if (c->starts > 0) {
+        json_object_set_new(j, "v", json_number(c->start[0].v));
+        json_object_set_new(j, "psi", json_number(c->start[0].psi));
+    }
+    return j;
+}
+
+static json_t *counts_json(const struct stress *s)
+{
+    json_t *j = json_object();
+
+    for (int i = 0; i < STRESS_OUTCOMES; i++)
+        json_object_set_new(j, stress_outcome_names[i],
+                            json_integer((json_int_t) s->outcome[i]));
+    json_object_set_new(j, "counted", json_integer((json_int_t) s->counted));
+    json_object_set_new(j, "full", json_integer((json_int_t) s->full));
+    return j;
+}
+
+json_t *report_stress_json(const struct stress *s,
+                           const struct stress_list *list)
+{
+    json_t *j = json_object(), *cases = json_array();
+
+    for (size_t i = 0; i < s->count; i++) {
+        json_t *row = json_record(&record_stress, &s->row[i]);
+        json_object_set_new(row, "parameters",
+                            parameters_json(&list->at[i].scene));
+        json_object_set_new(
+            row, "agree",
+            s->row[i].agree < 0 ? json_null() : json_boolean(s->row[i].agree));
+        json_array_append_new(cases, row);
+    }
+    json_object_set_new(j, "cases", cases);
+    json_object_set_new(j, "outcomes", counts_json(s));
+    return j;
+}
+
+/* ---- TAP ----------------------------------------------------------------- */
+
+/* A text in which no harness finds a directive. */
+static void put_plain(FILE *out, const char *text)
+{
+    for (; *text; text++)
+        fprintf(out, "%s%c", *text == '#' || *text == '\\' ? "\\" : "", *text);
+}
+
+void report_stress_tap(FILE *out, const struct stress *s)
+{
+    fprintf(out, "1..%zu\n", s->count);
+    for (size_t i = 0; i < s->count; i++) {
+        const struct stress_row *row = &s->row[i];
+        fprintf(out, "%s %zu - ", row->outcome == STRESS_LIE ? "not ok" : "ok",
+                i + 1);
+        put_plain(out, row->name);
+        fprintf(out, " %s", stress_outcome_names[row->outcome]);
+        fprintf(out, "\n");
+        if (row->reason)
+            fprintf(out, "# %s%s%s\n", row->reason, row->worst ? ": " : "",
+                    row->worst ? row->worst : "");
+    }
+}

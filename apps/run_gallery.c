@@ -1,0 +1,229 @@
+/* slipway gallery: every scene that draws a figure, each by the command it is
+ * for, into one folder with a page of HTML. */
+#include <dirent.h>
+#include <errno.h>
+#include <libgen.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "command.h"
+#include "gallery_entry.h"
+#include "json.h"
+#include "progress.h"
+#include "replace.h"
+
+struct gallery {
+    const struct options *options;
+    char scenes[PATH_MAX], output[PATH_MAX]; /* folders */
+    struct gallery_entry *entry;             /* owned */
+    size_t count;
+};
+
+static enum status complain(struct fault *why, enum status s, const char *path,
+                            const char *what)
+{
+    snprintf(why->text, sizeof why->text, "gallery: %.400s: %s", path, what);
+    return s;
+}
+
+/* ---- where ----------------------------------------------------------------
+ */
+
+static bool is_folder(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) == 0 && S_ISDIR(about.st_mode);
+}
+
+/* --scenes; else ./scenes; else those of the source beside which the program
+ * was built, or those installed with it. */
+static enum status find_scenes(struct gallery *g, struct fault *why)
+{
+    static const char *const beside[] = { "../../scenes",
+                                          "../share/slipway/scenes" };
+    char program[PATH_MAX];
+    const ssize_t n = readlink("/proc/self/exe", program, sizeof program - 1);
+    const char *given = g->options->scenes ? g->options->scenes : "scenes";
+
+    snprintf(g->scenes, sizeof g->scenes, "%s", given);
+    if (is_folder(g->scenes))
+        return STATUS_OK;
+    if (!g->options->scenes && n > 0) {
+        program[n] = '\0';
+        const char *folder = dirname(program);
+        for (size_t i = 0; i < sizeof beside / sizeof *beside; i++)
+            if (gallery_path(g->scenes, folder, beside[i], "") &&
+                is_folder(g->scenes))
+                return STATUS_OK;
+    }
+    return complain(why, STATUS_IO, given,
+                    "no such folder of scenes, expected --scenes DIR");
+}
+
+static enum status make_output(struct gallery *g, struct fault *why)
+{
+    const char *given =
+        g->options->output ? g->options->output : "outputs/gallery";
+
+    snprintf(g->output, sizeof g->output, "%s", given);
+    if (!g->options->output)
+        (void) !mkdir("outputs", 0777); /* or the next one says why not */
+    if (mkdir(g->output, 0777) == 0 || (errno == EEXIST && is_folder(given)))
+        return STATUS_OK;
+    return complain(why, STATUS_IO, given, strerror(errno));
+}
+
+static int is_scene(const struct dirent *d)
+{
+    const size_t n = strlen(d->d_name);
+    return n > 5 && d->d_name[0] != '.' &&
+           strcmp(d->d_name + n - 5, ".yaml") == 0;
+}
+
+static enum status list_scenes(struct gallery *g, struct fault *why)
+{
+    struct dirent **name = NULL;
+    const int n = scandir(g->scenes, &name, is_scene, alphasort);
+    bool fits = true;
+
+    if (n <= 0)
+        return complain(why, STATUS_IO, g->scenes, "no scenes there");
+    g->entry = calloc((size_t) n, sizeof *g->entry);
+    for (int i = 0; i < n && g->entry; i++) {
+        struct gallery_entry *e = &g->entry[g->count++];
+        const int size = (int) strlen(name[i]->d_name) - 5;
+        fits &= gallery_path(e->path, g->scenes, name[i]->d_name, "") &&
+                snprintf(e->figure.name, PAGE_NAME, "%.*s", size,
+                         name[i]->d_name) < PAGE_NAME;
+    }
+    for (int i = 0; i < n; i++)
+        free(name[i]);
+    free(name);
+    if (!fits)
+        return complain(why, STATUS_IO, g->scenes, "a name is too long");
+    return g->entry ? STATUS_OK : STATUS_NO_MEMORY;
+}
+
+/* ---- all ------------------------------------------------------------------
+ */
+
+/* Builds them in turn and drops those that draw nothing; false when stopped. */
+static bool build_all(struct gallery *g)
+{
+    const struct gallery_place place = { g->options, g->scenes, g->output };
+    size_t kept = 0;
+    bool stopped = false;
+
+    for (size_t i = 0; i < g->count; i++) {
+        struct gallery_entry *e = &g->entry[i];
+        if (!stopped) {
+            gallery_build(&place, e);
+            stopped = e->code == EXIT_INTERRUPT;
+        }
+        if (e->figure.panels > 0 || e->code != EXIT_DONE)
+            g->entry[kept++] = *e;
+        else
+            gallery_entry_free(e);
+    }
+    g->count = kept;
+    return !stopped;
+}
+
+static enum status write_page(const struct gallery *g, char path[PATH_MAX],
+                              struct fault *why)
+{
+    struct page_figure *figure = calloc(g->count + 1, sizeof *figure);
+    enum status status = STATUS_NO_MEMORY;
+    char *text = NULL;
+
+    for (size_t i = 0; i < g->count && figure; i++)
+        figure[i] = g->entry[i].figure;
+    if (figure)
+        text = page_text(&(struct page){ figure, g->count, SLIPWAY_VERSION,
+                                         g->options->keep_script });
+    if (!gallery_path(path, g->output, "index", ".html"))
+        status = complain(why, STATUS_IO, g->output, "the path is too long");
+    else if (text)
+        status = replace_file(path, text, strlen(text), why);
+    free(text);
+    free(figure);
+    return status;
+}
+
+static json_t *gallery_json(const struct gallery *g, const char *page)
+{
+    json_t *j = json_object(), *list = json_array();
+
+    for (size_t i = 0; i < g->count; i++) {
+        const struct page_figure *f = &g->entry[i].figure;
+        json_t *one = json_object(), *panels = json_array();
+        for (size_t k = 0; k < f->panels; k++)
+            json_array_append_new(panels, json_string(f->panel[k]));
+        json_object_set_new(one, "name", json_string(f->name));
+        json_object_set_new(one, "scene", json_string(g->entry[i].path));
+        json_object_set_new(one, "built",
+                            json_boolean(g->entry[i].code == EXIT_DONE));
+        json_object_set_new(one, "panels", panels);
+        json_array_append_new(list, one);
+    }
+    json_object_set_new(j, "page", json_string(page));
+    json_object_set_new(j, "figures", list);
+    return j;
+}
+
+/* What was made; then, on stderr, what was not. */
+static enum exit_code tell(const struct gallery *g, const char *page)
+{
+    enum exit_code code = EXIT_DONE;
+    size_t failed = 0;
+
+    for (size_t i = 0; i < g->count; i++) {
+        const struct gallery_entry *e = &g->entry[i];
+        if (e->code == EXIT_DONE)
+            continue;
+        code = failed++ == 0 ? e->code : code;
+        fprintf(stderr, "slipway: gallery: %s failed\n", e->path);
+    }
+    if (g->options->json && !json_print(gallery_json(g, page)))
+        return command_unwritten();
+    if (!g->options->json && !g->options->quiet)
+        printf("wrote %s: %zu figure%s%s\n", page, g->count - failed,
+               g->count - failed == 1 ? "" : "s",
+               failed ? ", the others failed" : "");
+    return code;
+}
+
+static enum status prepare(struct gallery *g, struct fault *why)
+{
+    enum status s = find_scenes(g, why);
+
+    if (s == STATUS_OK)
+        s = list_scenes(g, why);
+    return s ? s : make_output(g, why);
+}
+
+enum exit_code command_gallery(const struct options *o)
+{
+    struct gallery g = { .options = o };
+    struct fault why = { "" };
+    char page[PATH_MAX];
+    enum exit_code code = EXIT_INTERRUPT;
+
+    if (command_allow(o, 0) != EXIT_DONE)
+        return EXIT_USAGE;
+    enum status s = prepare(&g, &why);
+    if (s == STATUS_OK && build_all(&g)) {
+        s = write_page(&g, page, &why);
+        if (s == STATUS_OK)
+            code = tell(&g, page);
+    }
+    if (s != STATUS_OK)
+        code = command_fail(s, why.text);
+    for (size_t i = 0; i < g.count; i++)
+        gallery_entry_free(&g.entry[i]);
+    free(g.entry);
+    return code;
+}

@@ -1,0 +1,130 @@
+/* slipway stress: the catalogue of stiff and extreme cases, held to 113 bits;
+ * a user's scene is one more case. */
+#include <string.h>
+
+#include "command.h"
+#include "export_stress.h"
+#include "progress.h"
+#include "replace.h"
+#include "report_stress.h"
+#include "text.h"
+
+static enum status refuse(struct fault *why, const char *format,
+                          const char *text)
+{
+    snprintf(why->text, sizeof why->text, format, text_shown(text).text);
+    return STATUS_BAD_ARGUMENT;
+}
+
+static bool begins(const char *text, const char *with)
+{
+    return strncmp(text, with, strlen(with)) == 0;
+}
+
+/* Whether a scene is given, as a file or by options. */
+static bool has_scene(const struct options *o)
+{
+    bool given = o->files > 0;
+
+    for (size_t i = 0; i < o->sets; i++)
+        given =
+            given || begins(o->set[i], "law.") || begins(o->set[i], "slope.");
+    return given;
+}
+
+/* What means something here: the catalogue brings its own scenes. */
+static enum status check_options(const struct options *o, struct fault *why)
+{
+    for (size_t i = 0; i < o->sets; i++) {
+        if (begins(o->set[i], "output.figure="))
+            return refuse(why, "stress: %s: stress draws no figure", o->set[i]);
+        if (!has_scene(o) && !begins(o->set[i], "output.hdf5="))
+            return refuse(why,
+                          "stress: %s: the cases bring their own settings (to "
+                          "add one: a scene, or --law and --alpha)",
+                          o->set[i]);
+    }
+    return STATUS_OK;
+}
+
+static enum status add_scene(const struct options *o, struct stress_list *list,
+                             struct fault *why)
+{
+    const char *path = o->files ? o->file[0] : NULL;
+    struct scene scene;
+    enum status s = scene_read(&scene, path, o->set, o->sets, why);
+
+    if (s != STATUS_OK)
+        return s;
+    const char *name = scene.title[0] ? scene.title
+                       : path         ? path
+                                      : "command line";
+    if (stress_matches(name, o->only))
+        s = stress_list_add(list, name, &scene);
+    scene_free(&scene);
+    return s;
+}
+
+static enum status make_list(const struct options *o, struct stress_list *list,
+                             struct fault *why)
+{
+    enum status s = stress_list_init(list, o->only, o->quick, why);
+
+    if (s == STATUS_OK && has_scene(o))
+        s = add_scene(o, list, why);
+    if (s == STATUS_OK && list->count == 0)
+        s = refuse(why, "stress: --only %s: no case has that in its name",
+                   o->only ? o->only : "");
+    return s;
+}
+
+static bool print(const struct options *o, const struct stress *s,
+                  const struct stress_list *list)
+{
+    if (o->json)
+        return json_print(report_stress_json(s, list));
+    if (o->tap)
+        report_stress_tap(stdout, s);
+    else if (!o->quiet)
+        report_stress_print(stdout, s);
+    if (o->output && !o->quiet && !o->tap)
+        printf("wrote %s\n", o->output);
+    return fflush(stdout) == 0;
+}
+
+static enum exit_code run(const struct options *o,
+                          const struct stress_list *list)
+{
+    struct fault why = { "" };
+    struct stress s = { .row = NULL };
+    enum status status = o->output ? replace_check(o->output, &why) : STATUS_OK;
+
+    if (status == STATUS_OK)
+        status = stress_run(&s, list, progress_monitor(o));
+    progress_end();
+    if (status == STATUS_OK && o->output)
+        status = export_stress(&s, o->output, &why);
+    enum exit_code code = s.outcome[STRESS_LIE] > 0 ? EXIT_CHECK : EXIT_DONE;
+    if (status != STATUS_OK)
+        code = command_fail(status, why.text);
+    else if (!print(o, &s, list))
+        code = command_unwritten();
+    stress_free(&s);
+    return code;
+}
+
+enum exit_code command_stress(const struct options *o)
+{
+    struct stress_list list = { .at = NULL };
+    struct fault why = { "" };
+
+    if (command_allow(o, 1) != EXIT_DONE)
+        return EXIT_USAGE;
+    enum status s = check_options(o, &why);
+    if (s == STATUS_OK)
+        s = make_list(o, &list, &why);
+    const enum exit_code code =
+        s == STATUS_OK ? run(o, &list) : command_fail(s, why.text);
+    stress_list_free(&list);
+    return code;
+}

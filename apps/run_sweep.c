@@ -1,0 +1,234 @@
+/* slipway sweep: the numbers of `knees` over one key of a scene or two. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "command.h"
+#include "draw.h"
+#include "export_sweep.h"
+#include "picture_sweep.h"
+#include "progress.h"
+#include "replace.h"
+#include "report_sweep.h"
+
+#define BIT(p) (1u << PRODUCT_##p)
+
+static enum status complain(struct fault *why, const char *text)
+{
+    snprintf(why->text, sizeof why->text, "sweep: %s", text);
+    return STATUS_BAD_SCENE;
+}
+
+/* ---- the scene ------------------------------------------------------------
+ */
+
+/* What `knees` computes, where the scene names nothing. */
+static unsigned products_of(const struct options *o, const struct scene *s)
+{
+    const unsigned asked = s->products ? s->products
+                                       : BIT(EQUILIBRIA) | BIT(FOLDS) |
+                                             BIT(KNEES) | BIT(ESTIMATES);
+
+    return asked | (o->sensitivities ? BIT(SENSITIVITIES) : 0);
+}
+
+/* As --set has it, so that the file says what was run. */
+static void products_setting(unsigned products, char *line, size_t size)
+{
+    snprintf(line, size, "products=[");
+    for (int p = 0; p < PRODUCTS; p++)
+        if (products & 1u << p)
+            snprintf(line + strlen(line), size - strlen(line), "%s%s",
+                     strchr(line, '[')[1] ? ", " : "", product_names[p]);
+    strncat(line, "]", size - strlen(line) - 1);
+}
+
+static enum status read_scene(const struct options *o, struct scene *scene,
+                              struct fault *why)
+{
+    const char *path = o->files ? o->file[0] : NULL;
+    char *set[OPTIONS_SETS + 1], line[512];
+
+    if (o->files > 1)
+        return complain(why, "one scene is enough");
+    enum status s = scene_read(scene, path, o->set, o->sets, why);
+    if (s != STATUS_OK)
+        return s;
+    if (scene->sweep.axes == 0) {
+        scene_free(scene);
+        return complain(why, "the scene has none, expected 'sweep: {key: "
+                             "slope.alpha, from: A, to: B, points: N}'");
+    }
+    const unsigned products = products_of(o, scene);
+    if (products == scene->products)
+        return STATUS_OK;
+    scene_free(scene);
+    memcpy(set, o->set, o->sets * sizeof *set);
+    products_setting(products, line, sizeof line);
+    set[o->sets] = line;
+    return scene_read(scene, path, set, o->sets + 1, why);
+}
+
+/* ---- files ----------------------------------------------------------------
+ */
+
+/* Could they be written?  Asked before anything is computed. */
+static enum status check_files(const struct options *o, const struct scene *c,
+                               struct fault *why)
+{
+    enum status s = STATUS_OK;
+
+    if (c->hdf5 && c->figure && strcmp(c->hdf5, c->figure) == 0)
+        return complain(why, "one file for both the numbers and the figure");
+    if (o->resume && c->hdf5 == NULL)
+        return complain(why, "--resume without a file, expected -o FILE.h5");
+    if (c->hdf5)
+        s = replace_check(c->hdf5, why);
+    return s || !c->figure ? s : replace_check(c->figure, why);
+}
+
+/* FILE.h5.part, owned by the caller; NULL without a file or memory. */
+static char *journal_of(const struct scene *c)
+{
+    const size_t size = c->hdf5 ? strlen(c->hdf5) + sizeof ".part" : 0;
+    char *path = size ? malloc(size) : NULL;
+
+    if (path)
+        snprintf(path, size, "%s.part", c->hdf5);
+    return path;
+}
+
+static enum status draw(const struct sweep *s, const struct options *o,
+                        struct fault *why)
+{
+    const char *path = s->scene->figure;
+    struct figure f;
+    enum status status = picture_sweep(s, &f);
+
+    if (status == STATUS_OK)
+        status = figure_write(&f, path, o->keep_script, why);
+    else
+        snprintf(why->text, sizeof why->text, "%.300s: %s", path,
+                 status_text(status));
+    figure_free(&f);
+    return status;
+}
+
+static enum status write_files(const struct sweep *s, const struct options *o,
+                               const char *journal, struct fault *why)
+{
+    const bool tell = !o->quiet && !o->json;
+    const struct scene *c = s->scene;
+    enum status status = STATUS_OK;
+
+    if (c->hdf5)
+        status = export_sweep(s, c->hdf5, why);
+    if (status == STATUS_OK && c->hdf5)
+        sweep_forget(journal);
+    if (status == STATUS_OK && c->hdf5 && tell)
+        printf("wrote %s\n", c->hdf5);
+    if (status == STATUS_OK && c->figure)
+        status = draw(s, o, why);
+    if (status == STATUS_OK && c->figure && tell)
+        printf("wrote %s\n", c->figure);
+    return status;
+}
+
+/* ---- results --------------------------------------------------------------
+ */
+
+static void print_notes(const struct sweep *s, const char *journal)
+{
+    if (s->replaced)
+        printf("note: %s of an interrupted sweep was replaced; --resume would "
+               "have gone on\n",
+               journal);
+    if (s->taken > 0)
+        printf("note: %zu of %zu points were there already\n", s->taken,
+               s->points);
+    if (s->unrefined)
+        printf("note: refinement stopped before its tolerance: too many "
+               "points, or as near to a fold as the key's digits allow\n");
+}
+
+/* Files are written and numbers printed: the user may see for himself. */
+static enum exit_code judge(const struct sweep *s)
+{
+    char text[160];
+
+    if (s->failed == 0)
+        return EXIT_DONE;
+    snprintf(text, sizeof text,
+             "sweep: the computation failed at %zu of %zu points", s->failed,
+             s->points);
+    return command_fail(STATUS_NO_CONVERGENCE, text);
+}
+
+static enum exit_code print_results(const struct sweep *s,
+                                    const struct options *o,
+                                    const char *journal)
+{
+    if (o->json && !json_print(report_sweep_json(s)))
+        return command_unwritten();
+    if (!o->json && !o->quiet) {
+        report_sweep_print(stdout, s);
+        print_notes(s, journal);
+    }
+    return judge(s);
+}
+
+/* ---- the whole ------------------------------------------------------------
+ */
+
+static enum status run_points(struct sweep *s, const struct scene *scene,
+                              const struct options *o, const char *journal,
+                              struct fault *why)
+{
+    const struct sweep_options how = { .journal = journal,
+                                       .resume = o->resume,
+                                       .version = SLIPWAY_VERSION };
+    const enum status status =
+        sweep_run(s, scene, &how, progress_monitor(o), why);
+
+    progress_end();
+    if (status == STATUS_STOPPED && journal)
+        snprintf(why->text, sizeof why->text,
+                 "interrupted; what is computed stays in %.300s for --resume",
+                 journal);
+    return status;
+}
+
+static enum exit_code run(const struct options *o, const struct scene *scene)
+{
+    struct fault why = { "" };
+    struct sweep sweep;
+    char *journal = journal_of(scene);
+    enum status s = scene->hdf5 && !journal ? STATUS_NO_MEMORY
+                                            : check_files(o, scene, &why);
+
+    if (s == STATUS_OK)
+        s = run_points(&sweep, scene, o, journal, &why);
+    if (s != STATUS_OK) {
+        free(journal);
+        return command_fail(s, why.text);
+    }
+    s = write_files(&sweep, o, journal, &why);
+    const enum exit_code code = s == STATUS_OK
+                                    ? print_results(&sweep, o, journal)
+                                    : command_fail(s, why.text);
+    sweep_free(&sweep);
+    free(journal);
+    return code;
+}
+
+enum exit_code command_sweep(const struct options *o)
+{
+    struct scene scene;
+    struct fault why = { "" };
+    const enum status s = read_scene(o, &scene, &why);
+
+    if (s != STATUS_OK)
+        return command_fail(s, why.text);
+    const enum exit_code code = run(o, &scene);
+    scene_free(&scene);
+    return code;
+}

@@ -1,0 +1,47 @@
+#include "method.h"
+
+#include <gsl/gsl_version.h>
+
+#include "method_flow.h"
+#include "method_gsl.h"
+#include "method_sundials.h"
+
+const struct method *method_at(size_t i)
+{
+    if (i == 0)
+        return &method_flow;
+    if (i <= METHOD_GSL_COUNT)
+        return &method_gsl[i - 1];
+    i -= 1 + METHOD_GSL_COUNT;
+    return i < method_sundials_count ? &method_sundials[i] : NULL;
+}
+
+const char *method_gsl_version(void)
+{
+    return gsl_version;
+}
+
+static bool all_finite(const double u[], size_t n)
+{
+    double sum = 0.0;
+
+    for (size_t i = 0; i < n; i++)
+        sum += 0.0 * u[i];
+    return sum == 0.0;
+}
+
+bool method_rates(struct method_system *system, const double u[], double du[])
+{
+    if (++system->calls > system->calls_most)
+        return false;
+    system->rates(system->ctx, u, du);
+    return all_finite(du, system->dim);
+}
+
+bool method_jacobian(struct method_system *system, const double u[], double J[])
+{
+    if (++system->calls > system->calls_most)
+        return false;
+    system->jacobian(system->ctx, u, J);
+    return all_finite(J, system->dim * system->dim);
+}

@@ -1,0 +1,188 @@
+#include "stress_family.h"
+
+#include <math.h>
+
+#include "steady.h"
+
+#define LIST(...)                                                              \
+    {                                                                          \
+        (const double[]){ __VA_ARGS__ },                                       \
+            sizeof((const double[]){ __VA_ARGS__ }) / sizeof(double)           \
+    }
+#define STARTS(list) .kind = STRESS_START, .start = list, .starts = COUNT(list)
+#define COUNT(list)  (sizeof(list) / sizeof *(list))
+#define ONCE         STRESS_NOTHING, LIST(1.0)
+
+static const char two[] = "dieterich_gen spinodal_gen";
+static const char folded[] = "spinodal spinodal_gen spinodal_phi_gen";
+static const char presets[] = "presets";
+
+/* Far corners of the plane, and the smoothest and roughest interfaces. */
+static const struct scene_start corners[] = {
+    { 1e-200, 1e6 }, { 1e-200, 1e-3 }, { 1e-300, 1e300 }, { 1e300, 1e300 },
+    { 1e50, 1e-50 }, { 1.0, 1e6 },     { 1e5, 1e6 },      { 1e6, 1e-6 },
+};
+
+/* clang-format off */
+static const struct stress_family table[] = {
+    { "laws", presets, FRICTION_LOG, ONCE,
+      STRESS_ALPHA, LIST(0.30, 0.34, 0.38), STRESS_SLOPE, NULL, 0 },
+    { "compositions", "compositions", FRICTION_ASINH, ONCE,
+      STRESS_LN_V, LIST(0.5), STRESS_SLOPE, NULL, 0 },
+    { "eps2", two, FRICTION_LOG,
+      STRESS_EPS2, LIST(1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9),
+      STRESS_ALPHA, LIST(0.30, 0.34, 0.38), STRESS_SLOPE, NULL, 0 },
+    { "R", "spinodal spinodal_gen", FRICTION_LOG,
+      STRESS_R, LIST(1e-3, 1e-2, 0.1, 1.0, 10.0, 1e4, 1e8, 1e12, HUGE_VAL),
+      STRESS_ALPHA, LIST(0.34), STRESS_SLOPE, NULL, 0 },
+    { "c", "spinodal spinodal_gen", FRICTION_LOG,
+      STRESS_C, LIST(0.0, 1e-6, 0.5, 0.9, 1 - 1e-3, 1 - 1e-6, 1 - 1e-9, 1.1),
+      STRESS_BETWEEN, LIST(0.5), STRESS_SLOPE, NULL, 0 },
+    { "b/a-1", two, FRICTION_LOG,
+      STRESS_B_OVER_A, LIST(1e-6, 1e-4, 1e-2, 1.0, 10.0, 1e2, 1e3),
+      STRESS_LN_V, LIST(-2.0, 2.0), STRESS_SLOPE, NULL, 0 },
+    { "far", "dieterich_gen perrin", FRICTION_ASINH,
+      STRESS_B_OVER_A, LIST(1e-6, 1e-3),
+      STRESS_LN_V, LIST(-680.0, -300.0, -100.0, 100.0, 300.0, 680.0),
+      STRESS_SLOPE, NULL, 0 },
+    { "a", two, FRICTION_LOG, STRESS_A, LIST(1e-5, 1e-4, 1e-3, 0.1, 1.0),
+      STRESS_LN_V, LIST(-2.0, 2.0), STRESS_SLOPE, NULL, 0 },
+    { "fold-max", folded, FRICTION_LOG, ONCE,
+      STRESS_MAXIMUM, LIST(-1e-6, -1e-9, -1e-12, 0.0, 1e-12, 1e-6),
+      STRESS_SLOPE, NULL, 0 },
+    { "fold-min", folded, FRICTION_LOG, ONCE,
+      STRESS_MINIMUM, LIST(-1e-6, -1e-12, 0.0, 1e-12, 1e-9, 1e-6),
+      STRESS_SLOPE, NULL, 0 },
+    { "flat", presets, FRICTION_LOG, ONCE,
+      STRESS_ALPHA, LIST(1e-12, 1e-6, 1e-3), STRESS_SLOPE, NULL, 0 },
+    { "steep", presets, FRICTION_LOG, ONCE,
+      STRESS_STEEP, LIST(1e-12, 1e-6, 1e-3, 0.1), STRESS_SLOPE, NULL, 0 },
+    { "mu_star", "dieterich_gen perrin spinodal_gen", FRICTION_LOG,
+      STRESS_MU_STAR, LIST(0.0, 0.1, 1.0, 3.0),
+      STRESS_LN_V, LIST(-1.0, 1.0), STRESS_SLOPE, NULL, 0 },
+    { "V_c", "kato_tullis", FRICTION_LOG,
+      STRESS_V_C, LIST(1e-6, 1e-3, 1.0, 1e3, 1e6),
+      STRESS_LN_V, LIST(0.0), STRESS_SLOPE, NULL, 0 },
+    { "start", presets, FRICTION_ASINH, ONCE,
+      STRESS_ALPHA, LIST(0.34), STARTS(corners) },
+    { "window", presets, FRICTION_ASINH, ONCE,
+      STRESS_ALPHA, LIST(0.30, 0.38), STRESS_WINDOW, NULL, 0 },
+};
+/* clang-format on */
+
+const struct stress_family *stress_family_at(size_t i)
+{
+    return i < COUNT(table) ? &table[i] : NULL;
+}
+
+/* c at the cusp of Fig 4; zero where nothing weakens. */
+static double cusp_c(const struct material *m)
+{
+    const double rise = fmax(m->b - m->a, 0.0);
+
+    return (1.0 + m->R) * rise * rise / (4.0 * m->a * m->b);
+}
+
+bool stress_material(const struct law *law, enum stress_knob knob, double value,
+                     struct material *m)
+{
+    *m = material_bristol_board();
+    switch (knob) {
+        case STRESS_NOTHING:
+            return true;
+        case STRESS_EPS2:
+            m->g /= value;
+            return true;
+        case STRESS_R:
+            m->R = value;
+            return law_uses(law, MATERIAL_R);
+        case STRESS_C:
+            m->c = value * cusp_c(m);
+            return law_uses(law, MATERIAL_C);
+        case STRESS_B_OVER_A:
+            m->b = m->a * (1.0 + value);
+            return true;
+        case STRESS_A:
+            m->b *= value / m->a;
+            m->a = value;
+            return true;
+        case STRESS_MU_STAR:
+            m->mu_star = value;
+            return true;
+        case STRESS_V_C:
+            m->V_c = value;
+            return law_uses(law, MATERIAL_V_C);
+    }
+    return false;
+}
+
+/* mu_ss at its last maximum or minimum; false where it has none. */
+static bool extreme_friction(const struct law *law, const struct material *m,
+                             bool maximum, long double *mu)
+{
+    const long double aside = 1e-4L;
+    long double x[4];
+    bool found = false;
+
+    for (size_t i = 0, n = steady_extrema(law, m, x); i < n; i++) {
+        const bool high =
+            steady_mu_log(law, m, x[i]) > steady_mu_log(law, m, x[i] - aside);
+        if (high == maximum) {
+            *mu = steady_mu(law, m, x[i]);
+            found = true;
+        }
+    }
+    return found;
+}
+
+static bool fold_alpha(const struct law *law, const struct material *m,
+                       bool maximum, double beyond, double *alpha)
+{
+    long double mu;
+
+    if (!extreme_friction(law, m, maximum, &mu))
+        return false;
+    *alpha = (double) (atanl(mu) + (long double) beyond);
+    return true;
+}
+
+static bool alpha_between(const struct law *law, const struct material *m,
+                          double part, double *alpha)
+{
+    long double low, high;
+
+    *alpha = 0.34;
+    if (!extreme_friction(law, m, true, &high))
+        return true; /* beyond the cusp any slope will do */
+    if (!extreme_friction(law, m, false, &low))
+        low = 0.5L * high;
+    *alpha = (double) atanl(low + (long double) part * (high - low));
+    return true;
+}
+
+bool stress_alpha(const struct law *law, const struct material *m,
+                  enum stress_slope slope, double at, double *alpha)
+{
+    bool found = true;
+
+    switch (slope) {
+        case STRESS_ALPHA:
+            *alpha = at;
+            break;
+        case STRESS_STEEP:
+            *alpha = M_PI_2 - at;
+            break;
+        case STRESS_LN_V:
+            *alpha = (double) atanl(steady_mu(law, m, (long double) at));
+            found = (long double) at < steady_x_max(law);
+            break;
+        case STRESS_MAXIMUM:
+        case STRESS_MINIMUM:
+            found = fold_alpha(law, m, slope == STRESS_MAXIMUM, at, alpha);
+            break;
+        case STRESS_BETWEEN:
+            found = alpha_between(law, m, at, alpha);
+            break;
+    }
+    return found && *alpha > 0.0 && *alpha < M_PI_2;
+}

@@ -1,0 +1,29 @@
+/* stress_row.h -- one case as reported, and how it describes itself. */
+#ifndef RACE_STRESS_ROW_H
+#define RACE_STRESS_ROW_H
+
+#include <stdint.h>
+
+#include "record.h"
+#include "status.h"
+
+struct stress_row {
+    const char *name, *law, *settings;    /* borrowed from the case */
+    int8_t kind, form;                    /* enum stress_kind, friction_form */
+    int8_t outcome;                       /* enum stress_outcome */
+    int8_t agree;                         /* enum stress_agreement or -1 */
+    double digits, allowed, missing, bar; /* as in stress_verdict */
+    int64_t steps;  /* of the branches or the orbit; labels of a grid */
+    double seconds; /* the program's */
+    double oracle_seconds;
+    int64_t oracle_evaluations;
+    const char *worst;  /* static: the number that lacks most digits, or lies */
+    const char *reason; /* static, or `fault`'s; NULL: exact */
+    struct fault fault; /* of a case that failed */
+};
+extern const struct record_type record_stress;
+
+/* Seconds of a clock that only runs forward. */
+double stress_clock(void);
+
+#endif

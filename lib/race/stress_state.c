@@ -1,0 +1,212 @@
+/* Routes to a fate: the region between the branches that holds the state,
+ * and the state's own orbit forward, L-stable.  The oracle's branches tell the
+ * side. */
+#include "stress_state.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "push.h"
+#include "stress_judge.h"
+#include "study_tolerance.h"
+#include "transient.h"
+
+/* The worst so far. */
+static void say(struct stress_row *row, enum stress_outcome outcome,
+                const char *reason)
+{
+    if (row->reason && outcome <= (enum stress_outcome) row->outcome)
+        return;
+    row->outcome = (int8_t) outcome;
+    row->reason = reason;
+}
+
+static void find_truth(const struct scene *c, struct stress_truth *t,
+                       struct stress_row *row)
+{
+    const double start = stress_clock();
+
+    stress_truth_find(&c->law, &c->material, c->tan_alpha, t);
+    row->oracle_seconds = stress_clock() - start;
+    row->oracle_evaluations = (int64_t) t->evaluations;
+}
+
+/* Where a fate comes from, and what is said of one that is wrong. */
+enum source { REGION, ORBIT, TRANSIENT, SOURCES };
+static const char *const wrong[SOURCES] = {
+    "the region has the fate of the other side",
+    "the orbit has the fate of the other side",
+    "the transient has the fate of the other side",
+};
+static const char *const undecided[SOURCES] = {
+    "the region has no fate",
+    "the orbit's fate is undecided",
+    "the transient's fate is undecided",
+};
+
+/* One fate against the oracle's. */
+static void judge_fate(struct stress_row *row, const struct stress_truth *t,
+                       const struct law *law, enum stress_side side,
+                       enum source source, int fate)
+{
+    if (fate == FATE_UNDECIDED || fate == FATE_NONE)
+        say(row, STRESS_DEGRADED, undecided[source]);
+    else if ((stress_truth_fates(t, law, side) >> fate & 1u) == 0)
+        say(row, STRESS_LIE, wrong[source]);
+    else if (side == STRESS_UNTOLD)
+        say(row, STRESS_DEGRADED, "the oracle cannot tell the side");
+}
+
+/* ---- one state ----------------------------------------------------------- */
+
+struct work {
+    struct scene scene; /* borrows what the case's owns */
+    struct push push;
+    struct study study;
+    struct transient transient;
+    struct stress_truth truth;
+};
+
+/* The fates by the region, by the orbit and by the transient. */
+static enum status find_fates(struct work *w, struct stress_row *row,
+                              int fate[SOURCES])
+{
+    const struct scene_start at = w->scene.start[0];
+    const struct push_state state = { at.v, at.psi };
+    const struct transient_options o = transient_defaults(&w->scene);
+    const struct planar *sys = &w->push.study.system;
+    const struct vec2 z = { log(at.v),
+                            sys->axis[1].is_log ? log(at.psi) : at.psi };
+    struct fate_result orbit;
+    struct push_answer answer;
+
+    enum status s = push_find(&w->push, state, NULL, &answer);
+    if (s == STATUS_OK)
+        s = fate_find(&w->push.study, z, TOL_PUSH_COARSE, false, NULL, &orbit);
+    if (s == STATUS_OK && orbit.fate != FATE_UNDECIDED)
+        s = transient_find(&w->study, at, &o, NULL, &w->transient);
+    if (s != STATUS_OK)
+        return s;
+    fate[REGION] = answer.fate;
+    fate[ORBIT] = (int) orbit.fate;
+    fate[TRANSIENT] =
+        orbit.fate == FATE_UNDECIDED ? FATE_UNDECIDED : w->transient.sum.fate;
+    row->steps = w->transient.sum.steps;
+    return STATUS_OK;
+}
+
+static void judge_start(struct work *w, struct stress_row *row,
+                        const int fate[SOURCES])
+{
+    const struct scene_start at = w->scene.start[0];
+    const quad y =
+        law_psi_is_log(&w->scene.law) ? (quad) at.psi : logq((quad) at.psi);
+    const double defect = fabs(w->transient.sum.energy_defect);
+
+    find_truth(&w->scene, &w->truth, row);
+    const enum stress_side side =
+        stress_truth_side(&w->truth, logq((quad) at.v), y);
+    for (int i = 0; i < SOURCES; i++)
+        judge_fate(row, &w->truth, &w->scene.law, side, (enum source) i,
+                   fate[i]);
+    row->agree = fate[REGION] == fate[ORBIT] && fate[ORBIT] == fate[TRANSIENT]
+                     ? STRESS_AGREE
+                     : STRESS_DISAGREE;
+    if (row->agree == STRESS_DISAGREE)
+        say(row, STRESS_DEGRADED, "the two routes disagree");
+    if (defect > TOL_TRANSIENT_ENERGY * w->scene.rtol)
+        say(row, STRESS_DEGRADED, "the balance of energy is off");
+}
+
+static enum status run_start(struct work *w, struct stress_row *row)
+{
+    int fate[SOURCES];
+
+    const double start = stress_clock();
+    w->scene.products = 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_KNEES;
+    enum status s = study_run(&w->study, &w->scene, NULL, &row->fault);
+    if (s == STATUS_OK)
+        s = push_init(&w->push, &w->scene, NULL, &row->fault);
+    if (s == STATUS_OK)
+        s = find_fates(w, row, fate);
+    row->seconds = stress_clock() - start;
+    if (s == STATUS_OK)
+        judge_start(w, row, fate);
+    else if (s == STATUS_BAD_ARGUMENT)
+        say(row, STRESS_NONE, "the state is outside the plane's domain");
+    else if (s != STATUS_NO_MEMORY)
+        say(row, STRESS_FAILED, row->fault.text);
+    return s == STATUS_NO_MEMORY ? s : STATUS_OK;
+}
+
+enum status stress_start_run(const struct stress_case *c,
+                             struct stress_row *row)
+{
+    struct work *w = calloc(1, sizeof *w);
+
+    if (w == NULL)
+        return STATUS_NO_MEMORY;
+    w->scene = c->scene;
+    w->study.saddle = w->push.study.saddle = -1;
+    const enum status s = run_start(w, row);
+    transient_free(&w->transient);
+    push_free(&w->push);
+    study_free(&w->study);
+    free(w);
+    return s;
+}
+
+/* ---- a grid -------------------------------------------------------------- */
+
+static enum status judge_labels(const struct scene *c, const struct study *s,
+                                struct stress_row *row)
+{
+    const struct basin_map *m = &s->basins;
+    int8_t *label = calloc(m->columns * m->rows + 1, sizeof *label);
+    struct stress_truth t;
+    enum status status = STATUS_NO_MEMORY;
+
+    if (label)
+        status = basin_map_rows(m, 0, m->rows, label);
+    find_truth(c, &t, row);
+    for (size_t i = 0; status == STATUS_OK && i < m->rows * m->columns; i++) {
+        const double x = m->x[i % m->columns], y = m->y[i / m->columns];
+        judge_fate(row, &t, &c->law, stress_truth_side(&t, (quad) x, (quad) y),
+                   REGION, label[i]);
+    }
+    free(label);
+    return status;
+}
+
+static void judge_audit(const struct basin_audit *a, struct stress_row *row)
+{
+    row->agree = a->disagreements == 0 ? STRESS_AGREE : STRESS_DISAGREE;
+    if (row->agree == STRESS_DISAGREE)
+        say(row, STRESS_DEGRADED, "orbits disagree with labels");
+}
+
+enum status stress_window_run(const struct stress_case *c,
+                              struct stress_row *row)
+{
+    struct study *s = calloc(1, sizeof *s);
+    struct scene scene = c->scene;
+
+    if (s == NULL)
+        return STATUS_NO_MEMORY;
+    const double start = stress_clock();
+    scene.products = 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_MANIFOLDS |
+                     1u << PRODUCT_NULLCLINES | 1u << PRODUCT_BASINS;
+    enum status status = study_run(s, &scene, NULL, &row->fault);
+    row->seconds = stress_clock() - start;
+    if (status == STATUS_OK) {
+        row->steps = (int64_t) (s->basins.rows * s->basins.columns);
+        judge_audit(&s->basins.audit, row);
+        status = judge_labels(&scene, s, row);
+        study_free(s);
+    } else if (status != STATUS_NO_MEMORY) {
+        say(row, STRESS_FAILED, row->fault.text);
+        status = STATUS_OK;
+    }
+    free(s);
+    return status;
+}

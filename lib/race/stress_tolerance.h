@@ -1,0 +1,32 @@
+/* stress_tolerance.h -- the tunable numbers of the catalogue of stiff and
+ * extreme cases. */
+#ifndef RACE_STRESS_TOLERANCE_H
+#define RACE_STRESS_TOLERANCE_H
+
+/* Each so many cases of the catalogue make the quick one: ten seconds; a prime,
+ * so that it takes some of every family, law and value. */
+#define STRESS_QUICK 23
+
+/* Accuracy asked of critical numbers: as much as doubles hold; and of orbits,
+ * whose ends are all that is asked for. */
+#define STRESS_RTOL       1e-14
+#define STRESS_STATE_RTOL 1e-8
+
+/* Side of a grid of labels, and how many of them an orbit checks. */
+#define STRESS_CELLS 24
+#define STRESS_AUDIT 40
+
+/* Error of a step of a 113-bit branch: good for every bar of a double. */
+#define STRESS_ORACLE_TOL 1e-18
+/* Offset from the saddle, over 1 + psi, at which rates are differenced in 113
+ * bits: the field is known relatively there, so that nothing cancels. */
+#define STRESS_ORACLE_NEAR 1e-20
+/* The oracle settles a number that it knows to this part of its bar. */
+#define STRESS_SETTLED 0.1
+
+/* Digits a double may have, and how many fewer than conditioning allows still
+ * count as all of them. */
+#define STRESS_DIGITS  15.95
+#define STRESS_MISSING 2.0
+
+#endif

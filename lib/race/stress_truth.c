@@ -1,0 +1,273 @@
+/*
+ * A saddle is a falling zero of mu_ss - tan(alpha), bracketed by turning points
+ * of mu_ss.  These come from long double, which is enough: friction is
+ * stationary there, so that its 113-bit value is off by the square of their
+ * error.
+ */
+#include "stress_truth.h"
+
+#include <math.h>
+
+#include "numbers.h"
+#include "steady.h"
+#include "stress_tolerance.h"
+#include "tolerance.h"
+
+const char *const stress_number_names[STRESS_NUMBERS] = {
+    "v_sp",      "psi_sp",   "lambda_minus", "lambda_plus",     "v_plus",
+    "ln_v_plus", "v_minus",  "ln_v_minus",   "psi_at_v0",       "x_excess",
+    "x_deficit", "mu_s_num", "mu_s_mean",    "fracture_energy",
+};
+
+struct finder {
+    const struct law *law;
+    const struct material *m;
+    quad tan_alpha;
+    struct stress_truth *out;
+};
+
+static void put(struct stress_truth *t, enum stress_number which, quad value,
+                quad error)
+{
+    t->number[which] = (struct stress_true){ true, value, fabsq(error) };
+}
+
+/* ---- the saddle ---------------------------------------------------------- */
+
+/* Turning points of mu_ss between the edges of the plane, edges included. */
+static size_t find_pieces(const struct finder *f, long double edge[6])
+{
+    const long double top = steady_x_max(f->law);
+    const long double far = (long double) TOL_LN_RANGE;
+    long double turning[4];
+    size_t n = 0;
+
+    edge[n++] = -far;
+    for (size_t i = 0, k = steady_extrema(f->law, f->m, turning); i < k; i++)
+        if (turning[i] > -far && turning[i] < far && turning[i] < top)
+            edge[n++] = turning[i];
+    /* where psi leaves its domain mu_ss falls without bound */
+    edge[n++] = top < far ? top - 1e-18L : far;
+    return n;
+}
+
+static bool is_above(const struct finder *f, long double x)
+{
+    return quad_block_mu_ss(f->law, f->m, (quad) x) > f->tan_alpha;
+}
+
+/* Whether there is a saddle, and its bracket. */
+static bool bracket_saddle(const struct finder *f, long double *lo,
+                           long double *hi)
+{
+    long double edge[6];
+    const size_t n = find_pieces(f, edge);
+    struct stress_truth *out = f->out;
+
+    out->saddle = out->below = out->above = false;
+    for (size_t i = 0; i + 1 < n; i++) {
+        const bool left = is_above(f, edge[i]),
+                   right = is_above(f, edge[i + 1]);
+        if (left && !right) {
+            out->saddle = true;
+            out->above = false;
+            *lo = edge[i];
+            *hi = edge[i + 1];
+        } else if (right && !left) {
+            out->below = out->below || !out->saddle;
+            out->above = out->saddle;
+        }
+    }
+    return out->saddle;
+}
+
+/* ---- eigenvalues --------------------------------------------------------- */
+
+/* Column j of the Jacobian in the chart, per t*. */
+static void differences(const struct finder *f, int j, quad column[2])
+{
+    const quad psi = law_psi_is_log(f->law) ? 0 : fabsq(f->out->at.psi0);
+    const quad h = STRESS_ORACLE_NEAR / (1 + psi);
+    struct quad_field to, from;
+
+    quad_block_field(f->law, &f->out->at, j == 0 ? h : 0, j == 1 ? h : 0, &to);
+    quad_block_field(f->law, &f->out->at, j == 0 ? -h : 0, j == 1 ? -h : 0,
+                     &from);
+    for (int i = 0; i < 2; i++)
+        column[i] = (to.direction[i] * expq(to.log_scale) -
+                     from.direction[i] * expq(from.log_scale)) /
+                    (2 * h);
+}
+
+static void find_eigenvalues(struct finder *f)
+{
+    quad x[2], y[2];
+
+    differences(f, 0, x);
+    differences(f, 1, y);
+    const quad half = (x[0] + y[1]) / 2;
+    const quad det = x[0] * y[1] - x[1] * y[0];
+    const quad far = half + copysignq(sqrtq(half * half - det), half);
+    const quad near = det / far;
+    const quad lost =
+        (quad) 1e-30 * (fabsq(x[0] * y[1]) + fabsq(x[1] * y[0])) / fabsq(far);
+    put(f->out, STRESS_LAMBDA_MINUS, far < near ? far : near, lost);
+    put(f->out, STRESS_LAMBDA_PLUS, far < near ? near : far, lost);
+}
+
+/* ---- branches ------------------------------------------------------------ */
+
+static int8_t end_of(const struct quad_branch *b)
+{
+    static const int8_t code[] = {
+        [QUAD_PSI_INF] = END_PSI_INF, [QUAD_OPEN] = END_OPEN,
+        [QUAD_PSI_0] = END_PSI_0,     [QUAD_V_0] = END_V_0,
+        [QUAD_TRUNCATED] = -1,
+    };
+    return code[b->end];
+}
+
+static void put_upper(struct finder *f)
+{
+    struct stress_truth *t = f->out;
+    const struct quad_branch *b = &t->upper;
+    const quad v0 = t->at.v0, v = v0 * expq(b->x), off = fabsq(b->x) * b->error;
+    const quad excess = b->excess, tangent = f->tan_alpha;
+    const quad eps2 =
+        (quad) f->m->V_star * f->m->V_star / ((quad) f->m->g * (quad) f->m->L);
+    const quad half = eps2 * sqrtq(1 + tangent * tangent) / 2;
+    const quad energy = half * v0 * v0 * expm1q(2 * b->x);
+    const quad mean = half * v0 * v0 * expm1q(b->x) * expm1q(b->x);
+    const quad part = b->excess_error + 4 * b->error * (1 + fabsq(b->x));
+
+    put(t, STRESS_V_PLUS, v, v * off);
+    put(t, STRESS_LN_V_PLUS, t->at.x0 + b->x, off);
+    put(t, STRESS_X_EXCESS, excess, excess * b->excess_error);
+    put(t, STRESS_FRACTURE_ENERGY, energy, energy * part);
+    put(t, STRESS_MU_S_NUM, tangent + energy / excess, energy / excess * part);
+    put(t, STRESS_MU_S_MEAN, tangent + mean / excess, mean / excess * part);
+}
+
+static void put_lower(struct finder *f)
+{
+    struct stress_truth *t = f->out;
+    const struct quad_branch *b = &t->lower;
+    const quad x = t->at.x0 + b->x, y = t->at.y0 + b->y;
+    const quad psi = law_psi_is_log(f->law) ? y : expq(y);
+    const quad off = b->error * fabsq(b->end == QUAD_V_0 ? b->y : b->x);
+
+    if (b->end == QUAD_PSI_0) {
+        put(t, STRESS_V_MINUS, expq(x), expq(x) * off);
+        put(t, STRESS_LN_V_MINUS, x, off);
+    } else if (b->end == QUAD_V_0) {
+        put(t, STRESS_PSI_AT_V0, psi, law_psi_is_log(f->law) ? off : psi * off);
+    }
+    if (b->end == QUAD_PSI_0 || b->end == QUAD_V_0)
+        put(t, STRESS_X_DEFICIT, -b->excess, b->excess * b->excess_error);
+}
+
+static void find_branches(struct finder *f)
+{
+    struct stress_truth *t = f->out;
+
+    if (!quad_branch_grow(f->law, &t->at, 1, STRESS_ORACLE_TOL, &t->upper) ||
+        !quad_branch_grow(f->law, &t->at, -1, STRESS_ORACLE_TOL, &t->lower))
+        return;
+    t->evaluations = t->upper.evaluations + t->lower.evaluations;
+    t->upper_end = end_of(&t->upper);
+    t->lower_end = end_of(&t->lower);
+    if (t->upper.end == QUAD_PSI_INF)
+        put_upper(f);
+    put_lower(f);
+}
+
+void stress_truth_find(const struct law *law, const struct material *m,
+                       long double tan_alpha, struct stress_truth *out)
+{
+    struct finder f = { law, m, (quad) tan_alpha, out };
+    long double lo = 0.0L, hi = 0.0L;
+
+    *out = (struct stress_truth){ .upper_end = -1, .lower_end = -1 };
+    if (!bracket_saddle(&f, &lo, &hi))
+        return;
+    const quad x =
+        quad_block_equilibrium(law, m, f.tan_alpha, (quad) lo, (quad) hi);
+    quad_block_anchor(law, m, f.tan_alpha, x, true, &out->at);
+    const quad psi = law_psi_is_log(law) ? out->at.y0 : out->at.psi0;
+    put(out, STRESS_V_SP, out->at.v0, 0);
+    put(out, STRESS_PSI_SP, psi, 0);
+    find_eigenvalues(&f);
+    find_branches(&f);
+}
+
+/* ---- sides --------------------------------------------------------------- */
+
+/* Above and right of the saddle: where the upper branch is all but straight. */
+static enum stress_side upper_side(const struct quad_branch *b, quad x, quad y)
+{
+    if (b->end != QUAD_PSI_INF)
+        return STRESS_UNTOLD;
+    if (x > b->x)
+        return STRESS_SLIDES;
+    return y >= b->y ? STRESS_STOPS : STRESS_UNTOLD;
+}
+
+/* Below and left of it. */
+static enum stress_side lower_side(const struct quad_branch *b, quad x, quad y)
+{
+    if (b->end == QUAD_PSI_0) {
+        if (x < b->x)
+            return STRESS_STOPS;
+        return y <= b->y ? STRESS_SLIDES : STRESS_UNTOLD;
+    }
+    if (b->end == QUAD_V_0) {
+        if (y < b->y)
+            return STRESS_SLIDES;
+        return x <= b->x ? STRESS_STOPS : STRESS_UNTOLD;
+    }
+    return STRESS_UNTOLD;
+}
+
+enum stress_side stress_truth_side(const struct stress_truth *t, quad x, quad y)
+{
+    if (!t->saddle)
+        return STRESS_UNTOLD;
+    x -= t->at.x0;
+    y -= t->at.y0;
+    if (x <= 0 && y >= 0)
+        return x < 0 || y > 0 ? STRESS_STOPS : STRESS_UNTOLD;
+    if (x >= 0 && y <= 0)
+        return STRESS_SLIDES;
+    return x > 0 ? upper_side(&t->upper, x, y) : lower_side(&t->lower, x, y);
+}
+
+/* Rests take a finite time where psi grows like e^(1/v), (5), and last for ever
+ * where it grows like a power of v or its logarithm (model: Dieterich's and
+ * Ruina's laws); others are not told apart. */
+static unsigned rests(const struct law *law)
+{
+    const unsigned finite = 1u << FATE_REST_FINITE;
+    const unsigned asymptotic = 1u << FATE_REST_ASYMPTOTIC;
+
+    if (law->timescale != TIMESCALE_SLIP)
+        return finite | asymptotic;
+    if (law->psi_ss == PSI_SS_MINUS_LOG)
+        return asymptotic;
+    if (law->psi_ss == PSI_SS_INVERSE)
+        return law->kinetics == KINETICS_SINH ? finite : asymptotic;
+    return finite | asymptotic;
+}
+
+unsigned stress_truth_fates(const struct stress_truth *t, const struct law *law,
+                            enum stress_side side)
+{
+    switch (side) {
+        case STRESS_STOPS:
+            return t->below ? 1u << FATE_CREEP : rests(law);
+        case STRESS_SLIDES:
+            return t->above ? 1u << FATE_SLIDING : 1u << FATE_RUNAWAY;
+        case STRESS_UNTOLD:
+            break;
+    }
+    return (1u << FATES) - 1u;
+}

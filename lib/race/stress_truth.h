@@ -1,0 +1,46 @@
+/*
+ * stress_truth.h -- what is true of a slope, by the 113-bit oracle alone: its
+ * own saddle, from the signs of mu_ss - tan(alpha) at the turning points of
+ * mu_ss, its own branches, its own eigenvalues.
+ */
+#ifndef RACE_STRESS_TRUTH_H
+#define RACE_STRESS_TRUTH_H
+
+#include <stdint.h>
+
+#include "fate.h"
+#include "quad_branch.h"
+#include "stress_number.h"
+
+struct stress_true {
+    bool exists;
+    quad value;
+    quad error; /* of the oracle itself, absolute */
+};
+
+struct stress_truth {
+    bool saddle, below, above;   /* a steady state below, above the saddle */
+    int8_t upper_end, lower_end; /* enum end_code; -1: no saddle, or unknown */
+    struct stress_true number[STRESS_NUMBERS];
+    struct quad_anchor at; /* of the saddle */
+    struct quad_branch upper, lower;
+    size_t evaluations;
+};
+
+/* The saddle within v = 1e-300...1e300 and, if it exists, all that follows;
+ * bounded work: some seconds at most. */
+void stress_truth_find(const struct law *law, const struct material *m,
+                       long double tan_alpha, struct stress_truth *out);
+
+/* On which side of the stable manifold the chart point (x, y) lies, as far as
+ * the ends of its branches tell; `x` and `y` are absolute. */
+enum stress_side { STRESS_STOPS, STRESS_SLIDES, STRESS_UNTOLD };
+enum stress_side stress_truth_side(const struct stress_truth *t, quad x,
+                                   quad y);
+
+/* The fates (bits 1 << enum fate) that are right on that side; all of them
+ * where it is untold. */
+unsigned stress_truth_fates(const struct stress_truth *t, const struct law *law,
+                            enum stress_side side);
+
+#endif

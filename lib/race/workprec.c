@@ -1,0 +1,221 @@
+/* Each run is made once, judged against the truth, and then repeated for its
+ * time, which is not part of the answer. */
+#include "workprec.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "workprec_answer.h"
+#include "workprec_clock.h"
+#include "workprec_tolerance.h"
+#include "workprec_track.h"
+
+enum { ENTRANTS_MOST = 32, LADDER_MOST = 16 };
+
+/* How a race is run. */
+struct rules {
+    double rtol[LADDER_MOST];
+    size_t rungs, cells, sample, calls;
+    double budget;
+};
+
+static struct rules rules_of(bool quick)
+{
+    struct rules r = { .rungs = quick ? 4 : 11,
+                       .cells = quick ? 1 : WORKPREC_CELLS_MOST,
+                       .sample = quick ? 3 : 12,
+                       .calls = quick ? WORKPREC_CALLS_QUICK : WORKPREC_CALLS,
+                       .budget =
+                           quick ? WORKPREC_SECONDS_QUICK : WORKPREC_SECONDS };
+
+    for (size_t i = 0; i < r.rungs; i++)
+        r.rtol[i] = pow(10.0, -3.0 - (quick ? 3.0 : 1.0) * (double) i);
+    return r;
+}
+
+/* One run, to be made again and again. */
+struct job {
+    const struct workprec_course *course;
+    const struct workprec_kit *kit;
+    const struct workprec_start *start;
+    struct workprec_entrant who;
+    enum workprec_quantity what;
+    double rtol;
+    size_t calls;
+    struct workprec_answer *answer;
+};
+
+static void work(void *ctx)
+{
+    const struct job *j = ctx;
+
+    if (j->who.stepper)
+        workprec_track(j->course, j->what, j->who.stepper, j->rtol, j->start,
+                       j->calls, j->answer);
+    else
+        workprec_own_run(j->course, j->kit, j->who.own, j->what, j->rtol,
+                         j->answer);
+}
+
+/* Who has a bar has told how far off it may be. */
+static bool is_silent(const struct job *j, double true_error)
+{
+    const double reported = j->answer->reported;
+    const double fair =
+        WORKPREC_SILENT * WORKPREC_FAIR * (j->rtol + WORKPREC_FLOOR);
+
+    return !(true_error <=
+             (isnan(reported) ? fmin(fair, WORKPREC_WRONG) : reported));
+}
+
+static enum workprec_status judge(const struct job *j, double true_error)
+{
+    if (!j->answer->success)
+        return WORKPREC_FAILED;
+    return is_silent(j, true_error) ? WORKPREC_SILENT_FAILURE : WORKPREC_DONE;
+}
+
+/* What the answer says. */
+static struct workprec_run judged(const struct job *j)
+{
+    const struct workprec_answer *a = j->answer;
+    const double error =
+        a->success ? workprec_error(j->course, j->what, a) : (double) NAN;
+
+    return (struct workprec_run){
+        .quantity = (int8_t) j->what,
+        .method = j->who.name,
+        .foreign = j->who.foreign,
+        .rtol = j->rtol,
+        .true_error = error,
+        .reported_error = a->reported,
+        .field_evaluations = (int64_t) a->calls,
+        .steps = (int64_t) a->steps,
+        .status = (int8_t) judge(j, error),
+    };
+}
+
+/* Cells do not count their work. */
+static bool must_count(const struct job *j)
+{
+    return j->what == WORKPREC_SLIP && !j->who.stepper &&
+           j->who.own != WORKPREC_RADAU;
+}
+
+static enum status race(struct job *j, const struct rules *r, double overhead,
+                        struct workprec_run *run)
+{
+    const enum status s =
+        must_count(j)
+            ? workprec_own_count(j->course, j->who.own, j->rtol, j->answer)
+            : STATUS_OK;
+    const size_t counted = j->answer->calls;
+    const double before = workprec_clock_now();
+
+    work(j);
+    const double once = fmax(workprec_clock_now() - before - overhead, 1e-9);
+    if (must_count(j))
+        j->answer->calls = counted;
+    *run = judged(j);
+    run->seconds = j->answer->success
+                       ? workprec_clock_time(work, j, once, r->budget, overhead)
+                       : once;
+    return s;
+}
+
+/* All methods on one quantity. */
+static enum status race_for(struct workprec *w, const struct rules *r,
+                            const struct workprec_start start[], struct job *j,
+                            const struct monitor *monitor)
+{
+    const char *stage = workprec_quantity_names[j->what];
+    struct workprec_entrant who;
+    enum status s = STATUS_OK;
+
+    for (size_t i = 0; s == STATUS_OK && workprec_entrant_at(i, &who); i++) {
+        if (monitor_tell(monitor, stage, i, 0))
+            return STATUS_STOPPED;
+        if (!workprec_entrant_can(&who, j->what))
+            continue;
+        j->who = who;
+        for (size_t k = 0; k < r->rungs && s == STATUS_OK; k++) {
+            j->rtol = r->rtol[k];
+            j->start = &start[k];
+            s = race(j, r, w->environment.clock_overhead, &w->run[w->runs]);
+            w->runs += s == STATUS_OK;
+        }
+    }
+    return s;
+}
+
+static enum status race_all(struct workprec *w, const struct rules *r,
+                            const struct workprec_kit *kit,
+                            const struct monitor *monitor)
+{
+    struct workprec_start start[LADDER_MOST];
+    struct workprec_answer *answer = calloc(1, sizeof *answer);
+    struct job j = {
+        .course = &w->course, .kit = kit, .calls = r->calls, .answer = answer
+    };
+    enum status s = answer ? STATUS_OK : STATUS_NO_MEMORY;
+
+    for (size_t k = 0; k < r->rungs && s == STATUS_OK; k++)
+        s = workprec_start_find(&w->course, r->rtol[k], &start[k]);
+    for (int q = 0; q < WORKPREC_QUANTITIES && s == STATUS_OK; q++) {
+        j.what = (enum workprec_quantity) q;
+        if (w->course.reason[q] == NULL)
+            s = race_for(w, r, start, &j, monitor);
+    }
+    free(answer);
+    return s;
+}
+
+static enum status run(struct workprec *w, const struct rules *r,
+                       const struct monitor *monitor)
+{
+    struct workprec_kit kit = { NULL };
+
+    enum status s = workprec_course_init(&w->course, &w->study, r->cells,
+                                         r->sample, monitor);
+    if (s != STATUS_OK || w->study.saddle < 0)
+        return s;
+    w->run =
+        calloc(WORKPREC_QUANTITIES * ENTRANTS_MOST * r->rungs, sizeof *w->run);
+    s = w->run ? workprec_kit_init(&kit, &w->course) : STATUS_NO_MEMORY;
+    if (s == STATUS_OK)
+        s = race_all(w, r, &kit, monitor);
+    workprec_kit_free(&kit);
+    return s ? s : workprec_rank(w->run, w->runs, &w->fastest, &w->ranks);
+}
+
+enum status workprec_run(struct workprec *w, const struct scene *scene,
+                         bool quick, const struct monitor *monitor,
+                         struct fault *why)
+{
+    const struct rules r = rules_of(quick);
+
+    *w = (struct workprec){ .scene = *scene };
+    w->scene.products = 1u << PRODUCT_EQUILIBRIA;
+    workprec_environment_find(&w->environment);
+    enum status s = study_run(&w->study, &w->scene, monitor, why);
+    if (s != STATUS_OK)
+        return s;
+    s = run(w, &r, monitor);
+    if (s == STATUS_OK)
+        return s;
+    snprintf(why->text, sizeof why->text, "workprec: %s", status_text(s));
+    workprec_free(w);
+    return s;
+}
+
+void workprec_free(struct workprec *w)
+{
+    workprec_course_free(&w->course);
+    free(w->run);
+    free(w->fastest);
+    w->run = NULL;
+    w->fastest = NULL;
+    w->runs = w->ranks = 0;
+    study_free(&w->study);
+}

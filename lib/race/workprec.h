@@ -1,0 +1,42 @@
+/*
+ * workprec.h -- error against run time, in the manner of Hairer, Norsett &
+ * Wanner (Solving ODEs I, 1993, II.10): every method, ours and others', on
+ * every quantity of a course, over a ladder of tolerances.
+ *
+ *     struct workprec w;
+ *     workprec_run(&w, &scene, quick, monitor, &fault);
+ *     ... w.run[0 .. w.runs - 1], w.fastest[0 .. w.ranks - 1] ...
+ *     workprec_free(&w);
+ */
+#ifndef RACE_WORKPREC_H
+#define RACE_WORKPREC_H
+
+#include "workprec_course.h"
+#include "workprec_entrant.h"
+#include "workprec_environment.h"
+#include "workprec_rank.h"
+
+struct workprec {
+    struct scene scene;            /* borrowed members */
+    struct study study;            /* owned: the steady states */
+    struct workprec_course course; /* owned */
+    struct workprec_run *run;      /* owned; by quantity, method, tolerance */
+    size_t runs;
+    struct workprec_fastest *fastest; /* owned; by quantity, accuracy */
+    size_t ranks;
+    struct workprec_environment environment;
+};
+
+/* `quick`: four tolerances, few repeats, in some seconds.  Times are of one
+ * thread; the caller sees to it that OpenMP has one.  A quantity that does not
+ * exist has no runs: see course.reason.  w must not move, and the scene must
+ * outlive it.  Errors as study_run; *w is then empty. */
+MUST_CHECK enum status workprec_run(struct workprec *w,
+                                    const struct scene *scene, bool quick,
+                                    const struct monitor *monitor,
+                                    struct fault *why);
+
+/* A second call is harmless. */
+void workprec_free(struct workprec *w);
+
+#endif

@@ -1,0 +1,273 @@
+#include "workprec_course.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "quad_branch.h"
+#include "tolerance.h"
+#include "workprec_orbit.h"
+#include "workprec_tolerance.h"
+
+const char *const workprec_quantity_names[] = { "v_plus",    "v_minus",
+                                                "x_excess",  "curve",
+                                                "transient", "basin_rows",
+                                                "slip",      NULL };
+const char *const workprec_quantity_texts[] = {
+    "v_plus, relative",
+    "v_minus, relative",
+    "x_excess, relative",
+    "both branches within the window: largest distance of a stored point from "
+    "the curve, in ln v and ln psi",
+    "an orbit's state at a time: ln v, ln psi",
+    "where both branches cut rows of a basin map: ln v",
+    "slip of some states to their arrest, relative",
+    NULL
+};
+
+/* Where states are tried, from the saddle. */
+static const struct vec2 places[] = { { 4.0, 2.0 },   { 2.5, -1.0 },
+                                      { -3.0, 1.5 },  { 5.0, 3.0 },
+                                      { -2.0, -1.5 }, { 3.0, -2.5 } };
+enum { PLACES = sizeof places / sizeof *places };
+
+/* ---- the saddle ------------------------------------------------------ */
+
+/* The saddle of the inputs as the doubles read. */
+static bool find_anchor(const struct block *b, struct quad_anchor *at)
+{
+    const quad x = b->at.x0, tangent = b->tan_alpha;
+
+    for (double width = 1e-15; width < 1e-3; width *= 10.0) {
+        const quad wide = width * (1 + fabsq(x)), lo = x - wide, hi = x + wide;
+        if (!(quad_block_mu_ss(&b->law, &b->material, lo) > tangent &&
+              quad_block_mu_ss(&b->law, &b->material, hi) < tangent))
+            continue;
+        quad_block_anchor(
+            &b->law, &b->material, tangent,
+            quad_block_equilibrium(&b->law, &b->material, tangent, lo, hi),
+            true, at);
+        return true;
+    }
+    return false;
+}
+
+static void set_limits(struct workprec_course *c)
+{
+    const struct law *law = &c->study->block.law;
+    struct workprec_truth *t = &c->truth;
+    struct quad_branch up = { .end = QUAD_TRUNCATED }, low = up;
+
+    if (!quad_branch_grow(law, &t->at, 1, WORKPREC_BRANCH_TOL, &up) ||
+        up.end != QUAD_PSI_INF)
+        c->reason[WORKPREC_V_PLUS] = c->reason[WORKPREC_X_EXCESS] =
+            "the upper branch has no limit";
+    if (!quad_branch_grow(law, &t->at, -1, WORKPREC_BRANCH_TOL, &low) ||
+        low.end != QUAD_PSI_0)
+        c->reason[WORKPREC_V_MINUS] = "the lower branch has no such limit";
+    t->v[SIDE_UPPER] = t->at.v0 * expq(up.x);
+    t->v[SIDE_LOWER] = t->at.v0 * expq(low.x);
+    t->x_excess = up.excess;
+}
+
+/* ---- branches -------------------------------------------------------- */
+
+/* Rows half way between knots that the branch has not been beyond before,
+ * evenly chosen. */
+static void choose_cuts(const struct workprec_course *c, int side,
+                        struct workprec_cuts *cuts)
+{
+    const struct workprec_curve *curve = &c->truth.curve[side];
+    const quad way = curve->knot[curve->count - 1].z[1] > 0 ? 1 : -1;
+    size_t good[256], n = 0;
+    quad farthest = 0;
+
+    for (size_t i = 0; i + 1 < curve->count && n < 256; i++) {
+        const struct workprec_knot *a = &curve->knot[i], *b = a + 1;
+        const bool fresh = way * a->z[1] >= farthest &&
+                           fabsq(a->z[0]) > (quad) WORKPREC_ROW_NEAREST;
+        if (way * a->z[1] > farthest)
+            farthest = way * a->z[1];
+        if (fresh && fabsq(a->n[1]) > (quad) WORKPREC_ROW_ACROSS &&
+            fabsq(b->n[1]) > (quad) WORKPREC_ROW_ACROSS)
+            good[n++] = i;
+    }
+    cuts->count = n < WORKPREC_ROWS_MOST ? n : WORKPREC_ROWS_MOST;
+    for (size_t k = 0; k < cuts->count; k++) {
+        const size_t i = good[(2 * k + 1) * n / (2 * cuts->count)];
+        const quad y = (curve->knot[i].z[1] + curve->knot[i + 1].z[1]) / 2;
+        cuts->row[k] = (double) y;
+        const quad row = (quad) c->study->system.origin.y + cuts->row[k];
+        cuts->x[k] = c->truth.at.x0 +
+                     workprec_curve_cross(curve, i, row - c->truth.at.y0);
+    }
+}
+
+static enum status set_curves(struct workprec_course *c)
+{
+    enum status s = STATUS_OK;
+    size_t cuts = 0;
+
+    for (int i = 0; i < WORKPREC_SIDES && s == STATUS_OK; i++) {
+        s = workprec_curve_grow(&c->study->block.law, &c->truth.at,
+                                i == SIDE_UPPER ? 1 : -1, c->reach,
+                                &c->truth.curve[i]);
+        if (s != STATUS_OK)
+            break;
+        choose_cuts(c, i, &c->truth.cuts[i]);
+        cuts += c->truth.cuts[i].count;
+    }
+    if (s == STATUS_NO_CONVERGENCE)
+        c->reason[WORKPREC_CURVE] = c->reason[WORKPREC_ROWS] =
+            "the branches were not found in 113 bits";
+    else if (cuts == 0)
+        c->reason[WORKPREC_ROWS] = "the branches cut no row in the window";
+    return s == STATUS_NO_CONVERGENCE ? STATUS_OK : s;
+}
+
+/* ---- orbits ---------------------------------------------------------- */
+
+/* From a double's offset from the saddle's double. */
+static void exact_offset(const struct workprec_course *c, struct vec2 z,
+                         quad out[2])
+{
+    const struct vec2 o = c->study->system.origin;
+
+    out[0] = (quad) o.x + z.x - c->truth.at.x0;
+    out[1] = (quad) o.y + z.y - c->truth.at.y0;
+}
+
+/* The scene's first start and time, else a start near the saddle and the time
+ * scale of leaving it; no later than half way to rest. */
+static enum status choose_orbit(struct workprec_course *c)
+{
+    const struct scene *scene = c->study->scene;
+    const struct planar *sys = &c->study->system;
+    struct vec2 z = vec2_add(sys->origin, places[0]);
+    struct fate_result fate;
+
+    if (scene->starts > 0)
+        z = (struct vec2){ log(scene->start[0].v),
+                           sys->axis[1].is_log ? log(scene->start[0].psi)
+                                               : scene->start[0].psi };
+    c->start = vec2_sub(z, sys->origin);
+    c->until = scene->until_time > 0.0 ? scene->until_time
+                                       : 1.0 / c->saddle->lambda[1];
+    const enum status s =
+        fate_find(c->study, z, WORKPREC_FATE_TOL, true, NULL, &fate);
+    if (s == STATUS_OK && fate.fate == FATE_REST_FINITE)
+        c->until = fmin(c->until, 0.5 * fate.time.value);
+    return s == STATUS_BAD_ARGUMENT ? STATUS_OK : s;
+}
+
+static enum status set_state(struct workprec_course *c)
+{
+    struct workprec_goal goal = { .time = 0 };
+    struct workprec_state end;
+    quad z[2];
+    const enum status s = choose_orbit(c);
+
+    goal.time = c->until;
+    exact_offset(c, c->start, z);
+    if (!workprec_orbit_run(&c->study->block.law, &c->truth.at, z, &goal,
+                            WORKPREC_ORBIT_TOL, &end))
+        c->reason[WORKPREC_TRANSIENT] =
+            "the orbit was not followed in 113 bits";
+    c->truth.state[0] = c->truth.at.x0 + end.z[0];
+    c->truth.state[1] = c->truth.at.y0 + end.z[1];
+    return s;
+}
+
+/* Tries one state; counts it where it arrives at a node. */
+static enum status try_cell(struct workprec_course *c, struct vec2 offset,
+                            quad (*target)[2])
+{
+    const struct vec2 z = vec2_add(c->study->system.origin, offset);
+    const struct workprec_goal goal = { .target = target,
+                                        .targets = c->targets,
+                                        .arrival = TOL_ARREST };
+    struct workprec_state end;
+    struct fate_result fate;
+    quad from[2];
+    const enum status s =
+        fate_find(c->study, z, WORKPREC_FATE_TOL, false, NULL, &fate);
+
+    if (s != STATUS_OK ||
+        (fate.fate != FATE_CREEP && fate.fate != FATE_SLIDING))
+        return s == STATUS_BAD_ARGUMENT ? STATUS_OK : s;
+    exact_offset(c, vec2_sub(z, c->study->system.origin), from);
+    if (!workprec_orbit_run(&c->study->block.law, &c->truth.at, from, &goal,
+                            WORKPREC_ORBIT_TOL, &end))
+        return STATUS_OK;
+    c->truth.slip[c->cells] = end.slip;
+    c->cell[c->cells++] = z;
+    return STATUS_OK;
+}
+
+static enum status set_cells(struct workprec_course *c, size_t cells)
+{
+    const struct study *s = c->study;
+    quad target[EQUILIBRIA_MAX][2];
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < s->equilibria; i++) {
+        if ((int) i == s->saddle)
+            continue;
+        c->target[c->targets] = vec2_sub(s->equilibrium[i].z, s->system.origin);
+        exact_offset(c, c->target[c->targets], target[c->targets]);
+        c->targets++;
+    }
+    for (size_t i = 0; i < PLACES && c->cells < cells && c->targets > 0; i++)
+        if (status == STATUS_OK)
+            status = try_cell(c, places[i], target);
+    if (c->cells == 0)
+        c->reason[WORKPREC_SLIP] = "no state tried arrives at a node";
+    return status;
+}
+
+/* ---- all ------------------------------------------------------------- */
+
+static void refuse_all(struct workprec_course *c, const char *why)
+{
+    for (int q = 0; q < WORKPREC_QUANTITIES; q++)
+        c->reason[q] = why;
+}
+
+enum status workprec_course_init(struct workprec_course *c,
+                                 const struct study *s, size_t cells,
+                                 size_t sample, const struct monitor *monitor)
+{
+    static const char stage[] = "truth in 113 bits";
+    const struct box w = study_window(s);
+    const struct vec2 o = s->system.origin;
+
+    *c = (struct workprec_course){ .study = s, .sample = sample };
+    c->reach = (struct box){ vec2_sub(w.lo, o), vec2_sub(w.hi, o) };
+    if (s->saddle < 0) {
+        refuse_all(c, "there is no saddle at this slope");
+        return STATUS_OK;
+    }
+    c->saddle = &s->equilibrium[s->saddle];
+    if (!find_anchor(&s->block, &c->truth.at)) {
+        refuse_all(c, "the saddle was not found in 113 bits");
+        return STATUS_OK;
+    }
+    set_limits(c);
+    enum status status =
+        monitor_tell(monitor, stage, 1, 4) ? STATUS_STOPPED : set_curves(c);
+    if (status == STATUS_OK)
+        status =
+            monitor_tell(monitor, stage, 2, 4) ? STATUS_STOPPED : set_state(c);
+    if (status == STATUS_OK)
+        status = monitor_tell(monitor, stage, 3, 4) ? STATUS_STOPPED
+                                                    : set_cells(c, cells);
+    if (status != STATUS_OK)
+        workprec_course_free(c);
+    return status;
+}
+
+void workprec_course_free(struct workprec_course *c)
+{
+    for (int i = 0; i < WORKPREC_SIDES; i++)
+        workprec_curve_free(&c->truth.curve[i]);
+    *c = (struct workprec_course){ .study = NULL };
+}

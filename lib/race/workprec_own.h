@@ -1,0 +1,44 @@
+/*
+ * workprec_own.h -- the quantities of a course by Slipway's own ways, with the
+ * error bars they come with.
+ */
+#ifndef RACE_WORKPREC_OWN_H
+#define RACE_WORKPREC_OWN_H
+
+#include "workprec_answer.h"
+
+enum workprec_own {
+    WORKPREC_SLIPWAY, /* what a study does by default: Taylor series in the
+                         chart (grow.h); two orbits of tolerances ten apart;
+                         whole orbits with bars (cells.h) */
+    WORKPREC_EIGEN,   /* the second route, in eigen-coordinates (eigen.h) */
+    WORKPREC_RADAU,   /* one orbit (orbit.h, fate.h) */
+    WORKPREC_SLOW,    /* slow_curve.h; its table, made once a slope, is given */
+    WORKPREC_OWNS
+};
+extern const char *const workprec_own_names[];
+extern const char *const workprec_own_texts[];
+
+bool workprec_own_can(enum workprec_own how, enum workprec_quantity q);
+
+/* What is made once a slope, and not part of any run; owned. */
+struct workprec_kit {
+    struct fast_cells *slow; /* NULL: not made */
+};
+MUST_CHECK enum status workprec_kit_init(struct workprec_kit *k,
+                                         const struct workprec_course *c);
+void workprec_kit_free(struct workprec_kit *k);
+
+/* *out as of the same run, with the calls that cells.h and fast_cells.h do not
+ * count themselves, as far as they ask one state at a time; steps stay
+ * uncounted. */
+MUST_CHECK enum status workprec_own_count(const struct workprec_course *c,
+                                          enum workprec_own how, double tol,
+                                          struct workprec_answer *out);
+
+void workprec_own_run(const struct workprec_course *c,
+                      const struct workprec_kit *kit, enum workprec_own how,
+                      enum workprec_quantity q, double tol,
+                      struct workprec_answer *out);
+
+#endif

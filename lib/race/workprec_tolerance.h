@@ -1,0 +1,70 @@
+/* workprec_tolerance.h -- the tunable numbers of work-precision diagrams. */
+#ifndef RACE_WORKPREC_TOLERANCE_H
+#define RACE_WORKPREC_TOLERANCE_H
+
+/* Truth.  Of 113-bit branches, relative; of what a step of a 113-bit orbit
+ * leaves out, whose end is then good to 1e-20 (measured: tighter ones agree to
+ * 1e-21); of the fates that states are chosen by. */
+#define WORKPREC_BRANCH_TOL 1e-18
+#define WORKPREC_ORBIT_TOL  1e-10
+#define WORKPREC_FATE_TOL   1e-9
+
+/* 113-bit curves: a straight line so near the saddle; differences of the linear
+ * part; farthest knots; error of a step, relative to the offset; and a point
+ * further than this from a knot is nowhere near the curve. */
+#define WORKPREC_CURVE_START   1e-14
+#define WORKPREC_CURVE_PROBE   1e-18
+#define WORKPREC_CURVE_LONGEST 0.25
+#define WORKPREC_CURVE_TOL     1e-22
+#define WORKPREC_CURVE_FAR     1.0
+
+/* 113-bit orbits: differences for Jacobians; changes of stages, absolute in ln
+ * v and ln psi, below which Jacobians are kept, and iterations end (the next
+ * change would be 1e-13 of it); the first step over the fastest rate; and how
+ * exactly an orbit is stopped at a box. */
+#define WORKPREC_ORBIT_PROBE   1e-17
+#define WORKPREC_ORBIT_SETTLED 1e-4
+#define WORKPREC_ORBIT_SOLVED  1e-24
+#define WORKPREC_ORBIT_FIRST   1e-3
+#define WORKPREC_ORBIT_LANDED  1e-22
+
+/* Rows cut a branch no nearer the saddle than this, in ln v, and at an angle
+ * with at least this sine. */
+#define WORKPREC_ROW_NEAREST 0.01
+#define WORKPREC_ROW_ACROSS  0.1
+
+/* Integrators: part of the tolerance that is left out at an end, and missed at
+ * a row or at arrest, or at the start; longest branch, in ln v and ln psi;
+ * first steps, in distances from the saddle and over the fastest rate. */
+#define WORKPREC_REST     0.1
+#define WORKPREC_MISSED   0.01
+#define WORKPREC_LONGEST  2000.0
+#define WORKPREC_FIRST    0.1
+#define WORKPREC_CAUTIOUS 1e-3
+
+/* Evaluations after which an integrator has failed: what every user gives up
+ * at; for the quick race. */
+#define WORKPREC_CALLS       600000
+#define WORKPREC_CALLS_QUICK 20000
+
+/* Seconds spent on repeating one run for its time, at most so often, in batches
+ * of at least so many seconds, a thousand ticks of the clock. */
+#define WORKPREC_SECONDS       0.03
+#define WORKPREC_SECONDS_QUICK 1e-3
+#define WORKPREC_REPEATS       25
+#define WORKPREC_BATCH         4e-5
+
+/* A run that says it succeeded failed silently if its error is above its own
+ * bar; or, where it has none, above SILENT times its tolerance (and FLOOR, what
+ * rounding may leave of a double), times FAIR, for integrators hold the error
+ * of a step, and errors of hundreds of steps add up; or above WRONG, which is
+ * no answer. */
+#define WORKPREC_SILENT 100.0
+#define WORKPREC_FAIR   10.0
+#define WORKPREC_WRONG  0.1
+#define WORKPREC_FLOOR  1e-14
+
+/* Errors below are drawn and compared as this. */
+#define WORKPREC_LEAST 1e-17
+
+#endif

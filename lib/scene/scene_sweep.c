@@ -1,0 +1,255 @@
+#include "scene_sweep.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "schema.h"
+#include "tolerance.h"
+#include "value.h"
+
+#define BIT(p) (1u << PRODUCT_##p)
+
+const unsigned scene_sweep_products = BIT(EQUILIBRIA) | BIT(FOLDS) |
+                                      BIT(KNEES) | BIT(ESTIMATES) |
+                                      BIT(SENSITIVITIES);
+
+/* The section of axis i. */
+static const struct node *section(const struct node *root, size_t i)
+{
+    const struct node *n = node_find(root, "sweep");
+
+    return n && n->kind == NODE_LIST ? n->child[i] : n;
+}
+
+/* The value of a key of that section, or the section where it lacks it. */
+static struct place place_of(const struct node *axis, const char *key)
+{
+    const struct node *n = node_find(axis, key);
+
+    return n ? n->at : axis->at;
+}
+
+/* ---- one axis ------------------------------------------------------------ */
+
+static enum status check_given(const struct node *n,
+                               const struct scene_axis *axis, struct fault *why)
+{
+    static const char *const part[] = { "from", "to", "points" };
+
+    if (axis->key == NULL)
+        return place_blame(n->at, why,
+                           "sweep: key is missing, expected the key of a "
+                           "number, such as slope.alpha");
+    for (int i = 0; i < 3 && axis->count == 0; i++)
+        if (node_find(n, part[i]) == NULL)
+            return place_blame(n->at, why,
+                               "sweep: %s is missing, expected from, to and "
+                               "points, or values",
+                               part[i]);
+    return STATUS_OK;
+}
+
+static enum status check_range(const struct node *n,
+                               const struct scene_axis *axis, struct fault *why)
+{
+    const bool is_log = axis->scale == SWEEP_LOG;
+    const double least = axis->count > 0 ? axis->value[0] : axis->from;
+
+    if (axis->count == 0 && !(axis->from < axis->to))
+        return place_blame(place_of(n, "from"), why,
+                           "sweep: from %g to %g is empty, expected from < to",
+                           axis->from, axis->to);
+    if (is_log && !(least > 0.0))
+        return place_blame(place_of(n, axis->count ? "values" : "from"), why,
+                           "sweep: %g on a log scale, expected numbers > 0",
+                           least);
+    return STATUS_OK;
+}
+
+static double value_between(const struct scene_axis *axis, size_t i)
+{
+    const double t = (double) i / (double) (axis->points - 1);
+
+    if (i == 0)
+        return axis->from;
+    if (i == axis->points - 1)
+        return axis->to;
+    return axis->scale == SWEEP_LOG
+               ? axis->from * exp(t * log(axis->to / axis->from))
+               : axis->from + t * (axis->to - axis->from);
+}
+
+static enum status list_values(struct scene_axis *axis)
+{
+    if (axis->count > 0)
+        return STATUS_OK;
+    axis->value = malloc(axis->points * sizeof *axis->value);
+    if (axis->value == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < axis->points; i++)
+        axis->value[i] = value_between(axis, i);
+    axis->count = axis->points;
+    return STATUS_OK;
+}
+
+/* Every value is allowed for the key, and they ascend. */
+static enum status check_values(const struct node *n, const struct scene *s,
+                                const struct scene_axis *axis,
+                                struct fault *why)
+{
+    const struct schema_key *key = schema_find(axis->key);
+    const struct node *list = node_find(n, "values");
+    struct scene trial = *s; /* borrows */
+
+    for (size_t i = 0; i < axis->count; i++) {
+        const char *part = list ? "values" : i == 0 ? "from" : "to";
+        const struct place at = list ? list->child[i]->at : place_of(n, part);
+        if (!value_set(key, axis->value[i], &trial))
+            return place_blame(at, why,
+                               "sweep.%s: %s: %g is not allowed, expected %s",
+                               part, axis->key, axis->value[i], key->expected);
+        if (i > 0 && !(axis->value[i] > axis->value[i - 1]))
+            return place_blame(at, why,
+                               "sweep.%s: %.17g after %.17g, expected numbers "
+                               "that grow",
+                               part, axis->value[i], axis->value[i - 1]);
+    }
+    return STATUS_OK;
+}
+
+static enum status fill_axis(const struct node *n, const struct scene *s,
+                             struct scene_axis *axis, struct fault *why)
+{
+    enum status status = check_given(n, axis, why);
+
+    if (status == STATUS_OK)
+        status = check_range(n, axis, why);
+    if (status == STATUS_OK)
+        status = list_values(axis);
+    return status ? status : check_values(n, s, axis, why);
+}
+
+/* ---- all of them --------------------------------------------------------- */
+
+static enum status check_pair(const struct node *second, const struct scene *s,
+                              struct fault *why)
+{
+    const struct scene_axis *a = s->sweep.axis;
+    const struct place at = place_of(second, "key");
+
+    if (strcmp(a[0].key, a[1].key) == 0 || schema_excludes(a[0].key, a[1].key))
+        return place_blame(at, why, "sweep.key: %s beside %s, expected another",
+                           a[1].key, a[0].key);
+    if (a[0].count * a[1].count > SCENE_POINTS)
+        return place_blame(second->at, why,
+                           "sweep: a grid of %zu x %zu points, expected at "
+                           "most %d in all",
+                           a[0].count, a[1].count, SCENE_POINTS);
+    if (s->sweep.refine > 0.0)
+        return place_blame(second->at, why,
+                           "sweep.refine: not for a grid, expected one key");
+    return STATUS_OK;
+}
+
+/* Is there such a key, or another one in its place? */
+static bool is_given(const struct node *root, const char *path)
+{
+    const struct node *slope = node_find(root, "slope");
+
+    if (strncmp(path, "slope.", 6) == 0)
+        return slope && slope->count > 0;
+    return node_at(root, path) != NULL;
+}
+
+static void begin(const struct node *root, struct scene *s)
+{
+    for (size_t i = 0; i < s->sweep.axes; i++) {
+        const struct scene_axis *axis = &s->sweep.axis[i];
+        const bool needed = strncmp(axis->key, "slope.", 6) == 0 ||
+                            strcmp(axis->key, "material.V_c") == 0;
+        if (needed && !is_given(root, axis->key))
+            (void) value_set(schema_find(axis->key), axis->value[0], s);
+    }
+}
+
+enum status scene_sweep_fill(const struct node *root, struct scene *s,
+                             struct fault *why)
+{
+    const struct node *n = node_find(root, "sweep");
+    enum status status = STATUS_OK;
+
+    if (n == NULL || node_is_nothing(n) || n->count == 0)
+        return STATUS_OK;
+    if (n->kind == NODE_MAP) {
+        s->sweep.axis[0] = s->sweep.draft;
+        s->sweep.draft = (struct scene_axis){ .key = NULL };
+        s->sweep.axes = 1;
+    }
+    for (size_t i = 0; i < s->sweep.axes && status == STATUS_OK; i++)
+        status = fill_axis(section(root, i), s, &s->sweep.axis[i], why);
+    if (status == STATUS_OK && s->sweep.axes == 2)
+        status = check_pair(section(root, 1), s, why);
+    if (status == STATUS_OK)
+        begin(root, s);
+    return status;
+}
+
+static enum status check_used(const struct node *root, const struct scene *s,
+                              size_t i, struct fault *why)
+{
+    const char *path = s->sweep.axis[i].key;
+
+    for (int k = 0; k < MATERIAL_G; k++) {
+        const char *name = material_key_name((enum material_key) k);
+        if (strncmp(path, "material.", 9) == 0 && strcmp(path + 9, name) == 0 &&
+            !law_uses(&s->law, (enum material_key) k))
+            return place_blame(place_of(section(root, i), "key"), why,
+                               "sweep.key: %s: not used by this law (%s), "
+                               "expected another key",
+                               path, s->law.preset);
+    }
+    return STATUS_OK;
+}
+
+enum status scene_sweep_check(const struct node *root, const struct scene *s,
+                              struct fault *why)
+{
+    const unsigned others = s->products & ~scene_sweep_products;
+    const struct node *products = node_find(root, "products");
+    enum status status = STATUS_OK;
+    int p = 0;
+
+    for (size_t i = 0; i < s->sweep.axes && status == STATUS_OK; i++)
+        status = check_used(root, s, i, why);
+    if (status != STATUS_OK || s->sweep.axes == 0)
+        return status;
+    while (p < PRODUCTS && !(others >> p & 1u))
+        p++;
+    if (p < PRODUCTS)
+        return place_blame(products->at, why,
+                           "products: %s is no number at a point of a sweep, "
+                           "expected equilibria, folds, knees, estimates or "
+                           "sensitivities",
+                           product_names[p]);
+    if (s->sweep.refine > 0.0 && s->products && !(s->products & BIT(KNEES)))
+        return place_blame(products->at, why,
+                           "products: no knees beside sweep.refine, expected "
+                           "them: it follows v_plus and v_minus");
+    return STATUS_OK;
+}
+
+bool scene_sweeps(const struct scene *s, const char *key)
+{
+    for (size_t i = 0; i < s->sweep.axes; i++)
+        if (strcmp(s->sweep.axis[i].key, key) == 0)
+            return true;
+    return false;
+}
+
+void scene_at(const struct scene *s, const double x[], struct scene *point)
+{
+    *point = *s;
+    for (size_t i = 0; i < s->sweep.axes; i++)
+        (void) value_set(schema_find(s->sweep.axis[i].key), x[i], point);
+}

@@ -1,0 +1,31 @@
+#include "remark.h"
+
+size_t study_remarks(const struct study *s, const char *text[], size_t room)
+{
+    size_t n = 0;
+
+    if (plan_has(s->stages, STAGE_STEADY) && s->equilibria == 0 && n < room)
+        text[n++] = "no steady state: mu_ss(v) = tan(alpha) has no solution";
+    else if (s->saddle < 0 && n < room)
+        text[n++] = "no saddle at this slope, hence no separatrix";
+    else if (!study_has_manifolds(s) && s->saddle >= 0 && n < room)
+        text[n++] = "the saddle's eigenvalues are further apart than doubles "
+                    "can tell, hence no separatrix";
+    const struct box window = study_window(s);
+    bool inside = false;
+    for (size_t i = 0; i < s->equilibria; i++)
+        inside |= box_holds(window, s->equilibrium[i].z);
+    if (s->equilibria > 0 && !inside && n < room)
+        text[n++] = "no steady state inside the window";
+    const bool cut = plan_has(s->stages, STAGE_UNSTABLE) &&
+                     study_has_manifolds(s) &&
+                     (s->unstable[0].end == ORBIT_RUNNING ||
+                      s->unstable[1].end == ORBIT_RUNNING);
+    if (cut && n < room)
+        text[n++] = "an unstable branch stops inside the window: it takes more "
+                    "steps than the bound allows";
+    if (plan_has(s->stages, STAGE_FOLD_CURVES) &&
+        s->diagrams.fold_curves.reason && n < room)
+        text[n++] = s->diagrams.fold_curves.reason;
+    return n;
+}

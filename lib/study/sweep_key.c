@@ -1,0 +1,28 @@
+#include "sweep_key.h"
+
+#include <stddef.h>
+#include <string.h>
+
+static const struct sweep_key table[] = {
+    { "slope.alpha", "rad", "slope angle" },
+    { "slope.alpha_deg", "degree", "slope angle" },
+    { "slope.tan_alpha", "1", "tangent of the slope angle" },
+    { "material.mu_star", "1", "friction coefficient at V_star" },
+    { "material.a", "1", "direct effect a" },
+    { "material.b", "1", "evolution effect b" },
+    { "material.L", "m", "characteristic length L" },
+    { "material.V_star", "m s-1", "characteristic slip rate V_star" },
+    { "material.c", "1", "parameter c of the law" },
+    { "material.R", "1", "parameter R of the law" },
+    { "material.V_c", "1", "velocity cut-off in units of V_star" },
+    { "gravity", "m s-2", "gravity" },
+    { "accuracy.rtol", "1", "relative tolerance of the computation" },
+};
+
+struct sweep_key sweep_key_of(const char *path)
+{
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        if (strcmp(table[i].path, path) == 0)
+            return table[i];
+    return (struct sweep_key){ path, "1", path };
+}

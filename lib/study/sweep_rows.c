@@ -1,0 +1,61 @@
+#include "sweep_rows.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct sweep_rows sweep_rows_of(size_t columns, bool conditioning)
+{
+    const size_t reals = conditioning ? 3 : 2;
+    const size_t codes = (columns + sizeof(double) - 1) / sizeof(double);
+
+    return (struct sweep_rows){ .columns = columns,
+                                .reals = reals,
+                                .width = 2 + reals * columns + codes };
+}
+
+enum status sweep_rows_add(struct sweep_rows *r, size_t count)
+{
+    const size_t size = r->width * sizeof *r->at;
+
+    if (r->count + count > r->room) {
+        const size_t room = r->count + count + r->room / 2;
+        double *at = realloc(r->at, room * size);
+        if (at == NULL)
+            return STATUS_NO_MEMORY;
+        r->at = at;
+        r->room = room;
+    }
+    memset(r->at + r->count * r->width, 0, count * size);
+    r->count += count;
+    return STATUS_OK;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double *x = a, *y = b;
+    const int k = x[0] == y[0];
+
+    return (x[k] > y[k]) - (x[k] < y[k]);
+}
+
+void sweep_rows_sort(struct sweep_rows *r)
+{
+    if (r->count > 1)
+        qsort(r->at, r->count, r->width * sizeof *r->at, compare);
+}
+
+size_t sweep_rows_find(const struct sweep_rows *r, const double x[2])
+{
+    const double *row = NULL;
+
+    if (r->count > 0)
+        row = bsearch(x, r->at, r->count, r->width * sizeof *r->at, compare);
+    return row ? (size_t) (row - r->at) / r->width : r->count;
+}
+
+void sweep_rows_free(struct sweep_rows *r)
+{
+    free(r->at);
+    r->at = NULL;
+    r->count = r->room = 0;
+}

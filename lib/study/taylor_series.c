@@ -1,0 +1,303 @@
+/* The series of the log chart, y = sum a_k x^k (local.h), taken to linear
+ * coordinates in long double: x = ln(1 + w) put in, then e^y where psi is not
+ * a logarithm (Knuth, TAOCP 2, 4.7).  Radius: the ratio test, its straight
+ * line in 1/k (Domb & Sykes, Proc. R. Soc. A 240, 1957, 214-228), and the root
+ * test between two envelopes; their spread is the error, because 31
+ * coefficients may not have settled yet. */
+#include "taylor_series.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "study.h"
+#include "study_tolerance.h"
+
+enum { LAST = JET_SIZE - 1 };
+
+static const struct record_field term_fields[] = {
+    { "order", "1", "power of w = (v - v_sp)/v_sp",
+      offsetof(struct taylor_term, order), RECORD_COUNT, NULL },
+    { "coefficient", "1", "coefficient of w^order in psi",
+      offsetof(struct taylor_term, coefficient), RECORD_QUANTITY, NULL },
+};
+const struct record_type record_taylor_term = {
+    "taylor_term", "power series of the stable manifold", term_fields, 2,
+    sizeof(struct taylor_term)
+};
+
+#define QUANTITY(member, text)                                                 \
+    {                                                                          \
+#member, "1", text, offsetof(struct taylor_series, member),            \
+            RECORD_QUANTITY, NULL                                              \
+    }
+static const struct record_field series_fields[] = {
+    QUANTITY(radius, "radius of convergence, in v, around v_sp"),
+    QUANTITY(agrees_from, "least v where order 14 is within 1 % of the curve"),
+    QUANTITY(agrees_to, "largest v where order 14 is within 1 % of the curve"),
+};
+const struct record_type record_taylor = {
+    "taylor_series", "power series of the stable manifold in v", series_fields,
+    sizeof series_fields / sizeof *series_fields, sizeof(struct taylor_series)
+};
+
+/* ---- series ------------------------------------------------------------ */
+
+typedef long double power[JET_SIZE];
+
+/* out = out * x, truncated. */
+static void multiply(power out, const power x)
+{
+    for (int k = LAST; k >= 0; k--) {
+        long double sum = 0.0L;
+        for (int j = 0; j <= k; j++)
+            sum += out[j] * x[k - j];
+        out[k] = sum;
+    }
+}
+
+/* outer(inner(w)), inner[0] = 0, by Horner. */
+static void compose(const power outer, const power inner, power out)
+{
+    for (int k = 0; k <= LAST; k++)
+        out[k] = 0.0L;
+    for (int k = LAST; k >= 0; k--) {
+        multiply(out, inner);
+        out[0] += outer[k];
+    }
+}
+
+/* e^y - 1, y[0] = 0. */
+static void exponential(const power y, power out)
+{
+    out[0] = 1.0L;
+    for (int k = 1; k <= LAST; k++) {
+        out[k] = 0.0L;
+        for (int j = 1; j <= k; j++)
+            out[k] += (long double) j * y[j] * out[k - j];
+        out[k] /= (long double) k;
+    }
+    out[0] = 0.0L;
+}
+
+/* y(x) from x(y), both without constant term: coefficient k of x(y(x)) = x
+ * holds y_k only as x_1 y_k. */
+static void revert(const power x, power y)
+{
+    power all;
+
+    for (int k = 0; k <= LAST; k++)
+        y[k] = k == 1 ? 1.0L / x[1] : 0.0L;
+    for (int k = 2; k <= LAST; k++) {
+        compose(x, y, all);
+        y[k] = -all[k] / x[1];
+    }
+}
+
+/* y over x in the chart; each coefficient of u off by up to `nudge`, up and
+ * down in turn. */
+static void chart_series(const struct local_series *u, long double nudge,
+                         power a)
+{
+    power c;
+
+    for (int k = 0; k <= LAST; k++)
+        c[k] = (long double) u->c[k] / powl((long double) u->unit, k) *
+               (1.0L + (k % 2 ? nudge : -nudge));
+    c[0] = 0.0L;
+    if (u->ind == 1)
+        revert(c, a);
+    for (int k = 0; u->ind == 0 && k <= LAST; k++)
+        a[k] = c[k];
+}
+
+/* The coefficients in w. */
+static void linear_series(const struct local_series *u, long double nudge,
+                          bool psi_is_log, power e)
+{
+    power a, x, y;
+
+    chart_series(u, nudge, a);
+    x[0] = 0.0L;
+    for (int k = 1; k <= LAST; k++)
+        x[k] = (k % 2 ? 1.0L : -1.0L) / (long double) k;
+    compose(a, x, y);
+    if (psi_is_log)
+        memcpy(e, y, sizeof y);
+    else
+        exponential(y, e);
+}
+
+/* What roundoff in each coefficient of u may do: as if no term cancelled
+ * another, and what a change of all of them does. */
+static void rounding_of(const struct local_series *u, bool psi_is_log,
+                        const power e, power error)
+{
+    const long double nudge = TOL_TAYLOR_ROUNDING * DBL_EPSILON;
+    power a, x, y, all;
+
+    chart_series(u, 0.0L, a);
+    for (int k = 0; k <= LAST; k++) {
+        a[k] = fabsl(a[k]);
+        x[k] = k ? 1.0L / (long double) k : 0.0L;
+    }
+    compose(a, x, y);
+    exponential(y, all);
+    linear_series(u, nudge, psi_is_log, error);
+    for (int k = 0; k <= LAST; k++)
+        error[k] = fabsl(error[k] - e[k]) +
+                   nudge * (psi_is_log ? fabsl(y[k]) : all[k]);
+}
+
+double taylor_series_at(const struct taylor_series *t, size_t order, double v,
+                        double v_sp)
+{
+    const double w = (v - v_sp) / v_sp;
+    double sum = 0.0;
+
+    for (size_t k = order + 1; k-- > 0;)
+        sum = sum * w + t->term[k].coefficient.value;
+    return sum;
+}
+
+/* ---- radius ------------------------------------------------------------ */
+
+/* Largest |e_k| of the four up to k. */
+static double envelope(const power e, int k)
+{
+    double most = 0.0;
+
+    for (int j = k - 3; j <= k; j++)
+        most = fmax(most, (double) fabsl(e[j] / e[1]));
+    return most;
+}
+
+/* In units of v_sp. */
+static struct quantity radius_of(const power e, double bound)
+{
+    const double ratio = (double) fabsl(e[LAST - 1] / e[LAST]);
+    const double before = (double) fabsl(e[LAST - 2] / e[LAST - 1]);
+    const double line = 1.0 / (LAST / ratio - (LAST - 1) / before);
+    const double root =
+        pow(envelope(e, LAST / 2) / envelope(e, LAST), 1.0 / (LAST - LAST / 2));
+
+    if (!isfinite(root) || root == 0.0)
+        return quantity_none("the last coefficients vanish: no test applies");
+    const bool settled =
+        line > root / TOL_TAYLOR_SETTLED && line < root * TOL_TAYLOR_SETTLED;
+    const double value = fmin(settled ? line : root, bound);
+    double error = fabs(root - value);
+    if (settled)
+        error = fmax(error, fmax(fabs(ratio - value), fabs(line - value)));
+    else
+        error = fmax(error, (1.0 - 1.0 / TOL_TAYLOR_SETTLED) * value);
+    if (isfinite(bound))
+        error = fmax(error, bound - value);
+    return quantity_of(value, error);
+}
+
+/* ---- against the curve -------------------------------------------------- */
+
+/* Where the sum is compared with the curve. */
+struct comparison {
+    const struct study *s;
+    const struct taylor_series *t;
+    const struct curve *c;
+};
+
+static double v_at(const struct comparison *q, size_t piece, double theta,
+                   double *gap)
+{
+    const struct block *b = &q->s->block;
+    double at[CURVE_DIM_MAX];
+
+    curve_at(q->c, piece, theta, at);
+    const double v = b->at.v0 * exp(at[0]);
+    const double sum = taylor_series_at(q->t, TAYLOR_PAPER, v, b->at.v0);
+    const double psi =
+        law_psi_is_log(&b->law) ? b->at.y0 + at[1] : b->at.psi0 * exp(at[1]);
+    *gap = fabs(law_psi_is_log(&b->law) ? sum - psi : sum / psi - 1.0);
+    return v;
+}
+
+/* Where the gap first reaches TOL_TAYLOR_AGREE, outward from the saddle. */
+static struct quantity leaves(const struct comparison *q)
+{
+    enum { PER_PIECE = 16, HALVINGS = 40 };
+    double gap, lo = 0.0;
+
+    for (size_t i = 0; i < q->c->count; i++, lo = 0.0)
+        for (int k = 1; k <= PER_PIECE; k++) {
+            double hi = (double) k / PER_PIECE;
+            v_at(q, i, hi, &gap);
+            if (gap < TOL_TAYLOR_AGREE) {
+                lo = hi;
+                continue;
+            }
+            for (int n = 0; n < HALVINGS; n++) {
+                const double middle = 0.5 * (lo + hi);
+                v_at(q, i, middle, &gap);
+                *(gap < TOL_TAYLOR_AGREE ? &lo : &hi) = middle;
+            }
+            const double v = v_at(q, i, hi, &gap);
+            return quantity_of(v, TOL_TAYLOR_PLACE * v);
+        }
+    return quantity_none("order 14 agrees with the curve to its end");
+}
+
+static struct taylor_series no_series(void)
+{
+    const struct quantity none =
+        quantity_none("there is no saddle at this slope");
+    return (struct taylor_series){ .radius = none,
+                                   .agrees_from = none,
+                                   .agrees_to = none };
+}
+
+static void fill_terms(const struct study *s, const power e, const power error,
+                       struct taylor_series *t)
+{
+    const struct block *b = &s->block;
+    const double unit = law_psi_is_log(&b->law) ? 1.0 : b->at.psi0;
+
+    t->terms = JET_SIZE;
+    for (int k = 0; k <= LAST; k++)
+        t->term[k] =
+            (struct taylor_term){ k, quantity_of((double) e[k] * unit,
+                                                 (double) error[k] * unit) };
+    t->term[0].coefficient = s->saddle_numbers.psi;
+}
+
+enum status taylor_series_find(const struct study *s, struct taylor_series *out)
+{
+    const struct carry none = { .count = 0 };
+    const struct quantity *v_minus = &s->critical.v_minus;
+    struct taylor_series t = no_series();
+    struct local_series u;
+    power e, error;
+
+    if (!study_has_manifolds(s)) {
+        *out = t;
+        return STATUS_OK;
+    }
+    const enum status status =
+        local_at(&s->system, &s->equilibrium[s->saddle], MANIFOLD_STABLE, &none,
+                 LAST, TOL_TAYLOR_STEP * s->scene->rtol, &u);
+    if (status != STATUS_OK)
+        return status;
+    linear_series(&u, 0.0L, law_psi_is_log(&s->block.law), e);
+    rounding_of(&u, law_psi_is_log(&s->block.law), e, error);
+    fill_terms(s, e, error, &t);
+    const double v_sp = s->block.at.v0;
+    t.radius =
+        radius_of(e, quantity_exists(v_minus) ? 1.0 - v_minus->value / v_sp
+                                              : (double) INFINITY);
+    t.radius.value *= v_sp;
+    t.radius.error *= v_sp;
+    t.agrees_from =
+        leaves(&(struct comparison){ s, &t, &s->stable[SIDE_LOWER].curve });
+    t.agrees_to =
+        leaves(&(struct comparison){ s, &t, &s->stable[SIDE_UPPER].curve });
+    *out = t;
+    return STATUS_OK;
+}

@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""slipway stress as users call it (TAP).
+
+usage: cli_stress.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import json
+import re
+import subprocess
+
+from cli_room import READER, SLOPE, expect, refused, run_cases
+
+# What interface.md promises of a case.
+KEYS = ['name', 'law', 'form', 'parameters', 'outcome', 'digits', 'steps',
+        'seconds', 'agree', 'reason']
+OUTCOMES = ['exact', 'degraded', 'none', 'failed', 'lie']
+FEW = ['--only', 'eps2/dieterich_gen/log/1e-09']
+SCENE = 'title: my block\nlaw: {preset: spinodal_gen}\nslope: {alpha: 0.35}\n'
+
+
+def the_quick_catalogue_has_no_lie(room):
+    done = room.run('stress', '--quick', '--json', '-o', 'a.h5')
+    expect((done.returncode, done.stderr) == (0, ''), done)
+    found = json.loads(done.stdout)
+    cases = found['cases']
+    expect(20 <= len(cases) <= 60, len(cases))
+    for case in cases:
+        expect(all(key in case for key in KEYS), case)
+        expect(case['outcome'] in OUTCOMES and case['outcome'] != 'lie', case)
+        expect((case['reason'] is None) == (case['outcome'] == 'exact'), case)
+        if case['outcome'] == 'exact' and case['digits'] is not None:
+            expect(case['bar'] <= 1 and case['missing'] <= 2 and case['agree'],
+                   case)
+        expect('alpha' in case['parameters'] and 'a' in case['parameters'],
+               case)
+    count = {word: sum(case['outcome'] == word for case in cases)
+             for word in OUTCOMES}
+    expect(all(found['outcomes'][word] == count[word] for word in OUTCOMES),
+           found['outcomes'], count)
+    expect(found['outcomes']['full'] >= 0.9 * found['outcomes']['counted'] > 9,
+           found['outcomes'])
+    script = (
+        'import h5py, json\n'
+        'f = h5py.File("a.h5")["stress"]\n'
+        'print(json.dumps([[name.decode() for name in f["name"][()]],'
+        ' f["steps"][()].tolist(), f["outcome"][()].tolist(),'
+        ' int(f.attrs["lie"])]))\n')
+    read = subprocess.run([READER, '-c', script], cwd=room.folder, text=True,
+                          capture_output=True, check=False)
+    expect(read.returncode == 0, read)
+    expect(json.loads(read.stdout) ==
+           [[case['name'] for case in cases], [case['steps'] for case in cases],
+            [OUTCOMES.index(case['outcome']) for case in cases], 0], read)
+
+
+def a_pattern_picks_cases_and_the_table_says_how_to_repeat_them(room):
+    said = room.good('stress', *FEW)
+    names = re.findall(r'^eps2/dieterich_gen/log/1e-09/\S+', said, re.M)
+    expect(len(names) == 3 and '3 cases:' in said and '3 of 3' in said, said)
+    said = room.good('stress', '--only', 'far/dieterich_gen/asinh/1e-06/-300')
+    options = re.search(r"^    (--set .*)$", said, re.M).group(1)
+    done = room.shell('slipway knees ' + options)
+    reason = 'further apart than doubles'
+    expect(done.returncode == 0 and reason in done.stdout, done)
+    expect('failed' in said and reason in said, said)
+
+
+def each_case_is_a_test_of_tap(room):
+    said = room.good('stress', '--tap', *FEW).splitlines()
+    expect(said[0] == '1..3', said)
+    expect(sum(line.startswith('ok ') for line in said) == 3, said)
+
+
+def a_scene_is_one_more_case(room):
+    room.write('mine.yaml', SCENE)
+    found = room.json('stress', 'mine.yaml', '--only', 'my block')['cases']
+    expect([case['name'] for case in found] == ['my block'], found)
+    expect(found[0]['law'] == 'spinodal_gen' and
+           found[0]['parameters']['alpha'] == 0.35 and
+           found[0]['outcome'] in ('exact', 'degraded'), found)
+    room.write('start.yaml', SCENE +
+               'trajectories: {starts: [{v: 1.0, psi: 1.0e6}]}\n')
+    found = room.json('stress', 'start.yaml', '--only', 'my block')['cases']
+    expect(found[0]['kind'] == 'start' and found[0]['outcome'] == 'exact',
+           found)
+    found = room.json('stress', *SLOPE, '--rtol', '1e-14', '--only',
+                      'command line')['cases']
+    expect(len(found) == 1 and found[0]['outcome'] == 'exact', found)
+
+
+def wrong_uses_are_refused(room):
+    room.write('mine.yaml', SCENE)
+    refused(room.run('stress', '--only', 'no such case'), 2, '--only',
+            'no such case')
+    refused(room.run('stress', '--rtol', '1e-6'), 2, 'accuracy.rtol=1e-6')
+    refused(room.run('stress', 'mine.yaml', '--figure', 'a.svg'), 2, 'figure')
+    refused(room.run('stress', 'mine.yaml', 'mine.yaml'), 2, 'mine.yaml')
+    refused(room.run('stress', 'none.yaml'), 4, 'none.yaml')
+    refused(room.run('stress', '-o', 'no/a.h5', *FEW), 4, 'no/a.h5')
+
+
+run_cases([
+    the_quick_catalogue_has_no_lie,
+    a_pattern_picks_cases_and_the_table_says_how_to_repeat_them,
+    each_case_is_a_test_of_tap,
+    a_scene_is_one_more_case,
+    wrong_uses_are_refused,
+])

@@ -1,0 +1,242 @@
+#!/usr/bin/env python3
+"""slipway sweep as users call it (TAP).
+
+usage: cli_sweep.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import json
+import os
+import random
+import signal
+import subprocess
+import time
+
+from cli_room import READER, expect, refused, run_cases
+
+SCENE = 'scenes/sweep.yaml'
+KNEES = 'products=[equilibria, folds, knees, estimates]'
+
+
+def line(points, more=''):
+    return ['--law', 'spinodal_gen', '--set', 'sweep={key: slope.alpha, from: '
+            f'0.28, to: 0.4, points: {points}{more}}}']
+
+
+def read(room, name):
+    done = subprocess.run([READER, room.script('read_sweep.py'), name],
+                          cwd=room.folder, text=True, capture_output=True,
+                          check=False)
+    expect(done.returncode == 0, done)
+    return json.loads(done.stdout)
+
+
+def is_sound(room, name):
+    done = subprocess.run([READER, room.script('open_file.py'), name],
+                          cwd=room.folder, text=True, capture_output=True,
+                          check=False)
+    expect(done.returncode == 0, done)
+
+
+# ---- results -----------------------------------------------------------------
+
+
+def the_example_scene_gives_file_figure_and_table(room):
+    room.bring('scenes')
+    room.make('outputs')
+    said = room.good('sweep', SCENE)
+    for words in ('wrote outputs/sweep.h5', 'wrote outputs/sweep.svg',
+                  'alpha          saddle_v', 'v_plus is missing at',
+                  'there is no saddle at this slope'):
+        expect(words in said, words, said)
+    expect(room.names('outputs') == ['sweep.h5', 'sweep.svg'],
+           room.names('outputs'))
+    found = read(room, 'outputs/sweep.h5')
+    alpha = found['axes']['alpha']
+    expect(41 < len(alpha) < 400 and alpha[0] == 0.28 and alpha[-1] == 0.4,
+           alpha)
+    words = set(found['v_plus']['words'])
+    expect(words == {'present', 'there_is_no_saddle_at_this_slope'}, words)
+    first = room.bytes('outputs/sweep.h5')
+    room.good('study', SCENE)  # the same, by its other name
+    expect(room.bytes('outputs/sweep.h5') == first, 'study SCENE')
+
+
+def each_point_is_what_knees_says(room):
+    found = room.json('sweep', *line(7), '-o', 'a.h5')
+    stored = read(room, 'a.h5')
+    alphas = found['keys'][0]['values']
+    expect(found['keys'][0]['key'] == 'slope.alpha' and found['points'] == 7
+           and found['failed'] == 0 and stored['axes']['alpha'] == alphas,
+           found['keys'], stored['axes'])
+    for i, alpha in enumerate(alphas):
+        knees = room.json('knees', '--law', 'spinodal_gen', '--alpha',
+                          repr(alpha))
+        for name in ('v_plus', 'v_minus', 'ln_v_plus', 'x_excess', 'mu_s_num'):
+            swept = {key: values[i]
+                     for key, values in found['numbers'][name].items()}
+            expect(knees[name]['value'] == swept['value'], name, alpha)
+            if swept['value'] is None:
+                expect(knees[name]['reason'] == found['reasons'][
+                    swept['reason']], name, alpha)
+            else:
+                expect(knees[name]['error'] == swept['error'], name, alpha)
+        expect(stored['v_plus']['value'][i] == knees['v_plus']['value'], alpha)
+        expect(found['numbers']['upper_end'][i] == knees.get('upper_end'),
+               alpha)
+
+
+def a_grid_is_a_cube_over_both_keys(room):
+    grid = ('sweep=[{key: slope.tan_alpha, values: [0.3, 0.35, 0.4, 0.45]}, '
+            '{key: material.c, from: 1e-4, to: 1e-2, points: 3, scale: log}]')
+    room.good('sweep', '--law', 'spinodal_gen', '--set', grid, '--set',
+              'products=[knees]', '-o', 'a.h5', '--figure', 'a.svg')
+    is_sound(room, 'a.h5')
+    found = read(room, 'a.h5')
+    expect(found['keys'] == ['slope.tan_alpha', 'material.c']
+           and found['axes']['c'][0] == 1e-4 and found['axes']['c'][2] == 1e-2
+           and len(found['v_plus']['value']) == 12, found['axes'])
+    one = room.json('knees', '--law', 'spinodal_gen', '--set',
+                    'slope.tan_alpha=0.35', '--set',
+                    f'material.c={found["axes"]["c"][1]!r}')
+    expect(found['v_plus']['value'][4] == one['v_plus']['value'], one)
+    expect('ln v₊' in room.read('a.svg'), 'the bar of the map')
+
+
+def a_figure_shows_both_critical_velocities(room):
+    room.good('sweep', *line(9), '--figure', 'a.svg', '--keep-script')
+    drawn = room.read('a.svg')
+    for words in ('v₊', 'v₋', 'v at the saddle', 'slope.alpha (rad)'):
+        expect(words in drawn, words)
+
+
+def threads_do_not_matter(room):
+    refine = ', refine: 0.1'
+    for threads in ('1', '2', '5'):
+        room.good('sweep', *line(9, refine), '-o', f'{threads}.h5',
+                  '--threads', threads)
+        expect(room.bytes(f'{threads}.h5') == room.bytes('1.h5'), threads)
+
+
+def plan_tells_of_the_points(room):
+    room.bring('scenes')
+    said = room.good('plan', SCENE)
+    for words in ('41 points: slope.alpha at 41 values from 0.28 to 0.4, '
+                  'refined to 0.01', 'estimates', 'outputs/sweep.h5'):
+        expect(words in said, words, said)
+    expect(room.json('plan', SCENE)[0]['points'] == 41, 'in JSON too')
+
+
+# ---- interruptions -----------------------------------------------------------
+
+
+def start(room, *args):
+    return subprocess.Popen([room.slipway, 'sweep', *args], cwd=room.folder,
+                            env=room.environment(), text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+
+def kill_after_growth(room, process, part, growth):
+    """Kills once the side file has so many bytes more, or it is done."""
+    had = os.path.getsize(part) if os.path.exists(part) else 0
+    while process.poll() is None:
+        if os.path.exists(part) and os.path.getsize(part) > had + growth:
+            process.send_signal(signal.SIGKILL)
+            break
+        time.sleep(0.002)
+    process.communicate()
+
+
+def killed_twenty_times_it_ends_in_the_same_bytes(room):
+    sweep = line(250, ', refine: 0.02')
+    room.good('sweep', *sweep, '-o', 'whole.h5')
+    part = room.path('a.h5.part')
+    seed = int(os.environ.get('CHECK_SEED', '20240229'))
+    chance = random.Random(seed)
+    kills = 0
+    for _ in range(20):
+        process = start(room, *sweep, '-o', 'a.h5', '--resume')
+        kill_after_growth(room, process, part, chance.randrange(8000))
+        kills += process.returncode == -signal.SIGKILL
+    expect(kills >= 15, kills, 'of 20 runs were killed; seed', seed)
+    expect(not os.path.exists(room.path('a.h5')), 'no file before the end')
+    said = room.good('sweep', *sweep, '-o', 'a.h5', '--resume')
+    expect('points were there already' in said, said)
+    expect(room.bytes('a.h5') == room.bytes('whole.h5'), 'the same bytes')
+    expect(not os.path.exists(part), 'nothing is left')
+
+
+def ctrl_c_keeps_what_is_computed(room):
+    process = start(room, *line(9000), '-o', 'a.h5')
+    while not os.path.exists(room.path('a.h5.part')):
+        time.sleep(0.002)
+    time.sleep(0.1)
+    process.send_signal(signal.SIGINT)
+    said, complaint = process.communicate(timeout=60)
+    expect((process.returncode, said) == (130, '')
+           and complaint.startswith('slipway: interrupted; what is computed '
+                                    'stays in a.h5.part')
+           and complaint.count('\n') == 1, process.returncode, complaint)
+    expect(room.names() == ['a.h5.part'], room.names())
+
+
+def a_left_side_file_is_noted_or_refused(room):
+    def leave():
+        process = start(room, *line(300), '-o', 'a.h5')
+        kill_after_growth(room, process, room.path('a.h5.part'), 4000)
+        expect(room.names() == ['a.h5.part'], room.names())
+
+    leave()
+    refused(room.run('sweep', *line(3), '-o', 'a.h5', '--resume'), 2,
+            'a.h5.part: of another scene or version', 'without --resume')
+    expect(room.names() == ['a.h5.part'], room.names())
+    said = room.good('sweep', *line(3), '-o', 'a.h5')
+    expect('note: a.h5.part of an interrupted sweep was replaced' in said, said)
+    expect(room.names() == ['a.h5'], room.names())
+    room.write('a.h5.part', 'a letter to my mother')
+    refused(room.run('sweep', *line(3), '-o', 'a.h5'), 2,
+            'a.h5.part: not the side file of a sweep')
+    expect(room.read('a.h5.part') == 'a letter to my mother', 'untouched')
+
+
+# ---- what is wrong -----------------------------------------------------------
+
+
+def a_wrong_sweep_costs_one_line(room):
+    room.write('s.yaml', 'law: {preset: ruina}\nsweep: {key: slope.alfa}\n')
+    refused(room.run('sweep', 's.yaml'), 2, 's.yaml:2:14: sweep.key:',
+            'did you mean slope.alpha?')
+    refused(room.run('sweep', '--law', 'ruina', '--alpha', '0.34'), 2,
+            'sweep: the scene has none')
+    refused(room.run('sweep', *line(3), '--resume'), 2, '--resume without')
+    refused(room.run('sweep', *line(3), '-o', 'a.svg', '--figure', 'a.svg'), 2,
+            'one file for both')
+    refused(room.run('sweep', *line(3), '-o', 'none/a.h5'), 4, 'none')
+    refused(room.run('sweep', 's.yaml', 't.yaml'), 2, 'one scene is enough')
+    expect(room.names() == ['s.yaml'], room.names())
+
+
+def what_is_overridden_stays_a_sweep(room):
+    room.bring('scenes')
+    found = room.json('sweep', SCENE, '--set', 'sweep.refine=1', '--set',
+                      'sweep.points=4', '--set', 'products=[knees]', '-o',
+                      'a.h5', '--set', 'output.figure=')
+    expect(found['points'] < 41 and 'estimates_x_k' not in found['numbers']
+           and 'knee_upper_v' in found['numbers'], found['points'])
+    expect(KNEES not in room.good('info', 'a.h5', 'scene'), 'own products')
+    room.good('sweep', *line(3), '-o', 'b.h5')
+    expect('knees, estimates' in room.good('info', 'b.h5', 'scene').replace(
+        '\n- ', ', ').replace('\n  - ', ', '), 'those that were added')
+
+
+run_cases([
+    the_example_scene_gives_file_figure_and_table,
+    each_point_is_what_knees_says,
+    a_grid_is_a_cube_over_both_keys,
+    a_figure_shows_both_critical_velocities,
+    threads_do_not_matter,
+    plan_tells_of_the_points,
+    killed_twenty_times_it_ends_in_the_same_bytes,
+    ctrl_c_keeps_what_is_computed,
+    a_left_side_file_is_noted_or_refused,
+    a_wrong_sweep_costs_one_line,
+    what_is_overridden_stays_a_sweep,
+])

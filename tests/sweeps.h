@@ -1,0 +1,70 @@
+/* sweeps.h -- sweeps of small scenes, and whether two are the same. */
+#ifndef TESTS_SWEEPS_H
+#define TESTS_SWEEPS_H
+
+#include <string.h>
+
+#include "check.h"
+#include "scene_sweep.h"
+#include "sweep.h"
+
+/* A sweep and its scene; must not move. */
+struct swept {
+    struct scene scene;
+    struct sweep s;
+};
+
+/* Settings as of --set, and a NULL. */
+static inline void scene_set(struct scene *scene, const char *const sets[])
+{
+    enum { MOST = 12 };
+    char text[MOST][200], *set[MOST];
+    struct fault why;
+    size_t count = 0;
+
+    for (; sets[count]; count++) {
+        assert_true(count < MOST);
+        snprintf(text[count], sizeof text[count], "%s", sets[count]);
+        set[count] = text[count];
+    }
+    CHECK(scene_read(scene, NULL, set, count, &why) == STATUS_OK, "%s",
+          why.text);
+}
+
+static inline void sweep_of(struct swept *w, const char *const sets[],
+                            const struct sweep_options *o)
+{
+    struct fault why;
+
+    scene_set(&w->scene, sets);
+    CHECK(sweep_run(&w->s, &w->scene, o, NULL, &why) == STATUS_OK, "%s",
+          why.text);
+}
+
+static inline void swept_free(struct swept *w)
+{
+    sweep_free(&w->s);
+    scene_free(&w->scene);
+}
+
+/* To the bit: columns, reasons, and of rows what belongs to these columns. */
+static inline void sweeps_are_the_same(const struct sweep *a,
+                                       const struct sweep *b)
+{
+    assert_int_equal(a->points, b->points);
+    assert_int_equal(a->columns.count, b->columns.count);
+    assert_int_equal(a->reasons.count, b->reasons.count);
+    for (size_t k = 0; k < a->columns.count; k++)
+        assert_string_equal(a->columns.at[k].name, b->columns.at[k].name);
+    for (size_t r = 0; r < a->reasons.count; r++)
+        assert_string_equal(a->reasons.word[r], b->reasons.word[r]);
+    for (size_t i = 0; i < a->points; i++) {
+        assert_memory_equal(
+            sweep_rows_row(&a->rows, i), sweep_rows_row(&b->rows, i),
+            (2 + a->columns.count * a->rows.reals) * sizeof *a->rows.at);
+        assert_memory_equal(sweep_rows_code(&a->rows, i, 0),
+                            sweep_rows_code(&b->rows, i, 0), a->columns.count);
+    }
+}
+
+#endif

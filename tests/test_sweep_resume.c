@@ -1,0 +1,191 @@
+/* Sweeps that are stopped and taken up again. */
+#include <unistd.h>
+
+#include "own_folder.h"
+#include "sweeps.h"
+
+static const struct sweep_options plainly = { .journal = NULL };
+
+#define LAW "law.preset=spinodal_gen"
+#define ALL "products=[equilibria, folds, knees, estimates]"
+
+static const char *const slopes[] = {
+    LAW,
+    ALL,
+    "sweep={key: slope.alpha, from: 0.28, to: 0.4, points: 60}",
+    NULL,
+};
+
+struct patience {
+    uint64_t left;
+};
+
+static int lose_patience(void *ctx, const char *stage, uint64_t done,
+                         uint64_t total)
+{
+    struct patience *p = ctx;
+
+    (void) stage, (void) done, (void) total;
+    return p->left-- == 0;
+}
+
+/* A run that is stopped after some points; the status. */
+static enum status run_some(struct swept *w, const char *const sets[],
+                            const struct sweep_options *o, uint64_t points,
+                            struct fault *why)
+{
+    struct patience p = { points };
+    const struct monitor monitor = { lose_patience, &p };
+
+    scene_set(&w->scene, sets);
+    const enum status status = sweep_run(&w->s, &w->scene, o, &monitor, why);
+    if (status != STATUS_OK)
+        scene_free(&w->scene);
+    return status;
+}
+
+static void what_was_computed_is_not_computed_again(void **state)
+{
+    const char *path = own_path("a.part");
+    const struct sweep_options o = { path, true, "1" };
+    struct swept whole, part;
+    struct fault why;
+    size_t taken = 0;
+
+    (void) state;
+    sweep_of(&whole, slopes, &plainly);
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(run_some(&part, slopes, &o, 9, &why), STATUS_STOPPED);
+        assert_string_equal(why.text, "interrupted");
+    }
+    assert_int_equal(run_some(&part, slopes, &o, 1000, &why), STATUS_OK);
+    taken = part.s.taken;
+    CHECK(taken >= 40 && taken < 60, "%zu points", taken);
+    sweeps_are_the_same(&whole.s, &part.s);
+    swept_free(&part);
+    assert_int_equal(run_some(&part, slopes, &o, 1000, &why), STATUS_OK);
+    assert_int_equal(part.s.taken, 60);
+    sweeps_are_the_same(&whole.s, &part.s);
+    swept_free(&part);
+    assert_int_equal(access(path, F_OK), 0);
+    sweep_forget(path);
+    assert_int_equal(own_folder_entries(), 0);
+    swept_free(&whole);
+}
+
+static void a_side_file_cut_anywhere_is_taken_up(void **state)
+{
+    static const char *const sets[] = {
+        LAW, "products=[knees]",
+        "sweep={key: slope.alpha, from: 0.28, to: 0.4, points: 5, refine: 0.5}",
+        NULL
+    };
+    const char *path = own_path("a.part");
+    const struct sweep_options o = { path, true, NULL };
+    uint64_t seed = check_seed();
+    struct swept whole, part;
+    size_t size;
+
+    (void) state;
+    sweep_of(&whole, sets, &o);
+    char *bytes = file_read(path, &size);
+    for (int i = 0; i < 20; i++) {
+        const size_t cut = (size_t) (check_bits(&seed) % size);
+        file_write(path, bytes, cut);
+        sweep_of(&part, sets, &o);
+        assert_true(part.s.taken < whole.s.points);
+        sweeps_are_the_same(&whole.s, &part.s);
+        swept_free(&part);
+    }
+    free(bytes);
+    swept_free(&whole);
+}
+
+static void without_resume_a_side_file_is_replaced(void **state)
+{
+    const struct sweep_options o = { own_path("a.part"), false, "1" };
+    struct swept w;
+    struct fault why;
+
+    (void) state;
+    assert_int_equal(run_some(&w, slopes, &o, 9, &why), STATUS_STOPPED);
+    assert_int_equal(run_some(&w, slopes, &o, 1000, &why), STATUS_OK);
+    assert_true(w.s.replaced);
+    assert_int_equal(w.s.taken, 0);
+    swept_free(&w);
+}
+
+static void a_side_file_of_another_scene_or_version_is_refused(void **state)
+{
+    static const char *const other[] = {
+        LAW, ALL, "sweep={key: slope.alpha, from: 0.28, to: 0.4, points: 61}",
+        NULL
+    };
+    const char *path = own_path("a.part");
+    const struct sweep_options one = { path, true, "1" };
+    const struct sweep_options two = { path, true, "2" };
+    struct swept w;
+    struct fault why;
+
+    (void) state;
+    assert_int_equal(run_some(&w, slopes, &one, 9, &why), STATUS_STOPPED);
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(
+            run_some(&w, i ? slopes : other, i ? &two : &one, 9, &why),
+            STATUS_BAD_SCENE);
+        assert_non_null(
+            strstr(why.text, "a.part: of another scene or version"));
+        assert_null(w.s.columns.at);
+    }
+    assert_int_equal(run_some(&w, slopes, &one, 1000, &why), STATUS_OK);
+    assert_true(w.s.taken >= 10);
+    swept_free(&w);
+}
+
+static void where_the_side_file_goes_does_not_matter_to_its_key(void **state)
+{
+    static const char *const here[] = {
+        LAW, ALL, "sweep={key: slope.alpha, values: [0.33, 0.34, 0.35]}",
+        "output.hdf5=a.h5", NULL
+    };
+    static const char *const there[] = {
+        LAW, ALL, "sweep={key: slope.alpha, values: [0.33, 0.34, 0.35]}",
+        "output.figure=b.svg", NULL
+    };
+    const struct sweep_options o = { own_path("a.part"), true, "1" };
+    struct swept w;
+
+    (void) state;
+    sweep_of(&w, here, &o);
+    swept_free(&w);
+    sweep_of(&w, there, &o);
+    assert_int_equal(w.s.taken, 3);
+    swept_free(&w);
+}
+
+static void a_side_file_that_cannot_be_is_an_error(void **state)
+{
+    const struct sweep_options o = { own_path("none/a.part"), false, NULL };
+    struct swept w;
+    struct fault why;
+
+    (void) state;
+    assert_int_equal(run_some(&w, slopes, &o, 9, &why), STATUS_IO);
+    assert_non_null(strstr(why.text, "none/a.part: No such file"));
+}
+
+#define IN_FOLDER(test)                                                        \
+    cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        IN_FOLDER(what_was_computed_is_not_computed_again),
+        IN_FOLDER(a_side_file_cut_anywhere_is_taken_up),
+        IN_FOLDER(without_resume_a_side_file_is_replaced),
+        IN_FOLDER(a_side_file_of_another_scene_or_version_is_refused),
+        IN_FOLDER(where_the_side_file_goes_does_not_matter_to_its_key),
+        IN_FOLDER(a_side_file_that_cannot_be_is_an_error),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
