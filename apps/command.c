@@ -2,48 +2,99 @@
 
 #include <string.h>
 
+#include "completion.h"
+#include "manual.h"
+
 /* clang-format off */
 static const struct command table[] = {
     { "portrait", "[SCENE.yaml]", "phase portrait: HDF5 file and picture",
+      "Finds the equilibria, the nullclines and the saddle's stable and unstable "
+      "manifolds, follows trajectories, and draws them in the scene's window. Without "
+      "a scene, a law and a slope are enough (--law, --alpha).",
       "slipway portrait --law spinodal_gen --alpha 0.34 --figure a.svg",
       command_portrait },
     { "study", "SCENE.yaml", "all that the scene's products ask for",
+      "Runs the stages that the scene's products need and no others, writes "
+      "output.hdf5, draws output.figure and prints the numbers. A scene with a sweep, "
+      "with measured release distances or with starts alone is handed to the command "
+      "it is for.",
       "slipway study scenes/fig07b.yaml", command_study },
     { "plan", "SCENE.yaml", "the stages a study would run; runs nothing",
+      "Says which stages a study of this scene would run, what each costs and "
+      "which files it would write.",
       "slipway plan scenes/fig07b.yaml", command_plan },
     { "knees", "[SCENE.yaml]", "critical velocities, knees, static friction",
+      "Prints the critical velocities v_plus and v_minus at which the saddle's "
+      "stable manifold ends, its knees, the persistence length, static friction, the "
+      "folds and the paper's estimates, each with its error or the reason why it does "
+      "not exist.",
       "slipway knees --law dieterich_gen --alpha 0.34 --json", command_knees },
     { "basin", "[SCENE.yaml]", "which states stop and which slide, as a map",
+      "Labels every state of a grid with its fate, by the stable manifold as "
+      "boundary; a thousand cells are followed forward in time to check it. Products "
+      "margin, slip, time, friction and peak add a field each.",
       "slipway basin --law spinodal_gen --alpha 0.34 --figure basin.png",
       command_basin },
     { "sweep", "SCENE.yaml", "the numbers of knees over a key, or a grid of two",
+      "Computes the numbers of knees at every value of one key of the scene, or of "
+      "two, and adds points where the curves bend. A sweep that was killed goes on with "
+      "--resume.",
       "slipway sweep scenes/sweep.yaml", command_sweep },
     { "push", "[SCENE.yaml]", "one state: stops or slides, and what changes it",
+      "Says of the state of --v and --psi whether it stops or slides for ever, how "
+      "far and how long it slides, and which smallest kick would change its fate. "
+      "--states reads many from a CSV file.",
       "slipway push --law dieterich_gen --alpha 0.34 --v 1e3 --psi 10",
       command_push },
     { "simulate", "[SCENE.yaml]", "the motion from a start: events, phases",
+      "Follows the block from each of the scene's starts, or from that of --v and "
+      "--psi: slip, time, friction, events and phases until it rests or leaves.",
       "slipway simulate --law dieterich_gen --alpha 0.34 --v 1e3 --psi 10",
       command_simulate },
     { "rabinowicz", "[SCENE.yaml]", "impact experiments: l_k, and fits to data",
+      "Computes the critical release distance l_k of a law at each slope; from "
+      "measured ones (--data) static friction, the memory length and friction against "
+      "slip.",
       "slipway rabinowicz scenes/rabinowicz.yaml", command_rabinowicz },
     { "gallery", "[-o DIR]", "every figure of the paper, with a page of HTML",
+      "Runs every scene that draws a figure and writes each as SVG, PNG and HDF5, "
+      "with a page, index.html, that shows them all. Scenes are looked for in ./scenes, "
+      "then beside the source or the installed program.",
       "slipway gallery -o outputs/gallery", command_gallery },
     { "check", "TABLE.csv...", "do stored numbers still hold? or --record them",
+      "Computes the numbers of a table again and compares them within the errors "
+      "stored with them. --record makes such a table from scenes.",
       "slipway check --record scenes/fig07b.yaml -o fig07b.csv", command_check },
     { "workprec", "[SCENE.yaml]", "error against run time, ours and others'",
+      "Races the manifold's Taylor steps against other methods: error against run "
+      "time and evaluations.",
       "slipway workprec --quick", command_workprec },
     { "stress", "[SCENE.yaml]", "stiff and extreme cases, held to 113 bits",
+      "Runs a catalogue of stiff and extreme cases and holds every error bar to the "
+      "same number computed in 113 bits.",
       "slipway stress --quick", command_stress },
     { "laws", "", "the friction laws and their formulas",
+      "Lists the presets, the equations of the paper they come from and the "
+      "parameters they use.",
       "slipway laws", command_laws },
-    { "info", "FILE.h5 [scene]", "what a result file holds; prints its scene",
+    { "info", "FILE.h5 [scene]", "what a result file holds; its scene; --rerun",
+      "Lists groups and data sets of a result file; with the word scene, prints the "
+      "scene that makes it again. --rerun makes it again and compares: \"same bytes\", or "
+      "one line for each thing that differs and exit 1.",
       "slipway info outputs/fig07b.h5 scene", command_info },
     { "help", "[COMMAND]", "this list, or one command",
+      "Lists the commands, or explains one. --as writes the same as a man page "
+      "or as completions of a shell, e.g. slipway help --as bash.",
       "slipway help knees", command_help },
 };
 /* clang-format on */
 
 enum { COMMANDS = sizeof table / sizeof *table };
+
+const struct command *command_at(size_t i)
+{
+    return i < COMMANDS ? &table[i] : NULL;
+}
 
 /* How many letters differ, roughly: enough to guess a typing slip. */
 static size_t misspelling(const char *a, const char *b)
@@ -123,16 +174,38 @@ enum exit_code command_allow(const struct options *o, size_t arguments)
     return EXIT_USAGE;
 }
 
+/* In lines of at most 76 letters, two to the right. */
+static void put_wrapped(FILE *out, const char *text)
+{
+    while (*text) {
+        size_t n = strlen(text);
+        if (n > 74)
+            for (n = 74; n > 0 && text[n] != ' ';)
+                n--;
+        fprintf(out, "  %.*s\n", (int) n, text);
+        text += n;
+        text += strspn(text, " ");
+    }
+}
+
 void command_describe(FILE *out, const struct command *c)
 {
-    fprintf(out, "slipway %s %s\n  %s\nExample:\n  %s\n", c->name, c->arguments,
-            c->text, c->example);
+    fprintf(out, "slipway %s %s\n  %s\n", c->name, c->arguments, c->text);
+    put_wrapped(out, c->about);
+    fprintf(out, "Example:\n  %s\n", c->example);
 }
 
 enum exit_code command_help(const struct options *o)
 {
     const char *nearest = NULL;
 
+    if (o->as && strcmp(o->as, "man") != 0)
+        return command_allow(o, 0) ? EXIT_USAGE
+                                   : completion_print(stdout, o->as);
+    if (o->files == 0 && o->as) {
+        manual_print(stdout);
+        return EXIT_DONE;
+    }
     if (o->files == 0) {
         printf("Usage: slipway COMMAND [SCENE.yaml] [options]   (options: "
                "slipway --help)\n\n");
@@ -148,6 +221,9 @@ enum exit_code command_help(const struct options *o)
                 nearest ? "?" : "");
         return EXIT_USAGE;
     }
-    command_describe(stdout, c);
+    if (o->as)
+        manual_print_command(stdout, c);
+    else
+        command_describe(stdout, c);
     return EXIT_DONE;
 }

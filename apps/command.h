@@ -20,12 +20,16 @@ struct command {
     const char *name;
     const char *arguments;
     const char *text;    /* one phrase */
+    const char *about;   /* some sentences */
     const char *example; /* a line to try */
     enum exit_code (*run)(const struct options *o);
 };
 
 /* NULL if there is no such command; *nearest then is its likely meaning. */
 const struct command *command_find(const char *name, const char **nearest);
+
+/* In the order of the table; NULL past the end. */
+const struct command *command_at(size_t i);
 
 /* What it does and an example, a few lines. */
 void command_describe(FILE *out, const struct command *c);

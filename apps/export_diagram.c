@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "store_grid.h"
 #include "store_records.h"
 
 enum { NAME = 64 };
@@ -90,6 +91,33 @@ static enum status put_fold_curves(const struct diagrams *d, struct store *out)
     return s;
 }
 
+static enum status put_chi(const struct diagrams *d, struct store *out)
+{
+    static const struct record_field layer[] = {
+        { .name = "ln_chi",
+          .unit = "1",
+          .text = "ln chi(v), (34)",
+          .kind = RECORD_REAL },
+        { .name = "ln_chi_error",
+          .unit = "1",
+          .text = "error bound of ln_chi",
+          .kind = RECORD_REAL },
+    };
+    const struct chi_curves *c = &d->chi;
+    const double *const cells[] = { c->ln_chi, c->error };
+    const struct record_array a = { &record_chi_slope, c->slope, c->slopes };
+    enum status s = store_put_records(out, "/chi", &a, "alpha");
+
+    if (!s)
+        s = store_put_axis(out, "/chi", "v", "1", "slip rate", c->points, c->v);
+    for (int i = 0; i < 2 && !s; i++) {
+        s = store_put_layer(out, "/chi", &layer[i], "alpha", "v");
+        if (!s)
+            s = store_put_rows(out, "/chi", &layer[i], 0, c->slopes, cells[i]);
+    }
+    return s;
+}
+
 enum status export_diagrams(const struct study *s, struct store *out)
 {
     static const struct {
@@ -100,6 +128,7 @@ enum status export_diagrams(const struct study *s, struct store *out)
         { STAGE_SPRING_BLOCK, put_spring_block },
         { STAGE_BIFURCATION, put_bifurcation },
         { STAGE_FOLD_CURVES, put_fold_curves },
+        { STAGE_CHI, put_chi },
     };
     enum status status = STATUS_OK;
 

@@ -15,6 +15,8 @@
  *                   /bifurcation/folds (n: as extrema)
  *   /fold_curves    (c: alpha_cm, alpha_cM, v_m, v_M, mu_m, mu_M),
  *                   /fold_curves/cusp (c, v, psi, mu, alpha)
+ *   /chi            (alpha: v_sp0, v_low, v_high; alpha x v: ln_chi,
+ *                   ln_chi_error)
  * Sticks on failure, as store.h says.
  */
 MUST_CHECK enum status export_diagrams(const struct study *s,

@@ -6,6 +6,7 @@
 #include "json.h"
 #include "library.h"
 #include "merge.h"
+#include "rerun.h"
 #include "store_read.h"
 
 struct listing {
@@ -113,6 +114,8 @@ enum exit_code command_info(const struct options *o)
     if (o->files == 0 || (o->files > 1 && !scene))
         return command_fail(STATUS_BAD_SCENE,
                             "info: expected FILE.h5, then perhaps 'scene'");
+    if (o->rerun)
+        return command_allow(o, 1) ? EXIT_USAGE : rerun(o);
     store_silence();
     enum status s = store_open(o->file[0], &file, &why);
     if (s != STATUS_OK)

@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <argp.h>
+#include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,10 +33,14 @@ enum key {
     KEY_DATA,
     KEY_SCENES,
     KEY_ONLY,
+    KEY_RERUN,
+    KEY_AS,
     KEY_HELP,
     KEY_VERSION
 };
 
+/* Of options that some commands take the text begins with their names, others
+ * begin with a capital: see options_concern. */
 static const struct argp_option option_table[] = {
     { "set", KEY_SET, "KEY=VALUE", 0, "Set any scene key, e.g. slope.alpha=0.3",
       0 },
@@ -54,7 +59,8 @@ static const struct argp_option option_table[] = {
     { "record", KEY_RECORD, 0, 0,
       "check: write a table from scenes or options to -o", 0 },
     { "threads", KEY_THREADS, "N", 0, "Number of threads [all]", 0 },
-    { "progress", KEY_PROGRESS, "HOW", 0, "auto, json or none [auto]", 0 },
+    { "progress", KEY_PROGRESS, "HOW", 0,
+      "Show progress: auto, json or none [auto]", 0 },
     { "quiet", 'q', 0, 0, "Print nothing but errors", 0 },
     { "exact", KEY_EXACT, 0, 0,
       "basin: label every cell by its own forward integration", 0 },
@@ -75,6 +81,10 @@ static const struct argp_option option_table[] = {
     { "scenes", KEY_SCENES, "DIR", 0,
       "gallery: the folder of scenes, instead of ./scenes", 0 },
     { "only", KEY_ONLY, "PATTERN", 0, "stress: the cases with this in the name",
+      0 },
+    { "rerun", KEY_RERUN, 0, 0,
+      "info: compute the file again from the scene in it, and compare", 0 },
+    { "as", KEY_AS, "FORMAT", 0, "help: write it as man, bash, zsh or fish",
       0 },
     { "help", KEY_HELP, 0, 0, "Print this", -1 },
     { "version", KEY_VERSION, 0, 0, "Print the version", -1 },
@@ -222,6 +232,8 @@ static const char **text_option(struct options *o, int key)
             return &o->scenes;
         case KEY_ONLY:
             return &o->only;
+        case KEY_AS:
+            return &o->as;
         default:
             return NULL;
     }
@@ -239,6 +251,8 @@ static bool *flag_option(struct options *o, int key)
             return &o->resume;
         case KEY_JSON:
             return &o->json;
+        case KEY_RERUN:
+            return &o->rerun;
         case KEY_TAP:
             return &o->tap;
         case KEY_RECORD:
@@ -320,6 +334,36 @@ static const struct argp argp = {
            "saddle's manifolds, critical velocities.\v-",
     .help_filter = help_filter,
 };
+
+bool options_at(size_t i, struct option_line *line)
+{
+    const struct argp_option *o = &option_table[i];
+
+    if (i >= sizeof option_table / sizeof *option_table - 1)
+        return false;
+    *line = (struct option_line){
+        .name = o->name,
+        .letter = o->key < KEY_SET ? (char) o->key : '\0',
+        .value = o->arg,
+        .text = o->doc,
+        .general = isupper((unsigned char) *o->doc),
+    };
+    return true;
+}
+
+bool options_concern(const struct option_line *line, const char *command)
+{
+    const size_t size = strlen(command);
+    const char *found = line->text;
+
+    while (!line->general && (found = strstr(found, command)) != NULL) {
+        const bool begins = found == line->text || found[-1] == ' ';
+        found += size;
+        if (begins && (*found == ',' || *found == ':'))
+            return true;
+    }
+    return line->general;
+}
 
 /* argp's own messages take two lines; ours is one (ARGP_KEY_ERROR). */
 void options_parse(struct options *o, int argc, char *argv[])

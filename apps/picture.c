@@ -11,6 +11,7 @@
 #include "panel.h"
 #include "physical.h"
 #include "picture_diagram.h"
+#include "picture_field.h"
 #include "picture_taylor.h"
 #include "tolerance.h"
 
@@ -20,8 +21,7 @@ struct picture {
     struct mat2 basis; /* eigenvectors, for eigen axes */
     enum axes axes;
     const struct monitor *monitor; /* borrowed */
-    struct cell *raster;           /* owned: fields of the image below; NULL */
-    size_t columns, rows;          /* of it; 0: none */
+    struct picture_raster raster;  /* owned; empty: no image below */
     enum cell_field field;         /* shown now */
 };
 
@@ -385,47 +385,11 @@ static enum status add_basins(struct picture *p)
     return status;
 }
 
-static double field_of(const struct cell *c, enum cell_field field)
-{
-    const double value[CELL_FIELDS] = { [CELL_SLIP] = c->slip,
-                                        [CELL_TIME] = c->time,
-                                        [CELL_MU_MEAN] = c->mu_mean,
-                                        [CELL_V_PEAK] = c->v_peak,
-                                        [CELL_MU_PEAK] = c->mu_peak };
-    return value[field];
-}
-
 /* A field as an image instead. */
 static enum status add_field(struct picture *p)
 {
-    static const struct {
-        const char *label;
-        bool is_log;
-    } look[CELL_FIELDS] = {
-        [CELL_SLIP] = { "slip to arrest x/L", true },
-        [CELL_TIME] = { "time to arrest t V*/L", true },
-        [CELL_MU_MEAN] = { "mean friction", false },
-        [CELL_V_PEAK] = { "largest slip rate", true },
-        [CELL_MU_PEAK] = { "largest friction", false },
-    };
-    const size_t n = p->columns * p->rows;
-
-    if (n == 0)
-        return STATUS_OK;
-    double *value = malloc(n * sizeof *value);
-    if (value == NULL)
-        return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < n; i++)
-        value[i] = field_of(&p->raster[i], p->field);
-    const enum status status = figure_add_map(
-        &p->figure,
-        &(struct figure_map){ .value = value,
-                              .nx = p->columns,
-                              .ny = p->rows,
-                              .scale = { .label = look[p->field].label,
-                                         .is_log = look[p->field].is_log } });
-    free(value);
-    return status;
+    return p->raster.cell ? picture_add_field(&p->raster, p->field, &p->figure)
+                          : STATUS_OK;
 }
 
 static enum status draw_portrait(struct picture *p)
@@ -462,26 +426,6 @@ static enum status write_figure(struct picture *p, enum status status,
     return status;
 }
 
-/* The cells behind the pictures, no finer than the grid. */
-static enum status find_raster(struct picture *p)
-{
-    enum { COLUMNS = 144, ROWS = 96 };
-    const struct basin_map *m = &p->s->basins;
-
-    p->columns = m->columns < COLUMNS ? m->columns : COLUMNS;
-    p->rows = m->rows < ROWS ? m->rows : ROWS;
-    p->raster = malloc(p->columns * p->rows * sizeof *p->raster);
-    return p->raster ? fields_raster(&p->s->fields, p->columns, p->rows,
-                                     p->monitor, p->raster)
-                     : STATUS_NO_MEMORY;
-}
-
-static const char *const field_panel[CELL_FIELDS] = {
-    [CELL_SLIP] = "_slip",       [CELL_TIME] = "_time",
-    [CELL_MU_MEAN] = "_mu_mean", [CELL_V_PEAK] = "_v_peak",
-    [CELL_MU_PEAK] = "_mu_peak",
-};
-
 static bool shows_fields(const struct study *s)
 {
     return s->fields.which != 0 && s->scene->window.axes != AXES_EIGEN &&
@@ -494,7 +438,7 @@ const char *picture_panel(const struct study *s, size_t i)
         return "";
     for (size_t k = 0, n = 0; k < CELL_FIELDS && shows_fields(s); k++)
         if (s->fields.which >> k & 1u && n++ == i)
-            return field_panel[k];
+            return picture_field_panel((enum cell_field) k);
     return NULL;
 }
 
@@ -502,7 +446,7 @@ const char *picture_panel(const struct study *s, size_t i)
 static enum status draw_fields(struct picture *p, const char *path,
                                bool keep_script, struct fault *why)
 {
-    enum status status = find_raster(p);
+    enum status status = picture_raster_find(&p->raster, p->s, p->monitor);
     size_t shown = 0;
 
     if (status != STATUS_OK)
@@ -537,6 +481,6 @@ enum status picture_draw(const struct study *s, const char *path,
         status = draw_fields(&p, path, keep_script, why);
     else
         status = write_figure(&p, draw_portrait(&p), path, keep_script, why);
-    free(p.raster);
+    picture_raster_free(&p.raster);
     return status;
 }

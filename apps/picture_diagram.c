@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "picture_chi.h"
 #include "sheet.h"
 
 /* Roles of the scene's law and of Dieterich's. */
@@ -372,6 +373,7 @@ static const struct {
     { STAGE_SPRING_BLOCK, draw_spring_block },
     { STAGE_BIFURCATION, draw_bifurcation },
     { STAGE_FOLD_CURVES, draw_fold_curves },
+    { STAGE_CHI, picture_chi },
 };
 enum { DIAGRAM_KINDS = sizeof diagram / sizeof *diagram };
 

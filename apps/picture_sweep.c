@@ -5,24 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A column as drawn over one key. */
-struct look {
-    const char *column, *entry;
-    struct figure_style style;
-};
+#include "scene_sweep.h"
+#include "sweep_show.h"
 
-static const struct look curves[] = {
-    { "v_plus", "v₊", { FIGURE_SERIES_1, FIGURE_SOLID, 0 } },
-    { "saddle_v", "v at the saddle", { FIGURE_SERIES_2, FIGURE_DASHED, 0 } },
-    { "v_minus", "v₋", { FIGURE_SERIES_3, FIGURE_SOLID, 0 } },
-    { "knee_upper_v", "upper knee", { FIGURE_SERIES_4, FIGURE_DOTTED, 0 } },
-    { "knee_lower_v", "lower knee", { FIGURE_SERIES_5, FIGURE_DOTTED, 0 } },
-};
-enum { CURVES = sizeof curves / sizeof *curves };
-
-/* A bar can be seen when it is this part of ln v long: 2 px of 600 over ten
- * decades. */
-static const double visible = 0.04;
+/* A bar can be seen when it is this part of its axis long: 2 px of 600.  Marks
+ * are at least this part of the axis along the key apart. */
+static const double visible = 1.0 / 300.0, apart = 1.0 / 36.0;
 
 static double place(const struct sweep_axis *a, double x)
 {
@@ -44,9 +32,10 @@ static struct figure_axis around(const char *label, double lo, double hi,
 static void label_of(const struct sweep_axis *a, char *label, size_t size)
 {
     if (a->key.unit[0] == '1')
-        snprintf(label, size, "%s", a->key.path);
+        snprintf(label, size, "%s, %s", a->key.text, a->key.path);
     else
-        snprintf(label, size, "%s (%s)", a->key.path, a->key.unit);
+        snprintf(label, size, "%s, %s (%s)", a->key.text, a->key.path,
+                 a->key.unit);
 }
 
 static void title_of(const struct sweep *s, char *title, size_t size)
@@ -65,108 +54,154 @@ static void title_of(const struct sweep *s, char *title, size_t size)
 /* ---- over one key ---------------------------------------------------------
  */
 
-/* Values of a column, NaN where there are none, and their errors. */
-struct series {
-    double *y, *error; /* owned */
+/* What is drawn, and where: y.lo < y.hi. */
+struct plot {
+    const struct sweep *s;
+    struct figure *figure;
+    struct figure_axis x, y;
 };
 
-static void free_series(struct series *q)
+/* A column's values, NaN where there are none. */
+static double *values_of(const struct sweep *s, int column)
 {
-    free(q->y);
-    free(q->error);
+    double *value = malloc(s->points * sizeof *value);
+
+    for (size_t i = 0; i < s->points && value; i++)
+        value[i] = sweep_quantity(s, column, i).value;
+    return value;
 }
 
-static enum status read_series(const struct sweep *s, int column,
-                               struct series *q)
-{
-    q->y = malloc(s->points * sizeof *q->y);
-    q->error = malloc(s->points * sizeof *q->error);
-    if (q->y == NULL || q->error == NULL)
-        return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < s->points; i++) {
-        const struct quantity v = sweep_quantity(s, column, i);
-        q->y[i] = v.value;
-        q->error[i] = v.error;
-    }
-    return STATUS_OK;
-}
-
-/* The least and largest value of all curves; 0.1 and 10 where there are none.
- */
-static void span(const struct sweep *s, double range[2])
+/* The least and largest value of all curves that the axis can show. */
+static void span(const struct sweep *s, const struct sweep_curve curve[],
+                 size_t curves, bool is_log, double range[2])
 {
     range[0] = HUGE_VAL;
-    range[1] = 0.0;
-    for (int k = 0; k < CURVES; k++) {
-        const int column = sweep_find(s, curves[k].column);
+    range[1] = -HUGE_VAL;
+    for (size_t k = 0; k < curves; k++) {
+        const int column = sweep_find(s, curve[k].column);
         for (size_t i = 0; column >= 0 && i < s->points; i++) {
-            const struct quantity v = sweep_quantity(s, column, i);
-            if (quantity_exists(&v) && v.value > 0.0 && isfinite(v.value)) {
-                range[0] = fmin(range[0], v.value);
-                range[1] = fmax(range[1], v.value);
+            const double y = sweep_quantity(s, column, i).value;
+            if (isfinite(y) && (y > 0.0 || !is_log)) {
+                range[0] = fmin(range[0], y);
+                range[1] = fmax(range[1], y);
             }
         }
     }
-    if (!(range[0] <= range[1])) {
+    if (!(range[0] <= range[1])) { /* no values */
         range[0] = 0.1;
         range[1] = 10.0;
     }
 }
 
-static enum status add_bar(struct figure *f, const struct look *look, double x,
-                           double y, double error)
+/* As the scene asks, as the table does, or as the values need. */
+static struct figure_axis upward(const struct sweep *s,
+                                 const struct sweep_curve curve[],
+                                 size_t curves)
 {
-    const double at[2] = { x, x };
-    const double ends[2] = { fmax(y - error, 0.1 * y), y + error };
+    const struct scene_sweep *w = &s->scene->sweep;
+    const struct show_frame *show = &show_frames[w->show];
+    const bool is_log = scene_sweep_y_log(w);
+    double range[2];
 
-    return figure_add_curve(
-        f, &(struct figure_curve){
-               .style = { .role = look->style.role, .dash = FIGURE_SOLID },
-               .x = at,
-               .y = ends,
-               .count = 2 });
+    for (int i = 0; i < 2; i++) {
+        const double *r = i == 0 ? w->y_range : show->range;
+        if (r[0] < r[1] && (r[0] > 0.0 || !is_log))
+            return (struct figure_axis){ show->label, r[0], r[1], is_log };
+    }
+    span(s, curve, curves, is_log, range);
+    const double rim = is_log ? 0.03 * log(range[1] / range[0]) + 0.03
+                              : 0.04 * (range[1] - range[0]);
+    return around(show->label, range[0], range[1], is_log, rim);
 }
 
-static enum status add_curve(const struct sweep *s, const struct look *look,
-                             int column, struct figure *f)
+/* The bar from y - error to y + error, where it can be seen. */
+static enum status add_bar(const struct plot *p, const struct sweep_curve *c,
+                           double x, double y, double error)
 {
-    struct series q = { .y = NULL };
-    enum status status = read_series(s, column, &q);
+    const bool is_log = p->y.is_log;
+    const double part = is_log ? error / y / log(p->y.hi / p->y.lo)
+                               : error / (p->y.hi - p->y.lo);
+    const double at[2] = { x, x };
+    const double least = is_log ? 0.1 * y : -HUGE_VAL;
+    const double ends[2] = { fmax(y - error, least), y + error };
 
-    if (status == STATUS_OK)
-        status =
-            figure_add_curve(f, &(struct figure_curve){ .style = look->style,
-                                                        .entry = look->entry,
-                                                        .x = s->axis[0].value,
-                                                        .y = q.y,
-                                                        .count = s->points });
-    for (size_t i = 0; i < s->points && status == STATUS_OK; i++)
-        if (q.error[i] > 0.5 * visible * q.y[i])
-            status = add_bar(f, look, s->axis[0].value[i], q.y[i], q.error[i]);
-    free_series(&q);
+    if (!(2.0 * part > visible))
+        return STATUS_OK;
+    return figure_add_curve(
+        p->figure,
+        &(struct figure_curve){ .style = { c->style.role, FIGURE_SOLID, 0 },
+                                .x = at,
+                                .y = ends,
+                                .count = 2 });
+}
+
+static enum status add_line(const struct plot *p, const struct sweep_curve *c,
+                            const double y[])
+{
+    return figure_add_curve(p->figure,
+                            &(struct figure_curve){ .style = c->style,
+                                                    .entry = c->entry,
+                                                    .x = p->s->axis[0].value,
+                                                    .y = y,
+                                                    .count = p->s->points });
+}
+
+/* Crosses at the points, but where they would lie on top of each other. */
+static enum status add_marks(const struct plot *p, const struct sweep_curve *c,
+                             double y[])
+{
+    const struct sweep_axis *a = &p->s->axis[0];
+    const double step = apart * (place(a, p->x.hi) - place(a, p->x.lo));
+    double last = -HUGE_VAL;
+
+    for (size_t i = 0; i < p->s->points; i++) {
+        const double x = place(a, a->value[i]);
+        if (x - last < step)
+            y[i] = (double) NAN;
+        else if (isfinite(y[i]))
+            last = x;
+    }
+    return figure_add_points(p->figure,
+                             &(struct figure_points){ .style = c->style,
+                                                      .entry = c->entry,
+                                                      .x = a->value,
+                                                      .y = y,
+                                                      .count = p->s->points,
+                                                      .mark = FIGURE_PLUS });
+}
+
+static enum status add_curve(const struct plot *p, const struct sweep_curve *c)
+{
+    const int column = sweep_find(p->s, c->column);
+    double *y = column < 0 ? NULL : values_of(p->s, column);
+    enum status status;
+
+    if (y == NULL)
+        return column < 0 ? STATUS_OK : STATUS_NO_MEMORY;
+    status = c->marks ? add_marks(p, c, y) : add_line(p, c, y);
+    for (size_t i = 0; i < p->s->points && status == STATUS_OK; i++)
+        if (isfinite(y[i]))
+            status = add_bar(p, c, p->s->axis[0].value[i], y[i],
+                             sweep_quantity(p->s, column, i).error);
+    free(y);
     return status;
 }
 
 static enum status draw_curves(const struct sweep *s, struct figure *f)
 {
     const struct sweep_axis *a = &s->axis[0];
+    struct sweep_curve curve[SWEEP_CURVES_MAX];
+    const size_t curves = sweep_show_curves(s->scene, curve);
+    struct plot p = { .s = s, .figure = f };
     char title[512], label[96];
-    double range[2];
 
     title_of(s, title, sizeof title);
     label_of(a, label, sizeof label);
-    span(s, range);
-    const struct figure_axis x =
-        around(label, a->value[0], a->value[a->count - 1], a->is_log, 0.0);
-    const struct figure_axis y =
-        around("slip rate v = V/V*", range[0], range[1], true,
-               0.03 * log(range[1] / range[0]) + 0.03);
-    enum status status = figure_init(f, title, &x, &y);
-    for (int k = 0; k < CURVES && status == STATUS_OK; k++) {
-        const int column = sweep_find(s, curves[k].column);
-        if (column >= 0)
-            status = add_curve(s, &curves[k], column, f);
-    }
+    p.x = around(label, a->value[0], a->value[a->count - 1], a->is_log, 0.0);
+    p.y = upward(s, curve, curves);
+    enum status status = figure_init(f, title, &p.x, &p.y);
+    for (size_t k = 0; k < curves && status == STATUS_OK; k++)
+        status = add_curve(&p, &curve[k]);
     return status;
 }
 
@@ -206,7 +241,8 @@ static void nearest(const struct sweep_axis *a, const struct figure_axis *shown,
 static enum status add_map(const struct sweep *s, const struct figure_axis *x,
                            const struct figure_axis *y, struct figure *f)
 {
-    const int column = sweep_find(s, "ln_v_plus");
+    const struct show_frame *show = &show_frames[s->scene->sweep.show];
+    const int column = sweep_find(s, show->map);
     size_t across[COLUMNS], up[ROWS];
     double *value = malloc((size_t) COLUMNS * ROWS * sizeof *value);
 
@@ -226,7 +262,7 @@ static enum status add_map(const struct sweep *s, const struct figure_axis *x,
         f, &(struct figure_map){ .value = value,
                                  .nx = COLUMNS,
                                  .ny = ROWS,
-                                 .scale = { .label = "ln v₊" } });
+                                 .scale = { .label = show->map_label } });
     free(value);
     return status;
 }

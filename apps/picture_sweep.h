@@ -5,8 +5,8 @@
 #include "figure.h"
 #include "sweep.h"
 
-/* Over one key v_plus, v_sp, v_minus and the first knees as curves, with error
- * bars where they can be seen; over a grid ln v_plus as a map.  Freed by
+/* Over one key the curves of the scene's table (sweep_show.h), with error bars
+ * where they can be seen; over a grid that table's map.  Freed by
  * figure_free.  STATUS_NO_MEMORY leaves *f FIGURE_EMPTY. */
 MUST_CHECK enum status picture_sweep(const struct sweep *s, struct figure *f);
 

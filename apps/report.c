@@ -80,6 +80,24 @@ static void print_knees(FILE *out, const char *name,
         fprintf(out, "  %-16s -  (slope never passes through 1)\n", name);
 }
 
+/* The estimates of one xi; "-" and reasons where they do not exist. */
+static void print_xi(FILE *out, const struct xi_number *xi)
+{
+    static const char *const name[] = { "v_minus", "v_plus", "mu_s", "G" };
+    const struct quantity *q[] = { &xi->v_minus, &xi->v_plus, &xi->mu_s,
+                                   &xi->G };
+
+    fprintf(out, "  xi = %-11g ", xi->xi);
+    for (size_t i = 0; i < sizeof q / sizeof *q; i++)
+        if (quantity_exists(q[i]))
+            fprintf(out, "%s%s %.6g", i ? ", " : "", name[i], q[i]->value);
+        else if (i > 0 && q[i]->reason == q[i - 1]->reason)
+            fprintf(out, ", %s -", name[i]);
+        else
+            fprintf(out, "%s%s - (%s)", i ? ", " : "", name[i], q[i]->reason);
+    fputc('\n', out);
+}
+
 /* The paper's estimates, and where they mislead. */
 static void print_estimates(FILE *out, const struct study *s)
 {
@@ -92,10 +110,7 @@ static void print_estimates(FILE *out, const struct study *s)
     print_quantity(out, "chi v_minus", &e->chi_v_minus);
     print_quantity(out, "chi v_plus", &e->chi_v_plus);
     for (size_t i = 0; i < e->xi_count; i++)
-        fprintf(out,
-                "  xi = %-11g v_minus %.6g, v_plus %.6g, mu_s %.6g, G %.6g\n",
-                e->xi[i].xi, e->xi[i].v_minus.value, e->xi[i].v_plus.value,
-                e->xi[i].mu_s.value, e->xi[i].G.value);
+        print_xi(out, &e->xi[i]);
     fprintf(out,
             "  note: x_k neglects psi_ss, so (41) diverges near alpha_f where "
             "mu_s_mean does not;\n"

@@ -50,6 +50,17 @@ static void print_fold_curves(FILE *out, const struct fold_curve *f)
     print_quantity(out, "alpha", &f->cusp.alpha);
 }
 
+static void print_chi(FILE *out, const struct chi_curves *c)
+{
+    for (size_t i = 0; i < c->slopes; i++) {
+        const struct chi_slope *s = &c->slope[i];
+        fprintf(out, "chi(v) at alpha = %.17g rad\n", s->alpha);
+        print_quantity(out, "v_sp0", &s->v_sp0);
+        print_quantity(out, "v_low", &s->v_low);
+        print_quantity(out, "v_high", &s->v_high);
+    }
+}
+
 void report_diagrams_print(FILE *out, const struct study *s)
 {
     const struct diagrams *d = &s->diagrams;
@@ -66,6 +77,8 @@ void report_diagrams_print(FILE *out, const struct study *s)
     }
     if (plan_has(s->stages, STAGE_FOLD_CURVES))
         print_fold_curves(out, &d->fold_curves);
+    if (plan_has(s->stages, STAGE_CHI))
+        print_chi(out, &d->chi);
 }
 
 /* ---- JSON ---------------------------------------------------------------- */
@@ -97,6 +110,13 @@ static json_t *cusp_json(const struct fold_curve *f)
     return j;
 }
 
+static json_t *chi_json(const struct chi_curves *c)
+{
+    const struct record_array a = { &record_chi_slope, c->slope, c->slopes };
+
+    return json_records(&a);
+}
+
 void report_diagrams_json(json_t *j, const struct study *s)
 {
     const struct diagrams *d = &s->diagrams;
@@ -113,4 +133,6 @@ void report_diagrams_json(json_t *j, const struct study *s)
                                          d->bifurcation.extrema));
     if (plan_has(s->stages, STAGE_FOLD_CURVES))
         json_object_set_new(j, "fold_curves", cusp_json(&d->fold_curves));
+    if (plan_has(s->stages, STAGE_CHI))
+        json_object_set_new(j, "chi", chi_json(&d->chi));
 }

@@ -1,5 +1,6 @@
 /* report_diagram.h -- the diagrams of steady sliding in numbers: extrema,
- * folds, the cusp, the stiffest springs that still stick and slip. */
+ * folds, the cusp, the stiffest springs that still stick and slip; where chi is
+ * 1. */
 #ifndef APPS_REPORT_DIAGRAM_H
 #define APPS_REPORT_DIAGRAM_H
 
@@ -12,7 +13,8 @@
 void report_diagrams_print(FILE *out, const struct study *s);
 
 /* The same into j: friction_law {extrema[]}, bifurcation {folds[]},
- * spring_block {sigma mass extrema[]}, fold_curves {cusp{}}. */
+ * spring_block {sigma mass extrema[]}, fold_curves {cusp{}}, chi [{alpha v_sp0
+ * v_low v_high}]. */
 void report_diagrams_json(json_t *j, const struct study *s);
 
 #endif

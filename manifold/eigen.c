@@ -29,6 +29,7 @@ struct route {
     const struct eigen_frame *frame;
     const struct eigen_options *options;
     struct eigen_start start;
+    double start_error;         /* in the plane */
     struct eigen_leg leg[LEGS]; /* in W, in z; owned */
     size_t legs;
     enum branch_end end;
@@ -130,8 +131,10 @@ static enum status run(struct route *r, const struct eigen_frame *g,
     if (s == STATUS_OK)
         s = eigen_leg_begin(&r->leg[r->legs++], g, &r->start, step_rtol,
                             o->max_steps);
-    if (s == STATUS_OK)
-        s = follow(r);
+    if (s != STATUS_OK)
+        return s;
+    r->start_error = eigen_drift_of_point(&r->leg[0].drift);
+    s = follow(r);
     if (s != STATUS_OK)
         return s;
     r->limit = eigen_leg_end(last_leg(r));
@@ -177,7 +180,7 @@ static struct mat2 inverse(struct mat2 P)
 
 /* The curve of a route from the saddle on, as offsets z, or else as W: W is a
  * leg's own coordinate on the first, P^-1 z on the second. */
-static enum status copy_curve(const struct route *r, bool plane, double error,
+static enum status copy_curve(const struct route *r, bool plane,
                               struct curve *c)
 {
     const struct eigen_start *t = &r->start;
@@ -189,7 +192,8 @@ static enum status copy_curve(const struct route *r, bool plane, double error,
 
     memcpy(coef[1], t->Y, sizeof t->Y);
     memcpy(coef[2], t->integral, sizeof t->integral);
-    enum status s = append(c, EIGEN_START_DEGREE, coef[0], first, error);
+    enum status s =
+        append(c, EIGEN_START_DEGREE, coef[0], first, r->start_error);
     for (size_t k = 0; k < r->legs; k++) {
         const struct curve *from = &r->leg[k].flow.curve;
         const struct mat2 map = plane    ? r->leg[k].map
@@ -197,7 +201,7 @@ static enum status copy_curve(const struct route *r, bool plane, double error,
                                          : product(back, r->leg[k].map);
         for (size_t i = 0; i < from->count && s == STATUS_OK; i++)
             s = append(c, from->piece[i].degree, curve_component(from, i, 0),
-                       map, error);
+                       map, from->piece[i].error);
     }
     return s;
 }
@@ -295,10 +299,9 @@ static enum status make_branch(const struct eigen_frame *g, int side,
     if (s != STATUS_OK)
         goto out;
     report(&fine, &coarse, &out->branch);
-    const double error = fmax(out->branch.error.x, out->branch.error.y);
-    s = copy_curve(&fine, false, error, &out->curve);
+    s = copy_curve(&fine, false, &out->curve);
     if (s == STATUS_OK)
-        s = copy_curve(&fine, true, error, &out->branch.curve);
+        s = copy_curve(&fine, true, &out->branch.curve);
 out:
     free_legs(&fine);
     free_legs(&coarse);

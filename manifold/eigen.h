@@ -27,10 +27,13 @@ struct eigen_options eigen_defaults(double rtol);
 
 struct eigen_branch {
     /* In the plane, as from grow_branch; its error bounds the whole error:
-     * steps, start, end and rounding of the curve, not of the field. */
+     * steps, start, end and rounding of the curve, not of the field.  That of a
+     * piece: of the coordinate the curve is flatter in, from errors made so far
+     * and what the field makes of them (eigen_drift.h). */
     struct branch branch;
     struct mat2 basis;  /* P */
-    struct curve curve; /* owned; the same pieces, components 0, 1: X, Y */
+    struct curve curve; /* owned; the same pieces, components 0, 1: X, Y; their
+                           errors are those in the plane */
 };
 
 /* The half of the stable manifold with X > 0 (side +1: towards larger x;

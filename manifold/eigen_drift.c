@@ -92,3 +92,19 @@ double eigen_drift_of_limit(const struct eigen_drift *d, int ind)
     return ind == 0 ? fabs(off.y - t.y / t.x * off.x)
                     : fabs(off.x - t.x / t.y * off.y);
 }
+
+double eigen_drift_of_point(const struct eigen_drift *d)
+{
+    return fmin(eigen_drift_of_limit(d, 0), eigen_drift_of_limit(d, 1));
+}
+
+double eigen_drift_of_piece(const struct eigen_drift *before,
+                            const struct eigen_drift *after,
+                            const double defect[])
+{
+    struct eigen_drift within = *after;
+
+    within.normal +=
+        fabs(after->tangent.y) * defect[0] + fabs(after->tangent.x) * defect[1];
+    return fmax(eigen_drift_of_point(before), eigen_drift_of_point(&within));
+}

@@ -24,7 +24,7 @@ struct eigen_drift {
     double noise[LOCAL_CARRY_MAX]; /* what rounding makes of d integral/ds */
 };
 
-/* At u = (u[0], u[1]): of the first leg, without any drift; of another one,
+/* At u = (u[0], u[1]): of the first leg, the drift to be set; of another one,
  * with what d held before in its coordinates. */
 void eigen_drift_begin(struct eigen_drift *d, const struct eigen_frame *g,
                        struct mat2 map, const double u[]);
@@ -38,5 +38,15 @@ void eigen_drift_step(struct eigen_drift *d, const struct eigen_frame *g,
 
 /* What it makes of the coordinate that does not run (`ind` does). */
 double eigen_drift_of_limit(const struct eigen_drift *d, int ind);
+
+/* And of the coordinate that depends on the other at this point, the one the
+ * curve is flatter in. */
+double eigen_drift_of_point(const struct eigen_drift *d);
+
+/* The same of all points of a step between two drifts; defect[]: of its
+ * polynomial, in u. */
+double eigen_drift_of_piece(const struct eigen_drift *before,
+                            const struct eigen_drift *after,
+                            const double defect[]);
 
 #endif

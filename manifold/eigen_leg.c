@@ -84,6 +84,7 @@ enum status eigen_leg_begin(struct eigen_leg *l, const struct eigen_frame *g,
         .frame = g, .map = scaled(unit, g->basis), .in_W = true, .rtol = rtol
     };
     eigen_drift_begin(&l->drift, g, l->map, u);
+    l->drift.normal = rtol * (fabs(u[1]) + g->thin);
     return begin(l, u, none, max_steps);
 }
 
@@ -213,17 +214,20 @@ static enum status step(struct eigen_leg *l, double defect[])
 enum status eigen_leg_step(struct eigen_leg *l)
 {
     const double s = l->flow.s;
-    double before[CURVE_DIM_MAX], error[CURVE_DIM_MAX];
+    const struct eigen_drift drift = l->drift;
+    double before[CURVE_DIM_MAX], defect[CURVE_DIM_MAX], error[CURVE_DIM_MAX];
 
     memcpy(before, l->flow.error, sizeof before);
     set_weights(l);
-    const enum status status = step(l, error);
+    const enum status status = step(l, defect);
     if (status != STATUS_OK)
         return status;
     for (size_t i = 0; i < l->ode.dim; i++)
         error[i] =
-            TOL_EIGEN_ESTIMATES * (error[i] + l->flow.error[i] - before[i]);
+            TOL_EIGEN_ESTIMATES * (defect[i] + l->flow.error[i] - before[i]);
     eigen_drift_step(&l->drift, l->frame, l->flow.s - s, l->flow.u, error);
+    l->flow.curve.piece[l->flow.curve.count - 1].error =
+        eigen_drift_of_piece(&drift, &l->drift, defect);
     return STATUS_OK;
 }
 

@@ -110,6 +110,7 @@ def screenshot(room, folder):
         expect(done.returncode == 0 and words in done.stdout, done)
     expect(len(room.bytes('page.png')) > 50000, 'an empty page')
     os.remove(room.path(folder + '/shown.html'))
+    os.remove(room.path('page.png'))
 
 
 def every_figure_is_built_and_shown(room):

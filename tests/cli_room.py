@@ -108,7 +108,7 @@ def refused(done, code, *words):
 
 def run_cases(cases):
     """usage of every cli_*.py: PATH_TO_SLIPWAY SOURCE_ROOT"""
-    slipway, source = (os.path.realpath(path) for path in sys.argv[1:])
+    slipway, source = (os.path.realpath(path) for path in sys.argv[1:3])
     failed = False
     print(f'1..{len(cases)}')
     for number, case in enumerate(cases, 1):

@@ -12,7 +12,7 @@ import xml.etree.ElementTree
 from cli_room import READER, expect, refused, run_cases
 
 SCENES = {'fig01a': 'friction_law', 'fig01b': 'spring_block',
-          'fig03': 'bifurcation', 'fig04': 'fold_curves'}
+          'fig03': 'bifurcation', 'fig04': 'fold_curves', 'fig10': 'chi'}
 LAW = ['study', '--law', 'spinodal_gen', '--alpha', '0.34']
 V_M, V_m = 0.02493158, 405.1126
 A_cM, A_cm = 0.38453358433302, 0.29321673817884
@@ -177,6 +177,28 @@ def fold_curves_reach_the_cusp(room):
                    name, off)
 
 
+def chi_is_a_table_of_slopes_and_slip_rates(room):
+    alphas = [0.34, 0.2, 0.38]
+    args = [*LAW, *asking('chi'), '--set', f'chi.alpha={alphas}', '-o', 'a.h5']
+    said = room.json(*args)['chi']
+    near, _ = columns(room, 'chi')
+    expect(near['alpha']['values'] == alphas, near['alpha'])
+    v = near['v']['values']
+    expect(v == sorted(v) and (v[0], v[-1]) == (1e-6, 1e6), v[0], v[-1])
+    for name in 'v_sp0', 'v_low', 'v_high', 'v_low_error':
+        expect(near[name]['axis'] == '/chi/alpha', name, near[name]['axis'])
+    for i, row in enumerate(said):
+        expect(row['alpha'] == alphas[i], row)
+        ends = [near[name]['values'][i] for name in ('v_low', 'v_high')]
+        expect([row['v_low']['value'], row['v_high']['value']] == ends, row)
+        for at, ln_chi, error in zip(v, near['ln_chi']['values'][i],
+                                     near['ln_chi_error']['values'][i]):
+            expect((ln_chi < 0) == (ends[0] < at < ends[1]), at, ln_chi, ends)
+            expect(0 < error < 1e-11 * (1 + 1 / at), at, error)
+    expect(round(said[0]['v_low']['value'], 4) == 0.0503
+           and round(said[0]['v_high']['value'], 1) == 1312.6, said[0])
+
+
 # ---- what people see ---------------------------------------------------------
 
 def people_read_extrema_and_cusp_with_their_errors(room):
@@ -198,6 +220,8 @@ def figures_are_labelled_as_in_the_paper(room):
                   'α_cM = 0.384534', 'α_cm = 0.293217'],
         'fig04': ['residual strength c', 'metastable domain', 'cusp',
                   'c = 2.8999'],
+        'fig10': ['χ(v)', 'slip rate v = V/V*', 'α = 0.2 rad',
+                  'α = 0.38 rad', 'χ(v) = 1'],
     }
     for scene, wanted in words.items():
         room.good('study', f'scenes/{scene}.yaml', '-o', 'a.h5', '--figure',
@@ -210,7 +234,7 @@ def figures_are_labelled_as_in_the_paper(room):
 
 
 def units_of_the_scene_are_those_of_the_axes(room):
-    for product in 'friction_law', 'spring_block', 'bifurcation':
+    for product in 'friction_law', 'spring_block', 'bifurcation', 'chi':
         room.good(*LAW, *asking(product), '--figure', 'a.svg')
         expect('v = V/V*' in room.read('a.svg'), product)
         room.good(*LAW, *asking(product), '--set', 'units=si', '--figure',
@@ -223,6 +247,7 @@ def what_a_law_does_not_have_is_said_and_no_error(room):
                      *asking(*SCENES.values()), '-o', 'a.h5')
     expect('note: the law does not use c' in said, said)
     expect('no extremum' in said, said)
+    expect('note: the estimate needs hyperbolic kinetics' in said, said)
     for product in SCENES.values():
         room.good('study', '--law', 'ruina', '--alpha', '0.3',
                   *asking(product), '--figure', 'a.svg')
@@ -236,6 +261,9 @@ def wrong_ranges_are_refused(room):
                        ('fold_curves.alpha=1', 'expected c')):
         refused(room.run(*LAW, *asking('fold_curves'), '--set', key), 2,
                 words)
+    for alpha in '[0]', '[0.3, 2]', '0.3', '[]':
+        refused(room.run(*LAW, *asking('chi'), '--set', 'chi.alpha=' + alpha),
+                2, '1 to 64 angles in rad')
 
 
 if __name__ == '__main__':
@@ -247,6 +275,7 @@ if __name__ == '__main__':
         a_block_weighs_what_presses_it_unless_said,
         the_bifurcation_diagram_has_its_equilibria_on_it,
         fold_curves_reach_the_cusp,
+        chi_is_a_table_of_slopes_and_slip_rates,
         people_read_extrema_and_cusp_with_their_errors,
         figures_are_labelled_as_in_the_paper,
         units_of_the_scene_are_those_of_the_axes,

@@ -108,6 +108,67 @@ def a_figure_shows_both_critical_velocities(room):
         expect(words in drawn, words)
 
 
+SHOWS = {
+    'velocities': ['v₊', 'v₋', 'v at the saddle', 'upper knee'],
+    'velocity_estimates': ['exact v₊', 'exact v₋', 'ξ = 0.85', 'ξ = 0.999'],
+    'persistence': ['x_k, (30)', 'x_k, (31)', 'exact excess slip'],
+    'static_friction': ['(41), exact v₊', 'exact mean', 'ξ = 0.9'],
+    'fracture_energy': ['fracture energy G', 'exact v₊', 'ξ = 0.99'],
+}
+
+
+def a_figure_shows_what_is_asked_for(room):
+    for show, entries in SHOWS.items():
+        room.good('sweep', *line(9, f', show: {show}'), '--figure', 'a.svg')
+        drawn = room.read('a.svg')
+        for words in entries:
+            expect(words in drawn, show, words)
+    room.good('sweep', *line(9, ', show: persistence'), '--set',
+              'products=[knees]', '--figure', 'a.svg')
+    drawn = room.read('a.svg')
+    expect('exact excess slip' in drawn and 'x_k' not in drawn, 'no estimates')
+    room.good('sweep', *line(9, ', show: static_friction'), '--set',
+              'estimates.xi=[0.5]', '--figure', 'a.svg')
+    drawn = room.read('a.svg')
+    expect('ξ = 0.5' in drawn and 'ξ = 0.9' not in drawn, 'its own xi')
+
+
+def its_upward_axis_can_be_chosen(room):
+    def drawn(more):
+        room.good('sweep', *line(9, ', show: persistence' + more), '--figure',
+                  'a.svg', '--keep-script')
+        return room.read('a.gp')
+
+    expect('set logscale y' not in drawn('')
+           and 'set logscale y' in drawn(', y_scale: log'), 'the scale')
+    expect('set yrange [0.25:2.5]' in drawn(', y_range: [0.25, 2.5]')
+           and 'set yrange [0.25:2.5]' not in drawn(''), 'the range')
+
+
+def a_grid_shows_the_table_s_exact_number(room):
+    grid = ('sweep=[{key: slope.alpha, values: [0.3, 0.35]}, {key: material.c, '
+            'values: [1e-4, 1e-3], show: %s}]')
+    for show, words in (('persistence', 'x_excess'),
+                        ('static_friction', 'mean μ_s')):
+        room.good('sweep', '--law', 'spinodal_gen', '--set', grid % show,
+                  '--figure', 'a.svg')
+        expect(words in room.read('a.svg'), show)
+
+
+def wrong_words_of_the_figure_are_refused(room):
+    for more, words in (
+            ('show: persistance', 'did you mean persistence?'),
+            ('show: 3', 'velocities, velocity_estimates'),
+            ('y_scale: cubic', 'expected auto, linear or log'),
+            ('y_range: [2, 1]', 'expected lo < hi'),
+            ('y_range: [0, 1]', 'on a log axis')):
+        refused(room.run('sweep', *line(3, ', ' + more)), 2, words,
+                'sweep.' + more.split(':')[0])
+    refused(room.run('sweep', *line(3, ', show: persistence'), '--set',
+                     'products=[folds]'), 2, 'neither knees nor estimates')
+    expect(room.names() == [], room.names())
+
+
 def threads_do_not_matter(room):
     refine = ', refine: 0.1'
     for threads in ('1', '2', '5'):
@@ -232,6 +293,10 @@ run_cases([
     each_point_is_what_knees_says,
     a_grid_is_a_cube_over_both_keys,
     a_figure_shows_both_critical_velocities,
+    a_figure_shows_what_is_asked_for,
+    its_upward_axis_can_be_chosen,
+    a_grid_shows_the_table_s_exact_number,
+    wrong_words_of_the_figure_are_refused,
     threads_do_not_matter,
     plan_tells_of_the_points,
     killed_twenty_times_it_ends_in_the_same_bytes,

@@ -72,6 +72,9 @@ static inline bool same_lists(const struct scene *a, const struct scene *b)
 {
     return a->xi_count == b->xi_count &&
            memcmp(a->xi, b->xi, a->xi_count * sizeof *a->xi) == 0 &&
+           a->chi_alphas == b->chi_alphas &&
+           memcmp(a->chi_alpha, b->chi_alpha,
+                  a->chi_alphas * sizeof *a->chi_alpha) == 0 &&
            a->starts == b->starts &&
            (a->starts == 0 ||
             memcmp(a->start, b->start, a->starts * sizeof *a->start) == 0);
@@ -90,7 +93,9 @@ static inline bool same_axis(const struct scene_axis *a,
 static inline bool same_sweep(const struct scene_sweep *a,
                               const struct scene_sweep *b)
 {
-    return a->axes == b->axes && a->refine == b->refine &&
+    return a->axes == b->axes && a->refine == b->refine && a->show == b->show &&
+           a->y_scale == b->y_scale && a->y_range[0] == b->y_range[0] &&
+           a->y_range[1] == b->y_range[1] &&
            same_axis(&a->axis[0], &b->axis[0]) &&
            same_axis(&a->axis[1], &b->axis[1]);
 }

@@ -3,68 +3,9 @@
  * CELL_STATES=2000 tries more states than a test can afford. */
 #include "cells.h"
 
-#include <omp.h>
-
-#include "fault_alloc.h"
+#include "cells_of.h"
 #include "peak.h"
-#include "slope.h"
 #include "tolerance.h"
-
-enum { ALL = (1 << CELL_FIELDS) - 1 };
-static const char *const steady_only[] = { "products=[equilibria]", NULL };
-
-static double value_of(const struct cell *c, size_t field)
-{
-    const struct record_array a = { &record_cell, c, 1 };
-    return *(const double *) record_member(&a, 0, &record_cell.fields[field]);
-}
-
-/* NaN of a number that does not exist. */
-static double value(const struct cell *c, enum cell_field k)
-{
-    return value_of(c, 1 + 2 * (size_t) k);
-}
-
-static double error(const struct cell *c, enum cell_field k)
-{
-    return value_of(c, 2 + 2 * (size_t) k);
-}
-
-static void find(const struct slope *s, const struct vec2 z[], size_t n,
-                 double rtol, unsigned which, struct cell out[])
-{
-    const enum status status =
-        cells_find(&s->study, z, n, rtol, which, NULL, out);
-    CHECK(status == STATUS_OK, "%s", status_text(status));
-}
-
-static struct cell find_one(const struct slope *s, double v, double psi,
-                            double rtol)
-{
-    const struct vec2 z = slope_point(s, v, psi);
-    struct cell c;
-
-    find(s, &z, 1, rtol, ALL, &c);
-    return c;
-}
-
-static bool same(const struct cell *a, const struct cell *b)
-{
-    bool is = a->exit_reason == b->exit_reason;
-
-    for (size_t i = 1; i < record_cell.count; i++) {
-        const double x = value_of(a, i), y = value_of(b, i);
-        is = is && memcmp(&x, &y, sizeof x) == 0;
-    }
-    return is;
-}
-
-static void is_near(const struct cell *c, enum cell_field k, double truth)
-{
-    CHECK(fabs(value(c, k) - truth) <= error(c, k),
-          "%s: %.16g +- %g, not %.16g", record_cell.fields[1 + 2 * k].name,
-          value(c, k), error(c, k), truth);
-}
 
 /* ---- against the table --------------------------------------------------- */
 
@@ -421,115 +362,6 @@ static void only_what_is_asked_for_is_computed(void **state)
     slope_free(&s);
 }
 
-/* ---- threads, errors ----------------------------------------------------- */
-
-static void a_cell_is_the_same_alone_and_at_any_number_of_threads(void **state)
-{
-    enum { N = 300 };
-    const int threads = omp_get_max_threads();
-    static struct cell one[N], three[N];
-    uint64_t rng = check_seed();
-    struct vec2 z[N];
-    struct slope s;
-    struct cell c;
-
-    (void) state;
-    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
-    for (int i = 0; i < N; i++)
-        z[i] = (struct vec2){ check_uniform(&rng, -10, 13),
-                              check_uniform(&rng, -6, 6) };
-    omp_set_num_threads(1);
-    find(&s, z, N, 1e-3, ALL, one);
-    omp_set_num_threads(3);
-    find(&s, z, N, 1e-3, ALL, three);
-    omp_set_num_threads(threads);
-    for (int i = 0; i < N; i++)
-        CHECK(same(&one[i], &three[i]), "cell %d", i);
-    find(&s, &z[N - 1], 1, 1e-3, ALL, &c);
-    assert_true(same(&c, &one[N - 1]));
-    slope_free(&s);
-}
-
-static void wrong_arguments_leave_the_cells_untouched(void **state)
-{
-    static const double rtol[] = { 0.0, 1.0, -1.0, NAN };
-    struct cell c[2] = { { .exit_reason = 77 }, { .exit_reason = 78 } };
-    struct slope s;
-
-    (void) state;
-    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
-    const struct vec2 z[] = { { 0.0, 0.0 }, { 700.0, 0.0 } };
-    for (int i = 0; i < 4; i++)
-        assert_int_equal(cells_find(&s.study, z, 1, rtol[i], ALL, NULL, c),
-                         STATUS_BAD_ARGUMENT);
-    assert_int_equal(cells_find(&s.study, z, 2, 1e-6, ALL, NULL, c),
-                     STATUS_BAD_ARGUMENT);
-    assert_true(c[0].exit_reason == 77 && c[1].exit_reason == 78);
-    assert_int_equal(cells_find(&s.study, z, 0, 1e-6, ALL, NULL, c), STATUS_OK);
-    slope_free(&s);
-}
-
-struct hearing {
-    uint64_t done;
-    int calls, most;
-};
-
-static int hear(void *ctx, const char *stage, uint64_t done, uint64_t total)
-{
-    struct hearing *h = ctx;
-
-    assert_string_equal(stage, "cells");
-    assert_true(done > h->done && done <= total);
-    h->done = done;
-    return ++h->calls == h->most;
-}
-
-static void a_monitor_hears_of_cells_and_may_stop(void **state)
-{
-    enum { N = 600 };
-    static struct vec2 z[N];
-    static struct cell c[N];
-    struct hearing all = { .most = -1 }, few = { .most = 2 };
-    struct slope s;
-
-    (void) state;
-    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
-    for (int i = 0; i < N; i++)
-        z[i] = s.study.equilibrium[0].z;
-    assert_int_equal(
-        cells_find(&s.study, z, N, 1e-3, 0, &(struct monitor){ hear, &all }, c),
-        STATUS_OK);
-    assert_int_equal(all.done, N);
-    assert_int_equal(
-        cells_find(&s.study, z, N, 1e-3, 0, &(struct monitor){ hear, &few }, c),
-        STATUS_STOPPED);
-    assert_true(few.calls == 2 && few.done < N);
-    slope_free(&s);
-}
-
-static void every_allocation_may_fail(void **state)
-{
-    const int threads = omp_get_max_threads();
-    enum status status = STATUS_NO_MEMORY;
-    struct slope s;
-    struct cell c;
-    long k = 0;
-
-    (void) state;
-    slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
-    const struct vec2 z = slope_point(&s, 1.0, 0.05);
-    omp_set_num_threads(1);
-    for (; status == STATUS_NO_MEMORY; k++) {
-        fault_alloc_at(k);
-        status = cells_find(&s.study, &z, 1, 1e-3, ALL, NULL, &c);
-    }
-    fault_alloc_at(FAULT_ALLOC_NEVER);
-    omp_set_num_threads(threads);
-    assert_int_equal(status, STATUS_OK);
-    CHECK(k > 10, "%ld allocations", k);
-    slope_free(&s);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -544,10 +376,6 @@ int main(void)
         cmocka_unit_test(what_does_not_exist_is_not_a_number),
         cmocka_unit_test(a_state_at_a_node_has_arrived),
         cmocka_unit_test(only_what_is_asked_for_is_computed),
-        cmocka_unit_test(a_cell_is_the_same_alone_and_at_any_number_of_threads),
-        cmocka_unit_test(wrong_arguments_leave_the_cells_untouched),
-        cmocka_unit_test(a_monitor_hears_of_cells_and_may_stop),
-        cmocka_unit_test(every_allocation_may_fail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

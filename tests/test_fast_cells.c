@@ -67,7 +67,7 @@ static void check_cell(struct vec2 z, const struct cell *fast,
 static size_t states(void)
 {
     const char *s = getenv("CELL_STATES");
-    const size_t n = s ? (size_t) strtoul(s, NULL, 10) / 8 : 5;
+    const size_t n = s ? (size_t) strtoul(s, NULL, 10) / 10 : 5;
     return n < MOST ? n : MOST;
 }
 
@@ -105,6 +105,8 @@ static void every_value_is_that_of_the_whole_orbit(void **state)
     check_law("spinodal_phi_gen", "0.34", integrals, &seed);
     check_law("spinodal", "0.38", ALL, &seed);
     check_law("spinodal_phi_gen", "0.30", integrals, &seed);
+    check_law("dieterich_gen", "0.34", ALL, &seed);
+    check_law("dieterich_gen", "0.30", integrals, &seed);
 }
 
 static void most_states_need_no_whole_orbit(void **state)

@@ -64,6 +64,10 @@ static void everything_but_law_and_slope_has_a_default(void **state)
                 s.spring_block.mass == 1e3 / 9.81);
     assert_true(s.spring_block.v[0] == 1e-6 && s.spring_block.v[1] == 1e6);
     assert_true(s.fold_c[0] == 1e-14 && s.fold_c[1] == 10.0);
+    assert_int_equal(s.chi_alphas, 4);
+    assert_true(s.chi_alpha[0] == 0.2 && s.chi_alpha[3] == 0.38);
+    assert_int_equal(s.sweep.show, SHOW_VELOCITIES);
+    assert_true(s.sweep.y_range[0] == s.sweep.y_range[1]);
     assert_true(s.rtol == 1e-12);
     assert_null(s.hdf5);
     assert_null(s.figure);

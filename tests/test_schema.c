@@ -87,12 +87,17 @@ static const struct {
     { "sweep.scale", "log", "linear", LAW SLOPE KEY VALUES },
     { "sweep.values", "[0.1, 0.2]", "[0.1, 0.3]", LAW SLOPE KEY },
     { "sweep.refine", "0.1", "0.2", LAW SLOPE KEY VALUES },
+    { "sweep.show", "persistence", "velocities", LAW SLOPE KEY VALUES },
+    { "sweep.y_scale", "log", "linear", LAW SLOPE KEY VALUES },
+    { "sweep.y_range", "[0.1, 2]", "[0.1, 3]", LAW SLOPE KEY VALUES },
 
     { "spring_block.sigma", "7", "1e3", LAW SLOPE },
     { "spring_block.mass", "0", "7", LAW SLOPE },
     { "spring_block.v", "[1e-3, 1e3]", "[1e-6, 1e6]", LAW SLOPE },
 
     { "fold_curves.c", "[1e-3, 1]", "[1e-14, 10]", LAW SLOPE },
+
+    { "chi.alpha", "[0.3]", "[0.3, 0.4]", LAW SLOPE },
 
     { "accuracy.rtol", "1e-9", "1e-12", LAW SLOPE },
 
@@ -201,6 +206,7 @@ static void the_ends_of_each_range_belong_to_it(void **state)
         "spring_block.mass=0",
         "spring_block.v=[1e-300, 1e300]",
         "fold_curves.c=[1e-300, 1e300]",
+        "chi.alpha=[1e-300, 1.57]",
         "basins.cells=[1, 32768]",
         "basins.audit=0",
         "basins.audit=1000000",

@@ -10,15 +10,17 @@
 #define TOP                                                                    \
     "title, law, material, slope, gravity, window, units, products, "          \
     "estimates, trajectories, basins, rabinowicz, sweep, spring_block, "       \
-    "fold_curves, accuracy or output"
+    "fold_curves, chi, accuracy or output"
 #define PRODUCTS_KNOWN                                                         \
     "equilibria, folds, nullclines, field_arrows, manifolds, knees, "          \
     "estimates, taylor_series, sensitivities, trajectories, basins, margin, "  \
-    "slip, time, friction, peak, friction_law, spring_block, bifurcation or "  \
-    "fold_curves"
+    "slip, time, friction, peak, friction_law, spring_block, bifurcation, "    \
+    "fold_curves or chi"
 #define LAWS                                                                   \
     "dieterich, dieterich_gen, ruina, perrin, spinodal, spinodal_gen, "        \
     "spinodal_phi_gen or kato_tullis"
+#define AXIS                                                                   \
+    "key, from, to, points, scale, values, refine, show, y_scale or y_range"
 #define USED "mu_star, a, b, L or V_star"
 #define NO_LAW                                                                 \
     "no law, expected 'law: {preset: NAME}' or --law NAME (see slipway laws)"
@@ -36,11 +38,10 @@ static const struct wrong wrong_keys[] = {
     { LAW SLOPE "basin: {}\n",
       "3:1: unknown key 'basin', expected " TOP " (did you mean basins?)" },
     { LAW SLOPE "sweep: {keys: slope.alpha}\n",
-      "3:9: unknown key 'sweep.keys', expected key, from, to, points, scale, "
-      "values or refine (did you mean sweep.key?)" },
+      "3:9: unknown key 'sweep.keys', expected " AXIS
+      " (did you mean sweep.key?)" },
     { LAW SLOPE "sweep: [{key: slope.alpha, values: [0.1, 0.2], step: 1}]\n",
-      "3:48: unknown key 'sweep.step', expected key, from, to, points, scale, "
-      "values or refine" },
+      "3:48: unknown key 'sweep.step', expected " AXIS },
     { LAW SLOPE "spring_block: {k: 1}\n",
       "3:16: unknown key 'spring_block.k', expected sigma, mass or v" },
     { LAW SLOPE "GRAVITY: 9.81\n",
@@ -113,16 +114,13 @@ static const struct wrong wrong_twice[] = {
 #define NUMBER    "the key of a number, such as slope.alpha"
 #define SWEEPABLE "equilibria, folds, knees, estimates or sensitivities"
 static const struct wrong wrong_sweeps[] = {
-    { LAW SLOPE "sweep: 3\n",
-      "3:8: sweep: '3'" NOT "a map of keys, key, from, to, points, scale, "
-      "values or refine" },
+    { LAW SLOPE "sweep: 3\n", "3:8: sweep: '3'" NOT "a map of keys, " AXIS },
     { LAW SLOPE "sweep: []\n",
       "3:8: sweep: a list of 0, expected one or two of {key: KEY, ...}" },
     { LAW SLOPE "sweep: [{}, {}, {}]\n",
       "3:8: sweep: a list of 3, expected one or two of {key: KEY, ...}" },
     { LAW SLOPE "sweep: [slope.alpha]\n",
-      "3:9: sweep: 'slope.alpha'" NOT "a map of keys, key, from, to, points, "
-      "scale, values or refine" },
+      "3:9: sweep: 'slope.alpha'" NOT "a map of keys, " AXIS },
     { LAW SLOPE "sweep: {key: slope.alfa, " RANGE "}\n",
       "3:14: sweep.key: 'slope.alfa'" NOT NUMBER
       " (did you mean slope.alpha?)" },
@@ -180,6 +178,30 @@ static const struct wrong wrong_sweeps[] = {
                 "sweep: {key: slope.alpha, " RANGE ", refine: 0.1}\n",
       "3:11: products: no knees beside sweep.refine, expected them: it follows "
       "v_plus and v_minus" },
+    { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", show: persistance}\n",
+      "3:64: sweep.show: 'persistance'" NOT
+      "velocities, velocity_estimates, persistence, static_friction or "
+      "fracture_energy (did you mean persistence?)" },
+    { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", show: [velocities]}\n",
+      "3:64: sweep.show: a list" NOT
+      "velocities, velocity_estimates, persistence, static_friction or "
+      "fracture_energy" },
+    { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", y_scale: lin}\n",
+      "3:67: sweep.y_scale: 'lin'" NOT "auto, linear or log" },
+    { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", y_range: [2, 1]}\n",
+      "3:67: sweep.y_range: [2, 1] is empty, expected lo < hi" },
+    { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", y_range: [0, 1]}\n",
+      "3:67: sweep.y_range: from 0 on a log axis, expected numbers > 0" },
+    { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", show: persistence,\n"
+                "        y_scale: log, y_range: [-1, 1]}\n",
+      "4:32: sweep.y_range: from -1 on a log axis, expected numbers > 0" },
+    { LAW SLOPE "sweep: [{key: slope.alpha, " RANGE "},\n"
+                "        {key: material.a, " RANGE ", y_range: [1, 2]}]\n",
+      "4:67: sweep.y_range: not for a grid, expected one key" },
+    { LAW SLOPE "products: [folds]\n"
+                "sweep: {key: slope.alpha, " RANGE ", show: persistence}\n",
+      "3:11: products: neither knees nor estimates beside sweep.show: "
+      "persistence, expected them" },
 };
 
 static const struct wrong wrong_kinds[] = {
@@ -238,6 +260,12 @@ static const struct wrong wrong_kinds[] = {
       "3:19: fold_curves.c: '0'" NOT "a number from 1e-300 to 1e300" },
     { LAW SLOPE "fold_curves: {c: [2, 1]}\n",
       "3:18: fold_curves.c: [2, 1] is empty, expected lo < hi" },
+    { LAW SLOPE "chi: {alpha: []}\n",
+      "3:14: chi.alpha: an empty list" NOT
+      "1 to 64 angles in rad in brackets, 0 < alpha < pi/2" },
+    { LAW SLOPE "chi: {alpha: [0.3, 1.6]}\n",
+      "3:20: chi.alpha: '1.6'" NOT
+      "1 to 64 angles in rad in brackets, 0 < alpha < pi/2" },
     { LAW SLOPE "rabinowicz: {block_mass: 0}\n",
       "3:26: rabinowicz.block_mass: '0'" NOT "a number > 0" },
     { LAW SLOPE "rabinowicz: {smoothing: 0}\n",

@@ -204,6 +204,7 @@ static enum status advance(struct orbit *o, double h, const double u1[],
         o->error[i] += fabs(error[i]);
         o->peak[i] = fmax(o->peak[i], fabs(o->u[i]));
     }
+    o->curve.piece[o->curve.count - 1].error = fmax(o->error[0], o->error[1]);
     return s;
 }
 

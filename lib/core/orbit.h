@@ -48,7 +48,9 @@ enum orbit_end {
 struct orbit {
     struct orbit_options options;
     struct rescaled clock;
-    struct curve curve;      /* owned; dim = 3 + observables, degree 5 */
+    struct curve curve;      /* owned; dim = 3 + observables, degree 5; error
+                                of a piece: the larger of error[0], error[1]
+                                at its end */
     struct event_log log;    /* owned; its s is the rescaled time */
     double u[CURVE_DIM_MAX]; /* end of the curve */
     double tau;              /* rescaled time there, negative backward */

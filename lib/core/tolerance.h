@@ -220,6 +220,8 @@
 #define SCENE_KEYS  64
 /* Values of estimates.xi: each is one column of a report. */
 #define SCENE_XI 64
+/* Values of chi.alpha: each is one curve of a figure. */
+#define SCENE_CHI 64
 /* Start values and windows lie where the laws are computed, v (and psi > 0)
  * within 1/SCENE_RANGE..SCENE_RANGE: TOL_LN_RANGE as a factor. */
 #define SCENE_RANGE 1e300
@@ -358,5 +360,10 @@
 #define SCENE_SIGMA      1e3
 #define SCENE_FOLD_LEAST 1e-14
 #define SCENE_FOLD_MOST  10.0
+
+/* The xi estimate, in ln(v/v_sp0): nearer than this the manifold is a vertical
+ * wall, and the equation says nothing; beyond, v is no number. */
+#define TOL_XI_NEAREST  1e-6
+#define TOL_XI_FARTHEST 1e6
 
 #endif

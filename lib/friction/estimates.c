@@ -1,8 +1,12 @@
 /* Formulas (29)-(42).  Roots are sought on logarithms of ratios, which neither
- * overflow nor cancel, by bisection to the last bit: they cost microseconds. */
+ * overflow nor cancel, down to neighbouring numbers: their shape says how many
+ * there are and between which two points. */
 #include "estimates.h"
 
 #include <math.h>
+
+#include "newton.h"
+#include "tolerance.h"
 
 /* What a root function needs. */
 struct root_context {
@@ -11,23 +15,16 @@ struct root_context {
     double slope; /* y = slope * x on Y = 0 */
 };
 
-typedef double root_function(const struct root_context *c, double x);
+typedef double root_function(const void *ctx, double x);
 
-static double bisect(root_function *f, const struct root_context *c, double lo,
-                     double hi)
+/* NaN where f does not change its sign. */
+static double root_between(root_function *f, const struct root_context *c,
+                           double lo, double hi)
 {
-    const bool up = f(c, lo) < 0.0;
+    struct newton_root root;
 
-    for (int i = 0; i < 2000; i++) {
-        const double mid = 0.5 * (lo + hi);
-        if (!(mid > fmin(lo, hi) && mid < fmax(lo, hi)))
-            break;
-        if ((f(c, mid) < 0.0) == up)
-            lo = mid;
-        else
-            hi = mid;
-    }
-    return 0.5 * (lo + hi);
+    return newton_find(f, c, lo, hi, 0.0, &root) == STATUS_OK ? root.x
+                                                              : (double) NAN;
 }
 
 /* ln sinh u, u > 0 */
@@ -68,8 +65,9 @@ bool estimates_at(const struct law *law, const struct material *m,
 /* ---- chi(v) = 1 -------------------------------------------------------- */
 
 /* ln chi with x = ln(v/v_sp0): 2x + const + ln(sinh(psi (1 - e^-x))/x) */
-static double log_chi(const struct root_context *c, double x)
+static double log_chi(const void *ctx, double x)
 {
+    const struct root_context *c = ctx;
     const double u = -c->psi * expm1(-x);
 
     if (x == 0.0)
@@ -78,8 +76,9 @@ static double log_chi(const struct root_context *c, double x)
 }
 
 /* its derivative, which increases from -infinity to 2 */
-static double log_chi_slope(const struct root_context *c, double x)
+static double log_chi_slope(const void *ctx, double x)
 {
+    const struct root_context *c = ctx;
     const double u = -c->psi * expm1(-x), du = c->psi * exp(-x);
 
     if (fabs(x) < 1e-5)
@@ -102,24 +101,42 @@ size_t estimates_chi(const struct material *m, const struct estimates *e,
         lo *= 2.0;
     while (log_chi_slope(&c, hi) < 0.0 && hi < 1e6)
         hi *= 2.0;
-    const double bottom = bisect(log_chi_slope, &c, lo, hi);
+    const double bottom = root_between(log_chi_slope, &c, lo, hi);
     if (!(log_chi(&c, bottom) < 0.0))
         return 0;
     for (double step = 1.0; log_chi(&c, lo) < 0.0 && step < 1e6; step *= 2.0)
         lo -= step;
     for (double step = 1.0; log_chi(&c, hi) < 0.0 && step < 1e6; step *= 2.0)
         hi += step;
-    root[0] = bisect(log_chi, &c, lo, bottom);
-    root[1] = bisect(log_chi, &c, bottom, hi);
+    root[0] = root_between(log_chi, &c, lo, bottom);
+    root[1] = root_between(log_chi, &c, bottom, hi);
     return 2;
 }
 
 /* ---- dY/dX = -xi ------------------------------------------------------- */
 
 /* ln of the ratio of the two terms of (38) on Y = 0, x = B X, y = slope x:
- * positive between the saddle and the root. */
-static double log_xi_ratio(const struct root_context *c, double x)
+ * positive between the saddle and the root.
+ *
+ * With s = slope > 0, k = (1 + s)/2, L(z) = ln(sinh(z)/z), and a constant C,
+ *
+ *     x > 0:  ratio = C - L(k x) - L(u) - (3 - s)/2 x,
+ *             u = psi (e^(s x) - e^-x) = 2 psi e^((s-1)x/2) sinh(k x),
+ *
+ * and x < 0 is the same in t = -x with s - 3 for 3 - s and
+ * u = psi (e^t - e^(-s t)).  L' > 0, L'' > 0 and u' > 0 for positive arguments,
+ * so that each ratio either falls, or is concave, or has at least no second
+ * maximum; it ends at -infinity.  Hence one that is positive near the saddle
+ * has exactly one root, and one that is not has none:
+ *   x > 0: where s <= 3, it falls; where s >= 1, u'' >= 0 and it is concave.
+ *   x < 0: where s >= 3, it falls; where s <= 1, u'' >= 0 and it is concave.
+ *     Where 1 < s < 3, it is concave beyond k t = ln s, where u'' >= 0. Before,
+ *     -u''/u' <= s - 1, and where the ratio is level, L'(u) u' <= (3 - s)/2, so
+ *     -ratio'' >= k^2 L''(ln s) - (s - 1)(3 - s)/2, which is > 0.02: every
+ * level point is a maximum. */
+static double log_xi_ratio(const void *ctx, double x)
 {
+    const struct root_context *c = ctx;
     const double y = c->slope * x;
     const double top = fmax(y, -x), gap = -expm1(-fabs(x + y));
     const double u = top > 700.0 ? HUGE_VAL : c->psi * exp(top) * gap;
@@ -127,20 +144,16 @@ static double log_xi_ratio(const struct root_context *c, double x)
     return c->constant + log(fabs(x)) - 2.0 * x + y - log_sinh(u);
 }
 
-static double first_root(const struct root_context *c, int side)
+static double xi_root(const struct root_context *c, int side)
 {
-    const double nearest = 1e-6, factor = 1.01, step = 0.01;
-    double x = nearest;
+    double near = TOL_XI_NEAREST, far = 1.0;
 
-    if (!(log_xi_ratio(c, side * x) > 0.0))
+    if (!(log_xi_ratio(c, side * near) > 0.0))
         return (double) NAN;
-    while (x < 1e6) {
-        const double next = fmin(x * factor, x + step);
-        if (!(log_xi_ratio(c, side * next) > 0.0))
-            return bisect(log_xi_ratio, c, side * x, side * next);
-        x = x > 100.0 ? x * factor : next;
-    }
-    return (double) NAN;
+    for (; log_xi_ratio(c, side * far) > 0.0 && far < TOL_XI_FARTHEST; far *= 2)
+        near = far;
+    return root_between(log_xi_ratio, c, fmin(side * near, side * far),
+                        fmax(side * near, side * far));
 }
 
 struct estimates_xi estimates_xi_at(const struct material *m,
@@ -150,12 +163,10 @@ struct estimates_xi estimates_xi_at(const struct material *m,
     const double per_v = 1.0 / (hypot(1.0, tan_alpha) * material_eps2(m));
     const double A = m->a * per_v * e->psi_sp0, B = m->b * per_v * e->psi_sp0;
     const double rate = e->v_sp0; /* 1/psi_sp0 */
-    /* lambda^2 + (A + rate) lambda + rate (A - B) = 0 */
-    const double half = 0.5 * (A + rate);
-    const double root =
-        sqrt(half * half + rate * per_v * e->psi_sp0 * (m->b - m->a));
-    const double minus = -half - root;
-    const double plus = -rate * per_v * e->psi_sp0 * (m->b - m->a) / minus;
+    /* lambda^2 + (A + rate) lambda + rate (A - B) = 0, rate B = per_v b */
+    const double half = 0.5 * (A + rate), product = per_v * (m->b - m->a);
+    const double minus = -half - hypot(half, sqrt(product));
+    const double plus = -product / minus;
     const double upper = A + plus, lower = -B * rate / upper; /* A + lambda */
     const struct root_context c = {
         .psi = e->psi_sp0,
@@ -164,7 +175,7 @@ struct estimates_xi estimates_xi_at(const struct material *m,
                     log(B) - 2.0 * e->ln_v_sp0,
     };
 
-    return (struct estimates_xi){ first_root(&c, -1), first_root(&c, 1) };
+    return (struct estimates_xi){ xi_root(&c, -1), xi_root(&c, 1) };
 }
 
 struct estimates_strength estimates_strength_at(const struct material *m,

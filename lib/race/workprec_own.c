@@ -161,13 +161,6 @@ static double rounding(const struct workprec_course *c, struct vec2 z)
            (1.0 + fabs(o.x) + fabs(o.y) + fabs(z.x) + fabs(z.y));
 }
 
-/* The second route knows the errors of its limits, not those on the way. */
-static void drop_bar(const struct maker *m)
-{
-    if (m->how == WORKPREC_EIGEN)
-        m->out->reported = (double) NAN;
-}
-
 /* Ends and middles of its pieces, as far as they are in the window. */
 static void store_points(const struct maker *m, const struct branch *b,
                          int side)
@@ -201,7 +194,6 @@ static enum status find_curve(const struct maker *m)
         branch_free(&branch[i]);
     }
     m->out->success = s == STATUS_OK;
-    drop_bar(m);
     return s;
 }
 
@@ -243,7 +235,6 @@ static enum status find_rows(const struct maker *m)
     for (int i = 0; i < WORKPREC_SIDES && status == STATUS_OK; i++)
         for (size_t k = 0; k < m->c->truth.cuts[i].count; k++)
             cut(m, &s, i, k);
-    drop_bar(m);
     separatrix_free(&s);
     branch_free(&branch[SIDE_UPPER]);
     branch_free(&branch[SIDE_LOWER]);

@@ -111,7 +111,7 @@ void node_free(struct node *n)
 /* "FILE:LINE:COL", "--set KEY=VALUE" or "command line". */
 static void place_show(struct place at, char *out, size_t size)
 {
-    char name[200];
+    char name[180];
 
     if (at.name == NULL) {
         snprintf(out, size, "command line");

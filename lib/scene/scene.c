@@ -70,6 +70,7 @@ static enum status read_file(const char *path, char **text, size_t *size,
 static enum status set_defaults(struct scene *s)
 {
     static const double xi[] = { 0.85, 0.9, 0.99, 0.999 };
+    static const double chi[] = { 0.2, 0.28, 0.34, 0.38 };
 
     s->law.preset = "composed";
     s->law.equation = "composed";
@@ -88,9 +89,12 @@ static enum status set_defaults(struct scene *s)
     s->xi_count = sizeof xi / sizeof *xi;
     s->title = text_copy("", 0);
     s->xi = malloc(sizeof xi);
-    if (s->title == NULL || s->xi == NULL)
+    s->chi_alphas = sizeof chi / sizeof *chi;
+    s->chi_alpha = malloc(sizeof chi);
+    if (s->title == NULL || s->xi == NULL || s->chi_alpha == NULL)
         return STATUS_NO_MEMORY;
     memcpy(s->xi, xi, sizeof xi);
+    memcpy(s->chi_alpha, chi, sizeof chi);
     return STATUS_OK;
 }
 
@@ -361,6 +365,7 @@ void scene_free(struct scene *s)
 {
     free(s->title);
     free(s->xi);
+    free(s->chi_alpha);
     free(s->start);
     free(s->rabinowicz.tan_alpha);
     free(s->rabinowicz.data);

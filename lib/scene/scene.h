@@ -10,9 +10,10 @@
  * 1e-6..1e6, psi 1e-3..1e2 (psi -7..5 where psi is a logarithm); axes log;
  * dimensionless units; no products (each command has its own); estimates.xi
  * 0.85 0.9 0.99 0.999; spring_block sigma 1000 Pa, as heavy as that, over the
- * window's v; fold_curves c 1e-14..10; no trajectories, their seed 1 and
- * without limits; basins 512 x 512, audit 1000, not exact, their rtol 1e-6; no
- * sweep; rtol 1e-12; no output.  A law and a slope must be given.
+ * window's v; fold_curves c 1e-14..10; chi.alpha 0.2 0.28 0.34 0.38; no
+ * trajectories, their seed 1 and without limits; basins 512 x 512, audit 1000,
+ * not exact, their rtol 1e-6; no sweep; rtol 1e-12; no output.  A law and a
+ * slope must be given.
  */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
@@ -42,6 +43,7 @@ enum product {
     PRODUCT_SPRING_BLOCK,
     PRODUCT_BIFURCATION,
     PRODUCT_FOLD_CURVES,
+    PRODUCT_CHI,
     PRODUCTS
 };
 extern const char *const product_names[];
@@ -87,10 +89,24 @@ struct scene_axis {
 };
 enum { SCENE_AXES = 2 };
 
+/* What a sweep's figure shows, each over the key. */
+enum sweep_show {
+    SHOW_VELOCITIES,         /* v_plus, v_minus, the saddle, the knees */
+    SHOW_VELOCITY_ESTIMATES, /* the first two against (38), (39): Fig 11(b) */
+    SHOW_PERSISTENCE,        /* (30), (31), x_excess: Fig 9 */
+    SHOW_STATIC_FRICTION,    /* (41), mu_s_num, mu_s_mean: Fig 12(a) */
+    SHOW_FRACTURE_ENERGY,    /* (32): Fig 12(b) */
+    SHOWS
+};
+enum y_scale { Y_SCALE_AUTO, Y_SCALE_LINEAR, Y_SCALE_LOG };
+
 struct scene_sweep {
     struct scene_axis axis[SCENE_AXES];
-    size_t axes;             /* 0: no sweep; 2: a grid */
-    double refine;           /* in ln v; 0: not at all */
+    size_t axes;   /* 0: no sweep; 2: a grid */
+    double refine; /* in ln v; 0: not at all */
+    enum sweep_show show;
+    enum y_scale y_scale;    /* of the figure; auto: as `show` is best seen */
+    double y_range[2];       /* both 0: as the values need */
     struct scene_axis draft; /* the axis being read */
 };
 
@@ -117,7 +133,9 @@ struct scene {
     double cell_rtol; /* of slip, time and friction of the cells */
     struct scene_rabinowicz rabinowicz;
     struct scene_spring spring_block;
-    double fold_c[2]; /* fold curves from c to c */
+    double fold_c[2];  /* fold curves from c to c */
+    double *chi_alpha; /* owned; slopes of chi(v), rad */
+    size_t chi_alphas;
     struct scene_sweep sweep;
     double rtol;
     char *hdf5, *figure; /* owned; NULL: none */

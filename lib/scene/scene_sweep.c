@@ -30,6 +30,18 @@ static struct place place_of(const struct node *axis, const char *key)
     return n ? n->at : axis->at;
 }
 
+/* A key in any section; NULL: it is in none. */
+static const struct node *find_of_sweep(const struct node *root,
+                                        const struct scene_sweep *w,
+                                        const char *key)
+{
+    const struct node *n = NULL;
+
+    for (size_t i = 0; i < w->axes && n == NULL; i++)
+        n = node_find(section(root, i), key);
+    return n;
+}
+
 /* ---- one axis ------------------------------------------------------------ */
 
 static enum status check_given(const struct node *n,
@@ -212,6 +224,42 @@ static enum status check_used(const struct node *root, const struct scene *s,
     return STATUS_OK;
 }
 
+bool scene_sweep_y_log(const struct scene_sweep *w)
+{
+    static const bool own[SHOWS] = {
+        [SHOW_VELOCITIES] = true,
+        [SHOW_VELOCITY_ESTIMATES] = true,
+        [SHOW_FRACTURE_ENERGY] = true,
+    };
+
+    return w->y_scale == Y_SCALE_AUTO ? own[w->show]
+                                      : w->y_scale == Y_SCALE_LOG;
+}
+
+/* Its figure can be drawn. */
+static enum status check_show(const struct node *root, const struct scene *s,
+                              struct fault *why)
+{
+    const struct scene_sweep *w = &s->sweep;
+    const struct node *range = find_of_sweep(root, w, "y_range");
+
+    if (range && scene_sweep_y_log(w) && !(w->y_range[0] > 0.0))
+        return place_blame(range->at, why,
+                           "sweep.y_range: from %g on a log axis, expected "
+                           "numbers > 0",
+                           w->y_range[0]);
+    if (range && w->axes == 2)
+        return place_blame(range->at, why,
+                           "sweep.y_range: not for a grid, expected one key");
+    if (w->show != SHOW_VELOCITIES && s->products &&
+        !(s->products & (BIT(KNEES) | BIT(ESTIMATES))))
+        return place_blame(node_find(root, "products")->at, why,
+                           "products: neither knees nor estimates beside "
+                           "sweep.show: %s, expected them",
+                           sweep_show_names[w->show]);
+    return STATUS_OK;
+}
+
 enum status scene_sweep_check(const struct node *root, const struct scene *s,
                               struct fault *why)
 {
@@ -236,7 +284,7 @@ enum status scene_sweep_check(const struct node *root, const struct scene *s,
         return place_blame(products->at, why,
                            "products: no knees beside sweep.refine, expected "
                            "them: it follows v_plus and v_minus");
-    return STATUS_OK;
+    return check_show(root, s, why);
 }
 
 bool scene_sweeps(const struct scene *s, const char *key)

@@ -22,6 +22,9 @@ MUST_CHECK enum status scene_sweep_check(const struct node *root,
 /* Products with numbers at every point, bits 1 << enum product. */
 extern const unsigned scene_sweep_products;
 
+/* Whether its figure has a log axis upward. */
+bool scene_sweep_y_log(const struct scene_sweep *w);
+
 /* Whether a key is one of the sweep's. */
 bool scene_sweeps(const struct scene *s, const char *key);
 

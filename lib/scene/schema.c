@@ -10,17 +10,26 @@
 #include "tolerance.h"
 #include "value.h"
 
-const char *const product_names[] = {
-    "equilibria",   "folds",         "nullclines",
-    "field_arrows", "manifolds",     "knees",
-    "estimates",    "taylor_series", "sensitivities",
-    "trajectories", "basins",        "margin",
-    "slip",         "time",          "friction",
-    "peak",         "friction_law",  "spring_block",
-    "bifurcation",  "fold_curves",   NULL
-};
+const char *const product_names[] = { "equilibria",    "folds",
+                                      "nullclines",    "field_arrows",
+                                      "manifolds",     "knees",
+                                      "estimates",     "taylor_series",
+                                      "sensitivities", "trajectories",
+                                      "basins",        "margin",
+                                      "slip",          "time",
+                                      "friction",      "peak",
+                                      "friction_law",  "spring_block",
+                                      "bifurcation",   "fold_curves",
+                                      "chi",           NULL };
 _Static_assert(sizeof product_names / sizeof *product_names == PRODUCTS + 1,
                "each product has a name");
+const char *const sweep_show_names[] = {
+    "velocities",      "velocity_estimates", "persistence",
+    "static_friction", "fracture_energy",    NULL
+};
+_Static_assert(sizeof sweep_show_names / sizeof *sweep_show_names == SHOWS + 1,
+               "each table of a sweep's figure has a word");
+static const char *const y_scale_names[] = { "auto", "linear", "log", NULL };
 static const char *const axes_names[] = { "log", "linear", "eigen", NULL };
 static const char *const units_names[] = { "dimensionless", "si", NULL };
 static const char *const flag_names[] = { "false", "true", NULL };
@@ -139,6 +148,11 @@ const struct schema_key schema_table[] = {
       .expected = "1 to 250000 numbers in brackets" },
     { "sweep.refine", value_real, AT(sweep.refine), FROM(1e-6), TO(1.0),
       .expected = "a number from 1e-6 to 1, the tolerance in ln v" },
+    { "sweep.show", value_choice, AT(sweep.show), .words = sweep_show_names },
+    { "sweep.y_scale", value_choice, AT(sweep.y_scale),
+      .words = y_scale_names },
+    { "sweep.y_range", value_pair, AT(sweep.y_range), FROM(-DBL_MAX),
+      TO(DBL_MAX), .expected = "a number" },
 
     { "spring_block.sigma", AT(spring_block.sigma), POSITIVE },
     { "spring_block.mass", value_real, AT(spring_block.mass), FROM(0.0),
@@ -148,6 +162,9 @@ const struct schema_key schema_table[] = {
 
     { "fold_curves.c", value_pair, AT(fold_c), FROM(1 / SCENE_RANGE),
       TO(SCENE_RANGE), .expected = "a number from 1e-300 to 1e300" },
+
+    { "chi.alpha", value_chi_slopes, ABOVE(0.0), BELOW(M_PI_2),
+      .expected = "1 to 64 angles in rad in brackets, 0 < alpha < pi/2" },
 
     { "accuracy.rtol", value_real, AT(rtol), FROM(1e-14), TO(0.1),
       .expected = "a number from 1e-14 to 0.1" },

@@ -22,6 +22,9 @@ struct schema_key {
                  on none */
 };
 
+/* Words of sweep.show by code, NULL-ended. */
+extern const char *const sweep_show_names[];
+
 /* Ends with path NULL. */
 enum { SCHEMA_KEYS_MAX = 128 };
 extern const struct schema_key schema_table[];

@@ -382,6 +382,12 @@ enum status value_slopes(const struct schema_key *key, const struct node *n,
                      &s->rabinowicz.slopes, why);
 }
 
+enum status value_chi_slopes(const struct schema_key *key, const struct node *n,
+                             struct scene *s, struct fault *why)
+{
+    return read_list(key, n, SCENE_CHI, &s->chi_alpha, &s->chi_alphas, why);
+}
+
 enum status value_values(const struct schema_key *key, const struct node *n,
                          struct scene *s, struct fault *why)
 {

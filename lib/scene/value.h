@@ -13,27 +13,28 @@
     enum status name(const struct schema_key *key, const struct node *n,       \
                      struct scene *s, struct fault *why)
 
-VALUE_READER(value_text);      /* char *, owned */
-VALUE_READER(value_path);      /* the same; nothing: NULL */
-VALUE_READER(value_figure);    /* a path that ends in .svg, .pdf, .png */
-VALUE_READER(value_real);      /* double */
-VALUE_READER(value_pair);      /* double[2], lo < hi */
-VALUE_READER(value_count);     /* size_t */
-VALUE_READER(value_seed);      /* uint64_t */
-VALUE_READER(value_choice);    /* enum: the word's code */
-VALUE_READER(value_flag);      /* bool, of "false" and "true" */
-VALUE_READER(value_cells);     /* size_t[2] */
-VALUE_READER(value_preset);    /* law, but its form */
-VALUE_READER(value_board);     /* material.preset: the default already */
-VALUE_READER(value_alpha);     /* alpha and tan_alpha, of rad, */
-VALUE_READER(value_alpha_deg); /* degrees */
-VALUE_READER(value_tan_alpha); /* and the tangent */
-VALUE_READER(value_products);  /* products, from a list of words */
-VALUE_READER(value_xi);        /* xi, xi_count; each in the key's range */
-VALUE_READER(value_slopes);    /* rabinowicz.tan_alpha, slopes */
-VALUE_READER(value_starts);    /* start, starts, in the scene's units */
-VALUE_READER(value_key);       /* sweep.draft.key: a key of a real number */
-VALUE_READER(value_values);    /* sweep.draft.value, count */
+VALUE_READER(value_text);       /* char *, owned */
+VALUE_READER(value_path);       /* the same; nothing: NULL */
+VALUE_READER(value_figure);     /* a path that ends in .svg, .pdf, .png */
+VALUE_READER(value_real);       /* double */
+VALUE_READER(value_pair);       /* double[2], lo < hi */
+VALUE_READER(value_count);      /* size_t */
+VALUE_READER(value_seed);       /* uint64_t */
+VALUE_READER(value_choice);     /* enum: the word's code */
+VALUE_READER(value_flag);       /* bool, of "false" and "true" */
+VALUE_READER(value_cells);      /* size_t[2] */
+VALUE_READER(value_preset);     /* law, but its form */
+VALUE_READER(value_board);      /* material.preset: the default already */
+VALUE_READER(value_alpha);      /* alpha and tan_alpha, of rad, */
+VALUE_READER(value_alpha_deg);  /* degrees */
+VALUE_READER(value_tan_alpha);  /* and the tangent */
+VALUE_READER(value_products);   /* products, from a list of words */
+VALUE_READER(value_xi);         /* xi, xi_count; each in the key's range */
+VALUE_READER(value_slopes);     /* rabinowicz.tan_alpha, slopes */
+VALUE_READER(value_chi_slopes); /* chi_alpha, chi_alphas */
+VALUE_READER(value_starts);     /* start, starts, in the scene's units */
+VALUE_READER(value_key);        /* sweep.draft.key: a key of a real number */
+VALUE_READER(value_values);     /* sweep.draft.value, count */
 
 #undef VALUE_READER
 

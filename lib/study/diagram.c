@@ -75,6 +75,16 @@ enum status diagram_fold_curves(struct study *s, const struct monitor *monitor,
                            &s->diagrams.fold_curves);
 }
 
+enum status diagram_chi(struct study *s, const struct monitor *monitor,
+                        struct fault *why)
+{
+    const struct scene *c = s->scene;
+
+    (void) monitor, (void) why;
+    return chi_curves_find(&c->law, &c->material, c->chi_alpha, c->chi_alphas,
+                           c->window.v, &s->diagrams.chi);
+}
+
 void diagrams_free(struct diagrams *d)
 {
     for (int i = 0; i < DIAGRAM_LAWS; i++) {
@@ -83,4 +93,5 @@ void diagrams_free(struct diagrams *d)
     }
     steady_curve_free(&d->bifurcation);
     fold_curve_free(&d->fold_curves);
+    chi_curves_free(&d->chi);
 }

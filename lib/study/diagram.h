@@ -1,9 +1,11 @@
 /* diagram.h -- the diagrams of steady sliding that a scene may ask for:
  * friction laws (Fig 1(a)), stick-slip of a spring-block (Fig 1(b)), steady
- * states over the slope (Fig 3), their folds over c (Fig 4). */
+ * states over the slope (Fig 3), their folds over c (Fig 4); and chi(v), which
+ * takes the slopes of chi.alpha (Fig 10). */
 #ifndef STUDY_DIAGRAM_H
 #define STUDY_DIAGRAM_H
 
+#include "chi_curve.h"
 #include "fold_curve.h"
 #include "monitor.h"
 #include "scene.h"
@@ -19,6 +21,7 @@ struct diagrams {
     struct spring_curve spring_block[DIAGRAM_LAWS];
     struct steady_curve bifurcation;
     struct fold_curve fold_curves;
+    struct chi_curves chi;
 };
 
 struct study;
@@ -38,6 +41,10 @@ MUST_CHECK enum status diagram_bifurcation(struct study *s,
 MUST_CHECK enum status diagram_fold_curves(struct study *s,
                                            const struct monitor *monitor,
                                            struct fault *why);
+
+MUST_CHECK enum status diagram_chi(struct study *s,
+                                   const struct monitor *monitor,
+                                   struct fault *why);
 
 /* A second call is harmless. */
 void diagrams_free(struct diagrams *d);

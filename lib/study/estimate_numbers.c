@@ -10,14 +10,13 @@
 static const char not_here[] =
     "the estimate needs hyperbolic kinetics, theta a logarithm of psi, b > a";
 static const char too_large[] = "the estimate is beyond the range of a double";
-static const char no_root[] = "the estimate's equation has no such root";
+static const char no_root[] =
+    "dY/dX = -xi nowhere further than 1e-6 from ln v_sp";
 
 static struct quantity number(double value, double relative)
 {
     const double error = fabs(value) * relative;
 
-    if (isnan(value))
-        return quantity_none(no_root);
     return isfinite(error) ? quantity_of(value, error)
                            : quantity_none(too_large);
 }
@@ -41,6 +40,8 @@ static struct estimate_numbers nothing(const double xi[], size_t n)
         e.xi[i] = (struct xi_number){ xi[i], none, none, none, none };
     return e;
 }
+
+static const char no_angle[] = "(42) takes 2 eta above 1e-16";
 
 struct maker {
     const struct material *m;
@@ -67,6 +68,12 @@ static void add_chi(const struct maker *k, struct estimate_numbers *out)
     }
 }
 
+/* What hangs on a root x, if there is one. */
+static struct quantity of_root(double x, double value, double relative)
+{
+    return isnan(x) ? quantity_none(no_root) : number(value, relative);
+}
+
 static struct xi_number xi_number(const struct maker *k, double xi)
 {
     const struct estimates_xi x = estimates_xi_at(k->m, k->e, k->tan_alpha, xi);
@@ -76,10 +83,10 @@ static struct xi_number xi_number(const struct maker *k, double xi)
 
     return (struct xi_number){
         .xi = xi,
-        .v_minus = number(k->e->v_sp0 * exp(x.minus), unit),
-        .v_plus = number(k->e->v_sp0 * exp(x.plus), unit),
-        .mu_s = number(s.mu_s, 4.0 * unit),
-        .G = number(s.G, 4.0 * unit),
+        .v_minus = of_root(x.minus, k->e->v_sp0 * exp(x.minus), unit),
+        .v_plus = of_root(x.plus, k->e->v_sp0 * exp(x.plus), unit),
+        .mu_s = of_root(x.plus, s.mu_s, 4.0 * unit),
+        .G = of_root(x.plus, s.G, 4.0 * unit),
     };
 }
 
@@ -123,8 +130,12 @@ struct estimate_numbers numbers_estimates(const struct block *b,
     out.x_k_small_psi = quantity_of(
         e.x_k_small_psi, 2.0 * k.unit * (1.0 + fabs(e.x_k_small_psi)));
     out.x_k_zero_slope = number(e.x_k_zero_slope, 2.0 * k.unit);
-    out.alpha_f = number(e.alpha_f, 8.0 * DBL_EPSILON);
-    out.tan_alpha_f = number(e.tan_alpha_f, 8.0 * DBL_EPSILON);
+    if (isfinite(e.tan_alpha_f)) {
+        out.alpha_f = number(e.alpha_f, 8.0 * DBL_EPSILON);
+        out.tan_alpha_f = number(e.tan_alpha_f, 8.0 * DBL_EPSILON);
+    } else {
+        out.alpha_f = out.tan_alpha_f = quantity_none(no_angle);
+    }
     out.mu_s_exact_v_plus = strength(&k, b, c);
     add_chi(&k, &out);
     for (size_t i = 0; i < n; i++)

@@ -6,6 +6,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "landing_rest.h"
 #include "study.h"
 #include "study_tolerance.h"
 
@@ -65,8 +66,7 @@ static struct door door_of(const struct landing *l)
     return door;
 }
 
-/* What no estimate sees: bars are no less. */
-static void add_least(const struct landing *l)
+void landing_add_least(const struct landing *l)
 {
     const double least = TOL_LAYER_LEAST * l->options.promise;
 
@@ -89,7 +89,7 @@ static void arrive(struct landing *l, const struct door *door, double closing)
     out->slip = l->u[LAYER_SLIP];
     out->time_error = l->time_error + late * l->du[LAYER_TIME];
     out->slip_error = l->slip_error + late * l->du[LAYER_SLIP];
-    add_least(l);
+    landing_add_least(l);
 }
 
 /* Beside a box: enters it, or takes the next step of Newton's method. */
@@ -200,7 +200,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
         l->time_error + p->time_error + 2.0 * fabs(p->time_slope) * wrong;
     out->slip_error = l->slip_error + p->slip_error + unsaid +
                       2.0 * fabs(p->slip_slope) * wrong;
-    add_least(l);
+    landing_add_least(l);
     if (l->options.peaks)
         add_peaks(l, p, y, off);
     return true;
@@ -290,5 +290,5 @@ bool landing_is_over(struct landing *l, double *most)
     const double closing = l->du[LAYER_X] - x_slope * l->du[LAYER_Y];
     if (beside && d * closing < 0.0)
         *most = fmin(*most, (fabs(d) - TOL_LAYER_AIM * aim) / fabs(closing));
-    return false;
+    return landing_rests(l, most);
 }

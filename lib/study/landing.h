@@ -29,4 +29,7 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
  * next step, which is to be taken as it is where it is negative. */
 bool landing_is_over(struct landing *l, double *most);
 
+/* Adds to *out what no estimate sees: bars are no less. */
+void landing_add_least(const struct landing *l);
+
 #endif

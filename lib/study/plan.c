@@ -49,6 +49,8 @@ const struct stage_info stage_table[STAGES] = {
                             "a millisecond", 0, ASKED(BIFURCATION) },
     [STAGE_FOLD_CURVES] = { "fold_curves", "folds over c, to the cusp",
                             "a millisecond", 0, ASKED(FOLD_CURVES) },
+    [STAGE_CHI] = { "chi", "chi(v) of (34) for some slopes", "a millisecond", 0,
+                    ASKED(CHI) },
 };
 
 unsigned plan_stages(unsigned products)

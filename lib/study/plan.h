@@ -26,6 +26,7 @@ enum stage {
     STAGE_SPRING_BLOCK,  /* Fig 1(b), */
     STAGE_BIFURCATION,   /* Fig 3, */
     STAGE_FOLD_CURVES,   /* Fig 4 */
+    STAGE_CHI,           /* chi(v), Fig 10 */
     STAGES
 };
 

@@ -27,5 +27,7 @@ size_t study_remarks(const struct study *s, const char *text[], size_t room)
     if (plan_has(s->stages, STAGE_FOLD_CURVES) &&
         s->diagrams.fold_curves.reason && n < room)
         text[n++] = s->diagrams.fold_curves.reason;
+    if (plan_has(s->stages, STAGE_CHI) && s->diagrams.chi.reason && n < room)
+        text[n++] = s->diagrams.chi.reason;
     return n;
 }

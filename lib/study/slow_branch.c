@@ -148,8 +148,7 @@ static bool is_noisy(const struct slow_knot *k)
     return k->gap < (fast_y ? TOL_SLOW_GAP_LEAST_Y : TOL_SLOW_GAP_LEAST_X);
 }
 
-/* What a component gained on the last step, whatever it was before. */
-static double gained(const struct orbit *o, size_t i)
+double slow_branch_gained(const struct orbit *o, size_t i)
 {
     double sum = 0.0;
 
@@ -178,8 +177,8 @@ static enum status follow(const struct study *s, struct orbit *o, double folds,
         k->time_bar = -o->error[2];
         k->slip_bar = -o->error[3 + BLOCK_SLIP];
         k->mu = mu_until(s, o);
-        k->time[0] = -gained(o, 2);
-        k->slip[0] = -gained(o, 3 + BLOCK_SLIP);
+        k->time[0] = -slow_branch_gained(o, 2);
+        k->slip[0] = -slow_branch_gained(o, 3 + BLOCK_SLIP);
         tell(k, -k->time[0], &folds);
         goes_on = o->end == ORBIT_RUNNING && o->steps < TOL_SLOW_STEPS &&
                   (node_ahead || isfinite(k->gap));
@@ -351,6 +350,19 @@ size_t slow_branch_interval(const struct slow_branch *b, double y)
 
 /* ---- a whole one --------------------------------------------------------- */
 
+/* Where v only fades, an orbit would go on for ever. */
+static enum status comes_to_rest(const struct study *s, struct vec2 z, bool *is)
+{
+    const struct vec2 at = { z.x + s->system.origin.x,
+                             z.y + s->system.origin.y };
+    struct fate_result r;
+    const enum status status =
+        fate_find(s, at, TOL_SLOW_GLANCE, false, NULL, &r);
+
+    *is = status == STATUS_OK && r.fate == FATE_REST_FINITE;
+    return status;
+}
+
 enum status slow_branch_run(const struct study *s, struct vec2 z,
                             bool from_saddle, const struct monitor *monitor,
                             struct slow_branch *b)
@@ -375,7 +387,11 @@ enum status slow_branch_run(const struct study *s, struct vec2 z,
     bool ahead = !from_saddle;
     for (size_t i = 0; i < options.targets; i++)
         ahead = ahead || goal[i].y * z.y > 0.0;
-    enum status status = orbit_init(&o, &s->system, z, &options);
+    bool ends = ahead;
+    enum status status = ahead ? STATUS_OK : comes_to_rest(s, z, &ends);
+    if (status != STATUS_OK || !ends)
+        return status;
+    status = orbit_init(&o, &s->system, z, &options);
     if (status != STATUS_OK)
         return STATUS_OK;
     if (o.end == ORBIT_RUNNING)

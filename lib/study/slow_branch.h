@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "fate.h"
+#include "orbit.h"
 
 /* One point of the orbit, an offset from the system's origin. */
 struct slow_knot {
@@ -57,5 +58,9 @@ double slow_quintic(const double f[3], const double g[3], double h,
 
 /* A second call is harmless. */
 void slow_branch_free(struct slow_branch *b);
+
+/* What a component of an orbit gained on its last step, whatever it was before.
+ */
+double slow_branch_gained(const struct orbit *o, size_t i);
 
 #endif

@@ -132,6 +132,19 @@ static enum status add_nodes(struct slow_curve *c,
     return status;
 }
 
+/* Further down where the saddle's manifold comes to rest. */
+static enum status add_rest(struct slow_curve *c, const struct monitor *monitor)
+{
+    for (size_t i = 0; i < c->branches; i++) {
+        const struct slow_branch *b = &c->branch[i];
+        const struct slow_knot *last = &b->knot[b->count - 1];
+        if (b->fate == FATE_REST_FINITE)
+            return rest_curve_run(c->study, (struct vec2){ last->x, last->y },
+                                  monitor, &c->rest);
+    }
+    return STATUS_OK;
+}
+
 /* Of what can land on a branch. */
 static void find_least(struct slow_curve *c)
 {
@@ -162,6 +175,8 @@ enum status slow_curve_init(struct slow_curve *c, const struct study *s,
         status = add_unstable(c, monitor);
     if (status == STATUS_OK)
         status = add_nodes(c, monitor);
+    if (status == STATUS_OK)
+        status = add_rest(c, monitor);
     find_least(c);
     if (status != STATUS_OK)
         slow_curve_free(c);
@@ -285,5 +300,6 @@ void slow_curve_free(struct slow_curve *c)
 {
     for (size_t i = 0; i < c->branches; i++)
         slow_branch_free(&c->branch[i]);
+    rest_curve_free(&c->rest);
     c->branches = 0;
 }

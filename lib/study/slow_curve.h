@@ -13,6 +13,7 @@
 #ifndef STUDY_SLOW_CURVE_H
 #define STUDY_SLOW_CURVE_H
 
+#include "rest_curve.h"
 #include "slow_branch.h"
 
 /* One point of it; per unit of y where it says slope. */
@@ -35,6 +36,7 @@ struct slow_curve {
     const struct study *study; /* borrowed */
     struct slow_branch branch[SLOW_BRANCHES];
     size_t branches;
+    struct rest_curve rest; /* where a branch ends at rest in finite time */
     double time_least, slip_least; /* of states outside the boxes of arrest */
     bool rests;     /* a branch, or all beside it, ends at v = 0 */
     bool runs_away; /* v > v_sp, psi < psi_sp holds no node */

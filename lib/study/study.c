@@ -380,6 +380,7 @@ static stage_function *const stage_run[STAGES] = {
     [STAGE_SPRING_BLOCK] = diagram_spring_block,
     [STAGE_BIFURCATION] = diagram_bifurcation,
     [STAGE_FOLD_CURVES] = diagram_fold_curves,
+    [STAGE_CHI] = diagram_chi,
 };
 
 static double seconds(void)

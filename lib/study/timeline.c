@@ -156,6 +156,11 @@ struct quantity timeline_compare(const struct orbit *o, double coarse,
                                  roundings * DBL_EPSILON * fabs(fine));
 }
 
+double timeline_part(const struct orbit *o, size_t i)
+{
+    return o->peak[i] > 0.0 ? o->error[i] / o->peak[i] : 0.0;
+}
+
 static double psi_of(const struct study *s, double y)
 {
     return s->system.axis[1].is_log ? s->block.at.psi0 * exp(y)
@@ -181,6 +186,49 @@ static void add_level_error(const struct study *s, const struct event_hit *hit,
     e->mu.error += fabs(e->mu.value) * error;
 }
 
+/* How fast the event's own quantity moves there: ln v, y, or mu; infinite where
+ * it is none of them. */
+static double speed_of(const struct study *s, const struct event_hit *hit,
+                       enum moment what)
+{
+    const struct vec2 z = { hit->u[0], hit->u[1] };
+    const struct vec2 rate = moment_rates(s, hit->u);
+    const double dt = TOL_TIMELINE_PROBE / (fabs(rate.x) + fabs(rate.y));
+    const struct vec2 on = vec2_add(z, vec2_scale(dt, rate));
+
+    if (what == MOMENT_PSI)
+        return fabs(rate.y);
+    if (what == MOMENT_MU_NEARS || what == MOMENT_MU_LEAVES)
+        return fabs(moment_excess_friction(s, on) -
+                    moment_excess_friction(s, z)) /
+               dt;
+    return what <= MOMENT_V ? fabs(rate.x) : HUGE_VAL;
+}
+
+/* What the steps up to there allow for, which two orbits may share: in the
+ * state, and in when it is reached.  A step's time and slip are held to a part
+ * of those so far, so that the part their errors make of the whole serves on
+ * the way; d mu/d ln v <= a, and b is the most that d mu/d y comes to. */
+static void add_step_errors(const struct study *s, const struct orbit *o,
+                            const struct event_hit *hit,
+                            struct transient_event *e)
+{
+    const struct material *m = &s->block.material;
+    const double off = o->curve.piece[hit->piece].error;
+    const double off_mu = (m->a + m->b) * off;
+    const bool of_mu =
+        e->what == MOMENT_MU_NEARS || e->what == MOMENT_MU_LEAVES;
+    const double late =
+        (of_mu ? off_mu : off) / speed_of(s, hit, (enum moment) e->what);
+
+    e->time.error += late + fabs(e->time.value) * timeline_part(o, 2);
+    e->slip.error += late * e->v.value +
+                     fabs(e->slip.value) * timeline_part(o, 3 + BLOCK_SLIP);
+    e->v.error += e->v.value * off;
+    e->psi.error += (s->system.axis[1].is_log ? e->psi.value : 1.0) * off;
+    e->mu.error += off_mu;
+}
+
 static struct transient_event event_at(const struct study *s,
                                        const struct moment_watches *w,
                                        const struct orbit *o,
@@ -201,6 +249,7 @@ static struct transient_event event_at(const struct study *s,
                                block_mu(&s->block, zf)),
     };
 
+    add_step_errors(s, o, fine, &e);
     if (what == MOMENT_V_MINUS || what == MOMENT_V_PLUS)
         add_level_error(s, fine, &e);
     return e;

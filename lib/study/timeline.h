@@ -23,4 +23,8 @@ MUST_CHECK enum status timeline_find(const struct study *s,
 struct quantity timeline_compare(const struct orbit *o, double coarse,
                                  double fine);
 
+/* The errors that the steps of o estimate for component i, summed, as a part of
+ * its largest value. */
+double timeline_part(const struct orbit *o, size_t i);
+
 #endif

@@ -205,15 +205,18 @@ static void sum_up(const struct course *c, const struct orbit *coarse,
         left = moment_rest_at(c->study, fine->u);
     sum->time = timeline_compare(fine, coarse->u[2] + left.time,
                                  fine->u[2] + left.time);
-    sum->time.error += left.time;
+    sum->time.error += left.time + fine->error[2];
     sum->slip = timeline_compare(fine, coarse->u[slip] + left.slip,
                                  fine->u[slip] + left.slip);
-    sum->slip.error += left.slip;
+    sum->slip.error += left.slip + fine->error[slip];
     sum->mu_mean =
         fine->u[slip] > 0.0 && coarse->u[slip] > 0.0
             ? timeline_compare(fine, coarse->u[work] / coarse->u[slip],
                                fine->u[work] / fine->u[slip])
             : quantity_none("no slip in this run");
+    sum->mu_mean.error +=
+        fabs(sum->mu_mean.value) *
+        (timeline_part(fine, work) + timeline_part(fine, slip));
     sum->energy_defect = fine->curve.count > 0
                              ? study_energy_defect(c->study, &fine->curve)
                              : 0.0;

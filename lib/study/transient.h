@@ -68,9 +68,9 @@ struct transient_options transient_defaults(const struct scene *c);
 
 /* One run from (v, psi) in s, whose critical numbers are known.  The bars of
  * what is reported hold what a second run at ten times the tolerance changes,
- * and rounding; events that only one of the two sees are left out, and turns
- * of v, psi or mu no larger than the tolerance.
- * STATUS_BAD_ARGUMENT: start outside the domain; STATUS_NO_MEMORY;
+ * what the steps of this one estimate, and rounding; events that only one of
+ * the two sees are left out, and turns of v, psi or mu no larger than the
+ * tolerance. STATUS_BAD_ARGUMENT: start outside the domain; STATUS_NO_MEMORY;
  * STATUS_STOPPED.  On error *out is empty.  A run that cannot be followed to
  * its end is no error: see `end`. */
 MUST_CHECK enum status transient_find(const struct study *s,

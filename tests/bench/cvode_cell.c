@@ -157,6 +157,12 @@ bool cvode_cell(struct plain *p, const double z[2], const struct cvode_end *end,
     CVodeRootInit(cv, 1, cell_root);
     const bool good = CVode(cv, 1e9, y, time, CV_NORMAL) == CV_ROOT_RETURN;
     *slip = u[2];
+    if (good && end->rests) { /* v falls at an even rate from here */
+        const double faster = exp(plain_field(p, u[0], u[1], d));
+        const double left = 1.0 / (fabs(d[0]) * faster);
+        *time += left;
+        *slip += 0.5 * p->v * exp(u[0]) * left;
+    }
     CVodeFree(&cv);
     SUNLinSolFree(solver);
     SUNMatDestroy(A);

@@ -13,7 +13,8 @@ bool cvode_is_there(void);
 int cvode_label(struct plain *p, const double z[2]);
 
 /* Where a cell ends: within 1 % of a node of (ln v, ln psi), an offset from the
- * saddle, or (rests) at ln v = ln v_sp - 12, where next to nothing is left. */
+ * saddle, or (rests) at ln v = ln v_sp - 12 and what is left from there if v
+ * goes on to fall at an even rate. */
 struct cvode_end {
     bool rests;
     double x, y;

@@ -1,25 +1,32 @@
 #!/usr/bin/env python3
-"""Every command in docs/paper.md prints what stands there (TAP).
+"""Every command in docs/*.md prints what stands there (TAP).
 
-usage: cli_paper.py PATH_TO_SLIPWAY SOURCE_ROOT
+usage: cli_docs.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
+import glob
 import os
 import re
 
 from cli_room import expect, run_cases
 
 
-def commands(room):
-    """[line of text, command, what it must print] in order."""
-    path = os.path.join(room.source, 'docs', 'paper.md')
-    found = []
+def pages(room):
+    found = sorted(glob.glob(os.path.join(room.source, 'docs', '*.md')))
+    expect(len(found) >= 3, found)
+    return found
+
+
+def commands(path):
+    """[line of text, command, what it must print] in order: lines indented by
+    four blanks, from a `$` to the next that is not."""
+    found, inside = [], False
     with open(path, encoding='utf-8') as file:
         for number, line in enumerate(file, 1):
             told = re.match(r' {4,}(\$ )?(.*)', line)
-            if told and told[1]:
+            inside = bool(told) and (inside or bool(told[1]))
+            if inside and told[1]:
                 found.append([number, told[2], []])
-            elif told:
-                expect(found, number, line)
+            elif inside:
                 found[-1][2].append(told[2])
     return found
 
@@ -46,30 +53,39 @@ def what_is_matched_is_what_is_meant(_):
         expect(not in_one_line(wrong, printed), wrong)
 
 
-def every_command_prints_what_stands_there(room):
-    room.bring('scenes')
-    room.make('outputs')
-    told, said = commands(room), {}
-    expect(len(told) > 20, told)
+def run_page(room, path, said):
+    told, name = commands(path), os.path.basename(path)
     for number, command, lines in told:
-        expect(command.startswith('slipway ') and lines, number, command)
+        expect(command.startswith('slipway ') and lines, name, number, command)
         if command not in said:
             done = room.shell(command)
-            expect((done.returncode, done.stderr) == (0, ''), number, done)
+            expect((done.returncode, done.stderr) == (0, ''), name, number,
+                   done)
             said[command] = done.stdout
         for line in lines:
             expect(in_one_line(line, said[command]),
-                   f'paper.md:{number}: {command}: {line!r} is not in\n'
+                   f'{name}:{number}: {command}: {line!r} is not in\n'
                    + said[command])
+    return len(told)
+
+
+def every_command_prints_what_stands_there(room):
+    room.bring('scenes')
+    room.make('outputs')
+    said = {}
+    told = sum(run_page(room, path, said) for path in pages(room))
+    expect(told > 40, told)
 
 
 def every_file_it_names_is_there(room):
-    with open(os.path.join(room.source, 'docs', 'paper.md'),
-              encoding='utf-8') as file:
-        text = file.read()
-    names = set(re.findall(r'`((?:lib|manifold|portrait|apps)/[\w./]+)`', text))
+    text = ''
+    for path in pages(room):
+        with open(path, encoding='utf-8') as file:
+            text += file.read()
+    names = set(re.findall(
+        r'`((?:lib|manifold|portrait|apps|tests)/[\w./]+)`', text))
     names |= {'scenes/' + name for name in re.findall(r'`(\w+\.yaml)`', text)}
-    expect(len(names) > 30, names)
+    expect(len(names) > 50, names)
     for name in sorted(names):
         expect(os.path.exists(os.path.join(room.source, name)), name)
 

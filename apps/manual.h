@@ -1,0 +1,16 @@
+/* manual.h -- man pages out of the tables of commands and options, so that
+ * they say what the program does. */
+#ifndef APPS_MANUAL_H
+#define APPS_MANUAL_H
+
+#include <stdio.h>
+
+#include "command.h"
+
+/* slipway(1): all commands and all options, in roff's man macros. */
+void manual_print(FILE *out);
+
+/* slipway-COMMAND(1): one command and the options that it takes. */
+void manual_print_command(FILE *out, const struct command *c);
+
+#endif

@@ -1,0 +1,69 @@
+#include "picture_field.h"
+
+#include <stdlib.h>
+
+static const struct {
+    const char *panel, *label;
+    bool is_log;
+} look[CELL_FIELDS] = {
+    [CELL_SLIP] = { "_slip", "slip to arrest x/L", true },
+    [CELL_TIME] = { "_time", "time to arrest t V*/L", true },
+    [CELL_MU_MEAN] = { "_mu_mean", "mean friction", false },
+    [CELL_V_PEAK] = { "_v_peak", "largest slip rate", true },
+    [CELL_MU_PEAK] = { "_mu_peak", "largest friction", false },
+};
+
+enum status picture_raster_find(struct picture_raster *r, const struct study *s,
+                                const struct monitor *monitor)
+{
+    enum { COLUMNS = 144, ROWS = 96 };
+    const struct basin_map *m = &s->basins;
+
+    r->columns = m->columns < COLUMNS ? m->columns : COLUMNS;
+    r->rows = m->rows < ROWS ? m->rows : ROWS;
+    r->cell = malloc(r->columns * r->rows * sizeof *r->cell);
+    return r->cell ? fields_raster(&s->fields, r->columns, r->rows, monitor,
+                                   r->cell)
+                   : STATUS_NO_MEMORY;
+}
+
+void picture_raster_free(struct picture_raster *r)
+{
+    free(r->cell);
+    r->cell = NULL;
+}
+
+static double value_of(const struct cell *c, enum cell_field field)
+{
+    const double value[CELL_FIELDS] = { [CELL_SLIP] = c->slip,
+                                        [CELL_TIME] = c->time,
+                                        [CELL_MU_MEAN] = c->mu_mean,
+                                        [CELL_V_PEAK] = c->v_peak,
+                                        [CELL_MU_PEAK] = c->mu_peak };
+    return value[field];
+}
+
+enum status picture_add_field(const struct picture_raster *r,
+                              enum cell_field field, struct figure *f)
+{
+    const size_t n = r->columns * r->rows;
+    double *value = malloc(n * sizeof *value);
+
+    if (value == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < n; i++)
+        value[i] = value_of(&r->cell[i], field);
+    const enum status status = figure_add_map(
+        f, &(struct figure_map){ .value = value,
+                                 .nx = r->columns,
+                                 .ny = r->rows,
+                                 .scale = { .label = look[field].label,
+                                            .is_log = look[field].is_log } });
+    free(value);
+    return status;
+}
+
+const char *picture_field_panel(enum cell_field field)
+{
+    return look[field].panel;
+}

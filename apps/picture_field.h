@@ -1,0 +1,30 @@
+/* picture_field.h -- a field of the cells (cells.h) as an image. */
+#ifndef APPS_PICTURE_FIELD_H
+#define APPS_PICTURE_FIELD_H
+
+#include "draw.h"
+#include "study.h"
+
+/* The cells behind the pictures, no finer than the study's grid. */
+struct picture_raster {
+    struct cell *cell; /* owned */
+    size_t columns, rows;
+};
+
+/* STATUS_NO_MEMORY, STATUS_STOPPED: *r is to be freed in any case. */
+MUST_CHECK enum status picture_raster_find(struct picture_raster *r,
+                                           const struct study *s,
+                                           const struct monitor *monitor);
+
+/* A second call is harmless. */
+void picture_raster_free(struct picture_raster *r);
+
+/* Errors as of figure_add_map. */
+MUST_CHECK enum status picture_add_field(const struct picture_raster *r,
+                                         enum cell_field field,
+                                         struct figure *f);
+
+/* "_slip": what its file is named after (panel.h). */
+const char *picture_field_panel(enum cell_field field);
+
+#endif

@@ -1,0 +1,116 @@
+#include "sweep_show.h"
+
+#include <stdio.h>
+
+const struct show_frame show_frames[SHOWS] = {
+    [SHOW_VELOCITIES] = { "slip rate v = V/V*", { 0 }, "ln_v_plus", "ln v₊" },
+    [SHOW_VELOCITY_ESTIMATES] = { "slip rate v = V/V*",
+                                  { 0 },
+                                  "ln_v_plus",
+                                  "ln v₊" },
+    [SHOW_PERSISTENCE] = { "slip x/L", { 0 }, "x_excess", "x_excess" },
+    [SHOW_STATIC_FRICTION] = { "static friction coefficient μ_s",
+                               { 0.0, 1.5 }, /* (41) leaves it at both ends */
+                               "mu_s_mean",
+                               "mean μ_s" },
+    [SHOW_FRACTURE_ENERGY] = { "fracture energy G",
+                               { 0 },
+                               "fracture_energy",
+                               "fracture energy" },
+};
+
+/* ---- curves -------------------------------------------------------------- */
+
+/* A column, or one for each xi: then `column` follows the number, and colour
+ * and entry are the number's. */
+struct look {
+    const char *column, *entry;
+    struct figure_style style;
+    bool marks, of_xi;
+};
+
+#define XI(column, width)                                                      \
+    {                                                                          \
+        column, NULL, { FIGURE_SERIES_3, FIGURE_SOLID, width }, false, true    \
+    }
+#define LINE(column, entry, role, dash, width)                                 \
+    {                                                                          \
+        column, entry, { FIGURE_##role, FIGURE_##dash, width }, false, false   \
+    }
+#define MARKS(column, entry, role)                                             \
+    {                                                                          \
+        column, entry, { FIGURE_##role, FIGURE_SOLID, 0 }, true, false         \
+    }
+
+enum { LOOKS = 6 }; /* at most, and one that ends the list */
+
+static const struct look look[SHOWS][LOOKS] = {
+    [SHOW_VELOCITIES] = {
+        LINE("v_plus", "v₊", SERIES_1, SOLID, 0),
+        LINE("saddle_v", "v at the saddle", SERIES_2, DASHED, 0),
+        LINE("v_minus", "v₋", SERIES_3, SOLID, 0),
+        LINE("knee_upper_v", "upper knee", SERIES_4, DOTTED, 0),
+        LINE("knee_lower_v", "lower knee", SERIES_5, DOTTED, 0),
+    },
+    [SHOW_VELOCITY_ESTIMATES] = {
+        XI("v_plus", 2.0),
+        XI("v_minus", 2.0),
+        LINE("saddle_v", "v at the saddle", TRAJECTORY, DASHED, 1.8),
+        MARKS("v_plus", "exact v₊", SERIES_2),
+        MARKS("v_minus", "exact v₋", SERIES_1),
+    },
+    [SHOW_PERSISTENCE] = {
+        LINE("estimates_x_k", "x_k, (30)", SERIES_2, SOLID, 2.6),
+        LINE("estimates_x_k_small_psi", "x_k, (31)", SERIES_3, DASHED, 2.2),
+        LINE("x_excess", "exact excess slip", SERIES_1, SOLID, 3.0),
+    },
+    [SHOW_STATIC_FRICTION] = {
+        XI("mu_s", 1.8),
+        LINE("estimates_mu_s_exact_v_plus", "(41), exact v₊", SERIES_2, SOLID, 2.6),
+        LINE("mu_s_num", "exact v₊ and slip", SERIES_1, DASHED, 2.4),
+        LINE("mu_s_mean", "exact mean", SERIES_1, SOLID, 3.0),
+    },
+    [SHOW_FRACTURE_ENERGY] = {
+        XI("G", 1.8),
+        LINE("fracture_energy", "exact v₊", SERIES_1, SOLID, 3.0),
+    },
+};
+
+/* Colours that exact numbers leave; dashed after four, dotted after eight. */
+static struct sweep_curve curve_of_xi(const struct look *l, double xi, size_t i)
+{
+    static const enum figure_dash dash[] = { FIGURE_SOLID, FIGURE_DASHED,
+                                             FIGURE_DOTTED };
+    const size_t roles = FIGURE_SERIES_6 - FIGURE_SERIES_3 + 1;
+    const int role = FIGURE_SERIES_3 + (int) (i % roles);
+    struct sweep_curve c = { .style = l->style };
+
+    c.style.role = (enum figure_role) role;
+    c.style.dash = dash[i / roles % 3];
+    snprintf(c.column, sizeof c.column, "estimates_xi_%zu_%s", i, l->column);
+    snprintf(c.entry, sizeof c.entry, "ξ = %.6g", xi);
+    return c;
+}
+
+static struct sweep_curve curve_of(const struct look *l)
+{
+    struct sweep_curve c = { .style = l->style, .marks = l->marks };
+
+    snprintf(c.column, sizeof c.column, "%s", l->column);
+    snprintf(c.entry, sizeof c.entry, "%s", l->entry);
+    return c;
+}
+
+size_t sweep_show_curves(const struct scene *s,
+                         struct sweep_curve curve[SWEEP_CURVES_MAX])
+{
+    size_t n = 0;
+
+    for (const struct look *l = look[s->sweep.show]; l->column; l++)
+        if (!l->of_xi)
+            curve[n++] = curve_of(l);
+        else
+            for (size_t i = 0; i < s->xi_count; i++)
+                curve[n++] = curve_of_xi(l, s->xi[i], i);
+    return n;
+}

@@ -1,0 +1,31 @@
+/* sweep_show.h -- the tables of curves that sweep.show chooses among. */
+#ifndef APPS_SWEEP_SHOW_H
+#define APPS_SWEEP_SHOW_H
+
+#include "figure.h"
+#include "scene.h"
+#include "tolerance.h"
+
+/* A column of a sweep (sweep_column.h) as drawn over one key. */
+struct sweep_curve {
+    char column[64];
+    char entry[64]; /* in the legend */
+    struct figure_style style;
+    bool marks; /* crosses, no line */
+};
+
+struct show_frame {
+    const char *label; /* of the axis upward */
+    double range[2];   /* of that axis; both 0: what the values need */
+    const char *map, *map_label; /* the column shown over a grid */
+};
+extern const struct show_frame show_frames[SHOWS];
+
+/* The curves of the scene's table in the order they are drawn: estimates, one
+ * for each xi in its own colour, then exact numbers; how many.  Entries of
+ * columns that the scene's products do not have are among them. */
+enum { SWEEP_CURVES_MAX = 2 * SCENE_XI + 5 };
+size_t sweep_show_curves(const struct scene *s,
+                         struct sweep_curve curve[SWEEP_CURVES_MAX]);
+
+#endif

@@ -1,0 +1,322 @@
+#!/usr/bin/env python3
+"""What `meson install` of this build puts where, and that it works (TAP).
+
+usage: test_install.py PATH_TO_SLIPWAY SOURCE_ROOT BUILD_ROOT
+"""
+import functools
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from cli_room import expect, refused, run_cases
+
+BUILD = os.path.realpath(sys.argv[3])
+LOG = os.path.join(BUILD, 'meson-logs', 'install-log.txt')
+FOLDER = tempfile.TemporaryDirectory()
+DESTINATION = os.path.join(FOLDER.name, 'here')
+INSTALL, UNINSTALL = 'meson install -C build', 'ninja -C build uninstall'
+COMPILE = 'cc docs/example.c $(pkg-config --cflags --libs slipway) -o example'
+
+# The headers whose functions the library exports.
+PUBLIC = ['status.h', 'law.h', 'steady.h', 'block.h', 'curve.h', 'scene.h',
+          'plan.h', 'records.h', 'study.h']
+
+
+def ran(command, **how):
+    done = subprocess.run(command, text=True, capture_output=True, timeout=60,
+                          stdin=subprocess.DEVNULL, check=False, **how)
+    expect(done.returncode == 0, command, done.stdout, done.stderr)
+    return done.stdout
+
+
+def in_build(room, line):
+    """A line of the README, with `build` this one, into DESTINATION."""
+    if not os.path.exists(room.path('build')):
+        os.symlink(BUILD, room.path('build'))
+    more = ' --no-rebuild' if line == INSTALL else ''
+    ran(line + more, shell=True, cwd=room.folder,
+        env={**os.environ, 'DESTDIR': DESTINATION})
+
+
+@functools.cache
+def options():
+    found = json.loads(ran(['meson', 'introspect', '--buildoptions', BUILD]))
+    return {option['name']: option['value'] for option in found}
+
+
+def place(kind):
+    """Where bin, lib, share, include and man pages are."""
+    return os.path.join(DESTINATION + options()['prefix'], options()[kind])
+
+
+def files(root):
+    return {os.path.relpath(os.path.join(folder, name), root)
+            for folder, _, names in os.walk(root) for name in names}
+
+
+def present(tool):
+    if shutil.which(tool):
+        return True
+    print(f'# {tool} is not installed: not tried')
+    return False
+
+
+def source_files(room, folder):
+    return {f'{folder}/{name}' for name in files(f'{room.source}/{folder}')}
+
+
+def commands(room):
+    listed = re.search(r'^Commands:\n((?:  .*\n)+)', room.good('help'), re.M)
+    return re.findall(r'^  (\w+)', listed[1], re.M)
+
+
+def with_library():
+    """An environment in which pkg-config and programs find what is here."""
+    return {**os.environ, 'LD_LIBRARY_PATH': place('libdir'),
+            'PKG_CONFIG_PATH': os.path.join(place('libdir'), 'pkgconfig'),
+            'PKG_CONFIG_SYSROOT_DIR': DESTINATION}
+
+
+# ---- what is where -----------------------------------------------------------
+
+def the_readme_installs(room):
+    with open(f'{room.source}/README.md', encoding='utf-8') as file:
+        page = file.read()
+    for line in (INSTALL, COMPILE, UNINSTALL):
+        expect(f'\n    {line}\n' in page, 'README has', line)
+    in_build(room, INSTALL)
+    expect(os.path.isfile(place('bindir') + '/slipway'), files(DESTINATION))
+
+
+def all_stays_below_the_prefix(room):
+    outside = [name for name in files(DESTINATION) if not
+               f'/{name}'.startswith(options()['prefix'])]
+    expect(outside == [], outside)
+    moved = room.path('elsewhere')
+    ran(['meson', 'setup', '--prefix', moved, '-Dtests=disabled',
+         room.path('b'), room.source])
+    plan = json.loads(ran(['meson', 'introspect', '--installed',
+                           room.path('b')]))
+    outside = [path for path in plan.values() if not path.startswith(moved)]
+    expect(len(plan) > 50 and outside == [], outside)
+
+
+def scenes_and_pages_are_shared(room):
+    found = files(place('datadir') + '/slipway')
+    missing = (source_files(room, 'scenes') | source_files(room, 'docs')) - found
+    expect(missing == set(), missing)
+
+
+def every_command_has_a_man_page(room):
+    pages = files(place('mandir') + '/man1')
+    wanted = {f'slipway-{name}.1' for name in commands(room)} | {'slipway.1'}
+    expect(pages == wanted, pages ^ wanted)
+    for page in pages:
+        with open(f'{place("mandir")}/man1/{page}', encoding='utf-8') as file:
+            text = file.read()
+        for section in ('NAME', 'SYNOPSIS', 'DESCRIPTION', 'OPTIONS',
+                        'EXIT STATUS'):
+            expect(f'\n.SH {section}\n' in text, page, section)
+    check = [['mandoc', '-T', 'lint', '-W', 'error'],
+             ['groff', '-man', '-Tutf8', '-ww', '-z']]
+    for tool in [tool for tool in check if present(tool[0])]:
+        for page in pages:
+            ran(tool + [f'{place("mandir")}/man1/{page}'])
+
+
+def a_man_page_has_the_options_of_its_command(room):
+    with open(f'{place("mandir")}/man1/slipway-push.1',
+              encoding='utf-8') as file:
+        text = file.read()
+    for option in ('psi', 'states', 'law', 'quiet'):
+        expect(f'\\-\\-{option}\\fR' in text, option)
+    for option in ('rerun', 'resume', 'tap', 'scenes'):
+        expect(f'\\-\\-{option}\\fR' not in text, option)
+
+
+# ---- completions -------------------------------------------------------------
+
+def completion(shell):
+    return {'bash': place('datadir') + '/bash-completion/completions/slipway',
+            'zsh': place('datadir') + '/zsh/site-functions/_slipway',
+            'fish': place('datadir') +
+                    '/fish/vendor_completions.d/slipway.fish'}[shell]
+
+
+def shells_can_read_the_completions(room):
+    for shell in ('bash', 'zsh', 'fish'):
+        expect(os.path.isfile(completion(shell)), shell)
+        if present(shell):
+            ran([shell, '-n', completion(shell)])
+    refused(room.run('help', '--as', 'csh'), 2, '--as', 'bash')
+    refused(room.run('help', 'knees', '--as', 'bash'), 2, 'knees')
+
+
+def offered(room, *words):
+    """What bash offers after Tab behind these words, the last one half."""
+    script = ('source "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '
+              '_slipway slipway "${COMP_WORDS[-1]}" "${COMP_WORDS[-2]}" '
+              '2>/dev/null; printf "%s\\n" "${COMPREPLY[@]}"')
+    return ran(['bash', '-c', script, completion('bash'), *words],
+               cwd=room.folder).split()
+
+
+def bash_offers_what_fits(room):
+    room.write('a.yaml', '')
+    room.write('a.h5', '')
+    for words, wanted in (
+            (('slipway', 'kn'), ['knees']),
+            (('slipway', 'help', 'sw'), ['sweep']),
+            (('slipway', 'info', '--re'), ['--rerun']),
+            (('slipway', 'check', '--re'), ['--record']),
+            (('slipway', 'knees', '--law', 'ru'), ['ruina']),
+            (('slipway', 'knees', '--law', '=', 'ru'), ['ruina']),
+            (('slipway', 'knees', '--friction', ''), ['asinh', 'log']),
+            (('slipway', 'knees', '--set', 'slope.alpha_'),
+             ['slope.alpha_deg=']),
+            (('slipway', 'knees', 'a'), ['a.yaml']),
+            (('slipway', 'info', 'a'), ['a.h5']),
+            (('slipway', 'knees', '--alpha', ''), [])):
+        expect(offered(room, *words) == wanted, words, offered(room, *words))
+    expect(set(commands(room)) < set(offered(room, 'slipway', '')), 'commands')
+
+
+def fish_offers_what_fits(room):
+    if not present('fish'):
+        return
+    for line, wanted in (('slipway kn', ['knees']),
+                         ('slipway info --re', ['--rerun']),
+                         ('slipway knees --re', []),
+                         ('slipway knees --law ru', ['ruina'])):
+        said = ran(['fish', '-c', f'source {completion("fish")}; '
+                                  f'complete -C"{line}"'], cwd=room.folder)
+        found = [entry.split('\t')[0] for entry in said.splitlines()]
+        expect(found == wanted, line, said)
+
+
+# ---- the program and the library ---------------------------------------------
+
+def the_installed_program_finds_its_scenes(room):
+    program = place('bindir') + '/slipway'
+    expect(ran([program, '--version']) == room.good('--version'), program)
+    done = subprocess.run(
+        [program, 'gallery', '-o', 'g', '--set', 'nonsense=1'],
+        cwd=room.folder, text=True, capture_output=True, check=False)
+    named = set(re.findall(r'(\w+)\.(?:svg|h5|yaml)', done.stdout))
+    expect('nonsense' in done.stderr and 'no such folder' not in done.stderr,
+           done, named)
+    ran([program, 'study', place('datadir') + '/slipway/scenes/taylor.yaml',
+         '--set', 'output={hdf5: a.h5}'], cwd=room.folder)
+    expect('a.h5' in room.names(), room.names())
+
+
+def the_example_prints_v_plus(room):
+    os.symlink(place('datadir') + '/slipway/docs', room.path('docs'))
+    ran(COMPILE, shell=True, cwd=room.folder, env=with_library())
+    program = room.path('example')
+    said = ran([program, 'dieterich_gen', '0.34'], env=with_library())
+    told = room.json('knees', '--law', 'dieterich_gen', '--alpha',
+                     '0.34')['v_plus']
+    found = re.fullmatch(r'v_plus = (\S+), to (\S+)\n', said)
+    expect(found and float(found[1]) == float(f'{told["value"]:.15g}')
+           and float(found[2]) == float(f'{told["error"]:.1e}'), said, told)
+    said = ran([program, 'ruina', '0.3'], env=with_library())
+    expect(said.startswith('v_plus does not exist: '), said)
+
+
+def the_static_library_holds_the_same(room):
+    said = ran(['pkg-config', '--static', '--libs', 'slipway'],
+               env=with_library())
+    flags = [flag for flag in said.split()
+             if flag.startswith(('-l', '-f')) and flag != '-lslipway']
+    example = place('datadir') + '/slipway/docs/example.c'
+    ran(['cc', example, f'-I{place("includedir")}',
+         place('libdir') + '/libslipway.a', *flags, '-o',
+         room.path('example')])
+    expect(ran([room.path('example')]).startswith('v_plus = '), 'static')
+
+
+def headers_stand_on_their_own(room):
+    folder = place('includedir')
+    names = sorted(os.listdir(folder + '/slipway'))
+    expect(set(PUBLIC) <= set(names), names)
+    text = ''.join(f'#include <slipway/{name}>\n' for name in names)
+    for program in [text] + [f'#include <slipway/{name}>\n'
+                             for name in ('study.h', 'scene.h')]:
+        room.write('a.c', program + 'int main(void) { return 0; }\n')
+        ran(['cc', '-std=c17', '-Wall', '-Wextra', '-Werror', '-fsyntax-only',
+             f'-I{folder}', room.path('a.c')])
+
+
+def declared():
+    """Functions and tables of the public headers that are not inline."""
+    found = set()
+    for name in PUBLIC:
+        with open(f'{place("includedir")}/slipway/{name}',
+                  encoding='utf-8') as file:
+            text = re.sub(r'/\*.*?\*/|^#.*?(?<!\\)$', '', file.read(),
+                          flags=re.S | re.M)
+        for line in re.findall(r'^extern ([^;]*);', text, re.M):
+            found |= set(re.findall(r'(\w+)(?:\[\w*\])?(?:,|$)', line))
+        found |= set(re.findall(
+            r'^(?!static|extern)(?:\w+[ \n*]+)+(\w+)\([^{};]*;', text, re.M))
+    return found
+
+
+def only_public_names_leave_the_library(room):
+    listed = ran(['nm', '-D', '--defined-only',
+                  place('libdir') + '/libslipway.so'])
+    names = {line.split()[2].split('@')[0] for line in listed.splitlines()
+             if line.split()[1] != 'A'}
+    expect(names == declared(), 'exported but not declared:',
+           sorted(names - declared()), 'declared but not exported:',
+           sorted(declared() - names))
+
+
+def the_library_has_a_version(room):
+    library = os.path.realpath(place('libdir') + '/libslipway.so')
+    version = room.good('--version').split()[1]
+    expect(library.endswith('libslipway.so.' + version), library)
+    expect('libslipway.so.0]' in ran(['readelf', '-d', library]), library)
+
+
+def nothing_stays_behind(room):
+    in_build(room, UNINSTALL)
+    expect(files(DESTINATION) == set(), files(DESTINATION))
+
+
+def main():
+    """Whoever installed this build for good can still uninstall it."""
+    kept = None
+    if os.path.exists(LOG):
+        with open(LOG, 'rb') as file:
+            kept = file.read()
+    try:
+        run_cases([
+            the_readme_installs,
+            all_stays_below_the_prefix,
+            scenes_and_pages_are_shared,
+            every_command_has_a_man_page,
+            a_man_page_has_the_options_of_its_command,
+            shells_can_read_the_completions,
+            bash_offers_what_fits,
+            fish_offers_what_fits,
+            the_installed_program_finds_its_scenes,
+            the_example_prints_v_plus,
+            the_static_library_holds_the_same,
+            headers_stand_on_their_own,
+            only_public_names_leave_the_library,
+            the_library_has_a_version,
+            nothing_stays_behind,
+        ])
+    finally:
+        if kept is not None:
+            with open(LOG, 'wb') as file:
+                file.write(kept)
+
+
+main()

@@ -1,0 +1,174 @@
+/* The curve along which a block comes to rest, and states that fall onto it. */
+#include "rest_curve.h"
+
+#include "fast_layer.h"
+#include "fault_alloc.h"
+#include "slope.h"
+#include "tolerance.h"
+
+static const char *const steady_only[] = { "products=[equilibria]", NULL };
+
+static void make(struct slow_curve *c, struct slope *s, const char *law,
+                 const char *alpha)
+{
+    slope_make(s, law, NULL, alpha, steady_only);
+    const enum status status = slow_curve_init(c, &s->study, NULL);
+    CHECK(status == STATUS_OK, "%s", status_text(status));
+}
+
+static void drop(struct slow_curve *c, struct slope *s)
+{
+    slow_curve_free(c);
+    slope_free(s);
+}
+
+static void orbits_on_it_take_the_tabulated_time_and_slip(void **state)
+{
+    struct rest_point p;
+    struct fate_result r;
+    struct slow_curve c;
+    struct slope s;
+
+    (void) state;
+    make(&c, &s, "dieterich_gen", "0.34");
+    for (double x = -5.2; x > -14.0; x -= 0.83) {
+        const struct vec2 o = s.study.system.origin;
+        assert_true(rest_curve_at(&c.rest, x, &p));
+        const struct vec2 z = { o.x + x, o.y + p.y };
+        assert_int_equal(fate_find(&s.study, z, 1e-10, true, NULL, &r),
+                         STATUS_OK);
+        assert_int_equal(r.fate, FATE_REST_FINITE);
+        CHECK(fabs(r.time.value - p.time) <= 1e-8 * p.time + r.time.error,
+              "x %g: %.12g, not %.12g +- %g", x, p.time, r.time.value,
+              r.time.error);
+        CHECK(fabs(r.slip.value - p.slip) <= 1e-8 * p.slip + r.slip.error,
+              "x %g: %.12g, not %.12g +- %g", x, p.slip, r.slip.value,
+              r.slip.error);
+    }
+    drop(&c, &s);
+}
+
+/* Across the floor of the orbit and the bottom of the table. */
+static void time_and_slip_change_as_their_slopes_say(void **state)
+{
+    struct rest_point p, q;
+    struct slow_curve c;
+    struct slope s;
+    const double h = 1e-5;
+    double y, y_slope;
+
+    (void) state;
+    make(&c, &s, "dieterich_gen", "0.30");
+    for (double x = c.rest.knot[0].at.x - 0.1; x > -45.0; x -= 0.37) {
+        assert_true(rest_curve_at(&c.rest, x, &p));
+        assert_true(rest_curve_at(&c.rest, x + h, &q));
+        CHECK(fabs((q.time - p.time) / h / p.time_slope - 1.0) < 1e-4,
+              "x %g: %g, not %g", x, (q.time - p.time) / h, p.time_slope);
+        CHECK(fabs((q.slip - p.slip) / h / p.slip_slope - 1.0) < 1e-4,
+              "x %g: %g, not %g", x, (q.slip - p.slip) / h, p.slip_slope);
+        CHECK(fabs((q.y - p.y) / h - p.y_slope) < 1e-3, "x %g: %g, not %g", x,
+              (q.y - p.y) / h, p.y_slope);
+        assert_true(rest_curve_beside(&c.rest, x, &y, &y_slope));
+        assert_true(y == p.y);
+    }
+    assert_false(rest_curve_at(&c.rest, 0.0, &p));
+    assert_false(rest_curve_beside(&c.rest, 0.0, &y, &y_slope));
+    drop(&c, &s);
+}
+
+/* However little v is left, time goes by eps^2 v and slip by its square. */
+static void the_table_has_no_end(void **state)
+{
+    struct rest_point p, q;
+    struct slow_curve c;
+    struct slope s;
+
+    (void) state;
+    make(&c, &s, "dieterich_gen", "0.34");
+    assert_true(rest_curve_at(&c.rest, -60.0, &p));
+    assert_true(rest_curve_at(&c.rest, -60.0 - log(2.0), &q));
+    CHECK(fabs(p.time / q.time - 2.0) < 0.05, "%g", p.time / q.time);
+    CHECK(fabs(p.slip / q.slip - 4.0) < 0.1, "%g", p.slip / q.slip);
+    drop(&c, &s);
+}
+
+static void states_fall_onto_it(void **state)
+{
+    struct layer_options options = layer_defaults(1e-6);
+    struct slow_curve c;
+    struct fate_result r;
+    struct layer l;
+    struct slope s;
+
+    (void) state;
+    make(&c, &s, "dieterich_gen", "0.34");
+    const struct vec2 z = { -6.0, -6.0 }, o = s.study.system.origin;
+    options.peaks = false;
+    layer_follow(&c, vec2_sub(z, o), &options, &l);
+    assert_int_equal(l.end, LAYER_LANDED);
+    assert_int_equal(l.fate, FATE_REST_FINITE);
+    assert_int_equal(fate_find(&s.study, z, 1e-10, true, NULL, &r), STATUS_OK);
+    CHECK(fabs(l.time - r.time.value) <= l.time_error + 1e-8 * l.time,
+          "%.12g, not %.12g", l.time, r.time.value);
+    CHECK(l.time_error < 1e-5 * l.time, "%g of %g", l.time_error, l.time);
+    drop(&c, &s);
+}
+
+static void blocks_that_never_rest_have_none(void **state)
+{
+    struct slow_curve c;
+    struct slope s;
+
+    (void) state;
+    make(&c, &s, "spinodal_gen", "0.34");
+    assert_int_equal(c.rest.count, 0);
+    drop(&c, &s);
+    make(&c, &s, "ruina", "0.34");
+    assert_int_equal(c.rest.count, 0);
+    drop(&c, &s);
+}
+
+static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
+{
+    (void) ctx, (void) stage, (void) done, (void) total;
+    return 1;
+}
+
+static void every_allocation_may_fail_and_monitors_stop_it(void **state)
+{
+    const struct monitor monitor = { stop, NULL };
+    enum status status = STATUS_NO_MEMORY;
+    struct rest_curve r;
+    struct slow_curve c;
+    struct slope s;
+
+    (void) state;
+    make(&c, &s, "dieterich_gen", "0.34");
+    const struct slow_branch *b = &c.branch[0];
+    const struct slow_knot *k = &b->knot[b->count - 1];
+    const struct vec2 z = { k->x, k->y };
+    for (long n = 0; status != STATUS_OK; n++) {
+        fault_alloc_at(n);
+        status = rest_curve_run(&s.study, z, NULL, &r);
+        fault_alloc_at(FAULT_ALLOC_NEVER);
+        assert_true(status == STATUS_OK || status == STATUS_NO_MEMORY);
+        rest_curve_free(&r);
+        rest_curve_free(&r);
+    }
+    assert_int_equal(rest_curve_run(&s.study, z, &monitor, &r), STATUS_STOPPED);
+    rest_curve_free(&r);
+    drop(&c, &s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(orbits_on_it_take_the_tabulated_time_and_slip),
+        cmocka_unit_test(time_and_slip_change_as_their_slopes_say),
+        cmocka_unit_test(the_table_has_no_end),
+        cmocka_unit_test(states_fall_onto_it),
+        cmocka_unit_test(blocks_that_never_rest_have_none),
+        cmocka_unit_test(every_allocation_may_fail_and_monitors_stop_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
