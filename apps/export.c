@@ -8,6 +8,7 @@
 #include "export_basin.h"
 #include "export_diagram.h"
 #include "library.h"
+#include "remark.h"
 #include "rows.h"
 #include "store.h"
 #include "store_records.h"

@@ -330,6 +330,16 @@ WRONG_BASINS = [
 ]
 
 
+def a_separatrix_beyond_doubles_is_refused_with_the_reason(room):
+    far = ['--law', 'dieterich_gen', '--alpha', '1.4']
+    for more in (['basin', *far, '-o', 'a.h5'],
+                 ['push', *far, '--v', '1', '--psi', '1']):
+        done = room.run(*more)
+        expect(done.returncode == 3 and done.stderr.count('\n') == 1
+               and 'further apart than doubles' in done.stderr, done)
+    expect(room.names() == [], room.names())
+
+
 def wrong_basins_are_refused_in_one_line(room):
     scene = ('title: t\nlaw: {preset: ruina}\nslope: {alpha: 0.34}\n'
              'products: [basins]\noutput: {hdf5: a.h5}\nbasins: {%s}\n')
@@ -361,5 +371,6 @@ run_cases([
     a_file_size_limit_exits_4_and_keeps_the_old_file,
     a_full_disk_exits_4_and_leaves_nothing,
     a_map_of_8192_squared_cells_takes_less_than_64_megabytes,
+    a_separatrix_beyond_doubles_is_refused_with_the_reason,
     wrong_basins_are_refused_in_one_line,
 ])

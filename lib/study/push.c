@@ -86,7 +86,8 @@ enum status push_init(struct push *p, const struct scene *scene,
     if (status == STATUS_OK)
         return STATUS_OK;
     snprintf(why->text, sizeof why->text, "the basins of the slope: %s",
-             status_text(status));
+             status == STATUS_NOT_HYPERBOLIC ? p->study.critical.v_plus.reason
+                                             : status_text(status));
     push_free(p);
     return status;
 }

@@ -31,3 +31,16 @@ size_t study_remarks(const struct study *s, const char *text[], size_t room)
         text[n++] = s->diagrams.chi.reason;
     return n;
 }
+
+const char *study_end_name(const struct trajectory *t)
+{
+    static const char *const name[] = {
+        [ORBIT_RUNNING] = "given_up",
+        [ORBIT_LEFT_DOMAIN] = "left_domain",
+        [ORBIT_LEFT_WINDOW] = "left_window",
+        [ORBIT_ARRIVED] = "arrived",
+        [ORBIT_REACHED] = "limit",
+        [ORBIT_EVENT] = "event",
+    };
+    return name[t->end];
+}

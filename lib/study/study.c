@@ -348,7 +348,9 @@ static enum status run_basins(struct study *s, const struct monitor *monitor,
 {
     enum status status = basin_map_init(&s->basins, s, monitor);
 
-    (void) why;
+    if (status == STATUS_NOT_HYPERBOLIC)
+        snprintf(why->text, sizeof why->text, "the basins of the slope: %s",
+                 s->critical.v_plus.reason);
     if (status == STATUS_OK && s->scene->audit > 0 && !s->scene->exact)
         status = basin_map_audit(&s->basins, s->scene->audit, s->scene->seed,
                                  monitor);
@@ -443,19 +445,6 @@ void study_free(struct study *s)
     diagrams_free(&s->diagrams);
     trajectory_free(&s->chosen);
     portrait_free(&s->portrait);
-}
-
-const char *study_end_name(const struct trajectory *t)
-{
-    static const char *const name[] = {
-        [ORBIT_RUNNING] = "given_up",
-        [ORBIT_LEFT_DOMAIN] = "left_domain",
-        [ORBIT_LEFT_WINDOW] = "left_window",
-        [ORBIT_ARRIVED] = "arrived",
-        [ORBIT_REACHED] = "limit",
-        [ORBIT_EVENT] = "event",
-    };
-    return name[t->end];
 }
 
 double study_energy_defect(const struct study *s, const struct curve *c)

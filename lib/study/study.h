@@ -83,9 +83,6 @@ bool study_has_manifolds(const struct study *s);
 struct box study_window(const struct study *s);
 struct window study_frame(const struct study *s);
 
-/* Why a trajectory ended, in one word: "arrived", "left_window", ... */
-const char *study_end_name(const struct trajectory *t);
-
 /* The relative defect of the energy balance (27) along a whole curve whose
  * integrals are those of block.h, from component 3 on. */
 double study_energy_defect(const struct study *s, const struct curve *c);
