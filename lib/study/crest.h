@@ -1,10 +1,14 @@
-/* crest.h -- the largest value of a function on [0, 1] that has few maxima. */
+/* crest.h -- the largest value of a function that has few maxima. */
 #ifndef STUDY_CREST_H
 #define STUDY_CREST_H
 
-/* Of samples (TOL_CREST_SAMPLES), then by golden section beside the best one
- * (Kiefer, Proc. AMS 4, 1953, 502-506), to TOL_CREST_WIDTH in t: it errs by
- * the square of that. */
+/* Between lo and hi, where it has one maximum, by golden section (Kiefer, Proc.
+ * AMS 4, 1953, 502-506), to the width in t: it errs by the square of that. */
+double crest_between(double (*value)(const void *ctx, double t),
+                     const void *ctx, double lo, double hi, double width);
+
+/* On [0, 1]: of samples (TOL_CREST_SAMPLES), then beside the best one, to
+ * TOL_CREST_WIDTH. */
 double crest_of(double (*value)(const void *ctx, double t), const void *ctx);
 
 #endif

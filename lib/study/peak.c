@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "crest.h"
 #include "study.h"
 #include "study_tolerance.h"
 
@@ -30,8 +31,9 @@ static double friction(const struct study *s, struct vec2 z)
 }
 
 /* `at`: number of the piece, and theta. */
-static double value_at(const struct along *a, double at)
+static double value_at(const void *ctx, double at)
 {
+    const struct along *a = ctx;
     const size_t piece = (size_t) fmin(at, (double) a->curve->count - 1.0);
     const double theta = at - (double) piece;
     const size_t degree = a->curve->piece[piece].degree;
@@ -59,38 +61,14 @@ static double top_sample(const struct along *a)
     return at;
 }
 
-/* The largest value found between lo and hi. */
-static double narrow(const struct along *a, double lo, double hi)
-{
-    const double part = 0.5 * (sqrt(5.0) - 1.0), width = hi - lo;
-    double left = hi - part * (hi - lo), right = lo + part * (hi - lo);
-    double at_left = value_at(a, left), at_right = value_at(a, right);
-
-    while (hi - lo > TOL_PEAK_WIDTH * width) {
-        if (at_left > at_right) {
-            hi = right;
-            right = left;
-            at_right = at_left;
-            left = hi - part * (hi - lo);
-            at_left = value_at(a, left);
-        } else {
-            lo = left;
-            left = right;
-            at_left = at_right;
-            right = lo + part * (hi - lo);
-            at_right = value_at(a, right);
-        }
-    }
-    return fmax(at_left, at_right);
-}
-
 static double top_of(const struct along *a)
 {
     const double at = top_sample(a), step = 1.0 / TOL_PEAK_SAMPLES;
-    const double end = (double) a->curve->count;
+    const double lo = fmax(at - step, 0.0);
+    const double hi = fmin(at + step, (double) a->curve->count);
 
     return fmax(value_at(a, at),
-                narrow(a, fmax(at - step, 0.0), fmin(at + step, end)));
+                crest_between(value_at, a, lo, hi, TOL_PEAK_WIDTH * (hi - lo)));
 }
 
 /* Follows the pieces first .. last of an orbit again, finer; the largest value
