@@ -4,6 +4,8 @@
 
 #include "completion.h"
 #include "manual.h"
+#include "reference.h"
+#include "text.h"
 
 /* clang-format off */
 static const struct command table[] = {
@@ -35,10 +37,11 @@ static const struct command table[] = {
       "margin, slip, time, friction and peak add a field each.",
       "slipway basin --law spinodal_gen --alpha 0.34 --figure basin.png",
       command_basin },
-    { "sweep", "SCENE.yaml", "the numbers of knees over a key, or a grid of two",
-      "Computes the numbers of knees at every value of one key of the scene, or of "
-      "two, and adds points where the curves bend. A sweep that was killed goes on with "
-      "--resume.",
+    { "sweep", "SCENE.yaml", "a study over a key, or a grid of two",
+      "Computes what the scene's products ask for, else the numbers of knees, at "
+      "every value of one key of the scene, or of two, and adds points where the "
+      "curves bend. Maps (basins, margin, slip, time, friction, peak) need -o. A sweep "
+      "that was killed goes on with --resume.",
       "slipway sweep scenes/sweep.yaml", command_sweep },
     { "push", "[SCENE.yaml]", "one state: stops or slides, and what changes it",
       "Says of the state of --v and --psi whether it stops or slides for ever, how "
@@ -56,6 +59,14 @@ static const struct command table[] = {
       "measured ones (--data) static friction, the memory length and friction against "
       "slip.",
       "slipway rabinowicz scenes/rabinowicz.yaml", command_rabinowicz },
+    { "export", "[SCENE.yaml]", "the system as input of XPPAUT or AUTO-07p",
+      "Writes law, slope and saddle for XPPAUT (--as xppaut, a file NAME.ode) or for "
+      "AUTO-07p (--as auto: equations NAME.c, constants c.NAME and c.NAME.folds, a script "
+      "NAME.auto). "
+      "Parameters keep their names there. XPPAUT traces the saddle's stable manifold "
+      "(--form arclength) or a motion (--form time).",
+      "slipway export --law spinodal_gen --alpha 0.34 --as xppaut -o slope.ode",
+      command_export },
     { "gallery", "[-o DIR]", "every figure of the paper, with a page of HTML",
       "Runs every scene that draws a figure and writes each as SVG, PNG and HDF5, "
       "with a page, index.html, that shows them all. Scenes are looked for in ./scenes, "
@@ -83,8 +94,9 @@ static const struct command table[] = {
       "one line for each thing that differs and exit 1.",
       "slipway info outputs/fig07b.h5 scene", command_info },
     { "help", "[COMMAND]", "this list, or one command",
-      "Lists the commands, or explains one. --as writes the same as a man page "
-      "or as completions of a shell, e.g. slipway help --as bash.",
+      "Lists the commands, or explains one. --as writes a man page, the completions "
+      "of a shell (bash, zsh, fish), or a reference: the keys of scenes (scene), what "
+      "files hold (hdf5), exit codes and words (words).",
       "slipway help knees", command_help },
 };
 /* clang-format on */
@@ -143,7 +155,10 @@ void command_list(FILE *out)
 
 enum exit_code command_fail(enum status s, const char *text)
 {
-    fprintf(stderr, "slipway: %s\n", text[0] ? text : status_text(s));
+    char line[2048]; /* one, whatever a file is called */
+
+    text_show(text[0] ? text : status_text(s), line, sizeof line);
+    fprintf(stderr, "slipway: %s\n", line);
     switch (s) {
         case STATUS_BAD_SCENE:
         case STATUS_BAD_ARGUMENT:
@@ -195,17 +210,32 @@ void command_describe(FILE *out, const struct command *c)
     fprintf(out, "Example:\n  %s\n", c->example);
 }
 
+/* What --as can write besides the pages of single commands. */
+static enum exit_code help_as(const char *format)
+{
+    enum status status = STATUS_OK;
+
+    if (strcmp(format, "man") == 0)
+        manual_print(stdout);
+    else if (strcmp(format, "scene") == 0)
+        reference_scene(stdout);
+    else if (strcmp(format, "hdf5") == 0)
+        status = reference_hdf5(stdout);
+    else if (strcmp(format, "words") == 0)
+        reference_words(stdout);
+    else
+        return completion_print(stdout, format);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(status, "");
+}
+
 enum exit_code command_help(const struct options *o)
 {
     const char *nearest = NULL;
 
     if (o->as && strcmp(o->as, "man") != 0)
-        return command_allow(o, 0) ? EXIT_USAGE
-                                   : completion_print(stdout, o->as);
-    if (o->files == 0 && o->as) {
-        manual_print(stdout);
-        return EXIT_DONE;
-    }
+        return command_allow(o, 0) ? EXIT_USAGE : help_as(o->as);
+    if (o->files == 0 && o->as)
+        return help_as(o->as);
     if (o->files == 0) {
         printf("Usage: slipway COMMAND [SCENE.yaml] [options]   (options: "
                "slipway --help)\n\n");

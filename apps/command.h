@@ -45,6 +45,7 @@ enum exit_code command_push(const struct options *o);
 enum exit_code command_sweep(const struct options *o);
 enum exit_code command_simulate(const struct options *o);
 enum exit_code command_rabinowicz(const struct options *o);
+enum exit_code command_export(const struct options *o);
 enum exit_code command_gallery(const struct options *o);
 enum exit_code command_workprec(const struct options *o);
 enum exit_code command_stress(const struct options *o);

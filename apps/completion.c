@@ -35,7 +35,12 @@ static void put_progress(FILE *out)
 
 static void put_formats(FILE *out)
 {
-    fputs("man bash zsh fish", out);
+    fputs("man bash zsh fish scene hdf5 words xppaut auto", out);
+}
+
+static void put_kinds(FILE *out)
+{
+    fputs("arclength time", out);
 }
 
 /* An option's value that is one of some words. */
@@ -44,7 +49,7 @@ static const struct choice {
     void (*put_words)(FILE *out);
 } choices[] = {
     { "KEY=VALUE", put_keys }, { "NAME", put_laws },      { "FORM", put_forms },
-    { "HOW", put_progress },   { "FORMAT", put_formats },
+    { "HOW", put_progress },   { "FORMAT", put_formats }, { "KIND", put_kinds },
 };
 enum { CHOICES = sizeof choices / sizeof *choices };
 
@@ -359,7 +364,9 @@ enum exit_code completion_print(FILE *out, const char *shell)
     else if (is(shell, "fish"))
         fish_print(out);
     else
-        return command_fail(STATUS_BAD_ARGUMENT,
-                            "--as: expected man, bash, zsh or fish");
+        return command_fail(
+            STATUS_BAD_ARGUMENT,
+            "--as: expected man, bash, zsh, fish, scene, hdf5 or "
+            "words");
     return EXIT_DONE;
 }

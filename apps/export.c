@@ -10,6 +10,7 @@
 #include "library.h"
 #include "remark.h"
 #include "rows.h"
+#include "scene_slope.h"
 #include "store.h"
 #include "store_records.h"
 
@@ -234,7 +235,7 @@ enum status export_provenance(const struct scene *scene, struct store *out)
         status = store_put_real(out, "/provenance",
                                 material_key_name((enum material_key) key),
                                 *material_member(&m, (enum material_key) key));
-    if (!status)
+    if (!status && scene_has_slope(scene))
         status = store_put_real(out, "/provenance", "alpha", scene->alpha);
     if (!status)
         status = store_put_real(out, "/provenance", "eps2", material_eps2(&m));
@@ -249,9 +250,9 @@ static enum status put_all(const struct study *s, struct store *out,
     const unsigned stages = s->stages;
     enum status status = export_provenance(s->scene, out);
 
-    if (!status)
+    if (!status && plan_has(stages, STAGE_STEADY))
         status = store_put_records(out, "/equilibria", &steady, NULL);
-    if (!status)
+    if (!status && plan_has(stages, STAGE_STEADY))
         status = store_put_scalars(out, "/saddle", &record_saddle,
                                    &s->saddle_numbers);
     if (!status && plan_has(stages, STAGE_FOLDS))

@@ -14,25 +14,28 @@ enum { BLOCK_ROWS = STORE_CHUNK, LOOK_CELLS = 1 << 13 };
 
 static const char group[] = "/basin";
 
-static const struct record_field label_field = {
-    .name = "label",
-    .unit = "1",
-    .text = "fate of the state",
-    .kind = RECORD_CODE,
-    .codes = fate_names,
+enum { LABEL, MARGIN, MARGIN_PSI };
+static const struct record_field layer[] = {
+    [LABEL] = { .name = "label",
+                .unit = "1",
+                .text = "fate of the state",
+                .kind = RECORD_CODE,
+                .codes = fate_names },
+    [MARGIN] = { .name = "margin",
+                 .unit = "1",
+                 .text = "ln of the factor on v to the nearest other fate",
+                 .kind = RECORD_REAL },
+    [MARGIN_PSI] = { .name = "margin_psi",
+                     .unit = "1",
+                     .text = "shift of ln psi (of psi where it is a logarithm) "
+                             "to the nearest other fate",
+                     .kind = RECORD_REAL },
 };
-static const struct record_field margin_field = {
-    .name = "margin",
-    .unit = "1",
-    .text = "ln of the factor on v to the nearest other fate",
-    .kind = RECORD_REAL,
-};
-static const struct record_field margin_psi_field = {
-    .name = "margin_psi",
-    .unit = "1",
-    .text = "shift of ln psi (of psi where it is a logarithm) to the nearest "
-            "other fate",
-    .kind = RECORD_REAL,
+const struct record_type record_basin = {
+    .name = "basin",
+    .text = "a map of fates",
+    .fields = layer,
+    .count = sizeof layer / sizeof *layer,
 };
 
 static enum status put_share(struct store *out, const char *fate,
@@ -78,7 +81,7 @@ static const struct record_field disagreement_fields[] = {
       .offset = offsetof(struct disagreement, psi),
       .kind = RECORD_REAL },
 };
-static const struct record_type disagreement_type = {
+const struct record_type record_disagreement = {
     .name = "disagreement",
     .text = "cells whose orbit has another fate than the map says",
     .fields = disagreement_fields,
@@ -96,7 +99,7 @@ static enum status put_audit(const struct basin_map *m, struct store *out)
         row[i].v = m->v[a->wrong[i] % m->columns];
         row[i].psi = m->psi[a->wrong[i] / m->columns];
     }
-    const struct record_array rows = { &disagreement_type, row,
+    const struct record_array rows = { &record_disagreement, row,
                                        a->disagreements };
     if (s == STATUS_OK)
         s = store_put_count(out, group, "audit_cells", (int64_t) a->cells);
@@ -138,17 +141,17 @@ static enum status put_block(const struct basin_map *m, struct store *out,
     enum status s = label_block(m, first, count, b->label, monitor);
 
     if (s == STATUS_OK)
-        s = store_put_rows(out, group, &label_field, first, count, b->label);
+        s = store_put_rows(out, group, &layer[LABEL], first, count, b->label);
     if (s == STATUS_OK)
         s = export_field_rows(m->study, out, first, count, monitor);
     if (s != STATUS_OK || b->margin[0] == NULL)
         return s;
     s = basin_map_margins(m, first, count, b->margin[0], b->margin[1]);
     if (s == STATUS_OK)
-        s = store_put_rows(out, group, &margin_field, first, count,
+        s = store_put_rows(out, group, &layer[MARGIN], first, count,
                            b->margin[0]);
     if (s == STATUS_OK)
-        s = store_put_rows(out, group, &margin_psi_field, first, count,
+        s = store_put_rows(out, group, &layer[MARGIN_PSI], first, count,
                            b->margin[1]);
     return s;
 }
@@ -179,11 +182,11 @@ static enum status put_axes(const struct study *study, bool margins,
         s = store_put_axis(out, group, "v", axis[0].unit, axis[0].long_name,
                            m->columns, m->v);
     if (s == STATUS_OK)
-        s = store_put_layer(out, group, &label_field, "psi", "v");
+        s = store_put_layer(out, group, &layer[LABEL], "psi", "v");
     if (s == STATUS_OK && margins)
-        s = store_put_layer(out, group, &margin_field, "psi", "v");
+        s = store_put_layer(out, group, &layer[MARGIN], "psi", "v");
     if (s == STATUS_OK && margins)
-        s = store_put_layer(out, group, &margin_psi_field, "psi", "v");
+        s = store_put_layer(out, group, &layer[MARGIN_PSI], "psi", "v");
     if (s == STATUS_OK)
         s = export_field_layers(study, out);
     return s;

@@ -6,6 +6,9 @@
 #include "store.h"
 #include "study.h"
 
+/* The layers of /basin but those of record_cell, and /basin/disagreement. */
+extern const struct record_type record_basin, record_disagreement;
+
 /* /basin: axes psi and v, label, the margins where the scene asks for them,
  * shares and the audit as attributes.  Computes the rows on the way.  Errors
  * of store.h, STATUS_NO_MEMORY, STATUS_STOPPED by the monitor. */

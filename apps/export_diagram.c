@@ -91,18 +91,22 @@ static enum status put_fold_curves(const struct diagrams *d, struct store *out)
     return s;
 }
 
+static const struct record_field chi_layer[] = {
+    { .name = "ln_chi",
+      .unit = "1",
+      .text = "ln chi(v), (34)",
+      .kind = RECORD_REAL },
+    { .name = "ln_chi_error",
+      .unit = "1",
+      .text = "error bound of ln_chi",
+      .kind = RECORD_REAL },
+};
+const struct record_type record_chi = {
+    .name = "chi", .text = "chi(v)", .fields = chi_layer, .count = 2
+};
+
 static enum status put_chi(const struct diagrams *d, struct store *out)
 {
-    static const struct record_field layer[] = {
-        { .name = "ln_chi",
-          .unit = "1",
-          .text = "ln chi(v), (34)",
-          .kind = RECORD_REAL },
-        { .name = "ln_chi_error",
-          .unit = "1",
-          .text = "error bound of ln_chi",
-          .kind = RECORD_REAL },
-    };
     const struct chi_curves *c = &d->chi;
     const double *const cells[] = { c->ln_chi, c->error };
     const struct record_array a = { &record_chi_slope, c->slope, c->slopes };
@@ -111,9 +115,10 @@ static enum status put_chi(const struct diagrams *d, struct store *out)
     if (!s)
         s = store_put_axis(out, "/chi", "v", "1", "slip rate", c->points, c->v);
     for (int i = 0; i < 2 && !s; i++) {
-        s = store_put_layer(out, "/chi", &layer[i], "alpha", "v");
+        s = store_put_layer(out, "/chi", &chi_layer[i], "alpha", "v");
         if (!s)
-            s = store_put_rows(out, "/chi", &layer[i], 0, c->slopes, cells[i]);
+            s = store_put_rows(out, "/chi", &chi_layer[i], 0, c->slopes,
+                               cells[i]);
     }
     return s;
 }

@@ -5,6 +5,9 @@
 #include "store.h"
 #include "study.h"
 
+/* The layers of /chi. */
+extern const struct record_type record_chi;
+
 /*
  * What the study's stages hold of these (diagram.h), dimensionless but k:
  *   /friction_law   (v: psi, mu, slope), /friction_law/dieterich (the same),

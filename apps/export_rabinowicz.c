@@ -24,7 +24,7 @@ static const struct record_field point_fields[] = {
     FIELD(value, "m", "measured"),
     FIELD(error, "m", "one standard deviation, as given"),
 };
-static const struct record_type record_point = {
+const struct record_type record_measured = {
     "measured", "measurements", point_fields,
     sizeof point_fields / sizeof *point_fields, sizeof(struct point)
 };
@@ -39,7 +39,7 @@ static enum status put_series(const struct series *s, const char *group,
     for (size_t i = 0; i < s->count; i++)
         point[i] = (struct point){ s->tan_alpha[i], s->value[i],
                                    s->error ? s->error[i] : (double) NAN };
-    const struct record_array a = { &record_point, point, s->count };
+    const struct record_array a = { &record_measured, point, s->count };
     const enum status status = store_put_records(out, group, &a, NULL);
     free(point);
     return status;

@@ -4,6 +4,9 @@
 
 #include "release.h"
 
+/* Of /rabinowicz/l_k and x_k. */
+extern const struct record_type record_measured;
+
 /* Writes r, of that scene, to path, whole or not at all: /rabinowicz/release,
  * and with data l_k, fit, slip, x_k and persistence beside it.  STATUS_IO,
  * STATUS_NO_MEMORY. */

@@ -8,6 +8,7 @@
 #include "library.h"
 #include "store.h"
 #include "store_grid.h"
+#include "tolerance.h"
 
 static const char group[] = "/sweep";
 
@@ -15,22 +16,37 @@ static const char group[] = "/sweep";
 struct cube {
     const struct sweep *s;
     struct store *out;
-    double *real; /* owned; one value a point */
-    int8_t *code; /* owned */
+    double *real; /* owned; room for all values of a column, or of a layer */
+    int8_t *code; /* owned; likewise */
 };
 
-/* `values`: one a point. */
-static enum status put(const struct cube *c, const struct record_field *f,
-                       const void *values)
-{
-    const struct sweep_axis *a = c->s->axis;
+/* ---- data sets ------------------------------------------------------------
+ */
 
-    if (c->s->axes == 1)
-        return store_put_column(c->out, group, f, a[0].name, values);
-    const enum status status =
-        store_put_layer(c->out, group, f, a[0].name, a[1].name);
-    return status ? status
-                  : store_put_rows(c->out, group, f, 0, a[0].count, values);
+/* The keys, then so many dimensions of its own. */
+static size_t axes_of(const struct sweep *s, const enum sweep_dim dim[],
+                      size_t dims, const char *name[STORE_AXES])
+{
+    size_t n = 0;
+
+    for (; n < s->axes; n++)
+        name[n] = s->axis[n].name;
+    for (size_t i = 0; i < dims; i++)
+        name[n++] = s->dims.of[dim[i]].name;
+    return n;
+}
+
+/* All values of a column. */
+static enum status put(const struct cube *c, const struct record_field *f,
+                       const struct sweep_column *column, const void *values)
+{
+    const char *name[STORE_AXES];
+    const size_t rank = axes_of(c->s, column->dim, column->dims, name);
+
+    if (rank == 1)
+        return store_put_column(c->out, group, f, name[0], values);
+    const enum status status = store_put_cube(c->out, group, f, rank, name);
+    return status ? status : store_put_slab(c->out, group, f, 0, NULL, values);
 }
 
 static enum status put_real(const struct cube *c, const char *suffix,
@@ -44,7 +60,7 @@ static enum status put_real(const struct cube *c, const char *suffix,
 
     snprintf(name, sizeof name, "%s%s", column->name, suffix);
     snprintf(long_name, sizeof long_name, "%s%s", column->text, text);
-    return put(c, &f, c->real);
+    return put(c, &f, column, c->real);
 }
 
 static enum status put_codes(const struct cube *c, const char *suffix,
@@ -60,36 +76,45 @@ static enum status put_codes(const struct cube *c, const char *suffix,
 
     snprintf(name, sizeof name, "%s%s", column->name, suffix);
     snprintf(long_name, sizeof long_name, "%s%s", column->text, text);
-    return put(c, &f, c->code);
+    return put(c, &f, column, c->code);
 }
 
 /* A member of the quantities of a column. */
-static void gather(const struct cube *c, int column, size_t member)
+static void gather(const struct cube *c, int k, size_t member)
 {
-    for (size_t i = 0; i < c->s->points; i++) {
-        const struct quantity q = sweep_quantity(c->s, column, i);
-        memcpy(&c->real[i], (const char *) &q + member, sizeof *c->real);
-    }
+    const size_t n = c->s->columns.at[k].entries;
+
+    for (size_t i = 0; i < c->s->points; i++)
+        for (size_t e = 0; e < n; e++) {
+            const struct quantity q = sweep_entry(c->s, k, i, e);
+            memcpy(&c->real[i * n + e], (const char *) &q + member,
+                   sizeof *c->real);
+        }
 }
 
-static void gather_codes(const struct cube *c, int column)
+static void gather_codes(const struct cube *c, int k)
 {
+    const size_t n = c->s->columns.at[k].entries;
+
     for (size_t i = 0; i < c->s->points; i++)
-        c->code[i] = (int8_t) sweep_code(c->s, column, i);
+        for (size_t e = 0; e < n; e++)
+            c->code[i * n + e] = (int8_t) sweep_entry_code(c->s, k, i, e);
 }
 
 static enum status put_quantity(const struct cube *c, int k)
 {
     const struct sweep_column *column = &c->s->columns.at[k];
+    enum status status;
 
     gather(c, k, offsetof(struct quantity, value));
-    enum status status = put_real(c, "", "", column->unit, column);
+    status = put_real(c, "", "", column->unit, column);
     gather(c, k, offsetof(struct quantity, error));
-    if (status == STATUS_OK)
+    if (status == STATUS_OK && column->kind == RECORD_QUANTITY)
         status = put_real(c, "_error", ": bound on the absolute error",
                           column->unit, column);
     gather(c, k, offsetof(struct quantity, conditioning));
-    if (status == STATUS_OK && c->s->columns.conditioning)
+    if (status == STATUS_OK && c->s->columns.conditioning &&
+        column->kind == RECORD_QUANTITY)
         status =
             put_real(c, "_conditioning",
                      ": relative error from rounding the inputs", "1", column);
@@ -110,7 +135,65 @@ static enum status put_column(const struct cube *c, int k)
     return put_codes(c, "", "", column->codes, column);
 }
 
-static enum status put_axes(const struct cube *c)
+/* ---- layers ---------------------------------------------------------------
+ */
+
+static enum status put_points(const struct cube *c, size_t k,
+                              const struct record_field *f, void *values,
+                              struct fault *why)
+{
+    const struct sweep *s = c->s;
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < s->points && status == STATUS_OK; i++) {
+        const size_t inner = s->axes > 1 ? s->axis[1].count : 1;
+        const size_t at[SCENE_AXES] = { i / inner, i % inner };
+        status = sweep_read(s, k, i, values, why);
+        if (status == STATUS_OK)
+            status = store_put_slab(c->out, group, f, s->axes, at, values);
+    }
+    return status;
+}
+
+static enum status put_layer(const struct cube *c, size_t k, struct fault *why)
+{
+    const struct sweep_layer *layer = &c->s->layers.at[k];
+    const struct record_field f = { .name = layer->name,
+                                    .unit = layer->unit,
+                                    .text = layer->text,
+                                    .kind = layer->codes ? RECORD_CODE
+                                                         : RECORD_REAL,
+                                    .codes = layer->codes };
+    const char *name[STORE_AXES];
+    const size_t rank = axes_of(c->s, layer->dim, 2, name);
+    const enum status status = store_put_cube(c->out, group, &f, rank, name);
+
+    return status
+               ? status
+               : put_points(c, k, &f,
+                            layer->codes ? (void *) c->code : (void *) c->real,
+                            why);
+}
+
+/* What the fields of the cells were computed to. */
+static enum status put_accuracy(const struct cube *c)
+{
+    const struct scene *scene = c->s->scene;
+    const unsigned fields = 1u << PRODUCT_SLIP | 1u << PRODUCT_TIME |
+                            1u << PRODUCT_FRICTION | 1u << PRODUCT_PEAK;
+
+    if (!(scene->products & fields) || c->s->layers.count == 0)
+        return STATUS_OK;
+    const enum status status =
+        store_put_real(c->out, group, "cell_rtol", scene->cell_rtol);
+    return status ? status
+                  : store_put_real(c->out, group, "cell_arrest", TOL_ARREST);
+}
+
+/* ---- axes -----------------------------------------------------------------
+ */
+
+static enum status put_keys(const struct cube *c)
 {
     char keys[128] = "";
     enum status status = STATUS_OK;
@@ -130,19 +213,90 @@ static enum status put_axes(const struct cube *c)
     return status;
 }
 
-static enum status put_all(const struct sweep *s, struct store *out)
+/* Maps have none without a side file, but no file is written then. */
+static enum status put_dims(const struct cube *c)
 {
+    enum status status = STATUS_OK;
+
+    for (int i = 0; i < SWEEP_DIMS && status == STATUS_OK; i++) {
+        const struct sweep_dim_axis *a = &c->s->dims.of[i];
+        if (a->count > 0)
+            status = store_put_axis(c->out, group, a->name, a->unit, a->text,
+                                    a->count, a->value);
+    }
+    return status;
+}
+
+static const struct record_field start_field[] = {
+    { .name = "start_v",
+      .unit = "1",
+      .text = "slip rate at the start in units of V_star",
+      .kind = RECORD_REAL },
+    { .name = "start_psi",
+      .unit = "1",
+      .text = "interfacial state at the start",
+      .kind = RECORD_REAL },
+};
+const struct record_type record_sweep_start = {
+    .name = "start", .text = "starts", .fields = start_field, .count = 2
+};
+
+/* Where the runs start: the same at all points. */
+static enum status put_starts(const struct cube *c)
+{
+    const struct scene *scene = c->s->scene;
+    const size_t n = c->s->dims.of[DIM_START].count;
+    enum status status = STATUS_OK;
+
+    for (int k = 0; k < 2 && n > 0 && status == STATUS_OK; k++) {
+        for (size_t i = 0; i < n; i++)
+            c->real[i] = k == 0 ? scene->start[i].v : scene->start[i].psi;
+        status =
+            store_put_column(c->out, group, &start_field[k], "start", c->real);
+    }
+    return status;
+}
+
+/* ---- the whole ------------------------------------------------------------
+ */
+
+/* Values of the largest column or layer. */
+static size_t most_values(const struct sweep *s)
+{
+    size_t most = s->dims.of[DIM_START].count;
+
+    for (size_t k = 0; k < s->columns.count; k++)
+        if (s->columns.at[k].entries * s->points > most)
+            most = s->columns.at[k].entries * s->points;
+    for (size_t k = 0; k < s->layers.count; k++)
+        if (s->layers.at[k].rows * s->layers.at[k].columns > most)
+            most = s->layers.at[k].rows * s->layers.at[k].columns;
+    return most;
+}
+
+static enum status put_all(const struct sweep *s, struct store *out,
+                           struct fault *why)
+{
+    const size_t most = most_values(s);
     struct cube c = { .s = s,
                       .out = out,
-                      .real = calloc(s->points, sizeof *c.real),
-                      .code = calloc(s->points, sizeof *c.code) };
+                      .real = calloc(most, sizeof *c.real),
+                      .code = calloc(most, sizeof *c.code) };
     enum status status =
         c.real && c.code ? export_provenance(s->scene, out) : STATUS_NO_MEMORY;
 
     if (status == STATUS_OK)
-        status = put_axes(&c);
+        status = put_keys(&c);
+    if (status == STATUS_OK)
+        status = put_dims(&c);
+    if (status == STATUS_OK)
+        status = put_starts(&c);
     for (size_t k = 0; k < s->columns.count && status == STATUS_OK; k++)
         status = put_column(&c, (int) k);
+    if (status == STATUS_OK)
+        status = put_accuracy(&c);
+    for (size_t k = 0; k < s->layers.count && status == STATUS_OK; k++)
+        status = put_layer(&c, k, why);
     free(c.real);
     free(c.code);
     return status;
@@ -159,10 +313,11 @@ enum status export_sweep(const struct sweep *s, const char *path,
     enum status status = store_create(path, title, &out, why);
     if (status != STATUS_OK)
         return status;
-    status = put_all(s, out);
-    if (status == STATUS_OK || status == STATUS_IO)
+    why->text[0] = '\0';
+    status = put_all(s, out, why);
+    if (why->text[0] == '\0' && (status == STATUS_OK || status == STATUS_IO))
         status = store_commit(out, why);
-    else
+    else if (why->text[0] == '\0')
         snprintf(why->text, sizeof why->text, "%.300s: %s", path,
                  status_text(status));
     store_free(&out);

@@ -1,23 +1,43 @@
-/* slipway info: what a result file holds; and its scene back. */
+/* slipway info: what a result file holds; and its scene back.  The file may be
+ * anyone's: a child reads it (apart.h). */
 #include <stdlib.h>
 #include <string.h>
 
+#include "apart.h"
 #include "command.h"
+#include "document.h"
 #include "json.h"
 #include "library.h"
 #include "merge.h"
 #include "rerun.h"
 #include "store_read.h"
+#include "tolerance.h"
 
 struct listing {
-    json_t *list;  /* NULL: print */
+    const char *path; /* of the file */
+    bool as_json;
+    FILE *out;     /* where to print, or */
+    json_t *list;  /* where to add */
     bool of_group; /* texts that come now are a group's */
 };
 
-static void print_item(const struct store_item *item)
+/* What a file says must not command the terminal; what is longer is cut. */
+struct shown {
+    char text[4096];
+};
+
+static struct shown shown(const char *text)
+{
+    struct shown s;
+
+    text_show(text, s.text, sizeof s.text);
+    return s;
+}
+
+static void print_item(FILE *out, const struct store_item *item)
 {
     if (item->kind == STORE_GROUP) {
-        printf("%s\n", item->path);
+        fprintf(out, "%s\n", shown(item->path).text);
         return;
     }
     const char *name = strrchr(item->path, '/') + 1;
@@ -25,20 +45,22 @@ static void print_item(const struct store_item *item)
     for (int i = 0; i < item->rank && strlen(shape) < 40; i++)
         snprintf(shape + strlen(shape), sizeof shape - strlen(shape), "%s%llu",
                  i ? " x " : "", (unsigned long long) item->extent[i]);
-    printf("  %-22s %-14s %-6s %s\n", name, item->rank ? shape : "scalar",
-           item->units, item->long_name);
+    fprintf(out, "  %-22s %-14s %-6s %s\n", shown(name).text,
+            item->rank ? shape : "scalar", shown(item->units).text,
+            shown(item->long_name).text);
 }
 
 /* Texts of a group, such as the version; of a data set its comment, which says
  * why a number is absent.  Long ones (the scene) are left to 'info scene'. */
-static void print_text(const struct store_item *item, bool of_group)
+static void print_text(FILE *out, const struct store_item *item, bool of_group)
 {
     if (strchr(item->text, '\n') || item->text[0] == '\0')
         return;
     if (of_group)
-        printf("  %-22s %s\n", item->key, item->text);
+        fprintf(out, "  %-22s %s\n", shown(item->key).text,
+                shown(item->text).text);
     else if (strcmp(item->key, "comment") == 0)
-        printf("  %-22s (%s)\n", "", item->text);
+        fprintf(out, "  %-22s (%s)\n", "", shown(item->text).text);
 }
 
 static void add_item(json_t *list, const struct store_item *item)
@@ -48,13 +70,13 @@ static void add_item(json_t *list, const struct store_item *item)
     for (int i = 0; i < item->rank; i++)
         json_array_append_new(shape,
                               json_integer((json_int_t) item->extent[i]));
-    json_object_set_new(j, "path", json_string(item->path));
+    json_object_set_new(j, "path", json_text(item->path));
     json_object_set_new(
         j, "kind",
         json_string(item->kind == STORE_GROUP ? "group" : "dataset"));
     json_object_set_new(j, "shape", shape);
-    json_object_set_new(j, "units", json_string(item->units));
-    json_object_set_new(j, "long_name", json_string(item->long_name));
+    json_object_set_new(j, "units", json_text(item->units));
+    json_object_set_new(j, "long_name", json_text(item->long_name));
     json_object_set_new(j, "texts", json_object());
     json_array_append_new(list, j);
 }
@@ -65,7 +87,7 @@ static void add_text(json_t *list, const struct store_item *item)
     json_t *last = json_array_get(list, json_array_size(list) - 1);
 
     json_object_set_new(json_object_get(last, "texts"), item->key,
-                        json_string(item->text));
+                        json_text(item->text));
 }
 
 static int visit(void *ctx, const struct store_item *item)
@@ -79,60 +101,93 @@ static int visit(void *ctx, const struct store_item *item)
     else if (l->list)
         add_item(l->list, item);
     else if (item->kind == STORE_TEXT)
-        print_text(item, l->of_group);
+        print_text(l->out, item, l->of_group);
     else
-        print_item(item);
+        print_item(l->out, item);
     return 0;
 }
 
-/* One scene that makes this file again, overrides included. */
-static enum exit_code print_scene(struct store *file)
+/* In the child. */
+static enum status list_items(void *ctx, FILE *out, struct fault *why)
 {
-    struct fault why = { "" };
+    struct listing *l = ctx;
+    struct store *file = NULL;
+
+    l->out = out;
+    l->list = l->as_json ? json_array() : NULL;
+    store_silence();
+    enum status s = store_open(l->path, &file, why);
+    if (s == STATUS_OK)
+        s = store_visit(file, visit, l, why);
+    store_free(&file);
+    if (s == STATUS_OK && l->as_json && !json_write(json_incref(l->list), out))
+        s = STATUS_NO_MEMORY;
+    json_decref(l->list);
+    return s;
+}
+
+/* ---- the scene -------------------------------------------------------------
+ */
+
+/* One scene that makes this file again, overrides included; what is no YAML is
+ * none. */
+static enum status merge(const char *text, const char *overrides, char **scene,
+                         struct fault *why)
+{
+    struct node *root = NULL;
+    const enum status s =
+        document_read(text, strlen(text), "scene", &root, why);
+
+    node_free(root);
+    return s == STATUS_OK ? scene_merge(text, overrides, scene, why) : s;
+}
+
+/* In the child. */
+static enum status read_scene(void *ctx, FILE *out, struct fault *why)
+{
+    const struct listing *l = ctx;
+    struct store *file = NULL;
     char *text = NULL, *overrides = NULL, *scene = NULL;
 
-    enum status s = store_read_text(file, "/provenance", "scene", &text, &why);
+    store_silence();
+    enum status s = store_open(l->path, &file, why);
     if (s == STATUS_OK)
-        s = store_read_text(file, "/provenance", "overrides", &overrides, &why);
+        s = store_read_text(file, "/provenance", "scene", &text, why);
     if (s == STATUS_OK)
-        s = scene_merge(text, overrides, &scene, &why);
+        s = store_read_text(file, "/provenance", "overrides", &overrides, why);
     if (s == STATUS_OK)
-        fputs(scene, stdout);
+        s = merge(text, overrides, &scene, why);
+    if (s == STATUS_OK)
+        fputs(scene, out);
+    store_free(&file);
     free(text);
     free(overrides);
     free(scene);
-    return s == STATUS_OK ? EXIT_DONE : command_fail(s, why.text);
+    return s;
 }
+
+/* ---- the command -----------------------------------------------------------
+ */
 
 enum exit_code command_info(const struct options *o)
 {
-    struct fault why = { "" };
-    struct store *file = NULL;
-    struct listing l = { .list = NULL };
     const bool scene = o->files == 2 && strcmp(o->file[1], "scene") == 0;
+    struct fault why = { "" };
+    char *text;
+    size_t size;
 
     if (o->files == 0 || (o->files > 1 && !scene))
         return command_fail(STATUS_BAD_SCENE,
                             "info: expected FILE.h5, then perhaps 'scene'");
     if (o->rerun)
         return command_allow(o, 1) ? EXIT_USAGE : rerun(o);
-    store_silence();
-    enum status s = store_open(o->file[0], &file, &why);
+    struct listing l = { .path = o->file[0], .as_json = o->json };
+    const enum status s =
+        apart_read(scene ? read_scene : list_items, &l, l.path,
+                   APART_LIST_SECONDS, &text, &size, &why);
     if (s != STATUS_OK)
         return command_fail(s, why.text);
-    enum exit_code code = EXIT_DONE;
-    if (scene) {
-        code = print_scene(file);
-    } else {
-        l.list = o->json ? json_array() : NULL;
-        s = store_visit(file, visit, &l, &why);
-        if (s != STATUS_OK)
-            code = command_fail(s, why.text);
-        else if (l.list)
-            code = json_print(json_incref(l.list)) ? EXIT_DONE
-                                                   : command_unwritten();
-        json_decref(l.list);
-    }
-    store_free(&file);
-    return code;
+    fwrite(text, 1, size, stdout); /* main() asks whether it arrived */
+    free(text);
+    return EXIT_DONE;
 }

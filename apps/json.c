@@ -2,6 +2,26 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text.h"
+
+/* Has an allocation failed? */
+static bool starved;
+
+static void *allocate(size_t size)
+{
+    void *at = malloc(size);
+
+    starved = starved || at == NULL;
+    return at;
+}
+
+void json_watch_memory(void)
+{
+    json_set_alloc_funcs(allocate, free);
+}
 
 json_t *json_number(double value)
 {
@@ -75,12 +95,33 @@ json_t *json_records(const struct record_array *a)
     return list;
 }
 
-bool json_print(json_t *j)
+json_t *json_text(const char *text)
+{
+    json_t *j = json_string(text);
+
+    if (j != NULL)
+        return j;
+    const size_t room = 4 * strlen(text) + 8;
+    char *shown = malloc(room);
+    if (shown == NULL)
+        return NULL;
+    text_show(text, shown, room);
+    j = json_string(shown);
+    free(shown);
+    return j;
+}
+
+bool json_write(json_t *j, FILE *out)
 {
     const size_t flags = JSON_INDENT(2) | JSON_REAL_PRECISION(17);
-    const bool ok = j != NULL && json_dumpf(j, stdout, flags) == 0 &&
-                    putchar('\n') != EOF && fflush(stdout) == 0;
+    const bool ok = j != NULL && !starved && json_dumpf(j, out, flags) == 0 &&
+                    putc('\n', out) != EOF && fflush(out) == 0;
 
     json_decref(j);
     return ok;
+}
+
+bool json_print(json_t *j)
+{
+    return json_write(j, stdout);
 }

@@ -4,6 +4,7 @@
 #define APPS_JSON_H
 
 #include <stdbool.h>
+#include <stdio.h>
 
 #include <jansson.h>
 
@@ -17,8 +18,19 @@ json_t *json_records(const struct record_array *a);
 /* A plain number; infinities as the strings "inf" and "-inf". */
 json_t *json_number(double value);
 
-/* Writes to stdout, 17 digits, keys in the order they were added; false if
- * stdout refuses.  Steals j. */
+/* A text that may be no UTF-8, which JSON cannot hold: then its bytes are
+ * written as \xNN. */
+json_t *json_text(const char *text);
+
+/* For main(), before the first of these: jansson leaves out what it finds no
+ * memory for, so one failure must spoil all. */
+void json_watch_memory(void);
+
+/* Writes 17 digits, keys in the order they were added; false if `out` refuses
+ * or memory ran out on the way.  Steals j. */
+bool json_write(json_t *j, FILE *out);
+
+/* The same to stdout. */
 bool json_print(json_t *j);
 
 #endif

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "json.h"
 
 static enum exit_code run(const struct options *o)
 {
@@ -47,6 +48,7 @@ int main(int argc, char *argv[])
     keep_streams_apart();
     signal(SIGXFSZ, SIG_IGN); /* a file too large is an error like another */
     gsl_set_error_handler_off();
+    json_watch_memory();
     options_parse(&o, argc, argv);
     if (o.threads > 0)
         omp_set_num_threads(o.threads);

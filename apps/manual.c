@@ -2,6 +2,16 @@
 
 #include <ctype.h>
 
+const struct exit_line exit_lines[] = {
+    { "0", "done, also when something does not exist" },
+    { "1", "a check failed" },
+    { "2", "wrong command line or scene" },
+    { "3", "numerical failure" },
+    { "4", "file trouble" },
+    { "130", "interrupted" },
+    { NULL, NULL },
+};
+
 /* As roff text: a hyphen that can be searched for, no macro or escape. */
 static void put_text(FILE *out, const char *text)
 {
@@ -69,18 +79,9 @@ static void put_options(FILE *out, const char *command)
 
 static void put_end(FILE *out)
 {
-    static const char *const status[][2] = {
-        { "0", "done, also when something does not exist" },
-        { "1", "a check failed" },
-        { "2", "wrong command line or scene" },
-        { "3", "numerical failure" },
-        { "4", "file trouble" },
-        { "130", "interrupted" },
-    };
-
     fputs(".SH EXIT STATUS\n", out);
-    for (size_t i = 0; i < sizeof status / sizeof *status; i++)
-        fprintf(out, ".TP\n%s\n%s\n", status[i][0], status[i][1]);
+    for (const struct exit_line *e = exit_lines; e->code; e++)
+        fprintf(out, ".TP\n%s\n%s\n", e->code, e->text);
 }
 
 static void put_commands(FILE *out)

@@ -35,6 +35,7 @@ enum key {
     KEY_ONLY,
     KEY_RERUN,
     KEY_AS,
+    KEY_FORM,
     KEY_HELP,
     KEY_VERSION
 };
@@ -84,8 +85,12 @@ static const struct argp_option option_table[] = {
       0 },
     { "rerun", KEY_RERUN, 0, 0,
       "info: compute the file again from the scene in it, and compare", 0 },
-    { "as", KEY_AS, "FORMAT", 0, "help: write it as man, bash, zsh or fish",
+    { "as", KEY_AS, "FORMAT", 0,
+      "help, export: write man, bash, zsh, fish, scene, hdf5 or words; xppaut "
+      "or auto",
       0 },
+    { "form", KEY_FORM, "KIND", 0,
+      "export: what XPPAUT integrates: arclength or time [arclength]", 0 },
     { "help", KEY_HELP, 0, 0, "Print this", -1 },
     { "version", KEY_VERSION, 0, 0, "Print the version", -1 },
     { 0 },
@@ -234,6 +239,8 @@ static const char **text_option(struct options *o, int key)
             return &o->only;
         case KEY_AS:
             return &o->as;
+        case KEY_FORM:
+            return &o->form;
         default:
             return NULL;
     }

@@ -19,7 +19,8 @@ struct options {
     const char *v, *psi, *states; /* of push, borrowed; NULL: not given */
     const char *scenes;           /* of gallery, likewise */
     const char *only;             /* of stress, likewise */
-    const char *as;               /* of help: "man", "bash", "zsh", "fish" */
+    const char *form;             /* of export, likewise */
+    const char *as;               /* of help, export: "man", "xppaut", ... */
     bool json, keep_script, quiet, tap, record, sensitivities, resume, quick;
     bool rerun;
     int threads; /* 0: what OpenMP chooses */

@@ -170,14 +170,27 @@ static enum status add_marks(const struct plot *p, const struct sweep_curve *c,
                                                       .mark = FIGURE_PLUS });
 }
 
+/* Shares of fates that no state has are not worth an entry. */
+static bool is_nothing(const struct sweep *s, int column)
+{
+    size_t i = 0;
+
+    while (column >= 0 && i < s->points &&
+           sweep_quantity(s, column, i).value == 0.0)
+        i++;
+    return column < 0 || i == s->points;
+}
+
 static enum status add_curve(const struct plot *p, const struct sweep_curve *c)
 {
     const int column = sweep_find(p->s, c->column);
-    double *y = column < 0 ? NULL : values_of(p->s, column);
     enum status status;
 
+    if (is_nothing(p->s, column))
+        return STATUS_OK;
+    double *y = values_of(p->s, column);
     if (y == NULL)
-        return column < 0 ? STATUS_OK : STATUS_NO_MEMORY;
+        return STATUS_NO_MEMORY;
     status = c->marks ? add_marks(p, c, y) : add_line(p, c, y);
     for (size_t i = 0; i < p->s->points && status == STATUS_OK; i++)
         if (isfinite(y[i]))

@@ -97,6 +97,14 @@ static int tell(void *ctx, const char *stage, uint64_t done, uint64_t total)
     return interrupted;
 }
 
+/* nohup says that a terminal's end is to be ignored. */
+static bool ignores(int number)
+{
+    struct sigaction now;
+
+    return sigaction(number, NULL, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 const struct monitor *progress_monitor(const struct options *o)
 {
     static const struct monitor monitor = { tell, NULL };
@@ -107,6 +115,8 @@ const struct monitor *progress_monitor(const struct options *o)
         how = PROGRESS_NONE;
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+    if (!ignores(SIGHUP))
+        sigaction(SIGHUP, &action, NULL);
     return &monitor;
 }
 

@@ -5,6 +5,7 @@
 
 #include "report_basin.h"
 #include "report_diagram.h"
+#include "scene_slope.h"
 
 /* ---- text ------------------------------------------------------------- */
 
@@ -124,8 +125,11 @@ void report_print(FILE *out, const struct study *s)
 {
     const struct critical_numbers *c = &s->critical;
 
-    fprintf(out, "%s (%s form), alpha = %.17g rad\n", s->block.law.preset,
-            friction_form_names[s->block.law.form], s->scene->alpha);
+    fprintf(out, "%s (%s form)", s->block.law.preset,
+            friction_form_names[s->block.law.form]);
+    if (scene_has_slope(s->scene))
+        fprintf(out, ", alpha = %.17g rad", s->scene->alpha);
+    fputc('\n', out);
     if (plan_has(s->stages, STAGE_STEADY))
         print_steady(out, s);
     if (plan_has(s->stages, STAGE_FOLDS)) {
@@ -258,13 +262,17 @@ json_t *report_json(const struct study *s)
     json_object_set_new(j, "law", json_string(s->block.law.preset));
     json_object_set_new(j, "form",
                         json_string(friction_form_names[s->block.law.form]));
-    json_object_set_new(j, "alpha", json_number(s->scene->alpha));
+    json_object_set_new(j, "alpha",
+                        scene_has_slope(s->scene) ? json_number(s->scene->alpha)
+                                                  : json_null());
     json_object_set_new(j, "parameters", parameters_json(s));
-    json_object_set_new(j, "equilibria", json_records(&steady));
+    if (plan_has(s->stages, STAGE_STEADY))
+        json_object_set_new(j, "equilibria", json_records(&steady));
     if (plan_has(s->stages, STAGE_FOLDS))
         json_object_set_new(j, "folds", json_record(&record_folds, &s->folds));
-    json_object_set_new(j, "saddle",
-                        json_record(&record_saddle, &s->saddle_numbers));
+    if (plan_has(s->stages, STAGE_STEADY))
+        json_object_set_new(j, "saddle",
+                            json_record(&record_saddle, &s->saddle_numbers));
     if (plan_has(s->stages, STAGE_CRITICAL))
         add_critical(j, s);
     if (plan_has(s->stages, STAGE_TAYLOR))

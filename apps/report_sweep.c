@@ -1,16 +1,44 @@
 #include "report_sweep.h"
 
+#include <math.h>
 #include <string.h>
 
-/* ---- text -----------------------------------------------------------------
+#include "sweep_summary.h"
+
+/* ---- tables ---------------------------------------------------------------
  */
 
-/* More points than these are shown in part. */
-enum { ROWS = 24 };
+/* More points than these are shown in part; and at most so many columns. */
+enum { ROWS = 24, SHOWN = 8 };
 
-static const char *const shown[] = { "saddle_v", "v_minus", "v_plus",
-                                     "mu_s_num" };
-enum { SHOWN = sizeof shown / sizeof *shown };
+/* Some columns, of those with more the same entry. */
+struct shown {
+    int column[SHOWN];
+    const char *name[SHOWN];
+    size_t count, entry;
+};
+
+static bool is_there(const struct sweep *s, int column)
+{
+    for (size_t i = 0; i < s->points; i++) {
+        const struct quantity q = sweep_quantity(s, column, i);
+        if (quantity_exists(&q) && q.value != 0.0)
+            return true;
+    }
+    return false;
+}
+
+/* A column, if the sweep has it. */
+static void add(struct shown *t, const struct sweep *s, const char *column,
+                const char *name)
+{
+    const int k = sweep_find(s, column);
+
+    if (k < 0 || t->count == SHOWN)
+        return;
+    t->column[t->count] = k;
+    t->name[t->count++] = name;
+}
 
 static void print_axes(FILE *out, const struct sweep *s)
 {
@@ -21,40 +49,65 @@ static void print_axes(FILE *out, const struct sweep *s)
     }
 }
 
-static void print_point(FILE *out, const struct sweep *s, size_t i)
+static void print_entry(FILE *out, const struct sweep *s, int k, size_t point,
+                        size_t entry)
+{
+    const struct sweep_column *c = &s->columns.at[k];
+    struct quantity q;
+
+    if (c->codes) {
+        const int code = sweep_entry_code(s, k, point, entry);
+        fprintf(out, " %-16s", code < 0 ? "-" : c->codes[code]);
+        return;
+    }
+    q = sweep_entry(s, k, point, entry);
+    if (quantity_exists(&q))
+        fprintf(out, " %-16.10g", q.value);
+    else
+        fprintf(out, " %-16s", "-");
+}
+
+static void print_point(FILE *out, const struct sweep *s, const struct shown *t,
+                        size_t i)
 {
     const size_t inner = s->axes > 1 ? s->axis[1].count : 1;
 
     fprintf(out, "  %-14.8g", s->axis[0].value[i / inner]);
     if (s->axes > 1)
         fprintf(out, " %-14.8g", s->axis[1].value[i % inner]);
-    for (int k = 0; k < SHOWN; k++) {
-        const int column = sweep_find(s, shown[k]);
-        if (column < 0)
-            continue;
-        const struct quantity q = sweep_quantity(s, column, i);
-        if (quantity_exists(&q))
-            fprintf(out, " %-16.10g", q.value);
-        else
-            fprintf(out, " %-16s", "-");
-    }
+    for (size_t k = 0; k < t->count; k++)
+        print_entry(out, s, t->column[k], i, t->entry);
     fputc('\n', out);
 }
 
-static void print_table(FILE *out, const struct sweep *s)
+static void print_table(FILE *out, const struct sweep *s, const struct shown *t)
 {
     const size_t rows = s->points < ROWS ? s->points : ROWS;
 
     for (size_t k = 0; k < s->axes; k++)
         fprintf(out, "%s%-14s", k ? " " : "  ", s->axis[k].name);
-    for (int k = 0; k < SHOWN; k++)
-        if (sweep_find(s, shown[k]) >= 0)
-            fprintf(out, " %-16s", shown[k]);
+    for (size_t k = 0; k < t->count; k++)
+        fprintf(out, " %-16s", t->name[k]);
     fputc('\n', out);
     for (size_t i = 0; i < rows; i++)
-        print_point(out, s, rows > 1 ? i * (s->points - 1) / (rows - 1) : 0);
+        print_point(out, s, t, rows > 1 ? i * (s->points - 1) / (rows - 1) : 0);
     if (rows < s->points)
         fprintf(out, "  (%zu of %zu points)\n", rows, s->points);
+}
+
+/* ---- numbers --------------------------------------------------------------
+ */
+
+static void print_numbers(FILE *out, const struct sweep *s)
+{
+    struct shown t = { .count = 0 };
+
+    add(&t, s, "saddle_v", "saddle_v");
+    add(&t, s, "v_minus", "v_minus");
+    add(&t, s, "v_plus", "v_plus");
+    add(&t, s, "mu_s_num", "mu_s_num");
+    add(&t, s, "rabinowicz_l_k", "rabinowicz_l_k");
+    print_table(out, s, &t);
 }
 
 /* "v_plus is missing at 3 of 41 points: there is no saddle at this slope" */
@@ -72,92 +125,97 @@ static void print_missing(FILE *out, const struct sweep *s, const char *name)
     }
 }
 
+static void print_shares(FILE *out, const struct sweep *s)
+{
+    struct shown t = { .count = 0 };
+
+    for (int i = 0; i < FATES; i++) {
+        char name[64];
+        snprintf(name, sizeof name, "basin_fraction_log_%s", fate_names[i]);
+        const int k = sweep_find(s, name);
+        if (k >= 0 && is_there(s, k))
+            add(&t, s, name, fate_names[i]);
+    }
+    if (t.count == 0)
+        return;
+    fprintf(out, "basins: share of the window in the chart\n");
+    print_table(out, s, &t);
+}
+
+static void print_runs(FILE *out, const struct sweep *s)
+{
+    for (size_t i = 0; i < s->dims.of[DIM_START].count; i++) {
+        struct shown t = { .entry = i };
+        fprintf(out, "start %zu: v = %.10g, psi = %.10g\n", i,
+                s->scene->start[i].v, s->scene->start[i].psi);
+        add(&t, s, "trajectory_fate", "fate");
+        add(&t, s, "trajectory_end", "end");
+        add(&t, s, "trajectory_time", "time");
+        add(&t, s, "trajectory_slip", "slip");
+        print_table(out, s, &t);
+    }
+}
+
+/* ---- maps -----------------------------------------------------------------
+ */
+
+/* "  basin_slip from 0.1 to 7, in 98.3 % of the cells" */
+static void print_range(FILE *out, const struct sweep *s, size_t k)
+{
+    struct sweep_summary all = { .least = (double) NAN,
+                                 .greatest = (double) NAN };
+    struct fault why;
+
+    for (size_t i = 0; i < s->points; i++) {
+        struct sweep_summary is;
+        if (sweep_summary_find(s, k, i, &is, &why) != STATUS_OK)
+            return;
+        all.cells += is.cells;
+        all.present += is.present;
+        all.least = fmin(all.least, is.least);
+        all.greatest = fmax(all.greatest, is.greatest);
+    }
+    fprintf(out, "  %-22s", s->layers.at[k].name);
+    if (all.present > 0)
+        fprintf(out, " from %.6g to %.6g,", all.least, all.greatest);
+    fprintf(out, " in %.4g %% of the cells\n",
+            100.0 * (double) all.present / (double) all.cells);
+}
+
+static bool is_error(const char *name)
+{
+    const size_t size = strlen(name), end = strlen("_error");
+
+    return size > end && strcmp(name + size - end, "_error") == 0;
+}
+
+static void print_maps(FILE *out, const struct sweep *s)
+{
+    const struct sweep_dims *d = &s->dims;
+    const bool asked =
+        d->of[DIM_V].count + d->of[DIM_ARROW_V].count + d->of[DIM_CHI_V].count >
+        0;
+
+    if (asked && s->layers.count == 0)
+        fprintf(out, "maps are computed for files only: give -o FILE.h5\n");
+    if (s->layers.count > 0)
+        fprintf(out, "%zu maps at each point\n", s->layers.count);
+    for (size_t k = 0; k < s->layers.count; k++)
+        if (!s->layers.at[k].codes && !is_error(s->layers.at[k].name))
+            print_range(out, s, k);
+}
+
 void report_sweep_print(FILE *out, const struct sweep *s)
 {
     fprintf(out, "%s (%s form)\n", s->scene->law.preset,
             friction_form_names[s->scene->law.form]);
     print_axes(out, s);
-    print_table(out, s);
+    print_numbers(out, s);
     print_missing(out, s, "v_minus");
     print_missing(out, s, "v_plus");
-}
-
-/* ---- JSON -----------------------------------------------------------------
- */
-
-static json_t *axis_json(const struct sweep_axis *a)
-{
-    json_t *j = json_object(), *values = json_array();
-
-    for (size_t i = 0; i < a->count; i++)
-        json_array_append_new(values, json_number(a->value[i]));
-    json_object_set_new(j, "key", json_string(a->key.path));
-    json_object_set_new(j, "name", json_string(a->name));
-    json_object_set_new(j, "unit", json_string(a->key.unit));
-    json_object_set_new(j, "values", values);
-    return j;
-}
-
-static json_t *words_json(const struct sweep *s, int column)
-{
-    const char *const *word = s->columns.at[column].codes;
-    json_t *j = json_array();
-
-    for (size_t i = 0; i < s->points; i++) {
-        const int code = sweep_code(s, column, i);
-        json_array_append_new(j,
-                              code < 0 ? json_null() : json_string(word[code]));
-    }
-    return j;
-}
-
-static json_t *quantity_json(const struct sweep *s, int column)
-{
-    json_t *j = json_object(), *value = json_array(), *error = json_array(),
-           *reason = json_array();
-
-    for (size_t i = 0; i < s->points; i++) {
-        const struct quantity q = sweep_quantity(s, column, i);
-        const bool is = quantity_exists(&q);
-        json_array_append_new(value, is ? json_number(q.value) : json_null());
-        json_array_append_new(error, is ? json_number(q.error) : json_null());
-        json_array_append_new(
-            reason, is ? json_null() : json_integer(sweep_code(s, column, i)));
-    }
-    json_object_set_new(j, "value", value);
-    json_object_set_new(j, "error", error);
-    json_object_set_new(j, "reason", reason);
-    return j;
-}
-
-static json_t *numbers_json(const struct sweep *s)
-{
-    json_t *j = json_object();
-
-    for (size_t k = 0; k < s->columns.count; k++)
-        json_object_set_new(j, s->columns.at[k].name,
-                            s->columns.at[k].codes ? words_json(s, (int) k)
-                                                   : quantity_json(s, (int) k));
-    return j;
-}
-
-json_t *report_sweep_json(const struct sweep *s)
-{
-    json_t *j = json_object(), *keys = json_array(), *reasons = json_array();
-
-    for (size_t k = 0; k < s->axes; k++)
-        json_array_append_new(keys, axis_json(&s->axis[k]));
-    for (size_t r = 0; r < s->reasons.count; r++)
-        json_array_append_new(reasons, json_string(s->reasons.text[r]));
-    json_object_set_new(j, "law", json_string(s->scene->law.preset));
-    json_object_set_new(j, "form",
-                        json_string(friction_form_names[s->scene->law.form]));
-    json_object_set_new(j, "keys", keys);
-    json_object_set_new(j, "points", json_integer((json_int_t) s->points));
-    json_object_set_new(j, "failed", json_integer((json_int_t) s->failed));
-    json_object_set_new(j, "reasons", reasons);
-    json_object_set_new(j, "numbers", numbers_json(s));
-    return j;
+    print_shares(out, s);
+    print_runs(out, s);
+    print_maps(out, s);
 }
 
 /* ---- plan -----------------------------------------------------------------
@@ -176,6 +234,10 @@ size_t report_sweep_plan(const struct scene *s, char *text, size_t size)
         points *= a->count;
     }
     if (s->sweep.refine > 0.0 && end < size)
-        snprintf(text + end, size - end, ", refined to %g", s->sweep.refine);
+        end += (size_t) snprintf(text + end, size - end, ", refined to %g",
+                                 s->sweep.refine);
+    if (s->products & 1u << PRODUCT_TRAJECTORIES && end < size)
+        snprintf(text + end, size - end, ", a run from each of %zu starts",
+                 s->starts);
     return points;
 }

@@ -1,15 +1,20 @@
+/* The file may be anyone's: children read it (apart.h).  What they bring back
+ * is text: the command, the scene and the overrides; then what differs. */
 #include "rerun.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "apart.h"
 #include "json.h"
 #include "library.h"
 #include "replace.h"
 #include "scene.h"
 #include "store_compare.h"
 #include "store_read.h"
+#include "text.h"
+#include "tolerance.h"
 
 enum { FOLDER = 256, PATH = FOLDER + 32 };
 
@@ -17,7 +22,8 @@ struct rerun {
     const struct options *options;
     const char *given;                 /* the file */
     const char *command;               /* that makes it again; static */
-    char *scene, *overrides;           /* owned; of its provenance */
+    char *held;                        /* owned: what a child brought back */
+    char *scene, *overrides;           /* borrowed from it */
     char folder[FOLDER];               /* owned; "" until made */
     char scene_path[PATH], path[PATH]; /* in there */
 };
@@ -54,8 +60,26 @@ static enum status check_command(const struct rerun *r, struct fault *why)
     return STATUS_BAD_ARGUMENT;
 }
 
-static enum status read_file(struct rerun *r, struct fault *why)
+/* In the child: scene and overrides, a zero after each. */
+static enum status write_texts(struct store *file, FILE *out, struct fault *why)
 {
+    static const char *const key[] = { "scene", "overrides" };
+    enum status s = STATUS_OK;
+
+    for (int i = 0; i < 2 && s == STATUS_OK; i++) {
+        char *text = NULL;
+        s = store_read_text(file, "/provenance", key[i], &text, why);
+        if (s == STATUS_OK)
+            fwrite(text, 1, strlen(text) + 1, out);
+        free(text);
+    }
+    return s;
+}
+
+/* In the child: the command before them. */
+static enum status look(void *ctx, FILE *out, struct fault *why)
+{
+    struct rerun *r = ctx;
     struct store *file = NULL;
     enum status s = store_open(r->given, &file, why);
 
@@ -63,13 +87,45 @@ static enum status read_file(struct rerun *r, struct fault *why)
         s = store_visit(file, visit, r, why);
     if (s == STATUS_OK)
         s = check_command(r, why);
-    if (s == STATUS_OK)
-        s = store_read_text(file, "/provenance", "scene", &r->scene, why);
-    if (s == STATUS_OK)
-        s = store_read_text(file, "/provenance", "overrides", &r->overrides,
-                            why);
+    if (s == STATUS_OK) {
+        fwrite(r->command, 1, strlen(r->command) + 1, out);
+        s = write_texts(file, out, why);
+    }
     store_free(&file);
     return s;
+}
+
+/* The text at *at, which is moved past it; NULL at the end. */
+static char *next_text(char **at, const char *end)
+{
+    char *text = *at;
+
+    if (text >= end)
+        return NULL;
+    *at += strlen(text) + 1;
+    return text;
+}
+
+static enum status read_file(struct rerun *r, struct fault *why)
+{
+    const char *nearest;
+    size_t size;
+    const enum status s =
+        apart_read(look, r, r->given, APART_LIST_SECONDS, &r->held, &size, why);
+    char *at = r->held;
+
+    if (s != STATUS_OK)
+        return s;
+    const char *name = next_text(&at, r->held + size);
+    const struct command *c = name ? command_find(name, &nearest) : NULL;
+    r->scene = next_text(&at, r->held + size);
+    r->overrides = next_text(&at, r->held + size);
+    if (c && r->scene && r->overrides) {
+        r->command = c->name;
+        return STATUS_OK;
+    }
+    snprintf(why->text, sizeof why->text, "%.300s: damaged", r->given);
+    return STATUS_IO;
 }
 
 /* ---- making it again -------------------------------------------------------
@@ -181,84 +237,109 @@ static bool same_bytes(const char *a, const char *b)
     return same;
 }
 
-static void print_difference(void *ctx, const struct store_difference *d)
-{
-    const struct options *o = ctx;
+struct differences {
+    const struct rerun *rerun;
+    FILE *out;
+    json_t *list; /* owned; NULL: print */
+};
 
-    if (!o->quiet)
-        printf("%s%s%s: %s\n", d->path, d->key[0] ? " " : "", d->key, d->what);
+static void tell(void *ctx, const struct store_difference *d)
+{
+    const struct differences *all = ctx;
+    char line[4096], text[4096];
+
+    if (all->list) {
+        json_t *j = json_object();
+        json_object_set_new(j, "path", json_text(d->path));
+        json_object_set_new(j, "key", json_text(d->key));
+        json_object_set_new(j, "what", json_text(d->what));
+        json_array_append_new(all->list, j);
+        return;
+    }
+    snprintf(line, sizeof line, "%s%s%s: %s", d->path, d->key[0] ? " " : "",
+             d->key, d->what);
+    text_show(line, text, sizeof text);
+    if (!all->rerun->options->quiet)
+        fprintf(all->out, "%s\n", text);
 }
 
-static void list_difference(void *list, const struct store_difference *d)
-{
-    json_t *j = json_object();
-
-    json_object_set_new(j, "path", json_string(d->path));
-    json_object_set_new(j, "key", json_string(d->key));
-    json_object_set_new(j, "what", json_string(d->what));
-    json_array_append_new(list, j);
-}
-
-static enum status compare(const struct rerun *r, json_t *list,
-                           struct fault *why)
-{
-    struct store *before = NULL, *now = NULL;
-    struct options options = *r->options;
-    enum status s = store_open(r->given, &before, why);
-
-    if (s == STATUS_OK)
-        s = store_open(r->path, &now, why);
-    if (s == STATUS_OK && list)
-        s = store_compare(before, now, list_difference, list, why);
-    else if (s == STATUS_OK)
-        s = store_compare(before, now, print_difference, &options, why);
-    store_free(&before);
-    store_free(&now);
-    return s;
-}
-
-static bool print_json(bool same, json_t *list)
+static bool write_json(bool same, json_t *list, FILE *out)
 {
     json_t *j = json_object();
 
     json_object_set_new(j, "same_bytes", json_boolean(same));
     json_object_set_new(j, "differences", json_incref(list));
-    return json_print(j);
+    return json_write(j, out);
 }
 
-static enum exit_code judge(const struct rerun *r)
+/* In the child. */
+static enum status compare(void *ctx, FILE *out, struct fault *why)
+{
+    const struct rerun *r = ctx;
+    struct differences all = { r, out, r->options->json ? json_array() : NULL };
+    struct store *before = NULL, *now = NULL;
+    enum status s = store_open(r->given, &before, why);
+
+    if (s == STATUS_OK)
+        s = store_open(r->path, &now, why);
+    if (s == STATUS_OK)
+        s = store_compare(before, now, tell, &all, why);
+    if (s == STATUS_OK && all.list && !write_json(false, all.list, out))
+        s = STATUS_NO_MEMORY;
+    if (s == STATUS_OK && !r->options->json && !r->options->quiet)
+        fprintf(out, "not the same bytes\n");
+    json_decref(all.list);
+    store_free(&before);
+    store_free(&now);
+    return s;
+}
+
+static enum exit_code tell_same(const struct rerun *r)
+{
+    if (r->options->json) {
+        json_t *none = json_array();
+        const bool told = write_json(true, none, stdout);
+        json_decref(none);
+        return told ? EXIT_DONE : command_unwritten();
+    }
+    if (!r->options->quiet)
+        printf("same bytes\n");
+    return EXIT_DONE;
+}
+
+static void remove_folder(struct rerun *r)
+{
+    if (r->folder[0] == '\0')
+        return;
+    unlink(r->path);
+    unlink(r->scene_path);
+    rmdir(r->folder);
+    r->folder[0] = '\0';
+}
+
+/* Prints when nothing is left to remove: a reader who goes away ends us. */
+static enum exit_code judge(struct rerun *r)
 {
     struct fault why = { "" };
-    const bool same = same_bytes(r->given, r->path);
-    json_t *list = r->options->json ? json_array() : NULL;
-    const enum status s = same ? STATUS_OK : compare(r, list, &why);
-    enum exit_code code = same ? EXIT_DONE : EXIT_CHECK;
+    char *text;
+    size_t size;
 
+    if (same_bytes(r->given, r->path)) {
+        remove_folder(r);
+        return tell_same(r);
+    }
+    const enum status s = apart_read(compare, r, r->given,
+                                     APART_COMPARE_SECONDS, &text, &size, &why);
+    remove_folder(r);
     if (s != STATUS_OK)
-        code = command_fail(s, why.text);
-    else if (list && !print_json(same, list))
-        code = command_unwritten();
-    else if (!list && same && !r->options->quiet)
-        printf("same bytes\n");
-    else if (!list && !same && !r->options->quiet)
-        printf("not the same bytes\n");
-    json_decref(list);
-    return code;
+        return command_fail(s, why.text);
+    const bool told = fwrite(text, 1, size, stdout) == size && !fflush(stdout);
+    free(text);
+    return told ? EXIT_CHECK : command_unwritten();
 }
 
 /* ---- the whole -------------------------------------------------------------
  */
-
-static void clean_up(struct rerun *r)
-{
-    if (r->folder[0]) {
-        unlink(r->path);
-        unlink(r->scene_path);
-        rmdir(r->folder);
-    }
-    free(r->scene);
-    free(r->overrides);
-}
 
 enum exit_code rerun(const struct options *o)
 {
@@ -271,6 +352,7 @@ enum exit_code rerun(const struct options *o)
         s == STATUS_OK ? run_again(&r) : command_fail(s, why.text);
     if (code == EXIT_DONE)
         code = judge(&r);
-    clean_up(&r);
+    remove_folder(&r);
+    free(r.held);
     return code;
 }

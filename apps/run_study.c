@@ -13,6 +13,8 @@
 #include "report.h"
 #include "report_sweep.h"
 #include "scene_command.h"
+#include "scene_slope.h"
+#include "sweep_point.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
 
@@ -150,6 +152,13 @@ static enum status check_files(const struct scene *c,
     if (c->hdf5 && figure && strcmp(c->hdf5, figure) == 0) {
         snprintf(why->text, sizeof why->text,
                  "%.300s: both the HDF5 file and the figure", figure);
+        return STATUS_BAD_SCENE;
+    }
+    if (figure && c->products == BIT(FOLDS) && !scene_has_slope(c)) {
+        snprintf(why->text, sizeof why->text,
+                 "%.300s: nothing to draw: folds are numbers, expected "
+                 "fold_curves or bifurcation beside them, or a slope",
+                 figure);
         return STATUS_BAD_SCENE;
     }
     if (c->hdf5)
@@ -323,8 +332,10 @@ enum exit_code command_plan(const struct options *o)
     if (s != STATUS_OK)
         return command_fail(s, why.text);
     const bool sweeps = scene.sweep.axes > 0;
-    const unsigned stages =
-        other && !sweeps ? 0 : plan_stages(scene.products) | 1u << STAGE_STEADY;
+    struct scene point = scene; /* borrows */
+    if (sweeps)
+        point.products = sweep_point_products(&scene, scene.hdf5 != NULL);
+    const unsigned stages = other && !sweeps ? 0 : plan_scene(&point);
     enum exit_code code = EXIT_DONE;
     if (sweeps && !o->json)
         print_sweep(&scene);

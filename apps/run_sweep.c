@@ -1,4 +1,5 @@
-/* slipway sweep: the numbers of `knees` over one key of a scene or two. */
+/* slipway sweep: what a scene's products give over one key of it, or two. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,6 +10,9 @@
 #include "progress.h"
 #include "replace.h"
 #include "report_sweep.h"
+#include "report_sweep_json.h"
+#include "scene_sweep.h"
+#include "tolerance.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
 
@@ -150,17 +154,47 @@ static void print_notes(const struct sweep *s, const char *journal)
                "points, or as near to a fold as the key's digits allow\n");
 }
 
+/* How many points have an entry of that column beyond so many times rtol. */
+static size_t points_beyond(const struct sweep *s, const char *name,
+                            double times)
+{
+    const int k = sweep_find(s, name);
+    size_t count = 0;
+
+    for (size_t i = 0; k >= 0 && i < s->points; i++) {
+        struct scene point;
+        scene_at(s->scene, sweep_rows_x(&s->rows, i), &point);
+        const double bound = times * point.rtol;
+        bool beyond = false;
+        for (size_t e = 0; e < s->columns.at[k].entries; e++)
+            beyond |= fabs(sweep_entry(s, k, i, e).value) > bound;
+        count += beyond;
+    }
+    return count;
+}
+
 /* Files are written and numbers printed: the user may see for himself. */
 static enum exit_code judge(const struct sweep *s)
 {
+    const struct {
+        size_t points;
+        const char *what;
+    } wrong[] = {
+        { s->failed, "the computation failed" },
+        { points_beyond(s, "basin_audit_disagreements", 0.0),
+          "audit: orbits of cells have another fate than the map says" },
+        { points_beyond(s, "trajectory_energy_defect", TOL_TRANSIENT_ENERGY),
+          "the balance of energy (27) of a run is off" },
+    };
     char text[160];
 
-    if (s->failed == 0)
-        return EXIT_DONE;
-    snprintf(text, sizeof text,
-             "sweep: the computation failed at %zu of %zu points", s->failed,
-             s->points);
-    return command_fail(STATUS_NO_CONVERGENCE, text);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        if (wrong[i].points > 0) {
+            snprintf(text, sizeof text, "sweep: %s at %zu of %zu points",
+                     wrong[i].what, wrong[i].points, s->points);
+            return command_fail(STATUS_NO_CONVERGENCE, text);
+        }
+    return EXIT_DONE;
 }
 
 static enum exit_code print_results(const struct sweep *s,

@@ -17,6 +17,10 @@ const struct show_frame show_frames[SHOWS] = {
                                { 0 },
                                "fracture_energy",
                                "fracture energy" },
+    [SHOW_BASINS] = { "share of the window in the chart",
+                      { 0.0, 1.0 },
+                      "basin_fraction_log_creep",
+                      "share that creeps" },
 };
 
 /* ---- curves -------------------------------------------------------------- */
@@ -42,7 +46,7 @@ struct look {
         column, entry, { FIGURE_##role, FIGURE_SOLID, 0 }, true, false         \
     }
 
-enum { LOOKS = 6 }; /* at most, and one that ends the list */
+enum { LOOKS = 7 }; /* at most, and one that ends the list */
 
 static const struct look look[SHOWS][LOOKS] = {
     [SHOW_VELOCITIES] = {
@@ -73,6 +77,14 @@ static const struct look look[SHOWS][LOOKS] = {
     [SHOW_FRACTURE_ENERGY] = {
         XI("G", 1.8),
         LINE("fracture_energy", "exact v₊", SERIES_1, SOLID, 3.0),
+    },
+    [SHOW_BASINS] = {
+        LINE("basin_fraction_log_creep", "creeps", SERIES_1, SOLID, 0),
+        LINE("basin_fraction_log_sliding", "slides", SERIES_2, SOLID, 0),
+        LINE("basin_fraction_log_rest_finite", "comes to rest", SERIES_3, SOLID, 0),
+        LINE("basin_fraction_log_rest_asymptotic", "rests as t → ∞", SERIES_4, SOLID, 0),
+        LINE("basin_fraction_log_runaway", "runs away", SERIES_5, SOLID, 0),
+        LINE("basin_fraction_log_undecided", "undecided", SERIES_6, DASHED, 0),
     },
 };
 

@@ -1,76 +1,47 @@
 /* Equilibria from the system's own steady curve: the balance is monotone
- * between turning points, so a sign change brackets exactly one root, found by
- * a bracketed secant (Illinois: Dowell & Jarratt, BIT 11 (1971) 168-174). */
+ * between turning points, so a sign change brackets exactly one root. */
 #include "equilibrium.h"
 
 #include <float.h>
 #include <math.h>
 
+#include "newton.h"
+
 const char *const equilibrium_type_names[] = { "saddle",      "stable_node",
                                                "saddle_node", "unstable_node",
                                                "focus",       NULL };
 
-struct bracket {
-    long double lo, hi, at_lo, at_hi;
-};
-
-static void illinois(struct bracket *b, long double x, long double at,
-                     int *side)
+/* Next to a fold the balance all but vanishes at one end of the bracket, where
+ * secants crawl: newton.h bisects in time. */
+static long double root_of(const struct planar *sys, long double lo,
+                           long double hi)
 {
-    if ((at < 0) == (b->at_lo < 0)) {
-        b->lo = x;
-        b->at_lo = at;
-        if (*side < 0)
-            b->at_hi /= 2;
-        *side = -1;
-    } else {
-        b->hi = x;
-        b->at_hi = at;
-        if (*side > 0)
-            b->at_lo /= 2;
-        *side = 1;
-    }
-}
+    struct newton_root_long root = { .x = lo };
+    const enum status s =
+        newton_find_long(sys->steady->balance, sys->ctx, lo, hi, 0, &root);
 
-static long double root_of(const struct planar *sys, struct bracket b)
-{
-    int side = 0;
-    long double before = b.lo;
-
-    for (int i = 0; i < 200; i++) {
-        long double x = b.hi - b.at_hi * (b.hi - b.lo) / (b.at_hi - b.at_lo);
-        if (!(x > b.lo && x < b.hi) || i % 20 == 19)
-            x = b.lo + (b.hi - b.lo) / 2;
-        if (!(x > b.lo && x < b.hi) || x == before)
-            return x;
-        const long double at = sys->steady->balance(sys->ctx, x);
-        if (at == 0)
-            return x;
-        before = x;
-        illinois(&b, x, at, &side);
-    }
-    return b.lo;
+    return s == STATUS_OK ? root.x : lo;
 }
 
 size_t equilibrium_find(const struct planar *sys,
                         struct steady_root root[EQUILIBRIA_MAX])
 {
     const struct planar_steady *s = sys->steady;
-    struct bracket b = { .lo = s->lo, .at_lo = s->balance(sys->ctx, s->lo) };
+    long double lo = s->lo, at_lo = s->balance(sys->ctx, lo);
     size_t n = 0;
 
     for (size_t i = 0; i <= s->turnings; i++) {
         const bool last = i == s->turnings;
         if (!last && !(s->turning[i] > s->lo && s->turning[i] < s->hi))
             continue;
-        b.hi = last ? s->hi : s->turning[i];
-        b.at_hi = s->balance(sys->ctx, b.hi);
-        if (b.at_hi == 0 && !last)
-            root[n++] = (struct steady_root){ b.hi, true };
-        else if (b.at_lo != 0 && (b.at_lo < 0) != (b.at_hi < 0))
-            root[n++] = (struct steady_root){ root_of(sys, b), false };
-        b.lo = b.hi;
-        b.at_lo = b.at_hi;
+        const long double hi = last ? s->hi : s->turning[i];
+        const long double at_hi = s->balance(sys->ctx, hi);
+        if (at_hi == 0 && !last)
+            root[n++] = (struct steady_root){ hi, true };
+        else if (at_lo != 0 && (at_lo < 0) != (at_hi < 0))
+            root[n++] = (struct steady_root){ root_of(sys, lo, hi), false };
+        lo = hi;
+        at_lo = at_hi;
     }
     return n;
 }

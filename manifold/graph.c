@@ -80,8 +80,11 @@ void graph_expand(const struct planar *sys, const struct carry *carry,
     for (int i = 0; i < JET_LANES; i++) {
         jet_take(order, e.at[0], (size_t) i, out[i].at[0]);
         jet_take(order, e.at[1], (size_t) i, out[i].at[1]);
-        for (size_t j = 0; j < carry->count; j++)
+        for (size_t j = 0; j < carry->count; j++) {
             jet_take(order, e.integral[j], (size_t) i, out[i].integral[j]);
+            local_integral_floor(order, e.ind[0][i] / e.unit[i],
+                                 out[i].integral[j]);
+        }
         out[i].slope = e.slope[0][i];
     }
 }

@@ -156,15 +156,16 @@ static double step_for(const double u[], size_t order, double scale, double tol)
 static void choose_step(struct grower *g)
 {
     const size_t order = g->o->order;
-    double h =
+    const double free =
         step_for(g->u.at[1 - g->ind], order, scale_of_unknown(g), g->tol);
+    double h = fmin(free, TOL_STEP_MAX); /* infinite where the curve is flat */
 
     for (size_t i = 0; i < g->o->carry.count; i++) {
         const double scale = fabs(g->total[i]) + fabs(g->u.integral[i][1]) * h;
         if (scale > TOL_INTEGRAL_NIL)
             h = fmin(h, step_for(g->u.integral[i], order, scale, g->tol));
     }
-    g->h = fmin(h, TOL_STEP_MAX);
+    g->h = h;
 }
 
 static struct vec2 step_end(const struct grower *g, double s)

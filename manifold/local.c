@@ -74,6 +74,15 @@ static void build(struct graph *g, const struct carry *carry,
     }
 }
 
+void local_integral_floor(size_t order, double along, double u[])
+{
+    const double lost = TOL_INTEGRAL_LOST * DBL_TRUE_MIN / fabs(along);
+
+    for (size_t k = order - 1; k <= order; k++)
+        if (fabs(u[k]) < lost)
+            u[k] = lost;
+}
+
 /* q' = rate/f_ind with both zero at the saddle: divide the shifted series. */
 static void build_integrals(const struct graph *g, const struct carry *carry,
                             struct local_series *u)
@@ -90,6 +99,8 @@ static void build_integrals(const struct graph *g, const struct carry *carry,
             quotient[k] = jet_quotient(k, rate + 1, den, quotient);
             u->integral[i][k + 1] = u->unit * quotient[k][0] / (double) (k + 1);
         }
+        if (u->converges[i])
+            local_integral_floor(u->order, den[0][0] / u->unit, u->integral[i]);
     }
 }
 

@@ -63,4 +63,9 @@ static inline struct vec2 local_point(int ind, double s, double dep)
     return ind == 0 ? (struct vec2){ s, dep } : (struct vec2){ dep, s };
 }
 
+/* The last coefficients of an integral's series, which step control goes by,
+ * are at least what they may have lost to the end of the doubles: rates come in
+ * units of the field (planar.h), and are divided by `along`, its direction. */
+void local_integral_floor(size_t order, double along, double u[]);
+
 #endif

@@ -166,23 +166,18 @@ enum status regions_label(struct regions *r, const struct box *only,
 
 /* ---- areas --------------------------------------------------------------- */
 
-static double stretch(bool exponential, double lo, double hi)
-{
-    return exponential ? exp(hi) - exp(lo) : hi - lo;
-}
-
 /* The area left of strand number k of a band, from the box's left edge; k = 0
  * is that edge itself, k > strands the right one. */
 static struct area left_of(const struct regions *r, const struct band *band,
                            size_t k, struct box part, struct measure m,
                            const struct crossing c[])
 {
-    const double edge = m.exponential[0] ? exp(part.lo.x) : part.lo.x;
-    const double rows = stretch(m.exponential[1], part.lo.y, part.hi.y);
+    const double edge = measure_at(&m, 0, part.lo.x);
+    const double rows = measure_between(&m, 1, part.lo.y, part.hi.y);
     struct area a = { 0.0, 0.0 };
 
     if (k > band->strands)
-        a.value = rows * stretch(m.exponential[0], part.lo.x, part.hi.x);
+        a.value = rows * measure_between(&m, 0, part.lo.x, part.hi.x);
     else if (k > 0)
         a.value =
             separatrix_area(r->separatrix, c[k - 1].strand, part.lo.y,

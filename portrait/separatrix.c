@@ -374,12 +374,12 @@ static double patch_at(const struct patch *q, double theta, double *slack)
         across_of(s, s->origin) +
         series_at(component(c, q->p->piece, 1 - along), theta, &run);
     const double z = fmin(fmax(at, q->lo), q->hi);
-    const double weight = q->m.exponential[along] ? exp(w) : 1.0;
-    const double height = q->m.exponential[1 - along] ? exp(z) : z;
+    const double weight = measure_weight(&q->m, along, w);
+    const double height = measure_at(&q->m, 1 - along, z);
     const double inside = at > q->lo && at < q->hi;
     const double error = c->piece[q->p->piece].error *
                          (fabs(rise) + fabs(run)) * inside *
-                         (q->m.exponential[1 - along] ? height : 1.0);
+                         measure_weight(&q->m, 1 - along, z);
 
     *slack = weight * error;
     return weight * height * rise;
@@ -419,23 +419,16 @@ static double integrate(const struct patch *q, double a, double b, int depth,
            integrate(q, middle, b, depth - 1, error);
 }
 
-static double stretch(bool exponential, double lo, double hi)
-{
-    return exponential ? exp(hi) - exp(lo) : hi - lo;
-}
-
 static double ray_area(const struct patch *q, double from, double to,
                        double *error)
 {
     const double at = across_of(q->s, q->s->origin) + q->p->at;
     const double z = fmin(fmax(at, q->lo), q->hi);
-    const double span =
-        q->m.exponential[q->s->along] ? exp(to) - exp(from) : to - from;
-    const double height = q->m.exponential[1 - q->s->along] ? exp(z) : z;
-    const double unit = q->m.exponential[1 - q->s->along] ? height : 1.0;
+    const int along = q->s->along;
+    const double span = measure_between(&q->m, along, from, to);
 
-    *error += q->p->error * unit * span;
-    return height * span;
+    *error += q->p->error * measure_weight(&q->m, 1 - along, z) * span;
+    return measure_at(&q->m, 1 - along, z) * span;
 }
 
 double separatrix_area(const struct separatrix *s, size_t i, double from,
@@ -443,8 +436,8 @@ double separatrix_area(const struct separatrix *s, size_t i, double from,
                        double *error)
 {
     const double base = along_of(s, s->origin);
-    const double whole = stretch(m.exponential[s->along], from, to) *
-                         stretch(m.exponential[1 - s->along], lo, hi);
+    const double whole = measure_between(&m, s->along, from, to) *
+                         measure_between(&m, 1 - s->along, lo, hi);
     double sum = 0.0;
 
     *error = 0.0;

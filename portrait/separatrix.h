@@ -11,6 +11,7 @@
 #define PORTRAIT_SEPARATRIX_H
 
 #include "branch.h"
+#include "measure.h"
 
 enum { SEPARATRIX_X, SEPARATRIX_Y };
 
@@ -61,11 +62,6 @@ struct crossing separatrix_cross(const struct separatrix *s, size_t i,
 /* All crossings at w, ascending; their number.  out has room for s->count. */
 size_t separatrix_row(const struct separatrix *s, double w,
                       struct crossing out[]);
-
-/* A measure of the plane: each coordinate, or exp of it, counts evenly. */
-struct measure {
-    bool exponential[2];
-};
 
 /* The area between strand i, taken no further than lo .. hi, and the axis
  * along which it grows, over the rows from .. to (all absolute, finite, inside

@@ -48,7 +48,7 @@ def starts(room, *args, **how):
 def ends(job):
     """What it said, once it is gone."""
     try:
-        return job.communicate(timeout=20)
+        return job.communicate(timeout=300)
     finally:
         job.kill()
 

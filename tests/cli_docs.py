@@ -1,97 +1,156 @@
 #!/usr/bin/env python3
-"""Every command in docs/*.md prints what stands there (TAP).
+"""Every page of docs/ does and prints what stands there (TAP).
 
 usage: cli_docs.py PATH_TO_SLIPWAY SOURCE_ROOT
+
+How pages are read is in pages.py.  test_check.py runs the commands of
+check.md, test_new_law.py those of new_law.md.
 """
 import glob
 import os
 import re
+import subprocess
+import sys
 
-from cli_room import expect, run_cases
+from cli_room import READER, expect, run_cases
+from pages import Block, Reader, blocks, is_in
+
+ELSEWHERE = ['check.md', 'new_law.md']
+SOURCE = os.path.realpath(sys.argv[2])
 
 
-def pages(room):
-    found = sorted(glob.glob(os.path.join(room.source, 'docs', '*.md')))
-    expect(len(found) >= 3, found)
-    return found
+def pages():
+    return sorted(glob.glob(os.path.join(SOURCE, 'docs', '*.md')))
 
 
-def commands(path):
-    """[line of text, command, what it must print] in order: lines indented by
-    four blanks, from a `$` to the next that is not."""
-    found, inside = [], False
+def text_of(path):
     with open(path, encoding='utf-8') as file:
-        for number, line in enumerate(file, 1):
-            told = re.match(r' {4,}(\$ )?(.*)', line)
-            inside = bool(told) and (inside or bool(told[1]))
-            if inside and told[1]:
-                found.append([number, told[2], []])
-            elif inside:
-                found[-1][2].append(told[2])
-    return found
+        return file.read()
 
 
-def in_one_line(expected, printed):
-    """`...` stands for anything, blanks for any blanks."""
-    parts = [r'\s+'.join(map(re.escape, part.split()))
-             for part in expected.split('...')]
-    pattern = ''
-    for part, text in zip(parts, expected.split('...')):
-        pattern += r'\s*' * text.startswith(' ') + part
-        pattern += r'\s*' * text.endswith(' ') + '.*?'
-    return re.search(r'(^|[^\w.])' + pattern, printed, re.M)
-
+# ---- the test itself ---------------------------------------------------------
 
 def what_is_matched_is_what_is_meant(_):
-    """The test itself: a wrong digit, word or command is seen."""
+    """A wrong digit, word or command is seen."""
     printed = ' v_plus   2832.22 +- 1e-9\n xi = 0.85   v_plus 2812.35, mu_s 1\n'
     for right in ('v_plus 2832.2...', 'v_plus 2832.22 +- 1e-9',
-                  'xi = 0.85 ... 2812.35, mu_s 1', '2832'):
-        expect(in_one_line(right, printed), right)
+                  'xi = 0.85 ... 2812.35, mu_s 1', '2832...'):
+        expect(is_in(right, printed), right)
     for wrong in ('v_plus 2832.3...', 'plus 2832.22', 'v_minus 2832.2...',
-                  'v_plus 2832.22 ... mu_s', 'xi = 0.9 ... 2812.35', '32.22'):
-        expect(not in_one_line(wrong, printed), wrong)
+                  'v_plus 2832.22 ... mu_s', 'xi = 0.9 ... 2812.35', '32.22',
+                  'v_plus 2832.2', 'v_plus 2832', 'xi = 0.8', 'mu'):
+        expect(not is_in(wrong, printed), wrong)
 
 
-def run_page(room, path, said):
-    told, name = commands(path), os.path.basename(path)
-    for number, command, lines in told:
-        expect(command.startswith('slipway ') and lines, name, number, command)
-        if command not in said:
-            done = room.shell(command)
-            expect((done.returncode, done.stderr) == (0, ''), name, number,
-                   done)
-            said[command] = done.stdout
-        for line in lines:
-            expect(in_one_line(line, said[command]),
-                   f'{name}:{number}: {command}: {line!r} is not in\n'
-                   + said[command])
-    return len(told)
+def fails(room, text):
+    try:
+        Reader(room, 'page.md').run(Block(1, 'console', text))
+    except AssertionError:
+        return True
+    return False
 
 
-def every_command_prints_what_stands_there(room):
+def a_page_that_lies_is_seen(room):
+    """Commands share a shell; exit codes count."""
+    room.make('a')
+    for right in ('$ cd a\n$ pwd\n.../a\n', '$ cat /dev/null\n',
+                  '$ false\n$ echo $?\n1\n', '$ slipway --version\nslipway ...',
+                  '$ X=1; export X\n$ echo "$X"\n1\n', '$ echo "$X"\n1\n'):
+        expect(not fails(room, right), right)
+    for wrong in ('$ false\n', '$ echo 1\n2\n', '$ true\n$ echo $?\n1\n',
+                  '$ slipway nonsense\n', 'words\n'):
+        expect(fails(room, wrong), wrong)
+
+
+# ---- pages -------------------------------------------------------------------
+
+def run_snippets(room, path):
+    done = subprocess.run(
+        [READER, room.script('run_snippets.py'), path], text=True,
+        cwd=room.folder, env=room.environment(), capture_output=True,
+        timeout=300, check=False)
+    expect(done.returncode == 0, done.stdout, done.stderr)
+    return int(done.stdout.split()[-2])
+
+
+def do_page(room, path):
     room.bring('scenes')
     room.make('outputs')
-    said = {}
-    told = sum(run_page(room, path, said) for path in pages(room))
-    expect(told > 40, told)
+    reader, snippets = Reader(room, path), 0
+    for block in blocks(path):
+        if block.name:
+            reader.write(block)
+        elif block.language == 'console':
+            reader.run(block)
+        elif block.language == 'python':
+            snippets += 1
+        else:
+            expect(block.language == 'text', path, block.line, 'is not tried')
+    expect(not snippets or run_snippets(room, path) == snippets, snippets)
+    expect(reader.did + snippets or not re.search(r'^ *\$ ', text_of(path), re.M),
+           path, 'nothing was done')
 
 
-def every_file_it_names_is_there(room):
-    text = ''
-    for path in pages(room):
-        with open(path, encoding='utf-8') as file:
-            text += file.read()
+def case_of(path):
+    def case(room):
+        do_page(room, path)
+    case.__name__ = os.path.basename(path)[:-3] + '_is_true'
+    return case
+
+
+# ---- all pages ---------------------------------------------------------------
+
+def every_file_it_names_is_there(_):
+    text = ''.join(map(text_of, pages()))
     names = set(re.findall(
         r'`((?:lib|manifold|portrait|apps|tests)/[\w./]+)`', text))
-    names |= {'scenes/' + name for name in re.findall(r'`(\w+\.yaml)`', text)}
+    names |= {'scenes/' + name for name in re.findall(r'`(fig\w+\.yaml)`', text)}
+    names |= {'docs/' + name
+              for name in re.findall(r'\]\(([\w./]+)\)', text)}
     expect(len(names) > 50, names)
     for name in sorted(names):
-        expect(os.path.exists(os.path.join(room.source, name)), name)
+        expect(os.path.exists(os.path.join(SOURCE, name)), name)
+
+
+LITERAL = r'"(?:\\.|[^"\\\n])*"'
+LITERALS = rf'{LITERAL}(?:\s*{LITERAL})*'
+# Where the sources give a reason.
+GIVEN = [r'\b(?:quantity_none|none|no_fit|no_material|nothing)\(([^;]*);',
+         rf'static const char \w+\[\] =\s*({LITERALS})',
+         r'\b(?:reason(?:\[\w+\])?|why) =([^;]*);', rf'return ({LITERALS});']
+
+
+def joined(text):
+    """The strings in C, those that stand one after another as one."""
+    return {''.join(part[1:-1] for part in re.findall(LITERAL, one))
+            for one in re.findall(LITERALS, text)}
+
+
+def reasons_in(text):
+    found = {one for pattern in GIVEN for given in re.findall(pattern, text)
+             for one in joined(given)}
+    return {one for one in found
+            if one.count(' ') >= 2 and '%' not in one and '\\n' not in one}
+
+
+def reasons_are_explained_and_none_is_invented(_):
+    told = set(re.findall(r'^\| `([^`]+)` \|',
+                          text_of(f'{SOURCE}/docs/reasons.md'), re.M))
+    there, given = set(), set()
+    for folder in ('lib/friction', 'lib/fit', 'lib/study'):
+        for path in glob.glob(f'{SOURCE}/{folder}/*.c'):
+            text = re.sub(r'/\*.*?\*/', '', text_of(path), flags=re.S)
+            there |= joined(text)
+            given |= reasons_in(text)
+    expect(len(told) > 70 and told <= there, 'invented:', told - there)
+    expect(given <= told, 'not explained:', given - told)
 
 
 run_cases([
     what_is_matched_is_what_is_meant,
-    every_command_prints_what_stands_there,
+    a_page_that_lies_is_seen,
+    *[case_of(path) for path in pages()
+      if os.path.basename(path) not in ELSEWHERE],
     every_file_it_names_is_there,
+    reasons_are_explained_and_none_is_invented,
 ])

@@ -224,7 +224,7 @@ def an_interrupt_stops_and_leaves_nothing(room):
         while json.loads(job.stderr.readline())['stage'] != 'trajectories':
             pass
         job.send_signal(number)
-        said, complaints = job.communicate(timeout=60)
+        said, complaints = job.communicate(timeout=300)
         told = [line for line in complaints.splitlines() if line[0] != '{']
         expect((job.returncode, said) == (130, '') and len(told) == 1,
                job.returncode, said, told)

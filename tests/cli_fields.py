@@ -166,7 +166,7 @@ def an_interrupt_leaves_nothing(room):
         while json.loads(job.stderr.readline())['stage'] != 'cells':
             pass
         job.send_signal(signal.SIGINT)
-        job.communicate(timeout=60)
+        job.communicate(timeout=300)
     finally:
         job.kill()
     expect(job.returncode == 130 and room.names() == [],

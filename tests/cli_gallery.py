@@ -106,7 +106,7 @@ def screenshot(room, folder):
         done = subprocess.run(
             [browser, '--headless', '--no-sandbox', '--disable-gpu', *args,
              'file://' + room.path(folder + '/shown.html')], text=True,
-            capture_output=True, timeout=60, check=False)
+            capture_output=True, timeout=300, check=False)
         expect(done.returncode == 0 and words in done.stdout, done)
     expect(len(room.bytes('page.png')) > 50000, 'an empty page')
     os.remove(room.path(folder + '/shown.html'))

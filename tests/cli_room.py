@@ -64,7 +64,7 @@ class Room:
     def run(self, *args, cwd='.', **changes):
         """slipway with these arguments and changes of the environment."""
         return subprocess.run(
-            [self.slipway, *args], cwd=self.path(cwd), text=True, timeout=60,
+            [self.slipway, *args], cwd=self.path(cwd), text=True, timeout=300,
             env=self.environment(**changes), capture_output=True,
             stdin=subprocess.DEVNULL, check=False)
 
@@ -79,7 +79,7 @@ class Room:
 
     def shell(self, text, cwd='.'):
         return subprocess.run(
-            ['sh', '-c', text], cwd=self.path(cwd), text=True, timeout=60,
+            ['sh', '-c', text], cwd=self.path(cwd), text=True, timeout=300,
             env=self.environment(), capture_output=True,
             stdin=subprocess.DEVNULL, check=False)
 

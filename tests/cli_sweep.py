@@ -21,8 +21,9 @@ def line(points, more=''):
             f'0.28, to: 0.4, points: {points}{more}}}']
 
 
-def read(room, name):
-    done = subprocess.run([READER, room.script('read_sweep.py'), name],
+def read(room, name, *numbers):
+    done = subprocess.run([READER, room.script('read_sweep.py'), name,
+                           *numbers],
                           cwd=room.folder, text=True, capture_output=True,
                           check=False)
     expect(done.returncode == 0, done)
@@ -133,6 +134,14 @@ def a_figure_shows_what_is_asked_for(room):
     expect('ξ = 0.5' in drawn and 'ξ = 0.9' not in drawn, 'its own xi')
 
 
+def shares_of_basins_are_drawn(room):
+    room.good('sweep', *line(5, ', show: basins'), '--set', 'products=[basins]',
+              '--set', CELLS, '--figure', 'a.svg')
+    drawn = room.read('a.svg')
+    expect('share of the window' in drawn and 'creeps' in drawn
+           and 'slides' in drawn, 'entries')
+
+
 def its_upward_axis_can_be_chosen(room):
     def drawn(more):
         room.good('sweep', *line(9, ', show: persistence' + more), '--figure',
@@ -186,6 +195,178 @@ def plan_tells_of_the_points(room):
     expect(room.json('plan', SCENE)[0]['points'] == 41, 'in JSON too')
 
 
+# ---- products ----------------------------------------------------------------
+
+CELLS = 'basins={cells: [5, 4], audit: 3, rtol: 1e-3}'
+STARTS = 'trajectories.starts=[{v: 1e3, psi: 1}, {v: 0.01, psi: 10}]'
+# Points, settings, and the axes of some of the data sets.
+PRODUCTS = {
+    'equilibria': (100, [], {'creep_ln_v': ['alpha'],
+                             'sliding_lambda_plus': ['alpha'],
+                             'equilibria_2_psi': ['alpha']}),
+    'folds': (150, [], {'folds_alpha_cM': ['alpha']}),
+    'knees': (60, [], {'knee_upper_v': ['alpha'], 'upper_end': ['alpha']}),
+    'estimates': (60, [], {'estimates_chi_v_plus': ['alpha']}),
+    'sensitivities': (5, [],
+                      {'v_plus_conditioning': ['alpha']}),
+    'taylor_series': (50, [], {'taylor_series_radius': ['alpha'],
+                                'taylor_series_coefficient':
+                                ['alpha', 'order']}),
+    'trajectories': (7, [STARTS], {
+        'trajectory_fate': ['alpha', 'start'],
+        'trajectory_rest_time_exists': ['alpha', 'start'],
+        'trajectory_phase_end_slip': ['alpha', 'start', 'phase'],
+        'trajectory_mu_nears_time_error': ['alpha', 'start', 'level'],
+        'start_v': ['start']}),
+    'basins': (9, [CELLS], {'basin_fraction_linear_creep': ['alpha'],
+                             'basin_audit_cells': ['alpha'],
+                             'basin_label': ['alpha', 'psi', 'v']}),
+    'margin': (9, [CELLS], {'basin_margin_psi': ['alpha', 'psi', 'v']}),
+    'slip': (5, [CELLS], {'basin_slip': ['alpha', 'psi', 'v'],
+                          'basin_slip_error': ['alpha', 'psi', 'v'],
+                          'basin_exit_reason': ['alpha', 'psi', 'v']}),
+    'time': (5, [CELLS], {'basin_time_error': ['alpha', 'psi', 'v']}),
+    'friction': (5, [CELLS], {'basin_mu_mean': ['alpha', 'psi', 'v']}),
+    'peak': (3, [CELLS], {'basin_v_peak': ['alpha', 'psi', 'v'],
+                          'basin_mu_peak_error': ['alpha', 'psi', 'v']}),
+    'field_arrows': (60, [], {'arrow_log10_speed':
+                              ['alpha', 'arrow_psi', 'arrow_v']}),
+    'chi': (60, [], {'chi_v_low': ['alpha', 'chi_alpha'],
+                     'chi_ln_chi_error': ['alpha', 'chi_alpha', 'chi_v']}),
+    'rabinowicz': (100, ['rabinowicz={block_mass: 0.1, ball_mass: 0.01, '
+                         'restitution: 0.5}'],
+                   {'rabinowicz_l_k': ['alpha']}),
+}
+
+
+def asking(product):
+    points, sets, dims = PRODUCTS[product]
+    names = 'folds' if product == 'rabinowicz' else product
+    args = line(points) + ['--set', f'products=[{names}]']
+    for item in sets:
+        args += ['--set', item]
+    return args, dims
+
+
+def every_product_is_a_cube_at_any_number_of_threads(room):
+    for product in PRODUCTS:
+        args, _ = asking(product)
+        for file, threads in (f'{product}.h5', '1'), ('2.h5', '2'):
+            room.good('sweep', *args, '-o', file, '--threads', threads)
+        expect(room.bytes(file) == room.bytes(f'{product}.h5'), product)
+    several = [product for product in PRODUCTS
+               if product not in ('folds', 'knees', 'estimates', 'slip', 'time')]
+    found = read(room, *(f'{product}.h5' for product in several))
+    for product in several:
+        dims = found[f'{product}.h5']['dims']
+        for name, axes in asking(product)[1].items():
+            expect(dims.get(name) == axes, product, name, dims.get(name))
+
+
+def every_product_goes_on_after_a_kill(room):
+    part = room.path('a.h5.part')
+    kills = 0
+    for product in PRODUCTS:
+        args, _ = asking(product)
+        room.good('sweep', *args, '-o', 'whole.h5')
+        process = start(room, *args, '-o', 'a.h5', '--threads', '2')
+        kill_after_growth(room, process, part, 500)
+        kills += process.returncode == -signal.SIGKILL
+        room.good('sweep', *args, '-o', 'a.h5', '--resume')
+        expect(room.bytes('a.h5') == room.bytes('whole.h5'), product)
+        expect(not os.path.exists(part), product)
+        os.remove(room.path('a.h5'))
+    expect(kills >= len(PRODUCTS) // 2, kills, 'were killed')
+
+
+def a_grid_has_maps_and_runs_along_four_axes(room):
+    grid = ('sweep=[{key: slope.alpha, values: [0.34, 0.36]}, {key: material.c, '
+            'values: [1e-4, 1e-3, 1e-2]}]')
+    room.good('sweep', '--law', 'spinodal_gen', '--set', grid, '--set',
+              'products=[basins, trajectories]', '--set', CELLS, '--set',
+              STARTS, '-o', 'a.h5')
+    names = ['basin_label', 'trajectory_phase_end_time']
+    grid = read(room, 'a.h5', *names)
+    expect(grid['dims'][names[0]] == ['alpha', 'c', 'psi', 'v']
+           and grid['dims'][names[1]] == ['alpha', 'c', 'start', 'phase'],
+           grid['dims'])
+    room.good('sweep', '--law', 'spinodal_gen', '--set', 'material.c=1e-2',
+              '--set', 'sweep={key: slope.alpha, values: [0.34]}', '--set',
+              'products=[basins, trajectories]', '--set', CELLS, '--set',
+              STARTS, '-o', 'b.h5')
+    point = read(room, 'b.h5', *names)
+    for name, size in zip(names, (20, 6)):  # the third of all six points
+        expect(grid[name]['value'][2 * size:3 * size] == point[name]['value'],
+               name)
+    expect(len(set(point['basin_label']['value'])) == 2, 'two fates')
+
+
+def text_and_json_sum_up_what_a_file_holds(room):
+    args = line(3) + ['--set', 'products=[knees, slip, trajectories]', '--set',
+                      CELLS, '--set', STARTS]
+    said = room.good('sweep', *args, '-o', 'a.h5')
+    for words in ('start 1: v = 0.01, psi = 10', 'arrest',
+                  'basins: share of the window', '4 maps at each point',
+                  'basin_slip', '100 % of the cells'):
+        expect(words in said, words, said)
+    expect('give -o FILE.h5' in room.good('sweep', *args), 'no file, no maps')
+    found = room.json('sweep', *args, '-o', 'a.h5')
+    stored = read(room, 'a.h5', 'trajectory_slip', 'basin_slip', 'basin_label')
+    runs = found['numbers']['trajectory_slip']
+    expect(runs['dims'] == ['start']
+           and [x for point in runs['value'] for x in point]
+           == stored['trajectory_slip']['value'], runs)
+    fates = found['numbers']['trajectory_fate']['value']
+    expect(len(fates) == 3 and set(fates[0]) <= {'creep', 'sliding'}, fates)
+    label = found['maps']['basin_label']
+    expect(label['shape'] == [4, 5] and all(
+        sum(label['cells'][word][i] for word in label['cells']) == 20
+        for i in range(3)), label)
+    slip = found['maps']['basin_slip']
+    expect(slip['present'] == [20, 20, 20] and all(
+        0 <= low < high for low, high in zip(slip['least'], slip['greatest'])),
+           slip)
+    values = stored['basin_slip']['value']
+    expect([min(values[20 * i:20 * i + 20]) for i in range(3)] == slip['least'],
+           slip)
+    labels = stored['basin_label']['value']
+    expect([labels[20 * i:20 * i + 20].count(1) for i in range(3)]
+           == label['cells']['sliding'], label)
+    expect(found['starts'][1] == {'v': 0.01, 'psi': 10.0}
+           and found['dims']['start']['values'] == [0, 1], found['dims'])
+    expect(room.json('sweep', *args)['maps'] == {}, 'none without a file')
+
+
+def a_sweep_needs_no_slope_that_nothing_takes(room):
+    args = ['--law', 'spinodal_gen', '--set',
+            'sweep={key: material.c, values: [1e-4, 1e-3]}']
+    room.good('sweep', *args, '--set', 'products=[folds]', '-o', 'a.h5')
+    expect('saddle_v' not in read(room, 'a.h5')['dims'], 'no saddle')
+    refused(room.run('sweep', *args, '--set', 'products=[folds, slip]'), 2,
+            'products: no slope for slip')
+    refused(room.run('sweep', *args), 2, 'no slope, expected')
+
+
+def what_is_not_of_one_shape_is_refused_with_another_way(room):
+    for product in ('nullclines', 'manifolds', 'friction_law', 'spring_block',
+                    'bifurcation', 'fold_curves'):
+        refused(room.run('sweep', *line(3), '--set', f'products=[{product}]'),
+                2, f'products: {product}: not in a sweep', 'slipway study --set '
+                'sweep={} --set slope.alpha=VALUE')
+    room.good('study', *line(3), '--set', 'products=[nullclines]', '--set',
+              'sweep={}', '--set', 'slope.alpha=0.34')
+    expect(room.names() == [], room.names())
+
+
+def plan_tells_what_runs_at_a_point(room):
+    args = line(3) + ['--set', 'products=[slip, trajectories]', '--set', STARTS]
+    stages = [item['stage'] for item in room.json('plan', *args)]
+    expect('fields' not in stages and 'basins' in stages
+           and 'trajectories' not in stages and 'knees' in stages, stages)
+    said = room.good('plan', *args, '-o', 'a.h5')
+    expect('fields' in said and 'a run from each of 2 starts' in said, said)
+
+
 # ---- interruptions -----------------------------------------------------------
 
 
@@ -231,7 +412,7 @@ def ctrl_c_keeps_what_is_computed(room):
         time.sleep(0.002)
     time.sleep(0.1)
     process.send_signal(signal.SIGINT)
-    said, complaint = process.communicate(timeout=60)
+    said, complaint = process.communicate(timeout=300)
     expect((process.returncode, said) == (130, '')
            and complaint.startswith('slipway: interrupted; what is computed '
                                     'stays in a.h5.part')
@@ -294,11 +475,19 @@ run_cases([
     a_grid_is_a_cube_over_both_keys,
     a_figure_shows_both_critical_velocities,
     a_figure_shows_what_is_asked_for,
+    shares_of_basins_are_drawn,
     its_upward_axis_can_be_chosen,
     a_grid_shows_the_table_s_exact_number,
     wrong_words_of_the_figure_are_refused,
     threads_do_not_matter,
     plan_tells_of_the_points,
+    every_product_is_a_cube_at_any_number_of_threads,
+    every_product_goes_on_after_a_kill,
+    a_grid_has_maps_and_runs_along_four_axes,
+    text_and_json_sum_up_what_a_file_holds,
+    a_sweep_needs_no_slope_that_nothing_takes,
+    what_is_not_of_one_shape_is_refused_with_another_way,
+    plan_tells_what_runs_at_a_point,
     killed_twenty_times_it_ends_in_the_same_bytes,
     ctrl_c_keeps_what_is_computed,
     a_left_side_file_is_noted_or_refused,

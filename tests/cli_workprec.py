@@ -77,7 +77,7 @@ def everything_is_raced_and_ours_does_not_lie(room):
 
 def check_file(room, found):
     done = subprocess.run([READER, '-c', READ], cwd=room.path('.'), text=True,
-                          capture_output=True, timeout=60, check=False)
+                          capture_output=True, timeout=300, check=False)
     expect(done.returncode == 0, done.stderr)
     stored = json.loads(done.stdout)
     expect(stored['runs'] == len(found['runs']), stored['runs'])

@@ -282,7 +282,7 @@ static void areas_are_those_of_the_sides(void **state)
 
     (void) state;
     for (int n = 0; n < 60; n++) {
-        const struct measure m = { { n % 3 == 1, n % 3 > 0 } };
+        struct measure m = { .exponential = { n % 3 == 1, n % 3 > 0 } };
         struct sample s;
         struct crossing c[64];
         struct area area[64];

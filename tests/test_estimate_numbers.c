@@ -131,12 +131,77 @@ static void estimates_need_hyperbolic_kinetics_and_a_logarithm(void **state)
     }
 }
 
+/* One slope of dieterich_gen, where only estimates are asked for. */
+static void estimate_at(struct asked *a, const char *alpha, const char *b)
+{
+    a->sets = 0;
+    ask(a, "law.preset", "dieterich_gen");
+    ask(a, "slope.alpha", alpha);
+    ask(a, "material.b", b);
+    ask(a, "products", "[estimates]");
+    asked_run(a);
+}
+
+/* v_sp0 = 3.2e-21 and 7.8e-245: both roots of chi are v_sp0 to a double, and
+ * their bars say so. */
+static void roots_of_chi_have_digits_however_small_v_sp0_is(void **state)
+{
+    static const char *const alpha[] = { "0.45", "0.8", "1.2", "1.45" };
+
+    (void) state;
+    for (int i = 0; i < 4; i++) {
+        static struct asked a;
+        estimate_at(&a, alpha[i], "0.0489");
+        const struct estimate_numbers *e = &a.study.estimates;
+        const struct quantity *q[] = { &e->chi_v_minus, &e->chi_v_plus };
+        assert_int_equal(e->chi_roots, 2);
+        for (int k = 0; k < 2; k++) {
+            const double far = fabs(q[k]->value / e->v_sp0.value - 1.0);
+            CHECK(quantity_exists(q[k]) && q[k]->error > 0.0 &&
+                      q[k]->error < 1e-11 * q[k]->value,
+                  "%s: %.17g +- %.2g", alpha[i], q[k]->value, q[k]->error);
+            CHECK(i == 0 ? far > 1e-3 : far < 1e-12, "%s: %.3g from v_sp0",
+                  alpha[i], far);
+        }
+        asked_free(&a);
+    }
+}
+
+/* v_sp0 = e^-980 and e^+1280. */
+static void what_a_double_cannot_hold_has_a_reason(void **state)
+{
+    static const char *const at[][2] = { { "1.5", "0.0489" },
+                                         { "0.05", "0.03515" } };
+    static struct asked a;
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        estimate_at(&a, at[i][0], at[i][1]);
+        const struct estimate_numbers *e = &a.study.estimates;
+        const struct quantity *q[] = { &e->v_sp0, &e->psi_sp0, &e->chi_v_minus,
+                                       &e->chi_v_plus };
+        for (int k = 0; k < 4; k++)
+            CHECK(!quantity_exists(q[k]) &&
+                      strcmp(q[k]->reason,
+                             "the estimate is beyond the range of a double") ==
+                          0,
+                  "alpha %s: number %d is %g (%s)", at[i][0], k, q[k]->value,
+                  q[k]->reason);
+        CHECK(quantity_exists(&e->x_k_small_psi) &&
+                  e->x_k_small_psi.error < 1e-10 * fabs(e->x_k_small_psi.value),
+              "%g +- %g", e->x_k_small_psi.value, e->x_k_small_psi.error);
+        asked_free(&a);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_estimate_is_right),
         cmocka_unit_test(mu_s_41_takes_the_exact_v_plus),
         cmocka_unit_test(estimates_need_hyperbolic_kinetics_and_a_logarithm),
+        cmocka_unit_test(roots_of_chi_have_digits_however_small_v_sp0_is),
+        cmocka_unit_test(what_a_double_cannot_hold_has_a_reason),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

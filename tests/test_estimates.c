@@ -17,8 +17,8 @@ struct sample {
     long double per_v; /* cos(alpha)/eps^2 */
 };
 
-/* Wide: ln v_sp0 in [-12, 120], slopes y/x of Y = 0 from 1e-20 to 1e20. */
-static void draw(struct sample *s, uint64_t *rng)
+/* ln v_sp0 in [lo, hi], slopes y/x of Y = 0 from 1e-20 to 1e20. */
+static void draw(struct sample *s, double lo, double hi, uint64_t *rng)
 {
     static const char *const laws[] = { "dieterich_gen", "spinodal_gen",
                                         "spinodal_phi_gen" };
@@ -31,7 +31,7 @@ static void draw(struct sample *s, uint64_t *rng)
     s->m.L = pow(10.0, check_uniform(rng, -24.0, 12.0));
     s->tan_alpha = check_uniform(rng, 0.0, 1.5);
     s->m.mu_star =
-        s->tan_alpha + (s->m.b - s->m.a) * check_uniform(rng, -12.0, 120.0);
+        s->tan_alpha + (s->m.b - s->m.a) * check_uniform(rng, lo, hi);
     s->xi = check_uniform(rng, 0.001, 0.999);
     s->per_v =
         1.0L / hypotl(1.0L, s->tan_alpha) / (long double) material_eps2(&s->m);
@@ -163,7 +163,7 @@ static void no_root_of_the_xi_estimate_is_lost(void **state)
     (void) state;
     for (int i = 0; i < SETS; i++) {
         struct sample s;
-        draw(&s, &rng);
+        draw(&s, -12.0, 120.0, &rng);
         const struct estimates_xi x =
             estimates_xi_at(&s.m, &s.e, s.tan_alpha, s.xi);
         check_xi(&s, -1, x.minus, &roots);
@@ -174,9 +174,11 @@ static void no_root_of_the_xi_estimate_is_lost(void **state)
 
 /* ---- chi ----------------------------------------------------------------- */
 
+/* The smaller v_sp0, the nearer both roots are to it. */
 static size_t scan_chi(const struct sample *s, struct found root[16])
 {
-    const long double near = 1e-7L;
+    const long double near =
+        fminl(1e-7L, 1e-3L * expl((long double) s->e.ln_v_sp0));
     long double size;
     struct found left[8];
     const size_t n = scan(log_chi, s, -1, near, 300.0L, left);
@@ -189,6 +191,28 @@ static size_t scan_chi(const struct sample *s, struct found root[16])
     return count + scan(log_chi, s, 1, near, 300.0L, &root[count]);
 }
 
+/* With a bar that holds its rounding and is no wider than that of the scan. */
+static void check_chi(const struct sample *s, size_t *pairs)
+{
+    struct estimates_root root[2];
+    struct found want[16];
+    const size_t n = estimates_chi(&s->m, &s->e, s->tan_alpha, 0.0, root);
+    const size_t scanned = scan_chi(s, want);
+
+    CHECK(n == scanned, "%zu roots, not %zu: ln v_sp0 = %.17g", n, scanned,
+          s->e.ln_v_sp0);
+    for (size_t k = 0; k < n; k++) {
+        const long double off = fabsl(root[k].x - want[k].x);
+        CHECK(off <= want[k].uncertain && off <= root[k].error,
+              "x = %.17g +- %.2g, not %.17Lg: ln v_sp0 = %.17g", root[k].x,
+              root[k].error, want[k].x, s->e.ln_v_sp0);
+        CHECK(root[k].error <= 2.0L * want[k].uncertain,
+              "x = %.17g +- %.2g, not %.2Lg: ln v_sp0 = %.17g", root[k].x,
+              root[k].error, want[k].uncertain, s->e.ln_v_sp0);
+    }
+    *pairs += n == 2;
+}
+
 static void no_root_of_chi_is_lost(void **state)
 {
     uint64_t rng = check_seed() + 1;
@@ -197,19 +221,25 @@ static void no_root_of_chi_is_lost(void **state)
     (void) state;
     for (int i = 0; i < SETS / 10; i++) {
         struct sample s;
-        struct found want[16];
-        double root[2];
-        draw(&s, &rng);
-        const size_t n = estimates_chi(&s.m, &s.e, s.tan_alpha, root);
-        const size_t scanned = scan_chi(&s, want);
-        CHECK(n == scanned, "%zu roots, not %zu", n, scanned);
-        for (size_t k = 0; k < n; k++)
-            CHECK(fabsl(root[k] - want[k].x) <= want[k].uncertain,
-                  "x = %.17g, not %.17Lg: ln v_sp0 = %.17g", root[k], want[k].x,
-                  s.e.ln_v_sp0);
-        pairs += n == 2;
+        draw(&s, -12.0, 120.0, &rng);
+        check_chi(&s, &pairs);
     }
     CHECK(pairs > 20 && pairs < SETS / 10, "%zu pairs", pairs);
+}
+
+/* v_sp0 from 1e-300 to 1e-5, psi_sp0 up to 1e300. */
+static void nor_where_v_sp0_is_next_to_nothing(void **state)
+{
+    uint64_t rng = check_seed() + 2;
+    size_t pairs = 0;
+
+    (void) state;
+    for (int i = 0; i < SETS / 75; i++) {
+        struct sample s;
+        draw(&s, -690.0, -12.0, &rng);
+        check_chi(&s, &pairs);
+    }
+    CHECK(pairs > SETS / 150, "%zu pairs", pairs);
 }
 
 int main(void)
@@ -217,6 +247,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_root_of_the_xi_estimate_is_lost),
         cmocka_unit_test(no_root_of_chi_is_lost),
+        cmocka_unit_test(nor_where_v_sp0_is_next_to_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

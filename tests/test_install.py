@@ -13,6 +13,7 @@ import sys
 import tempfile
 
 from cli_room import expect, refused, run_cases
+from pages import blocks
 
 BUILD = os.path.realpath(sys.argv[3])
 LOG = os.path.join(BUILD, 'meson-logs', 'install-log.txt')
@@ -27,7 +28,7 @@ PUBLIC = ['status.h', 'law.h', 'steady.h', 'block.h', 'curve.h', 'scene.h',
 
 
 def ran(command, **how):
-    done = subprocess.run(command, text=True, capture_output=True, timeout=60,
+    done = subprocess.run(command, text=True, capture_output=True, timeout=300,
                           stdin=subprocess.DEVNULL, check=False, **how)
     expect(done.returncode == 0, command, done.stdout, done.stderr)
     return done.stdout
@@ -51,6 +52,10 @@ def options():
 def place(kind):
     """Where bin, lib, share, include and man pages are."""
     return os.path.join(DESTINATION + options()['prefix'], options()[kind])
+
+
+def documents():
+    return place('datadir') + '/doc/slipway'
 
 
 def files(root):
@@ -107,8 +112,12 @@ def all_stays_below_the_prefix(room):
 
 def scenes_and_pages_are_shared(room):
     found = files(place('datadir') + '/slipway')
-    missing = (source_files(room, 'scenes') | source_files(room, 'docs')) - found
-    expect(missing == set(), missing)
+    expect(source_files(room, 'scenes') <= found, found)
+    found = files(documents())
+    expect(files(f'{room.source}/docs') <= found, found)
+    for page in ('scene', 'hdf5', 'words'):
+        with open(f'{documents()}/{page}.md', encoding='utf-8') as file:
+            expect(file.read() == room.good('help', '--as', page), page)
 
 
 def every_command_has_a_man_page(room):
@@ -215,7 +224,7 @@ def the_installed_program_finds_its_scenes(room):
 
 
 def the_example_prints_v_plus(room):
-    os.symlink(place('datadir') + '/slipway/docs', room.path('docs'))
+    os.symlink(documents(), room.path('docs'))
     ran(COMPILE, shell=True, cwd=room.folder, env=with_library())
     program = room.path('example')
     said = ran([program, 'dieterich_gen', '0.34'], env=with_library())
@@ -228,12 +237,24 @@ def the_example_prints_v_plus(room):
     expect(said.startswith('v_plus does not exist: '), said)
 
 
+def the_page_about_c_is_true(room):
+    path = documents() + '/c.md'
+    block = [block for block in blocks(path) if block.name][0]
+    room.write(block.name, block.text)
+    with open(path, encoding='utf-8') as file:
+        line = re.search(r'^    (cc .*)$', file.read(), re.M)[1]
+    ran(line.replace('cc ', 'cc -Wall -Wextra -Werror ', 1), shell=True,
+        cwd=room.folder, env=with_library())
+    expect(ran([room.path('v_plus')], env=with_library()).startswith(
+        'v_plus = 2832.223358'), line)
+
+
 def the_static_library_holds_the_same(room):
     said = ran(['pkg-config', '--static', '--libs', 'slipway'],
                env=with_library())
     flags = [flag for flag in said.split()
              if flag.startswith(('-l', '-f')) and flag != '-lslipway']
-    example = place('datadir') + '/slipway/docs/example.c'
+    example = documents() + '/example.c'
     ran(['cc', example, f'-I{place("includedir")}',
          place('libdir') + '/libslipway.a', *flags, '-o',
          room.path('example')])
@@ -307,6 +328,7 @@ def main():
             fish_offers_what_fits,
             the_installed_program_finds_its_scenes,
             the_example_prints_v_plus,
+            the_page_about_c_is_true,
             the_static_library_holds_the_same,
             headers_stand_on_their_own,
             only_public_names_leave_the_library,

@@ -337,6 +337,8 @@ static void without_a_working_gnuplot_there_is_no_figure(void **state)
         { NULL, "not found" },
         { "exit 0", "drew nothing" },
         { ": > p.svg", "drew nothing" },
+        { "echo '<svg>' > p.svg", "did not draw all" },
+        { "printf '%09999d' 0 > p.svg", "did not draw all" },
         { "echo >&2; echo 'plot x(' >&2; echo '       ^' >&2;"
           "echo '\"p.gp\" line 3: warning: skipped' >&2;"
           "echo '\"p.gp\" line 7: undefined function' >&2; exit 1",

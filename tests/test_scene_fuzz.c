@@ -259,8 +259,9 @@ static void is_blamed(const char *line, const struct file *f, const char *set,
 
 static void is_sound(const struct scene *s)
 {
-    assert_true(s->alpha > 0.0 && s->alpha <= M_PI_2);
-    assert_true(s->tan_alpha > 0.0L && isfinite(s->tan_alpha));
+    assert_true(s->alpha >= 0.0 && s->alpha <= M_PI_2);
+    assert_true(s->tan_alpha >= 0.0L && isfinite(s->tan_alpha));
+    assert_true((s->alpha > 0.0) == (s->tan_alpha > 0.0L));
     assert_true(s->window.v[0] >= 1e-300 && s->window.v[1] <= 1e300);
     assert_true(s->window.v[0] < s->window.v[1]);
     assert_true(s->window.psi[0] < s->window.psi[1]);

@@ -248,6 +248,39 @@ static void every_word_of_a_choice_has_its_code(void **state)
     scene_free(&s);
 }
 
+/* ---- what is said of keys ------------------------------------------------ */
+
+static void what_holds_without_a_key_is_what_the_table_says(void **state)
+{
+    size_t told = 0;
+
+    (void) state;
+    for (size_t i = 0; i < COUNT(keys); i++) {
+        const struct schema_key *k = schema_find(keys[i].path);
+        char sets[400];
+        if (k->standard == NULL)
+            continue;
+        snprintf(sets, sizeof sets, "%s%s=%s\n", keys[i].rest, k->path,
+                 k->standard);
+        struct scene without = scene_made(NULL, keys[i].rest);
+        struct scene with = scene_made(NULL, sets);
+        CHECK(scene_same(&without, &with), "%s", k->path);
+        scene_free(&without);
+        scene_free(&with);
+        told++;
+    }
+    assert_true(told >= 30);
+}
+
+static void every_key_is_explained_in_one_phrase(void **state)
+{
+    (void) state;
+    for (const struct schema_key *k = schema_table; k->path; k++) {
+        CHECK(k->text && strlen(k->text) > 3, "%s", k->path);
+        CHECK(k->text[strlen(k->text) - 1] != '.', "%s", k->path);
+    }
+}
+
 /* ---- unknown keys -------------------------------------------------------- */
 
 static const struct place nowhere = { .name = NULL };
@@ -327,6 +360,8 @@ int main(void)
         IN_FOLDER(file_and_override_give_the_same_scene),
         IN_FOLDER(an_override_wins_over_the_file_and_matters),
         cmocka_unit_test(the_ends_of_each_range_belong_to_it),
+        IN_FOLDER(what_holds_without_a_key_is_what_the_table_says),
+        cmocka_unit_test(every_key_is_explained_in_one_phrase),
         cmocka_unit_test(every_word_of_a_choice_has_its_code),
         cmocka_unit_test(each_misspelt_key_is_offered_as_it_should_be),
         cmocka_unit_test(an_unknown_key_is_told_all_that_are_known),

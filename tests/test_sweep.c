@@ -37,10 +37,10 @@ static const struct sweep_options plainly = { .journal = NULL };
 static void check_point(const struct sweep *s, size_t i, const char *law,
                         const char *key)
 {
+    const double nowhere[2] = { 0.0, 0.0 };
     const size_t values = s->axis[0].count;
+    struct sweep_point point;
     struct scene scene;
-    struct study study;
-    struct fault why;
     char set[200];
 
     assert_int_equal(s->points, values);
@@ -49,17 +49,18 @@ static void check_point(const struct sweep *s, size_t i, const char *law,
         strncmp(key, "slope.", 6) == 0 ? "title=none" : "slope.alpha=0.34";
     const char *const sets[] = { law, ALL, slope, set, NULL };
     scene_set(&scene, sets);
-    assert_int_equal(study_run(&study, &scene, NULL, &why), STATUS_OK);
-    sweep_columns_complete(&study);
+    assert_int_equal(
+        sweep_point_run(&point, &scene, nowhere, scene.products, NULL),
+        STATUS_OK);
     for (size_t k = 0; k < s->columns.count; k++) {
         const struct sweep_column *c = &s->columns.at[k];
         if (c->codes) {
             assert_int_equal(sweep_code(s, (int) k, i),
-                             sweep_column_code(c, &study));
+                             sweep_column_code(c, &point, 0));
             continue;
         }
         const struct quantity q = sweep_quantity(s, (int) k, i);
-        const struct quantity is = sweep_column_quantity(c, &study);
+        const struct quantity is = sweep_column_quantity(c, &point, 0);
         CHECK(quantity_exists(&q) == quantity_exists(&is), "%s", c->name);
         if (quantity_exists(&q))
             CHECK(q.value == is.value && q.error == is.error, "%s: %.17g %.17g",
@@ -67,7 +68,7 @@ static void check_point(const struct sweep *s, size_t i, const char *law,
         else
             assert_string_equal(q.reason, is.reason);
     }
-    study_free(&study);
+    sweep_point_free(&point);
     scene_free(&scene);
 }
 
@@ -197,6 +198,10 @@ static void only_what_the_products_ask_for_is_there(void **state)
         "sweep={key: material.c, values: [1e-3, 1e-2]}", "slope.alpha=0.34",
         NULL
     };
+    static const char *const level[] = {
+        LAW, "products=[folds]",
+        "sweep={key: material.c, values: [1e-3, 1e-2]}", NULL
+    };
     static const char *const asked[] = {
         LAW, "products=[knees, sensitivities]",
         "sweep={key: slope.alpha, values: [0.34, 0.345]}", NULL
@@ -210,6 +215,11 @@ static void only_what_the_products_ask_for_is_there(void **state)
     assert_true(sweep_find(&w.s, "equilibria_2_v") >= 0);
     assert_int_equal(sweep_find(&w.s, "equilibria_3_v"), -1);
     assert_false(w.s.columns.conditioning);
+    assert_int_equal(sweep_find(&w.s, "creep_ln_v"), -1);
+    swept_free(&w);
+    sweep_of(&w, level, &plainly);
+    assert_int_equal(w.s.columns.count, record_folds.count);
+    assert_string_equal(w.s.columns.at[0].name, "folds_alpha_cm");
     swept_free(&w);
     sweep_of(&w, asked, &plainly);
     assert_true(w.s.columns.conditioning);

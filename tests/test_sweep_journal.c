@@ -8,16 +8,26 @@
 #include "fault_alloc.h"
 #include "own_folder.h"
 
-enum { COLUMNS = 3, ROWS = 5, KEY = 77 };
+enum { ENTRIES = 3, ROWS = 5, KEY = 77, BLOCK = 40 };
 
 static struct sweep_rows some_rows(void)
 {
-    struct sweep_rows rows = sweep_rows_of(COLUMNS, false);
+    struct sweep_rows rows = sweep_rows_of(ENTRIES, false);
 
     assert_int_equal(sweep_rows_add(&rows, ROWS), STATUS_OK);
     for (size_t i = 0; i < ROWS * rows.width; i++)
         rows.at[i] = 0.1 * (double) i;
     return rows;
+}
+
+/* The block of row i, some of its bytes zero. */
+static const char *block_of(size_t i)
+{
+    static char block[BLOCK];
+
+    memset(block, 0, sizeof block);
+    snprintf(block, sizeof block, "the maps of point %zu", i);
+    return block;
 }
 
 /* What comes out of a file. */
@@ -31,12 +41,12 @@ struct found {
 
 static enum status open_it(struct found *f, uint64_t key, bool resume)
 {
-    *f = (struct found){ .rows = sweep_rows_of(COLUMNS, false) };
+    *f = (struct found){ .rows = sweep_rows_of(ENTRIES, false) };
     const enum status status = sweep_reasons_init(&f->reasons);
     return status ? status
-                  : sweep_journal_open(&f->j, own_path("a.part"), key, resume,
-                                       &f->rows, &f->reasons, &f->replaced,
-                                       &f->why);
+                  : sweep_journal_open(&f->j, own_path("a.part"), key, BLOCK,
+                                       resume, &f->rows, &f->reasons,
+                                       &f->replaced, &f->why);
 }
 
 static void leave(struct found *f)
@@ -58,18 +68,28 @@ static void write_all(void)
         if (i == 3)
             assert_int_equal(sweep_journal_reason(&f.j, "too steep", &f.why),
                              STATUS_OK);
-        assert_int_equal(sweep_journal_row(&f.j, &rows, i, &f.why), STATUS_OK);
+        assert_int_equal(sweep_journal_row(&f.j, &rows, i, block_of(i), &f.why),
+                         STATUS_OK);
     }
     leave(&f);
     sweep_rows_free(&rows);
 }
 
-/* Only rows as they were written, from the first on. */
-static size_t count_back(const struct found *f)
+/* Only rows as they were written, from the first on, each with its block. */
+static size_t count_back(struct found *f)
 {
     struct sweep_rows rows = some_rows();
 
     assert_true(f->rows.count <= ROWS);
+    for (size_t i = 0; i < f->rows.count; i++) {
+        char block[BLOCK] = "";
+        *sweep_rows_place(&rows, i) = *sweep_rows_place(&f->rows, i);
+        for (size_t k = 0; k < BLOCK; k += 8)
+            assert_int_equal(sweep_journal_read(&f->j, &f->rows, i, k,
+                                                block + k, 8, &f->why),
+                             STATUS_OK);
+        assert_memory_equal(block, block_of(i), BLOCK);
+    }
     if (f->rows.count > 0)
         assert_memory_equal(rows.at, f->rows.at,
                             f->rows.count * rows.width * sizeof(double));
@@ -118,7 +138,7 @@ static void a_file_cut_at_any_byte_keeps_its_whole_records(void **state)
 
 static void a_changed_byte_ends_what_is_believed(void **state)
 {
-    enum { HEAD = 24 };
+    enum { HEAD = 32 };
     size_t size;
 
     (void) state;
@@ -151,8 +171,9 @@ static void rows_go_on_behind_a_torn_one(void **state)
     file_write(own_path("a.part"), bytes, size - 3);
     assert_int_equal(open_it(&f, KEY, true), STATUS_OK);
     assert_int_equal(count_back(&f), ROWS - 1);
-    assert_int_equal(sweep_journal_row(&f.j, &rows, ROWS - 1, &f.why),
-                     STATUS_OK);
+    assert_int_equal(
+        sweep_journal_row(&f.j, &rows, ROWS - 1, block_of(ROWS - 1), &f.why),
+        STATUS_OK);
     leave(&f);
     size_t again;
     char *now = file_read(own_path("a.part"), &again);
@@ -185,6 +206,38 @@ static void another_key_or_another_file_is_refused(void **state)
     }
 }
 
+/* Rows of the same length, but other maps. */
+static void blocks_of_another_length_are_refused(void **state)
+{
+    struct found f = { .rows = sweep_rows_of(ENTRIES, false) };
+
+    (void) state;
+    write_all();
+    assert_int_equal(sweep_reasons_init(&f.reasons), STATUS_OK);
+    assert_int_equal(sweep_journal_open(&f.j, own_path("a.part"), KEY,
+                                        BLOCK + 8, true, &f.rows, &f.reasons,
+                                        &f.replaced, &f.why),
+                     STATUS_BAD_SCENE);
+    assert_non_null(strstr(f.why.text, "another scene or version"));
+    leave(&f);
+}
+
+static void a_block_beyond_the_end_is_told(void **state)
+{
+    char block[BLOCK];
+    struct found f;
+
+    (void) state;
+    write_all();
+    assert_int_equal(open_it(&f, KEY, true), STATUS_OK);
+    *sweep_rows_place(&f.rows, 0) = 1e9;
+    assert_int_equal(
+        sweep_journal_read(&f.j, &f.rows, 0, 0, block, BLOCK, &f.why),
+        STATUS_IO);
+    assert_non_null(strstr(f.why.text, "a.part: Input/output error"));
+    leave(&f);
+}
+
 static void two_runs_do_not_share_a_file(void **state)
 {
     struct found f, g;
@@ -199,12 +252,13 @@ static void two_runs_do_not_share_a_file(void **state)
 
 static void what_cannot_be_opened_is_told(void **state)
 {
-    struct found f = { .rows = sweep_rows_of(COLUMNS, false) };
+    struct found f = { .rows = sweep_rows_of(ENTRIES, false) };
 
     (void) state;
     assert_int_equal(sweep_reasons_init(&f.reasons), STATUS_OK);
-    assert_int_equal(sweep_journal_open(&f.j, own_path(""), KEY, false, &f.rows,
-                                        &f.reasons, &f.replaced, &f.why),
+    assert_int_equal(sweep_journal_open(&f.j, own_path(""), KEY, BLOCK, false,
+                                        &f.rows, &f.reasons, &f.replaced,
+                                        &f.why),
                      STATUS_IO);
     assert_non_null(strstr(f.why.text, ": Is a directory"));
     leave(&f);
@@ -239,6 +293,8 @@ int main(void)
         IN_FOLDER(a_changed_byte_ends_what_is_believed),
         IN_FOLDER(rows_go_on_behind_a_torn_one),
         IN_FOLDER(another_key_or_another_file_is_refused),
+        IN_FOLDER(blocks_of_another_length_are_refused),
+        IN_FOLDER(a_block_beyond_the_end_is_told),
         IN_FOLDER(two_runs_do_not_share_a_file),
         IN_FOLDER(what_cannot_be_opened_is_told),
         IN_FOLDER(each_failed_allocation_is_told),

@@ -110,9 +110,12 @@ static const struct wrong wrong_twice[] = {
 };
 
 /* What is wrong with a sweep, key by key and as a whole. */
-#define RANGE     "from: 0.2, to: 0.4, points: 3"
-#define NUMBER    "the key of a number, such as slope.alpha"
-#define SWEEPABLE "equilibria, folds, knees, estimates or sensitivities"
+#define RANGE  "from: 0.2, to: 0.4, points: 3"
+#define NUMBER "the key of a number, such as slope.alpha"
+#define SWEEP  "sweep: {key: slope.alpha, " RANGE "}\n"
+#define ONE_SHAPE                                                              \
+    "not in a sweep, whose points all have the same shape; for one point: "    \
+    "slipway "
 static const struct wrong wrong_sweeps[] = {
     { LAW SLOPE "sweep: 3\n", "3:8: sweep: '3'" NOT "a map of keys, " AXIS },
     { LAW SLOPE "sweep: []\n",
@@ -170,22 +173,55 @@ static const struct wrong wrong_sweeps[] = {
     { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", refine: 0}\n",
       "3:66: sweep.refine: '0'" NOT
       "a number from 1e-6 to 1, the tolerance in ln v" },
-    { LAW SLOPE "products: [knees, basins]\n"
-                "sweep: {key: slope.alpha, " RANGE "}\n",
-      "3:11: products: basins is no number at a point of a sweep, "
-      "expected " SWEEPABLE },
+    { LAW SLOPE "products: [knees, manifolds]\n" SWEEP,
+      "3:19: products: manifolds: " ONE_SHAPE
+      "study --set sweep={} --set slope.alpha=VALUE" },
+    { LAW "products: [folds, fold_curves]\n"
+          "sweep: {key: material.a, " RANGE "}\n",
+      "2:19: products: fold_curves: " ONE_SHAPE
+      "study --set sweep={} --set material.a=VALUE" },
+    { LAW SLOPE "products: [trajectories]\n" SWEEP,
+      "3:11: products: trajectories without trajectories.starts, expected them "
+      "in a sweep" },
+    { LAW SLOPE "products: [trajectories]\n" SWEEP
+                "trajectories: {starts: [{v: 1, psi: 1}], spread: 3}\n",
+      "5:50: trajectories.spread: not in a sweep, expected "
+      "trajectories.starts alone" },
+    { LAW SLOPE
+      "products: [trajectories]\n" SWEEP
+      "trajectories: {starts: [{v: 1, psi: 1}], sample: {log_time: 9}}\n",
+      "5:50: trajectories.sample: " ONE_SHAPE
+      "simulate --set sweep={} --set slope.alpha=VALUE" },
+    { LAW SLOPE "products: [trajectories]\nunits: si\n"
+                "trajectories: {starts: [{v: 1e-6, psi: 1}]}\n"
+                "sweep: {key: material.V_star, " RANGE "}\n",
+      "4:8: units: si: trajectories.starts would be others at each "
+      "material.V_star, expected dimensionless" },
+    { LAW SLOPE "rabinowicz: {data: a.csv}\n" SWEEP,
+      "3:20: rabinowicz.data: " ONE_SHAPE
+      "rabinowicz --set sweep={} --set slope.alpha=VALUE" },
+    { LAW SLOPE "rabinowicz: {tan_alpha: [0.3]}\n" SWEEP,
+      "3:25: rabinowicz.tan_alpha: not in a sweep, expected sweep: {key: "
+      "slope.tan_alpha, ...}" },
+    { LAW "rabinowicz: {restitution: 0.5}\nproducts: [folds]\n"
+          "sweep: {key: material.a, " RANGE "}\n",
+      "2:13: rabinowicz: takes a slope in a sweep, expected 'slope: {alpha: "
+      "RAD}' or --alpha RAD" },
+    { LAW SLOPE "products: [basins]\nbasins: {cells: [32768, 16384]}\n" SWEEP,
+      "4:17: basins.cells: 32768 x 16384 at each of 3 points, expected at "
+      "most 1e+09 in all (shares do not take them)" },
     { LAW SLOPE "products: [folds]\n"
                 "sweep: {key: slope.alpha, " RANGE ", refine: 0.1}\n",
       "3:11: products: no knees beside sweep.refine, expected them: it follows "
       "v_plus and v_minus" },
     { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", show: persistance}\n",
       "3:64: sweep.show: 'persistance'" NOT
-      "velocities, velocity_estimates, persistence, static_friction or "
-      "fracture_energy (did you mean persistence?)" },
+      "velocities, velocity_estimates, persistence, static_friction, "
+      "fracture_energy or basins (did you mean persistence?)" },
     { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", show: [velocities]}\n",
       "3:64: sweep.show: a list" NOT
-      "velocities, velocity_estimates, persistence, static_friction or "
-      "fracture_energy" },
+      "velocities, velocity_estimates, persistence, static_friction, "
+      "fracture_energy or basins" },
     { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", y_scale: lin}\n",
       "3:67: sweep.y_scale: 'lin'" NOT "auto, linear or log" },
     { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", y_range: [2, 1]}\n",
@@ -202,6 +238,8 @@ static const struct wrong wrong_sweeps[] = {
                 "sweep: {key: slope.alpha, " RANGE ", show: persistence}\n",
       "3:11: products: neither knees nor estimates beside sweep.show: "
       "persistence, expected them" },
+    { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", show: basins}\n",
+      "1:1: products: no basins beside sweep.show: basins, expected them" },
 };
 
 static const struct wrong wrong_kinds[] = {

@@ -17,6 +17,7 @@
 
 enum { CURVE_DIM_MAX = 10 };
 
+/* One polynomial of each component, in theta = 0..1 along the piece. */
 struct curve_piece {
     size_t degree;
     size_t first; /* index into curve.coef of component 0, coefficient 0 */
@@ -24,6 +25,7 @@ struct curve_piece {
                      curve's maker knows; 0 where it does not say */
 };
 
+/* Pieces one after another, and the coefficients of all of them. */
 struct curve {
     size_t dim;
     struct curve_piece *piece; /* owned */
@@ -32,6 +34,7 @@ struct curve {
     size_t coefs, coef_room;
 };
 
+/* Without pieces; may be freed. */
 #define CURVE_EMPTY(dim_) ((struct curve){ .dim = (dim_) })
 
 /* Appends a piece and points *coef at its dim * (degree + 1) coefficients,

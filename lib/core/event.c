@@ -66,12 +66,11 @@ static enum status insert(struct event_log *log, size_t first, size_t which,
     size_t i = log->count++;
     for (; i > first && log->hit[i - 1].theta > theta; i--)
         log->hit[i] = log->hit[i - 1];
-    struct event_hit *hit = &log->hit[i];
-    hit->which = which;
-    hit->piece = a->curve->count - 1;
-    hit->theta = theta;
-    hit->s = a->s0 + theta * a->h;
-    curve_at(a->curve, hit->piece, theta, hit->u);
+    log->hit[i] = (struct event_hit){ .which = which,
+                                      .piece = a->curve->count - 1,
+                                      .theta = theta,
+                                      .s = a->s0 + theta * a->h };
+    curve_at(a->curve, a->curve->count - 1, theta, log->hit[i].u);
     return STATUS_OK;
 }
 

@@ -26,6 +26,8 @@ struct event_hit {
     double theta; /* on that piece */
     double s;     /* independent variable */
     double u[CURVE_DIM_MAX];
+    double error[CURVE_DIM_MAX]; /* of u at the end of the piece, as far as the
+                                    curve's maker knows; else 0 */
 };
 
 /* Hits in the order of the curve, and where its last piece left each sign. */

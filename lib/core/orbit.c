@@ -178,6 +178,18 @@ static void find_stop(struct orbit *o, double *end)
             ORBIT_LEFT_DOMAIN, 0);
 }
 
+/* Adds the step's errors to those so far, and hands them to its hits. */
+static void add_errors(struct orbit *o, const double error[])
+{
+    const size_t piece = o->curve.count - 1;
+
+    for (size_t i = 0; i < o->curve.dim; i++)
+        o->error[i] += fabs(error[i]);
+    o->curve.piece[piece].error = fmax(o->error[0], o->error[1]);
+    for (size_t k = o->log.count; k-- > 0 && o->log.hit[k].piece == piece;)
+        memcpy(o->log.hit[k].error, o->error, sizeof o->error);
+}
+
 /* Stops and events on the piece just pushed; moves to its end. */
 static enum status advance(struct orbit *o, double h, const double u1[],
                            const double error[])
@@ -200,11 +212,9 @@ static enum status advance(struct orbit *o, double h, const double u1[],
         event_trim(&o->log, &o->curve, end);
         curve_at(&o->curve, o->curve.count - 1, 1.0, o->u);
     }
-    for (size_t i = 0; i < o->curve.dim; i++) {
-        o->error[i] += fabs(error[i]);
+    for (size_t i = 0; i < o->curve.dim; i++)
         o->peak[i] = fmax(o->peak[i], fabs(o->u[i]));
-    }
-    o->curve.piece[o->curve.count - 1].error = fmax(o->error[0], o->error[1]);
+    add_errors(o, error);
     return s;
 }
 

@@ -15,7 +15,8 @@ double mat2_det(struct mat2 A)
     return f + e;
 }
 
-struct eigen2 mat2_eigenvalues(struct mat2 A)
+/* Of a matrix whose products neither over- nor underflow. */
+static struct eigen2 eigenvalues(struct mat2 A)
 {
     const double m = 0.5 * (A.xx + A.yy), d = 0.5 * (A.xx - A.yy);
     const double radicand = fma(d, d, A.xy * A.yx);
@@ -25,6 +26,21 @@ struct eigen2 mat2_eigenvalues(struct mat2 A)
     const double far = m + copysign(sqrt(radicand), m);
     const double near = far == 0.0 ? 0.0 : mat2_det(A) / far;
     return (struct eigen2){ { fmin(far, near), fmax(far, near) }, 0.0 };
+}
+
+struct eigen2 mat2_eigenvalues(struct mat2 A)
+{
+    const double size =
+        fmax(fmax(fabs(A.xx), fabs(A.xy)), fmax(fabs(A.yx), fabs(A.yy)));
+
+    if (!(size > 0.0 && isfinite(size)))
+        return eigenvalues(A);
+    const int e = -ilogb(size);
+    const struct mat2 B = { ldexp(A.xx, e), ldexp(A.xy, e), ldexp(A.yx, e),
+                            ldexp(A.yy, e) };
+    const struct eigen2 of_b = eigenvalues(B);
+    return (struct eigen2){ { ldexp(of_b.re[0], -e), ldexp(of_b.re[1], -e) },
+                            ldexp(of_b.im, -e) };
 }
 
 struct vec2 mat2_eigenvector(struct mat2 A, double lambda)

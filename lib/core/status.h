@@ -2,6 +2,7 @@
 #ifndef CORE_STATUS_H
 #define CORE_STATUS_H
 
+/* Before a function whose answer must not be ignored. */
 #define MUST_CHECK __attribute__((warn_unused_result))
 
 /* name, what it means to the person reading the message */
@@ -19,7 +20,9 @@
     ENTRY(STATUS_NO_GNUPLOT, "gnuplot is missing or failed")
 /* clang-format on */
 
+/* An entry of the list as a name of the enum. */
 #define STATUS_AS_ENUM(name, text) name,
+/* How a call went. */
 enum status { STATUS_LIST(STATUS_AS_ENUM) STATUS_COUNT };
 #undef STATUS_AS_ENUM
 

@@ -45,6 +45,8 @@
 /* Integrals below this have no digits in a double: the smallest normal number
  * over its roundoff. */
 #define TOL_INTEGRAL_NIL 1e-292
+/* Least doubles that a coefficient of an integral may have lost. */
+#define TOL_INTEGRAL_LOST 16.0
 /* Never a series start further than this from the saddle, in ln v or ln psi:
  * beyond, the defect at the two ends no longer speaks for the middle. */
 #define TOL_SERIES_RADIUS_MAX 2.0
@@ -269,7 +271,7 @@
  * as far as this from a slow curve, are solved without slowing the clock; no
  * more than MAX per unit of time, lest kappa t overflow; changed by no less
  * than this factor. */
-#define TOL_ORBIT_PACE      1e-8
+#define TOL_ORBIT_PACE      1e-6
 #define TOL_ORBIT_PACE_MAX  1e150
 #define TOL_ORBIT_PACE_STEP 10.0
 
@@ -365,5 +367,37 @@
  * wall, and the equation says nothing; beyond, v is no number. */
 #define TOL_XI_NEAREST  1e-6
 #define TOL_XI_FARTHEST 1e6
+
+/* Files of others, read by a child (apart.h).  Seconds to list one, and to
+ * compare two, where 32768 x 32768 cells may have to be unpacked; bytes of
+ * address space beyond what the program has (a listing takes some MB, a
+ * comparison two blocks of APART_BLOCK bytes and HDF5's own); bytes of what
+ * comes back, far more than any list of names and texts. */
+#define APART_LIST_SECONDS    60u
+#define APART_COMPARE_SECONDS 3600u
+#define APART_BYTES           ((size_t) 2 << 30)
+#define APART_BLOCK           ((size_t) 16 << 20)
+#define APART_ANSWER          ((size_t) 64 << 20)
+
+/* Cells of a sweep's maps in all: about 10 bytes each in memory while the file
+ * is written, 10 GB. */
+#define SCENE_SWEEP_CELLS 1e9
+
+/* A data set of fewer values is not compressed: chunks take 2 kB of their own.
+ */
+#define STORE_LARGE 4096
+
+/* Systems for other programs.  A motion starts that far beside a steady state,
+ * in ln v, and lasts so many times what its slowest rate takes.  A branch has
+ * reached its limit where its slope is this (they print 8 digits), looked for
+ * in such strides; one without a limit is followed over so much arc of the
+ * chart.  Steady states are continued so far, rad, beyond the folds and the
+ * slope. */
+#define EXCHANGE_KICK   0.1
+#define EXCHANGE_RATES  20.0
+#define EXCHANGE_FLAT   1e-12
+#define EXCHANGE_STRIDE 0.5
+#define EXCHANGE_ARC    40.0
+#define EXCHANGE_MARGIN 0.05
 
 #endif

@@ -24,6 +24,8 @@
     T steady_s;      /* (1/R)/(1/R + v0) */                                    \
     T log_inertia;   /* ln(cos(alpha)/(eps^2 v0)) */                           \
     T log_rate;      /* ln(1/T(v0)), for (45) ln(1/R); less y0 = ln psi0 */    \
+    T kept;          /* e^(what rounding takes from log_inertia - log_rate),   \
+                        which may be hundreds: 1 but for the last digits */    \
     T w0, q0;        /* asinh form: w0 = mu_log/a, q0 = 4 exp(-2 w0) */        \
     T kappa0;        /* v0/V_c */                                              \
     T log_kappa0;    /* ln of it */                                            \

@@ -120,10 +120,11 @@ double block_energy_defect(const struct block *b, double v0, double v1,
                            double slip, double work)
 {
     const double t = (double) b->tan_alpha, cosine = 1.0 / hypot(1.0, t);
-    const double kinetic =
-        0.5 * material_eps2(&b->material) * (v1 - v0) * (v1 + v0);
+    const double half = 0.5 * material_eps2(&b->material);
+    const double kinetic = half * (v1 - v0) * (v1 + v0);
+    const double most = half * fmax(v0, v1) * fmax(v0, v1);
     const double down = t * cosine * slip, up = cosine * work;
-    const double scale = fmax(fabs(kinetic), fmax(fabs(down), fabs(up)));
+    const double scale = fmax(most, fmax(fabs(down), fabs(up)));
 
-    return scale == 0.0 ? 0.0 : (kinetic - down + up) / scale;
+    return scale == 0.0 || isinf(scale) ? 0.0 : (kinetic - down + up) / scale;
 }

@@ -10,6 +10,8 @@
 #include "planar.h"
 #include "steady.h"
 
+/* A law, its parameters and a slope, with the point its field is anchored at.
+ * Small, and copied as a whole. */
 struct block {
     struct law law;
     struct material material;
@@ -35,7 +37,7 @@ struct planar block_planar(const struct block *b);
 double block_mu(const struct block *b, struct vec2 z);
 
 /* eps^2 (v1^2 - v0^2)/2 - sin(alpha) slip + cos(alpha) work, (27), over the
- * largest of its three terms: zero along every exact orbit. */
+ * largest of its four terms: zero along every exact orbit. */
 double block_energy_defect(const struct block *b, double v0, double v1,
                            double slip, double work);
 

@@ -3,6 +3,7 @@
  * there are and between which two points. */
 #include "estimates.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "newton.h"
@@ -10,9 +11,9 @@
 
 /* What a root function needs. */
 struct root_context {
-    double psi; /* psi_sp0 */
-    double constant;
-    double slope; /* y = slope * x on Y = 0 */
+    double psi;            /* psi_sp0 */
+    double constant, size; /* chi: and how large its terms are */
+    double slope;          /* xi: y = slope * x on Y = 0 */
 };
 
 typedef double root_function(const void *ctx, double x);
@@ -75,25 +76,75 @@ static double log_chi(const void *ctx, double x)
     return 2.0 * x + c->constant + log_sinh(fabs(u)) - log(fabs(x));
 }
 
-/* its derivative, which increases from -infinity to 2 */
+/* Its derivative, which grows from -infinity to 2.  Beside 0, where its terms
+ * cancel, by its series: where psi x is not small either, only its sign is
+ * right, and it has no other root there. */
 static double log_chi_slope(const void *ctx, double x)
 {
     const struct root_context *c = ctx;
     const double u = -c->psi * expm1(-x), du = c->psi * exp(-x);
 
     if (fabs(x) < 1e-5)
-        return 1.5 + (c->psi * c->psi / 3.0 + 1.0 / 12.0) * x;
+        return 1.5 + x / 12.0 + c->psi * (c->psi * x) / 3.0;
     return 2.0 + du / tanh(u) - 1.0 / x;
 }
 
+/* What ln chi may be off by at x: the roundings of its terms, and `unsure` of
+ * ln v_sp0, by which its derivative is 3 - u/tanh(u). */
+static double log_chi_noise(const struct root_context *c, double unsure,
+                            double x)
+{
+    const double u = fabs(c->psi * expm1(-x)),
+                 grows = u > 1.0 ? u / tanh(u) : 1.5;
+    const double sizes =
+        2.0 * fabs(x) + c->size + fabs(log_sinh(u)) + fabs(log(fabs(x)));
+
+    return (3.0 + grows) * unsure +
+           DBL_EPSILON * (8.0 + 2.0 * sizes + 4.0 * grows);
+}
+
+/* How far from the root x towards `end`, of which f has the sign, it takes for
+ * the sign to be beyond doubt; infinite where it is not even at the end. */
+static double log_chi_reach(const struct root_context *c, double unsure,
+                            double x, double end)
+{
+    const double whole = fabs(end - x), side = end > x ? 1.0 : -1.0;
+    const double slope = fabs(log_chi_slope(c, x));
+
+    for (double h = log_chi_noise(c, unsure, x) / slope; h < whole; h *= 2.0) {
+        const double at = x + side * h;
+        if (at != 0.0 && fabs(log_chi(c, at)) > log_chi_noise(c, unsure, at))
+            return h;
+    }
+    return (double) HUGE_VAL;
+}
+
+/* Where the bottom between both roots may be at 1, they may be anywhere between
+ * their outer reaches. */
+static void bound_roots(const struct root_context *c, double unsure, double lo,
+                        double bottom, double hi, struct estimates_root root[2])
+{
+    const double out[2] = { log_chi_reach(c, unsure, root[0].x, lo),
+                            log_chi_reach(c, unsure, root[1].x, hi) };
+    const double width = root[1].x - root[0].x;
+
+    for (int i = 0; i < 2; i++) {
+        const double in = log_chi_reach(c, unsure, root[i].x, bottom);
+        root[i].error =
+            isfinite(in) ? fmax(in, out[i]) : width + out[0] + out[1];
+    }
+}
+
 size_t estimates_chi(const struct material *m, const struct estimates *e,
-                     double tan_alpha, double root[2])
+                     double tan_alpha, double unsure,
+                     struct estimates_root root[2])
 {
     const double a_cos = m->a / hypot(1.0, tan_alpha);
+    const double front = log(material_eps2(m) / (e->eta * a_cos));
     const struct root_context c = {
         .psi = e->psi_sp0,
-        .constant =
-            log(material_eps2(m) / (e->eta * a_cos)) + 3.0 * e->ln_v_sp0,
+        .constant = front + 3.0 * e->ln_v_sp0,
+        .size = fabs(front) + 3.0 * fabs(e->ln_v_sp0),
     };
     double lo = -1.0, hi = 1.0;
 
@@ -108,8 +159,9 @@ size_t estimates_chi(const struct material *m, const struct estimates *e,
         lo -= step;
     for (double step = 1.0; log_chi(&c, hi) < 0.0 && step < 1e6; step *= 2.0)
         hi += step;
-    root[0] = root_between(log_chi, &c, lo, bottom);
-    root[1] = root_between(log_chi, &c, bottom, hi);
+    root[0].x = root_between(log_chi, &c, lo, bottom);
+    root[1].x = root_between(log_chi, &c, bottom, hi);
+    bound_roots(&c, unsure, lo, bottom, hi, root);
     return 2;
 }
 

@@ -26,9 +26,16 @@ struct estimates {
 bool estimates_at(const struct law *law, const struct material *m,
                   double tan_alpha, struct estimates *e);
 
-/* Roots of chi(v) = 1, (34), as ln(v/v_sp0), ascending: none or two. */
+/* Roots of chi(v) = 1, (34), as ln(v/v_sp0), ascending: none or two.  Their
+ * errors hold what rounding does and what ln v_sp0, `unsure` by so much, does
+ * to ln(v/v_sp0).  v_sp0 and psi_sp0 must be in the range of doubles; the
+ * smaller v_sp0, the nearer the roots are, about v_sp0 |ln chi(v_sp0)|. */
+struct estimates_root {
+    double x, error;
+};
 size_t estimates_chi(const struct material *m, const struct estimates *e,
-                     double tan_alpha, double root[2]);
+                     double tan_alpha, double unsure,
+                     struct estimates_root root[2]);
 
 /* The eigen-coordinate estimate (38), (39): ln(v/v_sp0) of the first points
  * outward on Y = 0 where dY/dX = -xi, 0 < xi < 1, below and above v_sp0; NaN

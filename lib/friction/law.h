@@ -16,12 +16,14 @@
 
 #include "status.h"
 
+/* How friction depends on the slip rate at a given state. */
 enum friction_form {
     FRICTION_ASINH, /* (4a): a asinh((v/2) exp((mu_star + b theta)/a)) */
     FRICTION_LOG,   /* (2):  mu_star + a ln v + b theta */
     FRICTION_FORMS
 };
 
+/* How it depends on the state. */
 enum theta {
     THETA_LN_PSI,       /* ln psi */
     THETA_PSI,          /* psi; psi is real, everywhere else psi > 0 */
@@ -30,6 +32,7 @@ enum theta {
     THETAS
 };
 
+/* The state in steady sliding at v. */
 enum psi_ss {
     PSI_SS_INVERSE,       /* 1/v */
     PSI_SS_MINUS_LOG,     /* -ln v */
@@ -39,6 +42,7 @@ enum psi_ss {
     PSI_SSES
 };
 
+/* T(v): how long the state takes to follow, in L/V_star. */
 enum timescale {
     TIMESCALE_SLIP,     /* 1/v */
     TIMESCALE_SPINODAL, /* R/(1 + R v) */
@@ -47,6 +51,7 @@ enum timescale {
     TIMESCALES
 };
 
+/* How: dpsi/dt = -K(psi - psi_ss)/T. */
 enum kinetics {
     KINETICS_LINEAR, /* K(d) = d: first order */
     KINETICS_SINH,   /* K(d) = sinh d: hyperbolic */
@@ -55,6 +60,7 @@ enum kinetics {
     KINETICSES
 };
 
+/* One of each. */
 struct law {
     const char *preset;   /* "dieterich_gen", or "composed" */
     const char *equation; /* the paper's number, or a source */
@@ -71,6 +77,7 @@ struct material {
     double mu_star, a, b, c, R, V_c, L, V_star, g;
 };
 
+/* The members of struct material that scenes and sweeps name. */
 enum material_key {
     MATERIAL_MU_STAR,
     MATERIAL_A,

@@ -117,6 +117,20 @@ static inline SCALAR scalar_asinh_exp(SCALAR w)
     return FN(asinh)(FN(exp)(w) / 2);
 }
 
+/* W(exp(-k)), Lambert's W, from w + exp(w) = -k with w = ln W */
+static inline SCALAR scalar_lambert(SCALAR k)
+{
+    SCALAR w = k > 1 ? -k : (SCALAR) -1;
+
+    for (int i = 0; i < 60; i++) {
+        const SCALAR e = FN(exp)(w), step = (w + e + k) / (1 + e);
+        w -= step;
+        if (FN(fabs)(step) <= FN(fabs)(w) * (SCALAR) 1e-36)
+            break;
+    }
+    return FN(exp)(w);
+}
+
 /* asinh(e^(w0 + u)/2) - asinh(e^w0/2), q0 = 4 e^(-2 w0).  The difference is
  * asinh(t root0 - t0 root), t = e^w/2, root = sqrt(1 + t^2), times what makes
  * t^2 - t0^2 of it. */

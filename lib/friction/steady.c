@@ -8,6 +8,9 @@
 #define T       long double
 #define NAME(f) ld_##f
 #define FN(f)   f##l
+#define REAL(f) scalar_##f
+#define SCALAR  long double
+#include "scalar.h"
 struct ld_anchor {
     ANCHOR_MEMBERS(long double)
 };
@@ -77,7 +80,7 @@ static size_t log_roots(long double p, long double q, long double r,
  * one on each side of the maximum of k u/(1 + u). */
 static long double composite_slope(const struct material *m, long double x)
 {
-    const long double k = expl(x) / (long double) m->V_c, u = ld_lambert(k);
+    const long double k = expl(x) / (long double) m->V_c, u = scalar_lambert(k);
     const long double rise = k * u / (1 + u);
     return (long double) m->a - (long double) m->b * (1 + rise);
 }
@@ -164,6 +167,12 @@ size_t steady_extrema(const struct law *law, const struct material *m,
     }
 }
 
+/* What is left of p when a double holds it. */
+static long double remainder_of(long double p)
+{
+    return p - (long double) (double) p;
+}
+
 void steady_anchor(const struct law *law, const struct material *m,
                    long double tan_alpha, long double x, bool equilibrium,
                    struct anchor *at)
@@ -187,6 +196,8 @@ void steady_anchor(const struct law *law, const struct material *m,
         .steady_s = (double) p.steady_s,
         .log_inertia = (double) p.log_inertia,
         .log_rate = (double) p.log_rate,
+        .kept = (double) expl(remainder_of(p.log_inertia) -
+                              remainder_of(p.log_rate)),
         .w0 = (double) p.w0,
         .q0 = (double) p.q0,
         .kappa0 = (double) p.kappa0,

@@ -34,6 +34,9 @@ size_t steady_extrema(const struct law *law, const struct material *m,
  * that needs psi > 0): the largest x with a steady state; +infinity if all. */
 long double steady_x_max(const struct law *law);
 
+/* Everything about the point x of the steady-state curve that the field is
+ * computed from (anchor.h).  `equilibrium`: the force balance is zero there by
+ * construction, not by subtraction. */
 void steady_anchor(const struct law *law, const struct material *m,
                    long double tan_alpha, long double x, bool equilibrium,
                    struct anchor *at);

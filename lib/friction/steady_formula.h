@@ -3,39 +3,33 @@
  * scalar type.  The including file defines
  *     T            the scalar type,
  *     NAME(f)      the name of function f for this type,
- *     FN(f)        the mathematical function f for this type (FN(exp), ...).
- * x = ln v throughout.
+ *     FN(f)        the mathematical function f for this type (FN(exp), ...),
+ *     REAL(f)      those of scalar.h: asinh_exp, lambert.
+ * Sums and products are calls (arithmetic.h).  x = ln v throughout.
  */
+#include "arithmetic.h"
 
-/* u = W(exp(-k)), Lambert's W, from w + exp(w) = -k with w = ln u. */
-static T NAME(lambert)(T k)
-{
-    T w = k > 1 ? -k : (T) -1;
-
-    for (int i = 0; i < 60; i++) {
-        const T e = FN(exp)(w), step = (w + e + k) / (1 + e);
-        w -= step;
-        if (FN(fabs)(step) <= FN(fabs)(w) * (T) 1e-36)
-            break;
-    }
-    return FN(exp)(w);
-}
+#ifndef EPS2 /* eps^2, below (17) */
+#define EPS2(m)                                                                \
+    OVER(TIMES(GIVEN(m, V_star), GIVEN(m, V_star)),                            \
+         TIMES(GIVEN(m, g), GIVEN(m, L)))
+#endif
 
 /* 1/R, and c as it stands beside psi: c, or c/(1 + R). */
 static T NAME(inverse_R)(const struct material *m)
 {
-    return 1 / (T) m->R;
+    return OVER(1, GIVEN(m, R));
 }
 
 static T NAME(offset)(const struct law *law, const struct material *m)
 {
     switch (law->theta) {
         case THETA_LN_C_PSI:
-            return (T) m->c;
+            return GIVEN(m, c);
         case THETA_LN_C_1PR_PSI:
-            return (T) m->c / (1 + (T) m->R);
+            return OVER(GIVEN(m, c), PLUS(1, GIVEN(m, R)));
         default:
-            return 0;
+            return PLAIN(0);
     }
 }
 
@@ -46,15 +40,15 @@ static T NAME(psi_ss)(const struct law *law, const struct material *m, T x)
 
     switch (law->psi_ss) {
         case PSI_SS_INVERSE:
-            return FN(exp)(-x);
+            return FN(exp)(LESS(0, x));
         case PSI_SS_MINUS_LOG:
-            return -x;
+            return LESS(0, x);
         case PSI_SS_SPINODAL:
-            return (1 + r) / (r + v);
+            return OVER(PLUS(1, r), PLUS(r, v));
         case PSI_SS_SPINODAL_UNIT:
-            return r / (r + v);
+            return OVER(r, PLUS(r, v));
         default:
-            return FN(exp)(NAME(lambert)(v / (T) m->V_c) - x);
+            return FN(exp)(LESS(REAL(lambert)(OVER(v, GIVEN(m, V_c))), x));
     }
 }
 
@@ -62,9 +56,9 @@ static T NAME(psi_ss)(const struct law *law, const struct material *m, T x)
 static T NAME(y_ss)(const struct law *law, const struct material *m, T x)
 {
     if (law->psi_ss == PSI_SS_INVERSE && !law_psi_is_log(law))
-        return -x;
+        return LESS(0, x);
     if (law->psi_ss == PSI_SS_LAMBERT)
-        return NAME(lambert)(FN(exp)(x) / (T) m->V_c) - x;
+        return LESS(REAL(lambert)(OVER(FN(exp)(x), GIVEN(m, V_c))), x);
     const T psi = NAME(psi_ss)(law, m, x);
     return law_psi_is_log(law) ? psi : FN(log)(psi);
 }
@@ -80,42 +74,39 @@ static T NAME(theta_ss)(const struct law *law, const struct material *m, T x)
         case THETA_PSI:
             return psi;
         case THETA_LN_C_PSI:
-            return FN(log)((T) m->c + psi);
+            return FN(log)(PLUS(GIVEN(m, c), psi));
         default:
-            return FN(log)((T) m->c + (1 + (T) m->R) * psi);
+            return FN(log)(PLUS(GIVEN(m, c), TIMES(PLUS(1, GIVEN(m, R)), psi)));
     }
 }
 
 /* mu_star + a ln v + b theta(psi_ss): the log form (2) in steady state. */
 static T NAME(mu_log_ss)(const struct law *law, const struct material *m, T x)
 {
-    return (T) m->mu_star + (T) m->a * x + (T) m->b * NAME(theta_ss)(law, m, x);
+    return PLUS(PLUS(GIVEN(m, mu_star), TIMES(GIVEN(m, a), x)),
+                TIMES(GIVEN(m, b), NAME(theta_ss)(law, m, x)));
 }
 
-/* a asinh(exp(w)/2), w = mu_log/a, (4a). */
-static T NAME(mu_asinh)(T a, T w)
-{
-    if (w > 1)
-        return a * (w + FN(log1p)((FN(sqrt)(1 + 4 * FN(exp)(-2 * w)) - 1) / 2));
-    return a * FN(asinh)(FN(exp)(w) / 2);
-}
-
-/* mu_ss(v) */
+/* mu_ss(v): mu_log, or a asinh(exp(mu_log/a)/2), (4a) */
 static T NAME(mu_ss)(const struct law *law, const struct material *m, T x)
 {
-    const T mu = NAME(mu_log_ss)(law, m, x);
+    const T mu = NAME(mu_log_ss)(law, m, x), a = GIVEN(m, a);
+
     return law->form == FRICTION_LOG ? mu
-                                     : NAME(mu_asinh)((T) m->a, mu / (T) m->a);
+                                     : TIMES(a, REAL(asinh_exp)(OVER(mu, a)));
 }
 
-/* The value of mu_log at which mu = tan(alpha). */
-static T NAME(tau)(const struct law *law, const struct material *m, T tan_alpha)
+/* The value of mu_log at which mu = tan(alpha):
+ * tan(alpha) + a ln(1 - exp(-2 tan(alpha)/a)) */
+static inline T NAME(tau)(const struct law *law, const struct material *m,
+                          T tan_alpha)
 {
-    const T a = (T) m->a;
+    const T a = GIVEN(m, a);
+    const T less = FN(expm1)(OVER(TIMES(-2, tan_alpha), a));
 
     return law->form == FRICTION_LOG
                ? tan_alpha
-               : tan_alpha + a * FN(log)(-FN(expm1)(-2 * tan_alpha / a));
+               : PLUS(tan_alpha, TIMES(a, FN(log)(LESS(0, less))));
 }
 
 /* ln(1/T(v)), for (45) without the -psi_ss */
@@ -127,11 +118,11 @@ static T NAME(log_rate)(const struct law *law, const struct material *m, T x)
         case TIMESCALE_SLIP:
             return x;
         case TIMESCALE_SPINODAL:
-            return FN(log)(r + FN(exp)(x));
+            return FN(log)(PLUS(r, FN(exp)(x)));
         case TIMESCALE_AGEING44:
-            return FN(log)(r) - FN(log)(NAME(psi_ss)(law, m, x));
+            return LESS(FN(log)(r), FN(log)(NAME(psi_ss)(law, m, x)));
         default:
-            return FN(log)(r) + (law_freezes(law) ? 0 : x);
+            return PLUS(FN(log)(r), law_freezes(law) ? PLAIN(0) : x);
     }
 }
 
@@ -142,8 +133,8 @@ static void NAME(anchor)(const struct law *law, const struct material *m,
                          struct NAME(anchor) * at)
 {
     const T r = NAME(inverse_R)(m), c = NAME(offset)(law, m);
-    const T mu_log = NAME(mu_log_ss)(law, m, x);
-    const T eps2 = (T) m->V_star * (T) m->V_star / ((T) m->g * (T) m->L);
+    const T tan2 = TIMES(alpha_tan, alpha_tan);
+    const bool has_c = law_uses(law, MATERIAL_C);
 
     at->x0 = x;
     at->y0 = NAME(y_ss)(law, m, x);
@@ -151,19 +142,21 @@ static void NAME(anchor)(const struct law *law, const struct material *m,
     at->psi0 = NAME(psi_ss)(law, m, x);
     at->log_psi0 = law_psi_is_log(law) ? FN(log)(FN(fabs)(at->psi0)) : at->y0;
     at->mu0 = equilibrium ? alpha_tan : NAME(mu_ss)(law, m, x);
-    at->force0 = alpha_tan - at->mu0;
-    at->a = (T) m->a;
-    at->b = (T) m->b;
-    at->theta_s = c > 0 ? c / (c + at->psi0) : 0;
-    at->theta_r = c > 0 ? at->psi0 / (c + at->psi0) : 1;
-    at->steady_s = r / (r + at->v0);
-    at->steady_r = at->v0 / (r + at->v0);
-    at->log_inertia = -FN(log)(eps2) - FN(log1p)(alpha_tan * alpha_tan) / 2 - x;
-    at->log_rate =
-        NAME(log_rate)(law, m, x) - (law_psi_is_log(law) ? 0 : at->y0);
-    at->w0 = mu_log / (T) m->a;
-    at->q0 = 4 * FN(exp)(-2 * at->w0);
-    at->kappa0 = at->v0 / (T) m->V_c;
-    at->log_kappa0 = x - FN(log)((T) m->V_c);
-    at->log_composite = -at->kappa0 - x - at->y0;
+    at->force0 = LESS(alpha_tan, at->mu0);
+    at->a = GIVEN(m, a);
+    at->b = GIVEN(m, b);
+    at->theta_s = has_c ? OVER(c, PLUS(c, at->psi0)) : PLAIN(0);
+    at->theta_r = has_c ? OVER(at->psi0, PLUS(c, at->psi0)) : PLAIN(1);
+    at->steady_s = OVER(r, PLUS(r, at->v0));
+    at->steady_r = OVER(at->v0, PLUS(r, at->v0));
+    at->log_inertia =
+        LESS(LESS(LESS(0, FN(log)(EPS2(m))), OVER(FN(log1p)(tan2), 2)), x);
+    at->log_rate = LESS(NAME(log_rate)(law, m, x),
+                        law_psi_is_log(law) ? PLAIN(0) : at->y0);
+    at->kept = PLAIN(1);
+    at->w0 = OVER(NAME(mu_log_ss)(law, m, x), at->a);
+    at->q0 = TIMES(4, FN(exp)(TIMES(-2, at->w0)));
+    at->kappa0 = OVER(at->v0, GIVEN(m, V_c));
+    at->log_kappa0 = LESS(x, FN(log)(GIVEN(m, V_c)));
+    at->log_composite = LESS(LESS(LESS(0, at->kappa0), x), at->y0);
 }

@@ -87,6 +87,29 @@ static enum status write_script(const struct figure *f, const struct device *d,
     return io_fault(fault, w->goal[WORKSHOP_DATA]);
 }
 
+/* gnuplot does not notice that a disk is full.  Where there is nothing at all,
+ * workshop_deliver says so. */
+static enum status check_whole(const struct device *d, const struct workshop *w,
+                               struct fault *fault)
+{
+    char end[16] = "";
+    FILE *file = fopen(w->made[WORKSHOP_FIGURE], "rb");
+    size_t n = 0;
+    if (file && fseek(file, -(long) sizeof end, SEEK_END) != 0)
+        rewind(file);
+    if (file)
+        n = fread(end, 1, sizeof end, file);
+    if (file)
+        fclose(file);
+    if (n == 0 || memmem(end, n, d->last, strlen(d->last)))
+        return STATUS_OK;
+    snprintf(fault->text, sizeof fault->text,
+             "gnuplot ended without an error but did not draw all of %.300s: "
+             "is the disk full?",
+             w->goal[WORKSHOP_FIGURE]);
+    return STATUS_NO_GNUPLOT;
+}
+
 static enum status finish_pdf(const struct workshop *w, struct fault *fault)
 {
     const enum status s = pdf_forget_date(w->made[WORKSHOP_FIGURE]);
@@ -100,6 +123,8 @@ static enum status make(const struct figure *f, const struct device *d,
     enum status s = write_script(f, d, w, fault);
     if (s == STATUS_OK)
         s = gnuplot_run(w->folder, w->name[WORKSHOP_SCRIPT], fault);
+    if (s == STATUS_OK)
+        s = check_whole(d, w, fault);
     if (s == STATUS_OK && strcmp(d->extension, ".pdf") == 0)
         s = finish_pdf(w, fault);
     if (s == STATUS_OK)

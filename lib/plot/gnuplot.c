@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -56,8 +57,26 @@ static enum status refuse(struct fault *fault, const char *what,
     return STATUS_NO_GNUPLOT;
 }
 
+/* Ours without GNUTERM, GNUPLOT_LIB and all that gnuplot would obey; the list
+ * is the caller's (free), its texts are not.  NULL without memory. */
+static char **surroundings(void)
+{
+    size_t n = 0, kept = 0;
+    while (environ[n])
+        n++;
+    char **list = malloc((n + 1) * sizeof *list);
+    if (!list)
+        return NULL;
+    for (size_t k = 0; k < n; k++)
+        if (strncmp(environ[k], "GNU", 3) != 0)
+            list[kept++] = environ[k];
+    list[kept] = NULL;
+    return list;
+}
+
 /* Returns an errno; stderr of the child goes to `out`. */
-static int start(const char *folder, const char *script, int out, pid_t *child)
+static int start(const char *folder, const char *script, int out,
+                 char *const variables[], pid_t *child)
 {
     char program[] = "gnuplot", defaults[] = "-d", name[512];
     char *const argv[] = { program, defaults, name, NULL };
@@ -84,7 +103,8 @@ static int start(const char *folder, const char *script, int out, pid_t *child)
     e = e ? e : posix_spawn_file_actions_adddup2(&files, out, 2);
     e = e ? e : posix_spawn_file_actions_addchdir_np(&files, folder);
     e = e ? e
-          : posix_spawnp(child, "gnuplot", &files, &attributes, argv, environ);
+          : posix_spawnp(child, "gnuplot", &files, &attributes, argv,
+                         variables);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     return e;
@@ -96,9 +116,15 @@ enum status gnuplot_run(const char *folder, const char *script,
     int ends[2], how = 0;
     char said[SAID_MAX];
     pid_t child;
-    if (pipe2(ends, O_CLOEXEC) != 0)
+    char **variables = surroundings();
+    if (!variables)
+        return STATUS_NO_MEMORY;
+    if (pipe2(ends, O_CLOEXEC) != 0) {
+        free((void *) variables);
         return refuse(fault, "cannot be started", strerror(errno));
-    const int e = start(folder, script, ends[1], &child);
+    }
+    const int e = start(folder, script, ends[1], variables, &child);
+    free((void *) variables);
     close(ends[1]);
     if (e == 0)
         listen_to(ends[0], said);

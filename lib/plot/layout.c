@@ -9,13 +9,13 @@
 #include "ticks.h"
 
 static const struct device devices[] = {
-    { ".svg", "svg", "", "name 'figure'", 1, 1, 1.4, 0.93, 0.092 },
+    { ".svg", "svg", "", "name 'figure'", 1, 1, 1.4, 0.93, 0.092, "</svg>" },
     /* 1 px = 1/72 inch */
     { ".pdf", "pdfcairo", "in", "fontscale 1 linewidth 2", 1.0 / 72, 0.75, 2.5,
-      1.2, 0.13 },
+      1.2, 0.13, "%%EOF" },
     /* two dots per px: sharp on today's screens */
     { ".png", "pngcairo", "", "fontscale 2 linewidth 2 pointscale 2", 2, 0.75,
-      2.5, 1.2, 0.13 },
+      2.5, 1.2, 0.13, "IEND" },
 };
 
 const struct device *device_find(const char *path)

@@ -18,6 +18,7 @@ struct device {
     double dash;         /* what gnuplot calls a dash of one line width */
     double spacing;      /* of the legend's lines: 18 px */
     double point;        /* point size that makes a disc of 1 px */
+    const char *last;    /* stands near the end of a whole file only */
 };
 
 /* By the ending of the path; NULL if it is none of .svg, .pdf, .png. */

@@ -8,6 +8,7 @@
 #include "quad_branch.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "quad_step.h"
 
@@ -16,7 +17,8 @@ enum { STEPS_MAX = 4000 };
 static const double nearest = 1e-18, near_saddle = 1e-2;
 static const double steep = 1.5; /* |slope| above which the graph turns */
 static const double longest = 8.0;
-static const double far = 300.0; /* no limit within this of the saddle */
+static const double far = 300.0;       /* no limit within this of the saddle */
+static const double plane_top = 700.0; /* of the plane: ln psi, or psi itself */
 static const double decay = 0.2; /* rate at which a slope decays to nothing */
 
 struct grower {
@@ -30,6 +32,7 @@ struct grower {
     quad s, u[2]; /* ind, or ln|ind|; dep and excess, or r and w */
     quad h;
     quad slope, rate; /* d dep/d ind, d excess/d ind at the last point */
+    size_t stride;    /* steps between points of the path */
     struct quad_branch *out;
 };
 
@@ -105,8 +108,9 @@ static bool set_start(struct grower *g, int side)
         return false;
     const quad minus = half - copysignq(sqrtq(half * half - det), 1);
     const quad p = minus - J[0][0], q = minus - J[1][1];
-    /* (J01, p) and (q, J10) are multiples of it: take the longer */
-    const bool first = fabsq(J[0][1]) + fabsq(p) > fabsq(q) + fabsq(J[1][0]);
+    /* (J01, p) and (q, J10) are multiples of it; no digits are lost in the
+       larger difference */
+    const bool first = fabsq(p) > fabsq(q);
     const quad x = first ? J[0][1] : q, y = first ? p : J[1][0];
     g->ind = fabsq(y) > fabsq(x);
     g->way = g->ind == 0 || (x > 0) == (y > 0) ? side : -side;
@@ -232,17 +236,45 @@ static bool has_ended(const struct grower *g)
     out->end = QUAD_TRUNCATED;
     if (g->ind == 1 && g->way > 0) {
         out->end = done ? QUAD_PSI_INF : QUAD_OPEN;
-        return done || (beyond && g->at->y0 + g->s > log(far));
+        return done || (beyond && g->at->y0 + g->s > plane_top);
     }
     if (done)
         out->end = g->ind == 1 ? QUAD_PSI_0 : g->way < 0 ? QUAD_V_0 : out->end;
     return done || fabsq(g->s) > far;
 }
 
+/* ---- path ------------------------------------------------------------ */
+
+static void place(const struct grower *g, quad z[2])
+{
+    const quad ind = g->near ? g->way * expq(g->s) : g->s;
+
+    z[g->ind] = ind;
+    z[1 - g->ind] = g->near ? g->u[0] * ind : g->u[0];
+}
+
+/* Every second point goes where there is no room left. */
+static void add_point(struct grower *g)
+{
+    struct quad_branch *out = g->out;
+
+    if (out->points == QUAD_PATH) {
+        out->points /= 2;
+        for (size_t i = 0; i < out->points; i++)
+            memcpy(out->path[i], out->path[2 * i], sizeof *out->path);
+        g->stride *= 2;
+    }
+    place(g, out->path[out->points++]);
+}
+
+/* ---------------------------------------------------------------------- */
+
 bool quad_branch_grow(const struct law *law, const struct quad_anchor *at,
                       int side, double tol, struct quad_branch *out)
 {
-    struct grower g = { .law = law, .at = at, .tol = tol, .out = out };
+    struct grower g = {
+        .law = law, .at = at, .tol = tol, .stride = 1, .out = out
+    };
     /* what counts in the kinetics is psi times an offset of ln psi */
     const quad psi = law_psi_is_log(law) ? 0 : fabsq(at->psi0);
     bool ended = false;
@@ -257,7 +289,8 @@ bool quad_branch_grow(const struct law *law, const struct quad_anchor *at,
         slopes(&g, ind, g.near ? g.u[0] * ind : g.u[0], both);
         g.slope = both[0];
         g.rate = both[1];
-        out->steps++;
+        if (out->steps++ % g.stride == 0)
+            add_point(&g);
         if (fabsq(g.slope) > steep)
             turn(&g);
         else if (g.near && fabsq(ind) > near_saddle)
@@ -267,6 +300,7 @@ bool quad_branch_grow(const struct law *law, const struct quad_anchor *at,
     }
     if (!ended)
         out->end = QUAD_TRUNCATED;
+    add_point(&g);
     out->x = g.ind == 0 ? g.s : g.u[0];
     out->y = g.ind == 0 ? g.u[0] : g.s;
     out->excess = -g.u[1];

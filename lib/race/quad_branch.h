@@ -10,11 +10,13 @@
 
 enum quad_end {
     QUAD_PSI_INF,  /* psi -> inf, v -> v_0 e^x */
-    QUAD_OPEN,     /* psi -> inf, v without a limit */
+    QUAD_OPEN,     /* psi -> inf, v without a limit: followed to e^700 */
     QUAD_PSI_0,    /* psi -> 0 (-inf where it is a logarithm), v -> v_0 e^x */
     QUAD_V_0,      /* v -> 0, chart y -> y_0 + y */
     QUAD_TRUNCATED /* anything else, or given up */
 };
+
+enum { QUAD_PATH = 512 };
 
 struct quad_branch {
     enum quad_end end;
@@ -24,6 +26,8 @@ struct quad_branch {
     quad error, excess_error; /* of the limit and of the integral, relative to
                                  the limit's offset, to the integral */
     size_t steps, evaluations;
+    size_t points; /* on the way, its end included: offsets from the saddle */
+    quad path[QUAD_PATH][2];
 };
 
 /* The branch v > v_0 (side +1) or v < v_0 (-1) of the saddle at->x0, which

@@ -14,8 +14,9 @@ typedef void quad_rates(const void *ctx, quad s, const quad y[QUAD_DIM],
 enum { QUAD_STEP_ORDER = 19 };
 
 /* From y at s to out at s + h; error[i]: the last correction to out[i], of
- * which the true error is a small part.  110 evaluations.  Nothing is finite
- * where the rates are not. */
+ * which the true error is a small part, or more where a rate has decayed
+ * between any two substeps.  112 evaluations.  Nothing is finite where the
+ * rates are not. */
 void quad_step(quad_rates *f, const void *ctx, quad s, quad h,
                const quad y[QUAD_DIM], quad out[QUAD_DIM],
                quad error[QUAD_DIM]);

@@ -6,6 +6,7 @@
  */
 #include "stress_truth.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "numbers.h"
@@ -47,7 +48,7 @@ static size_t find_pieces(const struct finder *f, long double edge[6])
         if (turning[i] > -far && turning[i] < far && turning[i] < top)
             edge[n++] = turning[i];
     /* where psi leaves its domain mu_ss falls without bound */
-    edge[n++] = top < far ? top - 1e-18L : far;
+    edge[n++] = top < far ? top - LDBL_MIN : far;
     return n;
 }
 
@@ -202,6 +203,19 @@ void stress_truth_find(const struct law *law, const struct material *m,
 
 /* ---- sides --------------------------------------------------------------- */
 
+/* A branch rises in both coordinates outside the quadrants that cannot be left
+ * (trap.h), so that each of its points tells the sides of two quadrants. */
+static enum stress_side path_side(const struct quad_branch *b, quad x, quad y)
+{
+    for (size_t i = 0; i < b->points; i++) {
+        if (x > b->path[i][0] && y < b->path[i][1])
+            return STRESS_SLIDES;
+        if (x < b->path[i][0] && y > b->path[i][1])
+            return STRESS_STOPS;
+    }
+    return STRESS_UNTOLD;
+}
+
 /* Above and right of the saddle: where the upper branch is all but straight. */
 static enum stress_side upper_side(const struct quad_branch *b, quad x, quad y)
 {
@@ -238,7 +252,11 @@ enum stress_side stress_truth_side(const struct stress_truth *t, quad x, quad y)
         return x < 0 || y > 0 ? STRESS_STOPS : STRESS_UNTOLD;
     if (x >= 0 && y <= 0)
         return STRESS_SLIDES;
-    return x > 0 ? upper_side(&t->upper, x, y) : lower_side(&t->lower, x, y);
+    const struct quad_branch *b = x > 0 ? &t->upper : &t->lower;
+    const enum stress_side side = path_side(b, x, y);
+    if (side != STRESS_UNTOLD)
+        return side;
+    return x > 0 ? upper_side(b, x, y) : lower_side(b, x, y);
 }
 
 /* Rests take a finite time where psi grows like e^(1/v), (5), and last for ever

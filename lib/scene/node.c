@@ -120,7 +120,8 @@ static void place_show(struct place at, char *out, size_t size)
         snprintf(out, size, "--set %s", name);
     } else {
         text_show_end(at.name, name, sizeof name);
-        snprintf(out, size, "%s:%zu:%zu", name, at.line, at.column);
+        snprintf(out, size, at.line ? "%s:%zu:%zu" : "%s", name, at.line,
+                 at.column);
     }
 }
 

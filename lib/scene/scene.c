@@ -1,5 +1,5 @@
 /* A scene from file and overrides: tree, table, then what only the whole can
- * tell: a law and a slope are there, parts fit together. */
+ * tell: a law is there, and a slope where one is needed; parts fit. */
 #include "scene.h"
 
 #include <errno.h>
@@ -11,6 +11,7 @@
 #include "document.h"
 #include "override.h"
 #include "physical.h"
+#include "scene_slope.h"
 #include "scene_sweep.h"
 #include "schema.h"
 #include "tolerance.h"
@@ -137,16 +138,6 @@ static enum status check_law(const struct node *root, const struct scene *s,
                        "law: %s is missing, expected theta, psi_ss, timescale "
                        "and kinetics together",
                        missing);
-}
-
-static enum status check_slope(const struct node *root, const struct scene *s,
-                               struct fault *why)
-{
-    if (s->alpha > 0.0)
-        return STATUS_OK;
-    return place_blame(place_of(root, "slope", "slope"), why,
-                       "no slope, expected 'slope: {alpha: RAD}' or --alpha "
-                       "RAD");
 }
 
 /* A key of the material that the law has no use for. */
@@ -288,10 +279,10 @@ static enum status fill(const struct node *root, struct scene *s,
                         struct fault *why)
 {
     static enum status (*const check[])(
-        const struct node *, const struct scene *,
-        struct fault *) = { check_law,         check_slope,  check_material,
-                            check_composition, check_window, check_starts,
-                            scene_sweep_check };
+        const struct node *, const struct scene *, struct fault *) = {
+        check_law,    scene_slope_check, check_material,   check_composition,
+        check_window, check_starts,      scene_sweep_check
+    };
     enum status status = set_defaults(s);
 
     if (status == STATUS_OK)
@@ -330,6 +321,8 @@ static enum status read_tree(struct scene *s, const char *path,
     size_t size = 0;
     enum status status = STATUS_OK;
 
+    if (path && (s->file = text_copy(path, strlen(path))) == NULL)
+        return STATUS_NO_MEMORY;
     if (path)
         status = read_file(path, &s->text, &size, why);
     else if ((s->text = text_copy("", 0)) == NULL)
@@ -374,6 +367,7 @@ void scene_free(struct scene *s)
     free(s->sweep.draft.value);
     free(s->hdf5);
     free(s->figure);
+    free(s->file);
     free(s->text);
     free(s->overrides);
     *s = (struct scene){ .title = NULL };

@@ -12,8 +12,8 @@
  * 0.85 0.9 0.99 0.999; spring_block sigma 1000 Pa, as heavy as that, over the
  * window's v; fold_curves c 1e-14..10; chi.alpha 0.2 0.28 0.34 0.38; no
  * trajectories, their seed 1 and without limits; basins 512 x 512, audit 1000,
- * not exact, their rtol 1e-6; no sweep; rtol 1e-12; no output.  A law and a
- * slope must be given.
+ * not exact, their rtol 1e-6; no sweep; rtol 1e-12; no output.  A law must be
+ * given, and a slope where products take one (scene_slope.h).
  */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
@@ -22,6 +22,7 @@
 
 #include "law.h"
 
+/* What a scene may ask for; stage_table says what each runs. */
 enum product {
     PRODUCT_EQUILIBRIA,
     PRODUCT_FOLDS,
@@ -46,15 +47,22 @@ enum product {
     PRODUCT_CHI,
     PRODUCTS
 };
+
+/* As scenes have them, by enum product; NULL-ended. */
 extern const char *const product_names[];
 
+/* Of figures and grids; eigen: along the eigenvectors of the saddle, (36). */
 enum axes { AXES_LOG, AXES_LINEAR, AXES_EIGEN };
+
+/* Of the scene's starts and of the axes of figures. */
 enum units { UNITS_DIMENSIONLESS, UNITS_SI };
 
+/* A state to follow. */
 struct scene_start {
     double v, psi; /* dimensionless, whatever the scene's units */
 };
 
+/* What figures and grids show. */
 struct scene_window {
     double v[2], psi[2];
     enum axes axes;
@@ -77,8 +85,10 @@ struct scene_rabinowicz {
     double smoothing; /* of slip_curve.h; 0: found from the data */
 };
 
-/* A key and the values it takes, one after another. */
+/* How the values of a key lie between its first and its last. */
 enum sweep_scale { SWEEP_LINEAR, SWEEP_LOG };
+
+/* A key and the values it takes, one after another. */
 struct scene_axis {
     const char *key; /* of the schema, static; NULL: none */
     double from, to; /* as given; both 0: values were listed */
@@ -96,10 +106,13 @@ enum sweep_show {
     SHOW_PERSISTENCE,        /* (30), (31), x_excess: Fig 9 */
     SHOW_STATIC_FRICTION,    /* (41), mu_s_num, mu_s_mean: Fig 12(a) */
     SHOW_FRACTURE_ENERGY,    /* (32): Fig 12(b) */
+    SHOW_BASINS,             /* shares of the window, in the chart */
     SHOWS
 };
+/* Of the upward axis of that figure. */
 enum y_scale { Y_SCALE_AUTO, Y_SCALE_LINEAR, Y_SCALE_LOG };
 
+/* The numbers of a study over a key, or over several. */
 struct scene_sweep {
     struct scene_axis axis[SCENE_AXES];
     size_t axes;   /* 0: no sweep; 2: a grid */
@@ -110,11 +123,12 @@ struct scene_sweep {
     struct scene_axis draft; /* the axis being read */
 };
 
+/* All of it, defaults filled in. */
 struct scene {
     char *title; /* owned; "" if none */
     struct law law;
     struct material material;
-    double alpha; /* rad */
+    double alpha; /* rad; 0: none (scene_slope.h) */
     long double tan_alpha;
     struct scene_window window; /* dimensionless */
     enum units units;           /* of start values and figure axes */
@@ -139,6 +153,7 @@ struct scene {
     struct scene_sweep sweep;
     double rtol;
     char *hdf5, *figure; /* owned; NULL: none */
+    char *file;          /* owned: its path as given; NULL: none */
     char *text;          /* owned: the file as read, "" without one */
     char *overrides;     /* owned: one "key=value" a line */
 };

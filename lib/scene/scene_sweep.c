@@ -4,15 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene_shape.h"
 #include "schema.h"
 #include "tolerance.h"
 #include "value.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
-
-const unsigned scene_sweep_products = BIT(EQUILIBRIA) | BIT(FOLDS) |
-                                      BIT(KNEES) | BIT(ESTIMATES) |
-                                      BIT(SENSITIVITIES);
 
 /* The section of axis i. */
 static const struct node *section(const struct node *root, size_t i)
@@ -236,6 +233,25 @@ bool scene_sweep_y_log(const struct scene_sweep *w)
                                       : w->y_scale == Y_SCALE_LOG;
 }
 
+/* What its figure shows is computed. */
+static enum status check_shown(const struct node *root, const struct scene *s,
+                               struct fault *why)
+{
+    const unsigned numbers = BIT(KNEES) | BIT(ESTIMATES);
+    const unsigned maps = BIT(BASINS) | BIT(MARGIN) | BIT(SLIP) | BIT(TIME) |
+                          BIT(FRICTION) | BIT(PEAK);
+    const bool basins = s->sweep.show == SHOW_BASINS;
+    const unsigned asked = s->products ? s->products : numbers;
+    const struct node *products = node_find(root, "products");
+
+    if (s->sweep.show == SHOW_VELOCITIES || asked & (basins ? maps : numbers))
+        return STATUS_OK;
+    return place_blame(products ? products->at : root->at, why,
+                       "products: %s beside sweep.show: %s, expected them",
+                       basins ? "no basins" : "neither knees nor estimates",
+                       sweep_show_names[s->sweep.show]);
+}
+
 /* Its figure can be drawn. */
 static enum status check_show(const struct node *root, const struct scene *s,
                               struct fault *why)
@@ -251,40 +267,34 @@ static enum status check_show(const struct node *root, const struct scene *s,
     if (range && w->axes == 2)
         return place_blame(range->at, why,
                            "sweep.y_range: not for a grid, expected one key");
-    if (w->show != SHOW_VELOCITIES && s->products &&
-        !(s->products & (BIT(KNEES) | BIT(ESTIMATES))))
-        return place_blame(node_find(root, "products")->at, why,
-                           "products: neither knees nor estimates beside "
-                           "sweep.show: %s, expected them",
-                           sweep_show_names[w->show]);
-    return STATUS_OK;
+    return check_shown(root, s, why);
 }
 
 enum status scene_sweep_check(const struct node *root, const struct scene *s,
                               struct fault *why)
 {
-    const unsigned others = s->products & ~scene_sweep_products;
     const struct node *products = node_find(root, "products");
     enum status status = STATUS_OK;
-    int p = 0;
 
     for (size_t i = 0; i < s->sweep.axes && status == STATUS_OK; i++)
         status = check_used(root, s, i, why);
     if (status != STATUS_OK || s->sweep.axes == 0)
         return status;
-    while (p < PRODUCTS && !(others >> p & 1u))
-        p++;
-    if (p < PRODUCTS)
-        return place_blame(products->at, why,
-                           "products: %s is no number at a point of a sweep, "
-                           "expected equilibria, folds, knees, estimates or "
-                           "sensitivities",
-                           product_names[p]);
+    status = scene_shape_check(root, s, why);
+    if (status != STATUS_OK)
+        return status;
     if (s->sweep.refine > 0.0 && s->products && !(s->products & BIT(KNEES)))
         return place_blame(products->at, why,
                            "products: no knees beside sweep.refine, expected "
                            "them: it follows v_plus and v_minus");
     return check_show(root, s, why);
+}
+
+bool scene_sweep_releases(const struct scene *s)
+{
+    const struct scene_rabinowicz *r = &s->rabinowicz;
+
+    return r->block_mass > 0.0 || r->ball_mass > 0.0 || r->restitution >= 0.0;
 }
 
 bool scene_sweeps(const struct scene *s, const char *key)

@@ -13,14 +13,15 @@
 MUST_CHECK enum status scene_sweep_fill(const struct node *root,
                                         struct scene *s, struct fault *why);
 
-/* What only the whole scene can tell: the law uses the keys, the products are
- * numbers.  Errors as scene_read. */
+/* What only the whole scene can tell: the law uses the keys; what the products
+ * give has the same shape at every point.  Errors as scene_read. */
 MUST_CHECK enum status scene_sweep_check(const struct node *root,
                                          const struct scene *s,
                                          struct fault *why);
 
-/* Products with numbers at every point, bits 1 << enum product. */
-extern const unsigned scene_sweep_products;
+/* Whether the points have critical release distances, too: the scene says what
+ * ball and block are. */
+bool scene_sweep_releases(const struct scene *s);
 
 /* Whether its figure has a log axis upward. */
 bool scene_sweep_y_log(const struct scene_sweep *w);

@@ -1,33 +1,9 @@
-/*
- * schema.h -- the one table of scene keys: what each holds, where it goes in
- * struct scene, and its range; and what the table alone can check.
- */
+/* schema.h -- finds keys in the table of them, assigns a tree of values, and
+ * checks what the table alone can check. */
 #ifndef SCENE_SCHEMA_H
 #define SCENE_SCHEMA_H
 
-#include "node.h"
-#include "scene.h"
-
-struct schema_key {
-    const char *path; /* "window.v" */
-    /* Reads a value into the scene; errors as scene_read. */
-    enum status (*read)(const struct schema_key *key, const struct node *n,
-                        struct scene *s, struct fault *why);
-    size_t offset;            /* of a member of struct scene, if there is one */
-    double lo, hi;            /* of numbers */
-    bool open_lo, open_hi;    /* lo (hi) itself is not allowed */
-    const char *const *words; /* allowed, by code; NULL-ended */
-    const char *expected;     /* for messages; NULL: the words */
-    int side; /* keys of one section on different sides exclude each other; 0:
-                 on none */
-};
-
-/* Words of sweep.show by code, NULL-ended. */
-extern const char *const sweep_show_names[];
-
-/* Ends with path NULL. */
-enum { SCHEMA_KEYS_MAX = 128 };
-extern const struct schema_key schema_table[];
+#include "schema_table.h"
 
 /* The key at a path; NULL if there is none. */
 const struct schema_key *schema_find(const char *path);

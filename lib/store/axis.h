@@ -11,7 +11,7 @@
 
 struct store;
 
-enum { AXES_MAX = 2 }; /* of a data set */
+enum { AXES_MAX = 4 }; /* of a data set */
 
 struct axis {
     struct axis *next; /* owned */

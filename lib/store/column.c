@@ -87,15 +87,17 @@ static void put_meanings(struct store *st, hid_t set, const char *const *codes)
 
 /* Compressed chunks; shuffling puts the slowly changing exponents together.
  * The caller closes it. */
-static hid_t chunked(struct store *st, const struct column *c,
+static hid_t chunked(struct store *st, const struct column *c, int rank,
                      const hsize_t extent[])
 {
     const hid_t list = hdf_took(st, H5Pcopy(st->kit.set[c->kind]));
     hsize_t chunk[AXES_MAX];
 
-    for (int i = 0; i < AXES_MAX; i++)
-        chunk[i] = extent[i] < STORE_CHUNK ? extent[i] : STORE_CHUNK;
-    hdf_took(st, H5Pset_chunk(list, AXES_MAX, chunk));
+    for (int i = 0; i < rank; i++) {
+        const hsize_t most = i < rank - 2 ? 1 : STORE_CHUNK;
+        chunk[i] = extent[i] < most ? extent[i] : most;
+    }
+    hdf_took(st, H5Pset_chunk(list, rank, chunk));
     if (c->kind == RECORD_REAL)
         hdf_took(st, H5Pset_shuffle(list));
     hdf_took(st, H5Pset_deflate(list, STORE_DEFLATE));
@@ -106,8 +108,13 @@ static hid_t chunked(struct store *st, const struct column *c,
 static hid_t create(struct store *st, hid_t group, const struct column *c,
                     int rank, const hsize_t extent[])
 {
-    const bool large = rank == AXES_MAX && extent[0] > 0 && extent[1] > 0;
-    const hid_t list = large ? chunked(st, c, extent) : st->kit.set[c->kind];
+    hsize_t values = 1;
+
+    for (int i = 0; i < rank; i++)
+        values *= extent[i];
+    const bool large = rank >= 2 && values >= STORE_LARGE;
+    const hid_t list =
+        large ? chunked(st, c, rank, extent) : st->kit.set[c->kind];
     const hid_t set = hdf_took(st, H5Dcreate2(group, c->name, file_type(st, c),
                                               hdf_space(st, rank, extent),
                                               H5P_DEFAULT, list, H5P_DEFAULT));

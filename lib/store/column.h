@@ -26,7 +26,8 @@ struct column {
 struct column column_of(const struct record_field *f);
 
 /* A new data set with `rank` (0: a scalar) axes, whose extents it takes; with
- * two it is chunked and compressed.  Returned open, all fill values. */
+ * two or more of them and many values it is compressed in chunks, which lie
+ * along the last two.  Returned open, all fill values. */
 hid_t column_create(struct store *st, hid_t group, const struct column *c,
                     int rank, struct axis *const axis[]);
 

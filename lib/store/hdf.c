@@ -51,6 +51,14 @@ void *hdf_memory(struct store *st, size_t count, size_t size)
     return at;
 }
 
+size_t hdf_size(struct store *st, hid_t type)
+{
+    const size_t size = H5Tget_size(type);
+
+    hdf_took(st, size > 0 ? 0 : -1);
+    return size;
+}
+
 void hdf_close(hid_t id)
 {
     if (id >= 0)
@@ -59,8 +67,10 @@ void hdf_close(hid_t id)
 
 hid_t hdf_space(struct store *st, int rank, const hsize_t extent[])
 {
-    hdf_took(st, H5Sset_extent_simple(st->kit.space, rank, extent, NULL));
-    return st->kit.space;
+    const int64_t set =
+        hdf_took(st, H5Sset_extent_simple(st->kit.space, rank, extent, NULL));
+
+    return set < 0 ? H5I_INVALID_HID : st->kit.space;
 }
 
 /* One step down; closes `parent`. */
@@ -122,8 +132,9 @@ void hdf_put_text(struct store *st, hid_t object, const char *key,
                   const char *text)
 {
     const size_t length = strlen(text);
-    const hid_t type = st->kit.text;
+    const int64_t set =
+        hdf_took(st, H5Tset_size(st->kit.text, length > 0 ? length : 1));
+    const hid_t type = set < 0 ? H5I_INVALID_HID : st->kit.text;
 
-    hdf_took(st, H5Tset_size(type, length > 0 ? length : 1));
     hdf_put(st, object, key, 0, 1, type, type, text);
 }

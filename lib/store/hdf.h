@@ -35,10 +35,14 @@ enum status hdf_blame(const struct store *st, struct fault *fault);
 /* count * size bytes (at least one), zeroed; NULL is noted. */
 void *hdf_memory(struct store *st, size_t count, size_t size);
 
+/* Bytes of a type; zero is noted. */
+size_t hdf_size(struct store *st, hid_t type);
+
 /* Any kind of handle; a negative one is skipped. */
 void hdf_close(hid_t id);
 
-/* st->kit.space in a shape; rank 0: a scalar. */
+/* st->kit.space in a shape; rank 0: a scalar.  Negative on failure: in its old
+ * shape it would make HDF5 read beyond what is written. */
 hid_t hdf_space(struct store *st, int rank, const hsize_t extent[]);
 
 /* The group at an absolute path; it and those above are made where missing.

@@ -19,7 +19,7 @@ struct place {
 
 static enum status blame(const char *path, const char *why, struct fault *fault)
 {
-    snprintf(fault->text, sizeof fault->text, "%s: %s", path, why);
+    snprintf(fault->text, sizeof fault->text, "%.300s: %s", path, why);
     return STATUS_IO;
 }
 
@@ -114,7 +114,10 @@ static int write_all(int fd, const char *bytes, size_t size)
         bytes += took;
         size -= (size_t) took;
     }
-    return fsync(fd) == 0 ? 0 : errno;
+    while (fsync(fd) != 0)
+        if (errno != EINTR)
+            return errno;
+    return 0;
 }
 
 static int replace_at(struct place *p, const void *bytes, size_t size)

@@ -35,53 +35,85 @@ enum status store_put_column(struct store *st, const char *path,
     return st->status;
 }
 
+_Static_assert((int) STORE_AXES == (int) AXES_MAX, "columns have as many axes");
+
+enum status store_put_cube(struct store *st, const char *path,
+                           const struct record_field *f, size_t rank,
+                           const char *const name[])
+{
+    const struct column c = column_of(f);
+    struct axis *axis[AXES_MAX];
+    bool all = true;
+
+    assert(f->kind == RECORD_REAL || f->kind == RECORD_CODE);
+    assert(rank <= AXES_MAX);
+    if (st->status != STATUS_OK)
+        return st->status;
+    const hid_t group = hdf_group(st, path);
+    for (size_t i = 0; i < rank && all; i++)
+        all = (axis[i] = axis_find(st, group, name[i])) != NULL;
+    if (all)
+        hdf_close(column_create(st, group, &c, (int) rank, axis));
+    return st->status;
+}
+
 enum status store_put_layer(struct store *st, const char *path,
                             const struct record_field *f, const char *row,
                             const char *column)
 {
-    const struct column c = column_of(f);
-
-    assert(f->kind == RECORD_REAL || f->kind == RECORD_CODE);
-    if (st->status == STATUS_OK) {
-        const hid_t group = hdf_group(st, path);
-        struct axis *const axis[2] = { axis_find(st, group, row),
-                                       axis_find(st, group, column) };
-        if (axis[0] != NULL && axis[1] != NULL)
-            hdf_close(column_create(st, group, &c, 2, axis));
-    }
-    return st->status;
+    return store_put_cube(st, path, f, 2, (const char *[]){ row, column });
 }
 
-static void write_rows(struct store *st, hid_t set, const struct column *c,
-                       size_t first, size_t count, const void *values)
+/* From start[] on, block[] values along each axis; 0: all there are. */
+static void write_block(struct store *st, const char *path,
+                        const struct record_field *f,
+                        const hsize_t start[AXES_MAX], hsize_t block[AXES_MAX],
+                        const void *values)
 {
+    const struct column c = column_of(f);
+    const hid_t group = hdf_group(st, path);
+    const hid_t set = hdf_took(st, H5Dopen2(group, f->name, H5P_DEFAULT));
     const hid_t file = hdf_took(st, H5Dget_space(set));
-    const hsize_t start[2] = { first, 0 };
-    hsize_t block[2] = { 0 };
-    hid_t memory;
+    hsize_t extent[AXES_MAX] = { 0 };
+    const int rank = H5Sget_simple_extent_dims(file, extent, NULL);
 
-    hdf_took(st, H5Sget_simple_extent_dims(file, block, NULL));
-    block[0] = count;
-    memory = hdf_took(st, H5Screate_simple(2, block, NULL));
+    for (int i = 0; i < rank; i++)
+        block[i] = block[i] ? block[i] : extent[i];
+    const hid_t memory = hdf_took(st, H5Screate_simple(rank, block, NULL));
     hdf_took(st, H5Sselect_hyperslab(file, H5S_SELECT_SET, start, NULL, block,
                                      NULL));
-    hdf_took(st, H5Dwrite(set, column_type(st, c), memory, file, H5P_DEFAULT,
+    hdf_took(st, H5Dwrite(set, column_type(st, &c), memory, file, H5P_DEFAULT,
                           values));
     hdf_close(memory);
     hdf_close(file);
+    hdf_close(set);
 }
 
 enum status store_put_rows(struct store *st, const char *path,
                            const struct record_field *f, size_t first,
                            size_t count, const void *values)
 {
-    const struct column c = column_of(f);
+    const hsize_t start[AXES_MAX] = { first };
+    hsize_t block[AXES_MAX] = { count };
 
-    if (st->status == STATUS_OK) {
-        const hid_t group = hdf_group(st, path);
-        const hid_t set = hdf_took(st, H5Dopen2(group, f->name, H5P_DEFAULT));
-        write_rows(st, set, &c, first, count, values);
-        hdf_close(set);
+    assert(count > 0);
+    if (st->status == STATUS_OK)
+        write_block(st, path, f, start, block, values);
+    return st->status;
+}
+
+enum status store_put_slab(struct store *st, const char *path,
+                           const struct record_field *f, size_t fixed,
+                           const size_t at[], const void *values)
+{
+    hsize_t start[AXES_MAX] = { 0 }, block[AXES_MAX] = { 0 };
+
+    assert(fixed <= AXES_MAX);
+    for (size_t i = 0; i < fixed; i++) {
+        start[i] = at[i];
+        block[i] = 1;
     }
+    if (st->status == STATUS_OK)
+        write_block(st, path, f, start, block, values);
     return st->status;
 }

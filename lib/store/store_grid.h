@@ -1,10 +1,14 @@
 /* store_grid.h -- data sets over axes that they share: over one, or over two
- * and then written a block of rows at a time.
+ * and then written a block of rows at a time; or over up to STORE_AXES, and
+ * then a slab at a time.
  *
  *     store_put_axis(st, "/basin", "psi", "1", "state", np, psi);
  *     store_put_axis(st, "/basin", "v", "1", "slip rate", nv, v);
  *     store_put_layer(st, "/basin", &label, "psi", "v");
  *     store_put_rows(st, "/basin", &label, first, rows, cells);     ...
+ *
+ *     store_put_cube(st, "/sweep", &label, 3, { "alpha", "psi", "v" });
+ *     store_put_slab(st, "/sweep", &label, 1, { i }, cells_of_alpha_i); ...
  */
 #ifndef STORE_GRID_H
 #define STORE_GRID_H
@@ -37,6 +41,21 @@ MUST_CHECK enum status store_put_layer(struct store *store, const char *group,
 MUST_CHECK enum status store_put_rows(struct store *store, const char *group,
                                       const struct record_field *f,
                                       size_t first, size_t count,
+                                      const void *values);
+
+enum { STORE_AXES = 4 };
+
+/* A new data set over `rank` <= STORE_AXES axes put before, the last of which
+ * runs fastest; of *f as a layer. */
+MUST_CHECK enum status store_put_cube(struct store *store, const char *group,
+                                      const struct record_field *f, size_t rank,
+                                      const char *const axis[]);
+
+/* All values of a cube whose first `fixed` indices are at[]; none fixed: the
+ * whole. */
+MUST_CHECK enum status store_put_slab(struct store *store, const char *group,
+                                      const struct record_field *f,
+                                      size_t fixed, const size_t at[],
                                       const void *values);
 
 #endif

@@ -20,10 +20,14 @@ static char *read_attribute(struct store *st, hid_t attribute)
     const hid_t type = hdf_took(st, H5Aget_type(attribute));
     const hid_t space = hdf_took(st, H5Aget_space(attribute));
     char *text = NULL;
+    size_t size = 0;
 
-    if (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 &&
-        H5Sget_simple_extent_npoints(space) == 1)
-        text = hdf_memory(st, H5Tget_size(type) + 1, 1);
+    if (hdf_took(st, H5Tget_class(type)) == H5T_STRING &&
+        hdf_took(st, H5Tis_variable_str(type)) == 0 &&
+        hdf_took(st, H5Sget_simple_extent_npoints(space)) == 1)
+        size = hdf_size(st, type);
+    if (size > 0)
+        text = hdf_memory(st, size + 1, 1);
     if (text != NULL)
         hdf_took(st, H5Aread(attribute, type, text));
     hdf_close(space);
@@ -166,7 +170,10 @@ enum status store_read_text(struct store *st, const char *group,
     *text = read_text(st, object, key);
     hdf_close(object);
     s = hdf_blame(st, fault);
-    if (s == STATUS_OK && *text == NULL) {
+    if (s != STATUS_OK) {
+        free(*text);
+        *text = NULL;
+    } else if (*text == NULL) {
         snprintf(fault->text, sizeof fault->text, "%.250s: no text '%s' in %s",
                  st->path, key, group);
         s = STATUS_IO;

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "row_numbers.h"
+#include "scene_slope.h"
 #include "tolerance.h"
 
 static const char preface[] =
@@ -86,6 +87,12 @@ static bool is_of_state(const struct record_field *f)
            f->offset < offsetof(struct row_numbers, has_saddle);
 }
 
+/* What takes no slope. */
+static bool is_of_folds(const struct record_field *f)
+{
+    return (row_column_products(f) & ~(1u << PRODUCT_FOLDS)) == 0;
+}
+
 /* Derivatives are differences, without a bar that would hold elsewhere; marks
  * are for those who ask for a psi. */
 static bool is_recorded(const struct record_field *f)
@@ -134,7 +141,8 @@ static void add_inputs(struct baseline *b, const char *name,
             add_input(b, *material_member(&m, (enum material_key) i));
     }
     add(b, ",");
-    add_input(b, s->alpha);
+    if (!isnan(s->alpha))
+        add_input(b, s->alpha);
 }
 
 static void add_quantity(struct baseline *b, const struct quantity *q)
@@ -168,17 +176,17 @@ static void add_cells(struct baseline *b, const struct row_numbers *n,
     }
 }
 
-/* `only_state`: all but the steady state stays empty. */
+/* Cells that belong to no such part (NULL: the whole) stay empty. */
 static void add_row(struct baseline *b, const char *name,
                     const struct slope_row *s, const struct row_numbers *n,
-                    bool only_state)
+                    bool (*is_of_part)(const struct record_field *f))
 {
     if (b->rows == 0)
         add_header(b);
     add_inputs(b, name, s);
     for (size_t i = 0; i < record_row.count; i++) {
         const struct record_field *f = &record_row.fields[i];
-        if (is_recorded(f) && (!only_state || is_of_state(f)))
+        if (is_recorded(f) && (!is_of_part || is_of_part(f)))
             add_cells(b, n, f);
         else if (is_recorded(f))
             add(b, f->kind == RECORD_QUANTITY ? ",," : ",");
@@ -222,14 +230,29 @@ static enum status add_slope(struct baseline *b, const char *name,
     if (status == STATUS_OK)
         status = row_numbers_find(&s, 0, scene->rtol, all, &n, why);
     if (status == STATUS_OK)
-        add_row(b, name, &s, &n, false);
+        add_row(b, name, &s, &n, NULL);
     for (size_t i = 0; i < others && status == STATUS_OK; i++) {
         s.v = v[i];
         status = row_numbers_find(&s, 0, scene->rtol, 1u << PRODUCT_EQUILIBRIA,
                                   &n, why);
         if (status == STATUS_OK)
-            add_row(b, name, &s, &n, true);
+            add_row(b, name, &s, &n, is_of_state);
     }
+    return status;
+}
+
+/* A scene without a slope. */
+static enum status add_folds(struct baseline *b, const char *name,
+                             const struct scene *scene, struct fault *why)
+{
+    struct slope_row s = slope_row_of(scene);
+    struct row_numbers n;
+
+    s.alpha = (double) NAN;
+    const enum status status =
+        row_numbers_find(&s, 0, scene->rtol, 1u << PRODUCT_FOLDS, &n, why);
+    if (status == STATUS_OK)
+        add_row(b, name, &s, &n, is_of_folds);
     return status;
 }
 
@@ -237,7 +260,9 @@ enum status baseline_add(struct baseline *b, const char *name,
                          const struct scene *scene, struct fault *why)
 {
     const struct baseline before = *b;
-    enum status status = add_slope(b, name, scene, why);
+    enum status status = scene_has_slope(scene)
+                             ? add_slope(b, name, scene, why)
+                             : add_folds(b, name, scene, why);
 
     if (status == STATUS_OK && b->full) {
         status = STATUS_NO_MEMORY;

@@ -72,7 +72,7 @@ static enum status cut_plane(struct basin_map *m)
     if (status == STATUS_OK)
         status = basin_init(&m->basin, &m->regions, &grid);
     if (status == STATUS_OK)
-        status = fate_label_beside_nodes(s, &m->regions);
+        status = fate_label_first(s, &m->regions);
     if (status == STATUS_OK)
         status = basin_seed(&m->basin, &m->regions);
     if (status == STATUS_OK)
@@ -83,12 +83,8 @@ static enum status cut_plane(struct basin_map *m)
 /* The window's in this measure. */
 static double whole_area(struct box w, struct measure m)
 {
-    const double width =
-        m.exponential[0] ? exp(w.hi.x) - exp(w.lo.x) : w.hi.x - w.lo.x;
-    const double height =
-        m.exponential[1] ? exp(w.hi.y) - exp(w.lo.y) : w.hi.y - w.lo.y;
-
-    return width * height;
+    return measure_between(&m, 0, w.lo.x, w.hi.x) *
+           measure_between(&m, 1, w.lo.y, w.hi.y);
 }
 
 /* The share of the regions with this label. */
@@ -110,9 +106,9 @@ static struct quantity share(const struct regions *r, const struct area area[],
 static enum status find_fractions(struct basin_map *m)
 {
     const bool is_log = m->study->system.axis[1].is_log;
-    const struct measure chart = { { false, false } };
-    const struct measure linear = { { true, is_log } };
     const struct box w = study_window(m->study);
+    const struct measure chart = { { false, false }, { 0.0, 0.0 } };
+    const struct measure linear = { { true, is_log }, { w.hi.x, w.hi.y } };
     const struct regions *r = &m->regions;
     struct crossing *scratch = malloc((r->most + 1) * sizeof *scratch);
     struct area *area = malloc(2 * r->count * sizeof *area);

@@ -133,21 +133,28 @@ static enum status make_room(struct chi_curves *c, size_t slopes)
     return STATUS_NO_MEMORY;
 }
 
+void chi_curves_points(const double range[2], double v[])
+{
+    const double last = STUDY_CHI_POINTS - 1;
+    const double length = log(range[1]) - log(range[0]);
+
+    for (size_t i = 0; i < STUDY_CHI_POINTS; i++)
+        v[i] = exp(log(range[0]) + (double) i / last * length);
+    v[0] = range[0];
+    v[STUDY_CHI_POINTS - 1] = range[1];
+}
+
 enum status chi_curves_find(const struct law *law, const struct material *m,
                             const double alpha[], size_t slopes,
                             const double v[2], struct chi_curves *c)
 {
     const enum status status = make_room(c, slopes);
-    const double last = STUDY_CHI_POINTS - 1;
     const char *reason = NULL;
     bool any = false;
 
     if (status != STATUS_OK)
         return status;
-    for (size_t i = 0; i < c->points; i++)
-        c->v[i] = exp(log(v[0]) + (double) i / last * (log(v[1]) - log(v[0])));
-    c->v[0] = v[0];
-    c->v[c->points - 1] = v[1];
+    chi_curves_points(v, c->v);
     for (size_t k = 0; k < slopes; k++) {
         c->slope[k] = slope_of(law, m, alpha[k]);
         fill_row(law, m, c, k);

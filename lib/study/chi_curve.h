@@ -27,12 +27,16 @@ struct chi_curves {
     const char *reason; /* static: why there is no curve; NULL if there is */
 };
 
+/* The points v[STUDY_CHI_POINTS] of the curves, evenly in ln v from range[0] to
+ * range[1]. */
+void chi_curves_points(const double range[2], double v[]);
+
 /*
  * With x = ln(v/v_sp0) and the approximations of (34) - log form, c = 0 -
  *
  *     chi = eps^2 v^2 sinh(psi_sp0 - 1/v)/(eta psi_sp0 a cos(alpha) x),
  *
- * positive for every v and finite at v_sp0; evenly in ln v from v[0] to v[1].
+ * positive for every v and finite at v_sp0; from v[0] to v[1].
  * STATUS_NO_MEMORY leaves *c empty.
  */
 MUST_CHECK enum status chi_curves_find(const struct law *law,

@@ -9,16 +9,21 @@
 
 static const char not_here[] =
     "the estimate needs hyperbolic kinetics, theta a logarithm of psi, b > a";
-static const char too_large[] = "the estimate is beyond the range of a double";
+static const char beyond[] = "the estimate is beyond the range of a double";
 static const char no_root[] =
     "dY/dX = -xi nowhere further than 1e-6 from ln v_sp";
 
+static struct quantity in_range(double value, double error)
+{
+    return isfinite(value) && isfinite(error) ? quantity_of(value, error)
+                                              : quantity_none(beyond);
+}
+
+/* What cannot be zero. */
 static struct quantity number(double value, double relative)
 {
-    const double error = fabs(value) * relative;
-
-    return isfinite(error) ? quantity_of(value, error)
-                           : quantity_none(too_large);
+    return fabs(value) >= DBL_MIN ? in_range(value, fabs(value) * relative)
+                                  : quantity_none(beyond);
 }
 
 static struct estimate_numbers nothing(const double xi[], size_t n)
@@ -47,21 +52,30 @@ struct maker {
     const struct material *m;
     const struct estimates *e;
     double tan_alpha;
-    double unit; /* relative error of what hangs on v_sp0 */
+    double unsure; /* error of ln v_sp0 */
+    double unit;   /* relative error of what hangs on psi_sp0 */
 };
 
 static void add_chi(const struct maker *k, struct estimate_numbers *out)
 {
-    double root[2];
+    const bool there =
+        quantity_exists(&out->v_sp0) && quantity_exists(&out->psi_sp0);
+    struct estimates_root root[2];
 
-    out->chi_roots = estimates_chi(k->m, k->e, k->tan_alpha, root);
+    if (there)
+        out->chi_roots =
+            estimates_chi(k->m, k->e, k->tan_alpha, k->unsure, root);
     out->chi_v_minus = out->chi_v_plus = quantity_none(
-        out->chi_roots == 0 ? "chi(v) = 1 has no root"
-                            : "both roots of chi(v) = 1 lie on one side of "
-                              "v_sp");
+        !there                ? beyond
+        : out->chi_roots == 0 ? "chi(v) = 1 has no root"
+                              : "both roots of chi(v) = 1 lie on one side of "
+                                "v_sp");
     for (size_t i = 0; i < out->chi_roots; i++) {
-        out->chi_root[i] = number(k->e->v_sp0 * exp(root[i]), 4.0 * k->unit);
-        if (root[i] < 0.0)
+        const double x = root[i].x;
+        out->chi_root[i] =
+            number(k->e->v_sp0 * exp(x),
+                   expm1(k->unsure + root[i].error) + 4.0 * DBL_EPSILON);
+        if (x < 0.0)
             out->chi_v_minus = out->chi_root[i];
         else if (!quantity_exists(&out->chi_v_plus))
             out->chi_v_plus = out->chi_root[i];
@@ -104,8 +118,7 @@ static struct quantity strength(const struct maker *k, const struct block *b,
     const double error =
         G->error / x_k + 8.0 * k->unit * rise + DBL_EPSILON * k->tan_alpha;
 
-    return isfinite(error) ? quantity_of(k->tan_alpha + rise, error)
-                           : quantity_none(too_large);
+    return in_range(k->tan_alpha + rise, error);
 }
 
 struct estimate_numbers numbers_estimates(const struct block *b,
@@ -123,13 +136,15 @@ struct estimate_numbers numbers_estimates(const struct block *b,
     const double given = (fabs(m->mu_star) + fabs(t)) / (m->b - m->a);
     const double saddle = 4.0 + 2.0 * (given + fabs(e.ln_v_sp0));
     const double lost = given + fabs(e.ln_v_sp0) * (1.0 + e.psi_sp0);
-    const struct maker k = { m, &e, t, DBL_EPSILON * (4.0 + 2.0 * lost) };
-    out.v_sp0 = number(e.v_sp0, DBL_EPSILON * saddle);
-    out.psi_sp0 = number(e.psi_sp0, DBL_EPSILON * saddle);
-    out.x_k = number(e.x_k, 2.0 * k.unit * (1.0 + e.psi_sp0));
-    out.x_k_small_psi = quantity_of(
-        e.x_k_small_psi, 2.0 * k.unit * (1.0 + fabs(e.x_k_small_psi)));
-    out.x_k_zero_slope = number(e.x_k_zero_slope, 2.0 * k.unit);
+    const struct maker k = { m, &e, t, DBL_EPSILON * saddle,
+                             DBL_EPSILON * (4.0 + 2.0 * lost) };
+    out.v_sp0 = number(e.v_sp0, k.unsure);
+    out.psi_sp0 = number(e.psi_sp0, k.unsure);
+    out.x_k = number(e.x_k, 2.0 * k.unsure * (1.0 + e.psi_sp0));
+    out.x_k_small_psi = in_range(
+        e.x_k_small_psi, 2.0 * k.unsure * (1.0 + fabs(e.x_k_small_psi)));
+    out.x_k_zero_slope = in_range(
+        e.x_k_zero_slope, 2.0 * k.unsure * (1.0 + fabs(e.x_k_zero_slope)));
     if (isfinite(e.tan_alpha_f)) {
         out.alpha_f = number(e.alpha_f, 8.0 * DBL_EPSILON);
         out.tan_alpha_f = number(e.tan_alpha_f, 8.0 * DBL_EPSILON);

@@ -137,31 +137,34 @@ static void account(struct walk *w, const double u1[], double part,
     l->out->place_error += part * (x + y);
 }
 
-/* One accepted step no longer than `most`; false: there is none. */
+/* One accepted step no longer than `most`, which may be as short as it likes;
+ * false: there is none. */
 static bool advance(struct walk *w, double most)
 {
     struct landing *const l = &w->at;
     const double tol = l->options.rtol;
     const double atol[LAYER_DIM] = { tol, tol, tol * w->least[0],
                                      tol * w->least[1] };
-    double u1[LAYER_DIM], error[LAYER_DIM], factor;
+    double u1[LAYER_DIM], error[LAYER_DIM], factor, off;
 
-    for (w->h = fmin(w->h, most); fabs(w->h) > TOL_LAYER_SHORTEST;
-         w->h *= factor) {
-        const double off = explicit8_try(&w->work, &w->ode, 0.0, l->u, w->h,
-                                         atol, tol, u1, error);
+    w->h = fmin(w->h, most);
+    for (;;) {
+        off = explicit8_try(&w->work, &w->ode, 0.0, l->u, w->h, atol, tol, u1,
+                            error);
         l->out->calls += EXPLICIT8_CALLS + 1;
-        if (!control_judge(&w->control, off, &factor))
-            continue;
-        if (l->options.peaks)
-            find_peaks(w, u1);
-        const double size = size_of(l, u1, atol, error);
-        account(w, u1, size > 0.0 ? off / size : 1.0, error);
-        w->h = fabs(w->h) * factor;
-        l->out->steps++;
-        return true;
+        if (control_judge(&w->control, off, &factor))
+            break;
+        w->h *= factor;
+        if (!(fabs(w->h) > TOL_LAYER_SHORTEST))
+            return false;
     }
-    return false;
+    if (l->options.peaks)
+        find_peaks(w, u1);
+    const double size = size_of(l, u1, atol, error);
+    account(w, u1, size > 0.0 ? off / size : 1.0, error);
+    w->h = fabs(w->h) * factor;
+    l->out->steps++;
+    return true;
 }
 
 void layer_follow(const struct slow_curve *c, struct vec2 z,

@@ -31,6 +31,7 @@ struct layer {
     double time, time_error;
     double slip, slip_error;
     double x_end;           /* ln(v/v0) at arrest; -HUGE_VAL: v = 0 */
+    double y;               /* where it landed; NaN: not on the slow curve */
     double x_peak, mu_peak; /* with the error of a point of the orbit: */
     double place_error;     /* in ln v and ln psi */
     double mu_error;        /* more, of mu_peak alone */

@@ -1,7 +1,8 @@
 /* One orbit by orbit.h until it arrives, leaves the domain, outlives the
  * doubles or comes to rest; what its end means follows from the rates there.
  * Rest in finite time: ln v falls and psi rises so fast that what is left of
- * both is nothing beside the time so far.  (A state far from the slow curve
+ * both is nothing beside the time so far since inertia no longer carried the
+ * block (moment.h).  (A state far from the slow curve
  * moves as fast in one of them only, one that rests like a power of time takes
  * as long again.)  It must be seen long before v = 1e-300, since psi and
  * psi_ss then agree to all digits that ln v and ln psi have: deep below all
@@ -13,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "moment.h"
 #include "study.h"
 #include "study_tolerance.h"
 
@@ -78,13 +80,15 @@ static struct vec2 rates(const struct study *s, const struct orbit *o)
                           rate_of(f.direction.y, f.log_scale) };
 }
 
-static bool rests(const struct study *s, const struct orbit *o)
+/* `since`: when a rest became possible; NaN: not yet. */
+static bool rests(const struct study *s, const struct orbit *o, double since)
 {
     const struct vec2 rate = rates(s, o);
     const bool deep = s->system.origin.x + o->u[0] < TOL_REST_DEEP;
-    const double soon = (deep ? TOL_REST_DEEP_SOON : TOL_REST_SOON) * o->u[2];
+    const double soon =
+        (deep ? TOL_REST_DEEP_SOON : TOL_REST_SOON) * (o->u[2] - since);
 
-    return -rate.x * soon > 1.0 && rate.y * soon > 1.0;
+    return soon > 0.0 && -rate.x * soon > 1.0 && rate.y * soon > 1.0;
 }
 
 /* In the quadrant v > v_sp, psi < psi_sp, which cannot be left (trap.h), and
@@ -140,7 +144,8 @@ static enum fate fate_beyond(const struct orbit *o)
 }
 
 static enum fate fate_at_end(const struct study *s, const struct goals *g,
-                             const struct orbit *o, const char **reason)
+                             const struct orbit *o, double since,
+                             const char **reason)
 {
     enum fate fate = FATE_UNDECIDED;
 
@@ -151,7 +156,7 @@ static enum fate fate_at_end(const struct study *s, const struct goals *g,
         fate = fate_beyond(o);
     else if (runs_away(s, o))
         fate = FATE_RUNAWAY;
-    else if (rests(s, o))
+    else if (rests(s, o, since))
         fate = FATE_REST_FINITE;
     else if (fades(s, o))
         fate = FATE_REST_ASYMPTOTIC;
@@ -225,13 +230,17 @@ static void observe_end(const struct study *s, const struct orbit *o,
 
 /* orbit_run, which also ends where the block rests or runs away. */
 static enum status run(const struct study *s, struct orbit *o,
-                       const struct monitor *monitor)
+                       const struct monitor *monitor, double *since)
 {
     enum status status = STATUS_OK;
 
-    while (status == STATUS_OK && o->end == ORBIT_RUNNING && !rests(s, o) &&
-           !fades(s, o) && !runs_away(s, o)) {
+    *since = moment_may_rest(s, o->u) ? 0.0 : (double) NAN;
+    while (status == STATUS_OK && o->end == ORBIT_RUNNING &&
+           !rests(s, o, *since) && !fades(s, o) && !runs_away(s, o)) {
+        const double before = o->u[2];
         status = orbit_step(o);
+        if (isnan(*since) && moment_may_rest(s, o->u))
+            *since = before;
         if (o->steps % TOL_MONITOR_STEPS == 0 &&
             monitor_tell(monitor, "orbit", o->steps, 0))
             status = STATUS_STOPPED;
@@ -239,13 +248,15 @@ static enum status run(const struct study *s, struct orbit *o,
     return status;
 }
 
-enum status fate_find(const struct study *s, struct vec2 z, double rtol,
-                      bool observe, const struct monitor *monitor,
-                      struct fate_result *out)
+/* Follows the orbit from the offset z; *last: where it ended. */
+static enum status follow(const struct study *s, struct vec2 z, double rtol,
+                          bool observe, const struct monitor *monitor,
+                          struct fate_result *out, struct vec2 *last)
 {
     const struct goals goals = goals_of(s);
     struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
     struct orbit o;
+    double since;
 
     options.rtol = rtol;
     options.observables = observe ? BLOCK_EXCESS : 0;
@@ -255,21 +266,53 @@ enum status fate_find(const struct study *s, struct vec2 z, double rtol,
     options.max_steps = TOL_FATE_STEPS;
     options.reach[0] = TOL_FATE_LATE * slow_time(s);
     *out = (struct fate_result){ .fate = FATE_UNDECIDED };
-    enum status status =
-        orbit_init(&o, &s->system, vec2_sub(z, s->system.origin), &options);
+    enum status status = orbit_init(&o, &s->system, z, &options);
     if (status != STATUS_OK)
         return status;
-    status = run(s, &o, monitor);
+    status = run(s, &o, monitor, &since);
     if (status == STATUS_OK || status == STATUS_NO_CONVERGENCE ||
         status == STATUS_TOO_MANY_STEPS) {
-        out->fate = fate_at_end(s, &goals, &o, &out->reason);
+        out->fate = fate_at_end(s, &goals, &o, since, &out->reason);
         out->steps = o.steps;
         out->field_evaluations = o.field_calls + o.jacobian_calls;
         if (observe)
             observe_end(s, &o, out);
+        *last = (struct vec2){ o.u[0], o.u[1] };
         status = STATUS_OK;
     }
     orbit_free(&o);
+    return status;
+}
+
+/* An orbit from inside the quadrant of the saddle that holds the offset z, if
+ * it is one that cannot be left (trap.h); false if it is not. */
+static bool gentle_start(const struct study *s, struct vec2 z,
+                         struct vec2 *start)
+{
+    const bool slow = z.x < 0.0 && z.y > 0.0, fast = z.x > 0.0 && z.y < 0.0;
+    const double step = slow ? -TOL_TRAP_START : TOL_TRAP_START;
+
+    *start = (struct vec2){ step, -step };
+    return s->saddle >= 0 && (slow || fast);
+}
+
+enum status fate_find(const struct study *s, struct vec2 z, double rtol,
+                      bool observe, const struct monitor *monitor,
+                      struct fate_result *out)
+{
+    struct vec2 start = vec2_sub(z, s->system.origin), last = start;
+    struct fate_result gentle;
+    enum status status = follow(s, start, rtol, observe, monitor, out, &last);
+
+    if (status != STATUS_OK || observe || out->fate != FATE_UNDECIDED ||
+        !gentle_start(s, last, &start))
+        return status;
+    status = follow(s, start, TOL_TRAP_RTOL, false, monitor, &gentle, &last);
+    if (status == STATUS_OK) {
+        out->fate = gentle.fate;
+        out->reason = gentle.reason;
+        out->field_evaluations += gentle.field_evaluations;
+    }
     return status;
 }
 
@@ -284,43 +327,65 @@ struct asker {
 static enum status label_seed(const void *asker, struct vec2 z, int8_t *label)
 {
     const struct asker *a = asker;
-    struct fate_result r;
-    const enum status s = fate_find(a->study, z, a->rtol, false, NULL, &r);
+    struct fate_result r = { .fate = FATE_UNDECIDED };
+    enum status s = STATUS_OK;
 
+    for (double rtol = a->rtol;
+         s == STATUS_OK && r.fate == FATE_UNDECIDED && rtol >= TOL_TRAP_FINEST;
+         rtol *= TOL_TRAP_FINER)
+        s = fate_find(a->study, z, rtol, false, NULL, &r);
     *label = (int8_t) r.fate;
     return s;
 }
 
 /* Those with a point in the box from z + from to z + to. */
 static enum status label_in(const struct asker *a, struct regions *r,
-                            struct vec2 z, double from, double to)
+                            struct vec2 z, struct vec2 from, struct vec2 to)
 {
-    const struct vec2 lo = { from, from }, hi = { to, to };
-    const struct box box = { vec2_add(z, lo), vec2_add(z, hi) };
+    const struct box box = { vec2_add(z, from), vec2_add(z, to) };
 
     return regions_label(r, &box, label_seed, a);
 }
 
-enum status fate_label_beside_nodes(const struct study *s, struct regions *r)
+/* Those with a point in the quadrants of the saddle that cannot be left.  (One
+ * beside the saddle may lie on a fast fibre that leads straight into it.) */
+static enum status label_in_traps(const struct study *s, struct regions *r)
+{
+    const struct asker a = { s, TOL_TRAP_RTOL };
+    const struct vec2 z = s->system.origin;
+    const double way = 2.0 * TOL_TRAP_START;
+    const struct vec2 left = { -way, 0.0 }, up = { 0.0, way };
+    const struct vec2 down = { 0.0, -way }, right = { way, 0.0 };
+
+    if (s->saddle < 0)
+        return STATUS_OK;
+    const enum status status = label_in(&a, r, z, left, up);
+    return status == STATUS_OK ? label_in(&a, r, z, down, right) : status;
+}
+
+enum status fate_label_first(const struct study *s, struct regions *r)
 {
     const struct asker a = { s, TOL_FATE_BESIDE_RTOL };
+    const struct vec2 from = { TOL_FATE_BESIDE_FROM, TOL_FATE_BESIDE_FROM };
+    const struct vec2 to = { TOL_FATE_BESIDE_TO, TOL_FATE_BESIDE_TO };
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i < s->equilibria && status == STATUS_OK; i++)
         if ((int) i != s->saddle)
-            status = label_in(&a, r, s->equilibrium[i].z, TOL_FATE_BESIDE_FROM,
-                              TOL_FATE_BESIDE_TO);
-    return status;
+            status = label_in(&a, r, s->equilibrium[i].z, from, to);
+    return status == STATUS_OK ? label_in_traps(s, r) : status;
 }
 
 enum status fate_label_regions(const struct study *s, struct regions *r)
 {
     const struct asker a = { s, TOL_TRAP_RTOL };
     const double half[] = { TOL_FATE_NEAR, TOL_FATE_FAR };
-    enum status status = fate_label_beside_nodes(s, r);
+    enum status status = fate_label_first(s, r);
 
     for (int i = 0; i < 2 && status == STATUS_OK; i++)
-        status = label_in(&a, r, s->system.origin, -half[i], half[i]);
+        status = label_in(&a, r, s->system.origin,
+                          (struct vec2){ -half[i], -half[i] },
+                          (struct vec2){ half[i], half[i] });
     if (status == STATUS_OK)
         status = regions_label(r, &s->system.domain, label_seed, &a);
     return status;

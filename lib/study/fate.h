@@ -43,18 +43,21 @@ struct fate_result {
 };
 
 /* The fate of the absolute chart point z in s->system, whose steady states
- * are known.  `observe`: with slip, time and means, else the fate alone.
- * STATUS_BAD_ARGUMENT: z outside the domain; STATUS_NO_MEMORY; STATUS_STOPPED.
- * An orbit that cannot be followed is undecided, with a reason. */
+ * are known.  `observe`: with slip, time and means, else the fate alone, which
+ * is known, too, where the orbit could be followed only into one of the
+ * saddle's quadrants that cannot be left (trap.h). STATUS_BAD_ARGUMENT: z
+ * outside the domain; STATUS_NO_MEMORY; STATUS_STOPPED. An orbit that cannot be
+ * followed is undecided, with a reason. */
 MUST_CHECK enum status fate_find(const struct study *s, struct vec2 z,
                                  double rtol, bool observe,
                                  const struct monitor *monitor,
                                  struct fate_result *out);
 
-/* The label (enum fate) of the regions that come close to a stable node, by the
- * orbit, which is short, of a point there.  Errors as fate_find. */
-MUST_CHECK enum status fate_label_beside_nodes(const struct study *s,
-                                               struct regions *r);
+/* The label (enum fate) of the regions that come close to a stable node or into
+ * a quadrant of the saddle that cannot be left (trap.h), by the orbit of a
+ * point there: short, or beyond doubt.  Errors as fate_find. */
+MUST_CHECK enum status fate_label_first(const struct study *s,
+                                        struct regions *r);
 
 /* Those, and the label of every other region of the plane that has none yet, by
  * the orbit of its seed or of a point in the domain, near the anchor if it can

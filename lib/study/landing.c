@@ -33,7 +33,7 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
     *l = (struct landing){
         .curve = c, .options = *options, .u = { z.x, z.y, 0.0, 0.0 }, .out = out
     };
-    *out = (struct layer){ .end = LAYER_LOST, .x_peak = z.x };
+    *out = (struct layer){ .end = LAYER_LOST, .x_peak = z.x, .y = NAN };
     if (options->peaks)
         out->mu_peak = block_mu(&c->study->block, z);
     choose_least(l, least);
@@ -194,6 +194,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
         out->end = LAYER_UNSURE;
     out->fate = p->fate;
     out->x_end = p->x_end;
+    out->y = y;
     out->time = time;
     out->slip = slip;
     out->time_error =

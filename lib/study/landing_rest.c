@@ -65,7 +65,7 @@ bool landing_rests(struct landing *l, double *most)
     if (!rest_curve_beside(&l->curve->rest, l->u[LAYER_X], &y, &y_slope))
         return false;
     const double d = l->u[LAYER_Y] - y;
-    if (fabs(d) < aim && l->du[LAYER_X] < 0.0) {
+    if (fabs(d) < aim && !(l->du[LAYER_X] > 0.0)) {
         if (project(l, &p, &off) && land(l, &p, off, &excess))
             return true;
         aim = fabs(d) * fmin(TOL_LAYER_RISE,

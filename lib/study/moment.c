@@ -146,17 +146,31 @@ struct vec2 moment_rates(const struct study *s, const double u[])
                           rate_of(f.direction.y, f.log_scale) };
 }
 
+/* A block that inertia carries, at v > (force/eps^2)^(1/2), falls as straight
+ * to v = 0 as one that stops, until psi no longer follows. */
+bool moment_may_rest(const struct study *s, const double u[])
+{
+    const double x = s->system.origin.x + u[0];
+    const double carried = -0.5 * log(material_eps2(&s->block.material));
+    const bool slow = s->saddle == 0 && u[0] < 0.0 && u[1] > 0.0;
+
+    return (slow || s->equilibria == 0) && x < carried + TOL_MOMENT_CARRIED;
+}
+
 /* Positive where ln v would fall and ln psi rise by one within a part of the
- * time so far that does not count. */
+ * time so far that does not count; the polynomials of a time that has hardly
+ * begun may dip below 0. */
 static double at_rest(const void *ctx, double s, const double u[])
 {
     const struct moment_watch *w = ctx;
     const struct vec2 rate = moment_rates(w->study, u);
     const bool deep = w->study->system.origin.x + u[0] < TOL_MOMENT_DEEP;
-    const double part = deep ? TOL_REST_DEEP_SOON : TOL_MOMENT_REST;
+    const double part = deep ? TOL_REST_DEEP_SOON : w->at;
 
     (void) s;
-    return fmin(-rate.x, rate.y) * part * u[2] - 1.0;
+    return u[2] > 0.0 && moment_may_rest(w->study, u)
+               ? fmin(-rate.x, rate.y) * part * u[2] - 1.0
+               : -1.0;
 }
 
 struct moment_rest moment_rest_at(const struct study *s, const double u[])
@@ -211,7 +225,7 @@ static void add_critical(struct moment_watches *w, const struct study *s,
 
 void moment_watch_all(struct moment_watches *w, const struct study *s,
                       const struct moment_level *level, size_t levels,
-                      bool rest, bool stop)
+                      double rest, bool stop)
 {
     const double none = (double) NAN;
 
@@ -226,8 +240,8 @@ void moment_watch_all(struct moment_watches *w, const struct study *s,
     add(w, s, MOMENT_ARREST, none, 0.0);
     w->event[w->count - 1].direction = -1;
     w->event[w->count - 1].stop = stop;
-    if (rest) {
-        add(w, s, MOMENT_REST, none, 0.0);
+    if (rest > 0.0) {
+        add(w, s, MOMENT_REST, none, rest);
         w->event[w->count - 1].direction = 1;
         w->event[w->count - 1].stop = true;
     }

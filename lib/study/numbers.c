@@ -24,9 +24,10 @@ double numbers_cancellation(const struct equilibrium *e)
 
 double numbers_floor(const struct block *b)
 {
-    const long double x = (long double) b->at.x0, h = 1e-5L;
     const struct law *law = &b->law;
     const struct material *m = &b->material;
+    const long double x = (long double) b->at.x0;
+    const long double h = fminl(1e-5L, (steady_x_max(law) - x) / 2);
     const long double slope =
         (steady_mu_log(law, m, x + h) - steady_mu_log(law, m, x - h)) / (2 * h);
     const double size = fabs(b->at.a * b->at.x0) + fabs(m->mu_star) +
@@ -38,13 +39,21 @@ double numbers_floor(const struct block *b)
     return 2.0 * DBL_EPSILON + fmin(linear, sqrt(noise / bend));
 }
 
+/* The logarithm in mu = a asinh(e^w/2), as far as exp of it is what counts: its
+ * rounding is relative to mu then. */
+static double log_of_friction(const struct block *b)
+{
+    return b->law.form == FRICTION_ASINH ? fmax(-b->at.w0, 0.0) : 0.0;
+}
+
 struct steady_number numbers_steady(const struct block *b,
                                     const struct equilibrium *e)
 {
     const double floor = numbers_floor(b), lost = numbers_cancellation(e);
     const double unit =
         8.0 * DBL_EPSILON *
-        (1.0 + 0.25 * fabs(e->log_scale) + fabs(b->at.log_inertia) * 0.25);
+        (1.0 + 0.25 * (fabs(e->log_scale) + fabs(b->at.log_inertia) +
+                       log_of_friction(b)));
     const double psi_floor = law_psi_is_log(&b->law)
                                  ? floor + 2.0 * DBL_EPSILON * fabs(b->at.psi0)
                                  : 2.0 * floor * b->at.psi0;
@@ -168,7 +177,7 @@ static double branch_floor(const struct block *b, const struct equilibrium *e,
                            double z)
 {
     const double logs = fabs(b->at.x0) + fabs(b->at.log_inertia) +
-                        fabs(b->at.log_rate) + fabs(z);
+                        fabs(b->at.log_rate) + log_of_friction(b) + fabs(z);
     const double lost = numbers_cancellation(e);
     const double weak = fmin(fabs(z), 1.0); /* a short branch moves little */
 
@@ -234,9 +243,9 @@ static void static_friction(struct builder *n)
     const double t = (double) b->tan_alpha, X = u->limit.x;
     const double k =
         0.5 * material_eps2(&b->material) * hypot(1.0, t) * b->at.v0 * b->at.v0;
-    const double excess = -u->total[0], lost = numbers_cancellation(n->e);
-    const double floor = DBL_EPSILON * (64.0 + 2.0 * lost +
-                                        4.0 * fabs(b->at.x0) + 4.0 * fabs(X));
+    const double excess = 0.0 - u->total[0], lost = numbers_cancellation(n->e);
+    const double logs = fabs(b->at.x0) + fabs(X) + log_of_friction(b);
+    const double floor = DBL_EPSILON * (64.0 + 2.0 * lost + 4.0 * logs);
     const double slip_error = u->total_error[0] / excess + floor + n->floor;
     /* relative errors of expm1(X)^2 and expm1(2 X) */
     const double dX = u->error.x + branch_floor(b, n->e, X);
@@ -301,8 +310,8 @@ static void lower_numbers(struct builder *n)
         out->psi_at_v0 = is_log ? psi.log : psi.value;
     }
     const double deficit = fabs(l->total[0]), lost = numbers_cancellation(n->e);
-    const double floor =
-        DBL_EPSILON * (64.0 + 2.0 * lost + 4.0 * fabs(b->at.x0));
+    const double logs = fabs(b->at.x0) + log_of_friction(b);
+    const double floor = DBL_EPSILON * (64.0 + 2.0 * lost + 4.0 * logs);
     out->x_deficit =
         out->lower_end == END_TRUNCATED
             ? quantity_none("the lower branch has no end to integrate to")

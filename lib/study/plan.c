@@ -1,5 +1,7 @@
 #include "plan.h"
 
+#include "scene_slope.h"
+
 #define BIT(s)   (1u << STAGE_##s)
 #define ASKED(p) (1u << PRODUCT_##p)
 
@@ -64,4 +66,11 @@ unsigned plan_stages(unsigned products)
         if (plan_has(stages, (enum stage) s))
             stages |= stage_table[s].needs;
     return stages;
+}
+
+unsigned plan_scene(const struct scene *scene)
+{
+    const unsigned steady = scene_has_slope(scene) ? BIT(STEADY) : 0;
+
+    return plan_stages(scene->products) | steady;
 }

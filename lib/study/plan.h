@@ -7,6 +7,7 @@
 
 #include "scene.h"
 
+/* What a study can run, in this order. */
 enum stage {
     STAGE_STEADY,        /* equilibria, their types, the saddle */
     STAGE_FOLDS,         /* extrema of mu_ss */
@@ -30,6 +31,7 @@ enum stage {
     STAGES
 };
 
+/* What a stage is to its users and to the other stages. */
 struct stage_info {
     const char *name;
     const char *text;  /* what it does, one phrase */
@@ -38,11 +40,17 @@ struct stage_info {
     unsigned products; /* the scene's products (bits) that ask for it */
 };
 
+/* By enum stage. */
 extern const struct stage_info stage_table[STAGES];
 
 /* The stages a set of products runs, closed under `needs`: bits. */
 unsigned plan_stages(unsigned products);
 
+/* Those that a scene's study runs: of its products, and with a slope its steady
+ * states. */
+unsigned plan_scene(const struct scene *scene);
+
+/* Whether a stage is among these bits. */
 static inline int plan_has(unsigned stages, enum stage s)
 {
     return (stages >> s) & 1u;

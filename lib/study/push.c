@@ -179,6 +179,23 @@ static void find_kicks(const struct push *p, struct margin_line *l,
     out->fate = label < 0 ? FATE_UNDECIDED : label; /* beyond a cut branch */
 }
 
+/* Where no region tells the fate, as on the edge of the plane, the orbit may.
+ */
+static enum status settle(const struct push *p, struct vec2 z,
+                          const struct monitor *monitor,
+                          struct push_answer *out)
+{
+    struct fate_result r;
+
+    if (out->fate != FATE_UNDECIDED)
+        return STATUS_OK;
+    const enum status s =
+        fate_find(&p->study, z, TOL_PUSH_COARSE, false, monitor, &r);
+    if (s == STATUS_OK)
+        out->fate = (int8_t) r.fate;
+    return s;
+}
+
 /* ---- states -------------------------------------------------------------- */
 
 static struct vec2 chart_point(const struct push *p, struct push_state at)
@@ -207,7 +224,8 @@ enum status push_find(const struct push *p, struct push_state at,
     *out = (struct push_answer){ .fate = FATE_NONE };
     find_kicks(p, &l, z, out);
     margin_free(&l);
-    return follow(p, z, monitor, out);
+    const enum status found = settle(p, z, monitor, out);
+    return found == STATUS_OK ? follow(p, z, monitor, out) : found;
 }
 
 enum status push_find_all(const struct push *p, const struct push_state at[],

@@ -34,6 +34,7 @@ struct arrow_row {
     double log10_speed;                /* of (ln v, ln psi) per t* */
 };
 
+/* Of the structs here and in the headers above. */
 extern const struct record_type record_arrow, record_estimates, record_xi,
     record_sensitivity;
 extern const struct record_type record_steady, record_folds, record_saddle,

@@ -130,6 +130,13 @@ static struct release_row row_of(const struct study *s,
     return row;
 }
 
+struct release_row release_at(const struct study *s)
+{
+    const struct quantity K = find_K(&s->scene->rabinowicz);
+
+    return row_of(s, &K);
+}
+
 static enum status find_row(const struct scene *scene, double tan_alpha,
                             const struct quantity *K,
                             const struct monitor *monitor,

@@ -19,6 +19,8 @@
 
 #include "monitor.h"
 
+struct study;
+
 /* One slope, lengths in m.  Exact: from the stable manifold; the others: the
  * paper's estimates beside them. */
 struct release_row {
@@ -41,6 +43,9 @@ struct release_material {
     double L_deviation, mu_star_deviation; /* standard deviations */
 };
 extern const struct record_type record_release_material;
+
+/* Of the slope of a study whose critical numbers and estimates are known. */
+struct release_row release_at(const struct study *s);
 
 struct release {
     struct quantity K;       /* (22) */

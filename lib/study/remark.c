@@ -6,11 +6,14 @@ size_t study_remarks(const struct study *s, const char *text[], size_t room)
 
     if (plan_has(s->stages, STAGE_STEADY) && s->equilibria == 0 && n < room)
         text[n++] = "no steady state: mu_ss(v) = tan(alpha) has no solution";
-    else if (s->saddle < 0 && n < room)
+    else if (s->equilibria > 0 && s->saddle < 0 && n < room)
         text[n++] = "no saddle at this slope, hence no separatrix";
     else if (!study_has_manifolds(s) && s->saddle >= 0 && n < room)
-        text[n++] = "the saddle's eigenvalues are further apart than doubles "
-                    "can tell, hence no separatrix";
+        text[n++] = equilibrium_is_beyond(&s->equilibrium[s->saddle])
+                        ? "the saddle's eigenvalues are further apart than "
+                          "doubles can tell, hence no separatrix"
+                        : "the saddle's psi is beyond the plane's range, hence "
+                          "no separatrix";
     const struct box window = study_window(s);
     bool inside = false;
     for (size_t i = 0; i < s->equilibria; i++)

@@ -9,6 +9,7 @@
 #include <time.h>
 
 #include "conditioning.h"
+#include "scene_slope.h"
 #include "study_tolerance.h"
 
 /* ---- steady states --------------------------------------------------- */
@@ -35,12 +36,21 @@ static size_t find_steady(struct study *s, struct steady_root *root)
     return n;
 }
 
-static const char beyond[] =
-    "the saddle's eigenvalues are further apart than doubles can tell";
+const char *study_no_manifolds(const struct study *s)
+{
+    if (s->saddle < 0)
+        return "there is no saddle at this slope";
+    if (equilibrium_is_beyond(&s->equilibrium[s->saddle]))
+        return "the saddle's eigenvalues are further apart than doubles can "
+               "tell";
+    if (!box_holds(s->system.domain, s->equilibrium[s->saddle].z))
+        return "the saddle's psi is beyond the plane's range";
+    return NULL;
+}
 
 bool study_has_manifolds(const struct study *s)
 {
-    return s->saddle >= 0 && !equilibrium_is_beyond(&s->equilibrium[s->saddle]);
+    return study_no_manifolds(s) == NULL;
 }
 
 static enum status run_steady(struct study *s, const struct monitor *monitor,
@@ -59,7 +69,8 @@ static enum status run_steady(struct study *s, const struct monitor *monitor,
         anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
     s->saddle_numbers =
         s->saddle >= 0 ? numbers_saddle(&s->steady[home]) : numbers_no_saddle();
-    s->critical = s->saddle < 0 ? numbers_no_critical() : numbers_none(beyond);
+    const char *none = study_no_manifolds(s);
+    s->critical = numbers_none(none ? none : "nobody asked");
     s->system.jacobian(s->system.ctx, (struct vec2){ 0.0, 0.0 }, &J);
     const struct eigen2 e = mat2_eigenvalues(J.matrix);
     s->stable_rate =
@@ -244,8 +255,8 @@ static enum status run_sensitivities(struct study *s,
     enum status status = STATUS_OK;
 
     (void) why;
-    s->sensitivities = sensitivity_none(
-        s->saddle < 0 ? "there is no saddle at this slope" : beyond);
+    const char *none = study_no_manifolds(s);
+    s->sensitivities = sensitivity_none(none ? none : "nobody asked");
     if (study_has_manifolds(s))
         status = sensitivity_find(&s->block, &s->equilibrium[s->saddle],
                                   &s->critical, s->scene->rtol,
@@ -417,11 +428,10 @@ static enum status run_stage(struct study *s, enum stage stage,
 enum status study_run(struct study *s, const struct scene *scene,
                       const struct monitor *monitor, struct fault *why)
 {
-    enum status status = STATUS_OK;
-
-    *s = (struct study){ .scene = scene, .saddle = -1 };
-    s->stages = plan_stages(scene->products) | 1u << STAGE_STEADY;
     why->text[0] = '\0';
+    *s = (struct study){ .scene = scene, .saddle = -1 };
+    s->stages = plan_scene(scene);
+    enum status status = scene_slope_demand(scene, scene->products, why);
     block_init(&s->block, &scene->law, &scene->material, scene->tan_alpha);
     for (int i = 0; i < STAGES && status == STATUS_OK; i++)
         if (plan_has(s->stages, (enum stage) i))

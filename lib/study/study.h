@@ -26,14 +26,17 @@
 #include "sensitivity.h"
 #include "taylor_series.h"
 
-enum side { SIDE_UPPER, SIDE_LOWER, SIDES }; /* v > v_sp, v < v_sp */
+/* The branches of a manifold: v > v_sp, v < v_sp. */
+enum side { SIDE_UPPER, SIDE_LOWER, SIDES };
 
+/* What a stage took. */
 struct stage_cost {
     bool ran;
     size_t field_evaluations; /* a jet counts as one a coefficient */
     double seconds;
 };
 
+/* Everything that was found: what the stages that ran have filled. */
 struct study {
     const struct scene *scene; /* borrowed */
     unsigned stages;           /* bits of enum stage */
@@ -68,7 +71,9 @@ struct study {
 };
 
 /* STATUS_OK also where something does not exist: the reason is in the number.
- * On error *s is empty and *why says what failed. */
+ * Without a slope, which some products do not take, there are no steady states
+ * either.  STATUS_BAD_SCENE: no slope, and a product takes one.  On error *s is
+ * empty and *why says what failed. */
 MUST_CHECK enum status study_run(struct study *s, const struct scene *scene,
                                  const struct monitor *monitor,
                                  struct fault *why);
@@ -76,8 +81,10 @@ MUST_CHECK enum status study_run(struct study *s, const struct scene *scene,
 /* A second call is harmless. */
 void study_free(struct study *s);
 
-/* Whether there is a saddle whose manifolds doubles can hold. */
+/* Whether there is a saddle whose manifolds doubles can hold; and why not:
+ * static, or NULL where it has. */
 bool study_has_manifolds(const struct study *s);
+const char *study_no_manifolds(const struct study *s);
 
 /* The scene's window in absolute chart coordinates, and as drawn. */
 struct box study_window(const struct study *s);

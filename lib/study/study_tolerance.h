@@ -137,9 +137,11 @@
  * is compared with tan(alpha) itself; a block rests where less than this part
  * of the time so far is left, below this ln v (1e-11) where TOL_REST_DEEP_SOON
  * of it is; and how far, on a piece, one looks to both sides
- * of an event to see which way it goes. */
+ * of an event to see which way it goes.  A block is carried by inertia down to
+ * this ln v beside -ln(eps), with a force of a hundredth of its weight. */
 #define TOL_MOMENT_DIRECTION 1e-100
 #define TOL_MOMENT_REST      1e-17
+#define TOL_MOMENT_CARRIED   (-6.0)
 #define TOL_MOMENT_DEEP      (-25.4)
 #define TOL_MOMENT_ASIDE     0.05
 
@@ -147,10 +149,11 @@
  * times the orbit's tolerance high (rounding makes turns a tenth of it high);
  * bars in units of what the coarser orbit changes, for two may agree by
  * chance; and what rounding does to numbers along an orbit, in units of
- * roundoff, at once and with each step (measured: half of that). */
+ * roundoff, at once and with each step (measured at the finest tolerances: 120
+ * roundings of the time at most). */
 #define TOL_TIMELINE_TURN     1.0
 #define TOL_TIMELINE_BAR      8.0
-#define TOL_TIMELINE_ROUNDING 16.0
+#define TOL_TIMELINE_ROUNDING 128.0
 #define TOL_TIMELINE_STEP     0.02
 
 /* Phases of sliding: a block is on the v-nullcline where mu is this near to
@@ -268,10 +271,12 @@
 /* Orbits of transients: tolerance as a part of what is asked for (their events
  * are good to a hundredth of it), the finest that helps and the coarsest that
  * still follows the curve; that of the second orbit, to compare with; steps,
- * several times what the finest takes; how much looser the next attempt is
- * where they do not suffice; where a block runs away or fades, as
+ * several times what the finest takes; how much looser, then finer, the next
+ * attempt is where they do not suffice; where a block runs away or fades, as
  * factors on v; and where arrest is looked for at the end of a run that was
- * arrested, in units of its distance. */
+ * arrested, in units of its distance; and the part of the time so far, in what
+ * was asked for, that a block which rests may have left, and not less than
+ * TOL_MOMENT_REST. */
 #define TOL_TRANSIENT_STEP     10.0
 #define TOL_TRANSIENT_FINEST   3e-13
 #define TOL_TRANSIENT_COARSEST 1e-6
@@ -281,6 +286,7 @@
 #define TOL_TRANSIENT_FAST     1e6
 #define TOL_TRANSIENT_SLOW     1e-8
 #define TOL_TRANSIENT_REACH    2.0
+#define TOL_TRANSIENT_REST     1e-8
 
 /* Curves of steady states (steady_curve.c, spring_curve.c, fold_curve.c).
  * Points: more than there are 2 px on an axis of 600, most of them where one
@@ -334,8 +340,8 @@
 #define TOL_REST_PIECES     36
 #define TOL_REST_SUM        1e-11
 
-/* The rate of mu along an orbit, for a bar: by a difference over this way in
- * ln v and ln psi, some digits above rounding. */
-#define TOL_TIMELINE_PROBE 1e-6
+/* Where doubt about an event begins to be measured (doubt.c), in pieces of the
+ * orbit: far below what rounding does to a piece. */
+#define TOL_DOUBT_NEAREST 0x1p-50
 
 #endif

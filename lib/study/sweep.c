@@ -10,14 +10,15 @@
 
 #include "scene_sweep.h"
 #include "study_tolerance.h"
-#include "sweep_journal.h"
+#include "sweep_finish.h"
 #include "sweep_refine.h"
 #include "tolerance.h"
 
 struct run {
     struct sweep *s;
+    unsigned products;      /* of the study at a point */
+    bool takes_long;        /* a point: worth listening within it */
     struct sweep_rows left; /* of an earlier run, sorted */
-    struct sweep_journal journal;
     const struct monitor *monitor;
     struct fault *why;
     size_t done;        /* rows that are computed */
@@ -27,19 +28,33 @@ struct run {
 /* ---- one point ------------------------------------------------------------
  */
 
-static void set_row(const struct sweep *s, size_t i, const struct study *study)
+static void set_entry(const struct sweep *s, size_t i,
+                      const struct sweep_column *c, size_t n,
+                      const struct sweep_point *p)
 {
-    for (size_t k = 0; k < s->columns.count; k++) {
-        const struct sweep_column *c = &s->columns.at[k];
-        double *real = sweep_rows_real(&s->rows, i, k);
-        struct quantity q = quantity_none(NULL);
-        if (c->codes == NULL)
-            q = sweep_column_quantity(c, study);
-        real[0] = q.value;
-        real[1] = q.error;
-        if (s->columns.conditioning)
-            real[2] = q.conditioning;
-    }
+    double *real = sweep_rows_real(&s->rows, i, c->first + n);
+    int8_t *code = sweep_rows_code(&s->rows, i, c->first + n);
+    struct quantity q = quantity_none(NULL);
+
+    if (c->codes)
+        *code = sweep_column_code(c, p, n);
+    else
+        q = sweep_column_quantity(c, p, n);
+    real[0] = q.value;
+    real[1] = q.error;
+    if (s->columns.conditioning)
+        real[2] = q.conditioning;
+    if (!c->codes)
+        *code = quantity_exists(&q) ? REASON_PRESENT : REASON_ABSENT;
+}
+
+/* All but why numbers are missing. */
+static void set_row(const struct sweep *s, size_t i,
+                    const struct sweep_point *p)
+{
+    for (size_t k = 0; k < s->columns.count; k++)
+        for (size_t n = 0; n < s->columns.at[k].entries; n++)
+            set_entry(s, i, &s->columns.at[k], n, p);
 }
 
 /* The code of a reason; a new one goes into the side file, too. */
@@ -50,61 +65,36 @@ static enum status code_of(struct run *r, const char *reason, int8_t *code)
 
     if (status != STATUS_OK || r->s->reasons.count == known)
         return status;
-    return sweep_journal_reason(&r->journal, reason, r->why);
+    return sweep_journal_reason(&r->s->journal, reason, r->why);
 }
 
-/* The codes of a row, of which one thread at a time can add new ones. */
-static enum status set_codes(struct run *r, size_t i, const struct study *study)
+static enum status set_reasons(struct run *r, size_t i,
+                               const struct sweep_column *c,
+                               const struct sweep_point *p)
 {
-    const struct sweep *s = r->s;
+    int8_t *code = sweep_rows_code(&r->s->rows, i, c->first);
     enum status status = STATUS_OK;
 
-    for (size_t k = 0; k < s->columns.count && status == STATUS_OK; k++) {
-        const struct sweep_column *c = &s->columns.at[k];
-        int8_t *code = sweep_rows_code(&s->rows, i, k);
-        if (c->codes != NULL) {
-            *code = sweep_column_code(c, study);
-            continue;
-        }
-        const struct quantity q = sweep_column_quantity(c, study);
-        *code = REASON_PRESENT;
-        if (!quantity_exists(&q))
-            status = code_of(r, q.reason, code);
-    }
+    for (size_t n = 0; n < c->entries && status == STATUS_OK; n++)
+        if (code[n] == REASON_ABSENT)
+            status =
+                code_of(r, sweep_column_quantity(c, p, n).reason, &code[n]);
+    return status;
+}
+
+/* The reasons of a row, of which one thread at a time can add new ones; then it
+ * is whole. */
+static enum status end_row(struct run *r, size_t i, const struct sweep_point *p,
+                           const char *block)
+{
+    struct sweep *s = r->s;
+    enum status status = STATUS_OK;
+
+    for (size_t k = 0; k < s->columns.count && status == STATUS_OK; k++)
+        if (!s->columns.at[k].codes)
+            status = set_reasons(r, i, &s->columns.at[k], p);
     return status ? status
-                  : sweep_journal_row(&r->journal, &s->rows, i, r->why);
-}
-
-/* The study of a point that failed: nothing, and why. */
-static void make_empty(struct study *study, const struct sweep_columns *columns,
-                       const char *reason)
-{
-    const struct quantity none = quantity_none(reason);
-    const int8_t no_code = -1;
-
-    for (size_t k = 0; k < columns->count; k++) {
-        char *member = (char *) study + columns->at[k].offset;
-        if (columns->at[k].codes)
-            memcpy(member, &no_code, sizeof no_code);
-        else
-            memcpy(member, &none, sizeof none);
-    }
-}
-
-/* Only STATUS_NO_MEMORY is an error. */
-static enum status study_point(const struct run *r, size_t i,
-                               struct study *study, struct scene *point)
-{
-    struct fault why;
-
-    scene_at(r->s->scene, sweep_rows_x(&r->s->rows, i), point);
-    const enum status status = study_run(study, point, NULL, &why);
-    if (status == STATUS_NO_MEMORY)
-        return status;
-    sweep_columns_complete(study);
-    if (status != STATUS_OK)
-        make_empty(study, &r->s->columns, status_text(status));
-    return STATUS_OK;
+                  : sweep_journal_row(&s->journal, &s->rows, i, block, r->why);
 }
 
 /* Notes a failure, or asks whether there was one. */
@@ -130,18 +120,53 @@ static enum status tell(struct run *r)
     return status;
 }
 
-static enum status compute(struct run *r, size_t i)
+/* Within a point that takes long nobody tells, but all listen. */
+static int listen(void *ctx, const char *stage, uint64_t done, uint64_t total)
 {
-    struct study study;
-    struct scene point;
-    enum status status = study_point(r, i, &study, &point);
+    struct run *r = ctx;
+    int stop;
 
+    (void) stage, (void) done, (void) total;
+#pragma omp critical(sweep)
+    stop = r->failed != STATUS_OK ||
+           monitor_tell(r->monitor, "points", r->done, r->s->rows.count);
+    return stop;
+}
+
+/* What is known of a point, into its row and the side file. */
+static enum status keep(struct run *r, size_t i, const struct sweep_point *p,
+                        char *block)
+{
+    const struct monitor monitor = { listen, r };
+    enum status status = STATUS_OK;
+
+    if (block)
+        status = sweep_layers_fill(&r->s->layers, p, &monitor, block);
     if (status != STATUS_OK)
         return status;
-    set_row(r->s, i, &study);
+    set_row(r->s, i, p);
 #pragma omp critical(sweep)
-    status = set_codes(r, i, &study);
-    study_free(&study);
+    status = end_row(r, i, p, block);
+    return status;
+}
+
+static enum status compute(struct run *r, size_t i)
+{
+    const struct monitor monitor = { listen, r };
+    const size_t size = r->s->layers.size;
+    struct sweep_point point;
+    char *block = size ? malloc(size) : NULL;
+
+    if (size && block == NULL)
+        return STATUS_NO_MEMORY;
+    enum status status =
+        sweep_point_run(&point, r->s->scene, sweep_rows_x(&r->s->rows, i),
+                        r->products, r->takes_long ? &monitor : NULL);
+    if (status == STATUS_OK) {
+        status = keep(r, i, &point, block);
+        sweep_point_free(&point);
+    }
+    free(block);
     return status ? status : tell(r);
 }
 
@@ -211,11 +236,19 @@ static enum status compute_middles(struct run *r, const struct sweep_refine *f)
     return status;
 }
 
+/* The entry of a column of one; -1 if there is none. */
+static int entry_of(const struct sweep *s, const char *name)
+{
+    const int column = sweep_find(s, name);
+
+    return column < 0 ? -1 : (int) s->columns.at[column].first;
+}
+
 static enum status refine(struct run *r)
 {
     struct sweep *s = r->s;
     struct sweep_refine f = {
-        .curve = { sweep_find(s, "ln_v_plus"), sweep_find(s, "ln_v_minus") },
+        .curve = { entry_of(s, "ln_v_plus"), entry_of(s, "ln_v_minus") },
         .tol = s->scene->sweep.refine,
         .is_log = s->scene->sweep.axis[0].scale == SWEEP_LOG,
     };
@@ -229,93 +262,6 @@ static enum status refine(struct run *r)
     }
     s->unrefined = f.spans > 0;
     sweep_refine_free(&f);
-    return status;
-}
-
-/* ---- the end --------------------------------------------------------------
- */
-
-static bool is_failure(const char *reason)
-{
-    for (int s = STATUS_OK + 1; s < STATUS_COUNT; s++)
-        if (strcmp(reason, status_text((enum status) s)) == 0)
-            return true;
-    return false;
-}
-
-/* Reasons numbered as they come from the first point to the last. */
-static enum status sort_reasons(struct sweep *s)
-{
-    struct sweep_reasons sorted;
-    enum status status = sweep_reasons_init(&sorted);
-
-    for (size_t i = 0; i < s->rows.count && status == STATUS_OK; i++)
-        for (size_t k = 0; k < s->columns.count && status == STATUS_OK; k++) {
-            int8_t *code = sweep_rows_code(&s->rows, i, k);
-            if (s->columns.at[k].codes == NULL && *code >= REASON_FIRST)
-                status =
-                    sweep_reasons_code(&sorted, s->reasons.text[*code], code);
-        }
-    sweep_reasons_free(&s->reasons);
-    s->reasons = sorted;
-    return status;
-}
-
-/* The last columns, those of steady states that no point has, go. */
-static void trim_columns(struct sweep *s)
-{
-    const struct sweep_column *c = s->columns.at;
-
-    while (s->columns.count > 0 &&
-           strncmp(c[s->columns.count - 1].name, "equilibria_", 11) == 0) {
-        for (size_t i = 0; i < s->rows.count; i++)
-            if (*sweep_rows_code(&s->rows, i, s->columns.count - 1) ==
-                REASON_PRESENT)
-                return;
-        s->columns.count--;
-    }
-}
-
-static void count_failures(struct sweep *s)
-{
-    for (size_t i = 0; i < s->points; i++) {
-        const struct quantity q = sweep_quantity(s, 0, i);
-        s->failed += !quantity_exists(&q) && is_failure(q.reason);
-    }
-}
-
-static enum status set_axes(struct sweep *s)
-{
-    for (size_t k = 0; k < s->axes; k++) {
-        const struct scene_axis *from = &s->scene->sweep.axis[k];
-        const char *dot = strrchr(from->key, '.');
-        struct sweep_axis *axis = &s->axis[k];
-        *axis = (struct sweep_axis){
-            .key = sweep_key_of(from->key),
-            .name = dot ? dot + 1 : from->key,
-            .count = s->axes == 1 ? s->rows.count : from->count,
-            .is_log = from->scale == SWEEP_LOG,
-        };
-        axis->value = malloc(axis->count * sizeof *axis->value);
-        if (axis->value == NULL)
-            return STATUS_NO_MEMORY;
-        for (size_t i = 0; i < axis->count; i++)
-            axis->value[i] =
-                s->axes == 1 ? sweep_rows_x(&s->rows, i)[0] : from->value[i];
-    }
-    return STATUS_OK;
-}
-
-static enum status finish(struct sweep *s)
-{
-    enum status status = set_axes(s);
-
-    s->points = s->rows.count;
-    trim_columns(s);
-    if (status == STATUS_OK)
-        status = sort_reasons(s);
-    if (status == STATUS_OK)
-        count_failures(s);
     return status;
 }
 
@@ -339,7 +285,49 @@ static uint64_t key_of(const struct sweep *s, const char *version)
     for (size_t k = 0; k < s->columns.count; k++)
         sum = sweep_journal_sum(sum, s->columns.at[k].name,
                                 strlen(s->columns.at[k].name) + 1);
+    for (size_t k = 0; k < s->layers.count; k++)
+        sum = sweep_journal_sum(sum, s->layers.at[k].name,
+                                strlen(s->layers.at[k].name) + 1);
     return version ? sweep_journal_sum(sum, version, strlen(version)) : sum;
+}
+
+static size_t count_words(const char *const *words)
+{
+    size_t n = 0;
+
+    while (words[n])
+        n++;
+    return n;
+}
+
+/* Every code of a row means something: the checksum of a side file keeps out
+ * accidents only. */
+static bool is_sound(const struct sweep *s, const struct sweep_rows *rows,
+                     size_t i)
+{
+    bool sound = true;
+
+    for (size_t k = 0; k < s->columns.count && sound; k++) {
+        const struct sweep_column *c = &s->columns.at[k];
+        const int8_t *code = sweep_rows_code(rows, i, c->first);
+        const size_t words =
+            c->codes ? count_words(c->codes) : s->reasons.count;
+        for (size_t n = 0; n < c->entries; n++)
+            sound &= (code[n] >= 0 && (size_t) code[n] < words) ||
+                     (code[n] == -1 && c->codes);
+    }
+    return sound;
+}
+
+static void drop_unsound(const struct sweep *s, struct sweep_rows *rows)
+{
+    size_t kept = 0;
+
+    for (size_t i = 0; i < rows->count; i++)
+        if (is_sound(s, rows, i))
+            memmove(sweep_rows_row(rows, kept++), sweep_rows_row(rows, i),
+                    rows->width * sizeof *rows->at);
+    rows->count = kept;
 }
 
 static enum status open_journal(struct run *r, const struct sweep_options *o)
@@ -349,21 +337,37 @@ static enum status open_journal(struct run *r, const struct sweep_options *o)
     if (o->journal == NULL)
         return STATUS_OK;
     const enum status status = sweep_journal_open(
-        &r->journal, o->journal, key_of(s, o->version), o->resume, &r->left,
-        &s->reasons, &s->replaced, r->why);
+        &s->journal, o->journal, key_of(s, o->version), s->layers.size,
+        o->resume, &r->left, &s->reasons, &s->replaced, r->why);
+    drop_unsound(s, &r->left);
     sweep_rows_sort(&r->left);
     return status;
+}
+
+/* Runs and maps are not done in microseconds. */
+static bool takes_long(const struct run *r)
+{
+    const unsigned runs = 1u << PRODUCT_TRAJECTORIES;
+
+    return plan_has(plan_stages(r->products), STAGE_BASINS) ||
+           r->s->scene->products & runs;
 }
 
 static enum status begin(struct run *r, const struct sweep_options *o)
 {
     struct sweep *s = r->s;
-    enum status status = sweep_columns_init(&s->columns, s->scene);
+    enum status status = sweep_dims_init(&s->dims, s->scene);
 
+    if (status == STATUS_OK)
+        status = sweep_columns_init(&s->columns, s->scene, &s->dims);
+    if (status == STATUS_OK && o->journal)
+        status = sweep_layers_init(&s->layers, s->scene, &s->dims);
     if (status == STATUS_OK)
         status = sweep_reasons_init(&s->reasons);
     s->rows = r->left =
-        sweep_rows_of(s->columns.count, s->columns.conditioning);
+        sweep_rows_of(s->columns.entries, s->columns.conditioning);
+    r->products = sweep_point_products(s->scene, s->layers.count > 0);
+    r->takes_long = takes_long(r);
     return status ? status : open_journal(r, o);
 }
 
@@ -371,11 +375,11 @@ enum status sweep_run(struct sweep *s, const struct scene *scene,
                       const struct sweep_options *options,
                       const struct monitor *monitor, struct fault *why)
 {
-    struct run r = {
-        .s = s, .journal = { .file = -1 }, .monitor = monitor, .why = why
-    };
+    struct run r = { .s = s, .monitor = monitor, .why = why };
 
-    *s = (struct sweep){ .scene = scene, .axes = scene->sweep.axes };
+    *s = (struct sweep){ .scene = scene,
+                         .axes = scene->sweep.axes,
+                         .journal = { .file = -1 } };
     why->text[0] = '\0';
     enum status status = begin(&r, options);
     if (status == STATUS_OK)
@@ -383,8 +387,9 @@ enum status sweep_run(struct sweep *s, const struct scene *scene,
     if (status == STATUS_OK && scene->sweep.refine > 0.0)
         status = refine(&r);
     if (status == STATUS_OK)
-        status = finish(s);
-    sweep_journal_close(&r.journal);
+        status = sweep_finish(s);
+    if (s->layers.count == 0)
+        sweep_journal_close(&s->journal);
     sweep_rows_free(&r.left);
     if (status == STATUS_OK)
         return STATUS_OK;
@@ -398,9 +403,12 @@ void sweep_free(struct sweep *s)
 {
     for (size_t k = 0; k < SCENE_AXES; k++)
         free(s->axis[k].value);
+    sweep_dims_free(&s->dims);
     sweep_columns_free(&s->columns);
     sweep_reasons_free(&s->reasons);
     sweep_rows_free(&s->rows);
+    sweep_layers_free(&s->layers);
+    sweep_journal_close(&s->journal);
     *s = (struct sweep){ .scene = NULL };
 }
 
@@ -420,9 +428,10 @@ int sweep_find(const struct sweep *s, const char *name)
     return -1;
 }
 
-struct quantity sweep_quantity(const struct sweep *s, int column, size_t point)
+struct quantity sweep_entry(const struct sweep *s, int column, size_t point,
+                            size_t entry)
 {
-    const size_t k = (size_t) column;
+    const size_t k = s->columns.at[column].first + entry;
     const double *real = sweep_rows_real(&s->rows, point, k);
     const int8_t code = *sweep_rows_code(&s->rows, point, k);
 
@@ -434,7 +443,28 @@ struct quantity sweep_quantity(const struct sweep *s, int column, size_t point)
     return q;
 }
 
+int sweep_entry_code(const struct sweep *s, int column, size_t point,
+                     size_t entry)
+{
+    return *sweep_rows_code(&s->rows, point,
+                            s->columns.at[column].first + entry);
+}
+
+struct quantity sweep_quantity(const struct sweep *s, int column, size_t point)
+{
+    return sweep_entry(s, column, point, 0);
+}
+
 int sweep_code(const struct sweep *s, int column, size_t point)
 {
-    return *sweep_rows_code(&s->rows, point, (size_t) column);
+    return sweep_entry_code(s, column, point, 0);
+}
+
+enum status sweep_read(const struct sweep *s, size_t k, size_t point, void *out,
+                       struct fault *why)
+{
+    const struct sweep_layer *layer = &s->layers.at[k];
+
+    return sweep_journal_read(&s->journal, &s->rows, point, layer->offset, out,
+                              sweep_layer_size(layer), why);
 }

@@ -18,11 +18,11 @@ static const char mark[8] = "slipswp";
 
 struct head {
     char mark[8];
-    uint64_t key, row_bytes;
+    uint64_t key, row_bytes, block_bytes;
 };
 
 struct record_head {
-    uint32_t kind, size;
+    uint64_t kind, size;
 };
 
 const uint64_t sweep_journal_nil = 0xcbf29ce484222325u;
@@ -62,23 +62,45 @@ static bool take(int file, void *bytes, size_t size)
     return true;
 }
 
-/* The next record, whole and with the right sum: its payload, a zero after
- * it, in *bytes, which has the room. */
-static bool take_record(const struct sweep_journal *j, size_t most,
-                        struct record_head *head, char *bytes)
+/* Goes on summing over `size` bytes that nobody keeps. */
+static bool skim(int file, size_t size, uint64_t *sum)
 {
-    uint64_t sum = 0;
+    char bytes[1 << 14];
 
-    if (!take(j->file, head, sizeof *head) || head->size > most ||
-        !take(j->file, bytes, head->size) || !take(j->file, &sum, sizeof sum))
-        return false;
-    bytes[head->size] = '\0';
-    return sum ==
-           sweep_journal_sum(sweep_journal_sum(j->key, head, sizeof *head),
-                             bytes, head->size);
+    for (size_t some; size > 0; size -= some) {
+        some = size < sizeof bytes ? size : sizeof bytes;
+        if (!take(file, bytes, some))
+            return false;
+        *sum = sweep_journal_sum(*sum, bytes, some);
+    }
+    return true;
 }
 
-static enum status keep(const struct record_head *head, const char *bytes,
+/* The next record, whole and with the right sum: its row (of `row` bytes) or
+ * its sentence and a zero after it, in *bytes, which has the room. */
+static bool take_record(const struct sweep_journal *j, size_t row,
+                        struct record_head *head, char *bytes)
+{
+    uint64_t sum, stored = 0;
+
+    if (!take(j->file, head, sizeof *head))
+        return false;
+    const bool is_row = head->kind == RECORD_ROW;
+    const size_t kept = is_row ? row : head->size;
+    if (is_row ? head->size != row + j->block
+               : head->kind != RECORD_REASON || kept > REASON_BYTES)
+        return false;
+    if (!take(j->file, bytes, kept))
+        return false;
+    bytes[kept] = '\0';
+    sum = sweep_journal_sum(sweep_journal_sum(j->key, head, sizeof *head),
+                            bytes, kept);
+    return skim(j->file, head->size - kept, &sum) &&
+           take(j->file, &stored, sizeof stored) && stored == sum;
+}
+
+static enum status keep(const struct sweep_journal *j,
+                        const struct record_head *head, const char *bytes,
                         struct sweep_rows *rows, struct sweep_reasons *reasons)
 {
     int8_t code;
@@ -86,36 +108,58 @@ static enum status keep(const struct record_head *head, const char *bytes,
     if (head->kind == RECORD_REASON)
         return sweep_reasons_code(reasons, bytes, &code);
     const enum status status = sweep_rows_add(rows, 1);
-    if (status == STATUS_OK)
-        memcpy(sweep_rows_row(rows, rows->count - 1), bytes, head->size);
-    return status;
+    if (status != STATUS_OK)
+        return status;
+    const size_t i = rows->count - 1, size = rows->width * sizeof *rows->at;
+    memcpy(sweep_rows_row(rows, i), bytes, size);
+    *sweep_rows_place(rows, i) =
+        (double) (j->end + (off_t) (sizeof *head + size));
+    return STATUS_OK;
 }
 
 /* Everything up to what was torn off, which goes. */
-static enum status take_all(const struct sweep_journal *j,
-                            struct sweep_rows *rows,
+static enum status take_all(struct sweep_journal *j, struct sweep_rows *rows,
                             struct sweep_reasons *reasons, struct fault *why)
 {
     const size_t row = rows->width * sizeof *rows->at;
-    const size_t most = row > REASON_BYTES ? row : REASON_BYTES;
-    off_t good = (off_t) sizeof(struct head);
     enum status status = STATUS_OK;
     struct record_head head;
-    char *bytes = malloc(most + 1);
+    char *bytes = malloc((row > REASON_BYTES ? row : REASON_BYTES) + 1);
 
     if (bytes == NULL)
         return STATUS_NO_MEMORY;
-    while (status == STATUS_OK && take_record(j, most, &head, bytes)) {
-        if (head.kind == RECORD_ROW && head.size != row)
-            break;
-        status = keep(&head, bytes, rows, reasons);
-        good += (off_t) (sizeof head + head.size + sizeof(uint64_t));
+    while (status == STATUS_OK && take_record(j, row, &head, bytes)) {
+        status = keep(j, &head, bytes, rows, reasons);
+        j->end += (off_t) (sizeof head + head.size + sizeof(uint64_t));
     }
     free(bytes);
-    if (status == STATUS_OK &&
-        (ftruncate(j->file, good) != 0 || lseek(j->file, good, SEEK_SET) < 0))
+    if (status == STATUS_OK && (ftruncate(j->file, j->end) != 0 ||
+                                lseek(j->file, j->end, SEEK_SET) < 0))
         return trouble(j, why);
     return status;
+}
+
+enum status sweep_journal_read(const struct sweep_journal *j,
+                               const struct sweep_rows *rows, size_t i,
+                               size_t offset, void *bytes, size_t size,
+                               struct fault *why)
+{
+    off_t from = (off_t) *sweep_rows_place(rows, i) + (off_t) offset;
+    char *at = bytes;
+
+    while (size > 0) {
+        const ssize_t got = pread(j->file, at, size, from);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got == 0)
+            errno = EIO;
+        if (got <= 0)
+            return trouble(j, why);
+        at += got;
+        from += got;
+        size -= (size_t) got;
+    }
+    return STATUS_OK;
 }
 
 /* ---- writing ------------------------------------------------------------- */
@@ -137,39 +181,48 @@ static enum status put(const struct sweep_journal *j, const void *bytes,
     return STATUS_OK;
 }
 
-static enum status put_record(const struct sweep_journal *j,
+/* Two pieces, either may be empty. */
+static enum status put_record(struct sweep_journal *j,
                               enum record_kind_of_journal kind,
-                              const void *bytes, size_t size, struct fault *why)
+                              const void *bytes, size_t size, const void *more,
+                              size_t more_size, struct fault *why)
 {
-    const struct record_head head = { (uint32_t) kind, (uint32_t) size };
-    const uint64_t sum = sweep_journal_sum(
-        sweep_journal_sum(j->key, &head, sizeof head), bytes, size);
-    char *all = malloc(sizeof head + size + sizeof sum), *end = all;
+    const struct record_head head = { kind, size + more_size };
+    uint64_t sum = sweep_journal_sum(j->key, &head, sizeof head);
 
-    if (all == NULL)
-        return STATUS_NO_MEMORY;
-    end = (char *) memcpy(end, &head, sizeof head) + sizeof head;
-    end = (char *) memcpy(end, bytes, size) + size;
-    end = (char *) memcpy(end, &sum, sizeof sum) + sizeof sum;
-    const enum status status = put(j, all, (size_t) (end - all), why);
-    free(all);
+    sum = sweep_journal_sum(sum, bytes, size);
+    sum = sweep_journal_sum(sum, more, more_size);
+    enum status status = put(j, &head, sizeof head, why);
+    if (status == STATUS_OK)
+        status = put(j, bytes, size, why);
+    if (status == STATUS_OK)
+        status = put(j, more, more_size, why);
+    if (status == STATUS_OK)
+        status = put(j, &sum, sizeof sum, why);
+    j->end += (off_t) (sizeof head + head.size + sizeof sum);
     return status;
 }
 
 enum status sweep_journal_reason(struct sweep_journal *j, const char *text,
                                  struct fault *why)
 {
-    return j->path ? put_record(j, RECORD_REASON, text, strlen(text), why)
-                   : STATUS_OK;
+    return j->path
+               ? put_record(j, RECORD_REASON, text, strlen(text), NULL, 0, why)
+               : STATUS_OK;
 }
 
 enum status sweep_journal_row(struct sweep_journal *j,
                               const struct sweep_rows *rows, size_t i,
-                              struct fault *why)
+                              const void *block, struct fault *why)
 {
-    return j->path ? put_record(j, RECORD_ROW, sweep_rows_row(rows, i),
-                                rows->width * sizeof *rows->at, why)
-                   : STATUS_OK;
+    const size_t size = rows->width * sizeof *rows->at;
+
+    if (j->path == NULL)
+        return STATUS_OK;
+    *sweep_rows_place(rows, i) =
+        (double) (j->end + (off_t) (sizeof(struct record_head) + size));
+    return put_record(j, RECORD_ROW, sweep_rows_row(rows, i), size, block,
+                      j->block, why);
 }
 
 /* ---- opening ------------------------------------------------------------- */
@@ -189,15 +242,12 @@ static enum status open_file(struct sweep_journal *j, struct fault *why)
     return STATUS_IO;
 }
 
-static enum status begin(struct sweep_journal *j, size_t row_bytes,
+static enum status begin(struct sweep_journal *j, const struct head *own,
                          struct fault *why)
 {
-    struct head head = { .key = j->key, .row_bytes = row_bytes };
-
-    memcpy(head.mark, mark, sizeof mark);
     if (ftruncate(j->file, 0) != 0 || lseek(j->file, 0, SEEK_SET) < 0)
         return trouble(j, why);
-    return put(j, &head, sizeof head, why);
+    return put(j, own, sizeof *own, why);
 }
 
 static enum status refuse(const struct sweep_journal *j, const char *what,
@@ -212,25 +262,29 @@ static enum status enter(struct sweep_journal *j, bool resume,
                          struct sweep_rows *rows, struct sweep_reasons *reasons,
                          bool *replaced, struct fault *why)
 {
-    const size_t row = rows->width * sizeof *rows->at;
     struct head head = { .key = 0 };
+    struct head own = { .key = j->key,
+                        .row_bytes = rows->width * sizeof *rows->at,
+                        .block_bytes = j->block };
     const bool whole = take(j->file, &head, sizeof head);
     const off_t size = lseek(j->file, 0, SEEK_END);
     const size_t marked =
         (size_t) size < sizeof mark ? (size_t) size : sizeof mark;
 
+    memcpy(own.mark, mark, sizeof mark);
     *replaced = false;
     if (memcmp(head.mark, mark, marked) != 0)
         return refuse(j, "not the side file of a sweep, expected no such file",
                       why);
-    if (whole && resume && (head.key != j->key || head.row_bytes != row))
+    if (whole && resume && memcmp(&head, &own, sizeof head) != 0)
         return refuse(j,
                       "of another scene or version, expected that of this "
                       "scene (without --resume it is replaced)",
                       why);
+    j->end = sizeof head;
     if (!whole || !resume) {
         *replaced = size > (off_t) sizeof head;
-        return begin(j, row, why);
+        return begin(j, &own, why);
     }
     if (lseek(j->file, sizeof head, SEEK_SET) < 0)
         return trouble(j, why);
@@ -238,13 +292,15 @@ static enum status enter(struct sweep_journal *j, bool resume,
 }
 
 enum status sweep_journal_open(struct sweep_journal *j, const char *path,
-                               uint64_t key, bool resume,
+                               uint64_t key, size_t block, bool resume,
                                struct sweep_rows *rows,
                                struct sweep_reasons *reasons, bool *replaced,
                                struct fault *why)
 {
-    *j = (struct sweep_journal){ path, -1, key };
-    enum status status = open_file(j, why);
+    *j = (struct sweep_journal){
+        .path = strdup(path), .file = -1, .key = key, .block = block
+    };
+    enum status status = j->path ? open_file(j, why) : STATUS_NO_MEMORY;
     if (status == STATUS_OK)
         status = enter(j, resume, rows, reasons, replaced, why);
     if (status != STATUS_OK)
@@ -256,5 +312,6 @@ void sweep_journal_close(struct sweep_journal *j)
 {
     if (j->path && j->file >= 0)
         close(j->file);
+    free(j->path);
     *j = (struct sweep_journal){ .file = -1 };
 }

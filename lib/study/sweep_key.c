@@ -3,6 +3,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "schema.h"
+
 static const struct sweep_key table[] = {
     { "slope.alpha", "rad", "slope angle" },
     { "slope.alpha_deg", "degree", "slope angle" },
@@ -24,5 +26,7 @@ struct sweep_key sweep_key_of(const char *path)
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (strcmp(table[i].path, path) == 0)
             return table[i];
-    return (struct sweep_key){ path, "1", path };
+    const struct schema_key *k = schema_find(path);
+    return (struct sweep_key){ path, k && k->unit ? k->unit : "1",
+                               k ? k->text : path };
 }

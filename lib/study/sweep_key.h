@@ -9,7 +9,7 @@ struct sweep_key {
     const char *text; /* one plain phrase */
 };
 
-/* Static; of a key that has no line in the table, its path and "1". */
+/* Static; of a key that has no line in the table, what the schema says. */
 struct sweep_key sweep_key_of(const char *path);
 
 #endif

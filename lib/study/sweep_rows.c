@@ -3,14 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct sweep_rows sweep_rows_of(size_t columns, bool conditioning)
+struct sweep_rows sweep_rows_of(size_t entries, bool conditioning)
 {
     const size_t reals = conditioning ? 3 : 2;
-    const size_t codes = (columns + sizeof(double) - 1) / sizeof(double);
+    const size_t codes = (entries + sizeof(double) - 1) / sizeof(double);
 
-    return (struct sweep_rows){ .columns = columns,
+    return (struct sweep_rows){ .entries = entries,
                                 .reals = reals,
-                                .width = 2 + reals * columns + codes };
+                                .width = 3 + reals * entries + codes };
 }
 
 enum status sweep_rows_add(struct sweep_rows *r, size_t count)

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "doubt.h"
 #include "study_tolerance.h"
 
 /* One hit of an orbit. */
@@ -146,14 +147,18 @@ static const struct mark *nearest(const struct marks *m, const struct mark *to)
     return best;
 }
 
+/* What rounding does to a number along an orbit, relative. */
+static double rounding_along(const struct orbit *o)
+{
+    return DBL_EPSILON *
+           (TOL_TIMELINE_ROUNDING + TOL_TIMELINE_STEP * (double) o->steps);
+}
+
 struct quantity timeline_compare(const struct orbit *o, double coarse,
                                  double fine)
 {
-    const double roundings =
-        TOL_TIMELINE_ROUNDING + TOL_TIMELINE_STEP * (double) o->steps;
-
     return quantity_of(fine, TOL_TIMELINE_BAR * fabs(fine - coarse) +
-                                 roundings * DBL_EPSILON * fabs(fine));
+                                 rounding_along(o) * fabs(fine));
 }
 
 double timeline_part(const struct orbit *o, size_t i)
@@ -167,66 +172,51 @@ static double psi_of(const struct study *s, double y)
                                     : s->block.at.y0 + y;
 }
 
-/* A critical velocity has a bar of its own, which is that of v there and moves
- * the event by as much over the rate of ln v. */
-static void add_level_error(const struct study *s, const struct event_hit *hit,
-                            struct transient_event *e)
+/* A critical velocity has a bar of its own. */
+static double level_error(const struct study *s, enum moment what)
 {
     const struct critical_numbers *c = &s->critical;
-    const double error = e->what == MOMENT_V_MINUS  ? c->ln_v_minus.error
-                         : e->what == MOMENT_V_PLUS ? c->ln_v_plus.error
-                                                    : 0.0;
-    const struct vec2 rate = moment_rates(s, hit->u);
-    const double dt = error / fabs(rate.x);
 
-    e->v.error += e->v.value * error;
-    e->time.error += dt;
-    e->slip.error += e->v.value * dt;
-    e->psi.error += fabs(e->psi.value * rate.y) * dt;
-    e->mu.error += fabs(e->mu.value) * error;
+    return what == MOMENT_V_MINUS  ? c->ln_v_minus.error
+           : what == MOMENT_V_PLUS ? c->ln_v_plus.error
+                                   : 0.0;
 }
 
-/* How fast the event's own quantity moves there: ln v, y, or mu; infinite where
- * it is none of them. */
-static double speed_of(const struct study *s, const struct event_hit *hit,
-                       enum moment what)
+/* In an event; at rest none but of the time and slip so far, for what is left
+ * hardly counts. */
+static struct doubt doubt_about(const struct study *s,
+                                const struct moment_watches *w,
+                                const struct orbit *o,
+                                const struct event_hit *hit, enum moment what,
+                                double off)
 {
-    const struct vec2 z = { hit->u[0], hit->u[1] };
-    const struct vec2 rate = moment_rates(s, hit->u);
-    const double dt = TOL_TIMELINE_PROBE / (fabs(rate.x) + fabs(rate.y));
-    const struct vec2 on = vec2_add(z, vec2_scale(dt, rate));
-
-    if (what == MOMENT_PSI)
-        return fabs(rate.y);
-    if (what == MOMENT_MU_NEARS || what == MOMENT_MU_LEAVES)
-        return fabs(moment_excess_friction(s, on) -
-                    moment_excess_friction(s, z)) /
-               dt;
-    return what <= MOMENT_V ? fabs(rate.x) : HUGE_VAL;
+    if (what == MOMENT_REST)
+        return (struct doubt){ .time = 0.0 };
+    return doubt_find(s, &w->event[hit->which], hit, &o->curve, off,
+                      level_error(s, what));
 }
 
 /* What the steps up to there allow for, which two orbits may share: in the
- * state, and in when it is reached.  A step's time and slip are held to a part
- * of those so far, so that the part their errors make of the whole serves on
- * the way; d mu/d ln v <= a, and b is the most that d mu/d y comes to. */
-static void add_step_errors(const struct study *s, const struct orbit *o,
-                            const struct event_hit *hit,
+ * state, and in when it is reached; d mu/d ln v <= a, and b is the most that
+ * d mu/d y comes to. */
+static void add_step_errors(const struct study *s,
+                            const struct moment_watches *w,
+                            const struct orbit *o, const struct event_hit *hit,
                             struct transient_event *e)
 {
     const struct material *m = &s->block.material;
-    const double off = o->curve.piece[hit->piece].error;
-    const double off_mu = (m->a + m->b) * off;
-    const bool of_mu =
-        e->what == MOMENT_MU_NEARS || e->what == MOMENT_MU_LEAVES;
-    const double late =
-        (of_mu ? off_mu : off) / speed_of(s, hit, (enum moment) e->what);
+    const double size = o->peak[0] + o->peak[1];
+    const double off =
+        fmax(hit->error[0], hit->error[1]) + rounding_along(o) * size;
+    const struct doubt d =
+        doubt_about(s, w, o, hit, (enum moment) e->what, off);
 
-    e->time.error += late + fabs(e->time.value) * timeline_part(o, 2);
-    e->slip.error += late * e->v.value +
-                     fabs(e->slip.value) * timeline_part(o, 3 + BLOCK_SLIP);
-    e->v.error += e->v.value * off;
-    e->psi.error += (s->system.axis[1].is_log ? e->psi.value : 1.0) * off;
-    e->mu.error += off_mu;
+    e->time.error += d.time + hit->error[2];
+    e->slip.error += d.slip + hit->error[3 + BLOCK_SLIP];
+    e->v.error += e->v.value * expm1(d.x + off);
+    e->psi.error +=
+        s->system.axis[1].is_log ? e->psi.value * expm1(d.y + off) : d.y + off;
+    e->mu.error += d.mu + (m->a + m->b) * off;
 }
 
 static struct transient_event event_at(const struct study *s,
@@ -249,9 +239,7 @@ static struct transient_event event_at(const struct study *s,
                                block_mu(&s->block, zf)),
     };
 
-    add_step_errors(s, o, fine, &e);
-    if (what == MOMENT_V_MINUS || what == MOMENT_V_PLUS)
-        add_level_error(s, fine, &e);
+    add_step_errors(s, w, o, fine, &e);
     return e;
 }
 

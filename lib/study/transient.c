@@ -132,9 +132,10 @@ static void course_set(struct course *c, const struct transient_options *o,
                        bool rest)
 {
     const bool limited = o->until_time > 0.0 || o->until_slip > 0.0;
+    const double left = fmax(TOL_MOMENT_REST, TOL_TRANSIENT_REST * o->rtol);
 
-    moment_watch_all(&c->watches, c->study, o->level, o->levels, rest,
-                     !limited);
+    moment_watch_all(&c->watches, c->study, o->level, o->levels,
+                     rest ? left : 0.0, !limited);
     c->window = window_of(c, limited);
     c->options = orbit_defaults(&c->study->system, c->study->stable_rate);
     c->options.observables = BLOCK_EXCESS; /* slip and work */
@@ -194,6 +195,28 @@ static enum fate fate_at(const struct course *c, const struct orbit *o,
                                            : c->fate;
 }
 
+/* Where v, the time or the slip ends a run, it ends as much later or earlier as
+ * the orbit's error takes it to get there. */
+static void add_end_errors(const struct course *c, const struct orbit *o,
+                           struct transient_summary *sum)
+{
+    const size_t slip = 3 + BLOCK_SLIP;
+    const double v = c->study->block.at.v0 * exp(o->u[0]);
+    const double off = fmax(o->error[0], o->error[1]);
+    const double rate = fabs(moment_rates(c->study, o->u).x);
+
+    sum->time.error += o->error[2];
+    sum->slip.error += o->error[slip];
+    if (sum->end == TRANSIENT_RUNAWAY || sum->end == TRANSIENT_FADED) {
+        sum->time.error += off / rate;
+        sum->slip.error += v * off / rate;
+    } else if (sum->end == TRANSIENT_UNTIL_TIME) {
+        sum->slip.error += v * o->error[2];
+    } else if (sum->end == TRANSIENT_UNTIL_SLIP) {
+        sum->time.error += o->error[slip] / v;
+    }
+}
+
 /* Of the whole run; at rest, what is left is added. */
 static void sum_up(const struct course *c, const struct orbit *coarse,
                    const struct orbit *fine, struct transient_summary *sum)
@@ -205,10 +228,11 @@ static void sum_up(const struct course *c, const struct orbit *coarse,
         left = moment_rest_at(c->study, fine->u);
     sum->time = timeline_compare(fine, coarse->u[2] + left.time,
                                  fine->u[2] + left.time);
-    sum->time.error += left.time + fine->error[2];
+    sum->time.error += left.time;
     sum->slip = timeline_compare(fine, coarse->u[slip] + left.slip,
                                  fine->u[slip] + left.slip);
-    sum->slip.error += left.slip + fine->error[slip];
+    sum->slip.error += left.slip;
+    add_end_errors(c, fine, sum);
     sum->mu_mean =
         fine->u[slip] > 0.0 && coarse->u[slip] > 0.0
             ? timeline_compare(fine, coarse->u[work] / coarse->u[slip],
@@ -220,6 +244,23 @@ static void sum_up(const struct course *c, const struct orbit *coarse,
     sum->energy_defect = fine->curve.count > 0
                              ? study_energy_defect(c->study, &fine->curve)
                              : 0.0;
+}
+
+/* A run that an event ends is as long as it takes until then. */
+static void hold_end(struct transient *t)
+{
+    const enum moment what =
+        t->sum.end == TRANSIENT_ARREST ? MOMENT_ARREST : MOMENT_REST;
+    struct transient_summary *sum = &t->sum;
+
+    if (sum->end != TRANSIENT_ARREST && sum->end != TRANSIENT_REST)
+        return;
+    for (size_t i = t->events; i-- > 0;)
+        if (t->event[i].what == (int8_t) what) {
+            sum->time.error = fmax(sum->time.error, t->event[i].time.error);
+            sum->slip.error = fmax(sum->slip.error, t->event[i].slip.error);
+            return;
+        }
 }
 
 static void judge(const struct course *c, const struct orbit *coarse,
@@ -238,6 +279,7 @@ static void judge(const struct course *c, const struct orbit *coarse,
         (int64_t) (coarse->field_calls + coarse->jacobian_calls +
                    fine->field_calls + fine->jacobian_calls);
     sum_up(c, coarse, fine, sum);
+    hold_end(t);
     if (end == TRANSIENT_LOST)
         t->reason = lost;
     if (end_of(c, coarse) == end &&
@@ -271,19 +313,36 @@ static enum status run_at(const struct course *c, double rtol,
     return s;
 }
 
-/* Where the field is rounding, as deep on slow curves, a looser orbit goes
- * further. */
+/* The next tolerance to try after rtol: looser ones, for where the field is
+ * rounding, as deep on slow curves, they go further; then finer ones to a rest,
+ * for a loose one may leave a slow curve on which rates change over less than
+ * that.  0: there is no other. */
+static double next_rtol(enum fate fate, double first, double rtol)
+{
+    if (rtol >= first && rtol < TOL_TRANSIENT_COARSEST)
+        return fmin(TOL_TRANSIENT_RETREAT * rtol, TOL_TRANSIENT_COARSEST);
+    const double finer = fmin(rtol, first) / TOL_TRANSIENT_RETREAT;
+    return fate == FATE_REST_FINITE && finer >= TOL_TRANSIENT_FINEST ? finer
+                                                                     : 0.0;
+}
+
+/* Not followed to an end, or only one of its two orbits was. */
+static bool is_unsettled(const struct transient *t)
+{
+    return t->sum.end == TRANSIENT_LOST || t->sum.fate == FATE_UNDECIDED;
+}
+
 static enum status run(struct course *c, const struct transient_options *o,
                        const struct monitor *monitor, struct transient *out)
 {
     const struct transient empty = *out;
-    double rtol = finest(o->rtol);
+    const double first = finest(o->rtol);
+    double rtol = first;
 
     course_set(c, o, may_rest(c->fate));
     enum status s = run_at(c, rtol, monitor, out);
-    while (s == STATUS_OK && out->sum.end == TRANSIENT_LOST &&
-           rtol < TOL_TRANSIENT_COARSEST) {
-        rtol = fmin(TOL_TRANSIENT_RETREAT * rtol, TOL_TRANSIENT_COARSEST);
+    while (s == STATUS_OK && is_unsettled(out) &&
+           (rtol = next_rtol(c->fate, first, rtol)) > 0.0) {
         transient_free(out);
         *out = empty;
         course_set(c, o, true); /* the fate may have been wrong */

@@ -1,0 +1,20 @@
+/* reference.h -- the parts of the manual that are tables of the program:
+ * Markdown for people, who have them under share/doc, and for tests, which
+ * compare them with what scenes take and files hold. */
+#ifndef APPS_REFERENCE_H
+#define APPS_REFERENCE_H
+
+#include <stdio.h>
+
+#include "status.h"
+
+/* Every key of a scene, the laws, and the products with their stages. */
+void reference_scene(FILE *out);
+
+/* Every group, data set and attribute of result files.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status reference_hdf5(FILE *out);
+
+/* Exit codes, and what the words of results mean. */
+void reference_words(FILE *out);
+
+#endif

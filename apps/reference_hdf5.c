@@ -1,0 +1,279 @@
+#include "reference.h"
+
+#include <string.h>
+
+#include "layout.h"
+#include "markdown.h"
+#include "schema.h"
+#include "sweep_column.h"
+#include "sweep_key.h"
+#include "sweep_layer.h"
+#include "value.h"
+
+static const char head[] =
+    "# Result files\n"
+    "\n"
+    "HDF5 as netCDF-4 wants it: h5py, xarray, netCDF4, ncdump and MATLAB read\n"
+    "it. A file holds the groups below that its command and products give; a\n"
+    "group with a K is there once for each K = 0, 1, 2, ...; {a,b} stands for\n"
+    "two groups. Numbers are dimensionless where no other unit stands: slip\n"
+    "in L, slip rate in V_star, time in L/V_star, all in `/provenance`.\n"
+    "\n"
+    "Each data set has the attribute `long_name`, its meaning below, each but\n"
+    "texts `units` (UDUNITS; 1: none). What a data set is over (along) is a\n"
+    "dimension scale of its own group: a coordinate in xarray's words.\n"
+    "\n"
+    "| kind | stored as | when missing |\n"
+    "|---|---|---|\n"
+    "| real | float64, `_FillValue` but for coordinates | NaN |\n"
+    "| count | int64 | |\n"
+    "| code | int8, `_FillValue`, `flag_values` 0, 1, ... for the words in "
+    "`flag_meanings` | -1 |\n"
+    "| text | UTF-8 of variable length | empty |\n"
+    "| number | NAME, NAME_error, NAME_exists and what follows | NaN |\n"
+    "\n"
+    "A number comes with companions: the real NAME_error, a bound on its\n"
+    "absolute error in its own unit; the code NAME_exists (absent, present);\n"
+    "where some are absent, why: a text NAME_reason for each, or of a single\n"
+    "number the attribute `comment` of NAME; with the product sensitivities\n"
+    "NAME_conditioning, the relative error from rounding the inputs.\n"
+    "\n"
+    "This page is written by `slipway help --as hdf5`.\n";
+
+static const char *const kind_names[] = {
+    [RECORD_REAL] = "real",       [RECORD_COUNT] = "count",
+    [RECORD_CODE] = "code",       [RECORD_TEXT] = "text",
+    [RECORD_QUANTITY] = "number",
+};
+
+/* ---- lines of tables -------------------------------------------------------
+ */
+
+static void put_set(FILE *out, const struct record_field *f, const char *along)
+{
+    fprintf(out, "| `%s` | %s | %s | %s | ", f->name, kind_names[f->kind],
+            f->kind == RECORD_TEXT ? "" : f->unit, along ? along : "");
+    markdown_text(out, f->text);
+    if (f->codes) {
+        fputs(": ", out);
+        markdown_words(out, f->codes);
+    }
+    fputs(" |\n", out);
+}
+
+static void put_attribute(FILE *out, const struct record_field *f)
+{
+    fprintf(out, "| `%s` | %s | %s | ", f->name, kind_names[f->kind],
+            f->kind == RECORD_TEXT ? "" : f->unit);
+    markdown_text(out, f->text);
+    fputs(" |\n", out);
+}
+
+static void put_sets_head(FILE *out)
+{
+    fputs("\n| data set | kind | unit | along | meaning |\n"
+          "|---|---|---|---|---|\n",
+          out);
+}
+
+static void put_attributes_head(FILE *out)
+{
+    fputs("\n| attribute | kind | unit | meaning |\n|---|---|---|---|\n", out);
+}
+
+/* ---- groups ----------------------------------------------------------------
+ */
+
+static void put_index(FILE *out)
+{
+    static const struct record_field n = {
+        .name = "n", .unit = "1", .text = "index", .kind = RECORD_COUNT
+    };
+    put_set(out, &n, "n");
+}
+
+static void put_fields(FILE *out, const struct layout_part *p)
+{
+    const struct record_type *type = p->type;
+
+    if (p->shape == LAYOUT_COLUMNS && strcmp(p->along, "n") == 0)
+        put_index(out);
+    for (size_t i = 0; i < type->count; i++) {
+        const struct record_field *f = &type->fields[i];
+        if (p->shape == LAYOUT_ATTRIBUTES)
+            put_attribute(out, f);
+        else
+            put_set(out, f, p->shape == LAYOUT_AXES ? f->name : p->along);
+    }
+}
+
+/* Whether p says more of the group that the part before it is of. */
+static bool goes_on(const struct layout_part *p)
+{
+    return p > layout_table && strcmp(p->group, p[-1].group) == 0;
+}
+
+static void put_part(FILE *out, const struct layout_part *p)
+{
+    if (!goes_on(p))
+        fprintf(out, "\n### `%s`\n", p->group);
+    if (p->text) {
+        fputs("\n", out);
+        markdown_text(out, p->text);
+        fputs(":\n", out);
+    }
+    if (p->shape == LAYOUT_ATTRIBUTES)
+        put_attributes_head(out);
+    else
+        put_sets_head(out);
+    put_fields(out, p);
+}
+
+/* ---- sweeps ----------------------------------------------------------------
+ */
+
+static void put_axes(FILE *out)
+{
+    fputs("\nThe axes of a sweep, by its keys:\n"
+          "\n| key | data set | unit | meaning |\n|---|---|---|---|\n",
+          out);
+    for (const struct schema_key *k = schema_table; k->path; k++) {
+        const struct sweep_key key = sweep_key_of(k->path);
+        const char *dot = strrchr(k->path, '.');
+        if (value_is_real(k))
+            fprintf(out, "| `%s` | `%s` | %s | %s |\n", k->path,
+                    dot ? dot + 1 : k->path, key.unit, key.text);
+    }
+}
+
+/* "equilibria_0_v" as "equilibria_I_v"; false for further ones of its kind. */
+static bool number_to_letter(char *name)
+{
+    for (char *c = name; *c; c++)
+        if (c > name && c[-1] == '_' && c[1] == '_' && *c >= '0' && *c <= '9') {
+            const bool first = *c == '0';
+            *c = 'I';
+            return first;
+        }
+    return true;
+}
+
+/* "the axes, start, level" */
+static void along_of(const struct sweep_dims *d, const enum sweep_dim dim[],
+                     size_t dims, char *text, size_t size)
+{
+    size_t end = (size_t) snprintf(text, size, "the axes");
+
+    for (size_t i = 0; i < dims && end < size; i++)
+        end += (size_t) snprintf(text + end, size - end, ", %s",
+                                 d->of[dim[i]].name);
+}
+
+static void put_column(FILE *out, const struct sweep_dims *d,
+                       struct sweep_column *c)
+{
+    char along[64];
+
+    if (!number_to_letter(c->name))
+        return;
+    along_of(d, c->dim, c->dims, along, sizeof along);
+    put_set(out,
+            &(struct record_field){
+                .name = c->name,
+                .unit = c->unit,
+                .text = c->text,
+                .codes = c->codes,
+                .kind = c->kind == RECORD_COUNT ? RECORD_REAL : c->kind },
+            along);
+}
+
+static void put_layer(FILE *out, const struct sweep_dims *d,
+                      const struct sweep_layer *l)
+{
+    char along[64];
+
+    along_of(d, l->dim, 2, along, sizeof along);
+    put_set(
+        out,
+        &(struct record_field){ .name = l->name,
+                                .unit = l->unit,
+                                .text = l->text,
+                                .codes = l->codes,
+                                .kind = l->codes ? RECORD_CODE : RECORD_REAL },
+        along);
+}
+
+static void put_dims(FILE *out, const struct sweep_dims *d)
+{
+    fputs("\nAlong what there is more than one number a point:\n", out);
+    put_sets_head(out);
+    for (int i = 0; i < SWEEP_DIMS; i++)
+        put_set(out,
+                &(struct record_field){ .name = d->of[i].name,
+                                        .unit = d->of[i].unit,
+                                        .text = d->of[i].text,
+                                        .kind = RECORD_REAL },
+                d->of[i].name);
+}
+
+static enum status put_sweep(FILE *out)
+{
+    double xi = 0.85;
+    struct scene_start start = { 1.0, 1.0 };
+    const struct scene all = {
+        .law = *law_preset_find("spinodal_gen"),
+        .material = material_bristol_board(),
+        .alpha = 0.34,
+        .tan_alpha = 0.35L,
+        .window = { { 0.1, 10.0 }, { 0.1, 10.0 }, AXES_LOG },
+        .products = (1u << PRODUCTS) - 1,
+        .xi = &xi,
+        .xi_count = 1,
+        .start = &start,
+        .starts = 1,
+        .cells = { 1, 1 },
+        .audit = 1,
+        .rabinowicz = { .restitution = 0.5 },
+        .chi_alpha = &xi,
+        .chi_alphas = 1,
+    };
+    struct sweep_dims dims;
+    struct sweep_columns columns = { .at = NULL };
+    struct sweep_layers layers = { .at = NULL };
+    enum status status = sweep_dims_init(&dims, &all);
+
+    if (status == STATUS_OK)
+        status = sweep_columns_init(&columns, &all, &dims);
+    if (status == STATUS_OK)
+        status = sweep_layers_init(&layers, &all, &dims);
+    fputs("\n## Columns of `/sweep`\n"
+          "\nThose that the scene's products give, over the axes. I: 0, 1, "
+          "... by slip rate of the steady\nstates, and in the order of "
+          "estimates.xi. The words of NAME_exists are absent, present, and\n"
+          "then the reasons met, with underscores for blanks; NAME_reason is "
+          "not needed here. A real\nnumber has NAME_exists and no error; "
+          "those along the cells of a map have neither: of a cell\n"
+          "basin_exit_reason says why there is none.\n",
+          out);
+    put_axes(out);
+    put_dims(out, &dims);
+    fputs("\nThe numbers:\n", out);
+    put_sets_head(out);
+    for (size_t i = 0; i < columns.count; i++)
+        put_column(out, &dims, &columns.at[i]);
+    for (size_t i = 0; i < layers.count; i++)
+        put_layer(out, &dims, &layers.at[i]);
+    sweep_layers_free(&layers);
+    sweep_columns_free(&columns);
+    sweep_dims_free(&dims);
+    return status;
+}
+
+enum status reference_hdf5(FILE *out)
+{
+    fputs(head, out);
+    fputs("\n## Groups\n", out);
+    for (const struct layout_part *p = layout_table; p->group; p++)
+        put_part(out, p);
+    return put_sweep(out);
+}

@@ -1,0 +1,258 @@
+/* slipway export: law, slope and saddle as input of other programs. */
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "auto07p.h"
+#include "command.h"
+#include "exchange.h"
+#include "progress.h"
+#include "replace.h"
+#include "report.h"
+#include "scene_slope.h"
+#include "text.h"
+#include "xppaut.h"
+
+enum { FILES = 4, PATH_ROOM = PATH_MAX + 16 };
+
+/* A file of an export: its path and who writes it. */
+struct export_file {
+    char path[PATH_ROOM];
+    void (*write)(FILE *out, const struct interchange *x);
+};
+
+struct job {
+    const struct options *options;
+    struct scene scene;
+    struct study study;
+    bool has_study;
+    bool to_auto;
+    enum xppaut_form form;
+    char name[NAME_MAX + 1]; /* NAME of the files */
+    struct export_file file[FILES];
+    size_t files;
+};
+
+/* ---- what is asked ------------------------------------------------------- */
+
+static enum status usage(struct fault *why, const char *option,
+                         const char *text, const char *expected)
+{
+    snprintf(why->text, sizeof why->text, "export: %s%s%s: expected %s", option,
+             text ? " " : "", text ? text_shown(text).text : "", expected);
+    return STATUS_BAD_ARGUMENT;
+}
+
+static enum status read_format(struct job *j, struct fault *why)
+{
+    const char *as = j->options->as, *form = j->options->form;
+
+    if (as == NULL || (strcmp(as, "xppaut") != 0 && strcmp(as, "auto") != 0))
+        return usage(why, "--as", as, "xppaut or auto");
+    j->to_auto = strcmp(as, "auto") == 0;
+    j->form = XPPAUT_ARCLENGTH;
+    if (form == NULL)
+        return STATUS_OK;
+    if (j->to_auto)
+        return usage(why, "--form", form, "it with --as xppaut only");
+    if (strcmp(form, "time") == 0)
+        j->form = XPPAUT_TIME;
+    else if (strcmp(form, "arclength") != 0)
+        return usage(why, "--form", form, "time or arclength");
+    return STATUS_OK;
+}
+
+static void write_time(FILE *out, const struct interchange *x)
+{
+    xppaut_write(out, x, XPPAUT_TIME);
+}
+
+static void write_arclength(FILE *out, const struct interchange *x)
+{
+    xppaut_write(out, x, XPPAUT_ARCLENGTH);
+}
+
+/* FOLDER/BEFORE NAME AFTER, FOLDER being that of `path`. */
+static void add_file(struct job *j, const char *path, const char *before,
+                     const char *after,
+                     void (*write)(FILE *, const struct interchange *))
+{
+    const char *slash = strrchr(path, '/');
+    struct export_file *f = &j->file[j->files++];
+
+    snprintf(f->path, sizeof f->path, "%.*s%s%s%s",
+             slash ? (int) (slash + 1 - path) : 0, path, before, j->name,
+             after);
+    f->write = write;
+}
+
+/* NAME of FOLDER/NAME.ENDING; AUTO makes names of other files and of Python
+ * out of it. */
+static bool read_name(const char *path, const char *ending, char *name,
+                      size_t size)
+{
+    static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopq"
+                                  "rstuvwxyz0123456789_-";
+    const char *slash = strrchr(path, '/'), *own = slash ? slash + 1 : path;
+    const size_t n = strspn(own, letters);
+
+    if (n == 0 || n >= size || strcmp(own + n, ending) != 0 ||
+        strlen(path) >= PATH_MAX)
+        return false;
+    snprintf(name, n + 1, "%s", own);
+    return true;
+}
+
+static enum status name_files(struct job *j, struct fault *why)
+{
+    const char *ending = j->to_auto ? ".c" : ".ode";
+    char given[PATH_MAX];
+    const char *path = j->options->output;
+
+    if (path == NULL) {
+        snprintf(given, sizeof given, "%s%s", j->scene.law.preset, ending);
+        path = given;
+    }
+    if (!read_name(path, ending, j->name, sizeof j->name))
+        return usage(why, "-o", path,
+                     j->to_auto
+                         ? "NAME.c with NAME of letters, digits, _ and -"
+                         : "NAME.ode with NAME of letters, digits, _ and -");
+    if (!j->to_auto) {
+        add_file(j, path, "", ending,
+                 j->form == XPPAUT_TIME ? write_time : write_arclength);
+        return STATUS_OK;
+    }
+    add_file(j, path, "", ending, auto07p_write_equations);
+    add_file(j, path, "", ".auto", auto07p_write_script);
+    add_file(j, path, "c.", "", auto07p_write_steady);
+    add_file(j, path, "c.", ".folds", auto07p_write_folds); /* the last one */
+    return STATUS_OK;
+}
+
+/* -o is not the scene's HDF5 file here. */
+static enum status read_scene(struct job *j, struct fault *why)
+{
+    static const char output[] = "output.", hdf5[] = "output.hdf5=";
+    const struct options *o = j->options;
+    char *set[OPTIONS_SETS];
+    size_t sets = 0;
+
+    for (size_t i = 0; i < o->sets; i++) {
+        const bool own =
+            o->output && strncmp(o->set[i], hdf5, sizeof hdf5 - 1) == 0;
+        if (!own && strncmp(o->set[i], output, sizeof output - 1) == 0)
+            return usage(why, o->set[i], NULL, "-o FILE alone");
+        if (!own)
+            set[sets++] = o->set[i];
+    }
+    enum status s =
+        scene_read(&j->scene, o->files ? o->file[0] : NULL, set, sets, why);
+    if (s == STATUS_OK)
+        s = scene_slope_demand(&j->scene, exchange_products, why);
+    j->scene.products = exchange_products;
+    return s;
+}
+
+/* ---- what is written ----------------------------------------------------- */
+
+static enum status check_study(const struct job *j, struct fault *why)
+{
+    const struct study *s = &j->study;
+
+    if (j->to_auto && s->equilibria == 0) {
+        snprintf(why->text, sizeof why->text,
+                 "export: there is no steady state at this slope for AUTO to "
+                 "start from");
+        return STATUS_NOT_HYPERBOLIC;
+    }
+    if (!j->to_auto && j->form == XPPAUT_ARCLENGTH && !study_has_manifolds(s)) {
+        snprintf(why->text, sizeof why->text,
+                 "export: --form arclength: %s (--form time needs none)",
+                 s->critical.v_plus.reason);
+        return STATUS_NOT_HYPERBOLIC;
+    }
+    return STATUS_OK;
+}
+
+static enum status write_file(const struct export_file *f,
+                              const struct interchange *x, struct fault *why)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+
+    if (out == NULL)
+        return STATUS_NO_MEMORY;
+    f->write(out, x);
+    const bool whole = !ferror(out);
+    enum status s = fclose(out) == 0 && whole ? STATUS_OK : STATUS_NO_MEMORY;
+    if (s == STATUS_OK)
+        s = replace_file(f->path, text, size, why);
+    free(text);
+    return s;
+}
+
+static enum status write_files(struct job *j, struct fault *why)
+{
+    char *remarks = exchange_remarks(&j->study);
+    enum status s = remarks ? STATUS_OK : STATUS_NO_MEMORY;
+
+    if (s != STATUS_OK)
+        return s;
+    const struct interchange x = exchange_of(&j->study, j->name, remarks);
+    if (j->to_auto && !x.has_folds)
+        j->files--; /* nothing to follow */
+    for (size_t i = 0; i < j->files && s == STATUS_OK; i++)
+        s = write_file(&j->file[i], &x, why);
+    free(remarks);
+    return s;
+}
+
+/* ---- the command --------------------------------------------------------- */
+
+static enum status run(struct job *j, struct fault *why)
+{
+    enum status s = read_format(j, why);
+
+    if (s == STATUS_OK)
+        s = read_scene(j, why);
+    if (s == STATUS_OK)
+        s = name_files(j, why);
+    for (size_t i = 0; i < j->files && s == STATUS_OK; i++)
+        s = replace_check(j->file[i].path, why);
+    if (s == STATUS_OK) {
+        s = study_run(&j->study, &j->scene, progress_monitor(j->options), why);
+        j->has_study = s == STATUS_OK;
+    }
+    progress_end();
+    if (s == STATUS_OK)
+        s = check_study(j, why);
+    return s == STATUS_OK ? write_files(j, why) : s;
+}
+
+static enum exit_code tell(const struct job *j)
+{
+    if (j->options->json)
+        return json_print(report_json(&j->study)) ? EXIT_DONE
+                                                  : command_unwritten();
+    for (size_t i = 0; i < j->files && !j->options->quiet; i++)
+        printf("wrote %s\n", j->file[i].path);
+    return EXIT_DONE;
+}
+
+enum exit_code command_export(const struct options *o)
+{
+    struct job j = { .options = o };
+    struct fault why = { "" };
+
+    if (command_allow(o, 1) != EXIT_DONE)
+        return EXIT_USAGE;
+    const enum status s = run(&j, &why);
+    const enum exit_code code =
+        s == STATUS_OK ? tell(&j) : command_fail(s, why.text);
+    if (j.has_study)
+        study_free(&j.study);
+    scene_free(&j.scene);
+    return code;
+}

@@ -1,0 +1,16 @@
+/* scene_shape.h -- whether what a sweep asks for has the same shape at each of
+ * its points. */
+#ifndef SCENE_SCENE_SHAPE_H
+#define SCENE_SCENE_SHAPE_H
+
+#include "node.h"
+#include "scene.h"
+
+/* For a scene with a sweep: no curves, which are longer here than there; runs
+ * from the same starts everywhere; one release distance a point; and no more
+ * cells of maps in all than SCENE_SWEEP_CELLS.  Errors as scene_read. */
+MUST_CHECK enum status scene_shape_check(const struct node *root,
+                                         const struct scene *s,
+                                         struct fault *why);
+
+#endif

@@ -1,0 +1,168 @@
+#include "sweep_point.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "scene_sweep.h"
+
+#define BIT(p) (1u << PRODUCT_##p)
+
+#define KIND(member, text_)                                                    \
+    {                                                                          \
+        .name = #member, .unit = "1", .text = text_,                           \
+        .offset = offsetof(struct kind_numbers, member),                       \
+        .kind = RECORD_QUANTITY                                                \
+    }
+
+static const struct record_field kind_fields[] = {
+    KIND(ln_v, "natural logarithm of v"),
+    KIND(ln_psi, "natural logarithm of psi"),
+    KIND(v, "slip rate in units of V_star"),
+    KIND(psi, "interfacial state"),
+    KIND(lambda_minus, "smaller eigenvalue, per L/V_star"),
+    KIND(lambda_plus, "larger eigenvalue, per L/V_star"),
+};
+const struct record_type record_steady_kind = {
+    "kind", "a steady state by what it is", kind_fields,
+    sizeof kind_fields / sizeof *kind_fields, sizeof(struct kind_numbers)
+};
+
+/* ---- what is asked for ---------------------------------------------------
+ */
+
+unsigned sweep_point_products(const struct scene *scene, bool maps)
+{
+    const unsigned fields =
+        BIT(MARGIN) | BIT(SLIP) | BIT(TIME) | BIT(FRICTION) | BIT(PEAK);
+    unsigned products = scene->products & ~BIT(TRAJECTORIES);
+
+    if (scene->products & BIT(TRAJECTORIES))
+        products |= BIT(KNEES);
+    if (scene_sweep_releases(scene))
+        products |= BIT(KNEES) | BIT(ESTIMATES);
+    if (!maps && products & fields)
+        products |= BIT(BASINS);
+    return maps ? products : products & ~(fields | BIT(FIELD_ARROWS));
+}
+
+/* ---- steady states -------------------------------------------------------
+ */
+
+static struct quantity logarithm(const struct quantity *q)
+{
+    return quantity_exists(q)
+               ? quantity_of(log(q->value), q->error / fabs(q->value))
+               : *q;
+}
+
+static struct kind_numbers no_kind(const char *reason)
+{
+    const struct quantity none = quantity_none(reason);
+
+    return (struct kind_numbers){ none, none, none, none, none, none };
+}
+
+static struct kind_numbers kind_of(const struct steady_number *n, bool psi_log)
+{
+    return (struct kind_numbers){ logarithm(&n->v),
+                                  psi_log ? n->psi : logarithm(&n->psi),
+                                  n->v,
+                                  n->psi,
+                                  n->lambda_minus,
+                                  n->lambda_plus };
+}
+
+static enum steady_kind what_is(const struct study *s, size_t i)
+{
+    if ((int) i == s->saddle)
+        return STEADY_SADDLE;
+    return fate_of_node(s, &s->equilibrium[i]) == FATE_CREEP ? STEADY_CREEP
+                                                             : STEADY_SLIDING;
+}
+
+/* Those that are not there get a reason. */
+static void complete_steady(struct sweep_point *p)
+{
+    static const char *const missing[STEADY_KINDS] = {
+        "there is no creep node at this slope",
+        "there is no saddle at this slope",
+        "there is no sliding node at this slope"
+    };
+    const struct quantity none = quantity_none("there are fewer steady states");
+    struct study *s = &p->study;
+    const char *no_series = study_no_manifolds(s);
+
+    for (int k = 0; k < STEADY_KINDS; k++)
+        p->kind[k] = no_kind(missing[k]);
+    for (size_t i = 0; i < s->equilibria; i++)
+        p->kind[what_is(s, i)] =
+            kind_of(&s->steady[i], law_psi_is_log(&p->scene.law));
+    for (size_t i = s->equilibria; i < EQUILIBRIA_MAX; i++)
+        s->steady[i] =
+            (struct steady_number){ -1, none, none, none, none, none };
+    for (size_t i = s->taylor.terms; i < JET_SIZE; i++)
+        s->taylor.term[i].coefficient =
+            quantity_none(no_series ? no_series : missing[STEADY_SADDLE]);
+}
+
+/* ---- the whole -----------------------------------------------------------
+ */
+
+static enum status run_starts(struct sweep_point *p,
+                              const struct monitor *monitor)
+{
+    const size_t starts = p->scene.starts;
+    enum status status = STATUS_OK;
+
+    p->start = calloc(starts + 1, sizeof *p->start);
+    if (p->start == NULL)
+        return STATUS_NO_MEMORY;
+    for (; p->starts < starts && status == STATUS_OK; p->starts++)
+        status = start_numbers_find(&p->study, p->scene.start[p->starts],
+                                    monitor, &p->start[p->starts]);
+    return status;
+}
+
+static enum status run(struct sweep_point *p, bool starts,
+                       const struct monitor *monitor)
+{
+    struct fault why;
+    enum status status = study_run(&p->study, &p->scene, monitor, &why);
+
+    if (status != STATUS_OK)
+        return status;
+    complete_steady(p);
+    if (scene_sweep_releases(&p->scene))
+        p->release = release_at(&p->study);
+    if (starts)
+        status = run_starts(p, monitor);
+    return status;
+}
+
+enum status sweep_point_run(struct sweep_point *p, const struct scene *scene,
+                            const double x[], unsigned products,
+                            const struct monitor *monitor)
+{
+    p->start = NULL; /* what is large is not cleared twice */
+    p->starts = 0;
+    p->failed = NULL;
+    scene_at(scene, x, &p->scene);
+    p->scene.products = products;
+    const enum status status =
+        run(p, scene->products & BIT(TRAJECTORIES), monitor);
+    if (status == STATUS_OK)
+        return STATUS_OK;
+    sweep_point_free(p);
+    if (status == STATUS_NO_MEMORY || status == STATUS_STOPPED)
+        return status;
+    p->failed = status_text(status);
+    return STATUS_OK;
+}
+
+void sweep_point_free(struct sweep_point *p)
+{
+    free(p->start);
+    p->start = NULL;
+    p->starts = 0;
+    study_free(&p->study);
+}

@@ -1,0 +1,83 @@
+/* CSV files, by every reader: the tables of `check`, the measurements of
+ * `rabinowicz`, the states of `push`. */
+#include "fuzz.h"
+#include "number.h"
+#include "observations.h"
+#include "slope_row.h"
+#include "stated.h"
+
+static void must_be_blamed(enum status s, const struct fault *why)
+{
+    MUST(s == STATUS_OK || s == STATUS_BAD_SCENE);
+    if (s == STATUS_BAD_SCENE)
+        must_be_a_line(why);
+}
+
+/* What `check` asks of a row before it computes. */
+static void read_row(const struct stated *stated, size_t row)
+{
+    struct slope_row slope;
+    struct fault why;
+    double tolerance;
+
+    must_be_blamed(slope_row_read(stated->table, row, &slope, &why), &why);
+    for (size_t i = 0; i < stated->columns; i++) {
+        const struct stated_value v = stated_at(stated, row, i);
+        (void) stated_tolerance(stated, row, i, v.number, &tolerance);
+    }
+    (void) stated_lost(stated, row);
+    (void) stated_products(stated, row);
+    (void) stated_derives(stated, row);
+}
+
+static void read_baseline(const struct table *t)
+{
+    struct stated stated;
+    struct fault why;
+    const enum status s = stated_read(&stated, t, &why);
+
+    must_be_blamed(s, &why);
+    for (size_t i = 0; s == STATUS_OK && i < t->rows; i++)
+        read_row(&stated, i);
+    stated_free(&stated);
+}
+
+static void read_observations(const struct table *t)
+{
+    struct observations o;
+    struct fault why;
+
+    must_be_blamed(observations_read(&o, t, &why), &why);
+    observations_free(&o);
+}
+
+static void read_states(const struct table *t)
+{
+    double x;
+
+    for (size_t i = 0; i < t->rows; i++) {
+        const struct table_cell *v = table_find(t, i, "v");
+        const struct table_cell *psi = table_find(t, i, "psi");
+        if (v != NULL)
+            (void) number_read(v->text, &x);
+        if (psi != NULL)
+            (void) number_read(psi->text, &x);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct table t;
+    struct fault why;
+    const enum status s =
+        table_parse(&t, (const char *) data, size, "t.csv", &why);
+
+    must_be_blamed(s, &why);
+    if (s == STATUS_OK) {
+        read_baseline(&t);
+        read_observations(&t);
+        read_states(&t);
+    }
+    table_free(&t);
+    return 0;
+}

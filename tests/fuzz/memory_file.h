@@ -1,0 +1,13 @@
+/* memory_file.h -- bytes that have a path, so that what opens files by name can
+ * read them. */
+#ifndef TESTS_MEMORY_FILE_H
+#define TESTS_MEMORY_FILE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* The path of a file of these bytes and no others, always the same one; it is
+ * removed when the program ends. */
+const char *memory_file(const uint8_t *data, size_t size);
+
+#endif

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""Makes the seeds of the fuzz targets, from what the project has anyway.
+
+usage: seeds.py PATH_TO_SLIPWAY SOURCE_ROOT FOLDER
+
+FOLDER/scene, csv, hdf5, journal get the seeds, and what tests/fuzz/found has
+under these names: inputs that once were findings;
+FOLDER/scene.dict the words of scenes; FOLDER/whole.h5 is for FUZZ_WHOLE.
+"""
+import glob
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+SLOPE = ['--law', 'dieterich_gen', '--alpha', '0.34']
+SETS = '''#set slope={alpha_deg: 20}
+#set window.v=[1e-3, 1e3]
+#set title=Anything
+'''
+SWEEPS = ['sweep: {key: material.a, values: [0.01, 0.02, 0.03]}',
+          'sweep: [{key: slope.alpha, from: 0.2, to: 0.4, points: 3}, '
+          '{key: material.R, from: 1, to: 9, points: 4, scale: log}]',
+          'material: {preset: bristol_board, R: inf, V_star: 1e-6}\n'
+          'rabinowicz: {tan_alpha: [0.3, 0.4], data: a.csv, restitution: 1}']
+# What has broken parsers elsewhere: deep, long, wide, and doubled ten times.
+LAUGHS = ''.join(f'a{i}: &a{i} [{", ".join([f"*a{i - 1}"] * 9)}]\n'
+                 for i in range(1, 10))
+HOSTILE = [LAUGHS, '[' * 100000, '{a: ' * 100000, '- ' * 100000, '? ' * 100000,
+           'x' * 1000000 + ': 1', 'title: "' + 'x' * 1000000, 'a: ' * 100000,
+           'title: ' + 'é' * 400000, "title: '" + "''" * 400000, '\t' * 500000,
+           'title: "' + '\\x41' * 200000 + '"', '#' * 1000000, '&' * 1000000,
+           'title: |\n' + ' x\n' * 300000, 'title: >\n' + ' x\n\n' * 200000,
+           '\n'.join(f'k{i}: 1' for i in range(90000)), '%' * 1000000,
+           'title: ' + '9' * 1000000, '---\n' * 250000, '!' * 1000000,
+           'slope: {alpha: 0.' + '3' * 500000 + '}',
+           'estimates: {xi: [' + '0.5, ' * 200000 + ']}',
+           'trajectories: {starts: [' + '{v: 1, psi: 1}, ' * 60000 + ']}',
+           'sweep: {key: slope.alpha, values: ['
+           + ', '.join(f'0.{i:06}' for i in range(100000, 190000)) + ']}',
+           ''.join('title: a\n#set title=b\n' for _ in range(40000)),
+           'title: "a\\0b"\n', '"a\\0b": 1\n', '\0' * 1000, 'title: a\0b\n',
+           '\ufeff' * 300000, '\ud800'.encode('utf-8', 'surrogatepass')]
+# Records of a sweep's side file as fuzz_journal.c takes them: a sentence; a row
+# of one number that is there, and of one that is not.
+REASON = b'\1\x09\0too steep'
+ROWS = [b'\2\x34\0' + bytes(40) + bytes([code]) + bytes(11) for code in (1, 2)]
+
+
+def write(path, content):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, 'wb') as file:
+        file.write(content if isinstance(content, bytes) else content.encode())
+
+
+def read(path):
+    with open(path, 'rb') as file:
+        return file.read()
+
+
+def scenes(source, folder):
+    for path in glob.glob(source + '/scenes/*.yaml'):
+        write(f'{folder}/scene/{os.path.basename(path)}', read(path))
+        write(f'{folder}/scene/set-{os.path.basename(path)}',
+              read(path) + SETS.encode())
+    for i, text in enumerate(SWEEPS):
+        write(f'{folder}/scene/own-{i}.yaml', 'law: {preset: spinodal_gen}\n'
+              'slope: {alpha: 0.34}\n' + text + '\n')
+    for i, text in enumerate(HOSTILE):
+        write(f'{folder}/scene/hostile-{i}', text)
+
+
+def dictionary(source, folder):
+    """Every word in quotes of the code that knows scenes."""
+    words = set()
+    for path in glob.glob(source + '/lib/scene/*.c') + [
+            source + '/lib/friction/law.c', source + '/lib/friction/field.h']:
+        words |= {part for word in re.findall(r'"([a-zA-Z_0-9.]{1,40})"',
+                                              read(path).decode())
+                  for part in (word, *word.split('.'))}
+    signs = ['[', ']', '{', '}', ', ', ': ', '- ', '&a ', '*a', '!!str ', '? ',
+             '|\\x0a', '>\\x0a', '\\"', '---\\x0a', '...\\x0a', '%YAML 1.1\\x0a',
+             '\\x0a#set ', '\\xef\\xbb\\xbf', '\\xff', '\\x00', 'inf', '1e308',
+             '1e-400', '250000', '99999999999999999999', '0x10', '<<']
+    write(folder + '/scene.dict', ''.join(
+        f'"{word}"\n' for word in [*sorted(words - {''}), *signs]))
+
+
+def tables(source, folder):
+    """A few lines of each table are enough, and quicker."""
+    for path in glob.glob(source + '/tests/reference/*.csv'):
+        lines = read(path).splitlines(keepends=True)[:4]
+        write(f'{folder}/csv/{os.path.basename(path)}', b''.join(lines))
+    for i, cell in enumerate(('a,' * 500000, '"' * 999999, 'a\n' * 500000,
+                              ' ' * 999999, '"a\n' * 300000, '\r' * 999999,
+                              'v,psi\n' + '1,2\n' * 200000, '9' * 999999,
+                              ','.join(f'a{i}' for i in range(1024)) + '\n'
+                              + ',' * 1023)):
+        write(f'{folder}/csv/hostile-{i}', cell)
+    write(folder + '/csv/states', 'v,psi\n1,2\n 1e3 ,"0.5"\r\n# none\n1,\n')
+    write(folder + '/csv/data', '\ufefftan_alpha,l_k,l_k_error,x_k\n'
+          '0.3,0.01,1e-3,\n0.4,"0.02",,1e-6\n')
+
+
+def results(slipway, folder):
+    for name, products in (('small', '[equilibria]'), ('knees', '[knees]'),
+                           ('all', '[equilibria, folds, manifolds, basins]')):
+        path = f'{folder}/hdf5/{name}.h5'
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        subprocess.run([slipway, 'study', *SLOPE, '-q', '-o', path, '--set',
+                        f'products={products}', '--set',
+                        'basins={cells: [4, 4], audit: 0}'], check=True)
+    shutil.copy(folder + '/hdf5/small.h5', folder + '/whole.h5')
+
+
+def main(slipway, source, folder):
+    scenes(source, folder)
+    dictionary(source, folder)
+    tables(source, folder)
+    results(slipway, folder)
+    write(folder + '/journal/records', REASON + b''.join(ROWS))
+    write(folder + '/journal/head', b'slipswp\0\7' + bytes(99))
+    found = source + '/tests/fuzz/found'
+    if os.path.isdir(found):
+        shutil.copytree(found, folder, dirs_exist_ok=True)
+
+
+if __name__ == '__main__':
+    main(*sys.argv[1:])
