@@ -47,6 +47,17 @@ static enum status check_options(const struct options *o, struct fault *why)
     return STATUS_OK;
 }
 
+/* The scene's file and the options that change it. */
+static void describe(const struct options *o, char *text, size_t size)
+{
+    size_t n = (size_t) snprintf(text, size, "%s", o->files ? o->file[0] : "");
+
+    for (size_t i = 0; i < o->sets && n < size; i++)
+        if (!begins(o->set[i], "output."))
+            n += (size_t) snprintf(text + n, size - n, "%s--set '%s'",
+                                   n > 0 ? " " : "", o->set[i]);
+}
+
 static enum status add_scene(const struct options *o, struct stress_list *list,
                              struct fault *why)
 {
@@ -59,8 +70,10 @@ static enum status add_scene(const struct options *o, struct stress_list *list,
     const char *name = scene.title[0] ? scene.title
                        : path         ? path
                                       : "command line";
+    char settings[sizeof list->at->settings];
+    describe(o, settings, sizeof settings);
     if (stress_matches(name, o->only))
-        s = stress_list_add(list, name, &scene);
+        s = stress_list_add(list, name, settings, &scene);
     scene_free(&scene);
     return s;
 }

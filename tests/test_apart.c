@@ -232,8 +232,8 @@ static void it_ends_with_its_parent(void **state)
         struct fault why;
         char *bytes;
         size_t size;
-        _exit(apart_read(wait_for_ever, &ends[1], "a.h5", 60, &bytes, &size,
-                         &why));
+        _exit((int) apart_read(wait_for_ever, &ends[1], "a.h5", 60, &bytes,
+                               &size, &why));
     }
     assert_int_equal(read(ends[0], &grandchild, sizeof grandchild),
                      sizeof grandchild);

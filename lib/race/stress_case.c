@@ -47,17 +47,23 @@ void stress_list_free(struct stress_list *list)
     *list = (struct stress_list){ .at = NULL };
 }
 
+static enum stress_kind kind_of(const struct scene *scene)
+{
+    return scene->starts                            ? STRESS_START
+           : scene->products >> PRODUCT_BASINS & 1u ? STRESS_WINDOW
+                                                    : STRESS_SLOPE;
+}
+
 enum status stress_list_add(struct stress_list *list, const char *name,
-                            struct scene *scene)
+                            const char *settings, struct scene *scene)
 {
     struct stress_case *c = room_for_one(list);
 
     if (c == NULL)
         return STATUS_NO_MEMORY;
-    *c = (struct stress_case){ .kind =
-                                   scene->starts ? STRESS_START : STRESS_SLOPE,
-                               .scene = *scene };
+    *c = (struct stress_case){ .kind = kind_of(scene), .scene = *scene };
     snprintf(c->name, sizeof c->name, "%s", name);
+    snprintf(c->settings, sizeof c->settings, "%s", settings);
     *scene = (struct scene){ .title = NULL };
     list->count++;
     return STATUS_OK;
@@ -65,7 +71,7 @@ enum status stress_list_add(struct stress_list *list, const char *name,
 
 /* ---- one case as settings ------------------------------------------------ */
 
-enum { SETTINGS_MAX = 20, SETTING = 96 };
+enum { SETTINGS_MAX = 20, SETTING = 96, LAW_NAME = 64 };
 
 struct settings {
     char text[SETTINGS_MAX][SETTING];
@@ -146,22 +152,26 @@ static void combine(struct settings *s, const struct combination *k)
         set_window(s, k);
 }
 
+/* A preset's name, or THETA.PSI_SS.TIMESCALE.KINETICS. */
+static void name_law(const struct law *law, char name[LAW_NAME])
+{
+    if (strcmp(law->preset, "composed") == 0)
+        snprintf(name, LAW_NAME, "%s.%s.%s.%s", theta_names[law->theta],
+                 psi_ss_names[law->psi_ss], timescale_names[law->timescale],
+                 kinetics_names[law->kinetics]);
+    else
+        snprintf(name, LAW_NAME, "%s", law->preset);
+}
+
 /* FAMILY/LAW/FORM/VALUE/SLOPE/START as far as a family has several. */
 static void name_case(const struct combination *k, char *name, size_t size)
 {
     const struct stress_family *f = k->f;
-    const struct law *law = &k->law;
-    size_t n = (size_t) snprintf(name, size, "%s/", f->name);
+    char law[LAW_NAME];
 
-    if (strcmp(law->preset, "composed") == 0)
-        n += (size_t) snprintf(
-            name + n, size - n, "%s.%s.%s.%s", theta_names[law->theta],
-            psi_ss_names[law->psi_ss], timescale_names[law->timescale],
-            kinetics_names[law->kinetics]);
-    else
-        n += (size_t) snprintf(name + n, size - n, "%s", law->preset);
-    n += (size_t) snprintf(name + n, size - n, "/%s",
-                           friction_form_names[law->form]);
+    name_law(&k->law, law);
+    size_t n = (size_t) snprintf(name, size, "%s/%s/%s", f->name, law,
+                                 friction_form_names[k->law.form]);
     if (f->value.count > 1)
         n += (size_t) snprintf(name + n, size - n, "/%.10g",
                                f->value.at[k->value]);
@@ -260,7 +270,7 @@ static bool composition_at(size_t i, struct law *law)
 
 static bool law_at(const struct stress_family *f, size_t i, struct law *law)
 {
-    if (strcmp(f->laws, "compositions") == 0)
+    if (strcmp(f->laws, "compositions") == 0 || strchr(f->laws, '.'))
         return composition_at(i, law);
     if (law_preset_at(i) == NULL)
         return false;
@@ -271,14 +281,16 @@ static bool law_at(const struct stress_family *f, size_t i, struct law *law)
 /* Whether a word of the family's list is the law's name. */
 static bool has_law(const struct stress_family *f, const struct law *law)
 {
-    const size_t size = strlen(law->preset);
     const char *p = f->laws;
+    char name[LAW_NAME];
 
+    name_law(law, name);
+    const size_t size = strlen(name);
     if (strcmp(p, "presets") == 0 || strcmp(p, "compositions") == 0)
         return true;
     for (; *p; p += strspn(p, " ")) {
         const size_t n = strcspn(p, " ");
-        if (n == size && strncmp(p, law->preset, n) == 0)
+        if (n == size && strncmp(p, name, n) == 0)
             return true;
         p += n;
     }

@@ -37,10 +37,12 @@ MUST_CHECK enum status stress_list_init(struct stress_list *list,
                                         struct fault *why);
 
 /* Adds a user's scene, which becomes the list's: *scene is then empty.  Its
- * first start, if any, makes it a STRESS_START.  STATUS_NO_MEMORY, with
- * nothing changed. */
+ * first start, if any, makes it a STRESS_START, else basins a STRESS_WINDOW;
+ * `settings`: what makes it, for people.  STATUS_NO_MEMORY, with nothing
+ * changed. */
 MUST_CHECK enum status stress_list_add(struct stress_list *list,
-                                       const char *name, struct scene *scene);
+                                       const char *name, const char *settings,
+                                       struct scene *scene);
 
 /* A second call is harmless. */
 void stress_list_free(struct stress_list *list);

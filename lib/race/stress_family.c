@@ -23,6 +23,11 @@ static const struct scene_start corners[] = {
     { 1e50, 1e-50 }, { 1.0, 1e6 },     { 1e5, 1e6 },      { 1e6, 1e-6 },
 };
 
+/* So fast that inertia carries a block through the slip rates of rest and of
+ * nodes; and beside a saddle's fast fibre. */
+static const struct scene_start carried[] = { { 1e28, 1e-46 }, { 1e60, 1e10 } };
+static const struct scene_start beside[] = { { 6e-13, 8e3 } };
+
 /* clang-format off */
 static const struct stress_family table[] = {
     { "laws", presets, FRICTION_LOG, ONCE,
@@ -54,7 +59,7 @@ static const struct stress_family table[] = {
       STRESS_MINIMUM, LIST(-1e-6, -1e-12, 0.0, 1e-12, 1e-9, 1e-6),
       STRESS_SLOPE, NULL, 0 },
     { "flat", presets, FRICTION_LOG, ONCE,
-      STRESS_ALPHA, LIST(1e-12, 1e-6, 1e-3), STRESS_SLOPE, NULL, 0 },
+      STRESS_ALPHA, LIST(1e-150, 1e-12, 1e-6, 1e-3), STRESS_SLOPE, NULL, 0 },
     { "steep", presets, FRICTION_LOG, ONCE,
       STRESS_STEEP, LIST(1e-12, 1e-6, 1e-3, 0.1), STRESS_SLOPE, NULL, 0 },
     { "mu_star", "dieterich_gen perrin spinodal_gen", FRICTION_LOG,
@@ -63,6 +68,27 @@ static const struct stress_family table[] = {
     { "V_c", "kato_tullis", FRICTION_LOG,
       STRESS_V_C, LIST(1e-6, 1e-3, 1.0, 1e3, 1e6),
       STRESS_LN_V, LIST(0.0), STRESS_SLOPE, NULL, 0 },
+    /* the balance of a steady state all but vanishes at the fold's end */
+    { "near-fold", "ln_psi.spinodal_unit.slip.sinh ln_psi.spinodal.slip.sinh "
+      "ln_c_psi.spinodal.ageing44.sinh psi.inverse.spinodal.linear",
+      FRICTION_LOG, STRESS_A, LIST(6e-4, 0.1),
+      STRESS_MAXIMUM, LIST(-1e-10, -1e-15, -1e-17), STRESS_SLOPE, NULL, 0 },
+    /* v of the saddle is 1 to all digits, and psi = -ln v */
+    { "edge", "ln_psi.minus_log.slip45.sinh ln_c_psi.minus_log.slip.sinh",
+      FRICTION_ASINH, STRESS_A, LIST(1e-4),
+      STRESS_LN_V, LIST(-1e-200, -1e-100, -1e-6), STRESS_SLOPE, NULL, 0 },
+    /* psi, which is a logarithm there, is beyond the plane */
+    { "far-psi", "psi.inverse.slip.sinh psi.spinodal.ageing44.linear",
+      FRICTION_ASINH, ONCE,
+      STRESS_LN_V, LIST(-7.0, -30.0), STRESS_SLOPE, NULL, 0 },
+    /* mu meets zero on the way of a branch to its asymptote */
+    { "kink", "psi.spinodal.ageing44.sinh", FRICTION_ASINH,
+      STRESS_B_OVER_A, LIST(10.0, 155.0),
+      STRESS_LN_V, LIST(1.0, 4.4), STRESS_SLOPE, NULL, 0 },
+    { "carried", "dieterich perrin spinodal spinodal_gen", FRICTION_ASINH, ONCE,
+      STRESS_ALPHA, LIST(0.34), STARTS(carried) },
+    { "fibre", "dieterich_gen", FRICTION_LOG, STRESS_EPS2, LIST(1e-5),
+      STRESS_ALPHA, LIST(0.34), STARTS(beside) },
     { "start", presets, FRICTION_ASINH, ONCE,
       STRESS_ALPHA, LIST(0.34), STARTS(corners) },
     { "window", presets, FRICTION_ASINH, ONCE,

@@ -36,7 +36,8 @@ enum stress_slope {
 
 struct stress_family {
     const char *name;
-    const char *laws; /* presets; "presets": all; "compositions": all */
+    const char *laws; /* presets; "presets": all; "compositions": all; those
+                         named THETA.PSI_SS.TIMESCALE.KINETICS */
     enum friction_form last_form; /* from FRICTION_ASINH to this */
     enum stress_knob knob;
     struct stress_values value;

@@ -21,6 +21,8 @@ struct run {
     struct sweep_rows left; /* of an earlier run, sorted */
     const struct monitor *monitor;
     struct fault *why;
+    const char *reason; /* static; the last that was met, often the next */
+    int8_t reason_code;
     size_t done;        /* rows that are computed */
     enum status failed; /* the first failure; others follow it out */
 };
@@ -61,8 +63,12 @@ static void set_row(const struct sweep *s, size_t i,
 static enum status code_of(struct run *r, const char *reason, int8_t *code)
 {
     const size_t known = r->s->reasons.count;
-    const enum status status = sweep_reasons_code(&r->s->reasons, reason, code);
+    enum status status = STATUS_OK;
 
+    if (reason != r->reason)
+        status = sweep_reasons_code(&r->s->reasons, reason, &r->reason_code);
+    r->reason = status == STATUS_OK ? reason : NULL;
+    *code = r->reason_code;
     if (status != STATUS_OK || r->s->reasons.count == known)
         return status;
     return sweep_journal_reason(&r->s->journal, reason, r->why);
