@@ -94,7 +94,7 @@ static enum status follow(const struct study *s, struct vec2 z, double rtol,
 /* What displacements do, by rounding and by what steps leave across the stable
  * manifold: where an orbit passes the saddle at the distance `near`, they
  * change how long it stays there by the ratio of both over lambda_plus, at the
- * saddle's slip rate and friction. */
+ * saddle's slip rate and friction; if it has the time. */
 static void shake(const struct study *s, struct vec2 z, double near, double tol,
                   struct run *r)
 {
@@ -105,9 +105,9 @@ static void shake(const struct study *s, struct vec2 z, double near, double tol,
 
     if (s->saddle < 0)
         return;
-    const double time = part / s->equilibrium[s->saddle].lambda[1];
-    const double way = s->block.at.v0 * time;
-    r->of[CELL_TIME].error += time;
+    const double stay = 1.0 / s->equilibrium[s->saddle].lambda[1];
+    const double way = part * fmin(stay * s->block.at.v0, slip->value);
+    r->of[CELL_TIME].error += part * fmin(stay, r->of[CELL_TIME].value);
     slip->error += way;
     mean->error +=
         fabs(mean->value - (double) s->block.tan_alpha) * way / slip->value;

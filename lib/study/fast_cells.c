@@ -134,16 +134,15 @@ struct batch {
     struct layer layer[TOGETHER];
 };
 
-static void follow(struct batch *b)
+static void follow(const struct fast_cells *f, unsigned which,
+                   const struct layer_job job[], size_t n, struct layer out[])
 {
-    const struct slow_curve *c = &b->fast->curve;
-
-    if (b->fast->lanes > 1 && !(b->which & peaks)) {
-        layer_lanes_follow(c, b->fast->lanes, b->job, b->open, b->layer);
+    if (f->lanes > 1 && !(which & peaks)) {
+        layer_lanes_follow(&f->curve, f->lanes, job, n, out);
         return;
     }
-    for (size_t i = 0; i < b->open; i++)
-        layer_follow(c, b->job[i].z, &b->job[i].options, &b->layer[i]);
+    for (size_t i = 0; i < n; i++)
+        layer_follow(&f->curve, job[i].z, &job[i].options, &out[i]);
 }
 
 /* How much finer to follow what job i left to wish for; 0: not again. */
@@ -174,6 +173,18 @@ static void set_job(struct batch *b, size_t i, size_t k, double tol)
     b->job[i].options.peaks = (b->which & peaks) != 0;
 }
 
+/* Job number `to` is job i once more, of which something is known by now. */
+static void set_again(struct batch *b, size_t to, size_t i, double tol)
+{
+    const struct layer seen = b->layer[i];
+
+    set_job(b, to, b->of[i], tol);
+    if (seen.end == LAYER_LANDED) {
+        b->job[to].options.time = seen.time;
+        b->job[to].options.slip = seen.slip;
+    }
+}
+
 /* n states, n <= TOGETHER. */
 static void find_by_curve(struct batch *b, size_t n)
 {
@@ -184,11 +195,11 @@ static void find_by_curve(struct batch *b, size_t n)
     }
     while (b->open > 0) {
         size_t open = 0;
-        follow(b);
+        follow(b->fast, b->which, b->job, b->open, b->layer);
         for (size_t i = 0; i < b->open; i++) {
             const double tol = b->job[i].options.promise * finer(b, i);
             if (tol >= TOL_FAST_FINEST)
-                set_job(b, open++, b->of[i], tol);
+                set_again(b, open++, i, tol);
         }
         b->open = open;
     }
@@ -212,6 +223,15 @@ static enum status find(const struct fast_cells *f, const struct vec2 z[],
     return status;
 }
 
+static bool are_states(const struct fast_cells *f, const struct vec2 z[],
+                       size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!box_holds(f->study->system.domain, z[i]))
+            return false;
+    return true;
+}
+
 enum status fast_cells_find(const struct fast_cells *f, const struct vec2 z[],
                             size_t n, double rtol, unsigned which,
                             const struct monitor *m, struct cell out[],
@@ -221,11 +241,8 @@ enum status fast_cells_find(const struct fast_cells *f, const struct vec2 z[],
     enum status failed = STATUS_OK;
     size_t left = 0;
 
-    if (!(rtol > 0.0 && rtol < 1.0))
+    if (!(rtol > 0.0 && rtol < 1.0) || !are_states(f, z, n))
         return STATUS_BAD_ARGUMENT;
-    for (size_t i = 0; i < n; i++)
-        if (!box_holds(f->study->system.domain, z[i]))
-            return STATUS_BAD_ARGUMENT;
     for (size_t first = 0; first < n && failed == STATUS_OK; first += BLOCK) {
         const size_t end = n - first < BLOCK ? n : first + BLOCK;
 #pragma omp parallel for schedule(dynamic) reduction(+ : left)
@@ -244,4 +261,102 @@ enum status fast_cells_find(const struct fast_cells *f, const struct vec2 z[],
     if (whole)
         *whole = left;
     return failed;
+}
+
+/* ---- patches ------------------------------------------------------------- */
+
+/* Those that are not followed any further: as fast_cells_find, without base. */
+static enum status sample_whole(const struct fast_cells *f,
+                                struct patch_sample *s, double rtol,
+                                unsigned which)
+{
+    s->base = base_point_of(&f->curve, &(struct layer){ .end = LAYER_LOST });
+    return fast_cells_find(f, &s->z, 1, rtol, which, NULL, &s->cell, NULL);
+}
+
+static void take_sample(const struct fast_cells *f, const struct layer *l,
+                        unsigned which, struct patch_sample *s)
+{
+    struct layer seen = *l;
+
+    s->base = base_point_of(&f->curve, l);
+    if (base_point_passes(&f->curve, s->base.y, s->base.y) ||
+        l->fate == FATE_RUNAWAY)
+        seen.end = LAYER_RAN;
+    s->cell = cell_of(f->study, s->z.x, which & integrals, &seen);
+}
+
+/* Peaks have no base points, and one orbit more. */
+static enum status add_peaks(const struct fast_cells *f, struct patch_sample *s,
+                             double rtol, unsigned which)
+{
+    struct cell c;
+    const enum status status = fast_cells_find(
+        f, &s->z, 1, fmax(rtol, TOL_FAST_PEAKS), which & peaks, NULL, &c, NULL);
+
+    s->cell.v_peak = c.v_peak;
+    s->cell.v_peak_error = c.v_peak_error;
+    s->cell.mu_peak = c.mu_peak;
+    s->cell.mu_peak_error = c.mu_peak_error;
+    return status;
+}
+
+/* n states, n <= TOGETHER. */
+static enum status sample_some(const struct fast_cells *f,
+                               struct patch_sample s[], size_t n, double rtol,
+                               unsigned which)
+{
+    const struct vec2 origin = f->study->system.origin;
+    struct layer_job job[TOGETHER] = { { .z = origin } };
+    struct layer layer[TOGETHER];
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < n; i++) {
+        job[i].z = vec2_sub(s[i].z, origin);
+        job[i].options = layer_defaults(fmax(rtol, TOL_FAST_FINEST));
+        job[i].options.peaks = false;
+        job[i].options.through = true;
+    }
+    follow(f, 0, job, n, layer);
+    for (size_t i = 0; i < n && status == STATUS_OK; i++) {
+        if (layer[i].end == LAYER_LOST) {
+            status = sample_whole(f, &s[i], rtol, which);
+            continue;
+        }
+        take_sample(f, &layer[i], which, &s[i]);
+        if (which & peaks)
+            status = add_peaks(f, &s[i], rtol, which);
+    }
+    return status;
+}
+
+enum status fast_cells_sample(const struct fast_cells *f,
+                              struct patch_sample sample[], size_t n,
+                              double rtol, unsigned which)
+{
+    enum status failed = STATUS_OK;
+
+#pragma omp parallel for schedule(dynamic)
+    for (size_t i = 0; i < n; i += TOGETHER) {
+        const size_t some = n - i < TOGETHER ? n - i : TOGETHER;
+        const enum status status =
+            sample_some(f, &sample[i], some, rtol, which);
+        if (status != STATUS_OK) {
+#pragma omp atomic write
+            failed = status;
+        }
+    }
+    return failed;
+}
+
+bool fast_cells_tell(const struct fast_cells *f, struct vec2 z,
+                     const struct base_point *base, unsigned which,
+                     struct cell *out)
+{
+    struct layer l;
+    const bool is_told = base_point_tell(&f->curve, base, &l);
+
+    *out = cell_of(f->study, z.x, l.end == LAYER_LANDED ? which & integrals : 0,
+                   &l);
+    return is_told;
 }

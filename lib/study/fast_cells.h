@@ -6,8 +6,7 @@
 #ifndef STUDY_FAST_CELLS_H
 #define STUDY_FAST_CELLS_H
 
-#include "cells.h"
-#include "slow_curve.h"
+#include "patch.h"
 
 struct fast_cells {
     const struct study *study; /* borrowed */
@@ -29,6 +28,19 @@ MUST_CHECK enum status fast_cells_find(const struct fast_cells *f,
                                        double rtol, unsigned which,
                                        const struct monitor *m,
                                        struct cell out[], size_t *whole);
+
+/* For patches (patch.h): the cells of sample[].z about as accurately as rtol,
+ * which is not made sure of, with their base points; NaN where these pass a box
+ * of arrest.  Otherwise as fast_cells_find. */
+MUST_CHECK enum status fast_cells_sample(const struct fast_cells *f,
+                                         struct patch_sample sample[], size_t n,
+                                         double rtol, unsigned which);
+
+/* What a base point says of the state z: slip, time and mean friction of those
+ * fields.  False: not to be relied on (base_point.h). */
+bool fast_cells_tell(const struct fast_cells *f, struct vec2 z,
+                     const struct base_point *base, unsigned which,
+                     struct cell *out);
 
 /* A second call is harmless. */
 void fast_cells_free(struct fast_cells *f);

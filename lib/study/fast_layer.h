@@ -18,10 +18,17 @@ enum layer_end {
 
 /* How to follow one. */
 struct layer_options {
-    double promise; /* relative, of time and slip */
-    double rtol;    /* of each step, absolute in ln v and ln psi */
-    double landing; /* from the slow curve, in ln v */
+    double promise;    /* relative, of time and slip */
+    double rtol;       /* of each step, absolute in ln v and ln psi */
+    double landing;    /* from the slow curve, in ln v */
+    double fair;       /* least part of the estimates of order 5 that a step of
+                          order 8 misses */
+    double time, slip; /* about what is to come, if less than that of any state
+                          outside the boxes of arrest; 0: not known */
     bool peaks;
+    bool through; /* boxes of arrest, and not told that it runs away as long as
+                     it may land: for its base point (base_point.h); time and
+                     slip are then negative inside a box */
 };
 
 /* Values as of struct cell; errors absolute. */
@@ -30,8 +37,10 @@ struct layer {
     int8_t fate;
     double time, time_error;
     double slip, slip_error;
-    double x_end;           /* ln(v/v0) at arrest; -HUGE_VAL: v = 0 */
-    double y;               /* where it landed; NaN: not on the slow curve */
+    double x_end; /* ln(v/v0) at arrest; -HUGE_VAL: v = 0 */
+    /* where on the slow curve it landed, NaN: elsewhere; and the errors of time
+     * and slip on the way there */
+    double y, y_error, way_time_error, way_slip_error;
     double x_peak, mu_peak; /* with the error of a point of the orbit: */
     double place_error;     /* in ln v and ln psi */
     double mu_error;        /* more, of mu_peak alone */

@@ -6,8 +6,43 @@
 #include "study.h"
 #include "study_tolerance.h"
 
-/* Cells between two looks at the monitor. */
-enum { LOOK = 1024 };
+/* ---- the source of patches ----------------------------------------------- */
+
+static enum status find(const void *ctx, const struct vec2 z[], size_t n,
+                        double rtol, unsigned which, struct cell out[])
+{
+    return fast_cells_find(ctx, z, n, rtol, which, NULL, out, NULL);
+}
+
+static enum status sample(const void *ctx, struct patch_sample s[], size_t n,
+                          double rtol, unsigned which)
+{
+    return fast_cells_sample(ctx, s, n, rtol, which);
+}
+
+static bool tell(const void *ctx, struct vec2 z, const struct base_point *base,
+                 unsigned which, struct cell *out)
+{
+    return fast_cells_tell(ctx, z, base, which, out);
+}
+
+static bool passes(const void *ctx, double one, double other)
+{
+    const struct fast_cells *f = ctx;
+    return base_point_passes(&f->curve, one, other);
+}
+
+static enum status plan(const struct fields *f,
+                        const struct patchwork_grid *grid, double rtol,
+                        const struct monitor *monitor, struct patchwork *w)
+{
+    const struct patchwork_source source = {
+        find, sample, { tell, passes, &f->fast }, &f->fast
+    };
+    return patchwork_plan(w, grid, &source, rtol, f->which, monitor);
+}
+
+/* ---- the grid ------------------------------------------------------------ */
 
 enum status fields_prepare(struct study *s, const struct monitor *monitor,
                            struct fault *why)
@@ -21,13 +56,19 @@ enum status fields_prepare(struct study *s, const struct monitor *monitor,
         { PRODUCT_FRICTION, 1u << CELL_MU_MEAN },
         { PRODUCT_PEAK, 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK },
     };
-    s->fields = (struct fields){ s, 0, s->scene->cell_rtol, .fast = { 0 } };
+    const struct basin_map *m = &s->basins;
+    struct fields *const f = &s->fields;
+
+    *f = (struct fields){ .study = s, .rtol = s->scene->cell_rtol };
     for (size_t i = 0; i < sizeof asks / sizeof *asks; i++)
         if (s->scene->products & 1u << asks[i].product)
-            s->fields.which |= asks[i].which;
-    if (s->fields.which == 0)
+            f->which |= asks[i].which;
+    if (f->which == 0)
         return STATUS_OK;
-    const enum status status = fast_cells_init(&s->fields.fast, s, monitor);
+    const struct patchwork_grid grid = { m->x, m->y, m->columns, m->rows };
+    enum status status = fast_cells_init(&f->fast, s, monitor);
+    if (status == STATUS_OK)
+        status = plan(f, &grid, f->rtol, monitor, &f->patches);
     if (status != STATUS_OK)
         snprintf(why->text, sizeof why->text, "the fields of the cells: %s",
                  status_text(status));
@@ -36,91 +77,68 @@ enum status fields_prepare(struct study *s, const struct monitor *monitor,
 
 void fields_free(struct fields *f)
 {
+    patchwork_free(&f->patches);
     fast_cells_free(&f->fast);
 }
 
-/* What finds states of the grid, and tells how far it is. */
-struct finder {
-    const struct fast_cells *fast;
-    const struct monitor *monitor;
-    size_t before, total; /* cells, for the monitor */
-};
-
-static enum status find(void *ctx, const struct vec2 z[], size_t n, double rtol,
-                        unsigned which, struct cell out[])
-{
-    const struct finder *f = ctx;
-    enum status status = STATUS_OK;
-
-    for (size_t i = 0; i < n && status == STATUS_OK; i += LOOK) {
-        const size_t some = n - i < LOOK ? n - i : LOOK;
-        status = fast_cells_find(f->fast, z + i, some, rtol, which, NULL,
-                                 out + i, NULL);
-        if (status == STATUS_OK &&
-            monitor_tell(f->monitor, "cells", f->before, f->total))
-            status = STATUS_STOPPED;
-    }
-    return status;
-}
-
-static enum status fill(const struct fields *f, struct finder *finder,
-                        const struct patchwork_grid *grid, struct cell out[])
-{
-    const struct patchwork_source source = { find, finder };
-    enum status status =
-        patchwork_fill(grid, &source, f->rtol, f->which, out, NULL);
-
-    finder->before += grid->columns * grid->rows;
-    if (status == STATUS_OK &&
-        monitor_tell(finder->monitor, "cells", finder->before, finder->total))
-        status = STATUS_STOPPED;
-    return status;
-}
-
-/* In bands of one row of squares, so that the monitor hears often. */
+/* Some rows at a time, so that the monitor hears often. */
 enum status fields_find(const struct fields *f, size_t first, size_t rows,
                         const struct monitor *monitor, struct cell out[])
 {
     const struct basin_map *m = &f->study->basins;
     const size_t n = m->columns, end = first + rows;
-    struct finder finder = { &f->fast, monitor, first * n, n * m->rows };
     int8_t *label = malloc(n * PATCHWORK_TILE);
     enum status status = label ? STATUS_OK : STATUS_NO_MEMORY;
 
-    if (first % PATCHWORK_TILE != 0)
-        status = STATUS_BAD_ARGUMENT;
     for (size_t j = first; j < end && status == STATUS_OK;
          j += PATCHWORK_TILE) {
         const size_t some = end - j < PATCHWORK_TILE ? end - j : PATCHWORK_TILE;
-        const struct patchwork_grid grid = { m->x, m->y + j, label, n, some };
         status = basin_map_rows(m, j, some, label);
         if (status == STATUS_OK)
-            status = fill(f, &finder, &grid, out + (j - first) * n);
+            status = patchwork_rows(&f->patches, j, some, label,
+                                    out + (j - first) * n, NULL);
+        if (status == STATUS_OK &&
+            monitor_tell(monitor, "cells", (j + some) * n, m->rows * n))
+            status = STATUS_STOPPED;
     }
     free(label);
+    return status;
+}
+
+/* ---- pictures ------------------------------------------------------------ */
+
+static enum status fill_raster(const struct fields *f,
+                               const struct patchwork_grid *grid,
+                               const struct monitor *monitor, int8_t label[],
+                               struct cell out[])
+{
+    struct patchwork w;
+    enum status status =
+        basin_map_raster(&f->study->basins, grid->columns, grid->rows, label);
+
+    if (status != STATUS_OK)
+        return status;
+    status = plan(f, grid, TOL_FIELDS_PICTURE, monitor, &w);
+    if (status == STATUS_OK)
+        status = patchwork_rows(&w, 0, grid->rows, label, out, NULL);
+    patchwork_free(&w);
     return status;
 }
 
 enum status fields_raster(const struct fields *f, size_t columns, size_t rows,
                           const struct monitor *monitor, struct cell out[])
 {
-    const struct fields rough = { .study = f->study,
-                                  .which = f->which,
-                                  .rtol = TOL_FIELDS_PICTURE };
     const size_t longest = columns > rows ? columns : rows;
-    struct finder finder = { &f->fast, monitor, 0, columns * rows };
     double *x = malloc(columns * sizeof *x), *y = malloc(rows * sizeof *y);
     double *stored = malloc(longest * sizeof *stored);
     int8_t *label = malloc(columns * rows);
     enum status status = STATUS_NO_MEMORY;
 
     if (x && y && stored && label) {
-        const struct patchwork_grid grid = { x, y, label, columns, rows };
+        const struct patchwork_grid grid = { x, y, columns, rows };
         basin_map_axis(f->study, BASIN_V, columns, x, stored);
         basin_map_axis(f->study, BASIN_PSI, rows, y, stored);
-        status = basin_map_raster(&f->study->basins, columns, rows, label);
-        if (status == STATUS_OK)
-            status = fill(&rough, &finder, &grid, out);
+        status = fill_raster(f, &grid, monitor, label, out);
     }
     free(x);
     free(y);

@@ -12,7 +12,8 @@ struct fields {
     const struct study *study; /* borrowed */
     unsigned which;            /* bits of enum cell_field; 0: none asked for */
     double rtol;
-    struct fast_cells fast; /* owned */
+    struct fast_cells fast;   /* owned; must not move: of the patches */
+    struct patchwork patches; /* owned; of the grid */
 };
 
 /* The stage of a study (study.c): fills s->fields with what its scene's
@@ -22,9 +23,9 @@ MUST_CHECK enum status fields_prepare(struct study *s,
                                       struct fault *why);
 
 /* Rows first .. first + rows - 1 of the grid of the study's basin map, cell by
- * cell, by few states of it (patchwork.h).  The monitor hears of "cells" done
- * of the whole grid.  Otherwise as fast_cells_find.  STATUS_BAD_ARGUMENT: first
- * is no multiple of PATCHWORK_TILE; so the bits do not depend on the parts. */
+ * cell, by few states of it (patchwork.h); PATCHWORK_TILE rows or more at a
+ * time are best.  The monitor hears of "cells" done of the whole grid.
+ * Otherwise as fast_cells_find. */
 MUST_CHECK enum status fields_find(const struct fields *f, size_t first,
                                    size_t rows, const struct monitor *monitor,
                                    struct cell out[]);

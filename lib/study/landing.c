@@ -24,6 +24,10 @@ static void choose_least(const struct landing *l, double least[2])
         least[0] = fmax(fmin(least[0], stop), DBL_MIN);
         least[1] = fmax(fmin(least[1], stop * v), DBL_MIN);
     }
+    if (l->options.time > 0.0)
+        least[0] = fmin(least[0], l->options.time);
+    if (l->options.slip > 0.0)
+        least[1] = fmin(least[1], l->options.slip);
 }
 
 void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
@@ -54,7 +58,7 @@ static struct door door_of(const struct landing *l)
     const struct study *s = l->curve->study;
     struct door door = { .node = -1, .way = HUGE_VAL };
 
-    for (int i = 0; i < (int) s->equilibria; i++) {
+    for (int i = 0; i < (int) s->equilibria && !l->options.through; i++) {
         const struct vec2 e = s->equilibrium[i].z, o = s->system.origin;
         const double dx = l->u[LAYER_X] - (e.x - o.x);
         const double dy = l->u[LAYER_Y] - (e.y - o.y);
@@ -70,8 +74,8 @@ void landing_add_least(const struct landing *l)
 {
     const double least = TOL_LAYER_LEAST * l->options.promise;
 
-    l->out->time_error += least * l->out->time;
-    l->out->slip_error += least * l->out->slip;
+    l->out->time_error += least * fabs(l->out->time);
+    l->out->slip_error += least * fabs(l->out->slip);
 }
 
 /* On the face, towards which the orbit closes at this rate. */
@@ -92,18 +96,22 @@ static void arrive(struct landing *l, const struct door *door, double closing)
     landing_add_least(l);
 }
 
-/* Beside a box: enters it, or takes the next step of Newton's method. */
+/* Beside a box: enters it, takes the next step of Newton's method, or passes it
+ * by in steps that cannot meet it.  True also where it grazes a corner. */
 static bool enters(struct landing *l, const struct door *door, double *most)
 {
     const double side = door->along ? door->y : door->x;
     const double closing = -copysign(1.0, side) * l->du[door->along];
-
     const double aside = door->along ? door->x : door->y;
     const double wrong = l->across + l->out->place_error;
 
-    if (!(closing > TOL_LAYER_HEAD_ON) || door->way < -TOL_LAYER_BESIDE ||
-        fabs(aside) > TOL_ARREST - TOL_LAYER_CORNER * wrong)
+    if (door->way < -TOL_LAYER_BESIDE)
         return true;
+    if (!(closing > TOL_LAYER_HEAD_ON) ||
+        fabs(aside) > TOL_ARREST - TOL_LAYER_CORNER * wrong) {
+        *most = TOL_LAYER_NEARER * door->way;
+        return !(door->way > TOL_LAYER_GRAZE + TOL_LAYER_CORNER * wrong);
+    }
     *most = door->way / closing;
     if (fabs(*most) > TOL_LAYER_FACE)
         return false;
@@ -113,17 +121,45 @@ static bool enters(struct landing *l, const struct door *door, double *most)
 
 /* ---- the slow curve ------------------------------------------------------ */
 
-/* Whether slow point y lies safely before every box. */
-static bool is_clear(const struct study *s, double y)
+static bool overlap(double a, double b, double lo, double hi)
 {
-    bool clear = true;
+    return fmin(a, b) < hi && fmax(a, b) > lo;
+}
 
-    for (size_t i = 0; i < s->equilibria; i++) {
-        const double dy = s->equilibrium[i].z.y - s->system.origin.y - y;
-        if ((int) i != s->saddle)
-            clear = clear && fabs(dy) > TOL_LAYER_ARREST * TOL_ARREST;
+/* Whether no box lies between here and the slow point y. */
+static bool is_clear(const struct landing *l, const struct slow_point *p,
+                     double y)
+{
+    const struct study *s = l->curve->study;
+    const double size = TOL_LAYER_ARREST * TOL_ARREST;
+
+    for (size_t i = 0; i < s->equilibria && !l->options.through; i++) {
+        const struct vec2 e = vec2_sub(s->equilibrium[i].z, s->system.origin);
+        if ((int) i != s->saddle &&
+            overlap(l->u[LAYER_X], p->x, e.x - size, e.x + size) &&
+            overlap(l->u[LAYER_Y], y, e.y - size, e.y + size))
+            return false;
     }
-    return clear;
+    return true;
+}
+
+/* How much later or earlier a box is entered because the orbit is still beside
+ * the curve then. */
+static double delay(const struct landing *l, const struct slow_point *p,
+                    double off)
+{
+    const double folds = fmin(p->time * p->fast, TOL_LAYER_FOLDS);
+
+    return l->options.through ? 0.0
+                              : TOL_LAYER_FORGET * fabs(off) * exp(-folds) *
+                                    fabs(p->end_slope);
+}
+
+static bool table_at(const struct landing *l, double y, struct slow_point *p)
+{
+    return l->options.through
+               ? slow_curve_anywhere(l->curve, y, p) && isfinite(p->gap)
+               : slow_curve_at(l->curve, y, p);
 }
 
 /* The point of the curve that shares the fibre of the end of the walk; *off:
@@ -133,7 +169,7 @@ static bool project(const struct landing *l, double *y, struct slow_point *p,
 {
     *y = l->u[LAYER_Y];
     for (int i = 0; i < 4; i++) {
-        if (!slow_curve_at(l->curve, *y, p))
+        if (!table_at(l, *y, p))
             return false;
         const double dx = l->u[LAYER_X] - p->x, dy = l->u[LAYER_Y] - *y;
         const struct vec2 e = p->fibre;
@@ -179,15 +215,18 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double unsaid = TOL_LAYER_BEND * fabs(more) * part;
     const double time = l->u[LAYER_TIME] + p->time;
     const double slip = l->u[LAYER_SLIP] + p->slip + more;
-    const double late = 2.0 * fabs(p->time_slope) * bend;
-    const double long_ = 2.0 * fabs(p->slip_slope) * bend + unsaid;
+    const double wait = delay(l, p, off);
+    const double waste =
+        wait > 0.0 ? wait * exp(s->block.at.x0 + p->x_end) : 0.0;
+    const double late = 2.0 * fabs(p->time_slope) * bend + wait;
+    const double long_ = 2.0 * fabs(p->slip_slope) * bend + unsaid + waste;
     struct layer *const out = l->out;
 
-    *excess =
-        fmax(late / time, long_ / slip) / (TOL_LAYER_BENT * l->options.promise);
+    *excess = (l->options.through ? bend : fmax(late / time, long_ / slip)) /
+              (TOL_LAYER_BENT * l->options.promise);
     if (*excess > 1.0 && fabs(off) > TOL_LAYER_TOUCH)
         return false;
-    if (!is_clear(s, y))
+    if (!is_clear(l, p, y))
         return false;
     out->end = LAYER_LANDED;
     if (s->saddle >= 0 && !(wrong < TOL_LAYER_SIDE * fabs(y)))
@@ -195,11 +234,14 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     out->fate = p->fate;
     out->x_end = p->x_end;
     out->y = y;
+    out->y_error = 2.0 * wrong;
+    out->way_time_error = l->time_error;
+    out->way_slip_error = l->slip_error + unsaid;
     out->time = time;
     out->slip = slip;
-    out->time_error =
-        l->time_error + p->time_error + 2.0 * fabs(p->time_slope) * wrong;
-    out->slip_error = l->slip_error + p->slip_error + unsaid +
+    out->time_error = l->time_error + p->time_error + wait +
+                      2.0 * fabs(p->time_slope) * wrong;
+    out->slip_error = l->slip_error + p->slip_error + unsaid + waste +
                       2.0 * fabs(p->slip_slope) * wrong;
     landing_add_least(l);
     if (l->options.peaks)
@@ -230,11 +272,12 @@ static bool rests(struct landing *l)
     return true;
 }
 
-static bool runs(struct landing *l)
+static bool runs(struct landing *l, bool may_land)
 {
     const double far = l->across;
 
-    if (!l->curve->runs_away || !(l->u[LAYER_X] > far && l->u[LAYER_Y] < -far))
+    if (!l->curve->runs_away || (l->options.through && may_land) ||
+        !(l->u[LAYER_X] > far && l->u[LAYER_Y] < -far))
         return false;
     l->out->end = LAYER_RAN;
     l->out->fate = FATE_RUNAWAY;
@@ -250,8 +293,7 @@ static bool is_rising(const struct landing *l, double x_slope)
     struct slow_point p;
 
     return l->options.peaks && l->du[LAYER_X] > 0.0 &&
-           slow_curve_at(l->curve, l->u[LAYER_Y], &p) &&
-           x_slope * p.time_slope > 0.0;
+           table_at(l, l->u[LAYER_Y], &p) && x_slope * p.time_slope > 0.0;
 }
 
 /* Whether it has landed, d from the curve.  If not, *aim: how near to come. */
@@ -279,10 +321,10 @@ bool landing_is_over(struct landing *l, double *most)
     double aim = l->options.landing, x, x_slope;
 
     *most = TOL_LAYER_NEARER * door.way;
-    if (rests(l) || runs(l))
+    const bool beside = slow_curve_beside(l->curve, l->u[LAYER_Y],
+                                          l->options.through, &x, &x_slope);
+    if (rests(l) || runs(l, beside))
         return true;
-    const bool beside =
-        slow_curve_beside(l->curve, l->u[LAYER_Y], &x, &x_slope);
     const double d = l->u[LAYER_X] - x;
     if (beside && door.way > 0.0 && lands(l, d, x_slope, &aim))
         return true;

@@ -18,8 +18,9 @@ struct bundle {
     lanes u[LAYER_DIM], k[STEPS][LAYER_DIM];
     lanes u1[LAYER_DIM], error[LAYER_DIM];
     lanes h, most, tol, least[2];
-    lanes previous, fresh; /* last accepted error; 1: no step was refused */
-    lanes part;            /* of the estimates of order 5 that it misses */
+    lanes previous, last; /* error and size of the last accepted step */
+    lanes fresh;          /* 1: no step was refused */
+    lanes part, fair; /* of the estimates of order 5 that it misses; least */
     lanes across, wrong[2], place;
     struct landing at[LANES];
     bool busy[LANES], asks[LANES]; /* asks: whether it is over */
@@ -106,26 +107,27 @@ static lanes finish(struct bundle *b)
     return lanes_less(none, sum5, off, sum5);
 }
 
-/* As control_judge, of order 8.  Returns 1 where the step is accepted, else 0;
+/* As judge of fast_layer.c.  Returns 1 where the step is accepted, else 0;
  * *factor: what to multiply it by. */
 static lanes judge(struct bundle *b, lanes off, lanes *factor)
 {
     const lanes one = LANES_OF(1.0), none = LANES_OF(0.0);
+    const lanes least = LANES_OF(TOL_STEP_SHRINK), size = lanes_size(b->h);
     const lanes good = lanes_less(off, one, one, none);
-    const lanes floored = lanes_larger(off, LANES_OF(TOL_STEP_ERROR_FLOOR));
-    const lanes before =
-        lanes_larger(b->previous, LANES_OF(TOL_STEP_ERROR_SMALL));
-    const lanes now = lanes_ln(floored), then = lanes_ln(before);
-    const lanes exponent = lanes_less(none, good, 0.4 * then - 0.7 * now, -now);
-    const lanes wish = lanes_less(off, LANES_OF(HUGE_VAL),
-                                  TOL_STEP_SAFETY * lanes_exp(0.125 * exponent),
-                                  LANES_OF(TOL_STEP_SHRINK));
+    const lanes now = lanes_larger(off, LANES_OF(TOL_LAYER_FLOOR));
+    const lanes wish =
+        lanes_less(off, LANES_OF(HUGE_VAL),
+                   TOL_STEP_SAFETY * lanes_exp(-0.125 * lanes_ln(now)), none);
+    const lanes trend =
+        size / b->last * lanes_exp(0.125 * lanes_ln(b->previous / now));
+    const lanes next =
+        lanes_less(none, good, lanes_smaller(wish, wish * trend), wish);
     const lanes most =
-        lanes_less(none, good * b->fresh, LANES_OF(TOL_STEP_GROWTH), one);
+        lanes_less(none, good * b->fresh, LANES_OF(TOL_LAYER_GROWTH), one);
 
-    *factor =
-        lanes_larger(lanes_smaller(wish, most), LANES_OF(TOL_STEP_SHRINK));
-    b->previous = lanes_less(none, good, floored, b->previous);
+    *factor = lanes_larger(lanes_smaller(next, most), least);
+    b->previous = lanes_less(none, good, now, b->previous);
+    b->last = lanes_less(none, good, size, b->last);
     b->fresh = good;
     return good;
 }
@@ -135,7 +137,7 @@ static void account(struct bundle *b, lanes good)
 {
     const lanes *du = b->k[0], *e = b->error, none = LANES_OF(0.0);
     const lanes dx = lanes_size(du[LAYER_X]), dy = lanes_size(du[LAYER_Y]);
-    const lanes fair = lanes_larger(b->part, LANES_OF(TOL_LAYER_FAIR));
+    const lanes fair = lanes_larger(b->part, b->fair);
     const lanes across =
         TOL_LAYER_TRANSPORT * fair * (e[LAYER_X] * dy + e[LAYER_Y] * dx);
     const lanes on = e[LAYER_X] * dx + e[LAYER_Y] * dy;
@@ -201,9 +203,11 @@ static void take(struct bundle *b, int l, const struct layer_job *job,
         b->u[i][l] = b->at[l].u[i];
     b->h[l] = TOL_LAYER_FIRST;
     b->tol[l] = options.rtol;
+    b->fair[l] = options.fair;
     b->least[0][l] = least[0];
     b->least[1][l] = least[1];
     b->previous[l] = b->fresh[l] = 1.0;
+    b->last[l] = 0.0;
     b->across[l] = b->wrong[0][l] = b->wrong[1][l] = b->place[l] = 0.0;
     b->busy[l] = b->asks[l] = true;
 }

@@ -1,7 +1,12 @@
+/* Fields as they are, where they are smooth; else the base point and what it
+ * leaves of the slip.  A bar holds the last coefficients, the largest miss at
+ * the tests a few times over, and the bars of the samples: these errors are
+ * smooth, or independent, and no polynomial makes much more of them than they
+ * are (Lebesgue's constant, 5, would take signs that alternate). */
 #include "patch.h"
 
 #include <math.h>
-#include <stddef.h>
+#include <stdlib.h>
 
 #include "fate.h"
 #include "study_tolerance.h"
@@ -23,6 +28,9 @@ static const struct member {
                        offsetof(struct cell, mu_peak_error), false },
 };
 
+static const unsigned by_base =
+    1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
+
 static double read_at(const struct cell *c, size_t offset)
 {
     return *(const double *) ((const char *) c + offset);
@@ -33,189 +41,427 @@ static void write_at(struct cell *c, size_t offset, double value)
     *(double *) ((char *) c + offset) = value;
 }
 
-/* Chebyshev points, descending, as t in [-1, 1]. */
-static double point(int i)
+size_t patch_nodes(const struct patch_side *x, const struct patch_side *y,
+                   struct vec2 z[PATCH_NODES])
 {
-    return cos(M_PI * (i + 0.5) / PATCH_SIDE);
+    size_t n = 0;
+
+    for (int j = 0; j < y->nodes; j++)
+        for (int i = 0; i < x->nodes; i++)
+            z[n++] =
+                (struct vec2){ patch_side_node(x, i), patch_side_node(y, j) };
+    return n;
 }
 
-/* T_0(t) ... T_7(t) */
-static void chebyshev(double t, double T[PATCH_SIDE])
-{
-    T[0] = 1.0;
-    T[1] = t;
-    for (int k = 2; k < PATCH_SIDE; k++)
-        T[k] = 2.0 * t * T[k - 1] - T[k - 2];
-}
+/* ---- polynomials --------------------------------------------------------- */
 
-static double inside(double lo, double hi, double u)
-{
-    return (2.0 * u - lo - hi) / (hi - lo);
-}
+typedef double coefs[PATCH_SIDE][PATCH_SIDE];
 
-void patch_nodes(const struct box *box, struct vec2 z[PATCH_NODES])
-{
-    const struct vec2 middle = vec2_scale(0.5, vec2_add(box->lo, box->hi));
-    const struct vec2 half = vec2_scale(0.5, vec2_sub(box->hi, box->lo));
-
-    for (int i = 0; i < PATCH_NODES; i++)
-        z[i] = (struct vec2){ middle.x + half.x * point(i % PATCH_SIDE),
-                              middle.y + half.y * point(i / PATCH_SIDE) };
-}
-
-/* Coefficients of values at the points: c[k] = (2/n) sum f_i T_k(t_i), half of
- * it for k = 0; with the stride of the array. */
-static void transform(double f[], size_t stride)
-{
-    double c[PATCH_SIDE] = { 0 };
-
-    for (int i = 0; i < PATCH_SIDE; i++) {
-        double T[PATCH_SIDE];
-        chebyshev(point(i), T);
-        for (int k = 0; k < PATCH_SIDE; k++)
-            c[k] += f[(size_t) i * stride] * T[k];
-    }
-    for (int k = 0; k < PATCH_SIDE; k++)
-        f[(size_t) k * stride] = c[k] * (k == 0 ? 1.0 : 2.0) / PATCH_SIDE;
-}
-
-/* The last coefficients in each direction, and a part of those before: they
- * alone may vanish by symmetry. */
-static double last_of(const struct patch *p, int field)
+static double value_at(const struct patch *p, coefs c,
+                       const double Bx[PATCH_SIDE], const double By[PATCH_SIDE])
 {
     double sum = 0.0;
 
-    for (int j = 0; j < PATCH_SIDE; j++)
-        for (int i = 0; i < PATCH_SIDE; i++) {
-            const int k = i > j ? i : j;
-            const double size = fabs(p->coef[field][j][i]);
-            if (k >= PATCH_SIDE - 2)
-                sum += k == PATCH_SIDE - 1 ? size : TOL_PATCH_BEFORE * size;
-        }
+    for (int j = 0; j < p->y.nodes; j++) {
+        double row = 0.0;
+        for (int i = 0; i < p->x.nodes; i++)
+            row += c[j][i] * Bx[i];
+        sum += row * By[j];
+    }
     return sum;
 }
 
-static double value_at(const struct patch *p, int field,
-                       const double Tx[PATCH_SIDE], const double Ty[PATCH_SIDE])
-{
-    double sum = 0.0;
+/* What is left out along each side. */
+struct tails {
+    double x, y;
+};
 
-    for (int j = 0; j < PATCH_SIDE; j++) {
-        double row = 0.0;
-        for (int i = 0; i < PATCH_SIDE; i++)
-            row += p->coef[field][j][i] * Tx[i];
-        sum += row * Ty[j];
-    }
-    return member[field].is_log ? exp(sum) : sum;
+/* By the sizes of the coefficients of each order, made to fall: they go on as
+ * they did from the middle on, and the last alone may vanish by symmetry. */
+static double tail_of(const struct patch_side *s, double size[PATCH_SIDE])
+{
+    const int last = PATCH_SIDE - 1, middle = PATCH_SIDE / 2;
+
+    if (s->is_exact)
+        return 0.0;
+    for (int k = last; k > 0; k--)
+        size[k - 1] = fmax(size[k - 1], size[k]);
+    const double ratio = cbrt(size[last] / size[middle]);
+    const double slow = fmin(ratio > 0.0 ? ratio : 0.0, TOL_PATCH_SLOWEST);
+    return size[last] / (1.0 - slow) + TOL_PATCH_BEFORE * size[last - 1];
 }
 
-/* How many of the states have the field; the worst bar, relative, and the
- * least value of these. */
-static int look_at(const struct cell cell[PATCH_STATES], const struct member *m,
-                   double *worst, double *least)
+static struct tails tails_of(const struct patch *p, coefs c)
 {
-    int count = 0;
+    double x[PATCH_SIDE] = { 0.0 }, y[PATCH_SIDE] = { 0.0 };
 
-    *worst = 0.0;
+    for (int j = 0; j < p->y.nodes; j++)
+        for (int i = 0; i < p->x.nodes; i++) {
+            x[i] += fabs(c[j][i]);
+            y[j] += fabs(c[j][i]);
+        }
+    return (struct tails){ tail_of(&p->x, x), tail_of(&p->y, y) };
+}
+
+/* What is fitted: one number of each sample, with its error. */
+struct numbers {
+    const struct patch_sample *sample;
+    size_t count, nodes;
+    double value[PATCH_STATES], error[PATCH_STATES];
+};
+
+/* Fills c; *bar: of the polynomial. */
+static struct tails fit(const struct patch *p, const struct numbers *n, coefs c,
+                        double *bar)
+{
+    double worst = 0.0, off = 0.0, Bx[PATCH_SIDE], By[PATCH_SIDE];
+
+    for (size_t i = 0; i < n->nodes; i++)
+        c[i / (size_t) p->x.nodes][i % (size_t) p->x.nodes] = n->value[i];
+    for (int i = 0; i < p->y.nodes; i++)
+        patch_side_transform(&p->x, c[i], 1);
+    for (int i = 0; i < p->x.nodes; i++)
+        patch_side_transform(&p->y, &c[0][i], PATCH_SIDE);
+    for (size_t i = 0; i < n->count; i++) {
+        worst = fmax(worst, n->error[i]);
+        if (i >= n->nodes && patch_side_basis(&p->x, n->sample[i].z.x, Bx) &&
+            patch_side_basis(&p->y, n->sample[i].z.y, By))
+            off = fmax(off, fabs(value_at(p, c, Bx, By) - n->value[i]));
+    }
+    const struct tails t = tails_of(p, c);
+    *bar = fmax(t.x + t.y, TOL_PATCH_TESTS * off) + TOL_PATCH_SPREAD * worst;
+    return t;
+}
+
+/* ---- fields -------------------------------------------------------------- */
+
+/* The field of every sample, relative errors; how many there are, and the least
+ * value. */
+static size_t take_field(const struct member *m, struct numbers *n,
+                         double *least)
+{
+    size_t count = 0;
+
     *least = HUGE_VAL;
-    for (int i = 0; i < PATCH_STATES; i++) {
-        const double value = read_at(&cell[i], m->value);
+    for (size_t i = 0; i < n->count; i++) {
+        const double value = read_at(&n->sample[i].cell, m->value);
         if (!(value > 0.0 && isfinite(value)))
             continue;
-        *worst = fmax(*worst, read_at(&cell[i], m->error) / value);
+        n->value[i] = m->is_log ? log(value) : value;
+        n->error[i] =
+            read_at(&n->sample[i].cell, m->error) / (m->is_log ? value : 1.0);
         *least = fmin(*least, value);
         count++;
     }
     return count;
 }
 
-/* The largest miss, relative. */
-static double test_field(const struct patch *p, int field,
-                         const struct vec2 test[], const struct cell found[])
-{
-    double off = 0.0;
-
-    for (int i = 0; i < PATCH_TESTS; i++) {
-        double Tx[PATCH_SIDE], Ty[PATCH_SIDE];
-        chebyshev(inside(p->box.lo.x, p->box.hi.x, test[i].x), Tx);
-        chebyshev(inside(p->box.lo.y, p->box.hi.y, test[i].y), Ty);
-        const double value = read_at(&found[i], member[field].value);
-        off = fmax(off, fabs(value_at(p, field, Tx, Ty) / value - 1.0));
-    }
-    return off;
-}
-
-/* The field's bar; infinite where it is there for some states only, NaN for
- * none. */
-static double fit_field(struct patch *p, int field, const struct vec2 test[],
-                        const struct cell cell[PATCH_STATES])
+/* Sets the field's bar: infinite where it is there for some states only, NaN
+ * for none. */
+static struct tails fit_field(struct patch *p, int field, struct numbers *n)
 {
     const struct member *m = &member[field];
-    double worst, least;
-    const int count = look_at(cell, m, &worst, &least);
-    double(*c)[PATCH_SIDE] = p->coef[field];
+    double least;
+    const size_t count = take_field(m, n, &least);
+    struct tails t = { 0.0, 0.0 };
 
-    if (count < PATCH_STATES)
-        return count == 0 ? NAN : HUGE_VAL;
-    for (int i = 0; i < PATCH_NODES; i++) {
-        const double value = read_at(&cell[i], m->value);
-        c[i / PATCH_SIDE][i % PATCH_SIDE] = m->is_log ? log(value) : value;
+    p->bar[field] = count == 0 ? (double) NAN : HUGE_VAL;
+    if (count < n->count)
+        return t;
+    t = fit(p, n, p->coef[field], &p->bar[field]);
+    if (m->is_log)
+        return t;
+    p->bar[field] /= least;
+    return (struct tails){ t.x / least, t.y / least };
+}
+
+/* ---- base points --------------------------------------------------------- */
+
+static bool take_base(int which, struct numbers *n)
+{
+    for (size_t i = 0; i < n->count; i++) {
+        const struct base_point *b = &n->sample[i].base;
+        n->value[i] = which == PATCH_BASE_Y ? b->y : b->more;
+        n->error[i] = which == PATCH_BASE_Y ? b->y_error : b->more_error;
+        if (isnan(n->value[i]))
+            return false;
     }
-    for (int i = 0; i < PATCH_SIDE; i++)
-        transform(c[i], 1);
-    for (int i = 0; i < PATCH_SIDE; i++)
-        transform(&c[0][i], PATCH_SIDE);
-    const double rest = last_of(p, field) / (m->is_log ? 1.0 : least);
-    const double off = test_field(p, field, test, cell + PATCH_NODES);
-    return fmax(rest, TOL_PATCH_TESTS * off) + TOL_PATCH_LEBESGUE * worst;
+    return true;
 }
 
-bool patch_fit(struct patch *p, const struct box *box, unsigned which,
-               double rtol, const struct vec2 test[PATCH_TESTS],
-               const struct cell cell[PATCH_STATES])
+/* The bars of a told cell over what is asked for. */
+static double excess_of(const struct patch *p, const struct patch_teller *t,
+                        const struct patch_sample *s, double more_bar,
+                        double rtol)
 {
-    bool holds = cell[0].exit_reason != FATE_UNDECIDED;
+    const struct base_point b = { s->base.y, p->base_bar[PATCH_BASE_Y],
+                                  s->base.more, more_bar };
+    const unsigned which = p->which & by_base & ~p->plain;
+    double worst = 0.0;
+    struct cell c;
 
-    p->box = *box;
-    p->which = which;
-    p->exit_reason = cell[0].exit_reason;
-    for (int i = 1; i < PATCH_STATES && holds; i++)
-        holds = cell[i].exit_reason == p->exit_reason;
-    for (int k = 0; k < CELL_FIELDS && holds; k++)
-        if (which >> k & 1u) {
-            p->bar[k] = fit_field(p, k, test, cell);
-            holds = !(p->bar[k] > rtol);
+    (void) t->tell(t->ctx, s->z, &b, which, &c);
+    for (int k = 0; k < CELL_FIELDS; k++) {
+        const double value = read_at(&c, member[k].value);
+        if (which >> k & 1u && !isnan(value))
+            worst = fmax(worst, read_at(&c, member[k].error) / fabs(value));
+    }
+    return worst / rtol;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *) a, y = *(const double *) b;
+    return (x > y) - (x < y);
+}
+
+/* Of the samples that pass no box: those whose bars are too wide, and the
+ * excess that most of them stay below. */
+static size_t judge_base(const struct patch *p, const struct patch_teller *t,
+                         struct numbers *n, double more_bar, double rtol,
+                         double *most)
+{
+    size_t count = 0, wide = 0;
+
+    for (size_t i = 0; i < n->count; i++) {
+        const double y = n->sample[i].base.y;
+        if (t->passes(t->ctx, y, y))
+            continue;
+        const double excess = excess_of(p, t, &n->sample[i], more_bar, rtol);
+        n->value[count++] = excess;
+        wide += excess > 1.0;
+    }
+    qsort(n->value, count, sizeof *n->value, by_size);
+    *most = count > 0
+                ? n->value[(size_t) (TOL_PATCH_MOST * (double) (count - 1))]
+                : 0.0;
+    return wide;
+}
+
+/* Along which sides the last coefficients are too large: those of y, or of what
+ * it leaves where that is worse. */
+static struct patch_verdict judge_tails(const struct patch *p,
+                                        const struct tails t[PATCH_BASES],
+                                        double most, double most_by_y)
+{
+    const bool y = most_by_y > TOL_PATCH_CAUSE * most || isinf(most);
+    const int cause = y ? PATCH_BASE_Y : PATCH_BASE_MORE;
+    const double scale = fmin(most, TOL_PATCH_EXCESS) / p->base_bar[cause];
+
+    return (struct patch_verdict){ .excess_x = scale * t[cause].x,
+                                   .excess_y = scale * t[cause].y,
+                                   .is_smooth = true };
+}
+
+static struct patch_verdict fit_base(struct patch *p, struct numbers *n,
+                                     double rtol,
+                                     const struct patch_teller *teller)
+{
+    struct patch_verdict v = { .holds = false };
+    struct tails t[PATCH_BASES];
+    double most, most_by_y;
+
+    for (int k = 0; k < PATCH_BASES; k++) {
+        if (!take_base(k, n))
+            return v;
+        t[k] = fit(p, n, p->base[k], &p->base_bar[k]);
+    }
+    p->has_base = true;
+    const size_t wide =
+        judge_base(p, teller, n, p->base_bar[PATCH_BASE_MORE], rtol, &most);
+    judge_base(p, teller, n, 0.0, rtol, &most_by_y);
+    v = judge_tails(p, t, most, most_by_y);
+    const double left =
+        (double) wide / (double) n->count * (double) (p->x.cells * p->y.cells);
+    v.holds = left <= TOL_PATCH_SPARE * (double) n->nodes;
+    return v;
+}
+
+/* ---- all of it ----------------------------------------------------------- */
+
+/* Whether a box may lie between their base points, or a little beyond. */
+static bool has_box(const struct patch_teller *t, const struct numbers *n)
+{
+    double lo = HUGE_VAL, hi = -HUGE_VAL;
+
+    for (size_t i = 0; i < n->count; i++) {
+        const double y = n->sample[i].base.y;
+        lo = fmin(lo, isnan(y) ? lo : y);
+        hi = fmax(hi, isnan(y) ? hi : y);
+    }
+    const double more = TOL_PATCH_BEYOND * (hi - lo);
+    return lo <= hi && t->passes(t->ctx, lo - more, hi + more);
+}
+
+static int8_t common_fate(const struct numbers *n)
+{
+    const int8_t first = n->sample[0].cell.exit_reason;
+
+    for (size_t i = 1; i < n->count; i++)
+        if (n->sample[i].cell.exit_reason != first)
+            return FATE_UNDECIDED;
+    return first;
+}
+
+/* Fields that are good enough as they are; the verdict on the worst other. */
+static struct patch_verdict fit_fields(struct patch *p, struct numbers *n,
+                                       double rtol)
+{
+    struct patch_verdict v = { .holds = true, .is_smooth = true };
+
+    for (int k = 0; k < CELL_FIELDS; k++) {
+        if (!(p->which >> k & 1u))
+            continue;
+        const struct tails t = fit_field(p, k, n);
+        if (!(p->bar[k] > rtol)) {
+            p->plain |= 1u << k;
+            continue;
         }
-    return holds;
+        v.holds = false;
+        v.is_smooth = v.is_smooth && isfinite(p->bar[k]);
+        v.excess_x = fmax(v.excess_x, t.x / rtol);
+        v.excess_y = fmax(v.excess_y, t.y / rtol);
+    }
+    return v;
 }
 
-void patch_row(const struct patch *p, const double x[], size_t n, double y,
-               struct cell out[])
+/* Of what kind a sample is; neighbours of different kinds have a boundary
+ * between them. */
+static int kind_of(const struct patch_sample *s)
 {
-    double Ty[PATCH_SIDE], along[CELL_FIELDS][PATCH_SIDE];
+    return 4 * s->cell.exit_reason + 2 * isnan(s->base.y) + isnan(s->cell.slip);
+}
 
-    chebyshev(inside(p->box.lo.y, p->box.hi.y, y), Ty);
+static struct patch_verdict judge_kinds(const struct patch *p,
+                                        const struct numbers *n)
+{
+    const size_t nx = (size_t) p->x.nodes;
+    size_t x = 0, y = 0;
+
+    for (size_t i = 0; i < n->nodes; i++) {
+        const int kind = kind_of(&n->sample[i]);
+        if ((i + 1) % nx != 0)
+            x += kind != kind_of(&n->sample[i + 1]);
+        if (i + nx < n->nodes)
+            y += kind != kind_of(&n->sample[i + nx]);
+    }
+    return (struct patch_verdict){ .excess_x = 2 * x >= y,
+                                   .excess_y = 2 * y >= x };
+}
+
+struct patch_verdict patch_fit(struct patch *p, const struct patch_side *x,
+                               const struct patch_side *y, unsigned which,
+                               double rtol, const struct patch_teller *teller,
+                               const struct patch_sample sample[], size_t count)
+{
+    struct numbers n = { .sample = sample,
+                         .count = count,
+                         .nodes = (size_t) (x->nodes * y->nodes) };
+    struct patch_verdict fields = { .holds = false }, base = fields;
+
+    *p = (struct patch){ .x = *x, .y = *y, .which = which };
+    p->exit_reason = common_fate(&n);
+    if (p->exit_reason != FATE_UNDECIDED && !has_box(teller, &n))
+        fields = fit_fields(p, &n, rtol);
+    if (!fields.holds && (which & ~p->plain & ~by_base) == 0)
+        base = fit_base(p, &n, rtol, teller);
+    return fields.holds || (fields.is_smooth && !base.is_smooth) ? fields
+           : base.is_smooth                                      ? base
+                            : judge_kinds(p, &n);
+}
+
+/* ---- cells --------------------------------------------------------------- */
+
+/* Polynomials of x on one row: y is done with. */
+struct row {
+    const struct patch *p;
+    const struct patch_teller *teller;
+    unsigned told; /* bits: fields by base points */
+    double rtol, y;
+    double field[CELL_FIELDS][PATCH_SIDE], base[PATCH_BASES][PATCH_SIDE];
+};
+
+static void contract(const struct patch *p, const double c[][PATCH_SIDE],
+                     const double By[PATCH_SIDE], double along[PATCH_SIDE])
+{
+    for (int i = 0; i < p->x.nodes; i++) {
+        along[i] = 0.0;
+        for (int j = 0; j < p->y.nodes; j++)
+            along[i] += c[j][i] * By[j];
+    }
+}
+
+static double sum_of(const struct patch *p, const double along[PATCH_SIDE],
+                     const double Bx[PATCH_SIDE])
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < p->x.nodes; i++)
+        sum += along[i] * Bx[i];
+    return sum;
+}
+
+/* The fields that base points tell; false: they do not, or too widely. */
+static bool tell(const struct row *r, double x, const double Bx[PATCH_SIDE],
+                 struct cell *c)
+{
+    const struct patch *p = r->p;
+    const struct base_point b = { sum_of(p, r->base[PATCH_BASE_Y], Bx),
+                                  p->base_bar[PATCH_BASE_Y],
+                                  sum_of(p, r->base[PATCH_BASE_MORE], Bx),
+                                  p->base_bar[PATCH_BASE_MORE] };
+    const struct vec2 z = { x, r->y };
+
+    if (!r->teller->tell(r->teller->ctx, z, &b, r->told, c))
+        return false;
     for (int k = 0; k < CELL_FIELDS; k++)
-        for (int i = 0; i < PATCH_SIDE && p->which >> k & 1u; i++) {
-            along[k][i] = 0.0;
-            for (int j = 0; j < PATCH_SIDE; j++)
-                along[k][i] += p->coef[k][j][i] * Ty[j];
+        if (r->told >> k & 1u &&
+            read_at(c, member[k].error) > r->rtol * read_at(c, member[k].value))
+            return false;
+    return true;
+}
+
+/* The others asked for, and NaN for those that nobody asked for. */
+static void add_plain(const struct row *r, const double Bx[PATCH_SIDE],
+                      struct cell *c)
+{
+    const struct patch *p = r->p;
+
+    for (int k = 0; k < CELL_FIELDS; k++) {
+        double value = (double) NAN, error = (double) NAN;
+        if (r->told >> k & 1u)
+            continue;
+        if (p->plain >> k & 1u && !isnan(p->bar[k])) {
+            value = sum_of(p, r->field[k], Bx);
+            value = member[k].is_log ? exp(value) : value;
+            error = p->bar[k] * fabs(value);
         }
+        write_at(c, member[k].value, value);
+        write_at(c, member[k].error, error);
+    }
+}
+
+void patch_row(const struct patch *p, size_t first, size_t n, double y,
+               const int8_t label[], double rtol,
+               const struct patch_teller *teller, struct cell out[])
+{
+    struct row r = { p,         teller,   p->which & ~p->plain, rtol, y,
+                     { { 0 } }, { { 0 } } };
+    double Bx[PATCH_SIDE], By[PATCH_SIDE];
+
+    patch_side_basis(&p->y, y, By);
+    for (int k = 0; k < CELL_FIELDS; k++)
+        if (p->plain >> k & 1u)
+            contract(p, p->coef[k], By, r.field[k]);
+    for (int k = 0; k < PATCH_BASES && r.told; k++)
+        contract(p, p->base[k], By, r.base[k]);
     for (size_t i = 0; i < n; i++) {
-        double Tx[PATCH_SIDE];
-        chebyshev(inside(p->box.lo.x, p->box.hi.x, x[i]), Tx);
+        const double x = p->x.at[first + i];
+        patch_side_basis(&p->x, x, Bx);
         out[i].exit_reason = p->exit_reason;
-        for (int k = 0; k < CELL_FIELDS; k++) {
-            double value = NAN, error = NAN;
-            if (p->which >> k & 1u && !isnan(p->bar[k])) {
-                value = 0.0;
-                for (int j = 0; j < PATCH_SIDE; j++)
-                    value += along[k][j] * Tx[j];
-                value = member[k].is_log ? exp(value) : value;
-                error = p->bar[k] * fabs(value);
-            }
-            write_at(&out[i], member[k].value, value);
-            write_at(&out[i], member[k].error, error);
-        }
+        const bool is_told = !r.told || tell(&r, x, Bx, &out[i]);
+        add_plain(&r, Bx, &out[i]);
+        if (!is_told || out[i].exit_reason != label[i])
+            out[i].exit_reason = FATE_NONE;
     }
 }

@@ -1,69 +1,24 @@
 #include "patchwork.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "fate.h"
-#include "patch.h"
 #include "study_tolerance.h"
 
-/* Squares no larger are found cell by cell: they need no fewer states. */
-enum { SMALLEST = 8 };
-
-struct square {
-    size_t column, row, columns, rows; /* of cells */
+/* A rectangle of cells, with states inside it that have been looked at. */
+struct piece {
+    size_t column, row, columns, rows;
+    size_t tests;
+    struct patch_sample test[PATCH_TESTS];
 };
 
-/* Squares of one size, and cells that were given up on. */
-struct work {
-    const struct patchwork_grid *g;
-    const struct patchwork_source *source;
-    double rtol;
-    unsigned which;
-    struct cell *out;
-    struct square *now, *next; /* owned */
-    size_t count, next_count, room;
-    size_t *left; /* owned: cells, row * columns + column */
-    size_t left_count, left_room, sampled;
+/* Those of one generation, and the next. */
+struct pieces {
+    struct piece *at; /* owned */
+    size_t count, room;
 };
-
-static struct vec2 centre(const struct patchwork_grid *g, size_t row,
-                          size_t column)
-{
-    return (struct vec2){ g->x[column], g->y[row] };
-}
-
-static struct box box_of(const struct patchwork_grid *g, const struct square *q)
-{
-    return (struct box){
-        centre(g, q->row, q->column),
-        centre(g, q->row + q->rows - 1, q->column + q->columns - 1),
-    };
-}
-
-static bool has_one_fate(const struct patchwork_grid *g, const struct square *q)
-{
-    const int8_t first = g->label[q->row * g->columns + q->column];
-
-    for (size_t j = q->row; j < q->row + q->rows; j++)
-        for (size_t i = q->column; i < q->column + q->columns; i++)
-            if (g->label[j * g->columns + i] != first)
-                return false;
-    return first != FATE_UNDECIDED;
-}
-
-/* Some of its cells, spread by multiples of the golden ratio. */
-static void test_cells(const struct patchwork_grid *g, const struct square *q,
-                       struct vec2 z[PATCH_TESTS])
-{
-    const size_t cells = q->columns * q->rows;
-
-    for (size_t i = 0; i < PATCH_TESTS; i++) {
-        const double share = 0.6180339887498949 * (double) (i + 1);
-        const size_t k =
-            (size_t) ((share - (double) (size_t) share) * (double) cells);
-        z[i] = centre(g, q->row + k / q->columns, q->column + k % q->columns);
-    }
-}
 
 static enum status make_room(void **p, size_t size, size_t need, size_t *room)
 {
@@ -78,183 +33,359 @@ static enum status make_room(void **p, size_t size, size_t need, size_t *room)
     return STATUS_OK;
 }
 
-/* Its cells are left to be found one by one. */
-static enum status leave(struct work *w, const struct square *q)
+/* One more, uninitialised; NULL: no memory. */
+static struct piece *new_piece(struct pieces *p)
 {
-    void *p = w->left;
+    void *at = p->at;
     const enum status status =
-        make_room(&p, sizeof *w->left, w->left_count + q->columns * q->rows,
-                  &w->left_room);
+        make_room(&at, sizeof *p->at, p->count + 1, &p->room);
 
-    w->left = p;
-    if (status != STATUS_OK)
-        return status;
-    for (size_t j = q->row; j < q->row + q->rows; j++)
-        for (size_t i = q->column; i < q->column + q->columns; i++)
-            w->left[w->left_count++] = j * w->g->columns + i;
+    p->at = at;
+    return status == STATUS_OK ? &p->at[p->count++] : NULL;
+}
+
+/* ---- sampling ------------------------------------------------------------ */
+
+/* A piece on its way to become a patch. */
+struct trial {
+    const struct piece *piece;
+    struct patch_side x, y;
+    struct patch_sample sample[PATCH_STATES];
+    size_t fresh, count; /* to be looked at, and with older ones */
+    struct patch patch;
+    struct patch_verdict verdict;
+};
+
+static struct trial *begin(struct trial *t, const struct patchwork_grid *g,
+                           const struct piece *p)
+{
+    t->piece = p;
+    t->x = patch_side_of(g->x + p->column, p->columns);
+    t->y = patch_side_of(g->y + p->row, p->rows);
+    return t;
+}
+
+/* Pieces with few more cells than nodes are found cell by cell. */
+static bool is_small(const struct piece *p)
+{
+    const size_t x = p->columns < PATCH_SIDE ? p->columns : PATCH_SIDE;
+    const size_t y = p->rows < PATCH_SIDE ? p->rows : PATCH_SIDE;
+
+    return (double) (p->columns * p->rows) <=
+           TOL_PATCH_SMALLEST * (double) (x * y);
+}
+
+static bool is_test(const struct trial *t, struct vec2 z)
+{
+    double basis[PATCH_SIDE];
+
+    return patch_side_basis(&t->x, z.x, basis) &&
+           patch_side_basis(&t->y, z.y, basis);
+}
+
+/* On the edges, where errors of polynomials are largest. */
+static void add_edges(struct trial *t)
+{
+    const size_t column[] = { 0, t->x.cells / 2, t->x.cells - 1 };
+    const size_t row[] = { 0, t->y.cells / 2, t->y.cells - 1 };
+
+    for (size_t k = 0; k < 9; k++)
+        if (k != 4)
+            t->sample[t->fresh++].z =
+                (struct vec2){ t->x.at[column[k % 3]], t->y.at[row[k / 3]] };
+}
+
+/* The nodes, edges, cells where older tests are too few, spread by multiples of
+ * the golden ratio, and the older tests. */
+static void choose_states(struct trial *t)
+{
+    const struct piece *p = t->piece;
+    const size_t cells = t->x.cells * t->y.cells;
+    struct vec2 z[PATCH_NODES];
+    size_t older = 0;
+
+    t->fresh = patch_nodes(&t->x, &t->y, z);
+    for (size_t i = 0; i < t->fresh; i++)
+        t->sample[i].z = z[i];
+    add_edges(t);
+    for (size_t i = 0; i < p->tests; i++)
+        older += is_test(t, p->test[i].z);
+    for (size_t i = 1; older < TOL_PATCH_LEAST_TESTS; i++, older++) {
+        const double share = fmod(0.6180339887498949 * (double) i, 1.0);
+        const size_t k = (size_t) (share * (double) cells);
+        t->sample[t->fresh++].z =
+            (struct vec2){ t->x.at[k % t->x.cells], t->y.at[k / t->x.cells] };
+    }
+    t->count = t->fresh;
+    for (size_t i = 0; i < p->tests && t->count < PATCH_STATES; i++)
+        if (is_test(t, p->test[i].z))
+            t->sample[t->count++] = p->test[i];
+}
+
+/* Looks at the fresh states of all trials at once. */
+static enum status look(struct patchwork *w, struct trial trial[], size_t n)
+{
+    const struct patchwork_source *s = &w->source;
+    size_t states = 0, k = 0;
+
+    for (size_t i = 0; i < n; i++)
+        states += trial[i].fresh;
+    struct patch_sample *all = malloc((states + 1) * sizeof *all);
+    if (all == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < trial[i].fresh; j++)
+            all[k++] = trial[i].sample[j];
+    const enum status status =
+        s->sample(s->ctx, all, states, TOL_PATCH_SAMPLES * w->rtol, w->which);
+    w->sampled += states;
+    k = 0;
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < trial[i].fresh; j++)
+            trial[i].sample[j] = all[k++];
+    free(all);
+    return status;
+}
+
+static void fit_all(const struct patchwork *w, struct trial trial[], size_t n)
+{
+#pragma omp parallel for schedule(dynamic)
+    for (size_t i = 0; i < n; i++) {
+        struct trial *const t = &trial[i];
+        t->verdict = patch_fit(&t->patch, &t->x, &t->y, w->which, w->rtol,
+                               &w->source.teller, t->sample, t->count);
+    }
+}
+
+/* ---- cutting ------------------------------------------------------------- */
+
+/* Into how many parts: errors go like the power `nodes` of a part's size. */
+static size_t parts_of(const struct patch_side *s, double excess, double other,
+                       bool is_smooth)
+{
+    const double part =
+        pow(excess / TOL_PATCH_SHARE, 1.0 / (double) (PATCH_SIDE - 1));
+    size_t parts = 2;
+
+    if (!is_smooth)
+        return excess > 0.0 && s->cells > 1 ? 2 : 1;
+    if (s->is_exact || !(excess > TOL_PATCH_SHARE) ||
+        excess < TOL_PATCH_ASIDE * other)
+        return 1;
+    while ((double) parts < TOL_PATCH_PARTS * part && parts < PATCH_SIDE &&
+           s->cells > PATCH_SIDE * parts)
+        parts *= 2;
+    return parts;
+}
+
+/* Where no side is to blame, the one with more cells to its nodes. */
+static void choose_parts(const struct trial *t, size_t *x, size_t *y)
+{
+    const struct patch_verdict *v = &t->verdict;
+
+    *x = parts_of(&t->x, v->excess_x, v->excess_y, v->is_smooth);
+    *y = parts_of(&t->y, v->excess_y, v->excess_x, v->is_smooth);
+    if (*x * *y == 1 && t->x.cells >= t->y.cells)
+        *x = 2;
+    else if (*x * *y == 1)
+        *y = 2;
+}
+
+static bool lies_in(const struct piece *p, const struct patchwork_grid *g,
+                    struct vec2 z)
+{
+    return z.x >= g->x[p->column] && z.x <= g->x[p->column + p->columns - 1] &&
+           z.y >= g->y[p->row] && z.y <= g->y[p->row + p->rows - 1];
+}
+
+static void cut_out(const struct trial *t, const struct patchwork_grid *g,
+                    const size_t x[2], const size_t y[2], struct piece *part)
+{
+    part->column = t->piece->column + x[0];
+    part->row = t->piece->row + y[0];
+    part->columns = x[1] - x[0];
+    part->rows = y[1] - y[0];
+    part->tests = 0;
+    for (size_t i = 0; i < t->count && part->tests < PATCH_TESTS; i++)
+        if (lies_in(part, g, t->sample[i].z))
+            part->test[part->tests++] = t->sample[i];
+}
+
+static enum status cut(const struct trial *t, const struct patchwork_grid *g,
+                       struct pieces *next)
+{
+    size_t nx, ny;
+
+    choose_parts(t, &nx, &ny);
+    for (size_t j = 0; j < ny; j++)
+        for (size_t i = 0; i < nx; i++) {
+            const size_t x[2] = { patch_side_cut(&t->x, nx, i),
+                                  patch_side_cut(&t->x, nx, i + 1) };
+            const size_t y[2] = { patch_side_cut(&t->y, ny, j),
+                                  patch_side_cut(&t->y, ny, j + 1) };
+            struct piece *const part = new_piece(next);
+            if (part == NULL)
+                return STATUS_NO_MEMORY;
+            cut_out(t, g, x, y, part);
+        }
     return STATUS_OK;
 }
 
-/* Its quarters, to be looked at next. */
-static enum status quarter(struct work *w, const struct square *q)
+/* ---- planning ------------------------------------------------------------ */
+
+static enum status keep(struct patchwork *w, const struct patch *p)
 {
-    const size_t half_c = q->columns / 2, half_r = q->rows / 2;
-    enum status status = STATUS_OK;
+    void *at = w->patch;
+    const enum status status =
+        make_room(&at, sizeof *w->patch, w->count + 1, &w->room);
 
-    if (q->columns <= 2 * SMALLEST || q->rows <= 2 * SMALLEST)
-        return leave(w, q);
-    for (int k = 0; k < 4 && status == STATUS_OK; k++) {
-        const bool right = k & 1, up = k & 2;
-        const struct square part = { q->column + (right ? half_c : 0),
-                                     q->row + (up ? half_r : 0),
-                                     right ? q->columns - half_c : half_c,
-                                     up ? q->rows - half_r : half_r };
-        w->next[w->next_count++] = part;
-    }
-    return status;
-}
-
-static void fill(struct work *w, const struct square *q, const struct patch *p)
-{
-    const struct patchwork_grid *g = w->g;
-
-    for (size_t j = q->row; j < q->row + q->rows; j++)
-        patch_row(p, g->x + q->column, q->columns, g->y[j],
-                  w->out + j * g->columns + q->column);
-}
-
-/* Squares first .. first + count - 1: sampled, and filled where a polynomial
- * holds; done[] says where. */
-static enum status try_squares(struct work *w, const struct square q[],
-                               size_t count, bool done[])
-{
-    struct vec2 *z = malloc(count * PATCH_STATES * sizeof *z);
-    struct cell *cell = malloc(count * PATCH_STATES * sizeof *cell);
-    enum status status = z && cell ? STATUS_OK : STATUS_NO_MEMORY;
-
-    for (size_t i = 0; i < count && status == STATUS_OK; i++) {
-        const struct box box = box_of(w->g, &q[i]);
-        patch_nodes(&box, z + i * PATCH_STATES);
-        test_cells(w->g, &q[i], z + i * PATCH_STATES + PATCH_NODES);
-    }
+    w->patch = at;
     if (status == STATUS_OK)
-        status = w->source->find(w->source->ctx, z, count * PATCH_STATES,
-                                 TOL_PATCH_SAMPLES * w->rtol, w->which, cell);
-    if (status == STATUS_OK) {
-        w->sampled += count * PATCH_STATES;
-#pragma omp parallel for schedule(dynamic)
-        for (size_t i = 0; i < count; i++) {
-            const struct box box = box_of(w->g, &q[i]);
-            struct patch p;
-            done[i] = patch_fit(&p, &box, w->which, w->rtol,
-                                z + i * PATCH_STATES + PATCH_NODES,
-                                cell + i * PATCH_STATES) &&
-                      p.exit_reason ==
-                          w->g->label[q[i].row * w->g->columns + q[i].column];
-            if (done[i])
-                fill(w, &q[i], &p);
-        }
-    }
-    free(z);
-    free(cell);
+        w->patch[w->count++] = *p;
     return status;
 }
 
-/* Of the squares of one size, those of one fate are tried, some at a time; the
- * others are quartered at once. */
-static enum status level(struct work *w)
+enum { TOGETHER = 64 };
+
+static enum status try_some(struct patchwork *w, struct trial trial[], size_t n,
+                            struct pieces *next)
 {
-    enum { BATCH = 64 };
+    for (size_t i = 0; i < n; i++)
+        choose_states(&trial[i]);
+    enum status status = n > 0 ? look(w, trial, n) : STATUS_OK;
+    if (status == STATUS_OK)
+        fit_all(w, trial, n);
+    for (size_t i = 0; i < n && status == STATUS_OK; i++)
+        status = trial[i].verdict.holds ? keep(w, &trial[i].patch)
+                                        : cut(&trial[i], &w->grid, next);
+    return status;
+}
+
+/* One generation of pieces, some at a time. */
+static enum status try_all(struct patchwork *w, const struct pieces *now,
+                           struct trial trial[TOGETHER], struct pieces *next,
+                           const struct monitor *monitor)
+{
     enum status status = STATUS_OK;
     size_t i = 0;
 
-    w->next_count = 0;
-    while (i < w->count && status == STATUS_OK) {
-        struct square some[BATCH];
-        bool done[BATCH];
+    while (i < now->count && status == STATUS_OK) {
         size_t n = 0;
-        for (; i < w->count && n < BATCH && status == STATUS_OK; i++) {
-            const struct square *q = &w->now[i];
-            if (q->columns <= SMALLEST || q->rows <= SMALLEST)
-                status = leave(w, q);
-            else if (has_one_fate(w->g, q))
-                some[n++] = *q;
-            else
-                status = quarter(w, q);
-        }
-        if (n > 0 && status == STATUS_OK)
-            status = try_squares(w, some, n, done);
-        for (size_t k = 0; k < n && status == STATUS_OK; k++)
-            if (!done[k])
-                status = quarter(w, &some[k]);
+        for (; i < now->count && n < TOGETHER; i++)
+            if (!is_small(&now->at[i]))
+                begin(&trial[n++], &w->grid, &now->at[i]);
+        status = try_some(w, trial, n, next);
+        if (status == STATUS_OK &&
+            monitor_tell(monitor, "patches", w->count, 0))
+            status = STATUS_STOPPED;
     }
     return status;
 }
 
-static enum status find_left(struct work *w)
+static enum status run(struct patchwork *w, struct pieces *now,
+                       struct pieces *next, const struct monitor *monitor)
 {
-    struct vec2 *z = malloc((w->left_count + 1) * sizeof *z);
-    struct cell *cell = malloc((w->left_count + 1) * sizeof *cell);
-    enum status status = z && cell ? STATUS_OK : STATUS_NO_MEMORY;
+    struct trial *trial = malloc(TOGETHER * sizeof *trial);
+    struct piece *const all = new_piece(now);
+    enum status status = trial && all ? STATUS_OK : STATUS_NO_MEMORY;
 
-    for (size_t i = 0; i < w->left_count && status == STATUS_OK; i++)
-        z[i] = centre(w->g, w->left[i] / w->g->columns,
-                      w->left[i] % w->g->columns);
+    if (all)
+        *all =
+            (struct piece){ .columns = w->grid.columns, .rows = w->grid.rows };
+    while (status == STATUS_OK && now->count > 0) {
+        next->count = 0;
+        status = try_all(w, now, trial, next, monitor);
+        const struct pieces swap = *now;
+        *now = *next;
+        *next = swap;
+    }
+    free(trial);
+    return status;
+}
+
+enum status patchwork_plan(struct patchwork *w,
+                           const struct patchwork_grid *grid,
+                           const struct patchwork_source *source, double rtol,
+                           unsigned which, const struct monitor *monitor)
+{
+    struct pieces now = { .count = 0 }, next = { .count = 0 };
+
+    *w = (struct patchwork){
+        .grid = *grid, .source = *source, .rtol = rtol, .which = which
+    };
+    const enum status status = run(w, &now, &next, monitor);
+    free(now.at);
+    free(next.at);
+    if (status != STATUS_OK)
+        patchwork_free(w);
+    return status;
+}
+
+void patchwork_free(struct patchwork *w)
+{
+    free(w->patch);
+    *w = (struct patchwork){ .count = 0 };
+}
+
+/* ---- filling ------------------------------------------------------------- */
+
+/* The part of a patch on these rows. */
+static void fill(const struct patchwork *w, const struct patch *p, size_t first,
+                 size_t count, const int8_t label[], struct cell out[])
+{
+    const size_t n = w->grid.columns;
+    const size_t column = (size_t) (p->x.at - w->grid.x);
+    const size_t row = (size_t) (p->y.at - w->grid.y);
+    const size_t from = row > first ? row : first;
+    const size_t last = row + p->y.cells, end = first + count;
+
+    for (size_t j = from; j < last && j < end; j++) {
+        const size_t at = (j - first) * n + column;
+        patch_row(p, 0, p->x.cells, w->grid.y[j], label + at, w->rtol,
+                  &w->source.teller, out + at);
+    }
+}
+
+/* Cells that no patch told, one by one. */
+static enum status find_left(const struct patchwork *w, size_t first,
+                             size_t cells, struct cell out[], size_t *sampled)
+{
+    const struct patchwork_source *s = &w->source;
+    const size_t columns = w->grid.columns;
+    size_t left = 0, k = 0;
+
+    for (size_t i = 0; i < cells; i++)
+        left += out[i].exit_reason == FATE_NONE;
+    struct vec2 *z = malloc((left + 1) * sizeof *z);
+    struct cell *cell = malloc((left + 1) * sizeof *cell);
+    enum status status = z && cell ? STATUS_OK : STATUS_NO_MEMORY;
+    for (size_t i = 0; i < cells && status == STATUS_OK; i++)
+        if (out[i].exit_reason == FATE_NONE)
+            z[k++] = (struct vec2){ w->grid.x[i % columns],
+                                    w->grid.y[first + i / columns] };
     if (status == STATUS_OK)
-        status = w->source->find(w->source->ctx, z, w->left_count, w->rtol,
-                                 w->which, cell);
-    for (size_t i = 0; i < w->left_count && status == STATUS_OK; i++)
-        w->out[w->left[i]] = cell[i];
-    w->sampled += w->left_count;
+        status = s->find(s->ctx, z, left, w->rtol, w->which, cell);
+    k = 0;
+    for (size_t i = 0; i < cells && status == STATUS_OK; i++)
+        if (out[i].exit_reason == FATE_NONE)
+            out[i] = cell[k++];
+    if (sampled)
+        *sampled += left;
     free(z);
     free(cell);
     return status;
 }
 
-/* Rows from the first on, columns in equal parts. */
-static void cut_into_tiles(struct work *w)
+enum status patchwork_rows(const struct patchwork *w, size_t first,
+                           size_t count, const int8_t label[],
+                           struct cell out[], size_t *sampled)
 {
-    const size_t tile = PATCHWORK_TILE, columns = w->g->columns;
-    const size_t across = (columns + tile - 1) / tile;
+    const size_t cells = count * w->grid.columns;
 
-    for (size_t j = 0; j < w->g->rows; j += tile)
-        for (size_t i = 0; i < across; i++) {
-            const size_t from = i * columns / across;
-            const size_t to = (i + 1) * columns / across;
-            const size_t left = w->g->rows - j;
-            w->now[w->count++] = (struct square){ from, j, to - from,
-                                                  left < tile ? left : tile };
-        }
-}
-
-enum status patchwork_fill(const struct patchwork_grid *g,
-                           const struct patchwork_source *source, double rtol,
-                           unsigned which, struct cell out[], size_t *sampled)
-{
-    struct work w = {
-        .g = g, .source = source, .rtol = rtol, .which = which, .out = out
-    };
-    /* quarters of squares of more than 2 SMALLEST cells a side */
-    w.room = (g->columns / SMALLEST + 2) * (g->rows / SMALLEST + 2);
-    w.now = malloc(w.room * sizeof *w.now);
-    w.next = malloc(w.room * sizeof *w.next);
-    enum status status = w.now && w.next ? STATUS_OK : STATUS_NO_MEMORY;
-
-    if (status == STATUS_OK)
-        cut_into_tiles(&w);
-    while (status == STATUS_OK && w.count > 0) {
-        status = level(&w);
-        struct square *const swap = w.now;
-        w.now = w.next;
-        w.count = w.next_count;
-        w.next = swap;
-    }
-    if (status == STATUS_OK)
-        status = find_left(&w);
-    if (sampled)
-        *sampled = w.sampled;
-    free(w.now);
-    free(w.next);
-    free(w.left);
-    return status;
+    for (size_t i = 0; i < cells; i++)
+        out[i].exit_reason = FATE_NONE;
+#pragma omp parallel for schedule(dynamic)
+    for (size_t i = 0; i < w->count; i++)
+        fill(w, &w->patch[i], first, count, label, out);
+    return find_left(w, first, cells, out, sampled);
 }

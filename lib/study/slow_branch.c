@@ -163,10 +163,12 @@ double slow_branch_gained(const struct orbit *o, size_t i)
 
 /* Runs the orbit to its end; without a node ahead, until the rates are alike.
  */
-static enum status follow(const struct study *s, struct orbit *o, double folds,
+static enum status follow(const struct study *s, struct orbit *o,
                           bool node_ahead, const struct monitor *monitor,
                           struct slow_branch *b)
 {
+    const double far = b->start == SLOW_RUNAWAY ? TOL_SLOW_AWAY : HUGE_VAL;
+    double folds = b->start == SLOW_BESIDE ? 0.0 : HUGE_VAL;
     enum status status = STATUS_OK;
 
     for (bool goes_on = true; goes_on && status == STATUS_OK;) {
@@ -181,7 +183,7 @@ static enum status follow(const struct study *s, struct orbit *o, double folds,
         k->slip[0] = -slow_branch_gained(o, 3 + BLOCK_SLIP);
         tell(k, -k->time[0], &folds);
         goes_on = o->end == ORBIT_RUNNING && o->steps < TOL_SLOW_STEPS &&
-                  (node_ahead || isfinite(k->gap));
+                  (node_ahead || isfinite(k->gap)) && fabs(k->y) < far;
         if (!goes_on)
             break;
         if (isfinite(k->gap))
@@ -196,23 +198,16 @@ static enum status follow(const struct study *s, struct orbit *o, double folds,
                : status;
 }
 
-/* What is still to come at the last knot: nothing at a node, else by the orbit
- * from there, if it rests. */
-static enum status finish(const struct study *s, const struct orbit *o,
-                          int8_t node_fate, struct slow_branch *b)
+/* What is still to come at the last knot at rest is that of the orbit from
+ * there, if it rests. */
+static enum status finish_rest(const struct study *s, struct slow_branch *b)
 {
     const struct slow_knot *last = &b->knot[b->count - 1];
     const struct vec2 z = { last->x + s->system.origin.x,
                             last->y + s->system.origin.y };
     struct fate_result fine, coarse;
 
-    b->fate = FATE_UNDECIDED;
-    if (o->end == ORBIT_ARRIVED) {
-        b->fate = node_fate;
-        b->x_end = last->x;
-        return STATUS_OK;
-    }
-    if (!b->from_saddle || !box_holds(s->system.domain, z))
+    if (!box_holds(s->system.domain, z))
         return STATUS_OK;
     enum status status = fate_find(s, z, TOL_SLOW_RTOL, true, NULL, &fine);
     if (status == STATUS_OK)
@@ -233,6 +228,37 @@ static enum status finish(const struct study *s, const struct orbit *o,
         b->knot[i].slip_bar += slip_bar;
     }
     return status;
+}
+
+/* Inside a box all is counted from its face, the first knot. */
+static void count_from_face(struct slow_branch *b)
+{
+    const struct slow_knot first = b->knot[0];
+
+    for (size_t i = 0; i < b->count; i++) {
+        struct slow_knot *k = &b->knot[i];
+        k->time[0] -= first.time[0];
+        k->slip[0] -= first.slip[0];
+        k->time_bar = first.time_bar - k->time_bar;
+        k->slip_bar = first.slip_bar - k->slip_bar;
+    }
+}
+
+static enum status finish(const struct study *s, const struct orbit *o,
+                          int8_t node_fate, struct slow_branch *b)
+{
+    b->fate = FATE_UNDECIDED;
+    if (b->start == SLOW_RUNAWAY)
+        b->fate = FATE_RUNAWAY;
+    if (o->end == ORBIT_ARRIVED) {
+        b->fate = node_fate;
+        b->x_end = b->knot[b->count - 1].x;
+    } else if (b->start == SLOW_SADDLE) {
+        return finish_rest(s, b);
+    }
+    if (b->start == SLOW_FACE)
+        count_from_face(b);
+    return STATUS_OK;
 }
 
 /* What a polynomial over two steps misses at the knot between is 64 times what
@@ -280,16 +306,16 @@ static void look_back(struct slow_branch *b)
     }
 }
 
-/* Drops knots at the end far from the saddle, from the node, where rounding
+/* Drops knots at the end far from the saddle, or from the face, where rounding
  * moves y back. */
 static void make_monotone(struct slow_branch *b)
 {
     const struct slow_knot *k = b->knot;
     size_t first = 0, last = b->count - 1;
-    const double way =
-        b->from_saddle ? k[1].y - k[0].y : k[last].y - k[last - 1].y;
+    const bool from_first = b->start != SLOW_BESIDE;
+    const double way = from_first ? k[1].y - k[0].y : k[last].y - k[last - 1].y;
 
-    if (b->from_saddle) {
+    if (from_first) {
         for (last = 0; last + 1 < b->count; last++)
             if (!((k[last + 1].y - k[last].y) * way > 0.0))
                 break;
@@ -363,48 +389,77 @@ static enum status comes_to_rest(const struct study *s, struct vec2 z, bool *is)
     return status;
 }
 
-enum status slow_branch_run(const struct study *s, struct vec2 z,
-                            bool from_saddle, const struct monitor *monitor,
-                            struct slow_branch *b)
+/* The nodes, and what becomes of who arrives there. */
+struct goals {
+    struct vec2 at[EQUILIBRIA_MAX];
+    int8_t fate[EQUILIBRIA_MAX];
+    size_t count;
+};
+
+/* Whether a branch from z meets one of them. */
+static bool find_goals(const struct study *s, struct vec2 z,
+                       enum slow_start start, struct goals *g)
+{
+    bool ahead = start == SLOW_BESIDE || start == SLOW_FACE;
+
+    *g = (struct goals){ .fate = { FATE_UNDECIDED } };
+    for (size_t i = 0; i < s->equilibria; i++) {
+        if ((int) i == s->saddle)
+            continue;
+        const struct vec2 at = vec2_sub(s->equilibrium[i].z, s->system.origin);
+        ahead = ahead || at.y * z.y > 0.0;
+        g->fate[g->count] = (int8_t) fate_of_node(s, &s->equilibrium[i]);
+        g->at[g->count++] = at;
+    }
+    return ahead;
+}
+
+/* Runs the branch, whose start is set. */
+static enum status run(const struct study *s, struct vec2 z,
+                       const struct goals *goals, bool ahead,
+                       const struct monitor *monitor, struct slow_branch *b)
 {
     struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
-    struct vec2 goal[EQUILIBRIA_MAX];
-    int8_t fate[EQUILIBRIA_MAX] = { FATE_UNDECIDED };
     struct orbit o;
 
     options.rtol = TOL_SLOW_RTOL;
     options.observables = 1;
-    options.target = goal;
-    for (size_t i = 0; i < s->equilibria; i++) {
-        if ((int) i == s->saddle)
-            continue;
-        fate[options.targets] = (int8_t) fate_of_node(s, &s->equilibrium[i]);
-        goal[options.targets++] =
-            vec2_sub(s->equilibrium[i].z, s->system.origin);
-    }
-    *b = (struct slow_branch){ .from_saddle = from_saddle,
-                               .fate = FATE_UNDECIDED };
-    bool ahead = !from_saddle;
-    for (size_t i = 0; i < options.targets; i++)
-        ahead = ahead || goal[i].y * z.y > 0.0;
-    bool ends = ahead;
-    enum status status = ahead ? STATUS_OK : comes_to_rest(s, z, &ends);
-    if (status != STATUS_OK || !ends)
-        return status;
-    status = orbit_init(&o, &s->system, z, &options);
+    options.target = goals->at;
+    options.targets = goals->count;
+    if (b->start == SLOW_FACE)
+        options.arrival = TOL_SLOW_INSIDE;
+    enum status status = orbit_init(&o, &s->system, z, &options);
     if (status != STATUS_OK)
         return STATUS_OK;
     if (o.end == ORBIT_RUNNING)
-        status = follow(s, &o, from_saddle ? HUGE_VAL : 0.0, ahead, monitor, b);
+        status = follow(s, &o, ahead, monitor, b);
     if (status == STATUS_OK && b->count > 2) {
         look_back(b);
         judge(b);
-        status = finish(s, &o, fate[o.end_index], b);
+        status = finish(s, &o, goals->fate[o.end_index], b);
         make_monotone(b);
     }
     if (status == STATUS_OK && b->count > 2)
         status = fill_bins(b);
     orbit_free(&o);
+    return status;
+}
+
+enum status slow_branch_run(const struct study *s, struct vec2 z,
+                            enum slow_start start,
+                            const struct monitor *monitor,
+                            struct slow_branch *b)
+{
+    struct goals goals;
+    enum status status = STATUS_OK;
+
+    *b = (struct slow_branch){ .start = start, .fate = FATE_UNDECIDED };
+    const bool ahead = find_goals(s, z, start, &goals);
+    bool ends = ahead || start == SLOW_RUNAWAY;
+    if (!ends)
+        status = comes_to_rest(s, z, &ends);
+    if (status == STATUS_OK && ends)
+        status = run(s, z, &goals, ahead, monitor, b);
     return status;
 }
 

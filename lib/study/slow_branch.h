@@ -23,24 +23,34 @@ struct slow_knot {
     double x_peak, mu_peak; /* from here on */
 };
 
+enum slow_start {
+    SLOW_SADDLE,  /* on the curve, beside the saddle */
+    SLOW_RUNAWAY, /* the same where no node is ahead and v grows: followed some
+                     way, and time and slip are to its end */
+    SLOW_BESIDE,  /* elsewhere: it lands first */
+    SLOW_FACE     /* on the curve, at a node's box of arrest: its inside, where
+                     what is still to come is negative */
+};
+
 /* In order of time, so that y rises or falls.  At a node's box of arrest, or
  * at rest in finite time, its fate ends; x_end is -HUGE_VAL there. */
 struct slow_branch {
     struct slow_knot *knot; /* owned */
     size_t count, room;
     uint32_t *bin; /* owned: the last knot before each of even parts */
+    enum slow_start start;
     int8_t fate;
     double x_end;
-    bool from_saddle;
-    double grows; /* from_saddle: the growing eigenvalue */
+    /* the steady state that the first knot is beside, or the last one of
+     * SLOW_FACE, and the eigenvalue along the curve there: the caller's */
+    double centre, grows;
 };
 
-/* The orbit from the offset z: on the curve already if from_saddle, which may
- * also end at rest; from elsewhere it lands first, and ends at a node.  b->fate
- * is FATE_UNDECIDED where it does neither.  STATUS_NO_MEMORY, STATUS_STOPPED;
- * *b is to be freed in any case. */
+/* The orbit from the offset z, which may end elsewhere than at a node only from
+ * the saddle.  b->fate is FATE_UNDECIDED where it does not end at all.
+ * STATUS_NO_MEMORY, STATUS_STOPPED; *b is to be freed in any case. */
 MUST_CHECK enum status slow_branch_run(const struct study *s, struct vec2 z,
-                                       bool from_saddle,
+                                       enum slow_start start,
                                        const struct monitor *monitor,
                                        struct slow_branch *b);
 

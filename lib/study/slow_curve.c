@@ -12,12 +12,11 @@
 /* ---- where branches start ------------------------------------------------ */
 
 /* One more branch of c from the offset z; dropped where it is none. */
-static enum status add(struct slow_curve *c, struct vec2 z, bool from_saddle,
-                       const struct monitor *monitor)
+static enum status add(struct slow_curve *c, struct vec2 z,
+                       enum slow_start start, const struct monitor *monitor)
 {
     struct slow_branch *b = &c->branch[c->branches];
-    const enum status status =
-        slow_branch_run(c->study, z, from_saddle, monitor, b);
+    const enum status status = slow_branch_run(c->study, z, start, monitor, b);
 
     if (status == STATUS_OK && b->count > 2 && b->fate != FATE_UNDECIDED)
         c->branches++;
@@ -39,14 +38,20 @@ static enum status add_unstable(struct slow_curve *c,
     if (status != STATUS_OK)
         return status == STATUS_NO_MEMORY ? status : STATUS_OK;
     const double start = fmin(u.radius, TOL_SLOW_START / u.unit);
+    struct vec2 away = { 0.0, 0.0 };
     for (int side = -1; side <= 1 && status == STATUS_OK; side += 2) {
         const struct vec2 z = local_series_at(&u, side * start);
         const size_t before = c->branches;
         if (z.x < 0.0 || !c->runs_away)
-            status = add(c, z, true, monitor);
+            status = add(c, z, SLOW_SADDLE, monitor);
+        else
+            away = z;
         if (c->branches > before)
             c->branch[before].grows = saddle->lambda[1];
     }
+    if (status == STATUS_OK && c->branches > 0 && away.x > 0.0)
+        status = slow_branch_run(s, away, SLOW_RUNAWAY, monitor, &c->away);
+    c->away.grows = saddle->lambda[1];
     return status;
 }
 
@@ -108,7 +113,7 @@ static enum status add_beyond(struct slow_curve *c, struct vec2 node,
                          furthest(c->study, node, 1, side, &z[1]) };
     const bool second = is[1] && (!is[0] || (z[1].y - z[0].y) * side > 0.0);
 
-    return is[0] || is[1] ? add(c, z[second], false, monitor) : STATUS_OK;
+    return is[0] || is[1] ? add(c, z[second], SLOW_BESIDE, monitor) : STATUS_OK;
 }
 
 /* On the sides of each node that no saddle is on. */
@@ -128,6 +133,47 @@ static enum status add_nodes(struct slow_curve *c,
             if (!taken && c->branches < SLOW_BRANCHES)
                 status = add_beyond(c, node, side, monitor);
         }
+    }
+    return status;
+}
+
+/* The node whose box the branch ends at. */
+static const struct equilibrium *end_of(const struct study *s,
+                                        const struct slow_branch *b)
+{
+    const struct slow_knot *k = &b->knot[b->count - 1];
+    const struct vec2 o = s->system.origin;
+    const struct equilibrium *end = NULL;
+    double way = HUGE_VAL;
+
+    for (size_t i = 0; i < s->equilibria; i++) {
+        const struct vec2 e = s->equilibrium[i].z;
+        const double dx = fabs(k->x + o.x - e.x), dy = fabs(k->y + o.y - e.y);
+        if ((int) i != s->saddle && fmax(dx, dy) < way) {
+            way = fmax(dx, dy);
+            end = &s->equilibrium[i];
+        }
+    }
+    return end;
+}
+
+/* From the faces of the boxes on. */
+static enum status add_insides(struct slow_curve *c,
+                               const struct monitor *monitor)
+{
+    const struct study *s = c->study;
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < c->branches && status == STATUS_OK; i++) {
+        const struct slow_branch *b = &c->branch[i];
+        const struct slow_knot *last = &b->knot[b->count - 1];
+        if (b->x_end == -HUGE_VAL)
+            continue;
+        const struct equilibrium *node = end_of(s, b);
+        status = slow_branch_run(s, (struct vec2){ last->x, last->y },
+                                 SLOW_FACE, monitor, &c->inside[i]);
+        c->inside[i].centre = node->z.y - s->system.origin.y;
+        c->inside[i].grows = node->lambda[1];
     }
     return status;
 }
@@ -176,6 +222,8 @@ enum status slow_curve_init(struct slow_curve *c, const struct study *s,
     if (status == STATUS_OK)
         status = add_nodes(c, monitor);
     if (status == STATUS_OK)
+        status = add_insides(c, monitor);
+    if (status == STATUS_OK)
         status = add_rest(c, monitor);
     find_least(c);
     if (status != STATUS_OK)
@@ -185,121 +233,70 @@ enum status slow_curve_init(struct slow_curve *c, const struct study *s,
 
 /* ---- points -------------------------------------------------------------- */
 
-/* What hardly changes within an interval is its first knot's. */
-static struct slow_point common(const struct slow_branch *b,
-                                const struct slow_knot *k,
-                                const struct slow_knot *next)
+static bool is_beside(const struct slow_branch *b, double y, double *x,
+                      double *x_slope)
 {
-    return (struct slow_point){
-        .fate = b->fate,
-        .time_error = k->time_bar + next->time_error,
-        .slip_error = k->slip_bar + next->slip_error,
-        .x_slope = k->x_slope,
-        .fast = k->fast,
-        .gap = fmax(k->gap, next->gap),
-        .fibre = k->fibre,
-        .x_end = b->x_end,
-        .x_peak = next->x_peak,
-        .mu_peak = next->mu_peak,
-    };
+    return b->count > 2 && slow_point_beside(b, y, x, x_slope);
 }
 
-/* Whether y lies between the saddle and the first knot. */
-static bool near_saddle(const struct slow_branch *b, double y)
+bool slow_curve_beside(const struct slow_curve *c, double y, bool anywhere,
+                       double *x, double *x_slope)
 {
-    const double part = y / b->knot->y;
-
-    return b->from_saddle && part > 0.0 && part < 1.0;
-}
-
-/* There T' = 1/(lambda y) + what is the same
- * as at the knot. */
-static bool at_saddle(const struct slow_branch *b, double y, double v,
-                      struct slow_point *p)
-{
-    const struct slow_knot *k = b->knot;
-
-    if (!near_saddle(b, y))
-        return false;
-    const double fold = log(k->y / y) / b->grows;
-    const double time_rest = k->time[1] + 1.0 / (b->grows * k->y);
-    const double slip_rest = k->slip[1] + v / (b->grows * k->y);
-    *p = common(b, k, k + 1);
-    p->x = k->x / k->y * y;
-    p->time = k->time[0] + fold + time_rest * (y - k->y);
-    p->slip = k->slip[0] + v * fold + slip_rest * (y - k->y);
-    p->time_slope = -1.0 / (b->grows * y) + time_rest;
-    p->slip_slope = -v / (b->grows * y) + slip_rest;
-    p->time_error += fabs(time_rest * k->y * k->y);
-    p->slip_error += fabs(slip_rest * k->y * k->y);
-    return true;
-}
-
-/* x between knot f and the next. */
-static double x_inside(const struct slow_knot *f, double y, double *slope)
-{
-    const struct slow_knot *g = f + 1;
-    const double h = g->y - f->y, t = (y - f->y) / h;
-    const double rise = g->x - f->x;
-    const double f1 = h * f->x_slope - rise, g1 = h * g->x_slope - rise;
-
-    *slope = f->x_slope + t * (g->x_slope - f->x_slope);
-    return f->x + t * rise + t * (1.0 - t) * ((1.0 - t) * f1 - t * g1);
-}
-
-static void inside(const struct slow_branch *b, size_t i, double y,
-                   struct slow_point *p)
-{
-    const struct slow_knot *f = &b->knot[i - 1], *g = &b->knot[i];
-    const double h = g->y - f->y, t = (y - f->y) / h;
-
-    *p = common(b, f, g);
-    p->x = x_inside(f, y, &p->x_slope);
-    p->fast += t * (g->fast - f->fast);
-    p->fibre.x += t * (g->fibre.x - f->fibre.x);
-    p->fibre.y += t * (g->fibre.y - f->fibre.y);
-    p->time = slow_quintic(f->time, g->time, h, t, &p->time_slope);
-    p->slip = slow_quintic(f->slip, g->slip, h, t, &p->slip_slope);
-}
-
-bool slow_curve_beside(const struct slow_curve *c, double y, double *x,
-                       double *x_slope)
-{
-    for (size_t i = 0; i < c->branches; i++) {
-        const struct slow_branch *b = &c->branch[i];
-        const size_t k = slow_branch_interval(b, y);
-        if (k > 0 && isfinite(b->knot[k - 1].gap) && isfinite(b->knot[k].gap)) {
-            *x = x_inside(&b->knot[k - 1], y, x_slope);
+    for (size_t i = 0; i < c->branches; i++)
+        if (slow_point_beside(&c->branch[i], y, x, x_slope) ||
+            (anywhere && is_beside(&c->inside[i], y, x, x_slope)))
             return true;
-        }
-        if (near_saddle(b, y)) {
-            *x_slope = b->knot->x / b->knot->y;
-            *x = *x_slope * y;
-            return true;
-        }
-    }
-    return false;
+    return anywhere && is_beside(&c->away, y, x, x_slope);
 }
 
 bool slow_curve_at(const struct slow_curve *c, double y, struct slow_point *p)
 {
-    for (size_t i = 0; i < c->branches; i++) {
-        const struct slow_branch *b = &c->branch[i];
-        const size_t k = slow_branch_interval(b, y);
-        if (k > 0 && isfinite(b->knot[k - 1].gap) && isfinite(b->knot[k].gap)) {
-            inside(b, k, y, p);
+    for (size_t i = 0; i < c->branches; i++)
+        if (slow_point_at(&c->branch[i], y, c->study->block.at.v0, p) &&
+            isfinite(p->gap))
             return true;
-        }
-        if (at_saddle(b, y, c->study->block.at.v0, p))
-            return true;
-    }
     return false;
+}
+
+static bool is_on(const struct slow_branch *b, double y, double v0,
+                  struct slow_point *p)
+{
+    return b->count > 2 && slow_point_at(b, y, v0, p);
+}
+
+bool slow_curve_anywhere(const struct slow_curve *c, double y,
+                         struct slow_point *p)
+{
+    const double v0 = c->study->block.at.v0;
+
+    for (size_t i = 0; i < c->branches; i++)
+        if (slow_point_at(&c->branch[i], y, v0, p) ||
+            is_on(&c->inside[i], y, v0, p))
+            return true;
+    return is_on(&c->away, y, v0, p);
+}
+
+double slow_curve_when(const struct slow_curve *c, double y, double time)
+{
+    struct slow_point p;
+
+    for (size_t i = 0; i < c->branches; i++) {
+        const struct slow_branch *b = &c->branch[i], *in = &c->inside[i];
+        if (slow_point_at(b, y, 1.0, &p) || is_on(in, y, 1.0, &p))
+            return time >= 0.0     ? slow_point_when(b, time)
+                   : in->count > 2 ? slow_point_when(in, time)
+                                   : NAN;
+    }
+    return is_on(&c->away, y, 1.0, &p) ? slow_point_when(&c->away, time) : NAN;
 }
 
 void slow_curve_free(struct slow_curve *c)
 {
-    for (size_t i = 0; i < c->branches; i++)
+    for (size_t i = 0; i < SLOW_BRANCHES; i++) {
         slow_branch_free(&c->branch[i]);
+        slow_branch_free(&c->inside[i]);
+    }
+    slow_branch_free(&c->away);
     rest_curve_free(&c->rest);
     c->branches = 0;
 }

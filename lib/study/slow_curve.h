@@ -14,21 +14,7 @@
 #define STUDY_SLOW_CURVE_H
 
 #include "rest_curve.h"
-#include "slow_branch.h"
-
-/* One point of it; per unit of y where it says slope. */
-struct slow_point {
-    int8_t fate;
-    double x, x_slope; /* offset from the system's origin */
-    double time, slip; /* to arrest, units of L/V_star and L */
-    double time_slope, slip_slope;
-    double time_error, slip_error; /* absolute, of the table */
-    double fast;                   /* |lambda|, per unit of time */
-    double gap;                    /* the slow rate over it, < 1 */
-    struct vec2 fibre;             /* unit */
-    double x_end;                  /* at arrest; -HUGE_VAL at rest */
-    double x_peak, mu_peak;        /* largest from some later point on */
-};
+#include "slow_point.h"
 
 enum { SLOW_BRANCHES = 4 };
 
@@ -36,6 +22,9 @@ struct slow_curve {
     const struct study *study; /* borrowed */
     struct slow_branch branch[SLOW_BRANCHES];
     size_t branches;
+    /* For base points (base_point.h): the insides of the boxes that branches
+     * end at, and the saddle's manifold where that runs away; count 0: none. */
+    struct slow_branch inside[SLOW_BRANCHES], away;
     struct rest_curve rest; /* where a branch ends at rest in finite time */
     double time_least, slip_least; /* of states outside the boxes of arrest */
     bool rests;     /* a branch, or all beside it, ends at v = 0 */
@@ -53,9 +42,19 @@ MUST_CHECK enum status slow_curve_init(struct slow_curve *c,
 /* Its point at the offset y; false where there is none. */
 bool slow_curve_at(const struct slow_curve *c, double y, struct slow_point *p);
 
-/* x and dx/dy alone, which is several times faster. */
-bool slow_curve_beside(const struct slow_curve *c, double y, double *x,
-                       double *x_slope);
+/* The same anywhere: where rates are alike (gap is HUGE_VAL), inside the boxes,
+ * with negative time and slip, and on `away`, with those to its end. */
+bool slow_curve_anywhere(const struct slow_curve *c, double y,
+                         struct slow_point *p);
+
+/* Its point with so much time to come on the way that leads through y, as of
+ * slow_curve_anywhere; NaN: there is none. */
+double slow_curve_when(const struct slow_curve *c, double y, double time);
+
+/* x and dx/dy alone, which is several times faster; `anywhere`: also on what
+ * leads nowhere else (below). */
+bool slow_curve_beside(const struct slow_curve *c, double y, bool anywhere,
+                       double *x, double *x_slope);
 
 /* A second call is harmless. */
 void slow_curve_free(struct slow_curve *c);

@@ -190,6 +190,15 @@
 #define TOL_SLOW_STRIDE      1.1
 #define TOL_SLOW_HALVINGS    60
 #define TOL_SLOW_SETTLED     36.0
+/* Inside a box of arrest it is run to here, where the node is as good as
+ * linear; and a runaway this far in ln psi: fields next to the separatrix need
+ * no more. */
+#define TOL_SLOW_INSIDE 1e-5
+#define TOL_SLOW_AWAY   2.0
+/* A point by its time: steps of Newton's method, and where they end, as a part
+ * of the time or of an interval. */
+#define TOL_SLOW_NEWTON 60
+#define TOL_SLOW_ROOT   0x1p-51
 /* Bins a knot to look one up in. */
 #define TOL_SLOW_BINS 4
 /* Whether an orbit rests at all needs no accuracy. */
@@ -199,21 +208,26 @@
 
 /* The fast layer (fast_layer.c, landing.c): tolerance for a promise of rtol,
  * landing distance from it on, and closer for a finer one; how far beyond the
- * distance a step aims; where none lands beside a box of arrest, in its size;
- * steps; the first and the shortest.  Bars: what the fibre's curvature and the
- * slow rates change of what it corrects, and of errors of the steps (measured
- * on 4000 states at 1e-4, 1e-6 and 1e-9: errors are 0.55 of their bars at most;
- * a landing at 0.1 errs by 1e-7).
- */
+ * distance a step aims; size of a box of arrest that must not be between; how
+ * much later or earlier at most a box is entered for what is then left of the
+ * distance, in what is left; steps; the first and the shortest; the least error
+ * that tells anything on the next step.  Bars: what the fibre's curvature and
+ * the slow rates change of what it corrects, and of errors of the steps
+ * (measured on 4000 states at 1e-4, 1e-6 and 1e-9: errors are 0.55 of their
+ * bars at most; a landing at 0.1 errs by 1e-7). */
 #define TOL_LAYER_PART      0.03
 #define TOL_LAYER_PLAIN     1e-6
 #define TOL_LAYER_LANDING   0.1
 #define TOL_LAYER_CLOSER    0.01
 #define TOL_LAYER_AIM       0.7
-#define TOL_LAYER_ARREST    1.01
+#define TOL_LAYER_ARREST    1.001
+#define TOL_LAYER_FORGET    4.0
+#define TOL_LAYER_FOLDS     700.0
 #define TOL_LAYER_STEPS     200
 #define TOL_LAYER_FIRST     0.1
 #define TOL_LAYER_SHORTEST  1e-12
+#define TOL_LAYER_FLOOR     1e-8
+#define TOL_LAYER_GROWTH    2.0
 #define TOL_LAYER_BEND      5.0
 #define TOL_LAYER_TRANSPORT 6.0
 #define TOL_LAYER_MU        20.0
@@ -224,15 +238,18 @@
 #define TOL_LAYER_DIVE  1e-3
 /* A box of arrest is come nearer by so much of the way at once.  Nearer than
  * BESIDE its face is aimed at; reached at FACE, and only by an orbit that
- * closes at this rate or faster, so many of its errors from every corner. */
+ * closes at this rate or faster, so many of its errors from every corner;
+ * others are let pass until they are this near. */
 #define TOL_LAYER_NEARER  0.9
 #define TOL_LAYER_BESIDE  1e-3
+#define TOL_LAYER_GRAZE   1e-6
 #define TOL_LAYER_FACE    1e-12
 #define TOL_LAYER_HEAD_ON 0.1
 #define TOL_LAYER_CORNER  10.0
-/* The least part of the estimates of order 5 that a step of order 8 misses: in
- * loose steps its own word is no bound; the least bar, as a part of what was
- * promised. */
+/* The least part of the estimates of order 5 that a step of order 8 misses, at
+ * a promise of TOL_LAYER_PLAIN and looser ones, and less for finer ones like
+ * the square of a step: in loose steps its own word is no bound; the least bar,
+ * as a part of what was promised. */
 #define TOL_LAYER_FAIR  0.1
 #define TOL_LAYER_LEAST 0.01
 /* A side of the saddle is told from this much of the distance on; what is left
@@ -251,6 +268,8 @@
 #define TOL_FAST_AIM    0.3
 #define TOL_FAST_FINEST 1e-12
 #define TOL_FAST_LEAST  2e-11
+/* Peaks are sampled for patches no finer than this. */
+#define TOL_FAST_PEAKS 1e-8
 
 /* Cells run to their fates (cells.c).  Orbits are first followed to this part
  * of the accuracy asked for (errors of slip and time are some ten times the
@@ -313,15 +332,35 @@
  * as the rounding of the key lets one come. */
 #define STUDY_REFINE_DEPTH 48
 
-/* Fields interpolated on a grid (patchwork.c).  Accuracy of the samples, as a
- * part of what is asked for: their bars grow by Lebesgue's constant of 8 x 8
- * Chebyshev points, 3.8; the part of the last coefficients but one that a bar
- * holds; and how many times the largest miss at the tested cells (measured:
- * true errors stay below a third of such bars). */
-#define TOL_PATCH_SAMPLES  0.1
-#define TOL_PATCH_LEBESGUE 4.0
-#define TOL_PATCH_BEFORE   0.1
-#define TOL_PATCH_TESTS    5.0
+/* Patches (patch.c, patchwork.c).  Accuracy of the samples, as a part of what
+ * is asked for: of a part that small bars can be had next to the separatrix;
+ * how much of their bars, the last coefficients but one and the largest miss at
+ * the tests a bar holds (measured: true errors stay below a third of such
+ * bars). */
+#define TOL_PATCH_SAMPLES 0.002
+#define TOL_PATCH_SPREAD  1.5
+#define TOL_PATCH_BEFORE  0.1
+#define TOL_PATCH_SLOWEST 0.9
+#define TOL_PATCH_TESTS   10.0
+/* A patch holds where no more cells, in units of its nodes, are left for being
+ * too near the separatrix; the excess of most samples, not all, says how far it
+ * is from that (and no more than this is believed); what is left of the slip is
+ * to blame where bars are less than this part without it.  Base points of a
+ * patch reach a little beyond those of its samples, in their range. */
+#define TOL_PATCH_SPARE  1.0
+#define TOL_PATCH_MOST   0.7
+#define TOL_PATCH_EXCESS 1e9
+#define TOL_PATCH_CAUSE  0.5
+#define TOL_PATCH_BEYOND 0.05
+/* Cuts: pieces of so many cells a node are too small; tests at least; a side
+ * whose tail has this share of the bound is cut, but not if it is this far
+ * below the other's; and fewer parts than the tails ask for, for they decay the
+ * faster the shorter a side is. */
+#define TOL_PATCH_SMALLEST    1.5
+#define TOL_PATCH_LEAST_TESTS 6
+#define TOL_PATCH_SHARE       0.3
+#define TOL_PATCH_ASIDE       1e-3
+#define TOL_PATCH_PARTS       0.7
 
 /* Points of chi(v) over the window (chi_curve.c): as of the steady curves. */
 #define STUDY_CHI_POINTS 401
@@ -343,5 +382,13 @@
 /* Where doubt about an event begins to be measured (doubt.c), in pieces of the
  * orbit: far below what rounding does to a piece. */
 #define TOL_DOUBT_NEAREST 0x1p-50
+
+/* Base points (base_point.c).  What meets a box of arrest is no further from
+ * the node than the box along the fibre, and a part more for its curvature; a
+ * side of the separatrix is told from so many errors on; and what the table's
+ * curvature over so much of the way adds to an error. */
+#define TOL_BASE_REACH 1.1
+#define TOL_BASE_ROOM  10.0
+#define TOL_BASE_BEND  1.1
 
 #endif

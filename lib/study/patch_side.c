@@ -1,0 +1,73 @@
+/* Chebyshev's points and polynomials: Mason & Handscomb, Chebyshev Polynomials
+ * (2003), ch. 6. */
+#include "patch_side.h"
+
+#include <math.h>
+
+struct patch_side patch_side_of(const double at[], size_t cells)
+{
+    const bool is_exact = cells <= PATCH_SIDE;
+
+    return (struct patch_side){ at, cells, is_exact ? (int) cells : PATCH_SIDE,
+                                is_exact };
+}
+
+/* Descending, in [-1, 1]. */
+static double chebyshev_point(int i)
+{
+    return cos(M_PI * (i + 0.5) / PATCH_SIDE);
+}
+
+/* T_0(t) ... T_7(t) */
+static void chebyshev(double t, double T[PATCH_SIDE])
+{
+    T[0] = 1.0;
+    T[1] = t;
+    for (int k = 2; k < PATCH_SIDE; k++)
+        T[k] = 2.0 * t * T[k - 1] - T[k - 2];
+}
+
+double patch_side_node(const struct patch_side *s, int i)
+{
+    const double lo = s->at[0], hi = s->at[s->cells - 1];
+
+    return s->is_exact ? s->at[i]
+                       : 0.5 * (lo + hi) + 0.5 * (hi - lo) * chebyshev_point(i);
+}
+
+/* c[k] = (2/n) sum f_i T_k(t_i), half of it for k = 0. */
+void patch_side_transform(const struct patch_side *s, double f[], size_t stride)
+{
+    double c[PATCH_SIDE] = { 0 };
+
+    if (s->is_exact)
+        return;
+    for (int i = 0; i < PATCH_SIDE; i++) {
+        double T[PATCH_SIDE];
+        chebyshev(chebyshev_point(i), T);
+        for (int k = 0; k < PATCH_SIDE; k++)
+            c[k] += f[(size_t) i * stride] * T[k];
+    }
+    for (int k = 0; k < PATCH_SIDE; k++)
+        f[(size_t) k * stride] = c[k] * (k == 0 ? 1.0 : 2.0) / PATCH_SIDE;
+}
+
+bool patch_side_basis(const struct patch_side *s, double at,
+                      double basis[PATCH_SIDE])
+{
+    const double lo = s->at[0], hi = s->at[s->cells - 1];
+    bool is_known = !s->is_exact;
+
+    if (is_known)
+        chebyshev((2.0 * at - lo - hi) / (hi - lo), basis);
+    for (int i = 0; i < s->nodes && s->is_exact; i++) {
+        basis[i] = s->at[i] == at;
+        is_known = is_known || s->at[i] == at;
+    }
+    return is_known;
+}
+
+size_t patch_side_cut(const struct patch_side *s, size_t parts, size_t i)
+{
+    return s->cells * i / parts;
+}
