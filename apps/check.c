@@ -160,10 +160,7 @@ static enum status record_scene(const struct options *o, const char *path,
     enum status s = scene_read(&scene, path, o->set, o->sets, why);
     if (s != STATUS_OK)
         return s;
-    const char *name = scene.title[0] ? scene.title
-                       : path         ? path
-                                      : "command line";
-    s = baseline_add(b, name, &scene, why);
+    s = baseline_add(b, scene_name(&scene), &scene, why);
     scene_free(&scene);
     return s;
 }

@@ -173,6 +173,23 @@ enum exit_code command_fail(enum status s, const char *text)
     }
 }
 
+enum exit_code command_with_scene(
+    const struct options *o,
+    enum status (*read)(const struct options *o, struct scene *scene,
+                        struct fault *why),
+    enum exit_code (*run)(const struct options *o, const struct scene *scene))
+{
+    struct scene scene;
+    struct fault why = { "" };
+    const enum status s = read(o, &scene, &why);
+
+    if (s != STATUS_OK)
+        return command_fail(s, why.text);
+    const enum exit_code code = run(o, &scene);
+    scene_free(&scene);
+    return code;
+}
+
 enum exit_code command_unwritten(void)
 {
     return command_fail(STATUS_IO, "cannot write to standard output");

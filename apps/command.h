@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "options.h"
-#include "status.h"
+#include "scene.h"
 
 enum exit_code {
     EXIT_DONE = 0,   /* also "does not exist" */
@@ -57,6 +57,13 @@ enum exit_code command_help(const struct options *o);
 
 /* Prints "slipway: TEXT" and answers the exit code for s. */
 enum exit_code command_fail(enum status s, const char *text);
+
+/* Reads a scene, runs it and frees it. */
+enum exit_code command_with_scene(
+    const struct options *o,
+    enum status (*read)(const struct options *o, struct scene *scene,
+                        struct fault *why),
+    enum exit_code (*run)(const struct options *o, const struct scene *scene));
 
 /* The complaint when standard output refuses what was printed. */
 enum exit_code command_unwritten(void);

@@ -9,6 +9,7 @@
 #include "export_diagram.h"
 #include "library.h"
 #include "remark.h"
+#include "result_file.h"
 #include "rows.h"
 #include "scene_slope.h"
 #include "store.h"
@@ -191,7 +192,8 @@ static char *lasting_overrides(const char *overrides)
 
     for (const char *line = overrides; kept && *line;) {
         const size_t size = strcspn(line, "\n") + 1;
-        if (strncmp(line, "output.", 7) != 0 && strncmp(line, "output=", 7))
+        if (strncmp(line, "output.", 7) != 0 &&
+            strncmp(line, "output=", 7) != 0)
             end = (char *) memcpy(end, line, size) + size;
         line += size;
     }
@@ -283,20 +285,11 @@ static enum status put_all(const struct study *s, struct store *out,
 enum status export_study(const struct study *s, const char *path,
                          const struct monitor *monitor, struct fault *why)
 {
-    struct store *out = NULL;
-    const char *title =
-        s->scene->title[0] ? s->scene->title : s->block.law.preset;
+    struct store *out;
+    enum status status =
+        result_file_begin(&out, path, s->scene, s->block.law.preset, why);
 
-    store_silence();
-    enum status status = store_create(path, title, &out, why);
-    if (status != STATUS_OK)
-        return status;
-    status = put_all(s, out, monitor);
-    if (status == STATUS_OK || status == STATUS_IO)
-        status = store_commit(out, why);
-    else
-        snprintf(why->text, sizeof why->text, "%s: %s", path,
-                 status_text(status));
-    store_free(&out);
+    if (status == STATUS_OK)
+        status = result_file_end(&out, path, put_all(s, out, monitor), why);
     return status;
 }

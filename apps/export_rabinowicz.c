@@ -6,6 +6,7 @@
 
 #include "export.h"
 #include "library.h"
+#include "result_file.h"
 #include "store_records.h"
 
 /* A measurement as stored. */
@@ -98,19 +99,11 @@ enum status export_rabinowicz(const struct release *r,
                               const struct scene *scene, const char *path,
                               struct fault *why)
 {
-    struct store *out = NULL;
-    const char *title =
-        scene->title[0] ? scene->title : "Rabinowicz's experiment";
+    struct store *out;
+    enum status s =
+        result_file_begin(&out, path, scene, "Rabinowicz's experiment", why);
 
-    store_silence();
-    enum status s = store_create(path, title, &out, why);
-    if (s != STATUS_OK)
-        return s;
-    s = put_all(r, scene, out);
-    if (s == STATUS_OK || s == STATUS_IO)
-        s = store_commit(out, why);
-    else
-        snprintf(why->text, sizeof why->text, "%s: %s", path, status_text(s));
-    store_free(&out);
+    if (s == STATUS_OK)
+        s = result_file_end(&out, path, put_all(r, scene, out), why);
     return s;
 }

@@ -4,6 +4,7 @@
 
 #include "export.h"
 #include "library.h"
+#include "result_file.h"
 #include "store_records.h"
 
 static enum status put_all(const struct stress *s, struct store *out)
@@ -29,19 +30,11 @@ static enum status put_all(const struct stress *s, struct store *out)
 enum status export_stress(const struct stress *s, const char *path,
                           struct fault *why)
 {
-    struct store *out = NULL;
-
-    store_silence();
+    struct store *out;
     enum status status =
-        store_create(path, "stiff and extreme cases", &out, why);
-    if (status != STATUS_OK)
-        return status;
-    status = put_all(s, out);
-    if (status == STATUS_OK || status == STATUS_IO)
-        status = store_commit(out, why);
-    else
-        snprintf(why->text, sizeof why->text, "%s: %s", path,
-                 status_text(status));
-    store_free(&out);
+        result_file_begin(&out, path, NULL, "stiff and extreme cases", why);
+
+    if (status == STATUS_OK)
+        status = result_file_end(&out, path, put_all(s, out), why);
     return status;
 }

@@ -6,6 +6,7 @@
 
 #include "export.h"
 #include "library.h"
+#include "result_file.h"
 #include "store.h"
 #include "store_grid.h"
 #include "tolerance.h"
@@ -305,21 +306,11 @@ static enum status put_all(const struct sweep *s, struct store *out,
 enum status export_sweep(const struct sweep *s, const char *path,
                          struct fault *why)
 {
-    const char *title =
-        s->scene->title[0] ? s->scene->title : s->scene->law.preset;
-    struct store *out = NULL;
+    struct store *out;
+    enum status status =
+        result_file_begin(&out, path, s->scene, s->scene->law.preset, why);
 
-    store_silence();
-    enum status status = store_create(path, title, &out, why);
-    if (status != STATUS_OK)
-        return status;
-    why->text[0] = '\0';
-    status = put_all(s, out, why);
-    if (why->text[0] == '\0' && (status == STATUS_OK || status == STATUS_IO))
-        status = store_commit(out, why);
-    else if (why->text[0] == '\0')
-        snprintf(why->text, sizeof why->text, "%.300s: %s", path,
-                 status_text(status));
-    store_free(&out);
+    if (status == STATUS_OK)
+        status = result_file_end(&out, path, put_all(s, out, why), why);
     return status;
 }

@@ -5,6 +5,7 @@
 
 #include "export.h"
 #include "library.h"
+#include "result_file.h"
 #include "rows.h"
 #include "sample.h"
 #include "store.h"
@@ -120,20 +121,11 @@ static enum status put_all(const struct simulation *s, struct store *out)
 enum status export_simulation(const struct simulation *s, const char *path,
                               struct fault *why)
 {
-    struct store *out = NULL;
-    const char *title =
-        s->scene.title[0] ? s->scene.title : s->study.block.law.preset;
+    struct store *out;
+    enum status status = result_file_begin(&out, path, &s->scene,
+                                           s->study.block.law.preset, why);
 
-    store_silence();
-    enum status status = store_create(path, title, &out, why);
-    if (status != STATUS_OK)
-        return status;
-    status = put_all(s, out);
-    if (status == STATUS_OK || status == STATUS_IO)
-        status = store_commit(out, why);
-    else
-        snprintf(why->text, sizeof why->text, "%s: %s", path,
-                 status_text(status));
-    store_free(&out);
+    if (status == STATUS_OK)
+        status = result_file_end(&out, path, put_all(s, out), why);
     return status;
 }

@@ -4,6 +4,7 @@
 
 #include "export.h"
 #include "library.h"
+#include "result_file.h"
 #include "store_records.h"
 
 static enum status put_reasons(const struct workprec *w, struct store *out)
@@ -39,19 +40,11 @@ static enum status put_all(const struct workprec *w, struct store *out)
 enum status export_workprec(const struct workprec *w, const char *path,
                             struct fault *why)
 {
-    struct store *out = NULL;
-    const char *title =
-        w->scene.title[0] ? w->scene.title : "error against run time";
+    struct store *out;
+    enum status s =
+        result_file_begin(&out, path, &w->scene, "error against run time", why);
 
-    store_silence();
-    enum status s = store_create(path, title, &out, why);
-    if (s != STATUS_OK)
-        return s;
-    s = put_all(w, out);
-    if (s == STATUS_OK || s == STATUS_IO)
-        s = store_commit(out, why);
-    else
-        snprintf(why->text, sizeof why->text, "%s: %s", path, status_text(s));
-    store_free(&out);
+    if (s == STATUS_OK)
+        s = result_file_end(&out, path, put_all(w, out), why);
     return s;
 }

@@ -223,18 +223,17 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
     return code;
 }
 
+static enum status read_scene(const struct options *o, struct scene *scene,
+                              struct fault *why)
+{
+    const enum status s = check_options(o, why);
+
+    return s ? s
+             : scene_read(scene, o->files ? o->file[0] : NULL, o->set, o->sets,
+                          why);
+}
+
 enum exit_code command_push(const struct options *o)
 {
-    struct scene scene;
-    struct fault why = { "" };
-
-    enum status s = check_options(o, &why);
-    if (s == STATUS_OK)
-        s = scene_read(&scene, o->files ? o->file[0] : NULL, o->set, o->sets,
-                       &why);
-    if (s != STATUS_OK)
-        return command_fail(s, why.text);
-    const enum exit_code code = run(o, &scene);
-    scene_free(&scene);
-    return code;
+    return command_with_scene(o, read_scene, run);
 }

@@ -61,19 +61,16 @@ static void describe(const struct options *o, char *text, size_t size)
 static enum status add_scene(const struct options *o, struct stress_list *list,
                              struct fault *why)
 {
-    const char *path = o->files ? o->file[0] : NULL;
     struct scene scene;
-    enum status s = scene_read(&scene, path, o->set, o->sets, why);
+    enum status s =
+        scene_read(&scene, o->files ? o->file[0] : NULL, o->set, o->sets, why);
 
     if (s != STATUS_OK)
         return s;
-    const char *name = scene.title[0] ? scene.title
-                       : path         ? path
-                                      : "command line";
     char settings[sizeof list->at->settings];
     describe(o, settings, sizeof settings);
-    if (stress_matches(name, o->only))
-        s = stress_list_add(list, name, settings, &scene);
+    if (stress_matches(scene_name(&scene), o->only))
+        s = stress_list_add(list, scene_name(&scene), settings, &scene);
     scene_free(&scene);
     return s;
 }

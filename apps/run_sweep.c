@@ -256,13 +256,5 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
 
 enum exit_code command_sweep(const struct options *o)
 {
-    struct scene scene;
-    struct fault why = { "" };
-    const enum status s = read_scene(o, &scene, &why);
-
-    if (s != STATUS_OK)
-        return command_fail(s, why.text);
-    const enum exit_code code = run(o, &scene);
-    scene_free(&scene);
-    return code;
+    return command_with_scene(o, read_scene, run);
 }

@@ -116,15 +116,7 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
 
 enum exit_code command_workprec(const struct options *o)
 {
-    struct scene scene;
-    struct fault why = { "" };
+    const enum exit_code code = command_allow(o, 1);
 
-    if (command_allow(o, 1) != EXIT_DONE)
-        return EXIT_USAGE;
-    const enum status s = read_scene(o, &scene, &why);
-    if (s != STATUS_OK)
-        return command_fail(s, why.text);
-    const enum exit_code code = run(o, &scene);
-    scene_free(&scene);
-    return code;
+    return code == EXIT_DONE ? command_with_scene(o, read_scene, run) : code;
 }

@@ -2,7 +2,6 @@
  * tell: a law is there, and a slope where one is needed; parts fit. */
 #include "scene.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,55 +13,20 @@
 #include "scene_slope.h"
 #include "scene_sweep.h"
 #include "schema.h"
+#include "text_file.h"
 #include "tolerance.h"
 
 /* ---- the file ------------------------------------------------------------ */
 
-static enum status cannot_read(const char *path, const char *reason,
-                               struct fault *why)
-{
-    char shown[300];
-
-    text_show_end(path, shown, sizeof shown);
-    snprintf(why->text, sizeof why->text, "%s: cannot read: %s", shown, reason);
-    return STATUS_IO;
-}
-
-/* The whole of an open file, a zero after it; *text, first NULL, is owned by
- * the caller, whatever is returned. */
-static enum status read_open(FILE *file, const char *path, char **text,
-                             size_t *size, struct fault *why)
-{
-    size_t room = 2048;
-
-    errno = 0;
-    do {
-        room *= 2;
-        char *grown = realloc(*text, room + 1);
-        if (grown == NULL)
-            return STATUS_NO_MEMORY;
-        *text = grown;
-        *size += fread(*text + *size, 1, room - *size, file);
-    } while (*size == room && *size <= SCENE_BYTES);
-    if (ferror(file))
-        return cannot_read(path, strerror(errno), why);
-    if (*size > SCENE_BYTES)
-        return place_blame((struct place){ path, false, 1, 1 }, why,
-                           "a file of more than %zu bytes, expected a scene",
-                           SCENE_BYTES);
-    (*text)[*size] = '\0';
-    return STATUS_OK;
-}
-
 static enum status read_file(const char *path, char **text, size_t *size,
                              struct fault *why)
 {
-    FILE *file = fopen(path, "rb");
+    const enum status s = text_file_read(path, SCENE_BYTES, text, size, why);
 
-    if (file == NULL)
-        return cannot_read(path, strerror(errno), why);
-    const enum status s = read_open(file, path, text, size, why);
-    fclose(file);
+    if (s == STATUS_OK && *size > SCENE_BYTES)
+        return place_blame((struct place){ path, false, 1, 1 }, why,
+                           "a file of more than %zu bytes, expected a scene",
+                           SCENE_BYTES);
     return s;
 }
 
@@ -352,6 +316,11 @@ enum status scene_read(struct scene *s, const char *path,
     if (status != STATUS_OK)
         scene_free(s);
     return status;
+}
+
+const char *scene_name(const struct scene *s)
+{
+    return s->title[0] ? s->title : s->file ? s->file : "command line";
 }
 
 void scene_free(struct scene *s)

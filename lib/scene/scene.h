@@ -169,6 +169,9 @@ MUST_CHECK enum status scene_read(struct scene *s, const char *path,
                                   char *const override[], size_t overrides,
                                   struct fault *why);
 
+/* What to call it: its title, else its file, else "command line". */
+const char *scene_name(const struct scene *s);
+
 /* A second call is harmless. */
 void scene_free(struct scene *s);
 

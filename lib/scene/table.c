@@ -2,11 +2,11 @@
  * separators become zeros in the table's own copy. */
 #include "table.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "text_file.h"
 #include "tolerance.h"
 
 struct reader {
@@ -247,41 +247,6 @@ static enum status read_all(struct reader *r)
 
 /* ---- the file ------------------------------------------------------------ */
 
-static enum status cannot_read(const char *path, const char *reason,
-                               struct fault *why)
-{
-    char shown[300];
-
-    text_show_end(path, shown, sizeof shown);
-    snprintf(why->text, sizeof why->text, "%s: cannot read: %s", shown, reason);
-    return STATUS_IO;
-}
-
-/* All of an open file and a zero; *text is the caller's, whatever is
- * returned. */
-static enum status read_open(FILE *file, const char *path, char **text,
-                             size_t *size, struct fault *why)
-{
-    size_t room = 1 << 16;
-
-    *text = NULL;
-    *size = 0;
-    do {
-        room *= 2;
-        char *more = realloc(*text, room + 1);
-        if (more == NULL)
-            return STATUS_NO_MEMORY;
-        *text = more;
-        *size += fread(*text + *size, 1, room - *size, file);
-        if (ferror(file))
-            return cannot_read(path, strerror(errno), why);
-        if (*size > TABLE_BYTES)
-            return cannot_read(path, "more than 64 MiB", why);
-    } while (*size == room);
-    (*text)[*size] = '\0';
-    return STATUS_OK;
-}
-
 /* Takes over text[0 .. size], the last of them zero. */
 static enum status cut_up(struct table *t, char *text, size_t size,
                           const char *name, struct fault *why)
@@ -310,18 +275,26 @@ enum status table_parse(struct table *t, const char *bytes, size_t size,
     return text ? cut_up(t, text, size, name, why) : STATUS_NO_MEMORY;
 }
 
+static enum status too_long(const char *path, struct fault *why)
+{
+    char shown[300];
+
+    text_show_end(path, shown, sizeof shown);
+    snprintf(why->text, sizeof why->text, "%s: cannot read: more than 64 MiB",
+             shown);
+    return STATUS_IO;
+}
+
 enum status table_read(struct table *t, const char *path, struct fault *why)
 {
-    FILE *file = fopen(path, "rb");
     char *text;
     size_t size;
 
     *t = (struct table){ .name = path };
     snprintf(why->text, sizeof why->text, "%s", status_text(STATUS_NO_MEMORY));
-    if (file == NULL)
-        return cannot_read(path, strerror(errno), why);
-    const enum status s = read_open(file, path, &text, &size, why);
-    fclose(file);
+    enum status s = text_file_read(path, TABLE_BYTES, &text, &size, why);
+    if (s == STATUS_OK && size > TABLE_BYTES)
+        s = too_long(path, why);
     if (s == STATUS_OK)
         return cut_up(t, text, size, path, why);
     free(text);

@@ -1,0 +1,32 @@
+#include "result_file.h"
+
+#include <stdio.h>
+
+#include "library.h"
+
+enum status result_file_begin(struct store **out, const char *path,
+                              const struct scene *scene, const char *untitled,
+                              struct fault *why)
+{
+    const char *title = scene && scene->title[0] ? scene->title : untitled;
+
+    store_silence();
+    const enum status s = store_create(path, title, out, why);
+    if (s == STATUS_OK)
+        why->text[0] = '\0';
+    return s;
+}
+
+enum status result_file_end(struct store **out, const char *path, enum status s,
+                            struct fault *why)
+{
+    const bool told = why->text[0] != '\0';
+
+    if (!told && (s == STATUS_OK || s == STATUS_IO))
+        s = store_commit(*out, why);
+    else if (!told)
+        snprintf(why->text, sizeof why->text, "%.300s: %s", path,
+                 status_text(s));
+    store_free(out);
+    return s;
+}

@@ -1,0 +1,21 @@
+/* result_file.h -- one HDF5 file of results, whole or not at all. */
+#ifndef APPS_RESULT_FILE_H
+#define APPS_RESULT_FILE_H
+
+#include "scene.h"
+#include "store.h"
+
+/* Opens *out in path's place, titled as the scene is, or else `untitled`;
+ * scene may be NULL.  Nothing to end where it fails. */
+MUST_CHECK enum status result_file_begin(struct store **out, const char *path,
+                                         const struct scene *scene,
+                                         const char *untitled,
+                                         struct fault *why);
+
+/* Path is the file now, if all was put (`s` OK); else it is what it was, and
+ * *why keeps what was said already, or tells path and the status.  *out is
+ * released. */
+MUST_CHECK enum status result_file_end(struct store **out, const char *path,
+                                       enum status s, struct fault *why);
+
+#endif
