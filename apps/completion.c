@@ -5,8 +5,7 @@
 #include "law.h"
 #include "schema.h"
 
-/* ---- what may follow -------------------------------------------------------
- */
+/* ---- what may follow ----------------------------------------------------- */
 
 static void put_keys(FILE *out)
 {
@@ -99,8 +98,7 @@ static void put_quoted(FILE *out, const char *text, const char *special,
             fprintf(out, "%s%c", strchr(special, *text) ? "\\" : "", *text);
 }
 
-/* ---- bash ------------------------------------------------------------------
- */
+/* ---- bash ---------------------------------------------------------------- */
 
 /* "    --data|--states)", the options whose values are `value`. */
 static void bash_pattern(FILE *out, const char *value)
@@ -196,8 +194,7 @@ static void bash_print(FILE *out)
           out);
 }
 
-/* ---- zsh -------------------------------------------------------------------
- */
+/* ---- zsh ----------------------------------------------------------------- */
 
 /* '(-o --output)'{-o,--output=}'[What it does]:FILE:_files' */
 static void zsh_option(FILE *out, const struct option_line *o)
@@ -278,8 +275,7 @@ static void zsh_print(FILE *out)
           out);
 }
 
-/* ---- fish ------------------------------------------------------------------
- */
+/* ---- fish ---------------------------------------------------------------- */
 
 /* The commands that take an option, or nothing where all do. */
 static void fish_condition(FILE *out, const struct option_line *o)

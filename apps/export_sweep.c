@@ -21,8 +21,7 @@ struct cube {
     int8_t *code; /* owned; likewise */
 };
 
-/* ---- data sets ------------------------------------------------------------
- */
+/* ---- data sets ----------------------------------------------------------- */
 
 /* The keys, then so many dimensions of its own. */
 static size_t axes_of(const struct sweep *s, const enum sweep_dim dim[],
@@ -136,8 +135,7 @@ static enum status put_column(const struct cube *c, int k)
     return put_codes(c, "", "", column->codes, column);
 }
 
-/* ---- layers ---------------------------------------------------------------
- */
+/* ---- layers -------------------------------------------------------------- */
 
 static enum status put_points(const struct cube *c, size_t k,
                               const struct record_field *f, void *values,
@@ -191,8 +189,7 @@ static enum status put_accuracy(const struct cube *c)
                   : store_put_real(c->out, group, "cell_arrest", TOL_ARREST);
 }
 
-/* ---- axes -----------------------------------------------------------------
- */
+/* ---- axes ---------------------------------------------------------------- */
 
 static enum status put_keys(const struct cube *c)
 {
@@ -258,8 +255,7 @@ static enum status put_starts(const struct cube *c)
     return status;
 }
 
-/* ---- the whole ------------------------------------------------------------
- */
+/* ---- the whole ----------------------------------------------------------- */
 
 /* Values of the largest column or layer. */
 static size_t most_values(const struct sweep *s)

@@ -11,8 +11,8 @@ extern const struct record_type record_sweep_start;
  * numbers are given along (sweep_dim.h); over them, for every number of a point
  * NAME, NAME_error (and NAME_conditioning) and the int8 NAME_exists, whose
  * flag_meanings say why a number is missing; every code; every layer, one point
- * after another out of the side file.  Then /provenance.  STATUS_IO or STATUS_NO_MEMORY with the path in *why; an
- * old file is then untouched. */
+ * after another out of the side file.  Then /provenance.  STATUS_IO or
+ * STATUS_NO_MEMORY with the path in *why; an old file is then untouched. */
 MUST_CHECK enum status export_sweep(const struct sweep *s, const char *path,
                                     struct fault *why);
 

@@ -126,8 +126,7 @@ static enum status list_items(void *ctx, FILE *out, struct fault *why)
     return s;
 }
 
-/* ---- the scene -------------------------------------------------------------
- */
+/* ---- the scene ----------------------------------------------------------- */
 
 /* One scene that makes this file again, overrides included; what is no YAML is
  * none. */
@@ -166,8 +165,7 @@ static enum status read_scene(void *ctx, FILE *out, struct fault *why)
     return s;
 }
 
-/* ---- the command -----------------------------------------------------------
- */
+/* ---- the command --------------------------------------------------------- */
 
 enum exit_code command_info(const struct options *o)
 {

@@ -14,8 +14,7 @@
 #include "workprec_environment.h"
 #include "workprec_rank.h"
 
-/* ---- attributes, and axes without a record ---------------------------------
- */
+/* ---- attributes, and axes without a record ------------------------------- */
 
 #define ONE(name_, kind_, unit_, text_)                                        \
     {                                                                          \
@@ -143,8 +142,7 @@ static const struct record_field outcome_fields[] = {
 };
 GROUP(outcome);
 
-/* ---- the table -------------------------------------------------------------
- */
+/* ---- the table ----------------------------------------------------------- */
 
 #define SCALARS(group, text, type)                                             \
     {                                                                          \

@@ -16,8 +16,7 @@ const char *const picture_rabinowicz_panel[PICTURE_RABINOWICZ_PANELS] = {
 enum { POINTS = 400 };
 static const double mm = 1e3, um = 1e6, rim = 0.04;
 
-/* ---- the fit of (33) ------------------------------------------------------
- */
+/* ---- the fit of (33) ----------------------------------------------------- */
 
 /* l_k tan(alpha) in mm at t = tan(alpha). */
 static double parabola_at(const struct parabola *p, double t)
@@ -50,8 +49,7 @@ static bool has_roots(const struct parabola *p)
            quantity_exists(&p->factor);
 }
 
-/* ---- (a) tan(alpha) over l_k tan(alpha) ------------------------------------
- */
+/* ---- (a) tan(alpha) over l_k tan(alpha) ---------------------------------- */
 
 static enum status add_bar(struct figure *f, struct figure_style style,
                            double x0, double x1, double y0, double y1,
@@ -212,8 +210,7 @@ static enum status build_release(struct figure *f, const struct release *r,
     return status ? status : add_data(f, &r->observed.l_k);
 }
 
-/* ---- (b) friction over slip ------------------------------------------------
- */
+/* ---- (b) friction over slip ---------------------------------------------- */
 
 /* s_k of (25) on the fitted parabola: a straight line. */
 static enum status add_line_33(struct figure *f, const struct parabola *p,
@@ -278,8 +275,7 @@ static enum status build_friction(struct figure *f, const struct release *r,
                : add_line_33(f, &r->parabola, K, from, to);
 }
 
-/* ---- both -----------------------------------------------------------------
- */
+/* ---- both ---------------------------------------------------------------- */
 
 static enum status check(const struct release *r, struct fault *why)
 {

@@ -51,8 +51,7 @@ static void title_of(const struct sweep *s, char *title, size_t size)
     }
 }
 
-/* ---- over one key ---------------------------------------------------------
- */
+/* ---- over one key -------------------------------------------------------- */
 
 /* What is drawn, and where: y.lo < y.hi. */
 struct plot {
@@ -218,8 +217,7 @@ static enum status draw_curves(const struct sweep *s, struct figure *f)
     return status;
 }
 
-/* ---- over a grid ----------------------------------------------------------
- */
+/* ---- over a grid --------------------------------------------------------- */
 
 /* Cells of the map: no finer than can be seen. */
 enum { COLUMNS = 360, ROWS = 240 };

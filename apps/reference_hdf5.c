@@ -46,8 +46,7 @@ static const char *const kind_names[] = {
     [RECORD_QUANTITY] = "number",
 };
 
-/* ---- lines of tables -------------------------------------------------------
- */
+/* ---- lines of tables ----------------------------------------------------- */
 
 static void put_set(FILE *out, const struct record_field *f, const char *along)
 {
@@ -81,8 +80,7 @@ static void put_attributes_head(FILE *out)
     fputs("\n| attribute | kind | unit | meaning |\n|---|---|---|---|\n", out);
 }
 
-/* ---- groups ----------------------------------------------------------------
- */
+/* ---- groups -------------------------------------------------------------- */
 
 static void put_index(FILE *out)
 {
@@ -129,8 +127,7 @@ static void put_part(FILE *out, const struct layout_part *p)
     put_fields(out, p);
 }
 
-/* ---- sweeps ----------------------------------------------------------------
- */
+/* ---- sweeps -------------------------------------------------------------- */
 
 static void put_axes(FILE *out)
 {

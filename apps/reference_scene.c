@@ -27,8 +27,7 @@ static const char head[] =
     "\n"
     "This page is written by `slipway help --as scene`.\n";
 
-/* ---- keys ------------------------------------------------------------------
- */
+/* ---- keys ---------------------------------------------------------------- */
 
 /* What stands before the range of one number. */
 static const char *shape(const struct schema_key *k)
@@ -93,8 +92,7 @@ static void put_keys(FILE *out)
           out);
 }
 
-/* ---- laws ------------------------------------------------------------------
- */
+/* ---- laws ---------------------------------------------------------------- */
 
 static void put_law(FILE *out, const struct law *law)
 {
@@ -131,8 +129,7 @@ static void put_laws(FILE *out)
           out);
 }
 
-/* ---- products --------------------------------------------------------------
- */
+/* ---- products ------------------------------------------------------------ */
 
 static void put_product(FILE *out, int product)
 {

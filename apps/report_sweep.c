@@ -5,8 +5,7 @@
 
 #include "sweep_summary.h"
 
-/* ---- tables ---------------------------------------------------------------
- */
+/* ---- tables -------------------------------------------------------------- */
 
 /* More points than these are shown in part; and at most so many columns. */
 enum { ROWS = 24, SHOWN = 8 };
@@ -95,8 +94,7 @@ static void print_table(FILE *out, const struct sweep *s, const struct shown *t)
         fprintf(out, "  (%zu of %zu points)\n", rows, s->points);
 }
 
-/* ---- numbers --------------------------------------------------------------
- */
+/* ---- numbers ------------------------------------------------------------- */
 
 static void print_numbers(FILE *out, const struct sweep *s)
 {
@@ -156,8 +154,7 @@ static void print_runs(FILE *out, const struct sweep *s)
     }
 }
 
-/* ---- maps -----------------------------------------------------------------
- */
+/* ---- maps ---------------------------------------------------------------- */
 
 /* "  basin_slip from 0.1 to 7, in 98.3 % of the cells" */
 static void print_range(FILE *out, const struct sweep *s, size_t k)
@@ -218,8 +215,7 @@ void report_sweep_print(FILE *out, const struct sweep *s)
     print_maps(out, s);
 }
 
-/* ---- plan -----------------------------------------------------------------
- */
+/* ---- plan ---------------------------------------------------------------- */
 
 size_t report_sweep_plan(const struct scene *s, char *text, size_t size)
 {

@@ -2,8 +2,7 @@
 
 #include "sweep_summary.h"
 
-/* ---- axes -----------------------------------------------------------------
- */
+/* ---- axes ---------------------------------------------------------------- */
 
 static json_t *list_json(const double value[], size_t count)
 {
@@ -69,8 +68,7 @@ static json_t *names_json(const struct sweep *s, const enum sweep_dim dim[],
     return names;
 }
 
-/* ---- numbers --------------------------------------------------------------
- */
+/* ---- numbers ------------------------------------------------------------- */
 
 typedef json_t *teller(const struct sweep *s, int column, size_t point,
                        size_t entry);
@@ -159,8 +157,7 @@ static json_t *numbers_json(const struct sweep *s)
     return j;
 }
 
-/* ---- maps -----------------------------------------------------------------
- */
+/* ---- maps ---------------------------------------------------------------- */
 
 /* How many cells of each point have each word; null where it cannot be read. */
 static json_t *words_json(const struct sweep *s, size_t k)
@@ -224,8 +221,7 @@ static json_t *maps_json(const struct sweep *s)
     return maps;
 }
 
-/* ---- the whole ------------------------------------------------------------
- */
+/* ---- the whole ----------------------------------------------------------- */
 
 json_t *report_sweep_json(const struct sweep *s)
 {

@@ -2,8 +2,7 @@
 
 #include <math.h>
 
-/* ---- text -----------------------------------------------------------------
- */
+/* ---- text ---------------------------------------------------------------- */
 
 static void print_quantity(FILE *out, const char *name,
                            const struct quantity *q)
@@ -82,8 +81,7 @@ void report_simulation_print(FILE *out, const struct simulation *s)
         print_run(out, &s->run[i]);
 }
 
-/* ---- JSON -----------------------------------------------------------------
- */
+/* ---- JSON ---------------------------------------------------------------- */
 
 static json_t *run_json(const struct transient *t)
 {

@@ -28,8 +28,7 @@ struct rerun {
     char scene_path[PATH], path[PATH]; /* in there */
 };
 
-/* ---- what made the file ----------------------------------------------------
- */
+/* ---- what made the file -------------------------------------------------- */
 
 /* Commands whose files are told by a group. */
 static int visit(void *ctx, const struct store_item *item)
@@ -128,8 +127,7 @@ static enum status read_file(struct rerun *r, struct fault *why)
     return STATUS_IO;
 }
 
-/* ---- making it again -------------------------------------------------------
- */
+/* ---- making it again ----------------------------------------------------- */
 
 static enum status make_folder(struct rerun *r, struct fault *why)
 {
@@ -216,8 +214,7 @@ static enum exit_code run_again(struct rerun *r)
     return code;
 }
 
-/* ---- comparing -------------------------------------------------------------
- */
+/* ---- comparing ----------------------------------------------------------- */
 
 /* False also where one cannot be read: then store_open says why. */
 static bool same_bytes(const char *a, const char *b)
@@ -338,8 +335,7 @@ static enum exit_code judge(struct rerun *r)
     return told ? EXIT_CHECK : command_unwritten();
 }
 
-/* ---- the whole -------------------------------------------------------------
- */
+/* ---- the whole ----------------------------------------------------------- */
 
 enum exit_code rerun(const struct options *o)
 {

@@ -29,8 +29,7 @@ static enum status complain(struct fault *why, enum status s, const char *path,
     return s;
 }
 
-/* ---- where ----------------------------------------------------------------
- */
+/* ---- where --------------------------------------------------------------- */
 
 static bool is_folder(const char *path)
 {
@@ -107,8 +106,7 @@ static enum status list_scenes(struct gallery *g, struct fault *why)
     return g->entry ? STATUS_OK : STATUS_NO_MEMORY;
 }
 
-/* ---- all ------------------------------------------------------------------
- */
+/* ---- all ----------------------------------------------------------------- */
 
 /* Builds them in turn and drops those that draw nothing; false when stopped. */
 static bool build_all(struct gallery *g)

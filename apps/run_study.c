@@ -275,8 +275,7 @@ enum exit_code command_knees(const struct options *o)
     return run(o, &knees_shortcut);
 }
 
-/* ---- plan ------------------------------------------------------------------
- */
+/* ---- plan ---------------------------------------------------------------- */
 
 /* The points of a sweep, at each of which the stages run. */
 static json_t *sweep_json(const struct scene *scene)

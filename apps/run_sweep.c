@@ -22,8 +22,7 @@ static enum status complain(struct fault *why, const char *text)
     return STATUS_BAD_SCENE;
 }
 
-/* ---- the scene ------------------------------------------------------------
- */
+/* ---- the scene ----------------------------------------------------------- */
 
 /* What `knees` computes, where the scene names nothing. */
 static unsigned products_of(const struct options *o, const struct scene *s)
@@ -72,8 +71,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     return scene_read(scene, path, set, o->sets + 1, why);
 }
 
-/* ---- files ----------------------------------------------------------------
- */
+/* ---- files --------------------------------------------------------------- */
 
 /* Could they be written?  Asked before anything is computed. */
 static enum status check_files(const struct options *o, const struct scene *c,
@@ -137,8 +135,7 @@ static enum status write_files(const struct sweep *s, const struct options *o,
     return status;
 }
 
-/* ---- results --------------------------------------------------------------
- */
+/* ---- results ------------------------------------------------------------- */
 
 static void print_notes(const struct sweep *s, const char *journal)
 {
@@ -210,8 +207,7 @@ static enum exit_code print_results(const struct sweep *s,
     return judge(s);
 }
 
-/* ---- the whole ------------------------------------------------------------
- */
+/* ---- the whole ----------------------------------------------------------- */
 
 static enum status run_points(struct sweep *s, const struct scene *scene,
                               const struct options *o, const char *journal,

@@ -24,8 +24,7 @@ static double across_of(const struct separatrix *s, struct vec2 z)
     return s->along == SEPARATRIX_X ? z.y : z.x;
 }
 
-/* ---- polynomials -----------------------------------------------------------
- */
+/* ---- polynomials --------------------------------------------------------- */
 
 struct series {
     const double *c;
@@ -92,8 +91,7 @@ static size_t turns(struct series p, double turn[TURNS_MAX])
     return n;
 }
 
-/* ---- strands ---------------------------------------------------------------
- */
+/* ---- strands ------------------------------------------------------------- */
 
 /* Pieces of a chain in their order, each monotone in `along`. */
 struct chain {
@@ -256,8 +254,7 @@ enum status separatrix_add(struct separatrix *s, const struct branch *one,
     return status;
 }
 
-/* ---- crossings -------------------------------------------------------------
- */
+/* ---- crossings ----------------------------------------------------------- */
 
 /* The theta where p = w between q->from and q->to, from the first of which to
  * the second it rises from q->lo to q->hi.  Newton, kept in the bracket. */
@@ -330,8 +327,7 @@ size_t separatrix_row(const struct separatrix *s, double w,
     return n;
 }
 
-/* ---- areas -----------------------------------------------------------------
- */
+/* ---- areas --------------------------------------------------------------- */
 
 /* Gauss-Legendre nodes and weights on [-1, 1], Abramowitz & Stegun 25.4.30,
  * positive half; ten nodes say what sixteen are worth. */

@@ -265,8 +265,7 @@ static void a_branch_that_leaves_the_domain_says_so(void **state)
     eigen_branch_free(&b);
 }
 
-/* ---- what it refuses ------------------------------------------------------
- */
+/* ---- what it refuses ----------------------------------------------------- */
 
 static void wrong_arguments_are_refused(void **state)
 {

@@ -15,8 +15,7 @@
 #include "store_read.h"
 #include "store_records.h"
 
-/* ---- a small file of every kind of thing ----------------------------------
- */
+/* ---- a small file of every kind of thing --------------------------------- */
 
 enum { ROWS = 4, COLUMNS = 3 };
 
@@ -71,8 +70,7 @@ static void must_write(const char *path)
     CHECK(s == STATUS_OK, "%s", why.text);
 }
 
-/* ---- every call ------------------------------------------------------------
- */
+/* ---- every call ---------------------------------------------------------- */
 
 /* Calls whose answer says nothing about the result: what they close or free is
  * gone, and the reason that HDF5 would give has a general word. */

@@ -11,8 +11,7 @@
 #include "laws.h"
 #include "reference_rows.h"
 
-/* ---- one slope, solved ------------------------------------------------------
- */
+/* ---- one slope, solved --------------------------------------------------- */
 
 struct slope {
     struct scene scene;

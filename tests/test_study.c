@@ -33,8 +33,7 @@ static void run(struct study *s, const struct scene *scene)
     CHECK(status == STATUS_OK, "%s", why.text);
 }
 
-/* ---- only what a scene needs ----------------------------------------------
- */
+/* ---- only what a scene needs --------------------------------------------- */
 
 static void each_product_runs_its_stages_and_no_other(void **state)
 {
@@ -106,8 +105,7 @@ static void every_allocation_of_a_study_may_fail(void **state)
     scene_free(&scene);
 }
 
-/* ---- what it says is right --------------------------------------------------
- */
+/* ---- what it says is right ----------------------------------------------- */
 
 /* Distance in the chart of (v, psi) from the branch's own dense output. */
 static double distance_to(const struct solved *s, const struct branch *b,

@@ -30,8 +30,7 @@ static const struct sweep_options plainly = { .journal = NULL };
 #define LAW "law.preset=spinodal_gen"
 #define ALL "products=[equilibria, folds, knees, estimates]"
 
-/* ---- points ---------------------------------------------------------------
- */
+/* ---- points -------------------------------------------------------------- */
 
 /* The study that a user gets from --set KEY=VALUE. */
 static void check_point(const struct sweep *s, size_t i, const char *law,
@@ -229,8 +228,7 @@ static void only_what_the_products_ask_for_is_there(void **state)
     swept_free(&w);
 }
 
-/* ---- refinement -----------------------------------------------------------
- */
+/* ---- refinement ---------------------------------------------------------- */
 
 static struct quantity number_at(const struct scene *scene, double alpha,
                                  bool plus)
@@ -326,8 +324,7 @@ static void a_coarser_tolerance_keeps_fewer_points(void **state)
     }
 }
 
-/* ---- failures -------------------------------------------------------------
- */
+/* ---- failures ------------------------------------------------------------ */
 
 static void each_failed_allocation_is_told(void **state)
 {

@@ -51,8 +51,7 @@ static void check_code(const struct sweep *s, const char *column, size_t point,
           "%s of point %zu", column, point);
 }
 
-/* ---- basins ---------------------------------------------------------------
- */
+/* ---- basins -------------------------------------------------------------- */
 
 static void shares_and_audit_are_those_of_the_basins(void **state)
 {
@@ -104,8 +103,7 @@ static void without_an_audit_there_are_no_counts(void **state)
     swept_free(&w);
 }
 
-/* ---- steady states --------------------------------------------------------
- */
+/* ---- steady states ------------------------------------------------------- */
 
 static void steady_states_go_by_what_they_are(void **state)
 {
@@ -161,8 +159,7 @@ static void a_logarithm_has_no_logarithm(void **state)
     swept_free(&w);
 }
 
-/* ---- runs -----------------------------------------------------------------
- */
+/* ---- runs ---------------------------------------------------------------- */
 
 static void check_run(const struct sweep *s, size_t i, size_t start,
                       const struct transient *t)
@@ -234,8 +231,7 @@ static void runs_are_those_of_simulate(void **state)
     swept_free(&w);
 }
 
-/* ---- others ---------------------------------------------------------------
- */
+/* ---- others -------------------------------------------------------------- */
 
 static void release_distances_are_those_of_rabinowicz(void **state)
 {

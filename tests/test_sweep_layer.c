@@ -64,8 +64,7 @@ static void *all_of(const struct sweep *s, const char *name, size_t point)
     return values;
 }
 
-/* ---- what they hold -------------------------------------------------------
- */
+/* ---- what they hold ------------------------------------------------------ */
 
 static void check_labels(const struct sweep *s, size_t point,
                          const struct study *study)
@@ -254,8 +253,7 @@ static void without_a_side_file_no_map_is_computed(void **state)
     swept_free(&w);
 }
 
-/* ---- threads, stops -------------------------------------------------------
- */
+/* ---- threads, stops ------------------------------------------------------ */
 
 static void any_number_of_threads_gives_the_same_maps(void **state)
 {

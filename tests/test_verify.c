@@ -219,8 +219,7 @@ static void both_routes_agree_on_random_sets(void **state)
     CHECK(t.loose * 20 < t.compared, "%zu loose bars", t.loose);
 }
 
-/* ---- the reference tables -------------------------------------------------
- */
+/* ---- the reference tables ------------------------------------------------ */
 
 static void check_table(const char *name, double rtol)
 {
@@ -284,8 +283,7 @@ static void branches_may_be_short_beyond_measure(void **state)
     }
 }
 
-/* ---- what it says ----------------------------------------------------------
- */
+/* ---- what it says -------------------------------------------------------- */
 
 /* Table 2, alpha = 0.34, one law. */
 static struct verification verify_default(const char *preset,

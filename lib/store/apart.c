@@ -31,8 +31,7 @@ static enum status blame(const char *path, const char *what, const char *reason,
     return STATUS_IO;
 }
 
-/* ---- the child ------------------------------------------------------------
- */
+/* ---- the child ----------------------------------------------------------- */
 
 /* Bytes of address space in use, of which sanitizers reserve terabytes. */
 static rlim_t in_use(void)
@@ -91,8 +90,7 @@ static _Noreturn void answer(apart_work *work, void *ctx, int pipe)
     _exit(sent ? 0 : 1);
 }
 
-/* ---- the parent -----------------------------------------------------------
- */
+/* ---- the parent ---------------------------------------------------------- */
 
 struct answer {
     char *bytes; /* owned */

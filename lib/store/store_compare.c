@@ -32,8 +32,7 @@ static void tell_alone(const struct compare *c, const char *key)
     tell(c, key, c->backward ? "only in the second" : "only in the first");
 }
 
-/* ---- values ----------------------------------------------------------------
- */
+/* ---- values -------------------------------------------------------------- */
 
 /* A data set or an attribute; all owned. */
 struct values {
@@ -126,8 +125,7 @@ static size_t rows_of(const struct values *v)
     return row > 0 && APART_BLOCK > row ? APART_BLOCK / row : 1;
 }
 
-/* ---- comparing values ------------------------------------------------------
- */
+/* ---- comparing values ---------------------------------------------------- */
 
 static bool element_equals(const struct values *v, const char *x, const char *y)
 {
@@ -255,8 +253,7 @@ static void compare_values(const struct compare *c, const char *key, hid_t x,
     values_free(&b);
 }
 
-/* ---- objects ---------------------------------------------------------------
- */
+/* ---- objects ------------------------------------------------------------- */
 
 /* References, alone or in rows, point into their own file. */
 static bool is_tie(const char *key)

@@ -27,8 +27,7 @@ struct run {
     enum status failed; /* the first failure; others follow it out */
 };
 
-/* ---- one point ------------------------------------------------------------
- */
+/* ---- one point ----------------------------------------------------------- */
 
 static void set_entry(const struct sweep *s, size_t i,
                       const struct sweep_column *c, size_t n,
@@ -191,8 +190,7 @@ static bool take(struct run *r, size_t i)
     return true;
 }
 
-/* ---- many points ----------------------------------------------------------
- */
+/* ---- many points --------------------------------------------------------- */
 
 /* Every row from `first` on, whose x is set. */
 static enum status compute_from(struct run *r, size_t first)
@@ -271,8 +269,7 @@ static enum status refine(struct run *r)
     return status;
 }
 
-/* ---- the whole ------------------------------------------------------------
- */
+/* ---- the whole ----------------------------------------------------------- */
 
 /* The same for the same scene and version, wherever the results go. */
 static uint64_t key_of(const struct sweep *s, const char *version)
@@ -282,7 +279,8 @@ static uint64_t key_of(const struct sweep *s, const char *version)
 
     for (const char *line = c->overrides; *line;) {
         const size_t size = strcspn(line, "\n") + 1;
-        if (strncmp(line, "output.", 7) != 0 && strncmp(line, "output=", 7))
+        if (strncmp(line, "output.", 7) != 0 &&
+            strncmp(line, "output=", 7) != 0)
             sum = sweep_journal_sum(sum, line, size);
         line += size;
     }
@@ -423,8 +421,7 @@ void sweep_forget(const char *journal)
     (void) unlink(journal);
 }
 
-/* ---- reading --------------------------------------------------------------
- */
+/* ---- reading ------------------------------------------------------------- */
 
 int sweep_find(const struct sweep *s, const char *name)
 {

@@ -6,8 +6,7 @@
 
 #include "sweep_product.h"
 
-/* ---- which ----------------------------------------------------------------
- */
+/* ---- which --------------------------------------------------------------- */
 
 static size_t entries_of(const struct sweep_dims *d,
                          const struct column_part *part)
@@ -94,8 +93,7 @@ void sweep_columns_free(struct sweep_columns *c)
     *c = (struct sweep_columns){ .at = NULL };
 }
 
-/* ---- what is there --------------------------------------------------------
- */
+/* ---- what is there ------------------------------------------------------- */
 
 static const void *member_of(const struct sweep_column *c,
                              const struct sweep_point *p, size_t entry)

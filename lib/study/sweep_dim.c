@@ -59,8 +59,7 @@ static enum status copy(struct sweep_dims *d, enum sweep_dim dim,
     return value ? STATUS_OK : STATUS_NO_MEMORY;
 }
 
-/* ---- runs ----------------------------------------------------------------
- */
+/* ---- runs ---------------------------------------------------------------- */
 
 static enum status add_runs(struct sweep_dims *d, const struct scene *scene)
 {
@@ -75,8 +74,7 @@ static enum status add_runs(struct sweep_dims *d, const struct scene *scene)
     return status ? status : copy(d, DIM_LEVEL, level, o.levels);
 }
 
-/* ---- grids ---------------------------------------------------------------
- */
+/* ---- grids --------------------------------------------------------------- */
 
 /* n cells along an axis of the window. */
 static enum status add_cells(struct sweep_dims *d, enum sweep_dim dim,

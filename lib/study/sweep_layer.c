@@ -5,8 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- which ---------------------------------------------------------------
- */
+/* ---- which --------------------------------------------------------------- */
 
 #define REAL(name_, type, member, text_)                                       \
     {                                                                          \
@@ -187,8 +186,7 @@ size_t sweep_layer_size(const struct sweep_layer *layer)
     return layer->rows * layer->columns * width(layer);
 }
 
-/* ---- what is there -------------------------------------------------------
- */
+/* ---- what is there ------------------------------------------------------- */
 
 /* One member of n records of `size` bytes each. */
 static void gather(const struct sweep_layer *layer, const void *from,

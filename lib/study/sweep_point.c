@@ -27,8 +27,7 @@ const struct record_type record_steady_kind = {
     sizeof kind_fields / sizeof *kind_fields, sizeof(struct kind_numbers)
 };
 
-/* ---- what is asked for ---------------------------------------------------
- */
+/* ---- what is asked for --------------------------------------------------- */
 
 unsigned sweep_point_products(const struct scene *scene, bool maps)
 {
@@ -45,8 +44,7 @@ unsigned sweep_point_products(const struct scene *scene, bool maps)
     return maps ? products : products & ~(fields | BIT(FIELD_ARROWS));
 }
 
-/* ---- steady states -------------------------------------------------------
- */
+/* ---- steady states ------------------------------------------------------- */
 
 static struct quantity logarithm(const struct quantity *q)
 {
@@ -105,8 +103,7 @@ static void complete_steady(struct sweep_point *p)
             quantity_none(no_series ? no_series : missing[STEADY_SADDLE]);
 }
 
-/* ---- the whole -----------------------------------------------------------
- */
+/* ---- the whole ----------------------------------------------------------- */
 
 static enum status run_starts(struct sweep_point *p,
                               const struct monitor *monitor)

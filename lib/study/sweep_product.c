@@ -11,8 +11,7 @@
 _Static_assert(sizeof(size_t) == sizeof(int64_t),
                "numbers of cells are counts of record.h");
 
-/* ---- of the study --------------------------------------------------------
- */
+/* ---- of the study -------------------------------------------------------- */
 
 #define AT(member) offsetof(struct sweep_point, member)
 #define HERE(name, member)                                                     \
@@ -134,8 +133,7 @@ static enum status add_chi(const struct column_adder *a)
     return column_add_record(a, &part, &record_chi_slope);
 }
 
-/* ---- steady states -------------------------------------------------------
- */
+/* ---- steady states ------------------------------------------------------- */
 
 /* What saddle_ and the law's own psi do not say already. */
 static bool says_more(enum steady_kind kind, const struct record_field *f,
@@ -186,8 +184,7 @@ static enum status add_equilibria(const struct column_adder *a)
     return status;
 }
 
-/* ---- basins --------------------------------------------------------------
- */
+/* ---- basins -------------------------------------------------------------- */
 
 static enum status add_share(const struct column_adder *a, size_t base,
                              const char *measure, const char *text)
@@ -246,8 +243,7 @@ static enum status add_basins(const struct column_adder *a)
     return status ? status : add_audit(a);
 }
 
-/* ---- runs ----------------------------------------------------------------
- */
+/* ---- runs ---------------------------------------------------------------- */
 
 /* Time, slip, v, psi, mu of an event; along levels if `stride`. */
 static enum status add_event(const struct column_adder *a, const char *what,
@@ -319,8 +315,7 @@ static enum status add_runs(const struct column_adder *a)
     return status ? status : add_events(a);
 }
 
-/* ---- which ---------------------------------------------------------------
- */
+/* ---- which --------------------------------------------------------------- */
 
 static enum status add_release(const struct column_adder *a)
 {

@@ -23,8 +23,7 @@ struct marks {
     const struct orbit *orbit; /* borrowed */
 };
 
-/* ---- turns ----------------------------------------------------------------
- */
+/* ---- turns --------------------------------------------------------------- */
 
 static bool is_turn(enum moment what)
 {
@@ -129,8 +128,7 @@ static enum status collect(const struct study *s,
     return STATUS_OK;
 }
 
-/* ---- events ---------------------------------------------------------------
- */
+/* ---- events -------------------------------------------------------------- */
 
 /* The mark of m nearest in time to `to` among those of its kind. */
 static const struct mark *nearest(const struct marks *m, const struct mark *to)

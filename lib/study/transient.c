@@ -16,8 +16,7 @@ const char *const transient_end_names[] = { "rest",       "arrest",
                                             "runaway",    "faded",
                                             "lost",       NULL };
 
-/* ---- records --------------------------------------------------------------
- */
+/* ---- records ------------------------------------------------------------- */
 
 #define FIELD(type, member, kind_, text_)                                      \
     {                                                                          \
@@ -67,8 +66,7 @@ const struct record_type record_transient_event = {
     sizeof event_fields / sizeof *event_fields, sizeof(struct transient_event)
 };
 
-/* ---- one orbit ------------------------------------------------------------
- */
+/* ---- one orbit ----------------------------------------------------------- */
 
 static const struct moment_level near_tan[] = {
     { MOMENT_MU_NEARS, 1e-1 }, { MOMENT_MU_NEARS, 1e-2 },
@@ -163,8 +161,7 @@ static enum status follow(const struct course *c, double rtol,
                                                                     : s;
 }
 
-/* ---- what came of it ------------------------------------------------------
- */
+/* ---- what came of it ----------------------------------------------------- */
 
 static enum transient_end end_of(const struct course *c, const struct orbit *o)
 {

@@ -68,8 +68,7 @@ static void drop(struct setting *s)
     scene_free(&s->scene);
 }
 
-/* ---- cell by cell ----------------------------------------------------------
- */
+/* ---- cell by cell -------------------------------------------------------- */
 
 static int in_quadrant(const double z[])
 {
@@ -157,8 +156,7 @@ static double exact_time(size_t cells, int threads, size_t *wrong,
     return seconds / (double) (cells * cells);
 }
 
-/* ---- by the separatrix ------------------------------------------------------
- */
+/* ---- by the separatrix --------------------------------------------------- */
 
 static double labelling_time(const struct study *s)
 {
@@ -214,8 +212,7 @@ static double pair_time(struct setting *s)
     return best;
 }
 
-/* ---- whole processes --------------------------------------------------------
- */
+/* ---- whole processes ----------------------------------------------------- */
 
 /* Only the labels, with the axes, through HDF5. */
 static void write_only(const char *path, const int8_t *label)
