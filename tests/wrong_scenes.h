@@ -493,7 +493,7 @@ static const struct wrong wrong_together[] = {
       "kinetics together" },
     { "law: {theta: psi, psi_ss: minus_log, timescale: ageing44, kinetics: "
       "sinh}\n" SLOPE,
-      "1:49: law.timescale: timescale ageing44 is R psi_ss(v) and needs psi_ss "
+      "1:49: law.timescale: timescale ageing44 is R psi_ss and needs psi_ss "
       "> 0, but psi_ss is minus_log" },
     { "law: {theta: psi, psi_ss: minus_log, timescale: slip45, kinetics: "
       "sinh}\nmaterial: {R: inf}\n" SLOPE,

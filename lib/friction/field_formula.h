@@ -79,7 +79,7 @@ static void KIND(saturation)(const struct law *law,
                              KIND(num) * out)
 {
     if (law->psi_ss == PSI_SS_SPINODAL || law->psi_ss == PSI_SS_SPINODAL_UNIT ||
-        law->timescale == TIMESCALE_SPINODAL)
+        law_timescale(law)->ln_r_plus_v)
         KIND(log1p_expm1)(c, at->steady_r, at->steady_s, X, out);
     else
         KIND(linear)(c, 0, 0, X, 0, X, out);
@@ -116,16 +116,19 @@ static void KIND(lag)(const struct law *law, const struct KIND(anchor) * at,
     }
 }
 
-/* ln(T0/T(v)), with l = saturation; 0 where freeze takes care of it */
+/* ln(T0/T(v)), with l = saturation and s = steady, which is psi_ss - psi0 where
+ * that is -ln v; for the exp(psi_ss) of others see freeze */
 static void KIND(quickness)(const struct law *law, struct KIND(ctx) * c,
                             const KIND(num) * X, const KIND(num) * l,
-                            KIND(num) * out)
+                            const KIND(num) * s, KIND(num) * out)
 {
-    if (law->timescale == TIMESCALE_SPINODAL ||
-        (law->timescale == TIMESCALE_AGEING44 && law->psi_ss != PSI_SS_INVERSE))
-        KIND(linear)(c, 0, 1, l, 0, l, out);
-    else
-        KIND(linear)(c, 0, law_freezes(law) ? 0 : 1, X, 0, X, out);
+    const struct timescale_terms *t = law_timescale(law);
+    const int of_s = t->ln_psi_ss + (law_freezes(law) ? 0 : t->psi_ss);
+    VAR(direct);
+
+    KIND(linear)(c, 0, t->ln_v, X, t->ln_r_plus_v, l, of_s ? direct : out);
+    if (of_s)
+        KIND(linear)(c, 0, 1, direct, of_s, s, out);
 }
 
 /* The exponent -psi_ss of 1/T in (45).  sinh(psi - psi_ss) brings the same
@@ -247,7 +250,7 @@ static KIND(real)
     KIND(saturation)(law, at, c, X, l);
     KIND(steady)(law, c, X, l, s);
     KIND(lag)(law, at, c, Y, s, d);
-    KIND(quickness)(law, c, X, l, t);
+    KIND(quickness)(law, c, X, l, s, t);
     KIND(linear)(c, 0, 1, t, law_psi_is_log(law) ? 0 : -1, Y, u);
     KIND(freeze)(law, at, c, Y, s, u, w);
     const KIND(real) rate = law->kinetics == KINETICS_LINEAR

@@ -33,6 +33,12 @@ const char *const psi_ss_names[] = { "inverse", "minus_log", "spinodal",
                                      "spinodal_unit", NULL };
 const char *const timescale_names[] = { "slip", "spinodal", "ageing44",
                                         "slip45", NULL };
+const struct timescale_terms timescale_terms[TIMESCALES] = {
+    [TIMESCALE_SLIP] = { "1/v", .ln_v = 1 },
+    [TIMESCALE_SPINODAL] = { "R/(1+R v)", .ln_r_plus_v = 1 },
+    [TIMESCALE_AGEING44] = { "R psi_ss", .ln_r = 1, .ln_psi_ss = -1 },
+    [TIMESCALE_SLIP45] = { "R exp(psi_ss)", .ln_r = 1, .psi_ss = -1 },
+};
 const char *const kinetics_names[] = { "linear", "sinh", NULL };
 
 static const struct {
@@ -76,9 +82,10 @@ double *material_member(struct material *m, enum material_key key)
 
 static bool law_uses_R(const struct law *law)
 {
+    const struct timescale_terms *t = law_timescale(law);
+
     return law->theta == THETA_LN_C_1PR_PSI || law->psi_ss == PSI_SS_SPINODAL ||
-           law->psi_ss == PSI_SS_SPINODAL_UNIT ||
-           law->timescale != TIMESCALE_SLIP;
+           law->psi_ss == PSI_SS_SPINODAL_UNIT || t->ln_r || t->ln_r_plus_v;
 }
 
 bool law_uses(const struct law *law, enum material_key key)
@@ -127,8 +134,6 @@ void law_formula(const struct law *law, char *text, size_t size)
     static const char *const psi_ss[] = { "1/v", "-ln v", "(1+R)/(1+R v)",
                                           "1/(1+R v)",
                                           "exp(W(exp(-v/V_c)))/v" };
-    static const char *const time[] = { "1/v", "R/(1+R v)", "R psi_ss",
-                                        "R exp(psi_ss)" };
     static const char *const rate[] = { "-(psi - psi_ss)/T",
                                         "-sinh(psi - psi_ss)/T",
                                         "exp(-v/V_c) - v psi ln(v psi)" };
@@ -138,8 +143,8 @@ void law_formula(const struct law *law, char *text, size_t size)
                  rate[law->kinetics]);
     else
         snprintf(text, size, "theta = %s, psi_ss = %s, T = %s, dpsi/dt = %s",
-                 theta[law->theta], psi_ss[law->psi_ss], time[law->timescale],
-                 rate[law->kinetics]);
+                 theta[law->theta], psi_ss[law->psi_ss],
+                 law_timescale(law)->formula, rate[law->kinetics]);
 }
 
 static enum status refuse(struct fault *why, const char *text)
@@ -152,18 +157,21 @@ static enum status check_composition(const struct law *law,
                                      const struct material *m,
                                      struct fault *why)
 {
-    if (law->timescale == TIMESCALE_AGEING44 && law->psi_ss == PSI_SS_MINUS_LOG)
-        return refuse(why, "timescale ageing44 is R psi_ss(v) and needs "
-                           "psi_ss > 0, but psi_ss is minus_log");
+    if (law_timescale(law)->ln_psi_ss && law->psi_ss == PSI_SS_MINUS_LOG) {
+        snprintf(why->text, sizeof why->text,
+                 "timescale %s is %s and needs psi_ss > 0, but psi_ss is "
+                 "minus_log",
+                 timescale_names[law->timescale], law_timescale(law)->formula);
+        return STATUS_BAD_ARGUMENT;
+    }
     const bool composite = law->kinetics == KINETICS_COMPOSITE;
     if (composite != (law->psi_ss == PSI_SS_LAMBERT) ||
         (composite &&
          (law->theta != THETA_LN_PSI || law->timescale != TIMESCALE_SLIP)))
         return refuse(why, "kato_tullis is a law of its own, not a component");
-    if (isinf(m->R) && (law->theta == THETA_LN_C_1PR_PSI ||
-                        law->psi_ss == PSI_SS_SPINODAL_UNIT ||
-                        law->timescale == TIMESCALE_AGEING44 ||
-                        law->timescale == TIMESCALE_SLIP45))
+    if (isinf(m->R) &&
+        (law->theta == THETA_LN_C_1PR_PSI ||
+         law->psi_ss == PSI_SS_SPINODAL_UNIT || law_timescale(law)->ln_r))
         return refuse(why, "R must be finite for this law: its limit R = inf "
                            "does not exist");
     return STATUS_OK;

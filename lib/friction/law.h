@@ -5,8 +5,8 @@
  *     mu(v, psi) from theta(psi),      dpsi/dt = -K(psi - psi_ss(v)) / T(v).
  *
  * A law names one of each component; a preset is a law with a name.  Adding a
- * composition is one line in law.c; adding a component is one case in
- * field_formula.h and one in steady.c.
+ * composition, or a time scale, is one line of a table in law.c (and a name
+ * here); docs/new_law.md tells what else a component touches.
  */
 #ifndef FRICTION_LAW_H
 #define FRICTION_LAW_H
@@ -50,6 +50,18 @@ enum timescale {
     TIMESCALE_SLIP45,   /* R exp(psi_ss(v)), (45) */
     TIMESCALES
 };
+
+/* ln(1/T) is a sum, each term so many times.  All that is computed of T, its
+ * derivatives too, is made of these. */
+struct timescale_terms {
+    const char *formula; /* T, for people */
+    int ln_r;            /* ln(1/R) */
+    int ln_v;
+    int ln_r_plus_v; /* ln(1/R + v) */
+    int ln_psi_ss;
+    int psi_ss; /* -1 or 0 */
+};
+extern const struct timescale_terms timescale_terms[TIMESCALES];
 
 /* How: dpsi/dt = -K(psi - psi_ss)/T. */
 enum kinetics {
@@ -109,11 +121,15 @@ static inline bool law_psi_is_log(const struct law *law)
     return law->theta == THETA_PSI;
 }
 
-/* T = R exp(psi_ss) with psi_ss > 0, (45): the state freezes as v -> 0. */
+static inline const struct timescale_terms *law_timescale(const struct law *law)
+{
+    return &timescale_terms[law->timescale];
+}
+
+/* T has exp(psi_ss) with psi_ss > 0, (45): the state freezes as v -> 0. */
 static inline bool law_freezes(const struct law *law)
 {
-    return law->timescale == TIMESCALE_SLIP45 &&
-           law->psi_ss != PSI_SS_MINUS_LOG;
+    return law_timescale(law)->psi_ss && law->psi_ss != PSI_SS_MINUS_LOG;
 }
 
 /* eps^2 = V_star^2 / (g L), below (17). */

@@ -9,6 +9,8 @@
 
 #include <math.h>
 
+#include "steady.h"
+
 #define SCALAR double
 #define FN(f)  f
 #include "scalar.h"
@@ -80,45 +82,37 @@ static void friction_parts(const struct block *b, const struct place *at,
     by[PARAMETER_R] = slope * k * t.by_R;
 }
 
-/* psi_ss(v), where it depends on R, and d ln psi_ss/d r. */
-static void steady_parts(const struct law *law, double r, double v, double *psi,
-                         double *by_r)
-{
-    const bool unit = law->psi_ss == PSI_SS_SPINODAL_UNIT;
+/* psi_ss(v) = top/(r + v) where it depends on R, else psi = 0; and its
+ * derivative by r. */
+struct steady_parts {
+    double psi, by_r;
+    bool spinodal, unit; /* top = 1 + r, top = r */
+};
 
-    *psi = *by_r = 0;
-    if (law->psi_ss != PSI_SS_SPINODAL && !unit)
-        return;
-    *psi = (unit ? r : 1 + r) / (r + v);
-    *by_r = unit ? v / (r * (r + v)) : (v - 1) / ((1 + r) * (r + v));
+static struct steady_parts steady_parts(const struct law *law, double r,
+                                        double v)
+{
+    const double sum = r + v;
+
+    if (law->psi_ss == PSI_SS_SPINODAL)
+        return (struct steady_parts){ (1 + r) / sum, (v - 1) / (sum * sum),
+                                      true, false };
+    if (law->psi_ss == PSI_SS_SPINODAL_UNIT)
+        return (struct steady_parts){ r / sum, v / (sum * sum), false, true };
+    return (struct steady_parts){ 0 };
 }
 
-/* ln(1/T), where T depends on R, and its derivative by r. */
-static void quickness_parts(const struct law *law, double r,
-                            const struct place *at, double psi_ss, double by_r,
-                            double *log_rate, double *rate_by_r)
+/* d ln(1/T)/d r; ln psi_ss is ln top - ln(r + v). */
+static double rate_by_r(const struct timescale_terms *t, double r, double v,
+                        const struct steady_parts *s)
 {
-    const double log_psi = psi_ss > 0 ? log(psi_ss) : -at->x;
+    const int ln_r = t->ln_r + t->ln_psi_ss * s->unit;
+    const int ln_1_plus_r = t->ln_psi_ss * s->spinodal;
+    const int ln_r_plus_v =
+        t->ln_r_plus_v - t->ln_psi_ss * (s->unit || s->spinodal);
 
-    switch (law->timescale) {
-        case TIMESCALE_SLIP:
-            *log_rate = at->x;
-            *rate_by_r = 0;
-            break;
-        case TIMESCALE_SPINODAL:
-            *log_rate = log(r + at->v);
-            *rate_by_r = 1 / (r + at->v);
-            break;
-        case TIMESCALE_AGEING44: /* psi_ss = 0 here: it is 1/v */
-            *log_rate = log(r) - log_psi;
-            *rate_by_r = law->psi_ss == PSI_SS_SPINODAL_UNIT ? 1 / (r + at->v)
-                                                             : 1 / r - by_r;
-            break;
-        default:
-            *log_rate = log(r) - (psi_ss > 0 ? psi_ss : log_psi);
-            *rate_by_r = 1 / r - psi_ss * by_r;
-            break;
-    }
+    return ln_r / r + ln_1_plus_r / (1 + r) + ln_r_plus_v / (r + v) +
+           t->psi_ss * s->by_r;
 }
 
 /* d f_y/d R, f_y = -K(d)/(T psi), d = psi - psi_ss: what psi_ss does is
@@ -128,20 +122,24 @@ static double state_by_R(const struct block *b, const struct place *at,
 {
     const double r = 1 / b->material.R, fy = f->direction.y;
     const bool hyperbolic = b->law.kinetics == KINETICS_SINH;
-    double psi_ss, by_r, log_rate, rate_by_r, shift = 0;
+    double shift = 0;
 
     if (!(r > 0) || b->law.kinetics == KINETICS_COMPOSITE)
         return 0;
-    steady_parts(&b->law, r, at->v, &psi_ss, &by_r);
-    quickness_parts(&b->law, r, at, psi_ss, by_r, &log_rate, &rate_by_r);
-    const double d = at->psi - psi_ss;
-    if (psi_ss > 0 && fabs(d) > 1) {
+    const struct steady_parts s = steady_parts(&b->law, r, at->v);
+    const double d = at->psi - s.psi;
+    if (s.psi > 0 && fabs(d) > 1) {
         shift = -fy * (hyperbolic ? 1 / tanh(d) : 1 / d);
-    } else if (psi_ss > 0) {
+    } else if (s.psi > 0) {
+        const double log_rate = (double) steady_log_rate(&b->law, &b->material,
+                                                         (long double) at->x) -
+                                (law_freezes(&b->law) ? s.psi : 0);
         const double y = law_psi_is_log(&b->law) ? 0 : at->y;
         shift = exp(log_rate - y - f->log_scale) * (hyperbolic ? cosh(d) : 1);
     }
-    return -r * r * (fy * rate_by_r + shift * psi_ss * by_r);
+    return -r * r *
+           (fy * rate_by_r(law_timescale(&b->law), r, at->v, &s) +
+            shift * s.by_r);
 }
 
 void parameter_field(const void *ctx, struct vec2 z,

@@ -60,23 +60,14 @@ static long double theta_slope(const struct law *law, const struct material *m,
     }
 }
 
-static long double rate_of(const struct law *law, const struct material *m,
-                           long double x)
+/* ln of the rate. */
+static long double log_rate(const struct law *law, const struct material *m,
+                            long double x)
 {
-    const long double r = 1 / (long double) m->R, v = expl(x);
-
     if (law->kinetics == KINETICS_COMPOSITE)
-        return v * (1 + composite(law, m, x));
-    switch (law->timescale) {
-        case TIMESCALE_SLIP:
-            return v;
-        case TIMESCALE_SPINODAL:
-            return r + v;
-        case TIMESCALE_AGEING44:
-            return r / steady_psi(law, m, x);
-        default:
-            return r * expl(-steady_psi(law, m, x));
-    }
+        return x + log1pl(composite(law, m, x));
+    return steady_log_rate(law, m, x) -
+           (law_freezes(law) ? steady_psi(law, m, x) : 0);
 }
 
 struct response response_at(const struct law *law, const struct material *m,
@@ -87,15 +78,15 @@ struct response response_at(const struct law *law, const struct material *m,
         law->form == FRICTION_LOG
             ? 1
             : scalar_friction_slope(steady_mu_log(law, m, x) / a);
-    const long double frozen = law_freezes(law) ? steady_psi(law, m, x) : 0;
+    const long double rate = log_rate(law, m, x);
     const long double evolution =
         (long double) m->b * theta_slope(law, m, x) * state_slope(law, m, x);
 
     return (struct response){
         .slope = f * (a + evolution),
         .direct = f * a,
-        .rate = rate_of(law, m, x),
+        .rate = expl(rate),
         .slope_error = 16 * LDBL_EPSILON * f * (a + fabsl(evolution)),
-        .rate_error = 8 * LDBL_EPSILON * (1 + fabsl(x) + frozen),
+        .rate_error = 8 * LDBL_EPSILON * (1 + fabsl(x) + fabsl(rate)),
     };
 }

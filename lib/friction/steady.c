@@ -40,6 +40,12 @@ long double steady_psi(const struct law *law, const struct material *m,
     return ld_psi_ss(law, m, x);
 }
 
+long double steady_log_rate(const struct law *law, const struct material *m,
+                            long double x)
+{
+    return ld_log_rate(law, m, x);
+}
+
 long double steady_tau(const struct law *law, const struct material *m,
                        long double tan_alpha)
 {

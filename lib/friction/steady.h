@@ -19,6 +19,10 @@ long double steady_y(const struct law *law, const struct material *m,
 long double steady_psi(const struct law *law, const struct material *m,
                        long double x);
 
+/* ln(1/T(v)), without the -psi_ss of a state that freezes (law_freezes). */
+long double steady_log_rate(const struct law *law, const struct material *m,
+                            long double x);
+
 /* The mu_log at which mu = tan(alpha): steady states solve
  * steady_mu_log(x) = steady_tau. */
 long double steady_tau(const struct law *law, const struct material *m,

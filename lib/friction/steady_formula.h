@@ -109,21 +109,22 @@ static inline T NAME(tau)(const struct law *law, const struct material *m,
                : PLUS(tan_alpha, TIMES(a, FN(log)(LESS(0, less))));
 }
 
-/* ln(1/T(v)), for (45) without the -psi_ss */
+/* ln(1/T(v)), where it freezes without the -psi_ss */
 static T NAME(log_rate)(const struct law *law, const struct material *m, T x)
 {
+    const struct timescale_terms *t = law_timescale(law);
     const T r = NAME(inverse_R)(m);
+    T sum = t->ln_r ? TIMES(t->ln_r, FN(log)(r)) : PLAIN(0);
 
-    switch (law->timescale) {
-        case TIMESCALE_SLIP:
-            return x;
-        case TIMESCALE_SPINODAL:
-            return FN(log)(PLUS(r, FN(exp)(x)));
-        case TIMESCALE_AGEING44:
-            return LESS(FN(log)(r), FN(log)(NAME(psi_ss)(law, m, x)));
-        default:
-            return PLUS(FN(log)(r), law_freezes(law) ? PLAIN(0) : x);
-    }
+    if (t->ln_v)
+        sum = PLUS(sum, TIMES(t->ln_v, x));
+    if (t->ln_r_plus_v)
+        sum = PLUS(sum, TIMES(t->ln_r_plus_v, FN(log)(PLUS(r, FN(exp)(x)))));
+    if (t->ln_psi_ss)
+        sum = PLUS(sum, TIMES(t->ln_psi_ss, FN(log)(NAME(psi_ss)(law, m, x))));
+    if (t->psi_ss && !law_freezes(law))
+        sum = PLUS(sum, TIMES(t->psi_ss, NAME(psi_ss)(law, m, x)));
+    return sum;
 }
 
 /* Everything about the point x of the steady-state curve.  `equilibrium`: the
