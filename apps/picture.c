@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "draw.h"
+#include "eigen_frame.h"
 #include "panel.h"
 #include "physical.h"
 #include "picture_diagram.h"
@@ -25,19 +26,11 @@ struct picture {
     enum cell_field field;         /* shown now */
 };
 
-/* Eigenvectors as columns, both with x-component 1. */
-static struct mat2 eigen_basis_of(const struct equilibrium *e)
+/* Eigenvectors as columns, both with x-component 1: (x, y) = P (X, Y), (36). */
+static struct mat2 paper_basis(const struct equilibrium *e)
 {
-    const struct vec2 u = mat2_eigenvector(e->matrix, e->scaled[0]);
-    const struct vec2 w = mat2_eigenvector(e->matrix, e->scaled[1]);
-    return (struct mat2){ 1.0, 1.0, u.y / u.x, w.y / w.x };
-}
-
-/* (X, Y) with (x, y) = basis (X, Y), (36). */
-static struct vec2 eigen_from_chart(struct mat2 P, struct vec2 z)
-{
-    const double det = P.yy - P.yx;
-    return (struct vec2){ (P.yy * z.x - z.y) / det, (z.y - P.yx * z.x) / det };
+    const struct mat2 P = eigen_basis(e);
+    return (struct mat2){ 1.0, 1.0, P.yx / P.xx, P.yy / P.xy };
 }
 
 /* From (v, psi) to what the axes show; psi that is a logarithm as e^psi. */
@@ -57,7 +50,7 @@ static struct vec2 shown(const struct picture *p, struct vec2 z)
     const struct block *b = &p->s->block;
 
     if (p->axes == AXES_EIGEN)
-        return eigen_from_chart(p->basis, z);
+        return eigen_coordinates(p->basis, z);
     const double y = b->at.y0 + z.y;
     return shown_value(
         p,
@@ -402,7 +395,7 @@ static enum status draw_portrait(struct picture *p)
     enum status status;
 
     if (p->s->saddle >= 0)
-        p->basis = eigen_basis_of(&p->s->equilibrium[p->s->saddle]);
+        p->basis = paper_basis(&p->s->equilibrium[p->s->saddle]);
     else if (p->axes == AXES_EIGEN)
         p->axes = AXES_LOG; /* nothing to be eigen about */
     status = start_figure(p);
