@@ -145,7 +145,7 @@ static enum status fill(const struct simulation *s, const struct view *view,
         for (size_t i = 0; i < POINTS; i++) {
             const size_t at = p->runs * POINTS + i;
             p->x[at] = view->x_of(&s->study, &row[i]);
-            for (int c = 0; c < 2 && view->y_of[c].of; c++)
+            for (int c = 0; c < 2 && p->y[c]; c++)
                 p->y[c][at] = view->y_of[c].of(&s->study, &row[i]);
         }
         p->runs++;

@@ -3,10 +3,12 @@
  * rate of decay kappa at z: with u = kappa |ind - ind_z| the integrand is e^-u
  * times something smooth.  dep moves by the first-order approach
  * g0/kappa (1 - e^-u) meanwhile (one Picard iterate).  Error: the four-point
- * rule's difference, and what the slope makes of an approach that is off by as
- * much as the quadrature is from g0/kappa.  Nodes and weights: Abramowitz &
- * Stegun 25.4.45, here to 17 digits, weights times e^node.  Integrals may
- * decay much more slowly than the slope, which may be 0 in a double.
+ * rule's difference; up to the first node, what the rate at z is off from what
+ * the nodes make of it, for a kink may hide from them there; and what the slope
+ * makes of an approach that is off by as much as the quadrature is from
+ * g0/kappa.  Nodes and weights: Abramowitz & Stegun 25.4.45, here to 17 digits,
+ * weights times e^node.  Integrals may decay much more slowly than the slope,
+ * which may be 0 in a double.
  */
 #include "close.h"
 
@@ -14,7 +16,7 @@
 
 #include "tolerance.h"
 
-enum { FINE = 8, COARSE = 4 };
+enum { FINE = 8, COARSE = 4, FIRST = 4 };
 
 static const double fine_node[FINE] = {
     0.170279632305101,  0.90370177679937991, 2.2510866298661307,
@@ -26,6 +28,12 @@ static const double fine_weight[FINE] = {
     2.3769247017585995,  3.2085409133479263, 4.2685755108251322,
     5.8180833686719219,  8.9062262152922114
 };
+/* What the function p + q u + r u^2 + s e^-u through the first nodes is at 0:
+ * these times its values there, times e^node. */
+static const double at_0_weight[FIRST] = { 1.7451222082418316,
+                                           -1.602562468991497,
+                                           1.9806018321721914,
+                                           -2.2289649865523482 };
 static const double coarse_node[COARSE] = { 0.32254768961939231,
                                             1.7457611011583466,
                                             4.536620296921128,
@@ -121,32 +129,59 @@ static void rates_beyond(const struct approach *a, double distance,
     rates_at(a, local_point(a->ind, ind, dep), p);
 }
 
-static void quadrature(const struct approach *a, double kappa, size_t n,
-                       const double node[], const double weight[],
-                       struct tail_point *sum)
+/* Weights times the first n of p, over `unit`. */
+static void sum_up(const struct approach *a, size_t n, const double weight[],
+                   const struct tail_point p[], double unit,
+                   struct tail_point *sum)
 {
     *sum = (struct tail_point){ 0 };
     for (size_t k = 0; k < n; k++) {
-        struct tail_point p;
-        rates_beyond(a, node[k] / kappa, &p);
-        sum->unknown += weight[k] * p.unknown / kappa;
+        sum->unknown += weight[k] * p[k].unknown / unit;
         for (size_t i = 0; i < a->carry->count; i++)
-            sum->integral[i] += weight[k] * p.integral[i] / kappa;
+            sum->integral[i] += weight[k] * p[k].integral[i] / unit;
     }
 }
 
-static void both_rules(const struct approach *a, double kappa,
-                       struct tail_point *fine, struct tail_point *coarse)
+/* The same tail by two rules, and the rates at z as the fine one's nodes have
+ * it. */
+struct rules {
+    struct tail_point fine, coarse, at_0;
+};
+
+static void both_rules(const struct approach *a, double kappa, struct rules *r)
 {
-    quadrature(a, kappa, FINE, fine_node, fine_weight, fine);
-    quadrature(a, kappa, COARSE, coarse_node, coarse_weight, coarse);
+    struct tail_point p[FINE];
+
+    for (size_t k = 0; k < FINE; k++)
+        rates_beyond(a, fine_node[k] / kappa, &p[k]);
+    sum_up(a, FINE, fine_weight, p, kappa, &r->fine);
+    sum_up(a, FIRST, at_0_weight, p, 1.0, &r->at_0);
+    for (size_t k = 0; k < COARSE; k++)
+        rates_beyond(a, coarse_node[k] / kappa, &p[k]);
+    sum_up(a, COARSE, coarse_weight, p, kappa, &r->coarse);
+}
+
+static double miss(double fine, double coarse, double at_0, double first,
+                   double kappa)
+{
+    return fabs(fine - coarse) + fabs(at_0 - first) * fine_node[0] / kappa;
+}
+
+/* Integral i and its error by the rules. */
+static void take_integral(const struct approach *a, double kappa,
+                          const struct rules *r, size_t i, struct tail *t)
+{
+    t->integral[i] = r->fine.integral[i];
+    t->integral_error[i] =
+        miss(r->fine.integral[i], r->coarse.integral[i], r->at_0.integral[i],
+             a->first.integral[i], kappa);
 }
 
 /* Integral i by itself. */
 static void close_integral(const struct approach *a, size_t i, struct tail *t)
 {
     const double kappa = a->kappa.integral[i];
-    struct tail_point fine, coarse;
+    struct rules r;
 
     t->integral[i] = t->integral_error[i] = 0.0;
     if (kappa == HUGE_VAL)
@@ -155,26 +190,24 @@ static void close_integral(const struct approach *a, size_t i, struct tail *t)
         t->integral_error[i] = HUGE_VAL;
         return;
     }
-    both_rules(a, kappa, &fine, &coarse);
-    t->integral[i] = fine.integral[i];
-    t->integral_error[i] = fabs(fine.integral[i] - coarse.integral[i]);
+    both_rules(a, kappa, &r);
+    take_integral(a, kappa, &r, i, t);
 }
 
 /* The dependent coordinate, and the integrals that decay as it does. */
 static void close_unknown(const struct approach *a, struct tail *t)
 {
     const double kappa = a->kappa.unknown;
-    struct tail_point fine, coarse;
+    struct rules r;
 
-    both_rules(a, kappa, &fine, &coarse);
-    t->unknown = fine.unknown;
-    const double off = fabs(fine.unknown - a->first.unknown / kappa);
-    t->unknown_error =
-        fabs(fine.unknown - coarse.unknown) + off * a->stiffness / kappa;
-    for (size_t i = 0; i < a->carry->count; i++) {
-        t->integral[i] = fine.integral[i];
-        t->integral_error[i] = fabs(fine.integral[i] - coarse.integral[i]);
-    }
+    both_rules(a, kappa, &r);
+    t->unknown = r.fine.unknown;
+    const double off = fabs(r.fine.unknown - a->first.unknown / kappa);
+    t->unknown_error = miss(r.fine.unknown, r.coarse.unknown, r.at_0.unknown,
+                            a->first.unknown, kappa) +
+                       off * a->stiffness / kappa;
+    for (size_t i = 0; i < a->carry->count; i++)
+        take_integral(a, kappa, &r, i, t);
 }
 
 static bool is_alike(double kappa, double other)

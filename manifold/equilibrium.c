@@ -49,19 +49,21 @@ size_t equilibrium_find(const struct planar *sys,
 /* Whether the balance rises along the steady curve, as it does at a saddle. */
 static bool balance_rises(const struct planar *sys)
 {
-    const long double x = (long double) sys->origin.x, h = 1e-6L;
+    const long double x = (long double) sys->origin.x, hi = sys->steady->hi;
+    const long double h = x < hi ? fminl(1e-6L, (hi - x) / 2) : 1e-6L;
 
     return sys->steady->balance(sys->ctx, x - h) <
-           sys->steady->balance(sys->ctx, x + h);
+           sys->steady->balance(sys->ctx, fminl(x + h, hi));
 }
 
-/* An eigenvalue that is no fold's zero is one that left the doubles. */
+/* An eigenvalue that is no fold's zero is one that left the doubles; both may.
+ */
 static enum equilibrium_type type_of(const struct planar *sys,
                                      const struct eigen2 *e, bool fold)
 {
     if (fold)
         return EQUILIBRIUM_SADDLE_NODE;
-    if (e->re[0] < 0.0 && fabs(e->re[1]) < DBL_MIN && sys->steady)
+    if (e->re[0] <= 0.0 && fabs(e->re[1]) < DBL_MIN && sys->steady)
         return balance_rises(sys) ? EQUILIBRIUM_SADDLE
                                   : EQUILIBRIUM_STABLE_NODE;
     if (e->im > 0.0)

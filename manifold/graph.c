@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "tolerance.h"
+
 /* The series of both. */
 struct expansion {
     const struct planar *sys;
@@ -87,4 +89,31 @@ void graph_expand(const struct planar *sys, const struct carry *carry,
         }
         out[i].slope = e.slope[0][i];
     }
+}
+
+double graph_reach(const double u[], size_t order, double scale, double tol)
+{
+    const double goal = log(tol * scale);
+    double least = HUGE_VAL;
+
+    for (size_t k = order - 1; k <= order; k++)
+        if (u[k] != 0.0)
+            least = fmin(least, (goal - log(fabs(u[k]))) / (double) k);
+    return exp(least);
+}
+
+double graph_truncation(const double u[], size_t order, double s, double rate)
+{
+    const double off = fabs(jet_slope_at(order, u, s) - rate), h = fabs(s);
+    const double rounding = TOL_SLOPE_ROUNDING * (fabs(u[1]) + fabs(rate));
+    double top = 1.0, square = h;
+
+    for (size_t k = order - 1; k > 0; k >>= 1, square *= square)
+        top *= k & 1 ? square : 1.0;
+    const double last = top * (fabs(u[order - 1]) + h * fabs(u[order]));
+    const double next = off * h / (double) (order + 1);
+    const double most = TOL_STEP_BAR_MOST * last;
+    if (next > most && off > rounding)
+        return off * h;
+    return TOL_STEP_BAR_NEXT * fmin(next, most) + TOL_STEP_BAR_LAST * last;
 }

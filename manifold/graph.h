@@ -26,4 +26,14 @@ void graph_expand(const struct planar *sys, const struct carry *carry,
                   size_t order, const struct graph_start start[2],
                   struct graph_series out[2]);
 
+/* The s at which the last two terms of u fall to tol * scale; infinite where
+ * they are zero. */
+double graph_reach(const double u[], size_t order, double scale, double tol);
+
+/* What a step s along u may have cost, by u's derivative there against `rate`,
+ * what it should be: the first term left out is s/(order + 1) times what it is
+ * off; where that is zero by chance, a part of the last terms; where it is far
+ * more than these, and no rounding, the series knows nothing of a kink: all. */
+double graph_truncation(const double u[], size_t order, double s, double rate);
+
 #endif

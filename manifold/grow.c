@@ -56,6 +56,8 @@ struct grower {
     double unit;  /* of steps, a power of two; 1 but where a field changes over
                      far less (local.h) */
     double h;     /* step chosen, of s, positive */
+    double last;  /* length of the step before */
+    double kink;  /* slope that its series misses on the way */
     struct planar_jacobian end; /* the field at the end of the last step */
     struct outward out;         /* and what travels there */
     struct graph_series u;
@@ -107,6 +109,7 @@ static void choose_graph(struct grower *g)
     for (size_t i = 0; i < g->o->carry.count; i++) /* gone at another time */
         g->b->total_error[i] += fabs(g->out.swift[i]) * g->delta;
     g->toward = slope >= 0.0 ? g->toward : -g->toward;
+    g->last *= fabs(slope);
     g->ind = now;
     look_outward(g, g->z);
 }
@@ -141,29 +144,17 @@ static double scale_of_unknown(const struct grower *g)
     return g->ind == 0 ? x + y : fmax(x, fmin(rise, 1.0));
 }
 
-/* The step at which the last two terms of u fall to tol * scale. */
-static double step_for(const double u[], size_t order, double scale, double tol)
-{
-    const double goal = log(tol * scale);
-    double least = HUGE_VAL;
-
-    for (size_t k = order - 1; k <= order; k++)
-        if (u[k] != 0.0)
-            least = fmin(least, (goal - log(fabs(u[k]))) / (double) k);
-    return exp(least);
-}
-
 static void choose_step(struct grower *g)
 {
     const size_t order = g->o->order;
     const double free =
-        step_for(g->u.at[1 - g->ind], order, scale_of_unknown(g), g->tol);
+        graph_reach(g->u.at[1 - g->ind], order, scale_of_unknown(g), g->tol);
     double h = fmin(free, TOL_STEP_MAX); /* infinite where the curve is flat */
 
     for (size_t i = 0; i < g->o->carry.count; i++) {
         const double scale = fabs(g->total[i]) + fabs(g->u.integral[i][1]) * h;
         if (scale > TOL_INTEGRAL_NIL)
-            h = fmin(h, step_for(g->u.integral[i], order, scale, g->tol));
+            h = fmin(h, graph_reach(g->u.integral[i], order, scale, g->tol));
     }
     g->h = h;
 }
@@ -174,20 +165,56 @@ static struct vec2 step_end(const struct grower *g, double s)
     return local_point(g->ind, g->u.at[g->ind][0] + s * g->unit, dep);
 }
 
-/* The series' slope at the end of the step against the field's. */
-static bool step_holds(struct grower *g, struct vec2 end)
+/* How far the series' slope may be from the field's. */
+static double slope_allowed(const struct grower *g)
 {
-    const double s = g->toward * g->h;
+    return TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / (g->unit * g->h);
+}
+
+/* The series' slope at s against the field's there; *off: their difference. */
+static bool slope_holds(const struct grower *g, double s, double field,
+                        double *off)
+{
     const double slope =
         jet_slope_at(g->o->order, g->u.at[1 - g->ind], s) / g->unit;
+    const double rounding =
+        TOL_SLOPE_ROUNDING * (fabs(slope) + fabs(g->u.slope));
+
+    *off = fabs(slope - field);
+    return *off <= slope_allowed(g) + rounding;
+}
+
+/* Whether the step's end alone says little: the slope has faded to nothing
+ * there, past a kink or not, or is little anyway, or the step leaps. */
+static bool is_doubtful(const struct grower *g, double field)
+{
+    const double slope = fabs(g->u.slope);
+
+    return fabs(field) < TOL_SLOPE_FADED * slope ||
+           slope < TOL_SLOPE_LITTLE * slope_allowed(g) ||
+           g->unit * g->h > TOL_STEP_LEAP * g->last;
+}
+
+/* At the end of the step; where that says little on the way as well, and what
+ * is off there counts. */
+static bool step_holds(struct grower *g, struct vec2 end)
+{
+    static const double part[] = { 0.5, 0.75, 0.9 };
+    const double s = g->toward * g->h;
     g->sys->jacobian(g->sys->ctx, end, &g->end);
     const struct vec2 d = g->end.field.direction;
     const double field = g->ind == 0 ? d.y / d.x : d.x / d.y;
-    const double allowed =
-        TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / (g->unit * g->h);
-    const double rounding = 1e-13 * (fabs(slope) + fabs(g->u.slope));
+    double off;
 
-    return fabs(slope - field) <= allowed + rounding;
+    bool holds = slope_holds(g, s, field, &off);
+    g->kink = 0.0;
+    for (int i = 0; i < 3 && holds && is_doubtful(g, field); i++) {
+        const struct vec2 z = step_end(g, part[i] * s);
+        holds =
+            slope_holds(g, part[i] * s, local_slope(g->sys, g->ind, z), &off);
+        g->kink = fmax(g->kink, off);
+    }
+    return holds;
 }
 
 /* Shortens the step so that the independent coordinate stays in the domain;
@@ -206,28 +233,11 @@ static bool clip_to_domain(struct grower *g)
     return true;
 }
 
-/* What the truncation of u over the step may have cost: the first term left out
- * is h/(n + 1) times what its derivative by s is off at the end; where that is
- * zero by chance, a part of the last terms. */
-static double truncation(const struct grower *g, const double u[], double off)
-{
-    const size_t n = g->o->order;
-    double top = 1.0, square = g->h;
-
-    for (size_t k = n - 1; k > 0; k >>= 1, square *= square)
-        top *= k & 1 ? square : 1.0;
-    const double last = top * (fabs(u[n - 1]) + g->h * fabs(u[n]));
-    const double next =
-        fmin(fabs(off) * g->h / (double) (n + 1), TOL_STEP_BAR_MOST * last);
-    return TOL_STEP_BAR_NEXT * next + TOL_STEP_BAR_LAST * last;
-}
-
 /* The step to `end`: its own errors, and those before it carried along. */
 static void add_errors(struct grower *g, struct vec2 end)
 {
-    const double s = g->toward * g->h;
+    const double s = g->toward * g->h, unit = g->unit, way = g->h * unit;
     const size_t n = g->o->order;
-    const double unit = g->unit, way = g->h * unit;
     const struct outward before = g->out;
     look_outward(g, end);
     const double growth =
@@ -235,14 +245,12 @@ static void add_errors(struct grower *g, struct vec2 end)
 
     if (growth > 0.0)
         g->delta *= exp(fmin(growth, 50.0));
-    g->delta += truncation(g, g->u.at[1 - g->ind],
-                           jet_slope_at(n, g->u.at[1 - g->ind], s) -
-                               unit * g->out.slope);
+    g->delta +=
+        graph_truncation(g->u.at[1 - g->ind], n, s, unit * g->out.slope) +
+        way * g->kink;
     for (size_t i = 0; i < g->o->carry.count; i++)
         g->b->total_error[i] +=
-            truncation(g, g->u.integral[i],
-                       jet_slope_at(n, g->u.integral[i], s) -
-                           unit * g->out.swift[i]) +
+            graph_truncation(g->u.integral[i], n, s, unit * g->out.swift[i]) +
             way * g->delta *
                 fmax(fabs(before.swift_d[i]), fabs(g->out.swift_d[i]));
 }
@@ -281,6 +289,7 @@ static void advance(struct grower *g)
     const double s = g->toward * g->h;
 
     g->z = step_end(g, s);
+    g->last = g->unit * g->h;
     for (size_t i = 0; i < g->o->carry.count; i++)
         g->total[i] += jet_at(g->o->order, g->u.integral[i], s);
     if (g->unit < 1.0) /* as long as the last step, which powers of 2 keep */
@@ -410,6 +419,7 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
     g->sys->jacobian(g->sys->ctx, g->z, &g->end);
     g->ind = u->ind;
     g->toward = side;
+    g->last = HUGE_VAL;
     g->out = (struct outward){ 0 };
     look_outward(g, g->z);
     g->delta = g->b->curve.piece[0].error = u->tail;

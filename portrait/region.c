@@ -143,7 +143,8 @@ static void seed_band(struct regions *r, const struct band *band,
         return;
     seed_row(r, band, middle, left, right, c);
     for (int i = 1; i < SEED_ROWS && isfinite(lo) && isfinite(hi); i++) {
-        const double part = (double) ((i + 1) / 2) / (SEED_ROWS + 1);
+        const int pair = (i + 1) / 2;
+        const double part = (double) pair / (SEED_ROWS + 1);
         const double y = middle + (i % 2 ? part : -part) * (hi - lo);
         seed_row(r, band, y, left, right, c);
     }

@@ -104,6 +104,25 @@ static void cells_say_nothing_none_a_number_or_a_word(void **state)
     table_free(&t);
 }
 
+/* Were its power to wrap around, any number would agree with it. */
+static void a_power_beyond_all_bounds_is_no_tolerance_of_everything(
+    void **state)
+{
+    static const char text[] = "law,alpha,v_plus\n"
+                               "ruina,0.3,1.25e-99999999999999999999\n";
+    struct table t;
+    struct stated s;
+    struct fault why;
+
+    (void) state;
+    assert_int_equal(table_parse(&t, text, strlen(text), "t.csv", &why),
+                     STATUS_OK);
+    assert_int_equal(stated_read(&s, &t, &why), STATUS_OK);
+    assert_true(stated_at(&s, 0, 0).printed == 0.0);
+    stated_free(&s);
+    table_free(&t);
+}
+
 static void a_row_asks_for_no_more_than_it_states(void **state)
 {
     static const char text[] = "law,alpha,v_plus,v,v_M,dlnvplus_dalpha\n"
@@ -133,6 +152,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cells_say_nothing_none_a_number_or_a_word),
+        cmocka_unit_test(
+            a_power_beyond_all_bounds_is_no_tolerance_of_everything),
         cmocka_unit_test(a_row_asks_for_no_more_than_it_states),
         cmocka_unit_test(what_makes_no_sense_is_refused_in_one_line),
     };

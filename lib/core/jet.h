@@ -50,9 +50,10 @@ extern const double jet_number[JET_SIZE], jet_inverse[JET_SIZE];
 /* sum_{j=0}^{n-1} u[j] v[-j], in two parts that do not wait for each other */
 static inline jet_pair jet_sum(size_t n, const jet_pair *u, const jet_pair *v)
 {
+    const jet_pair *const fours = u + (n & ~(size_t) 3);
     jet_pair even = { 0 }, odd = { 0 };
 
-    for (; n >= 4; n -= 4, u += 4, v -= 4) {
+    for (; u != fours; u += 4, v -= 4) {
         even += u[0] * v[0];
         odd += u[1] * v[-1];
         even += u[2] * v[-2];
@@ -78,13 +79,9 @@ static inline jet_pair jet_product(size_t k, const jet_pair u[],
 /* sum_{j=0}^{k} u[j] u[k-j] */
 static inline jet_pair jet_square(size_t k, const jet_pair u[])
 {
-    jet_pair sum = { 0 };
+    const jet_pair twice = 2.0 * jet_sum((k + 1) / 2, u, u + k);
 
-    for (size_t j = 1; 2 * j < k; j++)
-        sum += u[j] * u[k - j];
-    if (k > 0)
-        sum += u[0] * u[k];
-    return k % 2 == 0 ? 2.0 * sum + u[k / 2] * u[k / 2] : 2.0 * sum;
+    return k % 2 == 0 ? twice + u[k / 2] * u[k / 2] : twice;
 }
 
 /* Coefficient k of the integral of u' v, k > 0, given du[j] = j u[j]; one term

@@ -56,6 +56,14 @@
 /* A step is kept when the series' slope agrees with the field's at its end to
  * this many times its tolerance: a derivative loses a factor of the order. */
 #define TOL_SLOPE_CHECK 300.0
+/* What rounding does to slopes, relative. */
+#define TOL_SLOPE_ROUNDING 1e-13
+/* A step's end says little where the slope is below FADED of that at its start,
+ * where that is below LITTLE times what is allowed, and where the step is LEAP
+ * times as long as the one before: by chance its last terms may vanish. */
+#define TOL_SLOPE_FADED  0.1
+#define TOL_SLOPE_LITTLE 100.0
+#define TOL_STEP_LEAP    1.5
 /* Slope |dy/dx| above which x becomes the unknown, and below which y does
  * again: apart, so that the choice does not flip back and forth. */
 #define TOL_SLOPE_STEEP 4.0

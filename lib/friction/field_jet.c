@@ -68,7 +68,7 @@ static inline jet_pair part(jet_pair r, jet_pair u)
 {
     union {
         jet_pair value;
-        __typeof__(r == r) bits;
+        __typeof__(r == u) bits;
     } product = { .value = r * u };
 
     product.bits &= r != JET_PAIR(0.0);
@@ -156,12 +156,12 @@ static inline void jet_difference(struct jet_ctx *c, double p,
     EACH(ew[0], scalar_exp(p, w[0][i]));
 }
 
-/* w' = p u' with the logistic p, p' = p (1 - p) u' */
+/* w' = p u' with the logistic p, p' = (1 - p) w' */
 static inline void jet_log1p_expm1(struct jet_ctx *c, double r, double s,
                                    const jet_pair *u, jet_pair *out)
 {
     VAR(p);
-    VAR(slope);
+    VAR(rest);
     const size_t k = c->k;
 
     if (s == 0.0) {
@@ -169,15 +169,18 @@ static inline void jet_log1p_expm1(struct jet_ctx *c, double r, double s,
         return;
     }
     const jet_pair *du = jet_derivative(c, u);
-    if (k > 0) {
+    if (k == 0) {
+        EACH(out[0], scalar_log1p_expm1(r, s, u[0][i]));
+        EACH(p[0], scalar_logistic(r, s, u[0][i]));
+        EACH(rest[0], scalar_logistic_rest(r, s, u[0][i]));
+    } else {
         out[k] = jet_chain(c->work, k, u, du, p);
-        p[k] = jet_chain(c->work, k, u, du, slope);
-        slope[k] = p[k] - jet_square(k, p);
-        return;
     }
-    EACH(out[0], scalar_log1p_expm1(r, s, u[0][i]));
-    EACH(p[0], scalar_logistic(r, s, u[0][i]));
-    EACH(slope[0], p[0][i] * scalar_logistic_rest(r, s, u[0][i]));
+    const jet_pair *dw = jet_derivative(c, out);
+    if (k > 0) {
+        p[k] = jet_chain(c->work, k, out, dw, rest);
+        rest[k] = -p[k];
+    }
 }
 
 /* s' = c u', c' = s u'; as e^(2u) - 1 over e^u, coefficient k would lose a
@@ -197,27 +200,29 @@ static inline void jet_sinh(struct jet_ctx *c, const jet_pair *u, jet_pair *out)
     EACH(even[0], scalar_cosh(u[0][i]));
 }
 
-/* m = asinh(e^w/2): m' = t w', t = tanh m, t' = t b w', b = 1 - t^2 */
+/* m = asinh(e^w/2): m' = t w', t = tanh m, t' = b m', b = 1 - t^2 */
 static inline void jet_friction(struct jet_ctx *c, double a, double w0,
                                 double q0, const jet_pair *u, jet_pair *out)
 {
+    VAR(m);
     VAR(t);
     VAR(b);
-    VAR(tb);
     const jet_pair *du = jet_derivative(c, u);
     const size_t k = c->k;
 
-    if (k > 0) {
-        out[k] = a * jet_chain(c->work, k, u, du, t);
-        t[k] = jet_chain(c->work, k, u, du, tb);
-        b[k] = -jet_square(k, t);
-        tb[k] = jet_product(k, t, b);
-        return;
+    if (k == 0) {
+        EACH(m[0], scalar_friction(w0, q0, u[0][i]));
+        EACH(b[0], scalar_friction_bend(w0 + u[0][i]));
+        EACH(t[0], scalar_friction_slope(w0 + u[0][i]));
+    } else {
+        m[k] = jet_chain(c->work, k, u, du, t);
     }
-    EACH(out[0], a * scalar_friction(w0, q0, u[0][i]));
-    EACH(b[0], scalar_friction_bend(w0 + u[0][i]));
-    EACH(t[0], scalar_friction_slope(w0 + u[0][i]));
-    tb[0] = t[0] * b[0];
+    const jet_pair *dm = jet_derivative(c, m);
+    if (k > 0) {
+        t[k] = jet_chain(c->work, k, m, dm, b);
+        b[k] = -jet_square(k, t);
+    }
+    out[k] = a * m[k];
 }
 
 /* jet_product() is core's sum; the formulas' product stores it. */

@@ -61,6 +61,8 @@ struct timescale_terms {
     int ln_psi_ss;
     int psi_ss; /* -1 or 0 */
 };
+
+/* By enum timescale. */
 extern const struct timescale_terms timescale_terms[TIMESCALES];
 
 /* How: dpsi/dt = -K(psi - psi_ss)/T. */
@@ -121,6 +123,7 @@ static inline bool law_psi_is_log(const struct law *law)
     return law->theta == THETA_PSI;
 }
 
+/* Those of the law's T. */
 static inline const struct timescale_terms *law_timescale(const struct law *law)
 {
     return &timescale_terms[law->timescale];

@@ -38,7 +38,6 @@ static struct rules rules_of(bool quick)
 struct job {
     const struct workprec_course *course;
     const struct workprec_kit *kit;
-    const struct workprec_start *start;
     struct workprec_entrant who;
     enum workprec_quantity what;
     double rtol;
@@ -51,8 +50,8 @@ static void work(void *ctx)
     const struct job *j = ctx;
 
     if (j->who.stepper)
-        workprec_track(j->course, j->what, j->who.stepper, j->rtol, j->start,
-                       j->calls, j->answer);
+        workprec_track(j->course, j->what, j->who.stepper, j->rtol, j->calls,
+                       j->answer);
     else
         workprec_own_run(j->course, j->kit, j->who.own, j->what, j->rtol,
                          j->answer);
@@ -126,8 +125,7 @@ static enum status race(struct job *j, const struct rules *r, double overhead,
 
 /* All methods on one quantity. */
 static enum status race_for(struct workprec *w, const struct rules *r,
-                            const struct workprec_start start[], struct job *j,
-                            const struct monitor *monitor)
+                            struct job *j, const struct monitor *monitor)
 {
     const char *stage = workprec_quantity_names[j->what];
     struct workprec_entrant who;
@@ -141,7 +139,6 @@ static enum status race_for(struct workprec *w, const struct rules *r,
         j->who = who;
         for (size_t k = 0; k < r->rungs && s == STATUS_OK; k++) {
             j->rtol = r->rtol[k];
-            j->start = &start[k];
             s = race(j, r, w->environment.clock_overhead, &w->run[w->runs]);
             w->runs += s == STATUS_OK;
         }
@@ -153,19 +150,16 @@ static enum status race_all(struct workprec *w, const struct rules *r,
                             const struct workprec_kit *kit,
                             const struct monitor *monitor)
 {
-    struct workprec_start start[LADDER_MOST];
     struct workprec_answer *answer = calloc(1, sizeof *answer);
     struct job j = {
         .course = &w->course, .kit = kit, .calls = r->calls, .answer = answer
     };
     enum status s = answer ? STATUS_OK : STATUS_NO_MEMORY;
 
-    for (size_t k = 0; k < r->rungs && s == STATUS_OK; k++)
-        s = workprec_start_find(&w->course, r->rtol[k], &start[k]);
     for (int q = 0; q < WORKPREC_QUANTITIES && s == STATUS_OK; q++) {
         j.what = (enum workprec_quantity) q;
         if (w->course.reason[q] == NULL)
-            s = race_for(w, r, start, &j, monitor);
+            s = race_for(w, r, &j, monitor);
     }
     free(answer);
     return s;

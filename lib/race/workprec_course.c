@@ -16,8 +16,8 @@ const char *const workprec_quantity_texts[] = {
     "v_plus, relative",
     "v_minus, relative",
     "x_excess, relative",
-    "both branches within the window: largest distance of a stored point from "
-    "the curve, in ln v and ln psi",
+    ("both branches within the window: largest distance of a stored point from "
+     "the curve, in ln v and ln psi"),
     "an orbit's state at a time: ln v, ln psi",
     "where both branches cut rows of a basin map: ln v",
     "slip of some states to their arrest, relative",

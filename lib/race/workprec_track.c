@@ -21,17 +21,23 @@ struct track {
     struct workprec_answer *out;
 };
 
-enum status workprec_start_find(const struct workprec_course *c, double tol,
-                                struct workprec_start *out)
-{
-    const struct carry carry = { { BLOCK_EXCESS }, 1 };
-    struct local_series u;
-    const enum status s =
-        local_at(&c->study->system, c->saddle, MANIFOLD_STABLE, &carry,
-                 grow_order(tol), WORKPREC_MISSED * tol, &u);
+/* Points of both branches on the saddle's series where that is good to a
+ * hundredth of the tolerance, with the excess slip from the saddle to there. */
+struct start {
+    struct vec2 z[WORKPREC_SIDES];
+    struct vec2 near[WORKPREC_SIDES]; /* before the first row */
+    double excess;
+};
 
-    if (s != STATUS_OK)
-        return s;
+static bool find_start(const struct workprec_course *c,
+                       enum workprec_quantity q, double tol, struct start *out)
+{
+    const struct carry carry = { { BLOCK_EXCESS }, q == WORKPREC_X_EXCESS };
+    struct local_series u;
+
+    if (local_at(&c->study->system, c->saddle, MANIFOLD_STABLE, &carry,
+                 grow_order(tol), WORKPREC_MISSED * tol, &u) != STATUS_OK)
+        return false;
     const int up = u.ind == 0 || u.c[1] > 0.0 ? 1 : -1;
     const double near = fmin(u.radius, 0.5 * WORKPREC_ROW_NEAREST / u.unit);
     for (int i = 0; i < WORKPREC_SIDES; i++) {
@@ -39,8 +45,9 @@ enum status workprec_start_find(const struct workprec_course *c, double tol,
         out->z[i] = local_series_at(&u, way * u.radius);
         out->near[i] = local_series_at(&u, way * near);
     }
-    out->excess = jet_at(u.order, u.integral[0], up * u.radius);
-    return STATUS_OK;
+    out->excess =
+        carry.count ? jet_at(u.order, u.integral[0], up * u.radius) : 0.0;
+    return true;
 }
 
 /* ---- steps ----------------------------------------------------------- */
@@ -137,7 +144,7 @@ static bool begin_branch(struct track *t, struct vec2 z, double excess)
 }
 
 static void find_limit(struct track *t, enum workprec_quantity q,
-                       const struct workprec_start *start)
+                       const struct start *start)
 {
     const int side = q == WORKPREC_V_MINUS ? SIDE_LOWER : SIDE_UPPER;
     bool good = begin_branch(t, start->z[side], start->excess);
@@ -159,7 +166,7 @@ static bool in_reach(const struct track *t)
     return box_holds(t->c->reach, (struct vec2){ t->u[0], t->u[1] });
 }
 
-static void find_curve(struct track *t, const struct workprec_start *start)
+static void find_curve(struct track *t, const struct start *start)
 {
     struct workprec_answer *a = t->out;
 
@@ -196,8 +203,7 @@ static bool is_crossed(const struct track *t, const double *row)
 }
 
 /* Where one branch cuts its rows, which come one after another. */
-static bool cut_branch(struct track *t, const struct workprec_start *start,
-                       int side)
+static bool cut_branch(struct track *t, const struct start *start, int side)
 {
     const struct workprec_cuts *cuts = &t->c->truth.cuts[side];
     double *x = &t->out->value[side * WORKPREC_ROWS_MOST];
@@ -216,7 +222,7 @@ static bool cut_branch(struct track *t, const struct workprec_start *start,
     return good;
 }
 
-static void find_rows(struct track *t, const struct workprec_start *start)
+static void find_rows(struct track *t, const struct start *start)
 {
     t->out->success = true;
     for (int side = 0; side < WORKPREC_SIDES && t->out->success; side++)
@@ -286,9 +292,23 @@ static void find_slips(struct track *t)
             slip_of(t, vec2_sub(t->c->cell[k], o), &t->out->value[k]);
 }
 
+static void find_branches(struct track *t, enum workprec_quantity q)
+{
+    struct start start;
+
+    t->out->success = false;
+    if (!find_start(t->c, q, t->tol, &start))
+        return;
+    if (q == WORKPREC_CURVE)
+        find_curve(t, &start);
+    else if (q == WORKPREC_ROWS)
+        find_rows(t, &start);
+    else
+        find_limit(t, q, &start);
+}
+
 void workprec_track(const struct workprec_course *c, enum workprec_quantity q,
-                    const struct method *m, double tol,
-                    const struct workprec_start *start, size_t calls_most,
+                    const struct method *m, double tol, size_t calls_most,
                     struct workprec_answer *out)
 {
     const struct planar *sys = &c->study->system;
@@ -300,21 +320,10 @@ void workprec_track(const struct workprec_course *c, enum workprec_quantity q,
     t.system.calls_most = calls_most;
     out->calls = out->steps = 0;
     out->reported = (double) NAN;
-    switch (q) {
-        case WORKPREC_CURVE:
-            find_curve(&t, start);
-            break;
-        case WORKPREC_TRANSIENT:
-            find_state(&t);
-            break;
-        case WORKPREC_ROWS:
-            find_rows(&t, start);
-            break;
-        case WORKPREC_SLIP:
-            find_slips(&t);
-            break;
-        default:
-            find_limit(&t, q, start);
-            break;
-    }
+    if (q == WORKPREC_TRANSIENT)
+        find_state(&t);
+    else if (q == WORKPREC_SLIP)
+        find_slips(&t);
+    else
+        find_branches(&t, q);
 }

@@ -101,7 +101,7 @@ void text_show_end(const char *text, char *out, size_t size)
     }
     while (whole + 3 >= size)
         whole -= show_character(&text, one);
-    memcpy(out, "...", 3);
+    strcpy(out, "...");
     text_show(text, out + 3, size - 3);
 }
 

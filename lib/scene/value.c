@@ -427,7 +427,8 @@ static enum status read_start(const struct schema_key *key,
     if (n->kind != NODE_MAP)
         return refuse(key, n, why);
     for (size_t i = 0; i < n->count; i++)
-        if (strcmp(n->child[i]->key, "v") && strcmp(n->child[i]->key, "psi"))
+        if (strcmp(n->child[i]->key, "v") != 0 &&
+            strcmp(n->child[i]->key, "psi") != 0)
             return unknown_in_start(key, n->child[i], why);
     const struct node *v = node_find(n, "v"), *psi = node_find(n, "psi");
     if (v == NULL || psi == NULL)

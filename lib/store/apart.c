@@ -36,14 +36,15 @@ static enum status blame(const char *path, const char *what, const char *reason,
 /* Bytes of address space in use, of which sanitizers reserve terabytes. */
 static rlim_t in_use(void)
 {
-    unsigned long long pages = 0;
+    char pages[200] = "";
     FILE *file = fopen("/proc/self/statm", "r");
 
-    if (file == NULL || fscanf(file, "%llu", &pages) != 1)
-        pages = 0;
-    if (file != NULL)
-        fclose(file);
-    return pages * (rlim_t) sysconf(_SC_PAGESIZE);
+    if (file == NULL)
+        return 0;
+    if (fgets(pages, sizeof pages, file) == NULL)
+        pages[0] = '\0';
+    fclose(file);
+    return strtoull(pages, NULL, 10) * (rlim_t) sysconf(_SC_PAGESIZE);
 }
 
 static void limit_memory(void)
@@ -146,10 +147,11 @@ static enum status blame_death(const char *path, int how, struct fault *why)
 static enum status judge(struct answer *a, const char *path, int how,
                          struct fault *why)
 {
-    struct ending e = { .status = STATUS_IO };
+    struct ending e;
 
-    if (a->size >= sizeof e)
-        memcpy(&e, a->bytes + a->size - sizeof e, sizeof e);
+    if (a->bytes == NULL || a->size < sizeof e)
+        return blame_death(path, how, why);
+    memcpy(&e, a->bytes + a->size - sizeof e, sizeof e);
     if (memcmp(e.mark, mark, sizeof mark) != 0)
         return blame_death(path, how, why);
     a->size -= sizeof e;

@@ -68,7 +68,7 @@ static void put_meanings(struct store *st, hid_t set, const char *const *codes)
     size_t count = 0, length = 1;
     char *words;
 
-    for (; codes[count] != NULL && count < CODES_MAX; count++) {
+    for (; count < CODES_MAX && codes[count] != NULL; count++) {
         value[count] = (int8_t) count;
         length += strlen(codes[count]) + 1;
     }

@@ -21,25 +21,35 @@ static const char preface[] =
 static void add(struct baseline *b, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+static bool make_room(struct baseline *b, size_t size)
+{
+    const size_t need = b->size + size + 1;
+
+    if (b->full || need <= b->room)
+        return !b->full;
+    char *more = realloc(b->text, 2 * need);
+    if (more == NULL) {
+        b->full = true;
+        return false;
+    }
+    b->text = more;
+    b->room = 2 * need;
+    return true;
+}
+
 static void add(struct baseline *b, const char *format, ...)
 {
-    char text[512];
     va_list list;
 
     va_start(list, format);
-    const int size = vsnprintf(text, sizeof text, format, list);
+    const int size = vsnprintf(NULL, 0, format, list);
     va_end(list);
-    const size_t need = b->size + (size_t) size + 1;
-    if (need > b->room && !b->full) {
-        char *more = realloc(b->text, 2 * need);
-        b->full = more == NULL;
-        b->text = more ? more : b->text;
-        b->room = more ? 2 * need : b->room;
-    }
-    if (b->full)
+    if (size < 0 || !make_room(b, (size_t) size))
         return;
-    memcpy(b->text + b->size, text, (size_t) size + 1);
-    b->size += (size_t) size;
+    va_start(list, format);
+    b->size +=
+        (size_t) vsnprintf(b->text + b->size, b->room - b->size, format, list);
+    va_end(list);
 }
 
 /* With a decimal point whatever the locale. */

@@ -105,7 +105,7 @@ static void shake(const struct study *s, struct vec2 z, double near, double tol,
 
     if (s->saddle < 0)
         return;
-    const double stay = 1.0 / s->equilibrium[s->saddle].lambda[1];
+    const double stay = 1.0 / fabs(s->equilibrium[s->saddle].lambda[1]);
     const double way = part * fmin(stay * s->block.at.v0, slip->value);
     r->of[CELL_TIME].error += part * fmin(stay, r->of[CELL_TIME].value);
     slip->error += way;

@@ -4,8 +4,10 @@
 
 #include "study_tolerance.h"
 
-double crest_between(double (*value)(const void *ctx, double t),
-                     const void *ctx, double lo, double hi, double width)
+/* As crest_between; *at: where. */
+static double between(double (*value)(const void *ctx, double t),
+                      const void *ctx, double lo, double hi, double width,
+                      double *at)
 {
     const double part = 0.5 * (sqrt(5.0) - 1.0);
     double left = hi - part * (hi - lo), right = lo + part * (hi - lo);
@@ -26,19 +28,33 @@ double crest_between(double (*value)(const void *ctx, double t),
             at_right = value(ctx, right);
         }
     }
+    *at = at_left > at_right ? left : right;
     return fmax(at_left, at_right);
 }
 
-double crest_of(double (*value)(const void *ctx, double t), const void *ctx)
+double crest_between(double (*value)(const void *ctx, double t),
+                     const void *ctx, double lo, double hi, double width)
+{
+    double at;
+
+    return between(value, ctx, lo, hi, width, &at);
+}
+
+double crest_of(double (*value)(const void *ctx, double t), const void *ctx,
+                double *at)
 {
     const double stride = 1.0 / TOL_CREST_SAMPLES;
-    double best = value(ctx, 0.0), at = 0.0;
+    double best = value(ctx, 0.0), where = 0.0, nearer;
 
     for (int i = 1; i <= TOL_CREST_SAMPLES; i++) {
         const double here = value(ctx, i * stride);
-        at = here > best ? i * stride : at;
+        where = here > best ? i * stride : where;
         best = fmax(best, here);
     }
-    return fmax(best, crest_between(value, ctx, fmax(at - stride, 0.0),
-                                    fmin(at + stride, 1.0), TOL_CREST_WIDTH));
+    const double top =
+        between(value, ctx, fmax(where - stride, 0.0),
+                fmin(where + stride, 1.0), TOL_CREST_WIDTH, &nearer);
+    if (at)
+        *at = top > best ? nearer : where;
+    return fmax(best, top);
 }

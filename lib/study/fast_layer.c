@@ -61,13 +61,28 @@ struct walk {
 
 enum { COEFS = EXPLICIT8_DEGREE + 1, LAST = 12 };
 
+/* A number of a point of the orbit. */
+typedef double point_value(const struct block *b, struct vec2 z);
+
+static double x_of(const struct block *b, struct vec2 z)
+{
+    (void) b;
+    return z.x;
+}
+
+static double mu_of(const struct block *b, struct vec2 z)
+{
+    return block_mu(b, z);
+}
+
 /* A step's polynomial. */
 struct arc {
     const struct block *block;
+    point_value *value;
     double coef[LAYER_DIM * COEFS];
 };
 
-static double mu_on(const void *ctx, double t)
+static double on_arc(const void *ctx, double t)
 {
     const struct arc *a = ctx;
     const double *c = a->coef;
@@ -75,32 +90,74 @@ static double mu_on(const void *ctx, double t)
 
     for (int j = COEFS; j-- > 0;)
         z = (struct vec2){ z.x * t + c[j], z.y * t + c[COEFS + j] };
-    return block_mu(a->block, z);
+    return a->value(a->block, z);
 }
 
-static double x_on(const void *ctx, double t)
+static double at_point(const struct arc *a, const double u[])
 {
-    const struct arc *a = ctx;
-    double x = 0.0;
-
-    for (int j = COEFS; j-- > 0;)
-        x = x * t + a->coef[j];
-    return x;
+    return a->value(a->block, (struct vec2){ u[LAYER_X], u[LAYER_Y] });
 }
 
-/* On the step to u1, whose ends are seen anyway: v has a peak where it rises at
- * first and falls at last, mu may have one anywhere. */
-static void find_peaks(struct walk *w, const double u1[])
+/* Whether it rises along the orbit. */
+static bool is_rising(const struct arc *a, const double u[], const double du[])
 {
-    struct arc a = { &w->at.curve->study->block, { 0.0 } };
-    const double *from = w->work.k[0], *to = w->work.k[LAST];
+    const double ahead[2] = { u[LAYER_X] + TOL_LAYER_AHEAD * du[LAYER_X],
+                              u[LAYER_Y] + TOL_LAYER_AHEAD * du[LAYER_Y] };
+
+    return at_point(a, ahead) > at_point(a, u);
+}
+
+/* The largest value on the step to u1, if above what is known already.  At
+ * corners polynomials are worse than steps: a shorter step to their peak tells,
+ * and on which side of it to look again. */
+static double top_of(const struct walk *w, point_value *value,
+                     const double u1[], double known)
+{
+    const struct landing *l = &w->at;
+    const double tol = l->options.rtol, atol[LAYER_DIM] = { tol, tol, 1., 1. };
+    struct explicit8 work = w->work;
+    struct arc a = { &l->curve->study->block, value, { 0.0 } };
+    double u[LAYER_DIM], end[LAYER_DIM], mid[LAYER_DIM], error[LAYER_DIM];
+    double h = w->h, t, best = fmax(known, at_point(&a, u1));
+
+    memcpy(u, l->u, sizeof u);
+    memcpy(end, u1, sizeof end);
+    for (int i = 0; i < TOL_LAYER_TOPS; i++) {
+        explicit8_dense(&work, &w->ode, 0.0, u, h, end, a.coef);
+        const double top = crest_of(on_arc, &a, &t);
+        if (!(top > best))
+            break;
+        explicit8_try(&work, &w->ode, 0.0, u, t * h, atol, tol, mid, error);
+        const double here = at_point(&a, mid);
+        best = fmax(best, here);
+        if (fabs(here - top) <= tol)
+            break;
+        along(l->curve->study, 0.0, mid, work.k[LAST]);
+        if (is_rising(&a, mid, work.k[LAST])) {
+            memcpy(u, mid, sizeof u);
+            memcpy(work.k[0], work.k[LAST], sizeof work.k[0]);
+            h *= 1.0 - t;
+            explicit8_try(&work, &w->ode, 0.0, u, h, atol, tol, end, error);
+        } else {
+            memcpy(end, mid, sizeof end);
+            h *= t;
+        }
+    }
+    return best;
+}
+
+/* On the step to u1: v has a peak where it rises at first and falls at last, mu
+ * may have one anywhere. */
+static void find_peaks(const struct walk *w, const double u1[])
+{
     struct layer *const out = w->at.out;
+    double du1[LAYER_DIM];
 
-    explicit8_dense(&w->work, &w->ode, 0.0, w->at.u, w->h, u1, a.coef);
+    along(w->at.curve->study, 0.0, u1, du1);
     out->x_peak = fmax(out->x_peak, u1[LAYER_X]);
-    if (from[LAYER_X] > 0.0 && to[LAYER_X] <= 0.0)
-        out->x_peak = fmax(out->x_peak, crest_of(x_on, &a));
-    out->mu_peak = fmax(out->mu_peak, crest_of(mu_on, &a));
+    if (w->work.k[0][LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0)
+        out->x_peak = top_of(w, x_of, u1, out->x_peak);
+    out->mu_peak = top_of(w, mu_of, u1, out->mu_peak);
 }
 
 /* The estimates of order 5 over their tolerances, root mean square. */

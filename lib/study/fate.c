@@ -183,7 +183,7 @@ static struct rest rest_of(const struct study *s, const struct orbit *o,
     if (fate != FATE_REST_ASYMPTOTIC)
         return (struct rest){ 0.0, 0.0 };
     const double more = -power_of_time(o, TOL_FADE_PART, 1.0) - 1.0;
-    const bool grows = more * log(t) < TOL_FADE_LOGARITHM;
+    const bool grows = !(more > 0.0) || more * log(t) < TOL_FADE_LOGARITHM;
     return (struct rest){ HUGE_VAL, grows ? HUGE_VAL : v * t / more };
 }
 

@@ -113,8 +113,11 @@ static bool enters(struct landing *l, const struct door *door, double *most)
         return !(door->way > TOL_LAYER_GRAZE + TOL_LAYER_CORNER * wrong);
     }
     *most = door->way / closing;
-    if (fabs(*most) > TOL_LAYER_FACE)
+    if (fabs(*most) > TOL_LAYER_FACE) {
+        if (l->options.peaks && door->way > 0.0)
+            *most *= TOL_LAYER_SHORT; /* or it sees peaks beyond */
         return false;
+    }
     arrive(l, door, closing);
     return true;
 }
@@ -288,21 +291,21 @@ static bool runs(struct landing *l, bool may_land)
 
 /* Whether v still rises to a curve along which it falls: its peak is between.
  */
-static bool is_rising(const struct landing *l, double x_slope)
+static bool is_rising(const struct landing *l)
 {
     struct slow_point p;
 
     return l->options.peaks && l->du[LAYER_X] > 0.0 &&
-           table_at(l, l->u[LAYER_Y], &p) && x_slope * p.time_slope > 0.0;
+           table_at(l, l->u[LAYER_Y], &p) && p.x_peak <= p.x;
 }
 
 /* Whether it has landed, d from the curve.  If not, *aim: how near to come. */
-static bool lands(struct landing *l, double d, double x_slope, double *aim)
+static bool lands(struct landing *l, double d, double *aim)
 {
     struct slow_point p;
     double y, off, excess = 1.0;
 
-    if (is_rising(l, x_slope)) {
+    if (is_rising(l)) {
         *aim = fmin(*aim, TOL_LAYER_RISE * fabs(d));
         return false;
     }
@@ -326,7 +329,7 @@ bool landing_is_over(struct landing *l, double *most)
     if (rests(l) || runs(l, beside))
         return true;
     const double d = l->u[LAYER_X] - x;
-    if (beside && door.way > 0.0 && lands(l, d, x_slope, &aim))
+    if (beside && door.way > 0.0 && lands(l, d, &aim))
         return true;
     if (door.way < TOL_LAYER_BESIDE)
         return enters(l, &door, most);

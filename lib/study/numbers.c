@@ -22,7 +22,8 @@ double numbers_cancellation(const struct equilibrium *e)
                       : (fabs(m.xx * m.yy) + fabs(m.xy * m.yx)) / fabs(det);
 }
 
-double numbers_floor(const struct block *b)
+/* Of ln v at the saddle, absolute. */
+static double root_floor(const struct block *b)
 {
     const struct law *law = &b->law;
     const struct material *m = &b->material;
@@ -36,7 +37,12 @@ double numbers_floor(const struct block *b)
     const double bend = 0.1 * (m->a + m->b); /* mu_ss'' is never far below */
     const double linear = noise / (double) fabsl(slope);
 
-    return 2.0 * DBL_EPSILON + fmin(linear, sqrt(noise / bend));
+    return fmin(linear, sqrt(noise / bend));
+}
+
+double numbers_floor(const struct block *b)
+{
+    return 2.0 * DBL_EPSILON + root_floor(b);
 }
 
 /* The logarithm in mu = a asinh(e^w/2), as far as exp of it is what counts: its
@@ -54,9 +60,14 @@ struct steady_number numbers_steady(const struct block *b,
         8.0 * DBL_EPSILON *
         (1.0 + 0.25 * (fabs(e->log_scale) + fabs(b->at.log_inertia) +
                        log_of_friction(b)));
-    const double psi_floor = law_psi_is_log(&b->law)
-                                 ? floor + 2.0 * DBL_EPSILON * fabs(b->at.psi0)
-                                 : 2.0 * floor * b->at.psi0;
+    /* rates that go like e^-psi */
+    const double rate = b->law.timescale == TIMESCALE_SLIP45
+                            ? floor * (1.0 + fabs(b->at.psi0))
+                            : floor;
+    const double psi_floor =
+        b->law.psi_ss == PSI_SS_MINUS_LOG
+            ? root_floor(b) + 2.0 * DBL_EPSILON * fabs(b->at.psi0)
+            : 2.0 * floor * fabs(b->at.psi0);
     struct steady_number s = {
         .type = (int8_t) e->type,
         .v = quantity_of(b->at.v0, floor * b->at.v0),
@@ -68,11 +79,11 @@ struct steady_number numbers_steady(const struct block *b,
         const double size = fabs(e->lambda[i]);
         const bool near = fabs(e->scaled[i]) < fabs(e->scaled[1 - i]);
         *(i == 0 ? &s.lambda_minus : &s.lambda_plus) =
-            near && equilibrium_is_beyond(e)
+            (near || size == 0.0) && equilibrium_is_beyond(e)
                 ? quantity_none("the eigenvalue is beyond the range of a "
                                 "double")
-                : quantity_of(e->lambda[i], size * (unit + floor) *
-                                                (near ? 1.0 + lost : 4.0));
+                : quantity_of(e->lambda[i],
+                              size * (unit + rate) * (near ? 1.0 + lost : 4.0));
     }
     return s;
 }
@@ -257,7 +268,7 @@ static void static_friction(struct builder *n)
     out->x_excess =
         quantity_of(excess, u->total_error[0] + excess * (floor + n->floor));
     out->fracture_energy = quantity_of(energy, energy * rise);
-    if (!(excess > TOL_INTEGRAL_NIL)) {
+    if (!(excess > TOL_INTEGRAL_NIL && excess > 2.0 * u->total_error[0])) {
         out->mu_s_num = out->mu_s_mean =
             quantity_none("x_excess is too small for a double to divide by");
         return;

@@ -18,7 +18,7 @@ static double chebyshev_point(int i)
     return cos(M_PI * (i + 0.5) / PATCH_SIDE);
 }
 
-/* T_0(t) ... T_7(t) */
+/* T_0(t), T_1(t), ... */
 static void chebyshev(double t, double T[PATCH_SIDE])
 {
     T[0] = 1.0;

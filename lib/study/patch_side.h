@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { PATCH_SIDE = 8 };
+enum { PATCH_SIDE = 10 };
 
 /* Chebyshev points of the first kind between the outermost cells or, where
  * there are no more cells than points, the cells themselves: functions are then

@@ -3,9 +3,9 @@
  * over which the fields, or the base points that tell them, are polynomials
  * (patch.h); the cells between and beside them are found one by one.
  *
- * A rectangle is sampled at 8 x 8 Chebyshev points, or 8 along a side of more
- * than 8 cells and the cells themselves along the other.  Where the bound on a
- * polynomial's error is too wide it is cut, along the sides whose last
+ * A rectangle is sampled at 10 x 10 Chebyshev points, or 10 along a side of
+ * more than 10 cells and the cells themselves along the other.  Where the bound
+ * on a polynomial's error is too wide it is cut, along the sides whose last
  * coefficients say so and into as many parts as they ask for; what the whole
  * has been sampled at tests its parts.
  */

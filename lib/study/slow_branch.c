@@ -1,6 +1,5 @@
 /* Each branch is run by orbit.h in steps so short that a polynomial of degree
- * 5 through both ends, their slopes and curvatures is as good as the ends:
- * time and slip have those from the field, dT/dy = 1/y', dX/dy = v/y'. */
+ * 5 through both ends, their slopes and curvatures is as good as the ends. */
 #include "slow_branch.h"
 
 #include <math.h>
@@ -12,45 +11,6 @@
 #include "study_tolerance.h"
 
 /* ---- knots --------------------------------------------------------------- */
-
-static double slip_rate(const struct study *s, double x)
-{
-    return exp(s->block.at.x0 + x);
-}
-
-/* The fast direction and how much faster it is than all else. */
-static void split(const struct planar_jacobian *J, double speed,
-                  struct slow_knot *k)
-{
-    const struct eigen2 e = mat2_eigenvalues(J->matrix);
-    const double slow = fmax(fabs(e.re[1]), speed);
-
-    k->gap = e.im == 0.0 && e.re[0] < 0.0 ? slow / -e.re[0] : HUGE_VAL;
-    k->fast = -e.re[0] * exp(J->field.log_scale);
-    k->fibre = mat2_eigenvector(J->matrix, e.re[0]);
-}
-
-/* At the offset u with the slope dx/dy, but for the values of time and slip.
- * Returns |d ln y'/dy|. */
-static double knot_at(const struct study *s, const double u[], double slope,
-                      struct slow_knot *k)
-{
-    const struct vec2 z = { u[0], u[1] };
-    struct planar_jacobian J;
-
-    s->system.jacobian(s->system.ctx, z, &J);
-    const struct vec2 d = J.field.direction;
-    const double rate = d.y * exp(J.field.log_scale);
-    const double bend = (J.matrix.yx * slope + J.matrix.yy) / d.y;
-    const double v = slip_rate(s, z.x);
-    *k = (struct slow_knot){ .y = z.y, .x = z.x, .x_slope = slope };
-    k->time[1] = -1.0 / rate;
-    k->time[2] = bend / rate;
-    k->slip[1] = -v / rate;
-    k->slip[2] = v * (bend - slope) / rate;
-    split(&J, vec2_length(d), k);
-    return fabs(bend);
-}
 
 /* The last step of an orbit. */
 struct last_step {
@@ -73,7 +33,8 @@ static double mu_until(const struct study *s, const struct orbit *o)
     const struct last_step l = { s, &o->curve };
     const struct vec2 z = { o->u[0], o->u[1] };
 
-    return o->curve.count > 0 ? crest_of(mu_on, &l) : block_mu(&s->block, z);
+    return o->curve.count > 0 ? crest_of(mu_on, &l, NULL)
+                              : block_mu(&s->block, z);
 }
 
 static struct slow_knot *push(struct slow_branch *b)
@@ -87,24 +48,6 @@ static struct slow_knot *push(struct slow_branch *b)
         b->room = room;
     }
     return &b->knot[b->count++];
-}
-
-double slow_quintic(const double f[3], const double g[3], double h,
-                    double theta, double *slope)
-{
-    const double f1 = h * f[1], g1 = h * g[1];
-    const double f2 = 0.5 * h * h * f[2], g2 = 0.5 * h * h * g[2];
-    const double rise = g[0] - f[0];
-    const double a = rise - f1 - f2, b = g1 - f1 - 2.0 * f2, c = g2 - f2;
-    const double c3 = 10.0 * a - 4.0 * b + c;
-    const double c4 = -15.0 * a + 7.0 * b - 2.0 * c;
-    const double c5 = 6.0 * a - 3.0 * b + c;
-    const double t = theta;
-
-    *slope =
-        (f1 + t * (2.0 * f2 + t * (3.0 * c3 + t * (4.0 * c4 + t * 5.0 * c5)))) /
-        h;
-    return f[0] + t * (f1 + t * (f2 + t * (c3 + t * (c4 + t * c5))));
 }
 
 /* ---- a branch ------------------------------------------------------------ */
@@ -139,15 +82,6 @@ static void tell(struct slow_knot *k, double dt, double *folds)
         k->gap = HUGE_VAL;
 }
 
-/* Where the rates are so far apart that rounding in the fast coordinate shows
- * in the slow one; sooner where that is not y, of whose rate all is made. */
-static bool is_noisy(const struct slow_knot *k)
-{
-    const bool fast_y = fabs(k->fibre.y) > fabs(k->fibre.x);
-
-    return k->gap < (fast_y ? TOL_SLOW_GAP_LEAST_Y : TOL_SLOW_GAP_LEAST_X);
-}
-
 double slow_branch_gained(const struct orbit *o, size_t i)
 {
     double sum = 0.0;
@@ -161,8 +95,8 @@ double slow_branch_gained(const struct orbit *o, size_t i)
     return sum;
 }
 
-/* Runs the orbit to its end; without a node ahead, until the rates are alike.
- */
+/* Runs the orbit to its end; without a node ahead, until the rates are alike or
+ * too far apart. */
 static enum status follow(const struct study *s, struct orbit *o,
                           bool node_ahead, const struct monitor *monitor,
                           struct slow_branch *b)
@@ -175,15 +109,17 @@ static enum status follow(const struct study *s, struct orbit *o,
         struct slow_knot *const k = push(b);
         if (k == NULL)
             return STATUS_NO_MEMORY;
-        const double bend = knot_at(s, o->u, slope_of(o), k);
+        const double bend = slow_knot_at(s, o->u, slope_of(o), k);
         k->time_bar = -o->error[2];
         k->slip_bar = -o->error[3 + BLOCK_SLIP];
         k->mu = mu_until(s, o);
         k->time[0] = -slow_branch_gained(o, 2);
         k->slip[0] = -slow_branch_gained(o, 3 + BLOCK_SLIP);
         tell(k, -k->time[0], &folds);
-        goes_on = o->end == ORBIT_RUNNING && o->steps < TOL_SLOW_STEPS &&
-                  (node_ahead || isfinite(k->gap)) && fabs(k->y) < far;
+        goes_on =
+            o->end == ORBIT_RUNNING && o->steps < TOL_SLOW_STEPS &&
+            (node_ahead || (isfinite(k->gap) && !slow_knot_is_noisy(k))) &&
+            fabs(k->y) < far;
         if (!goes_on)
             break;
         if (isfinite(k->gap))
@@ -215,10 +151,12 @@ static enum status finish_rest(const struct study *s, struct slow_branch *b)
     if (status != STATUS_OK || fine.fate != FATE_REST_FINITE ||
         coarse.fate != FATE_REST_FINITE)
         return status;
-    b->fate = FATE_REST_FINITE;
-    b->x_end = -HUGE_VAL;
     const double time_bar =
         fine.time.error + fabs(fine.time.value - coarse.time.value);
+    if (!(time_bar < TOL_SLOW_REST * fine.time.value))
+        return status;
+    b->fate = FATE_REST_FINITE;
+    b->x_end = -HUGE_VAL;
     const double slip_bar =
         fine.slip.error + fabs(fine.slip.value - coarse.slip.value);
     for (size_t i = 0; i < b->count; i++) {
@@ -261,26 +199,84 @@ static enum status finish(const struct study *s, const struct orbit *o,
     return STATUS_OK;
 }
 
+/* Second derivatives of the field's slopes are mostly noise where the rates are
+ * far apart. */
+static void smooth(struct slow_branch *b)
+{
+    struct slow_knot *const k = b->knot;
+    const size_t last = b->count - 1;
+
+    for (size_t i = 1; i < last; i++)
+        if (k[i].gap < TOL_SLOW_NOISY)
+            k[i].x_bend = slow_knot_bend(&k[i - 1], &k[i], &k[i + 1]);
+    if (k[0].gap < TOL_SLOW_NOISY)
+        k[0].x_bend = k[1].x_bend;
+    if (k[last].gap < TOL_SLOW_NOISY)
+        k[last].x_bend = k[last - 1].x_bend;
+}
+
+/* The curve between two knots. */
+struct between {
+    const struct block *block;
+    const struct slow_knot *from, *to;
+};
+
+static double mu_between(const void *ctx, double theta)
+{
+    const struct between *c = ctx;
+    const double y = c->from->y + theta * (c->to->y - c->from->y);
+    double ignored;
+
+    return block_mu(
+        c->block,
+        (struct vec2){ slow_knot_x(c->from, c->to, theta, &ignored), y });
+}
+
+/* Where steps are short the curve is better than what they say between their
+ * ends, off it, where friction balances gravity. */
+static void find_frictions(const struct study *s, struct slow_branch *b)
+{
+    struct slow_knot *const k = b->knot;
+
+    for (size_t i = 1; i < b->count; i++) {
+        const struct between c = { &s->block, &k[i - 1], &k[i] };
+        if (isfinite(k[i - 1].gap) && isfinite(k[i].gap))
+            k[i].mu = crest_of(mu_between, &c, NULL);
+    }
+}
+
+/* How far off in y a state lands that is right in its slow coordinate, beside a
+ * curve that is off by dx. */
+static double shift_of(const struct slow_knot *k, double dx)
+{
+    return fabs(k->fibre.y * dx / (k->fibre.x - k->fibre.y * k->x_slope));
+}
+
 /* What a polynomial over two steps misses at the knot between is 64 times what
- * one over one step misses. */
+ * one over one step misses; twice, if it is noise in the slopes. */
 static void judge(struct slow_branch *b)
 {
     struct slow_knot *const k = b->knot;
     double ignored;
 
     for (size_t i = 1; i + 1 < b->count; i++) {
-        const double h = k[i + 1].y - k[i - 1].y;
-        const double theta = (k[i].y - k[i - 1].y) / h;
-        const double t =
-            slow_quintic(k[i - 1].time, k[i + 1].time, h, theta, &ignored);
-        const double x =
-            slow_quintic(k[i - 1].slip, k[i + 1].slip, h, theta, &ignored);
-        const double dt = TOL_SLOW_MISSED * fabs(t - k[i].time[0]);
-        const double dx = TOL_SLOW_MISSED * fabs(x - k[i].slip[0]);
+        const struct slow_knot *f = &k[i - 1], *g = &k[i + 1];
+        const double h = g->y - f->y, theta = (k[i].y - f->y) / h;
+        const double x = slow_knot_x(f, g, theta, &ignored);
+        const double t = slow_quintic(f->time, g->time, h, theta, &ignored);
+        const double l = slow_quintic(f->slip, g->slip, h, theta, &ignored);
+        const bool noisy =
+            slow_knot_is_fast_y(&k[i]) && k[i].gap < TOL_SLOW_NOISY;
+        const double part = noisy ? TOL_SLOW_NOISE : TOL_SLOW_MISSED;
+        const double shift = shift_of(&k[i], x - k[i].x);
+        const double dt =
+            part * (fabs(t - k[i].time[0]) + fabs(k[i].time[1]) * shift);
+        const double dl =
+            part * (fabs(l - k[i].slip[0]) + fabs(k[i].slip[1]) * shift);
         k[i].time_error = fmax(k[i].time_error, dt);
         k[i + 1].time_error = fmax(k[i + 1].time_error, dt);
-        k[i].slip_error = fmax(k[i].slip_error, dx);
-        k[i + 1].slip_error = fmax(k[i + 1].slip_error, dx);
+        k[i].slip_error = fmax(k[i].slip_error, dl);
+        k[i + 1].slip_error = fmax(k[i + 1].slip_error, dl);
     }
 }
 
@@ -434,6 +430,8 @@ static enum status run(const struct study *s, struct vec2 z,
     if (o.end == ORBIT_RUNNING)
         status = follow(s, &o, ahead, monitor, b);
     if (status == STATUS_OK && b->count > 2) {
+        smooth(b);
+        find_frictions(s, b);
         look_back(b);
         judge(b);
         status = finish(s, &o, goals->fate[o.end_index], b);
@@ -465,13 +463,12 @@ enum status slow_branch_run(const struct study *s, struct vec2 z,
 
 bool slow_branch_may_start(const struct study *s, int fast, struct vec2 z)
 {
-    struct planar_jacobian J;
+    const double u[] = { z.x, z.y };
     struct slow_knot k;
 
-    s->system.jacobian(s->system.ctx, z, &J);
-    split(&J, vec2_length(J.field.direction), &k);
-    return k.gap < TOL_SLOW_GAP_START && !is_noisy(&k) &&
-           (fabs(k.fibre.x) > fabs(k.fibre.y)) == (fast == 0);
+    (void) slow_knot_at(s, u, 0.0, &k);
+    return k.gap < TOL_SLOW_GAP_START && !slow_knot_is_noisy(&k) &&
+           slow_knot_is_fast_y(&k) == (fast == 1);
 }
 
 void slow_branch_free(struct slow_branch *b)

@@ -9,19 +9,7 @@
 
 #include "fate.h"
 #include "orbit.h"
-
-/* One point of the orbit, an offset from the system's origin. */
-struct slow_knot {
-    double y, x, x_slope;
-    double time[3], slip[3];       /* with two derivatives by y */
-    double time_error, slip_error; /* from the knot before to this one */
-    double time_bar, slip_bar;     /* from here on */
-    double fast;                   /* |lambda|, per unit of time */
-    double gap;        /* the slow rate over it; HUGE_VAL: not to land on */
-    struct vec2 fibre; /* unit */
-    double mu;         /* largest on the way to this knot */
-    double x_peak, mu_peak; /* from here on */
-};
+#include "slow_knot.h"
 
 enum slow_start {
     SLOW_SADDLE,  /* on the curve, beside the saddle */
@@ -60,11 +48,6 @@ bool slow_branch_may_start(const struct study *s, int fast, struct vec2 z);
 
 /* The interval of knots that holds y: its later end; 0: none. */
 size_t slow_branch_interval(const struct slow_branch *b, double y);
-
-/* The polynomial of degree 5 with value, slope and curvature f at y = 0 and g
- * at y = h, at theta h; and its slope there. */
-double slow_quintic(const double f[3], const double g[3], double h,
-                    double theta, double *slope);
 
 /* A second call is harmless. */
 void slow_branch_free(struct slow_branch *b);

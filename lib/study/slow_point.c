@@ -65,7 +65,7 @@ static void at_state(const struct slow_branch *b, const struct slow_knot *k,
 
 /* ---- between knots ------------------------------------------------------- */
 
-/* x between knot f and the next. */
+/* x between knot f and the next, near enough to land by. */
 static double x_inside(const struct slow_knot *f, double y, double *slope)
 {
     const struct slow_knot *g = f + 1;
@@ -84,7 +84,7 @@ static void inside(const struct slow_branch *b, size_t i, double y,
     const double h = g->y - f->y, t = (y - f->y) / h;
 
     *p = common(b, f, g);
-    p->x = x_inside(f, y, &p->x_slope);
+    p->x = slow_knot_x(f, g, t, &p->x_slope);
     p->fast += t * (g->fast - f->fast);
     p->fibre.x += t * (g->fibre.x - f->fibre.x);
     p->fibre.y += t * (g->fibre.y - f->fibre.y);

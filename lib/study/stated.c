@@ -110,7 +110,7 @@ static double half_unit(const char *text)
     const long power = e ? strtol(e + 1, NULL, 10) : 0;
     const long places = point ? (long) size - (long) (point - text) - 1 : 0;
 
-    return 0.5 * pow(10.0, (double) (power - places));
+    return 0.5 * pow(10.0, (double) power - (double) places);
 }
 
 static bool read_code(const struct record_field *f, const char *text,

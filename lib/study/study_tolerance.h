@@ -162,16 +162,20 @@
 #define TOL_PHASE_NEAR 0.01
 
 /* The slow curve (slow_curve.c).  Accuracy of its orbit, and of a second one of
- * what is left of a rest; steps, in e-folds of the slow rate and in ln psi,
+ * what is left of a rest, on which both must agree; steps, in e-folds of the slow rate and in ln psi,
  * that polynomials of degree 5 bear to 1e-11, and their number; how much of
- * what twice the step misses one step may; and the largest ratio of the slow
- * rate to the fast one. */
+ * what twice the step misses one step may, and where slopes are mostly noise,
+ * below such a ratio of the slow rate to the fast one; and the largest ratio. */
 #define TOL_SLOW_RTOL    1e-11
 #define TOL_SLOW_COARSE  1e-10
-#define TOL_SLOW_STEP    0.05
+#define TOL_SLOW_REST    1e-6
+#define TOL_SLOW_STEP    0.035
 #define TOL_SLOW_LONGEST 0.1
 #define TOL_SLOW_STEPS   4000
 #define TOL_SLOW_MISSED  0.05
+#define TOL_SLOW_NOISE   1.0
+#define TOL_SLOW_NOISY   1e-5
+#define TOL_SLOW_ALONG   1e-8
 #define TOL_SLOW_GAP     0.1
 /* Its series at the saddle: order, and end, where it is the tangent to as many
  * digits.  Beyond a node: nearest and furthest start in ln psi, growth of the
@@ -239,11 +243,13 @@
 /* A box of arrest is come nearer by so much of the way at once.  Nearer than
  * BESIDE its face is aimed at; reached at FACE, and only by an orbit that
  * closes at this rate or faster, so many of its errors from every corner;
- * others are let pass until they are this near. */
+ * others are let pass until they are this near; and the part of the way that is
+ * gone at once where nothing beyond the face may be seen. */
 #define TOL_LAYER_NEARER  0.9
 #define TOL_LAYER_BESIDE  1e-3
 #define TOL_LAYER_GRAZE   1e-6
 #define TOL_LAYER_FACE    1e-12
+#define TOL_LAYER_SHORT   0.97
 #define TOL_LAYER_HEAD_ON 0.1
 #define TOL_LAYER_CORNER  10.0
 /* The least part of the estimates of order 5 that a step of order 8 misses, at
@@ -256,6 +262,9 @@
  * of the distance by a step towards a peak beside the curve. */
 #define TOL_LAYER_SIDE 0.5
 #define TOL_LAYER_RISE 0.3
+/* A peak on a step (fast_layer.c): so far ahead it is seen to rise; looks. */
+#define TOL_LAYER_AHEAD 1e-6
+#define TOL_LAYER_TOPS  12
 /* A maximum on a step (crest.c): samples, and the part of it it is found to. */
 #define TOL_CREST_SAMPLES 8
 #define TOL_CREST_WIDTH   1e-5
@@ -273,17 +282,17 @@
 
 /* Cells run to their fates (cells.c).  Orbits are first followed to this part
  * of the accuracy asked for (errors of slip and time are some ten times the
- * tolerance), at most this (looser ones miss where a block rests), then finer
+ * tolerance, of the stiffest ninety), at most this (looser ones miss where a block rests), then finer
  * by this factor, down to the finest that doubles hold, as long as bars shrink
  * to this part; least bar, in tolerances of the finest run; what rounding does
  * to a coordinate, per unit of it; and what steps leave across the stable
  * manifold, in tolerances (measured: 4e-3 at most). */
-#define TOL_CELLS_START    0.1
+#define TOL_CELLS_START    0.05
 #define TOL_CELLS_COARSEST 1e-5
 #define TOL_CELLS_FINER    0.1
 #define TOL_CELLS_FINEST   1e-12
 #define TOL_CELLS_GAIN     0.7
-#define TOL_CELLS_LEAST    10.0
+#define TOL_CELLS_LEAST    90.0
 #define TOL_CELLS_ROUNDING 0x1p-50
 #define TOL_CELLS_ACROSS   0.01
 

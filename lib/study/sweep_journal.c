@@ -207,7 +207,7 @@ enum status sweep_journal_reason(struct sweep_journal *j, const char *text,
                                  struct fault *why)
 {
     return j->path
-               ? put_record(j, RECORD_REASON, text, strlen(text), NULL, 0, why)
+               ? put_record(j, RECORD_REASON, text, strlen(text), "", 0, why)
                : STATUS_OK;
 }
 

@@ -178,8 +178,9 @@ static struct quantity radius_of(const power e, double bound)
     const double ratio = (double) fabsl(e[LAST - 1] / e[LAST]);
     const double before = (double) fabsl(e[LAST - 2] / e[LAST - 1]);
     const double line = 1.0 / (LAST / ratio - (LAST - 1) / before);
+    const int half = LAST / 2;
     const double root =
-        pow(envelope(e, LAST / 2) / envelope(e, LAST), 1.0 / (LAST - LAST / 2));
+        pow(envelope(e, half) / envelope(e, LAST), 1.0 / (LAST - half));
 
     if (!isfinite(root) || root == 0.0)
         return quantity_none("the last coefficients vanish: no test applies");
