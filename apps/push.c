@@ -200,6 +200,8 @@ static enum status find_answers(struct job *j, const struct options *o,
     if (s == STATUS_OK)
         s = check_states(j, why);
     if (s == STATUS_OK)
+        s = push_tabulate(&j->push, monitor);
+    if (s == STATUS_OK)
         s = push_find_all(&j->push, j->state, j->count, monitor, j->answer);
     progress_end();
     return s;

@@ -7,6 +7,7 @@
 #include "export.h"
 #include "panel.h"
 #include "picture.h"
+#include "product_setting.h"
 #include "progress.h"
 #include "remark.h"
 #include "replace.h"
@@ -67,16 +68,12 @@ static enum status add_override(struct scene *s, const char *line)
 
 static enum status set_products(struct scene *s, unsigned products)
 {
-    char line[512] = "products=[";
+    char line[PRODUCT_SETTING];
 
     if (products == s->products)
         return STATUS_OK;
     s->products = products;
-    for (int p = 0; p < PRODUCTS; p++)
-        if (products & 1u << p)
-            snprintf(line + strlen(line), sizeof line - strlen(line), "%s%s",
-                     strchr(line, '[')[1] ? ", " : "", product_names[p]);
-    strcat(line, "]");
+    product_setting(products, line);
     return add_override(s, line);
 }
 

@@ -7,6 +7,7 @@
 #include "draw.h"
 #include "export_sweep.h"
 #include "picture_sweep.h"
+#include "product_setting.h"
 #include "progress.h"
 #include "replace.h"
 #include "report_sweep.h"
@@ -34,22 +35,11 @@ static unsigned products_of(const struct options *o, const struct scene *s)
     return asked | (o->sensitivities ? BIT(SENSITIVITIES) : 0);
 }
 
-/* As --set has it, so that the file says what was run. */
-static void products_setting(unsigned products, char *line, size_t size)
-{
-    snprintf(line, size, "products=[");
-    for (int p = 0; p < PRODUCTS; p++)
-        if (products & 1u << p)
-            snprintf(line + strlen(line), size - strlen(line), "%s%s",
-                     strchr(line, '[')[1] ? ", " : "", product_names[p]);
-    strncat(line, "]", size - strlen(line) - 1);
-}
-
 static enum status read_scene(const struct options *o, struct scene *scene,
                               struct fault *why)
 {
     const char *path = o->files ? o->file[0] : NULL;
-    char *set[OPTIONS_SETS + 1], line[512];
+    char *set[OPTIONS_SETS + 1], line[PRODUCT_SETTING];
 
     if (o->files > 1)
         return complain(why, "one scene is enough");
@@ -64,9 +54,10 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     const unsigned products = products_of(o, scene);
     if (products == scene->products)
         return STATUS_OK;
+    /* once more: the file then says what was run */
     scene_free(scene);
     memcpy(set, o->set, o->sets * sizeof *set);
-    products_setting(products, line, sizeof line);
+    product_setting(products, line);
     set[o->sets] = line;
     return scene_read(scene, path, set, o->sets + 1, why);
 }

@@ -86,6 +86,30 @@ static void without_a_saddle_all_go_the_same_way(void **state)
     }
 }
 
+/* Orbits from there leave the doubles, some within times that are no normal
+ * numbers, or follow the slow curve where rates are e^700 apart. */
+static void without_a_saddle_no_state_is_undecided(void **state)
+{
+    static const double from[][2] = {
+        { -295, 120 }, { -295, 290 }, { -299.9, 299 }, { -299.99, 290.5 }
+    };
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal", NULL, "0.42", steady_only);
+    for (size_t i = 0; i < sizeof from / sizeof *from; i++)
+        for (double rtol = 1e-3; rtol > 1e-9; rtol *= 0.1) {
+            const struct vec2 z = { from[i][0] * log(10.0),
+                                    from[i][1] * log(10.0) };
+            struct fate_result r;
+            assert_int_equal(fate_find(&s.study, z, rtol, false, NULL, &r),
+                             STATUS_OK);
+            CHECK(r.fate == FATE_SLIDING && r.reason == NULL, "%zu, %g: %s", i,
+                  rtol, fate_names[r.fate]);
+        }
+    slope_free(&s);
+}
+
 /* v -> 0 like a power of time. */
 static void creep_without_a_node_is_no_rest_in_finite_time(void **state)
 {
@@ -302,6 +326,7 @@ int main(void)
         cmocka_unit_test(a_saddle_parts_rest_from_running_away),
         cmocka_unit_test(a_saddle_parts_the_creep_node_from_the_sliding_one),
         cmocka_unit_test(without_a_saddle_all_go_the_same_way),
+        cmocka_unit_test(without_a_saddle_no_state_is_undecided),
         cmocka_unit_test(creep_without_a_node_is_no_rest_in_finite_time),
         cmocka_unit_test(a_region_is_labelled_beside_its_node),
         cmocka_unit_test(without_a_node_a_quadrant_of_the_saddle_labels_it),

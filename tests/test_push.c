@@ -4,40 +4,9 @@
 #include "push.h"
 
 #include "fault_alloc.h"
-#include "slope.h"
+#include "pushed.h"
 
 #define NOTHING ((const char *const[]){ NULL })
-
-struct pushed {
-    struct scene scene;
-    struct push push;
-};
-
-static void make(struct pushed *p, const char *law, const char *alpha)
-{
-    struct fault why;
-
-    slope_scene(&p->scene, law, NULL, alpha, NOTHING);
-    const enum status s = push_init(&p->push, &p->scene, NULL, &why);
-    CHECK(s == STATUS_OK, "%s", why.text);
-}
-
-static void pushed_free(struct pushed *p)
-{
-    push_free(&p->push);
-    push_free(&p->push);
-    scene_free(&p->scene);
-}
-
-static struct push_answer answer(const struct pushed *p, double v, double psi)
-{
-    struct push_answer a;
-    const enum status s =
-        push_find(&p->push, (struct push_state){ v, psi }, NULL, &a);
-
-    CHECK(s == STATUS_OK, "(%g, %g): %s", v, psi, status_text(s));
-    return a;
-}
 
 static double enters_slow(const void *ctx, double s, const double u[])
 {
@@ -151,7 +120,7 @@ static void random_states_meet_their_fates_and_kicks_just_change_them(
     (void) state;
     for (int k = 0; k < SLOPES; k++) {
         struct pushed p;
-        make(&p, slope[k].law, slope[k].alpha);
+        push_make(&p, slope[k].law, slope[k].alpha);
         for (int i = 0; i < states; i++) {
             const double v = exp(check_uniform(&rng, -6.0, 10.0));
             const double psi = exp(check_uniform(&rng, -3.0, 4.0));
@@ -171,7 +140,7 @@ static void far_up_the_boundary_is_v_plus(void **state)
     struct pushed p;
 
     (void) state;
-    make(&p, "spinodal_gen", "0.34");
+    push_make(&p, "spinodal_gen", "0.34");
     const double v_plus = 2850.825709381503808; /* manifold.csv */
     for (double psi = 1e3; psi < 1e300; psi *= 1e140) {
         const struct push_answer a = answer(&p, 10.0, psi);
@@ -189,7 +158,7 @@ static void far_left_the_boundary_is_where_the_branch_meets_rest(void **state)
     struct pushed p;
 
     (void) state;
-    make(&p, "spinodal", "0.34");
+    push_make(&p, "spinodal", "0.34");
     const struct push_answer near = answer(&p, 1e-30, 1.0);
     for (double v = 1e-290; v < 1e-30; v *= 1e130) {
         const struct push_answer a = answer(&p, v, 1.0);
@@ -212,7 +181,7 @@ static void an_open_upper_branch_bounds_every_row(void **state)
     for (int k = 0; k < 2; k++) {
         struct pushed p;
         double last = 0.0;
-        make(&p, law[k], "0.34");
+        push_make(&p, law[k], "0.34");
         for (double psi = 1.0; psi < 1e150; psi *= 1e70) {
             const struct push_answer a = answer(&p, 1.0, psi);
             CHECK(quantity_exists(&a.v_kick) && a.v_kick.value > last,
@@ -230,7 +199,7 @@ static void without_a_saddle_no_kick_helps(void **state)
     struct pushed p;
 
     (void) state;
-    make(&p, "spinodal_gen", "0.28");
+    push_make(&p, "spinodal_gen", "0.28");
     const struct push_answer a = answer(&p, 1e3, 1.0);
     assert_int_equal(a.fate, FATE_CREEP);
     assert_true(quantity_exists(&a.slip) && quantity_exists(&a.time));
@@ -245,7 +214,7 @@ static void a_shift_of_psi_is_told_where_psi_is_a_logarithm(void **state)
     struct pushed p;
 
     (void) state;
-    make(&p, "perrin", "0.34");
+    push_make(&p, "perrin", "0.34");
     const struct push_answer a = answer(&p, 3.0, 0.5);
     const struct push_answer b = answer(&p, 3.0, 0.75);
     CHECK(fabs(a.psi_kick.value - b.psi_kick.value - 0.25) < 1e-12,
@@ -263,7 +232,7 @@ static void bars_hold_the_truth(void **state)
     struct pushed p;
 
     (void) state;
-    make(&p, "dieterich_gen", "0.34");
+    push_make(&p, "dieterich_gen", "0.34");
     const struct push_answer a = answer(&p, pow(10.0, 3.1), 100.0);
     assert_int_equal(a.fate, FATE_REST_FINITE);
     CHECK(fabs(a.time.value - t) <= a.time.error && a.time.error < 1e-8,
@@ -294,7 +263,7 @@ static void hard_reference_states_are_told_apart_at_1e_9(void **state)
             if (alpha[0])
                 pushed_free(&p);
             snprintf(alpha, sizeof alpha, "%s", csv_text(&c, "alpha"));
-            make(&p, csv_text(&c, "law"), alpha);
+            push_make(&p, csv_text(&c, "law"), alpha);
         }
         const struct push_answer a =
             answer(&p, csv_number(&c, "v0", 0), csv_number(&c, "psi0", 0));
@@ -307,30 +276,6 @@ static void hard_reference_states_are_told_apart_at_1e_9(void **state)
 
 /* ---- many and errors ----------------------------------------------------- */
 
-static void many_states_get_the_answers_of_each(void **state)
-{
-    enum { COUNT = 100 };
-    struct push_state at[COUNT];
-    struct push_answer out[COUNT];
-    uint64_t rng = check_seed();
-    struct pushed p;
-
-    (void) state;
-    make(&p, "spinodal_gen", "0.34");
-    for (int i = 0; i < COUNT; i++)
-        at[i] = (struct push_state){ exp(check_uniform(&rng, 0.0, 9.0)),
-                                     exp(check_uniform(&rng, 0.0, 4.0)) };
-    assert_int_equal(push_find_all(&p.push, at, COUNT, NULL, out), STATUS_OK);
-    for (int i = 0; i < COUNT; i += 7) {
-        const struct push_answer a = answer(&p, at[i].v, at[i].psi);
-        assert_true(a.fate == out[i].fate &&
-                    a.slip.value == out[i].slip.value &&
-                    a.time.value == out[i].time.value &&
-                    a.v_kick.value == out[i].v_kick.value);
-    }
-    pushed_free(&p);
-}
-
 static void states_outside_the_domain_are_refused(void **state)
 {
     const struct push_state bad[] = { { 0.0, 1.0 },   { -1.0, 1.0 },
@@ -341,7 +286,7 @@ static void states_outside_the_domain_are_refused(void **state)
     struct pushed p;
 
     (void) state;
-    make(&p, "spinodal_gen", "0.34");
+    push_make(&p, "spinodal_gen", "0.34");
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         CHECK(push_find(&p.push, bad[i], NULL, &a) == STATUS_BAD_ARGUMENT &&
                   !push_holds(&p.push, bad[i]),
@@ -364,9 +309,11 @@ static void a_monitor_stops_it(void **state)
     struct pushed p;
 
     (void) state;
-    make(&p, "spinodal_gen", "0.34");
+    push_make(&p, "spinodal_gen", "0.34");
     assert_int_equal(push_find_all(&p.push, &at, 1, &monitor, &a),
                      STATUS_STOPPED);
+    assert_int_equal(push_tabulate(&p.push, &monitor), STATUS_STOPPED);
+    assert_int_equal(push_find(&p.push, at, NULL, &a), STATUS_OK);
     push_free(&p.push);
     assert_int_equal(push_init(&p.push, &p.scene, &monitor, &why),
                      STATUS_STOPPED);
@@ -386,6 +333,8 @@ static void every_allocation_may_fail(void **state)
     for (; status == STATUS_NO_MEMORY; k += 1 + k / 20) {
         fault_alloc_at(k);
         status = push_init(&p.push, &p.scene, NULL, &why);
+        if (status == STATUS_OK)
+            status = push_tabulate(&p.push, NULL);
         if (status == STATUS_OK)
             status =
                 push_find(&p.push, (struct push_state){ 1e3, 10.0 }, NULL, &a);
@@ -409,7 +358,6 @@ int main(void)
         cmocka_unit_test(a_shift_of_psi_is_told_where_psi_is_a_logarithm),
         cmocka_unit_test(bars_hold_the_truth),
         cmocka_unit_test(hard_reference_states_are_told_apart_at_1e_9),
-        cmocka_unit_test(many_states_get_the_answers_of_each),
         cmocka_unit_test(states_outside_the_domain_are_refused),
         cmocka_unit_test(a_monitor_stops_it),
         cmocka_unit_test(every_allocation_may_fail),

@@ -10,6 +10,7 @@
 #include "fault_alloc.h"
 #include "laws.h"
 #include "reference_rows.h"
+#include "rest_form.h"
 
 /* ---- one slope, solved --------------------------------------------------- */
 
@@ -153,11 +154,57 @@ static void the_oracle_knows_the_side_of_a_state(void **state)
     assert_int_equal(stress_truth_side(t, t->at.x0 + (here[0] + next[0]) / 2,
                                        t->at.y0 + (here[1] + next[1]) / 2),
                      STRESS_UNTOLD);
-    assert_int_equal(stress_truth_fates(t, &s.scene.law, STRESS_STOPS),
-                     1u << FATE_REST_FINITE);
-    assert_int_equal(stress_truth_fates(t, &s.scene.law, STRESS_SLIDES),
-                     1u << FATE_RUNAWAY);
+    assert_int_equal(
+        stress_truth_fates(t, &s.scene.law, &s.scene.material, STRESS_STOPS),
+        1u << FATE_REST_FINITE);
+    assert_int_equal(
+        stress_truth_fates(t, &s.scene.law, &s.scene.material, STRESS_SLIDES),
+        1u << FATE_RUNAWAY);
     release(&s);
+}
+
+/* Both by theory, but not by the same table. */
+static void the_oracle_and_the_law_agree_on_rests(void **state)
+{
+    static const struct stress_truth saddle_alone = { .saddle = true };
+    const struct material m = material_bristol_board();
+    struct fault why;
+
+    (void) state;
+    for (size_t i = 0; i < LAWS; i++) {
+        const struct law law = laws_at(i);
+        if (law_check(&law, &m, &why) != STATUS_OK)
+            continue;
+        const enum fate fate = rest_form_of(&law, &m).fate;
+        CHECK(stress_truth_fates(&saddle_alone, &law, &m, STRESS_STOPS) ==
+                  1u << fate,
+              "law %zu: %s", i, fate_names[fate]);
+    }
+}
+
+/* Where the slope of the lower branch vanishes within its last steps, two
+ * tolerances once were 1e9 of their errors apart. */
+static void the_oracle_sees_a_slope_vanish_within_a_step(void **state)
+{
+    const struct law law = { .theta = THETA_LN_C_1PR_PSI,
+                             .psi_ss = PSI_SS_SPINODAL_UNIT,
+                             .timescale = TIMESCALE_AGEING44,
+                             .kinetics = KINETICS_SINH };
+    static struct quad_branch coarse, fine;
+    static struct stress_truth t;
+    struct material m = material_bristol_board();
+
+    (void) state;
+    m.a = 0.0010751969461387607;
+    m.b = 0.78795855415868077;
+    m.V_star = 0.00017760922346875596;
+    m.g = 6.5926412565087274e-08;
+    stress_truth_find(&law, &m, tanl(1.3137799586495715L), &t);
+    assert_true(t.saddle);
+    assert_true(quad_branch_grow(&law, &t.at, -1, 1e-18, &coarse));
+    assert_true(quad_branch_grow(&law, &t.at, -1, 1e-22, &fine));
+    const double off = (double) fabsq(coarse.x - fine.x);
+    CHECK(off < 1e-16, "%g", off);
 }
 
 /* The row's value of a column, and how far a decimal of few digits is off. */
@@ -434,6 +481,8 @@ int main(void)
         cmocka_unit_test(a_wrong_end_or_existence_is_a_lie),
         cmocka_unit_test(a_doubt_or_lost_digits_degrade),
         cmocka_unit_test(the_oracle_knows_the_side_of_a_state),
+        cmocka_unit_test(the_oracle_and_the_law_agree_on_rests),
+        cmocka_unit_test(the_oracle_sees_a_slope_vanish_within_a_step),
         cmocka_unit_test(cases_of_the_reference_table_are_as_it_says),
         cmocka_unit_test(the_catalogue_is_long_and_its_names_are_its_own),
         cmocka_unit_test(extreme_cases_come_to_what_they_must),

@@ -10,8 +10,8 @@
 
 enum { COLUMNS = 10 };
 
-/* As a part of the larger rate; that of e^-z for z = 9. */
-static const double unseen = 0.4;
+/* As a part of the larger rate; that of e^-z for z = 4. */
+static const double unseen = 0.25;
 
 static void midpoint(quad_rates *f, const void *ctx, quad s, quad h, int n,
                      const quad y[QUAD_DIM], quad out[QUAD_DIM])

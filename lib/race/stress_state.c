@@ -46,12 +46,13 @@ static const char *const undecided[SOURCES] = {
 
 /* One fate against the oracle's. */
 static void judge_fate(struct stress_row *row, const struct stress_truth *t,
-                       const struct law *law, enum stress_side side,
+                       const struct scene *c, enum stress_side side,
                        enum source source, int fate)
 {
     if (fate == FATE_UNDECIDED || fate == FATE_NONE)
         say(row, STRESS_DEGRADED, undecided[source]);
-    else if ((stress_truth_fates(t, law, side) >> fate & 1u) == 0)
+    else if ((stress_truth_fates(t, &c->law, &c->material, side) >> fate &
+              1u) == 0)
         say(row, STRESS_LIE, wrong[source]);
     else if (side == STRESS_UNTOLD)
         say(row, STRESS_DEGRADED, "the oracle cannot tell the side");
@@ -107,8 +108,7 @@ static void judge_start(struct work *w, struct stress_row *row,
     const enum stress_side side =
         stress_truth_side(&w->truth, logq((quad) at.v), y);
     for (int i = 0; i < SOURCES; i++)
-        judge_fate(row, &w->truth, &w->scene.law, side, (enum source) i,
-                   fate[i]);
+        judge_fate(row, &w->truth, &w->scene, side, (enum source) i, fate[i]);
     row->agree = fate[REGION] == fate[ORBIT] && fate[ORBIT] == fate[TRANSIENT]
                      ? STRESS_AGREE
                      : STRESS_DISAGREE;
@@ -171,7 +171,7 @@ static enum status judge_labels(const struct scene *c, const struct study *s,
     find_truth(c, &t, row);
     for (size_t i = 0; status == STATUS_OK && i < m->rows * m->columns; i++) {
         const double x = m->x[i % m->columns], y = m->y[i / m->columns];
-        judge_fate(row, &t, &c->law, stress_truth_side(&t, (quad) x, (quad) y),
+        judge_fate(row, &t, c, stress_truth_side(&t, (quad) x, (quad) y),
                    REGION, label[i]);
     }
     free(label);

@@ -259,29 +259,37 @@ enum stress_side stress_truth_side(const struct stress_truth *t, quad x, quad y)
     return x > 0 ? upper_side(b, x, y) : lower_side(b, x, y);
 }
 
-/* Rests take a finite time where psi grows like e^(1/v), (5), and last for ever
- * where it grows like a power of v or its logarithm (model: Dieterich's and
- * Ruina's laws); others are not told apart. */
-static unsigned rests(const struct law *law)
+/* Without a creep node in the plane.  psi_ss bounded, there is one beyond it.
+ * Rests take a finite time where psi, that holds friction at tan(alpha) or lets
+ * it grow, reaches infinity in one: under psi_ss ~ 1/v, where it grows like
+ * e^(1/v), (5), or like 1/v itself, and under psi_ss = -ln v like a power of
+ * 1/v. */
+static unsigned rests(const struct law *law, const struct material *m)
 {
     const unsigned finite = 1u << FATE_REST_FINITE;
     const unsigned asymptotic = 1u << FATE_REST_ASYMPTOTIC;
+    const bool is_sinh = law->kinetics == KINETICS_SINH;
+    const bool is_steady =
+        law->timescale == TIMESCALE_SPINODAL && isfinite(m->R);
+    const bool is_log = law->psi_ss == PSI_SS_MINUS_LOG;
 
-    if (law->timescale != TIMESCALE_SLIP)
-        return finite | asymptotic;
-    if (law->psi_ss == PSI_SS_MINUS_LOG)
+    if (law->psi_ss == PSI_SS_SPINODAL_UNIT ||
+        (law->psi_ss == PSI_SS_SPINODAL && isfinite(m->R)) ||
+        (is_log && law->theta != THETA_PSI))
+        return 1u << FATE_CREEP;
+    if (is_log)
+        return is_sinh && is_steady ? finite : asymptotic;
+    if (law->timescale == TIMESCALE_SLIP45)
         return asymptotic;
-    if (law->psi_ss == PSI_SS_INVERSE)
-        return law->kinetics == KINETICS_SINH ? finite : asymptotic;
-    return finite | asymptotic;
+    return is_sinh || is_steady ? finite : asymptotic;
 }
 
 unsigned stress_truth_fates(const struct stress_truth *t, const struct law *law,
-                            enum stress_side side)
+                            const struct material *m, enum stress_side side)
 {
     switch (side) {
         case STRESS_STOPS:
-            return t->below ? 1u << FATE_CREEP : rests(law);
+            return t->below ? 1u << FATE_CREEP : rests(law, m);
         case STRESS_SLIDES:
             return t->above ? 1u << FATE_SLIDING : 1u << FATE_RUNAWAY;
         case STRESS_UNTOLD:

@@ -39,8 +39,8 @@ enum stress_side stress_truth_side(const struct stress_truth *t, quad x,
                                    quad y);
 
 /* The fates (bits 1 << enum fate) that are right on that side; all of them
- * where it is untold. */
+ * where it is untold.  t: of law and m. */
 unsigned stress_truth_fates(const struct stress_truth *t, const struct law *law,
-                            enum stress_side side);
+                            const struct material *m, enum stress_side side);
 
 #endif

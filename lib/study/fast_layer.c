@@ -1,7 +1,7 @@
 /* In arc length of the chart an orbit off the slow curve is not stiff.  Its
  * steps are by the method of order 8 with time and slip as components.  What a
- * step may have missed is moved across the orbit, where it shifts the landing,
- * and along it, where it shifts the time.
+ * step may have missed is moved across the orbit, where it shifts the landing
+ * but for what closes in before, and along it, where it shifts the time.
  *
  * Step sizes follow the trend of the last two (Gustafsson, ACM TOMS 20, 1994,
  * 496-517): a fifth fewer are refused than without. */
@@ -55,6 +55,7 @@ struct walk {
     double previous, last; /* error and size of the last accepted step */
     bool refused;          /* the last attempt was */
     double least[2];       /* sizes that tolerances are relative to */
+    double spread;         /* rate at which orbits part where it is */
 };
 
 /* ---- steps --------------------------------------------------------------- */
@@ -174,6 +175,32 @@ static double size_of(const struct landing *l, const double u1[],
     return sqrt(sum / LAYER_DIM);
 }
 
+/* The rate at which orbits beside the end of the walk part, per arc. */
+static double spread_at(const struct landing *l)
+{
+    const double *du = l->du;
+    const double u[LAYER_DIM] = { l->u[LAYER_X] - TOL_LAYER_ASIDE * du[LAYER_Y],
+                                  l->u[LAYER_Y] +
+                                      TOL_LAYER_ASIDE * du[LAYER_X] };
+    double beside[LAYER_DIM];
+
+    along(l->curve->study, 0.0, u, beside);
+    return (du[LAYER_X] * beside[LAYER_Y] - du[LAYER_Y] * beside[LAYER_X]) /
+           TOL_LAYER_ASIDE;
+}
+
+/* What is left of the distance across the orbit after the step: it shrinks as
+ * orbits do that close in on each other at both ends of it; what they part is
+ * in TOL_LAYER_TRANSPORT. */
+static double across_left(struct walk *w)
+{
+    const double spread = spread_at(&w->at);
+    const double parting = fmax(w->h * spread, w->h * w->spread);
+
+    w->spread = spread;
+    return exp(fmin(parting, 0.0)) * w->at.across;
+}
+
 /* Takes the step to u1.  Of the estimates of order 5 the method misses `part`,
  * as it says itself; off its orbit a state also gains another time and slip, by
  * about as much, relative. */
@@ -190,11 +217,13 @@ static void account(struct walk *w, const double u1[], double part,
     const double x = error[LAYER_X], y = error[LAYER_Y];
     const double dx = fabs(l->du[LAYER_X]), dy = fabs(l->du[LAYER_Y]);
     const double on = x * dx + y * dy;
-    l->across += transport * (x * dy + y * dx);
+    const double across = transport * (x * dy + y * dx) + across_left(w);
+    const double most = fmax(across, l->across);
+    l->across = across;
     l->time_error += transport * (error[LAYER_TIME] + l->du[LAYER_TIME] * on) +
-                     TOL_LAYER_TRANSPORT * l->across * fabs(time);
+                     TOL_LAYER_TRANSPORT * most * fabs(time);
     l->slip_error += transport * (error[LAYER_SLIP] + l->du[LAYER_SLIP] * on) +
-                     TOL_LAYER_TRANSPORT * l->across * fabs(slip);
+                     TOL_LAYER_TRANSPORT * most * fabs(slip);
     l->out->place_error += part * (x + y);
 }
 
@@ -207,7 +236,7 @@ static bool judge(struct walk *w, double off, double *factor)
     const bool good = off <= 1.0;
     const double now = fmax(off, TOL_LAYER_FLOOR);
     const double wish =
-        off < HUGE_VAL ? TOL_STEP_SAFETY * pow(now, -0.125) : 0.0;
+        off < HUGE_VAL ? TOL_LAYER_SAFETY * pow(now, -0.125) : 0.0;
     const double trend = fabs(w->h) / w->last * pow(w->previous / now, 0.125);
     const double next = good ? fmin(wish, wish * trend) : wish;
     const double most = good && !w->refused ? TOL_LAYER_GROWTH : 1.0;

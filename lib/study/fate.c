@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "moment.h"
+#include "rest_form.h"
 #include "study.h"
 #include "study_tolerance.h"
 
@@ -64,31 +65,36 @@ static double slow_time(const struct study *s)
     return fmin(fmax(slowest, 1.0), TOL_FATE_TIME_MAX);
 }
 
-/* direction * exp(log_scale), either of which may leave the doubles. */
-static double rate_of(double direction, double log_scale)
+/* Of a block that stops, or all but does: a law's matter. */
+static enum fate fate_at_rest(const struct study *s)
 {
-    return copysign(exp(log(fabs(direction)) + log_scale), direction);
+    const enum fate fate = rest_form_of(&s->block.law, &s->block.material).fate;
+
+    return fate == FATE_CREEP ? FATE_UNDECIDED : fate;
 }
 
-/* d/dt of both coordinates at the end of the orbit; may be infinite. */
-static struct vec2 rates(const struct study *s, const struct orbit *o)
+/* Whether it has left the domain, or every scale. */
+static bool is_beyond(const struct orbit *o)
 {
-    struct planar_field f;
-
-    s->system.field(s->system.ctx, (struct vec2){ o->u[0], o->u[1] }, &f);
-    return (struct vec2){ rate_of(f.direction.x, f.log_scale),
-                          rate_of(f.direction.y, f.log_scale) };
+    return o->end == ORBIT_LEFT_DOMAIN || o->end == ORBIT_REACHED;
 }
 
-/* `since`: when a rest became possible; NaN: not yet. */
+/* Of an orbit so far. */
+struct past {
+    double since; /* when a rest in finite time became possible; NaN: not yet */
+    bool fell;    /* it has been where nothing holds v above 0 */
+};
+
+/* `since`: of struct past. */
 static bool rests(const struct study *s, const struct orbit *o, double since)
 {
-    const struct vec2 rate = rates(s, o);
+    const struct vec2 rate = moment_rates(s, o->u);
+    const double power = rest_form_of(&s->block.law, &s->block.material).power;
     const bool deep = s->system.origin.x + o->u[0] < TOL_REST_DEEP;
     const double soon =
         (deep ? TOL_REST_DEEP_SOON : TOL_REST_SOON) * (o->u[2] - since);
 
-    return soon > 0.0 && -rate.x * soon > 1.0 && rate.y * soon > 1.0;
+    return soon > 0.0 && -rate.x * soon > power && rate.y * soon > 1.0;
 }
 
 /* In the quadrant v > v_sp, psi < psi_sp, which cannot be left (trap.h), and
@@ -100,9 +106,16 @@ static bool runs_away(const struct study *s, const struct orbit *o)
     return (size_t) s->saddle + 1 == s->equilibria;
 }
 
+/* In the quadrant v < v_sp, psi > psi_sp, which cannot be left either, and
+ * without a node in it: nothing holds v above 0. */
+static bool falls(const struct study *s, const struct orbit *o)
+{
+    return s->saddle == 0 && o->u[0] < 0.0 && o->u[1] > 0.0;
+}
+
 /* The power of time that v follows from a part of the time so far, `from`, to
  * another, `to`: the rates at the end of an orbit are mostly rounding.  NaN
- * where it has no such past. */
+ * where it has no such past, or no normal number for the time. */
 static double power_of_time(const struct orbit *o, double from, double to)
 {
     double end[CURVE_DIM_MAX] = { o->u[0], o->u[1], o->u[2] };
@@ -113,18 +126,19 @@ static double power_of_time(const struct orbit *o, double from, double to)
         if (u[2] >= to * o->u[2])
             memcpy(end, u, 3 * sizeof *u);
         if (u[2] <= from * o->u[2])
-            return (end[0] - u[0]) / log(end[2] / fmax(u[2], DBL_MIN));
+            return end[2] > DBL_MIN
+                       ? (end[0] - u[0]) / log(end[2] / fmax(u[2], DBL_MIN))
+                       : (double) NAN;
     }
     return (double) NAN;
 }
 
-/* In the quadrant v < v_sp, psi > psi_sp and without a node in it, v has
- * followed one power of time for a long time.  (Rest in finite time follows
- * none, and falls ever faster.) */
+/* v, which falls to 0 as t -> inf, has followed one power of time for a long
+ * time. */
 static bool fades(const struct study *s, const struct orbit *o)
 {
-    if (s->saddle != 0 || o->steps % TOL_FADE_STEPS != 0 ||
-        !(o->u[0] < TOL_FADE_DEPTH && o->u[1] > 0.0))
+    if (!falls(s, o) || o->steps % TOL_FADE_STEPS != 0 ||
+        !(o->u[0] < TOL_FADE_DEPTH) || fate_at_rest(s) == FATE_REST_FINITE)
         return false;
     const double late = power_of_time(o, TOL_FADE_PART, 1.0);
     const double early =
@@ -133,63 +147,59 @@ static bool fades(const struct study *s, const struct orbit *o)
 }
 
 /* An orbit that has left every scale: v -> inf or v -> 0 like a power of
- * time. */
-static enum fate fate_beyond(const struct orbit *o)
+ * time, or faster. */
+static enum fate fate_beyond(const struct study *s, const struct orbit *o)
 {
     const double power = power_of_time(o, TOL_FADE_PART, 1.0);
 
     return power > TOL_FATE_POWER    ? FATE_RUNAWAY
-           : power < -TOL_FATE_POWER ? FATE_REST_ASYMPTOTIC
+           : power < -TOL_FATE_POWER ? fate_at_rest(s)
                                      : FATE_UNDECIDED;
 }
 
+/* What becomes of it does not hang on how far it was followed. */
 static enum fate fate_at_end(const struct study *s, const struct goals *g,
-                             const struct orbit *o, double since,
-                             const char **reason)
+                             const struct orbit *o, const struct past *past)
 {
-    enum fate fate = FATE_UNDECIDED;
-
-    *reason = NULL;
+    if (past->fell)
+        return fate_at_rest(s);
     if (o->end == ORBIT_ARRIVED)
-        fate = g->fate[o->end_index];
-    else if (o->end == ORBIT_LEFT_DOMAIN || o->end == ORBIT_REACHED)
-        fate = fate_beyond(o);
-    else if (runs_away(s, o))
-        fate = FATE_RUNAWAY;
-    else if (rests(s, o, since))
-        fate = FATE_REST_FINITE;
-    else if (fades(s, o))
-        fate = FATE_REST_ASYMPTOTIC;
-    if (fate == FATE_UNDECIDED)
-        *reason = "the orbit could not be followed to an end";
-    return fate;
+        return g->fate[o->end_index];
+    if (runs_away(s, o))
+        return FATE_RUNAWAY;
+    if (rests(s, o, past->since))
+        return fate_at_rest(s);
+    return is_beyond(o) ? fate_beyond(s, o) : FATE_UNDECIDED;
 }
 
-/* What is still to come at the end of an orbit, or nearly so. */
-struct rest {
-    double time, slip; /* may be infinite */
-};
+static const char *reason_of(const struct past *past, enum fate fate)
+{
+    if (fate != FATE_UNDECIDED)
+        return NULL;
+    return past->fell ? "the block creeps at a rate below the plane's"
+                      : "the orbit could not be followed to an end";
+}
 
-/* At constant friction v falls to 0 like a line; v ~ t^-p leaves v t/(p - 1)
- * of slip, infinite where p <= 1, or so near 1 that it may be a logarithm. */
-static struct rest rest_of(const struct study *s, const struct orbit *o,
-                           enum fate fate)
+/* What is still to come at the end of an orbit, or nearly so; may be infinite.
+ * v ~ t^-p leaves v t/(p - 1) of slip, infinite where p <= 1, or so near 1 that
+ * it may be a logarithm. */
+static struct moment_rest rest_of(const struct study *s, const struct orbit *o,
+                                  enum fate fate)
 {
     const double v = s->block.at.v0 * exp(o->u[0]), t = o->u[2];
-    const double rate = -rates(s, o).x;
 
     if (fate == FATE_REST_FINITE)
-        return (struct rest){ 1.0 / rate, 0.5 * v / rate };
+        return moment_rest_at(s, o->u);
     if (fate != FATE_REST_ASYMPTOTIC)
-        return (struct rest){ 0.0, 0.0 };
+        return (struct moment_rest){ 0.0, 0.0 };
     const double more = -power_of_time(o, TOL_FADE_PART, 1.0) - 1.0;
     const bool grows = !(more > 0.0) || more * log(t) < TOL_FADE_LOGARITHM;
-    return (struct rest){ HUGE_VAL, grows ? HUGE_VAL : v * t / more };
+    return (struct moment_rest){ HUGE_VAL, grows ? HUGE_VAL : v * t / more };
 }
 
 /* The integrals of an orbit whose slip is finite; what is left of it is
  * added, and is in the bars. */
-static void observe_slip(const struct orbit *o, struct rest left,
+static void observe_slip(const struct orbit *o, struct moment_rest left,
                          struct fate_result *out)
 {
     const double passed = o->u[3 + BLOCK_SLIP], work = o->u[3 + BLOCK_WORK];
@@ -204,18 +214,30 @@ static void observe_slip(const struct orbit *o, struct rest left,
             : quantity_none("no slip before arrest");
 }
 
-static void observe_end(const struct study *s, const struct orbit *o,
-                        struct fate_result *out)
+/* Why it has neither time nor slip; NULL: it may have. */
+static const char *why_endless(const struct study *s, const struct orbit *o,
+                               double since, enum fate fate)
 {
-    const struct rest left = rest_of(s, o, out->fate);
-    static const char runs_away[] = "the block runs away";
-    static const char undecided[] = "the fate is undecided";
+    if (fate == FATE_RUNAWAY)
+        return "the block runs away";
+    if (fate == FATE_UNDECIDED)
+        return "the fate is undecided";
+    return o->end == ORBIT_ARRIVED || is_beyond(o) || rests(s, o, since) ||
+                   fades(s, o)
+               ? NULL
+               : "the orbit could not be followed to its end";
+}
+
+static void observe_end(const struct study *s, const struct orbit *o,
+                        double since, struct fate_result *out)
+{
+    const struct moment_rest left = rest_of(s, o, out->fate);
+    const char *why = why_endless(s, o, since, out->fate);
     static const char never[] = "the block never quite stops";
     static const char unbounded[] =
         "the slip grows without bound, or its limit is out of reach";
 
-    if (out->fate == FATE_RUNAWAY || out->fate == FATE_UNDECIDED) {
-        const char *why = out->fate == FATE_RUNAWAY ? runs_away : undecided;
+    if (why) {
         out->slip = out->time = out->mu_mean = quantity_none(why);
         return;
     }
@@ -228,19 +250,29 @@ static void observe_end(const struct study *s, const struct orbit *o,
         observe_slip(o, left, out);
 }
 
-/* orbit_run, which also ends where the block rests or runs away. */
-static enum status run(const struct study *s, struct orbit *o,
-                       const struct monitor *monitor, double *since)
+static void note(const struct study *s, const struct orbit *o, double before,
+                 struct past *past)
+{
+    past->fell = past->fell || falls(s, o);
+    if (isnan(past->since) && moment_may_rest(s, o->u))
+        past->since = before;
+}
+
+/* orbit_run, which also ends where the block rests or runs away; unless
+ * `observe`, as soon as its fate is known; and where rounding throws it out of
+ * a quadrant that cannot be left. */
+static enum status run(const struct study *s, struct orbit *o, bool observe,
+                       const struct monitor *monitor, struct past *past)
 {
     enum status status = STATUS_OK;
 
-    *since = moment_may_rest(s, o->u) ? 0.0 : (double) NAN;
+    note(s, o, 0.0, past);
     while (status == STATUS_OK && o->end == ORBIT_RUNNING &&
-           !rests(s, o, *since) && !fades(s, o) && !runs_away(s, o)) {
+           !rests(s, o, past->since) && !fades(s, o) && !runs_away(s, o) &&
+           (!past->fell || (observe && falls(s, o)))) {
         const double before = o->u[2];
         status = orbit_step(o);
-        if (isnan(*since) && moment_may_rest(s, o->u))
-            *since = before;
+        note(s, o, before, past);
         if (o->steps % TOL_MONITOR_STEPS == 0 &&
             monitor_tell(monitor, "orbit", o->steps, 0))
             status = STATUS_STOPPED;
@@ -256,7 +288,7 @@ static enum status follow(const struct study *s, struct vec2 z, double rtol,
     const struct goals goals = goals_of(s);
     struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
     struct orbit o;
-    double since;
+    struct past past = { .since = (double) NAN };
 
     options.rtol = rtol;
     options.observables = observe ? BLOCK_EXCESS : 0;
@@ -269,14 +301,15 @@ static enum status follow(const struct study *s, struct vec2 z, double rtol,
     enum status status = orbit_init(&o, &s->system, z, &options);
     if (status != STATUS_OK)
         return status;
-    status = run(s, &o, monitor, &since);
+    status = run(s, &o, observe, monitor, &past);
     if (status == STATUS_OK || status == STATUS_NO_CONVERGENCE ||
         status == STATUS_TOO_MANY_STEPS) {
-        out->fate = fate_at_end(s, &goals, &o, since, &out->reason);
+        out->fate = fate_at_end(s, &goals, &o, &past);
+        out->reason = reason_of(&past, out->fate);
         out->steps = o.steps;
         out->field_evaluations = o.field_calls + o.jacobian_calls;
         if (observe)
-            observe_end(s, &o, out);
+            observe_end(s, &o, past.since, out);
         *last = (struct vec2){ o.u[0], o.u[1] };
         status = STATUS_OK;
     }
@@ -296,24 +329,55 @@ static bool gentle_start(const struct study *s, struct vec2 z,
     return s->saddle >= 0 && (slow || fast);
 }
 
+/* Where there is at most one steady state in all, and no saddle, every state
+ * shares one fate.  (A saddle is beyond the plane where a block may rest and a
+ * node is the only steady state in it.) */
+static enum fate fate_of_all(const struct study *s)
+{
+    const enum fate rest = rest_form_of(&s->block.law, &s->block.material).fate;
+
+    if (s->saddle >= 0 || s->equilibria > 1)
+        return FATE_UNDECIDED;
+    if (s->equilibria == 0)
+        return s->block.at.force0 > 0.0 ? FATE_RUNAWAY : fate_at_rest(s);
+    const struct equilibrium *e = &s->equilibrium[0];
+    return e->type == EQUILIBRIUM_STABLE_NODE && rest == FATE_CREEP
+               ? fate_of_node(s, e)
+               : FATE_UNDECIDED;
+}
+
+/* What is known of an orbit that ended nowhere, at `last`. */
+static enum status find_anyway(const struct study *s, struct vec2 last,
+                               const struct monitor *monitor,
+                               struct fate_result *out)
+{
+    struct vec2 start;
+    struct fate_result gentle = { .fate = fate_of_all(s) };
+    enum status status = STATUS_OK;
+
+    if (gentle_start(s, last, &start))
+        status =
+            follow(s, start, TOL_TRAP_RTOL, false, monitor, &gentle, &last);
+    if (status != STATUS_OK || gentle.fate == FATE_UNDECIDED)
+        return status;
+    out->fate = gentle.fate;
+    out->reason = NULL;
+    out->field_evaluations += gentle.field_evaluations;
+    return status;
+}
+
 enum status fate_find(const struct study *s, struct vec2 z, double rtol,
                       bool observe, const struct monitor *monitor,
                       struct fate_result *out)
 {
-    struct vec2 start = vec2_sub(z, s->system.origin), last = start;
-    struct fate_result gentle;
-    enum status status = follow(s, start, rtol, observe, monitor, out, &last);
+    const struct vec2 start = vec2_sub(z, s->system.origin);
+    struct vec2 last = start;
+    const enum status status =
+        follow(s, start, rtol, observe, monitor, out, &last);
 
-    if (status != STATUS_OK || observe || out->fate != FATE_UNDECIDED ||
-        !gentle_start(s, last, &start))
+    if (status != STATUS_OK || observe || out->fate != FATE_UNDECIDED)
         return status;
-    status = follow(s, start, TOL_TRAP_RTOL, false, monitor, &gentle, &last);
-    if (status == STATUS_OK) {
-        out->fate = gentle.fate;
-        out->reason = gentle.reason;
-        out->field_evaluations += gentle.field_evaluations;
-    }
-    return status;
+    return find_anyway(s, last, monitor, out);
 }
 
 /* ---- regions ------------------------------------------------------------- */

@@ -45,7 +45,9 @@ struct fate_result {
 /* The fate of the absolute chart point z in s->system, whose steady states
  * are known.  `observe`: with slip, time and means, else the fate alone, which
  * is known, too, where the orbit could be followed only into one of the
- * saddle's quadrants that cannot be left (trap.h). STATUS_BAD_ARGUMENT: z
+ * saddle's quadrants that cannot be left (trap.h), or where all share one.
+ * Whether a rest takes a finite time is the law's (rest_form.h), whatever rtol.
+ STATUS_BAD_ARGUMENT: z
  * outside the domain; STATUS_NO_MEMORY; STATUS_STOPPED. An orbit that cannot be
  * followed is undecided, with a reason. */
 MUST_CHECK enum status fate_find(const struct study *s, struct vec2 z,

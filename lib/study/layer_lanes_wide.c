@@ -22,6 +22,7 @@ struct bundle {
     lanes fresh;          /* 1: no step was refused */
     lanes part, fair; /* of the estimates of order 5 that it misses; least */
     lanes across, wrong[2], place;
+    lanes spread; /* rate at which orbits part where it is */
     struct landing at[LANES];
     bool busy[LANES], asks[LANES]; /* asks: whether it is over */
 };
@@ -117,7 +118,7 @@ static lanes judge(struct bundle *b, lanes off, lanes *factor)
     const lanes now = lanes_larger(off, LANES_OF(TOL_LAYER_FLOOR));
     const lanes wish =
         lanes_less(off, LANES_OF(HUGE_VAL),
-                   TOL_STEP_SAFETY * lanes_exp(-0.125 * lanes_ln(now)), none);
+                   TOL_LAYER_SAFETY * lanes_exp(-0.125 * lanes_ln(now)), none);
     const lanes trend =
         size / b->last * lanes_exp(0.125 * lanes_ln(b->previous / now));
     const lanes next =
@@ -132,26 +133,44 @@ static lanes judge(struct bundle *b, lanes off, lanes *factor)
     return good;
 }
 
-/* As account of fast_layer.c, where the step is accepted. */
-static void account(struct bundle *b, lanes good)
+/* The rate at which orbits beside u part, per arc. */
+static lanes spread_at(const struct bundle *b, const lanes u[])
+{
+    const lanes *du = b->k[0];
+    lanes beside[2];
+
+    const lanes x = lanes_fma(LANES_OF(-TOL_LAYER_ASIDE), du[LAYER_Y], u[0]);
+    const lanes y = lanes_fma(LANES_OF(TOL_LAYER_ASIDE), du[LAYER_X], u[1]);
+    along(b, &x, &y, false, beside);
+    return (du[LAYER_X] * beside[1] - du[LAYER_Y] * beside[0]) /
+           TOL_LAYER_ASIDE;
+}
+
+/* As account of fast_layer.c, where the step to u is accepted. */
+static void account(struct bundle *b, lanes good, const lanes u[])
 {
     const lanes *du = b->k[0], *e = b->error, none = LANES_OF(0.0);
     const lanes dx = lanes_size(du[LAYER_X]), dy = lanes_size(du[LAYER_Y]);
     const lanes fair = lanes_larger(b->part, b->fair);
+    const lanes spread = spread_at(b, u);
+    const lanes parting = lanes_larger(b->h * spread, b->h * b->spread);
+    const lanes left = lanes_exp(lanes_smaller(parting, none)) * b->across;
     const lanes across =
-        TOL_LAYER_TRANSPORT * fair * (e[LAYER_X] * dy + e[LAYER_Y] * dx);
+        TOL_LAYER_TRANSPORT * fair * (e[LAYER_X] * dy + e[LAYER_Y] * dx) + left;
     const lanes on = e[LAYER_X] * dx + e[LAYER_Y] * dy;
     const lanes place = b->part * (e[LAYER_X] + e[LAYER_Y]);
+    const lanes most = lanes_larger(across, b->across);
 
-    b->across += lanes_less(none, good, across, none);
-    b->place += lanes_less(none, good, place, none);
     for (int i = 0; i < 2; i++) {
         const int k = LAYER_TIME + i;
         const lanes gain = lanes_size(b->u1[k] - b->u[k]);
-        const lanes wrong = TOL_LAYER_TRANSPORT *
-                            (fair * (e[k] + du[k] * on) + b->across * gain);
+        const lanes wrong =
+            TOL_LAYER_TRANSPORT * (fair * (e[k] + du[k] * on) + most * gain);
         b->wrong[i] += lanes_less(none, good, wrong, none);
     }
+    b->across = lanes_less(none, good, across, b->across);
+    b->spread = lanes_less(none, good, spread, b->spread);
+    b->place += lanes_less(none, good, place, none);
 }
 
 /* Goes where the steps that are good end. */
@@ -164,7 +183,7 @@ static void move(struct bundle *b)
     for (int i = 0; i < LAYER_DIM; i++)
         u[i] = lanes_less(none, good, b->u1[i], b->u[i]);
     along(b, &u[LAYER_X], &u[LAYER_Y], true, b->k[0]);
-    account(b, good);
+    account(b, good, u);
     memcpy(b->u, u, sizeof u);
     b->h = factor * lanes_less(none, good, lanes_size(b->h), b->h);
     for (int l = 0; l < LANES; l++) {
@@ -208,7 +227,8 @@ static void take(struct bundle *b, int l, const struct layer_job *job,
     b->least[1][l] = least[1];
     b->previous[l] = b->fresh[l] = 1.0;
     b->last[l] = 0.0;
-    b->across[l] = b->wrong[0][l] = b->wrong[1][l] = b->place[l] = 0.0;
+    b->across[l] = b->spread[l] = b->wrong[0][l] = b->wrong[1][l] =
+        b->place[l] = 0.0;
     b->busy[l] = b->asks[l] = true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rest_form.h"
 #include "study.h"
 #include "study_tolerance.h"
 
@@ -154,7 +155,9 @@ bool moment_may_rest(const struct study *s, const double u[])
     const double carried = -0.5 * log(material_eps2(&s->block.material));
     const bool slow = s->saddle == 0 && u[0] < 0.0 && u[1] > 0.0;
 
-    return (slow || s->equilibria == 0) && x < carried + TOL_MOMENT_CARRIED;
+    return (slow || s->equilibria == 0) && x < carried + TOL_MOMENT_CARRIED &&
+           rest_form_of(&s->block.law, &s->block.material).fate ==
+               FATE_REST_FINITE;
 }
 
 /* Positive where ln v would fall and ln psi rise by one within a part of the
@@ -163,21 +166,25 @@ bool moment_may_rest(const struct study *s, const double u[])
 static double at_rest(const void *ctx, double s, const double u[])
 {
     const struct moment_watch *w = ctx;
+    const struct block *b = &w->study->block;
     const struct vec2 rate = moment_rates(w->study, u);
+    const double power = rest_form_of(&b->law, &b->material).power;
     const bool deep = w->study->system.origin.x + u[0] < TOL_MOMENT_DEEP;
     const double part = deep ? TOL_REST_DEEP_SOON : w->at;
 
     (void) s;
     return u[2] > 0.0 && moment_may_rest(w->study, u)
-               ? fmin(-rate.x, rate.y) * part * u[2] - 1.0
+               ? fmin(-rate.x / power, rate.y) * part * u[2] - 1.0
                : -1.0;
 }
 
 struct moment_rest moment_rest_at(const struct study *s, const double u[])
 {
-    const double v = s->block.at.v0 * exp(u[0]), rate = -moment_rates(s, u).x;
+    const double power = rest_form_of(&s->block.law, &s->block.material).power;
+    const double v = s->block.at.v0 * exp(u[0]);
+    const double time = -power / moment_rates(s, u).x;
 
-    return (struct moment_rest){ 1.0 / rate, 0.5 * v / rate };
+    return (struct moment_rest){ time, v * time / (1.0 + power) };
 }
 
 /* ---- watches ------------------------------------------------------------- */

@@ -80,12 +80,13 @@ const struct equilibrium *moment_node_at(const struct study *s, struct vec2 z,
  * infinite.  u: of the orbit. */
 struct vec2 moment_rates(const struct study *s, const double u[]);
 
-/* Whether a block could come to rest at all from there: no steady state is in
- * the way, and it is slow enough to stop before it slips a state's length. */
+/* Whether a block could come to rest in finite time from there: its law lets it
+ * (rest_form.h), no steady state is in the way, and it is slow enough to stop
+ * before it slips a state's length. */
 bool moment_may_rest(const struct study *s, const double u[]);
 
-/* What is left of time and slip where friction stops the block at once: v
- * falls to 0 along a line. */
+/* What is left of time and slip at the end of a rest in finite time: v falls to
+ * 0 along a line, or as its law has it (rest_form.h). */
 struct moment_rest {
     double time, slip;
 };

@@ -1,6 +1,7 @@
 /* The row and the column of a state are crossed by the stable branches, which
- * says its fate and the nearest other one; slip and time come from its orbit,
- * run twice, for the orbit's own error sums are no bounds. */
+ * says its fate and the nearest other one; slip and time come from the slow
+ * curve's table or from its whole orbit, run twice, for the orbit's own error
+ * sums are no bounds. */
 #include "push.h"
 
 #include <math.h>
@@ -92,8 +93,19 @@ enum status push_init(struct push *p, const struct scene *scene,
     return status;
 }
 
+enum status push_tabulate(struct push *p, const struct monitor *monitor)
+{
+    fast_cells_free(&p->fast);
+    const enum status s = fast_cells_init(&p->fast, &p->study, monitor);
+
+    if (s != STATUS_OK)
+        p->fast = (struct fast_cells){ .study = NULL };
+    return s;
+}
+
 void push_free(struct push *p)
 {
+    fast_cells_free(&p->fast);
     regions_free(&p->regions);
     separatrix_free(&p->along[0]);
     separatrix_free(&p->along[1]);
@@ -102,13 +114,17 @@ void push_free(struct push *p)
 
 /* ---- slip and time ------------------------------------------------------- */
 
-/* The finer value; the bar holds the other and both own ones. */
-static struct quantity compare(struct quantity coarse, struct quantity fine)
+/* The finer value; the bar holds the other, both own ones, and what is left of
+ * an orbit followed to rtol where the change is small by luck. */
+static struct quantity compare(struct quantity coarse, struct quantity fine,
+                               double rtol)
 {
     if (!quantity_exists(&coarse) || !quantity_exists(&fine))
         return quantity_exists(&fine) ? coarse : fine;
-    return quantity_of(fine.value, fabs(fine.value - coarse.value) +
-                                       fmax(fine.error, coarse.error));
+    return quantity_of(fine.value,
+                       fabs(fine.value - coarse.value) +
+                           fmax(fine.error, coarse.error) +
+                           TOL_CELLS_LEAST * rtol * fabs(fine.value));
 }
 
 static enum status follow(const struct push *p, struct vec2 z,
@@ -131,14 +147,41 @@ static enum status follow(const struct push *p, struct vec2 z,
             coarse = fine;
     }
     if (agree) {
-        out->slip = compare(coarse.slip, fine.slip);
-        out->time = compare(coarse.time, fine.time);
-        out->mu_mean = compare(coarse.mu_mean, fine.mu_mean);
+        out->slip = compare(coarse.slip, fine.slip, rtol);
+        out->time = compare(coarse.time, fine.time, rtol);
+        out->mu_mean = compare(coarse.mu_mean, fine.mu_mean, rtol);
     } else {
         const char *why = coarse.reason ? coarse.reason : too_near;
         out->slip = out->time = out->mu_mean = quantity_none(why);
     }
     return s;
+}
+
+static struct quantity told(double value, double error, const char *none)
+{
+    return isfinite(value) ? quantity_of(value, error) : quantity_none(none);
+}
+
+/* What a cell tells of a state of that fate, or why there is nothing to tell
+ * (as fate.c says it); false: nothing that helps. */
+static bool take_cell(const struct cell *c, struct push_answer *out)
+{
+    const bool fades = c->exit_reason == FATE_REST_ASYMPTOTIC;
+    const bool runs = c->exit_reason == FATE_RUNAWAY;
+    const char *never =
+        runs ? "the block runs away" : "the block never quite stops";
+    const char *unbounded =
+        runs ? never
+             : "the slip grows without bound, or its limit is out of reach";
+
+    if (c->exit_reason != out->fate || out->fate == FATE_UNDECIDED)
+        return false;
+    if (!runs && !fades && !(isfinite(c->mu_mean) && isfinite(c->time)))
+        return false;
+    out->slip = told(c->slip, c->slip_error, unbounded);
+    out->time = told(c->time, c->time_error, never);
+    out->mu_mean = told(c->mu_mean, c->mu_mean_error, unbounded);
+    return true;
 }
 
 /* ---- kicks --------------------------------------------------------------- */
@@ -210,42 +253,91 @@ bool push_holds(const struct push *p, struct push_state at)
     return box_holds(p->study.system.domain, chart_point(p, at));
 }
 
-enum status push_find(const struct push *p, struct push_state at,
-                      const struct monitor *monitor, struct push_answer *out)
+/* `cell`: what is known of it already. */
+static enum status answer(const struct push *p, struct vec2 z,
+                          const struct cell *cell,
+                          const struct monitor *monitor,
+                          struct push_answer *out)
 {
     struct margin_line l;
+    enum status s = margin_init(&l, &p->along[0], &p->along[1]);
 
-    if (!push_holds(p, at))
-        return STATUS_BAD_ARGUMENT;
-    const enum status s = margin_init(&l, &p->along[0], &p->along[1]);
     if (s != STATUS_OK)
         return s;
-    const struct vec2 z = chart_point(p, at);
     *out = (struct push_answer){ .fate = FATE_NONE };
     find_kicks(p, &l, z, out);
     margin_free(&l);
-    const enum status found = settle(p, z, monitor, out);
-    return found == STATUS_OK ? follow(p, z, monitor, out) : found;
+    s = settle(p, z, monitor, out);
+    return s != STATUS_OK || take_cell(cell, out) ? s
+                                                  : follow(p, z, monitor, out);
+}
+
+/* What the slow curve says of n states, if it was tabulated. */
+static enum status find_cells(const struct push *p, const struct vec2 z[],
+                              size_t n, struct cell out[])
+{
+    const unsigned which =
+        1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
+
+    for (size_t i = 0; i < n; i++)
+        out[i] = (struct cell){ .exit_reason = FATE_UNDECIDED };
+    return p->fast.study == NULL
+               ? STATUS_OK
+               : fast_cells_find(&p->fast, z, n, TOL_PUSH_COARSE, which, NULL,
+                                 out, NULL);
+}
+
+enum status push_find(const struct push *p, struct push_state at,
+                      const struct monitor *monitor, struct push_answer *out)
+{
+    const struct vec2 z = chart_point(p, at);
+    struct cell cell;
+
+    if (!push_holds(p, at))
+        return STATUS_BAD_ARGUMENT;
+    const enum status s = find_cells(p, &z, 1, &cell);
+    return s == STATUS_OK ? answer(p, z, &cell, monitor, out) : s;
+}
+
+/* States between two words to the monitor. */
+enum { BLOCK = 1024, BLOCK_WHOLE = 64 };
+
+/* count <= BLOCK. */
+static enum status find_block(const struct push *p,
+                              const struct push_state at[], size_t count,
+                              struct push_answer out[])
+{
+    struct vec2 z[BLOCK];
+    struct cell cell[BLOCK];
+
+    for (size_t i = 0; i < count; i++) {
+        if (!push_holds(p, at[i]))
+            return STATUS_BAD_ARGUMENT;
+        z[i] = chart_point(p, at[i]);
+    }
+    enum status failed = find_cells(p, z, count, cell);
+#pragma omp parallel for schedule(dynamic)
+    for (size_t i = 0; i < count; i++) {
+        const enum status s = answer(p, z[i], &cell[i], NULL, &out[i]);
+        if (s != STATUS_OK) {
+#pragma omp atomic write
+            failed = s;
+        }
+    }
+    return failed;
 }
 
 enum status push_find_all(const struct push *p, const struct push_state at[],
                           size_t count, const struct monitor *monitor,
                           struct push_answer out[])
 {
-    enum { BLOCK = 64 };
+    const size_t block = p->fast.study ? BLOCK : BLOCK_WHOLE;
     enum status failed = STATUS_OK;
 
     for (size_t first = 0; first < count && failed == STATUS_OK;
-         first += BLOCK) {
-        const size_t end = first + BLOCK < count ? first + BLOCK : count;
-#pragma omp parallel for schedule(dynamic)
-        for (size_t i = first; i < end; i++) {
-            const enum status s = push_find(p, at[i], NULL, &out[i]);
-            if (s != STATUS_OK) {
-#pragma omp atomic write
-                failed = s;
-            }
-        }
+         first += block) {
+        const size_t end = count - first < block ? count : first + block;
+        failed = find_block(p, &at[first], end - first, &out[first]);
         if (failed == STATUS_OK && monitor_tell(monitor, "states", end, count))
             failed = STATUS_STOPPED;
     }

@@ -4,7 +4,8 @@
  *
  *     struct push p;
  *     push_init(&p, &scene, NULL, &fault);
- *     push_find(&p, v, psi, &answer);
+ *     push_tabulate(&p, NULL);
+ *     push_find_all(&p, state, count, NULL, answer);
  *     push_free(&p);
  *
  * The fate is that of the state's region between the saddle's stable branches,
@@ -13,6 +14,7 @@
 #ifndef STUDY_PUSH_H
 #define STUDY_PUSH_H
 
+#include "fast_cells.h"
 #include "study.h"
 
 /* A state: slip rate in units of V_star, psi as the law's (law.h). */
@@ -23,7 +25,7 @@ struct push_state {
 struct push_answer {
     int8_t fate; /* enum fate */
     /* To arrest, from the state's own orbit; in units of L and L/V_star.  The
-     * bar is what another tolerance changes. */
+     * bar is what another tolerance changes, or fast_cells.h's. */
     struct quantity slip, time, mu_mean;
     /* Factors on v and on psi (a shift of psi where psi is a logarithm) that
      * lead just onto the nearest boundary of another fate; beyond lies it. */
@@ -36,6 +38,7 @@ struct push {
     struct study study; /* owned; with both stable branches */
     struct separatrix along[2]; /* owned; [0] crosses columns, [1] rows */
     struct regions regions;     /* owned; labelled */
+    struct fast_cells fast;     /* owned; empty unless tabulated */
 };
 
 /* Steady states, branches and the fates of all regions for this law and slope;
@@ -44,6 +47,13 @@ struct push {
 MUST_CHECK enum status push_init(struct push *p, const struct scene *scene,
                                  const struct monitor *monitor,
                                  struct fault *why);
+
+/* From now on slip, time and mean friction come from fast_cells.h, and from
+ * whole orbits only where that cannot tell: a state costs a fiftieth, the table
+ * as much as some twenty whole orbits.  On error (STATUS_NO_MEMORY,
+ * STATUS_STOPPED) they come from whole orbits as before. */
+MUST_CHECK enum status push_tabulate(struct push *p,
+                                     const struct monitor *monitor);
 
 /* STATUS_BAD_ARGUMENT: the state is outside the domain (v, and psi unless a
  * logarithm, 1e-300..1e300); STATUS_NO_MEMORY; STATUS_STOPPED.  What does not

@@ -258,6 +258,11 @@
  * as a part of what was promised. */
 #define TOL_LAYER_FAIR  0.1
 #define TOL_LAYER_LEAST 0.01
+/* How far beside an orbit its neighbour is whose direction tells whether they
+ * close in on each other; and what part of the step that its error allows is
+ * taken: more are refused, and bars grow, where it is more. */
+#define TOL_LAYER_ASIDE  1e-6
+#define TOL_LAYER_SAFETY 0.8
 /* A side of the saddle is told from this much of the distance on; what is left
  * of the distance by a step towards a peak beside the curve. */
 #define TOL_LAYER_SIDE 0.5

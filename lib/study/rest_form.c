@@ -1,0 +1,72 @@
+#include "rest_form.h"
+
+#include <math.h>
+
+/* As v -> 0. */
+enum course {
+    NEVER,   /* it creeps */
+    SLOWLY,  /* as t -> inf */
+    SOON,    /* psi grows so fast that v falls like a line */
+    BY_POWER /* v ~ (t0 - t)^(b/(b - a)) */
+};
+
+/* psi_ss is as large as v is small, or its logarithm: without a bound. */
+static bool grows(const struct law *law, const struct material *m)
+{
+    return law->psi_ss == PSI_SS_INVERSE || law->psi_ss == PSI_SS_LAMBERT ||
+           (law->psi_ss == PSI_SS_SPINODAL && isinf(m->R));
+}
+
+/* 1/T has a limit that is not 0. */
+static bool is_timed(const struct law *law, const struct material *m)
+{
+    return law->timescale == TIMESCALE_SPINODAL && isfinite(m->R);
+}
+
+/* psi_ss ~ 1/v. */
+static enum course under_inverse(const struct law *law,
+                                 const struct material *m)
+{
+    const bool is_sinh = law->kinetics == KINETICS_SINH;
+
+    if (law->theta != THETA_PSI && m->b < m->a)
+        return NEVER;
+    if (law->timescale == TIMESCALE_SLIP45)
+        return SLOWLY;
+    if (is_sinh || !is_timed(law, m))
+        return is_sinh ? SOON : SLOWLY;
+    if (law->theta == THETA_PSI)
+        return SOON;
+    return m->b > m->a ? BY_POWER : SLOWLY;
+}
+
+/* psi_ss = -ln v. */
+static enum course under_logarithm(const struct law *law,
+                                   const struct material *m)
+{
+    if (law->theta != THETA_PSI || m->b < m->a)
+        return NEVER;
+    return law->kinetics == KINETICS_SINH && is_timed(law, m) && m->b > m->a
+               ? BY_POWER
+               : SLOWLY;
+}
+
+static enum course course_of(const struct law *law, const struct material *m)
+{
+    if (law->psi_ss == PSI_SS_MINUS_LOG)
+        return under_logarithm(law, m);
+    return grows(law, m) ? under_inverse(law, m) : NEVER;
+}
+
+struct rest_form rest_form_of(const struct law *law, const struct material *m)
+{
+    static const enum fate fate[] = { [NEVER] = FATE_CREEP,
+                                      [SLOWLY] = FATE_REST_ASYMPTOTIC,
+                                      [SOON] = FATE_REST_FINITE,
+                                      [BY_POWER] = FATE_REST_FINITE };
+    const enum course course = course_of(law, m);
+
+    return (struct rest_form){ fate[course], course == BY_POWER
+                                                 ? m->b / (m->b - m->a)
+                                                 : 1.0 };
+}
