@@ -7,7 +7,8 @@
  * each other steady state (only the latter); a scene without a slope one with
  * its folds.  Numbers have 17 digits, inputs the fewest that read back as the
  * same double; inputs that the law does not use stay empty.  Behind each number
- * NAME stands NAME_tol, absolute: CHECK_RECORDED_BARS error bars and a rounding.
+ * NAME stands NAME_tol, absolute: CHECK_RECORDED_BARS error bars and a
+ * rounding.
  */
 #ifndef STUDY_BASELINE_H
 #define STUDY_BASELINE_H

@@ -40,7 +40,8 @@ const struct stage_info stage_table[STAGES] = {
                        "microseconds a row, a stiff orbit an audited cell",
                        BIT(STABLE), ASKED(BASINS) | ASKED(MARGIN) },
     [STAGE_FIELDS] = { "fields", "slip, time, friction of every cell of it",
-                       "about a microsecond a cell, more for peaks", BIT(BASINS),
+                       "about a microsecond a cell, more for peaks",
+                       BIT(BASINS),
                        ASKED(SLIP) | ASKED(TIME) | ASKED(FRICTION) |
                            ASKED(PEAK) },
     [STAGE_FRICTION_LAW] = { "friction_law", "steady-state friction over v",

@@ -2,6 +2,7 @@
  * along the curve of dx/dy = x'/y'. */
 #include "slow_knot.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "study.h"
@@ -24,6 +25,13 @@ static void split(const struct planar_jacobian *J, double speed,
     k->fast = -e.re[0] * exp(J->field.log_scale);
     k->fibre = mat2_eigenvector(J->matrix, e.re[0]);
     *slow = mat2_eigenvector(J->matrix, e.re[1]);
+}
+
+/* Whether a rounding of y, by which the curve is told, shows in x. */
+static bool is_too_steep(const struct slow_knot *k)
+{
+    return slow_knot_is_fast_y(k) &&
+           fabs(k->x_slope) * DBL_EPSILON > TOL_SLOW_STEEP;
 }
 
 bool slow_knot_is_fast_y(const struct slow_knot *k)
@@ -50,6 +58,8 @@ double slow_knot_at(const struct study *s, const double u[], double slope,
         if (slow_knot_is_fast_y(k))
             d.y = d.x / slope;
     }
+    if (is_too_steep(k))
+        k->gap = HUGE_VAL;
     const double rate = d.y * exp(J.field.log_scale);
     const double bend = (J.matrix.yx * slope + J.matrix.yy) / d.y;
     const double v = slip_rate(s, z.x);

@@ -162,10 +162,11 @@
 #define TOL_PHASE_NEAR 0.01
 
 /* The slow curve (slow_curve.c).  Accuracy of its orbit, and of a second one of
- * what is left of a rest, on which both must agree; steps, in e-folds of the slow rate and in ln psi,
- * that polynomials of degree 5 bear to 1e-11, and their number; how much of
- * what twice the step misses one step may, and where slopes are mostly noise,
- * below such a ratio of the slow rate to the fast one; and the largest ratio. */
+ * what is left of a rest, on which both must agree; steps, in e-folds of the
+ * slow rate and in ln psi, that polynomials of degree 5 bear to 1e-11, and
+ * their number; how much of what twice the step misses one step may, and where
+ * slopes are mostly noise, below such a ratio of the slow rate to the fast one;
+ * and the largest ratio. */
 #define TOL_SLOW_RTOL    1e-11
 #define TOL_SLOW_COARSE  1e-10
 #define TOL_SLOW_REST    1e-6
@@ -180,13 +181,15 @@
 /* Its series at the saddle: order, and end, where it is the tangent to as many
  * digits.  Beyond a node: nearest and furthest start in ln psi, growth of the
  * steps to it, halvings of the domain, and e-folds after which any orbit is on
- * it to rounding; the ratio of rates it may start at, and those below which
- * rounding in x or y, being the fast one, shows in the other; and how near the
- * end of a branch none lands, arriving first. */
+ * it to rounding; the ratio of rates it may start at; what a rounding of y may
+ * do to x where y settles first, and the ratios below which rounding in x or y,
+ * being the fast one, shows in the other; and how near the end of a branch none
+ * lands, arriving first. */
 #define TOL_SLOW_ORDER       8
 #define TOL_SLOW_START       1e-5
 #define TOL_SLOW_NEAREST     0.02
 #define TOL_SLOW_FURTHEST    15.0
+#define TOL_SLOW_STEEP       1e-12
 #define TOL_SLOW_GAP_LEAST_X 1e-14
 #define TOL_SLOW_GAP_LEAST_Y 1e-11
 #define TOL_SLOW_CLEAR       0.003
@@ -287,11 +290,12 @@
 
 /* Cells run to their fates (cells.c).  Orbits are first followed to this part
  * of the accuracy asked for (errors of slip and time are some ten times the
- * tolerance, of the stiffest ninety), at most this (looser ones miss where a block rests), then finer
- * by this factor, down to the finest that doubles hold, as long as bars shrink
- * to this part; least bar, in tolerances of the finest run; what rounding does
- * to a coordinate, per unit of it; and what steps leave across the stable
- * manifold, in tolerances (measured: 4e-3 at most). */
+ * tolerance, of the stiffest ninety), at most this (looser ones miss where a
+ * block rests), then finer by this factor, down to the finest that doubles
+ * hold, as long as bars shrink to this part; least bar, in tolerances of the
+ * finest run; what rounding does to a coordinate, per unit of it; and what
+ * steps leave across the stable manifold, in tolerances (measured: 4e-3 at
+ * most). */
 #define TOL_CELLS_START    0.05
 #define TOL_CELLS_COARSEST 1e-5
 #define TOL_CELLS_FINER    0.1
