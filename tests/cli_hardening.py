@@ -290,7 +290,7 @@ def a_decimal_comma_changes_no_byte(room):
     made = subprocess.run(['localedef', '-i', LOCALE, '-f', 'UTF-8',
                            room.path(LOCALE + '.UTF-8')], capture_output=True,
                           check=False)
-    if not os.path.isdir(room.path(LOCALE + '.UTF-8')):
+    if not os.path.exists(room.path(LOCALE + '.UTF-8/LC_NUMERIC')):
         print('# no localedef here:', made.stderr.decode()[:60])
         return
     room.write('states.csv', 'v,psi\n1.5,0.25\n')
