@@ -2,27 +2,8 @@
 #include "base_point.h"
 
 #include "cells.h"
-#include "slope.h"
+#include "place.h"
 #include "tolerance.h"
-
-static const char *const steady_only[] = { "products=[equilibria]", NULL };
-
-struct place {
-    struct slope s;
-    struct slow_curve c;
-};
-
-static void make(struct place *p, const char *law, const char *alpha)
-{
-    slope_make(&p->s, law, NULL, alpha, steady_only);
-    assert_int_equal(slow_curve_init(&p->c, &p->s.study, NULL), STATUS_OK);
-}
-
-static void drop(struct place *p)
-{
-    slow_curve_free(&p->c);
-    slope_free(&p->s);
-}
 
 /* Of the offset z. */
 static struct base_point base_of(const struct place *p, struct vec2 z,
@@ -72,13 +53,13 @@ static void a_base_point_tells_what_its_state_does(void **state)
     for (int i = 0; i < 4; i++) {
         struct place p;
         int told = 0;
-        make(&p, law[i], "0.34");
+        place_make(&p, law[i], "0.34");
         for (int k = 0; k < 12; k++)
             told +=
                 check_state(&p, (struct vec2){ check_uniform(&rng, -4, 8),
                                                check_uniform(&rng, -2, 2) });
         CHECK(told > 2, "%s: %d told", law[i], told);
-        drop(&p);
+        place_drop(&p);
     }
 }
 
@@ -94,7 +75,7 @@ static void it_is_smooth_across_the_separatrix(void **state)
     for (int i = 0; i < 2; i++) {
         struct place p;
         double sum = 0.0;
-        make(&p, law[i], "0.34");
+        place_make(&p, law[i], "0.34");
         const double middle = base_of(&p, (struct vec2){ 1.0, 0.0 }, 1e-9).y;
         for (int k = -3; k <= 3; k++) {
             const struct vec2 z = { 1.0, k * h - middle };
@@ -104,7 +85,7 @@ static void it_is_smooth_across_the_separatrix(void **state)
             sum += binomial[k + 3] * b.y;
         }
         CHECK(fabs(sum) < 1e-8, "%s: %g", law[i], sum);
-        drop(&p);
+        place_drop(&p);
     }
 }
 
@@ -115,7 +96,7 @@ static void bars_grow_towards_the_separatrix_until_nothing_is_told(void **state)
     double before = 0.0;
 
     (void) state;
-    make(&p, "spinodal_gen", "0.34");
+    place_make(&p, "spinodal_gen", "0.34");
     for (double y = 0.1; y > 2e-6; y *= 0.1) {
         const struct base_point b = { y, 1e-7, 0.0, 0.0 };
         assert_true(base_point_tell(&p.c, &b, &l));
@@ -128,7 +109,7 @@ static void bars_grow_towards_the_separatrix_until_nothing_is_told(void **state)
     assert_false(base_point_tell(&p.c, &near, &l));
     assert_false(base_point_tell(&p.c, &nowhere, &l));
     assert_int_equal(l.fate, FATE_UNDECIDED);
-    drop(&p);
+    place_drop(&p);
 }
 
 /* All that meets one is said to pass it, and what it says of them holds. */
@@ -138,7 +119,7 @@ static void what_may_pass_a_box_is_not_told(void **state)
     struct layer l;
 
     (void) state;
-    make(&p, "spinodal_gen", "0.34");
+    place_make(&p, "spinodal_gen", "0.34");
     const struct study *s = &p.s.study;
     const struct equilibrium *node = &s->equilibrium[0];
     const struct vec2 at = vec2_sub(node->z, s->system.origin);
@@ -153,7 +134,7 @@ static void what_may_pass_a_box_is_not_told(void **state)
     assert_false(base_point_passes(&p.c, below, below));
     assert_false(base_point_passes(&p.c, above, above));
     assert_true(base_point_passes(&p.c, above, below));
-    drop(&p);
+    place_drop(&p);
 }
 
 static void what_is_lost_has_none(void **state)
@@ -162,9 +143,9 @@ static void what_is_lost_has_none(void **state)
     struct place p;
 
     (void) state;
-    make(&p, "spinodal_gen", "0.34");
+    place_make(&p, "spinodal_gen", "0.34");
     assert_true(isnan(base_point_of(&p.c, &lost).y));
-    drop(&p);
+    place_drop(&p);
 }
 
 int main(void)

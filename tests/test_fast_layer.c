@@ -1,27 +1,8 @@
 /* States that fall onto the slow curve. */
 #include "fast_layer.h"
 
-#include "slope.h"
+#include "place.h"
 #include "tolerance.h"
-
-static const char *const steady_only[] = { "products=[equilibria]", NULL };
-
-struct place {
-    struct slope s;
-    struct slow_curve c;
-};
-
-static void make(struct place *p, const char *law, const char *alpha)
-{
-    slope_make(&p->s, law, NULL, alpha, steady_only);
-    assert_int_equal(slow_curve_init(&p->c, &p->s.study, NULL), STATUS_OK);
-}
-
-static void drop(struct place *p)
-{
-    slow_curve_free(&p->c);
-    slope_free(&p->s);
-}
 
 static struct layer follow(const struct place *p, struct vec2 z, double rtol)
 {
@@ -69,13 +50,13 @@ static void slip_and_time_are_those_of_the_whole_orbit(void **state)
     (void) state;
     for (int i = 0; i < 4; i++) {
         struct place p;
-        make(&p, at[i].law, at[i].alpha);
+        place_make(&p, at[i].law, at[i].alpha);
         for (int k = 0; k < 12; k++) {
             const struct vec2 z = { check_uniform(&seed, -8, 9),
                                     check_uniform(&seed, -8, 8) };
             check_state(&p, z, k % 2 ? 1e-6 : 1e-9);
         }
-        drop(&p);
+        place_drop(&p);
     }
 }
 
@@ -86,7 +67,7 @@ static void most_states_land_in_a_few_steps(void **state)
     struct place p;
 
     (void) state;
-    make(&p, "spinodal_gen", "0.34");
+    place_make(&p, "spinodal_gen", "0.34");
     for (int k = 0; k < 200; k++) {
         const struct vec2 z = { check_uniform(&seed, -8, 9),
                                 check_uniform(&seed, -8, 8) };
@@ -96,7 +77,7 @@ static void most_states_land_in_a_few_steps(void **state)
     }
     CHECK(landed >= 180, "%zu of 200", landed);
     CHECK(steps < 200 * 40, "%zu steps", steps);
-    drop(&p);
+    place_drop(&p);
 }
 
 /* Nearer the separatrix bars grow like 1/distance, and never too little. */
@@ -106,7 +87,7 @@ static void bars_grow_towards_the_separatrix(void **state)
     double before = 0.0;
 
     (void) state;
-    make(&p, "spinodal_gen", "0.34");
+    place_make(&p, "spinodal_gen", "0.34");
     const double x = log(2850.8257094); /* v_plus */
     for (double q = 1e-2; q > 1e-6; q *= 0.1) {
         const struct vec2 z = { x - q, 5.0 };
@@ -119,7 +100,7 @@ static void bars_grow_towards_the_separatrix(void **state)
     }
     assert_int_equal(follow(&p, (struct vec2){ x + 1e-4, 5.0 }, 1e-9).fate,
                      FATE_SLIDING);
-    drop(&p);
+    place_drop(&p);
 }
 
 /* Of loose steps, whose true errors are far above those of the whole orbit;
@@ -130,13 +111,13 @@ static void bars_hold_what_loose_steps_miss(void **state)
     struct place p;
 
     (void) state;
-    make(&p, "spinodal", "0.2");
+    place_make(&p, "spinodal", "0.2");
     for (int k = 0; k < 40; k++) {
         const struct vec2 z = { check_uniform(&seed, 7, 9.5),
                                 check_uniform(&seed, -8, 9) };
         check_state(&p, z, 1e-2);
     }
-    drop(&p);
+    place_drop(&p);
 }
 
 static void a_box_of_arrest_may_be_entered_before_landing(void **state)
@@ -144,14 +125,14 @@ static void a_box_of_arrest_may_be_entered_before_landing(void **state)
     struct place p;
 
     (void) state;
-    make(&p, "spinodal", "0.34");
+    place_make(&p, "spinodal", "0.34");
     const struct vec2 node = p.s.study.equilibrium[0].z;
     const struct vec2 inside = { node.x + 0.005, node.y - 0.005 };
     const struct vec2 level = { node.x + 3.0, node.y + 0.004 };
     assert_int_equal(follow(&p, inside, 1e-6).end, LAYER_LOST);
     assert_int_equal(follow(&p, level, 1e-6).end, LAYER_LANDED);
     check_state(&p, level, 1e-6);
-    drop(&p);
+    place_drop(&p);
 }
 
 static void a_runaway_is_known_at_once(void **state)
@@ -159,14 +140,14 @@ static void a_runaway_is_known_at_once(void **state)
     struct place p;
 
     (void) state;
-    make(&p, "dieterich_gen", "0.34");
+    place_make(&p, "dieterich_gen", "0.34");
     const struct vec2 o = p.s.study.system.origin;
     const struct layer l =
         follow(&p, (struct vec2){ o.x + 1.0, o.y - 1.0 }, 1e-6);
     assert_int_equal(l.end, LAYER_RAN);
     assert_int_equal(l.fate, FATE_RUNAWAY);
     assert_int_equal(l.steps, 0);
-    drop(&p);
+    place_drop(&p);
 }
 
 int main(void)

@@ -6,26 +6,10 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include "failing_study.h"
 #include "fault_alloc.h"
 #include "own_folder.h"
 #include "sweeps.h"
-
-/* Slopes between these fail as no study yet did (-Wl,--wrap=study_run). */
-static double failing[2];
-
-enum status __real_study_run(struct study *s, const struct scene *scene,
-                             const struct monitor *monitor, struct fault *why);
-enum status __wrap_study_run(struct study *s, const struct scene *scene,
-                             const struct monitor *monitor, struct fault *why);
-
-enum status __wrap_study_run(struct study *s, const struct scene *scene,
-                             const struct monitor *monitor, struct fault *why)
-{
-    if (!(scene->alpha > failing[0] && scene->alpha < failing[1]))
-        return __real_study_run(s, scene, monitor, why);
-    *s = (struct study){ .scene = scene };
-    return STATUS_NO_CONVERGENCE;
-}
 
 #define LAW "law.preset=spinodal_gen"
 
@@ -220,9 +204,9 @@ static void a_failed_point_has_no_map(void **state)
     struct swept w;
 
     (void) state;
-    failing[1] = 0.3;
+    failing_slopes[1] = 0.3;
     sweep_of(&w, maps, &o);
-    failing[1] = 0.0;
+    failing_slopes[1] = 0.0;
     assert_int_equal(w.s.failed, 1);
     for (size_t i = 0; i < 2; i++) {
         double *slip = all_of(&w.s, "basin_slip", i);
@@ -301,11 +285,11 @@ static void maps_that_are_there_are_not_computed_again(void **state)
     scene_set(&part.scene, maps);
     assert_int_equal(sweep_run(&part.s, &part.scene, &o, &monitor, &why),
                      STATUS_STOPPED);
-    failing[1] = 0.3; /* were it computed, it would fail */
+    failing_slopes[1] = 0.3; /* were it computed, it would fail */
     p.points = 5;
     assert_int_equal(sweep_run(&part.s, &part.scene, &o, &monitor, &why),
                      STATUS_OK);
-    failing[1] = 0.0;
+    failing_slopes[1] = 0.0;
     assert_int_equal(part.s.taken, 2);
     sweeps_are_the_same(&whole.s, &part.s);
     swept_free(&part);

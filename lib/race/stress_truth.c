@@ -259,6 +259,13 @@ enum stress_side stress_truth_side(const struct stress_truth *t, quad x, quad y)
     return x > 0 ? upper_side(b, x, y) : lower_side(b, x, y);
 }
 
+/* Whether 1/T settles as v -> 0: its values far apart are the same. */
+static bool is_steady(const struct law *law, const struct material *m)
+{
+    return fabsl(steady_log_rate(law, m, -2000.0L) -
+                 steady_log_rate(law, m, -4000.0L)) < 1.0L;
+}
+
 /* Without a creep node in the plane.  psi_ss bounded, there is one beyond it.
  * Rests take a finite time where psi, that holds friction at tan(alpha) or lets
  * it grow, reaches infinity in one: under psi_ss ~ 1/v, where it grows like
@@ -269,8 +276,6 @@ static unsigned rests(const struct law *law, const struct material *m)
     const unsigned finite = 1u << FATE_REST_FINITE;
     const unsigned asymptotic = 1u << FATE_REST_ASYMPTOTIC;
     const bool is_sinh = law->kinetics == KINETICS_SINH;
-    const bool is_steady =
-        law->timescale == TIMESCALE_SPINODAL && isfinite(m->R);
     const bool is_log = law->psi_ss == PSI_SS_MINUS_LOG;
 
     if (law->psi_ss == PSI_SS_SPINODAL_UNIT ||
@@ -278,10 +283,10 @@ static unsigned rests(const struct law *law, const struct material *m)
         (is_log && law->theta != THETA_PSI))
         return 1u << FATE_CREEP;
     if (is_log)
-        return is_sinh && is_steady ? finite : asymptotic;
-    if (law->timescale == TIMESCALE_SLIP45)
+        return is_sinh && is_steady(law, m) ? finite : asymptotic;
+    if (law_freezes(law))
         return asymptotic;
-    return is_sinh || is_steady ? finite : asymptotic;
+    return is_sinh || is_steady(law, m) ? finite : asymptotic;
 }
 
 unsigned stress_truth_fates(const struct stress_truth *t, const struct law *law,

@@ -17,10 +17,15 @@ static bool grows(const struct law *law, const struct material *m)
            (law->psi_ss == PSI_SS_SPINODAL && isinf(m->R));
 }
 
-/* 1/T has a limit that is not 0. */
+/* 1/T has a limit that is not 0: of its terms no power of v is left, where
+ * psi_ss is 1/v, or e^psi_ss is. */
 static bool is_timed(const struct law *law, const struct material *m)
 {
-    return law->timescale == TIMESCALE_SPINODAL && isfinite(m->R);
+    const struct timescale_terms *t = law_timescale(law);
+    const bool is_log = law->psi_ss == PSI_SS_MINUS_LOG;
+
+    return t->ln_v + (isinf(m->R) ? t->ln_r_plus_v : 0) ==
+           (is_log ? t->psi_ss : t->ln_psi_ss);
 }
 
 /* psi_ss ~ 1/v. */
@@ -31,7 +36,7 @@ static enum course under_inverse(const struct law *law,
 
     if (law->theta != THETA_PSI && m->b < m->a)
         return NEVER;
-    if (law->timescale == TIMESCALE_SLIP45)
+    if (law_freezes(law))
         return SLOWLY;
     if (is_sinh || !is_timed(law, m))
         return is_sinh ? SOON : SLOWLY;
