@@ -70,6 +70,10 @@ static void composed_laws_follow_their_theta(void **state)
     assert_true(fabs(physical_phi(&law, &m, 82.0) - 2.0) < 1e-15);
     law.theta = THETA_LN_C_1PR_PSI;
     assert_true(physical_phi(&law, &m, 82.0) == 82.0);
+    law.theta = THETA_PSI;
+    assert_true(physical_phi(&law, &m, 0.0) == 0.25);
+    law.kinetics = KINETICS_SINH;
+    assert_true(physical_phi(&law, &m, 0.0) == 0.5);
 }
 
 /* Of psi itself where it is a logarithm, relative elsewhere. */

@@ -1,7 +1,6 @@
 #include "physical.h"
 
 #include <math.h>
-#include <string.h>
 
 /* phi = unit * psi, or unit * e^psi. */
 static double unit_of(const struct law *law, const struct material *m)
@@ -12,7 +11,7 @@ static double unit_of(const struct law *law, const struct material *m)
         case THETA_LN_PSI:
             return time;
         case THETA_PSI:
-            return strcmp(law->preset, "perrin") == 0 ? 2.0 * time : time;
+            return law->kinetics == KINETICS_SINH ? 2.0 * time : time;
         case THETA_LN_C_PSI:
             return isfinite(m->R) ? 1.0 / (1.0 + m->R) : 1.0;
         default:
