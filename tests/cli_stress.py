@@ -9,7 +9,7 @@ import subprocess
 
 from cli_room import READER, SLOPE, expect, refused, run_cases
 
-# What interface.md promises of a case.
+# What a case says of itself.
 KEYS = ['name', 'law', 'form', 'parameters', 'outcome', 'digits', 'steps',
         'seconds', 'agree', 'reason']
 OUTCOMES = ['exact', 'degraded', 'none', 'failed', 'lie']

@@ -10,6 +10,7 @@
 #include "text.h"
 #include "tolerance.h"
 #include "wrong_scenes.h"
+#include "wrong_sweeps.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
