@@ -217,7 +217,7 @@ static void bars_hold_on_random_laws_and_parameters(void **state)
     for (int k = 0; k < LEVELS; k++) {
         const struct tally *t = &tally[k];
         const double bar = pow(10.0, t->log_bar / (double) t->bars);
-        print_message("rtol 1e-%d: %zu bars, typically %.1e, %zu above 100 "
+        print_message("# rtol 1e-%d: %zu bars, typically %.1e, %zu above 100 "
                       "times the error\n",
                       4 + 2 * k, t->bars, bar, t->loose);
         if (k > 0) {

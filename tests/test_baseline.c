@@ -103,7 +103,7 @@ static void ten_recorded_tolerances_in_any_quantity_are_found(void **state)
             moves(text, table_header(&t, i)->text);
             planted++;
         }
-    print_message("%zu planted\n", planted);
+    print_message("# %zu planted\n", planted);
     CHECK(planted > 200, "only %zu planted", planted);
     table_free(&t);
     baseline_free(&b);

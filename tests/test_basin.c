@@ -159,7 +159,7 @@ static void every_cell_has_the_label_of_its_side(void **state)
         basin_free(&b);
         sample_free(&s);
     }
-    print_message("%zu systems, %zu of them with a boundary in the window\n",
+    print_message("# %zu systems, %zu of them with a boundary in the window\n",
                   made, cut);
     CHECK(made > 990 && cut > 700, "only %zu systems, %zu cut", made, cut);
 }

@@ -133,7 +133,7 @@ static void check_table(const char *name, size_t rows)
         while (csv_next(&csv))
             check_row(&csv, pow(10.0, -k), &t);
         const double bar = pow(10.0, t.log_bar / (double) t.bars);
-        print_message("%s, rtol 1e-%d: %zu bars, typically %.1e, %zu above "
+        print_message("# %s, rtol 1e-%d: %zu bars, typically %.1e, %zu above "
                       "100 times the error\n",
                       name, k, t.bars, bar, t.loose);
         assert_int_equal(t.rows, rows);

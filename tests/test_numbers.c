@@ -205,7 +205,7 @@ static size_t check_table(const char *name, double rtol, bool all,
 
 static void bars_are_rarely_loose(const struct tally *t)
 {
-    print_message("%zu bars, %zu above 100 times the error\n", t->bars,
+    print_message("# %zu bars, %zu above 100 times the error\n", t->bars,
                   t->loose);
     CHECK(t->loose * 10 <= t->bars, "%zu of %zu are loose", t->loose, t->bars);
 }
@@ -229,7 +229,7 @@ static void bars_cover_the_error_at_every_tolerance(void **state)
         struct tally t = { 0 };
         check_table("manifold.csv", rtol[i], false, &t);
         check_table("extreme.csv", rtol[i], false, &t);
-        print_message("rtol %g: %zu bars, %zu loose\n", rtol[i], t.bars,
+        print_message("# rtol %g: %zu bars, %zu loose\n", rtol[i], t.bars,
                       t.loose);
     }
 }
@@ -261,7 +261,7 @@ static void bars_shrink_with_the_tolerance(void **state)
     (void) state;
     for (int k = 4; k <= 12; k += 2) {
         const double bar = typical_bar(pow(10.0, -k));
-        print_message("rtol 1e-%d: geometric mean bar %.2g\n", k, bar);
+        print_message("# rtol 1e-%d: geometric mean bar %.2g\n", k, bar);
         CHECK(bar < 0.1 * last, "rtol 1e-%d: %.3g after %.3g", k, bar, last);
         last = bar;
     }

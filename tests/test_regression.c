@@ -147,7 +147,7 @@ static void ten_tolerances_planted_in_any_quantity_are_found(void **state)
     const size_t n =
         plant_in_rows("manifold.csv", 9) + plant_in_rows("extreme.csv", 8) +
         plant_in_rows("equilibria.csv", 15) + plant_in_rows("folds.csv", 4);
-    print_message("%zu planted\n", n);
+    print_message("# %zu planted\n", n);
     CHECK(n > 400, "only %zu planted", n);
 }
 

@@ -176,7 +176,7 @@ static void extrema_are_where_the_slope_changes_sign(void **state)
     size_t found[3] = { 0 };
 
     (void) state;
-    print_message("seed %llu\n", (unsigned long long) seed);
+    print_message("# seed %llu\n", (unsigned long long) seed);
     for (size_t i = 0; i < LAWS || found[0] + found[1] + found[2] < DRAWS;
          i++) {
         long double x[4];
@@ -187,7 +187,7 @@ static void extrema_are_where_the_slope_changes_sign(void **state)
         check_turnings(i % LAWS, &law, &m);
         found[steady_extrema(&law, &m, x)]++;
     }
-    print_message("draws with 0, 1, 2 extrema: %zu %zu %zu\n", found[0],
+    print_message("# draws with 0, 1, 2 extrema: %zu %zu %zu\n", found[0],
                   found[1], found[2]);
     assert_true(found[0] > 50 && found[1] > 50 && found[2] > 50);
 }

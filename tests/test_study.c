@@ -283,7 +283,7 @@ static void no_steady_state_is_ever_a_focus(void **state)
             found++;
         }
     }
-    print_message("%zu steady states\n", found);
+    print_message("# %zu steady states\n", found);
     CHECK(found > 5000, "only %zu steady states", found);
 }
 

@@ -135,15 +135,15 @@ static void say_disagreement(const struct verification *v)
 {
     for (size_t i = 0; i < VERIFIED_ENDS; i++)
         if (!v->end[i].agree)
-            print_message("  %s: %s, then %s\n", v->end[i].name,
+            print_message("#   %s: %s, then %s\n", v->end[i].name,
                           end_names[v->end[i].first],
                           end_names[v->end[i].second]);
     for (size_t i = 0; i < VERIFIED_NUMBERS; i++) {
         const struct verified_number *n = &v->number[i];
         if (!n->agree)
-            print_message("  %s: %.17g +- %.2g, then %.17g +- %.2g\n", n->name,
-                          n->first.value, n->first.error, n->second.value,
-                          n->second.error);
+            print_message("#   %s: %.17g +- %.2g, then %.17g +- %.2g\n",
+                          n->name, n->first.value, n->first.error,
+                          n->second.value, n->second.error);
     }
 }
 
@@ -168,7 +168,7 @@ static void judge(const struct set *set, const struct verification *v,
     if (v->disagreements == 0)
         return;
     t->disagree++;
-    print_message("%s\n", set->text);
+    print_message("# %s\n", set->text);
     say_disagreement(v);
 }
 
@@ -208,7 +208,7 @@ static void both_routes_agree_on_random_sets(void **state)
         draw_set(&rng, &set);
         try_set(&set, &t);
     }
-    print_message("CHECK_SEED=%llu: %zu sets, %zu with a saddle (%zu beyond "
+    print_message("# CHECK_SEED=%llu: %zu sets, %zu with a saddle (%zu beyond "
                   "doubles); the first route failed in %zu; %zu numbers "
                   "compared, %zu with a bar above 1e-8; %zu sets disagree\n",
                   (unsigned long long) check_seed(), sets, t.saddles, t.outside,
