@@ -81,10 +81,12 @@ static enum status scan_part(struct event_log *log, const struct event *e,
 {
     const size_t first = log->count;
     enum status s = STATUS_OK;
+    double u[CURVE_DIM_MAX];
 
+    curve_at(a->curve, a->curve->count - 1, hi, u);
     for (size_t i = 0; i < count && s == STATUS_OK; i++) {
         a->event = &e[i];
-        const double to = value_along(a, hi);
+        const double to = e[i].value(e[i].ctx, a->s0 + hi * a->h, u);
         if (crosses(&e[i], log->last[i], to))
             s = insert(log, first, i, locate(a, lo, hi), a);
         log->last[i] = to;

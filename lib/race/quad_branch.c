@@ -15,8 +15,8 @@
 enum { STEPS_MAX = 4000 };
 
 static const double nearest = 1e-18, near_saddle = 1e-2;
-static const double steep = 1.5; /* |slope| above which the graph turns */
-static const double longest = 8.0;
+static const double steep = 1.5;       /* |slope| above which the graph turns */
+static const double longest = 3.2;     /* substeps of 0.4 see what there is */
 static const double far = 300.0;       /* no limit within this of the saddle */
 static const double plane_top = 700.0; /* of the plane: ln psi, or psi itself */
 static const double decay = 0.2; /* rate at which a slope decays to nothing */
@@ -126,30 +126,24 @@ static bool set_start(struct grower *g, int side)
 
 /* ---- steps ----------------------------------------------------------- */
 
-/* Error of a step over what is allowed, and of dep alone, absolute. */
-static quad step_error(const struct grower *g, const quad error[2],
-                       const quad to[2])
+/* What a step to u may be off by: dep absolutely, excess relatively. */
+static void find_allowed(const struct grower *g, const quad u[2],
+                         quad allowed[2])
 {
-    quad size = fabsq(to[0]);
+    quad size = fabsq(u[0]);
 
     if (!g->near) /* dep may pass through zero */
         size += fabsq(g->h * g->slope) / 16;
     if (!g->near && size > 1)
         size = 1;
-    const quad dep = error[0] / (size * g->tol);
-    const quad excess = error[1] / (fabsq(to[1]) * g->tol);
-    return dep + excess;
+    allowed[0] = size * g->tol;
+    allowed[1] = fabsq(u[1]) * g->tol;
 }
 
-static void choose_step(struct grower *g, double error)
+static void choose_step(struct grower *g, const struct quad_step *step,
+                        double error)
 {
-    double factor = 3.0;
-
-    if (!(error < HUGE_VAL))
-        factor = 0.2;
-    else if (error > 0.0)
-        factor = 0.8 * pow(error, -1.0 / QUAD_STEP_ORDER);
-    g->h *= fmin(fmax(factor, 0.2), 3.0);
+    g->h *= quad_step_factor(step, error);
     if (g->h > longest)
         g->h = longest;
 }
@@ -159,20 +153,25 @@ static bool move(struct grower *g)
 {
     for (int attempt = 0; attempt < 60; attempt++) {
         const quad h = g->near ? g->h : g->way * g->h;
-        quad to[2], error[2];
-        quad_step(g->near ? near_rates : graph_rates, g, g->s, h, g->u, to,
-                  error);
-        const double wrong = (double) step_error(g, error, to);
+        quad to[2], error[2], allowed[2];
+        find_allowed(g, g->u, allowed);
+        const quad enough[2] = { allowed[0] / 10, allowed[1] / 10 };
+        const struct quad_step step =
+            quad_step(g->near ? near_rates : graph_rates, g, g->s, h, g->u,
+                      enough, to, error);
+        find_allowed(g, to, allowed);
+        const double wrong =
+            (double) (error[0] / allowed[0] + error[1] / allowed[1]);
         if (wrong <= 1.0) {
             g->s += h;
             g->u[0] = to[0];
             g->u[1] = to[1];
             g->out->error += g->near ? 0 : error[0];
             g->out->excess_error += g->near ? 0 : error[1];
-            choose_step(g, wrong);
+            choose_step(g, &step, wrong);
             return true;
         }
-        choose_step(g, wrong);
+        choose_step(g, &step, wrong);
     }
     return false;
 }

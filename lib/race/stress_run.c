@@ -3,11 +3,14 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "stress_oracle.h"
 #include "stress_slope.h"
 #include "stress_state.h"
 #include "stress_tolerance.h"
 
-static enum status run_case(const struct stress_case *c, struct stress_row *row)
+static enum status run_case(const struct stress_case *c,
+                            struct stress_oracle *oracle,
+                            struct stress_row *row)
 {
     const double none = (double) NAN;
 
@@ -23,11 +26,11 @@ static enum status run_case(const struct stress_case *c, struct stress_row *row)
                                 .bar = none };
     switch (c->kind) {
         case STRESS_START:
-            return stress_start_run(c, row);
+            return stress_start_run(c, oracle, row);
         case STRESS_WINDOW:
-            return stress_window_run(c, row);
+            return stress_window_run(c, oracle, row);
         default:
-            return stress_slope_run(c, row);
+            return stress_slope_run(c, oracle, row);
     }
 }
 
@@ -44,30 +47,53 @@ static void sum_up(struct stress *s)
     }
 }
 
-static enum status run_all(struct stress *s, const struct stress_list *list,
-                           const struct monitor *monitor)
-{
-    enum status failed = STATUS_OK;
-    size_t done = 0;
+/* What the threads share. */
+struct shared {
+    const struct stress_list *list;
+    struct stress_row *row;
+    const struct monitor *monitor;
+    enum status failed;
+    size_t done;
+};
 
-#pragma omp parallel for schedule(dynamic, 1)
-    for (size_t i = 0; i < list->count; i++) {
+/* One thread's share of the cases, from the last: the longest are there. */
+static void run_share(struct shared *all, struct stress_oracle *oracle)
+{
+    const size_t count = all->list->count;
+
+#pragma omp for schedule(dynamic, 1)
+    for (size_t i = 0; i < count; i++) {
+        const size_t at = count - 1 - i;
         enum status status;
 #pragma omp atomic read
-        status = failed;
+        status = all->failed;
         if (status != STATUS_OK)
             continue;
-        status = run_case(&list->at[i], &s->row[i]);
+        status = oracle ? run_case(&all->list->at[at], oracle, &all->row[at])
+                        : STATUS_NO_MEMORY;
 #pragma omp critical
         if (status == STATUS_OK &&
-            monitor_tell(monitor, "cases", ++done, list->count))
+            monitor_tell(all->monitor, "cases", ++all->done, count))
             status = STATUS_STOPPED;
         if (status != STATUS_OK) {
 #pragma omp atomic write
-            failed = status;
+            all->failed = status;
         }
     }
-    return failed;
+}
+
+static enum status run_all(struct stress *s, const struct stress_list *list,
+                           const struct monitor *monitor)
+{
+    struct shared all = { list, s->row, monitor, STATUS_OK, 0 };
+
+#pragma omp parallel
+    {
+        struct stress_oracle *oracle = calloc(1, sizeof *oracle);
+        run_share(&all, oracle);
+        free(oracle);
+    }
+    return all.failed;
 }
 
 enum status stress_run(struct stress *s, const struct stress_list *list,

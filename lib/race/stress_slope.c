@@ -9,7 +9,6 @@
 struct work {
     struct scene scene; /* borrows what the case's owns */
     struct study study;
-    struct stress_truth truth;
 };
 
 /* Only STATUS_NO_MEMORY is an error: a second route that fails is no answer. */
@@ -31,16 +30,6 @@ static enum status find_agreement(const struct work *w, int8_t *agree)
     return STATUS_OK;
 }
 
-static void find_truth(struct work *w, struct stress_row *row)
-{
-    const double start = stress_clock();
-
-    stress_truth_find(&w->scene.law, &w->scene.material, w->scene.tan_alpha,
-                      &w->truth);
-    row->oracle_seconds = stress_clock() - start;
-    row->oracle_evaluations = (int64_t) w->truth.evaluations;
-}
-
 /* What finding the critical numbers took, without their conditioning. */
 static double seconds_of(const struct study *s)
 {
@@ -48,7 +37,8 @@ static double seconds_of(const struct study *s)
            s->cost[STAGE_CRITICAL].seconds + s->cost[STAGE_KNEES].seconds;
 }
 
-static void fill(const struct work *w, struct stress_row *row)
+static void fill(const struct work *w, const struct stress_truth *truth,
+                 struct stress_row *row)
 {
     const struct study *s = &w->study;
     const struct stress_answer a = stress_answer_of(s);
@@ -56,7 +46,7 @@ static void fill(const struct work *w, struct stress_row *row)
     row->steps =
         (int64_t) (s->stable[SIDE_UPPER].steps + s->stable[SIDE_LOWER].steps);
     row->seconds = seconds_of(s);
-    const struct stress_verdict v = stress_judge(&w->truth, &a, row->agree);
+    const struct stress_verdict v = stress_judge(truth, &a, row->agree);
     row->outcome = v.outcome;
     row->digits = v.digits;
     row->allowed = v.allowed;
@@ -67,6 +57,7 @@ static void fill(const struct work *w, struct stress_row *row)
 }
 
 enum status stress_slope_run(const struct stress_case *c,
+                             struct stress_oracle *oracle,
                              struct stress_row *row)
 {
     struct work *w = calloc(1, sizeof *w);
@@ -88,8 +79,7 @@ enum status stress_slope_run(const struct stress_case *c,
             refused ? w->study.critical.v_plus.reason : row->fault.text;
         s = STATUS_OK;
     } else if (s == STATUS_OK) {
-        find_truth(w, row);
-        fill(w, row);
+        fill(w, stress_oracle_ask(oracle, &w->scene, row), row);
     }
     study_free(&w->study);
     free(w);

@@ -21,16 +21,6 @@ static void say(struct stress_row *row, enum stress_outcome outcome,
     row->reason = reason;
 }
 
-static void find_truth(const struct scene *c, struct stress_truth *t,
-                       struct stress_row *row)
-{
-    const double start = stress_clock();
-
-    stress_truth_find(&c->law, &c->material, c->tan_alpha, t);
-    row->oracle_seconds = stress_clock() - start;
-    row->oracle_evaluations = (int64_t) t->evaluations;
-}
-
 /* Where a fate comes from, and what is said of one that is wrong. */
 enum source { REGION, ORBIT, TRANSIENT, SOURCES };
 static const char *const wrong[SOURCES] = {
@@ -65,7 +55,6 @@ struct work {
     struct push push;
     struct study study;
     struct transient transient;
-    struct stress_truth truth;
 };
 
 /* The fates by the region, by the orbit and by the transient. */
@@ -96,19 +85,20 @@ static enum status find_fates(struct work *w, struct stress_row *row,
     return STATUS_OK;
 }
 
-static void judge_start(struct work *w, struct stress_row *row,
-                        const int fate[SOURCES])
+static void judge_start(const struct work *w, struct stress_oracle *oracle,
+                        struct stress_row *row, const int fate[SOURCES])
 {
     const struct scene_start at = w->scene.start[0];
     const quad y =
         law_psi_is_log(&w->scene.law) ? (quad) at.psi : logq((quad) at.psi);
     const double defect = fabs(w->transient.sum.energy_defect);
 
-    find_truth(&w->scene, &w->truth, row);
+    const struct stress_truth *truth =
+        stress_oracle_ask(oracle, &w->scene, row);
     const enum stress_side side =
-        stress_truth_side(&w->truth, logq((quad) at.v), y);
+        stress_truth_side(truth, logq((quad) at.v), y);
     for (int i = 0; i < SOURCES; i++)
-        judge_fate(row, &w->truth, &w->scene, side, (enum source) i, fate[i]);
+        judge_fate(row, truth, &w->scene, side, (enum source) i, fate[i]);
     row->agree = fate[REGION] == fate[ORBIT] && fate[ORBIT] == fate[TRANSIENT]
                      ? STRESS_AGREE
                      : STRESS_DISAGREE;
@@ -118,7 +108,8 @@ static void judge_start(struct work *w, struct stress_row *row,
         say(row, STRESS_DEGRADED, "the balance of energy is off");
 }
 
-static enum status run_start(struct work *w, struct stress_row *row)
+static enum status run_start(struct work *w, struct stress_oracle *oracle,
+                             struct stress_row *row)
 {
     int fate[SOURCES];
 
@@ -131,7 +122,7 @@ static enum status run_start(struct work *w, struct stress_row *row)
         s = find_fates(w, row, fate);
     row->seconds = stress_clock() - start;
     if (s == STATUS_OK)
-        judge_start(w, row, fate);
+        judge_start(w, oracle, row, fate);
     else if (s == STATUS_BAD_ARGUMENT)
         say(row, STRESS_NONE, "the state is outside the plane's domain");
     else if (s != STATUS_NO_MEMORY)
@@ -140,6 +131,7 @@ static enum status run_start(struct work *w, struct stress_row *row)
 }
 
 enum status stress_start_run(const struct stress_case *c,
+                             struct stress_oracle *oracle,
                              struct stress_row *row)
 {
     struct work *w = calloc(1, sizeof *w);
@@ -148,7 +140,7 @@ enum status stress_start_run(const struct stress_case *c,
         return STATUS_NO_MEMORY;
     w->scene = c->scene;
     w->study.saddle = w->push.study.saddle = -1;
-    const enum status s = run_start(w, row);
+    const enum status s = run_start(w, oracle, row);
     transient_free(&w->transient);
     push_free(&w->push);
     study_free(&w->study);
@@ -159,20 +151,20 @@ enum status stress_start_run(const struct stress_case *c,
 /* ---- a grid -------------------------------------------------------------- */
 
 static enum status judge_labels(const struct scene *c, const struct study *s,
+                                struct stress_oracle *oracle,
                                 struct stress_row *row)
 {
     const struct basin_map *m = &s->basins;
     int8_t *label = calloc(m->columns * m->rows + 1, sizeof *label);
-    struct stress_truth t;
     enum status status = STATUS_NO_MEMORY;
 
     if (label)
         status = basin_map_rows(m, 0, m->rows, label);
-    find_truth(c, &t, row);
+    const struct stress_truth *t = stress_oracle_ask(oracle, c, row);
     for (size_t i = 0; status == STATUS_OK && i < m->rows * m->columns; i++) {
         const double x = m->x[i % m->columns], y = m->y[i / m->columns];
-        judge_fate(row, &t, c, stress_truth_side(&t, (quad) x, (quad) y),
-                   REGION, label[i]);
+        judge_fate(row, t, c, stress_truth_side(t, (quad) x, (quad) y), REGION,
+                   label[i]);
     }
     free(label);
     return status;
@@ -186,6 +178,7 @@ static void judge_audit(const struct basin_audit *a, struct stress_row *row)
 }
 
 enum status stress_window_run(const struct stress_case *c,
+                              struct stress_oracle *oracle,
                               struct stress_row *row)
 {
     struct study *s = calloc(1, sizeof *s);
@@ -201,7 +194,7 @@ enum status stress_window_run(const struct stress_case *c,
     if (status == STATUS_OK) {
         row->steps = (int64_t) (s->basins.rows * s->basins.columns);
         judge_audit(&s->basins.audit, row);
-        status = judge_labels(&scene, s, row);
+        status = judge_labels(&scene, s, oracle, row);
         study_free(s);
     } else if (status != STATUS_NO_MEMORY) {
         say(row, STRESS_FAILED, row->fault.text);

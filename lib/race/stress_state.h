@@ -4,15 +4,18 @@
 #define RACE_STRESS_STATE_H
 
 #include "stress_case.h"
+#include "stress_oracle.h"
 #include "stress_row.h"
 
 /* The first start of the case; fills the row.  Only STATUS_NO_MEMORY is an
  * error. */
 MUST_CHECK enum status stress_start_run(const struct stress_case *c,
+                                        struct stress_oracle *oracle,
                                         struct stress_row *row);
 
 /* The labels of the case's grid. */
 MUST_CHECK enum status stress_window_run(const struct stress_case *c,
+                                         struct stress_oracle *oracle,
                                          struct stress_row *row);
 
 #endif

@@ -111,15 +111,17 @@ static bool step(const struct workprec_curve *c, struct workprec_knot *k,
 {
     for (int i = 0; i < HALVINGS; i++, *h /= 2) {
         quad to[2], error[2];
-        quad_step(arc_rates, c, 0, *h, k->z, to, error);
         const quad size = size_of(k->z);
         const quad allowed = (quad) WORKPREC_CURVE_TOL * (size < 1 ? size : 1);
+        const quad enough[2] = { allowed / 10, allowed / 10 };
+        const struct quad_step step =
+            quad_step(arc_rates, c, 0, *h, k->z, enough, to, error);
         const double off = (double) ((error[0] + error[1]) / allowed);
         if (!(off <= 1.0))
             continue;
         memcpy(k->z, to, sizeof to);
         tangent(c->law, c->at, k->z, k->n);
-        *h *= 0.8 * pow(fmax(off, 1e-10), -1.0 / QUAD_STEP_ORDER);
+        *h *= quad_step_factor(&step, off);
         return true;
     }
     return false;
@@ -164,8 +166,11 @@ static quad follow(const struct graph *g, const struct workprec_knot *k,
         quad next[2], error[2];
         if (fabsq(h) > fabsq(to - s))
             h = to - s;
-        quad_step(graph_rates, g, s, h, u, next, error);
-        if (error[0] <= (quad) WORKPREC_CURVE_TOL * (fabsq(u[0]) + fabsq(h))) {
+        const quad allowed =
+            (quad) WORKPREC_CURVE_TOL * (fabsq(u[0]) + fabsq(h));
+        const quad enough[2] = { allowed / 10, allowed };
+        quad_step(graph_rates, g, s, h, u, enough, next, error);
+        if (error[0] <= allowed) {
             s = h == to - s ? to : s + h;
             u[0] = next[0];
         } else {
