@@ -174,8 +174,10 @@ static bool is_sharp(const struct tight *t, enum cell_field k)
 
 /* ---- checks -------------------------------------------------------------- */
 
+/* Of blocks that rest in finite time (1) and of all others (0): those that
+ * rest, or are undecided, come by the draw, all or none of its states. */
 struct tally {
-    size_t states, compared, fields, blurred, wide;
+    size_t states, compared, fields[2], blurred[2], wide;
     double worst;
 };
 
@@ -185,6 +187,7 @@ static void check_field(const struct draw *d, struct vec2 z,
 {
     const char *name = record_cell.fields[1 + 2 * k].name;
     const double off = off_by(c, k, t), bar = error(c, k);
+    const bool rests = c->exit_reason == FATE_REST_FINITE;
 
     CHECK(isnan(value(c, k)) == isnan(bar) && !(bar < 0.0),
           "%s (%.17g, %.17g) %s: %g +- %g", d->name, z.x, z.y, name,
@@ -192,29 +195,31 @@ static void check_field(const struct draw *d, struct vec2 z,
     if (isnan(value(c, k)))
         return;
     if (isnan(off) || !is_sharp(t, k)) {
-        tally->blurred++;
+        tally->blurred[rests]++;
         return;
     }
     CHECK(off <= 1.0, "%s (%.17g, %.17g) %s: %.16g +- %.3g, not %.16g +- %.3g",
           d->name, z.x, z.y, name, value(c, k), bar, t->value[k], t->error[k]);
-    tally->fields++;
+    tally->fields[rests]++;
     tally->wide += bar > 1.0001 * d->s.scene.cell_rtol * value(c, k);
     tally->worst = fmax(tally->worst, off);
 }
 
 /* What exists: the peaks of whatever does not run away, but no largest friction
- * at rest; slip, time and mean of what is arrested. */
+ * at rest; slip, time and mean of what is arrested, but no mean over a slip
+ * that is hardly known. */
 static void check_existence(const struct draw *d, struct vec2 z,
                             const struct cell *c)
 {
     const bool runs = c->exit_reason == FATE_RUNAWAY;
     const bool rests = c->exit_reason == FATE_REST_FINITE;
     const bool fades = c->exit_reason == FATE_REST_ASYMPTOTIC;
-    const bool is[CELL_FIELDS] = { !runs && !(fades && isnan(c->slip)),
-                                   !runs && !fades,
-                                   !runs && !(fades && isnan(c->slip)) &&
-                                       c->slip != 0.0,
-                                   !runs, !runs && !rests };
+    const bool slips = !runs && !(fades && isnan(c->slip));
+    const bool is_known = c->slip_error < 0.5 * c->slip;
+    const bool has_mean =
+        slips && (is_known || (c->slip > 0.0 && isfinite(c->mu_mean)));
+    const bool is[CELL_FIELDS] = { slips, !runs && !fades, has_mean, !runs,
+                                   !runs && !rests };
 
     for (int k = 0; k < CELL_FIELDS; k++)
         CHECK(isnan(value(c, (enum cell_field) k)) == !is[k],
@@ -296,14 +301,17 @@ static void check_cell(const struct draw *d, struct vec2 z,
 
 static void report(const char *what, const struct tally *t)
 {
+    const size_t *fields = t->fields, *blurred = t->blurred;
+
     print_message("# %s: %zu of %zu states compared, %zu fields, the worst at "
                   "%.2f of its bar, %zu bars wider than asked for; orbits know "
-                  "%zu fields less well\n",
-                  what, t->compared, t->states, t->fields, t->worst, t->wide,
-                  t->blurred);
-    CHECK(t->compared > t->states - t->states / 10, "%zu of %zu", t->compared,
-          t->states);
-    CHECK(t->fields > 5 * t->blurred, "%zu and %zu", t->fields, t->blurred);
+                  "%zu fields less well, and %zu of %zu at rest\n",
+                  what, t->compared, t->states, fields[0] + fields[1], t->worst,
+                  t->wide, blurred[0], blurred[1], fields[1] + blurred[1]);
+    CHECK(t->compared + EACH > t->states - t->states / 10, "%zu of %zu",
+          t->compared, t->states);
+    CHECK(fields[0] > 5 * blurred[0], "%zu and %zu", fields[0], blurred[0]);
+    CHECK(fields[1] > 0 || blurred[1] == 0, "0 and %zu", blurred[1]);
 }
 
 /* ---- states -------------------------------------------------------------- */

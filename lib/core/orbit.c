@@ -54,7 +54,8 @@ static bool is_good(const struct planar *system, struct vec2 z,
                 box_holds(offsets(system->domain, system->origin), z);
 
     for (size_t i = 0; i <= o->observables; i++)
-        good = good && (o->reach[i] < 0.0 || o->reach[i] > 0.0);
+        good = good && (o->reach[i] < 0.0 || o->reach[i] > 0.0) &&
+               o->least[i] >= 0.0 && isfinite(o->least[i]);
     return good;
 }
 
@@ -129,6 +130,12 @@ enum status orbit_init(struct orbit *o, const struct planar *system,
     return STATUS_OK;
 }
 
+/* What errors of time and integrals are relative to. */
+static double size_of(const struct orbit *o, size_t i, double u)
+{
+    return fmax(fmax(o->peak[i], fabs(u)), o->options.least[i - 2]);
+}
+
 /* The largest estimated error over what is allowed; NaN if anything is. */
 static double error_ratio(const struct orbit *o, const double u1[],
                           const double error[])
@@ -136,7 +143,7 @@ static double error_ratio(const struct orbit *o, const double u1[],
     double worst = 0.0;
 
     for (size_t i = 0; i < o->curve.dim; i++) {
-        const double size = i < 2 ? 1.0 : fmax(o->peak[i], fabs(u1[i]));
+        const double size = i < 2 ? 1.0 : size_of(o, i, u1[i]);
         const double ratio =
             fabs(error[i]) / (o->options.rtol * size + DBL_MIN);
         if (!isfinite(ratio) || !isfinite(u1[i]))

@@ -17,6 +17,8 @@ struct orbit_options {
                      length.  A kappa far too small costs steps, not digits. */
     double rtol;  /* > 0: absolute in x and y (logarithms), relative to the
                      largest value so far in time and integrals */
+    double least[1 + PLANAR_OBSERVABLES_MAX]; /* >= 0; time and integrals below
+                                                 this need no more digits */
     bool backward;
     size_t observables; /* the first so many are integrated */
 

@@ -152,6 +152,14 @@ static double fill(const struct run *coarse, const struct run *fine, double tol,
     return worst;
 }
 
+/* Whether it was followed to its end: what arrests takes some time. */
+static bool is_whole(const struct run *r)
+{
+    return r->fate != FATE_UNDECIDED &&
+           (r->fate == FATE_RUNAWAY || r->fate == FATE_REST_ASYMPTOTIC ||
+            quantity_exists(&r->of[CELL_TIME]));
+}
+
 /* `label`: the fate as another method tells it, or FATE_UNDECIDED. */
 static bool agree(const struct run *coarse, const struct run *fine,
                   int8_t label)
@@ -187,14 +195,17 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
         status = follow(s, z, tol, which, &fine);
         if (status != STATUS_OK)
             break;
-        if (fine.fate == FATE_UNDECIDED &&
-            (coarse.fate == FATE_UNDECIDED || isfinite(worst)))
+        if (!is_whole(&fine) &&
+            (isfinite(worst) ||
+             (fine.fate == FATE_UNDECIDED && coarse.fate == FATE_UNDECIDED)))
             break;
         shake(s, z, near, tol, &fine);
         *out = unknown;
         worst = agree(&coarse, &fine, label)
                     ? fill(&coarse, &fine, tol, which, out)
                     : HUGE_VAL;
+        if (!is_whole(&coarse) || !is_whole(&fine))
+            worst = HUGE_VAL;
         before = isfinite(worst) ? before : HUGE_VAL;
         coarse = fine;
     }

@@ -197,21 +197,36 @@ static struct moment_rest rest_of(const struct study *s, const struct orbit *o,
     return (struct moment_rest){ HUGE_VAL, grows ? HUGE_VAL : v * t / more };
 }
 
+/* Work over slip.  What is left of the work is, by (27), the energy at the end
+ * and that of the slope; it may all be done in hardly any slip. */
+static struct quantity mean_of(const struct study *s, const struct orbit *o,
+                               const struct quantity *slip, double left)
+{
+    const double v = s->block.at.v0 * exp(o->u[0]);
+    const double t = (double) s->block.tan_alpha;
+    const double stop = 0.5 * material_eps2(&s->block.material) * v * v;
+    const double energy = o->end == ORBIT_ARRIVED ? 0.0 : stop * hypot(1.0, t);
+    const double work = o->u[3 + BLOCK_WORK] + energy + t * left;
+    const double work_error =
+        o->error[3 + BLOCK_WORK] + 2.0 * o->error[0] * energy + t * left;
+    const double mean = work / slip->value;
+    const double known = slip->value - slip->error;
+
+    if (!(slip->value > 0.0))
+        return quantity_none("no slip before arrest");
+    if (!(known > 0.0))
+        return quantity_none("the slip is not known well enough");
+    return quantity_of(mean, (work_error + fabs(mean) * slip->error) / known);
+}
+
 /* The integrals of an orbit whose slip is finite; what is left of it is
  * added, and is in the bars. */
-static void observe_slip(const struct orbit *o, struct moment_rest left,
-                         struct fate_result *out)
+static void observe_slip(const struct study *s, const struct orbit *o,
+                         struct moment_rest left, struct fate_result *out)
 {
-    const double passed = o->u[3 + BLOCK_SLIP], work = o->u[3 + BLOCK_WORK];
-    const double slip_error = o->error[3 + BLOCK_SLIP] + left.slip;
-    const double work_error = o->error[3 + BLOCK_WORK];
-
-    out->slip = quantity_of(passed + left.slip, slip_error);
-    out->mu_mean =
-        passed > 0.0
-            ? quantity_of(work / passed,
-                          (work_error + work / passed * slip_error) / passed)
-            : quantity_none("no slip before arrest");
+    out->slip = quantity_of(o->u[3 + BLOCK_SLIP] + left.slip,
+                            o->error[3 + BLOCK_SLIP] + left.slip);
+    out->mu_mean = mean_of(s, o, &out->slip, left.slip);
 }
 
 /* Why it has neither time nor slip; NULL: it may have. */
@@ -247,7 +262,7 @@ static void observe_end(const struct study *s, const struct orbit *o,
     if (isinf(left.slip))
         out->slip = out->mu_mean = quantity_none(unbounded);
     else
-        observe_slip(o, left, out);
+        observe_slip(s, o, left, out);
 }
 
 static void note(const struct study *s, const struct orbit *o, double before,
@@ -280,6 +295,19 @@ static enum status run(const struct study *s, struct orbit *o, bool observe,
     return status;
 }
 
+void fate_least(const struct study *s, struct vec2 z, double least[])
+{
+    const bool may_rest = (s->saddle == 0 || s->equilibria == 0) &&
+                          fate_at_rest(s) == FATE_REST_FINITE;
+    const double v = s->block.at.v0 * exp(z.x);
+    const double eps2 = material_eps2(&s->block.material);
+    const double stop = may_rest ? TOL_FATE_LEAST * eps2 * v : 0.0;
+
+    least[0] = fmin(stop, DBL_MAX);
+    least[1 + BLOCK_SLIP] = fmin(stop * v, DBL_MAX);
+    least[1 + BLOCK_WORK] = least[1 + BLOCK_SLIP];
+}
+
 /* Follows the orbit from the offset z; *last: where it ended. */
 static enum status follow(const struct study *s, struct vec2 z, double rtol,
                           bool observe, const struct monitor *monitor,
@@ -297,6 +325,7 @@ static enum status follow(const struct study *s, struct vec2 z, double rtol,
     options.arrival = TOL_ARREST;
     options.max_steps = TOL_FATE_STEPS;
     options.reach[0] = TOL_FATE_LATE * slow_time(s);
+    fate_least(s, z, options.least);
     *out = (struct fate_result){ .fate = FATE_UNDECIDED };
     enum status status = orbit_init(&o, &s->system, z, &options);
     if (status != STATUS_OK)

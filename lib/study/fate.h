@@ -42,6 +42,11 @@ struct fate_result {
     size_t steps, field_evaluations;
 };
 
+/* Time, slip and work, as an orbit holds them, that one from the offset z to
+ * its arrest has no use for digits below: far less than what a block needs that
+ * friction stops; 0 where nothing makes it stop. */
+void fate_least(const struct study *s, struct vec2 z, double least[]);
+
 /* The fate of the absolute chart point z in s->system, whose steady states
  * are known.  `observe`: with slip, time and means, else the fate alone, which
  * is known, too, where the orbit could be followed only into one of the

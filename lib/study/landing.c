@@ -203,6 +203,18 @@ static void add_peaks(struct landing *l, const struct slow_point *p, double y,
     out->mu_peak = fmax(out->mu_peak, later);
 }
 
+/* How unlike a linear one its fall is, `off` along the fibre: a sinh is steeper
+ * than its tangent. */
+static double unevenness(const struct landing *l, const struct slow_point *p,
+                         double off)
+{
+    const double det = p->fibre.x - p->fibre.y * p->x_slope;
+    const double fall = l->du[LAYER_X] - l->du[LAYER_Y] * p->x_slope;
+    const double rate = -fall / (det * off * l->du[LAYER_TIME]);
+
+    return off == 0.0 ? 0.0 : fabs(rate - p->fast) / fmax(fabs(rate), p->fast);
+}
+
 /* What the table says of the point y, `off` away along its fibre, added to what
  * was before.  False: nearer to the curve it would be good enough. */
 static bool land(struct landing *l, double y, const struct slow_point *p,
@@ -210,12 +222,14 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
 {
     const struct study *s = l->curve->study;
     const struct vec2 e = p->fibre;
-    const double det = fabs(e.x - e.y * p->x_slope), part = fabs(off) + p->gap;
-    const double bend = TOL_LAYER_BEND * fabs(off * e.x * e.y) * part / det;
+    const double det = fabs(e.x - e.y * p->x_slope);
+    const double part =
+        TOL_LAYER_BEND * (fabs(off) + p->gap) + unevenness(l, p, off);
+    const double bend = fabs(off * e.x * e.y) * part / det;
     const double wrong = bend + l->across / det;
     const double d = off * e.x, v = exp(s->block.at.x0 + p->x);
     const double more = v / p->fast * d * (1.0 + 0.25 * d);
-    const double unsaid = TOL_LAYER_BEND * fabs(more) * part;
+    const double unsaid = fabs(more) * part;
     const double time = l->u[LAYER_TIME] + p->time;
     const double slip = l->u[LAYER_SLIP] + p->slip + more;
     const double wait = delay(l, p, off);

@@ -182,7 +182,8 @@ struct moment_rest moment_rest_at(const struct study *s, const double u[])
 {
     const double power = rest_form_of(&s->block.law, &s->block.material).power;
     const double v = s->block.at.v0 * exp(u[0]);
-    const double time = -power / moment_rates(s, u).x;
+    const double force = moment_excess_friction(s, place(u));
+    const double time = power * exp(u[0] - s->block.at.log_inertia) / force;
 
     return (struct moment_rest){ time, v * time / (1.0 + power) };
 }

@@ -143,6 +143,7 @@ enum status peaks_find(const struct study *s, struct vec2 z, double rtol,
     options.targets = goals_of(s, goal);
     options.arrival = TOL_ARREST;
     options.max_steps = TOL_FATE_STEPS;
+    fate_least(s, start, options.least);
     enum status status = orbit_init(&o, &s->system, start, &options);
     if (status != STATUS_OK)
         return status;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "crest.h"
+#include "slow_fit.h"
 #include "study.h"
 #include "study_tolerance.h"
 
@@ -199,22 +200,6 @@ static enum status finish(const struct study *s, const struct orbit *o,
     return STATUS_OK;
 }
 
-/* Second derivatives of the field's slopes are mostly noise where the rates are
- * far apart. */
-static void smooth(struct slow_branch *b)
-{
-    struct slow_knot *const k = b->knot;
-    const size_t last = b->count - 1;
-
-    for (size_t i = 1; i < last; i++)
-        if (k[i].gap < TOL_SLOW_NOISY)
-            k[i].x_bend = slow_knot_bend(&k[i - 1], &k[i], &k[i + 1]);
-    if (k[0].gap < TOL_SLOW_NOISY)
-        k[0].x_bend = k[1].x_bend;
-    if (k[last].gap < TOL_SLOW_NOISY)
-        k[last].x_bend = k[last - 1].x_bend;
-}
-
 /* The curve between two knots. */
 struct between {
     const struct block *block;
@@ -242,41 +227,6 @@ static void find_frictions(const struct study *s, struct slow_branch *b)
         const struct between c = { &s->block, &k[i - 1], &k[i] };
         if (isfinite(k[i - 1].gap) && isfinite(k[i].gap))
             k[i].mu = crest_of(mu_between, &c, NULL);
-    }
-}
-
-/* How far off in y a state lands that is right in its slow coordinate, beside a
- * curve that is off by dx. */
-static double shift_of(const struct slow_knot *k, double dx)
-{
-    return fabs(k->fibre.y * dx / (k->fibre.x - k->fibre.y * k->x_slope));
-}
-
-/* What a polynomial over two steps misses at the knot between is 64 times what
- * one over one step misses; twice, if it is noise in the slopes. */
-static void judge(struct slow_branch *b)
-{
-    struct slow_knot *const k = b->knot;
-    double ignored;
-
-    for (size_t i = 1; i + 1 < b->count; i++) {
-        const struct slow_knot *f = &k[i - 1], *g = &k[i + 1];
-        const double h = g->y - f->y, theta = (k[i].y - f->y) / h;
-        const double x = slow_knot_x(f, g, theta, &ignored);
-        const double t = slow_quintic(f->time, g->time, h, theta, &ignored);
-        const double l = slow_quintic(f->slip, g->slip, h, theta, &ignored);
-        const bool noisy =
-            slow_knot_is_fast_y(&k[i]) && k[i].gap < TOL_SLOW_NOISY;
-        const double part = noisy ? TOL_SLOW_NOISE : TOL_SLOW_MISSED;
-        const double shift = shift_of(&k[i], x - k[i].x);
-        const double dt =
-            part * (fabs(t - k[i].time[0]) + fabs(k[i].time[1]) * shift);
-        const double dl =
-            part * (fabs(l - k[i].slip[0]) + fabs(k[i].slip[1]) * shift);
-        k[i].time_error = fmax(k[i].time_error, dt);
-        k[i + 1].time_error = fmax(k[i + 1].time_error, dt);
-        k[i].slip_error = fmax(k[i].slip_error, dl);
-        k[i + 1].slip_error = fmax(k[i + 1].slip_error, dl);
     }
 }
 
@@ -430,10 +380,10 @@ static enum status run(const struct study *s, struct vec2 z,
     if (o.end == ORBIT_RUNNING)
         status = follow(s, &o, ahead, monitor, b);
     if (status == STATUS_OK && b->count > 2) {
-        smooth(b);
+        slow_fit_smooth(b);
         find_frictions(s, b);
         look_back(b);
-        judge(b);
+        slow_fit_judge(b);
         status = finish(s, &o, goals->fate[o.end_index], b);
         make_monotone(b);
     }

@@ -53,11 +53,10 @@ double slow_knot_at(const struct study *s, const double u[], double slope,
     s->system.jacobian(s->system.ctx, z, &J);
     struct vec2 d = J.field.direction;
     split(&J, vec2_length(d), k, &slow);
-    if (k->gap < TOL_SLOW_ALONG) {
+    if (k->gap < TOL_SLOW_ALONG)
         k->x_slope = slope = slow.x / slow.y;
-        if (slow_knot_is_fast_y(k))
-            d.y = d.x / slope;
-    }
+    if (k->gap < TOL_SLOW_NOISY && slow_knot_is_fast_y(k))
+        d.y = d.x / slope;
     if (is_too_steep(k))
         k->gap = HUGE_VAL;
     const double rate = d.y * exp(J.field.log_scale);
@@ -105,24 +104,24 @@ double slow_knot_x(const struct slow_knot *f, const struct slow_knot *g,
     return slow_quintic(from, to, g->y - f->y, theta, slope);
 }
 
-/* (x - x_k - x_k' (y - y_k))/(y - y_k)^2 at f and its derivative. */
-static double over_square(const struct slow_knot *k, const struct slow_knot *f,
+/* (q - q_k - q_k' h)/h^2 for a value with its slope, h beyond that at k, and
+ * its derivative. */
+static double over_square(const double k[3], const double f[3], double h,
                           double *slope)
 {
-    const double h = f->y - k->y;
-    const double q = (f->x - k->x - k->x_slope * h) / (h * h);
+    const double q = (f[0] - k[0] - k[1] * h) / (h * h);
 
-    *slope = (f->x_slope - k->x_slope) / (h * h) - 2.0 * q / h;
+    *slope = (f[1] - k[1]) / (h * h) - 2.0 * q / h;
     return q;
 }
 
-/* Twice what a cubic makes of over_square. */
-double slow_knot_bend(const struct slow_knot *f, const struct slow_knot *k,
-                      const struct slow_knot *g)
+double slow_knot_bend(const double f[3], const double k[3], const double g[3],
+                      double before, double after)
 {
-    const double h = g->y - f->y, t = (k->y - f->y) / h, u = 1.0 - t;
+    const double h = after - before, t = -before / h, u = 1.0 - t;
     double f1, g1;
-    const double f0 = over_square(k, f, &f1), g0 = over_square(k, g, &g1);
+    const double f0 = over_square(k, f, before, &f1);
+    const double g0 = over_square(k, g, after, &g1);
 
     return 2.0 * (u * u * ((1.0 + 2.0 * t) * f0 + t * h * f1) +
                   t * t * ((1.0 + 2.0 * u) * g0 - u * h * g1));

@@ -41,9 +41,10 @@ bool slow_knot_is_noisy(const struct slow_knot *k);
 double slow_knot_x(const struct slow_knot *f, const struct slow_knot *g,
                    double theta, double *slope);
 
-/* d2x/dy2 at k from x and dx/dy there and at the knots on either side. */
-double slow_knot_bend(const struct slow_knot *f, const struct slow_knot *k,
-                      const struct slow_knot *g);
+/* The second derivative at k from values and slopes there and on either side,
+ * at the distances before < 0 and after > 0, or the other way round. */
+double slow_knot_bend(const double f[3], const double k[3], const double g[3],
+                      double before, double after);
 
 /* The polynomial of degree 5 with value, slope and curvature f at y = 0 and g
  * at y = h, at theta h; and its slope there. */

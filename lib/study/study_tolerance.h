@@ -401,6 +401,11 @@
  * orbit: far below what rounding does to a piece. */
 #define TOL_DOUBT_NEAREST 0x1p-50
 
+/* An orbit to a rest needs no digits of a time below this part of eps^2 v, the
+ * time in which a friction of 1 stops it: where psi leaps first, by a sinh of
+ * psi_ss - psi, time grows from 1e-300, and its rate is rounding. */
+#define TOL_FATE_LEAST 0.01
+
 /* Base points (base_point.c).  What meets a box of arrest is no further from
  * the node than the box along the fibre, and a part more for its curvature; a
  * side of the separatrix is told from so many errors on; and what the table's
