@@ -10,6 +10,7 @@ struct expansion {
     const struct carry *carry;
     const struct graph_start *start;
     jet_pair unit;
+    jet_mask over_y; /* the lanes whose independent coordinate is y */
     struct jet_work work;
     jet_pair at[2][JET_SIZE], f[2][JET_SIZE];
     jet_pair ind[JET_SIZE], dep[JET_SIZE]; /* f by the part each plays */
@@ -19,15 +20,14 @@ struct expansion {
     jet_pair integral[LOCAL_CARRY_MAX][JET_SIZE];
 };
 
-static void set_start(struct expansion *e, size_t order)
+static void set_start(struct expansion *e)
 {
     for (int i = 0; i < JET_LANES; i++) {
         const struct graph_start *start = &e->start[i];
         e->at[0][0][i] = start->z.x;
         e->at[1][0][i] = start->z.y;
-        for (size_t k = 1; k <= order; k++)
-            e->at[start->ind][k][i] = k == 1 ? start->unit : 0.0;
         e->unit[i] = start->unit;
+        e->over_y[i] = start->ind == 1 ? -1 : 0;
     }
     e->work.linear =
         e->start[0].ind == e->start[1].ind ? e->at[e->start[0].ind] : NULL;
@@ -38,14 +38,14 @@ static void set_start(struct expansion *e, size_t order)
 /* Coefficient k + 1 of the unknowns from coefficient k of the field. */
 static void unknown_order(struct expansion *e, size_t k)
 {
-    for (int i = 0; i < JET_LANES; i++) {
-        e->ind[k][i] = e->f[e->start[i].ind][k][i];
-        e->dep[k][i] = e->f[1 - e->start[i].ind][k][i];
-    }
+    const jet_pair ahead = k == 0 ? e->unit : JET_PAIR(0.0);
+
+    e->ind[k] = jet_choose(e->over_y, e->f[1][k], e->f[0][k]);
+    e->dep[k] = jet_choose(e->over_y, e->f[0][k], e->f[1][k]);
     e->slope[k] = jet_quotient(k, e->dep, e->ind, e->slope);
-    const jet_pair next = e->slope[k] * e->unit * jet_inverse[k + 1];
-    for (int i = 0; i < JET_LANES; i++)
-        e->at[1 - e->start[i].ind][k + 1][i] = next[i];
+    const jet_pair next = e->slope[k] * (e->unit * jet_inverse[k + 1]);
+    e->at[0][k + 1] = jet_choose(e->over_y, next, ahead);
+    e->at[1][k + 1] = jet_choose(e->over_y, ahead, next);
 }
 
 static void carry_order(struct expansion *e, size_t i, size_t k)
@@ -72,7 +72,7 @@ void graph_expand(const struct planar *sys, const struct carry *carry,
     e.sys = sys;
     e.carry = carry;
     e.start = start;
-    set_start(&e, order);
+    set_start(&e);
     for (size_t k = 0; k < order; k++) {
         sys->jet(sys->ctx, &e.work, k, e.at[0], e.at[1], e.f[0], e.f[1]);
         unknown_order(&e, k);

@@ -27,6 +27,16 @@ typedef double jet_pair __attribute__((vector_size(16)));
 /* The same number in both lanes; a pair stays what it is. */
 #define JET_PAIR(p) ((jet_pair){ 0 } + (p))
 
+/* Lanes of all bits or of none. */
+typedef __typeof__((jet_pair){ 0 } == (jet_pair){ 0 }) jet_mask;
+
+/* u in lanes of the mask, v in the others; as bits, for a lane that is written
+ * by itself stalls whoever reads the pair soon after. */
+static inline jet_pair jet_choose(jet_mask mask, jet_pair u, jet_pair v)
+{
+    return (jet_pair) ((mask & (jet_mask) u) | (~mask & (jet_mask) v));
+}
+
 /* The intermediate series of a field along the curves.  Slots are handed out
  * in call order, so the same sequence of calls finds the same series again. */
 struct jet_work {
@@ -47,39 +57,56 @@ static inline jet_pair *jet_slot(struct jet_work *w)
 /* 0, 1, 2, ... and 0, 1, 1/2, 1/3, ... */
 extern const double jet_number[JET_SIZE], jet_inverse[JET_SIZE];
 
-/* sum_{j=0}^{n-1} u[j] v[-j], in two parts that do not wait for each other */
+/* sum_{j=0}^{n-1} u[j] v[-j], n < JET_SIZE, in two parts that do not wait for
+ * each other; entered in the middle, for a loop costs as much as its sum. */
 static inline jet_pair jet_sum(size_t n, const jet_pair *u, const jet_pair *v)
 {
-    const jet_pair *const fours = u + (n & ~(size_t) 3);
-    jet_pair even = { 0 }, odd = { 0 };
+    jet_pair part[2] = { { 0 }, { 0 } };
 
-    for (; u != fours; u += 4, v -= 4) {
-        even += u[0] * v[0];
-        odd += u[1] * v[-1];
-        even += u[2] * v[-2];
-        odd += u[3] * v[-3];
+#define JET_TERM(j)                                                            \
+    case (j) + 1:                                                              \
+        part[(j) % 2] += u[j] * v[-(j)];                                       \
+        __attribute__((fallthrough))
+#define JET_TERMS(j)                                                           \
+    JET_TERM(j + 3);                                                           \
+    JET_TERM(j + 2);                                                           \
+    JET_TERM(j + 1);                                                           \
+    JET_TERM(j)
+    switch (n) {
+        JET_TERM(30);
+        JET_TERM(29);
+        JET_TERM(28);
+        JET_TERMS(24);
+        JET_TERMS(20);
+        JET_TERMS(16);
+        JET_TERMS(12);
+        JET_TERMS(8);
+        JET_TERMS(4);
+        JET_TERMS(0);
+        default:
+            break;
     }
-    if (n & 2) {
-        even += u[0] * v[0];
-        odd += u[1] * v[-1];
-        u += 2, v -= 2;
-    }
-    if (n & 1)
-        even += u[0] * v[0];
-    return even + odd;
+#undef JET_TERMS
+#undef JET_TERM
+    return part[0] + part[1];
 }
 
 /* sum_{j=0}^{k} u[j] v[k-j] */
 static inline jet_pair jet_product(size_t k, const jet_pair u[],
                                    const jet_pair v[])
 {
-    return jet_sum(k + 1, u, v + k);
+    if (k == 0)
+        return u[0] * v[0];
+    return jet_sum(k - 1, u + 1, v + k - 1) + (u[0] * v[k] + u[k] * v[0]);
 }
 
 /* sum_{j=0}^{k} u[j] u[k-j] */
 static inline jet_pair jet_square(size_t k, const jet_pair u[])
 {
-    const jet_pair twice = 2.0 * jet_sum((k + 1) / 2, u, u + k);
+    if (k == 0)
+        return u[0] * u[0];
+    const jet_pair inner = jet_sum((k - 1) / 2, u + 1, u + k - 1);
+    const jet_pair twice = 2.0 * (inner + u[0] * u[k]);
 
     return k % 2 == 0 ? twice + u[k / 2] * u[k / 2] : twice;
 }
@@ -92,7 +119,7 @@ static inline jet_pair jet_chain(const struct jet_work *w, size_t k,
 {
     if (u == w->linear)
         return u[1] * v[k - 1] * jet_inverse[k];
-    return jet_sum(k, du + 1, v + k - 1) * jet_inverse[k];
+    return jet_sum(k - 1, du + 1, v + k - 1) * jet_inverse[k] + u[k] * v[0];
 }
 
 /* Coefficient k of num / den, den[0] != 0, given quotient[0..k-1]. */
@@ -102,7 +129,8 @@ static inline jet_pair jet_quotient(size_t k, const jet_pair num[],
 {
     if (k == 0)
         return num[0] / den[0];
-    return (num[k] - jet_sum(k, quotient, den + k)) / den[0];
+    const jet_pair known = jet_sum(k - 1, quotient + 1, den + k - 1);
+    return (num[k] - quotient[0] * den[k] - known) / den[0];
 }
 
 /* Of one curve: its series, taken out of a lane; sum_{k=0}^{order} u[k] s^k,

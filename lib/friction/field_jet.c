@@ -66,13 +66,7 @@ static inline size_t jet_order(const struct jet_ctx *c)
 /* r u, and 0 in lanes where r is, whatever u */
 static inline jet_pair part(jet_pair r, jet_pair u)
 {
-    union {
-        jet_pair value;
-        __typeof__(r == u) bits;
-    } product = { .value = r * u };
-
-    product.bits &= r != JET_PAIR(0.0);
-    return product.value;
+    return (jet_pair) ((jet_mask) (r * u) & (r != JET_PAIR(0.0)));
 }
 
 static inline void linear(struct jet_ctx *c, jet_pair p, jet_pair q,
@@ -231,15 +225,29 @@ static inline void jet_friction(struct jet_ctx *c, double a, double w0,
 #include "rate_formula.h"
 #undef jet_product
 
-void field_jet(const struct law *law, const struct anchor *at,
-               struct jet_work *w, size_t k, const jet_pair x[],
-               const jet_pair y[], jet_pair fx[], jet_pair fy[])
+static inline void one_order(const struct law *law, const struct anchor *at,
+                             struct jet_work *w, size_t k, const jet_pair x[],
+                             const jet_pair y[], jet_pair fx[], jet_pair fy[])
 {
     struct jet_ctx c = { w, k, 0, w->log_scale, w->frozen };
 
     jet_field(law, at, &c, x, y, fx, fy);
     w->log_scale = c.scale;
     w->used = c.used;
+}
+
+/* Order 0 and the others are compiled apart: each then leaves the other's work
+ * out, and all that prepares for it, which is a fifth of the whole. */
+__attribute__((flatten)) void field_jet(const struct law *law,
+                                        const struct anchor *at,
+                                        struct jet_work *w, size_t k,
+                                        const jet_pair x[], const jet_pair y[],
+                                        jet_pair fx[], jet_pair fy[])
+{
+    if (k == 0)
+        one_order(law, at, w, 0, x, y, fx, fy);
+    else
+        one_order(law, at, w, k, x, y, fx, fy);
 }
 
 void field_jet_rate(const struct law *law, const struct anchor *at,

@@ -70,6 +70,28 @@ struct maker {
     struct workprec_answer *out;
 };
 
+static void count(const struct maker *m, const struct branch *b, size_t order)
+{
+    m->out->calls += b->evaluations * order;
+    m->out->steps += b->steps;
+}
+
+/* Side by side, as a study has them. */
+static enum status grow_both(const struct maker *m,
+                             const struct local_series *u, int up,
+                             const struct grow_options *o,
+                             struct branch branch[WORKPREC_SIDES])
+{
+    struct branch both[2]; /* of s > 0, s < 0 */
+    const enum status s = grow_branches(&m->c->study->system, u, o, both);
+
+    branch[SIDE_UPPER] = both[up > 0 ? 0 : 1];
+    branch[SIDE_LOWER] = both[up > 0 ? 1 : 0];
+    for (int i = 0; i < WORKPREC_SIDES; i++)
+        count(m, &branch[i], o->order);
+    return s;
+}
+
 static enum status grow_sides(const struct maker *m, const bool wanted[],
                               struct branch branch[WORKPREC_SIDES])
 {
@@ -84,13 +106,11 @@ static enum status grow_sides(const struct maker *m, const bool wanted[],
     if (s != STATUS_OK)
         return s;
     const int up = u.ind == 0 || u.c[1] > 0.0 ? 1 : -1;
-    for (int i = 0; i < WORKPREC_SIDES && s == STATUS_OK; i++)
-        if (wanted[i]) {
-            s = grow_branch(sys, &u, i == SIDE_UPPER ? up : -up, &o,
-                            &branch[i]);
-            m->out->calls += branch[i].evaluations * o.order;
-            m->out->steps += branch[i].steps;
-        }
+    if (wanted[SIDE_UPPER] && wanted[SIDE_LOWER])
+        return grow_both(m, &u, up, &o, branch);
+    const int side = wanted[SIDE_UPPER] ? SIDE_UPPER : SIDE_LOWER;
+    s = grow_branch(sys, &u, side == SIDE_UPPER ? up : -up, &o, &branch[side]);
+    count(m, &branch[side], o.order);
     return s;
 }
 
