@@ -120,8 +120,9 @@ static bool knows_friction(const struct cell *c, double rtol)
 
 /* ---- many ---------------------------------------------------------------- */
 
-/* States followed together, and those of them that are not done. */
-enum { TOGETHER = 128 };
+/* States followed together, and those of them that are not done: the fewer
+ * these, the more lanes are idle at the end. */
+enum { TOGETHER = 512, FEWEST = 128, PARTS = 4 };
 struct batch {
     const struct fast_cells *fast;
     double rtol;
@@ -129,6 +130,7 @@ struct batch {
     const struct vec2 *z; /* of the batch */
     struct cell *out;
     bool found[TOGETHER];
+    double excess[TOGETHER];   /* of bars over the promise; 0: not known */
     size_t of[TOGETHER], open; /* job i is of state of[i] */
     struct layer_job job[TOGETHER];
     struct layer layer[TOGETHER];
@@ -157,8 +159,11 @@ static double finer(struct batch *b, size_t i)
         return TOL_FAST_FINER;
     b->found[k] = true;
     b->out[k] = cell_of(b->fast->study, b->z[k].x, b->which, l);
+    const double before = b->excess[k];
     const double excess = worst_of(&b->out[k], b->which) / b->rtol;
-    if (l->end == LAYER_RAN || excess <= 1.0)
+    b->excess[k] = excess;
+    if (l->end == LAYER_RAN || excess <= 1.0 ||
+        (before > 0.0 && !(excess < TOL_FAST_GAIN * before)))
         return 0.0;
     return fmax(TOL_FAST_FINER, TOL_FAST_AIM / excess);
 }
@@ -192,6 +197,7 @@ static void find_by_curve(struct batch *b, size_t n)
     for (size_t k = 0; k < n; k++) {
         set_job(b, k, k, b->rtol);
         b->found[k] = false;
+        b->excess[k] = 0.0;
     }
     while (b->open > 0) {
         size_t open = 0;
@@ -232,12 +238,21 @@ static bool are_states(const struct fast_cells *f, const struct vec2 z[],
     return true;
 }
 
+/* How many of n states: threads are to have some each. */
+static size_t together_of(size_t n)
+{
+    const size_t part = n / PARTS;
+
+    return part < FEWEST ? FEWEST : part < TOGETHER ? part : TOGETHER;
+}
+
 enum status fast_cells_find(const struct fast_cells *f, const struct vec2 z[],
                             size_t n, double rtol, unsigned which,
                             const struct monitor *m, struct cell out[],
                             size_t *whole)
 {
-    enum { BLOCK = 32 * TOGETHER };
+    enum { BLOCK = 16 * TOGETHER };
+    const size_t part = together_of(n);
     enum status failed = STATUS_OK;
     size_t left = 0;
 
@@ -246,8 +261,8 @@ enum status fast_cells_find(const struct fast_cells *f, const struct vec2 z[],
     for (size_t first = 0; first < n && failed == STATUS_OK; first += BLOCK) {
         const size_t end = n - first < BLOCK ? n : first + BLOCK;
 #pragma omp parallel for schedule(dynamic) reduction(+ : left)
-        for (size_t i = first; i < end; i += TOGETHER) {
-            const size_t some = end - i < TOGETHER ? end - i : TOGETHER;
+        for (size_t i = first; i < end; i += part) {
+            const size_t some = end - i < part ? end - i : part;
             const enum status status =
                 find(f, &z[i], some, rtol, which, &out[i], &left);
             if (status != STATUS_OK) {
@@ -301,14 +316,14 @@ static enum status add_peaks(const struct fast_cells *f, struct patch_sample *s,
     return status;
 }
 
-/* n states, n <= TOGETHER. */
+/* n states, n <= FEWEST: none is followed twice. */
 static enum status sample_some(const struct fast_cells *f,
                                struct patch_sample s[], size_t n, double rtol,
                                unsigned which)
 {
     const struct vec2 origin = f->study->system.origin;
-    struct layer_job job[TOGETHER] = { { .z = origin } };
-    struct layer layer[TOGETHER];
+    struct layer_job job[FEWEST] = { { .z = origin } };
+    struct layer layer[FEWEST];
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i < n; i++) {
@@ -337,8 +352,8 @@ enum status fast_cells_sample(const struct fast_cells *f,
     enum status failed = STATUS_OK;
 
 #pragma omp parallel for schedule(dynamic)
-    for (size_t i = 0; i < n; i += TOGETHER) {
-        const size_t some = n - i < TOGETHER ? n - i : TOGETHER;
+    for (size_t i = 0; i < n; i += FEWEST) {
+        const size_t some = n - i < FEWEST ? n - i : FEWEST;
         const enum status status =
             sample_some(f, &sample[i], some, rtol, which);
         if (status != STATUS_OK) {

@@ -279,10 +279,12 @@
 
 /* Many states by the slow curve (fast_cells.c).  How much finer the next try of
  * one is at most whose bars are too wide, and what part of the promise it aims
- * at; the finest; and the least bar, relative, of what passes a node's slow
+ * at; what part of its bars a try must leave for another one, or they are the
+ * table's; the finest; and the least bar, relative, of what passes a node's slow
  * approach. */
 #define TOL_FAST_FINER  0.01
 #define TOL_FAST_AIM    0.3
+#define TOL_FAST_GAIN   0.7
 #define TOL_FAST_FINEST 1e-12
 #define TOL_FAST_LEAST  2e-11
 /* Peaks are sampled for patches no finer than this. */
