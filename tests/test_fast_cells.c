@@ -130,6 +130,9 @@ static void most_states_need_no_whole_orbit(void **state)
         wide += c[i].slip_error > 1e-6 * c[i].slip ||
                 c[i].time_error > 1e-6 * c[i].time;
     CHECK(wide <= N / 10, "%d bars too wide", wide);
+    const size_t tops =
+        find(&p, z, N, 1e-6, 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK, c);
+    CHECK(tops <= N / 20, "%zu whole orbits for peaks", tops);
     drop(&p);
 }
 

@@ -131,6 +131,7 @@ struct batch {
     struct cell *out;
     bool found[TOGETHER];
     double excess[TOGETHER];   /* of bars over the promise; 0: not known */
+    bool vain[TOGETHER];       /* another try hardly made it smaller */
     size_t of[TOGETHER], open; /* job i is of state of[i] */
     struct layer_job job[TOGETHER];
     struct layer layer[TOGETHER];
@@ -161,11 +162,12 @@ static double finer(struct batch *b, size_t i)
     b->out[k] = cell_of(b->fast->study, b->z[k].x, b->which, l);
     const double before = b->excess[k];
     const double excess = worst_of(&b->out[k], b->which) / b->rtol;
-    b->excess[k] = excess;
-    if (l->end == LAYER_RAN || excess <= 1.0 ||
-        (before > 0.0 && !(excess < TOL_FAST_GAIN * before)))
+    const bool vain = before > 0.0 && !(excess < TOL_FAST_GAIN * before);
+    if (l->end == LAYER_RAN || excess <= 1.0 || (vain && b->vain[k]))
         return 0.0;
-    return fmax(TOL_FAST_FINER, TOL_FAST_AIM / excess);
+    b->excess[k] = excess;
+    b->vain[k] = vain;
+    return vain ? TOL_FAST_FINER : fmax(TOL_FAST_FINER, TOL_FAST_AIM / excess);
 }
 
 static void set_job(struct batch *b, size_t i, size_t k, double tol)
@@ -198,6 +200,7 @@ static void find_by_curve(struct batch *b, size_t n)
         set_job(b, k, k, b->rtol);
         b->found[k] = false;
         b->excess[k] = 0.0;
+        b->vain[k] = false;
     }
     while (b->open > 0) {
         size_t open = 0;

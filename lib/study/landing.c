@@ -184,23 +184,57 @@ static bool project(const struct landing *l, double *y, struct slow_point *p,
     return true;
 }
 
-/* The peaks to come.  Where v falls along the curve it is known already; mu is
- * that of the curve at once, or as good as. */
-static void add_peaks(struct landing *l, const struct slow_point *p, double y,
-                      double off)
+/* Whether friction rises from z on along dz. */
+static bool mu_rises(const struct landing *l, struct vec2 z, struct vec2 dz)
 {
     const struct block *b = &l->curve->study->block;
-    const double mu = block_mu(b, (struct vec2){ p->x, y });
-    struct layer *const out = l->out;
+    const struct vec2 ahead = { z.x + TOL_LAYER_AHEAD * dz.x,
+                                z.y + TOL_LAYER_AHEAD * dz.y };
 
+    return block_mu(b, ahead) > block_mu(b, z);
+}
+
+/* The largest friction to come, which is the curve's but for *aside.  What sets
+ * friction here apart from that on the curve only decays: where friction falls
+ * by now, and along the curve, there is none to come. */
+static double mu_to_come(const struct landing *l, const struct slow_point *p,
+                         double y, double *aside)
+{
+    const struct block *b = &l->curve->study->block;
+    const struct vec2 on = { p->x, y }, z = { l->u[LAYER_X], l->u[LAYER_Y] };
+    const double way = p->time_slope < 0.0 ? 1.0 : -1.0;
+    const double mu = block_mu(b, on);
+    const bool rises = mu_rises(l, on, (struct vec2){ way * p->x_slope, way });
+    const double most = fmax(rises ? fmax(mu, p->mu_near) : mu, p->mu_peak);
+
+    *aside = 0.0;
+    if (most == mu &&
+        !mu_rises(l, z, (struct vec2){ l->du[LAYER_X], l->du[LAYER_Y] }))
+        return -HUGE_VAL;
+    *aside = 2.0 * fabs(mu - block_mu(b, z));
+    if (most + *aside <= l->out->mu_peak)
+        *aside = 0.0;
+    return most;
+}
+
+/* The peaks to come.  False: nearer to the curve they would be known better. */
+static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
+                      double off, double *excess)
+{
+    struct layer *const out = l->out;
+    double aside;
+    const double most = mu_to_come(l, p, y, &aside);
+    const double allowed =
+        TOL_LAYER_BENT * l->options.promise * fabs(out->mu_peak);
+
+    *excess = fmax(*excess, aside / allowed);
+    if (aside > allowed && fabs(off) > TOL_LAYER_MU_TOUCH)
+        return false;
     if (p->x_peak > p->x)
         out->x_peak = fmax(out->x_peak, p->x_peak);
-    const double wrong =
-        TOL_LAYER_MU * (fabs(off) + p->gap) * fabs(mu - (double) b->tan_alpha);
-    const double later = fmax(mu, p->mu_peak);
-    if (later + wrong > out->mu_peak)
-        out->mu_error = wrong;
-    out->mu_peak = fmax(out->mu_peak, later);
+    out->mu_peak = fmax(out->mu_peak, most);
+    out->mu_error = aside;
+    return true;
 }
 
 /* How unlike a linear one its fall is, `off` along the fibre: a sinh is steeper
@@ -245,6 +279,8 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
         return false;
     if (!is_clear(l, p, y))
         return false;
+    if (l->options.peaks && !add_peaks(l, p, y, off, excess))
+        return false;
     out->end = LAYER_LANDED;
     if (s->saddle >= 0 && !(wrong < TOL_LAYER_SIDE * fabs(y)))
         out->end = LAYER_UNSURE;
@@ -261,8 +297,6 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     out->slip_error = l->slip_error + p->slip_error + unsaid + waste +
                       2.0 * fabs(p->slip_slope) * wrong;
     landing_add_least(l);
-    if (l->options.peaks)
-        add_peaks(l, p, y, off);
     return true;
 }
 

@@ -24,6 +24,7 @@ static struct slow_point common(const struct slow_branch *b,
         .end_slope = isfinite(b->x_end) ? b->knot[b->count - 1].time[1] : 0.0,
         .x_peak = next->x_peak,
         .mu_peak = next->mu_peak,
+        .mu_near = next->mu,
     };
 }
 
@@ -54,6 +55,8 @@ static void at_state(const struct slow_branch *b, const struct slow_knot *k,
     const double slip_rest = k->slip[1] + v / (b->grows * whole);
 
     *p = common(b, k, k == b->knot ? k + 1 : k);
+    p->mu_peak = k == b->knot ? fmax(p->mu_peak, p->mu_near) : p->mu_peak;
+    p->mu_near = -HUGE_VAL;
     p->x = k->x + k->x_slope * (y - k->y);
     p->time = k->time[0] + fold + time_rest * (y - k->y);
     p->slip = k->slip[0] + v * fold + slip_rest * (y - k->y);

@@ -21,6 +21,7 @@ struct slow_point {
     double x_end;                  /* at arrest; -HUGE_VAL at rest */
     double end_slope;              /* time_slope there; 0 at rest */
     double x_peak, mu_peak;        /* largest from some later point on */
+    double mu_near;                /* largest on the interval around it */
 };
 
 /* The branch's point at the offset y; v0: the slip rate at x = 0.  False: y is

@@ -237,12 +237,13 @@
 #define TOL_LAYER_GROWTH    2.0
 #define TOL_LAYER_BEND      5.0
 #define TOL_LAYER_TRANSPORT 6.0
-#define TOL_LAYER_MU        20.0
 /* It lands only where the fibre's part of the bar is within this part of what
- * was promised, or this near; nearer by this factor at most at once. */
-#define TOL_LAYER_BENT  0.3
-#define TOL_LAYER_TOUCH 1e-6
-#define TOL_LAYER_DIVE  1e-3
+ * was promised, or this near, for friction too this near; nearer by this factor
+ * at most at once. */
+#define TOL_LAYER_BENT     0.3
+#define TOL_LAYER_TOUCH    1e-6
+#define TOL_LAYER_MU_TOUCH 1e-9
+#define TOL_LAYER_DIVE     1e-3
 /* A box of arrest is come nearer by so much of the way at once.  Nearer than
  * BESIDE its face is aimed at; reached at FACE, and only by an orbit that
  * closes at this rate or faster, so many of its errors from every corner;
@@ -279,8 +280,8 @@
 
 /* Many states by the slow curve (fast_cells.c).  How much finer the next try of
  * one is at most whose bars are too wide, and what part of the promise it aims
- * at; what part of its bars a try must leave for another one, or they are the
- * table's; the finest; and the least bar, relative, of what passes a node's slow
+ * at; above what part of its bars a try has left one is tried as fine as that,
+ * and then no more, for they are the table's; the finest; and the least bar, relative, of what passes a node's slow
  * approach. */
 #define TOL_FAST_FINER  0.01
 #define TOL_FAST_AIM    0.3
