@@ -45,6 +45,7 @@ static void each_product_runs_its_stages_and_no_other(void **state)
         snprintf(products, sizeof products, "products=[%s]", product_names[p]);
         scene_of(&scene, products, NULL, NULL);
         scene.spread = p == PRODUCT_TRAJECTORIES ? 2 : 0;
+        scene.cells[0] = scene.cells[1] = 40;
         run(&s, &scene);
         const unsigned planned = plan_stages(scene.products) | 1u;
         for (int i = 0; i < STAGES; i++) {

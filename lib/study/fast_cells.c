@@ -304,14 +304,23 @@ static void take_sample(const struct fast_cells *f, const struct layer *l,
     s->cell = cell_of(f->study, s->z.x, which & integrals, &seen);
 }
 
-/* Peaks have no base points, and one orbit more. */
+/* Peaks have no base points, and one orbit more: a second one only where its
+ * bars are far too wide. */
 static enum status add_peaks(const struct fast_cells *f, struct patch_sample *s,
                              double rtol, unsigned which)
 {
-    struct cell c;
-    const enum status status = fast_cells_find(
-        f, &s->z, 1, fmax(rtol, TOL_FAST_PEAKS), which & peaks, NULL, &c, NULL);
+    const struct vec2 z = vec2_sub(s->z, f->study->system.origin);
+    const double tol = fmax(rtol, TOL_FAST_PEAKS);
+    const struct layer_options options = layer_defaults(tol);
+    enum status status = STATUS_OK;
+    struct layer l;
 
+    layer_follow(&f->curve, z, &options, &l);
+    struct cell c = cell_of(f->study, s->z.x, which & peaks, &l);
+    if (l.end == LAYER_LOST || l.end == LAYER_UNSURE ||
+        worst_of(&c, which & peaks) > TOL_FAST_LOOSE * tol)
+        status =
+            fast_cells_find(f, &s->z, 1, tol, which & peaks, NULL, &c, NULL);
     s->cell.v_peak = c.v_peak;
     s->cell.v_peak_error = c.v_peak_error;
     s->cell.mu_peak = c.mu_peak;

@@ -56,6 +56,7 @@ struct walk {
     bool refused;          /* the last attempt was */
     double least[2];       /* sizes that tolerances are relative to */
     double spread;         /* rate at which orbits part where it is */
+    double mu;             /* where it is, if peaks are asked for */
 };
 
 /* ---- steps --------------------------------------------------------------- */
@@ -147,18 +148,30 @@ static double top_of(const struct walk *w, point_value *value,
     return best;
 }
 
+/* The most that friction, from mu0 to mu1, can be on an arc of length h: it
+ * changes by a at most per unit of ln v, and by b of y. */
+static double most_on(const struct material *m, double mu0, double mu1,
+                      double h)
+{
+    return 0.5 * (mu0 + mu1 + h * hypot(m->a, m->b));
+}
+
 /* On the step to u1: v has a peak where it rises at first and falls at last, mu
  * may have one anywhere. */
-static void find_peaks(const struct walk *w, const double u1[])
+static void find_peaks(struct walk *w, const double u1[])
 {
+    const struct block *block = &w->at.curve->study->block;
     struct layer *const out = w->at.out;
+    const double mu0 = w->mu;
     double du1[LAYER_DIM];
 
+    w->mu = block_mu(block, (struct vec2){ u1[LAYER_X], u1[LAYER_Y] });
     along(w->at.curve->study, 0.0, u1, du1);
     out->x_peak = fmax(out->x_peak, u1[LAYER_X]);
     if (w->work.k[0][LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0)
         out->x_peak = top_of(w, x_of, u1, out->x_peak);
-    out->mu_peak = top_of(w, mu_of, u1, out->mu_peak);
+    if (most_on(&block->material, mu0, w->mu, w->h) > out->mu_peak)
+        out->mu_peak = top_of(w, mu_of, u1, out->mu_peak);
 }
 
 /* The estimates of order 5 over their tolerances, root mean square. */
@@ -290,6 +303,7 @@ void layer_follow(const struct slow_curve *c, struct vec2 z,
 
     landing_start(&w.at, c, z, options, out, w.least);
     along(c->study, 0.0, w.at.u, w.at.du);
+    w.mu = out->mu_peak;
     while (!landing_is_over(&w.at, &most) && out->steps < TOL_LAYER_STEPS) {
         memcpy(w.work.k[0], w.at.du, sizeof w.at.du);
         if (!advance(&w, most))

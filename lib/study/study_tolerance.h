@@ -288,8 +288,10 @@
 #define TOL_FAST_GAIN   0.7
 #define TOL_FAST_FINEST 1e-12
 #define TOL_FAST_LEAST  2e-11
-/* Peaks are sampled for patches no finer than this. */
+/* Peaks are sampled for patches no finer than this, with bars so many times as
+ * wide. */
 #define TOL_FAST_PEAKS 1e-8
+#define TOL_FAST_LOOSE 10.0
 
 /* Cells run to their fates (cells.c).  Orbits are first followed to this part
  * of the accuracy asked for (errors of slip and time are some ten times the
