@@ -158,7 +158,7 @@ def progress_counts_cells(room):
 
 def an_interrupt_leaves_nothing(room):
     job = subprocess.Popen(
-        [room.slipway, *SADDLE, *grid(ALL, 512, 512), '-o', 'a.h5',
+        [room.slipway, *SADDLE, *grid(ALL, 160, 160), '-o', 'a.h5',
          '--progress', 'json'], cwd=room.folder, text=True,
         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
         stderr=subprocess.PIPE, env=room.environment())
