@@ -3,6 +3,7 @@
 #include "cells_of.h"
 
 #include "fast_cells.h"
+#include "peak.h"
 #include "study.h"
 
 /* A slope: components of its law as of law.h, and its material. */
@@ -11,6 +12,7 @@ struct found {
     enum theta theta;
     enum psi_ss psi_ss;
     enum timescale timescale;
+    enum kinetics kinetics;
     double mu_star, a, b, c, R, L, V_star, alpha, rtol;
 };
 
@@ -24,6 +26,7 @@ static void make(const struct found *f, struct slope *s)
     scene->law.theta = f->theta;
     scene->law.psi_ss = f->psi_ss;
     scene->law.timescale = f->timescale;
+    scene->law.kinetics = f->kinetics;
     scene->material.mu_star = f->mu_star;
     scene->material.a = f->a;
     scene->material.b = f->b;
@@ -37,30 +40,62 @@ static void make(const struct found *f, struct slope *s)
     CHECK(status == STATUS_OK, "%s", why.text);
 }
 
-/* The state's cell, whose slip, time and mean friction are those of a tight
- * orbit, if it has any. */
+/* The values of an orbit, and its errors, in the order of enum cell_field. */
+static void follow(const struct study *s, struct vec2 z, double rtol,
+                   enum fate *fate, double of[], double left[])
+{
+    struct fate_result r;
+    struct peaks p;
+
+    assert_int_equal(fate_find(s, z, rtol, true, NULL, &r), 0);
+    assert_int_equal(peaks_find(s, z, rtol, r.steps, &p), 0);
+    const struct quantity *q[] = { &r.slip, &r.time, &r.mu_mean };
+    for (int k = 0; k < 3; k++) {
+        of[k] = quantity_exists(q[k]) ? q[k]->value : (double) NAN;
+        left[k] = q[k]->error;
+    }
+    of[CELL_V_PEAK] = exp(p.x);
+    of[CELL_MU_PEAK] = r.fate == FATE_REST_FINITE ? (double) NAN : p.mu;
+    left[CELL_V_PEAK] = left[CELL_MU_PEAK] = 0.0;
+    *fate = r.fate;
+}
+
+/* Those of a tight one; its own errors show as what a finer one changes. */
+static enum fate follow_twice(const struct study *s, struct vec2 z,
+                              double tight[], double left[])
+{
+    double coarse[CELL_FIELDS];
+    enum fate fate, before;
+
+    follow(s, z, 1e-11, &before, coarse, left);
+    follow(s, z, 1e-13, &fate, tight, left);
+    assert_int_equal(fate, before);
+    for (int k = 0; k < CELL_FIELDS; k++)
+        left[k] += fabs(tight[k] - coarse[k]);
+    return fate;
+}
+
+/* The state's cell, each number of which is that of a tight orbit, if it has
+ * any. */
 static struct cell compare(const struct found *f, double x, double y)
 {
     const struct vec2 z = { x, y };
+    double tight[CELL_FIELDS], left[CELL_FIELDS];
     static struct slope s;
     struct fast_cells fast;
-    struct fate_result r;
     struct cell c;
 
     make(f, &s);
     assert_int_equal(fast_cells_init(&fast, &s.study, NULL), 0);
     assert_int_equal(
         fast_cells_find(&fast, &z, 1, f->rtol, ALL, NULL, &c, NULL), 0);
-    assert_int_equal(fate_find(&s.study, z, 1e-11, true, NULL, &r), 0);
-    assert_int_equal(c.exit_reason, r.fate);
-    const struct quantity *tight[] = { &r.slip, &r.time, &r.mu_mean };
-    for (int k = 0; k < 3; k++) {
+    assert_int_equal(c.exit_reason, follow_twice(&s.study, z, tight, left));
+    for (int k = 0; k < CELL_FIELDS; k++) {
         const double v = value(&c, (enum cell_field) k);
         const double bar = error(&c, (enum cell_field) k);
-        CHECK(isnan(v) == !quantity_exists(tight[k]), "%d: %g", k, v);
-        CHECK(isnan(v) || fabs(v - tight[k]->value) <= bar + tight[k]->error,
-              "%d: %.16g +- %g, not %.16g +- %g", k, v, bar, tight[k]->value,
-              tight[k]->error);
+        CHECK(isnan(v) == isnan(tight[k]), "%d: %g", k, v);
+        CHECK(isnan(v) || fabs(v - tight[k]) <= bar + left[k],
+              "%d: %.16g +- %g, not %.16g +- %g", k, v, bar, tight[k], left[k]);
     }
     fast_cells_free(&fast);
     slope_free(&s);
@@ -70,12 +105,12 @@ static struct cell compare(const struct found *f, double x, double y)
 static void a_leap_of_psi_leaves_time_its_digits(void **state)
 {
     const struct found found[] = {
-        { FRICTION_ASINH, THETA_LN_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP, 0.369,
-          0.0249537756, 0.0489, 0.0, 100.0, 1.58844299e-06, 1e-6, 0.560753929,
-          1e-9 },
-        { FRICTION_ASINH, THETA_LN_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP, 0.369,
-          0.0361264472, 0.0489, 0.0, 100.0, 3.70388891e-08, 1e-6, 0.44970205,
-          1e-5 },
+        { FRICTION_ASINH, THETA_LN_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
+          KINETICS_SINH, 0.369, 0.0249537756, 0.0489, 0.0, 100.0,
+          1.58844299e-06, 1e-6, 0.560753929, 1e-9 },
+        { FRICTION_ASINH, THETA_LN_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
+          KINETICS_SINH, 0.369, 0.0361264472, 0.0489, 0.0, 100.0,
+          3.70388891e-08, 1e-6, 0.44970205, 1e-5 },
     };
     const struct cell c[] = {
         compare(&found[0], -16.481069712130409, 10.213254749340509),
@@ -91,19 +126,12 @@ static void a_leap_of_psi_leaves_time_its_digits(void **state)
 }
 
 /* What psi may be ends at 687, where friction still grows. */
-static const struct found beyond = { FRICTION_ASINH,
-                                     THETA_PSI,
-                                     PSI_SS_INVERSE,
-                                     TIMESCALE_AGEING44,
-                                     0.125222685,
-                                     0.0329618374,
-                                     0.0490999756,
-                                     0.177913822,
-                                     277860.445,
-                                     3.97831434e-05,
-                                     0.000974869886,
-                                     0.59823129,
-                                     1e-9 };
+static const struct found beyond = {
+    FRICTION_ASINH, THETA_PSI,   PSI_SS_INVERSE, TIMESCALE_AGEING44,
+    KINETICS_SINH,  0.125222685, 0.0329618374,   0.0490999756,
+    0.177913822,    277860.445,  3.97831434e-05, 0.000974869886,
+    0.59823129,     1e-9
+};
 
 static void a_block_at_rest_beyond_all_psi_slips_less_than_its_bar(void **state)
 {
@@ -132,21 +160,33 @@ static void the_mean_friction_holds_the_work_after_the_orbits_end(void **state)
     is_near(&c, CELL_MU_MEAN, mean);
 }
 
+/* An orbit that is off along itself by dt is off by v dt in slip. */
+static void time_is_known_no_better_than_the_slip_of_that_time(void **state)
+{
+    static struct slope s;
+    struct fast_cells fast;
+    struct slow_point p;
+
+    (void) state;
+    make(&beyond, &s);
+    assert_int_equal(fast_cells_init(&fast, &s.study, NULL), 0);
+    assert_true(slow_curve_at(&fast.curve, -13.0525, &p));
+    const double v = s.study.block.at.v0 * exp(p.x_peak);
+    CHECK(p.time_error * v > 0.5 * p.slip_error, "%g at %g, but %g",
+          p.time_error, v, p.slip_error);
+    fast_cells_free(&fast);
+    slope_free(&s);
+}
+
 static void steep_curves_are_as_good_between_knots(void **state)
 {
-    const struct found found = { FRICTION_ASINH,
-                                 THETA_LN_C_1PR_PSI,
-                                 PSI_SS_SPINODAL_UNIT,
-                                 TIMESCALE_SPINODAL,
-                                 0.369,
-                                 0.0251565578,
-                                 0.0489,
-                                 0.000129695329,
-                                 625.609377,
-                                 2.24450958e-08,
-                                 1e-6,
-                                 0.231577357,
-                                 1e-9 };
+    const struct found found = { FRICTION_ASINH,       THETA_LN_C_1PR_PSI,
+                                 PSI_SS_SPINODAL_UNIT, TIMESCALE_SPINODAL,
+                                 KINETICS_SINH,        0.369,
+                                 0.0251565578,         0.0489,
+                                 0.000129695329,       625.609377,
+                                 2.24450958e-08,       1e-6,
+                                 0.231577357,          1e-9 };
 
     (void) state;
     compare(&found, 13.506162953085532, -12.057390670952433);
@@ -154,16 +194,94 @@ static void steep_curves_are_as_good_between_knots(void **state)
 
 static void landings_wait_until_a_sinh_is_as_good_as_linear(void **state)
 {
-    const struct found found = {
-        FRICTION_LOG, THETA_LN_C_1PR_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
-        0.879741752,  0.114762378,        0.0317581503,   1.24052702e-06,
-        14.0922193,   1.30771606e-06,     0.000134292235, 0.141912835,
-        1e-6
-    };
+    const struct found found = { FRICTION_LOG,   THETA_LN_C_1PR_PSI,
+                                 PSI_SS_INVERSE, TIMESCALE_SLIP,
+                                 KINETICS_SINH,  0.879741752,
+                                 0.114762378,    0.0317581503,
+                                 1.24052702e-06, 14.0922193,
+                                 1.30771606e-06, 0.000134292235,
+                                 0.141912835,    1e-6 };
 
     (void) state;
     compare(&found, -7.2414024586896204, 10.860000929958943);
     compare(&found, -7.8388120328687823, 10.870927683319076);
+}
+
+static void psi_may_wait_for_the_curve_to_come(void **state)
+{
+    const struct found rests = {
+        FRICTION_LOG,   THETA_LN_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
+        KINETICS_SINH,  0.369,        0.0219892452,   0.0489,
+        0.000401063109, 188.484027,   5.38630293e-08, 1e-06,
+        0.517854746,    1e-6
+    };
+    const struct found creeps = {
+        FRICTION_LOG,   THETA_LN_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+        KINETICS_SINH,  0.651857423,  0.0796835865,    0.0609004775,
+        6.93172139e-05, 8878740.35,   5.95548022e-07,  2.86871348e-08,
+        0.419517923,    1e-6
+    };
+
+    (void) state;
+    compare(&rests, -12.213526553059813, 12.238784631675209);
+    compare(&creeps, -9.7933812135182183, 11.204608995365687);
+}
+
+static void what_an_orbit_closes_in_on_is_ahead_or_behind(void **state)
+{
+    const struct found found[] = {
+        { FRICTION_LOG, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+          KINETICS_SINH, 0.369, 0.0241448779, 0.0489, 0.000100381771,
+          472.487866, 5.30286768e-07, 1e-06, 0.248212835, 1e-4 },
+        { FRICTION_LOG, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+          KINETICS_SINH, 0.369, 0.0308987929, 0.0489, 0.00201907438, 217.547623,
+          2.43544731e-06, 1e-06, 0.282381764, 1e-7 },
+    };
+
+    (void) state;
+    compare(&found[0], -2.8902225912148216, -3.332260471116796);
+    compare(&found[1], -3.2626857573984793, -8.5427197634994574);
+}
+
+static void a_peak_on_a_loose_step_has_a_bar_of_its_own(void **state)
+{
+    const struct found found = { FRICTION_LOG,    THETA_LN_C_PSI,
+                                 PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+                                 KINETICS_LINEAR, 0.369,
+                                 0.0212515757,    0.0489,
+                                 0.003987698,     10.3287651,
+                                 1.40647463e-05,  1e-06,
+                                 0.354135655,     1e-7 };
+
+    (void) state;
+    compare(&found, -3.2523156465918306, 0.78056024432239168);
+}
+
+static void a_peak_is_found_between_samples_of_an_orbit_not_run_again(
+    void **state)
+{
+    const struct found found = { FRICTION_LOG,    THETA_LN_C_PSI,
+                                 PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+                                 KINETICS_SINH,   0.262152843,
+                                 0.00206396759,   0.00776047298,
+                                 0.0394271523,    77391394.7,
+                                 0.000727729876,  1.53459861e-08,
+                                 0.290773017,     1e-9 };
+    const struct vec2 z = { -8.4451890677903485, 3.5250066084953966 };
+    const double rtol[] = { 1e-9, 1e-10, 5e-11, 1e-11 };
+    static struct slope s;
+    struct fate_result r;
+    struct peaks p[4];
+
+    (void) state;
+    make(&found, &s);
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(fate_find(&s.study, z, rtol[i], false, NULL, &r), 0);
+        assert_int_equal(peaks_find(&s.study, z, rtol[i], r.steps, &p[i]), 0);
+        CHECK(fabs(p[i].mu - p[0].mu) < 1e-12, "%.16g, not %.16g at %g",
+              p[i].mu, p[0].mu, rtol[i]);
+    }
+    slope_free(&s);
 }
 
 int main(void)
@@ -173,8 +291,14 @@ int main(void)
         cmocka_unit_test(
             a_block_at_rest_beyond_all_psi_slips_less_than_its_bar),
         cmocka_unit_test(the_mean_friction_holds_the_work_after_the_orbits_end),
+        cmocka_unit_test(time_is_known_no_better_than_the_slip_of_that_time),
         cmocka_unit_test(steep_curves_are_as_good_between_knots),
         cmocka_unit_test(landings_wait_until_a_sinh_is_as_good_as_linear),
+        cmocka_unit_test(psi_may_wait_for_the_curve_to_come),
+        cmocka_unit_test(what_an_orbit_closes_in_on_is_ahead_or_behind),
+        cmocka_unit_test(a_peak_on_a_loose_step_has_a_bar_of_its_own),
+        cmocka_unit_test(
+            a_peak_is_found_between_samples_of_an_orbit_not_run_again),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

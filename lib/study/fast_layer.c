@@ -109,11 +109,11 @@ static bool is_rising(const struct arc *a, const double u[], const double du[])
     return at_point(a, ahead) > at_point(a, u);
 }
 
-/* The largest value on the step to u1, if above what is known already.  At
- * corners polynomials are worse than steps: a shorter step to their peak tells,
- * and on which side of it to look again. */
+/* The largest value on the step to u1, if above what is known already; *doubt:
+ * what it may lack.  At corners polynomials are worse than steps: a shorter
+ * step to their peak tells, and on which side of it to look again. */
 static double top_of(const struct walk *w, point_value *value,
-                     const double u1[], double known)
+                     const double u1[], double known, double *doubt)
 {
     const struct landing *l = &w->at;
     const double tol = l->options.rtol, atol[LAYER_DIM] = { tol, tol, 1., 1. };
@@ -122,17 +122,21 @@ static double top_of(const struct walk *w, point_value *value,
     double u[LAYER_DIM], end[LAYER_DIM], mid[LAYER_DIM], error[LAYER_DIM];
     double h = w->h, t, best = fmax(known, at_point(&a, u1));
 
+    *doubt = 0.0;
     memcpy(u, l->u, sizeof u);
     memcpy(end, u1, sizeof end);
     for (int i = 0; i < TOL_LAYER_TOPS; i++) {
         explicit8_dense(&work, &w->ode, 0.0, u, h, end, a.coef);
         const double top = crest_of(on_arc, &a, &t);
-        if (!(top > best))
+        if (!(top > best)) {
+            *doubt = 0.0;
             break;
+        }
         explicit8_try(&work, &w->ode, 0.0, u, t * h, atol, tol, mid, error);
         const double here = at_point(&a, mid);
         best = fmax(best, here);
-        if (fabs(here - top) <= tol)
+        *doubt = fabs(here - top);
+        if (*doubt <= tol)
             break;
         along(l->curve->study, 0.0, mid, work.k[LAST]);
         if (is_rising(&a, mid, work.k[LAST])) {
@@ -163,15 +167,19 @@ static void find_peaks(struct walk *w, const double u1[])
     const struct block *block = &w->at.curve->study->block;
     struct layer *const out = w->at.out;
     const double mu0 = w->mu;
-    double du1[LAYER_DIM];
+    double du1[LAYER_DIM], doubt;
 
     w->mu = block_mu(block, (struct vec2){ u1[LAYER_X], u1[LAYER_Y] });
     along(w->at.curve->study, 0.0, u1, du1);
     out->x_peak = fmax(out->x_peak, u1[LAYER_X]);
-    if (w->work.k[0][LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0)
-        out->x_peak = top_of(w, x_of, u1, out->x_peak);
-    if (most_on(&block->material, mu0, w->mu, w->h) > out->mu_peak)
-        out->mu_peak = top_of(w, mu_of, u1, out->mu_peak);
+    if (w->work.k[0][LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0) {
+        out->x_peak = top_of(w, x_of, u1, out->x_peak, &doubt);
+        out->place_error += doubt;
+    }
+    if (most_on(&block->material, mu0, w->mu, w->h) > out->mu_peak) {
+        out->mu_peak = top_of(w, mu_of, u1, out->mu_peak, &doubt);
+        out->mu_error = fmax(out->mu_error, doubt);
+    }
 }
 
 /* The estimates of order 5 over their tolerances, root mean square. */
@@ -216,28 +224,32 @@ static double across_left(struct walk *w)
 
 /* Takes the step to u1.  Of the estimates of order 5 the method misses `part`,
  * as it says itself; off its orbit a state also gains another time and slip, by
- * about as much, relative. */
+ * about as much, relative.  What closes in on another orbit does so ahead of it
+ * or behind: what is lost across is on the way, as where it lands. */
 static void account(struct walk *w, const double u1[], double part,
                     const double error[])
 {
     struct landing *const l = &w->at;
     const double time = u1[LAYER_TIME] - l->u[LAYER_TIME];
     const double slip = u1[LAYER_SLIP] - l->u[LAYER_SLIP];
-    const double transport = TOL_LAYER_TRANSPORT * fmax(part, l->options.fair);
+    const double fair = fmax(part, l->options.fair);
+    const double transport = TOL_LAYER_TRANSPORT * fair;
 
     memcpy(l->u, u1, sizeof l->u);
     along(l->curve->study, 0.0, l->u, l->du);
     const double x = error[LAYER_X], y = error[LAYER_Y];
     const double dx = fabs(l->du[LAYER_X]), dy = fabs(l->du[LAYER_Y]);
-    const double on = x * dx + y * dy;
-    const double across = transport * (x * dy + y * dx) + across_left(w);
+    const double left = across_left(w);
+    const double on =
+        transport * (x * dx + y * dy) + TOL_LAYER_TURNED * (l->across - left);
+    const double across = transport * (x * dy + y * dx) + left;
     const double most = fmax(across, l->across);
     l->across = across;
-    l->time_error += transport * (error[LAYER_TIME] + l->du[LAYER_TIME] * on) +
+    l->time_error += transport * error[LAYER_TIME] + l->du[LAYER_TIME] * on +
                      TOL_LAYER_TRANSPORT * most * fabs(time);
-    l->slip_error += transport * (error[LAYER_SLIP] + l->du[LAYER_SLIP] * on) +
+    l->slip_error += transport * error[LAYER_SLIP] + l->du[LAYER_SLIP] * on +
                      TOL_LAYER_TRANSPORT * most * fabs(slip);
-    l->out->place_error += part * (x + y);
+    l->out->place_error += fair * (x + y);
 }
 
 /* Whether a step with this error, relative to what is allowed, is accepted;

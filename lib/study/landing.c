@@ -233,20 +233,33 @@ static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
     if (p->x_peak > p->x)
         out->x_peak = fmax(out->x_peak, p->x_peak);
     out->mu_peak = fmax(out->mu_peak, most);
-    out->mu_error = aside;
+    out->mu_error += aside;
     return true;
 }
 
+/* Whether psi may wait, its own rate of next to nothing, until the curve comes:
+ * by a sinh, ahead of it. */
+static bool may_wait(const struct landing *l, const struct slow_point *p,
+                     double off)
+{
+    return l->curve->study->block.law.kinetics == KINETICS_SINH &&
+           fabs(p->fibre.y) > fabs(p->fibre.x) &&
+           off * p->fibre.y * p->time_slope < 0.0;
+}
+
 /* How unlike a linear one its fall is, `off` along the fibre: a sinh is steeper
- * than its tangent. */
+ * than its tangent, and may take `off` over the curve's speed. */
 static double unevenness(const struct landing *l, const struct slow_point *p,
                          double off)
 {
     const double det = p->fibre.x - p->fibre.y * p->x_slope;
     const double fall = l->du[LAYER_X] - l->du[LAYER_Y] * p->x_slope;
-    const double rate = -fall / (det * off * l->du[LAYER_TIME]);
+    const double linear = -p->fast * det * off * l->du[LAYER_TIME];
+    const double larger = fmax(fabs(fall), fabs(linear));
+    const double longer =
+        may_wait(l, p, off) ? fmax(fabs(off) / p->gap, 1.0) : 1.0;
 
-    return off == 0.0 ? 0.0 : fabs(rate - p->fast) / fmax(fabs(rate), p->fast);
+    return larger > 0.0 ? longer * fabs(fall - linear) / larger : 0.0;
 }
 
 /* What the table says of the point y, `off` away along its fibre, added to what

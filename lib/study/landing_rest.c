@@ -27,6 +27,20 @@ static bool project(const struct landing *l, struct rest_point *p, double *off)
     return true;
 }
 
+/* What part of the way off the curve may be bent.  Behind it a sinh is faster
+ * than its tangent all the way; ahead of it psi may wait, its own rate of next
+ * to nothing, until the curve comes: `off` over the curve's speed. */
+static double bent_part(const struct landing *l, const struct rest_point *p,
+                        double off)
+{
+    const double part = fabs(off) / p->gap + p->gap;
+    const bool may_wait =
+        l->curve->study->block.law.kinetics == KINETICS_SINH &&
+        off * p->fibre.y * p->y_slope < 0.0;
+
+    return may_wait ? part : fmin(part, 1.0);
+}
+
 /* What the table says of p, `off` away along its fibre, added to what was
  * before.  False: nearer to the curve it would be good enough. */
 static bool land(struct landing *l, const struct rest_point *p, double off,
@@ -34,8 +48,8 @@ static bool land(struct landing *l, const struct rest_point *p, double off,
 {
     const struct vec2 e = p->fibre;
     const double det = fabs(e.y - e.x * p->y_slope);
-    const double part = fmin(fabs(off) / p->gap + p->gap, 1.0);
-    const double bend = TOL_LAYER_BEND * fabs(off * e.x) * part / det;
+    const double bend =
+        TOL_LAYER_BEND * fabs(off * e.x) * bent_part(l, p, off) / det;
     const double wrong = bend + l->across / det;
     const double time = l->u[LAYER_TIME] + p->time;
     const double slip = l->u[LAYER_SLIP] + p->slip;

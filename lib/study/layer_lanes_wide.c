@@ -155,17 +155,18 @@ static void account(struct bundle *b, lanes good, const lanes u[])
     const lanes spread = spread_at(b, u);
     const lanes parting = lanes_larger(b->h * spread, b->h * b->spread);
     const lanes left = lanes_exp(lanes_smaller(parting, none)) * b->across;
-    const lanes across =
-        TOL_LAYER_TRANSPORT * fair * (e[LAYER_X] * dy + e[LAYER_Y] * dx) + left;
-    const lanes on = e[LAYER_X] * dx + e[LAYER_Y] * dy;
-    const lanes place = b->part * (e[LAYER_X] + e[LAYER_Y]);
+    const lanes transport = TOL_LAYER_TRANSPORT * fair;
+    const lanes across = transport * (e[LAYER_X] * dy + e[LAYER_Y] * dx) + left;
+    const lanes on = transport * (e[LAYER_X] * dx + e[LAYER_Y] * dy) +
+                     TOL_LAYER_TURNED * (b->across - left);
+    const lanes place = fair * (e[LAYER_X] + e[LAYER_Y]);
     const lanes most = lanes_larger(across, b->across);
 
     for (int i = 0; i < 2; i++) {
         const int k = LAYER_TIME + i;
         const lanes gain = lanes_size(b->u1[k] - b->u[k]);
         const lanes wrong =
-            TOL_LAYER_TRANSPORT * (fair * (e[k] + du[k] * on) + most * gain);
+            transport * e[k] + du[k] * on + TOL_LAYER_TRANSPORT * most * gain;
         b->wrong[i] += lanes_less(none, good, wrong, none);
     }
     b->across = lanes_less(none, good, across, b->across);

@@ -112,7 +112,7 @@ static enum status peak_of(const struct study *s, const struct orbit *o,
         return STATUS_OK;
     const double at = top_sample(&a);
     const size_t piece = (size_t) fmin(at, (double) count - 1.0);
-    *top = value_at(&a, at);
+    *top = top_of(&a);
     return sharpen(&a, o->options.rtol, piece > 0 ? piece - 1 : 0,
                    piece + 1 < count ? piece + 1 : piece, top);
 }

@@ -230,11 +230,32 @@ static void find_frictions(const struct study *s, struct slow_branch *b)
     }
 }
 
+/* From what was missed up to each knot to what is missed from there on.  What
+ * shifts an orbit along itself shifts its slip by v times as much as its time:
+ * each step counts with the larger of both. */
+static void sum_bars(struct slow_branch *b)
+{
+    struct slow_knot *const k = b->knot;
+    double time_bar = 0.0, slip_bar = 0.0, missed[2] = { 0.0, 0.0 };
+
+    for (size_t i = b->count; i-- > 0;) {
+        if (i + 1 < b->count) {
+            const double v = k[i].slip[1] / k[i].time[1];
+            const double dt = k[i].time_bar - missed[0];
+            const double dx = k[i].slip_bar - missed[1];
+            time_bar += fmax(dt, dx / v);
+            slip_bar += fmax(dx, dt * v);
+        }
+        missed[0] = k[i].time_bar;
+        missed[1] = k[i].slip_bar;
+        k[i].time_bar = time_bar;
+        k[i].slip_bar = slip_bar;
+    }
+}
+
 /* From each step's to all to come, and the peaks to come. */
 static void look_back(struct slow_branch *b)
 {
-    const double time_bar = b->knot[b->count - 1].time_bar;
-    const double slip_bar = b->knot[b->count - 1].slip_bar;
     double time = 0.0, slip = 0.0, x_peak = -HUGE_VAL, mu_peak = -HUGE_VAL;
 
     for (size_t i = b->count; i-- > 0;) {
@@ -242,8 +263,8 @@ static void look_back(struct slow_branch *b)
         const double dt = -k->time[0], dx = -k->slip[0];
         k->time[0] = time;
         k->slip[0] = slip;
-        k->time_bar += TOL_SLOW_ROUNDING * time - time_bar;
-        k->slip_bar += TOL_SLOW_ROUNDING * slip - slip_bar;
+        k->time_bar += TOL_SLOW_ROUNDING * time;
+        k->slip_bar += TOL_SLOW_ROUNDING * slip;
         k->x_peak = x_peak = fmax(x_peak, k->x);
         k->mu_peak = mu_peak;
         mu_peak = fmax(mu_peak, k->mu);
@@ -382,6 +403,7 @@ static enum status run(const struct study *s, struct vec2 z,
     if (status == STATUS_OK && b->count > 2) {
         slow_fit_smooth(b);
         find_frictions(s, b);
+        sum_bars(b);
         look_back(b);
         slow_fit_judge(b);
         status = finish(s, &o, goals->fate[o.end_index], b);

@@ -237,6 +237,11 @@
 #define TOL_LAYER_GROWTH    2.0
 #define TOL_LAYER_BEND      5.0
 #define TOL_LAYER_TRANSPORT 6.0
+/* How far along an orbit another one is that it closed in on, as a part of the
+ * distance across that it lost.  On the slow curve it is the slope dx/dy, 1 to
+ * 2 where x settles first, of the distance without TOL_LAYER_TRANSPORT
+ * (measured: 0.11 at most). */
+#define TOL_LAYER_TURNED 0.5
 /* It lands only where the fibre's part of the bar is within this part of what
  * was promised, or this near, for friction too this near; nearer by this factor
  * at most at once. */
@@ -281,8 +286,8 @@
 /* Many states by the slow curve (fast_cells.c).  How much finer the next try of
  * one is at most whose bars are too wide, and what part of the promise it aims
  * at; above what part of its bars a try has left one is tried as fine as that,
- * and then no more, for they are the table's; the finest; and the least bar, relative, of what passes a node's slow
- * approach. */
+ * and then no more, for they are the table's; the finest; and the least bar,
+ * relative, of what passes a node's slow approach. */
 #define TOL_FAST_FINER  0.01
 #define TOL_FAST_AIM    0.3
 #define TOL_FAST_GAIN   0.7
