@@ -122,7 +122,7 @@ static bool knows_friction(const struct cell *c, double rtol)
 
 /* States followed together, and those of them that are not done: the fewer
  * these, the more lanes are idle at the end. */
-enum { TOGETHER = 512, FEWEST = 128, PARTS = 4 };
+enum { TOGETHER = 512, FEWEST = 128, PARTS = 8 };
 struct batch {
     const struct fast_cells *fast;
     double rtol;
