@@ -178,51 +178,6 @@
 /* Growth of a file in memory, bytes: larger than most whole files. */
 #define STORE_GROWTH ((size_t) 1 << 20)
 
-/* The stable manifold in eigen-coordinates (eigen.c).  Step tolerance for a
- * promise of rtol, the smallest that doubles hold, and that of the second run
- * to compare with. */
-#define TOL_EIGEN_STEP   0.1
-#define TOL_EIGEN_FINEST 3e-14
-#define TOL_EIGEN_COARSE 100.0
-/* Steps of one run: where a branch crosses the whole chart while an integral
- * grows like e^(2x), a step is a tenth of a unit. */
-#define TOL_EIGEN_STEPS 40000
-/* Where the search for a start begins, in X, and the most it shortens it in one
- * attempt: a field may change over 1e-300. */
-#define TOL_EIGEN_START   0.25
-#define TOL_EIGEN_SHORTEN 0.01
-/* A branch has ended when what is left is below this part of rtol, so that
- * the end never dominates the error; at the edge of the domain, which is only
- * where doubles end, this part will do; and the slowest decay of a rate, per
- * unit of ln v or ln psi, that can be told from none. */
-#define TOL_EIGEN_REST  0.01
-#define TOL_EIGEN_EDGE  1e-3
-#define TOL_EIGEN_DECAY 0.2
-/* Longest step, in the plane: a few times the width of the narrowest bend
- * between two straight parts. */
-#define TOL_EIGEN_LONGEST 8.0
-/* Where z = P W has become this many times smaller than what it is the
- * difference of, W is left for z: steps cannot make up for more. */
-#define TOL_EIGEN_LOST 10.0
-/* A step is halved where its polynomial is further than this from a solution
- * between its stages, in tolerances: one in a thousand is (measured), most at
- * kinks that a step's estimates miss. */
-#define TOL_EIGEN_DEFECT 30.0
-/* Where steps fail, points at this part of the distance from the saddle tell
- * whether an equilibrium lies between. */
-#define TOL_EIGEN_ODD 1e-8
-/* What is an integral's rate only by this many roundings is none. */
-#define TOL_EIGEN_NOISE 64.0
-/* Bars: a part of the steps' estimates (of order 5; measured: true errors stay
- * below a tenth of them where rounding does not rule) and defects; of what the
- * end adds (measured: an exponential through two steps is right to a factor of
- * two); roundings of a step of twelve stages, in units of roundoff; and the
- * most an error grows in one, as an exponent: e^50 is nothing known. */
-#define TOL_EIGEN_ESTIMATES 0.1
-#define TOL_EIGEN_RESTS     10.0
-#define TOL_EIGEN_ROUNDING  4.0
-#define TOL_EIGEN_GROWTH    50.0
-
 /* Scenes.  Bytes of a file, depth of nesting, keys of one map: far more than a
  * scene needs, so that a wrong file is refused at once. */
 #define SCENE_BYTES ((size_t) 1 << 20)

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "tolerance.h"
+#include "eigen_tolerance.h"
 
 static struct vec2 point_of(const struct eigen_leg *l, const double u[])
 {

@@ -9,8 +9,8 @@
  * (X, Y) plane: dW/ds = -Wdot/|Wdot|; and where z has become a small difference
  * of large X and Y, in its arc length in the plane of z.
  */
-#ifndef MANIFOLD_EIGEN_H
-#define MANIFOLD_EIGEN_H
+#ifndef RACE_EIGEN_H
+#define RACE_EIGEN_H
 
 #include "branch.h"
 #include "eigen_frame.h"

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "tolerance.h"
+#include "eigen_tolerance.h"
 
 enum { SWEEPS = 8, ATTEMPTS = 300 };
 

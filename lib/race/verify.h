@@ -5,8 +5,8 @@
  * Both routes share the field, the saddle, its eigenvalues and what rounding of
  * the field costs a number (numbers.h); everything else is done twice.
  */
-#ifndef STUDY_VERIFY_H
-#define STUDY_VERIFY_H
+#ifndef RACE_VERIFY_H
+#define RACE_VERIFY_H
 
 #include "monitor.h"
 #include "numbers.h"

@@ -7,8 +7,8 @@
  * curve, outward against f; an integral's rate r/|f| meanwhile changes by
  * delta d(r/|f|)/dn.  Where f contracts backwards, old errors are forgotten.
  */
-#ifndef MANIFOLD_EIGEN_DRIFT_H
-#define MANIFOLD_EIGEN_DRIFT_H
+#ifndef RACE_EIGEN_DRIFT_H
+#define RACE_EIGEN_DRIFT_H
 
 #include "eigen_frame.h"
 

@@ -2,8 +2,8 @@
  * eigen_leg.h -- a stretch of a stable manifold, outward in the arc length of
  * one set of coordinates u, z = map u: of W first, of z where W fails.
  */
-#ifndef MANIFOLD_EIGEN_LEG_H
-#define MANIFOLD_EIGEN_LEG_H
+#ifndef RACE_EIGEN_LEG_H
+#define RACE_EIGEN_LEG_H
 
 #include "eigen_drift.h"
 #include "eigen_start.h"

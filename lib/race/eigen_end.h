@@ -2,8 +2,8 @@
  * eigen_end.h -- where a curve may stop being followed because what is left of
  * it is negligible: a limit of one coordinate while the other one grows.
  */
-#ifndef MANIFOLD_EIGEN_END_H
-#define MANIFOLD_EIGEN_END_H
+#ifndef RACE_EIGEN_END_H
+#define RACE_EIGEN_END_H
 
 #include "eigen_frame.h"
 

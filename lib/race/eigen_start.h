@@ -3,8 +3,8 @@
  * can begin: S = c2 X^2 + c3 X^3, by collocation of (37), S' = Ydot/Xdot, the
  * distance shortened until the field agrees between the points as well.
  */
-#ifndef MANIFOLD_EIGEN_START_H
-#define MANIFOLD_EIGEN_START_H
+#ifndef RACE_EIGEN_START_H
+#define RACE_EIGEN_START_H
 
 #include "eigen_frame.h"
 

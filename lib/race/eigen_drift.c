@@ -3,7 +3,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "tolerance.h"
+#include "eigen_tolerance.h"
 
 static double dot(struct vec2 a, struct vec2 b)
 {

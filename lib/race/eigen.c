@@ -14,6 +14,7 @@
 
 #include "eigen_end.h"
 #include "eigen_leg.h"
+#include "eigen_tolerance.h"
 #include "limit.h"
 #include "tolerance.h"
 

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "tolerance.h"
+#include "eigen_tolerance.h"
 
 struct eigen_course eigen_course_at(const struct eigen_frame *g, int ind,
                                     struct vec2 z)
