@@ -91,11 +91,35 @@ static void the_bits_of_a_state_do_not_depend_on_the_others(void **state)
     drop(&p);
 }
 
+static void the_bits_of_a_state_do_not_depend_on_the_width(void **state)
+{
+    static const char *const law[] = { "spinodal_gen", "dieterich_gen" };
+    static struct layer two[N], wide[N];
+    uint64_t seed = check_seed();
+    struct place p;
+
+    (void) state;
+    for (int k = 0; k < 2; k++) {
+        make(&p, law[k], &seed);
+        layer_lanes_follow(&p.c, 2, p.job, N, two);
+        for (int most = 4; most <= 8; most *= 2) {
+            layer_lanes_follow(&p.c, layer_lanes_width(most), p.job, N, wide);
+            for (int i = 0; i < N; i++) {
+                assert_int_equal(two[i].steps, wide[i].steps);
+                assert_memory_equal(&two[i].time, &wide[i].time,
+                                    4 * sizeof(double));
+            }
+        }
+        drop(&p);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_width_gives_what_one_by_one_gives),
         cmocka_unit_test(the_bits_of_a_state_do_not_depend_on_the_others),
+        cmocka_unit_test(the_bits_of_a_state_do_not_depend_on_the_width),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,7 +2,8 @@
  * lanes.h -- several doubles side by side, each in its own lane: what one lane
  * holds never touches another.  The including file defines LANES, 2, 4 or 8,
  * and is compiled once for each processor whose registers hold that many; the
- * bits of a lane are the same in all, for nothing here depends on LANES.
+ * bits of a lane are the same in all, for nothing here depends on LANES and
+ * nothing multiplies and adds in one rounding, which not all can.
  *
  * e^x and ln x: the argument is reduced by a power of 2, the rest is a series
  * (Muller et al., Handbook of Floating-Point Arithmetic, 2018, ch. 10), to
@@ -78,22 +79,10 @@ static inline lanes lanes_root(lanes x)
     return x;
 }
 
-/* a b + c, rounded once where the processor can. */
-static inline lanes lanes_fma(lanes a, lanes b, lanes c)
-{
-#ifdef __FMA__
-    for (int i = 0; i < LANES; i++)
-        a[i] = __builtin_fma(a[i], b[i], c[i]);
-    return a;
-#else
-    return a * b + c;
-#endif
-}
-
 /* p + q x */
 static inline lanes lanes_line(double p, double q, lanes x)
 {
-    return lanes_fma(LANES_OF(q), x, LANES_OF(p));
+    return q * x + p;
 }
 
 /* ---- e^x ----------------------------------------------------------------- */
@@ -108,17 +97,16 @@ static inline lanes lanes_split_exp(lanes x, lanes *two)
 
     x = lanes_larger(LANES_OF(-708.0), lanes_smaller(LANES_OF(709.0), x));
     const lanes shifted = lanes_line(magic, fold, x), n = shifted - magic;
-    const lanes r = lanes_fma(n, LANES_OF(-LANES_LN2_LOW),
-                              lanes_fma(n, LANES_OF(-LANES_LN2_HIGH), x));
+    const lanes r = (x - n * LANES_LN2_HIGH) - n * LANES_LN2_LOW;
     const lanes r2 = r * r, r4 = r2 * r2;
-    const lanes a = lanes_fma(lanes_line(1.0 / 24, 1.0 / 120, r), r2,
-                              lanes_line(1.0 / 2, 1.0 / 6, r));
-    const lanes b = lanes_fma(lanes_line(1.0 / 40320, 1.0 / 362880, r), r2,
-                              lanes_line(1.0 / 720, 1.0 / 5040, r));
-    const lanes c = lanes_fma(lanes_line(1.0 / 479001600, 1.0 / 6227020800, r),
-                              r2, lanes_line(1.0 / 3628800, 1.0 / 39916800, r));
+    const lanes a = lanes_line(1.0 / 24, 1.0 / 120, r) * r2 +
+                    lanes_line(1.0 / 2, 1.0 / 6, r);
+    const lanes b = lanes_line(1.0 / 40320, 1.0 / 362880, r) * r2 +
+                    lanes_line(1.0 / 720, 1.0 / 5040, r);
+    const lanes c = lanes_line(1.0 / 479001600, 1.0 / 6227020800, r) * r2 +
+                    lanes_line(1.0 / 3628800, 1.0 / 39916800, r);
     *two = (lanes) (((lanes_bits) shifted + 1023) << 52);
-    return lanes_fma(lanes_fma(lanes_fma(c, r4, b), r4, a), r2, r);
+    return ((c * r4 + b) * r4 + a) * r2 + r;
 }
 
 static inline lanes lanes_exp(lanes x)
@@ -126,7 +114,7 @@ static inline lanes lanes_exp(lanes x)
     lanes two;
     const lanes rest = lanes_split_exp(x, &two);
 
-    return lanes_fma(two, rest, two);
+    return two * rest + two;
 }
 
 /* e^x - 1 */
@@ -135,7 +123,7 @@ static inline lanes lanes_em1(lanes x)
     lanes two;
     const lanes rest = lanes_split_exp(x, &two);
 
-    return lanes_fma(two, rest, two - 1.0);
+    return two * rest + (two - 1.0);
 }
 
 /* ---- ln x ---------------------------------------------------------------- */
@@ -150,16 +138,15 @@ static inline lanes lanes_ln_near(lanes x, lanes less)
     const lanes f = lanes_less(lanes_size(n), LANES_OF(0.5), less,
                                (lanes) (part + low) - 1.0);
     const lanes s = f / (2.0 + f), z = s * s, z2 = z * z, z4 = z2 * z2;
-    const lanes a = lanes_fma(lanes_line(1.0 / 7, 1.0 / 9, z), z2,
-                              lanes_line(1.0 / 3, 1.0 / 5, z));
-    const lanes b = lanes_fma(lanes_line(1.0 / 15, 1.0 / 17, z), z2,
-                              lanes_line(1.0 / 11, 1.0 / 13, z));
+    const lanes a =
+        lanes_line(1.0 / 7, 1.0 / 9, z) * z2 + lanes_line(1.0 / 3, 1.0 / 5, z);
+    const lanes b = lanes_line(1.0 / 15, 1.0 / 17, z) * z2 +
+                    lanes_line(1.0 / 11, 1.0 / 13, z);
     const lanes c = lanes_line(1.0 / 19, 1.0 / 21, z);
-    const lanes sum = lanes_fma(lanes_fma(c, z4, b), z4, a);
-    const lanes low_part = lanes_fma(n, LANES_OF(LANES_LN2_LOW), x * 0.0);
-    const lanes rest = lanes_fma(s * z, 2.0 * sum, low_part);
-    return lanes_fma(n, LANES_OF(LANES_LN2_HIGH),
-                     lanes_fma(s, LANES_OF(2.0), rest));
+    const lanes sum = (c * z4 + b) * z4 + a;
+    const lanes low_part = n * LANES_LN2_LOW + x * 0.0;
+    const lanes rest = s * z * (2.0 * sum) + low_part;
+    return n * LANES_LN2_HIGH + (2.0 * s + rest);
 }
 
 static inline lanes lanes_ln(lanes x)

@@ -9,8 +9,7 @@ int layer_lanes_width(int most)
     const bool has8 = __builtin_cpu_supports("avx512f") &&
                       __builtin_cpu_supports("avx512dq") &&
                       __builtin_cpu_supports("avx512vl");
-    const bool has4 =
-        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    const bool has4 = __builtin_cpu_supports("avx2");
 
     return most >= 8 && has8 ? 8 : most >= 4 && has4 ? 4 : 2;
 }

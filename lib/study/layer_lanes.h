@@ -21,8 +21,7 @@ struct layer_job {
 int layer_lanes_width(int most);
 
 /* job[n] into out[n], as layer_follow; `width`: as of layer_lanes_width.  Each
- * *out is the same to the bit whatever the other jobs are, and to rounding at
- * any width. */
+ * *out is the same to the bit at any width and whatever the other jobs are. */
 void layer_lanes_follow(const struct slow_curve *c, int width,
                         const struct layer_job job[], size_t n,
                         struct layer out[]);

@@ -38,7 +38,7 @@ static void along(const struct bundle *b, const lanes *x, const lanes *y,
     lanes fx, fy;
 
     many_field(&block->law, &block->at, &c, x, y, &fx, &fy);
-    const lanes part = 1.0 / lanes_root(lanes_fma(fx, fx, fy * fy));
+    const lanes part = 1.0 / lanes_root(fx * fx + fy * fy);
     du[LAYER_X] = fx * part;
     du[LAYER_Y] = fy * part;
     if (!weighed)
@@ -60,7 +60,7 @@ static inline void combine(const struct bundle *b, int components, int count,
             continue;
         const lanes w = LANES_OF(weight[j]);
         for (int i = 0; i < components; i++)
-            sum[i] = lanes_fma(w, b->k[j][i], sum[i]);
+            sum[i] = w * b->k[j][i] + sum[i];
     }
 }
 
@@ -80,8 +80,8 @@ static void stage(struct bundle *b, int j)
     lanes at[2];
 
     combine(b, 2, j, explicit8_a[j], at);
-    at[0] = lanes_fma(b->h, at[0], b->u[LAYER_X]);
-    at[1] = lanes_fma(b->h, at[1], b->u[LAYER_Y]);
+    at[0] = b->h * at[0] + b->u[LAYER_X];
+    at[1] = b->h * at[1] + b->u[LAYER_Y];
     along(b, &at[0], &at[1], j >= WEIGHED, b->k[j]);
 }
 
@@ -95,11 +95,11 @@ static lanes finish(struct bundle *b)
     combine(b, LAYER_DIM, STEPS, explicit8_weight3, third);
     combine(b, LAYER_DIM, STEPS, explicit8_error5, e5);
     for (int i = 0; i < LAYER_DIM; i++) {
-        b->u1[i] = lanes_fma(b->h, gain[i], b->u[i]);
+        b->u1[i] = b->h * gain[i] + b->u[i];
         const lanes unit = 1.0 / on_tolerance(b, i);
         const lanes r3 = (gain[i] - third[i]) * unit, r5 = e5[i] * unit;
-        sum3 = lanes_fma(r3, r3, sum3);
-        sum5 = lanes_fma(r5, r5, sum5);
+        sum3 = r3 * r3 + sum3;
+        sum5 = r5 * r5 + sum5;
         b->error[i] = lanes_size(b->h * e5[i]);
     }
     const lanes all = sum5 + 0.01 * sum3, none = LANES_OF(0.0);
@@ -139,8 +139,8 @@ static lanes spread_at(const struct bundle *b, const lanes u[])
     const lanes *du = b->k[0];
     lanes beside[2];
 
-    const lanes x = lanes_fma(LANES_OF(-TOL_LAYER_ASIDE), du[LAYER_Y], u[0]);
-    const lanes y = lanes_fma(LANES_OF(TOL_LAYER_ASIDE), du[LAYER_X], u[1]);
+    const lanes x = u[0] - TOL_LAYER_ASIDE * du[LAYER_Y];
+    const lanes y = u[1] + TOL_LAYER_ASIDE * du[LAYER_X];
     along(b, &x, &y, false, beside);
     return (du[LAYER_X] * beside[1] - du[LAYER_Y] * beside[0]) /
            TOL_LAYER_ASIDE;
