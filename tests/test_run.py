@@ -155,6 +155,16 @@ def last_line_counts_cases(new):
             and done.returncode == 0)
 
 
+def quick_leaves_the_slow_ones_and_nothing_else_is_known(new):
+    room = new()
+    room.write('log', r'{"result": "OK", "stdout": "ok 1 - a\n"}')
+    quick = room.run('tests', 'quick'), room.calls('meson')[-1]
+    wrong = room.run('tests', 'quikc')
+    return (quick[0].returncode == 0 and '--no-suite slow' in quick[1]
+            and wrong.returncode == 1 and 'quikc' in wrong.stderr
+            and not room.calls('meson'))
+
+
 def failures_count_and_so_do_crashes(new):
     room = new()
     room.write('log', '\n'.join([
@@ -186,6 +196,7 @@ CASES = [
     a_failed_installation_is_shown,
     build_errors_are_shown,
     last_line_counts_cases,
+    quick_leaves_the_slow_ones_and_nothing_else_is_known,
     failures_count_and_so_do_crashes,
     no_test_at_all_is_a_failure,
 ]
