@@ -170,10 +170,11 @@ def only_known_formats_are_written(room):
     expect(done.returncode == 2 and 'scene, hdf5' in done.stderr, done)
 
 
-run_cases([
-    pages_and_files_hold_the_same,
-    every_key_is_told_with_its_value_and_meaning,
-    a_product_runs_the_stages_that_are_told,
-    every_word_has_a_meaning,
-    only_known_formats_are_written,
-])
+if __name__ == '__main__':
+    run_cases([
+        pages_and_files_hold_the_same,
+        every_key_is_told_with_its_value_and_meaning,
+        a_product_runs_the_stages_that_are_told,
+        every_word_has_a_meaning,
+        only_known_formats_are_written,
+    ])
