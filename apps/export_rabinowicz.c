@@ -14,21 +14,13 @@ struct point {
     double tan_alpha, value, error;
 };
 
-#define FIELD(member, unit_, text_)                                            \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct point, member), .kind = RECORD_REAL          \
-    }
-
 static const struct record_field point_fields[] = {
-    FIELD(tan_alpha, "1", "tangent of the slope angle"),
-    FIELD(value, "m", "measured"),
-    FIELD(error, "m", "one standard deviation, as given"),
+    FIELD(point, REAL, tan_alpha, "1", "tangent of the slope angle"),
+    FIELD(point, REAL, value, "m", "measured"),
+    FIELD(point, REAL, error, "m", "one standard deviation, as given"),
 };
-const struct record_type record_measured = {
-    "measured", "measurements", point_fields,
-    sizeof point_fields / sizeof *point_fields, sizeof(struct point)
-};
+const struct record_type record_measured =
+    RECORD_TYPE("measured", "measurements", point_fields, point);
 
 static enum status put_series(const struct series *s, const char *group,
                               struct store *out)

@@ -47,6 +47,26 @@ struct record_type {
     size_t size; /* sizeof the struct */
 };
 
+/* A line of a table: a member of a struct, and of one that holds a code. */
+#define FIELD(struct_, kind_, member, unit_, text_)                            \
+    {                                                                          \
+        .name = #member, .unit = unit_, .text = text_,                         \
+        .offset = offsetof(struct struct_, member), .kind = RECORD_##kind_     \
+    }
+#define FIELD_CODE(struct_, member, words, text_)                              \
+    {                                                                          \
+        .name = #member, .unit = "1", .text = text_,                           \
+        .offset = offsetof(struct struct_, member), .kind = RECORD_CODE,       \
+        .codes = words                                                         \
+    }
+
+/* The type of structs whose table is such an array. */
+#define RECORD_TYPE(name_, text_, table, struct_)                              \
+    {                                                                          \
+        .name = name_, .text = text_, .fields = table,                         \
+        .count = sizeof table / sizeof *table, .size = sizeof(struct struct_)  \
+    }
+
 /* `count` structs of one type, one after another; borrowed. */
 struct record_array {
     const struct record_type *type;

@@ -8,44 +8,47 @@
 
 #include "tolerance.h"
 
-#define FIELD(member, unit_, kind_, text_)                                     \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct parabola, member), .kind = kind_             \
-    }
-#define QUANTITY(member, unit, text)                                           \
-    FIELD(member, unit, RECORD_QUANTITY, text " (95 %)")
-#define REAL(member, unit, text)  FIELD(member, unit, RECORD_REAL, text)
-#define COUNT(member, unit, text) FIELD(member, unit, RECORD_COUNT, text)
-
 static const struct record_field parabola_fields[] = {
-    QUANTITY(mu_s, "1", "static friction, the larger root of (33)"),
-    REAL(mu_s_low, "1", "lower end of the 95 % interval of mu_s"),
-    REAL(mu_s_high, "1", "upper end of the 95 % interval of mu_s"),
-    QUANTITY(mu_half, "1", "mu_ss(V_star/2), the smaller root of (33)"),
-    REAL(mu_half_low, "1", "lower end of the 95 % interval of mu_half"),
-    REAL(mu_half_high, "1", "upper end of the 95 % interval of mu_half"),
-    QUANTITY(factor, "m", "eta L/(K (b - a)), the factor of (33)"),
-    REAL(factor_low, "m", "lower end of the 95 % interval of factor"),
-    REAL(factor_high, "m", "upper end of the 95 % interval of factor"),
-    QUANTITY(mu_middle, "1", "half the sum of the roots"),
-    REAL(mu_s_deviation, "1", "standard deviation of mu_s"),
-    REAL(mu_half_deviation, "1", "standard deviation of mu_half"),
-    REAL(factor_deviation, "m", "standard deviation of factor"),
-    REAL(mu_s_mu_half, "1", "covariance of mu_s and mu_half"),
-    REAL(mu_s_factor, "m", "covariance of mu_s and factor"),
-    REAL(mu_half_factor, "m", "covariance of mu_half and factor"),
-    COUNT(points, "1", "points fitted"),
-    COUNT(freedom, "1", "degrees of freedom"),
-    REAL(chi2, "1", "sum of squares in units of the errors"),
-    REAL(scatter, "1", "relative standard deviation of one l_k"),
-    REAL(chance, "1", "chance of a chi2 as large or larger"),
-    FIELD(warning, "1", RECORD_TEXT, "what the data cannot tell"),
+    FIELD(parabola, QUANTITY, mu_s, "1",
+          "static friction, the larger root of (33) (95 %)"),
+    FIELD(parabola, REAL, mu_s_low, "1",
+          "lower end of the 95 % interval of mu_s"),
+    FIELD(parabola, REAL, mu_s_high, "1",
+          "upper end of the 95 % interval of mu_s"),
+    FIELD(parabola, QUANTITY, mu_half, "1",
+          "mu_ss(V_star/2), the smaller root of (33) (95 %)"),
+    FIELD(parabola, REAL, mu_half_low, "1",
+          "lower end of the 95 % interval of mu_half"),
+    FIELD(parabola, REAL, mu_half_high, "1",
+          "upper end of the 95 % interval of mu_half"),
+    FIELD(parabola, QUANTITY, factor, "m",
+          "eta L/(K (b - a)), the factor of (33) (95 %)"),
+    FIELD(parabola, REAL, factor_low, "m",
+          "lower end of the 95 % interval of factor"),
+    FIELD(parabola, REAL, factor_high, "m",
+          "upper end of the 95 % interval of factor"),
+    FIELD(parabola, QUANTITY, mu_middle, "1",
+          "half the sum of the roots (95 %)"),
+    FIELD(parabola, REAL, mu_s_deviation, "1", "standard deviation of mu_s"),
+    FIELD(parabola, REAL, mu_half_deviation, "1",
+          "standard deviation of mu_half"),
+    FIELD(parabola, REAL, factor_deviation, "m",
+          "standard deviation of factor"),
+    FIELD(parabola, REAL, mu_s_mu_half, "1", "covariance of mu_s and mu_half"),
+    FIELD(parabola, REAL, mu_s_factor, "m", "covariance of mu_s and factor"),
+    FIELD(parabola, REAL, mu_half_factor, "m",
+          "covariance of mu_half and factor"),
+    FIELD(parabola, COUNT, points, "1", "points fitted"),
+    FIELD(parabola, COUNT, freedom, "1", "degrees of freedom"),
+    FIELD(parabola, REAL, chi2, "1", "sum of squares in units of the errors"),
+    FIELD(parabola, REAL, scatter, "1",
+          "relative standard deviation of one l_k"),
+    FIELD(parabola, REAL, chance, "1", "chance of a chi2 as large or larger"),
+    FIELD(parabola, TEXT, warning, "1", "what the data cannot tell"),
 };
-const struct record_type record_parabola = {
-    "parabola", "fit of (33) to critical release distances", parabola_fields,
-    sizeof parabola_fields / sizeof *parabola_fields, sizeof(struct parabola)
-};
+const struct record_type record_parabola =
+    RECORD_TYPE("parabola", "fit of (33) to critical release distances",
+                parabola_fields, parabola);
 
 /* ---- the curve ----------------------------------------------------------- */
 

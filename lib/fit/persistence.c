@@ -5,36 +5,33 @@
 #include "estimates.h"
 #include "tolerance.h"
 
-#define FIELD(member, unit_, kind_, text_)                                     \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct persistence, member), .kind = kind_          \
-    }
-#define REAL(member, unit, text)  FIELD(member, unit, RECORD_REAL, text)
-#define COUNT(member, unit, text) FIELD(member, unit, RECORD_COUNT, text)
-
 static const struct record_field persistence_fields[] = {
-    FIELD(L, "m", RECORD_QUANTITY, "memory length (95 %)"),
-    REAL(L_low, "m", "lower end of the 95 % interval of L"),
-    REAL(L_high, "m", "upper end of the 95 % interval of L"),
-    FIELD(mu_star, "1", RECORD_QUANTITY, "friction at V_star (95 %)"),
-    REAL(mu_star_low, "1", "lower end of the 95 % interval of mu_star"),
-    REAL(mu_star_high, "1", "upper end of the 95 % interval of mu_star"),
-    REAL(L_deviation, "m", "standard deviation of L"),
-    REAL(mu_star_deviation, "1", "standard deviation of mu_star"),
-    REAL(L_mu_star, "m", "covariance of L and mu_star"),
-    COUNT(points, "1", "points fitted"),
-    COUNT(freedom, "1", "degrees of freedom"),
-    REAL(chi2, "1", "sum of squares in units of the errors"),
-    REAL(scatter, "1", "relative standard deviation of one x_k"),
-    REAL(chance, "1", "chance of a chi2 as large or larger"),
-    FIELD(warning, "1", RECORD_TEXT, "what the data cannot tell"),
+    FIELD(persistence, QUANTITY, L, "m", "memory length (95 %)"),
+    FIELD(persistence, REAL, L_low, "m", "lower end of the 95 % interval of L"),
+    FIELD(persistence, REAL, L_high, "m",
+          "upper end of the 95 % interval of L"),
+    FIELD(persistence, QUANTITY, mu_star, "1", "friction at V_star (95 %)"),
+    FIELD(persistence, REAL, mu_star_low, "1",
+          "lower end of the 95 % interval of mu_star"),
+    FIELD(persistence, REAL, mu_star_high, "1",
+          "upper end of the 95 % interval of mu_star"),
+    FIELD(persistence, REAL, L_deviation, "m", "standard deviation of L"),
+    FIELD(persistence, REAL, mu_star_deviation, "1",
+          "standard deviation of mu_star"),
+    FIELD(persistence, REAL, L_mu_star, "m", "covariance of L and mu_star"),
+    FIELD(persistence, COUNT, points, "1", "points fitted"),
+    FIELD(persistence, COUNT, freedom, "1", "degrees of freedom"),
+    FIELD(persistence, REAL, chi2, "1",
+          "sum of squares in units of the errors"),
+    FIELD(persistence, REAL, scatter, "1",
+          "relative standard deviation of one x_k"),
+    FIELD(persistence, REAL, chance, "1",
+          "chance of a chi2 as large or larger"),
+    FIELD(persistence, TEXT, warning, "1", "what the data cannot tell"),
 };
-const struct record_type record_persistence = {
-    "persistence", "fit of (30) to persistence lengths", persistence_fields,
-    sizeof persistence_fields / sizeof *persistence_fields,
-    sizeof(struct persistence)
-};
+const struct record_type record_persistence =
+    RECORD_TYPE("persistence", "fit of (30) to persistence lengths",
+                persistence_fields, persistence);
 
 enum { LENGTH, MU_STAR, PARAMETERS };
 

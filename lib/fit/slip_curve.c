@@ -16,26 +16,20 @@
 
 #include "tolerance.h"
 
-#define FIELD(member, unit_, kind_, text_)                                     \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct slip_point, member), .kind = kind_           \
-    }
-#define REAL(member, unit, text) FIELD(member, unit, RECORD_REAL, text)
-
 static const struct record_field slip_fields[] = {
-    REAL(mu, "1", "friction coefficient = tan alpha"),
-    REAL(release, "m", "l_k tan alpha, smoothed"),
-    REAL(release_error, "m", "95 % bound on the error of release"),
-    REAL(gradient, "m", "-d(l_k tan alpha)/d(tan alpha) = s_k/K"),
-    REAL(gradient_error, "m", "95 % bound on the error of gradient"),
-    FIELD(s_k, "m", RECORD_QUANTITY,
+    FIELD(slip_point, REAL, mu, "1", "friction coefficient = tan alpha"),
+    FIELD(slip_point, REAL, release, "m", "l_k tan alpha, smoothed"),
+    FIELD(slip_point, REAL, release_error, "m",
+          "95 % bound on the error of release"),
+    FIELD(slip_point, REAL, gradient, "m",
+          "-d(l_k tan alpha)/d(tan alpha) = s_k/K"),
+    FIELD(slip_point, REAL, gradient_error, "m",
+          "95 % bound on the error of gradient"),
+    FIELD(slip_point, QUANTITY, s_k, "m",
           "slip (25) at which friction is mu (95 %)"),
 };
-const struct record_type record_slip_point = {
-    "slip", "friction against slip, (25)", slip_fields,
-    sizeof slip_fields / sizeof *slip_fields, sizeof(struct slip_point)
-};
+const struct record_type record_slip_point =
+    RECORD_TYPE("slip", "friction against slip, (25)", slip_fields, slip_point);
 
 enum { ORDER = 4, PIECES = 16, COEFFICIENTS = PIECES + ORDER - 1 };
 

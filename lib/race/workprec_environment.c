@@ -7,26 +7,19 @@
 #include "method.h"
 #include "workprec_clock.h"
 
-#define FIELD(member, kind_, unit_, text_)                                     \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct workprec_environment, member),               \
-        .kind = RECORD_##kind_                                                 \
-    }
-
 static const struct record_field fields[] = {
-    FIELD(cpu, TEXT, "1", "processor"),
-    FIELD(system, TEXT, "1", "operating system"),
-    FIELD(compiler, TEXT, "1", "compiler"),
-    FIELD(flags, TEXT, "1", "its optimisation flags"),
-    FIELD(gsl, TEXT, "1", "version of GSL"),
-    FIELD(sundials, TEXT, "1", "version of SUNDIALS"),
-    FIELD(clock_overhead, REAL, "s", "taken off every time measured"),
+    FIELD(workprec_environment, TEXT, cpu, "1", "processor"),
+    FIELD(workprec_environment, TEXT, system, "1", "operating system"),
+    FIELD(workprec_environment, TEXT, compiler, "1", "compiler"),
+    FIELD(workprec_environment, TEXT, flags, "1", "its optimisation flags"),
+    FIELD(workprec_environment, TEXT, gsl, "1", "version of GSL"),
+    FIELD(workprec_environment, TEXT, sundials, "1", "version of SUNDIALS"),
+    FIELD(workprec_environment, REAL, clock_overhead, "s",
+          "taken off every time measured"),
 };
-const struct record_type record_workprec_environment = {
-    "workprec_environment", "where times were measured", fields,
-    sizeof fields / sizeof *fields, sizeof(struct workprec_environment)
-};
+const struct record_type record_workprec_environment =
+    RECORD_TYPE("workprec_environment", "where times were measured", fields,
+                workprec_environment);
 
 /* The value of the first line "KEY : value"; false where there is none. */
 static bool read_value(FILE *in, const char *key, char out[WORKPREC_TEXT])

@@ -13,51 +13,42 @@ static const char *const foreign_names[] = { "own", "foreign", NULL };
 static const double accuracies[] = { 1e-3, 1e-6, 1e-9, 1e-12 };
 enum { ACCURACIES = sizeof accuracies / sizeof *accuracies };
 
-#define FIELD(type, member, kind_, unit_, text_, ...)                          \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct type, member), .kind = RECORD_##kind_,       \
-        __VA_ARGS__                                                            \
-    }
-#define RUN(...)  FIELD(workprec_run, __VA_ARGS__)
-#define RANK(...) FIELD(workprec_fastest, __VA_ARGS__)
-
 static const struct record_field run_fields[] = {
-    RUN(quantity, CODE, "1", "what is computed",
-        .codes = workprec_quantity_names),
-    RUN(method, TEXT, "1", "by which method", ),
-    RUN(foreign, CODE, "1", "whose it is", .codes = foreign_names),
-    RUN(rtol, REAL, "1", "tolerance asked for", ),
-    RUN(true_error, REAL, "1", "error against 113 bits", ),
-    RUN(reported_error, REAL, "1", "error bar, where the method has one", ),
-    RUN(seconds, REAL, "s", "time of the run, median of repeats", ),
-    RUN(field_evaluations, COUNT, "1",
-        "evaluations of the field; 0: not counted", ),
-    RUN(steps, COUNT, "1", "accepted steps; 0: not counted", ),
-    RUN(status, CODE, "1", "how the run went", .codes = workprec_status_names),
+    FIELD_CODE(workprec_run, quantity, workprec_quantity_names,
+               "what is computed"),
+    FIELD(workprec_run, TEXT, method, "1", "by which method"),
+    FIELD_CODE(workprec_run, foreign, foreign_names, "whose it is"),
+    FIELD(workprec_run, REAL, rtol, "1", "tolerance asked for"),
+    FIELD(workprec_run, REAL, true_error, "1", "error against 113 bits"),
+    FIELD(workprec_run, REAL, reported_error, "1",
+          "error bar, where the method has one"),
+    FIELD(workprec_run, REAL, seconds, "s",
+          "time of the run, median of repeats"),
+    FIELD(workprec_run, COUNT, field_evaluations, "1",
+          "evaluations of the field; 0: not counted"),
+    FIELD(workprec_run, COUNT, steps, "1", "accepted steps; 0: not counted"),
+    FIELD_CODE(workprec_run, status, workprec_status_names, "how the run went"),
 };
-const struct record_type record_workprec_run = {
-    "workprec_run", "a method on a quantity at a tolerance", run_fields,
-    sizeof run_fields / sizeof *run_fields, sizeof(struct workprec_run)
-};
+const struct record_type record_workprec_run =
+    RECORD_TYPE("workprec_run", "a method on a quantity at a tolerance",
+                run_fields, workprec_run);
 
 static const struct record_field rank_fields[] = {
-    RANK(quantity, CODE, "1", "what is computed",
-         .codes = workprec_quantity_names),
-    RANK(accuracy, REAL, "1", "true error", ),
-    RANK(method, TEXT, "1", "the fastest of all", ),
-    RANK(seconds, REAL, "s", "its time", ),
-    RANK(own, TEXT, "1", "the fastest of ours", ),
-    RANK(own_seconds, REAL, "s", "its time", ),
-    RANK(foreign, TEXT, "1", "the fastest of others", ),
-    RANK(foreign_seconds, REAL, "s", "its time", ),
-    RANK(ratio_to_best_foreign, REAL, "1",
-         "time of the fastest of others over that of the fastest of ours", ),
+    FIELD_CODE(workprec_fastest, quantity, workprec_quantity_names,
+               "what is computed"),
+    FIELD(workprec_fastest, REAL, accuracy, "1", "true error"),
+    FIELD(workprec_fastest, TEXT, method, "1", "the fastest of all"),
+    FIELD(workprec_fastest, REAL, seconds, "s", "its time"),
+    FIELD(workprec_fastest, TEXT, own, "1", "the fastest of ours"),
+    FIELD(workprec_fastest, REAL, own_seconds, "s", "its time"),
+    FIELD(workprec_fastest, TEXT, foreign, "1", "the fastest of others"),
+    FIELD(workprec_fastest, REAL, foreign_seconds, "s", "its time"),
+    FIELD(workprec_fastest, REAL, ratio_to_best_foreign, "1",
+          "time of the fastest of others over that of the fastest of ours"),
 };
-const struct record_type record_workprec_fastest = {
-    "workprec_fastest", "who is fastest at an accuracy", rank_fields,
-    sizeof rank_fields / sizeof *rank_fields, sizeof(struct workprec_fastest)
-};
+const struct record_type record_workprec_fastest =
+    RECORD_TYPE("workprec_fastest", "who is fastest at an accuracy",
+                rank_fields, workprec_fastest);
 
 static bool counts(const struct workprec_run *r)
 {

@@ -11,34 +11,23 @@
 #include "study.h"
 #include "study_tolerance.h"
 
-#define FIELD(member, unit_, text_)                                            \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct cell, member), .kind = RECORD_REAL           \
-    }
-
 static const struct record_field cell_fields[] = {
-    { .name = "exit_reason",
-      .unit = "1",
-      .text = "where the orbit of the state ends",
-      .offset = offsetof(struct cell, exit_reason),
-      .kind = RECORD_CODE,
-      .codes = fate_names },
-    FIELD(slip, "1", "slip to arrest in units of L"),
-    FIELD(slip_error, "1", "bound on the error of slip"),
-    FIELD(time, "1", "time to arrest in units of L/V_star"),
-    FIELD(time_error, "1", "bound on the error of time"),
-    FIELD(mu_mean, "1", "mean friction over that slip"),
-    FIELD(mu_mean_error, "1", "bound on the error of mu_mean"),
-    FIELD(v_peak, "1", "largest slip rate before arrest in units of V_star"),
-    FIELD(v_peak_error, "1", "bound on the error of v_peak"),
-    FIELD(mu_peak, "1", "largest friction before arrest"),
-    FIELD(mu_peak_error, "1", "bound on the error of mu_peak"),
+    FIELD_CODE(cell, exit_reason, fate_names,
+               "where the orbit of the state ends"),
+    FIELD(cell, REAL, slip, "1", "slip to arrest in units of L"),
+    FIELD(cell, REAL, slip_error, "1", "bound on the error of slip"),
+    FIELD(cell, REAL, time, "1", "time to arrest in units of L/V_star"),
+    FIELD(cell, REAL, time_error, "1", "bound on the error of time"),
+    FIELD(cell, REAL, mu_mean, "1", "mean friction over that slip"),
+    FIELD(cell, REAL, mu_mean_error, "1", "bound on the error of mu_mean"),
+    FIELD(cell, REAL, v_peak, "1",
+          "largest slip rate before arrest in units of V_star"),
+    FIELD(cell, REAL, v_peak_error, "1", "bound on the error of v_peak"),
+    FIELD(cell, REAL, mu_peak, "1", "largest friction before arrest"),
+    FIELD(cell, REAL, mu_peak_error, "1", "bound on the error of mu_peak"),
 };
-const struct record_type record_cell = {
-    "cell", "how a state comes to arrest", cell_fields,
-    sizeof cell_fields / sizeof *cell_fields, sizeof(struct cell)
-};
+const struct record_type record_cell =
+    RECORD_TYPE("cell", "how a state comes to arrest", cell_fields, cell);
 
 static const unsigned peaks = 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK;
 

@@ -10,22 +10,14 @@
 #include "estimate_numbers.h"
 #include "study_tolerance.h"
 
-#define FIELD(member, unit_, text_, kind_)                                     \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct chi_slope, member), .kind = kind_            \
-    }
-
 static const struct record_field fields[] = {
-    FIELD(alpha, "rad", "slope angle", RECORD_REAL),
-    FIELD(v_sp0, "1", "slip rate of the saddle, (29)", RECORD_QUANTITY),
-    FIELD(v_low, "1", "lower root of chi(v) = 1, (34)", RECORD_QUANTITY),
-    FIELD(v_high, "1", "upper root of chi(v) = 1, (34)", RECORD_QUANTITY),
+    FIELD(chi_slope, REAL, alpha, "rad", "slope angle"),
+    FIELD(chi_slope, QUANTITY, v_sp0, "1", "slip rate of the saddle, (29)"),
+    FIELD(chi_slope, QUANTITY, v_low, "1", "lower root of chi(v) = 1, (34)"),
+    FIELD(chi_slope, QUANTITY, v_high, "1", "upper root of chi(v) = 1, (34)"),
 };
-const struct record_type record_chi_slope = { "chi", "chi(v) of (34), Fig 10",
-                                              fields,
-                                              sizeof fields / sizeof *fields,
-                                              sizeof(struct chi_slope) };
+const struct record_type record_chi_slope =
+    RECORD_TYPE("chi", "chi(v) of (34), Fig 10", fields, chi_slope);
 
 /* ---- one slope ----------------------------------------------------------- */
 

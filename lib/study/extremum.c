@@ -12,24 +12,17 @@
 
 const char *const extremum_names[] = { "maximum", "minimum", NULL };
 
-#define QUANTITY(member, unit_, text_)                                         \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct extremum, member), .kind = RECORD_QUANTITY   \
-    }
-
 static const struct record_field fields[] = {
-    { "kind", "1", "which kind of extremum", offsetof(struct extremum, kind),
-      RECORD_CODE, extremum_names },
-    QUANTITY(v, "1", "slip rate in units of V_star"),
-    QUANTITY(psi, "1", "interfacial state"),
-    QUANTITY(mu, "1", "steady-state friction coefficient mu_ss(v)"),
-    QUANTITY(alpha, "rad", "slope angle atan mu of the fold, (16)"),
+    FIELD_CODE(extremum, kind, extremum_names, "which kind of extremum"),
+    FIELD(extremum, QUANTITY, v, "1", "slip rate in units of V_star"),
+    FIELD(extremum, QUANTITY, psi, "1", "interfacial state"),
+    FIELD(extremum, QUANTITY, mu, "1",
+          "steady-state friction coefficient mu_ss(v)"),
+    FIELD(extremum, QUANTITY, alpha, "rad",
+          "slope angle atan mu of the fold, (16)"),
 };
-const struct record_type record_extremum = {
-    "extrema", "extrema of steady-state friction", fields,
-    sizeof fields / sizeof *fields, sizeof(struct extremum)
-};
+const struct record_type record_extremum = RECORD_TYPE(
+    "extrema", "extrema of steady-state friction", fields, extremum);
 
 struct quantity extremum_angle(const struct quantity *mu)
 {

@@ -10,43 +10,31 @@
 #include "steady.h"
 #include "study_tolerance.h"
 
-#define FIELD(type, member, unit_, text_, kind_)                               \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct type, member), .kind = kind_                 \
-    }
-#define AT(member, unit, text)                                                 \
-    FIELD(fold_point, member, unit, text, RECORD_QUANTITY)
-#define CUSP(member, unit, text)                                               \
-    FIELD(cusp_numbers, member, unit, text, RECORD_QUANTITY)
-
 static const struct record_field fields[] = {
-    FIELD(fold_point, c, "1", "residual strength c", RECORD_REAL),
-    AT(alpha_cm, "rad",
-       "slope angle of the fold at the minimum of mu_ss, (16)"),
-    AT(alpha_cM, "rad",
-       "slope angle of the fold at the maximum of mu_ss, (16)"),
-    AT(v_m, "1", "slip rate at the minimum of mu_ss"),
-    AT(v_M, "1", "slip rate at the maximum of mu_ss"),
-    AT(mu_m, "1", "mu_ss at its minimum"),
-    AT(mu_M, "1", "mu_ss at its maximum: static friction, (15)"),
+    FIELD(fold_point, REAL, c, "1", "residual strength c"),
+    FIELD(fold_point, QUANTITY, alpha_cm, "rad",
+          "slope angle of the fold at the minimum of mu_ss, (16)"),
+    FIELD(fold_point, QUANTITY, alpha_cM, "rad",
+          "slope angle of the fold at the maximum of mu_ss, (16)"),
+    FIELD(fold_point, QUANTITY, v_m, "1", "slip rate at the minimum of mu_ss"),
+    FIELD(fold_point, QUANTITY, v_M, "1", "slip rate at the maximum of mu_ss"),
+    FIELD(fold_point, QUANTITY, mu_m, "1", "mu_ss at its minimum"),
+    FIELD(fold_point, QUANTITY, mu_M, "1",
+          "mu_ss at its maximum: static friction, (15)"),
 };
-const struct record_type record_fold_curve = {
-    "fold_curves", "folds of the steady states over c, Fig 4", fields,
-    sizeof fields / sizeof *fields, sizeof(struct fold_point)
-};
+const struct record_type record_fold_curve =
+    RECORD_TYPE("fold_curves", "folds of the steady states over c, Fig 4",
+                fields, fold_point);
 
 static const struct record_field cusp_fields[] = {
-    CUSP(c, "1", "c at which both folds meet"),
-    CUSP(v, "1", "slip rate there"),
-    CUSP(psi, "1", "interfacial state there"),
-    CUSP(mu, "1", "friction coefficient there"),
-    CUSP(alpha, "rad", "slope angle there"),
+    FIELD(cusp_numbers, QUANTITY, c, "1", "c at which both folds meet"),
+    FIELD(cusp_numbers, QUANTITY, v, "1", "slip rate there"),
+    FIELD(cusp_numbers, QUANTITY, psi, "1", "interfacial state there"),
+    FIELD(cusp_numbers, QUANTITY, mu, "1", "friction coefficient there"),
+    FIELD(cusp_numbers, QUANTITY, alpha, "rad", "slope angle there"),
 };
-const struct record_type record_cusp = {
-    "cusp", "where both folds meet", cusp_fields,
-    sizeof cusp_fields / sizeof *cusp_fields, sizeof(struct cusp_numbers)
-};
+const struct record_type record_cusp =
+    RECORD_TYPE("cusp", "where both folds meet", cusp_fields, cusp_numbers);
 
 /* ---- the cusp ------------------------------------------------------------ */
 

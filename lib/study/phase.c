@@ -5,22 +5,16 @@
 #include "study_tolerance.h"
 #include "transient.h"
 
-#define QUANTITY(member, unit_, text_)                                         \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct phase, member), .kind = RECORD_QUANTITY      \
-    }
-
 static const struct record_field phase_fields[] = {
-    QUANTITY(start_time, "1", "time of its start in units of L/V_star"),
-    QUANTITY(end_time, "1", "time of its end in units of L/V_star"),
-    QUANTITY(start_slip, "1", "slip at its start in units of L"),
-    QUANTITY(end_slip, "1", "slip at its end in units of L"),
+    FIELD(phase, QUANTITY, start_time, "1",
+          "time of its start in units of L/V_star"),
+    FIELD(phase, QUANTITY, end_time, "1",
+          "time of its end in units of L/V_star"),
+    FIELD(phase, QUANTITY, start_slip, "1", "slip at its start in units of L"),
+    FIELD(phase, QUANTITY, end_slip, "1", "slip at its end in units of L"),
 };
-const struct record_type record_phase = {
-    "phase", "phases of sliding, section 4.4", phase_fields,
-    sizeof phase_fields / sizeof *phase_fields, sizeof(struct phase)
-};
+const struct record_type record_phase =
+    RECORD_TYPE("phase", "phases of sliding, section 4.4", phase_fields, phase);
 
 /* A moment between two phases. */
 struct border {

@@ -11,31 +11,20 @@
 #include "grow.h"
 #include "study_tolerance.h"
 
-#define QUANTITY(member, text_)                                                \
-    {                                                                          \
-        .name = #member, .unit = "1", .text = text_,                           \
-        .offset = offsetof(struct push_answer, member),                        \
-        .kind = RECORD_QUANTITY                                                \
-    }
-
 static const struct record_field push_fields[] = {
-    { .name = "fate",
-      .unit = "1",
-      .text = "what becomes of the state",
-      .offset = offsetof(struct push_answer, fate),
-      .kind = RECORD_CODE,
-      .codes = fate_names },
-    QUANTITY(slip, "slip to arrest in units of L"),
-    QUANTITY(time, "time to arrest in units of L/V_star"),
-    QUANTITY(mu_mean, "mean friction over that slip"),
-    QUANTITY(v_kick, "factor on v to the nearest other fate"),
-    QUANTITY(psi_kick, "factor on psi (or shift of it) to the nearest other "
-                       "fate"),
+    FIELD_CODE(push_answer, fate, fate_names, "what becomes of the state"),
+    FIELD(push_answer, QUANTITY, slip, "1", "slip to arrest in units of L"),
+    FIELD(push_answer, QUANTITY, time, "1",
+          "time to arrest in units of L/V_star"),
+    FIELD(push_answer, QUANTITY, mu_mean, "1", "mean friction over that slip"),
+    FIELD(push_answer, QUANTITY, v_kick, "1",
+          "factor on v to the nearest other fate"),
+    FIELD(push_answer, QUANTITY, psi_kick, "1",
+          "factor on psi (or shift of it) to the nearest other fate"),
 };
-const struct record_type record_push = {
-    "push", "what becomes of a state and what would change that", push_fields,
-    sizeof push_fields / sizeof *push_fields, sizeof(struct push_answer)
-};
+const struct record_type record_push =
+    RECORD_TYPE("push", "what becomes of a state and what would change that",
+                push_fields, push_answer);
 
 /* ---- the plane ----------------------------------------------------------- */
 

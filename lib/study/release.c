@@ -11,51 +11,45 @@
 
 /* ---- what the results are called ----------------------------------------- */
 
-#define FIELD(type, member, unit_, kind_, text_)                               \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct type, member), .kind = kind_                 \
-    }
-#define ROW(member, unit, text)                                                \
-    FIELD(release_row, member, unit, RECORD_QUANTITY, text)
-#define ROW_REAL(member, unit, text)                                           \
-    FIELD(release_row, member, unit, RECORD_REAL, text)
-#define MATERIAL(member, unit, text)                                           \
-    FIELD(release_material, member, unit, RECORD_QUANTITY, text " (95 %)")
-#define MATERIAL_REAL(member, unit, text)                                      \
-    FIELD(release_material, member, unit, RECORD_REAL, text)
-
 static const struct record_field row_fields[] = {
-    ROW_REAL(tan_alpha, "1", "tangent of the slope angle"),
-    ROW_REAL(alpha, "rad", "slope angle"),
-    ROW(v_k, "m s-1", "critical slip rate, V_star v_plus"),
-    ROW(l_k, "m", "critical release distance, exact"),
-    ROW(l_k_G, "m", "release distance of the exact fracture energy, (32)"),
-    ROW(l_k_33, "m", "release distance of (33) with mu_s"),
-    ROW(mu_s, "1", "static friction of (41) with the exact v_plus"),
-    ROW(s_k, "m", "persistence length, exact excess slip"),
-    ROW(s_k_30, "m", "persistence length of (30)"),
+    FIELD(release_row, REAL, tan_alpha, "1", "tangent of the slope angle"),
+    FIELD(release_row, REAL, alpha, "rad", "slope angle"),
+    FIELD(release_row, QUANTITY, v_k, "m s-1",
+          "critical slip rate, V_star v_plus"),
+    FIELD(release_row, QUANTITY, l_k, "m", "critical release distance, exact"),
+    FIELD(release_row, QUANTITY, l_k_G, "m",
+          "release distance of the exact fracture energy, (32)"),
+    FIELD(release_row, QUANTITY, l_k_33, "m",
+          "release distance of (33) with mu_s"),
+    FIELD(release_row, QUANTITY, mu_s, "1",
+          "static friction of (41) with the exact v_plus"),
+    FIELD(release_row, QUANTITY, s_k, "m",
+          "persistence length, exact excess slip"),
+    FIELD(release_row, QUANTITY, s_k_30, "m", "persistence length of (30)"),
 };
-const struct record_type record_release = {
-    "release", "critical release distances", row_fields,
-    sizeof row_fields / sizeof *row_fields, sizeof(struct release_row)
-};
+const struct record_type record_release = RECORD_TYPE(
+    "release", "critical release distances", row_fields, release_row);
 
 static const struct record_field material_fields[] = {
-    MATERIAL(L, "m", "memory length, factor K (b - a)/eta"),
-    MATERIAL_REAL(L_low, "m", "lower end of the 95 % interval of L"),
-    MATERIAL_REAL(L_high, "m", "upper end of the 95 % interval of L"),
-    MATERIAL(mu_star, "1", "friction at V_star, mu_half - (b - a) ln 2"),
-    MATERIAL_REAL(mu_star_low, "1", "lower end of the 95 % interval"),
-    MATERIAL_REAL(mu_star_high, "1", "upper end of the 95 % interval"),
-    MATERIAL_REAL(L_deviation, "m", "standard deviation of L"),
-    MATERIAL_REAL(mu_star_deviation, "1", "standard deviation of mu_star"),
+    FIELD(release_material, QUANTITY, L, "m",
+          "memory length, factor K (b - a)/eta (95 %)"),
+    FIELD(release_material, REAL, L_low, "m",
+          "lower end of the 95 % interval of L"),
+    FIELD(release_material, REAL, L_high, "m",
+          "upper end of the 95 % interval of L"),
+    FIELD(release_material, QUANTITY, mu_star, "1",
+          "friction at V_star, mu_half - (b - a) ln 2 (95 %)"),
+    FIELD(release_material, REAL, mu_star_low, "1",
+          "lower end of the 95 % interval"),
+    FIELD(release_material, REAL, mu_star_high, "1",
+          "upper end of the 95 % interval"),
+    FIELD(release_material, REAL, L_deviation, "m", "standard deviation of L"),
+    FIELD(release_material, REAL, mu_star_deviation, "1",
+          "standard deviation of mu_star"),
 };
-const struct record_type record_release_material = {
-    "release_material", "the material that the fit of (33) means",
-    material_fields, sizeof material_fields / sizeof *material_fields,
-    sizeof(struct release_material)
-};
+const struct record_type record_release_material =
+    RECORD_TYPE("release_material", "the material that the fit of (33) means",
+                material_fields, release_material);
 
 /* ---- forward ------------------------------------------------------------- */
 

@@ -7,23 +7,15 @@
 #include "steady.h"
 #include "study_tolerance.h"
 
-#define FIELD(member, unit_, text_, kind_)                                     \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct spring_point, member), .kind = kind_         \
-    }
-
 static const struct record_field fields[] = {
-    FIELD(v, "1", "speed of pulling in units of V_star", RECORD_REAL),
-    FIELD(k, "Pa m-1", "stiffness below which the block sticks and slips",
-          RECORD_QUANTITY),
-    FIELD(k_quasistatic, "Pa m-1", "the same for a block without mass",
-          RECORD_QUANTITY),
+    FIELD(spring_point, REAL, v, "1", "speed of pulling in units of V_star"),
+    FIELD(spring_point, QUANTITY, k, "Pa m-1",
+          "stiffness below which the block sticks and slips"),
+    FIELD(spring_point, QUANTITY, k_quasistatic, "Pa m-1",
+          "the same for a block without mass"),
 };
-const struct record_type record_spring = {
-    "spring_block", "stick-slip boundary, Fig 1(b)", fields,
-    sizeof fields / sizeof *fields, sizeof(struct spring_point)
-};
+const struct record_type record_spring = RECORD_TYPE(
+    "spring_block", "stick-slip boundary, Fig 1(b)", fields, spring_point);
 
 static struct spring_point point_at(const struct spring_block *block,
                                     const struct law *law,

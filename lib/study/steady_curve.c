@@ -9,44 +9,38 @@
 #include "study_tolerance.h"
 #include "tolerance.h"
 
-#define FIELD(member, unit_, text_, kind_, codes_)                             \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
-        .offset = offsetof(struct steady_point, member), .kind = kind_,        \
-        .codes = codes_                                                        \
-    }
-#define QUANTITY(member, unit, text)                                           \
-    FIELD(member, unit, text, RECORD_QUANTITY, NULL)
-#define V   FIELD(v, "1", "slip rate in units of V_star", RECORD_REAL, NULL)
-#define PSI QUANTITY(psi, "1", "interfacial state psi_ss(v)")
-#define MU  QUANTITY(mu, "1", "steady-state friction coefficient mu_ss(v)")
+#define V FIELD(steady_point, REAL, v, "1", "slip rate in units of V_star")
+#define PSI                                                                    \
+    FIELD(steady_point, QUANTITY, psi, "1", "interfacial state psi_ss(v)")
+#define MU                                                                     \
+    FIELD(steady_point, QUANTITY, mu, "1",                                     \
+          "steady-state friction coefficient mu_ss(v)")
 
 static const struct record_field friction_fields[] = {
     V,
     PSI,
     MU,
-    QUANTITY(slope, "1", "d mu_ss/d ln v"),
+    FIELD(steady_point, QUANTITY, slope, "1", "d mu_ss/d ln v"),
 };
-const struct record_type record_friction = {
-    "friction_law", "friction in steady sliding, Fig 1(a)", friction_fields,
-    sizeof friction_fields / sizeof *friction_fields,
-    sizeof(struct steady_point)
-};
+const struct record_type record_friction =
+    RECORD_TYPE("friction_law", "friction in steady sliding, Fig 1(a)",
+                friction_fields, steady_point);
 
 static const struct record_field bifurcation_fields[] = {
     V,
-    QUANTITY(alpha, "rad", "slope angle on which the block slides steadily"),
-    FIELD(type, "1", "linear type there", RECORD_CODE, equilibrium_type_names),
+    FIELD(steady_point, QUANTITY, alpha, "rad",
+          "slope angle on which the block slides steadily"),
+    FIELD_CODE(steady_point, type, equilibrium_type_names, "linear type there"),
     PSI,
     MU,
-    QUANTITY(lambda_minus, "1", "smaller eigenvalue, per L/V_star"),
-    QUANTITY(lambda_plus, "1", "larger eigenvalue, per L/V_star"),
+    FIELD(steady_point, QUANTITY, lambda_minus, "1",
+          "smaller eigenvalue, per L/V_star"),
+    FIELD(steady_point, QUANTITY, lambda_plus, "1",
+          "larger eigenvalue, per L/V_star"),
 };
-const struct record_type record_bifurcation = {
-    "bifurcation", "steady states over all slopes, Fig 3", bifurcation_fields,
-    sizeof bifurcation_fields / sizeof *bifurcation_fields,
-    sizeof(struct steady_point)
-};
+const struct record_type record_bifurcation =
+    RECORD_TYPE("bifurcation", "steady states over all slopes, Fig 3",
+                bifurcation_fields, steady_point);
 
 /* ---- one steady state ---------------------------------------------------- */
 

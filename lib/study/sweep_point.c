@@ -7,25 +7,18 @@
 
 #define BIT(p) (1u << PRODUCT_##p)
 
-#define KIND(member, text_)                                                    \
-    {                                                                          \
-        .name = #member, .unit = "1", .text = text_,                           \
-        .offset = offsetof(struct kind_numbers, member),                       \
-        .kind = RECORD_QUANTITY                                                \
-    }
-
 static const struct record_field kind_fields[] = {
-    KIND(ln_v, "natural logarithm of v"),
-    KIND(ln_psi, "natural logarithm of psi"),
-    KIND(v, "slip rate in units of V_star"),
-    KIND(psi, "interfacial state"),
-    KIND(lambda_minus, "smaller eigenvalue, per L/V_star"),
-    KIND(lambda_plus, "larger eigenvalue, per L/V_star"),
+    FIELD(kind_numbers, QUANTITY, ln_v, "1", "natural logarithm of v"),
+    FIELD(kind_numbers, QUANTITY, ln_psi, "1", "natural logarithm of psi"),
+    FIELD(kind_numbers, QUANTITY, v, "1", "slip rate in units of V_star"),
+    FIELD(kind_numbers, QUANTITY, psi, "1", "interfacial state"),
+    FIELD(kind_numbers, QUANTITY, lambda_minus, "1",
+          "smaller eigenvalue, per L/V_star"),
+    FIELD(kind_numbers, QUANTITY, lambda_plus, "1",
+          "larger eigenvalue, per L/V_star"),
 };
-const struct record_type record_steady_kind = {
-    "kind", "a steady state by what it is", kind_fields,
-    sizeof kind_fields / sizeof *kind_fields, sizeof(struct kind_numbers)
-};
+const struct record_type record_steady_kind = RECORD_TYPE(
+    "kind", "a steady state by what it is", kind_fields, kind_numbers);
 
 /* ---- what is asked for --------------------------------------------------- */
 

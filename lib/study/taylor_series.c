@@ -16,30 +16,25 @@
 enum { LAST = JET_SIZE - 1 };
 
 static const struct record_field term_fields[] = {
-    { "order", "1", "power of w = (v - v_sp)/v_sp",
-      offsetof(struct taylor_term, order), RECORD_COUNT, NULL },
-    { "coefficient", "1", "coefficient of w^order in psi",
-      offsetof(struct taylor_term, coefficient), RECORD_QUANTITY, NULL },
+    FIELD(taylor_term, COUNT, order, "1", "power of w = (v - v_sp)/v_sp"),
+    FIELD(taylor_term, QUANTITY, coefficient, "1",
+          "coefficient of w^order in psi"),
 };
-const struct record_type record_taylor_term = {
-    "taylor_term", "power series of the stable manifold", term_fields, 2,
-    sizeof(struct taylor_term)
-};
+const struct record_type record_taylor_term =
+    RECORD_TYPE("taylor_term", "power series of the stable manifold",
+                term_fields, taylor_term);
 
-#define QUANTITY(member, text)                                                 \
-    {                                                                          \
-#member, "1", text, offsetof(struct taylor_series, member),            \
-            RECORD_QUANTITY, NULL                                              \
-    }
 static const struct record_field series_fields[] = {
-    QUANTITY(radius, "radius of convergence, in v, around v_sp"),
-    QUANTITY(agrees_from, "least v where order 14 is within 1 % of the curve"),
-    QUANTITY(agrees_to, "largest v where order 14 is within 1 % of the curve"),
+    FIELD(taylor_series, QUANTITY, radius, "1",
+          "radius of convergence, in v, around v_sp"),
+    FIELD(taylor_series, QUANTITY, agrees_from, "1",
+          "least v where order 14 is within 1 % of the curve"),
+    FIELD(taylor_series, QUANTITY, agrees_to, "1",
+          "largest v where order 14 is within 1 % of the curve"),
 };
-const struct record_type record_taylor = {
-    "taylor_series", "power series of the stable manifold in v", series_fields,
-    sizeof series_fields / sizeof *series_fields, sizeof(struct taylor_series)
-};
+const struct record_type record_taylor =
+    RECORD_TYPE("taylor_series", "power series of the stable manifold in v",
+                series_fields, taylor_series);
 
 /* ---- series ------------------------------------------------------------ */
 
