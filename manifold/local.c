@@ -241,9 +241,10 @@ static void expand(const struct planar *sys, const struct carry *carry,
     build_integrals(&g, carry, u);
 }
 
-enum status local_at(const struct planar *sys, const struct equilibrium *e,
-                     enum manifold_kind kind, const struct carry *carry,
-                     size_t order, double tol, struct local_series *out)
+enum status local_over(const struct planar *sys, const struct equilibrium *e,
+                       enum manifold_kind kind, int ind,
+                       const struct carry *carry, size_t order, double tol,
+                       struct local_series *out)
 {
     const double lambda = e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
     const double other = e->scaled[kind == MANIFOLD_STABLE ? 1 : 0];
@@ -256,8 +257,22 @@ enum status local_at(const struct planar *sys, const struct equilibrium *e,
     if (equilibrium_is_beyond(e))
         return STATUS_NOT_HYPERBOLIC;
     const struct vec2 v = mat2_eigenvector(e->matrix, lambda);
-    out->ind = fabs(v.y) <= fabs(v.x) ? 0 : 1;
+    const double slope = ind == 0 ? v.y / v.x : v.x / v.y;
+    if (!isfinite(slope))
+        return STATUS_NO_CONVERGENCE;
+    out->ind = ind;
     out->order = order;
-    expand(sys, carry, e, kind, out->ind == 0 ? v.y / v.x : v.x / v.y, out);
+    expand(sys, carry, e, kind, slope, out);
     return find_radius(sys, carry, tol, slope_rounding(e, lambda, out), out);
+}
+
+enum status local_at(const struct planar *sys, const struct equilibrium *e,
+                     enum manifold_kind kind, const struct carry *carry,
+                     size_t order, double tol, struct local_series *out)
+{
+    const double lambda = e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
+    const struct vec2 v = mat2_eigenvector(e->matrix, lambda);
+
+    return local_over(sys, e, kind, fabs(v.y) <= fabs(v.x) ? 0 : 1, carry,
+                      order, tol, out);
 }

@@ -54,6 +54,13 @@ MUST_CHECK enum status local_at(const struct planar *sys,
 /* The point of the series at s = ind/unit. */
 struct vec2 local_series_at(const struct local_series *u, double s);
 
+/* The same over the coordinate `ind`, flatter or not. */
+MUST_CHECK enum status local_over(const struct planar *sys,
+                                  const struct equilibrium *e,
+                                  enum manifold_kind kind, int ind,
+                                  const struct carry *carry, size_t order,
+                                  double tol, struct local_series *out);
+
 /* dep's derivative by ind from the field at z: f_dep / f_ind. */
 double local_slope(const struct planar *sys, int ind, struct vec2 z);
 

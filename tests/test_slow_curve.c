@@ -108,6 +108,40 @@ static void beside_the_saddle_time_grows_like_a_logarithm(void **state)
     drop(&c, &s);
 }
 
+/* And slip like -v ln(y)/lambda: a decade adds the same to the last digits. */
+static void check_decades(const char *law, const char *alpha)
+{
+    struct slow_curve c;
+    struct slope s;
+
+    make(&c, &s, law, alpha);
+    const double lambda = s.study.equilibrium[s.study.saddle].lambda[1];
+    const double each = s.study.block.at.v0 * log(10.0) / lambda;
+    int decades = 0;
+    for (int side = -1; side <= 1; side += 2)
+        for (double y = 1e-5; y > 1e-14; y *= 0.1) {
+            struct slow_point p, q;
+            if (!slow_curve_at(&c, side * y, &p) ||
+                !slow_curve_at(&c, 0.1 * side * y, &q))
+                continue;
+            decades++;
+            CHECK(fabs((q.slip - p.slip) / each - 1.0) < 3.0 * y + 1e-12,
+                  "%s at %s, y %g: %.15g, not %.15g", law, alpha, side * y,
+                  q.slip - p.slip, each);
+        }
+    CHECK(decades >= 9, "%d", decades);
+    drop(&c, &s);
+}
+
+static void beside_the_saddle_slip_grows_evenly(void **state)
+{
+    (void) state;
+    check_decades("spinodal_gen", "0.34");
+    check_decades("spinodal", "0.30");
+    check_decades("spinodal_phi_gen", "0.38");
+    check_decades("dieterich_gen", "0.34");
+}
+
 static void there_is_none_where_blocks_never_quite_stop(void **state)
 {
     const char *const laws[] = { "dieterich", "ruina", "perrin" };
@@ -167,6 +201,7 @@ int main(void)
         cmocka_unit_test(orbits_on_it_take_the_tabulated_time_and_slip),
         cmocka_unit_test(time_and_slip_change_as_their_slopes_say),
         cmocka_unit_test(beside_the_saddle_time_grows_like_a_logarithm),
+        cmocka_unit_test(beside_the_saddle_slip_grows_evenly),
         cmocka_unit_test(there_is_none_where_blocks_never_quite_stop),
         cmocka_unit_test(a_monitor_stops_it),
         cmocka_unit_test(every_allocation_may_fail),

@@ -24,7 +24,7 @@ static int check_found_again(const struct slow_branch *b, double y)
 {
     struct slow_point p;
 
-    if (!slow_point_at(b, y, 1.0, &p))
+    if (!slow_point_at(b, y, &p))
         return 0;
     const double again = slow_point_when(b, p.time);
     const double told = 1e-14 * fabs(p.time / p.time_slope) + 1e-14;
@@ -73,13 +73,13 @@ static void inside_a_box_time_goes_on_below_zero(void **state)
         if (in->count < 3)
             continue;
         boxes++;
-        assert_true(slow_point_at(in, end, s.study.block.at.v0, &face));
+        assert_true(slow_point_at(in, end, &face));
         CHECK(fabs(face.time) < 1e-12, "%g", face.time);
         for (double way = 0.3; way > 1e-7; way *= 0.1) {
             const double y = in->centre + way * (end - in->centre);
             const double near = in->centre + 0.1 * way * (end - in->centre);
-            assert_true(slow_point_at(in, y, s.study.block.at.v0, &p));
-            assert_true(slow_point_at(in, near, s.study.block.at.v0, &q));
+            assert_true(slow_point_at(in, y, &p));
+            assert_true(slow_point_at(in, near, &q));
             CHECK(p.time < 0.0 && p.slip < 0.0, "%g", p.time);
             CHECK(fabs((p.time - q.time) * -in->grows / log(10.0) - 1.0) <
                       0.02 * way + 1e-6,
@@ -100,8 +100,8 @@ static void elsewhere_there_is_nothing(void **state)
     (void) state;
     make(&c, &s, "spinodal_gen", "0.34");
     const struct slow_branch *b = &c.branch[0];
-    assert_false(slow_point_at(b, -b->knot[0].y, 1.0, &p));
-    assert_false(slow_point_at(b, 7.0, 1.0, &p));
+    assert_false(slow_point_at(b, -b->knot[0].y, &p));
+    assert_false(slow_point_at(b, 7.0, &p));
     assert_false(slow_point_beside(b, 7.0, &x, &slope));
     assert_true(isnan(slow_point_when(b, -1.0)));
     assert_true(isnan(slow_point_when(&c.branch[2], 1e6)));

@@ -38,6 +38,9 @@ struct base_point base_point_of(const struct slow_curve *c,
 {
     struct slow_point landed, p;
 
+    if (l->is_near)
+        return (struct base_point){ l->y, l->y_error, l->more,
+                                    l->way_slip_error };
     if (l->end == LAYER_RESTED || (l->end == LAYER_LANDED && isnan(l->y)))
         return l->fate == FATE_REST_FINITE ? of_rest(c, l) : none;
     if (l->end == LAYER_RAN || l->end == LAYER_LOST || isnan(l->y) ||

@@ -41,6 +41,10 @@ struct layer {
     /* where on the slow curve it landed, NaN: elsewhere; and the errors of time
      * and slip on the way there */
     double y, y_error, way_time_error, way_slip_error;
+    /* told by the saddle's series: y is then where its base point is, and
+     * `more` its slip beyond that of y, with the error way_slip_error */
+    bool is_near;
+    double more;
     double x_peak, mu_peak; /* with the error of a point of the orbit: */
     double place_error;     /* in ln v and ln psi */
     double mu_error;        /* more, of mu_peak alone */

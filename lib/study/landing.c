@@ -6,6 +6,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "landing_near.h"
 #include "landing_rest.h"
 #include "study.h"
 #include "study_tolerance.h"
@@ -30,6 +31,16 @@ static void choose_least(const struct landing *l, double least[2])
         least[1] = fmin(least[1], l->options.slip);
 }
 
+/* What the digits of the state and of the saddle hide of the offset z. */
+static double rounding(const struct study *s, struct vec2 z)
+{
+    const struct vec2 o = s->system.origin;
+    const double size =
+        fabs(o.x) + fabs(o.y) + fabs(o.x + z.x) + fabs(o.y + z.y);
+
+    return TOL_LAYER_ROUNDING * size;
+}
+
 void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
                    const struct layer_options *options, struct layer *out,
                    double least[2])
@@ -38,6 +49,7 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
         .curve = c, .options = *options, .u = { z.x, z.y, 0.0, 0.0 }, .out = out
     };
     *out = (struct layer){ .end = LAYER_LOST, .x_peak = z.x, .y = NAN };
+    l->across = rounding(c->study, z);
     if (options->peaks)
         out->mu_peak = block_mu(&c->study->block, z);
     choose_least(l, least);
@@ -379,7 +391,7 @@ static bool lands(struct landing *l, double d, double *aim)
     return false;
 }
 
-bool landing_is_over(struct landing *l, double *most)
+static bool is_over(struct landing *l, double *most)
 {
     const struct door door = door_of(l);
     double aim = l->options.landing, x, x_slope;
@@ -398,4 +410,14 @@ bool landing_is_over(struct landing *l, double *most)
     if (beside && d * closing < 0.0)
         *most = fmin(*most, (fabs(d) - TOL_LAYER_AIM * aim) / fabs(closing));
     return landing_rests(l, most);
+}
+
+bool landing_is_over(struct landing *l, double *most)
+{
+    if (landing_near(l))
+        return true;
+    if (!is_over(l, most))
+        return false;
+    landing_keep_near(l);
+    return true;
 }

@@ -16,6 +16,7 @@ struct landing {
     double u[LAYER_DIM], du[LAYER_DIM]; /* where it is, and per unit of arc */
     /* what steps have missed so far: across the orbit, and of what it gained */
     double across, time_error, slip_error;
+    struct layer near; /* what the saddle's series told, if is_near */
     struct layer *out;
 };
 

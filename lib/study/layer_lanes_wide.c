@@ -228,8 +228,8 @@ static void take(struct bundle *b, int l, const struct layer_job *job,
     b->least[1][l] = least[1];
     b->previous[l] = b->fresh[l] = 1.0;
     b->last[l] = 0.0;
-    b->across[l] = b->spread[l] = b->wrong[0][l] = b->wrong[1][l] =
-        b->place[l] = 0.0;
+    b->across[l] = b->at[l].across;
+    b->spread[l] = b->wrong[0][l] = b->wrong[1][l] = b->place[l] = 0.0;
     b->busy[l] = b->asks[l] = true;
 }
 

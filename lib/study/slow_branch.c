@@ -217,12 +217,32 @@ static double mu_between(const void *ctx, double theta)
         (struct vec2){ slow_knot_x(c->from, c->to, theta, &ignored), y });
 }
 
+/* The curve from the saddle to the first knot. */
+struct start {
+    const struct block *block;
+    const struct saddle_series *near;
+    double y;
+};
+
+static double mu_near(const void *ctx, double theta)
+{
+    const struct start *c = ctx;
+    const double y = theta * c->y;
+    double ignored;
+
+    return block_mu(c->block,
+                    (struct vec2){ saddle_series_x(c->near, y, &ignored), y });
+}
+
 /* Where steps are short the curve is better than what they say between their
  * ends, off it, where friction balances gravity. */
 static void find_frictions(const struct study *s, struct slow_branch *b)
 {
     struct slow_knot *const k = b->knot;
+    const struct start start = { &s->block, b->near, k->y };
 
+    if (b->near)
+        k->mu = crest_of(mu_near, &start, NULL);
     for (size_t i = 1; i < b->count; i++) {
         const struct between c = { &s->block, &k[i - 1], &k[i] };
         if (isfinite(k[i - 1].gap) && isfinite(k[i].gap))
@@ -417,13 +437,18 @@ static enum status run(const struct study *s, struct vec2 z,
 
 enum status slow_branch_run(const struct study *s, struct vec2 z,
                             enum slow_start start,
+                            const struct saddle_series *near,
                             const struct monitor *monitor,
                             struct slow_branch *b)
 {
     struct goals goals;
     enum status status = STATUS_OK;
 
-    *b = (struct slow_branch){ .start = start, .fate = FATE_UNDECIDED };
+    *b = (struct slow_branch){ .start = start,
+                               .fate = FATE_UNDECIDED,
+                               .near = near };
+    if (near)
+        b->first = saddle_series_on(near, z.y);
     const bool ahead = find_goals(s, z, start, &goals);
     bool ends = ahead || start == SLOW_RUNAWAY;
     if (!ends)

@@ -9,6 +9,7 @@
 
 #include "fate.h"
 #include "orbit.h"
+#include "saddle_series.h"
 #include "slow_knot.h"
 
 enum slow_start {
@@ -29,16 +30,21 @@ struct slow_branch {
     enum slow_start start;
     int8_t fate;
     double x_end;
-    /* the steady state that the first knot is beside, or the last one of
-     * SLOW_FACE, and the eigenvalue along the curve there: the caller's */
-    double centre, grows;
+    const struct saddle_series *near; /* borrowed: of the saddle that the first
+                                         knot is beside; NULL: none */
+    struct saddle_point first;        /* of the first knot */
+    /* the node that the last knot of SLOW_FACE is beside, the eigenvalue along
+     * the curve and the slip rate there: the caller's */
+    double centre, grows, v_node;
 };
 
 /* The orbit from the offset z, which may end elsewhere than at a node only from
- * the saddle.  b->fate is FATE_UNDECIDED where it does not end at all.
- * STATUS_NO_MEMORY, STATUS_STOPPED; *b is to be freed in any case. */
+ * the saddle, whose series is `near`: then z lies on its curve.  b->fate is
+ * FATE_UNDECIDED where it does not end at all. STATUS_NO_MEMORY,
+ * STATUS_STOPPED; *b is to be freed in any case. */
 MUST_CHECK enum status slow_branch_run(const struct study *s, struct vec2 z,
                                        enum slow_start start,
+                                       const struct saddle_series *near,
                                        const struct monitor *monitor,
                                        struct slow_branch *b);
 

@@ -4,8 +4,8 @@
 #include "slow_curve.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-#include "local.h"
 #include "study.h"
 #include "study_tolerance.h"
 
@@ -13,10 +13,12 @@
 
 /* One more branch of c from the offset z; dropped where it is none. */
 static enum status add(struct slow_curve *c, struct vec2 z,
-                       enum slow_start start, const struct monitor *monitor)
+                       enum slow_start start, const struct saddle_series *near,
+                       const struct monitor *monitor)
 {
     struct slow_branch *b = &c->branch[c->branches];
-    const enum status status = slow_branch_run(c->study, z, start, monitor, b);
+    const enum status status =
+        slow_branch_run(c->study, z, start, near, monitor, b);
 
     if (status == STATUS_OK && b->count > 2 && b->fate != FATE_UNDECIDED)
         c->branches++;
@@ -25,33 +27,32 @@ static enum status add(struct slow_curve *c, struct vec2 z,
     return status;
 }
 
+/* From where the saddle's series end. */
 static enum status add_unstable(struct slow_curve *c,
                                 const struct monitor *monitor)
 {
-    const struct study *s = c->study;
-    const struct equilibrium *saddle = &s->equilibrium[s->saddle];
-    const struct carry none = { .count = 0 };
-    struct local_series u;
-    enum status status = local_at(&s->system, saddle, MANIFOLD_UNSTABLE, &none,
-                                  TOL_SLOW_ORDER, TOL_SLOW_RTOL, &u);
-
-    if (status != STATUS_OK)
-        return status == STATUS_NO_MEMORY ? status : STATUS_OK;
-    const double start = fmin(u.radius, TOL_SLOW_START / u.unit);
+    enum status status = STATUS_OK;
     struct vec2 away = { 0.0, 0.0 };
-    for (int side = -1; side <= 1 && status == STATUS_OK; side += 2) {
-        const struct vec2 z = local_series_at(&u, side * start);
-        const size_t before = c->branches;
+
+    c->near = malloc(sizeof *c->near);
+    if (c->near == NULL)
+        return STATUS_NO_MEMORY;
+    if (saddle_series_find(c->study, c->near) != STATUS_OK) {
+        free(c->near);
+        c->near = NULL;
+        return STATUS_OK;
+    }
+    for (int side = 1; side >= -1 && status == STATUS_OK; side -= 2) {
+        const double y = side * c->near->radius * c->near->unit;
+        const struct vec2 z = { saddle_series_on(c->near, y).x, y };
         if (z.x < 0.0 || !c->runs_away)
-            status = add(c, z, SLOW_SADDLE, monitor);
+            status = add(c, z, SLOW_SADDLE, c->near, monitor);
         else
             away = z;
-        if (c->branches > before)
-            c->branch[before].grows = saddle->lambda[1];
     }
     if (status == STATUS_OK && c->branches > 0 && away.x > 0.0)
-        status = slow_branch_run(s, away, SLOW_RUNAWAY, monitor, &c->away);
-    c->away.grows = saddle->lambda[1];
+        status = slow_branch_run(c->study, away, SLOW_RUNAWAY, c->near, monitor,
+                                 &c->away);
     return status;
 }
 
@@ -113,7 +114,8 @@ static enum status add_beyond(struct slow_curve *c, struct vec2 node,
                          furthest(c->study, node, 1, side, &z[1]) };
     const bool second = is[1] && (!is[0] || (z[1].y - z[0].y) * side > 0.0);
 
-    return is[0] || is[1] ? add(c, z[second], SLOW_BESIDE, monitor) : STATUS_OK;
+    return is[0] || is[1] ? add(c, z[second], SLOW_BESIDE, NULL, monitor)
+                          : STATUS_OK;
 }
 
 /* On the sides of each node that no saddle is on. */
@@ -171,7 +173,8 @@ static enum status add_insides(struct slow_curve *c,
             continue;
         const struct equilibrium *node = end_of(s, b);
         status = slow_branch_run(s, (struct vec2){ last->x, last->y },
-                                 SLOW_FACE, monitor, &c->inside[i]);
+                                 SLOW_FACE, NULL, monitor, &c->inside[i]);
+        c->inside[i].v_node = exp(node->z.x);
         c->inside[i].centre = node->z.y - s->system.origin.y;
         c->inside[i].grows = node->lambda[1];
     }
@@ -252,28 +255,23 @@ bool slow_curve_beside(const struct slow_curve *c, double y, bool anywhere,
 bool slow_curve_at(const struct slow_curve *c, double y, struct slow_point *p)
 {
     for (size_t i = 0; i < c->branches; i++)
-        if (slow_point_at(&c->branch[i], y, c->study->block.at.v0, p) &&
-            isfinite(p->gap))
+        if (slow_point_at(&c->branch[i], y, p) && isfinite(p->gap))
             return true;
     return false;
 }
 
-static bool is_on(const struct slow_branch *b, double y, double v0,
-                  struct slow_point *p)
+static bool is_on(const struct slow_branch *b, double y, struct slow_point *p)
 {
-    return b->count > 2 && slow_point_at(b, y, v0, p);
+    return b->count > 2 && slow_point_at(b, y, p);
 }
 
 bool slow_curve_anywhere(const struct slow_curve *c, double y,
                          struct slow_point *p)
 {
-    const double v0 = c->study->block.at.v0;
-
     for (size_t i = 0; i < c->branches; i++)
-        if (slow_point_at(&c->branch[i], y, v0, p) ||
-            is_on(&c->inside[i], y, v0, p))
+        if (slow_point_at(&c->branch[i], y, p) || is_on(&c->inside[i], y, p))
             return true;
-    return is_on(&c->away, y, v0, p);
+    return is_on(&c->away, y, p);
 }
 
 double slow_curve_when(const struct slow_curve *c, double y, double time)
@@ -282,12 +280,12 @@ double slow_curve_when(const struct slow_curve *c, double y, double time)
 
     for (size_t i = 0; i < c->branches; i++) {
         const struct slow_branch *b = &c->branch[i], *in = &c->inside[i];
-        if (slow_point_at(b, y, 1.0, &p) || is_on(in, y, 1.0, &p))
+        if (slow_point_at(b, y, &p) || is_on(in, y, &p))
             return time >= 0.0     ? slow_point_when(b, time)
                    : in->count > 2 ? slow_point_when(in, time)
                                    : NAN;
     }
-    return is_on(&c->away, y, 1.0, &p) ? slow_point_when(&c->away, time) : NAN;
+    return is_on(&c->away, y, &p) ? slow_point_when(&c->away, time) : NAN;
 }
 
 void slow_curve_free(struct slow_curve *c)
@@ -297,6 +295,8 @@ void slow_curve_free(struct slow_curve *c)
         slow_branch_free(&c->inside[i]);
     }
     slow_branch_free(&c->away);
+    free(c->near);
+    c->near = NULL;
     rest_curve_free(&c->rest);
     c->branches = 0;
 }

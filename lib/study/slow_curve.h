@@ -22,6 +22,7 @@ struct slow_curve {
     const struct study *study; /* borrowed */
     struct slow_branch branch[SLOW_BRANCHES];
     size_t branches;
+    struct saddle_series *near; /* owned; NULL: none */
     /* For base points (base_point.h): the insides of the boxes that branches
      * end at, and the saddle's manifold where that runs away; count 0: none. */
     struct slow_branch inside[SLOW_BRANCHES], away;

@@ -1,6 +1,7 @@
-/* Between knots time and slip are polynomials of degree 5.  Between a steady
- * state, y = c, and the knot beside it the orbit is a line, and time and slip
- * are those of y' = lambda (y - c) plus what changes evenly. */
+/* Between knots time and slip are polynomials of degree 5, between the saddle
+ * and the first knot its series.  Between a node, y = c, and the knot beside it
+ * the orbit is a line, and time and slip are those of y' = lambda (y - c) plus
+ * what changes evenly. */
 #include "slow_point.h"
 
 #include <math.h>
@@ -28,40 +29,67 @@ static struct slow_point common(const struct slow_branch *b,
     };
 }
 
-/* ---- beside a steady state ----------------------------------------------- */
-
-/* The knot beside one; NULL: there is none. */
-static const struct slow_knot *beside_state(const struct slow_branch *b)
+static bool is_between(double centre, double end, double y)
 {
-    return b->grows == 0.0         ? NULL
-           : b->start == SLOW_FACE ? &b->knot[b->count - 1]
-                                   : &b->knot[0];
-}
-
-static bool is_between(const struct slow_branch *b, const struct slow_knot *k,
-                       double y)
-{
-    const double part = k ? (y - b->centre) / (k->y - b->centre) : 0.0;
+    const double part = (y - centre) / (end - centre);
 
     return part > 0.0 && part < 1.0;
 }
 
-static void at_state(const struct slow_branch *b, const struct slow_knot *k,
-                     double y, double v, struct slow_point *p)
+/* ---- beside the saddle --------------------------------------------------- */
+
+static bool is_near(const struct slow_branch *b, double y)
 {
+    return b->near && is_between(0.0, b->knot->y, y);
+}
+
+/* What changes slowly is nearly even: the rates are those of the saddle at its
+ * end, of the first knot at the other. */
+static void near(const struct slow_branch *b, double y, struct slow_point *p)
+{
+    const struct slow_knot *k = b->knot;
+    const struct saddle_series *u = b->near;
+    const struct saddle_point at = saddle_series_on(u, y);
+    const double part = y / k->y, fold = log(b->first.p / at.p) / u->lambda;
+    const double length = hypot(at.p_x, at.p_y);
+
+    *p = common(b, k, k);
+    p->x = at.x;
+    p->x_slope = at.x_slope;
+    p->fast = u->fast + part * (k->fast - u->fast);
+    p->fibre = (struct vec2){ -at.p_y / length, at.p_x / length };
+    p->time = k->time[0] + fold;
+    p->slip = k->slip[0] + u->v * fold + at.q - b->first.q;
+    p->time_slope = -(at.p_y + at.p_x * at.x_slope) / (at.p * u->lambda);
+    p->slip_slope = u->v * p->time_slope + at.q_y + at.q_x * at.x_slope;
+    const double error = (at.p_error / fabs(at.p) + TOL_SADDLE) / u->lambda +
+                         u->lambda_error * fabs(fold);
+    p->time_error += error;
+    p->slip_error += u->v * error + at.q_error;
+}
+
+/* ---- beside a node ------------------------------------------------------- */
+
+static bool is_at_node(const struct slow_branch *b, double y)
+{
+    return b->grows != 0.0 && is_between(b->centre, b->knot[b->count - 1].y, y);
+}
+
+static void at_node(const struct slow_branch *b, double y, struct slow_point *p)
+{
+    const struct slow_knot *const k = &b->knot[b->count - 1];
     const double way = y - b->centre, whole = k->y - b->centre;
     const double fold = log(whole / way) / b->grows;
     const double time_rest = k->time[1] + 1.0 / (b->grows * whole);
-    const double slip_rest = k->slip[1] + v / (b->grows * whole);
+    const double slip_rest = k->slip[1] + b->v_node / (b->grows * whole);
 
-    *p = common(b, k, k == b->knot ? k + 1 : k);
-    p->mu_peak = k == b->knot ? fmax(p->mu_peak, p->mu_near) : p->mu_peak;
+    *p = common(b, k, k);
     p->mu_near = -HUGE_VAL;
     p->x = k->x + k->x_slope * (y - k->y);
     p->time = k->time[0] + fold + time_rest * (y - k->y);
-    p->slip = k->slip[0] + v * fold + slip_rest * (y - k->y);
+    p->slip = k->slip[0] + b->v_node * fold + slip_rest * (y - k->y);
     p->time_slope = -1.0 / (b->grows * way) + time_rest;
-    p->slip_slope = -v / (b->grows * way) + slip_rest;
+    p->slip_slope = -b->v_node / (b->grows * way) + slip_rest;
     p->time_error += fabs(time_rest * whole * whole);
     p->slip_error += fabs(slip_rest * whole * whole);
 }
@@ -97,16 +125,16 @@ static void inside(const struct slow_branch *b, size_t i, double y,
 
 /* ---- points -------------------------------------------------------------- */
 
-bool slow_point_at(const struct slow_branch *b, double y, double v0,
-                   struct slow_point *p)
+bool slow_point_at(const struct slow_branch *b, double y, struct slow_point *p)
 {
     const size_t i = slow_branch_interval(b, y);
-    const struct slow_knot *const k = beside_state(b);
 
     if (i > 0)
         inside(b, i, y, p);
-    else if (is_between(b, k, y))
-        at_state(b, k, y, v0 * exp(k->x), p);
+    else if (is_near(b, y))
+        near(b, y, p);
+    else if (is_at_node(b, y))
+        at_node(b, y, p);
     else
         return false;
     return true;
@@ -116,13 +144,19 @@ bool slow_point_beside(const struct slow_branch *b, double y, double *x,
                        double *x_slope)
 {
     const size_t i = slow_branch_interval(b, y);
-    const struct slow_knot *const k = beside_state(b);
+    const struct slow_knot *const k = &b->knot[b->count - 1];
 
     if (i > 0 && isfinite(b->knot[i - 1].gap) && isfinite(b->knot[i].gap)) {
         *x = x_inside(&b->knot[i - 1], y, x_slope);
         return true;
     }
-    if (i > 0 || !is_between(b, k, y))
+    if (i > 0)
+        return false;
+    if (is_near(b, y) && isfinite(b->knot->gap)) {
+        *x = saddle_series_x(b->near, y, x_slope);
+        return true;
+    }
+    if (!is_at_node(b, y))
         return false;
     *x_slope = k->x_slope;
     *x = k->x + k->x_slope * (y - k->y);
@@ -170,9 +204,9 @@ static double solve(const struct slow_knot *f, double time)
 }
 
 /* By fixed-point steps: what changes evenly is small there. */
-static double solve_at_state(const struct slow_branch *b,
-                             const struct slow_knot *k, double time)
+static double solve_at_node(const struct slow_branch *b, double time)
 {
+    const struct slow_knot *const k = &b->knot[b->count - 1];
     const double whole = k->y - b->centre;
     const double rest = k->time[1] + 1.0 / (b->grows * whole);
     double y = k->y;
@@ -190,12 +224,14 @@ static double solve_at_state(const struct slow_branch *b,
 double slow_point_when(const struct slow_branch *b, double time)
 {
     const struct slow_knot *first = &b->knot[0], *last = first + b->count - 1;
-    const struct slow_knot *const k = beside_state(b);
 
     if (time <= first->time[0] && time >= last->time[0])
         return solve(when_inside(b, time), time);
-    if ((k == first && time > first->time[0]) ||
-        (k == last && time < last->time[0]))
-        return solve_at_state(b, k, time);
+    if (b->near && time > first->time[0])
+        return saddle_series_y(
+            b->near,
+            b->first.p * exp(-b->near->lambda * (time - first->time[0])));
+    if (b->grows != 0.0 && time < last->time[0])
+        return solve_at_node(b, time);
     return NAN;
 }

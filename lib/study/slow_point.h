@@ -24,11 +24,9 @@ struct slow_point {
     double mu_near;                /* largest on the interval around it */
 };
 
-/* The branch's point at the offset y; v0: the slip rate at x = 0.  False: y is
- * not on the branch, nor between it and the steady state it starts or ends
- * beside. */
-bool slow_point_at(const struct slow_branch *b, double y, double v0,
-                   struct slow_point *p);
+/* The branch's point at the offset y.  False: y is not on the branch, nor
+ * between it and the steady state it starts or ends beside. */
+bool slow_point_at(const struct slow_branch *b, double y, struct slow_point *p);
 
 /* x and dx/dy alone, of points that may be landed on; false elsewhere. */
 bool slow_point_beside(const struct slow_branch *b, double y, double *x,

@@ -178,15 +178,12 @@
 #define TOL_SLOW_NOISY   1e-5
 #define TOL_SLOW_ALONG   1e-8
 #define TOL_SLOW_GAP     0.1
-/* Its series at the saddle: order, and end, where it is the tangent to as many
- * digits.  Beyond a node: nearest and furthest start in ln psi, growth of the
+/* Beyond a node: nearest and furthest start in ln psi, growth of the
  * steps to it, halvings of the domain, and e-folds after which any orbit is on
  * it to rounding; the ratio of rates it may start at; what a rounding of y may
  * do to x where y settles first, and the ratios below which rounding in x or y,
  * being the fast one, shows in the other; and how near the end of a branch none
  * lands, arriving first. */
-#define TOL_SLOW_ORDER       8
-#define TOL_SLOW_START       1e-5
 #define TOL_SLOW_NEAREST     0.02
 #define TOL_SLOW_FURTHEST    15.0
 #define TOL_SLOW_STEEP       1e-12
@@ -197,6 +194,15 @@
 #define TOL_SLOW_STRIDE      1.1
 #define TOL_SLOW_HALVINGS    60
 #define TOL_SLOW_SETTLED     36.0
+/* Series at the saddle (saddle_series.c): what their last terms are of the
+ * first where they end, at most this far out, or this part of the way to a box
+ * of arrest; how near to 1 orders, in units of the ratio of the eigenvalues,
+ * may come to a resonance; and roundings of a coefficient or an eigenvalue. */
+#define TOL_SADDLE          1e-13
+#define TOL_SADDLE_MOST     0.1
+#define TOL_SADDLE_ROOM     0.3
+#define TOL_SADDLE_APART    0.8
+#define TOL_SADDLE_ROUNDING 16.0
 /* Inside a box of arrest it is run to here, where the node is as good as
  * linear; and a runaway this far in ln psi: fields next to the separatrix need
  * no more. */
@@ -272,6 +278,9 @@
  * taken: more are refused, and bars grow, where it is more. */
 #define TOL_LAYER_ASIDE  1e-6
 #define TOL_LAYER_SAFETY 0.8
+/* What rounding does to a coordinate, per unit of it: half a unit of its last
+ * digit, and as much again of a logarithm. */
+#define TOL_LAYER_ROUNDING 0x1.4p-53
 /* A side of the saddle is told from this much of the distance on; what is left
  * of the distance by a step towards a peak beside the curve. */
 #define TOL_LAYER_SIDE 0.5
