@@ -1,5 +1,6 @@
 /* slipway check: do the numbers of a table still hold?  And --record, which
  * writes such a table. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "baseline.h"
@@ -14,8 +15,8 @@
 
 /* All tables of the command line, and what became of them. */
 struct checks {
-    struct table table[OPTIONS_FILES];
-    struct regression regression[OPTIONS_FILES];
+    struct table *table;           /* owned */
+    struct regression *regression; /* owned */
     size_t count;
 };
 
@@ -57,6 +58,12 @@ static enum status read_tables(const struct options *o, struct checks *c,
 {
     if (o->files == 0)
         return usage(why, "check: no table, expected %s", "TABLE.csv");
+    if (o->tap && o->json)
+        return usage(why, "check: --tap: expected it without %s", "--json");
+    c->table = calloc(o->files, sizeof *c->table);
+    c->regression = calloc(o->files, sizeof *c->regression);
+    if (c->table == NULL || c->regression == NULL)
+        return STATUS_NO_MEMORY;
     for (size_t i = 0; i < o->files; i++) {
         const enum status s = table_read(&c->table[i], o->file[i], why);
         if (s != STATUS_OK)
@@ -84,6 +91,8 @@ static void free_checks(struct checks *c)
         regression_free(&c->regression[i]);
         table_free(&c->table[i]);
     }
+    free(c->table);
+    free(c->regression);
 }
 
 static bool print_json(const struct checks *c)
@@ -172,6 +181,9 @@ static enum status record_scenes(const struct options *o, struct baseline *b,
     const size_t count = o->files ? o->files : 1;
     enum status s = STATUS_OK;
 
+    if (o->tap || o->json)
+        return usage(why, "check: --%s: --record writes CSV",
+                     o->tap ? "tap" : "json");
     if (o->output)
         s = replace_check(o->output, why);
     for (size_t i = 0; i < count && s == STATUS_OK; i++) {

@@ -3,66 +3,34 @@
 #include <string.h>
 
 #include "law.h"
+#include "options.h"
 #include "schema.h"
+#include "value.h"
 
 /* ---- what may follow ----------------------------------------------------- */
 
-static void put_keys(FILE *out)
+/* The i-th word that an option's value may be; NULL past the last. */
+static const char *word_at(const struct option *o, size_t i)
 {
-    for (const struct schema_key *key = schema_table; key->path; key++)
-        fprintf(out, "%s%s=", key == schema_table ? "" : " ", key->path);
+    const struct schema_key *key = o->key ? schema_find(o->key) : NULL;
+    const char *const *words = o->words ? o->words : key ? key->words : NULL;
+
+    if (o->kind == OPTION_SETTING)
+        return schema_table[i].path;
+    if (key && key->read == value_preset)
+        return law_preset_at(i) ? law_preset_at(i)->preset : NULL;
+    return o->value && words ? words[i] : NULL;
 }
 
-static void put_laws(FILE *out)
+static void put_words(FILE *out, const char *before, const struct option *o,
+                      const char *after)
 {
-    const struct law *law;
+    const char *word, *end = o->kind == OPTION_SETTING ? "=" : "";
 
-    for (size_t i = 0; (law = law_preset_at(i)) != NULL; i++)
-        fprintf(out, "%s%s", i ? " " : "", law->preset);
-}
-
-static void put_forms(FILE *out)
-{
-    for (size_t i = 0; friction_form_names[i]; i++)
-        fprintf(out, "%s%s", i ? " " : "", friction_form_names[i]);
-}
-
-static void put_progress(FILE *out)
-{
-    fputs("auto json none", out);
-}
-
-static void put_formats(FILE *out)
-{
-    fputs("man bash zsh fish scene hdf5 words xppaut auto", out);
-}
-
-static void put_kinds(FILE *out)
-{
-    fputs("arclength time", out);
-}
-
-/* An option's value that is one of some words. */
-static const struct choice {
-    const char *value; /* as the table of options calls it */
-    void (*put_words)(FILE *out);
-} choices[] = {
-    { "KEY=VALUE", put_keys }, { "NAME", put_laws },      { "FORM", put_forms },
-    { "HOW", put_progress },   { "FORMAT", put_formats }, { "KIND", put_kinds },
-};
-enum { CHOICES = sizeof choices / sizeof *choices };
-
-static bool is(const char *value, const char *what)
-{
-    return value && strcmp(value, what) == 0;
-}
-
-static const struct choice *choice_of(const struct option_line *o)
-{
-    for (int i = 0; i < CHOICES; i++)
-        if (is(o->value, choices[i].value))
-            return &choices[i];
-    return NULL;
+    for (size_t i = 0; (word = word_at(o, i)) != NULL; i++)
+        fprintf(out, "%s%s%s", i ? " " : before, word, end);
+    if (word_at(o, 0))
+        fputs(after, out);
 }
 
 /* How the files that a command takes end; NULL: it takes none. */
@@ -80,10 +48,8 @@ static const char *ending_of(const struct command *c)
 
 static void put_commands(FILE *out)
 {
-    const struct command *c;
-
-    for (size_t i = 0; (c = command_at(i)) != NULL; i++)
-        fprintf(out, "%s%s", i ? " " : "", c->name);
+    for (int i = 0; i < COMMANDS; i++)
+        fprintf(out, "%s%s", i ? " " : "", command_table[i].name);
 }
 
 /* Within single quotes; `special` takes a backslash, and a quote becomes
@@ -100,63 +66,55 @@ static void put_quoted(FILE *out, const char *text, const char *special,
 
 /* ---- bash ---------------------------------------------------------------- */
 
-/* "    --data|--states)", the options whose values are `value`. */
-static void bash_pattern(FILE *out, const char *value)
+/* "    push:--v|simulate:--v)", or "*:--law)" of what most commands take. */
+static void bash_pattern(FILE *out, const struct option *o)
 {
-    struct option_line o;
-    const char *bar = "    ";
+    const char *gap = "    ";
 
-    for (size_t i = 0; options_at(i, &o); i++) {
-        if (!is(o.value, value))
+    for (int i = 0; i < COMMANDS; i++) {
+        const char *name = command_table[i].name;
+        if (!option_concerns(o, &command_table[i]))
             continue;
-        fprintf(out, "%s--%s", bar, o.name);
-        bar = "|";
-        if (o.letter)
-            fprintf(out, "|-%c", o.letter);
+        if (option_is_common(o))
+            name = "*";
+        fprintf(out, "%s%s:--%s", gap, name, o->name);
+        if (o->letter)
+            fprintf(out, "|%s:-%c", name, o->letter);
+        gap = "|";
+        if (option_is_common(o))
+            break;
     }
     fputs(")\n", out);
 }
 
-static void bash_values(FILE *out)
+static void bash_value(FILE *out, const struct option *o)
 {
-    struct option_line o;
-
-    fputs("    case $before in\n", out);
-    bash_pattern(out, "FILE");
-    fputs("        offer -f; return ;;\n", out);
-    bash_pattern(out, "DIR");
-    fputs("        offer -d; return ;;\n", out);
-    for (int i = 0; i < CHOICES; i++) {
-        bash_pattern(out, choices[i].value);
-        if (is("KEY=VALUE", choices[i].value))
-            fputs("        compopt -o nospace\n", out);
-        fputs("        offer -W '", out);
-        choices[i].put_words(out);
-        fputs("'; return ;;\n", out);
-    }
-    for (size_t i = 0; options_at(i, &o); i++)
-        if (o.value && !choice_of(&o) && !is(o.value, "FILE") &&
-            !is(o.value, "DIR"))
-            fprintf(out, "    --%s) return ;;\n", o.name);
-    fputs("    esac\n", out);
+    if (o->value == NULL)
+        return;
+    bash_pattern(out, o);
+    if (o->kind == OPTION_FILE)
+        fputs("        offer -f\n", out);
+    if (o->kind == OPTION_FOLDER)
+        fputs("        offer -d\n", out);
+    if (o->kind == OPTION_SETTING)
+        fputs("        compopt -o nospace\n", out);
+    put_words(out, "        offer -W '", o, "'\n");
+    fputs("        return ;;\n", out);
 }
 
 static void bash_command(FILE *out, const struct command *c)
 {
     const char *ending = ending_of(c);
-    struct option_line o;
 
     fprintf(out, "    %s)\n        options='", c->name);
-    for (size_t i = 0; options_at(i, &o); i++)
-        if (options_concern(&o, c->name))
-            fprintf(out, "--%s ", o.name);
+    for (const struct option *o = option_table; o->name; o++)
+        if (option_concerns(o, c))
+            fprintf(out, "--%s ", o->name);
     fprintf(out, "' ending='%s' ;;\n", ending ? ending : "");
 }
 
 static void bash_print(FILE *out)
 {
-    const struct command *c;
-
     fputs("# bash completion for slipway; made by: slipway help --as bash\n"
           "_slipway() {\n"
           "    local now=$2 before=$3 commands options='' ending=''\n"
@@ -170,16 +128,18 @@ static void bash_print(FILE *out)
           "    commands='",
           out);
     put_commands(out);
-    fputs("'\n", out);
-    bash_values(out);
-    fputs("    compopt +o filenames 2>/dev/null\n"
+    fputs("'\n    case ${COMP_WORDS[1]}:$before in\n", out);
+    for (const struct option *o = option_table; o->name; o++)
+        bash_value(out, o);
+    fputs("    esac\n"
+          "    compopt +o filenames 2>/dev/null\n"
           "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
           "        offer -W \"$commands --help --version\"; return\n"
           "    fi\n"
           "    case ${COMP_WORDS[1]} in\n",
           out);
-    for (size_t i = 0; (c = command_at(i)) != NULL; i++)
-        bash_command(out, c);
+    for (int i = 0; i < COMMANDS; i++)
+        bash_command(out, &command_table[i]);
     fputs("    esac\n"
           "    if [[ $now == -* ]]; then\n"
           "        offer -W \"$options\"\n"
@@ -197,30 +157,27 @@ static void bash_print(FILE *out)
 /* ---- zsh ----------------------------------------------------------------- */
 
 /* '(-o --output)'{-o,--output=}'[What it does]:FILE:_files' */
-static void zsh_option(FILE *out, const struct option_line *o)
+static void zsh_option(FILE *out, const struct option *o)
 {
-    const struct choice *choice = choice_of(o);
+    const bool setting = o->kind == OPTION_SETTING;
 
     fputs("            ", out);
     if (o->letter)
         fprintf(out, "'(-%c --%s)'{-%c%s,--%s%s}", o->letter, o->name,
                 o->letter, o->value ? "+" : "", o->name, o->value ? "=" : "");
     else
-        fprintf(out, "'%s--%s%s'", is(o->value, "KEY=VALUE") ? "*" : "",
-                o->name, o->value ? "=" : "");
+        fprintf(out, "'%s--%s%s'", setting ? "*" : "", o->name,
+                o->value ? "=" : "");
     fputs("'[", out);
     put_quoted(out, o->text, "[]\\:", "'\\''");
     fputs("]", out);
     if (o->value)
         fprintf(out, ":%s:", o->value);
-    if (choice) {
-        fputs(is(o->value, "KEY=VALUE") ? "{compadd -S \"\" -- " : "(", out);
-        choice->put_words(out);
-        fputs(is(o->value, "KEY=VALUE") ? "}" : ")", out);
-    }
-    if (is(o->value, "FILE"))
+    put_words(out, setting ? "{compadd -S \"\" -- " : "(", o,
+              setting ? "}" : ")");
+    if (o->kind == OPTION_FILE)
         fputs("_files", out);
-    if (is(o->value, "DIR"))
+    if (o->kind == OPTION_FOLDER)
         fputs("_files -/", out);
     fputs("' \\\n", out);
 }
@@ -228,13 +185,12 @@ static void zsh_option(FILE *out, const struct option_line *o)
 static void zsh_command(FILE *out, const struct command *c)
 {
     const char *ending = ending_of(c);
-    struct option_line o;
 
     fprintf(out, "    %s)\n        _arguments \\\n", c->name);
-    for (size_t i = 0; options_at(i, &o); i++)
-        if (options_concern(&o, c->name))
-            zsh_option(out, &o);
-    if (strcmp(c->name, "help") == 0)
+    for (const struct option *o = option_table; o->name; o++)
+        if (option_concerns(o, c))
+            zsh_option(out, o);
+    if (command_id(c) == COMMAND_HELP)
         fputs("            '1:command:{_describe command commands}' ;;\n", out);
     else if (ending)
         fprintf(out, "            '*:%s:_files -g \"*.%s\"' ;;\n", ending,
@@ -245,17 +201,15 @@ static void zsh_command(FILE *out, const struct command *c)
 
 static void zsh_print(FILE *out)
 {
-    const struct command *c;
-
     fputs("#compdef slipway\n"
           "# made by: slipway help --as zsh\n"
           "_slipway() {\n"
           "    local -a commands\n"
           "    commands=(\n",
           out);
-    for (size_t i = 0; (c = command_at(i)) != NULL; i++) {
-        fprintf(out, "        '%s:", c->name);
-        put_quoted(out, c->text, "\\:", "'\\''");
+    for (int i = 0; i < COMMANDS; i++) {
+        fprintf(out, "        '%s:", command_table[i].name);
+        put_quoted(out, command_table[i].text, "\\:", "'\\''");
         fputs("'\n", out);
     }
     fputs("    )\n"
@@ -267,8 +221,8 @@ static void zsh_print(FILE *out)
           "    (( CURRENT-- ))\n"
           "    case $words[1] in\n",
           out);
-    for (size_t i = 0; (c = command_at(i)) != NULL; i++)
-        zsh_command(out, c);
+    for (int i = 0; i < COMMANDS; i++)
+        zsh_command(out, &command_table[i]);
     fputs("    esac\n"
           "}\n"
           "_slipway \"$@\"\n",
@@ -277,42 +231,30 @@ static void zsh_print(FILE *out)
 
 /* ---- fish ---------------------------------------------------------------- */
 
-/* The commands that take an option, or nothing where all do. */
-static void fish_condition(FILE *out, const struct option_line *o)
+/* The commands that take an option. */
+static void fish_condition(FILE *out, const struct option *o)
 {
-    const struct command *c;
-    const char *start = " -n '__fish_seen_subcommand_from ", *gap = start;
-
-    if (o->general)
-        return;
-    for (size_t i = 0; (c = command_at(i)) != NULL; i++)
-        if (options_concern(o, c->name)) {
-            fprintf(out, "%s%s", gap, c->name);
-            gap = " ";
-        }
+    fputs(" -n '__fish_seen_subcommand_from", out);
+    for (int i = 0; i < COMMANDS; i++)
+        if (option_concerns(o, &command_table[i]))
+            fprintf(out, " %s", command_table[i].name);
     fputs("'", out);
 }
 
-static void fish_option(FILE *out, const struct option_line *o)
+static void fish_option(FILE *out, const struct option *o)
 {
-    const struct choice *choice = choice_of(o);
-
     fputs("complete -c slipway", out);
     fish_condition(out, o);
     fprintf(out, " -l %s", o->name);
     if (o->letter)
         fprintf(out, " -s %c", o->letter);
-    if (is(o->value, "FILE"))
+    if (o->kind == OPTION_FILE)
         fputs(" -rF", out);
-    else if (is(o->value, "DIR"))
+    else if (o->kind == OPTION_FOLDER)
         fputs(" -xa '(__fish_complete_directories)'", out);
     else if (o->value)
         fputs(" -x", out);
-    if (choice) {
-        fputs(" -a '", out);
-        choice->put_words(out);
-        fputs("'", out);
-    }
+    put_words(out, " -a '", o, "'");
     fputs(" -d '", out);
     put_quoted(out, o->text, "\\", "\\'");
     fputs("'\n", out);
@@ -335,34 +277,26 @@ static void fish_command(FILE *out, const struct command *c)
 
 static void fish_print(FILE *out)
 {
-    const struct command *c;
-    struct option_line o;
-
     fputs("# made by: slipway help --as fish\n"
-          "complete -c slipway -f\n",
+          "complete -c slipway -f\n"
+          "complete -c slipway -n __fish_use_subcommand -l help -l version\n",
           out);
-    for (size_t i = 0; (c = command_at(i)) != NULL; i++)
-        fish_command(out, c);
+    for (int i = 0; i < COMMANDS; i++)
+        fish_command(out, &command_table[i]);
     fputs("complete -c slipway -n '__fish_seen_subcommand_from help' -a '",
           out);
     put_commands(out);
     fputs("'\n", out);
-    for (size_t i = 0; options_at(i, &o); i++)
-        fish_option(out, &o);
+    for (const struct option *o = option_table; o->name; o++)
+        fish_option(out, o);
 }
 
-enum exit_code completion_print(FILE *out, const char *shell)
+void completion_print(FILE *out, const char *shell)
 {
-    if (is(shell, "bash"))
+    if (strcmp(shell, "bash") == 0)
         bash_print(out);
-    else if (is(shell, "zsh"))
+    if (strcmp(shell, "zsh") == 0)
         zsh_print(out);
-    else if (is(shell, "fish"))
+    if (strcmp(shell, "fish") == 0)
         fish_print(out);
-    else
-        return command_fail(
-            STATUS_BAD_ARGUMENT,
-            "--as: expected man, bash, zsh, fish, scene, hdf5 or "
-            "words");
-    return EXIT_DONE;
 }

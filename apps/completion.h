@@ -5,9 +5,7 @@
 
 #include <stdio.h>
 
-#include "command.h"
-
-/* A script for "bash", "zsh" or "fish"; complains of other names. */
-enum exit_code completion_print(FILE *out, const char *shell);
+/* A script for "bash", "zsh" or "fish"; nothing for others. */
+void completion_print(FILE *out, const char *shell);
 
 #endif

@@ -53,45 +53,32 @@ static char *output_set(const struct gallery_place *g,
     return set;
 }
 
-/* The user's settings but those of the output, which are the gallery's. */
-static size_t take_sets(const struct options *from, struct options *to)
-{
-    to->sets = 0;
-    for (size_t i = 0; i < from->sets; i++)
-        if (strncmp(from->set[i], "output", 6) != 0)
-            to->set[to->sets++] = from->set[i];
-    return to->sets;
-}
-
 /* Runs the scene's command with its figure as NAME + ending. */
 static enum exit_code run_as(const struct gallery_place *g,
                              struct gallery_entry *e, const char *ending)
 {
-    const char *name = scene_command(&e->scene), *nearest;
-    const struct command *c = command_find(name, &nearest);
-    struct options o = *g->options;
+    const char *file[] = { e->path };
+    struct options o = { .command = command_find(scene_command(&e->scene)),
+                         .file = file,
+                         .files = 1,
+                         .quiet = true,
+                         .keep_script = g->options->keep_script,
+                         .progress = g->options->progress };
     char *own[] = { output_set(g, e, "output.hdf5", ".h5"),
                     output_set(g, e, "output.figure", ending),
                     moved_data(g, &e->scene) };
     enum exit_code code = EXIT_FILE;
 
-    o.command = name;
-    o.file[0] = e->path;
-    o.files = 1;
-    o.quiet = true;
-    o.json = false;
-    o.output = NULL;
-    take_sets(g->options, &o);
+    o.sets = g->options->sets;
+    memcpy(o.set, g->options->set, o.sets * sizeof *o.set);
     const bool fits = o.sets + 3 <= OPTIONS_SETS && own[0] && own[1];
     for (int i = 0; fits && i < 3; i++)
         if (own[i])
             o.set[o.sets++] = own[i];
-    if (c != NULL && fits)
-        code = c->run(&o);
+    if (fits)
+        code = command_run(o.command, &o);
     else
-        command_fail(STATUS_IO,
-                     fits ? "gallery: a scene for a command that is not there"
-                          : "gallery: too many settings, or a long path");
+        command_fail(STATUS_IO, "gallery: too many settings, or a long path");
     for (int i = 0; i < 3; i++)
         free(own[i]);
     return code;
@@ -168,11 +155,10 @@ static void describe(struct gallery_entry *e)
 
 void gallery_build(const struct gallery_place *g, struct gallery_entry *e)
 {
-    struct options o = *g->options;
+    const struct options *o = g->options;
     struct fault why = { "" };
+    const enum status s = scene_read(&e->scene, e->path, o->set, o->sets, &why);
 
-    take_sets(g->options, &o);
-    const enum status s = scene_read(&e->scene, e->path, o.set, o.sets, &why);
     if (s != STATUS_OK) {
         e->scene = (struct scene){ .title = NULL };
         e->code = command_fail(s, why.text);

@@ -25,7 +25,7 @@ struct gallery_entry {
 /* Runs the scene by the command it is for: NAME.svg, .png, .h5 and the scene
  * itself as NAME.yaml.  A scene that draws nothing is not run and has no
  * panels; of one that fails the command has complained, and e->code says how.
- * The user's settings hold for every scene, those of the output for none. */
+ * The user's settings hold for every scene. */
 void gallery_build(const struct gallery_place *g, struct gallery_entry *e);
 
 /* A second call is harmless. */

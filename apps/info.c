@@ -177,8 +177,16 @@ enum exit_code command_info(const struct options *o)
     if (o->files == 0 || (o->files > 1 && !scene))
         return command_fail(STATUS_BAD_SCENE,
                             "info: expected FILE.h5, then perhaps 'scene'");
+    if (scene && (o->rerun || o->json))
+        return command_fail(STATUS_BAD_ARGUMENT,
+                            "info: a scene is printed as YAML, expected no "
+                            "--json or --rerun beside it");
     if (o->rerun)
-        return command_allow(o, 1) ? EXIT_USAGE : rerun(o);
+        return rerun(o);
+    if (o->quiet || o->progress || o->threads)
+        return command_fail(STATUS_BAD_ARGUMENT,
+                            "info: --quiet, --progress, --threads: expected "
+                            "with --rerun only");
     struct listing l = { .path = o->file[0], .as_json = o->json };
     const enum status s =
         apart_read(scene ? read_scene : list_items, &l, l.path,

@@ -33,8 +33,6 @@ enum exit_code command_laws(const struct options *o)
     json_t *list;
     const struct law *law;
 
-    if (command_allow(o, 0) != EXIT_DONE)
-        return EXIT_USAGE;
     list = o->json ? json_array() : NULL;
     for (size_t i = 0; (law = law_preset_at(i)) != NULL; i++) {
         if (list)

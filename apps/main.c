@@ -8,20 +8,20 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "help.h"
 #include "json.h"
 
 static enum exit_code run(const struct options *o)
 {
-    const char *nearest = NULL;
-    const struct command *c =
-        command_find(o->command ? o->command : "help", &nearest);
+    const struct command *none = &command_table[COMMAND_HELP];
 
-    if (c != NULL)
-        return c->run(o);
-    fprintf(stderr, "slipway: no command '%s'%s%s%s (see slipway help)\n",
-            o->command, nearest ? ", did you mean " : "",
-            nearest ? nearest : "", nearest ? "?" : "");
-    return EXIT_USAGE;
+    if (!o->help && !o->version)
+        return command_run(o->command ? o->command : none, o);
+    if (o->help)
+        help_print(stdout, o->command);
+    else
+        printf("slipway %s\n", SLIPWAY_VERSION);
+    return EXIT_DONE;
 }
 
 /* A closed stream must not become some file we open: what we print would end

@@ -2,15 +2,7 @@
 
 #include <ctype.h>
 
-const struct exit_line exit_lines[] = {
-    { "0", "done, also when something does not exist" },
-    { "1", "a check failed" },
-    { "2", "wrong command line or scene" },
-    { "3", "numerical failure" },
-    { "4", "file trouble" },
-    { "130", "interrupted" },
-    { NULL, NULL },
-};
+#include "options.h"
 
 /* As roff text: a hyphen that can be searched for, no macro or escape. */
 static void put_text(FILE *out, const char *text)
@@ -52,29 +44,31 @@ static void put_head(FILE *out, const char *command)
             SLIPWAY_VERSION, dash, name);
 }
 
-static void put_option(FILE *out, const struct option_line *o)
+/* On the page of all commands also the commands that take it. */
+static void put_option(FILE *out, const struct option *o, bool general)
 {
+    char only[256] = "";
+
     fputs(".TP\n", out);
     if (o->letter)
         fprintf(out, "\\fB\\-%c\\fR, ", o->letter);
     fputs("\\fB\\-\\-", out);
     put_text(out, o->name);
-    fputs("\\fR", out);
-    if (o->value)
-        fprintf(out, "=\\fI%s\\fR", o->value);
-    fputs("\n", out);
+    fprintf(out, "\\fR%s%s%s\n", o->value ? "=\\fI" : "",
+            o->value ? o->value : "", o->value ? "\\fR" : "");
+    if (general)
+        option_commands(o, only, sizeof only);
+    fprintf(out, "%s%s", only, only[0] ? ": " : "");
     put_line(out, "", o->text, "");
 }
 
 /* Those that one command takes; of NULL: all. */
-static void put_options(FILE *out, const char *command)
+static void put_options(FILE *out, const struct command *c)
 {
-    struct option_line o;
-
     fputs(".SH OPTIONS\n", out);
-    for (size_t i = 0; options_at(i, &o); i++)
-        if (!command || options_concern(&o, command))
-            put_option(out, &o);
+    for (const struct option *o = option_table; o->name; o++)
+        if (!c || option_concerns(o, c))
+            put_option(out, o, !c);
 }
 
 static void put_end(FILE *out)
@@ -86,10 +80,9 @@ static void put_end(FILE *out)
 
 static void put_commands(FILE *out)
 {
-    const struct command *c;
-
     fputs(".SH COMMANDS\n", out);
-    for (size_t i = 0; (c = command_at(i)) != NULL; i++) {
+    for (const struct command *c = command_table; c < command_table + COMMANDS;
+         c++) {
         fprintf(out, ".TP\n\\fB%s\\fR ", c->name);
         put_line(out, "\\fI", c->arguments, "\\fR");
         put_line(out, "", c->text, "");
@@ -98,8 +91,6 @@ static void put_commands(FILE *out)
 
 void manual_print(FILE *out)
 {
-    const struct command *c;
-
     put_head(out, NULL);
     fputs("phase planes of rate\\-and\\-state friction\n"
           ".SH SYNOPSIS\n"
@@ -116,8 +107,9 @@ void manual_print(FILE *out)
     put_options(out, NULL);
     put_end(out);
     fputs(".SH SEE ALSO\n", out);
-    for (size_t i = 0; (c = command_at(i)) != NULL; i++)
-        fprintf(out, "%s.BR slipway\\-%s (1)", i ? " ,\n" : "", c->name);
+    for (int i = 0; i < COMMANDS; i++)
+        fprintf(out, "%s.BR slipway\\-%s (1)", i ? " ,\n" : "",
+                command_table[i].name);
     fputs("\n", out);
 }
 
@@ -128,7 +120,7 @@ void manual_print_command(FILE *out, const struct command *c)
     fprintf(out, ".SH SYNOPSIS\n\\fBslipway %s\\fR ", c->name);
     put_line(out, "\\fI", c->arguments, "\\fR [\\fIoptions\\fR]");
     put_line(out, ".SH DESCRIPTION\n", c->about, "");
-    put_options(out, c->name);
+    put_options(out, c);
     put_line(out, ".SH EXAMPLES\n.nf\n", c->example, "\n.fi");
     put_end(out);
     fputs(".SH SEE ALSO\n.BR slipway (1)\n", out);

@@ -5,13 +5,7 @@
 
 #include <stdio.h>
 
-#include "command.h"
-
-/* What enum exit_code means; ends with code NULL. */
-struct exit_line {
-    const char *code, *text;
-};
-extern const struct exit_line exit_lines[];
+#include "catalogue.h"
 
 /* slipway(1): all commands and all options, in roff's man macros. */
 void manual_print(FILE *out);

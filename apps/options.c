@@ -1,157 +1,217 @@
 #include "options.h"
 
-#include <argp.h>
-#include <ctype.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "command.h"
+#include "spell.h"
+#include "text.h"
 
-enum key {
-    KEY_SET = 256,
-    KEY_LAW,
-    KEY_FRICTION,
-    KEY_ALPHA,
-    KEY_RTOL,
-    KEY_FIGURE,
-    KEY_KEEP,
-    KEY_JSON,
-    KEY_TAP,
-    KEY_RECORD,
-    KEY_THREADS,
-    KEY_PROGRESS,
-    KEY_SEED,
-    KEY_EXACT,
-    KEY_QUICK,
-    KEY_SENSITIVITIES,
-    KEY_RESUME,
-    KEY_V,
-    KEY_PSI,
-    KEY_STATES,
-    KEY_DATA,
-    KEY_SCENES,
-    KEY_ONLY,
-    KEY_RERUN,
-    KEY_AS,
-    KEY_FORM,
-    KEY_HELP,
-    KEY_VERSION
+/* ---- the table ----------------------------------------------------------- */
+
+#define ON(command) (1u << COMMAND_##command)
+#define ALL         ((1u << COMMANDS) - 1u)
+#define TO(member)  .at = offsetof(struct options, member)
+
+enum {
+    /* what studies a scene; plan takes what study takes */
+    STUDIES = ON(PORTRAIT) | ON(STUDY) | ON(PLAN) | ON(KNEES) | ON(BASIN),
+    SCENES = STUDIES | ON(SWEEP) | ON(PUSH) | ON(SIMULATE) | ON(RABINOWICZ) |
+             ON(EXPORT) | ON(GALLERY) | ON(CHECK) | ON(WORKPREC) | ON(STRESS),
+    DRAW = STUDIES | ON(SWEEP) | ON(SIMULATE) | ON(RABINOWICZ) | ON(WORKPREC),
+    TAKE_LONG = SCENES | ON(INFO),
 };
 
-/* Of options that some commands take the text begins with their names, others
- * begin with a capital: see options_concern. */
-static const struct argp_option option_table[] = {
-    { "set", KEY_SET, "KEY=VALUE", 0, "Set any scene key, e.g. slope.alpha=0.3",
-      0 },
-    { "law", KEY_LAW, "NAME", 0, "Friction law (see 'slipway laws')", 0 },
-    { "friction", KEY_FRICTION, "FORM", 0, "Friction form: asinh or log", 0 },
-    { "alpha", KEY_ALPHA, "RAD", 0, "Slope angle in radians", 0 },
-    { "rtol", KEY_RTOL, "TOL", 0, "Relative accuracy [1e-12]", 0 },
-    { "output", 'o', "FILE", 0,
-      "Write the results to this HDF5 file (check: CSV; gallery: a folder)",
-      0 },
-    { "figure", KEY_FIGURE, "FILE", 0, "Draw FILE.svg, .pdf or .png", 0 },
-    { "keep-script", KEY_KEEP, 0, 0,
-      "Leave the figure's gnuplot script and data beside it", 0 },
-    { "json", KEY_JSON, 0, 0, "Print JSON instead of a table", 0 },
-    { "tap", KEY_TAP, 0, 0, "check, stress: print TAP instead of a table", 0 },
-    { "record", KEY_RECORD, 0, 0,
-      "check: write a table from scenes or options to -o", 0 },
-    { "threads", KEY_THREADS, "N", 0, "Number of threads [all]", 0 },
-    { "progress", KEY_PROGRESS, "HOW", 0,
-      "Show progress: auto, json or none [auto]", 0 },
-    { "quiet", 'q', 0, 0, "Print nothing but errors", 0 },
-    { "exact", KEY_EXACT, 0, 0,
-      "basin: label every cell by its own forward integration", 0 },
-    { "quick", KEY_QUICK, 0, 0,
-      "workprec: in some seconds, but coarsely; stress: a part of the cases",
-      0 },
-    { "sensitivities", KEY_SENSITIVITIES, 0, 0,
-      "Add derivatives by the inputs, and what rounding these costs", 0 },
-    { "resume", KEY_RESUME, 0, 0,
-      "sweep: go on where an interrupted one stopped", 0 },
-    { "seed", KEY_SEED, "N", 0, "Seed of everything random", 0 },
-    { "v", KEY_V, "V", 0, "push, simulate: slip rate in units of V_star", 0 },
-    { "psi", KEY_PSI, "PSI", 0, "push, simulate: interfacial state", 0 },
-    { "states", KEY_STATES, "FILE", 0,
-      "push: many states, a CSV file with columns v and psi", 0 },
-    { "data", KEY_DATA, "FILE", 0,
-      "rabinowicz: a CSV file with columns tan_alpha and l_k or x_k", 0 },
-    { "scenes", KEY_SCENES, "DIR", 0,
-      "gallery: the folder of scenes, instead of ./scenes", 0 },
-    { "only", KEY_ONLY, "PATTERN", 0, "stress: the cases with this in the name",
-      0 },
-    { "rerun", KEY_RERUN, 0, 0,
-      "info: compute the file again from the scene in it, and compare", 0 },
-    { "as", KEY_AS, "FORMAT", 0,
-      "help, export: write man, bash, zsh, fish, scene, hdf5 or words; xppaut "
-      "or auto",
-      0 },
-    { "form", KEY_FORM, "KIND", 0,
-      "export: what XPPAUT integrates: arclength or time [arclength]", 0 },
-    { "help", KEY_HELP, 0, 0, "Print this", -1 },
-    { "version", KEY_VERSION, 0, 0, "Print the version", -1 },
-    { 0 },
+static const char *const progress_words[] = { "auto", "json", "none", NULL };
+static const char *const export_words[] = { "xppaut", "auto", NULL };
+static const char *const form_words[] = { "arclength", "time", NULL };
+static const char *const help_words[] = { "man",   "bash", "zsh",   "fish",
+                                          "scene", "hdf5", "words", NULL };
+
+/* clang-format off */
+const struct option option_table[] = {
+    { "set", 0, "KEY=VALUE", OPTION_SETTING, .commands = SCENES,
+      .text = "set any key of the scene, e.g. slope.alpha=0.3" },
+    { "law", 0, "NAME", OPTION_TEXT, "law.preset", .commands = SCENES,
+      .text = "friction law (see 'slipway laws')" },
+    { "friction", 0, "FORM", OPTION_TEXT, "law.friction", .commands = SCENES,
+      .text = "friction form: asinh or log" },
+    { "alpha", 0, "RAD", OPTION_TEXT, "slope.alpha", .commands = SCENES,
+      .text = "slope angle in radians" },
+    { "rtol", 0, "TOL", OPTION_TEXT, "accuracy.rtol", .commands = SCENES,
+      .text = "relative accuracy [1e-12]" },
+    { "seed", 0, "N", OPTION_TEXT, "trajectories.seed",
+      .commands = (STUDIES & ~ON(KNEES)) | ON(SWEEP) | ON(GALLERY),
+      .text = "seed of everything random" },
+    { "exact", 0, NULL, OPTION_FLAG, "basins.exact",
+      .commands = (STUDIES & ~ON(KNEES)) | ON(SWEEP),
+      .text = "label every cell of a map by its own forward integration" },
+    { "data", 0, "FILE", OPTION_FILE, "rabinowicz.data",
+      .commands = ON(RABINOWICZ),
+      .text = "a CSV file with columns tan_alpha and l_k or x_k" },
+    { "sensitivities", 0, NULL, OPTION_FLAG, TO(sensitivities),
+      .commands = STUDIES,
+      .text = "add derivatives by the inputs, and what rounding these costs" },
+    { "v", 0, "V", OPTION_TEXT, TO(v), .commands = ON(PUSH) | ON(SIMULATE),
+      .text = "slip rate in units of V_star" },
+    { "psi", 0, "PSI", OPTION_TEXT, TO(psi),
+      .commands = ON(PUSH) | ON(SIMULATE), .text = "interfacial state" },
+    { "states", 0, "FILE", OPTION_FILE, TO(states), .commands = ON(PUSH),
+      .text = "many states, a CSV file with columns v and psi" },
+
+    { "output", 'o', "DIR", OPTION_FOLDER, TO(output), .commands = ON(GALLERY),
+      .text = "where all goes [outputs/gallery]" },
+    { "output", 'o', "FILE", OPTION_FILE, TO(output), .commands = ON(CHECK),
+      .text = "write the table of --record to this CSV file" },
+    { "output", 'o', "FILE", OPTION_FILE, TO(output), .commands = ON(EXPORT),
+      .text = "write NAME.ode for XPPAUT, NAME.c and its like for AUTO" },
+    { "output", 'o', "FILE", OPTION_FILE, "output.hdf5", TO(output),
+      .commands = DRAW | ON(STRESS),
+      .text = "write the results to this HDF5 file" },
+    { "figure", 0, "FILE", OPTION_FILE, "output.figure", .commands = DRAW,
+      .text = "draw FILE.svg, .pdf or .png" },
+    { "keep-script", 0, NULL, OPTION_FLAG, TO(keep_script),
+      .commands = DRAW | ON(GALLERY),
+      .text = "leave the figure's gnuplot script and data beside it" },
+    { "json", 0, NULL, OPTION_FLAG, TO(json), .commands = ALL & ~ON(HELP),
+      .text = "print JSON instead of a table" },
+    { "tap", 0, NULL, OPTION_FLAG, TO(tap), .commands = ON(CHECK) | ON(STRESS),
+      .text = "print TAP instead of a table" },
+    { "quiet", 'q', NULL, OPTION_FLAG, TO(quiet), .commands = TAKE_LONG,
+      .text = "print nothing but errors" },
+    { "progress", 0, "HOW", OPTION_WORD, TO(progress), .words = progress_words,
+      .commands = TAKE_LONG,
+      .text = "show progress: auto, json or none [auto]" },
+    { "threads", 0, "N", OPTION_COUNT, TO(threads),
+      .commands = TAKE_LONG & ~ON(WORKPREC),
+      .text = "number of threads [all]" },
+
+    { "resume", 0, NULL, OPTION_FLAG, TO(resume), .commands = ON(SWEEP),
+      .text = "go on where an interrupted sweep stopped" },
+    { "form", 0, "KIND", OPTION_WORD, TO(form), .words = form_words,
+      .commands = ON(EXPORT),
+      .text = "what XPPAUT integrates: arclength or time [arclength]" },
+    { "scenes", 0, "DIR", OPTION_FOLDER, TO(scenes), .commands = ON(GALLERY),
+      .text = "the folder of scenes [scenes]" },
+    { "record", 0, NULL, OPTION_FLAG, TO(record), .commands = ON(CHECK),
+      .text = "write a table from scenes or options instead" },
+    { "quick", 0, NULL, OPTION_FLAG, TO(quick),
+      .commands = ON(WORKPREC) | ON(STRESS),
+      .text = "coarsely, or a part of the cases, in some seconds" },
+    { "only", 0, "PATTERN", OPTION_TEXT, TO(only), .commands = ON(STRESS),
+      .text = "the cases with this in the name" },
+    { "rerun", 0, NULL, OPTION_FLAG, TO(rerun), .commands = ON(INFO),
+      .text = "compute the file again from the scene in it, and compare" },
+    { "as", 0, "FORMAT", OPTION_WORD, TO(as), .words = export_words,
+      .commands = ON(EXPORT), .text = "for which program: xppaut or auto" },
+    { "as", 0, "FORMAT", OPTION_WORD, TO(as), .words = help_words,
+      .commands = ON(HELP),
+      .text = "write man, bash, zsh, fish, scene, hdf5 or words" },
+    { "help", 0, NULL, OPTION_FLAG, TO(help), .commands = ALL,
+      .text = "print this" },
+    { "version", 0, NULL, OPTION_FLAG, TO(version), .commands = ALL,
+      .text = "print the version" },
+    { NULL, .commands = 0 },
 };
+/* clang-format on */
+_Static_assert(sizeof option_table / sizeof *option_table <= 64,
+               "options.given has a bit for each");
 
-/* The scene key that an option stands for; NULL: none. */
-static const char *scene_key(int key)
+bool option_is_common(const struct option *o)
 {
-    switch (key) {
-        case KEY_LAW:
-            return "law.preset";
-        case KEY_FRICTION:
-            return "law.friction";
-        case KEY_ALPHA:
-            return "slope.alpha";
-        case KEY_RTOL:
-            return "accuracy.rtol";
-        case KEY_SEED:
-            return "trajectories.seed";
-        case 'o':
-            return "output.hdf5";
-        case KEY_FIGURE:
-            return "output.figure";
-        case KEY_DATA:
-            return "rabinowicz.data";
-        default:
-            return NULL;
-    }
+    return __builtin_popcount(o->commands) > COMMANDS / 2;
 }
 
-/* One line, exit 2: the command line is wrong. */
-static _Noreturn void refuse(const char *what, const char *value,
-                             const char *expected)
+void option_commands(const struct option *o, char *text, size_t size)
 {
-    fprintf(stderr, "slipway: %s%s: %s\n", what, value, expected);
-    exit(2);
+    size_t n = 0;
+
+    text[0] = '\0';
+    for (int i = 0; !option_is_common(o) && i < COMMANDS && n < size; i++)
+        if (option_concerns(o, &command_table[i]))
+            n += (size_t) snprintf(text + n, size - n, "%s%s", n ? ", " : "",
+                                   command_table[i].name);
 }
 
-static bool is_path(int key)
+/* The row of that name for this command; NULL: it takes none such. */
+static const struct option *option_for(const char *name,
+                                       const struct command *c)
 {
-    return key == 'o' || key == KEY_FIGURE || key == KEY_DATA;
+    for (const struct option *o = option_table; o->name; o++)
+        if (option_concerns(o, c) && strcmp(o->name, name) == 0)
+            return o;
+    return NULL;
 }
+
+/* The name of one that may have been meant; NULL: none. */
+static const char *option_nearest(const char *name)
+{
+    const char *known[sizeof option_table / sizeof *option_table];
+
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        known[i] = option_table[i].name;
+    return spell_nearest(name, known);
+}
+
+/* ---- complaints ---------------------------------------------------------- */
+
+/* One line; the words are the user's. */
+static void complain(const char *before, const char *word, const char *after)
+{
+    fprintf(stderr, "slipway: %s%s%s\n", before, text_shown(word).text, after);
+}
+
+/* The same and exit 2: the command line is wrong. */
+static _Noreturn void refuse(const char *before, const char *word,
+                             const char *after)
+{
+    complain(before, word, after);
+    exit(EXIT_USAGE);
+}
+
+/* The same; nearest: what may have been meant, or NULL. */
+static _Noreturn void refuse_unknown(const char *before, const char *word,
+                                     const char *nearest)
+{
+    char after[96];
+
+    snprintf(after, sizeof after, "'%s%s%s (see slipway help)",
+             nearest ? ", did you mean " : "", nearest ? nearest : "",
+             nearest ? "?" : "");
+    refuse(before, word, after);
+}
+
+/* "--states: knees takes none, expected it with push (see ...)" */
+static void complain_foreign(const struct option *o, const struct command *c)
+{
+    char with[256], after[384];
+
+    option_commands(o, with, sizeof with);
+    snprintf(after, sizeof after, ": %s takes none%s%s (see slipway help %s)",
+             c->name, with[0] ? ", expected it with " : "", with, c->name);
+    complain("--", o->name, after);
+}
+
+/* ---- values -------------------------------------------------------------- */
 
 /* Takes over one "key=value". */
 static void add_text(struct options *o, char *text)
 {
     if (text == NULL || o->sets == OPTIONS_SETS)
-        refuse("--set ", text ? text : "", "too many settings");
+        refuse("--set ", text ? text : "", ": too many settings");
     o->set[o->sets++] = text;
 }
 
 /* Adds KEY=VALUE; a path becomes a YAML single-quoted text. */
-static void add_set(struct options *o, const char *key, const char *value,
-                    bool quote)
+static void add_set(struct options *o, const struct option *row,
+                    const char *value)
 {
-    const size_t room = strlen(key) + 2 * strlen(value) + 4;
-    char *text = malloc(room), *end = text;
+    const bool quote = row->kind == OPTION_FILE;
+    char *text = malloc(strlen(row->key) + 2 * strlen(value) + 4), *end = text;
 
     if (text == NULL)
-        refuse("", key, "out of memory");
-    end += sprintf(end, "%s=%s", key, quote ? "'" : "");
+        refuse("", row->key, ": out of memory");
+    end += sprintf(end, "%s=%s", row->key, quote ? "'" : "");
     for (; *value; value++) {
         *end++ = *value;
         if (quote && *value == '\'')
@@ -161,223 +221,127 @@ static void add_set(struct options *o, const char *key, const char *value,
     add_text(o, text);
 }
 
-static int parse_count(const char *text)
+static int read_count(const char *text)
 {
     char *end;
     const long n = strtol(text, &end, 10);
 
     if (end == text || *end || n < 1 || n > 4096)
-        refuse("--threads ", text, "expected a number from 1 to 4096");
+        refuse("--threads ", text, ": expected a number from 1 to 4096");
     return (int) n;
 }
 
-static enum progress parse_progress(const char *text)
+static const char *read_word(const struct option *row, const char *text)
 {
-    if (strcmp(text, "json") == 0)
-        return PROGRESS_JSON;
-    if (strcmp(text, "none") == 0)
-        return PROGRESS_NONE;
-    if (strcmp(text, "auto") != 0)
-        refuse("--progress ", text, "expected auto, json or none");
-    return PROGRESS_AUTO;
+    char before[64], list[128], after[160];
+
+    for (size_t i = 0; row->words[i]; i++)
+        if (strcmp(text, row->words[i]) == 0)
+            return row->words[i];
+    snprintf(before, sizeof before, "--%s ", row->name);
+    text_list(row->words, list, sizeof list);
+    snprintf(after, sizeof after, ": expected %s", list);
+    refuse(before, text, after);
 }
 
-static void add_argument(struct options *o, char *argument)
+/* What the command does not take is only noted: options_suit complains. */
+static void take(struct options *o, const struct option *named, char *value)
 {
-    if (o->command == NULL)
-        o->command = argument;
-    else if (o->files < OPTIONS_FILES)
-        o->file[o->files++] = argument;
-    else
-        refuse("", argument, "too many arguments");
-}
+    const struct option *row = option_for(
+        named->name, o->command ? o->command : &command_table[COMMAND_HELP]);
+    void *at = row && row->at ? (char *) o + row->at : NULL;
 
-static const struct argp argp;
-
-/* All of it, or what concerns one command. */
-static void print_help(const char *command)
-{
-    const char *nearest;
-    const struct command *c = command ? command_find(command, &nearest) : NULL;
-    char name[] = "slipway";
-
-    if (c == NULL) {
-        argp_help(&argp, stdout, ARGP_HELP_STD_HELP & ~ARGP_HELP_EXIT_OK, name);
+    o->given |= UINT64_C(1) << (named - option_table);
+    if (row == NULL)
         return;
-    }
-    command_describe(stdout, c);
-    printf("Options of all commands:\n");
-    argp_help(&argp, stdout, ARGP_HELP_LONG, name);
+    if (row->kind == OPTION_SETTING && strchr(value, '=') == NULL)
+        refuse("--set ", value, ": expected KEY=VALUE");
+    if (row->kind == OPTION_SETTING)
+        add_text(o, strdup(value));
+    if (row->key)
+        add_set(o, row, row->value ? value : "true");
+    if (at && row->kind == OPTION_FLAG)
+        *(bool *) at = true;
+    else if (at && row->kind == OPTION_COUNT)
+        *(int *) at = read_count(value);
+    else if (at && row->kind == OPTION_WORD)
+        *(const char **) at = read_word(row, value);
+    else if (at)
+        *(const char **) at = value;
 }
 
-static _Noreturn void print_and_leave(const struct options *o, bool help)
-{
-    if (help)
-        print_help(o->command);
-    else
-        printf("slipway %s\n", SLIPWAY_VERSION);
-    if (fflush(stdout) != 0 || ferror(stdout))
-        exit((int) command_unwritten());
-    exit(EXIT_DONE);
-}
+/* ---- the command line ---------------------------------------------------- */
 
-/* Where an option is kept as it was given; NULL: not at all. */
-static const char **text_option(struct options *o, int key)
-{
-    switch (key) {
-        case 'o':
-            return &o->output;
-        case KEY_V:
-            return &o->v;
-        case KEY_PSI:
-            return &o->psi;
-        case KEY_STATES:
-            return &o->states;
-        case KEY_SCENES:
-            return &o->scenes;
-        case KEY_ONLY:
-            return &o->only;
-        case KEY_AS:
-            return &o->as;
-        case KEY_FORM:
-            return &o->form;
-        default:
-            return NULL;
-    }
-}
-
-/* Where an option without a value is noted; NULL: it has one. */
-static bool *flag_option(struct options *o, int key)
-{
-    switch (key) {
-        case KEY_SENSITIVITIES:
-            return &o->sensitivities;
-        case KEY_QUICK:
-            return &o->quick;
-        case KEY_RESUME:
-            return &o->resume;
-        case KEY_JSON:
-            return &o->json;
-        case KEY_RERUN:
-            return &o->rerun;
-        case KEY_TAP:
-            return &o->tap;
-        case KEY_RECORD:
-            return &o->record;
-        case KEY_KEEP:
-            return &o->keep_script;
-        case 'q':
-            return &o->quiet;
-        default:
-            return NULL;
-    }
-}
-
-static error_t parse(int key, char *value, struct argp_state *state)
-{
-    struct options *o = state->input;
-
-    if (text_option(o, key))
-        *text_option(o, key) = value;
-    if (scene_key(key)) {
-        add_set(o, scene_key(key), value, is_path(key));
-        return 0;
-    }
-    if (flag_option(o, key))
-        *flag_option(o, key) = true;
-    if (text_option(o, key) || flag_option(o, key))
-        return 0;
-    switch (key) {
-        case KEY_SET:
-            if (strchr(value, '=') == NULL)
-                refuse("--set ", value, "expected KEY=VALUE");
-            add_text(o, strdup(value));
-            return 0;
-        case KEY_EXACT:
-            add_set(o, "basins.exact", "true", false);
-            return 0;
-        case KEY_THREADS:
-            o->threads = parse_count(value);
-            return 0;
-        case KEY_PROGRESS:
-            o->progress = parse_progress(value);
-            return 0;
-        case KEY_HELP:
-        case KEY_VERSION:
-            print_and_leave(o, key == KEY_HELP);
-        case ARGP_KEY_ARG:
-            add_argument(o, value);
-            return 0;
-        case ARGP_KEY_ERROR:
-            refuse("", state->argv[state->next > 1 ? state->next - 1 : 0],
-                   "unknown option or missing value (see slipway --help)");
-        default:
-            return ARGP_ERR_UNKNOWN;
-    }
-}
-
-/* The list of commands and the examples, below the options. */
-static char *help_filter(int key, const char *text, void *input)
-{
-    char *help = NULL;
-    size_t size = 0;
-
-    (void) input;
-    if (key != ARGP_KEY_HELP_POST_DOC)
-        return (char *) (uintptr_t) text;
-    FILE *out = open_memstream(&help, &size);
-    if (out == NULL)
-        return NULL;
-    command_list(out);
-    fclose(out);
-    return help;
-}
-
-static const struct argp argp = {
-    .options = option_table,
-    .parser = parse,
-    .args_doc = "COMMAND [SCENE.yaml]",
-    .doc = "Phase planes of rate-and-state friction: steady states, the "
-           "saddle's manifolds, critical velocities.\v-",
-    .help_filter = help_filter,
+/* What stands there, in its order: the command it is for may come later. */
+struct line {
+    const struct option **option; /* owned; rows of that name */
+    char **value;                 /* owned */
+    size_t count;
+    char **next, **end; /* arguments that are left */
 };
 
-bool options_at(size_t i, struct option_line *line)
+/* --NAME VALUE, --NAME=VALUE, -n VALUE, -nVALUE */
+static void read_option(struct line *l, char *argument)
 {
-    const struct argp_option *o = &option_table[i];
+    const size_t dashes = argument[1] == '-' ? 2 : 1;
+    char *name = argument + dashes, *value = NULL;
+    const size_t size = dashes == 2 ? strcspn(name, "=") : 1;
+    const struct option *o = option_table;
 
-    if (i >= sizeof option_table / sizeof *option_table - 1)
-        return false;
-    *line = (struct option_line){
-        .name = o->name,
-        .letter = o->key < KEY_SET ? (char) o->key : '\0',
-        .value = o->arg,
-        .text = o->doc,
-        .general = isupper((unsigned char) *o->doc),
-    };
-    return true;
+    while (o->name && (dashes == 1 ? o->letter != *name
+                                   : strncmp(o->name, name, size) != 0 ||
+                                         o->name[size] != '\0'))
+        o++;
+    if (o->name == NULL)
+        refuse_unknown("no option '", argument, option_nearest(name));
+    if (name[size])
+        value = name + size + dashes - 1;
+    if (value && !o->value)
+        refuse("", argument, ": takes no value (see slipway --help)");
+    if (o->value && !value && l->next == l->end)
+        refuse("", argument, ": missing value (see slipway --help)");
+    l->value[l->count] = o->value && !value ? *l->next++ : value;
+    l->option[l->count++] = o;
 }
 
-bool options_concern(const struct option_line *line, const char *command)
+_Noreturn void options_refuse_command(const char *name)
 {
-    const size_t size = strlen(command);
-    const char *found = line->text;
-
-    while (!line->general && (found = strstr(found, command)) != NULL) {
-        const bool begins = found == line->text || found[-1] == ' ';
-        found += size;
-        if (begins && (*found == ',' || *found == ':'))
-            return true;
-    }
-    return line->general;
+    refuse_unknown("no command '", name, command_nearest(name));
 }
 
-/* argp's own messages take two lines; ours is one (ARGP_KEY_ERROR). */
+static void add_argument(struct options *o, const char *argument)
+{
+    if (o->command != NULL)
+        o->file[o->files++] = argument;
+    else if ((o->command = command_find(argument)) == NULL)
+        options_refuse_command(argument);
+}
+
 void options_parse(struct options *o, int argc, char *argv[])
 {
-    *o = (struct options){ 0 };
-    argp_parse(&argp, argc, argv, ARGP_NO_ERRS | ARGP_NO_HELP | ARGP_IN_ORDER,
-               NULL, o);
+    const size_t n = (size_t) argc + 1;
+    struct line l = { .option = calloc(n, sizeof *l.option),
+                      .value = calloc(n, sizeof *l.value),
+                      .next = argv + 1,
+                      .end = argv + argc };
+    bool arguments = false; /* only these are left */
+
+    *o = (struct options){ .file = calloc(n, sizeof *o->file) };
+    if (o->file == NULL || l.option == NULL || l.value == NULL)
+        refuse("", "command line", ": out of memory");
+    while (l.next < l.end) {
+        char *argument = *l.next++;
+        if (arguments || argument[0] != '-' || argument[1] == '\0')
+            add_argument(o, argument);
+        else if (strcmp(argument, "--") == 0)
+            arguments = true;
+        else
+            read_option(&l, argument);
+    }
+    for (size_t i = 0; i < l.count; i++)
+        take(o, l.option[i], l.value[i]);
+    free(l.option);
+    free(l.value);
 }
 
 void options_free(struct options *o)
@@ -385,4 +349,38 @@ void options_free(struct options *o)
     for (size_t i = 0; i < o->sets; i++)
         free(o->set[i]);
     o->sets = 0;
+    free(o->file);
+    o->file = NULL;
+}
+
+/* A setting of output.*, and what writes is not asked by -o alone. */
+static const char *foreign_setting(const struct options *o,
+                                   const struct command *c)
+{
+    const struct option *row = option_for("output", c);
+
+    for (size_t i = 0; i < o->sets && !(row && row->key); i++)
+        if (strncmp(o->set[i], "output", 6) == 0)
+            return o->set[i];
+    return NULL;
+}
+
+bool options_suit(const struct options *o, const struct command *c)
+{
+    const char *setting = foreign_setting(o, c);
+    const bool many = o->files > c->most;
+    char after[96];
+
+    for (const struct option *row = option_table; row->name; row++)
+        if (o->given >> (row - option_table) & 1u &&
+            !option_for(row->name, c)) {
+            complain_foreign(row, c);
+            return false;
+        }
+    if (!setting && !many)
+        return true;
+    snprintf(after, sizeof after, ": %s (see slipway help %s)",
+             many ? "one argument too many" : "not a setting here", c->name);
+    complain(many ? "" : "--set ", many ? o->file[c->most] : setting, after);
+    return false;
 }

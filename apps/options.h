@@ -1,51 +1,83 @@
-/* options.h -- the command line, once for all commands. */
+/* options.h -- the command line.  One table says of every option what it is
+ * called, what it takes, what it sets and which commands know it; parsing,
+ * help, man pages and completions are made from that table. */
 #ifndef APPS_OPTIONS_H
 #define APPS_OPTIONS_H
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
-enum { OPTIONS_SETS = 64, OPTIONS_FILES = 64 };
+#include "catalogue.h"
 
-enum progress { PROGRESS_AUTO, PROGRESS_JSON, PROGRESS_NONE };
+enum option_kind {
+    OPTION_FLAG,    /* bool */
+    OPTION_COUNT,   /* int, from 1 to 4096 */
+    OPTION_TEXT,    /* const char *, as it was given */
+    OPTION_FILE,    /* the same, a path */
+    OPTION_FOLDER,  /* the same */
+    OPTION_WORD,    /* const char *, one of `words` */
+    OPTION_SETTING, /* KEY=VALUE of a scene */
+};
+
+struct option {
+    const char *name;  /* without -- */
+    char letter;       /* -o; 0: none */
+    const char *value; /* what help calls it, "FILE"; NULL: none */
+    enum option_kind kind;
+    const char *key;          /* of the scene, set to the value; NULL: none */
+    size_t at;                /* of the member of struct options; 0: none */
+    const char *const *words; /* NULL-ended */
+    unsigned commands;        /* those that take it, 1 << command_id */
+    const char *text;         /* what it does, a phrase */
+};
+
+/* Ends with a name that is NULL.  A name may stand in several rows, each for
+ * commands of its own. */
+extern const struct option option_table[];
+
+/* Whether a command takes it. */
+static inline bool option_concerns(const struct option *o,
+                                   const struct command *c)
+{
+    return o->commands >> command_id(c) & 1u;
+}
+
+/* Whether so many commands take it that they are not worth listing. */
+bool option_is_common(const struct option *o);
+
+/* "push, simulate" of one that is not; else "". */
+void option_commands(const struct option *o, char *text, size_t size);
+
+enum { OPTIONS_SETS = 64 };
 
 struct options {
-    const char *command;
-    const char *file[OPTIONS_FILES]; /* arguments after the command */
+    const struct command *command; /* NULL: none named */
+    const char **file; /* arguments after the command; owned, each borrowed */
     size_t files;
     char *set[OPTIONS_SETS]; /* owned: "key=value", in order */
     size_t sets;
-    const char *output;           /* of -o, borrowed; NULL: none */
-    const char *v, *psi, *states; /* of push, borrowed; NULL: not given */
-    const char *scenes;           /* of gallery, likewise */
-    const char *only;             /* of stress, likewise */
-    const char *form;             /* of export, likewise */
-    const char *as;               /* of help, export: "man", "xppaut", ... */
+    uint64_t given; /* 1 << row of option_table */
+
+    /* As they were given, borrowed; NULL or 0: not given. */
+    const char *output, *v, *psi, *states, *scenes, *only, *form, *as;
+    const char *progress;
     bool json, keep_script, quiet, tap, record, sensitivities, resume, quick;
-    bool rerun;
-    int threads; /* 0: what OpenMP chooses */
-    enum progress progress;
+    bool rerun, help, version;
+    int threads;
 };
 
-/* One of them, as man pages and completions need it; all static. */
-struct option_line {
-    const char *name;  /* without -- */
-    char letter;       /* -o; 0: none */
-    const char *value; /* "FILE"; NULL: none */
-    const char *text;
-    bool general; /* all commands take it */
-};
-
-/* In the order of the table; false past the end. */
-bool options_at(size_t i, struct option_line *line);
-
-/* Whether a command takes it: one that is not general begins its text with the
- * commands that do, "push, simulate: ...". */
-bool options_concern(const struct option_line *line, const char *command);
-
-/* Parses argv; prints help, version or one line of complaint itself and ends
- * the process for those (exit 0, 0, 2). */
+/* Parses argv; what cannot be understood costs one line and ends the process
+ * (exit 2). */
 void options_parse(struct options *o, int argc, char *argv[]);
 void options_free(struct options *o);
+
+/* Complains of a name that no command has and ends the process (exit 2). */
+_Noreturn void options_refuse_command(const char *name);
+
+/* Whether c knows every option, sets no output where it writes none, and takes
+ * so many arguments: a command may be handed what was meant for another.
+ * Complains if not. */
+bool options_suit(const struct options *o, const struct command *c);
 
 #endif

@@ -20,7 +20,7 @@ struct shown {
 };
 
 static volatile sig_atomic_t interrupted;
-static enum progress how;
+static enum { PROGRESS_NONE, PROGRESS_BAR, PROGRESS_JSON } how;
 static struct shown shown;
 static bool line_shown;
 
@@ -110,9 +110,12 @@ const struct monitor *progress_monitor(const struct options *o)
     static const struct monitor monitor = { tell, NULL };
     const struct sigaction action = { .sa_handler = on_signal };
 
-    how = o->progress;
-    if (how == PROGRESS_AUTO && (o->quiet || !isatty(STDERR_FILENO)))
-        how = PROGRESS_NONE;
+    const char *word = o->progress ? o->progress : "auto";
+
+    how = strcmp(word, "json") == 0                 ? PROGRESS_JSON
+          : strcmp(word, "none") == 0               ? PROGRESS_NONE
+          : !o->quiet && isatty(STDERR_FILENO) != 0 ? PROGRESS_BAR
+                                                    : PROGRESS_NONE;
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     if (!ignores(SIGHUP))

@@ -29,16 +29,9 @@ static enum status usage(struct fault *why, const char *format,
     return STATUS_BAD_ARGUMENT;
 }
 
-/* Either --v and --psi or --states; and nothing that would write a file. */
+/* Either --v and --psi or --states. */
 static enum status check_options(const struct options *o, struct fault *why)
 {
-    static const char output[] = "output.";
-
-    if (o->files > 1)
-        return usage(why, "%s: one scene is enough", o->file[1]);
-    for (size_t i = 0; i < o->sets; i++)
-        if (strncmp(o->set[i], output, sizeof output - 1) == 0)
-            return usage(why, "push: %s: push writes no file", o->set[i]);
     if (o->states && (o->v || o->psi))
         return usage(why, "push: --states %s: expected no --v, --psi beside it",
                      o->states);

@@ -1,9 +1,9 @@
 #include "reference.h"
 
+#include "catalogue.h"
 #include "equilibrium.h"
 #include "extremum.h"
 #include "fate.h"
-#include "manual.h"
 #include "markdown.h"
 #include "moment.h"
 #include "records.h"

@@ -26,6 +26,7 @@ struct rerun {
     char *scene, *overrides;           /* borrowed from it */
     char folder[FOLDER];               /* owned; "" until made */
     char scene_path[PATH], path[PATH]; /* in there */
+    const char *scene_file;            /* the former */
 };
 
 /* ---- what made the file -------------------------------------------------- */
@@ -107,7 +108,6 @@ static char *next_text(char **at, const char *end)
 
 static enum status read_file(struct rerun *r, struct fault *why)
 {
-    const char *nearest;
     size_t size;
     const enum status s =
         apart_read(look, r, r->given, APART_LIST_SECONDS, &r->held, &size, why);
@@ -116,7 +116,7 @@ static enum status read_file(struct rerun *r, struct fault *why)
     if (s != STATUS_OK)
         return s;
     const char *name = next_text(&at, r->held + size);
-    const struct command *c = name ? command_find(name, &nearest) : NULL;
+    const struct command *c = name ? command_find(name) : NULL;
     r->scene = next_text(&at, r->held + size);
     r->overrides = next_text(&at, r->held + size);
     if (c && r->scene && r->overrides) {
@@ -152,17 +152,17 @@ static enum status make_folder(struct rerun *r, struct fault *why)
 
 /* The stored overrides, and the output in place of the scene's own; all
  * borrowed. */
-static enum status set_options(const struct rerun *r, struct options *o,
-                               char *output, struct fault *why)
+static enum status set_options(struct rerun *r, struct options *o, char *output,
+                               struct fault *why)
 {
     char *line = r->overrides;
 
-    *o = (struct options){ .command = r->command,
+    *o = (struct options){ .file = &r->scene_file,
                            .threads = r->options->threads,
                            .progress = r->options->progress,
                            .quiet = true };
-    if (r->scene[0])
-        o->file[o->files++] = r->scene_path;
+    r->scene_file = r->scene_path;
+    o->files = r->scene[0] != '\0';
     while (*line && o->sets < OPTIONS_SETS - 1) {
         char *end = line + strcspn(line, "\n");
         o->set[o->sets++] = line;
@@ -199,7 +199,6 @@ static enum exit_code run_again(struct rerun *r)
     struct fault why = { "" };
     struct options o = { .sets = 0 };
     char output[PATH + 32];
-    const char *nearest;
 
     enum status s = make_folder(r, &why);
     snprintf(output, sizeof output, "output={hdf5: '%s'}", r->path);
@@ -207,11 +206,10 @@ static enum exit_code run_again(struct rerun *r)
         s = set_options(r, &o, output, &why);
     if (s == STATUS_OK && strcmp(r->command, "study") == 0)
         s = choose_study(r, &o, &why);
-    o.command = r->command;
-    const struct command *c = command_find(r->command, &nearest);
-    const enum exit_code code =
-        s == STATUS_OK ? c->run(&o) : command_fail(s, why.text);
-    return code;
+    if (s != STATUS_OK)
+        return command_fail(s, why.text);
+    o.command = command_find(r->command);
+    return command_run(o.command, &o);
 }
 
 /* ---- comparing ----------------------------------------------------------- */

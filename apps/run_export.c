@@ -130,24 +130,12 @@ static enum status name_files(struct job *j, struct fault *why)
     return STATUS_OK;
 }
 
-/* -o is not the scene's HDF5 file here. */
 static enum status read_scene(struct job *j, struct fault *why)
 {
-    static const char output[] = "output.", hdf5[] = "output.hdf5=";
     const struct options *o = j->options;
-    char *set[OPTIONS_SETS];
-    size_t sets = 0;
 
-    for (size_t i = 0; i < o->sets; i++) {
-        const bool own =
-            o->output && strncmp(o->set[i], hdf5, sizeof hdf5 - 1) == 0;
-        if (!own && strncmp(o->set[i], output, sizeof output - 1) == 0)
-            return usage(why, o->set[i], NULL, "-o FILE alone");
-        if (!own)
-            set[sets++] = o->set[i];
-    }
-    enum status s =
-        scene_read(&j->scene, o->files ? o->file[0] : NULL, set, sets, why);
+    enum status s = scene_read(&j->scene, o->files ? o->file[0] : NULL, o->set,
+                               o->sets, why);
     if (s == STATUS_OK)
         s = scene_slope_demand(&j->scene, exchange_products, why);
     j->scene.products = exchange_products;
@@ -246,8 +234,6 @@ enum exit_code command_export(const struct options *o)
     struct job j = { .options = o };
     struct fault why = { "" };
 
-    if (command_allow(o, 1) != EXIT_DONE)
-        return EXIT_USAGE;
     const enum status s = run(&j, &why);
     const enum exit_code code =
         s == STATUS_OK ? tell(&j) : command_fail(s, why.text);

@@ -210,8 +210,6 @@ enum exit_code command_gallery(const struct options *o)
     char page[PATH_MAX];
     enum exit_code code = EXIT_INTERRUPT;
 
-    if (command_allow(o, 0) != EXIT_DONE)
-        return EXIT_USAGE;
     enum status s = prepare(&g, &why);
     if (s == STATUS_OK && build_all(&g)) {
         s = write_page(&g, page, &why);

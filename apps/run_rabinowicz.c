@@ -80,8 +80,6 @@ enum exit_code command_rabinowicz(const struct options *o)
     struct scene scene;
     struct fault why = { "" };
 
-    if (command_allow(o, 1) != EXIT_DONE)
-        return EXIT_USAGE;
     enum status s =
         scene_read(&scene, o->files ? o->file[0] : NULL, o->set, o->sets, &why);
     if (s != STATUS_OK)

@@ -44,10 +44,6 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     size_t sets = o->sets;
     enum status s = STATUS_OK;
 
-    if (o->files > 1)
-        return complain(why, "one scene is enough");
-    if (o->states)
-        return complain(why, "--states belongs to push");
     memcpy(set, o->set, o->sets * sizeof *set);
     if (o->v || o->psi) {
         s = start_setting(o, start, sizeof start, why);

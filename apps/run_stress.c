@@ -35,6 +35,8 @@ static bool has_scene(const struct options *o)
 /* What means something here: the catalogue brings its own scenes. */
 static enum status check_options(const struct options *o, struct fault *why)
 {
+    if (o->tap && o->json)
+        return refuse(why, "stress: --tap: expected it without %s", "--json");
     for (size_t i = 0; i < o->sets; i++) {
         if (begins(o->set[i], "output.figure="))
             return refuse(why, "stress: %s: stress draws no figure", o->set[i]);
@@ -128,8 +130,6 @@ enum exit_code command_stress(const struct options *o)
     struct stress_list list = { .at = NULL };
     struct fault why = { "" };
 
-    if (command_allow(o, 1) != EXIT_DONE)
-        return EXIT_USAGE;
     enum status s = check_options(o, &why);
     if (s == STATUS_OK)
         s = make_list(o, &list, &why);

@@ -112,21 +112,15 @@ static enum status read_scene(const struct options *o,
                               const struct shortcut *how, struct scene *scene,
                               const struct command **other, struct fault *why)
 {
-    const char *path = o->files ? o->file[0] : NULL, *nearest;
-    enum status s;
+    const char *path = o->files ? o->file[0] : NULL;
 
     *other = NULL;
-    if (o->files > 1) {
-        snprintf(why->text, sizeof why->text, "%s: one scene is enough",
-                 o->file[1]);
-        return STATUS_BAD_SCENE;
-    }
-    s = scene_read(scene, path, o->set, o->sets, why);
+    enum status s = scene_read(scene, path, o->set, o->sets, why);
     if (s != STATUS_OK)
         return s;
     const char *name = scene_command(scene);
     if (how->hands_over && strcmp(name, "study") != 0)
-        *other = command_find(name, &nearest);
+        *other = command_find(name);
     s = apply(o, how, scene, why);
     if (s != STATUS_OK)
         scene_free(scene);
@@ -236,7 +230,7 @@ static enum exit_code run(const struct options *o, const struct shortcut *how)
         return command_fail(s, why.text);
     if (other) {
         scene_free(&scene);
-        return other->run(o);
+        return command_run(other, o);
     }
     s = check_files(&scene, how, &why);
     if (s == STATUS_OK)
@@ -332,21 +326,22 @@ enum exit_code command_plan(const struct options *o)
     if (sweeps)
         point.products = sweep_point_products(&scene, scene.hdf5 != NULL);
     const unsigned stages = other && !sweeps ? 0 : plan_scene(&point);
+    const bool tell = !o->json && !o->quiet;
     enum exit_code code = EXIT_DONE;
-    if (sweeps && !o->json)
+    if (sweeps && tell)
         print_sweep(&scene);
-    else if (other && !o->json)
+    else if (other && tell)
         printf("%-13s %s\n", other->name, other->text);
     if (o->json)
         code = json_print(plan_json(&scene, stages)) ? EXIT_DONE
                                                      : command_unwritten();
-    for (int i = 0; i < STAGES && !o->json; i++)
+    for (int i = 0; i < STAGES && tell; i++)
         if (plan_has(stages, (enum stage) i))
             printf("%-13s %-48s %s\n", stage_table[i].name, stage_table[i].text,
                    stage_table[i].cost);
-    if (!o->json && scene.hdf5)
+    if (tell && scene.hdf5)
         printf("%-13s %s\n", "write", scene.hdf5);
-    if (!o->json && scene.figure)
+    if (tell && scene.figure)
         printf("%-13s %s\n", "draw", scene.figure);
     scene_free(&scene);
     return code;

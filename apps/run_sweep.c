@@ -41,8 +41,6 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     const char *path = o->files ? o->file[0] : NULL;
     char *set[OPTIONS_SETS + 1], line[PRODUCT_SETTING];
 
-    if (o->files > 1)
-        return complain(why, "one scene is enough");
     enum status s = scene_read(scene, path, o->set, o->sets, why);
     if (s != STATUS_OK)
         return s;

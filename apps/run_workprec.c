@@ -116,7 +116,5 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
 
 enum exit_code command_workprec(const struct options *o)
 {
-    const enum exit_code code = command_allow(o, 1);
-
-    return code == EXIT_DONE ? command_with_scene(o, read_scene, run) : code;
+    return command_with_scene(o, read_scene, run);
 }

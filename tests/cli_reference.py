@@ -32,8 +32,8 @@ MORE = [
     ('study --law ruina --alpha 1.5', [products(CURVES, NUMBERS)]),
     ('simulate --law ruina --alpha 0.34 --v 1e300 --psi 700', []),
     ('simulate --law spinodal_gen --alpha 0.34 --v 1e-3 --psi 1e-3', []),
-    ('sweep --law dieterich_gen --sensitivities',
-     ['products=[knees, folds, estimates]', 'sweep.key=slope.alpha',
+    ('sweep --law dieterich_gen',
+     ['products=[knees, folds, estimates, sensitivities]', 'sweep.key=slope.alpha',
       'sweep.values=[0.3, 0.5]', 'sweep.refine=1']),
     ('sweep --law spinodal_gen --alpha 0.34',
      ['sweep=[{key: material.a, values: [0.03, 0.04]}, '

@@ -44,7 +44,8 @@ def every_command_s_file_is_made_again(room):
     same(room, 'basin', *SLOPE, '--set', 'basins.cells=[64, 64]')
     same(room, 'portrait', *SLOPE, '--seed', '7', '--figure', 'a.svg')
     same(room, 'sweep', 'scenes/sweep.yaml', '--set', 'sweep.points=5')
-    same(room, 'sweep', 'scenes/sweep.yaml', '--sensitivities', '--set',
+    same(room, 'sweep', 'scenes/sweep.yaml', '--set',
+         'products=[knees, sensitivities]', '--set',
          'sweep.points=3')
     same(room, 'simulate', *SLOPE, '--v', '1e3', '--psi', '10')
     same(room, 'rabinowicz', 'scenes/rabinowicz.yaml')

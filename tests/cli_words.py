@@ -6,7 +6,7 @@ usage: cli_words.py PATH_TO_SLIPWAY SOURCE_ROOT
 import re
 import subprocess
 
-from cli_room import READER, expect, run_cases
+from cli_room import READER, SLOPE, expect, refused, run_cases
 
 # ---- help --------------------------------------------------------------------
 
@@ -36,7 +36,7 @@ def every_command_explains_itself(room):
         short, long = room.good('help', command), room.good(command, '--help')
         expect(short.startswith(f'slipway {command} ')
                and f'Example:\n  slipway {command}' in short, short)
-        expect(long.startswith(short) and '--alpha=' in long, long)
+        expect(long == short and options_of(long), long)
 
 
 def every_example_works(room):
@@ -50,9 +50,81 @@ def every_example_works(room):
         expect((done.returncode, done.stderr) == (0, ''), line, done)
 
 
-def options_are_explained_once_each(room):
-    options = re.findall(r'^ +(?:-\w, )?(--[a-z-]+)', room.good('--help'), re.M)
-    expect(len(options) == len(set(options)) >= 14, options)
+def options_of(said):
+    """(name, name of its value or '') of each."""
+    return re.findall(r'^  (?:-\w, |    )(--[a-z-]+)(?:=(\S+))?', said, re.M)
+
+
+def every_option_belongs_to_the_commands_that_tell_of_it(room):
+    """The general page has them all; a command takes those of its own page and
+    refuses the others, whatever else is right or wrong."""
+    page = room.good('--help')
+    known = set(options_of(page))
+    expect(len(known) >= 25, known)
+    told = set()
+    for command in commands_of(page):
+        own = options_of(room.good(command, '--help'))
+        names = [name for name, _ in own]
+        expect(len(names) == len(set(names)) and set(own) <= known, own)
+        told |= set(own)
+        for name, value in known:
+            given = [name] + [VALUES.get(name, 'a.csv')] * (value != '')
+            if name in names:
+                done = room.run(command, 'none.yaml', *given, *['b'] * 70,
+                                'c', 'd')
+                expect('takes none' not in done.stderr, command, name, done)
+                continue
+            refused(room.run(command, *SLOPE * (command in WITH_SLOPE),
+                             *given), 2, name, command)
+            refused(room.run(*given, command), 2, name, command)
+    expect(told == known and room.names() == [], known - told, room.names())
+
+
+VALUES = {'--set': 'slope.alpha=0.3', '--threads': '1', '--progress': 'none',
+          '--as': 'auto', '--form': 'time', '--law': 'ruina',
+          '--alpha': '0.3', '--friction': 'log', '--rtol': '1e-9',
+          '--seed': '1', '--v': '1', '--psi': '1'}
+WITH_SLOPE = ('portrait', 'study', 'plan', 'knees', 'basin', 'push',
+              'simulate', 'rabinowicz', 'export', 'workprec', 'stress')
+
+
+def an_option_is_no_prefix_and_no_letter_of_another(room):
+    for word in ('--sens', '--s', '--outputs=a.h5', '-x', '--', '-qx'):
+        done = room.run('plan', *SLOPE, word)
+        expect(done.returncode == (0 if word == '--' else 2), word, done)
+    for words in (['-o', 'a.h5'], ['-oa.h5'], ['--output=a.h5'],
+                  ['--output', 'a.h5']):
+        expect('write         a.h5' in room.good('plan', *SLOPE, *words), words)
+        expect(room.good('plan', *SLOPE, *words, '-q') == '', words)
+        expect('write         a.h5' in room.good(*words, 'plan', *SLOPE), words)
+    refused(room.run('plan', *SLOPE, '--', '-q'), 4, '-q')
+    expect(room.names() == [], room.names())
+
+
+def a_command_that_is_handed_a_scene_takes_its_own_options(room):
+    """study hands sweeps, starts and experiments over."""
+    room.bring('scenes')
+    for scene, option in (('sweep', '--sensitivities'), ('fig14', '--exact'),
+                          ('rabinowicz', '--exact'), ('sweep', '--resume')):
+        refused(room.run('study', f'scenes/{scene}.yaml', option,
+                         '--set', 'output={}'), 2, option, 'takes none')
+    for command in ('push', 'export', 'gallery', 'check', 'info'):
+        more = SLOPE if command in WITH_SLOPE else []
+        done = room.run(command, *more, '--set', 'output.hdf5=a.h5')
+        refused(done, 2, 'set')
+
+
+def what_means_nothing_beside_another_is_refused(room):
+    room.good('study', *SLOPE, '--set', 'products=[equilibria]', '-o', 'a.h5')
+    for args in (['info', 'a.h5', '-q'], ['info', 'a.h5', '--threads', '1'],
+                 ['info', 'a.h5', 'scene', '--json'],
+                 ['info', 'a.h5', 'scene', '--rerun'],
+                 ['check', '--record', *SLOPE, '--json'],
+                 ['check', '--record', *SLOPE, '--tap'],
+                 ['check', 'a.csv', '--json', '--tap'],
+                 ['check', 'a.csv', '-o', 'b.csv'],
+                 ['stress', '--json', '--tap', '--quick']):
+        refused(room.run(*args), 2, args[0], '-')
 
 
 def the_version_is_that_of_the_project(room):
@@ -115,7 +187,10 @@ run_cases([
     help_names_every_command_with_an_example,
     every_command_explains_itself,
     every_example_works,
-    options_are_explained_once_each,
+    every_option_belongs_to_the_commands_that_tell_of_it,
+    an_option_is_no_prefix_and_no_letter_of_another,
+    a_command_that_is_handed_a_scene_takes_its_own_options,
+    what_means_nothing_beside_another_is_refused,
     the_version_is_that_of_the_project,
     every_law_of_the_list_is_a_law,
     the_readme_does_what_it_says,
