@@ -1,6 +1,8 @@
 #include "command.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "text.h"
 
@@ -11,6 +13,42 @@ enum exit_code command_run(const struct command *c, const struct options *o)
         const struct options *) = { COMMAND_LIST(RUN) };
 
     return options_suit(o, c) ? run[command_id(c)](o) : EXIT_USAGE;
+}
+
+/* Whether a setting names output.KEY. */
+static bool names(const char *set, const char *key)
+{
+    const size_t n = strlen("output"), m = strlen(key);
+
+    return strncmp(set, "output", n) == 0 &&
+           (set[n] == '=' ||
+            (strncmp(set + n + 1, key, m) == 0 && set[n + 1 + m] == '='));
+}
+
+/* Frees a path that no setting names. */
+static void drop(char **path, const char *key, char *const set[], size_t sets)
+{
+    for (size_t i = 0; i < sets; i++)
+        if (names(set[i], key))
+            return;
+    free(*path);
+    *path = NULL;
+}
+
+enum status command_read(const struct options *o, char *const set[],
+                         size_t sets, struct scene *scene, struct fault *why)
+{
+    static const unsigned makers = 1u << COMMAND_PORTRAIT |
+                                   1u << COMMAND_STUDY | 1u << COMMAND_PLAN |
+                                   1u << COMMAND_BASIN | 1u << COMMAND_SWEEP;
+    const enum status s =
+        scene_read(scene, o->files ? o->file[0] : NULL, set, sets, why);
+
+    if (s != STATUS_OK || makers >> command_id(o->command) & 1u)
+        return s;
+    drop(&scene->hdf5, "hdf5", set, sets);
+    drop(&scene->figure, "figure", set, sets);
+    return s;
 }
 
 enum exit_code command_fail(enum status s, const char *text)

@@ -223,9 +223,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
 {
     const enum status s = check_options(o, why);
 
-    return s ? s
-             : scene_read(scene, o->files ? o->file[0] : NULL, o->set, o->sets,
-                          why);
+    return s ? s : command_read(o, o->set, o->sets, scene, why);
 }
 
 enum exit_code command_push(const struct options *o)

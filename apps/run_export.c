@@ -134,8 +134,7 @@ static enum status read_scene(struct job *j, struct fault *why)
 {
     const struct options *o = j->options;
 
-    enum status s = scene_read(&j->scene, o->files ? o->file[0] : NULL, o->set,
-                               o->sets, why);
+    enum status s = command_read(o, o->set, o->sets, &j->scene, why);
     if (s == STATUS_OK)
         s = scene_slope_demand(&j->scene, exchange_products, why);
     j->scene.products = exchange_products;

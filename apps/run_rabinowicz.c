@@ -80,8 +80,7 @@ enum exit_code command_rabinowicz(const struct options *o)
     struct scene scene;
     struct fault why = { "" };
 
-    enum status s =
-        scene_read(&scene, o->files ? o->file[0] : NULL, o->set, o->sets, &why);
+    enum status s = command_read(o, o->set, o->sets, &scene, &why);
     if (s != STATUS_OK)
         return command_fail(s, why.text);
     s = run(o, &scene, &r, &why);

@@ -49,8 +49,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
         s = start_setting(o, start, sizeof start, why);
         set[sets++] = start;
     }
-    return s ? s
-             : scene_read(scene, o->files ? o->file[0] : NULL, set, sets, why);
+    return s ? s : command_read(o, set, sets, scene, why);
 }
 
 /* Could the files be written?  Asked before anything is computed. */

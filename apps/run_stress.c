@@ -64,8 +64,7 @@ static enum status add_scene(const struct options *o, struct stress_list *list,
                              struct fault *why)
 {
     struct scene scene;
-    enum status s =
-        scene_read(&scene, o->files ? o->file[0] : NULL, o->set, o->sets, why);
+    enum status s = command_read(o, o->set, o->sets, &scene, why);
 
     if (s != STATUS_OK)
         return s;

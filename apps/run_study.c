@@ -112,10 +112,8 @@ static enum status read_scene(const struct options *o,
                               const struct shortcut *how, struct scene *scene,
                               const struct command **other, struct fault *why)
 {
-    const char *path = o->files ? o->file[0] : NULL;
-
     *other = NULL;
-    enum status s = scene_read(scene, path, o->set, o->sets, why);
+    enum status s = command_read(o, o->set, o->sets, scene, why);
     if (s != STATUS_OK)
         return s;
     const char *name = scene_command(scene);

@@ -38,10 +38,9 @@ static unsigned products_of(const struct options *o, const struct scene *s)
 static enum status read_scene(const struct options *o, struct scene *scene,
                               struct fault *why)
 {
-    const char *path = o->files ? o->file[0] : NULL;
     char *set[OPTIONS_SETS + 1], line[PRODUCT_SETTING];
 
-    enum status s = scene_read(scene, path, o->set, o->sets, why);
+    enum status s = command_read(o, o->set, o->sets, scene, why);
     if (s != STATUS_OK)
         return s;
     if (scene->sweep.axes == 0) {
@@ -57,7 +56,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     memcpy(set, o->set, o->sets * sizeof *set);
     product_setting(products, line);
     set[o->sets] = line;
-    return scene_read(scene, path, set, o->sets + 1, why);
+    return command_read(o, set, o->sets + 1, scene, why);
 }
 
 /* ---- files --------------------------------------------------------------- */

@@ -32,8 +32,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     if (o->files == 0 && !has_section(o, "slope"))
         set[sets++] = slope;
     memcpy(set + sets, o->set, o->sets * sizeof *set);
-    return scene_read(scene, o->files ? o->file[0] : NULL, set, sets + o->sets,
-                      why);
+    return command_read(o, set, sets + o->sets, scene, why);
 }
 
 /* Could the files be written?  Asked before anything is computed. */

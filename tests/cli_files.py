@@ -173,7 +173,51 @@ def every_law_is_written_and_read(room):
                in room.good('info', 'a.h5').splitlines(), law)
 
 
+QUESTIONS = {
+    'knees': [], 'plan': [], 'push': ['--v', '1e3', '--psi', '10'],
+    'simulate': [], 'rabinowicz': [], 'workprec': ['--quick'],
+    'check': ['--record'], 'export': ['--as', 'xppaut', '-o', 'a.ode']}
+
+
+def a_question_writes_only_what_it_is_told_to(room):
+    """The scene's output is for portrait, study, basin and sweep."""
+    room.write('a.yaml', '''law: {preset: dieterich_gen}
+slope: {alpha: 0.34}
+products: [equilibria, basins]
+basins: {cells: [8, 8], audit: 4}
+trajectories: {starts: [{v: 1e3, psi: 10}]}
+rabinowicz: {block_mass: 0.3, ball_mass: 0.1, restitution: 0.5}
+output: {hdf5: a.h5, figure: a.svg}
+''')
+    for name in ('a.h5', 'a.svg'):
+        room.write(name, 'precious')
+    for command, more in QUESTIONS.items():
+        said = room.good(command, 'a.yaml', *more)
+        expect(command == 'export' or 'wrote' not in said, command, said)
+        made = ['a.ode'] if command == 'export' else []
+        expect(room.names() == sorted(['a.h5', 'a.svg', 'a.yaml', *made])
+               and room.read('a.h5') == room.read('a.svg') == 'precious',
+               command, room.names())
+    os.remove(room.path('a.ode'))
+    for command in ('knees', 'simulate', 'rabinowicz'):
+        for option in (['-o', 'b.h5'], ['--set', 'output.hdf5=b.h5'],
+                       ['--set', 'output={hdf5: b.h5}']):
+            room.good(command, 'a.yaml', *option)
+            expect(room.names() == ['a.h5', 'a.svg', 'a.yaml', 'b.h5'],
+                   command, option, room.names())
+            os.remove(room.path('b.h5'))
+    room.good('knees', 'a.yaml', '--figure', 'b.svg')
+    expect(room.names() == ['a.h5', 'a.svg', 'a.yaml', 'b.svg'], room.names())
+    expect(room.read('a.h5') == room.read('a.svg') == 'precious', 'written')
+    for command in ('portrait', 'study', 'basin'):
+        room.good(command, 'a.yaml')
+        expect(room.read('a.svg') != 'precious' != room.bytes('a.h5')[:8],
+               command)
+        room.write('a.svg', 'precious')
+
+
 run_cases([
+    a_question_writes_only_what_it_is_told_to,
     every_reader_opens_a_portrait,
     every_reader_opens_a_portrait_without_a_saddle,
     exact_points_lie_on_the_stored_curve,

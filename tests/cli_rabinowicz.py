@@ -17,7 +17,7 @@ SCENE = 'scenes/rabinowicz.yaml'
 def the_example_scene_gives_numbers_and_a_file(room):
     room.bring('scenes')
     room.make('outputs')
-    said = room.good('rabinowicz', SCENE)
+    said = room.good('study', SCENE)
     for word in ('fit of (33) to 12 release distances', 'mu_s', 'mu_half',
                  'fit of (30)', 's_k (m)', 'wrote outputs/rabinowicz.h5'):
         expect(word in said, word, said)
@@ -148,6 +148,7 @@ def study_runs_a_scene_that_is_for_rabinowicz(room):
     room.bring('scenes')
     room.make('outputs')
     expect(room.json('study', SCENE) == room.json('rabinowicz', SCENE), 'same')
+    expect('wrote' not in room.good('rabinowicz', SCENE), 'a question')
 
 
 def wrong_words_cost_one_line(room):

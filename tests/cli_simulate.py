@@ -89,20 +89,22 @@ def read_back(room):
 
 def a_scene_fills_a_file(room):
     room.write('a.yaml', SCENE % 'seed: 1')
-    room.good('simulate', 'a.yaml')
+    room.good('study', 'a.yaml')
     expect(read_back(room) == ['0 arrest linear_slip log_time',
                                '1 arrest linear_slip log_time',
                                'linear_slip 201', 'log_time 201'],
            read_back(room))
     one = room.bytes('a.h5')
-    room.good('simulate', 'a.yaml', '--threads', '1')
+    room.good('study', 'a.yaml', '--threads', '1')
     expect(room.bytes('a.h5') == one, 'threads change the file')
+    room.good('simulate', 'a.yaml', '-o', 'b.h5')
+    expect(len(room.bytes('b.h5')) > len(one) / 2, 'simulate writes the same')
 
 
 def a_scene_chooses_samples_and_limits(room):
     room.write('a.yaml', SCENE % 'until: {time: 1e6}\n'
                '  sample: {log_time: 30}')
-    room.good('simulate', 'a.yaml', '--quiet')
+    room.good('study', 'a.yaml', '--quiet')
     expect(read_back(room) == ['0 until_time log_time',
                                '1 until_time log_time', 'log_time 30'],
            read_back(room))

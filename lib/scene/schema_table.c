@@ -237,10 +237,10 @@ const struct schema_key schema_table[] = {
       TEXT("relative accuracy; numbers carry the error they have") },
 
     { "output.hdf5", value_path, AT(hdf5), .expected = "a path",
-      TEXT("write results here") },
+      TEXT("write results here; by portrait, study, basin and sweep") },
     { "output.figure", value_figure, AT(figure),
       .expected = "a path ending in .svg, .pdf or .png",
-      TEXT("draw here") },
+      TEXT("draw here; by the same") },
     { .path = NULL },
 };
 /* clang-format on */
