@@ -130,3 +130,13 @@ quad quad_block_rate(const struct law *law, const struct quad_anchor *at,
     quad_rate(law, at, &c, which, 0, &X, &Y, &rate);
     return rate;
 }
+
+quad quad_block_mu(const struct law *law, const struct quad_anchor *at, quad X,
+                   quad Y)
+{
+    struct quad_ctx c = { 0 };
+    quad mu;
+
+    quad_mu(law, at, &c, &X, &Y, &mu);
+    return at->mu0 + mu;
+}

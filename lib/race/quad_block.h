@@ -38,4 +38,8 @@ void quad_block_field(const struct law *law, const struct quad_anchor *at,
 quad quad_block_rate(const struct law *law, const struct quad_anchor *at,
                      enum block_observable which, quad X, quad Y);
 
+/* mu(v, psi) there. */
+quad quad_block_mu(const struct law *law, const struct quad_anchor *at, quad X,
+                   quad Y);
+
 #endif

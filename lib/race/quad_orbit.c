@@ -1,0 +1,412 @@
+/* Arrivals and peaks are found on the polynomials of a step, which is then
+ * taken again to just there.  An orbit is followed twice: the difference is the
+ * error. */
+#include "quad_orbit.h"
+
+#include <math.h>
+
+#include "quad_course.h"
+#include "rest_form.h"
+#include "tolerance.h"
+
+enum { SCAN = 64, POLISH = 4 };
+
+/* Of the finer run, over the tolerance of the coarser one. */
+static const double finer = 0.1;
+/* A rest is one when so little of time (slip) so far is left. */
+static const double soon = 1e-22;
+/* The same of one that cannot be followed further. */
+static const double at_all = 1e-10;
+/* Of two runs' difference, and of the finer one's tolerance squared, what
+ * errors are at most. */
+static const double twice = 2.0, square = 1000.0;
+/* Relative errors of peaks by that of where they are. */
+static const double placed = 1e-18;
+
+/* ---- slopes -------------------------------------------------------------- */
+
+/* The root of the force balance next to x, which doubles know. */
+static quad root_near(const struct study *s, double x)
+{
+    const struct law *law = &s->block.law;
+    const struct material *m = &s->block.material;
+    const quad tangent = (quad) s->block.tan_alpha;
+
+    for (double off = 1e-15 * fmax(fabs(x), 1.0); off < 1e-3; off *= 4.0) {
+        const quad lo = (quad) x - (quad) off, hi = (quad) x + (quad) off;
+        if ((quad_block_mu_ss(law, m, lo) < tangent) !=
+            (quad_block_mu_ss(law, m, hi) < tangent))
+            return quad_block_equilibrium(law, m, tangent, lo, hi);
+    }
+    return (quad) x;
+}
+
+void quad_slope_init(struct quad_slope *q, const struct study *s)
+{
+    const struct law *law = &s->block.law;
+    const struct material *m = &s->block.material;
+    const size_t home = s->saddle >= 0 ? (size_t) s->saddle : 0;
+    const quad x = s->equilibria > 0 ? root_near(s, s->equilibrium[home].z.x)
+                                     : (quad) s->block.at.x0;
+
+    quad_method_init(&q->method);
+    q->study = s;
+    q->nodes = 0;
+    quad_block_anchor(law, m, (quad) s->block.tan_alpha, x, s->equilibria > 0,
+                      &q->at);
+    for (size_t i = 0; i < s->equilibria; i++) {
+        if ((int) i == s->saddle)
+            continue;
+        const quad at = i == home ? x : root_near(s, s->equilibrium[i].z.x);
+        q->node[q->nodes][0] = at - x;
+        q->node[q->nodes][1] = quad_block_y_ss(law, m, at) - q->at.y0;
+        q->fate[q->nodes++] = fate_of_node(s, &s->equilibrium[i]);
+    }
+}
+
+/* ---- peaks --------------------------------------------------------------- */
+
+/* Rates of v and mu at a point, in doubles: to find where they vanish. */
+static void find_rise(const struct quad_course *c, const quad z[2],
+                      const quad du[], double rise[2])
+{
+    const struct planar *p = &c->slope->study->system;
+    const double v = c->slope->study->block.at.v0 * exp((double) z[0]);
+    const struct vec2 at = { (double) z[0], (double) z[1] };
+    struct vec2 g;
+    double work;
+
+    p->rate_gradient(p->ctx, BLOCK_WORK, at, &work, &g);
+    rise[0] = (double) du[QUAD_X];
+    rise[1] =
+        ((g.x - work) * (double) du[QUAD_X] + g.y * (double) du[QUAD_Y]) / v;
+}
+
+/* Notes what is reached at u. */
+static void note_peaks(struct quad_course *c, const quad u[])
+{
+    const quad v = expq(c->slope->at.x0 + u[QUAD_X]);
+    const quad mu = quad_block_mu(&c->slope->study->block.law, &c->slope->at,
+                                  u[QUAD_X], u[QUAD_Y]);
+
+    c->v_peak = c->steps == 0 || v > c->v_peak ? v : c->v_peak;
+    c->mu_peak = c->steps == 0 || mu > c->mu_peak ? mu : c->mu_peak;
+}
+
+/* The rate of v or mu between its values at two neighbouring stages vanishes
+ * where a parabola's slope would, and then nearer. */
+static void polish_peak(struct quad_course *c, const struct quad_radau *w,
+                        int which, quad from, quad to)
+{
+    struct quad_radau part;
+    quad u[QUAD_DIM];
+
+    for (int i = 0; i < 8 * POLISH; i++) {
+        const quad theta = (from + to) / 2;
+        double rise[2];
+        quad du[QUAD_DIM];
+        const quad z[2] = {
+            c->u[QUAD_X] + quad_radau_gain(&c->slope->method, w, QUAD_X, theta),
+            c->u[QUAD_Y] + quad_radau_gain(&c->slope->method, w, QUAD_Y, theta)
+        };
+        quad_course_field(c, z, du);
+        find_rise(c, z, du, rise);
+        if (rise[which] > 0.0)
+            from = theta;
+        else
+            to = theta;
+    }
+    if (quad_course_part(c, w, (from + to) / 2, &part, u))
+        note_peaks(c, u);
+}
+
+/* The largest v and mu up to the end of the step w, which begins at c->u. */
+static void find_peaks(struct quad_course *c, const struct quad_radau *w)
+{
+    const struct quad_method *m = &c->slope->method;
+    double before[2] = { c->rise[0], c->rise[1] }, rise[2];
+
+    for (int i = 0; i < QUAD_STAGES; i++) {
+        const quad z[2] = { c->u[QUAD_X] + w->z[i][0],
+                            c->u[QUAD_Y] + w->z[i][1] };
+        const quad from = i == 0 ? 0 : m->node[i - 1];
+        find_rise(c, z, w->du[i], rise);
+        for (int k = 0; k < 2; k++) {
+            const quad v = expq(c->slope->at.x0 + z[0]);
+            const quad mu = w->du[i][QUAD_WORK] / w->du[i][QUAD_SLIP];
+            const double near =
+                (double) (k == 0 ? v / c->v_peak : mu / c->mu_peak);
+            if (before[k] > 0.0 && rise[k] <= 0.0 && !(near < 0.9))
+                polish_peak(c, w, k, from, m->node[i]);
+            before[k] = rise[k];
+        }
+    }
+    c->rise[0] = rise[0];
+    c->rise[1] = rise[1];
+}
+
+/* ---- ends ---------------------------------------------------------------- */
+
+/* How far z is outside the box of arrest of a node. */
+static quad outside(const struct quad_slope *q, size_t node, const quad z[])
+{
+    const quad x = fabsq(z[0] - q->node[node][0]);
+    const quad y = fabsq(z[1] - q->node[node][1]);
+
+    return (x > y ? x : y) - (quad) TOL_ARREST;
+}
+
+static quad outside_at(const struct quad_course *c, const struct quad_radau *w,
+                       size_t node, quad theta)
+{
+    const struct quad_method *m = &c->slope->method;
+    const quad z[2] = { c->u[QUAD_X] + quad_radau_gain(m, w, QUAD_X, theta),
+                        c->u[QUAD_Y] + quad_radau_gain(m, w, QUAD_Y, theta) };
+
+    return outside(c->slope, node, z);
+}
+
+/* Whether the step may come near the node at all. */
+static bool comes_near(const struct quad_course *c, const struct quad_radau *w,
+                       size_t node)
+{
+    for (int k = 0; k < 2; k++) {
+        quad lo = 0, hi = 0;
+        for (int i = 0; i < QUAD_STAGES; i++) {
+            lo = w->z[i][k] < lo ? w->z[i][k] : lo;
+            hi = w->z[i][k] > hi ? w->z[i][k] : hi;
+        }
+        const quad at = c->slope->node[node][k] - c->u[k];
+        const quad more = (hi - lo) / 4 + 2 * (quad) TOL_ARREST;
+        if (at < lo - more || at > hi + more)
+            return false;
+    }
+    return true;
+}
+
+/* The first part of the step that lies in the box; above 1: none. */
+static quad part_to_box(const struct quad_course *c, const struct quad_radau *w,
+                        size_t node)
+{
+    quad lo = 0, hi = 2;
+
+    if (!comes_near(c, w, node))
+        return hi;
+    for (int i = 1; i <= SCAN && hi > 1; i++) {
+        const quad theta = (quad) i / SCAN;
+        if (outside_at(c, w, node, theta) <= 0)
+            hi = theta;
+        else
+            lo = theta;
+    }
+    for (int i = 0; i < 50 && hi <= 1; i++) {
+        const quad mid = (lo + hi) / 2;
+        if (outside_at(c, w, node, mid) <= 0)
+            hi = mid;
+        else
+            lo = mid;
+    }
+    return hi;
+}
+
+/* The step to the face of the box, from a good guess of its part. */
+static bool step_to_face(const struct quad_course *c,
+                         const struct quad_radau *whole, size_t node,
+                         quad theta, struct quad_radau *w, quad to[QUAD_DIM])
+{
+    quad before = 0, off = 0;
+
+    for (int i = 0; i < POLISH; i++) {
+        if (!quad_course_part(c, whole, theta, w, to))
+            return false;
+        const quad now = outside(c->slope, node, to), last = theta;
+        const quad slope =
+            i == 0 ? (outside_at(c, whole, node, theta) -
+                      outside_at(c, whole, node, theta * (1 - (quad) 1e-8))) /
+                         (theta * (quad) 1e-8)
+                   : (now - off) / (theta - before);
+        if (fabsq(now) < (quad) 1e-30 || (i > 0 && now == off))
+            return true;
+        theta -= now / slope;
+        before = last;
+        off = now;
+    }
+    return true;
+}
+
+/* The nodes' boxes: true where the step ends in one. */
+static bool find_arrival(struct quad_course *c, struct quad_radau *w,
+                         quad to[QUAD_DIM])
+{
+    size_t node = 0;
+    quad first = 2;
+
+    for (size_t i = 0; i < c->slope->nodes; i++) {
+        const quad theta = part_to_box(c, w, i);
+        if (theta < first) {
+            first = theta;
+            node = i;
+        }
+    }
+    if (first > 1)
+        return false;
+    const struct quad_radau whole = *w;
+    c->fate = step_to_face(c, &whole, node, first, w, to) ? c->slope->fate[node]
+                                                          : FATE_UNDECIDED;
+    return true;
+}
+
+/* What is left of a block that stops, and its fate where that is nothing. */
+static void find_rest(struct quad_course *c)
+{
+    const struct study *s = c->slope->study;
+    const struct rest_form rest =
+        rest_form_of(&s->block.law, &s->block.material);
+    const bool falls = s->saddle == 0 && c->u[QUAD_X] < 0 && c->u[QUAD_Y] > 0;
+    const quad v = expq(c->slope->at.x0 + c->u[QUAD_X]);
+    const quad rate = -c->du[QUAD_X] / c->du[QUAD_TIME];
+
+    if (s->saddle > 0 || !(rate > 0))
+        return;
+    if (rest.fate == FATE_REST_FINITE) {
+        c->left[0] = (quad) rest.power / rate;
+        c->left[1] = v * c->left[0];
+        if (c->left[0] < (quad) soon * c->u[QUAD_TIME])
+            c->fate = FATE_REST_FINITE;
+    } else if (rest.fate == FATE_REST_ASYMPTOTIC && falls) {
+        c->left[1] = v * c->u[QUAD_TIME];
+        if (c->left[1] < (quad) soon * c->u[QUAD_SLIP])
+            c->fate = FATE_REST_ASYMPTOTIC;
+    }
+}
+
+/* v -> 0, v -> inf; true where that is certain and nothing is left. */
+static bool find_end(struct quad_course *c)
+{
+    const struct study *s = c->slope->study;
+    const bool runs = c->u[QUAD_X] > 0 && c->u[QUAD_Y] < 0 && s->saddle >= 0 &&
+                      (size_t) s->saddle + 1 == s->equilibria;
+
+    if (runs || c->slope->at.x0 + c->u[QUAD_X] > 690)
+        c->fate = FATE_RUNAWAY;
+    else
+        find_rest(c);
+    return c->fate != FATE_UNDECIDED;
+}
+
+/* ---- orbits -------------------------------------------------------------- */
+
+/* One step; false where the orbit has ended, or none is short enough. */
+static bool advance(struct quad_course *c)
+{
+    struct quad_radau w;
+    quad to[QUAD_DIM];
+    double excess;
+
+    if (!quad_course_take(c, &w, to, &excess))
+        return false;
+    const bool arrived = find_arrival(c, &w, to);
+    find_peaks(c, &w);
+    quad_course_move(c, &w, to, excess);
+    note_peaks(c, c->u);
+    return !arrived && !find_end(c);
+}
+
+static void follow(const struct quad_slope *q, quad x, quad y, double tol,
+                   struct quad_course *c)
+{
+    quad_course_start(c, q, x, y, tol);
+    find_rise(c, c->u, c->du, c->rise);
+    note_peaks(c, c->u);
+    for (size_t i = 0; i < q->nodes; i++)
+        if (outside(q, i, c->u) <= 0)
+            c->fate = q->fate[i];
+    while (c->fate == FATE_UNDECIDED && advance(c))
+        ;
+    /* psi and psi_ss agree to all digits long before v = 0 */
+    if (c->fate == FATE_UNDECIDED && c->left[0] > 0 &&
+        c->left[0] < (quad) at_all * c->u[QUAD_TIME])
+        c->fate = FATE_REST_FINITE;
+}
+
+/* (27) */
+static double defect_of(const struct quad_course *c, quad x)
+{
+    const struct study *s = c->slope->study;
+    const struct material *m = &s->block.material;
+    const quad tangent = (quad) s->block.tan_alpha;
+    const quad eps2 = (quad) m->V_star * m->V_star / ((quad) m->g * m->L);
+    const quad half = eps2 * sqrtq(1 + tangent * tangent) / 2;
+    const quad v0 = expq(x), v1 = expq(c->slope->at.x0 + c->u[QUAD_X]);
+    const quad term[] = { half * v1 * v1, -half * v0 * v0,
+                          -tangent * c->u[QUAD_SLIP], c->u[QUAD_WORK] };
+    quad sum = 0, most = 0;
+
+    for (int i = 0; i < 4; i++) {
+        sum += term[i];
+        most = fabsq(term[i]) > most ? fabsq(term[i]) : most;
+    }
+    return (double) (fabsq(sum) / most);
+}
+
+static void read_values(const struct quad_course *c, quad value[CELL_FIELDS])
+{
+    value[CELL_SLIP] = c->u[QUAD_SLIP];
+    value[CELL_TIME] = c->u[QUAD_TIME];
+    value[CELL_MU_MEAN] = c->u[QUAD_WORK] / c->u[QUAD_SLIP];
+    value[CELL_V_PEAK] = c->v_peak;
+    value[CELL_MU_PEAK] = c->mu_peak;
+}
+
+/* Which fields an orbit with that end has. */
+static bool has(enum fate fate, enum cell_field k, const struct quad_course *c)
+{
+    if (fate == FATE_RUNAWAY || fate == FATE_UNDECIDED)
+        return false;
+    if (k == CELL_TIME)
+        return fate != FATE_REST_ASYMPTOTIC;
+    if (k == CELL_MU_PEAK)
+        return fate != FATE_REST_FINITE;
+    return k != CELL_MU_MEAN || c->u[QUAD_SLIP] > 0;
+}
+
+/* What the difference of two runs may not show: chance, what is left, and how
+ * well peaks are placed. */
+static quad more_of(const struct quad_course *c, enum cell_field k, quad value)
+{
+    const quad size = fabsq(value), part = c->left[1] / c->u[QUAD_SLIP];
+    const quad chance = (quad) (square * c->tol * c->tol) * size;
+
+    switch (k) {
+        case CELL_TIME:
+            return chance + c->left[0];
+        case CELL_SLIP:
+            return chance + c->left[1];
+        case CELL_MU_MEAN:
+            return chance + part * size;
+        default:
+            return chance + (quad) placed * size;
+    }
+}
+
+void quad_orbit_find(const struct quad_slope *q, quad x, quad y, double tol,
+                     struct quad_orbit *out)
+{
+    struct quad_course coarse, fine;
+    quad before[CELL_FIELDS];
+
+    follow(q, x, y, tol, &coarse);
+    follow(q, x, y, tol * finer, &fine);
+    read_values(&coarse, before);
+    read_values(&fine, out->value);
+    out->fate = fine.fate == coarse.fate ? fine.fate : FATE_UNDECIDED;
+    out->steps = coarse.steps + fine.steps;
+    out->defect = defect_of(&fine, x);
+    for (int k = 0; k < CELL_FIELDS; k++) {
+        const quad off = (quad) twice * fabsq(out->value[k] - before[k]) +
+                         more_of(&fine, (enum cell_field) k, out->value[k]);
+        out->error[k] = has(out->fate, (enum cell_field) k, &fine)
+                            ? (double) off
+                            : (double) NAN;
+    }
+}
