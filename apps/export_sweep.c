@@ -4,11 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "export.h"
 #include "library.h"
+#include "provenance.h"
 #include "result_file.h"
 #include "store.h"
 #include "store_grid.h"
+#include "study_results.h"
 #include "tolerance.h"
 
 static const char group[] = "/sweep";
@@ -235,9 +236,38 @@ static const struct record_field start_field[] = {
       .text = "interfacial state at the start",
       .kind = RECORD_REAL },
 };
-const struct record_type record_sweep_start = {
+static const struct record_type record_start = {
     .name = "start", .text = "starts", .fields = start_field, .count = 2
 };
+
+static const struct record_field key_field[] = {
+    { .name = "keys",
+      .unit = "1",
+      .text = "the keys of the axes, in their order",
+      .kind = RECORD_TEXT },
+    { .name = "refine",
+      .unit = "1",
+      .text = "sweep.refine, where the scene has it",
+      .kind = RECORD_REAL },
+};
+static const struct record_type record_keys = {
+    .name = "keys", .text = "keys", .fields = key_field, .count = 2
+};
+
+static const struct result sweep_results[] = {
+    { "/sweep", NULL,
+      "sweep: the numbers of a study over one key or more; its axes and "
+      "columns "
+      "are below",
+      RESULT_ATTRIBUTES, .type = &record_keys },
+    { "/sweep", NULL, "with fields of cells", RESULT_ATTRIBUTES,
+      .type = &record_accuracy },
+    { "/sweep", NULL, "with starts, the same at all points", RESULT_COLUMNS,
+      .axis = "start", .type = &record_start },
+    { .path = NULL },
+};
+
+const struct result *const sweep_tables[] = { sweep_results, NULL };
 
 /* Where the runs start: the same at all points. */
 static enum status put_starts(const struct cube *c)
@@ -280,7 +310,7 @@ static enum status put_all(const struct sweep *s, struct store *out,
                       .real = calloc(most, sizeof *c.real),
                       .code = calloc(most, sizeof *c.code) };
     enum status status =
-        c.real && c.code ? export_provenance(s->scene, out) : STATUS_NO_MEMORY;
+        c.real && c.code ? provenance_put(s->scene, out) : STATUS_NO_MEMORY;
 
     if (status == STATUS_OK)
         status = put_keys(&c);

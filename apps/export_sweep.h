@@ -2,10 +2,11 @@
 #ifndef APPS_EXPORT_SWEEP_H
 #define APPS_EXPORT_SWEEP_H
 
+#include "result.h"
 #include "sweep.h"
 
-/* start_v and start_psi of /sweep. */
-extern const struct record_type record_sweep_start;
+/* What /sweep holds beside its axes and columns, for the reference pages. */
+extern const struct result *const sweep_tables[];
 
 /* Writes /sweep: the keys as axes named by their last word, and what else
  * numbers are given along (sweep_dim.h); over them, for every number of a point

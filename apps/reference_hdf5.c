@@ -2,13 +2,19 @@
 
 #include <string.h>
 
-#include "layout.h"
+#include "export_sweep.h"
 #include "markdown.h"
+#include "provenance.h"
+#include "release.h"
 #include "schema.h"
+#include "simulation.h"
+#include "stress_run.h"
+#include "study_results.h"
 #include "sweep_column.h"
 #include "sweep_key.h"
 #include "sweep_layer.h"
 #include "value.h"
+#include "workprec.h"
 
 static const char head[] =
     "# Result files\n"
@@ -16,7 +22,7 @@ static const char head[] =
     "HDF5 as netCDF-4 wants it: h5py, xarray, netCDF4, ncdump and MATLAB read\n"
     "it. A file holds the groups below that its command and products give; a\n"
     "group with a K is there once for each K = 0, 1, 2, ...; {a,b} stands for\n"
-    "two groups. Numbers are dimensionless where no other unit stands: slip\n"
+    "as many names. Numbers are dimensionless where no other unit stands: slip\n"
     "in L, slip rate in V_star, time in L/V_star, all in `/provenance`.\n"
     "\n"
     "Each data set has the attribute `long_name`, its meaning below, each but\n"
@@ -40,6 +46,8 @@ static const char head[] =
     "\n"
     "This page is written by `slipway help --as hdf5`.\n";
 
+enum { RESULTS_MAX = 128 };
+
 static const char *const kind_names[] = {
     [RECORD_REAL] = "real",       [RECORD_COUNT] = "count",
     [RECORD_CODE] = "code",       [RECORD_TEXT] = "text",
@@ -60,12 +68,33 @@ static void put_set(FILE *out, const struct record_field *f, const char *along)
     fputs(" |\n", out);
 }
 
-static void put_attribute(FILE *out, const struct record_field *f)
+static void put_attribute_line(FILE *out, const char *name, const char *kind,
+                               const struct record_field *f, const char *text)
 {
-    fprintf(out, "| `%s` | %s | %s | ", f->name, kind_names[f->kind],
-            f->kind == RECORD_TEXT ? "" : f->unit);
-    markdown_text(out, f->text);
+    fprintf(out, "| `%s` | %s | %s | ", name, kind,
+            f->kind == RECORD_TEXT || f->kind == RECORD_CODE ? "" : f->unit);
+    markdown_text(out, text);
     fputs(" |\n", out);
+}
+
+/* A number has its error beside it. */
+static void put_attribute(FILE *out, const struct result *r,
+                          const struct record_field *f)
+{
+    const char *member = r->member ? r->member : "*",
+               *star = strchr(member, '*');
+    const char *kind = f->kind == RECORD_QUANTITY ? "real"
+                       : f->kind == RECORD_CODE   ? "text"
+                                                  : kind_names[f->kind];
+    char name[RESULT_NAME];
+
+    snprintf(name, sizeof name, "%.*s%s%s", (int) (star - member), member,
+             f->name, star + 1);
+    put_attribute_line(out, name, kind, f, f->text);
+    if (f->kind != RECORD_QUANTITY)
+        return;
+    strncat(name, "_error", sizeof name - strlen(name) - 1);
+    put_attribute_line(out, name, kind, f, "bound on its error");
 }
 
 static void put_sets_head(FILE *out)
@@ -90,41 +119,70 @@ static void put_index(FILE *out)
     put_set(out, &n, "n");
 }
 
-static void put_fields(FILE *out, const struct layout_part *p)
+static void put_fields(FILE *out, const struct result *r)
 {
-    const struct record_type *type = p->type;
+    const bool counted = r->shape == RESULT_COLUMNS && r->axis == NULL;
 
-    if (p->shape == LAYOUT_COLUMNS && strcmp(p->along, "n") == 0)
+    if (counted)
         put_index(out);
-    for (size_t i = 0; i < type->count; i++) {
-        const struct record_field *f = &type->fields[i];
-        if (p->shape == LAYOUT_ATTRIBUTES)
-            put_attribute(out, f);
+    for (size_t i = 0; i < r->type->count; i++) {
+        const struct record_field *f = &r->type->fields[i];
+        if (r->shape == RESULT_ATTRIBUTES)
+            put_attribute(out, r, f);
         else
-            put_set(out, f, p->shape == LAYOUT_AXES ? f->name : p->along);
+            put_set(out, f, counted ? "n" : r->axis);
     }
 }
 
-/* Whether p says more of the group that the part before it is of. */
-static bool goes_on(const struct layout_part *p)
+/* What a page has said already: the group it is at, and of each group which
+ * records it has. */
+struct told {
+    const char *path;
+    const struct result *of[RESULTS_MAX];
+    size_t count;
+};
+
+/* Two commands may fill the same group. */
+static bool is_told(struct told *t, const struct result *r)
 {
-    return p > layout_table && strcmp(p->group, p[-1].group) == 0;
+    for (size_t i = 0; i < t->count; i++)
+        if (t->of[i]->type == r->type && strcmp(t->of[i]->path, r->path) == 0)
+            return true;
+    if (t->count < RESULTS_MAX)
+        t->of[t->count++] = r;
+    return false;
 }
 
-static void put_part(FILE *out, const struct layout_part *p)
+static void put_part(FILE *out, const struct result *r, struct told *t)
 {
-    if (!goes_on(p))
-        fprintf(out, "\n### `%s`\n", p->group);
-    if (p->text) {
+    if (t->path == NULL || strcmp(t->path, r->path) != 0)
+        fprintf(out, "\n### `%s`\n", r->path);
+    t->path = r->path;
+    if (r->text) {
         fputs("\n", out);
-        markdown_text(out, p->text);
+        markdown_text(out, r->text);
         fputs(":\n", out);
     }
-    if (p->shape == LAYOUT_ATTRIBUTES)
+    if (r->shape == RESULT_ATTRIBUTES)
         put_attributes_head(out);
     else
         put_sets_head(out);
-    put_fields(out, p);
+    put_fields(out, r);
+}
+
+static void put_groups(FILE *out)
+{
+    const struct result *const *const list[] = {
+        provenance_tables, study_tables,    simulation_tables, sweep_tables,
+        release_tables,    workprec_tables, stress_tables
+    };
+    struct told told = { .path = NULL };
+
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        for (size_t t = 0; list[i][t]; t++)
+            for (const struct result *r = list[i][t]; r->type; r++)
+                if (r->path && !is_told(&told, r))
+                    put_part(out, r, &told);
 }
 
 /* ---- sweeps -------------------------------------------------------------- */
@@ -270,7 +328,6 @@ enum status reference_hdf5(FILE *out)
 {
     fputs(head, out);
     fputs("\n## Groups\n", out);
-    for (const struct layout_part *p = layout_table; p->group; p++)
-        put_part(out, p);
+    put_groups(out);
     return put_sweep(out);
 }

@@ -3,6 +3,8 @@
 #include <stdio.h>
 
 #include "library.h"
+#include "provenance.h"
+#include "store_results.h"
 
 enum status result_file_begin(struct store **out, const char *path,
                               const struct scene *scene, const char *untitled,
@@ -29,4 +31,20 @@ enum status result_file_end(struct store **out, const char *path, enum status s,
                  status_text(s));
     store_free(out);
     return s;
+}
+
+enum status result_file_write(const struct results *all,
+                              const struct scene *scene, const char *untitled,
+                              const char *path, const struct monitor *monitor,
+                              struct fault *why)
+{
+    struct store *out;
+    enum status s = result_file_begin(&out, path, scene, untitled, why);
+
+    if (s != STATUS_OK)
+        return s;
+    s = provenance_put(scene, out);
+    if (s == STATUS_OK)
+        s = store_put_results(out, all, monitor);
+    return result_file_end(&out, path, s, why);
 }

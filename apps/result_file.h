@@ -2,8 +2,18 @@
 #ifndef APPS_RESULT_FILE_H
 #define APPS_RESULT_FILE_H
 
+#include "result.h"
 #include "scene.h"
 #include "store.h"
+
+/* All that was asked for of a run's results, after its provenance, under that
+ * title.  Rows of layers are computed on the way; `monitor` may be NULL. Errors
+ * of store_results.h, with one line in *why. */
+MUST_CHECK enum status result_file_write(const struct results *all,
+                                         const struct scene *scene,
+                                         const char *untitled, const char *path,
+                                         const struct monitor *monitor,
+                                         struct fault *why);
 
 /* Opens *out in path's place, titled as the scene is, or else `untitled`;
  * scene may be NULL.  Nothing to end where it fails. */

@@ -3,13 +3,13 @@
 #include <stdio.h>
 
 #include "command.h"
-#include "export_rabinowicz.h"
 #include "panel.h"
 #include "picture_rabinowicz.h"
 #include "picture_transient.h"
 #include "progress.h"
 #include "replace.h"
 #include "report_rabinowicz.h"
+#include "result_file.h"
 
 /* Could the files be written?  Asked before anything is computed. */
 static enum status check_files(const struct scene *c, struct fault *why)
@@ -38,13 +38,15 @@ static enum status check_files(const struct scene *c, struct fault *why)
 static enum status run(const struct options *o, const struct scene *scene,
                        struct release *r, struct fault *why)
 {
+    const struct results all = { .table = release_tables, .run = r };
     enum status s = check_files(scene, why);
 
     if (s == STATUS_OK)
         s = release_run(r, scene, progress_monitor(o), why);
     progress_end();
     if (s == STATUS_OK && scene->hdf5)
-        s = export_rabinowicz(r, scene, scene->hdf5, why);
+        s = result_file_write(&all, scene, "Rabinowicz's experiment",
+                              scene->hdf5, NULL, why);
     if (s == STATUS_OK && scene->figure)
         s = picture_rabinowicz(r, scene, scene->figure, o->keep_script, why);
     return s;

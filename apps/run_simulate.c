@@ -4,13 +4,13 @@
 #include <string.h>
 
 #include "command.h"
-#include "export_transient.h"
 #include "number.h"
 #include "panel.h"
 #include "picture_transient.h"
 #include "progress.h"
 #include "replace.h"
 #include "report_transient.h"
+#include "result_file.h"
 #include "tolerance.h"
 
 static enum status complain(struct fault *why, const char *text)
@@ -75,11 +75,13 @@ static enum status write_files(const struct simulation *s,
                                const struct options *o, struct fault *why)
 {
     const char *hdf5 = s->scene.hdf5, *figure = s->scene.figure;
+    const struct results all = { .table = simulation_tables, .run = s };
     char path[PANEL_PATH];
     enum status status = STATUS_OK;
 
     if (hdf5)
-        status = export_simulation(s, hdf5, why);
+        status = result_file_write(&all, &s->scene, s->study.block.law.preset,
+                                   hdf5, NULL, why);
     if (status == STATUS_OK && hdf5)
         tell(o, hdf5);
     if (status != STATUS_OK || !figure)

@@ -3,10 +3,10 @@
 #include <string.h>
 
 #include "command.h"
-#include "export_stress.h"
 #include "progress.h"
 #include "replace.h"
 #include "report_stress.h"
+#include "result_file.h"
 #include "text.h"
 
 static enum status refuse(struct fault *why, const char *format,
@@ -108,13 +108,15 @@ static enum exit_code run(const struct options *o,
 {
     struct fault why = { "" };
     struct stress s = { .row = NULL };
+    const struct results all = { .table = stress_tables, .run = &s };
     enum status status = o->output ? replace_check(o->output, &why) : STATUS_OK;
 
     if (status == STATUS_OK)
         status = stress_run(&s, list, progress_monitor(o));
     progress_end();
     if (status == STATUS_OK && o->output)
-        status = export_stress(&s, o->output, &why);
+        status = result_file_write(&all, NULL, "stiff and extreme cases",
+                                   o->output, NULL, &why);
     enum exit_code code = s.outcome[STRESS_LIE] > 0 ? EXIT_CHECK : EXIT_DONE;
     if (status != STATUS_OK)
         code = command_fail(status, why.text);

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "command.h"
-#include "export.h"
 #include "panel.h"
 #include "picture.h"
 #include "product_setting.h"
@@ -13,8 +12,10 @@
 #include "replace.h"
 #include "report.h"
 #include "report_sweep.h"
+#include "result_file.h"
 #include "scene_command.h"
 #include "scene_slope.h"
+#include "study_results.h"
 #include "sweep_point.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
@@ -170,11 +171,13 @@ static enum status write_files(const struct study *s, const struct options *o,
                                const struct shortcut *how, struct fault *why)
 {
     const char *hdf5 = s->scene->hdf5, *figure = figure_of(s->scene, how);
+    const struct results all = study_results(s);
     const bool tell = !o->quiet && !o->json;
     enum status status = STATUS_OK;
 
     if (hdf5)
-        status = export_study(s, hdf5, progress_monitor(o), why);
+        status = result_file_write(&all, s->scene, s->block.law.preset, hdf5,
+                                   progress_monitor(o), why);
     if (status == STATUS_OK && hdf5 && tell)
         printf("wrote %s\n", hdf5);
     if (status == STATUS_OK && figure)

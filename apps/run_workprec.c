@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "command.h"
-#include "export_workprec.h"
 #include "picture_workprec.h"
 #include "progress.h"
 #include "replace.h"
 #include "report_workprec.h"
+#include "result_file.h"
 
 /* Whether a setting names a key of that section. */
 static bool has_section(const struct options *o, const char *section)
@@ -58,11 +58,13 @@ static enum status check_files(const struct scene *c, struct fault *why)
 static enum status write_files(const struct workprec *w,
                                const struct options *o, struct fault *why)
 {
+    const struct results all = { .table = workprec_tables, .run = w };
     const struct scene *c = &w->scene;
     enum status s = STATUS_OK;
 
     if (c->hdf5)
-        s = export_workprec(w, c->hdf5, why);
+        s = result_file_write(&all, c, "error against run time", c->hdf5, NULL,
+                              why);
     if (c->figure && s == STATUS_OK)
         s = picture_workprec(w, c->figure, o->keep_script, why);
     return s;

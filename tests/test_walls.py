@@ -86,17 +86,18 @@ RULES = [
 # The map of the house: what each folder may include besides itself.
 MAY_SEE = {
     'lib/core': [],
+    'lib/results': ['lib/core'],
     'lib/friction': ['lib/core'],
     'lib/scene': ['lib/core', 'lib/friction'],
     'lib/fit': ['lib/core', 'lib/friction'],
-    'lib/store': ['lib/core'],
+    'lib/store': ['lib/core', 'lib/results'],
     'lib/plot': ['lib/core'],
     'lib/interchange': ['lib/core', 'lib/friction'],
     'manifold': ['lib/core'],
     'portrait': ['lib/core', 'manifold'],
-    'lib/study': ['lib/core', 'lib/friction', 'lib/scene', 'lib/fit',
-                  'manifold', 'portrait'],
-    'lib/race': ['lib/core', 'lib/friction', 'lib/scene', 'lib/fit',
+    'lib/study': ['lib/core', 'lib/results', 'lib/friction', 'lib/scene',
+                  'lib/fit', 'manifold', 'portrait'],
+    'lib/race': ['lib/core', 'lib/results', 'lib/friction', 'lib/scene', 'lib/fit',
                  'lib/study', 'manifold', 'portrait'],
 }
 

@@ -301,6 +301,7 @@ enum status slip_curve_fit(const struct measured *m, double K, double smoothing,
 
     *out = (struct slip_curve){ .at = NULL };
     if (!least_has_places(m, LEAST_MAX + 1)) {
+        out->smoothing = out->freedom = (double) NAN;
         out->reason = "too few slopes: a curve needs four different ones";
         return STATUS_OK;
     }

@@ -25,7 +25,8 @@ struct slip_curve {
     size_t count;
     double smoothing;   /* as given, or found */
     double freedom;     /* parameters that the curve spends, 3 to 4 if smooth */
-    const char *reason; /* why there is no curve, static; NULL: there is one */
+    const char *reason; /* why there is no curve, static, and the two above are
+                           NaN; NULL: there is one */
 };
 
 /* The cubic spline y(u), u = 0..1 over the data's range of tan alpha, that

@@ -117,3 +117,41 @@ void stress_free(struct stress *s)
     free(s->row);
     *s = (struct stress){ .row = NULL };
 }
+
+/* ---- what it says -------------------------------------------------------- */
+
+_Static_assert(sizeof(size_t) == sizeof(int64_t), "counts of record.h");
+
+#define OUTCOME(word, code)                                                    \
+    {                                                                          \
+        .name = word, .unit = "1", .text = "cases that came to this",          \
+        .offset = offsetof(struct stress, outcome[code]), .kind = RECORD_COUNT \
+    }
+
+static const struct record_field outcome_fields[] = {
+    OUTCOME("exact", STRESS_EXACT),
+    OUTCOME("degraded", STRESS_DEGRADED),
+    OUTCOME("none", STRESS_NONE),
+    OUTCOME("failed", STRESS_FAILED),
+    OUTCOME("lie", STRESS_LIE),
+    FIELD(stress, COUNT, counted, "1", "cases with a number to judge"),
+    FIELD(stress, COUNT, full, "1",
+          "those with all digits that conditioning allows"),
+};
+static const struct record_type record_outcomes =
+    RECORD_TYPE("outcomes", "how many came to what", outcome_fields, stress);
+
+RESULT_VIEW(view_cases, stress, s->row, s->count)
+RESULT_VIEW(view_outcomes, stress, s, 1)
+
+/* clang-format off */
+static const struct result stress_results[] = {
+    { "/stress", "cases", "stress: its cases", RESULT_COLUMNS,
+      .type = &record_stress, .view = view_cases },
+    { "/stress", "outcomes", NULL, RESULT_ATTRIBUTES,
+      .type = &record_outcomes, .view = view_outcomes },
+    { .path = NULL },
+};
+/* clang-format on */
+
+const struct result *const stress_tables[] = { stress_results, NULL };

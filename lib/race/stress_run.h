@@ -10,6 +10,7 @@
 #define RACE_STRESS_RUN_H
 
 #include "monitor.h"
+#include "result.h"
 #include "stress_case.h"
 #include "stress_judge.h"
 #include "stress_row.h"
@@ -28,6 +29,9 @@ struct stress {
 MUST_CHECK enum status stress_run(struct stress *s,
                                   const struct stress_list *list,
                                   const struct monitor *monitor);
+
+/* What a run of the catalogue says.  In results.run a struct stress. */
+extern const struct result *const stress_tables[];
 
 /* A second call is harmless. */
 void stress_free(struct stress *s);

@@ -213,3 +213,47 @@ void workprec_free(struct workprec *w)
     w->runs = w->ranks = 0;
     study_free(&w->study);
 }
+
+/* ---- what it says -------------------------------------------------------- */
+
+#define MISSING(word, code)                                                    \
+    {                                                                          \
+        .name = word, .unit = "1",                                             \
+        .text = "why this slope has no such quantity, if it has none",         \
+        .offset = offsetof(struct workprec, course.reason[code]),              \
+        .kind = RECORD_TEXT                                                    \
+    }
+
+static const struct record_field missing_fields[] = {
+    MISSING("v_plus", WORKPREC_V_PLUS),
+    MISSING("v_minus", WORKPREC_V_MINUS),
+    MISSING("x_excess", WORKPREC_X_EXCESS),
+    MISSING("curve", WORKPREC_CURVE),
+    MISSING("transient", WORKPREC_TRANSIENT),
+    MISSING("basin_rows", WORKPREC_ROWS),
+    MISSING("slip", WORKPREC_SLIP),
+};
+static const struct record_type record_missing =
+    RECORD_TYPE("reasons", "what is missing", missing_fields, workprec);
+
+RESULT_VIEW(view_runs, workprec, s->run, s->runs)
+RESULT_VIEW(view_missing, workprec, s, 1)
+RESULT_VIEW(view_fastest, workprec, s->fastest, s->ranks)
+RESULT_VIEW(view_environment, workprec, &s->environment, 1)
+
+/* clang-format off */
+static const struct result workprec_results[] = {
+    { "/workprec", "missing", NULL, RESULT_ATTRIBUTES,
+      .type = &record_missing, .view = view_missing },
+    { "/workprec", "runs", "workprec: methods at tolerances", RESULT_COLUMNS,
+      .type = &record_workprec_run, .view = view_runs },
+    { "/workprec/fastest", "fastest", "who is fastest at an accuracy",
+      RESULT_COLUMNS, .type = &record_workprec_fastest,
+      .view = view_fastest },
+    { "/workprec/environment", "environment", "where times were measured",
+      .type = &record_workprec_environment, .view = view_environment },
+    { .path = NULL },
+};
+/* clang-format on */
+
+const struct result *const workprec_tables[] = { workprec_results, NULL };

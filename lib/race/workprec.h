@@ -16,6 +16,8 @@
 #include "workprec_environment.h"
 #include "workprec_rank.h"
 
+#include "result.h"
+
 struct workprec {
     struct scene scene;            /* borrowed members */
     struct study study;            /* owned: the steady states */
@@ -35,6 +37,9 @@ MUST_CHECK enum status workprec_run(struct workprec *w,
                                     const struct scene *scene, bool quick,
                                     const struct monitor *monitor,
                                     struct fault *why);
+
+/* What a race says.  In results.run a struct workprec. */
+extern const struct result *const workprec_tables[];
 
 /* A second call is harmless. */
 void workprec_free(struct workprec *w);

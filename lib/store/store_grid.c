@@ -16,6 +16,18 @@ enum status store_put_axis(struct store *st, const char *path, const char *name,
     return st->status;
 }
 
+enum status store_axis_length(struct store *st, const char *path,
+                              const char *name, size_t *count)
+{
+    const struct axis *axis = NULL;
+
+    if (st->status == STATUS_OK)
+        axis = axis_find(st, hdf_group(st, path), name);
+    if (axis != NULL)
+        *count = axis->extent;
+    return st->status;
+}
+
 enum status store_put_column(struct store *st, const char *path,
                              const struct record_field *f, const char *name,
                              const void *values)

@@ -22,6 +22,10 @@ MUST_CHECK enum status store_put_axis(struct store *store, const char *group,
                                       const char *text, size_t count,
                                       const double *values);
 
+/* How many values an axis put before has. */
+MUST_CHECK enum status store_axis_length(struct store *store, const char *group,
+                                         const char *name, size_t *count);
+
 /* A new data set over one axis put before, with its values: of *f as below. */
 MUST_CHECK enum status store_put_column(struct store *store, const char *group,
                                         const struct record_field *f,

@@ -11,7 +11,7 @@
 #include "study.h"
 #include "study_tolerance.h"
 
-static const struct record_field cell_fields[] = {
+const struct record_field cell_fields[] = {
     FIELD_CODE(cell, exit_reason, fate_names,
                "where the orbit of the state ends"),
     FIELD(cell, REAL, slip, "1", "slip to arrest in units of L"),

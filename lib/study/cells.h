@@ -49,6 +49,7 @@ struct cell {
 
 /* Field 0 is exit_reason; 1 + 2 k and 2 + 2 k are enum cell_field k and its
  * error. */
+extern const struct record_field cell_fields[];
 extern const struct record_type record_cell;
 
 /* The states z[n], absolute chart points of s->system, whose steady states are

@@ -1,6 +1,8 @@
 #include "diagram.h"
 
-#include "study.h"
+#include <stdlib.h>
+
+#include "study_results.h"
 
 /* Dieterich's law in the form of the scene's. */
 static struct law dieterich(const struct scene *c)
@@ -95,3 +97,151 @@ void diagrams_free(struct diagrams *d)
     fold_curve_free(&d->fold_curves);
     chi_curves_free(&d->chi);
 }
+
+/* ---- what a study says of its diagrams ----------------------------------- */
+
+RESULT_VIEW(view_friction, study, s->diagrams.friction_law[0].at,
+            s->diagrams.friction_law[0].count)
+RESULT_VIEW(view_friction_extrema, study, s->diagrams.friction_law[0].extremum,
+            s->diagrams.friction_law[0].extrema)
+RESULT_VIEW(view_spring, study, s->diagrams.spring_block[0].at,
+            s->diagrams.spring_block[0].count)
+RESULT_VIEW(view_spring_extrema, study, s->diagrams.spring_block[0].extremum,
+            s->diagrams.spring_block[0].extrema)
+RESULT_VIEW(view_block, study, &s->diagrams.spring_block[0].block, 1)
+RESULT_VIEW(view_bifurcation, study, s->diagrams.bifurcation.at,
+            s->diagrams.bifurcation.count)
+RESULT_VIEW(view_folds, study, s->diagrams.bifurcation.extremum,
+            s->diagrams.bifurcation.extrema)
+RESULT_VIEW(view_fold_curves, study, s->diagrams.fold_curves.at,
+            s->diagrams.fold_curves.count)
+RESULT_VIEW(view_cusp, study, &s->diagrams.fold_curves.cusp, 1)
+RESULT_VIEW(view_no_fold_curve, study, &s->diagrams.fold_curves, 1)
+RESULT_VIEW(view_slopes, study, s->diagrams.chi.slope, s->diagrams.chi.slopes)
+RESULT_VIEW(view_rates, study, s->diagrams.chi.v, s->diagrams.chi.points)
+
+/* Dieterich's curves, where there are any. */
+static enum status view_friction_beside(const void *run, size_t k,
+                                        struct result_view *out)
+{
+    const struct study *s = run;
+    const struct steady_curve *c = &s->diagrams.friction_law[DIAGRAM_DIETERICH];
+
+    (void) k;
+    return c->count > 0 ? result_lend(out, c->at, c->count) : STATUS_OK;
+}
+
+static enum status view_spring_beside(const void *run, size_t k,
+                                      struct result_view *out)
+{
+    const struct study *s = run;
+    const struct spring_curve *c = &s->diagrams.spring_block[DIAGRAM_DIETERICH];
+
+    (void) k;
+    return c->count > 0 ? result_lend(out, c->at, c->count) : STATUS_OK;
+}
+
+static const struct record_field block_fields[] = {
+    FIELD(spring_block, REAL, sigma, "Pa", "normal stress"),
+    FIELD(spring_block, REAL, mass, "kg m-2", "of the block"),
+};
+static const struct record_type record_block =
+    RECORD_TYPE("spring_block", "the block", block_fields, spring_block);
+
+static const struct record_field comment_fields[] = {
+    { .name = "comment",
+      .unit = "1",
+      .text = "why there is no curve, if there is none",
+      .offset = offsetof(struct fold_curve, reason),
+      .kind = RECORD_TEXT },
+};
+static const struct record_type record_comment =
+    RECORD_TYPE("comment", "why there is no curve", comment_fields, fold_curve);
+
+/* Of the axis v, and of a layer. */
+struct rate {
+    double v;
+};
+struct chi_cell {
+    double ln_chi, ln_chi_error;
+};
+
+static const struct record_field rate_fields[] = {
+    FIELD(rate, REAL, v, "1", "slip rate"),
+};
+static const struct record_type record_rate =
+    RECORD_TYPE("rate", "slip rates", rate_fields, rate);
+
+static const struct record_field chi_fields[] = {
+    FIELD(chi_cell, REAL, ln_chi, "1", "ln chi(v), (34)"),
+    FIELD(chi_cell, REAL, ln_chi_error, "1", "error bound of ln_chi"),
+};
+static const struct record_type record_chi =
+    RECORD_TYPE("chi", "chi(v)", chi_fields, chi_cell);
+
+static enum status chi_rows(const void *run, size_t first, size_t count,
+                            const struct monitor *monitor, void *records)
+{
+    const struct chi_curves *c = &((const struct study *) run)->diagrams.chi;
+    struct chi_cell *cell = records;
+
+    (void) monitor;
+    for (size_t i = 0; i < count * c->points; i++)
+        cell[i] = (struct chi_cell){ c->ln_chi[first * c->points + i],
+                                     c->error[first * c->points + i] };
+    return STATUS_OK;
+}
+
+/* clang-format off */
+const struct result diagram_results[] = {
+    { "/friction_law", NULL, "product friction_law, Fig 1(a)", RESULT_COLUMNS,
+      .axis = "v", .type = &record_friction, .needs = ASKED_BY(FRICTION_LAW),
+      .view = view_friction },
+    { "/friction_law/extrema", "friction_law.extrema", "extrema of mu_ss",
+      RESULT_COLUMNS, .type = &record_extremum,
+      .needs = ASKED_BY(FRICTION_LAW), .view = view_friction_extrema },
+    { "/friction_law/dieterich", NULL,
+      "the same of Dieterich's law, beside another", RESULT_COLUMNS,
+      .axis = "v", .type = &record_friction, .needs = ASKED_BY(FRICTION_LAW),
+      .view = view_friction_beside },
+
+    { "/spring_block", NULL, "product spring_block, Fig 1(b): steady sliding "
+      "is unstable below this stiffness", RESULT_COLUMNS, .axis = "v",
+      .type = &record_spring, .needs = ASKED_BY(SPRING_BLOCK),
+      .view = view_spring },
+    { "/spring_block/extrema", "spring_block.extrema", "extrema of mu_ss",
+      RESULT_COLUMNS, .type = &record_extremum,
+      .needs = ASKED_BY(SPRING_BLOCK), .view = view_spring_extrema },
+    { "/spring_block", "spring_block", NULL, RESULT_ATTRIBUTES,
+      .type = &record_block, .needs = ASKED_BY(SPRING_BLOCK),
+      .view = view_block },
+    { "/spring_block/dieterich", NULL,
+      "the same of Dieterich's law, beside another", RESULT_COLUMNS,
+      .axis = "v", .type = &record_spring, .needs = ASKED_BY(SPRING_BLOCK),
+      .view = view_spring_beside },
+
+    { "/bifurcation", NULL, "product bifurcation, Fig 3", RESULT_COLUMNS,
+      .axis = "v", .type = &record_bifurcation,
+      .needs = ASKED_BY(BIFURCATION), .view = view_bifurcation },
+    { "/bifurcation/folds", "bifurcation.folds", "where two steady states meet",
+      RESULT_COLUMNS, .type = &record_extremum,
+      .needs = ASKED_BY(BIFURCATION), .view = view_folds },
+
+    { "/fold_curves", NULL, "product fold_curves, Fig 4", RESULT_COLUMNS,
+      .axis = "c", .type = &record_fold_curve, .needs = ASKED_BY(FOLD_CURVES),
+      .view = view_fold_curves },
+    { "/fold_curves/cusp", "fold_curves.cusp", "where both folds meet",
+      .type = &record_cusp, .needs = ASKED_BY(FOLD_CURVES),
+      .view = view_cusp },
+    { "/fold_curves", NULL, NULL, RESULT_ATTRIBUTES, .type = &record_comment,
+      .needs = ASKED_BY(FOLD_CURVES), .view = view_no_fold_curve },
+
+    { "/chi", "chi", "product chi, Fig 10", RESULT_COLUMNS, .axis = "alpha",
+      .type = &record_chi_slope, .needs = ASKED_BY(CHI), .view = view_slopes },
+    { "/chi", NULL, NULL, RESULT_COLUMNS, .axis = "v", .type = &record_rate,
+      .needs = ASKED_BY(CHI), .view = view_rates },
+    { "/chi", NULL, NULL, RESULT_LAYERS, .axis = "alpha, v",
+      .type = &record_chi, .needs = ASKED_BY(CHI), .rows = chi_rows },
+    { .path = NULL },
+};
+/* clang-format on */

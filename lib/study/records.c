@@ -1,5 +1,7 @@
 #include "records.h"
 
+#include "study_results.h"
+
 const char *const end_names[] = { "psi_inf", "open",      "psi_0",
                                   "v_0",     "truncated", NULL };
 
@@ -186,3 +188,90 @@ static const struct record_field sensitivity_fields[] = {
 const struct record_type record_sensitivity = RECORD_TYPE(
     "sensitivities", "how a critical slip rate answers to the parameters",
     sensitivity_fields, sensitivity_numbers);
+
+/* ---- what a study says of its numbers ------------------------------------ */
+
+RESULT_VIEW(view_steady, study, s->steady, s->equilibria)
+RESULT_VIEW(view_saddle, study, &s->saddle_numbers, 1)
+RESULT_VIEW(view_folds, study, &s->folds, 1)
+
+const struct result steady_results[] = {
+    { .path = "/equilibria",
+      .name = "equilibria",
+      .text = "steady states, by slip rate",
+      .shape = RESULT_COLUMNS,
+      .type = &record_steady,
+      .needs = ASKED_BY(STEADY),
+      .view = view_steady },
+    { .path = "/saddle",
+      .name = "saddle",
+      .text = "the saddle among them",
+      .type = &record_saddle,
+      .needs = ASKED_BY(STEADY),
+      .view = view_saddle },
+    { .path = "/folds",
+      .name = "folds",
+      .text = "product folds or knees: extrema of steady-state friction",
+      .type = &record_folds,
+      .needs = ASKED_BY(FOLDS),
+      .view = view_folds },
+    { .path = NULL },
+};
+
+RESULT_VIEW(view_critical, study, &s->critical, 1)
+RESULT_VIEW(view_knees, study,
+            k ? s->critical.knees_lower : s->critical.knees_upper,
+            k ? s->critical.knees_lower_count : s->critical.knees_upper_count)
+
+const struct result critical_results[] = {
+    { .path = "/critical",
+      .name = "",
+      .text = "product knees: what the stable manifold implies",
+      .type = &record_critical,
+      .needs = ASKED_BY(CRITICAL),
+      .view = view_critical },
+    { .path = "/critical/knees_{upper,lower}",
+      .name = "knees_{upper,lower}",
+      .text = "product knees: where the branch's slope passes through 1",
+      .shape = RESULT_COLUMNS,
+      .type = &record_knee,
+      .needs = ASKED_BY(KNEES),
+      .view = view_knees },
+    { .path = NULL },
+};
+
+RESULT_VIEW(view_estimates, study, &s->estimates, 1)
+RESULT_VIEW(view_xi, study, s->estimates.xi, s->estimates.xi_count)
+
+const struct result estimate_results[] = {
+    { .path = "/estimates",
+      .name = "estimates",
+      .text = "product estimates: the analytic estimates of the paper's "
+              "section 4",
+      .type = &record_estimates,
+      .needs = ASKED_BY(ESTIMATES),
+      .view = view_estimates },
+    { .path = "/estimates/xi",
+      .name = "estimates.xi",
+      .text = "those in eigen-coordinates, (38)",
+      .shape = RESULT_COLUMNS,
+      .axis = "xi",
+      .type = &record_xi,
+      .needs = ASKED_BY(ESTIMATES),
+      .view = view_xi },
+    { .path = NULL },
+};
+
+RESULT_VIEW(view_sensitivity, study,
+            k ? &s->sensitivities.v_minus : &s->sensitivities.v_plus, 1)
+
+const struct result sensitivity_results[] = {
+    { .path = "/critical/sensitivities/{v_plus,v_minus}",
+      .name = "sensitivities.{v_plus,v_minus}",
+      .text = "product sensitivities: how a critical slip rate answers to the "
+              "parameters",
+      .type = &record_sensitivity,
+      .needs = ASKED_BY(SENSITIVITIES),
+      .view = view_sensitivity },
+    { .path = NULL },
+};

@@ -14,6 +14,7 @@
 #include "observations.h"
 #include "parabola.h"
 #include "persistence.h"
+#include "result.h"
 #include "scene.h"
 #include "slip_curve.h"
 
@@ -66,6 +67,9 @@ struct release {
 MUST_CHECK enum status release_run(struct release *r, const struct scene *scene,
                                    const struct monitor *monitor,
                                    struct fault *why);
+
+/* What an experiment says, either way.  In results.run a struct release. */
+extern const struct result *const release_tables[];
 
 /* A second call is harmless. */
 void release_free(struct release *r);

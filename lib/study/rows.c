@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "remark.h"
+#include "study_results.h"
 #include "study_tolerance.h"
 
 struct rows rows_of(const struct record_type *type)
@@ -290,3 +292,191 @@ enum status rows_arrows(const struct study *s, struct rows *r)
     }
     return status;
 }
+
+/* ---- what a study says of its curves ------------------------------------- */
+
+enum status rows_lend(struct result_view *out, struct rows *r,
+                      enum status sampled)
+{
+    if (sampled != STATUS_OK) {
+        rows_free(r);
+        return sampled;
+    }
+    out->owned = r->at;
+    return result_lend(out, r->at, r->count);
+}
+
+/* stable_upper, unstable_upper, stable_lower, unstable_lower */
+static enum status view_branch(const void *run, size_t k,
+                               struct result_view *out)
+{
+    const struct study *s = run;
+    const size_t side = k / 2;
+    struct rows r = rows_of(&record_branch);
+
+    if (!study_has_manifolds(s))
+        return STATUS_OK;
+    if (k % 2 == 0)
+        return rows_lend(out, &r, rows_branch(s, &s->stable[side], &r));
+    return plan_has(s->stages, STAGE_UNSTABLE)
+               ? rows_lend(out, &r, rows_unstable(s, &s->unstable[side], &r))
+               : STATUS_OK;
+}
+
+const struct result manifold_results[] = {
+    { .path = "/manifold/{stable_upper,unstable_upper,stable_lower,"
+              "unstable_lower}",
+      .text = "product manifolds: a branch of an invariant manifold of the "
+              "saddle, from there on; stable ones also where others need them",
+      .shape = RESULT_COLUMNS,
+      .axis = "arc",
+      .type = &record_branch,
+      .needs = ASKED_BY(STABLE),
+      .view = view_branch },
+    { .path = NULL },
+};
+
+static size_t count_v(const void *run)
+{
+    return ((const struct study *) run)->portrait.nullcline[0].count;
+}
+
+static size_t count_psi(const void *run)
+{
+    return ((const struct study *) run)->portrait.nullcline[1].count;
+}
+
+static enum status view_nullcline(const struct study *s, int which, size_t k,
+                                  struct result_view *out)
+{
+    struct rows r = rows_of(&record_nullcline);
+
+    return rows_lend(
+        out, &r, rows_nullcline(s, &s->portrait.nullcline[which].piece[k], &r));
+}
+
+static enum status view_v(const void *run, size_t k, struct result_view *out)
+{
+    return view_nullcline(run, 0, k, out);
+}
+
+static enum status view_psi(const void *run, size_t k, struct result_view *out)
+{
+    return view_nullcline(run, 1, k, out);
+}
+
+static enum status view_arrows(const void *run, size_t k,
+                               struct result_view *out)
+{
+    struct rows r = rows_of(&record_arrow);
+
+    (void) k;
+    return rows_lend(out, &r, rows_arrows(run, &r));
+}
+
+/* Number k of those with points: chosen starts, then spread ones; NULL. */
+static const struct trajectory *track(const struct study *s, size_t k)
+{
+    const struct trajectories *set[] = { &s->chosen,
+                                         &s->portrait.trajectories };
+
+    for (int i = 0; i < 2; i++)
+        for (size_t j = 0; j < set[i]->count; j++)
+            if (set[i]->at[j].curve.count > 0 && k-- == 0)
+                return &set[i]->at[j];
+    return NULL;
+}
+
+static size_t count_tracks(const void *run)
+{
+    size_t n = 0;
+
+    while (track(run, n))
+        n++;
+    return n;
+}
+
+static enum status view_track(const void *run, size_t k,
+                              struct result_view *out)
+{
+    struct rows r = rows_of(&record_trajectory);
+
+    return rows_lend(out, &r, rows_trajectory(run, &track(run, k)->curve, &r));
+}
+
+static const struct record_field end_fields[] = {
+    FIELD(run_end, TEXT, end, "1",
+          "why it ends: arrived, left_window, left_domain, limit, event, "
+          "given_up; of simulate a word of transient_end"),
+    FIELD(run_end, TEXT, fate, "1",
+          "simulate: what becomes of the start, a word of fate"),
+    FIELD(run_end, TEXT, comment, "1",
+          "simulate: why it is undecided or lost, if it is"),
+    FIELD(run_end, REAL, energy_defect, "1",
+          "relative defect of the balance (27)"),
+};
+const struct record_type record_run_end =
+    RECORD_TYPE("run_end", "how an orbit ended", end_fields, run_end);
+
+enum status rows_lend_end(struct result_view *out, struct run_end end)
+{
+    struct run_end *copy = malloc(sizeof *copy);
+
+    if (copy == NULL)
+        return STATUS_NO_MEMORY;
+    *copy = end;
+    out->owned = copy;
+    return result_lend(out, copy, 1);
+}
+
+static enum status view_end(const void *run, size_t k, struct result_view *out)
+{
+    const struct trajectory *t = track(run, k);
+
+    return rows_lend_end(
+        out, (struct run_end){ .end = study_end_name(t),
+                               .energy_defect =
+                                   study_energy_defect(run, &t->curve) });
+}
+
+const struct result portrait_results[] = {
+    { .path = "/nullcline/v_K",
+      .text = "product nullclines: a piece of the curve where v does not "
+              "change",
+      .shape = RESULT_COLUMNS,
+      .axis = "arc",
+      .type = &record_nullcline,
+      .needs = ASKED_BY(NULLCLINES),
+      .count = count_v,
+      .view = view_v },
+    { .path = "/nullcline/psi_K",
+      .text = "product nullclines: a piece of the curve where psi does not "
+              "change",
+      .shape = RESULT_COLUMNS,
+      .axis = "arc",
+      .type = &record_nullcline,
+      .needs = ASKED_BY(NULLCLINES),
+      .count = count_psi,
+      .view = view_psi },
+    { .path = "/field_arrows",
+      .text = "product field_arrows: the direction field",
+      .shape = RESULT_COLUMNS,
+      .type = &record_arrow,
+      .needs = ASKED_BY(ARROWS),
+      .view = view_arrows },
+    { .path = "/trajectory_K",
+      .text = "product trajectories: a forward orbit",
+      .shape = RESULT_COLUMNS,
+      .axis = "time",
+      .type = &record_trajectory,
+      .needs = ASKED_BY(TRAJECTORIES),
+      .count = count_tracks,
+      .view = view_track },
+    { .path = "/trajectory_K",
+      .shape = RESULT_ATTRIBUTES,
+      .type = &record_run_end,
+      .needs = ASKED_BY(TRAJECTORIES),
+      .count = count_tracks,
+      .view = view_end },
+    { .path = NULL },
+};

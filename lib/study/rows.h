@@ -2,6 +2,7 @@
 #ifndef STUDY_ROWS_H
 #define STUDY_ROWS_H
 
+#include "result.h"
 #include "study.h"
 
 /* A growable table of one record type; at is owned. */
@@ -41,5 +42,19 @@ MUST_CHECK enum status rows_trajectory(const struct study *s,
 
 /* The direction field (struct arrow_row). */
 MUST_CHECK enum status rows_arrows(const struct study *s, struct rows *r);
+
+/* Lends rows, which the view then owns, if they could be sampled. */
+MUST_CHECK enum status rows_lend(struct result_view *out, struct rows *r,
+                                 enum status sampled);
+
+/* How an orbit ended; what is not known of it is NULL. */
+struct run_end {
+    const char *end, *fate, *comment;
+    double energy_defect;
+};
+extern const struct record_type record_run_end;
+
+MUST_CHECK enum status rows_lend_end(struct result_view *out,
+                                     struct run_end end);
 
 #endif

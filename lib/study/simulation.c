@@ -3,6 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "rows.h"
+#include "sample.h"
+
 static enum status run_all(struct simulation *s, const struct monitor *monitor)
 {
     const struct transient_options o = transient_defaults(&s->scene);
@@ -63,3 +66,111 @@ void simulation_free(struct simulation *s)
     s->runs = 0;
     study_free(&s->study);
 }
+
+/* ---- what a simulation says ---------------------------------------------- */
+
+static size_t count_runs(const void *run)
+{
+    return ((const struct simulation *) run)->runs;
+}
+
+static enum status view_curve(const void *run, size_t k,
+                              struct result_view *out)
+{
+    const struct simulation *s = run;
+    struct rows r = rows_of(&record_trajectory);
+
+    return s->run[k].curve.count > 0
+               ? rows_lend(out, &r,
+                           rows_trajectory(&s->study, &s->run[k].curve, &r))
+               : STATUS_OK;
+}
+
+/* How many samples, if `asked` of them and `others` by the other rule. */
+static size_t samples(size_t asked, size_t others)
+{
+    return asked == 0 && others == 0 ? SIMULATION_SAMPLES : asked;
+}
+
+typedef void sampler(const struct study *s, const struct transient *t, size_t n,
+                     struct trajectory_row row[]);
+
+static enum status view_samples(const struct simulation *s, size_t k, size_t n,
+                                sampler *sample, struct result_view *out)
+{
+    const struct transient *t = &s->run[k];
+
+    if (n == 0 || t->curve.count == 0)
+        return STATUS_OK;
+    struct trajectory_row *row = calloc(n, sizeof *row);
+    if (row == NULL)
+        return STATUS_NO_MEMORY;
+    sample(&s->study, t, n, row);
+    out->owned = row;
+    return result_lend(out, row, n);
+}
+
+static enum status view_linear_slip(const void *run, size_t k,
+                                    struct result_view *out)
+{
+    const struct simulation *s = run;
+
+    return view_samples(s, k, samples(s->scene.linear_slip, s->scene.log_time),
+                        sample_linear_slip, out);
+}
+
+static enum status view_log_time(const void *run, size_t k,
+                                 struct result_view *out)
+{
+    const struct simulation *s = run;
+
+    return view_samples(s, k, samples(s->scene.log_time, s->scene.linear_slip),
+                        sample_log_time, out);
+}
+
+static enum status view_end(const void *run, size_t k, struct result_view *out)
+{
+    const struct transient *t = &((const struct simulation *) run)->run[k];
+    const struct transient_summary *sum = &t->sum;
+
+    return rows_lend_end(out,
+                         (struct run_end){ transient_end_names[sum->end],
+                                           fate_names[sum->fate], t->reason,
+                                           sum->energy_defect });
+}
+
+RESULT_VIEW(view_summary, simulation, &s->run[k].sum, 1)
+RESULT_VIEW(view_events, simulation, s->run[k].event, s->run[k].events)
+RESULT_VIEW(view_phases, simulation, s->run[k].phase, PHASES)
+
+/* clang-format off */
+static const struct result simulation_results[] = {
+    { "/trajectory_K", NULL, "simulate: a run", RESULT_COLUMNS,
+      .axis = "time", .type = &record_trajectory, .count = count_runs,
+      .view = view_curve },
+    { "/trajectory_K", NULL, NULL, RESULT_ATTRIBUTES,
+      .type = &record_run_end, .count = count_runs, .view = view_end },
+    { "/trajectory_K/linear_slip", NULL,
+      "simulate: samples evenly over slip", RESULT_COLUMNS, .axis = "slip",
+      .type = &record_trajectory, .count = count_runs,
+      .view = view_linear_slip },
+    { "/trajectory_K/log_time", NULL,
+      "simulate: samples evenly over the logarithm of time", RESULT_COLUMNS,
+      .axis = "time", .type = &record_trajectory, .count = count_runs,
+      .view = view_log_time },
+    { "/trajectory_K/summary", "trajectories[K]", "simulate: the run as a "
+      "whole", .type = &record_transient, .count = count_runs,
+      .view = view_summary },
+    { "/trajectory_K/events", "trajectories[K].events",
+      "simulate: what happens along it", RESULT_COLUMNS,
+      .type = &record_transient_event, .count = count_runs,
+      .view = view_events },
+    { "/trajectory_K/phases", "trajectories[K].phases",
+      "simulate: the three phases of sliding of the paper's section 4.4",
+      RESULT_COLUMNS, .type = &record_phase, .count = count_runs,
+      .view = view_phases },
+    { .path = NULL },
+};
+/* clang-format on */
+
+const struct result *const simulation_tables[] = { simulation_results, NULL };

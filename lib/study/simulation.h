@@ -9,7 +9,11 @@
 #ifndef STUDY_SIMULATION_H
 #define STUDY_SIMULATION_H
 
+#include "result.h"
 #include "transient.h"
+
+/* Points of a table where the scene does not say. */
+enum { SIMULATION_SAMPLES = 201 };
 
 struct simulation {
     struct scene scene; /* borrowed members; asks for critical numbers only */
@@ -26,6 +30,11 @@ MUST_CHECK enum status simulation_run(struct simulation *s,
                                       const struct scene *scene,
                                       const struct monitor *monitor,
                                       struct fault *why);
+
+/* What a simulation computed: of each run its curve (a few points a step), the
+ * tables that the scene asks for (both where it asks for neither), its numbers,
+ * events and phases.  In results.run a struct simulation. */
+extern const struct result *const simulation_tables[];
 
 /* A second call is harmless. */
 void simulation_free(struct simulation *s);

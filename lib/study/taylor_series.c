@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "study.h"
+#include "study_results.h"
 #include "study_tolerance.h"
 
 enum { LAST = JET_SIZE - 1 };
@@ -297,3 +297,24 @@ enum status taylor_series_find(const struct study *s, struct taylor_series *out)
     *out = t;
     return STATUS_OK;
 }
+
+RESULT_VIEW(view_terms, study, s->taylor.term, s->taylor.terms)
+RESULT_VIEW(view_series, study, &s->taylor, 1)
+
+const struct result taylor_results[] = {
+    { .path = "/taylor_series",
+      .name = "taylor_series.terms",
+      .text = "product taylor_series: the stable manifold as a power series in "
+              "v",
+      .shape = RESULT_COLUMNS,
+      .axis = "order",
+      .type = &record_taylor_term,
+      .needs = ASKED_BY(TAYLOR),
+      .view = view_terms },
+    { .path = "/taylor_series",
+      .name = "taylor_series",
+      .type = &record_taylor,
+      .needs = ASKED_BY(TAYLOR),
+      .view = view_series },
+    { .path = NULL },
+};

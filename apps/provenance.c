@@ -1,0 +1,140 @@
+#include "provenance.h"
+
+#include <gsl/gsl_version.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "library.h"
+#include "scene_slope.h"
+#include "store_results.h"
+
+struct provenance {
+    const char *scene, *overrides, *version, *compiler, *libraries;
+    const char *law, *friction, *formula;
+    struct material material;
+    double alpha, eps2; /* NaN: none */
+};
+
+#define TEXT(member, text) FIELD(provenance, TEXT, member, "1", text)
+#define KEY(member, unit_)                                                     \
+    {                                                                          \
+        .name = #member, .unit = unit_, .text = "material." #member,           \
+        .offset = offsetof(struct provenance, material.member),                \
+        .kind = RECORD_REAL                                                    \
+    }
+
+static const struct record_field provenance_fields[] = {
+    TEXT(scene, "the text of the scene; empty without one"),
+    TEXT(overrides, "what options set, KEY=VALUE, one a line"),
+    TEXT(version, "of Slipway"),
+    TEXT(compiler, "that compiled it"),
+    TEXT(libraries, "and their versions"),
+    TEXT(law, "its name, or composed"),
+    TEXT(friction, "asinh or log"),
+    TEXT(formula, "the law's formulas"),
+    KEY(mu_star, "1"),
+    KEY(a, "1"),
+    KEY(b, "1"),
+    KEY(c, "1"),
+    KEY(R, "1"),
+    KEY(V_c, "1"),
+    KEY(L, "m"),
+    KEY(V_star, "m s-1"),
+    KEY(g, "m s-2"),
+    FIELD(provenance, REAL, alpha, "rad",
+          "slope angle, where the scene has one"),
+    FIELD(provenance, REAL, eps2, "1", "eps^2 = V_star^2/(g L)"),
+};
+static const struct record_type record_provenance = RECORD_TYPE(
+    "provenance", "how a file came to be", provenance_fields, provenance);
+
+/* What store_create writes. */
+static const struct record_field root_fields[] = {
+    { .name = "Conventions",
+      .unit = "1",
+      .text = "CF-1.10",
+      .kind = RECORD_TEXT },
+    { .name = "title",
+      .unit = "1",
+      .text = "the scene's title, or the name of its law",
+      .kind = RECORD_TEXT },
+};
+static const struct record_type record_root = { .name = "root",
+                                                .fields = root_fields,
+                                                .count = 2 };
+
+RESULT_VIEW(view_provenance, provenance, s, 1)
+
+/* clang-format off */
+static const struct result provenance_results[] = {
+    { "/", NULL, "of every file", RESULT_ATTRIBUTES, .type = &record_root },
+    { "/provenance", NULL, "where the file comes from; stress has no scene",
+      RESULT_ATTRIBUTES, .type = &record_provenance,
+      .view = view_provenance },
+    { .path = NULL },
+};
+/* clang-format on */
+
+const struct result *const provenance_tables[] = { provenance_results, NULL };
+
+/* The overrides but those of the output: where a file lies is not part of what
+ * it holds.  Owned by the caller. */
+static char *lasting_overrides(const char *overrides)
+{
+    char *kept = calloc(strlen(overrides) + 1, 1), *end = kept;
+
+    for (const char *line = overrides; kept && *line;) {
+        const size_t size = strcspn(line, "\n") + 1;
+        if (strncmp(line, "output.", 7) != 0 &&
+            strncmp(line, "output=", 7) != 0)
+            end = (char *) memcpy(end, line, size) + size;
+        line += size;
+    }
+    return kept;
+}
+
+static enum status put(const struct provenance *p, struct store *out)
+{
+    return store_put_results(
+        out, &(struct results){ .table = provenance_tables, .run = p }, NULL);
+}
+
+static enum status put_scene(const struct scene *scene, struct provenance *p,
+                             struct store *out)
+{
+    char *overrides = lasting_overrides(scene->overrides);
+    char formula[256], libraries[128];
+
+    law_formula(&scene->law, formula, sizeof formula);
+    snprintf(libraries, sizeof libraries, "GSL %s, HDF5 %s", GSL_VERSION,
+             store_library_version());
+    p->scene = scene->text;
+    p->overrides = overrides;
+    p->libraries = libraries;
+    p->law = scene->law.preset;
+    p->friction = friction_form_names[scene->law.form];
+    p->formula = formula;
+    p->material = scene->material;
+    if (scene_has_slope(scene))
+        p->alpha = scene->alpha;
+    p->eps2 = material_eps2(&p->material);
+    const enum status status = overrides ? put(p, out) : STATUS_NO_MEMORY;
+    free(overrides);
+    return status;
+}
+
+enum status provenance_put(const struct scene *scene, struct store *out)
+{
+    const double none = (double) NAN;
+    struct provenance p = {
+        .version = SLIPWAY_VERSION,
+        .compiler = __VERSION__,
+        .material = { none, none, none, none, none, none, none, none, none },
+        .alpha = none,
+        .eps2 = none,
+    };
+
+    return scene ? put_scene(scene, &p, out) : put(&p, out);
+}

@@ -1,0 +1,17 @@
+/* provenance.h -- what every result file says of its making, into /provenance:
+ * no clock, path, host or thread count. */
+#ifndef APPS_PROVENANCE_H
+#define APPS_PROVENANCE_H
+
+#include "result.h"
+#include "scene.h"
+#include "store.h"
+
+/* For the reference pages; also what store.h puts at the root. */
+extern const struct result *const provenance_tables[];
+
+/* scene: NULL, where a file is of none.  Errors of store.h. */
+MUST_CHECK enum status provenance_put(const struct scene *scene,
+                                      struct store *out);
+
+#endif

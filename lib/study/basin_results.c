@@ -1,0 +1,252 @@
+/* What a study says of its basins: the grid, its layers and their shares. */
+#include <stdlib.h>
+
+#include "study_results.h"
+#include "tolerance.h"
+
+/* ---- axes ---------------------------------------------------------------- */
+
+struct psi_at {
+    double psi;
+};
+struct v_at {
+    double v;
+};
+
+static const struct record_field psi_fields[] = {
+    FIELD(psi_at, REAL, psi, "1", "interfacial state"),
+};
+static const struct record_type record_psi =
+    RECORD_TYPE("psi", "rows of the grid", psi_fields, psi_at);
+
+static const struct record_field v_fields[] = {
+    FIELD(v_at, REAL, v, "1", "slip rate in units of V_star"),
+};
+static const struct record_type record_v =
+    RECORD_TYPE("v", "columns of the grid", v_fields, v_at);
+
+RESULT_VIEW(view_psi, study, s->basins.psi, s->basins.rows)
+RESULT_VIEW(view_v, study, s->basins.v, s->basins.columns)
+
+/* ---- labels and margins -------------------------------------------------- */
+
+/* Of cells with orbits of their own so many between two looks at Ctrl-C. */
+enum { LOOK_CELLS = 1 << 13 };
+
+struct label {
+    int8_t label;
+};
+struct margins {
+    double margin, margin_psi;
+};
+
+static const struct record_field label_fields[] = {
+    FIELD_CODE(label, label, fate_names, "fate of the state"),
+};
+static const struct record_type record_label =
+    RECORD_TYPE("label", "a map of fates", label_fields, label);
+
+static const struct record_field margin_fields[] = {
+    FIELD(margins, REAL, margin, "1",
+          "ln of the factor on v to the nearest other fate"),
+    FIELD(margins, REAL, margin_psi, "1",
+          "shift of ln psi (of psi where it is a logarithm) to the nearest "
+          "other fate"),
+};
+static const struct record_type record_margins =
+    RECORD_TYPE("margin", "how far another fate is", margin_fields, margins);
+
+static enum status label_rows(const void *run, size_t first, size_t count,
+                              const struct monitor *monitor, void *records)
+{
+    const struct basin_map *m = &((const struct study *) run)->basins;
+    const size_t step = m->exact ? LOOK_CELLS / m->columns + 1 : count;
+    int8_t *label = records;
+    enum status s = STATUS_OK;
+
+    for (size_t j = 0; j < count && s == STATUS_OK; j += step) {
+        const size_t n = count - j < step ? count - j : step;
+        s = basin_map_rows(m, first + j, n, label + j * m->columns);
+        if (s == STATUS_OK &&
+            monitor_tell(monitor, "rows", first + j + n, m->rows))
+            s = STATUS_STOPPED;
+    }
+    return s;
+}
+
+static enum status margin_rows(const void *run, size_t first, size_t count,
+                               const struct monitor *monitor, void *records)
+{
+    const struct basin_map *m = &((const struct study *) run)->basins;
+    const size_t n = count * m->columns;
+    double *both = malloc(2 * n * sizeof *both);
+    struct margins *out = records;
+    enum status s = both ? basin_map_margins(m, first, count, both, both + n)
+                         : STATUS_NO_MEMORY;
+
+    (void) monitor;
+    for (size_t i = 0; i < n && s == STATUS_OK; i++)
+        out[i] = (struct margins){ both[i], both[n + i] };
+    free(both);
+    return s;
+}
+
+/* ---- fields of cells ----------------------------------------------------- */
+
+static enum status cell_rows(const void *run, size_t first, size_t count,
+                             const struct monitor *monitor, void *records)
+{
+    const struct study *s = run;
+
+    return fields_find(&s->fields, first, count, monitor, records);
+}
+
+/* What the fields were computed to. */
+struct accuracy {
+    double cell_rtol, cell_arrest;
+};
+
+static const struct record_field accuracy_fields[] = {
+    FIELD(accuracy, REAL, cell_rtol, "1", "basins.rtol"),
+    FIELD(accuracy, REAL, cell_arrest, "1",
+          "a state has arrived this near to a node, in ln v and in ln psi"),
+};
+const struct record_type record_accuracy = RECORD_TYPE(
+    "accuracy", "what cells are computed to", accuracy_fields, accuracy);
+
+static enum status view_accuracy(const void *run, size_t k,
+                                 struct result_view *out)
+{
+    struct accuracy *a = malloc(sizeof *a);
+
+    (void) k;
+    if (a == NULL)
+        return STATUS_NO_MEMORY;
+    *a = (struct accuracy){ ((const struct study *) run)->fields.rtol,
+                            TOL_ARREST };
+    out->owned = a;
+    return result_lend(out, a, 1);
+}
+
+/* ---- shares and audit ---------------------------------------------------- */
+
+static const struct record_field share_fields[] = {
+    FIELD(basin_fraction, QUANTITY, log, "1",
+          "share of the window with this fate, by area in (ln v, ln psi); "
+          "absent where none"),
+    FIELD(basin_fraction, QUANTITY, linear, "1",
+          "share of the window with this fate, by area in (v, psi); absent "
+          "where none"),
+};
+static const struct record_type record_share = RECORD_TYPE(
+    "fractions", "shares of the window", share_fields, basin_fraction);
+
+static enum status view_share(const void *run, size_t k,
+                              struct result_view *out)
+{
+    const struct basin_fraction *f =
+        &((const struct study *) run)->basins.fraction[k];
+
+    return f->log.value > 0.0 ? result_lend(out, f, 1) : STATUS_OK;
+}
+
+_Static_assert(sizeof(size_t) == sizeof(int64_t), "counts of record.h");
+
+static const struct record_field audit_fields[] = {
+    FIELD(basin_audit, COUNT, cells, "1", "cells followed forward in time"),
+    FIELD(basin_audit, COUNT, disagreements, "1", "those with another fate"),
+};
+static const struct record_type record_audit =
+    RECORD_TYPE("audit", "map against orbits", audit_fields, basin_audit);
+
+RESULT_VIEW(view_audit, study, &s->basins.audit, 1)
+
+/* A cell whose orbit has another fate than the map says. */
+struct disagreement {
+    double v, psi;
+};
+
+static const struct record_field disagreement_fields[] = {
+    FIELD(disagreement, REAL, v, "1", "slip rate in units of V_star"),
+    FIELD(disagreement, REAL, psi, "1", "interfacial state"),
+};
+static const struct record_type record_disagreement = RECORD_TYPE(
+    "disagreement", "cells whose orbit has another fate than the map says",
+    disagreement_fields, disagreement);
+
+static enum status view_disagreement(const void *run, size_t k,
+                                     struct result_view *out)
+{
+    const struct basin_map *m = &((const struct study *) run)->basins;
+    const size_t n = m->audit.disagreements;
+    struct disagreement *row = n > 0 ? calloc(n, sizeof *row) : NULL;
+
+    (void) k;
+    if (row == NULL)
+        return n > 0 ? STATUS_NO_MEMORY : STATUS_OK;
+    for (size_t i = 0; i < n; i++)
+        row[i] =
+            (struct disagreement){ m->v[m->audit.wrong[i] % m->columns],
+                                   m->psi[m->audit.wrong[i] / m->columns] };
+    out->owned = row;
+    return result_lend(out, row, n);
+}
+
+/* ---- the table ----------------------------------------------------------- */
+
+#define FATE_WORDS                                                             \
+    "{creep,sliding,rest_finite,rest_asymptotic,runaway,undecided}"
+#define FIELDS                                                                 \
+    (ASKED_AS(SLIP) | ASKED_AS(TIME) | ASKED_AS(FRICTION) | ASKED_AS(PEAK))
+
+/* Members first .. first + count - 1 of record_cell. */
+#define CELLS(name_, first, count_)                                            \
+    static const struct record_type name_ = { "cell",                          \
+                                              "how a state comes to arrest",   \
+                                              cell_fields + (first), count_,   \
+                                              sizeof(struct cell) }
+CELLS(record_exit, 0, 1);
+CELLS(record_slip, 1, 2);
+CELLS(record_time, 3, 2);
+CELLS(record_mu_mean, 5, 2);
+CELLS(record_peak, 7, 4);
+
+/* clang-format off */
+const struct result basin_results[] = {
+    { "/basin", NULL, "product basins, and those beside it: a grid of states",
+      RESULT_COLUMNS, .axis = "psi", .type = &record_psi,
+      .needs = ASKED_BY(BASINS), .view = view_psi },
+    { "/basin", NULL, NULL, RESULT_COLUMNS, .axis = "v", .type = &record_v,
+      .needs = ASKED_BY(BASINS), .view = view_v },
+    { "/basin", NULL, "product basins", RESULT_LAYERS, .axis = "psi, v",
+      .type = &record_label, .needs = ASKED_BY(BASINS), .rows = label_rows },
+    { "/basin", NULL, "product margin", RESULT_LAYERS, .axis = "psi, v",
+      .type = &record_margins, .needs = ASKED_AS(MARGIN),
+      .rows = margin_rows },
+    { "/basin", NULL, "with any of the products below; slip and time run to "
+      "arrest; a value is NaN where there is none", RESULT_LAYERS,
+      .axis = "psi, v", .type = &record_exit, .needs = FIELDS,
+      .rows = cell_rows },
+    { "/basin", NULL, "product slip", RESULT_LAYERS, .axis = "psi, v",
+      .type = &record_slip, .needs = ASKED_AS(SLIP), .rows = cell_rows },
+    { "/basin", NULL, "product time", RESULT_LAYERS, .axis = "psi, v",
+      .type = &record_time, .needs = ASKED_AS(TIME), .rows = cell_rows },
+    { "/basin", NULL, "product friction", RESULT_LAYERS, .axis = "psi, v",
+      .type = &record_mu_mean, .needs = ASKED_AS(FRICTION),
+      .rows = cell_rows },
+    { "/basin", NULL, "product peak", RESULT_LAYERS, .axis = "psi, v",
+      .type = &record_peak, .needs = ASKED_AS(PEAK), .rows = cell_rows },
+    { "/basin", NULL, "with fields of cells", RESULT_ATTRIBUTES,
+      .type = &record_accuracy, .needs = FIELDS, .view = view_accuracy },
+    { "/basin", "basin.fractions." FATE_WORDS, NULL, RESULT_ATTRIBUTES,
+      .member = "fraction_*_" FATE_WORDS, .type = &record_share,
+      .needs = ASKED_BY(BASINS), .view = view_share },
+    { "/basin", "basin.audit", NULL, RESULT_ATTRIBUTES, .member = "audit_*",
+      .type = &record_audit, .needs = ASKED_BY(BASINS), .view = view_audit },
+    { "/basin/disagreement", NULL, "where the audit disagrees, if it does; "
+      "the command then exits with 3", RESULT_COLUMNS,
+      .type = &record_disagreement, .needs = ASKED_BY(BASINS),
+      .view = view_disagreement },
+    { .path = NULL },
+};
+/* clang-format on */

@@ -1,0 +1,150 @@
+/* What an experiment says, either way. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "release.h"
+
+/* A measurement as stored. */
+struct point {
+    double tan_alpha, value, error;
+};
+
+static const struct record_field point_fields[] = {
+    FIELD(point, REAL, tan_alpha, "1", "tangent of the slope angle"),
+    FIELD(point, REAL, value, "m", "measured"),
+    FIELD(point, REAL, error, "m", "one standard deviation, as given"),
+};
+static const struct record_type record_measured =
+    RECORD_TYPE("measured", "measurements", point_fields, point);
+
+static const struct record_field impact_fields[] = {
+    FIELD(release, QUANTITY, K, "1",
+          "of (22), where masses and restitution are known"),
+};
+static const struct record_type record_impact =
+    RECORD_TYPE("impact", "the impact", impact_fields, release);
+
+static const struct record_field spline_fields[] = {
+    FIELD(slip_curve, REAL, smoothing, "1", "as given, or found from the data"),
+    FIELD(slip_curve, REAL, freedom, "1", "parameters that the curve spends"),
+    FIELD(slip_curve, TEXT, reason, "1",
+          "instead of all this: why there is no curve"),
+};
+static const struct record_type record_spline =
+    RECORD_TYPE("spline", "the smoothing spline", spline_fields, slip_curve);
+
+RESULT_VIEW(view_rows, release, s->row, s->rows)
+RESULT_VIEW(view_impact, release, s, 1)
+
+/* A part that only data give. */
+static enum status lend_if(struct result_view *out, bool here, const void *at,
+                           size_t count)
+{
+    return here ? result_lend(out, at, count) : STATUS_OK;
+}
+
+static enum status view_series(const struct series *s, struct result_view *out)
+{
+    struct point *point = calloc(s->count + 1, sizeof *point);
+
+    if (point == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < s->count; i++)
+        point[i] = (struct point){ s->tan_alpha[i], s->value[i],
+                                   s->error ? s->error[i] : (double) NAN };
+    out->owned = point;
+    return result_lend(out, point, s->count);
+}
+
+static enum status view_l_k(const void *run, size_t k, struct result_view *out)
+{
+    const struct release *r = run;
+
+    (void) k;
+    return r->parabola.points > 0 ? view_series(&r->observed.l_k, out)
+                                  : STATUS_OK;
+}
+
+static enum status view_x_k(const void *run, size_t k, struct result_view *out)
+{
+    const struct release *r = run;
+
+    (void) k;
+    return r->persistence.points > 0 ? view_series(&r->observed.x_k, out)
+                                     : STATUS_OK;
+}
+
+static enum status view_parabola(const void *run, size_t k,
+                                 struct result_view *out)
+{
+    const struct release *r = run;
+
+    (void) k;
+    return lend_if(out, r->parabola.points > 0, &r->parabola, 1);
+}
+
+static enum status view_material(const void *run, size_t k,
+                                 struct result_view *out)
+{
+    const struct release *r = run;
+
+    (void) k;
+    return lend_if(out, r->parabola.points > 0, &r->material, 1);
+}
+
+static enum status view_slip(const void *run, size_t k, struct result_view *out)
+{
+    const struct release *r = run;
+
+    (void) k;
+    return lend_if(out, r->parabola.points > 0 && !r->slip.reason, r->slip.at,
+                   r->slip.count);
+}
+
+static enum status view_spline(const void *run, size_t k,
+                               struct result_view *out)
+{
+    const struct release *r = run;
+
+    (void) k;
+    return lend_if(out, r->parabola.points > 0, &r->slip, 1);
+}
+
+static enum status view_persistence(const void *run, size_t k,
+                                    struct result_view *out)
+{
+    const struct release *r = run;
+
+    (void) k;
+    return lend_if(out, r->persistence.points > 0, &r->persistence, 1);
+}
+
+/* clang-format off */
+static const struct result release_results[] = {
+    { "/rabinowicz/release", "release",
+      "rabinowicz: critical release distances of the law", RESULT_COLUMNS,
+      .type = &record_release, .view = view_rows },
+    { "/rabinowicz/release", "", NULL, RESULT_ATTRIBUTES,
+      .type = &record_impact, .view = view_impact },
+    { "/rabinowicz/l_k", NULL,
+      "with data: release distances as measured", RESULT_COLUMNS,
+      .type = &record_measured, .view = view_l_k },
+    { "/rabinowicz/fit", "fit", "with l_k: the fit of (33)",
+      .type = &record_parabola, .view = view_parabola },
+    { "/rabinowicz/fit", "fit", NULL, .type = &record_release_material,
+      .view = view_material },
+    { "/rabinowicz/slip", "slip.points",
+      "with l_k: friction against slip, (25)", RESULT_COLUMNS, .axis = "mu",
+      .type = &record_slip_point, .view = view_slip },
+    { "/rabinowicz/slip", "slip", NULL, RESULT_ATTRIBUTES,
+      .type = &record_spline, .view = view_spline },
+    { "/rabinowicz/x_k", NULL,
+      "with data: persistence lengths as measured", RESULT_COLUMNS,
+      .type = &record_measured, .view = view_x_k },
+    { "/rabinowicz/persistence", "persistence", "with x_k: the fit of (30)",
+      .type = &record_persistence, .view = view_persistence },
+    { .path = NULL },
+};
+/* clang-format on */
+
+const struct result *const release_tables[] = { release_results, NULL };

@@ -1,0 +1,136 @@
+/* Names and instances of results (lib/results/result.h). */
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "result.h"
+
+static bool is_named(const char *pattern, size_t k, const char *field,
+                     const char *expected)
+{
+    char name[RESULT_NAME];
+
+    result_name(pattern, k, field, name);
+    return strcmp(name, expected) == 0;
+}
+
+static void numbers_and_words_stand_for_the_instance(void **state)
+{
+    (void) state;
+    assert_true(
+        is_named("/trajectory_K/events", 12, NULL, "/trajectory_12/events"));
+    assert_true(
+        is_named("trajectories[K].events", 0, NULL, "trajectories[0].events"));
+    assert_true(is_named("/a_{up,down}", 0, NULL, "/a_up"));
+    assert_true(is_named("/a_{up,down}", 1, NULL, "/a_down"));
+    assert_true(is_named("{x,yy,z}b", 1, NULL, "yyb"));
+    assert_true(is_named("fraction_*_{p,q}", 1, "log", "fraction_log_q"));
+    assert_true(is_named("", 3, "v", ""));
+}
+
+static void a_letter_of_a_word_is_no_number(void **state)
+{
+    (void) state;
+    assert_true(is_named("*", 7, "K", "K"));
+    assert_true(is_named("/Kato/KK_1", 7, NULL, "/Kato/KK_1"));
+}
+
+static void what_is_too_long_is_cut(void **state)
+{
+    char pattern[2 * RESULT_NAME], name[RESULT_NAME];
+
+    (void) state;
+    memset(pattern, 'x', sizeof pattern);
+    pattern[sizeof pattern - 1] = '\0';
+    result_name(pattern, 0, NULL, name);
+    assert_int_equal(strlen(name), RESULT_NAME - 1);
+}
+
+struct number {
+    double x;
+};
+static const struct record_field number_fields[] = {
+    FIELD(number, REAL, x, "1", "a number"),
+};
+static const struct record_type record_number =
+    RECORD_TYPE("number", "numbers", number_fields, number);
+
+static size_t five(const void *run)
+{
+    (void) run;
+    return 5;
+}
+
+static enum status view_made(const void *run, size_t k, struct result_view *out)
+{
+    struct number *made = malloc(sizeof *made);
+
+    (void) run;
+    if (made == NULL)
+        return STATUS_NO_MEMORY;
+    made->x = (double) k;
+    out->owned = made;
+    return result_lend(out, made, 1);
+}
+
+RESULT_VIEW(view_there, number, &s[k], 1)
+
+static void instances_are_words_unless_they_are_counted(void **state)
+{
+    const struct result none = { .path = "/a" };
+    const struct result words = { .path = "/a_{b,c,d}" };
+    const struct result members = { .path = "/a", .member = "*_{b,c}" };
+    const struct result counted = { .path = "/a_K", .count = five };
+
+    (void) state;
+    assert_int_equal(result_count(&none, NULL), 1);
+    assert_int_equal(result_count(&words, NULL), 3);
+    assert_int_equal(result_count(&members, NULL), 2);
+    assert_int_equal(result_count(&counted, NULL), 5);
+}
+
+static void views_lend_and_what_they_made_goes(void **state)
+{
+    const struct number run[] = { { 1.0 }, { 2.0 } };
+    const struct result there = { .type = &record_number, .view = view_there };
+    const struct result made = { .type = &record_number, .view = view_made };
+    const struct result nothing = { .type = &record_number };
+    struct result_view v;
+
+    (void) state;
+    assert_int_equal(result_open(&there, run, 1, &v), STATUS_OK);
+    assert_true(v.here && v.records.at == &run[1] && v.records.count == 1 &&
+                v.records.type == &record_number && v.owned == NULL);
+    result_close(&v);
+    assert_int_equal(result_open(&made, run, 3, &v), STATUS_OK);
+    assert_true(v.here && ((const struct number *) v.records.at)->x == 3.0);
+    result_close(&v);
+    result_close(&v);
+    assert_false(v.here);
+    assert_int_equal(result_open(&nothing, run, 0, &v), STATUS_OK);
+    assert_false(v.here);
+}
+
+static void what_nobody_asked_for_is_not_asked(void **state)
+{
+    const struct results all = { .asked = 6 };
+
+    (void) state;
+    assert_true(result_asked(&(struct result){ .needs = 0 }, &all));
+    assert_true(result_asked(&(struct result){ .needs = 2 }, &all));
+    assert_true(result_asked(&(struct result){ .needs = 5 }, &all));
+    assert_false(result_asked(&(struct result){ .needs = 9 }, &all));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_and_words_stand_for_the_instance),
+        cmocka_unit_test(a_letter_of_a_word_is_no_number),
+        cmocka_unit_test(what_is_too_long_is_cut),
+        cmocka_unit_test(instances_are_words_unless_they_are_counted),
+        cmocka_unit_test(views_lend_and_what_they_made_goes),
+        cmocka_unit_test(what_nobody_asked_for_is_not_asked),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
