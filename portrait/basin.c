@@ -1,5 +1,6 @@
 #include "basin.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,11 +23,21 @@ static size_t column_from(const struct basin_grid *g, double x)
 
 static void cut_row(struct basin *b, size_t row, struct crossing c[])
 {
-    const size_t n = separatrix_row(b->regions->separatrix, b->grid.y[row], c);
+    const struct separatrix *s = b->regions->separatrix;
+    const double y = b->grid.y[row];
+    const size_t n = separatrix_row(s, y, c);
     size_t *cut = b->cut + row * b->regions->most;
+    size_t *doubt = b->doubt + 2 * row * s->count;
 
     for (size_t k = 0; k < n && k < b->regions->most; k++)
         cut[k] = column_from(&b->grid, c[k].at);
+    for (size_t i = 0; i < s->count; i++) {
+        double lo, hi;
+        const bool near = separatrix_near(s, i, y, &lo, &hi);
+        doubt[2 * i] = near ? column_from(&b->grid, lo) : 0;
+        doubt[2 * i + 1] =
+            near ? column_from(&b->grid, nextafter(hi, HUGE_VAL)) : 0;
+    }
 }
 
 static enum status cut_rows(struct basin *b)
@@ -50,48 +61,16 @@ static enum status cut_rows(struct basin *b)
     return failed ? STATUS_NO_MEMORY : STATUS_OK;
 }
 
-/* The middle of a region's longest run of cells is its seed. */
-static void seed_row(const struct basin *b, struct regions *regions, size_t row,
-                     size_t longest[])
-{
-    const struct band *band = regions_band(b->regions, b->grid.y[row]);
-    const size_t *cut = b->cut + row * b->regions->most;
-
-    for (size_t k = 0; k <= band->strands; k++) {
-        const size_t number = band->first + k;
-        const size_t from = k == 0 ? 0 : cut[k - 1];
-        const size_t to = k == band->strands ? b->grid.columns : cut[k];
-        struct region *g = &regions->region[number];
-        if (to <= from || to - from <= longest[number] ||
-            g->label != REGION_UNLABELLED)
-            continue;
-        longest[number] = to - from;
-        g->is_seeded = true;
-        g->seed =
-            (struct vec2){ b->grid.x[from + (to - from) / 2], b->grid.y[row] };
-    }
-}
-
-enum status basin_seed(const struct basin *b, struct regions *regions)
-{
-    size_t *longest = calloc(b->regions->count, sizeof *longest);
-
-    if (longest == NULL)
-        return STATUS_NO_MEMORY;
-    for (size_t j = 0; j < b->grid.rows; j++)
-        seed_row(b, regions, j, longest);
-    free(longest);
-    return STATUS_OK;
-}
-
 enum status basin_init(struct basin *b, const struct regions *regions,
                        const struct basin_grid *grid)
 {
     *b = (struct basin){ .regions = regions, .grid = *grid };
     if (grid->rows == 0 || grid->columns == 0)
         return STATUS_BAD_ARGUMENT;
+    const size_t strands = regions->separatrix->count;
     b->cut = malloc((grid->rows * regions->most + 1) * sizeof *b->cut);
-    const enum status s = b->cut ? cut_rows(b) : STATUS_NO_MEMORY;
+    b->doubt = malloc((grid->rows * strands * 2 + 1) * sizeof *b->doubt);
+    const enum status s = b->cut && b->doubt ? cut_rows(b) : STATUS_NO_MEMORY;
     if (s != STATUS_OK)
         basin_free(b);
     return s;
@@ -109,6 +88,11 @@ static void fill_row(const struct basin *b, size_t row, int8_t out[])
         if (to > from)
             memset(out + from, r->region[band->first + k].label, to - from);
     }
+    for (size_t i = 0; i < r->separatrix->count; i++) {
+        const size_t *doubt = b->doubt + 2 * (row * r->separatrix->count + i);
+        if (doubt[1] > doubt[0])
+            memset(out + doubt[0], REGION_UNLABELLED, doubt[1] - doubt[0]);
+    }
 }
 
 void basin_fill(const struct basin *b, size_t first, size_t count, int8_t out[])
@@ -123,5 +107,6 @@ void basin_fill(const struct basin *b, size_t first, size_t count, int8_t out[])
 void basin_free(struct basin *b)
 {
     free(b->cut);
+    free(b->doubt);
     *b = (struct basin){ .regions = NULL };
 }

@@ -17,8 +17,10 @@ struct basin_grid {
 struct basin {
     const struct regions *regions; /* borrowed */
     struct basin_grid grid;
-    size_t *cut; /* owned; rows * regions->most: in each row the first column
-                    right of each strand */
+    size_t *cut;   /* owned; rows * regions->most: in each row the first column
+                      right of each strand */
+    size_t *doubt; /* owned; rows * strands * 2: the columns from the first to
+                      before the second that may lie on it (separatrix_near) */
 };
 
 /* Cuts the rows, in parallel, the same at any number of threads.
@@ -27,13 +29,9 @@ MUST_CHECK enum status basin_init(struct basin *b,
                                   const struct regions *regions,
                                   const struct basin_grid *grid);
 
-/* Puts the seed of every region that has cells into the middle of its longest
- * run of them; `regions` are b's.  STATUS_NO_MEMORY. */
-MUST_CHECK enum status basin_seed(const struct basin *b,
-                                  struct regions *regions);
-
-/* With all regions labelled, those of rows first .. first + count - 1 into
- * out[count * columns], row after row; in parallel. */
+/* The labels of the regions, of rows first .. first + count - 1 into
+ * out[count * columns], row after row; REGION_UNLABELLED where a cell may lie
+ * on a separatrix; in parallel. */
 void basin_fill(const struct basin *b, size_t first, size_t count,
                 int8_t out[]);
 

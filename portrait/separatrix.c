@@ -153,6 +153,7 @@ static enum status end_strand(struct chain *c)
     if (c->way < 0)
         turn_round(&c->strand);
     close_gaps(&c->strand);
+    c->strand.way = c->way;
     c->strand.lo = origin + c->strand.piece[0].lo;
     c->strand.hi = origin + c->strand.piece[c->strand.count - 1].hi;
     s->strand[s->count++] = c->strand;
@@ -244,6 +245,7 @@ enum status separatrix_add(struct separatrix *s, const struct branch *one,
                            const struct branch *other)
 {
     struct chain c = { .s = s };
+    const size_t first = s->count;
     enum status status = one ? add_inward(&c, one) : STATUS_OK;
 
     if (status == STATUS_OK && other)
@@ -251,6 +253,12 @@ enum status separatrix_add(struct separatrix *s, const struct branch *one,
     if (status == STATUS_OK)
         status = end_strand(&c);
     free(c.strand.piece);
+    if (s->count > first) {
+        struct strand *start = &s->strand[first];
+        struct strand *end = &s->strand[s->count - 1];
+        start->ends[start->way < 0] = true;
+        end->ends[end->way > 0] = true;
+    }
     return status;
 }
 
@@ -292,22 +300,82 @@ static const struct strand_piece *piece_at(const struct strand *t, double w)
     return &t->piece[lo];
 }
 
+/* Where a strand meets a row, as offsets. */
+struct meeting {
+    double at, slope; /* slope: of at along the strand */
+    double bar;       /* bound on the distance of the true curve */
+};
+
+/* The bound that a piece states is about its end.  The first one begins at the
+ * saddle, where its series is exact. */
+static double bar_of(const struct strand_piece *p, double theta)
+{
+    const struct curve_piece *piece = p->curve->piece;
+
+    if (p->piece == 0)
+        return piece[0].error * theta;
+    return fmax(piece[p->piece].error, piece[p->piece - 1].error);
+}
+
+static struct meeting meet(const struct separatrix *s, const struct strand *t,
+                           double offset)
+{
+    const struct strand_piece *p = piece_at(t, offset);
+    struct meeting m = { p->at, 0.0, p->error };
+
+    if (p->curve) {
+        const struct series up = component(p->curve, p->piece, s->along);
+        const struct series out = component(p->curve, p->piece, 1 - s->along);
+        double rise, run;
+        const double theta = solve(up, offset, p);
+        series_at(up, theta, &rise);
+        m.at = series_at(out, theta, &run);
+        m.slope = run / rise;
+        m.bar = bar_of(p, theta);
+    }
+    m.bar += s->slack + TOL_CROSSING_ROUNDING * (fabs(m.at) + fabs(offset));
+    return m;
+}
+
 struct crossing separatrix_cross(const struct separatrix *s, size_t i, double w)
 {
-    const double offset = w - along_of(s, s->origin);
-    const struct strand_piece *p = piece_at(&s->strand[i], offset);
-    const double base = across_of(s, s->origin);
+    const struct meeting m = meet(s, &s->strand[i], w - along_of(s, s->origin));
 
-    if (p->curve == NULL)
-        return (struct crossing){ base + p->at, p->error, i };
-    const struct series up = component(p->curve, p->piece, s->along);
-    const struct series out = component(p->curve, p->piece, 1 - s->along);
-    double rise, run;
-    const double theta = solve(up, offset, p);
-    series_at(up, theta, &rise);
-    const double at = series_at(out, theta, &run);
-    const double error = p->curve->piece[p->piece].error;
-    return (struct crossing){ base + at, error * (1.0 + fabs(run / rise)), i };
+    return (struct crossing){ across_of(s, s->origin) + m.at,
+                              m.bar * (1.0 + fabs(m.slope)), i };
+}
+
+/* Widens lo .. hi by where the strand is at w, or at its end if that is nearer:
+ * flat there, the curve goes on along the row. */
+static void widen(const struct separatrix *s, const struct strand *t, double w,
+                  double *lo, double *hi)
+{
+    const double base = along_of(s, s->origin);
+    const bool below = w<t->lo, above = w> t->hi;
+    const struct meeting m = meet(s, t, fmin(fmax(w, t->lo), t->hi) - base);
+    const bool goes_on =
+        (below || above) && t->ends[above] && !(fabs(m.slope) < 1.0);
+    const bool right = above == (m.slope > 0.0);
+
+    *lo = goes_on && !right ? -HUGE_VAL : fmin(*lo, m.at);
+    *hi = goes_on && right ? HUGE_VAL : fmax(*hi, m.at);
+}
+
+bool separatrix_near(const struct separatrix *s, size_t i, double w, double *lo,
+                     double *hi)
+{
+    const struct strand *t = &s->strand[i];
+    const double nearest = fmin(fmax(w, t->lo), t->hi);
+    const struct meeting m = meet(s, t, nearest - along_of(s, s->origin));
+
+    if (fabs(w - nearest) > m.bar)
+        return false;
+    *lo = *hi = m.at;
+    widen(s, t, w - m.bar, lo, hi);
+    widen(s, t, w + m.bar, lo, hi);
+    *lo += across_of(s, s->origin) - m.bar;
+    *hi += across_of(s, s->origin) + m.bar;
+    return true;
 }
 
 size_t separatrix_row(const struct separatrix *s, double w,

@@ -10,6 +10,8 @@
 #ifndef PORTRAIT_SEPARATRIX_H
 #define PORTRAIT_SEPARATRIX_H
 
+#include <stdbool.h>
+
 #include "branch.h"
 #include "measure.h"
 
@@ -29,11 +31,14 @@ struct strand {
     struct strand_piece *piece; /* owned; ascending */
     size_t count, room;
     double lo, hi; /* its whole range, absolute; may be infinite */
+    int way;       /* of the chain along it: +1 from lo to hi */
+    bool ends[2]; /* whether the chain ends at lo, at hi: else it turns there */
 };
 
 struct separatrix {
     int along; /* SEPARATRIX_Y: strands grow in y and cross rows */
     struct vec2 origin;
+    double slack; /* how far all of it may be off, as its saddle is; 0 */
     struct strand *strand; /* owned */
     size_t count, room;
 };
@@ -50,7 +55,8 @@ MUST_CHECK enum status separatrix_add(struct separatrix *s,
 
 struct crossing {
     double at;    /* the other coordinate, absolute */
-    double error; /* bound, from the curve's own; infinite where it is flat */
+    double error; /* bound: the curve's own there, rounding and the slack;
+                     infinite where it is flat */
     size_t strand;
 };
 
@@ -58,6 +64,12 @@ struct crossing {
  * strand.lo <= w < strand.hi; to a few units of rounding. */
 struct crossing separatrix_cross(const struct separatrix *s, size_t i,
                                  double w);
+
+/* The stretch of the row w (absolute) on which strand i may be, anywhere within
+ * its bar in both directions; infinite where it may run along the row to an end
+ * of the chain.  False: the row is further than that from the strand. */
+bool separatrix_near(const struct separatrix *s, size_t i, double w, double *lo,
+                     double *hi);
 
 /* All crossings at w, ascending; their number.  out has room for s->count. */
 size_t separatrix_row(const struct separatrix *s, double w,

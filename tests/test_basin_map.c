@@ -26,13 +26,15 @@ static int8_t *labels_of(const struct basin_map *m)
 
 static void check_row(struct slope *s, const struct csv *c)
 {
-    const struct regions *r = &s->study.basins.regions;
-    struct crossing *at = malloc((r->most + 1) * sizeof *at);
+    struct fate_told label;
 
-    assert_non_null(at);
-    const int label = r->region[regions_at(r, row_point(s, c), at)].label;
-    CHECK(label == row_fate(c), "row %zu: %s", c->row, fate_names[label]);
-    free(at);
+    assert_int_equal(
+        labels_find(&s->study.basins.labels,
+                    vec2_sub(row_point(s, c), s->study.system.origin), NULL,
+                    &label),
+        STATUS_OK);
+    CHECK(label.fate == row_fate(c), "row %zu: %s", c->row,
+          fate_names[label.fate]);
 }
 
 /* Its states lie down to psi = 1e-4. */
@@ -193,14 +195,14 @@ static void margins_lead_onto_the_boundary(void **state)
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.34", FEW);
     const struct basin_map *m = &s.study.basins;
-    const struct regions *r = &m->regions;
+    const struct regions *r = &m->labels.regions;
     double v[61], psi[61];
     struct crossing at[8];
     assert_true(r->most < 8);
     for (size_t j = 0; j < m->rows; j++) {
         assert_int_equal(basin_map_margins(m, j, 1, v, psi), STATUS_OK);
         for (size_t i = 0; i < m->columns; i++) {
-            const struct vec2 z = { m->x[i], m->y[j] };
+            const struct vec2 z = { m->dx[i], m->dy[j] };
             const int8_t label = r->region[regions_at(r, z, at)].label;
             for (double part = 0.999999; part < 1.1; part += 2e-6) {
                 const struct vec2 push = { z.x + part * v[i], z.y };
@@ -229,9 +231,9 @@ static void an_audit_agrees_unless_a_label_is_wrong(void **state)
     assert_int_equal(m->audit.cells, 300);
     assert_int_equal(m->audit.disagreements, 0);
     const double share = m->fraction[FATE_CREEP].log.value;
-    for (size_t i = 0; i < m->regions.count; i++)
-        if (m->regions.region[i].label == FATE_CREEP)
-            m->regions.region[i].label = FATE_RUNAWAY;
+    for (size_t i = 0; i < m->labels.regions.count; i++)
+        if (m->labels.regions.region[i].label == FATE_CREEP)
+            m->labels.regions.region[i].label = FATE_RUNAWAY;
     assert_int_equal(basin_map_audit(m, 300, 7, NULL), STATUS_OK);
     const double wrong = (double) m->audit.disagreements / 300.0;
     CHECK(fabs(wrong - share) < 0.1, "%g, not %g", wrong, share);
@@ -253,9 +255,8 @@ static void the_seed_and_nothing_else_chooses_the_cells(void **state)
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.34", FEW);
     struct basin_map *m = &s.study.basins;
-    for (size_t i = 0; i < m->regions.count; i++)
-        m->regions.region[i].label = FATE_RUNAWAY;
-    assert_int_equal(trap_init(&m->trap, &s.study, NULL), STATUS_OK);
+    for (size_t i = 0; i < m->labels.regions.count; i++)
+        m->labels.regions.region[i].label = FATE_RUNAWAY;
     for (int run = 0; run < 3; run++) {
         omp_set_num_threads(run == 1 ? 3 : 1);
         assert_int_equal(basin_map_audit(m, 64, run == 2 ? 8 : 7, NULL),
@@ -287,8 +288,6 @@ static void every_allocation_may_fail(void **state)
         status = basin_map_init(&m, &s.study, NULL);
         if (status == STATUS_OK)
             status = basin_map_margins(&m, 0, 1, v, psi);
-        if (status == STATUS_OK)
-            status = trap_init(&m.trap, &s.study, NULL);
         if (status == STATUS_OK)
             status = basin_map_audit(&m, 3, 1, NULL);
         fault_alloc_at(FAULT_ALLOC_NEVER);

@@ -121,40 +121,6 @@ static void creep_without_a_node_is_no_rest_in_finite_time(void **state)
     IS("perrin", "0.34", 1e-3, 9.0, FATE_REST_ASYMPTOTIC);
 }
 
-/* The plane as one region, seeded `away` from the first steady state. */
-static int8_t label_beside(const char *law, const char *alpha, double away)
-{
-    struct separatrix none;
-    struct regions r;
-    struct slope s;
-
-    slope_make(&s, law, NULL, alpha, steady_only);
-    none = separatrix_empty(SEPARATRIX_Y, s.study.system.origin);
-    assert_int_equal(regions_init(&r, &none), STATUS_OK);
-    assert_int_equal(fate_label_first(&s.study, &r), STATUS_OK);
-    const struct region only = r.region[0];
-    const struct vec2 off = vec2_sub(only.seed, s.study.equilibrium[0].z);
-    CHECK(hypot(off.x, off.y) < away, "seed %g, %g away", off.x, off.y);
-    regions_free(&r);
-    separatrix_free(&none);
-    slope_free(&s);
-    return only.label;
-}
-
-static void a_region_is_labelled_beside_its_node(void **state)
-{
-    (void) state;
-    assert_int_equal(label_beside("spinodal_gen", "0.2", 0.2), FATE_CREEP);
-    assert_int_equal(label_beside("spinodal_gen", "0.45", 0.2), FATE_SLIDING);
-}
-
-static void without_a_node_a_quadrant_of_the_saddle_labels_it(void **state)
-{
-    (void) state;
-    assert_int_equal(label_beside("dieterich_gen", "0.42", 1.0),
-                     FATE_REST_FINITE);
-}
-
 /* psi rises there at a rate of e^1000 and more, which no double holds. */
 static void states_far_below_psi_ss_rest_no_sooner_than_v_can_fall(void **state)
 {
@@ -328,8 +294,6 @@ int main(void)
         cmocka_unit_test(without_a_saddle_all_go_the_same_way),
         cmocka_unit_test(without_a_saddle_no_state_is_undecided),
         cmocka_unit_test(creep_without_a_node_is_no_rest_in_finite_time),
-        cmocka_unit_test(a_region_is_labelled_beside_its_node),
-        cmocka_unit_test(without_a_node_a_quadrant_of_the_saddle_labels_it),
         cmocka_unit_test(
             states_far_below_psi_ss_rest_no_sooner_than_v_can_fall),
         cmocka_unit_test(the_energy_lost_is_the_work_of_friction),

@@ -219,6 +219,10 @@
  * is that near the truth. */
 #define CHECK_RECORDED_BARS 2.0
 
+/* What rounding does to a crossing of a separatrix, per unit of its distance
+ * from the saddle: that of the offsets, of a polynomial, of the first slope. */
+#define TOL_CROSSING_ROUNDING 0x1p-51
+
 /* Areas beside a separatrix: relative error of a piece, and how often one is
  * halved around a kink. */
 #define TOL_AREA       1e-13

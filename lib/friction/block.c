@@ -85,6 +85,17 @@ void block_init(struct block *b, const struct law *law,
 void block_anchor(struct block *b, long double x, bool equilibrium)
 {
     steady_anchor(&b->law, &b->material, b->tan_alpha, x, equilibrium, &b->at);
+    b->x = x;
+    b->y = steady_y(&b->law, &b->material, x);
+}
+
+struct vec2 block_offset(const struct block *b, double v, double psi)
+{
+    const long double y =
+        law_psi_is_log(&b->law) ? (long double) psi : logl((long double) psi);
+
+    return (struct vec2){ (double) (logl((long double) v) - b->x),
+                          (double) (y - b->y) };
 }
 
 struct planar block_planar(const struct block *b)

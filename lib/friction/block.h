@@ -17,6 +17,7 @@ struct block {
     struct material material;
     long double tan_alpha;
     struct anchor at; /* set by block_anchor */
+    long double x, y; /* its place, to all digits that are known */
     struct planar_steady steady;
 };
 
@@ -32,6 +33,10 @@ void block_anchor(struct block *b, long double x, bool equilibrium);
 /* The planar system around b's anchor; borrows b, which must not move.
  * Observables: slip, work, excess, as in enum block_observable. */
 struct planar block_planar(const struct block *b);
+
+/* The offset of the state (v, psi) as its doubles read: near the anchor to more
+ * digits than a difference of logarithms has. */
+struct vec2 block_offset(const struct block *b, double v, double psi);
 
 /* mu(v, psi) at an offset from the anchor. */
 double block_mu(const struct block *b, struct vec2 z);

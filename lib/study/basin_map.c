@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "study.h"
 #include "study_tolerance.h"
@@ -39,46 +40,40 @@ void basin_map_axis(const struct study *s, enum basin_axis axis, size_t n,
 
 static enum status make_grid(struct basin_map *m, size_t columns, size_t rows)
 {
+    const struct block *b = &m->study->block;
+
     m->columns = columns;
     m->rows = rows;
     m->x = malloc(m->columns * sizeof *m->x);
     m->v = malloc(m->columns * sizeof *m->v);
+    m->dx = malloc(m->columns * sizeof *m->dx);
     m->y = malloc(m->rows * sizeof *m->y);
     m->psi = malloc(m->rows * sizeof *m->psi);
-    if (!m->x || !m->v || !m->y || !m->psi)
+    m->dy = malloc(m->rows * sizeof *m->dy);
+    if (!m->x || !m->v || !m->dx || !m->y || !m->psi || !m->dy)
         return STATUS_NO_MEMORY;
     basin_map_axis(m->study, BASIN_V, m->columns, m->x, m->v);
     basin_map_axis(m->study, BASIN_PSI, m->rows, m->y, m->psi);
+    for (size_t i = 0; i < columns; i++)
+        m->dx[i] = block_offset(b, m->v[i], 1.0).x;
+    for (size_t j = 0; j < rows; j++)
+        m->dy[j] = block_offset(b, 1.0, m->psi[j]).y;
     return STATUS_OK;
 }
 
-/* ---- regions ------------------------------------------------------------- */
-
-static enum status cut_plane(struct basin_map *m)
+static struct vec2 cell_offset(const struct basin_map *m, size_t cell)
 {
-    const struct study *s = m->study;
-    const struct basin_grid grid = { m->x, m->y, m->columns, m->rows };
-    enum status status = STATUS_OK;
-
-    if (s->saddle >= 0 && !study_has_manifolds(s))
-        return STATUS_NOT_HYPERBOLIC;
-    for (int i = 0; i < 2; i++)
-        m->along[i] = separatrix_empty(i, s->system.origin);
-    for (int i = 0; i < 2 && status == STATUS_OK && s->saddle >= 0; i++)
-        status = separatrix_add(&m->along[i], &s->stable[SIDE_LOWER],
-                                &s->stable[SIDE_UPPER]);
-    if (status == STATUS_OK)
-        status = regions_init(&m->regions, &m->along[SEPARATRIX_Y]);
-    if (status == STATUS_OK)
-        status = basin_init(&m->basin, &m->regions, &grid);
-    if (status == STATUS_OK)
-        status = fate_label_first(s, &m->regions);
-    if (status == STATUS_OK)
-        status = basin_seed(&m->basin, &m->regions);
-    if (status == STATUS_OK)
-        status = fate_label_regions(s, &m->regions);
-    return status;
+    return (struct vec2){ m->dx[cell % m->columns], m->dy[cell / m->columns] };
 }
+
+static enum status cut_grid(struct basin_map *m, const struct regions *r)
+{
+    const struct basin_grid grid = { m->dx, m->dy, m->columns, m->rows };
+
+    return basin_init(&m->basin, r, &grid);
+}
+
+/* ---- shares -------------------------------------------------------------- */
 
 /* The window's in this measure. */
 static double whole_area(struct box w, struct measure m)
@@ -87,29 +82,49 @@ static double whole_area(struct box w, struct measure m)
            measure_between(&m, 1, w.lo.y, w.hi.y);
 }
 
-/* The share of the regions with this label. */
+/* The share of the regions with this label.  Those that have none may be its
+ * as well. */
 static struct quantity share(const struct regions *r, const struct area area[],
                              int8_t label, double whole)
 {
     struct area sum = { 0.0, 0.0 };
 
     for (size_t i = 0; i < r->count; i++) {
-        if (r->region[i].label != label)
-            continue;
-        sum.value += area[i].value;
-        sum.error += area[i].error;
+        if (r->region[i].label == label)
+            sum.value += area[i].value;
+        if (r->region[i].label == REGION_UNLABELLED)
+            sum.error += area[i].value;
+        if (r->region[i].label == label ||
+            r->region[i].label == REGION_UNLABELLED)
+            sum.error += area[i].error;
     }
     return quantity_of(sum.value / whole,
                        sum.error / whole + TOL_SHARE_ROUNDING);
 }
 
-static enum status find_fractions(struct basin_map *m)
+/* The window as offsets. */
+static struct box window_of(const struct study *s)
+{
+    const struct scene_window *w = &s->scene->window;
+
+    return (struct box){ block_offset(&s->block, w->v[0], w->psi[0]),
+                         block_offset(&s->block, w->v[1], w->psi[1]) };
+}
+
+static struct measure linear_measure(const struct basin_map *m, struct box w)
 {
     const bool is_log = m->study->system.axis[1].is_log;
-    const struct box w = study_window(m->study);
-    const struct measure chart = { { false, false }, { 0.0, 0.0 } };
-    const struct measure linear = { { true, is_log }, { w.hi.x, w.hi.y } };
-    const struct regions *r = &m->regions;
+
+    return (struct measure){ { true, is_log }, { w.hi.x, w.hi.y } };
+}
+
+static const struct measure chart = { { false, false }, { 0.0, 0.0 } };
+
+static enum status find_fractions(struct basin_map *m)
+{
+    const struct box w = window_of(m->study);
+    const struct measure linear = linear_measure(m, w);
+    const struct regions *r = &m->labels.regions;
     struct crossing *scratch = malloc((r->most + 1) * sizeof *scratch);
     struct area *area = malloc(2 * r->count * sizeof *area);
     const enum status s = scratch && area ? STATUS_OK : STATUS_NO_MEMORY;
@@ -128,42 +143,88 @@ static enum status find_fractions(struct basin_map *m)
     return s;
 }
 
-enum status basin_map_init(struct basin_map *m, const struct study *s,
-                           const struct monitor *monitor)
+/* Where cell i of n begins along an axis from lo to hi. */
+static double edge_of(double lo, double hi, bool linear, size_t i, size_t n)
 {
-    *m = (struct basin_map){ .study = s, .exact = s->scene->exact };
-    enum status status = make_grid(m, s->scene->cells[0], s->scene->cells[1]);
+    const double u = (double) i / (double) n;
 
-    if (status == STATUS_OK)
-        status = cut_plane(m);
-    if (status == STATUS_OK)
-        status = find_fractions(m);
-    if (status == STATUS_OK && (m->exact || s->scene->audit > 0))
-        status = trap_init(&m->trap, s, monitor);
-    if (status != STATUS_OK)
-        basin_map_free(m);
-    return status;
+    return linear ? hi + log((1.0 - u) * exp(lo - hi) + u)
+                  : (1.0 - u) * lo + u * hi;
+}
+
+/* The share of each of n cells along an axis in this measure. */
+static void parts_of(const struct basin_map *m, const struct measure *measure,
+                     int axis, size_t n, double part[])
+{
+    const struct box w = window_of(m->study);
+    const double lo = axis == 0 ? w.lo.x : w.lo.y;
+    const double hi = axis == 0 ? w.hi.x : w.hi.y;
+    const bool linear = m->study->scene->window.axes == AXES_LINEAR &&
+                        m->study->system.axis[axis].is_log;
+    const double whole = measure_between(measure, axis, lo, hi);
+
+    for (size_t i = 0; i < n; i++)
+        part[i] = measure_between(measure, axis, edge_of(lo, hi, linear, i, n),
+                                  edge_of(lo, hi, linear, i + 1, n)) /
+                  whole;
+}
+
+/* What the cells that were followed have of the window, in this measure. */
+static enum status count_shares(const struct basin_map *m,
+                                const struct measure *measure, double out[])
+{
+    double *width = malloc((m->columns + m->rows) * sizeof *width);
+    double *height = width + m->columns;
+
+    if (width == NULL)
+        return STATUS_NO_MEMORY;
+    parts_of(m, measure, 0, m->columns, width);
+    parts_of(m, measure, 1, m->rows, height);
+    for (size_t i = 0; i < m->columns * m->rows; i++)
+        out[m->followed[i]] += width[i % m->columns] * height[i / m->columns];
+    free(width);
+    return STATUS_OK;
+}
+
+/* The bar of a counted share reaches to that of the separatrix. */
+static struct quantity counted(double share, struct quantity by_area)
+{
+    return quantity_of(share, fabs(share - by_area.value) + by_area.error);
+}
+
+static enum status count_fractions(struct basin_map *m)
+{
+    const struct measure linear = linear_measure(m, window_of(m->study));
+    double part[2][FATES] = { { 0.0 } };
+    enum status s = count_shares(m, &chart, part[0]);
+
+    if (s == STATUS_OK)
+        s = count_shares(m, &linear, part[1]);
+    for (int i = 0; i < FATES && s == STATUS_OK; i++) {
+        struct basin_fraction *f = &m->fraction[i];
+        *f = (struct basin_fraction){ counted(part[0][i], f->log),
+                                      counted(part[1][i], f->linear) };
+    }
+    return s;
 }
 
 /* ---- rows ---------------------------------------------------------------- */
 
-static enum status follow_cell(const struct basin_map *m, size_t row,
-                               size_t column, int8_t *label)
-{
-    const struct vec2 z = { m->x[column], m->y[row] };
-    return trap_label(&m->trap, z, label, NULL);
-}
-
-static enum status follow_rows(const struct basin_map *m, size_t first,
-                               size_t count, int8_t out[])
+/* The cells of some rows that no region tells, asked one by one. */
+static enum status settle(const struct basin_map *m, size_t first, size_t count,
+                          int8_t out[])
 {
     const size_t cells = count * m->columns;
     enum status failed = STATUS_OK;
 
 #pragma omp parallel for schedule(dynamic, 64)
     for (size_t i = 0; i < cells; i++) {
-        const enum status s =
-            follow_cell(m, first + i / m->columns, i % m->columns, &out[i]);
+        struct fate_told label;
+        if (out[i] != REGION_UNLABELLED)
+            continue;
+        const enum status s = labels_find(
+            &m->labels, cell_offset(m, first * m->columns + i), NULL, &label);
+        out[i] = label.fate;
         if (s != STATUS_OK) {
 #pragma omp atomic write
             failed = s;
@@ -172,27 +233,33 @@ static enum status follow_rows(const struct basin_map *m, size_t first,
     return failed;
 }
 
+static enum status label_rows(const struct basin_map *m, size_t first,
+                              size_t count, int8_t out[])
+{
+    basin_fill(&m->basin, first, count, out);
+    return settle(m, first, count, out);
+}
+
 enum status basin_map_rows(const struct basin_map *m, size_t first,
                            size_t count, int8_t out[])
 {
-    if (m->exact)
-        return follow_rows(m, first, count, out);
-    basin_fill(&m->basin, first, count, out);
+    if (!m->exact)
+        return label_rows(m, first, count, out);
+    memcpy(out, m->followed + first * m->columns, count * m->columns);
     return STATUS_OK;
 }
 
 enum status basin_map_raster(const struct basin_map *m, size_t columns,
                              size_t rows, int8_t out[])
 {
-    struct basin_map raster = { .study = m->study };
+    struct basin_map raster = { .study = m->study, .labels = m->labels };
     enum status s = make_grid(&raster, columns, rows);
 
-    if (s == STATUS_OK) {
-        const struct basin_grid grid = { raster.x, raster.y, columns, rows };
-        s = basin_init(&raster.basin, &m->regions, &grid);
-    }
     if (s == STATUS_OK)
-        basin_fill(&raster.basin, 0, rows, out);
+        s = cut_grid(&raster, &m->labels.regions);
+    if (s == STATUS_OK)
+        s = label_rows(&raster, 0, rows, out);
+    raster.labels = (struct labels){ .study = NULL };
     basin_map_free(&raster);
     return s;
 }
@@ -205,9 +272,10 @@ static void row_margins(const struct basin_map *m, struct margin_line *l,
     double error;
 
     for (size_t j = 0; j < count; j++) {
-        margin_find(l, &m->regions, &m->along[SEPARATRIX_Y], m->y[first + j]);
+        margin_find(l, &m->labels.regions, &m->labels.along[SEPARATRIX_Y],
+                    m->dy[first + j]);
         for (size_t i = 0; i < m->columns; i++)
-            v[j * m->columns + i] = margin_at(l, m->x[i], &error);
+            v[j * m->columns + i] = margin_at(l, m->dx[i], &error);
     }
 }
 
@@ -217,9 +285,10 @@ static void column_margins(const struct basin_map *m, struct margin_line *l,
     double error;
 
     for (size_t i = 0; i < m->columns; i++) {
-        margin_find(l, &m->regions, &m->along[SEPARATRIX_X], m->x[i]);
+        margin_find(l, &m->labels.regions, &m->labels.along[SEPARATRIX_X],
+                    m->dx[i]);
         for (size_t j = 0; j < count; j++)
-            psi[j * m->columns + i] = margin_at(l, m->y[first + j], &error);
+            psi[j * m->columns + i] = margin_at(l, m->dy[first + j], &error);
     }
 }
 
@@ -227,7 +296,8 @@ enum status basin_map_margins(const struct basin_map *m, size_t first,
                               size_t count, double v[], double psi[])
 {
     struct margin_line l;
-    const enum status s = margin_init(&l, &m->along[0], &m->along[1]);
+    const enum status s =
+        margin_init(&l, &m->labels.along[0], &m->labels.along[1]);
 
     if (s != STATUS_OK)
         return s;
@@ -254,33 +324,36 @@ static size_t draw_cell(const struct basin_map *m, size_t number,
 {
     const size_t row = next_bits(state) % m->rows;
     const uint64_t bits = next_bits(state);
+    const size_t most = m->labels.regions.most;
     size_t column = bits % m->columns;
 
-    if (number % 8 == 0 && m->regions.most > 0) {
-        const size_t cut = m->basin.cut[row * m->regions.most];
+    if (number % 8 == 0 && most > 0) {
+        const size_t cut = m->basin.cut[row * most];
         const size_t beside = cut - (bits >> 63);
         column = beside < m->columns ? beside : column;
     }
     return row * m->columns + column;
 }
 
-static enum status check_cell(const struct basin_map *m, size_t cell,
-                              bool *agrees)
+/* The label of a cell by its orbit and by its side; where no side is certain,
+ * its orbit tells nothing either. */
+static enum status compare(const struct basin_map *m, size_t cell,
+                           int8_t *by_orbit, int8_t *by_side)
 {
-    const size_t row = cell / m->columns, column = cell % m->columns;
-    int8_t *line = malloc(m->columns), found = FATE_NONE;
+    const struct vec2 z = cell_offset(m, cell);
+    struct fate_told label;
+    enum status s = labels_find(&m->labels, z, NULL, &label);
 
-    if (line == NULL)
-        return STATUS_NO_MEMORY;
-    basin_fill(&m->basin, row, 1, line);
-    const enum status s = follow_cell(m, row, column, &found);
-    *agrees = line[column] == found;
-    free(line);
-    return s;
+    *by_side = *by_orbit = label.fate;
+    return s != STATUS_OK || label.fate == FATE_UNDECIDED
+               ? s
+               : trap_label(&m->trap, z, by_orbit, NULL);
 }
 
-static enum status check_cells(struct basin_map *m, const size_t cell[],
-                               size_t count, bool wrong[],
+/* Of the cells cell[count], or of the first `count` where that is NULL; their
+ * labels by orbit into label[], if that is not NULL. */
+static enum status check_cells(const struct basin_map *m, const size_t cell[],
+                               size_t count, int8_t label[], bool wrong[],
                                const struct monitor *monitor)
 {
     enum { BLOCK = 64 };
@@ -291,9 +364,12 @@ static enum status check_cells(struct basin_map *m, const size_t cell[],
         const size_t end = first + BLOCK < count ? first + BLOCK : count;
 #pragma omp parallel for schedule(dynamic)
         for (size_t i = first; i < end; i++) {
-            bool agrees = true;
-            const enum status s = check_cell(m, cell[i], &agrees);
-            wrong[i] = !agrees;
+            int8_t by_orbit = FATE_NONE, by_side = FATE_NONE;
+            const enum status s =
+                compare(m, cell ? cell[i] : i, &by_orbit, &by_side);
+            wrong[i] = by_orbit != by_side;
+            if (label)
+                label[i] = by_orbit;
             if (s != STATUS_OK) {
 #pragma omp atomic write
                 failed = s;
@@ -305,45 +381,94 @@ static enum status check_cells(struct basin_map *m, const size_t cell[],
     return failed;
 }
 
-static void note_wrong(struct basin_audit *a, const size_t cell[], size_t count,
-                       const bool wrong[])
+static enum status note_wrong(struct basin_audit *a, const size_t cell[],
+                              size_t count, const bool wrong[])
 {
-    a->cells = count;
+    size_t disagreements = 0;
+
+    for (size_t i = 0; i < count; i++)
+        disagreements += wrong[i];
+    free(a->wrong);
+    *a = (struct basin_audit){ .cells = count };
+    a->wrong = malloc((disagreements + 1) * sizeof *a->wrong);
+    if (a->wrong == NULL)
+        return STATUS_NO_MEMORY;
     for (size_t i = 0; i < count; i++)
         if (wrong[i])
-            a->wrong[a->disagreements++] = cell[i];
+            a->wrong[a->disagreements++] = cell ? cell[i] : i;
+    return STATUS_OK;
 }
 
 enum status basin_map_audit(struct basin_map *m, size_t cells, uint64_t seed,
                             const struct monitor *monitor)
 {
-    size_t *cell = malloc((cells + 1) * sizeof *cell);
+    size_t *cell = calloc(cells + 1, sizeof *cell);
     bool *wrong = calloc(cells + 1, sizeof *wrong);
     enum status s = STATUS_NO_MEMORY;
 
-    free(m->audit.wrong);
-    m->audit = (struct basin_audit){ .cells = 0 };
-    m->audit.wrong = malloc((cells + 1) * sizeof *m->audit.wrong);
-    if (cell && wrong && m->audit.wrong) {
+    if (cell && wrong) {
         for (size_t i = 0; i < cells; i++)
             cell[i] = draw_cell(m, i, &seed);
-        s = check_cells(m, cell, cells, wrong, monitor);
+        s = check_cells(m, cell, cells, NULL, wrong, monitor);
     }
     if (s == STATUS_OK)
-        note_wrong(&m->audit, cell, cells, wrong);
+        s = note_wrong(&m->audit, cell, cells, wrong);
     free(cell);
     free(wrong);
     return s;
 }
 
+/* ---- the map ------------------------------------------------------------- */
+
+static enum status follow_all(struct basin_map *m,
+                              const struct monitor *monitor)
+{
+    const size_t cells = m->columns * m->rows;
+    bool *wrong = calloc(cells, sizeof *wrong);
+    enum status s = STATUS_NO_MEMORY;
+
+    m->followed = malloc(cells);
+    if (wrong && m->followed)
+        s = check_cells(m, NULL, cells, m->followed, wrong, monitor);
+    if (s == STATUS_OK)
+        s = note_wrong(&m->audit, NULL, cells, wrong);
+    free(wrong);
+    return s == STATUS_OK ? count_fractions(m) : s;
+}
+
+enum status basin_map_init(struct basin_map *m, const struct study *s,
+                           const struct monitor *monitor)
+{
+    *m = (struct basin_map){ .study = s, .exact = s->scene->exact };
+    enum status status = s->saddle >= 0 && !study_has_manifolds(s)
+                             ? STATUS_NOT_HYPERBOLIC
+                             : STATUS_OK;
+
+    trap_init(&m->trap, s);
+    if (status == STATUS_OK)
+        status = make_grid(m, s->scene->cells[0], s->scene->cells[1]);
+    if (status == STATUS_OK)
+        status = labels_init(&m->labels, s, monitor);
+    if (status == STATUS_OK)
+        status = cut_grid(m, &m->labels.regions);
+    if (status == STATUS_OK)
+        status = find_fractions(m);
+    if (status == STATUS_OK && m->exact)
+        status = follow_all(m, monitor);
+    if (status != STATUS_OK)
+        basin_map_free(m);
+    return status;
+}
+
 void basin_map_free(struct basin_map *m)
 {
     basin_free(&m->basin);
-    regions_free(&m->regions);
-    separatrix_free(&m->along[0]);
-    separatrix_free(&m->along[1]);
+    labels_free(&m->labels);
     free(m->x);
     free(m->y);
+    free(m->dx);
+    free(m->dy);
+    free(m->followed);
     free(m->v);
     free(m->psi);
     free(m->audit.wrong);

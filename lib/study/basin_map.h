@@ -2,16 +2,15 @@
  * basin_map.h -- the fate of every cell of the scene's (v, psi) grid, the
  * share of each basin, and how far a cell is from another fate.
  *
- * By default rows are cut by the stable manifold and each region is labelled
- * by one forward orbit (region.h); `exact` labels every cell by its own
- * (trap.h).  Both share nothing but the field, and the audit plays one against
- * the other.
+ * By default rows are cut by the stable manifold, whose sides have the labels
+ * (labels.h); `exact` labels every cell by its own forward orbit (trap.h).  The
+ * audit plays one against the other.
  */
 #ifndef STUDY_BASIN_MAP_H
 #define STUDY_BASIN_MAP_H
 
 #include "basin.h"
-#include "fate.h"
+#include "labels.h"
 #include "margin.h"
 #include "trap.h"
 
@@ -31,11 +30,12 @@ struct basin_map {
     size_t columns, rows;      /* v, psi */
     double *v, *psi;           /* owned: cell centres as stored */
     double *x, *y;             /* owned: the same in the chart */
+    double *dx, *dy;           /* owned: and as offsets from the saddle */
     bool exact;
-    struct separatrix along[2]; /* along x: columns; along y: rows */
-    struct regions regions;
+    struct labels labels;
     struct basin basin;
     struct trap trap;
+    int8_t *followed; /* owned; exact: the label of each cell by its orbit */
     struct basin_fraction fraction[FATES];
     struct basin_audit audit;
 };
@@ -47,9 +47,11 @@ enum basin_axis { BASIN_V, BASIN_PSI };
 void basin_map_axis(const struct study *s, enum basin_axis axis, size_t n,
                     double chart[], double stored[]);
 
-/* Prepares the map of s, whose steady states and stable branches are known;
- * grid, window and `exact` are its scene's.  STATUS_NO_MEMORY,
- * STATUS_STOPPED; *m is then empty.  m must not move. */
+/* Prepares the map of s, whose steady states are known; grid, window and
+ * `exact` are its scene's.  An exact map is followed here, which fills
+ * m->audit: its shares are those of its cells, with bars that reach to those of
+ * the separatrix.  STATUS_NO_MEMORY, STATUS_STOPPED, or as labels_init; *m is
+ * then empty.  m must not move. */
 MUST_CHECK enum status basin_map_init(struct basin_map *m,
                                       const struct study *s,
                                       const struct monitor *monitor);

@@ -175,7 +175,8 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
 
     *out = unknown;
     if (status == STATUS_OK && t->set)
-        status = trap_pass(t, z, &label, &near, NULL);
+        status =
+            trap_pass(t, vec2_sub(z, s->system.origin), &label, &near, NULL);
     while (status == STATUS_OK && worst > rtol &&
            !(worst > TOL_CELLS_GAIN * before) &&
            tol * TOL_CELLS_FINER >= TOL_CELLS_FINEST) {
@@ -213,7 +214,9 @@ enum status cells_find(const struct study *s, const struct vec2 z[], size_t n,
     for (size_t i = 0; i < n; i++)
         if (!box_holds(s->system.domain, z[i]))
             return STATUS_BAD_ARGUMENT;
-    enum status failed = trap_init(&trap, s, NULL);
+    enum status failed = STATUS_OK;
+
+    trap_init(&trap, s);
     for (size_t first = 0; first < n && failed == STATUS_OK; first += BLOCK) {
         const size_t end = n - first < BLOCK ? n : first + BLOCK;
 #pragma omp parallel for schedule(dynamic)

@@ -346,22 +346,20 @@ static enum status follow(const struct study *s, struct vec2 z, double rtol,
     return status;
 }
 
-/* An orbit from inside the quadrant of the saddle that holds the offset z, if
- * it is one that cannot be left (trap.h); false if it is not. */
-static bool gentle_start(const struct study *s, struct vec2 z,
-                         struct vec2 *start)
+enum fate fate_of_side(const struct study *s, bool slow)
 {
-    const bool slow = z.x < 0.0 && z.y > 0.0, fast = z.x > 0.0 && z.y < 0.0;
-    const double step = slow ? -TOL_TRAP_START : TOL_TRAP_START;
+    const size_t saddle = (size_t) s->saddle, other = saddle + 1;
 
-    *start = (struct vec2){ step, -step };
-    return s->saddle >= 0 && (slow || fast);
+    if (slow)
+        return saddle == 0 ? fate_at_rest(s)
+                           : fate_of_node(s, &s->equilibrium[saddle - 1]);
+    return other == s->equilibria ? FATE_RUNAWAY
+                                  : fate_of_node(s, &s->equilibrium[other]);
 }
 
-/* Where there is at most one steady state in all, and no saddle, every state
- * shares one fate.  (A saddle is beyond the plane where a block may rest and a
- * node is the only steady state in it.) */
-static enum fate fate_of_all(const struct study *s)
+/* (A saddle is beyond the plane where a block may rest and a node is the only
+ * steady state in it.) */
+enum fate fate_of_all(const struct study *s)
 {
     const enum fate rest = rest_form_of(&s->block.law, &s->block.material).fate;
 
@@ -375,24 +373,15 @@ static enum fate fate_of_all(const struct study *s)
                : FATE_UNDECIDED;
 }
 
-/* What is known of an orbit that ended nowhere, at `last`. */
-static enum status find_anyway(const struct study *s, struct vec2 last,
-                               const struct monitor *monitor,
-                               struct fate_result *out)
+/* What is known of an orbit that ended nowhere, at the offset `last`. */
+static enum fate find_anyway(const struct study *s, struct vec2 last)
 {
-    struct vec2 start;
-    struct fate_result gentle = { .fate = fate_of_all(s) };
-    enum status status = STATUS_OK;
+    const bool slow = last.x < 0.0 && last.y > 0.0;
+    const bool fast = last.x > 0.0 && last.y < 0.0;
 
-    if (gentle_start(s, last, &start))
-        status =
-            follow(s, start, TOL_TRAP_RTOL, false, monitor, &gentle, &last);
-    if (status != STATUS_OK || gentle.fate == FATE_UNDECIDED)
-        return status;
-    out->fate = gentle.fate;
-    out->reason = NULL;
-    out->field_evaluations += gentle.field_evaluations;
-    return status;
+    return s->saddle < 0  ? fate_of_all(s)
+           : slow || fast ? fate_of_side(s, slow)
+                          : FATE_UNDECIDED;
 }
 
 enum status fate_find(const struct study *s, struct vec2 z, double rtol,
@@ -406,80 +395,8 @@ enum status fate_find(const struct study *s, struct vec2 z, double rtol,
 
     if (status != STATUS_OK || observe || out->fate != FATE_UNDECIDED)
         return status;
-    return find_anyway(s, last, monitor, out);
-}
-
-/* ---- regions ------------------------------------------------------------- */
-
-/* Who asks for the fates of regions. */
-struct asker {
-    const struct study *study;
-    double rtol;
-};
-
-static enum status label_seed(const void *asker, struct vec2 z, int8_t *label)
-{
-    const struct asker *a = asker;
-    struct fate_result r = { .fate = FATE_UNDECIDED };
-    enum status s = STATUS_OK;
-
-    for (double rtol = a->rtol;
-         s == STATUS_OK && r.fate == FATE_UNDECIDED && rtol >= TOL_TRAP_FINEST;
-         rtol *= TOL_TRAP_FINER)
-        s = fate_find(a->study, z, rtol, false, NULL, &r);
-    *label = (int8_t) r.fate;
-    return s;
-}
-
-/* Those with a point in the box from z + from to z + to. */
-static enum status label_in(const struct asker *a, struct regions *r,
-                            struct vec2 z, struct vec2 from, struct vec2 to)
-{
-    const struct box box = { vec2_add(z, from), vec2_add(z, to) };
-
-    return regions_label(r, &box, label_seed, a);
-}
-
-/* Those with a point in the quadrants of the saddle that cannot be left.  (One
- * beside the saddle may lie on a fast fibre that leads straight into it.) */
-static enum status label_in_traps(const struct study *s, struct regions *r)
-{
-    const struct asker a = { s, TOL_TRAP_RTOL };
-    const struct vec2 z = s->system.origin;
-    const double way = 2.0 * TOL_TRAP_START;
-    const struct vec2 left = { -way, 0.0 }, up = { 0.0, way };
-    const struct vec2 down = { 0.0, -way }, right = { way, 0.0 };
-
-    if (s->saddle < 0)
-        return STATUS_OK;
-    const enum status status = label_in(&a, r, z, left, up);
-    return status == STATUS_OK ? label_in(&a, r, z, down, right) : status;
-}
-
-enum status fate_label_first(const struct study *s, struct regions *r)
-{
-    const struct asker a = { s, TOL_FATE_BESIDE_RTOL };
-    const struct vec2 from = { TOL_FATE_BESIDE_FROM, TOL_FATE_BESIDE_FROM };
-    const struct vec2 to = { TOL_FATE_BESIDE_TO, TOL_FATE_BESIDE_TO };
-    enum status status = STATUS_OK;
-
-    for (size_t i = 0; i < s->equilibria && status == STATUS_OK; i++)
-        if ((int) i != s->saddle)
-            status = label_in(&a, r, s->equilibrium[i].z, from, to);
-    return status == STATUS_OK ? label_in_traps(s, r) : status;
-}
-
-enum status fate_label_regions(const struct study *s, struct regions *r)
-{
-    const struct asker a = { s, TOL_TRAP_RTOL };
-    const double half[] = { TOL_FATE_NEAR, TOL_FATE_FAR };
-    enum status status = fate_label_first(s, r);
-
-    for (int i = 0; i < 2 && status == STATUS_OK; i++)
-        status = label_in(&a, r, s->system.origin,
-                          (struct vec2){ -half[i], -half[i] },
-                          (struct vec2){ half[i], half[i] });
-    if (status == STATUS_OK)
-        status = regions_label(r, &s->system.domain, label_seed, &a);
-    return status;
+    out->fate = find_anyway(s, last);
+    if (out->fate != FATE_UNDECIDED)
+        out->reason = NULL;
+    return STATUS_OK;
 }

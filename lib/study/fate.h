@@ -11,7 +11,6 @@
 #include "equilibrium.h"
 #include "monitor.h"
 #include "record.h"
-#include "region.h"
 
 struct study;
 
@@ -31,6 +30,16 @@ extern const char *const fate_names[];
 /* Creep and sliding nodes: below and above the turning points of mu_ss; where
  * it has none, v <= 1 is creep (model section 2). */
 enum fate fate_of_node(const struct study *s, const struct equilibrium *e);
+
+/* Of all states in the quadrant v < v_sp, psi > psi_sp of the saddle (slow), or
+ * v > v_sp, psi < psi_sp: neither can be left (trap.h), a node in it attracts
+ * all of it, and without one nothing holds v.  FATE_UNDECIDED: a node beyond
+ * the plane. */
+enum fate fate_of_side(const struct study *s, bool slow);
+
+/* Where there is at most one steady state in all, and no saddle, every state
+ * shares one fate; else FATE_UNDECIDED. */
+enum fate fate_of_all(const struct study *s);
 
 struct fate_result {
     enum fate fate;
@@ -59,17 +68,5 @@ MUST_CHECK enum status fate_find(const struct study *s, struct vec2 z,
                                  double rtol, bool observe,
                                  const struct monitor *monitor,
                                  struct fate_result *out);
-
-/* The label (enum fate) of the regions that come close to a stable node or into
- * a quadrant of the saddle that cannot be left (trap.h), by the orbit of a
- * point there: short, or beyond doubt.  Errors as fate_find. */
-MUST_CHECK enum status fate_label_first(const struct study *s,
-                                        struct regions *r);
-
-/* Those, and the label of every other region of the plane that has none yet, by
- * the orbit of its seed or of a point in the domain, near the anchor if it can
- * be. */
-MUST_CHECK enum status fate_label_regions(const struct study *s,
-                                          struct regions *r);
 
 #endif

@@ -1,5 +1,5 @@
 /* The row and the column of a state are crossed by the stable branches, which
- * says its fate and the nearest other one; slip and time come from the slow
+ * says the nearest other fate; slip and time come from the slow
  * curve's table or from its whole orbit, run twice, for the orbit's own error
  * sums are no bounds. */
 #include "push.h"
@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "grow.h"
+#include "margin.h"
 #include "study_tolerance.h"
 
 static const struct record_field push_fields[] = {
@@ -28,35 +28,6 @@ const struct record_type record_push =
 
 /* ---- the plane ----------------------------------------------------------- */
 
-/* Both branches to the ends of the domain: every row and column that meets
- * them does so on the curve itself or where its limit is exact. */
-static enum status grow_stable(struct push *p, const struct monitor *monitor)
-{
-    struct study *s = &p->study;
-    struct grow_options o = grow_defaults(p->scene.rtol);
-    struct local_series u;
-
-    o.reach = &s->system.domain;
-    o.monitor = monitor;
-    enum status status =
-        local_at(&s->system, &s->equilibrium[s->saddle], MANIFOLD_STABLE,
-                 &o.carry, o.order, TOL_TAYLOR_STEP * o.rtol, &u);
-    return status == STATUS_OK ? grow_branches(&s->system, &u, &o, s->stable)
-                               : status;
-}
-
-static enum status cut_plane(struct push *p)
-{
-    struct branch *stable = p->study.stable;
-    enum status status = STATUS_OK;
-
-    for (int i = 0; i < 2 && status == STATUS_OK && p->study.saddle >= 0; i++)
-        status = separatrix_add(&p->along[i], &stable[0], &stable[1]);
-    if (status == STATUS_OK)
-        status = regions_init(&p->regions, &p->along[SEPARATRIX_Y]);
-    return status;
-}
-
 enum status push_init(struct push *p, const struct scene *scene,
                       const struct monitor *monitor, struct fault *why)
 {
@@ -65,14 +36,10 @@ enum status push_init(struct push *p, const struct scene *scene,
     enum status status = study_run(&p->study, &p->scene, monitor, why);
     if (status != STATUS_OK)
         return status;
-    for (int i = 0; i < 2; i++)
-        p->along[i] = separatrix_empty(i, p->study.system.origin);
-    if (p->study.saddle >= 0)
-        status = grow_stable(p, monitor);
+    if (p->study.saddle >= 0 && !study_has_manifolds(&p->study))
+        status = STATUS_NOT_HYPERBOLIC;
     if (status == STATUS_OK)
-        status = cut_plane(p);
-    if (status == STATUS_OK)
-        status = fate_label_regions(&p->study, &p->regions);
+        status = labels_init(&p->labels, &p->study, monitor);
     if (status == STATUS_OK)
         return STATUS_OK;
     snprintf(why->text, sizeof why->text, "the basins of the slope: %s",
@@ -95,9 +62,7 @@ enum status push_tabulate(struct push *p, const struct monitor *monitor)
 void push_free(struct push *p)
 {
     fast_cells_free(&p->fast);
-    regions_free(&p->regions);
-    separatrix_free(&p->along[0]);
-    separatrix_free(&p->along[1]);
+    labels_free(&p->labels);
     study_free(&p->study);
 }
 
@@ -163,7 +128,7 @@ static bool take_cell(const struct cell *c, struct push_answer *out)
         runs ? never
              : "the slip grows without bound, or its limit is out of reach";
 
-    if (c->exit_reason != out->fate || out->fate == FATE_UNDECIDED)
+    if (c->exit_reason != out->fate)
         return false;
     if (!runs && !fades && !(isfinite(c->mu_mean) && isfinite(c->time)))
         return false;
@@ -196,36 +161,25 @@ static struct quantity kick_from(const struct push *p,
     return quantity_of(factor, factor * (error + rounding));
 }
 
-static void find_kicks(const struct push *p, struct margin_line *l,
-                       struct vec2 z, struct push_answer *out)
+/* z: an offset. */
+static enum status find_kicks(const struct push *p, struct vec2 z,
+                              struct push_answer *out)
 {
     const struct planar_axis *axis = p->study.system.axis;
+    const struct labels *labels = &p->labels;
+    struct margin_line l;
+    const enum status s = margin_init(&l, &labels->along[0], &labels->along[1]);
 
-    margin_find(l, &p->regions, &p->along[SEPARATRIX_X], z.x);
-    out->psi_kick = kick_from(p, l, z.y, axis[1].is_log,
+    if (s != STATUS_OK)
+        return s;
+    margin_find(&l, &labels->regions, &labels->along[SEPARATRIX_X], z.x);
+    out->psi_kick = kick_from(p, &l, z.y, axis[1].is_log,
                               "no other fate at this v, whatever psi");
-    margin_find(l, &p->regions, &p->along[SEPARATRIX_Y], z.y);
+    margin_find(&l, &labels->regions, &labels->along[SEPARATRIX_Y], z.y);
     out->v_kick =
-        kick_from(p, l, z.x, true, "no other fate at this psi, whatever v");
-    const int8_t label = margin_label(l, z.x);
-    out->fate = label < 0 ? FATE_UNDECIDED : label; /* beyond a cut branch */
-}
-
-/* Where no region tells the fate, as on the edge of the plane, the orbit may.
- */
-static enum status settle(const struct push *p, struct vec2 z,
-                          const struct monitor *monitor,
-                          struct push_answer *out)
-{
-    struct fate_result r;
-
-    if (out->fate != FATE_UNDECIDED)
-        return STATUS_OK;
-    const enum status s =
-        fate_find(&p->study, z, TOL_PUSH_COARSE, false, monitor, &r);
-    if (s == STATUS_OK)
-        out->fate = (int8_t) r.fate;
-    return s;
+        kick_from(p, &l, z.x, true, "no other fate at this psi, whatever v");
+    margin_free(&l);
+    return STATUS_OK;
 }
 
 /* ---- states -------------------------------------------------------------- */
@@ -243,22 +197,26 @@ bool push_holds(const struct push *p, struct push_state at)
 }
 
 /* `cell`: what is known of it already. */
-static enum status answer(const struct push *p, struct vec2 z,
+static enum status answer(const struct push *p, struct push_state at,
                           const struct cell *cell,
                           const struct monitor *monitor,
                           struct push_answer *out)
 {
-    struct margin_line l;
-    enum status s = margin_init(&l, &p->along[0], &p->along[1]);
+    const struct vec2 z = block_offset(&p->study.block, at.v, at.psi);
+    struct fate_told label;
 
+    *out = (struct push_answer){ .fate = FATE_NONE };
+    enum status s = find_kicks(p, z, out);
+    if (s == STATUS_OK)
+        s = labels_find(&p->labels, z, monitor, &label);
     if (s != STATUS_OK)
         return s;
-    *out = (struct push_answer){ .fate = FATE_NONE };
-    find_kicks(p, &l, z, out);
-    margin_free(&l);
-    s = settle(p, z, monitor, out);
-    return s != STATUS_OK || take_cell(cell, out) ? s
-                                                  : follow(p, z, monitor, out);
+    out->fate = label.fate;
+    if (label.fate == FATE_UNDECIDED)
+        out->slip = out->time = out->mu_mean = quantity_none(label.reason);
+    else if (!take_cell(cell, out))
+        s = follow(p, chart_point(p, at), monitor, out);
+    return s;
 }
 
 /* What the slow curve says of n states, if it was tabulated. */
@@ -285,7 +243,7 @@ enum status push_find(const struct push *p, struct push_state at,
     if (!push_holds(p, at))
         return STATUS_BAD_ARGUMENT;
     const enum status s = find_cells(p, &z, 1, &cell);
-    return s == STATUS_OK ? answer(p, z, &cell, monitor, out) : s;
+    return s == STATUS_OK ? answer(p, at, &cell, monitor, out) : s;
 }
 
 /* States between two words to the monitor. */
@@ -307,7 +265,7 @@ static enum status find_block(const struct push *p,
     enum status failed = find_cells(p, z, count, cell);
 #pragma omp parallel for schedule(dynamic)
     for (size_t i = 0; i < count; i++) {
-        const enum status s = answer(p, z[i], &cell[i], NULL, &out[i]);
+        const enum status s = answer(p, at[i], &cell[i], NULL, &out[i]);
         if (s != STATUS_OK) {
 #pragma omp atomic write
             failed = s;

@@ -8,13 +8,15 @@
  *     push_find_all(&p, state, count, NULL, answer);
  *     push_free(&p);
  *
- * The fate is that of the state's region between the saddle's stable branches,
- * which are followed to the ends of the domain, so a state may lie anywhere.
+ * The fate is that of the state's side of the saddle's stable manifold
+ * (labels.h), which is followed to the ends of the domain, so a state may lie
+ * anywhere.
  */
 #ifndef STUDY_PUSH_H
 #define STUDY_PUSH_H
 
 #include "fast_cells.h"
+#include "labels.h"
 #include "study.h"
 
 /* A state: slip rate in units of V_star, psi as the law's (law.h). */
@@ -34,14 +36,13 @@ struct push_answer {
 extern const struct record_type record_push;
 
 struct push {
-    struct scene scene; /* borrowed members; asks for steady states only */
-    struct study study; /* owned; with both stable branches */
-    struct separatrix along[2]; /* owned; [0] crosses columns, [1] rows */
-    struct regions regions;     /* owned; labelled */
-    struct fast_cells fast;     /* owned; empty unless tabulated */
+    struct scene scene;     /* borrowed members; asks for steady states only */
+    struct study study;     /* owned */
+    struct labels labels;   /* owned */
+    struct fast_cells fast; /* owned; empty unless tabulated */
 };
 
-/* Steady states, branches and the fates of all regions for this law and slope;
+/* Steady states and the fates of both sides of the separatrix for this slope;
  * the scene must outlive p, which must not move.  On error *p is empty and
  * *why says what failed; errors as study_run. */
 MUST_CHECK enum status push_init(struct push *p, const struct scene *scene,

@@ -50,23 +50,15 @@
 #define TOL_FADE_STEPS     32
 #define TOL_FADE_LOGARITHM 3.0
 
-/* The boxes beside a node where the fates of regions are asked for first, in
- * ln v and ln psi from the node: outside TOL_ARREST, well inside its basin, so
- * that orbits are short and need not be accurate. */
-#define TOL_FATE_BESIDE_FROM (-0.1)
-#define TOL_FATE_BESIDE_TO   (-0.02)
-#define TOL_FATE_BESIDE_RTOL 1e-4
+/* How far from the edge of the domain in ln v a branch may end and yet have
+ * left it there, not through psi: far more than rounding, far less than a step.
+ */
+#define TOL_LABELS_EDGE 1e-9
 
-/* Half the sides of the boxes around the anchor where fates are asked for next,
- * in ln v and ln psi: near it orbits are gentle. */
-#define TOL_FATE_NEAR 3.0
-#define TOL_FATE_FAR  20.0
-
-/* Labels by forward integration (trap.c): how far inside a quadrant its own
- * orbit starts; accuracy of the first attempt, and of the next ones; and the
- * distance from the saddle, in tolerances, at which a label is certain: errors
- * of a few hundred steps, grown a hundredfold on the way. */
-#define TOL_TRAP_START  0.5
+/* Labels by forward integration (trap.c): accuracy of the first attempt, and of
+ * the next ones; and the distance from the saddle, in tolerances, at which a
+ * label is certain: errors of a few hundred steps, grown a hundredfold on the
+ * way. */
 #define TOL_TRAP_RTOL   1e-6
 #define TOL_TRAP_FINER  1e-3
 #define TOL_TRAP_FINEST 5e-13

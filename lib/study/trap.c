@@ -24,23 +24,14 @@ static struct vec2 across_of(const struct equilibrium *saddle)
     return mat2_eigenvector(transposed, saddle->scaled[1]);
 }
 
-enum status trap_init(struct trap *t, const struct study *s,
-                      const struct monitor *monitor)
+void trap_init(struct trap *t, const struct study *s)
 {
-    enum status status = STATUS_OK;
-
     *t = (struct trap){ .study = s, .set = s->saddle >= 0 };
-    if (t->set)
-        t->across = across_of(&s->equilibrium[s->saddle]);
-    for (int i = 0; i < TRAPS && t->set && status == STATUS_OK; i++) {
-        const double step = i == 0 ? -TOL_TRAP_START : TOL_TRAP_START;
-        const struct vec2 z = { s->system.origin.x + step,
-                                s->system.origin.y - step };
-        struct fate_result r;
-        status = fate_find(s, z, TOL_TRAP_RTOL, false, monitor, &r);
-        t->fate[i] = (int8_t) r.fate;
-    }
-    return status;
+    if (!t->set)
+        return;
+    t->across = across_of(&s->equilibrium[s->saddle]);
+    for (int i = 0; i < TRAPS; i++)
+        t->fate[i] = (int8_t) fate_of_side(s, i == 0);
 }
 
 /* du/ds = f/|f|: arc length of the chart, along which an orbit outside the
@@ -111,9 +102,10 @@ static int follow(const struct trap *t, struct vec2 z, double rtol,
 static enum status to_the_end(const struct trap *t, struct vec2 z,
                               int8_t *label, size_t *evaluations)
 {
+    const struct vec2 at = vec2_add(t->study->system.origin, z);
     struct fate_result r;
     const enum status s =
-        fate_find(t->study, z, TOL_TRAP_RTOL, false, NULL, &r);
+        fate_find(t->study, at, TOL_TRAP_RTOL, false, NULL, &r);
 
     *label = (int8_t) r.fate;
     *evaluations += r.field_evaluations;
@@ -123,17 +115,15 @@ static enum status to_the_end(const struct trap *t, struct vec2 z,
 enum status trap_pass(const struct trap *t, struct vec2 z, int8_t *label,
                       double *near, size_t *evaluations)
 {
-    const struct vec2 offset = vec2_sub(z, t->study->system.origin);
-    int caught = t->set ? trap_at(offset) : TRAPS;
+    int caught = t->set ? trap_at(z) : TRAPS;
     bool certain = !t->set || caught < TRAPS;
     size_t spent = 0;
     enum status s = STATUS_OK;
 
-    *near = t->set ? fabs(t->across.x * offset.x + t->across.y * offset.y)
-                   : HUGE_VAL;
+    *near = t->set ? fabs(t->across.x * z.x + t->across.y * z.y) : HUGE_VAL;
     for (double rtol = TOL_TRAP_RTOL; !certain && rtol >= TOL_TRAP_FINEST;
          rtol *= TOL_TRAP_FINER)
-        caught = follow(t, offset, rtol, &certain, near, &spent);
+        caught = follow(t, z, rtol, &certain, near, &spent);
     if (caught < TRAPS)
         *label = t->fate[caught];
     else

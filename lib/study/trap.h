@@ -20,12 +20,10 @@ struct trap {
                                   saddle, which may lie almost on an axis */
 };
 
-/* Follows one orbit from inside each quadrant to its end.  STATUS_NO_MEMORY,
- * STATUS_STOPPED. */
-MUST_CHECK enum status trap_init(struct trap *t, const struct study *s,
-                                 const struct monitor *monitor);
+/* For s, whose steady states are known. */
+void trap_init(struct trap *t, const struct study *s);
 
-/* The label (enum fate) of the absolute chart point z, right unless z lies
+/* The label (enum fate) of the offset z from the saddle, right unless z lies
  * within rounding of the boundary: an orbit that passes the saddle too closely
  * for its accuracy is followed again, more accurately.  *evaluations (may be
  * NULL) is increased by those of the field.  Errors as fate_find. */

@@ -1,0 +1,276 @@
+/* Labels of states by their side of the separatrix, against orbits in 113
+ * bits; of maps, against labels of states. */
+#include "labels.h"
+
+#include "fault_alloc.h"
+#include "push.h"
+#include "quad_side.h"
+#include "random_slope.h"
+
+/* ---- sides --------------------------------------------------------------- */
+
+/* A state at a distance from the saddle of 10^-14 to far away, beside the
+ * separatrix: off it by 10^-17 to 1 of that, in v or in psi. */
+static struct push_state beside(const struct labels *l, uint64_t *rng)
+{
+    const struct study *s = l->study;
+    const struct separatrix *rows = &l->along[SEPARATRIX_Y];
+    const double size = pow(10.0, check_uniform(rng, -14.0, 0.5));
+    const double y = check_bits(rng) & 1 ? size : -size;
+    struct vec2 z = { y, y };
+    struct crossing c[8];
+
+    if (separatrix_row(rows, y, c) > 0)
+        z.x = fmin(fmax(c[0].at, -300.0), 300.0);
+    const double shift = hypot(z.x, z.y) *
+                         pow(10.0, check_uniform(rng, -17.0, 0.0)) *
+                         (check_bits(rng) & 1 ? 1.0 : -1.0);
+    *(check_bits(rng) & 1 ? &z.x : &z.y) += shift;
+    const long double x = s->block.x + z.x, w = s->block.y + z.y;
+    return (struct push_state){ (double) expl(x), s->system.axis[1].is_log
+                                                      ? (double) expl(w)
+                                                      : (double) w };
+}
+
+/* The nearest crossing of a line through the state. */
+static double nearest(const struct separatrix *s, double w, double at)
+{
+    struct crossing c[256];
+    double d = HUGE_VAL;
+
+    assert_true(s->count < 256);
+    for (size_t k = separatrix_row(s, w, c); k-- > 0;)
+        d = fmin(d, fabs(c[k].at - at));
+    return d;
+}
+
+/* From the separatrix, about. */
+static double distance(const struct labels *l, struct vec2 z)
+{
+    const double x = nearest(&l->along[SEPARATRIX_Y], z.y, z.x);
+    const double y = nearest(&l->along[SEPARATRIX_X], z.x, z.y);
+
+    return fmin(x, y);
+}
+
+/* Certain only if right, uncertain only within some tens of roundings. */
+static void check_side(const struct labels *l, const struct quad_side *o,
+                       struct push_state at, size_t *certain)
+{
+    const struct study *s = l->study;
+    const struct vec2 z = block_offset(&s->block, at.v, at.psi);
+    struct fate_told label;
+
+    assert_int_equal(labels_find(l, z, NULL, &label), STATUS_OK);
+    if (label.fate == FATE_UNDECIDED) {
+        const double bar = l->along[0].slack + 1e-11 * hypot(z.x, z.y);
+        CHECK(distance(l, z) < 10.0 * bar,
+              "%s at alpha = %.17g: v = %.17g, psi = %.17g: undecided",
+              s->block.law.preset, s->scene->alpha, at.v, at.psi);
+        return;
+    }
+    const int side = quad_side_of_state(o, at.v, at.psi);
+    ++*certain;
+    CHECK(side == 2 || label.fate == (int8_t) fate_of_side(s, side == 0),
+          "%s at alpha = %.17g: v = %.17g, psi = %.17g: %s",
+          s->block.law.preset, s->scene->alpha, at.v, at.psi,
+          fate_names[label.fate]);
+}
+
+static void random_states_are_on_the_side_that_113_bits_say(void **state)
+{
+    enum { SLOPES = 30, STATES = 8 };
+    uint64_t rng = check_seed();
+    size_t certain = 0;
+
+    (void) state;
+    for (int i = 0; i < SLOPES; i++) {
+        struct slope s;
+        struct labels l;
+        random_slope(&s, &rng, "products=[equilibria]");
+        assert_int_equal(labels_init(&l, &s.study, NULL), STATUS_OK);
+        const struct quad_side o = quad_side_of(&s.study);
+        for (int k = 0; k < STATES; k++) {
+            check_side(&l, &o, beside(&l, &rng), &certain);
+        }
+        labels_free(&l);
+        slope_free(&s);
+    }
+    print_message("# %zu of %d told\n", certain, SLOPES * STATES);
+    CHECK(certain > SLOPES * STATES / 2, "%zu", certain);
+}
+
+/* As `knees` prints it, and one unit in the last place beside it. */
+static void at_the_saddle_nothing_is_told(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (size_t i = 0; i < random_presets(); i++) {
+        static const char *const set[] = { "products=[equilibria]", NULL };
+        struct slope s;
+        struct labels l;
+        random_slope_of(&s, i, &rng, set);
+        assert_int_equal(labels_init(&l, &s.study, NULL), STATUS_OK);
+        const double v = s.study.saddle_numbers.v.value;
+        const double psi = s.study.saddle_numbers.psi.value;
+        for (int k = 0; k < 9; k++) {
+            const double to[3] = { -HUGE_VAL, 0.0, HUGE_VAL };
+            const double x = k % 3 == 1 ? v : nextafter(v, to[k % 3]);
+            const double y = k / 3 == 1 ? psi : nextafter(psi, to[k / 3]);
+            const struct vec2 z = block_offset(&s.study.block, x, y);
+            struct fate_told label;
+            assert_int_equal(labels_find(&l, z, NULL, &label), STATUS_OK);
+            CHECK(label.fate == FATE_UNDECIDED && label.reason,
+                  "%s: v = %.17g, psi = %.17g: %s", s.study.block.law.preset, x,
+                  y, fate_names[label.fate]);
+        }
+        labels_free(&l);
+        slope_free(&s);
+    }
+}
+
+/* ---- maps ---------------------------------------------------------------- */
+
+/* Orbits agree with it, and shares sum to one. */
+static void check_map(const struct slope *s)
+{
+    const struct basin_map *m = &s->study.basins;
+    const struct block *b = &s->study.block;
+    double sum = 0.0;
+
+    for (int i = 0; i < FATES; i++)
+        sum += m->fraction[i].log.value;
+    CHECK(m->audit.cells == 50 && m->audit.disagreements == 0 &&
+              fabs(sum - 1.0) < 1e-9,
+          "%s (%s), L = %.17g, V_star = %.17g, alpha = %.17g: %zu cells wrong, "
+          "shares sum to %.17g",
+          b->law.preset, b->law.form == FRICTION_LOG ? "log" : "asinh",
+          b->material.L, b->material.V_star, s->scene.alpha,
+          m->audit.disagreements, sum);
+}
+
+static void random_maps_have_the_fates_of_their_orbits(void **state)
+{
+    static const char *const set[] = { "products=[basins]",
+                                       "basins={cells: [32, 32], audit: 50}",
+                                       NULL };
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (size_t i = 0; i < 3 * random_presets(); i++) {
+        struct slope s;
+        random_slope_of(&s, i % random_presets(), &rng, set);
+        check_map(&s);
+        slope_free(&s);
+    }
+}
+
+/* A whole basin of it was labelled wrong by an orbit that landed in a band of
+ * 1e-13. */
+static void a_flat_shelf_does_not_turn_a_basin_round(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal", NULL, "0.32",
+               ((const char *const[]){ "products=[basins]", "material.L=1e-4",
+                                       "material.V_star=1e-8",
+                                       "basins={cells: [32, 32], audit: 50}",
+                                       "window.v=[1e-6, 1e12]", NULL }));
+    struct fate_told label;
+    assert_int_equal(labels_find(&s.study.basins.labels,
+                                 block_offset(&s.study.block, 1e9, 10.0), NULL,
+                                 &label),
+                     STATUS_OK);
+    assert_int_equal(label.fate, FATE_SLIDING);
+    check_map(&s);
+    slope_free(&s);
+}
+
+/* Its cells are counted, and counted cells are near the true share. */
+static void an_exact_map_prints_the_shares_of_its_cells(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal", NULL, "0.32",
+               ((const char *const[]){ "products=[basins]",
+                                       "basins={cells: [20, 10], exact: true}",
+                                       "window.v=[1e-6, 1e12]", NULL }));
+    const struct basin_map *m = &s.study.basins;
+    int8_t label[200];
+    int creeps = 0;
+    assert_int_equal(basin_map_rows(m, 0, 10, label), STATUS_OK);
+    for (int i = 0; i < 200; i++)
+        creeps += label[i] == FATE_CREEP;
+    const struct quantity share = m->fraction[FATE_CREEP].log;
+    CHECK(fabs(share.value - creeps / 200.0) < 1e-12, "%.17g of %d",
+          share.value, creeps);
+    assert_true(share.error > 1e-6 && share.error < 0.05);
+    assert_int_equal(m->audit.cells, 200);
+    assert_int_equal(m->audit.disagreements, 0);
+    slope_free(&s);
+}
+
+/* Between folds the separatrix moves as smoothly as the slope. */
+static void shares_are_continuous_in_the_slope(void **state)
+{
+    double before = (double) NAN;
+
+    (void) state;
+    for (int i = 0; i < 60; i++) {
+        struct slope s;
+        char alpha[32];
+        snprintf(alpha, sizeof alpha, "%.6g", 0.295 + 0.0014 * i);
+        slope_make(
+            &s, "spinodal", NULL, alpha,
+            ((const char *const[]){ "products=[basins]", "material.L=1e-4",
+                                    "material.V_star=1e-8",
+                                    "basins={cells: [1, 1], audit: 0}",
+                                    "window.v=[1e-6, 1e12]", NULL }));
+        const double share = s.study.basins.fraction[FATE_CREEP].log.value;
+        CHECK(isnan(before) || fabs(share - before) < 0.05,
+              "alpha = %s: %g after %g", alpha, share, before);
+        before = share;
+        slope_free(&s);
+    }
+}
+
+/* ---- errors -------------------------------------------------------------- */
+
+static void every_allocation_may_fail(void **state)
+{
+    static const char *const set[] = { "products=[equilibria]", NULL };
+    enum status status = STATUS_NO_MEMORY;
+    struct slope s;
+    struct labels l;
+    long k = 0;
+
+    (void) state;
+    slope_make(&s, "spinodal_gen", NULL, "0.34", set);
+    for (; status == STATUS_NO_MEMORY; k++) {
+        fault_alloc_at(k);
+        status = labels_init(&l, &s.study, NULL);
+        fault_alloc_at(FAULT_ALLOC_NEVER);
+        labels_free(&l);
+        labels_free(&l);
+    }
+    assert_int_equal(status, STATUS_OK);
+    CHECK(k > 8, "%ld allocations", k);
+    slope_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(random_states_are_on_the_side_that_113_bits_say),
+        cmocka_unit_test(at_the_saddle_nothing_is_told),
+        cmocka_unit_test(random_maps_have_the_fates_of_their_orbits),
+        cmocka_unit_test(a_flat_shelf_does_not_turn_a_basin_round),
+        cmocka_unit_test(an_exact_map_prints_the_shares_of_its_cells),
+        cmocka_unit_test(shares_are_continuous_in_the_slope),
+        cmocka_unit_test(every_allocation_may_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
