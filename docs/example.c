@@ -4,34 +4,34 @@
  *     cc example.c $(pkg-config --cflags --libs slipway) -o example
  *     ./example dieterich_gen 0.34
  */
-#include <slipway/scene.h>
-#include <slipway/study.h>
+#include <slipway/slipway.h>
 #include <stdio.h>
 
 int main(int argc, char *argv[])
 {
-    char law[64], slope[64], *setting[] = { law, slope, "products=[knees]" };
-    struct scene scene;
-    struct study study;
-    struct fault why;
+    const char *law = argc > 1 ? argv[1] : "dieterich_gen";
+    const char *slope = argc > 2 ? argv[2] : "0.34";
+    slipway_scene *scene = NULL;
+    slipway_study *study = NULL;
+    slipway_fault why = { "" };
+    slipway_number v;
 
-    snprintf(law, sizeof law, "law.preset=%s",
-             argc > 1 ? argv[1] : "dieterich_gen");
-    snprintf(slope, sizeof slope, "slope.alpha=%s",
-             argc > 2 ? argv[2] : "0.34");
-    if (scene_read(&scene, NULL, setting, 3, &why) != STATUS_OK) {
+    slipway_status s = slipway_scene_new(&scene);
+    if (s == SLIPWAY_OK)
+        s = slipway_scene_set(scene, "law.preset", law);
+    if (s == SLIPWAY_OK)
+        s = slipway_scene_set(scene, "slope.alpha", slope);
+    if (s == SLIPWAY_OK)
+        s = slipway_study_run(scene, NULL, &study, &why);
+    if (s == SLIPWAY_OK)
+        s = slipway_study_number(study, "v_plus", &v);
+    if (s != SLIPWAY_OK)
         fprintf(stderr, "%s\n", why.text);
-        return 2;
-    }
-    const enum status status = study_run(&study, &scene, NULL, &why);
-    const struct quantity v = study.critical.v_plus;
-    if (status != STATUS_OK)
-        fprintf(stderr, "%s\n", why.text);
-    else if (quantity_exists(&v))
+    else if (v.reason == NULL)
         printf("v_plus = %.15g, to %.1e\n", v.value, v.error);
     else
         printf("v_plus does not exist: %s\n", v.reason);
-    study_free(&study);
-    scene_free(&scene);
-    return status == STATUS_OK ? 0 : 3;
+    slipway_study_free(study);
+    slipway_scene_free(scene);
+    return s == SLIPWAY_OK ? 0 : s == SLIPWAY_BAD_SCENE ? 2 : 3;
 }

@@ -97,6 +97,8 @@ MAY_SEE = {
     'portrait': ['lib/core', 'manifold'],
     'lib/study': ['lib/core', 'lib/results', 'lib/friction', 'lib/scene',
                   'lib/fit', 'manifold', 'portrait'],
+    'lib/api': ['lib/core', 'lib/results', 'lib/friction', 'lib/scene',
+                'lib/fit', 'lib/study', 'manifold', 'portrait'],
     'lib/race': ['lib/core', 'lib/results', 'lib/friction', 'lib/scene', 'lib/fit',
                  'lib/study', 'manifold', 'portrait'],
 }

@@ -16,8 +16,8 @@
 #include <stddef.h>
 
 enum {
-    JET_SIZE = 32,  /* coefficients 0..31 */
-    JET_SLOTS = 64, /* intermediate series of one field and its observables */
+    JET_SIZE = 32,   /* coefficients 0..31 */
+    JET_SLOTS = 256, /* intermediate series of one field and its observables */
     JET_LANES = 2
 };
 

@@ -1,0 +1,143 @@
+#include "api.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    enum status status;
+    slipway_status told;
+} told[] = {
+    { STATUS_OK, SLIPWAY_OK },
+    { STATUS_NO_MEMORY, SLIPWAY_NO_MEMORY },
+    { STATUS_BAD_ARGUMENT, SLIPWAY_BAD_ARGUMENT },
+    { STATUS_STOPPED, SLIPWAY_STOPPED },
+    { STATUS_BAD_SCENE, SLIPWAY_BAD_SCENE },
+    { STATUS_IO, SLIPWAY_IO },
+};
+
+slipway_status api_status(enum status s)
+{
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++)
+        if (told[i].status == s)
+            return told[i].told;
+    return SLIPWAY_NUMERICAL;
+}
+
+const char *slipway_status_text(slipway_status status)
+{
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++)
+        if (told[i].told == status)
+            return status_text(told[i].status);
+    return status_text(STATUS_NO_CONVERGENCE);
+}
+
+const char *slipway_version(void)
+{
+    return SLIPWAY_VERSION;
+}
+
+slipway_number api_number(const struct quantity *q)
+{
+    return (slipway_number){ q->value, q->error, q->reason };
+}
+
+const struct monitor *api_monitor(const slipway_monitor *in,
+                                  struct monitor *out)
+{
+    if (in == NULL)
+        return NULL;
+    *out = (struct monitor){ in->tell, in->ctx };
+    return out;
+}
+
+slipway_status api_fault(slipway_fault *why, slipway_status status,
+                         const char *text)
+{
+    if (why)
+        snprintf(why->text, sizeof why->text, "%s", text);
+    return status;
+}
+
+/* ---- scenes -------------------------------------------------------------- */
+
+slipway_status slipway_scene_new(slipway_scene **out)
+{
+    slipway_scene *scene = calloc(1, sizeof *scene);
+
+    if (scene == NULL)
+        return SLIPWAY_NO_MEMORY;
+    *out = scene;
+    return SLIPWAY_OK;
+}
+
+slipway_status slipway_scene_read(const char *path, slipway_scene **out,
+                                  slipway_fault *why)
+{
+    slipway_scene *scene = NULL;
+    struct scene read;
+    slipway_status s = slipway_scene_new(&scene);
+
+    if (s == SLIPWAY_OK) {
+        scene->path = strdup(path);
+        s = scene->path ? api_read(scene, &read, why) : SLIPWAY_NO_MEMORY;
+        if (s == SLIPWAY_OK)
+            scene_free(&read);
+    }
+    if (s == SLIPWAY_OK)
+        *out = scene;
+    else
+        slipway_scene_free(scene);
+    return s == SLIPWAY_NO_MEMORY ? api_fault(why, s, slipway_status_text(s))
+                                  : s;
+}
+
+slipway_status slipway_scene_set(slipway_scene *scene, const char *key,
+                                 const char *value)
+{
+    char *line = NULL;
+
+    if (scene->sets == scene->room) {
+        const size_t room = 2 * scene->room + 8;
+        char **set = realloc(scene->set, room * sizeof *set);
+        if (set == NULL)
+            return SLIPWAY_NO_MEMORY;
+        scene->set = set;
+        scene->room = room;
+    }
+    if (asprintf(&line, "%s=%s", key, value) < 0)
+        return SLIPWAY_NO_MEMORY;
+    scene->set[scene->sets++] = line;
+    return SLIPWAY_OK;
+}
+
+slipway_status slipway_scene_set_number(slipway_scene *scene, const char *key,
+                                        double value)
+{
+    char text[32];
+
+    snprintf(text, sizeof text, "%.17g", value);
+    return slipway_scene_set(scene, key, text);
+}
+
+slipway_status api_read(const slipway_scene *scene, struct scene *out,
+                        slipway_fault *why)
+{
+    struct fault fault = { "" };
+    const enum status s =
+        scene_read(out, scene->path, scene->set, scene->sets, &fault);
+
+    return s == STATUS_OK ? SLIPWAY_OK
+                          : api_fault(why, api_status(s), fault.text);
+}
+
+void slipway_scene_free(slipway_scene *scene)
+{
+    if (scene == NULL)
+        return;
+    for (size_t i = 0; i < scene->sets; i++)
+        free(scene->set[i]);
+    free(scene->set);
+    free(scene->path);
+    free(scene);
+}

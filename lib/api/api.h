@@ -1,0 +1,33 @@
+/* api.h -- what the files behind include/slipway share. */
+#ifndef API_API_H
+#define API_API_H
+
+#include "monitor.h"
+#include "record.h"
+#include "scene.h"
+#include "slipway.h"
+#include "status.h"
+
+struct slipway_scene {
+    char *path; /* owned; NULL: no file */
+    char **set; /* owned: "key=value", in order */
+    size_t sets, room;
+};
+
+/* As a caller of the library is told it. */
+slipway_status api_status(enum status s);
+slipway_number api_number(const struct quantity *q);
+
+/* *in as the rooms below take it; NULL stays NULL. */
+const struct monitor *api_monitor(const slipway_monitor *in,
+                                  struct monitor *out);
+
+/* What the caller's scene says, checked; `why` may be NULL. */
+slipway_status api_read(const slipway_scene *scene, struct scene *out,
+                        slipway_fault *why);
+
+/* The text of a fault that the caller may not want; returns `status`. */
+slipway_status api_fault(slipway_fault *why, slipway_status status,
+                         const char *text);
+
+#endif

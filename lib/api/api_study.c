@@ -1,0 +1,243 @@
+/* A study is one point of a sweep over no key: so its numbers have the names
+ * of a sweep's columns. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "api.h"
+#include "rows.h"
+#include "scene_slope.h"
+#include "sweep_column.h"
+
+struct slipway_study {
+    struct scene scene;
+    struct sweep_point point;
+    struct sweep_dims dims;
+    struct sweep_columns columns;
+};
+
+/* ---- a run --------------------------------------------------------------- */
+
+#define BIT(p) (1u << PRODUCT_##p)
+
+static slipway_status run(slipway_study *study, const slipway_monitor *monitor,
+                          slipway_fault *why)
+{
+    struct scene one = study->scene, *scene = &one;
+    struct monitor tell;
+    struct fault fault = { "" };
+
+    one.sweep.axes = 0;
+    if (one.products == 0)
+        one.products =
+            BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(KNEES) | BIT(ESTIMATES);
+    enum status s = scene_slope_demand(scene, scene->products, &fault);
+    if (s != STATUS_OK)
+        return api_fault(why, api_status(s), fault.text);
+    s = sweep_dims_init(&study->dims, scene);
+    if (s == STATUS_OK)
+        s = sweep_columns_init(&study->columns, scene, &study->dims);
+    if (s == STATUS_OK)
+        s = sweep_point_run(&study->point, scene, NULL, scene->products,
+                            api_monitor(monitor, &tell));
+    if (s != STATUS_OK)
+        return api_fault(why, api_status(s), status_text(s));
+    return study->point.failed
+               ? api_fault(why, SLIPWAY_NUMERICAL, study->point.failed)
+               : SLIPWAY_OK;
+}
+
+slipway_status slipway_study_run(const slipway_scene *scene,
+                                 const slipway_monitor *monitor,
+                                 slipway_study **out, slipway_fault *why)
+{
+    slipway_study *study = calloc(1, sizeof *study);
+
+    if (study == NULL)
+        return api_fault(why, SLIPWAY_NO_MEMORY, status_text(STATUS_NO_MEMORY));
+    slipway_status s = api_read(scene, &study->scene, why);
+    if (s == SLIPWAY_OK)
+        s = run(study, monitor, why);
+    if (s == SLIPWAY_OK)
+        *out = study;
+    else
+        slipway_study_free(study);
+    return s;
+}
+
+void slipway_study_free(slipway_study *study)
+{
+    if (study == NULL)
+        return;
+    sweep_point_free(&study->point);
+    sweep_columns_free(&study->columns);
+    sweep_dims_free(&study->dims);
+    scene_free(&study->scene);
+    free(study);
+}
+
+/* ---- numbers ------------------------------------------------------------- */
+
+static bool is_number(const struct sweep_column *c)
+{
+    return c->codes == NULL && c->dims == 0;
+}
+
+slipway_status slipway_study_number(const slipway_study *study,
+                                    const char *name, slipway_number *out)
+{
+    for (size_t i = 0; i < study->columns.count; i++) {
+        const struct sweep_column *c = &study->columns.at[i];
+        if (!is_number(c) || strcmp(c->name, name) != 0)
+            continue;
+        const struct quantity q = sweep_column_quantity(c, &study->point, 0);
+        *out = api_number(&q);
+        return SLIPWAY_OK;
+    }
+    return SLIPWAY_BAD_ARGUMENT;
+}
+
+const char *slipway_study_name(const slipway_study *study, size_t k)
+{
+    for (size_t i = 0; i < study->columns.count; i++)
+        if (is_number(&study->columns.at[i]) && k-- == 0)
+            return study->columns.at[i].name;
+    return NULL;
+}
+
+size_t slipway_study_equilibria(const slipway_study *study,
+                                slipway_equilibrium out[], size_t room)
+{
+    const struct study *s = &study->point.study;
+
+    for (size_t i = 0; i < s->equilibria && i < room; i++) {
+        const struct steady_number *n = &s->steady[i];
+        out[i] = (slipway_equilibrium){
+            .type = (slipway_type) s->equilibrium[i].type,
+            .v = api_number(&n->v),
+            .psi = api_number(&n->psi),
+            .mu = api_number(&n->mu),
+            .lambda_minus = api_number(&n->lambda_minus),
+            .lambda_plus = api_number(&n->lambda_plus),
+        };
+    }
+    return s->equilibria;
+}
+
+/* ---- branches ------------------------------------------------------------ */
+
+static enum status fill(const struct study *s, slipway_branch which,
+                        struct rows *rows)
+{
+    const size_t side = (size_t) which % SIDES;
+
+    if (which < SLIPWAY_UNSTABLE_UPPER)
+        return rows_branch(s, &s->stable[side], rows);
+    return rows_unstable(s, &s->unstable[side], rows);
+}
+
+size_t slipway_study_branch(const slipway_study *study, slipway_branch which,
+                            slipway_point out[], size_t room)
+{
+    const struct study *s = &study->point.study;
+    struct rows rows = rows_of(&record_branch);
+    size_t count = 0;
+
+    if (plan_has(s->stages, STAGE_UNSTABLE) && study_has_manifolds(s) &&
+        fill(s, which, &rows) == STATUS_OK)
+        count = rows.count;
+    for (size_t i = 0; i < count && i < room; i++) {
+        const struct branch_row *r = (const struct branch_row *) rows.at + i;
+        out[i] = (slipway_point){ r->v, r->psi, r->slope, r->error };
+    }
+    rows_free(&rows);
+    return count;
+}
+
+/* ---- basins -------------------------------------------------------------- */
+
+static const struct basin_map *map_of(const slipway_study *study)
+{
+    return &study->point.study.basins;
+}
+
+void slipway_basin_size(const slipway_study *study, size_t *columns,
+                        size_t *rows)
+{
+    *columns = map_of(study)->columns;
+    *rows = map_of(study)->rows;
+}
+
+slipway_status slipway_basin_axes(const slipway_study *study, double v[],
+                                  double psi[])
+{
+    const struct basin_map *m = map_of(study);
+
+    if (m->rows == 0)
+        return SLIPWAY_BAD_ARGUMENT;
+    memcpy(v, m->v, m->columns * sizeof *v);
+    memcpy(psi, m->psi, m->rows * sizeof *psi);
+    return SLIPWAY_OK;
+}
+
+static bool holds(const slipway_study *study, size_t first, size_t rows)
+{
+    const size_t all = map_of(study)->rows;
+
+    return all > 0 && first <= all && rows <= all - first;
+}
+
+slipway_status slipway_basin_labels(const slipway_study *study, size_t first,
+                                    size_t rows, int8_t label[])
+{
+    if (!holds(study, first, rows))
+        return SLIPWAY_BAD_ARGUMENT;
+    return api_status(basin_map_rows(map_of(study), first, rows, label));
+}
+
+slipway_status slipway_basin_margins(const slipway_study *study, size_t first,
+                                     size_t rows, double v[], double psi[])
+{
+    if (!holds(study, first, rows))
+        return SLIPWAY_BAD_ARGUMENT;
+    return api_status(basin_map_margins(map_of(study), first, rows, v, psi));
+}
+
+/* The number of a field by its name; CELL_FIELDS: there is none. */
+static size_t field_named(const char *name)
+{
+    size_t k = 0;
+
+    while (k < CELL_FIELDS &&
+           strcmp(record_cell.fields[1 + 2 * k].name, name) != 0)
+        k++;
+    return k;
+}
+
+static double read_member(const struct cell *c, size_t field)
+{
+    const struct record_array one = { &record_cell, c, 1 };
+
+    return *(const double *) record_member(&one, 0, &record_cell.fields[field]);
+}
+
+slipway_status slipway_basin_field(const slipway_study *study,
+                                   const char *which, size_t first, size_t rows,
+                                   double value[], double error[])
+{
+    const struct fields *f = &study->point.study.fields;
+    const size_t k = field_named(which), n = rows * map_of(study)->columns;
+
+    if (!holds(study, first, rows) || k == CELL_FIELDS || !(f->which >> k & 1))
+        return SLIPWAY_BAD_ARGUMENT;
+    struct cell *cell = malloc((n + 1) * sizeof *cell);
+    if (cell == NULL)
+        return SLIPWAY_NO_MEMORY;
+    const enum status s = fields_find(f, first, rows, NULL, cell);
+    for (size_t i = 0; i < n && s == STATUS_OK; i++) {
+        value[i] = read_member(&cell[i], 1 + 2 * k);
+        error[i] = read_member(&cell[i], 2 + 2 * k);
+    }
+    free(cell);
+    return api_status(s);
+}

@@ -1,0 +1,72 @@
+#include <stdlib.h>
+
+#include "api.h"
+#include "sweep.h"
+
+struct slipway_sweep {
+    struct scene scene;
+    struct sweep sweep;
+};
+
+slipway_status slipway_sweep_run(const slipway_scene *scene,
+                                 const slipway_monitor *monitor,
+                                 slipway_sweep **out, slipway_fault *why)
+{
+    slipway_sweep *w = calloc(1, sizeof *w);
+    struct fault fault = { "" };
+    struct monitor tell;
+
+    if (w == NULL)
+        return api_fault(why, SLIPWAY_NO_MEMORY, status_text(STATUS_NO_MEMORY));
+    slipway_status s = api_read(scene, &w->scene, why);
+    if (s == SLIPWAY_OK && w->scene.sweep.axes == 0)
+        s = api_fault(why, SLIPWAY_BAD_SCENE,
+                      "the scene has no sweep, expected sweep.key and values");
+    if (s == SLIPWAY_OK) {
+        const enum status status =
+            sweep_run(&w->sweep, &w->scene, &(struct sweep_options){ 0 },
+                      api_monitor(monitor, &tell), &fault);
+        if (status != STATUS_OK)
+            s = api_fault(why, api_status(status),
+                          fault.text[0] ? fault.text : status_text(status));
+    }
+    if (s == SLIPWAY_OK)
+        *out = w;
+    else
+        slipway_sweep_free(w);
+    return s;
+}
+
+const double *slipway_sweep_axis(const slipway_sweep *sweep, size_t axis,
+                                 size_t *count)
+{
+    const bool is = axis < sweep->sweep.axes;
+
+    *count = is ? sweep->sweep.axis[axis].count : 0;
+    return is ? sweep->sweep.axis[axis].value : NULL;
+}
+
+slipway_status slipway_sweep_number(const slipway_sweep *sweep,
+                                    const char *name, size_t i, size_t j,
+                                    slipway_number *out)
+{
+    const struct sweep *w = &sweep->sweep;
+    const int column = sweep_find(w, name);
+    const size_t second = w->axes > 1 ? w->axis[1].count : 1;
+
+    if (column < 0 || i >= w->axis[0].count || j >= second ||
+        w->columns.at[column].codes)
+        return SLIPWAY_BAD_ARGUMENT;
+    const struct quantity q = sweep_quantity(w, column, i * second + j);
+    *out = api_number(&q);
+    return SLIPWAY_OK;
+}
+
+void slipway_sweep_free(slipway_sweep *sweep)
+{
+    if (sweep == NULL)
+        return;
+    sweep_free(&sweep->sweep);
+    scene_free(&sweep->scene);
+    free(sweep);
+}
