@@ -25,11 +25,7 @@ void json_watch_memory(void)
 
 json_t *json_number(double value)
 {
-    if (isnan(value))
-        return json_null();
-    if (isinf(value))
-        return json_string(value > 0 ? "inf" : "-inf");
-    return json_real(value);
+    return isfinite(value) ? json_real(value) : json_null();
 }
 
 json_t *json_quantity(const struct quantity *q)

@@ -15,7 +15,7 @@ json_t *json_quantity(const struct quantity *q);
 json_t *json_record(const struct record_type *type, const void *at);
 json_t *json_records(const struct record_array *a);
 
-/* A plain number; infinities as the strings "inf" and "-inf". */
+/* A plain number; null for what is no finite one, such as R of a scene. */
 json_t *json_number(double value);
 
 /* A text that may be no UTF-8, which JSON cannot hold: then its bytes are

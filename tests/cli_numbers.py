@@ -172,8 +172,8 @@ SHAPE = {
 
 
 def is_number(found):
-    return (found in ('inf', '-inf') or isinstance(found, (int, float))
-            and not isinstance(found, bool) and math.isfinite(found))
+    return (isinstance(found, (int, float)) and not isinstance(found, bool)
+            and math.isfinite(found))
 
 
 def is_quantity(found):

@@ -3,6 +3,10 @@
 
 usage: cli_simulate.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
+import json
+import math
+import os
+import random
 import subprocess
 
 from cli_room import READER, SLOPE, expect, refused, run_cases
@@ -163,6 +167,58 @@ def a_folder_that_is_not_there_costs_nothing(room):
                 'no/a')
 
 
+FINITE = '''
+import h5py, numpy
+def look(name, item):
+    if name.endswith('_error'):
+        there = numpy.isfinite(item.parent[name[name.rfind('/') + 1:-6]][()])
+        assert numpy.isfinite(item[()])[there].all(), name
+        assert not numpy.isinf(item[()]).any(), name
+with h5py.File('a.h5') as f:
+    f.visititems(look)
+'''
+
+
+def refuse(word):
+    raise ValueError(word)
+
+
+def bars_in(found):
+    """Of all numbers; none may be a word."""
+    if isinstance(found, dict):
+        if 'error' in found:
+            yield found['error']
+        for key in found:
+            yield from bars_in(found[key])
+    elif isinstance(found, list):
+        for item in found:
+            yield from bars_in(item)
+    else:
+        expect(found not in ('inf', '-inf', 'nan'), found)
+
+
+def a_number_without_a_finite_bar_is_missing(room):
+    seed = int(os.environ.get('CHECK_SEED', '0')) or random.randrange(1 << 32)
+    draw = random.Random(seed)
+    print(f'# CHECK_SEED={seed}')
+    for law in ('dieterich', 'ruina', 'perrin', 'spinodal', 'dieterich_gen'):
+        for _ in range(3):
+            v, psi = 10 ** draw.uniform(-3, 5), 10 ** draw.uniform(-1, 2)
+            args = ['--law', law, '--alpha', f'{draw.uniform(0.28, 0.36)}',
+                    '--v', f'{v}', '--psi', f'{psi}']
+            done = room.run('simulate', *args, '-o', 'a.h5', '--json')
+            expect(done.returncode in (0, 3), done)
+            found = json.loads(done.stdout, parse_constant=refuse)
+            expect(all(math.isfinite(bar) and bar >= 0
+                       for bar in bars_in(found)), args, found)
+            done = room.run('simulate', *args)
+            expect('+- inf' not in done.stdout and 'nan' not in done.stdout,
+                   args, done.stdout)
+            read = subprocess.run([READER, '-c', FINITE], cwd=room.path('.'),
+                                  text=True, capture_output=True, check=False)
+            expect(read.returncode == 0, args, read.stderr)
+
+
 if __name__ == '__main__':
     run_cases([
         a_start_on_the_command_line_is_run_to_its_end,
@@ -174,5 +230,6 @@ if __name__ == '__main__':
         figures_of_the_paper_have_scenes,
         study_runs_a_scene_that_only_has_starts,
         wrong_starts_are_refused,
+        a_number_without_a_finite_bar_is_missing,
         a_folder_that_is_not_there_costs_nothing,
     ])

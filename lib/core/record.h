@@ -11,8 +11,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A computed number: either a value with an absolute error bound in its own
- * unit, or the reason (a plain sentence) why there is none. */
+/* A computed number: either a value with a finite absolute error bound in its
+ * own unit, or the reason (a plain sentence) why there is none. */
 struct quantity {
     double value;
     double error;
@@ -86,15 +86,40 @@ static inline int quantity_exists(const struct quantity *q)
     return q->reason == NULL;
 }
 
-static inline struct quantity quantity_of(double value, double error)
-{
-    return (struct quantity){ value, error, (double) __builtin_nanf(""), NULL };
-}
-
 static inline struct quantity quantity_none(const char *reason)
 {
     const double nan = (double) __builtin_nanf("");
     return (struct quantity){ nan, nan, nan, reason };
+}
+
+/* A number whose bar is not finite is none. */
+static inline struct quantity quantity_of(double value, double error)
+{
+    const double nan = (double) __builtin_nanf("");
+
+    if (!__builtin_isfinite(value) || !__builtin_isfinite(error))
+        return quantity_none("no bound on its error could be found");
+    return (struct quantity){ value, error, nan, NULL };
+}
+
+/* The same for one whose bar grew since. */
+static inline void quantity_settle(struct quantity *q)
+{
+    if (quantity_exists(q) &&
+        !(__builtin_isfinite(q->value) && __builtin_isfinite(q->error)))
+        *q = quantity_of(q->value, q->error);
+}
+
+/* Of every number of `count` records. */
+static inline void record_settle(const struct record_type *type, void *at,
+                                 size_t count)
+{
+    for (size_t i = 0; i < count * type->count; i++) {
+        const struct record_field *f = &type->fields[i % type->count];
+        char *record = (char *) at + i / type->count * type->size;
+        if (f->kind == RECORD_QUANTITY)
+            quantity_settle((struct quantity *) (void *) (record + f->offset));
+    }
 }
 
 #endif

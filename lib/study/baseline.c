@@ -157,7 +157,7 @@ static void add_inputs(struct baseline *b, const char *name,
 
 static void add_quantity(struct baseline *b, const struct quantity *q)
 {
-    if (!quantity_exists(q) || !isfinite(q->value)) {
+    if (!quantity_exists(q)) {
         add(b, ",none,");
         return;
     }

@@ -212,6 +212,8 @@ static struct quantity mean_of(const struct study *s, const struct orbit *o,
     const double mean = work / slip->value;
     const double known = slip->value - slip->error;
 
+    if (!quantity_exists(slip))
+        return *slip;
     if (!(slip->value > 0.0))
         return quantity_none("no slip before arrest");
     if (!(known > 0.0))

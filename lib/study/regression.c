@@ -72,8 +72,7 @@ static enum status compare_number(struct comparison *c, size_t i,
     enum status status = STATUS_OK;
 
     if (v->said == SAID_NONE)
-        return quantity_exists(now) && isfinite(now->value) ? add_finding(c, f)
-                                                            : STATUS_OK;
+        return quantity_exists(now) ? add_finding(c, f) : STATUS_OK;
     if (!quantity_exists(now))
         return add_finding(c, f);
     f.difference = now->value - v->number;

@@ -292,6 +292,8 @@ static enum status run_at(const struct course *c, double rtol,
                           &out->events);
     if (s == STATUS_OK) {
         judge(c, &coarse, &fine, out);
+        record_settle(&record_transient, &out->sum, 1);
+        record_settle(&record_transient_event, out->event, out->events);
         out->curve = fine.curve; /* now theirs */
         fine.curve = CURVE_EMPTY(fine.curve.dim);
         phase_find(c->study, out, out->phase);
