@@ -47,12 +47,18 @@ static void print_event(FILE *out, const struct transient_event *e)
         snprintf(name, sizeof name, "%s", moment_names[e->what]);
     else
         snprintf(name, sizeof name, "%s %.3g", moment_names[e->what], e->level);
-    fprintf(out, "  %-26s %-22.15g", name, e->time.value);
+    fprintf(out, "  %-26s ", name);
+    if (quantity_exists(&e->time))
+        fprintf(out, "%-22.15g", e->time.value);
+    else
+        fprintf(out, "%-22s", "-");
     print_number(out, &e->slip);
     print_number(out, &e->v);
     print_number(out, &e->psi);
     print_number(out, &e->mu);
-    fprintf(out, " %.1e\n", e->time.error);
+    if (quantity_exists(&e->time))
+        fprintf(out, " %.1e", e->time.error);
+    fputc('\n', out);
 }
 
 static void print_run(FILE *out, const struct transient *t)

@@ -98,6 +98,11 @@ static enum exit_code judge(const struct simulation *s)
 {
     for (size_t i = 0; i < s->runs; i++) {
         char text[128];
+        if (s->run[i].sum.end == TRANSIENT_LOST) {
+            snprintf(text, sizeof text, "run %zu: lost: %s", i,
+                     s->run[i].reason);
+            return command_fail(STATUS_NO_CONVERGENCE, text);
+        }
         const double defect = s->run[i].sum.energy_defect;
         if (fabs(defect) <= TOL_TRANSIENT_ENERGY * s->scene.rtol)
             continue;

@@ -167,6 +167,27 @@ def a_folder_that_is_not_there_costs_nothing(room):
                 'no/a')
 
 
+def an_orbit_that_gets_lost_exits_3_and_says_so(room):
+    """An answer stays: what was found until then is printed and written."""
+    count = 0
+    for law, v, psi in (('ruina', '1e300', '700'), ('dieterich', '1e200', '1'),
+                        ('spinodal', '1', '1e300'), ('perrin', '1e200', '1'),
+                        ('dieterich_gen', '1e3', '10')):
+        args = ['--law', law, '--alpha', '0.34', '--v', v, '--psi', psi]
+        done = room.run('simulate', *args, '-o', 'a.h5')
+        lost = 'ends by lost' in done.stdout
+        expect(done.returncode == (3 if lost else 0), done)
+        expect(done.stderr == lost * (
+            'slipway: run 0: lost: the orbit cannot be followed further\n'),
+               done.stderr)
+        expect(room.names() == ['a.h5'], room.names())
+        os.remove(room.path('a.h5'))
+        expect(room.run('simulate', *args, '--json').returncode
+               == done.returncode, 'JSON ends otherwise')
+        count += lost
+    expect(0 < count < 5, 'none of these gets lost, or all do:', count)
+
+
 FINITE = '''
 import h5py, numpy
 def look(name, item):
@@ -230,6 +251,7 @@ if __name__ == '__main__':
         figures_of_the_paper_have_scenes,
         study_runs_a_scene_that_only_has_starts,
         wrong_starts_are_refused,
+        an_orbit_that_gets_lost_exits_3_and_says_so,
         a_number_without_a_finite_bar_is_missing,
         a_folder_that_is_not_there_costs_nothing,
     ])

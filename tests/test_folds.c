@@ -107,11 +107,49 @@ static void folds_vanish_at_the_cusp(void **state)
     }
 }
 
+/* A slope is positive: where mu_ss is not, as the logarithmic form may be at
+ * the extremum of a weak friction, no slope balances it. */
+static void a_fold_without_a_slope_has_a_reason(void **state)
+{
+    struct law law = *law_preset_find("spinodal_gen");
+    size_t without = 0, with = 0;
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 400; i++) {
+        law.form = i % 2 ? FRICTION_LOG : FRICTION_ASINH;
+        struct material m = material_bristol_board();
+        m.mu_star = exp(check_uniform(&rng, log(1e-4), log(0.3)));
+        m.R = exp(check_uniform(&rng, log(1.0), log(1e4)));
+        m.c = exp(check_uniform(&rng, log(1e-4), log(1.0)));
+        const struct fold_numbers f = numbers_folds(&law, &m);
+        const struct quantity *v[] = { &f.v_m, &f.v_M };
+        const struct quantity *alpha[] = { &f.alpha_cm, &f.alpha_cM };
+        for (int k = 0; k < 2; k++) {
+            if (!quantity_exists(v[k]))
+                continue;
+            const double mu =
+                (double) steady_mu(&law, &m, logl((long double) v[k]->value));
+            CHECK(quantity_exists(alpha[k]) == (mu > 0.0), "%g: alpha %g, %s",
+                  mu, alpha[k]->value, alpha[k]->reason);
+            *(mu > 0.0 ? &with : &without) += 1;
+            if (mu > 0.0)
+                CHECK(fabs(tan(alpha[k]->value) - mu) < 1e-12, "%g, tan %g", mu,
+                      alpha[k]->value);
+            else
+                assert_string_equal(alpha[k]->reason,
+                                    "mu_ss is not positive there");
+        }
+    }
+    CHECK(without > 20 && with > 100, "%zu, %zu", without, with);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_fold_and_cusp_is_right),
         cmocka_unit_test(folds_vanish_at_the_cusp),
+        cmocka_unit_test(a_fold_without_a_slope_has_a_reason),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

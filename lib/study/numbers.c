@@ -108,6 +108,9 @@ static struct quantity fold_angle(const struct law *law,
                                   const struct material *m, long double x)
 {
     const double alpha = (double) atanl(steady_mu(law, m, x));
+
+    if (!(alpha > 0.0))
+        return quantity_none("mu_ss is not positive there");
     return quantity_of(alpha, 4.0 * DBL_EPSILON * fabs(alpha));
 }
 
