@@ -122,7 +122,7 @@ static enum status check_states(const struct job *j, struct fault *why)
     const bool is_log = j->push.study.system.axis[1].is_log;
     const char *expected = is_log ? "expected v and psi from 1e-300 to 1e300"
                                   : "expected v from 1e-300 to 1e300, psi from "
-                                    "-700 to 700";
+                                    "-1e300 to 1e300";
 
     for (size_t i = 0; i < j->count; i++) {
         const struct push_state at = j->state[i];

@@ -10,9 +10,9 @@
 
 /* Why a branch ended: data, not an error. */
 enum branch_end {
-    BRANCH_LIMIT_X,     /* y -> +-infinity while x has a limit */
-    BRANCH_LIMIT_Y,     /* x -> +-infinity while y has a limit */
-    BRANCH_DOMAIN,      /* left the domain without a limit */
+    BRANCH_LIMIT_X, /* y -> +-infinity while x has a limit */
+    BRANCH_LIMIT_Y, /* x -> +-infinity while y has a limit */
+    BRANCH_DOMAIN,  /* left the domain, or goes on for ever, without a limit */
     BRANCH_EQUILIBRIUM, /* ran into an equilibrium */
     BRANCH_STEPS,       /* more steps than allowed */
     BRANCH_ENDS

@@ -16,9 +16,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "close.h"
-#include "graph.h"
-#include "limit.h"
+#include "grow_end.h"
 #include "tolerance.h"
 
 size_t grow_order(double rtol)
@@ -32,40 +30,6 @@ struct grow_options grow_defaults(double rtol)
     return (struct grow_options){ .rtol = rtol,
                                   .order = grow_order(rtol),
                                   .max_steps = TOL_BRANCH_STEPS };
-}
-
-/* At a point of the curve: slope of dep and of the carried integrals by ind,
- * and how both change with dep, which is how errors of dep travel. */
-struct outward {
-    double slope, slope_d;
-    double swift[LOCAL_CARRY_MAX], swift_d[LOCAL_CARRY_MAX];
-};
-
-/* One step in the making: series in s, ind = at + unit s (graph.h). */
-struct grower {
-    const struct planar *sys;
-    const struct grow_options *o;
-    struct branch *b;
-    bool done;
-    double tol;
-    int ind;    /* independent coordinate */
-    int toward; /* sign of its steps */
-    struct vec2 z;
-    double total[LOCAL_CARRY_MAX];
-    double delta; /* bound so far on the error of the dependent coordinate */
-    double unit;  /* of steps, a power of two; 1 but where a field changes over
-                     far less (local.h) */
-    double h;     /* step chosen, of s, positive */
-    double last;  /* length of the step before */
-    double kink;  /* slope that its series misses on the way */
-    struct planar_jacobian end; /* the field at the end of the last step */
-    struct outward out;         /* and what travels there */
-    struct graph_series u;
-};
-
-static double coordinate(struct vec2 z, int i)
-{
-    return i == 0 ? z.x : z.y;
 }
 
 /* From the field at the end of the last step, z. */
@@ -95,12 +59,19 @@ static void look_outward(struct grower *g, struct vec2 z)
     }
 }
 
+/* As long as a long step, which powers of 2 keep. */
+static double unit_of(double step)
+{
+    return step > TOL_STEP_LONG ? ldexp(1.0, ilogb(step)) : 1.0;
+}
+
 /* y(x) or x(y)?  Keeps the outward sense across a change. */
 static void choose_graph(struct grower *g)
 {
     const double dx = g->end.field.direction.x, dy = g->end.field.direction.y;
+    const double far = fmax(1.0, fabs(g->z.y) / TOL_SLOPE_FAR);
     const double steep = g->ind == 0 ? TOL_SLOPE_STEEP : TOL_SLOPE_FLAT;
-    const int now = fabs(dy) < steep * fabs(dx) ? 0 : 1;
+    const int now = fabs(dy) < steep * far * fabs(dx) ? 0 : 1;
 
     if (now == g->ind)
         return;
@@ -110,6 +81,8 @@ static void choose_graph(struct grower *g)
         g->b->total_error[i] += fabs(g->out.swift[i]) * g->delta;
     g->toward = slope >= 0.0 ? g->toward : -g->toward;
     g->last *= fabs(slope);
+    if (g->unit >= 1.0)
+        g->unit = far > 1.0 ? unit_of(g->last) : 1.0;
     g->ind = now;
     look_outward(g, g->z);
 }
@@ -149,7 +122,8 @@ static void choose_step(struct grower *g)
     const size_t order = g->o->order;
     const double free =
         graph_reach(g->u.at[1 - g->ind], order, scale_of_unknown(g), g->tol);
-    double h = fmin(free, TOL_STEP_MAX); /* infinite where the curve is flat */
+    const double far = fabs(g->u.at[g->ind][0]) / g->unit;
+    double h = fmin(free, fmax(TOL_STEP_MAX, far)); /* where it is flat */
 
     for (size_t i = 0; i < g->o->carry.count; i++) {
         const double scale = fabs(g->total[i]) + fabs(g->u.integral[i][1]) * h;
@@ -222,9 +196,10 @@ static bool step_holds(struct grower *g, struct vec2 end)
 static bool clip_to_domain(struct grower *g)
 {
     const struct planar *sys = g->sys;
-    const double here = g->u.at[g->ind][0] + coordinate(sys->origin, g->ind);
-    const double edge =
-        coordinate(g->toward > 0 ? sys->domain.hi : sys->domain.lo, g->ind);
+    const double here =
+        g->u.at[g->ind][0] + grower_coordinate(sys->origin, g->ind);
+    const double edge = grower_coordinate(
+        g->toward > 0 ? sys->domain.hi : sys->domain.lo, g->ind);
     const double room = (edge - here) * g->toward / g->unit;
 
     if (room > g->h)
@@ -292,70 +267,9 @@ static void advance(struct grower *g)
     g->last = g->unit * g->h;
     for (size_t i = 0; i < g->o->carry.count; i++)
         g->total[i] += jet_at(g->o->order, g->u.integral[i], s);
-    if (g->unit < 1.0) /* as long as the last step, which powers of 2 keep */
-        g->unit = fmin(ldexp(g->unit, ilogb(g->h)), 1.0);
+    g->unit = g->unit < 1.0 ? fmin(ldexp(g->unit, ilogb(g->h)), 1.0)
+                            : unit_of(g->last);
     g->b->steps++;
-}
-
-/* Whether everything still unknown changes by less than `part` of itself per
- * unit of the independent coordinate. */
-static bool hardly_changes(const struct grower *g, double part)
-{
-    const double unknown = fabs(coordinate(g->z, 1 - g->ind));
-
-    if (!(fabs(g->out.slope) <= part * fmin(1.0, unknown)))
-        return false;
-    for (size_t i = 0; i < g->o->carry.count; i++)
-        if (g->b->from_saddle[i] &&
-            !(fabs(g->out.swift[i]) <= part * fabs(g->total[i])))
-            return false;
-    return true;
-}
-
-/* Inside the reach a branch is followed until nothing at all changes. */
-static bool may_close(const struct grower *g)
-{
-    const bool inside =
-        g->o->reach && box_holds(*g->o->reach, vec2_add(g->sys->origin, g->z));
-
-    if (inside)
-        return hardly_changes(g, TOL_TAIL_NIL);
-    return hardly_changes(
-        g, fmin(TOL_TAIL_PART * sqrt(g->o->rtol), TOL_TAIL_MOST));
-}
-
-/* Whether the tail adds little to the bars; at the latest where it adds little
- * to the numbers. */
-static bool tail_holds(const struct grower *g, const struct tail *t)
-{
-    const double part = TOL_TAYLOR_STEP * g->o->rtol;
-    const double unknown = fabs(coordinate(g->z, 1 - g->ind));
-    bool holds = t->unknown_error <= part * fmin(1.0, unknown);
-
-    for (size_t i = 0; i < g->o->carry.count; i++)
-        if (g->b->from_saddle[i])
-            holds &= t->integral_error[i] <= part * fabs(g->total[i]);
-    return holds || hardly_changes(g, TOL_TAIL);
-}
-
-static bool try_close(struct grower *g)
-{
-    struct tail t;
-
-    if (!may_close(g) ||
-        !close_tail(g->sys, g->ind, g->toward, g->z, &g->o->carry, &t) ||
-        !tail_holds(g, &t) ||
-        !limit_exists(g->sys, g->ind, g->toward, coordinate(g->z, 1 - g->ind)))
-        return false;
-    g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
-    g->b->sign = g->toward;
-    *(g->ind == 1 ? &g->z.x : &g->z.y) += t.unknown;
-    g->delta += TOL_TAIL_BAR * t.unknown_error;
-    for (size_t i = 0; i < g->o->carry.count; i++) {
-        g->total[i] += t.integral[i];
-        g->b->total_error[i] += TOL_TAIL_BAR * t.integral_error[i];
-    }
-    return true;
 }
 
 /* One accepted step by the series expanded; g->done when the branch has
@@ -377,9 +291,10 @@ static enum status step(struct grower *g)
     if (s != STATUS_OK)
         return s;
     advance(g);
-    g->done = try_close(g);
+    g->done = grow_end_close(g);
     if (!g->done &&
-        (edge || !box_holds(g->sys->domain, vec2_add(g->sys->origin, g->z)))) {
+        (edge || grow_end_is_open(g) ||
+         !box_holds(g->sys->domain, vec2_add(g->sys->origin, g->z)))) {
         g->b->end = BRANCH_DOMAIN;
         g->done = true;
     }

@@ -25,7 +25,6 @@ struct setting {
 static inline bool set_anchor(struct setting *s, double x,
                               long double tan_alpha, bool equilibrium)
 {
-    const double top = law_psi_is_log(&s->law) ? TOL_PSI_RANGE : TOL_LN_RANGE;
 
     if (x >= steady_x_max(&s->law))
         return false;
@@ -38,7 +37,8 @@ static inline bool set_anchor(struct setting *s, double x,
     block_init(&s->b, &s->law, &s->m, s->tan_alpha);
     block_anchor(&s->b, s->x, equilibrium);
     quad_block_anchor(&s->law, &s->m, s->exact_tan, s->x, equilibrium, &s->at);
-    return fabs(s->b.at.y0) < top;
+    return fabs(s->b.at.y0) < TOL_LN_RANGE || /* or friction of 1e30 */
+           (law_psi_is_log(&s->law) && fabs(s->b.at.y0) < 1e30);
 }
 
 /* Setting i of a run: every law in turn, equilibrium or not, within +-range. */
@@ -59,11 +59,15 @@ static inline bool draw_setting(size_t i, double range, uint64_t *seed,
 /* A point anywhere in the domain, or near the anchor. */
 static inline struct vec2 draw_far(const struct setting *s, uint64_t *seed)
 {
-    const double y = law_psi_is_log(&s->law) ? TOL_PSI_RANGE : TOL_LN_RANGE;
+    const struct box d = block_planar(&s->b).domain;
+    const bool deep = d.lo.y < -1e3 && check_bits(seed) % 8 == 0;
+    const double far = deep ? 300 : d.hi.x; /* v psi is a double, too */
 
     return (struct vec2){
-        check_uniform(seed, -TOL_LN_RANGE, TOL_LN_RANGE) - s->b.at.x0,
-        check_uniform(seed, -y, y) - s->b.at.y0,
+        check_uniform(seed, -far, far) - s->b.at.x0,
+        (deep ? -laws_power(seed, 3, 30)
+              : check_uniform(seed, fmax(d.lo.y, -1e3), d.hi.y)) -
+            s->b.at.y0,
     };
 }
 

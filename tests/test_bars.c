@@ -30,7 +30,7 @@ static bool is_in_range(const struct draw *d, long double x)
     const long double psi = steady_psi(&d->law, &d->m, x);
 
     return !(law_psi_is_log(&d->law) || law_freezes(&d->law)) ||
-           fabsl(psi) < 0.5L * (long double) TOL_PSI_RANGE;
+           fabsl(psi) < 0.5L * (long double) TOL_PSI_ROOM;
 }
 
 /* A saddle's x within the range where friction is measured, and beyond. */

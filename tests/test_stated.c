@@ -96,7 +96,7 @@ static void cells_say_nothing_none_a_number_or_a_word(void **state)
     assert_int_equal(stated_at(&s, 1, 1).said, SAID_NONE);
     assert_true(stated_at(&s, 1, 3).printed == 0.5);
     assert_true(stated_at(&s, 2, 0).printed == 0.5);
-    assert_int_equal(stated_at(&s, 2, 1).code, 4);
+    assert_int_equal(stated_at(&s, 2, 1).said, SAID_NOTHING);
     CHECK(fabs(stated_at(&s, 2, 3).printed - 5e-4) < 1e-18, "half of 1e-3");
     assert_string_equal(s.column[3].field->name, "mu_M");
     stated_free(&s);

@@ -286,8 +286,8 @@ static const struct wrong wrong_numbers[] = {
       "3:17: window.v: 'inf'" NOT "a number from 1e-300 to 1e300" },
     { LAW SLOPE "window: {psi: [-7, 5]}\n",
       "3:16: window.psi: '-7'" NOT "a number from 1e-300 to 1e300" },
-    { "law: {preset: ruina}\nwindow: {psi: [-701, 5]}\n" SLOPE,
-      "2:16: window.psi: '-701'" NOT "a number from -700 to 700" },
+    { "law: {preset: ruina}\nwindow: {psi: [-1.1e300, 5]}\n" SLOPE,
+      "2:16: window.psi: '-1.1e300'" NOT "a number up to 1e300" },
     { LAW SLOPE "estimates: {xi: [0.9, 1]}\n",
       "3:23: estimates.xi: '1'" NOT
       "1 to 64 numbers xi in brackets, 0 < xi < 1" },

@@ -12,8 +12,11 @@
 
 /* Range of v (and of psi where it is positive), dimensionless: ln of 1e300. */
 #define TOL_LN_RANGE 690.7755278982137
-/* Range of psi where psi is itself a logarithm. */
-#define TOL_PSI_RANGE 700.0
+/* Range of psi where psi is itself a logarithm: down to LEAST, for friction
+ * only fades there; up to ROOM above the anchor, where e^psi has passed all that
+ * it is compared with. */
+#define TOL_PSI_LEAST -1e300
+#define TOL_PSI_ROOM  700.0
 
 /* Trajectories, relative error per unit of ln v, ln psi: three digits more
  * cost twice the time; figures and energy balances to nine digits are
@@ -40,8 +43,8 @@
 #define TOL_STEP_BAR_NEXT 4.0
 #define TOL_STEP_BAR_LAST 0.4
 #define TOL_STEP_BAR_MOST 4.0
-/* No branch needs a tenth of this. */
-#define TOL_BRANCH_STEPS 2000
+/* Most need some fifty; down to psi of -1e300 some five a unit of ln |psi|. */
+#define TOL_BRANCH_STEPS 5000
 /* Integrals below this have no digits in a double: the smallest normal number
  * over its roundoff. */
 #define TOL_INTEGRAL_NIL 1e-292
@@ -68,6 +71,9 @@
  * again: apart, so that the choice does not flip back and forth. */
 #define TOL_SLOPE_STEEP 4.0
 #define TOL_SLOPE_FLAT  0.3
+/* Further from the saddle than this in y, as a logarithmic psi may be, slopes
+ * are counted relative to y: by less than y itself it hardly moves. */
+#define TOL_SLOPE_FAR 1e3
 /* What is left of a branch is tried by quadrature when it changes by less than
  * PART sqrt(rtol) and MOST a unit, relative to min(1, unknown), and taken when
  * the quadrature's error is small, at the latest below TOL_TAIL. */
@@ -79,8 +85,11 @@
 #define TOL_TAIL_BAR 2.0
 /* Below this no double changes any more: the branch is its asymptote. */
 #define TOL_TAIL_NIL 1e-18
-/* Longest Taylor step, in the independent coordinate. */
-#define TOL_STEP_MAX 50.0
+/* Longest Taylor step, in the independent coordinate, where that is less; and
+ * series are in a larger unit where steps are longer than LONG, the thirtieth
+ * power of which all but overflows. */
+#define TOL_STEP_MAX  50.0
+#define TOL_STEP_LONG 1e9
 
 /* Step control of flow.h and orbit.h.  Safety: aim for an error of about half
  * the tolerance, since a rejected step costs more than a short one. */

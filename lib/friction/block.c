@@ -101,13 +101,15 @@ struct vec2 block_offset(const struct block *b, double v, double psi)
 struct planar block_planar(const struct block *b)
 {
     const bool is_log = law_psi_is_log(&b->law);
-    const double y = is_log ? TOL_PSI_RANGE : TOL_LN_RANGE;
+    const double bottom = is_log ? TOL_PSI_LEAST : -TOL_LN_RANGE;
+    const double top =
+        is_log ? fmax(b->at.y0, 0.0) + TOL_PSI_ROOM : TOL_LN_RANGE;
 
     return (struct planar){
         .name = b->law.preset,
         .axis = { { "v", "1", "slip rate in units of V_star", true },
                   { "psi", "1", "interfacial state", !is_log } },
-        .domain = { { -TOL_LN_RANGE, -y }, { TOL_LN_RANGE, y } },
+        .domain = { { -TOL_LN_RANGE, bottom }, { TOL_LN_RANGE, top } },
         .origin = { b->at.x0, b->at.y0 },
         .field = field,
         .jacobian = jacobian,

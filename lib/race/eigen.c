@@ -62,6 +62,20 @@ static bool settle(struct route *r, const struct eigen_course *earlier,
     return true;
 }
 
+/* Whether the slope, slight as it is, fades no faster than a power and is
+ * slighter where the curve is heading: it runs on for ever. */
+static bool runs_on(const struct route *r, const struct eigen_course *c,
+                    int sign)
+{
+    const double ahead = c->dep + copysign(TOL_EIGEN_AHEAD, sign * c->slope);
+    const struct eigen_course there =
+        eigen_course_at(r->frame, c->ind, local_point(c->ind, c->at, ahead));
+
+    return fabs(c->slope) <= TOL_EIGEN_SLIGHT * fmin(1.0, fabs(c->dep)) &&
+           fabs(there.slope) <= fabs(c->slope) &&
+           !limit_exists(r->frame->sys, c->ind, sign, c->dep);
+}
+
 /* Around an equilibrium a field is odd. */
 static bool at_equilibrium(const struct eigen_leg *l)
 {
@@ -75,8 +89,8 @@ static bool at_equilibrium(const struct eigen_leg *l)
     return a.direction.x * b.direction.x + a.direction.y * b.direction.y < 0.0;
 }
 
-/* One step; *done when the branch has ended with it: near its limit, or at the
- * edge of the domain, where a limit must still be in sight. */
+/* One step; *done when the branch has ended with it: near its limit, at the
+ * edge of the domain, where a limit must still be in sight, or without one. */
 static enum status step(struct route *r, struct eigen_course *now, bool *done)
 {
     struct eigen_leg *l = &r->leg[r->legs - 1];
@@ -90,7 +104,9 @@ static enum status step(struct route *r, struct eigen_course *now, bool *done)
     const bool edge = l->flow.end == FLOW_EVENT;
     const double part =
         edge ? TOL_EIGEN_EDGE : TOL_EIGEN_REST * r->options->rtol;
-    *done = settle(r, &earlier, now, part) || edge;
+    const int sign = now->at > earlier.at ? 1 : -1;
+    *done = settle(r, &earlier, now, part) || edge ||
+            (now->ind == earlier.ind && runs_on(r, now, sign));
     if (!*done && r->legs < LEGS && eigen_leg_cancellation(l) > TOL_EIGEN_LOST)
         return eigen_leg_turn(&r->leg[r->legs++], l);
     return STATUS_OK;

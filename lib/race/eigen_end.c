@@ -65,22 +65,24 @@ static double room_ahead(const struct eigen_frame *g,
     return sign * (c->ind == 0 ? edge.x - o.x - c->at : edge.y - o.y - c->at);
 }
 
-/* Along the asymptote, what is small stays so. */
+/* Along the asymptote, what is small stays so: at strides of a unit, and of a
+ * part of the way where that is long. */
 static bool stays_small(const struct eigen_frame *g,
                         const struct eigen_course *now, int sign,
                         const double total[], double part,
                         const struct eigen_rest *rest)
 {
     const double room = room_ahead(g, now, sign);
-    double left = 0.0, total_left[LOCAL_CARRY_MAX] = { 0.0 };
+    double left = 0.0, total_left[LOCAL_CARRY_MAX] = { 0.0 }, stride = 1.0;
 
-    for (double u = 1.0; u < room; u += 1.0) {
+    for (double u = 1.0; u < room; u += stride) {
         const double at = now->at + sign * u;
         const struct eigen_course c =
             eigen_course_at(g, now->ind, local_point(now->ind, at, now->dep));
-        left += fabs(c.slope);
+        stride = fmax(1.0, TOL_EIGEN_STRIDE * u);
+        left += stride * fabs(c.slope);
         for (size_t i = 0; i < g->carry->count; i++)
-            total_left[i] += fabs(c.swift[i]);
+            total_left[i] += stride * fabs(c.swift[i]);
     }
     bool small =
         left <= TOL_EIGEN_RESTS * fabs(rest->dep) + part * fabs(now->dep);

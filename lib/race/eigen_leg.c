@@ -138,7 +138,8 @@ static void set_weights(struct eigen_leg *l)
         f->options.atol[i + 2] =
             fmax(f->options.atol[i + 2],
                  TOL_EIGEN_NOISE * l->drift.noise[i] * (1.0 + f->s));
-    f->h = fmin(f->h, TOL_EIGEN_LONGEST / pace);
+    const double far = TOL_EIGEN_STRIDE * vec2_length(eigen_leg_end(l));
+    f->h = fmin(f->h, fmax(TOL_EIGEN_LONGEST, far) / pace);
 }
 
 /* How far the last step's polynomial is from a solution between its stages: a

@@ -22,9 +22,16 @@
 #define TOL_EIGEN_REST  0.01
 #define TOL_EIGEN_EDGE  1e-3
 #define TOL_EIGEN_DECAY 0.2
+/* A branch without a limit is left where its slope is this slight, and is so
+ * this far ahead of it. */
+#define TOL_EIGEN_SLIGHT 1e-4
+#define TOL_EIGEN_AHEAD  0.1
 /* Longest step, in the plane: a few times the width of the narrowest bend
  * between two straight parts. */
 #define TOL_EIGEN_LONGEST 8.0
+/* Far out, as a part of the way there: as a power of it, slopes then change by
+ * little. */
+#define TOL_EIGEN_STRIDE 0.05
 /* Where z = P W has become this many times smaller than what it is the
  * difference of, W is left for z: steps cannot make up for more. */
 #define TOL_EIGEN_LOST 10.0

@@ -15,10 +15,12 @@
 enum { STEPS_MAX = 4000 };
 
 static const double nearest = 1e-18, near_saddle = 1e-2;
-static const double steep = 1.5;       /* |slope| above which the graph turns */
-static const double longest = 3.2;     /* substeps of 0.4 see what there is */
-static const double far = 300.0;       /* no limit within this of the saddle */
-static const double plane_top = 700.0; /* of the plane: ln psi, or psi itself */
+static const double steep = 1.5;     /* |slope| above which the graph turns */
+static const double longest = 3.2;   /* substeps of 0.4 see what there is */
+static const double stride = 0.4;    /* likewise, as a part of the way */
+static const double far = 300.0;     /* no limit within this of the saddle */
+static const double top = 700.0;     /* of the plane: ln psi */
+static const double bottom = -1e300; /* of psi that is a logarithm */
 static const double decay = 0.2; /* rate at which a slope decays to nothing */
 
 struct grower {
@@ -126,6 +128,12 @@ static bool set_start(struct grower *g, int side)
 
 /* ---- steps ----------------------------------------------------------- */
 
+/* Whether dep is psi itself, which is known relatively. */
+static bool is_plain_psi(const struct grower *g)
+{
+    return g->ind == 0 && law_psi_is_log(g->law);
+}
+
 /* What a step to u may be off by: dep absolutely, excess relatively. */
 static void find_allowed(const struct grower *g, const quad u[2],
                          quad allowed[2])
@@ -134,7 +142,7 @@ static void find_allowed(const struct grower *g, const quad u[2],
 
     if (!g->near) /* dep may pass through zero */
         size += fabsq(g->h * g->slope) / 16;
-    if (!g->near && size > 1)
+    if (!g->near && size > 1 && !is_plain_psi(g))
         size = 1;
     allowed[0] = size * g->tol;
     allowed[1] = fabsq(u[1]) * g->tol;
@@ -143,9 +151,12 @@ static void find_allowed(const struct grower *g, const quad u[2],
 static void choose_step(struct grower *g, const struct quad_step *step,
                         double error)
 {
+    const quad way = g->near ? 0 : stride * fabsq(g->s);
+    const quad most = way > longest ? way : longest;
+
     g->h *= quad_step_factor(step, error);
-    if (g->h > longest)
-        g->h = longest;
+    if (g->h > most)
+        g->h = most;
 }
 
 /* Moves on by one accepted step; false when none is short enough. */
@@ -209,36 +220,39 @@ static bool is_still(const struct grower *g)
 {
     const quad dep = fabsq(g->u[0]), still = g->tol / 10;
 
-    return fabsq(g->slope) < still * (dep < 1 ? dep : 1) &&
+    return fabsq(g->slope) < still * (dep < 1 || is_plain_psi(g) ? dep : 1) &&
            fabsq(g->rate) < still * fabsq(g->u[1]);
 }
 
 /* Whether nothing ever will: as ind runs on, the slope decays exponentially. */
 static bool is_done(const struct grower *g)
 {
+    const quad on = far > fabsq(g->s) ? far : fabsq(g->s);
     quad middle[2], edge[2];
 
     if (!is_still(g))
         return false;
-    slopes(g, g->s + g->way * (quad) far, g->u[0], middle);
-    slopes(g, g->s + g->way * (quad) far * 2, g->u[0], edge);
-    return edge[0] == 0 || logq(middle[0] / edge[0]) > decay * (quad) far;
+    slopes(g, g->s + g->way * on, g->u[0], middle);
+    slopes(g, g->s + g->way * on * 2, g->u[0], edge);
+    return edge[0] == 0 || logq(middle[0] / edge[0]) > decay * on;
 }
 
 static bool has_ended(const struct grower *g)
 {
     struct quad_branch *out = g->out;
-    const bool done = is_done(g);
+    const bool done = is_done(g), is_log = law_psi_is_log(g->law);
     /* psi far above psi_0, too, where y is its logarithm */
-    const bool beyond = fabsq(g->s) > (law_psi_is_log(g->law) ? far : 30.0);
+    const bool beyond = is_log ? g->s > 2 * far : g->s > 30;
 
     out->end = QUAD_TRUNCATED;
     if (g->ind == 1 && g->way > 0) {
         out->end = done ? QUAD_PSI_INF : QUAD_OPEN;
-        return done || (beyond && g->at->y0 + g->s > plane_top);
+        return done || (beyond && (is_log || g->at->y0 + g->s > top));
     }
     if (done)
         out->end = g->ind == 1 ? QUAD_PSI_0 : g->way < 0 ? QUAD_V_0 : out->end;
+    if (is_log && g->ind == 1)
+        return done || g->s < bottom;
     return done || fabsq(g->s) > far;
 }
 

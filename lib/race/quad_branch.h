@@ -10,7 +10,8 @@
 
 enum quad_end {
     QUAD_PSI_INF,  /* psi -> inf, v -> v_0 e^x */
-    QUAD_OPEN,     /* psi -> inf, v without a limit: followed to e^700 */
+    QUAD_OPEN,     /* psi -> inf, v without a limit: followed to e^700, or
+                      by 600 where psi is a logarithm */
     QUAD_PSI_0,    /* psi -> 0 (-inf where it is a logarithm), v -> v_0 e^x */
     QUAD_V_0,      /* v -> 0, chart y -> y_0 + y */
     QUAD_TRUNCATED /* anything else, or given up */

@@ -16,6 +16,9 @@ static enum status second_route(const struct block *b, const struct planar *sys,
 
     if (s == STATUS_OK)
         s = eigen_branch(sys, e, -1, o, &lower);
+    if (s == STATUS_OK &&
+        (upper.branch.end == BRANCH_STEPS || lower.branch.end == BRANCH_STEPS))
+        s = STATUS_TOO_MANY_STEPS;
     if (s == STATUS_OK) {
         *out = numbers_critical(b, e, &upper.branch, &lower.branch);
         *evaluations = upper.branch.evaluations + lower.branch.evaluations;

@@ -39,7 +39,9 @@ struct verification {
 
 /* The saddle `e` at sys->origin, b's anchor; `first` are the numbers found for
  * it; `rtol` as asked of them.
- * STATUS_NO_CONVERGENCE: the second route failed; STATUS_STOPPED;
+ * STATUS_NO_CONVERGENCE, STATUS_TOO_MANY_STEPS (arc length tells nothing of x
+ * where psi, a logarithm, is below some -1e9): the second route failed;
+ * STATUS_STOPPED;
  * STATUS_NO_MEMORY; *out is then undefined. */
 MUST_CHECK enum status verify_numbers(
     const struct block *b, const struct planar *sys,

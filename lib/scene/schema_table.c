@@ -114,7 +114,7 @@ const struct schema_key schema_table[] = {
     { "window.psi", value_pair, AT(window.psi), FROM(-SCENE_RANGE),
       TO(SCENE_RANGE), .expected = "a number up to 1e300", IS("[1e-3, 1e2]"),
       TEXT("states that they show; where psi is a logarithm (theta: psi) "
-           "[-7, 5] unless given, from -700 to 700") },
+           "[-7, 5] unless given") },
     { "window.axes", value_choice, AT(window.axes), .words = axes_names,
       IS("log"), TEXT("of figures and grids; eigen: the saddle's eigenvectors, "
                       "(36)") },

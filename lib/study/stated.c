@@ -113,11 +113,12 @@ static double half_unit(const char *text)
     return 0.5 * pow(10.0, (double) power - (double) places);
 }
 
+/* A lower end that a table's maker did not reach, which says nothing. */
+static const char gave_up[] = "psi_minus_inf_truncated";
+
 static bool read_code(const struct record_field *f, const char *text,
                       int8_t *code)
 {
-    if (strcmp(text, "psi_minus_inf_truncated") == 0)
-        text = "truncated";
     for (int8_t i = 0; f->codes[i]; i++)
         if (strcmp(f->codes[i], text) == 0) {
             *code = i;
@@ -131,7 +132,7 @@ static bool read_value(const struct record_field *f, struct stated_value *v)
 {
     const char *text = v->cell->text;
 
-    if (text[0] == '\0')
+    if (text[0] == '\0' || strcmp(text, gave_up) == 0)
         return true;
     if (strcmp(text, "none") == 0 || strcmp(text, "-inf") == 0 ||
         strcmp(text, "inf") == 0) {
@@ -145,12 +146,24 @@ static bool read_value(const struct record_field *f, struct stated_value *v)
     return number_read(text, &v->number);
 }
 
+/* Whether a column counts what lies on a lower branch not followed to its end.
+ */
+static bool is_cut_short(const struct stated *s, size_t row, size_t i)
+{
+    const size_t end = find_column(s->table, "lower_end", 9);
+
+    return end != STATED_NO_COLUMN &&
+           strcmp(s->column[i].field->name, "n_knee_lo") == 0 &&
+           strcmp(table_at(s->table, row, end)->text, gave_up) == 0;
+}
+
 struct stated_value stated_at(const struct stated *s, size_t row, size_t i)
 {
     const struct stated_column *c = &s->column[i];
     struct stated_value v = { .cell = table_at(s->table, row, c->at) };
 
-    (void) read_value(c->field, &v);
+    if (!is_cut_short(s, row, i))
+        (void) read_value(c->field, &v);
     return v;
 }
 

@@ -50,7 +50,7 @@ const struct record_type record_bifurcation =
 static void set_type(const struct law *law, const struct material *m,
                      long double x, bool fold, struct steady_point *p)
 {
-    const double top = law_psi_is_log(law) ? TOL_PSI_RANGE : TOL_LN_RANGE;
+    const double top = law_psi_is_log(law) ? -TOL_PSI_LEAST : TOL_LN_RANGE;
     struct block b;
     struct equilibrium e;
 

@@ -1,0 +1,80 @@
+#include "grow_end.h"
+
+#include <math.h>
+
+#include "close.h"
+#include "limit.h"
+#include "tolerance.h"
+
+/* Whether everything still unknown changes by less than `part` of itself per
+ * unit of the independent coordinate. */
+static bool hardly_changes(const struct grower *g, double part)
+{
+    const double unknown = fabs(grower_coordinate(g->z, 1 - g->ind));
+
+    if (!(fabs(g->out.slope) <= part * fmin(1.0, unknown)))
+        return false;
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        if (g->b->from_saddle[i] &&
+            !(fabs(g->out.swift[i]) <= part * fabs(g->total[i])))
+            return false;
+    return true;
+}
+
+static bool is_inside_reach(const struct grower *g)
+{
+    return g->o->reach &&
+           box_holds(*g->o->reach, vec2_add(g->sys->origin, g->z));
+}
+
+/* Inside the reach a branch is followed until nothing at all changes. */
+static bool may_close(const struct grower *g)
+{
+    if (is_inside_reach(g))
+        return hardly_changes(g, TOL_TAIL_NIL);
+    return hardly_changes(
+        g, fmin(TOL_TAIL_PART * sqrt(g->o->rtol), TOL_TAIL_MOST));
+}
+
+bool grow_end_is_open(const struct grower *g)
+{
+    return !is_inside_reach(g) && hardly_changes(g, TOL_TAIL_MOST) &&
+           g->toward * g->out.slope_d <= 0.0 &&
+           !limit_exists(g->sys, g->ind, g->toward,
+                         grower_coordinate(g->z, 1 - g->ind));
+}
+
+/* Whether the tail adds little to the bars; at the latest where it adds little
+ * to the numbers. */
+static bool tail_holds(const struct grower *g, const struct tail *t)
+{
+    const double part = TOL_TAYLOR_STEP * g->o->rtol;
+    const double unknown = fabs(grower_coordinate(g->z, 1 - g->ind));
+    bool holds = t->unknown_error <= part * fmin(1.0, unknown);
+
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        if (g->b->from_saddle[i])
+            holds &= t->integral_error[i] <= part * fabs(g->total[i]);
+    return holds || hardly_changes(g, TOL_TAIL);
+}
+
+bool grow_end_close(struct grower *g)
+{
+    struct tail t;
+
+    if (!may_close(g) ||
+        !close_tail(g->sys, g->ind, g->toward, g->z, &g->o->carry, &t) ||
+        !tail_holds(g, &t) ||
+        !limit_exists(g->sys, g->ind, g->toward,
+                      grower_coordinate(g->z, 1 - g->ind)))
+        return false;
+    g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
+    g->b->sign = g->toward;
+    *(g->ind == 1 ? &g->z.x : &g->z.y) += t.unknown;
+    g->delta += TOL_TAIL_BAR * t.unknown_error;
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        g->total[i] += t.integral[i];
+        g->b->total_error[i] += TOL_TAIL_BAR * t.integral_error[i];
+    }
+    return true;
+}

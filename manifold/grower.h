@@ -1,0 +1,42 @@
+/* grower.h -- a branch in the making (grow.c): what its parts share. */
+#ifndef MANIFOLD_GROWER_H
+#define MANIFOLD_GROWER_H
+
+#include "graph.h"
+#include "grow.h"
+
+/* At a point of the curve: slope of dep and of the carried integrals by ind,
+ * and how both change with dep, which is how errors of dep travel. */
+struct outward {
+    double slope, slope_d;
+    double swift[LOCAL_CARRY_MAX], swift_d[LOCAL_CARRY_MAX];
+};
+
+/* One step in the making: series in s, ind = at + unit s (graph.h). */
+struct grower {
+    const struct planar *sys;
+    const struct grow_options *o;
+    struct branch *b;
+    bool done;
+    double tol;
+    int ind;    /* independent coordinate */
+    int toward; /* sign of its steps */
+    struct vec2 z;
+    double total[LOCAL_CARRY_MAX];
+    double delta; /* bound so far on the error of the dependent coordinate */
+    double unit;  /* of steps, a power of two; 1 but where a field changes over
+                     far less (local.h) */
+    double h;     /* step chosen, of s, positive */
+    double last;  /* length of the step before */
+    double kink;  /* slope that its series misses on the way */
+    struct planar_jacobian end; /* the field at the end of the last step */
+    struct outward out;         /* and what travels there */
+    struct graph_series u;
+};
+
+static inline double grower_coordinate(struct vec2 z, int i)
+{
+    return i == 0 ? z.x : z.y;
+}
+
+#endif
