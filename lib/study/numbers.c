@@ -31,9 +31,11 @@ static double root_floor(const struct block *b)
     const long double h = fminl(1e-5L, (steady_x_max(law) - x) / 2);
     const long double slope =
         (steady_mu_log(law, m, x + h) - steady_mu_log(law, m, x - h)) / (2 * h);
-    const double size = fabs(b->at.a * b->at.x0) + fabs(m->mu_star) +
-                        fabs(b->at.b * b->at.y0) + b->at.b + 1.0;
-    const double noise = 16.0 * (double) LDBL_EPSILON * size;
+    const double tau = (double) steady_tau(law, m, b->tan_alpha);
+    const double ax = b->at.a * b->at.x0;
+    const double size = fabs(tau) + fabs(m->mu_star) + fabs(ax) +
+                        fabs(tau - m->mu_star - ax) + b->at.b;
+    const double noise = (double) LDBL_EPSILON * size;
     const double bend = 0.1 * (m->a + m->b); /* mu_ss'' is never far below */
     const double linear = noise / (double) fabsl(slope);
 

@@ -1,0 +1,118 @@
+/* draw.h -- random slopes with a saddle, and its branches in 113 bits. */
+#ifndef TESTS_DRAW_H
+#define TESTS_DRAW_H
+
+#include <math.h>
+
+#include "block.h"
+#include "laws.h"
+#include "quad_branch.h"
+#include "tolerance.h"
+
+/* A random slope, solved in 113 bits; the same slope in double needs no
+ * rounding of any input. */
+struct draw {
+    struct law law;
+    struct material m;
+    long double tan_alpha;
+    struct quad_anchor at;
+    struct quad_branch upper, lower;
+    char name[200];
+};
+
+/* Whether doubles hold the system around x: psi within its domain with room to
+ * spare, and for (45) a rate exp(-psi_ss) that does not underflow. */
+static inline bool draw_is_in_range(const struct draw *d, long double x)
+{
+    const long double psi = steady_psi(&d->law, &d->m, x);
+
+    return !(law_psi_is_log(&d->law) || law_freezes(&d->law)) ||
+           fabsl(psi) < 0.5L * (long double) TOL_PSI_ROOM;
+}
+
+/* The slope whose saddle is at x, if there is one there; friction must fall
+ * from x - h to x + h. */
+static inline bool draw_at(struct draw *d, long double x, long double h)
+{
+    if (x + h >= steady_x_max(&d->law))
+        return false;
+    const long double below = steady_mu_log(&d->law, &d->m, x - h);
+    const long double above = steady_mu_log(&d->law, &d->m, x + h);
+    d->tan_alpha = steady_mu(&d->law, &d->m, x);
+    return below > above && d->tan_alpha > 0.02L && d->tan_alpha < 5.0L &&
+           draw_is_in_range(d, x);
+}
+
+/* Within the range where friction is measured, and beyond. */
+static inline bool draw_slope(struct draw *d, uint64_t *seed)
+{
+    return draw_at(d, (long double) check_uniform(seed, -16, 16), 1e-6L);
+}
+
+/* Beside a fold, 1 to 1e-7 from it. */
+static inline bool draw_near_fold(struct draw *d, uint64_t *seed)
+{
+    long double x[4];
+    const size_t n = steady_extrema(&d->law, &d->m, x);
+
+    if (n == 0)
+        return false;
+    const long double aside = (long double) laws_power(seed, -7, 0);
+    const long double fold = x[check_bits(seed) % n];
+    return draw_at(d, check_bits(seed) % 2 ? fold + aside : fold - aside,
+                   1e-9L);
+}
+
+/* Law i of laws.h and a slope by one of these. */
+static inline bool draw_one(size_t i, uint64_t *seed,
+                            bool (*slope)(struct draw *d, uint64_t *seed),
+                            struct draw *d)
+{
+    if (!laws_draw(i % LAWS, seed, &d->law, &d->m))
+        return false;
+    for (int attempt = 0; attempt < 20; attempt++)
+        if (slope(d, seed)) {
+            snprintf(d->name, sizeof d->name,
+                     "draw %zu: %s %s %s %s %s tan alpha %.17Lg", i,
+                     friction_form_names[d->law.form],
+                     theta_names[d->law.theta],
+                     d->law.kinetics == KINETICS_COMPOSITE
+                         ? "kato_tullis"
+                         : psi_ss_names[d->law.psi_ss],
+                     timescale_names[d->law.timescale],
+                     d->law.kinetics == KINETICS_LINEAR ? "linear" : "sinh",
+                     d->tan_alpha);
+            return true;
+        }
+    return false;
+}
+
+/* The saddle that the numbers are of, to the last of 113 bits. */
+static inline bool draw_solve_saddle(struct draw *d, const struct block *b)
+{
+    for (double width = 1e-15; width < 1e-3; width *= 10) {
+        const quad wide = width * (1 + fabs(b->at.x0));
+        const quad x = b->at.x0, lo = x - wide, hi = x + wide;
+        if (!(quad_block_mu_ss(&d->law, &d->m, lo) > d->tan_alpha &&
+              quad_block_mu_ss(&d->law, &d->m, hi) < d->tan_alpha))
+            continue;
+        quad_block_anchor(
+            &d->law, &d->m, d->tan_alpha,
+            quad_block_equilibrium(&d->law, &d->m, d->tan_alpha, lo, hi), true,
+            &d->at);
+        return true;
+    }
+    return false;
+}
+
+/* And its branches. */
+static inline bool draw_solve(struct draw *d, const struct block *b)
+{
+    const double tol = 1e-18;
+
+    return draw_solve_saddle(d, b) &&
+           quad_branch_grow(&d->law, &d->at, 1, tol, &d->upper) &&
+           quad_branch_grow(&d->law, &d->at, -1, tol, &d->lower);
+}
+
+#endif
