@@ -187,6 +187,62 @@ static bool move(struct grower *g)
     return false;
 }
 
+/* ---- knees ----------------------------------------------------------- */
+
+/* A step made, with d dep/ds or dr/ds at its ends. */
+struct stretch {
+    const struct grower *from;
+    quad h, rise; /* of s and of u[0] */
+    quad rate[2];
+};
+
+static quad rate_of(const struct grower *g)
+{
+    quad rate[2];
+
+    (g->near ? near_rates : graph_rates)(g, g->s, g->u, rate);
+    return rate[0];
+}
+
+/* By the cubic through the ends; or by a step of its own. */
+static void point_on(const void *ctx, bool rough, quad part, quad z[2],
+                     quad way[2])
+{
+    const struct stretch *p = ctx;
+    const struct grower *g = p->from;
+    const quad rest = 1 - part, s = g->s + part * p->h;
+    quad u[2] = { g->u[0], g->u[1] }, error[2], allowed[2], f[2];
+
+    if (rough) {
+        u[0] += part * p->rise + part * rest *
+                                     (rest * (p->h * p->rate[0] - p->rise) -
+                                      part * (p->h * p->rate[1] - p->rise));
+    } else if (part > 0) {
+        find_allowed(g, g->u, allowed);
+        quad_step(g->near ? near_rates : graph_rates, g, g->s, part * p->h,
+                  g->u, allowed, u, error);
+    }
+    const quad ind = g->near ? g->way * expq(s) : s;
+    z[g->ind] = ind;
+    z[1 - g->ind] = g->near ? u[0] * ind : u[0];
+    field_at(g, z, f);
+    for (int i = 0; i < 2; i++) /* backward in time */
+        way[i] = -f[i];
+}
+
+static void find_knees(const struct grower *from, const struct grower *to)
+{
+    const struct stretch stretch = { from,
+                                     to->s - from->s,
+                                     to->u[0] - from->u[0],
+                                     { rate_of(from), rate_of(to) } };
+    const struct quad_arc arc = { point_on, &stretch };
+
+    quad_knee_add(&arc, &to->out->knees);
+}
+
+/* ---------------------------------------------------------------------- */
+
 /* From r, w over ln|ind| to the graph. */
 static void leave_saddle(struct grower *g)
 {
@@ -296,8 +352,10 @@ bool quad_branch_grow(const struct law *law, const struct quad_anchor *at,
     g.start = nearest / (1 + psi);
     if (!set_start(&g, side))
         return false;
-    while (!ended && out->steps < STEPS_MAX && move(&g)) {
+    for (struct grower from = g; !ended && out->steps < STEPS_MAX && move(&g);
+         from = g) {
         quad both[2];
+        find_knees(&from, &g);
         const quad ind = g.near ? g.way * expq(g.s) : g.s;
         slopes(&g, ind, g.near ? g.u[0] * ind : g.u[0], both);
         g.slope = both[0];

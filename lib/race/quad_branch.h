@@ -7,6 +7,7 @@
 #define RACE_QUAD_BRANCH_H
 
 #include "quad_block.h"
+#include "quad_knee.h"
 
 enum quad_end {
     QUAD_PSI_INF,  /* psi -> inf, v -> v_0 e^x */
@@ -26,6 +27,7 @@ struct quad_branch {
                     to the saddle: x_excess, or -x_deficit */
     quad error, excess_error; /* of the limit and of the integral, relative to
                                  the limit's offset, to the integral */
+    struct quad_knees knees;  /* from the saddle outward */
     size_t steps, evaluations;
     size_t points; /* on the way, its end included: offsets from the saddle */
     quad path[QUAD_PATH][2];
