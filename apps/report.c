@@ -74,11 +74,14 @@ static void print_knees(FILE *out, const char *name,
                         const struct knee_number knee[], size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        fprintf(out, "  %-16s v = %.12g +- %.1e, psi = %.12g +- %.1e\n", name,
-                knee[i].v.value, knee[i].v.error, knee[i].psi.value,
-                knee[i].psi.error);
+        if (quantity_exists(&knee[i].v))
+            fprintf(out, "  %-16s v = %.12g +- %.1e, psi = %.12g +- %.1e\n",
+                    name, knee[i].v.value, knee[i].v.error, knee[i].psi.value,
+                    knee[i].psi.error);
+        else
+            fprintf(out, "  %-16s -  (%s)\n", name, knee[i].v.reason);
     if (count == 0)
-        fprintf(out, "  %-16s -  (slope never passes through 1)\n", name);
+        fprintf(out, "  %-16s -  (slope never rises through 1)\n", name);
 }
 
 /* The estimates of one xi; "-" and reasons where they do not exist. */

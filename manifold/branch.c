@@ -5,6 +5,16 @@ void branch_free(struct branch *b)
     curve_free(&b->curve);
 }
 
+int branch_graph(const struct branch *b, size_t piece)
+{
+    const double *x = curve_component(&b->curve, piece, 0);
+    bool linear = x[1] != 0.0;
+
+    for (size_t k = 2; k <= b->curve.piece[piece].degree; k++)
+        linear &= x[k] == 0.0;
+    return linear ? 0 : 1;
+}
+
 double branch_slope(const struct planar *sys, const struct branch *b,
                     size_t piece, double theta)
 {

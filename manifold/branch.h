@@ -37,6 +37,9 @@ struct branch {
 
 void branch_free(struct branch *b);
 
+/* The coordinate over which a piece is a graph, linear in theta there. */
+int branch_graph(const struct branch *b, size_t piece);
+
 /* Slope dy/dx of the manifold at theta on a piece, from the field (exact up to
  * rounding); at the saddle itself the eigenvector's. */
 double branch_slope(const struct planar *sys, const struct branch *b,

@@ -1,67 +1,45 @@
 /*
- * Knees of a branch: sign changes of the field's slope less 1 along the stored
- * polynomials, from piece to piece without a gap.  What the polynomials' own
- * slope is off there, together with the curve's error, is the error.
+ * Knees of a branch: signs of dy - dx outward, the field's along the stored
+ * polynomials, at the ends of their monotone parts (turning.c) and each held
+ * to what the curve's error (defect.c) and rounding make of it.  Between two
+ * points of certain and different signs there is a crossing, found by the
+ * field; between two of the same sign, one where the difference comes too near
+ * to zero leaves it undecided.  At the saddle, where the field is 0/0, the
+ * series tells the slope.
  */
 #include "knee.h"
 
 #include <float.h>
 #include <math.h>
 
-enum { SAMPLES = 12 };
+#include "defect.h"
+#include "newton.h"
+#include "tolerance.h"
+#include "turning.h"
+
+/* A point on the way: the sign as of dy - dx, outward, in units of the
+ * independent coordinate's change. */
+struct post {
+    double theta;
+    struct vec2 z;
+    double value, unsure; /* |value| > unsure: its sign is certain */
+};
 
 struct seeker {
     const struct planar *sys;
     const struct branch *b;
+    struct vec2 floor;
     size_t piece;
+    int ind;                /* its independent coordinate; */
+    double direction;       /* +1 where that grows outward */
+    struct defect off;      /* at the piece's start */
+    struct post last, sure; /* the last one, and the last certain one; */
+    bool has_sure, near;    /* if any; since then, some were not */
+    bool changed;           /* since then, the sign was another, */
+    struct knee found;      /* first here */
+    struct knee *knee;
+    size_t count, room;
 };
-
-/* Sign as of dy/dx - 1, smooth also where the branch is vertical: at the saddle
- * from the polynomial, elsewhere from the field. */
-static double at_saddle(const struct seeker *s)
-{
-    double d[CURVE_DIM_MAX];
-
-    curve_slope_at(&s->b->curve, 0, 0.0, d);
-    return copysign(1.0, d[0]) * (d[1] - d[0]);
-}
-
-static double by_field(const struct seeker *s, double theta)
-{
-    double at[CURVE_DIM_MAX];
-    struct planar_field f;
-
-    curve_at(&s->b->curve, s->piece, theta, at);
-    s->sys->field(s->sys->ctx, (struct vec2){ at[0], at[1] }, &f);
-    return copysign(1.0, f.direction.x) * (f.direction.y - f.direction.x);
-}
-
-/* The root in [lo, hi] of by_field, which changes sign: bracketed secant
- * steps. */
-static double root_in(const struct seeker *s, double lo, double hi)
-{
-    double at_lo = by_field(s, lo), at_hi = by_field(s, hi);
-    int side = 0;
-
-    for (int i = 0; i < 100 && hi - lo > DBL_EPSILON; i++) {
-        double t = hi - at_hi * (hi - lo) / (at_hi - at_lo);
-        if (!(t > lo && t < hi) || i % 8 == 7)
-            t = 0.5 * (lo + hi);
-        const double at = by_field(s, t);
-        if (at == 0.0)
-            return t;
-        if ((at < 0.0) == (at_lo < 0.0)) {
-            lo = t, at_lo = at;
-            at_hi *= side < 0 ? 0.5 : 1.0;
-            side = -1;
-        } else {
-            hi = t, at_hi = at;
-            at_lo *= side > 0 ? 0.5 : 1.0;
-            side = 1;
-        }
-    }
-    return 0.5 * (lo + hi);
-}
 
 static struct vec2 point_of(const struct seeker *s, double theta)
 {
@@ -71,79 +49,221 @@ static struct vec2 point_of(const struct seeker *s, double theta)
     return (struct vec2){ at[0], at[1] };
 }
 
-static double piece_error(const struct seeker *s)
+/* dy - dx over |d ind|, of the slope d dep/d ind. */
+static double value_of(const struct seeker *s, double slope)
 {
-    return s->b->curve.piece[s->piece].error;
+    return s->direction * (s->ind == 0 ? slope - 1.0 : 1.0 - slope);
 }
 
-/* How far the field's slope is off at z, where it is 1: what the curve's error
- * does to it - whether that is along x or y makes a difference of as much as
- * the error itself to the knee - and rounding. */
-static double slope_uncertainty(const struct seeker *s, struct vec2 z)
+static struct defect carry_to(const struct seeker *s, double theta)
 {
-    struct planar_jacobian J;
-
-    s->sys->jacobian(s->sys->ctx, z, &J);
-    const struct mat2 m = J.matrix;
-    const double fx = J.field.direction.x;
-    const double by_y = (m.yy - m.xy) / fx, by_x = (m.yx - m.xx) / fx;
-    const double noise =
-        4.0 * DBL_EPSILON * (4.0 + fabs(by_x * z.x) + fabs(by_y * z.y));
-    return noise + fmin(fabs(by_x), fabs(by_y)) * piece_error(s);
+    return defect_carry(s->sys, s->b, s->piece, theta, s->off);
 }
 
-/* d slope/d theta along the curve. */
-static double bend(const struct seeker *s, double theta)
+static struct post post_at(const struct seeker *s, double theta,
+                           struct defect off)
 {
-    const double h = 1e-4;
-    const double lo = fmax(theta - h, 0.0), hi = fmin(theta + h, 1.0);
-    const double below = local_slope(s->sys, 0, point_of(s, lo));
-    const double above = local_slope(s->sys, 0, point_of(s, hi));
+    const struct defect_slope d = defect_look(s->sys, s->b, s->piece, theta);
 
-    return fabs(above - below) / (hi - lo);
-}
-
-/* The crossing in [lo, hi], by the field; the polynomials' own slope there,
- * off as they are, would cross elsewhere. */
-static struct knee locate(const struct seeker *s, double lo, double hi,
-                          bool rising)
-{
-    const bool jumped = (by_field(s, lo) < 0.0) != rising;
-    const double theta = jumped ? lo : root_in(s, lo, hi);
-    const struct vec2 z = point_of(s, theta);
-    const double floor = 2.0 * piece_error(s) + 4.0 * DBL_EPSILON;
-    double d[CURVE_DIM_MAX];
-
-    curve_slope_at(&s->b->curve, s->piece, theta, d);
-    const double off =
-        slope_uncertainty(s, z) + 2.0 * fabs((d[1] - d[0]) / d[0]);
-    const double shift = off / bend(s, theta);
-    return (struct knee){
-        .z = z,
-        .error = { fabs(d[0]) * shift + floor * (1.0 + fabs(z.x)),
-                   fabs(d[1]) * shift + floor * (1.0 + fabs(z.y)) },
-        .rising = rising,
+    return (struct post){
+        .theta = theta,
+        .z = point_of(s, theta),
+        .value = value_of(s, d.slope),
+        .unsure = d.rounding + fabs(d.by_dep) * (off.curve + off.saddle),
     };
 }
 
-size_t knee_find(const struct planar *sys, const struct branch *b,
-                 struct knee knee[], size_t room)
+/* At the saddle the slope is the eigenvector's. */
+static struct post post_at_saddle(const struct seeker *s)
 {
-    struct seeker s = { sys, b, 0 };
-    size_t n = 0;
+    double way[CURVE_DIM_MAX];
 
-    double at_lo = at_saddle(&s); /* the field vanishes at the saddle */
+    curve_slope_at(&s->b->curve, 0, 0.0, way);
+    const double slope = way[1 - s->ind] / way[s->ind];
+    const double lost =
+        DBL_EPSILON * TOL_DEFECT_ROUNDINGS + s->floor.x + s->floor.y;
+    return (struct post){ .value = value_of(s, slope),
+                          .unsure = lost * fabs(slope) };
+}
+
+/* ---- the place ----------------------------------------------------------- */
+
+/* As of a post; the field is 0/0 at the saddle. */
+static double by_field(const void *ctx, double theta)
+{
+    const struct seeker *s = ctx;
+
+    return theta == s->last.theta
+               ? s->last.value
+               : value_of(s, local_slope(s->sys, s->ind, point_of(s, theta)));
+}
+
+/* First and second derivative by ind of the slope, by the polynomials. */
+static void bends_at(const struct seeker *s, double theta, double bend[2])
+{
+    const size_t n = s->b->curve.piece[s->piece].degree;
+    const double *c =
+        curve_component(&s->b->curve, s->piece, (size_t) (1 - s->ind));
+    const double unit =
+        curve_component(&s->b->curve, s->piece, (size_t) s->ind)[1];
+
+    bend[0] = bend[1] = 0.0;
+    for (size_t k = n; k >= 2; k--)
+        bend[0] = bend[0] * theta + (double) (k * (k - 1)) * c[k];
+    for (size_t k = n; k >= 3; k--)
+        bend[1] = bend[1] * theta + (double) (k * (k - 1) * (k - 2)) * c[k];
+    bend[0] /= unit * unit;
+    bend[1] /= unit * unit * unit;
+}
+
+/* What of ind changes the slope by `off`, over `off`; infinite where the slope
+ * turns before. */
+static double stretch(const double bend[2], double off)
+{
+    const double even = fabs(bend[0]);
+    const double left = even * even - 2.0 * fabs(bend[1]) * off;
+
+    return left > 0.0 ? 2.0 / (even + sqrt(left)) : HUGE_VAL;
+}
+
+/* The knee before `to`.  With S' = S_ind + S_dep along the curve, its
+ * coordinates move with the curve's error by S_dep/S' and by S_ind/S' = 1 -
+ * S_dep/S' of it, and both with the slope's. */
+static struct knee knee_before(const struct seeker *s, const struct post *to)
+{
+    struct newton_root root = { .x = to->theta };
+    const enum status found =
+        newton_find(by_field, s, s->last.theta, to->theta, 0.0, &root);
+    const double theta = root.x;
+    const struct defect e = carry_to(s, theta);
+    const double error = e.curve + e.saddle;
+    const struct defect_slope d = defect_look(s->sys, s->b, s->piece, theta);
+    const double off =
+        found == STATUS_OK ? d.rounding + fabs(d.by_dep) * error : HUGE_VAL;
+    double bend[2];
+
+    bends_at(s, theta, bend);
+    const double ind = stretch(bend, off) * off;
+    const double dep =
+        stretch(bend, off) * (d.rounding + fabs(bend[0] - d.by_dep) * error);
+    return (struct knee){
+        .kind = (to->value > 0.0) == (s->direction > 0.0) ? KNEE_RISING
+                                                          : KNEE_FALLING,
+        .z = point_of(s, theta),
+        .error = { s->ind == 0 ? ind : dep, s->ind == 0 ? dep : ind },
+    };
+}
+
+/* ---- the way ------------------------------------------------------------- */
+
+static void add(struct seeker *s, struct knee k)
+{
+    if (s->count < s->room)
+        s->knee[s->count] = k;
+    s->count++;
+}
+
+static double larger_way(double z, double u, double w)
+{
+    return fmax(fabs(z - u), fabs(z - w));
+}
+
+/* From one certain point to the next: a knee is between them at least. */
+static void add_between(struct seeker *s, const struct post *to)
+{
+    struct knee k = s->found;
+
+    if (s->has_sure && (to->value < 0.0) != (s->sure.value < 0.0)) {
+        const struct vec2 from = s->sure.z;
+        k.error.x = fmin(k.error.x, larger_way(k.z.x, from.x, to->z.x));
+        k.error.y = fmin(k.error.y, larger_way(k.z.y, from.y, to->z.y));
+        add(s, k);
+    } else if (s->near) {
+        add(s, (struct knee){ .kind = KNEE_UNDECIDED });
+    }
+}
+
+/* The next point on the way. */
+static void pass(struct seeker *s, struct post to)
+{
+    const bool apart = s->has_sure && (to.value < 0.0) != (s->sure.value < 0.0);
+
+    if (!isfinite(to.value))
+        return;
+    if (apart && !s->changed) {
+        s->found = knee_before(s, &to);
+        s->changed = true;
+    }
+    s->last = to;
+    if (!(fabs(to.value) > to.unsure)) {
+        s->near = true;
+        return;
+    }
+    add_between(s, &to);
+    s->sure = to;
+    s->has_sure = true;
+    s->near = s->changed = false;
+}
+
+/* Where the piece's slope may turn near 1. */
+static size_t find_turns(const struct seeker *s, double at[TURNING_MAX])
+{
+    const size_t n = s->b->curve.piece[s->piece].degree;
+    const double *c =
+        curve_component(&s->b->curve, s->piece, (size_t) (1 - s->ind));
+    const double unit =
+        curve_component(&s->b->curve, s->piece, (size_t) s->ind)[1];
+    double slope[JET_SIZE];
+
+    for (size_t k = 1; k <= n; k++)
+        slope[k - 1] = (double) k * c[k] / unit;
+    const struct turning_range r = turning_bound(n - 1, slope);
+    if (r.lo > 1.0 + TOL_KNEE_NEAR || r.hi < 1.0 - TOL_KNEE_NEAR)
+        return 0;
+    return turning_find(n - 1, slope, at);
+}
+
+static void enter_piece(struct seeker *s)
+{
+    const int before = s->ind;
+
+    s->ind = branch_graph(s->b, s->piece);
+    s->direction = copysign(
+        1.0, curve_component(&s->b->curve, s->piece, (size_t) s->ind)[1]);
+    s->last.theta = 0.0;
+    if (s->piece > 0 && s->ind != before) { /* along the other axis */
+        const double slope =
+            fabs(local_slope(s->sys, s->ind, point_of(s, 0.0)));
+        s->off.curve *= slope;
+        s->off.saddle *= slope;
+    }
+}
+
+static void pass_piece(struct seeker *s)
+{
+    double turn[TURNING_MAX];
+
+    enter_piece(s);
+    if (s->piece == 0)
+        pass(s, post_at_saddle(s));
+    for (size_t i = 0, n = find_turns(s, turn); i < n; i++)
+        pass(s, post_at(s, turn[i], carry_to(s, turn[i])));
+    const struct defect end = carry_to(s, 1.0);
+    pass(s, post_at(s, 1.0, end));
+    s->off = end;
+}
+
+size_t knee_find(const struct planar *sys, const struct branch *b,
+                 struct vec2 floor, struct knee knee[], size_t room)
+{
+    struct seeker s = {
+        .sys = sys, .b = b, .floor = floor, .knee = knee, .room = room
+    };
+
+    s.off = defect_start(b, floor);
     for (; s.piece < b->curve.count; s.piece++)
-        for (int i = 0; i < SAMPLES; i++) {
-            const double lo = (double) i / SAMPLES;
-            const double hi = (double) (i + 1) / SAMPLES;
-            const double at_hi = by_field(&s, hi);
-            if ((at_lo < 0.0) != (at_hi < 0.0)) {
-                if (n < room)
-                    knee[n] = locate(&s, lo, hi, at_lo < 0.0);
-                n++;
-            }
-            at_lo = at_hi;
-        }
-    return n;
+        pass_piece(&s);
+    if (s.near)
+        add(&s, (struct knee){ .kind = KNEE_UNDECIDED });
+    return s.count;
 }

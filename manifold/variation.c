@@ -205,17 +205,6 @@ static void cross_piece(struct walk *w, size_t piece)
     }
 }
 
-/* The coordinate over which a piece is a graph is linear in theta. */
-static int graph_of(const struct branch *b, size_t piece)
-{
-    const double *x = curve_component(&b->curve, piece, 0);
-    bool linear = x[1] != 0.0;
-
-    for (size_t k = 2; k <= b->curve.piece[piece].degree; k++)
-        linear &= x[k] == 0.0;
-    return linear ? 0 : 1;
-}
-
 /* The solution of A dz = -g by rows of size one: the two components of a field
  * may differ by a factor of 1e240. */
 static struct vec2 motion_of(struct mat2 A, struct vec2 g)
@@ -241,7 +230,7 @@ static void start(struct walk *w)
 
     w->sys->jacobian(w->sys->ctx, origin, &J);
     w->v->gradient(w->v->ctx, origin, &J.field, g);
-    w->ind = graph_of(w->b, 0);
+    w->ind = branch_graph(w->b, 0);
     for (size_t i = 0; i < w->v->count; i++) {
         const struct vec2 d = motion_of(J.matrix, g[i]);
         w->eta[i] =
@@ -268,7 +257,7 @@ void variation_along(const struct planar *sys, const struct branch *b,
     collocation_init(&w.rule, v->nodes);
     start(&w);
     for (size_t piece = 0; piece < b->curve.count; piece++) {
-        const int ind = graph_of(b, piece);
+        const int ind = branch_graph(b, piece);
         if (ind != w.ind)
             change_graph(&w, ind, point_at(b, piece, 0.0));
         cross_piece(&w, piece);

@@ -1,7 +1,7 @@
 /* Bars never lie: the numbers of random laws at random parameters against the
  * 113-bit branches of lib/race, at every accuracy asked for.  CHECK_COUNT sets
  * how many draws, CHECK_SEED which. */
-#include "draw.h"
+#include "drawn.h"
 
 #include "records.h"
 #include "reference_rows.h"

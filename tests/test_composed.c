@@ -96,10 +96,10 @@ static void check_ends(const struct row *r)
           "%s: upper_end %s", r->name, end_names[n->upper_end]);
     CHECK(strcmp(end_names[n->lower_end], csv_text(r->csv, "lower_end")) == 0,
           "%s: lower_end %s", r->name, end_names[n->lower_end]);
-    CHECK((double) n->knees_upper_count == csv_number(r->csv, "n_knee_up", -1),
-          "%s: %zu upper knees", r->name, n->knees_upper_count);
-    CHECK((double) n->knees_lower_count == csv_number(r->csv, "n_knee_lo", -1),
-          "%s: %zu lower knees", r->name, n->knees_lower_count);
+    CHECK((double) n->crossings_upper == csv_number(r->csv, "n_knee_up", -1),
+          "%s: %zu upper knees", r->name, n->crossings_upper);
+    CHECK((double) n->crossings_lower == csv_number(r->csv, "n_knee_lo", -1),
+          "%s: %zu lower knees", r->name, n->crossings_lower);
 }
 
 static void check_row(const struct csv *csv, double rtol, struct tally *tally)

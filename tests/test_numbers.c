@@ -143,10 +143,10 @@ static void check_knees(const struct row *r)
     const double up = lost(r, "digits_lost_alpha_vplus");
     const double low = lost(r, "digits_lost_alpha_lower");
 
-    assert_int_equal(n->knees_upper_count,
+    assert_int_equal(n->crossings_upper,
                      (size_t) csv_number(r->csv, "n_knee_up", 0));
     assert_true(gave_up(r->csv) ||
-                n->knees_lower_count ==
+                n->crossings_lower ==
                     (size_t) csv_number(r->csv, "n_knee_lo", 0));
     check_number(r, "knee_up_v", &n->knee_upper.v, 1e-11, up);
     check_number(r, "knee_up_psi", &n->knee_upper.psi, 1e-11, up);

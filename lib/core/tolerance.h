@@ -240,6 +240,18 @@
 /* From so many rows of a basin map on, threads pay. */
 #define BASIN_PARALLEL_ROWS 4096
 
+/* How far a branch is from its manifold: this many times what its polynomials'
+ * defects make of it (five Gauss points see them to a few per cent), and
+ * roundings of a field's slope, in units of roundoff. */
+#define TOL_DEFECT_BAR       2.0
+#define TOL_DEFECT_ROUNDINGS 16.0
+/* A piece whose slope stays further than this from 1 has no knee. */
+#define TOL_KNEE_NEAR 0.05
+/* Turning points: shortest part of a piece that is halved, and what counts as
+ * no coefficient, as a part of all of them. */
+#define TOL_TURNING_SHORTEST 0x1p-16
+#define TOL_TURNING_ROUNDING 1e-14
+
 /* Shortest part of a piece. */
 #define TOL_VARIATION_SHORTEST 0x1p-20
 /* The clock of an orbit: this part of the field's largest rate, so that its

@@ -383,45 +383,73 @@ struct critical_numbers numbers_critical(const struct block *b,
 static struct knee_number knee_number(const struct block *b,
                                       const struct knee *k)
 {
-    const double ex = k->error.x + 2.0 * DBL_EPSILON;
-    const double ey = k->error.y + 2.0 * DBL_EPSILON;
     const double v = b->at.v0 * exp(k->z.x), psi = b->at.psi0 * exp(k->z.y);
     const double y = b->at.y0 + k->z.y;
+    const double ex = k->error.x + 2.0 * DBL_EPSILON;
+    const double ey = k->error.y + 2.0 * DBL_EPSILON;
 
     return (struct knee_number){
-        quantity_of(v, v * ex),
+        quantity_of(v, v * expm1(ex)),
         law_psi_is_log(&b->law) ? quantity_of(y, ey + DBL_EPSILON * fabs(y))
-                                : quantity_of(psi, psi * ey),
+                                : quantity_of(psi, psi * expm1(ey)),
     };
 }
 
-static void knees_of(const struct block *b, const struct planar *sys,
-                     const struct branch *branch, struct knee_number *first,
-                     struct knee_number all[KNEES_MAX], size_t *count)
+/* In the chart, of the saddle: |d ln psi_ss/d ln v| <= 1, or psi_ss = -ln v. */
+static struct vec2 saddle_floor(const struct block *b)
 {
-    struct knee found[KNEES_MAX];
-    const size_t n = knee_find(sys, branch, found, KNEES_MAX);
-    const struct quantity none =
-        quantity_none("the slope of this branch never rises through 1");
-    bool seen = false;
+    const double x = root_floor(b), psi = fabs(b->at.psi0);
+    const bool of_log = b->law.psi_ss == PSI_SS_MINUS_LOG;
+    const double slope = law_psi_is_log(&b->law) ? (of_log ? 1.0 : psi)
+                                                 : (of_log ? 1.0 / psi : 1.0);
 
-    *first = (struct knee_number){ none, none };
-    *count = n < KNEES_MAX ? n : KNEES_MAX;
-    for (size_t i = 0; i < *count; i++) {
-        all[i] = knee_number(b, &found[i]);
-        if (found[i].rising && !seen) {
-            *first = all[i];
-            seen = true;
-        }
+    return (struct vec2){ x, slope * x };
+}
+
+/* Those of one branch. */
+struct knee_list {
+    struct knee_number *first, *all;
+    size_t *count, *crossings;
+};
+
+static void knees_of(const struct block *b, const struct planar *sys,
+                     const struct branch *branch, const struct knee_list *out)
+{
+    static const char never[] = "the slope of this branch never rises through "
+                                "1";
+    static const char undecided[] = "the slope of this branch comes too near 1 "
+                                    "to tell whether it rises through it";
+    struct knee found[2 * KNEES_MAX];
+    const struct quantity none = quantity_none(never);
+    const struct quantity unknown = quantity_none(undecided);
+    const size_t n =
+        knee_find(sys, branch, saddle_floor(b), found, 2 * KNEES_MAX);
+
+    *out->count = *out->crossings = 0;
+    for (size_t i = 0; i < n && i < 2 * KNEES_MAX; i++) {
+        const struct knee *k = &found[i];
+        *out->crossings += k->kind != KNEE_UNDECIDED;
+        if (k->kind == KNEE_FALLING || *out->count == KNEES_MAX)
+            continue;
+        out->all[(*out->count)++] =
+            k->kind == KNEE_RISING ? knee_number(b, k)
+                                   : (struct knee_number){ unknown, unknown };
     }
+    *out->first =
+        *out->count ? out->all[0] : (struct knee_number){ none, none };
 }
 
 void numbers_knees(const struct block *b, const struct planar *sys,
                    const struct branch *upper, const struct branch *lower,
                    struct critical_numbers *out)
 {
-    knees_of(b, sys, upper, &out->knee_upper, out->knees_upper,
-             &out->knees_upper_count);
-    knees_of(b, sys, lower, &out->knee_lower, out->knees_lower,
-             &out->knees_lower_count);
+    const struct knee_list up = { &out->knee_upper, out->knees_upper,
+                                  &out->knees_upper_count,
+                                  &out->crossings_upper };
+    const struct knee_list low = { &out->knee_lower, out->knees_lower,
+                                   &out->knees_lower_count,
+                                   &out->crossings_lower };
+
+    knees_of(b, sys, upper, &up);
+    knees_of(b, sys, lower, &low);
 }

@@ -52,9 +52,10 @@ struct critical_numbers {
     int8_t upper_end, lower_end; /* enum end_code; -1: no saddle */
     struct quantity v_plus, ln_v_plus;
     struct quantity v_minus, ln_v_minus, psi_at_v0;
-    struct knee_number knee_upper, knee_lower; /* first rising crossings */
+    struct knee_number knee_upper, knee_lower; /* the first ones */
     struct knee_number knees_upper[KNEES_MAX], knees_lower[KNEES_MAX];
-    size_t knees_upper_count, knees_lower_count; /* all crossings, capped */
+    size_t knees_upper_count, knees_lower_count; /* all of them, capped */
+    size_t crossings_upper, crossings_lower;     /* of slope 1, falling too */
     struct quantity x_excess, x_deficit;
     struct quantity mu_s_num, mu_s_mean, fracture_energy;
 };

@@ -16,7 +16,7 @@ const struct stage_info stage_table[STAGES] = {
                          "two stiff orbits", BIT(STEADY), ASKED(MANIFOLDS) },
     [STAGE_CRITICAL] = { "critical", "critical velocities, slip, mu_s",
                          "microseconds", BIT(STABLE), ASKED(KNEES) },
-    [STAGE_KNEES] = { "knees", "where the manifold's slope passes through 1",
+    [STAGE_KNEES] = { "knees", "where the manifold's slope rises through 1",
                       "microseconds", BIT(STABLE) | BIT(CRITICAL),
                       ASKED(KNEES) },
     [STAGE_TAYLOR] = { "taylor_series", "the manifold's power series in v",

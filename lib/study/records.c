@@ -84,7 +84,7 @@ static const struct record_field knee_fields[] = {
     FIELD(knee_number, QUANTITY, psi, "1", "interfacial state at the knee"),
 };
 const struct record_type record_knee = RECORD_TYPE(
-    "knee", "where the slope passes through 1", knee_fields, knee_number);
+    "knee", "where the slope rises through 1", knee_fields, knee_number);
 
 static const struct record_field branch_fields[] = {
     FIELD(branch_row, REAL, arc, "1",
@@ -232,7 +232,7 @@ const struct result critical_results[] = {
       .view = view_critical },
     { .path = "/critical/knees_{upper,lower}",
       .name = "knees_{upper,lower}",
-      .text = "product knees: where the branch's slope passes through 1",
+      .text = "product knees: where the branch's slope rises through 1",
       .shape = RESULT_COLUMNS,
       .type = &record_knee,
       .needs = ASKED_BY(KNEES),

@@ -325,8 +325,8 @@ static enum status put_marks(const struct study *s, const struct slope_row *row,
 static void put_critical(const struct study *s, struct row_numbers *n)
 {
     n->critical = s->critical;
-    n->knees_upper = (int64_t) s->critical.knees_upper_count;
-    n->knees_lower = (int64_t) s->critical.knees_lower_count;
+    n->knees_upper = (int64_t) s->critical.crossings_upper;
+    n->knees_lower = (int64_t) s->critical.crossings_lower;
 }
 
 /* Every quantity missing for this reason. */

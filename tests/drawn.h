@@ -1,6 +1,6 @@
-/* draw.h -- random slopes with a saddle, and its branches in 113 bits. */
-#ifndef TESTS_DRAW_H
-#define TESTS_DRAW_H
+/* drawn.h -- random slopes with a saddle, and its branches in 113 bits. */
+#ifndef TESTS_DRAWN_H
+#define TESTS_DRAWN_H
 
 #include <math.h>
 
@@ -63,28 +63,55 @@ static inline bool draw_near_fold(struct draw *d, uint64_t *seed)
                    1e-9L);
 }
 
-/* Law i of laws.h and a slope by one of these. */
-static inline bool draw_one(size_t i, uint64_t *seed,
-                            bool (*slope)(struct draw *d, uint64_t *seed),
-                            struct draw *d)
+static inline void draw_name(struct draw *d)
 {
-    if (!laws_draw(i % LAWS, seed, &d->law, &d->m))
-        return false;
+    snprintf(
+        d->name, sizeof d->name, "%s %s %s %s %s, tan alpha %.17Lg",
+        friction_form_names[d->law.form], theta_names[d->law.theta],
+        d->law.kinetics == KINETICS_COMPOSITE ? "kato_tullis"
+                                              : psi_ss_names[d->law.psi_ss],
+        timescale_names[d->law.timescale],
+        d->law.kinetics == KINETICS_LINEAR ? "linear" : "sinh", d->tan_alpha);
+}
+
+typedef bool draw_how(struct draw *d, uint64_t *seed);
+
+/* The law and the material are there already. */
+static inline bool draw_by(draw_how *slope, uint64_t *seed, struct draw *d)
+{
     for (int attempt = 0; attempt < 20; attempt++)
         if (slope(d, seed)) {
-            snprintf(d->name, sizeof d->name,
-                     "draw %zu: %s %s %s %s %s tan alpha %.17Lg", i,
-                     friction_form_names[d->law.form],
-                     theta_names[d->law.theta],
-                     d->law.kinetics == KINETICS_COMPOSITE
-                         ? "kato_tullis"
-                         : psi_ss_names[d->law.psi_ss],
-                     timescale_names[d->law.timescale],
-                     d->law.kinetics == KINETICS_LINEAR ? "linear" : "sinh",
-                     d->tan_alpha);
+            draw_name(d);
             return true;
         }
     return false;
+}
+
+/* Law i of laws.h and a slope by one of these. */
+static inline bool draw_one(size_t i, uint64_t *seed, draw_how *slope,
+                            struct draw *d)
+{
+    return laws_draw(i % LAWS, seed, &d->law, &d->m) && draw_by(slope, seed, d);
+}
+
+/* A preset in any form, of Table 2 one time in two. */
+static inline bool draw_preset(uint64_t *seed, draw_how *slope, struct draw *d)
+{
+    struct fault why;
+    size_t presets = 0;
+
+    while (law_preset_at(presets))
+        presets++;
+    d->law = *law_preset_at(check_bits(seed) % presets);
+    d->law.form = check_bits(seed) % 2 ? FRICTION_LOG : FRICTION_ASINH;
+    d->m = laws_material(seed);
+    if (check_bits(seed) % 2) {
+        const double V_c = d->m.V_c;
+        d->m = material_bristol_board();
+        d->m.V_c = V_c;
+    }
+    return law_check(&d->law, &d->m, &why) == STATUS_OK &&
+           draw_by(slope, seed, d);
 }
 
 /* The saddle that the numbers are of, to the last of 113 bits. */

@@ -1,0 +1,100 @@
+/*
+ * One exponential step from Gauss node to Gauss node, each with S_dep and the
+ * defect as they are there and the node's weight for its length (the weights'
+ * partial sums lie between the nodes: Chebyshev, Markov, Stieltjes).  Without
+ * S_dep that is Gauss quadrature, which the steep end of a Taylor step's defect
+ * takes no more than five nodes of; and S_dep of any size does no harm.
+ */
+#include "defect.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "tolerance.h"
+
+enum { NODES = 5 };
+
+/* On [0, 1]. */
+static const double node[NODES] = { 0.046910077030668004, 0.23076534494715845,
+                                    0.5, 0.76923465505284155,
+                                    0.953089922969332 };
+static const double weight[NODES] = { 0.11846344252809454, 0.23931433524968324,
+                                      0.28444444444444444, 0.23931433524968324,
+                                      0.11846344252809454 };
+
+/* Every operation of a field rounds, exponents by what they are, coordinates
+ * likewise; near the origin only what is relative counts. */
+static double rounding_of(const struct planar_field *f, struct vec2 z,
+                          const struct defect_slope *s)
+{
+    const double far = fmin(1.0, fabs(z.x) + fabs(z.y));
+    const double by_x = s->ind == 0 ? s->by_ind : s->by_dep;
+    const double by_y = s->ind == 0 ? s->by_dep : s->by_ind;
+    const double rounds = TOL_DEFECT_ROUNDINGS + fabs(f->log_scale);
+
+    return DBL_EPSILON *
+           (rounds * fabs(s->slope) + fabs(by_x) * (far + fabs(z.x)) +
+            fabs(by_y) * (far + fabs(z.y)));
+}
+
+struct defect_slope defect_look(const struct planar *sys,
+                                const struct branch *b, size_t piece,
+                                double theta)
+{
+    const int ind = branch_graph(b, piece);
+    double at[CURVE_DIM_MAX];
+    struct planar_jacobian J;
+
+    curve_at(&b->curve, piece, theta, at);
+    const struct vec2 z = { at[0], at[1] };
+    sys->jacobian(sys->ctx, z, &J);
+    const struct vec2 f = J.field.direction;
+    const struct mat2 m = J.matrix;
+    const double slope = ind == 0 ? f.y / f.x : f.x / f.y;
+    struct defect_slope s = { .ind = ind, .slope = slope };
+    if (ind == 0) {
+        s.by_ind = (m.yx - slope * m.xx) / f.x;
+        s.by_dep = (m.yy - slope * m.xy) / f.x;
+    } else {
+        s.by_ind = (m.xy - slope * m.yy) / f.y;
+        s.by_dep = (m.xx - slope * m.yx) / f.y;
+    }
+    s.rounding = rounding_of(&J.field, z, &s);
+    return s;
+}
+
+struct defect defect_start(const struct branch *b, struct vec2 floor)
+{
+    double way[CURVE_DIM_MAX];
+
+    curve_slope_at(&b->curve, 0, 0.0, way);
+    const double saddle = branch_graph(b, 0) == 0
+                              ? floor.y + fabs(way[1] / way[0]) * floor.x
+                              : floor.x + fabs(way[0] / way[1]) * floor.y;
+    return (struct defect){ 0.0, saddle };
+}
+
+/* (e^z - 1)/z */
+static double mean_growth(double z)
+{
+    return z == 0.0 ? 1.0 : expm1(z) / z;
+}
+
+struct defect defect_carry(const struct planar *sys, const struct branch *b,
+                           size_t piece, double theta, struct defect e)
+{
+    double way[CURVE_DIM_MAX];
+
+    for (int i = 0; i < NODES; i++) {
+        const double at = theta * node[i], length = theta * weight[i];
+        const struct defect_slope s = defect_look(sys, b, piece, at);
+        curve_slope_at(&b->curve, piece, at, way);
+        const double ind = way[s.ind], dep = way[1 - s.ind];
+        const double grow = s.by_dep * ind * length;
+        const double off =
+            TOL_DEFECT_BAR * fabs(dep - s.slope * ind) + s.rounding * fabs(ind);
+        e.curve = e.curve * exp(grow) + off * length * mean_growth(grow);
+        e.saddle *= exp(fmax(grow, 0.0));
+    }
+    return e;
+}
