@@ -76,6 +76,37 @@ static void a_wrong_value_in_any_number_is_a_lie(void **state)
     release(&s);
 }
 
+static void a_missing_invented_or_misplaced_knee_is_a_lie(void **state)
+{
+    static struct slope s;
+
+    (void) state;
+    find(&s, "spinodal_gen", "0.34");
+    for (int side = 0; side < SIDES; side++) {
+        struct stress_answer *a = &s.answer;
+        const struct stress_answer right = *a;
+        assert_int_equal(a->knees[side].count, 1);
+        a->knees[side].count = a->knees[side].crossings = 0;
+        assert_int_equal(judge(&s).outcome, STRESS_LIE);
+        *a = right;
+        a->knees[side].crossings++; /* falling */
+        assert_int_equal(judge(&s).outcome, STRESS_LIE);
+        *a = right;
+        a->knees[side].at[1] = a->knees[side].at[0];
+        a->knees[side].count++; /* a falling one as a knee */
+        assert_int_equal(judge(&s).outcome, STRESS_LIE);
+        *a = right;
+        a->knees[side].at[0].psi.value += 3.0 * a->knees[side].at[0].psi.error;
+        assert_int_equal(judge(&s).outcome, STRESS_LIE);
+        *a = right;
+        a->knees[side].at[0].v = quantity_none("undecided");
+        assert_int_equal(judge(&s).outcome, STRESS_DEGRADED);
+        *a = right;
+        assert_int_not_equal(judge(&s).outcome, STRESS_LIE);
+    }
+    release(&s);
+}
+
 static void a_value_that_is_no_number_is_a_lie(void **state)
 {
     static struct slope s;
@@ -477,6 +508,7 @@ int main(void)
         /* first: what others freed would not be filled */
         cmocka_unit_test(bands_as_thin_as_rounding_have_no_area),
         cmocka_unit_test(a_wrong_value_in_any_number_is_a_lie),
+        cmocka_unit_test(a_missing_invented_or_misplaced_knee_is_a_lie),
         cmocka_unit_test(a_value_that_is_no_number_is_a_lie),
         cmocka_unit_test(a_wrong_end_or_existence_is_a_lie),
         cmocka_unit_test(a_doubt_or_lost_digits_degrade),

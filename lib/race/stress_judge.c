@@ -15,8 +15,7 @@ struct stress_answer stress_answer_of(const struct study *s)
 {
     const struct critical_numbers *c = &s->critical;
     const struct saddle_numbers *p = &s->saddle_numbers;
-
-    return (struct stress_answer){
+    struct stress_answer a = {
         .saddle = s->saddle >= 0,
         .upper_end = c->upper_end,
         .lower_end = c->lower_end,
@@ -33,8 +32,20 @@ struct stress_answer stress_answer_of(const struct study *s)
                     [STRESS_X_DEFICIT] = c->x_deficit,
                     [STRESS_MU_S_NUM] = c->mu_s_num,
                     [STRESS_MU_S_MEAN] = c->mu_s_mean,
-                    [STRESS_FRACTURE_ENERGY] = c->fracture_energy },
+                    [STRESS_FRACTURE_ENERGY] = c->fracture_energy,
+                    [STRESS_KNEE_UPPER_V] = c->knee_upper.v,
+                    [STRESS_KNEE_UPPER_PSI] = c->knee_upper.psi,
+                    [STRESS_KNEE_LOWER_V] = c->knee_lower.v,
+                    [STRESS_KNEE_LOWER_PSI] = c->knee_lower.psi },
+        .knees[SIDE_UPPER] = { .count = c->knees_upper_count,
+                               .crossings = c->crossings_upper },
+        .knees[SIDE_LOWER] = { .count = c->knees_lower_count,
+                               .crossings = c->crossings_lower },
     };
+
+    memcpy(a.knees[SIDE_UPPER].at, c->knees_upper, sizeof c->knees_upper);
+    memcpy(a.knees[SIDE_LOWER].at, c->knees_lower, sizeof c->knees_lower);
+    return a;
 }
 
 /* ---- digits -------------------------------------------------------------- */
@@ -75,19 +86,18 @@ static void lower(struct stress_verdict *v, enum stress_outcome outcome,
     v->reason = reason;
 }
 
-static void hold(struct judge *j, enum stress_number which)
+static void hold(struct judge *j, const char *name, const struct quantity *q,
+                 const struct stress_true *t)
 {
     static const char lie[] = "a number is further off than its bar";
     static const char unsettled[] = "the oracle is not sure of a number";
-    const struct stress_true *t = &j->t->number[which];
-    const struct quantity *q = &j->a->number[which];
     const quad off = fabsq((quad) q->value - t->value);
     struct stress_verdict *v = j->v;
 
     v->bar = fmax(v->bar, (double) (off / (quad) q->error));
     if (!(off <= (quad) q->error + t->error + (quad) DBL_TRUE_MIN)) {
         lower(v, STRESS_LIE, lie);
-        v->worst = stress_number_names[which];
+        v->worst = name;
     }
     if (!(t->error <= STRESS_SETTLED * (quad) q->error))
         lower(v, STRESS_DEGRADED, unsettled);
@@ -117,13 +127,59 @@ static void judge_number(struct judge *j, enum stress_number which)
     const bool told = quantity_exists(&j->a->number[which]);
 
     if (told && j->t->number[which].exists) {
-        hold(j, which);
+        hold(j, stress_number_names[which], &j->a->number[which],
+             &j->t->number[which]);
         count_digits(j, which);
     } else if (told) {
         lower(j->v, STRESS_DEGRADED, "the oracle found no end of a branch");
     } else if (j->t->number[which].exists) {
         lower(j->v, STRESS_DEGRADED, j->a->number[which].reason);
     }
+}
+
+/* ---- knees --------------------------------------------------------------- */
+
+static bool is_decided(const struct judge *j, enum side side)
+{
+    for (size_t i = 0; i < j->a->knees[side].count; i++)
+        if (!quantity_exists(&j->a->knees[side].at[i].v))
+            return false;
+    return true;
+}
+
+/* Of one branch: as many crossings, as many of them rising, each in its place.
+ * Where the oracle gave up there may be more of them. */
+static void judge_knees(struct judge *j, enum side side)
+{
+    const struct quad_branch *b =
+        side == SIDE_UPPER ? &j->t->upper : &j->t->lower;
+    const size_t count = j->a->knees[side].count;
+    size_t n = 0;
+
+    if (!is_decided(j, side)) {
+        lower(j->v, STRESS_DEGRADED, "whether there is a knee is undecided");
+        return;
+    }
+    if (j->a->knees[side].crossings != b->knees.count) {
+        const bool whole = b->end != QUAD_TRUNCATED;
+        lower(j->v, whole ? STRESS_LIE : STRESS_DEGRADED,
+              j->a->knees[side].crossings < b->knees.count
+                  ? "a crossing of slope 1 is missing"
+                  : "a crossing of slope 1 is invented");
+        return;
+    }
+    for (size_t i = 0; i < b->knees.count && i < QUAD_KNEES; i++) {
+        if (!b->knees.at[i].rising)
+            continue;
+        const struct stress_knee k = stress_truth_knee(j->t, &b->knees.at[i]);
+        if (n < count) {
+            hold(j, "v of a knee", &j->a->knees[side].at[n].v, &k.v);
+            hold(j, "psi of a knee", &j->a->knees[side].at[n].psi, &k.psi);
+        }
+        n++;
+    }
+    if (n != count)
+        lower(j->v, STRESS_LIE, "a knee is none, or a falling crossing is one");
 }
 
 /* ---- the whole ----------------------------------------------------------- */
@@ -146,6 +202,8 @@ static void judge_saddle(struct judge *j, int8_t agreement)
     judge_end(j, t->lower_end, j->a->lower_end);
     for (int i = 0; i < STRESS_NUMBERS; i++)
         judge_number(j, (enum stress_number) i);
+    judge_knees(j, SIDE_UPPER);
+    judge_knees(j, SIDE_LOWER);
     if (j->v->missing > STRESS_MISSING)
         lower(j->v, STRESS_DEGRADED,
               "a number has fewer digits than conditioning allows");

@@ -27,6 +27,10 @@ enum stress_agreement { STRESS_DISAGREE, STRESS_AGREE }; /* -1: neither */
 struct stress_answer {
     bool saddle;
     int8_t upper_end, lower_end;
+    struct {
+        struct knee_number at[KNEES_MAX];
+        size_t count, crossings;
+    } knees[SIDES];                         /* all of them */
     struct quantity number[STRESS_NUMBERS]; /* with conditioning */
 };
 struct stress_answer stress_answer_of(const struct study *s);

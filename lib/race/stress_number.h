@@ -17,10 +17,14 @@ enum stress_number {
     STRESS_MU_S_NUM,
     STRESS_MU_S_MEAN,
     STRESS_FRACTURE_ENERGY,
+    STRESS_KNEE_UPPER_V, /* the first ones */
+    STRESS_KNEE_UPPER_PSI,
+    STRESS_KNEE_LOWER_V,
+    STRESS_KNEE_LOWER_PSI,
     STRESS_NUMBERS
 };
 
-/* As in the tables of records.h. */
+/* As in the tables of records.h and row_numbers.h. */
 extern const char *const stress_number_names[STRESS_NUMBERS];
 
 #endif

@@ -15,9 +15,10 @@
 #include "tolerance.h"
 
 const char *const stress_number_names[STRESS_NUMBERS] = {
-    "v_sp",      "psi_sp",   "lambda_minus", "lambda_plus",     "v_plus",
-    "ln_v_plus", "v_minus",  "ln_v_minus",   "psi_at_v0",       "x_excess",
-    "x_deficit", "mu_s_num", "mu_s_mean",    "fracture_energy",
+    "v_sp",        "psi_sp",    "lambda_minus", "lambda_plus",     "v_plus",
+    "ln_v_plus",   "v_minus",   "ln_v_minus",   "psi_at_v0",       "x_excess",
+    "x_deficit",   "mu_s_num",  "mu_s_mean",    "fracture_energy", "knee_up_v",
+    "knee_up_psi", "knee_lo_v", "knee_lo_psi",
 };
 
 struct finder {
@@ -118,6 +119,19 @@ static void find_eigenvalues(struct finder *f)
 
 /* ---- branches ------------------------------------------------------------ */
 
+struct stress_knee stress_truth_knee(const struct stress_truth *t,
+                                     const struct quad_knee *k)
+{
+    const quad v = t->at.v0 * expq(k->z[0]), y = t->at.y0 + k->z[1];
+    const bool is_log = law_psi_is_log(&t->law);
+    const quad psi = is_log ? y : expq(y);
+
+    return (struct stress_knee){
+        .v = { true, v, v * k->error },
+        .psi = { true, psi, is_log ? k->error : psi * k->error },
+    };
+}
+
 static int8_t end_of(const struct quad_branch *b)
 {
     static const int8_t code[] = {
@@ -167,6 +181,18 @@ static void put_lower(struct finder *f)
         put(t, STRESS_X_DEFICIT, -b->excess, b->excess * b->excess_error);
 }
 
+static void put_knee(struct finder *f, const struct quad_branch *b,
+                     enum stress_number v, enum stress_number psi)
+{
+    for (size_t i = b->knees.count; i-- > 0;)
+        if (i < QUAD_KNEES && b->knees.at[i].rising) {
+            const struct stress_knee k =
+                stress_truth_knee(f->out, &b->knees.at[i]);
+            f->out->number[v] = k.v;
+            f->out->number[psi] = k.psi;
+        }
+}
+
 static void find_branches(struct finder *f)
 {
     struct stress_truth *t = f->out;
@@ -180,6 +206,8 @@ static void find_branches(struct finder *f)
     if (t->upper.end == QUAD_PSI_INF)
         put_upper(f);
     put_lower(f);
+    put_knee(f, &t->upper, STRESS_KNEE_UPPER_V, STRESS_KNEE_UPPER_PSI);
+    put_knee(f, &t->lower, STRESS_KNEE_LOWER_V, STRESS_KNEE_LOWER_PSI);
 }
 
 void stress_truth_find(const struct law *law, const struct material *m,
@@ -188,7 +216,8 @@ void stress_truth_find(const struct law *law, const struct material *m,
     struct finder f = { law, m, (quad) tan_alpha, out };
     long double lo = 0.0L, hi = 0.0L;
 
-    *out = (struct stress_truth){ .upper_end = -1, .lower_end = -1 };
+    *out =
+        (struct stress_truth){ .law = *law, .upper_end = -1, .lower_end = -1 };
     if (!bracket_saddle(&f, &lo, &hi))
         return;
     const quad x =

@@ -18,7 +18,12 @@ struct stress_true {
     quad error; /* of the oracle itself, absolute */
 };
 
+struct stress_knee {
+    struct stress_true v, psi;
+};
+
 struct stress_truth {
+    struct law law;
     bool saddle, below, above;   /* a steady state below, above the saddle */
     int8_t upper_end, lower_end; /* enum end_code; -1: no saddle, or unknown */
     struct stress_true number[STRESS_NUMBERS];
@@ -31,6 +36,10 @@ struct stress_truth {
  * bounded work: some seconds at most. */
 void stress_truth_find(const struct law *law, const struct material *m,
                        long double tan_alpha, struct stress_truth *out);
+
+/* The place of a crossing on one of t's branches. */
+struct stress_knee stress_truth_knee(const struct stress_truth *t,
+                                     const struct quad_knee *k);
 
 /* On which side of the stable manifold the chart point (x, y) lies, as far as
  * the ends of its branches tell; `x` and `y` are absolute. */
