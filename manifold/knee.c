@@ -168,15 +168,18 @@ static double larger_way(double z, double u, double w)
     return fmax(fabs(z - u), fabs(z - w));
 }
 
-/* From one certain point to the next: a knee is between them at least. */
+/* From one certain point to the next: a knee is between them at least, as the
+ * saddle is. */
 static void add_between(struct seeker *s, const struct post *to)
 {
     struct knee k = s->found;
 
     if (s->has_sure && (to->value < 0.0) != (s->sure.value < 0.0)) {
         const struct vec2 from = s->sure.z;
-        k.error.x = fmin(k.error.x, larger_way(k.z.x, from.x, to->z.x));
-        k.error.y = fmin(k.error.y, larger_way(k.z.y, from.y, to->z.y));
+        const double x = larger_way(k.z.x, from.x, to->z.x);
+        const double y = larger_way(k.z.y, from.y, to->z.y);
+        k.error.x = fmin(k.error.x, x + s->floor.x);
+        k.error.y = fmin(k.error.y, y + s->floor.y);
         add(s, k);
     } else if (s->near) {
         add(s, (struct knee){ .kind = KNEE_UNDECIDED });
