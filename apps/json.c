@@ -49,7 +49,7 @@ static json_t *json_code(int8_t code, const char *const *words)
     return code < 0 ? json_null() : json_string(words[code]);
 }
 
-static json_t *json_member(const struct record_field *f, const void *member)
+json_t *json_member(const struct record_field *f, const void *member)
 {
     switch (f->kind) {
         case RECORD_REAL:

@@ -12,6 +12,7 @@
 
 /* New references, owned by the caller; NULL when out of memory. */
 json_t *json_quantity(const struct quantity *q);
+json_t *json_member(const struct record_field *f, const void *member);
 json_t *json_record(const struct record_type *type, const void *at);
 json_t *json_records(const struct record_array *a);
 

@@ -3,9 +3,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "json_results.h"
 #include "report_basin.h"
 #include "report_diagram.h"
 #include "scene_slope.h"
+#include "study_results.h"
 
 /* ---- text ------------------------------------------------------------- */
 
@@ -177,12 +179,6 @@ static json_t *parameters_json(const struct study *s)
     return j;
 }
 
-static json_t *knees_json(const struct knee_number knee[], size_t count)
-{
-    const struct record_array a = { &record_knee, knee, count };
-    return json_records(&a);
-}
-
 static json_t *cost_json(const struct study *s)
 {
     const struct stage_cost total = study_cost(s);
@@ -194,72 +190,9 @@ static json_t *cost_json(const struct study *s)
     return j;
 }
 
-static void add_critical(json_t *j, const struct study *s)
-{
-    const struct critical_numbers *c = &s->critical;
-    json_t *numbers = json_record(&record_critical, c);
-
-    json_object_update(j, numbers);
-    json_decref(numbers);
-    if (!plan_has(s->stages, STAGE_KNEES))
-        return;
-    json_object_set_new(j, "knee_upper",
-                        json_record(&record_knee, &c->knee_upper));
-    json_object_set_new(j, "knee_lower",
-                        json_record(&record_knee, &c->knee_lower));
-    json_object_set_new(j, "knees_upper",
-                        knees_json(c->knees_upper, c->knees_upper_count));
-    json_object_set_new(j, "knees_lower",
-                        knees_json(c->knees_lower, c->knees_lower_count));
-}
-
-static json_t *chi_json(const struct estimate_numbers *e)
-{
-    json_t *j = json_object(), *roots = json_array();
-
-    for (size_t i = 0; i < e->chi_roots; i++)
-        json_array_append_new(roots, json_quantity(&e->chi_root[i]));
-    json_object_set_new(j, "roots", roots);
-    json_object_set_new(j, "v_minus", json_quantity(&e->chi_v_minus));
-    json_object_set_new(j, "v_plus", json_quantity(&e->chi_v_plus));
-    return j;
-}
-
-static json_t *estimates_json(const struct estimate_numbers *e)
-{
-    const struct record_array xi = { &record_xi, e->xi, e->xi_count };
-    json_t *j = json_record(&record_estimates, e);
-
-    json_object_set_new(j, "chi", chi_json(e));
-    json_object_set_new(j, "xi", json_records(&xi));
-    return j;
-}
-
-static json_t *taylor_json(const struct taylor_series *t)
-{
-    const struct record_array terms = { &record_taylor_term, t->term,
-                                        t->terms };
-    json_t *j = json_record(&record_taylor, t);
-
-    json_object_set_new(j, "terms", json_records(&terms));
-    return j;
-}
-
-static json_t *sensitivities_json(const struct sensitivities *d)
-{
-    json_t *j = json_object();
-
-    json_object_set_new(j, "v_plus",
-                        json_record(&record_sensitivity, &d->v_plus));
-    json_object_set_new(j, "v_minus",
-                        json_record(&record_sensitivity, &d->v_minus));
-    return j;
-}
-
 json_t *report_json(const struct study *s)
 {
-    const struct record_array steady = { &record_steady, s->steady,
-                                         s->equilibria };
+    const struct results all = study_results(s);
     json_t *j = json_object();
 
     json_object_set_new(j, "law", json_string(s->block.law.preset));
@@ -269,25 +202,7 @@ json_t *report_json(const struct study *s)
                         scene_has_slope(s->scene) ? json_number(s->scene->alpha)
                                                   : json_null());
     json_object_set_new(j, "parameters", parameters_json(s));
-    if (plan_has(s->stages, STAGE_STEADY))
-        json_object_set_new(j, "equilibria", json_records(&steady));
-    if (plan_has(s->stages, STAGE_FOLDS))
-        json_object_set_new(j, "folds", json_record(&record_folds, &s->folds));
-    if (plan_has(s->stages, STAGE_STEADY))
-        json_object_set_new(j, "saddle",
-                            json_record(&record_saddle, &s->saddle_numbers));
-    if (plan_has(s->stages, STAGE_CRITICAL))
-        add_critical(j, s);
-    if (plan_has(s->stages, STAGE_TAYLOR))
-        json_object_set_new(j, "taylor_series", taylor_json(&s->taylor));
-    if (plan_has(s->stages, STAGE_ESTIMATES))
-        json_object_set_new(j, "estimates", estimates_json(&s->estimates));
-    if (plan_has(s->stages, STAGE_SENSITIVITIES))
-        json_object_set_new(j, "sensitivities",
-                            sensitivities_json(&s->sensitivities));
-    if (plan_has(s->stages, STAGE_BASINS))
-        json_object_set_new(j, "basin", report_basin_json(&s->basins));
-    report_diagrams_json(j, s);
+    j = json_results(j, &all);
     json_object_set_new(j, "cost", cost_json(s));
     return j;
 }

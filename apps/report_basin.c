@@ -22,17 +22,6 @@ static void print_fields(FILE *out, const struct fields *f)
                 c->figure ? "" : " or --figure FILE");
 }
 
-static json_t *fields_json(const struct fields *f)
-{
-    json_t *list = json_array();
-
-    for (int k = 0; k < CELL_FIELDS; k++)
-        if (f->which >> k & 1u)
-            json_array_append_new(
-                list, json_string(record_cell.fields[1 + 2 * k].name));
-    return list;
-}
-
 void report_basin_print(FILE *out, const struct basin_map *m)
 {
     fprintf(out, "basins in the window, %zu x %zu cells\n", m->columns,
@@ -51,31 +40,4 @@ void report_basin_print(FILE *out, const struct basin_map *m)
                 m->audit.cells, m->audit.disagreements);
     if (m->study->fields.which)
         print_fields(out, &m->study->fields);
-}
-
-static json_t *shares_json(const struct basin_map *m)
-{
-    json_t *all = json_object();
-
-    for (int i = 0; i < FATES; i++) {
-        if (!is_there(m, i))
-            continue;
-        json_t *one = json_object();
-        json_object_set_new(one, "log", json_quantity(&m->fraction[i].log));
-        json_object_set_new(one, "linear",
-                            json_quantity(&m->fraction[i].linear));
-        json_object_set_new(all, fate_names[i], one);
-    }
-    return all;
-}
-
-json_t *report_basin_json(const struct basin_map *m)
-{
-    json_t *audit =
-        json_pack("{sI sI}", "cells", (json_int_t) m->audit.cells,
-                  "disagreements", (json_int_t) m->audit.disagreements);
-
-    return json_pack("{s[II] so so so}", "cells", (json_int_t) m->columns,
-                     (json_int_t) m->rows, "fractions", shares_json(m), "audit",
-                     audit, "fields", fields_json(&m->study->fields));
 }

@@ -4,13 +4,8 @@
 
 #include <stdio.h>
 
-#include "json.h"
 #include "study.h"
 
 void report_basin_print(FILE *out, const struct basin_map *m);
-
-/* {"cells": [nv, npsi], "fractions": {fate: {"log", "linear"}}, "audit":
- * {"cells", "disagreements"}}; a new reference, NULL without memory. */
-json_t *report_basin_json(const struct basin_map *m);
 
 #endif

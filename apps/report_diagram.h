@@ -6,15 +6,9 @@
 
 #include <stdio.h>
 
-#include "json.h"
 #include "study.h"
 
 /* What the study's stages hold of them. */
 void report_diagrams_print(FILE *out, const struct study *s);
-
-/* The same into j: friction_law {extrema[]}, bifurcation {folds[]},
- * spring_block {sigma mass extrema[]}, fold_curves {cusp{}}, chi [{alpha v_sp0
- * v_low v_high}]. */
-void report_diagrams_json(json_t *j, const struct study *s);
 
 #endif

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "json_results.h"
 #include "stress_tolerance.h"
 
 static const char *agreement(int8_t agree)
@@ -97,34 +98,20 @@ static json_t *parameters_json(const struct scene *c)
     return j;
 }
 
-static json_t *counts_json(const struct stress *s)
-{
-    json_t *j = json_object();
-
-    for (int i = 0; i < STRESS_OUTCOMES; i++)
-        json_object_set_new(j, stress_outcome_names[i],
-                            json_integer((json_int_t) s->outcome[i]));
-    json_object_set_new(j, "counted", json_integer((json_int_t) s->counted));
-    json_object_set_new(j, "full", json_integer((json_int_t) s->full));
-    return j;
-}
-
 json_t *report_stress_json(const struct stress *s,
                            const struct stress_list *list)
 {
-    json_t *j = json_object(), *cases = json_array();
+    const struct results all = { .table = stress_tables, .run = s };
+    json_t *j = json_results(NULL, &all), *cases = json_object_get(j, "cases");
 
     for (size_t i = 0; i < s->count; i++) {
-        json_t *row = json_record(&record_stress, &s->row[i]);
+        json_t *row = json_array_get(cases, i);
         json_object_set_new(row, "parameters",
                             parameters_json(&list->at[i].scene));
         json_object_set_new(
             row, "agree",
             s->row[i].agree < 0 ? json_null() : json_boolean(s->row[i].agree));
-        json_array_append_new(cases, row);
     }
-    json_object_set_new(j, "cases", cases);
-    json_object_set_new(j, "outcomes", counts_json(s));
     return j;
 }
 

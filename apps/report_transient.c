@@ -86,29 +86,3 @@ void report_simulation_print(FILE *out, const struct simulation *s)
     for (size_t i = 0; i < s->runs; i++)
         print_run(out, &s->run[i]);
 }
-
-/* ---- JSON ---------------------------------------------------------------- */
-
-static json_t *run_json(const struct transient *t)
-{
-    const struct record_array events = { &record_transient_event, t->event,
-                                         t->events };
-    const struct record_array phases = { &record_phase, t->phase, PHASES };
-    json_t *j = json_record(&record_transient, &t->sum);
-
-    json_object_set_new(j, "reason",
-                        t->reason ? json_string(t->reason) : json_null());
-    json_object_set_new(j, "phases", json_records(&phases));
-    json_object_set_new(j, "events", json_records(&events));
-    return j;
-}
-
-json_t *report_simulation_json(const struct simulation *s)
-{
-    json_t *list = json_array(), *all = json_object();
-
-    for (size_t i = 0; i < s->runs; i++)
-        json_array_append_new(list, run_json(&s->run[i]));
-    json_object_set_new(all, "trajectories", list);
-    return all;
-}

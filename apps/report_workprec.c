@@ -102,32 +102,3 @@ void report_workprec_print(FILE *out, const struct workprec *w)
                    "runs that failed silently:");
     print_environment(out, &w->environment);
 }
-
-/* ---- JSON ------------------------------------------------------------ */
-
-static json_t *missing(const struct workprec *w)
-{
-    json_t *j = json_object();
-
-    for (int q = 0; q < WORKPREC_QUANTITIES; q++)
-        if (w->course.reason[q])
-            json_object_set_new(j, workprec_quantity_names[q],
-                                json_string(w->course.reason[q]));
-    return j;
-}
-
-json_t *report_workprec_json(const struct workprec *w)
-{
-    const struct record_array runs = { &record_workprec_run, w->run, w->runs };
-    const struct record_array ranks = { &record_workprec_fastest, w->fastest,
-                                        w->ranks };
-    json_t *j = json_object();
-
-    json_object_set_new(j, "runs", json_records(&runs));
-    json_object_set_new(j, "fastest", json_records(&ranks));
-    json_object_set_new(j, "missing", missing(w));
-    json_object_set_new(
-        j, "environment",
-        json_record(&record_workprec_environment, &w->environment));
-    return j;
-}

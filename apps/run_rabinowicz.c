@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "command.h"
+#include "json_results.h"
 #include "panel.h"
 #include "picture_rabinowicz.h"
 #include "picture_transient.h"
@@ -67,8 +68,11 @@ static enum exit_code print(const struct options *o, const struct scene *scene,
                             const struct release *r)
 {
     if (o->json)
-        return json_print(report_rabinowicz_json(r)) ? EXIT_DONE
-                                                     : command_unwritten();
+        return json_print(json_results(
+                   NULL,
+                   &(struct results){ .table = release_tables, .run = r }))
+                   ? EXIT_DONE
+                   : command_unwritten();
     if (o->quiet)
         return EXIT_DONE;
     report_rabinowicz_print(stdout, r);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "json_results.h"
 #include "number.h"
 #include "panel.h"
 #include "picture_transient.h"
@@ -119,8 +120,11 @@ static enum exit_code print_results(const struct simulation *s,
                                     const struct options *o)
 {
     if (o->json)
-        return json_print(report_simulation_json(s)) ? EXIT_DONE
-                                                     : command_unwritten();
+        return json_print(json_results(
+                   NULL,
+                   &(struct results){ .table = simulation_tables, .run = s }))
+                   ? EXIT_DONE
+                   : command_unwritten();
     if (!o->quiet)
         report_simulation_print(stdout, s);
     return EXIT_DONE;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "json_results.h"
 #include "picture_workprec.h"
 #include "progress.h"
 #include "replace.h"
@@ -86,8 +87,11 @@ static void tell_files(const struct workprec *w)
 static enum exit_code print(const struct workprec *w, const struct options *o)
 {
     if (o->json)
-        return json_print(report_workprec_json(w)) ? EXIT_DONE
-                                                   : command_unwritten();
+        return json_print(json_results(
+                   NULL,
+                   &(struct results){ .table = workprec_tables, .run = w }))
+                   ? EXIT_DONE
+                   : command_unwritten();
     if (o->quiet)
         return EXIT_DONE;
     report_workprec_print(stdout, w);

@@ -192,6 +192,55 @@ static enum status view_disagreement(const void *run, size_t k,
     return result_lend(out, row, n);
 }
 
+/* ---- what stands for the layers where there is no room for them -----------
+ */
+
+/* Columns, rows. */
+static enum status view_cells(const void *run, size_t k,
+                              struct result_view *out)
+{
+    const struct basin_map *m = &((const struct study *) run)->basins;
+    int64_t *cells = malloc(2 * sizeof *cells);
+
+    (void) k;
+    if (cells == NULL)
+        return STATUS_NO_MEMORY;
+    cells[0] = (int64_t) m->columns;
+    cells[1] = (int64_t) m->rows;
+    out->owned = cells;
+    return result_lend(out, cells, 2);
+}
+
+static enum status view_fields(const void *run, size_t k,
+                               struct result_view *out)
+{
+    const struct fields *f = &((const struct study *) run)->fields;
+    const char **name = (const char **) malloc(CELL_FIELDS * sizeof *name);
+    size_t n = 0;
+
+    (void) k;
+    if (name == NULL)
+        return STATUS_NO_MEMORY;
+    for (int i = 0; i < CELL_FIELDS; i++)
+        if (f->which >> i & 1u)
+            name[n++] = cell_fields[1 + 2 * i].name;
+    out->owned = (void *) name;
+    return result_lend(out, (const void *) name, n);
+}
+
+static const struct record_field count_fields[] = {
+    { "cells", "1", "columns and rows", 0, RECORD_COUNT, NULL },
+};
+static const struct record_type record_cells = { "cells", "size of the grid",
+                                                 count_fields, 1,
+                                                 sizeof(int64_t) };
+static const struct record_field name_fields[] = {
+    { "fields", "1", "a field of the cells", 0, RECORD_TEXT, NULL },
+};
+static const struct record_type record_names = {
+    "fields", "fields of each cell", name_fields, 1, sizeof(char *)
+};
+
 /* ---- the table ----------------------------------------------------------- */
 
 #define FATE_WORDS                                                             \
@@ -243,6 +292,10 @@ const struct result basin_results[] = {
       .needs = ASKED_BY(BASINS), .view = view_share },
     { "/basin", "basin.audit", NULL, RESULT_ATTRIBUTES, .member = "audit_*",
       .type = &record_audit, .needs = ASKED_BY(BASINS), .view = view_audit },
+    { NULL, "basin.cells", NULL, RESULT_COLUMNS, .type = &record_cells,
+      .needs = ASKED_BY(BASINS), .view = view_cells },
+    { NULL, "basin.fields", NULL, RESULT_COLUMNS, .type = &record_names,
+      .needs = ASKED_BY(BASINS), .view = view_fields },
     { "/basin/disagreement", NULL, "where the audit disagrees, if it does; "
       "the command then exits with 3", RESULT_COLUMNS,
       .type = &record_disagreement, .needs = ASKED_BY(BASINS),

@@ -219,6 +219,8 @@ const struct result steady_results[] = {
 };
 
 RESULT_VIEW(view_critical, study, &s->critical, 1)
+RESULT_VIEW(view_knee, study,
+            k ? &s->critical.knee_lower : &s->critical.knee_upper, 1)
 RESULT_VIEW(view_knees, study,
             k ? s->critical.knees_lower : s->critical.knees_upper,
             k ? s->critical.knees_lower_count : s->critical.knees_upper_count)
@@ -230,6 +232,12 @@ const struct result critical_results[] = {
       .type = &record_critical,
       .needs = ASKED_BY(CRITICAL),
       .view = view_critical },
+    { .path = "/critical/knee_{upper,lower}",
+      .name = "knee_{upper,lower}",
+      .text = "product knees: the first at which it rises through 1",
+      .type = &record_knee,
+      .needs = ASKED_BY(KNEES),
+      .view = view_knee },
     { .path = "/critical/knees_{upper,lower}",
       .name = "knees_{upper,lower}",
       .text = "product knees: where the branch's slope rises through 1",
@@ -241,7 +249,26 @@ const struct result critical_results[] = {
 };
 
 RESULT_VIEW(view_estimates, study, &s->estimates, 1)
+RESULT_VIEW(view_roots, study, s->estimates.chi_root, s->estimates.chi_roots)
 RESULT_VIEW(view_xi, study, s->estimates.xi, s->estimates.xi_count)
+
+static const struct record_field root_fields[] = {
+    { "roots", "1", "root of chi(v) = 1, (34)", 0, RECORD_QUANTITY, NULL },
+};
+static const struct record_type record_root = { "roots", "roots of chi",
+                                                root_fields, 1,
+                                                sizeof(struct quantity) };
+#define ROOT(name, member, text)                                               \
+    {                                                                          \
+        name, "1", text, offsetof(struct estimate_numbers, member),            \
+            RECORD_QUANTITY, NULL                                              \
+    }
+static const struct record_field chi_fields[] = {
+    ROOT("v_minus", chi_v_minus, "root of chi(v) = 1 below v_sp, (34)"),
+    ROOT("v_plus", chi_v_plus, "root of chi(v) = 1 above v_sp, (34)"),
+};
+static const struct record_type record_chi = RECORD_TYPE(
+    "chi", "roots of chi on both sides", chi_fields, estimate_numbers);
 
 const struct result estimate_results[] = {
     { .path = "/estimates",
@@ -249,6 +276,19 @@ const struct result estimate_results[] = {
       .text = "product estimates: the analytic estimates of the paper's "
               "section 4",
       .type = &record_estimates,
+      .needs = ASKED_BY(ESTIMATES),
+      .view = view_estimates },
+    { .path = "/estimates/chi/roots",
+      .name = "estimates.chi.roots",
+      .text = "where chi(v) = 1, all of them",
+      .shape = RESULT_COLUMNS,
+      .type = &record_root,
+      .needs = ASKED_BY(ESTIMATES),
+      .view = view_roots },
+    { .path = "/estimates/chi",
+      .name = "estimates.chi",
+      .text = "those next to v_sp0",
+      .type = &record_chi,
       .needs = ASKED_BY(ESTIMATES),
       .view = view_estimates },
     { .path = "/estimates/xi",

@@ -143,6 +143,14 @@ RESULT_VIEW(view_summary, simulation, &s->run[k].sum, 1)
 RESULT_VIEW(view_events, simulation, s->run[k].event, s->run[k].events)
 RESULT_VIEW(view_phases, simulation, s->run[k].phase, PHASES)
 
+static const struct record_field reason_fields[] = {
+    FIELD(transient, TEXT, reason, "1", "why it is undecided or lost"),
+};
+static const struct record_type record_reason =
+    RECORD_TYPE("reason", "what went wrong", reason_fields, transient);
+
+RESULT_VIEW(view_reason, simulation, &s->run[k], 1)
+
 /* clang-format off */
 static const struct result simulation_results[] = {
     { "/trajectory_K", NULL, "simulate: a run", RESULT_COLUMNS,
@@ -161,6 +169,8 @@ static const struct result simulation_results[] = {
     { "/trajectory_K/summary", "trajectories[K]", "simulate: the run as a "
       "whole", .type = &record_transient, .count = count_runs,
       .view = view_summary },
+    { NULL, "trajectories[K]", NULL, .type = &record_reason,
+      .count = count_runs, .view = view_reason },
     { "/trajectory_K/events", "trajectories[K].events",
       "simulate: what happens along it", RESULT_COLUMNS,
       .type = &record_transient_event, .count = count_runs,

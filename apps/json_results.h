@@ -1,0 +1,19 @@
+/*
+ * json_results.h -- the results of a run (result.h) as one JSON object: every
+ * one that was asked for and has a name, at its place.
+ *
+ * A record is an object, several are a list; records of one member are a list
+ * of values.  What was asked for and is not there is null at the top, and left
+ * out below.
+ */
+#ifndef APPS_JSON_RESULTS_H
+#define APPS_JSON_RESULTS_H
+
+#include "json.h"
+#include "result.h"
+
+/* Adds to the object j, after what it holds; NULL: to a new one.  Returns it;
+ * NULL, and j is gone, without memory. */
+json_t *json_results(json_t *j, const struct results *all);
+
+#endif
