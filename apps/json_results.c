@@ -108,16 +108,16 @@ static void put_view(json_t *j, const struct result *r, const char *name,
 /* ---- all ----------------------------------------------------------------- */
 
 static enum status put_result(json_t *j, const struct result *r,
-                              const void *run)
+                              const struct results *all)
 {
-    const size_t n = result_count(r, run);
+    const size_t n = result_count(r, all->run);
     enum status status = STATUS_OK;
 
     for (size_t k = 0; k < n && status == STATUS_OK; k++) {
         struct result_view v;
         char name[RESULT_NAME];
         result_name(r->name, k, NULL, name);
-        status = result_open(r, run, k, &v);
+        status = result_open(all, r, k, &v);
         if (v.here)
             put_view(j, r, name, &v);
         else if (status == STATUS_OK && strpbrk(name, ".[") == NULL &&
@@ -137,7 +137,7 @@ json_t *json_results(json_t *j, const struct results *all)
     for (size_t t = 0; all->table[t]; t++)
         for (const struct result *r = all->table[t]; r->type && !status; r++)
             if (r->name && result_asked(r, all))
-                status = put_result(j, r, all->run);
+                status = put_result(j, r, all);
     if (status == STATUS_OK)
         return j;
     json_decref(j);

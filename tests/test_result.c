@@ -95,20 +95,58 @@ static void views_lend_and_what_they_made_goes(void **state)
     const struct result there = { .type = &record_number, .view = view_there };
     const struct result made = { .type = &record_number, .view = view_made };
     const struct result nothing = { .type = &record_number };
+    const struct results all = { .run = run };
     struct result_view v;
 
     (void) state;
-    assert_int_equal(result_open(&there, run, 1, &v), STATUS_OK);
+    assert_int_equal(result_open(&all, &there, 1, &v), STATUS_OK);
     assert_true(v.here && v.records.at == &run[1] && v.records.count == 1 &&
                 v.records.type == &record_number && v.owned == NULL);
     result_close(&v);
-    assert_int_equal(result_open(&made, run, 3, &v), STATUS_OK);
+    assert_int_equal(result_open(&all, &made, 3, &v), STATUS_OK);
     assert_true(v.here && ((const struct number *) v.records.at)->x == 3.0);
     result_close(&v);
     result_close(&v);
     assert_false(v.here);
-    assert_int_equal(result_open(&nothing, run, 0, &v), STATUS_OK);
+    assert_int_equal(result_open(&all, &nothing, 0, &v), STATUS_OK);
     assert_false(v.here);
+}
+
+static enum status make_number(const void *run, void *record)
+{
+    ((struct number *) record)->x = 2.0 * *(const double *) run;
+    return STATUS_OK;
+}
+
+static void what_is_made_is_made_once_and_kept(void **state)
+{
+    static const struct result table[] = {
+        { .type = &record_number, .make = make_number, .needs = 1 },
+        { .type = &record_number, .make = make_number, .needs = 2 },
+        { .type = &record_number, .make = make_number, .needs = 4 },
+        { .path = NULL }
+    };
+    static const struct result *const tables[] = { table, NULL };
+    double run = 1.0;
+    struct result_keep kept = { .at = NULL };
+    const struct results all = { tables, &run, &kept, 3 };
+    struct result_view v;
+
+    (void) state;
+    assert_int_equal(result_keep(&kept, &all, 1), STATUS_OK);
+    run = 5.0;
+    assert_int_equal(result_keep(&kept, &all, ~(uint64_t) 0), STATUS_OK);
+    assert_int_equal(kept.count, 2);
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(result_open(&all, &table[i], 0, &v), STATUS_OK);
+        assert_true(v.here == (i < 2));
+        if (v.here)
+            assert_true(((const struct number *) v.records.at)->x ==
+                        (i ? 10.0 : 2.0));
+        result_close(&v);
+    }
+    result_keep_free(&kept);
+    result_keep_free(&kept);
 }
 
 static void what_nobody_asked_for_is_not_asked(void **state)
@@ -130,6 +168,7 @@ int main(void)
         cmocka_unit_test(what_is_too_long_is_cut),
         cmocka_unit_test(instances_are_words_unless_they_are_counted),
         cmocka_unit_test(views_lend_and_what_they_made_goes),
+        cmocka_unit_test(what_is_made_is_made_once_and_kept),
         cmocka_unit_test(what_nobody_asked_for_is_not_asked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

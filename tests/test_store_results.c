@@ -122,7 +122,7 @@ static void fill(struct run *r)
 
 static enum status write(const struct monitor *monitor, const char *path)
 {
-    const struct results all = { tables, NULL, WANTED };
+    const struct results all = { .table = tables, .asked = WANTED };
     struct results mine = all;
     struct fault why;
     struct store *st;

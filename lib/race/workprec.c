@@ -243,13 +243,13 @@ RESULT_VIEW(view_environment, workprec, &s->environment, 1)
 
 /* clang-format off */
 static const struct result workprec_results[] = {
-    { "/workprec", "missing", NULL, RESULT_ATTRIBUTES,
-      .type = &record_missing, .view = view_missing },
     { "/workprec", "runs", "workprec: methods at tolerances", RESULT_COLUMNS,
       .type = &record_workprec_run, .view = view_runs },
     { "/workprec/fastest", "fastest", "who is fastest at an accuracy",
       RESULT_COLUMNS, .type = &record_workprec_fastest,
       .view = view_fastest },
+    { "/workprec", "missing", NULL, RESULT_ATTRIBUTES,
+      .type = &record_missing, .view = view_missing },
     { "/workprec/environment", "environment", "where times were measured",
       .type = &record_workprec_environment, .view = view_environment },
     { .path = NULL },

@@ -92,15 +92,69 @@ size_t result_count(const struct result *r, const void *run)
     return words > 1 ? words : words_of(r->member ? r->member : r->name);
 }
 
-enum status result_open(const struct result *r, const void *run, size_t k,
-                        struct result_view *out)
+static const struct result_kept *find_kept(const struct result_keep *kept,
+                                           const struct result *r)
 {
+    for (size_t i = 0; kept && i < kept->count; i++)
+        if (kept->at[i].of == r)
+            return &kept->at[i];
+    return NULL;
+}
+
+enum status result_open(const struct results *all, const struct result *r,
+                        size_t k, struct result_view *out)
+{
+    const struct result_kept *kept = r->make ? find_kept(all->kept, r) : NULL;
+
     *out = (struct result_view){ .records = { .type = r->type } };
-    return r->view ? r->view(run, k, out) : STATUS_OK;
+    if (kept)
+        return result_lend(out, kept->record, 1);
+    return r->view ? r->view(all->run, k, out) : STATUS_OK;
 }
 
 void result_close(struct result_view *v)
 {
     free(v->owned);
     *v = (struct result_view){ .here = false };
+}
+
+/* ---- what is made once --------------------------------------------------- */
+
+static enum status make(struct result_keep *kept, const struct result *r,
+                        const void *run)
+{
+    void *record = calloc(1, r->type->size);
+    struct result_kept *at = realloc(kept->at, (kept->count + 1) * sizeof *at);
+    enum status status = STATUS_NO_MEMORY;
+
+    if (at)
+        kept->at = at;
+    if (at && record)
+        status = r->make(run, record);
+    if (status == STATUS_OK)
+        kept->at[kept->count++] = (struct result_kept){ r, record };
+    else
+        free(record);
+    return status;
+}
+
+enum status result_keep(struct result_keep *kept, const struct results *all,
+                        uint64_t bits)
+{
+    enum status status = STATUS_OK;
+
+    for (size_t t = 0; all->table[t]; t++)
+        for (const struct result *r = all->table[t]; r->type && !status; r++)
+            if (r->make && result_asked(r, all) && !(r->needs & ~bits) &&
+                !find_kept(kept, r))
+                status = make(kept, r, all->run);
+    return status;
+}
+
+void result_keep_free(struct result_keep *kept)
+{
+    for (size_t i = 0; i < kept->count; i++)
+        free(kept->at[i].record);
+    free(kept->at);
+    *kept = (struct result_keep){ .at = NULL };
 }

@@ -52,18 +52,31 @@ struct result {
     /* Lends instance k.  *out is clear before; STATUS_NO_MEMORY leaves it so.
      * May be called in parallel.  NULL: whoever makes the file writes it. */
     enum status (*view)(const void *run, size_t k, struct result_view *out);
+    /* Instead of a view: computes the one record there is, which the run then
+     * keeps (result_keep).  STATUS_NO_MEMORY. */
+    enum status (*make)(const void *run, void *record);
     /* Of layers: the records of rows first .. first + count - 1.  Results of
      * one group with the same function share its records. */
     enum status (*rows)(const void *run, size_t first, size_t count,
                         const struct monitor *monitor, void *records);
 };
 
+/* Records that were made, kept with the run. */
+struct result_keep {
+    struct result_kept {
+        const struct result *of;
+        void *record; /* owned */
+    } * at;           /* owned */
+    size_t count;
+};
+
 /* The results of a run: tables that end with a line without a type, in a list
  * that ends with NULL. */
 struct results {
     const struct result *const *table;
-    const void *run; /* borrowed; what views are given */
-    uint64_t asked;  /* bits that the run and its tables agree upon */
+    const void *run;                /* borrowed; what views are given */
+    const struct result_keep *kept; /* borrowed; NULL: none */
+    uint64_t asked; /* bits that the run and its tables agree upon */
 };
 
 /* Lends records from *out on; they are owned by the run. */
@@ -98,9 +111,18 @@ static inline bool result_asked(const struct result *r,
 size_t result_count(const struct result *r, const void *run);
 
 /* Instance k, if there is one; result_close either way.  STATUS_NO_MEMORY. */
-MUST_CHECK enum status result_open(const struct result *r, const void *run,
-                                   size_t k, struct result_view *out);
+MUST_CHECK enum status result_open(const struct results *all,
+                                   const struct result *r, size_t k,
+                                   struct result_view *out);
 void result_close(struct result_view *v);
+
+/* Makes what was asked for and needs nothing but `bits`, and is not kept yet.
+ * STATUS_NO_MEMORY, or that of the maker. */
+MUST_CHECK enum status result_keep(struct result_keep *kept,
+                                   const struct results *all, uint64_t bits);
+
+/* A second call is harmless. */
+void result_keep_free(struct result_keep *kept);
 
 enum { RESULT_NAME = 160 };
 

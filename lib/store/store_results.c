@@ -85,16 +85,16 @@ static enum status put_view(struct store *st, const struct result *r, size_t k,
 /* All instances; made on all threads first, for sampling a curve takes a third
  * of the time of writing it. */
 static enum status put_result(struct store *st, const struct result *r,
-                              const void *run)
+                              const struct results *all)
 {
-    const size_t n = result_count(r, run);
+    const size_t n = result_count(r, all->run);
     struct result_view *view = calloc(n + 1, sizeof *view);
     enum status status = view ? STATUS_OK : STATUS_NO_MEMORY;
     bool made = true;
 
 #pragma omp parallel for schedule(dynamic, 1) if (n > 1)
     for (size_t k = 0; k < n; k++)
-        if (view && result_open(r, run, k, &view[k]) != STATUS_OK) {
+        if (view && result_open(all, r, k, &view[k]) != STATUS_OK) {
 #pragma omp atomic write
             made = false;
         }
@@ -243,7 +243,7 @@ enum status store_put_results(struct store *st, const struct results *all,
                 status = put_layers(st, r, all, monitor);
             else if (r->shape != RESULT_LAYERS && r->path &&
                      result_asked(r, all))
-                status = put_result(st, r, all->run);
+                status = put_result(st, r, all);
             grid = r->shape == RESULT_LAYERS ? r->path : NULL;
         }
     }

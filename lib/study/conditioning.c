@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study.h"
+#include "study_results.h"
 #include "study_tolerance.h"
 
 enum { INPUT_ALPHA = MATERIAL_KEYS, INPUTS, NUMBERS_MAX = 512 };
@@ -20,56 +20,52 @@ struct numbers {
     size_t count;
 };
 
-static void add(struct numbers *n, struct quantity *q)
+static void add(struct numbers *n, const void *q)
 {
     if (n->count < NUMBERS_MAX)
-        n->at[n->count++] = q;
+        n->at[n->count++] = (struct quantity *) (uintptr_t) q;
 }
 
-static void add_record(struct numbers *n, const struct record_type *type,
-                       void *record)
+static void add_records(struct numbers *n, const struct record_array *a)
 {
-    for (size_t i = 0; i < type->count; i++)
-        if (type->fields[i].kind == RECORD_QUANTITY)
-            add(n, (void *) ((char *) record + type->fields[i].offset));
+    for (size_t i = 0; i < a->count; i++)
+        for (size_t k = 0; k < a->type->count; k++)
+            if (a->type->fields[k].kind == RECORD_QUANTITY)
+                add(n, record_member(a, i, &a->type->fields[k]));
 }
 
-static void add_knees(struct numbers *n, struct critical_numbers *c)
+/* Records that the study holds, rather than makes for whoever looks. */
+static enum status add_result(struct numbers *n, const struct results *all,
+                              const struct result *r)
 {
-    add_record(n, &record_knee, &c->knee_upper);
-    add_record(n, &record_knee, &c->knee_lower);
-    for (size_t i = 0; i < c->knees_upper_count; i++)
-        add_record(n, &record_knee, &c->knees_upper[i]);
-    for (size_t i = 0; i < c->knees_lower_count; i++)
-        add_record(n, &record_knee, &c->knees_lower[i]);
+    const size_t count = result_count(r, all->run);
+    enum status status = STATUS_OK;
+
+    for (size_t k = 0; k < count && status == STATUS_OK; k++) {
+        struct result_view v;
+        status = result_open(all, r, k, &v);
+        if (v.here && !v.owned)
+            add_records(n, &v.records);
+        result_close(&v);
+    }
+    return status;
 }
 
-static void add_estimates(struct numbers *n, struct estimate_numbers *e)
+/* Of the results that need nothing but STUDY_NUMBERS, and that one with these
+ * stages was asked for. */
+static enum status numbers_of(struct study *s, unsigned stages,
+                              struct numbers *n)
 {
-    add_record(n, &record_estimates, e);
-    add(n, &e->chi_v_minus);
-    add(n, &e->chi_v_plus);
-    for (size_t i = 0; i < e->chi_roots; i++)
-        add(n, &e->chi_root[i]);
-    for (size_t i = 0; i < e->xi_count; i++)
-        add_record(n, &record_xi, &e->xi[i]);
-}
+    const struct results all = study_results(s);
+    enum status status = study_keep(s, STUDY_NUMBERS);
 
-static struct numbers numbers_of(struct study *s, unsigned stages)
-{
-    struct numbers n = { .count = 0 };
-
-    for (size_t i = 0; i < s->equilibria; i++)
-        add_record(&n, &record_steady, &s->steady[i]);
-    add_record(&n, &record_saddle, &s->saddle_numbers);
-    add_record(&n, &record_critical, &s->critical);
-    if (plan_has(stages, STAGE_FOLDS))
-        add_record(&n, &record_folds, &s->folds);
-    if (plan_has(stages, STAGE_KNEES))
-        add_knees(&n, &s->critical);
-    if (plan_has(stages, STAGE_ESTIMATES))
-        add_estimates(&n, &s->estimates);
-    return n;
+    n->count = 0;
+    for (size_t t = 0; all.table[t]; t++)
+        for (const struct result *r = all.table[t]; r->type && !status; r++)
+            if (r->name && result_asked(r, &all) && (r->needs & stages) &&
+                !(r->needs & ~STUDY_NUMBERS))
+                status = add_result(n, &all, r);
+    return status;
 }
 
 /* ---- neighbours --------------------------------------------------------- */
@@ -77,6 +73,7 @@ static struct numbers numbers_of(struct study *s, unsigned stages)
 struct neighbour {
     struct study study;
     struct scene scene;
+    struct numbers numbers; /* of the study */
     bool found;
 };
 
@@ -111,8 +108,10 @@ static enum status recompute(struct search *f, int input, double factor,
     n->found = false;
     if (!(c->alpha < M_PI_2))
         return STATUS_OK;
-    const enum status status = study_run(&n->study, c, NULL, &why);
+    enum status status = study_run(&n->study, c, NULL, &why);
     n->found = status == STATUS_OK;
+    if (n->found)
+        status = numbers_of(&n->study, f->s->stages, &n->numbers);
     if (n->found)
         f->evaluations += study_cost(&n->study).field_evaluations;
     return status == STATUS_NO_MEMORY ? status : STATUS_OK;
@@ -145,18 +144,17 @@ static bool rate_of(const struct quantity *q, const struct quantity *up,
 static bool find_rates(struct search *f, double nudge, double rate[],
                        bool settled[])
 {
-    const struct numbers here = numbers_of(&f->here->study, f->s->stages);
-    const struct numbers up = numbers_of(&f->up->study, f->s->stages);
-    const struct numbers down = numbers_of(&f->down->study, f->s->stages);
+    const struct numbers *here = &f->here->numbers;
+    const struct numbers *up = &f->up->numbers, *down = &f->down->numbers;
     bool all = true;
 
-    if (!f->up->found || !f->down->found || up.count != here.count ||
-        down.count != here.count)
+    if (!f->up->found || !f->down->found || up->count != here->count ||
+        down->count != here->count)
         return false;
-    for (size_t i = 0; i < here.count; i++) {
+    for (size_t i = 0; i < here->count; i++) {
         if (!settled[i])
             settled[i] =
-                rate_of(here.at[i], up.at[i], down.at[i], nudge, &rate[i]);
+                rate_of(here->at[i], up->at[i], down->at[i], nudge, &rate[i]);
         all = all && settled[i];
     }
     return all;
@@ -265,7 +263,7 @@ static enum status add_inputs(struct search *f, const struct monitor *monitor)
     enum status status = recompute(f, INPUT_ALPHA, 1.0, f->here);
 
     if (status != STATUS_OK || !f->here->found ||
-        numbers_of(&f->here->study, f->s->stages).count != f->numbers.count)
+        f->here->numbers.count != f->numbers.count)
         return status; /* at a loose rtol knees may come and go */
     for (size_t i = 0; i < f->numbers.count; i++)
         if (quantity_exists(f->numbers.at[i]))
@@ -287,13 +285,12 @@ enum status conditioning_find(struct study *s, const struct monitor *monitor,
 
     if (n == NULL)
         return STATUS_NO_MEMORY;
-    struct search f = { .s = s,
-                        .numbers = numbers_of(s, s->stages),
-                        .here = &n[0],
-                        .up = &n[1],
-                        .down = &n[2],
-                        .exact = exact };
-    const enum status status = add_inputs(&f, monitor);
+    struct search f = {
+        .s = s, .here = &n[0], .up = &n[1], .down = &n[2], .exact = exact
+    };
+    enum status status = numbers_of(s, s->stages, &f.numbers);
+    if (status == STATUS_OK)
+        status = add_inputs(&f, monitor);
     for (int i = 0; i < 3; i++)
         study_free(&n[i].study);
     free(n);

@@ -121,11 +121,11 @@ static enum status view_persistence(const void *run, size_t k,
 
 /* clang-format off */
 static const struct result release_results[] = {
+    { "/rabinowicz/release", "", NULL, RESULT_ATTRIBUTES,
+      .type = &record_impact, .view = view_impact },
     { "/rabinowicz/release", "release",
       "rabinowicz: critical release distances of the law", RESULT_COLUMNS,
       .type = &record_release, .view = view_rows },
-    { "/rabinowicz/release", "", NULL, RESULT_ATTRIBUTES,
-      .type = &record_impact, .view = view_impact },
     { "/rabinowicz/l_k", NULL,
       "with data: release distances as measured", RESULT_COLUMNS,
       .type = &record_measured, .view = view_l_k },

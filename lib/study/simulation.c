@@ -171,14 +171,14 @@ static const struct result simulation_results[] = {
       .view = view_summary },
     { NULL, "trajectories[K]", NULL, .type = &record_reason,
       .count = count_runs, .view = view_reason },
-    { "/trajectory_K/events", "trajectories[K].events",
-      "simulate: what happens along it", RESULT_COLUMNS,
-      .type = &record_transient_event, .count = count_runs,
-      .view = view_events },
     { "/trajectory_K/phases", "trajectories[K].phases",
       "simulate: the three phases of sliding of the paper's section 4.4",
       RESULT_COLUMNS, .type = &record_phase, .count = count_runs,
       .view = view_phases },
+    { "/trajectory_K/events", "trajectories[K].events",
+      "simulate: what happens along it", RESULT_COLUMNS,
+      .type = &record_transient_event, .count = count_runs,
+      .view = view_events },
     { .path = NULL },
 };
 /* clang-format on */

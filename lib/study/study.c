@@ -10,6 +10,7 @@
 
 #include "conditioning.h"
 #include "scene_slope.h"
+#include "study_results.h"
 #include "study_tolerance.h"
 
 /* ---- steady states --------------------------------------------------- */
@@ -317,8 +318,7 @@ static enum status run_starts(struct study *s,
     const enum status status = trajectory_run(&s->system, &s->portrait.window,
                                               start, c->starts, o, &s->chosen);
     if (status == STATUS_BAD_ARGUMENT)
-        snprintf(why->text, sizeof why->text,
-                 "a trajectory starts outside [1e-300, 1e300]");
+        strcpy(why->text, "a trajectory starts outside [1e-300, 1e300]");
     free(start);
     return status;
 }
@@ -419,8 +419,7 @@ static enum status run_stage(struct study *s, enum stage stage,
         const struct window window = study_frame(s);
         status = portrait_init(&s->portrait, &s->system, &window);
         if (status == STATUS_BAD_ARGUMENT)
-            snprintf(why->text, sizeof why->text,
-                     "the window reaches beyond [1e-300, 1e300]");
+            strcpy(why->text, "the window reaches beyond [1e-300, 1e300]");
     }
     return status;
 }
@@ -436,6 +435,7 @@ enum status study_run(struct study *s, const struct scene *scene,
     for (int i = 0; i < STAGES && status == STATUS_OK; i++)
         if (plan_has(s->stages, (enum stage) i))
             status = run_stage(s, (enum stage) i, monitor, why);
+    status = status ? status : study_keep(s, ~(uint64_t) 0);
     if (status == STATUS_OK)
         return STATUS_OK;
     if (why->text[0] == '\0')
@@ -450,6 +450,7 @@ void study_free(struct study *s)
         branch_free(&s->stable[i]);
         orbit_free(&s->unstable[i]);
     }
+    result_keep_free(&s->kept);
     basin_map_free(&s->basins);
     fields_free(&s->fields);
     diagrams_free(&s->diagrams);

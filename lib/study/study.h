@@ -23,6 +23,7 @@
 #include "plan.h"
 #include "portrait.h"
 #include "records.h"
+#include "result.h"
 #include "sensitivity.h"
 #include "taylor_series.h"
 
@@ -66,6 +67,8 @@ struct study {
     struct basin_map basins;
     struct fields fields;
     struct diagrams diagrams; /* owned */
+
+    struct result_keep kept; /* owned; what tables say how to make */
 
     struct stage_cost cost[STAGES];
 };

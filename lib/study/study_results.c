@@ -26,6 +26,14 @@ struct results study_results(const struct study *s)
     return (struct results){
         .table = study_tables,
         .run = s,
+        .kept = &s->kept,
         .asked = s->stages | (uint64_t) s->scene->products << STAGES,
     };
+}
+
+enum status study_keep(struct study *s, uint64_t bits)
+{
+    const struct results all = study_results(s);
+
+    return result_keep(&s->kept, &all, bits);
 }

@@ -18,4 +18,14 @@ extern const struct record_type record_accuracy;
 
 struct results study_results(const struct study *s);
 
+/* The stages that numbers of one slope come from: those that cost little, and
+ * whose answers to the inputs are looked at (conditioning.h). */
+#define STUDY_NUMBERS                                                          \
+    (ASKED_BY(STEADY) | ASKED_BY(FOLDS) | ASKED_BY(CRITICAL) |                 \
+     ASKED_BY(KNEES) | ASKED_BY(ESTIMATES))
+
+/* Makes what the tables say how to make (result.h), as far as it needs nothing
+ * but these stages.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status study_keep(struct study *s, uint64_t bits);
+
 #endif
