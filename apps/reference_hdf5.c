@@ -6,6 +6,7 @@
 #include "markdown.h"
 #include "provenance.h"
 #include "release.h"
+#include "scene_shape.h"
 #include "schema.h"
 #include "simulation.h"
 #include "stress_run.h"
@@ -22,7 +23,8 @@ static const char head[] =
     "HDF5 as netCDF-4 wants it: h5py, xarray, netCDF4, ncdump and MATLAB read\n"
     "it. A file holds the groups below that its command and products give; a\n"
     "group with a K is there once for each K = 0, 1, 2, ...; {a,b} stands for\n"
-    "as many names. Numbers are dimensionless where no other unit stands: slip\n"
+    "as many names. Numbers are dimensionless where no other unit stands: "
+    "slip\n"
     "in L, slip rate in V_star, time in L/V_star, all in `/provenance`.\n"
     "\n"
     "Each data set has the attribute `long_name`, its meaning below, each but\n"
@@ -281,7 +283,7 @@ static enum status put_sweep(FILE *out)
         .alpha = 0.34,
         .tan_alpha = 0.35L,
         .window = { { 0.1, 10.0 }, { 0.1, 10.0 }, AXES_LOG },
-        .products = (1u << PRODUCTS) - 1,
+        .products = ((1u << PRODUCTS) - 1) & ~scene_shape_curves,
         .xi = &xi,
         .xi_count = 1,
         .start = &start,

@@ -9,9 +9,9 @@
 
 #define BIT(p) (1u << PRODUCT_##p)
 
-static const unsigned curves = BIT(NULLCLINES) | BIT(MANIFOLDS) |
-                               BIT(FRICTION_LAW) | BIT(SPRING_BLOCK) |
-                               BIT(BIFURCATION) | BIT(FOLD_CURVES);
+const unsigned scene_shape_curves = BIT(NULLCLINES) | BIT(MANIFOLDS) |
+                                    BIT(FRICTION_LAW) | BIT(SPRING_BLOCK) |
+                                    BIT(BIFURCATION) | BIT(FOLD_CURVES);
 static const unsigned maps = BIT(BASINS) | BIT(MARGIN) | BIT(SLIP) | BIT(TIME) |
                              BIT(FRICTION) | BIT(PEAK);
 
@@ -48,9 +48,9 @@ static enum status check_curves(const struct node *root, const struct scene *s,
     const struct node *list = node_find(root, "products");
     char what[64];
 
-    for (size_t i = 0; s->products & curves && i < list->count; i++)
+    for (size_t i = 0; s->products & scene_shape_curves && i < list->count; i++)
         for (int p = 0; p < PRODUCTS; p++)
-            if (curves & 1u << p &&
+            if (scene_shape_curves & 1u << p &&
                 strcmp(list->child[i]->text, product_names[p]) == 0) {
                 snprintf(what, sizeof what, "products: %s", product_names[p]);
                 return blame(list->child[i]->at, s, what, "study", why);

@@ -6,6 +6,9 @@
 #include "node.h"
 #include "scene.h"
 
+/* Products (bits) that are curves, which no sweep takes. */
+extern const unsigned scene_shape_curves;
+
 /* For a scene with a sweep: no curves, which are longer here than there; runs
  * from the same starts everywhere; one release distance a point; and no more
  * cells of maps in all than SCENE_SWEEP_CELLS.  Errors as scene_read. */

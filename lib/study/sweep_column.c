@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study_results.h"
 #include "sweep_product.h"
 
 /* ---- which --------------------------------------------------------------- */
@@ -71,6 +72,39 @@ enum status column_add_record(const struct column_adder *a,
     return status;
 }
 
+/* "estimates.chi" as "estimates_chi_", "" as it is. */
+static void prefix_of(const struct result *r, size_t k,
+                      char prefix[RESULT_NAME])
+{
+    result_name(r->name, k, NULL, prefix);
+    for (char *c = prefix; *c; c++)
+        *c = *c == '.' ? '_' : *c;
+    if (prefix[0])
+        strncat(prefix, "_", RESULT_NAME - strlen(prefix) - 1);
+}
+
+enum status column_add_result(const struct column_adder *a,
+                              const struct result *r)
+{
+    const size_t n = result_count(r, NULL);
+    enum status status = STATUS_OK;
+
+    for (size_t k = 0; k < n && status == STATUS_OK; k++) {
+        const size_t first = a->to->count;
+        char prefix[RESULT_NAME];
+        prefix_of(r, k, prefix);
+        status = column_add_record(
+            a,
+            &(struct column_part){ .prefix = prefix, .source = SOURCE_RESULT },
+            r->type);
+        for (size_t i = first; i < a->to->count; i++) {
+            a->to->at[i].result = r;
+            a->to->at[i].instance = k;
+        }
+    }
+    return status;
+}
+
 enum status sweep_columns_init(struct sweep_columns *c,
                                const struct scene *scene,
                                const struct sweep_dims *d)
@@ -106,45 +140,57 @@ static const void *member_of(const struct sweep_column *c,
     const size_t inner = c->entries / outer;
     const size_t offset = c->offset + entry % inner * c->stride;
 
-    switch (c->source) {
-        case SOURCE_START:
-            return (const char *) &p->start[entry / inner] + offset;
-        case SOURCE_CHI:
-            return (const char *) &p->study.diagrams.chi.slope[entry] + offset;
-        case SOURCE_POINT:
-            break;
-    }
+    if (c->source == SOURCE_START)
+        return (const char *) &p->start[entry / inner] + offset;
+    if (c->source == SOURCE_CHI)
+        return (const char *) &p->study.diagrams.chi.slope[entry] + offset;
     return (const char *) p + offset;
+}
+
+/* Copies the member of an entry, if it is there. */
+static bool read_member(const struct sweep_column *c,
+                        const struct sweep_point *p, size_t entry, void *to,
+                        size_t size)
+{
+    if (c->source != SOURCE_RESULT) {
+        memcpy(to, member_of(c, p, entry), size);
+        return true;
+    }
+    const struct results all = study_results(&p->study);
+    struct result_view v;
+    const bool here =
+        result_open(&all, c->result, c->instance, &v) == STATUS_OK && v.here;
+    if (here)
+        memcpy(to, (const char *) v.records.at + c->offset, size);
+    result_close(&v);
+    return here;
 }
 
 struct quantity sweep_column_quantity(const struct sweep_column *c,
                                       const struct sweep_point *p, size_t entry)
 {
-    struct quantity q;
+    struct quantity q = quantity_none("there is no such number");
     double real;
     int64_t count;
 
     if (p->failed)
         return quantity_none(p->failed);
-    const void *member = member_of(c, p, entry);
-    switch (c->kind) {
-        case RECORD_REAL:
-            memcpy(&real, member, sizeof real);
-            return quantity_of(real, 0.0);
-        case RECORD_COUNT:
-            memcpy(&count, member, sizeof count);
-            return quantity_of((double) count, 0.0);
-        case RECORD_QUANTITY:
-        case RECORD_CODE:
-        case RECORD_TEXT:
-            break;
-    }
-    memcpy(&q, member, sizeof q);
+    if (c->kind == RECORD_REAL && read_member(c, p, entry, &real, sizeof real))
+        return quantity_of(real, 0.0);
+    if (c->kind == RECORD_COUNT &&
+        read_member(c, p, entry, &count, sizeof count))
+        return quantity_of((double) count, 0.0);
+    if (c->kind == RECORD_QUANTITY)
+        (void) read_member(c, p, entry, &q, sizeof q);
     return q;
 }
 
 int8_t sweep_column_code(const struct sweep_column *c,
                          const struct sweep_point *p, size_t entry)
 {
-    return p->failed ? -1 : *(const int8_t *) member_of(c, p, entry);
+    int8_t code = -1;
+
+    if (!p->failed)
+        (void) read_member(c, p, entry, &code, sizeof code);
+    return code;
 }

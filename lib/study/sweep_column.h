@@ -27,8 +27,8 @@
 #include "sweep_point.h"
 
 /* Where the member of a column is: in struct sweep_point, in that of each start
- * or of each slope of chi. */
-enum sweep_source { SOURCE_POINT, SOURCE_START, SOURCE_CHI };
+ * or of each slope of chi, in a result of the study. */
+enum sweep_source { SOURCE_POINT, SOURCE_START, SOURCE_CHI, SOURCE_RESULT };
 
 enum { COLUMN_DIMS = 2 };
 
@@ -39,6 +39,8 @@ struct sweep_column {
     const char *const *codes; /* words of a code; NULL: a quantity */
     enum record_kind kind;    /* of the member; REAL and COUNT are exact */
     enum sweep_source source;
+    const struct result *result; /* SOURCE_RESULT: and its instance */
+    size_t instance;
     size_t offset; /* of the member there */
     size_t stride; /* to the next along an inner dimension */
 

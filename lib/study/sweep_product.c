@@ -1,5 +1,5 @@
-/* One table says which record of a point each product gives, and along what:
- * the records' own tables (record.h) do the rest. */
+/* Numbers that stand alone come from the study's own tables (result.h); lists
+ * are told here, with what they are along. */
 #include "sweep_product.h"
 
 #include <stdio.h>
@@ -7,62 +7,16 @@
 
 #include "scene_slope.h"
 #include "scene_sweep.h"
+#include "study_results.h"
 
 _Static_assert(sizeof(size_t) == sizeof(int64_t),
                "numbers of cells are counts of record.h");
 
-/* ---- of the study -------------------------------------------------------- */
+/* ---- lists of the study -------------------------------------------------- */
 
 #define AT(member) offsetof(struct sweep_point, member)
 #define HERE(name, member)                                                     \
     ((struct column_part){ .prefix = name, .base = AT(member) })
-
-static enum status add_saddle(const struct column_adder *a)
-{
-    return column_add_record(a, &HERE("saddle_", study.saddle_numbers),
-                             &record_saddle);
-}
-
-static enum status add_critical(const struct column_adder *a)
-{
-    return column_add_record(a, &HERE("", study.critical), &record_critical);
-}
-
-static enum status add_knees(const struct column_adder *a)
-{
-    const enum status status = column_add_record(
-        a, &HERE("knee_upper_", study.critical.knee_upper), &record_knee);
-
-    return status ? status
-                  : column_add_record(
-                        a, &HERE("knee_lower_", study.critical.knee_lower),
-                        &record_knee);
-}
-
-static enum status add_folds(const struct column_adder *a)
-{
-    return column_add_record(a, &HERE("folds_", study.folds), &record_folds);
-}
-
-static enum status add_chi_roots(const struct column_adder *a)
-{
-    static const struct record_field chi[] = {
-        { .name = "v_minus",
-          .unit = "1",
-          .text = "root of chi(v) = 1 below v_sp, (34)",
-          .offset = AT(study.estimates.chi_v_minus),
-          .kind = RECORD_QUANTITY },
-        { .name = "v_plus",
-          .unit = "1",
-          .text = "root of chi(v) = 1 above v_sp, (34)",
-          .offset = AT(study.estimates.chi_v_plus),
-          .kind = RECORD_QUANTITY },
-    };
-    const struct column_part part = { .prefix = "estimates_chi_" };
-    const enum status status = column_add(a, &part, &chi[0]);
-
-    return status ? status : column_add(a, &part, &chi[1]);
-}
 
 static enum status add_xi(const struct column_adder *a, size_t i)
 {
@@ -85,29 +39,14 @@ static enum status add_xi(const struct column_adder *a, size_t i)
     return status;
 }
 
+/* The estimates of each xi. */
 static enum status add_estimates(const struct column_adder *a)
 {
-    enum status status = column_add_record(
-        a, &HERE("estimates_", study.estimates), &record_estimates);
+    enum status status = STATUS_OK;
 
-    if (status == STATUS_OK)
-        status = add_chi_roots(a);
     for (size_t i = 0; i < a->scene->xi_count && status == STATUS_OK; i++)
         status = add_xi(a, i);
     return status;
-}
-
-static enum status add_sensitivities(const struct column_adder *a)
-{
-    const enum status status = column_add_record(
-        a, &HERE("sensitivities_v_plus_", study.sensitivities.v_plus),
-        &record_sensitivity);
-
-    return status ? status
-                  : column_add_record(a,
-                                      &HERE("sensitivities_v_minus_",
-                                            study.sensitivities.v_minus),
-                                      &record_sensitivity);
 }
 
 static enum status add_taylor(const struct column_adder *a)
@@ -117,10 +56,8 @@ static enum status add_taylor(const struct column_adder *a)
                                        .stride = sizeof(struct taylor_term),
                                        .dim = { DIM_TERM },
                                        .dims = 1 };
-    const enum status status = column_add_record(
-        a, &HERE("taylor_series_", study.taylor), &record_taylor);
 
-    return status ? status : column_add_record(a, &terms, &record_taylor_term);
+    return column_add_record(a, &terms, &record_taylor_term);
 }
 
 static enum status add_chi(const struct column_adder *a)
@@ -325,16 +262,28 @@ static enum status add_release(const struct column_adder *a)
                : STATUS_OK;
 }
 
+/* Every number that the study's tables describe, one by one. */
+static enum status add_scalars(const struct column_adder *a)
+{
+    const uint64_t steady = scene_has_slope(a->scene) ? ASKED_BY(STEADY) : 0;
+    const struct results all = {
+        .asked = a->stages | steady | (uint64_t) a->scene->products << STAGES,
+    };
+    enum status status = STATUS_OK;
+
+    for (size_t t = 0; study_tables[t]; t++)
+        for (const struct result *r = study_tables[t]; r->type && !status; r++)
+            if (r->name && r->shape == RESULT_SCALARS && result_asked(r, &all))
+                status = column_add_result(a, r);
+    return status;
+}
+
 /* By the stage that computes it. */
 static const struct {
     enum stage stage;
     enum status (*add)(const struct column_adder *a);
 } table[] = {
-    { STAGE_CRITICAL, add_critical },
-    { STAGE_KNEES, add_knees },
-    { STAGE_FOLDS, add_folds },
     { STAGE_ESTIMATES, add_estimates },
-    { STAGE_SENSITIVITIES, add_sensitivities },
     { STAGE_TAYLOR, add_taylor },
     { STAGE_CHI, add_chi },
     { STAGE_BASINS, add_basins },
@@ -344,7 +293,7 @@ static const struct {
 enum status sweep_product_add(const struct column_adder *a)
 {
     const bool steady = scene_has_slope(a->scene);
-    enum status status = steady ? add_saddle(a) : STATUS_OK;
+    enum status status = add_scalars(a);
 
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (plan_has(a->stages, table[i].stage) && status == STATUS_OK)
