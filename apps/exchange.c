@@ -173,12 +173,12 @@ char *exchange_remarks(const struct study *s)
         return NULL;
     law_formula(&s->block.law, formula, sizeof formula);
     fprintf(out, "slipway %s\n%s\n\n", SLIPWAY_VERSION, formula);
-    report_print(out, s);
+    const enum status status = report_print(out, s);
     if (study_has_manifolds(s))
         print_saddle(out, s);
     fprintf(out, "\nscene\n%s\noverrides\n%s", s->scene->text,
             s->scene->overrides);
-    const bool whole = !ferror(out);
+    const bool whole = status == STATUS_OK && !ferror(out);
     if (fclose(out) == 0 && whole)
         return text;
     free(text);

@@ -7,8 +7,9 @@
 #include "json.h"
 #include "study.h"
 
-/* Steady states, folds, saddle, critical numbers, knees, with "+-". */
-void report_print(FILE *out, const struct study *s);
+/* What was asked of a study: numbers with "+-".  STATUS_NO_MEMORY, with a part
+ * printed. */
+MUST_CHECK enum status report_print(FILE *out, const struct study *s);
 
 /* The object of `knees --json`, as far as the study went. */
 json_t *report_json(const struct study *s);

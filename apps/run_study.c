@@ -197,8 +197,10 @@ static enum exit_code print_results(const struct study *s,
 {
     if (o->json)
         return json_print(report_json(s)) ? EXIT_DONE : command_unwritten();
-    if (!o->quiet && how->print_numbers)
-        report_print(stdout, s);
+    const enum status status =
+        !o->quiet && how->print_numbers ? report_print(stdout, s) : STATUS_OK;
+    if (status != STATUS_OK)
+        return command_fail(status, status_text(status));
     if (!o->quiet)
         print_remarks(s);
     return EXIT_DONE;

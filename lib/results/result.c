@@ -65,6 +65,15 @@ void result_name(const char *pattern, size_t k, const char *field,
     }
 }
 
+void result_prefix(const struct result *r, size_t k, char prefix[RESULT_NAME])
+{
+    result_name(r->name, k, NULL, prefix);
+    for (char *c = prefix; *c; c++)
+        *c = *c == '.' ? '_' : *c;
+    if (prefix[0])
+        strncat(prefix, "_", RESULT_NAME - strlen(prefix) - 1);
+}
+
 void result_member(const struct result *r, size_t k,
                    const struct record_field *f, char name[RESULT_NAME])
 {

@@ -45,7 +45,10 @@ struct result {
     const char *member; /* what a member is called in a file, * being its name;
                            NULL: by its name */
     const struct record_type *type;
-    uint64_t needs; /* asked for by any of these bits; 0: always */
+    const char *title; /* heading for people; "": below the one before, by full
+                          names; NULL: not in text */
+    const char *note;  /* what people should know of it; lines, or NULL */
+    uint64_t needs;    /* asked for by any of these bits; 0: always */
 
     /* How many instances, where that is not said by `path`; may be NULL. */
     size_t (*count)(const void *run);
@@ -129,6 +132,10 @@ enum { RESULT_NAME = 160 };
 /* A path, name or member of instance k; `field`: what stands for *. */
 void result_name(const char *pattern, size_t k, const char *field,
                  char name[RESULT_NAME]);
+
+/* "estimates.chi" as "estimates_chi_", "" as it is: what precedes the members'
+ * names where they stand alone. */
+void result_prefix(const struct result *r, size_t k, char prefix[RESULT_NAME]);
 
 /* What a member of the result is called in its group. */
 void result_member(const struct result *r, size_t k,

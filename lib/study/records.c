@@ -198,6 +198,7 @@ RESULT_VIEW(view_folds, study, &s->folds, 1)
 const struct result steady_results[] = {
     { .path = "/equilibria",
       .name = "equilibria",
+      .title = "steady states",
       .text = "steady states, by slip rate",
       .shape = RESULT_COLUMNS,
       .type = &record_steady,
@@ -205,6 +206,7 @@ const struct result steady_results[] = {
       .view = view_steady },
     { .path = "/folds",
       .name = "folds",
+      .title = "folds",
       .text = "product folds or knees: extrema of steady-state friction",
       .type = &record_folds,
       .needs = ASKED_BY(FOLDS),
@@ -228,6 +230,7 @@ RESULT_VIEW(view_knees, study,
 const struct result critical_results[] = {
     { .path = "/critical",
       .name = "",
+      .title = "stable manifold of the saddle",
       .text = "product knees: what the stable manifold implies",
       .type = &record_critical,
       .needs = ASKED_BY(CRITICAL),
@@ -240,6 +243,7 @@ const struct result critical_results[] = {
       .view = view_knee },
     { .path = "/critical/knees_{upper,lower}",
       .name = "knees_{upper,lower}",
+      .title = "",
       .text = "product knees: where the branch's slope rises through 1",
       .shape = RESULT_COLUMNS,
       .type = &record_knee,
@@ -270,9 +274,18 @@ static const struct record_field chi_fields[] = {
 static const struct record_type record_chi = RECORD_TYPE(
     "chi", "roots of chi on both sides", chi_fields, estimate_numbers);
 
+static const char estimate_note[] =
+    "  note: x_k neglects psi_ss, so (41) diverges near alpha_f where "
+    "mu_s_mean does not;\n"
+    "  note: the xi estimate has no limit as xi -> 1; chi = 1 finds "
+    "the knees, not v_plus and v_minus;\n"
+    "  note: (43) prints 0.378 = atan(alpha_f); a friction coefficient "
+    "is tan_alpha_f, and it depends on the arbitrary e = 1e-16.\n";
+
 const struct result estimate_results[] = {
     { .path = "/estimates",
       .name = "estimates",
+      .title = "estimates of the paper (log form, c = 0)",
       .text = "product estimates: the analytic estimates of the paper's "
               "section 4",
       .type = &record_estimates,
@@ -287,12 +300,15 @@ const struct result estimate_results[] = {
       .view = view_roots },
     { .path = "/estimates/chi",
       .name = "estimates.chi",
+      .title = "",
       .text = "those next to v_sp0",
       .type = &record_chi,
       .needs = ASKED_BY(ESTIMATES),
       .view = view_estimates },
     { .path = "/estimates/xi",
       .name = "estimates.xi",
+      .title = "",
+      .note = estimate_note,
       .text = "those in eigen-coordinates, (38)",
       .shape = RESULT_COLUMNS,
       .axis = "xi",
@@ -308,6 +324,7 @@ RESULT_VIEW(view_sensitivity, study,
 const struct result sensitivity_results[] = {
     { .path = "/critical/sensitivities/{v_plus,v_minus}",
       .name = "sensitivities.{v_plus,v_minus}",
+      .title = "sensitivities d ln {v_plus,v_minus}/d p",
       .text = "product sensitivities: how a critical slip rate answers to the "
               "parameters",
       .type = &record_sensitivity,

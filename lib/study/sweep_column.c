@@ -72,17 +72,6 @@ enum status column_add_record(const struct column_adder *a,
     return status;
 }
 
-/* "estimates.chi" as "estimates_chi_", "" as it is. */
-static void prefix_of(const struct result *r, size_t k,
-                      char prefix[RESULT_NAME])
-{
-    result_name(r->name, k, NULL, prefix);
-    for (char *c = prefix; *c; c++)
-        *c = *c == '.' ? '_' : *c;
-    if (prefix[0])
-        strncat(prefix, "_", RESULT_NAME - strlen(prefix) - 1);
-}
-
 enum status column_add_result(const struct column_adder *a,
                               const struct result *r)
 {
@@ -92,7 +81,7 @@ enum status column_add_result(const struct column_adder *a,
     for (size_t k = 0; k < n && status == STATUS_OK; k++) {
         const size_t first = a->to->count;
         char prefix[RESULT_NAME];
-        prefix_of(r, k, prefix);
+        result_prefix(r, k, prefix);
         status = column_add_record(
             a,
             &(struct column_part){ .prefix = prefix, .source = SOURCE_RESULT },
@@ -169,7 +158,7 @@ static bool read_member(const struct sweep_column *c,
 struct quantity sweep_column_quantity(const struct sweep_column *c,
                                       const struct sweep_point *p, size_t entry)
 {
-    struct quantity q = quantity_none("there is no such number");
+    struct quantity q = quantity_none(status_text(STATUS_NO_MEMORY));
     double real;
     int64_t count;
 

@@ -313,6 +313,7 @@ const struct result taylor_results[] = {
       .view = view_terms },
     { .path = "/taylor_series",
       .name = "taylor_series",
+      .title = "power series of the manifold in v - v_sp",
       .type = &record_taylor,
       .needs = ASKED_BY(TAYLOR),
       .view = view_series },

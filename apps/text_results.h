@@ -1,0 +1,18 @@
+/*
+ * text_results.h -- the results of a run (result.h) for people: every one that
+ * was asked for and has a title.
+ *
+ * A record is a line for each member; records of two members a line each;
+ * longer ones a table, without bars.
+ */
+#ifndef APPS_TEXT_RESULTS_H
+#define APPS_TEXT_RESULTS_H
+
+#include <stdio.h>
+
+#include "result.h"
+
+/* STATUS_NO_MEMORY, with a part printed. */
+MUST_CHECK enum status text_results(FILE *out, const struct results *all);
+
+#endif
