@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""docs/new_law.md, done as it says: change the sources, compile, run (TAP).
+"""docs/new_law.md and new_number.md, done as they say: change the sources,
+compile, run (TAP).
 
 usage: test_new_law.py PATH_TO_SLIPWAY SOURCE_ROOT BUILD_ROOT
 
@@ -19,6 +20,7 @@ from pages import Reader, blocks
 
 SOURCE, BUILD = (os.path.realpath(path) for path in sys.argv[2:4])
 PAGE = os.path.join(SOURCE, 'docs', 'new_law.md')
+NUMBER = os.path.join(SOURCE, 'docs', 'new_number.md')
 FOLDERS = ['lib', 'manifold', 'portrait']
 
 
@@ -40,20 +42,33 @@ def apply(room, block):
         file.write(text)
 
 
-def to_compile():
-    """(source, command) of lib/friction and whoever includes its formulas."""
+def commands():
+    """name -> command of every source."""
     with open(f'{BUILD}/compile_commands.json', encoding='utf-8') as file:
-        commands = json.load(file)
-    for entry in commands:
+        found = json.load(file)
+    for entry in found:
         path = os.path.normpath(os.path.join(BUILD, entry['file']))
-        name = os.path.relpath(path, SOURCE)
+        yield os.path.relpath(path, SOURCE), shlex.split(entry['command'])
+
+
+def of_a_law():
+    """(source, command) of lib/friction and whoever includes its formulas."""
+    for name, command in commands():
         if name.split('/')[0] not in FOLDERS:
             continue
-        with open(path, encoding='utf-8') as file:
+        with open(os.path.join(SOURCE, name), encoding='utf-8') as file:
             text = file.read()
         if name.startswith('lib/friction/') or re.search(
                 r'#include "(field_lanes|field_formula|layer_lanes\w*)\.', text):
-            yield name, shlex.split(entry['command'])
+            yield name, command
+
+
+def of_a_number():
+    """The list of tables, and the new file."""
+    old, new = 'lib/study/study_results.c', 'lib/study/rise.c'
+    command = dict(commands())[old]
+    yield old, command
+    yield new, [word.replace(old, new) for word in command]
 
 
 def compiled(room, name, command):
@@ -82,11 +97,11 @@ def ran(command):
     return done.stdout
 
 
-def build(room):
+def build(room, sources, least):
     """room/slipway, which becomes the slipway of this room."""
     objects = {name: compiled(room, name, command)
-               for name, command in to_compile()}
-    expect(len(objects) > 12, objects)
+               for name, command in sources()}
+    expect(len(objects) >= least, objects)
     link = shlex.split(ran(['ninja', '-t', 'commands', '-s',
                             'apps/slipway']).splitlines()[-1])
     at = link.index('-o') + 1
@@ -108,12 +123,30 @@ def the_page_does_what_it_says(room):
             reader.write(block)
         elif block.language == 'console':
             if stale:
-                build(room)
+                build(room, of_a_law, 13)
                 stale, builds = False, builds + 1
             reader.run(block)
         else:
             expect(False, block.line, 'is not tried')
     expect(builds == 2 and reader.did >= 6, builds, reader.did)
+
+
+def a_number_is_one_file_and_two_lines(room):
+    for folder in FOLDERS:
+        shutil.copytree(os.path.join(SOURCE, folder), room.path(folder))
+    reader, files, lines = Reader(room, NUMBER), 0, 0
+    for block in blocks(NUMBER):
+        if block.language == 'diff':
+            apply(room, block)
+            lines += len(re.findall(r'^[+-](?!-- )', block.text, re.M))
+        elif block.name:
+            room.write(f'lib/study/{block.name}', block.text)
+            files += 1
+        elif block.language == 'console':
+            if reader.did == 0:
+                build(room, of_a_number, 2)
+            reader.run(block)
+    expect((files, lines) == (1, 2) and reader.did >= 7, files, lines)
 
 
 def a_change_that_does_not_fit_is_seen(room):
@@ -130,5 +163,6 @@ def a_change_that_does_not_fit_is_seen(room):
 
 run_cases([
     the_page_does_what_it_says,
+    a_number_is_one_file_and_two_lines,
     a_change_that_does_not_fit_is_seen,
 ])
