@@ -55,7 +55,6 @@ static void transients_are_those_of_the_table(void **state)
 
 /* ---- against tight runs -------------------------------------------------- */
 
-/* Its own error is mostly what is left of an orbit that only fades. */
 static struct quantity tight_value(const struct fate_result *r,
                                    const struct peaks *p, enum cell_field k)
 {

@@ -56,8 +56,7 @@ extern const struct record_type record_cell;
  * known, into out[n]; `which`: bits 1u << enum cell_field, 0 for the exit
  * reasons alone.  Each error is at most rtol times its value, but near a
  * boundary of two fates, where doubles do not allow it and bars grow like the
- * inverse distance (a state too near to tell is undecided), and where v only
- * fades, whose bar holds all the slip still to come when its orbit ends.
+ * inverse distance (a state too near to tell is undecided).
  *
  * In parallel; the same bits at any number of threads and whatever the other
  * states are.  The monitor (may be NULL) hears of "cells" done.

@@ -1,13 +1,8 @@
 /* One orbit by orbit.h until it arrives, leaves the domain, outlives the
- * doubles or comes to rest; what its end means follows from the rates there.
- * Rest in finite time: ln v falls and psi rises so fast that what is left of
- * both is nothing beside the time so far since inertia no longer carried the
- * block (moment.h).  (A state far from the slow curve
- * moves as fast in one of them only, one that rests like a power of time takes
- * as long again.)  It must be seen long before v = 1e-300, since psi and
- * psi_ss then agree to all digits that ln v and ln psi have: deep below all
- * slip rates of interest less is asked.  Meanwhile the block is stopped by a
- * friction that hardly changes, which tells what is left. */
+ * doubles or falls onto the curve along which a block comes to rest; what its
+ * end means follows from where it is.  What is left of a rest is an integral
+ * (rest_left.h): deep down an orbit would see the rounding of mu - tan(alpha)
+ * only. */
 #include "fate.h"
 
 #include <float.h>
@@ -16,6 +11,7 @@
 
 #include "moment.h"
 #include "rest_form.h"
+#include "rest_left.h"
 #include "study.h"
 #include "study_tolerance.h"
 
@@ -81,21 +77,10 @@ static bool is_beyond(const struct orbit *o)
 
 /* Of an orbit so far. */
 struct past {
-    double since; /* when a rest in finite time became possible; NaN: not yet */
-    bool fell;    /* it has been where nothing holds v above 0 */
+    bool fell;  /* it has been where nothing holds v above 0 */
+    bool rests; /* and what is left of it is known: */
+    struct rest_left left;
 };
-
-/* `since`: of struct past. */
-static bool rests(const struct study *s, const struct orbit *o, double since)
-{
-    const struct vec2 rate = moment_rates(s, o->u);
-    const double power = rest_form_of(&s->block.law, &s->block.material).power;
-    const bool deep = s->system.origin.x + o->u[0] < TOL_REST_DEEP;
-    const double soon =
-        (deep ? TOL_REST_DEEP_SOON : TOL_REST_SOON) * (o->u[2] - since);
-
-    return soon > 0.0 && -rate.x * soon > power && rate.y * soon > 1.0;
-}
 
 /* In the quadrant v > v_sp, psi < psi_sp, which cannot be left (trap.h), and
  * without a node in it: nothing bounds v. */
@@ -113,44 +98,28 @@ static bool falls(const struct study *s, const struct orbit *o)
     return s->saddle == 0 && o->u[0] < 0.0 && o->u[1] > 0.0;
 }
 
-/* The power of time that v follows from a part of the time so far, `from`, to
- * another, `to`: the rates at the end of an orbit are mostly rounding.  NaN
- * where it has no such past, or no normal number for the time. */
-static double power_of_time(const struct orbit *o, double from, double to)
+/* The power of time that v follows over the last part of the time: the rates
+ * at the end of an orbit are mostly rounding.  NaN where it has no such past,
+ * or no normal number for the time. */
+static double power_of_time(const struct orbit *o)
 {
-    double end[CURVE_DIM_MAX] = { o->u[0], o->u[1], o->u[2] };
     double u[CURVE_DIM_MAX];
 
     for (size_t i = o->curve.count; i-- > 0;) {
         curve_at(&o->curve, i, 0.0, u);
-        if (u[2] >= to * o->u[2])
-            memcpy(end, u, 3 * sizeof *u);
-        if (u[2] <= from * o->u[2])
-            return end[2] > DBL_MIN
-                       ? (end[0] - u[0]) / log(end[2] / fmax(u[2], DBL_MIN))
+        if (u[2] <= TOL_FATE_PART * o->u[2])
+            return o->u[2] > DBL_MIN
+                       ? (o->u[0] - u[0]) / log(o->u[2] / fmax(u[2], DBL_MIN))
                        : (double) NAN;
     }
     return (double) NAN;
-}
-
-/* v, which falls to 0 as t -> inf, has followed one power of time for a long
- * time. */
-static bool fades(const struct study *s, const struct orbit *o)
-{
-    if (!falls(s, o) || o->steps % TOL_FADE_STEPS != 0 ||
-        !(o->u[0] < TOL_FADE_DEPTH) || fate_at_rest(s) == FATE_REST_FINITE)
-        return false;
-    const double late = power_of_time(o, TOL_FADE_PART, 1.0);
-    const double early =
-        power_of_time(o, TOL_FADE_PART * TOL_FADE_PART, TOL_FADE_PART);
-    return late < 0.0 && fabs(late - early) <= -TOL_FADE_CHANGE * late;
 }
 
 /* An orbit that has left every scale: v -> inf or v -> 0 like a power of
  * time, or faster. */
 static enum fate fate_beyond(const struct study *s, const struct orbit *o)
 {
-    const double power = power_of_time(o, TOL_FADE_PART, 1.0);
+    const double power = power_of_time(o);
 
     return power > TOL_FATE_POWER    ? FATE_RUNAWAY
            : power < -TOL_FATE_POWER ? fate_at_rest(s)
@@ -161,14 +130,12 @@ static enum fate fate_beyond(const struct study *s, const struct orbit *o)
 static enum fate fate_at_end(const struct study *s, const struct goals *g,
                              const struct orbit *o, const struct past *past)
 {
-    if (past->fell)
+    if (past->fell || past->rests)
         return fate_at_rest(s);
     if (o->end == ORBIT_ARRIVED)
         return g->fate[o->end_index];
     if (runs_away(s, o))
         return FATE_RUNAWAY;
-    if (rests(s, o, past->since))
-        return fate_at_rest(s);
     return is_beyond(o) ? fate_beyond(s, o) : FATE_UNDECIDED;
 }
 
@@ -180,35 +147,19 @@ static const char *reason_of(const struct past *past, enum fate fate)
                       : "the orbit could not be followed to an end";
 }
 
-/* What is still to come at the end of an orbit, or nearly so; may be infinite.
- * v ~ t^-p leaves v t/(p - 1) of slip, infinite where p <= 1, or so near 1 that
- * it may be a logarithm. */
-static struct moment_rest rest_of(const struct study *s, const struct orbit *o,
-                                  enum fate fate)
-{
-    const double v = s->block.at.v0 * exp(o->u[0]), t = o->u[2];
-
-    if (fate == FATE_REST_FINITE)
-        return moment_rest_at(s, o->u);
-    if (fate != FATE_REST_ASYMPTOTIC)
-        return (struct moment_rest){ 0.0, 0.0 };
-    const double more = -power_of_time(o, TOL_FADE_PART, 1.0) - 1.0;
-    const bool grows = !(more > 0.0) || more * log(t) < TOL_FADE_LOGARITHM;
-    return (struct moment_rest){ HUGE_VAL, grows ? HUGE_VAL : v * t / more };
-}
-
 /* Work over slip.  What is left of the work is, by (27), the energy at the end
  * and that of the slope; it may all be done in hardly any slip. */
 static struct quantity mean_of(const struct study *s, const struct orbit *o,
-                               const struct quantity *slip, double left)
+                               const struct quantity *slip,
+                               const struct rest_left *left)
 {
     const double v = s->block.at.v0 * exp(o->u[0]);
     const double t = (double) s->block.tan_alpha;
     const double stop = 0.5 * material_eps2(&s->block.material) * v * v;
     const double energy = o->end == ORBIT_ARRIVED ? 0.0 : stop * hypot(1.0, t);
-    const double work = o->u[3 + BLOCK_WORK] + energy + t * left;
-    const double work_error =
-        o->error[3 + BLOCK_WORK] + 2.0 * o->error[0] * energy + t * left;
+    const double work = o->u[3 + BLOCK_WORK] + energy + t * left->slip;
+    const double work_error = o->error[3 + BLOCK_WORK] +
+                              2.0 * o->error[0] * energy + t * left->slip_error;
     const double mean = work / slip->value;
     const double known = slip->value - slip->error;
 
@@ -221,38 +172,41 @@ static struct quantity mean_of(const struct study *s, const struct orbit *o,
     return quantity_of(mean, (work_error + fabs(mean) * slip->error) / known);
 }
 
-/* The integrals of an orbit whose slip is finite; what is left of it is
- * added, and is in the bars. */
-static void observe_slip(const struct study *s, const struct orbit *o,
-                         struct moment_rest left, struct fate_result *out)
-{
-    out->slip = quantity_of(o->u[3 + BLOCK_SLIP] + left.slip,
-                            o->error[3 + BLOCK_SLIP] + left.slip);
-    out->mu_mean = mean_of(s, o, &out->slip, left.slip);
-}
-
 /* Why it has neither time nor slip; NULL: it may have. */
-static const char *why_endless(const struct study *s, const struct orbit *o,
-                               double since, enum fate fate)
+static const char *why_endless(const struct orbit *o, const struct past *past,
+                               enum fate fate)
 {
     if (fate == FATE_RUNAWAY)
         return "the block runs away";
     if (fate == FATE_UNDECIDED)
         return "the fate is undecided";
-    return o->end == ORBIT_ARRIVED || is_beyond(o) || rests(s, o, since) ||
-                   fades(s, o)
+    return o->end == ORBIT_ARRIVED || past->rests
                ? NULL
                : "the orbit could not be followed to its end";
 }
 
-static void observe_end(const struct study *s, const struct orbit *o,
-                        double since, struct fate_result *out)
+/* A sum along the orbit, with what is left, and what the orbit's errors make of
+ * that. */
+static struct quantity sum_of(const struct orbit *o, size_t i, double left,
+                              double left_error, double slope)
 {
-    const struct moment_rest left = rest_of(s, o, out->fate);
-    const char *why = why_endless(s, o, since, out->fate);
+    const double sum = o->u[i] + left;
+    const double off = fmax(o->error[0], o->error[1]);
+    const double rounding =
+        DBL_EPSILON *
+        (TOL_TIMELINE_ROUNDING + TOL_TIMELINE_STEP * (double) o->steps);
+
+    return quantity_of(sum, o->error[i] + left_error + slope * off +
+                                rounding * fabs(sum));
+}
+
+static void observe_end(const struct study *s, const struct orbit *o,
+                        const struct past *past, struct fate_result *out)
+{
+    const char *why = why_endless(o, past, out->fate);
+    const struct rest_left left = past->left;
     static const char never[] = "the block never quite stops";
-    static const char unbounded[] =
-        "the slip grows without bound, or its limit is out of reach";
+    static const char unbounded[] = "the slip grows without bound";
 
     if (why) {
         out->slip = out->time = out->mu_mean = quantity_none(why);
@@ -260,36 +214,37 @@ static void observe_end(const struct study *s, const struct orbit *o,
     }
     out->time = isinf(left.time)
                     ? quantity_none(never)
-                    : quantity_of(o->u[2] + left.time, o->error[2] + left.time);
-    if (isinf(left.slip))
+                    : sum_of(o, 2, left.time, left.time_error, left.time_slope);
+    if (isinf(left.slip)) {
         out->slip = out->mu_mean = quantity_none(unbounded);
-    else
-        observe_slip(s, o, left, out);
+        return;
+    }
+    out->slip =
+        sum_of(o, 3 + BLOCK_SLIP, left.slip, left.slip_error, left.slip_slope);
+    out->mu_mean = mean_of(s, o, &out->slip, &left);
 }
 
-static void note(const struct study *s, const struct orbit *o, double before,
+static void note(const struct study *s, const struct orbit *o,
                  struct past *past)
 {
     past->fell = past->fell || falls(s, o);
-    if (isnan(past->since) && moment_may_rest(s, o->u))
-        past->since = before;
+    past->rests = rest_left_find(s, (struct vec2){ o->u[0], o->u[1] }, o->u[2],
+                                 &past->left);
 }
 
-/* orbit_run, which also ends where the block rests or runs away; unless
- * `observe`, as soon as its fate is known; and where rounding throws it out of
- * a quadrant that cannot be left. */
+/* orbit_run, which also ends where the block runs away or what is left of its
+ * rest is known; unless `observe`, as soon as its fate is; and where rounding
+ * throws it out of a quadrant that cannot be left. */
 static enum status run(const struct study *s, struct orbit *o, bool observe,
                        const struct monitor *monitor, struct past *past)
 {
     enum status status = STATUS_OK;
 
-    note(s, o, 0.0, past);
-    while (status == STATUS_OK && o->end == ORBIT_RUNNING &&
-           !rests(s, o, past->since) && !fades(s, o) && !runs_away(s, o) &&
-           (!past->fell || (observe && falls(s, o)))) {
-        const double before = o->u[2];
+    note(s, o, past);
+    while (status == STATUS_OK && o->end == ORBIT_RUNNING && !past->rests &&
+           !runs_away(s, o) && (!past->fell || (observe && falls(s, o)))) {
         status = orbit_step(o);
-        note(s, o, before, past);
+        note(s, o, past);
         if (o->steps % TOL_MONITOR_STEPS == 0 &&
             monitor_tell(monitor, "orbit", o->steps, 0))
             status = STATUS_STOPPED;
@@ -318,7 +273,7 @@ static enum status follow(const struct study *s, struct vec2 z, double rtol,
     const struct goals goals = goals_of(s);
     struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
     struct orbit o;
-    struct past past = { .since = (double) NAN };
+    struct past past = { .fell = false };
 
     options.rtol = rtol;
     options.observables = observe ? BLOCK_EXCESS : 0;
@@ -340,7 +295,7 @@ static enum status follow(const struct study *s, struct vec2 z, double rtol,
         out->steps = o.steps;
         out->field_evaluations = o.field_calls + o.jacobian_calls;
         if (observe)
-            observe_end(s, &o, past.since, out);
+            observe_end(s, &o, &past, out);
         *last = (struct vec2){ o.u[0], o.u[1] };
         status = STATUS_OK;
     }

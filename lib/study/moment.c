@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "rest_form.h"
 #include "study.h"
 #include "study_tolerance.h"
 
@@ -147,47 +146,6 @@ struct vec2 moment_rates(const struct study *s, const double u[])
                           rate_of(f.direction.y, f.log_scale) };
 }
 
-/* A block that inertia carries, at v > (force/eps^2)^(1/2), falls as straight
- * to v = 0 as one that stops, until psi no longer follows. */
-bool moment_may_rest(const struct study *s, const double u[])
-{
-    const double x = s->system.origin.x + u[0];
-    const double carried = -0.5 * log(material_eps2(&s->block.material));
-    const bool slow = s->saddle == 0 && u[0] < 0.0 && u[1] > 0.0;
-
-    return (slow || s->equilibria == 0) && x < carried + TOL_MOMENT_CARRIED &&
-           rest_form_of(&s->block.law, &s->block.material).fate ==
-               FATE_REST_FINITE;
-}
-
-/* Positive where ln v would fall and ln psi rise by one within a part of the
- * time so far that does not count; the polynomials of a time that has hardly
- * begun may dip below 0. */
-static double at_rest(const void *ctx, double s, const double u[])
-{
-    const struct moment_watch *w = ctx;
-    const struct block *b = &w->study->block;
-    const struct vec2 rate = moment_rates(w->study, u);
-    const double power = rest_form_of(&b->law, &b->material).power;
-    const bool deep = w->study->system.origin.x + u[0] < TOL_MOMENT_DEEP;
-    const double part = deep ? TOL_REST_DEEP_SOON : w->at;
-
-    (void) s;
-    return u[2] > 0.0 && moment_may_rest(w->study, u)
-               ? fmin(-rate.x / power, rate.y) * part * u[2] - 1.0
-               : -1.0;
-}
-
-struct moment_rest moment_rest_at(const struct study *s, const double u[])
-{
-    const double power = rest_form_of(&s->block.law, &s->block.material).power;
-    const double v = s->block.at.v0 * exp(u[0]);
-    const double force = moment_excess_friction(s, place(u));
-    const double time = power * exp(u[0] - s->block.at.log_inertia) / force;
-
-    return (struct moment_rest){ time, v * time / (1.0 + power) };
-}
-
 /* ---- watches ------------------------------------------------------------- */
 
 static double (*const functions[MOMENTS])(const void *, double,
@@ -197,7 +155,6 @@ static double (*const functions[MOMENTS])(const void *, double,
     [MOMENT_PSI] = psi_level,     [MOMENT_PSI_MIN] = psi_rate,
     [MOMENT_MU_MIN] = mu_rate,    [MOMENT_V_MIN] = v_rate,
     [MOMENT_MU_NEARS] = nearness, [MOMENT_ARREST] = node_distance,
-    [MOMENT_REST] = at_rest,
 };
 
 static void add(struct moment_watches *w, const struct study *s,
@@ -233,7 +190,7 @@ static void add_critical(struct moment_watches *w, const struct study *s,
 
 void moment_watch_all(struct moment_watches *w, const struct study *s,
                       const struct moment_level *level, size_t levels,
-                      double rest, bool stop)
+                      bool stop)
 {
     const double none = (double) NAN;
 
@@ -248,11 +205,6 @@ void moment_watch_all(struct moment_watches *w, const struct study *s,
     add(w, s, MOMENT_ARREST, none, 0.0);
     w->event[w->count - 1].direction = -1;
     w->event[w->count - 1].stop = stop;
-    if (rest > 0.0) {
-        add(w, s, MOMENT_REST, none, rest);
-        w->event[w->count - 1].direction = 1;
-        w->event[w->count - 1].stop = true;
-    }
     const double near = TOL_PHASE_NEAR * (double) s->block.tan_alpha;
     add(w, s, MOMENT_MU_NEARS, near, near);
     for (size_t i = 0; i < levels && i < MOMENT_LEVELS_MAX; i++)

@@ -57,12 +57,12 @@ struct moment_watches {
 enum { MOMENT_LEVELS_MAX = 7 };
 
 /* Everything that exists in s, whose critical numbers are known, the nearness
- * that phases go by (TOL_PHASE_NEAR tan(alpha)), and the levels.  Orbits stop
- * at rest, where what is left would take less than the part `rest` of the time
- * so far (0: no watch for it), and at arrest where `stop` is true. */
+ * that phases go by (TOL_PHASE_NEAR tan(alpha)), and the levels; but rest,
+ * which nothing vanishes at (rest_left.h).  Orbits stop at arrest where `stop`
+ * is true. */
 void moment_watch_all(struct moment_watches *w, const struct study *s,
                       const struct moment_level *level, size_t levels,
-                      double rest, bool stop);
+                      bool stop);
 
 /* What a hit on the curve c means; of a turn, that it is one: *_MIN. */
 enum moment moment_of(const struct moment_watches *w,
@@ -79,17 +79,5 @@ const struct equilibrium *moment_node_at(const struct study *s, struct vec2 z,
 /* d ln v/dt and d ln psi/dt (dpsi/dt where psi is a logarithm), per t*; may be
  * infinite.  u: of the orbit. */
 struct vec2 moment_rates(const struct study *s, const double u[]);
-
-/* Whether a block could come to rest in finite time from there: its law lets it
- * (rest_form.h), no steady state is in the way, and it is slow enough to stop
- * before it slips a state's length. */
-bool moment_may_rest(const struct study *s, const double u[]);
-
-/* What is left of time and slip at the end of a rest in finite time: v falls to
- * 0 along a line, or as its law has it (rest_form.h). */
-struct moment_rest {
-    double time, slip;
-};
-struct moment_rest moment_rest_at(const struct study *s, const double u[]);
 
 #endif

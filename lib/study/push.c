@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "margin.h"
+#include "rest_form.h"
 #include "study_tolerance.h"
 
 static const struct record_field push_fields[] = {
@@ -116,21 +117,30 @@ static struct quantity told(double value, double error, const char *none)
     return isfinite(value) ? quantity_of(value, error) : quantity_none(none);
 }
 
+/* Of a block that only fades. */
+static bool slip_is_finite(const struct push *p)
+{
+    const struct block *b = &p->study.block;
+
+    return rest_form_of(&b->law, &b->material).has_slip;
+}
+
 /* What a cell tells of a state of that fate, or why there is nothing to tell
  * (as fate.c says it); false: nothing that helps. */
-static bool take_cell(const struct cell *c, struct push_answer *out)
+static bool take_cell(const struct push *p, const struct cell *c,
+                      struct push_answer *out)
 {
     const bool fades = c->exit_reason == FATE_REST_ASYMPTOTIC;
     const bool runs = c->exit_reason == FATE_RUNAWAY;
     const char *never =
         runs ? "the block runs away" : "the block never quite stops";
-    const char *unbounded =
-        runs ? never
-             : "the slip grows without bound, or its limit is out of reach";
+    const char *unbounded = runs ? never : "the slip grows without bound";
 
     if (c->exit_reason != out->fate)
         return false;
     if (!runs && !fades && !(isfinite(c->mu_mean) && isfinite(c->time)))
+        return false;
+    if (fades && !isfinite(c->slip) && slip_is_finite(p))
         return false;
     out->slip = told(c->slip, c->slip_error, unbounded);
     out->time = told(c->time, c->time_error, never);
@@ -214,7 +224,7 @@ static enum status answer(const struct push *p, struct push_state at,
     out->fate = label.fate;
     if (label.fate == FATE_UNDECIDED)
         out->slip = out->time = out->mu_mean = quantity_none(label.reason);
-    else if (!take_cell(cell, out))
+    else if (!take_cell(p, cell, out))
         s = follow(p, chart_point(p, at), monitor, out);
     return s;
 }

@@ -1,102 +1,50 @@
-/* An orbit down to where v is so small that psi = psi_ss(v) to all digits that
- * matter, and an integral over the rest. */
+/* An orbit down to where rounding shows, and from there on what is known of its
+ * end (rest_left.h). */
 #include "rest_curve.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "rest_form.h"
+#include "rest_lag.h"
+#include "rest_left.h"
 #include "slow_branch.h"
 #include "study.h"
 #include "study_tolerance.h"
 
 /* ---- far down ------------------------------------------------------------ */
 
-/* psi = psi_ss(v), in the chart. */
-static double settled_y(const struct study *s, double x)
+/* The rate psi settles at, and so on, hardly matter there; no time or slip. */
+static struct rest_point point_below(const struct study *s, double x,
+                                     const struct rest_point *last)
 {
-    const struct planar *p = &s->system;
-
-    return (double) (p->steady->y(p->ctx, (long double) (p->origin.x + x)) -
-                     (long double) p->origin.y);
-}
-
-/* What psi lags behind: there it moves along with psi_ss. */
-static double lagging_y(const struct study *s, double x)
-{
-    const double top = settled_y(s, x), h = TOL_REST_DIFFERENCE;
-    const double slope = (settled_y(s, x + h) - settled_y(s, x - h)) / (2 * h);
-    double lo = TOL_REST_LAG * exp(s->block.at.x0 + x), hi = 0.0;
-
-    for (int i = 0; i < TOL_REST_HALVINGS; i++) {
-        const double mid = 0.5 * (lo + hi);
-        struct planar_field f;
-        s->system.field(s->system.ctx, (struct vec2){ x, top - mid }, &f);
-        if (f.direction.y > slope * f.direction.x)
-            lo = mid;
-        else
-            hi = mid;
-    }
-    return top - 0.5 * (lo + hi);
-}
-
-/* -1/(d ln v/dt). */
-static double slowness(const struct study *s, double x, double y)
-{
-    const struct block *b = &s->block;
-    const double t = (double) b->tan_alpha;
-    const double mu = block_mu(b, (struct vec2){ x, y });
-
-    return material_eps2(&b->material) * exp(b->at.x0 + x) * hypot(1.0, t) /
-           (mu - t);
-}
-
-/* Time and slip on the way from x down by h, by Gauss's formula of five points;
- * y: lagging_y or settled_y. */
-static void sum_up(const struct study *s, double x, double h,
-                   double (*y)(const struct study *, double), double *time,
-                   double *slip)
-{
-    static const double node[] = { -0.9061798459386640, -0.5384693101056831,
-                                   0.0, 0.5384693101056831,
-                                   0.9061798459386640 };
-    static const double weight[] = { 0.2369268850561891, 0.4786286704993665,
-                                     0.5688888888888889, 0.4786286704993665,
-                                     0.2369268850561891 };
-
-    for (int i = 0; i < 5; i++) {
-        const double at = x - 0.5 * h * (1.0 + node[i]);
-        const double dt = 0.5 * h * weight[i] * slowness(s, at, y(s, at));
-        *time += dt;
-        *slip += exp(s->block.at.x0 + at) * dt;
-    }
-}
-
-/* To rest, from where nothing lags. */
-static void sum_all(const struct study *s, double x, double *time, double *slip)
-{
-    *time = *slip = 0.0;
-    for (int piece = 0; piece < TOL_REST_PIECES; piece++)
-        sum_up(s, x - piece, 1.0, settled_y, time, slip);
-}
-
-/* The rate psi settles at, and so on, hardly matter there. */
-static void far_down(const struct rest_curve *c, double x, struct rest_point *p)
-{
-    const struct study *s = c->study;
-    const struct rest_point *last = &c->knot[c->count - 1].at;
     const double part = exp(x - last->x);
+    const struct rest_lag l = rest_lag_at(s, x);
 
-    *p = *last;
-    p->x = x;
-    p->y = settled_y(s, x);
-    p->time_slope = slowness(s, x, p->y);
-    p->slip_slope = exp(s->block.at.x0 + x) * p->time_slope;
-    p->gap *= part;
-    p->fibre.x *= part;
-    p->fast = 1.0 / (p->gap * p->time_slope);
-    sum_all(s, x, &p->time, &p->slip);
-    p->time_error = TOL_REST_SUM * p->time;
-    p->slip_error = TOL_REST_SUM * p->slip;
+    return (struct rest_point){
+        .x = x,
+        .y = l.y,
+        .y_slope = l.y_slope,
+        .time_slope = l.slowness,
+        .slip_slope = exp(s->block.at.x0 + x) * l.slowness,
+        .fast = 1.0 / (last->gap * part * l.slowness),
+        .gap = last->gap * part,
+        .fibre = { last->fibre.x * part, last->fibre.y },
+    };
+}
+
+static bool add_left(const struct study *s, struct rest_point *p)
+{
+    const struct vec2 z = { p->x, p->y };
+    struct rest_left left;
+
+    if (!rest_left_find(s, z, 0.0, &left))
+        return false;
+    p->time = left.time;
+    p->slip = left.slip;
+    p->time_error = left.time_error;
+    p->slip_error = left.slip_error;
+    return true;
 }
 
 /* ---- knots --------------------------------------------------------------- */
@@ -169,12 +117,11 @@ static void hold_back(struct orbit *o, double bend)
         o->h = most / speed;
 }
 
-/* Down to the floor; false where it does not get there. */
+/* Down to where what is left is known; false where it does not get there. */
 static enum status descend(struct rest_curve *c, struct orbit *o,
                            const struct monitor *monitor, bool *is_down)
 {
     const struct study *s = c->study;
-    const double floor = TOL_REST_FLOOR - s->block.at.x0;
     enum status status = STATUS_OK;
 
     *is_down = false;
@@ -188,7 +135,9 @@ static enum status descend(struct rest_curve *c, struct orbit *o,
         } else {
             c->count = 0;
         }
-        *is_down = o->u[0] < floor;
+        struct rest_left left;
+        *is_down =
+            rest_left_find(s, (struct vec2){ o->u[0], o->u[1] }, 0.0, &left);
         if (*is_down || status != STATUS_OK)
             break;
         status = orbit_step(o);
@@ -203,29 +152,24 @@ static enum status descend(struct rest_curve *c, struct orbit *o,
 static enum status extend(struct rest_curve *c)
 {
     const struct study *s = c->study;
-    const double h = TOL_SLOW_LONGEST;
+    const double h = TOL_SLOW_LONGEST, d = TOL_REST_DIFFERENCE;
     enum status status = STATUS_OK;
 
     while (status == STATUS_OK &&
            c->knot[c->count - 1].at.x > TOL_REST_BOTTOM - s->block.at.x0) {
-        struct rest_knot k = c->knot[c->count - 1];
-        const double from = k.at.x, part = exp(-h);
-        const double x = k.at.x = from - h, d = TOL_REST_DIFFERENCE;
-        k.at.time = k.at.slip = 0.0;
-        sum_up(s, from, h, lagging_y, &k.at.time, &k.at.slip);
-        k.at.y = lagging_y(s, x);
-        const double late = slowness(s, x, k.at.y), v = exp(s->block.at.x0 + x);
-        const double rise = log(slowness(s, x + d, lagging_y(s, x + d)) /
-                                slowness(s, x - d, lagging_y(s, x - d))) /
+        const struct rest_knot *last = &c->knot[c->count - 1];
+        const struct rest_left gone = rest_left_between(s, last->at.x, h);
+        const double x = last->at.x - h;
+        const double rise = log(rest_lag_at(s, x + d).slowness /
+                                rest_lag_at(s, x - d).slowness) /
                             (2.0 * d);
-        k.at.y_slope = (k.at.y - lagging_y(s, x + d)) / -d;
-        k.at.time_slope = late;
-        k.at.slip_slope = v * late;
-        k.time_bend = rise * late;
-        k.slip_bend = (1.0 + rise) * v * late;
-        k.at.gap *= part;
-        k.at.fibre.x *= part;
-        k.at.fast = 1.0 / (k.at.gap * late);
+        struct rest_knot k = { .at = point_below(s, x, &last->at) };
+        k.at.time = gone.time;
+        k.at.slip = gone.slip;
+        k.time_bar = last->time_bar + gone.time_error;
+        k.slip_bar = last->slip_bar + gone.slip_error;
+        k.time_bend = rise * k.at.time_slope;
+        k.slip_bend = (1.0 + rise) * k.at.slip_slope;
         status = push(c, &k);
     }
     return status;
@@ -237,10 +181,16 @@ static enum status extend(struct rest_curve *c)
 static void look_back(struct rest_curve *c)
 {
     const struct rest_knot *end = &c->knot[c->count - 1];
-    double time, slip, missed[2] = { end->time_bar, end->slip_bar };
-    double time_bar = 0.0, slip_bar = 0.0;
+    struct rest_point last = end->at;
 
-    sum_all(c->study, end->at.x, &time, &slip);
+    if (!add_left(c->study, &last)) {
+        c->count = 0;
+        return;
+    }
+    double time = last.time, slip = last.slip;
+    double missed[2] = { end->time_bar, end->slip_bar };
+    double time_bar = last.time_error, slip_bar = last.slip_error;
+
     for (size_t i = c->count; i-- > 0;) {
         struct rest_knot *k = &c->knot[i];
         const double dt = k->at.time, dx = k->at.slip;
@@ -250,8 +200,8 @@ static void look_back(struct rest_curve *c)
         missed[1] = k->slip_bar;
         k->at.time = time;
         k->at.slip = slip;
-        k->time_bar = time_bar + TOL_REST_SUM * time;
-        k->slip_bar = slip_bar + TOL_REST_SUM * slip;
+        k->time_bar = time_bar;
+        k->slip_bar = slip_bar;
         time += dt;
         slip += dx;
     }
@@ -297,6 +247,8 @@ enum status rest_curve_run(const struct study *s, struct vec2 z,
     bool is_down = false;
 
     *c = (struct rest_curve){ .study = s };
+    if (!rest_form_of(&s->block.law, &s->block.material).inertial)
+        return STATUS_OK;
     options.rtol = TOL_SLOW_RTOL;
     options.observables = 1;
     enum status status = orbit_init(&o, &s->system, z, &options);
@@ -354,8 +306,9 @@ bool rest_curve_beside(const struct rest_curve *c, double x, double *y,
     if (c->count < 3 || x > c->knot[0].at.x)
         return false;
     if (x < c->knot[c->count - 1].at.x) {
-        *y = settled_y(c->study, x);
-        *y_slope = c->knot[c->count - 1].at.y_slope;
+        const struct rest_lag l = rest_lag_at(c->study, x);
+        *y = l.y;
+        *y_slope = l.y_slope;
         return true;
     }
     const struct rest_knot *f = before(c, x);
@@ -369,8 +322,8 @@ bool rest_curve_at(const struct rest_curve *c, double x, struct rest_point *p)
     if (c->count < 3 || x > c->knot[0].at.x)
         return false;
     if (x < c->knot[c->count - 1].at.x) {
-        far_down(c, x, p);
-        return true;
+        *p = point_below(c->study, x, &c->knot[c->count - 1].at);
+        return add_left(c->study, p);
     }
     const struct rest_knot *f = before(c, x), *g = f + 1;
     const double t = (x - f->at.x) / (g->at.x - f->at.x);

@@ -4,10 +4,12 @@
 
 /* As v -> 0. */
 enum course {
-    NEVER,   /* it creeps */
-    SLOWLY,  /* as t -> inf */
-    SOON,    /* psi grows so fast that v falls like a line */
-    BY_POWER /* v ~ (t0 - t)^(b/(b - a)) */
+    NEVER,    /* it creeps */
+    ENDLESS,  /* as t -> inf, and so does the slip */
+    SLOWLY,   /* as t -> inf, in a finite slip */
+    SOON,     /* like a line */
+    BY_POWER, /* v ~ (t0 - t)^(b/(b - a)) */
+    AT_ONCE   /* as fast as inertia lets it */
 };
 
 /* psi_ss is as large as v is small, or its logarithm: without a bound. */
@@ -28,32 +30,41 @@ static bool is_timed(const struct law *law, const struct material *m)
            (is_log ? t->psi_ss : t->ln_psi_ss);
 }
 
+/* v ~ t^(-b/a), or exponentially where psi grows so. */
+static enum course like_power(const struct material *m, bool exponentially)
+{
+    return exponentially || m->b > m->a ? SLOWLY : ENDLESS;
+}
+
 /* psi_ss ~ 1/v. */
 static enum course under_inverse(const struct law *law,
                                  const struct material *m)
 {
     const bool is_sinh = law->kinetics == KINETICS_SINH;
+    const bool plain = law->theta == THETA_PSI;
 
-    if (law->theta != THETA_PSI && m->b < m->a)
+    if (!plain && m->b < m->a)
         return NEVER;
     if (law_freezes(law))
-        return SLOWLY;
-    if (is_sinh || !is_timed(law, m))
-        return is_sinh ? SOON : SLOWLY;
-    if (law->theta == THETA_PSI)
-        return SOON;
-    return m->b > m->a ? BY_POWER : SLOWLY;
+        return is_sinh && plain ? like_power(m, false) : ENDLESS;
+    if (is_sinh)
+        return AT_ONCE;
+    if (!is_timed(law, m))
+        return like_power(m, plain);
+    return plain ? SOON : m->b > m->a ? BY_POWER : SLOWLY;
 }
 
 /* psi_ss = -ln v. */
 static enum course under_logarithm(const struct law *law,
                                    const struct material *m)
 {
+    const bool is_sinh = law->kinetics == KINETICS_SINH;
+
     if (law->theta != THETA_PSI || m->b < m->a)
         return NEVER;
-    return law->kinetics == KINETICS_SINH && is_timed(law, m) && m->b > m->a
-               ? BY_POWER
-               : SLOWLY;
+    if (is_timed(law, m))
+        return is_sinh && m->b > m->a ? BY_POWER : SLOWLY;
+    return is_sinh ? like_power(m, false) : ENDLESS;
 }
 
 static enum course course_of(const struct law *law, const struct material *m)
@@ -66,12 +77,17 @@ static enum course course_of(const struct law *law, const struct material *m)
 struct rest_form rest_form_of(const struct law *law, const struct material *m)
 {
     static const enum fate fate[] = { [NEVER] = FATE_CREEP,
+                                      [ENDLESS] = FATE_REST_ASYMPTOTIC,
                                       [SLOWLY] = FATE_REST_ASYMPTOTIC,
                                       [SOON] = FATE_REST_FINITE,
-                                      [BY_POWER] = FATE_REST_FINITE };
+                                      [BY_POWER] = FATE_REST_FINITE,
+                                      [AT_ONCE] = FATE_REST_FINITE };
     const enum course course = course_of(law, m);
 
-    return (struct rest_form){ fate[course], course == BY_POWER
-                                                 ? m->b / (m->b - m->a)
-                                                 : 1.0 };
+    return (struct rest_form){
+        .fate = fate[course],
+        .power = course == BY_POWER ? m->b / (m->b - m->a) : 1.0,
+        .inertial = course == AT_ONCE,
+        .has_slip = course >= SLOWLY,
+    };
 }

@@ -15,9 +15,15 @@
  * with p = b/(b - a) for a logarithm of psi under 1/v and for psi itself under
  * -ln v, p = 1 for psi itself under 1/v.  Where friction falls without bound as
  * v -> 0 at psi_ss(v), the block does not stop but creeps, if ever so slowly.
+ *
+ * As v can fall: psi is the faster one, psi = psi_ss(v), and inertia alone
+ * holds v above 0.  The slip of the others, int v dpsi/(dpsi/dt), has a limit
+ * where v falls like an exponential, like t^-q with q > 1, or faster.
  */
 #ifndef STUDY_REST_FORM_H
 #define STUDY_REST_FORM_H
+
+#include <stdbool.h>
 
 #include "fate.h"
 #include "law.h"
@@ -27,6 +33,8 @@ struct rest_form {
                        never stops */
     double power;   /* finite: v ~ (t0 - t)^power or falls even faster to 0; 1
                        at the least */
+    bool inertial;  /* finite, and by inertia */
+    bool has_slip;  /* a limit of slip: always where it is finite */
 };
 
 /* law and m: by law_check. */

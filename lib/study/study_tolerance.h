@@ -26,29 +26,21 @@
  * saddle: no gap that an eye could see. */
 #define TOL_UNSTABLE_START 1e-3
 
-/* An orbit rests where v would reach zero, and psi infinity, within this part
- * of the time it took so far; power laws are far above it.  And the steps an
- * orbit may take: ten times what an accurate one to a node needs. */
+/* A state rests before it lands (landing.c) where v would reach zero, and psi
+ * infinity, within this part of the time so far; power laws are far above it.
+ */
 #define TOL_REST_SOON 1e-10
-/* Below this ln v (1e-10) a rest is taken for one when hundred times less than
- * the time so far is left. */
-#define TOL_REST_DEEP      (-23.0)
-#define TOL_REST_DEEP_SOON 0.01
-#define TOL_FATE_STEPS     50000
+
+/* Steps that an orbit may take: ten times what an accurate one to a node
+ * needs. */
+#define TOL_FATE_STEPS 50000
 /* An orbit that has not arrived after so many times the slowest scale of the
  * steady states has left every scale; below this power of time it has not. */
 #define TOL_FATE_LATE     1e30
 #define TOL_FATE_TIME_MAX 1e200
 #define TOL_FATE_POWER    0.1
-/* v fades like a power of time when that is the same, to CHANGE, over the last
- * factor PART of the time and the one before, further than DEPTH below v_sp in
- * ln v; looked at every so many steps.  Its slip may grow like a logarithm
- * where the power is within LOGARITHM/ln(t) of 1. */
-#define TOL_FADE_PART      0.01
-#define TOL_FADE_CHANGE    0.1
-#define TOL_FADE_DEPTH     (-12.0)
-#define TOL_FADE_STEPS     32
-#define TOL_FADE_LOGARITHM 3.0
+/* The last part of the time that it is told from. */
+#define TOL_FATE_PART 0.01
 
 /* How far from the edge of the domain in ln v a branch may end and yet have
  * left it there, not through psi: far more than rounding, far less than a step.
@@ -125,16 +117,10 @@
 #define TOL_PEAK_FINER   1e-3
 #define TOL_PEAK_FINEST  1e-13
 
-/* Transients (moment.c, transient.c).  Below this component of a direction mu
- * is compared with tan(alpha) itself; a block rests where less than this part
- * of the time so far is left, below this ln v (1e-11) where TOL_REST_DEEP_SOON
- * of it is; and how far, on a piece, one looks to both sides
- * of an event to see which way it goes.  A block is carried by inertia down to
- * this ln v beside -ln(eps), with a force of a hundredth of its weight. */
+/* Moments (moment.c).  Below this component of a direction mu is compared with
+ * tan(alpha) itself; and how far, on a piece, one looks to both sides of an
+ * event to see which way it goes. */
 #define TOL_MOMENT_DIRECTION 1e-100
-#define TOL_MOMENT_REST      1e-17
-#define TOL_MOMENT_CARRIED   (-6.0)
-#define TOL_MOMENT_DEEP      (-25.4)
 #define TOL_MOMENT_ASIDE     0.05
 
 /* A turn of ln v, ln psi or mu along an orbit is one when it is this many
@@ -321,10 +307,9 @@
  * still follows the curve; that of the second orbit, to compare with; steps,
  * several times what the finest takes; how much looser, then finer, the next
  * attempt is where they do not suffice; where a block runs away or fades, as
- * factors on v; and where arrest is looked for at the end of a run that was
- * arrested, in units of its distance; and the part of the time so far, in what
- * was asked for, that a block which rests may have left, and not less than
- * TOL_MOMENT_REST. */
+ * factors on v; where arrest is looked for at the end of a run that was
+ * arrested, in units of its distance; and the ln v (1e-11) down to which a
+ * block that rests is followed, at least. */
 #define TOL_TRANSIENT_STEP     10.0
 #define TOL_TRANSIENT_FINEST   3e-13
 #define TOL_TRANSIENT_COARSEST 1e-6
@@ -334,7 +319,8 @@
 #define TOL_TRANSIENT_FAST     1e6
 #define TOL_TRANSIENT_SLOW     1e-8
 #define TOL_TRANSIENT_REACH    2.0
-#define TOL_TRANSIENT_REST     1e-8
+#define TOL_TRANSIENT_DEEP     (-25.4)
+#define TOL_TRANSIENT_LEFT     1e-17
 
 /* Curves of steady states (steady_curve.c, spring_curve.c, fold_curve.c).
  * Points: more than there are 2 px on an axis of 600, most of them where one
@@ -394,19 +380,38 @@
 /* Points of chi(v) over the window (chi_curve.c): as of the steady curves. */
 #define STUDY_CHI_POINTS 401
 
-/* The curve along which a block comes to rest (rest_curve.c).  Below the floor,
- * in ln v, rounding in psi_ss - psi spoils the steps of an orbit; what psi lags
- * behind is at most LAG there, found by so many halvings, and neglected below
- * the bottom.  Apart in ln v for differences; pieces of the integral from the
- * bottom, each a factor e; and its accuracy, with the square of v at the floor
- * for what the lag's own change does. */
-#define TOL_REST_FLOOR      (-14.0)
+/* The curve along which a block comes to rest (rest_curve.c): no knots are kept
+ * below this ln v; and apart in ln v, or in ln psi, for differences. */
 #define TOL_REST_BOTTOM     (-36.0)
-#define TOL_REST_LAG        300.0
-#define TOL_REST_HALVINGS   40
-#define TOL_REST_DIFFERENCE 0.02
-#define TOL_REST_PIECES     36
-#define TOL_REST_SUM        1e-11
+#define TOL_REST_DIFFERENCE 0.01
+
+/* What is left of a rest (rest_left.c, rest_lag.c).  Rounds of an iteration at
+ * most, and the change, as a part, that the last may leave; what the curve may
+ * be off, relative, or beside the time so far, and an orbit from it in ln v, or
+ * in psi where that is the faster one, unless it is below this ln v; the least
+ * part of psi_ss that psi is,
+ * behind it, the ln v below which that is looked for, and the v below which it
+ * is known by one round; bars, beside all time and slip.  Panels: the first, in
+ * ln psi or ln v, and their number; what both rules may differ by, and the
+ * factor before that is raised to 3/2 for a bar; what is nothing; and how much
+ * better a panel is that is followed by one twice as long. */
+#define TOL_REST_ROUNDS   12
+#define TOL_REST_SETTLED  1e-9
+#define TOL_REST_WRONG    1e-11
+#define TOL_REST_OFF      1e-11
+#define TOL_REST_BESIDE   1e-3
+#define TOL_REST_EDGE     (-600.0)
+#define TOL_REST_UNSEEN   1e-14
+#define TOL_REST_BEHIND   0.5
+#define TOL_REST_SLOW     (-3.0)
+#define TOL_REST_GOOD     1e-10
+#define TOL_REST_STRAIGHT 1e-8
+#define TOL_REST_PANEL    0.25
+#define TOL_REST_PANELS   1000
+#define TOL_REST_SUM      1e-12
+#define TOL_REST_NOTHING  1e-17
+#define TOL_REST_EASY     1e-3
+#define TOL_REST_QUADPACK 200.0
 
 /* Where doubt about an event begins to be measured (doubt.c), in pieces of the
  * orbit: far below what rounding does to a piece. */

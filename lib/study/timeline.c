@@ -180,20 +180,6 @@ static double level_error(const struct study *s, enum moment what)
                                    : 0.0;
 }
 
-/* In an event; at rest none but of the time and slip so far, for what is left
- * hardly counts. */
-static struct doubt doubt_about(const struct study *s,
-                                const struct moment_watches *w,
-                                const struct orbit *o,
-                                const struct event_hit *hit, enum moment what,
-                                double off)
-{
-    if (what == MOMENT_REST)
-        return (struct doubt){ .time = 0.0 };
-    return doubt_find(s, &w->event[hit->which], hit, &o->curve, off,
-                      level_error(s, what));
-}
-
 /* What the steps up to there allow for, which two orbits may share: in the
  * state, and in when it is reached; d mu/d ln v <= a, and b is the most that
  * d mu/d y comes to. */
@@ -207,7 +193,8 @@ static void add_step_errors(const struct study *s,
     const double off =
         fmax(hit->error[0], hit->error[1]) + rounding_along(o) * size;
     const struct doubt d =
-        doubt_about(s, w, o, hit, (enum moment) e->what, off);
+        doubt_find(s, &w->event[hit->which], hit, &o->curve, off,
+                   level_error(s, (enum moment) e->what));
 
     e->time.error += d.time + hit->error[2];
     e->slip.error += d.slip + hit->error[3 + BLOCK_SLIP];
@@ -241,20 +228,6 @@ static struct transient_event event_at(const struct study *s,
     return e;
 }
 
-/* At v = 0 itself: what is left of time and slip is in the bars. */
-static void complete_rest(const struct study *s, const double u[],
-                          struct transient_event *e)
-{
-    const struct moment_rest left = moment_rest_at(s, u);
-
-    e->time.value += left.time;
-    e->time.error += left.time;
-    e->slip.value += left.slip;
-    e->slip.error += left.slip;
-    e->v = quantity_of(0.0, 0.0);
-    e->psi = e->mu = quantity_none("grows without bound as v falls to 0");
-}
-
 static size_t match(const struct study *s, const struct moment_watches *w,
                     const struct marks *coarse, const struct marks *fine,
                     struct transient_event event[])
@@ -265,10 +238,7 @@ static size_t match(const struct study *s, const struct moment_watches *w,
         const struct mark *f = &fine->at[i], *c = nearest(coarse, f);
         if (c == NULL || nearest(fine, c) != f)
             continue;
-        event[n] = event_at(s, w, fine->orbit, c->hit, f->hit, f->what);
-        if (f->what == MOMENT_REST)
-            complete_rest(s, f->hit->u, &event[n]);
-        n++;
+        event[n++] = event_at(s, w, fine->orbit, c->hit, f->hit, f->what);
     }
     return n;
 }
@@ -284,7 +254,7 @@ enum status timeline_find(const struct study *s, const struct moment_watches *w,
     if (status == STATUS_OK)
         status = collect(s, w, fine, &f);
     if (status == STATUS_OK) {
-        found = calloc(f.count + 1, sizeof *found);
+        found = calloc(f.count + 1, sizeof *found); /* and rest */
         status = found ? STATUS_OK : STATUS_NO_MEMORY;
     }
     if (status == STATUS_OK) {

@@ -8,6 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "rest_form.h"
+#include "rest_left.h"
 #include "study_tolerance.h"
 #include "timeline.h"
 
@@ -84,6 +86,7 @@ struct course {
     enum fate fate;
     struct moment_watches watches;
     struct box window; /* absolute: beyond it v runs away or fades */
+    bool rest;         /* looked out for */
     struct orbit_options options;
 };
 
@@ -121,10 +124,12 @@ static void course_set(struct course *c, const struct transient_options *o,
                        bool rest)
 {
     const bool limited = o->until_time > 0.0 || o->until_slip > 0.0;
-    const double left = fmax(TOL_MOMENT_REST, TOL_TRANSIENT_REST * o->rtol);
 
-    moment_watch_all(&c->watches, c->study, o->level, o->levels,
-                     rest ? left : 0.0, !limited);
+    c->rest =
+        rest &&
+        rest_form_of(&c->study->block.law, &c->study->block.material).fate ==
+            FATE_REST_FINITE;
+    moment_watch_all(&c->watches, c->study, o->level, o->levels, !limited);
     c->window = window_of(c, limited);
     c->options = orbit_defaults(&c->study->system, c->study->stable_rate);
     c->options.observables = BLOCK_EXCESS; /* slip and work */
@@ -138,6 +143,59 @@ static void course_set(struct course *c, const struct transient_options *o,
         c->options.reach[1 + BLOCK_SLIP] = o->until_slip;
 }
 
+/* d ln v/dt at the end, by the last step: in the field there may be nothing
+ * left of it but rounding. */
+static double end_rate(const struct orbit *o)
+{
+    double du[CURVE_DIM_MAX];
+
+    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, du);
+    return fabs(du[0] / du[2]);
+}
+
+/* Whether hardly anything is left of v or of the time, or what is cannot be
+ * seen: psi itself, where only inertia slows the block, is too large for its
+ * digits. */
+static bool is_deep(const struct course *c, const struct orbit *o)
+{
+    const struct block *b = &c->study->block;
+
+    return c->study->system.origin.x + o->u[0] < TOL_TRANSIENT_DEEP ||
+           (o->curve.count > 0 &&
+            end_rate(o) * TOL_TRANSIENT_LEFT * o->u[2] > 1.0) ||
+           (law_psi_is_log(&b->law) &&
+            rest_form_of(&b->law, &b->material).inertial);
+}
+
+/* Whether it comes to rest before any limit is reached, and what is left. */
+static bool rests(const struct course *c, const struct orbit *o,
+                  struct rest_left *left)
+{
+    const double *reach = o->options.reach;
+
+    return c->rest && o->end == ORBIT_RUNNING && is_deep(c, o) &&
+           rest_left_find(c->study, (struct vec2){ o->u[0], o->u[1] }, o->u[2],
+                          left) &&
+           o->u[2] + left->time < reach[0] &&
+           o->u[3 + BLOCK_SLIP] + left->slip < reach[1 + BLOCK_SLIP];
+}
+
+/* orbit_run, which also ends where it rests. */
+static enum status run_orbit(const struct course *c, struct orbit *o,
+                             const struct monitor *monitor)
+{
+    enum status s = STATUS_OK;
+    struct rest_left left;
+
+    while (s == STATUS_OK && o->end == ORBIT_RUNNING && !rests(c, o, &left)) {
+        s = orbit_step(o);
+        if (o->steps % TOL_MONITOR_STEPS == 0 &&
+            monitor_tell(monitor, "orbit", o->steps, 0))
+            s = STATUS_STOPPED;
+    }
+    return s;
+}
+
 /* An orbit that gets stuck is kept as far as it goes. */
 static enum status follow(const struct course *c, double rtol,
                           const struct monitor *monitor, struct orbit *out)
@@ -147,7 +205,7 @@ static enum status follow(const struct course *c, double rtol,
     options.rtol = rtol;
     enum status s = orbit_init(out, &c->study->system, c->start, &options);
     if (s == STATUS_OK)
-        s = orbit_run(out, monitor);
+        s = run_orbit(c, out, monitor);
     return s == STATUS_NO_CONVERGENCE || s == STATUS_TOO_MANY_STEPS ? STATUS_OK
                                                                     : s;
 }
@@ -156,10 +214,12 @@ static enum status follow(const struct course *c, double rtol,
 
 static enum transient_end end_of(const struct course *c, const struct orbit *o)
 {
+    struct rest_left left;
+
     if (o->end == ORBIT_EVENT)
-        return c->watches.watch[o->end_index].what == MOMENT_REST
-                   ? TRANSIENT_REST
-                   : TRANSIENT_ARREST;
+        return TRANSIENT_ARREST;
+    if (rests(c, o, &left))
+        return TRANSIENT_REST;
     if (o->end == ORBIT_REACHED && fabs(o->u[2]) < TOL_TIME_MAX)
         return o->end_index == 0 ? TRANSIENT_UNTIL_TIME : TRANSIENT_UNTIL_SLIP;
     if (o->end == ORBIT_LEFT_WINDOW && c->fate == FATE_RUNAWAY)
@@ -191,13 +251,12 @@ static void add_end_errors(const struct course *c, const struct orbit *o,
     const size_t slip = 3 + BLOCK_SLIP;
     const double v = c->study->block.at.v0 * exp(o->u[0]);
     const double off = fmax(o->error[0], o->error[1]);
-    const double rate = fabs(moment_rates(c->study, o->u).x);
 
     sum->time.error += o->error[2];
     sum->slip.error += o->error[slip];
     if (sum->end == TRANSIENT_RUNAWAY || sum->end == TRANSIENT_FADED) {
-        sum->time.error += off / rate;
-        sum->slip.error += v * off / rate;
+        sum->time.error += off / end_rate(o);
+        sum->slip.error += v * off / end_rate(o);
     } else if (sum->end == TRANSIENT_UNTIL_TIME) {
         sum->slip.error += v * o->error[2];
     } else if (sum->end == TRANSIENT_UNTIL_SLIP) {
@@ -205,26 +264,47 @@ static void add_end_errors(const struct course *c, const struct orbit *o,
     }
 }
 
-/* Of the whole run; at rest, what is left is added. */
+/* Time, slip and work of an orbit to its end, with what is left of a rest: of
+ * the work that of the slope and, by (27), the energy. */
+struct totals {
+    struct rest_left left;
+    double time, slip, work;
+};
+
+static struct totals totals_of(const struct course *c, const struct orbit *o)
+{
+    const double t = (double) c->study->block.tan_alpha;
+    const double v = c->study->block.at.v0 * exp(o->u[0]);
+    const double energy =
+        0.5 * material_eps2(&c->study->block.material) * v * v * hypot(1.0, t);
+    struct totals all = { .time = o->u[2],
+                          .slip = o->u[3 + BLOCK_SLIP],
+                          .work = o->u[3 + BLOCK_WORK] };
+
+    if (!rests(c, o, &all.left))
+        return all;
+    all.time += all.left.time;
+    all.slip += all.left.slip;
+    all.work += energy + t * all.left.slip;
+    return all;
+}
+
+/* Of the whole run. */
 static void sum_up(const struct course *c, const struct orbit *coarse,
                    const struct orbit *fine, struct transient_summary *sum)
 {
     const size_t slip = 3 + BLOCK_SLIP, work = 3 + BLOCK_WORK;
-    struct moment_rest left = { 0.0, 0.0 };
+    const struct totals b = totals_of(c, coarse), a = totals_of(c, fine);
+    const double off = fmax(fine->error[0], fine->error[1]);
 
-    if (sum->end == TRANSIENT_REST)
-        left = moment_rest_at(c->study, fine->u);
-    sum->time = timeline_compare(fine, coarse->u[2] + left.time,
-                                 fine->u[2] + left.time);
-    sum->time.error += left.time;
-    sum->slip = timeline_compare(fine, coarse->u[slip] + left.slip,
-                                 fine->u[slip] + left.slip);
-    sum->slip.error += left.slip;
+    sum->time = timeline_compare(fine, b.time, a.time);
+    sum->time.error += a.left.time_error + a.left.time_slope * off;
+    sum->slip = timeline_compare(fine, b.slip, a.slip);
+    sum->slip.error += a.left.slip_error + a.left.slip_slope * off;
     add_end_errors(c, fine, sum);
     sum->mu_mean =
-        fine->u[slip] > 0.0 && coarse->u[slip] > 0.0
-            ? timeline_compare(fine, coarse->u[work] / coarse->u[slip],
-                               fine->u[work] / fine->u[slip])
+        a.slip > 0.0 && b.slip > 0.0
+            ? timeline_compare(fine, b.work / b.slip, a.work / a.slip)
             : quantity_none("no slip in this run");
     sum->mu_mean.error +=
         fabs(sum->mu_mean.value) *
@@ -234,21 +314,34 @@ static void sum_up(const struct course *c, const struct orbit *coarse,
                              : 0.0;
 }
 
-/* A run that an event ends is as long as it takes until then. */
+/* A run that arrest ends is as long as it takes until then. */
 static void hold_end(struct transient *t)
 {
-    const enum moment what =
-        t->sum.end == TRANSIENT_ARREST ? MOMENT_ARREST : MOMENT_REST;
     struct transient_summary *sum = &t->sum;
 
-    if (sum->end != TRANSIENT_ARREST && sum->end != TRANSIENT_REST)
-        return;
-    for (size_t i = t->events; i-- > 0;)
-        if (t->event[i].what == (int8_t) what) {
+    for (size_t i = t->events; sum->end == TRANSIENT_ARREST && i-- > 0;)
+        if (t->event[i].what == MOMENT_ARREST) {
             sum->time.error = fmax(sum->time.error, t->event[i].time.error);
             sum->slip.error = fmax(sum->slip.error, t->event[i].slip.error);
             return;
         }
+}
+
+/* The last event: v = 0 itself. */
+static void add_rest(struct transient *t)
+{
+    const struct quantity none =
+        quantity_none("grows without bound as v falls to 0");
+
+    if (t->sum.end == TRANSIENT_REST)
+        t->event[t->events++] =
+            (struct transient_event){ .what = MOMENT_REST,
+                                      .level = (double) NAN,
+                                      .time = t->sum.time,
+                                      .slip = t->sum.slip,
+                                      .v = quantity_of(0.0, 0.0),
+                                      .psi = none,
+                                      .mu = none };
 }
 
 static void judge(const struct course *c, const struct orbit *coarse,
@@ -268,6 +361,7 @@ static void judge(const struct course *c, const struct orbit *coarse,
                    fine->field_calls + fine->jacobian_calls);
     sum_up(c, coarse, fine, sum);
     hold_end(t);
+    add_rest(t);
     if (end == TRANSIENT_LOST)
         t->reason = lost;
     if (end_of(c, coarse) == end &&
