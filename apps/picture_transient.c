@@ -166,9 +166,12 @@ struct span {
     double lo, hi;
 };
 
+/* What is not finite, as e^psi where psi is a logarithm may be, is a gap. */
 static struct span span_add(struct span r, double value)
 {
-    return (struct span){ fmin(r.lo, value), fmax(r.hi, value) };
+    return isfinite(value)
+               ? (struct span){ fmin(r.lo, value), fmax(r.hi, value) }
+               : r;
 }
 
 /* Around one array of values, or two; of a log axis the ends of runs, where v
@@ -285,10 +288,10 @@ static enum status build(struct figure *f, const struct simulation *s,
     return status ? status : add_runs(f, s, view, p);
 }
 
-static enum status draw(const struct simulation *s, const struct view *view,
-                        const char *path, bool keep_script, struct fault *why)
+/* One figure, which is empty where it could not be made. */
+static enum status make(const struct simulation *s, const struct view *view,
+                        const char *path, struct figure *f, struct fault *why)
 {
-    struct figure f = FIGURE_EMPTY;
     struct points p = { .x = NULL };
 
     enum status status = fill(s, view, &p);
@@ -298,23 +301,30 @@ static enum status draw(const struct simulation *s, const struct view *view,
         status = STATUS_BAD_ARGUMENT;
     }
     if (status == STATUS_OK)
-        status = build(&f, s, view, &p);
-    if (status == STATUS_OK)
-        status = figure_write(&f, path, keep_script, why);
+        status = build(f, s, view, &p);
     free_points(&p);
-    figure_free(&f);
     return status;
 }
 
 enum status picture_simulation(const struct simulation *s, const char *path,
                                bool keep_script, struct fault *why)
 {
-    char name[PANEL_PATH];
+    char name[PICTURE_PANELS][PANEL_PATH];
+    const char *to[PICTURE_PANELS];
+    struct figure f[PICTURE_PANELS];
     enum status status = STATUS_OK;
 
+    for (int i = 0; i < PICTURE_PANELS; i++) {
+        f[i] = FIGURE_EMPTY;
+        to[i] = name[i];
+    }
     for (int i = 0; i < PICTURE_PANELS && status == STATUS_OK; i++)
-        status = panel_path(path, views[i].panel, name)
-                     ? draw(s, &views[i], name, keep_script, why)
+        status = panel_path(path, views[i].panel, name[i])
+                     ? make(s, &views[i], name[i], &f[i], why)
                      : STATUS_BAD_ARGUMENT;
+    if (status == STATUS_OK)
+        status = figures_write(f, to, PICTURE_PANELS, keep_script, why);
+    for (int i = 0; i < PICTURE_PANELS; i++)
+        figure_free(&f[i]);
     return status;
 }

@@ -1,5 +1,6 @@
 #include "draw.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -117,8 +118,7 @@ static enum status finish_pdf(const struct workshop *w, struct fault *fault)
 }
 
 static enum status make(const struct figure *f, const struct device *d,
-                        const struct workshop *w, bool keep_script,
-                        struct fault *fault)
+                        const struct workshop *w, struct fault *fault)
 {
     enum status s = write_script(f, d, w, fault);
     if (s == STATUS_OK)
@@ -127,8 +127,13 @@ static enum status make(const struct figure *f, const struct device *d,
         s = check_whole(d, w, fault);
     if (s == STATUS_OK && strcmp(d->extension, ".pdf") == 0)
         s = finish_pdf(w, fault);
-    if (s == STATUS_OK)
-        s = workshop_deliver(w, WORKSHOP_FIGURE, fault);
+    return s;
+}
+
+static enum status deliver(const struct workshop *w, bool keep_script,
+                           struct fault *fault)
+{
+    enum status s = workshop_deliver(w, WORKSHOP_FIGURE, fault);
     if (s == STATUS_OK && keep_script)
         s = workshop_deliver(w, WORKSHOP_DATA, fault);
     if (s == STATUS_OK && keep_script)
@@ -136,19 +141,39 @@ static enum status make(const struct figure *f, const struct device *d,
     return s;
 }
 
-enum status figure_write(const struct figure *f, const char *path,
-                         bool keep_script, struct fault *fault)
+/* In a workshop of its own, WORKSHOP_EMPTY where it could not be opened. */
+static enum status make_at(const struct figure *f, const char *path,
+                           struct workshop *w, struct fault *fault)
 {
     const struct device *device = device_find(path);
-    struct workshop w;
     if (!device)
         return refuse_ending(path, fault);
     enum status s = check_figure(f, fault);
     if (s == STATUS_OK)
-        s = workshop_open(path, &w, fault);
-    if (s != STATUS_OK)
-        return s;
-    s = make(f, device, &w, keep_script, fault);
-    workshop_close(&w);
+        s = workshop_open(path, w, fault);
+    return s == STATUS_OK ? make(f, device, w, fault) : s;
+}
+
+enum status figures_write(const struct figure f[], const char *const path[],
+                          size_t count, bool keep_script, struct fault *fault)
+{
+    struct workshop w[FIGURES_MAX];
+    enum status s = STATUS_OK;
+
+    assert(count <= FIGURES_MAX);
+    for (size_t i = 0; i < count; i++)
+        w[i] = WORKSHOP_EMPTY;
+    for (size_t i = 0; i < count && s == STATUS_OK; i++)
+        s = make_at(&f[i], path[i], &w[i], fault);
+    for (size_t i = 0; i < count && s == STATUS_OK; i++)
+        s = deliver(&w[i], keep_script, fault);
+    for (size_t i = 0; i < count; i++)
+        workshop_close(&w[i]);
     return s;
+}
+
+enum status figure_write(const struct figure *f, const char *path,
+                         bool keep_script, struct fault *fault)
+{
+    return figures_write(f, &path, 1, keep_script, fault);
 }

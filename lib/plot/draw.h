@@ -25,4 +25,10 @@
 MUST_CHECK enum status figure_write(const struct figure *f, const char *path,
                                     bool keep_script, struct fault *fault);
 
+/* The same of several, f[i] into path[i]: all are made before any is moved. */
+enum { FIGURES_MAX = 8 };
+MUST_CHECK enum status figures_write(const struct figure f[],
+                                     const char *const path[], size_t count,
+                                     bool keep_script, struct fault *fault);
+
 #endif

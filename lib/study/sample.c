@@ -2,6 +2,7 @@
  * newton_find the point on it. */
 #include "sample.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "newton.h"
@@ -106,11 +107,23 @@ void sample_linear_slip(const struct study *s, const struct transient *t,
     }
 }
 
+/* Where psi leaps by a sinh of hundreds, the first steps take no time that
+ * doubles hold. */
+static double first_time(const struct transient *t)
+{
+    size_t piece = 0;
+
+    while (piece + 1 < t->curve.count &&
+           end_of(t, piece, TIME) < DBL_MIN / DBL_EPSILON)
+        piece++;
+    return end_of(t, piece, TIME);
+}
+
 void sample_log_time(const struct study *s, const struct transient *t, size_t n,
                      struct trajectory_row row[])
 {
-    const double first = end_of(t, 0, TIME);
     const double last = end_of(t, t->curve.count - 1, TIME);
+    const double first = first_time(t);
     const double ratio = log(last / first);
 
     for (size_t i = 0; i < n; i++) {

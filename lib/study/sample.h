@@ -16,7 +16,8 @@ struct trajectory_row sample_at_slip(const struct study *s,
 
 /* n >= 2 points equally far apart in slip, from the start to the end; and in
  * ln(time), from the end of the first step, which is as short as the fastest
- * change at the start.  row[n]. */
+ * change at the start, or of the first with a time of doubles' full precision.
+ * row[n]. */
 void sample_linear_slip(const struct study *s, const struct transient *t,
                         size_t n, struct trajectory_row row[]);
 void sample_log_time(const struct study *s, const struct transient *t, size_t n,
