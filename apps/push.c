@@ -7,9 +7,11 @@
 
 #include "command.h"
 #include "json.h"
-#include "number.h"
 #include "progress.h"
+#include "scene_units.h"
+#include "state.h"
 #include "table.h"
+#include "tolerance.h"
 
 /* What was asked and what was found. */
 struct job {
@@ -32,13 +34,11 @@ static enum status usage(struct fault *why, const char *format,
 /* Either --v and --psi or --states. */
 static enum status check_options(const struct options *o, struct fault *why)
 {
-    if (o->states && (o->v || o->psi))
-        return usage(why, "push: --states %s: expected no --v, --psi beside it",
+    if (o->states && (o->v || o->psi || o->phi))
+        return usage(why,
+                     "push: --states %s: expected no --v, --psi, --phi beside "
+                     "it",
                      o->states);
-    if (!o->states && !o->v)
-        return usage(why, "push: no state, expected %s and --psi", "--v");
-    if (!o->states && !o->psi)
-        return usage(why, "push: no state, expected %s beside --v", "--psi");
     return STATUS_OK;
 }
 
@@ -50,69 +50,90 @@ static enum status make_room(struct job *j, size_t count)
     return j->state && j->answer ? STATUS_OK : STATUS_NO_MEMORY;
 }
 
-static enum status read_option(const char *name, const char *text,
-                               double *value, struct fault *why)
-{
-    if (number_read(text, value))
-        return STATUS_OK;
-    snprintf(why->text, sizeof why->text, "push: %s %s: expected a number",
-             name, text_shown(text).text);
-    return STATUS_BAD_ARGUMENT;
-}
-
 static enum status read_single(struct job *j, const struct options *o,
-                               struct fault *why)
+                               const struct scene *scene, struct fault *why)
 {
+    struct scene_start z = { 0.0, 0.0 };
     enum status s = make_room(j, 1);
 
     if (s == STATUS_OK)
-        s = read_option("--v", o->v, &j->state[0].v, why);
+        s = state_read(o, scene, &z, why);
     if (s == STATUS_OK)
-        s = read_option("--psi", o->psi, &j->state[0].psi, why);
+        j->state[0] = (struct push_state){ z.v, z.psi };
     return s;
 }
 
-static enum status read_cell(const struct job *j, size_t row, const char *name,
-                             double *value, struct fault *why)
+/* The cell of v, of a column that may name its unit, with that unit. */
+static const struct table_cell *find_rate(const struct table *t, size_t row,
+                                          char *text, size_t size)
 {
-    const struct table_cell *c = table_find(&j->table, row, name);
-    const struct table_cell *first = table_at(&j->table, row, 0);
+    static const char *const name[] = { "v", "v [m/s]", "v [V_star]" };
+    static const char *const unit[] = { "", " m/s", " V_star" };
+    const struct table_cell *c = NULL;
 
-    if (c == NULL)
-        return place_blame(table_place(&j->table, first), why,
-                           "no %s in this row, expected a number", name);
-    if (number_read(c->text, value))
-        return STATUS_OK;
-    return place_blame(table_place(&j->table, c), why,
-                       "'%s', expected a number", text_shown(c->text).text);
+    for (int i = 0; i < 3 && c == NULL; i++)
+        if ((c = table_find(t, row, name[i])) != NULL)
+            snprintf(text, size, "%s%s", c->text, unit[i]);
+    return c;
 }
 
-static enum status has_column(const struct table *t, const char *name,
+static enum status read_row(const struct job *j, const struct scene *scene,
+                            size_t row, struct push_state *out,
+                            struct fault *why)
+{
+    const struct table *t = &j->table;
+    char v[TABLE_CELL + 16], expected[128];
+    const struct table_cell *first = table_at(t, row, 0);
+    const struct table_cell *rate = find_rate(t, row, v, sizeof v);
+    const struct table_cell *psi = table_find(t, row, "psi");
+    const struct table_cell *phi = table_find(t, row, "phi");
+    const struct scene_state state = { rate ? v : NULL, psi ? psi->text : NULL,
+                                       phi ? phi->text : NULL };
+    const char *wrong;
+    struct scene_start z;
+
+    if (!rate || (!psi && !phi))
+        return place_blame(table_place(t, first), why,
+                           "no %s in this row, expected a number",
+                           rate ? "psi" : "v");
+    if (scene_state_read(scene, &state, &z, &wrong, expected)) {
+        *out = (struct push_state){ z.v, z.psi };
+        return STATUS_OK;
+    }
+    const struct table_cell *at = wrong == v                  ? rate
+                                  : psi && wrong == psi->text ? psi
+                                                              : phi;
+    return place_blame(table_place(t, at), why, "'%s', %s",
+                       text_shown(at->text).text, expected);
+}
+
+/* One of the columns of a list. */
+static enum status has_column(const struct table *t, const char *const *names,
                               struct fault *why)
 {
     for (size_t i = 0; i < t->columns; i++)
-        if (strcmp(table_header(t, i)->text, name) == 0)
-            return STATUS_OK;
+        for (const char *const *name = names; *name; name++)
+            if (strcmp(table_header(t, i)->text, *name) == 0)
+                return STATUS_OK;
     return place_blame(table_place(t, table_header(t, 0)), why,
-                       "no column '%s', expected v and psi", name);
+                       "no column '%s', expected v and psi", names[0]);
 }
 
 static enum status read_states(struct job *j, const struct options *o,
-                               struct fault *why)
+                               const struct scene *scene, struct fault *why)
 {
+    static const char *const rates[] = { "v", "v [m/s]", "v [V_star]", NULL };
+    static const char *const states[] = { "psi", "phi", NULL };
     enum status s = table_read(&j->table, o->states, why);
 
     if (s == STATUS_OK)
-        s = has_column(&j->table, "v", why);
+        s = has_column(&j->table, rates, why);
     if (s == STATUS_OK)
-        s = has_column(&j->table, "psi", why);
+        s = has_column(&j->table, states, why);
     if (s == STATUS_OK)
         s = make_room(j, j->table.rows);
-    for (size_t i = 0; i < j->table.rows && s == STATUS_OK; i++) {
-        s = read_cell(j, i, "v", &j->state[i].v, why);
-        if (s == STATUS_OK)
-            s = read_cell(j, i, "psi", &j->state[i].psi, why);
-    }
+    for (size_t i = 0; i < j->table.rows && s == STATUS_OK; i++)
+        s = read_row(j, scene, i, &j->state[i], why);
     return s;
 }
 
@@ -149,10 +170,11 @@ static void print_quantity(const char *name, const struct quantity *q)
         printf("  %-9s %-22.15g +- %.1e\n", name, q->value, q->error);
 }
 
-static void print_answer(const struct push_state *at,
+static void print_answer(const struct scene *scene, const struct push_state *at,
                          const struct push_answer *a)
 {
-    printf("v = %.17g, psi = %.17g: %s\n", at->v, at->psi, fate_names[a->fate]);
+    state_print(stdout, scene, at->v, at->psi);
+    printf(": %s\n", fate_names[a->fate]);
     print_quantity("slip", &a->slip);
     print_quantity("time", &a->time);
     print_quantity("mu_mean", &a->mu_mean);
@@ -173,12 +195,13 @@ static json_t *answers_json(const struct job *j)
 }
 
 static enum exit_code print_answers(const struct options *o,
+                                    const struct scene *scene,
                                     const struct job *j)
 {
     if (o->json)
         return json_print(answers_json(j)) ? EXIT_DONE : command_unwritten();
     for (size_t i = 0; i < j->count && !o->quiet; i++)
-        print_answer(&j->state[i], &j->answer[i]);
+        print_answer(scene, &j->state[i], &j->answer[i]);
     return EXIT_DONE;
 }
 
@@ -205,12 +228,12 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
     struct job j = { .count = 0 };
     struct fault why = { "" };
 
-    enum status s =
-        o->states ? read_states(&j, o, &why) : read_single(&j, o, &why);
+    enum status s = o->states ? read_states(&j, o, scene, &why)
+                              : read_single(&j, o, scene, &why);
     if (s == STATUS_OK)
         s = find_answers(&j, o, scene, &why);
-    const enum exit_code code =
-        s == STATUS_OK ? print_answers(o, &j) : command_fail(s, why.text);
+    const enum exit_code code = s == STATUS_OK ? print_answers(o, scene, &j)
+                                               : command_fail(s, why.text);
     push_free(&j.push);
     table_free(&j.table);
     free(j.state);

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "state.h"
+
 /* ---- text ---------------------------------------------------------------- */
 
 static void print_quantity(FILE *out, const char *name,
@@ -61,14 +63,15 @@ static void print_event(FILE *out, const struct transient_event *e)
     fputc('\n', out);
 }
 
-static void print_run(FILE *out, const struct transient *t)
+static void print_run(FILE *out, const struct scene *s,
+                      const struct transient *t)
 {
     const struct transient_summary *sum = &t->sum;
 
-    fprintf(out, "v = %.17g, psi = %.17g: %s, ends by %s%s%s%s\n", sum->v,
-            sum->psi, fate_names[sum->fate], transient_end_names[sum->end],
-            t->reason ? " (" : "", t->reason ? t->reason : "",
-            t->reason ? ")" : "");
+    state_print(out, s, sum->v, sum->psi);
+    fprintf(out, ": %s, ends by %s%s%s%s\n", fate_names[sum->fate],
+            transient_end_names[sum->end], t->reason ? " (" : "",
+            t->reason ? t->reason : "", t->reason ? ")" : "");
     print_quantity(out, "time", &sum->time);
     print_quantity(out, "slip", &sum->slip);
     print_quantity(out, "mu_mean", &sum->mu_mean);
@@ -84,5 +87,5 @@ static void print_run(FILE *out, const struct transient *t)
 void report_simulation_print(FILE *out, const struct simulation *s)
 {
     for (size_t i = 0; i < s->runs; i++)
-        print_run(out, &s->run[i]);
+        print_run(out, &s->scene, &s->run[i]);
 }

@@ -5,13 +5,13 @@
 
 #include "command.h"
 #include "json_results.h"
-#include "number.h"
 #include "panel.h"
 #include "picture_transient.h"
 #include "progress.h"
 #include "replace.h"
 #include "report_transient.h"
 #include "result_file.h"
+#include "state.h"
 #include "tolerance.h"
 
 static enum status complain(struct fault *why, const char *text)
@@ -20,37 +20,24 @@ static enum status complain(struct fault *why, const char *text)
     return STATUS_BAD_ARGUMENT;
 }
 
-/* A start on the command line, as a setting of the scene. */
-static enum status start_setting(const struct options *o, char *text,
-                                 size_t size, struct fault *why)
-{
-    double v, psi;
-
-    if (!o->v || !o->psi)
-        return complain(why, o->v ? "no start, expected --psi beside --v"
-                                  : "no start, expected --v beside --psi");
-    if (!number_read(o->v, &v))
-        return complain(why, "--v: expected a number");
-    if (!number_read(o->psi, &psi))
-        return complain(why, "--psi: expected a number");
-    snprintf(text, size, "trajectories.starts=[{v: %.17g, psi: %.17g}]", v,
-             psi);
-    return STATUS_OK;
-}
-
 static enum status read_scene(const struct options *o, struct scene *scene,
                               struct fault *why)
 {
     char *set[OPTIONS_SETS + 1], start[128];
-    size_t sets = o->sets;
-    enum status s = STATUS_OK;
+    struct scene_start z;
+    enum status s = command_read(o, o->set, o->sets, scene, why);
 
+    if (s != STATUS_OK || !(o->v || o->psi || o->phi))
+        return s;
+    s = state_read(o, scene, &z, why);
+    scene_free(scene);
+    if (s != STATUS_OK)
+        return s;
+    /* once more: the file then says what was run */
     memcpy(set, o->set, o->sets * sizeof *set);
-    if (o->v || o->psi) {
-        s = start_setting(o, start, sizeof start, why);
-        set[sets++] = start;
-    }
-    return s ? s : command_read(o, set, sets, scene, why);
+    state_setting(o, start, sizeof start);
+    set[o->sets] = start;
+    return command_read(o, set, o->sets + 1, scene, why);
 }
 
 /* Could the files be written?  Asked before anything is computed. */

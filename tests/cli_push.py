@@ -74,6 +74,75 @@ def a_scene_gives_the_slope(room):
     expect(room.names() == ['a.yaml'], room.names())
 
 
+SI = '''law: {preset: %s}
+slope: {alpha: 0.34}
+material: {V_star: 4e-7, L: 3e-6}
+units: si
+'''
+# phi of psi = 10: in L/V_star, or as it is where the law's phi has no unit.
+UNIT_OF_PHI = {'dieterich_gen': 3e-6 / 4e-7, 'spinodal_gen': 1 / 101}
+
+
+def in_si_a_state_without_its_unit_is_refused(room):
+    for law in UNIT_OF_PHI:
+        room.write('a.yaml', SI % law)
+        for command in ('push', 'simulate'):
+            def say(*args):
+                return room.run(command, 'a.yaml', *args)
+            refused(say('--v', '8e-3', '--phi', '1'), 2, '--v 8e-3', 'm/s',
+                    'V_star')
+            refused(say('--v', '8e-3m/s', '--psi', '10'), 2, '--psi 10', 'phi')
+            refused(say('--v', '8e-3m', '--phi', '1'), 2, '--v 8e-3m')
+            refused(say('--v', '8e-3m/s', '--phi', '-1'), 2, '--phi -1', '> 0')
+            refused(say('--v', '8e-3m/s', '--phi', '1', '--psi', '1'), 2,
+                    'one of them')
+            refused(say('--v', '8e-3m/s'), 2, '--phi')
+    room.write('b.csv', 'v,phi\n1e-3,1\n')
+    refused(room.run('push', 'a.yaml', '--states', 'b.csv'), 2, 'b.csv:2:1',
+            'm/s')
+    room.write('b.csv', 'v [m/s],psi\n1e-3,1\n')
+    refused(room.run('push', 'a.yaml', '--states', 'b.csv'), 2, 'b.csv:2:6',
+            'phi')
+
+
+def physical_and_own_units_give_the_same_answer(room):
+    """And the answer says in which units it was asked."""
+    own = ['--set', 'units=dimensionless']
+    for law, unit in UNIT_OF_PHI.items():
+        room.write('a.yaml', SI % law)
+        phi = repr(10 * unit)
+        told = room.good('push', 'a.yaml', '--v', '4e-4m/s', '--phi', phi)
+        first = told.splitlines()[0]
+        expect(' m/s = 1000 V_star, phi = ' in first and first.startswith(
+            'v = 0.0004 m/s') and ', psi = 10: ' in first, told)
+        expect((' s, ' in first) == (law == 'dieterich_gen'), told)
+        for command in ('push', 'simulate'):
+            twin = room.json(command, 'a.yaml', *own, '--v', '1000', '--psi',
+                             '10')
+            for args in (['--v', '4e-4 m/s', '--phi', phi],
+                         ['--v', '1000V_star', '--phi', phi],
+                         [*own, '--v', '4e-4m/s', '--psi', '10'],
+                         [*own, '--v', '1000 V_star', '--phi', phi]):
+                found = room.json(command, 'a.yaml', *args)
+                found = found.get('trajectories', [found])[0]
+                wanted = twin.get('trajectories', [twin])[0]
+                expect(found['fate'] == wanted['fate'], args, found, wanted)
+                for key in ('slip', 'time', 'mu_mean'):
+                    was, now = wanted[key], found[key]
+                    expect((was['value'] is None) == (now['value'] is None)
+                           and (was['value'] is None or
+                                abs(was['value'] - now['value']) <=
+                                was['error'] + now['error'] +
+                                1e-12 * abs(was['value'])), args, was, now)
+        room.write('s.csv', f'phi,v [m/s]\n{phi},4e-4\n{phi},4e-3\n')
+        room.write('t.csv', f'phi,v [V_star]\n{phi},1000\n{phi},10000\n')
+        room.write('u.csv', f'phi,v\n{phi},4e-4 m/s\n{phi},1e4V_star\n')
+        fates = [[state['fate'] for state in room.json(
+            'push', 'a.yaml', '--states', name)['states']]
+                 for name in ('s.csv', 't.csv', 'u.csv')]
+        expect(fates[0] == fates[1] == fates[2], fates)
+
+
 def psi_may_be_negative_where_it_is_a_logarithm(room):
     found = room.json('push', '--law', 'perrin', '--alpha', '0.34', '--v',
                       '1e3', '--psi', '-2')
@@ -136,6 +205,8 @@ run_cases([
     states_of_a_file_keep_their_order,
     a_file_of_one_state_is_still_a_list,
     a_scene_gives_the_slope,
+    in_si_a_state_without_its_unit_is_refused,
+    physical_and_own_units_give_the_same_answer,
     psi_may_be_negative_where_it_is_a_logarithm,
     what_does_not_exist_has_a_reason,
     wrong_words_cost_one_line,

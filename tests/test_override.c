@@ -130,7 +130,7 @@ static void an_override_has_a_known_key_and_a_value_on_one_line(void **state)
             "alpha, alpha_deg or tan_alpha (did you mean slope.alpha?)");
     refused("", "window.tan_alpha=1",
             "--set window.tan_alpha=1: unknown key 'window.tan_alpha', "
-            "expected v, psi or axes (did you mean slope.tan_alpha?)");
+            "expected v, psi, phi or axes (did you mean slope.tan_alpha?)");
     refused("", "slope.alpha.x=1",
             "--set slope.alpha.x=1: unknown key 'slope.alpha.x', expected "
             "alpha, alpha_deg or tan_alpha (did you mean slope.alpha?)");

@@ -332,7 +332,7 @@ static void starts_in_si_units_become_dimensionless(void **state)
         snprintf(sets, sizeof sets,
                  "law.preset=%s\nslope.alpha=0.3\nunits=si\n"
                  "material.V_star=4e-6\nmaterial.L=3e-6\n"
-                 "trajectories.starts=[{v: 2e-6, psi: 0.6}, {v: 1, psi: 1}]",
+                 "trajectories.starts=[{v: 2e-6, phi: 0.6}, {v: 1m/s, phi: 1}]",
                  preset[i]);
         struct scene s = scene_made(NULL, sets);
         assert_int_equal(s.starts, 2);
@@ -340,16 +340,48 @@ static void starts_in_si_units_become_dimensionless(void **state)
         assert_true(s.start[0].psi == physical_psi(&s.law, &s.material, 0.6));
         assert_true(s.start[1].v == 1.0 / 4e-6);
         scene_free(&s);
+        for (char *c = sets; (c = strstr(c, "phi: ")) != NULL; c++)
+            memcpy(c, "psi", 3);
+        memcpy(strstr(sets, "units=si"), "title=si", 8);
+        s = scene_made(NULL, sets); /* the other names and units */
+        assert_true(s.start[0].v == 2e-6 && s.start[0].psi == 0.6);
+        assert_true(s.start[1].v == 1.0 / 4e-6 && s.start[1].psi == 1.0);
+        scene_free(&s);
     }
 }
 
-static void the_window_is_dimensionless_in_any_units(void **state)
+/* Every key that may have a unit, in each of its units, beside both `units`. */
+static void numbers_with_units_become_dimensionless(void **state)
 {
-    struct scene s = scene_made(good, "units=si\nwindow.v=[1e-2, 1e2]");
+    const struct material m = material_bristol_board();
+    const double V = m.V_star, L = m.L;
 
     (void) state;
-    assert_true(s.window.v[0] == 1e-2 && s.window.v[1] == 1e2);
-    assert_int_equal(s.units, UNITS_SI);
+    for (int si = 0; si < 2; si++) {
+        char sets[400];
+        snprintf(sets, sizeof sets,
+                 "%s\nslope.alpha=0.3\nwindow.v=[1e-8 m/s, 1e2V_star]\n"
+                 "spring_block.v=[2 V_star, 1m/s]\n"
+                 "trajectories.until.time=5s\n"
+                 "trajectories.until.slip=1e-6 m\n"
+                 "window.phi=[0.5, 7]",
+                 si ? "units=si" : "units=dimensionless");
+        struct scene s = scene_made("law: {preset: spinodal_gen}\n", sets);
+        assert_true(s.window.v[0] == 1e-8 / V && s.window.v[1] == 1e2);
+        assert_true(s.spring_block.v[0] == 2.0 &&
+                    s.spring_block.v[1] == 1.0 / V);
+        assert_true(s.until_time == 5.0 / (L / V));
+        assert_true(s.until_slip == 1e-6 / L);
+        assert_true(s.window.psi[0] == physical_psi(&s.law, &s.material, 0.5) &&
+                    s.window.psi[1] == physical_psi(&s.law, &s.material, 7.0));
+        assert_int_equal(s.units, si ? UNITS_SI : UNITS_DIMENSIONLESS);
+        scene_free(&s);
+    }
+    struct scene s =
+        scene_made("law: {preset: spinodal_gen}\n",
+                   "slope.alpha=0.3\ntrajectories.until.time=5 L/V_star\n"
+                   "trajectories.until.slip=3L");
+    assert_true(s.until_time == 5.0 && s.until_slip == 3.0);
     scene_free(&s);
 }
 
@@ -448,7 +480,7 @@ int main(void)
         IN_FOLDER(later_overrides_win),
         IN_FOLDER(an_empty_path_takes_an_output_back),
         cmocka_unit_test(starts_in_si_units_become_dimensionless),
-        IN_FOLDER(the_window_is_dimensionless_in_any_units),
+        IN_FOLDER(numbers_with_units_become_dimensionless),
         cmocka_unit_test(degrees_give_the_tangent_to_the_last_digits),
         cmocka_unit_test(radians_and_tangents_agree),
         IN_FOLDER(each_allocation_may_fail),

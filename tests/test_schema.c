@@ -51,6 +51,7 @@ static const struct {
 
     { "window.v", "[1e-3, 1e3]", "[1e-6, 1e6]", LAW SLOPE },
     { "window.psi", "[0.5, 2]", "[1e-3, 1e2]", LAW SLOPE },
+    { "window.phi", "[0.5, 2]", "[1e-3, 1e2]", LAW SLOPE },
     { "window.axes", "eigen", "linear", LAW SLOPE },
 
     { "units", "si", "dimensionless", LAW SLOPE },

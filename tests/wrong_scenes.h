@@ -50,9 +50,10 @@ static const struct wrong wrong_keys[] = {
       "3:1: unknown key 'law.friction', expected one word, as in 'slope: "
       "{alpha: RAD}' for slope.alpha" },
     { LAW SLOPE "window: {w: [1, 2]}\n",
-      "3:10: unknown key 'window.w', expected v, psi or axes" },
+      "3:10: unknown key 'window.w', expected v, psi, phi or axes" },
     { LAW SLOPE "window: {axis: log}\n",
-      "3:10: unknown key 'window.axis', expected v, psi or axes (did you mean "
+      "3:10: unknown key 'window.axis', expected v, psi, phi or axes (did you "
+      "mean "
       "window.axes?)" },
     { LAW SLOPE "material: {mu: 0.3}\n",
       "3:12: unknown key 'material.mu', expected preset, mu_star, a, b, L, "
@@ -66,8 +67,8 @@ static const struct wrong wrong_keys[] = {
     { LAW SLOPE "trajectories: {sample: {n: 3}}\n",
       "3:25: unknown key 'trajectories.sample.n', expected linear_slip or "
       "log_time" },
-    { LAW SLOPE "trajectories: {starts: [{v: 1, phi: 2}]}\n",
-      "3:32: trajectories.starts: unknown key 'phi', expected v and psi (did "
+    { LAW SLOPE "trajectories: {starts: [{v: 1, psy: 2}]}\n",
+      "3:32: trajectories.starts: unknown key 'psy', expected v and psi (did "
       "you mean psi?)" },
     { LAW SLOPE "trajectories: {starts: [{v: 1, psi: 2, t: 0}]}\n",
       "3:40: trajectories.starts: unknown key 't', expected v and psi" },
@@ -317,8 +318,39 @@ static const struct wrong wrong_numbers[] = {
     { LAW SLOPE "trajectories: {starts: [{v: 1e-301, psi: 1}]}\n",
       "3:29: trajectories.starts: v: '1e-301'" NOT
       "v/V_star from 1e-300 to 1e300" },
-    { LAW SLOPE "units: si\ntrajectories: {starts: [{v: 1, psi: -1}]}\n",
-      "4:37: trajectories.starts: psi: '-1'" NOT "phi > 0 in SI units" },
+    { LAW SLOPE "units: si\ntrajectories: {starts: [{v: 1, phi: -1}]}\n",
+      "4:37: trajectories.starts: phi: '-1'" NOT "a number > 0" },
+    { LAW SLOPE "units: si\ntrajectories: {starts: [{v: 1, psi: 1}]}\n",
+      "4:32: trajectories.starts: psi: it could be psi or phi, expected phi "
+      "beside units: si" },
+    { LAW SLOPE "trajectories: {starts: [{v: 1, psi: 1, phi: 1}]}\n",
+      "3:40: trajectories.starts: phi beside psi, expected one" },
+    { LAW SLOPE "trajectories: {starts: [{v: 1 m, psi: 1}]}\n",
+      "3:29: trajectories.starts: v: '1 m'" NOT "a number > 0" },
+    { LAW SLOPE "units: si\nwindow: {v: [1e-4, 1 m/s]}\n",
+      "4:14: window.v: '1e-4' has no unit, expected m/s or V_star beside "
+      "units: si" },
+    { LAW SLOPE "units: si\nspring_block: {v: [1 m/s, 2]}\n",
+      "4:27: spring_block.v: '2' has no unit, expected m/s or V_star beside "
+      "units: si" },
+    { LAW SLOPE "units: si\ntrajectories: {until: {time: 5}}\n",
+      "4:30: trajectories.until.time: '5' has no unit, expected s or L/V_star "
+      "beside units: si" },
+    { LAW SLOPE "units: si\ntrajectories: {until: {slip: 5}}\n",
+      "4:30: trajectories.until.slip: '5' has no unit, expected m or L beside "
+      "units: si" },
+    { LAW SLOPE "units: si\nwindow: {psi: [1, 2]}\n",
+      "4:10: window.psi: it could be psi or phi, expected window.phi beside "
+      "units: si" },
+    { LAW SLOPE "window: {psi: [1, 2], phi: [1, 2]}\n",
+      "3:23: window.phi: not beside window.psi, expected one of the two" },
+    { LAW SLOPE "window: {phi: [-1, 2]}\n",
+      "3:16: window.phi: '-1' is not allowed, expected a number > 0" },
+    { LAW SLOPE "window: {v: [1e-9 m/s, 1e-9 V_star]}\n",
+      "3:13: window.v: [1e-9 m/s, 1e-9 V_star] is empty, expected lo < hi" },
+    { LAW SLOPE "window: {v: [1 m/s, 1e299 m/s]}\n",
+      "3:21: window.v: '1e299 m/s' is 1e+305 V_star, expected a number from "
+      "1e-300 to 1e300" },
     { LAW SLOPE "basins: {cells: [0, 8]}\n",
       "3:18: basins.cells: '0'" NOT
       "two whole numbers [nv, npsi] from 1 to 32768" },

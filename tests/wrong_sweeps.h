@@ -88,9 +88,13 @@ static const struct wrong wrong_sweeps[] = {
       "5:50: trajectories.sample: " ONE_SHAPE
       "simulate --set sweep={} --set slope.alpha=VALUE" },
     { LAW SLOPE "products: [trajectories]\nunits: si\n"
-                "trajectories: {starts: [{v: 1e-6, psi: 1}]}\n"
+                "trajectories: {starts: [{v: 1e-6, phi: 1}]}\n"
                 "sweep: {key: material.V_star, " RANGE "}\n",
-      "4:8: units: si: trajectories.starts would be others at each "
+      "5:24: trajectories.starts: in physical units it would be another at "
+      "each material.V_star, expected dimensionless" },
+    { LAW SLOPE "window: {v: [1e-6 m/s, 1 m/s]}\n"
+                "sweep: {key: material.V_star, " RANGE "}\n",
+      "3:13: window.v: in physical units it would be another at each "
       "material.V_star, expected dimensionless" },
     { LAW SLOPE "rabinowicz: {data: a.csv}\n" SWEEP,
       "3:20: rabinowicz.data: " ONE_SHAPE

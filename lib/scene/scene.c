@@ -9,9 +9,9 @@
 
 #include "document.h"
 #include "override.h"
-#include "physical.h"
 #include "scene_slope.h"
 #include "scene_sweep.h"
+#include "scene_units.h"
 #include "schema.h"
 #include "text_file.h"
 #include "tolerance.h"
@@ -175,12 +175,13 @@ static enum status check_window(const struct node *root, const struct scene *s,
 {
     for (int i = 0; i < 2; i++) {
         const struct node *psi = node_at(root, "window.psi");
+        if (psi == NULL)
+            psi = node_at(root, "window.phi");
         if (psi == NULL || psi_in_range(&s->law, s->window.psi[i]))
             continue;
-        return place_blame(psi->child[i]->at, why,
-                           "window.psi: %s is not allowed, expected %s",
-                           node_shown(psi->child[i]).text,
-                           psi_expected(&s->law));
+        return place_blame(
+            psi->child[i]->at, why, "window.%s: %s is not allowed, expected %s",
+            psi->key, node_shown(psi->child[i]).text, psi_expected(&s->law));
     }
     return STATUS_OK;
 }
@@ -194,6 +195,8 @@ static enum status check_starts(const struct node *root, const struct scene *s,
         const struct scene_start z = s->start[i];
         const struct node *v = node_find(list->child[i], "v");
         const struct node *psi = node_find(list->child[i], "psi");
+        if (psi == NULL)
+            psi = node_find(list->child[i], "phi");
         if (!(z.v >= 1.0 / SCENE_RANGE && z.v <= SCENE_RANGE))
             return place_blame(v->at, why,
                                "trajectories.starts: v: %s is not allowed, "
@@ -201,11 +204,12 @@ static enum status check_starts(const struct node *root, const struct scene *s,
                                node_shown(v).text);
         if (!psi_in_range(&s->law, z.psi))
             return place_blame(psi->at, why,
-                               "trajectories.starts: psi: %s is not allowed, "
+                               "trajectories.starts: %s: %s is not allowed, "
                                "expected %s",
-                               node_shown(psi).text,
-                               s->units == UNITS_SI ? "phi > 0 in SI units"
-                                                    : psi_expected(&s->law));
+                               psi->key, node_shown(psi).text,
+                               strcmp(psi->key, "phi") == 0
+                                   ? "a number > 0"
+                                   : psi_expected(&s->law));
     }
     return STATUS_OK;
 }
@@ -223,7 +227,7 @@ static void settle_spring(struct scene *s)
         memcpy(b->v, s->window.v, sizeof b->v);
 }
 
-/* What a scene leaves open where psi is a logarithm, and starts in SI units. */
+/* What a scene leaves open where psi is a logarithm. */
 static void settle(struct scene *s)
 {
     const bool is_log = law_psi_is_log(&s->law);
@@ -232,10 +236,6 @@ static void settle(struct scene *s)
     if (isnan(s->window.psi[0])) {
         s->window.psi[0] = is_log ? -7.0 : 1e-3;
         s->window.psi[1] = is_log ? 5.0 : 1e2;
-    }
-    for (size_t i = 0; i < s->starts && s->units == UNITS_SI; i++) {
-        s->start[i].v /= s->material.V_star;
-        s->start[i].psi = physical_psi(&s->law, &s->material, s->start[i].psi);
     }
 }
 
@@ -251,6 +251,8 @@ static enum status fill(const struct node *root, struct scene *s,
 
     if (status == STATUS_OK)
         status = schema_apply(root, s, why);
+    if (status == STATUS_OK)
+        status = scene_units_settle(root, s, why);
     if (status == STATUS_OK)
         settle(s);
     if (status == STATUS_OK)

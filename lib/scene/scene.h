@@ -135,6 +135,7 @@ struct scene {
     unsigned products;          /* bits 1 << enum product; 0: not given */
     double *xi;                 /* owned */
     size_t xi_count;
+    const char *physical;      /* a key that has a physical unit; NULL: none */
     struct scene_start *start; /* owned */
     size_t starts;
     size_t spread;

@@ -60,23 +60,33 @@ static enum status check_curves(const struct node *root, const struct scene *s,
 
 /* ---- runs ---------------------------------------------------------------- */
 
-/* A key by which starts in SI units become others in the scene's own. */
-static const char *scale_of_starts(const struct scene *s)
+/* A key by which what has a physical unit becomes another in the scene's own.
+ */
+static const char *scale_of(const struct scene *s)
 {
     static const char *const scale[] = { "material.V_star", "material.L",
                                          "material.R" };
 
     for (size_t i = 0; i < sizeof scale / sizeof *scale; i++)
-        if (s->units == UNITS_SI && scene_sweeps(s, scale[i]))
+        if (scene_sweeps(s, scale[i]))
             return scale[i];
     return NULL;
+}
+
+static enum status check_units(const struct node *root, const struct scene *s,
+                               struct fault *why)
+{
+    if (s->physical == NULL || scale_of(s) == NULL)
+        return STATUS_OK;
+    return place_blame(place_of(root, s->physical), why,
+                       "%s: in physical units it would be another at each %s, "
+                       "expected dimensionless",
+                       s->physical, scale_of(s));
 }
 
 static enum status check_starts(const struct node *root, const struct scene *s,
                                 struct fault *why)
 {
-    const char *scale = scale_of_starts(s);
-
     if (!(s->products & BIT(TRAJECTORIES)))
         return STATUS_OK;
     if (s->starts == 0)
@@ -90,11 +100,6 @@ static enum status check_starts(const struct node *root, const struct scene *s,
     if (s->linear_slip > 0 || s->log_time > 0)
         return blame(place_of(root, "trajectories.sample"), s,
                      "trajectories.sample", "simulate", why);
-    if (scale)
-        return place_blame(place_of(root, "units"), why,
-                           "units: si: trajectories.starts would be others at "
-                           "each %s, expected dimensionless",
-                           scale);
     return STATUS_OK;
 }
 
@@ -142,7 +147,7 @@ enum status scene_shape_check(const struct node *root, const struct scene *s,
     static enum status (*const check[])(
         const struct node *, const struct scene *,
         struct fault *) = { check_curves, check_starts, check_release,
-                            check_cells };
+                            check_cells, check_units };
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i < sizeof check / sizeof *check; i++)

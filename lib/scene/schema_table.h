@@ -7,6 +7,7 @@
 
 #include "node.h"
 #include "scene.h"
+#include "unit.h"
 
 struct schema_key {
     const char *path; /* "window.v" */
@@ -20,7 +21,8 @@ struct schema_key {
     const char *expected;     /* for messages; NULL: the words */
     int side; /* keys of one section on different sides exclude each other; 0:
                  on none */
-    const char *unit;     /* UDUNITS; NULL: none */
+    const char *unit;         /* UDUNITS; NULL: none */
+    enum dimension dimension; /* of numbers that may have a unit behind them */
     const char *standard; /* what a scene without the key has, as it would say
                              it; NULL: nothing, or see text */
     const char *text;     /* what it is, one phrase */

@@ -10,6 +10,7 @@
 #include "spell.h"
 #include "text.h"
 #include "tolerance.h"
+#include "unit.h"
 
 /* Blames a value; offers the nearest word where words are expected. */
 static enum status refuse(const struct schema_key *key, const struct node *n,
@@ -44,10 +45,11 @@ static bool in_range(const struct schema_key *key, double x)
 static bool is_number(const struct schema_key *key, const struct node *n,
                       double *value)
 {
+    enum unit unit;
     double x;
 
-    if (n->kind != NODE_SCALAR || !number_read(n->text, &x) ||
-        !in_range(key, x))
+    if (n->kind != NODE_SCALAR ||
+        !unit_read(key->dimension, n->text, &x, &unit) || !in_range(key, x))
         return false;
     *value = x;
     return true;
@@ -99,7 +101,7 @@ enum status value_pair(const struct schema_key *key, const struct node *n,
     for (int i = 0; i < 2; i++)
         if (!is_number(key, n->child[i], &x[i]))
             return refuse(key, n->child[i], why);
-    if (x[0] >= x[1])
+    if (key->dimension == DIMENSION_NONE && x[0] >= x[1])
         return place_blame(n->at, why,
                            "%s: [%s, %s] is empty, expected lo < hi", key->path,
                            text_shown(n->child[0]->text).text,
@@ -398,7 +400,7 @@ enum status value_values(const struct schema_key *key, const struct node *n,
 static enum status unknown_in_start(const struct schema_key *key,
                                     const struct node *n, struct fault *why)
 {
-    static const char *const known[] = { "v", "psi", NULL };
+    static const char *const known[] = { "v", "psi", "phi", NULL };
     const char *near = spell_nearest(n->key, known);
 
     return place_blame(
@@ -407,7 +409,8 @@ static enum status unknown_in_start(const struct schema_key *key,
         near ? near : "", near ? "?)" : "");
 }
 
-/* {v: V, psi: P}: positive v, psi any finite number yet. */
+/* {v: V, psi: P} or {v: V, phi: P}, as they stand there (scene_units.h):
+ * positive v, the other any finite number yet. */
 static enum status read_start(const struct schema_key *key,
                               const struct node *n, struct scene_start *start,
                               struct fault *why)
@@ -417,6 +420,7 @@ static enum status read_start(const struct schema_key *key,
           .lo = 0.0,
           .open_lo = true,
           .hi = DBL_MAX,
+          .dimension = DIMENSION_RATE,
           .expected = "a number > 0" },
         { .path = "trajectories.starts: psi",
           .lo = -DBL_MAX,
@@ -428,13 +432,19 @@ static enum status read_start(const struct schema_key *key,
         return refuse(key, n, why);
     for (size_t i = 0; i < n->count; i++)
         if (strcmp(n->child[i]->key, "v") != 0 &&
-            strcmp(n->child[i]->key, "psi") != 0)
+            strcmp(n->child[i]->key, "psi") != 0 &&
+            strcmp(n->child[i]->key, "phi") != 0)
             return unknown_in_start(key, n->child[i], why);
     const struct node *v = node_find(n, "v"), *psi = node_find(n, "psi");
-    if (v == NULL || psi == NULL)
+    const struct node *phi = node_find(n, "phi");
+    if (v == NULL || (psi == NULL && phi == NULL))
         return place_blame(n->at, why,
                            "%s: %s is missing, expected {v: V, psi: P}",
                            key->path, v ? "psi" : "v");
+    if (psi && phi)
+        return place_blame(phi->key_at, why, "%s: phi beside psi, expected one",
+                           key->path);
+    psi = psi ? psi : phi;
     if (!is_number(&parts[0], v, &start->v))
         return refuse(&parts[0], v, why);
     if (!is_number(&parts[1], psi, &start->psi))

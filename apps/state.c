@@ -1,0 +1,61 @@
+#include "state.h"
+
+#include <string.h>
+
+#include "number.h"
+#include "physical.h"
+#include "scene_units.h"
+#include "text.h"
+#include "unit.h"
+
+static const char *name_of(const struct options *o, const char *text)
+{
+    return text == o->v ? "--v" : text == o->psi ? "--psi" : "--phi";
+}
+
+enum status state_read(const struct options *o, const struct scene *s,
+                       struct scene_start *out, struct fault *why)
+{
+    const struct scene_state text = { o->v, o->psi, o->phi };
+    const char *wrong, *command = o->command->name;
+    char expected[128];
+
+    if (o->v == NULL || (o->psi == NULL && o->phi == NULL)) {
+        snprintf(why->text, sizeof why->text, "%s: no state, expected %s%s",
+                 command, o->v ? "--psi or --phi" : "--v",
+                 o->v ? " beside --v" : " and --psi");
+        return STATUS_BAD_ARGUMENT;
+    }
+    if (scene_state_read(s, &text, out, &wrong, expected))
+        return STATUS_OK;
+    snprintf(why->text, sizeof why->text, "%s: %s %s: %s", command,
+             name_of(o, wrong), text_shown(wrong).text, expected);
+    return STATUS_BAD_ARGUMENT;
+}
+
+void state_setting(const struct options *o, char *text, size_t size)
+{
+    enum unit unit = UNIT_BARE;
+    double v = 0.0, state = 0.0;
+
+    (void) unit_read(DIMENSION_RATE, o->v, &v, &unit);
+    (void) number_read(o->psi ? o->psi : o->phi, &state);
+    snprintf(text, size, "trajectories.starts=[{v: %.17g%s%s, %s: %.17g}]", v,
+             unit ? " " : "", unit_name(DIMENSION_RATE, unit),
+             o->psi ? "psi" : "phi", state);
+}
+
+void state_print(FILE *out, const struct scene *s, double v, double psi)
+{
+    const struct law *law = &s->law;
+    const struct material *m = &s->material;
+    const char *unit = physical_unit(law);
+
+    if (s->units == UNITS_SI)
+        fprintf(
+            out, "v = %.15g m/s = %.15g V_star, phi = %.15g%s%s, psi = %.15g",
+            v * m->V_star, v, physical_phi(law, m, psi),
+            strcmp(unit, "1") ? " " : "", strcmp(unit, "1") ? unit : "", psi);
+    else
+        fprintf(out, "v = %.17g, psi = %.17g", v, psi);
+}

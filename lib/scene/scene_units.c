@@ -1,0 +1,175 @@
+#include "scene_units.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "number.h"
+#include "physical.h"
+#include "schema_table.h"
+#include "unit.h"
+
+/* The first key with a physical unit. */
+static void note(struct scene *s, const char *path)
+{
+    if (s->physical == NULL)
+        s->physical = path;
+}
+
+/* ---- keys with a dimension ----------------------------------------------- */
+
+static enum status settle_number(const struct schema_key *key,
+                                 const struct node *n, struct scene *s,
+                                 double *value, struct fault *why)
+{
+    enum unit unit = UNIT_BARE;
+    double x;
+
+    if (!unit_read(key->dimension, n->text, &x, &unit))
+        return STATUS_OK; /* `inf`, which has no unit */
+    if (unit == UNIT_BARE && s->units == UNITS_SI)
+        return place_blame(
+            n->at, why,
+            "%s: %s has no unit, expected %s or %s beside units: si", key->path,
+            node_shown(n).text, unit_name(key->dimension, UNIT_SI),
+            unit_name(key->dimension, UNIT_OWN));
+    if (unit != UNIT_SI)
+        return STATUS_OK;
+    note(s, key->path);
+    *value = x / unit_scale(key->dimension, &s->material);
+    if (*value >= key->lo && *value <= key->hi)
+        return STATUS_OK;
+    return place_blame(n->at, why, "%s: %s is %g %s, expected %s", key->path,
+                       node_shown(n).text, *value,
+                       unit_name(key->dimension, UNIT_OWN), key->expected);
+}
+
+static enum status settle_key(const struct schema_key *key,
+                              const struct node *n, struct scene *s,
+                              struct fault *why)
+{
+    double *value = (double *) (void *) ((char *) s + key->offset);
+    enum status status = STATUS_OK;
+
+    if (n->kind == NODE_SCALAR)
+        return settle_number(key, n, s, value, why);
+    for (size_t i = 0; i < n->count && status == STATUS_OK; i++)
+        status = settle_number(key, n->child[i], s, &value[i], why);
+    if (status == STATUS_OK && !(value[0] < value[1]))
+        return place_blame(n->at, why,
+                           "%s: [%s, %s] is empty, expected lo < hi", key->path,
+                           text_shown(n->child[0]->text).text,
+                           text_shown(n->child[1]->text).text);
+    return status;
+}
+
+/* ---- states -------------------------------------------------------------- */
+
+static enum status settle_start(const struct node *n, struct scene *s,
+                                struct scene_start *start, struct fault *why)
+{
+    const struct node *v = node_find(n, "v"), *psi = node_find(n, "psi");
+    enum unit unit = UNIT_BARE;
+    double x;
+
+    (void) unit_read(DIMENSION_RATE, v->text, &x, &unit);
+    const bool si = unit == UNIT_BARE ? s->units == UNITS_SI : unit == UNIT_SI;
+    if (si)
+        start->v /= s->material.V_star;
+    if ((si || !psi) && s->products & 1u << PRODUCT_TRAJECTORIES)
+        note(s, "trajectories.starts");
+    if (psi && s->units == UNITS_SI)
+        return place_blame(psi->key_at, why,
+                           "trajectories.starts: psi: it could be psi or phi, "
+                           "expected phi beside units: si");
+    if (!psi)
+        start->psi = physical_psi(&s->law, &s->material, start->psi);
+    return STATUS_OK;
+}
+
+static enum status settle_window(const struct node *root, struct scene *s,
+                                 struct fault *why)
+{
+    const struct node *psi = node_at(root, "window.psi");
+    const struct node *phi = node_at(root, "window.phi");
+
+    if (psi && s->units == UNITS_SI)
+        return place_blame(psi->key_at, why,
+                           "window.psi: it could be psi or phi, expected "
+                           "window.phi beside units: si");
+    for (int i = 0; phi && i < 2; i++) {
+        note(s, "window.phi");
+        if (!(s->window.psi[i] > 0.0))
+            return place_blame(phi->child[i]->at, why,
+                               "window.phi: %s is not allowed, expected a "
+                               "number > 0",
+                               node_shown(phi->child[i]).text);
+        s->window.psi[i] =
+            physical_psi(&s->law, &s->material, s->window.psi[i]);
+    }
+    return STATUS_OK;
+}
+
+enum status scene_units_settle(const struct node *root, struct scene *s,
+                               struct fault *why)
+{
+    const struct node *starts = node_at(root, "trajectories.starts");
+    enum status status = settle_window(root, s, why);
+
+    for (const struct schema_key *key = schema_table; key->path; key++) {
+        const struct node *n = node_at(root, key->path);
+        if (key->dimension != DIMENSION_NONE && n && status == STATUS_OK)
+            status = settle_key(key, n, s, why);
+    }
+    for (size_t i = 0; i < s->starts && status == STATUS_OK; i++)
+        status = settle_start(starts->child[i], s, &s->start[i], why);
+    return status;
+}
+
+/* ---- elsewhere ----------------------------------------------------------- */
+
+static bool read_rate(const struct scene *s, const char *text, double *v,
+                      char expected[128])
+{
+    enum unit unit;
+    double x;
+
+    snprintf(expected, 128, "expected a number, perhaps with m/s or V_star");
+    if (!unit_read(DIMENSION_RATE, text, &x, &unit))
+        return false;
+    snprintf(expected, 128,
+             "expected m/s or V_star behind it, as the scene has units: si");
+    if (unit == UNIT_BARE && s->units == UNITS_SI)
+        return false;
+    *v = unit == UNIT_SI ? x / s->material.V_star : x;
+    return true;
+}
+
+bool scene_state_read(const struct scene *s, const struct scene_state *text,
+                      struct scene_start *out, const char **wrong,
+                      char expected[128])
+{
+    struct scene_start z;
+
+    *wrong = text->v;
+    if (!text->v || !read_rate(s, text->v, &z.v, expected))
+        return false;
+    *wrong = text->psi && text->phi ? text->psi : NULL;
+    snprintf(expected, 128, "expected psi or phi, one of them");
+    if (!text->psi == !text->phi)
+        return false;
+    *wrong = text->psi ? text->psi : text->phi;
+    snprintf(expected, 128, "expected a number%s", text->phi ? " > 0" : "");
+    if (!number_read(*wrong, &z.psi) || (text->phi && !(z.psi > 0.0)))
+        return false;
+    snprintf(
+        expected, 128,
+        "expected phi (unit %s) instead of psi, as the scene has units: si",
+        physical_unit(&s->law));
+    if (text->psi && s->units == UNITS_SI)
+        return false;
+    if (text->phi)
+        z.psi = physical_psi(&s->law, &s->material, z.psi);
+    *out = z;
+    return true;
+}
