@@ -103,15 +103,18 @@ static void shake(const struct study *s, struct vec2 z, double near, double tol,
 }
 
 /* The finer value; the bar holds its change, its own one, and what may be left
- * of an orbit followed to this tolerance where its change is small by luck. */
+ * of an orbit followed to this tolerance where its change is small by luck.
+ * Where it changes by more than that, two may be near each other by chance. */
 static struct quantity compare(const struct quantity *coarse,
                                const struct quantity *fine, double tol)
 {
     if (!quantity_exists(coarse) || !quantity_exists(fine))
         return quantity_none("only at one tolerance");
+    const double change = fabs(fine->value - coarse->value);
+    const double least = TOL_CELLS_LEAST * tol * fabs(fine->value);
     return quantity_of(fine->value,
-                       fabs(fine->value - coarse->value) + fine->error +
-                           TOL_CELLS_LEAST * tol * fabs(fine->value));
+                       change + fine->error + least +
+                           TOL_CELLS_CHANCE * fmax(change - least, 0.0));
 }
 
 /* Fills the cell from two runs to the same fate, the finer one to `tol`; the

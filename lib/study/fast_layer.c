@@ -210,22 +210,26 @@ static double spread_at(const struct landing *l)
            TOL_LAYER_ASIDE;
 }
 
-/* What is left of the distance across the orbit after the step: it shrinks as
- * orbits do that close in on each other at both ends of it; what they part is
- * in TOL_LAYER_TRANSPORT. */
+/* What becomes of the distance across the orbit on the step: it shrinks as
+ * orbits do that close in on each other at both ends of it, and grows as they
+ * part in the mean of both. */
 static double across_left(struct walk *w)
 {
     const double spread = spread_at(&w->at);
-    const double parting = fmax(w->h * spread, w->h * w->spread);
+    const double most = w->h * fmax(spread, w->spread);
+    const double mean = 0.5 * w->h * (spread + w->spread);
 
     w->spread = spread;
-    return exp(fmin(parting, 0.0)) * w->at.across;
+    return exp(fmin(fmax(fmin(most, 0.0), mean), TOL_LAYER_PARTING)) *
+           w->at.across;
 }
 
 /* Takes the step to u1.  Of the estimates of order 5 the method misses `part`,
  * as it says itself; off its orbit a state also gains another time and slip, by
- * about as much, relative.  What closes in on another orbit does so ahead of it
- * or behind: what is lost across is on the way, as where it lands. */
+ * about as much, relative.  Rounding moves the end of the step, and turns the
+ * field by as much, relative, as its exponents are wrong.  What closes in on
+ * another orbit does so ahead of it or behind: what is lost across is on the
+ * way, as where it lands. */
 static void account(struct walk *w, const double u1[], double part,
                     const double error[])
 {
@@ -237,19 +241,25 @@ static void account(struct walk *w, const double u1[], double part,
 
     memcpy(l->u, u1, sizeof l->u);
     along(l->curve->study, 0.0, l->u, l->du);
-    const double x = error[LAYER_X], y = error[LAYER_Y];
+    const double digit_x = TOL_LAYER_ROUNDING * fabs(u1[LAYER_X]);
+    const double digit_y = TOL_LAYER_ROUNDING * fabs(u1[LAYER_Y]);
+    const double digits = digit_x + digit_y;
+    const double missed = TOL_LAYER_MISSED * fair;
+    const double x = missed * error[LAYER_X] + digit_x;
+    const double y = missed * error[LAYER_Y] + digit_y;
     const double dx = fabs(l->du[LAYER_X]), dy = fabs(l->du[LAYER_Y]);
     const double left = across_left(w);
     const double on =
-        transport * (x * dx + y * dy) + TOL_LAYER_TURNED * (l->across - left);
-    const double across = transport * (x * dy + y * dx) + left;
-    const double most = fmax(across, l->across);
+        x * dx + y * dy + TOL_LAYER_TURNED * fabs(l->across - left);
+    const double turned = TOL_LAYER_TERMS * digits * fabs(w->h) * dx * dy;
+    const double across = x * dy + y * dx + turned + left;
+    const double most = TOL_LAYER_TRANSPORT * fmax(across, l->across) + digits;
     l->across = across;
     l->time_error += transport * error[LAYER_TIME] + l->du[LAYER_TIME] * on +
-                     TOL_LAYER_TRANSPORT * most * fabs(time);
+                     most * fabs(time);
     l->slip_error += transport * error[LAYER_SLIP] + l->du[LAYER_SLIP] * on +
-                     TOL_LAYER_TRANSPORT * most * fabs(slip);
-    l->out->place_error += fair * (x + y);
+                     most * fabs(slip);
+    l->out->place_error += fair * (error[LAYER_X] + error[LAYER_Y]) + digits;
 }
 
 /* Whether a step with this error, relative to what is allowed, is accepted;

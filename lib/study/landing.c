@@ -274,6 +274,19 @@ static double unevenness(const struct landing *l, const struct slow_point *p,
     return larger > 0.0 ? longer * fabs(fall - linear) / larger : 0.0;
 }
 
+/* The sine of the angle between its fibre and the way it falls, less the way of
+ * the curve: psi far off psi_ss leaps by a sinh, whatever v settles to. */
+static double turning(const struct landing *l, const struct slow_point *p)
+{
+    const double back = l->du[LAYER_TIME] / p->time_slope;
+    const struct vec2 fall = { l->du[LAYER_X] + back * p->x_slope,
+                               l->du[LAYER_Y] + back };
+    const double size = vec2_length(fall);
+
+    return size > 0.0 ? fabs(fall.x * p->fibre.y - fall.y * p->fibre.x) / size
+                      : 0.0;
+}
+
 /* What the table says of the point y, `off` away along its fibre, added to what
  * was before.  False: nearer to the curve it would be good enough. */
 static bool land(struct landing *l, double y, const struct slow_point *p,
@@ -284,7 +297,8 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double det = fabs(e.x - e.y * p->x_slope);
     const double part =
         TOL_LAYER_BEND * (fabs(off) + p->gap) + unevenness(l, p, off);
-    const double bend = fabs(off * e.x * e.y) * part / det;
+    const double bend =
+        fabs(off) * fmax(fabs(e.x * e.y) * part, turning(l, p)) / det;
     const double wrong = bend + l->across / det;
     const double d = off * e.x, v = exp(s->block.at.x0 + p->x);
     const double more = v / p->fast * d * (1.0 + 0.25 * d);

@@ -153,20 +153,31 @@ static void account(struct bundle *b, lanes good, const lanes u[])
     const lanes dx = lanes_size(du[LAYER_X]), dy = lanes_size(du[LAYER_Y]);
     const lanes fair = lanes_larger(b->part, b->fair);
     const lanes spread = spread_at(b, u);
-    const lanes parting = lanes_larger(b->h * spread, b->h * b->spread);
-    const lanes left = lanes_exp(lanes_smaller(parting, none)) * b->across;
+    const lanes most_h = b->h * lanes_larger(spread, b->spread);
+    const lanes mean = 0.5 * b->h * (spread + b->spread);
+    const lanes parting = lanes_larger(lanes_smaller(most_h, none), mean);
+    const lanes left =
+        lanes_exp(lanes_smaller(parting, LANES_OF(TOL_LAYER_PARTING))) *
+        b->across;
     const lanes transport = TOL_LAYER_TRANSPORT * fair;
-    const lanes across = transport * (e[LAYER_X] * dy + e[LAYER_Y] * dx) + left;
-    const lanes on = transport * (e[LAYER_X] * dx + e[LAYER_Y] * dy) +
-                     TOL_LAYER_TURNED * (b->across - left);
-    const lanes place = fair * (e[LAYER_X] + e[LAYER_Y]);
-    const lanes most = lanes_larger(across, b->across);
+    const lanes digit_x = TOL_LAYER_ROUNDING * lanes_size(u[LAYER_X]);
+    const lanes digit_y = TOL_LAYER_ROUNDING * lanes_size(u[LAYER_Y]);
+    const lanes digits = digit_x + digit_y;
+    const lanes missed = TOL_LAYER_MISSED * fair;
+    const lanes x = missed * e[LAYER_X] + digit_x;
+    const lanes y = missed * e[LAYER_Y] + digit_y;
+    const lanes turned = TOL_LAYER_TERMS * digits * lanes_size(b->h) * dx * dy;
+    const lanes across = x * dy + y * dx + turned + left;
+    const lanes on =
+        x * dx + y * dy + TOL_LAYER_TURNED * lanes_size(b->across - left);
+    const lanes place = fair * (e[LAYER_X] + e[LAYER_Y]) + digits;
+    const lanes most =
+        TOL_LAYER_TRANSPORT * lanes_larger(across, b->across) + digits;
 
     for (int i = 0; i < 2; i++) {
         const int k = LAYER_TIME + i;
         const lanes gain = lanes_size(b->u1[k] - b->u[k]);
-        const lanes wrong =
-            transport * e[k] + du[k] * on + TOL_LAYER_TRANSPORT * most * gain;
+        const lanes wrong = transport * e[k] + du[k] * on + most * gain;
         b->wrong[i] += lanes_less(none, good, wrong, none);
     }
     b->across = lanes_less(none, good, across, b->across);

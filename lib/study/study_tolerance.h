@@ -203,9 +203,10 @@
  * much later or earlier at most a box is entered for what is then left of the
  * distance, in what is left; steps; the first and the shortest; the least error
  * that tells anything on the next step.  Bars: what the fibre's curvature and
- * the slow rates change of what it corrects, and of errors of the steps
- * (measured on 4000 states at 1e-4, 1e-6 and 1e-9: errors are 0.55 of their
- * bars at most; a landing at 0.1 errs by 1e-7). */
+ * the slow rates change of what it corrects, and of errors of the steps in time
+ * and slip; how many times what a step says of its place it may miss (measured
+ * on 4000 states at 1e-4, 1e-6 and 1e-9: errors are 0.55 of their bars at most;
+ * a landing at 0.1 errs by 1e-7). */
 #define TOL_LAYER_PART      0.03
 #define TOL_LAYER_PLAIN     1e-6
 #define TOL_LAYER_LANDING   0.1
@@ -221,6 +222,7 @@
 #define TOL_LAYER_GROWTH    2.0
 #define TOL_LAYER_BEND      5.0
 #define TOL_LAYER_TRANSPORT 6.0
+#define TOL_LAYER_MISSED    2.0
 /* How far along an orbit another one is that it closed in on, as a part of the
  * distance across that it lost.  On the slow curve it is the slope dx/dy, 1 to
  * 2 where x settles first, of the distance without TOL_LAYER_TRANSPORT
@@ -257,8 +259,12 @@
 #define TOL_LAYER_ASIDE  1e-6
 #define TOL_LAYER_SAFETY 0.8
 /* What rounding does to a coordinate, per unit of it: half a unit of its last
- * digit, and as much again of a logarithm. */
+ * digit, and as much again of a logarithm; of how many terms of the field; and
+ * how much orbits part in a step at most, as an exponent: beyond nothing is
+ * known. */
 #define TOL_LAYER_ROUNDING 0x1.4p-53
+#define TOL_LAYER_TERMS    2.0
+#define TOL_LAYER_PARTING  30.0
 /* A side of the saddle is told from this much of the distance on; what is left
  * of the distance by a step towards a peak beside the curve. */
 #define TOL_LAYER_SIDE 0.5
@@ -290,15 +296,17 @@
  * tolerance, of the stiffest ninety), at most this (looser ones miss where a
  * block rests), then finer by this factor, down to the finest that doubles
  * hold, as long as bars shrink to this part; least bar, in tolerances of the
- * finest run; what rounding does to a coordinate, per unit of it; and what
- * steps leave across the stable manifold, in tolerances (measured: 4e-3 at
- * most). */
+ * finest run; how many times as far off an orbit may be as another tolerance
+ * changes it where that is more; what rounding does to a coordinate, per unit
+ * of it; and what steps leave across the stable manifold, in tolerances
+ * (measured: 4e-3 at most). */
 #define TOL_CELLS_START    0.05
 #define TOL_CELLS_COARSEST 1e-5
 #define TOL_CELLS_FINER    0.1
 #define TOL_CELLS_FINEST   1e-12
 #define TOL_CELLS_GAIN     0.7
 #define TOL_CELLS_LEAST    90.0
+#define TOL_CELLS_CHANCE   4.0
 #define TOL_CELLS_ROUNDING 0x1p-50
 #define TOL_CELLS_ACROSS   0.01
 
