@@ -360,6 +360,40 @@ static int run_holds(const struct slope *s, double v, double psi, double rtol)
     return compared;
 }
 
+/* While v waits d = psi - psi_ss falls by (26): tanh(d/2) by e^(-t/T). */
+static void samples_of_a_leap_are_right(void **state)
+{
+    enum { N = 201 };
+    const double psi[] = { 700.0, 760.0, 1e5 };
+    struct trajectory_row row[N];
+    struct slope s;
+
+    (void) state;
+    make(&s, "dieterich_gen");
+    for (int k = 0; k < 3; k++) {
+        struct transient t = run(&s, 1.0, psi[k], 0, 0);
+        int early = 0;
+        sample_log_time(&s.study, &t, N, row);
+        for (int i = 0; i < N; i++) {
+            const struct trajectory_row *r = &row[i];
+            assert_true(r->time > 0.0 && isfinite(r->time));
+            assert_true(isfinite(r->v) && isfinite(r->psi) &&
+                        isfinite(r->slip) && isfinite(r->mu));
+            assert_true(i == 0 || r->time > row[i - 1].time);
+            if (r->time > 1e-18)
+                continue;
+            const double u = 2.0 * exp(1.0 - psi[k]) + r->time;
+            const double d = r->psi - 1.0;
+            CHECK(fabs(d + log(0.5 * u)) < 1e-8 * d, "%g, %g: %.16g, not %.16g",
+                  psi[k], r->time, d, -log(0.5 * u));
+            early++;
+        }
+        CHECK(early > 100, "%d", early);
+        transient_free(&t);
+    }
+    slope_free(&s);
+}
+
 static void bars_hold_what_a_tight_orbit_finds(void **state)
 {
     static const char *const law[] = { "dieterich_gen", "spinodal",
@@ -394,6 +428,7 @@ int main(void)
         cmocka_unit_test(slow_orbits_are_followed_far),
         cmocka_unit_test(a_start_at_a_node_goes_nowhere),
         cmocka_unit_test(samples_are_evenly_spaced_and_on_the_orbit),
+        cmocka_unit_test(samples_of_a_leap_are_right),
         cmocka_unit_test(bars_hold_what_a_tight_orbit_finds),
         cmocka_unit_test(starts_outside_the_domain_are_refused),
         cmocka_unit_test(a_monitor_stops_a_run),
