@@ -64,6 +64,27 @@ static void passages_through_boxes_agree_with_fine_sampling(void **state)
     curve_free(&c);
 }
 
+/* At first as fast as 1e12 boxes a piece, then beside the box without moving:
+ * strides of the box at that speed would take hours. */
+static void a_curve_that_comes_to_lie_beside_a_box_costs_little(void **state)
+{
+    const struct box b = { { -0.01, -0.01 }, { 0.01, 0.01 } };
+    const int binomial[] = { 1, -7, 21, -35, 35, -21, 7, -1 };
+    struct curve c = CURVE_EMPTY(2);
+    double *coef;
+
+    (void) state;
+    assert_int_equal(curve_push(&c, 7, &coef), STATUS_OK);
+    for (int k = 0; k < 8; k++) {
+        coef[k] = 1e10 * binomial[k] + (k == 0 ? 0.02 : 0.0);
+        coef[8 + k] = 0.0;
+    }
+    assert_true(passage_into(&c, b) == PASSAGE_NEVER);
+    coef[0] -= 0.02;
+    assert_true(passage_into(&c, b) < 1.0);
+    curve_free(&c);
+}
+
 static void values_are_passed_on_the_side_of_their_sign(void **state)
 {
     struct curve c = CURVE_EMPTY(3);
@@ -103,6 +124,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(passages_through_boxes_agree_with_fine_sampling),
+        cmocka_unit_test(a_curve_that_comes_to_lie_beside_a_box_costs_little),
         cmocka_unit_test(values_are_passed_on_the_side_of_their_sign),
         cmocka_unit_test(distance_is_signed_and_in_the_maximum_norm),
     };

@@ -1,10 +1,15 @@
-/* The idea of sphere tracing (Hart, Visual Computer 12 (1996) 527-545) on a
- * polynomial: sum_j j |u_j| bounds the speed of component u on [0, 1]. */
+/* Halving: about the middle of an interval of half length h a polynomial keeps
+ * within sum_j |u_j| h^j, j > 0, of its value there, with u_j its coefficients
+ * about that point.  Nearer than that to the passage the halves are searched,
+ * the first one first.  A curve that hugs a box moves little there, so few
+ * intervals are left, whatever its coefficients are. */
 #include "passage.h"
 
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
+#include "jet.h"
 #include "newton.h"
 #include "tolerance.h"
 
@@ -14,7 +19,10 @@ struct walk {
     struct box box;
     size_t component; /* < curve->dim; else the box decides */
     double value;
-    double sign; /* of the box distance: +1 into it, -1 out of it */
+    double sign;   /* of the box distance: +1 into it, -1 out of it */
+    bool closed;   /* distance zero is a passage already */
+    double stride; /* shorter intervals of theta are not halved, */
+    double least;  /* nor those on which the curve moves less than this */
 };
 
 /* Positive before the passage, negative beyond it. */
@@ -36,39 +44,56 @@ static double to_go(const void *ctx, double theta)
     return w->sign * passage_distance(w->box, (struct vec2){ u[0], u[1] });
 }
 
-static double top_speed(const struct walk *w, size_t i)
+/* How far component i may be from its value at the middle m. */
+static double spread(const struct walk *w, size_t i, double m, double h)
 {
+    const size_t n = w->curve->piece[w->piece].degree;
     const double *p = curve_component(w->curve, w->piece, i);
-    double sum = 0.0;
+    double c[JET_SIZE], power = 1.0, sum = 0.0;
 
-    for (size_t j = 1; j <= w->curve->piece[w->piece].degree; j++)
-        sum += (double) j * fabs(p[j]);
+    memcpy(c, p, (n + 1) * sizeof *c);
+    for (size_t k = 0; k < n; k++)
+        for (size_t j = n; j-- > k;)
+            c[j] += m * c[j + 1];
+    for (size_t j = 1; j <= n; j++)
+        sum += fabs(c[j]) * (power *= h);
     return sum;
 }
 
-/* `stride`: shortest stride in theta; `closed`: distance zero is a passage
- * already. */
-static double first(const struct walk *w, double speed, double stride,
-                    bool closed)
+static bool is_passed(const struct walk *w, double left)
 {
-    double at = 0.0, left = to_go(w, 0.0);
+    return left < 0.0 || (w->closed && left == 0.0);
+}
 
-    if (left < 0.0 || (closed && left == 0.0))
-        return 0.0;
-    while (at < 1.0) {
-        struct newton_root root;
-        if (left > speed * (1.0 - at))
-            return PASSAGE_NEVER;
-        const double step = fmax(left / speed, stride);
-        const double next = fmin(at + step, 1.0);
-        left = to_go(w, next);
-        if (left < 0.0 || (closed && left == 0.0))
-            return newton_find(to_go, w, at, next, 0.0, &root) == STATUS_OK
-                       ? root.x
-                       : next;
-        at = next;
-    }
-    return PASSAGE_NEVER;
+/* The passage between a, which is before one, and b, if it is beyond. */
+static double between(const struct walk *w, double a, double b)
+{
+    struct newton_root root;
+
+    if (!is_passed(w, to_go(w, b)))
+        return PASSAGE_NEVER;
+    return newton_find(to_go, w, a, b, 0.0, &root) == STATUS_OK ? root.x : b;
+}
+
+/* The first passage after a, which is before one. */
+static double search(const struct walk *w, double a, double b)
+{
+    const double m = 0.5 * (a + b), h = 0.5 * (b - a);
+    const bool is_box = w->component >= w->curve->dim;
+    const double moves = is_box ? fmax(spread(w, 0, m, h), spread(w, 1, m, h))
+                                : spread(w, w->component, m, h);
+
+    if (to_go(w, m) > moves)
+        return PASSAGE_NEVER;
+    if (!(moves > w->least) || isinf(moves) || b - a <= w->stride)
+        return between(w, a, b);
+    const double first = search(w, a, m);
+    return first <= 1.0 ? first : search(w, m, b);
+}
+
+static double first(const struct walk *w)
+{
+    return is_passed(w, to_go(w, 0.0)) ? 0.0 : search(w, 0.0, 1.0);
 }
 
 static struct walk through_box(const struct curve *c, struct box b, double sign)
@@ -77,35 +102,37 @@ static struct walk through_box(const struct curve *c, struct box b, double sign)
                           .piece = c->count - 1,
                           .box = b,
                           .component = c->dim,
-                          .sign = sign };
+                          .sign = sign,
+                          .stride = TOL_PASSAGE_STEP };
 }
 
 double passage_into(const struct curve *c, struct box b)
 {
-    const struct walk w = through_box(c, b, 1.0);
-    const double speed = fmax(top_speed(&w, 0), top_speed(&w, 1));
-    const double width = fmin(b.hi.x - b.lo.x, b.hi.y - b.lo.y);
+    struct walk w = through_box(c, b, 1.0);
 
-    return first(&w, speed,
-                 fmin(TOL_PASSAGE_STEP, TOL_PASSAGE_CHORD * width / speed),
-                 true);
+    w.closed = true;
+    w.stride = TOL_PASSAGE_LEAST;
+    w.least = TOL_PASSAGE_CHORD * fmin(b.hi.x - b.lo.x, b.hi.y - b.lo.y);
+    return first(&w);
 }
 
 double passage_out_of(const struct curve *c, struct box b)
 {
     const struct walk w = through_box(c, b, -1.0);
-    const double speed = fmax(top_speed(&w, 0), top_speed(&w, 1));
 
-    return first(&w, speed, TOL_PASSAGE_STEP, false);
+    return first(&w);
 }
 
 double passage_beyond(const struct curve *c, size_t i, double value)
 {
-    const struct walk w = {
-        .curve = c, .piece = c->count - 1, .component = i, .value = value
-    };
+    const struct walk w = { .curve = c,
+                            .piece = c->count - 1,
+                            .component = i,
+                            .value = value,
+                            .closed = true,
+                            .stride = TOL_PASSAGE_STEP };
 
-    return first(&w, top_speed(&w, i), TOL_PASSAGE_STEP, true);
+    return first(&w);
 }
 
 double passage_distance(struct box b, struct vec2 z)

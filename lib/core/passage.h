@@ -12,10 +12,10 @@
 #define PASSAGE_NEVER 2.0
 
 /* Each returns the first theta in [0, 1] to the last digit, 0 if it holds at
- * the start already.  Walks by strides no longer than the distance still to
- * go over the largest speed, so nothing is jumped over.  Only a dip for less
- * than TOL_PASSAGE_STEP of the piece may be missed, for passage_into one
- * shorter than TOL_PASSAGE_CHORD of the box, whose width must be positive. */
+ * the start already.  Only a dip for less than TOL_PASSAGE_STEP of the piece
+ * may be missed, for passage_into one shorter than TOL_PASSAGE_CHORD of the
+ * box, whose width must be positive.  Work is bounded whatever the
+ * coefficients. */
 
 /* First inside b, edges included. */
 double passage_into(const struct curve *c, struct box b);

@@ -118,8 +118,10 @@
  * less grazes by less than a thousandth of the way a piece can make. */
 #define TOL_PASSAGE_STEP 0x1p-10
 /* The same into a box, as a fraction of its width: a chord across a corner
- * shorter than this comes no nearer the middle than 99 % of the edge. */
+ * shorter than this comes no nearer the middle than 99 % of the edge; and in
+ * theta, where rounding is all that moves. */
 #define TOL_PASSAGE_CHORD 0x1p-6
+#define TOL_PASSAGE_LEAST 0x1p-40
 /* An orbit whose steps shrink below this times |z| is stuck: z + h = z, as
  * where the field ends in NaN. */
 #define TOL_ORBIT_STALL 1e-15
