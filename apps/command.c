@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "progress.h"
 #include "text.h"
 
 enum exit_code command_run(const struct command *c, const struct options *o)
@@ -55,6 +56,8 @@ enum exit_code command_fail(enum status s, const char *text)
 {
     char line[2048]; /* one, whatever a file is called */
 
+    if (s == STATUS_STOPPED)
+        progress_heard();
     text_show(text[0] ? text : status_text(s), line, sizeof line);
     fprintf(stderr, "slipway: %s\n", line);
     switch (s) {

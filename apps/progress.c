@@ -7,6 +7,9 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "command.h"
+#include "litter.h"
+
 enum { BAR_WIDTH = 20 };
 
 /* Seconds between two lines of a stage; its first and last are always shown. */
@@ -22,12 +25,66 @@ struct shown {
 static volatile sig_atomic_t interrupted;
 static enum { PROGRESS_NONE, PROGRESS_BAR, PROGRESS_JSON } how;
 static struct shown shown;
-static bool line_shown;
+static volatile sig_atomic_t line_shown;
+
+/* nohup says that a terminal's end is to be ignored. */
+static bool ignores(int number)
+{
+    struct sigaction now;
+
+    return sigaction(number, NULL, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
+/* How long work may take to hear of a signal, ns. */
+static const long grace = 700000000L;
+static timer_t deadline;
+static bool listens;
+
+static void set_deadline(long ns)
+{
+    const struct itimerspec once = { .it_value = { 0, ns } };
+
+    if (listens)
+        (void) timer_settime(deadline, 0, &once, NULL);
+}
 
 static void on_signal(int number)
 {
     (void) number;
+    if (!interrupted)
+        set_deadline(grace);
     interrupted = 1;
+}
+
+/* Some work is deaf, or gnuplot is at it. */
+static _Noreturn void on_deadline(int number)
+{
+    static const char clear[] = "\r\033[K", said[] = "slipway: interrupted\n";
+
+    (void) number;
+    if (line_shown)
+        (void) !write(STDERR_FILENO, clear, sizeof clear - 1);
+    (void) !write(STDERR_FILENO, said, sizeof said - 1);
+    litter_sweep();
+    _exit(EXIT_INTERRUPT);
+}
+
+/* Signals are heard from now on; without a timer they end us as they are. */
+static void listen(void)
+{
+    const struct sigaction action = { .sa_handler = on_signal };
+    const struct sigaction end = { .sa_handler = on_deadline };
+    struct sigevent alarm = { .sigev_notify = SIGEV_SIGNAL };
+
+    alarm.sigev_signo = SIGALRM;
+    sigaction(SIGALRM, &end, NULL);
+    listens = listens || timer_create(CLOCK_MONOTONIC, &alarm, &deadline) == 0;
+    if (!listens)
+        return;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    if (!ignores(SIGHUP))
+        sigaction(SIGHUP, &action, NULL);
 }
 
 static double now(void)
@@ -97,30 +154,22 @@ static int tell(void *ctx, const char *stage, uint64_t done, uint64_t total)
     return interrupted;
 }
 
-/* nohup says that a terminal's end is to be ignored. */
-static bool ignores(int number)
-{
-    struct sigaction now;
-
-    return sigaction(number, NULL, &now) == 0 && now.sa_handler == SIG_IGN;
-}
-
 const struct monitor *progress_monitor(const struct options *o)
 {
     static const struct monitor monitor = { tell, NULL };
-    const struct sigaction action = { .sa_handler = on_signal };
-
     const char *word = o->progress ? o->progress : "auto";
 
     how = strcmp(word, "json") == 0                 ? PROGRESS_JSON
           : strcmp(word, "none") == 0               ? PROGRESS_NONE
           : !o->quiet && isatty(STDERR_FILENO) != 0 ? PROGRESS_BAR
                                                     : PROGRESS_NONE;
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    if (!ignores(SIGHUP))
-        sigaction(SIGHUP, &action, NULL);
+    listen();
     return &monitor;
+}
+
+void progress_heard(void)
+{
+    set_deadline(0);
 }
 
 void progress_end(void)

@@ -8,8 +8,12 @@
 #include "options.h"
 
 /* Prints as `how` says (to stderr) and stops the work after Ctrl-C, SIGTERM.
- * One a process. */
+ * Work that does not hear of them for 0.7 s is ended where it stands, without
+ * leaving anything (litter.h).  One a process. */
 const struct monitor *progress_monitor(const struct options *o);
+
+/* The work has heard, and what is left to do takes no time. */
+void progress_heard(void);
 
 /* Wipes the line on the terminal. */
 void progress_end(void);

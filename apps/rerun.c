@@ -9,6 +9,7 @@
 #include "apart.h"
 #include "json.h"
 #include "library.h"
+#include "litter.h"
 #include "replace.h"
 #include "scene.h"
 #include "store_compare.h"
@@ -145,6 +146,9 @@ static enum status make_folder(struct rerun *r, struct fault *why)
     }
     snprintf(r->path, PATH, "%s/again.h5", r->folder);
     snprintf(r->scene_path, PATH, "%s/scene.yaml", r->folder);
+    litter_add(r->folder);
+    litter_add(r->path);
+    litter_add(r->scene_path);
     return r->scene[0]
                ? replace_file(r->scene_path, r->scene, strlen(r->scene), why)
                : STATUS_OK;
@@ -309,6 +313,9 @@ static void remove_folder(struct rerun *r)
     unlink(r->path);
     unlink(r->scene_path);
     rmdir(r->folder);
+    litter_drop(r->path);
+    litter_drop(r->scene_path);
+    litter_drop(r->folder);
     r->folder[0] = '\0';
 }
 

@@ -10,6 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "litter.h"
+
 enum { SAID_MAX = 4096 };
 
 /* Reads to the end, keeps the beginning. */
@@ -126,13 +128,16 @@ enum status gnuplot_run(const char *folder, const char *script,
     const int e = start(folder, script, ends[1], variables, &child);
     free((void *) variables);
     close(ends[1]);
-    if (e == 0)
+    if (e == 0) {
+        litter_child(child);
         listen_to(ends[0], said);
+    }
     close(ends[0]);
     if (e != 0 && e != ENOENT)
         return refuse(fault, "cannot be started", strerror(e));
     while (e == 0 && waitpid(child, &how, 0) < 0 && errno == EINTR)
         continue;
+    litter_child(0);
     /* POSIX lets posix_spawn say that nothing was found by exit status 127 */
     if (e == ENOENT || (WIFEXITED(how) && WEXITSTATUS(how) == 127))
         return refuse(fault, "was not found",

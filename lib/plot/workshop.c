@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "litter.h"
+
 /* The first n bytes of a text and another, as a new string. */
 static char *join(const char *a, size_t n, const char *b)
 {
@@ -81,8 +83,12 @@ enum status workshop_open(const char *path, struct workshop *w,
         return io_fault(fault, path);
     }
     w->folder = folder;
-    if (name_files(w, path, base))
+    litter_add(folder);
+    if (name_files(w, path, base)) {
+        for (int k = 0; k < WORKSHOP_FILES; k++)
+            litter_add(w->made[k]);
         return STATUS_OK;
+    }
     workshop_close(w);
     return STATUS_NO_MEMORY;
 }
@@ -107,12 +113,14 @@ void workshop_close(struct workshop *w)
     for (int k = 0; k < WORKSHOP_FILES; k++) {
         if (w->made[k])
             unlink(w->made[k]);
+        litter_drop(w->made[k]);
         free(w->name[k]);
         free(w->made[k]);
         free(w->goal[k]);
     }
     if (w->folder)
         rmdir(w->folder);
+    litter_drop(w->folder);
     free(w->folder);
     *w = WORKSHOP_EMPTY;
 }

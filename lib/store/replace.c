@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "litter.h"
+
 enum { NAME_ROOM = 64, NAMES_MAX = 1000 };
 
 struct place {
@@ -127,6 +129,7 @@ static int replace_at(struct place *p, const void *bytes, size_t size)
 
     if (fd < 0)
         return errno;
+    litter_add(p->temporary);
     error = write_all(fd, bytes, size);
     if (error == 0 && p->temporary[0] == '\0' &&
         make_temporary(p, link_new, fd) != 0)
@@ -137,6 +140,7 @@ static int replace_at(struct place *p, const void *bytes, size_t size)
         error = errno;
     if (error != 0 && p->temporary[0] != '\0')
         unlink(p->temporary);
+    litter_drop(p->temporary);
     return error;
 }
 
