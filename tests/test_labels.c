@@ -6,6 +6,7 @@
 #include "push.h"
 #include "quad_side.h"
 #include "random_slope.h"
+#include "transient.h"
 
 /* ---- sides --------------------------------------------------------------- */
 
@@ -237,6 +238,105 @@ static void shares_are_continuous_in_the_slope(void **state)
     }
 }
 
+/* ---- one answer ---------------------------------------------------------- */
+
+/* A run from the state never tells another fate than its side. */
+static void check_run(const struct labels *l, struct push_state at, int fate)
+{
+    const struct study *s = l->study;
+    struct transient_options o = transient_defaults(s->scene);
+    struct transient t;
+
+    o.labels = l;
+    assert_int_equal(
+        transient_find(s, (struct scene_start){ at.v, at.psi }, &o, NULL, &t),
+        STATUS_OK);
+    CHECK(t.sum.fate == fate,
+          "%s at alpha = %.17g: v = %.17g, psi = %.17g: "
+          "%s in push, %s in simulate",
+          s->block.law.preset, s->scene->alpha, at.v, at.psi, fate_names[fate],
+          fate_names[t.sum.fate]);
+    if (fate == FATE_UNDECIDED)
+        CHECK(t.reason && t.sum.end == TRANSIENT_NEAR &&
+                  !quantity_exists(&t.sum.time) && t.events == 0,
+              "%s", t.reason ? t.reason : "no reason");
+    transient_free(&t);
+}
+
+/* The window reaches as far to either side as a factor, or as much. */
+static void zoom(struct scene *c, bool is_log, struct push_state at,
+                 double width)
+{
+    const double part = expm1(width);
+
+    c->window.v[0] = at.v / (1.0 + part);
+    c->window.v[1] = at.v * (1.0 + part);
+    c->window.psi[0] = is_log ? at.psi / (1.0 + part) : at.psi - width;
+    c->window.psi[1] = is_log ? at.psi * (1.0 + part) : at.psi + width;
+}
+
+static void check_zoomed(const struct push *p, struct push_state at,
+                         double width)
+{
+    enum { SIDE = 6 };
+    struct scene c = p->scene; /* borrows */
+    struct cell cell[SIDE * SIDE];
+    int8_t label[SIDE * SIDE];
+    struct fault why;
+    struct study s;
+
+    zoom(&c, p->study.system.axis[1].is_log, at, width);
+    if (!(c.window.psi[0] < c.window.psi[1] && c.window.v[0] < c.window.v[1]))
+        return;
+    c.products = 1u << PRODUCT_BASINS | 1u << PRODUCT_SLIP;
+    c.cells[0] = c.cells[1] = SIDE;
+    c.audit = 0;
+    CHECK(study_run(&s, &c, NULL, &why) == STATUS_OK, "%s", why.text);
+    const struct basin_map *m = &s.basins;
+    assert_int_equal(basin_map_rows(m, 0, SIDE, label), STATUS_OK);
+    assert_int_equal(fields_find(&s.fields, 0, SIDE, NULL, cell), STATUS_OK);
+    for (size_t i = 0; i < SIDE * SIDE; i++) {
+        struct push_answer a;
+        const struct push_state here = { m->v[i % SIDE], m->psi[i / SIDE] };
+        assert_int_equal(push_find(p, here, NULL, &a), STATUS_OK);
+        CHECK(label[i] == a.fate && (cell[i].exit_reason == a.fate ||
+                                     cell[i].exit_reason == FATE_UNDECIDED),
+              "%s at alpha = %.17g: v = %.17g, psi = %.17g: %s in push, %s in "
+              "a map, its orbit %s",
+              p->study.block.law.preset, c.alpha, here.v, here.psi,
+              fate_names[a.fate], fate_names[label[i]],
+              fate_names[cell[i].exit_reason]);
+    }
+    study_free(&s);
+}
+
+/* At any distance from saddle and separatrix. */
+static void push_simulate_and_maps_give_one_fate(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (size_t i = 0; i < 2 * random_presets(); i++) {
+        static const char *const set[] = { "products=[equilibria]", NULL };
+        struct fault why;
+        struct slope s;
+        struct push p;
+        random_slope_of(&s, i % random_presets(), &rng, set);
+        assert_int_equal(push_init(&p, &s.scene, NULL, &why), STATUS_OK);
+        assert_int_equal(push_tabulate(&p, NULL), STATUS_OK);
+        for (int k = 0; k < 4; k++) {
+            const struct push_state at = beside(&p.labels, &rng);
+            struct push_answer a;
+            assert_int_equal(push_find(&p, at, NULL, &a), STATUS_OK);
+            check_run(&p.labels, at, a.fate);
+        }
+        const struct push_state at = beside(&p.labels, &rng);
+        check_zoomed(&p, at, pow(10.0, check_uniform(&rng, -15.0, -1.0)));
+        push_free(&p);
+        slope_free(&s);
+    }
+}
+
 /* ---- errors -------------------------------------------------------------- */
 
 static void every_allocation_may_fail(void **state)
@@ -270,6 +370,7 @@ int main(void)
         cmocka_unit_test(a_flat_shelf_does_not_turn_a_basin_round),
         cmocka_unit_test(an_exact_map_prints_the_shares_of_its_cells),
         cmocka_unit_test(shares_are_continuous_in_the_slope),
+        cmocka_unit_test(push_simulate_and_maps_give_one_fate),
         cmocka_unit_test(every_allocation_may_fail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -63,13 +63,14 @@ static enum status find_fates(struct work *w, struct stress_row *row,
 {
     const struct scene_start at = w->scene.start[0];
     const struct push_state state = { at.v, at.psi };
-    const struct transient_options o = transient_defaults(&w->scene);
+    struct transient_options o = transient_defaults(&w->scene);
     const struct planar *sys = &w->push.study.system;
     const struct vec2 z = { log(at.v),
                             sys->axis[1].is_log ? log(at.psi) : at.psi };
     struct fate_result orbit;
     struct push_answer answer;
 
+    o.labels = &w->push.labels;
     enum status s = push_find(&w->push, state, NULL, &answer);
     if (s == STATUS_OK)
         s = fate_find(&w->push.study, z, TOL_PUSH_COARSE, false, NULL, &orbit);

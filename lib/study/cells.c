@@ -31,11 +31,10 @@ const struct record_type record_cell =
 
 static const unsigned peaks = 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK;
 
-/* Of which nothing is known. */
-static const struct cell unknown = { FATE_UNDECIDED, (double) NAN, (double) NAN,
-                                     (double) NAN,   (double) NAN, (double) NAN,
-                                     (double) NAN,   (double) NAN, (double) NAN,
-                                     (double) NAN,   (double) NAN };
+const struct cell cell_unknown = { FATE_UNDECIDED, (double) NAN, (double) NAN,
+                                   (double) NAN,   (double) NAN, (double) NAN,
+                                   (double) NAN,   (double) NAN, (double) NAN,
+                                   (double) NAN,   (double) NAN };
 
 /* One orbit at one tolerance. */
 struct run {
@@ -176,7 +175,7 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
     double near = HUGE_VAL;
     enum status status = follow(s, z, tol, which, &coarse);
 
-    *out = unknown;
+    *out = cell_unknown;
     if (status == STATUS_OK && t->set)
         status =
             trap_pass(t, vec2_sub(z, s->system.origin), &label, &near, NULL);
@@ -193,7 +192,7 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
              (fine.fate == FATE_UNDECIDED && coarse.fate == FATE_UNDECIDED)))
             break;
         shake(s, z, near, tol, &fine);
-        *out = unknown;
+        *out = cell_unknown;
         worst = agree(&coarse, &fine, label)
                     ? fill(&coarse, &fine, tol, which, out)
                     : HUGE_VAL;

@@ -47,6 +47,9 @@ struct cell {
     double mu_peak, mu_peak_error;
 };
 
+/* Of which nothing is known: undecided. */
+extern const struct cell cell_unknown;
+
 /* Field 0 is exit_reason; 1 + 2 k and 2 + 2 k are enum cell_field k and its
  * error. */
 extern const struct record_field cell_fields[];

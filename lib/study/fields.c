@@ -81,6 +81,15 @@ void fields_free(struct fields *f)
     fast_cells_free(&f->fast);
 }
 
+/* No cell tells of another fate than its label: an orbit beside the separatrix
+ * may go to the other side. */
+static void heed(const int8_t label[], size_t n, struct cell out[])
+{
+    for (size_t i = 0; i < n; i++)
+        if (out[i].exit_reason != label[i])
+            out[i] = cell_unknown;
+}
+
 /* Some rows at a time, so that the monitor hears often. */
 enum status fields_find(const struct fields *f, size_t first, size_t rows,
                         const struct monitor *monitor, struct cell out[])
@@ -97,6 +106,8 @@ enum status fields_find(const struct fields *f, size_t first, size_t rows,
         if (status == STATUS_OK)
             status = patchwork_rows(&f->patches, j, some, label,
                                     out + (j - first) * n, NULL);
+        if (status == STATUS_OK)
+            heed(label, some * n, out + (j - first) * n);
         if (status == STATUS_OK &&
             monitor_tell(monitor, "cells", (j + some) * n, m->rows * n))
             status = STATUS_STOPPED;
@@ -121,6 +132,8 @@ static enum status fill_raster(const struct fields *f,
     status = plan(f, grid, TOL_FIELDS_PICTURE, monitor, &w);
     if (status == STATUS_OK)
         status = patchwork_rows(&w, 0, grid->rows, label, out, NULL);
+    if (status == STATUS_OK)
+        heed(label, grid->columns * grid->rows, out);
     patchwork_free(&w);
     return status;
 }

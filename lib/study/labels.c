@@ -179,7 +179,7 @@ static enum status ask_orbit(const struct labels *l, struct vec2 z,
         fate_find(l->study, at, TOL_PUSH_COARSE, false, monitor, &r);
 
     if (s == STATUS_OK)
-        *out = (struct fate_told){ (int8_t) r.fate, r.reason };
+        *out = (struct fate_told){ (int8_t) r.fate, r.reason, false };
     return s;
 }
 
@@ -192,13 +192,14 @@ enum status labels_find(const struct labels *l, struct vec2 z,
     int8_t fate = l->regions.region[region_at(l, z)].label;
 
     if (is_in_doubt(l, z)) {
-        *out = (struct fate_told){ FATE_UNDECIDED, near };
+        *out = (struct fate_told){ FATE_UNDECIDED, near, true };
         return STATUS_OK;
     }
     if (fate == REGION_UNLABELLED)
         fate = label_of_quadrant(l->study, z);
     if (fate == REGION_UNLABELLED)
         return ask_orbit(l, z, monitor, out);
-    *out = (struct fate_told){ fate, fate == FATE_UNDECIDED ? slow : NULL };
+    *out =
+        (struct fate_told){ fate, fate == FATE_UNDECIDED ? slow : NULL, false };
     return STATUS_OK;
 }

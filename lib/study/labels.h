@@ -36,6 +36,7 @@ MUST_CHECK enum status labels_init(struct labels *l, const struct study *s,
 struct fate_told {
     int8_t fate;        /* enum fate */
     const char *reason; /* static; why it is undecided, else NULL */
+    bool is_near;       /* because it is within the bar of the separatrix */
 };
 
 /* Of the state at the offset z.  Where no side is told - the manifold cannot be

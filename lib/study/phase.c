@@ -88,7 +88,8 @@ void phase_find(const struct study *s, const struct transient *t,
     const struct border start = { zero, zero };
     const struct border end = { t->sum.time, t->sum.slip };
 
-    out[0] = out[1] = out[2] = none("the run has no length");
+    out[0] = out[1] = out[2] =
+        none(t->reason ? t->reason : "the run has no length");
     if (t->curve.count == 0)
         return;
     const bool near = starts_near(s, t), below = starts_below(s, t);

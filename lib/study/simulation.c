@@ -8,9 +8,10 @@
 
 static enum status run_all(struct simulation *s, const struct monitor *monitor)
 {
-    const struct transient_options o = transient_defaults(&s->scene);
+    struct transient_options o = transient_defaults(&s->scene);
     enum status failed = STATUS_OK;
 
+    o.labels = &s->labels;
     if (monitor_tell(monitor, "transients", 0, s->runs))
         return STATUS_STOPPED;
 #pragma omp parallel for schedule(dynamic)
@@ -50,7 +51,10 @@ enum status simulation_run(struct simulation *s, const struct scene *scene,
         return status;
     s->run = calloc(scene->starts, sizeof *s->run);
     s->runs = s->run ? scene->starts : 0;
-    status = s->run ? run_all(s, monitor) : STATUS_NO_MEMORY;
+    status =
+        s->run ? labels_init(&s->labels, &s->study, monitor) : STATUS_NO_MEMORY;
+    if (status == STATUS_OK)
+        status = run_all(s, monitor);
     if (status == STATUS_OK)
         return STATUS_OK;
     simulation_free(s);
@@ -64,6 +68,7 @@ void simulation_free(struct simulation *s)
     free(s->run);
     s->run = NULL;
     s->runs = 0;
+    labels_free(&s->labels);
     study_free(&s->study);
 }
 

@@ -16,8 +16,9 @@
 enum { SIMULATION_SAMPLES = 201 };
 
 struct simulation {
-    struct scene scene; /* borrowed members; asks for critical numbers only */
-    struct study study; /* owned */
+    struct scene scene;   /* borrowed members; asks for critical numbers only */
+    struct study study;   /* owned */
+    struct labels labels; /* owned */
     struct transient *run; /* owned; one for each start of the scene */
     size_t runs;
 };

@@ -5,61 +5,12 @@
 #include "transient.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "rest_form.h"
 #include "rest_left.h"
 #include "study_tolerance.h"
 #include "timeline.h"
-
-const char *const transient_end_names[] = { "rest",       "arrest",
-                                            "until_time", "until_slip",
-                                            "runaway",    "faded",
-                                            "lost",       NULL };
-
-/* ---- records ------------------------------------------------------------- */
-
-static const struct record_field summary_fields[] = {
-    FIELD(transient_summary, REAL, v, "1",
-          "slip rate at the start in units of V_star"),
-    FIELD(transient_summary, REAL, psi, "1", "interfacial state at the start"),
-    FIELD_CODE(transient_summary, fate, fate_names,
-               "what becomes of the start"),
-    FIELD_CODE(transient_summary, end, transient_end_names,
-               "why the run ended"),
-    FIELD(transient_summary, QUANTITY, time, "1",
-          "time of the run in units of L/V_star"),
-    FIELD(transient_summary, QUANTITY, slip, "1",
-          "slip of the run in units of L"),
-    FIELD(transient_summary, QUANTITY, mu_mean, "1",
-          "mean friction over that slip"),
-    FIELD(transient_summary, REAL, energy_defect, "1",
-          "relative defect of the balance of energy (27)"),
-    FIELD(transient_summary, COUNT, steps, "1", "steps of the finer orbit"),
-    FIELD(transient_summary, COUNT, field_evaluations, "1",
-          "field evaluations of both orbits"),
-};
-const struct record_type record_transient = RECORD_TYPE(
-    "transient", "a run from a start", summary_fields, transient_summary);
-
-static const struct record_field event_fields[] = {
-    FIELD_CODE(transient_event, what, moment_names, "what happens"),
-    FIELD(transient_event, REAL, level, "1",
-          "the value that v, psi, |mu - tan(alpha)| takes"),
-    FIELD(transient_event, QUANTITY, time, "1",
-          "time since the start in units of L/V_star"),
-    FIELD(transient_event, QUANTITY, slip, "1",
-          "slip since the start in units of L"),
-    FIELD(transient_event, QUANTITY, v, "1", "slip rate in units of V_star"),
-    FIELD(transient_event, QUANTITY, psi, "1", "interfacial state"),
-    FIELD(transient_event, QUANTITY, mu, "1", "friction coefficient"),
-};
-const struct record_type record_transient_event =
-    RECORD_TYPE("transient_event", "what happens along a run", event_fields,
-                transient_event);
-
-/* ---- one orbit ----------------------------------------------------------- */
 
 static const struct moment_level near_tan[] = {
     { MOMENT_MU_NEARS, 1e-1 }, { MOMENT_MU_NEARS, 1e-2 },
@@ -120,17 +71,22 @@ static bool may_rest(enum fate fate)
            fate == FATE_UNDECIDED;
 }
 
+static bool limited(const struct transient_options *o)
+{
+    return o->until_time > 0.0 || o->until_slip > 0.0;
+}
+
 static void course_set(struct course *c, const struct transient_options *o,
                        bool rest)
 {
-    const bool limited = o->until_time > 0.0 || o->until_slip > 0.0;
+    const bool goes_on = limited(o);
 
     c->rest =
         rest &&
         rest_form_of(&c->study->block.law, &c->study->block.material).fate ==
             FATE_REST_FINITE;
-    moment_watch_all(&c->watches, c->study, o->level, o->levels, !limited);
-    c->window = window_of(c, limited);
+    moment_watch_all(&c->watches, c->study, o->level, o->levels, !goes_on);
+    c->window = window_of(c, goes_on);
     c->options = orbit_defaults(&c->study->system, c->study->stable_rate);
     c->options.observables = BLOCK_EXCESS; /* slip and work */
     c->options.window = &c->window;
@@ -229,7 +185,6 @@ static enum transient_end end_of(const struct course *c, const struct orbit *o)
     return TRANSIENT_LOST;
 }
 
-/* The end knows better than the orbit that was asked first. */
 static enum fate fate_at(const struct course *c, const struct orbit *o,
                          enum transient_end end)
 {
@@ -237,7 +192,7 @@ static enum fate fate_at(const struct course *c, const struct orbit *o,
         moment_node_at(c->study, (struct vec2){ o->u[0], o->u[1] },
                        TOL_TRANSIENT_REACH * TOL_ARREST);
 
-    if (end == TRANSIENT_REST)
+    if (end == TRANSIENT_REST && c->fate != FATE_REST_ASYMPTOTIC)
         return FATE_REST_FINITE;
     return end == TRANSIENT_ARREST && node ? fate_of_node(c->study, node)
                                            : c->fate;
@@ -344,17 +299,41 @@ static void add_rest(struct transient *t)
                                       .mu = none };
 }
 
-static void judge(const struct course *c, const struct orbit *coarse,
+static void refuse(struct transient *t, const char *reason)
+{
+    t->reason = reason;
+    t->sum.time = t->sum.slip = t->sum.mu_mean = quantity_none(reason);
+}
+
+/* Whether it has not got away from the saddle: it never will. */
+static bool is_stuck(const struct course *c, const struct orbit *o)
+{
+    return c->study->saddle >= 0 && fabs(o->u[0]) < TOL_ARREST &&
+           fabs(o->u[1]) < TOL_ARREST;
+}
+
+/* Whether it is settled: both orbits end in the same way, on the side of the
+ * separatrix that they started on. */
+static bool judge(const struct course *c, const struct orbit *coarse,
                   const struct orbit *fine, struct transient *t)
 {
     static const char unclear[] =
         "orbits of two tolerances end in different ways";
     static const char lost[] = "the orbit cannot be followed further";
+    static const char near[] =
+        "the state is too near the boundary for its orbit to be followed";
     struct transient_summary *sum = &t->sum;
     const enum transient_end end = end_of(c, fine);
+    const enum fate shown = fate_at(c, fine, end);
+    const bool known = c->fate != FATE_UNDECIDED;
+    const bool is_lost = end == TRANSIENT_LOST;
+    const bool is_near =
+        (known && shown != c->fate) || (is_lost && is_stuck(c, fine));
+    const bool agree =
+        end_of(c, coarse) == end && fate_at(c, coarse, end) == shown;
 
-    sum->end = (int8_t) end;
-    sum->fate = (int8_t) fate_at(c, fine, end);
+    sum->end = (int8_t) (is_near ? TRANSIENT_NEAR : end);
+    sum->fate = (int8_t) (known ? c->fate : agree ? shown : FATE_UNDECIDED);
     sum->steps = (int64_t) fine->steps;
     sum->field_evaluations =
         (int64_t) (coarse->field_calls + coarse->jacobian_calls +
@@ -362,19 +341,17 @@ static void judge(const struct course *c, const struct orbit *coarse,
     sum_up(c, coarse, fine, sum);
     hold_end(t);
     add_rest(t);
-    if (end == TRANSIENT_LOST)
-        t->reason = lost;
-    if (end_of(c, coarse) == end &&
-        fate_at(c, coarse, end) == (enum fate) sum->fate)
-        return;
-    sum->fate = FATE_UNDECIDED;
-    t->reason = unclear;
-    sum->time = sum->slip = sum->mu_mean = quantity_none(unclear);
+    if (sum->fate != FATE_UNDECIDED || is_lost)
+        t->reason = is_lost ? lost : NULL;
+    if (!agree || is_near)
+        refuse(t, is_near ? near : unclear);
+    return agree && !is_lost && !is_near;
 }
 
 /* Both orbits, to what they say. */
 static enum status run_at(const struct course *c, double rtol,
-                          const struct monitor *monitor, struct transient *out)
+                          const struct monitor *monitor, struct transient *out,
+                          bool *settled)
 {
     struct orbit coarse = { .steps = 0 }, fine = { .steps = 0 };
     enum status s = follow(c, TOL_TRANSIENT_RATIO * rtol, monitor, &coarse);
@@ -385,12 +362,11 @@ static enum status run_at(const struct course *c, double rtol,
         s = timeline_find(c->study, &c->watches, &coarse, &fine, &out->event,
                           &out->events);
     if (s == STATUS_OK) {
-        judge(c, &coarse, &fine, out);
+        *settled = judge(c, &coarse, &fine, out);
         record_settle(&record_transient, &out->sum, 1);
         record_settle(&record_transient_event, out->event, out->events);
         out->curve = fine.curve; /* now theirs */
         fine.curve = CURVE_EMPTY(fine.curve.dim);
-        phase_find(c->study, out, out->phase);
     }
     orbit_free(&coarse);
     orbit_free(&fine);
@@ -410,27 +386,22 @@ static double next_rtol(enum fate fate, double first, double rtol)
                                                                      : 0.0;
 }
 
-/* Not followed to an end, or only one of its two orbits was. */
-static bool is_unsettled(const struct transient *t)
-{
-    return t->sum.end == TRANSIENT_LOST || t->sum.fate == FATE_UNDECIDED;
-}
-
 static enum status run(struct course *c, const struct transient_options *o,
                        const struct monitor *monitor, struct transient *out)
 {
     const struct transient empty = *out;
     const double first = finest(o->rtol);
     double rtol = first;
+    bool settled = false;
 
     course_set(c, o, may_rest(c->fate));
-    enum status s = run_at(c, rtol, monitor, out);
-    while (s == STATUS_OK && is_unsettled(out) &&
+    enum status s = run_at(c, rtol, monitor, out, &settled);
+    while (s == STATUS_OK && !settled &&
            (rtol = next_rtol(c->fate, first, rtol)) > 0.0) {
         transient_free(out);
         *out = empty;
         course_set(c, o, true); /* the fate may have been wrong */
-        s = run_at(c, rtol, monitor, out);
+        s = run_at(c, rtol, monitor, out, &settled);
     }
     return s;
 }
@@ -441,15 +412,62 @@ static bool is_there(const struct course *c, const struct transient_options *o,
 {
     const struct equilibrium *node =
         moment_node_at(c->study, c->start, TOL_ARREST);
-    const struct quantity zero = quantity_of(0.0, 0.0);
 
-    if (node == NULL || o->until_time > 0.0 || o->until_slip > 0.0)
+    if (node == NULL || limited(o) || fate_of_node(c->study, node) != c->fate)
         return false;
-    sum->fate = (int8_t) fate_of_node(c->study, node);
     sum->end = TRANSIENT_ARREST;
-    sum->time = sum->slip = zero;
+    sum->time = sum->slip = quantity_of(0.0, 0.0);
     sum->mu_mean = quantity_none("no slip in this run");
     return true;
+}
+
+/* What its side of the separatrix says. */
+static enum status tell(const struct study *s, struct scene_start start,
+                        const struct labels *labels,
+                        const struct monitor *monitor, struct fate_told *out)
+{
+    const struct vec2 z = block_offset(&s->block, start.v, start.psi);
+    struct labels own;
+
+    if (labels)
+        return labels_find(labels, z, monitor, out);
+    enum status status = labels_init(&own, s, monitor);
+    if (status != STATUS_OK)
+        return status;
+    status = labels_find(&own, z, monitor, out);
+    labels_free(&own);
+    return status;
+}
+
+static void forget(struct transient *t)
+{
+    free(t->event);
+    curve_free(&t->curve);
+    t->event = NULL;
+    t->events = 0;
+    t->sum.energy_defect = 0.0;
+}
+
+static enum status find(struct course *c, const struct transient_options *o,
+                        const struct fate_told *told,
+                        const struct monitor *monitor, struct transient *out)
+{
+    enum status s = STATUS_OK;
+
+    c->fate = (enum fate) told->fate;
+    out->sum.fate = told->fate;
+    out->reason = told->reason;
+    if (told->is_near && !limited(o)) {
+        out->sum.end = TRANSIENT_NEAR;
+        refuse(out, told->reason);
+    } else if (!is_there(c, o, &out->sum)) {
+        s = run(c, o, monitor, out);
+    }
+    if (s == STATUS_OK && out->sum.end == TRANSIENT_NEAR)
+        forget(out);
+    if (s == STATUS_OK)
+        phase_find(c->study, out, out->phase);
+    return s;
 }
 
 enum status transient_find(const struct study *s, struct scene_start start,
@@ -459,20 +477,16 @@ enum status transient_find(const struct study *s, struct scene_start start,
     const struct vec2 z = { log(start.v), s->system.axis[1].is_log
                                               ? log(start.psi)
                                               : start.psi };
-    struct course c = { .study = s, .start = vec2_sub(z, s->system.origin) };
-    struct fate_result fate;
+    struct course c = { .study = s,
+                        .start = block_offset(&s->block, start.v, start.psi) };
+    struct fate_told told;
 
     *out = (struct transient){ .sum = { .v = start.v, .psi = start.psi } };
     if (!box_holds(s->system.domain, z))
         return STATUS_BAD_ARGUMENT;
-    enum status status =
-        fate_find(s, z, TOL_PUSH_COARSE, false, monitor, &fate);
-    c.fate = fate.fate;
-    out->reason = fate.reason;
-    if (status == STATUS_OK && is_there(&c, options, &out->sum))
-        phase_find(s, out, out->phase);
-    else if (status == STATUS_OK)
-        status = run(&c, options, monitor, out);
+    enum status status = tell(s, start, options->labels, monitor, &told);
+    if (status == STATUS_OK)
+        status = find(&c, options, &told, monitor, out);
     if (status != STATUS_OK)
         transient_free(out);
     return status;

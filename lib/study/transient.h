@@ -8,6 +8,7 @@
 #ifndef STUDY_TRANSIENT_H
 #define STUDY_TRANSIENT_H
 
+#include "labels.h"
 #include "moment.h"
 #include "phase.h"
 #include "study.h"
@@ -21,6 +22,7 @@ enum transient_end {
     TRANSIENT_RUNAWAY, /* v beyond TOL_TRANSIENT_FAST times start and saddle */
     TRANSIENT_FADED,   /* v below TOL_TRANSIENT_SLOW of both, and no rest */
     TRANSIENT_LOST,    /* could not be followed further */
+    TRANSIENT_NEAR,    /* not followed: too near the separatrix */
     TRANSIENT_ENDS
 };
 extern const char *const transient_end_names[];
@@ -61,16 +63,20 @@ struct transient_options {
                                       for what is done to reach it */
     const struct moment_level *level; /* borrowed */
     size_t levels;                    /* <= MOMENT_LEVELS_MAX */
+    const struct labels *labels; /* borrowed; of this slope; NULL: its own */
 };
 
 /* The scene's limits and accuracy; nearness in seven decades below 1. */
 struct transient_options transient_defaults(const struct scene *c);
 
-/* One run from (v, psi) in s, whose critical numbers are known.  The bars of
- * what is reported hold what a second run at ten times the tolerance changes,
- * what the steps of this one estimate, and rounding; events that only one of
- * the two sees are left out, and turns of v, psi or mu no larger than the
- * tolerance. STATUS_BAD_ARGUMENT: start outside the domain; STATUS_NO_MEMORY;
+/* One run from (v, psi) in s, whose critical numbers are known.  Its fate is
+ * that of its side of the separatrix (labels.h); within the bar of that, or
+ * where its orbits go to the other side, it has no numbers (TRANSIENT_NEAR;
+ * with a limit the scene sets, they go as far).  The bars of what is reported
+ * hold what a second run at ten times the tolerance changes, what the steps of
+ * this one estimate, and rounding; events that only one of the two sees are
+ * left out, and turns of v, psi or mu no larger than the tolerance.
+ * STATUS_BAD_ARGUMENT: start outside the domain; STATUS_NO_MEMORY;
  * STATUS_STOPPED.  On error *out is empty.  A run that cannot be followed to
  * its end is no error: see `end`. */
 MUST_CHECK enum status transient_find(const struct study *s,
