@@ -173,17 +173,14 @@ static struct area left_of(const struct regions *r, const struct band *band,
                            size_t k, struct box part, struct measure m,
                            const struct crossing c[])
 {
-    const double edge = measure_at(&m, 0, part.lo.x);
     const double rows = measure_between(&m, 1, part.lo.y, part.hi.y);
     struct area a = { 0.0, 0.0 };
 
     if (k > band->strands)
         a.value = rows * measure_between(&m, 0, part.lo.x, part.hi.x);
     else if (k > 0)
-        a.value =
-            separatrix_area(r->separatrix, c[k - 1].strand, part.lo.y,
-                            part.hi.y, part.lo.x, part.hi.x, m, &a.error) -
-            rows * edge;
+        a.value = separatrix_area(r->separatrix, c[k - 1].strand, part.lo.y,
+                                  part.hi.y, part.lo.x, part.hi.x, m, &a.error);
     return a;
 }
 

@@ -1,53 +1,20 @@
 /* Pieces are split where their growing coordinate turns (zeros of a
  * polynomial's derivative), joined into strands as long as it grows the same
- * way, and inverted by Newton steps kept in a bracket. */
+ * way. */
 #include "separatrix.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "newton.h"
-#include "tolerance.h"
+#include "strand.h"
 
 struct separatrix separatrix_empty(int along, struct vec2 origin)
 {
     return (struct separatrix){ .along = along, .origin = origin };
 }
 
-static double along_of(const struct separatrix *s, struct vec2 z)
-{
-    return s->along == SEPARATRIX_X ? z.x : z.y;
-}
-
-static double across_of(const struct separatrix *s, struct vec2 z)
-{
-    return s->along == SEPARATRIX_X ? z.y : z.x;
-}
-
-/* ---- polynomials --------------------------------------------------------- */
-
-struct series {
-    const double *c;
-    size_t degree;
-};
-
-static struct series component(const struct curve *c, size_t piece, int i)
-{
-    return (struct series){ curve_component(c, piece, (size_t) i),
-                            c->piece[piece].degree };
-}
-
-static double series_at(struct series p, double theta, double *slope)
-{
-    double value = p.c[p.degree], rate = 0.0;
-
-    for (size_t k = p.degree; k-- > 0;) {
-        rate = rate * theta + value;
-        value = value * theta + p.c[k];
-    }
-    *slope = rate;
-    return value;
-}
+/* ---- turns --------------------------------------------------------------- */
 
 static double slope_at(const void *ctx, double theta)
 {
@@ -138,7 +105,7 @@ static void close_gaps(struct strand *t)
 static enum status end_strand(struct chain *c)
 {
     struct separatrix *s = c->s;
-    const double origin = along_of(s, s->origin);
+    const double origin = strand_along(s, s->origin);
 
     if (c->way == 0)
         return STATUS_OK;
@@ -186,7 +153,7 @@ static enum status add_part(struct chain *c, struct strand_piece p,
 static enum status add_piece(struct chain *c, const struct curve *curve,
                              size_t piece, bool backward)
 {
-    const struct series p = component(curve, piece, c->s->along);
+    const struct series p = strand_series(curve, piece, c->s->along);
     double turn[TURNS_MAX], cut[TURNS_MAX + 2], slope;
     const size_t n = turns(p, turn);
     enum status status = STATUS_OK;
@@ -213,10 +180,10 @@ static enum status add_ray(struct chain *c, const struct branch *b,
 {
     const enum branch_end end =
         c->s->along == SEPARATRIX_Y ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
-    const double start = along_of(c->s, b->limit);
+    const double start = strand_along(c->s, b->limit);
     const double far = b->sign > 0 ? HUGE_VAL : -HUGE_VAL;
-    const struct strand_piece p = { .at = across_of(c->s, b->limit),
-                                    .error = across_of(c->s, b->error) };
+    const struct strand_piece p = { .at = strand_across(c->s, b->limit),
+                                    .error = strand_across(c->s, b->error) };
 
     if (b->end != end)
         return STATUS_OK;
@@ -264,30 +231,6 @@ enum status separatrix_add(struct separatrix *s, const struct branch *one,
 
 /* ---- crossings ----------------------------------------------------------- */
 
-/* The theta where p = w between q->from and q->to, from the first of which to
- * the second it rises from q->lo to q->hi.  Newton, kept in the bracket. */
-static double solve(struct series p, double w, const struct strand_piece *q)
-{
-    double from = q->from, to = q->to;
-    const double part = fmin(fmax((w - q->lo) / (q->hi - q->lo), 0.0), 1.0);
-    double theta = from + (to - from) * part;
-
-    for (int i = 0; i < 100; i++) {
-        double slope;
-        const double off = series_at(p, theta, &slope) - w;
-        if (off == 0.0)
-            return theta;
-        *(off < 0.0 ? &from : &to) = theta;
-        double next = theta - off / slope;
-        if (!((next > from) == (next < to)) || !isfinite(next))
-            next = 0.5 * (from + to);
-        if (fabs(next - theta) <= 0x1p-52)
-            return next;
-        theta = next;
-    }
-    return theta;
-}
-
 /* The piece that holds the offset w: the last one that begins at or below. */
 static const struct strand_piece *piece_at(const struct strand *t, double w)
 {
@@ -306,17 +249,6 @@ struct meeting {
     double bar;       /* bound on the distance of the true curve */
 };
 
-/* The bound that a piece states is about its end.  The first one begins at the
- * saddle, where its series is exact. */
-static double bar_of(const struct strand_piece *p, double theta)
-{
-    const struct curve_piece *piece = p->curve->piece;
-
-    if (p->piece == 0)
-        return piece[0].error * theta;
-    return fmax(piece[p->piece].error, piece[p->piece - 1].error);
-}
-
 static struct meeting meet(const struct separatrix *s, const struct strand *t,
                            double offset)
 {
@@ -324,24 +256,26 @@ static struct meeting meet(const struct separatrix *s, const struct strand *t,
     struct meeting m = { p->at, 0.0, p->error };
 
     if (p->curve) {
-        const struct series up = component(p->curve, p->piece, s->along);
-        const struct series out = component(p->curve, p->piece, 1 - s->along);
+        const struct series up = strand_series(p->curve, p->piece, s->along);
+        const struct series out =
+            strand_series(p->curve, p->piece, 1 - s->along);
         double rise, run;
-        const double theta = solve(up, offset, p);
+        const double theta = strand_theta(up, offset, p);
         series_at(up, theta, &rise);
         m.at = series_at(out, theta, &run);
         m.slope = run / rise;
-        m.bar = bar_of(p, theta);
+        m.bar = strand_bar(p, theta);
     }
-    m.bar += s->slack + TOL_CROSSING_ROUNDING * (fabs(m.at) + fabs(offset));
+    m.bar += strand_rounding(s, offset, m.at);
     return m;
 }
 
 struct crossing separatrix_cross(const struct separatrix *s, size_t i, double w)
 {
-    const struct meeting m = meet(s, &s->strand[i], w - along_of(s, s->origin));
+    const struct meeting m =
+        meet(s, &s->strand[i], w - strand_along(s, s->origin));
 
-    return (struct crossing){ across_of(s, s->origin) + m.at,
+    return (struct crossing){ strand_across(s, s->origin) + m.at,
                               m.bar * (1.0 + fabs(m.slope)), i };
 }
 
@@ -350,7 +284,7 @@ struct crossing separatrix_cross(const struct separatrix *s, size_t i, double w)
 static void widen(const struct separatrix *s, const struct strand *t, double w,
                   double *lo, double *hi)
 {
-    const double base = along_of(s, s->origin);
+    const double base = strand_along(s, s->origin);
     const bool below = w<t->lo, above = w> t->hi;
     const struct meeting m = meet(s, t, fmin(fmax(w, t->lo), t->hi) - base);
     const bool goes_on =
@@ -366,15 +300,15 @@ bool separatrix_near(const struct separatrix *s, size_t i, double w, double *lo,
 {
     const struct strand *t = &s->strand[i];
     const double nearest = fmin(fmax(w, t->lo), t->hi);
-    const struct meeting m = meet(s, t, nearest - along_of(s, s->origin));
+    const struct meeting m = meet(s, t, nearest - strand_along(s, s->origin));
 
     if (fabs(w - nearest) > m.bar)
         return false;
     *lo = *hi = m.at;
     widen(s, t, w - m.bar, lo, hi);
     widen(s, t, w + m.bar, lo, hi);
-    *lo += across_of(s, s->origin) - m.bar;
-    *hi += across_of(s, s->origin) + m.bar;
+    *lo += strand_across(s, s->origin) - m.bar;
+    *hi += strand_across(s, s->origin) + m.bar;
     return true;
 }
 
@@ -393,134 +327,6 @@ size_t separatrix_row(const struct separatrix *s, double w,
         out[k] = c;
     }
     return n;
-}
-
-/* ---- areas --------------------------------------------------------------- */
-
-/* Gauss-Legendre nodes and weights on [-1, 1], Abramowitz & Stegun 25.4.30,
- * positive half; ten nodes say what sixteen are worth. */
-static const double fine[8][2] = {
-    { 0.0950125098376374402, 0.1894506104550684963 },
-    { 0.2816035507792589132, 0.1826034150449235888 },
-    { 0.4580167776572273863, 0.1691565193950025382 },
-    { 0.6178762444026437484, 0.1495959888165767321 },
-    { 0.7554044083550030339, 0.1246289712555338720 },
-    { 0.8656312023878317439, 0.0951585116824927848 },
-    { 0.9445750230732325761, 0.0622535239386478929 },
-    { 0.9894009349916499326, 0.0271524594117540949 },
-};
-static const double coarse[5][2] = {
-    { 0.1488743389816312109, 0.2955242247147528702 },
-    { 0.4333953941292471908, 0.2692667193099963550 },
-    { 0.6794095682990244062, 0.2190863625159820440 },
-    { 0.8650633666889845107, 0.1494513491505805931 },
-    { 0.9739065285171717200, 0.0666713443086881376 },
-};
-
-struct patch {
-    const struct separatrix *s;
-    const struct strand_piece *p;
-    double lo, hi;
-    struct measure m;
-    double allowed; /* error of one panel */
-};
-
-/* The integrand by theta; *slack: what the curve's own error does to it. */
-static double patch_at(const struct patch *q, double theta, double *slack)
-{
-    const struct separatrix *s = q->s;
-    const struct curve *c = q->p->curve;
-    const int along = s->along;
-    double rise, run;
-    const double w = along_of(s, s->origin) +
-                     series_at(component(c, q->p->piece, along), theta, &rise);
-    const double at =
-        across_of(s, s->origin) +
-        series_at(component(c, q->p->piece, 1 - along), theta, &run);
-    const double z = fmin(fmax(at, q->lo), q->hi);
-    const double weight = measure_weight(&q->m, along, w);
-    const double height = measure_at(&q->m, 1 - along, z);
-    const double inside = at > q->lo && at < q->hi;
-    const double error = c->piece[q->p->piece].error *
-                         (fabs(rise) + fabs(run)) * inside *
-                         measure_weight(&q->m, 1 - along, z);
-
-    *slack = weight * error;
-    return weight * height * rise;
-}
-
-static double rule(const struct patch *q, double a, double b,
-                   const double node[][2], size_t n, double *slack)
-{
-    const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
-    double sum = 0.0, one;
-
-    *slack = 0.0;
-    for (size_t k = 0; k < n; k++)
-        for (int side = -1; side <= 1; side += 2) {
-            sum += node[k][1] *
-                   patch_at(q, middle + side * half * node[k][0], &one);
-            *slack += node[k][1] * fabs(half) * one;
-        }
-    return sum * half;
-}
-
-/* From a to b, halved until both rules agree: kinks lie where the strand
- * leaves lo .. hi. */
-static double integrate(const struct patch *q, double a, double b, int depth,
-                        double *error)
-{
-    double slack, other;
-    const double best = rule(q, a, b, fine, 8, &slack);
-    const double check = rule(q, a, b, coarse, 5, &other);
-    const double off = fabs(best - check), middle = 0.5 * (a + b);
-
-    if (off <= q->allowed || depth == 0) {
-        *error += off + slack;
-        return best;
-    }
-    return integrate(q, a, middle, depth - 1, error) +
-           integrate(q, middle, b, depth - 1, error);
-}
-
-static double ray_area(const struct patch *q, double from, double to,
-                       double *error)
-{
-    const double at = across_of(q->s, q->s->origin) + q->p->at;
-    const double z = fmin(fmax(at, q->lo), q->hi);
-    const int along = q->s->along;
-    const double span = measure_between(&q->m, along, from, to);
-
-    *error += q->p->error * measure_weight(&q->m, 1 - along, z) * span;
-    return measure_at(&q->m, 1 - along, z) * span;
-}
-
-double separatrix_area(const struct separatrix *s, size_t i, double from,
-                       double to, double lo, double hi, struct measure m,
-                       double *error)
-{
-    const double base = along_of(s, s->origin);
-    const double whole = measure_between(&m, s->along, from, to) *
-                         measure_between(&m, 1 - s->along, lo, hi);
-    double sum = 0.0;
-
-    *error = 0.0;
-    for (size_t k = 0; k < s->strand[i].count; k++) {
-        const struct strand_piece *p = &s->strand[i].piece[k];
-        const struct patch q = { s, p, lo, hi, m, TOL_AREA * whole };
-        const double a = fmax(p->lo, from - base), b = fmin(p->hi, to - base);
-        if (!(a < b))
-            continue;
-        if (p->curve == NULL) {
-            sum += ray_area(&q, base + a, base + b, error);
-            continue;
-        }
-        const struct series up = component(p->curve, p->piece, s->along);
-        sum += integrate(&q, a > p->lo ? solve(up, a, p) : p->from,
-                         b < p->hi ? solve(up, b, p) : p->to, TOL_AREA_DEPTH,
-                         error);
-    }
-    return sum;
 }
 
 void separatrix_free(struct separatrix *s)

@@ -75,10 +75,10 @@ bool separatrix_near(const struct separatrix *s, size_t i, double w, double *lo,
 size_t separatrix_row(const struct separatrix *s, double w,
                       struct crossing out[]);
 
-/* The area between strand i, taken no further than lo .. hi, and the axis
- * along which it grows, over the rows from .. to (all absolute, finite, inside
- * the strand's range): the integral of clamp(at, lo, hi) dw in this measure.
- * *error bounds quadrature and curve. */
+/* The area between lo and strand i, taken no further than lo .. hi, over the
+ * rows from .. to (all absolute, finite, inside the strand's range): the
+ * integral of clamp(at, lo, hi) - lo by w in this measure.  *error bounds
+ * quadrature, curve and rounding. */
 double separatrix_area(const struct separatrix *s, size_t i, double from,
                        double to, double lo, double hi, struct measure m,
                        double *error);

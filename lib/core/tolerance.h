@@ -234,10 +234,12 @@
  * from the saddle: that of the offsets, of a polynomial, of the first slope. */
 #define TOL_CROSSING_ROUNDING 0x1p-51
 
-/* Areas beside a separatrix: relative error of a piece, and how often one is
- * halved around a kink. */
-#define TOL_AREA       1e-13
-#define TOL_AREA_DEPTH 40
+/* Areas beside a separatrix: relative error of a piece, how often one is halved
+ * around a kink, and how many are halved at all before their differences stand
+ * as errors. */
+#define TOL_AREA        1e-13
+#define TOL_AREA_DEPTH  40
+#define TOL_AREA_PANELS 4000
 
 /* From so many rows of a basin map on, threads pay. */
 #define BASIN_PARALLEL_ROWS 4096
