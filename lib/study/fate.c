@@ -172,15 +172,36 @@ static struct quantity mean_of(const struct study *s, const struct orbit *o,
     return quantity_of(mean, (work_error + fabs(mean) * slip->error) / known);
 }
 
+/* What is left where psi has left the plane while v still falls: the friction
+ * there, which hardly changes, stops the block by inertia alone; known to
+ * within itself. */
+static struct rest_left left_beyond(const struct study *s,
+                                    const struct orbit *o)
+{
+    const struct vec2 z = { o->u[0], o->u[1] };
+    const double power = rest_form_of(&s->block.law, &s->block.material).power;
+    const double v = s->block.at.v0 * exp(z.x);
+    const double time = power * exp(z.x - s->block.at.log_inertia) /
+                        moment_excess_friction(s, z);
+    const double slip = v * time / (1.0 + power);
+
+    return (struct rest_left){
+        .time = time, .slip = slip, .time_error = time, .slip_error = slip
+    };
+}
+
 /* Why it has neither time nor slip; NULL: it may have. */
-static const char *why_endless(const struct orbit *o, const struct past *past,
-                               enum fate fate)
+static const char *why_endless(const struct study *s, const struct orbit *o,
+                               const struct past *past, enum fate fate)
 {
     if (fate == FATE_RUNAWAY)
         return "the block runs away";
     if (fate == FATE_UNDECIDED)
         return "the fate is undecided";
-    return o->end == ORBIT_ARRIVED || past->rests
+    return o->end == ORBIT_ARRIVED || past->rests ||
+                   (is_beyond(o) && fate == FATE_REST_FINITE &&
+                    moment_excess_friction(
+                        s, (struct vec2){ o->u[0], o->u[1] }) > 0.0)
                ? NULL
                : "the orbit could not be followed to its end";
 }
@@ -203,8 +224,9 @@ static struct quantity sum_of(const struct orbit *o, size_t i, double left,
 static void observe_end(const struct study *s, const struct orbit *o,
                         const struct past *past, struct fate_result *out)
 {
-    const char *why = why_endless(o, past, out->fate);
-    const struct rest_left left = past->left;
+    const char *why = why_endless(s, o, past, out->fate);
+    const bool beyond = out->fate == FATE_REST_FINITE && !past->rests;
+    const struct rest_left left = beyond ? left_beyond(s, o) : past->left;
     static const char never[] = "the block never quite stops";
     static const char unbounded[] = "the slip grows without bound";
 
