@@ -452,7 +452,7 @@ def a_wrong_sweep_costs_one_line(room):
     refused(room.run('sweep', *line(3), '-o', 'a.svg', '--figure', 'a.svg'), 2,
             'one file for both')
     refused(room.run('sweep', *line(3), '-o', 'none/a.h5'), 4, 'none')
-    refused(room.run('sweep', 's.yaml', 't.yaml'), 2, 'one scene is enough')
+    refused(room.run('sweep', 's.yaml', 't.yaml'), 2, 't.yaml: one argument')
     expect(room.names() == ['s.yaml'], room.names())
 
 
