@@ -173,8 +173,12 @@ static enum status ask_orbit(const struct labels *l, struct vec2 z,
                              const struct monitor *monitor,
                              struct fate_told *out)
 {
-    const struct vec2 at = vec2_add(l->study->system.origin, z);
+    const struct box d = l->study->system.domain;
+    struct vec2 at = vec2_add(l->study->system.origin, z);
     struct fate_result r;
+
+    at.x = fmin(fmax(at.x, d.lo.x), d.hi.x); /* rounding at the edge */
+    at.y = fmin(fmax(at.y, d.lo.y), d.hi.y);
     const enum status s =
         fate_find(l->study, at, TOL_PUSH_COARSE, false, monitor, &r);
 

@@ -421,7 +421,6 @@ static bool is_there(const struct course *c, const struct transient_options *o,
     return true;
 }
 
-/* What its side of the separatrix says. */
 static enum status tell(const struct study *s, struct scene_start start,
                         const struct labels *labels,
                         const struct monitor *monitor, struct fate_told *out)
@@ -432,9 +431,8 @@ static enum status tell(const struct study *s, struct scene_start start,
     if (labels)
         return labels_find(labels, z, monitor, out);
     enum status status = labels_init(&own, s, monitor);
-    if (status != STATUS_OK)
-        return status;
-    status = labels_find(&own, z, monitor, out);
+    if (status == STATUS_OK)
+        status = labels_find(&own, z, monitor, out);
     labels_free(&own);
     return status;
 }
@@ -477,13 +475,15 @@ enum status transient_find(const struct study *s, struct scene_start start,
     const struct vec2 z = { log(start.v), s->system.axis[1].is_log
                                               ? log(start.psi)
                                               : start.psi };
-    struct course c = { .study = s,
-                        .start = block_offset(&s->block, start.v, start.psi) };
+    const struct vec2 near = block_offset(&s->block, start.v, start.psi);
+    struct course c = { .study = s, .start = vec2_sub(z, s->system.origin) };
     struct fate_told told;
 
     *out = (struct transient){ .sum = { .v = start.v, .psi = start.psi } };
     if (!box_holds(s->system.domain, z))
         return STATUS_BAD_ARGUMENT;
+    if (vec2_length(near) < 1.0) /* to more digits */
+        c.start = near;
     enum status status = tell(s, start, options->labels, monitor, &told);
     if (status == STATUS_OK)
         status = find(&c, options, &told, monitor, out);
