@@ -155,16 +155,18 @@ static void report(const char *what, const struct tally *t)
 /* ---- single states ------------------------------------------------------- */
 
 /* At the saddle, or a random point of a stable branch, in the chart. */
-static struct vec2 draw_place(const struct study *s, uint64_t *rng)
+static struct vec2 draw_place(const struct push *p, struct vec2 saddle,
+                              uint64_t *rng)
 {
-    const struct branch *b = &s->stable[check_bits(rng) % SIDES];
+    const struct branch *b = &p->labels.stable[check_bits(rng) % SIDES];
     double u[CURVE_DIM_MAX];
 
-    if (check_bits(rng) % 2 || b->curve.count == 0)
-        return s->system.origin;
+    if (check_bits(rng) % 2)
+        return saddle;
+    assert_true(b->curve.count > 0);
     curve_at(&b->curve, check_bits(rng) % b->curve.count,
              check_uniform(rng, 0, 1), u);
-    return vec2_add(s->system.origin, (struct vec2){ u[0], u[1] });
+    return vec2_add(saddle, (struct vec2){ u[0], u[1] });
 }
 
 static void random_states_lie_within_their_bars(void **state)
@@ -186,14 +188,14 @@ static void random_states_lie_within_their_bars(void **state)
         name_slope(i, &s.scene, name);
         if (push_init(&p, &s.scene, NULL, &why) == STATUS_OK) {
             assert_int_equal(push_tabulate(&p, NULL), STATUS_OK);
-            quad_slope_init(&q, &p.study);
+            quad_slope_init(&q, &s.study);
             for (int k = 0; k < EACH; k++) {
-                struct vec2 z = draw_place(&p.study, &rng);
+                struct vec2 z = draw_place(&p, s.study.system.origin, &rng);
                 const double d = tally.near = laws_power(&rng, -14, 0);
                 struct cell c;
                 z.x += d * check_uniform(&rng, -1, 1);
                 z.y += d * check_uniform(&rng, -1, 1);
-                if (!box_holds(p.study.system.domain, z))
+                if (!box_holds(s.study.system.domain, z))
                     continue;
                 assert_int_equal(fast_cells_find(&p.fast, &z, 1,
                                                  s.scene.cell_rtol, integrals,
