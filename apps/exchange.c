@@ -63,11 +63,12 @@ static struct interchange_branch branch_of(const struct study *s, int side)
         length += hypot(next.x - last.x, next.y - last.y);
         last = next;
     }
-    length = has_limit(b) ? length + way_to_limit(&s->system, b)
+    length = has_limit(b) ? length + way_to_limit(&s->slider.plane.system, b)
                           : fmin(length, EXCHANGE_ARC);
     return (struct interchange_branch){
         .name = side == SIDE_UPPER ? "upper" : "lower",
-        .start = { s->system.origin.x + start.x, s->system.origin.y + start.y },
+        .start = { s->slider.plane.system.origin.x + start.x,
+                   s->slider.plane.system.origin.y + start.y },
         .length = ceil(length) + 1.0,
     };
 }
@@ -79,7 +80,8 @@ static struct interchange_branch branch_of(const struct study *s, int side)
 static double toward(const struct study *s)
 {
     const struct quantity *top = &s->folds.alpha_cM;
-    const bool creeps = s->equilibrium[0].type == EQUILIBRIUM_STABLE_NODE;
+    const bool creeps =
+        s->slider.plane.equilibrium[0].type == EQUILIBRIUM_STABLE_NODE;
 
     if (!creeps || (quantity_exists(top) && s->scene->alpha > top->value))
         return -1.0;
@@ -103,26 +105,30 @@ static void set_slopes(const struct study *s, double alpha[2])
 /* The slowest rate at the anchor, per unit of time. */
 static double slow_rate(const struct study *s)
 {
-    const int i = s->saddle >= 0 ? s->saddle : 0;
-    const double rate = s->equilibria ? fabs(s->equilibrium[i].lambda[1]) : 0.0;
+    const int i =
+        slider_saddle(&s->slider) >= 0 ? slider_saddle(&s->slider) : 0;
+    const double rate = s->slider.plane.equilibria
+                            ? fabs(s->slider.plane.equilibrium[i].lambda[1])
+                            : 0.0;
 
-    return rate > 0.0 && isfinite(rate) ? rate : s->block.at.v0;
+    return rate > 0.0 && isfinite(rate) ? rate : s->slider.block.at.v0;
 }
 
 struct interchange exchange_of(const struct study *s, const char *name,
                                const char *remarks)
 {
-    const struct vec2 at = s->system.origin;
+    const struct vec2 at = s->slider.plane.system.origin;
     struct interchange x = {
-        .block = &s->block,
+        .block = &s->slider.block,
         .name = name,
         .remarks = remarks,
-        .branches = study_has_manifolds(s) ? SIDES : 0,
+        .branches = slider_has_manifolds(&s->slider) ? SIDES : 0,
         .start = { at.x + EXCHANGE_KICK, at.y },
         .time = EXCHANGE_RATES / slow_rate(s),
-        .steady = s->equilibria ? s->equilibrium[0].z : at,
-        .toward = s->equilibria ? toward(s) : 1.0,
-        .has_folds = law_uses(&s->block.law, MATERIAL_C) &&
+        .steady =
+            s->slider.plane.equilibria ? s->slider.plane.equilibrium[0].z : at,
+        .toward = s->slider.plane.equilibria ? toward(s) : 1.0,
+        .has_folds = law_uses(&s->slider.block.law, MATERIAL_C) &&
                      (quantity_exists(&s->folds.alpha_cm) ||
                       quantity_exists(&s->folds.alpha_cM)),
     };
@@ -151,14 +157,14 @@ static void print_direction(FILE *out, const struct equilibrium *e, int i)
 
 static void print_saddle(FILE *out, const struct study *s)
 {
-    const struct equilibrium *e = &s->equilibrium[s->saddle];
+    const struct equilibrium *e = phase_plane_saddle(&s->slider.plane);
 
     fprintf(out,
             "saddle in the chart (ln v, %s)\n"
             "  at               (%.17g, %.17g)\n"
             "  lambda           %.15g, %.15g\n",
-            text_state_name(&s->block.law, 1), e->z.x, e->z.y, e->lambda[0],
-            e->lambda[1]);
+            text_state_name(&s->slider.block.law, 1), e->z.x, e->z.y,
+            e->lambda[0], e->lambda[1]);
     print_direction(out, e, 0);
     print_direction(out, e, 1);
 }
@@ -171,10 +177,10 @@ char *exchange_remarks(const struct study *s)
 
     if (out == NULL)
         return NULL;
-    law_formula(&s->block.law, formula, sizeof formula);
+    law_formula(&s->slider.block.law, formula, sizeof formula);
     fprintf(out, "slipway %s\n%s\n\n", SLIPWAY_VERSION, formula);
     const enum status status = report_print(out, s);
-    if (study_has_manifolds(s))
+    if (slider_has_manifolds(&s->slider))
         print_saddle(out, s);
     fprintf(out, "\nscene\n%s\noverrides\n%s", s->scene->text,
             s->scene->overrides);

@@ -36,7 +36,7 @@ static struct mat2 paper_basis(const struct equilibrium *e)
 /* From (v, psi) to what the axes show; psi that is a logarithm as e^psi. */
 static struct vec2 shown_value(const struct picture *p, struct vec2 u)
 {
-    const struct block *b = &p->s->block;
+    const struct block *b = &p->s->slider.block;
 
     if (p->s->scene->units == UNITS_SI)
         return (struct vec2){ u.x * b->material.V_star,
@@ -47,7 +47,7 @@ static struct vec2 shown_value(const struct picture *p, struct vec2 u)
 /* From an offset in the chart to what the axes show. */
 static struct vec2 shown(const struct picture *p, struct vec2 z)
 {
-    const struct block *b = &p->s->block;
+    const struct block *b = &p->s->slider.block;
 
     if (p->axes == AXES_EIGEN)
         return eigen_coordinates(p->basis, z);
@@ -62,7 +62,7 @@ static struct vec2 shown(const struct picture *p, struct vec2 z)
 
 static void labels(const struct picture *p, char *x, char *y, size_t size)
 {
-    const struct block *b = &p->s->block;
+    const struct block *b = &p->s->slider.block;
     const bool si = p->s->scene->units == UNITS_SI;
 
     if (p->axes == AXES_EIGEN) {
@@ -106,7 +106,7 @@ static enum status start_figure(struct picture *p)
     char title[512], x[96], y[96];
 
     snprintf(title, sizeof title, "%s%s%s, α = %.6g rad", s->scene->title,
-             s->scene->title[0] ? " — " : "", s->block.law.preset,
+             s->scene->title[0] ? " — " : "", s->slider.block.law.preset,
              s->scene->alpha);
     labels(p, x, y, sizeof x);
     return figure_init(
@@ -199,7 +199,8 @@ static enum status add_nullclines(struct picture *p)
             struct points q = { 0 };
             for (size_t j = 0; j < l->count && !status; j++)
                 status = add_point(
-                    &q, shown(p, vec2_sub(l->at[j], p->s->system.origin)));
+                    &q, shown(p, vec2_sub(l->at[j],
+                                          p->s->slider.plane.system.origin)));
             status = flush(p, &q, role[i], entry[i], NULL, 0, status);
             if (status != STATUS_OK)
                 return status;
@@ -233,8 +234,8 @@ static enum status add_chosen(struct picture *p)
 /* The asymptote that closes a branch, drawn to the window's edge. */
 static enum status add_asymptote(struct picture *p, const struct branch *b)
 {
-    const struct box w = study_window(p->s);
-    const struct vec2 origin = p->s->system.origin;
+    const struct box w = scene_box(p->s->scene);
+    const struct vec2 origin = p->s->slider.plane.system.origin;
     struct points q = { 0 };
     struct vec2 end = b->limit;
 
@@ -284,10 +285,12 @@ static enum status add_equilibria(struct picture *p)
 {
     enum status status = STATUS_OK;
 
-    for (size_t i = 0; i < p->s->equilibria && !status; i++) {
-        const bool saddle = p->s->equilibrium[i].type == EQUILIBRIUM_SADDLE;
+    for (size_t i = 0; i < p->s->slider.plane.equilibria && !status; i++) {
+        const bool saddle =
+            p->s->slider.plane.equilibrium[i].type == EQUILIBRIUM_SADDLE;
         const struct vec2 at =
-            shown(p, vec2_sub(p->s->equilibrium[i].z, p->s->system.origin));
+            shown(p, vec2_sub(p->s->slider.plane.equilibrium[i].z,
+                              p->s->slider.plane.system.origin));
         status = figure_add_points(
             &p->figure, &(struct figure_points){
                             .style = { .role = FIGURE_EQUILIBRIUM },
@@ -308,11 +311,13 @@ static enum status add_arrows(struct picture *p)
 
     if (p->axes == AXES_EIGEN)
         return STATUS_OK;
-    const struct box w = p->axes == AXES_LOG ? study_window(p->s) : frame(p);
+    const struct box w =
+        p->axes == AXES_LOG ? scene_box(p->s->scene) : frame(p);
     const struct vec2 size = vec2_sub(w.hi, w.lo);
     for (size_t i = 0; i < a->columns * a->rows && !status; i++) {
-        status =
-            add_point(&at, shown(p, vec2_sub(a->at[i].z, p->s->system.origin)));
+        status = add_point(
+            &at,
+            shown(p, vec2_sub(a->at[i].z, p->s->slider.plane.system.origin)));
         if (!status)
             status = add_point(&along,
                                (struct vec2){ a->at[i].direction.x * size.x,
@@ -394,8 +399,8 @@ static enum status draw_portrait(struct picture *p)
     };
     enum status status;
 
-    if (p->s->saddle >= 0)
-        p->basis = paper_basis(&p->s->equilibrium[p->s->saddle]);
+    if (slider_saddle(&p->s->slider) >= 0)
+        p->basis = paper_basis(phase_plane_saddle(&p->s->slider.plane));
     else if (p->axes == AXES_EIGEN)
         p->axes = AXES_LOG; /* nothing to be eigen about */
     status = start_figure(p);

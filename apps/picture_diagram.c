@@ -16,7 +16,7 @@ static const struct figure_style law_style[DIAGRAM_LAWS] = {
 
 static const char *law_name(const struct sheet *p, int law)
 {
-    return law == DIAGRAM_SCENE ? p->s->block.law.preset : "dieterich";
+    return law == DIAGRAM_SCENE ? p->s->slider.block.law.preset : "dieterich";
 }
 
 /* ---- friction laws, Fig 1(a) --------------------------------------------- */

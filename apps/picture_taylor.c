@@ -16,7 +16,8 @@ struct sums {
 /* Where a sum is negative a log axis shows it falling. */
 static double lowest(const struct study *s)
 {
-    return s->scene->window.axes == AXES_LOG && !law_psi_is_log(&s->block.law)
+    return s->scene->window.axes == AXES_LOG &&
+                   !law_psi_is_log(&s->slider.block.law)
                ? DBL_MIN
                : -DBL_MAX;
 }
@@ -24,14 +25,14 @@ static double lowest(const struct study *s)
 static enum status add_sum(const struct sums *q, size_t order,
                            enum figure_role role)
 {
-    const struct box w = study_window(q->s);
+    const struct box w = scene_box(q->s->scene);
     double x[POINTS + 1], y[POINTS + 1];
     char entry[32];
 
     for (int i = 0; i <= POINTS; i++) {
         const double v = exp(w.lo.x + (double) i / POINTS * (w.hi.x - w.lo.x));
         const double psi =
-            taylor_series_at(&q->s->taylor, order, v, q->s->block.at.v0);
+            taylor_series_at(&q->s->taylor, order, v, q->s->slider.block.at.v0);
         const struct vec2 at =
             q->shown(q->ctx, (struct vec2){ v, fmax(psi, lowest(q->s)) });
         x[i] = at.x;
@@ -49,7 +50,7 @@ static enum status add_sum(const struct sums *q, size_t order,
 static enum status add_band(const struct sums *q)
 {
     const struct scene_window *w = &q->s->scene->window;
-    const double v_sp = q->s->block.at.v0, R = q->s->taylor.radius.value;
+    const double v_sp = q->s->slider.block.at.v0, R = q->s->taylor.radius.value;
     const struct vec2 a =
         q->shown(q->ctx, (struct vec2){ fmax(v_sp - R, w->v[0]), w->psi[0] });
     const struct vec2 b =

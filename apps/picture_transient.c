@@ -23,7 +23,7 @@ enum { ENDING = POINTS / 50, BEYOND = 30 };
 struct view {
     const char *panel, *x, *y; /* name; labels */
     bool x_log, y_log;
-    void (*sample)(const struct study *, const struct transient *, size_t,
+    void (*sample)(const struct slider *, const struct transient *, size_t,
                    struct trajectory_row[]);
     double (*x_of)(const struct study *, const struct trajectory_row *);
     struct {
@@ -59,7 +59,7 @@ static double v_of(const struct study *s, const struct trajectory_row *r)
 /* e^psi where psi is a logarithm, for a log axis. */
 static double psi_of(const struct study *s, const struct trajectory_row *r)
 {
-    return law_psi_is_log(&s->block.law) ? exp(r->psi) : r->psi;
+    return law_psi_is_log(&s->slider.block.law) ? exp(r->psi) : r->psi;
 }
 
 #define SLIP "slip x/L"
@@ -141,7 +141,7 @@ static enum status fill(const struct simulation *s, const struct view *view,
     for (size_t k = 0; k < s->runs; k++) {
         if (s->run[k].curve.count == 0)
             continue;
-        view->sample(&s->study, &s->run[k], POINTS, row);
+        view->sample(&s->study.slider, &s->run[k], POINTS, row);
         for (size_t i = 0; i < POINTS; i++) {
             const size_t at = p->runs * POINTS + i;
             p->x[at] = view->x_of(&s->study, &row[i]);
@@ -251,7 +251,7 @@ static enum status add_line(struct figure *f, const char *entry,
 static enum status add_guides(struct figure *f, const struct simulation *s,
                               const struct view *view)
 {
-    const double drive = (double) s->study.block.tan_alpha;
+    const double drive = (double) s->study.slider.block.tan_alpha;
     enum status status = STATUS_OK;
 
     if (view->y_of[0].of == mu_of)
@@ -280,7 +280,7 @@ static enum status build(struct figure *f, const struct simulation *s,
     char title[512];
 
     snprintf(title, sizeof title, "%s%s%s, α = %.6g rad", s->scene.title,
-             s->scene.title[0] ? " — " : "", s->study.block.law.preset,
+             s->scene.title[0] ? " — " : "", s->study.slider.block.law.preset,
              s->scene.alpha);
     enum status status = figure_init(f, title, &x, &y);
     if (status == STATUS_OK)

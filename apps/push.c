@@ -140,7 +140,7 @@ static enum status read_states(struct job *j, const struct options *o,
 /* Asked when the law is known, which says what psi may be. */
 static enum status check_states(const struct job *j, struct fault *why)
 {
-    const bool is_log = j->push.study.system.axis[1].is_log;
+    const bool is_log = j->push.slider.plane.system.axis[1].is_log;
     const char *expected = is_log ? "expected v and psi from 1e-300 to 1e300"
                                   : "expected v from 1e-300 to 1e300, psi from "
                                     "-1e300 to 1e300";

@@ -16,14 +16,14 @@ enum status report_print(FILE *out, const struct study *s)
 {
     const struct results all = study_results(s);
 
-    fprintf(out, "%s (%s form)", s->block.law.preset,
-            friction_form_names[s->block.law.form]);
+    fprintf(out, "%s (%s form)", s->slider.block.law.preset,
+            friction_form_names[s->slider.block.law.form]);
     if (scene_has_slope(s->scene))
         fprintf(out, ", alpha = %.17g rad", s->scene->alpha);
     fputc('\n', out);
     const enum status status = text_results(out, &all);
     if (plan_has(s->stages, STAGE_BASINS))
-        report_basin_print(out, &s->basins);
+        report_basin_print(out, &s->basins, &s->fields);
     report_diagrams_print(out, s);
     return status;
 }
@@ -32,16 +32,17 @@ enum status report_print(FILE *out, const struct study *s)
 
 static json_t *parameters_json(const struct study *s)
 {
-    struct material m = s->block.material;
+    struct material m = s->slider.block.material;
     json_t *j = json_object();
 
     for (int key = 0; key < MATERIAL_KEYS; key++)
-        if (key != MATERIAL_V_C || law_uses(&s->block.law, MATERIAL_V_C))
+        if (key != MATERIAL_V_C || law_uses(&s->slider.block.law, MATERIAL_V_C))
             json_object_set_new(
                 j, material_key_name((enum material_key) key),
                 json_number(*material_member(&m, (enum material_key) key)));
     json_object_set_new(j, "eps2", json_number(material_eps2(&m)));
-    json_object_set_new(j, "eta", json_number(law_eta(&s->block.law, &m)));
+    json_object_set_new(j, "eta",
+                        json_number(law_eta(&s->slider.block.law, &m)));
     return j;
 }
 
@@ -61,9 +62,9 @@ json_t *report_json(const struct study *s)
     const struct results all = study_results(s);
     json_t *j = json_object();
 
-    json_object_set_new(j, "law", json_string(s->block.law.preset));
-    json_object_set_new(j, "form",
-                        json_string(friction_form_names[s->block.law.form]));
+    json_object_set_new(j, "law", json_string(s->slider.block.law.preset));
+    json_object_set_new(
+        j, "form", json_string(friction_form_names[s->slider.block.law.form]));
     json_object_set_new(j, "alpha",
                         scene_has_slope(s->scene) ? json_number(s->scene->alpha)
                                                   : json_null());

@@ -10,7 +10,7 @@ static bool is_there(const struct basin_map *m, int fate)
 /* They are too many to print. */
 static void print_fields(FILE *out, const struct fields *f)
 {
-    const struct scene *c = f->study->scene;
+    const struct scene *c = f->map->scene;
 
     fprintf(out, "  fields of each cell:");
     for (int k = 0; k < CELL_FIELDS; k++)
@@ -22,22 +22,23 @@ static void print_fields(FILE *out, const struct fields *f)
                 c->figure ? "" : " or --figure FILE");
 }
 
-void report_basin_print(FILE *out, const struct basin_map *m)
+void report_basin_print(FILE *out, const struct basin_map *m,
+                        const struct fields *f)
 {
     fprintf(out, "basins in the window, %zu x %zu cells\n", m->columns,
             m->rows);
     fprintf(out, "  %-16s %-30s %s\n", "fate", "share in the chart",
             "share in v and psi");
     for (int i = 0; i < FATES; i++) {
-        const struct basin_fraction *f = &m->fraction[i];
+        const struct basin_fraction *share = &m->fraction[i];
         if (is_there(m, i))
             fprintf(out, "  %-16s %-17.13f +- %-9.1e %.13f +- %.1e\n",
-                    fate_names[i], f->log.value, f->log.error, f->linear.value,
-                    f->linear.error);
+                    fate_names[i], share->log.value, share->log.error,
+                    share->linear.value, share->linear.error);
     }
     if (m->audit.cells > 0)
         fprintf(out, "  audit: %zu cells followed, %zu disagree\n",
                 m->audit.cells, m->audit.disagreements);
-    if (m->study->fields.which)
-        print_fields(out, &m->study->fields);
+    if (f->which)
+        print_fields(out, f);
 }

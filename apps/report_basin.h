@@ -6,6 +6,7 @@
 
 #include "study.h"
 
-void report_basin_print(FILE *out, const struct basin_map *m);
+void report_basin_print(FILE *out, const struct basin_map *m,
+                        const struct fields *f);
 
 #endif

@@ -147,16 +147,17 @@ static enum status check_study(const struct job *j, struct fault *why)
 {
     const struct study *s = &j->study;
 
-    if (j->to_auto && s->equilibria == 0) {
+    if (j->to_auto && s->slider.plane.equilibria == 0) {
         snprintf(why->text, sizeof why->text,
                  "export: there is no steady state at this slope for AUTO to "
                  "start from");
         return STATUS_NOT_HYPERBOLIC;
     }
-    if (!j->to_auto && j->form == XPPAUT_ARCLENGTH && !study_has_manifolds(s)) {
+    if (!j->to_auto && j->form == XPPAUT_ARCLENGTH &&
+        !slider_has_manifolds(&s->slider)) {
         snprintf(why->text, sizeof why->text,
                  "export: --form arclength: %s (--form time needs none)",
-                 s->critical.v_plus.reason);
+                 s->slider.critical.v_plus.reason);
         return STATUS_NOT_HYPERBOLIC;
     }
     return STATUS_OK;

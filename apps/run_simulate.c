@@ -68,8 +68,8 @@ static enum status write_files(const struct simulation *s,
     enum status status = STATUS_OK;
 
     if (hdf5)
-        status = result_file_write(&all, &s->scene, s->study.block.law.preset,
-                                   hdf5, NULL, why);
+        status = result_file_write(
+            &all, &s->scene, s->study.slider.block.law.preset, hdf5, NULL, why);
     if (status == STATUS_OK && hdf5)
         tell(o, hdf5);
     if (status != STATUS_OK || !figure)

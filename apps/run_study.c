@@ -176,8 +176,8 @@ static enum status write_files(const struct study *s, const struct options *o,
     enum status status = STATUS_OK;
 
     if (hdf5)
-        status = result_file_write(&all, s->scene, s->block.law.preset, hdf5,
-                                   progress_monitor(o), why);
+        status = result_file_write(&all, s->scene, s->slider.block.law.preset,
+                                   hdf5, progress_monitor(o), why);
     if (status == STATUS_OK && hdf5 && tell)
         printf("wrote %s\n", hdf5);
     if (status == STATUS_OK && figure)

@@ -61,7 +61,7 @@ enum status sheet_start(const struct sheet *p, const struct figure_axis *x,
     char title[512];
 
     snprintf(title, sizeof title, "%s%s%s", s->scene->title,
-             s->scene->title[0] ? " — " : "", s->block.law.preset);
+             s->scene->title[0] ? " — " : "", s->slider.block.law.preset);
     return figure_init(p->figure, title, x, y);
 }
 

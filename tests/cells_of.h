@@ -29,7 +29,7 @@ static inline void find(const struct slope *s, const struct vec2 z[], size_t n,
                         double rtol, unsigned which, struct cell out[])
 {
     const enum status status =
-        cells_find(&s->study, z, n, rtol, which, NULL, out);
+        cells_find(&s->study.slider, z, n, rtol, which, NULL, out);
     CHECK(status == STATUS_OK, "%s", status_text(status));
 }
 

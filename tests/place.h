@@ -15,7 +15,8 @@ struct place {
 static void place_make(struct place *p, const char *law, const char *alpha)
 {
     slope_make(&p->s, law, NULL, alpha, steady_only);
-    assert_int_equal(slow_curve_init(&p->c, &p->s.study, NULL), STATUS_OK);
+    assert_int_equal(slow_curve_init(&p->c, &p->s.study.slider, NULL),
+                     STATUS_OK);
 }
 
 static void place_drop(struct place *p)

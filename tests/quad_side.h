@@ -19,15 +19,16 @@ struct quad_side {
 /* Of the saddle of s. */
 static inline struct quad_side quad_side_of(const struct study *s)
 {
-    const struct block *b = &s->block;
+    const struct block *b = &s->slider.block;
     struct quad_side o = { .law = b->law };
     const quad h = (quad) 1e-3;
     quad near = h;
 
-    for (size_t i = 0; i < s->equilibria; i++)
-        if ((int) i != s->saddle) {
-            const quad d =
-                fabsq((quad) (s->equilibrium[i].z.x - s->system.origin.x)) / 2;
+    for (size_t i = 0; i < s->slider.plane.equilibria; i++)
+        if ((int) i != slider_saddle(&s->slider)) {
+            const quad d = fabsq((quad) (s->slider.plane.equilibrium[i].z.x -
+                                         s->slider.plane.system.origin.x)) /
+                           2;
             near = d < near ? d : near;
         }
     const quad x = quad_block_equilibrium(&b->law, &b->material, b->tan_alpha,

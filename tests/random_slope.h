@@ -44,7 +44,7 @@ static inline void random_slope_of(struct slope *s, size_t law, uint64_t *rng,
         c->alpha = (double) atanl(c->tan_alpha);
         if (falls && c->tan_alpha > 0.02L && c->tan_alpha < 5.0L &&
             study_run(&s->study, c, NULL, &why) == STATUS_OK) {
-            if (study_has_manifolds(&s->study))
+            if (slider_has_manifolds(&s->study.slider))
                 return;
             study_free(&s->study);
         }

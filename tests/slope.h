@@ -58,8 +58,9 @@ static inline void slope_free(struct slope *s)
 static inline struct vec2 slope_point(const struct slope *s, double v,
                                       double psi)
 {
-    return (struct vec2){ log(v),
-                          s->study.system.axis[1].is_log ? log(psi) : psi };
+    return (struct vec2){ log(v), s->study.slider.plane.system.axis[1].is_log
+                                      ? log(psi)
+                                      : psi };
 }
 
 /* ---- basin.csv ----------------------------------------------------------- */

@@ -22,14 +22,15 @@ static struct base_point base_of(const struct place *p, struct vec2 z,
 static int check_state(const struct place *p, struct vec2 z)
 {
     const unsigned which = 1u << CELL_SLIP | 1u << CELL_TIME;
-    const struct vec2 at = vec2_add(z, p->s.study.system.origin);
+    const struct vec2 at = vec2_add(z, p->s.study.slider.plane.system.origin);
     const struct base_point b = base_of(p, z, 1e-6);
     struct cell c;
     struct layer l;
 
     if (isnan(b.y) || !base_point_tell(&p->c, &b, &l))
         return 0;
-    assert_int_equal(cells_find(&p->s.study, &at, 1, 1e-7, which, NULL, &c), 0);
+    assert_int_equal(
+        cells_find(&p->s.study.slider, &at, 1, 1e-7, which, NULL, &c), 0);
     CHECK(l.fate == c.exit_reason, "(%.17g, %.17g): fate %d, not %d", z.x, z.y,
           l.fate, c.exit_reason);
     if (l.fate == FATE_RUNAWAY)
@@ -121,8 +122,8 @@ static void what_may_pass_a_box_is_not_told(void **state)
     (void) state;
     place_make(&p, "spinodal_gen", "0.34");
     const struct study *s = &p.s.study;
-    const struct equilibrium *node = &s->equilibrium[0];
-    const struct vec2 at = vec2_sub(node->z, s->system.origin);
+    const struct equilibrium *node = &s->slider.plane.equilibrium[0];
+    const struct vec2 at = vec2_sub(node->z, s->slider.plane.system.origin);
     for (double way = -0.98; way < 1.0; way += 0.28) {
         const struct vec2 z = { at.x - 0.5, at.y + way * TOL_ARREST };
         const struct base_point b = base_of(&p, z, 1e-8);

@@ -28,11 +28,11 @@ static void check_row(struct slope *s, const struct csv *c)
 {
     struct fate_told label;
 
-    assert_int_equal(
-        labels_find(&s->study.basins.labels,
-                    vec2_sub(row_point(s, c), s->study.system.origin), NULL,
-                    &label),
-        STATUS_OK);
+    assert_int_equal(labels_find(&s->study.basins.labels,
+                                 vec2_sub(row_point(s, c),
+                                          s->study.slider.plane.system.origin),
+                                 NULL, &label),
+                     STATUS_OK);
     CHECK(label.fate == row_fate(c), "row %zu: %s", c->row,
           fate_names[label.fate]);
 }
@@ -285,7 +285,7 @@ static void every_allocation_may_fail(void **state)
     for (; status == STATUS_NO_MEMORY; k++) {
         double v[61], psi[61];
         fault_alloc_at(k);
-        status = basin_map_init(&m, &s.study, NULL);
+        status = basin_map_init(&m, &s.study.slider, &s.scene, NULL);
         if (status == STATUS_OK)
             status = basin_map_margins(&m, 0, 1, v, psi);
         if (status == STATUS_OK)

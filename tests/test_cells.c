@@ -75,8 +75,8 @@ static int check_tight(const struct slope *s, struct vec2 z,
     struct fate_result r;
     struct peaks p;
 
-    assert_int_equal(fate_find(&s->study, z, 1e-12, true, NULL, &r), 0);
-    assert_int_equal(peaks_find(&s->study, z, 1e-12, r.steps, &p), 0);
+    assert_int_equal(fate_find(&s->study.slider, z, 1e-12, true, NULL, &r), 0);
+    assert_int_equal(peaks_find(&s->study.slider, z, 1e-12, r.steps, &p), 0);
     if (r.fate == FATE_UNDECIDED)
         return 0;
     CHECK((int) r.fate == c->exit_reason, "(%g, %g): %s, not %s", z.x, z.y,
@@ -149,9 +149,9 @@ static void a_peak_inside_a_step_is_found_at_any_tolerance(void **state)
 
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.32244", more);
-    assert_int_equal(peaks_find(&s.study, z, 1e-13, 100000, &fine), 0);
+    assert_int_equal(peaks_find(&s.study.slider, z, 1e-13, 100000, &fine), 0);
     for (double rtol = 1e-5; rtol > 1e-12; rtol *= 0.316) {
-        assert_int_equal(peaks_find(&s.study, z, rtol, 100000, &p), 0);
+        assert_int_equal(peaks_find(&s.study.slider, z, rtol, 100000, &p), 0);
         const double dx = fabs(p.x - fine.x), dmu = fabs(p.mu - fine.mu);
         CHECK(dx < rtol + 1e-13 && dmu < rtol + 1e-13, "%g: %g, %g", rtol, dx,
               dmu);
@@ -172,10 +172,10 @@ static void a_peak_of_v_after_the_start_lies_on_the_nullcline(void **state)
         if (c.exit_reason != FATE_CREEP)
             continue;
         /* psi has risen meanwhile, or v would still rise */
-        const struct vec2 at =
-            vec2_sub(slope_point(&s, c.v_peak, psi), s.study.system.origin);
-        CHECK(block_mu(&s.study.block, at) <= tan(0.34) + 1e-9, "psi = %g",
-              psi);
+        const struct vec2 at = vec2_sub(slope_point(&s, c.v_peak, psi),
+                                        s.study.slider.plane.system.origin);
+        CHECK(block_mu(&s.study.slider.block, at) <= tan(0.34) + 1e-9,
+              "psi = %g", psi);
     }
     slope_free(&s);
 }
@@ -188,7 +188,7 @@ static void check_energy(const struct slope *s, double v, const struct cell *c,
                          double v_end)
 {
     const double alpha = s->scene.alpha;
-    const double eps2 = material_eps2(&s->study.block.material);
+    const double eps2 = material_eps2(&s->study.slider.block.material);
     const double work = cos(alpha) * c->mu_mean * c->slip;
     const double pull = sin(alpha) * c->slip;
     const double end = 0.5 * eps2 * v * v + pull - work;
@@ -215,8 +215,8 @@ static void energy_is_balanced_in_every_cell(void **state)
         z[i] = (struct vec2){ check_uniform(&rng, -10, 13),
                               check_uniform(&rng, -6, 6) };
     find(&s, z, N, 1e-6, ALL, c);
-    const double end[] = { exp(s.study.equilibrium[0].z.x),
-                           exp(s.study.equilibrium[2].z.x) };
+    const double end[] = { exp(s.study.slider.plane.equilibrium[0].z.x),
+                           exp(s.study.slider.plane.equilibrium[2].z.x) };
     for (int i = 0; i < N; i++) {
         assert_in_range(c[i].exit_reason, FATE_CREEP, FATE_SLIDING);
         check_energy(&s, exp(z[i].x), &c[i], end[c[i].exit_reason]);
@@ -268,7 +268,7 @@ static void check_near(struct slope *s, const struct csv *row)
     if (c.exit_reason == FATE_UNDECIDED)
         return;
     told++;
-    assert_int_equal(fate_find(&s->study, z, 1e-13, true, NULL, &r), 0);
+    assert_int_equal(fate_find(&s->study.slider, z, 1e-13, true, NULL, &r), 0);
     CHECK(fabs(c.time - r.time.value) <= c.time_error + 0.01,
           "row %zu: %.9g +- %g, not %.9g", row->row, c.time, c.time_error,
           r.time.value);
@@ -335,7 +335,7 @@ static void a_state_at_a_node_has_arrived(void **state)
 
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
-    const struct vec2 node = s.study.equilibrium[0].z;
+    const struct vec2 node = s.study.slider.plane.equilibrium[0].z;
     const double v = exp(node.x + 0.005), psi = exp(node.y - 0.005);
     const struct cell c = find_one(&s, v, psi, 1e-6);
     assert_int_equal(c.exit_reason, FATE_CREEP);

@@ -41,12 +41,14 @@ static void wrong_arguments_leave_the_cells_untouched(void **state)
     slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
     const struct vec2 z[] = { { 0.0, 0.0 }, { 700.0, 0.0 } };
     for (int i = 0; i < 4; i++)
-        assert_int_equal(cells_find(&s.study, z, 1, rtol[i], ALL, NULL, c),
-                         STATUS_BAD_ARGUMENT);
-    assert_int_equal(cells_find(&s.study, z, 2, 1e-6, ALL, NULL, c),
+        assert_int_equal(
+            cells_find(&s.study.slider, z, 1, rtol[i], ALL, NULL, c),
+            STATUS_BAD_ARGUMENT);
+    assert_int_equal(cells_find(&s.study.slider, z, 2, 1e-6, ALL, NULL, c),
                      STATUS_BAD_ARGUMENT);
     assert_true(c[0].exit_reason == 77 && c[1].exit_reason == 78);
-    assert_int_equal(cells_find(&s.study, z, 0, 1e-6, ALL, NULL, c), STATUS_OK);
+    assert_int_equal(cells_find(&s.study.slider, z, 0, 1e-6, ALL, NULL, c),
+                     STATUS_OK);
     slope_free(&s);
 }
 
@@ -76,14 +78,14 @@ static void a_monitor_hears_of_cells_and_may_stop(void **state)
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
     for (int i = 0; i < N; i++)
-        z[i] = s.study.equilibrium[0].z;
-    assert_int_equal(
-        cells_find(&s.study, z, N, 1e-3, 0, &(struct monitor){ hear, &all }, c),
-        STATUS_OK);
+        z[i] = s.study.slider.plane.equilibrium[0].z;
+    assert_int_equal(cells_find(&s.study.slider, z, N, 1e-3, 0,
+                                &(struct monitor){ hear, &all }, c),
+                     STATUS_OK);
     assert_int_equal(all.done, N);
-    assert_int_equal(
-        cells_find(&s.study, z, N, 1e-3, 0, &(struct monitor){ hear, &few }, c),
-        STATUS_STOPPED);
+    assert_int_equal(cells_find(&s.study.slider, z, N, 1e-3, 0,
+                                &(struct monitor){ hear, &few }, c),
+                     STATUS_STOPPED);
     assert_true(few.calls == 2 && few.done < N);
     slope_free(&s);
 }
@@ -102,7 +104,7 @@ static void every_allocation_may_fail(void **state)
     omp_set_num_threads(1);
     for (; status == STATUS_NO_MEMORY; k++) {
         fault_alloc_at(k);
-        status = cells_find(&s.study, &z, 1, 1e-3, ALL, NULL, &c);
+        status = cells_find(&s.study.slider, &z, 1, 1e-3, ALL, NULL, &c);
     }
     fault_alloc_at(FAULT_ALLOC_NEVER);
     omp_set_num_threads(threads);

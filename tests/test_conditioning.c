@@ -92,11 +92,11 @@ static size_t check_digits(const char *name)
         if (c.row % 3 != 0)
             continue;
         study_of(&s, &scene, &law, &m, csv_number(&c, "alpha", 0));
-        check_conditioning(&c, &s.critical.v_plus,
+        check_conditioning(&c, &s.slider.critical.v_plus,
                            amplification(&scene, &s.sensitivities.v_plus),
                            csv_number(&c, "digits_lost_alpha_vplus", NAN),
                            &compared);
-        check_conditioning(&c, &s.critical.v_minus,
+        check_conditioning(&c, &s.slider.critical.v_minus,
                            amplification(&scene, &s.sensitivities.v_minus),
                            csv_number(&c, "digits_lost_alpha_lower", NAN),
                            &compared);
@@ -130,13 +130,13 @@ static void every_number_has_its_conditioning(void **state)
     const double want = 0x1p-53 * (by_alpha + by_mu + by_ab);
     CHECK(fabs(s.saddle_numbers.v.conditioning / want - 1) < 1e-3, "%g, not %g",
           s.saddle_numbers.v.conditioning, want);
-    CHECK(s.steady[0].v.conditioning == s.saddle_numbers.v.conditioning, "%g",
-          s.steady[0].v.conditioning);
+    CHECK(s.slider.steady[0].v.conditioning == s.saddle_numbers.v.conditioning,
+          "%g", s.slider.steady[0].v.conditioning);
     const struct quantity *q[] = {
-        &s.critical.x_excess,          &s.critical.x_deficit,
-        &s.critical.mu_s_num,          &s.critical.mu_s_mean,
-        &s.critical.fracture_energy,   &s.critical.knee_upper.v,
-        &s.critical.knee_lower.psi,    &s.critical.knees_upper[0].v,
+        &s.slider.critical.x_excess,        &s.slider.critical.x_deficit,
+        &s.slider.critical.mu_s_num,        &s.slider.critical.mu_s_mean,
+        &s.slider.critical.fracture_energy, &s.slider.critical.knee_upper.v,
+        &s.slider.critical.knee_lower.psi,  &s.slider.critical.knees_upper[0].v,
         &s.saddle_numbers.lambda_plus,
     };
     for (size_t i = 0; i < sizeof q / sizeof *q; i++)

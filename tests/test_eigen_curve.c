@@ -13,7 +13,7 @@ static const struct box reach = { { -12.0, -12.0 }, { 12.0, 12.0 } };
 /* The saddle in 113 bits. */
 static void find_anchor(const struct study *s, struct quad_anchor *at)
 {
-    const struct block *b = &s->block;
+    const struct block *b = &s->slider.block;
     const quad x = b->at.x0, wide = 1e-6, tangent = b->tan_alpha;
 
     quad_block_anchor(&b->law, &b->material, tangent,
@@ -25,7 +25,7 @@ static void find_anchor(const struct study *s, struct quad_anchor *at)
 /* Of a point's absolute coordinates. */
 static double rounding(const struct study *s, struct vec2 z)
 {
-    const struct vec2 o = s->system.origin;
+    const struct vec2 o = s->slider.plane.system.origin;
 
     return 4.0 * DBL_EPSILON *
            (1.0 + fabs(o.x) + fabs(o.y) + fabs(z.x) + fabs(z.y));
@@ -47,7 +47,7 @@ static double check_pieces(const struct study *s,
         const double off = workprec_curve_distance(exact, at);
         const double bar = b->piece[i / 4].error + rounding(s, z);
         CHECK(off <= bar, "%s, rtol %g: piece %zu is %.2g off, bar %.2g",
-              s->block.law.preset, rtol, i / 4, off, bar);
+              s->slider.block.law.preset, rtol, i / 4, off, bar);
         largest = fmax(largest, bar);
     }
     return largest;
@@ -60,18 +60,19 @@ static void check_branch(const struct study *s, int side)
 
     find_anchor(s, &at);
     assert_int_equal(
-        workprec_curve_grow(&s->block.law, &at, side, reach, &exact),
+        workprec_curve_grow(&s->slider.block.law, &at, side, reach, &exact),
         STATUS_OK);
     for (int k = 4; k <= 12; k += 4) {
         const double rtol = pow(10.0, -k);
         const struct eigen_options o = eigen_defaults(rtol);
         struct eigen_branch b;
-        assert_int_equal(
-            eigen_branch(&s->system, &s->equilibrium[s->saddle], side, &o, &b),
-            STATUS_OK);
+        assert_int_equal(eigen_branch(&s->slider.plane.system,
+                                      phase_plane_saddle(&s->slider.plane),
+                                      side, &o, &b),
+                         STATUS_OK);
         const double bar = check_pieces(s, &exact, &b.branch.curve, rtol);
         CHECK(bar <= 1000.0 * rtol, "%s: bar %g at rtol %g",
-              s->block.law.preset, bar, rtol);
+              s->slider.block.law.preset, bar, rtol);
         eigen_branch_free(&b);
     }
     workprec_curve_free(&exact);

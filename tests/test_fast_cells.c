@@ -20,7 +20,8 @@ struct place {
 static void make(struct place *p, const char *law, const char *alpha)
 {
     slope_make(&p->s, law, NULL, alpha, steady_only);
-    assert_int_equal(fast_cells_init(&p->f, &p->s.study, NULL), STATUS_OK);
+    assert_int_equal(fast_cells_init(&p->f, &p->s.study.slider, NULL),
+                     STATUS_OK);
 }
 
 static void drop(struct place *p)
@@ -84,8 +85,9 @@ static void check_law(const char *law, const char *alpha, unsigned which,
         z[i] = (struct vec2){ check_uniform(seed, -6, 9),
                               check_uniform(seed, -6, 6) };
     find(&p, z, n, 1e-6, which, fast);
-    assert_int_equal(cells_find(&p.s.study, z, n, 1e-7, which, NULL, slow),
-                     STATUS_OK);
+    assert_int_equal(
+        cells_find(&p.s.study.slider, z, n, 1e-7, which, NULL, slow),
+        STATUS_OK);
     for (size_t i = 0; i < n; i++)
         check_cell(z[i], &fast[i], &slow[i]);
     drop(&p);
@@ -174,8 +176,9 @@ static void other_laws_take_their_whole_orbits(void **state)
     make(&p, "ruina", "0.34");
     const struct vec2 z = slope_point(&p.s, 1.0, 2.0);
     assert_int_equal(find(&p, &z, 1, 1e-4, ALL, &fast), 1);
-    assert_int_equal(cells_find(&p.s.study, &z, 1, 1e-4, ALL, NULL, &slow),
-                     STATUS_OK);
+    assert_int_equal(
+        cells_find(&p.s.study.slider, &z, 1, 1e-4, ALL, NULL, &slow),
+        STATUS_OK);
     check_cell(z, &fast, &slow);
     drop(&p);
 }
@@ -218,7 +221,7 @@ static void every_allocation_may_fail(void **state)
     (void) state;
     slope_make(&s, "ruina", NULL, "0.34", steady_only);
     const struct vec2 z = slope_point(&s, 1.0, 2.0);
-    assert_int_equal(fast_cells_init(&f, &s.study, NULL), STATUS_OK);
+    assert_int_equal(fast_cells_init(&f, &s.study.slider, NULL), STATUS_OK);
     fault_alloc_at(0);
     status = fast_cells_find(&f, &z, 1, 1e-3, 1u, NULL, &c, NULL);
     fault_alloc_at(FAULT_ALLOC_NEVER);

@@ -9,7 +9,8 @@ static struct layer follow(const struct place *p, struct vec2 z, double rtol)
     const struct layer_options options = layer_defaults(rtol);
     struct layer l;
 
-    layer_follow(&p->c, vec2_sub(z, p->s.study.system.origin), &options, &l);
+    layer_follow(&p->c, vec2_sub(z, p->s.study.slider.plane.system.origin),
+                 &options, &l);
     return l;
 }
 
@@ -21,7 +22,7 @@ static void check_state(const struct place *p, struct vec2 z, double rtol)
 
     if (l.end == LAYER_LOST || l.end == LAYER_UNSURE)
         return;
-    assert_int_equal(fate_find(&p->s.study, z, 1e-10, true, NULL, &r),
+    assert_int_equal(fate_find(&p->s.study.slider, z, 1e-10, true, NULL, &r),
                      STATUS_OK);
     CHECK((int8_t) r.fate == l.fate, "(%g, %g): %s, not %s", z.x, z.y,
           fate_names[l.fate], fate_names[r.fate]);
@@ -126,7 +127,7 @@ static void a_box_of_arrest_may_be_entered_before_landing(void **state)
 
     (void) state;
     place_make(&p, "spinodal", "0.34");
-    const struct vec2 node = p.s.study.equilibrium[0].z;
+    const struct vec2 node = p.s.study.slider.plane.equilibrium[0].z;
     const struct vec2 inside = { node.x + 0.005, node.y - 0.005 };
     const struct vec2 level = { node.x + 3.0, node.y + 0.004 };
     assert_int_equal(follow(&p, inside, 1e-6).end, LAYER_LOST);
@@ -141,7 +142,7 @@ static void a_runaway_is_known_at_once(void **state)
 
     (void) state;
     place_make(&p, "dieterich_gen", "0.34");
-    const struct vec2 o = p.s.study.system.origin;
+    const struct vec2 o = p.s.study.slider.plane.system.origin;
     const struct layer l =
         follow(&p, (struct vec2){ o.x + 1.0, o.y - 1.0 }, 1e-6);
     assert_int_equal(l.end, LAYER_RAN);

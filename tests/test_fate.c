@@ -11,7 +11,8 @@ static struct fate_result find(const struct slope *s, struct vec2 z,
                                double rtol)
 {
     struct fate_result r;
-    const enum status status = fate_find(&s->study, z, rtol, true, NULL, &r);
+    const enum status status =
+        fate_find(&s->study.slider, z, rtol, true, NULL, &r);
 
     CHECK(status == STATUS_OK, "%s", status_text(status));
     CHECK((r.reason != NULL) == (r.fate == FATE_UNDECIDED), "%s: %s",
@@ -102,8 +103,9 @@ static void without_a_saddle_no_state_is_undecided(void **state)
             const struct vec2 z = { from[i][0] * log(10.0),
                                     from[i][1] * log(10.0) };
             struct fate_result r;
-            assert_int_equal(fate_find(&s.study, z, rtol, false, NULL, &r),
-                             STATUS_OK);
+            assert_int_equal(
+                fate_find(&s.study.slider, z, rtol, false, NULL, &r),
+                STATUS_OK);
             CHECK(r.fate == FATE_SLIDING && r.reason == NULL, "%zu, %g: %s", i,
                   rtol, fate_names[r.fate]);
         }
@@ -131,7 +133,8 @@ static void states_far_below_psi_ss_rest_no_sooner_than_v_can_fall(void **state)
     for (double v = 1e-5; v < 0.02; v *= 3.0) {
         const struct fate_result r = find(&s, slope_point(&s, v, 0.01), 1e-7);
         CHECK(r.fate == FATE_REST_FINITE, "v = %g: %s", v, fate_names[r.fate]);
-        const double soonest = material_eps2(&s.study.block.material) * v;
+        const double soonest =
+            material_eps2(&s.study.slider.block.material) * v;
         CHECK(r.time.value > soonest, "v = %g: %g < %g", v, r.time.value,
               soonest);
     }
@@ -145,7 +148,7 @@ static void check_energy(const struct slope *s, double v,
                          const struct fate_result *r)
 {
     const double alpha = s->scene.alpha;
-    const double eps2 = material_eps2(&s->study.block.material);
+    const double eps2 = material_eps2(&s->study.slider.block.material);
     const double mean =
         tan(alpha) + eps2 * v * v / (2.0 * cos(alpha) * r->slip.value);
 
@@ -246,8 +249,9 @@ static void states_outside_the_domain_are_refused(void **state)
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
     for (int i = 0; i < 3; i++)
-        assert_int_equal(fate_find(&s.study, outside[i], 1e-8, true, NULL, &r),
-                         STATUS_BAD_ARGUMENT);
+        assert_int_equal(
+            fate_find(&s.study.slider, outside[i], 1e-8, true, NULL, &r),
+            STATUS_BAD_ARGUMENT);
     slope_free(&s);
 }
 
@@ -259,8 +263,8 @@ static void a_monitor_stops_a_long_orbit(void **state)
 
     (void) state;
     slope_make(&s, "dieterich_gen", NULL, "0.34", steady_only);
-    assert_int_equal(fate_find(&s.study, slope_point(&s, 1e3, 10.0), 1e-12,
-                               true, &monitor, &r),
+    assert_int_equal(fate_find(&s.study.slider, slope_point(&s, 1e3, 10.0),
+                               1e-12, true, &monitor, &r),
                      STATUS_STOPPED);
     slope_free(&s);
 }
@@ -277,7 +281,7 @@ static void every_allocation_may_fail(void **state)
     const struct vec2 z = slope_point(&s, 1e3, 10.0);
     for (; status == STATUS_NO_MEMORY; k++) {
         fault_alloc_at(k);
-        status = fate_find(&s.study, z, 1e-5, true, NULL, &r);
+        status = fate_find(&s.study.slider, z, 1e-5, true, NULL, &r);
     }
     fault_alloc_at(FAULT_ALLOC_NEVER);
     assert_int_equal(status, STATUS_OK);

@@ -57,7 +57,8 @@ static void a_cell_of_the_grid_is_that_of_its_centre(void **state)
         const struct vec2 z = { log(m->v[i % COLUMNS]),
                                 log(m->psi[i / COLUMNS]) };
         struct fate_result r;
-        assert_int_equal(fate_find(&s.study, z, 1e-12, true, NULL, &r), 0);
+        assert_int_equal(fate_find(&s.study.slider, z, 1e-12, true, NULL, &r),
+                         0);
         CHECK(r.fate == (enum fate) all[i].exit_reason, "cell %zu", i);
         CHECK(fabs(r.slip.value - all[i].slip) <= all[i].slip_error &&
                   fabs(r.mu_mean.value - all[i].mu_mean) <=

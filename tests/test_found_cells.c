@@ -47,8 +47,8 @@ static void follow(const struct study *s, struct vec2 z, double rtol,
     struct fate_result r;
     struct peaks p;
 
-    assert_int_equal(fate_find(s, z, rtol, true, NULL, &r), 0);
-    assert_int_equal(peaks_find(s, z, rtol, r.steps, &p), 0);
+    assert_int_equal(fate_find(&s->slider, z, rtol, true, NULL, &r), 0);
+    assert_int_equal(peaks_find(&s->slider, z, rtol, r.steps, &p), 0);
     const struct quantity *q[] = { &r.slip, &r.time, &r.mu_mean };
     for (int k = 0; k < 3; k++) {
         of[k] = quantity_exists(q[k]) ? q[k]->value : (double) NAN;
@@ -86,7 +86,7 @@ static struct cell compare(const struct found *f, double x, double y)
     struct cell c;
 
     make(f, &s);
-    assert_int_equal(fast_cells_init(&fast, &s.study, NULL), 0);
+    assert_int_equal(fast_cells_init(&fast, &s.study.slider, NULL), 0);
     assert_int_equal(
         fast_cells_find(&fast, &z, 1, f->rtol, ALL, NULL, &c, NULL), 0);
     assert_int_equal(c.exit_reason, follow_twice(&s.study, z, tight, left));
@@ -169,9 +169,9 @@ static void time_is_known_no_better_than_the_slip_of_that_time(void **state)
 
     (void) state;
     make(&beyond, &s);
-    assert_int_equal(fast_cells_init(&fast, &s.study, NULL), 0);
+    assert_int_equal(fast_cells_init(&fast, &s.study.slider, NULL), 0);
     assert_true(slow_curve_at(&fast.curve, -13.0525, &p));
-    const double v = s.study.block.at.v0 * exp(p.x_peak);
+    const double v = s.study.slider.block.at.v0 * exp(p.x_peak);
     CHECK(p.time_error * v > 0.5 * p.slip_error, "%g at %g, but %g",
           p.time_error, v, p.slip_error);
     fast_cells_free(&fast);
@@ -276,8 +276,10 @@ static void a_peak_is_found_between_samples_of_an_orbit_not_run_again(
     (void) state;
     make(&found, &s);
     for (int i = 0; i < 4; i++) {
-        assert_int_equal(fate_find(&s.study, z, rtol[i], false, NULL, &r), 0);
-        assert_int_equal(peaks_find(&s.study, z, rtol[i], r.steps, &p[i]), 0);
+        assert_int_equal(
+            fate_find(&s.study.slider, z, rtol[i], false, NULL, &r), 0);
+        assert_int_equal(
+            peaks_find(&s.study.slider, z, rtol[i], r.steps, &p[i]), 0);
         CHECK(fabs(p[i].mu - p[0].mu) < 1e-12, "%.16g, not %.16g at %g",
               p[i].mu, p[0].mu, rtol[i]);
     }

@@ -14,7 +14,7 @@
  * separatrix: off it by 10^-17 to 1 of that, in v or in psi. */
 static struct push_state beside(const struct labels *l, uint64_t *rng)
 {
-    const struct study *s = l->study;
+    const struct slider *s = l->slider;
     const struct separatrix *rows = &l->along[SEPARATRIX_Y];
     const double size = pow(10.0, check_uniform(rng, -14.0, 0.5));
     const double y = check_bits(rng) & 1 ? size : -size;
@@ -28,7 +28,7 @@ static struct push_state beside(const struct labels *l, uint64_t *rng)
                          (check_bits(rng) & 1 ? 1.0 : -1.0);
     *(check_bits(rng) & 1 ? &z.x : &z.y) += shift;
     const long double x = s->block.x + z.x, w = s->block.y + z.y;
-    return (struct push_state){ (double) expl(x), s->system.axis[1].is_log
+    return (struct push_state){ (double) expl(x), s->plane.system.axis[1].is_log
                                                       ? (double) expl(w)
                                                       : (double) w };
 }
@@ -58,7 +58,7 @@ static double distance(const struct labels *l, struct vec2 z)
 static void check_side(const struct labels *l, const struct quad_side *o,
                        struct push_state at, size_t *certain)
 {
-    const struct study *s = l->study;
+    const struct slider *s = l->slider;
     const struct vec2 z = block_offset(&s->block, at.v, at.psi);
     struct fate_told label;
 
@@ -67,14 +67,15 @@ static void check_side(const struct labels *l, const struct quad_side *o,
         const double bar = l->along[0].slack + 1e-11 * hypot(z.x, z.y);
         CHECK(distance(l, z) < 10.0 * bar,
               "%s at alpha = %.17g: v = %.17g, psi = %.17g: undecided",
-              s->block.law.preset, s->scene->alpha, at.v, at.psi);
+              s->block.law.preset, atan((double) s->block.tan_alpha), at.v,
+              at.psi);
         return;
     }
     const int side = quad_side_of_state(o, at.v, at.psi);
     ++*certain;
     CHECK(side == 2 || label.fate == (int8_t) fate_of_side(s, side == 0),
           "%s at alpha = %.17g: v = %.17g, psi = %.17g: %s",
-          s->block.law.preset, s->scene->alpha, at.v, at.psi,
+          s->block.law.preset, atan((double) s->block.tan_alpha), at.v, at.psi,
           fate_names[label.fate]);
 }
 
@@ -89,7 +90,8 @@ static void random_states_are_on_the_side_that_113_bits_say(void **state)
         struct slope s;
         struct labels l;
         random_slope(&s, &rng, "products=[equilibria]");
-        assert_int_equal(labels_init(&l, &s.study, NULL), STATUS_OK);
+        assert_int_equal(labels_init(&l, &s.study.slider, s.scene.rtol, NULL),
+                         STATUS_OK);
         const struct quad_side o = quad_side_of(&s.study);
         for (int k = 0; k < STATES; k++) {
             check_side(&l, &o, beside(&l, &rng), &certain);
@@ -112,19 +114,21 @@ static void at_the_saddle_nothing_is_told(void **state)
         struct slope s;
         struct labels l;
         random_slope_of(&s, i, &rng, set);
-        assert_int_equal(labels_init(&l, &s.study, NULL), STATUS_OK);
+        assert_int_equal(labels_init(&l, &s.study.slider, s.scene.rtol, NULL),
+                         STATUS_OK);
         const double v = s.study.saddle_numbers.v.value;
         const double psi = s.study.saddle_numbers.psi.value;
         for (int k = 0; k < 9; k++) {
             const double to[3] = { -HUGE_VAL, 0.0, HUGE_VAL };
             const double x = k % 3 == 1 ? v : nextafter(v, to[k % 3]);
             const double y = k / 3 == 1 ? psi : nextafter(psi, to[k / 3]);
-            const struct vec2 z = block_offset(&s.study.block, x, y);
+            const struct vec2 z = block_offset(&s.study.slider.block, x, y);
             struct fate_told label;
             assert_int_equal(labels_find(&l, z, NULL, &label), STATUS_OK);
             CHECK(label.fate == FATE_UNDECIDED && label.reason,
-                  "%s: v = %.17g, psi = %.17g: %s", s.study.block.law.preset, x,
-                  y, fate_names[label.fate]);
+                  "%s: v = %.17g, psi = %.17g: %s",
+                  s.study.slider.block.law.preset, x, y,
+                  fate_names[label.fate]);
         }
         labels_free(&l);
         slope_free(&s);
@@ -137,7 +141,7 @@ static void at_the_saddle_nothing_is_told(void **state)
 static void check_map(const struct slope *s)
 {
     const struct basin_map *m = &s->study.basins;
-    const struct block *b = &s->study.block;
+    const struct block *b = &s->study.slider.block;
     double sum = 0.0;
 
     for (int i = 0; i < FATES; i++)
@@ -181,8 +185,8 @@ static void a_flat_shelf_does_not_turn_a_basin_round(void **state)
                                        "window.v=[1e-6, 1e12]", NULL }));
     struct fate_told label;
     assert_int_equal(labels_find(&s.study.basins.labels,
-                                 block_offset(&s.study.block, 1e9, 10.0), NULL,
-                                 &label),
+                                 block_offset(&s.study.slider.block, 1e9, 10.0),
+                                 NULL, &label),
                      STATUS_OK);
     assert_int_equal(label.fate, FATE_SLIDING);
     check_map(&s);
@@ -241,10 +245,11 @@ static void shares_are_continuous_in_the_slope(void **state)
 /* ---- one answer ---------------------------------------------------------- */
 
 /* A run from the state never tells another fate than its side. */
-static void check_run(const struct labels *l, struct push_state at, int fate)
+static void check_run(const struct scene *c, const struct labels *l,
+                      struct push_state at, int fate)
 {
-    const struct study *s = l->study;
-    struct transient_options o = transient_defaults(s->scene);
+    const struct slider *s = l->slider;
+    struct transient_options o = transient_defaults(c);
     struct transient t;
 
     o.labels = l;
@@ -254,8 +259,8 @@ static void check_run(const struct labels *l, struct push_state at, int fate)
     CHECK(t.sum.fate == fate,
           "%s at alpha = %.17g: v = %.17g, psi = %.17g: "
           "%s in push, %s in simulate",
-          s->block.law.preset, s->scene->alpha, at.v, at.psi, fate_names[fate],
-          fate_names[t.sum.fate]);
+          s->block.law.preset, atan((double) s->block.tan_alpha), at.v, at.psi,
+          fate_names[fate], fate_names[t.sum.fate]);
     if (fate == FATE_UNDECIDED)
         CHECK(t.reason && t.sum.end == TRANSIENT_NEAR &&
                   !quantity_exists(&t.sum.time) && t.events == 0,
@@ -279,13 +284,13 @@ static void check_zoomed(const struct push *p, struct push_state at,
                          double width)
 {
     enum { SIDE = 6 };
-    struct scene c = p->scene; /* borrows */
+    struct scene c = *p->scene; /* borrows */
     struct cell cell[SIDE * SIDE];
     int8_t label[SIDE * SIDE];
     struct fault why;
     struct study s;
 
-    zoom(&c, p->study.system.axis[1].is_log, at, width);
+    zoom(&c, p->slider.plane.system.axis[1].is_log, at, width);
     if (!(c.window.psi[0] < c.window.psi[1] && c.window.v[0] < c.window.v[1]))
         return;
     c.products = 1u << PRODUCT_BASINS | 1u << PRODUCT_SLIP;
@@ -303,7 +308,7 @@ static void check_zoomed(const struct push *p, struct push_state at,
                                      cell[i].exit_reason == FATE_UNDECIDED),
               "%s at alpha = %.17g: v = %.17g, psi = %.17g: %s in push, %s in "
               "a map, its orbit %s",
-              p->study.block.law.preset, c.alpha, here.v, here.psi,
+              p->slider.block.law.preset, c.alpha, here.v, here.psi,
               fate_names[a.fate], fate_names[label[i]],
               fate_names[cell[i].exit_reason]);
     }
@@ -328,7 +333,7 @@ static void push_simulate_and_maps_give_one_fate(void **state)
             const struct push_state at = beside(&p.labels, &rng);
             struct push_answer a;
             assert_int_equal(push_find(&p, at, NULL, &a), STATUS_OK);
-            check_run(&p.labels, at, a.fate);
+            check_run(p.scene, &p.labels, at, a.fate);
         }
         const struct push_state at = beside(&p.labels, &rng);
         check_zoomed(&p, at, pow(10.0, check_uniform(&rng, -15.0, -1.0)));
@@ -351,7 +356,7 @@ static void every_allocation_may_fail(void **state)
     slope_make(&s, "spinodal_gen", NULL, "0.34", set);
     for (; status == STATUS_NO_MEMORY; k++) {
         fault_alloc_at(k);
-        status = labels_init(&l, &s.study, NULL);
+        status = labels_init(&l, &s.study.slider, s.scene.rtol, NULL);
         fault_alloc_at(FAULT_ALLOC_NEVER);
         labels_free(&l);
         labels_free(&l);

@@ -15,11 +15,12 @@ struct place {
 static void make(struct place *p, const char *law, uint64_t *seed)
 {
     slope_make(&p->s, law, NULL, "0.34", steady_only);
-    assert_int_equal(slow_curve_init(&p->c, &p->s.study, NULL), STATUS_OK);
+    assert_int_equal(slow_curve_init(&p->c, &p->s.study.slider, NULL),
+                     STATUS_OK);
     for (int i = 0; i < N; i++) {
         const struct vec2 z = { check_uniform(seed, -6, 9),
                                 check_uniform(seed, -6, 6) };
-        p->job[i].z = vec2_sub(z, p->s.study.system.origin);
+        p->job[i].z = vec2_sub(z, p->s.study.slider.plane.system.origin);
         p->job[i].options = layer_defaults(i % 2 ? 1e-6 : 1e-4);
         p->job[i].options.peaks = false;
     }

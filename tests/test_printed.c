@@ -88,7 +88,7 @@ static void estimates_without_R_have_eta_1(void **state)
     same("x_k", e->x_k.value, "1.792725");
     same("mu_s", e->xi[0].mu_s.value, "0.618761");
     same("G", e->xi[0].G.value, "0.475116");
-    same("x_excess", a.study.critical.x_excess.value, "1.791454");
+    same("x_excess", a.study.slider.critical.x_excess.value, "1.791454");
     asked_free(&a);
 }
 
@@ -129,8 +129,8 @@ static void critical_velocities_are_those_of_figure_11(void **state)
     for (int i = 0; i < 2; i++) {
         static struct asked a;
         run(&a, rows[i][0], "asinh");
-        same(rows[i][0], a.study.critical.v_plus.value, rows[i][1]);
-        same(rows[i][0], a.study.critical.v_minus.value, rows[i][2]);
+        same(rows[i][0], a.study.slider.critical.v_plus.value, rows[i][1]);
+        same(rows[i][0], a.study.slider.critical.v_minus.value, rows[i][2]);
         asked_free(&a);
     }
 }

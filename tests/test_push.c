@@ -28,9 +28,10 @@ static int followed(const struct pushed *p, struct vec2 z)
         { .value = enters_slow, .direction = 1, .stop = true },
         { .value = enters_fast, .direction = 1, .stop = true },
     };
-    const struct study *s = &p->push.study;
-    struct orbit_options o = orbit_defaults(&s->system, s->stable_rate);
-    const struct vec2 offset = vec2_sub(z, s->system.origin);
+    const struct slider *s = &p->push.slider;
+    struct orbit_options o =
+        orbit_defaults(&s->plane.system, s->plane.stable_rate);
+    const struct vec2 offset = vec2_sub(z, s->plane.system.origin);
     const double u[2] = { offset.x, offset.y };
     bool slow = enters_slow(NULL, 0.0, u) > 0.0;
     struct fate_result r;
@@ -41,15 +42,16 @@ static int followed(const struct pushed *p, struct vec2 z)
     o.event = entry;
     o.events = 2;
     if (!slow && !(enters_fast(NULL, 0.0, u) > 0.0)) {
-        assert_int_equal(orbit_init(&orbit, &s->system, offset, &o), STATUS_OK);
+        assert_int_equal(orbit_init(&orbit, &s->plane.system, offset, &o),
+                         STATUS_OK);
         assert_int_equal(orbit_run(&orbit, NULL), STATUS_OK);
         assert_int_equal(orbit.end, ORBIT_EVENT);
         slow = orbit.end_index == 0;
         orbit_free(&orbit);
     }
     const double way = slow ? -0.5 : 0.5;
-    const struct vec2 within = { s->system.origin.x + way,
-                                 s->system.origin.y - way };
+    const struct vec2 within = { s->plane.system.origin.x + way,
+                                 s->plane.system.origin.y - way };
     assert_int_equal(fate_find(s, within, 1e-5, false, NULL, &r), STATUS_OK);
     return (int) r.fate;
 }
@@ -81,7 +83,7 @@ struct tally {
 static void check_state(const struct pushed *p, struct push_state at,
                         struct tally *t)
 {
-    const bool is_log = p->push.study.system.axis[1].is_log;
+    const bool is_log = p->push.slider.plane.system.axis[1].is_log;
     const struct vec2 z = { log(at.v), is_log ? log(at.psi) : at.psi };
     const struct vec2 x = { 1.0, 0.0 }, y = { 0.0, 1.0 };
     const struct push_answer a = answer(p, at.v, at.psi);
@@ -239,7 +241,7 @@ static void bars_hold_the_truth(void **state)
           "%.17g +- %g", a.time.value, a.time.error);
     CHECK(fabs(a.slip.value - x) <= a.slip.error && a.slip.error < 1e-8,
           "%.17g +- %g", a.slip.value, a.slip.error);
-    const double eps2 = material_eps2(&p.push.study.block.material);
+    const double eps2 = material_eps2(&p.push.slider.block.material);
     const double mean =
         tan(0.34) + eps2 * pow(10.0, 6.2) / (2.0 * cos(0.34) * x);
     CHECK(fabs(a.mu_mean.value - mean) <= a.mu_mean.error, "%.17g +- %g",

@@ -76,7 +76,7 @@ static void the_table_says_what_whole_orbits_say(void **state)
     for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
         struct pushed p;
         push_make(&p, all[k].law, "0.34");
-        const bool is_log = p.push.study.system.axis[1].is_log;
+        const bool is_log = p.push.slider.plane.system.axis[1].is_log;
         for (int i = 0; i < COUNT; i++) {
             const double y = check_uniform(&rng, -3.0, 4.0);
             at[i].v = exp(check_uniform(&rng, -6.0, 10.0));

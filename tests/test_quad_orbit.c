@@ -66,7 +66,7 @@ static void slip_grows_by_v_sp_ln_10_per_decade_towards_the_saddle(void **state)
         skip();
     for (size_t i = 0; i < 2 * PRESETS; i++) {
         make(&s, &q, i);
-        const struct equilibrium *e = &s.study.equilibrium[s.study.saddle];
+        const struct equilibrium *e = phase_plane_saddle(&s.study.slider.plane);
         const double longer = log(10.0) / fmax(e->lambda[0], e->lambda[1]);
         const quad side = i % 3 == 0 && i % PRESETS != 3 ? -1 : 1;
         const quad far = side * (quad) 1e-9, beside = side * (quad) 1e-10;
@@ -102,7 +102,8 @@ static void orbits_in_double_precision_agree(void **state)
         const struct vec2 z = { (double) q.at.x0 + check_uniform(&rng, -4, 8),
                                 (double) q.at.y0 + check_uniform(&rng, -4, 4) };
         quad_orbit_find(&q, (quad) z.x, (quad) z.y, 1e-8, &o);
-        assert_int_equal(fate_find(&s.study, z, 1e-12, true, NULL, &r), 0);
+        assert_int_equal(fate_find(&s.study.slider, z, 1e-12, true, NULL, &r),
+                         0);
         assert_int_equal(o.fate, r.fate);
         const struct quantity told[] = { r.slip, r.time, r.mu_mean };
         for (int k = 0; k < 3; k++)

@@ -110,7 +110,7 @@ static void draw(size_t i, uint64_t *rng, const char *const more[],
 /* Anywhere near the steady state that the chart is centred on. */
 static struct vec2 draw_state(const struct draw *d, uint64_t *rng)
 {
-    const struct planar *p = &d->s.study.system;
+    const struct planar *p = &d->s.study.slider.plane.system;
     struct vec2 z;
 
     do
@@ -133,9 +133,10 @@ static void follow(const struct draw *d, struct vec2 z, double rtol, bool peaks,
     struct peaks p = { (double) NAN, (double) NAN };
     struct fate_result r;
 
-    assert_int_equal(fate_find(&d->s.study, z, rtol, true, NULL, &r), 0);
+    assert_int_equal(fate_find(&d->s.study.slider, z, rtol, true, NULL, &r), 0);
     if (peaks)
-        assert_int_equal(peaks_find(&d->s.study, z, rtol, r.steps, &p), 0);
+        assert_int_equal(peaks_find(&d->s.study.slider, z, rtol, r.steps, &p),
+                         0);
     *t = (struct tight){
         r.fate,
         { r.slip.value, r.time.value, r.mu_mean.value, exp(p.x), p.mu },
@@ -238,11 +239,13 @@ static void end_energies(const struct study *s, const struct cell *c,
 
     end[0] = is_node ? HUGE_VAL : 0.0;
     end[1] = 0.0;
-    for (size_t i = 0; i < s->equilibria && is_node; i++) {
-        const struct equilibrium *e = &s->equilibrium[i];
+    for (size_t i = 0; i < s->slider.plane.equilibria && is_node; i++) {
+        const struct equilibrium *e = &s->slider.plane.equilibrium[i];
         const double v = exp(e->z.x);
-        const double energy = 0.5 * material_eps2(&s->block.material) * v * v;
-        if ((int) i == s->saddle || (int) fate_of_node(s, e) != c->exit_reason)
+        const double energy =
+            0.5 * material_eps2(&s->slider.block.material) * v * v;
+        if ((int) i == slider_saddle(&s->slider) ||
+            (int) fate_of_node(&s->slider, e) != c->exit_reason)
             continue;
         end[0] = fmin(end[0], energy / far);
         end[1] = fmax(end[1], energy * far);
@@ -255,7 +258,7 @@ static void check_energy(const struct draw *d, struct vec2 z,
 {
     const struct study *s = &d->s.study;
     const double sine = sin(s->scene->alpha), cosine = cos(s->scene->alpha);
-    const double eps2 = material_eps2(&s->block.material);
+    const double eps2 = material_eps2(&s->slider.block.material);
     const double start = 0.5 * eps2 * exp(2.0 * z.x);
     const double pull = sine * c->slip, work = cosine * c->mu_mean * c->slip;
     const double slack = c->slip_error * (sine + cosine * c->mu_mean) +
@@ -328,7 +331,7 @@ static void errors_of_random_states_lie_within_their_bars(void **state)
     (void) state;
     for (size_t i = 0; i < draws; i++) {
         draw(i, &rng, steady_only, &d);
-        assert_int_equal(fast_cells_init(&d.fast, &d.s.study, NULL), 0);
+        assert_int_equal(fast_cells_init(&d.fast, &d.s.study.slider, NULL), 0);
         for (int k = 0; k < EACH; k++)
             z[k] = draw_state(&d, &rng);
         assert_int_equal(fast_cells_find(&d.fast, z, EACH, d.s.scene.cell_rtol,
@@ -380,7 +383,7 @@ static void check_accuracy(const char *law, const char *form, size_t states,
     struct tight t;
 
     slope_make(&d.s, law, form, "0.34", steady_only);
-    assert_int_equal(fast_cells_init(&d.fast, &d.s.study, NULL), 0);
+    assert_int_equal(fast_cells_init(&d.fast, &d.s.study.slider, NULL), 0);
     for (size_t i = 0; i < states; i++) {
         const struct vec2 z = { check_uniform(rng, -8, 9),
                                 check_uniform(rng, -5, 5) };

@@ -12,7 +12,7 @@ static void make(struct slow_curve *c, struct slope *s, const char *law,
                  const char *alpha)
 {
     slope_make(s, law, NULL, alpha, steady_only);
-    const enum status status = slow_curve_init(c, &s->study, NULL);
+    const enum status status = slow_curve_init(c, &s->study.slider, NULL);
     CHECK(status == STATUS_OK, "%s", status_text(status));
 }
 
@@ -32,10 +32,10 @@ static void orbits_on_it_take_the_tabulated_time_and_slip(void **state)
     (void) state;
     make(&c, &s, "dieterich_gen", "0.34");
     for (double x = -5.2; x > -14.0; x -= 0.83) {
-        const struct vec2 o = s.study.system.origin;
+        const struct vec2 o = s.study.slider.plane.system.origin;
         assert_true(rest_curve_at(&c.rest, x, &p));
         const struct vec2 z = { o.x + x, o.y + p.y };
-        assert_int_equal(fate_find(&s.study, z, 1e-10, true, NULL, &r),
+        assert_int_equal(fate_find(&s.study.slider, z, 1e-10, true, NULL, &r),
                          STATUS_OK);
         assert_int_equal(r.fate, FATE_REST_FINITE);
         CHECK(fabs(r.time.value - p.time) <= 1e-8 * p.time + r.time.error,
@@ -102,12 +102,14 @@ static void states_fall_onto_it(void **state)
 
     (void) state;
     make(&c, &s, "dieterich_gen", "0.34");
-    const struct vec2 z = { -6.0, -6.0 }, o = s.study.system.origin;
+    const struct vec2 z = { -6.0, -6.0 },
+                      o = s.study.slider.plane.system.origin;
     options.peaks = false;
     layer_follow(&c, vec2_sub(z, o), &options, &l);
     assert_int_equal(l.end, LAYER_LANDED);
     assert_int_equal(l.fate, FATE_REST_FINITE);
-    assert_int_equal(fate_find(&s.study, z, 1e-10, true, NULL, &r), STATUS_OK);
+    assert_int_equal(fate_find(&s.study.slider, z, 1e-10, true, NULL, &r),
+                     STATUS_OK);
     CHECK(fabs(l.time - r.time.value) <= l.time_error + 1e-8 * l.time,
           "%.12g, not %.12g", l.time, r.time.value);
     CHECK(l.time_error < 1e-5 * l.time, "%g of %g", l.time_error, l.time);
@@ -149,13 +151,14 @@ static void every_allocation_may_fail_and_monitors_stop_it(void **state)
     const struct vec2 z = { k->x, k->y };
     for (long n = 0; status != STATUS_OK; n++) {
         fault_alloc_at(n);
-        status = rest_curve_run(&s.study, z, NULL, &r);
+        status = rest_curve_run(&s.study.slider, z, NULL, &r);
         fault_alloc_at(FAULT_ALLOC_NEVER);
         assert_true(status == STATUS_OK || status == STATUS_NO_MEMORY);
         rest_curve_free(&r);
         rest_curve_free(&r);
     }
-    assert_int_equal(rest_curve_run(&s.study, z, &monitor, &r), STATUS_STOPPED);
+    assert_int_equal(rest_curve_run(&s.study.slider, z, &monitor, &r),
+                     STATUS_STOPPED);
     rest_curve_free(&r);
     drop(&c, &s);
 }

@@ -166,10 +166,11 @@ static void hold_fate(const struct slope *s, double rtol, enum fate fate)
     struct fate_result r;
 
     for (int i = 0; i < 3; i++) {
-        const struct vec2 z = vec2_add(s->study.system.origin, from[i / 2]);
+        const struct vec2 z =
+            vec2_add(s->study.slider.plane.system.origin, from[i / 2]);
         const bool observe = i == 1 && rtol > 1e-4;
-        assert_int_equal(fate_find(&s->study, z, rtol, observe, NULL, &r),
-                         STATUS_OK);
+        assert_int_equal(
+            fate_find(&s->study.slider, z, rtol, observe, NULL, &r), STATUS_OK);
         CHECK(r.fate == fate, "psi_ss %d, T %d, K %d, rtol %g: %s",
               (int) s->scene.law.psi_ss, (int) s->scene.law.timescale,
               (int) s->scene.law.kinetics, rtol, fate_names[r.fate]);
@@ -203,7 +204,7 @@ static void fates_of_rest_do_not_depend_on_the_tolerance(void **state)
     for (size_t i = 0; i < sizeof is / sizeof *is; i++) {
         struct slope s;
         slope_composed(&s, is[i].psi_ss, is[i].timescale, is[i].kinetics);
-        assert_int_equal(s.study.saddle, 0);
+        assert_int_equal(slider_saddle(&s.study.slider), 0);
         for (double rtol = 1e-3; rtol > 1e-8; rtol *= 0.01)
             hold_fate(&s, rtol, is[i].fate);
         slope_free(&s);

@@ -77,17 +77,17 @@ static void without_inertia_it_is_a_closed_form(void **state)
             double slope;
             const double y = fmin(check_uniform(&rng, 0.1, 3.0) / k,
                                   check_uniform(&rng, 100.0, 400.0));
-            const double x = quasistatic_x(&s.study.block, y, &slope);
+            const double x = quasistatic_x(&s.study.slider.block, y, &slope);
             const struct vec2 z = { x, y };
             struct rest_left r;
-            assert_true(rest_left_find(&s.study, z, 0.0, &r));
+            assert_true(rest_left_find(&s.study.slider, z, 0.0, &r));
             const double unit = f->is_time ? m->R : 1.0;
             const double is = unit * sum_of(f->is_sinh, k, -x - y);
             const double got = f->is_time ? r.time : r.slip;
             const double bar = f->is_time ? r.time_error : r.slip_error;
             const double u = -x - y, rounding = 1e-15 * (y - x) * (1 + 1 / u);
             const double slow =
-                f->is_time ? m->R * exp(x + s.study.block.at.x0) : 0.0;
+                f->is_time ? m->R * exp(x + s.study.slider.block.at.x0) : 0.0;
             CHECK(fabs(got - is) <= bar + (rounding + slow) * is,
                   "form %d, b %s, y %g: %.16g +- %g, not %.16g", i / 3,
                   b[i % 3], y, got, bar, is);
@@ -121,15 +121,16 @@ static bool draw(size_t i, uint64_t *rng, struct slope *s)
 
 /* Follows an orbit until v has fallen by e^fall and what is left is known;
  * false where that does not happen. */
-static bool follow(const struct study *t, struct vec2 z, double fall,
+static bool follow(const struct slider *t, struct vec2 z, double fall,
                    struct orbit *o, struct rest_left *left)
 {
-    struct orbit_options options = orbit_defaults(&t->system, t->stable_rate);
+    struct orbit_options options =
+        orbit_defaults(&t->plane.system, t->plane.stable_rate);
 
     options.rtol = 1e-12;
     options.observables = 1;
     options.max_steps = 3000;
-    bool goes_on = orbit_init(o, &t->system, z, &options) == STATUS_OK;
+    bool goes_on = orbit_init(o, &t->plane.system, z, &options) == STATUS_OK;
     while (goes_on) {
         const struct vec2 at = { o->u[0], o->u[1] };
         if (at.x < z.x - fall && rest_left_find(t, at, o->u[2], left))
@@ -142,7 +143,7 @@ static bool follow(const struct study *t, struct vec2 z, double fall,
 /* What goes by on an orbit is what is gone of what is left. */
 static bool check_orbit(size_t i, const struct slope *s, struct vec2 z)
 {
-    const struct study *t = &s->study;
+    const struct slider *t = &s->study.slider;
     struct orbit o, p = { .steps = 0 };
     struct rest_left a, b;
 
@@ -194,11 +195,11 @@ static void psi_is_as_fast_as_its_lag_makes_it(void **state)
 
     (void) state;
     slope_make(&s, "dieterich_gen", NULL, "0.34", steady_only);
-    const struct study *t = &s.study;
+    const struct slider *t = &s.study.slider;
     for (double x = -5.0; x > -12.0; x -= 0.7) {
         const struct rest_lag l = rest_lag_at(t, x);
         struct planar_field f;
-        t->system.field(t->system.ctx, (struct vec2){ x, l.y }, &f);
+        t->plane.system.field(t->plane.system.ctx, (struct vec2){ x, l.y }, &f);
         const double slope = f.direction.y / f.direction.x;
         const double slow = exp(-f.log_scale) / -f.direction.x;
         const double v = exp(t->block.at.x0 + x);
@@ -294,7 +295,7 @@ static void check_run(const struct csv *c, const struct scene *scene, double t,
     struct fault why;
 
     assert_int_equal(study_run(&s, scene, NULL, &why), STATUS_OK);
-    assert_int_equal(transient_find(&s, at, &o, NULL, &r), STATUS_OK);
+    assert_int_equal(transient_find(&s.slider, at, &o, NULL, &r), STATUS_OK);
     if (isnan(t)) {
         CHECK(r.sum.end == TRANSIENT_FADED && isfinite(r.sum.time.error) &&
                   r.sum.slip.value < x,
@@ -337,14 +338,14 @@ static void slips_without_bound_have_no_limit(void **state)
     (void) state;
     slope_make(&s, "ruina", NULL, "0.34", steady_only);
     double slope;
-    const double x = quasistatic_x(&s.study.block, 20.0, &slope);
+    const double x = quasistatic_x(&s.study.slider.block, 20.0, &slope);
     const struct vec2 z = { x, 20.0 };
     struct rest_left r;
-    assert_true(rest_left_find(&s.study, z, 0.0, &r));
+    assert_true(rest_left_find(&s.study.slider, z, 0.0, &r));
     assert_true(isinf(r.slip) && isinf(r.time));
     const struct vec2 fast = { 1.0, 20.0 }, above = { x + 0.1, 20.0 };
-    assert_false(rest_left_find(&s.study, fast, 0.0, &r));
-    assert_false(rest_left_find(&s.study, above, 0.0, &r));
+    assert_false(rest_left_find(&s.study.slider, fast, 0.0, &r));
+    assert_false(rest_left_find(&s.study.slider, above, 0.0, &r));
     slope_free(&s);
 }
 

@@ -80,7 +80,8 @@ static void draw(size_t i, uint64_t *rng, struct slope *s)
         slope_scene(&s->scene, "spinodal", NULL, "0.34", steady_only);
         if (draw_law(i, rng, &s->scene) && draw_slope(rng, &s->scene) &&
             study_run(&s->study, &s->scene, NULL, &why) == STATUS_OK) {
-            if (s->study.saddle >= 0 && study_has_manifolds(&s->study))
+            if (slider_saddle(&s->study.slider) >= 0 &&
+                slider_has_manifolds(&s->study.slider))
                 return;
             study_free(&s->study);
         }
@@ -190,12 +191,13 @@ static void random_states_lie_within_their_bars(void **state)
             assert_int_equal(push_tabulate(&p, NULL), STATUS_OK);
             quad_slope_init(&q, &s.study);
             for (int k = 0; k < EACH; k++) {
-                struct vec2 z = draw_place(&p, s.study.system.origin, &rng);
+                struct vec2 z =
+                    draw_place(&p, s.study.slider.plane.system.origin, &rng);
                 const double d = tally.near = laws_power(&rng, -14, 0);
                 struct cell c;
                 z.x += d * check_uniform(&rng, -1, 1);
                 z.y += d * check_uniform(&rng, -1, 1);
-                if (!box_holds(s.study.system.domain, z))
+                if (!box_holds(s.study.slider.plane.system.domain, z))
                     continue;
                 assert_int_equal(fast_cells_find(&p.fast, &z, 1,
                                                  s.scene.cell_rtol, integrals,
@@ -222,7 +224,7 @@ static void make_map(struct slope *s, const char *law, const char *form,
     struct slope at;
 
     slope_make(&at, law, form, alpha, steady_only);
-    const struct vec2 o = at.study.system.origin;
+    const struct vec2 o = at.study.slider.plane.system.origin;
     snprintf(grid, sizeof grid, "basins={cells: [%d, %d], audit: 0, rtol: %g}",
              SIDE, SIDE, rtol);
     snprintf(v, sizeof v, "window.v=[%.17g, %.17g]", exp(o.x) * (1.0 - wide),

@@ -29,8 +29,8 @@ static void draw(uint64_t *rng, struct slope *s, struct saddle_series *u)
         slope_scene(&s->scene, "spinodal", NULL, "0.34", steady_only);
         if (draw_scene(rng, &s->scene) &&
             study_run(&s->study, &s->scene, NULL, &why) == STATUS_OK) {
-            if (s->study.saddle >= 0 &&
-                saddle_series_find(&s->study, u) == STATUS_OK)
+            if (slider_saddle(&s->study.slider) >= 0 &&
+                saddle_series_find(&s->study.slider, u) == STATUS_OK)
                 return;
             study_free(&s->study);
         }
@@ -46,7 +46,7 @@ static struct vec2 drift(const struct study *s, struct vec2 z)
 {
     struct planar_field f;
 
-    s->system.field(s->system.ctx, z, &f);
+    s->slider.plane.system.field(s->slider.plane.system.ctx, z, &f);
     return vec2_scale(exp(f.log_scale), f.direction);
 }
 
@@ -134,7 +134,7 @@ static void beyond_their_reach_they_say_nothing(void **state)
 
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
-    assert_int_equal(saddle_series_find(&s.study, &u), STATUS_OK);
+    assert_int_equal(saddle_series_find(&s.study.slider, &u), STATUS_OK);
     const double far = 1.01 * u.reach * u.unit;
     const struct saddle_point on = saddle_series_on(&u, far);
     CHECK(u.reach * u.unit > 0.01, "%g", u.reach);

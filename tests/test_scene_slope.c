@@ -115,8 +115,8 @@ static void a_diagram_is_the_same_with_a_slope_and_without(void **state)
                     c->at[i].lambda_plus.value == d->at[i].lambda_plus.value);
     assert_true(c->count > 100);
     assert_false(plan_has(a.stages, STAGE_STEADY));
-    assert_int_equal(a.equilibria, 0);
-    assert_int_equal(b.equilibria, 3);
+    assert_int_equal(a.slider.plane.equilibria, 0);
+    assert_int_equal(b.slider.plane.equilibria, 3);
     study_free(&a);
     study_free(&b);
     scene_free(&without);

@@ -11,7 +11,7 @@ static void make(struct slow_curve *c, struct slope *s, const char *law,
                  const char *alpha)
 {
     slope_make(s, law, NULL, alpha, steady_only);
-    const enum status status = slow_curve_init(c, &s->study, NULL);
+    const enum status status = slow_curve_init(c, &s->study.slider, NULL);
     CHECK(status == STATUS_OK, "%s", status_text(status));
 }
 
@@ -31,9 +31,10 @@ static int check_point(const struct slow_curve *c, const struct slope *s,
 
     if (!slow_curve_at(c, y, &p))
         return 0;
-    const struct vec2 o = s->study.system.origin;
+    const struct vec2 o = s->study.slider.plane.system.origin;
     const struct vec2 z = { o.x + p.x, o.y + y };
-    assert_int_equal(fate_find(&s->study, z, 1e-10, true, NULL, &r), STATUS_OK);
+    assert_int_equal(fate_find(&s->study.slider, z, 1e-10, true, NULL, &r),
+                     STATUS_OK);
     CHECK((int8_t) r.fate == p.fate, "y %g: %s", y, fate_names[r.fate]);
     CHECK(fabs(r.time.value - p.time) <= 3e-8 * p.time,
           "y %g: %.12g, not %.12g", y, p.time, r.time.value);
@@ -97,7 +98,7 @@ static void beside_the_saddle_time_grows_like_a_logarithm(void **state)
 
     (void) state;
     make(&c, &s, "spinodal_gen", "0.34");
-    const double lambda = s.study.equilibrium[s.study.saddle].lambda[1];
+    const double lambda = phase_plane_saddle(&s.study.slider.plane)->lambda[1];
     for (int side = -1; side <= 1; side += 2) {
         assert_true(slow_curve_at(&c, side * 1e-9, &p));
         assert_true(slow_curve_at(&c, side * 1e-7, &q));
@@ -115,8 +116,8 @@ static void check_decades(const char *law, const char *alpha)
     struct slope s;
 
     make(&c, &s, law, alpha);
-    const double lambda = s.study.equilibrium[s.study.saddle].lambda[1];
-    const double each = s.study.block.at.v0 * log(10.0) / lambda;
+    const double lambda = phase_plane_saddle(&s.study.slider.plane)->lambda[1];
+    const double each = s.study.slider.block.at.v0 * log(10.0) / lambda;
     int decades = 0;
     for (int side = -1; side <= 1; side += 2)
         for (double y = 1e-5; y > 1e-14; y *= 0.1) {
@@ -171,7 +172,8 @@ static void a_monitor_stops_it(void **state)
 
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
-    assert_int_equal(slow_curve_init(&c, &s.study, &monitor), STATUS_STOPPED);
+    assert_int_equal(slow_curve_init(&c, &s.study.slider, &monitor),
+                     STATUS_STOPPED);
     assert_int_equal(c.branches, 0);
     drop(&c, &s);
 }
@@ -187,7 +189,7 @@ static void every_allocation_may_fail(void **state)
     slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
     for (; status == STATUS_NO_MEMORY; k++) {
         fault_alloc_at(k);
-        status = slow_curve_init(&c, &s.study, NULL);
+        status = slow_curve_init(&c, &s.study.slider, NULL);
     }
     fault_alloc_at(FAULT_ALLOC_NEVER);
     assert_int_equal(status, STATUS_OK);

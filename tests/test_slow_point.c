@@ -10,7 +10,7 @@ static void make(struct slow_curve *c, struct slope *s, const char *law,
                  const char *alpha)
 {
     slope_make(s, law, NULL, alpha, steady_only);
-    assert_int_equal(slow_curve_init(c, &s->study, NULL), STATUS_OK);
+    assert_int_equal(slow_curve_init(c, &s->study.slider, NULL), STATUS_OK);
 }
 
 static void drop(struct slow_curve *c, struct slope *s)

@@ -81,8 +81,9 @@ static void every_number_is_that_of_the_run(void **state)
         const struct transient_options o = transient_defaults(&a.scene);
         assert_int_equal(start_numbers_find(&a.study, run[i].start, NULL, &n),
                          STATUS_OK);
-        assert_int_equal(transient_find(&a.study, run[i].start, &o, NULL, &t),
-                         STATUS_OK);
+        assert_int_equal(
+            transient_find(&a.study.slider, run[i].start, &o, NULL, &t),
+            STATUS_OK);
         assert_int_equal(n.sum.fate, t.sum.fate);
         assert_int_equal(n.sum.end, t.sum.end);
         assert_true(same(&n.sum.time, &t.sum.time) &&

@@ -141,7 +141,7 @@ static void what_lied_once_lies_no_more(void **state)
         const struct stress_answer answer = stress_answer_of(&study);
         const struct stress_verdict v =
             stress_judge(&truth, &answer, STRESS_AGREE);
-        CHECK(v.outcome != STRESS_LIE || !study_has_manifolds(&study),
+        CHECK(v.outcome != STRESS_LIE || !slider_has_manifolds(&study.slider),
               "%zu: %s %s", i, v.reason, v.worst ? v.worst : "");
         CHECK(answer.saddle, "%zu", i);
         study_free(&study);

@@ -72,7 +72,7 @@ static void equilibria_alone_cost_no_allocation_and_no_manifold(void **state)
     const long before = fault_alloc_count();
     run(&s, &scene);
     assert_int_equal(fault_alloc_count(), before);
-    assert_int_equal(s.equilibria, 3);
+    assert_int_equal(s.slider.plane.equilibria, 3);
     assert_int_equal(s.stable[0].curve.count + s.stable[1].curve.count, 0);
     CHECK(s.cost[STAGE_STEADY].field_evaluations <= 8, "%zu evaluations",
           s.cost[STAGE_STEADY].field_evaluations);
@@ -199,7 +199,8 @@ static void stored_rows_interpolate_to_a_millionth(void **state)
         for (int k = 1; k < 10; k++) {
             double at[CURVE_DIM_MAX];
             curve_at(&s.stable[SIDE_UPPER].curve, i, 0.1 * k, at);
-            const double x = s.block.at.x0 + at[0], y = s.block.at.y0 + at[1];
+            const double x = s.slider.block.at.x0 + at[0],
+                         y = s.slider.block.at.y0 + at[1];
             size_t j = 0;
             while (j + 2 < r.count && row[j + 1].psi < exp(y))
                 j++;
@@ -228,13 +229,15 @@ static void energy_balances_along_every_trajectory_and_branch(void **state)
         scene.spread = 8;
         run(&s, &scene);
         for (size_t i = 0; i < s.chosen.count; i++) {
-            const double d = study_energy_defect(&s, &s.chosen.at[i].curve);
+            const double d =
+                slider_energy_defect(&s.slider, &s.chosen.at[i].curve);
             CHECK(fabs(d) <= 10.0 * TOL_ORBIT_RTOL, "start %zu: %.3g", i, d);
         }
         for (size_t i = 0; i < s.portrait.trajectories.count; i++) {
             const struct trajectory *t = &s.portrait.trajectories.at[i];
-            const double d =
-                t->curve.count ? study_energy_defect(&s, &t->curve) : 0.0;
+            const double d = t->curve.count
+                                 ? slider_energy_defect(&s.slider, &t->curve)
+                                 : 0.0;
             CHECK(fabs(d) <= 10.0 * TOL_SPREAD_RTOL, "spread %zu: %.3g", i, d);
         }
         for (int i = 0; i < SIDES; i++) {
@@ -301,10 +304,10 @@ static void what_is_missing_is_said(void **state)
     run(&s, &scene);
     assert_int_equal(study_remarks(&s, text, 4), 1);
     CHECK(strstr(text[0], "no saddle"), "%s", text[0]);
-    CHECK(!quantity_exists(&s.critical.v_plus), "v_plus %g",
-          s.critical.v_plus.value);
-    CHECK(strstr(s.critical.v_plus.reason, "no saddle"), "%s",
-          s.critical.v_plus.reason);
+    CHECK(!quantity_exists(&s.slider.critical.v_plus), "v_plus %g",
+          s.slider.critical.v_plus.value);
+    CHECK(strstr(s.slider.critical.v_plus.reason, "no saddle"), "%s",
+          s.slider.critical.v_plus.reason);
     study_free(&s);
     scene_free(&scene);
 }

@@ -147,7 +147,7 @@ static void a_grid_runs_the_second_key_fastest(void **state)
         assert_int_equal(study_run(&study, &point, NULL, &why), STATUS_OK);
         const struct quantity q =
             sweep_quantity(&w.s, sweep_find(&w.s, "v_plus"), i);
-        assert_true(q.value == study.critical.v_plus.value);
+        assert_true(q.value == study.slider.critical.v_plus.value);
         study_free(&study);
     }
     swept_free(&w);
@@ -223,8 +223,8 @@ static struct quantity number_at(const struct scene *scene, double alpha,
 
     scene_at(scene, &alpha, &point);
     assert_int_equal(study_run(&study, &point, NULL, &why), STATUS_OK);
-    const struct quantity q =
-        plus ? study.critical.ln_v_plus : study.critical.ln_v_minus;
+    const struct quantity q = plus ? study.slider.critical.ln_v_plus
+                                   : study.slider.critical.ln_v_minus;
     study_free(&study);
     return q;
 }

@@ -279,7 +279,9 @@ static void series_and_chi_are_those_of_the_study(void **state)
         check(&w.s, "taylor_series_radius", i, 0, &study.taylor.radius);
         for (size_t k = 0; k < JET_SIZE; k++)
             check(&w.s, "taylor_series_coefficient", i, k,
-                  study.saddle < 0 ? &none : &study.taylor.term[k].coefficient);
+                  slider_saddle(&study.slider) < 0
+                      ? &none
+                      : &study.taylor.term[k].coefficient);
         for (size_t k = 0; k < 2; k++)
             check(&w.s, "chi_v_high", i, k,
                   &study.diagrams.chi.slope[k].v_high);

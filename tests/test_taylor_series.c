@@ -66,13 +66,13 @@ static quad defect(struct recursion *r, int k, quad S_k)
 
 static void recur(struct recursion *r, const struct study *s)
 {
-    const struct material *m = &s->block.material;
+    const struct material *m = &s->slider.block.material;
     const quad cosine = cosl((long double) s->scene->alpha);
     const quad scale = -cosine * m->L * m->g / ((quad) m->V_star * m->V_star);
 
     memset(r, 0, sizeof *r);
-    r->v =
-        expq((m->mu_star - (quad) s->block.tan_alpha) / ((quad) m->b - m->a));
+    r->v = expq((m->mu_star - (quad) s->slider.block.tan_alpha) /
+                ((quad) m->b - m->a));
     r->psi = 1 / r->v;
     r->F_a = scale * m->a;
     r->F_b = scale * m->b;
@@ -131,7 +131,7 @@ static void the_radius_is_within_its_bar(void **state)
         recur(&r, &a.study);
         const double more =
             (double) (r.v * fabsq(r.S[MANY - 2] / r.S[MANY - 1]));
-        const double end = (double) r.v - a.study.critical.v_minus.value;
+        const double end = (double) r.v - a.study.slider.critical.v_minus.value;
         CHECK(fabs(R->value - more) <= R->error + 0.002 * more,
               "alpha %s: %.6g +- %.1e, with 200 terms %.6g", slopes[i],
               R->value, R->error, more);
@@ -147,7 +147,7 @@ static void the_radius_is_within_its_bar(void **state)
 /* Points of the branch, half a radius around the saddle. */
 static void check_near(const struct asked *a, const struct curve *c)
 {
-    const struct block *b = &a->study.block;
+    const struct block *b = &a->study.slider.block;
     const bool is_log = law_psi_is_log(&b->law);
     double at[CURVE_DIM_MAX];
     size_t near = 0;
@@ -192,10 +192,10 @@ static void order_14_leaves_the_curve_before_the_upper_knee(void **state)
     (void) state;
     ask_series(&a, "dieterich_gen", "0.34");
     const struct taylor_series *t = &a.study.taylor;
-    const double v_sp = a.study.block.at.v0;
+    const double v_sp = a.study.slider.block.at.v0;
     CHECK(t->agrees_from.value < v_sp && v_sp < t->agrees_to.value &&
               t->agrees_to.value < 4.0 * v_sp &&
-              t->agrees_to.value < 0.01 * a.study.critical.v_plus.value,
+              t->agrees_to.value < 0.01 * a.study.slider.critical.v_plus.value,
           "from %.6g to %.6g around %.6g", t->agrees_from.value,
           t->agrees_to.value, v_sp);
     asked_free(&a);

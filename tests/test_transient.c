@@ -10,7 +10,8 @@ static struct transient find(const struct slope *s, double v, double psi,
 {
     struct transient t;
     const struct scene_start start = { v, psi };
-    const enum status status = transient_find(&s->study, start, o, NULL, &t);
+    const enum status status =
+        transient_find(&s->study.slider, start, o, NULL, &t);
 
     CHECK(status == STATUS_OK, "%s", status_text(status));
     return t;
@@ -221,8 +222,8 @@ static void samples_are_evenly_spaced_and_on_the_orbit(void **state)
     (void) state;
     make(&s, "dieterich_gen");
     struct transient t = run(&s, pow(10, 3.1), 100, 0, 0);
-    sample_linear_slip(&s.study, &t, N, by_slip);
-    sample_log_time(&s.study, &t, N, by_time);
+    sample_linear_slip(&s.study.slider, &t, N, by_slip);
+    sample_log_time(&s.study.slider, &t, N, by_time);
     const double ratio = by_time[1].time / by_time[0].time;
     for (int i = 0; i + 1 < N; i++) {
         CHECK(fabs(by_slip[i + 1].slip - by_slip[i].slip -
@@ -231,7 +232,7 @@ static void samples_are_evenly_spaced_and_on_the_orbit(void **state)
         CHECK(fabs(by_time[i + 1].time / by_time[i].time / ratio - 1) < 1e-9,
               "%d", i);
         const struct trajectory_row at =
-            sample_at_time(&s.study, &t, by_slip[i].time);
+            sample_at_time(&s.study.slider, &t, by_slip[i].time);
         CHECK(fabs(at.slip - by_slip[i].slip) < 1e-12, "%d: %.17g, %.17g", i,
               at.slip, by_slip[i].slip);
     }
@@ -251,9 +252,10 @@ static void starts_outside_the_domain_are_refused(void **state)
     (void) state;
     make(&s, "perrin");
     const struct transient_options o = transient_defaults(&s.scene);
-    assert_int_equal(
-        transient_find(&s.study, (struct scene_start){ 1, 800 }, &o, NULL, &t),
-        STATUS_BAD_ARGUMENT);
+    assert_int_equal(transient_find(&s.study.slider,
+                                    (struct scene_start){ 1, 800 }, &o, NULL,
+                                    &t),
+                     STATUS_BAD_ARGUMENT);
     transient_free(&t);
     slope_free(&s);
 }
@@ -273,8 +275,9 @@ static void a_monitor_stops_a_run(void **state)
     (void) state;
     make(&s, "dieterich_gen");
     const struct transient_options o = transient_defaults(&s.scene);
-    assert_int_equal(transient_find(&s.study, (struct scene_start){ 1e3, 10 },
-                                    &o, &monitor, &t),
+    assert_int_equal(transient_find(&s.study.slider,
+                                    (struct scene_start){ 1e3, 10 }, &o,
+                                    &monitor, &t),
                      STATUS_STOPPED);
     slope_free(&s);
 }
@@ -292,8 +295,8 @@ static void every_failing_allocation_is_reported(void **state)
     o.rtol = 1e-7;
     for (k = 0; status == STATUS_NO_MEMORY; k++) {
         fault_alloc_at(k);
-        status = transient_find(&s.study, (struct scene_start){ 1e3, 10 }, &o,
-                                NULL, &t);
+        status = transient_find(&s.study.slider,
+                                (struct scene_start){ 1e3, 10 }, &o, NULL, &t);
     }
     fault_alloc_at(FAULT_ALLOC_NEVER);
     assert_int_equal(status, STATUS_OK);
@@ -373,7 +376,7 @@ static void samples_of_a_leap_are_right(void **state)
     for (int k = 0; k < 3; k++) {
         struct transient t = run(&s, 1.0, psi[k], 0, 0);
         int early = 0;
-        sample_log_time(&s.study, &t, N, row);
+        sample_log_time(&s.study.slider, &t, N, row);
         for (int i = 0; i < N; i++) {
             const struct trajectory_row *r = &row[i];
             assert_true(r->time > 0.0 && isfinite(r->time));

@@ -9,7 +9,8 @@ static struct transient find(const struct slope *s, double v, double psi,
 {
     struct transient t;
     const struct scene_start start = { v, psi };
-    const enum status status = transient_find(&s->study, start, o, NULL, &t);
+    const enum status status =
+        transient_find(&s->study.slider, start, o, NULL, &t);
 
     CHECK(status == STATUS_OK, "%s", status_text(status));
     return t;
@@ -116,9 +117,9 @@ static double allowance(const struct table_runs *r,
 {
     const double step = 1e-3 * e->time.value;
     const struct trajectory_row a =
-        sample_at_time(&r->slope.study, &r->t[0], e->time.value - step);
+        sample_at_time(&r->slope.study.slider, &r->t[0], e->time.value - step);
     const struct trajectory_row b =
-        sample_at_time(&r->slope.study, &r->t[0], e->time.value + step);
+        sample_at_time(&r->slope.study.slider, &r->t[0], e->time.value + step);
 
     if (e->what != MOMENT_MU_NEARS && e->what != MOMENT_MU_LEAVES)
         return 0.0;
@@ -168,8 +169,8 @@ static void check_sample(const struct table_runs *r, const struct csv *c)
     const bool timed = strcmp(csv_text(c, "kind"), "time") == 0;
     const double key = csv_number(c, "key", 0);
     const struct trajectory_row at =
-        timed ? sample_at_time(&r->slope.study, &r->t[0], key)
-              : sample_at_slip(&r->slope.study, &r->t[0], key);
+        timed ? sample_at_time(&r->slope.study.slider, &r->t[0], key)
+              : sample_at_slip(&r->slope.study.slider, &r->t[0], key);
 
     is_near(c, "t", at.time, r->tolerance);
     is_near(c, "x", at.slip, r->tolerance);

@@ -8,7 +8,7 @@ static const char *const steady_only[] = { "products=[equilibria]", NULL };
 
 static int label_of(const struct trap *t, struct vec2 z, size_t *evaluations)
 {
-    const struct vec2 offset = vec2_sub(z, t->study->system.origin);
+    const struct vec2 offset = vec2_sub(z, t->slider->plane.system.origin);
     int8_t label = FATE_NONE;
     const enum status status = trap_label(t, offset, &label, evaluations);
 
@@ -20,7 +20,7 @@ static void check_row(struct slope *s, const struct csv *c)
 {
     struct trap t;
 
-    trap_init(&t, &s->study);
+    trap_init(&t, &s->study.slider);
     const int label = label_of(&t, row_point(s, c), NULL);
     CHECK(label == row_fate(c), "row %zu: %s", c->row, fate_names[label]);
 }
@@ -51,16 +51,18 @@ static void quadrants_hold_the_fates_of_their_orbits(void **state)
         struct slope s;
         struct trap t;
         slope_make(&s, expected[i].law, NULL, "0.34", steady_only);
-        trap_init(&t, &s.study);
+        trap_init(&t, &s.study.slider);
         CHECK(t.set && t.fate[0] == expected[i].slow &&
                   t.fate[1] == expected[i].fast,
               "%s: %d, %d", expected[i].law, t.fate[0], t.fate[1]);
         for (int k = 0; k < 2; k++) {
             const double step = k == 0 ? -0.5 : 0.5;
-            const struct vec2 z = { s.study.system.origin.x + step,
-                                    s.study.system.origin.y - step };
+            const struct vec2 z = { s.study.slider.plane.system.origin.x + step,
+                                    s.study.slider.plane.system.origin.y -
+                                        step };
             struct fate_result r;
-            assert_int_equal(fate_find(&s.study, z, 1e-6, true, NULL, &r), 0);
+            assert_int_equal(
+                fate_find(&s.study.slider, z, 1e-6, true, NULL, &r), 0);
             CHECK((int8_t) r.fate == t.fate[k], "%s: %s", expected[i].law,
                   fate_names[r.fate]);
         }
@@ -77,8 +79,8 @@ static void inside_a_quadrant_nothing_is_integrated(void **state)
 
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.34", steady_only);
-    trap_init(&t, &s.study);
-    const struct vec2 o = s.study.system.origin;
+    trap_init(&t, &s.study.slider);
+    const struct vec2 o = s.study.slider.plane.system.origin;
     for (int i = 0; i < 3; i++) {
         const struct vec2 slow = { o.x - step[i], o.y + step[i] };
         const struct vec2 fast = { o.x + step[i], o.y - step[i] };
@@ -100,7 +102,7 @@ static void nearer_the_boundary_it_works_harder(void **state)
 
     (void) state;
     slope_make(&s, "spinodal_gen", "asinh", "0.34", steady_only);
-    trap_init(&t, &s.study);
+    trap_init(&t, &s.study.slider);
     /* v_plus, to all digits that psi = e^5 does not change */
     const double x = log(2850.8257094);
     for (int i = -1; i <= 1; i += 2) {
@@ -121,7 +123,7 @@ static void without_a_saddle_orbits_are_followed_to_their_ends(void **state)
 
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.2", steady_only);
-    trap_init(&t, &s.study);
+    trap_init(&t, &s.study.slider);
     assert_false(t.set);
     assert_int_equal(label_of(&t, (struct vec2){ 5.0, 1.0 }, NULL), FATE_CREEP);
     slope_free(&s);
@@ -137,7 +139,7 @@ static void every_allocation_may_fail(void **state)
 
     (void) state;
     slope_make(&s, "spinodal_gen", NULL, "0.2", steady_only);
-    trap_init(&t, &s.study);
+    trap_init(&t, &s.study.slider);
     for (; status == STATUS_NO_MEMORY; k++) {
         fault_alloc_at(k);
         status = trap_label(&t, (struct vec2){ 5.0, 1.0 }, &label, NULL);

@@ -64,9 +64,10 @@ static void the_exact_curve_runs_to_the_exact_limit(void **state)
     struct quad_branch b;
 
     const struct quad_anchor *at = &s->course.truth.at;
-    assert_int_equal(workprec_curve_grow(&s->study.block.law, at, 1, far, &c),
-                     STATUS_OK);
-    assert_true(quad_branch_grow(&s->study.block.law, at, 1, 1e-24, &b));
+    assert_int_equal(
+        workprec_curve_grow(&s->study.slider.block.law, at, 1, far, &c),
+        STATUS_OK);
+    assert_true(quad_branch_grow(&s->study.slider.block.law, at, 1, 1e-24, &b));
     const quad off = c.knot[c.count - 1].z[0] - b.x;
     CHECK((double) fabsq(off) < 1e-18, "off by %g", (double) off);
     workprec_curve_free(&c);
@@ -110,8 +111,8 @@ static void orbits_of_two_tolerances_end_alike(void **state)
                                         .arrival = 0.01 };
     const quad z[2] = { 4, 2 };
     for (int i = 0; i < 2; i++)
-        assert_true(workprec_orbit_run(&s->study.block.law, &c->truth.at, z,
-                                       &goal, i ? 1e-13 : WORKPREC_ORBIT_TOL,
+        assert_true(workprec_orbit_run(&s->study.slider.block.law, &c->truth.at,
+                                       z, &goal, i ? 1e-13 : WORKPREC_ORBIT_TOL,
                                        &end[i]));
     for (int i = 0; i < 2; i++)
         CHECK((double) fabsq(end[0].z[i] - end[1].z[i]) < 1e-18, "%g",
@@ -129,8 +130,8 @@ static void a_jacobian_is_the_slope_of_its_rates(void **state)
 
     for (int i = 0; i < 200; i++) {
         struct method_system system =
-            i % 2 ? workprec_arc(&s->study.system, i % 4 < 2)
-                  : workprec_motion(&s->study.system, i % 4 < 2);
+            i % 2 ? workprec_arc(&s->study.slider.plane.system, i % 4 < 2)
+                  : workprec_motion(&s->study.slider.plane.system, i % 4 < 2);
         const size_t n = system.dim;
         const double u[METHOD_DIM] = { check_uniform(&seed, -3, 3),
                                        check_uniform(&seed, -3, 3), 0.3 };

@@ -110,10 +110,10 @@ size_t slipway_study_equilibria(const slipway_study *study,
 {
     const struct study *s = &study->point.study;
 
-    for (size_t i = 0; i < s->equilibria && i < room; i++) {
-        const struct steady_number *n = &s->steady[i];
+    for (size_t i = 0; i < s->slider.plane.equilibria && i < room; i++) {
+        const struct steady_number *n = &s->slider.steady[i];
         out[i] = (slipway_equilibrium){
-            .type = (slipway_type) s->equilibrium[i].type,
+            .type = (slipway_type) s->slider.plane.equilibrium[i].type,
             .v = api_number(&n->v),
             .psi = api_number(&n->psi),
             .mu = api_number(&n->mu),
@@ -121,7 +121,7 @@ size_t slipway_study_equilibria(const slipway_study *study,
             .lambda_plus = api_number(&n->lambda_plus),
         };
     }
-    return s->equilibria;
+    return s->slider.plane.equilibria;
 }
 
 /* ---- branches ------------------------------------------------------------ */
@@ -143,8 +143,8 @@ size_t slipway_study_branch(const slipway_study *study, slipway_branch which,
     struct rows rows = rows_of(&record_branch);
     size_t count = 0;
 
-    if (plan_has(s->stages, STAGE_UNSTABLE) && study_has_manifolds(s) &&
-        fill(s, which, &rows) == STATUS_OK)
+    if (plan_has(s->stages, STAGE_UNSTABLE) &&
+        slider_has_manifolds(&s->slider) && fill(s, which, &rows) == STATUS_OK)
         count = rows.count;
     for (size_t i = 0; i < count && i < room; i++) {
         const struct branch_row *r = (const struct branch_row *) rows.at + i;

@@ -23,8 +23,8 @@ void quad_course_field(const struct quad_course *c, const quad z[2], quad du[])
 {
     struct quad_field f;
 
-    quad_block_field(&c->slope->study->block.law, &c->slope->at, z[0], z[1],
-                     &f);
+    quad_block_field(&c->slope->study->slider.block.law, &c->slope->at, z[0],
+                     z[1], &f);
     const bool fast = f.log_scale > 0;
     const quad unit = fast ? 1 : expq(f.log_scale);
     const quad a = fast ? expq(-f.log_scale) : 1;
@@ -47,9 +47,9 @@ static void integrals(const void *ctx, const quad z[2], quad du[])
     const struct quad_course *c = ctx;
 
     du[QUAD_SLIP] = expq(c->slope->at.x0 + z[0]) * du[QUAD_TIME];
-    du[QUAD_WORK] =
-        quad_block_mu(&c->slope->study->block.law, &c->slope->at, z[0], z[1]) *
-        du[QUAD_SLIP];
+    du[QUAD_WORK] = quad_block_mu(&c->slope->study->slider.block.law,
+                                  &c->slope->at, z[0], z[1]) *
+                    du[QUAD_SLIP];
 }
 
 static struct vec2 rounded(const quad z[2])
@@ -85,7 +85,7 @@ static quad offset_of(const struct quad_course *c, const quad u[])
 {
     const quad x = fabsq(u[QUAD_X]), y = fabsq(u[QUAD_Y]), most = x > y ? x : y;
 
-    return most < 1 && c->slope->study->saddle >= 0 ? most : 1;
+    return most < 1 && slider_saddle(&c->slope->study->slider) >= 0 ? most : 1;
 }
 
 /* d ln |f|/dt at the end of a step, from its last two stages. */
@@ -236,7 +236,8 @@ void quad_course_start(struct quad_course *c, const struct quad_slope *q,
                        quad x, quad y, double tol)
 {
     *c = (struct quad_course){ .slope = q, .tol = tol };
-    c->clock = (struct rescaled){ &q->study->system, q->study->stable_rate, 0 };
+    c->clock = (struct rescaled){ &q->study->slider.plane.system,
+                                  q->study->slider.plane.stable_rate, 0 };
     c->fate = FATE_UNDECIDED;
     c->u[QUAD_X] = x - q->at.x0;
     c->u[QUAD_Y] = y - q->at.y0;

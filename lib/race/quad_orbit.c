@@ -28,9 +28,9 @@ static const double placed = 1e-18;
 /* The root of the force balance next to x, which doubles know. */
 static quad root_near(const struct study *s, double x)
 {
-    const struct law *law = &s->block.law;
-    const struct material *m = &s->block.material;
-    const quad tangent = (quad) s->block.tan_alpha;
+    const struct law *law = &s->slider.block.law;
+    const struct material *m = &s->slider.block.material;
+    const quad tangent = (quad) s->slider.block.tan_alpha;
 
     for (double off = 1e-15 * fmax(fabs(x), 1.0); off < 1e-3; off *= 4.0) {
         const quad lo = (quad) x - (quad) off, hi = (quad) x + (quad) off;
@@ -43,24 +43,28 @@ static quad root_near(const struct study *s, double x)
 
 void quad_slope_init(struct quad_slope *q, const struct study *s)
 {
-    const struct law *law = &s->block.law;
-    const struct material *m = &s->block.material;
-    const size_t home = s->saddle >= 0 ? (size_t) s->saddle : 0;
-    const quad x = s->equilibria > 0 ? root_near(s, s->equilibrium[home].z.x)
-                                     : (quad) s->block.at.x0;
+    const struct law *law = &s->slider.block.law;
+    const struct material *m = &s->slider.block.material;
+    const size_t home =
+        slider_saddle(&s->slider) >= 0 ? (size_t) slider_saddle(&s->slider) : 0;
+    const quad x = s->slider.plane.equilibria > 0
+                       ? root_near(s, s->slider.plane.equilibrium[home].z.x)
+                       : (quad) s->slider.block.at.x0;
 
     quad_method_init(&q->method);
     q->study = s;
     q->nodes = 0;
-    quad_block_anchor(law, m, (quad) s->block.tan_alpha, x, s->equilibria > 0,
-                      &q->at);
-    for (size_t i = 0; i < s->equilibria; i++) {
-        if ((int) i == s->saddle)
+    quad_block_anchor(law, m, (quad) s->slider.block.tan_alpha, x,
+                      s->slider.plane.equilibria > 0, &q->at);
+    for (size_t i = 0; i < s->slider.plane.equilibria; i++) {
+        if ((int) i == slider_saddle(&s->slider))
             continue;
-        const quad at = i == home ? x : root_near(s, s->equilibrium[i].z.x);
+        const quad at =
+            i == home ? x : root_near(s, s->slider.plane.equilibrium[i].z.x);
         q->node[q->nodes][0] = at - x;
         q->node[q->nodes][1] = quad_block_y_ss(law, m, at) - q->at.y0;
-        q->fate[q->nodes++] = fate_of_node(s, &s->equilibrium[i]);
+        q->fate[q->nodes++] =
+            fate_of_node(&s->slider, &s->slider.plane.equilibrium[i]);
     }
 }
 
@@ -70,8 +74,8 @@ void quad_slope_init(struct quad_slope *q, const struct study *s)
 static void find_rise(const struct quad_course *c, const quad z[2],
                       const quad du[], double rise[2])
 {
-    const struct planar *p = &c->slope->study->system;
-    const double v = c->slope->study->block.at.v0 * exp((double) z[0]);
+    const struct planar *p = &c->slope->study->slider.plane.system;
+    const double v = c->slope->study->slider.block.at.v0 * exp((double) z[0]);
     const struct vec2 at = { (double) z[0], (double) z[1] };
     struct vec2 g;
     double work;
@@ -86,8 +90,8 @@ static void find_rise(const struct quad_course *c, const quad z[2],
 static void note_peaks(struct quad_course *c, const quad u[])
 {
     const quad v = expq(c->slope->at.x0 + u[QUAD_X]);
-    const quad mu = quad_block_mu(&c->slope->study->block.law, &c->slope->at,
-                                  u[QUAD_X], u[QUAD_Y]);
+    const quad mu = quad_block_mu(&c->slope->study->slider.block.law,
+                                  &c->slope->at, u[QUAD_X], u[QUAD_Y]);
 
     c->v_peak = c->steps == 0 || v > c->v_peak ? v : c->v_peak;
     c->mu_peak = c->steps == 0 || mu > c->mu_peak ? mu : c->mu_peak;
@@ -261,12 +265,13 @@ static void find_rest(struct quad_course *c)
 {
     const struct study *s = c->slope->study;
     const struct rest_form rest =
-        rest_form_of(&s->block.law, &s->block.material);
-    const bool falls = s->saddle == 0 && c->u[QUAD_X] < 0 && c->u[QUAD_Y] > 0;
+        rest_form_of(&s->slider.block.law, &s->slider.block.material);
+    const bool falls =
+        slider_saddle(&s->slider) == 0 && c->u[QUAD_X] < 0 && c->u[QUAD_Y] > 0;
     const quad v = expq(c->slope->at.x0 + c->u[QUAD_X]);
     const quad rate = -c->du[QUAD_X] / c->du[QUAD_TIME];
 
-    if (s->saddle > 0 || !(rate > 0))
+    if (slider_saddle(&s->slider) > 0 || !(rate > 0))
         return;
     if (rest.fate == FATE_REST_FINITE) {
         c->left[0] = (quad) rest.power / rate;
@@ -284,8 +289,10 @@ static void find_rest(struct quad_course *c)
 static bool find_end(struct quad_course *c)
 {
     const struct study *s = c->slope->study;
-    const bool runs = c->u[QUAD_X] > 0 && c->u[QUAD_Y] < 0 && s->saddle >= 0 &&
-                      (size_t) s->saddle + 1 == s->equilibria;
+    const bool runs =
+        c->u[QUAD_X] > 0 && c->u[QUAD_Y] < 0 &&
+        slider_saddle(&s->slider) >= 0 &&
+        (size_t) slider_saddle(&s->slider) + 1 == s->slider.plane.equilibria;
 
     if (runs || c->slope->at.x0 + c->u[QUAD_X] > 690)
         c->fate = FATE_RUNAWAY;
@@ -333,8 +340,8 @@ static void follow(const struct quad_slope *q, quad x, quad y, double tol,
 static double defect_of(const struct quad_course *c, quad x)
 {
     const struct study *s = c->slope->study;
-    const struct material *m = &s->block.material;
-    const quad tangent = (quad) s->block.tan_alpha;
+    const struct material *m = &s->slider.block.material;
+    const quad tangent = (quad) s->slider.block.tan_alpha;
     const quad eps2 = (quad) m->V_star * m->V_star / ((quad) m->g * m->L);
     const quad half = eps2 * sqrtq(1 + tangent * tangent) / 2;
     const quad v0 = expq(x), v1 = expq(c->slope->at.x0 + c->u[QUAD_X]);

@@ -13,10 +13,10 @@ const char *const stress_outcome_names[] = { "exact",  "degraded", "none",
 
 struct stress_answer stress_answer_of(const struct study *s)
 {
-    const struct critical_numbers *c = &s->critical;
+    const struct critical_numbers *c = &s->slider.critical;
     const struct saddle_numbers *p = &s->saddle_numbers;
     struct stress_answer a = {
-        .saddle = s->saddle >= 0,
+        .saddle = slider_saddle(&s->slider) >= 0,
         .upper_end = c->upper_end,
         .lower_end = c->lower_end,
         .number = { [STRESS_V_SP] = p->v,

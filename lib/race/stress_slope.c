@@ -18,10 +18,10 @@ static enum status find_agreement(const struct work *w, int8_t *agree)
     struct verification v;
     enum status status = STATUS_NO_CONVERGENCE;
 
-    if (s->saddle >= 0)
-        status =
-            verify_numbers(&s->block, &s->system, &s->equilibrium[s->saddle],
-                           &s->critical, w->scene.rtol, NULL, &v);
+    if (slider_saddle(&s->slider) >= 0)
+        status = verify_numbers(&s->slider.block, &s->slider.plane.system,
+                                phase_plane_saddle(&s->slider.plane),
+                                &s->slider.critical, w->scene.rtol, NULL, &v);
     if (status == STATUS_NO_MEMORY)
         return status;
     *agree = status != STATUS_OK    ? -1
@@ -69,14 +69,14 @@ enum status stress_slope_run(const struct stress_case *c,
                         1u << PRODUCT_SENSITIVITIES;
     enum status s = study_run(&w->study, &w->scene, NULL, &row->fault);
     const bool solved = s == STATUS_OK;
-    const bool refused =
-        solved && w->study.saddle >= 0 && !study_has_manifolds(&w->study);
+    const bool refused = solved && slider_saddle(&w->study.slider) >= 0 &&
+                         !slider_has_manifolds(&w->study.slider);
     if (solved && !refused)
         s = find_agreement(w, &row->agree);
     if (refused || (!solved && s != STATUS_NO_MEMORY)) {
         row->outcome = STRESS_FAILED;
         row->reason =
-            refused ? w->study.critical.v_plus.reason : row->fault.text;
+            refused ? w->study.slider.critical.v_plus.reason : row->fault.text;
         s = STATUS_OK;
     } else if (s == STATUS_OK) {
         fill(w, stress_oracle_ask(oracle, &w->scene, row), row);

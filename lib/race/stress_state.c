@@ -64,7 +64,7 @@ static enum status find_fates(struct work *w, struct stress_row *row,
     const struct scene_start at = w->scene.start[0];
     const struct push_state state = { at.v, at.psi };
     struct transient_options o = transient_defaults(&w->scene);
-    const struct planar *sys = &w->push.study.system;
+    const struct planar *sys = &w->push.slider.plane.system;
     const struct vec2 z = { log(at.v),
                             sys->axis[1].is_log ? log(at.psi) : at.psi };
     struct fate_result orbit;
@@ -73,9 +73,9 @@ static enum status find_fates(struct work *w, struct stress_row *row,
     o.labels = &w->push.labels;
     enum status s = push_find(&w->push, state, NULL, &answer);
     if (s == STATUS_OK)
-        s = fate_find(&w->push.study, z, TOL_PUSH_COARSE, false, NULL, &orbit);
+        s = fate_find(&w->push.slider, z, TOL_PUSH_COARSE, false, NULL, &orbit);
     if (s == STATUS_OK && orbit.fate != FATE_UNDECIDED)
-        s = transient_find(&w->study, at, &o, NULL, &w->transient);
+        s = transient_find(&w->study.slider, at, &o, NULL, &w->transient);
     if (s != STATUS_OK)
         return s;
     fate[REGION] = answer.fate;
@@ -140,7 +140,6 @@ enum status stress_start_run(const struct stress_case *c,
     if (w == NULL)
         return STATUS_NO_MEMORY;
     w->scene = c->scene;
-    w->study.saddle = w->push.study.saddle = -1;
     const enum status s = run_start(w, oracle, row);
     transient_free(&w->transient);
     push_free(&w->push);

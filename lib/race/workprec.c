@@ -172,7 +172,7 @@ static enum status run(struct workprec *w, const struct rules *r,
 
     enum status s = workprec_course_init(&w->course, &w->study, r->cells,
                                          r->sample, monitor);
-    if (s != STATUS_OK || w->study.saddle < 0)
+    if (s != STATUS_OK || slider_saddle(&w->study.slider) < 0)
         return s;
     w->run =
         calloc(WORKPREC_QUANTITIES * ENTRANTS_MOST * r->rungs, sizeof *w->run);

@@ -17,7 +17,7 @@ static double worse(double a, double b)
 static double curve_error(const struct workprec_course *c, int side,
                           const struct workprec_answer *a)
 {
-    const struct vec2 o = c->study->system.origin;
+    const struct vec2 o = c->study->slider.plane.system.origin;
     const struct workprec_truth *t = &c->truth;
     const size_t n = a->points[side];
     const size_t sample = n < c->sample ? n : c->sample;
@@ -41,7 +41,8 @@ static double rows_error(const struct workprec_course *c,
         const struct workprec_cuts *cuts = &c->truth.cuts[side];
         const double *x = &a->value[side * WORKPREC_ROWS_MOST];
         for (size_t k = 0; k < cuts->count; k++) {
-            const quad at = (quad) c->study->system.origin.x + x[k];
+            const quad at =
+                (quad) c->study->slider.plane.system.origin.x + x[k];
             worst = worse(fabs((double) (at - cuts->x[k])), worst);
         }
     }
@@ -51,7 +52,7 @@ static double rows_error(const struct workprec_course *c,
 static double state_error(const struct workprec_course *c,
                           const struct workprec_answer *a)
 {
-    const struct vec2 o = c->study->system.origin;
+    const struct vec2 o = c->study->slider.plane.system.origin;
     const quad x = (quad) o.x + a->value[0] - c->truth.state[0];
     const quad y = (quad) o.y + a->value[1] - c->truth.state[1];
 

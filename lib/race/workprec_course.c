@@ -53,7 +53,7 @@ static bool find_anchor(const struct block *b, struct quad_anchor *at)
 
 static void set_limits(struct workprec_course *c)
 {
-    const struct law *law = &c->study->block.law;
+    const struct law *law = &c->study->slider.block.law;
     struct workprec_truth *t = &c->truth;
     struct quad_branch up = { .end = QUAD_TRUNCATED }, low = up;
 
@@ -96,7 +96,8 @@ static void choose_cuts(const struct workprec_course *c, int side,
         const size_t i = good[(2 * k + 1) * n / (2 * cuts->count)];
         const quad y = (curve->knot[i].z[1] + curve->knot[i + 1].z[1]) / 2;
         cuts->row[k] = (double) y;
-        const quad row = (quad) c->study->system.origin.y + cuts->row[k];
+        const quad row =
+            (quad) c->study->slider.plane.system.origin.y + cuts->row[k];
         cuts->x[k] = c->truth.at.x0 +
                      workprec_curve_cross(curve, i, row - c->truth.at.y0);
     }
@@ -108,7 +109,7 @@ static enum status set_curves(struct workprec_course *c)
     size_t cuts = 0;
 
     for (int i = 0; i < WORKPREC_SIDES && s == STATUS_OK; i++) {
-        s = workprec_curve_grow(&c->study->block.law, &c->truth.at,
+        s = workprec_curve_grow(&c->study->slider.block.law, &c->truth.at,
                                 i == SIDE_UPPER ? 1 : -1, c->reach,
                                 &c->truth.curve[i]);
         if (s != STATUS_OK)
@@ -130,7 +131,7 @@ static enum status set_curves(struct workprec_course *c)
 static void exact_offset(const struct workprec_course *c, struct vec2 z,
                          quad out[2])
 {
-    const struct vec2 o = c->study->system.origin;
+    const struct vec2 o = c->study->slider.plane.system.origin;
 
     out[0] = (quad) o.x + z.x - c->truth.at.x0;
     out[1] = (quad) o.y + z.y - c->truth.at.y0;
@@ -141,7 +142,7 @@ static void exact_offset(const struct workprec_course *c, struct vec2 z,
 static enum status choose_orbit(struct workprec_course *c)
 {
     const struct scene *scene = c->study->scene;
-    const struct planar *sys = &c->study->system;
+    const struct planar *sys = &c->study->slider.plane.system;
     struct vec2 z = vec2_add(sys->origin, places[0]);
     struct fate_result fate;
 
@@ -153,7 +154,7 @@ static enum status choose_orbit(struct workprec_course *c)
     c->until = scene->until_time > 0.0 ? scene->until_time
                                        : 1.0 / c->saddle->lambda[1];
     const enum status s =
-        fate_find(c->study, z, WORKPREC_FATE_TOL, true, NULL, &fate);
+        fate_find(&c->study->slider, z, WORKPREC_FATE_TOL, true, NULL, &fate);
     if (s == STATUS_OK && fate.fate == FATE_REST_FINITE)
         c->until = fmin(c->until, 0.5 * fate.time.value);
     return s == STATUS_BAD_ARGUMENT ? STATUS_OK : s;
@@ -168,7 +169,7 @@ static enum status set_state(struct workprec_course *c)
 
     goal.time = c->until;
     exact_offset(c, c->start, z);
-    if (!workprec_orbit_run(&c->study->block.law, &c->truth.at, z, &goal,
+    if (!workprec_orbit_run(&c->study->slider.block.law, &c->truth.at, z, &goal,
                             WORKPREC_ORBIT_TOL, &end))
         c->reason[WORKPREC_TRANSIENT] =
             "the orbit was not followed in 113 bits";
@@ -181,7 +182,8 @@ static enum status set_state(struct workprec_course *c)
 static enum status try_cell(struct workprec_course *c, struct vec2 offset,
                             quad (*target)[2])
 {
-    const struct vec2 z = vec2_add(c->study->system.origin, offset);
+    const struct vec2 z =
+        vec2_add(c->study->slider.plane.system.origin, offset);
     const struct workprec_goal goal = { .target = target,
                                         .targets = c->targets,
                                         .arrival = TOL_ARREST };
@@ -189,14 +191,14 @@ static enum status try_cell(struct workprec_course *c, struct vec2 offset,
     struct fate_result fate;
     quad from[2];
     const enum status s =
-        fate_find(c->study, z, WORKPREC_FATE_TOL, false, NULL, &fate);
+        fate_find(&c->study->slider, z, WORKPREC_FATE_TOL, false, NULL, &fate);
 
     if (s != STATUS_OK ||
         (fate.fate != FATE_CREEP && fate.fate != FATE_SLIDING))
         return s == STATUS_BAD_ARGUMENT ? STATUS_OK : s;
-    exact_offset(c, vec2_sub(z, c->study->system.origin), from);
-    if (!workprec_orbit_run(&c->study->block.law, &c->truth.at, from, &goal,
-                            WORKPREC_ORBIT_TOL, &end))
+    exact_offset(c, vec2_sub(z, c->study->slider.plane.system.origin), from);
+    if (!workprec_orbit_run(&c->study->slider.block.law, &c->truth.at, from,
+                            &goal, WORKPREC_ORBIT_TOL, &end))
         return STATUS_OK;
     c->truth.slip[c->cells] = end.slip;
     c->cell[c->cells++] = z;
@@ -209,10 +211,11 @@ static enum status set_cells(struct workprec_course *c, size_t cells)
     quad target[EQUILIBRIA_MAX][2];
     enum status status = STATUS_OK;
 
-    for (size_t i = 0; i < s->equilibria; i++) {
-        if ((int) i == s->saddle)
+    for (size_t i = 0; i < s->slider.plane.equilibria; i++) {
+        if ((int) i == slider_saddle(&s->slider))
             continue;
-        c->target[c->targets] = vec2_sub(s->equilibrium[i].z, s->system.origin);
+        c->target[c->targets] = vec2_sub(s->slider.plane.equilibrium[i].z,
+                                         s->slider.plane.system.origin);
         exact_offset(c, c->target[c->targets], target[c->targets]);
         c->targets++;
     }
@@ -237,17 +240,17 @@ enum status workprec_course_init(struct workprec_course *c,
                                  size_t sample, const struct monitor *monitor)
 {
     static const char stage[] = "truth in 113 bits";
-    const struct box w = study_window(s);
-    const struct vec2 o = s->system.origin;
+    const struct box w = scene_box(s->scene);
+    const struct vec2 o = s->slider.plane.system.origin;
 
     *c = (struct workprec_course){ .study = s, .sample = sample };
     c->reach = (struct box){ vec2_sub(w.lo, o), vec2_sub(w.hi, o) };
-    if (s->saddle < 0) {
+    if (slider_saddle(&s->slider) < 0) {
         refuse_all(c, "there is no saddle at this slope");
         return STATUS_OK;
     }
-    c->saddle = &s->equilibrium[s->saddle];
-    if (!find_anchor(&s->block, &c->truth.at)) {
+    c->saddle = phase_plane_saddle(&s->slider.plane);
+    if (!find_anchor(&s->slider.block, &c->truth.at)) {
         refuse_all(c, "the saddle was not found in 113 bits");
         return STATUS_OK;
     }

@@ -44,7 +44,7 @@ enum status workprec_kit_init(struct workprec_kit *k,
     *k = (struct workprec_kit){ calloc(1, sizeof *k->slow) };
     if (k->slow == NULL)
         return STATUS_NO_MEMORY;
-    const enum status s = fast_cells_init(k->slow, c->study, NULL);
+    const enum status s = fast_cells_init(k->slow, &c->study->slider, NULL);
     if (s != STATUS_OK)
         workprec_kit_free(k);
     return s;
@@ -83,7 +83,8 @@ static enum status grow_both(const struct maker *m,
                              struct branch branch[WORKPREC_SIDES])
 {
     struct branch both[2]; /* of s > 0, s < 0 */
-    const enum status s = grow_branches(&m->c->study->system, u, o, both);
+    const enum status s =
+        grow_branches(&m->c->study->slider.plane.system, u, o, both);
 
     branch[SIDE_UPPER] = both[up > 0 ? 0 : 1];
     branch[SIDE_LOWER] = both[up > 0 ? 1 : 0];
@@ -95,7 +96,7 @@ static enum status grow_both(const struct maker *m,
 static enum status grow_sides(const struct maker *m, const bool wanted[],
                               struct branch branch[WORKPREC_SIDES])
 {
-    const struct planar *sys = &m->c->study->system;
+    const struct planar *sys = &m->c->study->slider.plane.system;
     struct grow_options o = grow_defaults(m->tol);
     struct local_series u;
 
@@ -125,7 +126,7 @@ static enum status eigen_sides(const struct maker *m, const bool wanted[],
         struct eigen_branch b;
         if (!wanted[i])
             continue;
-        s = eigen_branch(&m->c->study->system, m->c->saddle,
+        s = eigen_branch(&m->c->study->slider.plane.system, m->c->saddle,
                          i == SIDE_UPPER ? 1 : -1, &o, &b);
         branch[i] = b.branch;
         b.branch = (struct branch){ .kind = MANIFOLD_STABLE };
@@ -161,7 +162,7 @@ static enum status find_limit(const struct maker *m, enum workprec_quantity q)
 
     if (s == STATUS_OK) {
         const struct critical_numbers n =
-            numbers_critical(&m->c->study->block, m->c->saddle,
+            numbers_critical(&m->c->study->slider.block, m->c->saddle,
                              &branch[SIDE_UPPER], &branch[SIDE_LOWER]);
         report(m->out, q == WORKPREC_V_PLUS    ? &n.v_plus
                        : q == WORKPREC_V_MINUS ? &n.v_minus
@@ -175,7 +176,7 @@ static enum status find_limit(const struct maker *m, enum workprec_quantity q)
 /* A few roundings of a point's absolute coordinates. */
 static double rounding(const struct workprec_course *c, struct vec2 z)
 {
-    const struct vec2 o = c->study->system.origin;
+    const struct vec2 o = c->study->slider.plane.system.origin;
 
     return 4.0 * DBL_EPSILON *
            (1.0 + fabs(o.x) + fabs(o.y) + fabs(z.x) + fabs(z.y));
@@ -221,7 +222,7 @@ static enum status find_curve(const struct maker *m)
 static void cut(const struct maker *m, const struct separatrix *s, int side,
                 size_t k)
 {
-    const struct vec2 o = m->c->study->system.origin;
+    const struct vec2 o = m->c->study->slider.plane.system.origin;
     const double row = o.y + m->c->truth.cuts[side].row[k];
 
     for (size_t i = 0; i < s->count; i++) {
@@ -245,7 +246,7 @@ static enum status find_rows(const struct maker *m)
     const bool wanted[] = { true, true };
     struct branch branch[WORKPREC_SIDES];
     struct separatrix s =
-        separatrix_empty(SEPARATRIX_Y, m->c->study->system.origin);
+        separatrix_empty(SEPARATRIX_Y, m->c->study->slider.plane.system.origin);
     enum status status = make_sides(m, wanted, branch);
 
     m->out->success = true;
@@ -266,13 +267,15 @@ static enum status find_rows(const struct maker *m)
 static enum status follow(const struct maker *m, double rtol, struct orbit *o)
 {
     const struct study *s = m->c->study;
-    struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
+    struct orbit_options options =
+        orbit_defaults(&s->slider.plane.system, s->slider.plane.stable_rate);
 
     options.rtol = rtol;
     options.observables = 0;
     options.reach[0] = m->c->until;
     options.max_steps = TOL_TRANSIENT_STEPS;
-    enum status status = orbit_init(o, &s->system, m->c->start, &options);
+    enum status status =
+        orbit_init(o, &s->slider.plane.system, m->c->start, &options);
     if (status == STATUS_OK)
         status = orbit_run(o, NULL);
     m->out->calls += o->field_calls + o->jacobian_calls;
@@ -322,7 +325,8 @@ static enum status find_slips_alone(const struct maker *m)
     m->out->success = true;
     for (size_t k = 0; k < m->c->cells && s == STATUS_OK; k++) {
         struct fate_result r;
-        s = fate_find(m->c->study, m->c->cell[k], m->tol, true, NULL, &r);
+        s = fate_find(&m->c->study->slider, m->c->cell[k], m->tol, true, NULL,
+                      &r);
         m->out->value[k] = r.slip.value;
         m->out->success &= s == STATUS_OK && quantity_exists(&r.slip);
         m->out->calls += r.field_evaluations;
@@ -344,8 +348,8 @@ static enum status find_slips(const struct maker *m,
     const enum status s = m->how == WORKPREC_SLOW
                               ? fast_cells_find(kit->slow, c->cell, c->cells,
                                                 m->tol, which, NULL, cell, NULL)
-                              : cells_find(c->study, c->cell, c->cells, m->tol,
-                                           which, NULL, cell);
+                              : cells_find(&c->study->slider, c->cell, c->cells,
+                                           m->tol, which, NULL, cell);
     a->success = s == STATUS_OK;
     a->reported = 0.0;
     for (size_t k = 0; k < c->cells && s == STATUS_OK; k++) {
@@ -362,7 +366,7 @@ void workprec_own_run(const struct workprec_course *c,
                       enum workprec_quantity q, double tol,
                       struct workprec_answer *out)
 {
-    const struct box window = study_window(c->study);
+    const struct box window = scene_box(c->study->scene);
     struct maker m = { .c = c, .how = how, .tol = tol, .out = out };
     enum status s;
 
@@ -395,13 +399,13 @@ enum status workprec_own_count(const struct workprec_course *c,
     struct study *study = malloc(sizeof *study);
     struct workprec_kit kit = { NULL };
     size_t calls = 0;
-    struct workprec_counter counter = { .system = c->study->system,
+    struct workprec_counter counter = { .system = c->study->slider.plane.system,
                                         .calls = &calls };
 
     if (study == NULL)
         return STATUS_NO_MEMORY;
     *study = *c->study;
-    study->system = workprec_counted(&counter);
+    study->slider.plane.system = workprec_counted(&counter);
     course.study = study;
     const enum status s = workprec_kit_init(&kit, &course);
     if (s == STATUS_OK) {

@@ -35,8 +35,9 @@ static bool find_start(const struct workprec_course *c,
     const struct carry carry = { { BLOCK_EXCESS }, q == WORKPREC_X_EXCESS };
     struct local_series u;
 
-    if (local_at(&c->study->system, c->saddle, MANIFOLD_STABLE, &carry,
-                 grow_order(tol), WORKPREC_MISSED * tol, &u) != STATUS_OK)
+    if (local_at(&c->study->slider.plane.system, c->saddle, MANIFOLD_STABLE,
+                 &carry, grow_order(tol), WORKPREC_MISSED * tol,
+                 &u) != STATUS_OK)
         return false;
     const int up = u.ind == 0 || u.c[1] > 0.0 ? 1 : -1;
     const double near = fmin(u.radius, 0.5 * WORKPREC_ROW_NEAREST / u.unit);
@@ -157,7 +158,7 @@ static void find_limit(struct track *t, enum workprec_quantity q,
     t->out->success = good;
     t->out->value[0] = q == WORKPREC_X_EXCESS
                            ? -t->u[2]
-                           : t->c->study->block.at.v0 * exp(t->u[0]);
+                           : t->c->study->slider.block.at.v0 * exp(t->u[0]);
     end(t);
 }
 
@@ -284,7 +285,7 @@ static bool slip_of(struct track *t, struct vec2 z, double *slip)
 
 static void find_slips(struct track *t)
 {
-    const struct vec2 o = t->c->study->system.origin;
+    const struct vec2 o = t->c->study->slider.plane.system.origin;
 
     t->out->success = true;
     for (size_t k = 0; k < t->c->cells && t->out->success; k++)
@@ -311,7 +312,7 @@ void workprec_track(const struct workprec_course *c, enum workprec_quantity q,
                     const struct method *m, double tol, size_t calls_most,
                     struct workprec_answer *out)
 {
-    const struct planar *sys = &c->study->system;
+    const struct planar *sys = &c->study->slider.plane.system;
     const bool moves = q == WORKPREC_TRANSIENT || q == WORKPREC_SLIP;
     struct track t = { .c = c, .m = m, .tol = tol, .out = out };
 

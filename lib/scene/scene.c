@@ -343,3 +343,14 @@ void scene_free(struct scene *s)
     free(s->overrides);
     *s = (struct scene){ .title = NULL };
 }
+
+struct box scene_box(const struct scene *s)
+{
+    const double *psi = s->window.psi;
+    const bool is_log = law_psi_is_log(&s->law);
+
+    return (struct box){
+        { log(s->window.v[0]), is_log ? psi[0] : log(psi[0]) },
+        { log(s->window.v[1]), is_log ? psi[1] : log(psi[1]) },
+    };
+}

@@ -21,6 +21,7 @@
 #include <stdint.h>
 
 #include "law.h"
+#include "plane.h"
 
 /* What a scene may ask for; stage_table says what each runs. */
 enum product {
@@ -169,6 +170,9 @@ struct scene {
 MUST_CHECK enum status scene_read(struct scene *s, const char *path,
                                   char *const override[], size_t overrides,
                                   struct fault *why);
+
+/* Its window in the chart (block.h), absolute. */
+struct box scene_box(const struct scene *s);
 
 /* What to call it: its title, else its file, else "command line". */
 const char *scene_name(const struct scene *s);

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 static const struct base_point none = { (double) NAN, (double) NAN,
@@ -108,6 +108,6 @@ bool base_point_tell(const struct slow_curve *c, const struct base_point *b,
         TOL_BASE_BEND * fabs(p.time_slope) * b->y_error + p.time_error;
     out->slip_error = TOL_BASE_BEND * fabs(p.slip_slope) * b->y_error +
                       b->more_error + p.slip_error;
-    return (c->study->saddle < 0 || room < fabs(b->y)) &&
+    return (slider_saddle(c->slider) < 0 || room < fabs(b->y)) &&
            !base_point_passes(c, b->y - room, b->y + room);
 }

@@ -218,10 +218,11 @@ static enum status other_states(const struct slope_row *s, double rtol,
     *count = 0;
     if (status != STATUS_OK)
         return status;
-    const int home = study.saddle >= 0 ? study.saddle : 0;
-    for (size_t i = 0; i < study.equilibria; i++)
+    const int home =
+        slider_saddle(&study.slider) >= 0 ? slider_saddle(&study.slider) : 0;
+    for (size_t i = 0; i < study.slider.plane.equilibria; i++)
         if ((int) i != home)
-            v[(*count)++] = study.steady[i].v.value;
+            v[(*count)++] = study.slider.steady[i].v.value;
     study_free(&study);
     return STATUS_OK;
 }

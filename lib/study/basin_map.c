@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* ---- the grid ------------------------------------------------------------ */
@@ -25,22 +25,22 @@ static void make_axis(size_t n, double lo, double hi, bool is_log, bool linear,
     }
 }
 
-void basin_map_axis(const struct study *s, enum basin_axis axis, size_t n,
+void basin_map_axis(const struct scene *c, enum basin_axis axis, size_t n,
                     double chart[], double stored[])
 {
-    const struct box w = study_window(s);
-    const bool linear = s->scene->window.axes == AXES_LINEAR;
+    const struct box w = scene_box(c);
+    const bool linear = c->window.axes == AXES_LINEAR;
 
     if (axis == BASIN_V)
         make_axis(n, w.lo.x, w.hi.x, true, linear, chart, stored);
     else
-        make_axis(n, w.lo.y, w.hi.y, s->system.axis[1].is_log, linear, chart,
+        make_axis(n, w.lo.y, w.hi.y, !law_psi_is_log(&c->law), linear, chart,
                   stored);
 }
 
 static enum status make_grid(struct basin_map *m, size_t columns, size_t rows)
 {
-    const struct block *b = &m->study->block;
+    const struct block *b = &m->slider->block;
 
     m->columns = columns;
     m->rows = rows;
@@ -52,8 +52,8 @@ static enum status make_grid(struct basin_map *m, size_t columns, size_t rows)
     m->dy = malloc(m->rows * sizeof *m->dy);
     if (!m->x || !m->v || !m->dx || !m->y || !m->psi || !m->dy)
         return STATUS_NO_MEMORY;
-    basin_map_axis(m->study, BASIN_V, m->columns, m->x, m->v);
-    basin_map_axis(m->study, BASIN_PSI, m->rows, m->y, m->psi);
+    basin_map_axis(m->scene, BASIN_V, m->columns, m->x, m->v);
+    basin_map_axis(m->scene, BASIN_PSI, m->rows, m->y, m->psi);
     for (size_t i = 0; i < columns; i++)
         m->dx[i] = block_offset(b, m->v[i], 1.0).x;
     for (size_t j = 0; j < rows; j++)
@@ -103,17 +103,18 @@ static struct quantity share(const struct regions *r, const struct area area[],
 }
 
 /* The window as offsets. */
-static struct box window_of(const struct study *s)
+static struct box window_of(const struct basin_map *m)
 {
-    const struct scene_window *w = &s->scene->window;
+    const struct scene_window *w = &m->scene->window;
+    const struct block *b = &m->slider->block;
 
-    return (struct box){ block_offset(&s->block, w->v[0], w->psi[0]),
-                         block_offset(&s->block, w->v[1], w->psi[1]) };
+    return (struct box){ block_offset(b, w->v[0], w->psi[0]),
+                         block_offset(b, w->v[1], w->psi[1]) };
 }
 
 static struct measure linear_measure(const struct basin_map *m, struct box w)
 {
-    const bool is_log = m->study->system.axis[1].is_log;
+    const bool is_log = m->slider->plane.system.axis[1].is_log;
 
     return (struct measure){ { true, is_log }, { w.hi.x, w.hi.y } };
 }
@@ -122,7 +123,7 @@ static const struct measure chart = { { false, false }, { 0.0, 0.0 } };
 
 static enum status find_fractions(struct basin_map *m)
 {
-    const struct box w = window_of(m->study);
+    const struct box w = window_of(m);
     const struct measure linear = linear_measure(m, w);
     const struct regions *r = &m->labels.regions;
     struct crossing *scratch = malloc((r->most + 1) * sizeof *scratch);
@@ -156,11 +157,11 @@ static double edge_of(double lo, double hi, bool linear, size_t i, size_t n)
 static void parts_of(const struct basin_map *m, const struct measure *measure,
                      int axis, size_t n, double part[])
 {
-    const struct box w = window_of(m->study);
+    const struct box w = window_of(m);
     const double lo = axis == 0 ? w.lo.x : w.lo.y;
     const double hi = axis == 0 ? w.hi.x : w.hi.y;
-    const bool linear = m->study->scene->window.axes == AXES_LINEAR &&
-                        m->study->system.axis[axis].is_log;
+    const bool linear = m->scene->window.axes == AXES_LINEAR &&
+                        m->slider->plane.system.axis[axis].is_log;
     const double whole = measure_between(measure, axis, lo, hi);
 
     for (size_t i = 0; i < n; i++)
@@ -194,7 +195,7 @@ static struct quantity counted(double share, struct quantity by_area)
 
 static enum status count_fractions(struct basin_map *m)
 {
-    const struct measure linear = linear_measure(m, window_of(m->study));
+    const struct measure linear = linear_measure(m, window_of(m));
     double part[2][FATES] = { { 0.0 } };
     enum status s = count_shares(m, &chart, part[0]);
 
@@ -252,14 +253,16 @@ enum status basin_map_rows(const struct basin_map *m, size_t first,
 enum status basin_map_raster(const struct basin_map *m, size_t columns,
                              size_t rows, int8_t out[])
 {
-    struct basin_map raster = { .study = m->study, .labels = m->labels };
+    struct basin_map raster = { .slider = m->slider,
+                                .scene = m->scene,
+                                .labels = m->labels };
     enum status s = make_grid(&raster, columns, rows);
 
     if (s == STATUS_OK)
         s = cut_grid(&raster, &m->labels.regions);
     if (s == STATUS_OK)
         s = label_rows(&raster, 0, rows, out);
-    raster.labels = (struct labels){ .study = NULL };
+    raster.labels = (struct labels){ .slider = NULL };
     basin_map_free(&raster);
     return s;
 }
@@ -436,19 +439,19 @@ static enum status follow_all(struct basin_map *m,
     return s == STATUS_OK ? count_fractions(m) : s;
 }
 
-enum status basin_map_init(struct basin_map *m, const struct study *s,
-                           const struct monitor *monitor)
+enum status basin_map_init(struct basin_map *m, const struct slider *s,
+                           const struct scene *c, const struct monitor *monitor)
 {
-    *m = (struct basin_map){ .study = s, .exact = s->scene->exact };
-    enum status status = s->saddle >= 0 && !study_has_manifolds(s)
+    *m = (struct basin_map){ .slider = s, .scene = c, .exact = c->exact };
+    enum status status = slider_saddle(s) >= 0 && !slider_has_manifolds(s)
                              ? STATUS_NOT_HYPERBOLIC
                              : STATUS_OK;
 
     trap_init(&m->trap, s);
     if (status == STATUS_OK)
-        status = make_grid(m, s->scene->cells[0], s->scene->cells[1]);
+        status = make_grid(m, c->cells[0], c->cells[1]);
     if (status == STATUS_OK)
-        status = labels_init(&m->labels, s, monitor);
+        status = labels_init(&m->labels, s, c->rtol, monitor);
     if (status == STATUS_OK)
         status = cut_grid(m, &m->labels.regions);
     if (status == STATUS_OK)
@@ -472,5 +475,5 @@ void basin_map_free(struct basin_map *m)
     free(m->v);
     free(m->psi);
     free(m->audit.wrong);
-    *m = (struct basin_map){ .study = NULL };
+    *m = (struct basin_map){ .slider = NULL };
 }

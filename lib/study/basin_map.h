@@ -12,6 +12,7 @@
 #include "basin.h"
 #include "labels.h"
 #include "margin.h"
+#include "scene.h"
 #include "trap.h"
 
 /* Of the window, by area in the chart (log) and in v and psi (linear; psi as
@@ -26,11 +27,12 @@ struct basin_audit {
 };
 
 struct basin_map {
-    const struct study *study; /* borrowed */
-    size_t columns, rows;      /* v, psi */
-    double *v, *psi;           /* owned: cell centres as stored */
-    double *x, *y;             /* owned: the same in the chart */
-    double *dx, *dy;           /* owned: and as offsets from the saddle */
+    const struct slider *slider; /* borrowed */
+    const struct scene *scene;   /* borrowed: window, grid, accuracy */
+    size_t columns, rows;        /* v, psi */
+    double *v, *psi;             /* owned: cell centres as stored */
+    double *x, *y;               /* owned: the same in the chart */
+    double *dx, *dy;             /* owned: and as offsets from the saddle */
     bool exact;
     struct labels labels;
     struct basin basin;
@@ -44,7 +46,7 @@ enum basin_axis { BASIN_V, BASIN_PSI };
 
 /* The centres of n cells along an axis of the scene's window, in the chart and
  * as stored. */
-void basin_map_axis(const struct study *s, enum basin_axis axis, size_t n,
+void basin_map_axis(const struct scene *c, enum basin_axis axis, size_t n,
                     double chart[], double stored[]);
 
 /* Prepares the map of s, whose steady states are known; grid, window and
@@ -53,7 +55,8 @@ void basin_map_axis(const struct study *s, enum basin_axis axis, size_t n,
  * the separatrix.  STATUS_NO_MEMORY, STATUS_STOPPED, or as labels_init; *m is
  * then empty.  m must not move. */
 MUST_CHECK enum status basin_map_init(struct basin_map *m,
-                                      const struct study *s,
+                                      const struct slider *s,
+                                      const struct scene *c,
                                       const struct monitor *monitor);
 
 /* Labels (enum fate) of rows first .. first + count - 1 into

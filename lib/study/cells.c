@@ -7,9 +7,11 @@
 
 #include <math.h>
 
+#include "fate.h"
 #include "peak.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
+#include "trap.h"
 
 const struct record_field cell_fields[] = {
     FIELD_CODE(cell, exit_reason, fate_names,
@@ -59,7 +61,7 @@ static void take_peaks(const struct peaks *p, struct run *r)
         why ? quantity_none(why) : quantity_of(p->mu, rounding);
 }
 
-static enum status follow(const struct study *s, struct vec2 z, double rtol,
+static enum status follow(const struct slider *s, struct vec2 z, double rtol,
                           unsigned which, struct run *r)
 {
     struct fate_result found;
@@ -83,17 +85,17 @@ static enum status follow(const struct study *s, struct vec2 z, double rtol,
  * manifold: where an orbit passes the saddle at the distance `near`, they
  * change how long it stays there by the ratio of both over lambda_plus, at the
  * saddle's slip rate and friction; if it has the time. */
-static void shake(const struct study *s, struct vec2 z, double near, double tol,
-                  struct run *r)
+static void shake(const struct slider *s, struct vec2 z, double near,
+                  double tol, struct run *r)
 {
     const double size = 1.0 + fabs(z.x) + fabs(z.y);
     const double part =
         (TOL_CELLS_ROUNDING * size + TOL_CELLS_ACROSS * tol) / near;
     struct quantity *slip = &r->of[CELL_SLIP], *mean = &r->of[CELL_MU_MEAN];
 
-    if (s->saddle < 0)
+    if (slider_saddle(s) < 0)
         return;
-    const double stay = 1.0 / fabs(s->equilibrium[s->saddle].lambda[1]);
+    const double stay = 1.0 / fabs(phase_plane_saddle(&s->plane)->lambda[1]);
     const double way = part * fmin(stay * s->block.at.v0, slip->value);
     r->of[CELL_TIME].error += part * fmin(stay, r->of[CELL_TIME].value);
     slip->error += way;
@@ -166,7 +168,7 @@ static bool agree(const struct run *coarse, const struct run *fine,
 static enum status find(const struct trap *t, struct vec2 z, double rtol,
                         unsigned which, struct cell *out)
 {
-    const struct study *s = t->study;
+    const struct slider *s = t->slider;
     const double loosest = fmin(TOL_CELLS_START * rtol, TOL_CELLS_COARSEST);
     double tol = fmax(loosest, TOL_CELLS_FINEST / TOL_CELLS_FINER);
     double worst = HUGE_VAL, before = HUGE_VAL;
@@ -177,8 +179,8 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
 
     *out = cell_unknown;
     if (status == STATUS_OK && t->set)
-        status =
-            trap_pass(t, vec2_sub(z, s->system.origin), &label, &near, NULL);
+        status = trap_pass(t, vec2_sub(z, s->plane.system.origin), &label,
+                           &near, NULL);
     while (status == STATUS_OK && worst > rtol &&
            !(worst > TOL_CELLS_GAIN * before) &&
            tol * TOL_CELLS_FINER >= TOL_CELLS_FINEST) {
@@ -204,7 +206,7 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
     return status;
 }
 
-enum status cells_find(const struct study *s, const struct vec2 z[], size_t n,
+enum status cells_find(const struct slider *s, const struct vec2 z[], size_t n,
                        double rtol, unsigned which, const struct monitor *m,
                        struct cell out[])
 {
@@ -214,7 +216,7 @@ enum status cells_find(const struct study *s, const struct vec2 z[], size_t n,
     if (!(rtol > 0.0 && rtol < 1.0))
         return STATUS_BAD_ARGUMENT;
     for (size_t i = 0; i < n; i++)
-        if (!box_holds(s->system.domain, z[i]))
+        if (!box_holds(s->plane.system.domain, z[i]))
             return STATUS_BAD_ARGUMENT;
     enum status failed = STATUS_OK;
 

@@ -19,7 +19,7 @@
 #include "record.h"
 #include "status.h"
 
-struct study;
+struct slider;
 
 enum cell_field {
     CELL_SLIP,
@@ -55,9 +55,9 @@ extern const struct cell cell_unknown;
 extern const struct record_field cell_fields[];
 extern const struct record_type record_cell;
 
-/* The states z[n], absolute chart points of s->system, whose steady states are
- * known, into out[n]; `which`: bits 1u << enum cell_field, 0 for the exit
- * reasons alone.  Each error is at most rtol times its value, but near a
+/* The states z[n], absolute chart points of s->plane.system, whose steady
+ * states are known, into out[n]; `which`: bits 1u << enum cell_field, 0 for the
+ * exit reasons alone.  Each error is at most rtol times its value, but near a
  * boundary of two fates, where doubles do not allow it and bars grow like the
  * inverse distance (a state too near to tell is undecided).
  *
@@ -65,7 +65,7 @@ extern const struct record_type record_cell;
  * states are.  The monitor (may be NULL) hears of "cells" done.
  * STATUS_BAD_ARGUMENT: rtol not in (0, 1) or a state outside the domain, out
  * untouched; STATUS_NO_MEMORY, STATUS_STOPPED: out partly filled. */
-MUST_CHECK enum status cells_find(const struct study *s, const struct vec2 z[],
+MUST_CHECK enum status cells_find(const struct slider *s, const struct vec2 z[],
                                   size_t n, double rtol, unsigned which,
                                   const struct monitor *m, struct cell out[]);
 

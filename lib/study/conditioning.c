@@ -223,9 +223,9 @@ static void hold_all(struct search *f, int input, const double rate[],
                              : *material_member(&m, (enum material_key) input);
         for (size_t i = 0; i < f->numbers.count; i++) {
             const struct quantity *q = f->numbers.at[i];
-            if (settled[i] && q == &f->s->critical.ln_v_plus)
+            if (settled[i] && q == &f->s->slider.critical.ln_v_plus)
                 hold_against(&f->exact->v_plus.by[which], p, rate[i]);
-            if (settled[i] && q == &f->s->critical.ln_v_minus)
+            if (settled[i] && q == &f->s->slider.critical.ln_v_minus)
                 hold_against(&f->exact->v_minus.by[which], p, rate[i]);
         }
     }

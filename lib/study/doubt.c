@@ -6,12 +6,12 @@
 #include <math.h>
 
 #include "moment.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* A curve, by piece + theta, and what is watched along it. */
 struct watched {
-    const struct study *study;
+    const struct slider *slider;
     const struct event *event;
     const struct curve *curve;
     double s;
@@ -65,7 +65,7 @@ static void leave(const struct watched *w, double at, int side, double allowed,
     } while (!(fabs(value_at(w, u)) > allowed));
 }
 
-static void widen(struct doubt *d, const struct study *s, const double here[],
+static void widen(struct doubt *d, const struct slider *s, const double here[],
                   const double there[])
 {
     const struct vec2 z = { here[0], here[1] }, to = { there[0], there[1] };
@@ -78,7 +78,7 @@ static void widen(struct doubt *d, const struct study *s, const double here[],
                              moment_excess_friction(s, z)));
 }
 
-struct doubt doubt_find(const struct study *s, const struct event *e,
+struct doubt doubt_find(const struct slider *s, const struct event *e,
                         const struct event_hit *hit, const struct curve *c,
                         double off, double level)
 {

@@ -9,7 +9,7 @@
 
 #include "event.h"
 
-struct study;
+struct slider;
 
 /* The largest changes over the stretch. */
 struct doubt {
@@ -20,7 +20,7 @@ struct doubt {
 /* Of a hit of e on the curve c of an orbit in s (x, y, time, slip, ...), whose
  * x and y there are off by as much as `off` each, and e's function by as much
  * as `level` of its own. */
-struct doubt doubt_find(const struct study *s, const struct event *e,
+struct doubt doubt_find(const struct slider *s, const struct event *e,
                         const struct event_hit *hit, const struct curve *c,
                         double off, double level);
 

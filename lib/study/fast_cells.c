@@ -5,17 +5,17 @@
 #include <math.h>
 
 #include "layer_lanes.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 static const unsigned peaks = 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK;
 static const unsigned integrals =
     1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
 
-enum status fast_cells_init(struct fast_cells *f, const struct study *s,
+enum status fast_cells_init(struct fast_cells *f, const struct slider *s,
                             const struct monitor *monitor)
 {
-    *f = (struct fast_cells){ .study = s, .lanes = layer_lanes_width(8) };
+    *f = (struct fast_cells){ .slider = s, .lanes = layer_lanes_width(8) };
     return slow_curve_init(&f->curve, s, monitor);
 }
 
@@ -26,7 +26,7 @@ void fast_cells_free(struct fast_cells *f)
 
 /* ---- one state ----------------------------------------------------------- */
 
-static void fill_integrals(const struct study *s, double x,
+static void fill_integrals(const struct slider *s, double x,
                            const struct layer *l, struct cell *c)
 {
     const double t = (double) s->block.tan_alpha;
@@ -45,7 +45,7 @@ static void fill_integrals(const struct study *s, double x,
         fabs(lost) * c->slip_error / l->slip + least * (t + fabs(lost));
 }
 
-static void fill_peaks(const struct study *s, const struct layer *l,
+static void fill_peaks(const struct slider *s, const struct layer *l,
                        struct cell *c)
 {
     const struct material *m = &s->block.material;
@@ -94,7 +94,7 @@ static void keep_asked(unsigned which, struct cell *c)
             *of[k][0] = *of[k][1] = (double) NAN;
 }
 
-static struct cell cell_of(const struct study *s, double x, unsigned which,
+static struct cell cell_of(const struct slider *s, double x, unsigned which,
                            const struct layer *l)
 {
     struct cell c = { .exit_reason = l->fate };
@@ -159,7 +159,7 @@ static double finer(struct batch *b, size_t i)
     if (l->end == LAYER_UNSURE)
         return TOL_FAST_FINER;
     b->found[k] = true;
-    b->out[k] = cell_of(b->fast->study, b->z[k].x, b->which, l);
+    b->out[k] = cell_of(b->fast->slider, b->z[k].x, b->which, l);
     const double before = b->excess[k];
     const double excess = worst_of(&b->out[k], b->which) / b->rtol;
     const bool vain = before > 0.0 && !(excess < TOL_FAST_GAIN * before);
@@ -172,7 +172,7 @@ static double finer(struct batch *b, size_t i)
 
 static void set_job(struct batch *b, size_t i, size_t k, double tol)
 {
-    const struct vec2 origin = b->fast->study->system.origin;
+    const struct vec2 origin = b->fast->slider->plane.system.origin;
 
     b->of[i] = k;
     b->job[i].z = vec2_sub(b->z[k], origin);
@@ -227,7 +227,7 @@ static enum status find(const struct fast_cells *f, const struct vec2 z[],
         if (b.found[k] && knows_friction(&out[k], rtol))
             continue;
         ++*whole;
-        status = cells_find(f->study, &z[k], 1, rtol, which, NULL, &out[k]);
+        status = cells_find(f->slider, &z[k], 1, rtol, which, NULL, &out[k]);
     }
     return status;
 }
@@ -236,7 +236,7 @@ static bool are_states(const struct fast_cells *f, const struct vec2 z[],
                        size_t n)
 {
     for (size_t i = 0; i < n; i++)
-        if (!box_holds(f->study->system.domain, z[i]))
+        if (!box_holds(f->slider->plane.system.domain, z[i]))
             return false;
     return true;
 }
@@ -301,7 +301,7 @@ static void take_sample(const struct fast_cells *f, const struct layer *l,
     if (base_point_passes(&f->curve, s->base.y, s->base.y) ||
         l->fate == FATE_RUNAWAY)
         seen.end = LAYER_RAN;
-    s->cell = cell_of(f->study, s->z.x, which & integrals, &seen);
+    s->cell = cell_of(f->slider, s->z.x, which & integrals, &seen);
 }
 
 /* Peaks have no base points, and one orbit more: a second one only where its
@@ -309,14 +309,14 @@ static void take_sample(const struct fast_cells *f, const struct layer *l,
 static enum status add_peaks(const struct fast_cells *f, struct patch_sample *s,
                              double rtol, unsigned which)
 {
-    const struct vec2 z = vec2_sub(s->z, f->study->system.origin);
+    const struct vec2 z = vec2_sub(s->z, f->slider->plane.system.origin);
     const double tol = fmax(rtol, TOL_FAST_PEAKS);
     const struct layer_options options = layer_defaults(tol);
     enum status status = STATUS_OK;
     struct layer l;
 
     layer_follow(&f->curve, z, &options, &l);
-    struct cell c = cell_of(f->study, s->z.x, which & peaks, &l);
+    struct cell c = cell_of(f->slider, s->z.x, which & peaks, &l);
     if (l.end == LAYER_LOST || l.end == LAYER_UNSURE ||
         worst_of(&c, which & peaks) > TOL_FAST_LOOSE * tol)
         status =
@@ -333,7 +333,7 @@ static enum status sample_some(const struct fast_cells *f,
                                struct patch_sample s[], size_t n, double rtol,
                                unsigned which)
 {
-    const struct vec2 origin = f->study->system.origin;
+    const struct vec2 origin = f->slider->plane.system.origin;
     struct layer_job job[FEWEST] = { { .z = origin } };
     struct layer layer[FEWEST];
     enum status status = STATUS_OK;
@@ -383,7 +383,7 @@ bool fast_cells_tell(const struct fast_cells *f, struct vec2 z,
     struct layer l;
     const bool is_told = base_point_tell(&f->curve, base, &l);
 
-    *out = cell_of(f->study, z.x, l.end == LAYER_LANDED ? which & integrals : 0,
-                   &l);
+    *out = cell_of(f->slider, z.x,
+                   l.end == LAYER_LANDED ? which & integrals : 0, &l);
     return is_told;
 }

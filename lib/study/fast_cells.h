@@ -9,18 +9,18 @@
 #include "patch.h"
 
 struct fast_cells {
-    const struct study *study; /* borrowed */
-    struct slow_curve curve;   /* owned */
+    const struct slider *slider; /* borrowed */
+    struct slow_curve curve;     /* owned */
     int lanes; /* as of layer_lanes_width; 1: one state after the other */
 };
 
 /* The table for a study whose steady states are known, and as many lanes as the
  * processor has.  STATUS_NO_MEMORY, STATUS_STOPPED: *f is empty. */
 MUST_CHECK enum status fast_cells_init(struct fast_cells *f,
-                                       const struct study *s,
+                                       const struct slider *s,
                                        const struct monitor *monitor);
 
-/* As cells_find(f->study, ...), to within both errors; the same bits whatever
+/* As cells_find(f->slider, ...), to within both errors; the same bits whatever
  * the other states are.  *whole (may be NULL): how many states were left to
  * cells_find. */
 MUST_CHECK enum status fast_cells_find(const struct fast_cells *f,

@@ -13,7 +13,7 @@
 #include "crest.h"
 #include "explicit8.h"
 #include "landing.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 struct layer_options layer_defaults(double rtol)
@@ -31,19 +31,19 @@ struct layer_options layer_defaults(double rtol)
 /* d(x, y, t, slip)/ds, s the arc length. */
 static void along(const void *ctx, double s, const double u[], double du[])
 {
-    const struct study *study = ctx;
+    const struct slider *slider = ctx;
     struct planar_field f;
 
     (void) s;
-    study->system.field(study->system.ctx,
-                        (struct vec2){ u[LAYER_X], u[LAYER_Y] }, &f);
+    slider->plane.system.field(slider->plane.system.ctx,
+                               (struct vec2){ u[LAYER_X], u[LAYER_Y] }, &f);
     const double x = f.direction.x, y = f.direction.y;
     const double n = sqrt(x * x + y * y);
     const double size = n > 1e-140 && n < 1e140 ? n : vec2_length(f.direction);
     du[LAYER_X] = x / size;
     du[LAYER_Y] = y / size;
     du[LAYER_TIME] = exp(-f.log_scale) / size;
-    du[LAYER_SLIP] = exp(study->block.at.x0 + u[LAYER_X]) * du[LAYER_TIME];
+    du[LAYER_SLIP] = exp(slider->block.at.x0 + u[LAYER_X]) * du[LAYER_TIME];
 }
 
 /* An orbit on its way. */
@@ -118,7 +118,7 @@ static double top_of(const struct walk *w, point_value *value,
     const struct landing *l = &w->at;
     const double tol = l->options.rtol, atol[LAYER_DIM] = { tol, tol, 1., 1. };
     struct explicit8 work = w->work;
-    struct arc a = { &l->curve->study->block, value, { 0.0 } };
+    struct arc a = { &l->curve->slider->block, value, { 0.0 } };
     double u[LAYER_DIM], end[LAYER_DIM], mid[LAYER_DIM], error[LAYER_DIM];
     double h = w->h, t, best = fmax(known, at_point(&a, u1));
 
@@ -138,7 +138,7 @@ static double top_of(const struct walk *w, point_value *value,
         *doubt = fabs(here - top);
         if (*doubt <= tol)
             break;
-        along(l->curve->study, 0.0, mid, work.k[LAST]);
+        along(l->curve->slider, 0.0, mid, work.k[LAST]);
         if (is_rising(&a, mid, work.k[LAST])) {
             memcpy(u, mid, sizeof u);
             memcpy(work.k[0], work.k[LAST], sizeof work.k[0]);
@@ -164,13 +164,13 @@ static double most_on(const struct material *m, double mu0, double mu1,
  * may have one anywhere. */
 static void find_peaks(struct walk *w, const double u1[])
 {
-    const struct block *block = &w->at.curve->study->block;
+    const struct block *block = &w->at.curve->slider->block;
     struct layer *const out = w->at.out;
     const double mu0 = w->mu;
     double du1[LAYER_DIM], doubt;
 
     w->mu = block_mu(block, (struct vec2){ u1[LAYER_X], u1[LAYER_Y] });
-    along(w->at.curve->study, 0.0, u1, du1);
+    along(w->at.curve->slider, 0.0, u1, du1);
     out->x_peak = fmax(out->x_peak, u1[LAYER_X]);
     if (w->work.k[0][LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0) {
         out->x_peak = top_of(w, x_of, u1, out->x_peak, &doubt);
@@ -205,7 +205,7 @@ static double spread_at(const struct landing *l)
                                       TOL_LAYER_ASIDE * du[LAYER_X] };
     double beside[LAYER_DIM];
 
-    along(l->curve->study, 0.0, u, beside);
+    along(l->curve->slider, 0.0, u, beside);
     return (du[LAYER_X] * beside[LAYER_Y] - du[LAYER_Y] * beside[LAYER_X]) /
            TOL_LAYER_ASIDE;
 }
@@ -240,7 +240,7 @@ static void account(struct walk *w, const double u1[], double part,
     const double transport = TOL_LAYER_TRANSPORT * fair;
 
     memcpy(l->u, u1, sizeof l->u);
-    along(l->curve->study, 0.0, l->u, l->du);
+    along(l->curve->slider, 0.0, l->u, l->du);
     const double digit_x = TOL_LAYER_ROUNDING * fabs(u1[LAYER_X]);
     const double digit_y = TOL_LAYER_ROUNDING * fabs(u1[LAYER_Y]);
     const double digits = digit_x + digit_y;
@@ -318,13 +318,13 @@ static bool advance(struct walk *w, double most)
 void layer_follow(const struct slow_curve *c, struct vec2 z,
                   const struct layer_options *options, struct layer *out)
 {
-    struct walk w = { .ode = { LAYER_DIM, along, c->study },
+    struct walk w = { .ode = { LAYER_DIM, along, c->slider },
                       .h = TOL_LAYER_FIRST,
                       .previous = 1.0 };
     double most;
 
     landing_start(&w.at, c, z, options, out, w.least);
-    along(c->study, 0.0, w.at.u, w.at.du);
+    along(c->slider, 0.0, w.at.u, w.at.du);
     w.mu = out->mu_peak;
     while (!landing_is_over(&w.at, &most) && out->steps < TOL_LAYER_STEPS) {
         memcpy(w.work.k[0], w.at.du, sizeof w.at.du);

@@ -12,7 +12,7 @@
 #include "moment.h"
 #include "rest_form.h"
 #include "rest_left.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 const char *const fate_names[] = { "creep",       "sliding",
@@ -20,9 +20,9 @@ const char *const fate_names[] = { "creep",       "sliding",
                                    "runaway",     "undecided",
                                    NULL };
 
-enum fate fate_of_node(const struct study *s, const struct equilibrium *e)
+enum fate fate_of_node(const struct slider *s, const struct equilibrium *e)
 {
-    const struct planar_steady *curve = s->system.steady;
+    const struct planar_steady *curve = s->plane.system.steady;
     const double x = e->z.x;
 
     if (curve->turnings == 0)
@@ -37,32 +37,34 @@ struct goals {
     size_t count;
 };
 
-static struct goals goals_of(const struct study *s)
+static struct goals goals_of(const struct slider *s)
 {
     struct goals g = { .count = 0 };
 
-    for (size_t i = 0; i < s->equilibria; i++) {
-        if ((int) i == s->saddle)
+    for (size_t i = 0; i < s->plane.equilibria; i++) {
+        if ((int) i == slider_saddle(s))
             continue;
-        g.at[g.count] = vec2_sub(s->equilibrium[i].z, s->system.origin);
-        g.fate[g.count++] = fate_of_node(s, &s->equilibrium[i]);
+        g.at[g.count] =
+            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
+        g.fate[g.count++] = fate_of_node(s, &s->plane.equilibrium[i]);
     }
     return g;
 }
 
 /* The slowest time scale of the steady states; without any, 1 (t*). */
-static double slow_time(const struct study *s)
+static double slow_time(const struct slider *s)
 {
-    double slowest = s->equilibria > 0 ? 0.0 : 1.0;
+    double slowest = s->plane.equilibria > 0 ? 0.0 : 1.0;
 
-    for (size_t i = 0; i < s->equilibria; i++)
+    for (size_t i = 0; i < s->plane.equilibria; i++)
         for (int k = 0; k < 2; k++)
-            slowest = fmax(slowest, 1.0 / fabs(s->equilibrium[i].lambda[k]));
+            slowest =
+                fmax(slowest, 1.0 / fabs(s->plane.equilibrium[i].lambda[k]));
     return fmin(fmax(slowest, 1.0), TOL_FATE_TIME_MAX);
 }
 
 /* Of a block that stops, or all but does: a law's matter. */
-static enum fate fate_at_rest(const struct study *s)
+static enum fate fate_at_rest(const struct slider *s)
 {
     const enum fate fate = rest_form_of(&s->block.law, &s->block.material).fate;
 
@@ -84,18 +86,18 @@ struct past {
 
 /* In the quadrant v > v_sp, psi < psi_sp, which cannot be left (trap.h), and
  * without a node in it: nothing bounds v. */
-static bool runs_away(const struct study *s, const struct orbit *o)
+static bool runs_away(const struct slider *s, const struct orbit *o)
 {
-    if (s->saddle < 0 || !(o->u[0] > 0.0 && o->u[1] < 0.0))
+    if (slider_saddle(s) < 0 || !(o->u[0] > 0.0 && o->u[1] < 0.0))
         return false;
-    return (size_t) s->saddle + 1 == s->equilibria;
+    return (size_t) slider_saddle(s) + 1 == s->plane.equilibria;
 }
 
 /* In the quadrant v < v_sp, psi > psi_sp, which cannot be left either, and
  * without a node in it: nothing holds v above 0. */
-static bool falls(const struct study *s, const struct orbit *o)
+static bool falls(const struct slider *s, const struct orbit *o)
 {
-    return s->saddle == 0 && o->u[0] < 0.0 && o->u[1] > 0.0;
+    return slider_saddle(s) == 0 && o->u[0] < 0.0 && o->u[1] > 0.0;
 }
 
 /* The power of time that v follows over the last part of the time: the rates
@@ -117,7 +119,7 @@ static double power_of_time(const struct orbit *o)
 
 /* An orbit that has left every scale: v -> inf or v -> 0 like a power of
  * time, or faster. */
-static enum fate fate_beyond(const struct study *s, const struct orbit *o)
+static enum fate fate_beyond(const struct slider *s, const struct orbit *o)
 {
     const double power = power_of_time(o);
 
@@ -127,7 +129,7 @@ static enum fate fate_beyond(const struct study *s, const struct orbit *o)
 }
 
 /* What becomes of it does not hang on how far it was followed. */
-static enum fate fate_at_end(const struct study *s, const struct goals *g,
+static enum fate fate_at_end(const struct slider *s, const struct goals *g,
                              const struct orbit *o, const struct past *past)
 {
     if (past->fell || past->rests)
@@ -149,7 +151,7 @@ static const char *reason_of(const struct past *past, enum fate fate)
 
 /* Work over slip.  What is left of the work is, by (27), the energy at the end
  * and that of the slope; it may all be done in hardly any slip. */
-static struct quantity mean_of(const struct study *s, const struct orbit *o,
+static struct quantity mean_of(const struct slider *s, const struct orbit *o,
                                const struct quantity *slip,
                                const struct rest_left *left)
 {
@@ -175,7 +177,7 @@ static struct quantity mean_of(const struct study *s, const struct orbit *o,
 /* What is left where psi has left the plane while v still falls: the friction
  * there, which hardly changes, stops the block by inertia alone; known to
  * within itself. */
-static struct rest_left left_beyond(const struct study *s,
+static struct rest_left left_beyond(const struct slider *s,
                                     const struct orbit *o)
 {
     const struct vec2 z = { o->u[0], o->u[1] };
@@ -191,7 +193,7 @@ static struct rest_left left_beyond(const struct study *s,
 }
 
 /* Why it has neither time nor slip; NULL: it may have. */
-static const char *why_endless(const struct study *s, const struct orbit *o,
+static const char *why_endless(const struct slider *s, const struct orbit *o,
                                const struct past *past, enum fate fate)
 {
     if (fate == FATE_RUNAWAY)
@@ -221,7 +223,7 @@ static struct quantity sum_of(const struct orbit *o, size_t i, double left,
                                 rounding * fabs(sum));
 }
 
-static void observe_end(const struct study *s, const struct orbit *o,
+static void observe_end(const struct slider *s, const struct orbit *o,
                         const struct past *past, struct fate_result *out)
 {
     const char *why = why_endless(s, o, past, out->fate);
@@ -246,7 +248,7 @@ static void observe_end(const struct study *s, const struct orbit *o,
     out->mu_mean = mean_of(s, o, &out->slip, &left);
 }
 
-static void note(const struct study *s, const struct orbit *o,
+static void note(const struct slider *s, const struct orbit *o,
                  struct past *past)
 {
     past->fell = past->fell || falls(s, o);
@@ -257,7 +259,7 @@ static void note(const struct study *s, const struct orbit *o,
 /* orbit_run, which also ends where the block runs away or what is left of its
  * rest is known; unless `observe`, as soon as its fate is; and where rounding
  * throws it out of a quadrant that cannot be left. */
-static enum status run(const struct study *s, struct orbit *o, bool observe,
+static enum status run(const struct slider *s, struct orbit *o, bool observe,
                        const struct monitor *monitor, struct past *past)
 {
     enum status status = STATUS_OK;
@@ -274,9 +276,9 @@ static enum status run(const struct study *s, struct orbit *o, bool observe,
     return status;
 }
 
-void fate_least(const struct study *s, struct vec2 z, double least[])
+void fate_least(const struct slider *s, struct vec2 z, double least[])
 {
-    const bool may_rest = (s->saddle == 0 || s->equilibria == 0) &&
+    const bool may_rest = (slider_saddle(s) == 0 || s->plane.equilibria == 0) &&
                           fate_at_rest(s) == FATE_REST_FINITE;
     const double v = s->block.at.v0 * exp(z.x);
     const double eps2 = material_eps2(&s->block.material);
@@ -288,12 +290,13 @@ void fate_least(const struct study *s, struct vec2 z, double least[])
 }
 
 /* Follows the orbit from the offset z; *last: where it ended. */
-static enum status follow(const struct study *s, struct vec2 z, double rtol,
+static enum status follow(const struct slider *s, struct vec2 z, double rtol,
                           bool observe, const struct monitor *monitor,
                           struct fate_result *out, struct vec2 *last)
 {
     const struct goals goals = goals_of(s);
-    struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
+    struct orbit_options options =
+        orbit_defaults(&s->plane.system, s->plane.stable_rate);
     struct orbit o;
     struct past past = { .fell = false };
 
@@ -306,7 +309,7 @@ static enum status follow(const struct study *s, struct vec2 z, double rtol,
     options.reach[0] = TOL_FATE_LATE * slow_time(s);
     fate_least(s, z, options.least);
     *out = (struct fate_result){ .fate = FATE_UNDECIDED };
-    enum status status = orbit_init(&o, &s->system, z, &options);
+    enum status status = orbit_init(&o, &s->plane.system, z, &options);
     if (status != STATUS_OK)
         return status;
     status = run(s, &o, observe, monitor, &past);
@@ -325,49 +328,50 @@ static enum status follow(const struct study *s, struct vec2 z, double rtol,
     return status;
 }
 
-enum fate fate_of_side(const struct study *s, bool slow)
+enum fate fate_of_side(const struct slider *s, bool slow)
 {
-    const size_t saddle = (size_t) s->saddle, other = saddle + 1;
+    const size_t saddle = (size_t) slider_saddle(s), other = saddle + 1;
 
     if (slow)
         return saddle == 0 ? fate_at_rest(s)
-                           : fate_of_node(s, &s->equilibrium[saddle - 1]);
-    return other == s->equilibria ? FATE_RUNAWAY
-                                  : fate_of_node(s, &s->equilibrium[other]);
+                           : fate_of_node(s, &s->plane.equilibrium[saddle - 1]);
+    return other == s->plane.equilibria
+               ? FATE_RUNAWAY
+               : fate_of_node(s, &s->plane.equilibrium[other]);
 }
 
 /* (A saddle is beyond the plane where a block may rest and a node is the only
  * steady state in it.) */
-enum fate fate_of_all(const struct study *s)
+enum fate fate_of_all(const struct slider *s)
 {
     const enum fate rest = rest_form_of(&s->block.law, &s->block.material).fate;
 
-    if (s->saddle >= 0 || s->equilibria > 1)
+    if (slider_saddle(s) >= 0 || s->plane.equilibria > 1)
         return FATE_UNDECIDED;
-    if (s->equilibria == 0)
+    if (s->plane.equilibria == 0)
         return s->block.at.force0 > 0.0 ? FATE_RUNAWAY : fate_at_rest(s);
-    const struct equilibrium *e = &s->equilibrium[0];
+    const struct equilibrium *e = &s->plane.equilibrium[0];
     return e->type == EQUILIBRIUM_STABLE_NODE && rest == FATE_CREEP
                ? fate_of_node(s, e)
                : FATE_UNDECIDED;
 }
 
 /* What is known of an orbit that ended nowhere, at the offset `last`. */
-static enum fate find_anyway(const struct study *s, struct vec2 last)
+static enum fate find_anyway(const struct slider *s, struct vec2 last)
 {
     const bool slow = last.x < 0.0 && last.y > 0.0;
     const bool fast = last.x > 0.0 && last.y < 0.0;
 
-    return s->saddle < 0  ? fate_of_all(s)
-           : slow || fast ? fate_of_side(s, slow)
-                          : FATE_UNDECIDED;
+    return slider_saddle(s) < 0 ? fate_of_all(s)
+           : slow || fast       ? fate_of_side(s, slow)
+                                : FATE_UNDECIDED;
 }
 
-enum status fate_find(const struct study *s, struct vec2 z, double rtol,
+enum status fate_find(const struct slider *s, struct vec2 z, double rtol,
                       bool observe, const struct monitor *monitor,
                       struct fate_result *out)
 {
-    const struct vec2 start = vec2_sub(z, s->system.origin);
+    const struct vec2 start = vec2_sub(z, s->plane.system.origin);
     struct vec2 last = start;
     const enum status status =
         follow(s, start, rtol, observe, monitor, out, &last);

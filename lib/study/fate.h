@@ -12,7 +12,7 @@
 #include "monitor.h"
 #include "record.h"
 
-struct study;
+struct slider;
 
 /* Labels of basins; files hold these codes. */
 enum fate {
@@ -29,17 +29,17 @@ extern const char *const fate_names[];
 
 /* Creep and sliding nodes: below and above the turning points of mu_ss; where
  * it has none, v <= 1 is creep (model section 2). */
-enum fate fate_of_node(const struct study *s, const struct equilibrium *e);
+enum fate fate_of_node(const struct slider *s, const struct equilibrium *e);
 
 /* Of all states in the quadrant v < v_sp, psi > psi_sp of the saddle (slow), or
  * v > v_sp, psi < psi_sp: neither can be left (trap.h), a node in it attracts
  * all of it, and without one nothing holds v.  FATE_UNDECIDED: a node beyond
  * the plane. */
-enum fate fate_of_side(const struct study *s, bool slow);
+enum fate fate_of_side(const struct slider *s, bool slow);
 
 /* Where there is at most one steady state in all, and no saddle, every state
  * shares one fate; else FATE_UNDECIDED. */
-enum fate fate_of_all(const struct study *s);
+enum fate fate_of_all(const struct slider *s);
 
 struct fate_result {
     enum fate fate;
@@ -54,9 +54,10 @@ struct fate_result {
 /* Time, slip and work, as an orbit holds them, that one from the offset z to
  * its arrest has no use for digits below: far less than what a block needs that
  * friction stops; 0 where nothing makes it stop. */
-void fate_least(const struct study *s, struct vec2 z, double least[]);
+void fate_least(const struct slider *s, struct vec2 z, double least[]);
 
-/* The fate of the absolute chart point z in s->system, whose steady states
+/* The fate of the absolute chart point z in s->plane.system, whose steady
+ states
  * are known.  `observe`: with slip, time and means, else the fate alone, which
  * is known, too, where the orbit could be followed only into one of the
  * saddle's quadrants that cannot be left (trap.h), or where all share one.
@@ -64,7 +65,7 @@ void fate_least(const struct study *s, struct vec2 z, double least[]);
  STATUS_BAD_ARGUMENT: z
  * outside the domain; STATUS_NO_MEMORY; STATUS_STOPPED. An orbit that cannot be
  * followed is undecided, with a reason. */
-MUST_CHECK enum status fate_find(const struct study *s, struct vec2 z,
+MUST_CHECK enum status fate_find(const struct slider *s, struct vec2 z,
                                  double rtol, bool observe,
                                  const struct monitor *monitor,
                                  struct fate_result *out);

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* ---- the source of patches ----------------------------------------------- */
@@ -44,8 +44,8 @@ static enum status plan(const struct fields *f,
 
 /* ---- the grid ------------------------------------------------------------ */
 
-enum status fields_prepare(struct study *s, const struct monitor *monitor,
-                           struct fault *why)
+enum status fields_prepare(struct fields *f, const struct basin_map *m,
+                           const struct monitor *monitor, struct fault *why)
 {
     static const struct {
         enum product product;
@@ -56,17 +56,15 @@ enum status fields_prepare(struct study *s, const struct monitor *monitor,
         { PRODUCT_FRICTION, 1u << CELL_MU_MEAN },
         { PRODUCT_PEAK, 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK },
     };
-    const struct basin_map *m = &s->basins;
-    struct fields *const f = &s->fields;
 
-    *f = (struct fields){ .study = s, .rtol = s->scene->cell_rtol };
+    *f = (struct fields){ .map = m, .rtol = m->scene->cell_rtol };
     for (size_t i = 0; i < sizeof asks / sizeof *asks; i++)
-        if (s->scene->products & 1u << asks[i].product)
+        if (m->scene->products & 1u << asks[i].product)
             f->which |= asks[i].which;
     if (f->which == 0)
         return STATUS_OK;
     const struct patchwork_grid grid = { m->x, m->y, m->columns, m->rows };
-    enum status status = fast_cells_init(&f->fast, s, monitor);
+    enum status status = fast_cells_init(&f->fast, m->slider, monitor);
     if (status == STATUS_OK)
         status = plan(f, &grid, f->rtol, monitor, &f->patches);
     if (status != STATUS_OK)
@@ -94,7 +92,7 @@ static void heed(const int8_t label[], size_t n, struct cell out[])
 enum status fields_find(const struct fields *f, size_t first, size_t rows,
                         const struct monitor *monitor, struct cell out[])
 {
-    const struct basin_map *m = &f->study->basins;
+    const struct basin_map *m = f->map;
     const size_t n = m->columns, end = first + rows;
     int8_t *label = malloc(n * PATCHWORK_TILE);
     enum status status = label ? STATUS_OK : STATUS_NO_MEMORY;
@@ -125,7 +123,7 @@ static enum status fill_raster(const struct fields *f,
 {
     struct patchwork w;
     enum status status =
-        basin_map_raster(&f->study->basins, grid->columns, grid->rows, label);
+        basin_map_raster(f->map, grid->columns, grid->rows, label);
 
     if (status != STATUS_OK)
         return status;
@@ -149,8 +147,8 @@ enum status fields_raster(const struct fields *f, size_t columns, size_t rows,
 
     if (x && y && stored && label) {
         const struct patchwork_grid grid = { x, y, columns, rows };
-        basin_map_axis(f->study, BASIN_V, columns, x, stored);
-        basin_map_axis(f->study, BASIN_PSI, rows, y, stored);
+        basin_map_axis(f->map->scene, BASIN_V, columns, x, stored);
+        basin_map_axis(f->map->scene, BASIN_PSI, rows, y, stored);
         status = fill_raster(f, &grid, monitor, label, out);
     }
     free(x);

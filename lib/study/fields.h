@@ -5,24 +5,26 @@
 #ifndef STUDY_FIELDS_H
 #define STUDY_FIELDS_H
 
+#include "basin_map.h"
 #include "fast_cells.h"
 #include "patchwork.h"
 
 struct fields {
-    const struct study *study; /* borrowed */
-    unsigned which;            /* bits of enum cell_field; 0: none asked for */
+    const struct basin_map *map; /* borrowed: the grid */
+    unsigned which; /* bits of enum cell_field; 0: none asked for */
     double rtol;
     struct fast_cells fast;   /* owned; must not move: of the patches */
     struct patchwork patches; /* owned; of the grid */
 };
 
-/* The stage of a study (study.c): fills s->fields with what its scene's
- * products ask for.  STATUS_NO_MEMORY, STATUS_STOPPED. */
-MUST_CHECK enum status fields_prepare(struct study *s,
+/* What the products of the map's scene ask for; the map must outlive f, which
+ * must not move.  STATUS_NO_MEMORY, STATUS_STOPPED: *f is to be freed. */
+MUST_CHECK enum status fields_prepare(struct fields *f,
+                                      const struct basin_map *map,
                                       const struct monitor *monitor,
                                       struct fault *why);
 
-/* Rows first .. first + rows - 1 of the grid of the study's basin map, cell by
+/* Rows first .. first + rows - 1 of the grid of the map, cell by
  * cell, by few states of it (patchwork.h); PATCHWORK_TILE rows or more at a
  * time are best.  The monitor hears of "cells" done of the whole grid.
  * Otherwise as fast_cells_find. */

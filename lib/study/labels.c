@@ -6,32 +6,35 @@
 #include <math.h>
 
 #include "grow.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* ---- the curve ----------------------------------------------------------- */
 
-static enum status grow_stable(struct labels *l, const struct monitor *monitor)
+static enum status grow_stable(struct labels *l, double rtol,
+                               const struct monitor *monitor)
 {
-    const struct study *s = l->study;
-    struct grow_options o = grow_defaults(s->scene->rtol);
+    const struct slider *s = l->slider;
+    struct grow_options o = grow_defaults(rtol);
     struct local_series u;
 
-    o.reach = &s->system.domain;
+    o.reach = &s->plane.system.domain;
     o.monitor = monitor;
-    const enum status status =
-        local_at(&s->system, &s->equilibrium[s->saddle], MANIFOLD_STABLE,
-                 &o.carry, o.order, TOL_TAYLOR_STEP * o.rtol, &u);
-    return status == STATUS_OK ? grow_branches(&s->system, &u, &o, l->stable)
-                               : status;
+    const enum status status = local_at(
+        &s->plane.system, phase_plane_saddle(&s->plane), MANIFOLD_STABLE,
+        &o.carry, o.order, TOL_TAYLOR_STEP * o.rtol, &u);
+    return status == STATUS_OK
+               ? grow_branches(&s->plane.system, &u, &o, l->stable)
+               : status;
 }
 
 /* How far the saddle may be from where it was found, in the chart. */
-static double slack_of(const struct study *s)
+static double slack_of(const struct slider *s)
 {
-    const struct quantity *v = &s->saddle_numbers.v;
-    const struct quantity *psi = &s->saddle_numbers.psi;
-    const double scale = s->system.axis[1].is_log ? psi->value : 1.0;
+    const struct steady_number *saddle = &s->steady[slider_saddle(s)];
+    const struct quantity *v = &saddle->v;
+    const struct quantity *psi = &saddle->psi;
+    const double scale = s->plane.system.axis[1].is_log ? psi->value : 1.0;
 
     return fmax(v->error / v->value, psi->error / scale);
 }
@@ -42,8 +45,8 @@ static double slack_of(const struct study *s)
  * where v leaves the domain. */
 static bool is_complete(const struct labels *l, const struct branch *b)
 {
-    const struct box d = l->study->system.domain;
-    const double x = l->study->system.origin.x + b->limit.x;
+    const struct box d = l->slider->plane.system.domain;
+    const double x = l->slider->plane.system.origin.x + b->limit.x;
     const double edge = fmin(x - d.lo.x, d.hi.x - x);
 
     return b->end == BRANCH_LIMIT_X || b->end == BRANCH_LIMIT_Y ||
@@ -67,7 +70,7 @@ static bool is_beyond(const struct labels *l, const struct band *band)
 
 static void label_band(struct labels *l, const struct band *band)
 {
-    const struct study *s = l->study;
+    const struct slider *s = l->slider;
     struct region *region = &l->regions.region[band->first];
     const size_t n = band->strands;
     const bool below = band->hi <= 0.0, above = band->lo >= 0.0;
@@ -82,27 +85,27 @@ static void label_band(struct labels *l, const struct band *band)
 
 static void label_all(struct labels *l)
 {
-    const struct study *s = l->study;
+    const struct slider *s = l->slider;
     const enum fate all = fate_of_all(s);
 
-    if (study_has_manifolds(s))
+    if (slider_has_manifolds(s))
         for (size_t i = 0; i < l->regions.bands; i++)
             label_band(l, &l->regions.band[i]);
-    else if (s->saddle < 0 && all != FATE_UNDECIDED)
+    else if (slider_saddle(s) < 0 && all != FATE_UNDECIDED)
         l->regions.region[0].label = (int8_t) all;
 }
 
-enum status labels_init(struct labels *l, const struct study *s,
+enum status labels_init(struct labels *l, const struct slider *s, double rtol,
                         const struct monitor *monitor)
 {
-    const bool cut = study_has_manifolds(s);
+    const bool cut = slider_has_manifolds(s);
     enum status status = STATUS_OK;
 
-    *l = (struct labels){ .study = s };
+    *l = (struct labels){ .slider = s };
     for (int i = 0; i < 2; i++)
         l->along[i] = separatrix_empty(i, (struct vec2){ 0.0, 0.0 });
     if (cut)
-        status = grow_stable(l, monitor);
+        status = grow_stable(l, rtol, monitor);
     for (int i = 0; i < 2 && status == STATUS_OK && cut; i++) {
         l->along[i].slack = slack_of(s);
         status = separatrix_add(&l->along[i], &l->stable[0], &l->stable[1]);
@@ -158,9 +161,9 @@ static size_t region_at(const struct labels *l, struct vec2 z)
 }
 
 /* The quadrants tell as far as the saddle is known. */
-static int8_t label_of_quadrant(const struct study *s, struct vec2 z)
+static int8_t label_of_quadrant(const struct slider *s, struct vec2 z)
 {
-    const double slack = s->saddle >= 0 ? slack_of(s) : HUGE_VAL;
+    const double slack = slider_saddle(s) >= 0 ? slack_of(s) : HUGE_VAL;
 
     if (z.x < -slack && z.y > slack)
         return (int8_t) fate_of_side(s, true);
@@ -173,14 +176,14 @@ static enum status ask_orbit(const struct labels *l, struct vec2 z,
                              const struct monitor *monitor,
                              struct fate_told *out)
 {
-    const struct box d = l->study->system.domain;
-    struct vec2 at = vec2_add(l->study->system.origin, z);
+    const struct box d = l->slider->plane.system.domain;
+    struct vec2 at = vec2_add(l->slider->plane.system.origin, z);
     struct fate_result r;
 
     at.x = fmin(fmax(at.x, d.lo.x), d.hi.x); /* rounding at the edge */
     at.y = fmin(fmax(at.y, d.lo.y), d.hi.y);
     const enum status s =
-        fate_find(l->study, at, TOL_PUSH_COARSE, false, monitor, &r);
+        fate_find(l->slider, at, TOL_PUSH_COARSE, false, monitor, &r);
 
     if (s == STATUS_OK)
         *out = (struct fate_told){ (int8_t) r.fate, r.reason, false };
@@ -200,7 +203,7 @@ enum status labels_find(const struct labels *l, struct vec2 z,
         return STATUS_OK;
     }
     if (fate == REGION_UNLABELLED)
-        fate = label_of_quadrant(l->study, z);
+        fate = label_of_quadrant(l->slider, z);
     if (fate == REGION_UNLABELLED)
         return ask_orbit(l, z, monitor, out);
     *out =

@@ -19,18 +19,18 @@
 #include "region.h"
 
 struct labels {
-    const struct study *study;  /* borrowed */
-    struct branch stable[2];    /* owned; to the ends of the domain */
-    struct separatrix along[2]; /* owned; [0] crosses columns, [1] rows */
-    struct regions regions;     /* owned; unlabelled where no side is told */
+    const struct slider *slider; /* borrowed */
+    struct branch stable[2];     /* owned; to the ends of the domain */
+    struct separatrix along[2];  /* owned; [0] crosses columns, [1] rows */
+    struct regions regions;      /* owned; unlabelled where no side is told */
 };
 
-/* Follows the stable branches of s, whose steady states are known, and labels
+/* Follows the stable branches of s, to rtol, and labels
  * both sides; s must outlive l, which must not move.  STATUS_OK also without a
  * saddle or without manifolds of it (study_has_manifolds).  On error *l is
  * empty: STATUS_NO_MEMORY, STATUS_STOPPED, or as grow_branches. */
-MUST_CHECK enum status labels_init(struct labels *l, const struct study *s,
-                                   const struct monitor *monitor);
+MUST_CHECK enum status labels_init(struct labels *l, const struct slider *s,
+                                   double rtol, const struct monitor *monitor);
 
 /* Of one state. */
 struct fate_told {

@@ -8,14 +8,14 @@
 
 #include "landing_near.h"
 #include "landing_rest.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* A block that loses v by friction alone needs some eps^2 v for that. */
 static void choose_least(const struct landing *l, double least[2])
 {
     const struct slow_curve *c = l->curve;
-    const struct block *b = &c->study->block;
+    const struct block *b = &c->slider->block;
     const double v = exp(b->at.x0 + l->u[LAYER_X]);
     const double stop = material_eps2(&b->material) * v;
 
@@ -32,9 +32,9 @@ static void choose_least(const struct landing *l, double least[2])
 }
 
 /* What the digits of the state and of the saddle hide of the offset z. */
-static double rounding(const struct study *s, struct vec2 z)
+static double rounding(const struct slider *s, struct vec2 z)
 {
-    const struct vec2 o = s->system.origin;
+    const struct vec2 o = s->plane.system.origin;
     const double size =
         fabs(o.x) + fabs(o.y) + fabs(o.x + z.x) + fabs(o.y + z.y);
 
@@ -49,9 +49,9 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
         .curve = c, .options = *options, .u = { z.x, z.y, 0.0, 0.0 }, .out = out
     };
     *out = (struct layer){ .end = LAYER_LOST, .x_peak = z.x, .y = NAN };
-    l->across = rounding(c->study, z);
+    l->across = rounding(c->slider, z);
     if (options->peaks)
-        out->mu_peak = block_mu(&c->study->block, z);
+        out->mu_peak = block_mu(&c->slider->block, z);
     choose_least(l, least);
 }
 
@@ -67,16 +67,17 @@ struct door {
 
 static struct door door_of(const struct landing *l)
 {
-    const struct study *s = l->curve->study;
+    const struct slider *s = l->curve->slider;
     struct door door = { .node = -1, .way = HUGE_VAL };
 
-    for (int i = 0; i < (int) s->equilibria && !l->options.through; i++) {
-        const struct vec2 e = s->equilibrium[i].z, o = s->system.origin;
+    for (int i = 0; i < (int) s->plane.equilibria && !l->options.through; i++) {
+        const struct vec2 e = s->plane.equilibrium[i].z,
+                          o = s->plane.system.origin;
         const double dx = l->u[LAYER_X] - (e.x - o.x);
         const double dy = l->u[LAYER_Y] - (e.y - o.y);
         const int along = fabs(dy) > fabs(dx);
         const double way = fmax(fabs(dx), fabs(dy)) - TOL_ARREST;
-        if (i != s->saddle && way < door.way)
+        if (i != slider_saddle(s) && way < door.way)
             door = (struct door){ i, along, way, dx, dy };
     }
     return door;
@@ -93,13 +94,13 @@ void landing_add_least(const struct landing *l)
 /* On the face, towards which the orbit closes at this rate. */
 static void arrive(struct landing *l, const struct door *door, double closing)
 {
-    const struct study *s = l->curve->study;
+    const struct slider *s = l->curve->slider;
     const double aside = fabs(l->du[!door->along]) / closing;
     const double late = 2.0 * l->across * (1.0 + aside);
     struct layer *const out = l->out;
 
     out->end = LAYER_LANDED;
-    out->fate = (int8_t) fate_of_node(s, &s->equilibrium[door->node]);
+    out->fate = (int8_t) fate_of_node(s, &s->plane.equilibrium[door->node]);
     out->x_end = l->u[LAYER_X];
     out->time = l->u[LAYER_TIME];
     out->slip = l->u[LAYER_SLIP];
@@ -145,12 +146,13 @@ static bool overlap(double a, double b, double lo, double hi)
 static bool is_clear(const struct landing *l, const struct slow_point *p,
                      double y)
 {
-    const struct study *s = l->curve->study;
+    const struct slider *s = l->curve->slider;
     const double size = TOL_LAYER_ARREST * TOL_ARREST;
 
-    for (size_t i = 0; i < s->equilibria && !l->options.through; i++) {
-        const struct vec2 e = vec2_sub(s->equilibrium[i].z, s->system.origin);
-        if ((int) i != s->saddle &&
+    for (size_t i = 0; i < s->plane.equilibria && !l->options.through; i++) {
+        const struct vec2 e =
+            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
+        if ((int) i != slider_saddle(s) &&
             overlap(l->u[LAYER_X], p->x, e.x - size, e.x + size) &&
             overlap(l->u[LAYER_Y], y, e.y - size, e.y + size))
             return false;
@@ -199,7 +201,7 @@ static bool project(const struct landing *l, double *y, struct slow_point *p,
 /* Whether friction rises from z on along dz. */
 static bool mu_rises(const struct landing *l, struct vec2 z, struct vec2 dz)
 {
-    const struct block *b = &l->curve->study->block;
+    const struct block *b = &l->curve->slider->block;
     const struct vec2 ahead = { z.x + TOL_LAYER_AHEAD * dz.x,
                                 z.y + TOL_LAYER_AHEAD * dz.y };
 
@@ -212,7 +214,7 @@ static bool mu_rises(const struct landing *l, struct vec2 z, struct vec2 dz)
 static double mu_to_come(const struct landing *l, const struct slow_point *p,
                          double y, double *aside)
 {
-    const struct block *b = &l->curve->study->block;
+    const struct block *b = &l->curve->slider->block;
     const struct vec2 on = { p->x, y }, z = { l->u[LAYER_X], l->u[LAYER_Y] };
     const double way = p->time_slope < 0.0 ? 1.0 : -1.0;
     const double mu = block_mu(b, on);
@@ -254,7 +256,7 @@ static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
 static bool may_wait(const struct landing *l, const struct slow_point *p,
                      double off)
 {
-    return l->curve->study->block.law.kinetics == KINETICS_SINH &&
+    return l->curve->slider->block.law.kinetics == KINETICS_SINH &&
            fabs(p->fibre.y) > fabs(p->fibre.x) &&
            off * p->fibre.y * p->time_slope < 0.0;
 }
@@ -292,7 +294,7 @@ static double turning(const struct landing *l, const struct slow_point *p)
 static bool land(struct landing *l, double y, const struct slow_point *p,
                  double off, double *excess)
 {
-    const struct study *s = l->curve->study;
+    const struct slider *s = l->curve->slider;
     const struct vec2 e = p->fibre;
     const double det = fabs(e.x - e.y * p->x_slope);
     const double part =
@@ -321,7 +323,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     if (l->options.peaks && !add_peaks(l, p, y, off, excess))
         return false;
     out->end = LAYER_LANDED;
-    if (s->saddle >= 0 && !(wrong < TOL_LAYER_SIDE * fabs(y)))
+    if (slider_saddle(s) >= 0 && !(wrong < TOL_LAYER_SIDE * fabs(y)))
         out->end = LAYER_UNSURE;
     out->fate = p->fate;
     out->x_end = p->x_end;
@@ -351,7 +353,7 @@ static bool rests(struct landing *l)
           du[LAYER_Y] * soon > du[LAYER_TIME]))
         return false;
     const double left = -du[LAYER_TIME] / du[LAYER_X];
-    const double v = exp(l->curve->study->block.at.x0 + u[LAYER_X]);
+    const double v = exp(l->curve->slider->block.at.x0 + u[LAYER_X]);
     l->out->end = LAYER_RESTED;
     l->out->fate = FATE_REST_FINITE;
     l->out->x_end = -HUGE_VAL;

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* The branch on that side of the saddle; NULL: there is none. */

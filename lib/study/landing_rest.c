@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* The point of the curve on the fibre through the end of the walk; *off: how
@@ -35,7 +35,7 @@ static double bent_part(const struct landing *l, const struct rest_point *p,
 {
     const double part = fabs(off) / p->gap + p->gap;
     const bool may_wait =
-        l->curve->study->block.law.kinetics == KINETICS_SINH &&
+        l->curve->slider->block.law.kinetics == KINETICS_SINH &&
         off * p->fibre.y * p->y_slope < 0.0;
 
     return may_wait ? part : fmin(part, 1.0);

@@ -8,7 +8,7 @@
 #include "explicit8_table.h"
 #include "field_lanes.h"
 #include "landing.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 enum { STEPS = EXPLICIT8_STAGES, PAIR = 2, WEIGHED = 5 };
@@ -33,7 +33,7 @@ struct bundle {
 static void along(const struct bundle *b, const lanes *x, const lanes *y,
                   bool weighed, lanes du[])
 {
-    const struct block *block = &b->curve->study->block;
+    const struct block *block = &b->curve->slider->block;
     struct many_ctx c;
     lanes fx, fy;
 

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 const char *const moment_names[] = { "v_sp",
@@ -31,11 +31,11 @@ static struct vec2 place(const double u[])
 
 /* (17): d ln v/dt = cos(alpha)/(eps^2 v) (tan(alpha) - mu), which has all its
  * digits near the anchor. */
-double moment_excess_friction(const struct study *s, struct vec2 z)
+double moment_excess_friction(const struct slider *s, struct vec2 z)
 {
     struct planar_field f;
 
-    s->system.field(s->system.ctx, z, &f);
+    s->plane.system.field(s->plane.system.ctx, z, &f);
     if (fabs(f.direction.x) > TOL_MOMENT_DIRECTION)
         return -f.direction.x *
                exp(f.log_scale + z.x - s->block.at.log_inertia);
@@ -61,7 +61,7 @@ static double psi_level(const void *ctx, double s, const double u[])
 static double psi_rate(const void *ctx, double s, const double u[])
 {
     const struct moment_watch *w = ctx;
-    const struct planar *sys = &w->study->system;
+    const struct planar *sys = &w->slider->plane.system;
     struct planar_field f;
 
     (void) s;
@@ -73,7 +73,7 @@ static double psi_rate(const void *ctx, double s, const double u[])
 static double mu_rate(const void *ctx, double s, const double u[])
 {
     const struct moment_watch *w = ctx;
-    const struct planar *sys = &w->study->system;
+    const struct planar *sys = &w->slider->plane.system;
     const struct vec2 z = place(u);
     struct planar_field f;
     struct vec2 work;
@@ -91,7 +91,7 @@ static double v_rate(const void *ctx, double s, const double u[])
     const struct moment_watch *w = ctx;
 
     (void) s;
-    return -moment_excess_friction(w->study, place(u));
+    return -moment_excess_friction(w->slider, place(u));
 }
 
 static double nearness(const void *ctx, double s, const double u[])
@@ -99,23 +99,24 @@ static double nearness(const void *ctx, double s, const double u[])
     const struct moment_watch *w = ctx;
 
     (void) s;
-    return fabs(moment_excess_friction(w->study, place(u))) - w->at;
+    return fabs(moment_excess_friction(w->slider, place(u))) - w->at;
 }
 
-static double distance(const struct study *s, size_t i, struct vec2 z)
+static double distance(const struct slider *s, size_t i, struct vec2 z)
 {
-    const struct vec2 at = vec2_sub(s->equilibrium[i].z, s->system.origin);
+    const struct vec2 at =
+        vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
 
     return fmax(fabs(z.x - at.x), fabs(z.y - at.y));
 }
 
-const struct equilibrium *moment_node_at(const struct study *s, struct vec2 z,
+const struct equilibrium *moment_node_at(const struct slider *s, struct vec2 z,
                                          double reach)
 {
-    for (size_t i = 0; i < s->equilibria; i++)
-        if (s->equilibrium[i].type == EQUILIBRIUM_STABLE_NODE &&
+    for (size_t i = 0; i < s->plane.equilibria; i++)
+        if (s->plane.equilibrium[i].type == EQUILIBRIUM_STABLE_NODE &&
             distance(s, i, z) <= reach)
-            return &s->equilibrium[i];
+            return &s->plane.equilibrium[i];
     return NULL;
 }
 
@@ -125,9 +126,9 @@ static double node_distance(const void *ctx, double s, const double u[])
     double least = HUGE_VAL;
 
     (void) s;
-    for (size_t i = 0; i < w->study->equilibria; i++)
-        if (w->study->equilibrium[i].type == EQUILIBRIUM_STABLE_NODE)
-            least = fmin(least, distance(w->study, i, place(u)));
+    for (size_t i = 0; i < w->slider->plane.equilibria; i++)
+        if (w->slider->plane.equilibrium[i].type == EQUILIBRIUM_STABLE_NODE)
+            least = fmin(least, distance(w->slider, i, place(u)));
     return least - TOL_ARREST;
 }
 
@@ -137,11 +138,11 @@ static double rate_of(double direction, double log_scale)
     return copysign(exp(log(fabs(direction)) + log_scale), direction);
 }
 
-struct vec2 moment_rates(const struct study *s, const double u[])
+struct vec2 moment_rates(const struct slider *s, const double u[])
 {
     struct planar_field f;
 
-    s->system.field(s->system.ctx, place(u), &f);
+    s->plane.system.field(s->plane.system.ctx, place(u), &f);
     return (struct vec2){ rate_of(f.direction.x, f.log_scale),
                           rate_of(f.direction.y, f.log_scale) };
 }
@@ -157,7 +158,7 @@ static double (*const functions[MOMENTS])(const void *, double,
     [MOMENT_MU_NEARS] = nearness, [MOMENT_ARREST] = node_distance,
 };
 
-static void add(struct moment_watches *w, const struct study *s,
+static void add(struct moment_watches *w, const struct slider *s,
                 enum moment what, double level, double at)
 {
     const size_t i = w->count++;
@@ -167,35 +168,36 @@ static void add(struct moment_watches *w, const struct study *s,
         (struct event){ .value = functions[what], .ctx = &w->watch[i] };
 }
 
-static void add_level(struct moment_watches *w, const struct study *s,
+static void add_level(struct moment_watches *w, const struct slider *s,
                       const struct moment_level *l)
 {
-    const bool psi_is_log = !s->system.axis[1].is_log;
+    const bool psi_is_log = !s->plane.system.axis[1].is_log;
     double at = l->value;
 
     if (l->what == MOMENT_V)
-        at = log(l->value) - s->system.origin.x;
+        at = log(l->value) - s->plane.system.origin.x;
     else if (l->what == MOMENT_PSI)
-        at = (psi_is_log ? l->value : log(l->value)) - s->system.origin.y;
+        at = (psi_is_log ? l->value : log(l->value)) - s->plane.system.origin.y;
     add(w, s, l->what, l->value, at);
 }
 
 /* A critical velocity by its logarithm. */
-static void add_critical(struct moment_watches *w, const struct study *s,
+static void add_critical(struct moment_watches *w, const struct slider *s,
                          enum moment what, const struct quantity *ln_v)
 {
     if (quantity_exists(ln_v))
-        add(w, s, what, exp(ln_v->value), ln_v->value - s->system.origin.x);
+        add(w, s, what, exp(ln_v->value),
+            ln_v->value - s->plane.system.origin.x);
 }
 
-void moment_watch_all(struct moment_watches *w, const struct study *s,
+void moment_watch_all(struct moment_watches *w, const struct slider *s,
                       const struct moment_level *level, size_t levels,
                       bool stop)
 {
     const double none = (double) NAN;
 
     w->count = 0;
-    if (s->saddle >= 0)
+    if (slider_saddle(s) >= 0)
         add(w, s, MOMENT_V_SP, s->block.at.v0, 0.0);
     add_critical(w, s, MOMENT_V_MINUS, &s->critical.ln_v_minus);
     add_critical(w, s, MOMENT_V_PLUS, &s->critical.ln_v_plus);

@@ -10,7 +10,7 @@
 #include "orbit.h"
 #include "record.h"
 
-struct study;
+struct slider;
 
 /* What happens; files hold these codes. */
 enum moment {
@@ -42,7 +42,7 @@ struct moment_level {
 
 /* The functions watched along one orbit; must not move, nor its study. */
 struct moment_watch {
-    const struct study *study; /* borrowed */
+    const struct slider *slider; /* borrowed */
     enum moment what; /* of a pair that differs in direction, the first */
     double level;     /* as given; NaN: none */
     double at;        /* offset in the chart, or level */
@@ -60,7 +60,7 @@ enum { MOMENT_LEVELS_MAX = 7 };
  * that phases go by (TOL_PHASE_NEAR tan(alpha)), and the levels; but rest,
  * which nothing vanishes at (rest_left.h).  Orbits stop at arrest where `stop`
  * is true. */
-void moment_watch_all(struct moment_watches *w, const struct study *s,
+void moment_watch_all(struct moment_watches *w, const struct slider *s,
                       const struct moment_level *level, size_t levels,
                       bool stop);
 
@@ -69,15 +69,15 @@ enum moment moment_of(const struct moment_watches *w,
                       const struct event_hit *hit, const struct curve *c);
 
 /* mu - tan(alpha) at the offset z, exact to rounding of the difference. */
-double moment_excess_friction(const struct study *s, struct vec2 z);
+double moment_excess_friction(const struct slider *s, struct vec2 z);
 
 /* The stable node within `reach` of the offset z in both coordinates, in s;
  * NULL: none. */
-const struct equilibrium *moment_node_at(const struct study *s, struct vec2 z,
+const struct equilibrium *moment_node_at(const struct slider *s, struct vec2 z,
                                          double reach);
 
 /* d ln v/dt and d ln psi/dt (dpsi/dt where psi is a logarithm), per t*; may be
  * infinite.  u: of the orbit. */
-struct vec2 moment_rates(const struct study *s, const double u[]);
+struct vec2 moment_rates(const struct slider *s, const double u[]);
 
 #endif

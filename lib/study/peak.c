@@ -8,24 +8,26 @@
 #include <math.h>
 
 #include "crest.h"
-#include "study.h"
+#include "fate.h"
+#include "orbit.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
-typedef double peak_value(const struct study *s, struct vec2 z);
+typedef double peak_value(const struct slider *s, struct vec2 z);
 
 /* A function along a curve. */
 struct along {
-    const struct study *study;
+    const struct slider *slider;
     const struct curve *curve;
     peak_value *value;
 };
 
-static double slip_rate(const struct study *s, struct vec2 z)
+static double slip_rate(const struct slider *s, struct vec2 z)
 {
-    return s->system.origin.x + z.x;
+    return s->plane.system.origin.x + z.x;
 }
 
-static double friction(const struct study *s, struct vec2 z)
+static double friction(const struct slider *s, struct vec2 z)
 {
     return block_mu(&s->block, z);
 }
@@ -43,7 +45,7 @@ static double value_at(const void *ctx, double at)
 
     for (size_t k = degree; k-- > 0;)
         z = (struct vec2){ z.x * theta + x[k], z.y * theta + y[k] };
-    return a->value(a->study, z);
+    return a->value(a->slider, z);
 }
 
 /* Where the largest sample is; the curve is not empty. */
@@ -76,8 +78,9 @@ static double top_of(const struct along *a)
 static enum status sharpen(const struct along *a, double rtol, size_t first,
                            size_t last, double *top)
 {
-    const struct study *s = a->study;
-    struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
+    const struct slider *s = a->slider;
+    struct orbit_options options =
+        orbit_defaults(&s->plane.system, s->plane.stable_rate);
     double from[CURVE_DIM_MAX], to[CURVE_DIM_MAX];
     struct orbit o;
 
@@ -88,8 +91,8 @@ static enum status sharpen(const struct along *a, double rtol, size_t first,
     options.rtol = fmax(rtol * TOL_PEAK_FINER, TOL_PEAK_FINEST);
     options.observables = 0;
     options.reach[0] = to[2] - from[2];
-    enum status status =
-        orbit_init(&o, &s->system, (struct vec2){ from[0], from[1] }, &options);
+    enum status status = orbit_init(
+        &o, &s->plane.system, (struct vec2){ from[0], from[1] }, &options);
     if (status != STATUS_OK)
         return STATUS_OK;
     status = orbit_run(&o, NULL);
@@ -101,7 +104,7 @@ static enum status sharpen(const struct along *a, double rtol, size_t first,
 }
 
 /* The largest value along an orbit that starts at the offset z. */
-static enum status peak_of(const struct study *s, const struct orbit *o,
+static enum status peak_of(const struct slider *s, const struct orbit *o,
                            struct vec2 z, peak_value *value, double *top)
 {
     const struct along a = { s, &o->curve, value };
@@ -118,21 +121,23 @@ static enum status peak_of(const struct study *s, const struct orbit *o,
 }
 
 /* The non-saddles, as offsets. */
-static size_t goals_of(const struct study *s, struct vec2 at[])
+static size_t goals_of(const struct slider *s, struct vec2 at[])
 {
     size_t n = 0;
 
-    for (size_t i = 0; i < s->equilibria; i++)
-        if ((int) i != s->saddle)
-            at[n++] = vec2_sub(s->equilibrium[i].z, s->system.origin);
+    for (size_t i = 0; i < s->plane.equilibria; i++)
+        if ((int) i != slider_saddle(s))
+            at[n++] =
+                vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
     return n;
 }
 
-enum status peaks_find(const struct study *s, struct vec2 z, double rtol,
+enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
                        size_t steps, struct peaks *out)
 {
-    const struct vec2 start = vec2_sub(z, s->system.origin);
-    struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
+    const struct vec2 start = vec2_sub(z, s->plane.system.origin);
+    struct orbit_options options =
+        orbit_defaults(&s->plane.system, s->plane.stable_rate);
     struct vec2 goal[EQUILIBRIA_MAX];
     struct peaks p;
     struct orbit o;
@@ -144,7 +149,7 @@ enum status peaks_find(const struct study *s, struct vec2 z, double rtol,
     options.arrival = TOL_ARREST;
     options.max_steps = TOL_FATE_STEPS;
     fate_least(s, start, options.least);
-    enum status status = orbit_init(&o, &s->system, start, &options);
+    enum status status = orbit_init(&o, &s->plane.system, start, &options);
     if (status != STATUS_OK)
         return status;
     while (status == STATUS_OK && o.end == ORBIT_RUNNING && o.steps < steps)

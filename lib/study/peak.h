@@ -9,7 +9,7 @@
 #include "plane.h"
 #include "status.h"
 
-struct study;
+struct slider;
 
 struct peaks {
     double x;  /* ln v */
@@ -20,7 +20,7 @@ struct peaks {
  * steps (its result says how many), both ends included; as accurate as that
  * orbit.  Of several maxima between neighbouring samples (TOL_PEAK_SAMPLES a
  * step) all but one may be missed.  Errors as fate_find; *out untouched. */
-MUST_CHECK enum status peaks_find(const struct study *s, struct vec2 z,
+MUST_CHECK enum status peaks_find(const struct slider *s, struct vec2 z,
                                   double rtol, size_t steps, struct peaks *out);
 
 #endif

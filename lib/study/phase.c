@@ -38,14 +38,14 @@ static struct phase none(const char *why)
     return (struct phase){ q, q, q, q };
 }
 
-static double nearness(const struct study *s)
+static double nearness(const struct slider *s)
 {
     return TOL_PHASE_NEAR * (double) s->block.tan_alpha;
 }
 
 /* The first event of this kind, at this level if it is one of nearness, after
  * event number `from`; t->events if there is none. */
-static size_t find(const struct study *s, const struct transient *t,
+static size_t find(const struct slider *s, const struct transient *t,
                    enum moment what, size_t from)
 {
     size_t i = from;
@@ -58,7 +58,7 @@ static size_t find(const struct study *s, const struct transient *t,
 }
 
 /* Whether the run starts where phase 2 (phase 3) would take place. */
-static bool starts_near(const struct study *s, const struct transient *t)
+static bool starts_near(const struct slider *s, const struct transient *t)
 {
     double u[CURVE_DIM_MAX];
 
@@ -67,21 +67,21 @@ static bool starts_near(const struct study *s, const struct transient *t)
            nearness(s);
 }
 
-static bool starts_below(const struct study *s, const struct transient *t)
+static bool starts_below(const struct slider *s, const struct transient *t)
 {
     const struct quantity *ln_v = &s->critical.ln_v_minus;
 
     return quantity_exists(ln_v) && log(t->sum.v) < ln_v->value;
 }
 
-static const char *why_no_third(const struct study *s)
+static const char *why_no_third(const struct slider *s)
 {
     return quantity_exists(&s->critical.ln_v_minus)
                ? "v does not fall below v_minus"
                : "there is no v_minus";
 }
 
-void phase_find(const struct study *s, const struct transient *t,
+void phase_find(const struct slider *s, const struct transient *t,
                 struct phase out[PHASES])
 {
     const struct quantity zero = quantity_of(0.0, 0.0);

@@ -12,7 +12,7 @@
 
 #include "record.h"
 
-struct study;
+struct slider;
 struct transient;
 
 enum { PHASES = 3 };
@@ -24,7 +24,7 @@ struct phase {
 extern const struct record_type record_phase;
 
 /* Of a run whose events, time and slip are known. */
-void phase_find(const struct study *s, const struct transient *t,
+void phase_find(const struct slider *s, const struct transient *t,
                 struct phase out[PHASES]);
 
 #endif

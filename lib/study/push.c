@@ -10,6 +10,7 @@
 
 #include "margin.h"
 #include "rest_form.h"
+#include "scene_slope.h"
 #include "study_tolerance.h"
 
 static const struct record_field push_fields[] = {
@@ -32,20 +33,24 @@ const struct record_type record_push =
 enum status push_init(struct push *p, const struct scene *scene,
                       const struct monitor *monitor, struct fault *why)
 {
-    *p = (struct push){ .scene = *scene };
-    p->scene.products = 1u << PRODUCT_EQUILIBRIA;
-    enum status status = study_run(&p->study, &p->scene, monitor, why);
+    *p = (struct push){ .scene = scene };
+    enum status status =
+        scene_slope_demand(scene, 1u << PRODUCT_EQUILIBRIA, why);
     if (status != STATUS_OK)
         return status;
-    if (p->study.saddle >= 0 && !study_has_manifolds(&p->study))
+    slider_init(&p->slider, &scene->law, &scene->material, scene->tan_alpha);
+    const char *none = slider_no_manifolds(&p->slider);
+    if (monitor_tell(monitor, "steady states", 0, 0))
+        status = STATUS_STOPPED;
+    else if (slider_saddle(&p->slider) >= 0 && none)
         status = STATUS_NOT_HYPERBOLIC;
     if (status == STATUS_OK)
-        status = labels_init(&p->labels, &p->study, monitor);
+        status = labels_init(&p->labels, &p->slider, scene->rtol, monitor);
     if (status == STATUS_OK)
         return STATUS_OK;
     snprintf(why->text, sizeof why->text, "the basins of the slope: %s",
-             status == STATUS_NOT_HYPERBOLIC ? p->study.critical.v_plus.reason
-                                             : status_text(status));
+             status == STATUS_NOT_HYPERBOLIC && none ? none
+                                                     : status_text(status));
     push_free(p);
     return status;
 }
@@ -53,10 +58,10 @@ enum status push_init(struct push *p, const struct scene *scene,
 enum status push_tabulate(struct push *p, const struct monitor *monitor)
 {
     fast_cells_free(&p->fast);
-    const enum status s = fast_cells_init(&p->fast, &p->study, monitor);
+    const enum status s = fast_cells_init(&p->fast, &p->slider, monitor);
 
     if (s != STATUS_OK)
-        p->fast = (struct fast_cells){ .study = NULL };
+        p->fast = (struct fast_cells){ .slider = NULL };
     return s;
 }
 
@@ -64,7 +69,6 @@ void push_free(struct push *p)
 {
     fast_cells_free(&p->fast);
     labels_free(&p->labels);
-    study_free(&p->study);
 }
 
 /* ---- slip and time ------------------------------------------------------- */
@@ -91,12 +95,12 @@ static enum status follow(const struct push *p, struct vec2 z,
     struct fate_result coarse, fine;
     double rtol = TOL_PUSH_COARSE;
     bool agree = false;
-    enum status s = fate_find(&p->study, z, rtol, true, monitor, &coarse);
+    enum status s = fate_find(&p->slider, z, rtol, true, monitor, &coarse);
 
     while (s == STATUS_OK && !agree && coarse.reason == NULL &&
            rtol * TOL_PUSH_FINER >= TOL_PUSH_FINEST) {
         rtol *= TOL_PUSH_FINER;
-        s = fate_find(&p->study, z, rtol, true, monitor, &fine);
+        s = fate_find(&p->slider, z, rtol, true, monitor, &fine);
         agree = (int8_t) coarse.fate == out->fate && fine.fate == coarse.fate;
         if (!agree)
             coarse = fine;
@@ -120,7 +124,7 @@ static struct quantity told(double value, double error, const char *none)
 /* Of a block that only fades. */
 static bool slip_is_finite(const struct push *p)
 {
-    const struct block *b = &p->study.block;
+    const struct block *b = &p->slider.block;
 
     return rest_form_of(&b->law, &b->material).has_slip;
 }
@@ -160,7 +164,7 @@ static struct quantity kick_from(const struct push *p,
     const double rounding = TOL_PUSH_ROUNDING * (1.0 + fabs(at) + fabs(shift));
     const double factor = exp(shift);
 
-    if (p->study.saddle < 0)
+    if (slider_saddle(&p->slider) < 0)
         return quantity_none("no saddle at this slope, hence one fate for all");
     if (isinf(shift))
         return quantity_none(none);
@@ -175,7 +179,7 @@ static struct quantity kick_from(const struct push *p,
 static enum status find_kicks(const struct push *p, struct vec2 z,
                               struct push_answer *out)
 {
-    const struct planar_axis *axis = p->study.system.axis;
+    const struct planar_axis *axis = p->slider.plane.system.axis;
     const struct labels *labels = &p->labels;
     struct margin_line l;
     const enum status s = margin_init(&l, &labels->along[0], &labels->along[1]);
@@ -196,14 +200,14 @@ static enum status find_kicks(const struct push *p, struct vec2 z,
 
 static struct vec2 chart_point(const struct push *p, struct push_state at)
 {
-    return (struct vec2){ log(at.v), p->study.system.axis[1].is_log
+    return (struct vec2){ log(at.v), p->slider.plane.system.axis[1].is_log
                                          ? log(at.psi)
                                          : at.psi };
 }
 
 bool push_holds(const struct push *p, struct push_state at)
 {
-    return box_holds(p->study.system.domain, chart_point(p, at));
+    return box_holds(p->slider.plane.system.domain, chart_point(p, at));
 }
 
 /* `cell`: what is known of it already. */
@@ -212,7 +216,7 @@ static enum status answer(const struct push *p, struct push_state at,
                           const struct monitor *monitor,
                           struct push_answer *out)
 {
-    const struct vec2 z = block_offset(&p->study.block, at.v, at.psi);
+    const struct vec2 z = block_offset(&p->slider.block, at.v, at.psi);
     struct fate_told label;
 
     *out = (struct push_answer){ .fate = FATE_NONE };
@@ -238,7 +242,7 @@ static enum status find_cells(const struct push *p, const struct vec2 z[],
 
     for (size_t i = 0; i < n; i++)
         out[i] = (struct cell){ .exit_reason = FATE_UNDECIDED };
-    return p->fast.study == NULL
+    return p->fast.slider == NULL
                ? STATUS_OK
                : fast_cells_find(&p->fast, z, n, TOL_PUSH_COARSE, which, NULL,
                                  out, NULL);
@@ -288,7 +292,7 @@ enum status push_find_all(const struct push *p, const struct push_state at[],
                           size_t count, const struct monitor *monitor,
                           struct push_answer out[])
 {
-    const size_t block = p->fast.study ? BLOCK : BLOCK_WHOLE;
+    const size_t block = p->fast.slider ? BLOCK : BLOCK_WHOLE;
     enum status failed = STATUS_OK;
 
     for (size_t first = 0; first < count && failed == STATUS_OK;

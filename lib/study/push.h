@@ -17,7 +17,8 @@
 
 #include "fast_cells.h"
 #include "labels.h"
-#include "study.h"
+#include "scene.h"
+#include "slider.h"
 
 /* A state: slip rate in units of V_star, psi as the law's (law.h). */
 struct push_state {
@@ -36,15 +37,16 @@ struct push_answer {
 extern const struct record_type record_push;
 
 struct push {
-    struct scene scene;     /* borrowed members; asks for steady states only */
-    struct study study;     /* owned */
+    const struct scene *scene; /* borrowed */
+    struct slider slider;
     struct labels labels;   /* owned */
     struct fast_cells fast; /* owned; empty unless tabulated */
 };
 
-/* Steady states and the fates of both sides of the separatrix for this slope;
- * the scene must outlive p, which must not move.  On error *p is empty and
- * *why says what failed; errors as study_run. */
+/* Steady states and the fates of both sides of the separatrix for the
+ * scene's law, material and slope.  p must not move.  On error *p is empty and
+ * *why says what failed: STATUS_BAD_SCENE (no slope), STATUS_NOT_HYPERBOLIC, as
+ * labels_init. */
 MUST_CHECK enum status push_init(struct push *p, const struct scene *scene,
                                  const struct monitor *monitor,
                                  struct fault *why);

@@ -191,7 +191,7 @@ const struct record_type record_sensitivity = RECORD_TYPE(
 
 /* ---- what a study says of its numbers ------------------------------------ */
 
-RESULT_VIEW(view_steady, study, s->steady, s->equilibria)
+RESULT_VIEW(view_steady, study, s->slider.steady, s->slider.plane.equilibria)
 RESULT_VIEW(view_saddle, study, &s->saddle_numbers, 1)
 RESULT_VIEW(view_folds, study, &s->folds, 1)
 
@@ -220,12 +220,14 @@ const struct result steady_results[] = {
     { .path = NULL },
 };
 
-RESULT_VIEW(view_critical, study, &s->critical, 1)
+RESULT_VIEW(view_critical, study, &s->slider.critical, 1)
 RESULT_VIEW(view_knee, study,
-            k ? &s->critical.knee_lower : &s->critical.knee_upper, 1)
+            k ? &s->slider.critical.knee_lower : &s->slider.critical.knee_upper,
+            1)
 RESULT_VIEW(view_knees, study,
-            k ? s->critical.knees_lower : s->critical.knees_upper,
-            k ? s->critical.knees_lower_count : s->critical.knees_upper_count)
+            k ? s->slider.critical.knees_lower : s->slider.critical.knees_upper,
+            k ? s->slider.critical.knees_lower_count
+              : s->slider.critical.knees_upper_count)
 
 const struct result critical_results[] = {
     { .path = "/critical",

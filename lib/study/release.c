@@ -98,7 +98,7 @@ static struct quantity release_33(const struct scene *s, double K, double t,
 static struct release_row row_of(const struct study *s,
                                  const struct quantity *K)
 {
-    const struct critical_numbers *c = &s->critical;
+    const struct critical_numbers *c = &s->slider.critical;
     const struct material *m = &s->scene->material;
     const double t = (double) s->scene->tan_alpha, k = K->value;
     const double eps2 = material_eps2(m), v = c->v_plus.value;

@@ -4,24 +4,27 @@ size_t study_remarks(const struct study *s, const char *text[], size_t room)
 {
     size_t n = 0;
 
-    if (plan_has(s->stages, STAGE_STEADY) && s->equilibria == 0 && n < room)
+    if (plan_has(s->stages, STAGE_STEADY) && s->slider.plane.equilibria == 0 &&
+        n < room)
         text[n++] = "no steady state: mu_ss(v) = tan(alpha) has no solution";
-    else if (s->equilibria > 0 && s->saddle < 0 && n < room)
+    else if (s->slider.plane.equilibria > 0 && slider_saddle(&s->slider) < 0 &&
+             n < room)
         text[n++] = "no saddle at this slope, hence no separatrix";
-    else if (!study_has_manifolds(s) && s->saddle >= 0 && n < room)
-        text[n++] = equilibrium_is_beyond(&s->equilibrium[s->saddle])
+    else if (!slider_has_manifolds(&s->slider) &&
+             slider_saddle(&s->slider) >= 0 && n < room)
+        text[n++] = equilibrium_is_beyond(phase_plane_saddle(&s->slider.plane))
                         ? "the saddle's eigenvalues are further apart than "
                           "doubles can tell, hence no separatrix"
                         : "the saddle's psi is beyond the plane's range, hence "
                           "no separatrix";
-    const struct box window = study_window(s);
+    const struct box window = scene_box(s->scene);
     bool inside = false;
-    for (size_t i = 0; i < s->equilibria; i++)
-        inside |= box_holds(window, s->equilibrium[i].z);
-    if (s->equilibria > 0 && !inside && n < room)
+    for (size_t i = 0; i < s->slider.plane.equilibria; i++)
+        inside |= box_holds(window, s->slider.plane.equilibrium[i].z);
+    if (s->slider.plane.equilibria > 0 && !inside && n < room)
         text[n++] = "no steady state inside the window";
     const bool cut = plan_has(s->stages, STAGE_UNSTABLE) &&
-                     study_has_manifolds(s) &&
+                     slider_has_manifolds(&s->slider) &&
                      (s->unstable[0].end == ORBIT_RUNNING ||
                       s->unstable[1].end == ORBIT_RUNNING);
     if (cut && n < room)

@@ -8,14 +8,14 @@
 #include "rest_form.h"
 #include "rest_lag.h"
 #include "rest_left.h"
+#include "slider.h"
 #include "slow_branch.h"
-#include "study.h"
 #include "study_tolerance.h"
 
 /* ---- far down ------------------------------------------------------------ */
 
 /* The rate psi settles at, and so on, hardly matter there; no time or slip. */
-static struct rest_point point_below(const struct study *s, double x,
+static struct rest_point point_below(const struct slider *s, double x,
                                      const struct rest_point *last)
 {
     const double part = exp(x - last->x);
@@ -33,7 +33,7 @@ static struct rest_point point_below(const struct study *s, double x,
     };
 }
 
-static bool add_left(const struct study *s, struct rest_point *p)
+static bool add_left(const struct slider *s, struct rest_point *p)
 {
     const struct vec2 z = { p->x, p->y };
     struct rest_left left;
@@ -51,13 +51,13 @@ static bool add_left(const struct study *s, struct rest_point *p)
 
 /* At the end of the orbit, with what its last step took; false where psi does
  * not settle faster than v falls. */
-static bool knot_at(const struct study *s, const struct orbit *o,
+static bool knot_at(const struct slider *s, const struct orbit *o,
                     struct rest_knot *k, double *bend)
 {
     const struct vec2 z = { o->u[0], o->u[1] };
     struct planar_jacobian J;
 
-    s->system.jacobian(s->system.ctx, z, &J);
+    s->plane.system.jacobian(s->plane.system.ctx, z, &J);
     const struct vec2 d = J.field.direction;
     const struct eigen2 e = mat2_eigenvalues(J.matrix);
     const double slow = fmax(fabs(e.re[1]), fabs(d.x));
@@ -121,7 +121,7 @@ static void hold_back(struct orbit *o, double bend)
 static enum status descend(struct rest_curve *c, struct orbit *o,
                            const struct monitor *monitor, bool *is_down)
 {
-    const struct study *s = c->study;
+    const struct slider *s = c->slider;
     enum status status = STATUS_OK;
 
     *is_down = false;
@@ -151,7 +151,7 @@ static enum status descend(struct rest_curve *c, struct orbit *o,
 /* From there on without an orbit, whose steps would see rounding in psi. */
 static enum status extend(struct rest_curve *c)
 {
-    const struct study *s = c->study;
+    const struct slider *s = c->slider;
     const double h = TOL_SLOW_LONGEST, d = TOL_REST_DIFFERENCE;
     enum status status = STATUS_OK;
 
@@ -183,7 +183,7 @@ static void look_back(struct rest_curve *c)
     const struct rest_knot *end = &c->knot[c->count - 1];
     struct rest_point last = end->at;
 
-    if (!add_left(c->study, &last)) {
+    if (!add_left(c->slider, &last)) {
         c->count = 0;
         return;
     }
@@ -239,19 +239,20 @@ static void judge(struct rest_curve *c)
     }
 }
 
-enum status rest_curve_run(const struct study *s, struct vec2 z,
+enum status rest_curve_run(const struct slider *s, struct vec2 z,
                            const struct monitor *monitor, struct rest_curve *c)
 {
-    struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
+    struct orbit_options options =
+        orbit_defaults(&s->plane.system, s->plane.stable_rate);
     struct orbit o;
     bool is_down = false;
 
-    *c = (struct rest_curve){ .study = s };
+    *c = (struct rest_curve){ .slider = s };
     if (!rest_form_of(&s->block.law, &s->block.material).inertial)
         return STATUS_OK;
     options.rtol = TOL_SLOW_RTOL;
     options.observables = 1;
-    enum status status = orbit_init(&o, &s->system, z, &options);
+    enum status status = orbit_init(&o, &s->plane.system, z, &options);
     if (status == STATUS_OK)
         status = descend(c, &o, monitor, &is_down);
     orbit_free(&o);
@@ -270,7 +271,7 @@ enum status rest_curve_run(const struct study *s, struct vec2 z,
 void rest_curve_free(struct rest_curve *c)
 {
     free(c->knot);
-    *c = (struct rest_curve){ .study = c->study };
+    *c = (struct rest_curve){ .slider = c->slider };
 }
 
 /* ---- points -------------------------------------------------------------- */
@@ -306,7 +307,7 @@ bool rest_curve_beside(const struct rest_curve *c, double x, double *y,
     if (c->count < 3 || x > c->knot[0].at.x)
         return false;
     if (x < c->knot[c->count - 1].at.x) {
-        const struct rest_lag l = rest_lag_at(c->study, x);
+        const struct rest_lag l = rest_lag_at(c->slider, x);
         *y = l.y;
         *y_slope = l.y_slope;
         return true;
@@ -322,8 +323,8 @@ bool rest_curve_at(const struct rest_curve *c, double x, struct rest_point *p)
     if (c->count < 3 || x > c->knot[0].at.x)
         return false;
     if (x < c->knot[c->count - 1].at.x) {
-        *p = point_below(c->study, x, &c->knot[c->count - 1].at);
-        return add_left(c->study, p);
+        *p = point_below(c->slider, x, &c->knot[c->count - 1].at);
+        return add_left(c->slider, p);
     }
     const struct rest_knot *f = before(c, x), *g = f + 1;
     const double t = (x - f->at.x) / (g->at.x - f->at.x);

@@ -19,7 +19,7 @@
 #include "planar.h"
 #include "status.h"
 
-struct study;
+struct slider;
 
 /* One point, an offset from the system's origin; slopes per unit of x. */
 struct rest_point {
@@ -40,15 +40,15 @@ struct rest_knot {
 };
 
 struct rest_curve {
-    const struct study *study; /* borrowed */
-    struct rest_knot *knot;    /* owned; x falls */
+    const struct slider *slider; /* borrowed */
+    struct rest_knot *knot;      /* owned; x falls */
     size_t count, room;
 };
 
 /* By the orbit from the offset z, which comes to rest.  Where it does so in
  * another way the curve is empty.  STATUS_NO_MEMORY, STATUS_STOPPED; *c is to
  * be freed in any case. */
-MUST_CHECK enum status rest_curve_run(const struct study *s, struct vec2 z,
+MUST_CHECK enum status rest_curve_run(const struct slider *s, struct vec2 z,
                                       const struct monitor *monitor,
                                       struct rest_curve *c);
 

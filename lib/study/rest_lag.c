@@ -5,10 +5,10 @@
 #include <math.h>
 
 #include "moment.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
-double rest_lag_slowness(const struct study *s, double x, double y)
+double rest_lag_slowness(const struct slider *s, double x, double y)
 {
     const double force = moment_excess_friction(s, (struct vec2){ x, y });
 
@@ -16,20 +16,20 @@ double rest_lag_slowness(const struct study *s, double x, double y)
 }
 
 /* ln psi_ss ~ -ln v, as it is for v -> 0. */
-static double y_behind(const struct study *s, double x, double lag)
+static double y_behind(const struct slider *s, double x, double lag)
 {
-    const double ln_v = s->system.origin.x + x;
+    const double ln_v = s->plane.system.origin.x + x;
 
-    return s->system.axis[1].is_log
-               ? -ln_v + log1p(-lag * exp(ln_v)) - s->system.origin.y
-               : exp(-ln_v) - lag - s->system.origin.y;
+    return s->plane.system.axis[1].is_log
+               ? -ln_v + log1p(-lag * exp(ln_v)) - s->plane.system.origin.y
+               : exp(-ln_v) - lag - s->plane.system.origin.y;
 }
 
 /* With psi as fast as psi_ss + bend. */
-static double lag_at(const struct study *s, double x, double bend)
+static double lag_at(const struct slider *s, double x, double bend)
 {
     const struct block *b = &s->block;
-    const long double ln_v = (long double) (s->system.origin.x + x);
+    const long double ln_v = (long double) (s->plane.system.origin.x + x);
     const double clock =
         (double) (steady_log_rate(&b->law, &b->material, ln_v) + ln_v) -
         log1p(bend * exp((double) ln_v));
@@ -44,9 +44,9 @@ static double lag_at(const struct study *s, double x, double bend)
     return lag;
 }
 
-struct rest_lag rest_lag_at(const struct study *s, double x)
+struct rest_lag rest_lag_at(const struct slider *s, double x)
 {
-    const double h = TOL_REST_DIFFERENCE, v = exp(s->system.origin.x + x);
+    const double h = TOL_REST_DIFFERENCE, v = exp(s->plane.system.origin.x + x);
     const double first = lag_at(s, x, 0.0);
     double bend = 0.0, lag = first;
 
@@ -59,8 +59,8 @@ struct rest_lag rest_lag_at(const struct study *s, double x)
     const double psi_v = 1.0 - lag * v;
     struct rest_lag l = { .y = y_behind(s, x, lag) };
 
-    l.y_slope =
-        s->system.axis[1].is_log ? -(1.0 + bend * v) / psi_v : -1.0 / v - bend;
+    l.y_slope = s->plane.system.axis[1].is_log ? -(1.0 + bend * v) / psi_v
+                                               : -1.0 / v - bend;
     l.slowness = rest_lag_slowness(s, x, l.y);
     l.wrong = fabs(
         rest_lag_slowness(s, x, y_behind(s, x, lag + off)) / l.slowness - 1.0);

@@ -9,7 +9,7 @@
 #ifndef STUDY_REST_LAG_H
 #define STUDY_REST_LAG_H
 
-struct study;
+struct slider;
 
 /* A point of that curve. */
 struct rest_lag {
@@ -17,9 +17,9 @@ struct rest_lag {
     double slowness;   /* -1/(d ln v/dt) */
     double wrong;      /* of it, relative; NaN where v is not small enough */
 };
-struct rest_lag rest_lag_at(const struct study *s, double x);
+struct rest_lag rest_lag_at(const struct slider *s, double x);
 
 /* -1/(d ln v/dt) anywhere: eps^2 v/(cos(alpha) mu - sin(alpha)). */
-double rest_lag_slowness(const struct study *s, double x, double y);
+double rest_lag_slowness(const struct slider *s, double x, double y);
 
 #endif

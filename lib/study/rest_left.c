@@ -10,7 +10,7 @@
 #include "quasistatic.h"
 #include "rest_form.h"
 #include "rest_lag.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* ---- where friction balances the slope ----------------------------------- */
@@ -74,16 +74,18 @@ static double change_of_rate(const struct block *b, const struct point *p,
 /* ---- whether it is known ------------------------------------------------- */
 
 /* No steady state is in the way. */
-static bool is_bound(const struct study *s, struct vec2 z)
+static bool is_bound(const struct slider *s, struct vec2 z)
 {
-    return s->equilibria == 0 || (s->saddle == 0 && z.x < 0.0 && z.y > 0.0);
+    return s->plane.equilibria == 0 ||
+           (slider_saddle(s) == 0 && z.x < 0.0 && z.y > 0.0);
 }
 
 /* Whether z is on the curve as far as peaks of v can tell, or falls onto it
  * from where the plane ends, in no time. */
-static bool is_on(const struct study *s, struct vec2 z, const struct point *p)
+static bool is_on(const struct slider *s, struct vec2 z, const struct point *p)
 {
-    const bool falls = z.x > p->x && s->system.origin.x + z.x < TOL_REST_EDGE;
+    const bool falls =
+        z.x > p->x && s->plane.system.origin.x + z.x < TOL_REST_EDGE;
 
     return p->wrong < TOL_REST_WRONG && isfinite(p->log_rate) &&
            (falls || fabs(z.x - p->x) < TOL_REST_OFF);
@@ -95,16 +97,16 @@ static bool is_small(double wrong, double late, double time)
     return wrong < TOL_REST_WRONG || wrong * late < TOL_REST_UNSEEN * time;
 }
 
-static bool is_behind(const struct study *s, struct vec2 z, double time)
+static bool is_behind(const struct slider *s, struct vec2 z, double time)
 {
     const struct rest_lag l = rest_lag_at(s, z.x);
 
-    return s->system.origin.x + z.x < TOL_REST_SLOW &&
+    return s->plane.system.origin.x + z.x < TOL_REST_SLOW &&
            is_small(l.wrong, l.slowness, time) &&
            fabs(z.y - l.y) < TOL_REST_BESIDE;
 }
 
-static bool is_there(const struct study *s, struct vec2 z, double time)
+static bool is_there(const struct slider *s, struct vec2 z, double time)
 {
     const struct block *b = &s->block;
     const struct rest_form form = rest_form_of(&b->law, &b->material);
@@ -123,7 +125,7 @@ enum { TIME, SLIP, TIME_WRONG, SLIP_WRONG, PARTS };
 
 /* From z on. */
 struct way {
-    const struct study *study;
+    const struct slider *slider;
     struct vec2 z;
     bool inertial;
 };
@@ -137,7 +139,7 @@ static double rounding(const struct point *p, double Y)
 /* Time and slip per unit of the way, so far along it. */
 static void rates_at(const struct way *w, double at, double rate[PARTS])
 {
-    const struct study *s = w->study;
+    const struct slider *s = w->slider;
     const struct block *b = &s->block;
 
     if (w->inertial) {
@@ -245,14 +247,14 @@ static bool sum_up(const struct way *w, int first, double sum[PARTS])
  * off it is. */
 static void add_landing(const struct way *w, struct rest_left *r)
 {
-    const struct block *b = &w->study->block;
+    const struct block *b = &w->slider->block;
     const struct vec2 z = w->z;
     const double v = exp(b->at.x0 + z.x);
 
     if (w->inertial) {
-        const double late = rest_lag_at(w->study, z.x).slowness;
+        const double late = rest_lag_at(w->slider, z.x).slowness;
         const double shift =
-            v * fabs(rest_lag_slowness(w->study, z.x, z.y) - late);
+            v * fabs(rest_lag_slowness(w->slider, z.x, z.y) - late);
         r->time_error += 2.0 * shift;
         r->slip_error += 2.0 * v * shift;
         return;
@@ -266,9 +268,9 @@ static void add_landing(const struct way *w, struct rest_left *r)
     r->slip_error += wait * (shift + off) * exp(b->at.x0 + p.x - p.log_rate);
     if (off > TOL_REST_OFF) {
         const double fall =
-            fmax(off, 1.0) * rest_lag_slowness(w->study, z.x, z.y);
+            fmax(off, 1.0) * rest_lag_slowness(w->slider, z.x, z.y);
         const double moved =
-            fall * moment_rates(w->study, (double[]){ z.x, z.y }).y;
+            fall * moment_rates(w->slider, (double[]){ z.x, z.y }).y;
         if (isfinite(r->time))
             r->time_error += fall + fabs(moved) * exp(-p.log_rate);
         r->slip_error +=
@@ -277,7 +279,7 @@ static void add_landing(const struct way *w, struct rest_left *r)
 }
 
 /* Beside all of it; the slip so far is about v times the time, or more. */
-static bool is_good(const struct study *s, struct vec2 z, double time,
+static bool is_good(const struct slider *s, struct vec2 z, double time,
                     const struct rest_left *r)
 {
     const double v = exp(s->block.at.x0 + z.x);
@@ -287,7 +289,7 @@ static bool is_good(const struct study *s, struct vec2 z, double time,
            r->slip_error <= TOL_REST_GOOD * (r->slip + v * time);
 }
 
-bool rest_left_find(const struct study *s, struct vec2 z, double time,
+bool rest_left_find(const struct slider *s, struct vec2 z, double time,
                     struct rest_left *out)
 {
     const struct block *b = &s->block;
@@ -319,7 +321,7 @@ bool rest_left_find(const struct study *s, struct vec2 z, double time,
     return true;
 }
 
-struct rest_left rest_left_between(const struct study *s, double x, double h)
+struct rest_left rest_left_between(const struct slider *s, double x, double h)
 {
     const struct way w = { s, { x, 0.0 }, true };
     double sum[PARTS], missed[PARTS];

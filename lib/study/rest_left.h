@@ -17,7 +17,7 @@
 
 #include "plane.h"
 
-struct study;
+struct slider;
 
 /* In units of L/V_star and L, with absolute bounds of their errors; HUGE_VAL
  * with a bar of 0 where there is no limit (rest_form.h). */
@@ -31,11 +31,11 @@ struct rest_left {
 /* From the offset z on.  False where the block is not on its way to rest, not
  * on that curve, or v is not so small that the bars are, too, beside all of it
  * with the `time` until now. */
-bool rest_left_find(const struct study *s, struct vec2 z, double time,
+bool rest_left_find(const struct slider *s, struct vec2 z, double time,
                     struct rest_left *out);
 
 /* What goes by where only inertia slows it, while ln v falls by h from the
  * offset x. */
-struct rest_left rest_left_between(const struct study *s, double x, double h);
+struct rest_left rest_left_between(const struct slider *s, double x, double h);
 
 #endif

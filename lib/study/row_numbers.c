@@ -140,11 +140,13 @@ bool row_column_is_derivative(const struct record_field *column)
 /* The steady state nearest to v in ln v; with none given the saddle. */
 static int nearest(const struct study *s, double v)
 {
-    int best = s->saddle >= 0 ? s->saddle : s->equilibria > 0 ? 0 : -1;
+    int best = slider_saddle(&s->slider) >= 0   ? slider_saddle(&s->slider)
+               : s->slider.plane.equilibria > 0 ? 0
+                                                : -1;
     double least = HUGE_VAL;
 
-    for (size_t i = 0; i < s->equilibria && !isnan(v); i++) {
-        const double here = s->steady[i].v.value;
+    for (size_t i = 0; i < s->slider.plane.equilibria && !isnan(v); i++) {
+        const double here = s->slider.steady[i].v.value;
         const double far = fabs(v - here) / (fabs(v) + here);
         if (far < least) {
             least = far;
@@ -158,12 +160,12 @@ static void put_steady(const struct study *s, double v, struct row_numbers *n)
 {
     const int i = nearest(s, v);
 
-    n->has_saddle = s->saddle >= 0;
+    n->has_saddle = slider_saddle(&s->slider) >= 0;
     n->v_sp = s->saddle_numbers.v;
     n->psi_sp = s->saddle_numbers.psi;
     if (i < 0)
         return;
-    const struct steady_number *e = &s->steady[i];
+    const struct steady_number *e = &s->slider.steady[i];
     const double low = e->lambda_minus.value, high = e->lambda_plus.value;
     const double low_error = e->lambda_minus.error;
     const double high_error = e->lambda_plus.error;
@@ -267,7 +269,7 @@ static enum status grow_to_marks(const struct study *s,
                                  const struct slope_row *row,
                                  struct branch *upper)
 {
-    struct planar sys = s->system;
+    struct planar sys = s->slider.plane.system;
     struct grow_options o = grow_defaults(s->scene->rtol);
     struct box reach = { sys.origin, sys.origin };
     struct local_series u;
@@ -279,8 +281,8 @@ static enum status grow_to_marks(const struct study *s,
     sys.domain.hi.y = fmax(sys.domain.hi.y, reach.hi.y + 1.0);
     o.reach = &reach;
     enum status status =
-        local_at(&sys, &s->equilibrium[s->saddle], MANIFOLD_STABLE, &o.carry,
-                 o.order, TOL_TAYLOR_STEP * o.rtol, &u);
+        local_at(&sys, phase_plane_saddle(&s->slider.plane), MANIFOLD_STABLE,
+                 &o.carry, o.order, TOL_TAYLOR_STEP * o.rtol, &u);
     if (status == STATUS_OK)
         status = grow_branch(&sys, &u, u.ind == 0 || u.c[1] > 0.0 ? 1 : -1, &o,
                              upper);
@@ -291,13 +293,14 @@ static enum status grow_to_marks(const struct study *s,
 static struct quantity mark(const struct study *s, const struct branch *upper,
                             double psi)
 {
-    const double y = chart_psi(&s->system, psi) - s->block.at.y0;
+    const double y =
+        chart_psi(&s->slider.plane.system, psi) - s->slider.block.at.y0;
     double at[CURVE_DIM_MAX], error = 0.0;
 
     if (!pass(&upper->curve, y, at, &error))
         return quantity_none("the upper branch does not pass this psi");
-    const double v = s->block.at.v0 * exp(at[0]);
-    const double logs = 16.0 + fabs(s->block.at.x0) + fabs(at[0]);
+    const double v = s->slider.block.at.v0 * exp(at[0]);
+    const double logs = 16.0 + fabs(s->slider.block.at.x0) + fabs(at[0]);
     return quantity_of(v, v * (error + DBL_EPSILON * logs) +
                               s->saddle_numbers.v.error * exp(at[0]));
 }
@@ -310,7 +313,7 @@ static enum status put_marks(const struct study *s, const struct slope_row *row,
 
     for (int i = 0; i < SLOPE_MARKS; i++)
         any = any || !isnan(row->psi_mark[i]);
-    if (!any || s->saddle < 0)
+    if (!any || slider_saddle(&s->slider) < 0)
         return STATUS_OK;
     const enum status status = grow_to_marks(s, row, &upper);
     for (int i = 0; i < SLOPE_MARKS && status == STATUS_OK; i++)
@@ -324,9 +327,9 @@ static enum status put_marks(const struct study *s, const struct slope_row *row,
 
 static void put_critical(const struct study *s, struct row_numbers *n)
 {
-    n->critical = s->critical;
-    n->knees_upper = (int64_t) s->critical.crossings_upper;
-    n->knees_lower = (int64_t) s->critical.crossings_lower;
+    n->critical = s->slider.critical;
+    n->knees_upper = (int64_t) s->slider.critical.crossings_upper;
+    n->knees_lower = (int64_t) s->slider.critical.crossings_lower;
 }
 
 /* Every quantity missing for this reason. */

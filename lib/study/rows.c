@@ -65,8 +65,9 @@ static double slope_at(const struct sampler *p, size_t piece, double theta,
                        struct vec2 z)
 {
     if (p->branch)
-        return branch_slope(&p->s->system, p->branch, piece, theta);
-    return local_slope(&p->s->system, 0, z);
+        return branch_slope(&p->s->slider.plane.system, p->branch, piece,
+                            theta);
+    return local_slope(&p->s->slider.plane.system, 0, z);
 }
 
 static struct sample sample_at(const struct sampler *p, size_t piece,
@@ -102,8 +103,9 @@ static double hermite_defect(const struct sample *a, const struct sample *m,
 
 static double psi_of(const struct study *s, double y)
 {
-    return s->system.axis[1].is_log ? s->block.at.psi0 * exp(y)
-                                    : s->block.at.y0 + y;
+    return s->slider.plane.system.axis[1].is_log
+               ? s->slider.block.at.psi0 * exp(y)
+               : s->slider.block.at.y0 + y;
 }
 
 static double carried(const struct sample *t, size_t column, double sign)
@@ -120,7 +122,7 @@ static enum status add_branch_row(struct sampler *p, const struct sample *t)
     p->last = t->z;
     const struct branch_row row = {
         .arc = p->arc,
-        .v = p->s->block.at.v0 * exp(t->z.x),
+        .v = p->s->slider.block.at.v0 * exp(t->z.x),
         .psi = psi_of(p->s, t->z.y),
         .slope = t->slope,
         .slip = carried(t, c->slip, c->sign),
@@ -170,8 +172,8 @@ static enum status sample_curve(struct sampler *p)
 static enum status add_asymptote(struct sampler *p)
 {
     const struct branch *b = p->branch;
-    const struct box w = study_window(p->s);
-    const struct vec2 origin = p->s->system.origin;
+    const struct box w = scene_box(p->s->scene);
+    const struct vec2 origin = p->s->slider.plane.system.origin;
     const size_t last = p->curve->count - 1;
     struct sample t = sample_at(p, last, 1.0);
     const struct vec2 edge = vec2_sub(b->sign > 0 ? w.hi : w.lo, origin);
@@ -232,8 +234,10 @@ enum status rows_nullcline(const struct study *s, const struct polyline *line,
     for (size_t i = 0; i < line->count && status == STATUS_OK; i++) {
         if (i > 0)
             arc += vec2_length(vec2_sub(line->at[i], line->at[i - 1]));
-        const struct vec2 z = vec2_sub(line->at[i], s->system.origin);
-        const struct nullcline_row row = { arc, s->block.at.v0 * exp(z.x),
+        const struct vec2 z =
+            vec2_sub(line->at[i], s->slider.plane.system.origin);
+        const struct nullcline_row row = { arc,
+                                           s->slider.block.at.v0 * exp(z.x),
                                            psi_of(s, z.y) };
         status = push(r, &row);
     }
@@ -247,10 +251,10 @@ static struct trajectory_row trajectory_row(const struct study *s,
 
     return (struct trajectory_row){
         .time = at[2],
-        .v = s->block.at.v0 * exp(z.x),
+        .v = s->slider.block.at.v0 * exp(z.x),
         .psi = psi_of(s, z.y),
         .slip = at[3 + BLOCK_SLIP],
-        .mu = block_mu(&s->block, z),
+        .mu = block_mu(&s->slider.block, z),
         .work = at[3 + BLOCK_WORK],
     };
 }
@@ -280,9 +284,9 @@ enum status rows_arrows(const struct study *s, struct rows *r)
 
     for (size_t i = 0; i < a->columns * a->rows && status == STATUS_OK; i++) {
         const struct arrow *t = &a->at[i];
-        const struct vec2 z = vec2_sub(t->z, s->system.origin);
+        const struct vec2 z = vec2_sub(t->z, s->slider.plane.system.origin);
         const struct arrow_row row = {
-            .v = s->block.at.v0 * exp(z.x),
+            .v = s->slider.block.at.v0 * exp(z.x),
             .psi = psi_of(s, z.y),
             .direction_v = t->direction.x,
             .direction_psi = t->direction.y,
@@ -314,7 +318,7 @@ static enum status view_branch(const void *run, size_t k,
     const size_t side = k / 2;
     struct rows r = rows_of(&record_branch);
 
-    if (!study_has_manifolds(s))
+    if (!slider_has_manifolds(&s->slider))
         return STATUS_OK;
     if (k % 2 == 0)
         return rows_lend(out, &r, rows_branch(s, &s->stable[side], &r));
@@ -434,9 +438,10 @@ static enum status view_end(const void *run, size_t k, struct result_view *out)
     const struct trajectory *t = track(run, k);
 
     return rows_lend_end(
-        out, (struct run_end){ .end = study_end_name(t),
-                               .energy_defect =
-                                   study_energy_defect(run, &t->curve) });
+        out, (struct run_end){
+                 .end = study_end_name(t),
+                 .energy_defect = slider_energy_defect(
+                     &((const struct study *) run)->slider, &t->curve) });
 }
 
 const struct result portrait_results[] = {

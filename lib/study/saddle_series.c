@@ -8,7 +8,7 @@
 #include <math.h>
 
 #include "local.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* ---- the field ----------------------------------------------------------- */
@@ -32,10 +32,10 @@ struct field_series {
 };
 
 /* Along two of the lines. */
-static void follow_lines(const struct study *s, const struct saddle_series *u,
+static void follow_lines(const struct slider *s, const struct saddle_series *u,
                          size_t line, struct field_series *f)
 {
-    const struct planar *sys = &s->system;
+    const struct planar *sys = &s->plane.system;
     jet_pair at[2][JET_SIZE], along[2][JET_SIZE], slip[JET_SIZE];
     struct jet_work work = { .linear = at[1] };
 
@@ -75,7 +75,7 @@ static void interpolate(size_t k, const double value[LINES], double out[])
     }
 }
 
-static void find_field(const struct study *s, const struct saddle_series *u,
+static void find_field(const struct slider *s, const struct saddle_series *u,
                        struct field_series *f)
 {
     double by_slant[SADDLE_SIZE];
@@ -188,14 +188,15 @@ static void find_reach(struct saddle_series *u, double most)
 }
 
 /* Away from boxes of arrest, in units. */
-static double room(const struct study *s, const struct saddle_series *u)
+static double room(const struct slider *s, const struct saddle_series *u)
 {
     double most = TOL_SADDLE_MOST;
 
-    for (size_t i = 0; i < s->equilibria; i++) {
-        const struct vec2 e = vec2_sub(s->equilibrium[i].z, s->system.origin);
+    for (size_t i = 0; i < s->plane.equilibria; i++) {
+        const struct vec2 e =
+            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
         const double way = fmax(fabs(e.x), fabs(e.y)) - TOL_ARREST;
-        if ((int) i != s->saddle)
+        if ((int) i != slider_saddle(s))
             most = fmin(most, TOL_SADDLE_ROOM * way);
     }
     return most / u->unit;
@@ -226,16 +227,17 @@ static size_t mixed_order(const struct saddle_series *u)
     return orders < (double) u->order ? (size_t) orders : u->order;
 }
 
-enum status saddle_series_find(const struct study *s, struct saddle_series *out)
+enum status saddle_series_find(const struct slider *s,
+                               struct saddle_series *out)
 {
-    const struct equilibrium *e = &s->equilibrium[s->saddle];
+    const struct equilibrium *e = phase_plane_saddle(&s->plane);
     const struct carry none = { .count = 0 };
     struct local_series local;
     struct field_series f;
     struct drift d;
     const enum status status =
-        local_over(&s->system, e, MANIFOLD_UNSTABLE, 1, &none, SADDLE_ORDER,
-                   TOL_SADDLE, &local);
+        local_over(&s->plane.system, e, MANIFOLD_UNSTABLE, 1, &none,
+                   SADDLE_ORDER, TOL_SADDLE, &local);
 
     if (status != STATUS_OK)
         return status;

@@ -21,7 +21,7 @@
 #include "plane.h"
 #include "status.h"
 
-struct study;
+struct slider;
 
 enum { SADDLE_ORDER = 14, SADDLE_SIZE = SADDLE_ORDER + 1 };
 
@@ -52,7 +52,7 @@ struct saddle_point {
 
 /* Of the saddle of s.  STATUS_NOT_HYPERBOLIC, STATUS_NO_CONVERGENCE: there is
  * no such curve, or no radius is small enough. */
-MUST_CHECK enum status saddle_series_find(const struct study *s,
+MUST_CHECK enum status saddle_series_find(const struct slider *s,
                                           struct saddle_series *out);
 
 /* On the curve, |y| <= radius. */

@@ -41,15 +41,15 @@ static size_t find_piece(struct along a)
     return lo;
 }
 
-static struct trajectory_row row_at(const struct study *s, const double u[])
+static struct trajectory_row row_at(const struct slider *s, const double u[])
 {
     const struct block *b = &s->block;
 
     return (struct trajectory_row){
         .time = u[TIME],
         .v = b->at.v0 * exp(u[0]),
-        .psi =
-            s->system.axis[1].is_log ? b->at.psi0 * exp(u[1]) : b->at.y0 + u[1],
+        .psi = s->plane.system.axis[1].is_log ? b->at.psi0 * exp(u[1])
+                                              : b->at.y0 + u[1],
         .slip = u[SLIP],
         .mu = block_mu(b, (struct vec2){ u[0], u[1] }),
         .work = u[3 + BLOCK_WORK],
@@ -58,7 +58,7 @@ static struct trajectory_row row_at(const struct study *s, const double u[])
 
 /* The point where the component has the value; the nearer end where there is
  * none. */
-static struct trajectory_row sample(const struct study *s,
+static struct trajectory_row sample(const struct slider *s,
                                     const struct transient *t, size_t component,
                                     double value)
 {
@@ -74,13 +74,13 @@ static struct trajectory_row sample(const struct study *s,
     return row_at(s, u);
 }
 
-struct trajectory_row sample_at_time(const struct study *s,
+struct trajectory_row sample_at_time(const struct slider *s,
                                      const struct transient *t, double time)
 {
     return sample(s, t, TIME, time);
 }
 
-struct trajectory_row sample_at_slip(const struct study *s,
+struct trajectory_row sample_at_slip(const struct slider *s,
                                      const struct transient *t, double slip)
 {
     return sample(s, t, SLIP, slip);
@@ -95,7 +95,7 @@ static double end_of(const struct transient *t, size_t piece, size_t component)
     return u[component];
 }
 
-void sample_linear_slip(const struct study *s, const struct transient *t,
+void sample_linear_slip(const struct slider *s, const struct transient *t,
                         size_t n, struct trajectory_row row[])
 {
     const double all = end_of(t, t->curve.count - 1, SLIP);
@@ -119,8 +119,8 @@ static double first_time(const struct transient *t)
     return end_of(t, piece, TIME);
 }
 
-void sample_log_time(const struct study *s, const struct transient *t, size_t n,
-                     struct trajectory_row row[])
+void sample_log_time(const struct slider *s, const struct transient *t,
+                     size_t n, struct trajectory_row row[])
 {
     const double last = end_of(t, t->curve.count - 1, TIME);
     const double first = first_time(t);

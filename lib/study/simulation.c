@@ -16,8 +16,8 @@ static enum status run_all(struct simulation *s, const struct monitor *monitor)
         return STATUS_STOPPED;
 #pragma omp parallel for schedule(dynamic)
     for (size_t i = 0; i < s->runs; i++) {
-        const enum status status =
-            transient_find(&s->study, s->scene.start[i], &o, NULL, &s->run[i]);
+        const enum status status = transient_find(
+            &s->study.slider, s->scene.start[i], &o, NULL, &s->run[i]);
         if (status != STATUS_OK) {
 #pragma omp atomic write
             failed = status;
@@ -51,8 +51,9 @@ enum status simulation_run(struct simulation *s, const struct scene *scene,
         return status;
     s->run = calloc(scene->starts, sizeof *s->run);
     s->runs = s->run ? scene->starts : 0;
-    status =
-        s->run ? labels_init(&s->labels, &s->study, monitor) : STATUS_NO_MEMORY;
+    status = s->run ? labels_init(&s->labels, &s->study.slider, s->scene.rtol,
+                                  monitor)
+                    : STATUS_NO_MEMORY;
     if (status == STATUS_OK)
         status = run_all(s, monitor);
     if (status == STATUS_OK)
@@ -97,8 +98,8 @@ static size_t samples(size_t asked, size_t others)
     return asked == 0 && others == 0 ? SIMULATION_SAMPLES : asked;
 }
 
-typedef void sampler(const struct study *s, const struct transient *t, size_t n,
-                     struct trajectory_row row[]);
+typedef void sampler(const struct slider *s, const struct transient *t,
+                     size_t n, struct trajectory_row row[]);
 
 static enum status view_samples(const struct simulation *s, size_t k, size_t n,
                                 sampler *sample, struct result_view *out)
@@ -110,7 +111,7 @@ static enum status view_samples(const struct simulation *s, size_t k, size_t n,
     struct trajectory_row *row = calloc(n, sizeof *row);
     if (row == NULL)
         return STATUS_NO_MEMORY;
-    sample(&s->study, t, n, row);
+    sample(&s->study.slider, t, n, row);
     out->owned = row;
     return result_lend(out, row, n);
 }

@@ -10,6 +10,7 @@
 #define STUDY_SIMULATION_H
 
 #include "result.h"
+#include "study.h"
 #include "transient.h"
 
 /* Points of a table where the scene does not say. */

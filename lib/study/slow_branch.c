@@ -7,15 +7,15 @@
 #include <string.h>
 
 #include "crest.h"
+#include "slider.h"
 #include "slow_fit.h"
-#include "study.h"
 #include "study_tolerance.h"
 
 /* ---- knots --------------------------------------------------------------- */
 
 /* The last step of an orbit. */
 struct last_step {
-    const struct study *study;
+    const struct slider *slider;
     const struct curve *curve;
 };
 
@@ -25,11 +25,11 @@ static double mu_on(const void *ctx, double theta)
     double u[CURVE_DIM_MAX];
 
     curve_at(l->curve, l->curve->count - 1, theta, u);
-    return block_mu(&l->study->block, (struct vec2){ u[0], u[1] });
+    return block_mu(&l->slider->block, (struct vec2){ u[0], u[1] });
 }
 
 /* The largest friction on the way to a knot, v being largest at an end. */
-static double mu_until(const struct study *s, const struct orbit *o)
+static double mu_until(const struct slider *s, const struct orbit *o)
 {
     const struct last_step l = { s, &o->curve };
     const struct vec2 z = { o->u[0], o->u[1] };
@@ -98,7 +98,7 @@ double slow_branch_gained(const struct orbit *o, size_t i)
 
 /* Runs the orbit to its end; without a node ahead, until the rates are alike or
  * too far apart. */
-static enum status follow(const struct study *s, struct orbit *o,
+static enum status follow(const struct slider *s, struct orbit *o,
                           bool node_ahead, const struct monitor *monitor,
                           struct slow_branch *b)
 {
@@ -137,14 +137,14 @@ static enum status follow(const struct study *s, struct orbit *o,
 
 /* What is still to come at the last knot at rest is that of the orbit from
  * there, if it rests. */
-static enum status finish_rest(const struct study *s, struct slow_branch *b)
+static enum status finish_rest(const struct slider *s, struct slow_branch *b)
 {
     const struct slow_knot *last = &b->knot[b->count - 1];
-    const struct vec2 z = { last->x + s->system.origin.x,
-                            last->y + s->system.origin.y };
+    const struct vec2 z = { last->x + s->plane.system.origin.x,
+                            last->y + s->plane.system.origin.y };
     struct fate_result fine, coarse;
 
-    if (!box_holds(s->system.domain, z))
+    if (!box_holds(s->plane.system.domain, z))
         return STATUS_OK;
     enum status status = fate_find(s, z, TOL_SLOW_RTOL, true, NULL, &fine);
     if (status == STATUS_OK)
@@ -183,7 +183,7 @@ static void count_from_face(struct slow_branch *b)
     }
 }
 
-static enum status finish(const struct study *s, const struct orbit *o,
+static enum status finish(const struct slider *s, const struct orbit *o,
                           int8_t node_fate, struct slow_branch *b)
 {
     b->fate = FATE_UNDECIDED;
@@ -236,7 +236,7 @@ static double mu_near(const void *ctx, double theta)
 
 /* Where steps are short the curve is better than what they say between their
  * ends, off it, where friction balances gravity. */
-static void find_frictions(const struct study *s, struct slow_branch *b)
+static void find_frictions(const struct slider *s, struct slow_branch *b)
 {
     struct slow_knot *const k = b->knot;
     const struct start start = { &s->block, b->near, k->y };
@@ -364,10 +364,11 @@ size_t slow_branch_interval(const struct slow_branch *b, double y)
 /* ---- a whole one --------------------------------------------------------- */
 
 /* Where v only fades, an orbit would go on for ever. */
-static enum status comes_to_rest(const struct study *s, struct vec2 z, bool *is)
+static enum status comes_to_rest(const struct slider *s, struct vec2 z,
+                                 bool *is)
 {
-    const struct vec2 at = { z.x + s->system.origin.x,
-                             z.y + s->system.origin.y };
+    const struct vec2 at = { z.x + s->plane.system.origin.x,
+                             z.y + s->plane.system.origin.y };
     struct fate_result r;
     const enum status status =
         fate_find(s, at, TOL_SLOW_GLANCE, false, NULL, &r);
@@ -384,29 +385,31 @@ struct goals {
 };
 
 /* Whether a branch from z meets one of them. */
-static bool find_goals(const struct study *s, struct vec2 z,
+static bool find_goals(const struct slider *s, struct vec2 z,
                        enum slow_start start, struct goals *g)
 {
     bool ahead = start == SLOW_BESIDE || start == SLOW_FACE;
 
     *g = (struct goals){ .fate = { FATE_UNDECIDED } };
-    for (size_t i = 0; i < s->equilibria; i++) {
-        if ((int) i == s->saddle)
+    for (size_t i = 0; i < s->plane.equilibria; i++) {
+        if ((int) i == slider_saddle(s))
             continue;
-        const struct vec2 at = vec2_sub(s->equilibrium[i].z, s->system.origin);
+        const struct vec2 at =
+            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
         ahead = ahead || at.y * z.y > 0.0;
-        g->fate[g->count] = (int8_t) fate_of_node(s, &s->equilibrium[i]);
+        g->fate[g->count] = (int8_t) fate_of_node(s, &s->plane.equilibrium[i]);
         g->at[g->count++] = at;
     }
     return ahead;
 }
 
 /* Runs the branch, whose start is set. */
-static enum status run(const struct study *s, struct vec2 z,
+static enum status run(const struct slider *s, struct vec2 z,
                        const struct goals *goals, bool ahead,
                        const struct monitor *monitor, struct slow_branch *b)
 {
-    struct orbit_options options = orbit_defaults(&s->system, s->stable_rate);
+    struct orbit_options options =
+        orbit_defaults(&s->plane.system, s->plane.stable_rate);
     struct orbit o;
 
     options.rtol = TOL_SLOW_RTOL;
@@ -415,7 +418,7 @@ static enum status run(const struct study *s, struct vec2 z,
     options.targets = goals->count;
     if (b->start == SLOW_FACE)
         options.arrival = TOL_SLOW_INSIDE;
-    enum status status = orbit_init(&o, &s->system, z, &options);
+    enum status status = orbit_init(&o, &s->plane.system, z, &options);
     if (status != STATUS_OK)
         return STATUS_OK;
     if (o.end == ORBIT_RUNNING)
@@ -435,7 +438,7 @@ static enum status run(const struct study *s, struct vec2 z,
     return status;
 }
 
-enum status slow_branch_run(const struct study *s, struct vec2 z,
+enum status slow_branch_run(const struct slider *s, struct vec2 z,
                             enum slow_start start,
                             const struct saddle_series *near,
                             const struct monitor *monitor,
@@ -458,7 +461,7 @@ enum status slow_branch_run(const struct study *s, struct vec2 z,
     return status;
 }
 
-bool slow_branch_may_start(const struct study *s, int fast, struct vec2 z)
+bool slow_branch_may_start(const struct slider *s, int fast, struct vec2 z)
 {
     const double u[] = { z.x, z.y };
     struct slow_knot k;

@@ -42,7 +42,7 @@ struct slow_branch {
  * the saddle, whose series is `near`: then z lies on its curve.  b->fate is
  * FATE_UNDECIDED where it does not end at all. STATUS_NO_MEMORY,
  * STATUS_STOPPED; *b is to be freed in any case. */
-MUST_CHECK enum status slow_branch_run(const struct study *s, struct vec2 z,
+MUST_CHECK enum status slow_branch_run(const struct slider *s, struct vec2 z,
                                        enum slow_start start,
                                        const struct saddle_series *near,
                                        const struct monitor *monitor,
@@ -50,7 +50,7 @@ MUST_CHECK enum status slow_branch_run(const struct study *s, struct vec2 z,
 
 /* Whether the rates at the offset z are apart, and x (fast = 0) or y settles
  * first. */
-bool slow_branch_may_start(const struct study *s, int fast, struct vec2 z);
+bool slow_branch_may_start(const struct slider *s, int fast, struct vec2 z);
 
 /* The interval of knots that holds y: its later end; 0: none. */
 size_t slow_branch_interval(const struct slow_branch *b, double y);

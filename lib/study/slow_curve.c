@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* ---- where branches start ------------------------------------------------ */
@@ -18,7 +18,7 @@ static enum status add(struct slow_curve *c, struct vec2 z,
 {
     struct slow_branch *b = &c->branch[c->branches];
     const enum status status =
-        slow_branch_run(c->study, z, start, near, monitor, b);
+        slow_branch_run(c->slider, z, start, near, monitor, b);
 
     if (status == STATUS_OK && b->count > 2 && b->fate != FATE_UNDECIDED)
         c->branches++;
@@ -37,7 +37,7 @@ static enum status add_unstable(struct slow_curve *c,
     c->near = malloc(sizeof *c->near);
     if (c->near == NULL)
         return STATUS_NO_MEMORY;
-    if (saddle_series_find(c->study, c->near) != STATUS_OK) {
+    if (saddle_series_find(c->slider, c->near) != STATUS_OK) {
         free(c->near);
         c->near = NULL;
         return STATUS_OK;
@@ -51,31 +51,31 @@ static enum status add_unstable(struct slow_curve *c,
             away = z;
     }
     if (status == STATUS_OK && c->branches > 0 && away.x > 0.0)
-        status = slow_branch_run(c->study, away, SLOW_RUNAWAY, c->near, monitor,
-                                 &c->away);
+        status = slow_branch_run(c->slider, away, SLOW_RUNAWAY, c->near,
+                                 monitor, &c->away);
     return status;
 }
 
 /* The field's components on the chart's lines, divided by what keeps them
  * finite. */
-static double component(const struct study *s, int which, struct vec2 z)
+static double component(const struct slider *s, int which, struct vec2 z)
 {
     struct planar_field f;
 
-    s->system.field(s->system.ctx, z, &f);
+    s->plane.system.field(s->plane.system.ctx, z, &f);
     return which == 0 ? f.direction.x : f.direction.y;
 }
 
 /* Component `which` vanishes where its own coordinate is right, for both pull
  * back: into *z between the ends of the domain.  False: it does not. */
-static bool settle(const struct study *s, int which, struct vec2 *z)
+static bool settle(const struct slider *s, int which, struct vec2 *z)
 {
-    const struct box d = s->system.domain;
+    const struct box d = s->plane.system.domain;
     double *const at = which == 0 ? &z->x : &z->y;
-    double lo =
-        which == 0 ? d.lo.x - s->system.origin.x : d.lo.y - s->system.origin.y;
-    double hi =
-        which == 0 ? d.hi.x - s->system.origin.x : d.hi.y - s->system.origin.y;
+    double lo = which == 0 ? d.lo.x - s->plane.system.origin.x
+                           : d.lo.y - s->plane.system.origin.y;
+    double hi = which == 0 ? d.hi.x - s->plane.system.origin.x
+                           : d.hi.y - s->plane.system.origin.y;
     const double low = lo, high = hi;
 
     for (int i = 0; i < TOL_SLOW_HALVINGS; i++) {
@@ -90,7 +90,7 @@ static bool settle(const struct study *s, int which, struct vec2 *z)
 
 /* The furthest point beside a node, on the side of y, that the coordinate
  * `fast` settles on while the rates are apart. */
-static bool furthest(const struct study *s, struct vec2 node, int fast,
+static bool furthest(const struct slider *s, struct vec2 node, int fast,
                      double side, struct vec2 *start)
 {
     bool found = false;
@@ -110,8 +110,8 @@ static enum status add_beyond(struct slow_curve *c, struct vec2 node,
                               double side, const struct monitor *monitor)
 {
     struct vec2 z[2];
-    const bool is[2] = { furthest(c->study, node, 0, side, &z[0]),
-                         furthest(c->study, node, 1, side, &z[1]) };
+    const bool is[2] = { furthest(c->slider, node, 0, side, &z[0]),
+                         furthest(c->slider, node, 1, side, &z[1]) };
     const bool second = is[1] && (!is[0] || (z[1].y - z[0].y) * side > 0.0);
 
     return is[0] || is[1] ? add(c, z[second], SLOW_BESIDE, NULL, monitor)
@@ -122,16 +122,16 @@ static enum status add_beyond(struct slow_curve *c, struct vec2 node,
 static enum status add_nodes(struct slow_curve *c,
                              const struct monitor *monitor)
 {
-    const struct study *s = c->study;
+    const struct slider *s = c->slider;
     enum status status = STATUS_OK;
 
-    for (size_t i = 0; i < s->equilibria && status == STATUS_OK; i++) {
-        const struct equilibrium *e = &s->equilibrium[i];
-        const struct vec2 node = vec2_sub(e->z, s->system.origin);
+    for (size_t i = 0; i < s->plane.equilibria && status == STATUS_OK; i++) {
+        const struct equilibrium *e = &s->plane.equilibrium[i];
+        const struct vec2 node = vec2_sub(e->z, s->plane.system.origin);
         if (e->type != EQUILIBRIUM_STABLE_NODE)
             continue;
         for (int side = -1; side <= 1 && status == STATUS_OK; side += 2) {
-            const bool taken = s->saddle >= 0 && side * node.y < 0.0;
+            const bool taken = slider_saddle(s) >= 0 && side * node.y < 0.0;
             if (!taken && c->branches < SLOW_BRANCHES)
                 status = add_beyond(c, node, side, monitor);
         }
@@ -140,20 +140,20 @@ static enum status add_nodes(struct slow_curve *c,
 }
 
 /* The node whose box the branch ends at. */
-static const struct equilibrium *end_of(const struct study *s,
+static const struct equilibrium *end_of(const struct slider *s,
                                         const struct slow_branch *b)
 {
     const struct slow_knot *k = &b->knot[b->count - 1];
-    const struct vec2 o = s->system.origin;
+    const struct vec2 o = s->plane.system.origin;
     const struct equilibrium *end = NULL;
     double way = HUGE_VAL;
 
-    for (size_t i = 0; i < s->equilibria; i++) {
-        const struct vec2 e = s->equilibrium[i].z;
+    for (size_t i = 0; i < s->plane.equilibria; i++) {
+        const struct vec2 e = s->plane.equilibrium[i].z;
         const double dx = fabs(k->x + o.x - e.x), dy = fabs(k->y + o.y - e.y);
-        if ((int) i != s->saddle && fmax(dx, dy) < way) {
+        if ((int) i != slider_saddle(s) && fmax(dx, dy) < way) {
             way = fmax(dx, dy);
-            end = &s->equilibrium[i];
+            end = &s->plane.equilibrium[i];
         }
     }
     return end;
@@ -163,7 +163,7 @@ static const struct equilibrium *end_of(const struct study *s,
 static enum status add_insides(struct slow_curve *c,
                                const struct monitor *monitor)
 {
-    const struct study *s = c->study;
+    const struct slider *s = c->slider;
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i < c->branches && status == STATUS_OK; i++) {
@@ -175,7 +175,7 @@ static enum status add_insides(struct slow_curve *c,
         status = slow_branch_run(s, (struct vec2){ last->x, last->y },
                                  SLOW_FACE, NULL, monitor, &c->inside[i]);
         c->inside[i].v_node = exp(node->z.x);
-        c->inside[i].centre = node->z.y - s->system.origin.y;
+        c->inside[i].centre = node->z.y - s->plane.system.origin.y;
         c->inside[i].grows = node->lambda[1];
     }
     return status;
@@ -188,7 +188,7 @@ static enum status add_rest(struct slow_curve *c, const struct monitor *monitor)
         const struct slow_branch *b = &c->branch[i];
         const struct slow_knot *last = &b->knot[b->count - 1];
         if (b->fate == FATE_REST_FINITE)
-            return rest_curve_run(c->study, (struct vec2){ last->x, last->y },
+            return rest_curve_run(c->slider, (struct vec2){ last->x, last->y },
                                   monitor, &c->rest);
     }
     return STATUS_OK;
@@ -211,16 +211,17 @@ static void find_least(struct slow_curve *c)
     }
 }
 
-enum status slow_curve_init(struct slow_curve *c, const struct study *s,
+enum status slow_curve_init(struct slow_curve *c, const struct slider *s,
                             const struct monitor *monitor)
 {
     enum status status = STATUS_OK;
 
-    *c = (struct slow_curve){ .study = s, .rests = s->saddle == 0 };
-    c->runs_away = s->saddle >= 0 && (size_t) s->saddle + 1 == s->equilibria;
-    if (s->equilibria > SLOW_BRANCHES - 1)
+    *c = (struct slow_curve){ .slider = s, .rests = slider_saddle(s) == 0 };
+    c->runs_away = slider_saddle(s) >= 0 &&
+                   (size_t) slider_saddle(s) + 1 == s->plane.equilibria;
+    if (s->plane.equilibria > SLOW_BRANCHES - 1)
         return STATUS_OK;
-    if (s->saddle >= 0)
+    if (slider_saddle(s) >= 0)
         status = add_unstable(c, monitor);
     if (status == STATUS_OK)
         status = add_nodes(c, monitor);

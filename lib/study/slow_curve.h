@@ -19,7 +19,7 @@
 enum { SLOW_BRANCHES = 4 };
 
 struct slow_curve {
-    const struct study *study; /* borrowed */
+    const struct slider *slider; /* borrowed */
     struct slow_branch branch[SLOW_BRANCHES];
     size_t branches;
     struct saddle_series *near; /* owned; NULL: none */
@@ -37,7 +37,7 @@ struct slow_curve {
  * much alike (TOL_SLOW_GAP); there may be none at all.  STATUS_NO_MEMORY,
  * STATUS_STOPPED: *c is empty. */
 MUST_CHECK enum status slow_curve_init(struct slow_curve *c,
-                                       const struct study *s,
+                                       const struct slider *s,
                                        const struct monitor *monitor);
 
 /* Its point at the offset y; false where there is none. */

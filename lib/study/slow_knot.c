@@ -5,10 +5,10 @@
 #include <float.h>
 #include <math.h>
 
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
-static double slip_rate(const struct study *s, double x)
+static double slip_rate(const struct slider *s, double x)
 {
     return exp(s->block.at.x0 + x);
 }
@@ -42,7 +42,7 @@ bool slow_knot_is_fast_y(const struct slow_knot *k)
 /* At the offset u with the slope dx/dy, but for the values of time and slip.
  * Where rounding spoils the fast component the curve is as good as along the
  * slow eigenvector.  Returns |d ln y'/dy|. */
-double slow_knot_at(const struct study *s, const double u[], double slope,
+double slow_knot_at(const struct slider *s, const double u[], double slope,
                     struct slow_knot *k)
 {
     const struct vec2 z = { u[0], u[1] };
@@ -50,7 +50,7 @@ double slow_knot_at(const struct study *s, const double u[], double slope,
     struct vec2 slow;
 
     *k = (struct slow_knot){ .y = z.y, .x = z.x, .x_slope = slope };
-    s->system.jacobian(s->system.ctx, z, &J);
+    s->plane.system.jacobian(s->plane.system.ctx, z, &J);
     struct vec2 d = J.field.direction;
     split(&J, vec2_length(d), k, &slow);
     if (k->gap < TOL_SLOW_ALONG)

@@ -9,7 +9,7 @@
 
 #include "plane.h"
 
-struct study;
+struct slider;
 
 /* One point of the orbit, an offset from the system's origin. */
 struct slow_knot {
@@ -27,7 +27,7 @@ struct slow_knot {
 /* At the offset u = (x, y) of the study's system, with the slope dx/dy of the
  * orbit: all but the values of time and slip, what is summed along the way, and
  * the peaks.  Returns |d ln y'/dy|. */
-double slow_knot_at(const struct study *s, const double u[], double slope,
+double slow_knot_at(const struct slider *s, const double u[], double slope,
                     struct slow_knot *k);
 
 /* Whether y settles first, not x. */

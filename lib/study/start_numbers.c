@@ -52,7 +52,8 @@ enum status start_numbers_find(const struct study *s, struct scene_start start,
 {
     const struct transient_options o = transient_defaults(s->scene);
     struct transient t;
-    const enum status status = transient_find(s, start, &o, monitor, &t);
+    const enum status status =
+        transient_find(&s->slider, start, &o, monitor, &t);
 
     if (status != STATUS_OK)
         return status;

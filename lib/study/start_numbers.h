@@ -3,6 +3,7 @@
 #ifndef STUDY_START_NUMBERS_H
 #define STUDY_START_NUMBERS_H
 
+#include "study.h"
 #include "transient.h"
 
 struct start_numbers {

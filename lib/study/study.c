@@ -15,68 +15,17 @@
 
 /* ---- steady states --------------------------------------------------- */
 
-static void anchor_at(struct study *s, long double x, bool equilibrium)
-{
-    block_anchor(&s->block, x, equilibrium);
-    s->system = block_planar(&s->block);
-}
-
-static size_t find_steady(struct study *s, struct steady_root *root)
-{
-    const size_t n = equilibrium_find(&s->system, root);
-
-    s->saddle = -1;
-    for (size_t i = 0; i < n; i++) {
-        anchor_at(s, root[i].x, true);
-        equilibrium_at(&s->system, root[i].fold, &s->equilibrium[i]);
-        s->steady[i] = numbers_steady(&s->block, &s->equilibrium[i]);
-        if (s->equilibrium[i].type == EQUILIBRIUM_SADDLE)
-            s->saddle = (int) i;
-    }
-    s->equilibria = n;
-    return n;
-}
-
-const char *study_no_manifolds(const struct study *s)
-{
-    if (s->saddle < 0)
-        return "there is no saddle at this slope";
-    if (equilibrium_is_beyond(&s->equilibrium[s->saddle]))
-        return "the saddle's eigenvalues are further apart than doubles can "
-               "tell";
-    if (!box_holds(s->system.domain, s->equilibrium[s->saddle].z))
-        return "the saddle's psi is beyond the plane's range";
-    return NULL;
-}
-
-bool study_has_manifolds(const struct study *s)
-{
-    return study_no_manifolds(s) == NULL;
-}
-
 static enum status run_steady(struct study *s, const struct monitor *monitor,
                               struct fault *why)
 {
-    struct steady_root root[EQUILIBRIA_MAX];
-    struct planar_jacobian J;
+    const struct scene *c = s->scene;
 
     (void) monitor, (void) why;
-    anchor_at(s, 0.0L, false);
-    const size_t n = find_steady(s, root);
-    const size_t home = s->saddle >= 0 ? (size_t) s->saddle : 0;
-    if (n > 0)
-        anchor_at(s, root[home].x, true);
-    else
-        anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
-    s->saddle_numbers =
-        s->saddle >= 0 ? numbers_saddle(&s->steady[home]) : numbers_no_saddle();
-    const char *none = study_no_manifolds(s);
-    s->critical = numbers_none(none ? none : "nobody asked");
-    s->system.jacobian(s->system.ctx, (struct vec2){ 0.0, 0.0 }, &J);
-    const struct eigen2 e = mat2_eigenvalues(J.matrix);
-    s->stable_rate =
-        fmax(fabs(e.re[0]), fabs(e.re[1])) * exp(J.field.log_scale);
-    s->cost[STAGE_STEADY].field_evaluations = n + 1;
+    slider_init(&s->slider, &c->law, &c->material, c->tan_alpha);
+    const int saddle = slider_saddle(&s->slider);
+    s->saddle_numbers = saddle >= 0 ? numbers_saddle(&s->slider.steady[saddle])
+                                    : numbers_no_saddle();
+    s->cost[STAGE_STEADY].field_evaluations = s->slider.plane.equilibria + 1;
     return STATUS_OK;
 }
 
@@ -84,7 +33,7 @@ static enum status run_folds(struct study *s, const struct monitor *monitor,
                              struct fault *why)
 {
     (void) monitor, (void) why;
-    s->folds = numbers_folds(&s->block.law, &s->block.material);
+    s->folds = numbers_folds(&s->slider.block.law, &s->slider.block.material);
     return STATUS_OK;
 }
 
@@ -101,27 +50,13 @@ static struct carry carry_for(unsigned stages)
     return (struct carry){ { BLOCK_EXCESS }, 1 };
 }
 
-/* The window in chart coordinates. */
-struct box study_window(const struct study *s)
-{
-    const struct scene *c = s->scene;
-    const bool is_log = s->system.axis[1].is_log;
-
-    return (struct box){
-        { log(c->window.v[0]),
-          is_log ? log(c->window.psi[0]) : c->window.psi[0] },
-        { log(c->window.v[1]),
-          is_log ? log(c->window.psi[1]) : c->window.psi[1] },
-    };
-}
-
 struct window study_frame(const struct study *s)
 {
-    return (
-        struct window){ .box = study_window(s),
-                        .exponential = { s->scene->window.axes == AXES_LINEAR,
-                                         s->scene->window.axes == AXES_LINEAR &&
-                                             s->system.axis[1].is_log } };
+    return (struct window){ .box = scene_box(s->scene),
+                            .exponential = {
+                                s->scene->window.axes == AXES_LINEAR,
+                                s->scene->window.axes == AXES_LINEAR &&
+                                    s->slider.plane.system.axis[1].is_log } };
 }
 
 static int side_sign(const struct local_series *u, enum side side)
@@ -135,7 +70,8 @@ static enum status local_series(struct study *s, enum manifold_kind kind,
                                 struct local_series *u)
 {
     const double tol = TOL_TAYLOR_STEP * s->scene->rtol;
-    return local_at(&s->system, &s->equilibrium[s->saddle], kind, carry,
+    return local_at(&s->slider.plane.system,
+                    phase_plane_saddle(&s->slider.plane), kind, carry,
                     grow_order(s->scene->rtol), tol, u);
 }
 
@@ -143,11 +79,11 @@ static enum status run_stable(struct study *s, const struct monitor *monitor,
                               struct fault *why)
 {
     struct grow_options o = grow_defaults(s->scene->rtol);
-    const struct box window = study_window(s);
+    const struct box window = scene_box(s->scene);
     struct branch branch[SIDES];
     struct local_series u;
 
-    if (!study_has_manifolds(s))
+    if (!slider_has_manifolds(&s->slider))
         return STATUS_OK;
     o.carry = carry_for(s->stages);
     o.monitor = monitor;
@@ -157,7 +93,7 @@ static enum status run_stable(struct study *s, const struct monitor *monitor,
             : NULL;
     enum status status = local_series(s, MANIFOLD_STABLE, &o.carry, &u);
     if (status == STATUS_OK)
-        status = grow_branches(&s->system, &u, &o, branch);
+        status = grow_branches(&s->slider.plane.system, &u, &o, branch);
     for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
         s->stable[i] = branch[side_sign(&u, (enum side) i) > 0 ? 0 : 1];
         s->cost[STAGE_STABLE].field_evaluations +=
@@ -166,7 +102,7 @@ static enum status run_stable(struct study *s, const struct monitor *monitor,
     if (status != STATUS_OK)
         snprintf(why->text, sizeof why->text,
                  "the stable manifold of the saddle at v = %.6g: %s",
-                 s->block.at.v0, status_text(status));
+                 s->slider.block.at.v0, status_text(status));
     return status;
 }
 
@@ -178,23 +114,25 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
     struct local_series u;
     size_t n = 0;
 
-    if (!study_has_manifolds(s))
+    if (!slider_has_manifolds(&s->slider))
         return STATUS_OK;
     enum status status = local_series(s, MANIFOLD_UNSTABLE, &none, &u);
-    for (size_t i = 0; i < s->equilibria; i++)
-        if ((int) i != s->saddle)
-            target[n++] = vec2_sub(s->equilibrium[i].z, s->system.origin);
-    const struct box window = box_grow(study_window(s), TOL_WINDOW_MARGIN);
+    for (size_t i = 0; i < s->slider.plane.equilibria; i++)
+        if ((int) i != slider_saddle(&s->slider))
+            target[n++] = vec2_sub(s->slider.plane.equilibrium[i].z,
+                                   s->slider.plane.system.origin);
+    const struct box window = box_grow(scene_box(s->scene), TOL_WINDOW_MARGIN);
     for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
-        struct orbit_options o = orbit_defaults(&s->system, s->stable_rate);
+        struct orbit_options o = orbit_defaults(&s->slider.plane.system,
+                                                s->slider.plane.stable_rate);
         const double t = side_sign(&u, (enum side) i) *
                          fmin(u.radius, TOL_UNSTABLE_START / u.unit);
         o.max_steps = TOL_PORTRAIT_STEPS;
         o.window = &window;
         o.target = target;
         o.targets = n;
-        status =
-            orbit_init(&s->unstable[i], &s->system, local_series_at(&u, t), &o);
+        status = orbit_init(&s->unstable[i], &s->slider.plane.system,
+                            local_series_at(&u, t), &o);
         if (status == STATUS_OK)
             status = orbit_run(&s->unstable[i], monitor);
         if (status == STATUS_TOO_MANY_STEPS || status == STATUS_NO_CONVERGENCE)
@@ -207,7 +145,7 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
     if (status != STATUS_OK)
         snprintf(why->text, sizeof why->text,
                  "the unstable manifold of the saddle at v = %.6g: %s",
-                 s->block.at.v0, status_text(status));
+                 s->slider.block.at.v0, status_text(status));
     return status;
 }
 
@@ -215,10 +153,10 @@ static enum status run_critical(struct study *s, const struct monitor *monitor,
                                 struct fault *why)
 {
     (void) monitor, (void) why;
-    if (study_has_manifolds(s))
-        s->critical =
-            numbers_critical(&s->block, &s->equilibrium[s->saddle],
-                             &s->stable[SIDE_UPPER], &s->stable[SIDE_LOWER]);
+    if (slider_has_manifolds(&s->slider))
+        s->slider.critical = numbers_critical(
+            &s->slider.block, phase_plane_saddle(&s->slider.plane),
+            &s->stable[SIDE_UPPER], &s->stable[SIDE_LOWER]);
     return STATUS_OK;
 }
 
@@ -226,9 +164,10 @@ static enum status run_knees(struct study *s, const struct monitor *monitor,
                              struct fault *why)
 {
     (void) monitor, (void) why;
-    if (study_has_manifolds(s))
-        numbers_knees(&s->block, &s->system, &s->stable[SIDE_UPPER],
-                      &s->stable[SIDE_LOWER], &s->critical);
+    if (slider_has_manifolds(&s->slider))
+        numbers_knees(&s->slider.block, &s->slider.plane.system,
+                      &s->stable[SIDE_UPPER], &s->stable[SIDE_LOWER],
+                      &s->slider.critical);
     return STATUS_OK;
 }
 
@@ -243,8 +182,8 @@ static enum status run_estimates(struct study *s, const struct monitor *monitor,
                                  struct fault *why)
 {
     (void) monitor, (void) why;
-    s->estimates = numbers_estimates(&s->block, s->scene->xi,
-                                     s->scene->xi_count, &s->critical);
+    s->estimates = numbers_estimates(&s->slider.block, s->scene->xi,
+                                     s->scene->xi_count, &s->slider.critical);
     return STATUS_OK;
 }
 
@@ -256,11 +195,12 @@ static enum status run_sensitivities(struct study *s,
     enum status status = STATUS_OK;
 
     (void) why;
-    const char *none = study_no_manifolds(s);
+    const char *none = slider_no_manifolds(&s->slider);
     s->sensitivities = sensitivity_none(none ? none : "nobody asked");
-    if (study_has_manifolds(s))
-        status = sensitivity_find(&s->block, &s->equilibrium[s->saddle],
-                                  &s->critical, s->scene->rtol,
+    if (slider_has_manifolds(&s->slider))
+        status = sensitivity_find(&s->slider.block,
+                                  phase_plane_saddle(&s->slider.plane),
+                                  &s->slider.critical, s->scene->rtol,
                                   &s->sensitivities, evaluations);
     return status
                ? status
@@ -296,9 +236,10 @@ static size_t attractors(const struct study *s, struct vec2 target[])
 {
     size_t n = 0;
 
-    for (size_t i = 0; i < s->equilibria; i++)
-        if (s->equilibrium[i].type == EQUILIBRIUM_STABLE_NODE)
-            target[n++] = vec2_sub(s->equilibrium[i].z, s->system.origin);
+    for (size_t i = 0; i < s->slider.plane.equilibria; i++)
+        if (s->slider.plane.equilibrium[i].type == EQUILIBRIUM_STABLE_NODE)
+            target[n++] = vec2_sub(s->slider.plane.equilibrium[i].z,
+                                   s->slider.plane.system.origin);
     return n;
 }
 
@@ -312,11 +253,13 @@ static enum status run_starts(struct study *s,
     if (start == NULL)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < c->starts; i++)
-        start[i] = (struct vec2){ log(c->start[i].v), s->system.axis[1].is_log
-                                                          ? log(c->start[i].psi)
-                                                          : c->start[i].psi };
-    const enum status status = trajectory_run(&s->system, &s->portrait.window,
-                                              start, c->starts, o, &s->chosen);
+        start[i] = (struct vec2){ log(c->start[i].v),
+                                  s->slider.plane.system.axis[1].is_log
+                                      ? log(c->start[i].psi)
+                                      : c->start[i].psi };
+    const enum status status =
+        trajectory_run(&s->slider.plane.system, &s->portrait.window, start,
+                       c->starts, o, &s->chosen);
     if (status == STATUS_BAD_ARGUMENT)
         strcpy(why->text, "a trajectory starts outside [1e-300, 1e300]");
     free(start);
@@ -328,8 +271,8 @@ static enum status run_trajectories(struct study *s,
                                     struct fault *why)
 {
     const struct scene *c = s->scene;
-    struct trajectory_options o =
-        trajectory_defaults(&s->system, s->stable_rate);
+    struct trajectory_options o = trajectory_defaults(
+        &s->slider.plane.system, s->slider.plane.stable_rate);
     struct vec2 target[EQUILIBRIA_MAX];
 
     o.orbit.target = target;
@@ -357,15 +300,22 @@ static enum status run_trajectories(struct study *s,
 static enum status run_basins(struct study *s, const struct monitor *monitor,
                               struct fault *why)
 {
-    enum status status = basin_map_init(&s->basins, s, monitor);
+    enum status status =
+        basin_map_init(&s->basins, &s->slider, s->scene, monitor);
 
     if (status == STATUS_NOT_HYPERBOLIC)
         snprintf(why->text, sizeof why->text, "the basins of the slope: %s",
-                 s->critical.v_plus.reason);
+                 s->slider.critical.v_plus.reason);
     if (status == STATUS_OK && s->scene->audit > 0 && !s->scene->exact)
         status = basin_map_audit(&s->basins, s->scene->audit, s->scene->seed,
                                  monitor);
     return status;
+}
+
+static enum status run_fields(struct study *s, const struct monitor *monitor,
+                              struct fault *why)
+{
+    return fields_prepare(&s->fields, &s->basins, monitor, why);
 }
 
 /* ---- running ---------------------------------------------------------- */
@@ -388,7 +338,7 @@ static stage_function *const stage_run[STAGES] = {
     [STAGE_ARROWS] = run_arrows,
     [STAGE_TRAJECTORIES] = run_trajectories,
     [STAGE_BASINS] = run_basins,
-    [STAGE_FIELDS] = fields_prepare,
+    [STAGE_FIELDS] = run_fields,
     [STAGE_FRICTION_LAW] = diagram_friction_law,
     [STAGE_SPRING_BLOCK] = diagram_spring_block,
     [STAGE_BIFURCATION] = diagram_bifurcation,
@@ -417,7 +367,7 @@ static enum status run_stage(struct study *s, enum stage stage,
     s->cost[stage].seconds = seconds() - start;
     if (status == STATUS_OK && stage == STAGE_STEADY) {
         const struct window window = study_frame(s);
-        status = portrait_init(&s->portrait, &s->system, &window);
+        status = portrait_init(&s->portrait, &s->slider.plane.system, &window);
         if (status == STATUS_BAD_ARGUMENT)
             strcpy(why->text, "the window reaches beyond [1e-300, 1e300]");
     }
@@ -428,10 +378,11 @@ enum status study_run(struct study *s, const struct scene *scene,
                       const struct monitor *monitor, struct fault *why)
 {
     why->text[0] = '\0';
-    *s = (struct study){ .scene = scene, .saddle = -1 };
+    *s = (struct study){ .scene = scene };
     s->stages = plan_scene(scene);
     enum status status = scene_slope_demand(scene, scene->products, why);
-    block_init(&s->block, &scene->law, &scene->material, scene->tan_alpha);
+    block_init(&s->slider.block, &scene->law, &scene->material,
+               scene->tan_alpha);
     for (int i = 0; i < STAGES && status == STATUS_OK; i++)
         if (plan_has(s->stages, (enum stage) i))
             status = run_stage(s, (enum stage) i, monitor, why);
@@ -458,19 +409,6 @@ void study_free(struct study *s)
     portrait_free(&s->portrait);
 }
 
-double study_energy_defect(const struct study *s, const struct curve *c)
-{
-    double first[CURVE_DIM_MAX], last[CURVE_DIM_MAX];
-    const size_t slip = 3 + BLOCK_SLIP, work = 3 + BLOCK_WORK;
-
-    curve_at(c, 0, 0.0, first);
-    curve_at(c, c->count - 1, 1.0, last);
-    return block_energy_defect(&s->block, s->block.at.v0 * exp(first[0]),
-                               s->block.at.v0 * exp(last[0]),
-                               last[slip] - first[slip],
-                               last[work] - first[work]);
-}
-
 double study_branch_defect(const struct study *s, const struct branch *b)
 {
     double first[CURVE_DIM_MAX], last[CURVE_DIM_MAX];
@@ -482,10 +420,10 @@ double study_branch_defect(const struct study *s, const struct branch *b)
     }
     curve_at(&b->curve, 1, 0.0, first);
     curve_at(&b->curve, b->curve.count - 1, 1.0, last);
-    return block_energy_defect(&s->block, s->block.at.v0 * exp(first[0]),
-                               s->block.at.v0 * exp(last[0]),
-                               last[slip] - first[slip],
-                               last[work] - first[work]);
+    return block_energy_defect(
+        &s->slider.block, s->slider.block.at.v0 * exp(first[0]),
+        s->slider.block.at.v0 * exp(last[0]), last[slip] - first[slip],
+        last[work] - first[work]);
 }
 
 struct stage_cost study_cost(const struct study *s)

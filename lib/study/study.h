@@ -25,6 +25,7 @@
 #include "records.h"
 #include "result.h"
 #include "sensitivity.h"
+#include "slider.h"
 #include "taylor_series.h"
 
 /* The branches of a manifold: v > v_sp, v < v_sp. */
@@ -42,20 +43,9 @@ struct study {
     const struct scene *scene; /* borrowed */
     unsigned stages;           /* bits of enum stage */
 
-    /* The block anchored at the saddle; without one at an equilibrium, or
-     * without any somewhere on the steady curve. */
-    struct block block;
-    struct planar system; /* borrows block: a study must not move */
-    double stable_rate;   /* fastest rate at the anchor, per t* */
-
-    struct equilibrium equilibrium[EQUILIBRIA_MAX]; /* ascending in v */
-    struct steady_number steady[EQUILIBRIA_MAX];
-    size_t equilibria;
-    int saddle; /* index; -1 if there is none */
-
+    struct slider slider; /* a study must not move */
     struct saddle_numbers saddle_numbers;
     struct fold_numbers folds;
-    struct critical_numbers critical;
 
     struct branch stable[SIDES];  /* owned */
     struct orbit unstable[SIDES]; /* owned; start at the series' end */
@@ -84,21 +74,11 @@ MUST_CHECK enum status study_run(struct study *s, const struct scene *scene,
 /* A second call is harmless. */
 void study_free(struct study *s);
 
-/* Whether there is a saddle whose manifolds doubles can hold; and why not:
- * static, or NULL where it has. */
-bool study_has_manifolds(const struct study *s);
-const char *study_no_manifolds(const struct study *s);
-
-/* The scene's window in absolute chart coordinates, and as drawn. */
-struct box study_window(const struct study *s);
+/* The scene's window as drawn. */
 struct window study_frame(const struct study *s);
 
-/* The relative defect of the energy balance (27) along a whole curve whose
- * integrals are those of block.h, from component 3 on. */
-double study_energy_defect(const struct study *s, const struct curve *c);
-
-/* The same along a stable branch that carries slip and work, from the end of
- * its series to its last stored point. */
+/* The relative defect of (27) along a stable branch that carries slip and work,
+ * from the end of its series to its last stored point. */
 double study_branch_defect(const struct study *s, const struct branch *b);
 
 /* Sum over the stages. */

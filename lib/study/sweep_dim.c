@@ -84,10 +84,10 @@ static enum status add_cells(struct sweep_dims *d, enum sweep_dim dim,
     double *value = room(d, dim, n), *chart = malloc(n * sizeof *chart);
 
     if (value && chart)
-        basin_map_axis(s, axis, n, chart, value);
+        basin_map_axis(s->scene, axis, n, chart, value);
     free(chart);
-    d->of[dim].unit = s->system.axis[axis].unit;
-    d->of[dim].text = s->system.axis[axis].long_name;
+    d->of[dim].unit = s->slider.plane.system.axis[axis].unit;
+    d->of[dim].text = s->slider.plane.system.axis[axis].long_name;
     return value && chart ? STATUS_OK : STATUS_NO_MEMORY;
 }
 
@@ -115,9 +115,10 @@ static enum status add_grids(struct sweep_dims *d, const struct scene *scene,
     struct study s = { .scene = scene };
     enum status status = STATUS_OK;
 
-    block_init(&s.block, &scene->law, &scene->material, scene->tan_alpha);
-    block_anchor(&s.block, 0.0L, false);
-    s.system = block_planar(&s.block);
+    block_init(&s.slider.block, &scene->law, &scene->material,
+               scene->tan_alpha);
+    block_anchor(&s.slider.block, 0.0L, false);
+    s.slider.plane.system = block_planar(&s.slider.block);
     if (plan_has(stages, STAGE_BASINS))
         status = add_map(d, &s);
     if (status == STATUS_OK && plan_has(stages, STAGE_ARROWS))

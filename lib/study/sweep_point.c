@@ -65,10 +65,12 @@ static struct kind_numbers kind_of(const struct steady_number *n, bool psi_log)
 
 static enum steady_kind what_is(const struct study *s, size_t i)
 {
-    if ((int) i == s->saddle)
+    if ((int) i == slider_saddle(&s->slider))
         return STEADY_SADDLE;
-    return fate_of_node(s, &s->equilibrium[i]) == FATE_CREEP ? STEADY_CREEP
-                                                             : STEADY_SLIDING;
+    return fate_of_node(&s->slider, &s->slider.plane.equilibrium[i]) ==
+                   FATE_CREEP
+               ? STEADY_CREEP
+               : STEADY_SLIDING;
 }
 
 /* Those that are not there get a reason. */
@@ -81,15 +83,15 @@ static void complete_steady(struct sweep_point *p)
     };
     const struct quantity none = quantity_none("there are fewer steady states");
     struct study *s = &p->study;
-    const char *no_series = study_no_manifolds(s);
+    const char *no_series = slider_no_manifolds(&s->slider);
 
     for (int k = 0; k < STEADY_KINDS; k++)
         p->kind[k] = no_kind(missing[k]);
-    for (size_t i = 0; i < s->equilibria; i++)
+    for (size_t i = 0; i < s->slider.plane.equilibria; i++)
         p->kind[what_is(s, i)] =
-            kind_of(&s->steady[i], law_psi_is_log(&p->scene.law));
-    for (size_t i = s->equilibria; i < EQUILIBRIA_MAX; i++)
-        s->steady[i] =
+            kind_of(&s->slider.steady[i], law_psi_is_log(&p->scene.law));
+    for (size_t i = s->slider.plane.equilibria; i < EQUILIBRIA_MAX; i++)
+        s->slider.steady[i] =
             (struct steady_number){ -1, none, none, none, none, none };
     for (size_t i = s->taylor.terms; i < JET_SIZE; i++)
         s->taylor.term[i].coefficient =

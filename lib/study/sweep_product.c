@@ -113,7 +113,7 @@ static enum status add_equilibria(const struct column_adder *a)
         char prefix[48];
         const struct column_part part = {
             .prefix = prefix,
-            .base = AT(study.steady) + i * sizeof(struct steady_number),
+            .base = AT(study.slider.steady) + i * sizeof(struct steady_number),
         };
         snprintf(prefix, sizeof prefix, "equilibria_%zu_", i);
         status = column_add_record(a, &part, &record_steady);

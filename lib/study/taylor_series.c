@@ -204,7 +204,7 @@ struct comparison {
 static double v_at(const struct comparison *q, size_t piece, double theta,
                    double *gap)
 {
-    const struct block *b = &q->s->block;
+    const struct block *b = &q->s->slider.block;
     double at[CURVE_DIM_MAX];
 
     curve_at(q->c, piece, theta, at);
@@ -253,7 +253,7 @@ static struct taylor_series no_series(void)
 static void fill_terms(const struct study *s, const power e, const power error,
                        struct taylor_series *t)
 {
-    const struct block *b = &s->block;
+    const struct block *b = &s->slider.block;
     const double unit = law_psi_is_log(&b->law) ? 1.0 : b->at.psi0;
 
     t->terms = JET_SIZE;
@@ -267,24 +267,24 @@ static void fill_terms(const struct study *s, const power e, const power error,
 enum status taylor_series_find(const struct study *s, struct taylor_series *out)
 {
     const struct carry none = { .count = 0 };
-    const struct quantity *v_minus = &s->critical.v_minus;
+    const struct quantity *v_minus = &s->slider.critical.v_minus;
     struct taylor_series t = no_series();
     struct local_series u;
     power e, error;
 
-    if (!study_has_manifolds(s)) {
+    if (!slider_has_manifolds(&s->slider)) {
         *out = t;
         return STATUS_OK;
     }
-    const enum status status =
-        local_at(&s->system, &s->equilibrium[s->saddle], MANIFOLD_STABLE, &none,
-                 LAST, TOL_TAYLOR_STEP * s->scene->rtol, &u);
+    const enum status status = local_at(
+        &s->slider.plane.system, phase_plane_saddle(&s->slider.plane),
+        MANIFOLD_STABLE, &none, LAST, TOL_TAYLOR_STEP * s->scene->rtol, &u);
     if (status != STATUS_OK)
         return status;
-    linear_series(&u, 0.0L, law_psi_is_log(&s->block.law), e);
-    rounding_of(&u, law_psi_is_log(&s->block.law), e, error);
+    linear_series(&u, 0.0L, law_psi_is_log(&s->slider.block.law), e);
+    rounding_of(&u, law_psi_is_log(&s->slider.block.law), e, error);
     fill_terms(s, e, error, &t);
-    const double v_sp = s->block.at.v0;
+    const double v_sp = s->slider.block.at.v0;
     t.radius =
         radius_of(e, quantity_exists(v_minus) ? 1.0 - v_minus->value / v_sp
                                               : (double) INFINITY);

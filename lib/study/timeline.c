@@ -31,7 +31,8 @@ static bool is_turn(enum moment what)
            what == MOMENT_V_MIN;
 }
 
-static double turning(const struct study *s, enum moment what, const double u[])
+static double turning(const struct slider *s, enum moment what,
+                      const double u[])
 {
     if (what == MOMENT_MU_MIN)
         return moment_excess_friction(s, (struct vec2){ u[0], u[1] });
@@ -80,7 +81,7 @@ static void swing_on(struct swing *w, double value, struct mark *m,
 }
 
 /* Keeps the marks of one watch where something turns. */
-static void keep_turns(const struct study *s, struct marks *m, size_t which,
+static void keep_turns(const struct slider *s, struct marks *m, size_t which,
                        enum moment what)
 {
     const struct curve *c = &m->orbit->curve;
@@ -108,7 +109,7 @@ static void drop_rest(struct marks *m)
     m->count = n;
 }
 
-static enum status collect(const struct study *s,
+static enum status collect(const struct slider *s,
                            const struct moment_watches *w,
                            const struct orbit *o, struct marks *m)
 {
@@ -164,14 +165,14 @@ double timeline_part(const struct orbit *o, size_t i)
     return o->peak[i] > 0.0 ? o->error[i] / o->peak[i] : 0.0;
 }
 
-static double psi_of(const struct study *s, double y)
+static double psi_of(const struct slider *s, double y)
 {
-    return s->system.axis[1].is_log ? s->block.at.psi0 * exp(y)
-                                    : s->block.at.y0 + y;
+    return s->plane.system.axis[1].is_log ? s->block.at.psi0 * exp(y)
+                                          : s->block.at.y0 + y;
 }
 
 /* A critical velocity has a bar of its own. */
-static double level_error(const struct study *s, enum moment what)
+static double level_error(const struct slider *s, enum moment what)
 {
     const struct critical_numbers *c = &s->critical;
 
@@ -183,7 +184,7 @@ static double level_error(const struct study *s, enum moment what)
 /* What the steps up to there allow for, which two orbits may share: in the
  * state, and in when it is reached; d mu/d ln v <= a, and b is the most that
  * d mu/d y comes to. */
-static void add_step_errors(const struct study *s,
+static void add_step_errors(const struct slider *s,
                             const struct moment_watches *w,
                             const struct orbit *o, const struct event_hit *hit,
                             struct transient_event *e)
@@ -199,12 +200,13 @@ static void add_step_errors(const struct study *s,
     e->time.error += d.time + hit->error[2];
     e->slip.error += d.slip + hit->error[3 + BLOCK_SLIP];
     e->v.error += e->v.value * expm1(d.x + off);
-    e->psi.error +=
-        s->system.axis[1].is_log ? e->psi.value * expm1(d.y + off) : d.y + off;
+    e->psi.error += s->plane.system.axis[1].is_log
+                        ? e->psi.value * expm1(d.y + off)
+                        : d.y + off;
     e->mu.error += d.mu + (m->a + m->b) * off;
 }
 
-static struct transient_event event_at(const struct study *s,
+static struct transient_event event_at(const struct slider *s,
                                        const struct moment_watches *w,
                                        const struct orbit *o,
                                        const struct event_hit *coarse,
@@ -228,7 +230,7 @@ static struct transient_event event_at(const struct study *s,
     return e;
 }
 
-static size_t match(const struct study *s, const struct moment_watches *w,
+static size_t match(const struct slider *s, const struct moment_watches *w,
                     const struct marks *coarse, const struct marks *fine,
                     struct transient_event event[])
 {
@@ -243,7 +245,8 @@ static size_t match(const struct study *s, const struct moment_watches *w,
     return n;
 }
 
-enum status timeline_find(const struct study *s, const struct moment_watches *w,
+enum status timeline_find(const struct slider *s,
+                          const struct moment_watches *w,
                           const struct orbit *coarse, const struct orbit *fine,
                           struct transient_event **event, size_t *count)
 {

@@ -32,7 +32,7 @@ struct transient_options transient_defaults(const struct scene *c)
 
 /* What both orbits of a run share; must not move. */
 struct course {
-    const struct study *study;
+    const struct slider *slider;
     struct vec2 start; /* offset */
     enum fate fate;
     struct moment_watches watches;
@@ -45,14 +45,14 @@ struct course {
  * of ten from start and saddle. */
 static struct box window_of(const struct course *c, bool limited)
 {
-    const double start = c->study->system.origin.x + c->start.x;
-    struct box w = c->study->system.domain;
+    const double start = c->slider->plane.system.origin.x + c->start.x;
+    struct box w = c->slider->plane.system.domain;
 
     if (!limited && c->fate == FATE_RUNAWAY)
-        w.hi.x = fmin(w.hi.x, fmax(start, c->study->system.origin.x) +
+        w.hi.x = fmin(w.hi.x, fmax(start, c->slider->plane.system.origin.x) +
                                   log(TOL_TRANSIENT_FAST));
     if (!limited && c->fate == FATE_REST_ASYMPTOTIC)
-        w.lo.x = fmax(w.lo.x, fmin(start, c->study->system.origin.x) +
+        w.lo.x = fmax(w.lo.x, fmin(start, c->slider->plane.system.origin.x) +
                                   log(TOL_TRANSIENT_SLOW));
     return w;
 }
@@ -83,11 +83,12 @@ static void course_set(struct course *c, const struct transient_options *o,
 
     c->rest =
         rest &&
-        rest_form_of(&c->study->block.law, &c->study->block.material).fate ==
+        rest_form_of(&c->slider->block.law, &c->slider->block.material).fate ==
             FATE_REST_FINITE;
-    moment_watch_all(&c->watches, c->study, o->level, o->levels, !goes_on);
+    moment_watch_all(&c->watches, c->slider, o->level, o->levels, !goes_on);
     c->window = window_of(c, goes_on);
-    c->options = orbit_defaults(&c->study->system, c->study->stable_rate);
+    c->options =
+        orbit_defaults(&c->slider->plane.system, c->slider->plane.stable_rate);
     c->options.observables = BLOCK_EXCESS; /* slip and work */
     c->options.window = &c->window;
     c->options.event = c->watches.event;
@@ -114,9 +115,9 @@ static double end_rate(const struct orbit *o)
  * digits. */
 static bool is_deep(const struct course *c, const struct orbit *o)
 {
-    const struct block *b = &c->study->block;
+    const struct block *b = &c->slider->block;
 
-    return c->study->system.origin.x + o->u[0] < TOL_TRANSIENT_DEEP ||
+    return c->slider->plane.system.origin.x + o->u[0] < TOL_TRANSIENT_DEEP ||
            (o->curve.count > 0 &&
             end_rate(o) * TOL_TRANSIENT_LEFT * o->u[2] > 1.0) ||
            (law_psi_is_log(&b->law) &&
@@ -130,7 +131,7 @@ static bool rests(const struct course *c, const struct orbit *o,
     const double *reach = o->options.reach;
 
     return c->rest && o->end == ORBIT_RUNNING && is_deep(c, o) &&
-           rest_left_find(c->study, (struct vec2){ o->u[0], o->u[1] }, o->u[2],
+           rest_left_find(c->slider, (struct vec2){ o->u[0], o->u[1] }, o->u[2],
                           left) &&
            o->u[2] + left->time < reach[0] &&
            o->u[3 + BLOCK_SLIP] + left->slip < reach[1 + BLOCK_SLIP];
@@ -159,7 +160,8 @@ static enum status follow(const struct course *c, double rtol,
     struct orbit_options options = c->options;
 
     options.rtol = rtol;
-    enum status s = orbit_init(out, &c->study->system, c->start, &options);
+    enum status s =
+        orbit_init(out, &c->slider->plane.system, c->start, &options);
     if (s == STATUS_OK)
         s = run_orbit(c, out, monitor);
     return s == STATUS_NO_CONVERGENCE || s == STATUS_TOO_MANY_STEPS ? STATUS_OK
@@ -189,12 +191,12 @@ static enum fate fate_at(const struct course *c, const struct orbit *o,
                          enum transient_end end)
 {
     const struct equilibrium *node =
-        moment_node_at(c->study, (struct vec2){ o->u[0], o->u[1] },
+        moment_node_at(c->slider, (struct vec2){ o->u[0], o->u[1] },
                        TOL_TRANSIENT_REACH * TOL_ARREST);
 
     if (end == TRANSIENT_REST && c->fate != FATE_REST_ASYMPTOTIC)
         return FATE_REST_FINITE;
-    return end == TRANSIENT_ARREST && node ? fate_of_node(c->study, node)
+    return end == TRANSIENT_ARREST && node ? fate_of_node(c->slider, node)
                                            : c->fate;
 }
 
@@ -204,7 +206,7 @@ static void add_end_errors(const struct course *c, const struct orbit *o,
                            struct transient_summary *sum)
 {
     const size_t slip = 3 + BLOCK_SLIP;
-    const double v = c->study->block.at.v0 * exp(o->u[0]);
+    const double v = c->slider->block.at.v0 * exp(o->u[0]);
     const double off = fmax(o->error[0], o->error[1]);
 
     sum->time.error += o->error[2];
@@ -228,10 +230,10 @@ struct totals {
 
 static struct totals totals_of(const struct course *c, const struct orbit *o)
 {
-    const double t = (double) c->study->block.tan_alpha;
-    const double v = c->study->block.at.v0 * exp(o->u[0]);
+    const double t = (double) c->slider->block.tan_alpha;
+    const double v = c->slider->block.at.v0 * exp(o->u[0]);
     const double energy =
-        0.5 * material_eps2(&c->study->block.material) * v * v * hypot(1.0, t);
+        0.5 * material_eps2(&c->slider->block.material) * v * v * hypot(1.0, t);
     struct totals all = { .time = o->u[2],
                           .slip = o->u[3 + BLOCK_SLIP],
                           .work = o->u[3 + BLOCK_WORK] };
@@ -265,7 +267,7 @@ static void sum_up(const struct course *c, const struct orbit *coarse,
         fabs(sum->mu_mean.value) *
         (timeline_part(fine, work) + timeline_part(fine, slip));
     sum->energy_defect = fine->curve.count > 0
-                             ? study_energy_defect(c->study, &fine->curve)
+                             ? slider_energy_defect(c->slider, &fine->curve)
                              : 0.0;
 }
 
@@ -308,7 +310,7 @@ static void refuse(struct transient *t, const char *reason)
 /* Whether it has not got away from the saddle: it never will. */
 static bool is_stuck(const struct course *c, const struct orbit *o)
 {
-    return c->study->saddle >= 0 && fabs(o->u[0]) < TOL_ARREST &&
+    return slider_saddle(c->slider) >= 0 && fabs(o->u[0]) < TOL_ARREST &&
            fabs(o->u[1]) < TOL_ARREST;
 }
 
@@ -359,7 +361,7 @@ static enum status run_at(const struct course *c, double rtol,
     if (s == STATUS_OK)
         s = follow(c, rtol, monitor, &fine);
     if (s == STATUS_OK)
-        s = timeline_find(c->study, &c->watches, &coarse, &fine, &out->event,
+        s = timeline_find(c->slider, &c->watches, &coarse, &fine, &out->event,
                           &out->events);
     if (s == STATUS_OK) {
         *settled = judge(c, &coarse, &fine, out);
@@ -411,9 +413,9 @@ static bool is_there(const struct course *c, const struct transient_options *o,
                      struct transient_summary *sum)
 {
     const struct equilibrium *node =
-        moment_node_at(c->study, c->start, TOL_ARREST);
+        moment_node_at(c->slider, c->start, TOL_ARREST);
 
-    if (node == NULL || limited(o) || fate_of_node(c->study, node) != c->fate)
+    if (node == NULL || limited(o) || fate_of_node(c->slider, node) != c->fate)
         return false;
     sum->end = TRANSIENT_ARREST;
     sum->time = sum->slip = quantity_of(0.0, 0.0);
@@ -421,8 +423,8 @@ static bool is_there(const struct course *c, const struct transient_options *o,
     return true;
 }
 
-static enum status tell(const struct study *s, struct scene_start start,
-                        const struct labels *labels,
+static enum status tell(const struct slider *s, struct scene_start start,
+                        double rtol, const struct labels *labels,
                         const struct monitor *monitor, struct fate_told *out)
 {
     const struct vec2 z = block_offset(&s->block, start.v, start.psi);
@@ -430,7 +432,7 @@ static enum status tell(const struct study *s, struct scene_start start,
 
     if (labels)
         return labels_find(labels, z, monitor, out);
-    enum status status = labels_init(&own, s, monitor);
+    enum status status = labels_init(&own, s, rtol, monitor);
     if (status == STATUS_OK)
         status = labels_find(&own, z, monitor, out);
     labels_free(&own);
@@ -464,27 +466,29 @@ static enum status find(struct course *c, const struct transient_options *o,
     if (s == STATUS_OK && out->sum.end == TRANSIENT_NEAR)
         forget(out);
     if (s == STATUS_OK)
-        phase_find(c->study, out, out->phase);
+        phase_find(c->slider, out, out->phase);
     return s;
 }
 
-enum status transient_find(const struct study *s, struct scene_start start,
+enum status transient_find(const struct slider *s, struct scene_start start,
                            const struct transient_options *options,
                            const struct monitor *monitor, struct transient *out)
 {
-    const struct vec2 z = { log(start.v), s->system.axis[1].is_log
+    const struct vec2 z = { log(start.v), s->plane.system.axis[1].is_log
                                               ? log(start.psi)
                                               : start.psi };
     const struct vec2 near = block_offset(&s->block, start.v, start.psi);
-    struct course c = { .study = s, .start = vec2_sub(z, s->system.origin) };
+    struct course c = { .slider = s,
+                        .start = vec2_sub(z, s->plane.system.origin) };
     struct fate_told told;
 
     *out = (struct transient){ .sum = { .v = start.v, .psi = start.psi } };
-    if (!box_holds(s->system.domain, z))
+    if (!box_holds(s->plane.system.domain, z))
         return STATUS_BAD_ARGUMENT;
     if (vec2_length(near) < 1.0) /* to more digits */
         c.start = near;
-    enum status status = tell(s, start, options->labels, monitor, &told);
+    enum status status =
+        tell(s, start, options->rtol, options->labels, monitor, &told);
     if (status == STATUS_OK)
         status = find(&c, options, &told, monitor, out);
     if (status != STATUS_OK)

@@ -8,10 +8,12 @@
 #ifndef STUDY_TRANSIENT_H
 #define STUDY_TRANSIENT_H
 
+#include "fate.h"
 #include "labels.h"
 #include "moment.h"
 #include "phase.h"
-#include "study.h"
+#include "scene.h"
+#include "slider.h"
 
 /* Why a run ended. */
 enum transient_end {
@@ -79,7 +81,7 @@ struct transient_options transient_defaults(const struct scene *c);
  * STATUS_BAD_ARGUMENT: start outside the domain; STATUS_NO_MEMORY;
  * STATUS_STOPPED.  On error *out is empty.  A run that cannot be followed to
  * its end is no error: see `end`. */
-MUST_CHECK enum status transient_find(const struct study *s,
+MUST_CHECK enum status transient_find(const struct slider *s,
                                       struct scene_start start,
                                       const struct transient_options *options,
                                       const struct monitor *monitor,

@@ -4,7 +4,7 @@
 
 #include "control.h"
 #include "explicit8.h"
-#include "study.h"
+#include "slider.h"
 #include "study_tolerance.h"
 
 /* The quadrant that an offset lies in: 0 slow, 1 fast, TRAPS neither. */
@@ -24,12 +24,12 @@ static struct vec2 across_of(const struct equilibrium *saddle)
     return mat2_eigenvector(transposed, saddle->scaled[1]);
 }
 
-void trap_init(struct trap *t, const struct study *s)
+void trap_init(struct trap *t, const struct slider *s)
 {
-    *t = (struct trap){ .study = s, .set = s->saddle >= 0 };
+    *t = (struct trap){ .slider = s, .set = slider_saddle(s) >= 0 };
     if (!t->set)
         return;
-    t->across = across_of(&s->equilibrium[s->saddle]);
+    t->across = across_of(phase_plane_saddle(&s->plane));
     for (int i = 0; i < TRAPS; i++)
         t->fate[i] = (int8_t) fate_of_side(s, i == 0);
 }
@@ -38,11 +38,12 @@ void trap_init(struct trap *t, const struct study *s)
  * traps is not stiff, for there both its coordinates only fall or only rise. */
 static void unit_speed(const void *ctx, double s, const double u[], double du[])
 {
-    const struct study *study = ctx;
+    const struct slider *slider = ctx;
     struct planar_field f;
 
     (void) s;
-    study->system.field(study->system.ctx, (struct vec2){ u[0], u[1] }, &f);
+    slider->plane.system.field(slider->plane.system.ctx,
+                               (struct vec2){ u[0], u[1] }, &f);
     const double x = f.direction.x, y = f.direction.y;
     const double n = sqrt(x * x + y * y);
     const double size = n > 1e-140 && n < 1e140 ? n : vec2_length(f.direction);
@@ -68,7 +69,7 @@ static double chord_distance(const double a[], const double b[])
 static int follow(const struct trap *t, struct vec2 z, double rtol,
                   bool *certain, double *passed, size_t *evaluations)
 {
-    const struct ode ode = { 2, unit_speed, t->study };
+    const struct ode ode = { 2, unit_speed, t->slider };
     const double atol[2] = { rtol, rtol };
     double u[2] = { z.x, z.y }, u1[2], error[2], h = TOL_TRAP_STEP, factor;
     struct control control = CONTROL_INIT(8.0);
@@ -76,7 +77,7 @@ static int follow(const struct trap *t, struct vec2 z, double rtol,
     double near = vec2_length(z);
 
     *certain = false;
-    unit_speed(t->study, 0.0, u, work.k[0]);
+    unit_speed(t->slider, 0.0, u, work.k[0]);
     for (int n = 0; n < TOL_TRAP_STEPS; n++) {
         const double off =
             explicit8_try(&work, &ode, 0.0, u, h, atol, 0.0, u1, error);
@@ -94,7 +95,7 @@ static int follow(const struct trap *t, struct vec2 z, double rtol,
         *certain = near >= TOL_TRAP_FAR * rtol && side >= TOL_TRAP_SIDE * rtol;
         if (caught < TRAPS)
             return caught;
-        unit_speed(t->study, 0.0, u, work.k[0]);
+        unit_speed(t->slider, 0.0, u, work.k[0]);
     }
     return TRAPS;
 }
@@ -102,10 +103,10 @@ static int follow(const struct trap *t, struct vec2 z, double rtol,
 static enum status to_the_end(const struct trap *t, struct vec2 z,
                               int8_t *label, size_t *evaluations)
 {
-    const struct vec2 at = vec2_add(t->study->system.origin, z);
+    const struct vec2 at = vec2_add(t->slider->plane.system.origin, z);
     struct fate_result r;
     const enum status s =
-        fate_find(t->study, at, TOL_TRAP_RTOL, false, NULL, &r);
+        fate_find(t->slider, at, TOL_TRAP_RTOL, false, NULL, &r);
 
     *label = (int8_t) r.fate;
     *evaluations += r.field_evaluations;

@@ -13,15 +13,15 @@
 enum { TRAPS = 2 };
 
 struct trap {
-    const struct study *study; /* borrowed */
-    bool set;                  /* there is a saddle */
-    int8_t fate[TRAPS];        /* of the slow and the fast quadrant */
-    struct vec2 across;        /* unit; normal to the stable manifold at the
-                                  saddle, which may lie almost on an axis */
+    const struct slider *slider; /* borrowed */
+    bool set;                    /* there is a saddle */
+    int8_t fate[TRAPS];          /* of the slow and the fast quadrant */
+    struct vec2 across;          /* unit; normal to the stable manifold at the
+                                    saddle, which may lie almost on an axis */
 };
 
 /* For s, whose steady states are known. */
-void trap_init(struct trap *t, const struct study *s);
+void trap_init(struct trap *t, const struct slider *s);
 
 /* The label (enum fate) of the offset z from the saddle, right unless z lies
  * within rounding of the boundary: an orbit that passes the saddle too closely

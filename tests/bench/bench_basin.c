@@ -58,8 +58,8 @@ static void make(struct setting *s, size_t cells, bool exact)
     read_scene(&s->scene, cells, exact);
     if (study_run(&s->study, &s->scene, NULL, &why) != STATUS_OK)
         die(why.text);
-    s->plain =
-        plain_of(&s->study.block, &s->study.equilibrium[s->study.saddle]);
+    s->plain = plain_of(&s->study.slider.block,
+                        phase_plane_saddle(&s->study.slider.plane));
 }
 
 static void drop(struct setting *s)
@@ -123,7 +123,7 @@ static struct tally race(struct setting *s, const int8_t *right, size_t stride,
                          int (*label)(struct plain *, const double[2]))
 {
     const struct basin_map *m = &s->study.basins;
-    const struct vec2 o = s->study.system.origin;
+    const struct vec2 o = s->study.slider.plane.system.origin;
     struct tally t = { 0 };
     const double start = plain_now();
 

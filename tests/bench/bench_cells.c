@@ -80,7 +80,7 @@ static void make(struct sample *s, const char *law, enum fate fate,
     if (study_run(&s->study, &s->scene, NULL, &why) != STATUS_OK)
         die(why.text);
     const double start = plain_now();
-    if (fast_cells_init(&s->fast, &s->study, NULL) != STATUS_OK)
+    if (fast_cells_init(&s->fast, &s->study.slider, NULL) != STATUS_OK)
         die("no slow curve");
     printf("\n%s, alpha 0.34, %s: the slow curve once in %.1f ms\n", law,
            fate_names[fate], 1e3 * (plain_now() - start));
@@ -126,13 +126,14 @@ struct rival {
 
 static struct cvode_end end_of(const struct sample *s)
 {
-    const struct study *t = &s->study;
+    const struct slider *t = &s->study.slider;
     struct cvode_end end = { .rests = s->fate == FATE_REST_FINITE };
 
-    for (size_t i = 0; i < t->equilibria; i++) {
-        const struct vec2 z = vec2_sub(t->equilibrium[i].z, t->system.origin);
-        if ((int) i != t->saddle &&
-            fate_of_node(t, &t->equilibrium[i]) == s->fate) {
+    for (size_t i = 0; i < t->plane.equilibria; i++) {
+        const struct vec2 z =
+            vec2_sub(t->plane.equilibrium[i].z, t->plane.system.origin);
+        if ((int) i != slider_saddle(t) &&
+            fate_of_node(t, &t->plane.equilibrium[i]) == s->fate) {
             end.x = z.x;
             end.y = z.y;
         }
@@ -142,8 +143,8 @@ static struct cvode_end end_of(const struct sample *s)
 
 static void run_rival(struct sample *s, struct rival *r)
 {
-    struct plain p =
-        plain_of(&s->study.block, &s->study.equilibrium[s->study.saddle]);
+    struct plain p = plain_of(&s->study.slider.block,
+                              phase_plane_saddle(&s->study.slider.plane));
     const struct cvode_end end = end_of(s);
     double worst, slip, time;
 
@@ -153,7 +154,8 @@ static void run_rival(struct sample *s, struct rival *r)
         const double start = plain_now();
         for (int i = 0; i < FEW; i++) {
             const size_t at = (size_t) i * (CELLS / FEW);
-            const struct vec2 z = vec2_sub(s->z[at], s->study.system.origin);
+            const struct vec2 z =
+                vec2_sub(s->z[at], s->study.slider.plane.system.origin);
             const double from[2] = { z.x, z.y };
             error[i] = cvode_cell(&p, from, &end, tol, s->fast.curve.slip_least,
                                   &slip, &time)
@@ -206,8 +208,8 @@ static double whole_seconds(struct sample *s, double rtol)
     const double start = plain_now();
 
     for (int i = 0; i < FEW; i++)
-        if (cells_find(&s->study, &s->z[i * (CELLS / FEW)], 1, rtol, which,
-                       NULL, &c) != STATUS_OK)
+        if (cells_find(&s->study.slider, &s->z[i * (CELLS / FEW)], 1, rtol,
+                       which, NULL, &c) != STATUS_OK)
             die("a whole orbit failed");
     return (plain_now() - start) / FEW;
 }

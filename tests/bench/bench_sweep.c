@@ -50,8 +50,8 @@ static double v_plus_at(double alpha)
     if (scene_read(&scene, NULL, set, 3, &why) != STATUS_OK)
         return NAN;
     if (study_run(&study, &scene, NULL, &why) == STATUS_OK) {
-        if (quantity_exists(&study.critical.v_plus))
-            v_plus = study.critical.v_plus.value;
+        if (quantity_exists(&study.slider.critical.v_plus))
+            v_plus = study.slider.critical.v_plus.value;
         study_free(&study);
     }
     scene_free(&scene);

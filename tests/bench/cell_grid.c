@@ -47,7 +47,7 @@ static void test(const struct study *s, size_t side, const struct cell cell[],
         const struct vec2 z = { s->basins.x[k % side], s->basins.y[k / side] };
         const struct cell *const c = &cell[k];
         struct cell e;
-        if (cells_find(s, &z, 1, 1e-8, which, NULL, &e) != STATUS_OK ||
+        if (cells_find(&s->slider, &z, 1, 1e-8, which, NULL, &e) != STATUS_OK ||
             e.exit_reason != c->exit_reason || !isfinite(e.slip + e.time))
             continue;
         const double slip = fabs(c->slip - e.slip);
@@ -66,7 +66,7 @@ static double fill(struct study *s, size_t side, struct cell cell[],
     const double start = plain_now();
 
     fields_free(&s->fields);
-    if (fields_prepare(s, NULL, &why) != STATUS_OK ||
+    if (fields_prepare(&s->fields, &s->basins, NULL, &why) != STATUS_OK ||
         basin_map_rows(&s->basins, 0, side, label) != STATUS_OK ||
         patchwork_rows(&s->fields.patches, 0, side, label, cell, sampled) !=
             STATUS_OK) {

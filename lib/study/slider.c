@@ -1,0 +1,75 @@
+/* Each steady state is classified with the anchor on it, where its differences
+ * cancel nowhere; the last anchor is the saddle's. */
+#include "slider.h"
+
+#include <math.h>
+
+static struct planar anchor_at(struct slider *s, long double x,
+                               bool equilibrium)
+{
+    block_anchor(&s->block, x, equilibrium);
+    return block_planar(&s->block);
+}
+
+/* The index of a saddle, else the first. */
+static size_t home_among(const struct equilibrium e[], size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (e[i].type == EQUILIBRIUM_SADDLE)
+            return i;
+    return 0;
+}
+
+void slider_init(struct slider *s, const struct law *law,
+                 const struct material *m, long double tan_alpha)
+{
+    struct steady_root root[EQUILIBRIA_MAX];
+    struct equilibrium e[EQUILIBRIA_MAX];
+
+    block_init(&s->block, law, m, tan_alpha);
+    struct planar system = anchor_at(s, 0.0L, false);
+    const size_t n = equilibrium_find(&system, root);
+    for (size_t i = 0; i < n; i++) {
+        system = anchor_at(s, root[i].x, true);
+        equilibrium_at(&system, root[i].fold, &e[i]);
+        s->steady[i] = numbers_steady(&s->block, &e[i]);
+    }
+    system = n > 0
+                 ? anchor_at(s, root[home_among(e, n)].x, true)
+                 : anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
+    s->plane = phase_plane_of(&system, e, n);
+    const char *none = slider_no_manifolds(s);
+    s->critical = numbers_none(none ? none : "nobody asked");
+}
+
+bool slider_has_manifolds(const struct slider *s)
+{
+    return slider_no_manifolds(s) == NULL;
+}
+
+const char *slider_no_manifolds(const struct slider *s)
+{
+    const struct equilibrium *saddle = phase_plane_saddle(&s->plane);
+
+    if (saddle == NULL)
+        return "there is no saddle at this slope";
+    if (equilibrium_is_beyond(saddle))
+        return "the saddle's eigenvalues are further apart than doubles can "
+               "tell";
+    if (!box_holds(s->plane.system.domain, saddle->z))
+        return "the saddle's psi is beyond the plane's range";
+    return NULL;
+}
+
+double slider_energy_defect(const struct slider *s, const struct curve *c)
+{
+    double first[CURVE_DIM_MAX], last[CURVE_DIM_MAX];
+    const size_t slip = 3 + BLOCK_SLIP, work = 3 + BLOCK_WORK;
+
+    curve_at(c, 0, 0.0, first);
+    curve_at(c, c->count - 1, 1.0, last);
+    return block_energy_defect(&s->block, s->block.at.v0 * exp(first[0]),
+                               s->block.at.v0 * exp(last[0]),
+                               last[slip] - first[slip],
+                               last[work] - first[work]);
+}

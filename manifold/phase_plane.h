@@ -1,0 +1,38 @@
+/*
+ * phase_plane.h -- a planar system with its steady states: what all geometry
+ * and every orbit starts from.
+ *
+ * The system is anchored at a saddle if there is one, so that offsets
+ * (planar.h) are small where digits matter.
+ */
+#ifndef MANIFOLD_PHASE_PLANE_H
+#define MANIFOLD_PHASE_PLANE_H
+
+#include "equilibrium.h"
+
+enum { SADDLES_MAX = 2 }; /* among EQUILIBRIA_MAX along one steady curve */
+
+struct phase_plane {
+    struct planar system;
+    struct equilibrium equilibrium[EQUILIBRIA_MAX]; /* ascending in x */
+    size_t equilibria;
+    size_t saddle[SADDLES_MAX], saddles; /* indices */
+    double stable_rate; /* the fastest rate at the origin, per unit of time */
+};
+
+/* Of a system and its n steady states. */
+struct phase_plane phase_plane_of(const struct planar *system,
+                                  const struct equilibrium e[], size_t n);
+
+/* The first saddle; NULL: there is none. */
+const struct equilibrium *phase_plane_saddle(const struct phase_plane *p);
+
+/* Where steady state i is, as an offset. */
+struct vec2 phase_plane_offset(const struct phase_plane *p, size_t i);
+
+/* The offsets of all steady states that orbits can arrive at, the saddles being
+ * none; their number. */
+size_t phase_plane_goals(const struct phase_plane *p,
+                         struct vec2 goal[EQUILIBRIA_MAX]);
+
+#endif
