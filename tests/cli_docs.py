@@ -137,9 +137,10 @@ def reasons_are_explained_and_none_is_invented(_):
     told = set(re.findall(r'^\| `([^`]+)` \|',
                           text_of(f'{SOURCE}/docs/reasons.md'), re.M))
     there, given = set(), set()
-    for folder in ('lib/friction/*.c', 'lib/fit/*.c', 'lib/study/*.c',
-                   'lib/core/record.h'):
-        for path in glob.glob(f'{SOURCE}/{folder}'):
+    rooms = ('friction', 'fit', 'numbers', 'motion', 'slow', 'basin', 'study',
+             'sweep', 'check')
+    for folder in [f'{room}/*.c' for room in rooms] + ['core/record.h']:
+        for path in glob.glob(f'{SOURCE}/lib/{folder}'):
             text = re.sub(r'/\*.*?\*/', '', text_of(path), flags=re.S)
             there |= joined(text)
             given |= reasons_in(text)

@@ -1,5 +1,5 @@
 /* Fields over the grid of the basin map. */
-#include "fields.h"
+#include "fields_of.h"
 
 #include "fault_alloc.h"
 #include "slope.h"

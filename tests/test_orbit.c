@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "fields.h"
+#include "fields_of.h"
 #include "tolerance.h"
 
 static int fail_at = -1;

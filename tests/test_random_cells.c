@@ -4,7 +4,7 @@
  *
  * CELL_STATES=2000 tries more states than a test can afford; CHECK_SEED others.
  */
-#include "fields.h"
+#include "fields_of.h"
 
 #include "cells_of.h"
 #include "laws.h"

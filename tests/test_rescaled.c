@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "check.h"
-#include "fields.h"
+#include "fields_of.h"
 
 static void right_hand_side(const struct rescaled *r, struct vec2 z,
                             double du[])

@@ -84,6 +84,9 @@ RULES = [
 ]
 
 # The map of the house: what each folder may include besides itself.
+LOW = ['lib/core', 'lib/results', 'lib/friction', 'lib/scene', 'lib/fit',
+       'manifold', 'portrait']
+ORBITS = ['lib/numbers', 'lib/motion', 'lib/slow', 'lib/basin']
 MAY_SEE = {
     'lib/core': [],
     'lib/results': ['lib/core'],
@@ -95,12 +98,15 @@ MAY_SEE = {
     'lib/interchange': ['lib/core', 'lib/friction'],
     'manifold': ['lib/core'],
     'portrait': ['lib/core', 'manifold'],
-    'lib/study': ['lib/core', 'lib/results', 'lib/friction', 'lib/scene',
-                  'lib/fit', 'manifold', 'portrait'],
-    'lib/api': ['lib/core', 'lib/results', 'lib/friction', 'lib/scene',
-                'lib/fit', 'lib/study', 'manifold', 'portrait'],
-    'lib/race': ['lib/core', 'lib/results', 'lib/friction', 'lib/scene', 'lib/fit',
-                 'lib/study', 'manifold', 'portrait'],
+    'lib/numbers': LOW,
+    'lib/motion': LOW + ['lib/numbers'],
+    'lib/slow': LOW + ['lib/numbers', 'lib/motion'],
+    'lib/basin': LOW + ['lib/numbers', 'lib/motion', 'lib/slow'],
+    'lib/study': LOW + ORBITS,
+    'lib/sweep': LOW + ORBITS + ['lib/study'],
+    'lib/check': LOW + ORBITS + ['lib/study'],
+    'lib/api': LOW + ORBITS + ['lib/study', 'lib/sweep'],
+    'lib/race': LOW + ORBITS + ['lib/study'],
 }
 
 

@@ -1,0 +1,159 @@
+#include "fields.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "basin_tolerance.h"
+#include "slider.h"
+
+/* ---- the source of patches ----------------------------------------------- */
+
+static enum status find(const void *ctx, const struct vec2 z[], size_t n,
+                        double rtol, unsigned which, struct cell out[])
+{
+    return fast_cells_find(ctx, z, n, rtol, which, NULL, out, NULL);
+}
+
+static enum status sample(const void *ctx, struct patch_sample s[], size_t n,
+                          double rtol, unsigned which)
+{
+    return fast_cells_sample(ctx, s, n, rtol, which);
+}
+
+static bool tell(const void *ctx, struct vec2 z, const struct base_point *base,
+                 unsigned which, struct cell *out)
+{
+    return fast_cells_tell(ctx, z, base, which, out);
+}
+
+static bool passes(const void *ctx, double one, double other)
+{
+    const struct fast_cells *f = ctx;
+    return base_point_passes(&f->curve, one, other);
+}
+
+static enum status plan(const struct fields *f,
+                        const struct patchwork_grid *grid, double rtol,
+                        const struct monitor *monitor, struct patchwork *w)
+{
+    const struct patchwork_source source = {
+        find, sample, { tell, passes, &f->fast }, &f->fast
+    };
+    return patchwork_plan(w, grid, &source, rtol, f->which, monitor);
+}
+
+/* ---- the grid ------------------------------------------------------------ */
+
+enum status fields_prepare(struct fields *f, const struct basin_map *m,
+                           const struct monitor *monitor, struct fault *why)
+{
+    static const struct {
+        enum product product;
+        unsigned which;
+    } asks[] = {
+        { PRODUCT_SLIP, 1u << CELL_SLIP },
+        { PRODUCT_TIME, 1u << CELL_TIME },
+        { PRODUCT_FRICTION, 1u << CELL_MU_MEAN },
+        { PRODUCT_PEAK, 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK },
+    };
+
+    *f = (struct fields){ .map = m, .rtol = m->scene->cell_rtol };
+    for (size_t i = 0; i < sizeof asks / sizeof *asks; i++)
+        if (m->scene->products & 1u << asks[i].product)
+            f->which |= asks[i].which;
+    if (f->which == 0)
+        return STATUS_OK;
+    const struct patchwork_grid grid = { m->x, m->y, m->columns, m->rows };
+    enum status status = fast_cells_init(&f->fast, m->slider, monitor);
+    if (status == STATUS_OK)
+        status = plan(f, &grid, f->rtol, monitor, &f->patches);
+    if (status != STATUS_OK)
+        snprintf(why->text, sizeof why->text, "the fields of the cells: %s",
+                 status_text(status));
+    return status;
+}
+
+void fields_free(struct fields *f)
+{
+    patchwork_free(&f->patches);
+    fast_cells_free(&f->fast);
+}
+
+/* No cell tells of another fate than its label: an orbit beside the separatrix
+ * may go to the other side. */
+static void heed(const int8_t label[], size_t n, struct cell out[])
+{
+    for (size_t i = 0; i < n; i++)
+        if (out[i].exit_reason != label[i])
+            out[i] = cell_unknown;
+}
+
+/* Some rows at a time, so that the monitor hears often. */
+enum status fields_find(const struct fields *f, size_t first, size_t rows,
+                        const struct monitor *monitor, struct cell out[])
+{
+    const struct basin_map *m = f->map;
+    const size_t n = m->columns, end = first + rows;
+    int8_t *label = malloc(n * PATCHWORK_TILE);
+    enum status status = label ? STATUS_OK : STATUS_NO_MEMORY;
+
+    for (size_t j = first; j < end && status == STATUS_OK;
+         j += PATCHWORK_TILE) {
+        const size_t some = end - j < PATCHWORK_TILE ? end - j : PATCHWORK_TILE;
+        status = basin_map_rows(m, j, some, label);
+        if (status == STATUS_OK)
+            status = patchwork_rows(&f->patches, j, some, label,
+                                    out + (j - first) * n, NULL);
+        if (status == STATUS_OK)
+            heed(label, some * n, out + (j - first) * n);
+        if (status == STATUS_OK &&
+            monitor_tell(monitor, "cells", (j + some) * n, m->rows * n))
+            status = STATUS_STOPPED;
+    }
+    free(label);
+    return status;
+}
+
+/* ---- pictures ------------------------------------------------------------ */
+
+static enum status fill_raster(const struct fields *f,
+                               const struct patchwork_grid *grid,
+                               const struct monitor *monitor, int8_t label[],
+                               struct cell out[])
+{
+    struct patchwork w;
+    enum status status =
+        basin_map_raster(f->map, grid->columns, grid->rows, label);
+
+    if (status != STATUS_OK)
+        return status;
+    status = plan(f, grid, TOL_FIELDS_PICTURE, monitor, &w);
+    if (status == STATUS_OK)
+        status = patchwork_rows(&w, 0, grid->rows, label, out, NULL);
+    if (status == STATUS_OK)
+        heed(label, grid->columns * grid->rows, out);
+    patchwork_free(&w);
+    return status;
+}
+
+enum status fields_raster(const struct fields *f, size_t columns, size_t rows,
+                          const struct monitor *monitor, struct cell out[])
+{
+    const size_t longest = columns > rows ? columns : rows;
+    double *x = malloc(columns * sizeof *x), *y = malloc(rows * sizeof *y);
+    double *stored = malloc(longest * sizeof *stored);
+    int8_t *label = malloc(columns * rows);
+    enum status status = STATUS_NO_MEMORY;
+
+    if (x && y && stored && label) {
+        const struct patchwork_grid grid = { x, y, columns, rows };
+        basin_map_axis(f->map->scene, BASIN_V, columns, x, stored);
+        basin_map_axis(f->map->scene, BASIN_PSI, rows, y, stored);
+        status = fill_raster(f, &grid, monitor, label, out);
+    }
+    free(x);
+    free(y);
+    free(stored);
+    free(label);
+    return status;
+}

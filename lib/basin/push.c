@@ -1,0 +1,306 @@
+/* The row and the column of a state are crossed by the stable branches, which
+ * says the nearest other fate; slip and time come from the slow
+ * curve's table or from its whole orbit, run twice, for the orbit's own error
+ * sums are no bounds. */
+#include "push.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "basin_tolerance.h"
+#include "margin.h"
+#include "rest_form.h"
+#include "scene_slope.h"
+
+static const struct record_field push_fields[] = {
+    FIELD_CODE(push_answer, fate, fate_names, "what becomes of the state"),
+    FIELD(push_answer, QUANTITY, slip, "1", "slip to arrest in units of L"),
+    FIELD(push_answer, QUANTITY, time, "1",
+          "time to arrest in units of L/V_star"),
+    FIELD(push_answer, QUANTITY, mu_mean, "1", "mean friction over that slip"),
+    FIELD(push_answer, QUANTITY, v_kick, "1",
+          "factor on v to the nearest other fate"),
+    FIELD(push_answer, QUANTITY, psi_kick, "1",
+          "factor on psi (or shift of it) to the nearest other fate"),
+};
+const struct record_type record_push =
+    RECORD_TYPE("push", "what becomes of a state and what would change that",
+                push_fields, push_answer);
+
+/* ---- the plane ----------------------------------------------------------- */
+
+enum status push_init(struct push *p, const struct scene *scene,
+                      const struct monitor *monitor, struct fault *why)
+{
+    *p = (struct push){ .scene = scene };
+    enum status status =
+        scene_slope_demand(scene, 1u << PRODUCT_EQUILIBRIA, why);
+    if (status != STATUS_OK)
+        return status;
+    slider_init(&p->slider, &scene->law, &scene->material, scene->tan_alpha);
+    const char *none = slider_no_manifolds(&p->slider);
+    if (monitor_tell(monitor, "steady states", 0, 0))
+        status = STATUS_STOPPED;
+    else if (slider_saddle(&p->slider) >= 0 && none)
+        status = STATUS_NOT_HYPERBOLIC;
+    if (status == STATUS_OK)
+        status = labels_init(&p->labels, &p->slider, scene->rtol, monitor);
+    if (status == STATUS_OK)
+        return STATUS_OK;
+    snprintf(why->text, sizeof why->text, "the basins of the slope: %s",
+             status == STATUS_NOT_HYPERBOLIC && none ? none
+                                                     : status_text(status));
+    push_free(p);
+    return status;
+}
+
+enum status push_tabulate(struct push *p, const struct monitor *monitor)
+{
+    fast_cells_free(&p->fast);
+    const enum status s = fast_cells_init(&p->fast, &p->slider, monitor);
+
+    if (s != STATUS_OK)
+        p->fast = (struct fast_cells){ .slider = NULL };
+    return s;
+}
+
+void push_free(struct push *p)
+{
+    fast_cells_free(&p->fast);
+    labels_free(&p->labels);
+}
+
+/* ---- slip and time ------------------------------------------------------- */
+
+/* The finer value; the bar holds the other, both own ones, and what is left of
+ * an orbit followed to rtol where the change is small by luck. */
+static struct quantity compare(struct quantity coarse, struct quantity fine,
+                               double rtol)
+{
+    if (!quantity_exists(&coarse) || !quantity_exists(&fine))
+        return quantity_exists(&fine) ? coarse : fine;
+    return quantity_of(fine.value,
+                       fabs(fine.value - coarse.value) +
+                           fmax(fine.error, coarse.error) +
+                           TOL_CELLS_LEAST * rtol * fabs(fine.value));
+}
+
+static enum status follow(const struct push *p, struct vec2 z,
+                          const struct monitor *monitor,
+                          struct push_answer *out)
+{
+    static const char too_near[] =
+        "the state is too near the boundary for its orbit to be followed";
+    struct fate_result coarse, fine;
+    double rtol = TOL_PUSH_COARSE;
+    bool agree = false;
+    enum status s = fate_find(&p->slider, z, rtol, true, monitor, &coarse);
+
+    while (s == STATUS_OK && !agree && coarse.reason == NULL &&
+           rtol * TOL_PUSH_FINER >= TOL_PUSH_FINEST) {
+        rtol *= TOL_PUSH_FINER;
+        s = fate_find(&p->slider, z, rtol, true, monitor, &fine);
+        agree = (int8_t) coarse.fate == out->fate && fine.fate == coarse.fate;
+        if (!agree)
+            coarse = fine;
+    }
+    if (agree) {
+        out->slip = compare(coarse.slip, fine.slip, rtol);
+        out->time = compare(coarse.time, fine.time, rtol);
+        out->mu_mean = compare(coarse.mu_mean, fine.mu_mean, rtol);
+    } else {
+        const char *why = coarse.reason ? coarse.reason : too_near;
+        out->slip = out->time = out->mu_mean = quantity_none(why);
+    }
+    return s;
+}
+
+static struct quantity told(double value, double error, const char *none)
+{
+    return isfinite(value) ? quantity_of(value, error) : quantity_none(none);
+}
+
+/* Of a block that only fades. */
+static bool slip_is_finite(const struct push *p)
+{
+    const struct block *b = &p->slider.block;
+
+    return rest_form_of(&b->law, &b->material).has_slip;
+}
+
+/* What a cell tells of a state of that fate, or why there is nothing to tell
+ * (as fate.c says it); false: nothing that helps. */
+static bool take_cell(const struct push *p, const struct cell *c,
+                      struct push_answer *out)
+{
+    const bool fades = c->exit_reason == FATE_REST_ASYMPTOTIC;
+    const bool runs = c->exit_reason == FATE_RUNAWAY;
+    const char *never =
+        runs ? "the block runs away" : "the block never quite stops";
+    const char *unbounded = runs ? never : "the slip grows without bound";
+
+    if (c->exit_reason != out->fate)
+        return false;
+    if (!runs && !fades && !(isfinite(c->mu_mean) && isfinite(c->time)))
+        return false;
+    if (fades && !isfinite(c->slip) && slip_is_finite(p))
+        return false;
+    out->slip = told(c->slip, c->slip_error, unbounded);
+    out->time = told(c->time, c->time_error, never);
+    out->mu_mean = told(c->mu_mean, c->mu_mean_error, unbounded);
+    return true;
+}
+
+/* ---- kicks --------------------------------------------------------------- */
+
+/* Along a row or a column, from the point `at` of it. */
+static struct quantity kick_from(const struct push *p,
+                                 const struct margin_line *l, double at,
+                                 bool is_log, const char *none)
+{
+    double error;
+    const double shift = margin_at(l, at, &error);
+    const double rounding = TOL_PUSH_ROUNDING * (1.0 + fabs(at) + fabs(shift));
+    const double factor = exp(shift);
+
+    if (slider_saddle(&p->slider) < 0)
+        return quantity_none("no saddle at this slope, hence one fate for all");
+    if (isinf(shift))
+        return quantity_none(none);
+    if (!is_log)
+        return quantity_of(shift, error + rounding);
+    if (isinf(factor) || factor == 0.0)
+        return quantity_none("the factor is beyond the range of a double");
+    return quantity_of(factor, factor * (error + rounding));
+}
+
+/* z: an offset. */
+static enum status find_kicks(const struct push *p, struct vec2 z,
+                              struct push_answer *out)
+{
+    const struct planar_axis *axis = p->slider.plane.system.axis;
+    const struct labels *labels = &p->labels;
+    struct margin_line l;
+    const enum status s = margin_init(&l, &labels->along[0], &labels->along[1]);
+
+    if (s != STATUS_OK)
+        return s;
+    margin_find(&l, &labels->regions, &labels->along[SEPARATRIX_X], z.x);
+    out->psi_kick = kick_from(p, &l, z.y, axis[1].is_log,
+                              "no other fate at this v, whatever psi");
+    margin_find(&l, &labels->regions, &labels->along[SEPARATRIX_Y], z.y);
+    out->v_kick =
+        kick_from(p, &l, z.x, true, "no other fate at this psi, whatever v");
+    margin_free(&l);
+    return STATUS_OK;
+}
+
+/* ---- states -------------------------------------------------------------- */
+
+static struct vec2 chart_point(const struct push *p, struct push_state at)
+{
+    return (struct vec2){ log(at.v), p->slider.plane.system.axis[1].is_log
+                                         ? log(at.psi)
+                                         : at.psi };
+}
+
+bool push_holds(const struct push *p, struct push_state at)
+{
+    return box_holds(p->slider.plane.system.domain, chart_point(p, at));
+}
+
+/* `cell`: what is known of it already. */
+static enum status answer(const struct push *p, struct push_state at,
+                          const struct cell *cell,
+                          const struct monitor *monitor,
+                          struct push_answer *out)
+{
+    const struct vec2 z = block_offset(&p->slider.block, at.v, at.psi);
+    struct fate_told label;
+
+    *out = (struct push_answer){ .fate = FATE_NONE };
+    enum status s = find_kicks(p, z, out);
+    if (s == STATUS_OK)
+        s = labels_find(&p->labels, z, monitor, &label);
+    if (s != STATUS_OK)
+        return s;
+    out->fate = label.fate;
+    if (label.fate == FATE_UNDECIDED)
+        out->slip = out->time = out->mu_mean = quantity_none(label.reason);
+    else if (!take_cell(p, cell, out))
+        s = follow(p, chart_point(p, at), monitor, out);
+    return s;
+}
+
+/* What the slow curve says of n states, if it was tabulated. */
+static enum status find_cells(const struct push *p, const struct vec2 z[],
+                              size_t n, struct cell out[])
+{
+    const unsigned which =
+        1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
+
+    for (size_t i = 0; i < n; i++)
+        out[i] = (struct cell){ .exit_reason = FATE_UNDECIDED };
+    return p->fast.slider == NULL
+               ? STATUS_OK
+               : fast_cells_find(&p->fast, z, n, TOL_PUSH_COARSE, which, NULL,
+                                 out, NULL);
+}
+
+enum status push_find(const struct push *p, struct push_state at,
+                      const struct monitor *monitor, struct push_answer *out)
+{
+    const struct vec2 z = chart_point(p, at);
+    struct cell cell;
+
+    if (!push_holds(p, at))
+        return STATUS_BAD_ARGUMENT;
+    const enum status s = find_cells(p, &z, 1, &cell);
+    return s == STATUS_OK ? answer(p, at, &cell, monitor, out) : s;
+}
+
+/* States between two words to the monitor. */
+enum { BLOCK = 1024, BLOCK_WHOLE = 64 };
+
+/* count <= BLOCK. */
+static enum status find_block(const struct push *p,
+                              const struct push_state at[], size_t count,
+                              struct push_answer out[])
+{
+    struct vec2 z[BLOCK];
+    struct cell cell[BLOCK];
+
+    for (size_t i = 0; i < count; i++) {
+        if (!push_holds(p, at[i]))
+            return STATUS_BAD_ARGUMENT;
+        z[i] = chart_point(p, at[i]);
+    }
+    enum status failed = find_cells(p, z, count, cell);
+#pragma omp parallel for schedule(dynamic)
+    for (size_t i = 0; i < count; i++) {
+        const enum status s = answer(p, at[i], &cell[i], NULL, &out[i]);
+        if (s != STATUS_OK) {
+#pragma omp atomic write
+            failed = s;
+        }
+    }
+    return failed;
+}
+
+enum status push_find_all(const struct push *p, const struct push_state at[],
+                          size_t count, const struct monitor *monitor,
+                          struct push_answer out[])
+{
+    const size_t block = p->fast.slider ? BLOCK : BLOCK_WHOLE;
+    enum status failed = STATUS_OK;
+
+    for (size_t first = 0; first < count && failed == STATUS_OK;
+         first += block) {
+        const size_t end = count - first < block ? count : first + block;
+        failed = find_block(p, &at[first], end - first, &out[first]);
+        if (failed == STATUS_OK && monitor_tell(monitor, "states", end, count))
+            failed = STATUS_STOPPED;
+    }
+    return failed;
+}

@@ -1,0 +1,38 @@
+/*
+ * baseline.h -- a table that regression.h holds to: what a scene gives today,
+ * each number with its tolerance.
+ *
+ * A slope takes one row (name, law, parameters, alpha; saddle, critical
+ * numbers, folds; type, v, psi, mu, eigenvalues of the saddle) and one more for
+ * each other steady state (only the latter); a scene without a slope one with
+ * its folds.  Numbers have 17 digits, inputs the fewest that read back as the
+ * same double; inputs that the law does not use stay empty.  Behind each number
+ * NAME stands NAME_tol, absolute: CHECK_RECORDED_BARS error bars and a
+ * rounding.
+ */
+#ifndef CHECK_BASELINE_H
+#define CHECK_BASELINE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "scene.h"
+
+struct baseline {
+    char *text; /* owned, zero-ended: CSV; NULL when empty */
+    size_t size, room;
+    size_t rows;
+    bool full; /* out of memory: nothing more is added */
+};
+
+/* Computes a scene's slope (at alpha, its tangent and rtol the scene's) and
+ * adds its rows, the first time below a header.  `name` is a label.  Errors as
+ * study_run; *b is then as it was. */
+MUST_CHECK enum status baseline_add(struct baseline *b, const char *name,
+                                    const struct scene *scene,
+                                    struct fault *why);
+
+/* A second call is harmless. */
+void baseline_free(struct baseline *b);
+
+#endif

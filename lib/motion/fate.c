@@ -1,0 +1,385 @@
+/* One orbit by orbit.h until it arrives, leaves the domain, outlives the
+ * doubles or falls onto the curve along which a block comes to rest; what its
+ * end means follows from where it is.  What is left of a rest is an integral
+ * (rest_left.h): deep down an orbit would see the rounding of mu - tan(alpha)
+ * only. */
+#include "fate.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "moment.h"
+#include "motion_tolerance.h"
+#include "rest_form.h"
+#include "rest_left.h"
+#include "slider.h"
+
+const char *const fate_names[] = { "creep",       "sliding",
+                                   "rest_finite", "rest_asymptotic",
+                                   "runaway",     "undecided",
+                                   NULL };
+
+enum fate fate_of_node(const struct slider *s, const struct equilibrium *e)
+{
+    const struct planar_steady *curve = s->plane.system.steady;
+    const double x = e->z.x;
+
+    if (curve->turnings == 0)
+        return x <= 0.0 ? FATE_CREEP : FATE_SLIDING;
+    return x <= (double) curve->turning[0] ? FATE_CREEP : FATE_SLIDING;
+}
+
+/* Where orbits arrive: every steady state but the saddle. */
+struct goals {
+    struct vec2 at[EQUILIBRIA_MAX];
+    enum fate fate[EQUILIBRIA_MAX];
+    size_t count;
+};
+
+static struct goals goals_of(const struct slider *s)
+{
+    struct goals g = { .count = 0 };
+
+    for (size_t i = 0; i < s->plane.equilibria; i++) {
+        if ((int) i == slider_saddle(s))
+            continue;
+        g.at[g.count] =
+            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
+        g.fate[g.count++] = fate_of_node(s, &s->plane.equilibrium[i]);
+    }
+    return g;
+}
+
+/* The slowest time scale of the steady states; without any, 1 (t*). */
+static double slow_time(const struct slider *s)
+{
+    double slowest = s->plane.equilibria > 0 ? 0.0 : 1.0;
+
+    for (size_t i = 0; i < s->plane.equilibria; i++)
+        for (int k = 0; k < 2; k++)
+            slowest =
+                fmax(slowest, 1.0 / fabs(s->plane.equilibrium[i].lambda[k]));
+    return fmin(fmax(slowest, 1.0), TOL_FATE_TIME_MAX);
+}
+
+/* Of a block that stops, or all but does: a law's matter. */
+static enum fate fate_at_rest(const struct slider *s)
+{
+    const enum fate fate = rest_form_of(&s->block.law, &s->block.material).fate;
+
+    return fate == FATE_CREEP ? FATE_UNDECIDED : fate;
+}
+
+/* Whether it has left the domain, or every scale. */
+static bool is_beyond(const struct orbit *o)
+{
+    return o->end == ORBIT_LEFT_DOMAIN || o->end == ORBIT_REACHED;
+}
+
+/* Of an orbit so far. */
+struct past {
+    bool fell;  /* it has been where nothing holds v above 0 */
+    bool rests; /* and what is left of it is known: */
+    struct rest_left left;
+};
+
+/* In the quadrant v > v_sp, psi < psi_sp, which cannot be left (trap.h), and
+ * without a node in it: nothing bounds v. */
+static bool runs_away(const struct slider *s, const struct orbit *o)
+{
+    if (slider_saddle(s) < 0 || !(o->u[0] > 0.0 && o->u[1] < 0.0))
+        return false;
+    return (size_t) slider_saddle(s) + 1 == s->plane.equilibria;
+}
+
+/* In the quadrant v < v_sp, psi > psi_sp, which cannot be left either, and
+ * without a node in it: nothing holds v above 0. */
+static bool falls(const struct slider *s, const struct orbit *o)
+{
+    return slider_saddle(s) == 0 && o->u[0] < 0.0 && o->u[1] > 0.0;
+}
+
+/* The power of time that v follows over the last part of the time: the rates
+ * at the end of an orbit are mostly rounding.  NaN where it has no such past,
+ * or no normal number for the time. */
+static double power_of_time(const struct orbit *o)
+{
+    double u[CURVE_DIM_MAX];
+
+    for (size_t i = o->curve.count; i-- > 0;) {
+        curve_at(&o->curve, i, 0.0, u);
+        if (u[2] <= TOL_FATE_PART * o->u[2])
+            return o->u[2] > DBL_MIN
+                       ? (o->u[0] - u[0]) / log(o->u[2] / fmax(u[2], DBL_MIN))
+                       : (double) NAN;
+    }
+    return (double) NAN;
+}
+
+/* An orbit that has left every scale: v -> inf or v -> 0 like a power of
+ * time, or faster. */
+static enum fate fate_beyond(const struct slider *s, const struct orbit *o)
+{
+    const double power = power_of_time(o);
+
+    return power > TOL_FATE_POWER    ? FATE_RUNAWAY
+           : power < -TOL_FATE_POWER ? fate_at_rest(s)
+                                     : FATE_UNDECIDED;
+}
+
+/* What becomes of it does not hang on how far it was followed. */
+static enum fate fate_at_end(const struct slider *s, const struct goals *g,
+                             const struct orbit *o, const struct past *past)
+{
+    if (past->fell || past->rests)
+        return fate_at_rest(s);
+    if (o->end == ORBIT_ARRIVED)
+        return g->fate[o->end_index];
+    if (runs_away(s, o))
+        return FATE_RUNAWAY;
+    return is_beyond(o) ? fate_beyond(s, o) : FATE_UNDECIDED;
+}
+
+static const char *reason_of(const struct past *past, enum fate fate)
+{
+    if (fate != FATE_UNDECIDED)
+        return NULL;
+    return past->fell ? "the block creeps at a rate below the plane's"
+                      : "the orbit could not be followed to an end";
+}
+
+/* Work over slip.  What is left of the work is, by (27), the energy at the end
+ * and that of the slope; it may all be done in hardly any slip. */
+static struct quantity mean_of(const struct slider *s, const struct orbit *o,
+                               const struct quantity *slip,
+                               const struct rest_left *left)
+{
+    const double v = s->block.at.v0 * exp(o->u[0]);
+    const double t = (double) s->block.tan_alpha;
+    const double stop = 0.5 * material_eps2(&s->block.material) * v * v;
+    const double energy = o->end == ORBIT_ARRIVED ? 0.0 : stop * hypot(1.0, t);
+    const double work = o->u[3 + BLOCK_WORK] + energy + t * left->slip;
+    const double work_error = o->error[3 + BLOCK_WORK] +
+                              2.0 * o->error[0] * energy + t * left->slip_error;
+    const double mean = work / slip->value;
+    const double known = slip->value - slip->error;
+
+    if (!quantity_exists(slip))
+        return *slip;
+    if (!(slip->value > 0.0))
+        return quantity_none("no slip before arrest");
+    if (!(known > 0.0))
+        return quantity_none("the slip is not known well enough");
+    return quantity_of(mean, (work_error + fabs(mean) * slip->error) / known);
+}
+
+/* What is left where psi has left the plane while v still falls: the friction
+ * there, which hardly changes, stops the block by inertia alone; known to
+ * within itself. */
+static struct rest_left left_beyond(const struct slider *s,
+                                    const struct orbit *o)
+{
+    const struct vec2 z = { o->u[0], o->u[1] };
+    const double power = rest_form_of(&s->block.law, &s->block.material).power;
+    const double v = s->block.at.v0 * exp(z.x);
+    const double time = power * exp(z.x - s->block.at.log_inertia) /
+                        moment_excess_friction(s, z);
+    const double slip = v * time / (1.0 + power);
+
+    return (struct rest_left){
+        .time = time, .slip = slip, .time_error = time, .slip_error = slip
+    };
+}
+
+/* Why it has neither time nor slip; NULL: it may have. */
+static const char *why_endless(const struct slider *s, const struct orbit *o,
+                               const struct past *past, enum fate fate)
+{
+    if (fate == FATE_RUNAWAY)
+        return "the block runs away";
+    if (fate == FATE_UNDECIDED)
+        return "the fate is undecided";
+    return o->end == ORBIT_ARRIVED || past->rests ||
+                   (is_beyond(o) && fate == FATE_REST_FINITE &&
+                    moment_excess_friction(
+                        s, (struct vec2){ o->u[0], o->u[1] }) > 0.0)
+               ? NULL
+               : "the orbit could not be followed to its end";
+}
+
+/* A sum along the orbit, with what is left, and what the orbit's errors make of
+ * that. */
+static struct quantity sum_of(const struct orbit *o, size_t i, double left,
+                              double left_error, double slope)
+{
+    const double sum = o->u[i] + left;
+    const double off = fmax(o->error[0], o->error[1]);
+    const double rounding =
+        DBL_EPSILON *
+        (TOL_TIMELINE_ROUNDING + TOL_TIMELINE_STEP * (double) o->steps);
+
+    return quantity_of(sum, o->error[i] + left_error + slope * off +
+                                rounding * fabs(sum));
+}
+
+static void observe_end(const struct slider *s, const struct orbit *o,
+                        const struct past *past, struct fate_result *out)
+{
+    const char *why = why_endless(s, o, past, out->fate);
+    const bool beyond = out->fate == FATE_REST_FINITE && !past->rests;
+    const struct rest_left left = beyond ? left_beyond(s, o) : past->left;
+    static const char never[] = "the block never quite stops";
+    static const char unbounded[] = "the slip grows without bound";
+
+    if (why) {
+        out->slip = out->time = out->mu_mean = quantity_none(why);
+        return;
+    }
+    out->time = isinf(left.time)
+                    ? quantity_none(never)
+                    : sum_of(o, 2, left.time, left.time_error, left.time_slope);
+    if (isinf(left.slip)) {
+        out->slip = out->mu_mean = quantity_none(unbounded);
+        return;
+    }
+    out->slip =
+        sum_of(o, 3 + BLOCK_SLIP, left.slip, left.slip_error, left.slip_slope);
+    out->mu_mean = mean_of(s, o, &out->slip, &left);
+}
+
+static void note(const struct slider *s, const struct orbit *o,
+                 struct past *past)
+{
+    past->fell = past->fell || falls(s, o);
+    past->rests = rest_left_find(s, (struct vec2){ o->u[0], o->u[1] }, o->u[2],
+                                 &past->left);
+}
+
+/* orbit_run, which also ends where the block runs away or what is left of its
+ * rest is known; unless `observe`, as soon as its fate is; and where rounding
+ * throws it out of a quadrant that cannot be left. */
+static enum status run(const struct slider *s, struct orbit *o, bool observe,
+                       const struct monitor *monitor, struct past *past)
+{
+    enum status status = STATUS_OK;
+
+    note(s, o, past);
+    while (status == STATUS_OK && o->end == ORBIT_RUNNING && !past->rests &&
+           !runs_away(s, o) && (!past->fell || (observe && falls(s, o)))) {
+        status = orbit_step(o);
+        note(s, o, past);
+        if (o->steps % TOL_MONITOR_STEPS == 0 &&
+            monitor_tell(monitor, "orbit", o->steps, 0))
+            status = STATUS_STOPPED;
+    }
+    return status;
+}
+
+void fate_least(const struct slider *s, struct vec2 z, double least[])
+{
+    const bool may_rest = (slider_saddle(s) == 0 || s->plane.equilibria == 0) &&
+                          fate_at_rest(s) == FATE_REST_FINITE;
+    const double v = s->block.at.v0 * exp(z.x);
+    const double eps2 = material_eps2(&s->block.material);
+    const double stop = may_rest ? TOL_FATE_LEAST * eps2 * v : 0.0;
+
+    least[0] = fmin(stop, DBL_MAX);
+    least[1 + BLOCK_SLIP] = fmin(stop * v, DBL_MAX);
+    least[1 + BLOCK_WORK] = least[1 + BLOCK_SLIP];
+}
+
+/* Follows the orbit from the offset z; *last: where it ended. */
+static enum status follow(const struct slider *s, struct vec2 z, double rtol,
+                          bool observe, const struct monitor *monitor,
+                          struct fate_result *out, struct vec2 *last)
+{
+    const struct goals goals = goals_of(s);
+    struct orbit_options options =
+        orbit_defaults(&s->plane.system, s->plane.stable_rate);
+    struct orbit o;
+    struct past past = { .fell = false };
+
+    options.rtol = rtol;
+    options.observables = observe ? BLOCK_EXCESS : 0;
+    options.target = goals.at;
+    options.targets = goals.count;
+    options.arrival = TOL_ARREST;
+    options.max_steps = TOL_FATE_STEPS;
+    options.reach[0] = TOL_FATE_LATE * slow_time(s);
+    fate_least(s, z, options.least);
+    *out = (struct fate_result){ .fate = FATE_UNDECIDED };
+    enum status status = orbit_init(&o, &s->plane.system, z, &options);
+    if (status != STATUS_OK)
+        return status;
+    status = run(s, &o, observe, monitor, &past);
+    if (status == STATUS_OK || status == STATUS_NO_CONVERGENCE ||
+        status == STATUS_TOO_MANY_STEPS) {
+        out->fate = fate_at_end(s, &goals, &o, &past);
+        out->reason = reason_of(&past, out->fate);
+        out->steps = o.steps;
+        out->field_evaluations = o.field_calls + o.jacobian_calls;
+        if (observe)
+            observe_end(s, &o, &past, out);
+        *last = (struct vec2){ o.u[0], o.u[1] };
+        status = STATUS_OK;
+    }
+    orbit_free(&o);
+    return status;
+}
+
+enum fate fate_of_side(const struct slider *s, bool slow)
+{
+    const size_t saddle = (size_t) slider_saddle(s), other = saddle + 1;
+
+    if (slow)
+        return saddle == 0 ? fate_at_rest(s)
+                           : fate_of_node(s, &s->plane.equilibrium[saddle - 1]);
+    return other == s->plane.equilibria
+               ? FATE_RUNAWAY
+               : fate_of_node(s, &s->plane.equilibrium[other]);
+}
+
+/* (A saddle is beyond the plane where a block may rest and a node is the only
+ * steady state in it.) */
+enum fate fate_of_all(const struct slider *s)
+{
+    const enum fate rest = rest_form_of(&s->block.law, &s->block.material).fate;
+
+    if (slider_saddle(s) >= 0 || s->plane.equilibria > 1)
+        return FATE_UNDECIDED;
+    if (s->plane.equilibria == 0)
+        return s->block.at.force0 > 0.0 ? FATE_RUNAWAY : fate_at_rest(s);
+    const struct equilibrium *e = &s->plane.equilibrium[0];
+    return e->type == EQUILIBRIUM_STABLE_NODE && rest == FATE_CREEP
+               ? fate_of_node(s, e)
+               : FATE_UNDECIDED;
+}
+
+/* What is known of an orbit that ended nowhere, at the offset `last`. */
+static enum fate find_anyway(const struct slider *s, struct vec2 last)
+{
+    const bool slow = last.x < 0.0 && last.y > 0.0;
+    const bool fast = last.x > 0.0 && last.y < 0.0;
+
+    return slider_saddle(s) < 0 ? fate_of_all(s)
+           : slow || fast       ? fate_of_side(s, slow)
+                                : FATE_UNDECIDED;
+}
+
+enum status fate_find(const struct slider *s, struct vec2 z, double rtol,
+                      bool observe, const struct monitor *monitor,
+                      struct fate_result *out)
+{
+    const struct vec2 start = vec2_sub(z, s->plane.system.origin);
+    struct vec2 last = start;
+    const enum status status =
+        follow(s, start, rtol, observe, monitor, out, &last);
+
+    if (status != STATUS_OK || observe || out->fate != FATE_UNDECIDED)
+        return status;
+    out->fate = find_anyway(s, last);
+    if (out->fate != FATE_UNDECIDED)
+        out->reason = NULL;
+    return STATUS_OK;
+}

@@ -1,0 +1,53 @@
+/*
+ * labels.h -- the fate of every state of a slope, told by the side of the
+ * saddle's stable manifold on which it lies.
+ *
+ * The quadrants of the saddle v < v_sp, psi > psi_sp and v > v_sp, psi < psi_sp
+ * cannot be left (trap.h), so the stable manifold, which leads into the saddle,
+ * never enters them: it divides the plane in two, each side holds one of them,
+ * and what attracts all of that one is the fate of the whole side.  No orbit is
+ * followed.  A state that is no further from the curve than the bar which the
+ * curve carries there (at the saddle: than the bar of the saddle) is undecided.
+ *
+ * Coordinates are offsets from the saddle, in the chart (block_offset).
+ */
+#ifndef MOTION_LABELS_H
+#define MOTION_LABELS_H
+
+#include "branch.h"
+#include "fate.h"
+#include "region.h"
+
+struct labels {
+    const struct slider *slider; /* borrowed */
+    struct branch stable[2];     /* owned; to the ends of the domain */
+    struct separatrix along[2];  /* owned; [0] crosses columns, [1] rows */
+    struct regions regions;      /* owned; unlabelled where no side is told */
+};
+
+/* Follows the stable branches of s, to rtol, and labels
+ * both sides; s must outlive l, which must not move.  STATUS_OK also without a
+ * saddle or without manifolds of it (study_has_manifolds).  On error *l is
+ * empty: STATUS_NO_MEMORY, STATUS_STOPPED, or as grow_branches. */
+MUST_CHECK enum status labels_init(struct labels *l, const struct slider *s,
+                                   double rtol, const struct monitor *monitor);
+
+/* Of one state. */
+struct fate_told {
+    int8_t fate;        /* enum fate */
+    const char *reason; /* static; why it is undecided, else NULL */
+    bool is_near;       /* because it is within the bar of the separatrix */
+};
+
+/* Of the state at the offset z.  Where no side is told - the manifold cannot be
+ * followed so far, as on the edge of the plane, or there is no saddle and yet
+ * more than one fate - its orbit may tell.  STATUS_NO_MEMORY, STATUS_STOPPED.
+ */
+MUST_CHECK enum status labels_find(const struct labels *l, struct vec2 z,
+                                   const struct monitor *monitor,
+                                   struct fate_told *out);
+
+/* A second call is harmless. */
+void labels_free(struct labels *l);
+
+#endif

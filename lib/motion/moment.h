@@ -1,0 +1,83 @@
+/*
+ * moment.h -- what is looked out for along the orbit of a block: events of
+ * event.h, each a function of the state that vanishes there.
+ */
+#ifndef MOTION_MOMENT_H
+#define MOTION_MOMENT_H
+
+#include "equilibrium.h"
+#include "event.h"
+#include "orbit.h"
+#include "record.h"
+
+struct slider;
+
+/* What happens; files hold these codes. */
+enum moment {
+    MOMENT_V_SP,    /* v = v of the saddle */
+    MOMENT_V_MINUS, /* v = v_minus, where it exists */
+    MOMENT_V_PLUS,  /* v = v_plus, where it exists */
+    MOMENT_V,       /* v = level */
+    MOMENT_PSI,     /* psi = level */
+    MOMENT_PSI_MIN, /* dpsi/dt = 0 */
+    MOMENT_PSI_MAX,
+    MOMENT_MU_MIN, /* dmu/dt = 0 */
+    MOMENT_MU_MAX,
+    MOMENT_V_MIN, /* dv/dt = 0: mu = tan(alpha) */
+    MOMENT_V_MAX,
+    MOMENT_MU_NEARS,  /* |mu - tan(alpha)| falls below level */
+    MOMENT_MU_LEAVES, /* and rises above it */
+    MOMENT_ARREST,    /* enters the box TOL_ARREST around a stable node */
+    MOMENT_REST,      /* v = 0 */
+    MOMENTS
+};
+extern const char *const moment_names[];
+
+/* A value to look out for, of v (MOMENT_V), psi (MOMENT_PSI) or
+ * |mu - tan(alpha)| (MOMENT_MU_NEARS, both ways). */
+struct moment_level {
+    enum moment what;
+    double value;
+};
+
+/* The functions watched along one orbit; must not move, nor its study. */
+struct moment_watch {
+    const struct slider *slider; /* borrowed */
+    enum moment what; /* of a pair that differs in direction, the first */
+    double level;     /* as given; NaN: none */
+    double at;        /* offset in the chart, or level */
+};
+struct moment_watches {
+    struct moment_watch watch[EVENT_COUNT_MAX];
+    struct event event[EVENT_COUNT_MAX]; /* their ctx: the watch */
+    size_t count;
+};
+
+/* Levels that fit beside what is always watched. */
+enum { MOMENT_LEVELS_MAX = 7 };
+
+/* Everything that exists in s, whose critical numbers are known, the nearness
+ * that phases go by (TOL_PHASE_NEAR tan(alpha)), and the levels; but rest,
+ * which nothing vanishes at (rest_left.h).  Orbits stop at arrest where `stop`
+ * is true. */
+void moment_watch_all(struct moment_watches *w, const struct slider *s,
+                      const struct moment_level *level, size_t levels,
+                      bool stop);
+
+/* What a hit on the curve c means; of a turn, that it is one: *_MIN. */
+enum moment moment_of(const struct moment_watches *w,
+                      const struct event_hit *hit, const struct curve *c);
+
+/* mu - tan(alpha) at the offset z, exact to rounding of the difference. */
+double moment_excess_friction(const struct slider *s, struct vec2 z);
+
+/* The stable node within `reach` of the offset z in both coordinates, in s;
+ * NULL: none. */
+const struct equilibrium *moment_node_at(const struct slider *s, struct vec2 z,
+                                         double reach);
+
+/* d ln v/dt and d ln psi/dt (dpsi/dt where psi is a logarithm), per t*; may be
+ * infinite.  u: of the orbit. */
+struct vec2 moment_rates(const struct slider *s, const double u[]);
+
+#endif

@@ -1,0 +1,148 @@
+/* motion_tolerance.h -- the tunable numbers of single orbits and what becomes of them. */
+#ifndef MOTION_MOTION_TOLERANCE_H
+#define MOTION_MOTION_TOLERANCE_H
+
+#include "numbers_tolerance.h"
+
+/* Steps that an orbit may take: ten times what an accurate one to a node
+ * needs. */
+#define TOL_FATE_STEPS 50000
+
+/* An orbit that has not arrived after so many times the slowest scale of the
+ * steady states has left every scale; below this power of time it has not. */
+#define TOL_FATE_LATE     1e30
+#define TOL_FATE_TIME_MAX 1e200
+#define TOL_FATE_POWER    0.1
+
+/* The last part of the time that it is told from. */
+#define TOL_FATE_PART 0.01
+
+/* How far from the edge of the domain in ln v a branch may end and yet have
+ * left it there, not through psi: far more than rounding, far less than a step.
+ */
+#define TOL_LABELS_EDGE 1e-9
+
+/* Labels by forward integration (trap.c): accuracy of the first attempt, and of
+ * the next ones; and the distance from the saddle, in tolerances, at which a
+ * label is certain: errors of a few hundred steps, grown a hundredfold on the
+ * way. */
+#define TOL_TRAP_RTOL   1e-6
+#define TOL_TRAP_FINER  1e-3
+#define TOL_TRAP_FINEST 5e-13
+#define TOL_TRAP_FAR    1e4
+
+/* The same for the distance from the stable manifold where an orbit is caught:
+ * a few steps, not magnified. */
+#define TOL_TRAP_SIDE 30.0
+
+/* First step in the chart, and steps before an orbit is followed to its end
+ * by the L-stable method instead. */
+#define TOL_TRAP_STEP  1.0
+#define TOL_TRAP_STEPS 1000
+
+/* One state (push.c).  Its orbit is run at two tolerances, the coarse one and
+ * the next finer; where their fates differ, finer ones, down to the finest.
+ * What rounding does to a coordinate and to a root, per unit of either. */
+#define TOL_PUSH_COARSE   1e-9
+#define TOL_PUSH_FINER    0.01
+#define TOL_PUSH_FINEST   5e-14
+#define TOL_PUSH_ROUNDING 0x1p-50
+
+/* Peaks along an orbit (peak.c).  Samples of a step; the part of the distance
+ * between three samples at which a peak is found: it errs by the square.  The
+ * steps around it are followed again to this part of the orbit's tolerance,
+ * down to the finest. */
+#define TOL_PEAK_SAMPLES 4
+#define TOL_PEAK_WIDTH   1e-6
+#define TOL_PEAK_FINER   1e-3
+#define TOL_PEAK_FINEST  1e-13
+
+/* Moments (moment.c).  Below this component of a direction mu is compared with
+ * tan(alpha) itself; and how far, on a piece, one looks to both sides of an
+ * event to see which way it goes. */
+#define TOL_MOMENT_DIRECTION 1e-100
+#define TOL_MOMENT_ASIDE     0.05
+
+/* A turn of ln v, ln psi or mu along an orbit is one when it is this many
+ * times the orbit's tolerance high (rounding makes turns a tenth of it high);
+ * bars in units of what the coarser orbit changes, for two may agree by
+ * chance; and what rounding does to numbers along an orbit, in units of
+ * roundoff, at once and with each step (measured at the finest tolerances: 120
+ * roundings of the time at most). */
+#define TOL_TIMELINE_TURN     1.0
+#define TOL_TIMELINE_BAR      8.0
+#define TOL_TIMELINE_ROUNDING 128.0
+#define TOL_TIMELINE_STEP     0.02
+
+/* Phases of sliding: a block is on the v-nullcline where mu is this near to
+ * tan(alpha), relative (inertia takes it there at once, friction laws change
+ * by more along the way). */
+#define TOL_PHASE_NEAR 0.01
+
+/* A maximum on a step (crest.c): samples, and the part of it it is found to. */
+#define TOL_CREST_SAMPLES 8
+#define TOL_CREST_WIDTH   1e-5
+
+/* Orbits of transients: tolerance as a part of what is asked for (their events
+ * are good to a hundredth of it), the finest that helps and the coarsest that
+ * still follows the curve; that of the second orbit, to compare with; steps,
+ * several times what the finest takes; how much looser, then finer, the next
+ * attempt is where they do not suffice; where a block runs away or fades, as
+ * factors on v; where arrest is looked for at the end of a run that was
+ * arrested, in units of its distance; and the ln v (1e-11) down to which a
+ * block that rests is followed, at least. */
+#define TOL_TRANSIENT_STEP     10.0
+#define TOL_TRANSIENT_FINEST   3e-13
+#define TOL_TRANSIENT_COARSEST 1e-6
+#define TOL_TRANSIENT_RATIO    10.0
+#define TOL_TRANSIENT_STEPS    60000
+#define TOL_TRANSIENT_RETREAT  100.0
+#define TOL_TRANSIENT_FAST     1e6
+#define TOL_TRANSIENT_SLOW     1e-8
+#define TOL_TRANSIENT_REACH    2.0
+#define TOL_TRANSIENT_DEEP     (-25.4)
+#define TOL_TRANSIENT_LEFT     1e-17
+
+/* The curve along which a block comes to rest (rest_curve.c): no knots are kept
+ * below this ln v; and apart in ln v, or in ln psi, for differences. */
+#define TOL_REST_BOTTOM     (-36.0)
+#define TOL_REST_DIFFERENCE 0.01
+
+/* What is left of a rest (rest_left.c, rest_lag.c).  Rounds of an iteration at
+ * most, and the change, as a part, that the last may leave; what the curve may
+ * be off, relative, or beside the time so far, and an orbit from it in ln v, or
+ * in psi where that is the faster one, unless it is below this ln v; the least
+ * part of psi_ss that psi is,
+ * behind it, the ln v below which that is looked for, and the v below which it
+ * is known by one round; bars, beside all time and slip.  Panels: the first, in
+ * ln psi or ln v, and their number; what both rules may differ by, and the
+ * factor before that is raised to 3/2 for a bar; what is nothing; and how much
+ * better a panel is that is followed by one twice as long. */
+#define TOL_REST_ROUNDS   12
+#define TOL_REST_SETTLED  1e-9
+#define TOL_REST_WRONG    1e-11
+#define TOL_REST_OFF      1e-11
+#define TOL_REST_BESIDE   1e-3
+#define TOL_REST_EDGE     (-600.0)
+#define TOL_REST_UNSEEN   1e-14
+#define TOL_REST_BEHIND   0.5
+#define TOL_REST_SLOW     (-3.0)
+#define TOL_REST_GOOD     1e-10
+#define TOL_REST_STRAIGHT 1e-8
+#define TOL_REST_PANEL    0.25
+#define TOL_REST_PANELS   1000
+#define TOL_REST_SUM      1e-12
+#define TOL_REST_NOTHING  1e-17
+#define TOL_REST_EASY     1e-3
+#define TOL_REST_QUADPACK 200.0
+
+/* Where doubt about an event begins to be measured (doubt.c), in pieces of the
+ * orbit: far below what rounding does to a piece. */
+#define TOL_DOUBT_NEAREST 0x1p-50
+
+/* An orbit to a rest needs no digits of a time below this part of eps^2 v, the
+ * time in which a friction of 1 stops it: where psi leaps first, by a sinh of
+ * psi_ss - psi, time grows from 1e-300, and its rate is rounding. */
+#define TOL_FATE_LEAST 0.01
+
+#endif

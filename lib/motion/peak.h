@@ -1,0 +1,26 @@
+/*
+ * peak.h -- the largest slip rate and the largest friction along an orbit.
+ */
+#ifndef MOTION_PEAK_H
+#define MOTION_PEAK_H
+
+#include <stddef.h>
+
+#include "plane.h"
+#include "status.h"
+
+struct slider;
+
+struct peaks {
+    double x;  /* ln v */
+    double mu; /* dimensionless */
+};
+
+/* Along the orbit that fate_find(s, z, rtol, true, ...) follows in `steps`
+ * steps (its result says how many), both ends included; as accurate as that
+ * orbit.  Of several maxima between neighbouring samples (TOL_PEAK_SAMPLES a
+ * step) all but one may be missed.  Errors as fate_find; *out untouched. */
+MUST_CHECK enum status peaks_find(const struct slider *s, struct vec2 z,
+                                  double rtol, size_t steps, struct peaks *out);
+
+#endif

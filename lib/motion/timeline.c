@@ -1,0 +1,270 @@
+/* Turns of v, psi and mu are told from rounding, of which rates consist along
+ * slow curves and near nodes, by the values there: one that moves back by more
+ * than the orbit's tolerance has turned where it was largest or least. */
+#include "timeline.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "doubt.h"
+#include "motion_tolerance.h"
+
+/* One hit of an orbit. */
+struct mark {
+    const struct event_hit *hit; /* borrowed */
+    enum moment what;
+    bool kept;
+};
+
+struct marks {
+    struct mark *at; /* owned */
+    size_t count;
+    const struct orbit *orbit; /* borrowed */
+};
+
+/* ---- turns --------------------------------------------------------------- */
+
+static bool is_turn(enum moment what)
+{
+    return what == MOMENT_PSI_MIN || what == MOMENT_MU_MIN ||
+           what == MOMENT_V_MIN;
+}
+
+static double turning(const struct slider *s, enum moment what,
+                      const double u[])
+{
+    if (what == MOMENT_MU_MIN)
+        return moment_excess_friction(s, (struct vec2){ u[0], u[1] });
+    return what == MOMENT_PSI_MIN ? u[1] : u[0];
+}
+
+/* The largest and the least value since the last turn, and their marks: NULL
+ * where that is an end of the orbit. */
+struct swing {
+    double least, hi, lo; /* least: the move back that counts */
+    struct mark *at_hi, *at_lo;
+    int direction; /* > 0 rising, < 0 falling, 0: not known yet */
+};
+
+static void keep(struct mark *m, enum moment what)
+{
+    if (m) {
+        m->kept = true;
+        m->what = what;
+    }
+}
+
+/* The next value, at mark m; `what` is the minimum, the maximum follows it. */
+static void swing_on(struct swing *w, double value, struct mark *m,
+                     enum moment what)
+{
+    if (value > w->hi) {
+        w->hi = value;
+        w->at_hi = m;
+    }
+    if (value < w->lo) {
+        w->lo = value;
+        w->at_lo = m;
+    }
+    if (w->direction >= 0 && value < w->hi - w->least) {
+        keep(w->at_hi, what + 1);
+        w->direction = -1;
+        w->lo = value;
+        w->at_lo = m;
+    } else if (w->direction <= 0 && value > w->lo + w->least) {
+        keep(w->at_lo, what);
+        w->direction = 1;
+        w->hi = value;
+        w->at_hi = m;
+    }
+}
+
+/* Keeps the marks of one watch where something turns. */
+static void keep_turns(const struct slider *s, struct marks *m, size_t which,
+                       enum moment what)
+{
+    const struct curve *c = &m->orbit->curve;
+    double u[CURVE_DIM_MAX];
+
+    curve_at(c, 0, 0.0, u);
+    const double start = turning(s, what, u);
+    struct swing w = { .least = TOL_TIMELINE_TURN * m->orbit->options.rtol,
+                       .hi = start,
+                       .lo = start };
+    for (size_t i = 0; i < m->count; i++)
+        if (m->at[i].hit->which == which)
+            swing_on(&w, turning(s, what, m->at[i].hit->u), &m->at[i], what);
+    curve_at(c, c->count - 1, 1.0, u);
+    swing_on(&w, turning(s, what, u), NULL, what);
+}
+
+static void drop_rest(struct marks *m)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < m->count; i++)
+        if (m->at[i].kept)
+            m->at[n++] = m->at[i];
+    m->count = n;
+}
+
+static enum status collect(const struct slider *s,
+                           const struct moment_watches *w,
+                           const struct orbit *o, struct marks *m)
+{
+    m->orbit = o;
+    m->at = calloc(o->log.count + 1, sizeof *m->at);
+    if (m->at == NULL)
+        return STATUS_NO_MEMORY;
+    for (m->count = 0; m->count < o->log.count; m->count++) {
+        const struct event_hit *hit = &o->log.hit[m->count];
+        const enum moment what = moment_of(w, hit, &o->curve);
+        m->at[m->count] = (struct mark){ hit, what, !is_turn(what) };
+    }
+    for (size_t i = 0; i < w->count && o->curve.count > 0; i++)
+        if (is_turn(w->watch[i].what))
+            keep_turns(s, m, i, w->watch[i].what);
+    drop_rest(m);
+    return STATUS_OK;
+}
+
+/* ---- events -------------------------------------------------------------- */
+
+/* The mark of m nearest in time to `to` among those of its kind. */
+static const struct mark *nearest(const struct marks *m, const struct mark *to)
+{
+    const struct mark *best = NULL;
+
+    for (size_t i = 0; i < m->count; i++) {
+        const struct mark *k = &m->at[i];
+        if (k->what == to->what && k->hit->which == to->hit->which &&
+            (best == NULL || fabs(k->hit->u[2] - to->hit->u[2]) <
+                                 fabs(best->hit->u[2] - to->hit->u[2])))
+            best = k;
+    }
+    return best;
+}
+
+/* What rounding does to a number along an orbit, relative. */
+static double rounding_along(const struct orbit *o)
+{
+    return DBL_EPSILON *
+           (TOL_TIMELINE_ROUNDING + TOL_TIMELINE_STEP * (double) o->steps);
+}
+
+struct quantity timeline_compare(const struct orbit *o, double coarse,
+                                 double fine)
+{
+    return quantity_of(fine, TOL_TIMELINE_BAR * fabs(fine - coarse) +
+                                 rounding_along(o) * fabs(fine));
+}
+
+double timeline_part(const struct orbit *o, size_t i)
+{
+    return o->peak[i] > 0.0 ? o->error[i] / o->peak[i] : 0.0;
+}
+
+static double psi_of(const struct slider *s, double y)
+{
+    return s->plane.system.axis[1].is_log ? s->block.at.psi0 * exp(y)
+                                          : s->block.at.y0 + y;
+}
+
+/* A critical velocity has a bar of its own. */
+static double level_error(const struct slider *s, enum moment what)
+{
+    const struct critical_numbers *c = &s->critical;
+
+    return what == MOMENT_V_MINUS  ? c->ln_v_minus.error
+           : what == MOMENT_V_PLUS ? c->ln_v_plus.error
+                                   : 0.0;
+}
+
+/* What the steps up to there allow for, which two orbits may share: in the
+ * state, and in when it is reached; d mu/d ln v <= a, and b is the most that
+ * d mu/d y comes to. */
+static void add_step_errors(const struct slider *s,
+                            const struct moment_watches *w,
+                            const struct orbit *o, const struct event_hit *hit,
+                            struct transient_event *e)
+{
+    const struct material *m = &s->block.material;
+    const double size = o->peak[0] + o->peak[1];
+    const double off =
+        fmax(hit->error[0], hit->error[1]) + rounding_along(o) * size;
+    const struct doubt d =
+        doubt_find(s, &w->event[hit->which], hit, &o->curve, off,
+                   level_error(s, (enum moment) e->what));
+
+    e->time.error += d.time + hit->error[2];
+    e->slip.error += d.slip + hit->error[3 + BLOCK_SLIP];
+    e->v.error += e->v.value * expm1(d.x + off);
+    e->psi.error += s->plane.system.axis[1].is_log
+                        ? e->psi.value * expm1(d.y + off)
+                        : d.y + off;
+    e->mu.error += d.mu + (m->a + m->b) * off;
+}
+
+static struct transient_event event_at(const struct slider *s,
+                                       const struct moment_watches *w,
+                                       const struct orbit *o,
+                                       const struct event_hit *coarse,
+                                       const struct event_hit *fine,
+                                       enum moment what)
+{
+    const double *c = coarse->u, *f = fine->u, v0 = s->block.at.v0;
+    const struct vec2 zc = { c[0], c[1] }, zf = { f[0], f[1] };
+    struct transient_event e = {
+        .what = (int8_t) what,
+        .level = w->watch[fine->which].level,
+        .time = timeline_compare(o, c[2], f[2]),
+        .slip = timeline_compare(o, c[3 + BLOCK_SLIP], f[3 + BLOCK_SLIP]),
+        .v = timeline_compare(o, v0 * exp(c[0]), v0 * exp(f[0])),
+        .psi = timeline_compare(o, psi_of(s, c[1]), psi_of(s, f[1])),
+        .mu = timeline_compare(o, block_mu(&s->block, zc),
+                               block_mu(&s->block, zf)),
+    };
+
+    add_step_errors(s, w, o, fine, &e);
+    return e;
+}
+
+static size_t match(const struct slider *s, const struct moment_watches *w,
+                    const struct marks *coarse, const struct marks *fine,
+                    struct transient_event event[])
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < fine->count; i++) {
+        const struct mark *f = &fine->at[i], *c = nearest(coarse, f);
+        if (c == NULL || nearest(fine, c) != f)
+            continue;
+        event[n++] = event_at(s, w, fine->orbit, c->hit, f->hit, f->what);
+    }
+    return n;
+}
+
+enum status timeline_find(const struct slider *s,
+                          const struct moment_watches *w,
+                          const struct orbit *coarse, const struct orbit *fine,
+                          struct transient_event **event, size_t *count)
+{
+    struct marks c = { .at = NULL }, f = { .at = NULL };
+    struct transient_event *found = NULL;
+    enum status status = collect(s, w, coarse, &c);
+
+    if (status == STATUS_OK)
+        status = collect(s, w, fine, &f);
+    if (status == STATUS_OK) {
+        found = calloc(f.count + 1, sizeof *found); /* and rest */
+        status = found ? STATUS_OK : STATUS_NO_MEMORY;
+    }
+    if (status == STATUS_OK) {
+        *count = match(s, w, &c, &f, found);
+        *event = found;
+    }
+    free(c.at);
+    free(f.at);
+    return status;
+}

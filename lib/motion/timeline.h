@@ -1,0 +1,30 @@
+/*
+ * timeline.h -- what happened along an orbit, from the hits of its events:
+ * turns that are only rounding are dropped, and each event gets a bar from a
+ * second orbit at another tolerance.
+ */
+#ifndef MOTION_TIMELINE_H
+#define MOTION_TIMELINE_H
+
+#include "transient.h"
+
+/* The events of `fine` that `coarse` sees too, in the order of time; both were
+ * watched by w.  *event is owned by the caller, and has room for one more.
+ * STATUS_NO_MEMORY: *event and *count untouched. */
+MUST_CHECK enum status timeline_find(const struct slider *s,
+                                     const struct moment_watches *w,
+                                     const struct orbit *coarse,
+                                     const struct orbit *fine,
+                                     struct transient_event **event,
+                                     size_t *count);
+
+/* The finer of two values, found on orbits as long as o; the bar holds the
+ * other, and rounding. */
+struct quantity timeline_compare(const struct orbit *o, double coarse,
+                                 double fine);
+
+/* The errors that the steps of o estimate for component i, summed, as a part of
+ * its largest value. */
+double timeline_part(const struct orbit *o, size_t i);
+
+#endif

@@ -1,0 +1,504 @@
+/* Two orbits by orbit.h, the second ten times finer, which is what is kept.
+ * Measured on the runs of Figs 14, 15: at 1e-11 times of events are good to
+ * 1e-12, where |mu - tan(alpha)| is 1e-7 to 3e-10; below 3e-13 the rounding of
+ * some ten thousand steps takes over. */
+#include "transient.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "motion_tolerance.h"
+#include "rest_form.h"
+#include "rest_left.h"
+#include "timeline.h"
+
+static const struct moment_level near_tan[] = {
+    { MOMENT_MU_NEARS, 1e-1 }, { MOMENT_MU_NEARS, 1e-2 },
+    { MOMENT_MU_NEARS, 1e-3 }, { MOMENT_MU_NEARS, 1e-4 },
+    { MOMENT_MU_NEARS, 1e-5 }, { MOMENT_MU_NEARS, 1e-6 },
+    { MOMENT_MU_NEARS, 1e-7 },
+};
+
+struct transient_options transient_defaults(const struct scene *c)
+{
+    return (struct transient_options){
+        .until_time = c->until_time,
+        .until_slip = c->until_slip,
+        .rtol = c->rtol,
+        .level = near_tan,
+        .levels = sizeof near_tan / sizeof *near_tan,
+    };
+}
+
+/* What both orbits of a run share; must not move. */
+struct course {
+    const struct slider *slider;
+    struct vec2 start; /* offset */
+    enum fate fate;
+    struct moment_watches watches;
+    struct box window; /* absolute: beyond it v runs away or fades */
+    bool rest;         /* looked out for */
+    struct orbit_options options;
+};
+
+/* Without limits of the scene's, where the fate itself never ends: some powers
+ * of ten from start and saddle. */
+static struct box window_of(const struct course *c, bool limited)
+{
+    const double start = c->slider->plane.system.origin.x + c->start.x;
+    struct box w = c->slider->plane.system.domain;
+
+    if (!limited && c->fate == FATE_RUNAWAY)
+        w.hi.x = fmin(w.hi.x, fmax(start, c->slider->plane.system.origin.x) +
+                                  log(TOL_TRANSIENT_FAST));
+    if (!limited && c->fate == FATE_REST_ASYMPTOTIC)
+        w.lo.x = fmax(w.lo.x, fmin(start, c->slider->plane.system.origin.x) +
+                                  log(TOL_TRANSIENT_SLOW));
+    return w;
+}
+
+static double finest(double rtol)
+{
+    return fmin(fmax(TOL_TRANSIENT_STEP * rtol, TOL_TRANSIENT_FINEST),
+                TOL_TRANSIENT_COARSEST);
+}
+
+/* Whether the fate is a rest, for all that is known: between the points of a
+ * long step another run may seem to rest. */
+static bool may_rest(enum fate fate)
+{
+    return fate == FATE_REST_FINITE || fate == FATE_REST_ASYMPTOTIC ||
+           fate == FATE_UNDECIDED;
+}
+
+static bool limited(const struct transient_options *o)
+{
+    return o->until_time > 0.0 || o->until_slip > 0.0;
+}
+
+static void course_set(struct course *c, const struct transient_options *o,
+                       bool rest)
+{
+    const bool goes_on = limited(o);
+
+    c->rest =
+        rest &&
+        rest_form_of(&c->slider->block.law, &c->slider->block.material).fate ==
+            FATE_REST_FINITE;
+    moment_watch_all(&c->watches, c->slider, o->level, o->levels, !goes_on);
+    c->window = window_of(c, goes_on);
+    c->options =
+        orbit_defaults(&c->slider->plane.system, c->slider->plane.stable_rate);
+    c->options.observables = BLOCK_EXCESS; /* slip and work */
+    c->options.window = &c->window;
+    c->options.event = c->watches.event;
+    c->options.events = c->watches.count;
+    c->options.max_steps = TOL_TRANSIENT_STEPS;
+    if (o->until_time > 0.0)
+        c->options.reach[0] = o->until_time;
+    if (o->until_slip > 0.0)
+        c->options.reach[1 + BLOCK_SLIP] = o->until_slip;
+}
+
+/* d ln v/dt at the end, by the last step: in the field there may be nothing
+ * left of it but rounding. */
+static double end_rate(const struct orbit *o)
+{
+    double du[CURVE_DIM_MAX];
+
+    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, du);
+    return fabs(du[0] / du[2]);
+}
+
+/* Whether hardly anything is left of v or of the time, or what is cannot be
+ * seen: psi itself, where only inertia slows the block, is too large for its
+ * digits. */
+static bool is_deep(const struct course *c, const struct orbit *o)
+{
+    const struct block *b = &c->slider->block;
+
+    return c->slider->plane.system.origin.x + o->u[0] < TOL_TRANSIENT_DEEP ||
+           (o->curve.count > 0 &&
+            end_rate(o) * TOL_TRANSIENT_LEFT * o->u[2] > 1.0) ||
+           (law_psi_is_log(&b->law) &&
+            rest_form_of(&b->law, &b->material).inertial);
+}
+
+/* Whether it comes to rest before any limit is reached, and what is left. */
+static bool rests(const struct course *c, const struct orbit *o,
+                  struct rest_left *left)
+{
+    const double *reach = o->options.reach;
+
+    return c->rest && o->end == ORBIT_RUNNING && is_deep(c, o) &&
+           rest_left_find(c->slider, (struct vec2){ o->u[0], o->u[1] }, o->u[2],
+                          left) &&
+           o->u[2] + left->time < reach[0] &&
+           o->u[3 + BLOCK_SLIP] + left->slip < reach[1 + BLOCK_SLIP];
+}
+
+/* orbit_run, which also ends where it rests. */
+static enum status run_orbit(const struct course *c, struct orbit *o,
+                             const struct monitor *monitor)
+{
+    enum status s = STATUS_OK;
+    struct rest_left left;
+
+    while (s == STATUS_OK && o->end == ORBIT_RUNNING && !rests(c, o, &left)) {
+        s = orbit_step(o);
+        if (o->steps % TOL_MONITOR_STEPS == 0 &&
+            monitor_tell(monitor, "orbit", o->steps, 0))
+            s = STATUS_STOPPED;
+    }
+    return s;
+}
+
+/* An orbit that gets stuck is kept as far as it goes. */
+static enum status follow(const struct course *c, double rtol,
+                          const struct monitor *monitor, struct orbit *out)
+{
+    struct orbit_options options = c->options;
+
+    options.rtol = rtol;
+    enum status s =
+        orbit_init(out, &c->slider->plane.system, c->start, &options);
+    if (s == STATUS_OK)
+        s = run_orbit(c, out, monitor);
+    return s == STATUS_NO_CONVERGENCE || s == STATUS_TOO_MANY_STEPS ? STATUS_OK
+                                                                    : s;
+}
+
+/* ---- what came of it ----------------------------------------------------- */
+
+static enum transient_end end_of(const struct course *c, const struct orbit *o)
+{
+    struct rest_left left;
+
+    if (o->end == ORBIT_EVENT)
+        return TRANSIENT_ARREST;
+    if (rests(c, o, &left))
+        return TRANSIENT_REST;
+    if (o->end == ORBIT_REACHED && fabs(o->u[2]) < TOL_TIME_MAX)
+        return o->end_index == 0 ? TRANSIENT_UNTIL_TIME : TRANSIENT_UNTIL_SLIP;
+    if (o->end == ORBIT_LEFT_WINDOW && c->fate == FATE_RUNAWAY)
+        return TRANSIENT_RUNAWAY;
+    if (o->end == ORBIT_LEFT_WINDOW && c->fate == FATE_REST_ASYMPTOTIC)
+        return TRANSIENT_FADED;
+    return TRANSIENT_LOST;
+}
+
+static enum fate fate_at(const struct course *c, const struct orbit *o,
+                         enum transient_end end)
+{
+    const struct equilibrium *node =
+        moment_node_at(c->slider, (struct vec2){ o->u[0], o->u[1] },
+                       TOL_TRANSIENT_REACH * TOL_ARREST);
+
+    if (end == TRANSIENT_REST && c->fate != FATE_REST_ASYMPTOTIC)
+        return FATE_REST_FINITE;
+    return end == TRANSIENT_ARREST && node ? fate_of_node(c->slider, node)
+                                           : c->fate;
+}
+
+/* Where v, the time or the slip ends a run, it ends as much later or earlier as
+ * the orbit's error takes it to get there. */
+static void add_end_errors(const struct course *c, const struct orbit *o,
+                           struct transient_summary *sum)
+{
+    const size_t slip = 3 + BLOCK_SLIP;
+    const double v = c->slider->block.at.v0 * exp(o->u[0]);
+    const double off = fmax(o->error[0], o->error[1]);
+
+    sum->time.error += o->error[2];
+    sum->slip.error += o->error[slip];
+    if (sum->end == TRANSIENT_RUNAWAY || sum->end == TRANSIENT_FADED) {
+        sum->time.error += off / end_rate(o);
+        sum->slip.error += v * off / end_rate(o);
+    } else if (sum->end == TRANSIENT_UNTIL_TIME) {
+        sum->slip.error += v * o->error[2];
+    } else if (sum->end == TRANSIENT_UNTIL_SLIP) {
+        sum->time.error += o->error[slip] / v;
+    }
+}
+
+/* Time, slip and work of an orbit to its end, with what is left of a rest: of
+ * the work that of the slope and, by (27), the energy. */
+struct totals {
+    struct rest_left left;
+    double time, slip, work;
+};
+
+static struct totals totals_of(const struct course *c, const struct orbit *o)
+{
+    const double t = (double) c->slider->block.tan_alpha;
+    const double v = c->slider->block.at.v0 * exp(o->u[0]);
+    const double energy =
+        0.5 * material_eps2(&c->slider->block.material) * v * v * hypot(1.0, t);
+    struct totals all = { .time = o->u[2],
+                          .slip = o->u[3 + BLOCK_SLIP],
+                          .work = o->u[3 + BLOCK_WORK] };
+
+    if (!rests(c, o, &all.left))
+        return all;
+    all.time += all.left.time;
+    all.slip += all.left.slip;
+    all.work += energy + t * all.left.slip;
+    return all;
+}
+
+/* Of the whole run. */
+static void sum_up(const struct course *c, const struct orbit *coarse,
+                   const struct orbit *fine, struct transient_summary *sum)
+{
+    const size_t slip = 3 + BLOCK_SLIP, work = 3 + BLOCK_WORK;
+    const struct totals b = totals_of(c, coarse), a = totals_of(c, fine);
+    const double off = fmax(fine->error[0], fine->error[1]);
+
+    sum->time = timeline_compare(fine, b.time, a.time);
+    sum->time.error += a.left.time_error + a.left.time_slope * off;
+    sum->slip = timeline_compare(fine, b.slip, a.slip);
+    sum->slip.error += a.left.slip_error + a.left.slip_slope * off;
+    add_end_errors(c, fine, sum);
+    sum->mu_mean =
+        a.slip > 0.0 && b.slip > 0.0
+            ? timeline_compare(fine, b.work / b.slip, a.work / a.slip)
+            : quantity_none("no slip in this run");
+    sum->mu_mean.error +=
+        fabs(sum->mu_mean.value) *
+        (timeline_part(fine, work) + timeline_part(fine, slip));
+    sum->energy_defect = fine->curve.count > 0
+                             ? slider_energy_defect(c->slider, &fine->curve)
+                             : 0.0;
+}
+
+/* A run that arrest ends is as long as it takes until then. */
+static void hold_end(struct transient *t)
+{
+    struct transient_summary *sum = &t->sum;
+
+    for (size_t i = t->events; sum->end == TRANSIENT_ARREST && i-- > 0;)
+        if (t->event[i].what == MOMENT_ARREST) {
+            sum->time.error = fmax(sum->time.error, t->event[i].time.error);
+            sum->slip.error = fmax(sum->slip.error, t->event[i].slip.error);
+            return;
+        }
+}
+
+/* The last event: v = 0 itself. */
+static void add_rest(struct transient *t)
+{
+    const struct quantity none =
+        quantity_none("grows without bound as v falls to 0");
+
+    if (t->sum.end == TRANSIENT_REST)
+        t->event[t->events++] =
+            (struct transient_event){ .what = MOMENT_REST,
+                                      .level = (double) NAN,
+                                      .time = t->sum.time,
+                                      .slip = t->sum.slip,
+                                      .v = quantity_of(0.0, 0.0),
+                                      .psi = none,
+                                      .mu = none };
+}
+
+static void refuse(struct transient *t, const char *reason)
+{
+    t->reason = reason;
+    t->sum.time = t->sum.slip = t->sum.mu_mean = quantity_none(reason);
+}
+
+/* Whether it has not got away from the saddle: it never will. */
+static bool is_stuck(const struct course *c, const struct orbit *o)
+{
+    return slider_saddle(c->slider) >= 0 && fabs(o->u[0]) < TOL_ARREST &&
+           fabs(o->u[1]) < TOL_ARREST;
+}
+
+/* Whether it is settled: both orbits end in the same way, on the side of the
+ * separatrix that they started on. */
+static bool judge(const struct course *c, const struct orbit *coarse,
+                  const struct orbit *fine, struct transient *t)
+{
+    static const char unclear[] =
+        "orbits of two tolerances end in different ways";
+    static const char lost[] = "the orbit cannot be followed further";
+    static const char near[] =
+        "the state is too near the boundary for its orbit to be followed";
+    struct transient_summary *sum = &t->sum;
+    const enum transient_end end = end_of(c, fine);
+    const enum fate shown = fate_at(c, fine, end);
+    const bool known = c->fate != FATE_UNDECIDED;
+    const bool is_lost = end == TRANSIENT_LOST;
+    const bool is_near =
+        (known && shown != c->fate) || (is_lost && is_stuck(c, fine));
+    const bool agree =
+        end_of(c, coarse) == end && fate_at(c, coarse, end) == shown;
+
+    sum->end = (int8_t) (is_near ? TRANSIENT_NEAR : end);
+    sum->fate = (int8_t) (known ? c->fate : agree ? shown : FATE_UNDECIDED);
+    sum->steps = (int64_t) fine->steps;
+    sum->field_evaluations =
+        (int64_t) (coarse->field_calls + coarse->jacobian_calls +
+                   fine->field_calls + fine->jacobian_calls);
+    sum_up(c, coarse, fine, sum);
+    hold_end(t);
+    add_rest(t);
+    if (sum->fate != FATE_UNDECIDED || is_lost)
+        t->reason = is_lost ? lost : NULL;
+    if (!agree || is_near)
+        refuse(t, is_near ? near : unclear);
+    return agree && !is_lost && !is_near;
+}
+
+/* Both orbits, to what they say. */
+static enum status run_at(const struct course *c, double rtol,
+                          const struct monitor *monitor, struct transient *out,
+                          bool *settled)
+{
+    struct orbit coarse = { .steps = 0 }, fine = { .steps = 0 };
+    enum status s = follow(c, TOL_TRANSIENT_RATIO * rtol, monitor, &coarse);
+
+    if (s == STATUS_OK)
+        s = follow(c, rtol, monitor, &fine);
+    if (s == STATUS_OK)
+        s = timeline_find(c->slider, &c->watches, &coarse, &fine, &out->event,
+                          &out->events);
+    if (s == STATUS_OK) {
+        *settled = judge(c, &coarse, &fine, out);
+        record_settle(&record_transient, &out->sum, 1);
+        record_settle(&record_transient_event, out->event, out->events);
+        out->curve = fine.curve; /* now theirs */
+        fine.curve = CURVE_EMPTY(fine.curve.dim);
+    }
+    orbit_free(&coarse);
+    orbit_free(&fine);
+    return s;
+}
+
+/* The next tolerance to try after rtol: looser ones, for where the field is
+ * rounding, as deep on slow curves, they go further; then finer ones to a rest,
+ * for a loose one may leave a slow curve on which rates change over less than
+ * that.  0: there is no other. */
+static double next_rtol(enum fate fate, double first, double rtol)
+{
+    if (rtol >= first && rtol < TOL_TRANSIENT_COARSEST)
+        return fmin(TOL_TRANSIENT_RETREAT * rtol, TOL_TRANSIENT_COARSEST);
+    const double finer = fmin(rtol, first) / TOL_TRANSIENT_RETREAT;
+    return fate == FATE_REST_FINITE && finer >= TOL_TRANSIENT_FINEST ? finer
+                                                                     : 0.0;
+}
+
+static enum status run(struct course *c, const struct transient_options *o,
+                       const struct monitor *monitor, struct transient *out)
+{
+    const struct transient empty = *out;
+    const double first = finest(o->rtol);
+    double rtol = first;
+    bool settled = false;
+
+    course_set(c, o, may_rest(c->fate));
+    enum status s = run_at(c, rtol, monitor, out, &settled);
+    while (s == STATUS_OK && !settled &&
+           (rtol = next_rtol(c->fate, first, rtol)) > 0.0) {
+        transient_free(out);
+        *out = empty;
+        course_set(c, o, true); /* the fate may have been wrong */
+        s = run_at(c, rtol, monitor, out, &settled);
+    }
+    return s;
+}
+
+/* Nothing to follow: the start is where blocks are arrested. */
+static bool is_there(const struct course *c, const struct transient_options *o,
+                     struct transient_summary *sum)
+{
+    const struct equilibrium *node =
+        moment_node_at(c->slider, c->start, TOL_ARREST);
+
+    if (node == NULL || limited(o) || fate_of_node(c->slider, node) != c->fate)
+        return false;
+    sum->end = TRANSIENT_ARREST;
+    sum->time = sum->slip = quantity_of(0.0, 0.0);
+    sum->mu_mean = quantity_none("no slip in this run");
+    return true;
+}
+
+static enum status tell(const struct slider *s, struct scene_start start,
+                        double rtol, const struct labels *labels,
+                        const struct monitor *monitor, struct fate_told *out)
+{
+    const struct vec2 z = block_offset(&s->block, start.v, start.psi);
+    struct labels own;
+
+    if (labels)
+        return labels_find(labels, z, monitor, out);
+    enum status status = labels_init(&own, s, rtol, monitor);
+    if (status == STATUS_OK)
+        status = labels_find(&own, z, monitor, out);
+    labels_free(&own);
+    return status;
+}
+
+static void forget(struct transient *t)
+{
+    free(t->event);
+    curve_free(&t->curve);
+    t->event = NULL;
+    t->events = 0;
+    t->sum.energy_defect = 0.0;
+}
+
+static enum status find(struct course *c, const struct transient_options *o,
+                        const struct fate_told *told,
+                        const struct monitor *monitor, struct transient *out)
+{
+    enum status s = STATUS_OK;
+
+    c->fate = (enum fate) told->fate;
+    out->sum.fate = told->fate;
+    out->reason = told->reason;
+    if (told->is_near && !limited(o)) {
+        out->sum.end = TRANSIENT_NEAR;
+        refuse(out, told->reason);
+    } else if (!is_there(c, o, &out->sum)) {
+        s = run(c, o, monitor, out);
+    }
+    if (s == STATUS_OK && out->sum.end == TRANSIENT_NEAR)
+        forget(out);
+    if (s == STATUS_OK)
+        phase_find(c->slider, out, out->phase);
+    return s;
+}
+
+enum status transient_find(const struct slider *s, struct scene_start start,
+                           const struct transient_options *options,
+                           const struct monitor *monitor, struct transient *out)
+{
+    const struct vec2 z = { log(start.v), s->plane.system.axis[1].is_log
+                                              ? log(start.psi)
+                                              : start.psi };
+    const struct vec2 near = block_offset(&s->block, start.v, start.psi);
+    struct course c = { .slider = s,
+                        .start = vec2_sub(z, s->plane.system.origin) };
+    struct fate_told told;
+
+    *out = (struct transient){ .sum = { .v = start.v, .psi = start.psi } };
+    if (!box_holds(s->plane.system.domain, z))
+        return STATUS_BAD_ARGUMENT;
+    if (vec2_length(near) < 1.0) /* to more digits */
+        c.start = near;
+    enum status status =
+        tell(s, start, options->rtol, options->labels, monitor, &told);
+    if (status == STATUS_OK)
+        status = find(&c, options, &told, monitor, out);
+    if (status != STATUS_OK)
+        transient_free(out);
+    return status;
+}
+
+void transient_free(struct transient *t)
+{
+    free(t->event);
+    curve_free(&t->curve);
+    *t = (struct transient){ .event = NULL };
+}

@@ -1,0 +1,93 @@
+/*
+ * transient.h -- the motion of a block from a start until it rests, arrives at
+ * a steady state or runs away: its orbit with dense output (orbit.h), what
+ * happens along it and when, and the phases of sliding.
+ *
+ * v in units of V_star, psi as the law's (law.h), slip in L, time in L/V_star.
+ */
+#ifndef MOTION_TRANSIENT_H
+#define MOTION_TRANSIENT_H
+
+#include "fate.h"
+#include "labels.h"
+#include "moment.h"
+#include "phase.h"
+#include "scene.h"
+#include "slider.h"
+
+/* Why a run ended. */
+enum transient_end {
+    TRANSIENT_REST,       /* v = 0 */
+    TRANSIENT_ARREST,     /* within TOL_ARREST of a stable node */
+    TRANSIENT_UNTIL_TIME, /* as the scene asks */
+    TRANSIENT_UNTIL_SLIP,
+    TRANSIENT_RUNAWAY, /* v beyond TOL_TRANSIENT_FAST times start and saddle */
+    TRANSIENT_FADED,   /* v below TOL_TRANSIENT_SLOW of both, and no rest */
+    TRANSIENT_LOST,    /* could not be followed further */
+    TRANSIENT_NEAR,    /* not followed: too near the separatrix */
+    TRANSIENT_ENDS
+};
+extern const char *const transient_end_names[];
+
+/* What happened on the way; level: NaN where it has none. */
+struct transient_event {
+    int8_t what; /* enum moment */
+    double level;
+    struct quantity time, slip, v, psi, mu;
+};
+
+/* A run as a whole. */
+struct transient_summary {
+    double v, psi;                       /* the start */
+    int8_t fate;                         /* enum fate */
+    int8_t end;                          /* enum transient_end */
+    struct quantity time, slip, mu_mean; /* of the run, to its end */
+    /* Of the balance of energy (27) over the run, relative to its largest
+     * term; zero along an exact orbit. */
+    double energy_defect;
+    int64_t steps, field_evaluations;
+};
+extern const struct record_type record_transient, record_transient_event;
+
+struct transient {
+    struct transient_summary sum;
+    const char *reason;            /* static; why undecided or lost, or NULL */
+    struct transient_event *event; /* owned; in the order of time */
+    size_t events;
+    struct phase phase[PHASES];
+    struct curve curve; /* owned; as orbit.h: x, y, time, slip, work */
+};
+
+struct transient_options {
+    double until_time, until_slip; /* 0: no limit.  With one, a run goes on
+                                      beyond arrest and runaway */
+    double rtol;                   /* of events, slip and time; see tolerance.h
+                                      for what is done to reach it */
+    const struct moment_level *level; /* borrowed */
+    size_t levels;                    /* <= MOMENT_LEVELS_MAX */
+    const struct labels *labels; /* borrowed; of this slope; NULL: its own */
+};
+
+/* The scene's limits and accuracy; nearness in seven decades below 1. */
+struct transient_options transient_defaults(const struct scene *c);
+
+/* One run from (v, psi) in s, whose critical numbers are known.  Its fate is
+ * that of its side of the separatrix (labels.h); within the bar of that, or
+ * where its orbits go to the other side, it has no numbers (TRANSIENT_NEAR;
+ * with a limit the scene sets, they go as far).  The bars of what is reported
+ * hold what a second run at ten times the tolerance changes, what the steps of
+ * this one estimate, and rounding; events that only one of the two sees are
+ * left out, and turns of v, psi or mu no larger than the tolerance.
+ * STATUS_BAD_ARGUMENT: start outside the domain; STATUS_NO_MEMORY;
+ * STATUS_STOPPED.  On error *out is empty.  A run that cannot be followed to
+ * its end is no error: see `end`. */
+MUST_CHECK enum status transient_find(const struct slider *s,
+                                      struct scene_start start,
+                                      const struct transient_options *options,
+                                      const struct monitor *monitor,
+                                      struct transient *out);
+
+/* A second call is harmless. */
+void transient_free(struct transient *t);
+
+#endif

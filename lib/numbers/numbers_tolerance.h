@@ -1,0 +1,40 @@
+/* numbers_tolerance.h -- the tunable numbers of critical numbers and curves of them. */
+#ifndef NUMBERS_NUMBERS_TOLERANCE_H
+#define NUMBERS_NUMBERS_TOLERANCE_H
+
+#include "tolerance.h"
+
+/* Sensitivities (sensitivity.c).  Tolerance of the finer run, as a part of what
+ * is asked for, down to what doubles hold; never ask less of the coarser one;
+ * Gauss points a piece of the two (measured: 8 leave 1e-13). */
+#define TOL_VARIATION_FINE     0.03
+#define TOL_VARIATION_FINEST   3e-14
+#define TOL_VARIATION_COARSEST 1e-12
+#define TOL_VARIATION_NODES    10
+#define TOL_VARIATION_FEWER    7
+
+/* Bars: this many times the finer run's tolerance, for two runs may agree by
+ * chance; e-folds that what is left at the end may take to decay; above this
+ * part of the value it never does; roundings, in units of roundoff; and the
+ * part of the bar of the saddle's place that is felt (measured: 1/4000). */
+#define TOL_VARIATION_BAR      5.0
+#define TOL_VARIATION_REST     10.0
+#define TOL_VARIATION_OPEN     1e-9
+#define TOL_VARIATION_ROUNDING 64.0
+#define TOL_VARIATION_PLACE    0.1
+
+/* Curves of steady states (steady_curve.c, spring_curve.c, fold_curve.c).
+ * Points: more than there are 2 px on an axis of 600, most of them where one
+ * sees them; an even step from 1e-4 to 1e4 has its decades among them.  Apart
+ * in ln v for a second derivative of mu_ss, which changes over distances of
+ * one; and how far before v = 1 psi = -ln v ends. */
+#define STUDY_STEADY_POINTS 401
+#define STUDY_SPRING_POINTS 801
+#define STUDY_FOLD_POINTS   401
+#define TOL_EXTREMUM_REACH  1e-3L
+#define TOL_STEADY_SHY      1e-6
+
+/* Points of chi(v) over the window (chi_curve.c): as of the steady curves. */
+#define STUDY_CHI_POINTS 401
+
+#endif

@@ -1,0 +1,45 @@
+/*
+ * slider.h -- a block that slides on a slope under rate-and-state friction,
+ * (17), with the phase plane of its motion.
+ */
+#ifndef NUMBERS_SLIDER_H
+#define NUMBERS_SLIDER_H
+
+#include "block.h"
+#include "curve.h"
+#include "numbers.h"
+#include "phase_plane.h"
+
+/* Must not move: the plane's system borrows the block. */
+struct slider {
+    struct block block; /* anchored where the plane is: at the saddle; without
+                           one at a steady state, or without any somewhere on
+                           the steady curve */
+    struct phase_plane plane;
+    struct steady_number steady[EQUILIBRIA_MAX]; /* of each steady state */
+    struct critical_numbers critical; /* none, until somebody finds them */
+};
+
+/* All steady states of the law, material and slope; they must have passed
+ * law_check. */
+void slider_init(struct slider *s, const struct law *law,
+                 const struct material *m, long double tan_alpha);
+
+/* The index of the saddle, of which friction has at most one; -1: none. */
+static inline int slider_saddle(const struct slider *s)
+{
+    return s->plane.saddles > 0 ? (int) s->plane.saddle[0] : -1;
+}
+
+/* Whether there is a saddle whose manifolds doubles can hold. */
+bool slider_has_manifolds(const struct slider *s);
+
+/* Why the saddle has no manifolds that doubles can hold: static; NULL: it has.
+ */
+const char *slider_no_manifolds(const struct slider *s);
+
+/* The relative defect of the energy balance (27) along a whole curve whose
+ * integrals are those of block.h, from component 3 on. */
+double slider_energy_defect(const struct slider *s, const struct curve *c);
+
+#endif

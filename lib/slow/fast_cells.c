@@ -1,0 +1,389 @@
+/* Work needs no integral: by (27) it is tan(alpha) slip + eps^2 (v0^2 -
+ * v1^2)/(2 cos(alpha)), exactly, and the mean friction that over the slip. */
+#include "fast_cells.h"
+
+#include <math.h>
+
+#include "layer_lanes.h"
+#include "slider.h"
+#include "slow_tolerance.h"
+
+static const unsigned peaks = 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK;
+static const unsigned integrals =
+    1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
+
+enum status fast_cells_init(struct fast_cells *f, const struct slider *s,
+                            const struct monitor *monitor)
+{
+    *f = (struct fast_cells){ .slider = s, .lanes = layer_lanes_width(8) };
+    return slow_curve_init(&f->curve, s, monitor);
+}
+
+void fast_cells_free(struct fast_cells *f)
+{
+    slow_curve_free(&f->curve);
+}
+
+/* ---- one state ----------------------------------------------------------- */
+
+static void fill_integrals(const struct slider *s, double x,
+                           const struct layer *l, struct cell *c)
+{
+    const double t = (double) s->block.tan_alpha;
+    const double least = TOL_FAST_LEAST;
+    const double v0 = exp(x), v1 = exp(s->block.at.x0 + l->x_end);
+    const double eps2 = material_eps2(&s->block.material);
+    const double lost =
+        0.5 * eps2 * (v0 - v1) * (v0 + v1) * hypot(1.0, t) / l->slip;
+
+    c->slip = l->slip;
+    c->slip_error = l->slip_error + least * l->slip;
+    c->time = l->time;
+    c->time_error = l->time_error + least * l->time;
+    c->mu_mean = t + lost;
+    c->mu_mean_error =
+        fabs(lost) * c->slip_error / l->slip + least * (t + fabs(lost));
+}
+
+static void fill_peaks(const struct slider *s, const struct layer *l,
+                       struct cell *c)
+{
+    const struct material *m = &s->block.material;
+    const double x = s->block.at.x0 + l->x_peak;
+    const double rounding = TOL_FAST_LEAST * (1.0 + fabs(x));
+    const double place = TOL_LAYER_TRANSPORT * l->place_error;
+
+    c->v_peak = exp(x);
+    c->v_peak_error = c->v_peak * (place + rounding);
+    if (l->fate == FATE_REST_FINITE)
+        return;
+    c->mu_peak = l->mu_peak;
+    c->mu_peak_error = (m->a + m->b) * place + l->mu_error + rounding;
+}
+
+/* The largest error of those asked for, relative. */
+static double worst_of(const struct cell *c, unsigned which)
+{
+    const double of[CELL_FIELDS] = {
+        [CELL_SLIP] = c->slip_error / c->slip,
+        [CELL_TIME] = c->time_error / c->time,
+        [CELL_MU_MEAN] = c->mu_mean_error / c->mu_mean,
+        [CELL_V_PEAK] = c->v_peak_error / c->v_peak,
+        [CELL_MU_PEAK] = c->mu_peak_error / c->mu_peak,
+    };
+    double worst = 0.0;
+
+    for (unsigned k = 0; k < CELL_FIELDS; k++)
+        if (which & 1u << k)
+            worst = fmax(worst, fabs(of[k]));
+    return worst;
+}
+
+static void keep_asked(unsigned which, struct cell *c)
+{
+    double *const of[CELL_FIELDS][2] = {
+        [CELL_SLIP] = { &c->slip, &c->slip_error },
+        [CELL_TIME] = { &c->time, &c->time_error },
+        [CELL_MU_MEAN] = { &c->mu_mean, &c->mu_mean_error },
+        [CELL_V_PEAK] = { &c->v_peak, &c->v_peak_error },
+        [CELL_MU_PEAK] = { &c->mu_peak, &c->mu_peak_error },
+    };
+
+    for (unsigned k = 0; k < CELL_FIELDS; k++)
+        if (!(which & 1u << k) || !isfinite(*of[k][0]))
+            *of[k][0] = *of[k][1] = (double) NAN;
+}
+
+static struct cell cell_of(const struct slider *s, double x, unsigned which,
+                           const struct layer *l)
+{
+    struct cell c = { .exit_reason = l->fate };
+    const double none = (double) NAN;
+
+    c.slip = c.time = c.mu_mean = c.v_peak = c.mu_peak = none;
+    if (l->end != LAYER_RAN) {
+        if (which & integrals)
+            fill_integrals(s, x, l, &c);
+        if (which & peaks)
+            fill_peaks(s, l, &c);
+    }
+    keep_asked(which, &c);
+    return c;
+}
+
+/* Whether the table knows its largest friction as well as is asked: it may lie
+ * beside the slow curve, between where the state lands and the next knot. */
+static bool knows_friction(const struct cell *c, double rtol)
+{
+    return !(c->mu_peak_error > rtol * c->mu_peak);
+}
+
+/* ---- many ---------------------------------------------------------------- */
+
+/* States followed together, and those of them that are not done: the fewer
+ * these, the more lanes are idle at the end. */
+enum { TOGETHER = 512, FEWEST = 128, PARTS = 8 };
+struct batch {
+    const struct fast_cells *fast;
+    double rtol;
+    unsigned which;
+    const struct vec2 *z; /* of the batch */
+    struct cell *out;
+    bool found[TOGETHER];
+    double excess[TOGETHER];   /* of bars over the promise; 0: not known */
+    bool vain[TOGETHER];       /* another try hardly made it smaller */
+    size_t of[TOGETHER], open; /* job i is of state of[i] */
+    struct layer_job job[TOGETHER];
+    struct layer layer[TOGETHER];
+};
+
+static void follow(const struct fast_cells *f, unsigned which,
+                   const struct layer_job job[], size_t n, struct layer out[])
+{
+    if (f->lanes > 1 && !(which & peaks)) {
+        layer_lanes_follow(&f->curve, f->lanes, job, n, out);
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+        layer_follow(&f->curve, job[i].z, &job[i].options, &out[i]);
+}
+
+/* How much finer to follow what job i left to wish for; 0: not again. */
+static double finer(struct batch *b, size_t i)
+{
+    const struct layer *l = &b->layer[i];
+    const size_t k = b->of[i];
+
+    if (l->end == LAYER_LOST)
+        return 0.0;
+    if (l->end == LAYER_UNSURE)
+        return TOL_FAST_FINER;
+    b->found[k] = true;
+    b->out[k] = cell_of(b->fast->slider, b->z[k].x, b->which, l);
+    const double before = b->excess[k];
+    const double excess = worst_of(&b->out[k], b->which) / b->rtol;
+    const bool vain = before > 0.0 && !(excess < TOL_FAST_GAIN * before);
+    if (l->end == LAYER_RAN || excess <= 1.0 || (vain && b->vain[k]))
+        return 0.0;
+    b->excess[k] = excess;
+    b->vain[k] = vain;
+    return vain ? TOL_FAST_FINER : fmax(TOL_FAST_FINER, TOL_FAST_AIM / excess);
+}
+
+static void set_job(struct batch *b, size_t i, size_t k, double tol)
+{
+    const struct vec2 origin = b->fast->slider->plane.system.origin;
+
+    b->of[i] = k;
+    b->job[i].z = vec2_sub(b->z[k], origin);
+    b->job[i].options = layer_defaults(tol);
+    b->job[i].options.peaks = (b->which & peaks) != 0;
+}
+
+/* Job number `to` is job i once more, of which something is known by now. */
+static void set_again(struct batch *b, size_t to, size_t i, double tol)
+{
+    const struct layer seen = b->layer[i];
+
+    set_job(b, to, b->of[i], tol);
+    if (seen.end == LAYER_LANDED) {
+        b->job[to].options.time = seen.time;
+        b->job[to].options.slip = seen.slip;
+    }
+}
+
+/* n states, n <= TOGETHER. */
+static void find_by_curve(struct batch *b, size_t n)
+{
+    b->open = n;
+    for (size_t k = 0; k < n; k++) {
+        set_job(b, k, k, b->rtol);
+        b->found[k] = false;
+        b->excess[k] = 0.0;
+        b->vain[k] = false;
+    }
+    while (b->open > 0) {
+        size_t open = 0;
+        follow(b->fast, b->which, b->job, b->open, b->layer);
+        for (size_t i = 0; i < b->open; i++) {
+            const double tol = b->job[i].options.promise * finer(b, i);
+            if (tol >= TOL_FAST_FINEST)
+                set_again(b, open++, i, tol);
+        }
+        b->open = open;
+    }
+}
+
+/* Those whose orbits are needed whole are left to cells_find. */
+static enum status find(const struct fast_cells *f, const struct vec2 z[],
+                        size_t n, double rtol, unsigned which,
+                        struct cell out[], size_t *whole)
+{
+    struct batch b = { f, rtol, which, .z = z, .out = out };
+    enum status status = STATUS_OK;
+
+    find_by_curve(&b, n);
+    for (size_t k = 0; k < n && status == STATUS_OK; k++) {
+        if (b.found[k] && knows_friction(&out[k], rtol))
+            continue;
+        ++*whole;
+        status = cells_find(f->slider, &z[k], 1, rtol, which, NULL, &out[k]);
+    }
+    return status;
+}
+
+static bool are_states(const struct fast_cells *f, const struct vec2 z[],
+                       size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!box_holds(f->slider->plane.system.domain, z[i]))
+            return false;
+    return true;
+}
+
+/* How many of n states: threads are to have some each. */
+static size_t together_of(size_t n)
+{
+    const size_t part = n / PARTS;
+
+    return part < FEWEST ? FEWEST : part < TOGETHER ? part : TOGETHER;
+}
+
+enum status fast_cells_find(const struct fast_cells *f, const struct vec2 z[],
+                            size_t n, double rtol, unsigned which,
+                            const struct monitor *m, struct cell out[],
+                            size_t *whole)
+{
+    enum { BLOCK = 16 * TOGETHER };
+    const size_t part = together_of(n);
+    enum status failed = STATUS_OK;
+    size_t left = 0;
+
+    if (!(rtol > 0.0 && rtol < 1.0) || !are_states(f, z, n))
+        return STATUS_BAD_ARGUMENT;
+    for (size_t first = 0; first < n && failed == STATUS_OK; first += BLOCK) {
+        const size_t end = n - first < BLOCK ? n : first + BLOCK;
+#pragma omp parallel for schedule(dynamic) reduction(+ : left)
+        for (size_t i = first; i < end; i += part) {
+            const size_t some = end - i < part ? end - i : part;
+            const enum status status =
+                find(f, &z[i], some, rtol, which, &out[i], &left);
+            if (status != STATUS_OK) {
+#pragma omp atomic write
+                failed = status;
+            }
+        }
+        if (failed == STATUS_OK && monitor_tell(m, "cells", end, n))
+            failed = STATUS_STOPPED;
+    }
+    if (whole)
+        *whole = left;
+    return failed;
+}
+
+/* ---- patches ------------------------------------------------------------- */
+
+/* Those that are not followed any further: as fast_cells_find, without base. */
+static enum status sample_whole(const struct fast_cells *f,
+                                struct patch_sample *s, double rtol,
+                                unsigned which)
+{
+    s->base = base_point_of(&f->curve, &(struct layer){ .end = LAYER_LOST });
+    return fast_cells_find(f, &s->z, 1, rtol, which, NULL, &s->cell, NULL);
+}
+
+static void take_sample(const struct fast_cells *f, const struct layer *l,
+                        unsigned which, struct patch_sample *s)
+{
+    struct layer seen = *l;
+
+    s->base = base_point_of(&f->curve, l);
+    if (base_point_passes(&f->curve, s->base.y, s->base.y) ||
+        l->fate == FATE_RUNAWAY)
+        seen.end = LAYER_RAN;
+    s->cell = cell_of(f->slider, s->z.x, which & integrals, &seen);
+}
+
+/* Peaks have no base points, and one orbit more: a second one only where its
+ * bars are far too wide. */
+static enum status add_peaks(const struct fast_cells *f, struct patch_sample *s,
+                             double rtol, unsigned which)
+{
+    const struct vec2 z = vec2_sub(s->z, f->slider->plane.system.origin);
+    const double tol = fmax(rtol, TOL_FAST_PEAKS);
+    const struct layer_options options = layer_defaults(tol);
+    enum status status = STATUS_OK;
+    struct layer l;
+
+    layer_follow(&f->curve, z, &options, &l);
+    struct cell c = cell_of(f->slider, s->z.x, which & peaks, &l);
+    if (l.end == LAYER_LOST || l.end == LAYER_UNSURE ||
+        worst_of(&c, which & peaks) > TOL_FAST_LOOSE * tol)
+        status =
+            fast_cells_find(f, &s->z, 1, tol, which & peaks, NULL, &c, NULL);
+    s->cell.v_peak = c.v_peak;
+    s->cell.v_peak_error = c.v_peak_error;
+    s->cell.mu_peak = c.mu_peak;
+    s->cell.mu_peak_error = c.mu_peak_error;
+    return status;
+}
+
+/* n states, n <= FEWEST: none is followed twice. */
+static enum status sample_some(const struct fast_cells *f,
+                               struct patch_sample s[], size_t n, double rtol,
+                               unsigned which)
+{
+    const struct vec2 origin = f->slider->plane.system.origin;
+    struct layer_job job[FEWEST] = { { .z = origin } };
+    struct layer layer[FEWEST];
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < n; i++) {
+        job[i].z = vec2_sub(s[i].z, origin);
+        job[i].options = layer_defaults(fmax(rtol, TOL_FAST_FINEST));
+        job[i].options.peaks = false;
+        job[i].options.through = true;
+    }
+    follow(f, 0, job, n, layer);
+    for (size_t i = 0; i < n && status == STATUS_OK; i++) {
+        if (layer[i].end == LAYER_LOST) {
+            status = sample_whole(f, &s[i], rtol, which);
+            continue;
+        }
+        take_sample(f, &layer[i], which, &s[i]);
+        if (which & peaks)
+            status = add_peaks(f, &s[i], rtol, which);
+    }
+    return status;
+}
+
+enum status fast_cells_sample(const struct fast_cells *f,
+                              struct patch_sample sample[], size_t n,
+                              double rtol, unsigned which)
+{
+    enum status failed = STATUS_OK;
+
+#pragma omp parallel for schedule(dynamic)
+    for (size_t i = 0; i < n; i += FEWEST) {
+        const size_t some = n - i < FEWEST ? n - i : FEWEST;
+        const enum status status =
+            sample_some(f, &sample[i], some, rtol, which);
+        if (status != STATUS_OK) {
+#pragma omp atomic write
+            failed = status;
+        }
+    }
+    return failed;
+}
+
+bool fast_cells_tell(const struct fast_cells *f, struct vec2 z,
+                     const struct base_point *base, unsigned which,
+                     struct cell *out)
+{
+    struct layer l;
+    const bool is_told = base_point_tell(&f->curve, base, &l);
+
+    *out = cell_of(f->slider, z.x,
+                   l.end == LAYER_LANDED ? which & integrals : 0, &l);
+    return is_told;
+}

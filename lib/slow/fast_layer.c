@@ -1,0 +1,334 @@
+/* In arc length of the chart an orbit off the slow curve is not stiff.  Its
+ * steps are by the method of order 8 with time and slip as components.  What a
+ * step may have missed is moved across the orbit, where it shifts the landing
+ * but for what closes in before, and along it, where it shifts the time.
+ *
+ * Step sizes follow the trend of the last two (Gustafsson, ACM TOMS 20, 1994,
+ * 496-517): a fifth fewer are refused than without. */
+#include "fast_layer.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "crest.h"
+#include "explicit8.h"
+#include "landing.h"
+#include "slider.h"
+#include "slow_tolerance.h"
+
+struct layer_options layer_defaults(double rtol)
+{
+    return (struct layer_options){
+        .promise = rtol,
+        .rtol = TOL_LAYER_PART * rtol,
+        .landing =
+            rtol < TOL_LAYER_PLAIN ? TOL_LAYER_CLOSER : TOL_LAYER_LANDING,
+        .fair = TOL_LAYER_FAIR * fmin(pow(rtol / TOL_LAYER_PLAIN, 0.25), 1.0),
+        .peaks = true,
+    };
+}
+
+/* d(x, y, t, slip)/ds, s the arc length. */
+static void along(const void *ctx, double s, const double u[], double du[])
+{
+    const struct slider *slider = ctx;
+    struct planar_field f;
+
+    (void) s;
+    slider->plane.system.field(slider->plane.system.ctx,
+                               (struct vec2){ u[LAYER_X], u[LAYER_Y] }, &f);
+    const double x = f.direction.x, y = f.direction.y;
+    const double n = sqrt(x * x + y * y);
+    const double size = n > 1e-140 && n < 1e140 ? n : vec2_length(f.direction);
+    du[LAYER_X] = x / size;
+    du[LAYER_Y] = y / size;
+    du[LAYER_TIME] = exp(-f.log_scale) / size;
+    du[LAYER_SLIP] = exp(slider->block.at.x0 + u[LAYER_X]) * du[LAYER_TIME];
+}
+
+/* An orbit on its way. */
+struct walk {
+    struct landing at;
+    struct ode ode;
+    struct explicit8 work;
+    double h;
+    double previous, last; /* error and size of the last accepted step */
+    bool refused;          /* the last attempt was */
+    double least[2];       /* sizes that tolerances are relative to */
+    double spread;         /* rate at which orbits part where it is */
+    double mu;             /* where it is, if peaks are asked for */
+};
+
+/* ---- steps --------------------------------------------------------------- */
+
+enum { COEFS = EXPLICIT8_DEGREE + 1, LAST = 12 };
+
+/* A number of a point of the orbit. */
+typedef double point_value(const struct block *b, struct vec2 z);
+
+static double x_of(const struct block *b, struct vec2 z)
+{
+    (void) b;
+    return z.x;
+}
+
+static double mu_of(const struct block *b, struct vec2 z)
+{
+    return block_mu(b, z);
+}
+
+/* A step's polynomial. */
+struct arc {
+    const struct block *block;
+    point_value *value;
+    double coef[LAYER_DIM * COEFS];
+};
+
+static double on_arc(const void *ctx, double t)
+{
+    const struct arc *a = ctx;
+    const double *c = a->coef;
+    struct vec2 z = { 0.0, 0.0 };
+
+    for (int j = COEFS; j-- > 0;)
+        z = (struct vec2){ z.x * t + c[j], z.y * t + c[COEFS + j] };
+    return a->value(a->block, z);
+}
+
+static double at_point(const struct arc *a, const double u[])
+{
+    return a->value(a->block, (struct vec2){ u[LAYER_X], u[LAYER_Y] });
+}
+
+/* Whether it rises along the orbit. */
+static bool is_rising(const struct arc *a, const double u[], const double du[])
+{
+    const double ahead[2] = { u[LAYER_X] + TOL_LAYER_AHEAD * du[LAYER_X],
+                              u[LAYER_Y] + TOL_LAYER_AHEAD * du[LAYER_Y] };
+
+    return at_point(a, ahead) > at_point(a, u);
+}
+
+/* The largest value on the step to u1, if above what is known already; *doubt:
+ * what it may lack.  At corners polynomials are worse than steps: a shorter
+ * step to their peak tells, and on which side of it to look again. */
+static double top_of(const struct walk *w, point_value *value,
+                     const double u1[], double known, double *doubt)
+{
+    const struct landing *l = &w->at;
+    const double tol = l->options.rtol, atol[LAYER_DIM] = { tol, tol, 1., 1. };
+    struct explicit8 work = w->work;
+    struct arc a = { &l->curve->slider->block, value, { 0.0 } };
+    double u[LAYER_DIM], end[LAYER_DIM], mid[LAYER_DIM], error[LAYER_DIM];
+    double h = w->h, t, best = fmax(known, at_point(&a, u1));
+
+    *doubt = 0.0;
+    memcpy(u, l->u, sizeof u);
+    memcpy(end, u1, sizeof end);
+    for (int i = 0; i < TOL_LAYER_TOPS; i++) {
+        explicit8_dense(&work, &w->ode, 0.0, u, h, end, a.coef);
+        const double top = crest_of(on_arc, &a, &t);
+        if (!(top > best)) {
+            *doubt = 0.0;
+            break;
+        }
+        explicit8_try(&work, &w->ode, 0.0, u, t * h, atol, tol, mid, error);
+        const double here = at_point(&a, mid);
+        best = fmax(best, here);
+        *doubt = fabs(here - top);
+        if (*doubt <= tol)
+            break;
+        along(l->curve->slider, 0.0, mid, work.k[LAST]);
+        if (is_rising(&a, mid, work.k[LAST])) {
+            memcpy(u, mid, sizeof u);
+            memcpy(work.k[0], work.k[LAST], sizeof work.k[0]);
+            h *= 1.0 - t;
+            explicit8_try(&work, &w->ode, 0.0, u, h, atol, tol, end, error);
+        } else {
+            memcpy(end, mid, sizeof end);
+            h *= t;
+        }
+    }
+    return best;
+}
+
+/* The most that friction, from mu0 to mu1, can be on an arc of length h: it
+ * changes by a at most per unit of ln v, and by b of y. */
+static double most_on(const struct material *m, double mu0, double mu1,
+                      double h)
+{
+    return 0.5 * (mu0 + mu1 + h * hypot(m->a, m->b));
+}
+
+/* On the step to u1: v has a peak where it rises at first and falls at last, mu
+ * may have one anywhere. */
+static void find_peaks(struct walk *w, const double u1[])
+{
+    const struct block *block = &w->at.curve->slider->block;
+    struct layer *const out = w->at.out;
+    const double mu0 = w->mu;
+    double du1[LAYER_DIM], doubt;
+
+    w->mu = block_mu(block, (struct vec2){ u1[LAYER_X], u1[LAYER_Y] });
+    along(w->at.curve->slider, 0.0, u1, du1);
+    out->x_peak = fmax(out->x_peak, u1[LAYER_X]);
+    if (w->work.k[0][LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0) {
+        out->x_peak = top_of(w, x_of, u1, out->x_peak, &doubt);
+        out->place_error += doubt;
+    }
+    if (most_on(&block->material, mu0, w->mu, w->h) > out->mu_peak) {
+        out->mu_peak = top_of(w, mu_of, u1, out->mu_peak, &doubt);
+        out->mu_error = fmax(out->mu_error, doubt);
+    }
+}
+
+/* The estimates of order 5 over their tolerances, root mean square. */
+static double size_of(const struct landing *l, const double u1[],
+                      const double atol[], const double error[])
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < LAYER_DIM; i++) {
+        const double larger = fmax(fabs(l->u[i]), fabs(u1[i]));
+        const double e = error[i] / (atol[i] + l->options.rtol * larger);
+        sum += e * e;
+    }
+    return sqrt(sum / LAYER_DIM);
+}
+
+/* The rate at which orbits beside the end of the walk part, per arc. */
+static double spread_at(const struct landing *l)
+{
+    const double *du = l->du;
+    const double u[LAYER_DIM] = { l->u[LAYER_X] - TOL_LAYER_ASIDE * du[LAYER_Y],
+                                  l->u[LAYER_Y] +
+                                      TOL_LAYER_ASIDE * du[LAYER_X] };
+    double beside[LAYER_DIM];
+
+    along(l->curve->slider, 0.0, u, beside);
+    return (du[LAYER_X] * beside[LAYER_Y] - du[LAYER_Y] * beside[LAYER_X]) /
+           TOL_LAYER_ASIDE;
+}
+
+/* What becomes of the distance across the orbit on the step: it shrinks as
+ * orbits do that close in on each other at both ends of it, and grows as they
+ * part in the mean of both. */
+static double across_left(struct walk *w)
+{
+    const double spread = spread_at(&w->at);
+    const double most = w->h * fmax(spread, w->spread);
+    const double mean = 0.5 * w->h * (spread + w->spread);
+
+    w->spread = spread;
+    return exp(fmin(fmax(fmin(most, 0.0), mean), TOL_LAYER_PARTING)) *
+           w->at.across;
+}
+
+/* Takes the step to u1.  Of the estimates of order 5 the method misses `part`,
+ * as it says itself; off its orbit a state also gains another time and slip, by
+ * about as much, relative.  Rounding moves the end of the step, and turns the
+ * field by as much, relative, as its exponents are wrong.  What closes in on
+ * another orbit does so ahead of it or behind: what is lost across is on the
+ * way, as where it lands. */
+static void account(struct walk *w, const double u1[], double part,
+                    const double error[])
+{
+    struct landing *const l = &w->at;
+    const double time = u1[LAYER_TIME] - l->u[LAYER_TIME];
+    const double slip = u1[LAYER_SLIP] - l->u[LAYER_SLIP];
+    const double fair = fmax(part, l->options.fair);
+    const double transport = TOL_LAYER_TRANSPORT * fair;
+
+    memcpy(l->u, u1, sizeof l->u);
+    along(l->curve->slider, 0.0, l->u, l->du);
+    const double digit_x = TOL_LAYER_ROUNDING * fabs(u1[LAYER_X]);
+    const double digit_y = TOL_LAYER_ROUNDING * fabs(u1[LAYER_Y]);
+    const double digits = digit_x + digit_y;
+    const double missed = TOL_LAYER_MISSED * fair;
+    const double x = missed * error[LAYER_X] + digit_x;
+    const double y = missed * error[LAYER_Y] + digit_y;
+    const double dx = fabs(l->du[LAYER_X]), dy = fabs(l->du[LAYER_Y]);
+    const double left = across_left(w);
+    const double on =
+        x * dx + y * dy + TOL_LAYER_TURNED * fabs(l->across - left);
+    const double turned = TOL_LAYER_TERMS * digits * fabs(w->h) * dx * dy;
+    const double across = x * dy + y * dx + turned + left;
+    const double most = TOL_LAYER_TRANSPORT * fmax(across, l->across) + digits;
+    l->across = across;
+    l->time_error += transport * error[LAYER_TIME] + l->du[LAYER_TIME] * on +
+                     most * fabs(time);
+    l->slip_error += transport * error[LAYER_SLIP] + l->du[LAYER_SLIP] * on +
+                     most * fabs(slip);
+    l->out->place_error += fair * (error[LAYER_X] + error[LAYER_Y]) + digits;
+}
+
+/* Whether a step with this error, relative to what is allowed, is accepted;
+ * *factor: what to multiply it by.  Onto the curve, and away from corners,
+ * steps change like their distance: the next one by as much as the last one
+ * did, if that is less than its error allows. */
+static bool judge(struct walk *w, double off, double *factor)
+{
+    const bool good = off <= 1.0;
+    const double now = fmax(off, TOL_LAYER_FLOOR);
+    const double wish =
+        off < HUGE_VAL ? TOL_LAYER_SAFETY * pow(now, -0.125) : 0.0;
+    const double trend = fabs(w->h) / w->last * pow(w->previous / now, 0.125);
+    const double next = good ? fmin(wish, wish * trend) : wish;
+    const double most = good && !w->refused ? TOL_LAYER_GROWTH : 1.0;
+
+    *factor = fmax(fmin(next, most), TOL_STEP_SHRINK);
+    if (good) {
+        w->previous = now;
+        w->last = fabs(w->h);
+    }
+    w->refused = !good;
+    return good;
+}
+
+/* One accepted step no longer than `most`, which may be as short as it likes;
+ * false: there is none. */
+static bool advance(struct walk *w, double most)
+{
+    struct landing *const l = &w->at;
+    const double tol = l->options.rtol;
+    const double atol[LAYER_DIM] = { tol, tol, tol * w->least[0],
+                                     tol * w->least[1] };
+    double u1[LAYER_DIM], error[LAYER_DIM], factor, off;
+
+    w->h = fmin(w->h, most);
+    for (;;) {
+        off = explicit8_try(&w->work, &w->ode, 0.0, l->u, w->h, atol, tol, u1,
+                            error);
+        l->out->calls += EXPLICIT8_CALLS + 1;
+        if (judge(w, off, &factor))
+            break;
+        w->h *= factor;
+        if (!(fabs(w->h) > TOL_LAYER_SHORTEST))
+            return false;
+    }
+    if (l->options.peaks)
+        find_peaks(w, u1);
+    const double size = size_of(l, u1, atol, error);
+    account(w, u1, size > 0.0 ? off / size : 1.0, error);
+    w->h = fabs(w->h) * factor;
+    l->out->steps++;
+    return true;
+}
+
+void layer_follow(const struct slow_curve *c, struct vec2 z,
+                  const struct layer_options *options, struct layer *out)
+{
+    struct walk w = { .ode = { LAYER_DIM, along, c->slider },
+                      .h = TOL_LAYER_FIRST,
+                      .previous = 1.0 };
+    double most;
+
+    landing_start(&w.at, c, z, options, out, w.least);
+    along(c->slider, 0.0, w.at.u, w.at.du);
+    w.mu = out->mu_peak;
+    while (!landing_is_over(&w.at, &most) && out->steps < TOL_LAYER_STEPS) {
+        memcpy(w.work.k[0], w.at.du, sizeof w.at.du);
+        if (!advance(&w, most))
+            break;
+    }
+}

@@ -1,0 +1,62 @@
+/*
+ * fast_layer.h -- a state falls onto the slow curve (slow_curve.h): slip, time
+ * and peaks from there to its arrest, by explicit steps on the way down and the
+ * curve's table for the rest.
+ */
+#ifndef SLOW_FAST_LAYER_H
+#define SLOW_FAST_LAYER_H
+
+#include "slow_curve.h"
+
+enum layer_end {
+    LAYER_LANDED,
+    LAYER_RESTED, /* v = 0 before it landed */
+    LAYER_RAN,    /* into v > v_sp, psi < psi_sp, where no node is */
+    LAYER_UNSURE, /* landed, but on this side of the saddle only perhaps */
+    LAYER_LOST    /* none of these */
+};
+
+/* How to follow one. */
+struct layer_options {
+    double promise;    /* relative, of time and slip */
+    double rtol;       /* of each step, absolute in ln v and ln psi */
+    double landing;    /* from the slow curve, in ln v */
+    double fair;       /* least part of the estimates of order 5 that a step of
+                          order 8 misses */
+    double time, slip; /* about what is to come, if less than that of any state
+                          outside the boxes of arrest; 0: not known */
+    bool peaks;
+    bool through; /* boxes of arrest, and not told that it runs away as long as
+                     it may land: for its base point (base_point.h); time and
+                     slip are then negative inside a box */
+};
+
+/* Values as of struct cell; errors absolute. */
+struct layer {
+    enum layer_end end;
+    int8_t fate;
+    double time, time_error;
+    double slip, slip_error;
+    double x_end; /* ln(v/v0) at arrest; -HUGE_VAL: v = 0 */
+    /* where on the slow curve it landed, NaN: elsewhere; and the errors of time
+     * and slip on the way there */
+    double y, y_error, way_time_error, way_slip_error;
+    /* told by the saddle's series: y is then where its base point is, and
+     * `more` its slip beyond that of y, with the error way_slip_error */
+    bool is_near;
+    double more;
+    double x_peak, mu_peak; /* with the error of a point of the orbit: */
+    double place_error;     /* in ln v and ln psi */
+    double mu_error;        /* more, of mu_peak alone */
+    size_t steps, calls;
+};
+
+struct layer_options layer_defaults(double rtol);
+
+/* From the offset z of the curve's system.  Never fails: *out says whether it
+ * landed; of one that is lost nothing else is
+ * known, of one that ran the fate alone. */
+void layer_follow(const struct slow_curve *c, struct vec2 z,
+                  const struct layer_options *options, struct layer *out);
+
+#endif

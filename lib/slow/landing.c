@@ -1,0 +1,439 @@
+/* No orbit crosses the slow curve: a step goes no further than just before it
+ * and than the boxes of arrest, which a longer one might jump.  A box is
+ * entered by Newton's method on its face. */
+#include "landing.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "landing_near.h"
+#include "landing_rest.h"
+#include "slider.h"
+#include "slow_tolerance.h"
+
+/* A block that loses v by friction alone needs some eps^2 v for that. */
+static void choose_least(const struct landing *l, double least[2])
+{
+    const struct slow_curve *c = l->curve;
+    const struct block *b = &c->slider->block;
+    const double v = exp(b->at.x0 + l->u[LAYER_X]);
+    const double stop = material_eps2(&b->material) * v;
+
+    least[0] = c->time_least;
+    least[1] = c->slip_least;
+    if (c->rests) {
+        least[0] = fmax(fmin(least[0], stop), DBL_MIN);
+        least[1] = fmax(fmin(least[1], stop * v), DBL_MIN);
+    }
+    if (l->options.time > 0.0)
+        least[0] = fmin(least[0], l->options.time);
+    if (l->options.slip > 0.0)
+        least[1] = fmin(least[1], l->options.slip);
+}
+
+/* What the digits of the state and of the saddle hide of the offset z. */
+static double rounding(const struct slider *s, struct vec2 z)
+{
+    const struct vec2 o = s->plane.system.origin;
+    const double size =
+        fabs(o.x) + fabs(o.y) + fabs(o.x + z.x) + fabs(o.y + z.y);
+
+    return TOL_LAYER_ROUNDING * size;
+}
+
+void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
+                   const struct layer_options *options, struct layer *out,
+                   double least[2])
+{
+    *l = (struct landing){
+        .curve = c, .options = *options, .u = { z.x, z.y, 0.0, 0.0 }, .out = out
+    };
+    *out = (struct layer){ .end = LAYER_LOST, .x_peak = z.x, .y = NAN };
+    l->across = rounding(c->slider, z);
+    if (options->peaks)
+        out->mu_peak = block_mu(&c->slider->block, z);
+    choose_least(l, least);
+}
+
+/* ---- boxes of arrest ----------------------------------------------------- */
+
+/* The nearest box: how far to its face, along x (0) or y (1); the offset from
+ * its centre. */
+struct door {
+    int node; /* -1: there is none */
+    int along;
+    double way, x, y;
+};
+
+static struct door door_of(const struct landing *l)
+{
+    const struct slider *s = l->curve->slider;
+    struct door door = { .node = -1, .way = HUGE_VAL };
+
+    for (int i = 0; i < (int) s->plane.equilibria && !l->options.through; i++) {
+        const struct vec2 e = s->plane.equilibrium[i].z,
+                          o = s->plane.system.origin;
+        const double dx = l->u[LAYER_X] - (e.x - o.x);
+        const double dy = l->u[LAYER_Y] - (e.y - o.y);
+        const int along = fabs(dy) > fabs(dx);
+        const double way = fmax(fabs(dx), fabs(dy)) - TOL_ARREST;
+        if (i != slider_saddle(s) && way < door.way)
+            door = (struct door){ i, along, way, dx, dy };
+    }
+    return door;
+}
+
+void landing_add_least(const struct landing *l)
+{
+    const double least = TOL_LAYER_LEAST * l->options.promise;
+
+    l->out->time_error += least * fabs(l->out->time);
+    l->out->slip_error += least * fabs(l->out->slip);
+}
+
+/* On the face, towards which the orbit closes at this rate. */
+static void arrive(struct landing *l, const struct door *door, double closing)
+{
+    const struct slider *s = l->curve->slider;
+    const double aside = fabs(l->du[!door->along]) / closing;
+    const double late = 2.0 * l->across * (1.0 + aside);
+    struct layer *const out = l->out;
+
+    out->end = LAYER_LANDED;
+    out->fate = (int8_t) fate_of_node(s, &s->plane.equilibrium[door->node]);
+    out->x_end = l->u[LAYER_X];
+    out->time = l->u[LAYER_TIME];
+    out->slip = l->u[LAYER_SLIP];
+    out->time_error = l->time_error + late * l->du[LAYER_TIME];
+    out->slip_error = l->slip_error + late * l->du[LAYER_SLIP];
+    landing_add_least(l);
+}
+
+/* Beside a box: enters it, takes the next step of Newton's method, or passes it
+ * by in steps that cannot meet it.  True also where it grazes a corner. */
+static bool enters(struct landing *l, const struct door *door, double *most)
+{
+    const double side = door->along ? door->y : door->x;
+    const double closing = -copysign(1.0, side) * l->du[door->along];
+    const double aside = door->along ? door->x : door->y;
+    const double wrong = l->across + l->out->place_error;
+
+    if (door->way < -TOL_LAYER_BESIDE)
+        return true;
+    if (!(closing > TOL_LAYER_HEAD_ON) ||
+        fabs(aside) > TOL_ARREST - TOL_LAYER_CORNER * wrong) {
+        *most = TOL_LAYER_NEARER * door->way;
+        return !(door->way > TOL_LAYER_GRAZE + TOL_LAYER_CORNER * wrong);
+    }
+    *most = door->way / closing;
+    if (fabs(*most) > TOL_LAYER_FACE) {
+        if (l->options.peaks && door->way > 0.0)
+            *most *= TOL_LAYER_SHORT; /* or it sees peaks beyond */
+        return false;
+    }
+    arrive(l, door, closing);
+    return true;
+}
+
+/* ---- the slow curve ------------------------------------------------------ */
+
+static bool overlap(double a, double b, double lo, double hi)
+{
+    return fmin(a, b) < hi && fmax(a, b) > lo;
+}
+
+/* Whether no box lies between here and the slow point y. */
+static bool is_clear(const struct landing *l, const struct slow_point *p,
+                     double y)
+{
+    const struct slider *s = l->curve->slider;
+    const double size = TOL_LAYER_ARREST * TOL_ARREST;
+
+    for (size_t i = 0; i < s->plane.equilibria && !l->options.through; i++) {
+        const struct vec2 e =
+            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
+        if ((int) i != slider_saddle(s) &&
+            overlap(l->u[LAYER_X], p->x, e.x - size, e.x + size) &&
+            overlap(l->u[LAYER_Y], y, e.y - size, e.y + size))
+            return false;
+    }
+    return true;
+}
+
+/* How much later or earlier a box is entered because the orbit is still beside
+ * the curve then. */
+static double delay(const struct landing *l, const struct slow_point *p,
+                    double off)
+{
+    const double folds = fmin(p->time * p->fast, TOL_LAYER_FOLDS);
+
+    return l->options.through ? 0.0
+                              : TOL_LAYER_FORGET * fabs(off) * exp(-folds) *
+                                    fabs(p->end_slope);
+}
+
+static bool table_at(const struct landing *l, double y, struct slow_point *p)
+{
+    return l->options.through
+               ? slow_curve_anywhere(l->curve, y, p) && isfinite(p->gap)
+               : slow_curve_at(l->curve, y, p);
+}
+
+/* The point of the curve that shares the fibre of the end of the walk; *off:
+ * how far along it, signed. */
+static bool project(const struct landing *l, double *y, struct slow_point *p,
+                    double *off)
+{
+    *y = l->u[LAYER_Y];
+    for (int i = 0; i < 4; i++) {
+        if (!table_at(l, *y, p))
+            return false;
+        const double dx = l->u[LAYER_X] - p->x, dy = l->u[LAYER_Y] - *y;
+        const struct vec2 e = p->fibre;
+        const double det = e.x - e.y * p->x_slope;
+        *off = (dx - dy * p->x_slope) / det;
+        if (i < 3)
+            *y += (e.x * dy - e.y * dx) / det;
+    }
+    return true;
+}
+
+/* Whether friction rises from z on along dz. */
+static bool mu_rises(const struct landing *l, struct vec2 z, struct vec2 dz)
+{
+    const struct block *b = &l->curve->slider->block;
+    const struct vec2 ahead = { z.x + TOL_LAYER_AHEAD * dz.x,
+                                z.y + TOL_LAYER_AHEAD * dz.y };
+
+    return block_mu(b, ahead) > block_mu(b, z);
+}
+
+/* The largest friction to come, which is the curve's but for *aside.  What sets
+ * friction here apart from that on the curve only decays: where friction falls
+ * by now, and along the curve, there is none to come. */
+static double mu_to_come(const struct landing *l, const struct slow_point *p,
+                         double y, double *aside)
+{
+    const struct block *b = &l->curve->slider->block;
+    const struct vec2 on = { p->x, y }, z = { l->u[LAYER_X], l->u[LAYER_Y] };
+    const double way = p->time_slope < 0.0 ? 1.0 : -1.0;
+    const double mu = block_mu(b, on);
+    const bool rises = mu_rises(l, on, (struct vec2){ way * p->x_slope, way });
+    const double most = fmax(rises ? fmax(mu, p->mu_near) : mu, p->mu_peak);
+
+    *aside = 0.0;
+    if (most == mu &&
+        !mu_rises(l, z, (struct vec2){ l->du[LAYER_X], l->du[LAYER_Y] }))
+        return -HUGE_VAL;
+    *aside = 2.0 * fabs(mu - block_mu(b, z));
+    if (most + *aside <= l->out->mu_peak)
+        *aside = 0.0;
+    return most;
+}
+
+/* The peaks to come.  False: nearer to the curve they would be known better. */
+static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
+                      double off, double *excess)
+{
+    struct layer *const out = l->out;
+    double aside;
+    const double most = mu_to_come(l, p, y, &aside);
+    const double allowed =
+        TOL_LAYER_BENT * l->options.promise * fabs(out->mu_peak);
+
+    *excess = fmax(*excess, aside / allowed);
+    if (aside > allowed && fabs(off) > TOL_LAYER_MU_TOUCH)
+        return false;
+    if (p->x_peak > p->x)
+        out->x_peak = fmax(out->x_peak, p->x_peak);
+    out->mu_peak = fmax(out->mu_peak, most);
+    out->mu_error += aside;
+    return true;
+}
+
+/* Whether psi may wait, its own rate of next to nothing, until the curve comes:
+ * by a sinh, ahead of it. */
+static bool may_wait(const struct landing *l, const struct slow_point *p,
+                     double off)
+{
+    return l->curve->slider->block.law.kinetics == KINETICS_SINH &&
+           fabs(p->fibre.y) > fabs(p->fibre.x) &&
+           off * p->fibre.y * p->time_slope < 0.0;
+}
+
+/* How unlike a linear one its fall is, `off` along the fibre: a sinh is steeper
+ * than its tangent, and may take `off` over the curve's speed. */
+static double unevenness(const struct landing *l, const struct slow_point *p,
+                         double off)
+{
+    const double det = p->fibre.x - p->fibre.y * p->x_slope;
+    const double fall = l->du[LAYER_X] - l->du[LAYER_Y] * p->x_slope;
+    const double linear = -p->fast * det * off * l->du[LAYER_TIME];
+    const double larger = fmax(fabs(fall), fabs(linear));
+    const double longer =
+        may_wait(l, p, off) ? fmax(fabs(off) / p->gap, 1.0) : 1.0;
+
+    return larger > 0.0 ? longer * fabs(fall - linear) / larger : 0.0;
+}
+
+/* The sine of the angle between its fibre and the way it falls, less the way of
+ * the curve: psi far off psi_ss leaps by a sinh, whatever v settles to. */
+static double turning(const struct landing *l, const struct slow_point *p)
+{
+    const double back = l->du[LAYER_TIME] / p->time_slope;
+    const struct vec2 fall = { l->du[LAYER_X] + back * p->x_slope,
+                               l->du[LAYER_Y] + back };
+    const double size = vec2_length(fall);
+
+    return size > 0.0 ? fabs(fall.x * p->fibre.y - fall.y * p->fibre.x) / size
+                      : 0.0;
+}
+
+/* What the table says of the point y, `off` away along its fibre, added to what
+ * was before.  False: nearer to the curve it would be good enough. */
+static bool land(struct landing *l, double y, const struct slow_point *p,
+                 double off, double *excess)
+{
+    const struct slider *s = l->curve->slider;
+    const struct vec2 e = p->fibre;
+    const double det = fabs(e.x - e.y * p->x_slope);
+    const double part =
+        TOL_LAYER_BEND * (fabs(off) + p->gap) + unevenness(l, p, off);
+    const double bend =
+        fabs(off) * fmax(fabs(e.x * e.y) * part, turning(l, p)) / det;
+    const double wrong = bend + l->across / det;
+    const double d = off * e.x, v = exp(s->block.at.x0 + p->x);
+    const double more = v / p->fast * d * (1.0 + 0.25 * d);
+    const double unsaid = fabs(more) * part;
+    const double time = l->u[LAYER_TIME] + p->time;
+    const double slip = l->u[LAYER_SLIP] + p->slip + more;
+    const double wait = delay(l, p, off);
+    const double waste =
+        wait > 0.0 ? wait * exp(s->block.at.x0 + p->x_end) : 0.0;
+    const double late = 2.0 * fabs(p->time_slope) * bend + wait;
+    const double long_ = 2.0 * fabs(p->slip_slope) * bend + unsaid + waste;
+    struct layer *const out = l->out;
+
+    *excess = (l->options.through ? bend : fmax(late / time, long_ / slip)) /
+              (TOL_LAYER_BENT * l->options.promise);
+    if (*excess > 1.0 && fabs(off) > TOL_LAYER_TOUCH)
+        return false;
+    if (!is_clear(l, p, y))
+        return false;
+    if (l->options.peaks && !add_peaks(l, p, y, off, excess))
+        return false;
+    out->end = LAYER_LANDED;
+    if (slider_saddle(s) >= 0 && !(wrong < TOL_LAYER_SIDE * fabs(y)))
+        out->end = LAYER_UNSURE;
+    out->fate = p->fate;
+    out->x_end = p->x_end;
+    out->y = y;
+    out->y_error = 2.0 * wrong;
+    out->way_time_error = l->time_error;
+    out->way_slip_error = l->slip_error + unsaid;
+    out->time = time;
+    out->slip = slip;
+    out->time_error = l->time_error + p->time_error + wait +
+                      2.0 * fabs(p->time_slope) * wrong;
+    out->slip_error = l->slip_error + p->slip_error + unsaid + waste +
+                      2.0 * fabs(p->slip_slope) * wrong;
+    landing_add_least(l);
+    return true;
+}
+
+/* ---- other ends ---------------------------------------------------------- */
+
+/* v vanishes and psi grows within no time (as in fate.c). */
+static bool rests(struct landing *l)
+{
+    const double *du = l->du, *u = l->u;
+    const double soon = TOL_REST_SOON * u[LAYER_TIME];
+
+    if (!(-du[LAYER_X] * soon > du[LAYER_TIME] &&
+          du[LAYER_Y] * soon > du[LAYER_TIME]))
+        return false;
+    const double left = -du[LAYER_TIME] / du[LAYER_X];
+    const double v = exp(l->curve->slider->block.at.x0 + u[LAYER_X]);
+    l->out->end = LAYER_RESTED;
+    l->out->fate = FATE_REST_FINITE;
+    l->out->x_end = -HUGE_VAL;
+    l->out->time = u[LAYER_TIME] + left;
+    l->out->slip = u[LAYER_SLIP] + 0.5 * v * left;
+    l->out->time_error = l->time_error + left;
+    l->out->slip_error = l->slip_error + v * left;
+    return true;
+}
+
+static bool runs(struct landing *l, bool may_land)
+{
+    const double far = l->across;
+
+    if (!l->curve->runs_away || (l->options.through && may_land) ||
+        !(l->u[LAYER_X] > far && l->u[LAYER_Y] < -far))
+        return false;
+    l->out->end = LAYER_RAN;
+    l->out->fate = FATE_RUNAWAY;
+    return true;
+}
+
+/* ---- all of them --------------------------------------------------------- */
+
+/* Whether v still rises to a curve along which it falls: its peak is between.
+ */
+static bool is_rising(const struct landing *l)
+{
+    struct slow_point p;
+
+    return l->options.peaks && l->du[LAYER_X] > 0.0 &&
+           table_at(l, l->u[LAYER_Y], &p) && p.x_peak <= p.x;
+}
+
+/* Whether it has landed, d from the curve.  If not, *aim: how near to come. */
+static bool lands(struct landing *l, double d, double *aim)
+{
+    struct slow_point p;
+    double y, off, excess = 1.0;
+
+    if (is_rising(l)) {
+        *aim = fmin(*aim, TOL_LAYER_RISE * fabs(d));
+        return false;
+    }
+    if (!(fabs(d) < *aim))
+        return false;
+    if (project(l, &y, &p, &off) && land(l, y, &p, off, &excess))
+        return true;
+    *aim = fabs(d) *
+           fmin(TOL_LAYER_RISE, fmax(TOL_LAYER_DIVE, TOL_LAYER_RISE / excess));
+    return false;
+}
+
+static bool is_over(struct landing *l, double *most)
+{
+    const struct door door = door_of(l);
+    double aim = l->options.landing, x, x_slope;
+
+    *most = TOL_LAYER_NEARER * door.way;
+    const bool beside = slow_curve_beside(l->curve, l->u[LAYER_Y],
+                                          l->options.through, &x, &x_slope);
+    if (rests(l) || runs(l, beside))
+        return true;
+    const double d = l->u[LAYER_X] - x;
+    if (beside && door.way > 0.0 && lands(l, d, &aim))
+        return true;
+    if (door.way < TOL_LAYER_BESIDE)
+        return enters(l, &door, most);
+    const double closing = l->du[LAYER_X] - x_slope * l->du[LAYER_Y];
+    if (beside && d * closing < 0.0)
+        *most = fmin(*most, (fabs(d) - TOL_LAYER_AIM * aim) / fabs(closing));
+    return landing_rests(l, most);
+}
+
+bool landing_is_over(struct landing *l, double *most)
+{
+    if (landing_near(l))
+        return true;
+    if (!is_over(l, most))
+        return false;
+    landing_keep_near(l);
+    return true;
+}

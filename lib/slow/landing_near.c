@@ -1,0 +1,128 @@
+/* Orbits of equal p arrive together, whatever their q adds to the slip: the
+ * base point of one that came here in a time t is where p is e^(-lambda t)
+ * times as large, and that holds on the separatrix too. */
+#include "landing_near.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "slider.h"
+#include "slow_tolerance.h"
+
+/* The branch on that side of the saddle; NULL: there is none. */
+static const struct slow_branch *branch_of(const struct slow_curve *c, double p)
+{
+    for (size_t i = 0; i < c->branches; i++) {
+        const struct slow_branch *b = &c->branch[i];
+        if (b->near && b->first.p * p > 0.0)
+            return b;
+    }
+    return c->away.count > 2 && c->away.first.p * p > 0.0 ? &c->away : NULL;
+}
+
+/* How wrong p is, relative to it. */
+static double doubt_of(const struct landing *l, const struct saddle_point *at)
+{
+    const double slope = hypot(at->p_x, at->p_y);
+
+    return (at->p_error + slope * l->across) / fmax(fabs(at->p), DBL_MIN);
+}
+
+/* Where it began, in the coordinates of the series. */
+static void tell_base(const struct landing *l, const struct saddle_series *u,
+                      const struct saddle_point *at, double doubt,
+                      struct layer *out)
+{
+    const double time = l->u[LAYER_TIME];
+    const double before = exp(-u->lambda * time);
+    const double wrong = before * doubt * fmax(fabs(at->p), DBL_MIN);
+
+    out->y = saddle_series_y(u, before * at->p);
+    const struct saddle_point on = saddle_series_on(u, out->y);
+    out->y_error = (wrong + u->lambda * fabs(out->y) *
+                                (l->time_error + u->lambda_error * time)) /
+                   (on.p_y + on.p_x * on.x_slope);
+    out->more = l->u[LAYER_SLIP] - u->v * time + at->q - on.q;
+    out->way_time_error = l->time_error;
+    out->way_slip_error = l->slip_error + u->v * l->time_error + at->q_error +
+                          hypot(at->q_x, at->q_y) * l->across;
+}
+
+/* All of it, in *out; the end of it is on branch b. */
+static void tell(const struct landing *l, const struct slow_branch *b,
+                 const struct saddle_point *at, double doubt, struct layer *out)
+{
+    const struct saddle_series *u = b->near;
+    const struct slow_knot *k = b->knot;
+    const double fold = log(b->first.p / at->p) / u->lambda;
+    const double wrong = (doubt * (1.0 + doubt) + TOL_SADDLE) / u->lambda +
+                         u->lambda_error * fabs(fold);
+
+    out->end = b == &l->curve->away ? LAYER_RAN : LAYER_LANDED;
+    if (!(doubt < TOL_LAYER_SIDE))
+        out->end = LAYER_UNSURE;
+    out->fate = b->fate;
+    out->x_end = b->x_end;
+    out->time = l->u[LAYER_TIME] + k->time[0] + fold;
+    out->slip =
+        l->u[LAYER_SLIP] + k->slip[0] + u->v * fold + at->q - b->first.q;
+    out->time_error = l->time_error + k->time_bar + wrong;
+    out->slip_error = l->slip_error + k->slip_bar + u->v * wrong + at->q_error +
+                      hypot(at->q_x, at->q_y) * l->across;
+}
+
+/* Whether nearer to the saddle the series would tell what was promised, and
+ * here they do not. */
+static bool is_early(const struct landing *l, const struct saddle_point *at,
+                     const struct layer *out)
+{
+    const double wrong = at->p_error / fabs(at->p) / l->curve->near->lambda;
+    const struct vec2 to = { l->u[LAYER_X], l->u[LAYER_Y] };
+    const bool nears = to.x * l->du[LAYER_X] + to.y * l->du[LAYER_Y] < 0.0;
+
+    return nears && wrong > TOL_LAYER_BENT * l->options.promise * out->time &&
+           hypot(to.x, to.y) > TOL_LAYER_TOUCH;
+}
+
+bool landing_near(struct landing *l)
+{
+    const struct saddle_series *u = l->curve->near;
+    const struct vec2 z = { l->u[LAYER_X], l->u[LAYER_Y] };
+    struct saddle_point at;
+
+    if (l->near.is_near || u == NULL || !saddle_series_at(u, z, &at))
+        return false;
+    const struct slow_branch *b = branch_of(l->curve, at.p);
+    if (b == NULL)
+        return false;
+    struct layer told = *l->out;
+    const double doubt = doubt_of(l, &at);
+    tell(l, b, &at, doubt, &told);
+    if (is_early(l, &at, &told))
+        return false;
+    tell_base(l, u, &at, doubt, &told);
+    told.is_near = true;
+    l->near = told;
+    if (l->options.peaks)
+        return false;
+    *l->out = told;
+    landing_add_least(l);
+    return true;
+}
+
+void landing_keep_near(struct landing *l)
+{
+    const struct layer *near = &l->near;
+    struct layer *const out = l->out;
+
+    if (!near->is_near || out->end == LAYER_LOST || out->end == LAYER_RAN)
+        return;
+    out->end = near->end;
+    out->fate = near->fate;
+    out->x_end = near->x_end;
+    out->time = near->time;
+    out->slip = near->slip;
+    out->time_error = near->time_error;
+    out->slip_error = near->slip_error;
+    landing_add_least(l);
+}

@@ -1,0 +1,78 @@
+/*
+ * patch.h -- one rectangle of cells, over which fields (cells.h) are
+ * polynomials, or the base points (base_point.h) that tell them.
+ */
+#ifndef SLOW_PATCH_H
+#define SLOW_PATCH_H
+
+#include "base_point.h"
+#include "cells.h"
+#include "patch_side.h"
+
+enum {
+    PATCH_NODES = PATCH_SIDE * PATCH_SIDE,
+    PATCH_TESTS = 32, /* at most */
+    PATCH_STATES = PATCH_NODES + PATCH_TESTS
+};
+
+/* A state that has been looked at; no number is there that it lacks. */
+struct patch_sample {
+    struct vec2 z;
+    struct cell cell;       /* NaN where its base point passes a box */
+    struct base_point base; /* NaN: none */
+};
+
+/* What base points say, for `ctx`. */
+struct patch_teller {
+    /* The cell at z, its errors as many times as large as the base's; false
+     * where it is not to be relied on, too near a boundary or a box. */
+    bool (*tell)(const void *ctx, struct vec2 z, const struct base_point *base,
+                 unsigned which, struct cell *out);
+    /* Whether any between the two may pass a box of arrest. */
+    bool (*passes)(const void *ctx, double one, double other);
+    const void *ctx;
+};
+
+enum { PATCH_BASE_Y, PATCH_BASE_MORE, PATCH_BASES };
+
+struct patch {
+    struct patch_side x, y;
+    unsigned which, plain; /* bits: fields asked for; those with coef */
+    bool has_base;
+    int8_t exit_reason; /* of the samples; FATE_UNDECIDED: they differ */
+    double coef[CELL_FIELDS][PATCH_SIDE][PATCH_SIDE]; /* [y][x] */
+    double bar[CELL_FIELDS]; /* relative; NaN where the field does not exist */
+    double base[PATCH_BASES][PATCH_SIDE][PATCH_SIDE];
+    double base_bar[PATCH_BASES]; /* absolute */
+};
+
+/* How well polynomials stand for a rectangle. */
+struct patch_verdict {
+    bool holds; /* well enough */
+    /* otherwise: by what factor the last coefficients along each side are too
+     * large, and whether there are polynomials at all: if not, 1 along the
+     * sides on which samples differ in kind, else 0 */
+    double excess_x, excess_y;
+    bool is_smooth;
+};
+
+/* Its nodes, row by row; how many. */
+size_t patch_nodes(const struct patch_side *x, const struct patch_side *y,
+                   struct vec2 z[PATCH_NODES]);
+
+/* From what was found at the nodes, and then at some more states, at which it
+ * is tested (those on an exact side's cells alone); count <= PATCH_STATES. */
+struct patch_verdict patch_fit(struct patch *p, const struct patch_side *x,
+                               const struct patch_side *y, unsigned which,
+                               double rtol, const struct patch_teller *teller,
+                               const struct patch_sample sample[],
+                               size_t count);
+
+/* The n cells of its side x from number first on, at y; those that it cannot
+ * tell, or not as well as rtol, or other than labelled have exit_reason
+ * FATE_NONE. */
+void patch_row(const struct patch *p, size_t first, size_t n, double y,
+               const int8_t label[], double rtol,
+               const struct patch_teller *teller, struct cell out[]);
+
+#endif

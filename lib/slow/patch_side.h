@@ -1,0 +1,39 @@
+/*
+ * patch_side.h -- one side of a rectangle of cells: the points at which
+ * functions of its coordinate are sampled, and the polynomials through them.
+ */
+#ifndef SLOW_PATCH_SIDE_H
+#define SLOW_PATCH_SIDE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { PATCH_SIDE = 10 };
+
+/* Chebyshev points of the first kind between the outermost cells or, where
+ * there are no more cells than points, the cells themselves: functions are then
+ * a value for each cell, and exact. */
+struct patch_side {
+    const double *at; /* borrowed: centres, ascending */
+    size_t cells;
+    int nodes; /* <= PATCH_SIDE */
+    bool is_exact;
+};
+
+struct patch_side patch_side_of(const double at[], size_t cells);
+
+double patch_side_node(const struct patch_side *s, int i);
+
+/* Values f[0], f[stride], ... at the nodes to coefficients. */
+void patch_side_transform(const struct patch_side *s, double f[],
+                          size_t stride);
+
+/* What to multiply coefficients by at a point; false: the side is exact and the
+ * point is none of its cells. */
+bool patch_side_basis(const struct patch_side *s, double at,
+                      double basis[PATCH_SIDE]);
+
+/* The first cell of part i, if it is cut into even parts. */
+size_t patch_side_cut(const struct patch_side *s, size_t parts, size_t i);
+
+#endif

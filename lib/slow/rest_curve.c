@@ -1,0 +1,341 @@
+/* An orbit down to where rounding shows, and from there on what is known of its
+ * end (rest_left.h). */
+#include "rest_curve.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "rest_form.h"
+#include "rest_lag.h"
+#include "rest_left.h"
+#include "slider.h"
+#include "slow_branch.h"
+#include "slow_tolerance.h"
+
+/* ---- far down ------------------------------------------------------------ */
+
+/* The rate psi settles at, and so on, hardly matter there; no time or slip. */
+static struct rest_point point_below(const struct slider *s, double x,
+                                     const struct rest_point *last)
+{
+    const double part = exp(x - last->x);
+    const struct rest_lag l = rest_lag_at(s, x);
+
+    return (struct rest_point){
+        .x = x,
+        .y = l.y,
+        .y_slope = l.y_slope,
+        .time_slope = l.slowness,
+        .slip_slope = exp(s->block.at.x0 + x) * l.slowness,
+        .fast = 1.0 / (last->gap * part * l.slowness),
+        .gap = last->gap * part,
+        .fibre = { last->fibre.x * part, last->fibre.y },
+    };
+}
+
+static bool add_left(const struct slider *s, struct rest_point *p)
+{
+    const struct vec2 z = { p->x, p->y };
+    struct rest_left left;
+
+    if (!rest_left_find(s, z, 0.0, &left))
+        return false;
+    p->time = left.time;
+    p->slip = left.slip;
+    p->time_error = left.time_error;
+    p->slip_error = left.slip_error;
+    return true;
+}
+
+/* ---- knots --------------------------------------------------------------- */
+
+/* At the end of the orbit, with what its last step took; false where psi does
+ * not settle faster than v falls. */
+static bool knot_at(const struct slider *s, const struct orbit *o,
+                    struct rest_knot *k, double *bend)
+{
+    const struct vec2 z = { o->u[0], o->u[1] };
+    struct planar_jacobian J;
+
+    s->plane.system.jacobian(s->plane.system.ctx, z, &J);
+    const struct vec2 d = J.field.direction;
+    const struct eigen2 e = mat2_eigenvalues(J.matrix);
+    const double slow = fmax(fabs(e.re[1]), fabs(d.x));
+    const double slope = o->du[1] / o->du[0], v = exp(s->block.at.x0 + z.x);
+    const double late = -1.0 / (d.x * exp(J.field.log_scale));
+
+    *bend = (J.matrix.xx + J.matrix.xy * slope) / d.x;
+    *k = (struct rest_knot){
+        .at = { .x = z.x,
+                .y = z.y,
+                .y_slope = slope,
+                .time_slope = late,
+                .slip_slope = v * late,
+                .fast = -e.re[0] * exp(J.field.log_scale),
+                .gap = slow / -e.re[0],
+                .fibre = mat2_eigenvector(J.matrix, e.re[0]) },
+        .time_bend = -*bend * late,
+        .slip_bend = (1.0 - *bend) * v * late,
+    };
+    return e.im == 0.0 && e.re[0] < 0.0 && d.x < 0.0 &&
+           k->at.gap < TOL_SLOW_GAP &&
+           fabs(k->at.fibre.y) > fabs(k->at.fibre.x);
+}
+
+static enum status push(struct rest_curve *c, const struct rest_knot *k)
+{
+    if (c->count == c->room) {
+        const size_t room = c->room ? 2 * c->room : 512;
+        struct rest_knot *more = realloc(c->knot, room * sizeof *more);
+        if (more == NULL)
+            return STATUS_NO_MEMORY;
+        c->knot = more;
+        c->room = room;
+    }
+    c->knot[c->count++] = *k;
+    return STATUS_OK;
+}
+
+/* Keeps what the orbit's last step took, until it is known from the end. */
+static enum status keep(struct rest_curve *c, const struct orbit *o,
+                        struct rest_knot *k)
+{
+    k->at.time = slow_branch_gained(o, 2);
+    k->at.slip = slow_branch_gained(o, 3 + BLOCK_SLIP);
+    k->time_bar = o->error[2];
+    k->slip_bar = o->error[3 + BLOCK_SLIP];
+    return push(c, k);
+}
+
+/* Steps that polynomials bear. */
+static void hold_back(struct orbit *o, double bend)
+{
+    const double most = fmin(TOL_SLOW_STEP / fabs(bend), TOL_SLOW_LONGEST);
+    const double speed = fabs(o->du[0]);
+
+    if (speed * o->h > most)
+        o->h = most / speed;
+}
+
+/* Down to where what is left is known; false where it does not get there. */
+static enum status descend(struct rest_curve *c, struct orbit *o,
+                           const struct monitor *monitor, bool *is_down)
+{
+    const struct slider *s = c->slider;
+    enum status status = STATUS_OK;
+
+    *is_down = false;
+    while (status == STATUS_OK && o->end == ORBIT_RUNNING &&
+           o->steps < TOL_SLOW_STEPS) {
+        struct rest_knot k;
+        double bend;
+        if (knot_at(s, o, &k, &bend)) {
+            status = keep(c, o, &k);
+            hold_back(o, bend);
+        } else {
+            c->count = 0;
+        }
+        struct rest_left left;
+        *is_down =
+            rest_left_find(s, (struct vec2){ o->u[0], o->u[1] }, 0.0, &left);
+        if (*is_down || status != STATUS_OK)
+            break;
+        status = orbit_step(o);
+        if (status == STATUS_OK && o->steps % TOL_MONITOR_STEPS == 0 &&
+            monitor_tell(monitor, "rest curve", o->steps, 0))
+            status = STATUS_STOPPED;
+    }
+    return status;
+}
+
+/* From there on without an orbit, whose steps would see rounding in psi. */
+static enum status extend(struct rest_curve *c)
+{
+    const struct slider *s = c->slider;
+    const double h = TOL_SLOW_LONGEST, d = TOL_REST_DIFFERENCE;
+    enum status status = STATUS_OK;
+
+    while (status == STATUS_OK &&
+           c->knot[c->count - 1].at.x > TOL_REST_BOTTOM - s->block.at.x0) {
+        const struct rest_knot *last = &c->knot[c->count - 1];
+        const struct rest_left gone = rest_left_between(s, last->at.x, h);
+        const double x = last->at.x - h;
+        const double rise = log(rest_lag_at(s, x + d).slowness /
+                                rest_lag_at(s, x - d).slowness) /
+                            (2.0 * d);
+        struct rest_knot k = { .at = point_below(s, x, &last->at) };
+        k.at.time = gone.time;
+        k.at.slip = gone.slip;
+        k.time_bar = last->time_bar + gone.time_error;
+        k.slip_bar = last->slip_bar + gone.slip_error;
+        k.time_bend = rise * k.at.time_slope;
+        k.slip_bend = (1.0 + rise) * k.at.slip_slope;
+        status = push(c, &k);
+    }
+    return status;
+}
+
+/* ---- a whole one --------------------------------------------------------- */
+
+/* From each step's time and slip to all to come. */
+static void look_back(struct rest_curve *c)
+{
+    const struct rest_knot *end = &c->knot[c->count - 1];
+    struct rest_point last = end->at;
+
+    if (!add_left(c->slider, &last)) {
+        c->count = 0;
+        return;
+    }
+    double time = last.time, slip = last.slip;
+    double missed[2] = { end->time_bar, end->slip_bar };
+    double time_bar = last.time_error, slip_bar = last.slip_error;
+
+    for (size_t i = c->count; i-- > 0;) {
+        struct rest_knot *k = &c->knot[i];
+        const double dt = k->at.time, dx = k->at.slip;
+        time_bar += missed[0] - k->time_bar;
+        slip_bar += missed[1] - k->slip_bar;
+        missed[0] = k->time_bar;
+        missed[1] = k->slip_bar;
+        k->at.time = time;
+        k->at.slip = slip;
+        k->time_bar = time_bar;
+        k->slip_bar = slip_bar;
+        time += dt;
+        slip += dx;
+    }
+}
+
+/* Time and slip between two knots. */
+static void between(const struct rest_knot *f, const struct rest_knot *g,
+                    double theta, struct rest_point *p)
+{
+    const double h = g->at.x - f->at.x;
+    const double t0[3] = { f->at.time, f->at.time_slope, f->time_bend };
+    const double t1[3] = { g->at.time, g->at.time_slope, g->time_bend };
+    const double x0[3] = { f->at.slip, f->at.slip_slope, f->slip_bend };
+    const double x1[3] = { g->at.slip, g->at.slip_slope, g->slip_bend };
+
+    p->time = slow_quintic(t0, t1, h, theta, &p->time_slope);
+    p->slip = slow_quintic(x0, x1, h, theta, &p->slip_slope);
+}
+
+/* As of slow_branch.c: by what a polynomial over two steps misses between. */
+static void judge(struct rest_curve *c)
+{
+    struct rest_knot *const k = c->knot;
+    struct rest_point p;
+
+    for (size_t i = 1; i + 1 < c->count; i++) {
+        const double h = k[i + 1].at.x - k[i - 1].at.x;
+        between(&k[i - 1], &k[i + 1], (k[i].at.x - k[i - 1].at.x) / h, &p);
+        const double dt = TOL_SLOW_MISSED * fabs(p.time - k[i].at.time);
+        const double dx = TOL_SLOW_MISSED * fabs(p.slip - k[i].at.slip);
+        for (size_t j = i - 1; j <= i; j++) {
+            k[j].at.time_error = fmax(k[j].at.time_error, dt);
+            k[j].at.slip_error = fmax(k[j].at.slip_error, dx);
+        }
+    }
+}
+
+enum status rest_curve_run(const struct slider *s, struct vec2 z,
+                           const struct monitor *monitor, struct rest_curve *c)
+{
+    struct orbit_options options =
+        orbit_defaults(&s->plane.system, s->plane.stable_rate);
+    struct orbit o;
+    bool is_down = false;
+
+    *c = (struct rest_curve){ .slider = s };
+    if (!rest_form_of(&s->block.law, &s->block.material).inertial)
+        return STATUS_OK;
+    options.rtol = TOL_SLOW_RTOL;
+    options.observables = 1;
+    enum status status = orbit_init(&o, &s->plane.system, z, &options);
+    if (status == STATUS_OK)
+        status = descend(c, &o, monitor, &is_down);
+    orbit_free(&o);
+    if (!is_down)
+        c->count = 0;
+    if (status == STATUS_OK && c->count > 2)
+        status = extend(c);
+    if (c->count > 2) {
+        look_back(c);
+        judge(c);
+    }
+    return status == STATUS_NO_MEMORY || status == STATUS_STOPPED ? status
+                                                                  : STATUS_OK;
+}
+
+void rest_curve_free(struct rest_curve *c)
+{
+    free(c->knot);
+    *c = (struct rest_curve){ .slider = c->slider };
+}
+
+/* ---- points -------------------------------------------------------------- */
+
+/* The knot before x, which is not beyond the last. */
+static const struct rest_knot *before(const struct rest_curve *c, double x)
+{
+    size_t lo = 0, hi = c->count - 1;
+
+    while (hi - lo > 1) {
+        const size_t mid = (lo + hi) / 2;
+        if (c->knot[mid].at.x >= x)
+            lo = mid;
+        else
+            hi = mid;
+    }
+    return &c->knot[lo];
+}
+
+static double y_inside(const struct rest_point *f, const struct rest_point *g,
+                       double t, double *slope)
+{
+    const double h = g->x - f->x, rise = g->y - f->y;
+    const double f1 = h * f->y_slope - rise, g1 = h * g->y_slope - rise;
+
+    *slope = f->y_slope + t * (g->y_slope - f->y_slope);
+    return f->y + t * rise + t * (1.0 - t) * ((1.0 - t) * f1 - t * g1);
+}
+
+bool rest_curve_beside(const struct rest_curve *c, double x, double *y,
+                       double *y_slope)
+{
+    if (c->count < 3 || x > c->knot[0].at.x)
+        return false;
+    if (x < c->knot[c->count - 1].at.x) {
+        const struct rest_lag l = rest_lag_at(c->slider, x);
+        *y = l.y;
+        *y_slope = l.y_slope;
+        return true;
+    }
+    const struct rest_knot *f = before(c, x);
+    const double t = (x - f->at.x) / (f[1].at.x - f->at.x);
+    *y = y_inside(&f->at, &f[1].at, t, y_slope);
+    return true;
+}
+
+bool rest_curve_at(const struct rest_curve *c, double x, struct rest_point *p)
+{
+    if (c->count < 3 || x > c->knot[0].at.x)
+        return false;
+    if (x < c->knot[c->count - 1].at.x) {
+        *p = point_below(c->slider, x, &c->knot[c->count - 1].at);
+        return add_left(c->slider, p);
+    }
+    const struct rest_knot *f = before(c, x), *g = f + 1;
+    const double t = (x - f->at.x) / (g->at.x - f->at.x);
+    *p = f->at;
+    p->x = x;
+    p->y = y_inside(&f->at, &g->at, t, &p->y_slope);
+    p->fast += t * (g->at.fast - f->at.fast);
+    p->fibre.x += t * (g->at.fibre.x - f->at.fibre.x);
+    p->fibre.y += t * (g->at.fibre.y - f->at.fibre.y);
+    p->time_error += f->time_bar;
+    p->slip_error += f->slip_bar;
+    between(f, g, t, p);
+    return true;
+}

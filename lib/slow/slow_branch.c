@@ -1,0 +1,479 @@
+/* Each branch is run by orbit.h in steps so short that a polynomial of degree
+ * 5 through both ends, their slopes and curvatures is as good as the ends. */
+#include "slow_branch.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "crest.h"
+#include "slider.h"
+#include "slow_fit.h"
+#include "slow_tolerance.h"
+
+/* ---- knots --------------------------------------------------------------- */
+
+/* The last step of an orbit. */
+struct last_step {
+    const struct slider *slider;
+    const struct curve *curve;
+};
+
+static double mu_on(const void *ctx, double theta)
+{
+    const struct last_step *l = ctx;
+    double u[CURVE_DIM_MAX];
+
+    curve_at(l->curve, l->curve->count - 1, theta, u);
+    return block_mu(&l->slider->block, (struct vec2){ u[0], u[1] });
+}
+
+/* The largest friction on the way to a knot, v being largest at an end. */
+static double mu_until(const struct slider *s, const struct orbit *o)
+{
+    const struct last_step l = { s, &o->curve };
+    const struct vec2 z = { o->u[0], o->u[1] };
+
+    return o->curve.count > 0 ? crest_of(mu_on, &l, NULL)
+                              : block_mu(&s->block, z);
+}
+
+static struct slow_knot *push(struct slow_branch *b)
+{
+    if (b->count == b->room) {
+        const size_t room = b->room ? 2 * b->room : 256;
+        struct slow_knot *more = realloc(b->knot, room * sizeof *more);
+        if (more == NULL)
+            return NULL;
+        b->knot = more;
+        b->room = room;
+    }
+    return &b->knot[b->count++];
+}
+
+/* ---- a branch ------------------------------------------------------------ */
+
+/* Steps no longer than what the polynomials bear. */
+static void hold_back(struct orbit *o, double bend)
+{
+    const double speed = fabs(o->du[1]);
+    const double most = fmin(TOL_SLOW_STEP / bend, TOL_SLOW_LONGEST);
+
+    if (speed * o->h > most)
+        o->h = most / speed;
+}
+
+/* dx/dy at the end of the orbit, which may be a step cut short. */
+static double slope_of(const struct orbit *o)
+{
+    double du[CURVE_DIM_MAX];
+
+    if (o->end == ORBIT_RUNNING)
+        return o->du[0] / o->du[1];
+    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, du);
+    return du[0] / du[1];
+}
+
+/* Whether a knot may be landed on: the rates are apart and so many e-folds of
+ * their difference have passed that any orbit would be on the curve. */
+static void tell(struct slow_knot *k, double dt, double *folds)
+{
+    *folds = k->gap < 1.0 ? *folds + k->fast * (1.0 - k->gap) * dt : 0.0;
+    if (!(*folds >= TOL_SLOW_SETTLED && k->gap < TOL_SLOW_GAP))
+        k->gap = HUGE_VAL;
+}
+
+double slow_branch_gained(const struct orbit *o, size_t i)
+{
+    double sum = 0.0;
+
+    if (o->curve.count == 0)
+        return 0.0;
+    const size_t last = o->curve.count - 1;
+    const double *c = curve_component(&o->curve, last, i);
+    for (size_t j = o->curve.piece[last].degree; j > 0; j--)
+        sum += c[j];
+    return sum;
+}
+
+/* Runs the orbit to its end; without a node ahead, until the rates are alike or
+ * too far apart. */
+static enum status follow(const struct slider *s, struct orbit *o,
+                          bool node_ahead, const struct monitor *monitor,
+                          struct slow_branch *b)
+{
+    const double far = b->start == SLOW_RUNAWAY ? TOL_SLOW_AWAY : HUGE_VAL;
+    double folds = b->start == SLOW_BESIDE ? 0.0 : HUGE_VAL;
+    enum status status = STATUS_OK;
+
+    for (bool goes_on = true; goes_on && status == STATUS_OK;) {
+        struct slow_knot *const k = push(b);
+        if (k == NULL)
+            return STATUS_NO_MEMORY;
+        const double bend = slow_knot_at(s, o->u, slope_of(o), k);
+        k->time_bar = -o->error[2];
+        k->slip_bar = -o->error[3 + BLOCK_SLIP];
+        k->mu = mu_until(s, o);
+        k->time[0] = -slow_branch_gained(o, 2);
+        k->slip[0] = -slow_branch_gained(o, 3 + BLOCK_SLIP);
+        tell(k, -k->time[0], &folds);
+        goes_on =
+            o->end == ORBIT_RUNNING && o->steps < TOL_SLOW_STEPS &&
+            (node_ahead || (isfinite(k->gap) && !slow_knot_is_noisy(k))) &&
+            fabs(k->y) < far;
+        if (!goes_on)
+            break;
+        if (isfinite(k->gap))
+            hold_back(o, bend);
+        status = orbit_step(o);
+        if (status == STATUS_OK && o->steps % TOL_MONITOR_STEPS == 0 &&
+            monitor_tell(monitor, "slow curve", o->steps, 0))
+            status = STATUS_STOPPED;
+    }
+    return status == STATUS_NO_CONVERGENCE || status == STATUS_TOO_MANY_STEPS
+               ? STATUS_OK
+               : status;
+}
+
+/* What is still to come at the last knot at rest is that of the orbit from
+ * there, if it rests. */
+static enum status finish_rest(const struct slider *s, struct slow_branch *b)
+{
+    const struct slow_knot *last = &b->knot[b->count - 1];
+    const struct vec2 z = { last->x + s->plane.system.origin.x,
+                            last->y + s->plane.system.origin.y };
+    struct fate_result fine, coarse;
+
+    if (!box_holds(s->plane.system.domain, z))
+        return STATUS_OK;
+    enum status status = fate_find(s, z, TOL_SLOW_RTOL, true, NULL, &fine);
+    if (status == STATUS_OK)
+        status = fate_find(s, z, TOL_SLOW_COARSE, true, NULL, &coarse);
+    if (status != STATUS_OK || fine.fate != FATE_REST_FINITE ||
+        coarse.fate != FATE_REST_FINITE)
+        return status;
+    const double time_bar =
+        fine.time.error + fabs(fine.time.value - coarse.time.value);
+    if (!(time_bar < TOL_SLOW_REST * fine.time.value))
+        return status;
+    b->fate = FATE_REST_FINITE;
+    b->x_end = -HUGE_VAL;
+    const double slip_bar =
+        fine.slip.error + fabs(fine.slip.value - coarse.slip.value);
+    for (size_t i = 0; i < b->count; i++) {
+        b->knot[i].time[0] += fine.time.value;
+        b->knot[i].slip[0] += fine.slip.value;
+        b->knot[i].time_bar += time_bar;
+        b->knot[i].slip_bar += slip_bar;
+    }
+    return status;
+}
+
+/* Inside a box all is counted from its face, the first knot. */
+static void count_from_face(struct slow_branch *b)
+{
+    const struct slow_knot first = b->knot[0];
+
+    for (size_t i = 0; i < b->count; i++) {
+        struct slow_knot *k = &b->knot[i];
+        k->time[0] -= first.time[0];
+        k->slip[0] -= first.slip[0];
+        k->time_bar = first.time_bar - k->time_bar;
+        k->slip_bar = first.slip_bar - k->slip_bar;
+    }
+}
+
+static enum status finish(const struct slider *s, const struct orbit *o,
+                          int8_t node_fate, struct slow_branch *b)
+{
+    b->fate = FATE_UNDECIDED;
+    if (b->start == SLOW_RUNAWAY)
+        b->fate = FATE_RUNAWAY;
+    if (o->end == ORBIT_ARRIVED) {
+        b->fate = node_fate;
+        b->x_end = b->knot[b->count - 1].x;
+    } else if (b->start == SLOW_SADDLE) {
+        return finish_rest(s, b);
+    }
+    if (b->start == SLOW_FACE)
+        count_from_face(b);
+    return STATUS_OK;
+}
+
+/* The curve between two knots. */
+struct between {
+    const struct block *block;
+    const struct slow_knot *from, *to;
+};
+
+static double mu_between(const void *ctx, double theta)
+{
+    const struct between *c = ctx;
+    const double y = c->from->y + theta * (c->to->y - c->from->y);
+    double ignored;
+
+    return block_mu(
+        c->block,
+        (struct vec2){ slow_knot_x(c->from, c->to, theta, &ignored), y });
+}
+
+/* The curve from the saddle to the first knot. */
+struct start {
+    const struct block *block;
+    const struct saddle_series *near;
+    double y;
+};
+
+static double mu_near(const void *ctx, double theta)
+{
+    const struct start *c = ctx;
+    const double y = theta * c->y;
+    double ignored;
+
+    return block_mu(c->block,
+                    (struct vec2){ saddle_series_x(c->near, y, &ignored), y });
+}
+
+/* Where steps are short the curve is better than what they say between their
+ * ends, off it, where friction balances gravity. */
+static void find_frictions(const struct slider *s, struct slow_branch *b)
+{
+    struct slow_knot *const k = b->knot;
+    const struct start start = { &s->block, b->near, k->y };
+
+    if (b->near)
+        k->mu = crest_of(mu_near, &start, NULL);
+    for (size_t i = 1; i < b->count; i++) {
+        const struct between c = { &s->block, &k[i - 1], &k[i] };
+        if (isfinite(k[i - 1].gap) && isfinite(k[i].gap))
+            k[i].mu = crest_of(mu_between, &c, NULL);
+    }
+}
+
+/* From what was missed up to each knot to what is missed from there on.  What
+ * shifts an orbit along itself shifts its slip by v times as much as its time:
+ * each step counts with the larger of both. */
+static void sum_bars(struct slow_branch *b)
+{
+    struct slow_knot *const k = b->knot;
+    double time_bar = 0.0, slip_bar = 0.0, missed[2] = { 0.0, 0.0 };
+
+    for (size_t i = b->count; i-- > 0;) {
+        if (i + 1 < b->count) {
+            const double v = k[i].slip[1] / k[i].time[1];
+            const double dt = k[i].time_bar - missed[0];
+            const double dx = k[i].slip_bar - missed[1];
+            time_bar += fmax(dt, dx / v);
+            slip_bar += fmax(dx, dt * v);
+        }
+        missed[0] = k[i].time_bar;
+        missed[1] = k[i].slip_bar;
+        k[i].time_bar = time_bar;
+        k[i].slip_bar = slip_bar;
+    }
+}
+
+/* From each step's to all to come, and the peaks to come. */
+static void look_back(struct slow_branch *b)
+{
+    double time = 0.0, slip = 0.0, x_peak = -HUGE_VAL, mu_peak = -HUGE_VAL;
+
+    for (size_t i = b->count; i-- > 0;) {
+        struct slow_knot *k = &b->knot[i];
+        const double dt = -k->time[0], dx = -k->slip[0];
+        k->time[0] = time;
+        k->slip[0] = slip;
+        k->time_bar += TOL_SLOW_ROUNDING * time;
+        k->slip_bar += TOL_SLOW_ROUNDING * slip;
+        k->x_peak = x_peak = fmax(x_peak, k->x);
+        k->mu_peak = mu_peak;
+        mu_peak = fmax(mu_peak, k->mu);
+        time += dt;
+        slip += dx;
+    }
+}
+
+/* Drops knots at the end far from the saddle, or from the face, where rounding
+ * moves y back. */
+static void make_monotone(struct slow_branch *b)
+{
+    const struct slow_knot *k = b->knot;
+    size_t first = 0, last = b->count - 1;
+    const bool from_first = b->start != SLOW_BESIDE;
+    const double way = from_first ? k[1].y - k[0].y : k[last].y - k[last - 1].y;
+
+    if (from_first) {
+        for (last = 0; last + 1 < b->count; last++)
+            if (!((k[last + 1].y - k[last].y) * way > 0.0))
+                break;
+    } else {
+        for (first = last; first > 0; first--)
+            if (!((k[first].y - k[first - 1].y) * way > 0.0))
+                break;
+    }
+    b->count = last + 1 - first;
+    memmove(b->knot, b->knot + first, b->count * sizeof *k);
+}
+
+/* ---- looking up ---------------------------------------------------------- */
+
+/* Where y lies between the ends, in even parts. */
+static double part_of(const struct slow_branch *b, double y)
+{
+    const double first = b->knot[0].y, last = b->knot[b->count - 1].y;
+
+    return TOL_SLOW_BINS * (double) b->count * ((y - first) / (last - first));
+}
+
+static enum status fill_bins(struct slow_branch *b)
+{
+    const size_t bins = TOL_SLOW_BINS * b->count;
+    size_t k = 0;
+
+    b->bin = malloc((bins + 2) * sizeof *b->bin);
+    if (b->bin == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < bins + 2; i++) {
+        while (k + 1 < b->count && part_of(b, b->knot[k + 1].y) <= (double) i)
+            k++;
+        b->bin[i] = (uint32_t) k;
+    }
+    return STATUS_OK;
+}
+
+size_t slow_branch_interval(const struct slow_branch *b, double y)
+{
+    const struct slow_knot *k = b->knot;
+    const bool rises = k[b->count - 1].y > k[0].y;
+    const double part = part_of(b, y);
+
+    if (!(part >= 0.0 && part <= TOL_SLOW_BINS * (double) b->count))
+        return 0;
+    const uint32_t *bin = b->bin + (size_t) part;
+    size_t lo = bin[0], hi = bin[1] + 1 < b->count ? bin[1] + 1 : b->count - 1;
+    while (hi - lo > 1) {
+        const size_t mid = (lo + hi) / 2;
+        if (rises ? k[mid].y <= y : k[mid].y >= y)
+            lo = mid;
+        else
+            hi = mid;
+    }
+    return hi;
+}
+
+/* ---- a whole one --------------------------------------------------------- */
+
+/* Where v only fades, an orbit would go on for ever. */
+static enum status comes_to_rest(const struct slider *s, struct vec2 z,
+                                 bool *is)
+{
+    const struct vec2 at = { z.x + s->plane.system.origin.x,
+                             z.y + s->plane.system.origin.y };
+    struct fate_result r;
+    const enum status status =
+        fate_find(s, at, TOL_SLOW_GLANCE, false, NULL, &r);
+
+    *is = status == STATUS_OK && r.fate == FATE_REST_FINITE;
+    return status;
+}
+
+/* The nodes, and what becomes of who arrives there. */
+struct goals {
+    struct vec2 at[EQUILIBRIA_MAX];
+    int8_t fate[EQUILIBRIA_MAX];
+    size_t count;
+};
+
+/* Whether a branch from z meets one of them. */
+static bool find_goals(const struct slider *s, struct vec2 z,
+                       enum slow_start start, struct goals *g)
+{
+    bool ahead = start == SLOW_BESIDE || start == SLOW_FACE;
+
+    *g = (struct goals){ .fate = { FATE_UNDECIDED } };
+    for (size_t i = 0; i < s->plane.equilibria; i++) {
+        if ((int) i == slider_saddle(s))
+            continue;
+        const struct vec2 at =
+            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
+        ahead = ahead || at.y * z.y > 0.0;
+        g->fate[g->count] = (int8_t) fate_of_node(s, &s->plane.equilibrium[i]);
+        g->at[g->count++] = at;
+    }
+    return ahead;
+}
+
+/* Runs the branch, whose start is set. */
+static enum status run(const struct slider *s, struct vec2 z,
+                       const struct goals *goals, bool ahead,
+                       const struct monitor *monitor, struct slow_branch *b)
+{
+    struct orbit_options options =
+        orbit_defaults(&s->plane.system, s->plane.stable_rate);
+    struct orbit o;
+
+    options.rtol = TOL_SLOW_RTOL;
+    options.observables = 1;
+    options.target = goals->at;
+    options.targets = goals->count;
+    if (b->start == SLOW_FACE)
+        options.arrival = TOL_SLOW_INSIDE;
+    enum status status = orbit_init(&o, &s->plane.system, z, &options);
+    if (status != STATUS_OK)
+        return STATUS_OK;
+    if (o.end == ORBIT_RUNNING)
+        status = follow(s, &o, ahead, monitor, b);
+    if (status == STATUS_OK && b->count > 2) {
+        slow_fit_smooth(b);
+        find_frictions(s, b);
+        sum_bars(b);
+        look_back(b);
+        slow_fit_judge(b);
+        status = finish(s, &o, goals->fate[o.end_index], b);
+        make_monotone(b);
+    }
+    if (status == STATUS_OK && b->count > 2)
+        status = fill_bins(b);
+    orbit_free(&o);
+    return status;
+}
+
+enum status slow_branch_run(const struct slider *s, struct vec2 z,
+                            enum slow_start start,
+                            const struct saddle_series *near,
+                            const struct monitor *monitor,
+                            struct slow_branch *b)
+{
+    struct goals goals;
+    enum status status = STATUS_OK;
+
+    *b = (struct slow_branch){ .start = start,
+                               .fate = FATE_UNDECIDED,
+                               .near = near };
+    if (near)
+        b->first = saddle_series_on(near, z.y);
+    const bool ahead = find_goals(s, z, start, &goals);
+    bool ends = ahead || start == SLOW_RUNAWAY;
+    if (!ends)
+        status = comes_to_rest(s, z, &ends);
+    if (status == STATUS_OK && ends)
+        status = run(s, z, &goals, ahead, monitor, b);
+    return status;
+}
+
+bool slow_branch_may_start(const struct slider *s, int fast, struct vec2 z)
+{
+    const double u[] = { z.x, z.y };
+    struct slow_knot k;
+
+    (void) slow_knot_at(s, u, 0.0, &k);
+    return k.gap < TOL_SLOW_GAP_START && !slow_knot_is_noisy(&k) &&
+           slow_knot_is_fast_y(&k) == (fast == 1);
+}
+
+void slow_branch_free(struct slow_branch *b)
+{
+    free(b->knot);
+    free(b->bin);
+    *b = (struct slow_branch){ .fate = FATE_UNDECIDED };
+}

@@ -1,0 +1,54 @@
+/*
+ * slow_knot.h -- a point of a slow branch (slow_branch.h): the curve and the
+ * rates there, and what lies between two of them.
+ */
+#ifndef SLOW_SLOW_KNOT_H
+#define SLOW_SLOW_KNOT_H
+
+#include <stdbool.h>
+
+#include "plane.h"
+
+struct slider;
+
+/* One point of the orbit, an offset from the system's origin. */
+struct slow_knot {
+    double y, x, x_slope, x_bend;  /* dx/dy, d2x/dy2 */
+    double time[3], slip[3];       /* with two derivatives by y */
+    double time_error, slip_error; /* from the knot before to this one */
+    double time_bar, slip_bar;     /* from here on */
+    double fast;                   /* |lambda|, per unit of time */
+    double gap;        /* the slow rate over it; HUGE_VAL: not to land on */
+    struct vec2 fibre; /* unit */
+    double mu;         /* largest on the way to this knot */
+    double x_peak, mu_peak; /* from here on */
+};
+
+/* At the offset u = (x, y) of the study's system, with the slope dx/dy of the
+ * orbit: all but the values of time and slip, what is summed along the way, and
+ * the peaks.  Returns |d ln y'/dy|. */
+double slow_knot_at(const struct slider *s, const double u[], double slope,
+                    struct slow_knot *k);
+
+/* Whether y settles first, not x. */
+bool slow_knot_is_fast_y(const struct slow_knot *k);
+
+/* Whether the rates are so far apart that rounding in the fast coordinate shows
+ * in the slow one. */
+bool slow_knot_is_noisy(const struct slow_knot *k);
+
+/* x on the curve from f to g, theta of the way in y, and dx/dy. */
+double slow_knot_x(const struct slow_knot *f, const struct slow_knot *g,
+                   double theta, double *slope);
+
+/* The second derivative at k from values and slopes there and on either side,
+ * at the distances before < 0 and after > 0, or the other way round. */
+double slow_knot_bend(const double f[3], const double k[3], const double g[3],
+                      double before, double after);
+
+/* The polynomial of degree 5 with value, slope and curvature f at y = 0 and g
+ * at y = h, at theta h; and its slope there. */
+double slow_quintic(const double f[3], const double g[3], double h,
+                    double theta, double *slope);
+
+#endif

@@ -1,0 +1,38 @@
+/*
+ * slow_point.h -- one point of a slow branch (slow_branch.h), and which point
+ * has so much time left.
+ */
+#ifndef SLOW_SLOW_POINT_H
+#define SLOW_SLOW_POINT_H
+
+#include "slow_branch.h"
+
+/* Per unit of y where it says slope. */
+struct slow_point {
+    int8_t fate;
+    double x, x_slope; /* offset from the system's origin */
+    double time, slip; /* to arrest, units of L/V_star and L */
+    double time_slope, slip_slope;
+    double time_error, slip_error; /* absolute, of the table */
+    double fast;                   /* |lambda|, per unit of time */
+    double gap;                    /* the slow rate over it; HUGE_VAL: not to
+                                      land on */
+    struct vec2 fibre;             /* unit */
+    double x_end;                  /* at arrest; -HUGE_VAL at rest */
+    double end_slope;              /* time_slope there; 0 at rest */
+    double x_peak, mu_peak;        /* largest from some later point on */
+    double mu_near;                /* largest on the interval around it */
+};
+
+/* The branch's point at the offset y.  False: y is not on the branch, nor
+ * between it and the steady state it starts or ends beside. */
+bool slow_point_at(const struct slow_branch *b, double y, struct slow_point *p);
+
+/* x and dx/dy alone, of points that may be landed on; false elsewhere. */
+bool slow_point_beside(const struct slow_branch *b, double y, double *x,
+                       double *x_slope);
+
+/* The y whose time is this, to rounding; NaN: there is none. */
+double slow_point_when(const struct slow_branch *b, double time);
+
+#endif

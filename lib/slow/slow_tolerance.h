@@ -1,0 +1,236 @@
+/* slow_tolerance.h -- the tunable numbers of the slow curve and what falls on to it. */
+#ifndef SLOW_SLOW_TOLERANCE_H
+#define SLOW_SLOW_TOLERANCE_H
+
+#include "motion_tolerance.h"
+
+/* A state rests before it lands (landing.c) where v would reach zero, and psi
+ * infinity, within this part of the time so far; power laws are far above it.
+ */
+#define TOL_REST_SOON 1e-10
+
+/* The slow curve (slow_curve.c).  Accuracy of its orbit, and of a second one of
+ * what is left of a rest, on which both must agree; steps, in e-folds of the
+ * slow rate and in ln psi, that polynomials of degree 5 bear to 1e-11, and
+ * their number; how much of what twice the step misses one step may, and where
+ * slopes are mostly noise, below such a ratio of the slow rate to the fast one;
+ * and the largest ratio. */
+#define TOL_SLOW_RTOL    1e-11
+#define TOL_SLOW_COARSE  1e-10
+#define TOL_SLOW_REST    1e-6
+#define TOL_SLOW_STEP    0.035
+#define TOL_SLOW_LONGEST 0.1
+#define TOL_SLOW_STEPS   4000
+#define TOL_SLOW_MISSED  0.05
+#define TOL_SLOW_NOISE   1.0
+#define TOL_SLOW_NOISY   1e-5
+#define TOL_SLOW_ALONG   1e-8
+#define TOL_SLOW_GAP     0.1
+
+/* Beyond a node: nearest and furthest start in ln psi, growth of the
+ * steps to it, halvings of the domain, and e-folds after which any orbit is on
+ * it to rounding; the ratio of rates it may start at; what a rounding of y may
+ * do to x where y settles first, and the ratios below which rounding in x or y,
+ * being the fast one, shows in the other; and how near the end of a branch none
+ * lands, arriving first. */
+#define TOL_SLOW_NEAREST     0.02
+#define TOL_SLOW_FURTHEST    15.0
+#define TOL_SLOW_STEEP       1e-12
+#define TOL_SLOW_GAP_LEAST_X 1e-14
+#define TOL_SLOW_GAP_LEAST_Y 1e-11
+#define TOL_SLOW_CLEAR       0.003
+#define TOL_SLOW_GAP_START   0.5
+#define TOL_SLOW_STRIDE      1.1
+#define TOL_SLOW_HALVINGS    60
+#define TOL_SLOW_SETTLED     36.0
+
+/* Series at the saddle (saddle_series.c): what their last terms are of the
+ * first where they end, at most this far out, or this part of the way to a box
+ * of arrest; how near to 1 orders, in units of the ratio of the eigenvalues,
+ * may come to a resonance; and roundings of a coefficient or an eigenvalue. */
+#define TOL_SADDLE          1e-13
+#define TOL_SADDLE_MOST     0.1
+#define TOL_SADDLE_ROOM     0.3
+#define TOL_SADDLE_APART    0.8
+#define TOL_SADDLE_ROUNDING 16.0
+
+/* Inside a box of arrest it is run to here, where the node is as good as
+ * linear; and a runaway this far in ln psi: fields next to the separatrix need
+ * no more. */
+#define TOL_SLOW_INSIDE 1e-5
+#define TOL_SLOW_AWAY   2.0
+
+/* A point by its time: steps of Newton's method, and where they end, as a part
+ * of the time or of an interval. */
+#define TOL_SLOW_NEWTON 60
+#define TOL_SLOW_ROOT   0x1p-51
+
+/* Bins a knot to look one up in. */
+#define TOL_SLOW_BINS 4
+
+/* Whether an orbit rests at all needs no accuracy. */
+#define TOL_SLOW_GLANCE 1e-5
+
+/* Roundings of a sum of a thousand steps, relative to the sum. */
+#define TOL_SLOW_ROUNDING 0x1p-46
+
+/* The fast layer (fast_layer.c, landing.c): tolerance for a promise of rtol,
+ * landing distance from it on, and closer for a finer one; how far beyond the
+ * distance a step aims; size of a box of arrest that must not be between; how
+ * much later or earlier at most a box is entered for what is then left of the
+ * distance, in what is left; steps; the first and the shortest; the least error
+ * that tells anything on the next step.  Bars: what the fibre's curvature and
+ * the slow rates change of what it corrects, and of errors of the steps in time
+ * and slip; how many times what a step says of its place it may miss (measured
+ * on 4000 states at 1e-4, 1e-6 and 1e-9: errors are 0.55 of their bars at most;
+ * a landing at 0.1 errs by 1e-7). */
+#define TOL_LAYER_PART      0.03
+#define TOL_LAYER_PLAIN     1e-6
+#define TOL_LAYER_LANDING   0.1
+#define TOL_LAYER_CLOSER    0.01
+#define TOL_LAYER_AIM       0.7
+#define TOL_LAYER_ARREST    1.001
+#define TOL_LAYER_FORGET    4.0
+#define TOL_LAYER_FOLDS     700.0
+#define TOL_LAYER_STEPS     200
+#define TOL_LAYER_FIRST     0.1
+#define TOL_LAYER_SHORTEST  1e-12
+#define TOL_LAYER_FLOOR     1e-8
+#define TOL_LAYER_GROWTH    2.0
+#define TOL_LAYER_BEND      5.0
+#define TOL_LAYER_TRANSPORT 6.0
+#define TOL_LAYER_MISSED    2.0
+
+/* How far along an orbit another one is that it closed in on, as a part of the
+ * distance across that it lost.  On the slow curve it is the slope dx/dy, 1 to
+ * 2 where x settles first, of the distance without TOL_LAYER_TRANSPORT
+ * (measured: 0.11 at most). */
+#define TOL_LAYER_TURNED 0.5
+
+/* It lands only where the fibre's part of the bar is within this part of what
+ * was promised, or this near, for friction too this near; nearer by this factor
+ * at most at once. */
+#define TOL_LAYER_BENT     0.3
+#define TOL_LAYER_TOUCH    1e-6
+#define TOL_LAYER_MU_TOUCH 1e-9
+#define TOL_LAYER_DIVE     1e-3
+
+/* A box of arrest is come nearer by so much of the way at once.  Nearer than
+ * BESIDE its face is aimed at; reached at FACE, and only by an orbit that
+ * closes at this rate or faster, so many of its errors from every corner;
+ * others are let pass until they are this near; and the part of the way that is
+ * gone at once where nothing beyond the face may be seen. */
+#define TOL_LAYER_NEARER  0.9
+#define TOL_LAYER_BESIDE  1e-3
+#define TOL_LAYER_GRAZE   1e-6
+#define TOL_LAYER_FACE    1e-12
+#define TOL_LAYER_SHORT   0.97
+#define TOL_LAYER_HEAD_ON 0.1
+#define TOL_LAYER_CORNER  10.0
+
+/* The least part of the estimates of order 5 that a step of order 8 misses, at
+ * a promise of TOL_LAYER_PLAIN and looser ones, and less for finer ones like
+ * the square of a step: in loose steps its own word is no bound; the least bar,
+ * as a part of what was promised. */
+#define TOL_LAYER_FAIR  0.1
+#define TOL_LAYER_LEAST 0.01
+
+/* How far beside an orbit its neighbour is whose direction tells whether they
+ * close in on each other; and what part of the step that its error allows is
+ * taken: more are refused, and bars grow, where it is more. */
+#define TOL_LAYER_ASIDE  1e-6
+#define TOL_LAYER_SAFETY 0.8
+
+/* What rounding does to a coordinate, per unit of it: half a unit of its last
+ * digit, and as much again of a logarithm; of how many terms of the field; and
+ * how much orbits part in a step at most, as an exponent: beyond nothing is
+ * known. */
+#define TOL_LAYER_ROUNDING 0x1.4p-53
+#define TOL_LAYER_TERMS    2.0
+#define TOL_LAYER_PARTING  30.0
+
+/* A side of the saddle is told from this much of the distance on; what is left
+ * of the distance by a step towards a peak beside the curve. */
+#define TOL_LAYER_SIDE 0.5
+#define TOL_LAYER_RISE 0.3
+
+/* A peak on a step (fast_layer.c): so far ahead it is seen to rise; looks. */
+#define TOL_LAYER_AHEAD 1e-6
+#define TOL_LAYER_TOPS  12
+
+/* Many states by the slow curve (fast_cells.c).  How much finer the next try of
+ * one is at most whose bars are too wide, and what part of the promise it aims
+ * at; above what part of its bars a try has left one is tried as fine as that,
+ * and then no more, for they are the table's; the finest; and the least bar,
+ * relative, of what passes a node's slow approach. */
+#define TOL_FAST_FINER  0.01
+#define TOL_FAST_AIM    0.3
+#define TOL_FAST_GAIN   0.7
+#define TOL_FAST_FINEST 1e-12
+#define TOL_FAST_LEAST  2e-11
+
+/* Peaks are sampled for patches no finer than this, with bars so many times as
+ * wide. */
+#define TOL_FAST_PEAKS 1e-8
+#define TOL_FAST_LOOSE 10.0
+
+/* Cells run to their fates (cells.c).  Orbits are first followed to this part
+ * of the accuracy asked for (errors of slip and time are some ten times the
+ * tolerance, of the stiffest ninety), at most this (looser ones miss where a
+ * block rests), then finer by this factor, down to the finest that doubles
+ * hold, as long as bars shrink to this part; least bar, in tolerances of the
+ * finest run; how many times as far off an orbit may be as another tolerance
+ * changes it where that is more; what rounding does to a coordinate, per unit
+ * of it; and what steps leave across the stable manifold, in tolerances
+ * (measured: 4e-3 at most). */
+#define TOL_CELLS_START    0.05
+#define TOL_CELLS_COARSEST 1e-5
+#define TOL_CELLS_FINER    0.1
+#define TOL_CELLS_FINEST   1e-12
+#define TOL_CELLS_GAIN     0.7
+#define TOL_CELLS_LEAST    90.0
+#define TOL_CELLS_CHANCE   4.0
+#define TOL_CELLS_ROUNDING 0x1p-50
+#define TOL_CELLS_ACROSS   0.01
+
+/* Patches (patch.c, patchwork.c).  Accuracy of the samples, as a part of what
+ * is asked for: of a part that small bars can be had next to the separatrix;
+ * how much of their bars, the last coefficients but one and the largest miss at
+ * the tests a bar holds (measured: true errors stay below a third of such
+ * bars). */
+#define TOL_PATCH_SAMPLES 0.002
+#define TOL_PATCH_SPREAD  1.5
+#define TOL_PATCH_BEFORE  0.1
+#define TOL_PATCH_SLOWEST 0.9
+#define TOL_PATCH_TESTS   10.0
+
+/* A patch holds where no more cells, in units of its nodes, are left for being
+ * too near the separatrix; the excess of most samples, not all, says how far it
+ * is from that (and no more than this is believed); what is left of the slip is
+ * to blame where bars are less than this part without it.  Base points of a
+ * patch reach a little beyond those of its samples, in their range. */
+#define TOL_PATCH_SPARE  1.0
+#define TOL_PATCH_MOST   0.7
+#define TOL_PATCH_EXCESS 1e9
+#define TOL_PATCH_CAUSE  0.5
+#define TOL_PATCH_BEYOND 0.05
+
+/* Cuts: pieces of so many cells a node are too small; tests at least; a side
+ * whose tail has this share of the bound is cut, but not if it is this far
+ * below the other's; and fewer parts than the tails ask for, for they decay the
+ * faster the shorter a side is. */
+#define TOL_PATCH_SMALLEST    1.5
+#define TOL_PATCH_LEAST_TESTS 6
+#define TOL_PATCH_SHARE       0.3
+#define TOL_PATCH_ASIDE       1e-3
+#define TOL_PATCH_PARTS       0.7
+
+/* Base points (base_point.c).  What meets a box of arrest is no further from
+ * the node than the box along the fibre, and a part more for its curvature; a
+ * side of the separatrix is told from so many errors on; and what the table's
+ * curvature over so much of the way adds to an error. */
+#define TOL_BASE_REACH 1.1
+#define TOL_BASE_ROOM  10.0
+#define TOL_BASE_BEND  1.1
+
+#endif

@@ -1,0 +1,473 @@
+/* Points are computed in any order and by any thread, but each by itself, and
+ * what depends on the order of arrival - the numbering of reasons - is put
+ * right at the end: the same scene gives the same sweep. */
+#include "sweep.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "scene_sweep.h"
+#include "sweep_finish.h"
+#include "sweep_refine.h"
+#include "sweep_tolerance.h"
+#include "tolerance.h"
+
+struct run {
+    struct sweep *s;
+    unsigned products;      /* of the study at a point */
+    bool takes_long;        /* a point: worth listening within it */
+    struct sweep_rows left; /* of an earlier run, sorted */
+    const struct monitor *monitor;
+    struct fault *why;
+    const char *reason; /* static; the last that was met, often the next */
+    int8_t reason_code;
+    size_t done;        /* rows that are computed */
+    enum status failed; /* the first failure; others follow it out */
+};
+
+/* ---- one point ----------------------------------------------------------- */
+
+static void set_entry(const struct sweep *s, size_t i,
+                      const struct sweep_column *c, size_t n,
+                      const struct sweep_point *p)
+{
+    double *real = sweep_rows_real(&s->rows, i, c->first + n);
+    int8_t *code = sweep_rows_code(&s->rows, i, c->first + n);
+    struct quantity q = quantity_none(NULL);
+
+    if (c->codes)
+        *code = sweep_column_code(c, p, n);
+    else
+        q = sweep_column_quantity(c, p, n);
+    real[0] = q.value;
+    real[1] = q.error;
+    if (s->columns.conditioning)
+        real[2] = q.conditioning;
+    if (!c->codes)
+        *code = quantity_exists(&q) ? REASON_PRESENT : REASON_ABSENT;
+}
+
+/* All but why numbers are missing. */
+static void set_row(const struct sweep *s, size_t i,
+                    const struct sweep_point *p)
+{
+    for (size_t k = 0; k < s->columns.count; k++)
+        for (size_t n = 0; n < s->columns.at[k].entries; n++)
+            set_entry(s, i, &s->columns.at[k], n, p);
+}
+
+/* The code of a reason; a new one goes into the side file, too. */
+static enum status code_of(struct run *r, const char *reason, int8_t *code)
+{
+    const size_t known = r->s->reasons.count;
+    enum status status = STATUS_OK;
+
+    if (reason != r->reason)
+        status = sweep_reasons_code(&r->s->reasons, reason, &r->reason_code);
+    r->reason = status == STATUS_OK ? reason : NULL;
+    *code = r->reason_code;
+    if (status != STATUS_OK || r->s->reasons.count == known)
+        return status;
+    return sweep_journal_reason(&r->s->journal, reason, r->why);
+}
+
+static enum status set_reasons(struct run *r, size_t i,
+                               const struct sweep_column *c,
+                               const struct sweep_point *p)
+{
+    int8_t *code = sweep_rows_code(&r->s->rows, i, c->first);
+    enum status status = STATUS_OK;
+
+    for (size_t n = 0; n < c->entries && status == STATUS_OK; n++)
+        if (code[n] == REASON_ABSENT)
+            status =
+                code_of(r, sweep_column_quantity(c, p, n).reason, &code[n]);
+    return status;
+}
+
+/* The reasons of a row, of which one thread at a time can add new ones; then it
+ * is whole. */
+static enum status end_row(struct run *r, size_t i, const struct sweep_point *p,
+                           const char *block)
+{
+    struct sweep *s = r->s;
+    enum status status = STATUS_OK;
+
+    for (size_t k = 0; k < s->columns.count && status == STATUS_OK; k++)
+        if (!s->columns.at[k].codes)
+            status = set_reasons(r, i, &s->columns.at[k], p);
+    return status ? status
+                  : sweep_journal_row(&s->journal, &s->rows, i, block, r->why);
+}
+
+/* Notes a failure, or asks whether there was one. */
+static enum status failure(struct run *r, enum status status)
+{
+#pragma omp critical(sweep)
+    {
+        if (r->failed == STATUS_OK)
+            r->failed = status;
+        status = r->failed;
+    }
+    return status;
+}
+
+/* Tells of one more row. */
+static enum status tell(struct run *r)
+{
+    enum status status = STATUS_OK;
+
+#pragma omp critical(sweep)
+    if (monitor_tell(r->monitor, "points", ++r->done, r->s->rows.count))
+        status = STATUS_STOPPED;
+    return status;
+}
+
+/* Within a point that takes long nobody tells, but all listen. */
+static int listen(void *ctx, const char *stage, uint64_t done, uint64_t total)
+{
+    struct run *r = ctx;
+    int stop;
+
+    (void) stage, (void) done, (void) total;
+#pragma omp critical(sweep)
+    stop = r->failed != STATUS_OK ||
+           monitor_tell(r->monitor, "points", r->done, r->s->rows.count);
+    return stop;
+}
+
+/* What is known of a point, into its row and the side file. */
+static enum status keep(struct run *r, size_t i, const struct sweep_point *p,
+                        char *block)
+{
+    const struct monitor monitor = { listen, r };
+    enum status status = STATUS_OK;
+
+    if (block)
+        status = sweep_layers_fill(&r->s->layers, p, &monitor, block);
+    if (status != STATUS_OK)
+        return status;
+    set_row(r->s, i, p);
+#pragma omp critical(sweep)
+    status = end_row(r, i, p, block);
+    return status;
+}
+
+static enum status compute(struct run *r, size_t i)
+{
+    const struct monitor monitor = { listen, r };
+    const size_t size = r->s->layers.size;
+    struct sweep_point point;
+    char *block = size ? malloc(size) : NULL;
+
+    if (size && block == NULL)
+        return STATUS_NO_MEMORY;
+    enum status status =
+        sweep_point_run(&point, r->s->scene, sweep_rows_x(&r->s->rows, i),
+                        r->products, r->takes_long ? &monitor : NULL);
+    if (status == STATUS_OK) {
+        status = keep(r, i, &point, block);
+        sweep_point_free(&point);
+    }
+    free(block);
+    return status ? status : tell(r);
+}
+
+/* Takes a row that an earlier run left, if it did. */
+static bool take(struct run *r, size_t i)
+{
+    struct sweep_rows *rows = &r->s->rows;
+    const size_t k = sweep_rows_find(&r->left, sweep_rows_x(rows, i));
+
+    if (k == r->left.count)
+        return false;
+    memcpy(sweep_rows_row(rows, i), sweep_rows_row(&r->left, k),
+           rows->width * sizeof *rows->at);
+    r->s->taken++;
+    r->done++;
+    return true;
+}
+
+/* ---- many points --------------------------------------------------------- */
+
+/* Every row from `first` on, whose x is set. */
+static enum status compute_from(struct run *r, size_t first)
+{
+    const size_t end = r->s->rows.count;
+    size_t missing = 0;
+    size_t *row = malloc((end - first + 1) * sizeof *row);
+
+    if (row == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = first; i < end; i++)
+        if (!take(r, i))
+            row[missing++] = i;
+#pragma omp parallel for schedule(dynamic, 1)
+    for (size_t k = 0; k < missing; k++)
+        if (failure(r, STATUS_OK) == STATUS_OK)
+            (void) failure(r, compute(r, row[k]));
+    free(row);
+    return r->failed;
+}
+
+static enum status compute_grid(struct run *r)
+{
+    const struct scene_axis *a = r->s->scene->sweep.axis;
+    const size_t rows = a[0].count, columns = r->s->axes > 1 ? a[1].count : 1;
+    enum status status = sweep_rows_add(&r->s->rows, rows * columns);
+
+    for (size_t i = 0; status == STATUS_OK && i < rows * columns; i++) {
+        double *x = sweep_rows_x(&r->s->rows, i);
+        x[0] = a[0].value[i / columns];
+        x[1] = r->s->axes > 1 ? a[1].value[i % columns] : 0.0;
+    }
+    return status ? status : compute_from(r, 0);
+}
+
+static enum status compute_middles(struct run *r, const struct sweep_refine *f)
+{
+    const size_t first = r->s->rows.count;
+    enum status status = sweep_rows_add(&r->s->rows, f->spans);
+
+    for (size_t k = 0; status == STATUS_OK && k < f->spans; k++)
+        sweep_rows_x(&r->s->rows, first + k)[0] = sweep_refine_middle(f, k);
+    if (status == STATUS_OK)
+        status = compute_from(r, first);
+    if (status == STATUS_OK)
+        sweep_rows_sort(&r->s->rows);
+    return status;
+}
+
+/* The entry of a column of one; -1 if there is none. */
+static int entry_of(const struct sweep *s, const char *name)
+{
+    const int column = sweep_find(s, name);
+
+    return column < 0 ? -1 : (int) s->columns.at[column].first;
+}
+
+static enum status refine(struct run *r)
+{
+    struct sweep *s = r->s;
+    struct sweep_refine f = {
+        .curve = { entry_of(s, "ln_v_plus"), entry_of(s, "ln_v_minus") },
+        .tol = s->scene->sweep.refine,
+        .is_log = s->scene->sweep.axis[0].scale == SWEEP_LOG,
+    };
+    enum status status = sweep_refine_init(&f, &s->rows);
+
+    while (status == STATUS_OK && f.spans > 0 && f.depth < STUDY_REFINE_DEPTH &&
+           s->rows.count + f.spans <= SCENE_POINTS) {
+        status = compute_middles(r, &f);
+        if (status == STATUS_OK)
+            status = sweep_refine_next(&f, &s->rows);
+    }
+    s->unrefined = f.spans > 0;
+    sweep_refine_free(&f);
+    return status;
+}
+
+/* ---- the whole ----------------------------------------------------------- */
+
+/* The same for the same scene and version, wherever the results go. */
+static uint64_t key_of(const struct sweep *s, const char *version)
+{
+    const struct scene *c = s->scene;
+    uint64_t sum = sweep_journal_nil;
+
+    for (const char *line = c->overrides; *line;) {
+        const size_t size = strcspn(line, "\n") + 1;
+        if (strncmp(line, "output.", 7) != 0 &&
+            strncmp(line, "output=", 7) != 0)
+            sum = sweep_journal_sum(sum, line, size);
+        line += size;
+    }
+    sum = sweep_journal_sum(sum, c->text, strlen(c->text) + 1);
+    sum = sweep_journal_sum(sum, &c->products, sizeof c->products);
+    for (size_t k = 0; k < s->columns.count; k++)
+        sum = sweep_journal_sum(sum, s->columns.at[k].name,
+                                strlen(s->columns.at[k].name) + 1);
+    for (size_t k = 0; k < s->layers.count; k++)
+        sum = sweep_journal_sum(sum, s->layers.at[k].name,
+                                strlen(s->layers.at[k].name) + 1);
+    return version ? sweep_journal_sum(sum, version, strlen(version)) : sum;
+}
+
+static size_t count_words(const char *const *words)
+{
+    size_t n = 0;
+
+    while (words[n])
+        n++;
+    return n;
+}
+
+/* Every code of a row means something: the checksum of a side file keeps out
+ * accidents only. */
+static bool is_sound(const struct sweep *s, const struct sweep_rows *rows,
+                     size_t i)
+{
+    bool sound = true;
+
+    for (size_t k = 0; k < s->columns.count && sound; k++) {
+        const struct sweep_column *c = &s->columns.at[k];
+        const int8_t *code = sweep_rows_code(rows, i, c->first);
+        const size_t words =
+            c->codes ? count_words(c->codes) : s->reasons.count;
+        for (size_t n = 0; n < c->entries; n++)
+            sound &= (code[n] >= 0 && (size_t) code[n] < words) ||
+                     (code[n] == -1 && c->codes);
+    }
+    return sound;
+}
+
+static void drop_unsound(const struct sweep *s, struct sweep_rows *rows)
+{
+    size_t kept = 0;
+
+    for (size_t i = 0; i < rows->count; i++)
+        if (is_sound(s, rows, i))
+            memmove(sweep_rows_row(rows, kept++), sweep_rows_row(rows, i),
+                    rows->width * sizeof *rows->at);
+    rows->count = kept;
+}
+
+static enum status open_journal(struct run *r, const struct sweep_options *o)
+{
+    struct sweep *s = r->s;
+
+    if (o->journal == NULL)
+        return STATUS_OK;
+    const enum status status = sweep_journal_open(
+        &s->journal, o->journal, key_of(s, o->version), s->layers.size,
+        o->resume, &r->left, &s->reasons, &s->replaced, r->why);
+    drop_unsound(s, &r->left);
+    sweep_rows_sort(&r->left);
+    return status;
+}
+
+/* Runs and maps are not done in microseconds. */
+static bool takes_long(const struct run *r)
+{
+    const unsigned runs = 1u << PRODUCT_TRAJECTORIES;
+
+    return plan_has(plan_stages(r->products), STAGE_BASINS) ||
+           r->s->scene->products & runs;
+}
+
+static enum status begin(struct run *r, const struct sweep_options *o)
+{
+    struct sweep *s = r->s;
+    enum status status = sweep_dims_init(&s->dims, s->scene);
+
+    if (status == STATUS_OK)
+        status = sweep_columns_init(&s->columns, s->scene, &s->dims);
+    if (status == STATUS_OK && o->journal)
+        status = sweep_layers_init(&s->layers, s->scene, &s->dims);
+    if (status == STATUS_OK)
+        status = sweep_reasons_init(&s->reasons);
+    s->rows = r->left =
+        sweep_rows_of(s->columns.entries, s->columns.conditioning);
+    r->products = sweep_point_products(s->scene, s->layers.count > 0);
+    r->takes_long = takes_long(r);
+    return status ? status : open_journal(r, o);
+}
+
+enum status sweep_run(struct sweep *s, const struct scene *scene,
+                      const struct sweep_options *options,
+                      const struct monitor *monitor, struct fault *why)
+{
+    struct run r = { .s = s, .monitor = monitor, .why = why };
+
+    *s = (struct sweep){ .scene = scene,
+                         .axes = scene->sweep.axes,
+                         .journal = { .file = -1 } };
+    why->text[0] = '\0';
+    enum status status = begin(&r, options);
+    if (status == STATUS_OK)
+        status = compute_grid(&r);
+    if (status == STATUS_OK && scene->sweep.refine > 0.0)
+        status = refine(&r);
+    if (status == STATUS_OK)
+        status = sweep_finish(s);
+    if (s->layers.count == 0)
+        sweep_journal_close(&s->journal);
+    sweep_rows_free(&r.left);
+    if (status == STATUS_OK)
+        return STATUS_OK;
+    if (why->text[0] == '\0')
+        snprintf(why->text, sizeof why->text, "%s", status_text(status));
+    sweep_free(s);
+    return status;
+}
+
+void sweep_free(struct sweep *s)
+{
+    for (size_t k = 0; k < SCENE_AXES; k++)
+        free(s->axis[k].value);
+    sweep_dims_free(&s->dims);
+    sweep_columns_free(&s->columns);
+    sweep_reasons_free(&s->reasons);
+    sweep_rows_free(&s->rows);
+    sweep_layers_free(&s->layers);
+    sweep_journal_close(&s->journal);
+    *s = (struct sweep){ .scene = NULL };
+}
+
+void sweep_forget(const char *journal)
+{
+    (void) unlink(journal);
+}
+
+/* ---- reading ------------------------------------------------------------- */
+
+int sweep_find(const struct sweep *s, const char *name)
+{
+    for (size_t k = 0; k < s->columns.count; k++)
+        if (strcmp(s->columns.at[k].name, name) == 0)
+            return (int) k;
+    return -1;
+}
+
+struct quantity sweep_entry(const struct sweep *s, int column, size_t point,
+                            size_t entry)
+{
+    const size_t k = s->columns.at[column].first + entry;
+    const double *real = sweep_rows_real(&s->rows, point, k);
+    const int8_t code = *sweep_rows_code(&s->rows, point, k);
+
+    if (code != REASON_PRESENT)
+        return quantity_none(s->reasons.text[code]);
+    struct quantity q = quantity_of(real[0], real[1]);
+    if (s->columns.conditioning)
+        q.conditioning = real[2];
+    return q;
+}
+
+int sweep_entry_code(const struct sweep *s, int column, size_t point,
+                     size_t entry)
+{
+    return *sweep_rows_code(&s->rows, point,
+                            s->columns.at[column].first + entry);
+}
+
+struct quantity sweep_quantity(const struct sweep *s, int column, size_t point)
+{
+    return sweep_entry(s, column, point, 0);
+}
+
+int sweep_code(const struct sweep *s, int column, size_t point)
+{
+    return sweep_entry_code(s, column, point, 0);
+}
+
+enum status sweep_read(const struct sweep *s, size_t k, size_t point, void *out,
+                       struct fault *why)
+{
+    const struct sweep_layer *layer = &s->layers.at[k];
+
+    return sweep_journal_read(&s->journal, &s->rows, point, layer->offset, out,
+                              sweep_layer_size(layer), why);
+}

@@ -1,0 +1,13 @@
+/* sweep_finish.h -- inside sweep.c: what is done when all rows are there. */
+#ifndef SWEEP_SWEEP_FINISH_H
+#define SWEEP_SWEEP_FINISH_H
+
+#include "sweep.h"
+
+/* Sets the axes and the number of points; numbers the reasons as they come from
+ * the first point to the last, which is not how they arrived; leaves off the
+ * columns of steady states that no point has; counts failures.
+ * STATUS_NO_MEMORY. */
+MUST_CHECK enum status sweep_finish(struct sweep *s);
+
+#endif

@@ -1,0 +1,15 @@
+/* sweep_key.h -- what the keys of a scene are, for axes of files and figures.
+ */
+#ifndef SWEEP_SWEEP_KEY_H
+#define SWEEP_SWEEP_KEY_H
+
+struct sweep_key {
+    const char *path; /* "slope.alpha" */
+    const char *unit; /* UDUNITS; "1" if none */
+    const char *text; /* one plain phrase */
+};
+
+/* Static; of a key that has no line in the table, what the schema says. */
+struct sweep_key sweep_key_of(const char *path);
+
+#endif

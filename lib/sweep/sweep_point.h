@@ -1,0 +1,46 @@
+/*
+ * sweep_point.h -- all that is computed at a point of a sweep: the study of its
+ * scene, and what else the products ask for.
+ */
+#ifndef SWEEP_SWEEP_POINT_H
+#define SWEEP_SWEEP_POINT_H
+
+#include "release.h"
+#include "start_numbers.h"
+#include "study.h"
+
+/* A steady state by what it is, wherever it is among them. */
+struct kind_numbers {
+    struct quantity ln_v, ln_psi; /* psi itself where it is a logarithm */
+    struct quantity v, psi, lambda_minus, lambda_plus;
+};
+extern const struct record_type record_steady_kind;
+
+enum steady_kind { STEADY_CREEP, STEADY_SADDLE, STEADY_SLIDING, STEADY_KINDS };
+
+struct sweep_point {
+    struct scene scene; /* borrowed members */
+    struct study study; /* owned */
+    struct kind_numbers kind[STEADY_KINDS];
+    struct release_row release;  /* where the scene has an experiment */
+    struct start_numbers *start; /* owned; one for each start of the scene */
+    size_t starts;
+    const char *failed; /* static: why there is nothing; NULL */
+};
+
+/* The products (bits) of a study at a point of the sweep; `maps`: with those
+ * that are arrays over the window. */
+unsigned sweep_point_products(const struct scene *scene, bool maps);
+
+/* Runs the scene at x[0 .. axes - 1] with those products.  A computation that
+ * fails is a reason in *p; STATUS_NO_MEMORY, and STATUS_STOPPED by the monitor,
+ * are errors and leave *p empty.  *p must not move. */
+MUST_CHECK enum status sweep_point_run(struct sweep_point *p,
+                                       const struct scene *scene,
+                                       const double x[], unsigned products,
+                                       const struct monitor *monitor);
+
+/* A second call is harmless. */
+void sweep_point_free(struct sweep_point *p);
+
+#endif
