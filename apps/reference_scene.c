@@ -24,7 +24,8 @@ static const char head[] =
     "file. A key that is not in this list is an error. Numbers are decimal,\n"
     "with a point. Lengths are in units of `material.L`, slip rates of\n"
     "`material.V_star`, times of L/V_star where no unit stands. Those of the\n"
-    "window, of `spring_block.v` and of `trajectories` may have one behind them:\n"
+    "window, of `spring_block.v` and of `trajectories` may have one behind "
+    "them:\n"
     "`8e-3 m/s` or `8000 V_star`, `5 s` or `5 L/V_star`, `1e-6 m` or `1 L`.\n"
     "\n"
     "This page is written by `slipway help --as scene`.\n";

@@ -13,8 +13,8 @@
 /* Range of v (and of psi where it is positive), dimensionless: ln of 1e300. */
 #define TOL_LN_RANGE 690.7755278982137
 /* Range of psi where psi is itself a logarithm: down to LEAST, for friction
- * only fades there; up to ROOM above the anchor, where e^psi has passed all that
- * it is compared with. */
+ * only fades there; up to ROOM above the anchor, where e^psi has passed all
+ * that it is compared with. */
 #define TOL_PSI_LEAST -1e300
 #define TOL_PSI_ROOM  700.0
 

@@ -44,8 +44,7 @@ static struct goals goals_of(const struct slider *s)
     for (size_t i = 0; i < s->plane.equilibria; i++) {
         if ((int) i == slider_saddle(s))
             continue;
-        g.at[g.count] =
-            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
+        g.at[g.count] = phase_plane_offset(&s->plane, i);
         g.fate[g.count++] = fate_of_node(s, &s->plane.equilibrium[i]);
     }
     return g;

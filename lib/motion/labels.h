@@ -27,7 +27,7 @@ struct labels {
 
 /* Follows the stable branches of s, to rtol, and labels
  * both sides; s must outlive l, which must not move.  STATUS_OK also without a
- * saddle or without manifolds of it (study_has_manifolds).  On error *l is
+ * saddle or without manifolds of it (slider_has_manifolds).  On error *l is
  * empty: STATUS_NO_MEMORY, STATUS_STOPPED, or as grow_branches. */
 MUST_CHECK enum status labels_init(struct labels *l, const struct slider *s,
                                    double rtol, const struct monitor *monitor);

@@ -104,8 +104,7 @@ static double nearness(const void *ctx, double s, const double u[])
 
 static double distance(const struct slider *s, size_t i, struct vec2 z)
 {
-    const struct vec2 at =
-        vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
+    const struct vec2 at = phase_plane_offset(&s->plane, i);
 
     return fmax(fabs(z.x - at.x), fabs(z.y - at.y));
 }

@@ -40,7 +40,7 @@ struct moment_level {
     double value;
 };
 
-/* The functions watched along one orbit; must not move, nor its study. */
+/* The functions watched along one orbit; must not move, nor its slider. */
 struct moment_watch {
     const struct slider *slider; /* borrowed */
     enum moment what; /* of a pair that differs in direction, the first */

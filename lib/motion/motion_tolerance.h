@@ -1,4 +1,4 @@
-/* motion_tolerance.h -- the tunable numbers of single orbits and what becomes of them. */
+/* motion_tolerance.h -- the tunable numbers of lib/motion. */
 #ifndef MOTION_MOTION_TOLERANCE_H
 #define MOTION_MOTION_TOLERANCE_H
 

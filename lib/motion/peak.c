@@ -120,18 +120,6 @@ static enum status peak_of(const struct slider *s, const struct orbit *o,
                    piece + 1 < count ? piece + 1 : piece, top);
 }
 
-/* The non-saddles, as offsets. */
-static size_t goals_of(const struct slider *s, struct vec2 at[])
-{
-    size_t n = 0;
-
-    for (size_t i = 0; i < s->plane.equilibria; i++)
-        if ((int) i != slider_saddle(s))
-            at[n++] =
-                vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
-    return n;
-}
-
 enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
                        size_t steps, struct peaks *out)
 {
@@ -145,7 +133,7 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     options.rtol = rtol;
     options.observables = BLOCK_EXCESS;
     options.target = goal;
-    options.targets = goals_of(s, goal);
+    options.targets = phase_plane_goals(&s->plane, goal);
     options.arrival = TOL_ARREST;
     options.max_steps = TOL_FATE_STEPS;
     fate_least(s, start, options.least);

@@ -1,4 +1,4 @@
-/* numbers_tolerance.h -- the tunable numbers of critical numbers and curves of them. */
+/* numbers_tolerance.h -- the tunable numbers of lib/numbers. */
 #ifndef NUMBERS_NUMBERS_TOLERANCE_H
 #define NUMBERS_NUMBERS_TOLERANCE_H
 

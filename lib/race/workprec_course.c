@@ -214,8 +214,7 @@ static enum status set_cells(struct workprec_course *c, size_t cells)
     for (size_t i = 0; i < s->slider.plane.equilibria; i++) {
         if ((int) i == slider_saddle(&s->slider))
             continue;
-        c->target[c->targets] = vec2_sub(s->slider.plane.equilibrium[i].z,
-                                         s->slider.plane.system.origin);
+        c->target[c->targets] = phase_plane_offset(&s->slider.plane, i);
         exact_offset(c, c->target[c->targets], target[c->targets]);
         c->targets++;
     }

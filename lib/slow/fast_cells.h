@@ -14,7 +14,7 @@ struct fast_cells {
     int lanes; /* as of layer_lanes_width; 1: one state after the other */
 };
 
-/* The table for a study whose steady states are known, and as many lanes as the
+/* The table for a slider, and as many lanes as the
  * processor has.  STATUS_NO_MEMORY, STATUS_STOPPED: *f is empty. */
 MUST_CHECK enum status fast_cells_init(struct fast_cells *f,
                                        const struct slider *s,

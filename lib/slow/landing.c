@@ -150,8 +150,7 @@ static bool is_clear(const struct landing *l, const struct slow_point *p,
     const double size = TOL_LAYER_ARREST * TOL_ARREST;
 
     for (size_t i = 0; i < s->plane.equilibria && !l->options.through; i++) {
-        const struct vec2 e =
-            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
+        const struct vec2 e = phase_plane_offset(&s->plane, i);
         if ((int) i != slider_saddle(s) &&
             overlap(l->u[LAYER_X], p->x, e.x - size, e.x + size) &&
             overlap(l->u[LAYER_Y], y, e.y - size, e.y + size))

@@ -193,8 +193,7 @@ static double room(const struct slider *s, const struct saddle_series *u)
     double most = TOL_SADDLE_MOST;
 
     for (size_t i = 0; i < s->plane.equilibria; i++) {
-        const struct vec2 e =
-            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
+        const struct vec2 e = phase_plane_offset(&s->plane, i);
         const double way = fmax(fabs(e.x), fabs(e.y)) - TOL_ARREST;
         if ((int) i != slider_saddle(s))
             most = fmin(most, TOL_SADDLE_ROOM * way);

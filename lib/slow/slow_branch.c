@@ -394,8 +394,7 @@ static bool find_goals(const struct slider *s, struct vec2 z,
     for (size_t i = 0; i < s->plane.equilibria; i++) {
         if ((int) i == slider_saddle(s))
             continue;
-        const struct vec2 at =
-            vec2_sub(s->plane.equilibrium[i].z, s->plane.system.origin);
+        const struct vec2 at = phase_plane_offset(&s->plane, i);
         ahead = ahead || at.y * z.y > 0.0;
         g->fate[g->count] = (int8_t) fate_of_node(s, &s->plane.equilibrium[i]);
         g->at[g->count++] = at;

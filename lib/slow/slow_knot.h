@@ -24,7 +24,7 @@ struct slow_knot {
     double x_peak, mu_peak; /* from here on */
 };
 
-/* At the offset u = (x, y) of the study's system, with the slope dx/dy of the
+/* At the offset u = (x, y) of the slider's system, with the slope dx/dy of the
  * orbit: all but the values of time and slip, what is summed along the way, and
  * the peaks.  Returns |d ln y'/dy|. */
 double slow_knot_at(const struct slider *s, const double u[], double slope,

@@ -1,4 +1,4 @@
-/* slow_tolerance.h -- the tunable numbers of the slow curve and what falls on to it. */
+/* slow_tolerance.h -- the tunable numbers of lib/slow. */
 #ifndef SLOW_SLOW_TOLERANCE_H
 #define SLOW_SLOW_TOLERANCE_H
 

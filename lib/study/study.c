@@ -112,15 +112,11 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
     const struct carry none = { .count = 0 };
     struct vec2 target[EQUILIBRIA_MAX];
     struct local_series u;
-    size_t n = 0;
 
     if (!slider_has_manifolds(&s->slider))
         return STATUS_OK;
     enum status status = local_series(s, MANIFOLD_UNSTABLE, &none, &u);
-    for (size_t i = 0; i < s->slider.plane.equilibria; i++)
-        if ((int) i != slider_saddle(&s->slider))
-            target[n++] = vec2_sub(s->slider.plane.equilibrium[i].z,
-                                   s->slider.plane.system.origin);
+    const size_t n = phase_plane_goals(&s->slider.plane, target);
     const struct box window = box_grow(scene_box(s->scene), TOL_WINDOW_MARGIN);
     for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
         struct orbit_options o = orbit_defaults(&s->slider.plane.system,
@@ -238,8 +234,7 @@ static size_t attractors(const struct study *s, struct vec2 target[])
 
     for (size_t i = 0; i < s->slider.plane.equilibria; i++)
         if (s->slider.plane.equilibrium[i].type == EQUILIBRIUM_STABLE_NODE)
-            target[n++] = vec2_sub(s->slider.plane.equilibrium[i].z,
-                                   s->slider.plane.system.origin);
+            target[n++] = phase_plane_offset(&s->slider.plane, i);
     return n;
 }
 
