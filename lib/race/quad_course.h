@@ -27,6 +27,8 @@ struct quad_course {
     quad v_peak, mu_peak;
     double rise[2]; /* rates of v and mu where it is */
     enum fate fate;
+    bool is_over; /* though its fate may not be known */
+    size_t falls; /* steps since v can but fall to 0 */
     quad left[2]; /* time and slip not followed: within their errors */
 };
 

@@ -10,6 +10,8 @@
 #include "tolerance.h"
 
 enum { SCAN = 64, POLISH = 4 };
+/* Steps on which a block that only fades is followed. */
+enum { FALLS = 60 };
 
 /* Of the finer run, over the tolerance of the coarser one. */
 static const double finer = 0.1;
@@ -267,7 +269,9 @@ static void find_rest(struct quad_course *c)
     const struct rest_form rest =
         rest_form_of(&s->slider.block.law, &s->slider.block.material);
     const bool falls =
-        slider_saddle(&s->slider) == 0 && c->u[QUAD_X] < 0 && c->u[QUAD_Y] > 0;
+        slider_saddle(&s->slider) == 0
+            ? c->u[QUAD_X] < 0 && c->u[QUAD_Y] > 0
+            : s->slider.plane.equilibria == 0 && c->slope->at.force0 < 0;
     const quad v = expq(c->slope->at.x0 + c->u[QUAD_X]);
     const quad rate = -c->du[QUAD_X] / c->du[QUAD_TIME];
 
@@ -278,10 +282,15 @@ static void find_rest(struct quad_course *c)
         c->left[1] = v * c->left[0];
         if (c->left[0] < (quad) soon * c->u[QUAD_TIME])
             c->fate = FATE_REST_FINITE;
-    } else if (rest.fate == FATE_REST_ASYMPTOTIC && falls) {
+    } else if (falls) {
         c->left[1] = v * c->u[QUAD_TIME];
-        if (c->left[1] < (quad) soon * c->u[QUAD_SLIP])
-            c->fate = FATE_REST_ASYMPTOTIC;
+        c->is_over = c->left[1] < (quad) soon * c->u[QUAD_SLIP];
+        if (!c->is_over && ++c->falls > FALLS) {
+            c->is_over = true;
+            c->left[1] = HUGE_VAL;
+        }
+        if (c->is_over && rest.fate == FATE_REST_ASYMPTOTIC)
+            c->fate = rest.fate;
     }
 }
 
@@ -298,7 +307,7 @@ static bool find_end(struct quad_course *c)
         c->fate = FATE_RUNAWAY;
     else
         find_rest(c);
-    return c->fate != FATE_UNDECIDED;
+    return c->is_over || c->fate != FATE_UNDECIDED;
 }
 
 /* ---- orbits -------------------------------------------------------------- */
@@ -392,7 +401,7 @@ static quad more_of(const struct quad_course *c, enum cell_field k, quad value)
         case CELL_MU_MEAN:
             return chance + part * size;
         default:
-            return chance + (quad) placed * size;
+            return (quad) placed * size;
     }
 }
 

@@ -115,6 +115,34 @@ static void orbits_in_double_precision_agree(void **state)
     }
 }
 
+/* Their slip so far is less than its limit; how much, nobody knows. */
+static void blocks_that_only_fade_are_followed_to_an_end(void **state)
+{
+    static const char *const fades[] = { "dieterich", "ruina", "perrin" };
+    static struct slope s;
+    static struct quad_slope q;
+    struct fate_result r;
+    struct quad_orbit o;
+
+    (void) state;
+    if (laws_emulated())
+        skip();
+    for (size_t i = 0; i < sizeof fades / sizeof *fades; i++) {
+        slope_make(&s, fades[i], "asinh", "0.1", steady_only);
+        quad_slope_init(&q, &s.study);
+        quad_orbit_find(&q, 0, 1, 1e-8, &o);
+        CHECK(o.fate == FATE_REST_ASYMPTOTIC && o.error[CELL_SLIP] > 0.0,
+              "%s: %s, slip +- %g", fades[i], fate_names[o.fate],
+              o.error[CELL_SLIP]);
+        assert_int_equal(fate_find(&s.study.slider, (struct vec2){ 0.0, 1.0 },
+                                   1e-12, true, NULL, &r),
+                         0);
+        assert_int_equal(r.fate, o.fate);
+        assert_true(!(r.slip.value < (double) o.value[CELL_SLIP]));
+        slope_free(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -122,6 +150,7 @@ int main(void)
         cmocka_unit_test(
             slip_grows_by_v_sp_ln_10_per_decade_towards_the_saddle),
         cmocka_unit_test(orbits_in_double_precision_agree),
+        cmocka_unit_test(blocks_that_only_fade_are_followed_to_an_end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
