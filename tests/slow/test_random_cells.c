@@ -6,10 +6,9 @@
  */
 #include "fields_of.h"
 
+#include "any_law.h"
 #include "cells_of.h"
-#include "laws.h"
 #include "peak.h"
-#include "steady.h"
 #include "tolerance.h"
 
 enum { EACH = 10, SIDE = 64 };
@@ -26,66 +25,8 @@ static size_t states_asked(size_t usual)
 struct draw {
     struct slope s;
     struct fast_cells fast;
-    char name[240];
+    char name[DRAWN_NAME];
 };
-
-static void name_draw(size_t i, struct draw *d)
-{
-    const struct law *l = &d->s.scene.law;
-    const struct material *m = &d->s.scene.material;
-
-    snprintf(d->name, sizeof d->name,
-             "draw %zu: %s %s %s %s %s, mu %.9g a %.9g b %.9g c %.9g R %.9g "
-             "L %.9g V %.9g alpha %.9g, rtol %g",
-             i, friction_form_names[l->form], theta_names[l->theta],
-             l->kinetics == KINETICS_COMPOSITE ? "kato_tullis"
-                                               : psi_ss_names[l->psi_ss],
-             timescale_names[l->timescale],
-             l->kinetics == KINETICS_SINH ? "sinh" : "linear", m->mu_star, m->a,
-             m->b, m->c, m->R, m->L, m->V_star, d->s.scene.alpha,
-             d->s.scene.cell_rtol);
-}
-
-/* Every other one of a preset, and a material next to Table 2's. */
-static bool draw_law(size_t i, uint64_t *rng, struct scene *s)
-{
-    static const char *const preset[] = { "dieterich",       "dieterich_gen",
-                                          "ruina",           "perrin",
-                                          "spinodal",        "spinodal_gen",
-                                          "spinodal_phi_gen" };
-    struct fault why;
-
-    if (i % 2 == 0)
-        return laws_draw(check_bits(rng) % LAWS, rng, &s->law, &s->material);
-    s->law = *law_preset_find(preset[i / 2 % 7]);
-    s->law.form = (enum friction_form)(check_bits(rng) % FRICTION_FORMS);
-    s->material = material_bristol_board();
-    s->material.a *= check_uniform(rng, 0.6, 1.1);
-    s->material.L *= laws_power(rng, -2, 2);
-    s->material.c *= laws_power(rng, -1, 1);
-    s->material.R *= laws_power(rng, -1, 1);
-    return law_check(&s->law, &s->material, &why) == STATUS_OK;
-}
-
-/* A slope on which the block may slide steadily, and a window around that. */
-static bool draw_slope(uint64_t *rng, struct scene *s)
-{
-    const long double x = (long double) check_uniform(rng, -12, 12);
-    const double high = check_uniform(rng, 1.0, 10.0), wide = high / 2.0;
-
-    if (x >= steady_x_max(&s->law))
-        return false;
-    const double psi = (double) steady_psi(&s->law, &s->material, x);
-    const bool is_log = law_psi_is_log(&s->law);
-    s->tan_alpha = steady_mu(&s->law, &s->material, x);
-    s->alpha = (double) atanl(s->tan_alpha);
-    for (int i = 0; i < 2; i++) {
-        const double side = i ? 1.0 : -1.0;
-        s->window.v[i] = exp((double) x + side * high);
-        s->window.psi[i] = is_log ? psi + side * wide : psi * exp(side * wide);
-    }
-    return s->tan_alpha > 0.02L && s->tan_alpha < 5.0L;
-}
 
 /* Until it is one that can be studied. */
 static void draw(size_t i, uint64_t *rng, const char *const more[],
@@ -97,9 +38,9 @@ static void draw(size_t i, uint64_t *rng, const char *const more[],
     for (int attempt = 0; attempt < 200; attempt++) {
         slope_scene(s, "spinodal", NULL, "0.34", more);
         s->cell_rtol = pow(10.0, -4.0 - (double) (check_bits(rng) % 6));
-        if (draw_law(i, rng, s) && draw_slope(rng, s) &&
+        if (drawn_law(i, rng, s) && drawn_slope(rng, s) &&
             study_run(&d->s.study, s, NULL, &why) == STATUS_OK) {
-            name_draw(i, d);
+            drawn_name(i, s, d->name);
             return;
         }
         scene_free(s);
