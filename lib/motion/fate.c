@@ -222,12 +222,38 @@ static struct quantity sum_of(const struct orbit *o, size_t i, double left,
                                 rounding * fabs(sum));
 }
 
+/* At the face of a box of arrest nothing is left but what rounding of the start
+ * and of the node makes of when it is reached, as fast as the last step closed
+ * in on it: rates where it stands may be rounding. */
+static struct rest_left left_at_face(const struct slider *s,
+                                     const struct orbit *o)
+{
+    const struct goals goals = goals_of(s);
+    const struct vec2 z = { o->u[0], o->u[1] }, c = s->plane.system.origin;
+    const struct vec2 off = vec2_sub(z, goals.at[o->end_index]);
+    const int along = fabs(off.y) > fabs(off.x);
+    const double size =
+        fabs(c.x) + fabs(c.y) + fabs(c.x + z.x) + fabs(c.y + z.y);
+    double before[CURVE_DIM_MAX];
+
+    curve_at(&o->curve, o->curve.count - 1, 0.0, before);
+    const double way = fabs(o->u[along] - before[along]);
+    const double wrong = TOL_FATE_ROUNDING * size;
+    const double late = way > 0.0 ? wrong / way * (o->u[2] - before[2]) : 0.0;
+
+    return (struct rest_left){ .time_error = late,
+                               .slip_error = late * s->block.at.v0 * exp(z.x) };
+}
+
 static void observe_end(const struct slider *s, const struct orbit *o,
                         const struct past *past, struct fate_result *out)
 {
     const char *why = why_endless(s, o, past, out->fate);
     const bool beyond = out->fate == FATE_REST_FINITE && !past->rests;
-    const struct rest_left left = beyond ? left_beyond(s, o) : past->left;
+    const bool at_face = o->end == ORBIT_ARRIVED && o->steps > 0;
+    const struct rest_left left = at_face  ? left_at_face(s, o)
+                                  : beyond ? left_beyond(s, o)
+                                           : past->left;
     static const char never[] = "the block never quite stops";
     static const char unbounded[] = "the slip grows without bound";
 

@@ -145,4 +145,8 @@
  * psi_ss - psi, time grows from 1e-300, and its rate is rounding. */
 #define TOL_FATE_LEAST 0.01
 
+/* What rounding does to the way to a face of a box of arrest, per unit of the
+ * coordinates: two units of their last digits. */
+#define TOL_FATE_ROUNDING 0x1.4p-52
+
 #endif
