@@ -30,35 +30,49 @@ static void fill_integrals(const struct slider *s, double x,
                            const struct layer *l, struct cell *c)
 {
     const double t = (double) s->block.tan_alpha;
-    const double least = TOL_FAST_LEAST;
+    const double least = TOL_FAST_LEAST, rounding = TOL_FAST_ROUNDING;
     const double v0 = exp(x), v1 = exp(s->block.at.x0 + l->x_end);
-    const double eps2 = material_eps2(&s->block.material);
-    const double lost =
-        0.5 * eps2 * (v0 - v1) * (v0 + v1) * hypot(1.0, t) / l->slip;
+    const double per =
+        0.5 * material_eps2(&s->block.material) * hypot(1.0, t) / l->slip;
+    const double lost = per * (v0 - v1) * (v0 + v1);
+    const double unsure = 2.0 * per *
+                          (v0 * v0 * rounding * (1.0 + fabs(x)) +
+                           v1 * v1 * (l->x_end_error + least));
 
     c->slip = l->slip;
     c->slip_error = l->slip_error + least * l->slip;
     c->time = l->time;
     c->time_error = l->time_error + least * l->time;
     c->mu_mean = t + lost;
-    c->mu_mean_error =
-        fabs(lost) * c->slip_error / l->slip + least * (t + fabs(lost));
+    c->mu_mean_error = fabs(lost) * c->slip_error / l->slip + unsure +
+                       rounding * (t + fabs(lost));
 }
 
-static void fill_peaks(const struct slider *s, const struct layer *l,
-                       struct cell *c)
+/* A peak at the start is the start's, to rounding. */
+static void fill_peaks(const struct slider *s, struct vec2 z,
+                       const struct layer *l, struct cell *c)
 {
     const struct material *m = &s->block.material;
+    const struct vec2 o = s->plane.system.origin, from = vec2_sub(z, o);
     const double x = s->block.at.x0 + l->x_peak;
-    const double rounding = TOL_FAST_LEAST * (1.0 + fabs(x));
     const double place = TOL_LAYER_TRANSPORT * l->place_error;
+    const double least = TOL_FAST_LEAST * (1.0 + fabs(x));
+    const double rounding = TOL_FAST_ROUNDING * (1.0 + fabs(z.x) + fabs(z.y) +
+                                                 fabs(o.x) + fabs(o.y));
+    const bool fastest = l->falls[0] && l->x_peak == from.x;
+    const bool hardest =
+        l->falls[1] && l->mu_peak == block_mu(&s->block, from) &&
+        l->mu_next < l->mu_peak - TOL_FAST_HARDER * (m->a + m->b);
 
-    c->v_peak = exp(x);
-    c->v_peak_error = c->v_peak * (place + rounding);
+    c->v_peak = exp(fastest ? z.x : x);
+    c->v_peak_error = c->v_peak * (fastest ? TOL_FAST_ROUNDING : place + least);
     if (l->fate == FATE_REST_FINITE)
         return;
     c->mu_peak = l->mu_peak;
-    c->mu_peak_error = (m->a + m->b) * place + l->mu_error + rounding;
+    c->mu_peak_error = (m->a + m->b) * (hardest ? rounding : place) +
+                       l->mu_error + TOL_FAST_ROUNDING * l->mu_peak;
+    if (!hardest)
+        c->mu_peak_error += (m->a + m->b) * least;
 }
 
 /* The largest error of those asked for, relative. */
@@ -94,8 +108,8 @@ static void keep_asked(unsigned which, struct cell *c)
             *of[k][0] = *of[k][1] = (double) NAN;
 }
 
-static struct cell cell_of(const struct slider *s, double x, unsigned which,
-                           const struct layer *l)
+static struct cell cell_of(const struct slider *s, struct vec2 z,
+                           unsigned which, const struct layer *l)
 {
     struct cell c = { .exit_reason = l->fate };
     const double none = (double) NAN;
@@ -103,9 +117,9 @@ static struct cell cell_of(const struct slider *s, double x, unsigned which,
     c.slip = c.time = c.mu_mean = c.v_peak = c.mu_peak = none;
     if (l->end != LAYER_RAN) {
         if (which & integrals)
-            fill_integrals(s, x, l, &c);
+            fill_integrals(s, z.x, l, &c);
         if (which & peaks)
-            fill_peaks(s, l, &c);
+            fill_peaks(s, z, l, &c);
     }
     keep_asked(which, &c);
     return c;
@@ -159,7 +173,7 @@ static double finer(struct batch *b, size_t i)
     if (l->end == LAYER_UNSURE)
         return TOL_FAST_FINER;
     b->found[k] = true;
-    b->out[k] = cell_of(b->fast->slider, b->z[k].x, b->which, l);
+    b->out[k] = cell_of(b->fast->slider, b->z[k], b->which, l);
     const double before = b->excess[k];
     const double excess = worst_of(&b->out[k], b->which) / b->rtol;
     const bool vain = before > 0.0 && !(excess < TOL_FAST_GAIN * before);
@@ -301,7 +315,7 @@ static void take_sample(const struct fast_cells *f, const struct layer *l,
     if (base_point_passes(&f->curve, s->base.y, s->base.y) ||
         l->fate == FATE_RUNAWAY)
         seen.end = LAYER_RAN;
-    s->cell = cell_of(f->slider, s->z.x, which & integrals, &seen);
+    s->cell = cell_of(f->slider, s->z, which & integrals, &seen);
 }
 
 /* Peaks have no base points, and one orbit more: a second one only where its
@@ -316,7 +330,7 @@ static enum status add_peaks(const struct fast_cells *f, struct patch_sample *s,
     struct layer l;
 
     layer_follow(&f->curve, z, &options, &l);
-    struct cell c = cell_of(f->slider, s->z.x, which & peaks, &l);
+    struct cell c = cell_of(f->slider, s->z, which & peaks, &l);
     if (l.end == LAYER_LOST || l.end == LAYER_UNSURE ||
         worst_of(&c, which & peaks) > TOL_FAST_LOOSE * tol)
         status =
@@ -383,7 +397,7 @@ bool fast_cells_tell(const struct fast_cells *f, struct vec2 z,
     struct layer l;
     const bool is_told = base_point_tell(&f->curve, base, &l);
 
-    *out = cell_of(f->slider, z.x,
-                   l.end == LAYER_LANDED ? which & integrals : 0, &l);
+    *out = cell_of(f->slider, z, l.end == LAYER_LANDED ? which & integrals : 0,
+                   &l);
     return is_told;
 }

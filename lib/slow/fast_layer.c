@@ -172,6 +172,7 @@ static void find_peaks(struct walk *w, const double u1[])
     w->mu = block_mu(block, (struct vec2){ u1[LAYER_X], u1[LAYER_Y] });
     along(w->at.curve->slider, 0.0, u1, du1);
     out->x_peak = fmax(out->x_peak, u1[LAYER_X]);
+    out->mu_next = fmax(out->mu_next, w->mu);
     if (w->work.k[0][LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0) {
         out->x_peak = top_of(w, x_of, u1, out->x_peak, &doubt);
         out->place_error += doubt;
@@ -194,6 +195,19 @@ static double size_of(const struct landing *l, const double u1[],
         sum += e * e;
     }
     return sqrt(sum / LAYER_DIM);
+}
+
+/* Whether ln v and mu fall at the start. */
+static void look_ahead(const struct walk *w)
+{
+    const struct landing *l = &w->at;
+    const struct arc mu = { &l->curve->slider->block, mu_of, { 0.0 } };
+    const double back[] = { -l->du[LAYER_X], -l->du[LAYER_Y] };
+
+    l->out->falls[0] = l->du[LAYER_X] <= 0.0;
+    l->out->falls[1] =
+        !is_rising(&mu, l->u, l->du) && is_rising(&mu, l->u, back);
+    l->out->mu_next = -HUGE_VAL;
 }
 
 /* The rate at which orbits beside the end of the walk part, per arc. */
@@ -326,6 +340,7 @@ void layer_follow(const struct slow_curve *c, struct vec2 z,
     landing_start(&w.at, c, z, options, out, w.least);
     along(c->slider, 0.0, w.at.u, w.at.du);
     w.mu = out->mu_peak;
+    look_ahead(&w);
     while (!landing_is_over(&w.at, &most) && out->steps < TOL_LAYER_STEPS) {
         memcpy(w.work.k[0], w.at.du, sizeof w.at.du);
         if (!advance(&w, most))

@@ -38,6 +38,7 @@ struct layer {
     double time, time_error;
     double slip, slip_error;
     double x_end; /* ln(v/v0) at arrest; -HUGE_VAL: v = 0 */
+    double x_end_error;
     /* where on the slow curve it landed, NaN: elsewhere; and the errors of time
      * and slip on the way there */
     double y, y_error, way_time_error, way_slip_error;
@@ -48,6 +49,8 @@ struct layer {
     double x_peak, mu_peak; /* with the error of a point of the orbit: */
     double place_error;     /* in ln v and ln psi */
     double mu_error;        /* more, of mu_peak alone */
+    bool falls[2];          /* ln v and mu do at the start */
+    double mu_next; /* the largest mu at an end of a step, but for the start */
     size_t steps, calls;
 };
 

@@ -46,7 +46,11 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
                    double least[2])
 {
     *l = (struct landing){
-        .curve = c, .options = *options, .u = { z.x, z.y, 0.0, 0.0 }, .out = out
+        .curve = c,
+        .options = *options,
+        .from = z,
+        .u = { z.x, z.y, 0.0, 0.0 },
+        .out = out,
     };
     *out = (struct layer){ .end = LAYER_LOST, .x_peak = z.x, .y = NAN };
     l->across = rounding(c->slider, z);
@@ -83,16 +87,23 @@ static struct door door_of(const struct landing *l)
     return door;
 }
 
-void landing_add_least(const struct landing *l)
+void landing_add_least(const struct landing *l, double time_slope,
+                       double slip_slope, double moved)
 {
-    const double least = TOL_LAYER_LEAST * l->options.promise;
+    const double promise = l->options.promise;
+    const double loose = promise / TOL_LAYER_LOOSE;
+    const double least =
+        TOL_LAYER_LEAST * promise * fmin(pow(loose, 3.0 / 8.0), 1.0);
 
-    l->out->time_error += least * fabs(l->out->time);
-    l->out->slip_error += least * fabs(l->out->slip);
+    l->out->time_error +=
+        least * (fabs(l->u[LAYER_TIME]) + fabs(time_slope) * moved);
+    l->out->slip_error +=
+        least * (fabs(l->u[LAYER_SLIP]) + fabs(slip_slope) * moved);
 }
 
-/* On the face, towards which the orbit closes at this rate. */
-static void arrive(struct landing *l, const struct door *door, double closing)
+/* `way` of its own from the face, towards which it closes at this rate. */
+static void arrive(struct landing *l, const struct door *door, double closing,
+                   double way)
 {
     const struct slider *s = l->curve->slider;
     const double aside = fabs(l->du[!door->along]) / closing;
@@ -101,12 +112,13 @@ static void arrive(struct landing *l, const struct door *door, double closing)
 
     out->end = LAYER_LANDED;
     out->fate = (int8_t) fate_of_node(s, &s->plane.equilibrium[door->node]);
-    out->x_end = l->u[LAYER_X];
-    out->time = l->u[LAYER_TIME];
-    out->slip = l->u[LAYER_SLIP];
+    out->x_end = l->u[LAYER_X] + way * l->du[LAYER_X];
+    out->time = l->u[LAYER_TIME] + way * l->du[LAYER_TIME];
+    out->slip = l->u[LAYER_SLIP] + way * l->du[LAYER_SLIP];
     out->time_error = l->time_error + late * l->du[LAYER_TIME];
     out->slip_error = l->slip_error + late * l->du[LAYER_SLIP];
-    landing_add_least(l);
+    out->x_end_error = late;
+    landing_add_least(l, l->du[LAYER_TIME], l->du[LAYER_SLIP], 1.0 + aside);
 }
 
 /* Beside a box: enters it, takes the next step of Newton's method, or passes it
@@ -131,7 +143,7 @@ static bool enters(struct landing *l, const struct door *door, double *most)
             *most *= TOL_LAYER_SHORT; /* or it sees peaks beyond */
         return false;
     }
-    arrive(l, door, closing);
+    arrive(l, door, closing, *most);
     return true;
 }
 
@@ -246,6 +258,7 @@ static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
     if (p->x_peak > p->x)
         out->x_peak = fmax(out->x_peak, p->x_peak);
     out->mu_peak = fmax(out->mu_peak, most);
+    out->mu_next = fmax(out->mu_next, most);
     out->mu_error += aside;
     return true;
 }
@@ -306,7 +319,11 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double unsaid = fabs(more) * part;
     const double time = l->u[LAYER_TIME] + p->time;
     const double slip = l->u[LAYER_SLIP] + p->slip + more;
-    const double wait = delay(l, p, off);
+    const double wait =
+        delay(l, p, off) +
+        2.0 * rounding(s, (struct vec2){ p->x, y }) * fabs(p->end_slope);
+    const double moved = fabs(e.x * (l->u[LAYER_Y] - l->from.y)) +
+                         fabs(e.y * (l->u[LAYER_X] - l->from.x));
     const double waste =
         wait > 0.0 ? wait * exp(s->block.at.x0 + p->x_end) : 0.0;
     const double late = 2.0 * fabs(p->time_slope) * bend + wait;
@@ -336,7 +353,8 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
                       2.0 * fabs(p->time_slope) * wrong;
     out->slip_error = l->slip_error + p->slip_error + unsaid + waste +
                       2.0 * fabs(p->slip_slope) * wrong;
-    landing_add_least(l);
+    out->x_end_error = p->end_slope != 0.0 ? wait / fabs(p->end_slope) : 0.0;
+    landing_add_least(l, p->time_slope, p->slip_slope, moved / det);
     return true;
 }
 
@@ -411,6 +429,8 @@ static bool is_over(struct landing *l, double *most)
     const struct door door = door_of(l);
     double aim = l->options.landing, x, x_slope;
 
+    if (door.way <= 0.0 && l->u[LAYER_TIME] == 0.0)
+        return true; /* it starts in a box */
     *most = TOL_LAYER_NEARER * door.way;
     const bool beside = slow_curve_beside(l->curve, l->u[LAYER_Y],
                                           l->options.through, &x, &x_slope);

@@ -13,6 +13,7 @@ enum { LAYER_X, LAYER_Y, LAYER_TIME, LAYER_SLIP, LAYER_DIM };
 struct landing {
     const struct slow_curve *curve;
     struct layer_options options;
+    struct vec2 from;                   /* its start */
     double u[LAYER_DIM], du[LAYER_DIM]; /* where it is, and per unit of arc */
     /* what steps have missed so far: across the orbit, and of what it gained */
     double across, time_error, slip_error;
@@ -30,7 +31,11 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
  * next step, which is to be taken as it is where it is negative. */
 bool landing_is_over(struct landing *l, double *most);
 
-/* Adds to *out what no estimate sees: bars are no less. */
-void landing_add_least(const struct landing *l);
+/* Adds to *out what no estimate sees, of what it gained and of how far it moved
+ * across on the way, where time and slip have these slopes.  What steps of
+ * order 8 miss of their estimates of order 5 goes like the cube of a step,
+ * whose eighth power is its tolerance. */
+void landing_add_least(const struct landing *l, double time_slope,
+                       double slip_slope, double moved);
 
 #endif

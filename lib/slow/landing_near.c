@@ -106,12 +106,13 @@ bool landing_near(struct landing *l)
     if (l->options.peaks)
         return false;
     *l->out = told;
-    landing_add_least(l);
+    landing_add_least(l, 1.0 / u->lambda, u->v / u->lambda, 1.0);
     return true;
 }
 
 void landing_keep_near(struct landing *l)
 {
+    const struct saddle_series *u = l->curve->near;
     const struct layer *near = &l->near;
     struct layer *const out = l->out;
 
@@ -124,5 +125,6 @@ void landing_keep_near(struct landing *l)
     out->slip = near->slip;
     out->time_error = near->time_error;
     out->slip_error = near->slip_error;
-    landing_add_least(l);
+    out->x_end_error = 0.0;
+    landing_add_least(l, 1.0 / u->lambda, u->v / u->lambda, 1.0);
 }

@@ -67,7 +67,9 @@ static bool land(struct landing *l, const struct rest_point *p, double off,
     out->slip = slip;
     out->time_error = l->time_error + p->time_error + late * wrong;
     out->slip_error = l->slip_error + p->slip_error + far * wrong;
-    landing_add_least(l);
+    landing_add_least(l, p->time_slope, p->slip_slope,
+                      fabs(l->u[LAYER_X] - l->from.x) +
+                          fabs(l->u[LAYER_Y] - l->from.y));
     return true;
 }
 

@@ -130,10 +130,12 @@
 
 /* The least part of the estimates of order 5 that a step of order 8 misses, at
  * a promise of TOL_LAYER_PLAIN and looser ones, and less for finer ones like
- * the square of a step: in loose steps its own word is no bound; the least bar,
- * as a part of what was promised. */
+ * the square of a step: in loose steps its own word is no bound; and the least
+ * bar of what was gained and moved on the way, as a part of what was promised:
+ * less below TOL_LAYER_LOOSE (landing_add_least). */
 #define TOL_LAYER_FAIR  0.1
 #define TOL_LAYER_LEAST 0.01
+#define TOL_LAYER_LOOSE 1e-4
 
 /* How far beside an orbit its neighbour is whose direction tells whether they
  * close in on each other; and what part of the step that its error allows is
@@ -168,6 +170,12 @@
 #define TOL_FAST_GAIN   0.7
 #define TOL_FAST_FINEST 1e-12
 #define TOL_FAST_LEAST  2e-11
+
+/* What rounding does to a logarithm and to its exponential, per unit of it; and
+ * friction at the start is the largest where no later one is nearer than what
+ * so much of ln v or ln psi makes of it. */
+#define TOL_FAST_ROUNDING 0x1.8p-53
+#define TOL_FAST_HARDER   1e-6
 
 /* Peaks are sampled for patches no finer than this, with bars so many times as
  * wide. */
