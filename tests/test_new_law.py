@@ -146,7 +146,7 @@ def a_number_is_one_file_and_two_lines(room):
             if reader.did == 0:
                 build(room, of_a_number, 2)
             reader.run(block)
-    expect((files, lines) == (1, 2) and reader.did >= 7, files, lines)
+    expect((files, lines) == (1, 2) and reader.did >= 11, files, lines)
 
 
 def a_change_that_does_not_fit_is_seen(room):

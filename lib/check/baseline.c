@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "row_numbers.h"
 #include "scene_slope.h"
+#include "slope_row.h"
+#include "study_results.h"
 #include "tolerance.h"
 
 static const char preface[] =
@@ -90,41 +91,16 @@ static void add_name(struct baseline *b, const char *name)
 
 /* ---- columns ------------------------------------------------------------- */
 
-/* What belongs to one steady state of the slope. */
-static bool is_of_state(const struct record_field *f)
-{
-    return f->offset >= offsetof(struct row_numbers, type) &&
-           f->offset < offsetof(struct row_numbers, has_saddle);
-}
-
-/* What takes no slope. */
-static bool is_of_folds(const struct record_field *f)
-{
-    return (row_column_products(f) & ~(1u << PRODUCT_FOLDS)) == 0;
-}
-
-/* Derivatives are differences, without a bar that would hold elsewhere; marks
- * are for those who ask for a psi. */
-static bool is_recorded(const struct record_field *f)
-{
-    const bool is_mark = f->offset >= offsetof(struct row_numbers, v_mark) &&
-                         f->offset < offsetof(struct row_numbers, folds);
-    return !is_mark && !row_column_is_derivative(f);
-}
-
-static void add_header(struct baseline *b)
+static void add_header(struct baseline *b, const struct result_numbers *n)
 {
     add(b, "%sname,law,form,theta,psi_ss,timescale,kinetics", preface);
     for (int i = 0; i < MATERIAL_KEYS; i++)
         add(b, ",%s", material_key_name((enum material_key) i));
     add(b, ",alpha");
-    for (size_t i = 0; i < record_row.count; i++) {
-        const struct record_field *f = &record_row.fields[i];
-        if (!is_recorded(f))
-            continue;
-        add(b, ",%s", f->name);
-        if (f->kind == RECORD_QUANTITY)
-            add(b, ",%s_tol", f->name);
+    for (size_t i = 0; i < n->count; i++) {
+        add(b, ",%s", n->at[i].name);
+        if (n->at[i].field->kind == RECORD_QUANTITY)
+            add(b, ",%s_tol", n->at[i].name);
     }
     add(b, "\n");
 }
@@ -168,119 +144,71 @@ static void add_quantity(struct baseline *b, const struct quantity *q)
                CHECK_RECORDED_BARS * q->error + DBL_EPSILON * fabs(q->value));
 }
 
-static void add_cells(struct baseline *b, const struct row_numbers *n,
-                      const struct record_field *f)
+/* Of a number that the study was not asked for the cells stay empty. */
+static void add_cells(struct baseline *b, const struct results *all,
+                      const struct result_number *n)
 {
-    const void *member = (const char *) n + f->offset;
-    const int8_t *code = member;
+    const bool is_code = n->field->kind == RECORD_CODE;
 
-    switch (f->kind) {
-        case RECORD_CODE:
-            add(b, ",%s", *code < 0 ? "none" : f->codes[*code]);
-            return;
-        case RECORD_COUNT:
-            add(b, ",%lld", (long long) *(const int64_t *) member);
-            return;
-        default:
-            add_quantity(b, member);
+    if (!result_asked(n->of, all)) {
+        add(b, is_code ? "," : ",,");
+    } else if (is_code) {
+        const int8_t code = result_code(all, n);
+        add(b, ",%s", code < 0 ? "none" : n->field->codes[code]);
+    } else {
+        const struct quantity q = result_quantity(all, n);
+        add_quantity(b, &q);
     }
 }
 
-/* Cells that belong to no such part (NULL: the whole) stay empty. */
 static void add_row(struct baseline *b, const char *name,
-                    const struct slope_row *s, const struct row_numbers *n,
-                    bool (*is_of_part)(const struct record_field *f))
+                    const struct slope_row *slope, const struct study *s,
+                    const struct result_numbers *n)
 {
+    const struct results all = study_results(s);
+
     if (b->rows == 0)
-        add_header(b);
-    add_inputs(b, name, s);
-    for (size_t i = 0; i < record_row.count; i++) {
-        const struct record_field *f = &record_row.fields[i];
-        if (is_recorded(f) && (!is_of_part || is_of_part(f)))
-            add_cells(b, n, f);
-        else if (is_recorded(f))
-            add(b, f->kind == RECORD_QUANTITY ? ",," : ",");
-    }
+        add_header(b, n);
+    add_inputs(b, name, slope);
+    for (size_t i = 0; i < n->count; i++)
+        add_cells(b, &all, &n->at[i]);
     add(b, "\n");
     b->rows++;
 }
 
-/* The slip rates of the slope's other steady states. */
-static enum status other_states(const struct slope_row *s, double rtol,
-                                double v[EQUILIBRIA_MAX], size_t *count,
-                                struct fault *why)
+static enum status add_scene(struct baseline *b, const char *name,
+                             const struct scene *scene, struct fault *why)
 {
-    const struct scene scene =
-        slope_row_scene(s, 0, rtol, 1u << PRODUCT_EQUILIBRIA);
-    struct study study;
-    const enum status status = study_run(&study, &scene, NULL, why);
+    const unsigned all = plan_products((unsigned) STUDY_NUMBERS);
+    const struct slope_row slope = slope_row_of(scene);
+    const struct scene plain =
+        slope_row_scene(&slope, 0, scene->rtol,
+                        scene_has_slope(scene) ? all : all & scene_slopeless);
+    struct result_numbers n;
+    struct study s;
 
-    *count = 0;
+    enum status status = study_numbers(&n, STUDY_NUMBERS);
     if (status != STATUS_OK)
         return status;
-    const int home =
-        slider_saddle(&study.slider) >= 0 ? slider_saddle(&study.slider) : 0;
-    for (size_t i = 0; i < study.slider.plane.equilibria; i++)
-        if ((int) i != home)
-            v[(*count)++] = study.slider.steady[i].v.value;
-    study_free(&study);
-    return STATUS_OK;
-}
-
-static enum status add_slope(struct baseline *b, const char *name,
-                             const struct scene *scene, struct fault *why)
-{
-    const unsigned all =
-        1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_KNEES | 1u << PRODUCT_FOLDS;
-    struct slope_row s = slope_row_of(scene);
-    struct row_numbers n;
-    double v[EQUILIBRIA_MAX];
-    size_t others;
-
-    enum status status = other_states(&s, scene->rtol, v, &others, why);
-    if (status == STATUS_OK)
-        status = row_numbers_find(&s, 0, scene->rtol, all, &n, why);
-    if (status == STATUS_OK)
-        add_row(b, name, &s, &n, NULL);
-    for (size_t i = 0; i < others && status == STATUS_OK; i++) {
-        s.v = v[i];
-        status = row_numbers_find(&s, 0, scene->rtol, 1u << PRODUCT_EQUILIBRIA,
-                                  &n, why);
-        if (status == STATUS_OK)
-            add_row(b, name, &s, &n, is_of_state);
+    status = study_run(&s, &plain, NULL, why);
+    if (status == STATUS_OK) {
+        add_row(b, name, &slope, &s, &n);
+        study_free(&s);
     }
-    return status;
-}
-
-/* A scene without a slope. */
-static enum status add_folds(struct baseline *b, const char *name,
-                             const struct scene *scene, struct fault *why)
-{
-    struct slope_row s = slope_row_of(scene);
-    struct row_numbers n;
-
-    s.alpha = (double) NAN;
-    const enum status status =
-        row_numbers_find(&s, 0, scene->rtol, 1u << PRODUCT_FOLDS, &n, why);
-    if (status == STATUS_OK)
-        add_row(b, name, &s, &n, is_of_folds);
-    return status;
+    result_numbers_free(&n);
+    return status == STATUS_OK && b->full ? STATUS_NO_MEMORY : status;
 }
 
 enum status baseline_add(struct baseline *b, const char *name,
                          const struct scene *scene, struct fault *why)
 {
     const struct baseline before = *b;
-    enum status status = scene_has_slope(scene)
-                             ? add_slope(b, name, scene, why)
-                             : add_folds(b, name, scene, why);
+    const enum status status = add_scene(b, name, scene, why);
 
-    if (status == STATUS_OK && b->full) {
-        status = STATUS_NO_MEMORY;
-        snprintf(why->text, sizeof why->text, "%s", status_text(status));
-    }
     if (status == STATUS_OK)
-        return status;
+        return STATUS_OK;
+    if (status == STATUS_NO_MEMORY)
+        snprintf(why->text, sizeof why->text, "%s", status_text(status));
     b->size = before.size;
     b->rows = before.rows;
     b->full = false;

@@ -2,10 +2,9 @@
  * baseline.h -- a table that regression.h holds to: what a scene gives today,
  * each number with its tolerance.
  *
- * A slope takes one row (name, law, parameters, alpha; saddle, critical
- * numbers, folds; type, v, psi, mu, eigenvalues of the saddle) and one more for
- * each other steady state (only the latter); a scene without a slope one with
- * its folds.  Numbers have 17 digits, inputs the fewest that read back as the
+ * A scene takes one row: name, law, parameters, alpha, and the numbers of a
+ * slope (STUDY_NUMBERS), named as in a sweep; without a slope only those that
+ * take none.  Numbers have 17 digits, inputs the fewest that read back as the
  * same double; inputs that the law does not use stay empty.  Behind each number
  * NAME stands NAME_tol, absolute: CHECK_RECORDED_BARS error bars and a
  * rounding.
@@ -25,8 +24,8 @@ struct baseline {
     bool full; /* out of memory: nothing more is added */
 };
 
-/* Computes a scene's slope (at alpha, its tangent and rtol the scene's) and
- * adds its rows, the first time below a header.  `name` is a label.  Errors as
+/* Computes a scene's slope (at alpha and rtol the scene's) and adds its row,
+ * the first time below a header.  `name` is a label.  Errors as
  * study_run; *b is then as it was. */
 MUST_CHECK enum status baseline_add(struct baseline *b, const char *name,
                                     const struct scene *scene,

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "row_inputs.h"
+#include "conditioning.h"
+#include "tolerance.h"
 
 /* One row under one of its laws. */
 struct comparison {
@@ -14,8 +15,9 @@ struct comparison {
     double rtol;
     unsigned products;
     struct slope_row slope;
-    struct row_numbers now, cost;
-    bool has_cost;
+    struct scene scene;
+    struct study study; /* of the scene */
+    bool has_cost;      /* its numbers know what rounding the inputs costs */
     struct row_result *result;
 };
 
@@ -34,48 +36,74 @@ static enum status add_finding(struct comparison *c, struct finding f)
 
 /* ---- one value ----------------------------------------------------------- */
 
-/* What the table gives no tolerance for; the costly part only where the rest
- * is not enough. */
+static const char *name_of(const struct comparison *c, size_t i)
+{
+    return table_header(c->stated->table, c->stated->column[i].at)->text;
+}
+
+static struct quantity now_of(struct comparison *c,
+                              const struct stated_column *column)
+{
+    const struct results all = study_results(&c->study);
+
+    return result_quantity(&all, column->number);
+}
+
+/* What rounding the row's inputs to doubles costs a number. */
+static enum status cost_of(struct comparison *c,
+                           const struct stated_column *column, double *cost)
+{
+    enum status status = STATUS_OK;
+
+    if (!c->has_cost) {
+        struct sensitivities none = sensitivity_none("nobody asked");
+        size_t evaluations = 0;
+        status = conditioning_find(&c->study, NULL, &none, &evaluations);
+    }
+    c->has_cost = true;
+    const struct quantity now = now_of(c, column);
+    *cost = isnan(now.conditioning)
+                ? 0.0
+                : CHECK_MARGIN * now.conditioning * fabs(now.value);
+    return status;
+}
+
+/* Where the table gives no tolerance; the costly part only where the rest is
+ * not enough. */
 static enum status combined_bars(struct comparison *c,
                                  const struct stated_column *column,
                                  const struct stated_value *v,
                                  double difference, double *tolerance)
 {
-    const struct quantity *now = row_quantity(&c->now, column->field);
+    double cost = 0.0;
+    enum status status = STATUS_OK;
 
-    *tolerance = now->error + v->printed +
+    *tolerance = now_of(c, column).error + v->printed +
                  stated_lost(c->stated, c->row) * fabs(v->number);
-    if (difference <= *tolerance)
-        return STATUS_OK;
-    if (!c->has_cost) {
-        const enum status status = row_inputs_cost(
-            &c->slope, c->law, c->rtol, c->products, &c->now, &c->cost);
-        if (status != STATUS_OK)
-            return status;
-    }
-    c->has_cost = true;
-    *tolerance += row_quantity(&c->cost, column->field)->value;
-    return STATUS_OK;
+    if (difference > *tolerance)
+        status = cost_of(c, column, &cost);
+    *tolerance += cost;
+    return status;
 }
 
 static enum status compare_number(struct comparison *c, size_t i,
                                   const struct stated_value *v)
 {
     const struct stated_column *column = &c->stated->column[i];
-    const struct quantity *now = row_quantity(&c->now, column->field);
+    const struct quantity now = now_of(c, column);
     struct finding f = { .stored = v->cell,
-                         .column = column->field->name,
-                         .now = now->value,
-                         .reason = now->reason,
+                         .column = name_of(c, i),
+                         .now = now.value,
+                         .reason = now.reason,
                          .difference = NAN,
                          .tolerance = NAN };
     enum status status = STATUS_OK;
 
     if (v->said == SAID_NONE)
-        return quantity_exists(now) ? add_finding(c, f) : STATUS_OK;
-    if (!quantity_exists(now))
+        return quantity_exists(&now) ? add_finding(c, f) : STATUS_OK;
+    if (!quantity_exists(&now))
         return add_finding(c, f);
-    f.difference = now->value - v->number;
+    f.difference = now.value - v->number;
     if (!stated_tolerance(c->stated, c->row, i, v->number, &f.tolerance))
         status = combined_bars(c, column, v, fabs(f.difference), &f.tolerance);
     if (status != STATUS_OK || fabs(f.difference) <= f.tolerance)
@@ -83,68 +111,49 @@ static enum status compare_number(struct comparison *c, size_t i,
     return add_finding(c, f);
 }
 
-static enum status compare_code(struct comparison *c,
-                                const struct stated_column *column,
+static enum status compare_code(struct comparison *c, size_t i,
                                 const struct stated_value *v)
 {
-    const struct record_field *field = column->field;
-    const int8_t now = *(const int8_t *) ((char *) &c->now + field->offset);
-    const int8_t stored = v->said == SAID_NONE ? -1 : v->code;
+    const struct result_number *number = c->stated->column[i].number;
+    const struct results all = study_results(&c->study);
+    const int8_t now = result_code(&all, number);
+    const struct finding f = {
+        .stored = v->cell,
+        .column = name_of(c, i),
+        .now = NAN,
+        .word = now < 0 ? "none" : number->field->codes[now],
+        .difference = NAN,
+        .tolerance = NAN,
+    };
 
-    return now == stored
-               ? STATUS_OK
-               : add_finding(c,
-                             (struct finding){
-                                 .stored = v->cell,
-                                 .column = field->name,
-                                 .now = NAN,
-                                 .word = now < 0 ? "none" : field->codes[now],
-                                 .difference = NAN,
-                                 .tolerance = NAN });
-}
-
-static enum status compare_count(struct comparison *c,
-                                 const struct stated_column *column,
-                                 const struct stated_value *v)
-{
-    const double now = (double) *(
-        const int64_t *) (void *) ((char *) &c->now + column->field->offset);
-
-    return now == v->number
-               ? STATUS_OK
-               : add_finding(c, (struct finding){ .stored = v->cell,
-                                                  .column = column->field->name,
-                                                  .now = now,
-                                                  .difference = now - v->number,
-                                                  .tolerance = 0.0 });
+    return now == (v->said == SAID_NONE ? -1 : v->code) ? STATUS_OK
+                                                        : add_finding(c, f);
 }
 
 static enum status compare_value(struct comparison *c, size_t i)
 {
-    const struct stated_column *column = &c->stated->column[i];
     const struct stated_value v = stated_at(c->stated, c->row, i);
 
     if (v.said == SAID_NOTHING)
         return STATUS_OK;
     c->result->compared++;
-    if (column->field->kind == RECORD_CODE)
-        return compare_code(c, column, &v);
-    if (column->field->kind == RECORD_COUNT)
-        return compare_count(c, column, &v);
-    return compare_number(c, i, &v);
+    return c->stated->column[i].number->field->kind == RECORD_CODE
+               ? compare_code(c, i, &v)
+               : compare_number(c, i, &v);
 }
 
 /* ---- one row ------------------------------------------------------------- */
 
 static enum status compare_law(struct comparison *c, struct fault *why)
 {
-    enum status status =
-        row_numbers_find(&c->slope, c->law, c->rtol, c->products, &c->now, why);
-
-    if (status == STATUS_OK && stated_derives(c->stated, c->row))
-        status = row_inputs_derive(&c->slope, c->law, c->rtol, &c->now);
+    c->scene = slope_row_scene(&c->slope, c->law, c->rtol, c->products);
+    enum status status = study_run(&c->study, &c->scene, NULL, why);
+    if (status != STATUS_OK)
+        return status;
+    c->has_cost = plan_has(c->study.stages, STAGE_SENSITIVITIES);
     for (size_t i = 0; i < c->stated->columns && status == STATUS_OK; i++)
         status = compare_value(c, i);
+    study_free(&c->study);
     return status;
 }
 
@@ -159,10 +168,8 @@ static void run_row(const struct stated *stated, size_t row, double rtol,
     struct fault why = { "" };
 
     enum status status = slope_row_read(stated->table, row, &c.slope, &why);
-    for (; c.law < c.slope.laws && status == STATUS_OK; c.law++) {
-        c.has_cost = false;
+    for (; c.law < c.slope.laws && status == STATUS_OK; c.law++)
         status = compare_law(&c, &why);
-    }
     result->status = status;
     if (status == STATUS_OK || status == STATUS_NO_MEMORY)
         return;

@@ -5,7 +5,7 @@
  * A number holds when it differs from the stored one by no more than the
  * tolerance that the row states for it (stated.h); where it states none, by no
  * more than the sum of the error bar of today's number, what rounding the
- * row's decimal inputs to doubles costs (row_inputs.h), half a unit of the
+ * row's decimal inputs to doubles costs (conditioning.h), half a unit of the
  * stored number's last digit, and 10^(digits_lost - 15) of it.
  */
 #ifndef CHECK_REGRESSION_H
@@ -16,7 +16,7 @@
 /* A stored value that no longer holds. */
 struct finding {
     const struct table_cell *stored; /* borrowed from the table */
-    const char *column, *law;        /* borrowed */
+    const char *column, *law;        /* borrowed, of the table and the law */
     double now;                      /* NaN: a word, or nothing */
     const char *word;   /* borrowed: of an end or type; NULL: a number */
     const char *reason; /* borrowed: why there is no number now; NULL: there is

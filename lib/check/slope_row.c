@@ -4,16 +4,13 @@
 #include <string.h>
 
 #include "number.h"
+#include "scene_slope.h"
 
 const char *const slope_row_columns[] = {
-    "law",      "form",      "theta",     "psi_ss",    "timescale",
-    "kinetics", "mu_star",   "a",         "b",         "L",
-    "V_star",   "g",         "c",         "R",         "V_c",
-    "alpha",    "psi_mark1", "psi_mark2", "psi_mark3", NULL
+    "law",     "form", "theta", "psi_ss", "timescale", "kinetics",
+    "mu_star", "a",    "b",     "L",      "V_star",    "g",
+    "eps2",    "c",    "R",     "V_c",    "alpha",     NULL
 };
-
-static const char *const mark_names[SLOPE_MARKS] = { "psi_mark1", "psi_mark2",
-                                                     "psi_mark3" };
 
 /* The cell of a row to blame for what it lacks. */
 static const struct table_cell *some_cell(const struct table *t, size_t row,
@@ -188,26 +185,20 @@ static enum status read_slope(const struct table *t, size_t row,
                               struct slope_row *s, struct fault *why)
 {
     const struct table_cell *cell = table_find(t, row, "alpha");
-    enum status status = read_number(t, row, "alpha", &s->alpha, why);
+    const enum status status = read_number(t, row, "alpha", &s->alpha, why);
 
     if (cell && status == STATUS_OK && !(s->alpha > 0.0 && s->alpha < M_PI_2))
         return place_blame(table_place(t, cell), why,
                            "alpha: %s is not allowed, expected an angle in "
                            "rad, 0 < alpha < pi/2",
                            text_shown(cell->text).text);
-    for (int i = 0; i < SLOPE_MARKS && status == STATUS_OK; i++)
-        status = read_number(t, row, mark_names[i], &s->psi_mark[i], why);
     return status;
 }
 
 enum status slope_row_read(const struct table *t, size_t row,
                            struct slope_row *s, struct fault *why)
 {
-    const struct table_cell *v = table_find(t, row, "v");
-
-    *s = (struct slope_row){ .alpha = NAN,
-                             .v = NAN,
-                             .psi_mark = { NAN, NAN, NAN } };
+    *s = (struct slope_row){ .alpha = (double) NAN };
     enum status status = read_law(t, row, s, why);
     if (status == STATUS_OK)
         status = read_material(t, row, s, why);
@@ -215,8 +206,6 @@ enum status slope_row_read(const struct table *t, size_t row,
         status = check_laws(t, row, s, why);
     if (status == STATUS_OK)
         status = read_slope(t, row, s, why);
-    if (v && strcmp(v->text, "none") != 0 && status == STATUS_OK)
-        status = read_number(t, row, "v", &s->v, why);
     return status;
 }
 
@@ -243,10 +232,11 @@ struct scene slope_row_scene(const struct slope_row *s, size_t k, double rtol,
 
 struct slope_row slope_row_of(const struct scene *scene)
 {
+    const bool has_slope = scene_has_slope(scene);
+
     return (struct slope_row){ .law = { scene->law },
                                .laws = 1,
                                .material = scene->material,
-                               .alpha = scene->alpha,
-                               .v = NAN,
-                               .psi_mark = { NAN, NAN, NAN } };
+                               .alpha =
+                                   has_slope ? scene->alpha : (double) NAN };
 }

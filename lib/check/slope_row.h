@@ -1,6 +1,6 @@
 /*
  * slope_row.h -- one slope as a row of a table spells it: law, form, material,
- * slope angle, and what the row asks about.
+ * slope angle.
  *
  * Columns: law (a preset; A|B: the row holds for both; empty or `composed`:
  * theta, psi_ss, timescale, kinetics say it), form (asinh), mu_star a b L
@@ -13,15 +13,13 @@
 #include "scene.h"
 #include "table.h"
 
-enum { SLOPE_LAWS_MAX = 4, SLOPE_MARKS = 3 };
+enum { SLOPE_LAWS_MAX = 4 };
 
 struct slope_row {
     struct law law[SLOPE_LAWS_MAX];
     size_t laws;
     struct material material;
-    double alpha;                 /* NaN: not given */
-    double v;                     /* the steady state meant; NaN: the saddle */
-    double psi_mark[SLOPE_MARKS]; /* points of the upper branch; NaN: none */
+    double alpha; /* NaN: not given */
 };
 
 /* Names of the columns that slope_row_read reads; NULL-ended. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "scene_slope.h"
 #include "spell.h"
 
 /* Columns that state nothing: labels, and what the tables say of their own
@@ -43,34 +44,37 @@ static size_t find_column(const struct table *t, const char *name, size_t size)
 }
 
 /* The column that NAME_tol is about; STATED_NO_COLUMN if it is about none. */
-static size_t tolerance_of(const struct table *t, const char *name)
+static size_t tolerance_of(const struct stated *s, const char *name)
 {
+    const struct table *t = s->table;
     const size_t size = strlen(name);
 
     if (size <= 4 || strcmp(name + size - 4, "_tol") != 0)
         return STATED_NO_COLUMN;
     const size_t i = find_column(t, name, size - 4);
-    const struct record_field *field =
-        i == STATED_NO_COLUMN ? NULL : row_column(table_header(t, i)->text);
-    return field && field->kind == RECORD_QUANTITY ? i : STATED_NO_COLUMN;
+    const struct result_number *n =
+        i == STATED_NO_COLUMN
+            ? NULL
+            : result_numbers_find(&s->numbers, table_header(t, i)->text);
+    return n && n->field->kind == RECORD_QUANTITY ? i : STATED_NO_COLUMN;
 }
 
-static enum status blame_name(const struct table *t,
+static enum status blame_name(const struct stated *s,
                               const struct table_cell *cell, struct fault *why)
 {
-    enum { KNOWN = 128 };
+    enum { KNOWN = 256 };
     const char *known[KNOWN];
     size_t n = 0;
 
-    for (size_t i = 0; i < record_row.count && n < KNOWN - 1; i++)
-        known[n++] = record_row.fields[i].name;
+    for (size_t i = 0; i < s->numbers.count && n < KNOWN - 1; i++)
+        known[n++] = s->numbers.at[i].name;
     for (size_t i = 0; slope_row_columns[i] && n < KNOWN - 1; i++)
         known[n++] = slope_row_columns[i];
     for (size_t i = 0; labels[i] && n < KNOWN - 1; i++)
         known[n++] = labels[i];
     known[n] = NULL;
     const char *near = spell_nearest(cell->text, known);
-    return place_blame(table_place(t, cell), why,
+    return place_blame(table_place(s->table, cell), why,
                        "unknown column '%s'%s%s%s (see docs/check.md)",
                        text_shown(cell->text).text,
                        near ? ", did you mean " : "", near ? near : "",
@@ -83,16 +87,17 @@ static enum status read_header(struct stated *s, struct fault *why)
 
     for (size_t i = 0; i < t->columns; i++) {
         const char *name = table_header(t, i)->text;
-        const struct record_field *field = row_column(name);
-        if (field)
+        const struct result_number *number =
+            result_numbers_find(&s->numbers, name);
+        if (number)
             s->column[s->columns++] =
-                (struct stated_column){ field, i, STATED_NO_COLUMN };
+                (struct stated_column){ number, i, STATED_NO_COLUMN };
         else if (!is_label(name) && !is_listed(name, slope_row_columns) &&
-                 tolerance_of(t, name) == STATED_NO_COLUMN)
-            return blame_name(t, table_header(t, i), why);
+                 tolerance_of(s, name) == STATED_NO_COLUMN)
+            return blame_name(s, table_header(t, i), why);
     }
     for (size_t i = 0; i < t->columns; i++) {
-        const size_t of = tolerance_of(t, table_header(t, i)->text);
+        const size_t of = tolerance_of(s, table_header(t, i)->text);
         for (size_t k = 0; k < s->columns; k++)
             if (s->column[k].at == of)
                 s->column[k].tolerance = i;
@@ -113,9 +118,6 @@ static double half_unit(const char *text)
     return 0.5 * pow(10.0, (double) power - (double) places);
 }
 
-/* A lower end that a table's maker did not reach, which says nothing. */
-static const char gave_up[] = "psi_minus_inf_truncated";
-
 static bool read_code(const struct record_field *f, const char *text,
                       int8_t *code)
 {
@@ -132,12 +134,12 @@ static bool read_value(const struct record_field *f, struct stated_value *v)
 {
     const char *text = v->cell->text;
 
-    if (text[0] == '\0' || strcmp(text, gave_up) == 0)
+    if (text[0] == '\0')
         return true;
     if (strcmp(text, "none") == 0 || strcmp(text, "-inf") == 0 ||
         strcmp(text, "inf") == 0) {
         v->said = SAID_NONE;
-        return f->kind != RECORD_COUNT;
+        return true;
     }
     v->said = f->kind == RECORD_CODE ? SAID_CODE : SAID_NUMBER;
     if (f->kind == RECORD_CODE)
@@ -146,24 +148,12 @@ static bool read_value(const struct record_field *f, struct stated_value *v)
     return number_read(text, &v->number);
 }
 
-/* Whether a column counts what lies on a lower branch not followed to its end.
- */
-static bool is_cut_short(const struct stated *s, size_t row, size_t i)
-{
-    const size_t end = find_column(s->table, "lower_end", 9);
-
-    return end != STATED_NO_COLUMN &&
-           strcmp(s->column[i].field->name, "n_knee_lo") == 0 &&
-           strcmp(table_at(s->table, row, end)->text, gave_up) == 0;
-}
-
 struct stated_value stated_at(const struct stated *s, size_t row, size_t i)
 {
     const struct stated_column *c = &s->column[i];
     struct stated_value v = { .cell = table_at(s->table, row, c->at) };
 
-    if (!is_cut_short(s, row, i))
-        (void) read_value(c->field, &v);
+    (void) read_value(c->number->field, &v);
     return v;
 }
 
@@ -174,15 +164,13 @@ static enum status check_cell(const struct stated *s, size_t row, size_t i,
     struct stated_value v = { .cell = table_at(s->table, row, c->at) };
     char words[160] = "a decimal number or none";
 
-    if (read_value(c->field, &v))
+    if (read_value(c->number->field, &v))
         return STATUS_OK;
-    if (c->field->kind == RECORD_COUNT)
-        strcpy(words, "a whole number");
-    if (c->field->kind == RECORD_CODE)
-        text_list(c->field->codes, words, sizeof words);
+    if (c->number->field->kind == RECORD_CODE)
+        text_list(c->number->field->codes, words, sizeof words);
     return place_blame(table_place(s->table, v.cell), why,
                        "%s: '%s' makes no sense here, expected %s",
-                       c->field->name, text_shown(v.cell->text).text, words);
+                       c->number->name, text_shown(v.cell->text).text, words);
 }
 
 /* ---- tolerances ---------------------------------------------------------- */
@@ -249,27 +237,17 @@ static enum status check_tolerances(const struct stated *s, size_t row,
 
 unsigned stated_products(const struct stated *s, size_t row)
 {
-    unsigned products = 0;
+    uint64_t needs = 0;
 
     for (size_t i = 0; i < s->columns; i++)
         if (stated_at(s, row, i).said != SAID_NOTHING)
-            products |= row_column_products(s->column[i].field);
-    return products;
-}
-
-bool stated_derives(const struct stated *s, size_t row)
-{
-    for (size_t i = 0; i < s->columns; i++)
-        if (row_column_is_derivative(s->column[i].field) &&
-            stated_at(s, row, i).said == SAID_NUMBER)
-            return true;
-    return false;
+            needs |= s->column[i].number->of->needs;
+    return plan_products((unsigned) (needs & STATED_STAGES));
 }
 
 static enum status check_row(const struct stated *s, size_t row,
                              struct fault *why)
 {
-    const unsigned slopeless = 1u << PRODUCT_FOLDS;
     struct slope_row slope;
     enum status status = slope_row_read(s->table, row, &slope, why);
 
@@ -278,7 +256,7 @@ static enum status check_row(const struct stated *s, size_t row,
     if (status == STATUS_OK)
         status = check_tolerances(s, row, why);
     if (status == STATUS_OK && isnan(slope.alpha) &&
-        (stated_products(s, row) & ~slopeless))
+        (stated_products(s, row) & ~scene_slopeless))
         status = place_blame(table_place(s->table, table_at(s->table, row, 0)),
                              why, "no alpha, expected an angle in rad");
     return status;
@@ -288,13 +266,15 @@ enum status stated_read(struct stated *s, const struct table *t,
                         struct fault *why)
 {
     *s = (struct stated){ .table = t };
+    enum status status = study_numbers(&s->numbers, STATED_STAGES);
     s->column = malloc(t->columns * sizeof *s->column);
-    if (s->column == NULL) {
+    if (status != STATUS_OK || s->column == NULL) {
+        stated_free(s);
         snprintf(why->text, sizeof why->text, "%s",
                  status_text(STATUS_NO_MEMORY));
         return STATUS_NO_MEMORY;
     }
-    enum status status = read_header(s, why);
+    status = read_header(s, why);
     if (status == STATUS_OK && s->columns == 0)
         status = place_blame(table_place(t, table_header(t, 0)), why,
                              "no column states a number to check");
@@ -308,5 +288,6 @@ enum status stated_read(struct stated *s, const struct table *t,
 void stated_free(struct stated *s)
 {
     free(s->column);
+    result_numbers_free(&s->numbers);
     *s = (struct stated){ .table = s->table };
 }

@@ -2,13 +2,15 @@
  * stated.h -- what a table states: which column is an input, a number, a
  * tolerance or a label, and what each cell says.
  *
- * A row states a number in a column of record_row: a decimal number, `none` or
- * an infinity (there is none), a word of the column, or nothing (empty).
+ * A row states a number of a study under the name that it has in a sweep
+ * (result_number.h): a decimal number, `none` or an infinity (there is none), a
+ * word, or nothing (empty).
  */
 #ifndef CHECK_STATED_H
 #define CHECK_STATED_H
 
-#include "row_numbers.h"
+#include "slope_row.h"
+#include "study_results.h"
 
 enum said { SAID_NOTHING, SAID_NONE, SAID_NUMBER, SAID_CODE };
 
@@ -21,16 +23,20 @@ struct stated_value {
 };
 
 struct stated_column {
-    const struct record_field *field;
-    size_t at;        /* column of the table */
+    const struct result_number *number; /* borrowed */
+    size_t at;                          /* column of the table */
     size_t tolerance; /* column of its tolerance; STATED_NO_COLUMN: none */
 };
 
 #define STATED_NO_COLUMN ((size_t) -1)
 
+/* What numbers of a table may come from. */
+#define STATED_STAGES (STUDY_NUMBERS | ASKED_BY(SENSITIVITIES))
+
 struct stated {
-    const struct table *table;    /* borrowed */
-    struct stated_column *column; /* owned; those that state something */
+    const struct table *table;     /* borrowed */
+    struct result_numbers numbers; /* owned; all that may be stated */
+    struct stated_column *column;  /* owned; those that state something */
     size_t columns;
 };
 
@@ -57,8 +63,5 @@ double stated_lost(const struct stated *s, size_t row);
 
 /* What a row needs for all that it states: bits of enum product. */
 unsigned stated_products(const struct stated *s, size_t row);
-
-/* Whether a row states a derivative by alpha. */
-bool stated_derives(const struct stated *s, size_t row);
 
 #endif

@@ -211,21 +211,9 @@
 /* Checks against stored numbers.  Today's are computed to this accuracy, so
  * that their own bars hide as little as possible. */
 #define CHECK_RTOL 1e-13
-/* What rounding an input by half an ulp costs is a central difference over this
- * part of the input, tried a hundredth as large where a fold is nearer; and a
- * margin, for a difference is no derivative. */
-#define CHECK_NUDGE     1e-7
-#define CHECK_NUDGE_MIN 1e-12
-#define CHECK_MARGIN    1.2
-/* Derivatives by alpha: first nudge, as a part of alpha, factor between two,
- * and their number (Ridders, Adv. Eng. Softw. 4, 1982); the bar holds this many
- * times the last change of the extrapolation, and is never below what tables
- * of derivatives are good for, relative. */
-#define CHECK_RIDDERS_START 2e-3
-#define CHECK_RIDDERS_RATIO 2.0
-#define CHECK_RIDDERS_STEPS 14
-#define CHECK_RIDDERS_BAR   10.0
-#define CHECK_RIDDERS_FLOOR 1e-9
+/* What rounding the inputs costs is a difference (conditioning.h), and no
+ * derivative: a margin. */
+#define CHECK_MARGIN 1.2
 /* What is recorded may differ from what is recomputed by two error bars: each
  * is that near the truth. */
 #define CHECK_RECORDED_BARS 2.0

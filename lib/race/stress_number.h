@@ -24,7 +24,7 @@ enum stress_number {
     STRESS_NUMBERS
 };
 
-/* As in the tables of records.h and row_numbers.h. */
+/* As in the tables of records.h. */
 extern const char *const stress_number_names[STRESS_NUMBERS];
 
 #endif

@@ -67,9 +67,13 @@ void result_name(const char *pattern, size_t k, const char *field,
 
 void result_prefix(const struct result *r, size_t k, char prefix[RESULT_NAME])
 {
-    result_name(r->name, k, NULL, prefix);
-    for (char *c = prefix; *c; c++)
-        *c = *c == '.' ? '_' : *c;
+    char name[RESULT_NAME], *end = prefix;
+
+    result_name(r->name, k, NULL, name);
+    for (const char *c = name; *c; c++)
+        if (*c != ']')
+            *end++ = *c == '.' || *c == '[' ? '_' : *c;
+    *end = '\0';
     if (prefix[0])
         strncat(prefix, "_", RESULT_NAME - strlen(prefix) - 1);
 }

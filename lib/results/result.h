@@ -49,6 +49,8 @@ struct result {
                           names; NULL: not in text */
     const char *note;  /* what people should know of it; lines, or NULL */
     uint64_t needs;    /* asked for by any of these bits; 0: always */
+    size_t alone;      /* of columns: as many rows may stand alone, by name */
+    const char *fewer; /* why one of these is not there */
 
     /* How many instances, where that is not said by `path`; may be NULL. */
     size_t (*count)(const void *run);
@@ -133,8 +135,8 @@ enum { RESULT_NAME = 160 };
 void result_name(const char *pattern, size_t k, const char *field,
                  char name[RESULT_NAME]);
 
-/* "estimates.chi" as "estimates_chi_", "" as it is: what precedes the members'
- * names where they stand alone. */
+/* "estimates.chi[0]" as "estimates_chi_0_", "" as it is: what precedes the
+ * members' names where they stand alone. */
 void result_prefix(const struct result *r, size_t k, char prefix[RESULT_NAME]);
 
 /* What a member of the result is called in its group. */

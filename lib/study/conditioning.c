@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "scene_slope.h"
 #include "study_results.h"
 #include "study_tolerance.h"
 
@@ -90,14 +91,12 @@ struct search {
 static enum status recompute(struct search *f, int input, double factor,
                              struct neighbour *n)
 {
-    const bool estimates = plan_has(f->s->stages, STAGE_ESTIMATES);
     struct scene *c = &n->scene;
     struct fault why;
 
     *c = *f->s->scene; /* borrows what that owns */
     c->rtol = fmin(c->rtol, TOL_CONDITION_RTOL);
-    c->products = 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_KNEES |
-                  (estimates ? 1u << PRODUCT_ESTIMATES : 0);
+    c->products = plan_products(f->s->stages & STUDY_NUMBERS);
     if (input == INPUT_ALPHA && factor != 1.0) {
         c->alpha *= factor;
         c->tan_alpha = tanl((long double) c->alpha);
@@ -106,7 +105,7 @@ static enum status recompute(struct search *f, int input, double factor,
     }
     study_free(&n->study);
     n->found = false;
-    if (!(c->alpha < M_PI_2))
+    if (c->alpha >= M_PI_2)
         return STATUS_OK;
     enum status status = study_run(&n->study, c, NULL, &why);
     n->found = status == STATUS_OK;
@@ -175,6 +174,8 @@ static double weight_of(const struct scene *c, int input)
     const double t = (double) c->tan_alpha;
     struct material m = c->material;
 
+    if (input == INPUT_ALPHA && !scene_has_slope(c))
+        return 0.0;
     if (input == INPUT_ALPHA) /* d ln alpha/d ln tan(alpha) */
         return given_by_tangent(c) ? t / ((1.0 + t * t) * c->alpha) : 1.0;
     const double value = *material_member(&m, key);

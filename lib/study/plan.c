@@ -69,6 +69,16 @@ unsigned plan_stages(unsigned products)
     return stages;
 }
 
+unsigned plan_products(unsigned stages)
+{
+    unsigned products = 0;
+
+    for (int s = 0; s < STAGES; s++)
+        if (plan_has(stages, (enum stage) s))
+            products |= stage_table[s].products & -stage_table[s].products;
+    return products;
+}
+
 unsigned plan_scene(const struct scene *scene)
 {
     const unsigned steady = scene_has_slope(scene) ? BIT(STEADY) : 0;

@@ -46,6 +46,9 @@ extern const struct stage_info stage_table[STAGES];
 /* The stages a set of products runs, closed under `needs`: bits. */
 unsigned plan_stages(unsigned products);
 
+/* As few products as run these stages. */
+unsigned plan_products(unsigned stages);
+
 /* Those that a scene's study runs: of its products, and with a slope its steady
  * states. */
 unsigned plan_scene(const struct scene *scene);

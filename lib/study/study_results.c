@@ -31,6 +31,13 @@ struct results study_results(const struct study *s)
     };
 }
 
+enum status study_numbers(struct result_numbers *n, uint64_t bits)
+{
+    const struct results all = { .table = study_tables, .asked = bits };
+
+    return result_numbers_init(n, &all);
+}
+
 enum status study_keep(struct study *s, uint64_t bits)
 {
     const struct results all = study_results(s);

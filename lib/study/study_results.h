@@ -3,7 +3,7 @@
 #ifndef STUDY_STUDY_RESULTS_H
 #define STUDY_STUDY_RESULTS_H
 
-#include "result.h"
+#include "result_number.h"
 #include "study.h"
 
 /* Bits of result.needs: a stage that ran, a product of the scene. */
@@ -23,6 +23,10 @@ struct results study_results(const struct study *s);
 #define STUDY_NUMBERS                                                          \
     (ASKED_BY(STEADY) | ASKED_BY(FOLDS) | ASKED_BY(CRITICAL) |                 \
      ASKED_BY(KNEES) | ASKED_BY(ESTIMATES))
+
+/* The numbers of a study, by name (result_number.h), that any of these bits
+ * asks for.  STATUS_NO_MEMORY leaves *n empty. */
+MUST_CHECK enum status study_numbers(struct result_numbers *n, uint64_t bits);
 
 /* Makes what the tables say how to make (result.h), as far as it needs nothing
  * but these stages.  STATUS_NO_MEMORY. */

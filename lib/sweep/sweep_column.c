@@ -72,25 +72,16 @@ enum status column_add_record(const struct column_adder *a,
     return status;
 }
 
-enum status column_add_result(const struct column_adder *a,
-                              const struct result *r)
+enum status column_add_number(const struct column_adder *a,
+                              const struct result_number *n)
 {
-    const size_t n = result_count(r, NULL);
-    enum status status = STATUS_OK;
+    const struct column_part part = { .prefix = "", .source = SOURCE_RESULT };
+    struct record_field f = *n->field;
 
-    for (size_t k = 0; k < n && status == STATUS_OK; k++) {
-        const size_t first = a->to->count;
-        char prefix[RESULT_NAME];
-        result_prefix(r, k, prefix);
-        status = column_add_record(
-            a,
-            &(struct column_part){ .prefix = prefix, .source = SOURCE_RESULT },
-            r->type);
-        for (size_t i = first; i < a->to->count; i++) {
-            a->to->at[i].result = r;
-            a->to->at[i].instance = k;
-        }
-    }
+    f.name = n->name;
+    const enum status status = column_add(a, &part, &f);
+    if (status == STATUS_OK)
+        a->to->at[a->to->count - 1].number = *n;
     return status;
 }
 
@@ -136,50 +127,31 @@ static const void *member_of(const struct sweep_column *c,
     return (const char *) p + offset;
 }
 
-/* Copies the member of an entry, if it is there. */
-static bool read_member(const struct sweep_column *c,
-                        const struct sweep_point *p, size_t entry, void *to,
-                        size_t size)
-{
-    if (c->source != SOURCE_RESULT) {
-        memcpy(to, member_of(c, p, entry), size);
-        return true;
-    }
-    const struct results all = study_results(&p->study);
-    struct result_view v;
-    const bool here =
-        result_open(&all, c->result, c->instance, &v) == STATUS_OK && v.here;
-    if (here)
-        memcpy(to, (const char *) v.records.at + c->offset, size);
-    result_close(&v);
-    return here;
-}
-
 struct quantity sweep_column_quantity(const struct sweep_column *c,
                                       const struct sweep_point *p, size_t entry)
 {
-    struct quantity q = quantity_none(status_text(STATUS_NO_MEMORY));
-    double real;
-    int64_t count;
+    const struct results all = study_results(&p->study);
 
     if (p->failed)
         return quantity_none(p->failed);
-    if (c->kind == RECORD_REAL && read_member(c, p, entry, &real, sizeof real))
-        return quantity_of(real, 0.0);
-    if (c->kind == RECORD_COUNT &&
-        read_member(c, p, entry, &count, sizeof count))
-        return quantity_of((double) count, 0.0);
-    if (c->kind == RECORD_QUANTITY)
-        (void) read_member(c, p, entry, &q, sizeof q);
-    return q;
+    if (c->source == SOURCE_RESULT)
+        return result_quantity(&all, &c->number);
+    const void *member = member_of(c, p, entry);
+    if (c->kind == RECORD_REAL)
+        return quantity_of(*(const double *) member, 0.0);
+    if (c->kind == RECORD_COUNT)
+        return quantity_of((double) *(const int64_t *) member, 0.0);
+    return *(const struct quantity *) member;
 }
 
 int8_t sweep_column_code(const struct sweep_column *c,
                          const struct sweep_point *p, size_t entry)
 {
-    int8_t code = -1;
+    const struct results all = study_results(&p->study);
 
-    if (!p->failed)
-        (void) read_member(c, p, entry, &code, sizeof code);
-    return code;
+    if (p->failed)
+        return -1;
+    return c->source == SOURCE_RESULT
+               ? result_code(&all, &c->number)
+               : *(const int8_t *) member_of(c, p, entry);
 }

@@ -23,6 +23,7 @@
 #ifndef SWEEP_SWEEP_COLUMN_H
 #define SWEEP_SWEEP_COLUMN_H
 
+#include "result_number.h"
 #include "sweep_dim.h"
 #include "sweep_point.h"
 
@@ -39,10 +40,9 @@ struct sweep_column {
     const char *const *codes; /* words of a code; NULL: a quantity */
     enum record_kind kind;    /* of the member; REAL and COUNT are exact */
     enum sweep_source source;
-    const struct result *result; /* SOURCE_RESULT: and its instance */
-    size_t instance;
-    size_t offset; /* of the member there */
-    size_t stride; /* to the next along an inner dimension */
+    struct result_number number; /* SOURCE_RESULT: which */
+    size_t offset;               /* of the member elsewhere */
+    size_t stride;               /* to the next along an inner dimension */
 
     enum sweep_dim dim[COLUMN_DIMS];
     size_t dims;

@@ -81,7 +81,6 @@ static void complete_steady(struct sweep_point *p)
         "there is no saddle at this slope",
         "there is no sliding node at this slope"
     };
-    const struct quantity none = quantity_none("there are fewer steady states");
     struct study *s = &p->study;
     const char *no_series = slider_no_manifolds(&s->slider);
 
@@ -90,9 +89,6 @@ static void complete_steady(struct sweep_point *p)
     for (size_t i = 0; i < s->slider.plane.equilibria; i++)
         p->kind[what_is(s, i)] =
             kind_of(&s->slider.steady[i], law_psi_is_log(&p->scene.law));
-    for (size_t i = s->slider.plane.equilibria; i < EQUILIBRIA_MAX; i++)
-        s->slider.steady[i] =
-            (struct steady_number){ -1, none, none, none, none, none };
     for (size_t i = s->taylor.terms; i < JET_SIZE; i++)
         s->taylor.term[i].coefficient =
             quantity_none(no_series ? no_series : missing[STEADY_SADDLE]);

@@ -104,23 +104,6 @@ static enum status add_kinds(const struct column_adder *a)
     return status;
 }
 
-/* The last ones, so that those which no point has can be left off. */
-static enum status add_equilibria(const struct column_adder *a)
-{
-    enum status status = STATUS_OK;
-
-    for (size_t i = 0; i < EQUILIBRIA_MAX && status == STATUS_OK; i++) {
-        char prefix[48];
-        const struct column_part part = {
-            .prefix = prefix,
-            .base = AT(study.slider.steady) + i * sizeof(struct steady_number),
-        };
-        snprintf(prefix, sizeof prefix, "equilibria_%zu_", i);
-        status = column_add_record(a, &part, &record_steady);
-    }
-    return status;
-}
-
 /* ---- basins -------------------------------------------------------------- */
 
 static enum status add_share(const struct column_adder *a, size_t base,
@@ -262,19 +245,16 @@ static enum status add_release(const struct column_adder *a)
                : STATUS_OK;
 }
 
-/* Every number that the study's tables describe, one by one. */
-static enum status add_scalars(const struct column_adder *a)
+/* Every number that the study's tables describe, one by one: those of columns,
+ * or the others. */
+static enum status add_numbers(const struct column_adder *a,
+                               const struct result_numbers *n, bool columns)
 {
-    const uint64_t steady = scene_has_slope(a->scene) ? ASKED_BY(STEADY) : 0;
-    const struct results all = {
-        .asked = a->stages | steady | (uint64_t) a->scene->products << STAGES,
-    };
     enum status status = STATUS_OK;
 
-    for (size_t t = 0; study_tables[t]; t++)
-        for (const struct result *r = study_tables[t]; r->type && !status; r++)
-            if (r->name && r->shape == RESULT_SCALARS && result_asked(r, &all))
-                status = column_add_result(a, r);
+    for (size_t i = 0; i < n->count && status == STATUS_OK; i++)
+        if ((n->at[i].of->shape == RESULT_COLUMNS) == columns)
+            status = column_add_number(a, &n->at[i]);
     return status;
 }
 
@@ -290,18 +270,36 @@ static const struct {
     { STAGE_TRAJECTORIES, add_runs },
 };
 
-enum status sweep_product_add(const struct column_adder *a)
+static enum status add_lists(const struct column_adder *a)
 {
-    const bool steady = scene_has_slope(a->scene);
-    enum status status = add_scalars(a);
+    enum status status = STATUS_OK;
 
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (plan_has(a->stages, table[i].stage) && status == STATUS_OK)
             status = table[i].add(a);
     if (status == STATUS_OK)
         status = add_release(a);
-    if (status == STATUS_OK && steady &&
-        a->scene->products & 1u << PRODUCT_EQUILIBRIA)
-        status = add_kinds(a);
-    return status || !steady ? status : add_equilibria(a);
+    return status || !scene_has_slope(a->scene) ||
+                   !(a->scene->products & 1u << PRODUCT_EQUILIBRIA)
+               ? status
+               : add_kinds(a);
+}
+
+/* Rows of columns are the last ones, so that those which no point has can be
+ * left off. */
+enum status sweep_product_add(const struct column_adder *a)
+{
+    const uint64_t steady = scene_has_slope(a->scene) ? ASKED_BY(STEADY) : 0;
+    struct result_numbers n;
+
+    enum status status = study_numbers(
+        &n, a->stages | steady | (uint64_t) a->scene->products << STAGES);
+    if (status == STATUS_OK)
+        status = add_numbers(a, &n, false);
+    if (status == STATUS_OK)
+        status = add_lists(a);
+    if (status == STATUS_OK)
+        status = add_numbers(a, &n, true);
+    result_numbers_free(&n);
+    return status;
 }

@@ -34,10 +34,9 @@ MUST_CHECK enum status column_add_record(const struct column_adder *a,
                                          const struct column_part *part,
                                          const struct record_type *type);
 
-/* Adds a column for each quantity and code of a result, named like its place in
- * JSON.  STATUS_NO_MEMORY. */
-MUST_CHECK enum status column_add_result(const struct column_adder *a,
-                                         const struct result *r);
+/* Adds a column for a number of the study.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status column_add_number(const struct column_adder *a,
+                                         const struct result_number *n);
 
 /* Adds all columns of a->scene's products.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status sweep_product_add(const struct column_adder *a);

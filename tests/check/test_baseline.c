@@ -62,12 +62,14 @@ static bool write_planted(const struct table *t, size_t row, size_t column,
                           char *text, size_t size)
 {
     const struct table_cell *cell = table_at(t, row, column);
-    const char *name = table_header(t, column)->text;
+    const size_t name = strlen(table_header(t, column)->text);
     size_t used = 0;
     char planted[64];
 
-    if (column + 1 == t->columns || row_column(name) == NULL ||
-        row_column(name)->kind != RECORD_QUANTITY || cell[1].text[0] == '\0')
+    if (column + 1 == t->columns || cell[1].text[0] == '\0' ||
+        strncmp(table_header(t, column + 1)->text,
+                table_header(t, column)->text, name) != 0 ||
+        strcmp(table_header(t, column + 1)->text + name, "_tol") != 0)
         return false;
     snprintf(planted, sizeof planted, "%.21Lg",
              strtold(cell->text, NULL) + 10.0L * strtold(cell[1].text, NULL));

@@ -27,7 +27,6 @@ static void read_row(const struct stated *stated, size_t row)
     }
     (void) stated_lost(stated, row);
     (void) stated_products(stated, row);
-    (void) stated_derives(stated, row);
 }
 
 static void read_baseline(const struct table *t)

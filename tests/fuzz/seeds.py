@@ -87,8 +87,11 @@ def dictionary(source, folder):
         f'"{word}"\n' for word in [*sorted(words - {''}), *signs]))
 
 
-def tables(source, folder):
+def tables(slipway, source, folder):
     """A few lines of each table are enough, and quicker."""
+    os.makedirs(folder + '/csv', exist_ok=True)
+    subprocess.run([slipway, 'check', '--record', *SLOPE, '-q', '-o',
+                    folder + '/csv/recorded'], check=True)
     for path in glob.glob(source + '/tests/reference/*.csv'):
         lines = read(path).splitlines(keepends=True)[:4]
         write(f'{folder}/csv/{os.path.basename(path)}', b''.join(lines))
@@ -117,7 +120,7 @@ def results(slipway, folder):
 def main(slipway, source, folder):
     scenes(source, folder)
     dictionary(source, folder)
-    tables(source, folder)
+    tables(slipway, source, folder)
     results(slipway, folder)
     write(folder + '/journal/records', REASON + b''.join(ROWS))
     write(folder + '/journal/head', b'slipswp\0\7' + bytes(99))

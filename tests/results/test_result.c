@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "result.h"
+#include "result_number.h"
 
 static bool is_named(const char *pattern, size_t k, const char *field,
                      const char *expected)
@@ -160,6 +160,73 @@ static void what_nobody_asked_for_is_not_asked(void **state)
     assert_false(result_asked(&(struct result){ .needs = 9 }, &all));
 }
 
+/* ---- numbers that stand alone -------------------------------------------- */
+
+struct pair {
+    struct quantity q;
+    int8_t code;
+    double x;
+};
+static const char *const pair_words[] = { "low", "high", NULL };
+static const struct record_field pair_fields[] = {
+    FIELD(pair, QUANTITY, q, "1", "a number"),
+    FIELD_CODE(pair, code, pair_words, "a word"),
+    FIELD(pair, REAL, x, "1", "not by itself"),
+};
+static const struct record_type record_pair =
+    RECORD_TYPE("pair", "pairs", pair_fields, pair);
+
+static enum status view_pairs(const void *run, size_t k,
+                              struct result_view *out)
+{
+    return result_lend(out, run, k == 0 ? 1 : 0);
+}
+
+static void numbers_stand_alone_by_name_and_row(void **state)
+{
+    static const struct result table[] = {
+        { .name = "list[K].end",
+          .type = &record_pair,
+          .shape = RESULT_COLUMNS,
+          .member = "{a,b}",
+          .alone = 2,
+          .fewer = "there are fewer",
+          .view = view_pairs },
+        { .name = "all", .type = &record_pair, .view = view_pairs },
+        { .name = "later",
+          .type = &record_pair,
+          .needs = 2,
+          .view = view_pairs },
+        { .path = NULL }
+    };
+    static const struct result *const tables[] = { table, NULL };
+    const struct pair pair = { quantity_of(2.0, 0.5), 1, 3.0 };
+    const struct results all = { .table = tables, .run = &pair, .asked = 1 };
+    struct result_numbers n;
+
+    (void) state;
+    assert_int_equal(result_numbers_init(&n, &all), STATUS_OK);
+    assert_int_equal(n.count, 2 + 2 * 2 * 2);
+    assert_string_equal(n.at[0].name, "all_q");
+    assert_null(result_numbers_find(&n, "later_q"));
+    assert_null(result_numbers_find(&n, "all_x"));
+    const struct result_number *code = result_numbers_find(&n, "all_code");
+    assert_int_equal(result_code(&all, code), 1);
+    assert_true(result_quantity(&all, &n.at[0]).value == 2.0);
+    for (size_t i = 2; i < n.count; i++) {
+        const bool here = n.at[i].instance == 0 && n.at[i].row == 0;
+        const struct quantity q = result_quantity(&all, &n.at[i]);
+        if (n.at[i].field->kind == RECORD_CODE)
+            assert_int_equal(result_code(&all, &n.at[i]), here ? 1 : -1);
+        else
+            assert_true(here ? q.value == 2.0
+                             : strcmp(q.reason, "there are fewer") == 0);
+    }
+    assert_non_null(result_numbers_find(&n, "list_0_end_1_q"));
+    result_numbers_free(&n);
+    result_numbers_free(&n);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -170,6 +237,7 @@ int main(void)
         cmocka_unit_test(views_lend_and_what_they_made_goes),
         cmocka_unit_test(what_is_made_is_made_once_and_kept),
         cmocka_unit_test(what_nobody_asked_for_is_not_asked),
+        cmocka_unit_test(numbers_stand_alone_by_name_and_row),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

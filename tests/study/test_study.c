@@ -164,6 +164,54 @@ static void listed_points_lie_on_the_dense_output(void **state)
     assert_int_equal(rows, 280);
 }
 
+/* Those of a row, psi_mark1 ... v_mark3; their number. */
+static size_t check_marks(const struct csv *c, const struct solved *s)
+{
+    size_t marks = 0;
+
+    for (int i = 1; i <= 3; i++) {
+        char psi_name[16], v_name[16];
+        snprintf(psi_name, sizeof psi_name, "psi_mark%d", i);
+        snprintf(v_name, sizeof v_name, "v_mark%d", i);
+        const double psi = csv_number(c, psi_name, NAN);
+        const double v = csv_number(c, v_name, NAN);
+        if (isnan(v))
+            continue;
+        const struct vec2 z = { log(v / s->block.at.v0),
+                                law_psi_is_log(&s->block.law)
+                                    ? psi - s->block.at.y0
+                                    : log(psi / s->block.at.psi0) };
+        if (z.y > s->system.domain.hi.y)
+            continue; /* ruina's third */
+        const double d = distance_to(s, &s->upper, z);
+        CHECK(d <= 1e-11, "row %zu %s %s: %s is %.3g off", c->row,
+              csv_text(c, "law"), csv_text(c, "alpha"), v_name, d);
+        marks++;
+    }
+    return marks;
+}
+
+static void open_branches_pass_the_listed_marks(void **state)
+{
+    static const struct box everywhere = { { -60, -60 }, { 60, 1000 } };
+    struct csv c;
+    size_t marks = 0;
+
+    (void) state;
+    solve_reach = &everywhere;
+    csv_open(&c, "manifold.csv");
+    while (csv_next(&c)) {
+        struct solved s;
+        if (csv_text(&c, "v_mark1")[0] == '\0')
+            continue;
+        assert_int_equal(solve_row(&s, &c, 1e-12), STATUS_OK);
+        marks += check_marks(&c, &s);
+        solved_free(&s);
+    }
+    solve_reach = NULL;
+    CHECK(marks > 100, "%zu marks", marks);
+}
+
 /* The Hermite cubic a reader of the file builds between rows a and b, against
  * a point of the curve: distance over the flatter coordinate. */
 static double hermite_error(const struct branch_row *a,
@@ -319,6 +367,7 @@ int main(void)
         cmocka_unit_test(equilibria_alone_cost_no_allocation_and_no_manifold),
         cmocka_unit_test(every_allocation_of_a_study_may_fail),
         cmocka_unit_test(listed_points_lie_on_the_dense_output),
+        cmocka_unit_test(open_branches_pass_the_listed_marks),
         cmocka_unit_test(stored_rows_interpolate_to_a_millionth),
         cmocka_unit_test(energy_balances_along_every_trajectory_and_branch),
         cmocka_unit_test(no_steady_state_is_ever_a_focus),

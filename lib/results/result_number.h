@@ -1,0 +1,40 @@
+/*
+ * result_number.h -- the numbers of a run one by one, each by the name that it
+ * has where it stands alone, in sweeps and tables: its place in JSON with
+ * underscores for dots and brackets.
+ */
+#ifndef RESULTS_RESULT_NUMBER_H
+#define RESULTS_RESULT_NUMBER_H
+
+#include "result.h"
+
+struct result_number {
+    const struct result *of;
+    size_t instance, row;             /* row: of columns; else 0 */
+    const struct record_field *field; /* a quantity or a code */
+    char name[RESULT_NAME];
+};
+
+struct result_numbers {
+    struct result_number *at; /* owned */
+    size_t count, room;
+};
+
+/* Those asked for; rows of columns (result.h: alone) come last.
+ * STATUS_NO_MEMORY leaves *n empty. */
+MUST_CHECK enum status result_numbers_init(struct result_numbers *n,
+                                           const struct results *all);
+
+/* A second call is harmless. */
+void result_numbers_free(struct result_numbers *n);
+
+/* NULL if there is none of that name. */
+const struct result_number *result_numbers_find(const struct result_numbers *n,
+                                                const char *name);
+
+/* What a run has there; for a code, -1: none. */
+struct quantity result_quantity(const struct results *all,
+                                const struct result_number *n);
+int8_t result_code(const struct results *all, const struct result_number *n);
+
+#endif
