@@ -153,23 +153,32 @@ static void find_peaks(struct quad_course *c, const struct quad_radau *w)
 
 /* ---- ends ---------------------------------------------------------------- */
 
-/* How far z is outside the box of arrest of a node. */
-static quad outside(const struct quad_slope *q, size_t node, const quad z[])
+/* Where a step may end: in the box of arrest of a node, or at a time. */
+struct goal {
+    size_t node;
+    quad time; /* 0: the node */
+};
+
+/* What is missing there: nothing, or less, once it is reached. */
+static quad missing(const struct quad_slope *q, const struct goal *g,
+                    const quad u[])
 {
-    const quad x = fabsq(z[0] - q->node[node][0]);
-    const quad y = fabsq(z[1] - q->node[node][1]);
+    if (g->time > 0)
+        return g->time - u[QUAD_TIME];
+    const quad x = fabsq(u[QUAD_X] - q->node[g->node][0]);
+    const quad y = fabsq(u[QUAD_Y] - q->node[g->node][1]);
 
     return (x > y ? x : y) - (quad) TOL_ARREST;
 }
 
-static quad outside_at(const struct quad_course *c, const struct quad_radau *w,
-                       size_t node, quad theta)
+static quad missing_at(const struct quad_course *c, const struct quad_radau *w,
+                       const struct goal *g, quad theta)
 {
-    const struct quad_method *m = &c->slope->method;
-    const quad z[2] = { c->u[QUAD_X] + quad_radau_gain(m, w, QUAD_X, theta),
-                        c->u[QUAD_Y] + quad_radau_gain(m, w, QUAD_Y, theta) };
+    quad u[QUAD_DIM];
 
-    return outside(c->slope, node, z);
+    for (int k = 0; k <= QUAD_TIME; k++)
+        u[k] = c->u[k] + quad_radau_gain(&c->slope->method, w, k, theta);
+    return missing(c->slope, g, u);
 }
 
 /* Whether the step may come near the node at all. */
@@ -190,24 +199,24 @@ static bool comes_near(const struct quad_course *c, const struct quad_radau *w,
     return true;
 }
 
-/* The first part of the step that lies in the box; above 1: none. */
-static quad part_to_box(const struct quad_course *c, const struct quad_radau *w,
-                        size_t node)
+/* The first part of the step where the goal is reached; above 1: none. */
+static quad part_to(const struct quad_course *c, const struct quad_radau *w,
+                    const struct goal *g)
 {
     quad lo = 0, hi = 2;
 
-    if (!comes_near(c, w, node))
+    if (g->time == 0 && !comes_near(c, w, g->node))
         return hi;
     for (int i = 1; i <= SCAN && hi > 1; i++) {
         const quad theta = (quad) i / SCAN;
-        if (outside_at(c, w, node, theta) <= 0)
+        if (missing_at(c, w, g, theta) <= 0)
             hi = theta;
         else
             lo = theta;
     }
     for (int i = 0; i < 50 && hi <= 1; i++) {
         const quad mid = (lo + hi) / 2;
-        if (outside_at(c, w, node, mid) <= 0)
+        if (missing_at(c, w, g, mid) <= 0)
             hi = mid;
         else
             lo = mid;
@@ -215,20 +224,20 @@ static quad part_to_box(const struct quad_course *c, const struct quad_radau *w,
     return hi;
 }
 
-/* The step to the face of the box, from a good guess of its part. */
-static bool step_to_face(const struct quad_course *c,
-                         const struct quad_radau *whole, size_t node,
-                         quad theta, struct quad_radau *w, quad to[QUAD_DIM])
+/* The step to just there, from a good guess of its part. */
+static bool step_to(const struct quad_course *c, const struct quad_radau *whole,
+                    const struct goal *g, quad theta, struct quad_radau *w,
+                    quad to[QUAD_DIM])
 {
     quad before = 0, off = 0;
 
     for (int i = 0; i < POLISH; i++) {
         if (!quad_course_part(c, whole, theta, w, to))
             return false;
-        const quad now = outside(c->slope, node, to), last = theta;
+        const quad now = missing(c->slope, g, to), last = theta;
         const quad slope =
-            i == 0 ? (outside_at(c, whole, node, theta) -
-                      outside_at(c, whole, node, theta * (1 - (quad) 1e-8))) /
+            i == 0 ? (missing_at(c, whole, g, theta) -
+                      missing_at(c, whole, g, theta * (1 - (quad) 1e-8))) /
                          (theta * (quad) 1e-8)
                    : (now - off) / (theta - before);
         if (fabsq(now) < (quad) 1e-30 || (i > 0 && now == off))
@@ -244,21 +253,21 @@ static bool step_to_face(const struct quad_course *c,
 static bool find_arrival(struct quad_course *c, struct quad_radau *w,
                          quad to[QUAD_DIM])
 {
-    size_t node = 0;
+    struct goal g = { .time = 0 };
     quad first = 2;
 
     for (size_t i = 0; i < c->slope->nodes; i++) {
-        const quad theta = part_to_box(c, w, i);
+        const quad theta = part_to(c, w, &(struct goal){ .node = i });
         if (theta < first) {
             first = theta;
-            node = i;
+            g.node = i;
         }
     }
     if (first > 1)
         return false;
     const struct quad_radau whole = *w;
-    c->fate = step_to_face(c, &whole, node, first, w, to) ? c->slope->fate[node]
-                                                          : FATE_UNDECIDED;
+    c->fate = step_to(c, &whole, &g, first, w, to) ? c->slope->fate[g.node]
+                                                   : FATE_UNDECIDED;
     return true;
 }
 
@@ -335,7 +344,7 @@ static void follow(const struct quad_slope *q, quad x, quad y, double tol,
     find_rise(c, c->u, c->du, c->rise);
     note_peaks(c, c->u);
     for (size_t i = 0; i < q->nodes; i++)
-        if (outside(q, i, c->u) <= 0)
+        if (missing(q, &(struct goal){ .node = i }, c->u) <= 0)
             c->fate = q->fate[i];
     while (c->fate == FATE_UNDECIDED && advance(c))
         ;
@@ -343,6 +352,27 @@ static void follow(const struct quad_slope *q, quad x, quad y, double tol,
     if (c->fate == FATE_UNDECIDED && c->left[0] > 0 &&
         c->left[0] < (quad) at_all * c->u[QUAD_TIME])
         c->fate = FATE_REST_FINITE;
+}
+
+bool quad_orbit_at(const struct quad_slope *q, quad x, quad y, quad time,
+                   double tol, quad z[2])
+{
+    const struct goal g = { .time = time };
+    struct quad_course c;
+    struct quad_radau whole, w;
+    quad to[QUAD_DIM] = { 0 };
+    double excess;
+
+    quad_course_start(&c, q, x, y, tol);
+    bool good = quad_course_take(&c, &whole, to, &excess);
+    while (good && to[QUAD_TIME] < time) {
+        quad_course_move(&c, &whole, to, excess);
+        good = quad_course_take(&c, &whole, to, &excess);
+    }
+    good = good && step_to(&c, &whole, &g, part_to(&c, &whole, &g), &w, to);
+    z[0] = q->at.x0 + to[QUAD_X];
+    z[1] = q->at.y0 + to[QUAD_Y];
+    return good;
 }
 
 /* (27) */

@@ -41,4 +41,9 @@ struct quad_orbit {
 void quad_orbit_find(const struct quad_slope *q, quad x, quad y, double tol,
                      struct quad_orbit *out);
 
+/* Where that orbit is at `time` > 0, an absolute chart point; false, with z
+ * undefined, where it is not followed to there. */
+bool quad_orbit_at(const struct quad_slope *q, quad x, quad y, quad time,
+                   double tol, quad z[2]);
+
 #endif

@@ -15,6 +15,8 @@ enum { SCAN = 2000, COARSE_MAX = 15, FINE_MAX = 8 };
 /* What is enough of the first, and at least where doubles do not allow it; what
  * the second has to gain each time. */
 static const double coarse_enough = 1e-9, coarse_least = 1e-4, fine_gain = 0.1;
+/* Changes of doubles that are rounding, relative to the step's start. */
+static const double rounding = 1e-14;
 /* Changes that no longer shrink are rounding up to so many tolerances. */
 static const double noise = 1e6;
 
@@ -226,13 +228,14 @@ static bool solve_coarsely(struct quad_radau *w,
                            const struct quad_system *system, const quad u[],
                            struct factors *f)
 {
+    const double start = fmax(fabs((double) u[0]), fabs((double) u[1]));
     double before = HUGE_VAL;
 
     for (int k = 0; k < COARSE_MAX; k++) {
         const double change = improve(w, system, u, f);
         const double size = largest(w);
         if (!isfinite(change) || (k > 3 && change > before))
-            return change <= coarse_least * size;
+            return change <= coarse_least * size || change <= rounding * start;
         if (change <= coarse_enough * size)
             return true;
         before = change;

@@ -25,8 +25,8 @@ static double curve_error(const struct workprec_course *c, int side,
 
     for (size_t k = 0; k < sample; k++) {
         const struct vec2 p = a->point[side][(k + 1) * n / sample - 1];
-        const quad z[2] = { (quad) o.x + p.x - t->at.x0,
-                            (quad) o.y + p.y - t->at.y0 };
+        const quad z[2] = { (quad) o.x + p.x - t->slope.at.x0,
+                            (quad) o.y + p.y - t->slope.at.y0 };
         worst = worse(workprec_curve_distance(&t->curve[side], z), worst);
     }
     return worst;

@@ -4,8 +4,6 @@
 #include <string.h>
 
 #include "quad_branch.h"
-#include "tolerance.h"
-#include "workprec_orbit.h"
 #include "workprec_tolerance.h"
 
 const char *const workprec_quantity_names[] = { "v_plus",    "v_minus",
@@ -30,26 +28,7 @@ static const struct vec2 places[] = { { 4.0, 2.0 },   { 2.5, -1.0 },
                                       { -2.0, -1.5 }, { 3.0, -2.5 } };
 enum { PLACES = sizeof places / sizeof *places };
 
-/* ---- the saddle ------------------------------------------------------ */
-
-/* The saddle of the inputs as the doubles read. */
-static bool find_anchor(const struct block *b, struct quad_anchor *at)
-{
-    const quad x = b->at.x0, tangent = b->tan_alpha;
-
-    for (double width = 1e-15; width < 1e-3; width *= 10.0) {
-        const quad wide = width * (1 + fabsq(x)), lo = x - wide, hi = x + wide;
-        if (!(quad_block_mu_ss(&b->law, &b->material, lo) > tangent &&
-              quad_block_mu_ss(&b->law, &b->material, hi) < tangent))
-            continue;
-        quad_block_anchor(
-            &b->law, &b->material, tangent,
-            quad_block_equilibrium(&b->law, &b->material, tangent, lo, hi),
-            true, at);
-        return true;
-    }
-    return false;
-}
+/* ---- limits ---------------------------------------------------------- */
 
 static void set_limits(struct workprec_course *c)
 {
@@ -57,15 +36,15 @@ static void set_limits(struct workprec_course *c)
     struct workprec_truth *t = &c->truth;
     struct quad_branch up = { .end = QUAD_TRUNCATED }, low = up;
 
-    if (!quad_branch_grow(law, &t->at, 1, WORKPREC_BRANCH_TOL, &up) ||
+    if (!quad_branch_grow(law, &t->slope.at, 1, WORKPREC_BRANCH_TOL, &up) ||
         up.end != QUAD_PSI_INF)
         c->reason[WORKPREC_V_PLUS] = c->reason[WORKPREC_X_EXCESS] =
             "the upper branch has no limit";
-    if (!quad_branch_grow(law, &t->at, -1, WORKPREC_BRANCH_TOL, &low) ||
+    if (!quad_branch_grow(law, &t->slope.at, -1, WORKPREC_BRANCH_TOL, &low) ||
         low.end != QUAD_PSI_0)
         c->reason[WORKPREC_V_MINUS] = "the lower branch has no such limit";
-    t->v[SIDE_UPPER] = t->at.v0 * expq(up.x);
-    t->v[SIDE_LOWER] = t->at.v0 * expq(low.x);
+    t->v[SIDE_UPPER] = t->slope.at.v0 * expq(up.x);
+    t->v[SIDE_LOWER] = t->slope.at.v0 * expq(low.x);
     t->x_excess = up.excess;
 }
 
@@ -98,8 +77,8 @@ static void choose_cuts(const struct workprec_course *c, int side,
         cuts->row[k] = (double) y;
         const quad row =
             (quad) c->study->slider.plane.system.origin.y + cuts->row[k];
-        cuts->x[k] = c->truth.at.x0 +
-                     workprec_curve_cross(curve, i, row - c->truth.at.y0);
+        cuts->x[k] = c->truth.slope.at.x0 +
+                     workprec_curve_cross(curve, i, row - c->truth.slope.at.y0);
     }
 }
 
@@ -109,7 +88,7 @@ static enum status set_curves(struct workprec_course *c)
     size_t cuts = 0;
 
     for (int i = 0; i < WORKPREC_SIDES && s == STATUS_OK; i++) {
-        s = workprec_curve_grow(&c->study->slider.block.law, &c->truth.at,
+        s = workprec_curve_grow(&c->study->slider.block.law, &c->truth.slope.at,
                                 i == SIDE_UPPER ? 1 : -1, c->reach,
                                 &c->truth.curve[i]);
         if (s != STATUS_OK)
@@ -127,24 +106,14 @@ static enum status set_curves(struct workprec_course *c)
 
 /* ---- orbits ---------------------------------------------------------- */
 
-/* From a double's offset from the saddle's double. */
-static void exact_offset(const struct workprec_course *c, struct vec2 z,
-                         quad out[2])
-{
-    const struct vec2 o = c->study->slider.plane.system.origin;
-
-    out[0] = (quad) o.x + z.x - c->truth.at.x0;
-    out[1] = (quad) o.y + z.y - c->truth.at.y0;
-}
-
 /* The scene's first start and time, else a start near the saddle and the time
  * scale of leaving it; no later than half way to rest. */
-static enum status choose_orbit(struct workprec_course *c)
+static void choose_orbit(struct workprec_course *c)
 {
     const struct scene *scene = c->study->scene;
     const struct planar *sys = &c->study->slider.plane.system;
     struct vec2 z = vec2_add(sys->origin, places[0]);
-    struct fate_result fate;
+    struct quad_orbit o;
 
     if (scene->starts > 0)
         z = (struct vec2){ log(scene->start[0].v),
@@ -153,86 +122,51 @@ static enum status choose_orbit(struct workprec_course *c)
     c->start = vec2_sub(z, sys->origin);
     c->until = scene->until_time > 0.0 ? scene->until_time
                                        : 1.0 / c->saddle->lambda[1];
-    const enum status s =
-        fate_find(&c->study->slider, z, WORKPREC_FATE_TOL, true, NULL, &fate);
-    if (s == STATUS_OK && fate.fate == FATE_REST_FINITE)
-        c->until = fmin(c->until, 0.5 * fate.time.value);
-    return s == STATUS_BAD_ARGUMENT ? STATUS_OK : s;
+    quad_orbit_find(&c->truth.slope, z.x, z.y, WORKPREC_ORBIT_TOL, &o);
+    if (o.fate == FATE_REST_FINITE)
+        c->until = fmin(c->until, 0.5 * (double) o.value[CELL_TIME]);
 }
 
-static enum status set_state(struct workprec_course *c)
+static void set_state(struct workprec_course *c)
 {
-    struct workprec_goal goal = { .time = 0 };
-    struct workprec_state end;
-    quad z[2];
-    const enum status s = choose_orbit(c);
+    const struct vec2 o = c->study->slider.plane.system.origin;
 
-    goal.time = c->until;
-    exact_offset(c, c->start, z);
-    if (!workprec_orbit_run(&c->study->slider.block.law, &c->truth.at, z, &goal,
-                            WORKPREC_ORBIT_TOL, &end))
+    choose_orbit(c);
+    if (!quad_orbit_at(&c->truth.slope, (quad) o.x + c->start.x,
+                       (quad) o.y + c->start.y, c->until, WORKPREC_ORBIT_TOL,
+                       c->truth.state))
         c->reason[WORKPREC_TRANSIENT] =
             "the orbit was not followed in 113 bits";
-    c->truth.state[0] = c->truth.at.x0 + end.z[0];
-    c->truth.state[1] = c->truth.at.y0 + end.z[1];
-    return s;
 }
 
 /* Tries one state; counts it where it arrives at a node. */
-static enum status try_cell(struct workprec_course *c, struct vec2 offset,
-                            quad (*target)[2])
+static void try_cell(struct workprec_course *c, struct vec2 offset)
 {
     const struct vec2 z =
         vec2_add(c->study->slider.plane.system.origin, offset);
-    const struct workprec_goal goal = { .target = target,
-                                        .targets = c->targets,
-                                        .arrival = TOL_ARREST };
-    struct workprec_state end;
-    struct fate_result fate;
-    quad from[2];
-    const enum status s =
-        fate_find(&c->study->slider, z, WORKPREC_FATE_TOL, false, NULL, &fate);
+    struct quad_orbit o;
 
-    if (s != STATUS_OK ||
-        (fate.fate != FATE_CREEP && fate.fate != FATE_SLIDING))
-        return s == STATUS_BAD_ARGUMENT ? STATUS_OK : s;
-    exact_offset(c, vec2_sub(z, c->study->slider.plane.system.origin), from);
-    if (!workprec_orbit_run(&c->study->slider.block.law, &c->truth.at, from,
-                            &goal, WORKPREC_ORBIT_TOL, &end))
-        return STATUS_OK;
-    c->truth.slip[c->cells] = end.slip;
+    quad_orbit_find(&c->truth.slope, z.x, z.y, WORKPREC_ORBIT_TOL, &o);
+    if (o.fate != FATE_CREEP && o.fate != FATE_SLIDING)
+        return;
+    c->truth.slip[c->cells] = o.value[CELL_SLIP];
     c->cell[c->cells++] = z;
-    return STATUS_OK;
 }
 
-static enum status set_cells(struct workprec_course *c, size_t cells)
+static void set_cells(struct workprec_course *c, size_t cells)
 {
-    const struct study *s = c->study;
-    quad target[EQUILIBRIA_MAX][2];
-    enum status status = STATUS_OK;
+    const struct phase_plane *plane = &c->study->slider.plane;
 
-    for (size_t i = 0; i < s->slider.plane.equilibria; i++) {
-        if ((int) i == slider_saddle(&s->slider))
-            continue;
-        c->target[c->targets] = phase_plane_offset(&s->slider.plane, i);
-        exact_offset(c, c->target[c->targets], target[c->targets]);
-        c->targets++;
-    }
+    for (size_t i = 0; i < plane->equilibria; i++)
+        if ((int) i != slider_saddle(&c->study->slider))
+            c->target[c->targets++] = phase_plane_offset(plane, i);
     for (size_t i = 0; i < PLACES && c->cells < cells && c->targets > 0; i++)
-        if (status == STATUS_OK)
-            status = try_cell(c, places[i], target);
+        try_cell(c, places[i]);
     if (c->cells == 0)
         c->reason[WORKPREC_SLIP] = "no state tried arrives at a node";
-    return status;
 }
 
 /* ---- all ------------------------------------------------------------- */
-
-static void refuse_all(struct workprec_course *c, const char *why)
-{
-    for (int q = 0; q < WORKPREC_QUANTITIES; q++)
-        c->reason[q] = why;
-}
 
 enum status workprec_course_init(struct workprec_course *c,
                                  const struct study *s, size_t cells,
@@ -244,25 +178,25 @@ enum status workprec_course_init(struct workprec_course *c,
 
     *c = (struct workprec_course){ .study = s, .sample = sample };
     c->reach = (struct box){ vec2_sub(w.lo, o), vec2_sub(w.hi, o) };
-    if (slider_saddle(&s->slider) < 0) {
-        refuse_all(c, "there is no saddle at this slope");
+    for (int q = 0; q < WORKPREC_QUANTITIES; q++)
+        if (slider_saddle(&s->slider) < 0)
+            c->reason[q] = "there is no saddle at this slope";
+    if (slider_saddle(&s->slider) < 0)
         return STATUS_OK;
-    }
     c->saddle = phase_plane_saddle(&s->slider.plane);
-    if (!find_anchor(&s->slider.block, &c->truth.at)) {
-        refuse_all(c, "the saddle was not found in 113 bits");
-        return STATUS_OK;
-    }
+    quad_slope_init(&c->truth.slope, s);
     set_limits(c);
     enum status status =
         monitor_tell(monitor, stage, 1, 4) ? STATUS_STOPPED : set_curves(c);
+    if (status == STATUS_OK && monitor_tell(monitor, stage, 2, 4))
+        status = STATUS_STOPPED;
     if (status == STATUS_OK)
-        status =
-            monitor_tell(monitor, stage, 2, 4) ? STATUS_STOPPED : set_state(c);
+        set_state(c);
+    if (status == STATUS_OK && monitor_tell(monitor, stage, 3, 4))
+        status = STATUS_STOPPED;
     if (status == STATUS_OK)
-        status = monitor_tell(monitor, stage, 3, 4) ? STATUS_STOPPED
-                                                    : set_cells(c, cells);
-    if (status != STATUS_OK)
+        set_cells(c, cells);
+    else
         workprec_course_free(c);
     return status;
 }

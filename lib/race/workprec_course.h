@@ -10,6 +10,7 @@
 #ifndef RACE_WORKPREC_COURSE_H
 #define RACE_WORKPREC_COURSE_H
 
+#include "quad_orbit.h"
 #include "study.h"
 #include "workprec_curve.h"
 
@@ -42,7 +43,7 @@ struct workprec_cuts {
 };
 
 struct workprec_truth {
-    struct quad_anchor at; /* the saddle */
+    struct quad_slope slope; /* at the saddle */
     quad v[WORKPREC_SIDES], x_excess;
     struct workprec_curve curve[WORKPREC_SIDES]; /* owned */
     struct workprec_cuts cuts[WORKPREC_SIDES];

@@ -2,12 +2,10 @@
 #ifndef RACE_WORKPREC_TOLERANCE_H
 #define RACE_WORKPREC_TOLERANCE_H
 
-/* Truth.  Of 113-bit branches, relative; of what a step of a 113-bit orbit
- * leaves out, whose end is then good to 1e-20 (measured: tighter ones agree to
- * 1e-21); of the fates that states are chosen by. */
+/* Truth.  Of 113-bit branches, relative; and of 113-bit orbits (quad_orbit.h),
+ * whose ends are then good to 1e-20 (measured: tighter ones agree to 1e-21). */
 #define WORKPREC_BRANCH_TOL 1e-18
 #define WORKPREC_ORBIT_TOL  1e-10
-#define WORKPREC_FATE_TOL   1e-9
 
 /* 113-bit curves: a straight line so near the saddle; differences of the linear
  * part; farthest knots; error of a step, relative to the offset; and a point
@@ -17,16 +15,6 @@
 #define WORKPREC_CURVE_LONGEST 0.25
 #define WORKPREC_CURVE_TOL     1e-22
 #define WORKPREC_CURVE_FAR     1.0
-
-/* 113-bit orbits: differences for Jacobians; changes of stages, absolute in ln
- * v and ln psi, below which Jacobians are kept, and iterations end (the next
- * change would be 1e-13 of it); the first step over the fastest rate; and how
- * exactly an orbit is stopped at a box. */
-#define WORKPREC_ORBIT_PROBE   1e-17
-#define WORKPREC_ORBIT_SETTLED 1e-4
-#define WORKPREC_ORBIT_SOLVED  1e-24
-#define WORKPREC_ORBIT_FIRST   1e-3
-#define WORKPREC_ORBIT_LANDED  1e-22
 
 /* Rows cut a branch no nearer the saddle than this, in ln v, and at an angle
  * with at least this sine. */
