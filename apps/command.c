@@ -36,15 +36,20 @@ static void drop(char **path, const char *key, char *const set[], size_t sets)
     *path = NULL;
 }
 
-enum status command_read(const struct options *o, char *const set[],
-                         size_t sets, struct scene *scene, struct fault *why)
+enum status command_read(const struct options *o, char *const more[],
+                         size_t count, struct scene *scene, struct fault *why)
 {
     static const unsigned makers = 1u << COMMAND_PORTRAIT |
                                    1u << COMMAND_STUDY | 1u << COMMAND_PLAN |
                                    1u << COMMAND_BASIN | 1u << COMMAND_SWEEP;
+    char *set[OPTIONS_SETS + COMMAND_MORE];
+    const size_t sets = o->sets + count;
+
+    memcpy(set, o->set, o->sets * sizeof *set);
+    for (size_t i = 0; i < count; i++)
+        set[o->sets + i] = more[i];
     const enum status s =
         scene_read(scene, o->files ? o->file[0] : NULL, set, sets, why);
-
     if (s != STATUS_OK || makers >> command_id(o->command) & 1u)
         return s;
     drop(&scene->hdf5, "hdf5", set, sets);
@@ -82,7 +87,8 @@ enum exit_code command_with_scene(
 {
     struct scene scene;
     struct fault why = { "" };
-    const enum status s = read(o, &scene, &why);
+    const enum status s =
+        read ? read(o, &scene, &why) : command_read(o, NULL, 0, &scene, &why);
 
     if (s != STATUS_OK)
         return command_fail(s, why.text);

@@ -14,18 +14,20 @@ enum exit_code command_run(const struct command *c, const struct options *o);
     enum exit_code command_##name(const struct options *o);
 COMMAND_LIST(COMMAND_FUNCTION)
 
-/* Reads the scene of the command line, if one is given, with the settings of
- * it: `sets` of them, which need not be those of *o.  Its output is for the
- * commands that make files (portrait, study, plan, basin, sweep); of the
- * others, which answer a question, only what the settings name remains. */
-MUST_CHECK enum status command_read(const struct options *o, char *const set[],
-                                    size_t sets, struct scene *scene,
+/* Reads the scene of the command line, if one is given, with the settings of it
+ * and then these: borrowed, at most COMMAND_MORE.  A scene read again with more
+ * says in its file what was run.  Its output is for the commands that make
+ * files (portrait, study, plan, basin, sweep); of the others, which answer a
+ * question, only what the settings name remains. */
+enum { COMMAND_MORE = 2 };
+MUST_CHECK enum status command_read(const struct options *o, char *const more[],
+                                    size_t count, struct scene *scene,
                                     struct fault *why);
 
 /* Prints "slipway: TEXT" and answers the exit code for s. */
 enum exit_code command_fail(enum status s, const char *text);
 
-/* Reads a scene, runs it and frees it. */
+/* Reads a scene, by command_read where `read` is NULL, runs it and frees it. */
 enum exit_code command_with_scene(
     const struct options *o,
     enum status (*read)(const struct options *o, struct scene *scene,

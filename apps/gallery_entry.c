@@ -117,16 +117,15 @@ static void add_panel(const struct gallery_place *g, struct gallery_entry *e,
 
 static void find_panels(const struct gallery_place *g, struct gallery_entry *e)
 {
+    static const char *const one[] = { "", NULL };
     const char *name = scene_command(&e->scene);
-    const bool many = strcmp(name, "simulate") == 0;
-    const bool two = strcmp(name, "rabinowicz") == 0;
+    const char *const *panel =
+        strcmp(name, "simulate") == 0     ? picture_simulation_panel
+        : strcmp(name, "rabinowicz") == 0 ? picture_rabinowicz_panel
+                                          : one;
 
-    for (int i = 0; many && i < PICTURE_PANELS; i++)
-        add_panel(g, e, picture_transient_panel[i]);
-    for (int i = 0; two && i < PICTURE_RABINOWICZ_PANELS; i++)
-        add_panel(g, e, picture_rabinowicz_panel[i]);
-    if (!many && !two)
-        add_panel(g, e, "");
+    while (*panel)
+        add_panel(g, e, *panel++);
 }
 
 static enum exit_code copy_scene(const struct gallery_place *g,

@@ -20,64 +20,46 @@ static struct figure_style look_of(size_t slope)
     };
 }
 
-static enum status add_curve(const struct sheet *p, const struct chi_curves *c,
-                             size_t slope)
+static void add_curve(const struct sheet *p, const struct chi_curves *c,
+                      size_t slope)
 {
     const double *ln_chi = c->ln_chi + slope * c->points;
+    struct line l = LINE_EMPTY;
     char entry[64];
-    struct line l;
-    enum status status = line_init(&l, c->points);
 
     snprintf(entry, sizeof entry, "α = %.6g rad", c->slope[slope].alpha);
-    for (size_t i = 0; i < c->points && !status; i++)
+    for (size_t i = 0; i < c->points; i++)
         line_add(&l, c->v[i] * p->unit, exp(ln_chi[i]));
-    if (!status)
-        status = sheet_line(p, &l, look_of(slope), entry);
-    line_free(&l);
-    return status;
+    sheet_line(p, &l, look_of(slope), entry);
 }
 
-static enum status add_one(const struct sheet *p, const double v[2])
-{
-    const double x[] = { v[0] * p->unit, v[1] * p->unit }, y[] = { 1.0, 1.0 };
-
-    return figure_add_curve(
-        p->figure,
-        &(struct figure_curve){ .style = { FIGURE_FIELD, FIGURE_SOLID, 1.2 },
-                                .x = x,
-                                .y = y,
-                                .count = 2 });
-}
-
-static enum status mark_roots(const struct sheet *p, const struct chi_slope *s)
+static void mark_roots(const struct sheet *p, const struct chi_slope *s)
 {
     const struct quantity *root[] = { &s->v_low, &s->v_high };
-    enum status status = STATUS_OK;
 
-    for (int i = 0; i < 2 && !status; i++)
+    for (int i = 0; i < 2; i++)
         if (quantity_exists(root[i]))
-            status = sheet_mark(p, root[i]->value * p->unit, 1.0, FIGURE_CIRCLE,
-                                "χ(v) = 1");
-    return status;
+            sheet_mark(p, root[i]->value * p->unit, 1.0, FIGURE_CIRCLE,
+                       "χ(v) = 1");
 }
 
-enum status picture_chi(const struct sheet *p)
+void picture_chi(const struct sheet *p)
 {
     const struct chi_curves *c = &p->s->diagrams.chi;
     const double *v = p->s->scene->window.v;
     double range[2] = { 0.0, 0.0 }; /* of ln chi */
     char label[64];
 
-    sheet_span(range, c->ln_chi, c->slopes * c->points);
+    range_grow(range, c->ln_chi, c->slopes * c->points);
     const struct figure_axis x = sheet_rates(p, "slip rate", v, label);
     const struct figure_axis y = { "χ(v)", 0.3 * exp(fmax(range[0], -100.0)),
                                    top, true };
-    enum status status = sheet_start(p, &x, &y);
-    if (!status)
-        status = add_one(p, v);
-    for (size_t i = 0; i < c->slopes && !status; i++)
-        status = add_curve(p, c, i);
-    for (size_t i = 0; i < c->slopes && !status; i++)
-        status = mark_roots(p, &c->slope[i]);
-    return status;
+    sheet_start(p, &x, &y);
+    sheet_segment(p->figure,
+                  (struct figure_style){ FIGURE_FIELD, FIGURE_SOLID, 1.2 },
+                  NULL, (struct vec2){ x.lo, 1.0 }, (struct vec2){ x.hi, 1.0 });
+    for (size_t i = 0; i < c->slopes; i++)
+        add_curve(p, c, i);
+    for (size_t i = 0; i < c->slopes; i++)
+        mark_roots(p, &c->slope[i]);
 }

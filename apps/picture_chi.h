@@ -4,7 +4,7 @@
 
 #include "sheet.h"
 
-/* The curves of p's study, and points where chi = 1.  STATUS_NO_MEMORY. */
-MUST_CHECK enum status picture_chi(const struct sheet *p);
+/* The curves of p's study, and points where chi = 1. */
+void picture_chi(const struct sheet *p);
 
 #endif

@@ -21,315 +21,259 @@ static const char *law_name(const struct sheet *p, int law)
 
 /* ---- friction laws, Fig 1(a) --------------------------------------------- */
 
-static enum status friction_line(const struct sheet *p,
-                                 const struct steady_curve *c, struct line *l)
-{
-    const enum status status = line_init(l, c->count);
-
-    for (size_t i = 0; i < c->count && !status; i++)
-        line_add(l, c->at[i].v * p->unit, c->at[i].mu.value);
-    return status;
-}
-
-static enum status mark_extrema(const struct sheet *p,
-                                const struct steady_curve *c)
+static void mark_extrema(const struct sheet *p, const struct steady_curve *c)
 {
     const double *v = p->s->scene->window.v;
-    enum status status = STATUS_OK;
 
-    for (size_t i = 0; i < c->extrema && !status; i++) {
+    for (size_t i = 0; i < c->extrema; i++) {
         const struct extremum *e = &c->extremum[i];
         char name[64], entry[96];
         if (!(e->v.value >= v[0] && e->v.value <= v[1]))
             continue;
         sheet_name(p, e, name);
         snprintf(entry, sizeof entry, "%s: %s", extremum_names[e->kind], name);
-        status = sheet_mark(p, e->v.value * p->unit, e->mu.value,
-                            sheet_mark_of(e), entry);
+        sheet_mark(p, e->v.value * p->unit, e->mu.value, sheet_mark_of(e),
+                   entry);
     }
-    return status;
 }
 
-static enum status draw_friction_law(const struct sheet *p)
+static void draw_friction_law(const struct sheet *p)
 {
     const struct steady_curve *c = p->s->diagrams.friction_law;
     char label[64];
     const struct figure_axis x =
         sheet_rates(p, "slip rate", p->s->scene->window.v, label);
-    struct line line[DIAGRAM_LAWS] = { { .x = NULL } };
-    double range[2] = { HUGE_VAL, -HUGE_VAL };
-    enum status status = STATUS_OK;
+    struct line line[DIAGRAM_LAWS] = { LINE_EMPTY };
+    double range[2] = RANGE_EMPTY;
 
-    for (int i = 0; i < DIAGRAM_LAWS && !status; i++) {
-        status = friction_line(p, &c[i], &line[i]);
-        if (!status)
-            sheet_span(range, line[i].y, line[i].count);
+    for (int i = 0; i < DIAGRAM_LAWS; i++) {
+        for (size_t k = 0; k < c[i].count; k++)
+            line_add(&line[i], c[i].at[k].v * p->unit, c[i].at[k].mu.value);
+        range_grow(range, line[i].y, line[i].count);
     }
     const struct figure_axis y =
         sheet_linear("friction coefficient μ_ss", range);
-    if (!status)
-        status = sheet_start(p, &x, &y);
-    for (int i = DIAGRAM_LAWS; i-- > 0 && !status;)
-        status = sheet_line(p, &line[i], law_style[i], law_name(p, i));
-    if (!status)
-        status = mark_extrema(p, c);
-    for (int i = 0; i < DIAGRAM_LAWS; i++)
-        line_free(&line[i]);
-    return status;
+    sheet_start(p, &x, &y);
+    for (int i = DIAGRAM_LAWS; i-- > 0;)
+        sheet_line(p, &line[i], law_style[i], law_name(p, i));
+    mark_extrema(p, c);
 }
 
 /* ---- spring-block, Fig 1(b) ---------------------------------------------- */
 
 /* k_c with inertia or without; zero at extrema, broken where there is none. */
-static enum status spring_line(const struct sheet *p,
-                               const struct spring_curve *c, bool inertia,
-                               struct line *l)
+static struct line spring_line(const struct sheet *p,
+                               const struct spring_curve *c, bool inertia)
 {
-    const enum status status = line_init(l, c->count + c->extrema);
+    struct line l = LINE_EMPTY;
     size_t next = 0;
 
-    for (size_t i = 0; i < c->count && !status; i++) {
+    for (size_t i = 0; i < c->count; i++) {
         const struct spring_point *at = &c->at[i];
         while (next < c->extrema && c->extremum[next].v.value < c->at[0].v)
             next++;
         for (; next < c->extrema && c->extremum[next].v.value < at->v; next++)
-            line_add(l, c->extremum[next].v.value * p->unit, 0.0);
-        line_add(l, at->v * p->unit,
+            line_add(&l, c->extremum[next].v.value * p->unit, 0.0);
+        line_add(&l, at->v * p->unit,
                  inertia ? at->k.value : at->k_quasistatic.value);
     }
-    return status;
+    return l;
+}
+
+static void shade(const struct sheet *p, const char *entry, struct line *around)
+{
+    figure_add_line(p->figure,
+                    &(struct figure_layer){ .kind = FIGURE_REGION,
+                                            .style.role = FIGURE_SHADE_2,
+                                            .entry = entry },
+                    around);
 }
 
 /* The ground under the boundary: where the block sticks and slips. */
-static enum status shade_stick_slip(const struct sheet *p, const struct line *l)
+static void shade_stick_slip(const struct sheet *p, const struct line *l)
 {
-    struct line ground;
-    enum status status = line_init(&ground, 2 * l->count);
+    struct line ground = LINE_EMPTY;
 
-    for (size_t i = 0; i < l->count && !status; i++)
+    for (size_t i = 0; i < l->count; i++)
         line_add(&ground, l->x[i], isfinite(l->y[i]) ? l->y[i] : 0.0);
-    for (size_t i = l->count; i-- > 0 && !status;)
+    for (size_t i = l->count; i-- > 0;)
         line_add(&ground, l->x[i], 0.0);
-    if (!status && ground.count > 2)
-        status = figure_add_region(
-            p->figure,
-            &(struct figure_region){ FIGURE_SHADE_2, "stick-slip", ground.x,
-                                     ground.y, ground.count });
-    line_free(&ground);
-    return status;
+    shade(p, "stick-slip", &ground);
 }
 
-static enum status mark_speeds(const struct sheet *p,
-                               const struct spring_curve *c)
+static void mark_speeds(const struct sheet *p, const struct spring_curve *c)
 {
     const double *v = p->s->scene->spring_block.v;
-    enum status status = STATUS_OK;
 
-    for (size_t i = 0; i < c->extrema && !status; i++) {
+    for (size_t i = 0; i < c->extrema; i++) {
         const struct extremum *e = &c->extremum[i];
         char name[64];
         if (!(e->v.value >= v[0] && e->v.value <= v[1]))
             continue;
         sheet_name(p, e, name);
-        status =
-            sheet_mark(p, e->v.value * p->unit, 0.0, sheet_mark_of(e), name);
+        sheet_mark(p, e->v.value * p->unit, 0.0, sheet_mark_of(e), name);
     }
-    return status;
 }
 
 enum { SPRING_LINES = 2 * DIAGRAM_LAWS }; /* each with inertia, and without */
 
-static enum status add_springs(const struct sheet *p,
-                               const struct line line[SPRING_LINES])
+static void add_springs(const struct sheet *p, struct line line[SPRING_LINES])
 {
-    enum status status = shade_stick_slip(p, &line[0]);
-
-    for (int i = SPRING_LINES; i-- > 0 && !status;) {
+    shade_stick_slip(p, &line[0]);
+    for (int i = SPRING_LINES; i-- > 0;) {
         struct figure_style style = law_style[i / 2];
         char entry[96];
         snprintf(entry, sizeof entry, "%s, %s", law_name(p, i / 2),
                  i % 2 ? "no inertia" : "with inertia");
         if (i % 2)
             style = (struct figure_style){ style.role, FIGURE_DOTTED, 2.2 };
-        status = sheet_line(p, &line[i], style, entry);
+        sheet_line(p, &line[i], style, entry);
     }
-    return status;
 }
 
-static enum status draw_spring_block(const struct sheet *p)
+static void draw_spring_block(const struct sheet *p)
 {
     const struct spring_curve *c = p->s->diagrams.spring_block;
     char label[64];
     const struct figure_axis x =
         sheet_rates(p, "speed of pulling", p->s->scene->spring_block.v, label);
-    struct line line[SPRING_LINES] = { { .x = NULL } };
+    struct line line[SPRING_LINES];
     double range[2] = { 0.0, 0.0 };
-    enum status status = STATUS_OK;
 
-    for (int i = 0; i < SPRING_LINES && !status; i++) {
-        status = spring_line(p, &c[i / 2], i % 2 == 0, &line[i]);
-        if (!status && (i == 0 || i % 2)) /* inertia takes the other far up */
-            sheet_span(range, line[i].y, line[i].count);
+    for (int i = 0; i < SPRING_LINES; i++) {
+        line[i] = spring_line(p, &c[i / 2], i % 2 == 0);
+        if (i == 0 || i % 2) /* inertia takes the other far up */
+            range_grow(range, line[i].y, line[i].count);
     }
     range[1] *= 1.1;
     const struct figure_axis y =
         sheet_linear("spring stiffness k (Pa/m)", range);
-    if (!status)
-        status = sheet_start(p, &x, &y);
-    if (!status)
-        status = add_springs(p, line);
-    if (!status)
-        status = mark_speeds(p, c);
-    for (int i = 0; i < SPRING_LINES; i++)
-        line_free(&line[i]);
-    return status;
+    sheet_start(p, &x, &y);
+    add_springs(p, line);
+    mark_speeds(p, c);
 }
 
 /* ---- bifurcation diagram, Fig 3 ------------------------------------------ */
 
 /* From one extremum to the next, both included. */
-static enum status add_branches(const struct sheet *p,
-                                const struct steady_curve *c)
+static void add_branches(const struct sheet *p, const struct steady_curve *c)
 {
     static const struct figure_style look[] = {
         { FIGURE_SERIES_1, FIGURE_SOLID, 3.0 },
         { FIGURE_SERIES_1, FIGURE_DASHED, 3.0 },
     };
-    enum status status = STATUS_OK;
 
-    for (size_t from = 0; from + 1 < c->count && !status;) {
-        struct line l;
+    for (size_t from = 0; from + 1 < c->count;) {
+        struct line l = LINE_EMPTY;
         size_t to = from + 1;
-        bool saddle = c->at[to].type == EQUILIBRIUM_SADDLE;
-        status = line_init(&l, c->count);
-        for (size_t i = from; i < c->count && !status; i++) {
+        const bool saddle = c->at[to].type == EQUILIBRIUM_SADDLE;
+        for (size_t i = from; i < c->count; i++) {
             to = i;
             line_add(&l, c->at[i].alpha.value, c->at[i].v * p->unit);
             if (i > from && c->at[i].type == EQUILIBRIUM_SADDLE_NODE)
                 break;
         }
-        if (!status)
-            status = sheet_line(p, &l, look[saddle],
-                                saddle ? "unstable (saddle)" : "stable (node)");
-        line_free(&l);
+        sheet_line(p, &l, look[saddle],
+                   saddle ? "unstable (saddle)" : "stable (node)");
         from = to;
     }
-    return status;
 }
 
 /* The maximum with the minimum that follows it: three steady states between
  * their slopes. */
-static enum status shade_bistable(const struct sheet *p,
-                                  const struct steady_curve *c)
+static void shade_bistable(const struct sheet *p, const struct steady_curve *c)
 {
-    enum status status = STATUS_OK;
+    const double *v = p->s->scene->window.v;
 
-    for (size_t i = 0; i + 1 < c->extrema && !status; i++) {
+    for (size_t i = 0; i + 1 < c->extrema; i++) {
         const struct extremum *top = &c->extremum[i], *low = top + 1;
-        const double *v = p->s->scene->window.v;
+        struct line around = LINE_EMPTY;
         if (top->kind != EXTREMUM_MAXIMUM || !quantity_exists(&low->alpha))
             continue;
-        const double x[] = { low->alpha.value, top->alpha.value,
-                             top->alpha.value, low->alpha.value };
-        const double y[] = { v[0] * p->unit, v[0] * p->unit, v[1] * p->unit,
-                             v[1] * p->unit };
-        status = figure_add_region(
-            p->figure, &(struct figure_region){
-                           FIGURE_SHADE_2, "three steady states", x, y, 4 });
+        line_add(&around, low->alpha.value, v[0] * p->unit);
+        line_add(&around, top->alpha.value, v[0] * p->unit);
+        line_add(&around, top->alpha.value, v[1] * p->unit);
+        line_add(&around, low->alpha.value, v[1] * p->unit);
+        shade(p, "three steady states", &around);
     }
-    return status;
 }
 
-static enum status mark_folds(const struct sheet *p,
-                              const struct steady_curve *c)
+static void mark_folds(const struct sheet *p, const struct steady_curve *c)
 {
-    enum status status = STATUS_OK;
-
-    for (size_t i = 0; i < c->extrema && !status; i++) {
+    for (size_t i = 0; i < c->extrema; i++) {
         const struct extremum *e = &c->extremum[i];
         char entry[64];
         if (!quantity_exists(&e->alpha))
             continue;
         snprintf(entry, sizeof entry, "fold: α_c%c = %.6g rad",
                  e->kind == EXTREMUM_MAXIMUM ? 'M' : 'm', e->alpha.value);
-        status = sheet_mark(p, e->alpha.value, e->v.value * p->unit,
-                            sheet_mark_of(e), entry);
+        sheet_mark(p, e->alpha.value, e->v.value * p->unit, sheet_mark_of(e),
+                   entry);
     }
-    return status;
 }
 
-static enum status draw_bifurcation(const struct sheet *p)
+static void draw_bifurcation(const struct sheet *p)
 {
     const struct steady_curve *c = &p->s->diagrams.bifurcation;
     char label[64];
     const struct figure_axis y =
         sheet_rates(p, "slip rate", p->s->scene->window.v, label);
-    double range[2] = { HUGE_VAL, -HUGE_VAL };
+    double range[2] = RANGE_EMPTY;
 
     for (size_t i = 0; i < c->count; i++)
-        sheet_span(range, &c->at[i].alpha.value, 1);
+        range_grow(range, &c->at[i].alpha.value, 1);
     const struct figure_axis x = sheet_linear("slope angle α (rad)", range);
-    enum status status = sheet_start(p, &x, &y);
-    if (!status)
-        status = shade_bistable(p, c);
-    if (!status)
-        status = add_branches(p, c);
-    return status ? status : mark_folds(p, c);
+    sheet_start(p, &x, &y);
+    shade_bistable(p, c);
+    add_branches(p, c);
+    mark_folds(p, c);
 }
 
 /* ---- fold curves, Fig 4 -------------------------------------------------- */
 
 /* One of the two, as far as it exists, and to the cusp. */
-static enum status fold_line(const struct fold_curve *f, bool maximum,
-                             struct line *l)
+static struct line fold_line(const struct fold_curve *f, bool maximum)
 {
     const struct cusp_numbers *cusp = &f->cusp;
-    const enum status status = line_init(l, f->count + 1);
+    struct line l = LINE_EMPTY;
 
-    for (size_t i = 0; i < f->count && !status; i++) {
+    for (size_t i = 0; i < f->count; i++) {
         const struct fold_point *at = &f->at[i];
         const struct quantity *alpha = maximum ? &at->alpha_cM : &at->alpha_cm;
         if (quantity_exists(alpha))
-            line_add(l, alpha->value, at->c);
+            line_add(&l, alpha->value, at->c);
     }
-    if (!status && l->count > 0 && quantity_exists(&cusp->alpha))
-        line_add(l, cusp->alpha.value, cusp->c.value);
-    return status;
+    if (l.count > 0 && quantity_exists(&cusp->alpha))
+        line_add(&l, cusp->alpha.value, cusp->c.value);
+    return l;
 }
 
 /* Up along one fold curve and down along the other. */
-static enum status shade_metastable(const struct sheet *p,
-                                    const struct line line[2])
+static void shade_metastable(const struct sheet *p, const struct line line[2])
 {
-    struct line around;
-    enum status status = line_init(&around, line[0].count + line[1].count);
+    struct line around = LINE_EMPTY;
 
-    for (size_t i = 0; i < line[0].count && !status; i++)
+    if (line[0].count < 2 || line[1].count < 2)
+        return;
+    for (size_t i = 0; i < line[0].count; i++)
         line_add(&around, line[0].x[i], line[0].y[i]);
-    for (size_t i = line[1].count; i-- > 0 && !status;)
+    for (size_t i = line[1].count; i-- > 0;)
         line_add(&around, line[1].x[i], line[1].y[i]);
-    if (!status && line[0].count > 1 && line[1].count > 1)
-        status = figure_add_region(
-            p->figure,
-            &(struct figure_region){ FIGURE_SHADE_2, "metastable domain",
-                                     around.x, around.y, around.count });
-    line_free(&around);
-    return status;
+    shade(p, "metastable domain", &around);
 }
 
-static enum status mark_cusp(const struct sheet *p,
-                             const struct cusp_numbers *cusp)
+static void mark_cusp(const struct sheet *p, const struct cusp_numbers *cusp)
 {
     char entry[96];
 
     if (!quantity_exists(&cusp->alpha))
-        return STATUS_OK;
+        return;
     snprintf(entry, sizeof entry, "cusp: α = %.5g rad, c = %.5g",
              cusp->alpha.value, cusp->c.value);
-    return sheet_mark(p, cusp->alpha.value, cusp->c.value, FIGURE_DISC, entry);
+    sheet_mark(p, cusp->alpha.value, cusp->c.value, FIGURE_DISC, entry);
 }
 
-static enum status draw_fold_curves(const struct sheet *p)
+static void draw_fold_curves(const struct sheet *p)
 {
     static const struct figure_style look[] = {
         { FIGURE_SERIES_1, FIGURE_SOLID, 3.0 },
@@ -340,34 +284,26 @@ static enum status draw_fold_curves(const struct sheet *p)
     const struct fold_curve *f = &p->s->diagrams.fold_curves;
     const double *c = p->s->scene->fold_c;
     const struct figure_axis y = { "residual strength c", c[0], c[1], true };
-    struct line line[2] = { { .x = NULL } };
-    double range[2] = { HUGE_VAL, -HUGE_VAL };
-    enum status status = STATUS_OK;
+    struct line line[2];
+    double range[2] = RANGE_EMPTY;
 
-    for (int i = 0; i < 2 && !status; i++) {
-        status = fold_line(f, i == 1, &line[i]);
-        if (!status)
-            sheet_span(range, line[i].x, line[i].count);
+    for (int i = 0; i < 2; i++) {
+        line[i] = fold_line(f, i == 1);
+        range_grow(range, line[i].x, line[i].count);
     }
     const struct figure_axis x = sheet_linear("slope angle α (rad)", range);
-    if (!status)
-        status = sheet_start(p, &x, &y);
-    if (!status)
-        status = shade_metastable(p, line);
-    for (int i = 0; i < 2 && !status; i++)
-        status = sheet_line(p, &line[i], look[i], entry[i]);
-    if (!status)
-        status = mark_cusp(p, &f->cusp);
-    line_free(&line[0]);
-    line_free(&line[1]);
-    return status;
+    sheet_start(p, &x, &y);
+    shade_metastable(p, line);
+    for (int i = 0; i < 2; i++)
+        sheet_line(p, &line[i], look[i], entry[i]);
+    mark_cusp(p, &f->cusp);
 }
 
 /* ---- which one ----------------------------------------------------------- */
 
 static const struct {
     enum stage stage;
-    enum status (*draw)(const struct sheet *p);
+    void (*draw)(const struct sheet *p);
 } diagram[] = {
     { STAGE_FRICTION_LAW, draw_friction_law },
     { STAGE_SPRING_BLOCK, draw_spring_block },
@@ -391,14 +327,10 @@ bool picture_has_diagram(const struct study *s)
     return first_of(s) < DIAGRAM_KINDS;
 }
 
-enum status picture_diagram(const struct study *s, struct figure *f)
+void picture_diagram(const struct study *s, struct figure *f)
 {
     const bool si = s->scene->units == UNITS_SI;
     const struct sheet p = { s, f, si ? s->scene->material.V_star : 1.0 };
 
-    *f = FIGURE_EMPTY;
-    const enum status status = diagram[first_of(s)].draw(&p);
-    if (status != STATUS_OK)
-        figure_free(f);
-    return status;
+    diagram[first_of(s)].draw(&p);
 }

@@ -9,8 +9,7 @@
  * the first of friction_law, spring_block, bifurcation, fold_curves. */
 bool picture_has_diagram(const struct study *s);
 
-/* Makes that figure, to be drawn by figure_write and freed by figure_free.
- * STATUS_NO_MEMORY leaves *f FIGURE_EMPTY. */
-MUST_CHECK enum status picture_diagram(const struct study *s, struct figure *f);
+/* Begins and fills that figure. */
+void picture_diagram(const struct study *s, struct figure *f);
 
 #endif

@@ -43,24 +43,25 @@ static double value_of(const struct cell *c, enum cell_field field)
     return value[field];
 }
 
-enum status picture_add_field(const struct picture_raster *r,
-                              enum cell_field field, struct figure *f)
+void picture_add_field(const struct picture_raster *r, enum cell_field field,
+                       struct figure *f)
 {
     const size_t n = r->columns * r->rows;
     double *value = malloc(n * sizeof *value);
 
-    if (value == NULL)
-        return STATUS_NO_MEMORY;
+    if (value == NULL) {
+        f->status = STATUS_NO_MEMORY;
+        return;
+    }
     for (size_t i = 0; i < n; i++)
         value[i] = value_of(&r->cell[i], field);
-    const enum status status = figure_add_map(
+    figure_add_map(
         f, &(struct figure_map){ .value = value,
                                  .nx = r->columns,
                                  .ny = r->rows,
                                  .scale = { .label = look[field].label,
                                             .is_log = look[field].is_log } });
     free(value);
-    return status;
 }
 
 const char *picture_field_panel(enum cell_field field)

@@ -2,7 +2,7 @@
 #ifndef APPS_PICTURE_FIELD_H
 #define APPS_PICTURE_FIELD_H
 
-#include "draw.h"
+#include "figure.h"
 #include "study.h"
 
 /* The cells behind the pictures, no finer than the study's grid. */
@@ -19,12 +19,10 @@ MUST_CHECK enum status picture_raster_find(struct picture_raster *r,
 /* A second call is harmless. */
 void picture_raster_free(struct picture_raster *r);
 
-/* Errors as of figure_add_map. */
-MUST_CHECK enum status picture_add_field(const struct picture_raster *r,
-                                         enum cell_field field,
-                                         struct figure *f);
+void picture_add_field(const struct picture_raster *r, enum cell_field field,
+                       struct figure *f);
 
-/* "_slip": what its file is named after (panel.h). */
+/* "_slip": what its file is named after (output.h). */
 const char *picture_field_panel(enum cell_field field);
 
 #endif

@@ -4,13 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "draw.h"
-#include "panel.h"
-#include "picture_transient.h"
+#include "sheet.h"
 
-const char *const picture_rabinowicz_panel[PICTURE_RABINOWICZ_PANELS] = {
-    "", "_friction"
-};
+const char *const picture_rabinowicz_panel[] = { "", "_friction", NULL };
 
 /* Points of a curve; mm and um in a metre; the roots' rim on the axis. */
 enum { POINTS = 400 };
@@ -51,118 +47,114 @@ static bool has_roots(const struct parabola *p)
 
 /* ---- (a) tan(alpha) over l_k tan(alpha) ---------------------------------- */
 
-static enum status add_bar(struct figure *f, struct figure_style style,
-                           double x0, double x1, double y0, double y1,
-                           const char *entry)
+static void add_point(struct figure *f, double x, double y,
+                      enum figure_role role, enum figure_mark mark,
+                      const char *entry)
 {
-    return figure_add_curve(f, &(struct figure_curve){
-                                   .style = style,
-                                   .entry = entry,
-                                   .x = (double[]){ x0, x1 },
-                                   .y = (double[]){ y0, y1 },
-                                   .count = 2,
-                               });
+    figure_add(f, &(struct figure_layer){ .kind = FIGURE_POINTS,
+                                          .style = { .role = role },
+                                          .entry = entry,
+                                          .x = &x,
+                                          .y = &y,
+                                          .count = 1,
+                                          .mark = mark,
+                                          .size = 8 });
 }
 
-static enum status add_points(struct figure *f, const double x[],
-                              const double y[], size_t count,
-                              enum figure_role role, enum figure_mark mark,
-                              const char *entry)
+static void add_data(struct figure *f, const struct series *s)
 {
-    return figure_add_points(f,
-                             &(struct figure_points){ .style = { .role = role },
-                                                      .entry = entry,
-                                                      .x = x,
-                                                      .y = y,
-                                                      .count = count,
-                                                      .mark = mark,
-                                                      .size = 8 });
-}
-
-static enum status add_data(struct figure *f, const struct series *s)
-{
-    enum status status = STATUS_OK;
-
-    for (size_t i = 0; i < s->count && !status; i++) {
+    for (size_t i = 0; i < s->count; i++) {
         const double t = s->tan_alpha[i], x = mm * s->value[i] * t;
         const double reach = s->error ? 1.96 * mm * s->error[i] * t : 0.0;
         if (s->error)
-            status =
-                add_bar(f, (struct figure_style){ FIGURE_TRAJECTORY, 0, 0 },
-                        x - reach, x + reach, t, t, NULL);
-        if (!status)
-            status = add_points(f, &x, &t, 1, FIGURE_EQUILIBRIUM, FIGURE_DISC,
-                                s->error ? "data, 95 % bars" : "data");
+            sheet_segment(f, (struct figure_style){ FIGURE_TRAJECTORY, 0, 0 },
+                          NULL, (struct vec2){ x - reach, t },
+                          (struct vec2){ x + reach, t });
+        add_point(f, x, t, FIGURE_EQUILIBRIUM, FIGURE_DISC,
+                  s->error ? "data, 95 % bars" : "data");
     }
-    return status;
 }
 
 /* Release distances of the scene's law, from its stable manifold. */
-static enum status add_exact(struct figure *f, const struct release *r)
+static void add_exact(struct figure *f, const struct release *r)
 {
-    enum status status = STATUS_OK;
-
-    for (size_t i = 0; i < r->rows && !status; i++) {
+    for (size_t i = 0; i < r->rows; i++) {
         const double t = r->row[i].tan_alpha, x = mm * r->row[i].l_k.value * t;
         if (quantity_exists(&r->row[i].l_k))
-            status = add_points(f, &x, &t, 1, FIGURE_STABLE, FIGURE_CROSS,
-                                "the scene's law, exact");
+            add_point(f, x, t, FIGURE_STABLE, FIGURE_CROSS,
+                      "the scene's law, exact");
     }
-    return status;
 }
 
-static enum status add_fit(struct figure *f, const struct parabola *p,
-                           double from, double to)
-{
+/* A curve of n points in the middle of its band. */
+struct banded {
     double x[2 * POINTS], y[2 * POINTS], middle[POINTS];
+    size_t n;
+};
+
+static void band_put(struct banded *b, size_t i, double middle, double reach,
+                     double y)
+{
+    const size_t back = 2 * b->n - 1 - i;
+
+    b->middle[i] = middle;
+    b->x[i] = middle - reach;
+    b->x[back] = middle + reach;
+    b->y[i] = b->y[back] = y;
+}
+
+static void band_add(const struct banded *b, struct figure *f, const char *band,
+                     enum figure_role role, enum figure_dash dash,
+                     const char *entry)
+{
+    struct figure_layer l = { .kind = FIGURE_REGION,
+                              .style = { .role = FIGURE_SHADE_1 },
+                              .entry = band,
+                              .x = b->x,
+                              .y = b->y,
+                              .count = 2 * b->n };
+
+    figure_add(f, &l);
+    l.kind = FIGURE_CURVE;
+    l.style = (struct figure_style){ .role = role, .dash = dash };
+    l.entry = entry;
+    l.x = b->middle;
+    l.count = b->n;
+    figure_add(f, &l);
+}
+
+static void add_fit(struct figure *f, const struct parabola *p, double from,
+                    double to)
+{
+    struct banded b = { .n = POINTS };
 
     for (int i = 0; i < POINTS; i++) {
         const double t = from + (to - from) * i / (POINTS - 1);
-        const double reach = band_at(p, t);
-        y[i] = y[2 * POINTS - 1 - i] = t;
-        middle[i] = parabola_at(p, t);
-        x[i] = middle[i] - reach;
-        x[2 * POINTS - 1 - i] = middle[i] + reach;
+        band_put(&b, (size_t) i, parabola_at(p, t), band_at(p, t), t);
     }
-    const enum status status = figure_add_region(
-        f, &(struct figure_region){ FIGURE_SHADE_1, "95 % band of the fit", x,
-                                    y, 2 * POINTS });
-    return status ? status
-                  : figure_add_curve(f, &(struct figure_curve){
-                                            .style = { .role = FIGURE_SERIES_2,
-                                                       .dash = FIGURE_SOLID },
-                                            .entry = "parabola (33), fitted",
-                                            .x = middle,
-                                            .y = y,
-                                            .count = POINTS });
+    band_add(&b, f, "95 % band of the fit", FIGURE_SERIES_2, FIGURE_SOLID,
+             "parabola (33), fitted");
 }
 
 /* A root on the axis with its interval. */
-static enum status add_root(struct figure *f, const struct quantity *root,
-                            double low, double high, enum figure_role role,
-                            const char *name)
+static void add_root(struct figure *f, const struct quantity *root, double low,
+                     double high, enum figure_role role, const char *name)
 {
-    const double zero = 0.0;
     char entry[64];
 
     snprintf(entry, sizeof entry, "%s = %.4g", name, root->value);
-    const enum status status =
-        add_bar(f, (struct figure_style){ role, FIGURE_SOLID, 4 }, 0.0, 0.0,
-                fmax(low, f->y.lo), fmin(high, f->y.hi), NULL);
-    return status ? status
-                  : add_points(f, &zero, &root->value, 1, role, FIGURE_SQUARE,
-                               entry);
+    sheet_segment(f, (struct figure_style){ role, FIGURE_SOLID, 4 }, NULL,
+                  (struct vec2){ 0.0, fmax(low, f->y.lo) },
+                  (struct vec2){ 0.0, fmin(high, f->y.hi) });
+    add_point(f, 0.0, root->value, role, FIGURE_SQUARE, entry);
 }
 
-static enum status add_roots(struct figure *f, const struct parabola *p)
+static void add_roots(struct figure *f, const struct parabola *p)
 {
-    const enum status status =
-        add_root(f, &p->mu_s, p->mu_s_low, p->mu_s_high, FIGURE_HIGHLIGHT,
-                 "static friction μ_s");
-
-    return status ? status
-                  : add_root(f, &p->mu_half, p->mu_half_low, p->mu_half_high,
-                             FIGURE_SERIES_3, "smaller root, μ_ss(V*/2)");
+    add_root(f, &p->mu_s, p->mu_s_low, p->mu_s_high, FIGURE_HIGHLIGHT,
+             "static friction μ_s");
+    add_root(f, &p->mu_half, p->mu_half_low, p->mu_half_high, FIGURE_SERIES_3,
+             "smaller root, μ_ss(V*/2)");
 }
 
 /* The ranges of the data and, where there are any, of the roots. */
@@ -190,68 +182,54 @@ static void measure(const struct release *r, struct figure_axis *x,
     y->hi += 2.0 * rim * height;
 }
 
-static enum status build_release(struct figure *f, const struct release *r,
-                                 const char *title)
+static void build_release(struct figure *f, const struct release *r,
+                          const char *title)
 {
+    const bool fitted = has_roots(&r->parabola);
     struct figure_axis x, y;
 
     measure(r, &x, &y);
-    enum status status = figure_init(f, title, &x, &y);
-    if (!status && has_roots(&r->parabola))
-        status = add_fit(f, &r->parabola, y.lo, y.hi);
-    if (!status)
-        status = add_bar(
-            f, (struct figure_style){ FIGURE_TRAJECTORY, FIGURE_DOTTED, 0 },
-            0.0, 0.0, y.lo, y.hi, NULL);
-    if (!status && has_roots(&r->parabola))
-        status = add_roots(f, &r->parabola);
-    if (!status)
-        status = add_exact(f, r);
-    return status ? status : add_data(f, &r->observed.l_k);
+    figure_init(f, title, &x, &y);
+    if (fitted)
+        add_fit(f, &r->parabola, y.lo, y.hi);
+    sheet_segment(f,
+                  (struct figure_style){ FIGURE_TRAJECTORY, FIGURE_DOTTED, 0 },
+                  NULL, (struct vec2){ 0.0, y.lo }, (struct vec2){ 0.0, y.hi });
+    if (fitted)
+        add_roots(f, &r->parabola);
+    add_exact(f, r);
+    add_data(f, &r->observed.l_k);
 }
 
 /* ---- (b) friction over slip ---------------------------------------------- */
 
 /* s_k of (25) on the fitted parabola: a straight line. */
-static enum status add_line_33(struct figure *f, const struct parabola *p,
-                               double K, double from, double to)
+static void add_line_33(struct figure *f, const struct parabola *p, double K,
+                        double from, double to)
 {
     const double sum = p->mu_s.value + p->mu_half.value;
     const double scale = um * K * p->factor.value;
 
-    return add_bar(f, (struct figure_style){ FIGURE_SERIES_2, 0, 0 },
-                   scale * (sum - 2.0 * from), scale * (sum - 2.0 * to), from,
-                   to, "of the parabola (33)");
+    sheet_segment(f, (struct figure_style){ FIGURE_SERIES_2, 0, 0 },
+                  "of the parabola (33)",
+                  (struct vec2){ scale * (sum - 2.0 * from), from },
+                  (struct vec2){ scale * (sum - 2.0 * to), to });
 }
 
 /* s_k of (25) on the smoothing spline; of s_k/K where K is unknown. */
-static enum status add_slip(struct figure *f, const struct slip_curve *c,
-                            double K)
+static void add_slip(struct figure *f, const struct slip_curve *c, double K)
 {
-    double x[2 * POINTS], y[2 * POINTS], middle[POINTS];
-    const size_t n = c->count < POINTS ? c->count : POINTS;
+    struct banded b = { .n = c->count < POINTS ? c->count : POINTS };
 
-    for (size_t i = 0; i < n; i++) {
-        const double reach = um * K * c->at[i].gradient_error;
-        middle[i] = um * K * c->at[i].gradient;
-        y[i] = y[2 * n - 1 - i] = c->at[i].mu;
-        x[i] = middle[i] - reach;
-        x[2 * n - 1 - i] = middle[i] + reach;
-    }
-    const enum status status = figure_add_region(
-        f, &(struct figure_region){ FIGURE_SHADE_1, "95 % band", x, y, 2 * n });
-    return status ? status
-                  : figure_add_curve(
-                        f, &(struct figure_curve){
-                               .style = { .role = FIGURE_SERIES_1 },
-                               .entry = "of the smoothing spline (25)",
-                               .x = middle,
-                               .y = y,
-                               .count = n });
+    for (size_t i = 0; i < b.n; i++)
+        band_put(&b, i, um * K * c->at[i].gradient,
+                 um * K * c->at[i].gradient_error, c->at[i].mu);
+    band_add(&b, f, "95 % band", FIGURE_SERIES_1, FIGURE_DASH_OF_ROLE,
+             "of the smoothing spline (25)");
 }
 
-static enum status build_friction(struct figure *f, const struct release *r,
-                                  const char *title)
+static void build_friction(struct figure *f, const struct release *r,
+                           const char *title)
 {
     const struct slip_curve *c = &r->slip;
     const bool has_K = quantity_exists(&r->K);
@@ -267,48 +245,28 @@ static enum status build_friction(struct figure *f, const struct release *r,
     const struct figure_axis y = { "friction coefficient μ = tan α",
                                    from - rim * (to - from),
                                    to + rim * (to - from), false };
-    enum status status = figure_init(f, title, &x, &y);
-    if (!status)
-        status = add_slip(f, c, K);
-    return status || !has_roots(&r->parabola)
-               ? status
-               : add_line_33(f, &r->parabola, K, from, to);
+    figure_init(f, title, &x, &y);
+    add_slip(f, c, K);
+    if (has_roots(&r->parabola))
+        add_line_33(f, &r->parabola, K, from, to);
 }
 
 /* ---- both ---------------------------------------------------------------- */
 
-static enum status check(const struct release *r, struct fault *why)
+enum status picture_rabinowicz(const struct release *r, const char *title,
+                               struct panels *p, struct fault *why)
 {
     const char *reason = r->observed.l_k.count == 0
                              ? "no l_k was measured, nothing to draw"
                              : r->slip.reason;
 
-    if (reason == NULL)
-        return STATUS_OK;
-    snprintf(why->text, sizeof why->text, "rabinowicz: %s", reason);
-    return STATUS_BAD_ARGUMENT;
-}
-
-enum status picture_rabinowicz(const struct release *r,
-                               const struct scene *scene, const char *path,
-                               bool keep_script, struct fault *why)
-{
-    static enum status (*const build[])(struct figure *, const struct release *,
-                                        const char *) = { build_release,
-                                                          build_friction };
-    const char *title =
-        scene->title[0] ? scene->title : "Rabinowicz's experiment";
-    char name[PANEL_PATH];
-    enum status status = check(r, why);
-
-    for (int i = 0; i < PICTURE_RABINOWICZ_PANELS && !status; i++) {
-        struct figure f = FIGURE_EMPTY;
-        if (!panel_path(path, picture_rabinowicz_panel[i], name))
-            return STATUS_BAD_ARGUMENT;
-        status = build[i](&f, r, title);
-        if (!status)
-            status = figure_write(&f, name, keep_script, why);
-        figure_free(&f);
+    if (reason) {
+        snprintf(why->text, sizeof why->text, "rabinowicz: %s", reason);
+        return STATUS_BAD_ARGUMENT;
     }
-    return status;
+    if (title[0] == '\0')
+        title = "Rabinowicz's experiment";
+    build_release(panels_add(p, picture_rabinowicz_panel[0]), r, title);
+    build_friction(panels_add(p, picture_rabinowicz_panel[1]), r, title);
+    return STATUS_OK;
 }

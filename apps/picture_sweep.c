@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "scene_sweep.h"
+#include "sheet.h"
 #include "sweep_show.h"
 
 /* A bar can be seen when it is this part of its axis long: 2 px of 600.  Marks
@@ -38,17 +39,14 @@ static void label_of(const struct sweep_axis *a, char *label, size_t size)
                  a->key.unit);
 }
 
-static void title_of(const struct sweep *s, char *title, size_t size)
+/* The slope is in the title where no key is a slope's. */
+static struct sheet_text title_of(const struct sweep *s)
 {
-    const struct scene *c = s->scene;
+    bool slope = true;
 
-    snprintf(title, size, "%s%s%s", c->title, c->title[0] ? " — " : "",
-             c->law.preset);
-    if (s->axis[0].key.path[0] != 's' &&
-        (s->axes < 2 || s->axis[1].key.path[0] != 's')) {
-        const size_t end = strlen(title);
-        snprintf(title + end, size - end, ", α = %.6g rad", c->alpha);
-    }
+    for (size_t i = 0; i < s->axes; i++)
+        slope &= s->axis[i].key.path[0] != 's';
+    return sheet_title(s->scene, slope);
 }
 
 /* ---- over one key -------------------------------------------------------- */
@@ -60,30 +58,16 @@ struct plot {
     struct figure_axis x, y;
 };
 
-/* A column's values, NaN where there are none. */
-static double *values_of(const struct sweep *s, int column)
-{
-    double *value = malloc(s->points * sizeof *value);
-
-    for (size_t i = 0; i < s->points && value; i++)
-        value[i] = sweep_quantity(s, column, i).value;
-    return value;
-}
-
 /* The least and largest value of all curves that the axis can show. */
 static void span(const struct sweep *s, const struct sweep_curve curve[],
                  size_t curves, bool is_log, double range[2])
 {
-    range[0] = HUGE_VAL;
-    range[1] = -HUGE_VAL;
     for (size_t k = 0; k < curves; k++) {
         const int column = sweep_find(s, curve[k].column);
         for (size_t i = 0; column >= 0 && i < s->points; i++) {
             const double y = sweep_quantity(s, column, i).value;
-            if (isfinite(y) && (y > 0.0 || !is_log)) {
-                range[0] = fmin(range[0], y);
-                range[1] = fmax(range[1], y);
-            }
+            if (y > 0.0 || !is_log)
+                range_grow(range, &y, 1);
         }
     }
     if (!(range[0] <= range[1])) { /* no values */
@@ -100,7 +84,7 @@ static struct figure_axis upward(const struct sweep *s,
     const struct scene_sweep *w = &s->scene->sweep;
     const struct show_frame *show = &show_frames[w->show];
     const bool is_log = scene_sweep_y_log(w);
-    double range[2];
+    double range[2] = RANGE_EMPTY;
 
     for (int i = 0; i < 2; i++) {
         const double *r = i == 0 ? w->y_range : show->range;
@@ -114,59 +98,19 @@ static struct figure_axis upward(const struct sweep *s,
 }
 
 /* The bar from y - error to y + error, where it can be seen. */
-static enum status add_bar(const struct plot *p, const struct sweep_curve *c,
-                           double x, double y, double error)
+static void add_bar(const struct plot *p, const struct sweep_curve *c, double x,
+                    double y, double error)
 {
     const bool is_log = p->y.is_log;
     const double part = is_log ? error / y / log(p->y.hi / p->y.lo)
                                : error / (p->y.hi - p->y.lo);
-    const double at[2] = { x, x };
     const double least = is_log ? 0.1 * y : -HUGE_VAL;
-    const double ends[2] = { fmax(y - error, least), y + error };
 
-    if (!(2.0 * part > visible))
-        return STATUS_OK;
-    return figure_add_curve(
-        p->figure,
-        &(struct figure_curve){ .style = { c->style.role, FIGURE_SOLID, 0 },
-                                .x = at,
-                                .y = ends,
-                                .count = 2 });
-}
-
-static enum status add_line(const struct plot *p, const struct sweep_curve *c,
-                            const double y[])
-{
-    return figure_add_curve(p->figure,
-                            &(struct figure_curve){ .style = c->style,
-                                                    .entry = c->entry,
-                                                    .x = p->s->axis[0].value,
-                                                    .y = y,
-                                                    .count = p->s->points });
-}
-
-/* Crosses at the points, but where they would lie on top of each other. */
-static enum status add_marks(const struct plot *p, const struct sweep_curve *c,
-                             double y[])
-{
-    const struct sweep_axis *a = &p->s->axis[0];
-    const double step = apart * (place(a, p->x.hi) - place(a, p->x.lo));
-    double last = -HUGE_VAL;
-
-    for (size_t i = 0; i < p->s->points; i++) {
-        const double x = place(a, a->value[i]);
-        if (x - last < step)
-            y[i] = (double) NAN;
-        else if (isfinite(y[i]))
-            last = x;
-    }
-    return figure_add_points(p->figure,
-                             &(struct figure_points){ .style = c->style,
-                                                      .entry = c->entry,
-                                                      .x = a->value,
-                                                      .y = y,
-                                                      .count = p->s->points,
-                                                      .mark = FIGURE_PLUS });
+    if (2.0 * part > visible)
+        sheet_segment(p->figure,
+                      (struct figure_style){ c->style.role, FIGURE_SOLID, 0 },
+                      NULL, (struct vec2){ x, fmax(y - error, least) },
+                      (struct vec2){ x, y + error });
 }
 
 /* Shares of fates that no state has are not worth an entry. */
@@ -180,41 +124,67 @@ static bool is_nothing(const struct sweep *s, int column)
     return column < 0 || i == s->points;
 }
 
-static enum status add_curve(const struct plot *p, const struct sweep_curve *c)
+/* NaN where there is no value, and at a mark that would lie on top of the one
+ * before it. */
+static void find_values(const struct plot *p, const struct sweep_curve *c,
+                        int column, double y[])
 {
-    const int column = sweep_find(p->s, c->column);
-    enum status status;
+    const struct sweep_axis *a = &p->s->axis[0];
+    const double step = apart * (place(a, p->x.hi) - place(a, p->x.lo));
+    double last = -HUGE_VAL;
 
-    if (is_nothing(p->s, column))
-        return STATUS_OK;
-    double *y = values_of(p->s, column);
-    if (y == NULL)
-        return STATUS_NO_MEMORY;
-    status = c->marks ? add_marks(p, c, y) : add_line(p, c, y);
-    for (size_t i = 0; i < p->s->points && status == STATUS_OK; i++)
-        if (isfinite(y[i]))
-            status = add_bar(p, c, p->s->axis[0].value[i], y[i],
-                             sweep_quantity(p->s, column, i).error);
-    free(y);
-    return status;
+    for (size_t i = 0; i < p->s->points; i++) {
+        const double x = place(a, a->value[i]);
+        y[i] = sweep_quantity(p->s, column, i).value;
+        if (c->marks && x - last < step)
+            y[i] = (double) NAN;
+        else if (isfinite(y[i]))
+            last = x;
+    }
 }
 
-static enum status draw_curves(const struct sweep *s, struct figure *f)
+/* A line, or crosses, with bars. */
+static void add_curve(const struct plot *p, const struct sweep_curve *c)
+{
+    const int column = sweep_find(p->s, c->column);
+    const double *x = p->s->axis[0].value;
+
+    if (is_nothing(p->s, column))
+        return;
+    double *y = malloc(p->s->points * sizeof *y);
+    if (y == NULL) {
+        p->figure->status = STATUS_NO_MEMORY;
+        return;
+    }
+    find_values(p, c, column, y);
+    figure_add(p->figure, &(struct figure_layer){
+                              .kind = c->marks ? FIGURE_POINTS : FIGURE_CURVE,
+                              .style = c->style,
+                              .entry = c->entry,
+                              .x = x,
+                              .y = y,
+                              .count = p->s->points,
+                              .mark = FIGURE_PLUS });
+    for (size_t i = 0; i < p->s->points; i++)
+        if (isfinite(y[i]))
+            add_bar(p, c, x[i], y[i], sweep_quantity(p->s, column, i).error);
+    free(y);
+}
+
+static void draw_curves(const struct sweep *s, struct figure *f)
 {
     const struct sweep_axis *a = &s->axis[0];
     struct sweep_curve curve[SWEEP_CURVES_MAX];
     const size_t curves = sweep_show_curves(s->scene, curve);
     struct plot p = { .s = s, .figure = f };
-    char title[512], label[96];
+    char label[96];
 
-    title_of(s, title, sizeof title);
     label_of(a, label, sizeof label);
     p.x = around(label, a->value[0], a->value[a->count - 1], a->is_log, 0.0);
     p.y = upward(s, curve, curves);
-    enum status status = figure_init(f, title, &p.x, &p.y);
-    for (size_t k = 0; k < curves && status == STATUS_OK; k++)
-        status = add_curve(&p, &curve[k]);
-    return status;
+    figure_init(f, title_of(s).text, &p.x, &p.y);
+    for (size_t k = 0; k < curves; k++)
+        add_curve(&p, &curve[k]);
 }
 
 /* ---- over a grid --------------------------------------------------------- */
@@ -249,54 +219,47 @@ static void nearest(const struct sweep_axis *a, const struct figure_axis *shown,
     }
 }
 
-static enum status add_map(const struct sweep *s, const struct figure_axis *x,
-                           const struct figure_axis *y, struct figure *f)
+static void add_map(const struct sweep *s, const struct figure_axis *x,
+                    const struct figure_axis *y, struct figure *f)
 {
+    static double value[ROWS][COLUMNS];
     const struct show_frame *show = &show_frames[s->scene->sweep.show];
     const int column = sweep_find(s, show->map);
     size_t across[COLUMNS], up[ROWS];
-    double *value = malloc((size_t) COLUMNS * ROWS * sizeof *value);
 
-    if (value == NULL)
-        return STATUS_NO_MEMORY;
     nearest(&s->axis[0], x, COLUMNS, across);
     nearest(&s->axis[1], y, ROWS, up);
     for (size_t j = 0; j < ROWS; j++)
         for (size_t i = 0; i < COLUMNS; i++)
-            value[j * COLUMNS + i] =
+            value[j][i] =
                 column < 0
                     ? (double) NAN
                     : sweep_quantity(s, column,
                                      across[i] * s->axis[1].count + up[j])
                           .value;
-    const enum status status = figure_add_map(
-        f, &(struct figure_map){ .value = value,
+    figure_add_map(
+        f, &(struct figure_map){ .value = value[0],
                                  .nx = COLUMNS,
                                  .ny = ROWS,
                                  .scale = { .label = show->map_label } });
-    free(value);
-    return status;
 }
 
-static enum status draw_map(const struct sweep *s, struct figure *f)
+static void draw_map(const struct sweep *s, struct figure *f)
 {
-    char title[512], label[2][96];
+    char label[2][96];
 
-    title_of(s, title, sizeof title);
     label_of(&s->axis[0], label[0], sizeof label[0]);
     label_of(&s->axis[1], label[1], sizeof label[1]);
     const struct figure_axis x = frame(&s->axis[0], label[0]);
     const struct figure_axis y = frame(&s->axis[1], label[1]);
-    const enum status status = figure_init(f, title, &x, &y);
-    return status ? status : add_map(s, &x, &y, f);
+    figure_init(f, title_of(s).text, &x, &y);
+    add_map(s, &x, &y, f);
 }
 
-enum status picture_sweep(const struct sweep *s, struct figure *f)
+void picture_sweep(const struct sweep *s, struct figure *f)
 {
-    *f = FIGURE_EMPTY;
-    const enum status status =
-        s->axes == 1 ? draw_curves(s, f) : draw_map(s, f);
-    if (status != STATUS_OK)
-        figure_free(f);
-    return status;
+    if (s->axes == 1)
+        draw_curves(s, f);
+    else
+        draw_map(s, f);
 }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "line.h"
+
 enum { POINTS = 2000 };
 
 struct sums {
@@ -22,11 +24,10 @@ static double lowest(const struct study *s)
                : -DBL_MAX;
 }
 
-static enum status add_sum(const struct sums *q, size_t order,
-                           enum figure_role role)
+static void add_sum(const struct sums *q, size_t order, enum figure_role role)
 {
     const struct box w = scene_box(q->s->scene);
-    double x[POINTS + 1], y[POINTS + 1];
+    struct line l = LINE_EMPTY;
     char entry[32];
 
     for (int i = 0; i <= POINTS; i++) {
@@ -35,19 +36,16 @@ static enum status add_sum(const struct sums *q, size_t order,
             taylor_series_at(&q->s->taylor, order, v, q->s->slider.block.at.v0);
         const struct vec2 at =
             q->shown(q->ctx, (struct vec2){ v, fmax(psi, lowest(q->s)) });
-        x[i] = at.x;
-        y[i] = at.y;
+        line_add(&l, at.x, at.y);
     }
     snprintf(entry, sizeof entry, "power series, order %zu", order);
-    return figure_add_curve(q->f,
-                            &(struct figure_curve){ .style = { .role = role },
-                                                    .entry = entry,
-                                                    .x = x,
-                                                    .y = y,
-                                                    .count = POINTS + 1 });
+    figure_add_line(
+        q->f,
+        &(struct figure_layer){ .style = { .role = role }, .entry = entry },
+        &l);
 }
 
-static enum status add_band(const struct sums *q)
+static void add_band(const struct sums *q)
 {
     const struct scene_window *w = &q->s->scene->window;
     const double v_sp = q->s->slider.block.at.v0, R = q->s->taylor.radius.value;
@@ -56,16 +54,19 @@ static enum status add_band(const struct sums *q)
     const struct vec2 b =
         q->shown(q->ctx, (struct vec2){ v_sp + R, w->psi[1] });
 
-    return figure_add_region(
-        q->f, &(struct figure_region){ FIGURE_SHADE_2, "the series converges",
-                                       (double[]){ a.x, b.x, b.x, a.x },
-                                       (double[]){ a.y, a.y, b.y, b.y }, 4 });
+    figure_add(q->f, &(struct figure_layer){
+                         .kind = FIGURE_REGION,
+                         .style = { .role = FIGURE_SHADE_2 },
+                         .entry = "the series converges",
+                         .x = (double[]){ a.x, b.x, b.x, a.x },
+                         .y = (double[]){ a.y, a.y, b.y, b.y },
+                         .count = 4,
+                     });
 }
 
-enum status picture_add_taylor(const struct study *s,
-                               struct vec2 (*shown)(const void *ctx,
-                                                    struct vec2),
-                               const void *ctx, struct figure *f)
+void picture_add_taylor(const struct study *s,
+                        struct vec2 (*shown)(const void *ctx, struct vec2),
+                        const void *ctx, struct figure *f)
 {
     static const struct {
         size_t order;
@@ -75,13 +76,11 @@ enum status picture_add_taylor(const struct study *s,
                 { TAYLOR_PAPER, FIGURE_HIGHLIGHT },
                 { 30, FIGURE_SERIES_4 } };
     const struct sums q = { s, shown, ctx, f };
-    enum status status = STATUS_OK;
 
     if (s->taylor.terms == 0)
-        return STATUS_OK;
+        return;
     if (quantity_exists(&s->taylor.radius))
-        status = add_band(&q);
-    for (size_t i = 0; i < sizeof sum / sizeof *sum && !status; i++)
-        status = add_sum(&q, sum[i].order, sum[i].role);
-    return status;
+        add_band(&q);
+    for (size_t i = 0; i < sizeof sum / sizeof *sum; i++)
+        add_sum(&q, sum[i].order, sum[i].role);
 }

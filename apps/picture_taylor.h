@@ -7,10 +7,9 @@
 
 /* Adds sums of several orders, over the whole window, and a band over where
  * the series converges; nothing where the study has no such series.
- * shown(ctx, (v, psi)) is the point on the axes.  STATUS_NO_MEMORY. */
-MUST_CHECK enum status picture_add_taylor(const struct study *s,
-                                          struct vec2 (*shown)(const void *ctx,
-                                                               struct vec2),
-                                          const void *ctx, struct figure *f);
+ * shown(ctx, (v, psi)) is the point on the axes. */
+void picture_add_taylor(const struct study *s,
+                        struct vec2 (*shown)(const void *ctx, struct vec2),
+                        const void *ctx, struct figure *f);
 
 #endif

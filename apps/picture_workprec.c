@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "draw.h"
+#include "sheet.h"
 #include "workprec_tolerance.h"
 
 enum { POINTS = 32 };
@@ -49,16 +49,13 @@ static const struct look looks[] = {
 };
 enum { LOOKS = sizeof looks / sizeof *looks, OURS_COUNT = 5 };
 
-bool picture_workprec_path(const char *path, enum workprec_quantity q,
-                           char out[PICTURE_WORKPREC_PATH])
-{
-    const char *dot = strrchr(path, '.');
-    const int stem = dot ? (int) (dot - path) : (int) strlen(path);
-
-    return snprintf(out, PICTURE_WORKPREC_PATH, "%.*s_%s%s", stem, path,
-                    workprec_quantity_names[q],
-                    dot ? dot : "") < PICTURE_WORKPREC_PATH;
-}
+const char *const picture_workprec_panel[] = { "_v_plus",    "_v_minus",
+                                               "_x_excess",  "_curve",
+                                               "_transient", "_basin_rows",
+                                               "_slip",      NULL };
+_Static_assert(sizeof picture_workprec_panel / sizeof(char *) ==
+                   WORKPREC_QUANTITIES + 1,
+               "one of each quantity");
 
 static struct trace trace_of(const struct workprec *w, enum workprec_quantity q,
                              const char *method)
@@ -76,96 +73,59 @@ static struct trace trace_of(const struct workprec *w, enum workprec_quantity q,
     return t;
 }
 
-struct range {
-    double lo, hi;
-};
-
-static void span(struct range *r, const double value[], size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        r->lo = fmin(r->lo, value[i]);
-        r->hi = fmax(r->hi, value[i]);
-    }
-}
-
 /* A log axis with a rim around the values. */
-static struct figure_axis axis_of(const char *label, struct range r)
+static struct figure_axis axis_of(const char *label, const double range[2])
 {
-    return (struct figure_axis){ label, r.lo / 1.5, r.hi * 1.5, true };
+    return (struct figure_axis){ label, range[0] / 1.5, range[1] * 1.5, true };
 }
 
-static enum status add(struct figure *f, const struct look *look,
-                       const char *entry, const struct trace *t)
+static void add(struct figure *f, const struct look *look, const char *entry,
+                const struct trace *t)
 {
-    const struct figure_curve line = { .style = look->style,
-                                       .entry = entry,
-                                       .x = t->seconds,
-                                       .y = t->error,
-                                       .count = t->count };
-    const struct figure_points marks = { .style = look->style,
-                                         .x = t->seconds,
-                                         .y = t->error,
-                                         .count = t->count,
-                                         .mark = look->mark,
-                                         .size = 7.0 };
-    const enum status s = figure_add_curve(f, &line);
+    struct figure_layer l = { .style = look->style,
+                              .entry = entry,
+                              .x = t->seconds,
+                              .y = t->error,
+                              .count = t->count,
+                              .mark = look->mark,
+                              .size = 7.0 };
 
-    return s ? s : figure_add_points(f, &marks);
+    if (t->count == 0)
+        return;
+    figure_add(f, &l);
+    l.kind = FIGURE_POINTS;
+    l.entry = NULL;
+    figure_add(f, &l);
 }
 
-/* Ours come first in the legend, and once more on top of the others. */
-static enum status fill(struct figure *f, const struct trace trace[LOOKS])
+static void draw(const struct workprec *w, enum workprec_quantity q,
+                 struct figure *f)
 {
-    enum status s = STATUS_OK;
-
-    for (int i = 0; i < LOOKS && s == STATUS_OK; i++)
-        if (trace[i].count > 0)
-            s = add(f, &looks[i], looks[i].method, &trace[i]);
-    for (int i = OURS_COUNT; i-- > 0 && s == STATUS_OK;)
-        if (trace[i].count > 0)
-            s = add(f, &looks[i], NULL, &trace[i]);
-    return s;
-}
-
-static enum status draw(const struct workprec *w, enum workprec_quantity q,
-                        const char *path, bool keep_script, struct fault *why)
-{
-    struct range x = { HUGE_VAL, 0.0 }, y = x;
+    double x[2] = RANGE_EMPTY, y[2] = RANGE_EMPTY;
     struct trace trace[LOOKS];
-    struct figure f;
     char title[256];
 
     for (int i = 0; i < LOOKS; i++) {
         trace[i] = trace_of(w, q, looks[i].method);
-        span(&x, trace[i].seconds, trace[i].count);
-        span(&y, trace[i].error, trace[i].count);
+        range_grow(x, trace[i].seconds, trace[i].count);
+        range_grow(y, trace[i].error, trace[i].count);
     }
     const struct figure_axis time = axis_of("run time (µs)", x);
     const struct figure_axis error = axis_of("true error", y);
     snprintf(title, sizeof title, "%s, α = %.6g: %s", w->scene.law.preset,
              w->scene.alpha, workprec_quantity_texts[q]);
-    enum status s = figure_init(&f, title, &time, &error);
-    if (s == STATUS_OK)
-        s = fill(&f, trace);
-    if (s == STATUS_OK)
-        s = figure_write(&f, path, keep_script, why);
-    figure_free(&f);
-    return s;
+    figure_init(f, title, &time, &error);
+    /* ours come first in the legend, and once more on top of the others */
+    for (int i = 0; i < LOOKS; i++)
+        add(f, &looks[i], looks[i].method, &trace[i]);
+    for (int i = OURS_COUNT; i-- > 0;)
+        add(f, &looks[i], NULL, &trace[i]);
 }
 
-enum status picture_workprec(const struct workprec *w, const char *path,
-                             bool keep_script, struct fault *why)
+void picture_workprec(const struct workprec *w, struct panels *out)
 {
-    char panel[PICTURE_WORKPREC_PATH];
-    enum status s = STATUS_OK;
-
-    for (int i = 0; i < WORKPREC_QUANTITIES && s == STATUS_OK; i++) {
-        const enum workprec_quantity q = (enum workprec_quantity) i;
-        if (w->course.reason[q])
-            continue;
-        s = picture_workprec_path(path, q, panel)
-                ? draw(w, q, panel, keep_script, why)
-                : STATUS_BAD_ARGUMENT;
-    }
-    return s;
+    for (int q = 0; q < WORKPREC_QUANTITIES; q++)
+        if (w->course.reason[q] == NULL)
+            draw(w, (enum workprec_quantity) q,
+                 panels_add(out, picture_workprec_panel[q]));
 }

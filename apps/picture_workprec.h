@@ -3,17 +3,13 @@
 #ifndef APPS_PICTURE_WORKPREC_H
 #define APPS_PICTURE_WORKPREC_H
 
+#include "output.h"
 #include "workprec.h"
 
-enum { PICTURE_WORKPREC_PATH = 4096 };
+/* "_v_plus", ...: what each file is named after; ended by NULL. */
+extern const char *const picture_workprec_panel[];
 
-/* "a.svg" -> "a_v_plus.svg"; false where that is too long. */
-bool picture_workprec_path(const char *path, enum workprec_quantity q,
-                           char out[PICTURE_WORKPREC_PATH]);
-
-/* Draws all quantities that have runs; errors as figure_write. */
-MUST_CHECK enum status picture_workprec(const struct workprec *w,
-                                        const char *path, bool keep_script,
-                                        struct fault *why);
+/* Adds one of each quantity that has runs. */
+void picture_workprec(const struct workprec *w, struct panels *p);
 
 #endif

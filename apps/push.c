@@ -246,7 +246,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
 {
     const enum status s = check_options(o, why);
 
-    return s ? s : command_read(o, o->set, o->sets, scene, why);
+    return s ? s : command_read(o, NULL, 0, scene, why);
 }
 
 enum exit_code command_push(const struct options *o)

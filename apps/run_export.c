@@ -134,7 +134,7 @@ static enum status read_scene(struct job *j, struct fault *why)
 {
     const struct options *o = j->options;
 
-    enum status s = command_read(o, o->set, o->sets, &j->scene, why);
+    enum status s = command_read(o, NULL, 0, &j->scene, why);
     if (s == STATUS_OK)
         s = scene_slope_demand(&j->scene, exchange_products, why);
     j->scene.products = exchange_products;

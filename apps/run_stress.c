@@ -64,7 +64,7 @@ static enum status add_scene(const struct options *o, struct stress_list *list,
                              struct fault *why)
 {
     struct scene scene;
-    enum status s = command_read(o, o->set, o->sets, &scene, why);
+    enum status s = command_read(o, NULL, 0, &scene, why);
 
     if (s != STATUS_OK)
         return s;

@@ -1,18 +1,13 @@
 /* slipway study and its shortcuts: read the scene, run what it asks for, write
  * the file, draw the figure, print the numbers. */
-#include <stdlib.h>
 #include <string.h>
 
-#include "command.h"
-#include "panel.h"
 #include "picture.h"
 #include "product_setting.h"
 #include "progress.h"
 #include "remark.h"
-#include "replace.h"
 #include "report.h"
 #include "report_sweep.h"
-#include "result_file.h"
 #include "scene_command.h"
 #include "scene_slope.h"
 #include "study_results.h"
@@ -53,59 +48,16 @@ static const struct shortcut basin_shortcut = {
     .print_numbers = true,
 };
 
-/* What a shortcut adds is written down like what the user did: the file then
- * says what was run. */
-static enum status add_override(struct scene *s, const char *line)
-{
-    const size_t old = strlen(s->overrides);
-    char *longer = realloc(s->overrides, old + strlen(line) + 2);
-
-    if (longer == NULL)
-        return STATUS_NO_MEMORY;
-    sprintf(longer + old, "%s\n", line);
-    s->overrides = longer;
-    return STATUS_OK;
-}
-
-static enum status set_products(struct scene *s, unsigned products)
-{
-    char line[PRODUCT_SETTING];
-
-    if (products == s->products)
-        return STATUS_OK;
-    s->products = products;
-    product_setting(products, line);
-    return add_override(s, line);
-}
-
-static enum status set_spread(struct scene *s, size_t spread)
-{
-    char line[64];
-
-    if (s->spread == spread)
-        return STATUS_OK;
-    s->spread = spread;
-    snprintf(line, sizeof line, "trajectories.spread=%zu", spread);
-    return add_override(s, line);
-}
-
-static enum status apply(const struct options *o, const struct shortcut *how,
-                         struct scene *s, struct fault *why)
+/* The products that are run. */
+static unsigned products_of(const struct options *o, const struct shortcut *how,
+                            const struct scene *s)
 {
     const unsigned none = how->hands_over && s->sweep.axes > 0
                               ? knees_shortcut.always
                               : how->if_none;
-    const unsigned asked = (s->products ? s->products : none) |
-                           (o->sensitivities ? BIT(SENSITIVITIES) : 0);
-    enum status status = STATUS_OK;
 
-    if (s->products == 0 && s->starts + s->spread == 0)
-        status = set_spread(s, how->spread);
-    if (status == STATUS_OK)
-        status = set_products(s, asked | how->always);
-    if (status != STATUS_OK)
-        snprintf(why->text, sizeof why->text, "%s", status_text(status));
-    return status;
+    return (s->products ? s->products : none) | how->always |
+           (o->sensitivities ? BIT(SENSITIVITIES) : 0);
 }
 
 /* *other: the command the scene is for instead of this one, or NULL. */
@@ -113,17 +65,30 @@ static enum status read_scene(const struct options *o,
                               const struct shortcut *how, struct scene *scene,
                               const struct command **other, struct fault *why)
 {
+    char line[PRODUCT_SETTING], spread[64], *more[COMMAND_MORE];
+    size_t count = 0;
+
     *other = NULL;
-    enum status s = command_read(o, o->set, o->sets, scene, why);
+    const enum status s = command_read(o, NULL, 0, scene, why);
     if (s != STATUS_OK)
         return s;
     const char *name = scene_command(scene);
+    const unsigned products = products_of(o, how, scene);
     if (how->hands_over && strcmp(name, "study") != 0)
         *other = command_find(name);
-    s = apply(o, how, scene, why);
-    if (s != STATUS_OK)
-        scene_free(scene);
-    return s;
+    if (scene->products == 0 && scene->starts + scene->spread == 0 &&
+        how->spread > 0) {
+        snprintf(spread, sizeof spread, "trajectories.spread=%zu", how->spread);
+        more[count++] = spread;
+    }
+    if (products != scene->products) {
+        product_setting(products, line);
+        more[count++] = line;
+    }
+    if (count == 0)
+        return STATUS_OK;
+    scene_free(scene);
+    return command_read(o, more, count, scene, why);
 }
 
 /* The figure to draw; NULL: none. */
@@ -132,18 +97,12 @@ static const char *figure_of(const struct scene *c, const struct shortcut *how)
     return c->figure ? c->figure : c->hdf5 ? NULL : how->figure;
 }
 
-/* Could both files be written?  Asked before anything is computed. */
-static enum status check_files(const struct scene *c,
+static enum status check_files(const struct options *o, const struct scene *c,
                                const struct shortcut *how, struct fault *why)
 {
+    static const char *const panel[] = { "", NULL };
     const char *figure = figure_of(c, how);
-    enum status s = STATUS_OK;
 
-    if (c->hdf5 && figure && strcmp(c->hdf5, figure) == 0) {
-        snprintf(why->text, sizeof why->text,
-                 "%.300s: both the HDF5 file and the figure", figure);
-        return STATUS_BAD_SCENE;
-    }
     if (figure && c->products == BIT(FOLDS) && !scene_has_slope(c)) {
         snprintf(why->text, sizeof why->text,
                  "%.300s: nothing to draw: folds are numbers, expected "
@@ -151,11 +110,7 @@ static enum status check_files(const struct scene *c,
                  figure);
         return STATUS_BAD_SCENE;
     }
-    if (c->hdf5)
-        s = replace_check(c->hdf5, why);
-    if (s == STATUS_OK && figure)
-        s = replace_check(figure, why);
-    return s;
+    return output_check(o, c, figure, panel, why);
 }
 
 static void print_remarks(const struct study *s)
@@ -170,25 +125,15 @@ static void print_remarks(const struct study *s)
 static enum status write_files(const struct study *s, const struct options *o,
                                const struct shortcut *how, struct fault *why)
 {
-    const char *hdf5 = s->scene->hdf5, *figure = figure_of(s->scene, how);
+    const char *figure = figure_of(s->scene, how);
     const struct results all = study_results(s);
-    const bool tell = !o->quiet && !o->json;
-    enum status status = STATUS_OK;
+    struct panels p = PANELS_EMPTY;
+    const enum status status =
+        output_write(o, &all, s->scene, s->slider.block.law.preset, why);
 
-    if (hdf5)
-        status = result_file_write(&all, s->scene, s->slider.block.law.preset,
-                                   hdf5, progress_monitor(o), why);
-    if (status == STATUS_OK && hdf5 && tell)
-        printf("wrote %s\n", hdf5);
     if (status == STATUS_OK && figure)
-        status =
-            picture_draw(s, figure, o->keep_script, progress_monitor(o), why);
-    for (size_t i = 0; figure && picture_panel(s, i) && !status && tell; i++) {
-        char path[PANEL_PATH];
-        if (panel_path(figure, picture_panel(s, i), path))
-            printf("wrote %s\n", path);
-    }
-    return status;
+        picture_study(s, progress_monitor(o), &p);
+    return status ? status : output_draw(o, &p, figure, why);
 }
 
 static enum exit_code print_results(const struct study *s,
@@ -235,7 +180,7 @@ static enum exit_code run(const struct options *o, const struct shortcut *how)
         scene_free(&scene);
         return command_run(other, o);
     }
-    s = check_files(&scene, how, &why);
+    s = check_files(o, &scene, how, &why);
     if (s == STATUS_OK)
         s = study_run(&study, &scene, progress_monitor(o), &why);
     progress_end();

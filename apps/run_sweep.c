@@ -3,13 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command.h"
-#include "draw.h"
 #include "export_sweep.h"
+#include "output.h"
 #include "picture_sweep.h"
 #include "product_setting.h"
 #include "progress.h"
-#include "replace.h"
 #include "report_sweep.h"
 #include "report_sweep_json.h"
 #include "scene_sweep.h"
@@ -38,9 +36,9 @@ static unsigned products_of(const struct options *o, const struct scene *s)
 static enum status read_scene(const struct options *o, struct scene *scene,
                               struct fault *why)
 {
-    char *set[OPTIONS_SETS + 1], line[PRODUCT_SETTING];
+    char line[PRODUCT_SETTING], *more[] = { line };
 
-    enum status s = command_read(o, o->set, o->sets, scene, why);
+    enum status s = command_read(o, NULL, 0, scene, why);
     if (s != STATUS_OK)
         return s;
     if (scene->sweep.axes == 0) {
@@ -51,29 +49,21 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     const unsigned products = products_of(o, scene);
     if (products == scene->products)
         return STATUS_OK;
-    /* once more: the file then says what was run */
     scene_free(scene);
-    memcpy(set, o->set, o->sets * sizeof *set);
     product_setting(products, line);
-    set[o->sets] = line;
-    return command_read(o, set, o->sets + 1, scene, why);
+    return command_read(o, more, 1, scene, why);
 }
 
 /* ---- files --------------------------------------------------------------- */
 
-/* Could they be written?  Asked before anything is computed. */
+static const char *const panel[] = { "", NULL };
+
 static enum status check_files(const struct options *o, const struct scene *c,
                                struct fault *why)
 {
-    enum status s = STATUS_OK;
-
-    if (c->hdf5 && c->figure && strcmp(c->hdf5, c->figure) == 0)
-        return complain(why, "one file for both the numbers and the figure");
     if (o->resume && c->hdf5 == NULL)
         return complain(why, "--resume without a file, expected -o FILE.h5");
-    if (c->hdf5)
-        s = replace_check(c->hdf5, why);
-    return s || !c->figure ? s : replace_check(c->figure, why);
+    return output_check(o, c, c->figure, panel, why);
 }
 
 /* FILE.h5.part, owned by the caller; NULL without a file or memory. */
@@ -87,40 +77,22 @@ static char *journal_of(const struct scene *c)
     return path;
 }
 
-static enum status draw(const struct sweep *s, const struct options *o,
-                        struct fault *why)
-{
-    const char *path = s->scene->figure;
-    struct figure f;
-    enum status status = picture_sweep(s, &f);
-
-    if (status == STATUS_OK)
-        status = figure_write(&f, path, o->keep_script, why);
-    else
-        snprintf(why->text, sizeof why->text, "%.300s: %s", path,
-                 status_text(status));
-    figure_free(&f);
-    return status;
-}
-
 static enum status write_files(const struct sweep *s, const struct options *o,
                                const char *journal, struct fault *why)
 {
-    const bool tell = !o->quiet && !o->json;
     const struct scene *c = s->scene;
+    struct panels p = PANELS_EMPTY;
     enum status status = STATUS_OK;
 
     if (c->hdf5)
         status = export_sweep(s, c->hdf5, why);
-    if (status == STATUS_OK && c->hdf5)
+    if (status == STATUS_OK && c->hdf5) {
         sweep_forget(journal);
-    if (status == STATUS_OK && c->hdf5 && tell)
-        printf("wrote %s\n", c->hdf5);
+        output_tell(o, c->hdf5);
+    }
     if (status == STATUS_OK && c->figure)
-        status = draw(s, o, why);
-    if (status == STATUS_OK && c->figure && tell)
-        printf("wrote %s\n", c->figure);
-    return status;
+        picture_sweep(s, panels_add(&p, panel[0]));
+    return status ? status : output_draw(o, &p, c->figure, why);
 }
 
 /* ---- results ------------------------------------------------------------- */

@@ -2,40 +2,10 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static bool is_si(const struct sheet *p)
 {
     return p->s->scene->units == UNITS_SI;
-}
-
-enum status line_init(struct line *l, size_t room)
-{
-    *l = (struct line){ calloc(room + 1, sizeof *l->x),
-                        calloc(room + 1, sizeof *l->y), 0 };
-    return l->x && l->y ? STATUS_OK : STATUS_NO_MEMORY;
-}
-
-void line_add(struct line *l, double x, double y)
-{
-    l->x[l->count] = x;
-    l->y[l->count++] = y;
-}
-
-void line_free(struct line *l)
-{
-    free(l->x);
-    free(l->y);
-    *l = (struct line){ .x = NULL };
-}
-
-void sheet_span(double range[2], const double *value, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        if (isfinite(value[i])) {
-            range[0] = fmin(range[0], value[i]);
-            range[1] = fmax(range[1], value[i]);
-        }
 }
 
 struct figure_axis sheet_linear(const char *label, const double range[2])
@@ -54,38 +24,42 @@ struct figure_axis sheet_rates(const struct sheet *p, const char *what,
     return (struct figure_axis){ label, v[0] * p->unit, v[1] * p->unit, true };
 }
 
-enum status sheet_start(const struct sheet *p, const struct figure_axis *x,
-                        const struct figure_axis *y)
+struct sheet_text sheet_title(const struct scene *c, bool slope)
 {
-    const struct study *s = p->s;
-    char title[512];
+    struct sheet_text t;
+    char alpha[64] = "";
 
-    snprintf(title, sizeof title, "%s%s%s", s->scene->title,
-             s->scene->title[0] ? " — " : "", s->slider.block.law.preset);
-    return figure_init(p->figure, title, x, y);
+    if (slope)
+        snprintf(alpha, sizeof alpha, ", α = %.6g rad", c->alpha);
+    snprintf(t.text, sizeof t.text, "%s%s%s%s", c->title,
+             c->title[0] ? " — " : "", c->law.preset, alpha);
+    return t;
 }
 
-enum status sheet_line(const struct sheet *p, const struct line *l,
-                       struct figure_style style, const char *entry)
+void sheet_start(const struct sheet *p, const struct figure_axis *x,
+                 const struct figure_axis *y)
 {
-    const struct figure_curve c = {
-        .style = style, .entry = entry, .x = l->x, .y = l->y, .count = l->count
-    };
-
-    return l->count > 1 ? figure_add_curve(p->figure, &c) : STATUS_OK;
+    figure_init(p->figure, sheet_title(p->s->scene, false).text, x, y);
 }
 
-enum status sheet_mark(const struct sheet *p, double x, double y,
-                       enum figure_mark mark, const char *entry)
+void sheet_line(const struct sheet *p, struct line *l,
+                struct figure_style style, const char *entry)
 {
-    const struct figure_points at = { .style = { .role = FIGURE_EQUILIBRIUM },
-                                      .entry = entry,
-                                      .x = &x,
-                                      .y = &y,
-                                      .count = 1,
-                                      .mark = mark };
+    figure_add_line(
+        p->figure, &(struct figure_layer){ .style = style, .entry = entry }, l);
+}
 
-    return figure_add_points(p->figure, &at);
+void sheet_mark(const struct sheet *p, double x, double y,
+                enum figure_mark mark, const char *entry)
+{
+    figure_add(p->figure,
+               &(struct figure_layer){ .kind = FIGURE_POINTS,
+                                       .style = { .role = FIGURE_EQUILIBRIUM },
+                                       .entry = entry,
+                                       .x = &x,
+                                       .y = &y,
+                                       .count = 1,
+                                       .mark = mark });
 }
 
 enum figure_mark sheet_mark_of(const struct extremum *e)
@@ -102,4 +76,14 @@ void sheet_name(const struct sheet *p, const struct extremum *e, char text[64])
         snprintf(text, 64, "V_%c = %.3e m/s", which, v);
     else
         snprintf(text, 64, "v_%c = %.4g", which, v);
+}
+
+void sheet_segment(struct figure *f, struct figure_style style,
+                   const char *entry, struct vec2 a, struct vec2 b)
+{
+    figure_add(f, &(struct figure_layer){ .style = style,
+                                          .entry = entry,
+                                          .x = (double[]){ a.x, b.x },
+                                          .y = (double[]){ a.y, b.y },
+                                          .count = 2 });
 }

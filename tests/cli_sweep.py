@@ -450,7 +450,7 @@ def a_wrong_sweep_costs_one_line(room):
             'sweep: the scene has none')
     refused(room.run('sweep', *line(3), '--resume'), 2, '--resume without')
     refused(room.run('sweep', *line(3), '-o', 'a.svg', '--figure', 'a.svg'), 2,
-            'one file for both')
+            'both the HDF5 file and the figure')
     refused(room.run('sweep', *line(3), '-o', 'none/a.h5'), 4, 'none')
     refused(room.run('sweep', 's.yaml', 't.yaml'), 2, 't.yaml: one argument')
     expect(room.names() == ['s.yaml'], room.names())

@@ -14,9 +14,8 @@ static void saddle_point(double p, double q, double *v, double *psi)
 }
 
 /* p = p0 e^t, q = q0 e^-t for t in [0, span]. */
-static enum status add_orbit(struct figure *f, enum figure_role role,
-                             const char *entry, double p0, double q0,
-                             double span)
+static void add_orbit(struct figure *f, enum figure_role role,
+                      const char *entry, double p0, double q0, double span)
 {
     static const double heads[] = { 0.35, 0.7 };
     double v[POINTS], psi[POINTS];
@@ -24,33 +23,33 @@ static enum status add_orbit(struct figure *f, enum figure_role role,
         const double t = span * k / (POINTS - 1);
         saddle_point(p0 * exp(t), q0 * exp(-t), &v[k], &psi[k]);
     }
-    return figure_add_curve(f, &(struct figure_curve){ .style.role = role,
-                                                       .entry = entry,
-                                                       .x = v,
-                                                       .y = psi,
-                                                       .count = POINTS,
-                                                       .heads = heads,
-                                                       .head_count = 2 });
+    figure_add(f, &(struct figure_layer){ .style.role = role,
+                                          .entry = entry,
+                                          .x = v,
+                                          .y = psi,
+                                          .count = POINTS,
+                                          .heads = heads,
+                                          .head_count = 2 });
 }
 
 /* The straight line (p, q) = s (a, b), s in [-20, 20]. */
-static enum status add_line(struct figure *f, enum figure_role role,
-                            const char *entry, double a, double b)
+static void add_line(struct figure *f, enum figure_role role, const char *entry,
+                     double a, double b)
 {
     double v[POINTS], psi[POINTS];
     for (int k = 0; k < POINTS; k++) {
         const double s = -20 + 40.0 * k / (POINTS - 1);
         saddle_point(s * a, s * b, &v[k], &psi[k]);
     }
-    return figure_add_curve(f, &(struct figure_curve){ .style.role = role,
-                                                       .entry = entry,
-                                                       .x = v,
-                                                       .y = psi,
-                                                       .count = POINTS });
+    figure_add(f, &(struct figure_layer){ .style.role = role,
+                                          .entry = entry,
+                                          .x = v,
+                                          .y = psi,
+                                          .count = POINTS });
 }
 
 /* Which side of p = 0 each cell lies on. */
-static enum status add_basins(struct figure *f)
+static void add_basins(struct figure *f)
 {
     enum { NX = 256, NY = 200 };
     static const struct figure_shade shades[] = {
@@ -64,11 +63,10 @@ static enum status add_basins(struct figure *f)
             const double Y = -3 + 5 * (j + 0.5) / NY;
             label[j * NX + i] = X - 0.6 * Y > 0;
         }
-    return figure_add_labels(
-        f, &(struct figure_labels){ label, NX, NY, shades, 2 });
+    figure_add_labels(f, &(struct figure_labels){ label, NX, NY, shades, 2 });
 }
 
-static enum status add_field(struct figure *f)
+static void add_field(struct figure *f)
 {
     enum { NX = 20, NY = 14 };
     double x[NX * NY], y[NX * NY], dx[NX * NY], dy[NX * NY];
@@ -81,71 +79,48 @@ static enum status add_field(struct figure *f)
         dx[k] = p - 0.6 * q;
         dy[k] = -q - 0.4 * p;
     }
-    return figure_add_arrows(
-        f, &(struct figure_arrows){ .style.role = FIGURE_FIELD,
-                                    .entry = "direction field",
-                                    .x = x,
-                                    .y = y,
-                                    .dx = dx,
-                                    .dy = dy,
-                                    .count = NX * NY });
+    figure_add(f, &(struct figure_layer){ .kind = FIGURE_ARROWS,
+                                          .style.role = FIGURE_FIELD,
+                                          .entry = "direction field",
+                                          .x = x,
+                                          .y = y,
+                                          .dx = dx,
+                                          .dy = dy,
+                                          .count = NX * NY });
 }
 
-enum status sample_mark(struct figure *f, enum figure_mark mark,
-                        const char *entry, double x, double y)
+void sample_mark(struct figure *f, enum figure_mark mark, const char *entry,
+                 double x, double y)
 {
-    return figure_add_points(
-        f, &(struct figure_points){ .style.role = FIGURE_EQUILIBRIUM,
-                                    .entry = entry,
-                                    .x = &x,
-                                    .y = &y,
-                                    .count = 1,
-                                    .mark = mark });
+    figure_add(f, &(struct figure_layer){ .kind = FIGURE_POINTS,
+                                          .style.role = FIGURE_EQUILIBRIUM,
+                                          .entry = entry,
+                                          .x = &x,
+                                          .y = &y,
+                                          .count = 1,
+                                          .mark = mark });
 }
 
-static enum status add_orbits(struct figure *f)
+static void add_orbits(struct figure *f)
 {
-    enum status s = STATUS_OK;
-    for (int k = 0; k < 28 && s == STATUS_OK; k++) {
+    for (int k = 0; k < 28; k++) {
         const double p = (k % 2 ? 1 : -1) * pow(10, -3 + 3.5 * (k / 4) / 7);
-        s = add_orbit(f, FIGURE_TRAJECTORY, "trajectories", p,
-                      k / 2 % 2 ? 9 : -9, 12);
+        add_orbit(f, FIGURE_TRAJECTORY, "trajectories", p, k / 2 % 2 ? 9 : -9,
+                  12);
     }
-    if (s == STATUS_OK)
-        s = add_orbit(f, FIGURE_HIGHLIGHT, "after the push", 0.02, 3.2, 8);
-    return s;
+    add_orbit(f, FIGURE_HIGHLIGHT, "after the push", 0.02, 3.2, 8);
 }
 
-/* Everything lib/plot can do but maps. */
-static enum status add_portrait(struct figure *f)
+void sample_portrait(struct figure *f, const char *title)
 {
-    enum status s = add_basins(f);
-    if (s == STATUS_OK)
-        s = add_field(f);
-    if (s == STATUS_OK)
-        s = add_orbits(f);
-    if (s == STATUS_OK)
-        s = add_line(f, FIGURE_NULLCLINE_X, "dv/dt = 0", 0.6, 1);
-    if (s == STATUS_OK)
-        s = add_line(f, FIGURE_NULLCLINE_Y, "d\xcf\x88/dt = 0", 1, -0.4);
-    if (s == STATUS_OK)
-        s = add_line(f, FIGURE_STABLE, "stable manifold", 0, 1);
-    if (s == STATUS_OK)
-        s = add_line(f, FIGURE_UNSTABLE, "unstable manifold", 1, 0);
-    if (s == STATUS_OK)
-        s = sample_mark(f, FIGURE_DISC, "node", 1e4, 3e-2);
-    if (s == STATUS_OK)
-        s = sample_mark(f, FIGURE_CIRCLE, "saddle", 1, 1);
-    return s;
-}
-
-enum status sample_portrait(struct figure *f, const char *title)
-{
-    enum status s = figure_init(f, title, &sample_v, &sample_psi);
-    if (s != STATUS_OK)
-        return s;
-    s = add_portrait(f);
-    if (s != STATUS_OK)
-        figure_free(f);
-    return s;
+    figure_init(f, title, &sample_v, &sample_psi);
+    add_basins(f);
+    add_field(f);
+    add_orbits(f);
+    add_line(f, FIGURE_NULLCLINE_X, "dv/dt = 0", 0.6, 1);
+    add_line(f, FIGURE_NULLCLINE_Y, "d\xcf\x88/dt = 0", 1, -0.4);
+    add_line(f, FIGURE_STABLE, "stable manifold", 0, 1);
+    add_line(f, FIGURE_UNSTABLE, "unstable manifold", 1, 0);
+    sample_mark(f, FIGURE_DISC, "node", 1e4, 3e-2);
+    sample_mark(f, FIGURE_CIRCLE, "saddle", 1, 1);
 }

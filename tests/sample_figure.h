@@ -10,10 +10,9 @@
 
 extern const struct figure_axis sample_v, sample_psi;
 
-/* On failure *f is FIGURE_EMPTY. */
-MUST_CHECK enum status sample_portrait(struct figure *f, const char *title);
+void sample_portrait(struct figure *f, const char *title);
 
-MUST_CHECK enum status sample_mark(struct figure *f, enum figure_mark mark,
-                                   const char *entry, double x, double y);
+void sample_mark(struct figure *f, enum figure_mark mark, const char *entry,
+                 double x, double y);
 
 #endif

@@ -146,9 +146,16 @@ static enum status make_at(const struct figure *f, const char *path,
                            struct workshop *w, struct fault *fault)
 {
     const struct device *device = device_find(path);
+    enum status s = f->status;
+
+    if (s != STATUS_OK) {
+        snprintf(fault->text, sizeof fault->text, "%.300s: %s", path,
+                 status_text(s));
+        return s;
+    }
     if (!device)
         return refuse_ending(path, fault);
-    enum status s = check_figure(f, fault);
+    s = check_figure(f, fault);
     if (s == STATUS_OK)
         s = workshop_open(path, w, fault);
     return s == STATUS_OK ? make(f, device, w, fault) : s;

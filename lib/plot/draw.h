@@ -19,8 +19,7 @@
  * STATUS_BAD_ARGUMENT: unknown ending, or an axis without a range.
  * STATUS_IO: the folder cannot be written.
  * STATUS_NO_GNUPLOT: gnuplot is missing or failed.
- * STATUS_NO_MEMORY.
- * All but the last fill *fault.
+ * STATUS_NO_MEMORY, or what else the figure remembers.
  */
 MUST_CHECK enum status figure_write(const struct figure *f, const char *path,
                                     bool keep_script, struct fault *fault);

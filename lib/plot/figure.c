@@ -29,129 +29,70 @@ static bool axis_copy(const struct figure_axis *axis, struct figure_axis *copy)
     return ok;
 }
 
-static void axis_free(struct figure_axis *axis)
+/* What the caller thinks borrowed is ours. */
+static void release(const void *owned)
 {
-    free((char *) (uintptr_t) axis->label);
-    axis->label = NULL;
+    free((void *) (uintptr_t) owned);
 }
 
-enum status figure_init(struct figure *f, const char *title,
-                        const struct figure_axis *x,
-                        const struct figure_axis *y)
+void figure_init(struct figure *f, const char *title,
+                 const struct figure_axis *x, const struct figure_axis *y)
 {
     *f = FIGURE_EMPTY;
     f->width = 900;
     f->height = 600;
-    if (text_copy(title, &f->title) && axis_copy(x, &f->x) &&
-        axis_copy(y, &f->y))
-        return STATUS_OK;
-    figure_free(f);
-    return STATUS_NO_MEMORY;
+    if (!text_copy(title, &f->title) || !axis_copy(x, &f->x) ||
+        !axis_copy(y, &f->y))
+        f->status = STATUS_NO_MEMORY;
 }
 
-static void layer_free(struct figure_layer *layer)
+static bool has_room(struct figure *f)
 {
-    free(layer->entry);
-    free(layer->numbers);
+    if (f->layer_count < f->layer_room)
+        return true;
+    const size_t room = f->layer_room ? 2 * f->layer_room : 16;
+    void *grown = realloc(f->layers, room * sizeof *f->layers);
+    if (!grown)
+        return false;
+    f->layers = grown;
+    f->layer_room = room;
+    return true;
 }
 
-/* Copies column k of a layer's numbers. */
-static const double *column(struct figure_layer *layer, size_t k,
-                            const double *from, size_t count)
+/* Moves *column into our numbers, from *to on. */
+static void keep(const double **column, size_t count, double **to)
 {
-    double *to = layer->numbers + k * layer->count;
-    if (count > 0)
-        memcpy(to, from, count * sizeof *to);
-    return to;
+    if (*column == NULL || count == 0)
+        return;
+    memcpy(*to, *column, count * sizeof **to);
+    *column = *to;
+    *to += count;
 }
 
-/* Room for `columns` columns and the heads, a copy of the entry, and a place
- * at the end of the list, which the caller takes by counting it. */
-static enum status layer_begin(struct figure *f, const char *entry,
-                               size_t columns, struct figure_layer *layer)
+void figure_add(struct figure *f, const struct figure_layer *layer)
 {
-    if (f->layer_count == f->layer_room) {
-        const size_t room = f->layer_room ? 2 * f->layer_room : 16;
-        void *grown = realloc(f->layers, room * sizeof *f->layers);
-        if (!grown)
-            return STATUS_NO_MEMORY;
-        f->layers = grown;
-        f->layer_room = room;
+    struct figure_layer l = *layer;
+    char *entry = NULL;
+
+    if (f->status != STATUS_OK)
+        return;
+    double *numbers = calloc(4 * l.count + l.head_count + 1, sizeof *numbers);
+    double *to = numbers;
+    if (!numbers || !has_room(f) || !text_copy(l.entry, &entry)) {
+        free(numbers);
+        f->status = STATUS_NO_MEMORY;
+        return;
     }
-    const size_t numbers = columns * layer->count + layer->head_count;
-    layer->numbers = calloc(numbers + 1, sizeof *layer->numbers);
-    if (layer->numbers && text_copy(entry, &layer->entry))
-        return STATUS_OK;
-    layer_free(layer);
-    return STATUS_NO_MEMORY;
-}
-
-static void layer_end(struct figure *f, const struct figure_layer *layer)
-{
-    f->layers[f->layer_count++] = *layer;
-}
-
-enum status figure_add_curve(struct figure *f, const struct figure_curve *c)
-{
-    struct figure_layer layer = { .kind = LAYER_CURVE,
-                                  .style = c->style,
-                                  .count = c->count,
-                                  .head_count = c->head_count };
-    const enum status s = layer_begin(f, c->entry, 2, &layer);
-    if (s != STATUS_OK)
-        return s;
-    layer.x = column(&layer, 0, c->x, c->count);
-    layer.y = column(&layer, 1, c->y, c->count);
-    layer.heads = column(&layer, 2, c->heads, c->head_count);
-    layer_end(f, &layer);
-    return STATUS_OK;
-}
-
-enum status figure_add_points(struct figure *f, const struct figure_points *p)
-{
-    struct figure_layer layer = { .kind = LAYER_POINTS,
-                                  .style = p->style,
-                                  .mark = p->mark,
-                                  .size = p->size > 0 ? p->size : 10,
-                                  .count = p->count };
-    const enum status s = layer_begin(f, p->entry, 2, &layer);
-    if (s != STATUS_OK)
-        return s;
-    layer.x = column(&layer, 0, p->x, p->count);
-    layer.y = column(&layer, 1, p->y, p->count);
-    layer_end(f, &layer);
-    return STATUS_OK;
-}
-
-enum status figure_add_arrows(struct figure *f, const struct figure_arrows *a)
-{
-    struct figure_layer layer = { .kind = LAYER_ARROWS,
-                                  .style = a->style,
-                                  .size = a->length > 0 ? a->length : 14,
-                                  .count = a->count };
-    const enum status s = layer_begin(f, a->entry, 4, &layer);
-    if (s != STATUS_OK)
-        return s;
-    layer.x = column(&layer, 0, a->x, a->count);
-    layer.y = column(&layer, 1, a->y, a->count);
-    layer.dx = column(&layer, 2, a->dx, a->count);
-    layer.dy = column(&layer, 3, a->dy, a->count);
-    layer_end(f, &layer);
-    return STATUS_OK;
-}
-
-enum status figure_add_region(struct figure *f, const struct figure_region *r)
-{
-    struct figure_layer layer = { .kind = LAYER_REGION,
-                                  .style.role = r->role,
-                                  .count = r->count };
-    const enum status s = layer_begin(f, r->entry, 2, &layer);
-    if (s != STATUS_OK)
-        return s;
-    layer.x = column(&layer, 0, r->x, r->count);
-    layer.y = column(&layer, 1, r->y, r->count);
-    layer_end(f, &layer);
-    return STATUS_OK;
+    l.entry = entry;
+    if (!(l.size > 0))
+        l.size = l.kind == FIGURE_ARROWS ? 14 : 10;
+    l.x = l.count > 0 ? l.x : numbers; /* all else is freed with it */
+    keep(&l.x, l.count, &to);
+    keep(&l.y, l.count, &to);
+    keep(&l.dx, l.count, &to);
+    keep(&l.dy, l.count, &to);
+    keep(&l.heads, l.head_count, &to);
+    f->layers[f->layer_count++] = l;
 }
 
 static void raster_free(struct figure_raster *r)
@@ -160,7 +101,7 @@ static void raster_free(struct figure_raster *r)
         return;
     for (size_t k = 0; k < FIGURE_SHADES_MAX; k++)
         free(r->entry[k]);
-    axis_free(&r->scale);
+    release(r->scale.label);
     free(r->value);
     free(r);
 }
@@ -180,10 +121,18 @@ static struct figure_raster *raster_new(size_t nx, size_t ny)
     return NULL;
 }
 
-static void raster_replace(struct figure *f, struct figure_raster *r)
+/* Takes over r, or only notes that there is none. */
+static void raster_replace(struct figure *f, struct figure_raster *r, bool good)
 {
-    raster_free(f->raster);
-    f->raster = r;
+    struct figure_raster *old = f->raster;
+
+    if (good && f->status == STATUS_OK) {
+        f->raster = r;
+        r = old;
+    } else if (f->status == STATUS_OK) {
+        f->status = STATUS_NO_MEMORY;
+    }
+    raster_free(r);
 }
 
 static bool shades_copy(const struct figure_labels *l, struct figure_raster *r,
@@ -203,18 +152,15 @@ static bool shades_copy(const struct figure_labels *l, struct figure_raster *r,
     return true;
 }
 
-enum status figure_add_labels(struct figure *f, const struct figure_labels *l)
+void figure_add_labels(struct figure *f, const struct figure_labels *l)
 {
     double index[256];
     struct figure_raster *r = raster_new(l->nx, l->ny);
-    if (!r || !shades_copy(l, r, index)) {
-        raster_free(r);
-        return STATUS_NO_MEMORY;
-    }
-    for (size_t k = 0; k < l->nx * l->ny; k++)
+    const bool good = r && shades_copy(l, r, index);
+
+    for (size_t k = 0; good && k < l->nx * l->ny; k++)
         r->value[k] = index[(uint8_t) l->label[k]];
-    raster_replace(f, r);
-    return STATUS_OK;
+    raster_replace(f, r, good);
 }
 
 /* The range of what can be drawn, never empty. */
@@ -235,29 +181,28 @@ static void range_find(const struct figure_raster *r, struct figure_axis *a)
     a->hi = hi + pad;
 }
 
-enum status figure_add_map(struct figure *f, const struct figure_map *m)
+void figure_add_map(struct figure *f, const struct figure_map *m)
 {
     struct figure_raster *r = raster_new(m->nx, m->ny);
-    if (!r || !axis_copy(&m->scale, &r->scale)) {
-        raster_free(r);
-        return STATUS_NO_MEMORY;
-    }
-    if (m->nx * m->ny > 0)
+    const bool good = r && axis_copy(&m->scale, &r->scale);
+
+    if (good)
         memcpy(r->value, m->value, m->nx * m->ny * sizeof *r->value);
-    if (r->scale.lo == r->scale.hi)
+    if (good && r->scale.lo == r->scale.hi)
         range_find(r, &r->scale);
-    raster_replace(f, r);
-    return STATUS_OK;
+    raster_replace(f, r, good);
 }
 
 void figure_free(struct figure *f)
 {
-    for (size_t k = 0; k < f->layer_count; k++)
-        layer_free(&f->layers[k]);
+    for (size_t k = 0; k < f->layer_count; k++) {
+        release(f->layers[k].entry);
+        release(f->layers[k].x);
+    }
     free(f->layers);
     raster_free(f->raster);
-    axis_free(&f->x);
-    axis_free(&f->y);
+    release(f->x.label);
+    release(f->y.label);
     free(f->title);
     *f = FIGURE_EMPTY;
 }

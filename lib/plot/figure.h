@@ -8,6 +8,9 @@
  * the frame.  All arrays and texts are *copied*; nothing given to a function
  * below needs to outlive the call.  Texts are UTF-8 and shown as they are:
  * there is no markup.
+ *
+ * A figure remembers its first failure, after which nothing is added, and
+ * figure_write returns it: what builds one need not ask.
  */
 #ifndef PLOT_FIGURE_H
 #define PLOT_FIGURE_H
@@ -73,45 +76,30 @@ struct figure_axis {
     bool is_log;
 };
 
-/* In each of the following, `entry` is the line in the legend; NULL: none.
- * Layers with the same entry share one line. */
+enum figure_kind {
+    FIGURE_CURVE,
+    FIGURE_POINTS,
+    FIGURE_ARROWS, /* a direction field: arrows of one length, centred on
+                      (x, y), along (dx, dy) per unit of x or y, per unit of
+                      ln x or ln y on a log axis; a zero or undefined direction
+                      draws nothing */
+    FIGURE_REGION  /* a filled polygon without a border; it may reach beyond the
+                      box */
+};
 
-struct figure_curve {
-    struct figure_style style;
-    const char *entry;
+struct figure_layer {
+    enum figure_kind kind;
+    struct figure_style style; /* of regions the role alone */
+    const char *entry; /* the line in the legend, shared by layers with the
+                          same; NULL: none */
     const double *x, *y;
     size_t count;
-    const double *heads; /* arrowheads along the curve, as fractions in [0, 1]
-                            of its visible length */
+    const double *heads; /* curves: arrowheads along them, as fractions in
+                            [0, 1] of the visible length */
     size_t head_count;
-};
-
-struct figure_points {
-    struct figure_style style;
-    const char *entry;
-    const double *x, *y;
-    size_t count;
-    enum figure_mark mark;
-    double size; /* diameter in px; 0: 10 */
-};
-
-/* A direction field: arrows of one length, centred on (x, y), along (dx, dy)
- * per unit of x or y, per unit of ln x or ln y on a log axis.  A zero or
- * undefined direction draws nothing. */
-struct figure_arrows {
-    struct figure_style style;
-    const char *entry;
-    const double *x, *y, *dx, *dy;
-    size_t count;
-    double length; /* px; 0: 14 */
-};
-
-/* A filled polygon without a border; it may reach beyond the box. */
-struct figure_region {
-    enum figure_role role;
-    const char *entry;
-    const double *x, *y;
-    size_t count;
+    enum figure_mark mark; /* points */
+    double size; /* px; points: diameter, 0: 10; arrows: length, 0: 14 */
+    const double *dx, *dy; /* arrows */
 };
 
 /* Which label of a raster gets which tint; labels not listed stay white. */
@@ -140,41 +128,29 @@ struct figure_map {
     struct figure_axis scale; /* lo = hi: the range of the values */
 };
 
-struct figure_layer; /* layer.h */
-struct figure_raster;
+struct figure_raster; /* layer.h */
 
 struct figure {
     double width, height;        /* px; 900 x 600, may be changed at will */
     char *title;                 /* owned */
     struct figure_axis x, y;     /* labels owned */
-    struct figure_layer *layers; /* owned */
+    struct figure_layer *layers; /* owned, with all they hold */
     size_t layer_count, layer_room;
     struct figure_raster *raster; /* owned; NULL if none */
+    enum status status; /* STATUS_NO_MEMORY, or what the caller noted */
 };
 
 #define FIGURE_EMPTY ((struct figure){ .title = NULL })
 
-/* Title may be NULL.  The ranges are checked when the figure is drawn.  On
- * STATUS_NO_MEMORY *f is FIGURE_EMPTY. */
-MUST_CHECK enum status figure_init(struct figure *f, const char *title,
-                                   const struct figure_axis *x,
-                                   const struct figure_axis *y);
+/* Title may be NULL.  The ranges are checked when the figure is drawn. */
+void figure_init(struct figure *f, const char *title,
+                 const struct figure_axis *x, const struct figure_axis *y);
 
-/* On STATUS_NO_MEMORY the figure is unchanged. */
-MUST_CHECK enum status figure_add_curve(struct figure *f,
-                                        const struct figure_curve *c);
-MUST_CHECK enum status figure_add_points(struct figure *f,
-                                         const struct figure_points *p);
-MUST_CHECK enum status figure_add_arrows(struct figure *f,
-                                         const struct figure_arrows *a);
-MUST_CHECK enum status figure_add_region(struct figure *f,
-                                         const struct figure_region *r);
+void figure_add(struct figure *f, const struct figure_layer *layer);
 
 /* A second raster replaces the first. */
-MUST_CHECK enum status figure_add_labels(struct figure *f,
-                                         const struct figure_labels *l);
-MUST_CHECK enum status figure_add_map(struct figure *f,
-                                      const struct figure_map *m);
+void figure_add_labels(struct figure *f, const struct figure_labels *l);
+void figure_add_map(struct figure *f, const struct figure_map *m);
 
 /* Leaves FIGURE_EMPTY, so a second call is harmless. */
 void figure_free(struct figure *f);

@@ -131,7 +131,7 @@ static bool same_style(struct figure_style a, struct figure_style b)
 static struct run run_at(const struct figure *f, size_t k)
 {
     struct run run = { &f->layers[k], 1 };
-    for (k++; k < f->layer_count && f->layers[k].kind == LAYER_CURVE; k++) {
+    for (k++; k < f->layer_count && f->layers[k].kind == FIGURE_CURVE; k++) {
         if (!same_style(f->layers[k].style, run.layer->style))
             break;
         run.count++;
@@ -317,19 +317,19 @@ static enum status draw_layer(struct pen *pen, const struct figure *f, size_t k,
     enum status s = STATUS_OK;
     struct run run = { layer, 1 };
     switch (layer->kind) {
-        case LAYER_CURVE:
+        case FIGURE_CURVE:
             run = run_at(f, k);
             s = draw_lines(pen, run, stroke);
             if (s == STATUS_OK)
                 s = draw_heads(pen, run, stroke);
             break;
-        case LAYER_REGION:
+        case FIGURE_REGION:
             s = draw_region(pen, layer, stroke);
             break;
-        case LAYER_POINTS:
+        case FIGURE_POINTS:
             draw_points(pen, layer);
             break;
-        case LAYER_ARROWS:
+        case FIGURE_ARROWS:
             draw_arrows(pen, layer);
             break;
     }
@@ -348,7 +348,7 @@ static void put_sample(const struct pen *pen, const struct legend_line *line)
                 "with boxes fs solid border lc rgb '#808080' "
                 "fc rgb '%s'",
                 paint.colour);
-    else if (line->layer->kind == LAYER_POINTS)
+    else if (line->layer->kind == FIGURE_POINTS)
         put_mark(out, line->layer);
     else
         put_line(pen, &paint);

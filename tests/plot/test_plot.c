@@ -10,6 +10,7 @@
 #include "draw.h"
 #include "fault_alloc.h"
 #include "gnuplot.h"
+#include "line.h"
 #include "sample_figure.h"
 
 static const char hostile[] = "a`touch x`b\"; system('touch y') $ @ "
@@ -91,7 +92,7 @@ static void each_format_is_what_its_name_says(void **state)
     struct place *p = *state;
     struct figure f;
     struct fault fault = { "" };
-    assert_int_equal(sample_portrait(&f, "A saddle"), STATUS_OK);
+    sample_portrait(&f, "A saddle");
     for (size_t k = 0; k < 3; k++) {
         const char *path = place_path(p, formats[k]);
         check_ok(figure_write(&f, path, false, &fault), &fault);
@@ -110,7 +111,7 @@ static void a_png_has_two_dots_for_each_px(void **state)
     struct figure f;
     struct fault fault = { "" };
     const char *path = place_path(p, "p.png");
-    assert_int_equal(sample_portrait(&f, NULL), STATUS_OK);
+    sample_portrait(&f, NULL);
     f.width = 500;
     f.height = 320;
     check_ok(figure_write(&f, path, false, &fault), &fault);
@@ -127,7 +128,7 @@ static void the_same_figure_gives_the_same_bytes(void **state)
     struct place *p = *state;
     struct figure f;
     struct fault fault = { "" };
-    assert_int_equal(sample_portrait(&f, "A saddle"), STATUS_OK);
+    sample_portrait(&f, "A saddle");
     for (size_t k = 0; k < 3; k++) {
         struct bytes b[2];
         for (int i = 0; i < 2; i++) {
@@ -151,7 +152,7 @@ static void a_kept_script_redraws_the_figure(void **state)
     struct place *p = *state;
     struct figure f;
     struct fault fault = { "" };
-    assert_int_equal(sample_portrait(&f, "A saddle"), STATUS_OK);
+    sample_portrait(&f, "A saddle");
     check_ok(figure_write(&f, place_path(p, "it's.svg"), true, &fault), &fault);
     CHECK(place_count(p, false) == 3, "%d files", place_count(p, false));
     struct bytes before = read_file(place_path(p, "it's.svg"));
@@ -177,8 +178,8 @@ static void a_text_is_never_a_command_nor_markup(void **state)
     struct figure f;
     struct fault fault = { "" };
     const double at = 0.5;
-    assert_int_equal(figure_init(&f, hostile, &x, &x), STATUS_OK);
-    assert_int_equal(sample_mark(&f, FIGURE_DISC, hostile, at, at), STATUS_OK);
+    figure_init(&f, hostile, &x, &x);
+    sample_mark(&f, FIGURE_DISC, hostile, at, at);
     f.width = 1800;
     f.height = 900;
     check_ok(figure_write(&f, place_path(p, "|touch z;`touch z`.svg"), false,
@@ -200,9 +201,7 @@ static void bytes_that_are_no_text_still_give_a_figure(void **state)
     struct place *p = *state;
     struct figure f;
     struct fault fault = { "" };
-    assert_int_equal(
-        figure_init(&f, "a\xff\x01\xc3(\xed\xa0\x80z", &sample_v, &sample_psi),
-        STATUS_OK);
+    figure_init(&f, "a\xff\x01\xc3(\xed\xa0\x80z", &sample_v, &sample_psi);
     check_ok(figure_write(&f, place_path(p, "p.svg"), false, &fault), &fault);
     struct bytes b = read_file(p->path);
     CHECK(strstr(b.at, "a? ?(???z"), "title");
@@ -218,13 +217,10 @@ static void curves_end_at_the_frame_and_break_at_nan(void **state)
     const struct figure_axis unit = { NULL, 0, 1, false };
     struct figure f;
     struct fault fault = { "" };
-    assert_int_equal(figure_init(&f, NULL, &unit, &unit), STATUS_OK);
-    assert_int_equal(
-        figure_add_curve(
-            &f,
-            &(struct figure_curve){
-                .style.role = FIGURE_STABLE, .x = x, .y = y, .count = 8 }),
-        STATUS_OK);
+    figure_init(&f, NULL, &unit, &unit);
+    figure_add(&f,
+               &(struct figure_layer){
+                   .style.role = FIGURE_STABLE, .x = x, .y = y, .count = 8 });
     check_ok(figure_write(&f, place_path(p, "p.svg"), true, &fault), &fault);
     struct bytes b = read_file(place_path(p, "p.dat"));
     CHECK(strstr(b.at, "\n0 0.25\n0.5 0.25\n\n0.5 0.75\n1 0.75\n\n"
@@ -240,9 +236,9 @@ static void a_map_shows_its_scale(void **state)
     const double value[] = { 1e-3, 1, NAN, 1e5, -1, INFINITY };
     struct figure f;
     struct fault fault = { "" };
-    assert_int_equal(figure_init(&f, NULL, &sample_v, &sample_psi), STATUS_OK);
+    figure_init(&f, NULL, &sample_v, &sample_psi);
     const struct figure_map map = { value, 3, 2, { "slip / L", 0, 0, true } };
-    assert_int_equal(figure_add_map(&f, &map), STATUS_OK);
+    figure_add_map(&f, &map);
     check_ok(figure_write(&f, place_path(p, "p.svg"), true, &fault), &fault);
     struct bytes b = read_file(p->path);
     CHECK(strstr(b.at, "slip / L") && strstr(b.at, "<image"), "no bar");
@@ -258,7 +254,7 @@ static void every_line_of_the_legend_appears_once(void **state)
     struct place *p = *state;
     struct figure f;
     struct fault fault = { "" };
-    assert_int_equal(sample_portrait(&f, NULL), STATUS_OK);
+    sample_portrait(&f, NULL);
     check_ok(figure_write(&f, place_path(p, "p.svg"), false, &fault), &fault);
     struct bytes b = read_file(p->path);
     char *first = strstr(b.at, ">trajectories</text>");
@@ -275,7 +271,7 @@ static void expect(struct place *p, const struct figure_axis *x,
     struct figure f;
     struct fault fault = { "" };
     const int before = place_count(p, false);
-    assert_int_equal(figure_init(&f, "t", x, x), STATUS_OK);
+    figure_init(&f, "t", x, x);
     const enum status s = figure_write(&f, path, true, &fault);
     CHECK(s == wanted, "%s: %s", status_text(s), fault.text);
     CHECK(strstr(fault.text, word), "%s", fault.text);
@@ -366,12 +362,11 @@ static enum status portrait_failing_at(struct place *p, int k)
     struct figure f;
     struct fault fault = { "" };
     fault_alloc_at(k);
-    enum status s = sample_portrait(&f, "A saddle");
-    if (s == STATUS_OK) {
-        s = figure_write(&f, place_path(p, "p.pdf"), false, &fault);
-        figure_free(&f);
-        figure_free(&f);
-    }
+    sample_portrait(&f, "A saddle");
+    const enum status s =
+        figure_write(&f, place_path(p, "p.pdf"), false, &fault);
+    figure_free(&f);
+    figure_free(&f);
     fault_alloc_at(FAULT_ALLOC_NEVER);
     return s;
 }
@@ -389,28 +384,78 @@ static void every_allocation_may_fail(void **state)
     CHECK(k > 90, "only %d allocations", k);
 }
 
-static void a_map_that_finds_no_memory_leaves_the_figure(void **state)
+/* Nothing is added after it, and the second raster replaces the first. */
+static void a_figure_remembers_its_first_failure(void **state)
 {
-    (void) state;
+    struct place *p = *state;
     const double value[] = { 1, 2 };
     const struct figure_map map = { value, 2, 1, { "slip", 0, 0, false } };
     const double x[] = { 0, 1, 0 }, y[] = { 0, 0, 1 };
-    const struct figure_region region = { FIGURE_SHADE_1, "r", x, y, 3 };
+    const struct figure_layer region = {
+        .kind = FIGURE_REGION, .entry = "r", .x = x, .y = y, .count = 3
+    };
+    struct fault fault = { "" };
     struct figure f;
-    assert_int_equal(figure_init(&f, NULL, &sample_v, &sample_psi), STATUS_OK);
-    for (int k = 0; k < 3; k++) {
-        fault_alloc_at(k);
-        assert_int_equal(figure_add_map(&f, &map), STATUS_NO_MEMORY);
-        assert_null(f.raster);
-        fault_alloc_at(k);
-        assert_int_equal(figure_add_region(&f, &region), STATUS_NO_MEMORY);
+
+    for (int k = 0; k < 6; k++) {
+        figure_init(&f, NULL, &sample_v, &sample_psi);
+        figure_add_map(&f, &map);
+        const struct figure_raster *first = f.raster;
+        fault_alloc_at(k % 3);
+        if (k < 3)
+            figure_add_map(&f, &map);
+        else
+            figure_add(&f, &region);
+        fault_alloc_at(FAULT_ALLOC_NEVER);
+        assert_int_equal(f.status, STATUS_NO_MEMORY);
+        figure_add(&f, &region);
+        figure_add_map(&f, &map);
         assert_int_equal(f.layer_count, 0);
-        if (f.layer_room) /* grown for good */
-            break;
+        assert_ptr_equal(f.raster, first);
+        assert_int_equal(
+            figure_write(&f, place_path(p, "p.svg"), false, &fault),
+            STATUS_NO_MEMORY);
+        CHECK(strstr(fault.text, "p.svg"), "%s", fault.text);
+        figure_free(&f);
     }
+    figure_init(&f, NULL, &sample_v, &sample_psi);
+    figure_add_map(&f, &map);
+    const struct figure_raster *first = f.raster;
+    figure_add_map(&f, &map);
+    assert_true(f.status == STATUS_OK && f.raster != first);
+    figure_free(&f);
+}
+
+/* As many points as come; two of a curve at least, one of points. */
+static void a_line_becomes_a_layer_and_its_failure_the_figures(void **state)
+{
+    (void) state;
+    const struct figure_layer curve = { .kind = FIGURE_CURVE },
+                              points = { .kind = FIGURE_POINTS };
+    struct line l = LINE_EMPTY;
+    struct figure f;
+
+    figure_init(&f, NULL, &sample_v, &sample_psi);
+    for (int n = 0; n < 3; n++)
+        for (int k = 0; k < 2; k++) {
+            const size_t before = f.layer_count;
+            for (int i = 0; i < n; i++)
+                line_add(&l, i, -i);
+            figure_add_line(&f, k ? &points : &curve, &l);
+            assert_int_equal(f.layer_count - before, n > (k == 0));
+            assert_int_equal(l.count, 0);
+        }
+    for (int i = 0; i < 3000; i++)
+        line_add(&l, i, -i);
+    CHECK(l.count == 3000 && l.x[2999] == 2999 && l.y[2999] == -2999, "%zu",
+          l.count);
+    fault_alloc_at(0);
+    for (int i = 0; i < 3000; i++)
+        line_add(&l, i, -i);
     fault_alloc_at(FAULT_ALLOC_NEVER);
-    for (int k = 0; k < 2; k++) /* the second replaces the first */
-        assert_int_equal(figure_add_map(&f, &map), STATUS_OK);
+    assert_true(l.failed);
+    figure_add_line(&f, &curve, &l);
+    assert_int_equal(f.status, STATUS_NO_MEMORY);
     figure_free(&f);
 }
 
@@ -433,7 +478,8 @@ int main(void)
         PLACED(a_folder_that_cannot_be_written_is_an_io_fault),
         PLACED(without_a_working_gnuplot_there_is_no_figure),
         PLACED(every_allocation_may_fail),
-        cmocka_unit_test(a_map_that_finds_no_memory_leaves_the_figure),
+        PLACED(a_figure_remembers_its_first_failure),
+        cmocka_unit_test(a_line_becomes_a_layer_and_its_failure_the_figures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,102 @@
+#include "output.h"
+
+#include <string.h>
+
+#include "json_results.h"
+#include "progress.h"
+#include "replace.h"
+#include "result_file.h"
+
+bool panel_path(const char *path, const char *panel, char out[PANEL_PATH])
+{
+    const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
+    const char *end =
+        dot && (!slash || dot > slash) ? dot : path + strlen(path);
+
+    return snprintf(out, PANEL_PATH, "%.*s%s%s", (int) (end - path), path,
+                    panel, end) < PANEL_PATH;
+}
+
+static enum status refuse(struct fault *why, const char *what, const char *text)
+{
+    snprintf(why->text, sizeof why->text, "%.300s: %s", what, text);
+    return STATUS_BAD_SCENE;
+}
+
+enum status output_check(const struct options *o, const struct scene *scene,
+                         const char *path, const char *const panel[],
+                         struct fault *why)
+{
+    char file[PANEL_PATH];
+    enum status s = STATUS_OK;
+
+    if (scene->hdf5 && path && strcmp(scene->hdf5, path) == 0)
+        return refuse(why, path, "both the HDF5 file and the figure");
+    if (scene->hdf5)
+        s = replace_check(scene->hdf5, why);
+    for (size_t i = 0; path && panel[i] && s == STATUS_OK; i++)
+        s = panel_path(path, panel[i], file)
+                ? replace_check(file, why)
+                : refuse(why, o->command->name,
+                         "the path of the figure is too long");
+    return s;
+}
+
+void output_tell(const struct options *o, const char *path)
+{
+    if (!o->quiet && !o->json)
+        printf("wrote %s\n", path);
+}
+
+enum status output_write(const struct options *o, const struct results *all,
+                         const struct scene *scene, const char *untitled,
+                         struct fault *why)
+{
+    if (scene->hdf5 == NULL)
+        return STATUS_OK;
+    const enum status s = result_file_write(all, scene, untitled, scene->hdf5,
+                                            progress_monitor(o), why);
+    if (s == STATUS_OK)
+        output_tell(o, scene->hdf5);
+    return s;
+}
+
+struct figure *panels_add(struct panels *p, const char *name)
+{
+    p->name[p->count] = name;
+    p->figure[p->count] = FIGURE_EMPTY;
+    return &p->figure[p->count++];
+}
+
+enum status output_draw(const struct options *o, struct panels *p,
+                        const char *path, struct fault *why)
+{
+    char file[PANELS_MAX][PANEL_PATH];
+    const char *to[PANELS_MAX];
+    enum status s = STATUS_OK;
+
+    for (size_t i = 0; i < p->count && s == STATUS_OK; i++) {
+        to[i] = file[i];
+        if (!panel_path(path, p->name[i], file[i]))
+            s = refuse(why, path, "too long a path");
+    }
+    if (s == STATUS_OK)
+        s = figures_write(p->figure, to, p->count, o->keep_script, why);
+    for (size_t i = 0; i < p->count; i++) {
+        if (s == STATUS_OK)
+            output_tell(o, file[i]);
+        figure_free(&p->figure[i]);
+    }
+    *p = PANELS_EMPTY;
+    return s;
+}
+
+enum exit_code output_print(const struct options *o, const struct results *all,
+                            void (*text)(FILE *out, const void *run))
+{
+    if (o->json && !json_print(json_results(NULL, all)))
+        return command_unwritten();
+    if (!o->json && !o->quiet)
+        text(stdout, all->run);
+    return EXIT_DONE;
+}

@@ -1,0 +1,54 @@
+/* output.h -- what a command leaves behind: an HDF5 file, a figure of one file
+ * or several, and its results as JSON or text. */
+#ifndef APPS_OUTPUT_H
+#define APPS_OUTPUT_H
+
+#include "command.h"
+#include "draw.h"
+#include "result.h"
+
+enum { PANELS_MAX = FIGURES_MAX, PANEL_PATH = 4096 };
+
+/* "a.svg", "_time" -> "a_time.svg"; false if that is too long. */
+bool panel_path(const char *path, const char *panel, char out[PANEL_PATH]);
+
+/* Could the scene's HDF5 file and all files of the figure at `path` (NULL:
+ * none) be written?  Asked before anything is computed.  panel: names as of
+ * panel_path, "" for the path itself, ended by NULL. */
+MUST_CHECK enum status output_check(const struct options *o,
+                                    const struct scene *scene, const char *path,
+                                    const char *const panel[],
+                                    struct fault *why);
+
+/* Writes the scene's HDF5 file, if it names one, and says so.  Errors as of
+ * result_file.h. */
+MUST_CHECK enum status output_write(const struct options *o,
+                                    const struct results *all,
+                                    const struct scene *scene,
+                                    const char *untitled, struct fault *why);
+
+/* "wrote PATH", unless the command is quiet. */
+void output_tell(const struct options *o, const char *path);
+
+/* Figures in the making; owned. */
+struct panels {
+    struct figure figure[PANELS_MAX];
+    const char *name[PANELS_MAX]; /* as of panel_path; borrowed */
+    size_t count;
+};
+
+#define PANELS_EMPTY ((struct panels){ .count = 0 })
+
+/* One more, to be begun by figure_init. */
+struct figure *panels_add(struct panels *p, const char *name);
+
+/* Draws the files of a figure, all or none, says so, and frees p.  Errors as
+ * figure_write. */
+MUST_CHECK enum status output_draw(const struct options *o, struct panels *p,
+                                   const char *path, struct fault *why);
+
+/* Prints JSON or, unless the command is quiet, text. */
+enum exit_code output_print(const struct options *o, const struct results *all,
+                            void (*text)(FILE *out, const void *run));
+
+#endif

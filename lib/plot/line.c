@@ -1,0 +1,58 @@
+#include "line.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static bool grow(double **column, size_t room)
+{
+    double *grown = realloc(*column, room * sizeof *grown);
+
+    if (grown)
+        *column = grown;
+    return grown != NULL;
+}
+
+void line_add(struct line *l, double x, double y)
+{
+    if (l->count == l->room && !l->failed) {
+        const size_t room = l->room ? 2 * l->room : 512;
+        l->failed = !grow(&l->x, room) || !grow(&l->y, room);
+        l->room = room;
+    }
+    if (l->failed)
+        return;
+    l->x[l->count] = x;
+    l->y[l->count++] = y;
+}
+
+void line_free(struct line *l)
+{
+    free(l->x);
+    free(l->y);
+    *l = LINE_EMPTY;
+}
+
+void figure_add_line(struct figure *f, const struct figure_layer *look,
+                     struct line *l)
+{
+    struct figure_layer layer = *look;
+
+    layer.x = l->x;
+    layer.y = l->y;
+    layer.count = l->count;
+    if (l->failed && f->status == STATUS_OK)
+        f->status = STATUS_NO_MEMORY;
+    if (l->count >
+        (l->x && (layer.kind == FIGURE_CURVE || layer.kind == FIGURE_REGION)))
+        figure_add(f, &layer);
+    line_free(l);
+}
+
+void range_grow(double range[2], const double *value, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (isfinite(value[i])) {
+            range[0] = fmin(range[0], value[i]);
+            range[1] = fmax(range[1], value[i]);
+        }
+}

@@ -1,0 +1,32 @@
+/* line.h -- points on their way to a layer of a figure, as many as come. */
+#ifndef PLOT_LINE_H
+#define PLOT_LINE_H
+
+#include "figure.h"
+
+/* Owned; LINE_EMPTY to begin with. */
+struct line {
+    double *x, *y;
+    size_t count, room;
+    bool failed; /* memory was out; no further points */
+};
+
+#define LINE_EMPTY ((struct line){ .x = NULL })
+
+void line_add(struct line *l, double x, double y);
+/* Leaves LINE_EMPTY, so a second call is harmless. */
+void line_free(struct line *l);
+
+/* Adds the layer `look` with these points, if there are any, two of a curve or
+ * a region, and frees them. */
+void figure_add_line(struct figure *f, const struct figure_layer *look,
+                     struct line *l);
+
+/* Grows [range[0], range[1]] to hold the finite ones of these. */
+void range_grow(double range[2], const double *value, size_t count);
+#define RANGE_EMPTY                                                            \
+    {                                                                          \
+        HUGE_VAL, -HUGE_VAL                                                    \
+    }
+
+#endif
