@@ -1,8 +1,20 @@
 #include "branch.h"
 
+#include <math.h>
+
 void branch_free(struct branch *b)
 {
     curve_free(&b->curve);
+}
+
+double branch_error(const struct branch *b, size_t i, double by_limit,
+                    double by_total)
+{
+    const double limit = b->end == BRANCH_LIMIT_X ? b->error.x : b->error.y;
+    const double known = by_limit * b->limit_off + by_total * b->total_off[i];
+
+    return fabs(known) + fabs(by_limit) * (limit - fabs(b->limit_off)) +
+           fabs(by_total) * (b->total_error[i] - fabs(b->total_off[i]));
 }
 
 int branch_graph(const struct branch *b, size_t piece)

@@ -28,14 +28,21 @@ struct branch {
     enum branch_end end;
     int sign;          /* LIMIT_*: sign of the infinity */
     struct vec2 limit; /* offsets at the end; the infinite one as reached */
-    struct vec2 error; /* bound on the limit's truncation error, from the last
-                          terms of every step and the tail */
+    struct vec2 error; /* bound on the limit's error */
     double total[LOCAL_CARRY_MAX]; /* integrals at the end */
     double total_error[LOCAL_CARRY_MAX];
+    /* What the limit and the integrals are off by, with its sign, as far as it
+     * is known, else 0: a part of their bounds. */
+    double limit_off, total_off[LOCAL_CARRY_MAX];
     size_t steps, rejected, evaluations; /* a jet of order k counts once */
 };
 
 void branch_free(struct branch *b);
+
+/* Bound on the error of by_limit * limit + by_total * total[i], of which the
+ * parts may cancel. */
+double branch_error(const struct branch *b, size_t i, double by_limit,
+                    double by_total);
 
 /* The coordinate over which a piece is a graph, linear in theta there. */
 int branch_graph(const struct branch *b, size_t piece);

@@ -102,18 +102,51 @@ double graph_reach(const double u[], size_t order, double scale, double tol)
     return exp(least);
 }
 
-double graph_truncation(const double u[], size_t order, double s, double rate)
+/* |u[order - 1]| h^(order - 1) + |u[order]| h^order. */
+static double two_terms(const double u[], size_t order, double h)
 {
-    const double off = fabs(jet_slope_at(order, u, s) - rate), h = fabs(s);
-    const double rounding = TOL_SLOPE_ROUNDING * (fabs(u[1]) + fabs(rate));
     double top = 1.0, square = h;
 
     for (size_t k = order - 1; k > 0; k >>= 1, square *= square)
         top *= k & 1 ? square : 1.0;
-    const double last = top * (fabs(u[order - 1]) + h * fabs(u[order]));
-    const double next = off * h / (double) (order + 1);
+    return top * (fabs(u[order - 1]) + h * fabs(u[order]));
+}
+
+/* The ratio in which terms beyond the last ones fall, of a size `last`: as
+ * these do, no faster than the last one alone does, nor than the next. */
+static double fall_of(const double u[], size_t order, double h, double last,
+                      double next)
+{
+    const double pairs = sqrt(last / two_terms(u, order - 2, h));
+    const double single = h * sqrt(fabs(u[order] / u[order - 2]));
+    const double ratio = TOL_STEP_FALL * fmax(pairs, next / last);
+
+    if (ratio > TOL_STEP_SMOOTH)
+        return ratio;
+    return fmax(ratio, fmin(TOL_STEP_FALL * single, TOL_STEP_SMOOTH));
+}
+
+struct graph_miss graph_missing(const double u[], size_t order, double s,
+                                const struct graph_rate *rate, bool smooth)
+{
+    const double off = rate->value - jet_slope_at(order, u, s), h = fabs(s);
+    const double rounding =
+        TOL_SLOPE_ROUNDING * (fabs(u[1]) + fabs(rate->value));
+    const double terms = (double) (order + 1), part = terms - rate->growth;
+    const double last = two_terms(u, order, h), next = fabs(off) * h / terms;
     const double most = TOL_STEP_BAR_MOST * last;
-    if (next > most && off > rounding)
-        return off * h;
-    return TOL_STEP_BAR_NEXT * fmin(next, most) + TOL_STEP_BAR_LAST * last;
+    const double ratio = fabs(off) <= rounding && last == 0.0
+                             ? 0.0
+                             : fall_of(u, order, h, last, next);
+
+    if (smooth && ratio <= TOL_STEP_SMOOTH && part > 0.5 * terms) {
+        const double fall = ratio / (1.0 - ratio);
+        const double noise = fmin(fabs(off), rate->noise) * h;
+        return (struct graph_miss){ off * s / part,
+                                    (fall * fall * last + noise) / part };
+    }
+    if (next > most && fabs(off) > rounding)
+        return (struct graph_miss){ 0.0, fabs(off) * h };
+    return (struct graph_miss){ 0.0, TOL_STEP_BAR_NEXT * fmin(next, most) +
+                                         TOL_STEP_BAR_LAST * last };
 }

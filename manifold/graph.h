@@ -30,10 +30,29 @@ void graph_expand(const struct planar *sys, const struct carry *carry,
  * they are zero. */
 double graph_reach(const double u[], size_t order, double scale, double tol);
 
-/* What a step s along u may have cost, by u's derivative there against `rate`,
- * what it should be: the first term left out is s/(order + 1) times what it is
- * off; where that is zero by chance, a part of the last terms; where it is far
- * more than these, and no rounding, the series knows nothing of a kink: all. */
-double graph_truncation(const double u[], size_t order, double s, double rate);
+/* What the derivative by s should be at the end of a step, its rounding, and
+ * how a rate grows with the unknown itself, times s. */
+struct graph_rate {
+    double value, noise, growth;
+};
+
+/* What a step s along u leaves out: an estimate of it, and a bound on what that
+ * is off by. */
+struct graph_miss {
+    double value, bar;
+};
+
+/* By u's derivative at s against rate, what it should be.  Terms left out, e_1
+ * + e_2 + ..., have the derivative sum (order + j)/s e_j, of which growth/s e_j
+ * is missing if u itself makes the rate; so the difference, times s over order
+ * + 1 - growth, is their sum but for sum (j - 1) e_j/(order + 1 - growth).
+ * Where |e_j| <= P r^j, P the last two terms, that is at most (r/(1 - r))^2 P
+ * over the same: r as the last terms fall, with a margin.  Where they hardly
+ * fall, or `smooth` is false, nothing is estimated: the bound is some times the
+ * first term as the difference has it, and a part of P, for that may be zero by
+ * chance; where it is far more than P, and no rounding, the series knows
+ * nothing of a kink: all. */
+struct graph_miss graph_missing(const double u[], size_t order, double s,
+                                const struct graph_rate *rate, bool smooth);
 
 #endif

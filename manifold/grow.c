@@ -15,8 +15,10 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "grow_end.h"
+#include "grow_error.h"
 #include "tolerance.h"
 
 size_t grow_order(double rtol)
@@ -30,33 +32,6 @@ struct grow_options grow_defaults(double rtol)
     return (struct grow_options){ .rtol = rtol,
                                   .order = grow_order(rtol),
                                   .max_steps = TOL_BRANCH_STEPS };
-}
-
-/* From the field at the end of the last step, z. */
-static void look_outward(struct grower *g, struct vec2 z)
-{
-    const struct planar *sys = g->sys;
-    const struct planar_jacobian *J = &g->end;
-    const bool over_x = g->ind == 0;
-    const struct vec2 f = J->field.direction;
-    const double ind = over_x ? f.x : f.y, dep = over_x ? f.y : f.x;
-    const double ind_d = over_x ? J->matrix.xy : J->matrix.yx;
-    const double dep_d = over_x ? J->matrix.yy : J->matrix.xx;
-    const double unit = exp(-J->field.log_scale);
-
-    g->out.slope = dep / ind;
-    g->out.slope_d = (dep_d - g->out.slope * ind_d) / ind;
-    for (size_t i = 0; i < g->o->carry.count; i++) {
-        double rate;
-        struct vec2 gradient;
-        if (!g->b->from_saddle[i])
-            continue;
-        sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z, &rate,
-                           &gradient);
-        const double rate_d = over_x ? gradient.y : gradient.x;
-        g->out.swift[i] = unit * rate / ind;
-        g->out.swift_d[i] = unit * (rate_d - rate / ind * ind_d) / ind;
-    }
 }
 
 /* As long as a long step, which powers of 2 keep. */
@@ -76,15 +51,13 @@ static void choose_graph(struct grower *g)
     if (now == g->ind)
         return;
     const double slope = now == 1 ? dy / dx : dx / dy;
-    g->delta /= fabs(slope); /* the same distance along the other axis, */
-    for (size_t i = 0; i < g->o->carry.count; i++) /* gone at another time */
-        g->b->total_error[i] += fabs(g->out.swift[i]) * g->delta;
+    grow_error_turn(g, slope);
     g->toward = slope >= 0.0 ? g->toward : -g->toward;
     g->last *= fabs(slope);
     if (g->unit >= 1.0)
         g->unit = far > 1.0 ? unit_of(g->last) : 1.0;
     g->ind = now;
-    look_outward(g, g->z);
+    grow_error_look(g, g->z);
 }
 
 /* The next step's series of each; one that is done stands in the other's
@@ -102,6 +75,7 @@ static void expand(struct grower g[2])
     for (int i = 0; i < 2; i++)
         if (!g[i].done) {
             g[i].u = u[i];
+            g[i].order = o->order;
             g[i].b->evaluations++;
         }
 }
@@ -135,7 +109,7 @@ static void choose_step(struct grower *g)
 
 static struct vec2 step_end(const struct grower *g, double s)
 {
-    const double dep = jet_at(g->o->order, g->u.at[1 - g->ind], s);
+    const double dep = jet_at(g->order, g->u.at[1 - g->ind], s);
     return local_point(g->ind, g->u.at[g->ind][0] + s * g->unit, dep);
 }
 
@@ -150,7 +124,7 @@ static bool slope_holds(const struct grower *g, double s, double field,
                         double *off)
 {
     const double slope =
-        jet_slope_at(g->o->order, g->u.at[1 - g->ind], s) / g->unit;
+        jet_slope_at(g->order, g->u.at[1 - g->ind], s) / g->unit;
     const double rounding =
         TOL_SLOPE_ROUNDING * (fabs(slope) + fabs(g->u.slope));
 
@@ -181,12 +155,14 @@ static bool step_holds(struct grower *g, struct vec2 end)
     double off;
 
     bool holds = slope_holds(g, s, field, &off);
+    const double at_end = off;
     g->kink = 0.0;
     for (int i = 0; i < 3 && holds && is_doubtful(g, field); i++) {
         const struct vec2 z = step_end(g, part[i] * s);
         holds =
             slope_holds(g, part[i] * s, local_slope(g->sys, g->ind, z), &off);
-        g->kink = fmax(g->kink, off);
+        if (off > at_end) /* what a smooth series leaves out grows outwards */
+            g->kink = fmax(g->kink, off);
     }
     return holds;
 }
@@ -208,28 +184,6 @@ static bool clip_to_domain(struct grower *g)
     return true;
 }
 
-/* The step to `end`: its own errors, and those before it carried along. */
-static void add_errors(struct grower *g, struct vec2 end)
-{
-    const double s = g->toward * g->h, unit = g->unit, way = g->h * unit;
-    const size_t n = g->o->order;
-    const struct outward before = g->out;
-    look_outward(g, end);
-    const double growth =
-        0.5 * g->toward * way * (before.slope_d + g->out.slope_d);
-
-    if (growth > 0.0)
-        g->delta *= exp(fmin(growth, 50.0));
-    g->delta +=
-        graph_truncation(g->u.at[1 - g->ind], n, s, unit * g->out.slope) +
-        way * g->kink;
-    for (size_t i = 0; i < g->o->carry.count; i++)
-        g->b->total_error[i] +=
-            graph_truncation(g->u.integral[i], n, s, unit * g->out.swift[i]) +
-            way * g->delta *
-                fmax(fabs(before.swift_d[i]), fabs(g->out.swift_d[i]));
-}
-
 /* Writes u(toward * h * theta) + start as polynomial in theta. */
 static void store_series(const double u[], size_t order, double start, double s,
                          double coef[])
@@ -243,14 +197,14 @@ static void store_series(const double u[], size_t order, double start, double s,
 
 static enum status store_step(struct grower *g)
 {
-    const size_t n = g->o->order;
+    const size_t n = g->order;
     const double s = g->toward * g->h;
     double *coef;
     const enum status status = curve_push(&g->b->curve, n, &coef);
 
     if (status != STATUS_OK)
         return status;
-    g->b->curve.piece[g->b->curve.count - 1].error = g->delta;
+    g->b->curve.piece[g->b->curve.count - 1].error = g->worst;
     store_series(g->u.at[0], n, g->u.at[0][0], s, coef);
     store_series(g->u.at[1], n, g->u.at[1][0], s, coef + (n + 1));
     for (size_t i = 0; i < g->o->carry.count; i++)
@@ -259,14 +213,20 @@ static enum status store_step(struct grower *g)
     return STATUS_OK;
 }
 
-static void advance(struct grower *g)
+/* To the end of the step. */
+static void move(struct grower *g)
 {
     const double s = g->toward * g->h;
 
     g->z = step_end(g, s);
-    g->last = g->unit * g->h;
     for (size_t i = 0; i < g->o->carry.count; i++)
-        g->total[i] += jet_at(g->o->order, g->u.integral[i], s);
+        g->total[i] += jet_at(g->order, g->u.integral[i], s);
+}
+
+static void advance(struct grower *g)
+{
+    move(g);
+    g->last = g->unit * g->h;
     g->unit = g->unit < 1.0 ? fmin(ldexp(g->unit, ilogb(g->h)), 1.0)
                             : unit_of(g->last);
     g->b->steps++;
@@ -286,7 +246,7 @@ static enum status step(struct grower *g)
               4.0 * DBL_EPSILON * (g->unit + fabs(g->u.at[g->ind][0]))))
             return STATUS_NO_CONVERGENCE;
     }
-    add_errors(g, step_end(g, g->toward * g->h));
+    grow_error_step(g, step_end(g, g->toward * g->h));
     const enum status s = store_step(g);
     if (s != STATUS_OK)
         return s;
@@ -314,41 +274,45 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
                              .carry = g->o->carry,
                              .curve = CURVE_EMPTY(2 + g->o->carry.count),
                              .end = BRANCH_STEPS };
-    const size_t n = u->order;
     const double s = side * u->radius;
-    double line[JET_SIZE] = { 0.0, u->unit }, *coef;
-    const enum status status = curve_push(&g->b->curve, n, &coef);
 
-    if (status != STATUS_OK)
-        return status;
-    store_series(u->ind == 0 ? line : u->c, n, 0.0, s, coef);
-    store_series(u->ind == 0 ? u->c : line, n, 0.0, s, coef + (n + 1));
+    g->u = (struct graph_series){ .at = { [0] = { 0.0 } } };
+    g->u.at[u->ind][1] = u->unit;
+    memcpy(g->u.at[1 - u->ind], u->c, sizeof u->c);
     for (size_t i = 0; i < g->o->carry.count; i++) {
-        store_series(u->integral[i], n, 0.0, s, coef + (i + 2) * (n + 1));
+        memcpy(g->u.integral[i], u->integral[i], sizeof u->integral[i]);
         g->b->from_saddle[i] = u->converges[i];
-        g->total[i] = jet_at(n, u->integral[i], s);
-        g->b->total_error[i] = u->integral_tail[i];
     }
-    g->z = local_series_at(u, s);
-    g->unit = u->unit;
-    g->sys->jacobian(g->sys->ctx, g->z, &g->end);
     g->ind = u->ind;
     g->toward = side;
-    g->last = HUGE_VAL;
+    g->unit = u->unit;
+    g->h = u->radius;
+    g->order = u->order;
+    const struct vec2 end = step_end(g, s);
+    g->sys->jacobian(g->sys->ctx, end, &g->end);
     g->out = (struct outward){ 0 };
-    look_outward(g, g->z);
-    g->delta = g->b->curve.piece[0].error = u->tail;
+    grow_error_step(g, end);
+    const enum status status = store_step(g);
+    if (status != STATUS_OK)
+        return status;
+    move(g);
+    g->last = HUGE_VAL;
     g->done = g->o->max_steps == 0;
     return STATUS_OK;
 }
 
 static void finish(struct grower *g)
 {
-    g->b->limit = g->z;
-    *(g->ind == 1 ? &g->b->error.x : &g->b->error.y) = g->delta;
+    struct branch *b = g->b;
+
+    b->limit = g->z;
+    b->limit_off = g->miss.off;
+    *(g->ind == 1 ? &b->error.x : &b->error.y) = grow_error_bound(&g->miss);
     for (size_t i = 0; i < g->o->carry.count; i++) {
-        g->b->total[i] = g->total[i];
-        g->b->total_error[i] += TOL_INTEGRAL_NIL;
+        b->total[i] = g->total[i];
+        b->total_off[i] = g->total_miss[i].off;
+        b->total_error[i] =
+            grow_error_bound(&g->total_miss[i]) + TOL_INTEGRAL_NIL;
     }
 }
 

@@ -12,6 +12,12 @@ struct outward {
     double swift[LOCAL_CARRY_MAX], swift_d[LOCAL_CARRY_MAX];
 };
 
+/* The true number less the computed one: off, but for no more than bar; and the
+ * root of the sum of the squares of its roundings. */
+struct grow_miss {
+    double off, bar, noise;
+};
+
 /* One step in the making: series in s, ind = at + unit s (graph.h). */
 struct grower {
     const struct planar *sys;
@@ -23,7 +29,9 @@ struct grower {
     int toward; /* sign of its steps */
     struct vec2 z;
     double total[LOCAL_CARRY_MAX];
-    double delta; /* bound so far on the error of the dependent coordinate */
+    struct grow_miss miss; /* of dep so far, and of the integrals */
+    struct grow_miss total_miss[LOCAL_CARRY_MAX];
+    double worst; /* bound on the error of dep over the last step */
     double unit;  /* of steps, a power of two; 1 but where a field changes over
                      far less (local.h) */
     double h;     /* step chosen, of s, positive */
@@ -32,6 +40,7 @@ struct grower {
     struct planar_jacobian end; /* the field at the end of the last step */
     struct outward out;         /* and what travels there */
     struct graph_series u;
+    size_t order; /* of u */
 };
 
 static inline double grower_coordinate(struct vec2 z, int i)

@@ -134,12 +134,6 @@ static double radius_of(const double u[], size_t order, double tol)
     return radius;
 }
 
-static double last_terms(const double u[], size_t order, double s)
-{
-    return fabs(u[order]) * pow(s, (double) order) +
-           fabs(u[order - 1]) * pow(s, (double) (order - 1));
-}
-
 /* The series' slope against the field's at +-s, relative. */
 static double slope_defect(const struct planar *sys,
                            const struct local_series *u, double s)
@@ -188,9 +182,6 @@ static enum status find_radius(const struct planar *sys,
         if (slope_defect(sys, u, radius) <= TOL_SLOPE_CHECK * tol + rounding)
             break;
     u->radius = radius;
-    u->tail = last_terms(u->c, u->order, radius);
-    for (size_t i = 0; i < carry->count; i++)
-        u->integral_tail[i] = last_terms(u->integral[i], u->order, radius);
     return radius > 1e-12 ? STATUS_OK : STATUS_NO_CONVERGENCE;
 }
 

@@ -35,8 +35,6 @@ struct local_series {
     bool converges[LOCAL_CARRY_MAX];
     double radius; /* of ind/unit, where the last terms reach tol and the defect
                       is small */
-    double tail;   /* size of the last terms of c at the radius */
-    double integral_tail[LOCAL_CARRY_MAX];
 };
 
 /* The manifold of the saddle at sys->origin, order <= JET_SIZE - 1.

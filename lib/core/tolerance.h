@@ -37,12 +37,23 @@
 #define TOL_ORDER_BASE      6.0
 #define TOL_ORDER_PER_DIGIT 1.35
 #define TOL_TAYLOR_STEP     0.02
-/* The bar of a step: this many times its first missing and its last terms; the
- * first one is no more than MOST of the last ones, but what roundings make of
- * it (beside a kink terms may be small by chance). */
+/* What a step leaves out is its first missing term where terms fall at least
+ * like powers of SMOOTH; they may fall more slowly than the last ones by FALL.
+ * Else its bar is so many times that term and the last ones; the first one is
+ * no more than MOST of the last ones, but what roundings make of it (beside a
+ * kink terms may be small by chance). */
+#define TOL_STEP_SMOOTH   0.8
+#define TOL_STEP_FALL     1.1
 #define TOL_STEP_BAR_NEXT 4.0
 #define TOL_STEP_BAR_LAST 0.4
 #define TOL_STEP_BAR_MOST 4.0
+/* Roundings of a field's component where nothing cancels; those of all steps
+ * together, each with a sign of its own, are ROUNDING times the root of the sum
+ * of their squares. */
+#define TOL_STEP_NOISE   4.0
+#define TOL_ROUNDING_BAR 2.5
+/* The most an error grows over a step, as an exponent. */
+#define TOL_STEP_GROWTH_MOST 50.0
 /* Most need some fifty; down to psi of -1e300 some five a unit of ln |psi|. */
 #define TOL_BRANCH_STEPS 5000
 /* Integrals below this have no digits in a double: the smallest normal number

@@ -188,17 +188,33 @@ struct fold_numbers numbers_folds(const struct law *law,
 
 /* ---- critical numbers ----------------------------------------------- */
 
-/* Rounding floor of an offset of size |z| on a branch, absolute. */
+/* Relative rounding of the stable eigenvalue, and direction, in units of
+ * roundoff: what cancels in the determinant, shared by both in proportion to
+ * the other one. */
+static double stable_cancellation(const struct equilibrium *e)
+{
+    const double minus = fabs(e->scaled[0]), plus = fabs(e->scaled[1]);
+
+    return numbers_cancellation(e) * plus / (plus + minus);
+}
+
+/* What rounding of the anchor's numbers does to an offset of size |z| on a
+ * branch, absolute: the ratio of both rates is kept to the last bit (anchor.h),
+ * the logarithm of friction is not. */
 static double branch_floor(const struct block *b, const struct equilibrium *e,
                            double z)
 {
-    const double logs = fabs(b->at.x0) + fabs(b->at.log_inertia) +
-                        fabs(b->at.log_rate) + log_of_friction(b) + fabs(z);
-    const double lost = numbers_cancellation(e);
     const double weak = fmin(fabs(z), 1.0); /* a short branch moves little */
 
-    return DBL_EPSILON *
-           (2.0 * weak * (8.0 + logs) + 0.25 * weak * lost + 2.0 * fabs(z));
+    return DBL_EPSILON * weak *
+           (4.0 + 0.5 * log_of_friction(b) + 0.25 * stable_cancellation(e));
+}
+
+/* To an integral over time, relative. */
+static double integral_floor(const struct block *b, const struct equilibrium *e)
+{
+    return branch_floor(b, e, 1.0) +
+           DBL_EPSILON * (2.0 + 0.5 * fabs(b->at.log_rate));
 }
 
 struct limit {
@@ -214,7 +230,9 @@ static struct limit limit_of(double v0, double x0, double X, double error,
 
     return (struct limit){
         quantity_of(value, value * (relative + 2.0 * DBL_EPSILON)),
-        quantity_of(log, error + floor + 2.0 * DBL_EPSILON * fabs(log)),
+        quantity_of(log,
+                    error + floor +
+                        0.5 * DBL_EPSILON * (fabs(x0) + fabs(X) + fabs(log))),
     };
 }
 
@@ -250,6 +268,22 @@ static void upper_numbers(struct builder *n)
     out->ln_v_plus = v.log;
 }
 
+/* tan(alpha) + energy/excess, where energy changes by `rise` of itself with the
+ * limit of X. */
+static struct quantity friction_of(const struct builder *n, double energy,
+                                   double rise)
+{
+    const struct branch *u = n->upper;
+    const double t = (double) n->b->tan_alpha, excess = 0.0 - u->total[0];
+    const double ratio = energy / excess;
+    const double floor = rise * branch_floor(n->b, n->e, u->limit.x) +
+                         integral_floor(n->b, n->e) + n->floor +
+                         4.0 * DBL_EPSILON;
+    const double relative = branch_error(u, 0, rise, 1.0 / excess) + floor;
+
+    return quantity_of(t + ratio, ratio * relative + DBL_EPSILON * (t + ratio));
+}
+
 /* x_excess and the static friction numbers, (32), (41) with exact slip. */
 static void static_friction(struct builder *n)
 {
@@ -259,31 +293,24 @@ static void static_friction(struct builder *n)
     const double t = (double) b->tan_alpha, X = u->limit.x;
     const double k =
         0.5 * material_eps2(&b->material) * hypot(1.0, t) * b->at.v0 * b->at.v0;
-    const double excess = 0.0 - u->total[0], lost = numbers_cancellation(n->e);
-    const double logs = fabs(b->at.x0) + fabs(X) + log_of_friction(b);
-    const double floor = DBL_EPSILON * (64.0 + 2.0 * lost + 4.0 * logs);
-    const double slip_error = u->total_error[0] / excess + floor + n->floor;
-    /* relative errors of expm1(X)^2 and expm1(2 X) */
+    const double excess = 0.0 - u->total[0];
+    const double floor = integral_floor(b, n->e) + n->floor;
     const double dX = u->error.x + branch_floor(b, n->e, X);
-    const double square = 2.0 * dX * exp(X) / expm1(X) + floor + 2 * n->floor;
-    const double rise =
-        2.0 * dX * exp(2.0 * X) / expm1(2.0 * X) + floor + 2.0 * n->floor;
+    /* relative changes of expm1(X)^2 and expm1(2 X) with X */
+    const double square = 2.0 * exp(X) / expm1(X);
+    const double rise = 2.0 * exp(2.0 * X) / expm1(2.0 * X);
     const double energy = k * expm1(2.0 * X), mean = k * expm1(X) * expm1(X);
+    const double rest = 2.0 * n->floor + 4.0 * DBL_EPSILON;
 
-    out->x_excess =
-        quantity_of(excess, u->total_error[0] + excess * (floor + n->floor));
-    out->fracture_energy = quantity_of(energy, energy * rise);
+    out->x_excess = quantity_of(excess, u->total_error[0] + excess * floor);
+    out->fracture_energy = quantity_of(energy, energy * (rise * dX + rest));
     if (!(excess > TOL_INTEGRAL_NIL && excess > 2.0 * u->total_error[0])) {
         out->mu_s_num = out->mu_s_mean =
             quantity_none("x_excess is too small for a double to divide by");
         return;
     }
-    out->mu_s_num =
-        quantity_of(t + energy / excess, energy / excess * (rise + slip_error) +
-                                             2.0 * DBL_EPSILON * t);
-    out->mu_s_mean =
-        quantity_of(t + mean / excess, mean / excess * (square + slip_error) +
-                                           2.0 * DBL_EPSILON * t);
+    out->mu_s_num = friction_of(n, energy, rise);
+    out->mu_s_mean = friction_of(n, mean, square);
 }
 
 static enum end_code lower_code(const struct branch *l)
@@ -325,9 +352,8 @@ static void lower_numbers(struct builder *n)
             limit_of(b->at.psi0, b->at.y0, l->limit.y, l->error.y, floor);
         out->psi_at_v0 = is_log ? psi.log : psi.value;
     }
-    const double deficit = fabs(l->total[0]), lost = numbers_cancellation(n->e);
-    const double logs = fabs(b->at.x0) + log_of_friction(b);
-    const double floor = DBL_EPSILON * (64.0 + 2.0 * lost + 4.0 * logs);
+    const double deficit = fabs(l->total[0]);
+    const double floor = integral_floor(b, n->e);
     out->x_deficit =
         out->lower_end == END_TRUNCATED
             ? quantity_none("the lower branch has no end to integrate to")

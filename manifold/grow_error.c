@@ -1,0 +1,155 @@
+/*
+ * A step's error is its first missing term, known from the field at its end
+ * (graph_missing), with its sign.  The linearised field carries it on: over a
+ * step an error e of dep becomes e exp(integral of S_dep), and makes e times
+ * the integral of what S_dep made of it by then and d rate/d dep of an
+ * integral.  Both integrands lie between their values at the step's ends: their
+ * means carry the estimates, the larger ones the bounds, and the difference
+ * adds to the bounds.  So errors that cancel do so in the bars.
+ */
+#include "grow_error.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "tolerance.h"
+
+double grow_error_bound(const struct grow_miss *m)
+{
+    return fabs(m->off) + m->bar + TOL_ROUNDING_BAR * m->noise;
+}
+
+void grow_error_look(struct grower *g, struct vec2 z)
+{
+    const struct planar *sys = g->sys;
+    const struct planar_jacobian *J = &g->end;
+    const bool over_x = g->ind == 0;
+    const struct vec2 f = J->field.direction;
+    const double ind = over_x ? f.x : f.y, dep = over_x ? f.y : f.x;
+    const double ind_d = over_x ? J->matrix.xy : J->matrix.yx;
+    const double dep_d = over_x ? J->matrix.yy : J->matrix.xx;
+    const double unit = exp(-J->field.log_scale);
+
+    g->out.slope = dep / ind;
+    g->out.slope_d = (dep_d - g->out.slope * ind_d) / ind;
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        double rate;
+        struct vec2 gradient;
+        if (!g->b->from_saddle[i])
+            continue;
+        sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z, &rate,
+                           &gradient);
+        const double rate_d = over_x ? gradient.y : gradient.x;
+        g->out.swift[i] = unit * rate / ind;
+        g->out.swift_d[i] = unit * (rate_d - rate / ind * ind_d) / ind;
+    }
+}
+
+/* `mean` times m is added to `to`, where that factor may be as large as
+ * `most`. */
+static void pass(struct grow_miss *to, const struct grow_miss *m, double mean,
+                 double most)
+{
+    to->off += mean * m->off;
+    to->bar += most * m->bar + (most - fabs(mean)) * fabs(m->off);
+    to->noise += most * m->noise;
+}
+
+void grow_error_turn(struct grower *g, double slope)
+{
+    const double turned = -1.0 / slope;
+    struct grow_miss dep = { 0 };
+
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        const double drift = turned * g->out.swift[i]; /* at another time */
+        pass(&g->total_miss[i], &g->miss, drift, fabs(drift));
+    }
+    pass(&dep, &g->miss, turned, fabs(turned));
+    g->miss = dep;
+}
+
+/* Roundings of d dep/d ind and, relative, of rates over that of ind: each
+ * component of the field is made of parts that cancel, and of a number whose
+ * logarithm is its size. */
+struct noise {
+    double slope, rate;
+};
+
+static struct noise noise_at(const struct grower *g, struct vec2 z)
+{
+    const struct mat2 m = g->end.matrix;
+    const struct vec2 f = g->end.field.direction;
+    const double x = fabs(m.xx * z.x) + fabs(m.xy * z.y);
+    const double y = fabs(m.yx * z.x) + fabs(m.yy * z.y);
+    const double ind = fabs(g->ind == 0 ? f.x : f.y);
+    const double rate = TOL_STEP_NOISE + 0.5 * fabs(g->end.field.log_scale) +
+                        (g->ind == 0 ? x : y) / ind;
+
+    return (struct noise){ DBL_EPSILON * (rate * fabs(g->out.slope) +
+                                          (g->ind == 0 ? y : x) / ind),
+                           DBL_EPSILON * rate };
+}
+
+/* What becomes of errors made before the step, from the field at its ends. */
+static void carry_over(struct grower *g, const struct outward *before)
+{
+    const double turn = g->toward * g->h * g->unit;
+    const double first = turn * before->slope_d, last = turn * g->out.slope_d;
+    const double cap = TOL_STEP_GROWTH_MOST;
+    const double mean = exp(fmin(0.5 * (first + last), cap));
+    const double most = exp(fmin(fmax(first, last), cap));
+    struct grow_miss dep = { 0 };
+
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        const double d = turn * before->swift_d[i];
+        const double e = turn * g->out.swift_d[i];
+        pass(&g->total_miss[i], &g->miss, 0.5 * (d + mean * e),
+             fmax(fabs(d), most * fabs(e)));
+    }
+    pass(&dep, &g->miss, mean, most);
+    g->miss = dep;
+}
+
+static void add(struct grow_miss *m, struct graph_miss own, double noise)
+{
+    m->off += own.value;
+    m->bar += own.bar;
+    m->noise = hypot(m->noise, noise);
+}
+
+static void add_integral(struct grower *g, size_t i, const struct noise *noise,
+                         double dep_off)
+{
+    const double s = g->toward * g->h, *u = g->u.integral[i];
+    const double swift =
+        g->unit * (g->out.swift[i] + g->out.swift_d[i] * dep_off);
+    const struct graph_rate rate = { swift, noise->rate * fabs(swift), 0.0 };
+    const double rounded = noise->rate * fabs(jet_at(g->order, u, s)) +
+                           0.5 * DBL_EPSILON * fabs(g->total[i]);
+
+    add(&g->total_miss[i], graph_missing(u, g->order, s, &rate, g->kink == 0.0),
+        rounded);
+}
+
+void grow_error_step(struct grower *g, struct vec2 end)
+{
+    const double s = g->toward * g->h, way = g->h * g->unit;
+    const struct outward before = g->out;
+    const double entering = grow_error_bound(&g->miss);
+    const double *dep = g->u.at[1 - g->ind];
+
+    grow_error_look(g, end);
+    carry_over(g, &before);
+    const struct noise noise = noise_at(g, end);
+    const struct graph_rate rate = { g->unit * g->out.slope,
+                                     g->unit * noise.slope,
+                                     s * g->unit * g->out.slope_d };
+    struct graph_miss own =
+        graph_missing(dep, g->order, s, &rate, g->kink == 0.0);
+    own.bar += way * g->kink;
+    const double place = fabs(dep[0]) + fabs(g->out.slope * g->u.at[g->ind][0]);
+    add(&g->miss, own, noise.slope * way + 0.5 * DBL_EPSILON * place);
+    g->worst = fmax(entering, grow_error_bound(&g->miss));
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        add_integral(g, i, &noise, own.value);
+}

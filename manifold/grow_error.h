@@ -1,0 +1,23 @@
+/*
+ * grow_error.h -- what the numbers of a growing branch are off by: an estimate
+ * with its sign, a bound on what that leaves, and roundings.
+ */
+#ifndef MANIFOLD_GROW_ERROR_H
+#define MANIFOLD_GROW_ERROR_H
+
+#include "grower.h"
+
+/* |off| + bar + the roundings: no less than the error. */
+double grow_error_bound(const struct grow_miss *m);
+
+/* From the field at the end of the last step, z: g->out. */
+void grow_error_look(struct grower *g, struct vec2 z);
+
+/* Of dep along the other axis, `slope` = d dep/d ind: the same curve. */
+void grow_error_turn(struct grower *g, double slope);
+
+/* The step to `end`, where the field is g->end: its own errors, and what
+ * becomes of those before it. */
+void grow_error_step(struct grower *g, struct vec2 end);
+
+#endif
