@@ -111,7 +111,7 @@ static json_t *nested(const struct sweep *s, int k, teller *tell, size_t point,
 {
     const struct sweep_column *c = &s->columns.at[k];
 
-    if (dim == c->dims || dim == COLUMN_DIMS)
+    if (dim == c->dims || dim == SWEEP_RANK)
         return tell(s, k, point, entry);
     const size_t count = s->dims.of[c->dim[dim]].count;
     json_t *list = json_array();

@@ -122,8 +122,17 @@ struct quantity result_quantity(const struct results *all,
     const char *fewer = n->of->fewer;
     struct quantity q =
         quantity_none(fewer ? fewer : status_text(STATUS_NO_MEMORY));
+    double real;
+    int64_t count;
 
-    (void) read_member(all, n, &q, sizeof q);
+    if (n->field->kind == RECORD_REAL &&
+        read_member(all, n, &real, sizeof real))
+        return quantity_of(real, 0.0);
+    if (n->field->kind == RECORD_COUNT &&
+        read_member(all, n, &count, sizeof count))
+        return quantity_of((double) count, 0.0);
+    if (n->field->kind == RECORD_QUANTITY)
+        (void) read_member(all, n, &q, sizeof q);
     return q;
 }
 

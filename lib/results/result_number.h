@@ -32,7 +32,7 @@ void result_numbers_free(struct result_numbers *n);
 const struct result_number *result_numbers_find(const struct result_numbers *n,
                                                 const char *name);
 
-/* What a run has there; for a code, -1: none. */
+/* What a run has there: reals and counts are exact; of a code -1: none. */
 struct quantity result_quantity(const struct results *all,
                                 const struct result_number *n);
 int8_t result_code(const struct results *all, const struct result_number *n);

@@ -132,13 +132,11 @@ static enum status view_accuracy(const void *run, size_t k,
 
 static const struct record_field share_fields[] = {
     FIELD(basin_fraction, QUANTITY, log, "1",
-          "share of the window with this fate, by area in (ln v, ln psi); "
-          "absent where none"),
+          "share of the window with this fate, by area in (ln v, ln psi)"),
     FIELD(basin_fraction, QUANTITY, linear, "1",
-          "share of the window with this fate, by area in (v, psi); absent "
-          "where none"),
+          "share of the window with this fate, by area in (v, psi)"),
 };
-static const struct record_type record_share = RECORD_TYPE(
+const struct record_type record_share = RECORD_TYPE(
     "fractions", "shares of the window", share_fields, basin_fraction);
 
 static enum status view_share(const void *run, size_t k,
@@ -156,7 +154,7 @@ static const struct record_field audit_fields[] = {
     FIELD(basin_audit, COUNT, cells, "1", "cells followed forward in time"),
     FIELD(basin_audit, COUNT, disagreements, "1", "those with another fate"),
 };
-static const struct record_type record_audit =
+const struct record_type record_audit =
     RECORD_TYPE("audit", "map against orbits", audit_fields, basin_audit);
 
 RESULT_VIEW(view_audit, study, &s->basins.audit, 1)
@@ -243,8 +241,6 @@ static const struct record_type record_names = {
 
 /* ---- the table ----------------------------------------------------------- */
 
-#define FATE_WORDS                                                             \
-    "{creep,sliding,rest_finite,rest_asymptotic,runaway,undecided}"
 #define FIELDS                                                                 \
     (ASKED_AS(SLIP) | ASKED_AS(TIME) | ASKED_AS(FRICTION) | ASKED_AS(PEAK))
 
@@ -289,7 +285,8 @@ const struct result basin_results[] = {
       .type = &record_accuracy, .needs = FIELDS, .view = view_accuracy },
     { NULL, "basin.cells", NULL, RESULT_COLUMNS, .type = &record_cells,
       .needs = ASKED_BY(BASINS), .view = view_cells },
-    { "/basin", "basin.fractions." FATE_WORDS, NULL, RESULT_ATTRIBUTES,
+    { "/basin", "basin.fractions." FATE_WORDS,
+      "shares of the window, of fates that are there", RESULT_ATTRIBUTES,
       .member = "fraction_*_" FATE_WORDS, .type = &record_share,
       .needs = ASKED_BY(BASINS), .view = view_share },
     { "/basin", "basin.audit", NULL, RESULT_ATTRIBUTES, .member = "audit_*",

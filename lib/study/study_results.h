@@ -13,8 +13,13 @@
 /* Results whose run is a struct study. */
 extern const struct result *const study_tables[];
 
-/* Of cell_rtol and cell_arrest. */
-extern const struct record_type record_accuracy;
+/* Of cell_rtol and cell_arrest; of shares of the window by fate; of its audit.
+ */
+extern const struct record_type record_accuracy, record_share, record_audit;
+
+/* fate_names as instances of a result. */
+#define FATE_WORDS                                                             \
+    "{creep,sliding,rest_finite,rest_asymptotic,runaway,undecided}"
 
 struct results study_results(const struct study *s);
 

@@ -5,19 +5,9 @@
 #include <string.h>
 
 #include "study_results.h"
-#include "sweep_product.h"
+#include "sweep_results.h"
 
 /* ---- which --------------------------------------------------------------- */
-
-static size_t entries_of(const struct sweep_dims *d,
-                         const struct column_part *part)
-{
-    size_t n = 1;
-
-    for (size_t i = 0; i < part->dims; i++)
-        n *= d->of[part->dim[i]].count;
-    return n;
-}
 
 static struct sweep_column *room_for_one(struct sweep_columns *c)
 {
@@ -32,70 +22,124 @@ static struct sweep_column *room_for_one(struct sweep_columns *c)
     return &c->at[c->count++];
 }
 
-enum status column_add(const struct column_adder *a,
-                       const struct column_part *part,
-                       const struct record_field *f)
+/* A column for a number, along these dimensions (NULL: by itself). */
+static enum status add(struct sweep_columns *c, const struct sweep_dims *d,
+                       const struct result_number *n, const char *axis,
+                       size_t names)
 {
-    struct sweep_columns *c = a->to;
     struct sweep_column *column = room_for_one(c);
 
     if (column == NULL)
         return STATUS_NO_MEMORY;
     *column = (struct sweep_column){
-        .unit = f->unit,
-        .codes = f->codes,
-        .kind = f->kind,
-        .source = part->source,
-        .offset = part->base + f->offset,
-        .stride = part->stride,
-        .dim = { part->dim[0], part->dim[1] },
-        .dims = part->dims,
+        .unit = n->field->unit,
+        .codes = n->field->codes,
+        .kind = n->field->kind,
+        .number = *n,
+        .names = names,
+        .inner = 1,
         .first = c->entries,
-        .entries = entries_of(a->dims, part),
+        .entries = 1,
     };
+    column->dims = sweep_dims_of(axis, "", column->dim);
+    for (size_t i = 0; i < column->dims; i++)
+        column->entries *= d->of[column->dim[i]].count;
+    if (axis && n->of->shape == RESULT_COLUMNS)
+        column->inner = d->of[column->dim[column->dims - 1]].count;
     c->entries += column->entries;
-    snprintf(column->name, sizeof column->name, "%s%s", part->prefix, f->name);
-    snprintf(column->text, sizeof column->text, "%s", f->text);
+    snprintf(column->name, sizeof column->name, "%.63s", n->name);
+    snprintf(column->text, sizeof column->text, "%s", n->field->text);
     return STATUS_OK;
 }
 
-enum status column_add_record(const struct column_adder *a,
-                              const struct column_part *part,
-                              const struct record_type *type)
+/* Of rows of columns, or the others. */
+static enum status add_numbers(struct sweep_columns *c,
+                               const struct sweep_dims *d,
+                               const struct result_numbers *n, bool columns)
 {
     enum status status = STATUS_OK;
 
-    for (size_t i = 0; i < type->count && status == STATUS_OK; i++)
-        if (type->fields[i].kind == RECORD_QUANTITY ||
-            type->fields[i].kind == RECORD_CODE)
-            status = column_add(a, part, &type->fields[i]);
+    for (size_t i = 0; i < n->count && status == STATUS_OK; i++)
+        if ((n->at[i].of->shape == RESULT_COLUMNS) == columns)
+            status = add(c, d, &n->at[i], NULL, 0);
     return status;
 }
 
-enum status column_add_number(const struct column_adder *a,
-                              const struct result_number *n)
+/* Attributes have members of any kind. */
+static bool is_kept(const struct result *r, const struct record_field *f)
 {
-    const struct column_part part = { .prefix = "", .source = SOURCE_RESULT };
-    struct record_field f = *n->field;
+    return f->kind == RECORD_QUANTITY || f->kind == RECORD_CODE ||
+           (r->shape == RESULT_ATTRIBUTES && f->kind != RECORD_TEXT);
+}
 
-    f.name = n->name;
-    const enum status status = column_add(a, &part, &f);
-    if (status == STATUS_OK)
-        a->to->at[a->to->count - 1].number = *n;
+/* Under one of its names. */
+static enum status add_name(struct sweep_columns *c, const struct sweep_dims *d,
+                            const struct result *r, size_t k, size_t names)
+{
+    enum status status = STATUS_OK;
+    char prefix[RESULT_NAME], member[RESULT_NAME];
+
+    result_prefix(r, k, prefix);
+    for (size_t i = 0; i < r->type->count && status == STATUS_OK; i++) {
+        struct result_number n = { r, k, 0, &r->type->fields[i], "" };
+        result_member(r, k, n.field, member);
+        memcpy(n.name, prefix, sizeof n.name);
+        strncat(n.name, member, sizeof n.name - strlen(n.name) - 1);
+        if (is_kept(r, n.field))
+            status = add(c, d, &n, r->axis, names);
+    }
     return status;
+}
+
+static enum status add_result(struct sweep_columns *c,
+                              const struct sweep_dims *d,
+                              const struct scene *scene, const struct result *r)
+{
+    const struct sweep_point some = { .scene = *scene };
+    const size_t names = result_count(r, &some);
+    enum status status = STATUS_OK;
+
+    for (size_t k = 0; k < names && status == STATUS_OK; k++) {
+        const size_t first = c->count;
+        status = add_name(c, d, r, k, names);
+        for (size_t i = first; i < c->count && r->type == &record_xi; i++) {
+            char *text = c->at[i].text;
+            const size_t end = strlen(text);
+            snprintf(text + end, sizeof c->at[i].text - end, " at xi = %.15g",
+                     scene->xi[k]);
+        }
+    }
+    return status;
+}
+
+static enum status add_all(struct sweep_columns *c, const struct scene *scene,
+                           const struct sweep_dims *d,
+                           const struct result_numbers *n)
+{
+    const struct results all = { .asked = sweep_asked(scene) };
+    enum status status = add_numbers(c, d, n, false);
+
+    for (size_t t = 0; point_tables[t]; t++)
+        for (const struct result *r = point_tables[t]; r->type && !status; r++)
+            if (r->name && result_asked(r, &all))
+                status = add_result(c, d, scene, r);
+    return status ? status : add_numbers(c, d, n, true);
 }
 
 enum status sweep_columns_init(struct sweep_columns *c,
                                const struct scene *scene,
                                const struct sweep_dims *d)
 {
-    const unsigned stages = plan_stages(scene->products);
-    const struct column_adder a = { c, scene, d, stages };
+    const uint64_t asked = sweep_asked(scene);
+    struct result_numbers n;
 
     *c = (struct sweep_columns){
-        .conditioning = plan_has(stages, STAGE_SENSITIVITIES),
+        .conditioning = (asked & ASKED_BY(SENSITIVITIES)) != 0,
     };
-    const enum status status = sweep_product_add(&a);
+    enum status status = study_numbers(&n, asked);
+    if (status == STATUS_OK)
+        status = add_all(c, scene, d, &n);
+    result_numbers_free(&n);
     if (status != STATUS_OK)
         sweep_columns_free(c);
     return status;
@@ -109,49 +153,37 @@ void sweep_columns_free(struct sweep_columns *c)
 
 /* ---- what is there ------------------------------------------------------- */
 
-static const void *member_of(const struct sweep_column *c,
-                             const struct sweep_point *p, size_t entry)
+static struct results results_of(const struct sweep_column *c,
+                                 const struct sweep_point *p)
 {
-    if (c->dims == 0)
-        return (const char *) p + c->offset;
-    const size_t outer = c->source == SOURCE_START ? p->starts
-                         : c->source == SOURCE_CHI ? c->entries
-                                                   : 1;
-    const size_t inner = c->entries / outer;
-    const size_t offset = c->offset + entry % inner * c->stride;
+    return c->names > 0 ? (struct results){ .table = point_tables, .run = p }
+                        : study_results(&p->study);
+}
 
-    if (c->source == SOURCE_START)
-        return (const char *) &p->start[entry / inner] + offset;
-    if (c->source == SOURCE_CHI)
-        return (const char *) &p->study.diagrams.chi.slope[entry] + offset;
-    return (const char *) p + offset;
+static struct result_number number_of(const struct sweep_column *c,
+                                      size_t entry)
+{
+    struct result_number n = c->number;
+
+    n.instance += entry / c->inner * c->names;
+    n.row += entry % c->inner;
+    return n;
 }
 
 struct quantity sweep_column_quantity(const struct sweep_column *c,
                                       const struct sweep_point *p, size_t entry)
 {
-    const struct results all = study_results(&p->study);
+    const struct results all = results_of(c, p);
+    const struct result_number n = number_of(c, entry);
 
-    if (p->failed)
-        return quantity_none(p->failed);
-    if (c->source == SOURCE_RESULT)
-        return result_quantity(&all, &c->number);
-    const void *member = member_of(c, p, entry);
-    if (c->kind == RECORD_REAL)
-        return quantity_of(*(const double *) member, 0.0);
-    if (c->kind == RECORD_COUNT)
-        return quantity_of((double) *(const int64_t *) member, 0.0);
-    return *(const struct quantity *) member;
+    return p->failed ? quantity_none(p->failed) : result_quantity(&all, &n);
 }
 
 int8_t sweep_column_code(const struct sweep_column *c,
                          const struct sweep_point *p, size_t entry)
 {
-    const struct results all = study_results(&p->study);
+    const struct results all = results_of(c, p);
+    const struct result_number n = number_of(c, entry);
 
-    if (p->failed)
-        return -1;
-    return c->source == SOURCE_RESULT
-               ? result_code(&all, &c->number)
-               : *(const int8_t *) member_of(c, p, entry);
+    return p->failed ? -1 : result_code(&all, &n);
 }

@@ -27,24 +27,18 @@
 #include "sweep_dim.h"
 #include "sweep_point.h"
 
-/* Where the member of a column is: in struct sweep_point, in that of each start
- * or of each slope of chi, in a result of the study. */
-enum sweep_source { SOURCE_POINT, SOURCE_START, SOURCE_CHI, SOURCE_RESULT };
-
-enum { COLUMN_DIMS = 2 };
-
 struct sweep_column {
     char name[64];
     char text[160]; /* long_name */
     const char *unit;
-    const char *const *codes; /* words of a code; NULL: a quantity */
-    enum record_kind kind;    /* of the member; REAL and COUNT are exact */
-    enum sweep_source source;
-    struct result_number number; /* SOURCE_RESULT: which */
-    size_t offset;               /* of the member elsewhere */
-    size_t stride;               /* to the next along an inner dimension */
+    const char *const *codes;    /* words of a code; NULL: a quantity */
+    enum record_kind kind;       /* of the member; REAL and COUNT are exact */
+    struct result_number number; /* of the first entry */
+    size_t names; /* of its result, which is one of sweep_results.h; 0: one of
+                     the study's */
+    size_t inner; /* entries along its result's records */
 
-    enum sweep_dim dim[COLUMN_DIMS];
+    enum sweep_dim dim[SWEEP_RANK];
     size_t dims;
     size_t first, entries; /* among all entries of a point */
 };

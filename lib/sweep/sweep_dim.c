@@ -1,7 +1,9 @@
 #include "sweep_dim.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "study.h"
 #include "sweep_tolerance.h"
@@ -154,6 +156,32 @@ enum status sweep_dims_init(struct sweep_dims *d, const struct scene *scene)
     if (status != STATUS_OK)
         sweep_dims_free(d);
     return status;
+}
+
+/* The first that is called `name`; SWEEP_DIMS if none is. */
+static enum sweep_dim find(const char *name)
+{
+    int dim = 0;
+
+    while (dim < SWEEP_DIMS && strcmp(known[dim].name, name) != 0)
+        dim++;
+    return (enum sweep_dim) dim;
+}
+
+size_t sweep_dims_of(const char *axis, const char *path,
+                     enum sweep_dim dim[SWEEP_RANK])
+{
+    size_t n = 0;
+
+    for (const char *at = axis; at && *at && n < SWEEP_RANK; n++) {
+        const int size = (int) strcspn(at, ",");
+        char name[32], own[64];
+        snprintf(name, sizeof name, "%.*s", size, at);
+        snprintf(own, sizeof own, "%.30s_%s", path + (*path == '/'), name);
+        dim[n] = find(own) < SWEEP_DIMS ? find(own) : find(name);
+        at += size + (int) strspn(at + size, ", ");
+    }
+    return n;
 }
 
 void sweep_dims_free(struct sweep_dims *d)

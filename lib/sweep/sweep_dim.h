@@ -19,6 +19,7 @@ enum sweep_dim {
     DIM_CHI_V,
     SWEEP_DIMS
 };
+enum { SWEEP_RANK = 2 }; /* of these, at most */
 
 /* Its values, which are the same at all points. */
 struct sweep_dim_axis {
@@ -36,6 +37,11 @@ struct sweep_dims {
 /* Those of the scene's products.  STATUS_NO_MEMORY leaves *d empty. */
 MUST_CHECK enum status sweep_dims_init(struct sweep_dims *d,
                                        const struct scene *scene);
+
+/* The dimensions "start, phase" of a result: "v" of one whose path is "/chi" is
+ * chi_v, where there is such a one.  Their number. */
+size_t sweep_dims_of(const char *axis, const char *path,
+                     enum sweep_dim dim[SWEEP_RANK]);
 
 /* A second call is harmless. */
 void sweep_dims_free(struct sweep_dims *d);

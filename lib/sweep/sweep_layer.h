@@ -13,30 +13,18 @@
 #ifndef SWEEP_SWEEP_LAYER_H
 #define SWEEP_SWEEP_LAYER_H
 
-#include "record.h"
+#include "result.h"
 #include "sweep_dim.h"
 #include "sweep_point.h"
-
-/* What a layer is made from. */
-enum layer_source {
-    LAYER_LABEL, /* of the basin map */
-    LAYER_MARGIN,
-    LAYER_MARGIN_PSI,
-    LAYER_CELL,  /* a member of struct cell */
-    LAYER_ARROW, /* a member of struct arrow */
-    LAYER_CHI,
-    LAYER_CHI_ERROR,
-    LAYER_SOURCES
-};
 
 struct sweep_layer {
     char name[64];
     char text[160]; /* long_name */
     const char *unit;
     const char *const *codes; /* words of a code; NULL: a real number */
-    enum layer_source source;
+    const struct result *of;
     enum sweep_dim dim[2]; /* rows, columns */
-    size_t member;         /* offset in a cell or an arrow */
+    size_t member;         /* offset in a record */
     size_t offset;         /* in the block of a point, in bytes */
     size_t rows, columns;
 };
@@ -44,7 +32,8 @@ struct sweep_layer {
 struct sweep_layers {
     struct sweep_layer *at; /* owned */
     size_t count, room;
-    size_t size; /* bytes of a point's block; a multiple of 8 */
+    size_t of_study; /* so many, the others are of sweep_results.h */
+    size_t size;     /* bytes of a point's block; a multiple of 8 */
 };
 
 /* Those of the scene's products; d: their dimensions.  STATUS_NO_MEMORY leaves

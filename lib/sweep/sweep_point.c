@@ -7,19 +7,6 @@
 
 #define BIT(p) (1u << PRODUCT_##p)
 
-static const struct record_field kind_fields[] = {
-    FIELD(kind_numbers, QUANTITY, ln_v, "1", "natural logarithm of v"),
-    FIELD(kind_numbers, QUANTITY, ln_psi, "1", "natural logarithm of psi"),
-    FIELD(kind_numbers, QUANTITY, v, "1", "slip rate in units of V_star"),
-    FIELD(kind_numbers, QUANTITY, psi, "1", "interfacial state"),
-    FIELD(kind_numbers, QUANTITY, lambda_minus, "1",
-          "smaller eigenvalue, per L/V_star"),
-    FIELD(kind_numbers, QUANTITY, lambda_plus, "1",
-          "larger eigenvalue, per L/V_star"),
-};
-const struct record_type record_steady_kind = RECORD_TYPE(
-    "kind", "a steady state by what it is", kind_fields, kind_numbers);
-
 /* ---- what is asked for --------------------------------------------------- */
 
 unsigned sweep_point_products(const struct scene *scene, bool maps)

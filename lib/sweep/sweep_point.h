@@ -14,7 +14,6 @@ struct kind_numbers {
     struct quantity ln_v, ln_psi; /* psi itself where it is a logarithm */
     struct quantity v, psi, lambda_minus, lambda_plus;
 };
-extern const struct record_type record_steady_kind;
 
 enum steady_kind { STEADY_CREEP, STEADY_SADDLE, STEADY_SLIDING, STEADY_KINDS };
 
