@@ -84,18 +84,19 @@ RULES = [
 ]
 
 # The map of the house: what each folder may include besides itself.
-LOW = ['lib/core', 'lib/results', 'lib/friction', 'lib/scene', 'lib/fit',
+LOW = ['lib/core', 'lib/results', 'lib/formula', 'lib/friction', 'lib/scene', 'lib/fit',
        'manifold', 'portrait']
 ORBITS = ['lib/numbers', 'lib/motion', 'lib/slow', 'lib/basin']
 MAY_SEE = {
     'lib/core': [],
     'lib/results': ['lib/core'],
-    'lib/friction': ['lib/core'],
-    'lib/scene': ['lib/core', 'lib/friction'],
-    'lib/fit': ['lib/core', 'lib/friction'],
+    'lib/formula': ['lib/core'],
+    'lib/friction': ['lib/core', 'lib/formula'],
+    'lib/scene': ['lib/core', 'lib/formula', 'lib/friction'],
+    'lib/fit': ['lib/core', 'lib/formula', 'lib/friction'],
     'lib/store': ['lib/core', 'lib/results'],
     'lib/plot': ['lib/core'],
-    'lib/interchange': ['lib/core', 'lib/friction'],
+    'lib/interchange': ['lib/core', 'lib/formula', 'lib/friction'],
     'manifold': ['lib/core'],
     'portrait': ['lib/core', 'manifold'],
     'lib/numbers': LOW,

@@ -14,7 +14,7 @@ static const struct {
     { "if", "" },          { "then", " ? " },  { "else", " : " },
     { "ln", "log" },       { "abs", "fabs" },  { "max", "fmax" },
     { "min", "fmin" },     { "em1", "expm1" }, { "ln1p", "log1p" },
-    { "asinh0", "asinh" },
+    { "asinh0", "asinh" }, { "power", "pow" },
 };
 
 static const char *in_c(const char *word, size_t size)
@@ -59,9 +59,10 @@ static void write_arguments(FILE *out, const char *arguments)
 
 static bool calls_sign(const struct field_text *f)
 {
-    for (int i = 0; i < SCALAR_TEXTS; i++)
-        if (f->calls[i] && scalar_text_calls(scalar_texts[i].body, "sign") &&
-            !in_c(scalar_texts[i].name, strlen(scalar_texts[i].name)))
+    for (int i = 0; i < FUNCTIONS; i++)
+        if (f->lines.calls[i] &&
+            function_is_called(functions[i].body, "sign") &&
+            !in_c(functions[i].name, strlen(functions[i].name)))
             return true;
     return false;
 }
@@ -72,9 +73,9 @@ static void write_functions(FILE *out, const struct field_text *f)
         fputs("\nstatic double sign(double z_)\n{\n"
               "    return (z_ > 0) - (z_ < 0);\n}\n",
               out);
-    for (int i = 0; i < SCALAR_TEXTS; i++) {
-        const struct scalar_text *s = &scalar_texts[i];
-        if (!f->calls[i] || in_c(s->name, strlen(s->name)))
+    for (int i = 0; i < FUNCTIONS; i++) {
+        const struct function *s = &functions[i];
+        if (!f->lines.calls[i] || in_c(s->name, strlen(s->name)))
             continue;
         fprintf(out, "\n/* %s */\nstatic double %s(", s->meaning, s->name);
         write_arguments(out, s->arguments);
@@ -114,9 +115,9 @@ static void write_func(FILE *out, const struct law *law,
                 i);
     fputs("    /* the steady state at lnv0, and differences from there */\n",
           out);
-    for (size_t i = 0; i < f->lines; i++) {
-        fprintf(out, "    const double %s = ", f->line[i].name);
-        write_text(out, f->line[i].text);
+    for (size_t i = 0; i < f->lines.lines; i++) {
+        fprintf(out, "    const double %s = ", f->lines.line[i].name);
+        write_text(out, f->lines.line[i].text);
         fputs(";\n", out);
     }
     fputs("\n    (void) mu;\n"

@@ -1,5 +1,5 @@
 /* XPPAUT 6.11: names of 9 letters, capitals do not count; lines of 1000; no
- * expm1, log1p, asinh (scalar_text.h); a sign may follow no other operator; a
+ * expm1, log1p, asinh (function.h); a sign may follow no other operator; a
  * run ends where anything that is printed exceeds `bound`. */
 #include "xppaut.h"
 
@@ -20,19 +20,19 @@ static void write_parameters(FILE *out, const struct interchange *x,
 static void write_functions(FILE *out, const struct field_text *f)
 {
     fputs("\n# functions that XPPAUT has not\n", out);
-    for (int i = 0; i < SCALAR_TEXTS; i++)
-        if (f->calls[i])
-            fprintf(out, "# %s\n%s(%s)=%s\n", scalar_texts[i].meaning,
-                    scalar_texts[i].name, scalar_texts[i].arguments,
-                    scalar_texts[i].body);
+    for (int i = 0; i < FUNCTIONS; i++)
+        if (f->lines.calls[i])
+            fprintf(out, "# %s\n%s(%s)=%s\n", functions[i].meaning,
+                    functions[i].name, functions[i].arguments,
+                    functions[i].body);
 }
 
 static void write_lines(FILE *out, const struct field_text *f)
 {
     fputs("\n# the steady state at lnv0, and differences from there\n", out);
-    for (size_t i = 0; i < f->lines; i++)
-        fprintf(out, "%s%s=%s\n", f->line[i].moves ? "" : "!", f->line[i].name,
-                f->line[i].text);
+    for (size_t i = 0; i < f->lines.lines; i++)
+        fprintf(out, "%s%s=%s\n", f->lines.line[i].moves ? "" : "!",
+                f->lines.line[i].name, f->lines.line[i].text);
 }
 
 static void write_rates(FILE *out, const char *const state[2],

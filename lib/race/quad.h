@@ -16,6 +16,7 @@ quad expq(quad x);
 quad fabsq(quad x);
 quad log1pq(quad x);
 quad logq(quad x);
+quad powq(quad x, quad y);
 quad sinhq(quad x);
 quad sqrtq(quad x);
 quad strtoflt128(const char *text, char **end);

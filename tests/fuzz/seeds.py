@@ -3,7 +3,7 @@
 
 usage: seeds.py PATH_TO_SLIPWAY SOURCE_ROOT FOLDER
 
-FOLDER/scene, csv, hdf5, journal get the seeds, and what tests/fuzz/found has
+FOLDER/scene, csv, formula, hdf5, journal get the seeds, and what tests/fuzz/found has
 under these names: inputs that once were findings;
 FOLDER/scene.dict the words of scenes; FOLDER/whole.h5 is for FUZZ_WHOLE.
 """
@@ -106,6 +106,26 @@ def tables(slipway, source, folder):
           '0.3,0.01,1e-3,\n0.4,"0.02",,1e-6\n')
 
 
+def formulas(folder):
+    for i, text in enumerate((
+            '(b - a*asinh(v/2*exp((b + a*y)/a)))/sqrt(1 + b^2)#-(y + ln(v))*v',
+            '-sinh(y - 1/v)*exp(-1/v)', 'y - y^3/3 + b#(v - a)/(y^2 + 1)',
+            'v*(exp(-v/a - ln(v)) - ln(v))', 'tan(b) - lambert(a)*sinh(y)*y',
+            '(v + a)^(1/3) - v^y#ln(v^2 + exp(y))', 'pi*1.5e-3', '1..2', '')):
+        write(f'{folder}/formula/own-{i}', text)
+    for i, text in enumerate((
+            '(' * 1000 + 'v', 'v^' * 1000 + 'v', '-' * 9999 + 'v', 'v' * 10001,
+            'exp(' * 199 + 'y' + ')' * 199, 'sinh(' * 199 + 'v' + ')' * 199,
+            '+'.join(f'{i}/(v+{i})' for i in range(700)), 'y*' * 4999 + 'y',
+            '(y-1)*' * 900 + 'y', '(y-v)/' * 900 + 'y', '1e' + '9' * 9000,
+            '0.' + '3' * 9000, '\0' * 99, 'ln(' * 180 + 'v' + ')' * 180)):
+        write(f'{folder}/formula/hostile-{i}', text)
+    write(folder + '/formula.dict', ''.join(
+        f'"{word}"\n' for word in ('exp(', 'ln(', 'sqrt(', 'sinh(', 'asinh(',
+                                   'tan(', 'lambert(', 'v', 'y', 'a', 'b',
+                                   '^', '#', 'pi', '0.5', '1e3', '-', '1/v')))
+
+
 def results(slipway, folder):
     for name, products in (('small', '[equilibria]'), ('knees', '[knees]'),
                            ('all', '[equilibria, folds, manifolds, basins]')):
@@ -121,6 +141,7 @@ def main(slipway, source, folder):
     scenes(source, folder)
     dictionary(source, folder)
     tables(slipway, source, folder)
+    formulas(folder)
     results(slipway, folder)
     write(folder + '/journal/records', REASON + b''.join(ROWS))
     write(folder + '/journal/head', b'slipswp\0\7' + bytes(99))

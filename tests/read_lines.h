@@ -1,60 +1,60 @@
-/* formula.h -- formulas written as text (expression.h), evaluated in 113 bits:
- * numbers, names, + - * /, functions, if(u<w)then(..)else(..). */
-#ifndef TESTS_FORMULA_H
-#define TESTS_FORMULA_H
+/* read_lines.h -- formulas written as text (lines.h), evaluated in 113 bits:
+ * numbers, names, + - * / ^, functions, if(u<w)then(..)else(..). */
+#ifndef TESTS_READ_LINES_H
+#define TESTS_READ_LINES_H
 
 #include <ctype.h>
 #include <string.h>
 
 #include "check.h"
+#include "function.h"
 #include "quad.h"
-#include "scalar_text.h"
 
-enum { FORMULA_NAMES = 160 };
+enum { LINE_NAMES = 160 };
 
 /* What names stand for: the last of the same name counts. */
-struct formula_scope {
+struct line_scope {
     struct {
         char name[16];
         quad value;
-    } known[FORMULA_NAMES];
+    } known[LINE_NAMES];
     size_t count;
     quad tangent; /* the value of tan() of anything */
 };
 
-struct formula_reader {
-    const struct formula_scope *scope;
+struct line_reader {
+    const struct line_scope *scope;
     const char *at;
 };
 
-static inline void formula_know(struct formula_scope *s, const char *name,
-                                size_t size, quad value)
+static inline void line_know(struct line_scope *s, const char *name,
+                             size_t size, quad value)
 {
-    assert_true(s->count < FORMULA_NAMES && size < 16);
+    assert_true(s->count < LINE_NAMES && size < 16);
     memcpy(s->known[s->count].name, name, size);
     s->known[s->count].name[size] = '\0';
     s->known[s->count++].value = value;
 }
 
-static quad formula_sum(struct formula_reader *r);
+static quad line_sum(struct line_reader *r);
 
-static inline void formula_expect(struct formula_reader *r, const char *word)
+static inline void line_expect(struct line_reader *r, const char *word)
 {
     CHECK(strncmp(r->at, word, strlen(word)) == 0, "%s at %.40s", word, r->at);
     r->at += strlen(word);
 }
 
-static inline quad formula_at(const struct formula_scope *s, const char *text)
+static inline quad line_at(const struct line_scope *s, const char *text)
 {
-    struct formula_reader r = { s, text };
-    const quad value = formula_sum(&r);
+    struct line_reader r = { s, text };
+    const quad value = line_sum(&r);
 
     CHECK(*r.at == '\0', "%.60s after %s", r.at, text);
     return value;
 }
 
-static inline quad formula_plain(const struct formula_scope *s,
-                                 const char *name, const quad u[])
+static inline quad line_plain(const struct line_scope *s, const char *name,
+                              const quad u[])
 {
     if (strcmp(name, "exp") == 0)
         return expq(u[0]);
@@ -76,47 +76,47 @@ static inline quad formula_plain(const struct formula_scope *s,
     return s->tangent;
 }
 
-/* A function of scalar_text.h: its body, with the arguments known. */
-static inline quad formula_call(const char *name, const quad u[],
-                                const struct formula_scope *outer)
+/* A function of function.h: its body, with the arguments known. */
+static inline quad line_call(const char *name, const quad u[],
+                             const struct line_scope *outer)
 {
-    static const struct formula_scope none;
-    struct formula_scope own = none;
-    const struct scalar_text *f = scalar_texts;
+    static const struct line_scope none;
+    struct line_scope own = none;
+    const struct function *f = functions;
 
-    for (int i = 0; i < SCALAR_TEXTS; i++, f++)
+    for (int i = 0; i < FUNCTIONS; i++, f++)
         if (strcmp(f->name, name) == 0)
             break;
-    if (f == scalar_texts + SCALAR_TEXTS)
-        return formula_plain(outer, name, u);
+    if (f == functions + FUNCTIONS || !f->body)
+        return line_plain(outer, name, u);
     const char *argument = f->arguments;
     for (int i = 0; *argument; i++) {
         const size_t size = strcspn(argument, ",");
-        formula_know(&own, argument, size, u[i]);
+        line_know(&own, argument, size, u[i]);
         argument += size + (argument[size] == ',');
     }
-    return formula_at(&own, f->body);
+    return line_at(&own, f->body);
 }
 
-static inline quad formula_if(struct formula_reader *r)
+static inline quad line_if(struct line_reader *r)
 {
-    formula_expect(r, "(");
-    const quad left = formula_sum(r);
+    line_expect(r, "(");
+    const quad left = line_sum(r);
     const char sign = *r->at;
-    formula_expect(r, sign == '=' ? "==" : sign == '<' ? "<" : ">");
-    const quad right = formula_sum(r);
-    formula_expect(r, ")then(");
-    const quad yes = formula_sum(r);
-    formula_expect(r, ")else(");
-    const quad no = formula_sum(r);
-    formula_expect(r, ")");
+    line_expect(r, sign == '=' ? "==" : sign == '<' ? "<" : ">");
+    const quad right = line_sum(r);
+    line_expect(r, ")then(");
+    const quad yes = line_sum(r);
+    line_expect(r, ")else(");
+    const quad no = line_sum(r);
+    line_expect(r, ")");
     const bool holds = sign == '='   ? left >= right && left <= right
                        : sign == '<' ? left < right
                                      : left > right;
     return holds ? yes : no;
 }
 
-static inline quad formula_word(struct formula_reader *r)
+static inline quad line_word(struct line_reader *r)
 {
     char name[16] = "";
     quad u[8];
@@ -127,15 +127,15 @@ static inline quad formula_word(struct formula_reader *r)
         name[n++] = *r->at++;
     }
     if (strcmp(name, "if") == 0)
-        return formula_if(r);
+        return line_if(r);
     if (*r->at == '(') {
         for (n = 0; n == 0 || *r->at == ','; n++) {
             r->at++;
             assert_true(n < 8);
-            u[n] = formula_sum(r);
+            u[n] = line_sum(r);
         }
-        formula_expect(r, ")");
-        return formula_call(name, u, r->scope);
+        line_expect(r, ")");
+        return line_call(name, u, r->scope);
     }
     for (size_t i = r->scope->count; i-- > 0;)
         if (strcmp(r->scope->known[i].name, name) == 0)
@@ -144,49 +144,59 @@ static inline quad formula_word(struct formula_reader *r)
     return 0;
 }
 
-static inline quad formula_atom(struct formula_reader *r)
+static inline quad line_atom(struct line_reader *r)
 {
     char *end;
     quad value;
 
     if (*r->at == '(') {
         r->at++;
-        value = formula_sum(r);
-        formula_expect(r, ")");
+        value = line_sum(r);
+        line_expect(r, ")");
         return value;
     }
     if (!isdigit((unsigned char) *r->at))
-        return formula_word(r);
+        return line_word(r);
     value = strtoflt128(r->at, &end);
     r->at = end;
     return value;
 }
 
-static inline quad formula_product(struct formula_reader *r)
+static inline quad line_power(struct line_reader *r)
 {
-    quad value = formula_atom(r);
+    const quad value = line_atom(r);
+
+    if (*r->at != '^')
+        return value;
+    r->at++;
+    return powq(value, line_atom(r));
+}
+
+static inline quad line_product(struct line_reader *r)
+{
+    quad value = line_power(r);
 
     while (*r->at == '*' || *r->at == '/')
         if (*r->at++ == '*')
-            value *= formula_atom(r);
+            value *= line_power(r);
         else
-            value /= formula_atom(r);
+            value /= line_power(r);
     return value;
 }
 
 /* A sign stands only where a formula, an argument or a bracket begins. */
-static quad formula_sum(struct formula_reader *r)
+static quad line_sum(struct line_reader *r)
 {
     const bool minus = *r->at == '-';
 
     r->at += minus;
-    quad value = formula_product(r);
+    quad value = line_product(r);
     value = minus ? -value : value;
     while (*r->at == '+' || *r->at == '-')
         if (*r->at++ == '+')
-            value += formula_product(r);
+            value += line_product(r);
         else
-            value -= formula_product(r);
+            value -= line_product(r);
     return value;
 }
 

@@ -1,0 +1,406 @@
+/* From formulas to differences.  Every node is asked for its linear form, of
+ * itself or of its logarithm; each answer is made once. */
+#include "lower.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static int value_of(struct lowering *L, int i);
+
+/* ---- logarithms ---------------------------------------------------------- */
+
+/* ln(1/4) is -ln 4. */
+static int ln(struct lowering *L, int node)
+{
+    struct formula *f = L->s.f;
+    const struct formula_node *n = &f->node[node];
+    const formula_real turned = n->number > 0 ? 1 / n->number : 0;
+
+    if (turned > 1 && turned >= (double) turned && turned <= (double) turned)
+        return formula_less(
+            f, 0, formula_of(f, FUNCTION_LN, formula_number(f, turned)));
+    return formula_of(f, FUNCTION_LN, node);
+}
+
+/* ln(p + q), p rather a product: ln q + ln(p/q + 1) but for constants q */
+static struct linear log_of_sum(struct lowering *L, int i, int p, int q)
+{
+    struct formula *f = L->s.f;
+    const bool moves = f->node[q].moves;
+    struct linear u = lower_log(L, p), w = { 0 };
+
+    if (moves) {
+        w = lower_log(L, q);
+        linear_add_times(&L->s, &u, -1, &w);
+    }
+    const int sum = value_of(L, i);
+    const struct linear mixed = linear_function(
+        &L->s, STEP_MIXED, &u, formula_over(f, value_of(L, p), sum),
+        formula_over(f, value_of(L, q), sum), 0);
+    linear_add_times(&L->s, &w, 1, &mixed);
+    w.constant = formula_of(f, FUNCTION_LN, sum);
+    return w;
+}
+
+static struct linear log_by_plain(struct lowering *L, int i)
+{
+    const struct formula_node n = L->s.f->node[i];
+    int less;
+    const struct linear u =
+        lower_apart(L, &n, &less) ? lower_both(L, &n) : lower_plain(L, i);
+
+    return linear_function(&L->s, STEP_LN1P, &u, u.constant, 0,
+                           ln(L, u.constant));
+}
+
+static struct linear log_of_call(struct lowering *L, int i,
+                                 const struct formula_node *n)
+{
+    if (n->function == FUNCTION_EXP)
+        return lower_plain(L, n->of[0]);
+    if (n->function != FUNCTION_SQRT && n->function != FUNCTION_POWER)
+        return n->moves ? log_by_plain(L, i) : linear_constant(ln(L, i));
+    const struct linear u = lower_log(L, n->of[0]);
+    return linear_times(&L->s,
+                        n->function == FUNCTION_SQRT
+                            ? formula_over(L->s.f, formula_number(L->s.f, 1),
+                                           formula_number(L->s.f, 2))
+                            : n->of[1],
+                        &u);
+}
+
+static struct linear make_log(struct lowering *L, int i)
+{
+    const struct formula_node n = L->s.f->node[i];
+    struct linear u, w;
+
+    switch (n.kind) {
+        case FORMULA_LEAF:
+            for (int k = 0; k < 2 && n.positive; k++)
+                if (L->p->state[k] == i)
+                    return linear_one(&L->s, k, L->p->chart[k]);
+            return n.moves ? log_by_plain(L, i) : linear_constant(ln(L, i));
+        case FORMULA_TIMES:
+        case FORMULA_OVER:
+            if (!L->s.f->node[n.of[0]].positive ||
+                !L->s.f->node[n.of[1]].positive)
+                return log_by_plain(L, i);
+            u = lower_log(L, n.of[0]);
+            w = lower_log(L, n.of[1]);
+            linear_add_times(&L->s, &u, n.kind == FORMULA_TIMES ? 1 : -1, &w);
+            return u;
+        case FORMULA_SUM:
+            if (!n.positive || !n.moves)
+                return log_by_plain(L, i);
+            if (L->s.f->node[n.of[0]].natural)
+                return log_of_sum(L, i, n.of[0], n.of[1]);
+            if (L->s.f->node[n.of[1]].natural)
+                return log_of_sum(L, i, n.of[1], n.of[0]);
+            return log_by_plain(L, i);
+        case FORMULA_CALL:
+            return log_of_call(L, i, &n);
+        default:
+            return linear_constant(ln(L, i));
+    }
+}
+
+/* ---- themselves ---------------------------------------------------------- */
+
+/* u0 w0 + w0 du + u0 dw + du dw */
+static struct linear product(struct lowering *L, const struct linear *u,
+                             const struct linear *w)
+{
+    struct linear du = *u, dw = *w,
+                  out = linear_constant(
+                      formula_times(L->s.f, u->constant, w->constant));
+
+    du.constant = dw.constant = 0;
+    linear_add(&L->s, &out, w->constant, &du);
+    linear_add(&L->s, &out, u->constant, &dw);
+    if (du.terms && dw.terms) {
+        const struct linear more =
+            linear_one(&L->s,
+                       linear_step(&L->s, STEP_PRODUCT, linear_reg(&L->s, &du),
+                                   linear_reg(&L->s, &dw), 0, 0),
+                       0);
+        linear_add_times(&L->s, &out, 1, &more);
+    }
+    return out;
+}
+
+/* q + (u - q w)/w with q = u0/w0 */
+static struct linear quotient(struct lowering *L, const struct linear *u,
+                              const struct linear *w)
+{
+    struct formula *f = L->s.f;
+    struct linear du = *u, dw = *w;
+
+    if (w->terms == 0)
+        return linear_over(&L->s, u, w->constant);
+    const int q = formula_over(f, u->constant, w->constant);
+    linear_add(&L->s, &du, formula_less(f, 0, q), w);
+    du.constant = dw.constant = 0;
+    return linear_one(&L->s,
+                      linear_step(&L->s, STEP_QUOTIENT, linear_reg(&L->s, &du),
+                                  linear_reg(&L->s, &dw), w->constant, 0),
+                      q);
+}
+
+static struct linear growth(struct lowering *L, int i)
+{
+    const struct linear u = lower_log(L, i);
+    const int value = value_of(L, i);
+
+    return linear_function(&L->s, STEP_GROWTH, &u, value, u.constant, value);
+}
+
+static struct linear apart(struct lowering *L, int k, const struct linear *u,
+                           const struct linear *w)
+{
+    const int q = formula_less(L->s.f, w->constant, u->constant);
+
+    return linear_one(&L->s,
+                      linear_step(&L->s, STEP_APART, linear_reg(&L->s, u),
+                                  linear_reg(&L->s, w), k, q),
+                      0);
+}
+
+bool lower_apart(struct lowering *L, const struct formula_node *n, int *less)
+{
+    const formula_real c = formula_factor(L->s.f, n->of[1], less);
+
+    if (n->kind != FORMULA_SUM || c >= 0 || !L->s.f->node[n->of[0]].natural ||
+        !L->s.f->node[*less].natural)
+        return false;
+    *less = formula_times(L->s.f, formula_number(L->s.f, -c), *less);
+    return true;
+}
+
+struct linear lower_both(struct lowering *L, const struct formula_node *n)
+{
+    struct linear u = lower_plain(L, n->of[0]);
+    const struct linear w = lower_plain(L, n->of[1]);
+
+    linear_add_times(&L->s, &u, 1, &w);
+    return u;
+}
+
+static struct linear plain_sum(struct lowering *L, const struct formula_node *n)
+{
+    int less;
+
+    if (!lower_apart(L, n, &less))
+        return lower_both(L, n);
+    const struct linear u = lower_log(L, n->of[0]), w = lower_log(L, less);
+    return apart(L, value_of(L, n->of[0]), &u, &w);
+}
+
+/* a asinh(e^w/2), e^w/2 positive by its form */
+static struct linear plain_asinh(struct lowering *L, int argument)
+{
+    struct formula *f = L->s.f;
+
+    if (!f->node[argument].natural)
+        return linear_fail(&L->s, "asinh of what may be negative has no rule");
+    struct linear u = lower_log(L, argument);
+    u.constant = formula_sum(f, u.constant,
+                             formula_of(f, FUNCTION_LN, formula_number(f, 2)));
+    return linear_function(&L->s, STEP_FRICTION, &u, u.constant, 0,
+                           formula_of(f, FUNCTION_ASINHEXP, u.constant));
+}
+
+/* sinh u0 + e^u0/2 (e^du - 1) - e^-u0/2 (e^-du - 1) */
+static struct linear plain_sinh(struct lowering *L, int argument)
+{
+    struct formula *f = L->s.f;
+    struct linear u = lower_plain(L, argument), w = { 0 };
+    const int half = formula_of(f, FUNCTION_LN, formula_number(f, 2));
+    struct linear out =
+        linear_constant(formula_of(f, FUNCTION_SINH, u.constant));
+
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        w = linear_times(&L->s, formula_number(f, sign), &u);
+        const int q = formula_less(f, w.constant, half);
+        const struct linear part = linear_function(
+            &L->s, STEP_GROWTH, &w,
+            formula_over(f, formula_of(f, FUNCTION_EXP, w.constant),
+                         formula_number(f, 2)),
+            q, 0);
+        linear_add_times(&L->s, &out, sign, &part);
+    }
+    return out;
+}
+
+static struct linear plain_power(struct lowering *L, int i,
+                                 const struct formula_node *n)
+{
+    const formula_real p = L->s.f->node[n->of[1]].number;
+    const bool whole = L->s.f->node[n->of[1]].kind == FORMULA_NUMBER && p > 1 &&
+                       p < 20 && (formula_real) (int) p >= p;
+    const struct linear u = lower_plain(L, n->of[0]);
+    struct linear out = u;
+
+    if (!whole)
+        return growth(L, i);
+    for (int k = 1; k < (int) p; k++)
+        out = product(L, &out, &u);
+    return out;
+}
+
+static struct linear plain_call(struct lowering *L, int i,
+                                const struct formula_node *n)
+{
+    switch (n->function) {
+        case FUNCTION_LN:
+            return lower_log(L, n->of[0]);
+        case FUNCTION_ASINH:
+            return plain_asinh(L, n->of[0]);
+        case FUNCTION_SINH:
+            return plain_sinh(L, n->of[0]);
+        case FUNCTION_POWER:
+            return plain_power(L, i, n);
+        case FUNCTION_EXP:
+        case FUNCTION_SQRT:
+            return growth(L, i);
+        default:
+            return linear_fail(&L->s,
+                               "tan and lambert are for parameters only");
+    }
+}
+
+static struct linear make_plain(struct lowering *L, int i)
+{
+    const struct formula_node n = L->s.f->node[i];
+    struct linear u, w;
+
+    if (!n.moves)
+        return linear_constant(i);
+    if (n.natural)
+        return growth(L, i);
+    switch (n.kind) {
+        case FORMULA_LEAF:
+            for (int k = 0; k < 2; k++)
+                if (L->p->state[k] == i)
+                    return linear_one(&L->s, k, L->p->at[k]);
+            return linear_fail(&L->s, "a state is not of this plane");
+        case FORMULA_SUM:
+            return plain_sum(L, &n);
+        case FORMULA_TIMES:
+        case FORMULA_OVER:
+            u = lower_plain(L, n.of[0]);
+            w = lower_plain(L, n.of[1]);
+            return n.kind == FORMULA_TIMES ? product(L, &u, &w)
+                                           : quotient(L, &u, &w);
+        default:
+            return plain_call(L, i, &n);
+    }
+}
+
+/* ---- made once ----------------------------------------------------------- */
+
+/* A register that is a named node, and a constant that is its value, may use
+ * the name. */
+static void name_after(struct lowering *L, const char *name,
+                       const struct linear *u, bool logarithm)
+{
+    char own[FORMULA_NAME + 4];
+
+    snprintf(own, sizeof own, "%s%s0", logarithm ? "ln" : "", name);
+    if (!formula_is_plain(L->s.f, u->constant))
+        formula_name(L->s.f, u->constant, own);
+    if (u->terms != 1 || u->term[0].reg < 2 ||
+        !formula_is(L->s.f, u->term[0].c, 1.0))
+        return;
+    struct step *s = &L->s.t->step[u->term[0].reg - 2];
+    snprintf(own, sizeof own, "%s%s", logarithm ? "dln" : "d", name);
+    if (!s->name[0] && strlen(own) < sizeof s->name)
+        strcpy(s->name, own);
+}
+
+static void name_definitions(struct lowering *L, int i, const struct linear *u,
+                             bool logarithm)
+{
+    for (int k = 0; k < L->s.f->definitions && L->s.f->node[i].moves; k++)
+        if (L->s.f->definition[k].node == i)
+            name_after(L, L->s.f->definition[k].name, u, logarithm);
+}
+
+static struct linear keep(struct lowering *L, short *place, int i,
+                          const struct linear *u, bool logarithm)
+{
+    if (L->s.failed || L->s.f->full)
+        return linear_fail(&L->s, "it has too many parts");
+    if (L->forms == LOWER_FORMS)
+        return linear_fail(&L->s, "it has too many parts");
+    name_definitions(L, i, u, logarithm);
+    L->form[L->forms++] = *u;
+    *place = (short) L->forms;
+    return *u;
+}
+
+struct linear lower_plain(struct lowering *L, int i)
+{
+    if (L->plain[i])
+        return L->form[L->plain[i] - 1];
+    if (L->s.failed)
+        return linear_constant(0);
+    const struct linear u = make_plain(L, i);
+    return keep(L, &L->plain[i], i, &u, false);
+}
+
+struct linear lower_log(struct lowering *L, int i)
+{
+    if (L->log[i])
+        return L->form[L->log[i] - 1];
+    if (L->s.failed)
+        return linear_constant(0);
+    const struct linear u = make_log(L, i);
+    return keep(L, &L->log[i], i, &u, true);
+}
+
+static int value_of_call(struct lowering *L, int i,
+                         const struct formula_node *n)
+{
+    struct formula *f = L->s.f;
+
+    switch (n->function) {
+        case FUNCTION_POWER:
+            return formula_call(f, FUNCTION_POWER,
+                                (int[]){ value_of(L, n->of[0]), n->of[1] });
+        case FUNCTION_SQRT:
+            return formula_of(f, FUNCTION_SQRT, value_of(L, n->of[0]));
+        case FUNCTION_EXP:
+            return formula_of(f, FUNCTION_EXP,
+                              lower_plain(L, n->of[0]).constant);
+        default:
+            return lower_plain(L, i).constant;
+    }
+}
+
+static int make_value(struct lowering *L, int i)
+{
+    const struct formula_node n = L->s.f->node[i];
+    struct formula *f = L->s.f;
+
+    if (n.moves && n.kind == FORMULA_CALL)
+        return value_of_call(L, i, &n);
+    if (!n.moves || !n.positive)
+        return lower_plain(L, i).constant;
+    switch (n.kind) {
+        case FORMULA_LEAF:
+            return L->p->at[i == L->p->state[1]];
+        case FORMULA_SUM:
+            return formula_sum(f, value_of(L, n.of[0]), value_of(L, n.of[1]));
+        case FORMULA_TIMES:
+            return formula_times(f, value_of(L, n.of[0]), value_of(L, n.of[1]));
+        default:
+            return formula_over(f, value_of(L, n.of[0]), value_of(L, n.of[1]));
+    }
+}
+
+static int value_of(struct lowering *L, int i)
+{
+    if (!L->value[i] && !L->s.failed)
+        L->value[i] = (short) (make_value(L, i) + 1);
+    return L->value[i] ? L->value[i] - 1 : 0;
+}

@@ -1,0 +1,31 @@
+/*
+ * lower.h -- the linear forms of nodes, for tape.c.
+ */
+#ifndef FORMULA_LOWER_H
+#define FORMULA_LOWER_H
+
+#include "linear.h"
+
+enum { LOWER_FORMS = 600 };
+
+struct lowering {
+    struct forms s;
+    const struct plane_formulas *p;
+    struct linear form[LOWER_FORMS];
+    int forms;
+    /* by node: places in form[] plus one of it and of its logarithm, and its
+     * value at the anchor plus one; 0: not yet */
+    short plain[FORMULA_NODES], log[FORMULA_NODES], value[FORMULA_NODES];
+};
+
+/* Of a node, and of its logarithm. */
+struct linear lower_plain(struct lowering *L, int i);
+struct linear lower_log(struct lowering *L, int i);
+
+/* Whether n is the difference of two products, of which *less is the second:
+ * one step then, STEP_APART, and not the sum of both. */
+bool lower_apart(struct lowering *L, const struct formula_node *n, int *less);
+/* The sum of both. */
+struct linear lower_both(struct lowering *L, const struct formula_node *n);
+
+#endif

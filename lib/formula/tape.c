@@ -1,0 +1,167 @@
+/* Rates as mantissas and exponents. */
+#include "tape.h"
+
+#include <stdio.h>
+
+#include "lower.h"
+
+/* ---- rates --------------------------------------------------------------- */
+
+/* mantissa exp(exponent + |u|): the last where there is a factor sinh u, that
+ * of node `sinh` */
+struct factors {
+    struct linear mantissa, exponent;
+    int sinh; /* -1: none */
+};
+
+static void split(struct lowering *L, int i, struct factors *out);
+
+/* i = other pos or other/pos; a constant stays with the mantissa unless it is
+ * positive. */
+static void split_product(struct lowering *L, int other, int pos, double sign,
+                          struct factors *out)
+{
+    const struct linear l = lower_log(L, pos);
+
+    split(L, other, out);
+    linear_add_times(&L->s, &out->exponent, sign, &l);
+}
+
+static void split(struct lowering *L, int i, struct factors *out)
+{
+    const struct formula_node n = L->s.f->node[i];
+    const struct formula_node *a = &L->s.f->node[n.of[0]],
+                              *b = &L->s.f->node[n.of[1]];
+
+    *out = (struct factors){ .sinh = -1 };
+    if (n.natural) {
+        out->mantissa.constant = formula_number(L->s.f, 1);
+        out->exponent = lower_log(L, i);
+    } else if (n.kind == FORMULA_TIMES && !a->moves && !a->positive) {
+        split(L, n.of[1], out);
+        out->mantissa = linear_times(&L->s, n.of[0], &out->mantissa);
+    } else if (n.kind == FORMULA_TIMES && a->positive) {
+        split_product(L, n.of[1], n.of[0], 1, out);
+    } else if (n.kind == FORMULA_TIMES && b->positive) {
+        split_product(L, n.of[0], n.of[1], 1, out);
+    } else if (n.kind == FORMULA_OVER && b->positive) {
+        split_product(L, n.of[0], n.of[1], -1, out);
+    } else if (n.kind == FORMULA_CALL && n.function == FUNCTION_SINH) {
+        const struct linear u = lower_plain(L, n.of[0]);
+        out->mantissa =
+            linear_one(&L->s,
+                       linear_step(&L->s, STEP_SINH, linear_reg(&L->s, &u), -1,
+                                   u.constant, 0),
+                       0);
+        out->sinh = n.of[0];
+    } else {
+        out->mantissa = lower_plain(L, i);
+    }
+}
+
+static bool shares(const struct linear *u, const struct linear *w)
+{
+    for (int i = 0; i < u->terms; i++)
+        for (int j = 0; j < w->terms; j++)
+            if (u->term[i].reg == w->term[j].reg && u->term[i].reg >= 2)
+                return true;
+    return false;
+}
+
+/* e^|u| joins the exponent; term by term where they have terms in common, which
+ * may be as large as 1e300 and cancel. */
+static void join_sinh(struct lowering *L, int argument, struct tape_rate *r)
+{
+    const struct formula_node n = L->s.f->node[argument];
+    struct linear u = lower_plain(L, argument);
+    int less;
+
+    if (lower_apart(L, &n, &less)) {
+        const struct linear terms = lower_both(L, &n);
+        u = shares(&r->exponent[0], &terms) ? terms : u;
+    }
+    linear_add_times(&L->s, &r->exponent[0], 1, &u);
+    linear_add_times(&L->s, &r->exponent[1], -1, &u);
+}
+
+static bool may_be_large(const struct tape *t, const struct linear *u)
+{
+    for (int i = 0; i < u->terms; i++) {
+        const int s = u->term[i].reg - 2;
+        if (s >= 0 &&
+            (t->step[s].kind == STEP_GROWTH || t->step[s].kind == STEP_APART))
+            return true;
+    }
+    return false;
+}
+
+static void lower_rate(struct lowering *L, int i)
+{
+    struct tape_rate *r = &L->s.t->rate[i];
+    const int state = L->p->state[i];
+    struct factors s;
+
+    split(L, L->p->rate[i], &s);
+    if (L->s.f->node[state].positive) { /* d ln v/dt = (dv/dt)/v */
+        const struct linear l = lower_log(L, state);
+        linear_add_times(&L->s, &s.exponent, -1, &l);
+    }
+    *r = (struct tape_rate){ .mantissa = s.mantissa,
+                             .exponent = { s.exponent, s.exponent },
+                             .sinh = -1,
+                             .scaled = -1 };
+    if (L->p->zero[i])
+        r->mantissa.constant = 0;
+    if (s.sinh >= 0) {
+        r->sinh = s.mantissa.term[0].reg;
+        join_sinh(L, s.sinh, r);
+    } else if (may_be_large(L->s.t, &r->mantissa)) {
+        r->scaled = linear_scaled(&L->s, &r->mantissa);
+        r->mantissa = linear_one(&L->s, r->scaled, 0);
+    }
+}
+
+/* ---- all ----------------------------------------------------------------- */
+
+static enum status answer(const struct lowering *L, struct fault *why)
+{
+    if (!L->s.failed && !L->s.f->full)
+        return STATUS_OK;
+    snprintf(why->text, sizeof why->text, "the formula cannot be used: %s",
+             L->s.failed ? L->s.failed : "it has too many parts");
+    return STATUS_BAD_ARGUMENT;
+}
+
+enum status tape_lower(struct tape *t, struct formula *f,
+                       const struct plane_formulas *p, struct fault *why)
+{
+    static const struct lowering none;
+    struct lowering L = none;
+
+    L.s.f = f;
+    L.s.t = t;
+    L.p = p;
+    t->steps = 0;
+    for (int i = 0; i < 2; i++)
+        lower_rate(&L, i);
+    for (int i = 0; i < TAPE_VALUES; i++)
+        t->value[i] =
+            i < p->values ? lower_plain(&L, p->value[i]) : linear_constant(0);
+    return answer(&L, why);
+}
+
+enum status tape_anchor(struct formula *f, struct plane_formulas *p, int i,
+                        int node, struct fault *why)
+{
+    static const struct lowering none;
+    struct lowering L = none;
+    struct tape t = { .steps = 0 };
+
+    L.s.f = f;
+    L.s.t = &t;
+    L.p = p;
+    p->at[i] = node;
+    p->chart[i] =
+        f->node[p->state[i]].positive ? lower_log(&L, node).constant : node;
+    return answer(&L, why);
+}

@@ -1,0 +1,91 @@
+/*
+ * tape.h -- the rates of a plane as a short program of differences from an
+ * anchor, in which nothing cancels and nothing overflows.
+ *
+ * The chart of a state is its logarithm if it is positive, itself if not.
+ * Registers 0 and 1 are the offsets of the chart from the anchor; the others
+ * are made by steps.  A node g is kept linear in registers,
+ *     g = g0 + sum c r    or, if it is positive and rather a product,
+ *     ln g = l0 + sum c r,
+ * so that differences are never taken and exponents add before anything is
+ * exponentiated; a step is needed only where something is really nonlinear.  A
+ * rate of the chart is M exp(E): where it has a factor sinh(u), whose e^|u| is
+ * e^u or e^-u, E is one of two, so that u, a linear form, joins the others
+ * before a number is put in.
+ *
+ * All constants are formulas of the parameters and of the anchor: what is 0 at
+ * the anchor for every value of the parameters is 0 exactly.
+ */
+#ifndef FORMULA_TAPE_H
+#define FORMULA_TAPE_H
+
+#include "formula.h"
+#include "status.h"
+
+enum { TAPE_STEPS = 256, TAPE_TERMS = 10, TAPE_VALUES = 2 };
+
+/* constant + sum of c reg: nodes and registers */
+struct linear {
+    int constant, terms;
+    struct {
+        int reg, c;
+    } term[TAPE_TERMS];
+};
+
+/* Step i makes register i + 2; u and w are registers a and b, k and q nodes. */
+enum step_kind {
+    STEP_LINEAR,   /* the linear form, without its constant */
+    STEP_GROWTH,   /* k (e^u - 1), q = ln k */
+    STEP_APART,    /* k (e^u - e^(w + q)), q = 0 if it is 0 at the anchor */
+    STEP_MIXED,    /* ln(k e^u + q), k + q = 1 */
+    STEP_LN1P,     /* ln(1 + u/k) */
+    STEP_SINH,     /* e^-|k + u| sinh(k + u) */
+    STEP_FRICTION, /* asinh(e^(k + u)/2) - asinh(e^k/2) */
+    STEP_PRODUCT,  /* u w */
+    STEP_QUOTIENT, /* u/(k + w) */
+    STEP_SCALED    /* the linear form times e^-s, s the largest of 0, q + u of
+                      its growths, u and w + q of its aparts */
+};
+
+struct step {
+    enum step_kind kind;
+    int a, b; /* -1: none */
+    int k, q;
+    struct linear form;
+    char name[FORMULA_NAME]; /* for people; may be empty */
+};
+
+/* mantissa exp(exponent + s) */
+struct tape_rate {
+    struct linear mantissa;
+    struct linear exponent[2]; /* the second where u of step `sinh` is < 0 */
+    int sinh, scaled;          /* registers; -1: there is none, s = 0 */
+};
+
+struct tape {
+    struct step step[TAPE_STEPS];
+    int steps;
+    struct tape_rate rate[2];
+    struct linear value[TAPE_VALUES];
+};
+
+/* What a tape is made of: nodes. */
+struct plane_formulas {
+    int state[2]; /* leaves */
+    int chart[2]; /* the anchor in the chart, and */
+    int at[2];    /* the states there, e^chart or chart: constants */
+    int rate[2];  /* d state/dt */
+    bool zero[2]; /* 0 at the anchor, whatever rounding makes of its terms */
+    int value[TAPE_VALUES], values; /* what else is asked for */
+};
+
+/* STATUS_BAD_ARGUMENT where something has no rule (yet), or is too long. */
+MUST_CHECK enum status tape_lower(struct tape *t, struct formula *f,
+                                  const struct plane_formulas *p,
+                                  struct fault *why);
+
+/* Puts the anchor of state i at a constant: its logarithm, or itself. */
+MUST_CHECK enum status tape_anchor(struct formula *f, struct plane_formulas *p,
+                                   int i, int node, struct fault *why);
+
+#endif
