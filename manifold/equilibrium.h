@@ -35,7 +35,7 @@ struct steady_root {
 
 /* Every zero of sys->steady->balance in [lo, hi], ascending: one in each
  * monotone piece whose ends differ in sign, to the last bit of a long double.
- * Returns their number, at most EQUILIBRIA_MAX. */
+ * Returns their number, at most EQUILIBRIA_MAX.  sys->steady is not NULL. */
 size_t equilibrium_find(const struct planar *sys,
                         struct steady_root root[EQUILIBRIA_MAX]);
 

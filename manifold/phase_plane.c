@@ -21,7 +21,7 @@ struct phase_plane phase_plane_of(const struct planar *system,
         if (e[i].type == EQUILIBRIUM_SADDLE && p.saddles < SADDLES_MAX)
             p.saddle[p.saddles++] = i;
     }
-    p.stable_rate = fastest_rate(system);
+    p.fastest_rate = fastest_rate(system);
     return p;
 }
 

@@ -17,10 +17,13 @@ struct phase_plane {
     struct equilibrium equilibrium[EQUILIBRIA_MAX]; /* ascending in x */
     size_t equilibria;
     size_t saddle[SADDLES_MAX], saddles; /* indices */
-    double stable_rate; /* the fastest rate at the origin, per unit of time */
+    double fastest_rate; /* the larger |Re lambda| at the origin, per unit of
+                            time */
 };
 
-/* Of a system and its n steady states. */
+/* Of a system, of which a copy is kept (its ctx must outlive the plane), and
+ * its n <= EQUILIBRIA_MAX steady states, ascending in x.  The caller has put
+ * the origin on the saddle if there is one. */
 struct phase_plane phase_plane_of(const struct planar *system,
                                   const struct equilibrium e[], size_t n);
 
@@ -30,8 +33,8 @@ const struct equilibrium *phase_plane_saddle(const struct phase_plane *p);
 /* Where steady state i is, as an offset. */
 struct vec2 phase_plane_offset(const struct phase_plane *p, size_t i);
 
-/* The offsets of all steady states that orbits can arrive at, the saddles being
- * none; their number. */
+/* The offsets of all steady states but the saddles, to which orbits can arrive
+ * forward or backward in time; their number. */
 size_t phase_plane_goals(const struct phase_plane *p,
                          struct vec2 goal[EQUILIBRIA_MAX]);
 

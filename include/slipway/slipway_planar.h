@@ -85,7 +85,8 @@ typedef struct slipway_window {
 
 typedef struct slipway_rest {
     double x, y;
-    double error;     /* bound on the distance to it: of one more Newton step */
+    double error; /* bound on the distance to it: twice one more Newton step,
+                     and rounding */
     double re[2], im; /* eigenvalues re[0] +- i im, or re[0] <= re[1], im = 0 */
 } slipway_rest;
 
@@ -97,7 +98,9 @@ typedef struct slipway_place {
 
 typedef struct slipway_plane slipway_plane;
 
-/* BAD_ARGUMENT: an empty window, or a rate that is not a term; NO_MEMORY. */
+/* BAD_ARGUMENT: an empty window, a rate that is not a term, or more than 62
+ * constants and operations; NO_MEMORY.  `rates` is called once, here; neither
+ * it nor ctx is kept. */
 slipway_status slipway_plane_open(slipway_rates *rates, void *ctx,
                                   const slipway_window *window,
                                   slipway_plane **out, slipway_fault *why);
@@ -109,10 +112,12 @@ size_t slipway_plane_equilibria(const slipway_plane *plane, slipway_rest out[],
                                 size_t room);
 
 /* Half of a manifold of equilibrium number `which`, from there to the window's
- * edge or another equilibrium: the side of growing (+1) or falling (-1) x, or y
- * where it leaves vertically.  *count: its points, the first `room` of them in
- * out[].  BAD_ARGUMENT: no such equilibrium; NUMERICAL: it is no hyperbolic
- * saddle, or no step is short enough. */
+ * edge, or as far as the allowed steps go, where it winds or nears another
+ * equilibrium: the side of growing (+1) or falling (-1) x, or y where it leaves
+ * vertically.  rtol: asked of its points, relative to their distance from the
+ * equilibrium.  *count: its points, the first `room` of them in out[].
+ * BAD_ARGUMENT: no such equilibrium, side not 1 or -1, rtol not in (0, 1);
+ * NUMERICAL: it is no hyperbolic saddle, or no step is short enough. */
 slipway_status slipway_plane_branch(const slipway_plane *plane, size_t which,
                                     slipway_kind kind, int side, double rtol,
                                     slipway_place out[], size_t room,

@@ -225,6 +225,13 @@ static size_t places_of(const struct branch *b, const slipway_plane *p,
     return n;
 }
 
+/* The side of the series on which x grows (side +1) or falls, or y where the
+ * manifold leaves vertically. */
+static int series_side(const struct local_series *u, int side)
+{
+    return u->ind == 1 && u->c[1] < 0.0 ? -side : side;
+}
+
 static enum status grow(const slipway_plane *p, const slipway_rest *from,
                         slipway_kind kind, int side, double rtol,
                         struct branch *out)
@@ -241,7 +248,9 @@ static enum status grow(const slipway_plane *p, const slipway_rest *from,
     equilibrium_at(&sys, false, &e);
     const enum status s = local_at(&sys, &e, MANIFOLD_STABLE, &o.carry, o.order,
                                    TOL_TAYLOR_STEP * rtol, &u);
-    return s == STATUS_OK ? grow_branch(&sys, &u, side, &o, out) : s;
+    return s == STATUS_OK
+               ? grow_branch(&sys, &u, series_side(&u, side), &o, out)
+               : s;
 }
 
 slipway_status slipway_plane_branch(const slipway_plane *plane, size_t which,

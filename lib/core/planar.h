@@ -65,6 +65,7 @@ struct planar {
     struct box domain; /* of absolute coordinates origin + z */
     struct vec2 origin;
 
+    /* All get the ctx below; z is an offset from the origin. */
     void (*field)(const void *ctx, struct vec2 z, struct planar_field *f);
     void (*jacobian)(const void *ctx, struct vec2 z, struct planar_jacobian *J);
 
@@ -72,7 +73,9 @@ struct planar {
      * curves whose coefficients 0..k are x[], y[]: writes fx[k] and fy[k].
      * Called for k = 0, 1, 2, ... with the same arrays and workspace; the
      * call with k = 0 fixes w->log_scale for the whole series.  A second call
-     * with the same k replaces the first.  NULL: the system has no jets. */
+     * with the same k replaces the first.  It starts with w->used = 0, and
+     * rate_jet takes the slots that follow; all of *w but `linear`, which is
+     * the caller's, is the system's.  NULL: the system has no jets. */
     void (*jet)(const void *ctx, struct jet_work *w, size_t k,
                 const jet_pair x[], const jet_pair y[], jet_pair fx[],
                 jet_pair fy[]);
@@ -80,7 +83,7 @@ struct planar {
     /* Observables: their rates per unit of time at z with the gradient in z
      * (which may be NULL where only the rate is wanted),
      * and (after `jet` with the same k) coefficient k of the series of
-     * rate * exp(-w->log_scale). */
+     * rate * exp(-w->log_scale).  NULL where there are none. */
     const struct planar_observable *observables;
     size_t observable_count;
     void (*rate_gradient)(const void *ctx, size_t which, struct vec2 z,

@@ -1,7 +1,7 @@
 /*
- * tolerance.h -- every tunable number of Slipway: default, unit, reason.
- * No algorithm has a literal tolerance of its own; those of lib/study alone are
- * in study_tolerance.h.
+ * tolerance.h -- the tunable numbers of geometry, portraits, scenes and files:
+ * default, unit, reason.  Those of orbits, slow curves, basins, numbers,
+ * studies, sweeps and races are in ROOM_tolerance.h of their rooms.
  */
 #ifndef CORE_TOLERANCE_H
 #define CORE_TOLERANCE_H
@@ -255,7 +255,7 @@
 #define TOL_TURNING_SHORTEST 0x1p-16
 #define TOL_TURNING_ROUNDING 1e-14
 
-/* Shortest part of a piece. */
+/* Variations (variation.c): the shortest part of a piece that is halved. */
 #define TOL_VARIATION_SHORTEST 0x1p-20
 /* The clock of an orbit: this part of the field's largest rate, so that its
  * rounding, 1e-15 of it, stays far below, and the stages of a step, which start

@@ -321,7 +321,7 @@ static enum status follow(const struct slider *s, struct vec2 z, double rtol,
 {
     const struct goals goals = goals_of(s);
     struct orbit_options options =
-        orbit_defaults(&s->plane.system, s->plane.stable_rate);
+        orbit_defaults(&s->plane.system, s->plane.fastest_rate);
     struct orbit o;
     struct past past = { .fell = false };
 

@@ -28,7 +28,7 @@ enum { FATE_NONE = -1 }; /* no cell, no value */
 extern const char *const fate_names[];
 
 /* Creep and sliding nodes: below and above the turning points of mu_ss; where
- * it has none, v <= 1 is creep (model section 2). */
+ * it has none, v <= 1 is creep. */
 enum fate fate_of_node(const struct slider *s, const struct equilibrium *e);
 
 /* Of all states in the quadrant v < v_sp, psi > psi_sp of the saddle (slow), or
@@ -57,14 +57,12 @@ struct fate_result {
 void fate_least(const struct slider *s, struct vec2 z, double least[]);
 
 /* The fate of the absolute chart point z in s->plane.system, whose steady
- states
- * are known.  `observe`: with slip, time and means, else the fate alone, which
- * is known, too, where the orbit could be followed only into one of the
+ * states are known.  `observe`: with slip, time and means, else the fate alone,
+ * which is known, too, where the orbit could be followed only into one of the
  * saddle's quadrants that cannot be left (trap.h), or where all share one.
  * Whether a rest takes a finite time is the law's (rest_form.h), whatever rtol.
- STATUS_BAD_ARGUMENT: z
- * outside the domain; STATUS_NO_MEMORY; STATUS_STOPPED. An orbit that cannot be
- * followed is undecided, with a reason. */
+ * STATUS_BAD_ARGUMENT: z outside the domain; STATUS_NO_MEMORY; STATUS_STOPPED.
+ * An orbit that cannot be followed is undecided, with a reason. */
 MUST_CHECK enum status fate_find(const struct slider *s, struct vec2 z,
                                  double rtol, bool observe,
                                  const struct monitor *monitor,

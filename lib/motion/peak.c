@@ -80,7 +80,7 @@ static enum status sharpen(const struct along *a, double rtol, size_t first,
 {
     const struct slider *s = a->slider;
     struct orbit_options options =
-        orbit_defaults(&s->plane.system, s->plane.stable_rate);
+        orbit_defaults(&s->plane.system, s->plane.fastest_rate);
     double from[CURVE_DIM_MAX], to[CURVE_DIM_MAX];
     struct orbit o;
 
@@ -125,7 +125,7 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
 {
     const struct vec2 start = vec2_sub(z, s->plane.system.origin);
     struct orbit_options options =
-        orbit_defaults(&s->plane.system, s->plane.stable_rate);
+        orbit_defaults(&s->plane.system, s->plane.fastest_rate);
     struct vec2 goal[EQUILIBRIA_MAX];
     struct peaks p;
     struct orbit o;

@@ -88,7 +88,7 @@ static void course_set(struct course *c, const struct transient_options *o,
     moment_watch_all(&c->watches, c->slider, o->level, o->levels, !goes_on);
     c->window = window_of(c, goes_on);
     c->options =
-        orbit_defaults(&c->slider->plane.system, c->slider->plane.stable_rate);
+        orbit_defaults(&c->slider->plane.system, c->slider->plane.fastest_rate);
     c->options.observables = BLOCK_EXCESS; /* slip and work */
     c->options.window = &c->window;
     c->options.event = c->watches.event;

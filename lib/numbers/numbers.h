@@ -1,7 +1,8 @@
 /*
  * numbers.h -- the numbers of one slope: what the equilibria and the branches
  * of the saddle's stable manifold say of friction, each with its error.
- * Every struct here has a record table (records.h) that names its members.
+ * Every struct here has a record table (lib/study/records.h) that names its
+ * members.
  * Dimensionless; eigenvalues per t* = L/V_star.
  */
 #ifndef NUMBERS_NUMBERS_H

@@ -237,7 +237,7 @@ void quad_course_start(struct quad_course *c, const struct quad_slope *q,
 {
     *c = (struct quad_course){ .slope = q, .tol = tol };
     c->clock = (struct rescaled){ &q->study->slider.plane.system,
-                                  q->study->slider.plane.stable_rate, 0 };
+                                  q->study->slider.plane.fastest_rate, 0 };
     c->fate = FATE_UNDECIDED;
     c->u[QUAD_X] = x - q->at.x0;
     c->u[QUAD_Y] = y - q->at.y0;

@@ -268,7 +268,7 @@ static enum status follow(const struct maker *m, double rtol, struct orbit *o)
 {
     const struct study *s = m->c->study;
     struct orbit_options options =
-        orbit_defaults(&s->slider.plane.system, s->slider.plane.stable_rate);
+        orbit_defaults(&s->slider.plane.system, s->slider.plane.fastest_rate);
 
     options.rtol = rtol;
     options.observables = 0;

@@ -1,7 +1,7 @@
 /*
  * scene.h -- what a user asks for: a YAML file, overridden key by key.
  *
- * One table (schema.c) drives parsing, ranges, defaults and messages.  The
+ * One table (schema_table.c) drives parsing, ranges, defaults and messages. The
  * text is read as libyaml events into a small tree that remembers where every
  * value stands, because a message must name file, line, column and key; the
  * libraries that load YAML straight into structs cannot say that.

@@ -243,7 +243,7 @@ enum status rest_curve_run(const struct slider *s, struct vec2 z,
                            const struct monitor *monitor, struct rest_curve *c)
 {
     struct orbit_options options =
-        orbit_defaults(&s->plane.system, s->plane.stable_rate);
+        orbit_defaults(&s->plane.system, s->plane.fastest_rate);
     struct orbit o;
     bool is_down = false;
 

@@ -408,7 +408,7 @@ static enum status run(const struct slider *s, struct vec2 z,
                        const struct monitor *monitor, struct slow_branch *b)
 {
     struct orbit_options options =
-        orbit_defaults(&s->plane.system, s->plane.stable_rate);
+        orbit_defaults(&s->plane.system, s->plane.fastest_rate);
     struct orbit o;
 
     options.rtol = TOL_SLOW_RTOL;

@@ -1,5 +1,5 @@
 /* The stages of a study, each reading what earlier ones left and filling its
- * own members.  The one room where friction meets manifold and portrait. */
+ * own members. */
 #include "study.h"
 
 #include <math.h>
@@ -120,7 +120,7 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
     const struct box window = box_grow(scene_box(s->scene), TOL_WINDOW_MARGIN);
     for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
         struct orbit_options o = orbit_defaults(&s->slider.plane.system,
-                                                s->slider.plane.stable_rate);
+                                                s->slider.plane.fastest_rate);
         const double t = side_sign(&u, (enum side) i) *
                          fmin(u.radius, TOL_UNSTABLE_START / u.unit);
         o.max_steps = TOL_PORTRAIT_STEPS;
@@ -267,7 +267,7 @@ static enum status run_trajectories(struct study *s,
 {
     const struct scene *c = s->scene;
     struct trajectory_options o = trajectory_defaults(
-        &s->slider.plane.system, s->slider.plane.stable_rate);
+        &s->slider.plane.system, s->slider.plane.fastest_rate);
     struct vec2 target[EQUILIBRIA_MAX];
 
     o.orbit.target = target;

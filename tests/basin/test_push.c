@@ -30,7 +30,7 @@ static int followed(const struct pushed *p, struct vec2 z)
     };
     const struct slider *s = &p->push.slider;
     struct orbit_options o =
-        orbit_defaults(&s->plane.system, s->plane.stable_rate);
+        orbit_defaults(&s->plane.system, s->plane.fastest_rate);
     const struct vec2 offset = vec2_sub(z, s->plane.system.origin);
     const double u[2] = { offset.x, offset.y };
     bool slow = enters_slow(NULL, 0.0, u) > 0.0;

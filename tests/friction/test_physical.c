@@ -1,4 +1,4 @@
-/* From the dimensionless psi to the physical phi and back (model section 1).
+/* From the dimensionless psi to the physical phi and back.
  */
 #include "physical.h"
 

@@ -49,7 +49,7 @@ static void the_fastest_rate_is_the_origins(void **state)
     const struct phase_plane p = plane_of(&f, 0, 3);
 
     (void) state;
-    CHECK(fabs(p.stable_rate - 5.0) < 1e-14, "%.17g", p.stable_rate);
+    CHECK(fabs(p.fastest_rate - 5.0) < 1e-14, "%.17g", p.fastest_rate);
 }
 
 static void without_a_saddle_there_is_none(void **state)

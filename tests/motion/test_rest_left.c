@@ -125,7 +125,7 @@ static bool follow(const struct slider *t, struct vec2 z, double fall,
                    struct orbit *o, struct rest_left *left)
 {
     struct orbit_options options =
-        orbit_defaults(&t->plane.system, t->plane.stable_rate);
+        orbit_defaults(&t->plane.system, t->plane.fastest_rate);
 
     options.rtol = 1e-12;
     options.observables = 1;

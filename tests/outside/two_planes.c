@@ -44,7 +44,7 @@ static void critical_numbers(void)
     slipway_scene_free(scene);
     told(slipway_study_number(study, "v_plus", &v) == SLIPWAY_OK &&
              fabs(v.value - 2832.2233588) < 1e-7 && v.error < 1e-8,
-         "v_plus of model.md's table");
+         "v_plus of the shared table");
     told(slipway_study_number(study, "psi_at_v0", &none) == SLIPWAY_OK &&
              none.reason && isnan(none.value),
          "a number that does not exist has a reason");
@@ -221,6 +221,38 @@ static void swings(void)
     slipway_plane_free(plane);
 }
 
+/* A saddle whose stable line y = -2 x leaves more up than aside. */
+static void steep(void *ctx, slipway_form *f, slipway_term x, slipway_term y,
+                  slipway_term rate[2])
+{
+    const slipway_term third = slipway_constant(f, 1.0 / 3.0);
+    const slipway_term two = slipway_constant(f, 2.0);
+    const slipway_term four = slipway_constant(f, 4.0);
+
+    (void) ctx;
+    rate[0] = slipway_mul(f, third, slipway_add(f, x, slipway_mul(f, two, y)));
+    rate[1] = slipway_mul(f, third, slipway_sub(f, slipway_mul(f, four, x), y));
+}
+
+static void sides(void)
+{
+    const slipway_window w = { { -1.0, -1.0 }, { 1.0, 1.0 } };
+    slipway_plane *plane = NULL;
+    slipway_place p[200];
+    size_t n = 0;
+    int good = slipway_plane_open(steep, NULL, &w, &plane, NULL) == SLIPWAY_OK;
+
+    for (int side = -1; side <= 1 && good; side += 2) {
+        good = slipway_plane_branch(plane, 0, SLIPWAY_STABLE, side, 1e-9, p,
+                                    200, &n) == SLIPWAY_OK &&
+               n > 2;
+        for (size_t i = 1; i < n && i < 200 && good; i++)
+            good = side * p[i].x > 0.0 && fabs(p[i].y + 2.0 * p[i].x) < 1e-8;
+    }
+    told(good, "side +1 is that of growing x, however steep");
+    slipway_plane_free(plane);
+}
+
 static void nothing(void *ctx, slipway_form *f, slipway_term x, slipway_term y,
                     slipway_term rate[2])
 {
@@ -255,6 +287,7 @@ int main(void)
     pushes();
     sweeps();
     swings();
+    sides();
     wrong_planes();
     printf("1..%d\n", cases);
     return failed > 0;
