@@ -14,29 +14,65 @@ static bool is_blurred(const struct slow_knot *k)
     return slow_knot_is_fast_y(k) && k->gap < TOL_SLOW_NOISY;
 }
 
-/* The second derivative of time or slip, whose values are still the steps'. */
-static double bend_of(const double f[3], const double k[3], const double g[3],
-                      double before, double after)
-{
-    const double from[3] = { -k[0], f[1] }, at[3] = { 0.0, k[1] };
+/* A knot with others on either side of it, and what time and slip gain on the
+ * way from the one and to the other. */
+struct around {
+    const struct slow_knot *before, *at, *after;
+    double time[2], slip[2];
+};
 
-    return slow_knot_bend(from, at, g, before, after);
+/* Those next to it that are not much nearer than the longer of its intervals:
+ * on that one, what rounding makes of a curvature is to stay rounding. */
+static struct around look_around(const struct slow_branch *b, size_t i)
+{
+    const struct slow_knot *const k = b->knot;
+    const double y = k[i].y;
+    const double least =
+        TOL_SLOW_AROUND * fmax(fabs(k[i + 1].y - y), fabs(y - k[i - 1].y));
+    struct around a = { .at = &k[i] };
+    size_t f = i, g = i;
+
+    do {
+        a.time[0] -= k[f].time[0];
+        a.slip[0] -= k[f].slip[0];
+    } while (--f > 0 && fabs(k[f].y - y) < least);
+    do {
+        g++;
+        a.time[1] -= k[g].time[0];
+        a.slip[1] -= k[g].slip[0];
+    } while (g + 1 < b->count && fabs(k[g].y - y) < least);
+    a.before = &k[f];
+    a.after = &k[g];
+    return a;
 }
 
-/* The second derivatives at k from what lies around it. */
-static void smooth_one(const struct slow_knot *f, struct slow_knot *k,
-                       const struct slow_knot *g)
+/* Of what falls by gain[] on the way, with these slopes. */
+static double bend_of(const struct around *a, const double gain[2],
+                      const double slope[3])
 {
-    const double x[3][3] = { { f->x, f->x_slope },
-                             { k->x, k->x_slope },
-                             { g->x, g->x_slope } };
-    const double before = f->y - k->y, after = g->y - k->y;
+    const double from[3] = { gain[0], slope[0] }, at[3] = { 0.0, slope[1] },
+                 to[3] = { -gain[1], slope[2] };
 
-    k->x_bend = slow_knot_bend(x[0], x[1], x[2], before, after);
+    return slow_knot_bend(from, at, to, a->before->y - a->at->y,
+                          a->after->y - a->at->y);
+}
+
+/* The second derivatives at knot i from what lies around it. */
+static void smooth_one(struct slow_branch *b, size_t i)
+{
+    const struct around a = look_around(b, i);
+    const struct slow_knot *f = a.before, *g = a.after;
+    struct slow_knot *const k = &b->knot[i];
+    const double fall[] = { f->x - k->x, k->x - g->x };
+
+    k->x_bend =
+        bend_of(&a, fall, (double[3]){ f->x_slope, k->x_slope, g->x_slope });
     if (!is_blurred(k))
         return;
-    k->time[2] = bend_of(f->time, k->time, g->time, before, after);
-    k->slip[2] = bend_of(f->slip, k->slip, g->slip, before, after);
+    k->time[2] =
+        bend_of(&a, a.time, (double[3]){ f->time[1], k->time[1], g->time[1] });
+    k->slip[2] =
+        bend_of(&a, a.slip, (double[3]){ f->slip[1], k->slip[1], g->slip[1] });
 }
 
 /* Second derivatives of the field's slopes are mostly noise where the rates are
@@ -48,7 +84,7 @@ void slow_fit_smooth(struct slow_branch *b)
 
     for (size_t i = 1; i < last; i++)
         if (k[i].gap < TOL_SLOW_NOISY)
-            smooth_one(&k[i - 1], &k[i], &k[i + 1]);
+            smooth_one(b, i);
     if (k[0].gap < TOL_SLOW_NOISY)
         k[0].x_bend = k[1].x_bend;
     if (k[last].gap < TOL_SLOW_NOISY)

@@ -13,7 +13,8 @@
  * what is left of a rest, on which both must agree; steps, in e-folds of the
  * slow rate and in ln psi, that polynomials of degree 5 bear to 1e-11, and
  * their number; how much of what twice the step misses one step may, and where
- * slopes are mostly noise, below such a ratio of the slow rate to the fast one;
+ * slopes are mostly noise, below such a ratio of the slow rate to the fast one,
+ * where curvatures come from knots not nearer than such a part of an interval;
  * and the largest ratio. */
 #define TOL_SLOW_RTOL    1e-11
 #define TOL_SLOW_COARSE  1e-10
@@ -24,6 +25,7 @@
 #define TOL_SLOW_MISSED  0.05
 #define TOL_SLOW_NOISE   1.0
 #define TOL_SLOW_NOISY   1e-5
+#define TOL_SLOW_AROUND  0.3
 #define TOL_SLOW_ALONG   1e-8
 #define TOL_SLOW_GAP     0.1
 

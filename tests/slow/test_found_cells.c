@@ -286,6 +286,22 @@ static void a_peak_is_found_between_samples_of_an_orbit_not_run_again(
     slope_free(&s);
 }
 
+/* Where rates are 1e24 apart the curve's orbit is rounding, in steps of any
+ * length: a curvature by a short one is no use on a long one beside it. */
+static void rounding_along_the_curve_is_no_peak_of_friction(void **state)
+{
+    const struct found found = { FRICTION_ASINH,  THETA_LN_C_PSI,
+                                 PSI_SS_INVERSE,  TIMESCALE_SPINODAL,
+                                 KINETICS_LINEAR, 0.655983727,
+                                 0.00793591462,   0.0372405348,
+                                 4.69875173e-05,  0.350122547,
+                                 0.00064741692,   0.00013358246,
+                                 0.486698342,     1e-6 };
+
+    (void) state;
+    compare(&found, 2.0260646961923072, -6.6063353509104505);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -301,6 +317,7 @@ int main(void)
         cmocka_unit_test(a_peak_on_a_loose_step_has_a_bar_of_its_own),
         cmocka_unit_test(
             a_peak_is_found_between_samples_of_an_orbit_not_run_again),
+        cmocka_unit_test(rounding_along_the_curve_is_no_peak_of_friction),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
