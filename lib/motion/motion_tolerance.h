@@ -51,11 +51,13 @@
 /* Peaks along an orbit (peak.c).  Samples of a step; the part of the distance
  * between three samples at which a peak is found: it errs by the square.  The
  * steps around it are followed again to this part of the orbit's tolerance,
- * down to the finest. */
+ * down to the finest.  Friction has faded where it has so little of its most
+ * left over gravity: v falls like a power of time, and it like the square. */
 #define TOL_PEAK_SAMPLES 4
 #define TOL_PEAK_WIDTH   1e-6
 #define TOL_PEAK_FINER   1e-3
 #define TOL_PEAK_FINEST  1e-13
+#define TOL_PEAK_FADED   0.01
 
 /* Moments (moment.c).  Below this component of a direction mu is compared with
  * tan(alpha) itself; and how far, on a piece, one looks to both sides of an

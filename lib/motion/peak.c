@@ -11,6 +11,7 @@
 #include "fate.h"
 #include "motion_tolerance.h"
 #include "orbit.h"
+#include "rest_form.h"
 #include "slider.h"
 
 typedef double peak_value(const struct slider *s, struct vec2 z);
@@ -120,6 +121,36 @@ static enum status peak_of(const struct slider *s, const struct orbit *o,
                    piece + 1 < count ? piece + 1 : piece, top);
 }
 
+/* Whether a block that only fades may yet meet more friction than so far: what
+ * friction has over gravity, eps^2 |dv/dt|, rises beside a saddle, whatever is
+ * known of the rest by then. */
+static bool is_to_peak(const struct slider *s, const struct orbit *o,
+                       double most)
+{
+    const double t = (double) s->block.tan_alpha;
+    const double now = friction(s, (struct vec2){ o->u[0], o->u[1] });
+
+    return rest_form_of(&s->block.law, &s->block.material).fate ==
+               FATE_REST_ASYMPTOTIC &&
+           o->du[0] < 0.0 && !(now - t < TOL_PEAK_FADED * (most - t));
+}
+
+/* Follows the orbit for so many steps, and on to where friction has faded. */
+static enum status follow(const struct slider *s, size_t steps, struct orbit *o)
+{
+    double most = friction(s, (struct vec2){ o->u[0], o->u[1] });
+    enum status status = STATUS_OK;
+
+    while (status == STATUS_OK && o->end == ORBIT_RUNNING &&
+           (o->steps < steps || is_to_peak(s, o, most))) {
+        status = orbit_step(o);
+        most = fmax(most, friction(s, (struct vec2){ o->u[0], o->u[1] }));
+    }
+    return status == STATUS_NO_CONVERGENCE || status == STATUS_TOO_MANY_STEPS
+               ? STATUS_OK /* as far as fate_find got, too */
+               : status;
+}
+
 enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
                        size_t steps, struct peaks *out)
 {
@@ -140,10 +171,7 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     enum status status = orbit_init(&o, &s->plane.system, start, &options);
     if (status != STATUS_OK)
         return status;
-    while (status == STATUS_OK && o.end == ORBIT_RUNNING && o.steps < steps)
-        status = orbit_step(&o);
-    if (status == STATUS_NO_CONVERGENCE || status == STATUS_TOO_MANY_STEPS)
-        status = STATUS_OK; /* as far as fate_find got, too */
+    status = follow(s, steps, &o);
     if (status == STATUS_OK)
         status = peak_of(s, &o, start, slip_rate, &p.x);
     if (status == STATUS_OK)
