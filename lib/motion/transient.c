@@ -271,17 +271,27 @@ static void sum_up(const struct course *c, const struct orbit *coarse,
                              : 0.0;
 }
 
-/* A run that arrest ends is as long as it takes until then. */
-static void hold_end(struct transient *t)
+/* A run that arrest ends is as long as it takes until then; what it slips more
+ * or less, it does at the friction of its end. */
+static void hold_end(const struct course *c, const struct orbit *o,
+                     struct transient *t)
 {
     struct transient_summary *sum = &t->sum;
+    const double mu =
+        block_mu(&c->slider->block, (struct vec2){ o->u[0], o->u[1] });
 
     for (size_t i = t->events; sum->end == TRANSIENT_ARREST && i-- > 0;)
         if (t->event[i].what == MOMENT_ARREST) {
             sum->time.error = fmax(sum->time.error, t->event[i].time.error);
             sum->slip.error = fmax(sum->slip.error, t->event[i].slip.error);
-            return;
         }
+    const double known = sum->slip.value - sum->slip.error;
+    if (!quantity_exists(&sum->mu_mean))
+        return;
+    sum->mu_mean.error +=
+        fabs(mu - sum->mu_mean.value) * sum->slip.error / known;
+    if (!(known > 0.0))
+        sum->mu_mean = quantity_none("the slip is not known well enough");
 }
 
 /* The last event: v = 0 itself. */
@@ -341,7 +351,7 @@ static bool judge(const struct course *c, const struct orbit *coarse,
         (int64_t) (coarse->field_calls + coarse->jacobian_calls +
                    fine->field_calls + fine->jacobian_calls);
     sum_up(c, coarse, fine, sum);
-    hold_end(t);
+    hold_end(c, fine, t);
     add_rest(t);
     if (sum->fate != FATE_UNDECIDED || is_lost)
         t->reason = is_lost ? lost : NULL;
