@@ -16,6 +16,17 @@
 #include "slider.h"
 #include "slow_tolerance.h"
 
+/* What steps of order 8 miss goes like the cube of a step, of their estimates
+ * of order 5, and the eighth power of it like the tolerance; finer ones are
+ * trusted less. */
+static double fair_of(double rtol)
+{
+    const double loose = rtol / TOL_LAYER_PLAIN;
+
+    return fmin(TOL_LAYER_FAIR * pow(loose, loose > 1.0 ? 3.0 / 8.0 : 0.25),
+                1.0);
+}
+
 struct layer_options layer_defaults(double rtol)
 {
     return (struct layer_options){
@@ -23,7 +34,7 @@ struct layer_options layer_defaults(double rtol)
         .rtol = TOL_LAYER_PART * rtol,
         .landing =
             rtol < TOL_LAYER_PLAIN ? TOL_LAYER_CLOSER : TOL_LAYER_LANDING,
-        .fair = TOL_LAYER_FAIR * fmin(pow(rtol / TOL_LAYER_PLAIN, 0.25), 1.0),
+        .fair = fair_of(rtol),
         .peaks = true,
     };
 }

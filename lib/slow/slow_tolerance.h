@@ -131,8 +131,8 @@
 #define TOL_LAYER_CORNER  10.0
 
 /* The least part of the estimates of order 5 that a step of order 8 misses, at
- * a promise of TOL_LAYER_PLAIN and looser ones, and less for finer ones like
- * the square of a step: in loose steps its own word is no bound; and the least
+ * a promise of TOL_LAYER_PLAIN (fast_layer.c has it at others): in loose steps
+ * its own word is no bound; and the least
  * bar of what was gained and moved on the way, as a part of what was promised:
  * less below TOL_LAYER_LOOSE (landing_add_least). */
 #define TOL_LAYER_FAIR  0.1
