@@ -257,6 +257,8 @@ static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
         return false;
     if (p->x_peak > p->x)
         out->x_peak = fmax(out->x_peak, p->x_peak);
+    if (most + p->mu_error > out->mu_peak)
+        out->mu_error += p->mu_error;
     out->mu_peak = fmax(out->mu_peak, most);
     out->mu_next = fmax(out->mu_next, most);
     out->mu_error += aside;

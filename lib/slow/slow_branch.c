@@ -427,7 +427,7 @@ static enum status run(const struct slider *s, struct vec2 z,
         find_frictions(s, b);
         sum_bars(b);
         look_back(b);
-        slow_fit_judge(b);
+        slow_fit_judge(b, s->block.material.a);
         status = finish(s, &o, goals->fate[o.end_index], b);
         make_monotone(b);
     }

@@ -98,9 +98,23 @@ static double shift_of(const struct slow_knot *k, double dx)
     return fabs(k->fibre.y * dx / (k->fibre.x - k->fibre.y * k->x_slope));
 }
 
+/* Of the largest friction to come, by that of each interval that may hold it.
+ */
+static void judge_peaks(struct slow_branch *b)
+{
+    double error = 0.0;
+
+    for (size_t i = b->count - 1; i-- > 0;) {
+        struct slow_knot *const k = &b->knot[i], *next = k + 1;
+        const double rise = next->mu - next->mu_peak;
+        error = fmax(next->mu_error + fmin(rise, 0.0), error - fmax(rise, 0.0));
+        k->mu_peak_error = error = fmax(error, 0.0);
+    }
+}
+
 /* What a polynomial over two steps misses at the knot between is 64 times what
  * one over one step misses; twice, if it is noise in the slopes. */
-void slow_fit_judge(struct slow_branch *b)
+void slow_fit_judge(struct slow_branch *b, double a)
 {
     struct slow_knot *const k = b->knot;
     double ignored;
@@ -122,5 +136,9 @@ void slow_fit_judge(struct slow_branch *b)
         k[i + 1].time_error = fmax(k[i + 1].time_error, dt);
         k[i].slip_error = fmax(k[i].slip_error, dl);
         k[i + 1].slip_error = fmax(k[i + 1].slip_error, dl);
+        const double dmu = part * a * fabs(x - k[i].x);
+        k[i].mu_error = fmax(k[i].mu_error, dmu);
+        k[i + 1].mu_error = fmax(k[i + 1].mu_error, dmu);
     }
+    judge_peaks(b);
 }

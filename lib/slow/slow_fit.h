@@ -11,8 +11,9 @@
  * a knot are still what its step gained, negative. */
 void slow_fit_smooth(struct slow_branch *b);
 
-/* Time and slip errors of the intervals, by what polynomials over two steps
- * miss; time and slip are what is still to come. */
-void slow_fit_judge(struct slow_branch *b);
+/* Errors of the intervals, by what polynomials over two steps miss: of time and
+ * slip, which are what is still to come, and of friction, which changes by `a`
+ * at most per unit of x. */
+void slow_fit_judge(struct slow_branch *b, double a);
 
 #endif

@@ -18,10 +18,10 @@ struct slow_knot {
     double time_error, slip_error; /* from the knot before to this one */
     double time_bar, slip_bar;     /* from here on */
     double fast;                   /* |lambda|, per unit of time */
-    double gap;        /* the slow rate over it; HUGE_VAL: not to land on */
-    struct vec2 fibre; /* unit */
-    double mu;         /* largest on the way to this knot */
-    double x_peak, mu_peak; /* from here on */
+    double gap;          /* the slow rate over it; HUGE_VAL: not to land on */
+    struct vec2 fibre;   /* unit */
+    double mu, mu_error; /* largest on the way to this knot */
+    double x_peak, mu_peak, mu_peak_error; /* from here on */
 };
 
 /* At the offset u = (x, y) of the slider's system, with the slope dx/dy of the

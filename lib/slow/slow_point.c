@@ -26,6 +26,7 @@ static struct slow_point common(const struct slow_branch *b,
         .x_peak = next->x_peak,
         .mu_peak = next->mu_peak,
         .mu_near = next->mu,
+        .mu_error = fmax(next->mu_error, next->mu_peak_error),
     };
 }
 
