@@ -3,40 +3,16 @@
 #include "cells_of.h"
 
 #include "fast_cells.h"
+#include "found.h"
 #include "peak.h"
 #include "study.h"
 
-/* A slope: components of its law as of law.h, and its material. */
-struct found {
-    enum friction_form form;
-    enum theta theta;
-    enum psi_ss psi_ss;
-    enum timescale timescale;
-    enum kinetics kinetics;
-    double mu_star, a, b, c, R, L, V_star, alpha, rtol;
-};
-
 static void make(const struct found *f, struct slope *s)
 {
-    struct scene *scene = &s->scene;
     struct fault why;
 
-    slope_scene(scene, "spinodal_gen", NULL, "0.34", steady_only);
-    scene->law.form = f->form;
-    scene->law.theta = f->theta;
-    scene->law.psi_ss = f->psi_ss;
-    scene->law.timescale = f->timescale;
-    scene->law.kinetics = f->kinetics;
-    scene->material.mu_star = f->mu_star;
-    scene->material.a = f->a;
-    scene->material.b = f->b;
-    scene->material.c = f->c;
-    scene->material.R = f->R;
-    scene->material.L = f->L;
-    scene->material.V_star = f->V_star;
-    scene->alpha = f->alpha;
-    scene->tan_alpha = tanl((long double) f->alpha);
-    const enum status status = study_run(&s->study, scene, NULL, &why);
+    found_scene(f, steady_only, &s->scene);
+    const enum status status = study_run(&s->study, &s->scene, NULL, &why);
     CHECK(status == STATUS_OK, "%s", why.text);
 }
 
