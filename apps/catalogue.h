@@ -6,29 +6,49 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Each of them: COMMAND_NAME is its row of command_table, command_name() the
- * function (command.h). */
-#define COMMAND_LIST(ROW)                                                      \
-    ROW(PORTRAIT, portrait)                                                    \
-    ROW(STUDY, study)                                                          \
-    ROW(PLAN, plan)                                                            \
-    ROW(KNEES, knees)                                                          \
-    ROW(BASIN, basin)                                                          \
-    ROW(SWEEP, sweep)                                                          \
-    ROW(PUSH, push)                                                            \
-    ROW(SIMULATE, simulate)                                                    \
-    ROW(RABINOWICZ, rabinowicz)                                                \
-    ROW(EXPORT, export)                                                        \
-    ROW(GALLERY, gallery)                                                      \
-    ROW(CHECK, check)                                                          \
-    ROW(WORKPREC, workprec)                                                    \
-    ROW(STRESS, stress)                                                        \
-    ROW(LAWS, laws)                                                            \
-    ROW(INFO, info)                                                            \
-    ROW(HELP, help)
+/* What a command does, which decides on most of its options (options.c). */
+enum {
+    COMMAND_READS = 1,   /* a scene: its settings, threads, progress */
+    COMMAND_STUDIES = 2, /* it, or says what that would be: sensitivities */
+    COMMAND_DRAWS = 4,   /* a figure, and writes the numbers to HDF5 */
+    COMMAND_MAKES = 8    /* the files that the scene's output names */
+};
+#define COMMAND_ALL_OF_IT                                                      \
+    (COMMAND_READS | COMMAND_STUDIES | COMMAND_DRAWS | COMMAND_MAKES)
 
-#define COMMAND_ID(NAME, name) COMMAND_##NAME,
+/* Each of them: COMMAND_NAME is its row of command_table, command_name() the
+ * function (command.h).  A new one: docs/new_command.md. */
+#define COMMAND_LIST(ROW)                                                      \
+    ROW(PORTRAIT, portrait, COMMAND_ALL_OF_IT)                                 \
+    ROW(STUDY, study, COMMAND_ALL_OF_IT)                                       \
+    ROW(PLAN, plan, COMMAND_ALL_OF_IT)                                         \
+    ROW(KNEES, knees, COMMAND_READS | COMMAND_STUDIES | COMMAND_DRAWS)         \
+    ROW(BASIN, basin, COMMAND_ALL_OF_IT)                                       \
+    ROW(SWEEP, sweep, COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES)           \
+    ROW(PUSH, push, COMMAND_READS)                                             \
+    ROW(SIMULATE, simulate, COMMAND_READS | COMMAND_DRAWS)                     \
+    ROW(RABINOWICZ, rabinowicz, COMMAND_READS | COMMAND_DRAWS)                 \
+    ROW(EXPORT, export, COMMAND_READS)                                         \
+    ROW(GALLERY, gallery, COMMAND_READS)                                       \
+    ROW(CHECK, check, COMMAND_READS)                                           \
+    ROW(WORKPREC, workprec, COMMAND_READS | COMMAND_DRAWS)                     \
+    ROW(STRESS, stress, COMMAND_READS)                                         \
+    ROW(LAWS, laws, 0)                                                         \
+    ROW(INFO, info, 0)                                                         \
+    ROW(HELP, help, 0)
+
+#define COMMAND_ID(NAME, name, does) COMMAND_##NAME,
 enum command_id { COMMAND_LIST(COMMAND_ID) COMMANDS };
+
+/* The bits 1 << command_id of all that do it. */
+#define COMMAND_READ_BIT(NAME, name, does)                                     \
+    +((does) &COMMAND_READS ? 1u << COMMAND_##NAME : 0u)
+#define COMMAND_STUDY_BIT(NAME, name, does)                                    \
+    +((does) &COMMAND_STUDIES ? 1u << COMMAND_##NAME : 0u)
+#define COMMAND_DRAW_BIT(NAME, name, does)                                     \
+    +((does) &COMMAND_DRAWS ? 1u << COMMAND_##NAME : 0u)
+#define COMMAND_MAKE_BIT(NAME, name, does)                                     \
+    +((does) &COMMAND_MAKES ? 1u << COMMAND_##NAME : 0u)
 
 struct command {
     const char *name;

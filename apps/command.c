@@ -9,7 +9,7 @@
 
 enum exit_code command_run(const struct command *c, const struct options *o)
 {
-#define RUN(NAME, name) command_##name,
+#define RUN(NAME, name, does) command_##name,
     static enum exit_code (*const run[])(
         const struct options *) = { COMMAND_LIST(RUN) };
 
@@ -39,9 +39,7 @@ static void drop(char **path, const char *key, char *const set[], size_t sets)
 enum status command_read(const struct options *o, char *const more[],
                          size_t count, struct scene *scene, struct fault *why)
 {
-    static const unsigned makers = 1u << COMMAND_PORTRAIT |
-                                   1u << COMMAND_STUDY | 1u << COMMAND_PLAN |
-                                   1u << COMMAND_BASIN | 1u << COMMAND_SWEEP;
+    static const unsigned makers = COMMAND_LIST(COMMAND_MAKE_BIT);
     char *set[OPTIONS_SETS + COMMAND_MORE];
     const size_t sets = o->sets + count;
 

@@ -10,7 +10,7 @@
 /* Runs one, which need not be that of the command line. */
 enum exit_code command_run(const struct command *c, const struct options *o);
 
-#define COMMAND_FUNCTION(NAME, name)                                           \
+#define COMMAND_FUNCTION(NAME, name, does)                                     \
     enum exit_code command_##name(const struct options *o);
 COMMAND_LIST(COMMAND_FUNCTION)
 

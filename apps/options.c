@@ -14,11 +14,9 @@
 #define TO(member)  .at = offsetof(struct options, member)
 
 enum {
-    /* what studies a scene; plan takes what study takes */
-    STUDIES = ON(PORTRAIT) | ON(STUDY) | ON(PLAN) | ON(KNEES) | ON(BASIN),
-    SCENES = STUDIES | ON(SWEEP) | ON(PUSH) | ON(SIMULATE) | ON(RABINOWICZ) |
-             ON(EXPORT) | ON(GALLERY) | ON(CHECK) | ON(WORKPREC) | ON(STRESS),
-    DRAW = STUDIES | ON(SWEEP) | ON(SIMULATE) | ON(RABINOWICZ) | ON(WORKPREC),
+    STUDIES = COMMAND_LIST(COMMAND_STUDY_BIT),
+    SCENES = COMMAND_LIST(COMMAND_READ_BIT),
+    DRAW = COMMAND_LIST(COMMAND_DRAW_BIT),
     TAKE_LONG = SCENES | ON(INFO),
 };
 

@@ -4,7 +4,7 @@
 usage: cli_docs.py PATH_TO_SLIPWAY SOURCE_ROOT
 
 How pages are read is in pages.py.  test_check.py runs the commands of
-check.md, test_new_law.py those of new_law.md and new_number.md.
+check.md, test_new_law.py those of new_law.md, new_number.md, new_command.md.
 """
 import glob
 import os
@@ -15,7 +15,7 @@ import sys
 from cli_room import READER, expect, run_cases
 from pages import Block, Reader, blocks, is_in
 
-ELSEWHERE = ['check.md', 'new_law.md', 'new_number.md']
+ELSEWHERE = ['check.md', 'new_command.md', 'new_law.md', 'new_number.md']
 SOURCE = os.path.realpath(sys.argv[2])
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""docs/new_law.md and new_number.md, done as they say: change the sources,
-compile, run (TAP).
+"""docs/new_law.md, new_number.md and new_command.md, done as they say: change
+the sources, compile, run (TAP).
 
 usage: test_new_law.py PATH_TO_SLIPWAY SOURCE_ROOT BUILD_ROOT
 
@@ -21,6 +21,7 @@ from pages import Reader, blocks
 SOURCE, BUILD = (os.path.realpath(path) for path in sys.argv[2:4])
 PAGE = os.path.join(SOURCE, 'docs', 'new_law.md')
 NUMBER = os.path.join(SOURCE, 'docs', 'new_number.md')
+COMMAND = os.path.join(SOURCE, 'docs', 'new_command.md')
 FOLDERS = ['lib', 'manifold', 'portrait']
 
 
@@ -71,6 +72,15 @@ def of_a_number():
     yield new, [word.replace(old, new) for word in command]
 
 
+def of_a_command():
+    """All that knows the list of commands, and the new file."""
+    old, new = 'apps/run_sweep.c', 'apps/run_rates.c'
+    known = dict(commands())
+    yield from ((name, command) for name, command in known.items()
+                if name.startswith('apps/'))
+    yield new, [word.replace(old, new) for word in known[old]]
+
+
 def compiled(room, name, command):
     """The object of the changed copy; quickly made."""
     out = os.path.basename(name) + '.o'
@@ -104,6 +114,9 @@ def build(room, sources, least):
     expect(len(objects) >= least, objects)
     link = shlex.split(ran(['ninja', '-t', 'commands', '-s',
                             'apps/slipway']).splitlines()[-1])
+    own = [f'apps/slipway.p/{os.path.basename(name)}.o' for name in objects
+           if name.startswith('apps/')]
+    link = [word for word in link if word not in own]
     at = link.index('-o') + 1
     link[at:at + 1] = [room.path('slipway'), *objects.values()]
     ran(link)
@@ -149,6 +162,23 @@ def a_number_is_one_file_and_two_lines(room):
     expect((files, lines) == (1, 2) and reader.did >= 11, files, lines)
 
 
+def a_command_is_one_file_and_two_rows(room):
+    for folder in [*FOLDERS, 'apps']:
+        shutil.copytree(os.path.join(SOURCE, folder), room.path(folder))
+    reader, files, rows = Reader(room, COMMAND), 0, 0
+    for block in blocks(COMMAND):
+        if block.language == 'diff':
+            apply(room, block)
+            rows += 1
+        elif block.name:
+            room.write(f'apps/{block.name}', block.text)
+            files += 1
+        elif block.language == 'console':
+            build(room, of_a_command, 40)
+            reader.run(block)
+    expect((files, rows) == (1, 2) and reader.did >= 5, files, rows)
+
+
 def a_change_that_does_not_fit_is_seen(room):
     shutil.copytree(os.path.join(SOURCE, 'lib'), room.path('lib'))
     block = [b for b in blocks(PAGE) if b.language == 'diff'][0]
@@ -164,5 +194,6 @@ def a_change_that_does_not_fit_is_seen(room):
 run_cases([
     the_page_does_what_it_says,
     a_number_is_one_file_and_two_lines,
+    a_command_is_one_file_and_two_rows,
     a_change_that_does_not_fit_is_seen,
 ])
