@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "quad_course.h"
+#include "quad_rest.h"
 #include "rest_form.h"
 #include "tolerance.h"
 
@@ -271,6 +272,28 @@ static bool find_arrival(struct quad_course *c, struct quad_radau *w,
     return true;
 }
 
+/* Whether the slip of one that only fades has a limit. */
+static bool has_slip(const struct quad_course *c)
+{
+    const struct block *b = &c->slope->study->slider.block;
+
+    return rest_form_of(&b->law, &b->material).has_slip;
+}
+
+/* What is left of one that fades too slowly to be followed. */
+static void add_fade(struct quad_course *c)
+{
+    const struct study *s = c->slope->study;
+    quad slip, error;
+
+    c->left[1] = HUGE_VAL;
+    if (!has_slip(c) || !quad_rest_left(c, &slip, &error))
+        return;
+    c->u[QUAD_SLIP] += slip;
+    c->u[QUAD_WORK] += (quad) s->slider.block.tan_alpha * slip;
+    c->left[1] = error;
+}
+
 /* What is left of a block that stops, and its fate where that is nothing. */
 static void find_rest(struct quad_course *c)
 {
@@ -296,7 +319,7 @@ static void find_rest(struct quad_course *c)
         c->is_over = c->left[1] < (quad) soon * c->u[QUAD_SLIP];
         if (!c->is_over && ++c->falls > FALLS) {
             c->is_over = true;
-            c->left[1] = HUGE_VAL;
+            add_fade(c);
         }
         if (c->is_over && rest.fate == FATE_REST_ASYMPTOTIC)
             c->fate = rest.fate;
@@ -413,7 +436,10 @@ static bool has(enum fate fate, enum cell_field k, const struct quad_course *c)
         return fate != FATE_REST_ASYMPTOTIC;
     if (k == CELL_MU_PEAK)
         return fate != FATE_REST_FINITE;
-    return k != CELL_MU_MEAN || c->u[QUAD_SLIP] > 0;
+    if (k == CELL_V_PEAK)
+        return true;
+    return (fate != FATE_REST_ASYMPTOTIC || has_slip(c)) &&
+           (k == CELL_SLIP || c->u[QUAD_SLIP] > 0);
 }
 
 /* What the difference of two runs may not show: chance, what is left, and how
@@ -422,6 +448,8 @@ static quad more_of(const struct quad_course *c, enum cell_field k, quad value)
 {
     const quad size = fabsq(value), part = c->left[1] / c->u[QUAD_SLIP];
     const quad chance = (quad) (square * c->tol * c->tol) * size;
+    const quad tangent = (quad) c->slope->study->slider.block.tan_alpha;
+    const quad apart = c->falls > FALLS ? fabsq(value - tangent) : size;
 
     switch (k) {
         case CELL_TIME:
@@ -429,7 +457,7 @@ static quad more_of(const struct quad_course *c, enum cell_field k, quad value)
         case CELL_SLIP:
             return chance + c->left[1];
         case CELL_MU_MEAN:
-            return chance + part * size;
+            return chance + part * apart;
         default:
             return (quad) placed * size;
     }

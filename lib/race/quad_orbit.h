@@ -25,7 +25,7 @@ struct quad_slope {
 void quad_slope_init(struct quad_slope *q, const struct study *s);
 
 /* As struct cell; `error` is NaN where there is no such number, or none was
- * found, and infinite where a block fades too slowly to be followed. */
+ * found, and infinite where the slip of a block that only fades is unknown. */
 struct quad_orbit {
     enum fate fate; /* FATE_UNDECIDED: also what could not be followed */
     quad value[CELL_FIELDS];
