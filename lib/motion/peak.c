@@ -146,9 +146,7 @@ static enum status follow(const struct slider *s, size_t steps, struct orbit *o)
         status = orbit_step(o);
         most = fmax(most, friction(s, (struct vec2){ o->u[0], o->u[1] }));
     }
-    return status == STATUS_NO_CONVERGENCE || status == STATUS_TOO_MANY_STEPS
-               ? STATUS_OK /* as far as fate_find got, too */
-               : status;
+    return status;
 }
 
 enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
@@ -172,6 +170,10 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     if (status != STATUS_OK)
         return status;
     status = follow(s, steps, &o);
+    p.whole = status == STATUS_OK &&
+              (slider_saddle(s) != 0 || (o.u[0] < 0.0 && o.u[1] > 0.0));
+    if (status == STATUS_NO_CONVERGENCE || status == STATUS_TOO_MANY_STEPS)
+        status = STATUS_OK; /* as far as fate_find got, too */
     if (status == STATUS_OK)
         status = peak_of(s, &o, start, slip_rate, &p.x);
     if (status == STATUS_OK)

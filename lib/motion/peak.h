@@ -4,6 +4,7 @@
 #ifndef MOTION_PEAK_H
 #define MOTION_PEAK_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "plane.h"
@@ -12,8 +13,10 @@
 struct slider;
 
 struct peaks {
-    double x;  /* ln v */
-    double mu; /* dimensionless */
+    double x;   /* ln v */
+    double mu;  /* dimensionless */
+    bool whole; /* of a block that fades: it was followed until no more friction
+                   is to come */
 };
 
 /* Along the orbit that fate_find(s, z, rtol, true, ...) follows in `steps`

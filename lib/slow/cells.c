@@ -57,6 +57,8 @@ static void take_peaks(const struct peaks *p, struct run *r)
         why ? quantity_none(why) : quantity_of(v, v * rounding);
     if (why == NULL && r->fate == FATE_REST_FINITE)
         why = "friction grows without bound";
+    if (why == NULL && r->fate == FATE_REST_ASYMPTOTIC && !p->whole)
+        why = "the orbit could not be followed to an end";
     r->of[CELL_MU_PEAK] =
         why ? quantity_none(why) : quantity_of(p->mu, rounding);
 }

@@ -65,7 +65,8 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
         l->mu_next < l->mu_peak - TOL_FAST_HARDER * (m->a + m->b);
 
     c->v_peak = exp(fastest ? z.x : x);
-    c->v_peak_error = c->v_peak * (fastest ? TOL_FAST_ROUNDING : place + least);
+    c->v_peak_error =
+        c->v_peak * (fastest ? TOL_FAST_ROUNDING : place + least + l->x_error);
     if (l->fate == FATE_REST_FINITE)
         return;
     c->mu_peak = l->mu_peak;

@@ -46,10 +46,10 @@ struct layer {
      * `more` its slip beyond that of y, with the error way_slip_error */
     bool is_near;
     double more;
-    double x_peak, mu_peak; /* with the error of a point of the orbit: */
-    double place_error;     /* in ln v and ln psi */
-    double mu_error;        /* more, of mu_peak alone */
-    bool falls[2];          /* ln v and mu do at the start */
+    double x_peak, mu_peak;   /* with the error of a point of the orbit: */
+    double place_error;       /* in ln v and ln psi */
+    double x_error, mu_error; /* more, of one of them alone */
+    bool falls[2];            /* ln v and mu do at the start */
     double mu_next; /* the largest mu at an end of a step, but for the start */
     size_t steps, calls;
 };

@@ -242,6 +242,13 @@ static double mu_to_come(const struct landing *l, const struct slow_point *p,
     return most;
 }
 
+/* How much faster the block may still become: as fast as on the curve at the
+ * most, where that leads down from here. */
+static double x_below(const struct layer *out, const struct slow_point *p)
+{
+    return p->x_peak > p->x ? 0.0 : fmax(p->x - out->x_peak, 0.0);
+}
+
 /* The peaks to come.  False: nearer to the curve they would be known better. */
 static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
                       double off, double *excess)
@@ -251,12 +258,15 @@ static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
     const double most = mu_to_come(l, p, y, &aside);
     const double allowed =
         TOL_LAYER_BENT * l->options.promise * fabs(out->mu_peak);
+    const double below = x_below(out, p);
+    const double much =
+        fmax(aside / allowed, below / (TOL_LAYER_BENT * l->options.promise));
 
-    *excess = fmax(*excess, aside / allowed);
-    if (aside > allowed && fabs(off) > TOL_LAYER_MU_TOUCH)
+    *excess = fmax(*excess, much);
+    if (much > 1.0 && fabs(off) > TOL_LAYER_MU_TOUCH)
         return false;
-    if (p->x_peak > p->x)
-        out->x_peak = fmax(out->x_peak, p->x_peak);
+    out->x_peak = fmax(out->x_peak, fmax(p->x, p->x_peak));
+    out->x_error += below;
     if (most + p->mu_error > out->mu_peak)
         out->mu_error += p->mu_error;
     out->mu_peak = fmax(out->mu_peak, most);

@@ -71,7 +71,7 @@ struct tight {
 static void follow(const struct draw *d, struct vec2 z, double rtol, bool peaks,
                    struct tight *t)
 {
-    struct peaks p = { (double) NAN, (double) NAN };
+    struct peaks p = { .x = (double) NAN, .mu = (double) NAN };
     struct fate_result r;
 
     assert_int_equal(fate_find(&d->s.study.slider, z, rtol, true, NULL, &r), 0);
