@@ -22,7 +22,8 @@ def the_quick_catalogue_has_no_lie(room):
     expect((done.returncode, done.stderr) == (0, ''), done)
     found = json.loads(done.stdout)
     cases = found['cases']
-    expect(20 <= len(cases) <= 60, len(cases))
+    expect(20 <= len(cases) <= 80, len(cases))
+    expect(sum(case['kind'] == 'field' for case in cases) >= 10, cases)
     for case in cases:
         expect(all(key in case for key in KEYS), case)
         expect(case['outcome'] in OUTCOMES and case['outcome'] != 'lie', case)
@@ -64,6 +65,21 @@ def a_pattern_picks_cases_and_the_table_says_how_to_repeat_them(room):
     expect('failed' in said and reason in said, said)
 
 
+def fields_are_looked_at_beside_the_saddle(room):
+    said = room.good('stress', '--only', 'field/perrin/log/0,1e-08')
+    expect('1 exact' in said and re.search(r' 4 +\S+ +\S+ - ', said), said)
+    options = room.json('stress', '--only', 'field/perrin/log/0,1e-08')[
+        'cases'][0]['settings']
+    done = room.shell('slipway basin ' + options + ' -o a.h5')
+    expect(done.returncode == 0 and 'slip time mu_mean v_peak' in done.stdout,
+           done)
+    room.write('field.yaml', SCENE + 'products: [time]\n'
+               'basins: {cells: [4, 4]}\n')
+    found = room.json('stress', 'field.yaml', '--only', 'my block')['cases'][0]
+    expect(found['kind'] == 'field' and found['steps'] == 16 and
+           found['outcome'] == 'exact' and found['bar'] <= 1, found)
+
+
 def each_case_is_a_test_of_tap(room):
     said = room.good('stress', '--tap', *FEW).splitlines()
     expect(said[0] == '1..3', said)
@@ -101,6 +117,7 @@ def wrong_uses_are_refused(room):
 run_cases([
     the_quick_catalogue_has_no_lie,
     a_pattern_picks_cases_and_the_table_says_how_to_repeat_them,
+    fields_are_looked_at_beside_the_saddle,
     each_case_is_a_test_of_tap,
     a_scene_is_one_more_case,
     wrong_uses_are_refused,

@@ -12,7 +12,8 @@
 #include "stress_family.h"
 #include "stress_tolerance.h"
 
-const char *const stress_kind_names[] = { "slope", "start", "window", NULL };
+const char *const stress_kind_names[] = { "slope", "start", "window", "field",
+                                          NULL };
 
 bool stress_matches(const char *name, const char *pattern)
 {
@@ -49,7 +50,11 @@ void stress_list_free(struct stress_list *list)
 
 static enum stress_kind kind_of(const struct scene *scene)
 {
+    const unsigned fields = 1u << PRODUCT_SLIP | 1u << PRODUCT_TIME |
+                            1u << PRODUCT_FRICTION | 1u << PRODUCT_PEAK;
+
     return scene->starts                            ? STRESS_START
+           : scene->products & fields               ? STRESS_FIELD
            : scene->products >> PRODUCT_BASINS & 1u ? STRESS_WINDOW
                                                     : STRESS_SLOPE;
 }
@@ -84,9 +89,10 @@ struct settings {
 struct combination {
     const struct stress_family *f;
     struct law law;
-    size_t value, slope, start;
+    size_t value, slope, start; /* start: or place */
     struct material m;
     double alpha;
+    struct stress_centre centre; /* of a window of fields */
 };
 
 static void set_law(struct settings *s, const struct law *law)
@@ -138,18 +144,50 @@ static void set_window(struct settings *s, const struct combination *k)
     SET(s, "basins.audit=%d", STRESS_AUDIT);
 }
 
+/* The pair of a window of two cells, each as far aside of the centre. */
+static void set_pair(struct settings *s, const char *key, double centre,
+                     double aside, bool is_log)
+{
+    const double lo =
+        is_log ? centre * exp(-2.0 * aside) : centre - 2.0 * aside;
+    const double hi = is_log ? centre * exp(2.0 * aside) : centre + 2.0 * aside;
+
+    SET(s, "%s=[%.17g, %.17g]", key, lo, hi);
+}
+
+static void set_field(struct settings *s, const struct combination *k)
+{
+    const double aside = k->f->place[k->start].aside;
+
+    set_pair(s, "window.v", k->centre.v, aside, true);
+    set_pair(s, "window.psi", k->centre.psi, aside, !law_psi_is_log(&k->law));
+    SET(s, "window.axes=log");
+    SET(s, "products=[slip, time, friction, peak]");
+    SET(s, "basins.cells=[2, 2]");
+    SET(s, "basins.audit=0");
+    SET(s, "basins.rtol=%g", STRESS_FIELD_RTOL);
+}
+
 static void combine(struct settings *s, const struct combination *k)
 {
+    static const double rtol[STRESS_KINDS] = {
+        [STRESS_SLOPE] = STRESS_RTOL,
+        [STRESS_START] = STRESS_STATE_RTOL,
+        [STRESS_WINDOW] = STRESS_STATE_RTOL,
+        [STRESS_FIELD] = STRESS_PLACE_RTOL,
+    };
+
     s->count = 0;
     set_law(s, &k->law);
     set_material(s, k);
     SET(s, "slope.alpha=%.17g", k->alpha);
-    SET(s, "accuracy.rtol=%g",
-        k->f->kind == STRESS_SLOPE ? STRESS_RTOL : STRESS_STATE_RTOL);
+    SET(s, "accuracy.rtol=%g", rtol[k->f->kind]);
     if (k->f->kind == STRESS_START)
         set_start(s, k);
     else if (k->f->kind == STRESS_WINDOW)
         set_window(s, k);
+    else if (k->f->kind == STRESS_FIELD)
+        set_field(s, k);
 }
 
 /* A preset's name, or THETA.PSI_SS.TIMESCALE.KINETICS. */
@@ -181,6 +219,9 @@ static void name_case(const struct combination *k, char *name, size_t size)
     if (f->starts > 0)
         snprintf(name + n, size - n, "/%g,%g", f->start[k->start].v,
                  f->start[k->start].psi);
+    if (f->places > 0)
+        snprintf(name + n, size - n, "/%g,%g", f->place[k->start].along,
+                 f->place[k->start].aside);
 }
 
 static void join_settings(const struct settings *s, char *text, size_t size)
@@ -203,6 +244,15 @@ struct builder {
     struct fault *why;
 };
 
+/* Of a place that there is. */
+static enum status find_centre(struct combination *k)
+{
+    return k->f->places > 0
+               ? stress_place_find(&k->law, &k->m, k->alpha,
+                                   k->f->place[k->start].along, &k->centre)
+               : STATUS_OK;
+}
+
 static enum status add_case(struct builder *b, struct combination *k)
 {
     struct stress_case *c = room_for_one(b->list);
@@ -216,12 +266,14 @@ static enum status add_case(struct builder *b, struct combination *k)
     if ((b->quick && b->number++ % STRESS_QUICK != 0) ||
         !stress_matches(c->name, b->pattern))
         return STATUS_OK;
+    enum status status = find_centre(k);
+    if (status != STATUS_OK || (k->f->places > 0 && !k->centre.exists))
+        return status;
     combine(&s, k);
     for (size_t i = 0; i < s.count; i++)
         override[i] = s.text[i];
     join_settings(&s, c->settings, sizeof c->settings);
-    const enum status status =
-        scene_read(&c->scene, NULL, override, s.count, b->why);
+    status = scene_read(&c->scene, NULL, override, s.count, b->why);
     b->list->count += status == STATUS_OK;
     return status;
 }
@@ -242,7 +294,8 @@ static enum status add_law(struct builder *b, const struct stress_family *f,
         for (k.slope = 0; k.slope < f->at.count; k.slope++) {
             if (!stress_alpha(law, &k.m, f->slope, f->at.at[k.slope], &k.alpha))
                 continue;
-            for (k.start = 0; k.start == 0 || k.start < f->starts; k.start++) {
+            for (k.start = 0; k.start == 0 || k.start < f->starts + f->places;
+                 k.start++) {
                 status = add_case(b, &k);
                 if (status != STATUS_OK)
                     return status;

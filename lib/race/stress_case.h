@@ -12,6 +12,7 @@ enum stress_kind {
     STRESS_SLOPE,  /* the critical numbers */
     STRESS_START,  /* the fate of a state */
     STRESS_WINDOW, /* the labels of a grid */
+    STRESS_FIELD,  /* slip, time, friction and peaks on a grid */
     STRESS_KINDS
 };
 extern const char *const stress_kind_names[];
@@ -37,7 +38,8 @@ MUST_CHECK enum status stress_list_init(struct stress_list *list,
                                         struct fault *why);
 
 /* Adds a user's scene, which becomes the list's: *scene is then empty.  Its
- * first start, if any, makes it a STRESS_START, else basins a STRESS_WINDOW;
+ * first start, if any, makes it a STRESS_START, else a field of its products a
+ * STRESS_FIELD, else basins a STRESS_WINDOW;
  * `settings`: what makes it, for people.  STATUS_NO_MEMORY, with nothing
  * changed. */
 MUST_CHECK enum status stress_list_add(struct stress_list *list,

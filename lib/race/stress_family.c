@@ -10,6 +10,7 @@
             sizeof((const double[]){ __VA_ARGS__ }) / sizeof(double)           \
     }
 #define STARTS(list) .kind = STRESS_START, .start = list, .starts = COUNT(list)
+#define PLACES(list) .kind = STRESS_FIELD, .place = list, .places = COUNT(list)
 #define COUNT(list)  (sizeof(list) / sizeof *(list))
 #define ONCE         STRESS_NOTHING, LIST(1.0)
 
@@ -28,63 +29,77 @@ static const struct scene_start corners[] = {
 static const struct scene_start carried[] = { { 1e28, 1e-46 }, { 1e60, 1e10 } };
 static const struct scene_start beside[] = { { 6e-13, 8e3 } };
 
+/* The saddle, and points of either branch one and four e-folds away. */
+static const struct stress_place close[] = {
+    { 0.0, 1e-1 },  { 0.0, 1e-2 },   { 0.0, 1e-3 },  { 0.0, 1e-4 },
+    { 0.0, 1e-5 },  { 0.0, 1e-6 },   { 0.0, 1e-7 },  { 0.0, 1e-8 },
+    { 0.0, 1e-9 },  { 0.0, 1e-10 },  { 0.0, 1e-11 }, { 0.0, 1e-12 },
+    { 0.0, 1e-13 }, { 0.0, 1e-14 },  { 1.0, 1e-1 },  { -1.0, 1e-2 },
+    { 4.0, 1e-3 },  { -4.0, 1e-4 },  { 1.0, 1e-5 },  { -1.0, 1e-6 },
+    { 4.0, 1e-7 },  { -4.0, 1e-8 },  { 1.0, 1e-9 },  { -1.0, 1e-10 },
+    { 4.0, 1e-11 }, { -4.0, 1e-12 }, { 1.0, 1e-13 }, { -1.0, 1e-14 },
+};
+static const struct stress_place few[] = { { 0.0, 1e-5 },
+                                           { 1.0, 1e-8 },
+                                           { -1.0, 1e-11 } };
+
 /* clang-format off */
 static const struct stress_family table[] = {
     { "laws", presets, FRICTION_LOG, ONCE,
-      STRESS_ALPHA, LIST(0.30, 0.34, 0.38), STRESS_SLOPE, NULL, 0 },
+      STRESS_ALPHA, LIST(0.30, 0.34, 0.38), .kind = STRESS_SLOPE },
     { "compositions", "compositions", FRICTION_ASINH, ONCE,
-      STRESS_LN_V, LIST(0.5), STRESS_SLOPE, NULL, 0 },
+      STRESS_LN_V, LIST(0.5), .kind = STRESS_SLOPE },
     { "eps2", two, FRICTION_LOG,
       STRESS_EPS2, LIST(1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9),
-      STRESS_ALPHA, LIST(0.30, 0.34, 0.38), STRESS_SLOPE, NULL, 0 },
+      STRESS_ALPHA, LIST(0.30, 0.34, 0.38), .kind = STRESS_SLOPE },
     { "R", "spinodal spinodal_gen", FRICTION_LOG,
-      STRESS_R, LIST(1e-3, 1e-2, 0.1, 1.0, 10.0, 1e4, 1e8, 1e12, HUGE_VAL),
-      STRESS_ALPHA, LIST(0.34), STRESS_SLOPE, NULL, 0 },
+      STRESS_R, LIST(1e-3, 1e-2, 0.1, 1.0, 4.0, 1e4, 1e8, 1e12, HUGE_VAL),
+      STRESS_ALPHA, LIST(0.34), .kind = STRESS_SLOPE },
     { "c", "spinodal spinodal_gen", FRICTION_LOG,
       STRESS_C, LIST(0.0, 1e-6, 0.5, 0.9, 1 - 1e-3, 1 - 1e-6, 1 - 1e-9, 1.1),
-      STRESS_BETWEEN, LIST(0.5), STRESS_SLOPE, NULL, 0 },
+      STRESS_BETWEEN, LIST(0.5), .kind = STRESS_SLOPE },
     { "b/a-1", two, FRICTION_LOG,
-      STRESS_B_OVER_A, LIST(1e-6, 1e-4, 1e-2, 1.0, 10.0, 1e2, 1e3),
-      STRESS_LN_V, LIST(-2.0, 2.0), STRESS_SLOPE, NULL, 0 },
+      STRESS_B_OVER_A, LIST(1e-6, 1e-4, 1e-2, 1.0, 4.0, 1e2, 1e3),
+      STRESS_LN_V, LIST(-2.0, 2.0), .kind = STRESS_SLOPE },
     { "far", "dieterich_gen perrin", FRICTION_ASINH,
       STRESS_B_OVER_A, LIST(1e-6, 1e-3),
       STRESS_LN_V, LIST(-680.0, -300.0, -100.0, 100.0, 300.0, 680.0),
-      STRESS_SLOPE, NULL, 0 },
+      .kind = STRESS_SLOPE },
     { "a", two, FRICTION_LOG, STRESS_A, LIST(1e-5, 1e-4, 1e-3, 0.1, 1.0),
-      STRESS_LN_V, LIST(-2.0, 2.0), STRESS_SLOPE, NULL, 0 },
+      STRESS_LN_V, LIST(-2.0, 2.0), .kind = STRESS_SLOPE },
     { "fold-max", folded, FRICTION_LOG, ONCE,
       STRESS_MAXIMUM, LIST(-1e-6, -1e-9, -1e-12, 0.0, 1e-12, 1e-6),
-      STRESS_SLOPE, NULL, 0 },
+      .kind = STRESS_SLOPE },
     { "fold-min", folded, FRICTION_LOG, ONCE,
       STRESS_MINIMUM, LIST(-1e-6, -1e-12, 0.0, 1e-12, 1e-9, 1e-6),
-      STRESS_SLOPE, NULL, 0 },
+      .kind = STRESS_SLOPE },
     { "flat", presets, FRICTION_LOG, ONCE,
-      STRESS_ALPHA, LIST(1e-150, 1e-12, 1e-6, 1e-3), STRESS_SLOPE, NULL, 0 },
+      STRESS_ALPHA, LIST(1e-150, 1e-12, 1e-6, 1e-3), .kind = STRESS_SLOPE },
     { "steep", presets, FRICTION_LOG, ONCE,
-      STRESS_STEEP, LIST(1e-12, 1e-6, 1e-3, 0.1), STRESS_SLOPE, NULL, 0 },
+      STRESS_STEEP, LIST(1e-12, 1e-6, 1e-3, 0.1), .kind = STRESS_SLOPE },
     { "mu_star", "dieterich_gen perrin spinodal_gen", FRICTION_LOG,
       STRESS_MU_STAR, LIST(0.0, 0.1, 1.0, 3.0),
-      STRESS_LN_V, LIST(-1.0, 1.0), STRESS_SLOPE, NULL, 0 },
+      STRESS_LN_V, LIST(-1.0, 1.0), .kind = STRESS_SLOPE },
     { "V_c", "kato_tullis", FRICTION_LOG,
       STRESS_V_C, LIST(1e-6, 1e-3, 1.0, 1e3, 1e6),
-      STRESS_LN_V, LIST(0.0), STRESS_SLOPE, NULL, 0 },
+      STRESS_LN_V, LIST(0.0), .kind = STRESS_SLOPE },
     /* the balance of a steady state all but vanishes at the fold's end */
     { "near-fold", "ln_psi.spinodal_unit.slip.sinh ln_psi.spinodal.slip.sinh "
       "ln_c_psi.spinodal.ageing44.sinh psi.inverse.spinodal.linear",
       FRICTION_LOG, STRESS_A, LIST(6e-4, 0.1),
-      STRESS_MAXIMUM, LIST(-1e-10, -1e-15, -1e-17), STRESS_SLOPE, NULL, 0 },
+      STRESS_MAXIMUM, LIST(-1e-10, -1e-15, -1e-17), .kind = STRESS_SLOPE },
     /* v of the saddle is 1 to all digits, and psi = -ln v */
     { "edge", "ln_psi.minus_log.slip45.sinh ln_c_psi.minus_log.slip.sinh",
       FRICTION_ASINH, STRESS_A, LIST(1e-4),
-      STRESS_LN_V, LIST(-1e-200, -1e-100, -1e-6), STRESS_SLOPE, NULL, 0 },
+      STRESS_LN_V, LIST(-1e-200, -1e-100, -1e-6), .kind = STRESS_SLOPE },
     /* psi, which is a logarithm there, is beyond the plane */
     { "far-psi", "psi.inverse.slip.sinh psi.spinodal.ageing44.linear",
       FRICTION_ASINH, ONCE,
-      STRESS_LN_V, LIST(-7.0, -30.0), STRESS_SLOPE, NULL, 0 },
+      STRESS_LN_V, LIST(-7.0, -30.0), .kind = STRESS_SLOPE },
     /* mu meets zero on the way of a branch to its asymptote */
     { "kink", "psi.spinodal.ageing44.sinh", FRICTION_ASINH,
       STRESS_B_OVER_A, LIST(10.0, 155.0),
-      STRESS_LN_V, LIST(1.0, 4.4), STRESS_SLOPE, NULL, 0 },
+      STRESS_LN_V, LIST(1.0, 4.4), .kind = STRESS_SLOPE },
     { "carried", "dieterich perrin spinodal spinodal_gen", FRICTION_ASINH, ONCE,
       STRESS_ALPHA, LIST(0.34), STARTS(carried) },
     { "fibre", "dieterich_gen", FRICTION_LOG, STRESS_EPS2, LIST(1e-5),
@@ -92,7 +107,11 @@ static const struct stress_family table[] = {
     { "start", presets, FRICTION_ASINH, ONCE,
       STRESS_ALPHA, LIST(0.34), STARTS(corners) },
     { "window", presets, FRICTION_ASINH, ONCE,
-      STRESS_ALPHA, LIST(0.30, 0.38), STRESS_WINDOW, NULL, 0 },
+      STRESS_ALPHA, LIST(0.30, 0.38), .kind = STRESS_WINDOW },
+    { "field", presets, FRICTION_LOG, ONCE,
+      STRESS_ALPHA, LIST(0.34), PLACES(close) },
+    { "fields", "compositions", FRICTION_ASINH, ONCE,
+      STRESS_LN_V, LIST(0.5), PLACES(few) },
 };
 /* clang-format on */
 

@@ -6,6 +6,7 @@
 #define RACE_STRESS_FAMILY_H
 
 #include "stress_case.h"
+#include "stress_place.h"
 
 struct stress_values {
     const double *at; /* static */
@@ -47,6 +48,8 @@ struct stress_family {
     const struct scene_start *start; /* STRESS_START; psi of laws whose psi is
                                         a logarithm: its ln */
     size_t starts;
+    const struct stress_place *place; /* STRESS_FIELD */
+    size_t places;
 };
 
 /* NULL past the end. */

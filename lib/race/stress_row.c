@@ -14,6 +14,16 @@ double stress_clock(void)
     return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
 }
 
+void stress_row_say(struct stress_row *row, int outcome, const char *reason,
+                    const char *worst)
+{
+    if (row->reason && outcome <= row->outcome)
+        return;
+    row->outcome = (int8_t) outcome;
+    row->reason = reason;
+    row->worst = worst;
+}
+
 static const char *const agreement_names[] = { "no", "yes", NULL };
 
 static const struct record_field fields[] = {
@@ -33,11 +43,11 @@ static const struct record_field fields[] = {
     FIELD(stress_row, REAL, bar, "1", "largest true error over reported error"),
     FIELD(stress_row, TEXT, worst, "1", "the number that lacks most digits"),
     FIELD(stress_row, COUNT, steps, "1",
-          "steps of branches or orbits, or labels"),
+          "steps of branches or orbits, labels, or cells looked at"),
     FIELD(stress_row, REAL, seconds, "s", "time taken by the program"),
     FIELD(stress_row, REAL, oracle_seconds, "s", "time taken by the oracle"),
     FIELD(stress_row, COUNT, oracle_evaluations, "1",
-          "field evaluations of the oracle"),
+          "field evaluations of the oracle, or steps of its orbits"),
     FIELD_CODE(stress_row, agree, agreement_names,
                "whether the two routes agree"),
     FIELD(stress_row, TEXT, reason, "1", "why the case is not exact"),

@@ -23,6 +23,11 @@ struct stress_row {
 };
 extern const struct record_type record_stress;
 
+/* Notes an outcome if it is worse than what was noted before, with why and of
+ * which number (NULL: none); both are static, or the row's. */
+void stress_row_say(struct stress_row *row, int outcome, const char *reason,
+                    const char *worst);
+
 /* Seconds of a clock that only runs forward. */
 double stress_clock(void);
 

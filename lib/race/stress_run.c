@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "stress_field.h"
 #include "stress_oracle.h"
 #include "stress_slope.h"
 #include "stress_state.h"
@@ -29,6 +30,8 @@ static enum status run_case(const struct stress_case *c,
             return stress_start_run(c, oracle, row);
         case STRESS_WINDOW:
             return stress_window_run(c, oracle, row);
+        case STRESS_FIELD:
+            return stress_field_run(c, row);
         default:
             return stress_slope_run(c, oracle, row);
     }

@@ -11,14 +11,10 @@
 #include "study_tolerance.h"
 #include "transient.h"
 
-/* The worst so far. */
 static void say(struct stress_row *row, enum stress_outcome outcome,
                 const char *reason)
 {
-    if (row->reason && outcome <= (enum stress_outcome) row->outcome)
-        return;
-    row->outcome = (int8_t) outcome;
-    row->reason = reason;
+    stress_row_say(row, (int) outcome, reason, NULL);
 }
 
 /* Where a fate comes from, and what is said of one that is wrong. */

@@ -3,8 +3,8 @@
 #ifndef RACE_STRESS_TOLERANCE_H
 #define RACE_STRESS_TOLERANCE_H
 
-/* Each so many cases of the catalogue make the quick one: ten seconds; a prime,
- * so that it takes some of every family, law and value. */
+/* Each so many cases of the catalogue make the quick one: some 20 seconds; a
+ * prime, so that it takes some of every family, law and value. */
 #define STRESS_QUICK 23
 
 /* Accuracy asked of critical numbers: as much as doubles hold; and of orbits,
@@ -15,6 +15,17 @@
 /* Side of a grid of labels, and how many of them an orbit checks. */
 #define STRESS_CELLS 24
 #define STRESS_AUDIT 40
+
+/* Accuracy asked of fields, of the separatrix beside which they are looked at,
+ * and how many cells of a user's grid are. */
+#define STRESS_FIELD_RTOL 1e-9
+#define STRESS_PLACE_RTOL 1e-12
+#define STRESS_LOOKS      64
+/* Of 113-bit orbits: good for every bar of a double (quad_orbit.h). */
+#define STRESS_ORBIT_TOL 1e-10
+/* No separatrix is known worse than that times 1 + |x| + |y| in the chart: a
+ * state so far from it has a fate. */
+#define STRESS_NEAR 1e-12
 
 /* Error of a step of a 113-bit branch: good for every bar of a double. */
 #define STRESS_ORACLE_TOL 1e-18
