@@ -2,8 +2,7 @@
  * field_formula.h -- the block on a slope, (17), in the chart (ln v, ln psi)
  * [(ln v, psi) where psi is a logarithm], written once for every kind of
  * number: real (double), dual (value and gradient), jet (Taylor series), quad
- * (113 bits) and text (for other programs to read).  With offsets X, Y from the
- * anchor,
+ * (113 bits).  With offsets X, Y from the anchor,
  *
  *     dX/dt = exp(log_inertia - X) (tan(alpha) - mu),
  *     dY/dt = -K(psi - psi_ss(v)) / (T(v) psi)       [without 1/psi].
@@ -14,9 +13,8 @@
  * so that none is lost far away either; exponents are added before anything
  * is exponentiated, so that nothing overflows (model section 6).
  *
- * A number is an array of KIND(num) whose element 0 is its value.  Sums and
- * products of elements are calls (arithmetic.h).  The including file (one per
- * kind: field_*.c) defines
+ * A number is an array of KIND(num) whose element 0 is its value.  The
+ * including file (one per kind: field_*.c) defines
  *     KIND(f)          the name of f for this kind;
  *     KIND(real)       the type of an element;
  *     REAL(f)          the name of f for elements: size(u) = |u|, power(u) =
@@ -35,7 +33,6 @@
  *     sinh(c, u)                    e^(-|u[0]|) sinh u
  *     friction(c, a, w0, q0, u)     a (asinh(e^(w0+u)/2) - asinh(e^w0/2))
  */
-#include "arithmetic.h"
 
 /* theta - theta0 */
 static void KIND(theta)(const struct law *law, const struct KIND(anchor) * at,
@@ -68,7 +65,7 @@ static void KIND(mu)(const struct law *law, const struct KIND(anchor) * at,
         KIND(linear)(c, 0, at->a, X, at->b, theta, out);
         return;
     }
-    KIND(linear)(c, 0, 1, X, OVER(at->b, at->a), theta, mu_log);
+    KIND(linear)(c, 0, 1, X, at->b / at->a, theta, mu_log);
     KIND(friction)(c, at->a, at->w0, at->q0, mu_log, out);
 }
 
@@ -146,9 +143,9 @@ static void KIND(freeze)(const struct law *law, const struct KIND(anchor) * at,
     if (!law_freezes(law)) {
         KIND(linear)(c, 0, 1, w, 0, w, out);
     } else if (law_psi_is_log(law) && u == Y) {
-        KIND(linear)(c, LESS(0, at->psi0), 1, w, -1, Y, out);
+        KIND(linear)(c, 0 - at->psi0, 1, w, -1, Y, out);
     } else {
-        KIND(exp)(c, PLUS(at->log_psi0, u[0]), 1, u, psi);
+        KIND(exp)(c, at->log_psi0 + u[0], 1, u, psi);
         KIND(linear)(c, 0, 1, w, -1, psi, out);
     }
 }
@@ -163,9 +160,9 @@ static KIND(real) KIND(first_order)(struct KIND(ctx) * c, const KIND(num) * d,
         c->frozen[0] = REAL(at_least)(1, REAL(size)(d[0]));
         c->frozen[1] = REAL(ln)(c->frozen[0]);
     }
-    KIND(linear)(c, 0, OVER(1, c->frozen[0]), d, 0, d, mantissa);
+    KIND(linear)(c, 0, 1 / c->frozen[0], d, 0, d, mantissa);
     KIND(linear)(c, 0, 1, w, 0, w, exponent);
-    return PLUS(w[0], c->frozen[1]);
+    return w[0] + c->frozen[1];
 }
 
 /* Hyperbolic: sinh d, scaled down. */
@@ -175,7 +172,7 @@ static KIND(real) KIND(hyperbolic)(struct KIND(ctx) * c, const KIND(num) * d,
 {
     KIND(sinh)(c, d, mantissa);
     KIND(linear)(c, 0, 1, w, 0, w, exponent);
-    return PLUS(w[0], REAL(size)(d[0]));
+    return w[0] + REAL(size)(d[0]);
 }
 
 /* With (45): sinh d e^d = (e^(2d) - 1)/2. */
@@ -185,12 +182,12 @@ static KIND(real) KIND(freezing)(struct KIND(ctx) * c, const KIND(num) * d,
 {
     if (KIND(order)(c) == 0) {
         c->frozen[0] = REAL(choose)(d[0], 0, 1, -1);
-        c->frozen[1] = REAL(ln)(OVER(REAL(size)(c->frozen[0]), 2));
+        c->frozen[1] = REAL(ln)(REAL(size)(c->frozen[0]) / 2);
     }
     const KIND(real) sign = c->frozen[0];
-    KIND(expm1)(c, OVER(sign, 2), c->frozen[1], TIMES(2, sign), d, mantissa);
-    KIND(linear)(c, 0, 1, w, LESS(1, sign), d, exponent);
-    return PLUS(w[0], TIMES(LESS(1, sign), d[0]));
+    KIND(expm1)(c, sign / 2, c->frozen[1], 2 * sign, d, mantissa);
+    KIND(linear)(c, 0, 1, w, 1 - sign, d, exponent);
+    return w[0] + (1 - sign) * d[0];
 }
 
 /* Kato-Tullis: dY/dt = v (E - z), z = ln(v psi), E = exp(-v/V_c - z), with
@@ -210,26 +207,24 @@ static KIND(real)
     VAR(heal);
     if (KIND(order)(c) == 0)
         c->frozen[3] = REAL(choose)(X[0], -1, 1, 0);
-    const KIND(real) far = c->frozen[3], near = LESS(1, far);
-    const KIND(real) log0 =
-        LESS(TIMES(near, at->log_composite), TIMES(far, PLUS(at->x0, at->y0)));
+    const KIND(real) far = c->frozen[3], near = 1 - far;
+    const KIND(real) log0 = near * at->log_composite - far * (at->x0 + at->y0);
 
     KIND(linear)(c, 0, 1, X, 1, Y, z);
-    KIND(exp)(c, PLUS(at->log_kappa0, X[0]), 1, X, cut_far);
+    KIND(exp)(c, at->log_kappa0 + X[0], 1, X, cut_far);
     KIND(expm1)(c, at->kappa0, at->log_kappa0, 1, X, cut_near);
     KIND(linear)(c, 0, near, cut_near, far, cut_far, cut);
     KIND(linear)(c, 0, -1, z, -1, cut, q);
     if (KIND(order)(c) == 0) {
-        c->frozen[0] = REAL(at_least)(0, PLUS(q[0], log0));
-        c->frozen[1] = REAL(power)(LESS(log0, c->frozen[0]));
-        c->frozen[2] = REAL(power)(LESS(0, c->frozen[0]));
+        c->frozen[0] = REAL(at_least)(0, q[0] + log0);
+        c->frozen[1] = REAL(power)(log0 - c->frozen[0]);
+        c->frozen[2] = REAL(power)(0 - c->frozen[0]);
     }
-    const KIND(real) kept =
-        LESS(TIMES(c->frozen[2], PLUS(at->x0, at->y0)), c->frozen[1]);
-    KIND(expm1)(c, c->frozen[1], LESS(log0, c->frozen[0]), 1, q, heal);
-    KIND(linear)(c, TIMES(far, kept), -1, heal, c->frozen[2], z, mantissa);
+    const KIND(real) kept = c->frozen[2] * (at->x0 + at->y0) - c->frozen[1];
+    KIND(expm1)(c, c->frozen[1], log0 - c->frozen[0], 1, q, heal);
+    KIND(linear)(c, far * kept, -1, heal, c->frozen[2], z, mantissa);
     KIND(linear)(c, 0, 1, X, 0, X, exponent);
-    return PLUS(X[0], c->frozen[0]);
+    return X[0] + c->frozen[0];
 }
 
 static KIND(real)
@@ -246,7 +241,7 @@ static KIND(real)
     VAR(w);
 
     if (law->kinetics == KINETICS_COMPOSITE)
-        return PLUS(at->x0, KIND(composite)(at, c, X, Y, mantissa, exponent));
+        return at->x0 + KIND(composite)(at, c, X, Y, mantissa, exponent);
     KIND(saturation)(law, at, c, X, l);
     KIND(steady)(law, c, X, l, s);
     KIND(lag)(law, at, c, Y, s, d);
@@ -258,7 +253,7 @@ static KIND(real)
                             : law_freezes(law)
                                 ? KIND(freezing)(c, d, w, mantissa, exponent)
                                 : KIND(hyperbolic)(c, d, w, mantissa, exponent);
-    return PLUS(at->log_rate, rate);
+    return at->log_rate + rate;
 }
 
 /* Both components times exp(-c->scale), which order 0 fixes for the series. */
@@ -276,14 +271,14 @@ static void KIND(field)(const struct law *law, const struct KIND(anchor) * at,
 
     KIND(mu)(law, at, c, X, Y, mu);
     KIND(linear)
-    (c, TIMES(at->kept, at->force0), LESS(0, at->kept), mu, 0, mu, force);
-    const KIND(real) x = LESS(at->log_inertia, X[0]);
+    (c, at->kept * at->force0, 0 - at->kept, mu, 0, mu, force);
+    const KIND(real) x = at->log_inertia - X[0];
     const KIND(real) y = KIND(kinetics)(law, at, c, X, Y, mantissa, exponent);
     if (KIND(order)(c) == 0)
         c->scale = REAL(larger)(x, y);
-    KIND(exp)(c, LESS(x, c->scale), -1, X, ex);
+    KIND(exp)(c, x - c->scale, -1, X, ex);
     KIND(product)(c, force, ex, fx);
-    KIND(exp)(c, LESS(y, c->scale), 1, exponent, ey);
+    KIND(exp)(c, y - c->scale, 1, exponent, ey);
     KIND(product)(c, mantissa, ey, up);
     KIND(linear)(c, 0, -1, up, 0, up, fy);
 }
