@@ -151,18 +151,18 @@ static bool absorb(struct formula *f, int u, formula_real c, int t, int *fuel,
         *out = scaled(f, found + c, t);
         return true;
     }
-    if (f->node[u].kind != FORMULA_SUM || --*fuel < 0)
+    if (f->node[rest].kind != FORMULA_SUM || --*fuel < 0 ||
+        !(found == 1 || found == -1)) /* others are not exact */
         return false;
-    const int a = f->node[u].of[0], b = f->node[u].of[1];
-    if (absorb(f, b, c, t, fuel, out)) {
+    const int a = f->node[rest].of[0], b = f->node[rest].of[1];
+    if (absorb(f, b, found * c, t, fuel, out))
         *out = formula_sum(f, a, *out);
-        return true;
-    }
-    if (absorb(f, a, c, t, fuel, out)) {
+    else if (absorb(f, a, found * c, t, fuel, out))
         *out = formula_sum(f, *out, b);
-        return true;
-    }
-    return false;
+    else
+        return false;
+    *out = scaled(f, found, *out);
+    return true;
 }
 
 /* u + w where they have terms in common. */

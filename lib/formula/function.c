@@ -37,8 +37,8 @@ const struct function functions[FUNCTIONS] = {
       "0-max(k_,1),k_),k_),k_),k_),k_),k_))",
       "W(exp(-k)), Lambert's W" },
     [FUNCTION_GROWTH] = { NULL, "growth", "p_,l_,u_",
-      "(if(u_>1)then(exp(l_+u_)-p_)else(p_*em1(u_)))",
-      "p (e^u - 1), l = ln p" },
+      "(if(u_>1)then(exp(l_)-p_)else(p_*em1(u_)))",
+      "p (e^u - 1), l = u + ln p" },
     [FUNCTION_APART] = { NULL, "apart", "p_,u_,w_",
       "(if(u_>w_)then(p_*exp(u_/2)*exp(u_/2)*(0-em1(w_-u_)))"
       "else(p_*exp(w_/2)*exp(w_/2)*em1(u_-w_)))",

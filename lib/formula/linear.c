@@ -146,3 +146,28 @@ struct linear linear_over(struct forms *s, const struct linear *w, int c)
         u.term[i].c = formula_over(s->f, u.term[i].c, c);
     return u;
 }
+
+struct linear linear_grown(struct forms *s, const struct linear *u)
+{
+    struct linear out = linear_constant(u->constant);
+
+    for (int i = 0; i < u->terms; i++) {
+        const int reg = u->term[i].reg;
+        struct linear part = linear_one(s, reg, 0);
+        if (reg >= 2 && s->t->step[reg - 2].kind == STEP_GROWTH) {
+            const struct step g = s->t->step[reg - 2];
+            part =
+                linear_one(s,
+                           g.b >= 0 ? linear_step(s, STEP_EXP, g.b, -1, 0, 0)
+                                    : linear_step(s, STEP_EXP, g.a, -1, 0, g.q),
+                           formula_less(s->f, 0, g.k));
+        }
+        linear_add(s, &out, u->term[i].c, &part);
+    }
+    return out;
+}
+
+int linear_value(struct forms *s, const struct linear *u)
+{
+    return emit_form(s, STEP_LINEAR, u, u->constant);
+}

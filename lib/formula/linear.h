@@ -35,6 +35,14 @@ int linear_reg(struct forms *s, const struct linear *u);
 /* The register of a step; the same step is made once. */
 int linear_step(struct forms *s, enum step_kind kind, int a, int b, int k,
                 int q);
+/* A register that is its value. */
+int linear_value(struct forms *s, const struct linear *u);
+
+/* With what grew instead of growths: beside an exponent it loses no digits near
+ * the anchor, and far from there it keeps those that a growth, which has all
+ * but taken away the anchor's value, would cancel. */
+struct linear linear_grown(struct forms *s, const struct linear *u);
+
 /* The register of u times e^-s, STEP_SCALED. */
 int linear_scaled(struct forms *s, const struct linear *u);
 

@@ -37,11 +37,17 @@ static int linear(struct formula *f, const struct linear *u, const int reg[])
     return sum;
 }
 
+/* ln of what a growth has grown to */
+static int grown(struct formula *f, const struct step *s, const int reg[])
+{
+    return s->b >= 0 ? reg[s->b] : formula_sum(f, s->q, reg[s->a]);
+}
+
 /* How large a growth is, and an apart but for its factor: the logarithm. */
 static int size(struct formula *f, const struct step *s, const int reg[])
 {
     if (s->kind == STEP_GROWTH)
-        return formula_sum(f, s->q, reg[s->a]);
+        return grown(f, s, reg);
     return larger(f, reg[s->a], formula_sum(f, reg[s->b], s->q));
 }
 
@@ -67,10 +73,10 @@ static int scale_of(struct formula *f, const struct tape *t,
 static int shrunk(struct formula *f, const struct step *s, int scale,
                   const int reg[])
 {
-    const int q = formula_less(f, s->q, scale);
-
     if (s->kind == STEP_GROWTH)
-        return call(f, FUNCTION_GROWTH, exponential(f, q), q, reg[s->a]);
+        return call(f, FUNCTION_GROWTH,
+                    exponential(f, formula_less(f, s->q, scale)),
+                    formula_less(f, grown(f, s, reg), scale), reg[s->a]);
     const int w = formula_sum(f, reg[s->b], s->q);
     return call(f, FUNCTION_APART, s->k, formula_less(f, reg[s->a], scale),
                 formula_less(f, w, scale));
@@ -102,9 +108,11 @@ static int make(struct formula *f, const struct tape *t, const struct step *s,
         case STEP_LINEAR:
             return linear(f, &s->form, reg);
         case STEP_GROWTH:
-            return call(f, FUNCTION_GROWTH, s->k, s->q, u);
+            return call(f, FUNCTION_GROWTH, s->k, grown(f, s, reg), u);
         case STEP_APART:
             return call(f, FUNCTION_APART, s->k, u, formula_sum(f, w, s->q));
+        case STEP_EXP:
+            return exponential(f, formula_sum(f, s->q, u));
         case STEP_MIXED:
             return call(f, FUNCTION_MIXED, s->k, s->q, u);
         case STEP_LN1P:

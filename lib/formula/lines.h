@@ -9,7 +9,7 @@
 
 #include "tape.h"
 
-enum { TEXT_LINES = 120, TEXT_LINE = 400 };
+enum { TEXT_LINES = 160, TEXT_LINE = 800 };
 
 /* name = text; `moves`: changes with the state, not only with parameters. */
 struct text_line {

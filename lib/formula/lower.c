@@ -148,10 +148,17 @@ static struct linear quotient(struct lowering *L, const struct linear *u,
 
 static struct linear growth(struct lowering *L, int i)
 {
-    const struct linear u = lower_log(L, i);
+    const struct linear u = lower_log(L, i), grown = linear_grown(&L->s, &u);
     const int value = value_of(L, i);
 
-    return linear_function(&L->s, STEP_GROWTH, &u, value, u.constant, value);
+    if (u.terms == 0)
+        return linear_constant(value);
+    const int b =
+        grown.constant == u.constant ? -1 : linear_value(&L->s, &grown);
+    return linear_one(&L->s,
+                      linear_step(&L->s, STEP_GROWTH, linear_reg(&L->s, &u), b,
+                                  value, u.constant),
+                      value);
 }
 
 static struct linear apart(struct lowering *L, int k, const struct linear *u,

@@ -119,6 +119,8 @@ static void lower_rate(struct lowering *L, int i)
         r->scaled = linear_scaled(&L->s, &r->mantissa);
         r->mantissa = linear_one(&L->s, r->scaled, 0);
     }
+    for (int k = 0; k < 2; k++)
+        r->exponent[k] = linear_grown(&L->s, &r->exponent[k]);
 }
 
 /* ---- all ----------------------------------------------------------------- */

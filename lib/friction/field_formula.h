@@ -1,8 +1,8 @@
 /*
  * field_formula.h -- the block on a slope, (17), in the chart (ln v, ln psi)
  * [(ln v, psi) where psi is a logarithm], written once for every kind of
- * number: real (double), dual (value and gradient), jet (Taylor series), quad
- * (113 bits).  With offsets X, Y from the anchor,
+ * number: real (double), dual (value and gradient), jet (Taylor series), lanes
+ * (several points).  With offsets X, Y from the anchor,
  *
  *     dX/dt = exp(log_inertia - X) (tan(alpha) - mu),
  *     dY/dt = -K(psi - psi_ss(v)) / (T(v) psi)       [without 1/psi].

@@ -1,12 +1,11 @@
-/* The law as formulas, lowered to differences (tape.h) and written. */
+/* The law as formulas, lowered to differences (law_tape.h) and written. */
 #include "field_text.h"
 
 #include <assert.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "parse.h"
+#include "law_tape.h"
 
 const struct text_symbol text_parameters[TEXT_PARAMETERS] = {
     [TEXT_ALPHA] = { "alpha", "rad", "slope angle" },
@@ -44,61 +43,9 @@ const char *text_state_name(const struct law *law, int coordinate)
     return coordinate == 0 ? "lnv" : law_psi_is_log(law) ? "psi" : "lnpsi";
 }
 
-/* ---- formulas ------------------------------------------------------------ */
+/* ---- lines ------------------------------------------------------------ */
 
 /* one_R is 1/R: R may be infinite. */
-static const char *const theta_formula[THETAS] = {
-    [THETA_LN_PSI] = "ln(psi)",
-    [THETA_PSI] = "psi",
-    [THETA_LN_C_PSI] = "ln(c + psi)",
-    [THETA_LN_C_1PR_PSI] = "ln(c + (1 + R)*psi)",
-};
-static const char *const psi_ss_formula[PSI_SSES] = {
-    [PSI_SS_INVERSE] = "1/v",
-    [PSI_SS_MINUS_LOG] = "-ln(v)",
-    [PSI_SS_SPINODAL] = "(1 + one_R)/(one_R + v)",
-    [PSI_SS_SPINODAL_UNIT] = "one_R/(one_R + v)",
-    [PSI_SS_LAMBERT] = "exp(lambert(v/V_c))/v",
-};
-static const char *const mu_formula[FRICTION_FORMS] = {
-    [FRICTION_ASINH] = "a*asinh(v/2*exp((mu_star + b*theta)/a))",
-    [FRICTION_LOG] = "mu_star + a*ln(v) + b*theta",
-};
-/* The last is exp(-v/V_c) - v psi ln(v psi). */
-static const char *const rate_formula[KINETICSES] = {
-    [KINETICS_LINEAR] = "-(psi - psi_ss)/T",
-    [KINETICS_SINH] = "-sinh(psi - psi_ss)/T",
-    [KINETICS_COMPOSITE] = "v*psi*(exp(-v/V_c - ln(v*psi)) - ln(v*psi))",
-};
-
-static int define(struct formula *f, const char *name, const char *text)
-{
-    struct fault why;
-    int node = 0;
-    const enum status s = formula_parse(f, text, &node, &why);
-
-    assert(s == STATUS_OK);
-    (void) s;
-    formula_define(f, name, node);
-    return node;
-}
-
-/* T, of the terms of ln(1/T) */
-static void define_timescale(struct formula *f, const struct law *law)
-{
-    const struct timescale_terms *t = law_timescale(law);
-    char text[200];
-
-    snprintf(text, sizeof text,
-             "exp(%d*ln(R) - (%d)*ln(v) - (%d)*ln(one_R + v) - (%d)*psi_ss",
-             t->ln_r, t->ln_v, t->ln_r_plus_v, t->psi_ss);
-    if (t->ln_psi_ss)
-        snprintf(text + strlen(text), sizeof text - strlen(text),
-                 " - (%d)*ln(psi_ss)", t->ln_psi_ss);
-    strcat(text, ")");
-    define(f, "T", text);
-}
-
 static void name_parameters(struct formula *f)
 {
     for (int p = 0; p < TEXT_PARAMETERS; p++) {
@@ -107,87 +54,48 @@ static void name_parameters(struct formula *f)
         formula_leaf(f, text_parameters[p].name,
                      signs ? FORMULA_PARAMETER : FORMULA_POSITIVE_PARAMETER);
     }
-    define(f, "tan_alpha", "tan(alpha)");
-    define(f, "one_R", "1/R");
+    formula_define(f, "tan_alpha",
+                   formula_of(f, FUNCTION_TAN, formula_find(f, "alpha", 5)));
+    formula_define(
+        f, "one_R",
+        formula_over(f, formula_number(f, 1), formula_find(f, "R", 1)));
 }
 
-/* At lnv0 on the steady curve. */
-static enum status anchor(struct formula *f, const struct law *law,
-                          struct plane_formulas *p, struct fault *why)
+static void write_tape(const struct law *law, struct law_tape *tape,
+                       struct text_lines *out)
 {
-    p->chart[0] = formula_find(f, "lnv0", 4);
-    p->at[0] = formula_of(f, FUNCTION_EXP, p->chart[0]);
-    formula_define(f, "v0", p->at[0]);
-    formula_define(f, "v", p->at[0]);
-    const int psi0 = define(f, "psi0", psi_ss_formula[law->psi_ss]);
-    return tape_anchor(f, p, 1, psi0, why);
-}
-
-/* The plane (17), and mu beside it. */
-static enum status name_law(struct formula *f, const struct law *law,
-                            struct plane_formulas *p, struct fault *why)
-{
-    p->state[0] = formula_leaf(f, "v", FORMULA_POSITIVE_STATE);
-    p->state[1] = formula_leaf(
-        f, "psi", law_psi_is_log(law) ? FORMULA_STATE : FORMULA_POSITIVE_STATE);
-    const enum status s = anchor(f, law, p, why);
-
-    formula_define(f, "v", p->state[0]);
-    define(f, "theta", theta_formula[law->theta]);
-    define(f, "psi_ss", psi_ss_formula[law->psi_ss]);
-    define_timescale(f, law);
-    p->value[0] = define(f, "mu", mu_formula[law->form]);
-    p->values = 1;
-    p->rate[0] = define(f, "dv",
-                        "(tan_alpha - mu)/"
-                        "(eps2*sqrt(1 + tan_alpha*tan_alpha))");
-    p->rate[1] = define(f, "dpsi", rate_formula[law->kinetics]);
-    p->zero[1] = true;
-    return s;
-}
-
-/* ---- lines --------------------------------------------------------------- */
-
-static void write_tape(struct formula *f, const struct law *law,
-                       const struct plane_formulas *p, const struct tape *t,
-                       struct field_text *out)
-{
+    struct formula *f = &tape->f;
     struct tape_text all;
     int offset[2];
 
     for (int i = 0; i < 2; i++) {
         const int place =
             formula_leaf(f, text_state_name(law, i), FORMULA_STATE);
-        offset[i] = formula_less(f, place, p->chart[i]);
+        offset[i] = formula_less(f, place, tape->p.chart[i]);
         formula_name(f, offset[i], i ? "Y" : "X");
     }
-    text_of_tape(f, t, offset, &all);
+    text_of_tape(f, &tape->t, offset, &all);
     formula_name(f, all.rate[0], "fx");
     formula_name(f, all.rate[1], "fy");
     formula_name(f, all.scale, "scale");
     formula_name(f, all.value[0], "mu");
     const int result[] = { all.rate[0], all.rate[1], all.scale, all.value[0] };
-    const bool whole = text_write(f, result, 4, &out->lines);
+    const bool whole = text_write(f, result, 4, out);
     assert(whole);
     (void) whole;
 }
 
 void field_text(const struct law *law, struct field_text *out)
 {
-    struct formula f;
-    struct plane_formulas p = { .values = 0 };
-    struct tape t;
-    struct fault why;
+    struct law_tape tape;
 
-    formula_init(&f);
-    name_parameters(&f);
-    enum status s = name_law(&f, law, &p, &why);
-    if (s == STATUS_OK)
-        s = tape_lower(&t, &f, &p, &why);
-    assert(s == STATUS_OK); /* tests/friction/test_field_text.c: every law */
-    write_tape(&f, law, &p, &t, out);
+    formula_init(&tape.f);
+    name_parameters(&tape.f);
+    law_tape(law, false, &tape);
+    write_tape(law, &tape, &out->lines);
     for (int i = 0; i < TEXT_PARAMETERS; i++) {
         const char *name = text_parameters[i].name;
-        out->uses[i] = out->lines.uses[formula_find(&f, name, strlen(name))];
+        out->uses[i] =
+            out->lines.uses[formula_find(&tape.f, name, strlen(name))];
     }
 }

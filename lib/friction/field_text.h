@@ -1,6 +1,6 @@
 /*
  * field_text.h -- the block's field as text that other programs can read: the
- * law's formulas, lowered to differences from a steady state (tape.h).
+ * law's formulas, lowered to differences from a steady state (law_tape.h).
  *
  * Parameters keep their names, so that they can be changed in the other
  * program; the anchor follows them, at any point lnv0 of the steady curve.

@@ -1,85 +1,15 @@
-/* The formulas of lib/friction in 113 bits: a number is its value. */
+/* Steady states from steady_formula.h, the field from the law's formulas. */
 #include "quad_block.h"
+
+#include "law_tape.h"
 
 #define T       quad
 #define NAME(f) quad_##f
-#define KIND(f) quad_##f
 #define FN(f)   f##q
 #define REAL(f) scalar_##f
 #define SCALAR  quad
-#define VAR(w)  quad w[1]
 #include "scalar.h"
 #include "steady_formula.h"
-
-typedef quad quad_num;
-typedef quad quad_real;
-struct quad_ctx {
-    quad scale, frozen[4];
-};
-
-static inline int quad_order(const struct quad_ctx *c)
-{
-    (void) c;
-    return 0;
-}
-
-static inline void quad_linear(struct quad_ctx *c, quad p, quad q,
-                               const quad *u, quad r, const quad *v, quad *out)
-{
-    (void) c;
-    out[0] = p + q * u[0] + (r == 0 ? 0 : r * v[0]);
-}
-
-static inline void quad_product(struct quad_ctx *c, const quad *u,
-                                const quad *v, quad *out)
-{
-    (void) c;
-    out[0] = u[0] * v[0];
-}
-
-static inline void quad_exp(struct quad_ctx *c, quad l, quad s, const quad *u,
-                            quad *out)
-{
-    (void) c, (void) s, (void) u;
-    out[0] = expq(l);
-}
-
-static inline void quad_expm1(struct quad_ctx *c, quad p, quad log_p, quad s,
-                              const quad *u, quad *out)
-{
-    (void) c;
-    out[0] = scalar_expm1(p, log_p, s * u[0]);
-}
-
-static inline void quad_difference(struct quad_ctx *c, quad p, const quad *u,
-                                   const quad *w, quad *out)
-{
-    (void) c;
-    out[0] = scalar_difference(p, u[0], w[0]);
-}
-
-static inline void quad_log1p_expm1(struct quad_ctx *c, quad r, quad s,
-                                    const quad *u, quad *out)
-{
-    (void) c;
-    out[0] = scalar_log1p_expm1(r, s, u[0]);
-}
-
-static inline void quad_sinh(struct quad_ctx *c, const quad *u, quad *out)
-{
-    (void) c;
-    out[0] = scalar_sinh(u[0]);
-}
-
-static inline void quad_friction(struct quad_ctx *c, quad a, quad w0, quad q0,
-                                 const quad *u, quad *out)
-{
-    (void) c;
-    out[0] = a * scalar_friction(w0, q0, u[0]);
-}
-
-#include "field_formula.h"
-#include "rate_formula.h"
 
 quad quad_block_mu_ss(const struct law *law, const struct material *m, quad x)
 {
@@ -105,38 +35,69 @@ quad quad_block_equilibrium(const struct law *law, const struct material *m,
     return lo;
 }
 
+/* The names that law_tape needs. */
+static void name_constants(struct formula *f, const struct quad_leaf leaf[])
+{
+    for (; leaf->name; leaf++)
+        formula_leaf(f, leaf->name,
+                     leaf->value >= 0 ? FORMULA_POSITIVE_PARAMETER
+                                      : FORMULA_PARAMETER);
+}
+
 void quad_block_anchor(const struct law *law, const struct material *m,
                        quad tan_alpha, quad x, bool equilibrium,
                        struct quad_anchor *at)
 {
+    const struct quad_leaf leaf[] = {
+        { "tan_alpha", tan_alpha },
+        { "mu_star", m->mu_star },
+        { "a", m->a },
+        { "b", m->b },
+        { "c", m->c },
+        { "R", m->R },
+        { "one_R", quad_inverse_R(m) },
+        { "V_c", m->V_c },
+        { "eps2", quad_eps2(m) },
+        { "lnv0", x },
+        { NULL, 0 },
+    };
+    struct law_tape tape;
+
     quad_anchor(law, m, tan_alpha, x, equilibrium, at);
+    formula_init(&tape.f);
+    name_constants(&tape.f, leaf);
+    law_tape(law, equilibrium, &tape);
+    quad_tape_at(&tape.f, &tape.t, leaf, &at->tape);
 }
 
 void quad_block_field(const struct law *law, const struct quad_anchor *at,
                       quad X, quad Y, struct quad_field *f)
 {
-    struct quad_ctx c = { 0 };
+    quad mu;
 
-    quad_field(law, at, &c, &X, &Y, &f->direction[0], &f->direction[1]);
-    f->log_scale = c.scale;
-}
-
-quad quad_block_rate(const struct law *law, const struct quad_anchor *at,
-                     enum block_observable which, quad X, quad Y)
-{
-    struct quad_ctx c = { 0 };
-    quad rate;
-
-    quad_rate(law, at, &c, which, 0, &X, &Y, &rate);
-    return rate;
+    (void) law; /* at knows it */
+    quad_tape_field(&at->tape, X, Y, f->direction, &f->log_scale, &mu);
 }
 
 quad quad_block_mu(const struct law *law, const struct quad_anchor *at, quad X,
                    quad Y)
 {
-    struct quad_ctx c = { 0 };
-    quad mu;
+    quad rate[2], scale, mu;
 
-    quad_mu(law, at, &c, &X, &Y, &mu);
-    return at->mu0 + mu;
+    (void) law;
+    quad_tape_field(&at->tape, X, Y, rate, &scale, &mu);
+    return mu;
+}
+
+quad quad_block_rate(const struct law *law, const struct quad_anchor *at,
+                     enum block_observable which, quad X, quad Y)
+{
+    switch (which) {
+        case BLOCK_SLIP:
+            return expq(at->x0 + X);
+        case BLOCK_EXCESS:
+            return scalar_expm1(at->v0, at->x0, X);
+        default: /* BLOCK_WORK */
+            return quad_block_mu(law, at, X, Y) * expq(at->x0 + X);
+    }
 }

@@ -1,16 +1,17 @@
 /*
- * quad_block.h -- the 113-bit oracle: the formulas of lib/friction compiled
- * for __float128.  Same chart, same meaning of every argument as in block.h
- * and field.h; x = ln v.
+ * quad_block.h -- the 113-bit oracle: the law's formulas as typed
+ * (law_tape.h), not those of field_formula.h.  Same chart, same meaning of
+ * every argument as in block.h and field.h; x = ln v.
  */
 #ifndef RACE_QUAD_BLOCK_H
 #define RACE_QUAD_BLOCK_H
 
 #include "field.h"
-#include "quad.h"
+#include "quad_tape.h"
 
 struct quad_anchor {
     ANCHOR_MEMBERS(quad)
+    struct quad_tape tape; /* of the law */
 };
 
 /* The field: (direction_x, direction_y) * exp(log_scale). */

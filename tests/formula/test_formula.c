@@ -52,6 +52,8 @@ static void what_cancels_is_gone(void **state)
     assert_int_equal(formula_less(&f, sum, w), formula_sum(&f, u, v));
     assert_int_equal(formula_less(&f, formula_sum(&f, v, u), sum),
                      formula_less(&f, 0, w));
+    assert_int_equal(formula_sum(&f, formula_less(&f, 0, sum), w),
+                     formula_less(&f, 0, formula_sum(&f, u, v)));
     assert_int_equal(formula_sum(&f, u, u), formula_times(&f, number(2), u));
     assert_true(formula_factor(&f, formula_sum(&f, sum, w), &rest) == 1);
     assert_int_equal(

@@ -105,11 +105,11 @@ static void a_line_that_does_not_fit_is_refused(void **state)
     int node = 0;
 
     (void) state;
-    for (int i = 1; i < 60; i++)
+    for (int i = 1; i < 120; i++)
         node = formula_sum(&f, node,
                            formula_over(&f, formula_number(&f, i + 0.1),
                                         formula_find(&f, "u", 1)));
-    for (int i = 1; i < 60; i++)
+    for (int i = 1; i < 120; i++)
         node = formula_times(&f, formula_sum(&f, node, formula_number(&f, i)),
                              formula_find(&f, "w", 1));
     formula_name(&f, node, "it");

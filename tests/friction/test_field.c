@@ -126,7 +126,7 @@ static void check_component(const struct setting *s, struct vec2 z,
     CHECK(isfinite(p) && isfinite(log_scale),
           "law %zu at %g %g from %g %g: %s = %g exp(%g)", s->number, z.x, z.y,
           s->b.at.x0, s->b.at.y0, name, p, log_scale);
-    if (fabsq(q) < 1e-290 || !(bound < 0.5))
+    if (fabsq(q) * expq(exact_scale - log_scale) < 1e-290 || !(bound < 0.5))
         return;
     const double off = (double) fabsq(log_ratio(p, log_scale, q, exact_scale));
     CHECK(off <= bound,
@@ -143,9 +143,7 @@ static void check_real(const struct setting *s, struct vec2 z)
 
     field_real(&s->law, &s->b.at, z, &f);
     quad_block_field(&s->law, &s->at, z.x, z.y, &q);
-    const struct condition c = condition_at(s, z.x, z.y, q.log_scale);
-    CHECK(fabsq(f.log_scale - q.log_scale) <= 8 * ULP * (c.x + c.y),
-          "law %zu: log_scale %g", s->number, f.log_scale);
+    const struct condition c = condition_at(s, z.x, z.y, f.log_scale);
     check_component(s, z, "fx", f.direction.x, f.log_scale, q.direction[0],
                     q.log_scale, c.x);
     check_component(s, z, "fy", f.direction.y, f.log_scale, q.direction[1],
@@ -311,15 +309,17 @@ static void check_dual(const struct setting *s, struct vec2 z)
     assert_true(isfinite(D.matrix.xx) && isfinite(D.matrix.xy) &&
                 isfinite(D.matrix.yx) && isfinite(D.matrix.yy));
     quad_block_field(&s->law, &s->at, z.x, z.y, &q);
-    const struct condition c = condition_at(s, z.x, z.y, q.log_scale);
-    const quad size = fabsq(q.log_scale) + fabsq(s->at.log_rate) +
+    const struct condition c = condition_at(s, z.x, z.y, f.log_scale);
+    const quad size = fabsq(f.log_scale) + fabsq(s->at.log_rate) +
                       fabsq(s->at.log_inertia) + fabsq(z.x) + fabsq(z.y) +
                       fabsq(s->at.w0) + fabsq(s->at.b / s->at.a * z.y);
     if (c.log_slope > 1e8)
         return;
     quad_jacobian(s, z, f.log_scale, 1e-11 / c.log_slope, J);
     const quad ex = expq(s->at.log_inertia - z.x - f.log_scale);
-    const quad fx = fabsq(q.direction[0]), fy = fabsq(q.direction[1]);
+    const quad same = expq(q.log_scale - f.log_scale);
+    const quad fx = fabsq(q.direction[0]) * same,
+               fy = fabsq(q.direction[1]) * same;
     const quad row_x = fabsq(J[0][0]) + fabsq(J[0][1]) + fx +
                        ex * condition_of_mu(s, z.x, z.y);
     const quad row_y = fabsq(J[1][0]) + fabsq(J[1][1]) + fy * c.log_slope;

@@ -1,5 +1,5 @@
 /* The field as text, read back and evaluated in 113 bits, against the formulas
- * of field_formula.h in 113 bits: for every law they are the same. */
+ * of the law in 113 bits (quad_tape.h): for every law they are the same. */
 #include "field_text.h"
 
 #include <ctype.h>

@@ -91,15 +91,12 @@ static void check_parameter(const struct setting *s, struct vec2 z,
                             enum parameter p)
 {
     struct planar_field f;
-    struct quad_field exact;
     struct vec2 got[PARAMETERS];
 
     field_real(&s->law, &s->b.at, z, &f);
-    quad_block_field(&s->law, &s->at, (quad) z.x, (quad) z.y, &exact);
     parameter_field(&s->b, z, &f, got);
-    const struct moved want = difference(s, z, p, exact.log_scale);
-    const double unit =
-        exp(s->b.at.log_inertia - z.x - (double) exact.log_scale);
+    const struct moved want = difference(s, z, p, (quad) f.log_scale);
+    const double unit = exp(s->b.at.log_inertia - z.x - f.log_scale);
     /* exponents are rounded to their size, d = psi - psi_ss to psi's, and
      * mu_log is a sum of terms that may cancel */
     const double terms = fabs(s->m.mu_star) / s->m.a + fabs(s->b.at.x0 + z.x) +
