@@ -3,8 +3,7 @@
  *
  * Between the ends of strands their order along a row does not change, for
  * stable manifolds do not cross: a `band` of rows, in which regions are
- * counted from the left.  One basin may consist of several regions; each is
- * labelled by the fate of one point in it, never by assumption.
+ * counted from the left.  One basin may consist of several regions.
  */
 #ifndef PORTRAIT_REGION_H
 #define PORTRAIT_REGION_H
@@ -14,9 +13,7 @@
 #include "separatrix.h"
 
 struct region {
-    bool is_seeded;
-    struct vec2 seed; /* a point of it, absolute */
-    int8_t label;     /* REGION_UNLABELLED before it is asked for */
+    int8_t label; /* REGION_UNLABELLED until somebody sets it */
 };
 enum { REGION_UNLABELLED = -2 };
 
@@ -42,15 +39,6 @@ const struct band *regions_band(const struct regions *r, double y);
 
 /* The number of the region of an absolute point; c has room for most + 1. */
 size_t regions_at(const struct regions *r, struct vec2 z, struct crossing c[]);
-
-/* The label of the forward orbit from z, an absolute point. */
-typedef enum status region_fate(const void *ctx, struct vec2 z, int8_t *label);
-
-/* Asks for the fate of each region's seed; of those inside `only`, where it is
- * not NULL (a seed is put there wherever the region reaches it at all).
- * Regions that have a label keep it; errors of `fate` are passed on. */
-MUST_CHECK enum status regions_label(struct regions *r, const struct box *only,
-                                     region_fate *fate, const void *ctx);
 
 /* An area and a bound of its error. */
 struct area {

@@ -129,18 +129,30 @@ static size_t wrong_cells(const struct sample *s, const int8_t *label)
     return wrong;
 }
 
-/* A cell of every region that has one is its seed. */
-static void seed_by_cells(struct sample *s)
+static void label_by_point(struct sample *s, struct vec2 z)
 {
     struct crossing c[64];
+    struct region *g = &s->regions.region[regions_at(&s->regions, z, c)];
+
+    if (g->label == REGION_UNLABELLED)
+        assert_int_equal(fate(s, z, &g->label), STATUS_OK);
+}
+
+/* Every region that has a cell, or a point of a finer grid, by its fate. */
+static void label_all(struct sample *s)
+{
+    enum { FINE = 200 };
+    const struct box w = s->window;
 
     assert_true(s->regions.most < 64);
-    for (size_t k = 0; k < ROWS * COLUMNS; k++) {
-        const struct vec2 z = { s->x[k % COLUMNS], s->y[k / COLUMNS] };
-        struct region *g = &s->regions.region[regions_at(&s->regions, z, c)];
-        g->seed = g->is_seeded ? g->seed : z;
-        g->is_seeded = true;
-    }
+    for (size_t k = 0; k < ROWS * COLUMNS; k++)
+        label_by_point(s,
+                       (struct vec2){ s->x[k % COLUMNS], s->y[k / COLUMNS] });
+    for (int k = 0; k < FINE * FINE; k++)
+        label_by_point(
+            s, (struct vec2){
+                   w.lo.x + (k % FINE + 0.5) / FINE * (w.hi.x - w.lo.x),
+                   w.lo.y + (k / FINE + 0.5) / FINE * (w.hi.y - w.lo.y) });
 }
 
 static void every_cell_has_the_label_of_its_side(void **state)
@@ -160,9 +172,7 @@ static void every_cell_has_the_label_of_its_side(void **state)
             continue;
         }
         assert_int_equal(basin_init(&b, &s.regions, &s.grid), STATUS_OK);
-        seed_by_cells(&s);
-        assert_int_equal(regions_label(&s.regions, &s.window, fate, &s),
-                         STATUS_OK);
+        label_all(&s);
         basin_fill(&b, 0, ROWS, label);
         const size_t wrong = wrong_cells(&s, label);
         CHECK(wrong == 0, "system %d: %zu of %d cells wrong", n, wrong,
@@ -252,8 +262,7 @@ static void margins_lead_just_to_the_other_side(void **state)
             separatrix_empty(SEPARATRIX_X, s.sys.origin);
         assert_int_equal(separatrix_add(&columns, &s.branch[1], &s.branch[0]),
                          STATUS_OK);
-        assert_int_equal(regions_label(&s.regions, &s.window, fate, &s),
-                         STATUS_OK);
+        label_all(&s);
         assert_int_equal(margin_init(&l, &s.separatrix, &columns), STATUS_OK);
         for (int i = 0; i < 30; i++) {
             const struct vec2 z = {
@@ -305,8 +314,7 @@ static void areas_are_those_of_the_sides(void **state)
             sample_free(&s);
             continue;
         }
-        assert_int_equal(regions_label(&s.regions, &s.window, fate, &s),
-                         STATUS_OK);
+        label_all(&s);
         const struct box w = s.window;
         const double all =
             (m.exponential[0] ? exp(w.hi.x) - exp(w.lo.x) : w.hi.x - w.lo.x) *
