@@ -210,3 +210,16 @@ enum status labels_find(const struct labels *l, struct vec2 z,
         (struct fate_told){ fate, fate == FATE_UNDECIDED ? slow : NULL, false };
     return STATUS_OK;
 }
+
+enum status labels_find_one(const struct slider *s, struct vec2 z, double rtol,
+                            const struct monitor *monitor,
+                            struct fate_told *out)
+{
+    struct labels own;
+    enum status status = labels_init(&own, s, rtol, monitor);
+
+    if (status == STATUS_OK)
+        status = labels_find(&own, z, monitor, out);
+    labels_free(&own);
+    return status;
+}

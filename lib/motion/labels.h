@@ -47,6 +47,12 @@ MUST_CHECK enum status labels_find(const struct labels *l, struct vec2 z,
                                    const struct monitor *monitor,
                                    struct fate_told *out);
 
+/* The same of one state alone; errors as labels_init and labels_find. */
+MUST_CHECK enum status labels_find_one(const struct slider *s, struct vec2 z,
+                                       double rtol,
+                                       const struct monitor *monitor,
+                                       struct fate_told *out);
+
 /* A second call is harmless. */
 void labels_free(struct labels *l);
 

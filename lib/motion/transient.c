@@ -433,22 +433,6 @@ static bool is_there(const struct course *c, const struct transient_options *o,
     return true;
 }
 
-static enum status tell(const struct slider *s, struct scene_start start,
-                        double rtol, const struct labels *labels,
-                        const struct monitor *monitor, struct fate_told *out)
-{
-    const struct vec2 z = block_offset(&s->block, start.v, start.psi);
-    struct labels own;
-
-    if (labels)
-        return labels_find(labels, z, monitor, out);
-    enum status status = labels_init(&own, s, rtol, monitor);
-    if (status == STATUS_OK)
-        status = labels_find(&own, z, monitor, out);
-    labels_free(&own);
-    return status;
-}
-
 static void forget(struct transient *t)
 {
     free(t->event);
@@ -498,7 +482,9 @@ enum status transient_find(const struct slider *s, struct scene_start start,
     if (vec2_length(near) < 1.0) /* to more digits */
         c.start = near;
     enum status status =
-        tell(s, start, options->rtol, options->labels, monitor, &told);
+        options->labels
+            ? labels_find(options->labels, near, monitor, &told)
+            : labels_find_one(s, near, options->rtol, monitor, &told);
     if (status == STATUS_OK)
         status = find(&c, options, &told, monitor, out);
     if (status != STATUS_OK)
