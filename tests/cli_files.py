@@ -3,7 +3,9 @@
 
 usage: cli_files.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
+import glob
 import os
+import re
 import socket
 import subprocess
 import time
@@ -179,6 +181,28 @@ QUESTIONS = {
     'check': ['--record'], 'export': ['--as', 'xppaut', '-o', 'a.ode']}
 
 
+COMMANDS = {'fig08': 'rabinowicz', 'rabinowicz': 'rabinowicz',
+            'fig14': 'simulate', 'fig15': 'simulate'}
+
+
+def numbers_are_finite_or_declared_missing(room):
+    made = []
+    os.mkdir(room.path('outputs'))
+    os.symlink(room.source + '/scenes', room.path('scenes'))
+    for path in sorted(glob.glob(room.source + '/scenes/*.yaml')):
+        name = os.path.basename(path)[:-5]
+        with open(path, encoding='utf-8') as file:
+            text = file.read()
+        swept = re.search('^sweep:', text, re.M)
+        small = ['--set', 'basins.cells=[40, 30]', '--set', 'basins.audit=0']
+        room.good(COMMANDS.get(name, 'sweep' if swept else 'study'), path,
+                  '-q', '-o', name + '.h5',
+                  *(small if re.search('^basins:', text, re.M) else []))
+        made.append(name + '.h5')
+    expect(len(made) > 25, made)
+    expect(int(reads(room, 'walk_floats.py', *made)) > 500, made)
+
+
 def a_question_writes_only_what_it_is_told_to(room):
     """The scene's output is for portrait, study, basin and sweep."""
     room.write('a.yaml', '''law: {preset: dieterich_gen}
@@ -217,6 +241,7 @@ output: {hdf5: a.h5, figure: a.svg}
 
 
 run_cases([
+    numbers_are_finite_or_declared_missing,
     a_question_writes_only_what_it_is_told_to,
     every_reader_opens_a_portrait,
     every_reader_opens_a_portrait_without_a_saddle,

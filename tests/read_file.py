@@ -74,7 +74,7 @@ def miss(group, v, psi):
     rows = numpy.argsort(s)
     if not s[rows[0]] <= at <= s[rows[-1]]:
         return None
-    by = slope if flat else 1 / slope
+    by = slope if flat else numpy.where(numpy.isnan(slope), 0, 1 / slope)
     return abs(hermite(s[rows], u[rows], by[rows], at) - wanted)
 
 

@@ -1,4 +1,5 @@
 /* What a study says of its basins: the grid, its layers and their shares. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "study_results.h"
@@ -48,10 +49,11 @@ static const struct record_type record_label =
 
 static const struct record_field margin_fields[] = {
     FIELD(margins, REAL, margin, "1",
-          "ln of the factor on v to the nearest other fate"),
+          "ln of the factor on v to the nearest other fate; missing: there is "
+          "none"),
     FIELD(margins, REAL, margin_psi, "1",
           "shift of ln psi (of psi where it is a logarithm) to the nearest "
-          "other fate"),
+          "other fate; missing: there is none"),
 };
 static const struct record_type record_margins =
     RECORD_TYPE("margin", "how far another fate is", margin_fields, margins);
@@ -74,6 +76,11 @@ static enum status label_rows(const void *run, size_t first, size_t count,
     return s;
 }
 
+static double known(double margin)
+{
+    return isfinite(margin) ? margin : (double) NAN;
+}
+
 static enum status margin_rows(const void *run, size_t first, size_t count,
                                const struct monitor *monitor, void *records)
 {
@@ -86,7 +93,7 @@ static enum status margin_rows(const void *run, size_t first, size_t count,
 
     (void) monitor;
     for (size_t i = 0; i < n && s == STATUS_OK; i++)
-        out[i] = (struct margins){ both[i], both[n + i] };
+        out[i] = (struct margins){ known(both[i]), known(both[n + i]) };
     free(both);
     return s;
 }

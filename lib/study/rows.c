@@ -124,7 +124,7 @@ static enum status add_branch_row(struct sampler *p, const struct sample *t)
         .arc = p->arc,
         .v = p->s->slider.block.at.v0 * exp(t->z.x),
         .psi = psi_of(p->s, t->z.y),
-        .slope = t->slope,
+        .slope = isfinite(t->slope) ? t->slope : (double) NAN,
         .slip = carried(t, c->slip, c->sign),
         .time = carried(t, c->time, c->sign),
         .work = carried(t, c->work, c->sign),
