@@ -2,6 +2,7 @@
  * smallest kicks that would change it. */
 #include "push.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -140,11 +141,13 @@ static enum status read_states(struct job *j, const struct options *o,
 /* Asked when the law is known, which says what psi may be. */
 static enum status check_states(const struct job *j, struct fault *why)
 {
-    const bool is_log = j->push.slider.plane.system.axis[1].is_log;
-    const char *expected = is_log ? "expected v and psi from 1e-300 to 1e300"
-                                  : "expected v from 1e-300 to 1e300, psi from "
-                                    "-1e300 to 1e300";
+    const struct planar *system = &j->push.slider.plane.system;
+    char expected[96] = "expected v and psi from 1e-300 to 1e300";
 
+    if (!system->axis[1].is_log)
+        snprintf(expected, sizeof expected,
+                 "expected v from 1e-300 to 1e300, psi from %g to %.4g",
+                 system->domain.lo.y, floor(system->domain.hi.y));
     for (size_t i = 0; i < j->count; i++) {
         const struct push_state at = j->state[i];
         if (push_holds(&j->push, at))

@@ -79,6 +79,15 @@ slope: {alpha: 0.34}
 material: {V_star: 4e-7, L: 3e-6}
 units: si
 '''
+def the_range_of_a_logarithm_is_the_one_that_holds(room):
+    law = ['--law', 'ruina', '--alpha', '0.34', '--v', '1']
+    done = room.run('push', *law, '--psi', '5000')
+    refused(done, 2, 'psi = 5000', 'psi from -1e+300 to ')
+    top = done.stderr.split(' to ')[-1].strip()
+    room.good('push', *law, '--psi', top)
+    refused(room.run('push', *law, '--psi', str(float(top) + 2)), 2, top)
+
+
 # phi of psi = 10: in L/V_star, or as it is where the law's phi has no unit.
 UNIT_OF_PHI = {'dieterich_gen': 3e-6 / 4e-7, 'spinodal_gen': 1 / 101}
 
@@ -212,4 +221,5 @@ run_cases([
     wrong_words_cost_one_line,
     wrong_tables_are_blamed_where_they_are_wrong,
     output_that_does_not_arrive_exits_4,
+    the_range_of_a_logarithm_is_the_one_that_holds,
 ])
