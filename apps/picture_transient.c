@@ -237,8 +237,8 @@ static void build(struct figure *f, const struct simulation *s,
             add_run(f, view, &s->run[k].sum, p, shown++);
 }
 
-enum status picture_simulation(const struct simulation *s, struct panels *out,
-                               struct fault *why)
+enum status picture_simulation_check(const struct simulation *s,
+                                     struct fault *why)
 {
     bool any = false;
 
@@ -249,6 +249,11 @@ enum status picture_simulation(const struct simulation *s, struct panels *out,
                  s->scene.figure);
         return STATUS_BAD_ARGUMENT;
     }
+    return STATUS_OK;
+}
+
+void picture_simulation(const struct simulation *s, struct panels *out)
+{
     for (int i = 0; picture_simulation_panel[i]; i++) {
         struct figure *f = panels_add(out, picture_simulation_panel[i]);
         struct points p = { .x = NULL };
@@ -259,5 +264,4 @@ enum status picture_simulation(const struct simulation *s, struct panels *out,
             f->status = status;
         free_points(&p);
     }
-    return STATUS_OK;
 }

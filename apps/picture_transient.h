@@ -9,8 +9,11 @@
  * the others are named NAME_time.svg, ... after these; ended by NULL. */
 extern const char *const picture_simulation_panel[];
 
-/* Adds all panels.  STATUS_BAD_ARGUMENT where no run has a length. */
-MUST_CHECK enum status picture_simulation(const struct simulation *s,
-                                          struct panels *p, struct fault *why);
+/* STATUS_BAD_ARGUMENT where no run has a length: there is nothing to draw. */
+MUST_CHECK enum status picture_simulation_check(const struct simulation *s,
+                                                struct fault *why);
+
+/* Adds all panels. */
+void picture_simulation(const struct simulation *s, struct panels *out);
 
 #endif

@@ -33,10 +33,13 @@ static enum status write_files(const struct simulation *s,
 {
     struct panels p = PANELS_EMPTY;
     enum status status =
-        output_write(o, all, &s->scene, s->study.slider.block.law.preset, why);
+        s->scene.figure ? picture_simulation_check(s, why) : STATUS_OK;
 
+    if (status == STATUS_OK)
+        status = output_write(o, all, &s->scene,
+                              s->study.slider.block.law.preset, why);
     if (status == STATUS_OK && s->scene.figure)
-        status = picture_simulation(s, &p, why);
+        picture_simulation(s, &p);
     return status ? status : output_draw(o, &p, s->scene.figure, why);
 }
 

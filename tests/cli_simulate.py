@@ -240,6 +240,16 @@ def a_number_without_a_finite_bar_is_missing(room):
             expect(read.returncode == 0, args, read.stderr)
 
 
+def a_figure_of_nothing_is_refused_before_any_file(room):
+    saddle = room.json('knees', *SLOPE)['saddle']
+    state = [f'--{name}={saddle[name]["value"]!r}' for name in ('v', 'psi')]
+    done = room.run('simulate', *SLOPE, *state, '--figure', 'a.svg', '-o',
+                    'a.h5')
+    refused(done, 2, 'a.svg', 'no run has a length')
+    expect(os.listdir(room.folder) == ['.bin'], os.listdir(room.folder))
+    room.good('simulate', *SLOPE, *state, '-o', 'a.h5')
+
+
 if __name__ == '__main__':
     run_cases([
         a_start_on_the_command_line_is_run_to_its_end,
@@ -254,4 +264,5 @@ if __name__ == '__main__':
         an_orbit_that_gets_lost_exits_3_and_says_so,
         a_number_without_a_finite_bar_is_missing,
         a_folder_that_is_not_there_costs_nothing,
+        a_figure_of_nothing_is_refused_before_any_file,
     ])
