@@ -1,7 +1,7 @@
 /* The row and the column of a state are crossed by the stable branches, which
  * says the nearest other fate; slip and time come from the slow
- * curve's table or from its whole orbit, run twice, for the orbit's own error
- * sums are no bounds. */
+ * curve's table or from its whole orbit, run twice: the fates must agree, and
+ * the bars with what the finer one changes. */
 #include "push.h"
 
 #include <math.h>
@@ -73,19 +73,6 @@ void push_free(struct push *p)
 
 /* ---- slip and time ------------------------------------------------------- */
 
-/* The finer value; the bar holds the other, both own ones, and what is left of
- * an orbit followed to rtol where the change is small by luck. */
-static struct quantity compare(struct quantity coarse, struct quantity fine,
-                               double rtol)
-{
-    if (!quantity_exists(&coarse) || !quantity_exists(&fine))
-        return quantity_exists(&fine) ? coarse : fine;
-    return quantity_of(fine.value,
-                       fabs(fine.value - coarse.value) +
-                           fmax(fine.error, coarse.error) +
-                           TOL_CELLS_LEAST * rtol * fabs(fine.value));
-}
-
 static enum status follow(const struct push *p, struct vec2 z,
                           const struct monitor *monitor,
                           struct push_answer *out)
@@ -106,9 +93,9 @@ static enum status follow(const struct push *p, struct vec2 z,
             coarse = fine;
     }
     if (agree) {
-        out->slip = compare(coarse.slip, fine.slip, rtol);
-        out->time = compare(coarse.time, fine.time, rtol);
-        out->mu_mean = compare(coarse.mu_mean, fine.mu_mean, rtol);
+        out->slip = fate_compare(&coarse.slip, &fine.slip);
+        out->time = fate_compare(&coarse.time, &fine.time);
+        out->mu_mean = fate_compare(&coarse.mu_mean, &fine.mu_mean);
     } else {
         const char *why = coarse.reason ? coarse.reason : too_near;
         out->slip = out->time = out->mu_mean = quantity_none(why);

@@ -28,7 +28,7 @@ struct push_state {
 struct push_answer {
     int8_t fate; /* enum fate */
     /* To arrest, from the state's own orbit; in units of L and L/V_star.  The
-     * bar is what another tolerance changes, or fast_cells.h's. */
+     * bar is that orbit's (fate.h), or fast_cells.h's. */
     struct quantity slip, time, mu_mean;
     /* Factors on v and on psi (a shift of psi where psi is a logarithm) that
      * lead just onto the nearest boundary of another fate; beyond lies it. */

@@ -37,7 +37,7 @@ enum status curve_push(struct curve *c, size_t degree, double **coef)
         s = reserve_coefs(c, size);
     if (s != STATUS_OK)
         return s;
-    c->piece[c->count++] = (struct curve_piece){ degree, c->coefs, 0.0 };
+    c->piece[c->count++] = (struct curve_piece){ degree, c->coefs, 0.0, 0.0 };
     *coef = c->coef + c->coefs;
     c->coefs += size;
     return STATUS_OK;

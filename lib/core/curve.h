@@ -20,9 +20,10 @@ enum { CURVE_DIM_MAX = 10 };
 /* One polynomial of each component, in theta = 0..1 along the piece. */
 struct curve_piece {
     size_t degree;
-    size_t first; /* index into curve.coef of component 0, coefficient 0 */
-    double error; /* bound on the error of (x, y) at its end, as far as the
-                     curve's maker knows; 0 where it does not say */
+    size_t first;  /* index into curve.coef of component 0, coefficient 0 */
+    double error;  /* bound on the error of (x, y) at its end, as far as the
+                      curve's maker knows; 0 where it does not say */
+    double across; /* the same of how far any of it is beside the true curve */
 };
 
 /* Pieces one after another, and the coefficients of all of them. */

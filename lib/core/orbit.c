@@ -197,6 +197,19 @@ static void add_errors(struct orbit *o, const double error[])
         memcpy(o->log.hit[k].error, o->error, sizeof o->error);
 }
 
+/* How far beside the true orbit the last piece is: what is carried, no more
+ * than what steps estimate one by one, and what it misses between its ends. */
+static void carry(struct orbit *o, struct drift *d, double h,
+                  const double error[])
+{
+    struct curve_piece *p = &o->curve.piece[o->curve.count - 1];
+
+    drift_carry(d, &o->clock, &o->curve, h, error);
+    o->jacobian_calls += DRIFT_CALLS;
+    p->across = fmin(drift_across(d, o->du), fmax(o->error[0], o->error[1])) +
+                fmax(fabs(error[0]), fabs(error[1]));
+}
+
 /* Stops and events on the piece just pushed; moves to its end. */
 static enum status advance(struct orbit *o, double h, const double u1[],
                            const double error[])
@@ -222,6 +235,8 @@ static enum status advance(struct orbit *o, double h, const double u1[],
     for (size_t i = 0; i < o->curve.dim; i++)
         o->peak[i] = fmax(o->peak[i], fabs(o->u[i]));
     add_errors(o, error);
+    if (o->options.drift)
+        carry(o, o->options.drift, end * h, error);
     return s;
 }
 

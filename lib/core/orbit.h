@@ -6,6 +6,7 @@
 #ifndef CORE_ORBIT_H
 #define CORE_ORBIT_H
 
+#include "drift.h"
 #include "event.h"
 #include "monitor.h"
 #include "rescaled.h"
@@ -31,7 +32,9 @@ struct orbit_options {
                                                  not 0; INFINITY: no stop */
     const struct event *event;                /* borrowed; u as the curve's */
     size_t events;
-    size_t max_steps; /* accepted and rejected */
+    struct drift *drift; /* borrowed; set at the start, and carried on with
+                            every step.  NULL: nobody asks */
+    size_t max_steps;    /* accepted and rejected */
 };
 
 /* Tolerances of tolerance.h, all observables, nothing to stop at. */

@@ -266,6 +266,18 @@
 #define TOL_ORBIT_PACE_MAX  1e150
 #define TOL_ORBIT_PACE_STEP 10.0
 
+/* What is carried along an orbit (drift.h).  The bar: this many times the error
+ * to first order, and standard deviations of the rest: what part of a step's
+ * error is not known, more where the field is this rough or rougher, and what
+ * it rounds of each component; and how many times as fast one component may
+ * settle as the other. */
+#define TOL_DRIFT_BAR    2.0
+#define TOL_DRIFT_NOISE  4.0
+#define TOL_DRIFT_UNSURE 0.5
+#define TOL_DRIFT_ROUGH  40.0
+#define TOL_DRIFT_DIGIT  0x1p-53
+#define TOL_DRIFT_STIFF  1e7
+
 /* Steps of radau.h.  Iterations, at most; how much less sure a rate is that was
  * measured on the step before, and the least such rate (a lucky one says
  * nothing); changes that are nothing: this part of the tolerance, or so many

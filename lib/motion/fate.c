@@ -78,8 +78,9 @@ static bool is_beyond(const struct orbit *o)
 
 /* Of an orbit so far. */
 struct past {
-    bool fell;  /* it has been where nothing holds v above 0 */
-    bool rests; /* and what is left of it is known: */
+    struct drift drift; /* how far off it is */
+    bool fell;          /* it has been where nothing holds v above 0 */
+    bool rests;         /* and what is left of it is known: */
     struct rest_left left;
 };
 
@@ -148,29 +149,16 @@ static const char *reason_of(const struct past *past, enum fate fate)
                       : "the orbit could not be followed to an end";
 }
 
-/* Work over slip.  What is left of the work is, by (27), the energy at the end
- * and that of the slope; it may all be done in hardly any slip. */
-static struct quantity mean_of(const struct slider *s, const struct orbit *o,
-                               const struct quantity *slip,
-                               const struct rest_left *left)
+struct quantity fate_mean_friction(const struct slider *s, double v0, double v1,
+                                   double v1_part, const struct quantity *slip)
 {
-    const double v = s->block.at.v0 * exp(o->u[0]);
-    const double t = (double) s->block.tan_alpha;
-    const double stop = 0.5 * material_eps2(&s->block.material) * v * v;
-    const double energy = o->end == ORBIT_ARRIVED ? 0.0 : stop * hypot(1.0, t);
-    const double work = o->u[3 + BLOCK_WORK] + energy + t * left->slip;
-    const double work_error = o->error[3 + BLOCK_WORK] +
-                              2.0 * o->error[0] * energy + t * left->slip_error;
-    const double mean = work / slip->value;
-    const double known = slip->value - slip->error;
-
     if (!quantity_exists(slip))
         return *slip;
     if (!(slip->value > 0.0))
         return quantity_none("no slip before arrest");
-    if (!(known > 0.0))
+    if (!(slip->value > slip->error))
         return quantity_none("the slip is not known well enough");
-    return quantity_of(mean, (work_error + fabs(mean) * slip->error) / known);
+    return slider_mean_friction(s, v0, v1, v1_part, slip);
 }
 
 /* What is left where psi has left the plane while v still falls: the friction
@@ -207,53 +195,61 @@ static const char *why_endless(const struct slider *s, const struct orbit *o,
                : "the orbit could not be followed to its end";
 }
 
-/* A sum along the orbit, with what is left, and what the orbit's errors make of
- * that. */
-static struct quantity sum_of(const struct orbit *o, size_t i, double left,
-                              double left_error, double slope)
+/* Where an orbit ends: a face of a box of arrest, known to its rounding, or
+ * somewhere along its way.  Rates are the last step's: those of the field may
+ * be rounding there. */
+struct ending {
+    double du[CURVE_DIM_MAX], level;
+    struct vec2 gradient;
+    const struct drift *drift;
+};
+
+static struct ending end_of(const struct slider *s, const struct orbit *o,
+                            const struct past *past)
+{
+    const struct vec2 z = { o->u[0], o->u[1] };
+    struct ending e = { .drift = &past->drift };
+
+    if (o->curve.count == 0)
+        return e;
+    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, e.du);
+    e.gradient = rest_left_section(s);
+    if (o->end != ORBIT_ARRIVED)
+        return e;
+    e.gradient = fate_face(z, o->options.target[o->end_index]);
+    e.level = slider_rounding(s, z);
+    return e;
+}
+
+/* Bar of a component where the orbit ends. */
+static double bar_at(const struct ending *e, size_t i)
+{
+    const double speed = e->gradient.x * e->du[0] + e->gradient.y * e->du[1];
+
+    if (speed == 0.0) /* it did not move */
+        return 0.0;
+    return drift_bar(e->drift, e->du, e->gradient, i) +
+           fabs(e->du[i] / speed) * e->level;
+}
+
+/* A sum along the orbit, with what is left. */
+static struct quantity sum_of(const struct orbit *o, const struct ending *e,
+                              size_t i, double left, double left_error)
 {
     const double sum = o->u[i] + left;
-    const double off = fmax(o->error[0], o->error[1]);
-    const double rounding =
-        DBL_EPSILON *
-        (TOL_TIMELINE_ROUNDING + TOL_TIMELINE_STEP * (double) o->steps);
 
-    return quantity_of(sum, o->error[i] + left_error + slope * off +
-                                rounding * fabs(sum));
+    return quantity_of(sum, bar_at(e, i) + left_error +
+                                TOL_FATE_DIGITS * DBL_EPSILON * fabs(sum));
 }
 
-/* At the face of a box of arrest nothing is left but what rounding of the start
- * and of the node makes of when it is reached, as fast as the last step closed
- * in on it: rates where it stands may be rounding. */
-static struct rest_left left_at_face(const struct slider *s,
-                                     const struct orbit *o)
-{
-    const struct goals goals = goals_of(s);
-    const struct vec2 z = { o->u[0], o->u[1] }, c = s->plane.system.origin;
-    const struct vec2 off = vec2_sub(z, goals.at[o->end_index]);
-    const int along = fabs(off.y) > fabs(off.x);
-    const double size =
-        fabs(c.x) + fabs(c.y) + fabs(c.x + z.x) + fabs(c.y + z.y);
-    double before[CURVE_DIM_MAX];
-
-    curve_at(&o->curve, o->curve.count - 1, 0.0, before);
-    const double way = fabs(o->u[along] - before[along]);
-    const double wrong = TOL_FATE_ROUNDING * size;
-    const double late = way > 0.0 ? wrong / way * (o->u[2] - before[2]) : 0.0;
-
-    return (struct rest_left){ .time_error = late,
-                               .slip_error = late * s->block.at.v0 * exp(z.x) };
-}
-
-static void observe_end(const struct slider *s, const struct orbit *o,
-                        const struct past *past, struct fate_result *out)
+static void observe_end(const struct slider *s, double v0,
+                        const struct orbit *o, const struct past *past,
+                        struct fate_result *out)
 {
     const char *why = why_endless(s, o, past, out->fate);
     const bool beyond = out->fate == FATE_REST_FINITE && !past->rests;
-    const bool at_face = o->end == ORBIT_ARRIVED && o->steps > 0;
-    const struct rest_left left = at_face  ? left_at_face(s, o)
-                                  : beyond ? left_beyond(s, o)
-                                           : past->left;
+    const struct rest_left left = beyond ? left_beyond(s, o) : past->left;
+    const bool arrived = o->end == ORBIT_ARRIVED;
     static const char never[] = "the block never quite stops";
     static const char unbounded[] = "the slip grows without bound";
 
@@ -261,16 +257,17 @@ static void observe_end(const struct slider *s, const struct orbit *o,
         out->slip = out->time = out->mu_mean = quantity_none(why);
         return;
     }
-    out->time = isinf(left.time)
-                    ? quantity_none(never)
-                    : sum_of(o, 2, left.time, left.time_error, left.time_slope);
+    const struct ending e = end_of(s, o, past);
+    out->time = isinf(left.time) ? quantity_none(never)
+                                 : sum_of(o, &e, 2, left.time, left.time_error);
     if (isinf(left.slip)) {
         out->slip = out->mu_mean = quantity_none(unbounded);
         return;
     }
-    out->slip =
-        sum_of(o, 3 + BLOCK_SLIP, left.slip, left.slip_error, left.slip_slope);
-    out->mu_mean = mean_of(s, o, &out->slip, &left);
+    out->slip = sum_of(o, &e, 3 + BLOCK_SLIP, left.slip, left.slip_error);
+    out->mu_mean =
+        fate_mean_friction(s, v0, arrived ? s->block.at.v0 * exp(o->u[0]) : 0.0,
+                           arrived ? bar_at(&e, 0) + e.level : 0.0, &out->slip);
 }
 
 static void note(const struct slider *s, const struct orbit *o,
@@ -332,6 +329,8 @@ static enum status follow(const struct slider *s, struct vec2 z, double rtol,
     options.arrival = TOL_ARREST;
     options.max_steps = TOL_FATE_STEPS;
     options.reach[0] = TOL_FATE_LATE * slow_time(s);
+    options.drift = observe ? &past.drift : NULL;
+    drift_start(&past.drift, slider_rounding(s, z));
     fate_least(s, z, options.least);
     *out = (struct fate_result){ .fate = FATE_UNDECIDED };
     enum status status = orbit_init(&o, &s->plane.system, z, &options);
@@ -345,7 +344,7 @@ static enum status follow(const struct slider *s, struct vec2 z, double rtol,
         out->steps = o.steps;
         out->field_evaluations = o.field_calls + o.jacobian_calls;
         if (observe)
-            observe_end(s, &o, &past, out);
+            observe_end(s, exp(s->plane.system.origin.x + z.x), &o, &past, out);
         *last = (struct vec2){ o.u[0], o.u[1] };
         status = STATUS_OK;
     }
@@ -407,4 +406,25 @@ enum status fate_find(const struct slider *s, struct vec2 z, double rtol,
     if (out->fate != FATE_UNDECIDED)
         out->reason = NULL;
     return STATUS_OK;
+}
+
+struct vec2 fate_face(struct vec2 z, struct vec2 node)
+{
+    const bool x = fabs(z.x - node.x) > fabs(z.y - node.y);
+
+    return (struct vec2){ x, !x };
+}
+
+struct quantity fate_compare(const struct quantity *coarse,
+                             const struct quantity *fine)
+{
+    if (!quantity_exists(coarse) || !quantity_exists(fine))
+        return quantity_exists(fine) ? *coarse : *fine;
+    const double change = fabs(fine->value - coarse->value);
+    const double allowed = fine->error + coarse->error;
+
+    return quantity_of(
+        fine->value,
+        fine->error * fmax(allowed > 0.0 ? change / allowed : 1.0, 1.0) +
+            TOL_FATE_CHANGE * change);
 }

@@ -68,4 +68,17 @@ MUST_CHECK enum status fate_find(const struct slider *s, struct vec2 z,
                                  const struct monitor *monitor,
                                  struct fate_result *out);
 
+/* Normal to the face of the box of arrest around a node on which z lies. */
+struct vec2 fate_face(struct vec2 z, struct vec2 node);
+
+/* Mean friction over a slip (slider.h), or why there is none. */
+struct quantity fate_mean_friction(const struct slider *s, double v0, double v1,
+                                   double v1_part, const struct quantity *slip);
+
+/* What two orbits say of one number: the finer one's.  Where they are further
+ * apart than their bars, these are too small by as much; and the bar holds a
+ * part of what the finer one changes. */
+struct quantity fate_compare(const struct quantity *coarse,
+                             const struct quantity *fine);
+
 #endif

@@ -44,20 +44,22 @@
  * the next finer; where their fates differ, finer ones, down to the finest.
  * What rounding does to a coordinate and to a root, per unit of either. */
 #define TOL_PUSH_COARSE   1e-9
-#define TOL_PUSH_FINER    0.01
+#define TOL_PUSH_FINER    0.1
 #define TOL_PUSH_FINEST   5e-14
 #define TOL_PUSH_ROUNDING 0x1p-50
 
 /* Peaks along an orbit (peak.c).  Samples of a step; the part of the distance
  * between three samples at which a peak is found: it errs by the square.  The
- * steps around it are followed again to this part of the orbit's tolerance,
- * down to the finest.  Friction has faded where it has so little of its most
- * left over gravity: v falls like a power of time, and it like the square. */
+ * steps around it are followed again as finely as doubles allow.  Friction has
+ * faded where it has so little of its most left over gravity: v falls like a
+ * power of time, and it like the square.  What rounding does to friction, in
+ * units of roundoff; and how far ahead a start is seen to rise. */
 #define TOL_PEAK_SAMPLES 4
-#define TOL_PEAK_WIDTH   1e-6
-#define TOL_PEAK_FINER   1e-3
+#define TOL_PEAK_WIDTH   1e-8
 #define TOL_PEAK_FINEST  1e-13
 #define TOL_PEAK_FADED   0.01
+#define TOL_PEAK_DIGITS  4.0
+#define TOL_PEAK_AHEAD   1e-6
 
 /* Moments (moment.c).  Below this component of a direction mu is compared with
  * tan(alpha) itself; and how far, on a piece, one looks to both sides of an
@@ -147,8 +149,9 @@
  * psi_ss - psi, time grows from 1e-300, and its rate is rounding. */
 #define TOL_FATE_LEAST 0.01
 
-/* What rounding does to the way to a face of a box of arrest, per unit of the
- * coordinates: two units of their last digits. */
-#define TOL_FATE_ROUNDING 0x1.4p-52
+/* What rounding does to a sum along an orbit, in units of roundoff; and what
+ * part of the change by a tenfold tolerance a bar holds at least. */
+#define TOL_FATE_DIGITS 16.0
+#define TOL_FATE_CHANGE 0.2
 
 #endif

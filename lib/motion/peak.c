@@ -5,6 +5,7 @@
  * Friction has no derivative along a curve that is cheaper than itself. */
 #include "peak.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "crest.h"
@@ -64,6 +65,22 @@ static double top_sample(const struct along *a)
     return at;
 }
 
+/* What the largest value may be on all pieces but first .. last, for how far
+ * off each is; `part` of that is what it makes of a value. */
+static double most_elsewhere(const struct along *a, double part, size_t first,
+                             size_t last)
+{
+    double most = -HUGE_VAL;
+
+    for (size_t k = 0; k < a->curve->count; k++)
+        for (int i = 0; i <= TOL_PEAK_SAMPLES && !(k >= first && k <= last);
+             i++)
+            most = fmax(
+                most, value_at(a, (double) k + (double) i / TOL_PEAK_SAMPLES) +
+                          part * a->curve->piece[k].across);
+    return most;
+}
+
 static double top_of(const struct along *a)
 {
     const double at = top_sample(a), step = 1.0 / TOL_PEAK_SAMPLES;
@@ -74,22 +91,36 @@ static double top_of(const struct along *a)
                 crest_between(value_at, a, lo, hi, TOL_PEAK_WIDTH * (hi - lo)));
 }
 
+/* How far off a curve is at most on some of its pieces. */
+static double worst_of(const struct curve *c, size_t first, size_t last)
+{
+    double worst = 0.0;
+
+    for (size_t i = first; i <= last && i < c->count; i++)
+        worst = fmax(worst, c->piece[i].across);
+    return worst;
+}
+
 /* Follows the pieces first .. last of an orbit again, finer; the largest value
  * on them.  Where that cannot be done *top stays what it was. */
-static enum status sharpen(const struct along *a, double rtol, size_t first,
-                           size_t last, double *top)
+static enum status sharpen(const struct along *a, size_t first, size_t last,
+                           double *top, double *error)
 {
     const struct slider *s = a->slider;
     struct orbit_options options =
         orbit_defaults(&s->plane.system, s->plane.fastest_rate);
     double from[CURVE_DIM_MAX], to[CURVE_DIM_MAX];
+    struct drift drift;
     struct orbit o;
 
     curve_at(a->curve, first, 0.0, from);
     curve_at(a->curve, last, 1.0, to);
+    *error = worst_of(a->curve, first > 0 ? first - 1 : 0, last);
     if (!(to[2] > from[2]))
         return STATUS_OK;
-    options.rtol = fmax(rtol * TOL_PEAK_FINER, TOL_PEAK_FINEST);
+    drift_start(&drift, 0.0);
+    options.drift = &drift;
+    options.rtol = TOL_PEAK_FINEST;
     options.observables = 0;
     options.reach[0] = to[2] - from[2];
     enum status status = orbit_init(
@@ -98,27 +129,79 @@ static enum status sharpen(const struct along *a, double rtol, size_t first,
         return STATUS_OK;
     status = orbit_run(&o, NULL);
     const struct along fine = { s, &o.curve, a->value };
-    if (status == STATUS_OK && o.curve.count > 0)
+    if (status == STATUS_OK && o.curve.count > 0) {
         *top = top_of(&fine);
+        *error = (first > 0 ? a->curve->piece[first - 1].across : 0.0) +
+                 worst_of(&o.curve, 0, o.curve.count);
+    }
     orbit_free(&o);
     return status == STATUS_NO_MEMORY ? status : STATUS_OK;
 }
 
-/* The largest value along an orbit that starts at the offset z. */
+/* How far off the last point of an orbit is that arrived. */
+static double end_error(const struct orbit *o)
+{
+    const struct vec2 face = fate_face((struct vec2){ o->u[0], o->u[1] },
+                                       o->options.target[o->end_index]);
+    double du[CURVE_DIM_MAX];
+
+    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, du);
+    return fmax(drift_bar(o->options.drift, du, face, 0),
+                drift_bar(o->options.drift, du, face, 1));
+}
+
+/* Of ln v and of psi's coordinate, per piece, at the start. */
+static double first_slope(const struct curve *c)
+{
+    return fabs(curve_component(c, 0, 0)[1]) +
+           fabs(curve_component(c, 0, 1)[1]);
+}
+
+/* Whether the value rises from z on. */
+static bool is_rising(const struct slider *s, struct vec2 z, peak_value *value)
+{
+    struct planar_field f;
+
+    s->plane.system.field(s->plane.system.ctx, z, &f);
+    const double part = TOL_PEAK_AHEAD / vec2_length(f.direction);
+    return value(s, vec2_add(z, vec2_scale(part, f.direction))) > value(s, z);
+}
+
+/* The largest value along an orbit that starts at the offset z, and its error;
+ * `part`: what a place that is off makes of a value.  At the start there is
+ * none, if it falls there and nothing else may be larger. */
 static enum status peak_of(const struct slider *s, const struct orbit *o,
-                           struct vec2 z, peak_value *value, double *top)
+                           struct vec2 z, peak_value *value, double part,
+                           double *top, double *error)
 {
     const struct along a = { s, &o->curve, value };
     const size_t count = o->curve.count;
+    enum status status = STATUS_OK;
+    double place = 0.0;
 
     *top = value(s, z);
+    *error = 0.0;
     if (count == 0)
         return STATUS_OK;
-    const double at = top_sample(&a);
+    const double at = top_sample(&a), start = *top, peak = top_of(&a);
     const size_t piece = (size_t) fmin(at, (double) count - 1.0);
-    *top = top_of(&a);
-    return sharpen(&a, o->options.rtol, piece > 0 ? piece - 1 : 0,
-                   piece + 1 < count ? piece + 1 : piece, top);
+    const size_t first = piece > 0 ? piece - 1 : 0;
+    const size_t last = piece + 1 < count ? piece + 1 : piece;
+    *top = fmax(start, peak);
+    if (peak <= start && !is_rising(s, z, value)) {
+        *error = fmax(most_elsewhere(&a, part, first, last) - *top, 0.0);
+        return STATUS_OK;
+    }
+    if (o->end == ORBIT_ARRIVED && peak > start &&
+        peak <= value_at(&a, (double) count))
+        place = end_error(o);
+    else
+        status = sharpen(&a, first, last, top, &place);
+    if (!(*top > start)) /* it rises by less than is seen of it */
+        place = fmax(place, TOL_PEAK_WIDTH * first_slope(&o->curve));
+    *top = fmax(start, *top);
+    *error = fmax(part * place, most_elsewhere(&a, part, first, last) - *top);
+    return status;
 }
 
 /* Whether a block that only fades may yet meet more friction than so far: what
@@ -155,7 +238,10 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     const struct vec2 start = vec2_sub(z, s->plane.system.origin);
     struct orbit_options options =
         orbit_defaults(&s->plane.system, s->plane.fastest_rate);
+    const struct material *m = &s->block.material;
     struct vec2 goal[EQUILIBRIA_MAX];
+    const double rounding = slider_rounding(s, start);
+    struct drift drift;
     struct peaks p;
     struct orbit o;
 
@@ -165,6 +251,8 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     options.targets = phase_plane_goals(&s->plane, goal);
     options.arrival = TOL_ARREST;
     options.max_steps = TOL_FATE_STEPS;
+    options.drift = &drift;
+    drift_start(&drift, rounding);
     fate_least(s, start, options.least);
     enum status status = orbit_init(&o, &s->plane.system, start, &options);
     if (status != STATUS_OK)
@@ -175,11 +263,19 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     if (status == STATUS_NO_CONVERGENCE || status == STATUS_TOO_MANY_STEPS)
         status = STATUS_OK; /* as far as fate_find got, too */
     if (status == STATUS_OK)
-        status = peak_of(s, &o, start, slip_rate, &p.x);
+        status = peak_of(s, &o, start, slip_rate, 1.0, &p.x, &p.x_error);
     if (status == STATUS_OK)
-        status = peak_of(s, &o, start, friction, &p.mu);
-    if (status == STATUS_OK)
+        status =
+            peak_of(s, &o, start, friction, m->a + m->b, &p.mu, &p.mu_error);
+    if (status == STATUS_OK) {
         *out = p;
+        if (p.x == slip_rate(s, start))
+            out->x = z.x;
+        else
+            out->x_error += rounding;
+        out->mu_error += (m->a + m->b) * rounding +
+                         TOL_PEAK_DIGITS * DBL_EPSILON * fabs(p.mu);
+    }
     orbit_free(&o);
     return status;
 }

@@ -321,6 +321,13 @@ bool rest_left_find(const struct slider *s, struct vec2 z, double time,
     return true;
 }
 
+struct vec2 rest_left_section(const struct slider *s)
+{
+    const bool x = rest_form_of(&s->block.law, &s->block.material).inertial;
+
+    return (struct vec2){ x, !x };
+}
+
 struct rest_left rest_left_between(const struct slider *s, double x, double h)
 {
     const struct way w = { s, { x, 0.0 }, true };

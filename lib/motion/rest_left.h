@@ -34,6 +34,9 @@ struct rest_left {
 bool rest_left_find(const struct slider *s, struct vec2 z, double time,
                     struct rest_left *out);
 
+/* The gradient of the coordinate that both are functions of. */
+struct vec2 rest_left_section(const struct slider *s);
+
 /* What goes by where only inertia slows it, while ln v falls by h from the
  * offset x. */
 struct rest_left rest_left_between(const struct slider *s, double x, double h);

@@ -153,16 +153,13 @@ static double rounding_along(const struct orbit *o)
            (TOL_TIMELINE_ROUNDING + TOL_TIMELINE_STEP * (double) o->steps);
 }
 
-struct quantity timeline_compare(const struct orbit *o, double coarse,
-                                 double fine)
+/* The finer of two values, found on orbits as long as o; the bar holds the
+ * other, and rounding. */
+static struct quantity compare(const struct orbit *o, double coarse,
+                               double fine)
 {
     return quantity_of(fine, TOL_TIMELINE_BAR * fabs(fine - coarse) +
                                  rounding_along(o) * fabs(fine));
-}
-
-double timeline_part(const struct orbit *o, size_t i)
-{
-    return o->peak[i] > 0.0 ? o->error[i] / o->peak[i] : 0.0;
 }
 
 static double psi_of(const struct slider *s, double y)
@@ -218,12 +215,11 @@ static struct transient_event event_at(const struct slider *s,
     struct transient_event e = {
         .what = (int8_t) what,
         .level = w->watch[fine->which].level,
-        .time = timeline_compare(o, c[2], f[2]),
-        .slip = timeline_compare(o, c[3 + BLOCK_SLIP], f[3 + BLOCK_SLIP]),
-        .v = timeline_compare(o, v0 * exp(c[0]), v0 * exp(f[0])),
-        .psi = timeline_compare(o, psi_of(s, c[1]), psi_of(s, f[1])),
-        .mu = timeline_compare(o, block_mu(&s->block, zc),
-                               block_mu(&s->block, zf)),
+        .time = compare(o, c[2], f[2]),
+        .slip = compare(o, c[3 + BLOCK_SLIP], f[3 + BLOCK_SLIP]),
+        .v = compare(o, v0 * exp(c[0]), v0 * exp(f[0])),
+        .psi = compare(o, psi_of(s, c[1]), psi_of(s, f[1])),
+        .mu = compare(o, block_mu(&s->block, zc), block_mu(&s->block, zf)),
     };
 
     add_step_errors(s, w, o, fine, &e);

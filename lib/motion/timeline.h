@@ -18,13 +18,4 @@ MUST_CHECK enum status timeline_find(const struct slider *s,
                                      struct transient_event **event,
                                      size_t *count);
 
-/* The finer of two values, found on orbits as long as o; the bar holds the
- * other, and rounding. */
-struct quantity timeline_compare(const struct orbit *o, double coarse,
-                                 double fine);
-
-/* The errors that the steps of o estimate for component i, summed, as a part of
- * its largest value. */
-double timeline_part(const struct orbit *o, size_t i);
-
 #endif

@@ -4,6 +4,7 @@
  * some ten thousand steps takes over. */
 #include "transient.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -33,6 +34,7 @@ struct transient_options transient_defaults(const struct scene *c)
 /* What both orbits of a run share; must not move. */
 struct course {
     const struct slider *slider;
+    double v;          /* at the start */
     struct vec2 start; /* offset */
     enum fate fate;
     struct moment_watches watches;
@@ -155,10 +157,13 @@ static enum status run_orbit(const struct course *c, struct orbit *o,
 
 /* An orbit that gets stuck is kept as far as it goes. */
 static enum status follow(const struct course *c, double rtol,
-                          const struct monitor *monitor, struct orbit *out)
+                          const struct monitor *monitor, struct drift *drift,
+                          struct orbit *out)
 {
     struct orbit_options options = c->options;
 
+    drift_start(drift, slider_rounding(c->slider, c->start));
+    options.drift = drift;
     options.rtol = rtol;
     enum status s =
         orbit_init(out, &c->slider->plane.system, c->start, &options);
@@ -200,49 +205,64 @@ static enum fate fate_at(const struct course *c, const struct orbit *o,
                                            : c->fate;
 }
 
-/* Where v, the time or the slip ends a run, it ends as much later or earlier as
- * the orbit's error takes it to get there. */
-static void add_end_errors(const struct course *c, const struct orbit *o,
-                           struct transient_summary *sum)
+/* Bar of component i of an orbit where it ended: at a face of a box of arrest,
+ * at an edge of the window, at a limit, or on its way. */
+static double bar_of(const struct course *c, const struct orbit *o,
+                     enum transient_end end, size_t i)
 {
-    const size_t slip = 3 + BLOCK_SLIP;
-    const double v = c->slider->block.at.v0 * exp(o->u[0]);
-    const double off = fmax(o->error[0], o->error[1]);
+    const struct drift *d = o->options.drift;
+    const struct vec2 z = { o->u[0], o->u[1] };
+    const struct equilibrium *node =
+        moment_node_at(c->slider, z, TOL_TRANSIENT_REACH * TOL_ARREST);
+    double du[CURVE_DIM_MAX];
 
-    sum->time.error += o->error[2];
-    sum->slip.error += o->error[slip];
-    if (sum->end == TRANSIENT_RUNAWAY || sum->end == TRANSIENT_FADED) {
-        sum->time.error += off / end_rate(o);
-        sum->slip.error += v * off / end_rate(o);
-    } else if (sum->end == TRANSIENT_UNTIL_TIME) {
-        sum->slip.error += v * o->error[2];
-    } else if (sum->end == TRANSIENT_UNTIL_SLIP) {
-        sum->time.error += o->error[slip] / v;
-    }
+    if (o->curve.count == 0)
+        return 0.0;
+    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, du);
+    if (end == TRANSIENT_UNTIL_TIME)
+        return drift_bar_at(d, du, 2, i);
+    if (end == TRANSIENT_UNTIL_SLIP)
+        return drift_bar_at(d, du, 3 + BLOCK_SLIP, i);
+    if (end == TRANSIENT_RUNAWAY || end == TRANSIENT_FADED)
+        return drift_bar(d, du, (struct vec2){ 1.0, 0.0 }, i);
+    if (end != TRANSIENT_ARREST || node == NULL)
+        return drift_bar(d, du, rest_left_section(c->slider), i);
+    const struct vec2 at = vec2_sub(node->z, c->slider->plane.system.origin);
+    const struct vec2 face = fate_face(z, at);
+    const double closing = face.x * du[0] + face.y * du[1];
+    return drift_bar(d, du, face, i) +
+           fabs(du[i] / closing) * slider_rounding(c->slider, z);
 }
 
-/* Time, slip and work of an orbit to its end, with what is left of a rest: of
- * the work that of the slope and, by (27), the energy. */
+/* Of the run to the end of an orbit, with what is left of a rest. */
 struct totals {
-    struct rest_left left;
-    double time, slip, work;
+    struct quantity time, slip, mean;
 };
+
+static struct quantity total_of(const struct course *c, const struct orbit *o,
+                                enum transient_end end, size_t i, double left,
+                                double left_error)
+{
+    const double sum = o->u[i] + left;
+
+    return quantity_of(sum, bar_of(c, o, end, i) + left_error +
+                                TOL_FATE_DIGITS * DBL_EPSILON * fabs(sum));
+}
 
 static struct totals totals_of(const struct course *c, const struct orbit *o)
 {
-    const double t = (double) c->slider->block.tan_alpha;
-    const double v = c->slider->block.at.v0 * exp(o->u[0]);
-    const double energy =
-        0.5 * material_eps2(&c->slider->block.material) * v * v * hypot(1.0, t);
-    struct totals all = { .time = o->u[2],
-                          .slip = o->u[3 + BLOCK_SLIP],
-                          .work = o->u[3 + BLOCK_WORK] };
+    const struct block *b = &c->slider->block;
+    const enum transient_end end = end_of(c, o);
+    struct rest_left left = { .time = 0.0 };
+    const bool rest = rests(c, o, &left);
+    const double v1 = rest ? 0.0 : b->at.v0 * exp(o->u[0]);
+    struct totals all = {
+        .time = total_of(c, o, end, 2, left.time, left.time_error),
+        .slip = total_of(c, o, end, 3 + BLOCK_SLIP, left.slip, left.slip_error),
+    };
 
-    if (!rests(c, o, &all.left))
-        return all;
-    all.time += all.left.time;
-    all.slip += all.left.slip;
-    all.work += energy + t * all.left.slip;
+    all.mean = fate_mean_friction(c->slider, c->v, v1, bar_of(c, o, end, 0),
+                                  &all.slip);
     return all;
 }
 
@@ -250,48 +270,27 @@ static struct totals totals_of(const struct course *c, const struct orbit *o)
 static void sum_up(const struct course *c, const struct orbit *coarse,
                    const struct orbit *fine, struct transient_summary *sum)
 {
-    const size_t slip = 3 + BLOCK_SLIP, work = 3 + BLOCK_WORK;
     const struct totals b = totals_of(c, coarse), a = totals_of(c, fine);
-    const double off = fmax(fine->error[0], fine->error[1]);
 
-    sum->time = timeline_compare(fine, b.time, a.time);
-    sum->time.error += a.left.time_error + a.left.time_slope * off;
-    sum->slip = timeline_compare(fine, b.slip, a.slip);
-    sum->slip.error += a.left.slip_error + a.left.slip_slope * off;
-    add_end_errors(c, fine, sum);
-    sum->mu_mean =
-        a.slip > 0.0 && b.slip > 0.0
-            ? timeline_compare(fine, b.work / b.slip, a.work / a.slip)
-            : quantity_none("no slip in this run");
-    sum->mu_mean.error +=
-        fabs(sum->mu_mean.value) *
-        (timeline_part(fine, work) + timeline_part(fine, slip));
+    sum->time = fate_compare(&b.time, &a.time);
+    sum->slip = fate_compare(&b.slip, &a.slip);
+    sum->mu_mean = fate_compare(&b.mean, &a.mean);
     sum->energy_defect = fine->curve.count > 0
                              ? slider_energy_defect(c->slider, &fine->curve)
                              : 0.0;
 }
 
-/* A run that arrest ends is as long as it takes until then; what it slips more
- * or less, it does at the friction of its end. */
-static void hold_end(const struct course *c, const struct orbit *o,
-                     struct transient *t)
+/* A run that arrest ends is as long as it takes until then. */
+static void hold_end(struct transient *t)
 {
-    struct transient_summary *sum = &t->sum;
-    const double mu =
-        block_mu(&c->slider->block, (struct vec2){ o->u[0], o->u[1] });
+    const struct transient_summary *sum = &t->sum;
 
     for (size_t i = t->events; sum->end == TRANSIENT_ARREST && i-- > 0;)
         if (t->event[i].what == MOMENT_ARREST) {
-            sum->time.error = fmax(sum->time.error, t->event[i].time.error);
-            sum->slip.error = fmax(sum->slip.error, t->event[i].slip.error);
+            t->event[i].time = sum->time;
+            t->event[i].slip = sum->slip;
+            return;
         }
-    const double known = sum->slip.value - sum->slip.error;
-    if (!quantity_exists(&sum->mu_mean))
-        return;
-    sum->mu_mean.error +=
-        fabs(mu - sum->mu_mean.value) * sum->slip.error / known;
-    if (!(known > 0.0))
-        sum->mu_mean = quantity_none("the slip is not known well enough");
 }
 
 /* The last event: v = 0 itself. */
@@ -351,7 +350,7 @@ static bool judge(const struct course *c, const struct orbit *coarse,
         (int64_t) (coarse->field_calls + coarse->jacobian_calls +
                    fine->field_calls + fine->jacobian_calls);
     sum_up(c, coarse, fine, sum);
-    hold_end(c, fine, t);
+    hold_end(t);
     add_rest(t);
     if (sum->fate != FATE_UNDECIDED || is_lost)
         t->reason = is_lost ? lost : NULL;
@@ -366,10 +365,12 @@ static enum status run_at(const struct course *c, double rtol,
                           bool *settled)
 {
     struct orbit coarse = { .steps = 0 }, fine = { .steps = 0 };
-    enum status s = follow(c, TOL_TRANSIENT_RATIO * rtol, monitor, &coarse);
+    struct drift drift[2];
+    enum status s =
+        follow(c, TOL_TRANSIENT_RATIO * rtol, monitor, &drift[0], &coarse);
 
     if (s == STATUS_OK)
-        s = follow(c, rtol, monitor, &fine);
+        s = follow(c, rtol, monitor, &drift[1], &fine);
     if (s == STATUS_OK)
         s = timeline_find(c->slider, &c->watches, &coarse, &fine, &out->event,
                           &out->events);
@@ -473,6 +474,7 @@ enum status transient_find(const struct slider *s, struct scene_start start,
                                               : start.psi };
     const struct vec2 near = block_offset(&s->block, start.v, start.psi);
     struct course c = { .slider = s,
+                        .v = start.v,
                         .start = vec2_sub(z, s->plane.system.origin) };
     struct fate_told told;
 

@@ -37,4 +37,8 @@
 /* Points of chi(v) over the window (chi_curve.c): as of the steady curves. */
 #define STUDY_CHI_POINTS 401
 
+/* What rounding does to a coordinate, per unit of it: half a unit of its last
+ * digit, and a bit more of a logarithm. */
+#define TOL_SLIDER_ROUNDING 0x1.4p-53
+
 #endif

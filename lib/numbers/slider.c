@@ -2,7 +2,10 @@
  * cancel nowhere; the last anchor is the saddle's. */
 #include "slider.h"
 
+#include <float.h>
 #include <math.h>
+
+#include "numbers_tolerance.h"
 
 static struct planar anchor_at(struct slider *s, long double x,
                                bool equilibrium)
@@ -72,4 +75,29 @@ double slider_energy_defect(const struct slider *s, const struct curve *c)
                                s->block.at.v0 * exp(last[0]),
                                last[slip] - first[slip],
                                last[work] - first[work]);
+}
+
+double slider_rounding(const struct slider *s, struct vec2 z)
+{
+    const struct vec2 o = s->plane.system.origin;
+
+    return TOL_SLIDER_ROUNDING *
+           (fabs(o.x) + fabs(o.y) + fabs(o.x + z.x) + fabs(o.y + z.y));
+}
+
+struct quantity slider_mean_friction(const struct slider *s, double v0,
+                                     double v1, double v1_part,
+                                     const struct quantity *slip)
+{
+    const double t = (double) s->block.tan_alpha, digits = 4.0 * DBL_EPSILON;
+    const double per =
+        0.5 * material_eps2(&s->block.material) * hypot(1.0, t) / slip->value;
+    const double lost = per * (v0 - v1) * (v0 + v1);
+    const double known = slip->value - slip->error;
+
+    return quantity_of(
+        t + lost,
+        fabs(lost) * slip->error / known +
+            per * (digits * v0 * v0 + (digits + 2.0 * v1_part) * v1 * v1) +
+            digits * (t + fabs(lost)));
 }

@@ -42,4 +42,15 @@ const char *slider_no_manifolds(const struct slider *s);
  * integrals are those of block.h, from component 3 on. */
 double slider_energy_defect(const struct slider *s, const struct curve *c);
 
+/* What the digits of the state at the offset z and of the steady states hide of
+ * a coordinate. */
+double slider_rounding(const struct slider *s, struct vec2 z);
+
+/* Mean friction over a known slip between two slip rates: by (27)
+ * tan(alpha) + eps^2 (v0^2 - v1^2)/(2 cos(alpha) slip), whatever happens in
+ * between.  v1_part: how wrong v1 is, relative. */
+struct quantity slider_mean_friction(const struct slider *s, double v0,
+                                     double v1, double v1_part,
+                                     const struct quantity *slip);
+
 #endif

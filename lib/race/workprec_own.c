@@ -264,12 +264,16 @@ static enum status find_rows(const struct maker *m)
 
 /* ---- orbits ---------------------------------------------------------- */
 
-static enum status follow(const struct maker *m, double rtol, struct orbit *o)
+static enum status follow(const struct maker *m, double rtol,
+                          struct drift *drift, struct orbit *o)
 {
     const struct study *s = m->c->study;
     struct orbit_options options =
         orbit_defaults(&s->slider.plane.system, s->slider.plane.fastest_rate);
 
+    if (drift)
+        drift_start(drift, slider_rounding(&s->slider, m->c->start));
+    options.drift = drift;
     options.rtol = rtol;
     options.observables = 0;
     options.reach[0] = m->c->until;
@@ -283,13 +287,23 @@ static enum status follow(const struct maker *m, double rtol, struct orbit *o)
     return status;
 }
 
-/* The bar of component i: what the coarser orbit differs by, which may be
- * little by chance, and what the steps of the finer one estimate. */
+/* The bar of component i at a time; as in transient.c it is too small by as
+ * much as two orbits are further apart than theirs. */
 static double bar_of(const struct orbit *coarse, const struct orbit *fine,
                      int i)
 {
-    return timeline_compare(fine, coarse->u[i], fine->u[i]).error +
-           fine->error[i];
+    const struct orbit *both[2] = { coarse, fine };
+    struct quantity q[2];
+
+    for (int k = 0; k < 2; k++) {
+        const struct orbit *o = both[k];
+        struct cascade_linear l;
+        rescaled_linear(&o->clock, (struct vec2){ o->u[0], o->u[1] }, &l);
+        q[k] = quantity_of(o->u[i],
+                           drift_bar_at(o->options.drift, l.du, 2, (size_t) i) +
+                               TOL_FATE_DIGITS * DBL_EPSILON * fabs(o->u[i]));
+    }
+    return fate_compare(&q[0], &q[1]).error;
 }
 
 /* Two orbits, of tolerances as transient.h has them; or only one, without a
@@ -297,14 +311,16 @@ static double bar_of(const struct orbit *coarse, const struct orbit *fine,
 static enum status find_state(const struct maker *m)
 {
     struct orbit coarse = { .steps = 0 }, fine = { .steps = 0 };
+    struct drift drift[2];
     struct workprec_answer *a = m->out;
     const bool bars = m->how == WORKPREC_SLIPWAY;
     const double rtol = fmax(m->tol, TOL_TRANSIENT_FINEST);
 
     enum status s =
-        bars ? follow(m, TOL_TRANSIENT_RATIO * rtol, &coarse) : STATUS_OK;
+        bars ? follow(m, TOL_TRANSIENT_RATIO * rtol, &drift[0], &coarse)
+             : STATUS_OK;
     if (s == STATUS_OK)
-        s = follow(m, rtol, &fine);
+        s = follow(m, rtol, bars ? &drift[1] : NULL, &fine);
     a->success = s == STATUS_OK && fine.end == ORBIT_REACHED;
     a->reported = bars ? 0.0 : (double) NAN;
     for (int i = 0; i < 2 && s == STATUS_OK; i++) {

@@ -1,10 +1,10 @@
-/* Each state's whole orbit (fate.h), run at two tolerances: what the finer one
- * changes bounds what it leaves, for an orbit's own error sums are no bounds.
- * Where that is more than asked for, or the fates are not that of the trap
- * (trap.h) that the state ends in, finer ones follow: beside the boundary two
- * orbits may well agree and be wrong. */
+/* Each state's whole orbit (fate.h), run at two tolerances, which must agree
+ * within their bars.  Where these are more than asked for, or the fates are not
+ * that of the trap (trap.h) that the state ends in, finer ones follow: beside
+ * the boundary two orbits may well agree and be wrong. */
 #include "cells.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "fate.h"
@@ -44,23 +44,22 @@ struct run {
     struct quantity of[CELL_FIELDS];
 };
 
-/* The roundings of exp, and of the coordinates that friction follows. */
 static void take_peaks(const struct peaks *p, struct run *r)
 {
-    const double rounding = TOL_CELLS_ROUNDING * (1.0 + fabs(p->x));
     const double v = exp(p->x);
     const char *why = r->fate == FATE_RUNAWAY     ? "the block runs away"
                       : r->fate == FATE_UNDECIDED ? "the fate is undecided"
                                                   : NULL;
 
     r->of[CELL_V_PEAK] =
-        why ? quantity_none(why) : quantity_of(v, v * rounding);
+        why ? quantity_none(why)
+            : quantity_of(v, v * (expm1(p->x_error) + DBL_EPSILON));
     if (why == NULL && r->fate == FATE_REST_FINITE)
         why = "friction grows without bound";
     if (why == NULL && r->fate == FATE_REST_ASYMPTOTIC && !p->whole)
         why = "the orbit could not be followed to an end";
     r->of[CELL_MU_PEAK] =
-        why ? quantity_none(why) : quantity_of(p->mu, rounding);
+        why ? quantity_none(why) : quantity_of(p->mu, p->mu_error);
 }
 
 static enum status follow(const struct slider *s, struct vec2 z, double rtol,
@@ -83,46 +82,9 @@ static enum status follow(const struct slider *s, struct vec2 z, double rtol,
     return status;
 }
 
-/* What displacements do, by rounding and by what steps leave across the stable
- * manifold: where an orbit passes the saddle at the distance `near`, they
- * change how long it stays there by the ratio of both over lambda_plus, at the
- * saddle's slip rate and friction; if it has the time. */
-static void shake(const struct slider *s, struct vec2 z, double near,
-                  double tol, struct run *r)
-{
-    const double size = 1.0 + fabs(z.x) + fabs(z.y);
-    const double part =
-        (TOL_CELLS_ROUNDING * size + TOL_CELLS_ACROSS * tol) / near;
-    struct quantity *slip = &r->of[CELL_SLIP], *mean = &r->of[CELL_MU_MEAN];
-
-    if (slider_saddle(s) < 0)
-        return;
-    const double stay = 1.0 / fabs(phase_plane_saddle(&s->plane)->lambda[1]);
-    const double way = part * fmin(stay * s->block.at.v0, slip->value);
-    r->of[CELL_TIME].error += part * fmin(stay, r->of[CELL_TIME].value);
-    slip->error += way;
-    mean->error +=
-        fabs(mean->value - (double) s->block.tan_alpha) * way / slip->value;
-}
-
-/* The finer value; the bar holds its change, its own one, and what may be left
- * of an orbit followed to this tolerance where its change is small by luck.
- * Where it changes by more than that, two may be near each other by chance. */
-static struct quantity compare(const struct quantity *coarse,
-                               const struct quantity *fine, double tol)
-{
-    if (!quantity_exists(coarse) || !quantity_exists(fine))
-        return quantity_none("only at one tolerance");
-    const double change = fabs(fine->value - coarse->value);
-    const double least = TOL_CELLS_LEAST * tol * fabs(fine->value);
-    return quantity_of(fine->value,
-                       change + fine->error + least +
-                           TOL_CELLS_CHANCE * fmax(change - least, 0.0));
-}
-
-/* Fills the cell from two runs to the same fate, the finer one to `tol`; the
- * largest error, relative. */
-static double fill(const struct run *coarse, const struct run *fine, double tol,
+/* Fills the cell from two runs to the same fate; the largest error, relative.
+ */
+static double fill(const struct run *coarse, const struct run *fine,
                    unsigned which, struct cell *out)
 {
     double *const to[CELL_FIELDS][2] = {
@@ -137,7 +99,7 @@ static double fill(const struct run *coarse, const struct run *fine, double tol,
     out->exit_reason = (int8_t) fine->fate;
     for (int k = 0; k < CELL_FIELDS; k++) {
         const struct quantity q =
-            which >> k & 1u ? compare(&coarse->of[k], &fine->of[k], tol)
+            which >> k & 1u ? fate_compare(&coarse->of[k], &fine->of[k])
                             : quantity_none("nobody asked");
         *to[k][0] = q.value;
         *to[k][1] = q.error;
@@ -176,13 +138,12 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
     double worst = HUGE_VAL, before = HUGE_VAL;
     struct run coarse, fine;
     int8_t label = FATE_UNDECIDED;
-    double near = HUGE_VAL;
     enum status status = follow(s, z, tol, which, &coarse);
 
     *out = cell_unknown;
     if (status == STATUS_OK && t->set)
-        status = trap_pass(t, vec2_sub(z, s->plane.system.origin), &label,
-                           &near, NULL);
+        status =
+            trap_label(t, vec2_sub(z, s->plane.system.origin), &label, NULL);
     while (status == STATUS_OK && worst > rtol &&
            !(worst > TOL_CELLS_GAIN * before) &&
            tol * TOL_CELLS_FINER >= TOL_CELLS_FINEST) {
@@ -195,11 +156,9 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
             (isfinite(worst) ||
              (fine.fate == FATE_UNDECIDED && coarse.fate == FATE_UNDECIDED)))
             break;
-        shake(s, z, near, tol, &fine);
         *out = cell_unknown;
-        worst = agree(&coarse, &fine, label)
-                    ? fill(&coarse, &fine, tol, which, out)
-                    : HUGE_VAL;
+        worst = agree(&coarse, &fine, label) ? fill(&coarse, &fine, which, out)
+                                             : HUGE_VAL;
         if (!is_whole(&coarse) || !is_whole(&fine))
             worst = HUGE_VAL;
         before = isfinite(worst) ? before : HUGE_VAL;

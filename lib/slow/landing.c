@@ -31,16 +31,6 @@ static void choose_least(const struct landing *l, double least[2])
         least[1] = fmin(least[1], l->options.slip);
 }
 
-/* What the digits of the state and of the saddle hide of the offset z. */
-static double rounding(const struct slider *s, struct vec2 z)
-{
-    const struct vec2 o = s->plane.system.origin;
-    const double size =
-        fabs(o.x) + fabs(o.y) + fabs(o.x + z.x) + fabs(o.y + z.y);
-
-    return TOL_LAYER_ROUNDING * size;
-}
-
 void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
                    const struct layer_options *options, struct layer *out,
                    double least[2])
@@ -53,7 +43,7 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
         .out = out,
     };
     *out = (struct layer){ .end = LAYER_LOST, .x_peak = z.x, .y = NAN };
-    l->across = rounding(c->slider, z);
+    l->across = slider_rounding(c->slider, z);
     if (options->peaks)
         out->mu_peak = block_mu(&c->slider->block, z);
     choose_least(l, least);
@@ -333,7 +323,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double slip = l->u[LAYER_SLIP] + p->slip + more;
     const double wait =
         delay(l, p, off) +
-        2.0 * rounding(s, (struct vec2){ p->x, y }) * fabs(p->end_slope);
+        2.0 * slider_rounding(s, (struct vec2){ p->x, y }) * fabs(p->end_slope);
     const double moved = fabs(e.x * (l->u[LAYER_Y] - l->from.y)) +
                          fabs(e.y * (l->u[LAYER_X] - l->from.x));
     const double waste =

@@ -96,6 +96,20 @@ double slow_branch_gained(const struct orbit *o, size_t i)
     return sum;
 }
 
+/* Where a function with that gradient has its value: how late the orbit is, how
+ * far it has come, and how far x is off. */
+static void note_drift(const struct orbit *o, struct vec2 gradient,
+                       struct slow_knot *k)
+{
+    const struct drift *d = o->options.drift;
+    struct cascade_linear l;
+
+    rescaled_linear(&o->clock, (struct vec2){ o->u[0], o->u[1] }, &l);
+    k->time_bar = drift_off(d, l.du, gradient, 2);
+    k->slip_bar = drift_off(d, l.du, gradient, 3 + BLOCK_SLIP);
+    k->beside = drift_off(d, l.du, gradient, 0);
+}
+
 /* Runs the orbit to its end; without a node ahead, until the rates are alike or
  * too far apart. */
 static enum status follow(const struct slider *s, struct orbit *o,
@@ -111,8 +125,7 @@ static enum status follow(const struct slider *s, struct orbit *o,
         if (k == NULL)
             return STATUS_NO_MEMORY;
         const double bend = slow_knot_at(s, o->u, slope_of(o), k);
-        k->time_bar = -o->error[2];
-        k->slip_bar = -o->error[3 + BLOCK_SLIP];
+        note_drift(o, (struct vec2){ 0.0, 1.0 }, k);
         k->mu = mu_until(s, o);
         k->time[0] = -slow_branch_gained(o, 2);
         k->slip[0] = -slow_branch_gained(o, 3 + BLOCK_SLIP);
@@ -152,19 +165,17 @@ static enum status finish_rest(const struct slider *s, struct slow_branch *b)
     if (status != STATUS_OK || fine.fate != FATE_REST_FINITE ||
         coarse.fate != FATE_REST_FINITE)
         return status;
-    const double time_bar =
-        fine.time.error + fabs(fine.time.value - coarse.time.value);
-    if (!(time_bar < TOL_SLOW_REST * fine.time.value))
+    const struct quantity time = fate_compare(&coarse.time, &fine.time);
+    const struct quantity slip = fate_compare(&coarse.slip, &fine.slip);
+    if (!(time.error < TOL_SLOW_REST * time.value))
         return status;
     b->fate = FATE_REST_FINITE;
     b->x_end = -HUGE_VAL;
-    const double slip_bar =
-        fine.slip.error + fabs(fine.slip.value - coarse.slip.value);
     for (size_t i = 0; i < b->count; i++) {
-        b->knot[i].time[0] += fine.time.value;
-        b->knot[i].slip[0] += fine.slip.value;
-        b->knot[i].time_bar += time_bar;
-        b->knot[i].slip_bar += slip_bar;
+        b->knot[i].time[0] += time.value;
+        b->knot[i].slip[0] += slip.value;
+        b->knot[i].time_bar += time.error;
+        b->knot[i].slip_bar += slip.error;
     }
     return status;
 }
@@ -178,8 +189,6 @@ static void count_from_face(struct slow_branch *b)
         struct slow_knot *k = &b->knot[i];
         k->time[0] -= first.time[0];
         k->slip[0] -= first.slip[0];
-        k->time_bar = first.time_bar - k->time_bar;
-        k->slip_bar = first.slip_bar - k->slip_bar;
     }
 }
 
@@ -250,26 +259,33 @@ static void find_frictions(const struct slider *s, struct slow_branch *b)
     }
 }
 
-/* From what was missed up to each knot to what is missed from there on.  What
- * shifts an orbit along itself shifts its slip by v times as much as its time:
- * each step counts with the larger of both. */
-static void sum_bars(struct slow_branch *b)
+/* Of the face of a box of arrest, or of the last knot. */
+static struct slow_knot ending(const struct orbit *o,
+                               const struct slow_knot *last)
+{
+    struct slow_knot end = *last;
+
+    if (o->end == ORBIT_ARRIVED)
+        note_drift(o,
+                   fate_face((struct vec2){ o->u[0], o->u[1] },
+                             o->options.target[o->end_index]),
+                   &end);
+    return end;
+}
+
+/* From how late it is at each knot to what it is off from there on. */
+static void compare_bars(const struct orbit *o, struct slow_branch *b)
 {
     struct slow_knot *const k = b->knot;
-    double time_bar = 0.0, slip_bar = 0.0, missed[2] = { 0.0, 0.0 };
+    const struct slow_knot end =
+        b->start == SLOW_FACE ? k[0] : ending(o, &k[b->count - 1]);
 
-    for (size_t i = b->count; i-- > 0;) {
-        if (i + 1 < b->count) {
-            const double v = k[i].slip[1] / k[i].time[1];
-            const double dt = k[i].time_bar - missed[0];
-            const double dx = k[i].slip_bar - missed[1];
-            time_bar += fmax(dt, dx / v);
-            slip_bar += fmax(dx, dt * v);
-        }
-        missed[0] = k[i].time_bar;
-        missed[1] = k[i].slip_bar;
-        k[i].time_bar = time_bar;
-        k[i].slip_bar = slip_bar;
+    for (size_t i = 0; i < b->count; i++) {
+        const double beside = slow_knot_shift(&k[i], k[i].beside);
+        k[i].time_bar = TOL_DRIFT_BAR * (fabs(end.time_bar - k[i].time_bar) +
+                                         fabs(k[i].time[1]) * beside);
+        k[i].slip_bar = TOL_DRIFT_BAR * (fabs(end.slip_bar - k[i].slip_bar) +
+                                         fabs(k[i].slip[1]) * beside);
     }
 }
 
@@ -409,8 +425,11 @@ static enum status run(const struct slider *s, struct vec2 z,
 {
     struct orbit_options options =
         orbit_defaults(&s->plane.system, s->plane.fastest_rate);
+    struct drift drift;
     struct orbit o;
 
+    drift_start(&drift, slider_rounding(s, z));
+    options.drift = &drift;
     options.rtol = TOL_SLOW_RTOL;
     options.observables = 1;
     options.target = goals->at;
@@ -425,7 +444,7 @@ static enum status run(const struct slider *s, struct vec2 z,
     if (status == STATUS_OK && b->count > 2) {
         slow_fit_smooth(b);
         find_frictions(s, b);
-        sum_bars(b);
+        compare_bars(&o, b);
         look_back(b);
         slow_fit_judge(b, s->block.material.a);
         status = finish(s, &o, goals->fate[o.end_index], b);

@@ -91,13 +91,6 @@ void slow_fit_smooth(struct slow_branch *b)
         k[last].x_bend = k[last - 1].x_bend;
 }
 
-/* How far off in y a state lands that is right in its slow coordinate, beside a
- * curve that is off by dx. */
-static double shift_of(const struct slow_knot *k, double dx)
-{
-    return fabs(k->fibre.y * dx / (k->fibre.x - k->fibre.y * k->x_slope));
-}
-
 /* Of the largest friction to come, by that of each interval that may hold it.
  */
 static void judge_peaks(struct slow_branch *b)
@@ -127,7 +120,7 @@ void slow_fit_judge(struct slow_branch *b, double a)
         const double l = slow_quintic(f->slip, g->slip, h, theta, &ignored);
         const double part =
             is_blurred(&k[i]) ? TOL_SLOW_NOISE : TOL_SLOW_MISSED;
-        const double shift = shift_of(&k[i], x - k[i].x);
+        const double shift = slow_knot_shift(&k[i], x - k[i].x);
         const double dt =
             part * (fabs(t - k[i].time[0]) + fabs(k[i].time[1]) * shift);
         const double dl =

@@ -126,3 +126,8 @@ double slow_knot_bend(const double f[3], const double k[3], const double g[3],
     return 2.0 * (u * u * ((1.0 + 2.0 * t) * f0 + t * h * f1) +
                   t * t * ((1.0 + 2.0 * u) * g0 - u * h * g1));
 }
+
+double slow_knot_shift(const struct slow_knot *k, double dx)
+{
+    return fabs(k->fibre.y * dx / (k->fibre.x - k->fibre.y * k->x_slope));
+}

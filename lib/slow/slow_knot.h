@@ -17,6 +17,7 @@ struct slow_knot {
     double time[3], slip[3];       /* with two derivatives by y */
     double time_error, slip_error; /* from the knot before to this one */
     double time_bar, slip_bar;     /* from here on */
+    double beside;                 /* how far x is off, at this y */
     double fast;                   /* |lambda|, per unit of time */
     double gap;          /* the slow rate over it; HUGE_VAL: not to land on */
     struct vec2 fibre;   /* unit */
@@ -50,5 +51,9 @@ double slow_knot_bend(const double f[3], const double k[3], const double g[3],
  * at y = h, at theta h; and its slope there. */
 double slow_quintic(const double f[3], const double g[3], double h,
                     double theta, double *slope);
+
+/* How far off in y a state lands that is right in its slow coordinate, beside a
+ * curve that is off by dx. */
+double slow_knot_shift(const struct slow_knot *k, double dx);
 
 #endif

@@ -185,23 +185,14 @@
 #define TOL_FAST_LOOSE 10.0
 
 /* Cells run to their fates (cells.c).  Orbits are first followed to this part
- * of the accuracy asked for (errors of slip and time are some ten times the
- * tolerance, of the stiffest ninety), at most this (looser ones miss where a
- * block rests), then finer by this factor, down to the finest that doubles
- * hold, as long as bars shrink to this part; least bar, in tolerances of the
- * finest run; how many times as far off an orbit may be as another tolerance
- * changes it where that is more; what rounding does to a coordinate, per unit
- * of it; and what steps leave across the stable manifold, in tolerances
- * (measured: 4e-3 at most). */
+ * of the accuracy asked for, at most this (looser ones miss where a block
+ * rests), then finer by this factor, down to the finest that doubles hold, as
+ * long as bars shrink to this part. */
 #define TOL_CELLS_START    0.05
 #define TOL_CELLS_COARSEST 1e-5
 #define TOL_CELLS_FINER    0.1
 #define TOL_CELLS_FINEST   1e-12
 #define TOL_CELLS_GAIN     0.7
-#define TOL_CELLS_LEAST    90.0
-#define TOL_CELLS_CHANCE   4.0
-#define TOL_CELLS_ROUNDING 0x1p-50
-#define TOL_CELLS_ACROSS   0.01
 
 /* Patches (patch.c, patchwork.c).  Accuracy of the samples, as a part of what
  * is asked for: of a part that small bars can be had next to the separatrix;

@@ -1,0 +1,294 @@
+/* The error e of a collocation polynomial p with the defect d = p' - g(p) obeys
+ * e' = Dg(p) e + d.  Collocation with one stage more (Radau IIA, six stages,
+ * order 11) sees of d, which vanishes at the stages of the step and is
+ * orthogonal to low powers, all but two orders less; stiff components it
+ * follows like the method itself. */
+#include "drift.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tolerance.h"
+
+enum { STAGES = DRIFT_CALLS, UNKNOWNS = 2 * STAGES, SIDES = 3 };
+
+/* Stages of a step (radau.h), but the last. */
+static const double step_node[RADAU_STAGES - 1] = { 0.0571041961145176822,
+                                                    0.276843013638123828,
+                                                    0.58359043236891682,
+                                                    0.860240135656219448 };
+
+static const double node[STAGES] = {
+    0.0398098570514687423, 0.198013417873608173, 0.437974810247386144,
+    0.695464273353636095,  0.901464914201173574, 1.0
+};
+
+/* Row i: weights of the integral from 0 to node i. */
+static const double weight[STAGES][STAGES] = {
+    { 0.0509500109946406093, -0.0189073065542921391, 0.0136860714330882288,
+      -0.0103700387660460458, 0.00736065639663980394, -0.00290953645256171473 },
+    { 0.10822165891905866, 0.106975519937332604, -0.0275390233553924203,
+      0.0174967471412281615, -0.0116537218911955868, 0.00451223712257675395 },
+    { 0.0977796700926453547, 0.223172250636895836, 0.136314679273051887,
+      -0.0296469659881962164, 0.0163585788434371597, -0.00600340261044787621 },
+    { 0.102122375612933841, 0.202975957373091079, 0.276399136380747833,
+      0.13100602313604298, -0.0248763031998222865, 0.00783708405064264749 },
+    { 0.100331001384960802, 0.210247308553338462, 0.256085372050337616,
+      0.253365934704565651, 0.0924305343356995968, -0.0109952368277285537 },
+    { 0.10079419262674042, 0.208450667155953869, 0.260463391594787491,
+      0.242693594234484958, 0.159820376610255483, 0.0277777777777777778 }
+};
+
+void drift_start(struct drift *d, double rounding)
+{
+    *d = (struct drift){ .e = { 0.0 } };
+    d->noise[0][0] = d->noise[1][1] = rounding * rounding;
+}
+
+/* ---- one piece ----------------------------------------------------------- */
+
+/* h times the gradients of the rates and the defect, at each node. */
+struct piece {
+    size_t dim;
+    struct vec2 slope[STAGES][CURVE_DIM_MAX];
+    double defect[STAGES][CURVE_DIM_MAX];
+};
+
+/* How rough component i of the field is on the step.  The defect over the
+ * polynomial that vanishes at the step's own stages is smooth where these
+ * resolve the field; it is its fourth difference that errors are made of, over
+ * its size. */
+static double roughness(const struct piece *p, size_t i)
+{
+    double part[STAGES], most = 0.0;
+
+    for (int j = 0; j < STAGES - 1; j++) {
+        double M = 1.0 - node[j];
+        for (int k = 0; k < RADAU_STAGES - 1; k++)
+            M *= node[j] - step_node[k];
+        part[j] = p->defect[j][i] / M;
+        most = fmax(most, fabs(part[j]));
+    }
+    for (int k = 1; k < STAGES - 1; k++)
+        for (int j = STAGES - 2; j >= k; j--)
+            part[j] = (part[j] - part[j - 1]) / (node[j] - node[j - k]);
+    return most > 0.0 ? fabs(part[STAGES - 2]) / most : 0.0;
+}
+
+static void look_at(const struct rescaled *clock, const struct curve *c,
+                    double h, struct piece *p)
+{
+    const size_t last = c->count - 1;
+    double u[CURVE_DIM_MAX], du[CURVE_DIM_MAX];
+    struct cascade_linear l;
+
+    p->dim = c->dim;
+    for (int j = 0; j < STAGES; j++) {
+        curve_at(c, last, node[j], u);
+        curve_slope_at(c, last, node[j], du);
+        rescaled_linear(clock, (struct vec2){ u[0], u[1] }, &l);
+        for (size_t i = 0; i < c->dim; i++) {
+            p->slope[j][i] = vec2_scale(h, l.slope[i]);
+            p->defect[j][i] = du[i] - h * l.du[i];
+        }
+    }
+}
+
+/* Gauss's elimination: the solutions in place of the right sides. */
+static void eliminate(double A[UNKNOWNS][UNKNOWNS + SIDES])
+{
+    const size_t all = UNKNOWNS + SIDES;
+
+    for (size_t k = 0; k < UNKNOWNS; k++) {
+        size_t best = k;
+        for (size_t i = k + 1; i < UNKNOWNS; i++)
+            best = fabs(A[i][k]) > fabs(A[best][k]) ? i : best;
+        for (size_t j = k; j < all; j++) {
+            const double swap = A[k][j];
+            A[k][j] = A[best][j];
+            A[best][j] = swap;
+        }
+        for (size_t i = 0; i < UNKNOWNS; i++) {
+            const double part = i == k ? 0.0 : A[i][k] / A[k][k];
+            for (size_t j = k; j < all && part != 0.0; j++)
+                A[i][j] -= part * A[k][j];
+        }
+    }
+    for (size_t k = 0; k < UNKNOWNS; k++)
+        for (size_t j = UNKNOWNS; j < all; j++)
+            A[k][j] /= A[k][k];
+}
+
+/* A component that settles at once does so at any larger rate, too: rows that
+ * would drown the other one's digits are scaled. */
+static void scale_rows(struct piece *p)
+{
+    double most[2] = { 1.0, 1.0 };
+
+    for (int j = 0; j < STAGES; j++)
+        for (int i = 0; i < 2; i++)
+            most[i] = fmax(
+                most[i], fmax(fabs(p->slope[j][i].x), fabs(p->slope[j][i].y)));
+    for (int i = 0; i < 2; i++) {
+        const double part = TOL_DRIFT_STIFF * most[1 - i] / most[i];
+        for (int j = 0; j < STAGES && part < 1.0; j++) {
+            p->slope[j][i] = vec2_scale(part, p->slope[j][i]);
+            p->defect[j][i] *= part;
+        }
+    }
+}
+
+/* E at the nodes: of the defect from no error, and of a unit of x and of y. */
+static void solve(const struct piece *p, double E[UNKNOWNS][SIDES])
+{
+    double A[UNKNOWNS][UNKNOWNS + SIDES];
+
+    memset(A, 0, sizeof A);
+    for (size_t i = 0; i < UNKNOWNS; i++) {
+        const double *w = weight[i / 2];
+        A[i][i] = A[i][UNKNOWNS + 1 + i % 2] = 1.0;
+        for (size_t j = 0; j < STAGES; j++) {
+            const struct vec2 g = p->slope[j][i % 2];
+            A[i][2 * j] -= w[j] * g.x;
+            A[i][2 * j + 1] -= w[j] * g.y;
+            A[i][UNKNOWNS] += w[j] * p->defect[j][i % 2];
+        }
+    }
+    eliminate(A);
+    for (size_t i = 0; i < UNKNOWNS; i++)
+        memcpy(E[i], &A[i][UNKNOWNS], sizeof E[i]);
+}
+
+/* What a piece makes of errors: e -> gain e + e + more. */
+struct transport {
+    double more[CURVE_DIM_MAX];
+    double gain[CURVE_DIM_MAX][2];
+};
+
+static bool find_transport(const struct piece *p, struct transport *t)
+{
+    double E[UNKNOWNS][SIDES];
+    bool is_finite = true;
+
+    solve(p, E);
+    for (size_t i = 0; i < p->dim; i++) {
+        double sum[SIDES] = { 0.0 };
+        for (size_t j = 0; j < STAGES; j++) {
+            const struct vec2 g = p->slope[j][i];
+            const double w = weight[STAGES - 1][j];
+            sum[0] += w * p->defect[j][i];
+            for (int k = 0; k < SIDES; k++)
+                sum[k] += w * (g.x * E[2 * j][k] + g.y * E[2 * j + 1][k]);
+        }
+        t->more[i] = sum[0];
+        t->gain[i][0] = sum[1];
+        t->gain[i][1] = sum[2];
+        is_finite = is_finite && isfinite(sum[0] + sum[1] + sum[2]);
+    }
+    return is_finite;
+}
+
+/* M C M^T with M = 1 + gain. */
+static void spread(const struct transport *t, size_t dim,
+                   double C[CURVE_DIM_MAX][CURVE_DIM_MAX])
+{
+    double half[CURVE_DIM_MAX][CURVE_DIM_MAX];
+
+    for (size_t i = 0; i < dim; i++)
+        for (size_t k = 0; k < dim; k++)
+            half[i][k] =
+                C[i][k] + t->gain[i][0] * C[0][k] + t->gain[i][1] * C[1][k];
+    for (size_t i = 0; i < dim; i++)
+        for (size_t k = 0; k < dim; k++)
+            C[i][k] = half[i][k] + t->gain[k][0] * half[i][0] +
+                      t->gain[k][1] * half[i][1];
+}
+
+void drift_carry(struct drift *d, const struct rescaled *clock,
+                 const struct curve *c, double h, const double missed[])
+{
+    const double x = d->e[0], y = d->e[1];
+    struct piece p;
+    struct transport t;
+    double u[CURVE_DIM_MAX];
+
+    look_at(clock, c, h, &p);
+    const double rough = fmax(roughness(&p, 0), roughness(&p, 1));
+    scale_rows(&p);
+    if (!find_transport(&p, &t)) {
+        for (size_t i = 0; i < c->dim; i++)
+            d->e[i] += copysign(missed[i], d->e[i]);
+        return;
+    }
+    for (size_t i = 0; i < c->dim; i++)
+        d->e[i] += t.more[i] + t.gain[i][0] * x + t.gain[i][1] * y;
+    spread(&t, c->dim, d->noise);
+    curve_at(c, c->count - 1, 1.0, u);
+    const double part = TOL_DRIFT_UNSURE * fmax(rough / TOL_DRIFT_ROUGH, 1.0);
+    for (size_t i = 0; i < c->dim; i++) {
+        const double unsure = part * t.more[i];
+        const double digit = TOL_DRIFT_DIGIT * u[i];
+        d->noise[i][i] += unsure * unsure + digit * digit;
+    }
+}
+
+/* ---- the end ------------------------------------------------------------- */
+
+static double bound(double off, double noise)
+{
+    return TOL_DRIFT_BAR * fabs(off) + TOL_DRIFT_NOISE * sqrt(fmax(noise, 0.0));
+}
+
+/* Of e_i - late du_i, where late = row e. */
+static double bar_of(const struct drift *d, double rate, const double row[],
+                     size_t n, size_t i)
+{
+    double off = d->e[i], cross = 0.0, square = 0.0;
+
+    for (size_t k = 0; k < n; k++) {
+        off -= rate * row[k] * d->e[k];
+        cross += row[k] * d->noise[i][k];
+        for (size_t l = 0; l < n; l++)
+            square += row[k] * row[l] * d->noise[k][l];
+    }
+    const double noise = d->noise[i][i] + rate * (rate * square - 2.0 * cross);
+    return bound(off, noise);
+}
+
+double drift_off(const struct drift *d, const double du[], struct vec2 gradient,
+                 size_t i)
+{
+    const double speed = gradient.x * du[0] + gradient.y * du[1];
+
+    return d->e[i] -
+           du[i] / speed * (gradient.x * d->e[0] + gradient.y * d->e[1]);
+}
+
+double drift_bar(const struct drift *d, const double du[], struct vec2 gradient,
+                 size_t i)
+{
+    const double speed = gradient.x * du[0] + gradient.y * du[1];
+    const double row[2] = { gradient.x / speed, gradient.y / speed };
+
+    return bar_of(d, du[i], row, 2, i);
+}
+
+double drift_bar_at(const struct drift *d, const double du[], size_t which,
+                    size_t i)
+{
+    double row[CURVE_DIM_MAX] = { 0.0 };
+
+    row[which] = 1.0 / du[which];
+    return bar_of(d, du[i], row, which + 1, i);
+}
+
+double drift_across(const struct drift *d, const double du[])
+{
+    const double size = hypot(du[0], du[1]);
+    const double x = size > 0.0 ? -du[1] / size : 1.0;
+    const double y = size > 0.0 ? du[0] / size : 1.0;
+    const double(*n)[CURVE_DIM_MAX] = d->noise;
+
+    return bound(x * d->e[0] + y * d->e[1],
+                 x * x * n[0][0] + 2.0 * x * y * n[0][1] + y * y * n[1][1]);
+}

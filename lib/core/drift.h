@@ -1,0 +1,46 @@
+/*
+ * drift.h -- how far an orbit (orbit.h) is from the true one: what its
+ * polynomials' slopes miss of the field, carried on by the linearised field,
+ * signed, so that it fades where orbits close in on each other and cancels
+ * where one is late and then early; and what rounding does, carried the same
+ * way as a covariance.
+ */
+#ifndef CORE_DRIFT_H
+#define CORE_DRIFT_H
+
+#include "rescaled.h"
+
+/* Evaluations of the field and its gradients by drift_carry. */
+enum { DRIFT_CALLS = 6 };
+
+struct drift {
+    double e[CURVE_DIM_MAX]; /* computed less true, to first order */
+    double noise[CURVE_DIM_MAX][CURVE_DIM_MAX]; /* covariance */
+};
+
+/* At the start, whose coordinates are known to within `rounding`. */
+void drift_start(struct drift *d, double rounding);
+
+/* Over the last piece of the curve, of length h on the clock; `missed`: the
+ * method's own estimates of what it missed on that piece, for where the field
+ * cannot be linearised. */
+void drift_carry(struct drift *d, const struct rescaled *clock,
+                 const struct curve *c, double h, const double missed[]);
+
+/* How far component i is off where a function of the chart with this gradient
+ * has its value: what is off along the orbit only comes earlier or later.  du:
+ * the rates there.  And a bound on that, with what rounding does. */
+double drift_off(const struct drift *d, const double du[], struct vec2 gradient,
+                 size_t i);
+double drift_bar(const struct drift *d, const double du[], struct vec2 gradient,
+                 size_t i);
+
+/* The bound where component `which` has its value. */
+double drift_bar_at(const struct drift *d, const double du[], size_t which,
+                    size_t i);
+
+/* The bound on how far the orbit is from the true one in the chart, across the
+ * direction of du. */
+double drift_across(const struct drift *d, const double du[]);
+
+#endif
