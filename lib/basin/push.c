@@ -28,6 +28,9 @@ const struct record_type record_push =
     RECORD_TYPE("push", "what becomes of a state and what would change that",
                 push_fields, push_answer);
 
+static const unsigned integrals =
+    1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
+
 /* ---- the plane ----------------------------------------------------------- */
 
 enum status push_init(struct push *p, const struct scene *scene,
@@ -139,6 +142,39 @@ static bool take_cell(const struct push *p, const struct cell *c,
     return true;
 }
 
+/* ---- what the table knows badly ------------------------------------------ */
+
+/* Whether a number is known worse than whole orbits may know it. */
+static bool is_wide(const struct quantity *q)
+{
+    return quantity_exists(q) && q->error > TOL_PUSH_WIDE * fabs(q->value);
+}
+
+static void keep_narrower(struct quantity *q, double value, double error)
+{
+    if (quantity_exists(q) && error < q->error)
+        *q = quantity_of(value, error);
+}
+
+/* Its cell from whole orbits (cells.h), whose bars hold what rounding does on
+ * the way past the saddle, may know it better. */
+static enum status narrow(const struct push *p, struct vec2 z,
+                          struct push_answer *out)
+{
+    struct cell c;
+
+    if (!is_wide(&out->slip) && !is_wide(&out->time) && !is_wide(&out->mu_mean))
+        return STATUS_OK;
+    const enum status s =
+        cells_find(&p->slider, &z, 1, TOL_PUSH_COARSE, integrals, NULL, &c);
+    if (s != STATUS_OK || c.exit_reason != out->fate)
+        return s;
+    keep_narrower(&out->slip, c.slip, c.slip_error);
+    keep_narrower(&out->time, c.time, c.time_error);
+    keep_narrower(&out->mu_mean, c.mu_mean, c.mu_mean_error);
+    return s;
+}
+
 /* ---- kicks --------------------------------------------------------------- */
 
 /* Along a row or a column, from the point `at` of it. */
@@ -217,6 +253,8 @@ static enum status answer(const struct push *p, struct push_state at,
         out->slip = out->time = out->mu_mean = quantity_none(label.reason);
     else if (!take_cell(p, cell, out))
         s = follow(p, chart_point(p, at), monitor, out);
+    else
+        s = narrow(p, chart_point(p, at), out);
     return s;
 }
 
@@ -224,15 +262,12 @@ static enum status answer(const struct push *p, struct push_state at,
 static enum status find_cells(const struct push *p, const struct vec2 z[],
                               size_t n, struct cell out[])
 {
-    const unsigned which =
-        1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
-
     for (size_t i = 0; i < n; i++)
         out[i] = (struct cell){ .exit_reason = FATE_UNDECIDED };
     return p->fast.slider == NULL
                ? STATUS_OK
-               : fast_cells_find(&p->fast, z, n, TOL_PUSH_COARSE, which, NULL,
-                                 out, NULL);
+               : fast_cells_find(&p->fast, z, n, TOL_PUSH_COARSE, integrals,
+                                 NULL, out, NULL);
 }
 
 enum status push_find(const struct push *p, struct push_state at,

@@ -42,10 +42,12 @@
 
 /* One state (push.c).  Its orbit is run at two tolerances, the coarse one and
  * the next finer; where their fates differ, finer ones, down to the finest.
- * What rounding does to a coordinate and to a root, per unit of either. */
+ * Where the table's bars are wider than such a part it is followed, too.  What
+ * rounding does to a coordinate and to a root, per unit of either. */
 #define TOL_PUSH_COARSE   1e-9
 #define TOL_PUSH_FINER    0.1
 #define TOL_PUSH_FINEST   5e-14
+#define TOL_PUSH_WIDE     1e-7
 #define TOL_PUSH_ROUNDING 0x1p-50
 
 /* Peaks along an orbit (peak.c).  Samples of a step; the part of the distance

@@ -276,9 +276,8 @@ static void check_push(const struct csv *c, const struct scene *scene, double t,
         if (tabulated)
             assert_int_equal(push_tabulate(&p, NULL), STATUS_OK);
         assert_int_equal(push_find(&p, at, NULL, &a), STATUS_OK);
-        const double loose = tabulated ? 1e-3 : 1e-7;
-        hold(c, "time", &a.time, t, loose);
-        hold(c, "slip", &a.slip, x, loose);
+        hold(c, "time", &a.time, t, 1e-7);
+        hold(c, "slip", &a.slip, x, 1e-7);
     }
     push_free(&p);
 }
