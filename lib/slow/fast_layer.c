@@ -325,8 +325,11 @@ static bool advance(struct walk *w, double most)
         off = explicit8_try(&w->work, &w->ode, 0.0, l->u, w->h, atol, tol, u1,
                             error);
         l->out->calls += EXPLICIT8_CALLS + 1;
-        if (judge(w, off, &factor))
-            break;
+        if (judge(w, off, &factor)) {
+            if (!(l->options.peaks && landing_is_past(l, u1)))
+                break;
+            factor = TOL_LAYER_BACK; /* or it sees peaks beyond */
+        }
         w->h *= factor;
         if (!(fabs(w->h) > TOL_LAYER_SHORTEST))
             return false;

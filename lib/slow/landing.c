@@ -59,7 +59,7 @@ struct door {
     double way, x, y;
 };
 
-static struct door door_of(const struct landing *l)
+static struct door door_at(const struct landing *l, const double u[])
 {
     const struct slider *s = l->curve->slider;
     struct door door = { .node = -1, .way = HUGE_VAL };
@@ -67,14 +67,19 @@ static struct door door_of(const struct landing *l)
     for (int i = 0; i < (int) s->plane.equilibria && !l->options.through; i++) {
         const struct vec2 e = s->plane.equilibrium[i].z,
                           o = s->plane.system.origin;
-        const double dx = l->u[LAYER_X] - (e.x - o.x);
-        const double dy = l->u[LAYER_Y] - (e.y - o.y);
+        const double dx = u[LAYER_X] - (e.x - o.x);
+        const double dy = u[LAYER_Y] - (e.y - o.y);
         const int along = fabs(dy) > fabs(dx);
         const double way = fmax(fabs(dx), fabs(dy)) - TOL_ARREST;
         if (i != slider_saddle(s) && way < door.way)
             door = (struct door){ i, along, way, dx, dy };
     }
     return door;
+}
+
+bool landing_is_past(const struct landing *l, const double u[])
+{
+    return door_at(l, l->u).way > 0.0 && door_at(l, u).way < -TOL_LAYER_FACE;
 }
 
 void landing_add_least(const struct landing *l, double time_slope,
@@ -428,7 +433,7 @@ static bool lands(struct landing *l, double d, double *aim)
 
 static bool is_over(struct landing *l, double *most)
 {
-    const struct door door = door_of(l);
+    const struct door door = door_at(l, l->u);
     double aim = l->options.landing, x, x_slope;
 
     if (door.way <= 0.0 && l->u[LAYER_TIME] == 0.0)

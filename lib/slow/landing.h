@@ -31,6 +31,9 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
  * next step, which is to be taken as it is where it is negative. */
 bool landing_is_over(struct landing *l, double *most);
 
+/* Whether a step to u goes through the face of a box of arrest. */
+bool landing_is_past(const struct landing *l, const double u[]);
+
 /* Adds to *out what no estimate sees, of what it gained and of how far it moved
  * across on the way, where time and slip have these slopes.  What steps of
  * order 8 miss of their estimates of order 5 goes like the cube of a step,

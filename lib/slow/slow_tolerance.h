@@ -120,13 +120,15 @@
 /* A box of arrest is come nearer by so much of the way at once.  Nearer than
  * BESIDE its face is aimed at; reached at FACE, and only by an orbit that
  * closes at this rate or faster, so many of its errors from every corner;
- * others are let pass until they are this near; and the part of the way that is
- * gone at once where nothing beyond the face may be seen. */
+ * others are let pass until they are this near; and where nothing beyond the
+ * face may be seen the part of the way that is gone at once, and that of a step
+ * that is taken again from one that went through. */
 #define TOL_LAYER_NEARER  0.9
 #define TOL_LAYER_BESIDE  1e-3
 #define TOL_LAYER_GRAZE   1e-6
 #define TOL_LAYER_FACE    1e-12
 #define TOL_LAYER_SHORT   0.97
+#define TOL_LAYER_BACK    0.5
 #define TOL_LAYER_HEAD_ON 0.1
 #define TOL_LAYER_CORNER  10.0
 
