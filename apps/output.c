@@ -6,6 +6,7 @@
 #include "progress.h"
 #include "replace.h"
 #include "result_file.h"
+#include "text_results.h"
 
 bool panel_path(const char *path, const char *panel, char out[PANEL_PATH])
 {
@@ -92,11 +93,14 @@ enum status output_draw(const struct options *o, struct panels *p,
 }
 
 enum exit_code output_print(const struct options *o, const struct results *all,
-                            void (*text)(FILE *out, const void *run))
+                            void (*head)(FILE *out, const void *run))
 {
     if (o->json && !json_print(json_results(NULL, all)))
         return command_unwritten();
-    if (!o->json && !o->quiet)
-        text(stdout, all->run);
-    return EXIT_DONE;
+    if (o->json || o->quiet)
+        return EXIT_DONE;
+    if (head)
+        head(stdout, all->run);
+    const enum status s = text_results(stdout, all);
+    return s ? command_fail(s, status_text(s)) : EXIT_DONE;
 }

@@ -47,8 +47,9 @@ struct figure *panels_add(struct panels *p, const char *name);
 MUST_CHECK enum status output_draw(const struct options *o, struct panels *p,
                                    const char *path, struct fault *why);
 
-/* Prints JSON or, unless the command is quiet, text. */
+/* Prints JSON or, unless the command is quiet, text, below what `head` prints
+ * (NULL: nothing). */
 enum exit_code output_print(const struct options *o, const struct results *all,
-                            void (*text)(FILE *out, const void *run));
+                            void (*head)(FILE *out, const void *run));
 
 #endif

@@ -4,8 +4,6 @@
 #include <string.h>
 
 #include "json_results.h"
-#include "report_basin.h"
-#include "report_diagram.h"
 #include "scene_slope.h"
 #include "study_results.h"
 #include "text_results.h"
@@ -21,11 +19,7 @@ enum status report_print(FILE *out, const struct study *s)
     if (scene_has_slope(s->scene))
         fprintf(out, ", alpha = %.17g rad", s->scene->alpha);
     fputc('\n', out);
-    const enum status status = text_results(out, &all);
-    if (plan_has(s->stages, STAGE_BASINS))
-        report_basin_print(out, &s->basins, &s->fields);
-    report_diagrams_print(out, s);
-    return status;
+    return text_results(out, &all);
 }
 
 /* ---- JSON ------------------------------------------------------------- */

@@ -3,7 +3,6 @@
 #include "output.h"
 #include "picture_rabinowicz.h"
 #include "progress.h"
-#include "report_rabinowicz.h"
 
 static enum status check(const struct options *o, const struct scene *c,
                          struct fault *why)
@@ -27,11 +26,6 @@ static enum status draw(const struct options *o, const struct scene *c,
     return s ? s : output_draw(o, &p, c->figure, why);
 }
 
-static void print(FILE *out, const void *run)
-{
-    report_rabinowicz_print(out, run);
-}
-
 static enum exit_code run(const struct options *o, const struct scene *c)
 {
     struct release r = { .row = NULL };
@@ -46,7 +40,7 @@ static enum exit_code run(const struct options *o, const struct scene *c)
         s = output_write(o, &all, c, "Rabinowicz's experiment", &why);
     if (s == STATUS_OK)
         s = draw(o, c, &r, &why);
-    const enum exit_code code = s == STATUS_OK ? output_print(o, &all, print)
+    const enum exit_code code = s == STATUS_OK ? output_print(o, &all, NULL)
                                                : command_fail(s, why.text);
     release_free(&r);
     return code;

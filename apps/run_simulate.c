@@ -6,7 +6,6 @@
 #include "output.h"
 #include "picture_transient.h"
 #include "progress.h"
-#include "report_transient.h"
 #include "state.h"
 #include "tolerance.h"
 
@@ -65,9 +64,16 @@ static enum exit_code judge(const struct simulation *s)
     return EXIT_DONE;
 }
 
-static void print(FILE *out, const void *run)
+/* Starts in the scene's units: results have none. */
+static void print_starts(FILE *out, const void *run)
 {
-    report_simulation_print(out, run);
+    const struct simulation *s = run;
+
+    for (size_t i = 0; i < s->runs && s->scene.units == UNITS_SI; i++) {
+        fprintf(out, "start %zu: ", i);
+        state_print(out, &s->scene, s->run[i].sum.v, s->run[i].sum.psi);
+        fputc('\n', out);
+    }
 }
 
 static enum exit_code run(const struct options *o, const struct scene *scene)
@@ -84,8 +90,9 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
     if (status != STATUS_OK)
         return command_fail(status, why.text);
     status = write_files(&s, o, &all, &why);
-    enum exit_code code = status == STATUS_OK ? output_print(o, &all, print)
-                                              : command_fail(status, why.text);
+    enum exit_code code = status == STATUS_OK
+                              ? output_print(o, &all, print_starts)
+                              : command_fail(status, why.text);
     if (code == EXIT_DONE)
         code = judge(&s);
     simulation_free(&s);

@@ -3,24 +3,44 @@
 #include <math.h>
 #include <string.h>
 
-/* More rows than these are shown in part. */
-enum { ROWS = 24 };
+/* More rows than these are shown in part; more columns than these in fewer
+ * digits. */
+enum { ROWS = 24, WIDE = 7 };
 
 /* ---- lines --------------------------------------------------------------- */
 
-/* "name   value +- error" or "name   -   reason"; what rounding of the inputs
- * costs follows where it is known. */
+/* " m"; nothing for "1". */
+static void print_unit(FILE *out, const struct record_field *f)
+{
+    if (strcmp(f->unit, "1") != 0)
+        fprintf(out, " %s", f->unit);
+}
+
+/* "name   value +- error unit" or "name   -   reason"; what rounding of the
+ * inputs costs follows where it is known. */
 static void print_quantity(FILE *out, const char *name,
+                           const struct record_field *f,
                            const struct quantity *q)
 {
-    if (!quantity_exists(q))
+    if (!quantity_exists(q)) {
         fprintf(out, "  %-16s -  (%s)\n", name, q->reason);
-    else
-        fprintf(out, "  %-16s %-22.15g +- %.1e", name, q->value, q->error);
-    if (quantity_exists(q) && !isnan(q->conditioning))
+        return;
+    }
+    fprintf(out, "  %-16s %-22.15g +- %.1e", name, q->value, q->error);
+    print_unit(out, f);
+    if (!isnan(q->conditioning))
         fprintf(out, "  (inputs +- %.1e)", q->conditioning * fabs(q->value));
-    if (quantity_exists(q))
-        fputc('\n', out);
+    fputc('\n', out);
+}
+
+static void print_real(FILE *out, const char *name,
+                       const struct record_field *f, double value)
+{
+    if (isnan(value))
+        return;
+    fprintf(out, "  %-16s %.15g", name, value);
+    print_unit(out, f);
+    fputc('\n', out);
 }
 
 static void print_member(FILE *out, const char *name,
@@ -30,10 +50,10 @@ static void print_member(FILE *out, const char *name,
 
     switch (f->kind) {
         case RECORD_QUANTITY:
-            print_quantity(out, name, member);
+            print_quantity(out, name, f, member);
             return;
         case RECORD_REAL:
-            fprintf(out, "  %-16s %.15g\n", name, *(const double *) member);
+            print_real(out, name, f, *(const double *) member);
             return;
         case RECORD_COUNT:
             fprintf(out, "  %-16s %lld\n", name,
@@ -50,13 +70,15 @@ static void print_member(FILE *out, const char *name,
         fprintf(out, "  %-16s %s\n", name, text);
 }
 
-static void print_record(FILE *out, const struct record_array *a,
-                         const char *prefix)
+/* By the names that a file has where it has its own. */
+static void print_record(FILE *out, const struct result *r, size_t k,
+                         const struct record_array *a, const char *prefix)
 {
     for (size_t i = 0; i < a->type->count; i++) {
         const struct record_field *f = &a->type->fields[i];
-        char name[2 * RESULT_NAME];
-        snprintf(name, sizeof name, "%s%s", prefix, f->name);
+        char name[2 * RESULT_NAME], member[RESULT_NAME];
+        result_member(r, k, f, member);
+        snprintf(name, sizeof name, "%s%s", r->member ? "" : prefix, member);
         print_member(out, name, f, record_member(a, 0, f));
     }
 }
@@ -84,42 +106,70 @@ static void print_pairs(FILE *out, const struct record_array *a,
 
 /* ---- tables -------------------------------------------------------------- */
 
-static int width_of(const struct record_field *f)
+static int width_of(const struct record_type *type,
+                    const struct record_field *f)
 {
-    return f->kind == RECORD_CODE || f->kind == RECORD_REAL ? 13 : 22;
+    size_t width = 13;
+
+    for (size_t i = 0; f->kind == RECORD_CODE && f->codes[i]; i++)
+        if (strlen(f->codes[i]) > width)
+            width = strlen(f->codes[i]);
+    return f->kind == RECORD_CODE || f->kind == RECORD_REAL ||
+                   type->count > WIDE
+               ? (int) width
+               : 22;
 }
 
-/* `last` of its line: nothing behind it. */
-static void print_cell(FILE *out, const struct record_field *f,
-                       const void *member, bool last)
+static void cell_text(const struct record_field *f, const void *member,
+                      int digits, char text[32])
 {
-    char text[32] = "-";
+    const char *word = NULL;
 
+    strcpy(text, "-");
     switch (f->kind) {
         case RECORD_QUANTITY:
             if (quantity_exists(member))
-                snprintf(text, sizeof text, "%.15g",
+                snprintf(text, 32, "%.*g", digits,
                          ((const struct quantity *) member)->value);
             break;
         case RECORD_REAL:
             if (!isnan(*(const double *) member))
-                snprintf(text, sizeof text, "%.10g", *(const double *) member);
+                snprintf(text, 32, "%.*g", digits < 10 ? digits : 10,
+                         *(const double *) member);
             break;
         case RECORD_COUNT:
-            snprintf(text, sizeof text, "%lld",
-                     (long long) *(const int64_t *) member);
+            snprintf(text, 32, "%lld", (long long) *(const int64_t *) member);
             break;
         case RECORD_CODE:
             if (*(const int8_t *) member >= 0)
-                snprintf(text, sizeof text, "%s",
-                         f->codes[*(const int8_t *) member]);
+                word = f->codes[*(const int8_t *) member];
             break;
         case RECORD_TEXT:
-            if (*(const char *const *) member)
-                snprintf(text, sizeof text, "%s",
-                         *(const char *const *) member);
+            word = *(const char *const *) member;
     }
-    fprintf(out, " %-*s", last ? 0 : width_of(f), text);
+    if (word)
+        snprintf(text, 32, "%s", word);
+}
+
+/* A line of cells, nothing behind the last; row NULL: the names, with units. */
+static void print_line(FILE *out, const struct record_array *a,
+                       const size_t *row)
+{
+    const size_t n = a->type->count;
+    char text[64];
+
+    fputc(' ', out);
+    for (size_t k = 0; k < n; k++) {
+        const struct record_field *f = &a->type->fields[k];
+        const bool bare = strcmp(f->unit, "1") == 0;
+        if (row)
+            cell_text(f, record_member(a, *row, f), n > WIDE ? 7 : 15, text);
+        else
+            snprintf(text, sizeof text, "%s%s%s%s", f->name, bare ? "" : " (",
+                     bare ? "" : f->unit, bare ? "" : ")");
+        fprintf(out, " %-*s", k + 1 < n ? width_of(a->type, f) : 0, text);
+    }
+    fputc('\n', out);
 }
 
 /* Why a table has gaps, once for each reason in a row. */
@@ -141,75 +191,134 @@ static void print_gaps(FILE *out, const struct record_array *a)
 
 static void print_table(FILE *out, const struct record_array *a)
 {
-    const struct record_field *f = a->type->fields;
     const size_t rows = a->count < ROWS ? a->count : ROWS;
-    const size_t n = a->type->count;
 
-    fputc(' ', out);
-    for (size_t k = 0; k < n; k++)
-        fprintf(out, " %-*s", k + 1 < n ? width_of(&f[k]) : 0, f[k].name);
-    fputc('\n', out);
+    print_line(out, a, NULL);
     for (size_t i = 0; i < rows; i++) {
         const size_t at = rows > 1 ? i * (a->count - 1) / (rows - 1) : 0;
-        fputc(' ', out);
-        for (size_t k = 0; k < n; k++)
-            print_cell(out, &f[k], record_member(a, at, &f[k]), k + 1 == n);
-        fputc('\n', out);
+        print_line(out, a, &at);
     }
     if (rows < a->count)
         fprintf(out, "  (%zu of %zu)\n", rows, a->count);
     print_gaps(out, a);
 }
 
+/* "name   a b c", if there are any. */
+static void print_list(FILE *out, const struct record_array *a)
+{
+    const struct record_field *f = a->type->fields;
+    char text[32];
+
+    if (a->count > 0)
+        fprintf(out, "  %-16s", f->name);
+    for (size_t i = 0; i < a->count; i++) {
+        cell_text(f, record_member(a, i, f), 15, text);
+        fprintf(out, " %s", text);
+    }
+    if (a->count > 0)
+        fputc('\n', out);
+}
+
+static bool are_numbers(const struct record_type *type)
+{
+    for (size_t i = 0; i < type->count; i++)
+        if (type->fields[i].kind != RECORD_QUANTITY)
+            return false;
+    return true;
+}
+
 /* ---- results ------------------------------------------------------------- */
 
-static void print_view(FILE *out, const struct result *r, size_t k,
-                       const struct record_array *a)
+static void print_columns(FILE *out, const struct record_array *a, char *prefix)
 {
-    char title[RESULT_NAME], prefix[RESULT_NAME];
-
-    result_name(r->title, k, NULL, title);
-    result_prefix(r, k, prefix);
-    if (title[0])
-        fprintf(out, "%s\n", title);
-    if (r->shape != RESULT_COLUMNS) {
-        print_record(out, a, title[0] ? "" : prefix);
-    } else if (a->type->count > 2) {
-        if (a->count > 0)
-            print_table(out, a);
-        else
-            fputs("  none\n", out);
-    } else {
+    if (a->type->count <= 2 && are_numbers(a->type)) {
         prefix[strlen(prefix) - 1] = '\0';
         print_pairs(out, a, prefix);
+    } else if (a->type->count == 1) {
+        print_list(out, a);
+    } else if (a->count > 0) {
+        print_table(out, a);
+    } else {
+        fputs("  none\n", out);
     }
+}
+
+/* Of one place with the result before it: *place, which it changes. */
+static void print_view(FILE *out, const struct result *r, size_t k,
+                       const struct record_array *a, const char **place)
+{
+    char title[RESULT_NAME], prefix[RESULT_NAME] = "";
+
+    result_name(r->title, k, NULL, title);
+    if (r->name)
+        result_prefix(r, k, prefix);
+    if (title[0])
+        fprintf(out, "%s\n", title);
+    const bool below = *place && r->name && strcmp(*place, r->name) == 0;
+    *place = title[0] ? r->name : *place;
+    if (r->shape == RESULT_COLUMNS)
+        print_columns(out, a, prefix);
+    else
+        print_record(out, r, k, a, title[0] || below ? "" : prefix);
     if (r->note)
         fputs(r->note, out);
 }
 
-static enum status print_result(FILE *out, const struct results *all,
-                                const struct result *r)
+static enum status print_instance(FILE *out, const struct results *all,
+                                  const struct result *r, size_t k,
+                                  const char **place)
 {
-    const size_t n = result_count(r, all->run);
+    struct result_view v;
+    const enum status status = result_open(all, r, k, &v);
+
+    if (v.here)
+        print_view(out, r, k, &v.records, place);
+    result_close(&v);
+    return status;
+}
+
+static bool is_told(const struct result *r, const struct results *all)
+{
+    return r->title && result_asked(r, all);
+}
+
+/* Results with the same count belong together, instance by instance; how many
+ * they are. */
+static size_t block_of(const struct result *r)
+{
+    size_t n = 1;
+
+    while (r->count && r[n].type && r[n].count == r->count)
+        n++;
+    return n;
+}
+
+static enum status print_block(FILE *out, const struct results *all,
+                               const struct result *r, size_t n,
+                               const char **place)
+{
+    const size_t instances = result_count(r, all->run);
     enum status status = STATUS_OK;
 
-    for (size_t k = 0; k < n && status == STATUS_OK; k++) {
-        struct result_view v;
-        status = result_open(all, r, k, &v);
-        if (v.here)
-            print_view(out, r, k, &v.records);
-        result_close(&v);
-    }
+    for (size_t k = 0; k < instances; k++)
+        for (size_t i = 0; i < n && status == STATUS_OK; i++)
+            if (is_told(&r[i], all))
+                status = print_instance(out, all, &r[i], k, place);
     return status;
 }
 
 enum status text_results(FILE *out, const struct results *all)
 {
     enum status status = STATUS_OK;
+    const char *place = NULL;
 
-    for (size_t t = 0; all->table[t]; t++)
-        for (const struct result *r = all->table[t]; r->type && !status; r++)
-            if (r->name && r->title && result_asked(r, all))
-                status = print_result(out, all, r);
+    for (size_t t = 0; all->table[t]; t++) {
+        size_t n = 0;
+        for (const struct result *r = all->table[t]; r->type && !status;
+             r += n) {
+            n = block_of(r);
+            status = print_block(out, all, r, n, &place);
+        }
+    }
     return status;
 }

@@ -2,8 +2,8 @@
  * text_results.h -- the results of a run (result.h) for people: every one that
  * was asked for and has a title.
  *
- * A record is a line for each member; records of two members a line each;
- * longer ones a table, without bars.
+ * A record is a line for each member; records of one or two numbers a line
+ * each; longer ones a table, without bars.
  */
 #ifndef APPS_TEXT_RESULTS_H
 #define APPS_TEXT_RESULTS_H

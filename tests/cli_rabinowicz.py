@@ -3,6 +3,7 @@
 
 usage: cli_rabinowicz.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
+import re
 import subprocess
 
 from cli_room import READER, SLOPE, expect, refused, run_cases
@@ -18,7 +19,7 @@ def the_example_scene_gives_numbers_and_a_file(room):
     room.bring('scenes')
     room.make('outputs')
     said = room.good('study', SCENE)
-    for word in ('fit of (33) to 12 release distances', 'mu_s', 'mu_half',
+    for word in ('fit of (33) to release distances', 'mu_s', 'mu_half',
                  'fit of (30)', 's_k (m)', 'wrote outputs/rabinowicz.h5'):
         expect(word in said, word, said)
     found = room.json('rabinowicz', SCENE)
@@ -84,7 +85,7 @@ def without_masses_a_reason_takes_their_place(room):
     point = found['slip']['points'][0]
     expect(point['s_k']['value'] is None and point['gradient'] > 0, point)
     said = room.good('rabinowicz', *SLOPE, '--data', 'a.csv')
-    expect('s_k/K (m)' in said and 'scatter' in said, said)
+    expect('gradient (m)' in said and ' scatter ' in said, said)
 
 
 def roots_that_cannot_be_told_apart_cost_a_warning(room):
@@ -93,7 +94,8 @@ def roots_that_cannot_be_told_apart_cost_a_warning(room):
         '\n' for t, wobble in ((0.1, 0.02), (0.15, -0.03), (0.2, 0.01),
                                (0.25, 0.04), (0.3, -0.02), (0.35, 0.01))))
     said = room.good('rabinowicz', *SLOPE, '--data', 'a.csv')
-    expect('warning: the data cannot tell the two roots apart' in said, said)
+    expect(re.search(' warning +the data cannot tell the two roots apart', said),
+           said)
     found = room.json('rabinowicz', *SLOPE, '--data', 'a.csv')
     expect('apart' in found['fit']['warning'], found['fit'])
 

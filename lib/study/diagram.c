@@ -141,6 +141,22 @@ static enum status view_spring_beside(const void *run, size_t k,
     return c->count > 0 ? result_lend(out, c->at, c->count) : STATUS_OK;
 }
 
+/* Where the stiffest spring still sticks and slips, if any does. */
+static enum status view_stiffest(const void *run, size_t k,
+                                 struct result_view *out)
+{
+    const struct spring_curve *c =
+        &((const struct study *) run)->diagrams.spring_block[DIAGRAM_SCENE];
+    const struct spring_point *top = NULL;
+
+    (void) k;
+    for (size_t i = 0; i < c->count; i++)
+        if (quantity_exists(&c->at[i].k) &&
+            (top == NULL || c->at[i].k.value > top->k.value))
+            top = &c->at[i];
+    return top ? result_lend(out, top, 1) : STATUS_OK;
+}
+
 static const struct record_field block_fields[] = {
     FIELD(spring_block, REAL, sigma, "Pa", "normal stress"),
     FIELD(spring_block, REAL, mass, "kg m-2", "of the block"),
@@ -199,6 +215,7 @@ const struct result diagram_results[] = {
       .view = view_friction },
     { "/friction_law/extrema", "friction_law.extrema", "extrema of mu_ss",
       RESULT_COLUMNS, .type = &record_extremum,
+      .title = "friction law: extrema of mu_ss",
       .needs = ASKED_BY(FRICTION_LAW), .view = view_friction_extrema },
     { "/friction_law/dieterich", NULL,
       "the same of Dieterich's law, beside another", RESULT_COLUMNS,
@@ -209,12 +226,15 @@ const struct result diagram_results[] = {
       "is unstable below this stiffness", RESULT_COLUMNS, .axis = "v",
       .type = &record_spring, .needs = ASKED_BY(SPRING_BLOCK),
       .view = view_spring },
-    { "/spring_block/extrema", "spring_block.extrema", "extrema of mu_ss",
-      RESULT_COLUMNS, .type = &record_extremum,
-      .needs = ASKED_BY(SPRING_BLOCK), .view = view_spring_extrema },
     { "/spring_block", "spring_block", NULL, RESULT_ATTRIBUTES,
-      .type = &record_block, .needs = ASKED_BY(SPRING_BLOCK),
-      .view = view_block },
+      .type = &record_block, .title = "spring-block",
+      .needs = ASKED_BY(SPRING_BLOCK), .view = view_block },
+    { NULL, "spring_block.stiffest", NULL, RESULT_ATTRIBUTES,
+      .type = &record_spring, .title = "", .needs = ASKED_BY(SPRING_BLOCK),
+      .view = view_stiffest },
+    { "/spring_block/extrema", "spring_block.extrema", "extrema of mu_ss",
+      RESULT_COLUMNS, .type = &record_extremum, .title = "",
+      .needs = ASKED_BY(SPRING_BLOCK), .view = view_spring_extrema },
     { "/spring_block/dieterich", NULL,
       "the same of Dieterich's law, beside another", RESULT_COLUMNS,
       .axis = "v", .type = &record_spring, .needs = ASKED_BY(SPRING_BLOCK),
@@ -225,19 +245,21 @@ const struct result diagram_results[] = {
       .needs = ASKED_BY(BIFURCATION), .view = view_bifurcation },
     { "/bifurcation/folds", "bifurcation.folds", "where two steady states meet",
       RESULT_COLUMNS, .type = &record_extremum,
+      .title = "folds of the bifurcation diagram",
       .needs = ASKED_BY(BIFURCATION), .view = view_folds },
 
     { "/fold_curves", NULL, "product fold_curves, Fig 4", RESULT_COLUMNS,
       .axis = "c", .type = &record_fold_curve, .needs = ASKED_BY(FOLD_CURVES),
       .view = view_fold_curves },
     { "/fold_curves/cusp", "fold_curves.cusp", "where both folds meet",
-      .type = &record_cusp, .needs = ASKED_BY(FOLD_CURVES),
+      .type = &record_cusp, .title = "cusp of the fold curves",
+      .needs = ASKED_BY(FOLD_CURVES),
       .view = view_cusp },
     { "/fold_curves", NULL, NULL, RESULT_ATTRIBUTES, .type = &record_comment,
       .needs = ASKED_BY(FOLD_CURVES), .view = view_no_fold_curve },
 
     { "/chi", "chi", "product chi, Fig 10", RESULT_COLUMNS, .axis = "alpha",
-      .type = &record_chi_slope, .needs = ASKED_BY(CHI), .view = view_slopes },
+      .type = &record_chi_slope, .title = "chi(v)", .needs = ASKED_BY(CHI), .view = view_slopes },
     { "/chi", NULL, NULL, RESULT_COLUMNS, .axis = "v", .type = &record_rate,
       .needs = ASKED_BY(CHI), .view = view_rates },
     { "/chi", NULL, NULL, RESULT_LAYERS, .axis = "alpha, v",
