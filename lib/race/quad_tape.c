@@ -85,7 +85,9 @@ void quad_tape_at(const struct formula *f, const struct tape *t,
         out->step[i].a = t->step[i].a;
         out->step[i].b = t->step[i].b;
         out->step[i].k = value[t->step[i].k];
-        out->step[i].q = value[t->step[i].q];
+        out->step[i].q = t->step[i].kind == STEP_FRICTION
+                             ? 4 * expq(-2 * out->step[i].k)
+                             : value[t->step[i].q];
         linear_at(&t->step[i].form, value, &out->step[i].form);
     }
     for (int i = 0; i < 2; i++) {
@@ -145,7 +147,7 @@ static quad make(const struct quad_tape *t, int i, quad s, const quad r[])
         case STEP_SINH:
             return scalar_sinh(k + u);
         case STEP_FRICTION:
-            return scalar_friction(k, 4 * expq(-2 * k), u);
+            return scalar_friction(k, q, u);
         case STEP_PRODUCT:
             return u * w;
         case STEP_QUOTIENT:
