@@ -12,11 +12,7 @@ enum status margin_init(struct margin_line *l, const struct separatrix *one,
     /* One line is found while another row is crossed for its labels. */
     *l = (struct margin_line){ .room = room };
     l->at = malloc(2 * room * sizeof *l->at);
-    l->label = malloc((room + 1) * sizeof *l->label);
-    if (l->at && l->label)
-        return STATUS_OK;
-    margin_free(l);
-    return STATUS_NO_MEMORY;
+    return l->at ? STATUS_OK : STATUS_NO_MEMORY;
 }
 
 /* The label between two crossings, either of which may be missing. */
@@ -41,36 +37,24 @@ void margin_find(struct margin_line *l, const struct regions *r,
     const size_t n = separatrix_row(cuts, w, l->at);
     size_t kept = 0;
 
-    l->label[0] = label_between(r, cuts, w, -HUGE_VAL,
+    int8_t last = label_between(r, cuts, w, -HUGE_VAL,
                                 n > 0 ? l->at[0].at : HUGE_VAL, scratch);
     for (size_t k = 0; k < n; k++) {
         const double hi = k + 1 < n ? l->at[k + 1].at : HUGE_VAL;
         const int8_t next = label_between(r, cuts, w, l->at[k].at, hi, scratch);
-        if (next == l->label[kept])
-            continue;
-        l->at[kept++] = l->at[k];
-        l->label[kept] = next;
+        if (next != last)
+            l->at[kept++] = l->at[k];
+        last = next;
     }
     l->count = kept;
 }
 
-static size_t interval(const struct margin_line *l, double at)
+double margin_at(const struct margin_line *l, double at, double *error)
 {
     size_t k = 0;
 
     while (k < l->count && at >= l->at[k].at)
         k++;
-    return k;
-}
-
-int8_t margin_label(const struct margin_line *l, double at)
-{
-    return l->label[interval(l, at)];
-}
-
-double margin_at(const struct margin_line *l, double at, double *error)
-{
-    const size_t k = interval(l, at);
     const double down = k > 0 ? at - l->at[k - 1].at : HUGE_VAL;
     const double up = k < l->count ? l->at[k].at - at : HUGE_VAL;
 
@@ -85,6 +69,5 @@ double margin_at(const struct margin_line *l, double at, double *error)
 void margin_free(struct margin_line *l)
 {
     free(l->at);
-    free(l->label);
     *l = (struct margin_line){ .at = NULL };
 }

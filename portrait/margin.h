@@ -7,11 +7,9 @@
 
 #include "region.h"
 
-/* Where the label changes along a line of the plane: label[k] from at[k-1] to
- * at[k].  All absolute. */
+/* Where the label changes along a line of the plane, absolute. */
 struct margin_line {
     struct crossing *at; /* owned; ascending */
-    int8_t *label;       /* owned; count + 1 */
     size_t count, room;
 };
 
@@ -26,9 +24,6 @@ MUST_CHECK enum status margin_init(struct margin_line *l,
  * curves along either. */
 void margin_find(struct margin_line *l, const struct regions *r,
                  const struct separatrix *cuts, double w);
-
-/* The label at a point of the line. */
-int8_t margin_label(const struct margin_line *l, double at);
 
 /* From a point of the line to the nearest change of label, signed, and the
  * bound on its error; infinite where there is none. */

@@ -40,34 +40,18 @@ enum status portrait_find_arrows(struct portrait *p, size_t columns,
     return STATUS_OK;
 }
 
-/* Replaces the trajectories, or passes the error on. */
-static enum status replace(struct portrait *p, enum status s,
-                           struct trajectories found)
-{
-    if (s != STATUS_OK)
-        return s;
-    trajectory_free(&p->trajectories);
-    p->trajectories = found;
-    return STATUS_OK;
-}
-
-enum status portrait_run_trajectories(struct portrait *p,
-                                      const struct vec2 start[], size_t count,
-                                      const struct trajectory_options *options)
-{
-    struct trajectories found = TRAJECTORIES_EMPTY;
-    const enum status s =
-        trajectory_run(p->system, &p->window, start, count, options, &found);
-    return replace(p, s, found);
-}
-
 enum status portrait_spread_trajectories(
     struct portrait *p, size_t count, const struct trajectory_options *options)
 {
     struct trajectories found = TRAJECTORIES_EMPTY;
     const enum status s =
         trajectory_spread(p->system, &p->window, count, options, &found);
-    return replace(p, s, found);
+
+    if (s != STATUS_OK)
+        return s;
+    trajectory_free(&p->trajectories);
+    p->trajectories = found;
+    return STATUS_OK;
 }
 
 void portrait_free(struct portrait *p)

@@ -32,9 +32,6 @@ MUST_CHECK enum status portrait_find_nullclines(struct portrait *p,
                                                 double chord);
 MUST_CHECK enum status portrait_find_arrows(struct portrait *p, size_t columns,
                                             size_t rows);
-MUST_CHECK enum status portrait_run_trajectories(
-    struct portrait *p, const struct vec2 start[], size_t count,
-    const struct trajectory_options *options);
 MUST_CHECK enum status portrait_spread_trajectories(
     struct portrait *p, size_t count, const struct trajectory_options *options);
 

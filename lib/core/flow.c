@@ -168,20 +168,6 @@ enum status flow_step(struct flow *f, double s_end)
     return STATUS_OK;
 }
 
-enum status flow_run(struct flow *f, double s_end,
-                     const struct monitor *monitor)
-{
-    enum status s = STATUS_OK;
-
-    do {
-        if (f->steps % TOL_MONITOR_STEPS == 0 &&
-            monitor_tell(monitor, "integration", f->steps, 0))
-            return STATUS_STOPPED;
-        s = flow_step(f, s_end);
-    } while (s == STATUS_OK && f->end == FLOW_RUNNING);
-    return s;
-}
-
 void flow_free(struct flow *f)
 {
     curve_free(&f->curve);

@@ -8,7 +8,7 @@
 #include "control.h"
 #include "event.h"
 #include "explicit8.h"
-#include "monitor.h"
+#include "status.h"
 
 struct flow_options {
     double rtol;                /* > 0 */
@@ -56,11 +56,6 @@ MUST_CHECK enum status flow_init(struct flow *f, const struct ode *ode,
  * where rhs gives NaN; STATUS_TOO_MANY_STEPS; STATUS_NO_MEMORY.  After an
  * error the curve up to (f->s, f->u) is valid. */
 MUST_CHECK enum status flow_step(struct flow *f, double s_end);
-
-/* Steps until f->end is set.  Also STATUS_STOPPED, by the monitor (may be
- * NULL).  A flow that ended at s_end goes on if called with another one. */
-MUST_CHECK enum status flow_run(struct flow *f, double s_end,
-                                const struct monitor *monitor);
 
 /* A second call is harmless. */
 void flow_free(struct flow *f);

@@ -15,11 +15,6 @@ struct rows {
 struct rows rows_of(const struct record_type *type);
 void rows_free(struct rows *r);
 
-static inline struct record_array rows_array(const struct rows *r)
-{
-    return (struct record_array){ r->type, r->at, r->count };
-}
-
 /* Points of a stable branch (struct branch_row), so dense that cubic Hermite
  * interpolation with the stored slopes (of ln psi over ln v where |slope| < 1,
  * of ln v over ln psi elsewhere) is within TOL_HERMITE of the curve.  Rows are

@@ -404,23 +404,6 @@ void study_free(struct study *s)
     portrait_free(&s->portrait);
 }
 
-double study_branch_defect(const struct study *s, const struct branch *b)
-{
-    double first[CURVE_DIM_MAX], last[CURVE_DIM_MAX];
-    size_t slip = 0, work = 0;
-
-    for (size_t i = 0; i < b->carry.count; i++) {
-        slip = b->carry.which[i] == BLOCK_SLIP ? i + 2 : slip;
-        work = b->carry.which[i] == BLOCK_WORK ? i + 2 : work;
-    }
-    curve_at(&b->curve, 1, 0.0, first);
-    curve_at(&b->curve, b->curve.count - 1, 1.0, last);
-    return block_energy_defect(
-        &s->slider.block, s->slider.block.at.v0 * exp(first[0]),
-        s->slider.block.at.v0 * exp(last[0]), last[slip] - first[slip],
-        last[work] - first[work]);
-}
-
 struct stage_cost study_cost(const struct study *s)
 {
     struct stage_cost total = { .ran = true };

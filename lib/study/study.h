@@ -77,10 +77,6 @@ void study_free(struct study *s);
 /* The scene's window as drawn. */
 struct window study_frame(const struct study *s);
 
-/* The relative defect of (27) along a stable branch that carries slip and work,
- * from the end of its series to its last stored point. */
-double study_branch_defect(const struct study *s, const struct branch *b);
-
 /* Sum over the stages. */
 struct stage_cost study_cost(const struct study *s);
 

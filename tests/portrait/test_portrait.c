@@ -350,7 +350,6 @@ static void each_part_is_built_only_when_asked_for(void **state)
     const struct window w = { .box = { { -2.0, -1.0 }, { 2.1, 1.1 } } };
     const struct window bad = { .box = { { -2.0, -1.0 }, { 2.0, 99.0 } } };
     const struct trajectory_options o = trajectory_defaults(&sys, 1.0);
-    const struct vec2 start = { 1.0, 0.1 };
     struct portrait p;
 
     (void) state;
@@ -365,8 +364,6 @@ static void each_part_is_built_only_when_asked_for(void **state)
     assert_int_equal(portrait_find_arrows(&p, 3, 4), STATUS_OK);
     assert_int_equal(portrait_find_arrows(&p, 0, 4), STATUS_BAD_ARGUMENT);
     assert_int_equal(p.arrows.evaluations, 12);
-    assert_int_equal(portrait_run_trajectories(&p, &start, 1, &o), STATUS_OK);
-    assert_int_equal(p.trajectories.count, 1);
     assert_int_equal(portrait_spread_trajectories(&p, 5, &o), STATUS_OK);
     assert_int_equal(p.trajectories.count, 5);
     assert_true(p.trajectories.evaluations > 100);
