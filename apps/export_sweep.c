@@ -309,8 +309,9 @@ static enum status put_all(const struct sweep *s, struct store *out,
                       .out = out,
                       .real = calloc(most, sizeof *c.real),
                       .code = calloc(most, sizeof *c.code) };
-    enum status status =
-        c.real && c.code ? provenance_put(s->scene, out) : STATUS_NO_MEMORY;
+    enum status status = c.real && c.code
+                             ? provenance_put("sweep", s->scene, out)
+                             : STATUS_NO_MEMORY;
 
     if (status == STATUS_OK)
         status = put_keys(&c);

@@ -49,14 +49,14 @@ void output_tell(const struct options *o, const char *path)
         printf("wrote %s\n", path);
 }
 
-enum status output_write(const struct options *o, const struct results *all,
-                         const struct scene *scene, const char *untitled,
-                         struct fault *why)
+enum status output_write(const struct options *o, const char *command,
+                         const struct results *all, const struct scene *scene,
+                         const char *untitled, struct fault *why)
 {
     if (scene->hdf5 == NULL)
         return STATUS_OK;
-    const enum status s = result_file_write(all, scene, untitled, scene->hdf5,
-                                            progress_monitor(o), why);
+    const enum status s = result_file_write(
+        command, all, scene, untitled, scene->hdf5, progress_monitor(o), why);
     if (s == STATUS_OK)
         output_tell(o, scene->hdf5);
     return s;

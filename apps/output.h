@@ -20,9 +20,10 @@ MUST_CHECK enum status output_check(const struct options *o,
                                     const char *const panel[],
                                     struct fault *why);
 
-/* Writes the scene's HDF5 file, if it names one, and says so.  Errors as of
- * result_file.h. */
+/* Writes the scene's HDF5 file, if it names one, and says so.  command: which
+ * makes it again.  Errors as of result_file.h. */
 MUST_CHECK enum status output_write(const struct options *o,
+                                    const char *command,
                                     const struct results *all,
                                     const struct scene *scene,
                                     const char *untitled, struct fault *why);

@@ -11,7 +11,7 @@
 #include "store_results.h"
 
 struct provenance {
-    const char *scene, *overrides, *version, *compiler, *libraries;
+    const char *command, *scene, *overrides, *version, *compiler, *libraries;
     const char *law, *friction, *formula;
     struct material material;
     double alpha, eps2; /* NaN: none */
@@ -26,6 +26,7 @@ struct provenance {
     }
 
 static const struct record_field provenance_fields[] = {
+    TEXT(command, "that makes the file again"),
     TEXT(scene, "the text of the scene; empty without one"),
     TEXT(overrides, "what options set, KEY=VALUE, one a line"),
     TEXT(version, "of Slipway"),
@@ -125,10 +126,12 @@ static enum status put_scene(const struct scene *scene, struct provenance *p,
     return status;
 }
 
-enum status provenance_put(const struct scene *scene, struct store *out)
+enum status provenance_put(const char *command, const struct scene *scene,
+                           struct store *out)
 {
     const double none = (double) NAN;
     struct provenance p = {
+        .command = command,
         .version = SLIPWAY_VERSION,
         .compiler = __VERSION__,
         .material = { none, none, none, none, none, none, none, none, none },

@@ -10,8 +10,10 @@
 /* For the reference pages; also what store.h puts at the root. */
 extern const struct result *const provenance_tables[];
 
-/* scene: NULL, where a file is of none.  Errors of store.h. */
-MUST_CHECK enum status provenance_put(const struct scene *scene,
+/* command: that makes the file again; scene: NULL, where a file is of none.
+ * Errors of store.h. */
+MUST_CHECK enum status provenance_put(const char *command,
+                                      const struct scene *scene,
                                       struct store *out);
 
 #endif

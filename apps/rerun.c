@@ -11,7 +11,6 @@
 #include "library.h"
 #include "litter.h"
 #include "replace.h"
-#include "scene.h"
 #include "store_compare.h"
 #include "store_read.h"
 #include "text.h"
@@ -22,7 +21,7 @@ enum { FOLDER = 256, PATH = FOLDER + 32 };
 struct rerun {
     const struct options *options;
     const char *given;                 /* the file */
-    const char *command;               /* that makes it again; static */
+    const struct command *command;     /* that makes it again */
     char *held;                        /* owned: what a child brought back */
     char *scene, *overrides;           /* borrowed from it */
     char folder[FOLDER];               /* owned; "" until made */
@@ -32,65 +31,33 @@ struct rerun {
 
 /* ---- what made the file -------------------------------------------------- */
 
-/* Commands whose files are told by a group. */
-static int visit(void *ctx, const struct store_item *item)
+static enum status check_command(const struct rerun *r, const char *name,
+                                 struct fault *why)
 {
-    static const char *const mark[][2] = {
-        { "/sweep", "sweep" },
-        { "/rabinowicz", "rabinowicz" },
-        { "/trajectory_0/summary", "simulate" },
-        { "/stress", "stress" },
-        { "/workprec", "workprec" },
-    };
-    struct rerun *r = ctx;
-
-    for (size_t i = 0; i < sizeof mark / sizeof *mark; i++)
-        if (item->kind == STORE_GROUP && strcmp(item->path, mark[i][0]) == 0)
-            r->command = mark[i][1];
-    return 0;
-}
-
-static enum status check_command(const struct rerun *r, struct fault *why)
-{
-    if (strcmp(r->command, "stress") != 0 &&
-        strcmp(r->command, "workprec") != 0)
+    if (strcmp(name, "stress") != 0 && strcmp(name, "workprec") != 0)
         return STATUS_OK;
     snprintf(why->text, sizeof why->text,
              "%.300s: a file of %s holds times, which no second run repeats",
-             r->given, r->command);
+             r->given, name);
     return STATUS_BAD_ARGUMENT;
 }
 
-/* In the child: scene and overrides, a zero after each. */
-static enum status write_texts(struct store *file, FILE *out, struct fault *why)
-{
-    static const char *const key[] = { "scene", "overrides" };
-    enum status s = STATUS_OK;
-
-    for (int i = 0; i < 2 && s == STATUS_OK; i++) {
-        char *text = NULL;
-        s = store_read_text(file, "/provenance", key[i], &text, why);
-        if (s == STATUS_OK)
-            fwrite(text, 1, strlen(text) + 1, out);
-        free(text);
-    }
-    return s;
-}
-
-/* In the child: the command before them. */
+/* In the child: command, scene and overrides, a zero after each. */
 static enum status look(void *ctx, FILE *out, struct fault *why)
 {
-    struct rerun *r = ctx;
+    static const char *const key[] = { "command", "scene", "overrides" };
+    const struct rerun *r = ctx;
     struct store *file = NULL;
     enum status s = store_open(r->given, &file, why);
 
-    if (s == STATUS_OK)
-        s = store_visit(file, visit, r, why);
-    if (s == STATUS_OK)
-        s = check_command(r, why);
-    if (s == STATUS_OK) {
-        fwrite(r->command, 1, strlen(r->command) + 1, out);
-        s = write_texts(file, out, why);
+    for (int i = 0; i < 3 && s == STATUS_OK; i++) {
+        char *text = NULL;
+        s = store_read_text(file, "/provenance", key[i], &text, why);
+        if (s == STATUS_OK && i == 0)
+            s = check_command(r, text, why);
+        if (s == STATUS_OK)
+            fwrite(text, 1, strlen(text) + 1, out);
+        free(text);
     }
     store_free(&file);
     return s;
@@ -117,13 +84,11 @@ static enum status read_file(struct rerun *r, struct fault *why)
     if (s != STATUS_OK)
         return s;
     const char *name = next_text(&at, r->held + size);
-    const struct command *c = name ? command_find(name) : NULL;
+    r->command = name ? command_find(name) : NULL;
     r->scene = next_text(&at, r->held + size);
     r->overrides = next_text(&at, r->held + size);
-    if (c && r->scene && r->overrides) {
-        r->command = c->name;
+    if (r->command && r->scene && r->overrides)
         return STATUS_OK;
-    }
     snprintf(why->text, sizeof why->text, "%.300s: damaged", r->given);
     return STATUS_IO;
 }
@@ -161,7 +126,8 @@ static enum status set_options(struct rerun *r, struct options *o, char *output,
 {
     char *line = r->overrides;
 
-    *o = (struct options){ .file = &r->scene_file,
+    *o = (struct options){ .command = r->command,
+                           .file = &r->scene_file,
                            .threads = r->options->threads,
                            .progress = r->options->progress,
                            .quiet = true };
@@ -181,22 +147,6 @@ static enum status set_options(struct rerun *r, struct options *o, char *output,
     return STATUS_BAD_ARGUMENT;
 }
 
-/* A scene with a sweep that made a file without one was not run by `study`,
- * which would sweep; portrait adds nothing to what the file names. */
-static enum status choose_study(struct rerun *r, const struct options *o,
-                                struct fault *why)
-{
-    struct scene scene;
-    const enum status s =
-        scene_read(&scene, o->files ? o->file[0] : NULL, o->set, o->sets, why);
-
-    if (s != STATUS_OK)
-        return s;
-    r->command = scene.sweep.axes > 0 ? "portrait" : "study";
-    scene_free(&scene);
-    return STATUS_OK;
-}
-
 /* The command complains itself. */
 static enum exit_code run_again(struct rerun *r)
 {
@@ -208,12 +158,9 @@ static enum exit_code run_again(struct rerun *r)
     snprintf(output, sizeof output, "output={hdf5: '%s'}", r->path);
     if (s == STATUS_OK)
         s = set_options(r, &o, output, &why);
-    if (s == STATUS_OK && strcmp(r->command, "study") == 0)
-        s = choose_study(r, &o, &why);
     if (s != STATUS_OK)
         return command_fail(s, why.text);
-    o.command = command_find(r->command);
-    return command_run(o.command, &o);
+    return command_run(r->command, &o);
 }
 
 /* ---- comparing ----------------------------------------------------------- */
@@ -344,7 +291,7 @@ static enum exit_code judge(struct rerun *r)
 
 enum exit_code rerun(const struct options *o)
 {
-    struct rerun r = { .options = o, .given = o->file[0], .command = "study" };
+    struct rerun r = { .options = o, .given = o->file[0] };
     struct fault why = { "" };
 
     store_silence();

@@ -33,7 +33,7 @@ enum status result_file_end(struct store **out, const char *path, enum status s,
     return s;
 }
 
-enum status result_file_write(const struct results *all,
+enum status result_file_write(const char *command, const struct results *all,
                               const struct scene *scene, const char *untitled,
                               const char *path, const struct monitor *monitor,
                               struct fault *why)
@@ -43,7 +43,7 @@ enum status result_file_write(const struct results *all,
 
     if (s != STATUS_OK)
         return s;
-    s = provenance_put(scene, out);
+    s = provenance_put(command, scene, out);
     if (s == STATUS_OK)
         s = store_put_results(out, all, monitor);
     return result_file_end(&out, path, s, why);

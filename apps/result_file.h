@@ -6,10 +6,11 @@
 #include "scene.h"
 #include "store.h"
 
-/* All that was asked for of a run's results, after its provenance, under that
- * title.  Rows of layers are computed on the way; `monitor` may be NULL. Errors
- * of store_results.h, with one line in *why. */
-MUST_CHECK enum status result_file_write(const struct results *all,
+/* All that was asked for of a run's results, after its provenance (that
+ * command's), under that title.  Rows of layers are computed on the way;
+ * `monitor` may be NULL. Errors of store_results.h, with one line in *why. */
+MUST_CHECK enum status result_file_write(const char *command,
+                                         const struct results *all,
                                          const struct scene *scene,
                                          const char *untitled, const char *path,
                                          const struct monitor *monitor,

@@ -128,8 +128,10 @@ static enum status write_files(const struct study *s, const struct options *o,
     const char *figure = figure_of(s->scene, how);
     const struct results all = study_results(s);
     struct panels p = PANELS_EMPTY;
-    const enum status status =
-        output_write(o, &all, s->scene, s->slider.block.law.preset, why);
+    /* the shortcuts are studies, but one of a scene with a sweep would sweep */
+    const char *command = s->scene->sweep.axes > 0 ? o->command->name : "study";
+    const enum status status = output_write(o, command, &all, s->scene,
+                                            s->slider.block.law.preset, why);
 
     if (status == STATUS_OK && figure)
         picture_study(s, progress_monitor(o), &p);
