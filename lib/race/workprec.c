@@ -134,7 +134,7 @@ static enum status race_for(struct workprec *w, const struct rules *r,
     for (size_t i = 0; s == STATUS_OK && workprec_entrant_at(i, &who); i++) {
         if (monitor_tell(monitor, stage, i, 0))
             return STATUS_STOPPED;
-        if (!workprec_entrant_can(&who, j->what))
+        if (!(who.can >> j->what & 1u))
             continue;
         j->who = who;
         for (size_t k = 0; k < r->rungs && s == STATUS_OK; k++) {

@@ -7,17 +7,14 @@
 #include "workprec_own.h"
 
 struct workprec_entrant {
-    const char *name, *text;
+    const char *name;
     bool foreign;
+    unsigned can;                 /* bits 1 << enum workprec_quantity */
     enum workprec_own own;        /* where stepper is NULL */
     const struct method *stepper; /* borrowed */
 };
 
 /* Number i; false beyond the last. */
 bool workprec_entrant_at(size_t i, struct workprec_entrant *e);
-
-/* Whether it has a way to that quantity. */
-bool workprec_entrant_can(const struct workprec_entrant *e,
-                          enum workprec_quantity q);
 
 #endif

@@ -13,31 +13,6 @@
 #include "tolerance.h"
 #include "workprec_count.h"
 
-const char *const workprec_own_names[] = { "slipway", "eigen", "radau",
-                                           "slow_curve", NULL };
-const char *const workprec_own_texts[] = {
-    "our defaults with their bars: Taylor series in the chart, two orbits",
-    "our second route, in eigen-coordinates, with bars on its limits",
-    "one orbit by our Radau method of order 9",
-    "our slow curve, its table made beforehand, with its bars", NULL
-};
-
-bool workprec_own_can(enum workprec_own how, enum workprec_quantity q)
-{
-    const bool moves = q == WORKPREC_TRANSIENT || q == WORKPREC_SLIP;
-
-    switch (how) {
-        case WORKPREC_SLIPWAY:
-            return true;
-        case WORKPREC_EIGEN:
-            return !moves;
-        case WORKPREC_RADAU:
-            return moves;
-        default:
-            return q == WORKPREC_SLIP;
-    }
-}
-
 enum status workprec_kit_init(struct workprec_kit *k,
                               const struct workprec_course *c)
 {

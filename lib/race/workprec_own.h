@@ -14,12 +14,7 @@ enum workprec_own {
     WORKPREC_EIGEN,   /* the second route, in eigen-coordinates (eigen.h) */
     WORKPREC_RADAU,   /* one orbit (orbit.h, fate.h) */
     WORKPREC_SLOW,    /* slow_curve.h; its table, made once a slope, is given */
-    WORKPREC_OWNS
 };
-extern const char *const workprec_own_names[];
-extern const char *const workprec_own_texts[];
-
-bool workprec_own_can(enum workprec_own how, enum workprec_quantity q);
 
 /* What is made once a slope, and not part of any run; owned. */
 struct workprec_kit {

@@ -1,10 +1,6 @@
 /*
  * workprec_system.h -- the block's equations as a careful user writes them for
  * a library: in the chart of ln v and ln psi, where nothing overflows.
- *
- * Backward in the arc length of the chart, du/ds = -f/|f|, with the slip in
- * excess of the saddle's as a third component if asked for; or forward in time,
- * du/dt = f, with the slip.
  */
 #ifndef RACE_WORKPREC_SYSTEM_H
 #define RACE_WORKPREC_SYSTEM_H
@@ -12,8 +8,17 @@
 #include "method.h"
 #include "planar.h"
 
-/* Both borrow sys. */
-struct method_system workprec_arc(const struct planar *sys, bool excess);
-struct method_system workprec_motion(const struct planar *sys, bool slip);
+enum { WORKPREC_ALONE = -1 };
+
+struct workprec_system {
+    const struct planar *planar; /* borrowed */
+    bool arc; /* backward in the arc length of the chart, du/ds = -f/|f|; else
+                 forward in time, du/dt = f */
+    int observable; /* of the planar system, whose integral is a third
+                       component; WORKPREC_ALONE: none */
+};
+
+/* Borrows w. */
+struct method_system workprec_method_system(const struct workprec_system *w);
 
 #endif

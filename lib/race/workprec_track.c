@@ -15,8 +15,9 @@ struct track {
     const struct workprec_course *c;
     const struct method *m;
     double tol;
-    struct method_system system;
-    void *state; /* owned */
+    struct workprec_system equations;
+    struct method_system system; /* of the former: must not move */
+    void *state;                 /* owned */
     double s, u[METHOD_DIM], s_last, last[METHOD_DIM];
     struct workprec_answer *out;
 };
@@ -312,12 +313,17 @@ void workprec_track(const struct workprec_course *c, enum workprec_quantity q,
                     const struct method *m, double tol, size_t calls_most,
                     struct workprec_answer *out)
 {
-    const struct planar *sys = &c->study->slider.plane.system;
     const bool moves = q == WORKPREC_TRANSIENT || q == WORKPREC_SLIP;
     struct track t = { .c = c, .m = m, .tol = tol, .out = out };
 
-    t.system = moves ? workprec_motion(sys, q == WORKPREC_SLIP)
-                     : workprec_arc(sys, q == WORKPREC_X_EXCESS);
+    t.equations = (struct workprec_system){
+        .planar = &c->study->slider.plane.system,
+        .arc = !moves,
+        .observable = q == WORKPREC_SLIP       ? BLOCK_SLIP
+                      : q == WORKPREC_X_EXCESS ? BLOCK_EXCESS
+                                               : WORKPREC_ALONE,
+    };
+    t.system = workprec_method_system(&t.equations);
     t.system.calls_most = calls_most;
     out->calls = out->steps = 0;
     out->reported = (double) NAN;

@@ -127,9 +127,13 @@ static void a_jacobian_is_the_slope_of_its_rates(void **state)
     uint64_t seed = check_seed();
 
     for (int i = 0; i < 200; i++) {
-        struct method_system system =
-            i % 2 ? workprec_arc(&s->study.slider.plane.system, i % 4 < 2)
-                  : workprec_motion(&s->study.slider.plane.system, i % 4 < 2);
+        const struct workprec_system equations = {
+            &s->study.slider.plane.system, i % 2 == 1,
+            i % 4 >= 2 ? WORKPREC_ALONE
+            : i % 2    ? BLOCK_EXCESS
+                       : BLOCK_SLIP
+        };
+        struct method_system system = workprec_method_system(&equations);
         const size_t n = system.dim;
         const double u[METHOD_DIM] = { check_uniform(&seed, -3, 3),
                                        check_uniform(&seed, -3, 3), 0.3 };
