@@ -105,7 +105,7 @@ const struct command command_table[COMMANDS] = {
       "compares: \"same bytes\", or one line for each thing that differs and "
       "exit 1.",
       "slipway info outputs/fig07b.h5 scene" },
-    [COMMAND_HELP] = { "help", 1, "[COMMAND]",
+    [COMMAND_HELP] = { "help", SIZE_MAX, "[COMMAND]",
       "this list, or one command",
       "Lists the commands, or explains one. --as writes a man page, the "
       "completions of a shell (bash, zsh, fish), or a reference: the keys of "

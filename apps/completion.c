@@ -1,3 +1,5 @@
+/* The shells' scripts only ask: what may follow is told by the program itself,
+ * out of its tables. */
 #include "completion.h"
 
 #include <string.h>
@@ -22,281 +24,174 @@ static const char *word_at(const struct option *o, size_t i)
     return o->value && words ? words[i] : NULL;
 }
 
-static void put_words(FILE *out, const char *before, const struct option *o,
-                      const char *after)
-{
-    const char *word, *end = o->kind == OPTION_SETTING ? "=" : "";
+/* Where the cursor is: the start of a word, which others may follow from. */
+struct cursor {
+    FILE *out;
+    const char *now;
+    size_t value; /* where the value begins in --NAME=VALUE; else 0 */
+};
 
-    for (size_t i = 0; (word = word_at(o, i)) != NULL; i++)
-        fprintf(out, "%s%s%s", i ? " " : before, word, end);
-    if (word_at(o, 0))
-        fputs(after, out);
+static void offer(const struct cursor *at, const char *before, const char *word,
+                  const char *after, const char *text)
+{
+    char whole[256];
+
+    snprintf(whole, sizeof whole, "%.*s%s%s%s", (int) at->value, at->now,
+             before, word, after);
+    if (strncmp(whole, at->now, strlen(at->now)) == 0)
+        fprintf(at->out, "%s\t%s\n", whole, text);
 }
 
-/* How the files that a command takes end; NULL: it takes none. */
-static const char *ending_of(const struct command *c)
+static void offer_value(const struct cursor *at, const struct option *o)
 {
-    static const char *const known[] = { "yaml", "h5", "csv" };
+    const char *word;
 
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        const char *found = strstr(c->arguments, known[i]);
-        if (found && found > c->arguments && found[-1] == '.')
-            return known[i];
-    }
+    if (o->kind == OPTION_FILE)
+        fputs(":file\t*\n", at->out);
+    if (o->kind == OPTION_FOLDER)
+        fputs(":folder\t*\n", at->out);
+    for (size_t i = 0; (word = word_at(o, i)) != NULL; i++)
+        offer(at, "", word, o->kind == OPTION_SETTING ? "=" : "", "");
+}
+
+static void offer_commands(const struct cursor *at)
+{
+    for (int i = 0; i < COMMANDS; i++)
+        offer(at, "", command_table[i].name, "", command_table[i].text);
+}
+
+/* Those of c; NULL: those of every command. */
+static void offer_options(const struct cursor *at, const struct command *c)
+{
+    for (const struct option *o = option_table; o->name; o++)
+        if (c ? option_concerns(o, c) : o->commands == (1u << COMMANDS) - 1u)
+            offer(at, "--", o->name, "", o->text);
+}
+
+/* Files that end as those that the command takes. */
+static void offer_files(FILE *out, const struct command *c)
+{
+    static const char *const known[] = { ".yaml", ".h5", ".csv" };
+
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strstr(c->arguments, known[i]))
+            fprintf(out, ":file\t*%s\n", known[i]);
+}
+
+/* The option of c with a value of which a word's first `size` bytes are the
+ * name; NULL: none. */
+static const struct option *option_in(const char *word, size_t size,
+                                      const struct command *c)
+{
+    for (const struct option *o = option_table; o->name; o++)
+        if (o->value && option_concerns(o, c) &&
+            ((size == 2 && word[0] == '-' && word[1] == o->letter) ||
+             (size == strlen(o->name) + 2 && strncmp(word, "--", 2) == 0 &&
+              strncmp(word + 2, o->name, size - 2) == 0)))
+            return o;
     return NULL;
 }
 
-static void put_commands(FILE *out)
+void completion_offer(FILE *out, const char *const word[], size_t count)
 {
-    for (int i = 0; i < COMMANDS; i++)
-        fprintf(out, "%s%s", i ? " " : "", command_table[i].name);
-}
+    const struct command *c = count > 1 ? command_find(word[0]) : NULL;
+    const char *now = count > 0 ? word[count - 1] : "";
+    struct cursor at = { out, strcmp(now, "=") == 0 ? "" : now, 0 };
 
-/* Within single quotes; `special` takes a backslash, and a quote becomes
- * `quote`. */
-static void put_quoted(FILE *out, const char *text, const char *special,
-                       const char *quote)
-{
-    for (; *text; text++)
-        if (*text == '\'')
-            fputs(quote, out);
-        else
-            fprintf(out, "%s%c", strchr(special, *text) ? "\\" : "", *text);
-}
-
-/* ---- bash ---------------------------------------------------------------- */
-
-/* "    push:--v|simulate:--v)", or "*:--law)" of what most commands take. */
-static void bash_pattern(FILE *out, const struct option *o)
-{
-    const char *gap = "    ";
-
-    for (int i = 0; i < COMMANDS; i++) {
-        const char *name = command_table[i].name;
-        if (!option_concerns(o, &command_table[i]))
-            continue;
-        if (option_is_common(o))
-            name = "*";
-        fprintf(out, "%s%s:--%s", gap, name, o->name);
-        if (o->letter)
-            fprintf(out, "|%s:-%c", name, o->letter);
-        gap = "|";
-        if (option_is_common(o))
-            break;
+    if (count < 2) {
+        offer_commands(&at);
+        offer_options(&at, NULL);
     }
-    fputs(")\n", out);
-}
-
-static void bash_value(FILE *out, const struct option *o)
-{
-    if (o->value == NULL)
+    if (c == NULL)
         return;
-    bash_pattern(out, o);
-    if (o->kind == OPTION_FILE)
-        fputs("        offer -f\n", out);
-    if (o->kind == OPTION_FOLDER)
-        fputs("        offer -d\n", out);
-    if (o->kind == OPTION_SETTING)
-        fputs("        compopt -o nospace\n", out);
-    put_words(out, "        offer -W '", o, "'\n");
-    fputs("        return ;;\n", out);
-}
-
-static void bash_command(FILE *out, const struct command *c)
-{
-    const char *ending = ending_of(c);
-
-    fprintf(out, "    %s)\n        options='", c->name);
-    for (const struct option *o = option_table; o->name; o++)
-        if (option_concerns(o, c))
-            fprintf(out, "--%s ", o->name);
-    fprintf(out, "' ending='%s' ;;\n", ending ? ending : "");
-}
-
-static void bash_print(FILE *out)
-{
-    fputs("# bash completion for slipway; made by: slipway help --as bash\n"
-          "_slipway() {\n"
-          "    local now=$2 before=$3 commands options='' ending=''\n"
-          "    offer() { mapfile -t COMPREPLY < "
-          "<(compgen \"$@\" -- \"$now\"); }\n"
-          "    if [ \"$now\" = '=' ]; then now=''; fi\n"
-          "    if [ \"$before\" = '=' ]; then\n"
-          "        before=${COMP_WORDS[COMP_CWORD-2]}\n"
-          "    fi\n"
-          "    compopt -o filenames 2>/dev/null\n"
-          "    commands='",
-          out);
-    put_commands(out);
-    fputs("'\n    case ${COMP_WORDS[1]}:$before in\n", out);
-    for (const struct option *o = option_table; o->name; o++)
-        bash_value(out, o);
-    fputs("    esac\n"
-          "    compopt +o filenames 2>/dev/null\n"
-          "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
-          "        offer -W \"$commands --help --version\"; return\n"
-          "    fi\n"
-          "    case ${COMP_WORDS[1]} in\n",
-          out);
-    for (int i = 0; i < COMMANDS; i++)
-        bash_command(out, &command_table[i]);
-    fputs("    esac\n"
-          "    if [[ $now == -* ]]; then\n"
-          "        offer -W \"$options\"\n"
-          "    elif [ \"${COMP_WORDS[1]}\" = help ]; then\n"
-          "        offer -W \"$commands\"\n"
-          "    elif [ -n \"$ending\" ]; then\n"
-          "        compopt -o filenames 2>/dev/null\n"
-          "        offer -f -X \"!*.$ending\" -o plusdirs\n"
-          "    fi\n"
-          "}\n"
-          "complete -F _slipway slipway\n",
-          out);
-}
-
-/* ---- zsh ----------------------------------------------------------------- */
-
-/* '(-o --output)'{-o,--output=}'[What it does]:FILE:_files' */
-static void zsh_option(FILE *out, const struct option *o)
-{
-    const bool setting = o->kind == OPTION_SETTING;
-
-    fputs("            ", out);
-    if (o->letter)
-        fprintf(out, "'(-%c --%s)'{-%c%s,--%s%s}", o->letter, o->name,
-                o->letter, o->value ? "+" : "", o->name, o->value ? "=" : "");
+    /* bash makes a word of '=' */
+    const size_t name = strcspn(now, "=");
+    const char *before = word[count - 2];
+    if (strcmp(before, "=") == 0 && count > 3)
+        before = word[count - 3];
+    const struct option *o = option_in(before, strlen(before), c);
+    if (o == NULL && now[name] && (o = option_in(now, name, c)) != NULL)
+        at.value = name + 1;
+    if (o)
+        offer_value(&at, o);
+    else if (now[0] == '-')
+        offer_options(&at, c);
+    else if (command_id(c) == COMMAND_HELP)
+        offer_commands(&at);
     else
-        fprintf(out, "'%s--%s%s'", setting ? "*" : "", o->name,
-                o->value ? "=" : "");
-    fputs("'[", out);
-    put_quoted(out, o->text, "[]\\:", "'\\''");
-    fputs("]", out);
-    if (o->value)
-        fprintf(out, ":%s:", o->value);
-    put_words(out, setting ? "{compadd -S \"\" -- " : "(", o,
-              setting ? "}" : ")");
-    if (o->kind == OPTION_FILE)
-        fputs("_files", out);
-    if (o->kind == OPTION_FOLDER)
-        fputs("_files -/", out);
-    fputs("' \\\n", out);
+        offer_files(out, c);
 }
 
-static void zsh_command(FILE *out, const struct command *c)
-{
-    const char *ending = ending_of(c);
+/* ---- shells -------------------------------------------------------------- */
 
-    fprintf(out, "    %s)\n        _arguments \\\n", c->name);
-    for (const struct option *o = option_table; o->name; o++)
-        if (option_concerns(o, c))
-            zsh_option(out, o);
-    if (command_id(c) == COMMAND_HELP)
-        fputs("            '1:command:{_describe command commands}' ;;\n", out);
-    else if (ending)
-        fprintf(out, "            '*:%s:_files -g \"*.%s\"' ;;\n", ending,
-                ending);
-    else
-        fputs("            ;;\n", out);
-}
-
-static void zsh_print(FILE *out)
-{
-    fputs("#compdef slipway\n"
-          "# made by: slipway help --as zsh\n"
-          "_slipway() {\n"
-          "    local -a commands\n"
-          "    commands=(\n",
-          out);
-    for (int i = 0; i < COMMANDS; i++) {
-        fprintf(out, "        '%s:", command_table[i].name);
-        put_quoted(out, command_table[i].text, "\\:", "'\\''");
-        fputs("'\n", out);
-    }
-    fputs("    )\n"
-          "    if (( CURRENT == 2 )); then\n"
-          "        _describe command commands\n"
-          "        return\n"
-          "    fi\n"
-          "    shift words\n"
-          "    (( CURRENT-- ))\n"
-          "    case $words[1] in\n",
-          out);
-    for (int i = 0; i < COMMANDS; i++)
-        zsh_command(out, &command_table[i]);
-    fputs("    esac\n"
-          "}\n"
-          "_slipway \"$@\"\n",
-          out);
-}
-
-/* ---- fish ---------------------------------------------------------------- */
-
-/* The commands that take an option. */
-static void fish_condition(FILE *out, const struct option *o)
-{
-    fputs(" -n '__fish_seen_subcommand_from", out);
-    for (int i = 0; i < COMMANDS; i++)
-        if (option_concerns(o, &command_table[i]))
-            fprintf(out, " %s", command_table[i].name);
-    fputs("'", out);
-}
-
-static void fish_option(FILE *out, const struct option *o)
-{
-    fputs("complete -c slipway", out);
-    fish_condition(out, o);
-    fprintf(out, " -l %s", o->name);
-    if (o->letter)
-        fprintf(out, " -s %c", o->letter);
-    if (o->kind == OPTION_FILE)
-        fputs(" -rF", out);
-    else if (o->kind == OPTION_FOLDER)
-        fputs(" -xa '(__fish_complete_directories)'", out);
-    else if (o->value)
-        fputs(" -x", out);
-    put_words(out, " -a '", o, "'");
-    fputs(" -d '", out);
-    put_quoted(out, o->text, "\\", "\\'");
-    fputs("'\n", out);
-}
-
-static void fish_command(FILE *out, const struct command *c)
-{
-    const char *ending = ending_of(c);
-
-    fprintf(out, "complete -c slipway -n __fish_use_subcommand -a %s -d '",
-            c->name);
-    put_quoted(out, c->text, "\\", "\\'");
-    fputs("'\n", out);
-    if (ending)
-        fprintf(out,
-                "complete -c slipway -n '__fish_seen_subcommand_from %s' "
-                "-ka '(__fish_complete_suffix .%s)'\n",
-                c->name, ending);
-}
-
-static void fish_print(FILE *out)
-{
-    fputs("# made by: slipway help --as fish\n"
-          "complete -c slipway -f\n"
-          "complete -c slipway -n __fish_use_subcommand -l help -l version\n",
-          out);
-    for (int i = 0; i < COMMANDS; i++)
-        fish_command(out, &command_table[i]);
-    fputs("complete -c slipway -n '__fish_seen_subcommand_from help' -a '",
-          out);
-    put_commands(out);
-    fputs("'\n", out);
-    for (const struct option *o = option_table; o->name; o++)
-        fish_option(out, o);
-}
+static const struct {
+    const char *shell, *script;
+} shells[] = {
+    { "bash",
+      "# bash completion for slipway; made by: slipway help --as bash\n"
+      "_slipway() {\n"
+      "    local now=${2#=} word text more\n"
+      "    COMPREPLY=()\n"
+      "    while IFS=$'\\t' read -r word text; do\n"
+      "        case $word in\n"
+      "        :file)\n"
+      "            compopt -o filenames 2>/dev/null\n"
+      "            mapfile -t more < <(compgen -f -X \"!$text\" -o plusdirs "
+      "-- \"$now\")\n"
+      "            COMPREPLY+=(\"${more[@]}\") ;;\n"
+      "        :folder)\n"
+      "            compopt -o filenames 2>/dev/null\n"
+      "            mapfile -t more < <(compgen -d -- \"$now\")\n"
+      "            COMPREPLY+=(\"${more[@]}\") ;;\n"
+      "        *)\n"
+      "            [[ $word != *= ]] || compopt -o nospace 2>/dev/null\n"
+      "            COMPREPLY+=(\"$word\") ;;\n"
+      "        esac\n"
+      "    done < <(\"${COMP_WORDS[0]}\" help --as complete -- "
+      "\"${COMP_WORDS[@]:1:COMP_CWORD}\" 2>/dev/null)\n"
+      "}\n"
+      "complete -F _slipway slipway\n" },
+    { "zsh", "#compdef slipway\n"
+             "# made by: slipway help --as zsh\n"
+             "_slipway() {\n"
+             "    local -a found settings\n"
+             "    local word text\n"
+             "    while IFS=$'\\t' read -r word text; do\n"
+             "        case $word in\n"
+             "        :file) _files -g \"$text\" ;;\n"
+             "        :folder) _files -/ ;;\n"
+             "        *=) settings+=(\"$word\") ;;\n"
+             "        *) found+=(\"${word//:/\\\\:}${text:+:}$text\") ;;\n"
+             "        esac\n"
+             "    done < <($words[1] help --as complete -- "
+             "\"${(@)words[2,CURRENT]}\" 2>/dev/null)\n"
+             "    (( $#settings )) && compadd -S '' -a settings\n"
+             "    (( $#found )) && _describe slipway found\n"
+             "}\n"
+             "_slipway \"$@\"\n" },
+    { "fish",
+      "# made by: slipway help --as fish\n"
+      "function __slipway\n"
+      "    set -l typed (commandline -opc) (commandline -ct)\n"
+      "    for line in ($typed[1] help --as complete -- $typed[2..] "
+      "2>/dev/null)\n"
+      "        set -l part (string split \\t -- $line)\n"
+      "        switch $line\n"
+      "            case ':file*'\n"
+      "                __fish_complete_suffix (string sub -s 2 -- $part[2])\n"
+      "            case ':folder*'\n"
+      "                __fish_complete_directories\n"
+      "            case '*'\n"
+      "                echo $line\n"
+      "        end\n"
+      "    end\n"
+      "end\n"
+      "complete -c slipway -f -a '(__slipway)'\n" },
+};
 
 void completion_print(FILE *out, const char *shell)
 {
-    if (strcmp(shell, "bash") == 0)
-        bash_print(out);
-    if (strcmp(shell, "zsh") == 0)
-        zsh_print(out);
-    if (strcmp(shell, "fish") == 0)
-        fish_print(out);
+    for (size_t i = 0; i < sizeof shells / sizeof *shells; i++)
+        if (strcmp(shell, shells[i].shell) == 0)
+            fputs(shells[i].script, out);
 }

@@ -116,6 +116,16 @@ static enum exit_code help_as(const char *format, const struct command *c)
 
 enum exit_code command_help(const struct options *o)
 {
+    if (o->as && strcmp(o->as, "complete") == 0) {
+        completion_offer(stdout, o->file, o->files);
+        return EXIT_DONE;
+    }
+    if (o->files > 1) {
+        char text[512];
+        snprintf(text, sizeof text, "help: %.300s: one argument too many",
+                 o->file[1]);
+        return command_fail(STATUS_BAD_ARGUMENT, text);
+    }
     const struct command *c = o->files ? command_find(o->file[0]) : NULL;
 
     if (o->files > 0 && c == NULL)

@@ -23,8 +23,9 @@ enum {
 static const char *const progress_words[] = { "auto", "json", "none", NULL };
 static const char *const export_words[] = { "xppaut", "auto", NULL };
 static const char *const form_words[] = { "arclength", "time", NULL };
-static const char *const help_words[] = { "man",   "bash", "zsh",   "fish",
-                                          "scene", "hdf5", "words", NULL };
+static const char *const help_words[] = { "man",      "bash",  "zsh",
+                                          "fish",     "scene", "hdf5",
+                                          "words",    "complete", NULL };
 
 /* clang-format off */
 const struct option option_table[] = {

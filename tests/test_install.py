@@ -165,7 +165,9 @@ def shells_can_read_the_completions(room):
 
 
 def offered(room, *words):
-    """What bash offers after Tab behind these words, the last one half."""
+    """What bash offers after Tab behind these words, the last one half; the
+    script asks the program it completes."""
+    words = (place('bindir') + '/slipway', *words[1:])
     script = ('source "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '
               '_slipway slipway "${COMP_WORDS[-1]}" "${COMP_WORDS[-2]}" '
               '2>/dev/null; printf "%s\\n" "${COMPREPLY[@]}"')
@@ -176,6 +178,7 @@ def offered(room, *words):
 def bash_offers_what_fits(room):
     room.write('a.yaml', '')
     room.write('a.h5', '')
+    room.make('d')
     for words, wanted in (
             (('slipway', 'kn'), ['knees']),
             (('slipway', 'help', 'sw'), ['sweep']),
@@ -188,8 +191,14 @@ def bash_offers_what_fits(room):
              ['slope.alpha_deg=']),
             (('slipway', 'knees', 'a'), ['a.yaml']),
             (('slipway', 'info', 'a'), ['a.h5']),
+            (('slipway', 'gallery', '-o', 'd'), ['d']),
+            (('slipway', 'knees', '--figure', 'a.'), ['a.h5', 'a.yaml']),
+            (('slipway', 'knees', '--nonsense', '--'), sorted(offered(
+                room, 'slipway', 'knees', '--'))),
+            (('slipway', 'nonsense', ''), []),
             (('slipway', 'knees', '--alpha', ''), [])):
-        expect(offered(room, *words) == wanted, words, offered(room, *words))
+        found = sorted(offered(room, *words))
+        expect(found == wanted, words, found)
     expect(set(commands(room)) < set(offered(room, 'slipway', '')), 'commands')
 
 
@@ -199,9 +208,12 @@ def fish_offers_what_fits(room):
     for line, wanted in (('slipway kn', ['knees']),
                          ('slipway info --re', ['--rerun']),
                          ('slipway knees --re', []),
+                         ('slipway knees --law=ru', ['--law=ruina']),
                          ('slipway knees --law ru', ['ruina'])):
+        path = place('bindir') + ':' + os.environ['PATH']
         said = ran(['fish', '-c', f'source {completion("fish")}; '
-                                  f'complete -C"{line}"'], cwd=room.folder)
+                                  f'complete -C"{line}"'], cwd=room.folder,
+                   env={**os.environ, 'PATH': path})
         found = [entry.split('\t')[0] for entry in said.splitlines()]
         expect(found == wanted, line, said)
 
