@@ -309,7 +309,7 @@ static double longer(const struct orbit *o, const struct attempt *a,
     if (o->last.h != 0.0) {
         const double trend =
             a->h / o->last.h * pow(o->last.ratio / error, 1.0 / ORDER);
-        f *= fmin(trend, TOL_ORBIT_TREND);
+        f *= fmin(trend, TOL_ORBIT_EXTEND);
     }
     if (a->radau.iterations > 1)
         f = fmin(f,

@@ -9,6 +9,9 @@
 /* Relative error asked for when the scene does not say (dimensionless):
  * what double precision can hold with a margin for the bars. */
 #define TOL_RTOL_DEFAULT 1e-12
+/* The least tolerance of a step (relative): some hundred of them, each rounded
+ * by 2^-52, then err by no more. */
+#define TOL_FINEST 3e-14
 
 /* Range of v (and of psi where it is positive), dimensionless: ln of 1e300. */
 #define TOL_LN_RANGE 690.7755278982137
@@ -154,7 +157,8 @@
 #define TOL_NULLCLINE_CHORD 1e-3
 /* Longest and shortest step, and the tangent of the largest angle between the
  * chord and the tangents at its ends: beyond, the step may have changed over
- * to another piece; shorter than the shortest, the curve has a cusp. */
+ * to another piece; shorter than the shortest, the curve has a cusp, and zeros
+ * nearer to each other are one (roots are closed far below). */
 #define TOL_NULLCLINE_STEP_MAX 0x1p-5
 #define TOL_NULLCLINE_STEP_MIN 1e-7
 #define TOL_NULLCLINE_ANGLE    0.3
@@ -166,8 +170,6 @@
  * signs are looked at, and how far along tangents are differenced. */
 #define TOL_NULLCLINE_ASIDE 1e-12
 #define TOL_NULLCLINE_ALONG 1e-6
-/* Two zeros this near are one: roots are closed far below it. */
-#define TOL_NULLCLINE_MATCH 1e-7
 /* A step is smooth when the curve is this near the cubic through its ends and
  * tangents, as a fraction of the cubic's height: a circle is off by 0.01 at
  * the largest angle allowed, a change to a crossing piece by more than 0.1.
@@ -175,15 +177,14 @@
  * fraction of it: more than the angle above allows. */
 #define TOL_NULLCLINE_SMOOTH 0.05
 #define TOL_NULLCLINE_NEAR   0.1
-/* Points of one piece: a hang is worse than a gap. */
-#define TOL_NULLCLINE_POINTS 20000
+/* Steps of a curve that is drawn, a trajectory or a piece of a nullcline:
+ * enough for fifty turns around a centre, and a hang is worse than a gap. */
+#define TOL_DRAWN_STEPS 20000
 
-/* Trajectories of a portrait: steps of each, enough for fifty turns around a
- * centre; how far beyond the window they go, so that no end shows; starts
- * chosen at a time (fixed, so that the number of threads changes nothing);
- * candidates for each start; spacing of the points that stand for a curve
- * when the next starts are chosen (fractions of the window). */
-#define TOL_PORTRAIT_STEPS      20000
+/* Trajectories of a portrait: how far beyond the window they go, so that no end
+ * shows; starts chosen at a time (fixed, so that the number of threads changes
+ * nothing); candidates for each start; spacing of the points that stand for a
+ * curve when the next starts are chosen (fractions of the window). */
 #define TOL_PORTRAIT_MARGIN     0.05
 #define TOL_PORTRAIT_BATCH      4
 #define TOL_PORTRAIT_CANDIDATES 16
@@ -290,13 +291,12 @@
 
 /* Steps of an orbit.  Its equations are solved to this part of the tolerance;
  * stages are guessed from the step before when they lie this far ahead of it,
- * in its lengths; a trend may lengthen a step by this factor; an iteration
+ * in its lengths, and so a trend lengthens no step by more; an iteration
  * should leave this part of the error (measured: longer steps cost more
  * iterations than they save), and steps retreat by this factor at a time from
  * where it does not. */
 #define TOL_ORBIT_SOLVED  0.03
 #define TOL_ORBIT_EXTEND  3.0
-#define TOL_ORBIT_TREND   3.0
 #define TOL_ORBIT_RATE    0.1
 #define TOL_ORBIT_RETREAT 0.5
 

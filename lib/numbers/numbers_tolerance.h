@@ -5,13 +5,12 @@
 #include "tolerance.h"
 
 /* Sensitivities (sensitivity.c).  Tolerance of the finer run, as a part of what
- * is asked for, down to what doubles hold; never ask less of the coarser one;
- * Gauss points a piece of the two (measured: 8 leave 1e-13). */
-#define TOL_VARIATION_FINE     0.03
-#define TOL_VARIATION_FINEST   3e-14
-#define TOL_VARIATION_COARSEST 1e-12
-#define TOL_VARIATION_NODES    10
-#define TOL_VARIATION_FEWER    7
+ * is asked for, down to TOL_FINEST (the coarser one's is TOL_RTOL_DEFAULT at
+ * least, lest the two be the same run); Gauss points a piece of the two
+ * (measured: 8 leave 1e-13). */
+#define TOL_VARIATION_FINE  0.03
+#define TOL_VARIATION_NODES 10
+#define TOL_VARIATION_FEWER 7
 
 /* Bars: this many times the finer run's tolerance, for two runs may agree by
  * chance; e-folds that what is left at the end may take to decay; above this

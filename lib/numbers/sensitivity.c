@@ -107,10 +107,10 @@ enum status sensitivity_find(const struct block *b, const struct equilibrium *e,
 {
     const struct planar sys = block_planar(b);
     struct run fine = {
-        .rtol = fmax(TOL_VARIATION_FINE * rtol, TOL_VARIATION_FINEST),
+        .rtol = fmax(TOL_VARIATION_FINE * rtol, TOL_FINEST),
         .nodes = TOL_VARIATION_NODES,
     };
-    struct run coarse = { .rtol = fmax(rtol, TOL_VARIATION_COARSEST),
+    struct run coarse = { .rtol = fmax(rtol, TOL_RTOL_DEFAULT),
                           .nodes = TOL_VARIATION_FEWER };
     const double relative =
         TOL_VARIATION_BAR * fine.rtol + TOL_VARIATION_ROUNDING * DBL_EPSILON +

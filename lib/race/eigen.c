@@ -306,7 +306,7 @@ static enum status make_branch(const struct eigen_frame *g, int side,
                                const struct eigen_options *o,
                                struct eigen_branch *out)
 {
-    const double tol = fmax(TOL_EIGEN_STEP * o->rtol, TOL_EIGEN_FINEST);
+    const double tol = fmax(TOL_EIGEN_STEP * o->rtol, TOL_FINEST);
     struct route fine = { 0 }, coarse = { 0 };
 
     enum status s =

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "eigen_tolerance.h"
+#include "tolerance.h"
 
 struct eigen_course eigen_course_at(const struct eigen_frame *g, int ind,
                                     struct vec2 z)
@@ -30,7 +31,7 @@ static double remainder_of(double earlier, double now, double gap)
 
     if (now == 0.0)
         return 0.0;
-    return decay > TOL_EIGEN_DECAY ? copysign(now, now * gap) / decay
+    return decay > TOL_LIMIT_DECAY ? copysign(now, now * gap) / decay
                                    : HUGE_VAL;
 }
 

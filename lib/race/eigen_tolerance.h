@@ -3,10 +3,8 @@
 #define RACE_EIGEN_TOLERANCE_H
 
 /* The stable manifold in eigen-coordinates (eigen.c).  Step tolerance for a
- * promise of rtol, the smallest that doubles hold, and that of the second run
- * to compare with. */
+ * promise of rtol, and that of the second run to compare with. */
 #define TOL_EIGEN_STEP   0.1
-#define TOL_EIGEN_FINEST 3e-14
 #define TOL_EIGEN_COARSE 100.0
 /* Steps of one run: where a branch crosses the whole chart while an integral
  * grows like e^(2x), a step is a tenth of a unit. */
@@ -17,11 +15,10 @@
 #define TOL_EIGEN_SHORTEN 0.01
 /* A branch has ended when what is left is below this part of rtol, so that
  * the end never dominates the error; at the edge of the domain, which is only
- * where doubles end, this part will do; and the slowest decay of a rate, per
- * unit of ln v or ln psi, that can be told from none. */
-#define TOL_EIGEN_REST  0.01
-#define TOL_EIGEN_EDGE  1e-3
-#define TOL_EIGEN_DECAY 0.2
+ * where doubles end, this part will do (TOL_LIMIT_DECAY tells whether it
+ * ends). */
+#define TOL_EIGEN_REST 0.01
+#define TOL_EIGEN_EDGE 1e-3
 /* A branch without a limit is left where its slope is this slight, and is so
  * this far ahead of it. */
 #define TOL_EIGEN_SLIGHT 1e-4

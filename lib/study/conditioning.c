@@ -95,7 +95,7 @@ static enum status recompute(struct search *f, int input, double factor,
     struct fault why;
 
     *c = *f->s->scene; /* borrows what that owns */
-    c->rtol = fmin(c->rtol, TOL_CONDITION_RTOL);
+    c->rtol = fmin(c->rtol, TOL_RTOL_DEFAULT);
     c->products = plan_products(f->s->stages & STUDY_NUMBERS);
     if (input == INPUT_ALPHA && factor != 1.0) {
         c->alpha *= factor;

@@ -123,7 +123,7 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
                                                 s->slider.plane.fastest_rate);
         const double t = side_sign(&u, (enum side) i) *
                          fmin(u.radius, TOL_UNSTABLE_START / u.unit);
-        o.max_steps = TOL_PORTRAIT_STEPS;
+        o.max_steps = TOL_DRAWN_STEPS;
         o.window = &window;
         o.target = target;
         o.targets = n;

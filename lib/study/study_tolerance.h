@@ -25,12 +25,11 @@
  * saddle: no gap that an eye could see. */
 #define TOL_UNSTABLE_START 1e-3
 
-/* Conditioning (conditioning.c): accuracy of the recomputed numbers; the first
+/* Conditioning (conditioning.c), of numbers to TOL_RTOL_DEFAULT: the first
  * change of an input, relative, a fold further than ten times that away; how
  * much smaller it gets in a step, and at most.  Two differences are alike when
  * they differ by less than BEND, or by what noise may do; a derivative is
  * trusted to TRUST. */
-#define TOL_CONDITION_RTOL      1e-12
 #define TOL_CONDITION_NUDGE     1e-7
 #define TOL_CONDITION_SHRINK    0.01
 #define TOL_CONDITION_NUDGE_MIN 1e-12
