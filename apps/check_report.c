@@ -124,34 +124,19 @@ static json_t *text_json(const char *text)
 
 static json_t *finding_json(const struct finding *f)
 {
-    json_t *j = json_object();
-
-    json_object_set_new(j, "line", json_integer(f->stored->line));
-    json_object_set_new(j, "column", json_integer(f->stored->column));
-    json_object_set_new(j, "law", json_string(f->law));
-    json_object_set_new(j, "quantity", json_string(f->column));
-    json_object_set_new(j, "stored", text_json(f->stored->text));
-    json_object_set_new(j, "now",
-                        f->word ? json_string(f->word) : json_number(f->now));
-    if (f->reason)
-        json_object_set_new(j, "reason", json_string(f->reason));
-    json_object_set_new(j, "difference", json_number(f->difference));
-    json_object_set_new(j, "tolerance", json_number(f->tolerance));
-    return j;
-}
-
-static json_t *failure_json(const struct table_cell *cell, const char *reason)
-{
-    json_t *j = json_object();
-
-    json_object_set_new(j, "line", json_integer(cell->line));
-    json_object_set_new(j, "reason", json_string(reason));
-    return j;
+    return json_pack("{s:I, s:I, s:s, s:s, s:o, s:o, s:s*, s:o, s:o}", "line",
+                     (json_int_t) f->stored->line, "column",
+                     (json_int_t) f->stored->column, "law", f->law, "quantity",
+                     f->column, "stored", text_json(f->stored->text), "now",
+                     f->word ? json_string(f->word) : json_number(f->now),
+                     "reason", f->reason, "difference",
+                     json_number(f->difference), "tolerance",
+                     json_number(f->tolerance));
 }
 
 json_t *check_report_json(const struct regression *r)
 {
-    json_t *j = json_object(), *moved = json_array(), *failed = json_array();
+    json_t *moved = json_array(), *failed = json_array();
 
     for (size_t i = 0; i < r->table->rows; i++) {
         const struct row_result *row = &r->row[i];
@@ -159,12 +144,12 @@ json_t *check_report_json(const struct regression *r)
             json_array_append_new(moved, finding_json(&row->finding[k]));
         if (row->reason)
             json_array_append_new(
-                failed, failure_json(table_at(r->table, i, 0), row->reason));
+                failed, json_pack("{s:I, s:s}", "line",
+                                  (json_int_t) table_at(r->table, i, 0)->line,
+                                  "reason", row->reason));
     }
-    json_object_set_new(j, "file", text_json(r->table->name));
-    json_object_set_new(j, "rows", json_integer((json_int_t) r->table->rows));
-    json_object_set_new(j, "compared", json_integer((json_int_t) r->compared));
-    json_object_set_new(j, "moved", moved);
-    json_object_set_new(j, "failed", failed);
-    return j;
+    return json_pack(
+        "{s:o, s:I, s:I, s:o, s:o}", "file", text_json(r->table->name), "rows",
+        (json_int_t) r->table->rows, "compared", (json_int_t) r->compared,
+        "moved", moved, "failed", failed);
 }

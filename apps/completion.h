@@ -5,8 +5,8 @@
 
 #include <stdio.h>
 
-/* A script for "bash", "zsh" or "fish", which asks `help --as complete`; nothing
- * for others. */
+/* A script for "bash", "zsh" or "fish", which asks `help --as complete`;
+ * nothing for others. */
 void completion_print(FILE *out, const char *shell);
 
 /* What may stand where the cursor is, in the last of the words after the

@@ -31,26 +31,16 @@ static char *moved_data(const struct gallery_place *g, const struct scene *s)
     return asprintf(&set, "rabinowicz.data='%s'", path) < 0 ? NULL : set;
 }
 
-/* "output.hdf5='DIR/NAME.h5'", with quotes as YAML wants them; owned. */
+/* "output.hdf5='DIR/NAME.h5'"; owned. */
 static char *output_set(const struct gallery_place *g,
                         const struct gallery_entry *e, const char *key,
                         const char *ending)
 {
     char path[PATH_MAX];
 
-    if (!gallery_path(path, g->output, e->figure.name, ending))
-        return NULL;
-    char *set = malloc(strlen(key) + 2 * strlen(path) + 4), *end = set;
-    if (set == NULL)
-        return NULL;
-    end += sprintf(end, "%s='", key);
-    for (const char *c = path; *c; c++) {
-        if (*c == '\'')
-            *end++ = '\'';
-        *end++ = *c;
-    }
-    strcpy(end, "'");
-    return set;
+    return gallery_path(path, g->output, e->name, ending)
+               ? options_setting(key, path, true)
+               : NULL;
 }
 
 /* Runs the scene's command with its figure as NAME + ending. */
@@ -107,12 +97,12 @@ static char *first_comment(const char *text)
 static void add_panel(const struct gallery_place *g, struct gallery_entry *e,
                       const char *panel)
 {
-    char name[PAGE_NAME], path[PATH_MAX];
+    char name[GALLERY_NAME], path[PATH_MAX];
 
-    if (e->figure.panels < PAGE_PANELS &&
-        snprintf(name, PAGE_NAME, "%s%s", e->figure.name, panel) < PAGE_NAME &&
+    if (e->panels < GALLERY_PANELS &&
+        snprintf(name, GALLERY_NAME, "%s%s", e->name, panel) < GALLERY_NAME &&
         gallery_path(path, g->output, name, ".svg") && access(path, R_OK) == 0)
-        strcpy(e->figure.panel[e->figure.panels++], name);
+        strcpy(e->panel[e->panels++], name);
 }
 
 static void find_panels(const struct gallery_place *g, struct gallery_entry *e)
@@ -134,22 +124,11 @@ static enum exit_code copy_scene(const struct gallery_place *g,
     struct fault why = { "" };
     char path[PATH_MAX];
 
-    if (!gallery_path(path, g->output, e->figure.name, ".yaml"))
+    if (!gallery_path(path, g->output, e->name, ".yaml"))
         return EXIT_FILE;
     const enum status s =
         replace_file(path, e->scene.text, strlen(e->scene.text), &why);
     return s == STATUS_OK ? EXIT_DONE : command_fail(s, why.text);
-}
-
-static void describe(struct gallery_entry *e)
-{
-    e->comment = first_comment(e->scene.text);
-    if (asprintf(&e->command, "slipway %s %s", scene_command(&e->scene),
-                 e->path) < 0)
-        e->command = NULL;
-    e->figure.title = e->scene.title ? e->scene.title : "";
-    e->figure.comment = e->comment ? e->comment : "";
-    e->figure.command = e->command ? e->command : "";
 }
 
 void gallery_build(const struct gallery_place *g, struct gallery_entry *e)
@@ -171,11 +150,10 @@ void gallery_build(const struct gallery_place *g, struct gallery_entry *e)
         if (e->code == EXIT_DONE)
             find_panels(g, e);
     }
-    if (e->scene.text == NULL)
-        e->scene.text = calloc(1, 1);
-    describe(e);
-    if (e->code != EXIT_DONE)
-        e->figure.failure = "This scene failed; nothing was drawn.";
+    e->comment = first_comment(e->scene.text ? e->scene.text : "");
+    if (asprintf(&e->command, "slipway %s %s", scene_command(&e->scene),
+                 e->path) < 0)
+        e->command = NULL;
 }
 
 void gallery_entry_free(struct gallery_entry *e)

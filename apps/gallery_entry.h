@@ -5,7 +5,6 @@
 #include <limits.h>
 
 #include "command.h"
-#include "page.h"
 #include "scene.h"
 
 /* Where all of them come from and go; borrowed. */
@@ -14,11 +13,16 @@ struct gallery_place {
     const char *scenes, *output; /* folders */
 };
 
+enum { GALLERY_PANELS = 8, GALLERY_NAME = 256 };
+
 struct gallery_entry {
-    char path[PATH_MAX];       /* of the scene; given */
-    struct page_figure figure; /* its name is given; borrows from here */
-    struct scene scene;        /* owned */
-    char *comment, *command;   /* owned */
+    char path[PATH_MAX];                      /* of the scene; given */
+    char name[GALLERY_NAME];                  /* of all its files; given */
+    char panel[GALLERY_PANELS][GALLERY_NAME]; /* without .svg, .png, ... */
+    size_t panels;
+    struct scene scene;      /* owned */
+    char *comment, *command; /* owned: the scene's first comment, its lines
+                                joined; what makes the figure; or NULL */
     enum exit_code code;
 };
 

@@ -65,20 +65,17 @@ static void print_text(FILE *out, const struct store_item *item, bool of_group)
 
 static void add_item(json_t *list, const struct store_item *item)
 {
-    json_t *j = json_object(), *shape = json_array();
+    json_t *shape = json_array();
 
     for (int i = 0; i < item->rank; i++)
         json_array_append_new(shape,
                               json_integer((json_int_t) item->extent[i]));
-    json_object_set_new(j, "path", json_text(item->path));
-    json_object_set_new(
-        j, "kind",
-        json_string(item->kind == STORE_GROUP ? "group" : "dataset"));
-    json_object_set_new(j, "shape", shape);
-    json_object_set_new(j, "units", json_text(item->units));
-    json_object_set_new(j, "long_name", json_text(item->long_name));
-    json_object_set_new(j, "texts", json_object());
-    json_array_append_new(list, j);
+    json_array_append_new(
+        list, json_pack("{s:o, s:s, s:o, s:o, s:o, s:{}}", "path",
+                        json_text(item->path), "kind",
+                        item->kind == STORE_GROUP ? "group" : "dataset",
+                        "shape", shape, "units", json_text(item->units),
+                        "long_name", json_text(item->long_name), "texts"));
 }
 
 /* Texts follow what they belong to. */

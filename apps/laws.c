@@ -6,18 +6,15 @@
 static json_t *law_json(const struct law *law)
 {
     char formula[256];
-    json_t *j = json_object(), *uses = json_array();
+    json_t *uses = json_array();
 
     law_formula(law, formula, sizeof formula);
     for (int key = 0; key < MATERIAL_KEYS; key++)
         if (law_uses(law, (enum material_key) key))
             json_array_append_new(
                 uses, json_string(material_key_name((enum material_key) key)));
-    json_object_set_new(j, "name", json_string(law->preset));
-    json_object_set_new(j, "equation", json_string(law->equation));
-    json_object_set_new(j, "formula", json_string(formula));
-    json_object_set_new(j, "parameters", uses);
-    return j;
+    return json_pack("{s:s, s:s, s:s, s:o}", "name", law->preset, "equation",
+                     law->equation, "formula", formula, "parameters", uses);
 }
 
 static void print_law(const struct law *law)

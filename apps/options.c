@@ -23,9 +23,9 @@ enum {
 static const char *const progress_words[] = { "auto", "json", "none", NULL };
 static const char *const export_words[] = { "xppaut", "auto", NULL };
 static const char *const form_words[] = { "arclength", "time", NULL };
-static const char *const help_words[] = { "man",      "bash",  "zsh",
-                                          "fish",     "scene", "hdf5",
-                                          "words",    "complete", NULL };
+static const char *const help_words[] = { "man",   "bash",     "zsh",
+                                          "fish",  "scene",    "hdf5",
+                                          "words", "complete", NULL };
 
 /* clang-format off */
 const struct option option_table[] = {
@@ -204,23 +204,20 @@ static void add_text(struct options *o, char *text)
     o->set[o->sets++] = text;
 }
 
-/* Adds KEY=VALUE; a path becomes a YAML single-quoted text. */
-static void add_set(struct options *o, const struct option *row,
-                    const char *value)
+char *options_setting(const char *key, const char *value, bool quoted)
 {
-    const bool quote = row->kind == OPTION_FILE;
-    char *text = malloc(strlen(row->key) + 2 * strlen(value) + 4), *end = text;
+    char *text = malloc(strlen(key) + 2 * strlen(value) + 4), *end = text;
 
     if (text == NULL)
-        refuse("", row->key, ": out of memory");
-    end += sprintf(end, "%s=%s", row->key, quote ? "'" : "");
+        return NULL;
+    end += sprintf(end, "%s=%s", key, quoted ? "'" : "");
     for (; *value; value++) {
         *end++ = *value;
-        if (quote && *value == '\'')
+        if (quoted && *value == '\'')
             *end++ = '\'';
     }
-    strcpy(end, quote ? "'" : "");
-    add_text(o, text);
+    strcpy(end, quoted ? "'" : "");
+    return text;
 }
 
 static int read_count(const char *text)
@@ -261,7 +258,8 @@ static void take(struct options *o, const struct option *named, char *value)
     if (row->kind == OPTION_SETTING)
         add_text(o, strdup(value));
     if (row->key)
-        add_set(o, row, row->value ? value : "true");
+        add_text(o, options_setting(row->key, row->value ? value : "true",
+                                    row->kind == OPTION_FILE));
     if (at && row->kind == OPTION_FLAG)
         *(bool *) at = true;
     else if (at && row->kind == OPTION_COUNT)

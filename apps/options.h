@@ -72,6 +72,10 @@ struct options {
 void options_parse(struct options *o, int argc, char *argv[]);
 void options_free(struct options *o);
 
+/* "KEY=VALUE", the value as a YAML text in single quotes if asked; owned by the
+ * caller, NULL without memory. */
+char *options_setting(const char *key, const char *value, bool quoted);
+
 /* Complains of a name that no command has and ends the process (exit 2). */
 _Noreturn void options_refuse_command(const char *name);
 

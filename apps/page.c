@@ -1,6 +1,7 @@
 #include "page.h"
 
 #include <ctype.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,7 +59,7 @@ static void put_text(FILE *out, const char *text)
 }
 
 /* A file beside the page, as an address. */
-static void put_address(FILE *out, const char *name, const char *ending)
+static void put_address(FILE *out, const char *name)
 {
     fputs("./", out);
     for (; *name; name++)
@@ -66,87 +67,62 @@ static void put_address(FILE *out, const char *name, const char *ending)
             fputc(*name, out);
         else
             fprintf(out, "%%%02X", (unsigned) (unsigned char) *name);
-    fputs(ending, out);
 }
 
-static void put_link(FILE *out, const char *name, const char *ending,
-                     const char *what)
+/* %t: a text; %a: a file, without its ending; %i: a size_t. */
+static void put(FILE *out, const char *format, ...)
 {
-    fputs("<a href=\"", out);
-    put_address(out, name, ending);
-    fprintf(out, "\">%s</a>", what);
+    va_list args;
+
+    va_start(args, format);
+    for (; *format; format++)
+        if (*format != '%')
+            fputc(*format, out);
+        else if (*++format == 't')
+            put_text(out, va_arg(args, const char *));
+        else if (*format == 'a')
+            put_address(out, va_arg(args, const char *));
+        else
+            fprintf(out, "%zu", va_arg(args, size_t));
+    va_end(args);
 }
 
-static void put_contents(FILE *out, const struct page *p)
+static void put_links(FILE *out, const struct gallery_entry *e, bool scripts)
 {
-    fputs("<nav>\n", out);
-    for (size_t i = 0; i < p->count; i++) {
-        fprintf(out, "<a href=\"#figure-%zu\">", i + 1);
-        put_text(out, p->figure[i].name);
-        fputs("</a>\n", out);
+    put(out, "<p><a href=\"%a.yaml\">scene</a> · <a href=\"%a.h5\">HDF5</a>",
+        e->name, e->name);
+    for (size_t i = 0; i < e->panels; i++) {
+        put(out, " · <a href=\"%a.png\">PNG</a>", e->panel[i]);
+        if (scripts)
+            put(out,
+                ", <a href=\"%a.gp\">script</a>, <a href=\"%a.dat\">data</a>",
+                e->panel[i], e->panel[i]);
     }
-    fputs("</nav>\n", out);
+    put(out, "</p>\n");
 }
 
-static void put_panels(FILE *out, const struct page_figure *f)
+static void put_figure(FILE *out, const struct gallery_entry *e, size_t number,
+                       bool scripts)
 {
-    for (size_t i = 0; i < f->panels; i++) {
-        fputs("<img src=\"", out);
-        put_address(out, f->panel[i], ".svg");
-        fputs("\" alt=\"", out);
-        put_text(out, f->title[0] ? f->title : f->name);
-        fputs("\">\n", out);
-    }
+    const char *title = e->scene.title ? e->scene.title : "";
+
+    put(out, "<figure id=\"figure-%i\"", number);
+    put(out, e->panels > 1 ? " class=\"many\">\n" : ">\n");
+    put(out, "<h2>%t%t%t</h2>\n", e->name, title[0] ? ": " : "", title);
+    for (size_t i = 0; i < e->panels; i++)
+        put(out, "<img src=\"%a.svg\" alt=\"%t\">\n", e->panel[i],
+            title[0] ? title : e->name);
+    put(out, "<figcaption>\n<p>%t</p>\n<p><code>%t</code></p>\n",
+        e->comment ? e->comment : "", e->command ? e->command : "");
+    if (e->code == EXIT_DONE)
+        put_links(out, e, scripts);
+    else
+        put(out, "<p class=\"failed\">This scene failed; nothing was "
+                 "drawn.</p>\n");
+    put(out, "</figcaption>\n</figure>\n");
 }
 
-static void put_links(FILE *out, const struct page *p,
-                      const struct page_figure *f)
-{
-    fputs("<p>", out);
-    put_link(out, f->name, ".yaml", "scene");
-    fputs(" · ", out);
-    put_link(out, f->name, ".h5", "HDF5");
-    for (size_t i = 0; i < f->panels; i++) {
-        fputs(" · ", out);
-        put_link(out, f->panel[i], ".png", "PNG");
-        if (!p->has_scripts)
-            continue;
-        fputs(", ", out);
-        put_link(out, f->panel[i], ".gp", "script");
-        fputs(", ", out);
-        put_link(out, f->panel[i], ".dat", "data");
-    }
-    fputs("</p>\n", out);
-}
-
-static void put_figure(FILE *out, const struct page *p, size_t i)
-{
-    const struct page_figure *f = &p->figure[i];
-
-    fprintf(out, "<figure id=\"figure-%zu\"%s>\n<h2>", i + 1,
-            f->panels > 1 ? " class=\"many\"" : "");
-    put_text(out, f->name);
-    if (f->title[0])
-        fputs(": ", out);
-    put_text(out, f->title);
-    fputs("</h2>\n", out);
-    put_panels(out, f);
-    fputs("<figcaption>\n<p>", out);
-    put_text(out, f->comment);
-    fputs("</p>\n<p><code>", out);
-    put_text(out, f->command);
-    fputs("</code></p>\n", out);
-    if (f->failure) {
-        fputs("<p class=\"failed\">", out);
-        put_text(out, f->failure);
-        fputs("</p>\n", out);
-    } else {
-        put_links(out, p, f);
-    }
-    fputs("</figcaption>\n</figure>\n", out);
-}
-
-char *page_text(const struct page *p)
+char *page_text(const struct gallery_entry entry[], size_t count, bool scripts)
 {
     char *text = NULL;
     size_t size = 0;
@@ -155,12 +131,13 @@ char *page_text(const struct page *p)
     if (out == NULL)
         return NULL;
     fputs(head, out);
-    put_contents(out, p);
-    for (size_t i = 0; i < p->count; i++)
-        put_figure(out, p, i);
-    fputs("<p>Slipway ", out);
-    put_text(out, p->version);
-    fputs("</p>\n</body>\n</html>\n", out);
+    put(out, "<nav>\n");
+    for (size_t i = 0; i < count; i++)
+        put(out, "<a href=\"#figure-%i\">%t</a>\n", i + 1, entry[i].name);
+    put(out, "</nav>\n");
+    for (size_t i = 0; i < count; i++)
+        put_figure(out, &entry[i], i + 1, scripts);
+    put(out, "<p>Slipway %t</p>\n</body>\n</html>\n", SLIPWAY_VERSION);
     const int failed = ferror(out) | fclose(out);
     if (failed) {
         free(text);

@@ -195,11 +195,10 @@ static void tell(void *ctx, const struct store_difference *d)
     char line[4096], text[4096];
 
     if (all->list) {
-        json_t *j = json_object();
-        json_object_set_new(j, "path", json_text(d->path));
-        json_object_set_new(j, "key", json_text(d->key));
-        json_object_set_new(j, "what", json_text(d->what));
-        json_array_append_new(all->list, j);
+        json_array_append_new(all->list, json_pack("{s:o, s:o, s:o}", "path",
+                                                   json_text(d->path), "key",
+                                                   json_text(d->key), "what",
+                                                   json_text(d->what)));
         return;
     }
     snprintf(line, sizeof line, "%s%s%s: %s", d->path, d->key[0] ? " " : "",
@@ -211,11 +210,8 @@ static void tell(void *ctx, const struct store_difference *d)
 
 static bool write_json(bool same, json_t *list, FILE *out)
 {
-    json_t *j = json_object();
-
-    json_object_set_new(j, "same_bytes", json_boolean(same));
-    json_object_set_new(j, "differences", json_incref(list));
-    return json_write(j, out);
+    return json_write(
+        json_pack("{s:b, s:O}", "same_bytes", same, "differences", list), out);
 }
 
 /* In the child. */

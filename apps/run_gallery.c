@@ -12,6 +12,7 @@
 #include "command.h"
 #include "gallery_entry.h"
 #include "json.h"
+#include "page.h"
 #include "progress.h"
 #include "replace.h"
 
@@ -95,8 +96,8 @@ static enum status list_scenes(struct gallery *g, struct fault *why)
         struct gallery_entry *e = &g->entry[g->count++];
         const int size = (int) strlen(name[i]->d_name) - 5;
         fits &= gallery_path(e->path, g->scenes, name[i]->d_name, "") &&
-                snprintf(e->figure.name, PAGE_NAME, "%.*s", size,
-                         name[i]->d_name) < PAGE_NAME;
+                snprintf(e->name, GALLERY_NAME, "%.*s", size, name[i]->d_name) <
+                    GALLERY_NAME;
     }
     for (int i = 0; i < n; i++)
         free(name[i]);
@@ -121,7 +122,7 @@ static bool build_all(struct gallery *g)
             gallery_build(&place, e);
             stopped = e->code == EXIT_INTERRUPT;
         }
-        if (e->figure.panels > 0 || e->code != EXIT_DONE)
+        if (e->panels > 0 || e->code != EXIT_DONE)
             g->entry[kept++] = *e;
         else
             gallery_entry_free(e);
@@ -133,43 +134,32 @@ static bool build_all(struct gallery *g)
 static enum status write_page(const struct gallery *g, char path[PATH_MAX],
                               struct fault *why)
 {
-    struct page_figure *figure = calloc(g->count + 1, sizeof *figure);
+    char *text = page_text(g->entry, g->count, g->options->keep_script);
     enum status status = STATUS_NO_MEMORY;
-    char *text = NULL;
 
-    for (size_t i = 0; i < g->count && figure; i++)
-        figure[i] = g->entry[i].figure;
-    if (figure)
-        text = page_text(&(struct page){ figure, g->count, SLIPWAY_VERSION,
-                                         g->options->keep_script });
     if (!gallery_path(path, g->output, "index", ".html"))
         status = complain(why, STATUS_IO, g->output, "the path is too long");
     else if (text)
         status = replace_file(path, text, strlen(text), why);
     free(text);
-    free(figure);
     return status;
 }
 
 static json_t *gallery_json(const struct gallery *g, const char *page)
 {
-    json_t *j = json_object(), *list = json_array();
+    json_t *list = json_array();
 
     for (size_t i = 0; i < g->count; i++) {
-        const struct page_figure *f = &g->entry[i].figure;
-        json_t *one = json_object(), *panels = json_array();
-        for (size_t k = 0; k < f->panels; k++)
-            json_array_append_new(panels, json_string(f->panel[k]));
-        json_object_set_new(one, "name", json_string(f->name));
-        json_object_set_new(one, "scene", json_string(g->entry[i].path));
-        json_object_set_new(one, "built",
-                            json_boolean(g->entry[i].code == EXIT_DONE));
-        json_object_set_new(one, "panels", panels);
-        json_array_append_new(list, one);
+        const struct gallery_entry *e = &g->entry[i];
+        json_t *panels = json_array();
+        for (size_t k = 0; k < e->panels; k++)
+            json_array_append_new(panels, json_string(e->panel[k]));
+        json_array_append_new(list, json_pack("{s:s, s:s, s:b, s:o}", "name",
+                                              e->name, "scene", e->path,
+                                              "built", e->code == EXIT_DONE,
+                                              "panels", panels));
     }
-    json_object_set_new(j, "page", json_string(page));
-    json_object_set_new(j, "figures", list);
-    return j;
+    return json_pack("{s:s, s:o}", "page", page, "figures", list);
 }
 
 /* What was made; then, on stderr, what was not. */

@@ -218,43 +218,33 @@ enum exit_code command_knees(const struct options *o)
 
 /* ---- plan ---------------------------------------------------------------- */
 
-/* The points of a sweep, at each of which the stages run. */
-static json_t *sweep_json(const struct scene *scene)
+static json_t *plan_json(const struct scene *scene, unsigned stages)
 {
-    json_t *j = json_object();
+    json_t *list = json_array();
     char text[256];
-    const size_t points = report_sweep_plan(scene, text, sizeof text);
 
-    json_object_set_new(j, "stage", json_string("sweep"));
-    json_object_set_new(j, "text", json_string(text));
-    json_object_set_new(j, "points", json_integer((json_int_t) points));
-    return j;
+    if (scene->sweep.axes > 0) {
+        const size_t points = report_sweep_plan(scene, text, sizeof text);
+        json_array_append_new(list, json_pack("{s:s, s:s, s:I}", "stage",
+                                              "sweep", "text", text, "points",
+                                              (json_int_t) points));
+    }
+    for (int i = 0; i < STAGES; i++)
+        if (plan_has(stages, (enum stage) i))
+            json_array_append_new(list, json_pack("{s:s, s:s, s:s}", "stage",
+                                                  stage_table[i].name, "text",
+                                                  stage_table[i].text, "work",
+                                                  stage_table[i].cost));
+    return list;
 }
 
+/* The points of a sweep, at each of which the stages run. */
 static void print_sweep(const struct scene *scene)
 {
     char text[256];
     const size_t points = report_sweep_plan(scene, text, sizeof text);
 
     printf("%-13s %zu points: %s\n", "sweep", points, text);
-}
-
-static json_t *plan_json(const struct scene *scene, unsigned stages)
-{
-    json_t *list = json_array();
-
-    if (scene->sweep.axes > 0)
-        json_array_append_new(list, sweep_json(scene));
-    for (int i = 0; i < STAGES; i++) {
-        if (!plan_has(stages, (enum stage) i))
-            continue;
-        json_t *j = json_object();
-        json_object_set_new(j, "stage", json_string(stage_table[i].name));
-        json_object_set_new(j, "text", json_string(stage_table[i].text));
-        json_object_set_new(j, "work", json_string(stage_table[i].cost));
-        json_array_append_new(list, j);
-    }
-    return list;
 }
 
 enum exit_code command_basin(const struct options *o)
