@@ -20,13 +20,6 @@ struct checks {
     size_t count;
 };
 
-static enum status usage(struct fault *why, const char *format,
-                         const char *text)
-{
-    snprintf(why->text, sizeof why->text, format, text_shown(text).text);
-    return STATUS_BAD_ARGUMENT;
-}
-
 /* A table brings its own slopes: only --rtol may be set. */
 static enum status read_rtol(const struct options *o, double *rtol,
                              struct fault *why)
@@ -35,20 +28,22 @@ static enum status read_rtol(const struct options *o, double *rtol,
 
     *rtol = CHECK_RTOL;
     if (o->output)
-        return usage(why, "check: -o %s: only --record writes a file",
-                     o->output);
+        return command_refuse(why, "check: -o %s: only --record writes a file",
+                              o->output);
     for (size_t i = 0; i < o->sets; i++) {
         const char *value = o->set[i] + sizeof key - 1;
         if (strncmp(o->set[i], key, sizeof key - 1) != 0)
-            return usage(why,
-                         "check: %s: a table brings its own slopes (to write "
-                         "one: --record)",
-                         o->set[i]);
+            return command_refuse(
+                why,
+                "check: %s: a table brings its own slopes (to write "
+                "one: --record)",
+                o->set[i]);
         if (!number_read(value, rtol) || !(*rtol >= 1e-14 && *rtol <= 0.1))
-            return usage(why,
-                         "check: --rtol %s: expected a number from 1e-14 to "
-                         "0.1",
-                         value);
+            return command_refuse(
+                why,
+                "check: --rtol %s: expected a number from 1e-14 to "
+                "0.1",
+                value);
     }
     return STATUS_OK;
 }
@@ -57,9 +52,10 @@ static enum status read_tables(const struct options *o, struct checks *c,
                                struct fault *why)
 {
     if (o->files == 0)
-        return usage(why, "check: no table, expected %s", "TABLE.csv");
+        return command_refuse(why, "check: no table, expected %s", "TABLE.csv");
     if (o->tap && o->json)
-        return usage(why, "check: --tap: expected it without %s", "--json");
+        return command_refuse(why, "check: --tap: expected it without %s",
+                              "--json");
     c->table = calloc(o->files, sizeof *c->table);
     c->regression = calloc(o->files, sizeof *c->regression);
     if (c->table == NULL || c->regression == NULL)
@@ -97,12 +93,11 @@ static void free_checks(struct checks *c)
 
 static bool print_json(const struct checks *c)
 {
-    json_t *j = json_object(), *list = json_array();
+    json_t *list = json_array();
 
     for (size_t i = 0; i < c->count; i++)
         json_array_append_new(list, check_report_json(&c->regression[i]));
-    json_object_set_new(j, "tables", list);
-    return json_print(j);
+    return json_print(json_pack("{s:o}", "tables", list));
 }
 
 static bool print_tap(const struct checks *c)
@@ -154,7 +149,7 @@ static enum exit_code check(const struct options *o)
     if (s != STATUS_OK)
         code = command_fail(s, why.text);
     else if (!print_checks(o, &c))
-        code = command_fail(STATUS_IO, "cannot write to standard output");
+        code = command_unwritten();
     free_checks(&c);
     return code;
 }
@@ -182,8 +177,8 @@ static enum status record_scenes(const struct options *o, struct baseline *b,
     enum status s = STATUS_OK;
 
     if (o->tap || o->json)
-        return usage(why, "check: --%s: --record writes CSV",
-                     o->tap ? "tap" : "json");
+        return command_refuse(why, "check: --%s: --record writes CSV",
+                              o->tap ? "tap" : "json");
     if (o->output)
         s = replace_check(o->output, why);
     for (size_t i = 0; i < count && s == STATUS_OK; i++) {

@@ -55,6 +55,13 @@ enum status command_read(const struct options *o, char *const more[],
     return s;
 }
 
+enum status command_refuse(struct fault *why, const char *format,
+                           const char *text)
+{
+    snprintf(why->text, sizeof why->text, format, text_shown(text).text);
+    return STATUS_BAD_ARGUMENT;
+}
+
 enum exit_code command_fail(enum status s, const char *text)
 {
     char line[2048]; /* one, whatever a file is called */

@@ -24,6 +24,11 @@ MUST_CHECK enum status command_read(const struct options *o, char *const more[],
                                     size_t count, struct scene *scene,
                                     struct fault *why);
 
+/* *why as of the format with one %s, for the user's own text;
+ * STATUS_BAD_ARGUMENT. */
+enum status command_refuse(struct fault *why, const char *format,
+                           const char *text);
+
 /* Prints "slipway: TEXT" and answers the exit code for s. */
 enum exit_code command_fail(enum status s, const char *text);
 

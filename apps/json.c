@@ -30,18 +30,12 @@ json_t *json_number(double value)
 
 json_t *json_quantity(const struct quantity *q)
 {
-    json_t *j = json_object();
-
-    if (!quantity_exists(q)) {
-        json_object_set_new(j, "value", json_null());
-        json_object_set_new(j, "reason", json_string(q->reason));
-        return j;
-    }
-    json_object_set_new(j, "value", json_number(q->value));
-    json_object_set_new(j, "error", json_number(q->error));
-    if (!isnan(q->conditioning))
-        json_object_set_new(j, "conditioning", json_number(q->conditioning));
-    return j;
+    if (!quantity_exists(q))
+        return json_pack("{s:n, s:s}", "value", "reason", q->reason);
+    return json_pack("{s:o, s:o, s:o*}", "value", json_number(q->value),
+                     "error", json_number(q->error), "conditioning",
+                     isnan(q->conditioning) ? NULL
+                                            : json_number(q->conditioning));
 }
 
 static json_t *json_code(int8_t code, const char *const *words)

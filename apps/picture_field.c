@@ -1,16 +1,19 @@
 #include "picture_field.h"
 
 #include <stdlib.h>
+#include <string.h>
 
+#define AT(name) offsetof(struct cell, name)
 static const struct {
     const char *panel, *label;
     bool is_log;
+    size_t at; /* in struct cell */
 } look[CELL_FIELDS] = {
-    [CELL_SLIP] = { "_slip", "slip to arrest x/L", true },
-    [CELL_TIME] = { "_time", "time to arrest t V*/L", true },
-    [CELL_MU_MEAN] = { "_mu_mean", "mean friction", false },
-    [CELL_V_PEAK] = { "_v_peak", "largest slip rate", true },
-    [CELL_MU_PEAK] = { "_mu_peak", "largest friction", false },
+    [CELL_SLIP] = { "_slip", "slip to arrest x/L", true, AT(slip) },
+    [CELL_TIME] = { "_time", "time to arrest t V*/L", true, AT(time) },
+    [CELL_MU_MEAN] = { "_mu_mean", "mean friction", false, AT(mu_mean) },
+    [CELL_V_PEAK] = { "_v_peak", "largest slip rate", true, AT(v_peak) },
+    [CELL_MU_PEAK] = { "_mu_peak", "largest friction", false, AT(mu_peak) },
 };
 
 enum status picture_raster_find(struct picture_raster *r, const struct study *s,
@@ -33,16 +36,6 @@ void picture_raster_free(struct picture_raster *r)
     r->cell = NULL;
 }
 
-static double value_of(const struct cell *c, enum cell_field field)
-{
-    const double value[CELL_FIELDS] = { [CELL_SLIP] = c->slip,
-                                        [CELL_TIME] = c->time,
-                                        [CELL_MU_MEAN] = c->mu_mean,
-                                        [CELL_V_PEAK] = c->v_peak,
-                                        [CELL_MU_PEAK] = c->mu_peak };
-    return value[field];
-}
-
 void picture_add_field(const struct picture_raster *r, enum cell_field field,
                        struct figure *f)
 {
@@ -54,7 +47,8 @@ void picture_add_field(const struct picture_raster *r, enum cell_field field,
         return;
     }
     for (size_t i = 0; i < n; i++)
-        value[i] = value_of(&r->cell[i], field);
+        memcpy(&value[i], (const char *) &r->cell[i] + look[field].at,
+               sizeof *value);
     figure_add_map(
         f, &(struct figure_map){ .value = value,
                                  .nx = r->columns,

@@ -18,82 +18,41 @@ enum { ENDING = POINTS / 50, BEYOND = 30 };
  * 1e-46 units of time. */
 #define DECADES 1e-12
 
-/* One figure; a second curve is drawn dashed. */
+/* One figure over slip, or over time on a log axis; a second curve is drawn
+ * dashed. */
 struct view {
-    const char *x, *y; /* labels */
-    bool x_log, y_log;
-    void (*sample)(const struct slider *, const struct transient *, size_t,
-                   struct trajectory_row[]);
-    double (*x_of)(const struct study *, const struct trajectory_row *);
+    bool over_time;
+    const char *y; /* label */
+    bool y_log;
     struct {
-        const char *name;
-        double (*of)(const struct study *, const struct trajectory_row *);
-    } y_of[2];
+        const char *name; /* NULL: none */
+        size_t at;        /* in struct trajectory_row */
+    } curve[2];
 };
 
-static double slip_of(const struct study *s, const struct trajectory_row *r)
-{
-    (void) s;
-    return r->slip;
-}
-
-static double mu_of(const struct study *s, const struct trajectory_row *r)
-{
-    (void) s;
-    return r->mu;
-}
-
-static double time_of(const struct study *s, const struct trajectory_row *r)
-{
-    (void) s;
-    return r->time;
-}
-
-static double v_of(const struct study *s, const struct trajectory_row *r)
-{
-    (void) s;
-    return r->v;
-}
+#define AT(name) offsetof(struct trajectory_row, name)
+#define SLIP     "slip x/L"
+#define RATES    "slip rate v = V/V*, interfacial state ψ"
+#define FRICTION "friction coefficient μ"
+static const struct view views[] = {
+    { false, FRICTION, false, { { "μ", AT(mu) } } },
+    { false, RATES, true, { { "v", AT(v) }, { "ψ", AT(psi) } } },
+    { true, RATES, true, { { "v", AT(v) }, { "ψ", AT(psi) } } },
+    { true, FRICTION, false, { { "μ", AT(mu) } } },
+    { true, SLIP, false, { { "x", AT(slip) } } },
+};
 
 /* e^psi where psi is a logarithm, for a log axis. */
-static double psi_of(const struct study *s, const struct trajectory_row *r)
+static double value_of(const struct study *s, const struct trajectory_row *r,
+                       size_t at)
 {
-    return law_psi_is_log(&s->slider.block.law) ? exp(r->psi) : r->psi;
+    const double value =
+        *(const double *) (const void *) ((const char *) r + at);
+
+    return at == AT(psi) && law_psi_is_log(&s->slider.block.law) ? exp(value)
+                                                                 : value;
 }
 
-#define SLIP "slip x/L"
-#define TIME "time t V*/L"
-static const struct view views[] = {
-    { SLIP,
-      "friction coefficient μ",
-      false,
-      false,
-      sample_linear_slip,
-      slip_of,
-      { { "μ", mu_of } } },
-    { SLIP,
-      "slip rate v = V/V*, interfacial state ψ",
-      false,
-      true,
-      sample_linear_slip,
-      slip_of,
-      { { "v", v_of }, { "ψ", psi_of } } },
-    { TIME,
-      "slip rate v = V/V*, interfacial state ψ",
-      true,
-      true,
-      sample_log_time,
-      time_of,
-      { { "v", v_of }, { "ψ", psi_of } } },
-    { TIME,
-      "friction coefficient μ",
-      true,
-      false,
-      sample_log_time,
-      time_of,
-      { { "μ", mu_of } } },
-    { TIME, SLIP, true, false, sample_log_time, time_of, { { "x", slip_of } } },
-};
 const char *const picture_simulation_panel[] = { "",          "_slip",
                                                  "_time",     "_friction",
                                                  "_position", NULL };
@@ -111,9 +70,9 @@ static bool room_for(const struct simulation *s, const struct view *view,
 
     p->x = calloc(count, sizeof *p->x);
     p->y[0] = calloc(count, sizeof *p->y[0]);
-    if (view->y_of[1].of)
+    if (view->curve[1].name)
         p->y[1] = calloc(count, sizeof *p->y[1]);
-    return p->x && p->y[0] && (p->y[1] || !view->y_of[1].of);
+    return p->x && p->y[0] && (p->y[1] || !view->curve[1].name);
 }
 
 static enum status fill(const struct simulation *s, const struct view *view,
@@ -128,12 +87,13 @@ static enum status fill(const struct simulation *s, const struct view *view,
     for (size_t k = 0; k < s->runs; k++) {
         if (s->run[k].curve.count == 0)
             continue;
-        view->sample(&s->study.slider, &s->run[k], POINTS, row);
+        (view->over_time ? sample_log_time : sample_linear_slip)(
+            &s->study.slider, &s->run[k], POINTS, row);
         for (size_t i = 0; i < POINTS; i++) {
             const size_t at = p->runs * POINTS + i;
-            p->x[at] = view->x_of(&s->study, &row[i]);
+            p->x[at] = view->over_time ? row[i].time : row[i].slip;
             for (int c = 0; c < 2 && p->y[c]; c++)
-                p->y[c][at] = view->y_of[c].of(&s->study, &row[i]);
+                p->y[c][at] = value_of(&s->study, &row[i], view->curve[c].at);
         }
         p->runs++;
     }
@@ -176,14 +136,14 @@ static void add_run(struct figure *f, const struct view *view,
                     const struct transient_summary *sum, const struct points *p,
                     size_t at)
 {
-    for (int c = 0; c < 2 && view->y_of[c].of; c++) {
+    for (int c = 0; c < 2 && view->curve[c].name; c++) {
         char entry[96];
         const int colour = (p->runs == 1 ? c : (int) (at % 6));
         if (p->runs == 1)
-            snprintf(entry, sizeof entry, "%s", view->y_of[c].name);
+            snprintf(entry, sizeof entry, "%s", view->curve[c].name);
         else
             snprintf(entry, sizeof entry, "%s from v = %.4g, ψ = %.4g",
-                     view->y_of[c].name, sum->v, sum->psi);
+                     view->curve[c].name, sum->v, sum->psi);
         figure_add(f,
                    &(struct figure_layer){
                        .style = { (enum figure_role)(FIGURE_SERIES_1 + colour),
@@ -206,14 +166,14 @@ static void add_guides(struct figure *f, const struct simulation *s,
 {
     const double drive = (double) s->study.slider.block.tan_alpha;
 
-    if (view->y_of[0].of == mu_of)
+    if (view->curve[0].at == AT(mu))
         sheet_segment(f, guide(FIGURE_DASHED), "tan α",
                       (struct vec2){ f->x.lo, drive },
                       (struct vec2){ f->x.hi, drive });
     for (int i = 0; s->runs == 1 && i < PHASES - 1; i++) {
         const struct phase *q = &s->run[0].phase[i];
         const struct quantity *end =
-            view->x_of == slip_of ? &q->end_slip : &q->end_time;
+            view->over_time ? &q->end_time : &q->end_slip;
         if (quantity_exists(end))
             sheet_segment(f, guide(FIGURE_DOTTED), "ends of phases 1 and 2",
                           (struct vec2){ end->value, f->y.lo },
@@ -226,7 +186,8 @@ static void build(struct figure *f, const struct simulation *s,
 {
     const size_t count = p->runs * POINTS;
     const struct figure_axis x =
-        axis_of(view->x, (double *[]){ p->x, NULL }, count, view->x_log);
+        axis_of(view->over_time ? "time t V*/L" : SLIP,
+                (double *[]){ p->x, NULL }, count, view->over_time);
     const struct figure_axis y = axis_of(view->y, p->y, count, view->y_log);
     size_t shown = 0;
 

@@ -25,21 +25,15 @@ struct job {
 
 /* ---- states -------------------------------------------------------------- */
 
-static enum status usage(struct fault *why, const char *format,
-                         const char *text)
-{
-    snprintf(why->text, sizeof why->text, format, text_shown(text).text);
-    return STATUS_BAD_ARGUMENT;
-}
-
 /* Either --v and --psi or --states. */
 static enum status check_options(const struct options *o, struct fault *why)
 {
     if (o->states && (o->v || o->psi || o->phi))
-        return usage(why,
-                     "push: --states %s: expected no --v, --psi, --phi beside "
-                     "it",
-                     o->states);
+        return command_refuse(
+            why,
+            "push: --states %s: expected no --v, --psi, --phi beside "
+            "it",
+            o->states);
     return STATUS_OK;
 }
 
@@ -188,13 +182,10 @@ static void print_answer(const struct scene *scene, const struct push_state *at,
 static json_t *answers_json(const struct job *j)
 {
     const struct record_array all = { &record_push, j->answer, j->count };
-    json_t *object;
 
-    if (j->table.rows == 0)
-        return json_record(&record_push, j->answer);
-    object = json_object();
-    json_object_set_new(object, "states", json_records(&all));
-    return object;
+    return j->table.rows == 0
+               ? json_record(&record_push, j->answer)
+               : json_pack("{s:o}", "states", json_records(&all));
 }
 
 static enum exit_code print_answers(const struct options *o,

@@ -40,30 +40,21 @@ static json_t *parameters_json(const struct study *s)
     return j;
 }
 
-static json_t *cost_json(const struct study *s)
-{
-    const struct stage_cost total = study_cost(s);
-    json_t *j = json_object();
-
-    json_object_set_new(j, "field_evaluations",
-                        json_integer((json_int_t) total.field_evaluations));
-    json_object_set_new(j, "seconds", json_number(total.seconds));
-    return j;
-}
-
 json_t *report_json(const struct study *s)
 {
     const struct results all = study_results(s);
-    json_t *j = json_object();
+    const struct stage_cost total = study_cost(s);
+    const struct law *law = &s->slider.block.law;
+    json_t *j = json_pack(
+        "{s:s, s:s, s:o, s:o}", "law", law->preset, "form",
+        friction_form_names[law->form], "alpha",
+        scene_has_slope(s->scene) ? json_number(s->scene->alpha) : json_null(),
+        "parameters", parameters_json(s));
 
-    json_object_set_new(j, "law", json_string(s->slider.block.law.preset));
-    json_object_set_new(
-        j, "form", json_string(friction_form_names[s->slider.block.law.form]));
-    json_object_set_new(j, "alpha",
-                        scene_has_slope(s->scene) ? json_number(s->scene->alpha)
-                                                  : json_null());
-    json_object_set_new(j, "parameters", parameters_json(s));
     j = json_results(j, &all);
-    json_object_set_new(j, "cost", cost_json(s));
+    json_object_set_new(j, "cost",
+                        json_pack("{s:I, s:o}", "field_evaluations",
+                                  (json_int_t) total.field_evaluations,
+                                  "seconds", json_number(total.seconds)));
     return j;
 }

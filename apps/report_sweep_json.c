@@ -19,12 +19,10 @@ static json_t *keys_json(const struct sweep *s)
 
     for (size_t k = 0; k < s->axes; k++) {
         const struct sweep_axis *a = &s->axis[k];
-        json_t *j = json_object();
-        json_object_set_new(j, "key", json_string(a->key.path));
-        json_object_set_new(j, "name", json_string(a->name));
-        json_object_set_new(j, "unit", json_string(a->key.unit));
-        json_object_set_new(j, "values", list_json(a->value, a->count));
-        json_array_append_new(keys, j);
+        json_array_append_new(keys, json_pack("{s:s, s:s, s:s, s:o}", "key",
+                                              a->key.path, "name", a->name,
+                                              "unit", a->key.unit, "values",
+                                              list_json(a->value, a->count)));
     }
     return keys;
 }
@@ -35,12 +33,11 @@ static json_t *dims_json(const struct sweep *s)
 
     for (int i = 0; i < SWEEP_DIMS; i++) {
         const struct sweep_dim_axis *a = &s->dims.of[i];
-        if (a->count == 0)
-            continue;
-        json_t *j = json_object();
-        json_object_set_new(j, "unit", json_string(a->unit));
-        json_object_set_new(j, "values", list_json(a->value, a->count));
-        json_object_set_new(dims, a->name, j);
+        if (a->count > 0)
+            json_object_set_new(dims, a->name,
+                                json_pack("{s:s, s:o}", "unit", a->unit,
+                                          "values",
+                                          list_json(a->value, a->count)));
     }
     return dims;
 }
@@ -49,12 +46,11 @@ static json_t *starts_json(const struct sweep *s)
 {
     json_t *starts = json_array();
 
-    for (size_t i = 0; i < s->dims.of[DIM_START].count; i++) {
-        json_t *j = json_object();
-        json_object_set_new(j, "v", json_number(s->scene->start[i].v));
-        json_object_set_new(j, "psi", json_number(s->scene->start[i].psi));
-        json_array_append_new(starts, j);
-    }
+    for (size_t i = 0; i < s->dims.of[DIM_START].count; i++)
+        json_array_append_new(
+            starts,
+            json_pack("{s:o, s:o}", "v", json_number(s->scene->start[i].v),
+                      "psi", json_number(s->scene->start[i].psi)));
     return starts;
 }
 
@@ -136,16 +132,12 @@ static json_t *number_json(const struct sweep *s, int k)
 
     if (c->codes && c->dims == 0)
         return all_points(s, k, tell_word);
-    json_t *j = json_object();
-    if (c->dims > 0)
-        json_object_set_new(j, "dims", names_json(s, c->dim, c->dims));
-    json_object_set_new(j, "value",
-                        all_points(s, k, c->codes ? tell_word : tell_value));
-    if (c->kind == RECORD_QUANTITY)
-        json_object_set_new(j, "error", all_points(s, k, tell_error));
-    if (!c->codes)
-        json_object_set_new(j, "reason", all_points(s, k, tell_reason));
-    return j;
+    return json_pack(
+        "{s:o*, s:o, s:o*, s:o*}", "dims",
+        c->dims > 0 ? names_json(s, c->dim, c->dims) : NULL, "value",
+        all_points(s, k, c->codes ? tell_word : tell_value), "error",
+        c->kind == RECORD_QUANTITY ? all_points(s, k, tell_error) : NULL,
+        "reason", c->codes ? NULL : all_points(s, k, tell_reason));
 }
 
 static json_t *numbers_json(const struct sweep *s)
@@ -225,20 +217,15 @@ static json_t *maps_json(const struct sweep *s)
 
 json_t *report_sweep_json(const struct sweep *s)
 {
-    json_t *j = json_object(), *reasons = json_array();
+    json_t *reasons = json_array();
 
     for (size_t r = 0; r < s->reasons.count; r++)
         json_array_append_new(reasons, json_string(s->reasons.text[r]));
-    json_object_set_new(j, "law", json_string(s->scene->law.preset));
-    json_object_set_new(j, "form",
-                        json_string(friction_form_names[s->scene->law.form]));
-    json_object_set_new(j, "keys", keys_json(s));
-    json_object_set_new(j, "points", json_integer((json_int_t) s->points));
-    json_object_set_new(j, "failed", json_integer((json_int_t) s->failed));
-    json_object_set_new(j, "reasons", reasons);
-    json_object_set_new(j, "dims", dims_json(s));
-    json_object_set_new(j, "starts", starts_json(s));
-    json_object_set_new(j, "numbers", numbers_json(s));
-    json_object_set_new(j, "maps", maps_json(s));
-    return j;
+    return json_pack("{s:s, s:s, s:o, s:I, s:I, s:o, s:o, s:o, s:o, s:o}",
+                     "law", s->scene->law.preset, "form",
+                     friction_form_names[s->scene->law.form], "keys",
+                     keys_json(s), "points", (json_int_t) s->points, "failed",
+                     (json_int_t) s->failed, "reasons", reasons, "dims",
+                     dims_json(s), "starts", starts_json(s), "numbers",
+                     numbers_json(s), "maps", maps_json(s));
 }

@@ -43,23 +43,19 @@ static enum status usage(struct fault *why, const char *option,
     return STATUS_BAD_ARGUMENT;
 }
 
+/* The words themselves are known to be of the table of options. */
 static enum status read_format(struct job *j, struct fault *why)
 {
     const char *as = j->options->as, *form = j->options->form;
 
-    if (as == NULL || (strcmp(as, "xppaut") != 0 && strcmp(as, "auto") != 0))
+    if (as == NULL)
         return usage(why, "--as", as, "xppaut or auto");
     j->to_auto = strcmp(as, "auto") == 0;
-    j->form = XPPAUT_ARCLENGTH;
-    if (form == NULL)
-        return STATUS_OK;
-    if (j->to_auto)
-        return usage(why, "--form", form, "it with --as xppaut only");
-    if (strcmp(form, "time") == 0)
-        j->form = XPPAUT_TIME;
-    else if (strcmp(form, "arclength") != 0)
-        return usage(why, "--form", form, "time or arclength");
-    return STATUS_OK;
+    j->form =
+        form && strcmp(form, "time") == 0 ? XPPAUT_TIME : XPPAUT_ARCLENGTH;
+    return j->to_auto && form
+               ? usage(why, "--form", form, "it with --as xppaut only")
+               : STATUS_OK;
 }
 
 static void write_time(FILE *out, const struct interchange *x)

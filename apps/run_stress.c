@@ -9,13 +9,6 @@
 #include "result_file.h"
 #include "text.h"
 
-static enum status refuse(struct fault *why, const char *format,
-                          const char *text)
-{
-    snprintf(why->text, sizeof why->text, format, text_shown(text).text);
-    return STATUS_BAD_ARGUMENT;
-}
-
 static bool begins(const char *text, const char *with)
 {
     return strncmp(text, with, strlen(with)) == 0;
@@ -36,15 +29,18 @@ static bool has_scene(const struct options *o)
 static enum status check_options(const struct options *o, struct fault *why)
 {
     if (o->tap && o->json)
-        return refuse(why, "stress: --tap: expected it without %s", "--json");
+        return command_refuse(why, "stress: --tap: expected it without %s",
+                              "--json");
     for (size_t i = 0; i < o->sets; i++) {
         if (begins(o->set[i], "output.figure="))
-            return refuse(why, "stress: %s: stress draws no figure", o->set[i]);
+            return command_refuse(why, "stress: %s: stress draws no figure",
+                                  o->set[i]);
         if (!has_scene(o) && !begins(o->set[i], "output.hdf5="))
-            return refuse(why,
-                          "stress: %s: the cases bring their own settings (to "
-                          "add one: a scene, or --law and --alpha)",
-                          o->set[i]);
+            return command_refuse(
+                why,
+                "stress: %s: the cases bring their own settings (to "
+                "add one: a scene, or --law and --alpha)",
+                o->set[i]);
     }
     return STATUS_OK;
 }
@@ -84,8 +80,9 @@ static enum status make_list(const struct options *o, struct stress_list *list,
     if (s == STATUS_OK && has_scene(o))
         s = add_scene(o, list, why);
     if (s == STATUS_OK && list->count == 0)
-        s = refuse(why, "stress: --only %s: no case has that in its name",
-                   o->only ? o->only : "");
+        s = command_refuse(why,
+                           "stress: --only %s: no case has that in its name",
+                           o->only ? o->only : "");
     return s;
 }
 
