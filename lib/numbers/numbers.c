@@ -11,6 +11,7 @@
 
 #include "cusp.h"
 #include "knee.h"
+#include "numbers_tolerance.h"
 #include "tolerance.h"
 
 double numbers_cancellation(const struct equilibrium *e)
@@ -322,6 +323,16 @@ static enum end_code lower_code(const struct branch *l)
     return END_TRUNCATED;
 }
 
+/* Why a lower branch that goes on has no end. */
+static const char *why_open(const struct block *b, const struct branch *l)
+{
+    const double y = b->at.y0 + l->limit.y;
+
+    return law_psi_is_log(&b->law) && y <= TOL_NUMBERS_PSI_EDGE * TOL_PSI_LEAST
+               ? "the lower branch leaves psi > -1e300 while v > 0"
+               : "the lower branch leaves [1e-300, 1e300] without a limit";
+}
+
 static void lower_numbers(struct builder *n)
 {
     const struct branch *l = n->lower;
@@ -339,12 +350,11 @@ static void lower_numbers(struct builder *n)
         out->psi_at_v0 = quantity_none(
             "the lower branch ends at v_minus > 0 and never meets v = 0");
     } else {
-        out->v_minus = out->ln_v_minus = quantity_none(
-            out->lower_end == END_V_0
-                ? "the lower branch meets v = 0 at a finite psi"
-                : "the lower branch leaves [1e-300, 1e300] without a limit");
-        out->psi_at_v0 = quantity_none(
-            "the lower branch leaves [1e-300, 1e300] without a limit");
+        out->v_minus = out->ln_v_minus =
+            quantity_none(out->lower_end == END_V_0
+                              ? "the lower branch meets v = 0 at a finite psi"
+                              : why_open(b, l));
+        out->psi_at_v0 = quantity_none(why_open(b, l));
     }
     if (out->lower_end == END_V_0) {
         const double floor = n->floor + branch_floor(b, n->e, l->limit.y);

@@ -33,6 +33,10 @@
 #define TOL_EXTREMUM_REACH  1e-3L
 #define TOL_STEADY_SHY      1e-6
 
+/* A branch that ends within this part of the least psi (TOL_PSI_LEAST) ends
+ * there. */
+#define TOL_NUMBERS_PSI_EDGE 0.999
+
 /* Points of chi(v) over the window (chi_curve.c): as of the steady curves. */
 #define STUDY_CHI_POINTS 401
 

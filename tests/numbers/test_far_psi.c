@@ -69,6 +69,29 @@ static void a_lower_branch_is_followed_down_to_any_psi(void **state)
     }
 }
 
+/* v = 0 lies below all doubles of psi there, a logarithm itself. */
+static void a_lower_branch_that_leaves_all_psi_says_so(void **state)
+{
+    static const double alpha[] = { 0.21, 0.2, 0.15, 0.1 };
+    static const char far[] =
+        "the lower branch leaves psi > -1e300 while v > 0";
+    struct law law = *law_preset_find("ruina");
+    const struct material m = material_bristol_board();
+    struct solved s;
+
+    (void) state;
+    for (size_t i = 0; i < sizeof alpha / sizeof *alpha; i++) {
+        law.form = FRICTION_ASINH;
+        assert_int_equal(
+            solve(&s, &law, &m, tanl((long double) alpha[i]), 1e-12),
+            STATUS_OK);
+        assert_int_equal(s.numbers.lower_end, END_TRUNCATED);
+        assert_string_equal(s.numbers.psi_at_v0.reason, far);
+        assert_string_equal(s.numbers.v_minus.reason, far);
+        solved_free(&s);
+    }
+}
+
 /* First-order kinetics and psi_ss = -ln v: psi_at_v0 from -1e1 to -1e100. */
 static void random_lower_branches_end_where_they_do(void **state)
 {
@@ -134,6 +157,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_lower_branch_is_followed_down_to_any_psi),
+        cmocka_unit_test(a_lower_branch_that_leaves_all_psi_says_so),
         cmocka_unit_test(random_lower_branches_end_where_they_do),
         cmocka_unit_test(saddles_at_any_psi_have_manifolds),
     };
