@@ -141,7 +141,7 @@ static void label_by_point(struct sample *s, struct vec2 z)
 /* Every region that has a cell, or a point of a finer grid, by its fate. */
 static void label_all(struct sample *s)
 {
-    enum { FINE = 200 };
+    enum { FINE = 60 };
     const struct box w = s->window;
 
     assert_true(s->regions.most < 64);
