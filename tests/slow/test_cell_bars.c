@@ -1,0 +1,238 @@
+/* Bars of fields are believed in both directions: none is below the true
+ * error, by 113 bits (quad_orbit.h), and half of those of slip, time and mean
+ * friction that come from whole orbits (cells.h, push.h, transient.h) are at
+ * most 30 times it, or the value's last digit where that is more.  Random laws,
+ * materials, slopes and tolerances.  Those of peaks, and those from the slow
+ * curve's table (fast_cells.h: all fields, one by one; and without peaks, in
+ * lanes), are wider, and only printed.
+ *
+ * BAR_DRAWS=400 tries more slopes than a test can afford; CHECK_SEED others.
+ */
+#include "any_law.h"
+#include "cells_of.h"
+#include "fast_cells.h"
+#include "push.h"
+#include "quad_orbit.h"
+#include "transient.h"
+
+enum route { WHOLE, PUSH, RUN, TABLE, LANES_OF_TABLE, ROUTES };
+static const struct {
+    const char *name;
+    bool is_held;
+} route[ROUTES] = {
+    { "whole orbits", true },  { "push", true },          { "simulate", true },
+    { "by the table", false }, { "table, lanes", false },
+};
+enum { MOST = 16384, EACH = 4 };
+static const double most = 30.0, wide = 100.0;
+
+struct ratios {
+    size_t count;
+    double of[MOST]; /* bars over true errors */
+};
+static struct ratios by[ROUTES][CELL_FIELDS];
+static char name[DRAWN_NAME];
+
+static int rising(const void *a, const void *b)
+{
+    const double x = *(const double *) a, y = *(const double *) b;
+    return (x > y) - (x < y);
+}
+
+static const char *field_name(int k)
+{
+    return record_cell.fields[1 + 2 * k].name;
+}
+
+static void note(enum route r, int k, struct vec2 z, double told, double bar,
+                 const struct quad_orbit *t)
+{
+    struct ratios *const to = &by[r][k];
+    const double truth = (double) t->value[k], unsure = t->error[k];
+    const double off = (double) fabsq((quad) told - t->value[k]);
+
+    if (isnan(told) || isnan(unsure))
+        return;
+    CHECK(off <= bar + unsure,
+          "%s, %s (%.17g, %.17g) %s: %.17g +- %.3g, not %.17g +- %.3g",
+          route[r].name, name, z.x, z.y, field_name(k), told, bar, truth,
+          unsure);
+    if (unsure < 0.1 * bar && to->count < MOST)
+        to->of[to->count++] = bar / fmax(off, 0x1p-53 * fabs(truth));
+}
+
+static void note_cell(enum route r, struct vec2 z, const struct cell *c,
+                      const struct quad_orbit *t)
+{
+    if (c->exit_reason == FATE_UNDECIDED)
+        return;
+    CHECK(c->exit_reason == (int8_t) t->fate,
+          "%s, %s (%.17g, %.17g): %s, not %s", route[r].name, name, z.x, z.y,
+          fate_names[c->exit_reason], fate_names[t->fate]);
+    for (int k = 0; k < CELL_FIELDS; k++)
+        note(r, k, z, value(c, (enum cell_field) k),
+             error(c, (enum cell_field) k), t);
+}
+
+static void note_three(enum route r, struct vec2 z, const struct quantity *slip,
+                       const struct quantity *time, const struct quantity *mean,
+                       const struct quad_orbit *t)
+{
+    const struct quantity *q[] = { slip, time, mean };
+
+    for (int k = 0; k < 3; k++)
+        if (quantity_exists(q[k]))
+            note(r, k, z, q[k]->value, q[k]->error, t);
+}
+
+static void draw(size_t i, uint64_t *rng, struct slope *s)
+{
+    struct fault why;
+
+    for (int attempt = 0; attempt < 200; attempt++) {
+        slope_scene(&s->scene, "spinodal", NULL, "0.34", steady_only);
+        s->scene.cell_rtol = pow(10.0, -4.0 - (double) (check_bits(rng) % 9));
+        s->scene.rtol = s->scene.cell_rtol;
+        if (drawn_law(i, rng, &s->scene) && drawn_slope(rng, &s->scene) &&
+            study_run(&s->study, &s->scene, NULL, &why) == STATUS_OK) {
+            drawn_name(i, &s->scene, name);
+            return;
+        }
+        scene_free(&s->scene);
+    }
+    fail_msg("no slope");
+}
+
+static struct vec2 draw_state(const struct slope *s, uint64_t *rng)
+{
+    const struct planar *p = &s->study.slider.plane.system;
+    struct vec2 z;
+
+    do
+        z = (struct vec2){ p->origin.x + check_uniform(rng, -10, 10),
+                           p->origin.y + check_uniform(rng, -5, 5) };
+    while (!box_holds(p->domain, z));
+    return z;
+}
+
+static bool is_known(const struct quad_orbit *t)
+{
+    return t->fate != FATE_UNDECIDED && t->fate != FATE_RUNAWAY;
+}
+
+static void try_cells(const struct slope *s, const struct quad_slope *q,
+                      const struct fast_cells *fast, struct vec2 z)
+{
+    const unsigned some =
+        1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
+    const double rtol = s->scene.cell_rtol;
+    struct quad_orbit t;
+    struct cell c;
+
+    quad_orbit_find(q, (quad) z.x, (quad) z.y, 1e-8, &t);
+    if (!is_known(&t))
+        return;
+    find(s, &z, 1, rtol, ALL, &c);
+    note_cell(WHOLE, z, &c, &t);
+    assert_int_equal(fast_cells_find(fast, &z, 1, rtol, ALL, NULL, &c, NULL),
+                     0);
+    note_cell(TABLE, z, &c, &t);
+    assert_int_equal(fast_cells_find(fast, &z, 1, rtol, some, NULL, &c, NULL),
+                     0);
+    note_cell(LANES_OF_TABLE, z, &c, &t);
+}
+
+static void try_state(const struct slope *s, const struct quad_slope *q,
+                      const struct push *p, struct vec2 z)
+{
+    const bool is_log = s->study.slider.plane.system.axis[1].is_log;
+    const struct push_state at = { exp(z.x), is_log ? exp(z.y) : z.y };
+    struct transient_options o = transient_defaults(&s->scene);
+    struct quad_orbit t;
+    struct push_answer a;
+    struct transient run;
+
+    o.labels = &p->labels;
+    quad_orbit_find(q, logq((quad) at.v),
+                    is_log ? logq((quad) at.psi) : (quad) at.psi, 1e-8, &t);
+    if (!is_known(&t))
+        return;
+    assert_int_equal(push_find(p, at, NULL, &a), 0);
+    if (a.fate == (int8_t) t.fate)
+        note_three(PUSH, z, &a.slip, &a.time, &a.mu_mean, &t);
+    assert_int_equal(transient_find(&s->study.slider,
+                                    (struct scene_start){ at.v, at.psi }, &o,
+                                    NULL, &run),
+                     0);
+    if (run.sum.fate == (int8_t) t.fate &&
+        (run.sum.end == TRANSIENT_REST || run.sum.end == TRANSIENT_ARREST))
+        note_three(RUN, z, &run.sum.slip, &run.sum.time, &run.sum.mu_mean, &t);
+    transient_free(&run);
+}
+
+static void report(enum route r, int k)
+{
+    struct ratios *const q = &by[r][k];
+    size_t beyond = 0;
+
+    if (q->count == 0)
+        return;
+    qsort(q->of, q->count, sizeof *q->of, rising);
+    for (size_t i = 0; i < q->count; i++)
+        beyond += q->of[i] > wide;
+    print_message("# %s, %s: %zu bars, half within %.3g of the error, %.0f %% "
+                  "above %g\n",
+                  route[r].name, field_name(k), q->count, q->of[q->count / 2],
+                  100.0 * (double) beyond / (double) q->count, wide);
+}
+
+static void bars_hold_and_half_of_them_are_not_much_wider_than_the_error(
+    void **state)
+{
+    const char *asked = getenv("BAR_DRAWS");
+    const size_t draws = asked ? strtoul(asked, NULL, 10) : 10;
+    uint64_t rng = check_seed();
+    static struct slope s;
+    static struct quad_slope q;
+    static struct push p;
+    struct fast_cells fast;
+    struct fault why;
+
+    (void) state;
+    if (laws_emulated())
+        skip();
+    for (size_t i = 0; i < draws; i++) {
+        draw(i, &rng, &s);
+        quad_slope_init(&q, &s.study);
+        assert_int_equal(fast_cells_init(&fast, &s.study.slider, NULL), 0);
+        const bool has = push_init(&p, &s.scene, NULL, &why) == STATUS_OK;
+        for (int k = 0; k < EACH; k++) {
+            const struct vec2 z = draw_state(&s, &rng);
+            if (k % 2 == 0)
+                try_cells(&s, &q, &fast, z);
+            else if (has)
+                try_state(&s, &q, &p, z);
+        }
+        if (has)
+            push_free(&p);
+        fast_cells_free(&fast);
+        slope_free(&s);
+    }
+    for (int r = 0; r < ROUTES; r++)
+        for (int k = 0; k < CELL_FIELDS; k++)
+            report((enum route) r, k);
+    for (int r = 0; r < ROUTES; r++)
+        for (int k = CELL_SLIP; k <= CELL_MU_MEAN; k++)
+            CHECK(!route[r].is_held || by[r][k].count == 0 ||
+                      by[r][k].of[by[r][k].count / 2] <= most,
+                  "%s, %s", route[r].name, field_name(k));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(
+            bars_hold_and_half_of_them_are_not_much_wider_than_the_error),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
