@@ -1,20 +1,72 @@
 #include "branch.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 void branch_free(struct branch *b)
 {
     curve_free(&b->curve);
+    free(b->miss);
+    b->miss = NULL;
+}
+
+enum status branch_push(struct branch *b, size_t degree,
+                        const struct branch_miss *miss, double **coef)
+{
+    const size_t n = b->curve.count;
+
+    if ((n & (n - 1)) == 0) { /* room for the next power of 2 */
+        const size_t room = n == 0 ? 1 : 2 * n;
+        struct branch_miss *grown = realloc(b->miss, room * sizeof *grown);
+        if (grown == NULL)
+            return STATUS_NO_MEMORY;
+        b->miss = grown;
+    }
+    b->miss[n] = *miss;
+    return curve_push(&b->curve, degree, coef);
+}
+
+/* Sums over the pieces, from the end back: what their bounds make of the
+ * limit, of the integral and of the combination. */
+struct sums {
+    double limit, total, both;
+};
+
+static struct sums sum_up(const struct branch *b, size_t i, double by_limit,
+                          double by_total)
+{
+    struct sums s = { 0 };
+    double limit = 1.0, total = 0.0; /* made of an error of dep by then */
+
+    for (size_t k = b->miss == NULL ? 0 : b->curve.count; k-- > 0;) {
+        const struct branch_miss *m = &b->miss[k];
+        s.limit += fabs(limit) * m->bar;
+        s.total += fabs(total) * m->bar + m->total_bar[i];
+        s.both += fabs(by_limit * limit + by_total * total) * m->bar +
+                  fabs(by_total) * m->total_bar[i];
+        total = m->drift[i] + m->grown * total;
+        limit *= m->grown;
+    }
+    return s;
+}
+
+/* What the sums leave of a bar, and its estimate. */
+static double rest_of(double bar, double off, double sum)
+{
+    return fmax(bar - fabs(off) - sum, 0.0);
 }
 
 double branch_error(const struct branch *b, size_t i, double by_limit,
                     double by_total)
 {
-    const double limit = b->end == BRANCH_LIMIT_X ? b->error.x : b->error.y;
-    const double known = by_limit * b->limit_off + by_total * b->total_off[i];
+    const double bar = b->end == BRANCH_LIMIT_X ? b->error.x : b->error.y;
+    const double off = by_limit * b->limit_off + by_total * b->total_off[i];
+    const struct sums s = sum_up(b, i, by_limit, by_total);
 
-    return fabs(known) + fabs(by_limit) * (limit - fabs(b->limit_off)) +
-           fabs(by_total) * (b->total_error[i] - fabs(b->total_off[i]));
+    return fabs(off) + s.both +
+           fabs(by_limit) * rest_of(bar, b->limit_off, s.limit) +
+           fabs(by_total) *
+               rest_of(b->total_error[i], b->total_off[i], s.total);
 }
 
 int branch_graph(const struct branch *b, size_t piece)

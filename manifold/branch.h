@@ -18,6 +18,14 @@ enum branch_end {
     BRANCH_ENDS
 };
 
+/* A piece's part in the errors at the end: an error e of dep before it is
+ * `grown` e after it and adds drift[i] e to integral i's; and bounds on what
+ * its own estimates are off by. */
+struct branch_miss {
+    double grown, drift[LOCAL_CARRY_MAX];
+    double bar, total_bar[LOCAL_CARRY_MAX];
+};
+
 struct branch {
     enum manifold_kind kind;
     int side;           /* sign of the independent coordinate of the series */
@@ -34,10 +42,17 @@ struct branch {
     /* What the limit and the integrals are off by, with its sign, as far as it
      * is known, else 0: a part of their bounds. */
     double limit_off, total_off[LOCAL_CARRY_MAX];
+    struct branch_miss *miss; /* owned; one a piece, or NULL: not known */
     size_t steps, rejected, evaluations; /* a jet of order k counts once */
 };
 
 void branch_free(struct branch *b);
+
+/* One more piece of the curve, with its coefficients to be filled in
+ * (curve_push), and its errors. */
+MUST_CHECK enum status branch_push(struct branch *b, size_t degree,
+                                   const struct branch_miss *miss,
+                                   double **coef);
 
 /* Bound on the error of by_limit * limit + by_total * total[i], of which the
  * parts may cancel. */

@@ -2,8 +2,9 @@
  * Gauss-Laguerre quadrature of a rate from z to infinity, scaled by its own
  * rate of decay kappa at z: with u = kappa |ind - ind_z| the integrand is e^-u
  * times something smooth.  dep moves by the first-order approach
- * g0/kappa (1 - e^-u) meanwhile (one Picard iterate).  Error: the four-point
- * rule's difference; up to the first node, what the rate at z is off from what
+ * g0/kappa (1 - e^-u) meanwhile (one Picard iterate).  Error: the differences
+ * of the rules of six and of four points, for one may be small by chance; up to
+ * the first node, what the rate at z is off from what
  * the nodes make of it, for a kink may hide from them there; and what the slope
  * makes of an approach that is off by as much as the quadrature is from
  * g0/kappa.  Nodes and weights: Abramowitz & Stegun 25.4.45, here to 17 digits,
@@ -16,7 +17,7 @@
 
 #include "tolerance.h"
 
-enum { FINE = 8, COARSE = 4, FIRST = 4 };
+enum { FINE = 8, MIDDLE = 6, COARSE = 4, FIRST = 4 };
 
 static const double fine_node[FINE] = {
     0.170279632305101,  0.90370177679937991, 2.2510866298661307,
@@ -34,6 +35,14 @@ static const double at_0_weight[FIRST] = { 1.7451222082418316,
                                            -1.602562468991497,
                                            1.9806018321721914,
                                            -2.2289649865523482 };
+static const double middle_node[MIDDLE] = {
+    0.22284660417926069, 1.188932101672623,  2.9927363260593141,
+    5.7751435691045105,  9.8374674183825899, 15.982873980601702
+};
+static const double middle_weight[MIDDLE] = {
+    0.57353550742273809, 1.3692525907123045, 2.2606845933826723,
+    3.3505245823554567,  4.886826800210825,  7.8490159455958214
+};
 static const double coarse_node[COARSE] = { 0.32254768961939231,
                                             1.7457611011583466,
                                             4.536620296921128,
@@ -142,13 +151,13 @@ static void sum_up(const struct approach *a, size_t n, const double weight[],
     }
 }
 
-/* The same tail by two rules, and the rates at z as the fine one's nodes have
+/* The same tail by three rules, and the rates at z as the fine one's nodes have
  * it. */
 struct rules {
-    struct tail_point fine, coarse, at_0;
+    struct tail_point fine, middle, coarse, at_0;
 };
 
-static void both_rules(const struct approach *a, double kappa, struct rules *r)
+static void all_rules(const struct approach *a, double kappa, struct rules *r)
 {
     struct tail_point p[FINE];
 
@@ -156,15 +165,19 @@ static void both_rules(const struct approach *a, double kappa, struct rules *r)
         rates_beyond(a, fine_node[k] / kappa, &p[k]);
     sum_up(a, FINE, fine_weight, p, kappa, &r->fine);
     sum_up(a, FIRST, at_0_weight, p, 1.0, &r->at_0);
+    for (size_t k = 0; k < MIDDLE; k++)
+        rates_beyond(a, middle_node[k] / kappa, &p[k]);
+    sum_up(a, MIDDLE, middle_weight, p, kappa, &r->middle);
     for (size_t k = 0; k < COARSE; k++)
         rates_beyond(a, coarse_node[k] / kappa, &p[k]);
     sum_up(a, COARSE, coarse_weight, p, kappa, &r->coarse);
 }
 
-static double miss(double fine, double coarse, double at_0, double first,
-                   double kappa)
+static double miss(double fine, double middle, double coarse, double at_0,
+                   double first, double kappa)
 {
-    return fabs(fine - coarse) + fabs(at_0 - first) * fine_node[0] / kappa;
+    return fabs(fine - middle) + fabs(fine - coarse) +
+           fabs(at_0 - first) * fine_node[0] / kappa;
 }
 
 /* Integral i and its error by the rules. */
@@ -173,8 +186,8 @@ static void take_integral(const struct approach *a, double kappa,
 {
     t->integral[i] = r->fine.integral[i];
     t->integral_error[i] =
-        miss(r->fine.integral[i], r->coarse.integral[i], r->at_0.integral[i],
-             a->first.integral[i], kappa);
+        miss(r->fine.integral[i], r->middle.integral[i], r->coarse.integral[i],
+             r->at_0.integral[i], a->first.integral[i], kappa);
 }
 
 /* Integral i by itself. */
@@ -190,7 +203,7 @@ static void close_integral(const struct approach *a, size_t i, struct tail *t)
         t->integral_error[i] = HUGE_VAL;
         return;
     }
-    both_rules(a, kappa, &r);
+    all_rules(a, kappa, &r);
     take_integral(a, kappa, &r, i, t);
 }
 
@@ -200,11 +213,11 @@ static void close_unknown(const struct approach *a, struct tail *t)
     const double kappa = a->kappa.unknown;
     struct rules r;
 
-    both_rules(a, kappa, &r);
+    all_rules(a, kappa, &r);
     t->unknown = r.fine.unknown;
     const double off = fabs(r.fine.unknown - a->first.unknown / kappa);
-    t->unknown_error = miss(r.fine.unknown, r.coarse.unknown, r.at_0.unknown,
-                            a->first.unknown, kappa) +
+    t->unknown_error = miss(r.fine.unknown, r.middle.unknown, r.coarse.unknown,
+                            r.at_0.unknown, a->first.unknown, kappa) +
                        off * a->stiffness / kappa;
     for (size_t i = 0; i < a->carry->count; i++)
         take_integral(a, kappa, &r, i, t);

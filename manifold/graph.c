@@ -113,17 +113,21 @@ static double two_terms(const double u[], size_t order, double h)
 }
 
 /* The ratio in which terms beyond the last ones fall, of a size `last`: as
- * these do, no faster than the last one alone does, nor than the next. */
+ * these and the next do in pairs, over two orders and, where that is less than
+ * smooth, over one. */
 static double fall_of(const double u[], size_t order, double h, double last,
                       double next)
 {
+    const double before = fabs(u[order - 1]) / h, end = fabs(u[order]);
     const double pairs = sqrt(last / two_terms(u, order - 2, h));
     const double single = h * sqrt(fabs(u[order] / u[order - 2]));
+    const double step = end / (before + end) + next / last;
     const double ratio = TOL_STEP_FALL * fmax(pairs, next / last);
 
     if (ratio > TOL_STEP_SMOOTH)
         return ratio;
-    return fmax(ratio, fmin(TOL_STEP_FALL * single, TOL_STEP_SMOOTH));
+    return fmax(ratio,
+                fmin(TOL_STEP_FALL * fmax(single, step), TOL_STEP_SMOOTH));
 }
 
 struct graph_miss graph_missing(const double u[], size_t order, double s,

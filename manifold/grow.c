@@ -161,7 +161,7 @@ static bool step_holds(struct grower *g, struct vec2 end)
         const struct vec2 z = step_end(g, part[i] * s);
         holds =
             slope_holds(g, part[i] * s, local_slope(g->sys, g->ind, z), &off);
-        if (off > at_end) /* what a smooth series leaves out grows outwards */
+        if (off > TOL_STEP_KINK * at_end)
             g->kink = fmax(g->kink, off);
     }
     return holds;
@@ -200,7 +200,7 @@ static enum status store_step(struct grower *g)
     const size_t n = g->order;
     const double s = g->toward * g->h;
     double *coef;
-    const enum status status = curve_push(&g->b->curve, n, &coef);
+    const enum status status = branch_push(g->b, n, &g->piece, &coef);
 
     if (status != STATUS_OK)
         return status;
@@ -210,6 +210,7 @@ static enum status store_step(struct grower *g)
     for (size_t i = 0; i < g->o->carry.count; i++)
         store_series(g->u.integral[i], n, g->total[i], s,
                      coef + (i + 2) * (n + 1));
+    g->piece = (struct branch_miss){ .grown = 1.0 };
     return STATUS_OK;
 }
 
@@ -276,6 +277,7 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
                              .end = BRANCH_STEPS };
     const double s = side * u->radius;
 
+    g->piece = (struct branch_miss){ .grown = 1.0 };
     g->u = (struct graph_series){ .at = { [0] = { 0.0 } } };
     g->u.at[u->ind][1] = u->unit;
     memcpy(g->u.at[1 - u->ind], u->c, sizeof u->c);

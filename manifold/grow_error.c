@@ -3,9 +3,9 @@
  * (graph_missing), with its sign.  The linearised field carries it on: over a
  * step an error e of dep becomes e exp(integral of S_dep), and makes e times
  * the integral of what S_dep made of it by then and d rate/d dep of an
- * integral.  Both integrands lie between their values at the step's ends: their
- * means carry the estimates, the larger ones the bounds, and the difference
- * adds to the bounds.  So errors that cancel do so in the bars.
+ * integral.  Both integrals are taken from the ends of the step, and are off by
+ * no more than BEND of the difference between the two; that adds to the bounds.
+ * So errors that cancel do so in the bars.
  */
 #include "grow_error.h"
 
@@ -45,27 +45,48 @@ void grow_error_look(struct grower *g, struct vec2 z)
     }
 }
 
-/* `mean` times m is added to `to`, where that factor may be as large as
- * `most`. */
-static void pass(struct grow_miss *to, const struct grow_miss *m, double mean,
-                 double most)
+/* What becomes of errors of dep: `mean` times as much, but up to `most`. */
+struct factor {
+    double mean, most;
+};
+
+static void pass(struct grow_miss *to, const struct grow_miss *m,
+                 struct factor by)
 {
-    to->off += mean * m->off;
-    to->bar += most * m->bar + (most - fabs(mean)) * fabs(m->off);
-    to->noise += most * m->noise;
+    to->off += by.mean * m->off;
+    to->bar += by.most * m->bar + (by.most - fabs(by.mean)) * fabs(m->off);
+    to->noise += by.most * m->noise;
+}
+
+/* Of dep's errors so far: what they become, and what they add to integrals. */
+static void pass_on(struct grower *g, struct factor grown,
+                    const struct factor drift[])
+{
+    const double off = fabs(g->miss.off);
+    struct branch_miss *p = &g->piece;
+    struct grow_miss dep = { 0 };
+
+    for (size_t i = 0; i < g->o->carry.count; i++) {
+        pass(&g->total_miss[i], &g->miss, drift[i]);
+        p->drift[i] += p->grown * drift[i].mean;
+        p->total_bar[i] += (drift[i].most - fabs(drift[i].mean)) * off;
+    }
+    pass(&dep, &g->miss, grown);
+    p->grown *= grown.mean;
+    p->bar += (grown.most - fabs(grown.mean)) * off;
+    g->miss = dep;
 }
 
 void grow_error_turn(struct grower *g, double slope)
 {
     const double turned = -1.0 / slope;
-    struct grow_miss dep = { 0 };
+    struct factor drift[LOCAL_CARRY_MAX];
 
     for (size_t i = 0; i < g->o->carry.count; i++) {
-        const double drift = turned * g->out.swift[i]; /* at another time */
-        pass(&g->total_miss[i], &g->miss, drift, fabs(drift));
+        const double late = turned * g->out.swift[i]; /* at another time */
+        drift[i] = (struct factor){ late, fabs(late) };
     }
-    pass(&dep, &g->miss, turned, fabs(turned));
-    g->miss = dep;
+    pass_on(g, (struct factor){ turned, fabs(turned) }, drift);
 }
 
 /* Roundings of d dep/d ind and, relative, of rates over that of ind: each
@@ -90,24 +111,32 @@ static struct noise noise_at(const struct grower *g, struct vec2 z)
                            DBL_EPSILON * rate };
 }
 
+/* Between two values at the ends of a step. */
+static struct factor between(double first, double last)
+{
+    const double mean = 0.5 * (first + last);
+
+    return (struct factor){ mean,
+                            fabs(mean) + TOL_STEP_BEND * fabs(last - first) };
+}
+
 /* What becomes of errors made before the step, from the field at its ends. */
 static void carry_over(struct grower *g, const struct outward *before)
 {
     const double turn = g->toward * g->h * g->unit;
     const double first = turn * before->slope_d, last = turn * g->out.slope_d;
-    const double cap = TOL_STEP_GROWTH_MOST;
-    const double mean = exp(fmin(0.5 * (first + last), cap));
-    const double most = exp(fmin(fmax(first, last), cap));
-    struct grow_miss dep = { 0 };
+    const double mean = fmin(0.5 * (first + last), TOL_STEP_GROWTH_MOST);
+    const double more =
+        exp(fmin(TOL_STEP_BEND * fabs(last - first), TOL_STEP_GROWTH_MOST));
+    const struct factor grown = { exp(mean), exp(mean) * more };
+    struct factor drift[LOCAL_CARRY_MAX];
 
     for (size_t i = 0; i < g->o->carry.count; i++) {
-        const double d = turn * before->swift_d[i];
-        const double e = turn * g->out.swift_d[i];
-        pass(&g->total_miss[i], &g->miss, 0.5 * (d + mean * e),
-             fmax(fabs(d), most * fabs(e)));
+        const double e = turn * g->out.swift_d[i] * grown.mean;
+        drift[i] = between(turn * before->swift_d[i], e);
+        drift[i].most += 0.5 * fabs(e) * (more - 1.0);
     }
-    pass(&dep, &g->miss, mean, most);
-    g->miss = dep;
+    pass_on(g, grown, drift);
 }
 
 static void add(struct grow_miss *m, struct graph_miss own, double noise)
@@ -127,8 +156,11 @@ static void add_integral(struct grower *g, size_t i, const struct noise *noise,
     const double rounded = noise->rate * fabs(jet_at(g->order, u, s)) +
                            0.5 * DBL_EPSILON * fabs(g->total[i]);
 
-    add(&g->total_miss[i], graph_missing(u, g->order, s, &rate, g->kink == 0.0),
-        rounded);
+    const struct graph_miss own =
+        graph_missing(u, g->order, s, &rate, g->kink == 0.0);
+
+    add(&g->total_miss[i], own, rounded);
+    g->piece.total_bar[i] += own.bar;
 }
 
 void grow_error_step(struct grower *g, struct vec2 end)
@@ -149,6 +181,7 @@ void grow_error_step(struct grower *g, struct vec2 end)
     own.bar += way * g->kink;
     const double place = fabs(dep[0]) + fabs(g->out.slope * g->u.at[g->ind][0]);
     add(&g->miss, own, noise.slope * way + 0.5 * DBL_EPSILON * place);
+    g->piece.bar += own.bar;
     g->worst = fmax(entering, grow_error_bound(&g->miss));
     for (size_t i = 0; i < g->o->carry.count; i++)
         add_integral(g, i, &noise, own.value);

@@ -31,12 +31,13 @@ struct grower {
     double total[LOCAL_CARRY_MAX];
     struct grow_miss miss; /* of dep so far, and of the integrals */
     struct grow_miss total_miss[LOCAL_CARRY_MAX];
-    double worst; /* bound on the error of dep over the last step */
-    double unit;  /* of steps, a power of two; 1 but where a field changes over
-                     far less (local.h) */
-    double h;     /* step chosen, of s, positive */
-    double last;  /* length of the step before */
-    double kink;  /* slope that its series misses on the way */
+    struct branch_miss piece; /* since the last piece stored */
+    double worst;             /* bound on the error of dep over the last step */
+    double unit; /* of steps, a power of two; 1 but where a field changes over
+                    far less (local.h) */
+    double h;    /* step chosen, of s, positive */
+    double last; /* length of the step before */
+    double kink; /* slope that its series misses on the way */
     struct planar_jacobian end; /* the field at the end of the last step */
     struct outward out;         /* and what travels there */
     struct graph_series u;

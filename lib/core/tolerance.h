@@ -55,7 +55,10 @@
  * of their squares. */
 #define TOL_STEP_NOISE   4.0
 #define TOL_ROUNDING_BAR 2.5
-/* The most an error grows over a step, as an exponent. */
+/* Errors travel over a step by the mean of their rates at its ends, which is
+ * off by no more than this part of the difference (an exponential's is, up to
+ * thirtyfold); and the most one grows, as an exponent. */
+#define TOL_STEP_BEND        0.25
 #define TOL_STEP_GROWTH_MOST 50.0
 /* Most need some fifty; down to psi of -1e300 some five a unit of ln |psi|. */
 #define TOL_BRANCH_STEPS 5000
@@ -88,6 +91,9 @@
 /* Further from the saddle than this in y, as a logarithmic psi may be, slopes
  * are counted relative to y: by less than y itself it hardly moves. */
 #define TOL_SLOPE_FAR 1e3
+/* What a smooth series leaves out grows outwards: on the way it is off by no
+ * more than this part of what it is off at the end. */
+#define TOL_STEP_KINK 0.5
 /* What is left of a branch is tried by quadrature when it changes by less than
  * PART sqrt(rtol) and MOST a unit, relative to min(1, unknown), and taken when
  * the quadrature's error is small, at the latest below TOL_TAIL. */
