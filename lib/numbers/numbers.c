@@ -64,7 +64,7 @@ struct steady_number numbers_steady(const struct block *b,
         (1.0 + 0.25 * (fabs(e->log_scale) + fabs(b->at.log_inertia) +
                        log_of_friction(b)));
     /* rates that go like e^-psi */
-    const double rate = b->law.timescale == TIMESCALE_SLIP45
+    const double rate = law_timescale(&b->law)->psi_ss != 0
                             ? floor * (1.0 + fabs(b->at.psi0))
                             : floor;
     const double psi_floor =
@@ -363,12 +363,14 @@ static void lower_numbers(struct builder *n)
         out->psi_at_v0 = is_log ? psi.log : psi.value;
     }
     const double deficit = fabs(l->total[0]);
+    /* It goes like v_sp^2, as the way of whatever friction stops. */
     const double floor = integral_floor(b, n->e);
+
     out->x_deficit =
         out->lower_end == END_TRUNCATED
             ? quantity_none("the lower branch has no end to integrate to")
-            : quantity_of(deficit,
-                          l->total_error[0] + deficit * (floor + n->floor));
+            : quantity_of(deficit, l->total_error[0] +
+                                       deficit * (floor + 2.0 * n->floor));
 }
 
 struct critical_numbers numbers_none(const char *reason)
