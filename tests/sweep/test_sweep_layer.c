@@ -50,6 +50,14 @@ static void *all_of(const struct sweep *s, const char *name, size_t point)
 
 /* ---- what they hold ------------------------------------------------------ */
 
+/* As files have it: missing where there is no other fate. */
+static void without_infinities(double margin[], size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (isinf(margin[i]))
+            margin[i] = (double) NAN;
+}
+
 static void check_labels(const struct sweep *s, size_t point,
                          const struct study *study)
 {
@@ -64,6 +72,7 @@ static void check_labels(const struct sweep *s, size_t point,
     assert_int_equal(
         basin_map_margins(&study->basins, 0, 66, margin, margin + cells),
         STATUS_OK);
+    without_infinities(margin, 2 * cells);
     assert_memory_equal(margin, v, cells * sizeof *v);
     assert_memory_equal(margin + cells, psi, cells * sizeof *psi);
     free(is);
