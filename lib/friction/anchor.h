@@ -1,6 +1,6 @@
 /*
  * anchor.h -- a point of the steady-state curve, prepared for evaluating the
- * field around it without cancellation (model section 6).
+ * field around it without cancellation.
  *
  * The chart is x = ln v and y = ln psi (y = psi where psi is a logarithm).
  * Offsets X, Y are measured from the anchor (x0, y0), psi0 = psi_ss(v0).

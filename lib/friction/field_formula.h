@@ -11,7 +11,7 @@
  * differences to the anchor, so that no digit is lost near an equilibrium;
  * psi - psi_ss of two positive numbers is the larger times 1 - their ratio,
  * so that none is lost far away either; exponents are added before anything
- * is exponentiated, so that nothing overflows (model section 6).
+ * is exponentiated, so that nothing overflows.
  *
  * A number is an array of KIND(num) whose element 0 is its value.  The
  * including file (one per kind: field_*.c) defines

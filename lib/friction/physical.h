@@ -4,7 +4,7 @@
 
 #include "law.h"
 
-/* phi of psi (model section 1): (L/V_star) psi in s for `dieterich*`,
+/* phi of psi: (L/V_star) psi in s for `dieterich*`,
  * (L/V_star) e^psi for `ruina`, (2 L/V_star) e^psi for `perrin`, psi/(1 + R)
  * for `spinodal`, `spinodal_gen`, psi for `spinodal_phi_gen`; composed laws as
  * the preset with the same theta (and, of `ruina` and `perrin`, kinetics). */

@@ -47,15 +47,14 @@ struct course {
  * of ten from start and saddle. */
 static struct box window_of(const struct course *c, bool limited)
 {
-    const double start = c->slider->plane.system.origin.x + c->start.x;
+    const double saddle = c->slider->plane.system.origin.x;
+    const double start = saddle + c->start.x;
     struct box w = c->slider->plane.system.domain;
 
     if (!limited && c->fate == FATE_RUNAWAY)
-        w.hi.x = fmin(w.hi.x, fmax(start, c->slider->plane.system.origin.x) +
-                                  log(TOL_TRANSIENT_FAST));
+        w.hi.x = fmin(w.hi.x, fmax(start, saddle) + log(TOL_TRANSIENT_FAST));
     if (!limited && c->fate == FATE_REST_ASYMPTOTIC)
-        w.lo.x = fmax(w.lo.x, fmin(start, c->slider->plane.system.origin.x) +
-                                  log(TOL_TRANSIENT_SLOW));
+        w.lo.x = fmax(w.lo.x, fmin(start, saddle) + log(TOL_TRANSIENT_SLOW));
     return w;
 }
 
@@ -81,12 +80,11 @@ static bool limited(const struct transient_options *o)
 static void course_set(struct course *c, const struct transient_options *o,
                        bool rest)
 {
+    const struct block *b = &c->slider->block;
     const bool goes_on = limited(o);
 
     c->rest =
-        rest &&
-        rest_form_of(&c->slider->block.law, &c->slider->block.material).fate ==
-            FATE_REST_FINITE;
+        rest && rest_form_of(&b->law, &b->material).fate == FATE_REST_FINITE;
     moment_watch_all(&c->watches, c->slider, o->level, o->levels, !goes_on);
     c->window = window_of(c, goes_on);
     c->options =
@@ -434,13 +432,20 @@ static bool is_there(const struct course *c, const struct transient_options *o,
     return true;
 }
 
-static void forget(struct transient *t)
+void transient_free(struct transient *t)
 {
     free(t->event);
     curve_free(&t->curve);
-    t->event = NULL;
-    t->events = 0;
-    t->sum.energy_defect = 0.0;
+    *t = (struct transient){ .event = NULL };
+}
+
+static void forget(struct transient *t)
+{
+    struct transient bare = { .sum = t->sum, .reason = t->reason };
+
+    bare.sum.energy_defect = 0.0;
+    transient_free(t);
+    *t = bare;
 }
 
 static enum status find(struct course *c, const struct transient_options *o,
@@ -492,11 +497,4 @@ enum status transient_find(const struct slider *s, struct scene_start start,
     if (status != STATUS_OK)
         transient_free(out);
     return status;
-}
-
-void transient_free(struct transient *t)
-{
-    free(t->event);
-    curve_free(&t->curve);
-    *t = (struct transient){ .event = NULL };
 }

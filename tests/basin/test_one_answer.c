@@ -301,53 +301,55 @@ static void states_beside_boxes_of_arrest_slip_to_their_faces(void **state)
     CHECK(t.lies == 0, "%zu lies", t.lies);
 }
 
+/* States that random draws found, and what was wrong. */
+static const struct {
+    struct found slope;
+    struct vec2 z;
+    const char *once; /* what was wrong */
+} found[] = {
+    { { FRICTION_LOG, THETA_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+        KINETICS_SINH, 0.48482161422022907, 0.0014286286554424344,
+        0.0015960336171659596, 9.3854707273630734e-05, 33.924940774215052,
+        1.1945937285144653e-05, 1.0199985328756537e-06, 0.4623460517114826,
+        1e-4 },
+      { 6.3623612032020898, 4.1288388426467364 },
+      "loose steps along the separatrix" },
+    { { FRICTION_LOG, THETA_LN_C_1PR_PSI, PSI_SS_SPINODAL_UNIT,
+        TIMESCALE_SPINODAL, KINETICS_SINH, 0.369, 0.038361504765427351, 0.0489,
+        0.0069910220770369258, 202.38139217152815, 4.5253109820583293e-07, 1e-6,
+        0.35094118338267694, 1e-4 },
+      { 7.7666756779721062, -3.4043296007384471 },
+      "loose steps along the separatrix" },
+    { { FRICTION_LOG, THETA_LN_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
+        KINETICS_LINEAR, 0.369, 0.036799968362236195, 0.0489,
+        0.00030768840904163447, 50.671533280808809, 3.2433801953985723e-08,
+        1e-6, 0.35621990288265271, 1e-7 },
+      { -0.25577625821924449, 0.25573882455558217 },
+      "friction after the end of an orbit whose rest is known" },
+    { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+        KINETICS_SINH, 0.369, 0.0341883255829512, 0.0489,
+        0.00032861417612569131, 199.07262415076156, 3.9162183192137452e-07,
+        1e-6, 0.30408286524863015, 1e-6 },
+      { 3.8163842139126185, -3.8114840387865625 },
+      "friction between knots of the slow curve" },
+    { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
+        KINETICS_LINEAR, 0.22743075916543562, 0.0058313445692177845,
+        0.010867383105932483, 0.012516267230041732, 30.890283751358446,
+        0.00022474147709110868, 1.4434320233859645e-07, 0.21006248380805767,
+        1e-5 },
+      { 4.7415284522191303, -4.7415284522191303 },
+      "mean friction over a slip known to a half" },
+    { { FRICTION_LOG, THETA_PSI, PSI_SS_INVERSE, TIMESCALE_AGEING44,
+        KINETICS_SINH, 0.54706376998726192, 0.094567233575633083,
+        0.030054822197114205, 9.9513044800180115, 55.285076870724275,
+        7.2457662545443423e-06, 8.7095135294389101e-05, 0.6919994827983386,
+        1e-7 },
+      { -2.9211244250302797, 18.562147473029356 },
+      "push, by orbits whose bars forgot the digits of the state" },
+};
+
 static void states_that_random_ones_found_have_one_answer(void **state)
 {
-    static const struct {
-        struct found slope;
-        struct vec2 z;
-        const char *once; /* what was wrong */
-    } found[] = {
-        { { FRICTION_LOG, THETA_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
-            KINETICS_SINH, 0.48482161422022907, 0.0014286286554424344,
-            0.0015960336171659596, 9.3854707273630734e-05, 33.924940774215052,
-            1.1945937285144653e-05, 1.0199985328756537e-06, 0.4623460517114826,
-            1e-4 },
-          { 6.3623612032020898, 4.1288388426467364 },
-          "loose steps along the separatrix" },
-        { { FRICTION_LOG, THETA_LN_C_1PR_PSI, PSI_SS_SPINODAL_UNIT,
-            TIMESCALE_SPINODAL, KINETICS_SINH, 0.369, 0.038361504765427351,
-            0.0489, 0.0069910220770369258, 202.38139217152815,
-            4.5253109820583293e-07, 1e-6, 0.35094118338267694, 1e-4 },
-          { 7.7666756779721062, -3.4043296007384471 },
-          "loose steps along the separatrix" },
-        { { FRICTION_LOG, THETA_LN_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
-            KINETICS_LINEAR, 0.369, 0.036799968362236195, 0.0489,
-            0.00030768840904163447, 50.671533280808809, 3.2433801953985723e-08,
-            1e-6, 0.35621990288265271, 1e-7 },
-          { -0.25577625821924449, 0.25573882455558217 },
-          "friction after the end of an orbit whose rest is known" },
-        { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
-            KINETICS_SINH, 0.369, 0.0341883255829512, 0.0489,
-            0.00032861417612569131, 199.07262415076156, 3.9162183192137452e-07,
-            1e-6, 0.30408286524863015, 1e-6 },
-          { 3.8163842139126185, -3.8114840387865625 },
-          "friction between knots of the slow curve" },
-        { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
-            KINETICS_LINEAR, 0.22743075916543562, 0.0058313445692177845,
-            0.010867383105932483, 0.012516267230041732, 30.890283751358446,
-            0.00022474147709110868, 1.4434320233859645e-07, 0.21006248380805767,
-            1e-5 },
-          { 4.7415284522191303, -4.7415284522191303 },
-          "mean friction over a slip known to a half" },
-        { { FRICTION_LOG, THETA_PSI, PSI_SS_INVERSE, TIMESCALE_AGEING44,
-            KINETICS_SINH, 0.54706376998726192, 0.094567233575633083,
-            0.030054822197114205, 9.9513044800180115, 55.285076870724275,
-            7.2457662545443423e-06, 8.7095135294389101e-05, 0.6919994827983386,
-            1e-7 },
-          { -2.9211244250302797, 18.562147473029356 },
-          "push, by orbits whose bars forgot the digits of the state" },
-    };
     enum { FOUND = sizeof found / sizeof *found };
     static struct draw d;
     struct tally t = { 0 };
