@@ -2,6 +2,7 @@
  * v1^2)/(2 cos(alpha)), exactly, and the mean friction that over the slip. */
 #include "fast_cells.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "layer_lanes.h"
@@ -71,7 +72,8 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
         return;
     c->mu_peak = l->mu_peak;
     c->mu_peak_error = (m->a + m->b) * (hardest ? rounding : place) +
-                       l->mu_error + TOL_FAST_ROUNDING * l->mu_peak;
+                       l->mu_error +
+                       TOL_PEAK_DIGITS * DBL_EPSILON * fabs(l->mu_peak);
     if (!hardest)
         c->mu_peak_error += (m->a + m->b) * least;
 }
