@@ -23,24 +23,29 @@ double numbers_cancellation(const struct equilibrium *e)
                       : (fabs(m.xx * m.yy) + fabs(m.xy * m.yx)) / fabs(det);
 }
 
-/* Of ln v at the saddle, absolute. */
+/* Of ln v at the saddle, absolute: how far mu_ss stays within its noise of
+ * tan(alpha), by its slope; next to a fold by its curvature, which leaves
+ * noise >= |mu_ss''| d^2/2; and where folds meet by the third derivative, which
+ * is never far below a + b. */
 static double root_floor(const struct block *b)
 {
     const struct law *law = &b->law;
     const struct material *m = &b->material;
     const long double x = (long double) b->at.x0;
     const long double h = fminl(1e-5L, (steady_x_max(law) - x) / 2);
-    const long double slope =
-        (steady_mu_log(law, m, x + h) - steady_mu_log(law, m, x - h)) / (2 * h);
+    const long double above = steady_mu_log(law, m, x + h);
+    const long double below = steady_mu_log(law, m, x - h);
+    const double slope = (double) fabsl((above - below) / (2 * h));
+    const double bend = (double) fabsl(
+        (above - 2 * steady_mu_log(law, m, x) + below) / (h * h));
     const double tau = (double) steady_tau(law, m, b->tan_alpha);
     const double ax = b->at.a * b->at.x0;
     const double size = fabs(tau) + fabs(m->mu_star) + fabs(ax) +
                         fabs(tau - m->mu_star - ax) + b->at.b;
     const double noise = (double) LDBL_EPSILON * size;
-    const double bend = 0.1 * (m->a + m->b); /* mu_ss'' is never far below */
-    const double linear = noise / (double) fabsl(slope);
 
-    return fmin(linear, sqrt(noise / bend));
+    return fmin(fmin(noise / slope, sqrt(2.0 * noise / bend)),
+                cbrt(6.0 * noise / (0.1 * (m->a + m->b))));
 }
 
 double numbers_floor(const struct block *b)
