@@ -5,9 +5,8 @@
 #include <string.h>
 
 #include "check.h"
-#include "parse.h"
+#include "typed.h"
 
-static struct formula f;
 static struct text_lines out;
 
 static int open_graph(void **state)
@@ -18,16 +17,6 @@ static int open_graph(void **state)
     formula_leaf(&f, "w", FORMULA_STATE);
     formula_leaf(&f, "p", FORMULA_POSITIVE_PARAMETER);
     return 0;
-}
-
-static int parsed(const char *text)
-{
-    struct fault why = { "" };
-    int node = -1;
-    const enum status s = formula_parse(&f, text, &node, &why);
-
-    CHECK(s == STATUS_OK, "%s: %s", text, why.text);
-    return node;
 }
 
 static void written(const char *typed, const char *expected)

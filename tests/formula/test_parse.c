@@ -4,8 +4,7 @@
 #include <string.h>
 
 #include "check.h"
-
-static struct formula f;
+#include "typed.h"
 
 static int open_graph(void **state)
 {
@@ -15,16 +14,6 @@ static int open_graph(void **state)
     formula_leaf(&f, "psi", FORMULA_STATE);
     formula_leaf(&f, "R", FORMULA_POSITIVE_PARAMETER);
     return 0;
-}
-
-static int parsed(const char *text)
-{
-    struct fault why = { "" };
-    int node = -1;
-    const enum status s = formula_parse(&f, text, &node, &why);
-
-    CHECK(s == STATUS_OK, "%s: %s", text, why.text);
-    return node;
 }
 
 static void same(const char *a, const char *b)
