@@ -74,6 +74,11 @@ RULES = [
      CODE, r'\b(v?printf|puts|putchar|perror|v?dprintf)\s*\('
            r'|\b(stdin|stdout|stderr)\b', everywhere_but('apps', 'tests'),
      'lib/plot/planted.c', 'void p(void) { fputs("done", stderr); }'),
+    ('only those who run a study know all of it',
+     CODE, r'\bstruct\s+study\b',
+     everywhere_but('lib/study', 'lib/sweep', 'lib/check', 'lib/race', 'apps',
+                    'tests'),
+     'lib/api/planted.c', 'void p(const struct study *s);'),
     ('main() is in apps',
      CODE, r'\bint\s+main\s*\(', everywhere_but('apps', 'tests'),
      'lib/core/planted.c', 'int main(void) { return 0; }'),

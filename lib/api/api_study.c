@@ -108,12 +108,12 @@ const char *slipway_study_name(const slipway_study *study, size_t k)
 size_t slipway_study_equilibria(const slipway_study *study,
                                 slipway_equilibrium out[], size_t room)
 {
-    const struct study *s = &study->point.study;
+    const struct slider *s = &study->point.study.slider;
 
-    for (size_t i = 0; i < s->slider.plane.equilibria && i < room; i++) {
-        const struct steady_number *n = &s->slider.steady[i];
+    for (size_t i = 0; i < s->plane.equilibria && i < room; i++) {
+        const struct steady_number *n = &s->steady[i];
         out[i] = (slipway_equilibrium){
-            .type = (slipway_type) s->slider.plane.equilibrium[i].type,
+            .type = (slipway_type) s->plane.equilibrium[i].type,
             .v = api_number(&n->v),
             .psi = api_number(&n->psi),
             .mu = api_number(&n->mu),
@@ -121,31 +121,31 @@ size_t slipway_study_equilibria(const slipway_study *study,
             .lambda_plus = api_number(&n->lambda_plus),
         };
     }
-    return s->slider.plane.equilibria;
+    return s->plane.equilibria;
 }
 
 /* ---- branches ------------------------------------------------------------ */
 
-static enum status fill(const struct study *s, slipway_branch which,
+static enum status fill(const struct sweep_point *p, slipway_branch which,
                         struct rows *rows)
 {
     const size_t side = (size_t) which % SIDES;
 
+    if (!plan_has(p->study.stages, STAGE_UNSTABLE) ||
+        !slider_has_manifolds(&p->study.slider))
+        return STATUS_OK;
     if (which < SLIPWAY_UNSTABLE_UPPER)
-        return rows_branch(s, &s->stable[side], rows);
-    return rows_unstable(s, &s->unstable[side], rows);
+        return rows_branch(&p->study, &p->study.stable[side], rows);
+    return rows_unstable(&p->study, &p->study.unstable[side], rows);
 }
 
 size_t slipway_study_branch(const slipway_study *study, slipway_branch which,
                             slipway_point out[], size_t room)
 {
-    const struct study *s = &study->point.study;
     struct rows rows = rows_of(&record_branch);
-    size_t count = 0;
+    const enum status s = fill(&study->point, which, &rows);
+    const size_t count = s == STATUS_OK ? rows.count : 0;
 
-    if (plan_has(s->stages, STAGE_UNSTABLE) &&
-        slider_has_manifolds(&s->slider) && fill(s, which, &rows) == STATUS_OK)
-        count = rows.count;
     for (size_t i = 0; i < count && i < room; i++) {
         const struct branch_row *r = (const struct branch_row *) rows.at + i;
         out[i] = (slipway_point){ r->v, r->psi, r->slope, r->error };
