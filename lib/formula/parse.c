@@ -5,15 +5,59 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "spell.h"
+
 struct reader {
     struct formula *f;
     const char *text, *at;
+    struct formula_place place;
     int depth;
     bool failed;
     struct fault *why;
 };
 
 /* ---- complaints ---------------------------------------------------------- */
+
+/* "FILE:LINE: " or nothing */
+static int write_place(struct formula_place at, char *out, size_t size)
+{
+    out[0] = '\0';
+    if (at.name == NULL)
+        return 0;
+    if (at.line == 0)
+        return snprintf(out, size, "%.180s: ", at.name);
+    return snprintf(out, size, "%.180s:%zu: ", at.name, at.line);
+}
+
+enum status formula_blame(struct formula_place at, struct fault *why,
+                          const char *format, ...)
+{
+    va_list words;
+    int n = 0;
+
+    if (at.name && at.line && at.column)
+        n = snprintf(why->text, sizeof why->text, "%.180s:%zu:%zu: ", at.name,
+                     at.line, at.column);
+    else
+        n = write_place(at, why->text, sizeof why->text);
+    va_start(words, format);
+    vsnprintf(why->text + n, sizeof why->text - (size_t) n, format, words);
+    va_end(words);
+    return STATUS_BAD_SCENE;
+}
+
+/* "line 1, column 5: ", "FILE:LINE: column 5 of the formula: " */
+static int write_where(const struct reader *r, int line, int column)
+{
+    char *out = r->why->text;
+    const size_t size = sizeof r->why->text;
+    int n = write_place(r->place, out, size);
+
+    if (r->place.name == NULL || line > 1)
+        n += snprintf(out + n, size - (size_t) n, "line %d, ", line);
+    return n + snprintf(out + n, size - (size_t) n, "column %d%s: ", column,
+                        r->place.name ? " of the formula" : "");
+}
 
 /* The first counts; after it everything is read as 0, at the end. */
 __attribute__((format(printf, 3, 4))) static int blame(struct reader *r,
@@ -29,8 +73,7 @@ __attribute__((format(printf, 3, 4))) static int blame(struct reader *r,
         column = *c == '\n' ? 1 : column + 1;
         line += *c == '\n';
     }
-    const int n = snprintf(r->why->text, sizeof r->why->text,
-                           "line %d, column %d: ", line, column);
+    const int n = write_where(r, line, column);
     va_start(words, format);
     vsnprintf(r->why->text + n, sizeof r->why->text - (size_t) n, format,
               words);
@@ -98,7 +141,7 @@ static int read_exponent(struct reader *r)
     return (minus ? -1 : 1) * (value < 9999 ? (int) value : 9999);
 }
 
-static int read_number(struct reader *r)
+static formula_real read_decimal(struct reader *r)
 {
     const char *at = r->at;
     formula_real value = 0, power = 1, ten = 10;
@@ -119,7 +162,32 @@ static int read_number(struct reader *r)
     value = exponent < 0 ? value / power : value * power;
     if (!(value < 1e300) || (value < 1e-300 && value > 0))
         return blame(r, at, "a number beyond 1e-300 ... 1e300");
-    return formula_number(r->f, value);
+    return value;
+}
+
+/* ---- names --------------------------------------------------------------- */
+
+enum { NAMES = FORMULA_DEFINITIONS + FUNCTIONS + 400 };
+
+struct names {
+    const char *name[NAMES + 1]; /* NULL-ended */
+    int names;
+};
+
+static void add_name(struct names *n, const char *name)
+{
+    if (n->names < NAMES && name && name[0])
+        n->name[n->names++] = name;
+    n->name[n->names] = NULL;
+}
+
+static void add_functions(struct names *n)
+{
+    for (int i = 0; i < FUNCTIONS; i++)
+        add_name(n, functions[i].typed);
+    add_name(n, "pi");
+    add_name(n, "log10");
+    add_name(n, "abs2");
 }
 
 /* ---- grammar ------------------------------------------------------------- */
@@ -152,12 +220,57 @@ static int find_function(const char *name, size_t size)
     return -1;
 }
 
+static bool is_one(const char *name, size_t size, const char *word)
+{
+    return strlen(word) == size && strncmp(word, name, size) == 0;
+}
+
+static bool is_function(const char *name, size_t size)
+{
+    return find_function(name, size) >= 0 || is_one(name, size, "abs2") ||
+           is_one(name, size, "log10");
+}
+
+bool formula_is_function(const char *name)
+{
+    return is_function(name, strlen(name));
+}
+
+formula_real formula_pi(void)
+{
+    return (formula_real) 3.14159265358979323846L -
+           (formula_real) 5.0165576126683320236e-20L; /* two parts */
+}
+
 static bool is_word(const char *name, size_t size, const char *const words[])
 {
     for (; *words; words++)
-        if (strlen(*words) == size && strncmp(*words, name, size) == 0)
+        if (is_one(name, size, *words))
             return true;
     return false;
+}
+
+/* A function, or, if it is not called, a name of any kind. */
+static int blame_unknown(struct reader *r, const char *at, size_t size,
+                         bool called)
+{
+    struct names known = { .names = 0 };
+    char name[41];
+
+    if (!called && is_function(at, size))
+        return blame(r, at, "%.*s is a function, expected ( behind it",
+                     (int) size, at);
+    for (int i = 0; !called && i < r->f->nodes; i++)
+        if (r->f->node[i].kind == FORMULA_LEAF)
+            add_name(&known, r->f->node[i].name);
+    for (int i = 0; !called && i < r->f->definitions; i++)
+        add_name(&known, r->f->definition[i].name);
+    add_functions(&known);
+    snprintf(name, sizeof name, "%.*s", (int) (size < 40 ? size : 40), at);
+    const char *near = spell_nearest(name, known.name);
+    return blame(r, at, "unknown %s %s%s%s%s", called ? "function" : "name",
+                 name, near ? " (did you mean " : "", near ? near : "",
+                 near ? "?)" : "");
 }
 
 static int read_call(struct reader *r, const char *at, size_t size)
@@ -169,16 +282,20 @@ static int read_call(struct reader *r, const char *at, size_t size)
 
     if (is_word(at, size, broken))
         return blame(r, at, "%.*s is not analytic", (int) size, at);
-    if (which < 0)
-        return blame(r, at, "unknown function %.*s", (int) size, at);
-    return formula_of(r->f, (enum formula_function) which, read_bracket(r));
+    if (which >= 0)
+        return formula_of(r->f, (enum formula_function) which, read_bracket(r));
+    if (!is_function(at, size))
+        return blame_unknown(r, at, size, true);
+    const int u = read_bracket(r);
+    if (is_one(at, size, "abs2"))
+        return formula_times(r->f, u, u);
+    return formula_over(
+        r->f, formula_of(r->f, FUNCTION_LN, u),
+        formula_of(r->f, FUNCTION_LN, formula_number(r->f, 10)));
 }
 
 static int read_word(struct reader *r)
 {
-    /* to 113 bits, in two parts */
-    const formula_real pi = (formula_real) 3.14159265358979323846L -
-                            (formula_real) 5.0165576126683320236e-20L;
     const char *at = r->at;
 
     while (isalnum((unsigned char) *r->at) || *r->at == '_')
@@ -187,12 +304,9 @@ static int read_word(struct reader *r)
     const int found = formula_find(r->f, at, size);
     if (found < 0 && take(r, '('))
         return read_call(r, at, size);
-    if (found < 0 && size == 2 && strncmp(at, "pi", 2) == 0)
-        return formula_number(r->f, pi);
-    if (found < 0)
-        return blame(r, at, "unknown name %.*s", size > 40 ? 40 : (int) size,
-                     at);
-    return found;
+    if (found < 0 && is_one(at, size, "pi"))
+        return formula_number(r->f, formula_pi());
+    return found < 0 ? blame_unknown(r, at, size, false) : found;
 }
 
 static int read_atom(struct reader *r)
@@ -203,7 +317,7 @@ static int read_atom(struct reader *r)
         return read_bracket(r);
     }
     if (isdigit((unsigned char) *r->at) || *r->at == '.')
-        return read_number(r);
+        return formula_number(r->f, read_decimal(r));
     if (isalpha((unsigned char) *r->at) || *r->at == '_')
         return read_word(r);
     return blame_letter(r, "a number, a name or (");
@@ -275,10 +389,13 @@ static int read_sum(struct reader *r)
             return u;
 }
 
-enum status formula_parse(struct formula *f, const char *text, int *out,
-                          struct fault *why)
+enum status formula_parse_at(struct formula *f, const char *text,
+                             struct formula_place at, int *out,
+                             struct fault *why)
 {
-    struct reader r = { .f = f, .text = text, .at = text, .why = why };
+    struct reader r = {
+        .f = f, .text = text, .at = text, .place = at, .why = why
+    };
     const size_t size = strnlen(text, PARSE_LETTERS + 1);
 
     if (size > PARSE_LETTERS) {
@@ -293,5 +410,35 @@ enum status formula_parse(struct formula *f, const char *text, int *out,
     if (r.failed)
         return STATUS_BAD_SCENE;
     *out = u;
+    return STATUS_OK;
+}
+
+enum status formula_parse(struct formula *f, const char *text, int *out,
+                          struct fault *why)
+{
+    return formula_parse_at(f, text, (struct formula_place){ .line = 0 }, out,
+                            why);
+}
+
+enum status formula_parse_decimal(const char *text, struct formula_place at,
+                                  formula_real *out, struct fault *why)
+{
+    struct reader r = { .text = text, .at = text, .place = at, .why = why };
+    const bool minus = take(&r, '-');
+
+    if (!minus)
+        (void) take(&r, '+');
+    skip_blanks(&r);
+    if (!isdigit((unsigned char) *r.at) && *r.at != '.') {
+        blame_letter(&r, "a decimal");
+        return STATUS_BAD_SCENE;
+    }
+    const formula_real value = read_decimal(&r);
+    skip_blanks(&r);
+    if (*r.at)
+        blame_letter(&r, "the decimal's end");
+    if (r.failed)
+        return STATUS_BAD_SCENE;
+    *out = minus ? -value : value;
     return STATUS_OK;
 }

@@ -36,6 +36,8 @@ static void operators_bind_as_everywhere(void **state)
     same("psi^2", "psi*psi");
     same("v^psi", "exp(psi*ln(v))");
     same(" v\n\t+ R", "v+R");
+    same("abs2(v + R)", "(v + R)^2");
+    same("log10(v)", "ln(v)/ln(10)");
 }
 
 static void numbers_are_decimals_in_113_bits(void **state)
@@ -79,9 +81,12 @@ static void mistakes_are_shown_with_line_and_column(void **state)
                      "or )");
     blamed("v)", "line 1, column 2: ')', expected + - * / ^ or the end");
     blamed("v psi", "line 1, column 3: 'p', expected + - * / ^ or the end");
-    blamed("v + phi", "line 1, column 5: unknown name phi");
-    blamed("exp", "line 1, column 1: unknown name exp");
+    blamed("v + lambda", "line 1, column 5: unknown name lambda");
+    blamed("v + pso", "line 1, column 5: unknown name pso (did you mean psi?)");
+    blamed("exp", "line 1, column 1: exp is a function, expected ( behind it");
     blamed("gamma(v)", "line 1, column 1: unknown function gamma");
+    blamed("R*asimh(v)", "line 1, column 3: unknown function asimh (did you "
+                         "mean asinh?)");
     blamed("R*abs(v)", "line 1, column 3: abs is not analytic");
     blamed("v < 1", "line 1, column 3: '<': comparisons are not analytic, "
                     "expected + - * / ^ or the end");
@@ -93,6 +98,51 @@ static void mistakes_are_shown_with_line_and_column(void **state)
            "line 1, column 1: a number beyond 1e-300 ... 1e300");
     blamed("\xc3\xa4", "line 1, column 1: byte 195, expected a number, a name "
                        "or (");
+}
+
+static void a_formula_of_a_file_is_blamed_there(void **state)
+{
+    const struct formula_place file = { "a.yaml", 7, 12 },
+                               option = { "--ode", 0, 0 };
+    struct fault why = { "" };
+    int node;
+
+    (void) state;
+    assert_int_equal(formula_parse_at(&f, "v + 2x", file, &node, &why),
+                     STATUS_BAD_SCENE);
+    assert_string_equal(why.text, "a.yaml:7: column 6 of the formula: 'x', "
+                                  "expected + - * / ^ or the end");
+    assert_int_equal(formula_parse_at(&f, "v +\n phi", option, &node, &why),
+                     STATUS_BAD_SCENE);
+    assert_string_equal(why.text,
+                        "--ode: line 2, column 2 of the formula: unknown name "
+                        "phi (did you mean psi?)");
+    assert_int_equal(formula_blame(file, &why, "no %s", "law"),
+                     STATUS_BAD_SCENE);
+    assert_string_equal(why.text, "a.yaml:7:12: no law");
+}
+
+static void decimals_are_read_alone(void **state)
+{
+    static const char *const wrong[] = { "",    "-",     "x", "1x",
+                                         "--1", "1e301", ".", "0x10",
+                                         "inf", "1 2",   NULL };
+    const struct formula_place none = { .line = 0 };
+    formula_real value = 7;
+    struct fault why;
+
+    (void) state;
+    assert_int_equal(formula_parse_decimal(" -2.5e-1 ", none, &value, &why),
+                     STATUS_OK);
+    assert_true(value == -0.25);
+    assert_int_equal(formula_parse_decimal("+3", none, &value, &why),
+                     STATUS_OK);
+    assert_true(value == 3);
+    for (int i = 0; wrong[i]; i++)
+        CHECK(formula_parse_decimal(wrong[i], none, &value, &why) ==
+                      STATUS_BAD_SCENE &&
+                  value == 3,
+              "'%s' is read", wrong[i]);
 }
 
 /* `count` times `word`, then the rest. */
@@ -163,6 +213,8 @@ int main(void)
         cmocka_unit_test_setup(numbers_are_decimals_in_113_bits, open_graph),
         cmocka_unit_test_setup(mistakes_are_shown_with_line_and_column,
                                open_graph),
+        cmocka_unit_test_setup(a_formula_of_a_file_is_blamed_there, open_graph),
+        cmocka_unit_test_setup(decimals_are_read_alone, open_graph),
         cmocka_unit_test_setup(too_much_costs_one_line, open_graph),
         cmocka_unit_test_setup(a_formula_of_too_many_parts_is_refused,
                                open_graph),

@@ -1,6 +1,6 @@
 /* spell.h -- the nearest known word to a misspelt one. */
-#ifndef SCENE_SPELL_H
-#define SCENE_SPELL_H
+#ifndef CORE_SPELL_H
+#define CORE_SPELL_H
 
 #include <stddef.h>
 
