@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "room.h"
+
 static int compare(const void *a, const void *b)
 {
     const double x = *(const double *) a, y = *(const double *) b;
@@ -84,16 +86,11 @@ struct collector {
 
 static enum status push(struct collector *c, struct seed s)
 {
-    if (c->count == c->room) {
-        const size_t room = c->room ? 2 * c->room : 64;
-        struct seed *seed = realloc(c->seed, room * sizeof *seed);
-        if (seed == NULL)
-            return STATUS_NO_MEMORY;
-        c->seed = seed;
-        c->room = room;
-    }
-    c->seed[c->count++] = s;
-    return STATUS_OK;
+    const enum status status = ROOM_FOR(c->seed, c->room, c->count + 1);
+
+    if (status == STATUS_OK)
+        c->seed[c->count++] = s;
+    return status;
 }
 
 /* The edge from node (i, j) to the next along `axis`. */

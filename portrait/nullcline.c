@@ -3,19 +3,14 @@
 #include <stdlib.h>
 
 #include "lattice.h"
+#include "room.h"
 #include "tolerance.h"
 
 /* Hands the line over to n, which owns it then. */
 static enum status keep(struct nullcline *n, struct polyline *line)
 {
-    if (n->count == n->room) {
-        const size_t room = n->room ? 2 * n->room : 4;
-        struct polyline *piece = realloc(n->piece, room * sizeof *piece);
-        if (piece == NULL)
-            return STATUS_NO_MEMORY;
-        n->piece = piece;
-        n->room = room;
-    }
+    if (ROOM_FOR(n->piece, n->room, n->count + 1) != STATUS_OK)
+        return STATUS_NO_MEMORY;
     n->piece[n->count++] = *line;
     *line = POLYLINE_EMPTY;
     return STATUS_OK;

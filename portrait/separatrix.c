@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "newton.h"
+#include "room.h"
 #include "strand.h"
 
 struct separatrix separatrix_empty(int along, struct vec2 origin)
@@ -69,16 +70,11 @@ struct chain {
 
 static enum status push_piece(struct strand *t, struct strand_piece p)
 {
-    if (t->count == t->room) {
-        const size_t room = t->room ? 2 * t->room : 64;
-        struct strand_piece *grown = realloc(t->piece, room * sizeof *grown);
-        if (grown == NULL)
-            return STATUS_NO_MEMORY;
-        t->piece = grown;
-        t->room = room;
-    }
-    t->piece[t->count++] = p;
-    return STATUS_OK;
+    const enum status s = ROOM_FOR(t->piece, t->room, t->count + 1);
+
+    if (s == STATUS_OK)
+        t->piece[t->count++] = p;
+    return s;
 }
 
 static void turn_round(struct strand *t)
@@ -109,14 +105,8 @@ static enum status end_strand(struct chain *c)
 
     if (c->way == 0)
         return STATUS_OK;
-    if (s->count == s->room) {
-        const size_t room = s->room ? 2 * s->room : 4;
-        struct strand *grown = realloc(s->strand, room * sizeof *grown);
-        if (grown == NULL)
-            return STATUS_NO_MEMORY;
-        s->strand = grown;
-        s->room = room;
-    }
+    if (ROOM_FOR(s->strand, s->room, s->count + 1) != STATUS_OK)
+        return STATUS_NO_MEMORY;
     if (c->way < 0)
         turn_round(&c->strand);
     close_gaps(&c->strand);

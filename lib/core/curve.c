@@ -2,39 +2,16 @@
 
 #include <stdlib.h>
 
-static enum status reserve_pieces(struct curve *c)
-{
-    if (c->count < c->piece_room)
-        return STATUS_OK;
-    const size_t room = c->piece_room ? 2 * c->piece_room : 64;
-    struct curve_piece *piece = realloc(c->piece, room * sizeof *piece);
-    if (piece == NULL)
-        return STATUS_NO_MEMORY;
-    c->piece = piece;
-    c->piece_room = room;
-    return STATUS_OK;
-}
-
-static enum status reserve_coefs(struct curve *c, size_t more)
-{
-    if (c->coefs + more <= c->coef_room)
-        return STATUS_OK;
-    const size_t room = 2 * c->coef_room + 64 * more;
-    double *coef = realloc(c->coef, room * sizeof *coef);
-    if (coef == NULL)
-        return STATUS_NO_MEMORY;
-    c->coef = coef;
-    c->coef_room = room;
-    return STATUS_OK;
-}
+#include "room.h"
 
 enum status curve_push(struct curve *c, size_t degree, double **coef)
 {
     const size_t size = c->dim * (degree + 1);
-    enum status s = reserve_pieces(c);
+    enum status s = ROOM_FOR(c->piece, c->piece_room, c->count + 1);
 
     if (s == STATUS_OK)
-        s = reserve_coefs(c, size);
+        s = ROOM_FOR(c->coef, c->coef_room,
+                     c->coefs ? c->coefs + size : c->piece_room * size);
     if (s != STATUS_OK)
         return s;
     c->piece[c->count++] = (struct curve_piece){ degree, c->coefs, 0.0, 0.0 };

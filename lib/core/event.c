@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "newton.h"
+#include "room.h"
 #include "tolerance.h"
 
 /* One event on one piece, as a function of theta. */
@@ -42,24 +43,11 @@ static double locate(const struct along *a, double lo, double hi)
     return s == STATUS_OK ? root.x : lo;
 }
 
-static enum status reserve(struct event_log *log)
-{
-    if (log->count < log->room)
-        return STATUS_OK;
-    const size_t room = log->room ? 2 * log->room : 16;
-    struct event_hit *hit = realloc(log->hit, room * sizeof *hit);
-    if (hit == NULL)
-        return STATUS_NO_MEMORY;
-    log->hit = hit;
-    log->room = room;
-    return STATUS_OK;
-}
-
 /* Inserts in ascending theta among the hits from `first` on. */
 static enum status insert(struct event_log *log, size_t first, size_t which,
                           double theta, const struct along *a)
 {
-    const enum status s = reserve(log);
+    const enum status s = ROOM_FOR(log->hit, log->room, log->count + 1);
     if (s != STATUS_OK)
         return s;
 

@@ -2,27 +2,15 @@
 
 #include <stdlib.h>
 
-static enum status grow(struct polyline *p)
-{
-    const size_t room = p->room ? 2 * p->room : 64;
-    struct vec2 *at = realloc(p->at, room * sizeof *at);
-
-    if (at == NULL)
-        return STATUS_NO_MEMORY;
-    p->at = at;
-    p->room = room;
-    return STATUS_OK;
-}
+#include "room.h"
 
 enum status polyline_push(struct polyline *p, struct vec2 z)
 {
-    if (p->count == p->room) {
-        const enum status s = grow(p);
-        if (s != STATUS_OK)
-            return s;
-    }
-    p->at[p->count++] = z;
-    return STATUS_OK;
+    const enum status s = ROOM_FOR(p->at, p->room, p->count + 1);
+
+    if (s == STATUS_OK)
+        p->at[p->count++] = z;
+    return s;
 }
 
 void polyline_reverse(struct polyline *p)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "layer.h"
+#include "room.h"
 
 /* NULL stays NULL; false when memory is out. */
 static bool text_copy(const char *text, char **copy)
@@ -46,19 +47,6 @@ void figure_init(struct figure *f, const char *title,
         f->status = STATUS_NO_MEMORY;
 }
 
-static bool has_room(struct figure *f)
-{
-    if (f->layer_count < f->layer_room)
-        return true;
-    const size_t room = f->layer_room ? 2 * f->layer_room : 16;
-    void *grown = realloc(f->layers, room * sizeof *f->layers);
-    if (!grown)
-        return false;
-    f->layers = grown;
-    f->layer_room = room;
-    return true;
-}
-
 /* Moves *column into our numbers, from *to on. */
 static void keep(const double **column, size_t count, double **to)
 {
@@ -78,7 +66,8 @@ void figure_add(struct figure *f, const struct figure_layer *layer)
         return;
     double *numbers = calloc(4 * l.count + l.head_count + 1, sizeof *numbers);
     double *to = numbers;
-    if (!numbers || !has_room(f) || !text_copy(l.entry, &entry)) {
+    if (!numbers || ROOM_FOR(f->layers, f->layer_room, f->layer_count + 1) ||
+        !text_copy(l.entry, &entry)) {
         free(numbers);
         f->status = STATUS_NO_MEMORY;
         return;

@@ -3,22 +3,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-static bool grow(double **column, size_t room)
-{
-    double *grown = realloc(*column, room * sizeof *grown);
-
-    if (grown)
-        *column = grown;
-    return grown != NULL;
-}
+#include "room.h"
 
 void line_add(struct line *l, double x, double y)
 {
-    if (l->count == l->room && !l->failed) {
-        const size_t room = l->room ? 2 * l->room : 512;
-        l->failed = !grow(&l->x, room) || !grow(&l->y, room);
-        l->room = room;
-    }
+    size_t room = l->room;
+
+    l->failed = l->failed || ROOM_FOR(l->x, room, l->count + 1) ||
+                ROOM_FOR(l->y, l->room, l->count + 1);
     if (l->failed)
         return;
     l->x[l->count] = x;

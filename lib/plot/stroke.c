@@ -11,18 +11,14 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "room.h"
+
 static enum status stroke_push(struct stroke *s, struct vec2 p)
 {
-    if (s->count == s->room) {
-        const size_t room = s->room ? 2 * s->room : 256;
-        void *grown = realloc(s->at, room * sizeof *s->at);
-        if (!grown)
-            return STATUS_NO_MEMORY;
-        s->at = grown;
-        s->room = room;
-    }
-    s->at[s->count++] = p;
-    return STATUS_OK;
+    const enum status status = ROOM_FOR(s->at, s->room, s->count + 1);
+    if (status == STATUS_OK)
+        s->at[s->count++] = p;
+    return status;
 }
 
 static bool is_break(struct vec2 p)

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "room.h"
 #include "stress_family.h"
 #include "stress_tolerance.h"
 
@@ -29,15 +30,9 @@ bool stress_matches(const char *name, const char *pattern)
 
 static struct stress_case *room_for_one(struct stress_list *list)
 {
-    if (list->count == list->room) {
-        const size_t room = list->room ? 2 * list->room : 64;
-        struct stress_case *at = realloc(list->at, room * sizeof *at);
-        if (at == NULL)
-            return NULL;
-        list->at = at;
-        list->room = room;
-    }
-    return &list->at[list->count];
+    return ROOM_FOR(list->at, list->room, list->count + 1)
+               ? NULL
+               : &list->at[list->count];
 }
 
 void stress_list_free(struct stress_list *list)

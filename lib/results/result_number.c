@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "room.h"
+
 /* ---- which --------------------------------------------------------------- */
 
 static bool stands_alone(const struct record_field *f)
@@ -13,16 +15,11 @@ static bool stands_alone(const struct record_field *f)
 
 static enum status add(struct result_numbers *n, const struct result_number *x)
 {
-    if (n->count == n->room) {
-        const size_t room = 2 * n->room + 64;
-        struct result_number *at = realloc(n->at, room * sizeof *at);
-        if (at == NULL)
-            return STATUS_NO_MEMORY;
-        n->at = at;
-        n->room = room;
-    }
-    n->at[n->count++] = *x;
-    return STATUS_OK;
+    const enum status s = ROOM_FOR(n->at, n->room, n->count + 1);
+
+    if (s == STATUS_OK)
+        n->at[n->count++] = *x;
+    return s;
 }
 
 /* Of one instance, and one row of columns. */

@@ -5,8 +5,7 @@
 #include <string.h>
 
 #include "hdf.h"
-
-enum { FIRST_ROOM = 16 };
+#include "room.h"
 
 /* A data set and which of its axes this is: an entry of REFERENCE_LIST, of 16
  * bytes as everyone writes it. */
@@ -68,17 +67,12 @@ struct axis *axis_find(struct store *st, hid_t group, const char *name)
 static void note_user(struct store *st, struct axis *axis, hobj_ref_t set,
                       int dimension)
 {
-    if (axis->count == axis->room) {
-        const size_t room = axis->room > 0 ? 2 * axis->room : FIRST_ROOM;
-        struct axis_user *users = realloc(axis->users, room * sizeof *users);
-        if (users == NULL) {
-            hdf_fail(st, STATUS_NO_MEMORY, status_text(STATUS_NO_MEMORY));
-            return;
-        }
-        axis->users = users;
-        axis->room = room;
-    }
-    axis->users[axis->count++] = (struct axis_user){ set, dimension, 0 };
+    const enum status s = ROOM_FOR(axis->users, axis->room, axis->count + 1);
+
+    if (s != STATUS_OK)
+        hdf_fail(st, s, status_text(s));
+    else
+        axis->users[axis->count++] = (struct axis_user){ set, dimension, 0 };
 }
 
 void axis_tie(struct store *st, hid_t set, int rank, struct axis *const axis[])

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "remark.h"
+#include "room.h"
 #include "study_results.h"
 #include "study_tolerance.h"
 
@@ -23,16 +24,12 @@ void rows_free(struct rows *r)
 
 static enum status push(struct rows *r, const void *row)
 {
-    if (r->count == r->room) {
-        const size_t room = r->room ? 2 * r->room : 256;
-        void *at = realloc(r->at, room * r->type->size);
-        if (at == NULL)
-            return STATUS_NO_MEMORY;
-        r->at = at;
-        r->room = room;
-    }
-    memcpy((char *) r->at + r->count++ * r->type->size, row, r->type->size);
-    return STATUS_OK;
+    const size_t size = r->type->size;
+    const enum status s = room_for(&r->at, &r->room, r->count + 1, size);
+
+    if (s == STATUS_OK)
+        memcpy((char *) r->at + r->count++ * size, row, size);
+    return s;
 }
 
 /* A point of a branch in the making: chart coordinates and all the rest. */

@@ -4,33 +4,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "room.h"
 #include "study_results.h"
 #include "sweep_results.h"
 
 /* ---- which --------------------------------------------------------------- */
-
-static struct sweep_column *room_for_one(struct sweep_columns *c)
-{
-    if (c->count == c->room) {
-        const size_t room = c->room ? 2 * c->room : 64;
-        struct sweep_column *at = realloc(c->at, room * sizeof *at);
-        if (at == NULL)
-            return NULL;
-        c->at = at;
-        c->room = room;
-    }
-    return &c->at[c->count++];
-}
 
 /* A column for a number, along these dimensions (NULL: by itself). */
 static enum status add(struct sweep_columns *c, const struct sweep_dims *d,
                        const struct result_number *n, const char *axis,
                        size_t names)
 {
-    struct sweep_column *column = room_for_one(c);
-
-    if (column == NULL)
+    if (ROOM_FOR(c->at, c->room, c->count + 1) != STATUS_OK)
         return STATUS_NO_MEMORY;
+    struct sweep_column *column = &c->at[c->count++];
     *column = (struct sweep_column){
         .unit = n->field->unit,
         .codes = n->field->codes,

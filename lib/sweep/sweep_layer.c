@@ -5,33 +5,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "room.h"
 #include "study_results.h"
 #include "sweep_results.h"
 
 /* ---- which --------------------------------------------------------------- */
-
-static struct sweep_layer *room_for_one(struct sweep_layers *l)
-{
-    if (l->count == l->room) {
-        const size_t room = 2 * l->room + 16;
-        struct sweep_layer *at = realloc(l->at, room * sizeof *at);
-        if (at == NULL)
-            return NULL;
-        l->at = at;
-        l->room = room;
-    }
-    return &l->at[l->count++];
-}
 
 /* "/basin" and "label" are basin_label. */
 static enum status add(struct sweep_layers *l, const struct sweep_dims *d,
                        const struct result *r, const struct record_field *f)
 {
     enum sweep_dim dim[SWEEP_RANK] = { SWEEP_DIMS, SWEEP_DIMS };
-    struct sweep_layer *layer = room_for_one(l);
 
-    if (layer == NULL)
+    if (ROOM_FOR(l->at, l->room, l->count + 1) != STATUS_OK)
         return STATUS_NO_MEMORY;
+    struct sweep_layer *layer = &l->at[l->count++];
     (void) sweep_dims_of(r->axis, r->path, dim);
     *layer = (struct sweep_layer){ .unit = f->unit,
                                    .codes = f->codes,
