@@ -205,7 +205,6 @@ enum status workprec_run(struct workprec *w, const struct scene *scene,
 
 void workprec_free(struct workprec *w)
 {
-    workprec_course_free(&w->course);
     free(w->run);
     free(w->fastest);
     w->run = NULL;

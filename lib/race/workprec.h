@@ -19,10 +19,10 @@
 #include "result.h"
 
 struct workprec {
-    struct scene scene;            /* borrowed members */
-    struct study study;            /* owned: the steady states */
-    struct workprec_course course; /* owned */
-    struct workprec_run *run;      /* owned; by quantity, method, tolerance */
+    struct scene scene; /* borrowed members */
+    struct study study; /* owned: the steady states */
+    struct workprec_course course;
+    struct workprec_run *run; /* owned; by quantity, method, tolerance */
     size_t runs;
     struct workprec_fastest *fastest; /* owned; by quantity, accuracy */
     size_t ranks;

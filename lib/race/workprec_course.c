@@ -28,53 +28,60 @@ static const struct vec2 places[] = { { 4.0, 2.0 },   { 2.5, -1.0 },
                                       { -2.0, -1.5 }, { 3.0, -2.5 } };
 enum { PLACES = sizeof places / sizeof *places };
 
-/* ---- limits ---------------------------------------------------------- */
+/* ---- branches -------------------------------------------------------- */
 
 static void set_limits(struct workprec_course *c)
 {
-    const struct law *law = &c->study->slider.block.law;
     struct workprec_truth *t = &c->truth;
-    struct quad_branch up = { .end = QUAD_TRUNCATED }, low = up;
+    const struct quad_branch *up = &t->curve[SIDE_UPPER].branch;
+    const struct quad_branch *low = &t->curve[SIDE_LOWER].branch;
 
-    if (!quad_branch_grow(law, &t->slope.at, 1, WORKPREC_BRANCH_TOL, &up) ||
-        up.end != QUAD_PSI_INF)
+    if (up->end != QUAD_PSI_INF)
         c->reason[WORKPREC_V_PLUS] = c->reason[WORKPREC_X_EXCESS] =
             "the upper branch has no limit";
-    if (!quad_branch_grow(law, &t->slope.at, -1, WORKPREC_BRANCH_TOL, &low) ||
-        low.end != QUAD_PSI_0)
+    if (low->end != QUAD_PSI_0)
         c->reason[WORKPREC_V_MINUS] = "the lower branch has no such limit";
-    t->v[SIDE_UPPER] = t->slope.at.v0 * expq(up.x);
-    t->v[SIDE_LOWER] = t->slope.at.v0 * expq(low.x);
-    t->x_excess = up.excess;
+    t->v[SIDE_UPPER] = t->slope.at.v0 * expq(up->x);
+    t->v[SIDE_LOWER] = t->slope.at.v0 * expq(low->x);
+    t->x_excess = up->excess;
 }
 
-/* ---- branches -------------------------------------------------------- */
+/* Whether the branch goes on from its point z at an angle with the rows. */
+static bool is_across(const struct workprec_curve *curve, const quad z[2])
+{
+    quad n[2];
 
-/* Rows half way between knots that the branch has not been beyond before,
+    workprec_curve_tangent(curve, z, n);
+    return fabsq(n[1]) > (quad) WORKPREC_ROW_ACROSS;
+}
+
+static bool is_in_reach(const struct workprec_course *c, const quad z[2])
+{
+    return box_holds(c->reach, (struct vec2){ (double) z[0], (double) z[1] });
+}
+
+/* Rows half way between points that the branch has not been beyond before,
  * evenly chosen. */
-static void choose_cuts(const struct workprec_course *c, int side,
-                        struct workprec_cuts *cuts)
+static void choose_cuts(struct workprec_course *c, int side)
 {
     const struct workprec_curve *curve = &c->truth.curve[side];
-    const quad way = curve->knot[curve->count - 1].z[1] > 0 ? 1 : -1;
-    size_t good[256], n = 0;
+    const struct quad_branch *b = &curve->branch;
+    struct workprec_cuts *cuts = &c->truth.cuts[side];
+    size_t good[QUAD_PATH], n = 0;
     quad farthest = 0;
 
-    for (size_t i = 0; i + 1 < curve->count && n < 256; i++) {
-        const struct workprec_knot *a = &curve->knot[i], *b = a + 1;
-        const bool fresh = way * a->z[1] >= farthest &&
-                           fabsq(a->z[0]) > (quad) WORKPREC_ROW_NEAREST;
-        if (way * a->z[1] > farthest)
-            farthest = way * a->z[1];
-        if (fresh && fabsq(a->n[1]) > (quad) WORKPREC_ROW_ACROSS &&
-            fabsq(b->n[1]) > (quad) WORKPREC_ROW_ACROSS)
+    for (size_t i = 0; i + 1 < b->points && is_in_reach(c, b->path[i + 1]);
+         i++) {
+        const quad *z = b->path[i], height = fabsq(z[1]);
+        if (height >= farthest && fabsq(z[0]) > (quad) WORKPREC_ROW_NEAREST &&
+            is_across(curve, z) && is_across(curve, b->path[i + 1]))
             good[n++] = i;
+        farthest = height > farthest ? height : farthest;
     }
     cuts->count = n < WORKPREC_ROWS_MOST ? n : WORKPREC_ROWS_MOST;
     for (size_t k = 0; k < cuts->count; k++) {
         const size_t i = good[(2 * k + 1) * n / (2 * cuts->count)];
-        const quad y = (curve->knot[i].z[1] + curve->knot[i + 1].z[1]) / 2;
-        cuts->row[k] = (double) y;
+        cuts->row[k] = (double) ((b->path[i][1] + b->path[i + 1][1]) / 2);
         const quad row =
             (quad) c->study->slider.plane.system.origin.y + cuts->row[k];
         cuts->x[k] = c->truth.slope.at.x0 +
@@ -82,26 +89,24 @@ static void choose_cuts(const struct workprec_course *c, int side,
     }
 }
 
-static enum status set_curves(struct workprec_course *c)
+static void set_branches(struct workprec_course *c)
 {
-    enum status s = STATUS_OK;
-    size_t cuts = 0;
+    const struct law *law = &c->study->slider.block.law;
+    struct workprec_truth *t = &c->truth;
 
-    for (int i = 0; i < WORKPREC_SIDES && s == STATUS_OK; i++) {
-        s = workprec_curve_grow(&c->study->slider.block.law, &c->truth.slope.at,
-                                i == SIDE_UPPER ? 1 : -1, c->reach,
-                                &c->truth.curve[i]);
-        if (s != STATUS_OK)
-            break;
-        choose_cuts(c, i, &c->truth.cuts[i]);
-        cuts += c->truth.cuts[i].count;
-    }
-    if (s == STATUS_NO_CONVERGENCE)
-        c->reason[WORKPREC_CURVE] = c->reason[WORKPREC_ROWS] =
-            "the branches were not found in 113 bits";
-    else if (cuts == 0)
+    for (int i = 0; i < WORKPREC_SIDES; i++)
+        if (!workprec_curve_grow(law, &t->slope.at, i == SIDE_UPPER ? 1 : -1,
+                                 &t->curve[i])) {
+            for (int q = 0; q <= WORKPREC_ROWS; q++)
+                if (q != WORKPREC_TRANSIENT)
+                    c->reason[q] = "the branches were not found in 113 bits";
+            return;
+        }
+    set_limits(c);
+    choose_cuts(c, SIDE_UPPER);
+    choose_cuts(c, SIDE_LOWER);
+    if (t->cuts[SIDE_UPPER].count + t->cuts[SIDE_LOWER].count == 0)
         c->reason[WORKPREC_ROWS] = "the branches cut no row in the window";
-    return s == STATUS_NO_CONVERGENCE ? STATUS_OK : s;
 }
 
 /* ---- orbits ---------------------------------------------------------- */
@@ -153,14 +158,14 @@ static void try_cell(struct workprec_course *c, struct vec2 offset)
     c->cell[c->cells++] = z;
 }
 
-static void set_cells(struct workprec_course *c, size_t cells)
+static void set_cells(struct workprec_course *c)
 {
     const struct phase_plane *plane = &c->study->slider.plane;
 
     for (size_t i = 0; i < plane->equilibria; i++)
         if ((int) i != slider_saddle(&c->study->slider))
             c->target[c->targets++] = phase_plane_offset(plane, i);
-    for (size_t i = 0; i < PLACES && c->cells < cells && c->targets > 0; i++)
+    for (size_t i = 0; i < PLACES && c->cells < c->most && c->targets > 0; i++)
         try_cell(c, places[i]);
     if (c->cells == 0)
         c->reason[WORKPREC_SLIP] = "no state tried arrives at a node";
@@ -173,10 +178,14 @@ enum status workprec_course_init(struct workprec_course *c,
                                  size_t sample, const struct monitor *monitor)
 {
     static const char stage[] = "truth in 113 bits";
+    static void (*const part[])(
+        struct workprec_course *) = { set_branches, set_state, set_cells };
+    enum { PARTS = sizeof part / sizeof *part };
     const struct box w = scene_box(s->scene);
     const struct vec2 o = s->slider.plane.system.origin;
 
-    *c = (struct workprec_course){ .study = s, .sample = sample };
+    *c =
+        (struct workprec_course){ .study = s, .most = cells, .sample = sample };
     c->reach = (struct box){ vec2_sub(w.lo, o), vec2_sub(w.hi, o) };
     for (int q = 0; q < WORKPREC_QUANTITIES; q++)
         if (slider_saddle(&s->slider) < 0)
@@ -185,25 +194,10 @@ enum status workprec_course_init(struct workprec_course *c,
         return STATUS_OK;
     c->saddle = phase_plane_saddle(&s->slider.plane);
     quad_slope_init(&c->truth.slope, s);
-    set_limits(c);
-    enum status status =
-        monitor_tell(monitor, stage, 1, 4) ? STATUS_STOPPED : set_curves(c);
-    if (status == STATUS_OK && monitor_tell(monitor, stage, 2, 4))
-        status = STATUS_STOPPED;
-    if (status == STATUS_OK)
-        set_state(c);
-    if (status == STATUS_OK && monitor_tell(monitor, stage, 3, 4))
-        status = STATUS_STOPPED;
-    if (status == STATUS_OK)
-        set_cells(c, cells);
-    else
-        workprec_course_free(c);
-    return status;
-}
-
-void workprec_course_free(struct workprec_course *c)
-{
-    for (int i = 0; i < WORKPREC_SIDES; i++)
-        workprec_curve_free(&c->truth.curve[i]);
-    *c = (struct workprec_course){ .study = NULL };
+    for (size_t i = 0; i < PARTS; i++) {
+        if (monitor_tell(monitor, stage, i, PARTS))
+            return STATUS_STOPPED;
+        part[i](c);
+    }
+    return STATUS_OK;
 }

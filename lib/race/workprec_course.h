@@ -45,7 +45,7 @@ struct workprec_cuts {
 struct workprec_truth {
     struct quad_slope slope; /* at the saddle */
     quad v[WORKPREC_SIDES], x_excess;
-    struct workprec_curve curve[WORKPREC_SIDES]; /* owned */
+    struct workprec_curve curve[WORKPREC_SIDES];
     struct workprec_cuts cuts[WORKPREC_SIDES];
     quad state[2]; /* absolute */
     quad slip[WORKPREC_CELLS_MOST];
@@ -60,22 +60,18 @@ struct workprec_course {
     struct vec2 start;                       /* of the orbit, offset */
     double until;
     struct vec2 cell[WORKPREC_CELLS_MOST]; /* absolute */
-    size_t cells;
-    struct vec2 target[EQUILIBRIA_MAX]; /* nodes, as offsets */
+    size_t cells, most;                    /* most: of them, as asked for */
+    struct vec2 target[EQUILIBRIA_MAX];    /* nodes, as offsets */
     size_t targets;
     size_t sample; /* points of a curve that are looked at, each branch */
     struct workprec_truth truth;
 };
 
 /* At most `cells` states and `sample` points of a branch.  A slope without a
- * saddle has none of the quantities.  STATUS_NO_MEMORY, STATUS_STOPPED: *c is
- * empty. */
+ * saddle has none of the quantities.  STATUS_STOPPED. */
 MUST_CHECK enum status workprec_course_init(struct workprec_course *c,
                                             const struct study *s, size_t cells,
                                             size_t sample,
                                             const struct monitor *monitor);
-
-/* A second call is harmless. */
-void workprec_course_free(struct workprec_course *c);
 
 #endif

@@ -2,19 +2,11 @@
 #ifndef RACE_WORKPREC_TOLERANCE_H
 #define RACE_WORKPREC_TOLERANCE_H
 
-/* Truth.  Of 113-bit branches, relative; and of 113-bit orbits (quad_orbit.h),
- * whose ends are then good to 1e-20 (measured: tighter ones agree to 1e-21). */
-#define WORKPREC_BRANCH_TOL 1e-18
-#define WORKPREC_ORBIT_TOL  1e-10
-
-/* 113-bit curves: a straight line so near the saddle; differences of the linear
- * part; farthest knots; error of a step, relative to the offset; and a point
- * further than this from a knot is nowhere near the curve. */
-#define WORKPREC_CURVE_START   1e-14
-#define WORKPREC_CURVE_PROBE   1e-18
-#define WORKPREC_CURVE_LONGEST 0.25
-#define WORKPREC_CURVE_TOL     1e-22
-#define WORKPREC_CURVE_FAR     1.0
+/* Truth: error of a step of a 113-bit branch, relative to its offset; and of
+ * 113-bit orbits (quad_orbit.h), whose ends are then good to 1e-20 (measured:
+ * tighter ones agree to 1e-21). */
+#define WORKPREC_CURVE_TOL 1e-22
+#define WORKPREC_ORBIT_TOL 1e-10
 
 /* Rows cut a branch no nearer the saddle than this, in ln v, and at an angle
  * with at least this sine. */
