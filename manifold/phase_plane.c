@@ -30,6 +30,13 @@ const struct equilibrium *phase_plane_saddle(const struct phase_plane *p)
     return p->saddles > 0 ? &p->equilibrium[p->saddle[0]] : NULL;
 }
 
+double phase_plane_leaving_rate(const struct phase_plane *p)
+{
+    const struct equilibrium *saddle = phase_plane_saddle(p);
+
+    return saddle ? saddle->lambda[1] : 0.0;
+}
+
 struct vec2 phase_plane_offset(const struct phase_plane *p, size_t i)
 {
     return vec2_sub(p->equilibrium[i].z, p->system.origin);

@@ -30,6 +30,9 @@ struct phase_plane phase_plane_of(const struct planar *system,
 /* The first saddle; NULL: there is none. */
 const struct equilibrium *phase_plane_saddle(const struct phase_plane *p);
 
+/* The rate at which orbits leave the first saddle; 0: there is none. */
+double phase_plane_leaving_rate(const struct phase_plane *p);
+
 /* Where steady state i is, as an offset. */
 struct vec2 phase_plane_offset(const struct phase_plane *p, size_t i);
 

@@ -39,9 +39,9 @@ static const double weight[STAGES][STAGES] = {
       0.242693594234484958, 0.159820376610255483, 0.0277777777777777778 }
 };
 
-void drift_start(struct drift *d, double rounding)
+void drift_start(struct drift *d, double rounding, double rate)
 {
-    *d = (struct drift){ .e = { 0.0 } };
+    *d = (struct drift){ .rate = rate };
     d->noise[0][0] = d->noise[1][1] = rounding * rounding;
 }
 
@@ -50,6 +50,7 @@ void drift_start(struct drift *d, double rounding)
 /* h times the gradients of the rates and the defect, at each node. */
 struct piece {
     size_t dim;
+    double nearest; /* to the origin */
     struct vec2 slope[STAGES][CURVE_DIM_MAX];
     double defect[STAGES][CURVE_DIM_MAX];
 };
@@ -83,9 +84,11 @@ static void look_at(const struct rescaled *clock, const struct curve *c,
     struct cascade_linear l;
 
     p->dim = c->dim;
+    p->nearest = HUGE_VAL;
     for (int j = 0; j < STAGES; j++) {
         curve_at(c, last, node[j], u);
         curve_slope_at(c, last, node[j], du);
+        p->nearest = fmin(p->nearest, hypot(u[0], u[1]));
         rescaled_linear(clock, (struct vec2){ u[0], u[1] }, &l);
         for (size_t i = 0; i < c->dim; i++) {
             p->slope[j][i] = vec2_scale(h, l.slope[i]);
@@ -204,6 +207,36 @@ static void spread(const struct transport *t, size_t dim,
                       t->gain[k][1] * half[i][1];
 }
 
+static double bound(double off, double noise)
+{
+    return TOL_DRIFT_BAR * fabs(off) + TOL_DRIFT_NOISE * sqrt(fmax(noise, 0.0));
+}
+
+/* Of e_i - late du_i, where late = row e, to first order. */
+static double first_order(const struct drift *d, double rate,
+                          const double row[], size_t n, size_t i)
+{
+    double off = d->e[i], cross = 0.0, square = 0.0;
+
+    for (size_t k = 0; k < n; k++) {
+        off -= rate * row[k] * d->e[k];
+        cross += row[k] * d->noise[i][k];
+        for (size_t l = 0; l < n; l++)
+            square += row[k] * row[l] * d->noise[k][l];
+    }
+    const double noise = d->noise[i][i] + rate * (rate * square - 2.0 * cross);
+    return bound(off, noise);
+}
+
+/* Of time, where the orbit crosses a line across its way. */
+static double lateness(const struct drift *d, const double du[])
+{
+    const double square = du[0] * du[0] + du[1] * du[1];
+    const double row[2] = { du[0] / square, du[1] / square };
+
+    return square > 0.0 ? first_order(d, du[2], row, 2, 2) : 0.0;
+}
+
 void drift_carry(struct drift *d, const struct rescaled *clock,
                  const struct curve *c, double h, const double missed[])
 {
@@ -230,29 +263,24 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
         const double digit = TOL_DRIFT_DIGIT * u[i];
         d->noise[i][i] += unsure * unsure + digit * digit;
     }
+    if (d->rate > 0.0 && p.nearest < TOL_DRIFT_NEAR) {
+        curve_slope_at(c, c->count - 1, 1.0, u);
+        d->late = fmax(d->late, d->rate * lateness(d, u));
+    }
 }
 
 /* ---- the end ------------------------------------------------------------- */
 
-static double bound(double off, double noise)
+/* F, of the header. */
+static double stretch(double r)
 {
-    return TOL_DRIFT_BAR * fabs(off) + TOL_DRIFT_NOISE * sqrt(fmax(noise, 0.0));
+    return r > 0.0 ? r < 1.0 ? -log1p(-r) / r : HUGE_VAL : 1.0;
 }
 
-/* Of e_i - late du_i, where late = row e. */
-static double bar_of(const struct drift *d, double rate, const double row[],
-                     size_t n, size_t i)
+/* An error that is none stays none. */
+static double stretched(const struct drift *d, double bar)
 {
-    double off = d->e[i], cross = 0.0, square = 0.0;
-
-    for (size_t k = 0; k < n; k++) {
-        off -= rate * row[k] * d->e[k];
-        cross += row[k] * d->noise[i][k];
-        for (size_t l = 0; l < n; l++)
-            square += row[k] * row[l] * d->noise[k][l];
-    }
-    const double noise = d->noise[i][i] + rate * (rate * square - 2.0 * cross);
-    return bound(off, noise);
+    return bar > 0.0 ? stretch(d->late) * bar : bar;
 }
 
 double drift_off(const struct drift *d, const double du[], struct vec2 gradient,
@@ -270,7 +298,7 @@ double drift_bar(const struct drift *d, const double du[], struct vec2 gradient,
     const double speed = gradient.x * du[0] + gradient.y * du[1];
     const double row[2] = { gradient.x / speed, gradient.y / speed };
 
-    return bar_of(d, du[i], row, 2, i);
+    return stretched(d, first_order(d, du[i], row, 2, i));
 }
 
 double drift_bar_at(const struct drift *d, const double du[], size_t which,
@@ -279,7 +307,7 @@ double drift_bar_at(const struct drift *d, const double du[], size_t which,
     double row[CURVE_DIM_MAX] = { 0.0 };
 
     row[which] = 1.0 / du[which];
-    return bar_of(d, du[i], row, which + 1, i);
+    return stretched(d, first_order(d, du[i], row, which + 1, i));
 }
 
 double drift_across(const struct drift *d, const double du[])
@@ -289,6 +317,7 @@ double drift_across(const struct drift *d, const double du[])
     const double y = size > 0.0 ? du[0] / size : 1.0;
     const double(*n)[CURVE_DIM_MAX] = d->noise;
 
-    return bound(x * d->e[0] + y * d->e[1],
-                 x * x * n[0][0] + 2.0 * x * y * n[0][1] + y * y * n[1][1]);
+    return stretched(
+        d, bound(x * d->e[0] + y * d->e[1],
+                 x * x * n[0][0] + 2.0 * x * y * n[0][1] + y * y * n[1][1]));
 }

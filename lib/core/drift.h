@@ -13,13 +13,20 @@
 /* Evaluations of the field and its gradients by drift_carry. */
 enum { DRIFT_CALLS = 6 };
 
+/* First order is not enough at a saddle.  An orbit that passes it at q along
+ * the unstable direction and is off by e there leaves it late by
+ *     |ln(1 - e/q)|/rate <= (e/(rate q)) F(e/q),   F(r) = -ln(1 - r)/r:
+ * with r = e/q, which is rate times the lateness to first order, bars are made
+ * F(r) times as wide; infinite for r >= 1, for q may be nothing then. */
 struct drift {
     double e[CURVE_DIM_MAX]; /* computed less true, to first order */
     double noise[CURVE_DIM_MAX][CURVE_DIM_MAX]; /* covariance */
+    double rate, late; /* of the saddle at the origin; r, a bound on it */
 };
 
-/* At the start, whose coordinates are known to within `rounding`. */
-void drift_start(struct drift *d, double rounding);
+/* At the start, whose coordinates are known to within `rounding`; `rate`: the
+ * rate at which orbits leave the saddle at the origin, 0 if there is none. */
+void drift_start(struct drift *d, double rounding, double rate);
 
 /* Over the last piece of the curve, of length h on the clock; `missed`: the
  * method's own estimates of what it missed on that piece, for where the field

@@ -276,14 +276,15 @@
 /* What is carried along an orbit (drift.h).  The bar: this many times the error
  * to first order, and standard deviations of the rest: what part of a step's
  * error is not known, more where the field is this rough or rougher, and what
- * it rounds of each component; and how many times as fast one component may
- * settle as the other. */
+ * it rounds of each component; how many times as fast one component may settle
+ * as the other; and how near to the saddle it passes it, in the chart. */
 #define TOL_DRIFT_BAR    2.0
 #define TOL_DRIFT_NOISE  4.0
 #define TOL_DRIFT_UNSURE 0.5
 #define TOL_DRIFT_ROUGH  40.0
 #define TOL_DRIFT_DIGIT  0x1p-53
 #define TOL_DRIFT_STIFF  1e7
+#define TOL_DRIFT_NEAR   1.0
 
 /* Steps of radau.h.  Iterations, at most; how much less sure a rate is that was
  * measured on the step before, and the least such rate (a lucky one says

@@ -330,7 +330,8 @@ static enum status follow(const struct slider *s, struct vec2 z, double rtol,
     options.max_steps = TOL_FATE_STEPS;
     options.reach[0] = TOL_FATE_LATE * slow_time(s);
     options.drift = observe ? &past.drift : NULL;
-    drift_start(&past.drift, slider_rounding(s, z));
+    drift_start(&past.drift, slider_rounding(s, z),
+                phase_plane_leaving_rate(&s->plane));
     fate_least(s, z, options.least);
     *out = (struct fate_result){ .fate = FATE_UNDECIDED };
     enum status status = orbit_init(&o, &s->plane.system, z, &options);

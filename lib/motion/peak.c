@@ -118,7 +118,7 @@ static enum status sharpen(const struct along *a, size_t first, size_t last,
     *error = worst_of(a->curve, first > 0 ? first - 1 : 0, last);
     if (!(to[2] > from[2]))
         return STATUS_OK;
-    drift_start(&drift, 0.0);
+    drift_start(&drift, 0.0, phase_plane_leaving_rate(&s->plane));
     options.drift = &drift;
     options.rtol = TOL_PEAK_FINEST;
     options.observables = 0;
@@ -252,7 +252,7 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     options.arrival = TOL_ARREST;
     options.max_steps = TOL_FATE_STEPS;
     options.drift = &drift;
-    drift_start(&drift, rounding);
+    drift_start(&drift, rounding, phase_plane_leaving_rate(&s->plane));
     fate_least(s, start, options.least);
     enum status status = orbit_init(&o, &s->plane.system, start, &options);
     if (status != STATUS_OK)

@@ -160,7 +160,8 @@ static enum status follow(const struct course *c, double rtol,
 {
     struct orbit_options options = c->options;
 
-    drift_start(drift, slider_rounding(c->slider, c->start));
+    drift_start(drift, slider_rounding(c->slider, c->start),
+                phase_plane_leaving_rate(&c->slider->plane));
     options.drift = drift;
     options.rtol = rtol;
     enum status s =

@@ -247,7 +247,8 @@ static enum status follow(const struct maker *m, double rtol,
         orbit_defaults(&s->slider.plane.system, s->slider.plane.fastest_rate);
 
     if (drift)
-        drift_start(drift, slider_rounding(&s->slider, m->c->start));
+        drift_start(drift, slider_rounding(&s->slider, m->c->start),
+                    phase_plane_leaving_rate(&s->slider.plane));
     options.drift = drift;
     options.rtol = rtol;
     options.observables = 0;

@@ -428,7 +428,7 @@ static enum status run(const struct slider *s, struct vec2 z,
     struct drift drift;
     struct orbit o;
 
-    drift_start(&drift, slider_rounding(s, z));
+    drift_start(&drift, slider_rounding(s, z), 0.0);
     options.drift = &drift;
     options.rtol = TOL_SLOW_RTOL;
     options.observables = 1;

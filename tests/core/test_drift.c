@@ -13,7 +13,7 @@ static void run(struct orbit *o, struct drift *d, const struct planar *sys,
 {
     struct orbit_options p = orbit_defaults(sys, 1.0);
 
-    drift_start(d, 0.0);
+    drift_start(d, 0.0, 0.0);
     p.rtol = rtol;
     p.reach[0] = time;
     p.drift = d;
@@ -95,7 +95,7 @@ static void what_is_not_known_of_the_start_grows_with_the_orbit(void **state)
     struct orbit o;
 
     (void) state;
-    drift_start(&d, off);
+    drift_start(&d, off, 0.0);
     p.reach[0] = 1.0;
     p.drift = &d;
     assert_int_equal(orbit_init(&o, &sys, (struct vec2){ 1.0, 1.0 }, &p), 0);
