@@ -7,6 +7,7 @@
 
 #include "stress_judge.h"
 #include "stress_tolerance.h"
+#include "stress_work.h"
 
 static struct stress_number_told {
     double value, error;
@@ -73,10 +74,8 @@ void stress_field_judge(const struct stress_cell *c, const struct quad_orbit *o,
 
 /* ---- grids --------------------------------------------------------------- */
 
-/* What does not fit on a stack. */
-struct work {
-    struct scene scene; /* borrows what the case's owns */
-    struct study study;
+struct grid {
+    const struct stress_work *work;
     struct quad_slope slope;
     int8_t *label;     /* owned: PATCHWORK_TILE rows */
     struct cell *cell; /* owned: as many */
@@ -97,34 +96,36 @@ static bool is_certain(const struct quad_slope *q, quad x, quad y,
 }
 
 /* The cell `at` of the block of rows that begins at `first`. */
-static void judge_cell(const struct work *w, size_t first, size_t at,
-                       struct stress_row *row)
+static void judge_cell(const struct grid *g, size_t first, size_t at)
 {
-    const struct basin_map *m = &w->study.basins;
+    const struct study *s = &g->work->study;
+    const struct basin_map *m = &s->basins;
+    struct stress_row *row = g->work->row;
     const double psi = m->psi[first + at / m->columns];
     const quad x = logq((quad) m->v[at % m->columns]);
     const quad y =
-        law_psi_is_log(&w->scene.law) ? (quad) psi : logq((quad) psi);
-    const struct stress_cell c = { w->label[at], w->cell[at],
-                                   w->study.fields.which };
+        law_psi_is_log(&s->scene->law) ? (quad) psi : logq((quad) psi);
+    const struct stress_cell c = { g->label[at], g->cell[at], s->fields.which };
     struct quad_orbit o;
 
     row->steps++;
     if (c.label == FATE_UNDECIDED) {
-        if (is_certain(&w->slope, x, y, row))
+        if (is_certain(&g->slope, x, y, row))
             stress_row_say(row, STRESS_DEGRADED,
                            "a cell is undecided far from the separatrix", NULL);
         return;
     }
-    quad_orbit_find(&w->slope, x, y, STRESS_ORBIT_TOL, &o);
+    quad_orbit_find(&g->slope, x, y, STRESS_ORBIT_TOL, &o);
     row->oracle_evaluations += (int64_t) o.steps;
     stress_field_judge(&c, &o, row);
 }
 
 /* Some rows at a time, of which every stride-th cell is looked at. */
-static enum status judge_rows(struct work *w, struct stress_row *row)
+static enum status judge_rows(struct grid *g)
 {
-    const struct basin_map *m = &w->study.basins;
+    const struct study *s = &g->work->study;
+    const struct basin_map *m = &s->basins;
+    struct stress_row *row = g->work->row;
     const size_t all = m->rows * m->columns;
     const size_t stride = all > STRESS_LOOKS ? all / STRESS_LOOKS : 1;
     enum status status = STATUS_OK;
@@ -134,52 +135,32 @@ static enum status judge_rows(struct work *w, struct stress_row *row)
         const size_t some =
             m->rows - j < PATCHWORK_TILE ? m->rows - j : PATCHWORK_TILE;
         double start = stress_clock();
-        status = basin_map_rows(m, j, some, w->label);
+        status = basin_map_rows(m, j, some, g->label);
         if (status == STATUS_OK)
-            status = fields_find(&w->study.fields, j, some, NULL, w->cell);
+            status = fields_find(&s->fields, j, some, NULL, g->cell);
         row->seconds += stress_clock() - start;
         start = stress_clock();
         for (size_t i = 0; i < some * m->columns && status == STATUS_OK; i++)
             if ((j * m->columns + i) % stride == 0)
-                judge_cell(w, j, i, row);
+                judge_cell(g, j, i);
         row->oracle_seconds += stress_clock() - start;
     }
     return status;
 }
 
-static enum status run_grid(struct work *w, struct stress_row *row)
+enum status stress_grid_judge(struct stress_work *w)
 {
-    const double start = stress_clock();
-    w->scene.products |= 1u << PRODUCT_BASINS;
-    enum status s = study_run(&w->study, &w->scene, NULL, &row->fault);
-
-    row->seconds = stress_clock() - start;
-    if (s != STATUS_OK)
-        return s;
     const size_t n = w->study.basins.columns * PATCHWORK_TILE;
-    w->label = malloc(n * sizeof *w->label);
-    w->cell = malloc(n * sizeof *w->cell);
-    if (w->label == NULL || w->cell == NULL)
-        return STATUS_NO_MEMORY;
-    quad_slope_init(&w->slope, &w->study);
-    row->bar = 0.0;
-    return judge_rows(w, row);
-}
+    struct grid g = { .work = w,
+                      .label = malloc(n * sizeof *g.label),
+                      .cell = malloc(n * sizeof *g.cell) };
+    enum status s = STATUS_NO_MEMORY;
 
-enum status stress_field_run(const struct stress_case *c,
-                             struct stress_row *row)
-{
-    struct work *w = calloc(1, sizeof *w);
-
-    if (w == NULL)
-        return STATUS_NO_MEMORY;
-    w->scene = c->scene;
-    const enum status s = run_grid(w, row);
-    if (s != STATUS_OK && s != STATUS_NO_MEMORY)
-        stress_row_say(row, STRESS_FAILED, row->fault.text, NULL);
-    free(w->label);
-    free(w->cell);
-    study_free(&w->study);
-    free(w);
-    return s == STATUS_NO_MEMORY ? s : STATUS_OK;
+    quad_slope_init(&g.slope, &w->study);
+    w->row->bar = 0.0;
+    if (g.label && g.cell)
+        s = judge_rows(&g);
+    free(g.label);
+    free(g.cell);
+    return s;
 }

@@ -1,11 +1,10 @@
-/* stress_field.h -- fates, slip, time, friction and peaks of the cells of a
- * grid, beside orbits in 113 bits. */
+/* stress_field.h -- fate, slip, time, friction and peaks of a cell, beside an
+ * orbit in 113 bits. */
 #ifndef RACE_STRESS_FIELD_H
 #define RACE_STRESS_FIELD_H
 
 #include "cells.h"
 #include "quad_orbit.h"
-#include "stress_case.h"
 #include "stress_row.h"
 
 /* What the program says of the cell: its label in the map, its numbers where
@@ -17,10 +16,5 @@ struct stress_cell {
 };
 void stress_field_judge(const struct stress_cell *c, const struct quad_orbit *o,
                         struct stress_row *row);
-
-/* The fields of the case's grid, STRESS_LOOKS of its cells or all of fewer;
- * fills the row.  Only STATUS_NO_MEMORY is an error. */
-MUST_CHECK enum status stress_field_run(const struct stress_case *c,
-                                        struct stress_row *row);
 
 #endif

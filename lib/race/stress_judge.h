@@ -5,6 +5,7 @@
 #ifndef RACE_STRESS_JUDGE_H
 #define RACE_STRESS_JUDGE_H
 
+#include "stress_row.h"
 #include "stress_truth.h"
 #include "study.h"
 
@@ -25,30 +26,21 @@ enum stress_agreement { STRESS_DISAGREE, STRESS_AGREE }; /* -1: neither */
 
 /* What the program says of a slope. */
 struct stress_answer {
-    bool saddle;
-    int8_t upper_end, lower_end;
-    struct {
-        struct knee_number at[KNEES_MAX];
-        size_t count, crossings;
-    } knees[SIDES];                         /* all of them */
-    struct quantity number[STRESS_NUMBERS]; /* with conditioning */
+    bool has_saddle;
+    struct saddle_numbers saddle;
+    struct critical_numbers critical; /* with conditioning */
 };
 struct stress_answer stress_answer_of(const struct study *s);
 
-struct stress_verdict {
-    int8_t outcome; /* enum stress_outcome */
-    double digits;  /* least -log10 of a relative true error; NaN: no number */
-    double allowed; /* least that conditioning allows of a number */
-    double missing; /* most that a number lacks of what conditioning allows */
-    double bar;     /* largest |true error| over reported error */
-    const char *worst;  /* the number of `missing`; NULL: none */
-    const char *reason; /* static; NULL: exact */
-};
+/* As it is called in sweeps and tables; and as the program has it. */
+const char *stress_number_name(enum stress_number which);
+const struct quantity *stress_answer_number(const struct stress_answer *a,
+                                            enum stress_number which);
 
-/* Of a slope; agreement: enum stress_agreement. */
-struct stress_verdict stress_judge(const struct stress_truth *t,
-                                   const struct stress_answer *a,
-                                   int8_t agreement);
+/* Of a slope: outcome and reason, digits, allowed, missing, bar and worst of
+ * the row, whose routes agree or not. */
+void stress_judge(const struct stress_truth *t, const struct stress_answer *a,
+                  struct stress_row *row);
 
 /* Digits of an estimate of `truth`, of conditioning k: 0...STRESS_DIGITS. */
 double stress_digits(double value, quad truth);

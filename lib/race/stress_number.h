@@ -24,7 +24,4 @@ enum stress_number {
     STRESS_NUMBERS
 };
 
-/* As in the tables of records.h. */
-extern const char *const stress_number_names[STRESS_NUMBERS];
-
 #endif

@@ -8,11 +8,14 @@
 #include "status.h"
 
 struct stress_row {
-    const char *name, *law, *settings;    /* borrowed from the case */
-    int8_t kind, form;                    /* enum stress_kind, friction_form */
-    int8_t outcome;                       /* enum stress_outcome */
-    int8_t agree;                         /* enum stress_agreement or -1 */
-    double digits, allowed, missing, bar; /* as in stress_verdict */
+    const char *name, *law, *settings; /* borrowed from the case */
+    int8_t kind, form;                 /* enum stress_kind, friction_form */
+    int8_t outcome;                    /* enum stress_outcome */
+    int8_t agree;                      /* enum stress_agreement or -1 */
+    double digits;  /* least -log10 of a relative true error; NaN: no number */
+    double allowed; /* least that conditioning allows of a number */
+    double missing; /* most that a number lacks of what conditioning allows */
+    double bar;     /* largest |true error| over reported error */
     int64_t steps;  /* of the branches or the orbit; labels of a grid */
     double seconds; /* the program's */
     double oracle_seconds;

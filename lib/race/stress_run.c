@@ -3,11 +3,43 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "stress_field.h"
-#include "stress_oracle.h"
-#include "stress_slope.h"
-#include "stress_state.h"
 #include "stress_tolerance.h"
+#include "stress_work.h"
+
+#define ASKS(product) (1u << PRODUCT_##product)
+static const struct {
+    unsigned products; /* of the study, beside those of a case of fields */
+    enum status (*judge)(struct stress_work *w);
+} kinds[STRESS_KINDS] = {
+    [STRESS_SLOPE] = { ASKS(EQUILIBRIA) | ASKS(KNEES) | ASKS(SENSITIVITIES),
+                       stress_slope_judge },
+    [STRESS_START] = { ASKS(EQUILIBRIA) | ASKS(KNEES), stress_start_judge },
+    [STRESS_WINDOW] = { ASKS(EQUILIBRIA) | ASKS(MANIFOLDS) | ASKS(NULLCLINES) |
+                            ASKS(BASINS),
+                        stress_window_judge },
+    [STRESS_FIELD] = { ASKS(BASINS), stress_grid_judge },
+};
+
+/* Only STATUS_NO_MEMORY is an error. */
+static enum status judge_case(const struct stress_case *c,
+                              struct stress_work *w)
+{
+    const double start = stress_clock();
+
+    w->scene = c->scene;
+    w->scene.products = kinds[c->kind].products;
+    if (c->kind == STRESS_FIELD)
+        w->scene.products |= c->scene.products;
+    enum status s = study_run(&w->study, &w->scene, NULL, &w->row->fault);
+    w->row->seconds = stress_clock() - start;
+    if (s == STATUS_OK)
+        s = kinds[c->kind].judge(w);
+    study_free(&w->study);
+    if (s == STATUS_OK || s == STATUS_NO_MEMORY)
+        return s;
+    stress_row_say(w->row, STRESS_FAILED, w->row->fault.text, NULL);
+    return STATUS_OK;
+}
 
 static enum status run_case(const struct stress_case *c,
                             struct stress_oracle *oracle,
@@ -25,16 +57,13 @@ static enum status run_case(const struct stress_case *c,
                                 .allowed = none,
                                 .missing = none,
                                 .bar = none };
-    switch (c->kind) {
-        case STRESS_START:
-            return stress_start_run(c, oracle, row);
-        case STRESS_WINDOW:
-            return stress_window_run(c, oracle, row);
-        case STRESS_FIELD:
-            return stress_field_run(c, row);
-        default:
-            return stress_slope_run(c, oracle, row);
-    }
+    struct stress_work *w = malloc(sizeof *w);
+    if (w == NULL)
+        return STATUS_NO_MEMORY;
+    *w = (struct stress_work){ .oracle = oracle, .row = row };
+    const enum status s = judge_case(c, w);
+    free(w);
+    return s;
 }
 
 static void sum_up(struct stress *s)

@@ -1,18 +1,9 @@
-#include "stress_slope.h"
-
-#include <stdlib.h>
-
 #include "stress_judge.h"
+#include "stress_work.h"
 #include "verify.h"
 
-/* What does not fit on a stack. */
-struct work {
-    struct scene scene; /* borrows what the case's owns */
-    struct study study;
-};
-
 /* Only STATUS_NO_MEMORY is an error: a second route that fails is no answer. */
-static enum status find_agreement(const struct work *w, int8_t *agree)
+static enum status find_agreement(const struct stress_work *w, int8_t *agree)
 {
     const struct study *s = &w->study;
     struct verification v;
@@ -37,51 +28,22 @@ static double seconds_of(const struct study *s)
            s->cost[STAGE_CRITICAL].seconds + s->cost[STAGE_KNEES].seconds;
 }
 
-static void fill(const struct work *w, const struct stress_truth *truth,
-                 struct stress_row *row)
+enum status stress_slope_judge(struct stress_work *w)
 {
     const struct study *s = &w->study;
-    const struct stress_answer a = stress_answer_of(s);
+    const struct stress_answer answer = stress_answer_of(s);
+    struct stress_row *row = w->row;
 
+    if (answer.has_saddle && !slider_has_manifolds(&s->slider)) {
+        stress_row_say(row, STRESS_FAILED, answer.critical.v_plus.reason, NULL);
+        return STATUS_OK;
+    }
     row->steps =
         (int64_t) (s->stable[SIDE_UPPER].steps + s->stable[SIDE_LOWER].steps);
     row->seconds = seconds_of(s);
-    const struct stress_verdict v = stress_judge(truth, &a, row->agree);
-    row->outcome = v.outcome;
-    row->digits = v.digits;
-    row->allowed = v.allowed;
-    row->missing = v.missing;
-    row->bar = v.bar;
-    row->worst = v.worst;
-    row->reason = v.reason;
-}
-
-enum status stress_slope_run(const struct stress_case *c,
-                             struct stress_oracle *oracle,
-                             struct stress_row *row)
-{
-    struct work *w = calloc(1, sizeof *w);
-
-    if (w == NULL)
-        return STATUS_NO_MEMORY;
-    w->scene = c->scene;
-    w->scene.products = 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_KNEES |
-                        1u << PRODUCT_SENSITIVITIES;
-    enum status s = study_run(&w->study, &w->scene, NULL, &row->fault);
-    const bool solved = s == STATUS_OK;
-    const bool refused = solved && slider_saddle(&w->study.slider) >= 0 &&
-                         !slider_has_manifolds(&w->study.slider);
-    if (solved && !refused)
-        s = find_agreement(w, &row->agree);
-    if (refused || (!solved && s != STATUS_NO_MEMORY)) {
-        row->outcome = STRESS_FAILED;
-        row->reason =
-            refused ? w->study.slider.critical.v_plus.reason : row->fault.text;
-        s = STATUS_OK;
-    } else if (s == STATUS_OK) {
-        fill(w, stress_oracle_ask(oracle, &w->scene, row), row);
-    }
-    study_free(&w->study);
-    free(w);
-    return s;
+    const enum status status = find_agreement(w, &row->agree);
+    if (status == STATUS_OK)
+        stress_judge(stress_oracle_ask(w->oracle, &w->scene, row), &answer,
+                     row);
+    return status;
 }

@@ -1,13 +1,12 @@
 /* Routes to a fate: the region between the branches that holds the state,
  * and the state's own orbit forward, L-stable.  The oracle's branches tell the
  * side. */
-#include "stress_state.h"
-
 #include <math.h>
 #include <stdlib.h>
 
 #include "push.h"
 #include "stress_judge.h"
+#include "stress_work.h"
 #include "study_tolerance.h"
 #include "transient.h"
 
@@ -46,52 +45,51 @@ static void judge_fate(struct stress_row *row, const struct stress_truth *t,
 
 /* ---- one state ----------------------------------------------------------- */
 
-struct work {
-    struct scene scene; /* borrows what the case's owns */
+/* What does not fit on a stack. */
+struct routes {
     struct push push;
-    struct study study;
     struct transient transient;
 };
 
 /* The fates by the region, by the orbit and by the transient. */
-static enum status find_fates(struct work *w, struct stress_row *row,
+static enum status find_fates(struct stress_work *w, struct routes *r,
                               int fate[SOURCES])
 {
     const struct scene_start at = w->scene.start[0];
     const struct push_state state = { at.v, at.psi };
     struct transient_options o = transient_defaults(&w->scene);
-    const struct planar *sys = &w->push.slider.plane.system;
+    const struct planar *sys = &r->push.slider.plane.system;
     const struct vec2 z = { log(at.v),
                             sys->axis[1].is_log ? log(at.psi) : at.psi };
     struct fate_result orbit;
     struct push_answer answer;
 
-    o.labels = &w->push.labels;
-    enum status s = push_find(&w->push, state, NULL, &answer);
+    o.labels = &r->push.labels;
+    enum status s = push_find(&r->push, state, NULL, &answer);
     if (s == STATUS_OK)
-        s = fate_find(&w->push.slider, z, TOL_PUSH_COARSE, false, NULL, &orbit);
+        s = fate_find(&r->push.slider, z, TOL_PUSH_COARSE, false, NULL, &orbit);
     if (s == STATUS_OK && orbit.fate != FATE_UNDECIDED)
-        s = transient_find(&w->study.slider, at, &o, NULL, &w->transient);
+        s = transient_find(&w->study.slider, at, &o, NULL, &r->transient);
     if (s != STATUS_OK)
         return s;
     fate[REGION] = answer.fate;
     fate[ORBIT] = (int) orbit.fate;
     fate[TRANSIENT] =
-        orbit.fate == FATE_UNDECIDED ? FATE_UNDECIDED : w->transient.sum.fate;
-    row->steps = w->transient.sum.steps;
+        orbit.fate == FATE_UNDECIDED ? FATE_UNDECIDED : r->transient.sum.fate;
+    w->row->steps = r->transient.sum.steps;
     return STATUS_OK;
 }
 
-static void judge_start(const struct work *w, struct stress_oracle *oracle,
-                        struct stress_row *row, const int fate[SOURCES])
+static void judge_fates(const struct stress_work *w, const int fate[SOURCES],
+                        double defect)
 {
     const struct scene_start at = w->scene.start[0];
     const quad y =
         law_psi_is_log(&w->scene.law) ? (quad) at.psi : logq((quad) at.psi);
-    const double defect = fabs(w->transient.sum.energy_defect);
+    struct stress_row *row = w->row;
 
     const struct stress_truth *truth =
-        stress_oracle_ask(oracle, &w->scene, row);
+        stress_oracle_ask(w->oracle, &w->scene, row);
     const enum stress_side side =
         stress_truth_side(truth, logq((quad) at.v), y);
     for (int i = 0; i < SOURCES; i++)
@@ -105,97 +103,50 @@ static void judge_start(const struct work *w, struct stress_oracle *oracle,
         say(row, STRESS_DEGRADED, "the balance of energy is off");
 }
 
-static enum status run_start(struct work *w, struct stress_oracle *oracle,
-                             struct stress_row *row)
+enum status stress_start_judge(struct stress_work *w)
 {
+    struct routes *r = calloc(1, sizeof *r);
     int fate[SOURCES];
 
-    const double start = stress_clock();
-    w->scene.products = 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_KNEES;
-    enum status s = study_run(&w->study, &w->scene, NULL, &row->fault);
-    if (s == STATUS_OK)
-        s = push_init(&w->push, &w->scene, NULL, &row->fault);
-    if (s == STATUS_OK)
-        s = find_fates(w, row, fate);
-    row->seconds = stress_clock() - start;
-    if (s == STATUS_OK)
-        judge_start(w, oracle, row, fate);
-    else if (s == STATUS_BAD_ARGUMENT)
-        say(row, STRESS_NONE, "the state is outside the plane's domain");
-    else if (s != STATUS_NO_MEMORY)
-        say(row, STRESS_FAILED, row->fault.text);
-    return s == STATUS_NO_MEMORY ? s : STATUS_OK;
-}
-
-enum status stress_start_run(const struct stress_case *c,
-                             struct stress_oracle *oracle,
-                             struct stress_row *row)
-{
-    struct work *w = calloc(1, sizeof *w);
-
-    if (w == NULL)
+    if (r == NULL)
         return STATUS_NO_MEMORY;
-    w->scene = c->scene;
-    const enum status s = run_start(w, oracle, row);
-    transient_free(&w->transient);
-    push_free(&w->push);
-    study_free(&w->study);
-    free(w);
-    return s;
+    const double start = stress_clock();
+    enum status s = push_init(&r->push, &w->scene, NULL, &w->row->fault);
+    if (s == STATUS_OK)
+        s = find_fates(w, r, fate);
+    w->row->seconds += stress_clock() - start;
+    if (s == STATUS_OK)
+        judge_fates(w, fate, fabs(r->transient.sum.energy_defect));
+    else if (s == STATUS_BAD_ARGUMENT)
+        say(w->row, STRESS_NONE, "the state is outside the plane's domain");
+    transient_free(&r->transient);
+    push_free(&r->push);
+    free(r);
+    return s == STATUS_BAD_ARGUMENT ? STATUS_OK : s;
 }
 
 /* ---- a grid -------------------------------------------------------------- */
 
-static enum status judge_labels(const struct scene *c, const struct study *s,
-                                struct stress_oracle *oracle,
-                                struct stress_row *row)
+enum status stress_window_judge(struct stress_work *w)
 {
-    const struct basin_map *m = &s->basins;
+    const struct basin_map *m = &w->study.basins;
+    const struct stress_truth *t;
+    struct stress_row *row = w->row;
     int8_t *label = calloc(m->columns * m->rows + 1, sizeof *label);
     enum status status = STATUS_NO_MEMORY;
 
-    if (label)
-        status = basin_map_rows(m, 0, m->rows, label);
-    const struct stress_truth *t = stress_oracle_ask(oracle, c, row);
-    for (size_t i = 0; status == STATUS_OK && i < m->rows * m->columns; i++) {
-        const double x = m->x[i % m->columns], y = m->y[i / m->columns];
-        judge_fate(row, t, c, stress_truth_side(t, (quad) x, (quad) y), REGION,
-                   label[i]);
-    }
-    free(label);
-    return status;
-}
-
-static void judge_audit(const struct basin_audit *a, struct stress_row *row)
-{
-    row->agree = a->disagreements == 0 ? STRESS_AGREE : STRESS_DISAGREE;
+    row->steps = (int64_t) (m->rows * m->columns);
+    row->agree = m->audit.disagreements == 0 ? STRESS_AGREE : STRESS_DISAGREE;
     if (row->agree == STRESS_DISAGREE)
         say(row, STRESS_DEGRADED, "orbits disagree with labels");
-}
-
-enum status stress_window_run(const struct stress_case *c,
-                              struct stress_oracle *oracle,
-                              struct stress_row *row)
-{
-    struct study *s = calloc(1, sizeof *s);
-    struct scene scene = c->scene;
-
-    if (s == NULL)
-        return STATUS_NO_MEMORY;
-    const double start = stress_clock();
-    scene.products = 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_MANIFOLDS |
-                     1u << PRODUCT_NULLCLINES | 1u << PRODUCT_BASINS;
-    enum status status = study_run(s, &scene, NULL, &row->fault);
-    row->seconds = stress_clock() - start;
-    if (status == STATUS_OK) {
-        row->steps = (int64_t) (s->basins.rows * s->basins.columns);
-        judge_audit(&s->basins.audit, row);
-        status = judge_labels(&scene, s, oracle, row);
-        study_free(s);
-    } else if (status != STATUS_NO_MEMORY) {
-        say(row, STRESS_FAILED, row->fault.text);
-        status = STATUS_OK;
+    if (label)
+        status = basin_map_rows(m, 0, m->rows, label);
+    t = stress_oracle_ask(w->oracle, &w->scene, row);
+    for (size_t i = 0; status == STATUS_OK && i < m->rows * m->columns; i++) {
+        const double x = m->x[i % m->columns], y = m->y[i / m->columns];
+        judge_fate(row, t, &w->scene, stress_truth_side(t, (quad) x, (quad) y),
+                   REGION, label[i]);
     }
-    free(s);
+    free(label);
     return status;
 }

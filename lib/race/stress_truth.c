@@ -14,13 +14,6 @@
 #include "stress_tolerance.h"
 #include "tolerance.h"
 
-const char *const stress_number_names[STRESS_NUMBERS] = {
-    "v_sp",        "psi_sp",    "lambda_minus", "lambda_plus",     "v_plus",
-    "ln_v_plus",   "v_minus",   "ln_v_minus",   "psi_at_v0",       "x_excess",
-    "x_deficit",   "mu_s_num",  "mu_s_mean",    "fracture_energy", "knee_up_v",
-    "knee_up_psi", "knee_lo_v", "knee_lo_psi",
-};
-
 struct finder {
     const struct law *law;
     const struct material *m;

@@ -44,9 +44,19 @@ static void release(struct slope *s)
     scene_free(&s->scene);
 }
 
-static struct stress_verdict judge(const struct slope *s)
+static struct stress_row judge(const struct slope *s)
 {
-    return stress_judge(&s->truth, &s->answer, STRESS_AGREE);
+    struct stress_row row = { .agree = STRESS_AGREE };
+
+    stress_judge(&s->truth, &s->answer, &row);
+    return row;
+}
+
+/* A number of the answer, to be planted wrong. */
+static struct quantity *number_of(struct slope *s, enum stress_number which)
+{
+    return (struct quantity *) (uintptr_t) stress_answer_number(&s->answer,
+                                                                which);
 }
 
 static void a_wrong_value_in_any_number_is_a_lie(void **state)
@@ -58,15 +68,16 @@ static void a_wrong_value_in_any_number_is_a_lie(void **state)
     find(&s, "spinodal_gen", "0.34");
     CHECK(judge(&s).outcome != STRESS_LIE, "%s", judge(&s).reason);
     for (int i = 0; i < STRESS_NUMBERS; i++) {
-        struct quantity *q = &s.answer.number[i];
+        struct quantity *q = number_of(&s, (enum stress_number) i);
         const double right = q->value;
         if (!quantity_exists(q))
             continue;
         q->value += 3.0 * q->error;
-        const struct stress_verdict v = judge(&s);
+        const struct stress_row v = judge(&s);
         CHECK(v.outcome == STRESS_LIE && v.bar > 1.0 &&
-                  strcmp(v.worst, stress_number_names[i]) == 0,
-              "%s: %s, bar %g", stress_number_names[i],
+                  strcmp(v.worst, stress_number_name((enum stress_number) i)) ==
+                      0,
+              "%s: %s, bar %g", stress_number_name((enum stress_number) i),
               stress_outcome_names[v.outcome], v.bar);
         q->value = right;
         planted++;
@@ -81,26 +92,30 @@ static void a_missing_invented_or_misplaced_knee_is_a_lie(void **state)
 
     (void) state;
     find(&s, "spinodal_gen", "0.34");
+    struct critical_numbers *c = &s.answer.critical;
+    const struct critical_numbers right = *c;
     for (int side = 0; side < SIDES; side++) {
-        struct stress_answer *a = &s.answer;
-        const struct stress_answer right = *a;
-        assert_int_equal(a->knees[side].count, 1);
-        a->knees[side].count = a->knees[side].crossings = 0;
+        const bool up = side == SIDE_UPPER;
+        struct knee_number *knee = up ? c->knees_upper : c->knees_lower;
+        size_t *count = up ? &c->knees_upper_count : &c->knees_lower_count;
+        size_t *crossings = up ? &c->crossings_upper : &c->crossings_lower;
+        assert_int_equal(*count, 1);
+        *count = *crossings = 0;
         assert_int_equal(judge(&s).outcome, STRESS_LIE);
-        *a = right;
-        a->knees[side].crossings++; /* falling */
+        *c = right;
+        ++*crossings; /* falling */
         assert_int_equal(judge(&s).outcome, STRESS_LIE);
-        *a = right;
-        a->knees[side].at[1] = a->knees[side].at[0];
-        a->knees[side].count++; /* a falling one as a knee */
+        *c = right;
+        knee[1] = knee[0];
+        ++*count; /* a falling one as a knee */
         assert_int_equal(judge(&s).outcome, STRESS_LIE);
-        *a = right;
-        a->knees[side].at[0].psi.value += 3.0 * a->knees[side].at[0].psi.error;
+        *c = right;
+        knee[0].psi.value += 3.0 * knee[0].psi.error;
         assert_int_equal(judge(&s).outcome, STRESS_LIE);
-        *a = right;
-        a->knees[side].at[0].v = quantity_none("undecided");
+        *c = right;
+        knee[0].v = quantity_none("undecided");
         assert_int_equal(judge(&s).outcome, STRESS_DEGRADED);
-        *a = right;
+        *c = right;
         assert_int_not_equal(judge(&s).outcome, STRESS_LIE);
     }
     release(&s);
@@ -112,7 +127,7 @@ static void a_value_that_is_no_number_is_a_lie(void **state)
 
     (void) state;
     find(&s, "dieterich_gen", "0.34");
-    s.answer.number[STRESS_V_PLUS].value = (double) NAN;
+    s.answer.critical.v_plus.value = (double) NAN;
     assert_int_equal(judge(&s).outcome, STRESS_LIE);
     release(&s);
 }
@@ -123,15 +138,15 @@ static void a_wrong_end_or_existence_is_a_lie(void **state)
 
     (void) state;
     find(&s, "dieterich_gen", "0.34");
-    s.answer.lower_end = END_V_0;
+    s.answer.critical.lower_end = END_V_0;
     assert_int_equal(judge(&s).outcome, STRESS_LIE);
     s.answer = stress_answer_of(&s.study);
-    s.answer.saddle = false;
+    s.answer.has_saddle = false;
     assert_int_equal(judge(&s).outcome, STRESS_LIE);
-    s.answer.saddle = true;
+    s.answer.has_saddle = true;
     s.truth.saddle = false;
     assert_int_equal(judge(&s).outcome, STRESS_LIE);
-    s.answer.saddle = false;
+    s.answer.has_saddle = false;
     assert_int_equal(judge(&s).outcome, STRESS_NONE);
     release(&s);
 }
@@ -142,12 +157,13 @@ static void a_doubt_or_lost_digits_degrade(void **state)
 
     (void) state;
     find(&s, "dieterich_gen", "0.34");
-    assert_int_equal(stress_judge(&s.truth, &s.answer, STRESS_DISAGREE).outcome,
-                     STRESS_DEGRADED);
-    struct quantity *q = &s.answer.number[STRESS_X_EXCESS];
+    struct stress_row doubtful = { .agree = STRESS_DISAGREE };
+    stress_judge(&s.truth, &s.answer, &doubtful);
+    assert_int_equal(doubtful.outcome, STRESS_DEGRADED);
+    struct quantity *q = &s.answer.critical.x_excess;
     q->value *= 1.0 + 1e-9;
     q->error = 1e-8 * q->value;
-    const struct stress_verdict v = judge(&s);
+    const struct stress_row v = judge(&s);
     CHECK(v.outcome == STRESS_DEGRADED && v.missing > 4.0 && v.digits < 9.1 &&
               strcmp(v.worst, "x_excess") == 0,
           "%s, lacks %g of %s", stress_outcome_names[v.outcome], v.missing,
