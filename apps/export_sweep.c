@@ -24,116 +24,91 @@ struct cube {
 
 /* ---- data sets ----------------------------------------------------------- */
 
-/* The keys, then so many dimensions of its own. */
-static size_t axes_of(const struct sweep *s, const enum sweep_dim dim[],
-                      size_t dims, const char *name[STORE_AXES])
-{
-    size_t n = 0;
-
-    for (; n < s->axes; n++)
-        name[n] = s->axis[n].name;
-    for (size_t i = 0; i < dims; i++)
-        name[n++] = s->dims.of[dim[i]].name;
-    return n;
-}
-
-/* All values of a column. */
-static enum status put(const struct cube *c, const struct record_field *f,
-                       const struct sweep_column *column, const void *values)
+/* Over the keys, then so many dimensions of its own. */
+static enum status create(const struct cube *c, const struct record_field *f,
+                          const enum sweep_dim dim[], size_t dims)
 {
     const char *name[STORE_AXES];
-    const size_t rank = axes_of(c->s, column->dim, column->dims, name);
+    size_t n = 0;
 
-    if (rank == 1)
-        return store_put_column(c->out, group, f, name[0], values);
-    const enum status status = store_put_cube(c->out, group, f, rank, name);
-    return status ? status : store_put_slab(c->out, group, f, 0, NULL, values);
+    for (; n < c->s->axes; n++)
+        name[n] = c->s->axis[n].name;
+    for (size_t i = 0; i < dims; i++)
+        name[n++] = c->s->dims.of[dim[i]].name;
+    return store_put_cube(c->out, group, f, n, name);
 }
 
-static enum status put_real(const struct cube *c, const char *suffix,
-                            const char *text, const char *unit,
-                            const struct sweep_column *column)
+/* A data set of a column, all its values: `like` without a name, a text about
+ * what is told of the column. */
+static enum status put(const struct cube *c, const struct sweep_column *column,
+                       const char *suffix, struct record_field like,
+                       const void *values)
 {
     char name[96], long_name[256];
-    const struct record_field f = {
-        .name = name, .unit = unit, .text = long_name, .kind = RECORD_REAL
-    };
 
     snprintf(name, sizeof name, "%s%s", column->name, suffix);
-    snprintf(long_name, sizeof long_name, "%s%s", column->text, text);
-    return put(c, &f, column, c->real);
-}
-
-static enum status put_codes(const struct cube *c, const char *suffix,
-                             const char *text, const char *const *words,
-                             const struct sweep_column *column)
-{
-    char name[96], long_name[256];
-    const struct record_field f = { .name = name,
-                                    .unit = "1",
-                                    .text = long_name,
-                                    .kind = RECORD_CODE,
-                                    .codes = words };
-
-    snprintf(name, sizeof name, "%s%s", column->name, suffix);
-    snprintf(long_name, sizeof long_name, "%s%s", column->text, text);
-    return put(c, &f, column, c->code);
+    snprintf(long_name, sizeof long_name, "%s%s", column->text, like.text);
+    like.name = name;
+    like.text = long_name;
+    const enum status status = create(c, &like, column->dim, column->dims);
+    return status ? status
+                  : store_put_slab(c->out, group, &like, 0, NULL, values);
 }
 
 /* A member of the quantities of a column. */
-static void gather(const struct cube *c, int k, size_t member)
-{
-    const size_t n = c->s->columns.at[k].entries;
-
-    for (size_t i = 0; i < c->s->points; i++)
-        for (size_t e = 0; e < n; e++) {
-            const struct quantity q = sweep_entry(c->s, k, i, e);
-            memcpy(&c->real[i * n + e], (const char *) &q + member,
-                   sizeof *c->real);
-        }
-}
-
-static void gather_codes(const struct cube *c, int k)
-{
-    const size_t n = c->s->columns.at[k].entries;
-
-    for (size_t i = 0; i < c->s->points; i++)
-        for (size_t e = 0; e < n; e++)
-            c->code[i * n + e] = (int8_t) sweep_entry_code(c->s, k, i, e);
-}
-
-static enum status put_quantity(const struct cube *c, int k)
+static enum status put_real(const struct cube *c, int k, const char *suffix,
+                            const char *text, const char *unit, size_t member)
 {
     const struct sweep_column *column = &c->s->columns.at[k];
-    enum status status;
+    double *to = c->real;
 
-    gather(c, k, offsetof(struct quantity, value));
-    status = put_real(c, "", "", column->unit, column);
-    gather(c, k, offsetof(struct quantity, error));
-    if (status == STATUS_OK && column->kind == RECORD_QUANTITY)
-        status = put_real(c, "_error", ": bound on the absolute error",
-                          column->unit, column);
-    gather(c, k, offsetof(struct quantity, conditioning));
-    if (status == STATUS_OK && c->s->columns.conditioning &&
-        column->kind == RECORD_QUANTITY)
-        status =
-            put_real(c, "_conditioning",
-                     ": relative error from rounding the inputs", "1", column);
-    gather_codes(c, k);
-    if (status == STATUS_OK)
-        status = put_codes(c, "_exists", ": whether it exists, or why not",
-                           sweep_reasons_words(&c->s->reasons), column);
-    return status;
+    for (size_t i = 0; i < c->s->points; i++)
+        for (size_t e = 0; e < column->entries; e++) {
+            const struct quantity q = sweep_entry(c->s, k, i, e);
+            memcpy(to++, (const char *) &q + member, sizeof *to);
+        }
+    return put(c, column, suffix,
+               (struct record_field){
+                   .text = text, .unit = unit, .kind = RECORD_REAL },
+               c->real);
+}
+
+static enum status put_codes(const struct cube *c, int k, const char *suffix,
+                             const char *text, const char *const *words)
+{
+    const struct sweep_column *column = &c->s->columns.at[k];
+    int8_t *to = c->code;
+
+    for (size_t i = 0; i < c->s->points; i++)
+        for (size_t e = 0; e < column->entries; e++)
+            *to++ = (int8_t) sweep_entry_code(c->s, k, i, e);
+    return put(
+        c, column, suffix,
+        (struct record_field){
+            .text = text, .unit = "1", .kind = RECORD_CODE, .codes = words },
+        c->code);
 }
 
 static enum status put_column(const struct cube *c, int k)
 {
     const struct sweep_column *column = &c->s->columns.at[k];
+    const bool has_bar = column->kind == RECORD_QUANTITY;
 
-    if (column->codes == NULL)
-        return put_quantity(c, k);
-    gather_codes(c, k);
-    return put_codes(c, "", "", column->codes, column);
+    if (column->codes)
+        return put_codes(c, k, "", "", column->codes);
+    enum status status =
+        put_real(c, k, "", "", column->unit, offsetof(struct quantity, value));
+    if (status == STATUS_OK && has_bar)
+        status = put_real(c, k, "_error", ": bound on the absolute error",
+                          column->unit, offsetof(struct quantity, error));
+    if (status == STATUS_OK && has_bar && c->s->columns.conditioning)
+        status = put_real(c, k, "_conditioning",
+                          ": relative error from rounding the inputs", "1",
+                          offsetof(struct quantity, conditioning));
+    if (status == STATUS_OK)
+        status = put_codes(c, k, "_exists", ": whether it exists, or why not",
+                           sweep_reasons_words(&c->s->reasons));
+    return status;
 }
 
 /* ---- layers -------------------------------------------------------------- */
@@ -164,9 +139,7 @@ static enum status put_layer(const struct cube *c, size_t k, struct fault *why)
                                     .kind = layer->codes ? RECORD_CODE
                                                          : RECORD_REAL,
                                     .codes = layer->codes };
-    const char *name[STORE_AXES];
-    const size_t rank = axes_of(c->s, layer->dim, 2, name);
-    const enum status status = store_put_cube(c->out, group, &f, rank, name);
+    const enum status status = create(c, &f, layer->dim, 2);
 
     return status
                ? status
@@ -279,8 +252,11 @@ static enum status put_starts(const struct cube *c)
     for (int k = 0; k < 2 && n > 0 && status == STATUS_OK; k++) {
         for (size_t i = 0; i < n; i++)
             c->real[i] = k == 0 ? scene->start[i].v : scene->start[i].psi;
-        status =
-            store_put_column(c->out, group, &start_field[k], "start", c->real);
+        status = store_put_cube(c->out, group, &start_field[k], 1,
+                                &c->s->dims.of[DIM_START].name);
+        if (status == STATUS_OK)
+            status = store_put_slab(c->out, group, &start_field[k], 0, NULL,
+                                    c->real);
     }
     return status;
 }

@@ -66,63 +66,38 @@ static json_t *names_json(const struct sweep *s, const enum sweep_dim dim[],
 
 /* ---- numbers ------------------------------------------------------------- */
 
-typedef json_t *teller(const struct sweep *s, int column, size_t point,
-                       size_t entry);
+/* What is told of an entry; of a code its word. */
+enum part { VALUE, ERROR, REASON };
 
-static json_t *tell_word(const struct sweep *s, int k, size_t point,
-                         size_t entry)
+static json_t *entry_json(const struct sweep *s, int k, enum part part,
+                          size_t point, size_t entry)
 {
+    const char *const *codes = s->columns.at[k].codes;
     const int code = sweep_entry_code(s, k, point, entry);
 
-    return code < 0 ? json_null() : json_string(s->columns.at[k].codes[code]);
-}
-
-static json_t *tell_value(const struct sweep *s, int k, size_t point,
-                          size_t entry)
-{
+    if (codes)
+        return code < 0 ? json_null() : json_string(codes[code]);
+    if (part == REASON)
+        return code == REASON_PRESENT ? json_null() : json_integer(code);
     const struct quantity q = sweep_entry(s, k, point, entry);
-
-    return quantity_exists(&q) ? json_number(q.value) : json_null();
+    return json_number(part == VALUE ? q.value : q.error);
 }
 
-static json_t *tell_error(const struct sweep *s, int k, size_t point,
-                          size_t entry)
-{
-    const struct quantity q = sweep_entry(s, k, point, entry);
-
-    return quantity_exists(&q) ? json_number(q.error) : json_null();
-}
-
-static json_t *tell_reason(const struct sweep *s, int k, size_t point,
-                           size_t entry)
-{
-    const int code = sweep_entry_code(s, k, point, entry);
-
-    return code == REASON_PRESENT ? json_null() : json_integer(code);
-}
-
-/* Of a point, along the dimensions from `dim` on. */
-static json_t *nested(const struct sweep *s, int k, teller *tell, size_t point,
-                      size_t dim, size_t entry)
+/* A list of all points, of lists along the dimensions of the column; `at`:
+ * among all entries, from the list `depth` on. */
+static json_t *nested(const struct sweep *s, int k, enum part part,
+                      size_t depth, size_t at)
 {
     const struct sweep_column *c = &s->columns.at[k];
 
-    if (dim == c->dims || dim == SWEEP_RANK)
-        return tell(s, k, point, entry);
-    const size_t count = s->dims.of[c->dim[dim]].count;
+    if (depth > c->dims || depth > SWEEP_RANK)
+        return entry_json(s, k, part, at / c->entries, at % c->entries);
+    const size_t count =
+        depth == 0 ? s->points : s->dims.of[c->dim[depth - 1]].count;
     json_t *list = json_array();
     for (size_t i = 0; i < count; i++)
-        json_array_append_new(
-            list, nested(s, k, tell, point, dim + 1, entry * count + i));
-    return list;
-}
-
-static json_t *all_points(const struct sweep *s, int k, teller *tell)
-{
-    json_t *list = json_array();
-
-    for (size_t i = 0; i < s->points; i++)
-        json_array_append_new(list, nested(s, k, tell, i, 0, 0));
+        json_array_append_new(list,
+                              nested(s, k, part, depth + 1, at * count + i));
     return list;
 }
 
@@ -131,13 +106,13 @@ static json_t *number_json(const struct sweep *s, int k)
     const struct sweep_column *c = &s->columns.at[k];
 
     if (c->codes && c->dims == 0)
-        return all_points(s, k, tell_word);
-    return json_pack(
-        "{s:o*, s:o, s:o*, s:o*}", "dims",
-        c->dims > 0 ? names_json(s, c->dim, c->dims) : NULL, "value",
-        all_points(s, k, c->codes ? tell_word : tell_value), "error",
-        c->kind == RECORD_QUANTITY ? all_points(s, k, tell_error) : NULL,
-        "reason", c->codes ? NULL : all_points(s, k, tell_reason));
+        return nested(s, k, VALUE, 0, 0);
+    return json_pack("{s:o*, s:o, s:o*, s:o*}", "dims",
+                     c->dims > 0 ? names_json(s, c->dim, c->dims) : NULL,
+                     "value", nested(s, k, VALUE, 0, 0), "error",
+                     c->kind == RECORD_QUANTITY ? nested(s, k, ERROR, 0, 0)
+                                                : NULL,
+                     "reason", c->codes ? NULL : nested(s, k, REASON, 0, 0));
 }
 
 static json_t *numbers_json(const struct sweep *s)
@@ -151,65 +126,63 @@ static json_t *numbers_json(const struct sweep *s)
 
 /* ---- maps ---------------------------------------------------------------- */
 
-/* How many cells of each point have each word; null where it cannot be read. */
-static json_t *words_json(const struct sweep *s, size_t k)
-{
-    const char *const *codes = s->layers.at[k].codes;
-    json_t *j = json_object(), *list[SUMMARY_WORDS] = { NULL };
-    struct fault why;
+static const char *const range[] = { "present", "least", "greatest" };
 
-    for (size_t w = 0; w < SUMMARY_WORDS && codes[w]; w++) {
-        list[w] = json_array();
-        json_object_set_new(j, codes[w], list[w]);
-    }
-    for (size_t i = 0; i < s->points; i++) {
-        struct sweep_summary is;
-        const bool read = sweep_summary_find(s, k, i, &is, &why) == STATUS_OK;
-        for (size_t w = 0; w < SUMMARY_WORDS && codes[w]; w++)
-            json_array_append_new(list[w],
-                                  read ? json_integer((json_int_t) is.counts[w])
-                                       : json_null());
-    }
-    return j;
+static json_t *count_json(const struct sweep_summary *is, size_t count)
+{
+    return is->cells ? json_integer((json_int_t) count) : json_null();
 }
 
-static void add_ranges(json_t *j, const struct sweep *s, size_t k)
+static void add_point(json_t *j, const struct sweep_layer *l,
+                      const struct sweep_summary *is)
 {
-    json_t *present = json_array(), *least = json_array(),
-           *greatest = json_array();
-    struct fault why;
+    const json_t *cells = json_object_get(j, "cells");
 
+    for (size_t w = 0; w < json_object_size(cells); w++)
+        json_array_append_new(json_object_get(cells, l->codes[w]),
+                              count_json(is, is->counts[w]));
+    if (l->codes)
+        return;
+    json_array_append_new(json_object_get(j, "present"),
+                          count_json(is, is->present));
+    json_array_append_new(json_object_get(j, "least"), json_number(is->least));
+    json_array_append_new(json_object_get(j, "greatest"),
+                          json_number(is->greatest));
+}
+
+/* How many cells of each point have each word, or a value, and which are least
+ * and greatest; null where the side file cannot be read. */
+static json_t *map_json(const struct sweep *s, size_t k)
+{
+    const struct sweep_layer *l = &s->layers.at[k];
+    struct fault why;
+    json_t *cells = json_object();
+
+    for (size_t w = 0; l->codes && w < SUMMARY_WORDS && l->codes[w]; w++)
+        json_object_set_new(cells, l->codes[w], json_array());
+    json_t *j =
+        json_pack("{s:o, s:[II]}", "dims", names_json(s, l->dim, 2), "shape",
+                  (json_int_t) l->rows, (json_int_t) l->columns);
+    if (l->codes)
+        json_object_set(j, "cells", cells);
+    for (size_t i = 0; !l->codes && i < sizeof range / sizeof *range; i++)
+        json_object_set_new(j, range[i], json_array());
+    json_decref(cells);
     for (size_t i = 0; i < s->points; i++) {
         struct sweep_summary is;
-        const bool read = sweep_summary_find(s, k, i, &is, &why) == STATUS_OK;
-        json_array_append_new(present,
-                              read ? json_integer((json_int_t) is.present)
-                                   : json_null());
-        json_array_append_new(least, json_number(is.least));
-        json_array_append_new(greatest, json_number(is.greatest));
+        if (sweep_summary_find(s, k, i, &is, &why) != STATUS_OK)
+            is.cells = 0;
+        add_point(j, l, &is);
     }
-    json_object_set_new(j, "present", present);
-    json_object_set_new(j, "least", least);
-    json_object_set_new(j, "greatest", greatest);
+    return j;
 }
 
 static json_t *maps_json(const struct sweep *s)
 {
     json_t *maps = json_object();
 
-    for (size_t k = 0; k < s->layers.count; k++) {
-        const struct sweep_layer *l = &s->layers.at[k];
-        json_t *j = json_object();
-        json_object_set_new(j, "dims", names_json(s, l->dim, 2));
-        json_object_set_new(
-            j, "shape",
-            json_pack("[II]", (json_int_t) l->rows, (json_int_t) l->columns));
-        if (l->codes)
-            json_object_set_new(j, "cells", words_json(s, k));
-        else
-            add_ranges(j, s, k);
-        json_object_set_new(maps, l->name, j);
-    }
+    for (size_t k = 0; k < s->layers.count; k++)
+        json_object_set_new(maps, s->layers.at[k].name, map_json(s, k));
     return maps;
 }
 

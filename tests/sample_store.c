@@ -69,6 +69,7 @@ double sample_margin(size_t row, size_t column)
 /* The margin in two blocks; the last row is never written. */
 static void put_grid(struct store *st)
 {
+    static const char *const psi_v[] = { "psi", "v" };
     static double axis[SAMPLE_ROWS], cell[SAMPLE_ROWS * SAMPLE_COLUMNS];
     static int8_t code[SAMPLE_ROWS * SAMPLE_COLUMNS];
 
@@ -82,8 +83,8 @@ static void put_grid(struct store *st)
                            axis);
     (void) !store_put_axis(st, "/basin", "v", "1", "rate", SAMPLE_COLUMNS,
                            axis);
-    (void) !store_put_layer(st, "/basin", &label, "psi", "v");
-    (void) !store_put_layer(st, "/basin", &margin, "psi", "v");
+    (void) !store_put_cube(st, "/basin", &label, 2, psi_v);
+    (void) !store_put_cube(st, "/basin", &margin, 2, psi_v);
     (void) !store_put_rows(st, "/basin", &label, 0, SAMPLE_ROWS - 1, code);
     (void) !store_put_rows(st, "/basin", &margin, 0, 256, cell);
     (void) !store_put_rows(st, "/basin", &margin, 256, SAMPLE_ROWS - 257,

@@ -28,25 +28,6 @@ enum status store_axis_length(struct store *st, const char *path,
     return st->status;
 }
 
-enum status store_put_column(struct store *st, const char *path,
-                             const struct record_field *f, const char *name,
-                             const void *values)
-{
-    const struct column c = column_of(f);
-
-    assert(f->kind == RECORD_REAL || f->kind == RECORD_CODE);
-    if (st->status == STATUS_OK) {
-        const hid_t group = hdf_group(st, path);
-        struct axis *const axis = axis_find(st, group, name);
-        if (axis != NULL) {
-            const hid_t set = column_create(st, group, &c, 1, &axis);
-            column_write(st, set, &c, values);
-            hdf_close(set);
-        }
-    }
-    return st->status;
-}
-
 _Static_assert((int) STORE_AXES == (int) AXES_MAX, "columns have as many axes");
 
 enum status store_put_cube(struct store *st, const char *path,
@@ -67,13 +48,6 @@ enum status store_put_cube(struct store *st, const char *path,
     if (all)
         hdf_close(column_create(st, group, &c, (int) rank, axis));
     return st->status;
-}
-
-enum status store_put_layer(struct store *st, const char *path,
-                            const struct record_field *f, const char *row,
-                            const char *column)
-{
-    return store_put_cube(st, path, f, 2, (const char *[]){ row, column });
 }
 
 /* From start[] on, block[] values along each axis; 0: all there are. */

@@ -1,10 +1,9 @@
-/* store_grid.h -- data sets over axes that they share: over one, or over two
- * and then written a block of rows at a time; or over up to STORE_AXES, and
- * then a slab at a time.
+/* store_grid.h -- data sets over up to STORE_AXES axes that they share, written
+ * a slab at a time, or over two and then a block of rows at a time.
  *
  *     store_put_axis(st, "/basin", "psi", "1", "state", np, psi);
  *     store_put_axis(st, "/basin", "v", "1", "slip rate", nv, v);
- *     store_put_layer(st, "/basin", &label, "psi", "v");
+ *     store_put_cube(st, "/basin", &label, 2, { "psi", "v" });
  *     store_put_rows(st, "/basin", &label, first, rows, cells);     ...
  *
  *     store_put_cube(st, "/sweep", &label, 3, { "alpha", "psi", "v" });
@@ -26,34 +25,23 @@ MUST_CHECK enum status store_put_axis(struct store *store, const char *group,
 MUST_CHECK enum status store_axis_length(struct store *store, const char *group,
                                          const char *name, size_t *count);
 
-/* A new data set over one axis put before, with its values: of *f as below. */
-MUST_CHECK enum status store_put_column(struct store *store, const char *group,
-                                        const struct record_field *f,
-                                        const char *axis, const void *values);
+enum { STORE_AXES = 4 };
 
-/* A new data set [length of axis `row`][length of axis `column`], both put
- * before, in compressed chunks.  Of *f name, unit, text, kind (RECORD_REAL or
- * RECORD_CODE: float64, int8) and codes count.  Cells never written are NaN or
- * -1. */
-MUST_CHECK enum status store_put_layer(struct store *store, const char *group,
-                                       const struct record_field *f,
-                                       const char *row, const char *column);
+/* A new data set over `rank` <= STORE_AXES axes put before, the last of which
+ * runs fastest; over two or more in compressed chunks.  Of *f name, unit, text,
+ * kind (RECORD_REAL or RECORD_CODE: float64, int8) and codes count.  Values
+ * never written are NaN or -1. */
+MUST_CHECK enum status store_put_cube(struct store *store, const char *group,
+                                      const struct record_field *f, size_t rank,
+                                      const char *const axis[]);
 
-/* Rows first .. first + count - 1 of a layer: `values` holds count * (length
- * of the column axis) doubles or int8_t, row by row.  Blocks of STORE_CHUNK
- * rows from row 0 on compress each chunk once. */
+/* Rows first .. first + count - 1 of a cube of two axes: `values` holds count *
+ * (length of the second axis) doubles or int8_t, row by row.  Blocks of
+ * STORE_CHUNK rows from row 0 on compress each chunk once. */
 MUST_CHECK enum status store_put_rows(struct store *store, const char *group,
                                       const struct record_field *f,
                                       size_t first, size_t count,
                                       const void *values);
-
-enum { STORE_AXES = 4 };
-
-/* A new data set over `rank` <= STORE_AXES axes put before, the last of which
- * runs fastest; of *f as a layer. */
-MUST_CHECK enum status store_put_cube(struct store *store, const char *group,
-                                      const struct record_field *f, size_t rank,
-                                      const char *const axis[]);
 
 /* All values of a cube whose first `fixed` indices are at[]; none fixed: the
  * whole. */

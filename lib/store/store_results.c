@@ -143,8 +143,9 @@ static enum status create_layers(struct grid *g)
         status = store_axis_length(g->st, path, g->axis[1], &g->columns);
     for (size_t i = 0; i < g->results; i++)
         for (size_t k = 0; k < g->of[i]->type->count && !status; k++)
-            status = store_put_layer(g->st, path, &g->of[i]->type->fields[k],
-                                     g->axis[0], g->axis[1]);
+            status =
+                store_put_cube(g->st, path, &g->of[i]->type->fields[k], 2,
+                               (const char *const[]){ g->axis[0], g->axis[1] });
     return status;
 }
 

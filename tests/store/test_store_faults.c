@@ -21,6 +21,7 @@ enum { ROWS = 4, COLUMNS = 3 };
 
 static void put_grid(struct store *st)
 {
+    static const char *const psi_v[] = { "psi", "v" };
     static const struct record_field margin = {
         .name = "margin", .unit = "1", .text = "distance", .kind = RECORD_REAL
     };
@@ -28,7 +29,7 @@ static void put_grid(struct store *st)
 
     (void) !store_put_axis(st, "/basin", "psi", "1", "state", ROWS, axis);
     (void) !store_put_axis(st, "/basin", "v", "1", "rate", COLUMNS, axis);
-    (void) !store_put_layer(st, "/basin", &margin, "psi", "v");
+    (void) !store_put_cube(st, "/basin", &margin, 2, psi_v);
     (void) !store_put_rows(st, "/basin", &margin, 0, 1, cells);
     (void) !store_put_rows(st, "/basin", &margin, 1, ROWS - 1, cells);
     (void) !store_put_real(st, "/basin", "fraction", 0.125);
