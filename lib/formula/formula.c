@@ -65,10 +65,14 @@ static bool call_is_positive(const struct formula_node *n, bool argument)
 {
     switch (n->function) {
         case FUNCTION_EXP:
+        case FUNCTION_COSH:
         case FUNCTION_LAMBERT:
             return true;
         case FUNCTION_SQRT:
         case FUNCTION_SINH:
+        case FUNCTION_TANH:
+        case FUNCTION_ASIN:
+        case FUNCTION_ATAN:
         case FUNCTION_ASINH:
         case FUNCTION_ASINHEXP:
         case FUNCTION_POWER:
@@ -279,15 +283,38 @@ static bool calls(const struct formula *f, int u, enum formula_function which)
     return f->node[u].kind == FORMULA_CALL && f->node[u].function == which;
 }
 
+/* f(0) as it is, in *value. */
+static bool is_known_at_zero(enum formula_function function, double *value)
+{
+    switch (function) {
+        case FUNCTION_EXP:
+        case FUNCTION_COS:
+        case FUNCTION_COSH:
+            *value = 1.0;
+            return true;
+        case FUNCTION_SIN:
+        case FUNCTION_TAN:
+        case FUNCTION_SINH:
+        case FUNCTION_TANH:
+        case FUNCTION_ASIN:
+        case FUNCTION_ATAN:
+        case FUNCTION_ASINH:
+            *value = 0.0;
+            return true;
+        default:
+            return false;
+    }
+}
+
 int formula_of(struct formula *f, enum formula_function function, int u)
 {
     int rest;
     const formula_real c = formula_factor(f, u, &rest);
+    double value;
 
-    if (function == FUNCTION_EXP && formula_is(f, u, 0.0))
-        return formula_number(f, 1);
-    if ((function == FUNCTION_LN && formula_is(f, u, 1.0)) ||
-        (function == FUNCTION_SINH && formula_is(f, u, 0.0)))
+    if (formula_is(f, u, 0.0) && is_known_at_zero(function, &value))
+        return formula_number(f, value);
+    if (function == FUNCTION_LN && formula_is(f, u, 1.0))
         return formula_number(f, 0);
     if (function == FUNCTION_EXP && calls(f, u, FUNCTION_LN))
         return f->node[u].of[0];

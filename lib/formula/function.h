@@ -1,8 +1,9 @@
 /*
  * function.h -- the functions of formulas: those that people type, and those
  * in which differences are written (lines.h), as text for programs that know
- * exp, ln, sqrt, sinh, tan, abs, sign, max, min and if(..)then(..)else(..) and
- * nothing more, to some units of a double's last digit.
+ * exp, ln, sqrt, sinh, cosh, tanh, sin, cos, tan, asin, atan, abs, sign, max,
+ * min and if(..)then(..)else(..) and nothing more, to some units of a double's
+ * last digit.
  */
 #ifndef FORMULA_FUNCTION_H
 #define FORMULA_FUNCTION_H
@@ -19,6 +20,12 @@ enum formula_function {
     FUNCTION_TAN,
     FUNCTION_ABS,
     FUNCTION_MAX,
+    FUNCTION_SIN,
+    FUNCTION_COS,
+    FUNCTION_COSH,
+    FUNCTION_TANH,
+    FUNCTION_ASIN,
+    FUNCTION_ATAN,
     FUNCTION_POWER,
     FUNCTION_EM1,
     FUNCTION_LN1P,

@@ -98,6 +98,32 @@ static int scaled(struct formula *f, const struct tape *t,
     return sum;
 }
 
+/* k (cos u - 1) + q sin u = 2 sin(u/2) (q cos(u/2) - k sin(u/2)) */
+static int sine(struct formula *f, int k, int q, int u)
+{
+    const int half = formula_over(f, u, formula_number(f, 2)),
+              s = formula_of(f, FUNCTION_SIN, half),
+              c = formula_of(f, FUNCTION_COS, half);
+
+    return formula_times(
+        f, formula_times(f, formula_number(f, 2), s),
+        formula_less(f, formula_times(f, q, c), formula_times(f, k, s)));
+}
+
+/* As a difference that keeps fewer digits near the anchor. */
+static int change(struct formula *f, enum step_kind kind, int k, int u)
+{
+    const enum formula_function which = kind == STEP_COSH   ? FUNCTION_COSH
+                                        : kind == STEP_TAN  ? FUNCTION_TAN
+                                        : kind == STEP_TANH ? FUNCTION_TANH
+                                        : kind == STEP_ASIN ? FUNCTION_ASIN
+                                        : kind == STEP_ATAN ? FUNCTION_ATAN
+                                                            : FUNCTION_ASINH;
+
+    return formula_less(f, formula_of(f, which, formula_sum(f, k, u)),
+                        formula_of(f, which, k));
+}
+
 static int make(struct formula *f, const struct tape *t, const struct step *s,
                 const int reg[])
 {
@@ -126,12 +152,16 @@ static int make(struct formula *f, const struct tape *t, const struct step *s,
                     f, four,
                     exponential(f, minus(f, formula_times(f, two, s->k)))),
                 u);
+        case STEP_SIN:
+            return sine(f, s->k, s->q, u);
         case STEP_PRODUCT:
             return formula_times(f, u, w);
         case STEP_QUOTIENT:
             return formula_over(f, u, formula_sum(f, s->k, w));
-        default:
+        case STEP_SCALED:
             return scaled(f, t, &s->form, reg);
+        default:
+            return change(f, s->kind, s->k, u);
     }
 }
 

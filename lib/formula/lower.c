@@ -206,9 +206,6 @@ static struct linear plain_sum(struct lowering *L, const struct formula_node *n)
 static struct linear plain_asinh(struct lowering *L, int argument)
 {
     struct formula *f = L->s.f;
-
-    if (!f->node[argument].natural)
-        return linear_fail(&L->s, "asinh of what may be negative has no rule");
     struct linear u = lower_log(L, argument);
     u.constant = formula_sum(f, u.constant,
                              formula_of(f, FUNCTION_LN, formula_number(f, 2)));
@@ -238,20 +235,51 @@ static struct linear plain_sinh(struct lowering *L, int argument)
     return out;
 }
 
+/* By squares. */
+static struct linear whole_power(struct lowering *L, const struct linear *u,
+                                 int p)
+{
+    if (p == 1)
+        return *u;
+    const struct linear half = whole_power(L, u, p / 2),
+                        square = product(L, &half, &half);
+    return p % 2 ? product(L, &square, u) : square;
+}
+
 static struct linear plain_power(struct lowering *L, int i,
                                  const struct formula_node *n)
 {
     const formula_real p = L->s.f->node[n->of[1]].number;
     const bool whole = L->s.f->node[n->of[1]].kind == FORMULA_NUMBER && p > 1 &&
-                       p < 20 && (formula_real) (int) p >= p;
-    const struct linear u = lower_plain(L, n->of[0]);
-    struct linear out = u;
+                       p < 1000 && (formula_real) (int) p >= p;
 
     if (!whole)
         return growth(L, i);
-    for (int k = 1; k < (int) p; k++)
-        out = product(L, &out, &u);
-    return out;
+    const struct linear u = lower_plain(L, n->of[0]);
+    return whole_power(L, &u, (int) p);
+}
+
+/* sin(u0 + du) - sin u0, or of the cosine: value and slope at u0 */
+static struct linear plain_sin(struct lowering *L, const struct formula_node *n)
+{
+    const struct linear u = lower_plain(L, n->of[0]);
+    const int sine = formula_of(L->s.f, FUNCTION_SIN, u.constant),
+              cosine = formula_of(L->s.f, FUNCTION_COS, u.constant);
+
+    return n->function == FUNCTION_SIN
+               ? linear_function(&L->s, STEP_SIN, &u, sine, cosine, sine)
+               : linear_function(&L->s, STEP_SIN, &u, cosine,
+                                 formula_less(L->s.f, 0, sine), cosine);
+}
+
+/* f(u0 + du) - f(u0) by a step of its own */
+static struct linear plain_change(struct lowering *L, enum step_kind kind,
+                                  const struct formula_node *n)
+{
+    const struct linear u = lower_plain(L, n->of[0]);
+
+    return linear_function(&L->s, kind, &u, u.constant, 0,
+                           formula_of(L->s.f, n->function, u.constant));
 }
 
 static struct linear plain_call(struct lowering *L, int i,
@@ -261,7 +289,9 @@ static struct linear plain_call(struct lowering *L, int i,
         case FUNCTION_LN:
             return lower_log(L, n->of[0]);
         case FUNCTION_ASINH:
-            return plain_asinh(L, n->of[0]);
+            return L->s.f->node[n->of[0]].natural
+                       ? plain_asinh(L, n->of[0])
+                       : plain_change(L, STEP_ASINH, n);
         case FUNCTION_SINH:
             return plain_sinh(L, n->of[0]);
         case FUNCTION_POWER:
@@ -269,9 +299,21 @@ static struct linear plain_call(struct lowering *L, int i,
         case FUNCTION_EXP:
         case FUNCTION_SQRT:
             return growth(L, i);
+        case FUNCTION_SIN:
+        case FUNCTION_COS:
+            return plain_sin(L, n);
+        case FUNCTION_COSH:
+            return plain_change(L, STEP_COSH, n);
+        case FUNCTION_TAN:
+            return plain_change(L, STEP_TAN, n);
+        case FUNCTION_TANH:
+            return plain_change(L, STEP_TANH, n);
+        case FUNCTION_ASIN:
+            return plain_change(L, STEP_ASIN, n);
+        case FUNCTION_ATAN:
+            return plain_change(L, STEP_ATAN, n);
         default:
-            return linear_fail(&L->s,
-                               "tan and lambert are for parameters only");
+            return linear_fail(&L->s, "lambert is for parameters only");
     }
 }
 

@@ -188,6 +188,7 @@ static void add_functions(struct names *n)
     add_name(n, "pi");
     add_name(n, "log10");
     add_name(n, "abs2");
+    add_name(n, "acos");
 }
 
 /* ---- grammar ------------------------------------------------------------- */
@@ -228,7 +229,7 @@ static bool is_one(const char *name, size_t size, const char *word)
 static bool is_function(const char *name, size_t size)
 {
     return find_function(name, size) >= 0 || is_one(name, size, "abs2") ||
-           is_one(name, size, "log10");
+           is_one(name, size, "log10") || is_one(name, size, "acos");
 }
 
 bool formula_is_function(const char *name)
@@ -289,6 +290,9 @@ static int read_call(struct reader *r, const char *at, size_t size)
     const int u = read_bracket(r);
     if (is_one(at, size, "abs2"))
         return formula_times(r->f, u, u);
+    if (is_one(at, size, "acos"))
+        return formula_less(r->f, formula_number(r->f, formula_pi() / 2),
+                            formula_of(r->f, FUNCTION_ASIN, u));
     return formula_over(
         r->f, formula_of(r->f, FUNCTION_LN, u),
         formula_of(r->f, FUNCTION_LN, formula_number(r->f, 10)));
@@ -327,7 +331,11 @@ static int read_atom(struct reader *r)
 static int power(struct reader *r, int u, int w)
 {
     struct formula *f = r->f;
+    const struct formula_node *n = &f->node[w];
 
+    if (n->kind == FORMULA_NUMBER && n->number < 0 && !f->node[u].positive)
+        return formula_over(f, formula_number(f, 1),
+                            power(r, u, formula_number(f, -n->number)));
     if (formula_is(f, w, 1.0))
         return u;
     if (formula_is(f, w, 2.0))

@@ -78,7 +78,8 @@ static void join_sinh(struct lowering *L, int argument, struct tape_rate *r)
 
     if (lower_apart(L, &n, &less)) {
         const struct linear terms = lower_both(L, &n);
-        u = shares(&r->exponent[0], &terms) ? terms : u;
+        r->joined = shares(&r->exponent[0], &terms);
+        u = r->joined ? terms : u;
     }
     linear_add_times(&L->s, &r->exponent[0], 1, &u);
     linear_add_times(&L->s, &r->exponent[1], -1, &u);
@@ -95,9 +96,29 @@ static bool may_be_large(const struct tape *t, const struct linear *u)
     return false;
 }
 
+/* A node as mantissa and exponent. */
+static void lower_factors(struct lowering *L, const struct factors *s,
+                          bool zero, struct tape_rate *r)
+{
+    *r = (struct tape_rate){ .mantissa = s->mantissa,
+                             .exponent = { s->exponent, s->exponent },
+                             .sinh = -1,
+                             .scaled = -1 };
+    if (zero)
+        r->mantissa.constant = 0;
+    if (s->sinh >= 0) {
+        r->sinh = s->mantissa.term[0].reg;
+        join_sinh(L, s->sinh, r);
+    } else if (may_be_large(L->s.t, &r->mantissa)) {
+        r->scaled = linear_scaled(&L->s, &r->mantissa);
+        r->mantissa = linear_one(&L->s, r->scaled, 0);
+    }
+    for (int k = 0; k < 2; k++)
+        r->exponent[k] = linear_grown(&L->s, &r->exponent[k]);
+}
+
 static void lower_rate(struct lowering *L, int i)
 {
-    struct tape_rate *r = &L->s.t->rate[i];
     const int state = L->p->state[i];
     struct factors s;
 
@@ -106,21 +127,15 @@ static void lower_rate(struct lowering *L, int i)
         const struct linear l = lower_log(L, state);
         linear_add_times(&L->s, &s.exponent, -1, &l);
     }
-    *r = (struct tape_rate){ .mantissa = s.mantissa,
-                             .exponent = { s.exponent, s.exponent },
-                             .sinh = -1,
-                             .scaled = -1 };
-    if (L->p->zero[i])
-        r->mantissa.constant = 0;
-    if (s.sinh >= 0) {
-        r->sinh = s.mantissa.term[0].reg;
-        join_sinh(L, s.sinh, r);
-    } else if (may_be_large(L->s.t, &r->mantissa)) {
-        r->scaled = linear_scaled(&L->s, &r->mantissa);
-        r->mantissa = linear_one(&L->s, r->scaled, 0);
-    }
-    for (int k = 0; k < 2; k++)
-        r->exponent[k] = linear_grown(&L->s, &r->exponent[k]);
+    lower_factors(L, &s, L->p->zero[i], &L->s.t->rate[i]);
+}
+
+static void lower_observable(struct lowering *L, int i)
+{
+    struct factors s;
+
+    split(L, L->p->observable[i], &s);
+    lower_factors(L, &s, false, &L->s.t->rate[2 + i]);
 }
 
 /* ---- all ----------------------------------------------------------------- */
@@ -146,6 +161,9 @@ enum status tape_lower(struct tape *t, struct formula *f,
     t->steps = 0;
     for (int i = 0; i < 2; i++)
         lower_rate(&L, i);
+    for (int i = 0; i < p->observables; i++)
+        lower_observable(&L, i);
+    t->rates = 2 + p->observables;
     for (int i = 0; i < TAPE_VALUES; i++)
         t->value[i] =
             i < p->values ? lower_plain(&L, p->value[i]) : linear_constant(0);

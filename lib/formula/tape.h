@@ -22,7 +22,13 @@
 #include "formula.h"
 #include "status.h"
 
-enum { TAPE_STEPS = 256, TAPE_TERMS = 10, TAPE_VALUES = 2 };
+enum {
+    TAPE_STEPS = 256,
+    TAPE_TERMS = 10,
+    TAPE_VALUES = 2,
+    TAPE_OBSERVABLES = 6,
+    TAPE_RATES = 2 + TAPE_OBSERVABLES
+};
 
 /* constant + sum of c reg: nodes and registers */
 struct linear {
@@ -43,6 +49,13 @@ enum step_kind {
     STEP_LN1P,     /* ln(1 + u/k) */
     STEP_SINH,     /* e^-|k + u| sinh(k + u) */
     STEP_FRICTION, /* asinh(e^(k + u)/2) - asinh(e^k/2) */
+    STEP_SIN,      /* k (cos u - 1) + q sin u: sine and cosine */
+    STEP_COSH,     /* cosh(k + u) - cosh k, and so on */
+    STEP_TAN,
+    STEP_TANH,
+    STEP_ASIN,
+    STEP_ATAN,
+    STEP_ASINH,
     STEP_PRODUCT,  /* u w */
     STEP_QUOTIENT, /* u/(k + w) */
     STEP_SCALED    /* the linear form times e^-s, s the largest of 0, q + u of
@@ -62,12 +75,14 @@ struct tape_rate {
     struct linear mantissa;
     struct linear exponent[2]; /* the second where u of step `sinh` is < 0 */
     int sinh, scaled;          /* registers; -1: there is none, s = 0 */
+    bool joined;               /* e^|u| has met terms that it cancels */
 };
 
 struct tape {
     struct step step[TAPE_STEPS];
     int steps;
-    struct tape_rate rate[2];
+    struct tape_rate rate[TAPE_RATES]; /* of the chart, and observables */
+    int rates;
     struct linear value[TAPE_VALUES];
 };
 
@@ -78,7 +93,8 @@ struct plane_formulas {
     int at[2];    /* the states there, e^chart or chart: constants */
     int rate[2];  /* d state/dt */
     bool zero[2]; /* 0 at the anchor, whatever rounding makes of its terms */
-    int value[TAPE_VALUES], values; /* what else is asked for */
+    int observable[TAPE_OBSERVABLES], observables; /* rates of integrals */
+    int value[TAPE_VALUES], values;                /* what else is asked for */
 };
 
 /* STATUS_BAD_ARGUMENT where something has no rule (yet), or is too long. */

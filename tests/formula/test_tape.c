@@ -355,8 +355,8 @@ static void sums_are_scaled_before_they_overflow(void **state)
 
 static void what_has_no_rule_is_refused_in_one_line(void **state)
 {
-    static const char *const wrong[] = { "tan(y)", "lambert(x)", "asinh(y)",
-                                         "x + asinh(y - x)" };
+    static const char *const wrong[] = { "lambert(x)",
+                                         "x + sin(lambert(y - x))" };
     const bool positive[] = { true, false };
 
     (void) state;

@@ -3,14 +3,18 @@
  * clang has the type and can link the library but does not find <quadmath.h>,
  * so the few functions used are declared here.
  */
-#ifndef RACE_QUAD_H
-#define RACE_QUAD_H
+#ifndef FORMULA_QUAD_H
+#define FORMULA_QUAD_H
 
-typedef __float128 quad;
+__extension__ typedef __float128 quad;
 
 quad asinhq(quad x);
+quad asinq(quad x);
+quad atan2q(quad y, quad x);
+quad atanq(quad x);
 quad copysignq(quad x, quad y);
 quad coshq(quad x);
+quad cosq(quad x);
 quad expm1q(quad x);
 quad expq(quad x);
 quad fabsq(quad x);
@@ -18,7 +22,10 @@ quad log1pq(quad x);
 quad logq(quad x);
 quad powq(quad x, quad y);
 quad sinhq(quad x);
+quad sinq(quad x);
 quad sqrtq(quad x);
 quad strtoflt128(const char *text, char **end);
+quad tanhq(quad x);
+quad tanq(quad x);
 
 #endif

@@ -4,8 +4,8 @@
  *     SCALAR   the scalar type,
  *     FN(f)    the mathematical function f for this type (FN(exp), ...).
  */
-#ifndef FRICTION_SCALAR_H
-#define FRICTION_SCALAR_H
+#ifndef FORMULA_SCALAR_H
+#define FORMULA_SCALAR_H
 
 /* What field_formula.h asks of the elements of its numbers. */
 static inline SCALAR scalar_size(SCALAR u)

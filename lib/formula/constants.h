@@ -1,0 +1,20 @@
+/*
+ * constants.h -- what does not change in a graph, in 113 bits.
+ */
+#ifndef FORMULA_CONSTANTS_H
+#define FORMULA_CONSTANTS_H
+
+#include "formula.h"
+
+/* A leaf and what it is; of an array the last has no name. */
+struct formula_value {
+    const char *name;
+    formula_real value;
+};
+
+/* By node: value[0 .. f->nodes - 1]; 0 for those that change with the state
+ * and for leaves that are not among the given ones. */
+void formula_constants(const struct formula *f,
+                       const struct formula_value leaf[], formula_real value[]);
+
+#endif

@@ -1,0 +1,22 @@
+/*
+ * quad_tape.h -- a tape in 113 bits: its constants as numbers, and what it
+ * computes at offsets from the anchor.
+ */
+#ifndef FORMULA_QUAD_TAPE_H
+#define FORMULA_QUAD_TAPE_H
+
+#include "constants.h"
+#include "quad.h"
+#include "real_tape.h"
+
+#define SCALAR  quad
+#define KIND(f) quad_##f
+#include "number_tape.h"
+#undef SCALAR
+#undef KIND
+
+/* Rates of the chart, rate[i] exp(scale); value 0 of the tape in *value. */
+void quad_tape_field(const struct quad_tape *t, quad X, quad Y, quad rate[2],
+                     quad *scale, quad *value);
+
+#endif

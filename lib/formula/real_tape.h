@@ -1,0 +1,20 @@
+/*
+ * real_tape.h -- a tape in doubles: its constants, made in 113 bits and
+ * rounded, and what it computes at offsets from the anchor.
+ */
+#ifndef FORMULA_REAL_TAPE_H
+#define FORMULA_REAL_TAPE_H
+
+#include "tape.h"
+
+#ifndef NUMBER_TERMS
+#define NUMBER_TERMS 1024
+#endif
+
+#define SCALAR  double
+#define KIND(f) real_##f
+#include "number_tape.h"
+#undef SCALAR
+#undef KIND
+
+#endif

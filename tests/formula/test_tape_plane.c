@@ -1,0 +1,399 @@
+/* Formulas as planar systems: every function keeps its digits near, at and far
+ * from the anchor; duals and Taylor series say what the field says. */
+#include "tape_plane.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "parse.h"
+#include "quad.h"
+
+#define ULP 0x1p-53
+
+static struct tape_lowered lowered;
+static struct tape_plane plane;
+static struct formula graph;
+
+static const struct formula_value parameters[] = { { "p", 0.7 },
+                                                   { "s", -1.3 },
+                                                   { NULL, 0 } };
+
+/* ---- making -------------------------------------------------------------- */
+
+static void name_parameters(struct formula *f)
+{
+    formula_init(f);
+    formula_leaf(f, "p", FORMULA_POSITIVE_PARAMETER);
+    formula_leaf(f, "s", FORMULA_PARAMETER);
+}
+
+static int parsed(struct formula *f, const char *text)
+{
+    struct fault why = { "" };
+    int node = 0;
+    const enum status s = formula_parse(f, text, &node, &why);
+
+    CHECK(s == STATUS_OK, "%s: %s", text, why.text);
+    return node;
+}
+
+static enum status lower(const char *const rate[2], const bool positive[2],
+                         const char *observable, bool equilibrium,
+                         struct fault *why)
+{
+    struct plane_formulas p = { .observables = 0 };
+
+    name_parameters(&graph);
+    for (int i = 0; i < 2; i++)
+        p.state[i] =
+            formula_leaf(&graph, i ? "y" : "x",
+                         positive[i] ? FORMULA_POSITIVE_STATE : FORMULA_STATE);
+    for (int i = 0; i < 2; i++)
+        p.rate[i] = parsed(&graph, rate[i]);
+    if (observable)
+        p.observable[p.observables++] = parsed(&graph, observable);
+    return tape_plane_lower(&lowered, &graph, &p, equilibrium, why);
+}
+
+static void make(const char *const rate[2], const bool positive[2],
+                 const char *observable, bool equilibrium, const quad at[2])
+{
+    struct fault why = { "" };
+    enum status s = lower(rate, positive, observable, equilibrium, &why);
+
+    if (s == STATUS_OK)
+        s = tape_plane_at(&lowered, parameters, at, &plane, &why);
+    CHECK(s == STATUS_OK, "%s | %s: %s", rate[0], rate[1], why.text);
+}
+
+/* A formula at a state, in 113 bits, plainly. */
+static quad plain(const char *text, quad x, quad y)
+{
+    static struct formula f;
+    quad value[FORMULA_NODES];
+
+    name_parameters(&f);
+    formula_leaf(&f, "x", FORMULA_PARAMETER);
+    formula_leaf(&f, "y", FORMULA_PARAMETER);
+    const int node = parsed(&f, text);
+    const struct formula_value leaf[] = {
+        parameters[0], parameters[1], { "x", x }, { "y", y }, { NULL, 0 }
+    };
+    formula_constants(&f, leaf, value);
+    return value[node];
+}
+
+/* ---- digits -------------------------------------------------------------- */
+
+struct function_case {
+    const char *text, *slope;
+    double lo, hi; /* of its argument */
+};
+
+/* The slopes in other words than the program's. */
+static const struct function_case functions_of_x[] = {
+    { "exp(x)", "exp(x)", -30, 30 },
+    { "sinh(x)", "cosh(x)", -30, 30 },
+    { "cosh(x)", "sinh(x)", -30, 30 },
+    { "tanh(x)", "1/cosh(x)^2", -30, 30 },
+    { "asinh(x)", "1/sqrt(1 + x*x)", -1e3, 1e3 },
+    { "sin(x)", "cos(x)", -30, 30 },
+    { "cos(x)", "-sin(x)", -30, 30 },
+    { "tan(x)", "1/cos(x)^2", -1.5, 1.5 },
+    { "atan(x)", "1/(1 + x^2)", -1e3, 1e3 },
+    { "asin(x)", "1/sqrt(1 - x^2)", -0.999, 0.999 },
+    { "acos(x)", "-1/sqrt(1 - x^2)", -0.999, 0.999 },
+    { "sqrt(40 + x)", "1/(2*sqrt(40 + x))", -30, 30 },
+    { "ln(40 + x)", "1/(40 + x)", -30, 30 },
+    { "log10(40 + x)", "1/(ln(10)*(40 + x))", -30, 30 },
+    { "(40 + x)^p", "p*(40 + x)^(p - 1)", -30, 30 },
+    { "1/(40 + x)", "-1/(40 + x)^2", -30, 30 },
+    { "abs2(x)", "2*x", -30, 30 },
+    { "x^3", "3*x^2", -30, 30 },
+    { "x^-2", "-2/x^3", 0.01, 30 },
+    { "x^7", "7*x^6", -30, 30 },
+};
+
+/* A difference of sizes from 1e-12 to the whole range, in doubles. */
+static double offset(uint64_t *seed, double lo, double hi, double at)
+{
+    for (;;) {
+        const double size = exp(check_uniform(seed, log(1e-12), log(hi - lo)));
+        const double u = check_uniform(seed, 0, 1) < 0.5 ? size : -size;
+        if (at + u > lo && at + u < hi)
+            return u;
+    }
+}
+
+/* |f(k + u) - f(k)| is known as well as k, u and f(k + u) are: to so many units
+ * of roundoff of what those three do to it. */
+static void a_function_from_its_anchor_loses_no_digits(void **state)
+{
+    const bool real[2] = { false, false };
+    uint64_t seed = check_seed();
+    const double limit = 10;
+
+    (void) state;
+    for (size_t i = 0; i < sizeof functions_of_x / sizeof *functions_of_x;
+         i++) {
+        const struct function_case *c = &functions_of_x[i];
+        double worst = 0;
+        char rate[80];
+        for (int n = 0; n < 400; n++) {
+            const double k = check_uniform(&seed, c->lo, c->hi),
+                         u = offset(&seed, c->lo, c->hi, k);
+            const quad at[2] = { k, 0 };
+            snprintf(rate, sizeof rate, "%s - 3", c->text); /* f(k) is 3 */
+            make((const char *const[]){ rate, "-y" }, real, NULL, true, at);
+            const struct planar s = tape_planar(&plane);
+            struct planar_field f;
+            s.field(s.ctx, (struct vec2){ u, 0.0 }, &f);
+            const double found = f.direction.x * exp(f.log_scale);
+            const quad w = (quad) k + u, d0 = plain(c->slope, k, 0),
+                       d = plain(c->slope, w, 0);
+            const quad f0 = plain(c->text, k, 0),
+                       exact = plain(c->text, w, 0) - f0;
+            /* and the plain difference to its own roundoff */
+            const double size =
+                (double) (fabsq(exact) + fabsq(u * d) + fabsq(k * (d - d0)) +
+                          fabsq(f0) * (quad) 0x1p-57);
+            const double error = (double) fabsq(found - exact) / (ULP * size);
+            worst = error > worst ? error : worst;
+            CHECK(error <= limit, "%s: %.3g units, k = %.17g, u = %.17g",
+                  c->text, error, k, u);
+        }
+        print_message("%s: %.2g units of roundoff\n", c->text, worst);
+    }
+}
+
+/* ---- derivatives and series ---------------------------------------------- */
+
+struct plane_case {
+    const char *rate[2], *observable;
+    bool positive[2];
+    double lo[2], hi[2]; /* states */
+};
+
+static const struct plane_case planes[] = {
+    { { "y", "-sin(x) - p*y" },
+      "y^2/2 - cos(x)",
+      { 0, 0 },
+      { -3, -2 },
+      { 3, 2 } },
+    { { "x - x^3/3 - y", "p*(x + 0.7 - 0.8*y)" },
+      "x",
+      { 0, 0 },
+      { -2, -2 },
+      { 2, 2 } },
+    { { "x*(1 - x - p*y)", "y*(x - 0.3)" },
+      "x*y",
+      { 1, 1 },
+      { .1, .1 },
+      { 3, 3 } },
+    { { "tanh(x + y)*cosh(s*x)", "atan(x*y) + tan(y/3)" },
+      "asin(x/5)",
+      { 0, 0 },
+      { -2, -2 },
+      { 2, 2 } },
+    { { "asinh(x*y) + sinh(x - y)", "sinh(x + s*y)*exp(y)" },
+      "cosh(y)",
+      { 0, 0 },
+      { -2, -2 },
+      { 2, 2 } },
+    { { "y/(1 + x^2)", "x/(3 + sin(y)) - ln(5 + x*y)" },
+      "sqrt(9 + x)",
+      { 0, 0 },
+      { -2, -2 },
+      { 2, 2 } },
+    { { "x^p - y*x^2", "p - cos(y)*x" },
+      "x*exp(y)",
+      { 1, 0 },
+      { .1, -2 },
+      { 3, 2 } },
+    { { "y - acos(x/4)", "log10(5 + x) - abs2(y)" },
+      "1",
+      { 0, 0 },
+      { -2, -2 },
+      { 2, 2 } },
+    { { "1/x - y/(p + x)", "-sinh(y - 1/x)/x" },
+      "asinh(x*exp(y))",
+      { 1, 1 },
+      { .1, .1 },
+      { 3, 3 } },
+    { { "exp(y) - exp(x)", "(x - y)^5 + s" },
+      "exp(x)*(y - 1)",
+      { 0, 0 },
+      { -2, -2 },
+      { 2, 2 } },
+};
+
+enum { PLANES = sizeof planes / sizeof *planes };
+
+/* A point of the case's box, in its chart. */
+static void draw(const struct plane_case *c, uint64_t *seed, double out[2])
+{
+    for (int i = 0; i < 2; i++) {
+        const double at = check_uniform(seed, c->lo[i], c->hi[i]);
+        out[i] = c->positive[i] ? log(at) : at;
+    }
+}
+
+/* d chart/dt and the observable by the plain formulas. */
+static void plainly(const struct plane_case *c, const quad chart[2],
+                    quad rate[3])
+{
+    quad at[2];
+
+    for (int i = 0; i < 2; i++)
+        at[i] = c->positive[i] ? expq(chart[i]) : chart[i];
+    for (int i = 0; i < 2; i++) {
+        rate[i] = plain(c->rate[i], at[0], at[1]);
+        if (c->positive[i])
+            rate[i] /= at[i];
+    }
+    rate[2] = plain(c->observable, at[0], at[1]);
+}
+
+static void field_and_gradients_are_those_of_the_formulas(void **state)
+{
+    uint64_t seed = check_seed();
+    const quad h = 1e-12;
+
+    (void) state;
+    for (int n = 0; n < 40 * PLANES; n++) {
+        const struct plane_case *c = &planes[n % PLANES];
+        double anchor[2], to[2];
+        draw(c, &seed, anchor);
+        draw(c, &seed, to);
+        const quad at[2] = { anchor[0], anchor[1] };
+        make(c->rate, c->positive, c->observable, false, at);
+        const struct planar s = tape_planar(&plane);
+        const struct vec2 z = { to[0] - anchor[0], to[1] - anchor[1] };
+        struct planar_jacobian J;
+        double rate;
+        struct vec2 slope;
+        s.jacobian(s.ctx, z, &J);
+        s.rate_gradient(s.ctx, 0, z, &rate, &slope);
+        const double e = exp(J.field.log_scale);
+        const double found[3][3] = {
+            { J.field.direction.x * e, J.matrix.xx * e, J.matrix.xy * e },
+            { J.field.direction.y * e, J.matrix.yx * e, J.matrix.yy * e },
+            { rate, slope.x, slope.y },
+        };
+        quad mid[3], side[2][3];
+        const quad x = at[0] + z.x, y = at[1] + z.y;
+        plainly(c, (const quad[]){ x, y }, mid);
+        plainly(c, (const quad[]){ x + h, y }, side[0]);
+        plainly(c, (const quad[]){ x, y + h }, side[1]);
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) {
+                const double exact =
+                    (double) (j ? (side[j - 1][i] - mid[i]) / h : mid[i]);
+                CHECK(fabs(found[i][j] - exact) <= 1e-11 * (1 + fabs(exact)),
+                      "%s | %s, %d %d: %.17g, exactly %.17g", c->rate[0],
+                      c->rate[1], i, j, found[i][j], exact);
+            }
+    }
+}
+
+/* Two curves x + t s, y + t s^2/2 - s of which the series are added up at s. */
+static void a_series_adds_up_to_the_field_along_the_curve(void **state)
+{
+    static struct jet_work w;
+    static jet_pair x[JET_SIZE], y[JET_SIZE], f[3][JET_SIZE];
+    uint64_t seed = check_seed();
+    const double at_s = 0.01;
+
+    (void) state;
+    for (int n = 0; n < 20 * PLANES; n++) {
+        const struct plane_case *c = &planes[n % PLANES];
+        double anchor[2], to[2][2], t[2];
+        draw(c, &seed, anchor);
+        const quad at[2] = { anchor[0], anchor[1] };
+        make(c->rate, c->positive, c->observable, n % 2, at);
+        const struct planar s = tape_planar(&plane);
+        memset(x, 0, sizeof x);
+        memset(y, 0, sizeof y);
+        for (int i = 0; i < JET_LANES; i++) {
+            draw(c, &seed, to[i]);
+            t[i] = check_uniform(&seed, -1, 1);
+            x[0][i] = to[i][0] - anchor[0];
+            y[0][i] = to[i][1] - anchor[1];
+            x[1][i] = t[i];
+            y[1][i] = -1;
+            y[2][i] = t[i] / 2;
+        }
+        w.linear = n % 3 ? x : NULL;
+        w.used = 0;
+        for (size_t k = 0; k < JET_SIZE; k++) {
+            s.jet(s.ctx, &w, k, x, y, f[0], f[1]);
+            s.rate_jet(s.ctx, 0, &w, k, x, y, f[2]);
+        }
+        for (int i = 0; i < JET_LANES; i++) {
+            const struct vec2 z = { x[0][i] + t[i] * at_s,
+                                    y[0][i] - at_s + t[i] / 2 * at_s * at_s };
+            struct planar_field field;
+            double exact[3], u[JET_SIZE];
+            s.field(s.ctx, z, &field);
+            s.rate_gradient(s.ctx, 0, z, &exact[2], NULL);
+            const double e = exp(field.log_scale);
+            exact[0] = field.direction.x * e;
+            exact[1] = field.direction.y * e;
+            for (int j = 0; j < 3; j++) {
+                jet_take(JET_SIZE - 1, f[j], (size_t) i, u);
+                const double found =
+                    jet_at(JET_SIZE - 1, u, at_s) * exp(w.log_scale[i]);
+                CHECK(fabs(found - exact[j]) <= 1e-11 * (1 + fabs(exact[j])),
+                      "%s | %s, %d: %.17g, field %.17g", c->rate[0], c->rate[1],
+                      j, found, exact[j]);
+            }
+        }
+    }
+}
+
+/* ---- equilibria, refusals ------------------------------------------------ */
+
+static void rates_vanish_at_an_equilibrium_that_is_no_double(void **state)
+{
+    const bool positive[2] = { true, true };
+    const quad x = sqrtq(2), at[2] = { logq(x), logq(x) / 2 };
+    struct planar_field f;
+
+    (void) state;
+    make((const char *const[]){ "x^2 - 2", "x - y^2" }, positive, NULL, true,
+         at);
+    const struct planar s = tape_planar(&plane);
+    s.field(s.ctx, (struct vec2){ 0, 0 }, &f);
+    assert_true(f.direction.x == 0.0 && f.direction.y == 0.0);
+    s.field(s.ctx, (struct vec2){ 1e-200, 0 }, &f);
+    const double found = f.direction.x * exp(f.log_scale);
+    CHECK(fabs(found / (2 * 1.4142135623730951e-200) - 1) < 1e-14, "%g", found);
+}
+
+static void what_has_no_value_at_the_anchor_is_refused(void **state)
+{
+    const bool real[2] = { false, false };
+    const quad at[2] = { -1, 0 };
+    struct fault why = { "" };
+
+    (void) state;
+    assert_int_equal(
+        lower((const char *const[]){ "ln(x)", "-y" }, real, NULL, false, &why),
+        STATUS_OK);
+    assert_int_equal(tape_plane_at(&lowered, parameters, at, &plane, &why),
+                     STATUS_BAD_ARGUMENT);
+    assert_non_null(strstr(why.text, "no finite value"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_function_from_its_anchor_loses_no_digits),
+        cmocka_unit_test(field_and_gradients_are_those_of_the_formulas),
+        cmocka_unit_test(a_series_adds_up_to_the_field_along_the_curve),
+        cmocka_unit_test(rates_vanish_at_an_equilibrium_that_is_no_double),
+        cmocka_unit_test(what_has_no_value_at_the_anchor_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
