@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "block.h"
+#include "cusp.h"
 #include "laws.h"
 #include "quad_branch.h"
 #include "tolerance.h"
@@ -61,6 +62,27 @@ static inline bool draw_near_fold(struct draw *d, uint64_t *seed)
     const long double fold = x[check_bits(seed) % n];
     return draw_at(d, check_bits(seed) % 2 ? fold + aside : fold - aside,
                    1e-9L);
+}
+
+/* Between two folds that meet at c*, 1e-2 to 1e-10 of c* before they do, where
+ * long doubles tell a slope's place from the folds'. */
+static inline bool draw_near_cusp(struct draw *d, uint64_t *seed)
+{
+    const struct cusp cusp = cusp_find(&d->law, &d->m);
+    long double x[4];
+
+    if (cusp.reason)
+        return false;
+    d->m.c = (double) (cusp.c * (1 - (long double) laws_power(seed, -10, -2)));
+    if (steady_extrema(&d->law, &d->m, x) != 2)
+        return false;
+    const long double wide = x[1] - x[0];
+    const long double part = (long double) check_uniform(seed, 0, 1);
+    const long double at = x[0] + part * wide;
+    const long double h = wide * fminl(part, 1 - part) / 2;
+    return steady_mu_log(&d->law, &d->m, at - h) >
+               steady_mu_log(&d->law, &d->m, at + h) + 64 * LDBL_EPSILON &&
+           draw_at(d, at, h);
 }
 
 static inline void draw_name(struct draw *d)

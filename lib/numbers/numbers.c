@@ -2,7 +2,8 @@
  * Numbers from curves.  Error bars: what the integration reports (last terms
  * of every step, tail) plus a floor for rounding, which grows with the size of
  * the logarithms involved and with the cancellation in the determinant of the
- * saddle's Jacobian - the measure of how near a fold is.
+ * saddle's Jacobian - the measure of how near a fold is - and what the saddle's
+ * own place makes of them (place.h).
  */
 #include "numbers.h"
 
@@ -12,6 +13,7 @@
 #include "cusp.h"
 #include "knee.h"
 #include "numbers_tolerance.h"
+#include "place.h"
 #include "tolerance.h"
 
 double numbers_cancellation(const struct equilibrium *e)
@@ -23,34 +25,9 @@ double numbers_cancellation(const struct equilibrium *e)
                       : (fabs(m.xx * m.yy) + fabs(m.xy * m.yx)) / fabs(det);
 }
 
-/* Of ln v at the saddle, absolute: how far mu_ss stays within its noise of
- * tan(alpha), by its slope; next to a fold by its curvature, which leaves
- * noise >= |mu_ss''| d^2/2; and where folds meet by the third derivative, which
- * is never far below a + b. */
-static double root_floor(const struct block *b)
-{
-    const struct law *law = &b->law;
-    const struct material *m = &b->material;
-    const long double x = (long double) b->at.x0;
-    const long double h = fminl(1e-5L, (steady_x_max(law) - x) / 2);
-    const long double above = steady_mu_log(law, m, x + h);
-    const long double below = steady_mu_log(law, m, x - h);
-    const double slope = (double) fabsl((above - below) / (2 * h));
-    const double bend = (double) fabsl(
-        (above - 2 * steady_mu_log(law, m, x) + below) / (h * h));
-    const double tau = (double) steady_tau(law, m, b->tan_alpha);
-    const double ax = b->at.a * b->at.x0;
-    const double size = fabs(tau) + fabs(m->mu_star) + fabs(ax) +
-                        fabs(tau - m->mu_star - ax) + b->at.b;
-    const double noise = (double) LDBL_EPSILON * size;
-
-    return fmin(fmin(noise / slope, sqrt(2.0 * noise / bend)),
-                cbrt(6.0 * noise / (0.1 * (m->a + m->b))));
-}
-
 double numbers_floor(const struct block *b)
 {
-    return 2.0 * DBL_EPSILON + root_floor(b);
+    return 2.0 * DBL_EPSILON + place_bar(b);
 }
 
 /* The logarithm in mu = a asinh(e^w/2), as far as exp of it is what counts: its
@@ -74,7 +51,7 @@ struct steady_number numbers_steady(const struct block *b,
                             : floor;
     const double psi_floor =
         b->law.psi_ss == PSI_SS_MINUS_LOG
-            ? root_floor(b) + 2.0 * DBL_EPSILON * fabs(b->at.psi0)
+            ? place_bar(b) + 2.0 * DBL_EPSILON * fabs(b->at.psi0)
             : 2.0 * floor * fabs(b->at.psi0);
     struct steady_number s = {
         .type = (int8_t) e->type,
@@ -216,6 +193,10 @@ static double branch_floor(const struct block *b, const struct equilibrium *e,
            (4.0 + 0.5 * log_of_friction(b) + 0.25 * stable_cancellation(e));
 }
 
+/* Of v at the saddle, relative: its own rounding and, where nobody need ask how
+ * numbers go with its place, what that makes of them. */
+#define AT_SADDLE (2.0 * DBL_EPSILON)
+
 /* To an integral over time, relative. */
 static double integral_floor(const struct block *b, const struct equilibrium *e)
 {
@@ -246,7 +227,6 @@ struct builder {
     const struct block *b;
     const struct equilibrium *e;
     const struct branch *upper, *lower;
-    double floor; /* relative, of v at the saddle */
     struct critical_numbers *out;
 };
 
@@ -268,7 +248,7 @@ static void upper_numbers(struct builder *n)
         return;
     }
     const double X = u->limit.x;
-    const double floor = n->floor + branch_floor(b, n->e, X);
+    const double floor = AT_SADDLE + branch_floor(b, n->e, X);
     const struct limit v = limit_of(b->at.v0, b->at.x0, X, u->error.x, floor);
     out->v_plus = v.value;
     out->ln_v_plus = v.log;
@@ -283,7 +263,7 @@ static struct quantity friction_of(const struct builder *n, double energy,
     const double t = (double) n->b->tan_alpha, excess = 0.0 - u->total[0];
     const double ratio = energy / excess;
     const double floor = rise * branch_floor(n->b, n->e, u->limit.x) +
-                         integral_floor(n->b, n->e) + n->floor +
+                         integral_floor(n->b, n->e) + AT_SADDLE +
                          4.0 * DBL_EPSILON;
     const double relative = branch_error(u, 0, rise, 1.0 / excess) + floor;
 
@@ -300,13 +280,13 @@ static void static_friction(struct builder *n)
     const double k =
         0.5 * material_eps2(&b->material) * hypot(1.0, t) * b->at.v0 * b->at.v0;
     const double excess = 0.0 - u->total[0];
-    const double floor = integral_floor(b, n->e) + n->floor;
+    const double floor = integral_floor(b, n->e) + AT_SADDLE;
     const double dX = u->error.x + branch_floor(b, n->e, X);
     /* relative changes of expm1(X)^2 and expm1(2 X) with X */
     const double square = 2.0 * exp(X) / expm1(X);
     const double rise = 2.0 * exp(2.0 * X) / expm1(2.0 * X);
     const double energy = k * expm1(2.0 * X), mean = k * expm1(X) * expm1(X);
-    const double rest = 2.0 * n->floor + 4.0 * DBL_EPSILON;
+    const double rest = 2.0 * AT_SADDLE + 4.0 * DBL_EPSILON;
 
     out->x_excess = quantity_of(excess, u->total_error[0] + excess * floor);
     out->fracture_energy = quantity_of(energy, energy * (rise * dX + rest));
@@ -347,7 +327,7 @@ static void lower_numbers(struct builder *n)
 
     out->lower_end = (int8_t) lower_code(l);
     if (out->lower_end == END_PSI_0) {
-        const double floor = n->floor + branch_floor(b, n->e, l->limit.x);
+        const double floor = AT_SADDLE + branch_floor(b, n->e, l->limit.x);
         const struct limit v =
             limit_of(b->at.v0, b->at.x0, l->limit.x, l->error.x, floor);
         out->v_minus = v.value;
@@ -362,7 +342,7 @@ static void lower_numbers(struct builder *n)
         out->psi_at_v0 = quantity_none(why_open(b, l));
     }
     if (out->lower_end == END_V_0) {
-        const double floor = n->floor + branch_floor(b, n->e, l->limit.y);
+        const double floor = AT_SADDLE + branch_floor(b, n->e, l->limit.y);
         const struct limit psi =
             limit_of(b->at.psi0, b->at.y0, l->limit.y, l->error.y, floor);
         out->psi_at_v0 = is_log ? psi.log : psi.value;
@@ -375,7 +355,7 @@ static void lower_numbers(struct builder *n)
         out->lower_end == END_TRUNCATED
             ? quantity_none("the lower branch has no end to integrate to")
             : quantity_of(deficit, l->total_error[0] +
-                                       deficit * (floor + 2.0 * n->floor));
+                                       deficit * (floor + 2.0 * AT_SADDLE));
 }
 
 struct critical_numbers numbers_none(const char *reason)
@@ -406,18 +386,30 @@ struct critical_numbers numbers_no_critical(void)
     return numbers_none(no_saddle);
 }
 
-struct critical_numbers numbers_critical(const struct block *b,
-                                         const struct equilibrium *e,
-                                         const struct branch *upper,
-                                         const struct branch *lower)
+struct critical_numbers numbers_placed(const struct block *b,
+                                       const struct equilibrium *e,
+                                       const struct branch *upper,
+                                       const struct branch *lower)
 {
     struct critical_numbers out = numbers_no_critical();
-    struct builder n = { b, e, upper, lower, numbers_floor(b), &out };
+    struct builder n = { b, e, upper, lower, &out };
 
     upper_numbers(&n);
     if (out.upper_end == END_PSI_INF)
         static_friction(&n);
     lower_numbers(&n);
+    return out;
+}
+
+struct critical_numbers numbers_critical(const struct block *b,
+                                         const struct equilibrium *e,
+                                         const struct branch *upper,
+                                         const struct branch *lower)
+{
+    struct critical_numbers out = numbers_placed(b, e, upper, lower);
+
+    if (place_is_felt(b))
+        place_spread(b, &out);
     return out;
 }
 
@@ -441,7 +433,7 @@ static struct knee_number knee_number(const struct block *b,
 /* In the chart, of the saddle: |d ln psi_ss/d ln v| <= 1, or psi_ss = -ln v. */
 static struct vec2 saddle_floor(const struct block *b)
 {
-    const double x = root_floor(b), psi = fabs(b->at.psi0);
+    const double x = place_bar(b), psi = fabs(b->at.psi0);
     const bool of_log = b->law.psi_ss == PSI_SS_MINUS_LOG;
     const double slope = law_psi_is_log(&b->law) ? (of_log ? 1.0 : psi)
                                                  : (of_log ? 1.0 / psi : 1.0);

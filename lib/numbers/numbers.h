@@ -86,6 +86,11 @@ struct critical_numbers numbers_critical(const struct block *b,
                                          const struct equilibrium *e,
                                          const struct branch *upper,
                                          const struct branch *lower);
+/* The same where the saddle's place is taken as known. */
+struct critical_numbers numbers_placed(const struct block *b,
+                                       const struct equilibrium *e,
+                                       const struct branch *upper,
+                                       const struct branch *lower);
 /* None of them: there is no saddle; for another reason (static). */
 struct critical_numbers numbers_no_critical(void);
 struct critical_numbers numbers_none(const char *reason);

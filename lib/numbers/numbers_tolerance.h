@@ -44,4 +44,12 @@
  * digit, and a bit more of a logarithm. */
 #define TOL_SLIDER_ROUNDING 0x1.4p-53
 
+/* The saddle's place (place.c).  Numbers go like powers of v_sp, below this one
+ * but where places are not known to a rounding; how far the second place is
+ * from the first, over which they bend little; and the tolerance of both runs,
+ * as a part of that. */
+#define TOL_PLACE_POWER 8.0
+#define TOL_PLACE_STEP  1e-3L
+#define TOL_PLACE_FINE  1e-3
+
 #endif

@@ -238,7 +238,9 @@ static void hold_branch(const struct draw *d, double rtol,
 /* A preset one time in four, of Table 2 one time in eight. */
 static bool draw_any(uint64_t *seed, struct draw *d)
 {
-    draw_how *slope = check_bits(seed) % 3 ? draw_slope : draw_near_fold;
+    draw_how *const how[] = { draw_slope, draw_slope, draw_near_fold,
+                              draw_near_cusp };
+    draw_how *const slope = how[check_bits(seed) % 4];
 
     return check_bits(seed) % 4 ? draw_one(check_bits(seed), seed, slope, d)
                                 : draw_preset(seed, slope, d);

@@ -1,0 +1,128 @@
+/*
+ * N' is the difference of two runs, at the saddle's place and a bit further
+ * into the part of the steady curve that holds saddles, over their distance;
+ * what their own bars leave open is added.
+ */
+#include "place.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "numbers_tolerance.h"
+
+/* By mu_ss's slope; next to a fold by its curvature, which leaves noise >=
+ * |mu_ss''| d^2/2; and where folds meet by the third derivative, which is never
+ * far below a + b. */
+double place_bar(const struct block *b)
+{
+    const struct law *law = &b->law;
+    const struct material *m = &b->material;
+    const long double x = (long double) b->at.x0;
+    const long double h = fminl(1e-5L, (steady_x_max(law) - x) / 2);
+    const long double above = steady_mu_log(law, m, x + h);
+    const long double below = steady_mu_log(law, m, x - h);
+    const double slope = (double) fabsl((above - below) / (2 * h));
+    const double bend = (double) fabsl(
+        (above - 2 * steady_mu_log(law, m, x) + below) / (h * h));
+    const double tau = (double) steady_tau(law, m, b->tan_alpha);
+    const double ax = b->at.a * b->at.x0;
+    const double size = fabs(tau) + fabs(m->mu_star) + fabs(ax) +
+                        fabs(tau - m->mu_star - ax) + b->at.b;
+    const double noise = (double) LDBL_EPSILON * size;
+
+    return fmin(fmin(noise / slope, sqrt(2.0 * noise / bend)),
+                cbrt(6.0 * noise / (0.1 * (m->a + m->b))));
+}
+
+bool place_is_felt(const struct block *b)
+{
+    return TOL_PLACE_POWER * place_bar(b) > DBL_EPSILON;
+}
+
+/* Away from the nearer fold. */
+static long double step_of(const struct block *b)
+{
+    const struct planar_steady *s = &b->steady;
+    long double lo = s->lo, hi = s->hi;
+
+    for (size_t i = 0; i < s->turnings; i++)
+        if (s->turning[i] < b->x)
+            lo = fmaxl(lo, s->turning[i]);
+        else
+            hi = fminl(hi, s->turning[i]);
+    const long double down = b->x - lo, up = hi - b->x;
+    return up > down ? fminl(up / 2, TOL_PLACE_STEP)
+                     : -fminl(down / 2, TOL_PLACE_STEP);
+}
+
+static enum status run_at(const struct block *b, long double x, double rtol,
+                          struct critical_numbers *out)
+{
+    struct block here = *b;
+    struct grow_options o = grow_defaults(rtol);
+    struct equilibrium e;
+    struct local_series u;
+    struct branch branch[2];
+
+    block_anchor(&here, x, true);
+    const struct planar sys = block_planar(&here);
+    equilibrium_at(&sys, false, &e);
+    o.carry = (struct carry){ { BLOCK_EXCESS }, 1 };
+    enum status status = local_at(&sys, &e, MANIFOLD_STABLE, &o.carry, o.order,
+                                  TOL_TAYLOR_STEP * rtol, &u);
+    if (status == STATUS_OK)
+        status = grow_branches(&sys, &u, &o, branch);
+    if (status != STATUS_OK)
+        return status;
+    const int up = u.ind == 0 || u.c[1] > 0.0 ? 0 : 1;
+    *out = numbers_placed(&here, &e, &branch[up], &branch[1 - up]);
+    branch_free(&branch[0]);
+    branch_free(&branch[1]);
+    return STATUS_OK;
+}
+
+static void spread(double by, const struct quantity *near,
+                   const struct quantity *far, struct quantity *q)
+{
+    if (!quantity_exists(q))
+        return;
+    const double change =
+        quantity_exists(near) && quantity_exists(far)
+            ? fabs(far->value - near->value) + near->error + far->error
+            : HUGE_VAL;
+    *q = quantity_of(q->value, q->error + by * change);
+}
+
+void place_spread(const struct block *b, struct critical_numbers *out)
+{
+    static const size_t member[] = {
+        offsetof(struct critical_numbers, v_plus),
+        offsetof(struct critical_numbers, ln_v_plus),
+        offsetof(struct critical_numbers, v_minus),
+        offsetof(struct critical_numbers, ln_v_minus),
+        offsetof(struct critical_numbers, psi_at_v0),
+        offsetof(struct critical_numbers, x_excess),
+        offsetof(struct critical_numbers, x_deficit),
+        offsetof(struct critical_numbers, mu_s_num),
+        offsetof(struct critical_numbers, mu_s_mean),
+        offsetof(struct critical_numbers, fracture_energy),
+    };
+    const struct critical_numbers none = numbers_no_critical();
+    struct critical_numbers run[2] = { none, none };
+    const long double step = step_of(b);
+    const double far = (double) fabsl(step);
+    const double rtol = fmax(TOL_PLACE_FINE * far, TOL_FINEST);
+
+    for (int i = 0; i < 2; i++)
+        if (run_at(b, b->x + i * step, rtol, &run[i]) != STATUS_OK)
+            run[i] = none;
+    for (size_t i = 0; i < sizeof member / sizeof *member; i++) {
+        const char *near = (const char *) &run[0] + member[i];
+        const char *away = (const char *) &run[1] + member[i];
+        char *at = (char *) out + member[i];
+        spread(place_bar(b) / far,
+               (const struct quantity *) (const void *) near,
+               (const struct quantity *) (const void *) away,
+               (struct quantity *) (void *) at);
+    }
+}
