@@ -90,10 +90,10 @@ void landing_add_least(const struct landing *l, double time_slope,
     const double least =
         TOL_LAYER_LEAST * promise * fmin(pow(loose, 3.0 / 8.0), 1.0);
 
-    l->out->time_error +=
-        least * (fabs(l->u[LAYER_TIME]) + fabs(time_slope) * moved);
-    l->out->slip_error +=
-        least * (fabs(l->u[LAYER_SLIP]) + fabs(slip_slope) * moved);
+    l->out->time_error += l->late[0] + least * (fabs(l->u[LAYER_TIME]) +
+                                                fabs(time_slope) * moved);
+    l->out->slip_error += l->late[1] + least * (fabs(l->u[LAYER_SLIP]) +
+                                                fabs(slip_slope) * moved);
 }
 
 /* `way` of its own from the face, towards which it closes at this rate. */
@@ -456,6 +456,10 @@ static bool is_over(struct landing *l, double *most)
 
 bool landing_is_over(struct landing *l, double *most)
 {
+    if (l->u[LAYER_TIME] == 0.0) { /* at the start */
+        l->late[0] = l->across * l->du[LAYER_TIME];
+        l->late[1] = l->across * l->du[LAYER_SLIP];
+    }
     if (landing_near(l))
         return true;
     if (!is_over(l, most))

@@ -17,6 +17,7 @@ struct landing {
     double u[LAYER_DIM], du[LAYER_DIM]; /* where it is, and per unit of arc */
     /* what steps have missed so far: across the orbit, and of what it gained */
     double across, time_error, slip_error;
+    double late[2]; /* time and slip of the start's rounding along the orbit */
     struct layer near; /* what the saddle's series told, if is_near */
     struct layer *out;
 };

@@ -366,6 +366,13 @@ static const struct {
         2.3008667414008238e-07, 0.8396126417764971, 1e-4 },
       { -3.411644507916348, -5.3245010056683277 },
       "slip past the saddle, to first order" },
+    { { FRICTION_LOG, THETA_LN_PSI, PSI_SS_MINUS_LOG, TIMESCALE_SPINODAL,
+        KINETICS_LINEAR, 0.56359415254261558, 0.010155987863377227,
+        0.0039217356223450149, 5.0736522413511318e-05, 4.8096622451156117,
+        2.5002173156945446e-05, 7.7963365865896948e-06, 0.44824030987615565,
+        1e-8 },
+      { -6.9333849796626298e-10, -21.089526157518492 },
+      "slip of a start known to some digits along its orbit" },
 };
 
 static void states_that_random_ones_found_have_one_answer(void **state)
