@@ -1,0 +1,24 @@
+/* formula_tolerance.h -- what the room's algorithms stop at. */
+#ifndef FORMULA_TOLERANCE_H
+#define FORMULA_TOLERANCE_H
+
+/* A box of a search is widened by this part of its sides, so that a zero on its
+ * edge is inside; default 0.05, any in (0, 0.5): K < X of the wider box. */
+#define TOL_BOX_ROOM 0.05
+
+/* Boxes are not parted once their sides are below TOL_BOX_LEAST of the window's
+ * plus TOL_BOX_LEAST_PART of their place: where two zeros meet, f ~ s^2 drowns
+ * in rounding, 2^-53, for s < 1e-8, and smaller boxes decide nothing. */
+#define TOL_BOX_LEAST      1e-11
+#define TOL_BOX_LEAST_PART 4e-10
+
+/* Work of a search, in additions of intervals (interval.h, effort): a second
+ * or so. */
+#define TOL_SEARCH_EFFORT 20000000L
+
+/* A zero is settled in boxes of this part of its size and of its last Newton
+ * step, widened by TOL_SETTLE_GROWTH as long as K is not inside: K < X. */
+#define TOL_SETTLE_PART   0x1p-100
+#define TOL_SETTLE_GROWTH 1024
+
+#endif
