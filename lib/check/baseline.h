@@ -12,21 +12,21 @@
 #ifndef CHECK_BASELINE_H
 #define CHECK_BASELINE_H
 
-#include <stdbool.h>
-#include <stddef.h>
+#include <stdio.h>
 
 #include "scene.h"
 
 struct baseline {
-    char *text; /* owned, zero-ended: CSV; NULL when empty */
-    size_t size, room;
+    FILE *out;   /* owned; writes into the text */
+    char *text;  /* owned, zero-ended: CSV; NULL when empty */
+    size_t size; /* of it */
     size_t rows;
-    bool full; /* out of memory: nothing more is added */
 };
 
 /* Computes a scene's slope (at alpha and rtol the scene's) and adds its row,
  * the first time below a header.  `name` is a label.  Errors as
- * study_run; *b is then as it was. */
+ * study_run; *b has then as many rows as before, or must be freed where memory
+ * was out. */
 MUST_CHECK enum status baseline_add(struct baseline *b, const char *name,
                                     const struct scene *scene,
                                     struct fault *why);
