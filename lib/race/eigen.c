@@ -181,44 +181,21 @@ static enum status append(struct curve *c, size_t n, const double coef[],
     return STATUS_OK;
 }
 
-static struct mat2 product(struct mat2 A, struct mat2 B)
-{
-    return (struct mat2){ A.xx * B.xx + A.xy * B.yx, A.xx * B.xy + A.xy * B.yy,
-                          A.yx * B.xx + A.yy * B.yx,
-                          A.yx * B.xy + A.yy * B.yy };
-}
-
-static struct mat2 inverse(struct mat2 P)
-{
-    const struct vec2 u = eigen_coordinates(P, (struct vec2){ 1.0, 0.0 });
-    const struct vec2 v = eigen_coordinates(P, (struct vec2){ 0.0, 1.0 });
-    return (struct mat2){ u.x, v.x, u.y, v.y };
-}
-
-/* The curve of a route from the saddle on, as offsets z, or else as W: W is a
- * leg's own coordinate on the first, P^-1 z on the second. */
-static enum status copy_curve(const struct route *r, bool plane,
-                              struct curve *c)
+/* The curve of a route from the saddle on. */
+static enum status copy_curve(const struct route *r, struct curve *c)
 {
     const struct eigen_start *t = &r->start;
-    const struct mat2 identity = { 1.0, 0.0, 0.0, 1.0 };
-    const struct mat2 P = r->frame->basis;
-    const struct mat2 first = plane ? P : identity, back = inverse(P);
-    const struct mat2 W = { fabs(t->reach), 0.0, 0.0, fabs(t->reach) };
     double coef[CURVE_DIM_MAX][EIGEN_START_DEGREE + 1] = { { 0.0, t->reach } };
 
     memcpy(coef[1], t->Y, sizeof t->Y);
     memcpy(coef[2], t->integral, sizeof t->integral);
     enum status s =
-        append(c, EIGEN_START_DEGREE, coef[0], first, r->start_error);
+        append(c, EIGEN_START_DEGREE, coef[0], r->frame->basis, r->start_error);
     for (size_t k = 0; k < r->legs; k++) {
         const struct curve *from = &r->leg[k].flow.curve;
-        const struct mat2 map = plane    ? r->leg[k].map
-                                : k == 0 ? W
-                                         : product(back, r->leg[k].map);
         for (size_t i = 0; i < from->count && s == STATUS_OK; i++)
             s = append(c, from->piece[i].degree, curve_component(from, i, 0),
-                       map, from->piece[i].error);
+                       r->leg[k].map, from->piece[i].error);
     }
     return s;
 }
@@ -301,10 +278,10 @@ static bool good_options(const struct eigen_options *o, int side)
            o->carry.count <= LOCAL_CARRY_MAX;
 }
 
-/* Both runs, and both copies of the finer curve. */
+/* Both runs, and a copy of the finer curve. */
 static enum status make_branch(const struct eigen_frame *g, int side,
                                const struct eigen_options *o,
-                               struct eigen_branch *out)
+                               struct branch *out)
 {
     const double tol = fmax(TOL_EIGEN_STEP * o->rtol, TOL_FINEST);
     struct route fine = { 0 }, coarse = { 0 };
@@ -315,10 +292,8 @@ static enum status make_branch(const struct eigen_frame *g, int side,
         s = run(&fine, g, o, tol, 0.5 * coarse.start.reach);
     if (s != STATUS_OK)
         goto out;
-    report(&fine, &coarse, &out->branch);
-    s = copy_curve(&fine, false, &out->curve);
-    if (s == STATUS_OK)
-        s = copy_curve(&fine, true, &out->branch.curve);
+    report(&fine, &coarse, out);
+    s = copy_curve(&fine, &out->curve);
 out:
     free_legs(&fine);
     free_legs(&coarse);
@@ -327,7 +302,7 @@ out:
 
 enum status eigen_branch(const struct planar *sys, const struct equilibrium *e,
                          int side, const struct eigen_options *o,
-                         struct eigen_branch *out)
+                         struct branch *out)
 {
     memset(out, 0, sizeof *out);
     if (!good_options(o, side) || !box_holds(sys->domain, sys->origin))
@@ -336,20 +311,12 @@ enum status eigen_branch(const struct planar *sys, const struct equilibrium *e,
         equilibrium_is_beyond(e))
         return STATUS_NOT_HYPERBOLIC;
     const struct eigen_frame g = eigen_frame_at(sys, e, &o->carry);
-    out->basis = g.basis;
-    out->curve = CURVE_EMPTY(2 + o->carry.count);
-    out->branch = (struct branch){ .kind = MANIFOLD_STABLE,
-                                   .side = side,
-                                   .carry = o->carry,
-                                   .curve = out->curve };
+    *out = (struct branch){ .kind = MANIFOLD_STABLE,
+                            .side = side,
+                            .carry = o->carry,
+                            .curve = CURVE_EMPTY(2 + o->carry.count) };
     const enum status s = make_branch(&g, side, o, out);
     if (s != STATUS_OK)
-        eigen_branch_free(out);
+        branch_free(out);
     return s;
-}
-
-void eigen_branch_free(struct eigen_branch *b)
-{
-    curve_free(&b->curve);
-    branch_free(&b->branch);
 }

@@ -25,23 +25,15 @@ struct eigen_options {
 
 struct eigen_options eigen_defaults(double rtol);
 
-struct eigen_branch {
-    /* In the plane, as from grow_branch; its error bounds the whole error:
-     * steps, start, end and rounding of the curve, not of the field.  That of a
-     * piece: of the coordinate the curve is flatter in, from errors made so far
-     * and what the field makes of them (eigen_drift.h). */
-    struct branch branch;
-    struct mat2 basis;  /* P */
-    struct curve curve; /* owned; the same pieces, components 0, 1: X, Y; their
-                           errors are those in the plane */
-};
-
 /* The half of the stable manifold with X > 0 (side +1: towards larger x;
  * larger y where it leaves the saddle vertically) or X < 0 (side -1), of the
  * saddle `e` at sys->origin; uses sys->field and sys->rate_gradient only.
  * Limits and totals come from a run with a tenth of rtol; errors also from its
  * difference to a second run, a hundred times coarser and from another start;
- * they are infinite where the two end differently.
+ * they are infinite where the two end differently; they bound the whole error:
+ * steps, start, end and rounding of the curve, not of the field.  That of a
+ * piece: of the coordinate the curve is flatter in, from errors made so far and
+ * what the field makes of them (eigen_drift.h).
  * STATUS_BAD_ARGUMENT: rtol not in (0, 1), side not +-1, too much to carry, the
  * saddle outside sys->domain;
  * STATUS_NOT_HYPERBOLIC: `e` has no such manifold, or equilibrium_is_beyond;
@@ -50,9 +42,6 @@ struct eigen_branch {
 MUST_CHECK enum status eigen_branch(const struct planar *sys,
                                     const struct equilibrium *e, int side,
                                     const struct eigen_options *o,
-                                    struct eigen_branch *out);
-
-/* A second call is harmless. */
-void eigen_branch_free(struct eigen_branch *b);
+                                    struct branch *out);
 
 #endif

@@ -11,20 +11,20 @@ static enum status second_route(const struct block *b, const struct planar *sys,
                                 struct critical_numbers *out,
                                 size_t *evaluations)
 {
-    struct eigen_branch upper = { .curve = { .dim = 0 } }, lower = upper;
+    struct branch upper = { .kind = MANIFOLD_STABLE }, lower = upper;
     enum status s = eigen_branch(sys, e, 1, o, &upper);
 
     if (s == STATUS_OK)
         s = eigen_branch(sys, e, -1, o, &lower);
     if (s == STATUS_OK &&
-        (upper.branch.end == BRANCH_STEPS || lower.branch.end == BRANCH_STEPS))
+        (upper.end == BRANCH_STEPS || lower.end == BRANCH_STEPS))
         s = STATUS_TOO_MANY_STEPS;
     if (s == STATUS_OK) {
-        *out = numbers_critical(b, e, &upper.branch, &lower.branch);
-        *evaluations = upper.branch.evaluations + lower.branch.evaluations;
+        *out = numbers_critical(b, e, &upper, &lower);
+        *evaluations = upper.evaluations + lower.evaluations;
     }
-    eigen_branch_free(&upper);
-    eigen_branch_free(&lower);
+    branch_free(&upper);
+    branch_free(&lower);
     return s;
 }
 

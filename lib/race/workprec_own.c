@@ -98,14 +98,10 @@ static enum status eigen_sides(const struct maker *m, const bool wanted[],
 
     o.carry = m->carry;
     for (int i = 0; i < WORKPREC_SIDES && s == STATUS_OK; i++) {
-        struct eigen_branch b;
         if (!wanted[i])
             continue;
         s = eigen_branch(&m->c->study->slider.plane.system, m->c->saddle,
-                         i == SIDE_UPPER ? 1 : -1, &o, &b);
-        branch[i] = b.branch;
-        b.branch = (struct branch){ .kind = MANIFOLD_STABLE };
-        eigen_branch_free(&b);
+                         i == SIDE_UPPER ? 1 : -1, &o, &branch[i]);
         m->out->calls += branch[i].evaluations;
         m->out->steps += branch[i].steps;
     }

@@ -63,15 +63,15 @@ static void check_branch(const struct study *s, int side)
     for (int k = 4; k <= 12; k += 4) {
         const double rtol = pow(10.0, -k);
         const struct eigen_options o = eigen_defaults(rtol);
-        struct eigen_branch b;
+        struct branch b;
         assert_int_equal(eigen_branch(&s->slider.plane.system,
                                       phase_plane_saddle(&s->slider.plane),
                                       side, &o, &b),
                          STATUS_OK);
-        const double bar = check_pieces(s, &exact, &b.branch.curve, rtol);
+        const double bar = check_pieces(s, &exact, &b.curve, rtol);
         CHECK(bar <= 1000.0 * rtol, "%s: bar %g at rtol %g",
               s->slider.block.law.preset, bar, rtol);
-        eigen_branch_free(&b);
+        branch_free(&b);
     }
 }
 

@@ -42,7 +42,7 @@ static void check_number(const struct csv *c, const char *column,
 static struct critical_numbers numbers_of(const struct solved *s, double rtol)
 {
     struct eigen_options o = eigen_defaults(rtol);
-    struct eigen_branch b[2];
+    struct branch b[2];
 
     o.carry = (struct carry){ { BLOCK_EXCESS }, 1 };
     for (int i = 0; i < 2; i++)
@@ -50,9 +50,9 @@ static struct critical_numbers numbers_of(const struct solved *s, double rtol)
             eigen_branch(&s->system, &s->saddle, i == 0 ? 1 : -1, &o, &b[i]),
             STATUS_OK);
     const struct critical_numbers n =
-        numbers_critical(&s->block, &s->saddle, &b[0].branch, &b[1].branch);
+        numbers_critical(&s->block, &s->saddle, &b[0], &b[1]);
     for (int i = 0; i < 2; i++)
-        eigen_branch_free(&b[i]);
+        branch_free(&b[i]);
     return n;
 }
 
