@@ -2,8 +2,10 @@
 
 #include <ctype.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "interval.h"
 #include "spell.h"
 
 void formula_system_init(struct formula_system *s)
@@ -242,6 +244,72 @@ enum status formula_system_observable(struct formula_system *s,
     return status;
 }
 
+/* ---- whole --------------------------------------------------------------- */
+
+/* Rates of all at a state, in 113 bits; false where there are none. */
+static bool rates_at(struct interval_plan *p, const formula_real at[2],
+                     struct interval_slope_quad out[2])
+{
+    const struct interval_quad box[2] = { { at[0], at[0] }, { at[1], at[1] } };
+
+    return interval_over_quad(p, box, out) == INTERVAL_WHOLE;
+}
+
+/* Whether rates and observables are the same a period further, at some states:
+ * to 1e-25 of their slopes and values there. */
+static bool is_periodic(const struct formula_system *s, struct interval_plan *p,
+                        int k)
+{
+    static const double place[][2] = {
+        { 0.1, 0.7 }, { 1.3, -0.4 }, { 2.9, 1.9 }, { -1.7, 0.3 }, { 0.6, -2.2 }
+    };
+
+    for (size_t i = 0; i < sizeof place / sizeof *place; i++) {
+        formula_real at[2] = { place[i][0], place[i][1] };
+        struct interval_slope_quad here[INTERVAL_RESULTS],
+            there[INTERVAL_RESULTS];
+        for (int j = 0; j < 2; j++)
+            if (s->state[j].chart == CHART_POSITIVE)
+                at[j] = at[j] > 0 ? at[j] : -at[j];
+        if (!rates_at(p, at, here))
+            continue;
+        at[k] += s->state[k].period;
+        if (!rates_at(p, at, there))
+            return false;
+        for (int j = 0; j < 2; j++) {
+            const formula_real off = here[j].value.lo - there[j].value.lo;
+            formula_real size = here[j].value.lo * here[j].value.lo;
+            for (int i2 = 0; i2 < 2; i2++)
+                size += here[j].by[i2].lo * here[j].by[i2].lo;
+            if (!(off * off <= (formula_real) 1e-50 * (1 + size)))
+                return false;
+        }
+    }
+    return true;
+}
+
+/* An angle's rates must be the same after its period. */
+static enum status check_angles(const struct formula_system *s,
+                                struct formula_place at, struct fault *why)
+{
+    const int state[2] = { s->state[0].node, s->state[1].node };
+    formula_real value[FORMULA_NODES] = { 0 };
+    struct interval_plan *p = malloc(sizeof *p);
+    enum status status = p ? STATUS_OK : STATUS_NO_MEMORY;
+
+    for (int i = 0; i < s->parameters; i++)
+        value[s->parameter[i].node] = s->parameter[i].value;
+    if (p &&
+        interval_plan(p, &s->graph, state, s->rate, 2, value, why) == STATUS_OK)
+        for (int k = 0; k < 2 && status == STATUS_OK; k++)
+            if (s->state[k].chart == CHART_ANGLE && !is_periodic(s, p, k))
+                status = formula_blame(
+                    at, why, "angle %s: the rates are not the same after %.9g",
+                    s->state[k].name, (double) s->state[k].period);
+    free(p);
+    return status;
+}
+
 enum status formula_system_finish(const struct formula_system *s,
                                   struct formula_place at, struct fault *why)
 {
@@ -252,6 +320,8 @@ enum status formula_system_finish(const struct formula_system *s,
         if (s->rate[i] < 0)
             return formula_blame(at, why, "state %s has no rate",
                                  s->state[i].name);
+    if (s->state[0].chart == CHART_ANGLE || s->state[1].chart == CHART_ANGLE)
+        return check_angles(s, at, why);
     return STATUS_OK;
 }
 

@@ -112,7 +112,8 @@ MUST_CHECK enum status formula_system_observable(
     const char *unit, const char *long_name, struct formula_place at,
     struct fault *why);
 
-/* Whether all is there: two states, two rates. */
+/* Whether all is there: two states, two rates, which after an angle's period
+ * are the same again. */
 MUST_CHECK enum status formula_system_finish(const struct formula_system *s,
                                              struct formula_place at,
                                              struct fault *why);

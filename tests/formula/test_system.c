@@ -58,6 +58,22 @@ static void an_angle_has_a_period(void **state)
     assert_true(s.state[1].period == 0.5);
 }
 
+static void rates_of_an_angle_are_the_same_after_its_period(void **state)
+{
+    (void) state;
+    formula_system_init(&s);
+    GOOD(formula_system_state(&s, "q", CHART_ANGLE, NULL, at, &why));
+    GOOD(formula_system_state(&s, "p", CHART_REAL, NULL, at, &why));
+    GOOD(formula_system_parameter(&s, "n", "2", at, &why));
+    GOOD(formula_system_rate(&s, "q", "p", at, &why));
+    GOOD(formula_system_rate(&s, "p", "-sin(n*q)^3 - p/10", at, &why));
+    GOOD(formula_system_finish(&s, at, &why));
+    GOOD(formula_system_set(&s, "n", 1.5, at, &why));
+    assert_int_equal(formula_system_finish(&s, at, &why), STATUS_BAD_SCENE);
+    assert_string_equal(why.text, "a.yaml:4:9: angle q: the rates are not the "
+                                  "same after 6.28318531");
+}
+
 /* A parameter that is no longer positive takes with it what was read so. */
 static void a_parameter_may_change_its_sign(void **state)
 {
@@ -164,6 +180,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(names_are_kept_with_what_they_mean, open_system),
         cmocka_unit_test(an_angle_has_a_period),
+        cmocka_unit_test(rates_of_an_angle_are_the_same_after_its_period),
         cmocka_unit_test_setup(a_parameter_may_change_its_sign, open_system),
         cmocka_unit_test_setup(names_that_cannot_be_are_blamed_where_they_stand,
                                open_system),
