@@ -27,7 +27,7 @@ def replay(program, folder, environment):
 
 
 def main(slipway, source, programs):
-    names = ['csv', 'formula', 'hdf5', 'journal', 'scene']
+    names = ['csv', 'formula', 'hdf5', 'journal', 'ode', 'scene']
     print(f'1..{len(names)}')
     with tempfile.TemporaryDirectory() as folder:
         seeds.main(slipway, source, folder)

@@ -3,7 +3,7 @@
 
 usage: seeds.py PATH_TO_SLIPWAY SOURCE_ROOT FOLDER
 
-FOLDER/scene, csv, formula, hdf5, journal get the seeds, and what tests/fuzz/found has
+FOLDER/scene, csv, formula, hdf5, journal, ode get the seeds, and what tests/fuzz/found has
 under these names: inputs that once were findings;
 FOLDER/scene.dict the words of scenes; FOLDER/whole.h5 is for FUZZ_WHOLE.
 """
@@ -126,6 +126,33 @@ def formulas(folder):
                                    '^', '#', 'pi', '0.5', '1e3', '-', '1/v')))
 
 
+def models(folder):
+    """And XPPAUT's own, where they are."""
+    for i, text in enumerate((
+            "x'=f(x,a)-y\ndy/dt=eps*(x-g*y)\nf(u,k)=u*(1-u)*(u-k)\n"
+            "par a=.25 eps=.1,g=1\ninit x=.5\n@ xp=x,yp=y,xlo=-1,xhi=2\ndone\n",
+            "q'=p\np'=-sin(q)-d*p\n@ fold=q\npar d=.2\n",
+            "x'=x*(1-x-y/(h+x))\ny'=y*(m*x/(h+x)-d)\nnumber m=2,h=.3,d=1\n",
+            "v'=tanh(v/2)**3-w+log(2+cos(w))\nw'=z-w^1.5\nz=asin(v/9)\n!k=z\n",
+            "x'=delay(x,1)\ny'=t\nglobal 1 x {x=0}\n", "x(t+1)=y\n",
+            "x'=f(f(f(f(x))))\nf(x)=f(x)+g(x)\ng(x)=x\ny'=x", "d\n",
+            "x'=a\n" + "".join(f"a{i}=a{i + 1}+a{i + 2}\n" for i in range(90)),
+            "x'=y\\\n+y\r\ny'=x\\", "par a=1," * 2000, "f(" * 5000,
+            "@ " + "a=b," * 9000, "x'=" + "f(" * 2000 + "\nf(x)=x",
+            "x'=f1(x)\ny'=x\n" + "".join(f"f{i}(x)=f{i + 1}(x)*f{i + 1}(x)\n"
+                                        for i in range(1, 60)))):
+        write(f'{folder}/ode/own-{i}', text)
+    for path in glob.glob('/usr/share/doc/xppaut/**/*.ode', recursive=True):
+        write(f'{folder}/ode/{os.path.basename(path)}', read(path))
+    write(folder + '/ode.dict', ''.join(
+        f'"{word}"\n' for word in (
+            "x'=", "y'=", 'dx/dt=', 'par ', 'init ', 'number ', 'aux ', '@ ',
+            'f(u)=', 'f(', 'done', '!', '\\x0a', '\\\\\\x0a', 'exp(', 'ln(', 'log(',
+            'sqrt(', 'sin(', 'cos(', 'tan(', 'asin(', 'atan(', 'tanh(', 'cosh(',
+            'sinh(', 'acos(', '**', '^', '^-1', '^0.5', 'fold=x', '1/', 'x', 'y',
+            'a', '0', '1e3', '1e-9', '-')))
+
+
 def results(slipway, folder):
     for name, products in (('small', '[equilibria]'), ('knees', '[knees]'),
                            ('all', '[equilibria, folds, manifolds, basins]')):
@@ -142,6 +169,7 @@ def main(slipway, source, folder):
     dictionary(source, folder)
     tables(slipway, source, folder)
     formulas(folder)
+    models(folder)
     results(slipway, folder)
     write(folder + '/journal/records', REASON + b''.join(ROWS))
     write(folder + '/journal/head', b'slipswp\0\7' + bytes(99))
