@@ -47,6 +47,19 @@ with h5py.File('a.h5') as f:
 '''
 
 
+# States leap before a time that doubles hold, and fall in none at a rest.
+LEAPS = (('psi', 'spinodal', 'spinodal', 346065.81, 0.0353),
+         ('ln_c_psi', 'spinodal', 'slip45', 352.7, 2215.26),
+         ('ln_psi', 'inverse', 'slip', 1.71e-08, 6.3137))
+GROWS = '''
+import h5py
+with h5py.File('a.h5') as f:
+    t = f['trajectory_0/time'][...]
+    assert len(t) > 1000 and t[0] == 0 and (t[1:] > t[:-1]).all(), t
+    print(len(t))
+'''
+
+
 def one_run(room, *args):
     found = room.json('simulate', *args)
     expect(list(found) == ['trajectories'], found)
@@ -85,8 +98,8 @@ def people_read_the_same_numbers(room):
     expect(room.good('simulate', *SLOPE, *START, '--quiet') == '', 'quiet')
 
 
-def read_back(room):
-    done = subprocess.run([READER, '-c', READ], cwd=room.path('.'), text=True,
+def read_back(room, script=READ):
+    done = subprocess.run([READER, '-c', script], cwd=room.path('.'), text=True,
                           capture_output=True, check=False)
     expect(done.returncode == 0, done.stderr)
     return done.stdout.splitlines()
@@ -104,6 +117,16 @@ def a_scene_fills_a_file(room):
     expect(room.bytes('a.h5') == one, 'threads change the file')
     room.good('simulate', 'a.yaml', '-o', 'b.h5')
     expect(len(room.bytes('b.h5')) > len(one) / 2, 'simulate writes the same')
+
+
+def times_grow_from_row_to_row(room):
+    for theta, psi_ss, timescale, v, psi in LEAPS:
+        room.good('simulate', '--alpha', '0.346', f'--v={v}', f'--psi={psi}',
+                  f'--set=law.theta={theta}', f'--set=law.psi_ss={psi_ss}',
+                  f'--set=law.timescale={timescale}',
+                  '--set=law.kinetics=sinh', '-o', 'a.h5', '--quiet')
+        read_back(room, GROWS)
+        os.remove(room.path('a.h5'))
 
 
 def a_scene_chooses_samples_and_limits(room):
@@ -257,6 +280,7 @@ if __name__ == '__main__':
         events_come_in_the_order_of_time,
         people_read_the_same_numbers,
         a_scene_fills_a_file,
+        times_grow_from_row_to_row,
         a_scene_chooses_samples_and_limits,
         figures_show_friction_and_slip_rate,
         figures_of_the_paper_have_scenes,

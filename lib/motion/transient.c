@@ -408,7 +408,7 @@ static enum status run(struct course *c, const struct transient_options *o,
 
     course_set(c, o, may_rest(c->fate));
     enum status s = run_at(c, rtol, monitor, out, &settled);
-    while (s == STATUS_OK && !settled &&
+    while (s == STATUS_OK && !settled && out->sum.end != TRANSIENT_NEAR &&
            (rtol = next_rtol(c->fate, first, rtol)) > 0.0) {
         transient_free(out);
         *out = empty;

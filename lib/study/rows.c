@@ -256,6 +256,21 @@ static struct trajectory_row trajectory_row(const struct study *s,
     };
 }
 
+/* As rows have a time each: of those that doubles cannot tell apart by it the
+ * first, but for the end of the run. */
+static enum status push_later(struct rows *r, const struct trajectory_row *row,
+                              bool end)
+{
+    const struct trajectory_row *rows = r->at;
+
+    while (r->count > 0 && !(row->time > rows[r->count - 1].time)) {
+        if (!end || r->count == 1)
+            return STATUS_OK;
+        r->count--;
+    }
+    return push(r, row);
+}
+
 enum status rows_trajectory(const struct study *s, const struct curve *c,
                             struct rows *r)
 {
@@ -267,7 +282,7 @@ enum status rows_trajectory(const struct study *s, const struct curve *c,
         for (int k = i == 0 ? 0 : 1; k <= PER_STEP; k++) {
             curve_at(c, i, (double) k / PER_STEP, at);
             const struct trajectory_row row = trajectory_row(s, at);
-            status = push(r, &row);
+            status = push_later(r, &row, i + 1 == c->count && k == PER_STEP);
             if (status != STATUS_OK)
                 return status;
         }

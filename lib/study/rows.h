@@ -31,7 +31,8 @@ MUST_CHECK enum status rows_nullcline(const struct study *s,
                                       const struct polyline *line,
                                       struct rows *r);
 
-/* A trajectory (struct trajectory_row), a few points a step. */
+/* A trajectory (struct trajectory_row), a few points a step, of those with one
+ * time only one: times grow from row to row. */
 MUST_CHECK enum status rows_trajectory(const struct study *s,
                                        const struct curve *c, struct rows *r);
 

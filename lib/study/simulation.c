@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "near_runs.h"
 #include "rows.h"
 #include "sample.h"
 
@@ -56,6 +57,8 @@ enum status simulation_run(struct simulation *s, const struct scene *scene,
                     : STATUS_NO_MEMORY;
     if (status == STATUS_OK)
         status = run_all(s, monitor);
+    if (status == STATUS_OK)
+        status = near_runs_tell(&s->scene, s->runs, monitor, s->run);
     if (status == STATUS_OK)
         return STATUS_OK;
     simulation_free(s);

@@ -1,5 +1,7 @@
 #include "start_numbers.h"
 
+#include "near_runs.h"
+
 static struct transient_event none(void)
 {
     const struct quantity q = quantity_none("it does not happen in this run");
@@ -52,15 +54,15 @@ enum status start_numbers_find(const struct study *s, struct scene_start start,
 {
     const struct transient_options o = transient_defaults(s->scene);
     struct transient t;
-    const enum status status =
-        transient_find(&s->slider, start, &o, monitor, &t);
+    enum status status = transient_find(&s->slider, start, &o, monitor, &t);
 
     if (status != STATUS_OK)
         return status;
+    status = near_runs_tell(s->scene, 1, monitor, &t);
     out->sum = t.sum;
     for (int i = 0; i < PHASES; i++)
         out->phase[i] = t.phase[i];
     sort_events(&t, &o, out);
     transient_free(&t);
-    return STATUS_OK;
+    return status;
 }
