@@ -1,5 +1,5 @@
 /*
- * constants.h -- what does not change in a graph, in 113 bits.
+ * constants.h -- what does not change in a graph, as numbers.
  */
 #ifndef FORMULA_CONSTANTS_H
 #define FORMULA_CONSTANTS_H
@@ -13,8 +13,14 @@ struct formula_value {
 };
 
 /* By node: value[0 .. f->nodes - 1]; 0 for those that change with the state
- * and for leaves that are not among the given ones. */
+ * and for leaves that are not among the given ones.  A sum below `least` of its
+ * first term is 0. */
 void formula_constants(const struct formula *f,
-                       const struct formula_value leaf[], formula_real value[]);
+                       const struct formula_value leaf[], formula_real least,
+                       formula_real value[]);
+/* Faster; nothing is too small. */
+void formula_long_constants(const struct formula *f,
+                            const struct formula_value leaf[],
+                            long double value[]);
 
 #endif

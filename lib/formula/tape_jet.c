@@ -565,10 +565,10 @@ static jet_pair size_of(const struct course *c, int i)
     return exponent(c, &c->t->rate[i], &kept) + fixed(c, &c->t->rate[i]);
 }
 
-void tape_jet(const struct tape_plane *p, struct jet_work *w, size_t k,
-              const jet_pair x[], const jet_pair y[], jet_pair fx[],
-              jet_pair fy[])
+void tape_jet(const void *ctx, struct jet_work *w, size_t k, const jet_pair x[],
+              const jet_pair y[], jet_pair fx[], jet_pair fy[])
 {
+    const struct tape_plane *p = ctx;
     const struct course c = { p, &p->t, w, k, x, y };
 
     for (int i = 0; i < p->t.rate_steps; i++)
@@ -583,10 +583,10 @@ void tape_jet(const struct tape_plane *p, struct jet_work *w, size_t k,
     fy[k] = rate_at(&c, 1);
 }
 
-void tape_jet_rate(const struct tape_plane *p, size_t which, struct jet_work *w,
-                   size_t k, const jet_pair x[], const jet_pair y[],
-                   jet_pair rate[])
+void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
+                   const jet_pair x[], const jet_pair y[], jet_pair rate[])
 {
+    const struct tape_plane *p = ctx;
     const struct course c = { p, &p->t, w, k, x, y };
     const int i = 2 + (int) which;
 

@@ -64,7 +64,7 @@ enum status tape_plane_at(const struct tape_lowered *l,
         all[n] = (struct formula_value){ anchor_name[n], anchor[n] };
     for (; value->name && n < TAPE_PLANE_VALUES - 1; n++)
         all[n] = *value++;
-    formula_constants(&l->f, all, constant);
+    formula_constants(&l->f, all, (quad) 0x1p-90, constant);
     if (!real_tape_at(&l->t, constant, &out->t) || !tape_jet_slots(out))
         return refuse(why, "the formulas have too many parts");
     if (!is_finite(&out->t))
@@ -93,7 +93,7 @@ static void field_of(const struct real_tape *t, const double reg[],
     f->direction.y = real_tape_mantissa(t, 1, reg) * exp(ey - f->log_scale);
 }
 
-static void field(const void *ctx, struct vec2 z, struct planar_field *f)
+void tape_field(const void *ctx, struct vec2 z, struct planar_field *f)
 {
     const struct tape_plane *p = ctx;
     double reg[TAPE_STEPS + 2];
@@ -102,7 +102,7 @@ static void field(const void *ctx, struct vec2 z, struct planar_field *f)
     field_of(&p->t, reg, f);
 }
 
-static void jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
+void tape_jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
 {
     const struct tape_plane *p = ctx;
     double reg[TAPE_STEPS + 2];
@@ -117,8 +117,8 @@ static void jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
     J->matrix = (struct mat2){ x.x, x.y, y.x, y.y };
 }
 
-static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
-                          double *rate, struct vec2 *gradient)
+void tape_rate(const void *ctx, size_t which, struct vec2 z, double *rate,
+               struct vec2 *gradient)
 {
     const struct tape_plane *p = ctx;
     const int i = 2 + (int) which;
@@ -134,30 +134,16 @@ static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
     *gradient = tape_rate_gradient(&p->t, i, 0.0, reg, slope);
 }
 
-static void jet(const void *ctx, struct jet_work *w, size_t k,
-                const jet_pair x[], const jet_pair y[], jet_pair fx[],
-                jet_pair fy[])
-{
-    tape_jet(ctx, w, k, x, y, fx, fy);
-}
-
-static void rate_jet(const void *ctx, size_t which, struct jet_work *w,
-                     size_t k, const jet_pair x[], const jet_pair y[],
-                     jet_pair rate[])
-{
-    tape_jet_rate(ctx, which, w, k, x, y, rate);
-}
-
 struct planar tape_planar(const struct tape_plane *t)
 {
     return (struct planar){
         .origin = { t->origin[0], t->origin[1] },
-        .field = field,
-        .jacobian = jacobian,
-        .jet = jet,
+        .field = tape_field,
+        .jacobian = tape_jacobian,
+        .jet = tape_jet,
         .observable_count = (size_t) (t->t.rates - 2),
-        .rate_gradient = t->t.rates > 2 ? rate_gradient : NULL,
-        .rate_jet = t->t.rates > 2 ? rate_jet : NULL,
+        .rate_gradient = t->t.rates > 2 ? tape_rate : NULL,
+        .rate_jet = t->t.rates > 2 ? tape_jet_rate : NULL,
         .ctx = t,
     };
 }

@@ -56,13 +56,15 @@ MUST_CHECK enum status tape_plane_at(const struct tape_lowered *l,
  * ctx; borrows t, which must not move.  The caller adds names and a domain. */
 struct planar tape_planar(const struct tape_plane *t);
 
-/* The contract of planar.jet and planar.rate_jet; `which` counts from 0. */
-void tape_jet(const struct tape_plane *t, struct jet_work *w, size_t k,
-              const jet_pair x[], const jet_pair y[], jet_pair fx[],
-              jet_pair fy[]);
-void tape_jet_rate(const struct tape_plane *t, size_t which, struct jet_work *w,
-                   size_t k, const jet_pair x[], const jet_pair y[],
-                   jet_pair rate[]);
+/* The functions of that planar system; ctx is a struct tape_plane. */
+void tape_field(const void *ctx, struct vec2 z, struct planar_field *f);
+void tape_jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J);
+void tape_rate(const void *ctx, size_t which, struct vec2 z, double *rate,
+               struct vec2 *gradient);
+void tape_jet(const void *ctx, struct jet_work *w, size_t k, const jet_pair x[],
+              const jet_pair y[], jet_pair fx[], jet_pair fy[]);
+void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
+                   const jet_pair x[], const jet_pair y[], jet_pair rate[]);
 
 /* Hands out series; false where they are too many. */
 MUST_CHECK bool tape_jet_slots(struct tape_plane *t);

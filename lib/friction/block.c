@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "law_typed.h"
 #include "tolerance.h"
 
 static long double balance(const void *ctx, long double x)
@@ -22,13 +23,21 @@ static long double steady_curve(const void *ctx, long double x)
 static void field(const void *ctx, struct vec2 z, struct planar_field *f)
 {
     const struct block *b = ctx;
-    field_real(&b->law, &b->at, z, f);
+
+    if (b->law.typed)
+        tape_field(&b->plane, z, f);
+    else
+        field_real(&b->law, &b->at, z, f);
 }
 
 static void jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
 {
     const struct block *b = ctx;
-    field_dual(&b->law, &b->at, z, J);
+
+    if (b->law.typed)
+        tape_jacobian(&b->plane, z, J);
+    else
+        field_dual(&b->law, &b->at, z, J);
 }
 
 static void jet(const void *ctx, struct jet_work *w, size_t k,
@@ -36,7 +45,11 @@ static void jet(const void *ctx, struct jet_work *w, size_t k,
                 jet_pair fy[])
 {
     const struct block *b = ctx;
-    field_jet(&b->law, &b->at, w, k, x, y, fx, fy);
+
+    if (b->law.typed)
+        tape_jet(&b->plane, w, k, x, y, fx, fy);
+    else
+        field_jet(&b->law, &b->at, w, k, x, y, fx, fy);
 }
 
 static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
@@ -45,7 +58,9 @@ static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
     const struct block *b = ctx;
     const enum block_observable o = (enum block_observable) which;
 
-    if (gradient == NULL)
+    if (b->law.typed)
+        tape_rate(&b->plane, which, z, rate, gradient);
+    else if (gradient == NULL)
         *rate = field_real_rate(&b->law, &b->at, o, z);
     else
         field_dual_rate(&b->law, &b->at, o, z, rate, gradient);
@@ -56,8 +71,12 @@ static void rate_jet(const void *ctx, size_t which, struct jet_work *w,
                      jet_pair rate[])
 {
     const struct block *b = ctx;
-    field_jet_rate(&b->law, &b->at, (enum block_observable) which, w, k, x, y,
-                   rate);
+
+    if (b->law.typed)
+        tape_jet_rate(&b->plane, which, w, k, x, y, rate);
+    else
+        field_jet_rate(&b->law, &b->at, (enum block_observable) which, w, k, x,
+                       y, rate);
 }
 
 static const struct planar_observable observables[BLOCK_OBSERVABLES] = {
@@ -80,6 +99,8 @@ void block_init(struct block *b, const struct law *law,
     b->steady.lo = -(long double) TOL_LN_RANGE;
     b->steady.hi =
         top < (long double) TOL_LN_RANGE ? top : (long double) TOL_LN_RANGE;
+    if (law->typed)
+        law_typed_range(law, m, &b->steady.lo, &b->steady.hi);
 }
 
 void block_anchor(struct block *b, long double x, bool equilibrium)
@@ -87,6 +108,11 @@ void block_anchor(struct block *b, long double x, bool equilibrium)
     steady_anchor(&b->law, &b->material, b->tan_alpha, x, equilibrium, &b->at);
     b->x = x;
     b->y = steady_y(&b->law, &b->material, x);
+    if (b->law.typed)
+        b->at.force0 = law_typed_anchor(&b->law, &b->material, b->tan_alpha, x,
+                                        equilibrium, &b->plane)
+                           ? b->at.force0
+                           : NAN;
 }
 
 struct vec2 block_offset(const struct block *b, double v, double psi)
@@ -125,8 +151,27 @@ struct planar block_planar(const struct block *b)
 
 double block_mu(const struct block *b, struct vec2 z)
 {
+    if (b->law.typed) {
+        double v, work;
+        tape_rate(&b->plane, BLOCK_SLIP, z, &v, NULL);
+        tape_rate(&b->plane, BLOCK_WORK, z, &work, NULL);
+        return work / v;
+    }
     return field_real_rate(&b->law, &b->at, BLOCK_WORK, z) /
            field_real_rate(&b->law, &b->at, BLOCK_SLIP, z);
+}
+
+/* |d ln psi_ss/d ln v| <= 1, or psi_ss = -ln v, but for formulas. */
+double block_psi_slope(const struct block *b)
+{
+    const long double h = 1e-5L;
+
+    if (b->law.typed)
+        return (double) fabsl(
+            (law_typed_steady(&b->law, &b->material, b->x + h).psi -
+             law_typed_steady(&b->law, &b->material, b->x - h).psi) /
+            (2 * h));
+    return b->law.psi_ss == PSI_SS_MINUS_LOG ? 1.0 : fabs(b->at.psi0);
 }
 
 double block_energy_defect(const struct block *b, double v0, double v1,

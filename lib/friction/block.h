@@ -9,9 +9,10 @@
 #include "field.h"
 #include "planar.h"
 #include "steady.h"
+#include "tape_plane.h"
 
 /* A law, its parameters and a slope, with the point its field is anchored at.
- * Small, and copied as a whole. */
+ * Copied as a whole. */
 struct block {
     struct law law;
     struct material material;
@@ -19,6 +20,7 @@ struct block {
     struct anchor at; /* set by block_anchor */
     long double x, y; /* its place, to all digits that are known */
     struct planar_steady steady;
+    struct tape_plane plane; /* of a law of formulas */
 };
 
 /* Law, material and slope; anchored at no point yet.  The parameters must
@@ -37,6 +39,9 @@ struct planar block_planar(const struct block *b);
 /* The offset of the state (v, psi) as its doubles read: near the anchor to more
  * digits than a difference of logarithms has. */
 struct vec2 block_offset(const struct block *b, double v, double psi);
+
+/* At least |d psi_ss/d ln v| at the anchor. */
+double block_psi_slope(const struct block *b);
 
 /* mu(v, psi) at an offset from the anchor. */
 double block_mu(const struct block *b, struct vec2 z);

@@ -13,6 +13,8 @@ struct cusp cusp_find(const struct law *law, const struct material *m)
     const long double R = (long double) m->R, rise = b - a;
     const bool unit = law->psi_ss == PSI_SS_SPINODAL_UNIT;
 
+    if (law->typed)
+        return none("cusps of a law of formulas are not looked for");
     if (!law_uses(law, MATERIAL_C))
         return none("the law does not use c");
     if ((!unit && law->psi_ss != PSI_SS_SPINODAL) || isinf(m->R))

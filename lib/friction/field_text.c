@@ -61,7 +61,7 @@ static void name_parameters(struct formula *f)
         formula_over(f, formula_number(f, 1), formula_find(f, "R", 1)));
 }
 
-static void write_tape(const struct law *law, struct law_tape *tape,
+static void write_tape(const struct law *law, struct tape_lowered *tape,
                        struct text_lines *out)
 {
     struct formula *f = &tape->f;
@@ -87,7 +87,7 @@ static void write_tape(const struct law *law, struct law_tape *tape,
 
 void field_text(const struct law *law, struct field_text *out)
 {
-    struct law_tape tape;
+    struct tape_lowered tape;
 
     formula_init(&tape.f);
     name_parameters(&tape.f);

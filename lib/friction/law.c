@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "law_typed.h"
+
 /* preset, equation, theta, psi_ss, timescale, kinetics */
 #define LAW(name, eq, t, p, s, k)                                              \
     {                                                                          \
@@ -90,6 +92,11 @@ static bool law_uses_R(const struct law *law)
 
 bool law_uses(const struct law *law, enum material_key key)
 {
+    const bool always = key >= MATERIAL_L && key != MATERIAL_V_C;
+
+    if (law->typed && !always)
+        return law_typed_uses(law->typed, material_key_name(key)) ||
+               (key == MATERIAL_R && law_typed_uses(law->typed, "one_R"));
     switch (key) {
         case MATERIAL_C:
             return law->theta == THETA_LN_C_PSI ||
@@ -138,7 +145,9 @@ void law_formula(const struct law *law, char *text, size_t size)
                                         "-sinh(psi - psi_ss)/T",
                                         "exp(-v/V_c) - v psi ln(v psi)" };
 
-    if (law->kinetics == KINETICS_COMPOSITE)
+    if (law->typed)
+        law_typed_formula(law->typed, text, size);
+    else if (law->kinetics == KINETICS_COMPOSITE)
         snprintf(text, size, "theta = %s, dpsi/dt = %s", theta[law->theta],
                  rate[law->kinetics]);
     else
@@ -157,6 +166,10 @@ static enum status check_composition(const struct law *law,
                                      const struct material *m,
                                      struct fault *why)
 {
+    if (law->typed)
+        return isinf(m->R) && law_uses(law, MATERIAL_R)
+                   ? refuse(why, "R must be finite in a law of formulas")
+                   : STATUS_OK;
     if (law_timescale(law)->ln_psi_ss && law->psi_ss == PSI_SS_MINUS_LOG) {
         snprintf(why->text, sizeof why->text,
                  "timescale %s is %s and needs psi_ss > 0, but psi_ss is "

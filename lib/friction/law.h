@@ -83,7 +83,11 @@ struct law {
     enum psi_ss psi_ss;
     enum timescale timescale;
     enum kinetics kinetics;
+    const struct law_typed *typed; /* borrowed; its formulas then count, and
+                                      the components do not; else NULL */
 };
+
+struct law_typed; /* law_typed.h */
 
 /* Parameters; all dimensionless but L (m), V_star (m/s), g (m/s^2).  R may be
  * infinite.  A law ignores what it does not use. */

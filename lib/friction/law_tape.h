@@ -6,18 +6,21 @@
 #define FRICTION_LAW_TAPE_H
 
 #include "law.h"
-#include "tape.h"
+#include "tape_plane.h"
 
-struct law_tape {
-    struct formula f;
-    struct plane_formulas p;
-    struct tape t; /* rates of the chart (ln v, ln psi) or (ln v, psi) per t*;
-                      value 0 is mu */
-};
-
-/* out->f must know the constants tan_alpha, mu_star, a, b, c, R, one_R (1/R: R
+/* Rates of the chart (ln v, ln psi) or (ln v, psi) per t*; value 0 is mu.
+ * out->f must know the constants tan_alpha, mu_star, a, b, c, R, one_R (1/R: R
  * may be infinite), V_c, eps2 and lnv0, where the steady curve is left from:
  * psi stands still there, and v, too, if it is an equilibrium. */
-void law_tape(const struct law *law, bool equilibrium, struct law_tape *out);
+void law_tape(const struct law *law, bool equilibrium,
+              struct tape_lowered *out);
+
+/* The same with the observables of block.h.  Fails with a reason where the
+ * law's own formulas cannot be used; *name is that of the one, NULL if it is
+ * none alone. */
+MUST_CHECK enum status law_tape_observed(const struct law *law,
+                                         bool equilibrium,
+                                         struct tape_lowered *out,
+                                         const char **name, struct fault *why);
 
 #endif

@@ -7,6 +7,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "law_typed.h"
 #include "steady.h"
 
 #define SCALAR long double
@@ -73,6 +74,8 @@ static long double log_rate(const struct law *law, const struct material *m,
 struct response response_at(const struct law *law, const struct material *m,
                             long double x)
 {
+    if (law->typed)
+        return law_typed_response(law, m, x);
     const long double a = (long double) m->a;
     const long double f =
         law->form == FRICTION_LOG

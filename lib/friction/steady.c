@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "law_typed.h"
+
 #define T       long double
 #define NAME(f) ld_##f
 #define FN(f)   f##l
@@ -19,25 +21,26 @@ struct ld_anchor {
 long double steady_mu(const struct law *law, const struct material *m,
                       long double x)
 {
-    return ld_mu_ss(law, m, x);
+    return law->typed ? law_typed_steady(law, m, x).mu : ld_mu_ss(law, m, x);
 }
 
 long double steady_mu_log(const struct law *law, const struct material *m,
                           long double x)
 {
-    return ld_mu_log_ss(law, m, x);
+    return law->typed ? law_typed_steady(law, m, x).mu
+                      : ld_mu_log_ss(law, m, x);
 }
 
 long double steady_y(const struct law *law, const struct material *m,
                      long double x)
 {
-    return ld_y_ss(law, m, x);
+    return law->typed ? law_typed_steady(law, m, x).y : ld_y_ss(law, m, x);
 }
 
 long double steady_psi(const struct law *law, const struct material *m,
                        long double x)
 {
-    return ld_psi_ss(law, m, x);
+    return law->typed ? law_typed_steady(law, m, x).psi : ld_psi_ss(law, m, x);
 }
 
 long double steady_log_rate(const struct law *law, const struct material *m,
@@ -49,7 +52,7 @@ long double steady_log_rate(const struct law *law, const struct material *m,
 long double steady_tau(const struct law *law, const struct material *m,
                        long double tan_alpha)
 {
-    return ld_tau(law, m, tan_alpha);
+    return law->typed ? tan_alpha : ld_tau(law, m, tan_alpha);
 }
 
 long double steady_x_max(const struct law *law)
@@ -146,6 +149,8 @@ static size_t extrema_of_plain_psi(const struct law *law, long double a,
 size_t steady_extrema(const struct law *law, const struct material *m,
                       long double x[4])
 {
+    if (law->typed)
+        return law_typed_extrema(law, m, x);
     const long double a = (long double) m->a, b = (long double) m->b;
     const long double r = ld_inverse_R(m), c = ld_offset(law, m);
     const long double top = law->psi_ss == PSI_SS_SPINODAL ? 1 + r : r;
@@ -173,6 +178,32 @@ size_t steady_extrema(const struct law *law, const struct material *m,
     }
 }
 
+/* As far as a law of formulas has them: w0 is that of a friction of this
+ * size, and the rest is in its tape. */
+static void typed_anchor(const struct law *law, const struct material *m,
+                         long double tan_alpha, long double x, bool equilibrium,
+                         struct anchor *at)
+{
+    const struct typed_steady s = law_typed_steady(law, m, x);
+    const long double eps2 = ld_eps2(m);
+
+    *at = (struct anchor){
+        .x0 = (double) x,
+        .y0 = (double) s.y,
+        .v0 = (double) expl(x),
+        .psi0 = (double) s.psi,
+        .log_psi0 = (double) logl(fabsl(s.psi)),
+        .mu0 = (double) (equilibrium ? tan_alpha : s.mu),
+        .force0 = equilibrium ? 0.0 : (double) (tan_alpha - s.mu),
+        .a = m->a,
+        .b = m->b,
+        .log_inertia =
+            (double) (-logl(eps2) - log1pl(tan_alpha * tan_alpha) / 2 - x),
+        .kept = 1.0,
+        .w0 = (double) logl(s.mu / (long double) m->a),
+    };
+}
+
 /* What is left of p when a double holds it. */
 static long double remainder_of(long double p)
 {
@@ -185,6 +216,10 @@ void steady_anchor(const struct law *law, const struct material *m,
 {
     struct ld_anchor p;
 
+    if (law->typed) {
+        typed_anchor(law, m, tan_alpha, x, equilibrium, at);
+        return;
+    }
     ld_anchor(law, m, tan_alpha, x, equilibrium, &p);
     *at = (struct anchor){
         .x0 = (double) p.x0,

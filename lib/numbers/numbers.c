@@ -46,12 +46,13 @@ struct steady_number numbers_steady(const struct block *b,
         (1.0 + 0.25 * (fabs(e->log_scale) + fabs(b->at.log_inertia) +
                        log_of_friction(b)));
     /* rates that go like e^-psi */
-    const double rate = law_timescale(&b->law)->psi_ss != 0
+    const double rate = law_timescale(&b->law)->psi_ss != 0 || b->law.typed
                             ? floor * (1.0 + fabs(b->at.psi0))
                             : floor;
     const double psi_floor =
-        b->law.psi_ss == PSI_SS_MINUS_LOG
-            ? place_bar(b) + 2.0 * DBL_EPSILON * fabs(b->at.psi0)
+        b->law.psi_ss == PSI_SS_MINUS_LOG || b->law.typed
+            ? place_bar(b) * fabs(block_psi_slope(b)) +
+                  2.0 * DBL_EPSILON * fabs(b->at.psi0)
             : 2.0 * floor * fabs(b->at.psi0);
     struct steady_number s = {
         .type = (int8_t) e->type,
@@ -430,13 +431,13 @@ static struct knee_number knee_number(const struct block *b,
     };
 }
 
-/* In the chart, of the saddle: |d ln psi_ss/d ln v| <= 1, or psi_ss = -ln v. */
+/* In the chart, of the saddle. */
 static struct vec2 saddle_floor(const struct block *b)
 {
     const double x = place_bar(b), psi = fabs(b->at.psi0);
-    const bool of_log = b->law.psi_ss == PSI_SS_MINUS_LOG;
-    const double slope = law_psi_is_log(&b->law) ? (of_log ? 1.0 : psi)
-                                                 : (of_log ? 1.0 / psi : 1.0);
+    const double slope = law_psi_is_log(&b->law)
+                             ? fabs(block_psi_slope(b))
+                             : fabs(block_psi_slope(b)) / psi;
 
     return (struct vec2){ x, slope * x };
 }

@@ -63,14 +63,14 @@ void quad_block_anchor(const struct law *law, const struct material *m,
         { "lnv0", x },
         { NULL, 0 },
     };
-    struct law_tape tape;
+    struct tape_lowered tape;
     quad constant[FORMULA_NODES];
 
     quad_anchor(law, m, tan_alpha, x, equilibrium, at);
     formula_init(&tape.f);
     name_constants(&tape.f, leaf);
     law_tape(law, equilibrium, &tape);
-    formula_constants(&tape.f, leaf, constant);
+    formula_constants(&tape.f, leaf, 0, constant);
     const bool fits = quad_tape_at(&tape.t, constant, &at->tape);
     assert(fits); /* tests/friction/test_law_tape.c */
     (void) fits;

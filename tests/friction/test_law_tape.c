@@ -6,7 +6,7 @@
 #include "laws.h"
 #include "quad_tape.h"
 
-static struct law_tape tape;
+static struct tape_lowered tape;
 
 static void make(const struct law *law, bool equilibrium)
 {

@@ -1,0 +1,92 @@
+/* The functions of constants.h, for SCALAR, KIND and FN. */
+
+#include "scalar.h"
+
+static SCALAR KIND(leaf_value)(const struct formula_value leaf[],
+                               const char *name)
+{
+    while (leaf->name && strcmp(leaf->name, name) != 0)
+        leaf++;
+    return leaf->name ? (SCALAR) leaf->value : 0;
+}
+
+/* Those that every mathematical library has, but for the powers. */
+static SCALAR KIND(common)(enum formula_function function, SCALAR u)
+{
+    switch (function) {
+        case FUNCTION_EXP:
+            return FN(exp)(u);
+        case FUNCTION_LN:
+            return FN(log)(u);
+        case FUNCTION_SQRT:
+            return FN(sqrt)(u);
+        case FUNCTION_SIN:
+            return FN(sin)(u);
+        case FUNCTION_COS:
+            return FN(cos)(u);
+        case FUNCTION_TAN:
+            return FN(tan)(u);
+        case FUNCTION_ASIN:
+            return FN(asin)(u);
+        case FUNCTION_ATAN:
+            return FN(atan)(u);
+        case FUNCTION_SINH:
+            return FN(sinh)(u);
+        case FUNCTION_COSH:
+            return FN(cosh)(u);
+        case FUNCTION_TANH:
+            return FN(tanh)(u);
+        default:
+            assert(function == FUNCTION_ASINH);
+            return FN(asinh)(u);
+    }
+}
+
+static SCALAR KIND(called)(enum formula_function function, SCALAR u, SCALAR w)
+{
+    switch (function) {
+        case FUNCTION_POWER:
+            return FN(pow)(u, w);
+        case FUNCTION_ASINHEXP:
+            return scalar_asinh_exp(u);
+        case FUNCTION_LAMBERT:
+            return scalar_lambert(u);
+        default:
+            return KIND(common)(function, u);
+    }
+}
+
+static SCALAR KIND(node_value)(const struct formula_node *n,
+                               const SCALAR value[],
+                               const struct formula_value leaf[])
+{
+    const SCALAR u = value[n->of[0]], w = value[n->of[1]];
+
+    switch (n->kind) {
+        case FORMULA_NUMBER:
+            return (SCALAR) n->number;
+        case FORMULA_LEAF:
+            return KIND(leaf_value)(leaf, n->name);
+        case FORMULA_SUM:
+            return u + w;
+        case FORMULA_TIMES:
+            return u * w;
+        case FORMULA_OVER:
+            return u / w;
+        default:
+            return KIND(called)(n->function, u, w);
+    }
+}
+
+static void KIND(constants)(const struct formula *f,
+                            const struct formula_value leaf[], SCALAR least,
+                            SCALAR value[])
+{
+    for (int i = 0; i < f->nodes; i++) {
+        const struct formula_node *n = &f->node[i];
+        value[i] = n->moves ? 0 : KIND(node_value)(n, value, leaf);
+        if (n->kind == FORMULA_SUM &&
+            FN(fabs)(value[i]) < least * FN(fabs)(value[n->of[0]]))
+            value[i] = 0;
+    }
+}

@@ -1,0 +1,89 @@
+/*
+ * law_typed.h -- a law whose components are formulas that people type: theta,
+ * psi_ss, T and K of dpsi/dt = -K/T, or the whole rate; mu, or the form of
+ * friction.  They may use v, psi, what came before them (d = psi - psi_ss), the
+ * material's mu_star a b c R V_c and names of their own.
+ */
+#ifndef FRICTION_LAW_TYPED_H
+#define FRICTION_LAW_TYPED_H
+
+#include "law_tape.h"
+#include "response.h"
+
+enum { LAW_LETTERS = 512, LAW_OWNS = 16 };
+
+/* In the order in which each may use those before it. */
+enum law_part {
+    LAW_THETA,
+    LAW_PSI_SS,
+    LAW_T,
+    LAW_K, /* of d; K(d) = d unless given */
+    LAW_MU,
+    LAW_RATE, /* dpsi/dt; or T and K */
+    LAW_PARTS
+};
+
+/* A name of the law's own; not one of the model's. */
+struct law_own {
+    char name[FORMULA_NAME];
+    double value;
+};
+
+/* The first members are to be set; the rest is made of them.  Large. */
+struct law_typed {
+    char text[LAW_PARTS][LAW_LETTERS]; /* empty: not given */
+    bool real;                         /* psi is a logarithm: any number */
+    enum friction_form form;           /* where there is no mu */
+    struct law_own own[LAW_OWNS];
+    int owns;
+
+    struct tape_lowered tape[2]; /* where v changes, and from an equilibrium */
+    struct formula steady;       /* of lnv0 alone, and what it gives: */
+    int y, psi, mu;
+};
+
+extern const char *const law_part_names[]; /* "theta" ..., NULL-ended */
+
+/* Makes the rest.  STATUS_BAD_SCENE with a reason where a part, *wrong, cannot
+ * be read or used; *wrong is LAW_PARTS where one is missing. */
+MUST_CHECK enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
+                                      struct fault *why);
+
+/* The law; borrows t. */
+struct law law_of_typed(const struct law_typed *t);
+
+/* A preset as formulas, to be made. */
+void law_typed_of_preset(const struct law *preset, struct law_typed *out);
+
+/* ---- for steady.c and block.c -------------------------------------------- */
+
+struct typed_steady {
+    long double y, psi, mu; /* chart's y, psi_ss and mu_ss at x = ln v */
+};
+struct typed_steady law_typed_steady(const struct law *law,
+                                     const struct material *m, long double x);
+
+/* Extrema of mu_ss, ascending, at most 4. */
+size_t law_typed_extrema(const struct law *law, const struct material *m,
+                         long double x[4]);
+
+/* The largest range of x around the middle in which psi_ss and mu_ss are. */
+void law_typed_range(const struct law *law, const struct material *m,
+                     long double *lo, long double *hi);
+
+/* As response_at. */
+struct response law_typed_response(const struct law *law,
+                                   const struct material *m, long double x);
+
+/* Whether a name of the model or of its own can change anything. */
+bool law_typed_uses(const struct law_typed *t, const char *name);
+
+/* As law_formula. */
+void law_typed_formula(const struct law_typed *t, char *text, size_t size);
+
+/* As block_anchor; false where a formula has no value there. */
+bool law_typed_anchor(const struct law *law, const struct material *m,
+                      long double tan_alpha, long double x, bool equilibrium,
+                      struct tape_plane *plane);
+
+#endif
