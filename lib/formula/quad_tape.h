@@ -9,11 +9,11 @@
 #include "quad.h"
 #include "real_tape.h"
 
-#define SCALAR  quad
-#define KIND(f) quad_##f
+#define TAPE_SCALAR  quad
+#define TAPE_KIND(f) quad_##f
 #include "number_tape.h"
-#undef SCALAR
-#undef KIND
+#undef TAPE_SCALAR
+#undef TAPE_KIND
 
 /* Rates of the chart, rate[i] exp(scale); value 0 of the tape in *value. */
 void quad_tape_field(const struct quad_tape *t, quad X, quad Y, quad rate[2],

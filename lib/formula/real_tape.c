@@ -4,7 +4,8 @@
 
 #include "quad.h"
 
-#define SCALAR  double
-#define KIND(f) real_##f
-#define FN(f)   f
+#define TAPE_SCALAR  double
+#define TAPE_KIND(f) real_##f
+#define SCALAR       double
+#define FN(f)        f
 #include "number_tape_formula.h"

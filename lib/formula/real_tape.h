@@ -11,10 +11,10 @@
 #define NUMBER_TERMS 1024
 #endif
 
-#define SCALAR  double
-#define KIND(f) real_##f
+#define TAPE_SCALAR  double
+#define TAPE_KIND(f) real_##f
 #include "number_tape.h"
-#undef SCALAR
-#undef KIND
+#undef TAPE_SCALAR
+#undef TAPE_KIND
 
 #endif

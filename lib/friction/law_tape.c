@@ -122,6 +122,11 @@ static void anchor(struct reading *r, const struct law_text *text,
     formula_define(f, "v", p->at[0]);
     const int psi0 = define(r, "psi0", text->psi_ss);
     *r->name = "psi_ss";
+    if (r->status == STATUS_OK && f->node[psi0].moves) {
+        snprintf(r->why->text, sizeof r->why->text,
+                 "psi stands in it, expected a formula of v");
+        r->status = STATUS_BAD_SCENE;
+    }
     if (r->status == STATUS_OK)
         r->status = tape_anchor(f, p, 1, psi0, r->why);
 }

@@ -148,8 +148,8 @@ struct vec2 moment_rates(const struct slider *s, const double u[])
 
 /* ---- watches ------------------------------------------------------------- */
 
-static double (*const functions[MOMENTS])(const void *, double,
-                                          const double[]) = {
+static double (*const watched[MOMENTS])(const void *, double,
+                                        const double[]) = {
     [MOMENT_V_SP] = v_level,      [MOMENT_V_MINUS] = v_level,
     [MOMENT_V_PLUS] = v_level,    [MOMENT_V] = v_level,
     [MOMENT_PSI] = psi_level,     [MOMENT_PSI_MIN] = psi_rate,
@@ -163,8 +163,7 @@ static void add(struct moment_watches *w, const struct slider *s,
     const size_t i = w->count++;
 
     w->watch[i] = (struct moment_watch){ s, what, level, at };
-    w->event[i] =
-        (struct event){ .value = functions[what], .ctx = &w->watch[i] };
+    w->event[i] = (struct event){ .value = watched[what], .ctx = &w->watch[i] };
 }
 
 static void add_level(struct moment_watches *w, const struct slider *s,

@@ -1,0 +1,253 @@
+/* Presets as formulas against their components: steady states, extrema,
+ * responses, fields, gradients and series. */
+#include "law_typed.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "block.h"
+#include "check.h"
+#include "laws.h"
+#include "response.h"
+
+static struct law_typed typed;
+
+/* The preset in this form as formulas. */
+static struct law formulas_of(const struct law *preset)
+{
+    enum law_part wrong;
+    struct fault why = { "" };
+
+    law_typed_of_preset(preset, &typed);
+    const enum status s = law_typed_make(&typed, &wrong, &why);
+    CHECK(s == STATUS_OK, "%s: %s", preset->preset, why.text);
+    return law_of_typed(&typed);
+}
+
+static struct material some_material(uint64_t *seed, const struct law *law)
+{
+    struct material m = material_bristol_board();
+
+    m.a = check_uniform(seed, 0.01, 0.1);
+    m.b = m.a * check_uniform(seed, 1.1, 2);
+    if (law->psi_ss == PSI_SS_LAMBERT && check_uniform(seed, 0, 1) < 0.7)
+        m.b = m.a * check_uniform(seed, 0.7, 0.95);
+    m.c = laws_power(seed, -5, -1);
+    m.R = laws_power(seed, 0, 4);
+    m.V_c = laws_power(seed, -1, 2);
+    m.mu_star = check_uniform(seed, 0.2, 0.6);
+    return m;
+}
+
+static bool is_near(long double found, long double exact, long double digits)
+{
+    return fabsl(found - exact) <= digits * (fabsl(exact) + 1e-300L);
+}
+
+enum { PRESETS = 8 };
+
+static struct law preset_at(int i)
+{
+    struct law law = *law_preset_at((size_t) (i % PRESETS));
+
+    law.form = i / PRESETS % 2 ? FRICTION_LOG : FRICTION_ASINH;
+    return law;
+}
+
+static void steady_states_are_those_of_the_components(void **state)
+{
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 6 * PRESETS; i++) {
+        const struct law law = preset_at(i), text = formulas_of(&law);
+        const struct material m = some_material(&seed, &law);
+        for (int n = 0; n < 20; n++) {
+            const long double x = check_uniform(&seed, -30, 30);
+            const struct typed_steady s = law_typed_steady(&text, &m, x);
+            const struct response found = response_at(&text, &m, x),
+                                  exact = response_at(&law, &m, x);
+            CHECK(is_near(s.psi, steady_psi(&law, &m, x), 1e-17L) &&
+                      fabsl(s.mu - steady_mu(&law, &m, x)) <
+                          1e-17L * (1 + fabsl(x)),
+                  "%s at %.17Lg", law.preset, x);
+            CHECK(fabsl(found.slope - exact.slope) < 1e-14L &&
+                      is_near(found.direct, exact.direct, 1e-13L) &&
+                      is_near(found.rate, exact.rate, 1e-12L),
+                  "%s at %.17Lg: %Lg %Lg %Lg, not %Lg %Lg %Lg", law.preset, x,
+                  found.slope, found.direct, found.rate, exact.slope,
+                  exact.direct, exact.rate);
+        }
+    }
+}
+
+static void extrema_are_found_without_being_told(void **state)
+{
+    uint64_t seed = check_seed();
+    size_t most = 0;
+
+    (void) state;
+    for (int i = 0; i < 10 * PRESETS; i++) {
+        const struct law law = preset_at(i), text = formulas_of(&law);
+        const struct material m = some_material(&seed, &law);
+        long double found[4], exact[4];
+        const size_t n = law_typed_extrema(&text, &m, found),
+                     all = steady_extrema(&law, &m, exact);
+        CHECK(n == all, "%s: %zu extrema, not %zu", law.preset, n, all);
+        for (size_t k = 0; k < n; k++)
+            CHECK(fabsl(found[k] - exact[k]) < 1e-13L,
+                  "%s: extremum at %.17Lg, not %.17Lg", law.preset, found[k],
+                  exact[k]);
+        most = n > most ? n : most;
+    }
+    assert_int_equal(most, 2);
+}
+
+/* Both anchored at the same point of the steady curve. */
+static void anchor_both(const struct law *law, const struct law *text,
+                        const struct material *m, uint64_t *seed,
+                        struct block b[2])
+{
+    const long double x = check_uniform(seed, -5, 5);
+    const long double at =
+        fminl(x, steady_x_max(law) - (long double) 1); /* minus_log */
+
+    for (int i = 0; i < 2; i++) {
+        block_init(&b[i], i ? text : law, m, steady_mu(law, m, at));
+        block_anchor(&b[i], at, true);
+    }
+}
+
+static void the_field_is_that_of_the_components(void **state)
+{
+    static struct block b[2];
+    uint64_t seed = check_seed();
+    double worst = 0;
+
+    (void) state;
+    for (int i = 0; i < 20 * PRESETS; i++) {
+        const struct law law = preset_at(i), text = formulas_of(&law);
+        const struct material m = some_material(&seed, &law);
+        anchor_both(&law, &text, &m, &seed, b);
+        const struct planar s = block_planar(&b[0]), t = block_planar(&b[1]);
+        for (int n = 0; n < 10; n++) {
+            const double r = laws_power(&seed, -12, 0.7);
+            const double angle = check_uniform(&seed, 0, 6.3);
+            const struct vec2 z = { r * cos(angle), r * sin(angle) };
+            struct planar_jacobian J, K;
+            s.jacobian(s.ctx, z, &J);
+            t.jacobian(t.ctx, z, &K);
+            const double same = exp(K.field.log_scale - J.field.log_scale);
+            const double u[6] = { J.field.direction.x, J.field.direction.y,
+                                  J.matrix.xx,         J.matrix.xy,
+                                  J.matrix.yx,         J.matrix.yy };
+            const double w[6] = { K.field.direction.x, K.field.direction.y,
+                                  K.matrix.xx,         K.matrix.xy,
+                                  K.matrix.yx,         K.matrix.yy };
+            /* in a sum that nearly vanishes digits are those of its terms */
+            for (int k = 0; k < 6; k++) {
+                const double row =
+                    k < 2 ? fabs(k ? z.x * u[4] + z.y * u[5]
+                                   : z.x * u[2] + z.y * u[3]) +
+                                fabs(u[k]) +
+                                r * (fabs(u[2 + 2 * k]) + fabs(u[3 + 2 * k]))
+                          : fabs(u[k]) + fabs(u[k - k % 2]) +
+                                fabs(u[k - k % 2 + 1]);
+                const double off = fabs(w[k] * same - u[k]) / (row + 1e-290);
+                worst = off > worst ? off : worst;
+                /* exponents of hundreds are rounded once */
+                const double limit = 1e-13 + 4e-15 * fabs(J.field.log_scale);
+                CHECK(off < limit, "%s %d at %g %g: %.17g, not %.17g",
+                      law.preset, k, z.x, z.y, w[k] * same, u[k]);
+            }
+            CHECK(is_near(block_mu(&b[1], z), block_mu(&b[0], z), 1e-13L),
+                  "%s: mu", law.preset);
+        }
+    }
+    print_message("fields differ by %.2g at most\n", worst);
+}
+
+static void series_are_those_of_the_components(void **state)
+{
+    static struct block b[2];
+    static struct jet_work w;
+    static jet_pair x[JET_SIZE], y[JET_SIZE], f[2][2][JET_SIZE];
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 20 * PRESETS; i++) {
+        const struct law law = preset_at(i), text = formulas_of(&law);
+        const struct material m = some_material(&seed, &law);
+        anchor_both(&law, &text, &m, &seed, b);
+        memset(x, 0, sizeof x);
+        memset(y, 0, sizeof y);
+        for (int k = 0; k < 3; k++)
+            for (int j = 0; j < JET_LANES; j++) {
+                x[k][j] = check_uniform(&seed, -1, 1);
+                y[k][j] = check_uniform(&seed, -1, 1);
+            }
+        jet_pair scale[2];
+        for (int way = 0; way < 2; way++) {
+            const struct planar s = block_planar(&b[way]);
+            w.linear = NULL;
+            w.used = 0;
+            for (size_t k = 0; k < 12; k++)
+                s.jet(s.ctx, &w, k, x, y, f[way][0], f[way][1]);
+            scale[way] = w.log_scale;
+        }
+        for (size_t k = 0; k < 12; k++)
+            for (int j = 0; j < JET_LANES; j++)
+                for (int c = 0; c < 2; c++) {
+                    const double same = exp(scale[1][j] - scale[0][j]);
+                    const double u = f[0][c][k][j], v = f[1][c][k][j] * same;
+                    double most = 0;
+                    for (size_t q = 0; q <= k; q++)
+                        most = fmax(most, fabs(f[0][c][q][j]));
+                    CHECK(fabs(u - v) <= 1e-11 * most, "%s %zu: %g, not %g",
+                          law.preset, k, v, u);
+                }
+    }
+}
+
+static void a_law_that_lacks_a_part_or_has_a_wrong_one_says_so(void **state)
+{
+    static const struct {
+        enum law_part part;
+        const char *text, *says;
+        enum law_part wrong;
+    } cases[] = {
+        { LAW_PSI_SS, "", "psi_ss is missing", LAW_PARTS },
+        { LAW_THETA, "", "theta is missing", LAW_PARTS },
+        { LAW_T, "", "T is missing", LAW_PARTS },
+        { LAW_RATE, "-d", "rate beside T", LAW_PARTS },
+        { LAW_T, "1/w", "unknown name w", LAW_T },
+        { LAW_PSI_SS, "1/psi", "expected a formula of v", LAW_PSI_SS },
+        { LAW_K, "abs(d)", "not analytic", LAW_K },
+        { LAW_THETA, "lambert(psi)", "cannot be used", LAW_PARTS },
+    };
+    const struct law *law = law_preset_find("spinodal_gen");
+
+    (void) state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        enum law_part wrong;
+        struct fault why = { "" };
+        law_typed_of_preset(law, &typed);
+        strcpy(typed.text[cases[i].part], cases[i].text);
+        assert_int_equal(law_typed_make(&typed, &wrong, &why),
+                         STATUS_BAD_SCENE);
+        CHECK(strstr(why.text, cases[i].says) && wrong == cases[i].wrong,
+              "%zu: %d %s", i, wrong, why.text);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(steady_states_are_those_of_the_components),
+        cmocka_unit_test(extrema_are_found_without_being_told),
+        cmocka_unit_test(the_field_is_that_of_the_components),
+        cmocka_unit_test(series_are_those_of_the_components),
+        cmocka_unit_test(a_law_that_lacks_a_part_or_has_a_wrong_one_says_so),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
