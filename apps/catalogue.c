@@ -93,11 +93,12 @@ const struct command command_table[COMMANDS] = {
       "Runs a catalogue of stiff and extreme cases and holds every error bar "
       "to the same number computed in 113 bits.",
       "slipway stress --quick" },
-    [COMMAND_LAWS] = { "laws", 0, "",
+    [COMMAND_LAWS] = { "laws", 1, "[NAME]",
       "the friction laws and their formulas",
       "Lists the presets, the equations of the paper they come from and the "
-      "parameters they use.",
-      "slipway laws" },
+      "parameters they use; with --as scene NAME, writes one as formulas of a "
+      "scene.",
+      "slipway laws --as scene spinodal_gen" },
     [COMMAND_INFO] = { "info", 2, "FILE.h5 [scene]",
       "what a result file holds; its scene; --rerun",
       "Lists groups and data sets of a result file; with the word scene, "

@@ -1,7 +1,7 @@
 /* slipway laws: the presets, their formulas and parameters. */
 #include "command.h"
 #include "json.h"
-#include "law.h"
+#include "law_typed.h"
 
 static json_t *law_json(const struct law *law)
 {
@@ -25,11 +25,42 @@ static void print_law(const struct law *law)
     printf("%-16s %-22s %s\n", law->preset, law->equation, formula);
 }
 
+/* The scene that says the same in formulas; a slope is to be added. */
+static enum exit_code print_scene(const char *name)
+{
+    static struct law_typed typed;
+    const struct law *law = law_preset_find(name);
+    struct fault why;
+
+    if (law == NULL) {
+        snprintf(why.text, sizeof why.text,
+                 "laws: no law %.60s, expected one that 'slipway laws' lists",
+                 name);
+        return command_fail(STATUS_BAD_SCENE, why.text);
+    }
+    law_typed_of_preset(law, &typed);
+    printf("title: %s as formulas\nlaw:\n", law->preset);
+    for (int i = 0; i < LAW_PARTS; i++)
+        if (typed.text[i][0])
+            printf("  %s: \"%s\"\n", law_part_names[i], typed.text[i]);
+    printf("  state: %s\n", typed.real ? "real" : "positive");
+    if (law_uses(law, MATERIAL_V_C))
+        printf("material: {V_c: 1}\n");
+    return EXIT_DONE;
+}
+
 enum exit_code command_laws(const struct options *o)
 {
     json_t *list;
     const struct law *law;
 
+    if (o->as || o->files) {
+        return o->as && o->files
+                   ? print_scene(o->file[0])
+                   : command_fail(STATUS_BAD_SCENE,
+                                  "laws: --as scene needs a NAME and NAME "
+                                  "needs --as scene, see 'slipway help laws'");
+    }
     list = o->json ? json_array() : NULL;
     for (size_t i = 0; (law = law_preset_at(i)) != NULL; i++) {
         if (list)

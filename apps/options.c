@@ -22,6 +22,7 @@ enum {
 
 static const char *const progress_words[] = { "auto", "json", "none", NULL };
 static const char *const export_words[] = { "xppaut", "auto", NULL };
+static const char *const law_words[] = { "scene", NULL };
 static const char *const form_words[] = { "arclength", "time", NULL };
 static const char *const help_words[] = { "man",   "bash",     "zsh",
                                           "fish",  "scene",    "hdf5",
@@ -106,6 +107,8 @@ const struct option option_table[] = {
       .text = "compute the file again from the scene in it, and compare" },
     { "as", 0, "FORMAT", OPTION_WORD, TO(as), .words = export_words,
       .commands = ON(EXPORT), .text = "for which program: xppaut or auto" },
+    { "as", 0, "FORMAT", OPTION_WORD, TO(as), .words = law_words,
+      .commands = ON(LAWS), .text = "write the law NAME as formulas: scene" },
     { "as", 0, "FORMAT", OPTION_WORD, TO(as), .words = help_words,
       .commands = ON(HELP),
       .text = "write man, bash, zsh, fish, scene, hdf5 or words" },

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "law_typed.h"
 #include "own_folder.h"
 #include "scene.h"
 
@@ -101,9 +102,19 @@ static inline bool same_sweep(const struct scene_sweep *a,
 }
 
 /* All but what it was read from: text and overrides. */
+static inline bool same_formulas(const struct law_typed *a,
+                                 const struct law_typed *b)
+{
+    return a && b ? memcmp(a->text, b->text, sizeof a->text) == 0 &&
+                        a->real == b->real && a->owns == b->owns &&
+                        memcmp(a->own, b->own, sizeof a->own) == 0
+                  : a == b;
+}
+
 static inline bool scene_same(const struct scene *a, const struct scene *b)
 {
     return same_text(a->title, b->title) && same_law(&a->law, &b->law) &&
+           same_formulas(a->typed, b->typed) &&
            memcmp(&a->material, &b->material, sizeof a->material) == 0 &&
            a->alpha == b->alpha && a->tan_alpha == b->tan_alpha &&
            memcmp(a->window.v, b->window.v, sizeof a->window.v) == 0 &&

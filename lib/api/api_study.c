@@ -6,6 +6,7 @@
 
 #include "api.h"
 #include "rows.h"
+#include "scene_law.h"
 #include "scene_slope.h"
 #include "sweep_column.h"
 
@@ -32,6 +33,8 @@ static slipway_status run(slipway_study *study, const slipway_monitor *monitor,
         one.products =
             BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(KNEES) | BIT(ESTIMATES);
     enum status s = scene_slope_demand(scene, scene->products, &fault);
+    if (s == STATUS_OK)
+        s = scene_law_demand(scene, scene->products, &fault);
     if (s != STATUS_OK)
         return api_fault(why, api_status(s), fault.text);
     s = sweep_dims_init(&study->dims, scene);

@@ -9,6 +9,7 @@
 
 #include "document.h"
 #include "override.h"
+#include "scene_law.h"
 #include "scene_slope.h"
 #include "scene_sweep.h"
 #include "scene_units.h"
@@ -86,7 +87,8 @@ static enum status check_law(const struct node *root, const struct scene *s,
     const char *missing = NULL;
     int parts = 0;
 
-    (void) s;
+    if (s->typed)
+        return STATUS_OK;
     for (int i = 0; i < 4; i++) {
         const bool given = node_find(law, part[i]) != NULL;
         parts += given;
@@ -134,9 +136,13 @@ static enum status check_material(const struct node *root,
     }
     if (law_uses(&s->law, MATERIAL_V_C) && !node_find(material, "V_c") &&
         !scene_sweeps(s, "material.V_c"))
-        return place_blame(place_of(root, "law", "law.preset"), why,
-                           "law.preset: kato_tullis needs material.V_c, "
-                           "expected a number > 0");
+        return s->typed
+                   ? place_blame(place_of(root, "law", "law"), why,
+                                 "law: V_c stands in it, expected "
+                                 "material.V_c, a number > 0")
+                   : place_blame(place_of(root, "law", "law.preset"), why,
+                                 "law.preset: kato_tullis needs material.V_c, "
+                                 "expected a number > 0");
     return STATUS_OK;
 }
 
@@ -250,7 +256,11 @@ static enum status fill(const struct node *root, struct scene *s,
     enum status status = set_defaults(s);
 
     if (status == STATUS_OK)
+        status = scene_law_begin(root, s);
+    if (status == STATUS_OK)
         status = schema_apply(root, s, why);
+    if (status == STATUS_OK)
+        status = scene_law_finish(root, s, why);
     if (status == STATUS_OK)
         status = scene_units_settle(root, s, why);
     if (status == STATUS_OK)
@@ -330,6 +340,7 @@ void scene_free(struct scene *s)
     free(s->title);
     free(s->xi);
     free(s->chi_alpha);
+    free(s->typed);
     free(s->start);
     free(s->rabinowicz.tan_alpha);
     free(s->rabinowicz.data);

@@ -128,6 +128,7 @@ struct scene_sweep {
 struct scene {
     char *title; /* owned; "" if none */
     struct law law;
+    struct law_typed *typed; /* owned: the law's formulas; NULL: components */
     struct material material;
     double alpha; /* rad; 0: none (scene_slope.h) */
     long double tan_alpha;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "scene_law.h"
 #include "spell.h"
 #include "text.h"
 
@@ -218,6 +219,10 @@ static enum status apply_below(const struct node *map, const char *prefix,
         const struct node *n = map->child[i];
         char path[PATH_SIZE];
         join(prefix, n->key, path, sizeof path);
+        if (scene_law_owns(s, path) && !schema_find(path)) {
+            status = scene_law_own(n, s, why);
+            continue;
+        }
         status = check_key(n, path, why);
         if (status == STATUS_OK)
             status = check_sides(map, i, prefix, why);

@@ -33,6 +33,7 @@ static const char *const axes_names[] = { "log", "linear", "eigen", NULL };
 static const char *const units_names[] = { "dimensionless", "si", NULL };
 static const char *const flag_names[] = { "false", "true", NULL };
 static const char *const scale_names[] = { "linear", "log", NULL };
+static const char *const state_names[] = { "positive", "real", NULL };
 static const char *const board_names[] = { "bristol_board", NULL };
 
 /* ---- the table ----------------------------------------------------------- */
@@ -56,9 +57,9 @@ const struct schema_key schema_table[] = {
 
     { "law.preset", value_preset, .side = 1,
       TEXT("a law by name, see 'slipway laws'") },
-    { "law.theta", value_choice, AT(law.theta), .words = theta_names,
+    { "law.theta", value_part, AT(law.theta), .words = theta_names,
       .side = 2, TEXT("how friction depends on the state: mu has b theta") },
-    { "law.psi_ss", value_choice, AT(law.psi_ss), .words = psi_ss_names,
+    { "law.psi_ss", value_part, AT(law.psi_ss), .words = psi_ss_names,
       .side = 2, TEXT("the state in steady sliding: 1/v, -ln v, "
                       "(1 + R)/(1 + R v), 1/(1 + R v)") },
     { "law.timescale", value_choice, AT(law.timescale),
@@ -67,6 +68,17 @@ const struct schema_key schema_table[] = {
            "R exp(psi_ss)") },
     { "law.kinetics", value_choice, AT(law.kinetics), .words = kinetics_names,
       .side = 2, TEXT("dpsi/dt = -K(psi - psi_ss)/T with K(d) = d or sinh d") },
+    { "law.T", value_formula, .expected = "a formula", .side = 2,
+      TEXT("T(v) as a formula of v and psi_ss, in place of timescale") },
+    { "law.K", value_formula, .expected = "a formula", .side = 2,
+      TEXT("K(d) as a formula of d = psi - psi_ss, in place of kinetics") },
+    { "law.rate", value_formula, .expected = "a formula", .side = 2,
+      TEXT("dpsi/dt as a formula of v, psi and psi_ss, in place of T and K") },
+    { "law.mu", value_formula, .expected = "a formula", .side = 2,
+      TEXT("mu(v, psi) as a formula, in place of theta and friction") },
+    { "law.state", value_state, .words = state_names, .side = 2,
+      TEXT("positive, or real where psi is a logarithm; real with theta: psi, "
+           "else positive") },
     { "law.friction", value_choice, AT(law.form),
       .words = friction_form_names, IS("asinh"),
       TEXT("the direct effect: regularised (4a), or a logarithm (2)") },

@@ -190,6 +190,28 @@ enum status value_choice(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
+enum status value_formula(const struct schema_key *key, const struct node *n,
+                          struct scene *s, struct fault *why)
+{
+    (void) s;
+    return n->kind == NODE_SCALAR ? STATUS_OK : refuse(key, n, why);
+}
+
+enum status value_part(const struct schema_key *key, const struct node *n,
+                       struct scene *s, struct fault *why)
+{
+    const bool formula = n->kind == NODE_SCALAR && strpbrk(n->text, "+-*/^()");
+
+    return s->typed && formula ? STATUS_OK : value_choice(key, n, s, why);
+}
+
+enum status value_state(const struct schema_key *key, const struct node *n,
+                        struct scene *s, struct fault *why)
+{
+    (void) s;
+    return code_of(n, key->words) < 0 ? refuse(key, n, why) : STATUS_OK;
+}
+
 enum status value_flag(const struct schema_key *key, const struct node *n,
                        struct scene *s, struct fault *why)
 {

@@ -23,6 +23,9 @@ VALUE_READER(value_seed);       /* uint64_t */
 VALUE_READER(value_choice);     /* enum: the word's code */
 VALUE_READER(value_flag);       /* bool, of "false" and "true" */
 VALUE_READER(value_cells);      /* size_t[2] */
+VALUE_READER(value_part);       /* the same, or a formula (scene_law.h) */
+VALUE_READER(value_formula);    /* one of these only: no member */
+VALUE_READER(value_state);      /* a word that scene_law.h reads: no member */
 VALUE_READER(value_preset);     /* law, but its form */
 VALUE_READER(value_board);      /* material.preset: the default already */
 VALUE_READER(value_alpha);      /* alpha and tan_alpha, of rad, */

@@ -31,6 +31,11 @@ static const struct {
     { "law.psi_ss", "inverse", "spinodal", THETA TIME KINETICS SLOPE },
     { "law.timescale", "slip", "slip45", THETA PSI_SS KINETICS SLOPE },
     { "law.kinetics", "linear", "sinh", THETA PSI_SS TIME SLOPE },
+    { "law.T", "1/v", "2/v", THETA PSI_SS SLOPE },
+    { "law.K", "sinh(d)", "d", THETA PSI_SS TIME SLOPE },
+    { "law.rate", "1 - v*psi", "psi_ss - psi", THETA PSI_SS SLOPE },
+    { "law.mu", "a*ln(v) + b*psi", "a*ln(v)", PSI_SS TIME KINETICS SLOPE },
+    { "law.state", "real", "positive", THETA PSI_SS TIME KINETICS SLOPE },
     { "law.friction", "log", "asinh", LAW SLOPE },
 
     { "material.preset", "bristol_board", NULL, LAW SLOPE },

@@ -1,0 +1,190 @@
+#include "scene_law.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "law_typed.h"
+#include "number.h"
+#include "text.h"
+
+#define BIT(p) (1u << PRODUCT_##p)
+
+/* No word as components have them, or misspelt. */
+static bool is_formula(const char *text)
+{
+    return strpbrk(text, "+-*/^()") != NULL;
+}
+
+static bool is_word(const char *text)
+{
+    for (; *text; text++)
+        if (!isalnum((unsigned char) *text) && *text != '_')
+            return false;
+    return true;
+}
+
+static const struct node *given(const struct node *root, const char *key)
+{
+    const struct node *law = node_find(root, "law");
+    const struct node *n = law ? node_find(law, key) : NULL;
+
+    return n && n->kind == NODE_SCALAR ? n : NULL;
+}
+
+enum status scene_law_begin(const struct node *root, struct scene *s)
+{
+    static const char *const formulas[] = { "T", "K", "mu", "rate", "state" };
+    bool typed = false;
+
+    for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++)
+        typed = typed || given(root, formulas[i]);
+    for (int i = 0; i < 2; i++) {
+        const struct node *n = given(root, i ? "psi_ss" : "theta");
+        typed = typed || (n && is_formula(n->text));
+    }
+    if (!typed || given(root, "preset"))
+        return STATUS_OK;
+    s->typed = calloc(1, sizeof *s->typed);
+    return s->typed ? STATUS_OK : STATUS_NO_MEMORY;
+}
+
+/* ---- names of its own ---------------------------------------------------- */
+
+bool scene_law_owns(const struct scene *s, const char *path)
+{
+    return s->typed && strncmp(path, "material.", 9) == 0 &&
+           strchr(path + 9, '.') == NULL;
+}
+
+static bool is_name(const char *text)
+{
+    static const char *const taken[] = {
+        "v",  "psi",  "v0", "psi0",      "theta", "psi_ss", "d",
+        "T",  "K",    "mu", "tan_alpha", "eps2",  "lnv0",   "one_R",
+        "dv", "dpsi", "pi", "slip",      "work",  "excess",
+    };
+
+    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
+        if (strcmp(text, taken[i]) == 0)
+            return false;
+    return (isalpha((unsigned char) text[0]) || text[0] == '_') &&
+           is_word(text) && strlen(text) < FORMULA_NAME;
+}
+
+enum status scene_law_own(const struct node *n, struct scene *s,
+                          struct fault *why)
+{
+    struct law_typed *t = s->typed;
+    double value;
+
+    if (!is_name(n->key))
+        return place_blame(n->key_at, why,
+                           "material.%s: expected a name of the law's own that "
+                           "the model does not have",
+                           text_shown(n->key).text);
+    if (t->owns == LAW_OWNS)
+        return place_blame(n->key_at, why,
+                           "material.%s: more than %d names of its own",
+                           text_shown(n->key).text, LAW_OWNS);
+    if (n->kind != NODE_SCALAR || !number_read(n->text, &value))
+        return place_blame(n->at, why,
+                           "material.%s: %s is not allowed, expected a number",
+                           text_shown(n->key).text, node_shown(n).text);
+    strcpy(t->own[t->owns].name, n->key);
+    t->own[t->owns++].value = value;
+    return STATUS_OK;
+}
+
+/* ---- formulas ------------------------------------------------------------ */
+
+/* Words stand for their components' formulas. */
+static void words_of(const struct node *root, const struct scene *s,
+                     struct law_typed *out)
+{
+    static const char *const key[LAW_PARTS] = {
+        [LAW_THETA] = "theta",
+        [LAW_PSI_SS] = "psi_ss",
+        [LAW_T] = "timescale",
+        [LAW_K] = "kinetics",
+    };
+
+    law_typed_of_preset(&s->law, out);
+    for (int i = 0; i < LAW_PARTS; i++)
+        if (key[i] == NULL || given(root, key[i]) == NULL)
+            out->text[i][0] = '\0';
+}
+
+static enum status read_part(const struct node *n, char text[LAW_LETTERS],
+                             struct fault *why)
+{
+    if (strlen(n->text) >= LAW_LETTERS)
+        return place_blame(n->at, why,
+                           "law.%s: more than %d letters, expected a formula",
+                           n->key, LAW_LETTERS - 1);
+    strcpy(text, n->text);
+    return STATUS_OK;
+}
+
+static enum status blame(const struct node *root, enum law_part wrong,
+                         const char *reason, struct fault *why)
+{
+    const struct node *n =
+        wrong < LAW_PARTS ? given(root, law_part_names[wrong]) : NULL;
+
+    if (n)
+        return place_blame(n->at, why, "law.%s: %s", n->key, reason);
+    return place_blame(node_find(root, "law")->at, why, "law: %s", reason);
+}
+
+enum status scene_law_finish(const struct node *root, struct scene *s,
+                             struct fault *why)
+{
+    struct law_typed *t = s->typed;
+    struct fault reason = { "" };
+    enum law_part wrong;
+    enum status status = STATUS_OK;
+
+    if (t == NULL)
+        return STATUS_OK;
+    const struct node *state = given(root, "state");
+    struct law_own own[LAW_OWNS];
+    const int owns = t->owns;
+    memcpy(own, t->own, sizeof own);
+    words_of(root, s, t);
+    memcpy(t->own, own, sizeof own);
+    t->owns = owns;
+    t->real = state ? strcmp(state->text, "real") == 0
+                    : given(root, "theta") && law_psi_is_log(&s->law);
+    for (int i = 0; i < LAW_PARTS && status == STATUS_OK; i++) {
+        const struct node *n = given(root, law_part_names[i]);
+        if (n && (t->text[i][0] == '\0' || is_formula(n->text)))
+            status = read_part(n, t->text[i], why);
+    }
+    if (status != STATUS_OK)
+        return status;
+    if (law_typed_make(t, &wrong, &reason) != STATUS_OK)
+        return blame(root, wrong, reason.text, why);
+    s->law = law_of_typed(t);
+    return STATUS_OK;
+}
+
+/* ---- products ------------------------------------------------------------ */
+
+enum status scene_law_demand(const struct scene *s, unsigned products,
+                             struct fault *why)
+{
+    static const unsigned known =
+        BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(NULLCLINES) | BIT(FIELD_ARROWS) |
+        BIT(TRAJECTORIES) | BIT(MANIFOLDS) | BIT(KNEES) | BIT(ESTIMATES) |
+        BIT(FRICTION_LAW) | BIT(BIFURCATION);
+    const struct place at = { s->file, false, 0, 0 };
+
+    for (int p = 0; p < PRODUCTS && s->typed; p++)
+        if (products & ~known & 1u << p)
+            return place_blame(at, why,
+                               "%s: not of a law of formulas, expected a "
+                               "preset or components",
+                               product_names[p]);
+    return STATUS_OK;
+}

@@ -1,0 +1,37 @@
+/*
+ * scene_law.h -- a law that the scene writes as formulas:
+ *
+ *     law: {theta: "ln(c + psi)", psi_ss: "(1 + R)/(1 + R*v)", T: "R*psi_ss",
+ *           K: "sinh(d)", state: positive}
+ *
+ * with d = psi - psi_ss, or `rate` (dpsi/dt) for T and K, or `mu` for the form
+ * of friction; a component's word stands for its formula.  Numbers under
+ * `material` that the model does not know are names of the law's own.
+ */
+#ifndef SCENE_SCENE_LAW_H
+#define SCENE_SCENE_LAW_H
+
+#include "node.h"
+#include "scene.h"
+
+/* Before the keys are read: whether there are formulas, as s->typed. */
+MUST_CHECK enum status scene_law_begin(const struct node *root,
+                                       struct scene *s);
+
+/* Whether a key under `material` is a name of the law's own. */
+bool scene_law_owns(const struct scene *s, const char *path);
+
+/* Its number.  Errors as scene_read. */
+MUST_CHECK enum status scene_law_own(const struct node *n, struct scene *s,
+                                     struct fault *why);
+
+/* After the keys are read: reads the formulas, s->law. */
+MUST_CHECK enum status scene_law_finish(const struct node *root,
+                                        struct scene *s, struct fault *why);
+
+/* STATUS_BAD_SCENE where products are asked for that need to know more of a law
+ * than its formulas say. */
+MUST_CHECK enum status scene_law_demand(const struct scene *s,
+                                        unsigned products, struct fault *why);
+
+#endif
