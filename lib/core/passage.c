@@ -1,8 +1,8 @@
 /* Halving: about the middle of an interval of half length h a polynomial keeps
  * within sum_j |u_j| h^j, j > 0, of its value there, with u_j its coefficients
  * about that point.  Nearer than that to the passage the halves are searched,
- * the first one first.  A curve that hugs a box moves little there, so few
- * intervals are left, whatever its coefficients are. */
+ * the first one first.  A box is looked at side by side: a curve that hugs a
+ * face moves along it, but little towards it. */
 #include "passage.h"
 
 #include <math.h>
@@ -22,7 +22,8 @@ struct walk {
     double sign;   /* of the box distance: +1 into it, -1 out of it */
     bool closed;   /* distance zero is a passage already */
     double stride; /* shorter intervals of theta are not halved, */
-    double least;  /* nor those on which the curve moves less than this */
+    double least;  /* nor those on which the curve moves less than this, */
+    int budget;    /* nor any when so many were */
 };
 
 /* Positive before the passage, negative beyond it. */
@@ -60,6 +61,24 @@ static double spread(const struct walk *w, size_t i, double m, double h)
     return sum;
 }
 
+/* Whether it keeps off the passage, all along: into a box it must come between
+ * both pairs of faces, out of it through one. */
+static bool keeps_off(const struct walk *w, double m, const double moves[2])
+{
+    const size_t n = w->curve->piece[w->piece].degree;
+    double off[2];
+
+    if (w->component < w->curve->dim)
+        return to_go(w, m) > moves[0];
+    for (size_t i = 0; i < 2; i++) {
+        const double u = jet_at(n, curve_component(w->curve, w->piece, i), m);
+        const double lo = i ? w->box.lo.y : w->box.lo.x;
+        const double hi = i ? w->box.hi.y : w->box.hi.x;
+        off[i] = w->sign * fmax(lo - u, u - hi) - moves[i];
+    }
+    return (w->sign > 0.0 ? fmax(off[0], off[1]) : fmin(off[0], off[1])) > 0.0;
+}
+
 static bool is_passed(const struct walk *w, double left)
 {
     return left < 0.0 || (w->closed && left == 0.0);
@@ -76,23 +95,27 @@ static double between(const struct walk *w, double a, double b)
 }
 
 /* The first passage after a, which is before one. */
-static double search(const struct walk *w, double a, double b)
+static double search(struct walk *w, double a, double b)
 {
     const double m = 0.5 * (a + b), h = 0.5 * (b - a);
     const bool is_box = w->component >= w->curve->dim;
-    const double moves = is_box ? fmax(spread(w, 0, m, h), spread(w, 1, m, h))
-                                : spread(w, w->component, m, h);
+    const double moves[2] = { spread(w, is_box ? 0 : w->component, m, h),
+                              is_box ? spread(w, 1, m, h) : 0.0 };
+    const double most = fmax(moves[0], moves[1]);
 
-    if (to_go(w, m) > moves)
+    if (keeps_off(w, m, moves))
         return PASSAGE_NEVER;
-    if (!(moves > w->least) || isinf(moves) || b - a <= w->stride)
+    if (!(most > w->least) || isinf(most) || b - a <= w->stride ||
+        w->budget-- <= 0)
         return between(w, a, b);
     const double first = search(w, a, m);
-    return first <= 1.0 ? first : search(w, m, b);
+    return first <= 1.0 || is_passed(w, to_go(w, m)) ? fmin(first, m)
+                                                     : search(w, m, b);
 }
 
-static double first(const struct walk *w)
+static double first(struct walk *w)
 {
+    w->budget = TOL_PASSAGE_HALVINGS;
     return is_passed(w, to_go(w, 0.0)) ? 0.0 : search(w, 0.0, 1.0);
 }
 
@@ -118,19 +141,19 @@ double passage_into(const struct curve *c, struct box b)
 
 double passage_out_of(const struct curve *c, struct box b)
 {
-    const struct walk w = through_box(c, b, -1.0);
+    struct walk w = through_box(c, b, -1.0);
 
     return first(&w);
 }
 
 double passage_beyond(const struct curve *c, size_t i, double value)
 {
-    const struct walk w = { .curve = c,
-                            .piece = c->count - 1,
-                            .component = i,
-                            .value = value,
-                            .closed = true,
-                            .stride = TOL_PASSAGE_STEP };
+    struct walk w = { .curve = c,
+                      .piece = c->count - 1,
+                      .component = i,
+                      .value = value,
+                      .closed = true,
+                      .stride = TOL_PASSAGE_STEP };
 
     return first(&w);
 }

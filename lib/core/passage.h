@@ -14,8 +14,8 @@
 /* Each returns the first theta in [0, 1] to the last digit, 0 if it holds at
  * the start already.  Only a dip for less than TOL_PASSAGE_STEP of the piece
  * may be missed, for passage_into one shorter than TOL_PASSAGE_CHORD of the
- * box, whose width must be positive.  Work is bounded whatever the
- * coefficients. */
+ * box, whose width must be positive.  Work is bounded (TOL_PASSAGE_HALVINGS)
+ * whatever the coefficients. */
 
 /* First inside b, edges included. */
 double passage_into(const struct curve *c, struct box b);

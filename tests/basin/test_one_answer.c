@@ -373,6 +373,13 @@ static const struct {
         1e-8 },
       { -6.9333849796626298e-10, -21.089526157518492 },
       "slip of a start known to some digits along its orbit" },
+    { { FRICTION_ASINH, THETA_LN_C_1PR_PSI, PSI_SS_SPINODAL, TIMESCALE_SLIP,
+        KINETICS_SINH, 0.10836830081970357, 0.0037130387196230678,
+        0.0075329433514028559, 0.0049093159695636854, 0.74530425701247671,
+        1.6079482927218644e-05, 2.0806179629053314e-05, 0.11162554431223161,
+        1e-6 },
+      { -0.503659889971527, 0.1981887102485978 },
+      "a box of arrest by whose corner an orbit goes" },
 };
 
 static void states_that_random_ones_found_have_one_answer(void **state)

@@ -85,6 +85,44 @@ static void a_curve_that_comes_to_lie_beside_a_box_costs_little(void **state)
     curve_free(&c);
 }
 
+/* Parabolas that cross y = 1, the upper face, by a chord of 10^-2 to 10^-6 that
+ * its end, a corner, cuts off at random, and those that miss it by as little.
+ */
+static void no_chord_across_a_corner_is_too_short(void **state)
+{
+    const struct box b = { { -1, -1 }, { 1, 1 } };
+    uint64_t rng = check_seed();
+    struct curve c = CURVE_EMPTY(2);
+
+    (void) state;
+    for (int i = 0; i < 2000; i++) {
+        const double chord = pow(10.0, check_uniform(&rng, -6, -2));
+        const double bend = pow(10.0, check_uniform(&rng, -2, 1));
+        const double in = 1.0 - chord * check_uniform(&rng, 0.1, 0.9);
+        const double out = in + chord, sign = i % 2 ? -1.0 : 1.0;
+        double *coef;
+        assert_int_equal(curve_push(&c, 2, &coef), STATUS_OK);
+        coef[0] = -2.0; /* x = 4 theta - 2 */
+        coef[1] = 4.0;
+        coef[2] = 0.0;
+        /* y = 1 + bend ((x - in) (x - out) + (sign < 0) chord^2), theta */
+        coef[3] = 1.0 + bend * ((-2.0 - in) * (-2.0 - out) +
+                                (sign < 0.0 ? chord * chord : 0.0));
+        coef[4] = -4.0 * bend * (4.0 + in + out);
+        coef[5] = 16.0 * bend;
+        const double theta = passage_into(&c, b);
+        if (sign < 0.0) {
+            CHECK(theta == PASSAGE_NEVER, "beside it, %g", chord);
+            continue;
+        }
+        CHECK(theta < 1.0, "a chord of %g at a bend of %g", chord, bend);
+        CHECK(fabs(4.0 * theta - 2.0 - in) <
+                  0.1 * chord + 1e-13 / (bend * chord),
+              "%g from %g", 4.0 * theta - 2.0 - in, chord);
+    }
+    curve_free(&c);
+}
+
 static void values_are_passed_on_the_side_of_their_sign(void **state)
 {
     struct curve c = CURVE_EMPTY(3);
@@ -125,6 +163,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(passages_through_boxes_agree_with_fine_sampling),
         cmocka_unit_test(a_curve_that_comes_to_lie_beside_a_box_costs_little),
+        cmocka_unit_test(no_chord_across_a_corner_is_too_short),
         cmocka_unit_test(values_are_passed_on_the_side_of_their_sign),
         cmocka_unit_test(distance_is_signed_and_in_the_maximum_norm),
     };
