@@ -1,48 +1,5 @@
 #include "report_workprec.h"
 
-#include <math.h>
-
-static const char *name_of(const char *method)
-{
-    return method ? method : "-";
-}
-
-/* ---- text ------------------------------------------------------------ */
-
-static void print_time(FILE *out, double seconds)
-{
-    if (isnan(seconds))
-        fprintf(out, " %9s", "-");
-    else
-        fprintf(out, " %9.4g", 1e6 * seconds);
-}
-
-static void print_fastest(FILE *out, const struct workprec *w)
-{
-    fprintf(out, "%-11s %-7s %-12s %9s  %-12s %9s  %s\n", "quantity", "error",
-            "ours", "us", "others'", "us", "others/ours");
-    for (size_t i = 0; i < w->ranks; i++) {
-        const struct workprec_fastest *f = &w->fastest[i];
-        fprintf(out, "%-11s %-7.0e %-12s", workprec_quantity_names[f->quantity],
-                f->accuracy, name_of(f->own));
-        print_time(out, f->own_seconds);
-        fprintf(out, "  %-12s", name_of(f->foreign));
-        print_time(out, f->foreign_seconds);
-        if (isnan(f->ratio_to_best_foreign))
-            fprintf(out, "  -\n");
-        else
-            fprintf(out, "  %.2f\n", f->ratio_to_best_foreign);
-    }
-}
-
-static void print_missing(FILE *out, const struct workprec *w)
-{
-    for (int q = 0; q < WORKPREC_QUANTITIES; q++)
-        if (w->course.reason[q])
-            fprintf(out, "%-11s -  (%s)\n", workprec_quantity_names[q],
-                    w->course.reason[q]);
-}
-
 /* How many of the runs of a method on a quantity, from number i on, went like
  * that; *next: the first of another. */
 static size_t count_status(const struct workprec *w, size_t i,
@@ -80,25 +37,12 @@ static void print_failures(FILE *out, const struct workprec *w,
     fprintf(out, quantity < 0 ? " none\n" : "\n");
 }
 
-static void print_environment(FILE *out, const struct workprec_environment *e)
+void report_workprec_print(FILE *out, const void *run)
 {
-    fprintf(out,
-            "measured on %s, %s; %s %s; GSL %s, SUNDIALS %s; one thread, "
-            "clock %.0f ns\n",
-            e->cpu, e->system, e->compiler, e->flags, e->gsl, e->sundials,
-            1e9 * e->clock_overhead);
-}
+    const struct workprec *w = run;
 
-void report_workprec_print(FILE *out, const struct workprec *w)
-{
-    fprintf(out,
-            "%s at alpha = %.10g: time to a true error, ours with error bars, "
-            "others' without\n",
-            w->scene.law.preset, w->scene.alpha);
-    print_fastest(out, w);
-    print_missing(out, w);
+    fprintf(out, "%s at alpha = %.10g\n", w->scene.law.preset, w->scene.alpha);
     print_failures(out, w, WORKPREC_FAILED, "runs that failed:");
     print_failures(out, w, WORKPREC_SILENT_FAILURE,
                    "runs that failed silently:");
-    print_environment(out, &w->environment);
 }

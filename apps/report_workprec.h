@@ -1,4 +1,4 @@
-/* report_workprec.h -- work-precision diagrams as text. */
+/* report_workprec.h -- the head of a race as text. */
 #ifndef APPS_REPORT_WORKPREC_H
 #define APPS_REPORT_WORKPREC_H
 
@@ -6,7 +6,8 @@
 
 #include "workprec.h"
 
-/* Who is fastest at which accuracy, what failed, and where it was measured. */
-void report_workprec_print(FILE *out, const struct workprec *w);
+/* What stands above the results of a race (run: a struct workprec): whose it
+ * is, and how many runs failed. */
+void report_workprec_print(FILE *out, const void *run);
 
 #endif

@@ -32,11 +32,6 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     return command_read(o, more, count, scene, why);
 }
 
-static void print(FILE *out, const void *run)
-{
-    report_workprec_print(out, run);
-}
-
 /* On one thread: times must not compete. */
 static enum exit_code run(const struct options *o, const struct scene *scene)
 {
@@ -59,8 +54,9 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
         picture_workprec(&w, &p);
     if (s == STATUS_OK)
         s = output_draw(o, &p, scene->figure, &why);
-    const enum exit_code code = s == STATUS_OK ? output_print(o, &all, print)
-                                               : command_fail(s, why.text);
+    const enum exit_code code =
+        s == STATUS_OK ? output_print(o, &all, report_workprec_print)
+                       : command_fail(s, why.text);
     workprec_free(&w);
     return code;
 }

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-/* More rows than these are shown in part; more columns than these in fewer
- * digits. */
+/* More rows than these are shown in part, unless words tell them apart; more
+ * columns than these in fewer digits. */
 enum { ROWS = 24, WIDE = 7 };
 
 /* ---- lines --------------------------------------------------------------- */
@@ -191,7 +191,9 @@ static void print_gaps(FILE *out, const struct record_array *a)
 
 static void print_table(FILE *out, const struct record_array *a)
 {
-    const size_t rows = a->count < ROWS ? a->count : ROWS;
+    const enum record_kind first = a->type->fields[0].kind;
+    const bool whole = first == RECORD_CODE || first == RECORD_TEXT;
+    const size_t rows = a->count < ROWS || whole ? a->count : ROWS;
 
     print_line(out, a, NULL);
     for (size_t i = 0; i < rows; i++) {

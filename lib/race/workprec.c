@@ -246,11 +246,14 @@ static const struct result workprec_results[] = {
       .type = &record_workprec_run, .view = view_runs },
     { "/workprec/fastest", "fastest", "who is fastest at an accuracy",
       RESULT_COLUMNS, .type = &record_workprec_fastest,
+      .title = "time to a true error, ours with error bars, others' without",
       .view = view_fastest },
     { "/workprec", "missing", NULL, RESULT_ATTRIBUTES,
-      .type = &record_missing, .view = view_missing },
+      .type = &record_missing, .title = "", .view = view_missing },
     { "/workprec/environment", "environment", "where times were measured",
-      .type = &record_workprec_environment, .view = view_environment },
+      .type = &record_workprec_environment,
+      .title = "where times were measured, on one thread",
+      .view = view_environment },
     { .path = NULL },
 };
 /* clang-format on */
