@@ -1,9 +1,9 @@
 /* slipway info: what a result file holds; and its scene back.  The file may be
- * anyone's: a child reads it (apart.h). */
+ * anyone's: a child reads it (child.h). */
 #include <stdlib.h>
 #include <string.h>
 
-#include "apart.h"
+#include "child.h"
 #include "command.h"
 #include "document.h"
 #include "json.h"
@@ -186,8 +186,8 @@ enum exit_code command_info(const struct options *o)
                             "with --rerun only");
     struct listing l = { .path = o->file[0], .as_json = o->json };
     const enum status s =
-        apart_read(scene ? read_scene : list_items, &l, l.path,
-                   APART_LIST_SECONDS, &text, &size, &why);
+        child_read(scene ? read_scene : list_items, &l, l.path,
+                   CHILD_LIST_SECONDS, &text, &size, &why);
     if (s != STATUS_OK)
         return command_fail(s, why.text);
     fwrite(text, 1, size, stdout); /* main() asks whether it arrived */

@@ -1,4 +1,4 @@
-/* The file may be anyone's: children read it (apart.h).  What they bring back
+/* The file may be anyone's: children read it (child.h).  What they bring back
  * is text: the command, the scene and the overrides; then what differs. */
 #include "rerun.h"
 
@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "apart.h"
+#include "child.h"
 #include "json.h"
 #include "library.h"
 #include "litter.h"
@@ -78,7 +78,7 @@ static enum status read_file(struct rerun *r, struct fault *why)
 {
     size_t size;
     const enum status s =
-        apart_read(look, r, r->given, APART_LIST_SECONDS, &r->held, &size, why);
+        child_read(look, r, r->given, CHILD_LIST_SECONDS, &r->held, &size, why);
     char *at = r->held;
 
     if (s != STATUS_OK)
@@ -273,8 +273,8 @@ static enum exit_code judge(struct rerun *r)
         remove_folder(r);
         return tell_same(r);
     }
-    const enum status s = apart_read(compare, r, r->given,
-                                     APART_COMPARE_SECONDS, &text, &size, &why);
+    const enum status s = child_read(compare, r, r->given,
+                                     CHILD_COMPARE_SECONDS, &text, &size, &why);
     remove_folder(r);
     if (s != STATUS_OK)
         return command_fail(s, why.text);

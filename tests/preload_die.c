@@ -1,4 +1,4 @@
-/* For LD_PRELOAD: the child that reads a foreign file (lib/store/apart.c) dies
+/* For LD_PRELOAD: the child that reads a foreign file (lib/store/child.c) dies
  * as DIE says.  It points its standard error nowhere last of all before it
  * reads, by dup2, which nobody else calls. */
 #include <signal.h>

@@ -10,7 +10,7 @@
 
 /* One row under one of its laws. */
 struct comparison {
-    const struct stated *stated;
+    const struct expected *expected;
     size_t row, law;
     double rtol;
     unsigned products;
@@ -38,11 +38,11 @@ static enum status add_finding(struct comparison *c, struct finding f)
 
 static const char *name_of(const struct comparison *c, size_t i)
 {
-    return table_header(c->stated->table, c->stated->column[i].at)->text;
+    return table_header(c->expected->table, c->expected->column[i].at)->text;
 }
 
 static struct quantity now_of(struct comparison *c,
-                              const struct stated_column *column)
+                              const struct expected_column *column)
 {
     const struct results all = study_results(&c->study);
 
@@ -51,7 +51,7 @@ static struct quantity now_of(struct comparison *c,
 
 /* What rounding the row's inputs to doubles costs a number. */
 static enum status cost_of(struct comparison *c,
-                           const struct stated_column *column, double *cost)
+                           const struct expected_column *column, double *cost)
 {
     enum status status = STATUS_OK;
 
@@ -71,15 +71,15 @@ static enum status cost_of(struct comparison *c,
 /* Where the table gives no tolerance; the costly part only where the rest is
  * not enough. */
 static enum status combined_bars(struct comparison *c,
-                                 const struct stated_column *column,
-                                 const struct stated_value *v,
+                                 const struct expected_column *column,
+                                 const struct expected_value *v,
                                  double difference, double *tolerance)
 {
     double cost = 0.0;
     enum status status = STATUS_OK;
 
     *tolerance = now_of(c, column).error + v->printed +
-                 stated_lost(c->stated, c->row) * fabs(v->number);
+                 expected_lost(c->expected, c->row) * fabs(v->number);
     if (difference > *tolerance)
         status = cost_of(c, column, &cost);
     *tolerance += cost;
@@ -87,9 +87,9 @@ static enum status combined_bars(struct comparison *c,
 }
 
 static enum status compare_number(struct comparison *c, size_t i,
-                                  const struct stated_value *v)
+                                  const struct expected_value *v)
 {
-    const struct stated_column *column = &c->stated->column[i];
+    const struct expected_column *column = &c->expected->column[i];
     const struct quantity now = now_of(c, column);
     struct finding f = { .stored = v->cell,
                          .column = name_of(c, i),
@@ -99,12 +99,12 @@ static enum status compare_number(struct comparison *c, size_t i,
                          .tolerance = NAN };
     enum status status = STATUS_OK;
 
-    if (v->said == SAID_NONE)
+    if (v->kind == EXPECTED_NONE)
         return quantity_exists(&now) ? add_finding(c, f) : STATUS_OK;
     if (!quantity_exists(&now))
         return add_finding(c, f);
     f.difference = now.value - v->number;
-    if (!stated_tolerance(c->stated, c->row, i, v->number, &f.tolerance))
+    if (!expected_tolerance(c->expected, c->row, i, v->number, &f.tolerance))
         status = combined_bars(c, column, v, fabs(f.difference), &f.tolerance);
     if (status != STATUS_OK || fabs(f.difference) <= f.tolerance)
         return status;
@@ -112,9 +112,9 @@ static enum status compare_number(struct comparison *c, size_t i,
 }
 
 static enum status compare_code(struct comparison *c, size_t i,
-                                const struct stated_value *v)
+                                const struct expected_value *v)
 {
-    const struct result_number *number = c->stated->column[i].number;
+    const struct result_number *number = c->expected->column[i].number;
     const struct results all = study_results(&c->study);
     const int8_t now = result_code(&all, number);
     const struct finding f = {
@@ -126,18 +126,18 @@ static enum status compare_code(struct comparison *c, size_t i,
         .tolerance = NAN,
     };
 
-    return now == (v->said == SAID_NONE ? -1 : v->code) ? STATUS_OK
-                                                        : add_finding(c, f);
+    return now == (v->kind == EXPECTED_NONE ? -1 : v->code) ? STATUS_OK
+                                                            : add_finding(c, f);
 }
 
 static enum status compare_value(struct comparison *c, size_t i)
 {
-    const struct stated_value v = stated_at(c->stated, c->row, i);
+    const struct expected_value v = expected_at(c->expected, c->row, i);
 
-    if (v.said == SAID_NOTHING)
+    if (v.kind == EXPECTED_NOTHING)
         return STATUS_OK;
     c->result->compared++;
-    return c->stated->column[i].number->field->kind == RECORD_CODE
+    return c->expected->column[i].number->field->kind == RECORD_CODE
                ? compare_code(c, i, &v)
                : compare_number(c, i, &v);
 }
@@ -151,23 +151,23 @@ static enum status compare_law(struct comparison *c, struct fault *why)
     if (status != STATUS_OK)
         return status;
     c->has_cost = plan_has(c->study.stages, STAGE_SENSITIVITIES);
-    for (size_t i = 0; i < c->stated->columns && status == STATUS_OK; i++)
+    for (size_t i = 0; i < c->expected->columns && status == STATUS_OK; i++)
         status = compare_value(c, i);
     study_free(&c->study);
     return status;
 }
 
-static void run_row(const struct stated *stated, size_t row, double rtol,
+static void run_row(const struct expected *expected, size_t row, double rtol,
                     struct row_result *result)
 {
-    struct comparison c = { .stated = stated,
+    struct comparison c = { .expected = expected,
                             .row = row,
                             .rtol = rtol,
-                            .products = stated_products(stated, row),
+                            .products = expected_products(expected, row),
                             .result = result };
     struct fault why = { "" };
 
-    enum status status = slope_row_read(stated->table, row, &c.slope, &why);
+    enum status status = slope_row_read(expected->table, row, &c.slope, &why);
     for (; c.law < c.slope.laws && status == STATUS_OK; c.law++)
         status = compare_law(&c, &why);
     result->status = status;
@@ -194,8 +194,9 @@ static enum status sum_up(struct regression *r)
     return STATUS_OK;
 }
 
-static enum status run_rows(struct regression *r, const struct stated *stated,
-                            double rtol, const struct monitor *monitor)
+static enum status run_rows(struct regression *r,
+                            const struct expected *expected, double rtol,
+                            const struct monitor *monitor)
 {
     const size_t rows = r->table->rows;
     size_t done = 0;
@@ -208,7 +209,7 @@ static enum status run_rows(struct regression *r, const struct stated *stated,
         stopped = stop;
         if (stopped)
             continue;
-        run_row(stated, i, rtol, &r->row[i]);
+        run_row(expected, i, rtol, &r->row[i]);
 #pragma omp critical
         if (monitor_tell(monitor, "rows", ++done, rows)) {
 #pragma omp atomic write
@@ -222,15 +223,15 @@ enum status regression_run(struct regression *r, const struct table *t,
                            double rtol, const struct monitor *monitor,
                            struct fault *why)
 {
-    struct stated stated;
+    struct expected expected;
 
     *r = (struct regression){ .table = t };
-    enum status status = stated_read(&stated, t, why);
+    enum status status = expected_read(&expected, t, why);
     if (status != STATUS_OK)
         return status;
     r->row = calloc(t->rows, sizeof *r->row);
-    status = r->row ? run_rows(r, &stated, rtol, monitor) : STATUS_NO_MEMORY;
-    stated_free(&stated);
+    status = r->row ? run_rows(r, &expected, rtol, monitor) : STATUS_NO_MEMORY;
+    expected_free(&expected);
     if (status == STATUS_OK)
         return STATUS_OK;
     snprintf(why->text, sizeof why->text, "%s", status_text(status));

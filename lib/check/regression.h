@@ -3,15 +3,15 @@
  * computed again through the study facade and compared.
  *
  * A number holds when it differs from the stored one by no more than the
- * tolerance that the row states for it (stated.h); where it states none, by no
- * more than the sum of the error bar of today's number, what rounding the
+ * tolerance that the row states for it (expected.h); where it states none, by
+ * no more than the sum of the error bar of today's number, what rounding the
  * row's decimal inputs to doubles costs (conditioning.h), half a unit of the
  * stored number's last digit, and 10^(digits_lost - 15) of it.
  */
 #ifndef CHECK_REGRESSION_H
 #define CHECK_REGRESSION_H
 
-#include "stated.h"
+#include "expected.h"
 
 /* A stored value that no longer holds. */
 struct finding {

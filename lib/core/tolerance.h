@@ -378,16 +378,16 @@
 #define TOL_XI_NEAREST  1e-6
 #define TOL_XI_FARTHEST 1e6
 
-/* Files of others, read by a child (apart.h).  Seconds to list one, and to
+/* Files of others, read by a child (child.h).  Seconds to list one, and to
  * compare two, where 32768 x 32768 cells may have to be unpacked; bytes of
  * address space beyond what the program has (a listing takes some MB, a
- * comparison two blocks of APART_BLOCK bytes and HDF5's own); bytes of what
+ * comparison two blocks of CHILD_BLOCK bytes and HDF5's own); bytes of what
  * comes back, far more than any list of names and texts. */
-#define APART_LIST_SECONDS    60u
-#define APART_COMPARE_SECONDS 3600u
-#define APART_BYTES           ((size_t) 2 << 30)
-#define APART_BLOCK           ((size_t) 16 << 20)
-#define APART_ANSWER          ((size_t) 64 << 20)
+#define CHILD_LIST_SECONDS    60u
+#define CHILD_COMPARE_SECONDS 3600u
+#define CHILD_BYTES           ((size_t) 2 << 30)
+#define CHILD_BLOCK           ((size_t) 16 << 20)
+#define CHILD_ANSWER          ((size_t) 64 << 20)
 
 /* Cells of a sweep's maps in all: about 10 bytes each in memory while the file
  * is written, 10 GB. */

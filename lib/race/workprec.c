@@ -37,7 +37,7 @@ static struct rules rules_of(bool quick)
 /* One run, to be made again and again. */
 struct job {
     const struct workprec_course *course;
-    const struct workprec_kit *kit;
+    const struct workprec_shared *shared;
     struct workprec_entrant who;
     enum workprec_quantity what;
     double rtol;
@@ -53,7 +53,7 @@ static void work(void *ctx)
         workprec_track(j->course, j->what, j->who.stepper, j->rtol, j->calls,
                        j->answer);
     else
-        workprec_own_run(j->course, j->kit, j->who.own, j->what, j->rtol,
+        workprec_own_run(j->course, j->shared, j->who.own, j->what, j->rtol,
                          j->answer);
 }
 
@@ -147,13 +147,14 @@ static enum status race_for(struct workprec *w, const struct rules *r,
 }
 
 static enum status race_all(struct workprec *w, const struct rules *r,
-                            const struct workprec_kit *kit,
+                            const struct workprec_shared *shared,
                             const struct monitor *monitor)
 {
     struct workprec_answer *answer = calloc(1, sizeof *answer);
-    struct job j = {
-        .course = &w->course, .kit = kit, .calls = r->calls, .answer = answer
-    };
+    struct job j = { .course = &w->course,
+                     .shared = shared,
+                     .calls = r->calls,
+                     .answer = answer };
     enum status s = answer ? STATUS_OK : STATUS_NO_MEMORY;
 
     for (int q = 0; q < WORKPREC_QUANTITIES && s == STATUS_OK; q++) {
@@ -168,7 +169,7 @@ static enum status race_all(struct workprec *w, const struct rules *r,
 static enum status run(struct workprec *w, const struct rules *r,
                        const struct monitor *monitor)
 {
-    struct workprec_kit kit = { NULL };
+    struct workprec_shared shared = { NULL };
 
     enum status s = workprec_course_init(&w->course, &w->study, r->cells,
                                          r->sample, monitor);
@@ -176,10 +177,10 @@ static enum status run(struct workprec *w, const struct rules *r,
         return s;
     w->run =
         calloc(WORKPREC_QUANTITIES * ENTRANTS_MOST * r->rungs, sizeof *w->run);
-    s = w->run ? workprec_kit_init(&kit, &w->course) : STATUS_NO_MEMORY;
+    s = w->run ? workprec_shared_init(&shared, &w->course) : STATUS_NO_MEMORY;
     if (s == STATUS_OK)
-        s = race_all(w, r, &kit, monitor);
-    workprec_kit_free(&kit);
+        s = race_all(w, r, &shared, monitor);
+    workprec_shared_free(&shared);
     return s ? s : workprec_rank(w->run, w->runs, &w->fastest, &w->ranks);
 }
 

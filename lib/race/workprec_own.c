@@ -13,19 +13,19 @@
 #include "tolerance.h"
 #include "workprec_count.h"
 
-enum status workprec_kit_init(struct workprec_kit *k,
-                              const struct workprec_course *c)
+enum status workprec_shared_init(struct workprec_shared *k,
+                                 const struct workprec_course *c)
 {
-    *k = (struct workprec_kit){ calloc(1, sizeof *k->slow) };
+    *k = (struct workprec_shared){ calloc(1, sizeof *k->slow) };
     if (k->slow == NULL)
         return STATUS_NO_MEMORY;
     const enum status s = fast_cells_init(k->slow, &c->study->slider, NULL);
     if (s != STATUS_OK)
-        workprec_kit_free(k);
+        workprec_shared_free(k);
     return s;
 }
 
-void workprec_kit_free(struct workprec_kit *k)
+void workprec_shared_free(struct workprec_shared *k)
 {
     if (k->slow)
         fast_cells_free(k->slow);
@@ -324,7 +324,7 @@ static enum status find_slips_alone(const struct maker *m)
 }
 
 static enum status find_slips(const struct maker *m,
-                              const struct workprec_kit *kit)
+                              const struct workprec_shared *shared)
 {
     struct workprec_answer *a = m->out;
     const struct workprec_course *c = m->c;
@@ -334,7 +334,7 @@ static enum status find_slips(const struct maker *m,
     if (m->how == WORKPREC_RADAU)
         return find_slips_alone(m);
     const enum status s = m->how == WORKPREC_SLOW
-                              ? fast_cells_find(kit->slow, c->cell, c->cells,
+                              ? fast_cells_find(shared->slow, c->cell, c->cells,
                                                 m->tol, which, NULL, cell, NULL)
                               : cells_find(&c->study->slider, c->cell, c->cells,
                                            m->tol, which, NULL, cell);
@@ -350,9 +350,9 @@ static enum status find_slips(const struct maker *m,
 }
 
 void workprec_own_run(const struct workprec_course *c,
-                      const struct workprec_kit *kit, enum workprec_own how,
-                      enum workprec_quantity q, double tol,
-                      struct workprec_answer *out)
+                      const struct workprec_shared *shared,
+                      enum workprec_own how, enum workprec_quantity q,
+                      double tol, struct workprec_answer *out)
 {
     const struct box window = scene_box(c->study->scene);
     struct maker m = { .c = c, .how = how, .tol = tol, .out = out };
@@ -372,7 +372,7 @@ void workprec_own_run(const struct workprec_course *c,
     else if (q == WORKPREC_TRANSIENT)
         s = find_state(&m);
     else if (q == WORKPREC_SLIP)
-        s = find_slips(&m, kit);
+        s = find_slips(&m, shared);
     else
         s = find_limit(&m, q);
     out->success &= s == STATUS_OK;
@@ -385,7 +385,7 @@ enum status workprec_own_count(const struct workprec_course *c,
 {
     struct workprec_course course = *c;
     struct study *study = malloc(sizeof *study);
-    struct workprec_kit kit = { NULL };
+    struct workprec_shared shared = { NULL };
     size_t calls = 0;
     struct workprec_counter counter = { .system = c->study->slider.plane.system,
                                         .calls = &calls };
@@ -395,13 +395,13 @@ enum status workprec_own_count(const struct workprec_course *c,
     *study = *c->study;
     study->slider.plane.system = workprec_counted(&counter);
     course.study = study;
-    const enum status s = workprec_kit_init(&kit, &course);
+    const enum status s = workprec_shared_init(&shared, &course);
     if (s == STATUS_OK) {
         calls = 0;
-        workprec_own_run(&course, &kit, how, WORKPREC_SLIP, tol, out);
+        workprec_own_run(&course, &shared, how, WORKPREC_SLIP, tol, out);
         out->calls = calls;
     }
-    workprec_kit_free(&kit);
+    workprec_shared_free(&shared);
     free(study);
     return s;
 }

@@ -17,12 +17,12 @@ enum workprec_own {
 };
 
 /* What is made once a slope, and not part of any run; owned. */
-struct workprec_kit {
+struct workprec_shared {
     struct fast_cells *slow; /* NULL: not made */
 };
-MUST_CHECK enum status workprec_kit_init(struct workprec_kit *k,
-                                         const struct workprec_course *c);
-void workprec_kit_free(struct workprec_kit *k);
+MUST_CHECK enum status workprec_shared_init(struct workprec_shared *k,
+                                            const struct workprec_course *c);
+void workprec_shared_free(struct workprec_shared *k);
 
 /* *out as of the same run, with the calls that cells.h and fast_cells.h do not
  * count themselves, as far as they ask one state at a time; steps stay
@@ -32,8 +32,8 @@ MUST_CHECK enum status workprec_own_count(const struct workprec_course *c,
                                           struct workprec_answer *out);
 
 void workprec_own_run(const struct workprec_course *c,
-                      const struct workprec_kit *kit, enum workprec_own how,
-                      enum workprec_quantity q, double tol,
-                      struct workprec_answer *out);
+                      const struct workprec_shared *shared,
+                      enum workprec_own how, enum workprec_quantity q,
+                      double tol, struct workprec_answer *out);
 
 #endif

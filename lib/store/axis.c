@@ -78,7 +78,7 @@ static void note_user(struct store *st, struct axis *axis, hobj_ref_t set,
 void axis_tie(struct store *st, hid_t set, int rank, struct axis *const axis[])
 {
     const hobj_ref_t at = reference(st, set, ".");
-    const hid_t type = st->kit.axes;
+    const hid_t type = st->handles.axes;
     hvl_t list[AXES_MAX];
 
     for (int i = 0; i < rank; i++) {

@@ -24,7 +24,7 @@ hid_t column_type(const struct store *st, const struct column *c)
         case RECORD_CODE:
             return H5T_NATIVE_INT8;
         case RECORD_TEXT:
-            return st->kit.texts;
+            return st->handles.texts;
         case RECORD_REAL:
         case RECORD_QUANTITY:
             break;
@@ -41,7 +41,7 @@ static hid_t file_type(const struct store *st, const struct column *c)
         case RECORD_CODE:
             return H5T_STD_I8LE;
         case RECORD_TEXT:
-            return st->kit.texts;
+            return st->handles.texts;
         case RECORD_REAL:
         case RECORD_QUANTITY:
             break;
@@ -90,7 +90,7 @@ static void put_meanings(struct store *st, hid_t set, const char *const *codes)
 static hid_t chunked(struct store *st, const struct column *c, int rank,
                      const hsize_t extent[])
 {
-    const hid_t list = hdf_took(st, H5Pcopy(st->kit.set[c->kind]));
+    const hid_t list = hdf_took(st, H5Pcopy(st->handles.set[c->kind]));
     hsize_t chunk[AXES_MAX];
 
     for (int i = 0; i < rank; i++) {
@@ -114,7 +114,7 @@ static hid_t create(struct store *st, hid_t group, const struct column *c,
         values *= extent[i];
     const bool large = rank >= 2 && values >= STORE_LARGE;
     const hid_t list =
-        large ? chunked(st, c, rank, extent) : st->kit.set[c->kind];
+        large ? chunked(st, c, rank, extent) : st->handles.set[c->kind];
     const hid_t set = hdf_took(st, H5Dcreate2(group, c->name, file_type(st, c),
                                               hdf_space(st, rank, extent),
                                               H5P_DEFAULT, list, H5P_DEFAULT));

@@ -67,10 +67,10 @@ void hdf_close(hid_t id)
 
 hid_t hdf_space(struct store *st, int rank, const hsize_t extent[])
 {
-    const int64_t set =
-        hdf_took(st, H5Sset_extent_simple(st->kit.space, rank, extent, NULL));
+    const int64_t set = hdf_took(
+        st, H5Sset_extent_simple(st->handles.space, rank, extent, NULL));
 
-    return set < 0 ? H5I_INVALID_HID : st->kit.space;
+    return set < 0 ? H5I_INVALID_HID : st->handles.space;
 }
 
 /* One step down; closes `parent`. */
@@ -79,7 +79,7 @@ static hid_t child(struct store *st, hid_t parent, const char *name)
     const int64_t found = hdf_took(st, H5Lexists(parent, name, H5P_DEFAULT));
     const hid_t group = found > 0 ? H5Gopen2(parent, name, H5P_DEFAULT)
                                   : H5Gcreate2(parent, name, H5P_DEFAULT,
-                                               st->kit.group, H5P_DEFAULT);
+                                               st->handles.group, H5P_DEFAULT);
 
     hdf_took(st, group);
     hdf_close(parent);
@@ -133,8 +133,8 @@ void hdf_put_text(struct store *st, hid_t object, const char *key,
 {
     const size_t length = strlen(text);
     const int64_t set =
-        hdf_took(st, H5Tset_size(st->kit.text, length > 0 ? length : 1));
-    const hid_t type = set < 0 ? H5I_INVALID_HID : st->kit.text;
+        hdf_took(st, H5Tset_size(st->handles.text, length > 0 ? length : 1));
+    const hid_t type = set < 0 ? H5I_INVALID_HID : st->handles.text;
 
     hdf_put(st, object, key, 0, 1, type, type, text);
 }

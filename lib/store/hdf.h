@@ -9,18 +9,18 @@
 
 #include <hdf5.h>
 
-#include "kit.h"
+#include "handles.h"
 #include "status.h"
 
 struct store {
-    hid_t file;         /* owned; negative once closed */
-    char *path;         /* owned; as the caller gave it */
-    struct kit kit;     /* owned */
-    hid_t group;        /* owned; the one put to last, or negative */
-    char *group_path;   /* owned; its path, or NULL */
-    struct axis *axes;  /* owned; all put so far, the last first */
-    enum status status; /* of the first failure */
-    char reason[256];   /* of the first failure; one line */
+    hid_t file;             /* owned; negative once closed */
+    char *path;             /* owned; as the caller gave it */
+    struct handles handles; /* owned */
+    hid_t group;            /* owned; the one put to last, or negative */
+    char *group_path;       /* owned; its path, or NULL */
+    struct axis *axes;      /* owned; all put so far, the last first */
+    enum status status;     /* of the first failure */
+    char reason[256];       /* of the first failure; one line */
 };
 
 /* Returns the answer; a negative one is noted, with HDF5's own reason. */
@@ -41,8 +41,8 @@ size_t hdf_size(struct store *st, hid_t type);
 /* Any kind of handle; a negative one is skipped. */
 void hdf_close(hid_t id);
 
-/* st->kit.space in a shape; rank 0: a scalar.  Negative on failure: in its old
- * shape it would make HDF5 read beyond what is written. */
+/* st->handles.space in a shape; rank 0: a scalar.  Negative on failure: in its
+ * old shape it would make HDF5 read beyond what is written. */
 hid_t hdf_space(struct store *st, int rank, const hsize_t extent[]);
 
 /* The group at an absolute path; it and those above are made where missing.

@@ -32,7 +32,7 @@ static struct store *store_new(const char *path, struct fault *fault)
     strcpy(copy, path);
     st->file = H5I_INVALID_HID;
     st->group = H5I_INVALID_HID;
-    st->kit = kit_none();
+    st->handles = handles_none();
     st->path = copy;
     return st;
 }
@@ -63,7 +63,7 @@ static void create_in_memory(struct store *st)
     const hid_t create = hdf_took(st, H5Pcreate(H5P_FILE_CREATE));
     char name[32]; /* never seen on disk, but HDF5 wants each its own */
 
-    kit_set_order(st, create, H5P_FILE_CREATE);
+    handles_set_order(st, create, H5P_FILE_CREATE);
     snprintf(name, sizeof name, "%p", (void *) st);
     hdf_took(st, H5Pset_fapl_core(access, STORE_GROWTH, false));
     hdf_took(st, H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
@@ -85,7 +85,7 @@ enum status store_create(const char *path, const char *title,
     if (st == NULL)
         return STATUS_NO_MEMORY;
     create_in_memory(st);
-    kit_make(st);
+    handles_make(st);
     hdf_put_text(st, st->file, "Conventions", "CF-1.10");
     hdf_put_text(st, st->file, "title", title);
     return hand_over(st, store, fault);
@@ -175,7 +175,7 @@ static const void *finish(struct store *st, size_t *size)
 static void close_all(struct store *st)
 {
     axis_free(st);
-    kit_free(&st->kit);
+    handles_free(&st->handles);
     hdf_close(st->group);
     hdf_close(st->file);
     st->group = H5I_INVALID_HID;

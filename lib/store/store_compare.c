@@ -122,7 +122,7 @@ static size_t rows_of(const struct values *v)
     const size_t row =
         v->rank > 0 && v->extent[0] > 0 ? v->count / v->extent[0] * v->size : 0;
 
-    return row > 0 && APART_BLOCK > row ? APART_BLOCK / row : 1;
+    return row > 0 && CHILD_BLOCK > row ? CHILD_BLOCK / row : 1;
 }
 
 /* ---- comparing values ---------------------------------------------------- */

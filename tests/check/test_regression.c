@@ -105,7 +105,7 @@ static size_t plant_in_rows(const char *name, size_t stride)
     size_t planted = 0;
 
     old_open(&t, name);
-    assert_int_equal(study_numbers(&all, STATED_STAGES), STATUS_OK);
+    assert_int_equal(study_numbers(&all, EXPECTED_STAGES), STATUS_OK);
     while (old_next(&t)) {
         if (t.csv.row % stride != 0)
             continue;

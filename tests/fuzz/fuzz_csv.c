@@ -1,10 +1,10 @@
 /* CSV files, by every reader: the tables of `check`, the measurements of
  * `rabinowicz`, the states of `push`. */
+#include "expected.h"
 #include "fuzz.h"
 #include "number.h"
 #include "observations.h"
 #include "slope_row.h"
-#include "stated.h"
 
 static void must_be_blamed(enum status s, const struct fault *why)
 {
@@ -14,31 +14,31 @@ static void must_be_blamed(enum status s, const struct fault *why)
 }
 
 /* What `check` asks of a row before it computes. */
-static void read_row(const struct stated *stated, size_t row)
+static void read_row(const struct expected *expected, size_t row)
 {
     struct slope_row slope;
     struct fault why;
     double tolerance;
 
-    must_be_blamed(slope_row_read(stated->table, row, &slope, &why), &why);
-    for (size_t i = 0; i < stated->columns; i++) {
-        const struct stated_value v = stated_at(stated, row, i);
-        (void) stated_tolerance(stated, row, i, v.number, &tolerance);
+    must_be_blamed(slope_row_read(expected->table, row, &slope, &why), &why);
+    for (size_t i = 0; i < expected->columns; i++) {
+        const struct expected_value v = expected_at(expected, row, i);
+        (void) expected_tolerance(expected, row, i, v.number, &tolerance);
     }
-    (void) stated_lost(stated, row);
-    (void) stated_products(stated, row);
+    (void) expected_lost(expected, row);
+    (void) expected_products(expected, row);
 }
 
 static void read_baseline(const struct table *t)
 {
-    struct stated stated;
+    struct expected expected;
     struct fault why;
-    const enum status s = stated_read(&stated, t, &why);
+    const enum status s = expected_read(&expected, t, &why);
 
     must_be_blamed(s, &why);
     for (size_t i = 0; s == STATUS_OK && i < t->rows; i++)
-        read_row(&stated, i);
-    stated_free(&stated);
+        read_row(&expected, i);
+    expected_free(&expected);
 }
 
 static void read_observations(const struct table *t)

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "apart.h"
+#include "child.h"
 #include "fuzz.h"
 #include "hdf5_sums.h"
 #include "library.h"
@@ -94,7 +94,7 @@ static enum status read_apart(const char *path)
     struct fault why = { "" };
     char *bytes;
     size_t length;
-    const enum status s = apart_read(work, (void *) (uintptr_t) path, path, 10,
+    const enum status s = child_read(work, (void *) (uintptr_t) path, path, 10,
                                      &bytes, &length, &why);
 
     MUST(s == STATUS_OK || s == STATUS_IO || s == STATUS_BAD_SCENE ||

@@ -226,12 +226,12 @@ static void asking_is_counted(void **state)
 {
     const struct slope_course *s = *state;
     static struct workprec_answer a, b;
-    struct workprec_kit kit;
+    struct workprec_shared shared;
 
-    assert_int_equal(workprec_kit_init(&kit, &s->course), STATUS_OK);
+    assert_int_equal(workprec_shared_init(&shared, &s->course), STATUS_OK);
     for (int i = 0; i < 2; i++) {
         const enum workprec_own how = i ? WORKPREC_RADAU : WORKPREC_SLIPWAY;
-        workprec_own_run(&s->course, &kit, how, WORKPREC_SLIP, 1e-6, &a);
+        workprec_own_run(&s->course, &shared, how, WORKPREC_SLIP, 1e-6, &a);
         assert_int_equal(workprec_own_count(&s->course, how, 1e-6, &b),
                          STATUS_OK);
         assert_true(a.success && b.success);
@@ -240,8 +240,8 @@ static void asking_is_counted(void **state)
     }
     CHECK(b.calls >= a.calls && b.calls <= a.calls + a.calls / 5,
           "%zu calls, not %zu", b.calls, a.calls);
-    workprec_kit_free(&kit);
-    workprec_kit_free(&kit);
+    workprec_shared_free(&shared);
+    workprec_shared_free(&shared);
 }
 
 /* ---- ranks ----------------------------------------------------------- */

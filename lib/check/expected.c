@@ -1,4 +1,4 @@
-#include "stated.h"
+#include "expected.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -40,26 +40,26 @@ static size_t find_column(const struct table *t, const char *name, size_t size)
         if (strlen(other) == size && strncmp(other, name, size) == 0)
             return i;
     }
-    return STATED_NO_COLUMN;
+    return EXPECTED_NO_COLUMN;
 }
 
-/* The column that NAME_tol is about; STATED_NO_COLUMN if it is about none. */
-static size_t tolerance_of(const struct stated *s, const char *name)
+/* The column that NAME_tol is about; EXPECTED_NO_COLUMN if it is about none. */
+static size_t tolerance_of(const struct expected *s, const char *name)
 {
     const struct table *t = s->table;
     const size_t size = strlen(name);
 
     if (size <= 4 || strcmp(name + size - 4, "_tol") != 0)
-        return STATED_NO_COLUMN;
+        return EXPECTED_NO_COLUMN;
     const size_t i = find_column(t, name, size - 4);
     const struct result_number *n =
-        i == STATED_NO_COLUMN
+        i == EXPECTED_NO_COLUMN
             ? NULL
             : result_numbers_find(&s->numbers, table_header(t, i)->text);
-    return n && n->field->kind == RECORD_QUANTITY ? i : STATED_NO_COLUMN;
+    return n && n->field->kind == RECORD_QUANTITY ? i : EXPECTED_NO_COLUMN;
 }
 
-static enum status blame_name(const struct stated *s,
+static enum status blame_name(const struct expected *s,
                               const struct table_cell *cell, struct fault *why)
 {
     enum { KNOWN = 256 };
@@ -81,7 +81,7 @@ static enum status blame_name(const struct stated *s,
                        near ? "?" : "");
 }
 
-static enum status read_header(struct stated *s, struct fault *why)
+static enum status read_header(struct expected *s, struct fault *why)
 {
     const struct table *t = s->table;
 
@@ -91,9 +91,9 @@ static enum status read_header(struct stated *s, struct fault *why)
             result_numbers_find(&s->numbers, name);
         if (number)
             s->column[s->columns++] =
-                (struct stated_column){ number, i, STATED_NO_COLUMN };
+                (struct expected_column){ number, i, EXPECTED_NO_COLUMN };
         else if (!is_label(name) && !is_listed(name, slope_row_columns) &&
-                 tolerance_of(s, name) == STATED_NO_COLUMN)
+                 tolerance_of(s, name) == EXPECTED_NO_COLUMN)
             return blame_name(s, table_header(t, i), why);
     }
     for (size_t i = 0; i < t->columns; i++) {
@@ -130,7 +130,7 @@ static bool read_code(const struct record_field *f, const char *text,
 }
 
 /* False where the cell makes no sense in its column. */
-static bool read_value(const struct record_field *f, struct stated_value *v)
+static bool read_value(const struct record_field *f, struct expected_value *v)
 {
     const char *text = v->cell->text;
 
@@ -138,30 +138,31 @@ static bool read_value(const struct record_field *f, struct stated_value *v)
         return true;
     if (strcmp(text, "none") == 0 || strcmp(text, "-inf") == 0 ||
         strcmp(text, "inf") == 0) {
-        v->said = SAID_NONE;
+        v->kind = EXPECTED_NONE;
         return true;
     }
-    v->said = f->kind == RECORD_CODE ? SAID_CODE : SAID_NUMBER;
+    v->kind = f->kind == RECORD_CODE ? EXPECTED_CODE : EXPECTED_NUMBER;
     if (f->kind == RECORD_CODE)
         return read_code(f, text, &v->code);
     v->printed = half_unit(text);
     return number_read(text, &v->number);
 }
 
-struct stated_value stated_at(const struct stated *s, size_t row, size_t i)
+struct expected_value expected_at(const struct expected *s, size_t row,
+                                  size_t i)
 {
-    const struct stated_column *c = &s->column[i];
-    struct stated_value v = { .cell = table_at(s->table, row, c->at) };
+    const struct expected_column *c = &s->column[i];
+    struct expected_value v = { .cell = table_at(s->table, row, c->at) };
 
     (void) read_value(c->number->field, &v);
     return v;
 }
 
-static enum status check_cell(const struct stated *s, size_t row, size_t i,
+static enum status check_cell(const struct expected *s, size_t row, size_t i,
                               struct fault *why)
 {
-    const struct stated_column *c = &s->column[i];
-    struct stated_value v = { .cell = table_at(s->table, row, c->at) };
+    const struct expected_column *c = &s->column[i];
+    struct expected_value v = { .cell = table_at(s->table, row, c->at) };
     char words[160] = "a decimal number or none";
 
     if (read_value(c->number->field, &v))
@@ -175,13 +176,13 @@ static enum status check_cell(const struct stated *s, size_t row, size_t i,
 
 /* ---- tolerances ---------------------------------------------------------- */
 
-bool stated_tolerance(const struct stated *s, size_t row, size_t i,
-                      double value, double *tolerance)
+bool expected_tolerance(const struct expected *s, size_t row, size_t i,
+                        double value, double *tolerance)
 {
-    const struct stated_column *c = &s->column[i];
+    const struct expected_column *c = &s->column[i];
     const struct table_cell *common = table_find(s->table, row, "tolerance");
 
-    if (c->tolerance != STATED_NO_COLUMN &&
+    if (c->tolerance != EXPECTED_NO_COLUMN &&
         number_read(table_at(s->table, row, c->tolerance)->text, tolerance))
         return true;
     if (common == NULL || !number_read(common->text, tolerance))
@@ -190,7 +191,7 @@ bool stated_tolerance(const struct stated *s, size_t row, size_t i,
     return true;
 }
 
-double stated_lost(const struct stated *s, size_t row)
+double expected_lost(const struct expected *s, size_t row)
 {
     const struct table_cell *cell = table_find(s->table, row, "digits_lost");
     double digits;
@@ -214,7 +215,7 @@ static enum status check_tolerance(const struct table *t,
                        text_shown(cell->text).text);
 }
 
-static enum status check_tolerances(const struct stated *s, size_t row,
+static enum status check_tolerances(const struct expected *s, size_t row,
                                     struct fault *why)
 {
     const struct table *t = s->table;
@@ -226,7 +227,7 @@ static enum status check_tolerances(const struct stated *s, size_t row,
                                  "digits_lost", why);
     for (size_t i = 0; i < s->columns && status == STATUS_OK; i++) {
         const size_t at = s->column[i].tolerance;
-        if (at != STATED_NO_COLUMN)
+        if (at != EXPECTED_NO_COLUMN)
             status = check_tolerance(t, table_at(t, row, at),
                                      table_header(t, at)->text, why);
     }
@@ -235,17 +236,17 @@ static enum status check_tolerances(const struct stated *s, size_t row,
 
 /* ---- rows ---------------------------------------------------------------- */
 
-unsigned stated_products(const struct stated *s, size_t row)
+unsigned expected_products(const struct expected *s, size_t row)
 {
     uint64_t needs = 0;
 
     for (size_t i = 0; i < s->columns; i++)
-        if (stated_at(s, row, i).said != SAID_NOTHING)
+        if (expected_at(s, row, i).kind != EXPECTED_NOTHING)
             needs |= s->column[i].number->of->needs;
-    return plan_products((unsigned) (needs & STATED_STAGES));
+    return plan_products((unsigned) (needs & EXPECTED_STAGES));
 }
 
-static enum status check_row(const struct stated *s, size_t row,
+static enum status check_row(const struct expected *s, size_t row,
                              struct fault *why)
 {
     struct slope_row slope;
@@ -256,20 +257,20 @@ static enum status check_row(const struct stated *s, size_t row,
     if (status == STATUS_OK)
         status = check_tolerances(s, row, why);
     if (status == STATUS_OK && isnan(slope.alpha) &&
-        (stated_products(s, row) & ~scene_slopeless))
+        (expected_products(s, row) & ~scene_slopeless))
         status = place_blame(table_place(s->table, table_at(s->table, row, 0)),
                              why, "no alpha, expected an angle in rad");
     return status;
 }
 
-enum status stated_read(struct stated *s, const struct table *t,
-                        struct fault *why)
+enum status expected_read(struct expected *s, const struct table *t,
+                          struct fault *why)
 {
-    *s = (struct stated){ .table = t };
-    enum status status = study_numbers(&s->numbers, STATED_STAGES);
+    *s = (struct expected){ .table = t };
+    enum status status = study_numbers(&s->numbers, EXPECTED_STAGES);
     s->column = malloc(t->columns * sizeof *s->column);
     if (status != STATUS_OK || s->column == NULL) {
-        stated_free(s);
+        expected_free(s);
         snprintf(why->text, sizeof why->text, "%s",
                  status_text(STATUS_NO_MEMORY));
         return STATUS_NO_MEMORY;
@@ -281,13 +282,13 @@ enum status stated_read(struct stated *s, const struct table *t,
     for (size_t row = 0; row < t->rows && status == STATUS_OK; row++)
         status = check_row(s, row, why);
     if (status != STATUS_OK)
-        stated_free(s);
+        expected_free(s);
     return status;
 }
 
-void stated_free(struct stated *s)
+void expected_free(struct expected *s)
 {
     free(s->column);
     result_numbers_free(&s->numbers);
-    *s = (struct stated){ .table = s->table };
+    *s = (struct expected){ .table = s->table };
 }

@@ -1,7 +1,7 @@
 /* The answer comes through a pipe: what the work wrote, then a struct ending.
  * Only a whole ending counts, so that no way of dying is taken for an answer;
  * how the child died only chooses the words. */
-#include "apart.h"
+#include "child.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -49,7 +49,7 @@ static rlim_t in_use(void)
 
 static void limit_memory(void)
 {
-    const rlim_t most = in_use() + APART_BYTES;
+    const rlim_t most = in_use() + CHILD_BYTES;
     struct rlimit r;
 
     if (getrlimit(RLIMIT_AS, &r) != 0 || r.rlim_cur < most)
@@ -78,7 +78,7 @@ static void confine(unsigned seconds)
 }
 
 /* A reader that is gone is an error of writing, as everywhere. */
-static _Noreturn void answer(apart_work *work, void *ctx, int pipe)
+static _Noreturn void answer(child_work *work, void *ctx, int pipe)
 {
     FILE *out = fdopen(pipe, "w");
     struct ending e = { .status = STATUS_NO_MEMORY };
@@ -106,9 +106,9 @@ static bool take_some(struct answer *a, int pipe)
     errno = 0;
     if (a->size + 1 >= a->room) {
         const size_t room = a->room > 0 ? 2 * a->room : 1 << 16;
-        char *more = room <= APART_ANSWER ? realloc(a->bytes, room) : NULL;
+        char *more = room <= CHILD_ANSWER ? realloc(a->bytes, room) : NULL;
         if (more == NULL) {
-            errno = room <= APART_ANSWER ? ENOMEM : EFBIG;
+            errno = room <= CHILD_ANSWER ? ENOMEM : EFBIG;
             return false;
         }
         a->bytes = more;
@@ -179,7 +179,7 @@ static enum status collect(struct answer *a, const char *path, int pipe,
                       : judge(a, path, how, why);
 }
 
-enum status apart_read(apart_work *work, void *ctx, const char *path,
+enum status child_read(child_work *work, void *ctx, const char *path,
                        unsigned seconds, char **bytes, size_t *size,
                        struct fault *why)
 {

@@ -1,5 +1,5 @@
 /* What a child hands back, and every way in which it may die. */
-#include "apart.h"
+#include "child.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -70,7 +70,7 @@ static enum status give(struct order *o, char **bytes, size_t *size,
 
     close(before);
     const enum status s =
-        apart_read(obey, o, "a.h5", o->hangs ? 1 : 600, bytes, size, why);
+        child_read(obey, o, "a.h5", o->hangs ? 1 : 600, bytes, size, why);
     const int after = dup(0);
     close(after);
     assert_int_equal(before, after);
@@ -160,10 +160,10 @@ static void what_hangs_is_ended(void **state)
 static void what_eats_memory_gets_none(void **state)
 {
     (void) state;
-    refuses((struct order){ .memory = APART_BYTES + 1 }, STATUS_NO_MEMORY, "");
-    refuses((struct order){ .memory = APART_BYTES / 2, .answer = STATUS_IO },
+    refuses((struct order){ .memory = CHILD_BYTES + 1 }, STATUS_NO_MEMORY, "");
+    refuses((struct order){ .memory = CHILD_BYTES / 2, .answer = STATUS_IO },
             STATUS_IO, "as told");
-    refuses((struct order){ .bytes = APART_ANSWER + 1 }, STATUS_IO,
+    refuses((struct order){ .bytes = CHILD_ANSWER + 1 }, STATUS_IO,
             "File too large");
 }
 
@@ -189,7 +189,7 @@ static void it_dies_in_silence(void **state)
     (void) state;
     dup2(heard, STDERR_FILENO);
     const enum status s =
-        apart_read(complain, NULL, "a.h5", 60, &bytes, &size, &why);
+        child_read(complain, NULL, "a.h5", 60, &bytes, &size, &why);
     dup2(saved, STDERR_FILENO);
     assert_int_equal(s, STATUS_OK);
     assert_int_equal(lseek(heard, 0, SEEK_END), 0);
@@ -232,7 +232,7 @@ static void it_ends_with_its_parent(void **state)
         struct fault why;
         char *bytes;
         size_t size;
-        _exit((int) apart_read(wait_for_ever, &ends[1], "a.h5", 60, &bytes,
+        _exit((int) child_read(wait_for_ever, &ends[1], "a.h5", 60, &bytes,
                                &size, &why));
     }
     assert_int_equal(read(ends[0], &grandchild, sizeof grandchild),

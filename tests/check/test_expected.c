@@ -1,5 +1,5 @@
 /* What a table may state; the rest is refused before anything is computed. */
-#include "stated.h"
+#include "expected.h"
 
 #include <math.h>
 
@@ -8,12 +8,12 @@
 static void refused(const char *text, const char *line)
 {
     struct table t;
-    struct stated s;
+    struct expected s;
     struct fault why;
 
     assert_int_equal(table_parse(&t, text, strlen(text), "t.csv", &why),
                      STATUS_OK);
-    assert_int_equal(stated_read(&s, &t, &why), STATUS_BAD_SCENE);
+    assert_int_equal(expected_read(&s, &t, &why), STATUS_BAD_SCENE);
     assert_string_equal(why.text, line);
     assert_null(s.column);
     table_free(&t);
@@ -78,30 +78,30 @@ static void cells_say_nothing_none_a_number_or_a_word(void **state)
                                "ruina,0.3,-inf,none,1,5\n"
                                "ruina,0.3,2832,,,1e-3\n";
     struct table t;
-    struct stated s;
+    struct expected s;
     struct fault why;
 
     (void) state;
     assert_int_equal(table_parse(&t, text, strlen(text), "t.csv", &why),
                      STATUS_OK);
-    assert_int_equal(stated_read(&s, &t, &why), STATUS_OK);
+    assert_int_equal(expected_read(&s, &t, &why), STATUS_OK);
     assert_int_equal(s.columns, 4);
-    struct stated_value v = stated_at(&s, 0, 0);
-    assert_int_equal(v.said, SAID_NUMBER);
+    struct expected_value v = expected_at(&s, 0, 0);
+    assert_int_equal(v.kind, EXPECTED_NUMBER);
     assert_true(v.number == 2832.0);
     CHECK(fabs(v.printed - 0.05) < 1e-15, "%g", v.printed);
-    assert_int_equal(stated_at(&s, 0, 1).code, 3);
-    assert_true(stated_at(&s, 0, 2).number == 2.0);
-    assert_int_equal(stated_at(&s, 0, 3).said, SAID_NOTHING);
-    assert_int_equal(stated_at(&s, 1, 0).said, SAID_NONE);
-    assert_int_equal(stated_at(&s, 1, 1).said, SAID_NONE);
-    assert_true(stated_at(&s, 1, 3).printed == 0.5);
-    assert_true(stated_at(&s, 2, 0).printed == 0.5);
-    assert_int_equal(stated_at(&s, 2, 1).said, SAID_NOTHING);
-    CHECK(fabs(stated_at(&s, 2, 3).printed - 5e-4) < 1e-18, "half of 1e-3");
+    assert_int_equal(expected_at(&s, 0, 1).code, 3);
+    assert_true(expected_at(&s, 0, 2).number == 2.0);
+    assert_int_equal(expected_at(&s, 0, 3).kind, EXPECTED_NOTHING);
+    assert_int_equal(expected_at(&s, 1, 0).kind, EXPECTED_NONE);
+    assert_int_equal(expected_at(&s, 1, 1).kind, EXPECTED_NONE);
+    assert_true(expected_at(&s, 1, 3).printed == 0.5);
+    assert_true(expected_at(&s, 2, 0).printed == 0.5);
+    assert_int_equal(expected_at(&s, 2, 1).kind, EXPECTED_NOTHING);
+    CHECK(fabs(expected_at(&s, 2, 3).printed - 5e-4) < 1e-18, "half of 1e-3");
     assert_string_equal(s.column[3].number->name, "folds_mu_s");
-    stated_free(&s);
-    stated_free(&s);
+    expected_free(&s);
+    expected_free(&s);
     table_free(&t);
 }
 
@@ -112,15 +112,15 @@ static void a_power_beyond_all_bounds_is_no_tolerance_of_everything(
     static const char text[] = "law,alpha,v_plus\n"
                                "ruina,0.3,1.25e-99999999999999999999\n";
     struct table t;
-    struct stated s;
+    struct expected s;
     struct fault why;
 
     (void) state;
     assert_int_equal(table_parse(&t, text, strlen(text), "t.csv", &why),
                      STATUS_OK);
-    assert_int_equal(stated_read(&s, &t, &why), STATUS_OK);
-    assert_true(stated_at(&s, 0, 0).printed == 0.0);
-    stated_free(&s);
+    assert_int_equal(expected_read(&s, &t, &why), STATUS_OK);
+    assert_true(expected_at(&s, 0, 0).printed == 0.0);
+    expected_free(&s);
     table_free(&t);
 }
 
@@ -133,18 +133,18 @@ static void a_row_asks_for_no_more_than_it_states(void **state)
                                "spinodal,0.3,1,,,\n"
                                "spinodal,0.3,,,,1\n";
     struct table t;
-    struct stated s;
+    struct expected s;
     struct fault why;
 
     (void) state;
     assert_int_equal(table_parse(&t, text, strlen(text), "t.csv", &why),
                      STATUS_OK);
-    assert_int_equal(stated_read(&s, &t, &why), STATUS_OK);
-    assert_int_equal(stated_products(&s, 0), 1u << PRODUCT_FOLDS);
-    assert_int_equal(stated_products(&s, 1), 1u << PRODUCT_EQUILIBRIA);
-    assert_int_equal(stated_products(&s, 2), 1u << PRODUCT_KNEES);
-    assert_int_equal(stated_products(&s, 3), 1u << PRODUCT_SENSITIVITIES);
-    stated_free(&s);
+    assert_int_equal(expected_read(&s, &t, &why), STATUS_OK);
+    assert_int_equal(expected_products(&s, 0), 1u << PRODUCT_FOLDS);
+    assert_int_equal(expected_products(&s, 1), 1u << PRODUCT_EQUILIBRIA);
+    assert_int_equal(expected_products(&s, 2), 1u << PRODUCT_KNEES);
+    assert_int_equal(expected_products(&s, 3), 1u << PRODUCT_SENSITIVITIES);
+    expected_free(&s);
     table_free(&t);
 }
 
