@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "library.h"
 #include "provenance.h"
 #include "result_file.h"
 #include "store.h"

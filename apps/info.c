@@ -7,7 +7,6 @@
 #include "command.h"
 #include "document.h"
 #include "json.h"
-#include "library.h"
 #include "merge.h"
 #include "rerun.h"
 #include "store_read.h"

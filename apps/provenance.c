@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "library.h"
 #include "scene_slope.h"
 #include "store_results.h"
 

@@ -8,7 +8,6 @@
 
 #include "child.h"
 #include "json.h"
-#include "library.h"
 #include "litter.h"
 #include "replace.h"
 #include "store_compare.h"

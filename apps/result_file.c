@@ -2,7 +2,6 @@
 
 #include <stdio.h>
 
-#include "library.h"
 #include "provenance.h"
 #include "store_results.h"
 

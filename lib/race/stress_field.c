@@ -8,6 +8,7 @@
 #include "stress_judge.h"
 #include "stress_tolerance.h"
 #include "stress_work.h"
+#include "workprec_clock.h"
 
 static struct stress_number_told {
     double value, error;
@@ -134,16 +135,16 @@ static enum status judge_rows(struct grid *g)
          j += PATCHWORK_TILE) {
         const size_t some =
             m->rows - j < PATCHWORK_TILE ? m->rows - j : PATCHWORK_TILE;
-        double start = stress_clock();
+        double start = workprec_clock_now();
         status = basin_map_rows(m, j, some, g->label);
         if (status == STATUS_OK)
             status = fields_find(&s->fields, j, some, NULL, g->cell);
-        row->seconds += stress_clock() - start;
-        start = stress_clock();
+        row->seconds += workprec_clock_now() - start;
+        start = workprec_clock_now();
         for (size_t i = 0; i < some * m->columns && status == STATUS_OK; i++)
             if ((j * m->columns + i) % stride == 0)
                 judge_cell(g, j, i);
-        row->oracle_seconds += stress_clock() - start;
+        row->oracle_seconds += workprec_clock_now() - start;
     }
     return status;
 }

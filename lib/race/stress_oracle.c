@@ -1,4 +1,5 @@
 #include "stress_oracle.h"
+#include "workprec_clock.h"
 
 #include <string.h>
 
@@ -21,7 +22,7 @@ const struct stress_truth *stress_oracle_ask(struct stress_oracle *oracle,
                                              const struct scene *scene,
                                              struct stress_row *row)
 {
-    const double start = stress_clock();
+    const double start = workprec_clock_now();
 
     if (!is_last_asked(oracle, scene)) {
         oracle->asked = true;
@@ -31,7 +32,7 @@ const struct stress_truth *stress_oracle_ask(struct stress_oracle *oracle,
         stress_truth_find(&scene->law, &scene->material, scene->tan_alpha,
                           &oracle->truth);
     }
-    row->oracle_seconds = stress_clock() - start;
+    row->oracle_seconds = workprec_clock_now() - start;
     row->oracle_evaluations = (int64_t) oracle->truth.evaluations;
     return &oracle->truth;
 }

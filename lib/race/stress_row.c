@@ -1,18 +1,8 @@
 #include "stress_row.h"
 
-#include <time.h>
-
 #include "law.h"
 #include "stress_case.h"
 #include "stress_judge.h"
-
-double stress_clock(void)
-{
-    struct timespec t;
-
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
-}
 
 void stress_row_say(struct stress_row *row, int outcome, const char *reason,
                     const char *worst)

@@ -31,7 +31,4 @@ extern const struct record_type record_stress;
 void stress_row_say(struct stress_row *row, int outcome, const char *reason,
                     const char *worst);
 
-/* Seconds of a clock that only runs forward. */
-double stress_clock(void);
-
 #endif

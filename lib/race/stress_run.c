@@ -5,6 +5,7 @@
 
 #include "stress_tolerance.h"
 #include "stress_work.h"
+#include "workprec_clock.h"
 
 #define ASKS(product) (1u << PRODUCT_##product)
 static const struct {
@@ -24,14 +25,14 @@ static const struct {
 static enum status judge_case(const struct stress_case *c,
                               struct stress_work *w)
 {
-    const double start = stress_clock();
+    const double start = workprec_clock_now();
 
     w->scene = c->scene;
     w->scene.products = kinds[c->kind].products;
     if (c->kind == STRESS_FIELD)
         w->scene.products |= c->scene.products;
     enum status s = study_run(&w->study, &w->scene, NULL, &w->row->fault);
-    w->row->seconds = stress_clock() - start;
+    w->row->seconds = workprec_clock_now() - start;
     if (s == STATUS_OK)
         s = kinds[c->kind].judge(w);
     study_free(&w->study);

@@ -10,7 +10,29 @@
 
 #include "fate.h"
 #include "quad_branch.h"
-#include "stress_number.h"
+
+/* The numbers of a slope that 113 bits can confirm. */
+enum stress_number {
+    STRESS_V_SP,
+    STRESS_PSI_SP,
+    STRESS_LAMBDA_MINUS,
+    STRESS_LAMBDA_PLUS,
+    STRESS_V_PLUS,
+    STRESS_LN_V_PLUS,
+    STRESS_V_MINUS,
+    STRESS_LN_V_MINUS,
+    STRESS_PSI_AT_V0,
+    STRESS_X_EXCESS,
+    STRESS_X_DEFICIT,
+    STRESS_MU_S_NUM,
+    STRESS_MU_S_MEAN,
+    STRESS_FRACTURE_ENERGY,
+    STRESS_KNEE_UPPER_V, /* the first ones */
+    STRESS_KNEE_UPPER_PSI,
+    STRESS_KNEE_LOWER_V,
+    STRESS_KNEE_LOWER_PSI,
+    STRESS_NUMBERS
+};
 
 struct stress_true {
     bool exists;

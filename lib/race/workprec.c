@@ -6,12 +6,55 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "method.h"
 #include "workprec_answer.h"
 #include "workprec_clock.h"
+#include "workprec_own.h"
 #include "workprec_tolerance.h"
 #include "workprec_track.h"
 
 enum { ENTRANTS_MOST = 32, LADDER_MOST = 16 };
+
+/* ---- who takes part ------------------------------------------------------ */
+
+/* Our own ways, then the integrators of method.h. */
+struct entrant {
+    const char *name;
+    bool foreign;
+    unsigned can;                 /* bits 1 << enum workprec_quantity */
+    enum workprec_own own;        /* where stepper is NULL */
+    const struct method *stepper; /* borrowed */
+};
+
+/* A way of our own is one more row, and what it does in workprec_own.c. */
+enum {
+    ALL = (1u << WORKPREC_QUANTITIES) - 1u,
+    SLIP = 1u << WORKPREC_SLIP,
+    MOTION = 1u << WORKPREC_TRANSIENT | SLIP
+};
+static const struct entrant own[] = {
+    { "slipway", false, ALL, WORKPREC_SLIPWAY, NULL },
+    { "eigen", false, ALL & ~MOTION, WORKPREC_EIGEN, NULL },
+    { "radau", false, MOTION, WORKPREC_RADAU, NULL },
+    { "slow_curve", false, SLIP, WORKPREC_SLOW, NULL },
+};
+enum { OWN = sizeof own / sizeof *own };
+
+/* Number i; false beyond the last. */
+static bool entrant_at(size_t i, struct entrant *e)
+{
+    const struct method *m = i < OWN ? NULL : method_at(i - OWN);
+
+    if (i < OWN)
+        *e = own[i];
+    else if (m)
+        *e = (struct entrant){
+            .name = m->name, .foreign = m->foreign, .can = ALL, .stepper = m
+        };
+    return i < OWN || m;
+}
+
+/* ---- runs ---------------------------------------------------------------- */
 
 /* How a race is run. */
 struct rules {
@@ -38,7 +81,7 @@ static struct rules rules_of(bool quick)
 struct job {
     const struct workprec_course *course;
     const struct workprec_shared *shared;
-    struct workprec_entrant who;
+    struct entrant who;
     enum workprec_quantity what;
     double rtol;
     size_t calls;
@@ -128,10 +171,10 @@ static enum status race_for(struct workprec *w, const struct rules *r,
                             struct job *j, const struct monitor *monitor)
 {
     const char *stage = workprec_quantity_names[j->what];
-    struct workprec_entrant who;
+    struct entrant who;
     enum status s = STATUS_OK;
 
-    for (size_t i = 0; s == STATUS_OK && workprec_entrant_at(i, &who); i++) {
+    for (size_t i = 0; s == STATUS_OK && entrant_at(i, &who); i++) {
         if (monitor_tell(monitor, stage, i, 0))
             return STATUS_STOPPED;
         if (!(who.can >> j->what & 1u))

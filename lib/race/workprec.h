@@ -12,7 +12,6 @@
 #define RACE_WORKPREC_H
 
 #include "workprec_course.h"
-#include "workprec_entrant.h"
 #include "workprec_environment.h"
 #include "workprec_rank.h"
 

@@ -18,6 +18,16 @@
 #include "replace.h"
 #include "tolerance.h"
 
+void store_silence(void)
+{
+    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+}
+
+const char *store_library_version(void)
+{
+    return &H5_VERS_INFO[sizeof "HDF5 library version: " - 1];
+}
+
 static struct store *store_new(const char *path, struct fault *fault)
 {
     struct store *st = calloc(1, sizeof *st);

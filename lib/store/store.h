@@ -31,6 +31,13 @@
 
 struct store; /* opaque: owns an open HDF5 file */
 
+/* HDF5 prints nothing from now on.  For programs, before their first store;
+ * it starts HDF5, so those without a store should not call it. */
+void store_silence(void);
+
+/* "1.10.8": the version of HDF5 linked. */
+const char *store_library_version(void);
+
 /* A file to be: it grows in memory until store_commit, because HDF5 crashes
  * when a disk fills under it; a killed run leaves nothing behind.  The root
  * gets `Conventions` and `title`.  Fails early, before anything is computed,

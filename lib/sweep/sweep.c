@@ -11,7 +11,6 @@
 #include "scene_sweep.h"
 #include "sweep_finish.h"
 #include "sweep_refine.h"
-#include "sweep_tolerance.h"
 #include "tolerance.h"
 
 struct run {
@@ -258,7 +257,7 @@ static enum status refine(struct run *r)
     };
     enum status status = sweep_refine_init(&f, &s->rows);
 
-    while (status == STATUS_OK && f.spans > 0 && f.depth < STUDY_REFINE_DEPTH &&
+    while (status == STATUS_OK && f.spans > 0 && f.depth < REFINE_DEPTH &&
            s->rows.count + f.spans <= SCENE_POINTS) {
         status = compute_middles(r, &f);
         if (status == STATUS_OK)

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "study.h"
-#include "sweep_tolerance.h"
+#include "study_tolerance.h"
 #include "transient.h"
 
 static const struct sweep_dim_axis known[SWEEP_DIMS] = {

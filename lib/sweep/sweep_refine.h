@@ -25,6 +25,10 @@
 
 enum { REFINE_CURVES = 2 };
 
+/* Halvings of a span at most: next to a fold 2^-48 of it is as near as the
+ * rounding of the key lets one come. */
+enum { REFINE_DEPTH = 48 };
+
 struct refine_span {
     double lo, hi;
 };

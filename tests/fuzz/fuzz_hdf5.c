@@ -8,7 +8,6 @@
 #include "child.h"
 #include "fuzz.h"
 #include "hdf5_sums.h"
-#include "library.h"
 #include "memory_file.h"
 #include "merge.h"
 #include "store_compare.h"

@@ -11,6 +11,7 @@
 #include "laws.h"
 #include "quad_branch.h"
 #include "workprec_count.h"
+#include "workprec_own.h"
 #include "workprec_system.h"
 #include "workprec_tolerance.h"
 #include "workprec_track.h"
