@@ -6,7 +6,7 @@
 #include "study.h"
 
 /* Whether the study holds a diagram (diagram.h), which its figure then shows:
- * the first of friction_law, spring_block, bifurcation, fold_curves. */
+ * the first of friction_law, spring_block, bifurcation, fold_curves, chi. */
 bool picture_has_diagram(const struct study *s);
 
 /* Begins and fills that figure. */

@@ -6,7 +6,6 @@
 #include "output.h"
 #include "picture_workprec.h"
 #include "progress.h"
-#include "report_workprec.h"
 
 /* Whether a setting names a key of that section. */
 static bool has_section(const struct options *o, const char *section)
@@ -32,6 +31,54 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     return command_read(o, more, count, scene, why);
 }
 
+/* How many of the runs of a method on a quantity, from number i on, went like
+ * that; *next: the first of another. */
+static size_t count_status(const struct workprec *w, size_t i,
+                           enum workprec_status status, size_t *next)
+{
+    const struct workprec_run *first = &w->run[i];
+    size_t n = 0;
+
+    for (; i < w->runs && w->run[i].method == first->method &&
+           w->run[i].quantity == first->quantity;
+         i++)
+        n += w->run[i].status == (int8_t) status;
+    *next = i;
+    return n;
+}
+
+/* One line for each status but the good one: quantity, then methods. */
+static void print_failures(FILE *out, const struct workprec *w,
+                           enum workprec_status status, const char *title)
+{
+    int quantity = -1;
+    size_t next;
+
+    fprintf(out, "%s", title);
+    for (size_t i = 0; i < w->runs; i = next) {
+        const size_t n = count_status(w, i, status, &next);
+        if (n == 0)
+            continue;
+        if (w->run[i].quantity != quantity) {
+            quantity = w->run[i].quantity;
+            fprintf(out, "\n  %-11s", workprec_quantity_names[quantity]);
+        }
+        fprintf(out, " %s %zu/%zu", w->run[i].method, n, next - i);
+    }
+    fprintf(out, quantity < 0 ? " none\n" : "\n");
+}
+
+/* What stands above the results: whose race it is, and how many runs failed. */
+static void print_head(FILE *out, const void *run)
+{
+    const struct workprec *w = run;
+
+    fprintf(out, "%s at alpha = %.10g\n", w->scene.law.preset, w->scene.alpha);
+    print_failures(out, w, WORKPREC_FAILED, "runs that failed:");
+    print_failures(out, w, WORKPREC_SILENT_FAILURE,
+                   "runs that failed silently:");
+}
+
 /* On one thread: times must not compete. */
 static enum exit_code run(const struct options *o, const struct scene *scene)
 {
@@ -54,9 +101,9 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
         picture_workprec(&w, &p);
     if (s == STATUS_OK)
         s = output_draw(o, &p, scene->figure, &why);
-    const enum exit_code code =
-        s == STATUS_OK ? output_print(o, &all, report_workprec_print)
-                       : command_fail(s, why.text);
+    const enum exit_code code = s == STATUS_OK
+                                    ? output_print(o, &all, print_head)
+                                    : command_fail(s, why.text);
     workprec_free(&w);
     return code;
 }
