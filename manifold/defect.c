@@ -91,8 +91,8 @@ struct defect defect_carry(const struct planar *sys, const struct branch *b,
         curve_slope_at(&b->curve, piece, at, way);
         const double ind = way[s.ind], dep = way[1 - s.ind];
         const double grow = s.by_dep * ind * length;
-        const double off =
-            TOL_DEFECT_BAR * fabs(dep - s.slope * ind) + s.rounding * fabs(ind);
+        const double off = TOL_BAR_FIRST_ORDER * fabs(dep - s.slope * ind) +
+                           s.rounding * fabs(ind);
         e.curve = e.curve * exp(grow) + off * length * mean_growth(grow);
         e.saddle *= exp(fmax(grow, 0.0));
     }

@@ -71,10 +71,10 @@ bool grow_end_close(struct grower *g)
     g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
     g->b->sign = g->toward;
     *(g->ind == 1 ? &g->z.x : &g->z.y) += t.unknown;
-    g->miss.bar += TOL_TAIL_BAR * t.unknown_error;
+    g->miss.bar += TOL_BAR_FIRST_ORDER * t.unknown_error;
     for (size_t i = 0; i < g->o->carry.count; i++) {
         g->total[i] += t.integral[i];
-        g->total_miss[i].bar += TOL_TAIL_BAR * t.integral_error[i];
+        g->total_miss[i].bar += TOL_BAR_FIRST_ORDER * t.integral_error[i];
     }
     return true;
 }

@@ -105,7 +105,7 @@ static void look_in(struct search *s, const double b[], double lo, double hi)
     int end[2];
     const size_t changes = sign_changes(s, b, end);
 
-    if (changes > 1 && hi - lo > TOL_TURNING_SHORTEST) {
+    if (changes > 1 && hi - lo > TOL_PIECE_SHORTEST) {
         halve(s->degree, b, left, right);
         look_in(s, left, lo, middle);
         look_in(s, right, middle, hi);

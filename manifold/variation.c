@@ -192,7 +192,7 @@ static void cross_piece(struct walk *w, size_t piece)
 
     while (from < 1.0) {
         find_rates(w, piece, from, width, rate);
-        if (!is_resolved(w, rate) && width > TOL_VARIATION_SHORTEST) {
+        if (!is_resolved(w, rate) && width > TOL_PIECE_SHORTEST) {
             width *= 0.5;
             continue;
         }

@@ -5,6 +5,7 @@
  * follows like the method itself. */
 #include "drift.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -209,7 +210,8 @@ static void spread(const struct transport *t, size_t dim,
 
 static double bound(double off, double noise)
 {
-    return TOL_DRIFT_BAR * fabs(off) + TOL_DRIFT_NOISE * sqrt(fmax(noise, 0.0));
+    return TOL_BAR_FIRST_ORDER * fabs(off) +
+           TOL_DRIFT_NOISE * sqrt(fmax(noise, 0.0));
 }
 
 /* Of e_i - late du_i, where late = row e, to first order. */
@@ -260,7 +262,7 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
     const double part = TOL_DRIFT_UNSURE * fmax(rough / TOL_DRIFT_ROUGH, 1.0);
     for (size_t i = 0; i < c->dim; i++) {
         const double unsure = part * t.more[i];
-        const double digit = TOL_DRIFT_DIGIT * u[i];
+        const double digit = 0.5 * DBL_EPSILON * u[i];
         d->noise[i][i] += unsure * unsure + digit * digit;
     }
     if (d->rate > 0.0 && p.nearest < TOL_DRIFT_NEAR) {

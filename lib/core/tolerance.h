@@ -100,9 +100,11 @@
 #define TOL_TAIL_PART 10.0
 #define TOL_TAIL_MOST 1e-3
 #define TOL_TAIL      1e-8
-/* Its bar: this many times the quadrature's own difference (measured: a kink
- * beyond cost 1.1 of it, once in 50 000 bars). */
-#define TOL_TAIL_BAR 2.0
+/* A bar is this many times what it is made of, where that is known to first
+ * order: the difference of two quadratures (measured: a kink beyond a branch
+ * cost 1.1 of it, once in 50 000), what defects make of a branch (five Gauss
+ * points see them to a few per cent), what steps make of an orbit. */
+#define TOL_BAR_FIRST_ORDER 2.0
 /* Below this no double changes any more: the branch is its asymptote. */
 #define TOL_TAIL_NIL 1e-18
 /* Longest Taylor step, in the independent coordinate, where that is less; and
@@ -250,20 +252,16 @@
 /* From so many rows of a basin map on, threads pay. */
 #define BASIN_PARALLEL_ROWS 4096
 
-/* How far a branch is from its manifold: this many times what its polynomials'
- * defects make of it (five Gauss points see them to a few per cent), and
- * roundings of a field's slope, in units of roundoff. */
-#define TOL_DEFECT_BAR       2.0
+/* Roundings of a field's slope, in units of roundoff, where a branch's distance
+ * from its manifold is found. */
 #define TOL_DEFECT_ROUNDINGS 16.0
 /* A piece whose slope stays further than this from 1 has no knee. */
 #define TOL_KNEE_NEAR 0.05
-/* Turning points: shortest part of a piece that is halved, and what counts as
- * no coefficient, as a part of all of them. */
-#define TOL_TURNING_SHORTEST 0x1p-16
+/* Turning points and variations: the shortest part of a piece that is halved;
+ * and what counts as no coefficient of a slope, as a part of all of them. */
+#define TOL_PIECE_SHORTEST   0x1p-20
 #define TOL_TURNING_ROUNDING 1e-14
 
-/* Variations (variation.c): the shortest part of a piece that is halved. */
-#define TOL_VARIATION_SHORTEST 0x1p-20
 /* The clock of an orbit: this part of the field's largest rate, so that its
  * rounding, 1e-15 of it, stays far below, and the stages of a step, which start
  * as far as this from a slow curve, are solved without slowing the clock; no
@@ -273,16 +271,14 @@
 #define TOL_ORBIT_PACE_MAX  1e150
 #define TOL_ORBIT_PACE_STEP 10.0
 
-/* What is carried along an orbit (drift.h).  The bar: this many times the error
- * to first order, and standard deviations of the rest: what part of a step's
- * error is not known, more where the field is this rough or rougher, and what
- * it rounds of each component; how many times as fast one component may settle
- * as the other; and how near to the saddle it passes it, in the chart. */
-#define TOL_DRIFT_BAR    2.0
+/* What is carried along an orbit (drift.h).  The bar, beside the error to first
+ * order: standard deviations of the rest; what part of a step's error is not
+ * known, more where the field is this rough or rougher; how many times as fast
+ * one component may settle as the other; and how near to the saddle it passes
+ * it, in the chart. */
 #define TOL_DRIFT_NOISE  4.0
 #define TOL_DRIFT_UNSURE 0.5
 #define TOL_DRIFT_ROUGH  40.0
-#define TOL_DRIFT_DIGIT  0x1p-53
 #define TOL_DRIFT_STIFF  1e7
 #define TOL_DRIFT_NEAR   1.0
 

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "eigen_tolerance.h"
+#include "tolerance.h"
 
 static double dot(struct vec2 a, struct vec2 b)
 {
@@ -75,7 +76,7 @@ void eigen_drift_step(struct eigen_drift *d, const struct eigen_frame *g,
     const double growth = 0.5 * h * (old.growth + d->growth);
     const double ex = error[0] + eps * fabs(u[0]);
     const double ey = error[1] + eps * fabs(u[1]);
-    d->normal = d->normal * exp(fmin(growth, TOL_EIGEN_GROWTH)) +
+    d->normal = d->normal * exp(fmin(growth, TOL_STEP_GROWTH_MOST)) +
                 fabs(d->tangent.y) * ex + fabs(d->tangent.x) * ey;
     for (size_t i = 0; i < g->carry->count; i++)
         d->total[i] += error[i + 2] + eps * fabs(u[i + 2]) +

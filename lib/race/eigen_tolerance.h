@@ -44,11 +44,9 @@
 /* Bars: a part of the steps' estimates (of order 5; measured: true errors stay
  * below a tenth of them where rounding does not rule) and defects; of what the
  * end adds (measured: an exponential through two steps is right to a factor of
- * two); roundings of a step of twelve stages, in units of roundoff; and the
- * most an error grows in one, as an exponent: e^50 is nothing known. */
+ * two); roundings of a step of twelve stages, in units of roundoff. */
 #define TOL_EIGEN_ESTIMATES 0.1
 #define TOL_EIGEN_RESTS     10.0
 #define TOL_EIGEN_ROUNDING  4.0
-#define TOL_EIGEN_GROWTH    50.0
 
 #endif

@@ -282,10 +282,12 @@ static void compare_bars(const struct orbit *o, struct slow_branch *b)
 
     for (size_t i = 0; i < b->count; i++) {
         const double beside = slow_knot_shift(&k[i], k[i].beside);
-        k[i].time_bar = TOL_DRIFT_BAR * (fabs(end.time_bar - k[i].time_bar) +
-                                         fabs(k[i].time[1]) * beside);
-        k[i].slip_bar = TOL_DRIFT_BAR * (fabs(end.slip_bar - k[i].slip_bar) +
-                                         fabs(k[i].slip[1]) * beside);
+        k[i].time_bar =
+            TOL_BAR_FIRST_ORDER *
+            (fabs(end.time_bar - k[i].time_bar) + fabs(k[i].time[1]) * beside);
+        k[i].slip_bar =
+            TOL_BAR_FIRST_ORDER *
+            (fabs(end.slip_bar - k[i].slip_bar) + fabs(k[i].slip[1]) * beside);
     }
 }
 

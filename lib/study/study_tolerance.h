@@ -12,9 +12,7 @@
 /* Curves run on beyond the window by this much of its width. */
 #define TOL_WINDOW_MARGIN 0.1
 
-/* Nullclines as drawn: the polyline is this near the curve, as a part of the
- * window: a tenth of a pixel; and arrows of the direction field along each
- * side of the window. */
+/* Arrows of the direction field along each side of the window. */
 #define TOL_ARROWS 20
 
 /* Trajectories that only fill a picture: their starts are arbitrary, and a
