@@ -16,11 +16,6 @@ static const struct formula_node *node_of(const struct formula *f, int u)
     return &f->node[u];
 }
 
-static int minus(struct formula *f, int u)
-{
-    return formula_times(f, formula_number(f, -1), u);
-}
-
 /* ---- logarithms ---------------------------------------------------------- */
 
 /* Whether ln u has no logarithm of what changes in it. */
@@ -162,7 +157,7 @@ static bool undo(struct formula *f, int u, int *out)
         if (node_of(f, c)->moves || inverse == FUNCTIONS || !g.moves)
             continue;
         call = formula_over(
-            f, formula_over(f, minus(f, c), formula_number(f, factor)), k);
+            f, formula_times(f, formula_number(f, -1 / factor), c), k);
         *out = formula_less(f, g.of[0], formula_of(f, inverse, call));
         return true;
     }

@@ -67,19 +67,26 @@ static void type_law(const struct law *law, const struct material *m,
     CHECK(status == STATUS_OK, "%s", why.text);
 }
 
-static const struct system_window wide = { { -100, -100 }, { 100, 100 } };
-
-/* Both know all there are; each of one is one of the other. */
-static void compare(const struct law *law, long double tan_alpha)
+/* Both know all there are where |ln v|, |ln psi| < reach; each of one is one of
+ * the other. */
+static void compare(const struct law *law, const struct material *m,
+                    long double tan_alpha, double reach)
 {
-    const struct material m = material_bristol_board();
+    const struct system_window wide = { { -reach, -reach }, { reach, reach } };
     struct steady_root root[EQUILIBRIA_MAX];
     struct block b;
 
-    block_init(&b, law, &m, tan_alpha);
+    block_init(&b, law, m, tan_alpha);
     const struct planar sys = block_planar(&b);
-    const int expected = (int) equilibrium_find(&sys, root);
-    type_law(law, &m, tan_alpha);
+    const size_t all = equilibrium_find(&sys, root);
+    int expected = 0;
+    for (size_t i = 0; i < all; i++) {
+        const double y =
+            (double) steady_y(law, m, root[i].x); /* of the chart */
+        if (fabsl(root[i].x) < reach && fabs(y) < reach)
+            root[expected++] = root[i];
+    }
+    type_law(law, m, tan_alpha);
     const enum status status = system_equilibria_find(&s, &wide, &found, &why);
     CHECK(status == STATUS_OK, "%s", why.text);
     CHECK(found.complete && found.count == expected,
@@ -97,6 +104,8 @@ static void compare(const struct law *law, long double tan_alpha)
 
 static void each_law_on_a_slope_has_those_of_its_steady_curve(void **state)
 {
+    const struct material m = material_bristol_board();
+
     (void) state;
     for (size_t i = 0; law_preset_at(i); i++)
         for (int form = 0; form < 2; form++) {
@@ -105,8 +114,26 @@ static void each_law_on_a_slope_has_those_of_its_steady_curve(void **state)
                 continue;
             law.form = form ? FRICTION_LOG : FRICTION_ASINH;
             for (int k = 0; k < 8; k++)
-                compare(&law, tanl(0.22L + 0.03L * k));
+                compare(&law, &m, tanl(0.22L + 0.03L * k), 100);
         }
+}
+
+static void so_has_any_material(void **state)
+{
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int run = 0; run < 100; run++) {
+        struct material m = material_bristol_board();
+        struct law law = *law_preset_at(check_bits(&seed) % 7);
+        law.form = check_bits(&seed) % 2 ? FRICTION_LOG : FRICTION_ASINH;
+        m.mu_star = check_uniform(&seed, 0.1, 1);
+        m.a = exp(check_uniform(&seed, -9, -2));
+        m.b = exp(check_uniform(&seed, -9, -2));
+        m.c = exp(check_uniform(&seed, -12, 1));
+        m.R = exp(check_uniform(&seed, -1, 12));
+        compare(&law, &m, tanl(atanl(m.mu_star) + 0.1L * (run % 3 - 1)), 300);
+    }
 }
 
 /* A relative distance of 1e-9 on both sides of each extremum of mu_ss. */
@@ -124,8 +151,8 @@ static void next_to_a_fold_there_are_two_or_none(void **state)
         const size_t n = steady_extrema(&law, &m, x);
         for (size_t k = 0; k < n; k++, folds++) {
             const long double mu = steady_mu(&law, &m, x[k]);
-            compare(&law, mu * (1 + 1e-9L));
-            compare(&law, mu * (1 - 1e-9L));
+            compare(&law, &m, mu * (1 + 1e-9L), 100);
+            compare(&law, &m, mu * (1 - 1e-9L), 100);
         }
     }
     assert_true(folds > 2);
@@ -135,6 +162,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_law_on_a_slope_has_those_of_its_steady_curve),
+        cmocka_unit_test(so_has_any_material),
         cmocka_unit_test(next_to_a_fold_there_are_two_or_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
