@@ -7,7 +7,9 @@
  * matrix. */
 #include "quad_radau.h"
 
+#include <gsl/gsl_linalg.h>
 #include <math.h>
+#include <stdint.h>
 
 enum { S = QUAD_STAGES, N = 2 * S };
 enum { SCAN = 2000, COARSE_MAX = 15, FINE_MAX = 8 };
@@ -96,50 +98,30 @@ void quad_method_init(struct quad_method *m)
 /* ---- linear equations ---------------------------------------------------- */
 
 struct factors {
-    double m[N][N];
-    int row[N];
+    double m[N * N];
+    size_t row[N];
 };
 
 /* With pivots; false where there is none. */
 static bool factor(struct factors *f)
 {
-    for (int k = 0; k < N; k++) {
-        int best = k;
-        for (int i = k + 1; i < N; i++)
-            if (fabs(f->m[i][k]) > fabs(f->m[best][k]))
-                best = i;
-        f->row[k] = best;
-        if (!(fabs(f->m[best][k]) > 0.0))
-            return false;
-        for (int j = 0; j < N && best != k; j++) {
-            const double keep = f->m[k][j];
-            f->m[k][j] = f->m[best][j];
-            f->m[best][j] = keep;
-        }
-        for (int i = k + 1; i < N; i++) {
-            const double part = f->m[i][k] /= f->m[k][k];
-            for (int j = k + 1; j < N && part != 0.0; j++)
-                f->m[i][j] -= part * f->m[k][j];
-        }
-    }
-    return true;
+    gsl_matrix_view m = gsl_matrix_view_array(f->m, N, N);
+    int sign;
+    bool regular = true;
+
+    gsl_linalg_LU_decomp(&m.matrix, &(gsl_permutation){ N, f->row }, &sign);
+    for (int k = 0; k < N; k++)
+        regular = regular && fabs(f->m[k * N + k]) > 0.0;
+    return regular;
 }
 
 static void solve(const struct factors *f, double v[N])
 {
-    for (int k = 0; k < N; k++) {
-        const double keep = v[f->row[k]];
-        v[f->row[k]] = v[k];
-        v[k] = keep;
-    }
-    for (int k = 0; k < N; k++)
-        for (int i = k + 1; i < N; i++)
-            v[i] -= f->m[i][k] * v[k];
-    for (int k = N; k-- > 0;) {
-        v[k] /= f->m[k][k];
-        for (int i = 0; i < k; i++)
-            v[i] -= f->m[i][k] * v[k];
-    }
+    const gsl_matrix_const_view m = gsl_matrix_const_view_array(f->m, N, N);
+    const gsl_permutation row = { N, (size_t *) (uintptr_t) f->row };
+    gsl_vector_view x = gsl_vector_view_array(v, N);
+
+    gsl_linalg_LU_svx(&m.matrix, &row, &x.vector);
 }
 
 /* ---- a step -------------------------------------------------------------- */
@@ -211,9 +193,10 @@ static double improve(struct quad_radau *w, const struct quad_system *system,
         for (int i = 0; i < S; i++) {
             const double ha = (double) (w->h * e * system->method->a[i][j]);
             for (int c = 0; c < 2; c++) {
-                f->m[2 * i + c][2 * j] = -ha * slope[c].x;
-                f->m[2 * i + c][2 * j + 1] = -ha * slope[c].y;
-                f->m[2 * i + c][2 * j + c] += i == j ? 1.0 : 0.0;
+                double *m = &f->m[(2 * i + c) * N + 2 * j];
+                m[0] = -ha * slope[c].x;
+                m[1] = -ha * slope[c].y;
+                m[c] += i == j ? 1.0 : 0.0;
             }
         }
     }
