@@ -287,11 +287,32 @@ static void add_fade(struct quad_course *c)
     quad slip, error;
 
     c->left[1] = HUGE_VAL;
-    if (!has_slip(c) || !quad_rest_left(c, &slip, &error))
+    if (!has_slip(c) || !quad_rest_left(c, QUAD_LEFT_SLIP, &slip, &error))
         return;
     c->u[QUAD_SLIP] += slip;
     c->u[QUAD_WORK] += (quad) s->slider.block.tan_alpha * slip;
     c->left[1] = error;
+}
+
+/* What is left of one that stops but cannot be followed so far: psi and psi_ss
+ * agree to all digits long before v = 0. */
+static void add_rest(struct quad_course *c)
+{
+    const struct study *s = c->slope->study;
+    const struct rest_form rest =
+        rest_form_of(&s->slider.block.law, &s->slider.block.material);
+    quad time, slip, error[2];
+
+    if (rest.fate != FATE_REST_FINITE || !(c->left[0] > 0) ||
+        !quad_rest_left(c, QUAD_LEFT_TIME, &time, &error[0]) ||
+        !quad_rest_left(c, QUAD_LEFT_SLIP, &slip, &error[1]))
+        return;
+    c->u[QUAD_TIME] += time;
+    c->u[QUAD_SLIP] += slip;
+    c->u[QUAD_WORK] += (quad) s->slider.block.tan_alpha * slip;
+    c->left[0] = error[0];
+    c->left[1] = error[1];
+    c->fate = FATE_REST_FINITE;
 }
 
 /* What is left of a block that stops, and its fate where that is nothing. */
@@ -371,7 +392,8 @@ static void follow(const struct quad_slope *q, quad x, quad y, double tol,
             c->fate = q->fate[i];
     while (c->fate == FATE_UNDECIDED && advance(c))
         ;
-    /* psi and psi_ss agree to all digits long before v = 0 */
+    if (c->fate == FATE_UNDECIDED && !c->is_over)
+        add_rest(c);
     if (c->fate == FATE_UNDECIDED && c->left[0] > 0 &&
         c->left[0] < (quad) at_all * c->u[QUAD_TIME])
         c->fate = FATE_REST_FINITE;

@@ -1,7 +1,8 @@
 /* Where friction balances the slope, mu(v, psi) = tan(alpha) gives v(psi), and
- * X = int_psi^inf v dpsi/(dpsi/dt) by the double-exponential rule for half
- * lines (Takahasi & Mori, Publ. RIMS 9, 1974, 721-741).  How far the orbit is
- * from that balance is what inertia makes of v: most at the start. */
+ * X = int_psi^inf v dpsi/(dpsi/dt), or the time without that v, by the
+ * double-exponential rule for half lines (Takahasi & Mori, Publ. RIMS 9, 1974,
+ * 721-741).  How far the orbit is from that balance is what inertia makes of v:
+ * most at the start. */
 #include "quad_rest.h"
 
 #include <math.h>
@@ -44,8 +45,9 @@ static bool balance(const struct quad_course *c, quad y, quad *x)
     return false;
 }
 
-/* v dt/dY at the offset y; *x as in balance. */
-static bool density(const struct quad_course *c, quad y, quad *x, quad *out)
+/* dt/dY at the offset y, for slip v dt/dY; *x as in balance. */
+static bool density(const struct quad_course *c, enum quad_left what, quad y,
+                    quad *x, quad *out)
 {
     const struct quad_anchor *at = &c->slope->at;
     struct quad_field f;
@@ -53,13 +55,15 @@ static bool density(const struct quad_course *c, quad y, quad *x, quad *out)
     if (!balance(c, y, x))
         return false;
     quad_block_field(&c->slope->study->slider.block.law, at, *x, y, &f);
-    *out = expq(at->x0 + *x - f.log_scale) / f.direction[1];
+    const quad log_v = what == QUAD_LEFT_SLIP ? at->x0 + *x : 0;
+    *out = expq(log_v - f.log_scale) / f.direction[1];
     return *out >= 0 && *out - *out == 0;
 }
 
 /* The rule with this step: Y = y + exp(s - e^-s); false where what comes last
  * still counts. */
-static bool sum_up(const struct quad_course *c, double step, quad *sum)
+static bool sum_up(const struct quad_course *c, enum quad_left what,
+                   double step, quad *sum)
 {
     const int count = (int) ((last - first) / step);
     quad x = c->u[QUAD_X], term = 0;
@@ -68,7 +72,7 @@ static bool sum_up(const struct quad_course *c, double step, quad *sum)
     for (int i = 0; i <= count; i++) {
         const quad s = (quad) first + (quad) step * i, way = expq(s - expq(-s));
         quad rate;
-        if (!density(c, c->u[QUAD_Y] + way, &x, &rate))
+        if (!density(c, what, c->u[QUAD_Y] + way, &x, &rate))
             return false;
         term = rate * way * (1 + expq(-s)) * (quad) step;
         *sum += term;
@@ -78,7 +82,8 @@ static bool sum_up(const struct quad_course *c, double step, quad *sum)
     return term < (quad) known * *sum;
 }
 
-bool quad_rest_left(const struct quad_course *c, quad *slip, quad *error)
+bool quad_rest_left(const struct quad_course *c, enum quad_left what,
+                    quad *left, quad *error)
 {
     quad x = c->u[QUAD_X], before = 0, sum;
     double step = 0.25;
@@ -89,9 +94,9 @@ bool quad_rest_left(const struct quad_course *c, quad *slip, quad *error)
     if (!(aside <= (quad) nearly))
         return false;
     for (int i = 0; i <= HALVINGS; i++, step /= 2) {
-        if (!sum_up(c, step, &sum))
+        if (!sum_up(c, what, step, &sum))
             return false;
-        *slip = sum;
+        *left = sum;
         *error =
             ((quad) more * aside + (quad) known) * sum + fabsq(sum - before);
         if (fabsq(sum - before) <= (quad) known * sum)

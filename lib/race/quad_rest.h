@@ -1,12 +1,16 @@
-/* quad_rest.h -- the slip that is left to a block that only fades. */
+/* quad_rest.h -- the slip that is left to a block that only fades, and the time
+ * and slip that are left to one that stops. */
 #ifndef RACE_QUAD_REST_H
 #define RACE_QUAD_REST_H
 
 #include "quad_course.h"
 
+enum quad_left { QUAD_LEFT_TIME, QUAD_LEFT_SLIP };
+
 /* From where the orbit is, to v = 0, with an absolute bound of its error; false
- * where friction does not balance the slope there, or slip has no limit that
- * can be seen. */
-bool quad_rest_left(const struct quad_course *c, quad *slip, quad *error);
+ * where friction does not balance the slope there, or time (slip) has no limit
+ * that can be seen. */
+bool quad_rest_left(const struct quad_course *c, enum quad_left what,
+                    quad *left, quad *error);
 
 #endif

@@ -17,8 +17,9 @@ static void draw(uint64_t *rng, struct draw *d)
         if (drawn_law(i, rng, &d->scene) && drawn_slope(rng, &d->scene)) {
             const struct rest_form f =
                 rest_form_of(&d->scene.law, &d->scene.material);
-            const bool ends = f.fate == FATE_REST_FINITE ||
-                              (f.fate == FATE_REST_ASYMPTOTIC && f.has_slip);
+            const bool fades = f.fate == FATE_REST_ASYMPTOTIC && f.has_slip;
+            const bool ends =
+                f.fate == FATE_REST_FINITE || (fades && attempt % 8 == 7);
             if (ends && make(d)) {
                 drawn_name(i, &d->scene, d->name);
                 return;
