@@ -147,6 +147,8 @@ static enum outcome narrow(struct equilibrium_search *s, struct search_box *box,
             const struct interval side = meet(box->side[k], place[k]);
             if (side.lo > side.hi)
                 return BOX_EMPTY;
+            if (width(box->side[k]) <= s->least[k])
+                continue; /* narrower than search_settle can tell */
             gained = gained || width(side) < 0.7 * width(box->side[k]);
             box->side[k] = side;
         }
@@ -182,7 +184,8 @@ static bool is_small(const struct equilibrium_search *s,
 }
 
 /* The side along which the equations change most, each as a part of all that
- * it changes; the relatively longer one where that is not finite. */
+ * it changes; the relatively longer one where that is not finite, or does not
+ * decide, as of two equations that know nothing of each other. */
 static int side_to_part(const struct equilibrium_search *s,
                         const struct search_box *box, const struct look *l)
 {
@@ -197,7 +200,7 @@ static int side_to_part(const struct equilibrium_search *s,
         for (int k = 0; k < 2; k++)
             change[k] += part[k] / sum;
     }
-    if (!isfinite(change[0] + change[1]))
+    if (!(fabs(change[0] - change[1]) > TOL_BOX_DECIDES))
         for (int k = 0; k < 2; k++)
             change[k] =
                 width(box->side[k]) / (s->window.hi[k] - s->window.lo[k]);

@@ -21,4 +21,8 @@
 #define TOL_SETTLE_PART   0x1p-100
 #define TOL_SETTLE_GROWTH 1024
 
+/* A side is parted for what it changes in the equations where that differs by
+ * more than this, of 2 in all, from what the other changes. */
+#define TOL_BOX_DECIDES 0.25
+
 #endif

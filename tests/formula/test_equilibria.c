@@ -193,6 +193,21 @@ static void morris_and_lecar_have_three(void **state)
     all_found(3, "Morris-Lecar, wide");
 }
 
+static void equations_that_know_nothing_of_each_other_are_solved(void **state)
+{
+    static const struct typed wells = { { CHART_REAL, CHART_REAL },
+                                        { { NULL } },
+                                        { { NULL } },
+                                        { "x - x^3", "y - y^3" } };
+
+    (void) state;
+    type_system(&wells);
+    for (int i = 0; i < 3; i++) {
+        find_in(-2 - 0.1 * i, 2, -2, 2 + 0.3 * i);
+        all_found(9, "two wells");
+    }
+}
+
 static void duffing_has_three_and_a_window_may_have_none(void **state)
 {
     static const struct typed duffing = { { CHART_REAL, CHART_REAL },
@@ -495,6 +510,7 @@ int main(void)
         cmocka_unit_test(fitzhugh_and_nagumo_have_one_or_three),
         cmocka_unit_test(competing_species_are_all_found),
         cmocka_unit_test(morris_and_lecar_have_three),
+        cmocka_unit_test(equations_that_know_nothing_of_each_other_are_solved),
         cmocka_unit_test(duffing_has_three_and_a_window_may_have_none),
         cmocka_unit_test(a_line_of_equilibria_is_boxes),
         cmocka_unit_test(two_that_meet_are_one_box_and_two_nearby_are_two),
