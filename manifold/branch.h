@@ -13,7 +13,7 @@ enum branch_end {
     BRANCH_LIMIT_X, /* y -> +-infinity while x has a limit */
     BRANCH_LIMIT_Y, /* x -> +-infinity while y has a limit */
     BRANCH_DOMAIN,  /* left the domain, or goes on for ever, without a limit */
-    BRANCH_EQUILIBRIUM, /* ran into an equilibrium */
+    BRANCH_EQUILIBRIUM, /* ran into one, or where its follower ended it */
     BRANCH_STEPS,       /* more steps than allowed */
     BRANCH_ENDS
 };

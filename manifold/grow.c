@@ -233,6 +233,25 @@ static void advance(struct grower *g)
     g->b->steps++;
 }
 
+/* Where the branch ends after a step: on an edge, by itself or by its
+ * follower. */
+static void look_for_end(struct grower *g, bool edge)
+{
+    const struct grow_follower *f = g->o->follower;
+
+    g->done = f ? f->ends(f->ctx, g->b, g->z, g->worst) : grow_end_close(g);
+    if (f && g->done)
+        g->b->end = BRANCH_EQUILIBRIUM;
+    if (!g->done &&
+        (edge || (f == NULL && grow_end_is_open(g)) ||
+         !box_holds(g->sys->domain, vec2_add(g->sys->origin, g->z)))) {
+        g->b->end = BRANCH_DOMAIN;
+        g->done = true;
+    }
+    if (g->b->steps == g->o->max_steps)
+        g->done = true;
+}
+
 /* One accepted step by the series expanded; g->done when the branch has
  * ended. */
 static enum status step(struct grower *g)
@@ -244,23 +263,17 @@ static enum status step(struct grower *g)
         edge = false;
         g->b->rejected++;
         if (!(g->unit * g->h >
-              4.0 * DBL_EPSILON * (g->unit + fabs(g->u.at[g->ind][0]))))
-            return STATUS_NO_CONVERGENCE;
+              4.0 * DBL_EPSILON * (g->unit + fabs(g->u.at[g->ind][0])))) {
+            g->done = g->o->follower != NULL;
+            return g->done ? STATUS_OK : STATUS_NO_CONVERGENCE;
+        }
     }
     grow_error_step(g, step_end(g, g->toward * g->h));
     const enum status s = store_step(g);
     if (s != STATUS_OK)
         return s;
     advance(g);
-    g->done = grow_end_close(g);
-    if (!g->done &&
-        (edge || grow_end_is_open(g) ||
-         !box_holds(g->sys->domain, vec2_add(g->sys->origin, g->z)))) {
-        g->b->end = BRANCH_DOMAIN;
-        g->done = true;
-    }
-    if (g->b->steps == g->o->max_steps)
-        g->done = true;
+    look_for_end(g, edge);
     return !g->done && g->b->steps % 64 == 0 &&
                    monitor_tell(g->o->monitor, "manifold", g->b->steps, 0)
                ? STATUS_STOPPED
@@ -299,7 +312,10 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
         return status;
     move(g);
     g->last = HUGE_VAL;
-    g->done = g->o->max_steps == 0;
+    if (g->o->follower)
+        look_for_end(g, false);
+    else
+        g->done = g->o->max_steps == 0;
     return STATUS_OK;
 }
 

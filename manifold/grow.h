@@ -10,6 +10,14 @@
 #include "branch.h"
 #include "monitor.h"
 
+/* Who follows a branch: asked after every step, whose end z (an offset) is off
+ * by no more than `error`, whether it ends there. */
+struct grow_follower {
+    bool (*ends)(void *ctx, const struct branch *b, struct vec2 z,
+                 double error);
+    void *ctx; /* borrowed */
+};
+
 struct grow_options {
     double rtol;  /* asked of the limits and integrals */
     size_t order; /* of the Taylor series */
@@ -17,7 +25,10 @@ struct grow_options {
     struct carry carry;
     const struct box *reach; /* absolute, borrowed; the branch is not closed
                                 inside it; NULL: close as soon as possible */
-    const struct monitor *monitor; /* borrowed, may be NULL */
+    const struct grow_follower *follower; /* borrowed.  With one a branch has no
+        limits: it goes on to the end of the domain, to where the follower ends
+        it (BRANCH_EQUILIBRIUM), or as far as steps go (BRANCH_STEPS) */
+    const struct monitor *monitor;        /* borrowed, may be NULL */
 };
 
 /* The order of Taylor series that is cheapest for an accuracy. */

@@ -189,6 +189,19 @@
  * enough for fifty turns around a centre, and a hang is worse than a gap. */
 #define TOL_DRAWN_STEPS 20000
 
+/* Traps (arrival.h), in sides of a window: looked for from 2^-LEVELS up to 1/2,
+ * LEAST levels or none.  Closed orbits: differences between rounds are at most
+ * GAP, by FALL less than the widest were, each less than the one before by
+ * SHRINK or no more than ROUNDING; and further than APART and a hundred such
+ * differences from any equilibrium. */
+#define TOL_TRAP_LEVELS      30
+#define TOL_TRAP_LEAST       8
+#define TOL_WINDING_GAP      1e-7
+#define TOL_WINDING_FALL     1e-2
+#define TOL_WINDING_SHRINK   0.9
+#define TOL_WINDING_ROUNDING 1e-13
+#define TOL_WINDING_APART    1e-6
+
 /* Trajectories of a portrait: how far beyond the window they go, so that no end
  * shows; starts chosen at a time (fixed, so that the number of threads changes
  * nothing); candidates for each start; spacing of the points that stand for a

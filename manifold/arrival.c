@@ -1,0 +1,183 @@
+/* The form of a trap solves A'P + PA = -1 (Lyapunov); how far V falls along the
+ * field is looked at on ellipses, each half as large as the one before. */
+#include "arrival.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tolerance.h"
+
+static double shortest(double d, double period)
+{
+    return period > 0.0 ? remainder(d, period) : d;
+}
+
+struct vec2 arrival_from(const struct arrival_scale *s, struct vec2 a,
+                         struct vec2 b)
+{
+    return (struct vec2){ shortest(a.x - b.x, s->period.x) / s->side.x,
+                          shortest(a.y - b.y, s->period.y) / s->side.y };
+}
+
+/* ---- traps --------------------------------------------------------------- */
+
+static double form_at(const struct trap_form *t, struct vec2 u)
+{
+    return t->pxx * u.x * u.x + 2.0 * t->pxy * u.x * u.y + t->pyy * u.y * u.y;
+}
+
+/* Whether V falls all along V = size^2. */
+static bool falls(const struct planar *sys, const struct arrival_scale *s,
+                  const struct trap_form *t, double size)
+{
+    enum { DIRECTIONS = 48 };
+
+    for (int i = 0; i < DIRECTIONS; i++) {
+        const double angle = 2.0 * M_PI * i / DIRECTIONS;
+        struct vec2 u = { cos(angle), sin(angle) };
+        struct planar_field f;
+        u = vec2_scale(size / sqrt(form_at(t, u)), u);
+        sys->field(sys->ctx, (struct vec2){ u.x * s->side.x, u.y * s->side.y },
+                   &f);
+        const struct vec2 d = { f.direction.x / s->side.x,
+                                f.direction.y / s->side.y };
+        const double rise = (t->pxx * u.x + t->pxy * u.y) * d.x +
+                            (t->pxy * u.x + t->pyy * u.y) * d.y;
+        if (!(rise < 0.0))
+            return false;
+    }
+    return true;
+}
+
+static double largest_size(const struct planar *sys,
+                           const struct arrival_scale *s,
+                           const struct trap_form *t)
+{
+    double size = 0.0;
+    int fell = 0;
+
+    for (int k = TOL_TRAP_LEVELS; k >= 1; k--) {
+        const double next = ldexp(1.0, -k);
+        if (!falls(sys, s, t, next))
+            break;
+        size = next;
+        fell++;
+    }
+    return fell >= TOL_TRAP_LEAST ? size : 0.0;
+}
+
+struct trap_form trap_form_at(const struct planar *sys,
+                              const struct arrival_scale *s)
+{
+    struct trap_form t = { .z = sys->origin };
+    struct planar_jacobian J;
+
+    sys->jacobian(sys->ctx, (struct vec2){ 0.0, 0.0 }, &J);
+    const double across = s->side.y / s->side.x;
+    const struct mat2 A = { J.matrix.xx, J.matrix.xy * across,
+                            J.matrix.yx / across, J.matrix.yy };
+    const double trace = A.xx + A.yy, det = mat2_det(A);
+    if (!(trace < 0.0 && det > 0.0))
+        return t;
+    /* det + (A - trace)'(A - trace), over -2 trace det */
+    const struct mat2 B = { -A.yy, A.xy, A.yx, -A.xx };
+    t.pxx = det + B.xx * B.xx + B.yx * B.yx;
+    t.pxy = B.xx * B.xy + B.yx * B.yy;
+    t.pyy = det + B.xy * B.xy + B.yy * B.yy;
+    const struct eigen2 e =
+        mat2_eigenvalues((struct mat2){ t.pxx, t.pxy, t.pxy, t.pyy });
+    if (!(e.re[0] > 0.0))
+        return t;
+    t.pxx /= e.re[0];
+    t.pxy /= e.re[0];
+    t.pyy /= e.re[0];
+    t.size = largest_size(sys, s, &t);
+    return t;
+}
+
+double trap_form_distance(const struct trap_form *t,
+                          const struct arrival_scale *s, struct vec2 z)
+{
+    return sqrt(form_at(t, arrival_from(s, z, t->z)));
+}
+
+/* ---- closed orbits ------------------------------------------------------- */
+
+static double rate_of_y(const struct planar *sys, const struct curve *c,
+                        size_t piece, double theta, struct vec2 *z,
+                        double *rate_of_x)
+{
+    double at[CURVE_DIM_MAX];
+    struct planar_field f;
+
+    curve_at(c, piece, theta, at);
+    *z = (struct vec2){ at[0], at[1] };
+    sys->field(sys->ctx, *z, &f);
+    *rate_of_x = f.direction.x;
+    return f.direction.y;
+}
+
+/* Where y' changes its sign on the piece while x' > 0. */
+static bool returns(const struct planar *sys, const struct curve *c,
+                    size_t piece, struct vec2 *z)
+{
+    double lo = 0.0, hi = 1.0, along;
+    const bool first = rate_of_y(sys, c, piece, lo, z, &along) > 0.0;
+
+    if ((rate_of_y(sys, c, piece, hi, z, &along) > 0.0) == first)
+        return false;
+    for (int i = 0; i < 52; i++) {
+        const double middle = 0.5 * (lo + hi);
+        const bool same =
+            (rate_of_y(sys, c, piece, middle, z, &along) > 0.0) == first;
+        *(same ? &lo : &hi) = middle;
+    }
+    *z = vec2_add(sys->origin, *z);
+    return along > 0.0;
+}
+
+static double between(const struct winding *w, const struct arrival_scale *s,
+                      size_t i, size_t j)
+{
+    return vec2_length(arrival_from(s, w->at[i], w->at[j]));
+}
+
+/* Whether rounds of so many returns close. */
+static bool closes(struct winding *w, const struct arrival_scale *s,
+                   size_t turns, const struct vec2 equilibrium[], size_t n)
+{
+    if (w->count < 3 * turns + 1 || 2 * turns >= WINDING_KEPT)
+        return false;
+    const double gap = between(w, s, 0, turns);
+    const double before = between(w, s, turns, 2 * turns);
+    const bool shrinks =
+        gap <= TOL_WINDING_SHRINK * before || gap <= TOL_WINDING_ROUNDING;
+    w->widest[turns - 1] = fmax(w->widest[turns - 1], fmax(gap, before));
+    if (!(gap <= TOL_WINDING_GAP && shrinks &&
+          gap <= TOL_WINDING_FALL * w->widest[turns - 1]))
+        return false;
+    for (size_t i = 0; i < n; i++)
+        if (vec2_length(arrival_from(s, w->at[0], equilibrium[i])) <=
+            TOL_WINDING_APART + 100.0 * gap)
+            return false;
+    w->turns = turns;
+    w->gap = gap;
+    return true;
+}
+
+bool winding_add(struct winding *w, const struct planar *sys,
+                 const struct arrival_scale *s, const struct curve *c,
+                 size_t piece, const struct vec2 equilibrium[], size_t n)
+{
+    struct vec2 z;
+
+    if (!returns(sys, c, piece, &z))
+        return false;
+    memmove(w->at + 1, w->at, (WINDING_KEPT - 1) * sizeof *w->at);
+    w->at[0] = z;
+    w->count++;
+    for (size_t turns = 1; turns <= WINDING_MOST; turns++)
+        if (closes(w, s, turns, equilibrium, n))
+            return true;
+    return false;
+}

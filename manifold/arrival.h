@@ -1,0 +1,58 @@
+/*
+ * arrival.h -- whereto a curve of a plane goes: into an equilibrium's trap, to
+ * a saddle that it cannot be told from, on to a closed orbit.
+ *
+ * Distances are in units of `side`, the sides of a window; where a coordinate
+ * has a period, up to that.
+ */
+#ifndef MANIFOLD_ARRIVAL_H
+#define MANIFOLD_ARRIVAL_H
+
+#include "curve.h"
+#include "equilibrium.h"
+
+/* How lengths are taken. */
+struct arrival_scale {
+    struct vec2 side, period; /* period 0: none */
+};
+
+/* From b to a, in units of the sides, each coordinate by the shortest way. */
+struct vec2 arrival_from(const struct arrival_scale *s, struct vec2 a,
+                         struct vec2 b);
+
+/* V(u) = u'Pu <= size^2, u = arrival_from(z): V falls along every orbit there,
+ * looked at on ellipses; V >= u'u.  size 0: none. */
+struct trap_form {
+    struct vec2 z; /* absolute */
+    double pxx, pxy, pyy, size;
+};
+
+/* Of the equilibrium at the origin of a system; that of the reversed one traps
+ * orbits backward in time. */
+struct trap_form trap_form_at(const struct planar *sys,
+                              const struct arrival_scale *s);
+
+/* sqrt V at an absolute point. */
+double trap_form_distance(const struct trap_form *t,
+                          const struct arrival_scale *s, struct vec2 z);
+
+enum { WINDING_KEPT = 16, WINDING_MOST = 4 };
+
+/* Returns of a curve to y' = 0, x' > 0: where the last `turns` of them repeat
+ * the ones before up to `gap`, and these differences have shrunk and go on to,
+ * a closed orbit runs within some gaps of them. */
+struct winding {
+    struct vec2 at[WINDING_KEPT]; /* absolute, the last one first */
+    size_t count;                 /* of all */
+    double widest[WINDING_MOST]; /* difference so far, of rounds of 1, 2, ... */
+    size_t turns;                /* returns in one round, once it is closed */
+    double gap;
+};
+
+/* One more piece of a curve of offsets; true once it winds on to a closed orbit
+ * that is far from all n equilibria, in terms of the gap. */
+bool winding_add(struct winding *w, const struct planar *sys,
+                 const struct arrival_scale *s, const struct curve *c,
+                 size_t piece, const struct vec2 equilibrium[], size_t n);
+
+#endif
