@@ -11,7 +11,8 @@ enum {
     COMMAND_READS = 1,   /* a scene: its settings, threads, progress */
     COMMAND_STUDIES = 2, /* it, or says what that would be: sensitivities */
     COMMAND_DRAWS = 4,   /* a figure, and writes the numbers to HDF5 */
-    COMMAND_MAKES = 8    /* the files that the scene's output names */
+    COMMAND_MAKES = 8,   /* the files that the scene's output names */
+    COMMAND_PLANES = 16  /* also for a system of formulas */
 };
 #define COMMAND_ALL_OF_IT                                                      \
     (COMMAND_READS | COMMAND_STUDIES | COMMAND_DRAWS | COMMAND_MAKES)
@@ -19,9 +20,9 @@ enum {
 /* Each of them: COMMAND_NAME is its row of command_table, command_name() the
  * function (command.h).  A new one: docs/new_command.md. */
 #define COMMAND_LIST(ROW)                                                      \
-    ROW(PORTRAIT, portrait, COMMAND_ALL_OF_IT)                                 \
-    ROW(STUDY, study, COMMAND_ALL_OF_IT)                                       \
-    ROW(PLAN, plan, COMMAND_ALL_OF_IT)                                         \
+    ROW(PORTRAIT, portrait, COMMAND_ALL_OF_IT | COMMAND_PLANES)                \
+    ROW(STUDY, study, COMMAND_ALL_OF_IT | COMMAND_PLANES)                      \
+    ROW(PLAN, plan, COMMAND_ALL_OF_IT | COMMAND_PLANES)                        \
     ROW(KNEES, knees, COMMAND_READS | COMMAND_STUDIES | COMMAND_DRAWS)         \
     ROW(BASIN, basin, COMMAND_ALL_OF_IT)                                       \
     ROW(SWEEP, sweep, COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES)           \
@@ -47,6 +48,8 @@ enum command_id { COMMAND_LIST(COMMAND_ID) COMMANDS };
     +((does) &COMMAND_STUDIES ? 1u << COMMAND_##NAME : 0u)
 #define COMMAND_DRAW_BIT(NAME, name, does)                                     \
     +((does) &COMMAND_DRAWS ? 1u << COMMAND_##NAME : 0u)
+#define COMMAND_PLANE_BIT(NAME, name, does)                                    \
+    +((does) &COMMAND_PLANES ? 1u << COMMAND_##NAME : 0u)
 #define COMMAND_MAKE_BIT(NAME, name, does)                                     \
     +((does) &COMMAND_MAKES ? 1u << COMMAND_##NAME : 0u)
 

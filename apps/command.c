@@ -40,6 +40,7 @@ enum status command_read(const struct options *o, char *const more[],
                          size_t count, struct scene *scene, struct fault *why)
 {
     static const unsigned makers = COMMAND_LIST(COMMAND_MAKE_BIT);
+    static const unsigned planes = COMMAND_LIST(COMMAND_PLANE_BIT);
     char *set[OPTIONS_SETS + COMMAND_MORE];
     const size_t sets = o->sets + count;
 
@@ -48,6 +49,14 @@ enum status command_read(const struct options *o, char *const more[],
         set[o->sets + i] = more[i];
     const enum status s =
         scene_read(scene, o->files ? o->file[0] : NULL, set, sets, why);
+    if (s == STATUS_OK && scene->system &&
+        !(planes >> command_id(o->command) & 1u)) {
+        scene_free(scene);
+        return command_refuse(why,
+                              "%s: not for a system of formulas, expected a "
+                              "law on a slope",
+                              o->command->name);
+    }
     if (s != STATUS_OK || makers >> command_id(o->command) & 1u)
         return s;
     drop(&scene->hdf5, "hdf5", set, sets);

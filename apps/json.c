@@ -49,7 +49,9 @@ json_t *json_member(const struct record_field *f, const void *member)
         case RECORD_REAL:
             return json_number(*(const double *) member);
         case RECORD_COUNT:
-            return json_integer(*(const int64_t *) member);
+            return *(const int64_t *) member == RECORD_COUNT_NONE
+                       ? json_null()
+                       : json_integer(*(const int64_t *) member);
         case RECORD_CODE:
             return json_code(*(const int8_t *) member, f->codes);
         case RECORD_QUANTITY:

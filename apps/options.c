@@ -17,6 +17,7 @@ enum {
     STUDIES = COMMAND_LIST(COMMAND_STUDY_BIT),
     SCENES = COMMAND_LIST(COMMAND_READ_BIT),
     DRAW = COMMAND_LIST(COMMAND_DRAW_BIT),
+    PLANES = COMMAND_LIST(COMMAND_PLANE_BIT),
     TAKE_LONG = SCENES | ON(INFO),
 };
 
@@ -38,6 +39,10 @@ const struct option option_table[] = {
       .text = "friction form: asinh or log" },
     { "alpha", 0, "RAD", OPTION_TEXT, "slope.alpha", .commands = SCENES,
       .text = "slope angle in radians" },
+    { "ode", 0, "TEXT", OPTION_QUOTED, "system.ode", .commands = PLANES,
+      .text = "a system of formulas instead: \"x' = y; y' = -k*x; k = 2\"" },
+    { "window", 0, "RANGES", OPTION_RANGES, "window", .commands = PLANES,
+      .text = "the part of the plane that is looked at, x=-2:2,y=-1:1" },
     { "rtol", 0, "TOL", OPTION_TEXT, "accuracy.rtol", .commands = SCENES,
       .text = "relative accuracy [1e-12]" },
     { "seed", 0, "N", OPTION_TEXT, "trajectories.seed",
@@ -223,6 +228,28 @@ char *options_setting(const char *key, const char *value, bool quoted)
     return text;
 }
 
+/* "x=-2:2,y=-1:1" as window={x: [-2, 2], y: [-1, 1]}. */
+static char *window_setting(const char *text)
+{
+    const size_t size = 4 * strlen(text) + 16;
+    char *copy = strdup(text), *rest = copy, *part, *out = malloc(size);
+    size_t n = 0;
+
+    if (copy == NULL || out == NULL)
+        refuse("--window ", text, ": out of memory");
+    n += (size_t) snprintf(out, size, "window={");
+    while ((part = strsep(&rest, ",")) != NULL) {
+        char *lo = strchr(part, '='), *hi = lo ? strchr(lo, ':') : NULL;
+        if (hi == NULL || lo == part || strpbrk(part, "{}[]\"'"))
+            refuse("--window ", text, ": expected x=LO:HI,y=LO:HI");
+        *lo++ = *hi++ = '\0';
+        n += (size_t) snprintf(out + n, size - n, "%s: [%s, %s]%s", part, lo,
+                               hi, rest ? ", " : "}");
+    }
+    free(copy);
+    return out;
+}
+
 static int read_count(const char *text)
 {
     char *end;
@@ -260,9 +287,12 @@ static void take(struct options *o, const struct option *named, char *value)
         refuse("--set ", value, ": expected KEY=VALUE");
     if (row->kind == OPTION_SETTING)
         add_text(o, strdup(value));
-    if (row->key)
+    if (row->kind == OPTION_RANGES)
+        add_text(o, window_setting(value));
+    else if (row->key)
         add_text(o, options_setting(row->key, row->value ? value : "true",
-                                    row->kind == OPTION_FILE));
+                                    row->kind == OPTION_FILE ||
+                                        row->kind == OPTION_QUOTED));
     if (at && row->kind == OPTION_FLAG)
         *(bool *) at = true;
     else if (at && row->kind == OPTION_COUNT)

@@ -18,6 +18,8 @@ enum option_kind {
     OPTION_FOLDER,  /* the same */
     OPTION_WORD,    /* const char *, one of `words` */
     OPTION_SETTING, /* KEY=VALUE of a scene */
+    OPTION_QUOTED,  /* a text that is set as it is */
+    OPTION_RANGES,  /* x=LO:HI,y=LO:HI of a scene's window */
 };
 
 struct option {

@@ -8,6 +8,7 @@
 
 #include "scene_slope.h"
 #include "store_results.h"
+#include "system.h"
 
 struct provenance {
     const char *command, *scene, *overrides, *version, *compiler, *libraries;
@@ -33,7 +34,7 @@ static const struct record_field provenance_fields[] = {
     TEXT(libraries, "and their versions"),
     TEXT(law, "its name, or composed"),
     TEXT(friction, "asinh or log"),
-    TEXT(formula, "the law's formulas"),
+    TEXT(formula, "the law's formulas, or the system's"),
     KEY(mu_star, "1"),
     KEY(a, "1"),
     KEY(b, "1"),
@@ -101,25 +102,46 @@ static enum status put(const struct provenance *p, struct store *out)
         out, &(struct results){ .table = provenance_tables, .run = p }, NULL);
 }
 
+static void tell_law(const struct scene *scene, struct provenance *p,
+                     char formula[], size_t size)
+{
+    law_formula(&scene->law, formula, size);
+    p->law = scene->law.preset;
+    p->friction = friction_form_names[scene->law.form];
+    p->material = scene->material;
+    p->eps2 = material_eps2(&p->material);
+}
+
+static void tell_system(const struct formula_system *f, char formula[],
+                        size_t size)
+{
+    size_t n = 0;
+
+    for (int i = 0; i < f->entries && n < size; i++)
+        n += (size_t) snprintf(formula + n, size - n, "%s%s%s = %s",
+                               n ? "; " : "", f->entry[i].name,
+                               f->entry[i].kind == ENTRY_RATE ? "'" : "",
+                               formula_system_text(f, &f->entry[i]));
+}
+
 static enum status put_scene(const struct scene *scene, struct provenance *p,
                              struct store *out)
 {
     char *overrides = lasting_overrides(scene->overrides);
-    char formula[256], libraries[128];
+    char formula[1024], libraries[128];
 
-    law_formula(&scene->law, formula, sizeof formula);
+    if (scene->system)
+        tell_system(scene->system, formula, sizeof formula);
+    else
+        tell_law(scene, p, formula, sizeof formula);
     snprintf(libraries, sizeof libraries, "GSL %s, HDF5 %s", GSL_VERSION,
              store_library_version());
     p->scene = scene->text;
     p->overrides = overrides;
     p->libraries = libraries;
-    p->law = scene->law.preset;
-    p->friction = friction_form_names[scene->law.form];
     p->formula = formula;
-    p->material = scene->material;
     if (scene_has_slope(scene))
         p->alpha = scene->alpha;
-    p->eps2 = material_eps2(&p->material);
     const enum status status = overrides ? put(p, out) : STATUS_NO_MEMORY;
     free(overrides);
     return status;

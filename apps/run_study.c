@@ -8,6 +8,7 @@
 #include "remark.h"
 #include "report.h"
 #include "report_sweep.h"
+#include "run_plane.h"
 #include "scene_command.h"
 #include "scene_slope.h"
 #include "study_results.h"
@@ -52,6 +53,9 @@ static const struct shortcut basin_shortcut = {
 static unsigned products_of(const struct options *o, const struct shortcut *how,
                             const struct scene *s)
 {
+    if (s->system)
+        return (s->products ? s->products : plane_products(o)) |
+               BIT(EQUILIBRIA);
     const unsigned none = how->hands_over && s->sweep.axes > 0
                               ? knees_shortcut.always
                               : how->if_none;
@@ -72,7 +76,7 @@ static enum status read_scene(const struct options *o,
     const enum status s = command_read(o, NULL, 0, scene, why);
     if (s != STATUS_OK)
         return s;
-    const char *name = scene_command(scene);
+    const char *name = scene->system ? "study" : scene_command(scene);
     const unsigned products = products_of(o, how, scene);
     if (how->hands_over && strcmp(name, "study") != 0)
         *other = command_find(name);
@@ -182,6 +186,11 @@ static enum exit_code run(const struct options *o, const struct shortcut *how)
         scene_free(&scene);
         return command_run(other, o);
     }
+    if (scene.system) {
+        code = plane_run(o, &scene, how->figure);
+        scene_free(&scene);
+        return code;
+    }
     s = check_files(o, &scene, how, &why);
     if (s == STATUS_OK)
         s = study_run(&study, &scene, progress_monitor(o), &why);
@@ -261,6 +270,11 @@ enum exit_code command_plan(const struct options *o)
 
     if (s != STATUS_OK)
         return command_fail(s, why.text);
+    if (scene.system) {
+        const enum exit_code done = plane_plan(o, &scene);
+        scene_free(&scene);
+        return done;
+    }
     const bool sweeps = scene.sweep.axes > 0;
     struct scene point = scene; /* borrows */
     if (sweeps)

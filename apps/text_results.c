@@ -138,7 +138,9 @@ static void cell_text(const struct record_field *f, const void *member,
                          *(const double *) member);
             break;
         case RECORD_COUNT:
-            snprintf(text, 32, "%lld", (long long) *(const int64_t *) member);
+            if (*(const int64_t *) member != RECORD_COUNT_NONE)
+                snprintf(text, 32, "%lld",
+                         (long long) *(const int64_t *) member);
             break;
         case RECORD_CODE:
             if (*(const int8_t *) member >= 0)

@@ -8,7 +8,7 @@
 
 #define NOT " is not allowed, expected "
 #define TOP                                                                    \
-    "title, law, material, slope, gravity, window, units, products, "          \
+    "title, system, law, material, slope, gravity, window, units, products, "  \
     "estimates, trajectories, basins, rabinowicz, sweep, spring_block, "       \
     "fold_curves, chi, accuracy or output"
 #define PRODUCTS_KNOWN                                                         \

@@ -20,6 +20,9 @@ struct quantity {
     const char *reason;  /* borrowed, static; NULL when the value exists */
 };
 
+/* A count that there is not. */
+#define RECORD_COUNT_NONE INT64_MIN
+
 /* C type of a member. */
 enum record_kind {
     RECORD_REAL,     /* double */

@@ -1,5 +1,6 @@
 /* A scene from file and overrides: tree, table, then what only the whole can
- * tell: a law is there, and a slope where one is needed; parts fit. */
+ * tell: a law is there, and a slope where one is needed, or a system in place
+ * of both; parts fit. */
 #include "scene.h"
 
 #include <math.h>
@@ -12,8 +13,10 @@
 #include "scene_law.h"
 #include "scene_slope.h"
 #include "scene_sweep.h"
+#include "scene_system.h"
 #include "scene_units.h"
 #include "schema.h"
+#include "system.h"
 #include "text_file.h"
 #include "tolerance.h"
 
@@ -245,20 +248,37 @@ static void settle(struct scene *s)
     }
 }
 
-static enum status fill(const struct node *root, struct scene *s,
-                        struct fault *why)
+typedef enum status scene_check(const struct node *root, const struct scene *s,
+                                struct fault *why);
+
+static enum status check_all(scene_check *const check[],
+                             const struct node *root, const struct scene *s,
+                             struct fault *why)
 {
-    static enum status (*const check[])(
-        const struct node *, const struct scene *, struct fault *) = {
-        check_law,    scene_slope_check, check_material,   check_composition,
-        check_window, check_starts,      scene_sweep_check
-    };
+    enum status status = STATUS_OK;
+
+    for (; *check && status == STATUS_OK; check++)
+        status = (*check)(root, s, why);
+    return status;
+}
+
+static enum status fill(struct node *root, struct scene *s, struct fault *why)
+{
+    static scene_check *const of_law[] = { check_law,         scene_slope_check,
+                                           check_material,    check_composition,
+                                           check_window,      check_starts,
+                                           scene_sweep_check, NULL };
+    static scene_check *const of_system[] = { scene_system_check, NULL };
     enum status status = set_defaults(s);
 
     if (status == STATUS_OK)
+        status = scene_system_take(root, s, why);
+    if (status == STATUS_OK && s->system == NULL)
         status = scene_law_begin(root, s);
     if (status == STATUS_OK)
         status = schema_apply(root, s, why);
+    if (status == STATUS_OK && s->system)
+        return check_all(of_system, root, s, why);
     if (status == STATUS_OK)
         status = scene_law_finish(root, s, why);
     if (status == STATUS_OK)
@@ -267,10 +287,7 @@ static enum status fill(const struct node *root, struct scene *s,
         settle(s);
     if (status == STATUS_OK)
         status = scene_sweep_fill(root, s, why);
-    for (size_t i = 0; i < sizeof check / sizeof *check; i++)
-        if (status == STATUS_OK)
-            status = check[i](root, s, why);
-    return status;
+    return status ? status : check_all(of_law, root, s, why);
 }
 
 /* One override a line. */
@@ -338,6 +355,7 @@ const char *scene_name(const struct scene *s)
 void scene_free(struct scene *s)
 {
     free(s->title);
+    free(s->system);
     free(s->xi);
     free(s->chi_alpha);
     free(s->typed);
@@ -355,13 +373,24 @@ void scene_free(struct scene *s)
     *s = (struct scene){ .title = NULL };
 }
 
+/* A state in the chart. */
+static double chart(bool is_log, double x)
+{
+    return is_log ? log(x) : x;
+}
+
+bool scene_axis_is_log(const struct scene *s, int axis)
+{
+    if (s->system)
+        return s->system->state[axis].chart == CHART_POSITIVE;
+    return axis == 0 || !law_psi_is_log(&s->law);
+}
+
 struct box scene_box(const struct scene *s)
 {
-    const double *psi = s->window.psi;
-    const bool is_log = law_psi_is_log(&s->law);
+    const bool x = scene_axis_is_log(s, 0), y = scene_axis_is_log(s, 1);
+    const struct scene_window *w = &s->window;
 
-    return (struct box){
-        { log(s->window.v[0]), is_log ? psi[0] : log(psi[0]) },
-        { log(s->window.v[1]), is_log ? psi[1] : log(psi[1]) },
-    };
+    return (struct box){ { chart(x, w->v[0]), chart(y, w->psi[0]) },
+                         { chart(x, w->v[1]), chart(y, w->psi[1]) } };
 }

@@ -124,9 +124,14 @@ struct scene_sweep {
     struct scene_axis draft; /* the axis being read */
 };
 
+struct formula_system;
+
 /* All of it, defaults filled in. */
 struct scene {
-    char *title; /* owned; "" if none */
+    char *title;                   /* owned; "" if none */
+    struct formula_system *system; /* owned; NULL: a law on a slope.  With it,
+                                      v and psi of window and starts are its
+                                      first and its second state */
     struct law law;
     struct law_typed *typed; /* owned: the law's formulas; NULL: components */
     struct material material;
@@ -171,6 +176,9 @@ struct scene {
 MUST_CHECK enum status scene_read(struct scene *s, const char *path,
                                   char *const override[], size_t overrides,
                                   struct fault *why);
+
+/* Whether an axis of the chart is the logarithm of its state. */
+bool scene_axis_is_log(const struct scene *s, int axis);
 
 /* Its window in the chart (block.h), absolute. */
 struct box scene_box(const struct scene *s);

@@ -110,7 +110,10 @@ enum status schema_check_path(const char *path, struct place at,
         if (end >= sizeof known)
             return unknown(path, head, at, why);
         snprintf(known, sizeof known, "%.*s", (int) end, path);
-        if (!holds_keys(known) && (path[end] || !schema_find(known)))
+        const struct schema_key *key = schema_find(known);
+        if (key && key->open)
+            return STATUS_OK;
+        if (!holds_keys(known) && (path[end] || !key))
             return unknown(path, head, at, why);
         if (path[end] == '\0')
             return STATUS_OK;

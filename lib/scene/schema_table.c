@@ -55,6 +55,24 @@ const struct schema_key schema_table[] = {
     { "title", value_text, AT(title), .expected = "a text", IS("''"),
       TEXT("stands over figures and in files") },
 
+    { "system.state", .open = true, .expected = "{NAME: real, ...}",
+      TEXT("of a planar system of formulas, in place of law, material and "
+           "slope: {NAME: real | positive | angle | {angle: PERIOD}, NAME: "
+           "...}; unless given those with rates, real") },
+    { "system.parameters", .open = true, .expected = "{NAME: NUMBER, ...}",
+      TEXT("numbers that its formulas use: {NAME: NUMBER, ...}; each can be "
+           "set, --set system.parameters.NAME=NUMBER") },
+    { "system.define", .open = true, .expected = "{NAME: FORMULA, ...}",
+      TEXT("names for expressions, each may use those before it") },
+    { "system.rates", .open = true, .expected = "{NAME: FORMULA, ...}",
+      TEXT("d/dt of each state") },
+    { "system.observables", .open = true, .expected = "{NAME: FORMULA, ...}",
+      TEXT("integrated along trajectories: {NAME: FORMULA} or {NAME: {rate: "
+           "FORMULA, unit: U, long_name: TEXT}}") },
+    { "system.ode", .expected = "x' = FORMULA; y' = FORMULA; ...",
+      TEXT("or all of it in one text: NAME' = FORMULA, NAME = FORMULA and "
+           "NAME = NUMBER with ; between them (--ode)") },
+
     { "law.preset", value_preset, .side = 1,
       TEXT("a law by name, see 'slipway laws'") },
     { "law.theta", value_part, AT(law.theta), .words = theta_names,

@@ -11,7 +11,8 @@
 
 struct schema_key {
     const char *path; /* "window.v" */
-    /* Reads a value into the scene; errors as scene_read. */
+    /* Reads a value into the scene; errors as scene_read.  NULL: it is taken
+     * out of the tree before (scene_system.h). */
     enum status (*read)(const struct schema_key *key, const struct node *n,
                         struct scene *s, struct fault *why);
     size_t offset;            /* of a member of struct scene, if there is one */
@@ -19,8 +20,9 @@ struct schema_key {
     bool open_lo, open_hi;    /* lo (hi) itself is not allowed */
     const char *const *words; /* allowed, by code; NULL-ended */
     const char *expected;     /* for messages; NULL: the words */
-    int side; /* keys of one section on different sides exclude each other; 0:
-                 on none */
+    int side;  /* keys of one section on different sides exclude each other; 0:
+                  on none */
+    bool open; /* holds keys that the user names */
     const char *unit;         /* UDUNITS; NULL: none */
     enum dimension dimension; /* of numbers that may have a unit behind them */
     const char *standard; /* what a scene without the key has, as it would say

@@ -22,7 +22,7 @@ void rows_free(struct rows *r)
     *r = rows_of(r->type);
 }
 
-static enum status push(struct rows *r, const void *row)
+enum status rows_push(struct rows *r, const void *row)
 {
     const size_t size = r->type->size;
     const enum status s = room_for(&r->at, &r->room, r->count + 1, size);
@@ -128,7 +128,7 @@ static enum status add_branch_row(struct sampler *p, const struct sample *t)
         .excess = carried(t, c->excess, c->sign),
         .error = p->error + p->curve->piece[t->piece].error,
     };
-    return push(p->rows, &row);
+    return rows_push(p->rows, &row);
 }
 
 /* Rows of a piece behind a, up to and with b. */
@@ -236,7 +236,7 @@ enum status rows_nullcline(const struct study *s, const struct polyline *line,
         const struct nullcline_row row = { arc,
                                            s->slider.block.at.v0 * exp(z.x),
                                            psi_of(s, z.y) };
-        status = push(r, &row);
+        status = rows_push(r, &row);
     }
     return status;
 }
@@ -268,7 +268,7 @@ static enum status push_later(struct rows *r, const struct trajectory_row *row,
             return STATUS_OK;
         r->count--;
     }
-    return push(r, row);
+    return rows_push(r, row);
 }
 
 enum status rows_trajectory(const struct study *s, const struct curve *c,
@@ -304,7 +304,7 @@ enum status rows_arrows(const struct study *s, struct rows *r)
             .direction_psi = t->direction.y,
             .log10_speed = t->log10_speed,
         };
-        status = push(r, &row);
+        status = rows_push(r, &row);
     }
     return status;
 }

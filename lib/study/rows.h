@@ -15,6 +15,9 @@ struct rows {
 struct rows rows_of(const struct record_type *type);
 void rows_free(struct rows *r);
 
+/* Adds a copy of one record.  STATUS_NO_MEMORY: *r is as it was. */
+MUST_CHECK enum status rows_push(struct rows *r, const void *row);
+
 /* Points of a stable branch (struct branch_row), so dense that cubic Hermite
  * interpolation with the stored slopes (of ln psi over ln v where |slope| < 1,
  * of ln v over ln psi elsewhere) is within TOL_HERMITE of the curve.  Rows are

@@ -182,7 +182,7 @@ static void a_long_override_is_cut_in_the_message(void **state)
     set[1000] = '=';
     assert_int_equal(override_apply(root, set, &why), STATUS_BAD_SCENE);
     assert_non_null(strstr(why.text, "xxx...: unknown key 'xxxx"));
-    assert_non_null(strstr(why.text, "expected title, law, material"));
+    assert_non_null(strstr(why.text, "expected title, system, law, material"));
     node_free(root);
 }
 

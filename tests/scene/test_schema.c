@@ -118,6 +118,8 @@ static void the_tests_know_every_key(void **state)
         size_t i = 0;
         while (i < COUNT(keys) && strcmp(keys[i].path, k->path) != 0)
             i++;
+        if (k->read == NULL) /* test_scene_system.c */
+            continue;
         CHECK(i < COUNT(keys), "%s is not in the list above", k->path);
     }
 }

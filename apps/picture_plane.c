@@ -1,0 +1,210 @@
+#include "picture_plane.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "line.h"
+
+struct picture {
+    const struct plane_study *s;
+    struct figure *figure;
+};
+
+/* ---- points -------------------------------------------------------------- */
+
+/* What the axes show of a point of the chart. */
+static struct vec2 shown(const struct picture *p, struct vec2 z)
+{
+    return (struct vec2){ plane_state(p->s, 0, z.x),
+                          plane_state(p->s, 1, z.y) };
+}
+
+/* How many periods a coordinate is away from the window. */
+static double turns(double z, double lo, double period)
+{
+    return period > 0.0 ? floor((z - lo) / period) : 0.0;
+}
+
+/* A line in the making: an angle that leaves the window comes back on the other
+ * side, as another piece. */
+struct stroke {
+    struct line line;
+    struct vec2 turn, last;
+};
+
+static void add(const struct picture *p, struct stroke *t, struct vec2 z)
+{
+    const struct vec2 period = p->s->scale.period, lo = p->s->window.box.lo;
+    const struct vec2 turn = { turns(z.x, lo.x, period.x),
+                               turns(z.y, lo.y, period.y) };
+    const struct vec2 moved = { z.x - turn.x * period.x,
+                                z.y - turn.y * period.y };
+
+    if (t->line.count > 0 && (turn.x != t->turn.x || turn.y != t->turn.y)) {
+        const struct vec2 out =
+            shown(p, (struct vec2){ z.x - t->turn.x * period.x,
+                                    z.y - t->turn.y * period.y });
+        const struct vec2 in =
+            shown(p, (struct vec2){ t->last.x - turn.x * period.x,
+                                    t->last.y - turn.y * period.y });
+        line_add(&t->line, out.x, out.y);
+        line_add(&t->line, (double) NAN, (double) NAN);
+        line_add(&t->line, in.x, in.y);
+    }
+    const struct vec2 at = shown(p, moved);
+    line_add(&t->line, at.x, at.y);
+    t->turn = turn;
+    t->last = z;
+}
+
+static void finish(const struct picture *p, struct stroke *t,
+                   const struct figure_layer *look)
+{
+    figure_add_line(p->figure, look, &t->line);
+}
+
+/* ---- layers -------------------------------------------------------------- */
+
+static void add_pieces(const struct picture *p, struct stroke *t,
+                       const struct curve *c, size_t pieces, struct vec2 origin)
+{
+    enum { PER_PIECE = 16 };
+    double at[CURVE_DIM_MAX];
+
+    for (size_t i = 0; i < pieces; i++)
+        for (int k = i > 0; k <= PER_PIECE; k++) {
+            curve_at(c, i, (double) k / PER_PIECE, at);
+            add(p, t, vec2_add(origin, (struct vec2){ at[0], at[1] }));
+        }
+}
+
+static void add_arrows(const struct picture *p)
+{
+    const struct arrows *a = &p->s->portrait.arrows;
+    const bool log_axes = p->s->scene->window.axes == AXES_LOG;
+    const struct box w = p->s->window.box;
+    const struct vec2 lo = log_axes ? w.lo : shown(p, w.lo);
+    const struct vec2 side = vec2_sub(log_axes ? w.hi : shown(p, w.hi), lo);
+    struct line at = LINE_EMPTY, along = LINE_EMPTY;
+
+    for (size_t i = 0; i < a->columns * a->rows; i++) {
+        const struct vec2 z = shown(p, a->at[i].z);
+        line_add(&at, z.x, z.y);
+        line_add(&along, a->at[i].direction.x * side.x,
+                 a->at[i].direction.y * side.y);
+    }
+    at.failed = at.failed || along.failed;
+    figure_add_line(p->figure,
+                    &(struct figure_layer){ .kind = FIGURE_ARROWS,
+                                            .style = { .role = FIGURE_FIELD },
+                                            .dx = along.x,
+                                            .dy = along.y },
+                    &at);
+    line_free(&along);
+}
+
+static void add_trajectories(const struct picture *p)
+{
+    static const double head[] = { 0.5 };
+    const struct plane_study *s = p->s;
+    const struct trajectories *way[] = { &s->portrait.trajectories,
+                                         &s->backward };
+
+    for (int k = 0; k < 2; k++)
+        for (size_t i = 0; i < way[k]->count; i++) {
+            struct stroke t = { .line = LINE_EMPTY };
+            const struct curve *c = &way[k]->at[i].curve;
+            add_pieces(p, &t, c, c->count, s->system[0].origin);
+            finish(
+                p, &t,
+                &(struct figure_layer){ .style = { .role = FIGURE_TRAJECTORY },
+                                        .entry = "trajectories",
+                                        .heads = head,
+                                        .head_count = k == 0 });
+        }
+}
+
+static void add_nullclines(const struct picture *p)
+{
+    for (int i = 0; i < NULLCLINES; i++) {
+        const struct nullcline *n = &p->s->portrait.nullcline[i];
+        char entry[FORMULA_NAME + 16];
+        snprintf(entry, sizeof entry, "d%s/dt = 0",
+                 p->s->system[0].axis[i].name);
+        for (size_t k = 0; k < n->count; k++) {
+            struct stroke t = { .line = LINE_EMPTY };
+            for (size_t j = 0; j < n->piece[k].count; j++)
+                add(p, &t, n->piece[k].at[j]);
+            finish(p, &t,
+                   &(struct figure_layer){
+                       .style = { .role = i == 0 ? FIGURE_NULLCLINE_X
+                                                 : FIGURE_NULLCLINE_Y },
+                       .entry = entry });
+        }
+    }
+}
+
+static void add_manifolds(const struct picture *p)
+{
+    for (size_t i = 0; i < p->s->branches; i++) {
+        const struct plane_branch *b = &p->s->branch[i];
+        const bool stable = b->kind == MANIFOLD_STABLE;
+        struct stroke t = { .line = LINE_EMPTY };
+        add_pieces(p, &t, &b->curve.curve, b->shown, p->s->rest[b->rest].z);
+        finish(
+            p, &t,
+            &(struct figure_layer){
+                .style = { .role = stable ? FIGURE_STABLE : FIGURE_UNSTABLE },
+                .entry = stable ? "stable manifold" : "unstable manifold" });
+    }
+}
+
+static void add_equilibria(const struct picture *p)
+{
+    static const struct {
+        const char *entry;
+        enum figure_mark mark;
+    } look[PLANE_TYPES] = {
+        [PLANE_SADDLE] = { "saddle", FIGURE_CIRCLE },
+        [PLANE_STABLE_NODE] = { "stable", FIGURE_DISC },
+        [PLANE_STABLE_FOCUS] = { "stable", FIGURE_DISC },
+        [PLANE_UNSTABLE_NODE] = { "unstable", FIGURE_SQUARE },
+        [PLANE_UNSTABLE_FOCUS] = { "unstable", FIGURE_SQUARE },
+        [PLANE_NONHYPERBOLIC] = { "not hyperbolic", FIGURE_PLUS },
+    };
+
+    for (size_t i = 0; i < p->s->rests; i++) {
+        const struct plane_rest *r = &p->s->rest[i];
+        const struct vec2 at = shown(p, r->z);
+        figure_add(p->figure, &(struct figure_layer){
+                                  .kind = FIGURE_POINTS,
+                                  .style = { .role = FIGURE_EQUILIBRIUM },
+                                  .entry = look[r->type].entry,
+                                  .x = &at.x,
+                                  .y = &at.y,
+                                  .count = 1,
+                                  .mark = look[r->type].mark });
+    }
+}
+
+void picture_plane(const struct plane_study *s, struct figure *figure)
+{
+    static void (*const layer[])(const struct picture *) = {
+        add_arrows, add_trajectories, add_nullclines, add_manifolds,
+        add_equilibria
+    };
+    const struct picture p = { s, figure };
+    const bool log_axes = s->scene->window.axes == AXES_LOG;
+    const double *range[] = { s->scene->window.v, s->scene->window.psi };
+    struct figure_axis axis[2];
+
+    for (int i = 0; i < 2; i++)
+        axis[i] =
+            (struct figure_axis){ s->system[0].axis[i].name, range[i][0],
+                                  range[i][1],
+                                  log_axes && s->system[0].axis[i].is_log };
+    figure_init(figure, s->scene->title[0] ? s->scene->title : NULL, &axis[0],
+                &axis[1]);
+    for (size_t i = 0; i < sizeof layer / sizeof *layer; i++)
+        layer[i](&p);
+}

@@ -1,0 +1,126 @@
+#include "run_plane.h"
+
+#include "json_results.h"
+#include "picture_plane.h"
+#include "plane_results.h"
+#include "progress.h"
+#include "text_results.h"
+
+#define BIT(p) (1u << PRODUCT_##p)
+
+unsigned plane_products(const struct options *o)
+{
+    const unsigned always = BIT(EQUILIBRIA) | BIT(MANIFOLDS);
+
+    return o->command == &command_table[COMMAND_PORTRAIT]
+               ? always | BIT(NULLCLINES) | BIT(TRAJECTORIES)
+               : always;
+}
+
+static enum exit_code print_json(const struct plane_study *s,
+                                 const struct results *all)
+{
+    json_t *j = json_results(NULL, all);
+
+    if (j)
+        json_object_set_new(j, "equilibria_complete",
+                            json_boolean(s->complete));
+    return json_print(j) ? EXIT_DONE : command_unwritten();
+}
+
+static enum exit_code print(const struct plane_study *s,
+                            const struct options *o)
+{
+    const struct results all = plane_results(s);
+
+    if (o->json)
+        return print_json(s, &all);
+    if (o->quiet)
+        return EXIT_DONE;
+    const enum status status = text_results(stdout, &all);
+    if (status != STATUS_OK)
+        return command_fail(status, status_text(status));
+    if (!s->complete)
+        printf("note: that there are no other equilibria in the window was "
+               "not proved\n");
+    return EXIT_DONE;
+}
+
+static enum status write_files(const struct plane_study *s,
+                               const struct options *o, const char *figure,
+                               struct fault *why)
+{
+    const struct results all = plane_results(s);
+    struct panels p = PANELS_EMPTY;
+    const enum status status = output_write(o, o->command->name, &all, s->scene,
+                                            s->system[0].name, why);
+
+    if (status == STATUS_OK && figure)
+        picture_plane(s, panels_add(&p, ""));
+    return status ? status : output_draw(o, &p, figure, why);
+}
+
+enum exit_code plane_run(const struct options *o, const struct scene *scene,
+                         const char *figure)
+{
+    static const char *const panel[] = { "", NULL };
+    const char *draw = scene->figure ? scene->figure
+                       : scene->hdf5 ? NULL
+                                     : figure;
+    struct plane_study s;
+    struct fault why = { "" };
+
+    enum status status = output_check(o, scene, draw, panel, &why);
+    if (status == STATUS_OK)
+        status = plane_study_run(&s, scene, progress_monitor(o), &why);
+    progress_end();
+    if (status != STATUS_OK)
+        return command_fail(status, why.text);
+    status = write_files(&s, o, draw, &why);
+    progress_end();
+    const enum exit_code code =
+        status == STATUS_OK ? print(&s, o) : command_fail(status, why.text);
+    plane_study_free(&s);
+    return code;
+}
+
+/* ---- plan ---------------------------------------------------------------- */
+
+enum exit_code plane_plan(const struct options *o, const struct scene *scene)
+{
+    static const struct {
+        const char *name, *text, *work;
+        unsigned products;
+    } stage[] = {
+        { "equilibria", "all in the window, their eigenvalues",
+          "some hundred boxes", BIT(EQUILIBRIA) },
+        { "manifolds", "stable and unstable ones of every saddle",
+          "some hundred Taylor steps a branch", BIT(MANIFOLDS) },
+        { "nullclines", "where a state stands still", "some thousand fields",
+          BIT(NULLCLINES) },
+        { "field_arrows", "the direction field", "400 fields",
+          BIT(FIELD_ARROWS) },
+        { "trajectories", "orbits, both ways in time",
+          "some hundred steps each", BIT(TRAJECTORIES) },
+    };
+    json_t *list = json_array();
+
+    for (size_t i = 0; i < sizeof stage / sizeof *stage; i++) {
+        if (!(scene->products & stage[i].products))
+            continue;
+        json_array_append_new(
+            list, json_pack("{s:s, s:s, s:s}", "stage", stage[i].name, "text",
+                            stage[i].text, "work", stage[i].work));
+        if (!o->json && !o->quiet)
+            printf("%-13s %-48s %s\n", stage[i].name, stage[i].text,
+                   stage[i].work);
+    }
+    if (o->json)
+        return json_print(list) ? EXIT_DONE : command_unwritten();
+    json_decref(list);
+    if (scene->hdf5 && !o->quiet)
+        printf("%-13s %s\n", "write", scene->hdf5);
+    if (scene->figure && !o->quiet)
+        printf("%-13s %s\n", "draw", scene->figure);
+    return EXIT_DONE;
+}

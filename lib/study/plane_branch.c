@@ -1,0 +1,434 @@
+/* After every piece the nearest point to each equilibrium is looked for: an
+ * invariant straight line is one long step, which may run through several. */
+#include "plane_branch.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "grow.h"
+#include "orbit.h"
+#include "study_tolerance.h"
+#include "tolerance.h"
+
+const char *const plane_end_names[] = { "equilibrium", "cycle", "saddle",
+                                        "infinity",    "edge",  NULL };
+
+const char *const plane_cycle_types[] = { "stable", "unstable", NULL };
+
+/* ---- cycles -------------------------------------------------------------- */
+
+size_t plane_cycle_find(const struct plane_study *s, const struct winding *w,
+                        bool stable)
+{
+    for (size_t k = 0; k < s->cycles; k++) {
+        const struct plane_cycle *c = &s->cycle[k];
+        for (size_t i = 0; i < c->round.turns; i++)
+            if ((c->type == PLANE_CYCLE_STABLE) == stable &&
+                vec2_length(
+                    arrival_from(&s->scale, w->at[0], c->round.at[i])) <=
+                    TOL_PLANE_SAME_CYCLE)
+                return k;
+    }
+    return s->cycles;
+}
+
+enum status plane_cycle_add(struct plane_study *s, const struct winding *w,
+                            bool stable, size_t *index)
+{
+    *index = plane_cycle_find(s, w, stable);
+    if (*index < s->cycles)
+        return STATUS_OK;
+    struct plane_cycle *more =
+        realloc(s->cycle, (s->cycles + 1) * sizeof *more);
+    if (more == NULL)
+        return STATUS_NO_MEMORY;
+    s->cycle = more;
+    struct plane_cycle *c = &s->cycle[s->cycles];
+    *c = (struct plane_cycle){ .type = stable ? PLANE_CYCLE_STABLE
+                                              : PLANE_CYCLE_UNSTABLE,
+                               .round = *w };
+    snprintf(c->word, sizeof c->word, "cycle_%zu", s->cycles++);
+    return STATUS_OK;
+}
+
+/* ---- a branch in the making ---------------------------------------------- */
+
+/* Both halves of a manifold, by the side that they grow to. */
+struct half {
+    struct winding winding;
+    bool left;     /* it has been away from its saddle */
+    int8_t end;    /* enum plane_end, -1 */
+    size_t to;     /* rest */
+    double theta;  /* on the last piece */
+    double beyond; /* of its length, at most */
+};
+
+struct following {
+    const struct plane_study *s;
+    const struct plane_rest *from;
+    const struct planar *system; /* about it, of which the branch is stable */
+    int backward;                /* 1: branches are followed backward in time,
+                                    as stable ones are */
+    struct vec2 *rests;          /* borrowed: of all */
+    struct half half[2];
+};
+
+/* The nearest point of the last piece to an equilibrium. */
+static double nearest(const struct following *f, const struct curve *c,
+                      struct vec2 to, double *theta)
+{
+    enum { SAMPLES = 16, REFINE = 60 };
+    const size_t piece = c->count - 1;
+    double best = HUGE_VAL, at[CURVE_DIM_MAX], width = 1.0 / SAMPLES;
+
+    *theta = 1.0;
+#define DISTANCE(t)                                                            \
+    (curve_at(c, piece, t, at),                                                \
+     vec2_length(arrival_from(                                                 \
+         &f->s->scale, vec2_add(f->from->z, (struct vec2){ at[0], at[1] }),    \
+         to)))
+    for (int i = 0; i <= SAMPLES; i++) {
+        const double t = (double) i / SAMPLES, d = DISTANCE(t);
+        if (d < best) {
+            best = d;
+            *theta = t;
+        }
+    }
+    for (int i = 0; i < REFINE && best > 0.0; i++) {
+        const double try[] = { fmax(*theta - width, 0.0),
+                               fmin(*theta + width, 1.0) };
+        bool better = false;
+        for (int k = 0; k < 2; k++) {
+            const double d = DISTANCE(try[k]);
+            if (d < best) {
+                best = d;
+                *theta = try[k];
+                better = true;
+            }
+        }
+        width *= better ? 1.0 : 0.5;
+    }
+#undef DISTANCE
+    return best;
+}
+
+/* How much longer than straight the way into it is, at most: a spiral's. */
+static double turns_of(const struct plane_rest *r)
+{
+    const double re = fabs(r->lambda[0].re.value);
+
+    return r->type == PLANE_SADDLE || !(re > 0.0)
+               ? 1.0
+               : hypot(re, r->lambda[0].im.value) / re;
+}
+
+/* Whether the piece ends at this equilibrium, before where it ended so far. */
+static void look_at(const struct following *f, struct half *h,
+                    const struct branch *b, size_t i, double bar)
+{
+    const struct plane_rest *r = &f->s->rest[i];
+    const struct trap_form *trap = &r->trap[f->backward];
+    const struct vec2 side = f->s->scale.side;
+    const double touch =
+        4.0 * bar + 4.0 * vec2_length(r->error) / fmin(side.x, side.y);
+    double theta;
+
+    if (r == f->from && !h->left)
+        return;
+    const double d = nearest(f, &b->curve, r->z, &theta);
+    const bool trapped =
+        trap->size > 0.0 && d <= TOL_PLANE_ARRIVED * trap->size;
+    if (h->theta < theta || !(trapped || d <= fmax(touch, TOL_PLANE_TOUCH)))
+        return;
+    h->end = r->type == PLANE_SADDLE ? PLANE_END_SADDLE : PLANE_END_EQUILIBRIUM;
+    h->to = i;
+    h->theta = theta;
+    h->beyond = 2.0 * d * fmax(side.x, side.y) * turns_of(r);
+}
+
+static bool branch_ends(void *ctx, const struct branch *b, struct vec2 z,
+                        double error)
+{
+    struct following *f = ctx;
+    struct half *h = &f->half[b->side < 0];
+    const struct vec2 side = f->s->scale.side;
+    const double bar = error / fmin(side.x, side.y);
+    const struct vec2 away =
+        arrival_from(&f->s->scale, vec2_add(f->from->z, z), f->from->z);
+
+    if (!(bar <= TOL_PLANE_LOST))
+        return true;
+    h->theta = 1.0;
+    for (size_t i = 0; i < f->s->rests; i++)
+        look_at(f, h, b, i, bar);
+    if (h->end >= 0)
+        return true;
+    h->left = h->left || vec2_length(away) > TOL_PLANE_LEFT;
+    if (winding_add(&h->winding, f->system, &f->s->scale, &b->curve,
+                    b->curve.count - 1, f->rests, f->s->rests)) {
+        h->end = PLANE_END_CYCLE;
+        return true;
+    }
+    return false;
+}
+
+/* The last piece up to theta. */
+static void cut(struct curve *c, double theta)
+{
+    const struct curve_piece *p = &c->piece[c->count - 1];
+
+    for (size_t i = 0; i < c->dim; i++) {
+        double *coef = c->coef + p->first + i * (p->degree + 1), power = 1.0;
+        for (size_t j = 1; j <= p->degree; j++) {
+            power *= theta;
+            coef[j] *= power;
+        }
+    }
+}
+
+/* ---- what is shown of it ------------------------------------------------- */
+
+static struct vec2 point(const struct plane_branch *b, const struct vec2 origin,
+                         size_t piece, double theta)
+{
+    double at[CURVE_DIM_MAX];
+
+    curve_at(&b->curve.curve, piece, theta, at);
+    return vec2_add(origin, (struct vec2){ at[0], at[1] });
+}
+
+/* An angle is in the window wherever it is. */
+static bool in_window(const struct plane_study *s, struct vec2 z)
+{
+    const struct box w = s->window.box;
+
+    return (s->scale.period.x > 0.0 || (z.x >= w.lo.x && z.x <= w.hi.x)) &&
+           (s->scale.period.y > 0.0 || (z.y >= w.lo.y && z.y <= w.hi.y));
+}
+
+/* Up to where it last leaves the window, for good. */
+static void find_shown(const struct plane_study *s, struct plane_branch *b)
+{
+    enum { SAMPLES = 32 };
+    const struct vec2 origin = s->rest[b->rest].z;
+
+    for (size_t i = b->curve.curve.count; i-- > 0;)
+        for (int k = SAMPLES; k >= 0; k--) {
+            double in = (double) k / SAMPLES, out = (k + 1.0) / SAMPLES;
+            if (!in_window(s, point(b, origin, i, in)))
+                continue;
+            b->shown = i + 1;
+            b->shown_to = 1.0;
+            if (k == SAMPLES)
+                return;
+            for (int n = 0; n < 52; n++) {
+                const double middle = 0.5 * (in + out);
+                *(in_window(s, point(b, origin, i, middle)) ? &in : &out) =
+                    middle;
+            }
+            b->shown_to = in;
+            return;
+        }
+}
+
+/* Five Gauss points on `parts` parts of the piece. */
+static double arc(const struct curve *c, size_t piece, double to, int parts)
+{
+    static const double node[] = { 0.0, 0.5384693101056831, -0.5384693101056831,
+                                   0.9061798459386640, -0.9061798459386640 };
+    static const double weight[] = { 0.5688888888888889, 0.4786286704993665,
+                                     0.4786286704993665, 0.2369268850561891,
+                                     0.2369268850561891 };
+    double sum = 0.0, slope[CURVE_DIM_MAX];
+    const double half = 0.5 * to / parts;
+
+    for (int k = 0; k < parts; k++)
+        for (int i = 0; i < 5; i++) {
+            curve_slope_at(c, piece, (2 * k + 1 + node[i]) * half, slope);
+            sum += half * weight[i] * hypot(slope[0], slope[1]);
+        }
+    return sum;
+}
+
+static void measure(const struct plane_study *s, struct plane_branch *b,
+                    double beyond)
+{
+    double sum = 0.0, error = vec2_length(s->rest[b->rest].error) + beyond;
+
+    find_shown(s, b);
+    for (size_t i = 0; i < b->shown; i++) {
+        const double to = i + 1 == b->shown ? b->shown_to : 1.0;
+        const double fine = arc(&b->curve.curve, i, to, 4);
+        const double coarse = arc(&b->curve.curve, i, to, 3);
+        sum += fine;
+        error += fabs(fine - coarse) + 1e-15 * sum +
+                 4.0 * b->curve.curve.piece[i].error;
+    }
+    b->length = quantity_of(sum, error);
+}
+
+/* ---- all manifolds ------------------------------------------------------- */
+
+static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
+                     const struct half *h)
+{
+    const size_t n = b->curve.curve.count;
+    const struct vec2 z =
+        n ? point(b, s->rest[b->rest].z, n - 1, 1.0) : s->rest[b->rest].z;
+
+    if (h->end >= 0)
+        return h->end;
+    if (b->curve.end == BRANCH_DOMAIN)
+        return PLANE_END_INFINITY;
+    return in_window(s, z) ? -1 : PLANE_END_EDGE;
+}
+
+static enum status settle(struct plane_study *s, struct plane_branch *b,
+                          const struct half *h)
+{
+    size_t cycle;
+    enum status status = STATUS_OK;
+
+    b->end = end_of(s, b, h);
+    b->to = b->end == PLANE_END_EQUILIBRIUM || b->end == PLANE_END_SADDLE
+                ? (int64_t) h->to
+                : RECORD_COUNT_NONE;
+    if (b->end == PLANE_END_EQUILIBRIUM || b->end == PLANE_END_SADDLE)
+        cut(&b->curve.curve, h->theta);
+    if (b->end == PLANE_END_CYCLE) {
+        status = plane_cycle_add(s, &h->winding, b->kind == MANIFOLD_UNSTABLE,
+                                 &cycle);
+        b->to = (int64_t) cycle;
+    }
+    measure(s, b, h->end >= 0 ? h->beyond : 0.0);
+    return status;
+}
+
+/* Both branches of one manifold; where it has no series they are empty. */
+static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
+                        enum manifold_kind kind, struct vec2 *rests,
+                        const struct monitor *monitor)
+{
+    const struct plane_rest *r = &s->rest[rest];
+    const int way = kind == MANIFOLD_STABLE ? 0 : 1;
+    struct following f = { .s = s,
+                           .from = r,
+                           .system = &r->system[way],
+                           .backward = 1 - way,
+                           .rests = rests };
+    const struct grow_follower follower = { branch_ends, &f };
+    struct grow_options o = grow_defaults(TOL_PLANE_PART * s->scene->rtol);
+    struct branch half[2] = { { .curve = CURVE_EMPTY(2) },
+                              { .curve = CURVE_EMPTY(2) } };
+    struct local_series u = { .ind = 0 };
+    struct equilibrium e;
+
+    f.half[0].end = f.half[1].end = -1;
+    o.follower = &follower;
+    o.monitor = monitor;
+    equilibrium_at(f.system, false, &e);
+    enum status status = local_at(f.system, &e, MANIFOLD_STABLE, &o.carry,
+                                  o.order, TOL_TAYLOR_STEP * o.rtol, &u);
+    if (status == STATUS_OK)
+        status = grow_branches(f.system, &u, &o, half);
+    if (status == STATUS_NO_MEMORY || status == STATUS_STOPPED)
+        return status;
+    const bool turned = u.ind == 1 && u.c[1] < 0.0;
+    for (int k = 0; k < 2; k++) {
+        struct plane_branch *b = &s->branch[s->branches++];
+        const int from = turned ? 1 - k : k;
+        *b = (struct plane_branch){ .saddle = saddle,
+                                    .rest = rest,
+                                    .kind = (int8_t) kind,
+                                    .branch = k,
+                                    .curve = half[from] };
+        b->curve.kind = kind;
+        status = settle(s, b, &f.half[from]);
+        if (status != STATUS_OK)
+            return status;
+    }
+    return STATUS_OK;
+}
+
+enum status plane_branch_grow(struct plane_study *s,
+                              const struct monitor *monitor)
+{
+    struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
+    enum status status = STATUS_OK;
+    int64_t saddle = 0;
+
+    s->branch = calloc(4 * s->saddles + 1, sizeof *s->branch);
+    if (rests == NULL || s->branch == NULL)
+        status = STATUS_NO_MEMORY;
+    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++)
+        rests[i] = s->rest[i].z;
+    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++) {
+        if (s->rest[i].type != PLANE_SADDLE)
+            continue;
+        status = grow(s, saddle, i, MANIFOLD_STABLE, rests, monitor);
+        if (status == STATUS_OK)
+            status = grow(s, saddle, i, MANIFOLD_UNSTABLE, rests, monitor);
+        saddle++;
+    }
+    free(rests);
+    return status;
+}
+
+/* ---- orbits -------------------------------------------------------------- */
+
+/* The equilibrium whose trap holds the end of the orbit. */
+static bool is_trapped(const struct plane_study *s, struct vec2 z,
+                       bool backward, size_t *index)
+{
+    for (size_t i = 0; i < s->rests; i++) {
+        const struct trap_form *t = &s->rest[i].trap[backward];
+        if (t->size > 0.0 && trap_form_distance(t, &s->scale, z) < t->size) {
+            *index = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+enum status plane_follow(const struct plane_study *s, struct vec2 z,
+                         bool backward, struct plane_goal *out)
+{
+    const struct planar *system = &s->system[backward];
+    struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
+    struct orbit_options options = orbit_defaults(system, s->kappa);
+    struct orbit o;
+
+    *out = (struct plane_goal){ .kind = PLANE_GOAL_NONE };
+    if (rests == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < s->rests; i++)
+        rests[i] = s->rest[i].z;
+    options.rtol = TOL_PLANE_FOLLOW;
+    options.observables = 0;
+    options.max_steps = TOL_DRAWN_STEPS;
+    enum status status =
+        orbit_init(&o, system, vec2_sub(z, system->origin), &options);
+    while (status == STATUS_OK && out->kind == PLANE_GOAL_NONE) {
+        const struct vec2 here =
+            vec2_add(system->origin, (struct vec2){ o.u[0], o.u[1] });
+        if (is_trapped(s, here, backward, &out->index))
+            out->kind = PLANE_GOAL_REST;
+        else if (o.end == ORBIT_LEFT_DOMAIN)
+            out->kind = PLANE_GOAL_INFINITY;
+        else if (o.end != ORBIT_RUNNING)
+            break;
+        else
+            status = orbit_step(&o);
+        if (status == STATUS_OK && out->kind == PLANE_GOAL_NONE &&
+            o.curve.count > 0 &&
+            winding_add(&out->round, system, &s->scale, &o.curve,
+                        o.curve.count - 1, rests, s->rests))
+            out->kind = PLANE_GOAL_CYCLE;
+    }
+    orbit_free(&o);
+    free(rests);
+    if (out->kind == PLANE_GOAL_CYCLE)
+        out->index = plane_cycle_find(s, &out->round, !backward);
+    return status == STATUS_NO_MEMORY ? status : STATUS_OK;
+}

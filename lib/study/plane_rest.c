@@ -1,0 +1,96 @@
+/* What the formulas prove (equilibria.h), with the planar systems about each.
+ */
+#include "plane_rest.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "equilibria.h"
+
+const char *const plane_type_names[] = { "saddle",
+                                         "stable_node",
+                                         "stable_focus",
+                                         "unstable_node",
+                                         "unstable_focus",
+                                         "nonhyperbolic",
+                                         NULL };
+_Static_assert((int) PLANE_TYPES == (int) SYSTEM_EQUILIBRIUM_TYPES,
+               "types are those of equilibria.h");
+
+/* The value as a double, whose rounding is in the bar. */
+static struct quantity number(const struct system_number *n)
+{
+    const double value = (double) n->value;
+    const double left = (double) (n->value - (formula_real) value);
+
+    return quantity_of(value, n->error + fabs(left));
+}
+
+/* r must not move afterwards. */
+static void fill(const struct plane_study *s,
+                 const struct system_equilibrium *e, struct plane_rest *r)
+{
+    const struct quantity x = number(&e->chart[0]), y = number(&e->chart[1]);
+
+    r->type = (int8_t) e->type;
+    r->z = (struct vec2){ x.value, y.value };
+    r->error = (struct vec2){ x.error, y.error };
+    for (int i = 0; i < 2; i++) {
+        r->state[i] = number(&e->state[i]);
+        r->lambda[i].re = number(&e->eigenvalue[i].re);
+        r->lambda[i].im = number(&e->eigenvalue[i].im);
+        r->plane[i] =
+            plain_around(&s->program, r->z, true, i == 0 ? 1.0 : -1.0);
+        r->system[i] = s->system[i];
+        plain_planar(&r->plane[i], &r->system[i]);
+        r->trap[i] = r->type == PLANE_NONHYPERBOLIC
+                         ? (struct trap_form){ .z = r->z }
+                         : trap_form_at(&r->system[i], &s->scale);
+    }
+}
+
+static enum status keep(struct plane_study *s,
+                        const struct system_equilibria *found)
+{
+    size_t count[PLANE_TYPES] = { 0 };
+
+    s->complete = found->complete;
+    s->rests = (size_t) found->count;
+    s->undecided_count = (size_t) found->undecided_count;
+    s->rest = calloc(s->rests + 1, sizeof *s->rest);
+    s->undecided = calloc(s->undecided_count + 1, sizeof *s->undecided);
+    if (s->rest == NULL || s->undecided == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < s->rests; i++) {
+        struct plane_rest *r = &s->rest[i];
+        fill(s, &found->equilibrium[i], r);
+        r->name = r->word;
+        snprintf(r->word, sizeof r->word, "%s_%zu", plane_type_names[r->type],
+                 count[r->type]++);
+    }
+    s->saddles = count[PLANE_SADDLE];
+    for (size_t i = 0; i < s->undecided_count; i++)
+        for (int k = 0; k < 2; k++) {
+            const struct system_window *w = &found->undecided[i];
+            s->undecided[i].range[k][0] = plane_state(s, k, w->lo[k]);
+            s->undecided[i].range[k][1] = plane_state(s, k, w->hi[k]);
+        }
+    return STATUS_OK;
+}
+
+enum status plane_rest_find(struct plane_study *s, struct fault *why)
+{
+    const struct box w = s->window.box;
+    const struct system_window window = { { w.lo.x, w.lo.y },
+                                          { w.hi.x, w.hi.y } };
+    struct system_equilibria *found = malloc(sizeof *found);
+    enum status status =
+        found ? system_equilibria_find(s->scene->system, &window, found, why)
+              : STATUS_NO_MEMORY;
+
+    if (status == STATUS_OK)
+        status = keep(s, found);
+    free(found);
+    return status;
+}

@@ -1,0 +1,12 @@
+/* plane_rest.h -- the equilibria of a system of formulas in its window. */
+#ifndef STUDY_PLANE_REST_H
+#define STUDY_PLANE_REST_H
+
+#include "plane_study.h"
+
+/* Fills s->rest, undecided and complete.  STATUS_NO_MEMORY; with *why,
+ * STATUS_BAD_ARGUMENT. */
+MUST_CHECK enum status plane_rest_find(struct plane_study *s,
+                                       struct fault *why);
+
+#endif

@@ -1,0 +1,444 @@
+/* Names of states and numbers of saddles are known at run time only: fields,
+ * types and paths are made from patterns, the tables then go as any others. */
+#include "plane_results.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "plane_rows.h"
+
+#define ASKED(product) ((uint64_t) 1 << PRODUCT_##product)
+
+enum { RESULTS_MOST = 32, FIELDS_MOST = 48, TYPES_MOST = 20, TEXTS = 8192 };
+
+struct plane_table {
+    struct record_field field[FIELDS_MOST];
+    struct record_type type[TYPES_MOST];
+    struct result result[RESULTS_MOST];
+    size_t fields, types, results;
+    char *paths; /* owned: of manifolds */
+    char text[TEXTS];
+    size_t letters;
+    const struct result *tables[2];
+};
+
+/* ---- making -------------------------------------------------------------- */
+
+/* A text that stays with the table. */
+__attribute__((format(printf, 2, 3))) static const char *keep(
+    struct plane_table *t, const char *format, ...)
+{
+    char *out = t->text + t->letters;
+    const size_t left = TEXTS - t->letters;
+    va_list words;
+
+    va_start(words, format);
+    const int n = vsnprintf(out, left, format, words);
+    va_end(words);
+    t->letters += (size_t) n + 1 < left ? (size_t) n + 1 : left - 1;
+    return out;
+}
+
+/* A field of the type that is being made. */
+static struct record_field *field(struct plane_table *t, const char *name,
+                                  enum record_kind kind, size_t offset,
+                                  const char *text)
+{
+    struct record_field *f = &t->field[t->fields++];
+
+    *f = (struct record_field){
+        .name = name, .unit = "1", .text = text, .offset = offset, .kind = kind
+    };
+    return f;
+}
+
+/* The type of the fields since `first`. */
+static const struct record_type *type_of(struct plane_table *t, size_t first,
+                                         const char *name, const char *text,
+                                         size_t size)
+{
+    struct record_type *r = &t->type[t->types++];
+
+    *r = (struct record_type){ name, text, t->field + first, t->fields - first,
+                               size };
+    return r;
+}
+
+static struct result *result(struct plane_table *t,
+                             const struct record_type *type, uint64_t needs)
+{
+    struct result *r = &t->result[t->results++];
+
+    *r = (struct result){ .shape = RESULT_COLUMNS,
+                          .type = type,
+                          .needs = needs };
+    return r;
+}
+
+/* Two fields, one a state, whose first is at offset. */
+static void states(const struct plane_study *s, struct plane_table *t,
+                   const char *pattern, enum record_kind kind, size_t offset)
+{
+    const size_t size =
+        kind == RECORD_QUANTITY ? sizeof(struct quantity) : sizeof(double);
+
+    for (size_t i = 0; i < 2; i++) {
+        const char *name = s->system[0].axis[i].name;
+        char full[RESULT_NAME];
+        result_name(pattern, 0, name, full);
+        field(t, keep(t, "%s", full), kind, offset + i * size,
+              keep(t, "%s", name));
+    }
+}
+
+/* ---- equilibria ---------------------------------------------------------- */
+
+RESULT_VIEW(view_none, plane_study, s->rest, 0)
+RESULT_VIEW(view_rests, plane_study, s->rest, s->rests)
+RESULT_VIEW(view_rest, plane_study, &s->rest[k], 1)
+RESULT_VIEW(view_lambda, plane_study, s->rest[k].lambda, 2)
+RESULT_VIEW(view_no_box, plane_study, s->undecided, 0)
+RESULT_VIEW(view_box_x, plane_study, s->undecided[k].range[0], 2)
+RESULT_VIEW(view_box_y, plane_study, s->undecided[k].range[1], 2)
+
+static size_t count_rests(const void *run)
+{
+    return ((const struct plane_study *) run)->rests;
+}
+
+static size_t count_boxes(const void *run)
+{
+    return ((const struct plane_study *) run)->undecided_count;
+}
+
+static size_t count_of_complete(const void *run)
+{
+    return !((const struct plane_study *) run)->complete;
+}
+
+#define REST(member) offsetof(struct plane_rest, member)
+
+static void add_type(struct plane_table *t)
+{
+    field(t, "name", RECORD_TEXT, REST(name), "its name");
+    field(t, "type", RECORD_CODE, REST(type), "its type")->codes =
+        plane_type_names;
+}
+
+static void add_rests(const struct plane_study *s, struct plane_table *t)
+{
+    size_t first = t->fields;
+    struct result *r;
+
+    add_type(t);
+    const struct record_type *brief =
+        type_of(t, first, "equilibrium", "an equilibrium", sizeof *s->rest);
+    r = result(t, brief, 0);
+    r->name = "equilibria";
+    r->view = view_none;
+    r = result(t, brief, 0);
+    r->name = "equilibria[K]";
+    r->shape = RESULT_SCALARS;
+    r->count = count_rests;
+    r->view = view_rest;
+    first = t->fields;
+    states(s, t, "*", RECORD_QUANTITY, REST(state));
+    r = result(t, type_of(t, first, "state", "where", sizeof *s->rest), 0);
+    r->name = "equilibria[K].state";
+    r->shape = RESULT_SCALARS;
+    r->count = count_rests;
+    r->view = view_rest;
+    first = t->fields;
+    field(t, "re", RECORD_QUANTITY, offsetof(struct plane_lambda, re),
+          "real part");
+    field(t, "im", RECORD_QUANTITY, offsetof(struct plane_lambda, im),
+          "imaginary part");
+    r = result(t,
+               type_of(t, first, "eigenvalue", "of the Jacobian",
+                       sizeof(struct plane_lambda)),
+               0);
+    r->name = "equilibria[K].eigenvalues";
+    r->count = count_rests;
+    r->view = view_lambda;
+}
+
+/* The same as columns. */
+static void add_rest_columns(const struct plane_study *s, struct plane_table *t)
+{
+    static const char *const part[] = { "re_0", "im_0", "re_1", "im_1" };
+    const size_t first = t->fields;
+
+    add_type(t);
+    states(s, t, "*", RECORD_QUANTITY, REST(state));
+    for (size_t i = 0; i < 4; i++)
+        field(t, part[i], RECORD_QUANTITY,
+              REST(lambda) + i * sizeof(struct quantity),
+              "part of an eigenvalue");
+    struct result *r = result(
+        t, type_of(t, first, "equilibrium", "an equilibrium", sizeof *s->rest),
+        0);
+    r->path = "/equilibria";
+    r->title = "equilibria";
+    r->view = view_rests;
+}
+
+static void add_boxes(const struct plane_study *s, struct plane_table *t)
+{
+    static enum status (*const view[])(const void *, size_t,
+                                       struct result_view *) = { view_box_x,
+                                                                 view_box_y };
+    for (size_t i = 0; i < 2; i++) {
+        const size_t first = t->fields;
+        const char *name = s->system[0].axis[i].name;
+        field(t, name, RECORD_REAL, 0, name);
+        const struct record_type *type = type_of(
+            t, first, "undecided", "where others may be", sizeof(double));
+        struct result *r;
+        if (i == 0) {
+            r = result(t, type, 0);
+            r->name = "undecided";
+            r->count = count_of_complete;
+            r->view = view_no_box;
+        }
+        r = result(t, type, 0);
+        r->name = keep(t, "undecided[K].%s", name);
+        r->path = keep(t, "/undecided_K/%s", name);
+        r->count = count_boxes;
+        r->view = view[i];
+    }
+}
+
+/* ---- manifolds ----------------------------------------------------------- */
+
+static const char *const kind_names[] = { "stable", "unstable", NULL };
+
+RESULT_VIEW(view_branches, plane_study, s->branch, s->branches)
+RESULT_VIEW(view_cycles, plane_study, s->cycle, s->cycles)
+
+static size_t count_branches(const void *run)
+{
+    return ((const struct plane_study *) run)->branches;
+}
+
+/* Points that are sampled for the view. */
+#define ROWS(function, sampled)                                                \
+    static enum status function(const void *run, size_t k,                     \
+                                struct result_view *out)                       \
+    {                                                                          \
+        const struct plane_study *s = run;                                     \
+        struct rows r = rows_of(out->records.type);                            \
+        (void) k;                                                              \
+        return rows_lend(out, &r, sampled);                                    \
+    }
+
+ROWS(view_branch, plane_rows_branch(s, &s->branch[k], &r))
+
+/* "/manifold/{saddle_0/stable_0,saddle_0/stable_1,...}" */
+static const char *branch_paths(const struct plane_study *s,
+                                struct plane_table *t)
+{
+    enum { EACH = 48 };
+    char *end = t->paths = malloc(EACH * (s->branches + 1));
+
+    if (end == NULL)
+        return NULL;
+    end += sprintf(end, "/manifold/{");
+    for (size_t i = 0; i < s->branches; i++)
+        end += sprintf(end, "%ssaddle_%d/%s_%d", i ? "," : "",
+                       (int) s->branch[i].saddle, kind_names[s->branch[i].kind],
+                       (int) s->branch[i].branch);
+    sprintf(end, "}");
+    return t->paths;
+}
+
+#define BRANCH(member) offsetof(struct plane_branch, member)
+#define POINT(member)  offsetof(struct plane_point, member)
+
+static void add_branches(const struct plane_study *s, struct plane_table *t,
+                         const char *paths)
+{
+    size_t first = t->fields;
+    struct result *r;
+
+    field(t, "saddle", RECORD_COUNT, BRANCH(saddle), "number of the saddle");
+    field(t, "kind", RECORD_CODE, BRANCH(kind), "stable or unstable")->codes =
+        kind_names;
+    field(t, "branch", RECORD_COUNT, BRANCH(branch),
+          "0: the one on which the first state grows at the saddle (the second "
+          "where that stays), 1");
+    field(t, "end", RECORD_CODE, BRANCH(end), "where it ends")->codes =
+        plane_end_names;
+    field(t, "to", RECORD_COUNT, BRANCH(to),
+          "number of that equilibrium or cycle");
+    field(t, "length", RECORD_QUANTITY, BRANCH(length),
+          "in the chart, to its end or where it leaves the window");
+    r = result(t,
+               type_of(t, first, "manifold", "half of an invariant manifold",
+                       sizeof *s->branch),
+               ASKED(MANIFOLDS));
+    r->name = "manifolds";
+    r->path = "/manifolds";
+    r->title = "manifolds of the saddles";
+    r->view = view_branches;
+    first = t->fields;
+    field(t, "arc", RECORD_REAL, POINT(arc),
+          "arc length in the chart, from the saddle");
+    states(s, t, "*", RECORD_REAL, POINT(at));
+    field(t, "slope", RECORD_REAL, POINT(slope),
+          "d second/d first, in the chart");
+    field(t, "error", RECORD_REAL, POINT(error),
+          "bound on the distance to the exact curve, in the chart");
+    r = result(t,
+               type_of(t, first, "branch", "points of a manifold",
+                       sizeof(struct plane_point)),
+               ASKED(MANIFOLDS));
+    r->path = paths;
+    r->axis = "arc";
+    r->count = count_branches;
+    r->view = view_branch;
+}
+
+static void add_cycles(const struct plane_study *s, struct plane_table *t)
+{
+    const size_t first = t->fields;
+
+    field(t, "name", RECORD_TEXT, offsetof(struct plane_cycle, name),
+          "its name");
+    field(t, "type", RECORD_CODE, offsetof(struct plane_cycle, type),
+          "whether it attracts")
+        ->codes = plane_cycle_types;
+    struct result *r = result(t,
+                              type_of(t, first, "cycle",
+                                      "closed orbits that curves wind on to",
+                                      sizeof *s->cycle),
+                              ASKED(MANIFOLDS) | ASKED(BASINS));
+    r->name = "cycles";
+    r->path = "/cycles";
+    r->title = "closed orbits that were met";
+    r->view = view_cycles;
+}
+
+/* ---- portrait ------------------------------------------------------------ */
+
+static size_t count_x(const void *run)
+{
+    return ((const struct plane_study *) run)->portrait.nullcline[0].count;
+}
+
+static size_t count_y(const void *run)
+{
+    return ((const struct plane_study *) run)->portrait.nullcline[1].count;
+}
+
+static size_t count_tracks(const void *run)
+{
+    return ((const struct plane_study *) run)->portrait.trajectories.count;
+}
+
+ROWS(view_x, plane_rows_nullcline(s, &s->portrait.nullcline[0].piece[k], &r))
+ROWS(view_y, plane_rows_nullcline(s, &s->portrait.nullcline[1].piece[k], &r))
+ROWS(view_track, plane_rows_trajectory(s, k, &r))
+ROWS(view_arrows, plane_rows_arrows(s, &r))
+
+static void add_nullclines(const struct plane_study *s, struct plane_table *t)
+{
+    const size_t first = t->fields;
+
+    field(t, "arc", RECORD_REAL, offsetof(struct plane_place, arc),
+          "arc length in the chart");
+    states(s, t, "*", RECORD_REAL, offsetof(struct plane_place, at));
+    const struct record_type *type =
+        type_of(t, first, "nullcline", "points where a state stands still",
+                sizeof(struct plane_place));
+    for (size_t i = 0; i < 2; i++) {
+        struct result *r = result(t, type, ASKED(NULLCLINES));
+        r->path = keep(t, "/nullcline/%s_K", s->system[0].axis[i].name);
+        r->axis = "arc";
+        r->count = i == 0 ? count_x : count_y;
+        r->view = i == 0 ? view_x : view_y;
+    }
+}
+
+static void add_arrows(const struct plane_study *s, struct plane_table *t)
+{
+    const size_t first = t->fields;
+
+    states(s, t, "*", RECORD_REAL, offsetof(struct plane_arrow, at));
+    states(s, t, "direction_*", RECORD_REAL,
+           offsetof(struct plane_arrow, direction));
+    field(t, "log10_speed", RECORD_REAL,
+          offsetof(struct plane_arrow, log10_speed), "in the chart");
+    struct result *r = result(t,
+                              type_of(t, first, "arrow", "direction field",
+                                      sizeof(struct plane_arrow)),
+                              ASKED(FIELD_ARROWS));
+    r->path = "/field_arrows";
+    r->view = view_arrows;
+}
+
+static void add_tracks(const struct plane_study *s, struct plane_table *t)
+{
+    const size_t first = t->fields;
+
+    field(t, "time", RECORD_REAL, offsetof(struct plane_moment, time),
+          "0 at the start");
+    states(s, t, "*", RECORD_REAL, offsetof(struct plane_moment, at));
+    for (size_t i = 0; i < s->system[0].observable_count; i++) {
+        const struct planar_observable *o = &s->system[0].observables[i];
+        field(t, o->name, RECORD_REAL,
+              offsetof(struct plane_moment, value) + i * sizeof(double),
+              o->long_name)
+            ->unit = o->unit;
+    }
+    struct result *r =
+        result(t,
+               type_of(t, first, "trajectory", "an orbit, both ways in time",
+                       sizeof(struct plane_moment)),
+               ASKED(TRAJECTORIES));
+    r->path = "/trajectory_K";
+    r->axis = "time";
+    r->count = count_tracks;
+    r->view = view_track;
+}
+
+/* ---- all ----------------------------------------------------------------- */
+
+enum status plane_results_make(struct plane_study *s)
+{
+    struct plane_table *t = s->table = calloc(1, sizeof *t);
+
+    if (t == NULL)
+        return STATUS_NO_MEMORY;
+    add_rest_columns(s, t);
+    add_rests(s, t);
+    add_boxes(s, t);
+    if (s->products & (ASKED(MANIFOLDS) | ASKED(BASINS))) {
+        const char *paths = branch_paths(s, t);
+        if (paths == NULL)
+            return STATUS_NO_MEMORY;
+        add_branches(s, t, paths);
+        add_cycles(s, t);
+    }
+    add_nullclines(s, t);
+    add_arrows(s, t);
+    add_tracks(s, t);
+    t->tables[0] = t->result;
+    return STATUS_OK;
+}
+
+struct results plane_results(const struct plane_study *s)
+{
+    return (struct results){
+        .table = s->table->tables,
+        .run = s,
+        .asked = s->products,
+    };
+}
+
+void plane_results_free(struct plane_table *t)
+{
+    if (t)
+        free(t->paths);
+    free(t);
+}

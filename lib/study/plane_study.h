@@ -1,0 +1,141 @@
+/*
+ * plane_study.h -- give it a scene with a system of formulas, and it returns
+ * the equilibria, the manifolds of all saddles, the portrait and the basins
+ * that the scene asks for.
+ *
+ * Points are absolute in the chart, where positive states are logarithms;
+ * curves are offsets from their origin.
+ */
+#ifndef STUDY_PLANE_STUDY_H
+#define STUDY_PLANE_STUDY_H
+
+#include "arrival.h"
+#include "branch.h"
+#include "plain_plane.h"
+#include "portrait.h"
+#include "record.h"
+#include "region.h"
+#include "scene.h"
+
+/* Types of equilibria, in this order; NULL-ended. */
+enum plane_type {
+    PLANE_SADDLE,
+    PLANE_STABLE_NODE,
+    PLANE_STABLE_FOCUS,
+    PLANE_UNSTABLE_NODE,
+    PLANE_UNSTABLE_FOCUS,
+    PLANE_NONHYPERBOLIC,
+    PLANE_TYPES
+};
+extern const char *const plane_type_names[];
+
+enum { PLANE_NAME = 24 };
+
+struct plane_rest {
+    char word[PLANE_NAME];
+    const char *name;     /* word: its type and its number among these */
+    int8_t type;          /* enum plane_type */
+    struct vec2 z, error; /* bounds of each coordinate */
+    struct quantity state[2];
+    struct plane_lambda {
+        struct quantity re, im;
+    } lambda[2];                 /* ascending; or a pair, im < 0 first */
+    struct plain_plane plane[2]; /* about it, forward and backward in time */
+    struct planar system[2];
+    struct trap_form trap[2];
+};
+
+/* Where a curve ends, in this order; NULL-ended. */
+enum plane_end {
+    PLANE_END_EQUILIBRIUM,
+    PLANE_END_CYCLE,
+    PLANE_END_SADDLE,
+    PLANE_END_INFINITY, /* it has left TOL_PLANE_FAR windows */
+    PLANE_END_EDGE,     /* outside the window as far as it was followed */
+    PLANE_END_UNKNOWN   /* as codes go, -1 */
+};
+extern const char *const plane_end_names[];
+
+struct plane_branch {
+    int64_t saddle;         /* number among the saddles */
+    size_t rest;            /* that saddle's number among all */
+    int8_t kind;            /* enum manifold_kind */
+    int64_t branch;         /* 0: where x grows first (y, if vertical), 1 */
+    struct branch curve;    /* owned; offsets from its saddle */
+    int8_t end;             /* enum plane_end, or -1 */
+    int64_t to;             /* number of the equilibrium or cycle; or none */
+    struct quantity length; /* in the chart, from the saddle to the end, or to
+                               where it last leaves the window */
+    size_t shown;           /* pieces up to that place */
+    double shown_to;        /* theta there, on the last of them */
+};
+
+struct plane_cycle {
+    char word[PLANE_NAME];
+    const char *name;     /* word */
+    int8_t type;          /* of plane_cycle_types */
+    struct winding round; /* its last returns are on it */
+};
+
+enum plane_cycle_type { PLANE_CYCLE_STABLE, PLANE_CYCLE_UNSTABLE };
+extern const char *const plane_cycle_types[];
+
+struct plane_box {
+    double range[2][2]; /* of each state */
+};
+
+struct plane_study {
+    const struct scene *scene; /* borrowed */
+    unsigned products;
+    struct plain_program program;
+    struct plain_plane plane[2]; /* about the middle of the window */
+    struct planar system[2];     /* forward and backward in time */
+    struct window window;
+    struct planar_observable observable[PLANAR_OBSERVABLES_MAX];
+    struct arrival_scale scale;
+    double kappa; /* orbit.h */
+
+    struct plane_rest *rest; /* owned; ascending in x, then y */
+    size_t rests, saddles;
+    bool complete;               /* the window was proved to hold no others */
+    struct plane_box *undecided; /* owned; where others may be */
+    size_t undecided_count;
+
+    struct plane_branch *branch; /* owned; 4 a saddle: stable, unstable */
+    size_t branches;
+    struct plane_cycle *cycle; /* owned */
+    size_t cycles;
+    struct portrait portrait;     /* owned; trajectories: forward */
+    struct trajectories backward; /* owned; from the same starts */
+    struct plane_table *table;    /* owned; plane_results.h */
+};
+
+/* The products run; the scene's, or these where it names none.  Errors as
+ * study_run, STATUS_BAD_SCENE also where a formula cannot be run; on error *s
+ * is empty.  s must not move. */
+MUST_CHECK enum status plane_study_run(struct plane_study *s,
+                                       const struct scene *scene,
+                                       const struct monitor *monitor,
+                                       struct fault *why);
+
+/* A second call is harmless. */
+void plane_study_free(struct plane_study *s);
+
+/* A coordinate of the chart as the state that it is. */
+double plane_state(const struct plane_study *s, int axis, double z);
+struct quantity plane_quantity(const struct plane_study *s, int axis, double z,
+                               double error);
+
+/* Whereto an orbit goes. */
+struct plane_goal {
+    enum plane_goal_kind {
+        PLANE_GOAL_NONE, /* as far as it was followed */
+        PLANE_GOAL_REST,
+        PLANE_GOAL_CYCLE,
+        PLANE_GOAL_INFINITY
+    } kind;
+    size_t index;         /* of the rest, of the cycle; cycles: one not known */
+    struct winding round; /* of a cycle */
+};
+
+#endif
