@@ -23,6 +23,8 @@ static size_t collect_ends(const struct separatrix *s, double end[])
         if (isfinite(s->strand[i].hi))
             end[n++] = s->strand[i].hi;
     }
+    for (size_t i = 0; i < s->flats; i++)
+        end[n++] = s->flat[i].w;
     qsort(end, n, sizeof *end, ascending);
     return n;
 }
@@ -39,9 +41,10 @@ static size_t strands_in(const struct separatrix *s, const struct band *band)
 static enum status find_bands(struct regions *r)
 {
     const struct separatrix *s = r->separatrix;
-    double *end = malloc((2 * s->count + 1) * sizeof *end);
+    const size_t most = 2 * s->count + s->flats + 1;
+    double *end = malloc(most * sizeof *end);
 
-    r->band = calloc(2 * s->count + 1, sizeof *r->band);
+    r->band = calloc(most, sizeof *r->band);
     if (end == NULL || r->band == NULL) {
         free(end);
         return STATUS_NO_MEMORY;

@@ -1,9 +1,9 @@
 /*
  * region.h -- the regions into which separatrices divide the plane.
  *
- * Between the ends of strands their order along a row does not change, for
- * stable manifolds do not cross: a `band` of rows, in which regions are
- * counted from the left.  One basin may consist of several regions.
+ * Between the ends of strands, and flat stretches, their order along a row does
+ * not change, for stable manifolds do not cross: a `band` of rows, in which
+ * regions are counted from the left.  One basin may consist of several regions.
  */
 #ifndef PORTRAIT_REGION_H
 #define PORTRAIT_REGION_H

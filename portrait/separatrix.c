@@ -119,6 +119,29 @@ static enum status end_strand(struct chain *c)
     return STATUS_OK;
 }
 
+static enum status add_flat(struct chain *c, const struct strand_piece *p,
+                            double w)
+{
+    struct separatrix *s = c->s;
+    const struct series across =
+        strand_series(p->curve, p->piece, 1 - s->along);
+    const double base = strand_across(s, s->origin);
+    double slope;
+    const double one = base + series_at(across, p->from, &slope);
+    const double other = base + series_at(across, p->to, &slope);
+    const enum status status = ROOM_FOR(s->flat, s->flat_room, s->flats + 1);
+
+    if (status == STATUS_OK)
+        s->flat[s->flats++] = (struct flat){
+            strand_along(s, s->origin) + w,
+            fmin(one, other),
+            fmax(one, other),
+            p->curve->piece[p->piece].error + strand_rounding(s, w, one),
+            s->chains,
+        };
+    return status;
+}
+
 /* `from` and `to` in the chain's order; start and end are the growing
  * coordinate there. */
 static enum status add_part(struct chain *c, struct strand_piece p,
@@ -126,8 +149,8 @@ static enum status add_part(struct chain *c, struct strand_piece p,
 {
     const int way = end > start ? 1 : end < start ? -1 : c->way;
 
-    if (start == end) /* it moves along its row: nothing can cross it */
-        return STATUS_OK;
+    if (start == end)
+        return add_flat(c, &p, start);
     if (way != c->way) {
         const enum status status = end_strand(c);
         if (status != STATUS_OK)
@@ -210,6 +233,7 @@ enum status separatrix_add(struct separatrix *s, const struct branch *one,
     if (status == STATUS_OK)
         status = end_strand(&c);
     free(c.strand.piece);
+    s->chains++;
     if (s->count > first) {
         struct strand *start = &s->strand[first];
         struct strand *end = &s->strand[s->count - 1];
@@ -324,5 +348,6 @@ void separatrix_free(struct separatrix *s)
     for (size_t i = 0; i < s->count; i++)
         free(s->strand[i].piece);
     free(s->strand);
+    free(s->flat);
     *s = separatrix_empty(s->along, s->origin);
 }

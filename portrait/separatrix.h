@@ -35,12 +35,23 @@ struct strand {
     bool ends[2]; /* whether the chain ends at lo, at hi: else it turns there */
 };
 
+/* A stretch along which the growing coordinate stays exactly: a row that ends
+ * there, or runs along it. */
+struct flat {
+    double w, from, to; /* absolute; from <= to */
+    double error;       /* of w */
+    size_t chain;       /* the how manieth separatrix_add */
+};
+
 struct separatrix {
     int along; /* SEPARATRIX_Y: strands grow in y and cross rows */
     struct vec2 origin;
     double slack; /* how far all of it may be off, as its saddle is; 0 */
     struct strand *strand; /* owned */
     size_t count, room;
+    struct flat *flat; /* owned */
+    size_t flats, flat_room;
+    size_t chains; /* calls of separatrix_add */
 };
 
 /* No strands yet. */
