@@ -24,9 +24,9 @@ enum {
     ROW(STUDY, study, COMMAND_ALL_OF_IT | COMMAND_PLANES)                      \
     ROW(PLAN, plan, COMMAND_ALL_OF_IT | COMMAND_PLANES)                        \
     ROW(KNEES, knees, COMMAND_READS | COMMAND_STUDIES | COMMAND_DRAWS)         \
-    ROW(BASIN, basin, COMMAND_ALL_OF_IT)                                       \
+    ROW(BASIN, basin, COMMAND_ALL_OF_IT | COMMAND_PLANES)                      \
     ROW(SWEEP, sweep, COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES)           \
-    ROW(PUSH, push, COMMAND_READS)                                             \
+    ROW(PUSH, push, COMMAND_READS | COMMAND_PLANES)                            \
     ROW(SIMULATE, simulate, COMMAND_READS | COMMAND_DRAWS)                     \
     ROW(RABINOWICZ, rabinowicz, COMMAND_READS | COMMAND_DRAWS)                 \
     ROW(EXPORT, export, COMMAND_READS)                                         \

@@ -64,6 +64,8 @@ const struct option option_table[] = {
     { "phi", 0, "PHI", OPTION_TEXT, TO(phi),
       .commands = ON(PUSH) | ON(SIMULATE),
       .text = "the same in physical units, as 'slipway laws' has phi" },
+    { "state", 0, "POINT", OPTION_TEXT, TO(state), .commands = ON(PUSH),
+      .text = "the state of a system of formulas, x=1,y=0.5" },
     { "states", 0, "FILE", OPTION_FILE, TO(states), .commands = ON(PUSH),
       .text = "many states, a CSV file with columns v or v [m/s], psi or phi" },
 

@@ -62,7 +62,8 @@ struct options {
     uint64_t given; /* 1 << row of option_table */
 
     /* As they were given, borrowed; NULL or 0: not given. */
-    const char *output, *v, *psi, *phi, *states, *scenes, *only, *form, *as;
+    const char *output, *v, *psi, *phi, *states, *state, *scenes, *only, *form,
+        *as;
     const char *progress;
     bool json, keep_script, quiet, tap, record, sensitivities, resume, quick;
     bool rerun, help, version;

@@ -2,8 +2,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "line.h"
+#include "plane_basin.h"
 
 struct picture {
     const struct plane_study *s;
@@ -76,6 +78,34 @@ static void add_pieces(const struct picture *p, struct stroke *t,
             curve_at(c, i, (double) k / PER_PIECE, at);
             add(p, t, vec2_add(origin, (struct vec2){ at[0], at[1] }));
         }
+}
+
+/* The basins as tints. */
+static void add_basins(const struct picture *p)
+{
+    enum { COLUMNS = 720, ROWS = 480, TINTS = FIGURE_SHADE_6 - FIGURE_SHADE_1 };
+    const struct plane_basin *b = &p->s->basin;
+    struct figure_shade shade[FIGURE_SHADES_MAX];
+    size_t count = 0;
+
+    if (b->shares == 0)
+        return;
+    int8_t *label = malloc((size_t) COLUMNS * ROWS);
+    p->figure->status =
+        label ? plane_basin_fill(p->s, COLUMNS, ROWS, 0, ROWS, label)
+              : STATUS_NO_MEMORY;
+    for (size_t i = 0; i < b->labels && count < FIGURE_SHADES_MAX; i++)
+        if (b->share[i].fraction.value > 0.0) {
+            shade[count] = (struct figure_shade){
+                (int8_t) i, (enum figure_role)(FIGURE_SHADE_1 + count % TINTS),
+                b->share[i].attractor
+            };
+            count++;
+        }
+    if (p->figure->status == STATUS_OK && count > 0)
+        figure_add_labels(p->figure, &(struct figure_labels){
+                                         label, COLUMNS, ROWS, shade, count });
+    free(label);
 }
 
 static void add_arrows(const struct picture *p)
@@ -190,8 +220,8 @@ static void add_equilibria(const struct picture *p)
 void picture_plane(const struct plane_study *s, struct figure *figure)
 {
     static void (*const layer[])(const struct picture *) = {
-        add_arrows, add_trajectories, add_nullclines, add_manifolds,
-        add_equilibria
+        add_basins,     add_arrows,    add_trajectories,
+        add_nullclines, add_manifolds, add_equilibria
     };
     const struct picture p = { s, figure };
     const bool log_axes = s->scene->window.axes == AXES_LOG;

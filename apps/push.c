@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "json.h"
+#include "plane_push.h"
 #include "progress.h"
 #include "scene_units.h"
 #include "state.h"
@@ -34,6 +35,24 @@ static enum status check_options(const struct options *o, struct fault *why)
             "push: --states %s: expected no --v, --psi, --phi beside "
             "it",
             o->states);
+    return STATUS_OK;
+}
+
+static enum status check_state(const struct options *o,
+                               const struct scene *scene, struct fault *why)
+{
+    const bool of_law = o->v || o->psi || o->phi;
+
+    if (scene->system && of_law)
+        return command_refuse(why,
+                              "push: --v, --psi, --phi are of a law%s, "
+                              "expected --state x=1,y=0.5",
+                              "");
+    if (!scene->system && o->state)
+        return command_refuse(why,
+                              "push: --state %s is of a system of "
+                              "formulas, expected --v and --psi",
+                              o->state);
     return STATUS_OK;
 }
 
@@ -222,6 +241,8 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
     struct job j = { .count = 0 };
     struct fault why = { "" };
 
+    if (scene->system)
+        return plane_push(o, scene);
     enum status s = o->states ? read_states(&j, o, scene, &why)
                               : read_single(&j, o, scene, &why);
     if (s == STATUS_OK)
@@ -238,9 +259,16 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
 static enum status read_scene(const struct options *o, struct scene *scene,
                               struct fault *why)
 {
-    const enum status s = check_options(o, why);
+    enum status s = check_options(o, why);
 
-    return s ? s : command_read(o, NULL, 0, scene, why);
+    if (s == STATUS_OK)
+        s = command_read(o, NULL, 0, scene, why);
+    if (s != STATUS_OK)
+        return s;
+    s = check_state(o, scene, why);
+    if (s != STATUS_OK)
+        scene_free(scene);
+    return s;
 }
 
 enum exit_code command_push(const struct options *o)

@@ -12,6 +12,8 @@ unsigned plane_products(const struct options *o)
 {
     const unsigned always = BIT(EQUILIBRIA) | BIT(MANIFOLDS);
 
+    if (o->command == &command_table[COMMAND_BASIN])
+        return always | BIT(BASINS);
     return o->command == &command_table[COMMAND_PORTRAIT]
                ? always | BIT(NULLCLINES) | BIT(TRAJECTORIES)
                : always;
@@ -60,6 +62,18 @@ static enum status write_files(const struct plane_study *s,
     return status ? status : output_draw(o, &p, figure, why);
 }
 
+/* Files are written and numbers printed: the user may see for himself. */
+static enum exit_code judge(const struct plane_basin *b)
+{
+    char text[160];
+
+    snprintf(text, sizeof text,
+             "audit: the orbits of %d of %d states go elsewhere than the map "
+             "says",
+             (int) b->disagreements, (int) b->audited);
+    return command_fail(STATUS_NO_CONVERGENCE, text);
+}
+
 enum exit_code plane_run(const struct options *o, const struct scene *scene,
                          const char *figure)
 {
@@ -78,8 +92,10 @@ enum exit_code plane_run(const struct options *o, const struct scene *scene,
         return command_fail(status, why.text);
     status = write_files(&s, o, draw, &why);
     progress_end();
-    const enum exit_code code =
+    enum exit_code code =
         status == STATUS_OK ? print(&s, o) : command_fail(status, why.text);
+    if (code == EXIT_DONE && s.basin.disagreements > 0)
+        code = judge(&s.basin);
     plane_study_free(&s);
     return code;
 }
@@ -100,6 +116,8 @@ enum exit_code plane_plan(const struct options *o, const struct scene *scene)
           BIT(NULLCLINES) },
         { "field_arrows", "the direction field", "400 fields",
           BIT(FIELD_ARROWS) },
+        { "basins", "whereto every state goes, their shares",
+          "an orbit a region, and those of the audit", BIT(BASINS) },
         { "trajectories", "orbits, both ways in time",
           "some hundred steps each", BIT(TRAJECTORIES) },
     };

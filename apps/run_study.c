@@ -55,6 +55,7 @@ static unsigned products_of(const struct options *o, const struct shortcut *how,
 {
     if (s->system)
         return (s->products ? s->products : plane_products(o)) |
+               (how->always & (BIT(EQUILIBRIA) | BIT(BASINS))) |
                BIT(EQUILIBRIA);
     const unsigned none = how->hands_over && s->sweep.axes > 0
                               ? knees_shortcut.always

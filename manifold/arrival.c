@@ -1,5 +1,5 @@
 /* The form of a trap solves A'P + PA = -1 (Lyapunov); how far V falls along the
- * field is looked at on ellipses, each half as large as the one before. */
+ * field is looked at on ellipses, four for each half of the size. */
 #include "arrival.h"
 
 #include <math.h>
@@ -56,8 +56,8 @@ static double largest_size(const struct planar *sys,
     double size = 0.0;
     int fell = 0;
 
-    for (int k = TOL_TRAP_LEVELS; k >= 1; k--) {
-        const double next = ldexp(1.0, -k);
+    for (int k = 4 * TOL_TRAP_LEVELS; k >= 4; k--) {
+        const double next = exp2(-k / 4.0);
         if (!falls(sys, s, t, next))
             break;
         size = next;

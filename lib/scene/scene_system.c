@@ -16,7 +16,7 @@
 
 const unsigned scene_system_products = BIT(EQUILIBRIA) | BIT(NULLCLINES) |
                                        BIT(FIELD_ARROWS) | BIT(MANIFOLDS) |
-                                       BIT(TRAJECTORIES);
+                                       BIT(TRAJECTORIES) | BIT(BASINS);
 
 /* ---- places -------------------------------------------------------------- */
 

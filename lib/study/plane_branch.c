@@ -49,6 +49,8 @@ enum status plane_cycle_add(struct plane_study *s, const struct winding *w,
                                               : PLANE_CYCLE_UNSTABLE,
                                .round = *w };
     snprintf(c->word, sizeof c->word, "cycle_%zu", s->cycles++);
+    for (size_t k = 0; k < s->cycles; k++) /* they may have moved */
+        s->cycle[k].name = s->cycle[k].word;
     return STATUS_OK;
 }
 

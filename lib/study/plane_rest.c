@@ -50,6 +50,18 @@ static void fill(const struct plane_study *s,
     }
 }
 
+/* No trap reaches to another equilibrium. */
+static void keep_apart(struct plane_study *s)
+{
+    for (size_t i = 0; i < 2 * s->rests; i++) {
+        struct trap_form *t = &s->rest[i / 2].trap[i % 2];
+        for (size_t k = 0; k < s->rests; k++)
+            if (k != i / 2 && t->size > 0.0)
+                t->size = fmin(t->size, 0.5 * trap_form_distance(t, &s->scale,
+                                                                 s->rest[k].z));
+    }
+}
+
 static enum status keep(struct plane_study *s,
                         const struct system_equilibria *found)
 {
@@ -70,6 +82,7 @@ static enum status keep(struct plane_study *s,
                  count[r->type]++);
     }
     s->saddles = count[PLANE_SADDLE];
+    keep_apart(s);
     for (size_t i = 0; i < s->undecided_count; i++)
         for (int k = 0; k < 2; k++) {
             const struct system_window *w = &found->undecided[i];

@@ -6,11 +6,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "plane_basin.h"
 #include "plane_rows.h"
 
 #define ASKED(product) ((uint64_t) 1 << PRODUCT_##product)
 
-enum { RESULTS_MOST = 32, FIELDS_MOST = 48, TYPES_MOST = 20, TEXTS = 8192 };
+enum { RESULTS_MOST = 40, FIELDS_MOST = 64, TYPES_MOST = 28, TEXTS = 8192 };
 
 struct plane_table {
     struct record_field field[FIELDS_MOST];
@@ -402,6 +403,129 @@ static void add_tracks(const struct plane_study *s, struct plane_table *t)
     r->view = view_track;
 }
 
+/* ---- basins -------------------------------------------------------------- */
+
+RESULT_VIEW(view_shares, plane_study, s->basin.share, s->basin.shares)
+RESULT_VIEW(view_boundary, plane_study, s->basin.boundary, s->basin.boundaries)
+RESULT_VIEW(view_audit, plane_study, &s->basin, 1)
+
+static enum status view_cells(const void *run, size_t axis,
+                              struct result_view *out)
+{
+    const struct plane_study *s = run;
+    const size_t n = s->scene->cells[axis];
+    double *at = malloc(n * sizeof *at);
+
+    if (at == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < n; i++)
+        at[i] = plane_basin_cell(s, (int) axis, i, n, false);
+    out->owned = at;
+    return result_lend(out, at, n);
+}
+
+static enum status view_columns(const void *run, size_t k,
+                                struct result_view *out)
+{
+    (void) k;
+    return view_cells(run, 0, out);
+}
+
+static enum status view_rows(const void *run, size_t k, struct result_view *out)
+{
+    (void) k;
+    return view_cells(run, 1, out);
+}
+
+static enum status label_rows(const void *run, size_t first, size_t count,
+                              const struct monitor *monitor, void *records)
+{
+    const struct plane_study *s = run;
+
+    (void) monitor;
+    return plane_basin_fill(s, s->scene->cells[0], s->scene->cells[1], first,
+                            count, records);
+}
+
+static void add_grid(const struct plane_study *s, struct plane_table *t)
+{
+    const char *name[] = { s->system[0].axis[0].name,
+                           s->system[0].axis[1].name };
+    size_t first;
+    struct result *r;
+
+    for (size_t i = 2; i-- > 0;) {
+        first = t->fields;
+        field(t, name[i], RECORD_REAL, 0, name[i]);
+        r = result(t, type_of(t, first, name[i], "cells", sizeof(double)),
+                   ASKED(BASINS));
+        r->path = "/basin";
+        r->axis = name[i];
+        r->view = i == 0 ? view_columns : view_rows;
+    }
+    first = t->fields;
+    field(t, "label", RECORD_CODE, 0, "whereto the state goes")->codes =
+        s->basin.name;
+    r = result(t, type_of(t, first, "label", "a map of attractors", 1),
+               ASKED(BASINS));
+    r->path = "/basin";
+    r->shape = RESULT_LAYERS;
+    r->axis = keep(t, "%s, %s", name[1], name[0]);
+    r->rows = label_rows;
+}
+
+#define BASIN(member) offsetof(struct plane_basin, member)
+
+static void add_basins(const struct plane_study *s, struct plane_table *t)
+{
+    size_t first = t->fields;
+    struct result *r;
+
+    field(t, "attractor", RECORD_TEXT, offsetof(struct plane_share, attractor),
+          "whereto");
+    field(t, "fraction", RECORD_QUANTITY,
+          offsetof(struct plane_share, fraction),
+          "of the window, by area as it is drawn");
+    r = result(t,
+               type_of(t, first, "share", "shares of the window",
+                       sizeof(struct plane_share)),
+               ASKED(BASINS));
+    r->name = "shares";
+    r->path = "/shares";
+    r->title = "shares of the window";
+    r->view = view_shares;
+    first = t->fields;
+    field(t, "manifold", RECORD_COUNT,
+          offsetof(struct plane_boundary, manifold),
+          "number among the manifolds");
+    field(t, "of", RECORD_TEXT, offsetof(struct plane_boundary, of),
+          "its saddle, or the cycle itself");
+    r = result(t,
+               type_of(t, first, "boundary", "curves between basins",
+                       sizeof(struct plane_boundary)),
+               ASKED(BASINS));
+    r->name = "boundary";
+    r->path = "/boundary";
+    r->title = "boundaries of basins";
+    r->view = view_boundary;
+    first = t->fields;
+    field(t, "cells", RECORD_COUNT, BASIN(audited),
+          "states followed forward in time");
+    field(t, "disagreements", RECORD_COUNT, BASIN(disagreements),
+          "those that go elsewhere");
+    r = result(t,
+               type_of(t, first, "audit", "map against orbits",
+                       sizeof(struct plane_basin)),
+               ASKED(BASINS));
+    r->name = "audit";
+    r->title = "audit";
+    r->path = "/basin";
+    r->member = "audit_*";
+    r->shape = RESULT_ATTRIBUTES;
+    r->view = view_audit;
+    add_grid(s, t);
+}
+
 /* ---- all ----------------------------------------------------------------- */
 
 enum status plane_results_make(struct plane_study *s)
@@ -423,6 +547,8 @@ enum status plane_results_make(struct plane_study *s)
     add_nullclines(s, t);
     add_arrows(s, t);
     add_tracks(s, t);
+    if (s->products & ASKED(BASINS))
+        add_basins(s, t);
     t->tables[0] = t->result;
     return STATUS_OK;
 }

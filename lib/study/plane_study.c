@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "plane_basin.h"
 #include "plane_branch.h"
 #include "plane_rest.h"
 #include "plane_results.h"
@@ -209,6 +210,8 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
         status = plane_branch_grow(s, monitor);
     if (status == STATUS_OK)
         status = find_portrait(s, monitor, why);
+    if (status == STATUS_OK && s->products & BIT(BASINS))
+        status = plane_basin_find(s, monitor);
     return status ? status : plane_results_make(s);
 }
 
@@ -237,6 +240,7 @@ void plane_study_free(struct plane_study *s)
     free(s->cycle);
     portrait_free(&s->portrait);
     trajectory_free(&s->backward);
+    plane_basin_free(&s->basin);
     plane_results_free(s->table);
     *s = (struct plane_study){ .scene = NULL };
 }

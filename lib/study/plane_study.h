@@ -80,6 +80,41 @@ struct plane_cycle {
 enum plane_cycle_type { PLANE_CYCLE_STABLE, PLANE_CYCLE_UNSTABLE };
 extern const char *const plane_cycle_types[];
 
+/* A share of the window, by area as it is drawn. */
+struct plane_share {
+    const char *attractor; /* borrowed; an equilibrium, a cycle, "infinity",
+                              "undecided" */
+    struct quantity fraction;
+};
+
+/* A curve between basins, about the study's origin: a stable manifold, or a
+ * cycle that repels. */
+struct plane_border {
+    struct branch half[2]; /* owned */
+    size_t of; /* the first of its two branches; or s->branches + the cycle */
+    size_t first, last; /* its strands */
+    bool divides;       /* different labels lie on its sides in the window */
+};
+
+/* One that divides the window: its manifold, or none, and whose it is. */
+struct plane_boundary {
+    int64_t manifold;
+    const char *of; /* borrowed */
+};
+
+struct plane_basin {
+    struct plane_border *border; /* owned */
+    size_t borders, border_room;
+    struct separatrix cuts; /* of all of them; along y */
+    struct regions regions;
+    struct plane_share *share;       /* owned; by label */
+    const char **name;               /* owned; their names, NULL-ended */
+    size_t labels, shares;           /* shares: and "undecided" */
+    struct plane_boundary *boundary; /* owned */
+    size_t boundaries;
+    int64_t audited, disagreements;
+};
+
 struct plane_box {
     double range[2][2]; /* of each state */
 };
@@ -107,6 +142,7 @@ struct plane_study {
     size_t cycles;
     struct portrait portrait;     /* owned; trajectories: forward */
     struct trajectories backward; /* owned; from the same starts */
+    struct plane_basin basin;     /* members owned */
     struct plane_table *table;    /* owned; plane_results.h */
 };
 

@@ -65,4 +65,12 @@
 #define TOL_PLANE_LOST       1e-3
 #define TOL_PLANE_SAME_CYCLE 1e-4
 
+/* Basins of such planes: cycles are looked for from this far beside others, and
+ * kept to this accuracy; copies of a curve of an angle; regions are one where
+ * they share more of a row than this. */
+#define TOL_PLANE_BESIDE 1e-3
+#define TOL_PLANE_CYCLE  1e-12
+#define TOL_PLANE_TURNS  50.0
+#define TOL_PLANE_DOOR   1e-6
+
 #endif

@@ -1,0 +1,171 @@
+/* Inside the window by the map of basins, in which a state may lie too near to
+ * a boundary to tell; beyond it by the state's own orbit. */
+#include "plane_push.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "json.h"
+#include "number.h"
+#include "plane_basin.h"
+#include "plane_branch.h"
+#include "progress.h"
+#include "table.h"
+
+struct job {
+    const struct scene *scene;
+    struct scene asked; /* borrows from it */
+    struct plane_study study;
+    double (*state)[2]; /* owned */
+    const char **goal;  /* owned; names are borrowed */
+    size_t count;
+    struct table table; /* where the states come from; else empty */
+};
+
+/* ---- states -------------------------------------------------------------- */
+
+static const char *name_of(const struct job *j, int axis)
+{
+    return j->scene->system->state[axis].name;
+}
+
+static bool is_good(const struct job *j, int axis, const char *text, double *x)
+{
+    return number_read(text, x) && fabs(*x) <= 1e300 &&
+           (*x >= 1e-300 || !scene_axis_is_log(j->scene, axis));
+}
+
+static const char *expected(const struct job *j, int axis)
+{
+    return scene_axis_is_log(j->scene, axis) ? "a number > 0" : "a number";
+}
+
+static enum status make_room(struct job *j, size_t count)
+{
+    j->count = count;
+    j->state = calloc(count, sizeof *j->state);
+    j->goal = (const char **) calloc(count, sizeof *j->goal);
+    return j->state && j->goal ? STATUS_OK : STATUS_NO_MEMORY;
+}
+
+/* "x=1,y=0.5" */
+static enum status read_single(struct job *j, const char *text,
+                               struct fault *why)
+{
+    char *copy = strdup(text ? text : ""), *rest = copy, *part;
+    bool known[2] = { false, false };
+    enum status s = make_room(j, 1);
+
+    while (copy && s == STATUS_OK && (part = strsep(&rest, ",")) != NULL) {
+        char *value = strchr(part, '=');
+        if (value)
+            *value++ = '\0';
+        for (int i = 0; i < 2 && value; i++)
+            if (strcmp(part, name_of(j, i)) == 0)
+                known[i] = is_good(j, i, value, &j->state[0][i]);
+    }
+    if (s == STATUS_OK && !(known[0] && known[1])) {
+        snprintf(why->text, sizeof why->text,
+                 "push: %s%.60s, expected --state %s=A,%s=B, each %s",
+                 text ? "--state " : "no state", text ? text : "",
+                 name_of(j, 0), name_of(j, 1),
+                 expected(j, !known[1] && known[0]));
+        s = STATUS_BAD_ARGUMENT;
+    }
+    free(copy);
+    return s;
+}
+
+static enum status read_many(struct job *j, const char *path, struct fault *why)
+{
+    enum status s = table_read(&j->table, path, why);
+
+    if (s == STATUS_OK)
+        s = make_room(j, j->table.rows);
+    for (size_t row = 0; s == STATUS_OK && row < j->count; row++)
+        for (int i = 0; i < 2 && s == STATUS_OK; i++) {
+            const struct table_cell *c =
+                table_find(&j->table, row, name_of(j, i));
+            const struct table_cell *at = c ? c : table_at(&j->table, row, 0);
+            if (c == NULL || !is_good(j, i, c->text, &j->state[row][i]))
+                s = place_blame(table_place(&j->table, at), why,
+                                "no '%s' in this row, expected %s",
+                                name_of(j, i), expected(j, i));
+        }
+    return s;
+}
+
+/* ---- answers ------------------------------------------------------------- */
+
+static enum status find_goal(struct job *j, size_t i)
+{
+    const struct plane_study *s = &j->study;
+    const struct vec2 z = {
+        scene_axis_is_log(j->scene, 0) ? log(j->state[i][0]) : j->state[i][0],
+        scene_axis_is_log(j->scene, 1) ? log(j->state[i][1]) : j->state[i][1]
+    };
+    struct plane_goal goal;
+    int8_t label;
+    enum status status;
+
+    if (box_holds(s->window.box, z)) {
+        status = plane_basin_at(s, z, &label);
+    } else {
+        status = plane_follow(s, z, false, &goal);
+        label = plane_basin_label(s, &goal);
+    }
+    j->goal[i] = s->basin.name[label < 0 ? (int8_t) s->basin.labels : label];
+    return status;
+}
+
+static json_t *answer_json(const struct job *j, size_t i)
+{
+    return json_pack("{s:{s:o, s:o}, s:s}", "state", name_of(j, 0),
+                     json_number(j->state[i][0]), name_of(j, 1),
+                     json_number(j->state[i][1]), "attractor", j->goal[i]);
+}
+
+static enum exit_code print(const struct job *j, const struct options *o)
+{
+    json_t *list = json_array();
+
+    for (size_t i = 0; i < j->count; i++) {
+        json_array_append_new(list, answer_json(j, i));
+        if (!o->json && !o->quiet)
+            printf("%s = %.17g, %s = %.17g: %s\n", name_of(j, 0),
+                   j->state[i][0], name_of(j, 1), j->state[i][1], j->goal[i]);
+    }
+    if (!o->json) {
+        json_decref(list);
+        return EXIT_DONE;
+    }
+    json_t *all = j->table.rows > 0 ? json_pack("{s:o}", "states", list)
+                                    : json_incref(json_array_get(list, 0));
+    if (j->table.rows == 0)
+        json_decref(list);
+    return json_print(all) ? EXIT_DONE : command_unwritten();
+}
+
+enum exit_code plane_push(const struct options *o, const struct scene *scene)
+{
+    struct job j = { .scene = scene, .asked = *scene };
+    struct fault why = { "" };
+
+    j.asked.products = 1u << PRODUCT_BASINS;
+    j.asked.audit = 0;
+    enum status s = o->states ? read_many(&j, o->states, &why)
+                              : read_single(&j, o->state, &why);
+    if (s == STATUS_OK)
+        s = plane_study_run(&j.study, &j.asked, progress_monitor(o), &why);
+    progress_end();
+    for (size_t i = 0; i < j.count && s == STATUS_OK; i++)
+        s = find_goal(&j, i);
+    const enum exit_code code =
+        s == STATUS_OK ? print(&j, o) : command_fail(s, why.text);
+    plane_study_free(&j.study);
+    table_free(&j.table);
+    free(j.state);
+    free((void *) j.goal);
+    return code;
+}

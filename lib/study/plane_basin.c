@@ -1,0 +1,569 @@
+/* Regions of neighbouring bands that share a part of the row between them are
+ * one: only whole patches are labelled, by the orbits from inside of their
+ * largest regions.  Orbits from anywhere then audit the map. */
+#include "plane_basin.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "basin.h"
+#include "plane_border.h"
+#include "plane_branch.h"
+#include "study_tolerance.h"
+#include "tolerance.h"
+
+/* ---- patches ------------------------------------------------------------- */
+
+/* Regions and which belong together: of[i] <= i, of[i] == i for the first. */
+struct patches {
+    const struct plane_study *s;
+    struct regions *r;
+    size_t *of;
+    struct area *area;
+    struct crossing *below, *above;
+};
+
+static size_t patch_of(const struct patches *p, size_t i)
+{
+    while (p->of[i] != i)
+        i = p->of[i];
+    return i;
+}
+
+static void join(struct patches *p, size_t i, size_t j)
+{
+    const size_t a = patch_of(p, i), b = patch_of(p, j);
+
+    p->of[a > b ? a : b] = a > b ? b : a;
+}
+
+/* The left and the right end of region k between n crossings, in the window. */
+static double end_of(const struct plane_study *s, const struct crossing c[],
+                     size_t n, size_t k)
+{
+    const struct box w = s->window.box;
+
+    if (k == 0)
+        return w.lo.x;
+    return k > n ? w.hi.x : fmin(fmax(c[k - 1].at, w.lo.x), w.hi.x);
+}
+
+/* How much between two places is open from a row to another just above it. */
+static double open_part(const struct separatrix *c, double row, double next,
+                        double left, double right)
+{
+    double part = right - left;
+
+    for (size_t i = 0; i < c->flats; i++)
+        if (c->flat[i].w >= row && c->flat[i].w <= next)
+            part -= fmax(
+                fmin(right, c->flat[i].to) - fmax(left, c->flat[i].from), 0.0);
+    return part;
+}
+
+/* Regions of two bands that meet. */
+static void join_bands(struct patches *p, const struct band *lower,
+                       const struct band *upper)
+{
+    const struct separatrix *c = p->r->separatrix;
+    const double least = TOL_PLANE_DOOR * p->s->scale.side.x;
+    const size_t m =
+        separatrix_row(c, nextafter(lower->hi, -HUGE_VAL), p->below);
+    const size_t n = separatrix_row(c, upper->lo, p->above);
+
+    if (m != lower->strands || n != upper->strands)
+        return; /* as thin as rounding */
+    for (size_t k = 0, j = 0; k <= m && j <= n;) {
+        const double below = end_of(p->s, p->below, m, k + 1);
+        const double above = end_of(p->s, p->above, n, j + 1);
+        const double left =
+            fmax(end_of(p->s, p->below, m, k), end_of(p->s, p->above, n, j));
+        if (open_part(c, lower->hi, upper->lo, left, fmin(below, above)) >
+            least)
+            join(p, lower->first + k, upper->first + j);
+        k += below <= above;
+        j += above <= below;
+    }
+}
+
+/* Thin bands are none: a curve ends before what it goes to. */
+static bool is_door(const struct plane_study *s, const struct band *band)
+{
+    const struct box w = s->window.box;
+
+    return fmin(band->hi, w.hi.y) - fmax(band->lo, w.lo.y) >
+           TOL_PLANE_DOOR * s->scale.side.y;
+}
+
+static void join_all(struct patches *p)
+{
+    const struct band *last = NULL;
+
+    for (size_t i = 0; i < p->r->count; i++)
+        p->of[i] = i;
+    for (size_t i = 0; i < p->r->bands; i++) {
+        const struct band *band = &p->r->band[i];
+        if (!is_door(p->s, band))
+            continue;
+        if (last)
+            join_bands(p, last, band);
+        last = band;
+    }
+}
+
+/* ---- labels -------------------------------------------------------------- */
+
+/* Near the middle, where equilibria like to be. */
+static double between(double lo, double hi)
+{
+    return lo + 0.4871 * (hi - lo);
+}
+
+int8_t plane_basin_label(const struct plane_study *s,
+                         const struct plane_goal *g)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < s->rests; i++) {
+        if (g->kind == PLANE_GOAL_REST && g->index == i)
+            return (int8_t) n;
+        n += s->rest[i].trap[0].size > 0.0;
+    }
+    if (g->kind == PLANE_GOAL_INFINITY)
+        return (int8_t) n;
+    if (g->kind != PLANE_GOAL_CYCLE)
+        return -1;
+    for (size_t k = 0; k < g->index; k++)
+        n += s->cycle[k].type == PLANE_CYCLE_STABLE;
+    return g->index < s->cycles ? (int8_t) (n + 1) : -1;
+}
+
+/* Near the middle of region k of a band, on the row where it is widest of some;
+ * false: it is nowhere wide. */
+static bool inside_of(const struct patches *p, const struct band *band,
+                      size_t k, struct vec2 *z)
+{
+    enum { ROWS = 16 };
+    const struct box w = p->s->window.box;
+    const double from = fmax(band->lo, w.lo.y), to = fmin(band->hi, w.hi.y);
+    double widest = 0.0;
+
+    for (int i = 0; i < ROWS; i++) {
+        const double y = from + (i + 0.4871) / ROWS * (to - from);
+        const size_t n = separatrix_row(p->r->separatrix, y, p->below);
+        const double lo = end_of(p->s, p->below, n, k);
+        const double hi = end_of(p->s, p->below, n, k + 1);
+        if (n != band->strands || !(hi - lo > widest))
+            continue;
+        widest = hi - lo;
+        *z = (struct vec2){ between(lo, hi), y };
+    }
+    return widest > 0.0;
+}
+
+/* Whereto the inside of a region goes; cycles that are new are added. */
+static enum status follow_region(struct patches *p, size_t region,
+                                 struct plane_study *s, int8_t *label)
+{
+    size_t i = 0;
+    struct plane_goal goal;
+    struct vec2 z;
+
+    while (i + 1 < p->r->bands && p->r->band[i + 1].first <= region)
+        i++;
+    const struct band *band = &p->r->band[i];
+    *label = -1;
+    if (!inside_of(p, band, region - band->first, &z))
+        return STATUS_OK;
+    enum status status = plane_follow(s, z, false, &goal);
+    if (status == STATUS_OK && goal.kind == PLANE_GOAL_CYCLE)
+        status = plane_cycle_add(s, &goal.round, true, &goal.index);
+    *label = plane_basin_label(s, &goal);
+    return status;
+}
+
+enum { WITNESSES = 3 };
+
+/* The largest regions of a patch, by area. */
+static size_t largest(const struct patches *p, size_t patch,
+                      size_t out[WITNESSES])
+{
+    size_t n = 0;
+
+    for (size_t i = patch; i < p->r->count; i++) {
+        if (patch_of(p, i) != patch || !(p->area[i].value > 0.0))
+            continue;
+        size_t k = n < WITNESSES ? n++ : WITNESSES;
+        for (; k > 0 && p->area[out[k - 1]].value < p->area[i].value; k--)
+            if (k < WITNESSES)
+                out[k] = out[k - 1];
+        if (k < WITNESSES)
+            out[k] = i;
+    }
+    return n;
+}
+
+static enum status label_patch(struct patches *p, size_t patch,
+                               struct plane_study *s)
+{
+    size_t witness[WITNESSES];
+    const size_t n = largest(p, patch, witness);
+    int8_t label = -1, other;
+    enum status status = STATUS_OK;
+
+    for (size_t k = 0; k < n && status == STATUS_OK; k++) {
+        status = follow_region(p, witness[k], s, &other);
+        label = k == 0 || label == other ? other : (int8_t) -1;
+    }
+    for (size_t i = patch; i < p->r->count; i++)
+        if (patch_of(p, i) == patch)
+            p->r->region[i].label = label < 0 ? REGION_UNLABELLED : label;
+    return status;
+}
+
+static struct measure measure_of(const struct plane_study *s)
+{
+    const struct box w = s->window.box;
+
+    return (
+        struct measure){ { s->window.exponential[0], s->window.exponential[1] },
+                         { w.hi.x, w.hi.y } };
+}
+
+static enum status label_all(struct plane_study *s, struct patches *p,
+                             const struct monitor *monitor)
+{
+    enum status status = STATUS_OK;
+
+    join_all(p);
+    for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
+        if (p->of[i] != i)
+            continue;
+        if (monitor_tell(monitor, "regions", i, p->r->count))
+            return STATUS_STOPPED;
+        status = label_patch(p, i, s);
+    }
+    return status;
+}
+
+/* ---- shares -------------------------------------------------------------- */
+
+/* Room for all attractors, infinity, and what is undecided. */
+static enum status name_shares(struct plane_study *s)
+{
+    struct plane_basin *b = &s->basin;
+    const size_t most = s->rests + s->cycles + 3;
+    size_t n = 0;
+
+    b->share = calloc(most, sizeof *b->share);
+    b->name = (const char **) calloc(most + 1, sizeof *b->name);
+    if (b->share == NULL || b->name == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < s->rests; i++)
+        if (s->rest[i].trap[0].size > 0.0)
+            b->name[n++] = s->rest[i].name;
+    b->name[n++] = "infinity";
+    for (size_t k = 0; k < s->cycles; k++)
+        if (s->cycle[k].type == PLANE_CYCLE_STABLE)
+            b->name[n++] = s->cycle[k].name;
+    b->labels = n;
+    b->name[n++] = "undecided";
+    b->shares = n;
+    for (size_t i = 0; i < n; i++)
+        b->share[i].attractor = b->name[i];
+    return STATUS_OK;
+}
+
+/* What borders along rows may be off, as a share. */
+static double flat_error(const struct plane_study *s)
+{
+    const struct separatrix *c = &s->basin.cuts;
+    double sum = 0.0;
+
+    for (size_t i = 0; i < c->flats; i++)
+        sum += c->flat[i].error / s->scale.side.y;
+    return sum;
+}
+
+/* The area of thin bands, in which a curve may end. */
+static double thin_part(const struct plane_study *s, const struct area area[])
+{
+    const struct regions *r = &s->basin.regions;
+    double sum = 0.0;
+
+    for (size_t i = 0; i < r->bands; i++)
+        for (size_t k = 0; k <= r->band[i].strands; k++)
+            if (!is_door(s, &r->band[i]))
+                sum += fabs(area[r->band[i].first + k].value);
+    return sum;
+}
+
+static void share_out(struct plane_study *s, const struct area area[])
+{
+    struct plane_basin *b = &s->basin;
+    const struct measure m = measure_of(s);
+    const struct box w = s->window.box;
+    const double all = measure_between(&m, 0, w.lo.x, w.hi.x) *
+                       measure_between(&m, 1, w.lo.y, w.hi.y);
+    double *value = calloc(2 * b->shares, sizeof *value);
+    double sum = 0.0, missing = 0.0;
+
+    for (size_t i = 0; i < b->regions.count && value; i++) {
+        const int8_t label = b->regions.region[i].label;
+        const size_t k = label < 0 ? b->labels : (size_t) label;
+        value[2 * k] += area[i].value / all;
+        value[2 * k + 1] += area[i].error / all;
+        sum += area[i].value / all;
+    }
+    missing = fabs(1.0 - sum) + flat_error(s) + thin_part(s, area) / all;
+    for (size_t k = 0; k < b->shares && value; k++)
+        b->share[k].fraction =
+            quantity_of(fmax(value[2 * k], 0.0),
+                        value[2 * k + 1] + missing + TOL_SHARE_ROUNDING);
+    free(value);
+}
+
+/* ---- audit --------------------------------------------------------------- */
+
+/* Point i of a sequence that fills the unit square evenly (Roberts 2018). */
+static struct vec2 spread(uint64_t seed, size_t i)
+{
+    const double t = (double) i + 1.0,
+                 shift = 0.5 + 1e-3 * (double) (seed % 997);
+    const double x = shift + 0.7548776662466927 * t;
+    const double y = shift + 0.5698402909980532 * t;
+
+    return (struct vec2){ x - floor(x), y - floor(y) };
+}
+
+static enum status audit(struct plane_study *s, const struct monitor *monitor)
+{
+    struct plane_basin *b = &s->basin;
+    const size_t n = s->scene->audit;
+    size_t asked = 0, wrong = 0;
+    bool failed = false;
+
+    if (monitor_tell(monitor, "audit", 0, n))
+        return STATUS_STOPPED;
+#pragma omp parallel for schedule(dynamic, 8) reduction(+ : asked, wrong)
+    for (size_t i = 0; i < n; i++) {
+        const struct vec2 z = window_at(&s->window, spread(s->scene->seed, i));
+        struct plane_goal goal;
+        int8_t label;
+        if (plane_basin_at(s, z, &label) != STATUS_OK ||
+            (label >= 0 && plane_follow(s, z, false, &goal) != STATUS_OK)) {
+#pragma omp atomic write
+            failed = true;
+            continue;
+        }
+        asked += label >= 0;
+        wrong += label >= 0 && label != plane_basin_label(s, &goal);
+    }
+    b->audited = (int64_t) asked;
+    b->disagreements = (int64_t) wrong;
+    for (size_t k = 0; k < b->shares && wrong > 0; k++)
+        b->share[k].fraction.error +=
+            (double) wrong / (double) asked + 3.0 / sqrt((double) asked);
+    return failed ? STATUS_NO_MEMORY : STATUS_OK;
+}
+
+/* ---- the boundary -------------------------------------------------------- */
+
+/* Which borders have different labels on their sides within the window. */
+static void mark_borders(struct patches *p, struct plane_study *s)
+{
+    const struct box w = s->window.box;
+
+    for (size_t i = 0; i < p->r->bands; i++) {
+        const struct band *band = &p->r->band[i];
+        const double y =
+            between(fmax(band->lo, w.lo.y), fmin(band->hi, w.hi.y));
+        const size_t n = separatrix_row(p->r->separatrix, y, p->below);
+        if (n != band->strands || !(band->hi > w.lo.y && band->lo < w.hi.y))
+            continue;
+        for (size_t k = 0; k < n; k++) {
+            const int8_t left = p->r->region[band->first + k].label;
+            const int8_t right = p->r->region[band->first + k + 1].label;
+            if (left == right || p->below[k].at < w.lo.x ||
+                p->below[k].at > w.hi.x)
+                continue;
+            for (size_t j = 0; j < s->basin.borders; j++)
+                s->basin.border[j].divides |=
+                    p->below[k].strand >= s->basin.border[j].first &&
+                    p->below[k].strand < s->basin.border[j].last;
+        }
+    }
+}
+
+/* The same of borders along a row. */
+static enum status mark_flats(struct plane_study *s)
+{
+    const struct box w = s->window.box;
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < s->basin.cuts.flats && status == STATUS_OK; i++) {
+        const struct flat *f = &s->basin.cuts.flat[i];
+        const double from = fmax(f->from, w.lo.x), to = fmin(f->to, w.hi.x);
+        const double off = f->error + TOL_PLANE_DOOR * s->scale.side.y;
+        int8_t side[2];
+        if (!(from < to) || f->w < w.lo.y || f->w > w.hi.y)
+            continue;
+        for (int k = 0; k < 2 && status == STATUS_OK; k++)
+            status = plane_basin_at(
+                s, (struct vec2){ between(from, to), f->w + (k ? off : -off) },
+                &side[k]);
+        s->basin.border[f->chain].divides |= side[0] != side[1];
+    }
+    return status;
+}
+
+/* By their manifolds and cycles, each once. */
+static enum status list_boundary(struct plane_study *s)
+{
+    struct plane_basin *b = &s->basin;
+
+    b->boundary = calloc(2 * b->borders + 1, sizeof *b->boundary);
+    if (b->boundary == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < b->borders; i++) {
+        const size_t of = b->border[i].of;
+        const bool known =
+            i > 0 && b->border[i - 1].of == of && b->border[i - 1].divides;
+        if (!b->border[i].divides || known)
+            continue;
+        if (of >= s->branches)
+            b->boundary[b->boundaries++] =
+                (struct plane_boundary){ RECORD_COUNT_NONE,
+                                         s->cycle[of - s->branches].name };
+        else
+            for (size_t k = 0; k < 2; k++)
+                b->boundary[b->boundaries++] =
+                    (struct plane_boundary){ (int64_t) (of + k),
+                                             s->rest[s->branch[of].rest].name };
+    }
+    return STATUS_OK;
+}
+
+/* ---- all ----------------------------------------------------------------- */
+
+static enum status work(struct plane_study *s, struct patches *p,
+                        const struct monitor *monitor)
+{
+    const size_t room = p->r->most + 1, n = p->r->count + 1;
+
+    p->of = calloc(n, sizeof *p->of);
+    p->area = calloc(n, sizeof *p->area);
+    p->below = calloc(room, sizeof *p->below);
+    p->above = calloc(room, sizeof *p->above);
+    if (!p->of || !p->area || !p->below || !p->above)
+        return STATUS_NO_MEMORY;
+    regions_areas(p->r, s->window.box, measure_of(s), p->below, p->area);
+    enum status status = label_all(s, p, monitor);
+    if (status == STATUS_OK)
+        status = name_shares(s);
+    if (status != STATUS_OK)
+        return status;
+    share_out(s, p->area);
+    mark_borders(p, s);
+    status = mark_flats(s);
+    if (status == STATUS_OK)
+        status = list_boundary(s);
+    return status ? status : audit(s, monitor);
+}
+
+enum status plane_basin_find(struct plane_study *s,
+                             const struct monitor *monitor)
+{
+    struct patches p = { .s = s, .r = &s->basin.regions };
+    enum status status = plane_border_look(s);
+
+    if (status == STATUS_OK)
+        status = plane_border_find(s);
+    if (status == STATUS_OK)
+        status = regions_init(&s->basin.regions, &s->basin.cuts);
+    if (status == STATUS_OK)
+        status = work(s, &p, monitor);
+    free(p.of);
+    free(p.area);
+    free(p.below);
+    free(p.above);
+    return status;
+}
+
+/* ---- answers ------------------------------------------------------------- */
+
+enum status plane_basin_at(const struct plane_study *s, struct vec2 z,
+                           int8_t *label)
+{
+    const struct plane_basin *b = &s->basin;
+    struct crossing *c = calloc(b->regions.most + 1, sizeof *c);
+    double lo, hi;
+
+    if (c == NULL)
+        return STATUS_NO_MEMORY;
+    const int8_t found = b->regions.region[regions_at(&b->regions, z, c)].label;
+    *label = found < 0 ? (int8_t) -1 : found;
+    for (size_t i = 0; i < b->cuts.count; i++)
+        if (separatrix_near(&b->cuts, i, z.y, &lo, &hi) && z.x >= lo &&
+            z.x <= hi)
+            *label = -1;
+    for (size_t i = 0; i < b->cuts.flats; i++) {
+        const struct flat *f = &b->cuts.flat[i];
+        if (fabs(z.y - f->w) <= f->error && z.x >= f->from - f->error &&
+            z.x <= f->to + f->error)
+            *label = -1;
+    }
+    free(c);
+    return STATUS_OK;
+}
+
+double plane_basin_cell(const struct plane_study *s, int axis, size_t i,
+                        size_t n, bool chart)
+{
+    const double part = ((double) i + 0.5) / (double) n;
+    const struct vec2 z = window_at(&s->window, (struct vec2){ part, part });
+    const double at = axis == 0 ? z.x : z.y;
+
+    return chart ? at : plane_state(s, axis, at);
+}
+
+enum status plane_basin_fill(const struct plane_study *s, size_t columns,
+                             size_t rows, size_t first, size_t count,
+                             int8_t out[])
+{
+    double *x = malloc((columns + rows) * sizeof *x), *y = x + columns;
+    struct basin b;
+
+    if (x == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < columns; i++)
+        x[i] = plane_basin_cell(s, 0, i, columns, true);
+    for (size_t j = 0; j < count; j++)
+        y[j] = plane_basin_cell(s, 1, first + j, rows, true);
+    const enum status status = basin_init(
+        &b, &s->basin.regions, &(struct basin_grid){ x, y, columns, count });
+    if (status == STATUS_OK) {
+        basin_fill(&b, 0, count, out);
+        for (size_t i = 0; i < columns * count; i++)
+            if (out[i] < 0)
+                out[i] = (int8_t) s->basin.labels;
+        basin_free(&b);
+    }
+    free(x);
+    return status;
+}
+
+void plane_basin_free(struct plane_basin *b)
+{
+    for (size_t i = 0; i < b->borders; i++)
+        for (int k = 0; k < 2; k++)
+            branch_free(&b->border[i].half[k]);
+    free(b->border);
+    regions_free(&b->regions);
+    separatrix_free(&b->cuts);
+    free(b->share);
+    free((void *) b->name);
+    free(b->boundary);
+    *b = (struct plane_basin){ .border = NULL };
+}

@@ -1,0 +1,38 @@
+/*
+ * plane_basin.h -- whereto the states of a window go: regions between the
+ * stable manifolds of all saddles and the cycles that repel, each labelled by
+ * orbits, and the share of each attractor.
+ */
+#ifndef STUDY_PLANE_BASIN_H
+#define STUDY_PLANE_BASIN_H
+
+#include "plane_study.h"
+
+/* Fills s->basin; the branches are known.  STATUS_NO_MEMORY, STATUS_STOPPED. */
+MUST_CHECK enum status plane_basin_find(struct plane_study *s,
+                                        const struct monitor *monitor);
+
+/* The label, a number of s->basin.share, of an absolute point; -1 where it may
+ * lie on a boundary or is not known. */
+MUST_CHECK enum status plane_basin_at(const struct plane_study *s,
+                                      struct vec2 z, int8_t *label);
+
+/* The label of a goal; -1: it has none. */
+int8_t plane_basin_label(const struct plane_study *s,
+                         const struct plane_goal *goal);
+
+/* Rows of the grid of the scene, or of another one over the window, where cells
+ * are even in the drawing. */
+MUST_CHECK enum status plane_basin_fill(const struct plane_study *s,
+                                        size_t columns, size_t rows,
+                                        size_t first, size_t count,
+                                        int8_t out[]);
+
+/* Column or row i of n, as a state and (chart) as a coordinate. */
+double plane_basin_cell(const struct plane_study *s, int axis, size_t i,
+                        size_t n, bool chart);
+
+/* A second call is harmless. */
+void plane_basin_free(struct plane_basin *b);
+
+#endif

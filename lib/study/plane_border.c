@@ -1,0 +1,231 @@
+/* All curves are moved to one origin; of an angle, there is one copy for each
+ * period in which a curve meets the window. */
+#include "plane_border.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "orbit.h"
+#include "plane_branch.h"
+#include "room.h"
+#include "study_tolerance.h"
+#include "tolerance.h"
+
+/* ---- cycles that repel --------------------------------------------------- */
+
+static enum status look_from(struct plane_study *s, struct vec2 z)
+{
+    struct plane_goal goal;
+    size_t index;
+    enum status status = plane_follow(s, z, true, &goal);
+
+    if (status == STATUS_OK && goal.kind == PLANE_GOAL_CYCLE)
+        status = plane_cycle_add(s, &goal.round, false, &index);
+    return status;
+}
+
+/* To the right and to the left, by a part of the window. */
+static enum status look_beside(struct plane_study *s, struct vec2 z,
+                               double part)
+{
+    const struct vec2 d = { part * s->scale.side.x, 0.0 };
+    const enum status status = look_from(s, vec2_add(z, d));
+
+    return status ? status : look_from(s, vec2_sub(z, d));
+}
+
+enum status plane_border_look(struct plane_study *s)
+{
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++)
+        if (s->rest[i].trap[0].size > 0.0)
+            status = look_from(
+                s, vec2_add(s->rest[i].z,
+                            (struct vec2){ 0.1 * s->rest[i].trap[0].size *
+                                               s->scale.side.x,
+                                           0.0 }));
+    for (size_t k = 0; k < s->cycles && status == STATUS_OK; k++)
+        if (s->cycle[k].type == PLANE_CYCLE_STABLE)
+            status = look_beside(s, s->cycle[k].round.at[0], TOL_PLANE_BESIDE);
+    return status;
+}
+
+/* ---- curves -------------------------------------------------------------- */
+
+/* A copy of a curve of offsets, moved; `error` more is off everywhere. */
+static enum status copy(const struct curve *from, size_t first, struct vec2 by,
+                        double error, struct branch *out)
+{
+    enum status status = STATUS_OK;
+
+    *out = (struct branch){ .curve = CURVE_EMPTY(2), .end = BRANCH_DOMAIN };
+    for (size_t i = first; i < from->count && status == STATUS_OK; i++) {
+        const struct curve_piece *p = &from->piece[i];
+        double *coef;
+        status = curve_push(&out->curve, p->degree, &coef);
+        if (status != STATUS_OK)
+            break;
+        memcpy(coef, from->coef + p->first, 2 * (p->degree + 1) * sizeof *coef);
+        coef[0] += by.x;
+        coef[p->degree + 1] += by.y;
+        out->curve.piece[i - first].error = p->error + error;
+    }
+    return status;
+}
+
+/* The range of a coordinate of a curve. */
+static void range_of(const struct curve *c, int axis, double range[2])
+{
+    double at[CURVE_DIM_MAX];
+
+    range[0] = HUGE_VAL;
+    range[1] = -HUGE_VAL;
+    for (size_t i = 0; i < c->count; i++)
+        for (int k = 0; k <= 4; k++) {
+            curve_at(c, i, 0.25 * k, at);
+            range[0] = fmin(range[0], at[axis]);
+            range[1] = fmax(range[1], at[axis]);
+        }
+}
+
+/* How many periods a curve may be moved and still meet the window: from, to. */
+static void periods(const struct plane_study *s, const struct curve *const c[2],
+                    struct vec2 origin, int axis, int turn[2])
+{
+    const double period = axis == 0 ? s->scale.period.x : s->scale.period.y;
+    const struct box w = s->window.box;
+    const double lo = axis == 0 ? w.lo.x - origin.x : w.lo.y - origin.y;
+    const double hi = axis == 0 ? w.hi.x - origin.x : w.hi.y - origin.y;
+    double least = HUGE_VAL, most = -HUGE_VAL, range[2];
+
+    turn[0] = turn[1] = 0;
+    for (int i = 0; i < 2; i++)
+        if (c[i] && c[i]->count > 0) {
+            range_of(c[i], axis, range);
+            least = fmin(least, range[0]);
+            most = fmax(most, range[1]);
+        }
+    if (!(period > 0.0) || !(least <= most))
+        return;
+    turn[0] = (int) fmax(ceil((lo - most) / period), -TOL_PLANE_TURNS);
+    turn[1] = (int) fmin(floor((hi - least) / period), TOL_PLANE_TURNS);
+}
+
+/* One chain and its copies. */
+static enum status add(struct plane_study *s, const struct curve *const c[2],
+                       size_t first, struct vec2 origin, double error,
+                       size_t of)
+{
+    struct plane_basin *b = &s->basin;
+    int x[2], y[2];
+    enum status status = STATUS_OK;
+
+    periods(s, c, origin, 0, x);
+    periods(s, c, origin, 1, y);
+    for (int i = x[0]; i <= x[1]; i++)
+        for (int j = y[0]; j <= y[1] && status == STATUS_OK; j++) {
+            const struct vec2 by = {
+                origin.x - s->system[0].origin.x + i * s->scale.period.x,
+                origin.y - s->system[0].origin.y + j * s->scale.period.y
+            };
+            status = ROOM_FOR(b->border, b->border_room, b->borders + 1);
+            if (status != STATUS_OK)
+                return status;
+            struct plane_border *new = &b->border[b->borders++];
+            *new = (struct plane_border){ .of = of };
+            for (int k = 0; k < 2; k++)
+                new->half[k].curve = CURVE_EMPTY(2);
+            for (int k = 0; k < 2 && status == STATUS_OK; k++)
+                if (c[k])
+                    status = copy(c[k], first, by, error, &new->half[k]);
+        }
+    return status;
+}
+
+/* The last of some rounds backward in time, until they repeat to rounding or
+ * come no nearer to each other. */
+static enum status add_cycle(struct plane_study *s, size_t k)
+{
+    const struct planar *system = &s->system[1];
+    const struct winding *w = &s->cycle[k].round;
+    struct orbit_options options = orbit_defaults(system, s->kappa);
+    struct winding round = { .count = 0 };
+    struct orbit o;
+    size_t first = 0, last = 0, before = 0;
+    double gap = HUGE_VAL, next = HUGE_VAL;
+
+    options.rtol = TOL_PLANE_CYCLE;
+    options.observables = 0;
+    options.max_steps = TOL_DRAWN_STEPS;
+    enum status status =
+        orbit_init(&o, system, vec2_sub(w->at[0], system->origin), &options);
+    for (int rounds = 0; rounds < 12 && status == STATUS_OK;) {
+        status = orbit_step(&o);
+        if (status != STATUS_OK || o.end != ORBIT_RUNNING)
+            break;
+        before = round.count;
+        (void) winding_add(&round, system, &s->scale, &o.curve,
+                           o.curve.count - 1, NULL, 0);
+        if (round.count == before || round.count % w->turns != 0)
+            continue;
+        first = last;
+        last = o.curve.count - 1;
+        rounds++;
+        if (round.count <= w->turns)
+            continue;
+        next = vec2_length(
+            arrival_from(&s->scale, round.at[0], round.at[w->turns]));
+        if (next <= TOL_WINDING_ROUNDING || next > 0.9 * gap)
+            break;
+        gap = next;
+    }
+    gap = fmin(gap, next);
+    if (status != STATUS_NO_MEMORY && gap < HUGE_VAL && first > 0) {
+        o.curve.count = last + 1;
+        const struct curve *const c[2] = { NULL, &o.curve };
+        status = add(s, c, first, system->origin,
+                     10.0 * gap * fmax(s->scale.side.x, s->scale.side.y) +
+                         TOL_PLANE_CYCLE * vec2_length(s->scale.side),
+                     s->branches + k);
+    }
+    orbit_free(&o);
+    return status == STATUS_NO_MEMORY ? status : STATUS_OK;
+}
+
+static enum status cut(struct plane_study *s)
+{
+    struct plane_basin *b = &s->basin;
+    enum status status = STATUS_OK;
+
+    b->cuts = separatrix_empty(SEPARATRIX_Y, s->system[0].origin);
+    for (size_t i = 0; i < b->borders && status == STATUS_OK; i++) {
+        struct plane_border *p = &b->border[i];
+        p->first = b->cuts.count;
+        status = separatrix_add(&b->cuts,
+                                p->half[0].curve.count ? &p->half[0] : NULL,
+                                p->half[1].curve.count ? &p->half[1] : NULL);
+        p->last = b->cuts.count;
+    }
+    return status;
+}
+
+enum status plane_border_find(struct plane_study *s)
+{
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i + 1 < s->branches && status == STATUS_OK; i++) {
+        const struct plane_branch *b = &s->branch[i];
+        if (b->kind != MANIFOLD_STABLE || b->branch != 0)
+            continue;
+        const struct curve *const c[2] = { &b[0].curve.curve,
+                                           &b[1].curve.curve };
+        status = add(s, c, 0, s->rest[b->rest].z,
+                     vec2_length(s->rest[b->rest].error), i);
+    }
+    for (size_t k = 0; k < s->cycles && status == STATUS_OK; k++)
+        if (s->cycle[k].type == PLANE_CYCLE_UNSTABLE)
+            status = add_cycle(s, k);
+    return status ? status : cut(s);
+}

@@ -1,0 +1,14 @@
+/* plane_border.h -- the curves between the basins of a plane. */
+#ifndef STUDY_PLANE_BORDER_H
+#define STUDY_PLANE_BORDER_H
+
+#include "plane_study.h"
+
+/* Cycles that repel, from orbits backward in time: from beside every attractor
+ * and cycle.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status plane_border_look(struct plane_study *s);
+
+/* Fills s->basin.border and cuts.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status plane_border_find(struct plane_study *s);
+
+#endif

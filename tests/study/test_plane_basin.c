@@ -1,0 +1,161 @@
+/* Shares of basins that are known: by symmetry, as areas, as nothing. */
+#include "plane_basin.h"
+
+#include <math.h>
+
+#include "formulas.h"
+
+#define WINDOW                                                                 \
+    "window={x: [-2, 2], y: [-2, 2]}\nproducts=[basins]\nbasins.audit=200\n"
+
+static const struct plane_share *share_of(const struct plane_study *s,
+                                          const char *name)
+{
+    for (size_t i = 0; i < s->basin.shares; i++)
+        if (strcmp(s->basin.share[i].attractor, name) == 0)
+            return &s->basin.share[i];
+    CHECK(false, "no attractor %s", name);
+    return NULL;
+}
+
+/* Within its bar, which is small. */
+static void has_share(const struct plane_study *s, const char *name,
+                      double value, double most)
+{
+    const struct quantity *q = &share_of(s, name)->fraction;
+
+    CHECK(fabs(q->value - value) <= q->error && q->error <= most,
+          "%s: %.17g +- %g, expected %.17g +- %g", name, q->value, q->error,
+          value, most);
+    assert_int_equal(s->basin.disagreements, 0);
+}
+
+static void wells_that_know_nothing_of_each_other_have_a_quarter_each(
+    void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = x - x^3; y' = y - y^3", WINDOW);
+    for (int i = 0; i < 4; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "stable_node_%d", i);
+        has_share(&s, name, 0.25, 1e-9);
+    }
+    assert_int_equal(s.basin.boundaries, 8);
+    plane_end(&s, &c);
+}
+
+static void symmetric_systems_share_alike(void **state)
+{
+    static const char *const ode[] = {
+        "x' = 10*(x - x^3/3 - y); y' = x - 3*y",
+        "x' = y; y' = x - x^3 - 0.1*y",
+        "x' = y; y' = x - x^3 - 0.35*y",
+        "x' = y; y' = x - x^5 - 0.2*y",
+    };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 4; i++) {
+        plane_run(&s, &c, ode[i],
+                  "window={x: [-1.5, 1.5], y: [-1.5, 1.5]}\n"
+                  "products=[basins]\nbasins.audit=100\n");
+        for (int k = 0; k < 2; k++)
+            has_share(&s,
+                      i == 0 ? (k ? "stable_node_1" : "stable_node_0")
+                             : (k ? "stable_focus_1" : "stable_focus_0"),
+                      0.5, 1e-11);
+        plane_end(&s, &c);
+    }
+}
+
+/* x = q(y) divides the window: the area to its left is known. */
+static void a_bent_separatrix_has_the_area_beside_it(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c,
+              "X = x - 0.3*y - 0.2*y^2; dy = -2*y; "
+              "x' = X - X^3 + (0.3 + 0.4*y)*dy; y' = dy",
+              WINDOW);
+    /* the mean of 0.3 y + 0.2 y^2 over [-2, 2] */
+    has_share(&s, "stable_node_0", 0.5 + 0.2 * 4.0 / 3.0 / 4.0, 1e-11);
+    plane_end(&s, &c);
+    plane_run(&s, &c, /* the same with a fold, upside down */
+              "X = x - 0.3*y - 0.2*y^2; dy = -2*y; y' = dy; "
+              "x' = X - X^3 + (0.3 + 0.4*y)*dy",
+              WINDOW);
+    has_share(&s, "stable_node_0", 0.5 + 0.2 * 4.0 / 3.0 / 4.0, 1e-11);
+    plane_end(&s, &c);
+}
+
+static void a_cycle_that_attracts_has_all_of_van_der_pol(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = y; y' = (1 - x^2)*y - x",
+              "window={x: [-4, 4], y: [-3, 3]}\nproducts=[basins]\n"
+              "basins.audit=50\n");
+    has_share(&s, "cycle_0", 1.0, 1e-12);
+    plane_end(&s, &c);
+}
+
+/* r' = r (r^2 - 1): the unit disc goes to the origin. */
+static void a_cycle_that_repels_is_a_boundary(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "g = x^2 + y^2 - 1; x' = x*g - y; y' = y*g + x", WINDOW);
+    has_share(&s, "stable_focus_0", M_PI / 16.0, 1e-9);
+    has_share(&s, "infinity", 1.0 - M_PI / 16.0, 1e-9);
+    assert_int_equal(s.basin.boundaries, 1);
+    assert_string_equal(s.basin.boundary[0].of, "cycle_0");
+    plane_end(&s, &c);
+}
+
+static void rows_of_the_map_agree_with_single_states(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+    int8_t map[20 * 10], one;
+
+    (void) state;
+    plane_run(&s, &c, "x' = y; y' = x - x^3 - 0.3*y", WINDOW);
+    assert_int_equal(plane_basin_fill(&s, 20, 10, 0, 10, map), STATUS_OK);
+    for (size_t i = 0; i < 200; i++) {
+        const struct vec2 z = { plane_basin_cell(&s, 0, i % 20, 20, true),
+                                plane_basin_cell(&s, 1, i / 20, 10, true) };
+        assert_int_equal(plane_basin_at(&s, z, &one), STATUS_OK);
+        assert_int_equal(one, map[i]);
+    }
+    assert_int_equal(plane_basin_at(&s, (struct vec2){ 0.0, 0.0 }, &one),
+                     STATUS_OK);
+    assert_int_equal(one, -1);
+    plane_end(&s, &c);
+}
+
+#define TEST(test)                                                             \
+    cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(wells_that_know_nothing_of_each_other_have_a_quarter_each),
+        TEST(symmetric_systems_share_alike),
+        TEST(a_bent_separatrix_has_the_area_beside_it),
+        TEST(a_cycle_that_attracts_has_all_of_van_der_pol),
+        TEST(a_cycle_that_repels_is_a_boundary),
+        TEST(rows_of_the_map_agree_with_single_states),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
