@@ -272,22 +272,48 @@ static void measure(const struct plane_study *s, struct plane_branch *b,
 
 /* ---- all manifolds ------------------------------------------------------- */
 
-static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
-                     const struct half *h)
+static struct vec2 last_point(const struct plane_study *s,
+                              const struct plane_branch *b)
 {
     const size_t n = b->curve.curve.count;
-    const struct vec2 z =
-        n ? point(b, s->rest[b->rest].z, n - 1, 1.0) : s->rest[b->rest].z;
 
+    return n ? point(b, s->rest[b->rest].z, n - 1, 1.0) : s->rest[b->rest].z;
+}
+
+/* A branch that could not be followed to the end may have come into a trap. */
+static void look_for_trap(const struct plane_study *s,
+                          const struct plane_branch *b, struct half *h)
+{
+    const int backward = b->kind == MANIFOLD_STABLE;
+    const struct vec2 z = last_point(s, b);
+
+    for (size_t i = 0; i < s->rests && h->end < 0; i++) {
+        const struct trap_form *t = &s->rest[i].trap[backward];
+        const double d = trap_form_distance(t, &s->scale, z);
+        if (!(t->size > 0.0 && d < t->size))
+            continue;
+        h->end = PLANE_END_EQUILIBRIUM;
+        h->to = i;
+        h->theta = 1.0;
+        h->beyond = 2.0 * d * fmax(s->scale.side.x, s->scale.side.y) *
+                    turns_of(&s->rest[i]);
+    }
+}
+
+static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
+                     struct half *h)
+{
+    if (h->end < 0 && b->curve.end != BRANCH_DOMAIN)
+        look_for_trap(s, b, h);
     if (h->end >= 0)
         return h->end;
     if (b->curve.end == BRANCH_DOMAIN)
         return PLANE_END_INFINITY;
-    return in_window(s, z) ? -1 : PLANE_END_EDGE;
+    return in_window(s, last_point(s, b)) ? -1 : PLANE_END_EDGE;
 }
 
 static enum status settle(struct plane_study *s, struct plane_branch *b,
-                          const struct half *h)
+                          struct half *h)
 {
     size_t cycle;
     enum status status = STATUS_OK;
