@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+"""Systems of formulas as users call them (TAP).
+
+usage: cli_formulas.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import os
+
+from cli_room import expect, refused, run_cases
+
+DUFFING = ['--ode', "x' = y; y' = x - x^3 - d*y; d = 0.1",
+           '--window', 'x=-2:2,y=-2:2']
+AUDIT = ['--set', 'basins.audit=20']
+
+
+def is_near(found, value, most):
+    return (set(found) == {'value', 'error'} and found['error'] <= most
+            and abs(found['value'] - value) <= found['error'])
+
+
+def json_is_as_the_interface_says(room):
+    found = room.json('study', *DUFFING)
+    expect(found['equilibria_complete'] is True, found)
+    saddle = found['equilibria'][1]
+    expect(saddle['type'] == 'saddle' and saddle['name'] == 'saddle_0', saddle)
+    expect(is_near(saddle['state']['x'], 0, 1e-15), saddle)
+    low, high = saddle['eigenvalues']
+    root = 1.0012492197250393
+    expect(is_near(low['re'], -0.05 - root, 1e-14), low)
+    expect(is_near(high['re'], -0.05 + root, 1e-14), high)
+    kinds = [(m['saddle'], m['kind'], m['branch'], m['end'], m['to'])
+             for m in found['manifolds']]
+    expect(kinds == [(0, 'stable', 0, 'edge', None),
+                     (0, 'stable', 1, 'edge', None),
+                     (0, 'unstable', 0, 'equilibrium', 2),
+                     (0, 'unstable', 1, 'equilibrium', 0)], kinds)
+
+
+def shares_are_halves(room):
+    found = room.json('basin', *DUFFING, *AUDIT)
+    shares = {s['attractor']: s['fraction'] for s in found['shares']}
+    for name in ('stable_focus_0', 'stable_focus_1'):
+        expect(is_near(shares[name], 0.5, 1e-11), shares)
+    expect([b['manifold'] for b in found['boundary']] == [0, 1], found)
+
+
+def parameters_are_set(room):
+    found = room.json('study', *DUFFING, '--set', 'system.parameters.d=3')
+    expect(found['equilibria'][0]['type'] == 'stable_node', found)
+
+
+def one_state_or_many_are_pushed(room):
+    found = room.json('push', *DUFFING, '--state', 'y=1,x=1')
+    expect(found['attractor'] == 'stable_focus_0', found)
+    room.write('states.csv', 'y,x\n1,1\n0,1.1\n0,0\n0,150\n')
+    found = room.json('push', *DUFFING, '--states', 'states.csv')['states']
+    names = [answer['attractor'] for answer in found]
+    expect(names[:3] == ['stable_focus_0', 'stable_focus_1', 'undecided'],
+           names)
+
+
+def files_and_figures_have_the_names_of_states(room):
+    room.write('a.yaml', '''system:
+  state: {prey: positive, hunters: positive}
+  parameters: {k: 2}
+  rates: {prey: prey*(1 - prey/k - hunters/(1 + prey)),
+          hunters: hunters*(prey/(1 + prey) - 0.4)}
+window: {prey: [0.01, 5], hunters: [0.01, 5]}
+products: [equilibria, nullclines, field_arrows, manifolds, trajectories, basins]
+trajectories: {spread: 4}
+basins: {cells: [16, 12], audit: 10}
+output: {hdf5: a.h5, figure: a.svg}
+''')
+    room.good('study', 'a.yaml')
+    expect(b'hunters' in room.bytes('a.svg'), 'no label')
+    listed = room.good('info', 'a.h5')
+    for name in ('/equilibria', '/nullcline/prey_0', '/trajectory_3',
+                 '/basin', '/shares', 'hunters', 'direction_prey'):
+        expect(name in listed, name, listed)
+    room.good('study', 'a.yaml', '-o', 'b.h5', '--threads', '1')
+    expect(room.bytes('a.h5') == room.bytes('b.h5'), 'other bytes')
+    expect('same bytes' in room.good('info', '--rerun', 'a.h5'))
+
+
+def what_is_wrong_costs_one_line(room):
+    for words, said in (
+            (['study', '--ode', "x' = y; y' = sn(x)"], 'did you mean'),
+            (['study', '--ode', "x' = y; y' = x"], 'window.x is missing'),
+            (['study', *DUFFING, '--window', 'x=2'], 'x=LO:HI'),
+            (['study', *DUFFING, '--law', 'ruina'], 'not beside system'),
+            (['push', *DUFFING], 'expected --state x=A,y=B'),
+            (['push', *DUFFING, '--state', 'x=1,y=b'], 'a number'),
+            (['push', '--law', 'ruina', '--alpha', '0.3', '--state', 'x=1'],
+             '--state'),
+            (['push', *DUFFING, '--v', '1', '--psi', '1'], '--state'),
+            (['study', *DUFFING, '--set', 'products=[knees]'], 'knees')):
+        refused(room.run(*words), 2, said)
+    room.write('a.yaml', 'system: {rates: {x: y, y: -x}}\n'
+                         'window: {x: [-1, 1], y: [-1, 1]}\n')
+    for command in ('knees', 'sweep', 'simulate', 'rabinowicz', 'workprec',
+                    'stress'):
+        refused(room.run(command, 'a.yaml'), 2,
+                f'{command}: not for a system of formulas')
+    refused(room.run('export', 'a.yaml', '--as', 'xppaut'), 2, 'export')
+    expect(set(os.listdir(room.folder)) <= {'.bin', 'a.yaml'}, room.folder)
+
+
+run_cases([json_is_as_the_interface_says, shares_are_halves,
+           parameters_are_set, one_state_or_many_are_pushed,
+           files_and_figures_have_the_names_of_states,
+           what_is_wrong_costs_one_line])
