@@ -125,7 +125,7 @@ static void draw(const struct workprec *w, enum workprec_quantity q,
 void picture_workprec(const struct workprec *w, struct panels *out)
 {
     for (int q = 0; q < WORKPREC_QUANTITIES; q++)
-        if (w->course.reason[q] == NULL)
+        if (w->task.reason[q] == NULL)
             draw(w, (enum workprec_quantity) q,
                  panels_add(out, picture_workprec_panel[q]));
 }

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "export_sweep.h"
 #include "markdown.h"
 #include "provenance.h"
 #include "release.h"
@@ -12,6 +11,7 @@
 #include "stress_run.h"
 #include "study_results.h"
 #include "sweep_column.h"
+#include "sweep_file.h"
 #include "sweep_key.h"
 #include "sweep_layer.h"
 #include "value.h"

@@ -9,8 +9,8 @@
 #include "records.h"
 #include "stress_judge.h"
 #include "transient.h"
-#include "workprec_course.h"
 #include "workprec_rank.h"
+#include "workprec_task.h"
 
 static const char head[] =
     "# Exit codes and words\n"

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "export_sweep.h"
 #include "output.h"
 #include "picture_sweep.h"
 #include "product_setting.h"
@@ -11,6 +10,7 @@
 #include "report_sweep.h"
 #include "report_sweep_json.h"
 #include "scene_sweep.h"
+#include "sweep_file.h"
 #include "tolerance.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
@@ -85,7 +85,7 @@ static enum status write_files(const struct sweep *s, const struct options *o,
     enum status status = STATUS_OK;
 
     if (c->hdf5)
-        status = export_sweep(s, c->hdf5, why);
+        status = sweep_file_write(s, c->hdf5, why);
     if (status == STATUS_OK && c->hdf5) {
         sweep_forget(journal);
         output_tell(o, c->hdf5);

@@ -46,8 +46,8 @@ static const struct eigen_leg *last_leg(const struct route *r)
 }
 
 /* Ends the route where what is left is below a part. */
-static bool settle(struct route *r, const struct eigen_course *earlier,
-                   const struct eigen_course *now, double part)
+static bool settle(struct route *r, const struct eigen_heading *earlier,
+                   const struct eigen_heading *now, double part)
 {
     const double *total = last_leg(r)->flow.u + 2;
     const int sign = now->at > earlier->at ? 1 : -1;
@@ -64,12 +64,12 @@ static bool settle(struct route *r, const struct eigen_course *earlier,
 
 /* Whether the slope, slight as it is, fades no faster than a power and is
  * slighter where the curve is heading: it runs on for ever. */
-static bool runs_on(const struct route *r, const struct eigen_course *c,
+static bool runs_on(const struct route *r, const struct eigen_heading *c,
                     int sign)
 {
     const double ahead = c->dep + copysign(TOL_EIGEN_AHEAD, sign * c->slope);
-    const struct eigen_course there =
-        eigen_course_at(r->frame, c->ind, local_point(c->ind, c->at, ahead));
+    const struct eigen_heading there =
+        eigen_heading_at(r->frame, c->ind, local_point(c->ind, c->at, ahead));
 
     return fabs(c->slope) <= TOL_EIGEN_SLIGHT * fmin(1.0, fabs(c->dep)) &&
            fabs(there.slope) <= fabs(c->slope) &&
@@ -91,15 +91,15 @@ static bool at_equilibrium(const struct eigen_leg *l)
 
 /* One step; *done when the branch has ended with it: near its limit, at the
  * edge of the domain, where a limit must still be in sight, or without one. */
-static enum status step(struct route *r, struct eigen_course *now, bool *done)
+static enum status step(struct route *r, struct eigen_heading *now, bool *done)
 {
     struct eigen_leg *l = &r->leg[r->legs - 1];
-    const struct eigen_course earlier = *now;
+    const struct eigen_heading earlier = *now;
     const enum status s = eigen_leg_step(l);
 
     if (s != STATUS_OK)
         return s;
-    *now = eigen_course_at(r->frame, -1, eigen_leg_end(l));
+    *now = eigen_heading_at(r->frame, -1, eigen_leg_end(l));
     r->ind = now->ind;
     const bool edge = l->flow.end == FLOW_EVENT;
     const double part =
@@ -116,8 +116,8 @@ static enum status step(struct route *r, struct eigen_course *now, bool *done)
 static enum status follow(struct route *r)
 {
     enum status s = STATUS_OK;
-    struct eigen_course now =
-        eigen_course_at(r->frame, -1, eigen_leg_end(last_leg(r)));
+    struct eigen_heading now =
+        eigen_heading_at(r->frame, -1, eigen_leg_end(last_leg(r)));
 
     for (bool done = false; s == STATUS_OK && !done;) {
         const size_t steps = last_leg(r)->flow.steps;

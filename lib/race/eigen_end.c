@@ -5,10 +5,10 @@
 #include "eigen_tolerance.h"
 #include "tolerance.h"
 
-struct eigen_course eigen_course_at(const struct eigen_frame *g, int ind,
-                                    struct vec2 z)
+struct eigen_heading eigen_heading_at(const struct eigen_frame *g, int ind,
+                                      struct vec2 z)
 {
-    struct eigen_course c;
+    struct eigen_heading c;
     struct planar_field f;
 
     g->sys->field(g->sys->ctx, z, &f);
@@ -36,8 +36,8 @@ static double remainder_of(double earlier, double now, double gap)
 }
 
 static bool small_rest(const struct eigen_frame *g,
-                       const struct eigen_course *earlier,
-                       const struct eigen_course *now, const double total[],
+                       const struct eigen_heading *earlier,
+                       const struct eigen_heading *now, const double total[],
                        double part, struct eigen_rest *rest)
 {
     const double gap = now->at - earlier->at;
@@ -56,9 +56,9 @@ static bool small_rest(const struct eigen_frame *g,
     return true;
 }
 
-/* Distance from the point to the edge of the domain along its course. */
+/* Distance from the point to the edge of the domain along its heading. */
 static double room_ahead(const struct eigen_frame *g,
-                         const struct eigen_course *c, int sign)
+                         const struct eigen_heading *c, int sign)
 {
     const struct box d = g->sys->domain;
     const struct vec2 o = g->sys->origin, edge = sign > 0 ? d.hi : d.lo;
@@ -69,7 +69,7 @@ static double room_ahead(const struct eigen_frame *g,
 /* Along the asymptote, what is small stays so: at strides of a unit, and of a
  * part of the way where that is long. */
 static bool stays_small(const struct eigen_frame *g,
-                        const struct eigen_course *now, int sign,
+                        const struct eigen_heading *now, int sign,
                         const double total[], double part,
                         const struct eigen_rest *rest)
 {
@@ -78,8 +78,8 @@ static bool stays_small(const struct eigen_frame *g,
 
     for (double u = 1.0; u < room; u += stride) {
         const double at = now->at + sign * u;
-        const struct eigen_course c =
-            eigen_course_at(g, now->ind, local_point(now->ind, at, now->dep));
+        const struct eigen_heading c =
+            eigen_heading_at(g, now->ind, local_point(now->ind, at, now->dep));
         stride = fmax(1.0, TOL_EIGEN_STRIDE * u);
         left += stride * fabs(c.slope);
         for (size_t i = 0; i < g->carry->count; i++)
@@ -95,8 +95,8 @@ static bool stays_small(const struct eigen_frame *g,
 }
 
 bool eigen_end_near(const struct eigen_frame *g,
-                    const struct eigen_course *earlier,
-                    const struct eigen_course *now, const double total[],
+                    const struct eigen_heading *earlier,
+                    const struct eigen_heading *now, const double total[],
                     double part, struct eigen_rest *rest)
 {
     const int sign = now->at > earlier->at ? 1 : -1;

@@ -9,7 +9,7 @@
 
 /* How the curve runs at a point: the coordinate that moves faster, and how
  * fast the other one and the integrals follow. */
-struct eigen_course {
+struct eigen_heading {
     int ind;
     double at;    /* coordinate ind */
     double dep;   /* the other one */
@@ -18,8 +18,8 @@ struct eigen_course {
 };
 
 /* At the offset z, if `ind` (-1: the faster one) is taken to run. */
-struct eigen_course eigen_course_at(const struct eigen_frame *g, int ind,
-                                    struct vec2 z);
+struct eigen_heading eigen_heading_at(const struct eigen_frame *g, int ind,
+                                      struct vec2 z);
 
 /* What is left beyond the point `now`. */
 struct eigen_rest {
@@ -28,11 +28,11 @@ struct eigen_rest {
 };
 
 /* Whether everything left is below `part` of dep and of total[]: exponentials
- * through the courses at two points, earlier and now; and no more than their
+ * through the headings at two points, earlier and now; and no more than their
  * like anywhere along the asymptote, up to the edge of the domain. */
 bool eigen_end_near(const struct eigen_frame *g,
-                    const struct eigen_course *earlier,
-                    const struct eigen_course *now, const double total[],
+                    const struct eigen_heading *earlier,
+                    const struct eigen_heading *now, const double total[],
                     double part, struct eigen_rest *rest);
 
 #endif

@@ -79,7 +79,7 @@ static struct rules rules_of(bool quick)
 
 /* One run, to be made again and again. */
 struct job {
-    const struct workprec_course *course;
+    const struct workprec_task *task;
     const struct workprec_shared *shared;
     struct entrant who;
     enum workprec_quantity what;
@@ -93,10 +93,10 @@ static void work(void *ctx)
     const struct job *j = ctx;
 
     if (j->who.stepper)
-        workprec_track(j->course, j->what, j->who.stepper, j->rtol, j->calls,
+        workprec_track(j->task, j->what, j->who.stepper, j->rtol, j->calls,
                        j->answer);
     else
-        workprec_own_run(j->course, j->shared, j->who.own, j->what, j->rtol,
+        workprec_own_run(j->task, j->shared, j->who.own, j->what, j->rtol,
                          j->answer);
 }
 
@@ -123,7 +123,7 @@ static struct workprec_run judged(const struct job *j)
 {
     const struct workprec_answer *a = j->answer;
     const double error =
-        a->success ? workprec_error(j->course, j->what, a) : (double) NAN;
+        a->success ? workprec_error(j->task, j->what, a) : (double) NAN;
 
     return (struct workprec_run){
         .quantity = (int8_t) j->what,
@@ -150,7 +150,7 @@ static enum status race(struct job *j, const struct rules *r, double overhead,
 {
     const enum status s =
         must_count(j)
-            ? workprec_own_count(j->course, j->who.own, j->rtol, j->answer)
+            ? workprec_own_count(j->task, j->who.own, j->rtol, j->answer)
             : STATUS_OK;
     const size_t counted = j->answer->calls;
     const double before = workprec_clock_now();
@@ -194,15 +194,14 @@ static enum status race_all(struct workprec *w, const struct rules *r,
                             const struct monitor *monitor)
 {
     struct workprec_answer *answer = calloc(1, sizeof *answer);
-    struct job j = { .course = &w->course,
-                     .shared = shared,
-                     .calls = r->calls,
-                     .answer = answer };
+    struct job j = {
+        .task = &w->task, .shared = shared, .calls = r->calls, .answer = answer
+    };
     enum status s = answer ? STATUS_OK : STATUS_NO_MEMORY;
 
     for (int q = 0; q < WORKPREC_QUANTITIES && s == STATUS_OK; q++) {
         j.what = (enum workprec_quantity) q;
-        if (w->course.reason[q] == NULL)
+        if (w->task.reason[q] == NULL)
             s = race_for(w, r, &j, monitor);
     }
     free(answer);
@@ -214,13 +213,13 @@ static enum status run(struct workprec *w, const struct rules *r,
 {
     struct workprec_shared shared = { NULL };
 
-    enum status s = workprec_course_init(&w->course, &w->study, r->cells,
-                                         r->sample, monitor);
+    enum status s =
+        workprec_task_init(&w->task, &w->study, r->cells, r->sample, monitor);
     if (s != STATUS_OK || slider_saddle(&w->study.slider) < 0)
         return s;
     w->run =
         calloc(WORKPREC_QUANTITIES * ENTRANTS_MOST * r->rungs, sizeof *w->run);
-    s = w->run ? workprec_shared_init(&shared, &w->course) : STATUS_NO_MEMORY;
+    s = w->run ? workprec_shared_init(&shared, &w->task) : STATUS_NO_MEMORY;
     if (s == STATUS_OK)
         s = race_all(w, r, &shared, monitor);
     workprec_shared_free(&shared);
@@ -263,7 +262,7 @@ void workprec_free(struct workprec *w)
     {                                                                          \
         .name = word, .unit = "1",                                             \
         .text = "why this slope has no such quantity, if it has none",         \
-        .offset = offsetof(struct workprec, course.reason[code]),              \
+        .offset = offsetof(struct workprec, task.reason[code]),                \
         .kind = RECORD_TEXT                                                    \
     }
 

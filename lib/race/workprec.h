@@ -1,7 +1,7 @@
 /*
  * workprec.h -- error against run time, in the manner of Hairer, Norsett &
  * Wanner (Solving ODEs I, 1993, II.10): every method, ours and others', on
- * every quantity of a course, over a ladder of tolerances.
+ * every quantity of a task, over a ladder of tolerances.
  *
  *     struct workprec w;
  *     workprec_run(&w, &scene, quick, monitor, &fault);
@@ -11,16 +11,16 @@
 #ifndef RACE_WORKPREC_H
 #define RACE_WORKPREC_H
 
-#include "workprec_course.h"
 #include "workprec_environment.h"
 #include "workprec_rank.h"
+#include "workprec_task.h"
 
 #include "result.h"
 
 struct workprec {
     struct scene scene; /* borrowed members */
     struct study study; /* owned: the steady states */
-    struct workprec_course course;
+    struct workprec_task task;
     struct workprec_run *run; /* owned; by quantity, method, tolerance */
     size_t runs;
     struct workprec_fastest *fastest; /* owned; by quantity, accuracy */
@@ -30,7 +30,7 @@ struct workprec {
 
 /* `quick`: four tolerances, few repeats, in some seconds.  Times are of one
  * thread; the caller sees to it that OpenMP has one.  A quantity that does not
- * exist has no runs: see course.reason.  w must not move, and the scene must
+ * exist has no runs: see task.reason.  w must not move, and the scene must
  * outlive it.  Errors as study_run; *w is then empty. */
 MUST_CHECK enum status workprec_run(struct workprec *w,
                                     const struct scene *scene, bool quick,

@@ -14,7 +14,7 @@ static double worse(double a, double b)
 }
 
 /* Points beyond the window are nobody's. */
-static double curve_error(const struct workprec_course *c, int side,
+static double curve_error(const struct workprec_task *c, int side,
                           const struct workprec_answer *a)
 {
     const struct vec2 o = c->study->slider.plane.system.origin;
@@ -32,7 +32,7 @@ static double curve_error(const struct workprec_course *c, int side,
     return worst;
 }
 
-static double rows_error(const struct workprec_course *c,
+static double rows_error(const struct workprec_task *c,
                          const struct workprec_answer *a)
 {
     double worst = 0.0;
@@ -49,7 +49,7 @@ static double rows_error(const struct workprec_course *c,
     return worst;
 }
 
-static double state_error(const struct workprec_course *c,
+static double state_error(const struct workprec_task *c,
                           const struct workprec_answer *a)
 {
     const struct vec2 o = c->study->slider.plane.system.origin;
@@ -59,7 +59,7 @@ static double state_error(const struct workprec_course *c,
     return worse(fabs((double) x), fabs((double) y));
 }
 
-static double slip_error(const struct workprec_course *c,
+static double slip_error(const struct workprec_task *c,
                          const struct workprec_answer *a)
 {
     double worst = 0.0;
@@ -69,7 +69,7 @@ static double slip_error(const struct workprec_course *c,
     return worst;
 }
 
-double workprec_error(const struct workprec_course *c, enum workprec_quantity q,
+double workprec_error(const struct workprec_task *c, enum workprec_quantity q,
                       const struct workprec_answer *a)
 {
     switch (q) {

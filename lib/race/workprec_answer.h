@@ -3,7 +3,7 @@
 #ifndef RACE_WORKPREC_ANSWER_H
 #define RACE_WORKPREC_ANSWER_H
 
-#include "workprec_course.h"
+#include "workprec_task.h"
 
 enum { WORKPREC_VALUES = 2 * WORKPREC_ROWS_MOST };
 
@@ -25,7 +25,7 @@ struct workprec_answer {
 
 /* The largest error of an answer, as workprec_quantity_texts says; not finite
  * where there is no answer. */
-double workprec_error(const struct workprec_course *c, enum workprec_quantity q,
+double workprec_error(const struct workprec_task *c, enum workprec_quantity q,
                       const struct workprec_answer *a);
 
 #endif

@@ -14,7 +14,7 @@
 #include "workprec_count.h"
 
 enum status workprec_shared_init(struct workprec_shared *k,
-                                 const struct workprec_course *c)
+                                 const struct workprec_task *c)
 {
     *k = (struct workprec_shared){ calloc(1, sizeof *k->slow) };
     if (k->slow == NULL)
@@ -37,7 +37,7 @@ void workprec_shared_free(struct workprec_shared *k)
 
 /* How the branches of a quantity are made. */
 struct maker {
-    const struct workprec_course *c;
+    const struct workprec_task *c;
     enum workprec_own how;
     double tol;
     struct carry carry;
@@ -145,7 +145,7 @@ static enum status find_limit(const struct maker *m, enum workprec_quantity q)
 }
 
 /* A few roundings of a point's absolute coordinates. */
-static double rounding(const struct workprec_course *c, struct vec2 z)
+static double rounding(const struct workprec_task *c, struct vec2 z)
 {
     const struct vec2 o = c->study->slider.plane.system.origin;
 
@@ -327,7 +327,7 @@ static enum status find_slips(const struct maker *m,
                               const struct workprec_shared *shared)
 {
     struct workprec_answer *a = m->out;
-    const struct workprec_course *c = m->c;
+    const struct workprec_task *c = m->c;
     const unsigned which = 1u << CELL_SLIP;
     struct cell cell[WORKPREC_CELLS_MOST];
 
@@ -349,7 +349,7 @@ static enum status find_slips(const struct maker *m,
     return s;
 }
 
-void workprec_own_run(const struct workprec_course *c,
+void workprec_own_run(const struct workprec_task *c,
                       const struct workprec_shared *shared,
                       enum workprec_own how, enum workprec_quantity q,
                       double tol, struct workprec_answer *out)
@@ -379,11 +379,11 @@ void workprec_own_run(const struct workprec_course *c,
 }
 
 /* The states once more, in a copy of the study that counts. */
-enum status workprec_own_count(const struct workprec_course *c,
+enum status workprec_own_count(const struct workprec_task *c,
                                enum workprec_own how, double tol,
                                struct workprec_answer *out)
 {
-    struct workprec_course course = *c;
+    struct workprec_task task = *c;
     struct study *study = malloc(sizeof *study);
     struct workprec_shared shared = { NULL };
     size_t calls = 0;
@@ -394,11 +394,11 @@ enum status workprec_own_count(const struct workprec_course *c,
         return STATUS_NO_MEMORY;
     *study = *c->study;
     study->slider.plane.system = workprec_counted(&counter);
-    course.study = study;
-    const enum status s = workprec_shared_init(&shared, &course);
+    task.study = study;
+    const enum status s = workprec_shared_init(&shared, &task);
     if (s == STATUS_OK) {
         calls = 0;
-        workprec_own_run(&course, &shared, how, WORKPREC_SLIP, tol, out);
+        workprec_own_run(&task, &shared, how, WORKPREC_SLIP, tol, out);
         out->calls = calls;
     }
     workprec_shared_free(&shared);

@@ -1,5 +1,5 @@
 /*
- * workprec_own.h -- the quantities of a course by Slipway's own ways, with the
+ * workprec_own.h -- the quantities of a task by Slipway's own ways, with the
  * error bars they come with.
  */
 #ifndef RACE_WORKPREC_OWN_H
@@ -21,17 +21,17 @@ struct workprec_shared {
     struct fast_cells *slow; /* NULL: not made */
 };
 MUST_CHECK enum status workprec_shared_init(struct workprec_shared *k,
-                                            const struct workprec_course *c);
+                                            const struct workprec_task *c);
 void workprec_shared_free(struct workprec_shared *k);
 
 /* *out as of the same run, with the calls that cells.h and fast_cells.h do not
  * count themselves, as far as they ask one state at a time; steps stay
  * uncounted. */
-MUST_CHECK enum status workprec_own_count(const struct workprec_course *c,
+MUST_CHECK enum status workprec_own_count(const struct workprec_task *c,
                                           enum workprec_own how, double tol,
                                           struct workprec_answer *out);
 
-void workprec_own_run(const struct workprec_course *c,
+void workprec_own_run(const struct workprec_task *c,
                       const struct workprec_shared *shared,
                       enum workprec_own how, enum workprec_quantity q,
                       double tol, struct workprec_answer *out);

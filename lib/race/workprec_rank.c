@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "workprec_course.h"
+#include "workprec_task.h"
 #include "workprec_tolerance.h"
 
 const char *const workprec_status_names[] = { "done", "failed",

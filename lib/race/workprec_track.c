@@ -12,7 +12,7 @@ enum { TRIES = 20 }; /* at a row */
 
 /* A method on its way. */
 struct track {
-    const struct workprec_course *c;
+    const struct workprec_task *c;
     const struct method *m;
     double tol;
     struct workprec_system equations;
@@ -30,8 +30,8 @@ struct start {
     double excess;
 };
 
-static bool find_start(const struct workprec_course *c,
-                       enum workprec_quantity q, double tol, struct start *out)
+static bool find_start(const struct workprec_task *c, enum workprec_quantity q,
+                       double tol, struct start *out)
 {
     const struct carry carry = { { BLOCK_EXCESS }, q == WORKPREC_X_EXCESS };
     struct local_series u;
@@ -309,7 +309,7 @@ static void find_branches(struct track *t, enum workprec_quantity q)
         find_limit(t, q, &start);
 }
 
-void workprec_track(const struct workprec_course *c, enum workprec_quantity q,
+void workprec_track(const struct workprec_task *c, enum workprec_quantity q,
                     const struct method *m, double tol, size_t calls_most,
                     struct workprec_answer *out)
 {

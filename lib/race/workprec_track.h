@@ -1,5 +1,5 @@
 /*
- * workprec_track.h -- the quantities of a course by an integrator (method.h),
+ * workprec_track.h -- the quantities of a task by an integrator (method.h),
  * set up as well as a careful user would.
  *
  * Branches: backward in arc length, from a point of the saddle's series, which
@@ -15,7 +15,7 @@
 
 /* *out says whether the method thinks it succeeded; it gives up after
  * calls_most evaluations. */
-void workprec_track(const struct workprec_course *c, enum workprec_quantity q,
+void workprec_track(const struct workprec_task *c, enum workprec_quantity q,
                     const struct method *m, double tol, size_t calls_most,
                     struct workprec_answer *out);
 

@@ -16,16 +16,16 @@
 #include "workprec_tolerance.h"
 #include "workprec_track.h"
 
-/* A slope, and its course without a race. */
-struct slope_course {
+/* A slope, and its task without a race. */
+struct slope_task {
     struct scene scene;
     struct study study;
-    struct workprec_course course;
+    struct workprec_task task;
 };
 
-static int make_course(void **state)
+static int make_task(void **state)
 {
-    static struct slope_course made, *s = &made;
+    static struct slope_task made, *s = &made;
     char preset[] = "law.preset=spinodal_gen", slope[] = "slope.alpha=0.34";
     char *const set[] = { preset, slope };
     struct fault why = { "" };
@@ -36,14 +36,14 @@ static int make_course(void **state)
     s->scene.products = 1u << PRODUCT_EQUILIBRIA;
     if (study_run(&s->study, &s->scene, NULL, &why) != STATUS_OK)
         fail_msg("%s", why.text);
-    assert_int_equal(workprec_course_init(&s->course, &s->study, 1, 4, NULL),
+    assert_int_equal(workprec_task_init(&s->task, &s->study, 1, 4, NULL),
                      STATUS_OK);
     return 0;
 }
 
-static int drop_course(void **state)
+static int drop_task(void **state)
 {
-    struct slope_course *s = *state;
+    struct slope_task *s = *state;
 
     study_free(&s->study);
     scene_free(&s->scene);
@@ -56,12 +56,12 @@ static int drop_course(void **state)
  * stretch of the other. */
 static void the_exact_curve_is_that_of_a_finer_tolerance(void **state)
 {
-    const struct slope_course *s = *state;
-    const struct quad_anchor *at = &s->course.truth.slope.at;
+    const struct slope_task *s = *state;
+    const struct quad_anchor *at = &s->task.truth.slope.at;
     struct quad_branch b;
 
     for (int side = 0; side < WORKPREC_SIDES; side++) {
-        const struct workprec_curve *c = &s->course.truth.curve[side];
+        const struct workprec_curve *c = &s->task.truth.curve[side];
         assert_true(quad_branch_grow(&s->study.slider.block.law, at,
                                      side == SIDE_UPPER ? 1 : -1, 1e-26, &b));
         const quad off = c->branch.x - b.x;
@@ -78,10 +78,10 @@ static void the_exact_curve_is_that_of_a_finer_tolerance(void **state)
 static void the_distance_from_the_curve_is_what_a_point_was_moved_by(
     void **state)
 {
-    const struct slope_course *s = *state;
+    const struct slope_task *s = *state;
 
     for (int side = 0; side < WORKPREC_SIDES; side++) {
-        const struct workprec_curve *c = &s->course.truth.curve[side];
+        const struct workprec_curve *c = &s->task.truth.curve[side];
         const size_t points = c->branch.points;
         for (size_t i = points / 2; i + 2 < points; i += 7) {
             const quad *at = c->branch.path[i];
@@ -100,13 +100,13 @@ static void the_distance_from_the_curve_is_what_a_point_was_moved_by(
 /* Also where one is followed to half the time, and on from there. */
 static void orbits_of_two_tolerances_end_alike(void **state)
 {
-    const struct slope_course *s = *state;
-    const struct quad_slope *q = &s->course.truth.slope;
+    const struct slope_task *s = *state;
+    const struct quad_slope *q = &s->task.truth.slope;
     quad end[2][2], half[2];
 
     for (int k = 0; k < 12; k++) {
         const quad x = q->at.x0 + 4 - k, y = q->at.y0 + (quad) 2.5 - k / 2;
-        const quad time = s->course.until * (k + 1) / 6;
+        const quad time = s->task.until * (k + 1) / 6;
         for (int i = 0; i < 2; i++)
             assert_true(quad_orbit_at(q, x, y, time,
                                       i ? 1e-13 : WORKPREC_ORBIT_TOL, end[i]));
@@ -126,7 +126,7 @@ static void orbits_of_two_tolerances_end_alike(void **state)
 
 static void a_jacobian_is_the_slope_of_its_rates(void **state)
 {
-    const struct slope_course *s = *state;
+    const struct slope_task *s = *state;
     uint64_t seed = check_seed();
 
     for (int i = 0; i < 200; i++) {
@@ -225,15 +225,15 @@ static void a_method_gives_up_after_so_many_calls(void **state)
  * looks at the field, too; and counting changes nothing. */
 static void asking_is_counted(void **state)
 {
-    const struct slope_course *s = *state;
+    const struct slope_task *s = *state;
     static struct workprec_answer a, b;
     struct workprec_shared shared;
 
-    assert_int_equal(workprec_shared_init(&shared, &s->course), STATUS_OK);
+    assert_int_equal(workprec_shared_init(&shared, &s->task), STATUS_OK);
     for (int i = 0; i < 2; i++) {
         const enum workprec_own how = i ? WORKPREC_RADAU : WORKPREC_SLIPWAY;
-        workprec_own_run(&s->course, &shared, how, WORKPREC_SLIP, 1e-6, &a);
-        assert_int_equal(workprec_own_count(&s->course, how, 1e-6, &b),
+        workprec_own_run(&s->task, &shared, how, WORKPREC_SLIP, 1e-6, &a);
+        assert_int_equal(workprec_own_count(&s->task, how, 1e-6, &b),
                          STATUS_OK);
         assert_true(a.success && b.success);
         CHECK(a.value[0] == b.value[0], "counting changes %g to %g", a.value[0],
@@ -340,7 +340,7 @@ static void check_race(const struct workprec *w, size_t quantities)
     size_t n = 0;
 
     for (int q = 0; q < WORKPREC_QUANTITIES; q++)
-        n += w->course.reason[q] == NULL;
+        n += w->task.reason[q] == NULL;
     assert_int_equal(n, quantities);
     assert_int_equal(w->ranks, 4 * quantities);
     for (size_t i = 0; i < w->runs; i++) {
@@ -385,7 +385,7 @@ static void what_does_not_exist_says_why_and_has_no_runs(void **state)
         skip();
     race(&w, &scene, "dieterich");
     for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
-        assert_non_null(w.course.reason[none[k]]);
+        assert_non_null(w.task.reason[none[k]]);
         for (size_t i = 0; i < w.runs; i++)
             assert_int_not_equal(w.run[i].quantity, none[k]);
     }
@@ -410,5 +410,5 @@ int main(void)
         cmocka_unit_test(ours_never_fail_silently_and_their_bars_hold),
         cmocka_unit_test(what_does_not_exist_says_why_and_has_no_runs),
     };
-    return cmocka_run_group_tests(tests, make_course, drop_course);
+    return cmocka_run_group_tests(tests, make_task, drop_task);
 }

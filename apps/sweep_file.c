@@ -1,4 +1,4 @@
-#include "export_sweep.h"
+#include "sweep_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -305,8 +305,8 @@ static enum status put_all(const struct sweep *s, struct store *out,
     return status;
 }
 
-enum status export_sweep(const struct sweep *s, const char *path,
-                         struct fault *why)
+enum status sweep_file_write(const struct sweep *s, const char *path,
+                             struct fault *why)
 {
     struct store *out;
     enum status status =

@@ -1,4 +1,4 @@
-#include "workprec_course.h"
+#include "workprec_task.h"
 
 #include <math.h>
 #include <string.h>
@@ -30,7 +30,7 @@ enum { PLACES = sizeof places / sizeof *places };
 
 /* ---- branches -------------------------------------------------------- */
 
-static void set_limits(struct workprec_course *c)
+static void set_limits(struct workprec_task *c)
 {
     struct workprec_truth *t = &c->truth;
     const struct quad_branch *up = &t->curve[SIDE_UPPER].branch;
@@ -55,14 +55,14 @@ static bool is_across(const struct workprec_curve *curve, const quad z[2])
     return fabsq(n[1]) > (quad) WORKPREC_ROW_ACROSS;
 }
 
-static bool is_in_reach(const struct workprec_course *c, const quad z[2])
+static bool is_in_reach(const struct workprec_task *c, const quad z[2])
 {
     return box_holds(c->reach, (struct vec2){ (double) z[0], (double) z[1] });
 }
 
 /* Rows half way between points that the branch has not been beyond before,
  * evenly chosen. */
-static void choose_cuts(struct workprec_course *c, int side)
+static void choose_cuts(struct workprec_task *c, int side)
 {
     const struct workprec_curve *curve = &c->truth.curve[side];
     const struct quad_branch *b = &curve->branch;
@@ -89,7 +89,7 @@ static void choose_cuts(struct workprec_course *c, int side)
     }
 }
 
-static void set_branches(struct workprec_course *c)
+static void set_branches(struct workprec_task *c)
 {
     const struct law *law = &c->study->slider.block.law;
     struct workprec_truth *t = &c->truth;
@@ -113,7 +113,7 @@ static void set_branches(struct workprec_course *c)
 
 /* The scene's first start and time, else a start near the saddle and the time
  * scale of leaving it; no later than half way to rest. */
-static void choose_orbit(struct workprec_course *c)
+static void choose_orbit(struct workprec_task *c)
 {
     const struct scene *scene = c->study->scene;
     const struct planar *sys = &c->study->slider.plane.system;
@@ -132,7 +132,7 @@ static void choose_orbit(struct workprec_course *c)
         c->until = fmin(c->until, 0.5 * (double) o.value[CELL_TIME]);
 }
 
-static void set_state(struct workprec_course *c)
+static void set_state(struct workprec_task *c)
 {
     const struct vec2 o = c->study->slider.plane.system.origin;
 
@@ -145,7 +145,7 @@ static void set_state(struct workprec_course *c)
 }
 
 /* Tries one state; counts it where it arrives at a node. */
-static void try_cell(struct workprec_course *c, struct vec2 offset)
+static void try_cell(struct workprec_task *c, struct vec2 offset)
 {
     const struct vec2 z =
         vec2_add(c->study->slider.plane.system.origin, offset);
@@ -158,7 +158,7 @@ static void try_cell(struct workprec_course *c, struct vec2 offset)
     c->cell[c->cells++] = z;
 }
 
-static void set_cells(struct workprec_course *c)
+static void set_cells(struct workprec_task *c)
 {
     const struct phase_plane *plane = &c->study->slider.plane;
 
@@ -173,19 +173,18 @@ static void set_cells(struct workprec_course *c)
 
 /* ---- all ------------------------------------------------------------- */
 
-enum status workprec_course_init(struct workprec_course *c,
-                                 const struct study *s, size_t cells,
-                                 size_t sample, const struct monitor *monitor)
+enum status workprec_task_init(struct workprec_task *c, const struct study *s,
+                               size_t cells, size_t sample,
+                               const struct monitor *monitor)
 {
     static const char stage[] = "truth in 113 bits";
     static void (*const part[])(
-        struct workprec_course *) = { set_branches, set_state, set_cells };
+        struct workprec_task *) = { set_branches, set_state, set_cells };
     enum { PARTS = sizeof part / sizeof *part };
     const struct box w = scene_box(s->scene);
     const struct vec2 o = s->slider.plane.system.origin;
 
-    *c =
-        (struct workprec_course){ .study = s, .most = cells, .sample = sample };
+    *c = (struct workprec_task){ .study = s, .most = cells, .sample = sample };
     c->reach = (struct box){ vec2_sub(w.lo, o), vec2_sub(w.hi, o) };
     for (int q = 0; q < WORKPREC_QUANTITIES; q++)
         if (slider_saddle(&s->slider) < 0)

@@ -1,6 +1,6 @@
-/* export_sweep.h -- a sweep as an HDF5 file. */
-#ifndef APPS_EXPORT_SWEEP_H
-#define APPS_EXPORT_SWEEP_H
+/* sweep_file.h -- a sweep as an HDF5 file. */
+#ifndef APPS_SWEEP_FILE_H
+#define APPS_SWEEP_FILE_H
 
 #include "result.h"
 #include "sweep.h"
@@ -14,7 +14,7 @@ extern const struct result *const sweep_tables[];
  * flag_meanings say why a number is missing; every code; every layer, one point
  * after another out of the side file.  Then /provenance.  STATUS_IO or
  * STATUS_NO_MEMORY with the path in *why; an old file is then untouched. */
-MUST_CHECK enum status export_sweep(const struct sweep *s, const char *path,
-                                    struct fault *why);
+MUST_CHECK enum status sweep_file_write(const struct sweep *s, const char *path,
+                                        struct fault *why);
 
 #endif

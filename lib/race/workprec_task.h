@@ -1,5 +1,5 @@
 /*
- * workprec_course.h -- what every method of a race is asked for, and the truth
+ * workprec_task.h -- what every method of a race is asked for, and the truth
  * in 113 bits.
  *
  * Around the saddle of one slope, which all of them are given: the limits of
@@ -7,8 +7,8 @@
  * themselves within the window, where they cross some rows, where an orbit is
  * at a time, and how far some states slip before they arrive at a node.
  */
-#ifndef RACE_WORKPREC_COURSE_H
-#define RACE_WORKPREC_COURSE_H
+#ifndef RACE_WORKPREC_TASK_H
+#define RACE_WORKPREC_TASK_H
 
 #include "quad_orbit.h"
 #include "study.h"
@@ -51,7 +51,7 @@ struct workprec_truth {
     quad slip[WORKPREC_CELLS_MOST];
 };
 
-struct workprec_course {
+struct workprec_task {
     const struct study *study; /* borrowed; its steady states are known */
     const struct equilibrium *saddle;
     const char *reason[WORKPREC_QUANTITIES]; /* why there is no such thing;
@@ -69,9 +69,9 @@ struct workprec_course {
 
 /* At most `cells` states and `sample` points of a branch.  A slope without a
  * saddle has none of the quantities.  STATUS_STOPPED. */
-MUST_CHECK enum status workprec_course_init(struct workprec_course *c,
-                                            const struct study *s, size_t cells,
-                                            size_t sample,
-                                            const struct monitor *monitor);
+MUST_CHECK enum status workprec_task_init(struct workprec_task *c,
+                                          const struct study *s, size_t cells,
+                                          size_t sample,
+                                          const struct monitor *monitor);
 
 #endif
