@@ -2,18 +2,16 @@
 
 #include <gsl/gsl_version.h>
 
-#include "method_flow.h"
-#include "method_gsl.h"
-#include "method_sundials.h"
-
 const struct method *method_at(size_t i)
 {
-    if (i == 0)
-        return &method_flow;
-    if (i <= METHOD_GSL_COUNT)
-        return &method_gsl[i - 1];
-    i -= 1 + METHOD_GSL_COUNT;
-    return i < method_sundials_count ? &method_sundials[i] : NULL;
+    static const struct method *const table[] = { method_flow, method_gsl,
+                                                  method_sundials };
+
+    for (size_t k = 0; k < sizeof table / sizeof *table; k++)
+        for (const struct method *m = table[k]; m->name; m++)
+            if (i-- == 0)
+                return m;
+    return NULL;
 }
 
 const char *method_gsl_version(void)

@@ -40,6 +40,11 @@ struct method {
     void (*close)(void *state);
 };
 
+/* Tables, each ended by a method without a name: ours; GSL's steppers, used as
+ * its manual has it, a driver with the error of y controlled and stepped by
+ * hand; CVODE and ARKODE where they were found. */
+extern const struct method method_flow[], method_gsl[], method_sundials[];
+
 /* The methods that are there, numbered from 0; NULL beyond the last. */
 const struct method *method_at(size_t i);
 

@@ -1,10 +1,9 @@
-#include "method_flow.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "flow.h"
+#include "method.h"
 #include "tolerance.h"
 
 struct run {
@@ -73,11 +72,12 @@ static bool between(void *state, double s, double u[])
     return true;
 }
 
-const struct method method_flow = {
-    .name = "explicit8",
-    .text = "our Dormand-Prince method of order 8 (flow.h)",
-    .open = open,
-    .step = step,
-    .between = between,
-    .close = close,
+const struct method method_flow[] = {
+    { .name = "explicit8",
+      .text = "our Dormand-Prince method of order 8 (flow.h)",
+      .open = open,
+      .step = step,
+      .between = between,
+      .close = close },
+    { .name = NULL },
 };

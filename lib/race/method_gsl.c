@@ -1,4 +1,4 @@
-#include "method_gsl.h"
+#include "method.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
@@ -103,10 +103,11 @@ static bool between(void *state, double s, double u[])
         .between = between_, .close = close                                    \
     }
 
-const struct method method_gsl[METHOD_GSL_COUNT] = {
+const struct method method_gsl[] = {
     GSL(rk8pd, "explicit Prince-Dormand method of order 8", between),
     GSL(rkf45, "explicit Fehlberg method of order 4", between),
     GSL(msbdf, "backward differences in Nordsieck form", NULL),
     GSL(bsimp, "implicit extrapolation of Bader and Deuflhard", between),
     GSL(rk4imp, "implicit Gauss method of order 4", between),
+    { .name = NULL },
 };

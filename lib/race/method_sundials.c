@@ -1,11 +1,8 @@
-#include "method_sundials.h"
+#include "method.h"
 
 #ifndef HAVE_SUNDIALS
 
-const struct method method_sundials[METHOD_SUNDIALS_MOST] = {
-    { .name = NULL },
-};
-const size_t method_sundials_count = 0;
+const struct method method_sundials[] = { { .name = NULL } };
 
 const char *method_sundials_version(void)
 {
@@ -186,13 +183,13 @@ static bool between(void *state, double s, double u[])
         .close = close                                                         \
     }
 
-const struct method method_sundials[METHOD_SUNDIALS_MOST] = {
+const struct method method_sundials[] = {
     SUNDIALS("cvode_adams", "Adams-Moulton methods of CVODE", adams),
     SUNDIALS("cvode_bdf", "backward differences of CVODE", bdf),
     SUNDIALS("arkode_erk8", "explicit Fehlberg method of order 8 of ARKODE",
              explicit_rk),
+    { .name = NULL },
 };
-const size_t method_sundials_count = METHOD_SUNDIALS_MOST;
 
 const char *method_sundials_version(void)
 {
