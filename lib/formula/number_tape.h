@@ -14,6 +14,8 @@ struct TAPE_KIND(tape_entry) {
     int a, b;
     TAPE_SCALAR k, q;
     struct TAPE_KIND(tape_form) form;
+    bool joined; /* of a sinh: tape_rate.joined */
+    bool idle;   /* nobody reads its register: it is a part of scaled ones */
 };
 
 /* A rate times kept[] exp(..): what rounding took from the exponent's constant,

@@ -132,6 +132,41 @@ static void TAPE_KIND(rate_at)(struct TAPE_KIND(making) * m,
     out->joined = r->joined;
 }
 
+static void TAPE_KIND(read_form)(const struct TAPE_KIND(tape) * t,
+                                 const struct TAPE_KIND(tape_form) * u,
+                                 bool parts, bool read[])
+{
+    for (int j = u->first; j < u->first + u->terms; j++)
+        if (!parts || !TAPE_KIND(tape_grows)(t, t->term[j].reg))
+            read[t->term[j].reg] = true;
+}
+
+/* Which registers nobody reads. */
+static void TAPE_KIND(find_idle)(struct TAPE_KIND(tape) * t)
+{
+    bool read[TAPE_STEPS + 2] = { false };
+
+    for (int i = 0; i < t->steps; i++) {
+        const struct TAPE_KIND(tape_entry) *n = &t->step[i];
+        TAPE_KIND(read_form)(t, &n->form, n->kind == STEP_SCALED, read);
+        read[n->a >= 0 ? n->a : 0] = read[n->b >= 0 ? n->b : 0] = true;
+    }
+    for (int i = 0; i < t->rates; i++) {
+        const struct TAPE_KIND(tape_rate) *r = &t->rate[i];
+        TAPE_KIND(read_form)(t, &r->mantissa, false, read);
+        TAPE_KIND(read_form)(t, &r->exponent[0], false, read);
+        TAPE_KIND(read_form)(t, &r->exponent[1], false, read);
+        read[r->sinh >= 0 ? r->sinh : 0] = true;
+        read[r->scaled >= 0 ? r->scaled : 0] = true;
+        if (r->joined)
+            t->step[r->sinh - 2].joined = true;
+    }
+    for (int i = 0; i < TAPE_VALUES; i++)
+        TAPE_KIND(read_form)(t, &t->value[i], false, read);
+    for (int i = 0; i < t->steps; i++)
+        t->step[i].idle = !read[i + 2];
+}
+
 bool TAPE_KIND(tape_at)(const struct tape *t, const formula_real constant[],
                         struct TAPE_KIND(tape) * out)
 {
@@ -158,6 +193,7 @@ bool TAPE_KIND(tape_at)(const struct tape *t, const formula_real constant[],
     out->rates = t->rates;
     for (int i = 0; i < TAPE_VALUES; i++)
         TAPE_KIND(linear_at)(&m, &t->value[i], &out->value[i]);
+    TAPE_KIND(find_idle)(out);
     return out->terms < NUMBER_TERMS;
 }
 
@@ -283,9 +319,10 @@ void TAPE_KIND(tape_run)(const struct TAPE_KIND(tape) * t, TAPE_SCALAR x,
     r[0] = x;
     r[1] = y;
     for (int i = 0; i < steps; i++)
-        r[i + 2] = t->step[i].kind == STEP_SCALED
-                       ? TAPE_KIND(scaled)(t, i, r)
-                       : TAPE_KIND(tape_step)(t, i, 0, r);
+        if (!t->step[i].idle)
+            r[i + 2] = t->step[i].kind == STEP_SCALED
+                           ? TAPE_KIND(scaled)(t, i, r)
+                           : TAPE_KIND(tape_step)(t, i, 0, r);
 }
 
 /* ---- rates --------------------------------------------------------------- */

@@ -112,10 +112,12 @@ void tape_gradients(const struct real_tape *t, bool everything,
     g[0] = (struct vec2){ 1, 0 };
     g[1] = (struct vec2){ 0, 1 };
     for (int i = 0; i < steps; i++)
-        g[i + 2] = t->step[i].kind == STEP_LINEAR
-                       ? of_linear(t, &t->step[i].form, g)
-                   : t->step[i].kind == STEP_SCALED ? of_scaled(t, i, r, g)
-                                                    : of_step(t, i, 0, r, g);
+        if (!t->step[i].idle)
+            g[i + 2] = t->step[i].kind == STEP_LINEAR
+                           ? of_linear(t, &t->step[i].form, g)
+                       : t->step[i].kind == STEP_SCALED
+                           ? of_scaled(t, i, r, g)
+                           : of_step(t, i, 0, r, g);
 }
 
 /* M' e^(E - scale) + M E' e^(E - scale) */

@@ -30,9 +30,13 @@ struct tape_lowered {
 /* A plane at an anchor.  Copied as a whole. */
 struct tape_plane {
     struct real_tape t;
-    double origin[2];       /* of the chart */
-    short slot[TAPE_STEPS]; /* first series of each step */
-    short rate_slot[TAPE_RATES];
+    double origin[2]; /* of the chart */
+    /* places in a workspace of series, see tape_jet.c: by step and by rate
+     * the first slot and what is kept of order 0; by part its rows */
+    short slot[TAPE_STEPS], kept[TAPE_STEPS];
+    short rate_slot[TAPE_RATES], rate_kept[TAPE_RATES];
+    int width[2], rows[2], registers, keep;
+    bool odd[2];
 };
 
 /* Copies f; of p, states, rates and observables count.  `equilibrium`: both
@@ -66,7 +70,7 @@ void tape_jet(const void *ctx, struct jet_work *w, size_t k, const jet_pair x[],
 void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
                    const jet_pair x[], const jet_pair y[], jet_pair rate[]);
 
-/* Hands out series; false where they are too many. */
+/* Hands out places; false where they are too many. */
 MUST_CHECK bool tape_jet_slots(struct tape_plane *t);
 
 /* d register/d(x, y) for all registers, after real_tape_run. */

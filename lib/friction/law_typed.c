@@ -365,14 +365,15 @@ size_t law_typed_extrema(const struct law *law, const struct material *m,
 
     law_typed_range(law, m, &lo, &hi);
     const int steps = (int) (hi - lo);
+    const long double fair = 0.99L; /* tails are straight but for rounding */
     for (int i = 1; i < steps; i++) {
         const long double here = lo + i;
         slope[2] = rough_slope(law, m, here);
         if (i > 1 && (slope[1] > 0) != (slope[2] > 0)) {
             between(&e, here - 1, here);
         } else if (i > 2 && (slope[0] > 0) == (slope[1] > 0) &&
-                   fabsl(slope[1]) < fabsl(slope[0]) &&
-                   fabsl(slope[1]) < fabsl(slope[2]) &&
+                   fabsl(slope[1]) < fair * fabsl(slope[0]) &&
+                   fabsl(slope[1]) < fair * fabsl(slope[2]) &&
                    dips(&e, here - 2, here, slope[1] > 0, &at)) {
             between(&e, here - 2, at);
             between(&e, at, here);

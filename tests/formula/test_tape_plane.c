@@ -8,6 +8,7 @@
 #include "check.h"
 #include "parse.h"
 #include "quad.h"
+#include "tape_course.h"
 
 #define ULP 0x1p-53
 
@@ -352,6 +353,33 @@ static void a_series_adds_up_to_the_field_along_the_curve(void **state)
     }
 }
 
+/* ---- registers of two widths --------------------------------------------- */
+
+static void sums_are_the_same_bits_on_registers_of_any_width(void **state)
+{
+    enum { MOST = 40 };
+    static jet_pair a[JET_SIZE * MOST], b[JET_SIZE * MOST], sum[2][MOST];
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (size_t i = 0; i < JET_SIZE * MOST; i++)
+        for (int j = 0; j < JET_LANES; j++) {
+            a[i][j] = check_uniform(&seed, -1, 1);
+            b[i][j] = check_uniform(&seed, -1, 1);
+        }
+    for (size_t width = 2; width <= MOST; width += 2)
+        for (size_t k = 1; k < JET_SIZE; k++) {
+            tape_sums_plain(k, width, a, b, sum[0]);
+            if (!tape_sums_wide(k, width, a, b, sum[1]))
+                skip();
+            assert_memory_equal(sum[0], sum[1], width * sizeof *a);
+            jet_pair exact = { 0 };
+            for (size_t j = 1; j < k; j++)
+                exact += a[j * width + 1] * b[(k - j) * width + 1];
+            assert_memory_equal(&exact, &sum[0][1], sizeof exact);
+        }
+}
+
 /* ---- equilibria, refusals ------------------------------------------------ */
 
 static void rates_vanish_at_an_equilibrium_that_is_no_double(void **state)
@@ -392,6 +420,7 @@ int main(void)
         cmocka_unit_test(a_function_from_its_anchor_loses_no_digits),
         cmocka_unit_test(field_and_gradients_are_those_of_the_formulas),
         cmocka_unit_test(a_series_adds_up_to_the_field_along_the_curve),
+        cmocka_unit_test(sums_are_the_same_bits_on_registers_of_any_width),
         cmocka_unit_test(rates_vanish_at_an_equilibrium_that_is_no_double),
         cmocka_unit_test(what_has_no_value_at_the_anchor_is_refused),
     };

@@ -7,6 +7,7 @@
 
 #include "block.h"
 #include "check.h"
+#include "cusp.h"
 #include "laws.h"
 #include "response.h"
 
@@ -101,6 +102,32 @@ static void extrema_are_found_without_being_told(void **state)
         most = n > most ? n : most;
     }
     assert_int_equal(most, 2);
+}
+
+/* Just below the cusp of Fig 4 both extrema lie within an e-fold of v, above it
+ * there are none. */
+static void extrema_that_nearly_meet_are_found(void **state)
+{
+    uint64_t seed = check_seed() + 1;
+
+    (void) state;
+    for (int i = 0; i < 40; i++) {
+        struct law law = *law_preset_find("spinodal_gen");
+        law.form = i % 2 ? FRICTION_LOG : FRICTION_ASINH;
+        const struct law text = formulas_of(&law);
+        struct material m = some_material(&seed, &law);
+        const double off = laws_power(&seed, -6, -2);
+        long double x[4], exact[4];
+        m.c = (double) cusp_find(&law, &m).c * (1 - off);
+        assert_int_equal(steady_extrema(&law, &m, exact), 2);
+        const size_t n = law_typed_extrema(&text, &m, x);
+        CHECK(n == 2, "%zu extrema at %g below the cusp", n, off);
+        for (int k = 0; k < 2; k++)
+            CHECK(fabsl(x[k] - exact[k]) < 1e-9L, "%.17Lg, not %.17Lg", x[k],
+                  exact[k]);
+        m.c *= (1 + off) / (1 - off);
+        assert_int_equal(law_typed_extrema(&text, &m, x), 0);
+    }
 }
 
 /* Both anchored at the same point of the steady curve. */
@@ -245,6 +272,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steady_states_are_those_of_the_components),
         cmocka_unit_test(extrema_are_found_without_being_told),
+        cmocka_unit_test(extrema_that_nearly_meet_are_found),
         cmocka_unit_test(the_field_is_that_of_the_components),
         cmocka_unit_test(series_are_those_of_the_components),
         cmocka_unit_test(a_law_that_lacks_a_part_or_has_a_wrong_one_says_so),
