@@ -73,6 +73,13 @@ const struct command command_table[COMMANDS] = {
       "XPPAUT traces the saddle's stable manifold (--form arclength) or a "
       "motion (--form time).",
       "slipway export --law spinodal_gen --alpha 0.34 --as xppaut -o slope.ode" },
+    [COMMAND_IMPORT] = { "import", 1, "MODEL.ode",
+      "a model of XPPAUT as a scene",
+      "Writes the planar autonomous system of an .ode file of XPPAUT as a "
+      "scene, which can be changed and run (portrait, study); these commands "
+      "take the .ode file itself, too. What is not planar, not autonomous or "
+      "not analytic is refused with its line and the reason.",
+      "slipway import scenes/brusselator.ode -o brusselator.yaml" },
     [COMMAND_GALLERY] = { "gallery", 0, "[-o DIR]",
       "every figure of the paper, with a page of HTML",
       "Runs every scene that draws a figure and writes each as SVG, PNG and "

@@ -30,6 +30,7 @@ enum {
     ROW(SIMULATE, simulate, COMMAND_READS | COMMAND_DRAWS)                     \
     ROW(RABINOWICZ, rabinowicz, COMMAND_READS | COMMAND_DRAWS)                 \
     ROW(EXPORT, export, COMMAND_READS)                                         \
+    ROW(IMPORT, import, 0)                                                     \
     ROW(GALLERY, gallery, COMMAND_READS)                                       \
     ROW(CHECK, check, COMMAND_READS)                                           \
     ROW(WORKPREC, workprec, COMMAND_READS | COMMAND_DRAWS)                     \

@@ -75,6 +75,8 @@ const struct option option_table[] = {
       .text = "write the table of --record to this CSV file" },
     { "output", 'o', "FILE", OPTION_FILE, TO(output), .commands = ON(EXPORT),
       .text = "write NAME.ode for XPPAUT, NAME.c and its like for AUTO" },
+    { "output", 'o', "FILE", OPTION_FILE, TO(output), .commands = ON(IMPORT),
+      .text = "write the scene to this YAML file" },
     { "output", 'o', "FILE", OPTION_FILE, "output.hdf5", TO(output),
       .commands = DRAW | ON(STRESS),
       .text = "write the results to this HDF5 file" },

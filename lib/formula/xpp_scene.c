@@ -27,7 +27,11 @@ static void write_entries(FILE *out, const struct formula_system *s,
         any = true;
         while (*text == ' ' || *text == '\t')
             text++;
-        fprintf(out, "    %s: \"%s\"\n", e->name, text);
+        fprintf(out, "    %s: \"", e->name);
+        for (; *text; text++) /* x**2 was read as x^ 2 */
+            if (*text != ' ' || text[-1] != '^')
+                fputc(*text, out);
+        fprintf(out, "\"\n");
     }
 }
 

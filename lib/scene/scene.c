@@ -11,6 +11,7 @@
 #include "document.h"
 #include "override.h"
 #include "scene_law.h"
+#include "scene_ode.h"
 #include "scene_slope.h"
 #include "scene_sweep.h"
 #include "scene_system.h"
@@ -22,6 +23,20 @@
 
 /* ---- the file ------------------------------------------------------------ */
 
+/* A model's text by the scene that it makes. */
+static enum status replace_by_scene(const char *path, char **text, size_t *size,
+                                    struct fault *why)
+{
+    char *scene = NULL;
+    const enum status s = scene_of_ode(path, *text, &scene, why);
+
+    free(*text);
+    *text = scene;
+    if (s == STATUS_OK)
+        *size = strlen(scene);
+    return s;
+}
+
 static enum status read_file(const char *path, char **text, size_t *size,
                              struct fault *why)
 {
@@ -31,7 +46,9 @@ static enum status read_file(const char *path, char **text, size_t *size,
         return place_blame((struct place){ path, false, 1, 1 }, why,
                            "a file of more than %zu bytes, expected a scene",
                            SCENE_BYTES);
-    return s;
+    return s == STATUS_OK && scene_is_ode(path)
+               ? replace_by_scene(path, text, size, why)
+               : s;
 }
 
 /* ---- defaults ------------------------------------------------------------ */

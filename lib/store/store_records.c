@@ -189,11 +189,22 @@ static void put_field(const struct sheet *sh, const struct record_field *f)
         hdf_close(put_members(sh, &c, f->offset));
 }
 
+static bool has_field(const struct record_type *type, const char *name)
+{
+    for (size_t i = 0; i < type->count; i++)
+        if (strcmp(type->fields[i].name, name) == 0)
+            return true;
+    return false;
+}
+
+/* n, unless that is a field: a state may have any name. */
 static struct axis *put_index(const struct sheet *sh)
 {
-    const struct column n = {
-        .name = "n", .unit = "1", .text = "index", .kind = RECORD_COUNT
-    };
+    const struct column n = { .name =
+                                  has_field(sh->a->type, "n") ? "index" : "n",
+                              .unit = "1",
+                              .text = "index",
+                              .kind = RECORD_COUNT };
     int64_t *values = hdf_memory(sh->st, sh->a->count, sizeof *values);
     struct axis *axis = NULL;
 

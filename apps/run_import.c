@@ -1,0 +1,56 @@
+/* slipway import: a model of XPPAUT as a scene. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "command.h"
+#include "json.h"
+#include "replace.h"
+#include "scene_ode.h"
+#include "text_file.h"
+#include "xpp_model.h"
+
+static enum status convert(const struct options *o, char **scene,
+                           struct fault *why)
+{
+    char *text = NULL;
+    size_t size;
+
+    if (o->files == 0) {
+        snprintf(why->text, sizeof why->text,
+                 "import: expected a model, NAME.ode");
+        return STATUS_BAD_ARGUMENT;
+    }
+    enum status s = o->output ? replace_check(o->output, why) : STATUS_OK;
+    if (s == STATUS_OK)
+        s = text_file_read(o->file[0], XPP_SIZE, &text, &size, why);
+    if (s == STATUS_OK)
+        s = scene_of_ode(o->file[0], text, scene, why);
+    free(text);
+    if (s == STATUS_OK && o->output)
+        s = replace_file(o->output, *scene, strlen(*scene), why);
+    return s;
+}
+
+static bool tell(const struct options *o, const char *scene)
+{
+    if (o->json)
+        return json_print(json_pack("{s:s}", "scene", scene));
+    if (o->output)
+        return o->quiet || printf("wrote %s\n", o->output) > 0;
+    return fputs(scene, stdout) >= 0;
+}
+
+enum exit_code command_import(const struct options *o)
+{
+    char *scene = NULL;
+    struct fault why = { "" };
+    const enum status s = convert(o, &scene, &why);
+    enum exit_code code = EXIT_DONE;
+
+    if (s != STATUS_OK)
+        code = command_fail(s, why.text);
+    else if (!tell(o, scene))
+        code = command_unwritten();
+    free(scene);
+    return code;
+}
