@@ -399,6 +399,27 @@ static void rates_vanish_at_an_equilibrium_that_is_no_double(void **state)
     CHECK(fabs(found / (2 * 1.4142135623730951e-200) - 1) < 1e-14, "%g", found);
 }
 
+/* Differences of two products, alone and under a sinh, too. */
+static void differences_vanish_at_an_equilibrium_in_113_bits(void **state)
+{
+    static const char *const rate[] = { "y - 1/x", "-sinh(y - 1/x)/x",
+                                        "(x - 2*y)*exp(y)", "ln(x*y)*x" };
+    const bool positive[2] = { true, true };
+    const quad x = sqrtq(2), at[2] = { logq(x), -logq(x) };
+
+    (void) state;
+    for (size_t i = 0; i < sizeof rate / sizeof *rate; i++) {
+        struct planar_field f;
+        make((const char *const[]){ "x^2 - 2", rate[i] }, positive, NULL, true,
+             at);
+        tape_field(&plane, (struct vec2){ 0, 0 }, &f);
+        CHECK(f.direction.x == 0.0 && f.direction.y == 0.0, "%s: %g %g",
+              rate[i], f.direction.x, f.direction.y);
+        tape_field(&plane, (struct vec2){ 0, 1e-200 }, &f);
+        CHECK(f.direction.y != 0.0, "%s", rate[i]);
+    }
+}
+
 static void what_has_no_value_at_the_anchor_is_refused(void **state)
 {
     const bool real[2] = { false, false };
@@ -422,6 +443,7 @@ int main(void)
         cmocka_unit_test(a_series_adds_up_to_the_field_along_the_curve),
         cmocka_unit_test(sums_are_the_same_bits_on_registers_of_any_width),
         cmocka_unit_test(rates_vanish_at_an_equilibrium_that_is_no_double),
+        cmocka_unit_test(differences_vanish_at_an_equilibrium_in_113_bits),
         cmocka_unit_test(what_has_no_value_at_the_anchor_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
