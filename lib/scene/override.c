@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "document.h"
+#include "scene_law.h"
 #include "schema.h"
 
 /* No key of the schema is longer; what is cut is unknown all the same. */
@@ -90,6 +91,8 @@ enum status override_apply(struct node *root, const char *set,
     const bool of_system = node_find(root, "system") != NULL;
     enum status s = of_system && strncmp(path, "window.", 7) == 0
                         ? STATUS_OK /* by the names of its states */
+                    : scene_law_may_own(path) && scene_law_is_typed(root)
+                        ? STATUS_OK /* perhaps a name of the law's own */
                         : schema_check_path(path, at, why);
     if (s == STATUS_OK)
         s = document_read_set(set, &n, why);

@@ -32,7 +32,7 @@ static const struct node *given(const struct node *root, const char *key)
     return n && n->kind == NODE_SCALAR ? n : NULL;
 }
 
-enum status scene_law_begin(const struct node *root, struct scene *s)
+bool scene_law_is_typed(const struct node *root)
 {
     static const char *const formulas[] = { "T", "K", "mu", "rate", "state" };
     bool typed = false;
@@ -43,7 +43,12 @@ enum status scene_law_begin(const struct node *root, struct scene *s)
         const struct node *n = given(root, i ? "psi_ss" : "theta");
         typed = typed || (n && is_formula(n->text));
     }
-    if (!typed || given(root, "preset"))
+    return typed && !given(root, "preset");
+}
+
+enum status scene_law_begin(const struct node *root, struct scene *s)
+{
+    if (!scene_law_is_typed(root))
         return STATUS_OK;
     s->typed = calloc(1, sizeof *s->typed);
     return s->typed ? STATUS_OK : STATUS_NO_MEMORY;
@@ -51,10 +56,9 @@ enum status scene_law_begin(const struct node *root, struct scene *s)
 
 /* ---- names of its own ---------------------------------------------------- */
 
-bool scene_law_owns(const struct scene *s, const char *path)
+bool scene_law_may_own(const char *path)
 {
-    return s->typed && strncmp(path, "material.", 9) == 0 &&
-           strchr(path + 9, '.') == NULL;
+    return strncmp(path, "material.", 9) == 0 && strchr(path + 9, '.') == NULL;
 }
 
 static bool is_name(const char *text)

@@ -14,12 +14,16 @@
 #include "node.h"
 #include "scene.h"
 
-/* Before the keys are read: whether there are formulas, as s->typed. */
+/* Whether there are formulas. */
+bool scene_law_is_typed(const struct node *root);
+
+/* Before the keys are read: s->typed, where there are. */
 MUST_CHECK enum status scene_law_begin(const struct node *root,
                                        struct scene *s);
 
-/* Whether a key under `material` is a name of the law's own. */
-bool scene_law_owns(const struct scene *s, const char *path);
+/* Whether the path is one word under `material`; if it is no key, it may be a
+ * name of such a law's own. */
+bool scene_law_may_own(const char *path);
 
 /* Its number.  Errors as scene_read. */
 MUST_CHECK enum status scene_law_own(const struct node *n, struct scene *s,

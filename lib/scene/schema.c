@@ -222,7 +222,7 @@ static enum status apply_below(const struct node *map, const char *prefix,
         const struct node *n = map->child[i];
         char path[PATH_SIZE];
         join(prefix, n->key, path, sizeof path);
-        if (scene_law_owns(s, path) && !schema_find(path)) {
+        if (s->typed && scene_law_may_own(path) && !schema_find(path)) {
             status = scene_law_own(n, s, why);
             continue;
         }

@@ -124,6 +124,13 @@ static void a_law_with_names_of_its_own_has_its_folds(void **state)
         "");
 
     (void) state;
+    struct scene set = scene_made(
+        "law: {theta: ln(psi), psi_ss: 1/v + 1/v_0, T: 1/v, K: d}\n"
+        "material: {a: 0.03, b: 0.04, v_0: 7}\nslope: {alpha: 0.34}\n"
+        "products: [folds]\n",
+        "material.v_0=50\n");
+    assert_true(scene_same(&s, &set));
+    scene_free(&set);
     assert_int_equal(s.typed->owns, 1);
     assert_int_equal(study_run(&study, &s, NULL, &why), STATUS_OK);
     /* b v_0/(v + v_0) = a at v = v_0 (b - a)/a */
