@@ -206,6 +206,22 @@ static void hold_place(const struct draw *d, double rtol,
          law_psi_is_log(&d->law) ? y : expq(y), t);
 }
 
+/* Crossings further out than 113 bits tell: a branch that meets v = 0 is flat
+ * at last, and if it was not when its y still changed falls through 1. */
+static size_t beyond(const struct quad_branch *branch)
+{
+    size_t n = branch->points;
+
+    if (branch->end != QUAD_V_0)
+        return 0;
+    while (n > 1 && branch->path[n - 1][1] == branch->path[n - 2][1])
+        n--;
+    if (n < 2)
+        return 0;
+    const quad *last = branch->path[n - 1], *before = branch->path[n - 2];
+    return (last[1] - before[1]) / (last[0] - before[0]) > 1 ? 1 : 0;
+}
+
 /* One branch: the same rising ones in the same order, and as many falling
  * ones, but where it is undecided. */
 static void hold_branch(const struct draw *d, double rtol,
@@ -224,8 +240,9 @@ static void hold_branch(const struct draw *d, double rtol,
             t->undecided++;
             return;
         }
-    CHECK(crossings == truth->count, "%s, rtol %g: %zu crossings, not %zu",
-          d->name, rtol, crossings, truth->count);
+    CHECK(crossings == truth->count + beyond(branch),
+          "%s, rtol %g: %zu crossings, not %zu and %zu", d->name, rtol,
+          crossings, truth->count, beyond(branch));
     for (size_t i = 0; i < truth->count && i < QUAD_KNEES; i++)
         if (truth->at[i].rising) {
             CHECK(n < count, "%s, rtol %g: a knee is missing", d->name, rtol);
