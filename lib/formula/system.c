@@ -218,6 +218,9 @@ enum status formula_system_observable(struct formula_system *s,
     struct system_observable new = { .node = 0 };
     enum status status = STATUS_OK;
 
+    if (formula_system_find_state(s, name) >= 0 || strcmp(name, "time") == 0)
+        status = formula_blame(
+            at, why, "observable %s: orbits have %s of their own", name, name);
     for (int i = 0; i < s->observables && status == STATUS_OK; i++)
         if (strcmp(s->observable[i].name, name) == 0)
             status = formula_blame(

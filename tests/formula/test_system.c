@@ -127,6 +127,8 @@ static void names_that_cannot_be_are_blamed_where_they_stand(void **state)
            "a.yaml:4:9: rate of v: there is one already");
     BLAMED(formula_system_rate(&s, "y", "x", at, &why),
            "a.yaml:4:9: rate of y, which is no state");
+    BLAMED(formula_system_observable(&s, "v", "x", NULL, NULL, at, &why),
+           "a.yaml:4:9: observable v: orbits have v of their own");
     BLAMED(formula_system_finish(&s, at, &why),
            "a.yaml:4:9: state x has no rate");
     BLAMED(formula_system_set(&s, "betta", 1, at, &why),

@@ -88,6 +88,8 @@ static const struct {
     { "system: {parameters: {a: b}, rates: {x: y, y: x}}\n",
       "1:26: system.parameters.a: 'b' is not allowed, expected a number" },
     { "system: {ode: \"x' = x\"}\n", "1:9: 1 state, expected two" },
+    { "system: {state: {x: real, time: real}, rates: {x: 1, time: x}}\n",
+      "1:33: state time: results have time of their own" },
     { "system: {ode: \"x' y\"}\n",
       "1:15: system.ode: 'x' y', expected at most 64 of NAME' = FORMULA or "
       "NAME = FORMULA, with ; between them" },
