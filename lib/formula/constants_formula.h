@@ -2,9 +2,13 @@
 
 #include "scalar.h"
 
-static SCALAR KIND(leaf_value)(const struct formula_value leaf[],
-                               const char *name)
+/* Leaves are mostly given in the order in which the graph has them, after its
+ * first node, 0. */
+static SCALAR KIND(leaf_value)(const struct formula_value leaf[], int count,
+                               int node, const char *name)
 {
+    if (node >= 1 && node <= count && strcmp(leaf[node - 1].name, name) == 0)
+        return (SCALAR) leaf[node - 1].value;
     while (leaf->name && strcmp(leaf->name, name) != 0)
         leaf++;
     return leaf->name ? (SCALAR) leaf->value : 0;
@@ -57,16 +61,13 @@ static SCALAR KIND(called)(enum formula_function function, SCALAR u, SCALAR w)
 }
 
 static SCALAR KIND(node_value)(const struct formula_node *n,
-                               const SCALAR value[],
-                               const struct formula_value leaf[])
+                               const SCALAR value[])
 {
     const SCALAR u = value[n->of[0]], w = value[n->of[1]];
 
     switch (n->kind) {
         case FORMULA_NUMBER:
             return (SCALAR) n->number;
-        case FORMULA_LEAF:
-            return KIND(leaf_value)(leaf, n->name);
         case FORMULA_SUM:
             return u + w;
         case FORMULA_TIMES:
@@ -82,10 +83,17 @@ static void KIND(constants)(const struct formula *f,
                             const struct formula_value leaf[], SCALAR least,
                             SCALAR value[])
 {
+    int count = 0;
+
+    while (leaf[count].name)
+        count++;
     for (int i = 0; i < f->nodes; i++) {
         const struct formula_node *n = &f->node[i];
-        value[i] = n->moves ? 0 : KIND(node_value)(n, value, leaf);
-        if (n->kind == FORMULA_SUM &&
+        value[i] = n->moves ? 0
+                   : n->kind == FORMULA_LEAF
+                       ? KIND(leaf_value)(leaf, count, i, n->name)
+                       : KIND(node_value)(n, value);
+        if (least > 0 && n->kind == FORMULA_SUM &&
             FN(fabs)(value[i]) < least * FN(fabs)(value[n->of[0]]))
             value[i] = 0;
     }

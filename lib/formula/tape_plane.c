@@ -60,10 +60,10 @@ enum status tape_plane_at(const struct tape_lowered *l,
     formula_real constant[FORMULA_NODES];
     int n = 0;
 
-    for (; n < 2; n++)
-        all[n] = (struct formula_value){ anchor_name[n], anchor[n] };
-    for (; value->name && n < TAPE_PLANE_VALUES - 1; n++)
+    for (; value->name && n < TAPE_PLANE_VALUES - 3; n++)
         all[n] = *value++;
+    for (int i = 0; i < 2; i++)
+        all[n++] = (struct formula_value){ anchor_name[i], anchor[i] };
     formula_constants(&l->f, all, (quad) 0x1p-90, constant);
     if (!real_tape_at(&l->t, constant, &out->t) || !tape_jet_slots(out))
         return refuse(why, "the formulas have too many parts");

@@ -357,29 +357,63 @@ static bool dips(const struct extrema *e, long double lo, long double hi,
     return sign_at(e->law, e->m, *at) == (rises ? -1 : 1);
 }
 
-size_t law_typed_extrema(const struct law *law, const struct material *m,
-                         long double x[4])
+/* In steps of at most an e-fold from lo to hi. */
+static void look_between(struct extrema *e, long double lo, long double hi)
 {
-    struct extrema e = { law, m, x, 0 };
-    long double lo, hi, at, slope[3] = { 0, 0, 0 };
+    const int steps = (int) ceill(hi - lo);
+    const long double h = (hi - lo) / (long double) steps;
+    const long double off = 1e-3L; /* at a step's end the sign is uncertain */
+    long double at, slope[3] = { 0, 0, 0 };
 
-    law_typed_range(law, m, &lo, &hi);
-    const int steps = (int) (hi - lo);
-    const long double fair = 0.99L; /* tails are straight but for rounding */
-    for (int i = 1; i < steps; i++) {
-        const long double here = lo + i;
-        slope[2] = rough_slope(law, m, here);
-        if (i > 1 && (slope[1] > 0) != (slope[2] > 0)) {
-            between(&e, here - 1, here);
-        } else if (i > 2 && (slope[0] > 0) == (slope[1] > 0) &&
-                   fabsl(slope[1]) < fair * fabsl(slope[0]) &&
-                   fabsl(slope[1]) < fair * fabsl(slope[2]) &&
-                   dips(&e, here - 2, here, slope[1] > 0, &at)) {
-            between(&e, here - 2, at);
-            between(&e, at, here);
+    for (int i = 0; i <= steps; i++) {
+        const long double here = lo + h * i;
+        slope[2] = rough_slope(e->law, e->m, here);
+        if (i > 0 && (slope[1] > 0) != (slope[2] > 0)) {
+            between(e, here - h - off, here + off);
+        } else if (i > 1 && (slope[0] > 0) == (slope[1] > 0) &&
+                   fabsl(slope[1]) < fabsl(slope[0]) &&
+                   fabsl(slope[1]) < fabsl(slope[2]) &&
+                   dips(e, here - 2 * h, here, slope[1] > 0, &at)) {
+            between(e, here - 2 * h, at);
+            between(e, at, here);
         }
         slope[0] = slope[1];
         slope[1] = slope[2];
+    }
+}
+
+/* Whether mu_ss is not a straight line of x around a step of three e-folds. */
+static bool bends(const long double mu[3])
+{
+    const long double bend = mu[0] - 2 * mu[1] + mu[2];
+
+    return fabsl(bend) > 1e-13L * (1 + fabsl(mu[1]));
+}
+
+size_t law_typed_extrema(const struct law *law, const struct material *m,
+                         long double x[4])
+{
+    enum { STEP = 3 };
+    const long double edge = 2e-3L; /* slopes are taken a bit to both sides */
+    struct extrema e = { law, m, x, 0 };
+    long double lo, hi, done, from = NAN, mu[3] = { 0, 0, 0 };
+
+    law_typed_range(law, m, &lo, &hi);
+    done = lo + edge;
+    const int steps = (int) ((hi - lo) / STEP);
+    for (int i = 0; i <= steps; i++) {
+        const long double here = lo + STEP * i;
+        mu[0] = mu[1];
+        mu[1] = mu[2];
+        mu[2] = law_typed_steady(law, m, here).mu;
+        const bool bent = i > 1 && bends(mu);
+        if (bent && isnan(from))
+            from = fmaxl(done, here - 3 * STEP);
+        if (isnan(from) || (bent && i < steps))
+            continue;
+        done = fminl(hi - edge, here + STEP);
+        look_between(&e, from, done);
+        from = NAN;
     }
     return e.n;
 }

@@ -130,6 +130,30 @@ static void extrema_that_nearly_meet_are_found(void **state)
     }
 }
 
+/* psi_ss = -ln v ends at v = 1: mu_ss = mu_star + a x + b ln(-x) is largest at
+ * x = -b/a. */
+static void an_extremum_beside_the_end_of_mu_ss_is_found(void **state)
+{
+    uint64_t seed = check_seed() + 2;
+
+    (void) state;
+    for (int i = 0; i < 40; i++) {
+        struct law law = { .preset = "composed",
+                           .equation = "",
+                           .form = i % 2 ? FRICTION_LOG : FRICTION_ASINH,
+                           .theta = THETA_LN_PSI,
+                           .psi_ss = PSI_SS_MINUS_LOG };
+        const struct law text = formulas_of(&law);
+        struct material m = material_bristol_board();
+        long double x[4];
+        m.b = m.a * laws_power(&seed, -2, 2);
+        const size_t n = law_typed_extrema(&text, &m, x);
+        CHECK(n == 1 && fabsl(x[0] + (long double) m.b / (long double) m.a) <
+                            1e-13L * (1 + (long double) (m.b / m.a)),
+              "%zu at %.17Lg, b/a = %g", n, x[0], m.b / m.a);
+    }
+}
+
 /* Both anchored at the same point of the steady curve. */
 static void anchor_both(const struct law *law, const struct law *text,
                         const struct material *m, uint64_t *seed,
@@ -273,6 +297,7 @@ int main(void)
         cmocka_unit_test(steady_states_are_those_of_the_components),
         cmocka_unit_test(extrema_are_found_without_being_told),
         cmocka_unit_test(extrema_that_nearly_meet_are_found),
+        cmocka_unit_test(an_extremum_beside_the_end_of_mu_ss_is_found),
         cmocka_unit_test(the_field_is_that_of_the_components),
         cmocka_unit_test(series_are_those_of_the_components),
         cmocka_unit_test(a_law_that_lacks_a_part_or_has_a_wrong_one_says_so),
