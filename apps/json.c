@@ -38,11 +38,6 @@ json_t *json_quantity(const struct quantity *q)
                                             : json_number(q->conditioning));
 }
 
-static json_t *json_code(int8_t code, const char *const *words)
-{
-    return code < 0 ? json_null() : json_string(words[code]);
-}
-
 json_t *json_member(const struct record_field *f, const void *member)
 {
     switch (f->kind) {
@@ -52,14 +47,13 @@ json_t *json_member(const struct record_field *f, const void *member)
             return *(const int64_t *) member == RECORD_COUNT_NONE
                        ? json_null()
                        : json_integer(*(const int64_t *) member);
-        case RECORD_CODE:
-            return json_code(*(const int8_t *) member, f->codes);
         case RECORD_QUANTITY:
             return json_quantity(member);
+        case RECORD_CODE:
         case RECORD_TEXT:
             break;
     }
-    const char *text = *(const char *const *) member;
+    const char *text = record_word(f, member);
     return text ? json_string(text) : json_null();
 }
 

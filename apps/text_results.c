@@ -60,11 +60,8 @@ static void print_member(FILE *out, const char *name,
                     (long long) *(const int64_t *) member);
             return;
         case RECORD_CODE:
-            if (*(const int8_t *) member >= 0)
-                text = f->codes[*(const int8_t *) member];
-            break;
         case RECORD_TEXT:
-            text = *(const char *const *) member;
+            text = record_word(f, member);
     }
     if (text)
         fprintf(out, "  %-16s %s\n", name, text);
@@ -143,11 +140,8 @@ static void cell_text(const struct record_field *f, const void *member,
                          (long long) *(const int64_t *) member);
             break;
         case RECORD_CODE:
-            if (*(const int8_t *) member >= 0)
-                word = f->codes[*(const int8_t *) member];
-            break;
         case RECORD_TEXT:
-            word = *(const char *const *) member;
+            word = record_word(f, member);
     }
     if (word)
         snprintf(text, 32, "%s", word);

@@ -83,6 +83,16 @@ static inline const void *record_member(const struct record_array *a, size_t i,
     return (const char *) a->at + i * a->type->size + f->offset;
 }
 
+/* The word that a code or a text is; NULL: none. */
+static inline const char *record_word(const struct record_field *f,
+                                      const void *member)
+{
+    if (f->kind == RECORD_TEXT)
+        return *(const char *const *) member;
+    return *(const int8_t *) member < 0 ? NULL
+                                        : f->codes[*(const int8_t *) member];
+}
+
 /* True for a quantity that exists. */
 static inline int quantity_exists(const struct quantity *q)
 {

@@ -27,8 +27,6 @@ static enum status put_attribute(struct store *st, const char *group,
                                  const char *key, const struct record_field *f,
                                  const void *member)
 {
-    const char *text = NULL;
-
     switch (f->kind) {
         case RECORD_REAL:
             return isnan(*(const double *) member)
@@ -40,12 +38,10 @@ static enum status put_attribute(struct store *st, const char *group,
         case RECORD_QUANTITY:
             return put_number(st, group, key, member);
         case RECORD_CODE:
-            if (*(const int8_t *) member >= 0)
-                text = f->codes[*(const int8_t *) member];
-            break;
         case RECORD_TEXT:
-            text = *(const char *const *) member;
+            break;
     }
+    const char *text = record_word(f, member);
     return text ? store_put_text(st, group, key, text) : STATUS_OK;
 }
 
