@@ -326,17 +326,31 @@ struct extrema {
     size_t n;
 };
 
+/* By false position, the older end's slope halved (Illinois). */
 static void between(struct extrema *e, long double lo, long double hi)
 {
-    const int sign = sign_at(e->law, e->m, lo);
+    const quad least = 1e-20;
+    quad at_lo = slope_at(e->law, e->m, lo), at_hi = slope_at(e->law, e->m, hi);
+    long double x = lo, before = hi;
 
-    if (e->n == 4 || sign * sign_at(e->law, e->m, hi) >= 0)
+    if (e->n == 4 || !((at_lo > least && at_hi < -least) ||
+                       (at_lo < -least && at_hi > least)))
         return;
-    for (int i = 0; i < 64; i++) {
-        const long double mid = (lo + hi) / 2;
-        *(sign_at(e->law, e->m, mid) == sign ? &lo : &hi) = mid;
+    for (int i = 0; i < 60 && fabsl(x - before) > 1e-19L * (1 + fabsl(x));
+         i++) {
+        before = x;
+        x = hi - (long double) (at_hi / (at_hi - at_lo)) * (hi - lo);
+        const quad at_x = slope_at(e->law, e->m, x);
+        if ((at_x > 0) == (at_hi > 0)) {
+            at_lo /= 2;
+        } else {
+            lo = hi;
+            at_lo = at_hi;
+        }
+        hi = x;
+        at_hi = at_x;
     }
-    e->x[e->n++] = (lo + hi) / 2;
+    e->x[e->n++] = x;
 }
 
 /* Whether the slope, of one sign at lo and hi, has the other between. */
