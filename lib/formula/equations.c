@@ -36,23 +36,36 @@ static bool has_log(const struct formula *f, int u)
             has_log(f, n->of[0]));
 }
 
-/* ln u of u > 0 */
-static int log_of(struct formula *f, int u)
+enum { FUEL = 400 }; /* nodes that are taken apart: shared ones count again */
+
+/* ln u of u > 0; whole where there is no fuel left. */
+static int log_in(struct formula *f, int u, int *fuel)
 {
     const struct formula_node n = *node_of(f, u);
     const bool both = n.arguments == 2 && node_of(f, n.of[0])->positive &&
                       node_of(f, n.of[1])->positive;
 
+    if (--*fuel < 0)
+        return formula_of(f, FUNCTION_LN, u);
     if (n.kind == FORMULA_TIMES && both)
-        return formula_sum(f, log_of(f, n.of[0]), log_of(f, n.of[1]));
+        return formula_sum(f, log_in(f, n.of[0], fuel),
+                           log_in(f, n.of[1], fuel));
     if (n.kind == FORMULA_OVER && both)
-        return formula_less(f, log_of(f, n.of[0]), log_of(f, n.of[1]));
+        return formula_less(f, log_in(f, n.of[0], fuel),
+                            log_in(f, n.of[1], fuel));
     if (n.kind == FORMULA_CALL && n.function == FUNCTION_SQRT)
-        return formula_over(f, log_of(f, n.of[0]), formula_number(f, 2));
+        return formula_over(f, log_in(f, n.of[0], fuel), formula_number(f, 2));
     if (n.kind == FORMULA_CALL && n.function == FUNCTION_POWER &&
         node_of(f, n.of[0])->positive)
-        return formula_times(f, n.of[1], log_of(f, n.of[0]));
+        return formula_times(f, n.of[1], log_in(f, n.of[0], fuel));
     return formula_of(f, FUNCTION_LN, u);
+}
+
+static int log_of(struct formula *f, int u)
+{
+    int fuel = FUEL;
+
+    return log_in(f, u, &fuel);
 }
 
 /* Products and quotients of exponentials are one. */
@@ -165,7 +178,8 @@ static bool undo(struct formula *f, int u, int *out)
 }
 
 /* part[0] - part[1] = c u, of terms that are > 0. */
-static bool split(struct formula *f, formula_real c, int u, int part[2])
+static bool split(struct formula *f, formula_real c, int u, int *fuel,
+                  int part[2])
 {
     int rest;
     const formula_real factor = c * formula_factor(f, u, &rest);
@@ -185,8 +199,9 @@ static bool split(struct formula *f, formula_real c, int u, int part[2])
         part[sign] = formula_sum(f, part[sign], term);
         return true;
     }
-    return n.kind == FORMULA_SUM && split(f, factor, n.of[0], part) &&
-           split(f, factor, n.of[1], part);
+    return --*fuel > 0 && n.kind == FORMULA_SUM &&
+           split(f, factor, n.of[0], fuel, part) &&
+           split(f, factor, n.of[1], fuel, part);
 }
 
 /* f(u) = 0 where u = 0 and nowhere else; FUNCTION_POWER: u^n. */
@@ -196,11 +211,50 @@ static bool is_odd(enum formula_function f)
            f == FUNCTION_ATAN || f == FUNCTION_ASIN;
 }
 
+/* over/under; beside a pole, which intervals cannot see past, `over` is as good
+ * as elsewhere. */
+struct fraction {
+    int over, under;
+};
+
+static struct fraction cross(struct formula *f, struct fraction a,
+                             struct fraction b)
+{
+    if (a.under == b.under)
+        return (struct fraction){ formula_sum(f, a.over, b.over), a.under };
+    return (struct fraction){ formula_sum(f, formula_times(f, a.over, b.under),
+                                          formula_times(f, b.over, a.under)),
+                              formula_times(f, a.under, b.under) };
+}
+
+/* u = over/under, `under` of the denominators that change and may be 0. */
+static struct fraction fraction_of(struct formula *f, int u, int *fuel)
+{
+    const struct formula_node n = *node_of(f, u);
+    const struct fraction whole = { u, formula_number(f, 1) };
+
+    if (n.kind == FORMULA_NUMBER || n.kind == FORMULA_LEAF ||
+        n.kind == FORMULA_CALL || n.positive || !n.moves || --*fuel < 0)
+        return whole;
+    const struct fraction a = fraction_of(f, n.of[0], fuel);
+    if (n.kind == FORMULA_OVER &&
+        (node_of(f, n.of[1])->positive || !node_of(f, n.of[1])->moves))
+        return (struct fraction){ formula_over(f, a.over, n.of[1]), a.under };
+    const struct fraction b = fraction_of(f, n.of[1], fuel);
+    if (n.kind == FORMULA_SUM)
+        return cross(f, a, b);
+    if (n.kind == FORMULA_OVER)
+        return (struct fraction){ formula_times(f, a.over, b.under),
+                                  formula_times(f, a.under, b.over) };
+    return (struct fraction){ formula_times(f, a.over, b.over),
+                              formula_times(f, a.under, b.under) };
+}
+
 /* A simpler node that vanishes where u does; u if there is none. */
 static int simpler(struct formula *f, int u)
 {
     const struct formula_node n = *node_of(f, u);
-    int part[2] = { 0, 0 }, out;
+    int part[2] = { 0, 0 }, out, fuel = FUEL, more = FUEL;
 
     if (n.kind == FORMULA_TIMES &&
         (node_of(f, n.of[0])->positive ||
@@ -218,9 +272,10 @@ static int simpler(struct formula *f, int u)
         return n.of[0];
     if (n.kind == FORMULA_SUM && undo(f, u, &out))
         return out;
-    if (n.kind == FORMULA_SUM && split(f, 1, u, part) && part[0] && part[1])
+    if (n.kind == FORMULA_SUM && split(f, 1, u, &fuel, part) && part[0] &&
+        part[1])
         return formula_less(f, log_of(f, part[0]), log_of(f, part[1]));
-    return u;
+    return fraction_of(f, u, &more).over;
 }
 
 /* ---- all ----------------------------------------------------------------- */

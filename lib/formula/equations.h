@@ -5,8 +5,9 @@
  * dropped; sinh u = 0 and its like become u = 0, u^n = 0 becomes u = 0,
  * f(u) = c of a constant c becomes u = f^-1(c), and a sum of terms that are
  * > 0 or < 0, p - q = 0, becomes ln p - ln q = 0: nothing then overflows or
- * explodes however wide the window is.  Wherever the rates are defined, the
- * equations vanish where the rates do, and nowhere else.
+ * explodes however wide the window is.  Denominators that may be 0 are
+ * multiplied out.  Wherever the rates are defined, the equations vanish where
+ * the rates do, and nowhere else.
  */
 #ifndef FORMULA_EQUATIONS_H
 #define FORMULA_EQUATIONS_H

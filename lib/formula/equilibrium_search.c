@@ -237,8 +237,12 @@ static enum status look_into(struct equilibrium_search *s,
         return STATUS_OK;
     if (found == BOX_UNIQUE && search_settle(s, l.side, place))
         return STATUS_OK;
-    if (found == BOX_UNIQUE || is_small(s, &box))
+    for (int k = 0; k < 2 && found == BOX_UNIQUE; k++)
+        box.side[k] = place[k]; /* if there is one, it is in there */
+    if (is_small(s, &box))
         return add(&s->left, &box);
+    if (found == BOX_UNIQUE)
+        return add(&s->boxes, &box);
     return part(s, &box, &l);
 }
 

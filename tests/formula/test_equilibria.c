@@ -327,6 +327,65 @@ static void where_rates_are_not_defined_there_is_none(void **state)
     assert_string_equal(why.text, "ln of a constant is not defined");
 }
 
+/* Rosenzweig and MacArthur's predators, across a line where rates are infinite:
+ * one spot on it, where both are 0/0, stays open. */
+static void a_pole_is_no_curve_of_equilibria(void **state)
+{
+    static const struct typed predators = {
+        { CHART_REAL, CHART_REAL },
+        { { "m", "2" }, { "h", "0.3" }, { "d", "1" } },
+        { { NULL } },
+        { "x*(1 - x) - y*x/(h + x)", "y*(m*x/(h + x) - d)" }
+    };
+
+    (void) state;
+    type_system(&predators);
+    find_in(-1, 3, -1, 3.1);
+    assert_int_equal(found.count, 3);
+    is_type(at_place(0.3, 0.42, 1e-16), SYSTEM_UNSTABLE_FOCUS);
+    assert_int_equal(found.undecided_count, 1);
+    assert_true(fabs(found.undecided[0].lo[0] + 0.3) < 1e-6 &&
+                fabs(found.undecided[0].lo[1]) < 1e-6);
+    find_in(-0.29, 3, -1, 3.1);
+    all_found(3, "on one side");
+}
+
+/* Names that need each other twice: 2^40 factors, were they counted. */
+static void shared_parts_are_not_written_out(void **state)
+{
+    const struct formula_place at = { "typed", 1, 1 };
+    char name[20], text[60];
+    const double begin = seconds();
+
+    (void) state;
+    formula_system_init(&s);
+    enum status status =
+        formula_system_state(&s, "x", CHART_POSITIVE, NULL, at, &why);
+    if (status == STATUS_OK)
+        status = formula_system_state(&s, "y", CHART_REAL, NULL, at, &why);
+    for (int i = 0; i < 40 && status == STATUS_OK; i++) {
+        sprintf(name, "a%d", i);
+        sprintf(text, i ? "(a%d*a%d + 1)*a%d/(y + 7)" : "1 + x", i - 1, i - 1,
+                i - 1);
+        status = formula_system_define(&s, name, text, at, &why);
+    }
+    for (int i = 0; i < 40 && status == STATUS_OK; i++) {
+        sprintf(name, "b%d", i);
+        sprintf(text, i ? "b%d*(b%d*(2 + x))" : "1 + x", i - 1, i - 1);
+        if (i < 24)
+            status = formula_system_define(&s, name, text, at, &why);
+    }
+    if (status == STATUS_OK)
+        status = formula_system_rate(&s, "x", "a39 - 2", at, &why);
+    if (status == STATUS_OK)
+        status = formula_system_rate(&s, "y", "b23 - 3", at, &why);
+    CHECK(status == STATUS_OK, "%s", why.text);
+    const struct system_window w = { { -1, -1 }, { 1, 1 } };
+    status = system_equilibria_find(&s, &w, &found, &why);
+    CHECK(status == STATUS_OK || status == STATUS_BAD_ARGUMENT, "%s", why.text);
+    CHECK(seconds() - begin < 20, "%g s", seconds() - begin);
+}
+
 static void a_window_that_is_none_is_refused(void **state)
 {
     static const struct typed plain = {
@@ -516,6 +575,8 @@ int main(void)
         cmocka_unit_test(two_that_meet_are_one_box_and_two_nearby_are_two),
         cmocka_unit_test(a_double_zero_that_is_seen_is_proved),
         cmocka_unit_test(where_rates_are_not_defined_there_is_none),
+        cmocka_unit_test(a_pole_is_no_curve_of_equilibria),
+        cmocka_unit_test(shared_parts_are_not_written_out),
         cmocka_unit_test(a_window_that_is_none_is_refused),
         cmocka_unit_test(newton_finds_none_that_is_not_listed),
         cmocka_unit_test(products_of_linear_factors_have_their_zeros),
