@@ -118,10 +118,7 @@ static void polish_peak(struct quad_course *c, const struct quad_radau *w,
         };
         quad_course_field(c, z, du);
         find_rise(c, z, du, rise);
-        if (rise[which] > 0.0)
-            from = theta;
-        else
-            to = theta;
+        *(rise[which] > 0.0 ? &from : &to) = theta;
     }
     if (quad_course_part(c, w, (from + to) / 2, &part, u))
         note_peaks(c, u);
@@ -210,17 +207,11 @@ static quad part_to(const struct quad_course *c, const struct quad_radau *w,
         return hi;
     for (int i = 1; i <= SCAN && hi > 1; i++) {
         const quad theta = (quad) i / SCAN;
-        if (missing_at(c, w, g, theta) <= 0)
-            hi = theta;
-        else
-            lo = theta;
+        *(missing_at(c, w, g, theta) <= 0 ? &hi : &lo) = theta;
     }
     for (int i = 0; i < 50 && hi <= 1; i++) {
         const quad mid = (lo + hi) / 2;
-        if (missing_at(c, w, g, mid) <= 0)
-            hi = mid;
-        else
-            lo = mid;
+        *(missing_at(c, w, g, mid) <= 0 ? &hi : &lo) = mid;
     }
     return hi;
 }
@@ -272,12 +263,12 @@ static bool find_arrival(struct quad_course *c, struct quad_radau *w,
     return true;
 }
 
-/* Whether the slip of one that only fades has a limit. */
-static bool has_slip(const struct quad_course *c)
+/* How blocks of the law come to rest. */
+static struct rest_form rest_of(const struct quad_course *c)
 {
     const struct block *b = &c->slope->study->slider.block;
 
-    return rest_form_of(&b->law, &b->material).has_slip;
+    return rest_form_of(&b->law, &b->material);
 }
 
 /* What is left of one that fades too slowly to be followed. */
@@ -287,7 +278,8 @@ static void add_fade(struct quad_course *c)
     quad slip, error;
 
     c->left[1] = HUGE_VAL;
-    if (!has_slip(c) || !quad_rest_left(c, QUAD_LEFT_SLIP, &slip, &error))
+    if (!rest_of(c).has_slip ||
+        !quad_rest_left(c, QUAD_LEFT_SLIP, &slip, &error))
         return;
     c->u[QUAD_SLIP] += slip;
     c->u[QUAD_WORK] += (quad) s->slider.block.tan_alpha * slip;
@@ -299,8 +291,7 @@ static void add_fade(struct quad_course *c)
 static void add_rest(struct quad_course *c)
 {
     const struct study *s = c->slope->study;
-    const struct rest_form rest =
-        rest_form_of(&s->slider.block.law, &s->slider.block.material);
+    const struct rest_form rest = rest_of(c);
     quad time, slip, error[2];
 
     if (rest.fate != FATE_REST_FINITE || !(c->left[0] > 0) ||
@@ -319,8 +310,7 @@ static void add_rest(struct quad_course *c)
 static void find_rest(struct quad_course *c)
 {
     const struct study *s = c->slope->study;
-    const struct rest_form rest =
-        rest_form_of(&s->slider.block.law, &s->slider.block.material);
+    const struct rest_form rest = rest_of(c);
     const bool falls =
         slider_saddle(&s->slider) == 0
             ? c->u[QUAD_X] < 0 && c->u[QUAD_Y] > 0
@@ -460,7 +450,7 @@ static bool has(enum fate fate, enum cell_field k, const struct quad_course *c)
         return fate != FATE_REST_FINITE;
     if (k == CELL_V_PEAK)
         return true;
-    return (fate != FATE_REST_ASYMPTOTIC || has_slip(c)) &&
+    return (fate != FATE_REST_ASYMPTOTIC || rest_of(c).has_slip) &&
            (k == CELL_SLIP || c->u[QUAD_SLIP] > 0);
 }
 
