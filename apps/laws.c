@@ -54,12 +54,16 @@ enum exit_code command_laws(const struct options *o)
     json_t *list;
     const struct law *law;
 
+    if (o->as && o->files)
+        return print_scene(o->file[0]);
     if (o->as || o->files) {
-        return o->as && o->files
-                   ? print_scene(o->file[0])
-                   : command_fail(STATUS_BAD_SCENE,
-                                  "laws: --as scene needs a NAME and NAME "
-                                  "needs --as scene, see 'slipway help laws'");
+        struct fault why;
+        const enum status s = command_refuse(
+            &why,
+            "laws: %s: a NAME needs --as scene, and that a NAME, see 'slipway "
+            "help laws'",
+            o->files ? o->file[0] : "--as");
+        return command_fail(s, why.text);
     }
     list = o->json ? json_array() : NULL;
     for (size_t i = 0; (law = law_preset_at(i)) != NULL; i++) {
