@@ -120,14 +120,51 @@ static struct factor between(double first, double last)
                             fabs(mean) + TOL_STEP_BEND * fabs(last - first) };
 }
 
+/* S_dep on the way. */
+static double slope_d_at(const struct grower *g, double part)
+{
+    const double s = part * g->toward * g->h;
+    const double dep = jet_at(g->order, g->u.at[1 - g->ind], s);
+    const double ind = g->u.at[g->ind][0] + s * g->unit;
+    struct planar_jacobian J;
+
+    g->sys->jacobian(g->sys->ctx, local_point(g->ind, ind, dep), &J);
+    const struct vec2 f = J.field.direction;
+    return g->ind == 0 ? (J.matrix.yy - f.y / f.x * J.matrix.xy) / f.x
+                       : (J.matrix.xx - f.x / f.y * J.matrix.yx) / f.y;
+}
+
+/* The integral of S_dep over the step times `turn`, from its values at the
+ * ends; and a bound on its error.  A branch that is followed may wind: there it
+ * is Boole's rule, which Simpson's tells from. */
+static void grow_rate(const struct grower *g, double turn, double first,
+                      double last, double *mean, double *off)
+{
+    *mean = 0.5 * (first + last);
+    *off = TOL_STEP_BEND * fabs(last - first);
+    if (g->o->follower == NULL)
+        return;
+    const double a = turn * slope_d_at(g, 0.25), b = turn * slope_d_at(g, 0.5);
+    const double c = turn * slope_d_at(g, 0.75);
+    const double simpson = (first + 4.0 * b + last) / 6.0;
+    const double boole =
+        (7.0 * first + 32.0 * a + 12.0 * b + 32.0 * c + 7.0 * last) / 90.0;
+    if (fabs(boole - simpson) < *off) {
+        *mean = boole;
+        *off = fabs(boole - simpson);
+    }
+}
+
 /* What becomes of errors made before the step, from the field at its ends. */
 static void carry_over(struct grower *g, const struct outward *before)
 {
     const double turn = g->toward * g->h * g->unit;
-    const double first = turn * before->slope_d, last = turn * g->out.slope_d;
-    const double mean = fmin(0.5 * (first + last), TOL_STEP_GROWTH_MOST);
-    const double more =
-        exp(fmin(TOL_STEP_BEND * fabs(last - first), TOL_STEP_GROWTH_MOST));
+    double rate, off;
+
+    grow_rate(g, turn, turn * before->slope_d, turn * g->out.slope_d, &rate,
+              &off);
+    const double mean = fmin(rate, TOL_STEP_GROWTH_MOST);
+    const double more = exp(fmin(off, TOL_STEP_GROWTH_MOST));
     const struct factor grown = { exp(mean), exp(mean) * more };
     struct factor drift[LOCAL_CARRY_MAX];
 
