@@ -19,6 +19,31 @@ struct vec2 arrival_from(const struct arrival_scale *s, struct vec2 a,
                           shortest(a.y - b.y, s->period.y) / s->side.y };
 }
 
+double arrival_nearest(const struct arrival_scale *s, const struct curve *c,
+                       size_t piece, struct vec2 origin, struct vec2 to,
+                       double *theta)
+{
+    enum { SAMPLES = 16, REFINE = 60 };
+    double best = HUGE_VAL, at[CURVE_DIM_MAX], width = 1.0 / SAMPLES;
+
+    *theta = 1.0;
+    for (int i = -SAMPLES; i < 2 * REFINE && best > 0.0; i++) {
+        const double step = i % 2 ? width : -width;
+        const double t = i <= 0 ? (double) (i + SAMPLES) / SAMPLES
+                                : fmin(fmax(*theta + step, 0.0), 1.0);
+        curve_at(c, piece, t, at);
+        const struct vec2 z = vec2_add(origin, (struct vec2){ at[0], at[1] });
+        const double d = vec2_length(arrival_from(s, z, to));
+        if (d < best) {
+            best = d;
+            *theta = t;
+        } else if (i > 0 && i % 2 == 0) {
+            width *= 0.5;
+        }
+    }
+    return best;
+}
+
 /* ---- traps --------------------------------------------------------------- */
 
 static double form_at(const struct trap_form *t, struct vec2 u)
@@ -104,8 +129,7 @@ double trap_form_distance(const struct trap_form *t,
 /* ---- closed orbits ------------------------------------------------------- */
 
 static double rate_of_y(const struct planar *sys, const struct curve *c,
-                        size_t piece, double theta, struct vec2 *z,
-                        double *rate_of_x)
+                        size_t piece, double theta, struct vec2 *z)
 {
     double at[CURVE_DIM_MAX];
     struct planar_field f;
@@ -113,27 +137,27 @@ static double rate_of_y(const struct planar *sys, const struct curve *c,
     curve_at(c, piece, theta, at);
     *z = (struct vec2){ at[0], at[1] };
     sys->field(sys->ctx, *z, &f);
-    *rate_of_x = f.direction.x;
     return f.direction.y;
 }
 
-/* Where y' changes its sign on the piece while x' > 0. */
+/* Where the piece goes from up to down: seen from any side, in either
+ * direction of time. */
 static bool returns(const struct planar *sys, const struct curve *c,
                     size_t piece, struct vec2 *z)
 {
-    double lo = 0.0, hi = 1.0, along;
-    const bool first = rate_of_y(sys, c, piece, lo, z, &along) > 0.0;
+    double lo = 0.0, hi = 1.0, along[CURVE_DIM_MAX];
+    const bool first = rate_of_y(sys, c, piece, lo, z) > 0.0;
 
-    if ((rate_of_y(sys, c, piece, hi, z, &along) > 0.0) == first)
+    curve_slope_at(c, piece, lo, along);
+    if ((rate_of_y(sys, c, piece, hi, z) > 0.0) == first || !(along[1] > 0.0))
         return false;
     for (int i = 0; i < 52; i++) {
         const double middle = 0.5 * (lo + hi);
-        const bool same =
-            (rate_of_y(sys, c, piece, middle, z, &along) > 0.0) == first;
+        const bool same = (rate_of_y(sys, c, piece, middle, z) > 0.0) == first;
         *(same ? &lo : &hi) = middle;
     }
     *z = vec2_add(sys->origin, *z);
-    return along > 0.0;
+    return true;
 }
 
 static double between(const struct winding *w, const struct arrival_scale *s,
@@ -146,33 +170,58 @@ static double between(const struct winding *w, const struct arrival_scale *s,
 static bool closes(struct winding *w, const struct arrival_scale *s,
                    size_t turns, const struct vec2 equilibrium[], size_t n)
 {
-    if (w->count < 3 * turns + 1 || 2 * turns >= WINDING_KEPT)
+    if (w->count <= turns)
         return false;
     const double gap = between(w, s, 0, turns);
+    if (w->count < 3 * turns + 1)
+        return false;
     const double before = between(w, s, turns, 2 * turns);
-    const bool shrinks =
-        gap <= TOL_WINDING_SHRINK * before || gap <= TOL_WINDING_ROUNDING;
-    w->widest[turns - 1] = fmax(w->widest[turns - 1], fmax(gap, before));
-    if (!(gap <= TOL_WINDING_GAP && shrinks &&
-          gap <= TOL_WINDING_FALL * w->widest[turns - 1]))
+    const bool rounded = gap <= TOL_WINDING_ROUNDING;
+    const bool shrinks = gap <= TOL_WINDING_SHRINK * before || rounded;
+    const double left = rounded ? gap : gap / (1.0 - gap / before);
+    if (!(gap <= TOL_WINDING_GAP && shrinks && w->away >= TOL_WINDING_AFAR &&
+          w->round > TOL_WINDING_APART + 10.0 * left))
         return false;
     for (size_t i = 0; i < n; i++)
         if (vec2_length(arrival_from(s, w->at[0], equilibrium[i])) <=
-            TOL_WINDING_APART + 100.0 * gap)
+            TOL_WINDING_APART + 10.0 * left)
             return false;
     w->turns = turns;
     w->gap = gap;
     return true;
 }
 
+bool winding_is_closed(const struct winding *w, const struct arrival_scale *s)
+{
+    return w->count >= TOL_WINDING_ROUNDS &&
+           between(w, s, 0, 1) <= TOL_WINDING_GAP && w->away < TOL_WINDING_AFAR;
+}
+
 bool winding_add(struct winding *w, const struct planar *sys,
                  const struct arrival_scale *s, const struct curve *c,
                  size_t piece, const struct vec2 equilibrium[], size_t n)
 {
+    double at[CURVE_DIM_MAX], theta;
     struct vec2 z;
 
+    if (piece == 0) {
+        curve_at(c, 0, 0.0, at);
+        w->start = vec2_add(sys->origin, (struct vec2){ at[0], at[1] });
+        w->near = HUGE_VAL;
+    } else {
+        w->near = fmin(w->near, arrival_nearest(s, c, piece, sys->origin,
+                                                w->start, &theta));
+    }
+    curve_at(c, piece, 1.0, at);
+    z = vec2_add(sys->origin, (struct vec2){ at[0], at[1] });
+    if (w->count > 0)
+        w->extent = fmax(w->extent, vec2_length(arrival_from(s, z, w->at[0])));
     if (!returns(sys, c, piece, &z))
         return false;
+    w->round = w->extent;
+    w->extent = 0.0;
+    w->away = w->near;
+    w->near = HUGE_VAL;
     memmove(w->at + 1, w->at, (WINDING_KEPT - 1) * sizeof *w->at);
     w->at[0] = z;
     w->count++;

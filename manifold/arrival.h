@@ -20,6 +20,12 @@ struct arrival_scale {
 struct vec2 arrival_from(const struct arrival_scale *s, struct vec2 a,
                          struct vec2 b);
 
+/* How near a piece of a curve of offsets from an origin comes to an absolute
+ * point, and where. */
+double arrival_nearest(const struct arrival_scale *s, const struct curve *c,
+                       size_t piece, struct vec2 origin, struct vec2 to,
+                       double *theta);
+
 /* V(u) = u'Pu <= size^2, u = arrival_from(z): V falls along every orbit there,
  * looked at on ellipses; V >= u'u.  size 0: none. */
 struct trap_form {
@@ -38,14 +44,18 @@ double trap_form_distance(const struct trap_form *t,
 
 enum { WINDING_KEPT = 16, WINDING_MOST = 4 };
 
-/* Returns of a curve to y' = 0, x' > 0: where the last `turns` of them repeat
- * the ones before up to `gap`, and these differences have shrunk and go on to,
- * a closed orbit runs within some gaps of them. */
+/* Returns of a curve to where it is highest, from a start that it does not come
+ * back to: where the last `turns` of them repeat the ones before up to `gap`,
+ * and these differences have shrunk and go on to, a closed orbit runs within
+ * some gaps of them. */
 struct winding {
     struct vec2 at[WINDING_KEPT]; /* absolute, the last one first */
     size_t count;                 /* of all */
-    double widest[WINDING_MOST]; /* difference so far, of rounds of 1, 2, ... */
-    size_t turns;                /* returns in one round, once it is closed */
+    struct vec2 start;            /* of the curve */
+    double near, away;    /* how near to it this round has come, the last one */
+    double extent, round; /* how far the curve has been from the last return,
+                             and was between the last two */
+    size_t turns;         /* returns in one round, once it is closed */
     double gap;
 };
 
@@ -54,5 +64,9 @@ struct winding {
 bool winding_add(struct winding *w, const struct planar *sys,
                  const struct arrival_scale *s, const struct curve *c,
                  size_t piece, const struct vec2 equilibrium[], size_t n);
+
+/* Whether it has been round so often without coming any nearer that it is one
+ * of many closed orbits. */
+bool winding_is_closed(const struct winding *w, const struct arrival_scale *s);
 
 #endif

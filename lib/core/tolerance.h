@@ -191,14 +191,16 @@
 
 /* Traps (arrival.h), in sides of a window: looked for from 2^-LEVELS up to 1/2,
  * LEAST levels or none.  Closed orbits: differences between rounds are at most
- * GAP, by FALL less than the widest were, each less than the one before by
- * SHRINK or no more than ROUNDING; and further than APART and a hundred such
- * differences from any equilibrium. */
+ * GAP, each less than the one before by SHRINK or no more than ROUNDING; the
+ * round is AFAR from where the curve started, and larger, and further from any
+ * equilibrium, than APART and ten times what such differences add up to.  After
+ * so many ROUNDS that come back to its start an orbit is closed by itself. */
 #define TOL_TRAP_LEVELS      30
 #define TOL_TRAP_LEAST       8
 #define TOL_WINDING_GAP      1e-7
-#define TOL_WINDING_FALL     1e-2
-#define TOL_WINDING_SHRINK   0.9
+#define TOL_WINDING_AFAR     1e-5
+#define TOL_WINDING_ROUNDS   40
+#define TOL_WINDING_SHRINK   0.99
 #define TOL_WINDING_ROUNDING 1e-13
 #define TOL_WINDING_APART    1e-6
 

@@ -43,6 +43,9 @@ MUST_CHECK enum status plain_program(struct plain_program *p,
                                      const struct formula_system *s,
                                      struct fault *why);
 
+/* What all operations make of an absolute point: value[p->ops]. */
+void plain_values(const struct plain_program *p, struct vec2 z, double value[]);
+
 /* The rates of the chart at an absolute point, and their slope (may be NULL).
  */
 struct vec2 plain_rates(const struct plain_program *p, struct vec2 z,

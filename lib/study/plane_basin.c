@@ -10,107 +10,9 @@
 #include "basin.h"
 #include "plane_border.h"
 #include "plane_branch.h"
+#include "plane_patch.h"
 #include "study_tolerance.h"
 #include "tolerance.h"
-
-/* ---- patches ------------------------------------------------------------- */
-
-/* Regions and which belong together: of[i] <= i, of[i] == i for the first. */
-struct patches {
-    const struct plane_study *s;
-    struct regions *r;
-    size_t *of;
-    struct area *area;
-    struct crossing *below, *above;
-};
-
-static size_t patch_of(const struct patches *p, size_t i)
-{
-    while (p->of[i] != i)
-        i = p->of[i];
-    return i;
-}
-
-static void join(struct patches *p, size_t i, size_t j)
-{
-    const size_t a = patch_of(p, i), b = patch_of(p, j);
-
-    p->of[a > b ? a : b] = a > b ? b : a;
-}
-
-/* The left and the right end of region k between n crossings, in the window. */
-static double end_of(const struct plane_study *s, const struct crossing c[],
-                     size_t n, size_t k)
-{
-    const struct box w = s->window.box;
-
-    if (k == 0)
-        return w.lo.x;
-    return k > n ? w.hi.x : fmin(fmax(c[k - 1].at, w.lo.x), w.hi.x);
-}
-
-/* How much between two places is open from a row to another just above it. */
-static double open_part(const struct separatrix *c, double row, double next,
-                        double left, double right)
-{
-    double part = right - left;
-
-    for (size_t i = 0; i < c->flats; i++)
-        if (c->flat[i].w >= row && c->flat[i].w <= next)
-            part -= fmax(
-                fmin(right, c->flat[i].to) - fmax(left, c->flat[i].from), 0.0);
-    return part;
-}
-
-/* Regions of two bands that meet. */
-static void join_bands(struct patches *p, const struct band *lower,
-                       const struct band *upper)
-{
-    const struct separatrix *c = p->r->separatrix;
-    const double least = TOL_PLANE_DOOR * p->s->scale.side.x;
-    const size_t m =
-        separatrix_row(c, nextafter(lower->hi, -HUGE_VAL), p->below);
-    const size_t n = separatrix_row(c, upper->lo, p->above);
-
-    if (m != lower->strands || n != upper->strands)
-        return; /* as thin as rounding */
-    for (size_t k = 0, j = 0; k <= m && j <= n;) {
-        const double below = end_of(p->s, p->below, m, k + 1);
-        const double above = end_of(p->s, p->above, n, j + 1);
-        const double left =
-            fmax(end_of(p->s, p->below, m, k), end_of(p->s, p->above, n, j));
-        if (open_part(c, lower->hi, upper->lo, left, fmin(below, above)) >
-            least)
-            join(p, lower->first + k, upper->first + j);
-        k += below <= above;
-        j += above <= below;
-    }
-}
-
-/* Thin bands are none: a curve ends before what it goes to. */
-static bool is_door(const struct plane_study *s, const struct band *band)
-{
-    const struct box w = s->window.box;
-
-    return fmin(band->hi, w.hi.y) - fmax(band->lo, w.lo.y) >
-           TOL_PLANE_DOOR * s->scale.side.y;
-}
-
-static void join_all(struct patches *p)
-{
-    const struct band *last = NULL;
-
-    for (size_t i = 0; i < p->r->count; i++)
-        p->of[i] = i;
-    for (size_t i = 0; i < p->r->bands; i++) {
-        const struct band *band = &p->r->band[i];
-        if (!is_door(p->s, band))
-            continue;
-        if (last)
-            join_bands(p, last, band);
-        last = band;
-    }
-}
 
 /* ---- labels -------------------------------------------------------------- */
 
@@ -132,11 +34,13 @@ int8_t plane_basin_label(const struct plane_study *s,
     }
     if (g->kind == PLANE_GOAL_INFINITY)
         return (int8_t) n;
+    if (g->kind == PLANE_GOAL_OUTSIDE)
+        return (int8_t) (n + 1);
     if (g->kind != PLANE_GOAL_CYCLE)
         return -1;
     for (size_t k = 0; k < g->index; k++)
         n += s->cycle[k].type == PLANE_CYCLE_STABLE;
-    return g->index < s->cycles ? (int8_t) (n + 1) : -1;
+    return g->index < s->cycles ? (int8_t) (n + 2) : -1;
 }
 
 /* Near the middle of region k of a band, on the row where it is widest of some;
@@ -152,8 +56,8 @@ static bool inside_of(const struct patches *p, const struct band *band,
     for (int i = 0; i < ROWS; i++) {
         const double y = from + (i + 0.4871) / ROWS * (to - from);
         const size_t n = separatrix_row(p->r->separatrix, y, p->below);
-        const double lo = end_of(p->s, p->below, n, k);
-        const double hi = end_of(p->s, p->below, n, k + 1);
+        const double lo = plane_patch_end(p->s, p->below, n, k);
+        const double hi = plane_patch_end(p->s, p->below, n, k + 1);
         if (n != band->strands || !(hi - lo > widest))
             continue;
         widest = hi - lo;
@@ -192,7 +96,7 @@ static size_t largest(const struct patches *p, size_t patch,
     size_t n = 0;
 
     for (size_t i = patch; i < p->r->count; i++) {
-        if (patch_of(p, i) != patch || !(p->area[i].value > 0.0))
+        if (plane_patch_of(p, i) != patch || !(p->area[i].value > 0.0))
             continue;
         size_t k = n < WITNESSES ? n++ : WITNESSES;
         for (; k > 0 && p->area[out[k - 1]].value < p->area[i].value; k--)
@@ -217,7 +121,7 @@ static enum status label_patch(struct patches *p, size_t patch,
         label = k == 0 || label == other ? other : (int8_t) -1;
     }
     for (size_t i = patch; i < p->r->count; i++)
-        if (patch_of(p, i) == patch)
+        if (plane_patch_of(p, i) == patch)
             p->r->region[i].label = label < 0 ? REGION_UNLABELLED : label;
     return status;
 }
@@ -236,7 +140,7 @@ static enum status label_all(struct plane_study *s, struct patches *p,
 {
     enum status status = STATUS_OK;
 
-    join_all(p);
+    plane_patch_join(p);
     for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
         if (p->of[i] != i)
             continue;
@@ -253,7 +157,7 @@ static enum status label_all(struct plane_study *s, struct patches *p,
 static enum status name_shares(struct plane_study *s)
 {
     struct plane_basin *b = &s->basin;
-    const size_t most = s->rests + s->cycles + 3;
+    const size_t most = s->rests + s->cycles + 4;
     size_t n = 0;
 
     b->share = calloc(most, sizeof *b->share);
@@ -264,6 +168,7 @@ static enum status name_shares(struct plane_study *s)
         if (s->rest[i].trap[0].size > 0.0)
             b->name[n++] = s->rest[i].name;
     b->name[n++] = "infinity";
+    b->name[n++] = "outside";
     for (size_t k = 0; k < s->cycles; k++)
         if (s->cycle[k].type == PLANE_CYCLE_STABLE)
             b->name[n++] = s->cycle[k].name;
@@ -294,7 +199,7 @@ static double thin_part(const struct plane_study *s, const struct area area[])
 
     for (size_t i = 0; i < r->bands; i++)
         for (size_t k = 0; k <= r->band[i].strands; k++)
-            if (!is_door(s, &r->band[i]))
+            if (!plane_patch_is_door(s, &r->band[i]))
                 sum += fabs(area[r->band[i].first + k].value);
     return sum;
 }
@@ -337,6 +242,25 @@ static struct vec2 spread(uint64_t seed, size_t i)
     return (struct vec2){ x - floor(x), y - floor(y) };
 }
 
+/* Whether attractors in the window are where they themselves go: one that is
+ * not is beyond a border that was not found. */
+static enum status check_rests(const struct plane_study *s, size_t *asked,
+                               size_t *wrong)
+{
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++) {
+        const struct plane_goal goal = { .kind = PLANE_GOAL_REST, .index = i };
+        int8_t label = -1;
+        if (!(s->rest[i].trap[0].size > 0.0))
+            continue;
+        status = plane_basin_at(s, s->rest[i].z, &label);
+        *asked += label >= 0;
+        *wrong += label >= 0 && label != plane_basin_label(s, &goal);
+    }
+    return status;
+}
+
 static enum status audit(struct plane_study *s, const struct monitor *monitor)
 {
     struct plane_basin *b = &s->basin;
@@ -360,6 +284,8 @@ static enum status audit(struct plane_study *s, const struct monitor *monitor)
         asked += label >= 0;
         wrong += label >= 0 && label != plane_basin_label(s, &goal);
     }
+    if (!failed)
+        failed = check_rests(s, &asked, &wrong) != STATUS_OK;
     b->audited = (int64_t) asked;
     b->disagreements = (int64_t) wrong;
     for (size_t k = 0; k < b->shares && wrong > 0; k++)

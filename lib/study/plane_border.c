@@ -154,14 +154,14 @@ static enum status add_cycle(struct plane_study *s, size_t k)
     struct winding round = { .count = 0 };
     struct orbit o;
     size_t first = 0, last = 0, before = 0;
-    double gap = HUGE_VAL, next = HUGE_VAL;
+    double gap = HUGE_VAL, next = HUGE_VAL, ratio = 0.0;
 
     options.rtol = TOL_PLANE_CYCLE;
     options.observables = 0;
-    options.max_steps = TOL_DRAWN_STEPS;
+    options.max_steps = TOL_PLANE_FOLLOWED;
     enum status status =
         orbit_init(&o, system, vec2_sub(w->at[0], system->origin), &options);
-    for (int rounds = 0; rounds < 12 && status == STATUS_OK;) {
+    for (int rounds = 0; rounds < 2000 && status == STATUS_OK;) {
         status = orbit_step(&o);
         if (status != STATUS_OK || o.end != ORBIT_RUNNING)
             break;
@@ -177,8 +177,9 @@ static enum status add_cycle(struct plane_study *s, size_t k)
             continue;
         next = vec2_length(
             arrival_from(&s->scale, round.at[0], round.at[w->turns]));
-        if (next <= TOL_WINDING_ROUNDING || next > 0.9 * gap)
+        if (next <= TOL_WINDING_ROUNDING || next > TOL_WINDING_SHRINK * gap)
             break;
+        ratio = next / gap;
         gap = next;
     }
     gap = fmin(gap, next);
@@ -186,7 +187,8 @@ static enum status add_cycle(struct plane_study *s, size_t k)
         o.curve.count = last + 1;
         const struct curve *const c[2] = { NULL, &o.curve };
         status = add(s, c, first, system->origin,
-                     10.0 * gap * fmax(s->scale.side.x, s->scale.side.y) +
+                     10.0 * gap / (1.0 - ratio) *
+                             fmax(s->scale.side.x, s->scale.side.y) +
                          TOL_PLANE_CYCLE * vec2_length(s->scale.side),
                      s->branches + k);
     }

@@ -80,39 +80,8 @@ struct following {
 static double nearest(const struct following *f, const struct curve *c,
                       struct vec2 to, double *theta)
 {
-    enum { SAMPLES = 16, REFINE = 60 };
-    const size_t piece = c->count - 1;
-    double best = HUGE_VAL, at[CURVE_DIM_MAX], width = 1.0 / SAMPLES;
-
-    *theta = 1.0;
-#define DISTANCE(t)                                                            \
-    (curve_at(c, piece, t, at),                                                \
-     vec2_length(arrival_from(                                                 \
-         &f->s->scale, vec2_add(f->from->z, (struct vec2){ at[0], at[1] }),    \
-         to)))
-    for (int i = 0; i <= SAMPLES; i++) {
-        const double t = (double) i / SAMPLES, d = DISTANCE(t);
-        if (d < best) {
-            best = d;
-            *theta = t;
-        }
-    }
-    for (int i = 0; i < REFINE && best > 0.0; i++) {
-        const double try[] = { fmax(*theta - width, 0.0),
-                               fmin(*theta + width, 1.0) };
-        bool better = false;
-        for (int k = 0; k < 2; k++) {
-            const double d = DISTANCE(try[k]);
-            if (d < best) {
-                best = d;
-                *theta = try[k];
-                better = true;
-            }
-        }
-        width *= better ? 1.0 : 0.5;
-    }
-#undef DISTANCE
-    return best;
+    return arrival_nearest(&f->s->scale, c, c->count - 1, f->from->z, to,
+                           theta);
 }
 
 /* How much longer than straight the way into it is, at most: a spiral's. */
@@ -267,7 +236,7 @@ static void measure(const struct plane_study *s, struct plane_branch *b,
         error += fabs(fine - coarse) + 1e-15 * sum +
                  4.0 * b->curve.curve.piece[i].error;
     }
-    b->length = quantity_of(sum, error);
+    b->length = quantity_of(sum, error < sum ? error : HUGE_VAL);
 }
 
 /* ---- all manifolds ------------------------------------------------------- */
@@ -419,6 +388,33 @@ static bool is_trapped(const struct plane_study *s, struct vec2 z,
     return false;
 }
 
+/* Whether a state hardly moves, outside the window. */
+static bool rests_outside(const struct plane_study *s, struct vec2 z)
+{
+    const struct vec2 side = s->scale.side,
+                      f = plain_rates(&s->program, z, NULL);
+
+    return !box_holds(s->window.box, z) &&
+           hypot(f.x / side.x, f.y / side.y) <= TOL_PLANE_STILL * s->kappa;
+}
+
+/* The cycle that returns come nearer and nearer to; s->cycles: none known. */
+static size_t cycle_ahead(const struct plane_study *s, const struct winding *w,
+                          bool stable)
+{
+    for (size_t k = 0; k < s->cycles && w->count > 1; k++) {
+        const struct plane_cycle *c = &s->cycle[k];
+        const double d[] = {
+            vec2_length(arrival_from(&s->scale, w->at[0], c->round.at[0])),
+            vec2_length(arrival_from(&s->scale, w->at[1], c->round.at[0]))
+        };
+        if ((c->type == PLANE_CYCLE_STABLE) == stable && c->round.turns == 1 &&
+            d[0] <= TOL_PLANE_DRAWN && d[0] < TOL_WINDING_SHRINK * d[1])
+            return k;
+    }
+    return s->cycles;
+}
+
 enum status plane_follow(const struct plane_study *s, struct vec2 z,
                          bool backward, struct plane_goal *out)
 {
@@ -434,7 +430,7 @@ enum status plane_follow(const struct plane_study *s, struct vec2 z,
         rests[i] = s->rest[i].z;
     options.rtol = TOL_PLANE_FOLLOW;
     options.observables = 0;
-    options.max_steps = TOL_DRAWN_STEPS;
+    options.max_steps = TOL_PLANE_FOLLOWED;
     enum status status =
         orbit_init(&o, system, vec2_sub(z, system->origin), &options);
     while (status == STATUS_OK && out->kind == PLANE_GOAL_NONE) {
@@ -444,7 +440,10 @@ enum status plane_follow(const struct plane_study *s, struct vec2 z,
             out->kind = PLANE_GOAL_REST;
         else if (o.end == ORBIT_LEFT_DOMAIN)
             out->kind = PLANE_GOAL_INFINITY;
-        else if (o.end != ORBIT_RUNNING)
+        else if (rests_outside(s, here))
+            out->kind = PLANE_GOAL_OUTSIDE;
+        else if (o.end != ORBIT_RUNNING ||
+                 winding_is_closed(&out->round, &s->scale))
             break;
         else
             status = orbit_step(&o);
@@ -453,6 +452,13 @@ enum status plane_follow(const struct plane_study *s, struct vec2 z,
             winding_add(&out->round, system, &s->scale, &o.curve,
                         o.curve.count - 1, rests, s->rests))
             out->kind = PLANE_GOAL_CYCLE;
+        const size_t ahead = out->kind == PLANE_GOAL_NONE
+                                 ? cycle_ahead(s, &out->round, !backward)
+                                 : s->cycles;
+        if (ahead < s->cycles) {
+            out->kind = PLANE_GOAL_CYCLE;
+            out->round = s->cycle[ahead].round;
+        }
     }
     orbit_free(&o);
     free(rests);

@@ -2,96 +2,13 @@
  * types and paths are made from patterns, the tables then go as any others. */
 #include "plane_results.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "plane_basin.h"
 #include "plane_rows.h"
+#include "plane_table.h"
 
 #define ASKED(product) ((uint64_t) 1 << PRODUCT_##product)
-
-enum { RESULTS_MOST = 40, FIELDS_MOST = 64, TYPES_MOST = 28, TEXTS = 8192 };
-
-struct plane_table {
-    struct record_field field[FIELDS_MOST];
-    struct record_type type[TYPES_MOST];
-    struct result result[RESULTS_MOST];
-    size_t fields, types, results;
-    char *paths; /* owned: of manifolds */
-    char text[TEXTS];
-    size_t letters;
-    const struct result *tables[2];
-};
-
-/* ---- making -------------------------------------------------------------- */
-
-/* A text that stays with the table. */
-__attribute__((format(printf, 2, 3))) static const char *keep(
-    struct plane_table *t, const char *format, ...)
-{
-    char *out = t->text + t->letters;
-    const size_t left = TEXTS - t->letters;
-    va_list words;
-
-    va_start(words, format);
-    const int n = vsnprintf(out, left, format, words);
-    va_end(words);
-    t->letters += (size_t) n + 1 < left ? (size_t) n + 1 : left - 1;
-    return out;
-}
-
-/* A field of the type that is being made. */
-static struct record_field *field(struct plane_table *t, const char *name,
-                                  enum record_kind kind, size_t offset,
-                                  const char *text)
-{
-    struct record_field *f = &t->field[t->fields++];
-
-    *f = (struct record_field){
-        .name = name, .unit = "1", .text = text, .offset = offset, .kind = kind
-    };
-    return f;
-}
-
-/* The type of the fields since `first`. */
-static const struct record_type *type_of(struct plane_table *t, size_t first,
-                                         const char *name, const char *text,
-                                         size_t size)
-{
-    struct record_type *r = &t->type[t->types++];
-
-    *r = (struct record_type){ name, text, t->field + first, t->fields - first,
-                               size };
-    return r;
-}
-
-static struct result *result(struct plane_table *t,
-                             const struct record_type *type, uint64_t needs)
-{
-    struct result *r = &t->result[t->results++];
-
-    *r = (struct result){ .shape = RESULT_COLUMNS,
-                          .type = type,
-                          .needs = needs };
-    return r;
-}
-
-/* Two fields, one a state, whose first is at offset. */
-static void states(const struct plane_study *s, struct plane_table *t,
-                   const char *pattern, enum record_kind kind, size_t offset)
-{
-    const size_t size =
-        kind == RECORD_QUANTITY ? sizeof(struct quantity) : sizeof(double);
-
-    for (size_t i = 0; i < 2; i++) {
-        const char *name = s->system[0].axis[i].name;
-        char full[RESULT_NAME];
-        result_name(pattern, 0, name, full);
-        field(t, keep(t, "%s", full), kind, offset + i * size,
-              keep(t, "%s", name));
-    }
-}
 
 /* ---- equilibria ---------------------------------------------------------- */
 
@@ -122,8 +39,8 @@ static size_t count_of_complete(const void *run)
 
 static void add_type(struct plane_table *t)
 {
-    field(t, "name", RECORD_TEXT, REST(name), "its name");
-    field(t, "type", RECORD_CODE, REST(type), "its type")->codes =
+    plane_table_field(t, "name", RECORD_TEXT, REST(name), "its name");
+    plane_table_field(t, "type", RECORD_CODE, REST(type), "its type")->codes =
         plane_type_names;
 }
 
@@ -133,32 +50,34 @@ static void add_rests(const struct plane_study *s, struct plane_table *t)
     struct result *r;
 
     add_type(t);
-    const struct record_type *brief =
-        type_of(t, first, "equilibrium", "an equilibrium", sizeof *s->rest);
-    r = result(t, brief, 0);
+    const struct record_type *brief = plane_table_type(
+        t, first, "equilibrium", "an equilibrium", sizeof *s->rest);
+    r = plane_table_result(t, brief, 0);
     r->name = "equilibria";
     r->view = view_none;
-    r = result(t, brief, 0);
+    r = plane_table_result(t, brief, 0);
     r->name = "equilibria[K]";
     r->shape = RESULT_SCALARS;
     r->count = count_rests;
     r->view = view_rest;
     first = t->fields;
-    states(s, t, "*", RECORD_QUANTITY, REST(state));
-    r = result(t, type_of(t, first, "state", "where", sizeof *s->rest), 0);
+    plane_table_states(s, t, "*", RECORD_QUANTITY, REST(state));
+    r = plane_table_result(
+        t, plane_table_type(t, first, "state", "where", sizeof *s->rest), 0);
     r->name = "equilibria[K].state";
     r->shape = RESULT_SCALARS;
     r->count = count_rests;
     r->view = view_rest;
     first = t->fields;
-    field(t, "re", RECORD_QUANTITY, offsetof(struct plane_lambda, re),
-          "real part");
-    field(t, "im", RECORD_QUANTITY, offsetof(struct plane_lambda, im),
-          "imaginary part");
-    r = result(t,
-               type_of(t, first, "eigenvalue", "of the Jacobian",
-                       sizeof(struct plane_lambda)),
-               0);
+    plane_table_field(t, "re", RECORD_QUANTITY,
+                      offsetof(struct plane_lambda, re), "real part");
+    plane_table_field(t, "im", RECORD_QUANTITY,
+                      offsetof(struct plane_lambda, im), "imaginary part");
+    r = plane_table_result(t,
+                           plane_table_type(t, first, "eigenvalue",
+                                            "of the Jacobian",
+                                            sizeof(struct plane_lambda)),
+                           0);
     r->name = "equilibria[K].eigenvalues";
     r->count = count_rests;
     r->view = view_lambda;
@@ -171,14 +90,16 @@ static void add_rest_columns(const struct plane_study *s, struct plane_table *t)
     const size_t first = t->fields;
 
     add_type(t);
-    states(s, t, "*", RECORD_QUANTITY, REST(state));
+    plane_table_states(s, t, "*", RECORD_QUANTITY, REST(state));
     for (size_t i = 0; i < 4; i++)
-        field(t, part[i], RECORD_QUANTITY,
-              REST(lambda) + i * sizeof(struct quantity),
-              "part of an eigenvalue");
-    struct result *r = result(
-        t, type_of(t, first, "equilibrium", "an equilibrium", sizeof *s->rest),
-        0);
+        plane_table_field(t, part[i], RECORD_QUANTITY,
+                          REST(lambda) + i * sizeof(struct quantity),
+                          "part of an eigenvalue");
+    struct result *r =
+        plane_table_result(t,
+                           plane_table_type(t, first, "equilibrium",
+                                            "an equilibrium", sizeof *s->rest),
+                           0);
     r->path = "/equilibria";
     r->title = "equilibria";
     r->view = view_rests;
@@ -192,19 +113,19 @@ static void add_boxes(const struct plane_study *s, struct plane_table *t)
     for (size_t i = 0; i < 2; i++) {
         const size_t first = t->fields;
         const char *name = s->system[0].axis[i].name;
-        field(t, name, RECORD_REAL, 0, name);
-        const struct record_type *type = type_of(
+        plane_table_field(t, name, RECORD_REAL, 0, name);
+        const struct record_type *type = plane_table_type(
             t, first, "undecided", "where others may be", sizeof(double));
         struct result *r;
         if (i == 0) {
-            r = result(t, type, 0);
+            r = plane_table_result(t, type, 0);
             r->name = "undecided";
             r->count = count_of_complete;
             r->view = view_no_box;
         }
-        r = result(t, type, 0);
-        r->name = keep(t, "undecided[K].%s", name);
-        r->path = keep(t, "/undecided_K/%s", name);
+        r = plane_table_result(t, type, 0);
+        r->name = plane_table_keep(t, "undecided[K].%s", name);
+        r->path = plane_table_keep(t, "/undecided_K/%s", name);
         r->count = count_boxes;
         r->view = view[i];
     }
@@ -262,38 +183,43 @@ static void add_branches(const struct plane_study *s, struct plane_table *t,
     size_t first = t->fields;
     struct result *r;
 
-    field(t, "saddle", RECORD_COUNT, BRANCH(saddle), "number of the saddle");
-    field(t, "kind", RECORD_CODE, BRANCH(kind), "stable or unstable")->codes =
-        kind_names;
-    field(t, "branch", RECORD_COUNT, BRANCH(branch),
-          "0: the one on which the first state grows at the saddle (the second "
-          "where that stays), 1");
-    field(t, "end", RECORD_CODE, BRANCH(end), "where it ends")->codes =
-        plane_end_names;
-    field(t, "to", RECORD_COUNT, BRANCH(to),
-          "number of that equilibrium or cycle");
-    field(t, "length", RECORD_QUANTITY, BRANCH(length),
-          "in the chart, to its end or where it leaves the window");
-    r = result(t,
-               type_of(t, first, "manifold", "half of an invariant manifold",
-                       sizeof *s->branch),
-               ASKED(MANIFOLDS));
+    plane_table_field(t, "saddle", RECORD_COUNT, BRANCH(saddle),
+                      "number of the saddle");
+    plane_table_field(t, "kind", RECORD_CODE, BRANCH(kind),
+                      "stable or unstable")
+        ->codes = kind_names;
+    plane_table_field(
+        t, "branch", RECORD_COUNT, BRANCH(branch),
+        "0: the one on which the first state grows at the saddle (the second "
+        "where that stays), 1");
+    plane_table_field(t, "end", RECORD_CODE, BRANCH(end), "where it ends")
+        ->codes = plane_end_names;
+    plane_table_field(t, "to", RECORD_COUNT, BRANCH(to),
+                      "number of that equilibrium or cycle");
+    plane_table_field(t, "length", RECORD_QUANTITY, BRANCH(length),
+                      "in the chart, to its end or where it leaves the window");
+    r = plane_table_result(t,
+                           plane_table_type(t, first, "manifold",
+                                            "half of an invariant manifold",
+                                            sizeof *s->branch),
+                           ASKED(MANIFOLDS));
     r->name = "manifolds";
     r->path = "/manifolds";
     r->title = "manifolds of the saddles";
     r->view = view_branches;
     first = t->fields;
-    field(t, "arc", RECORD_REAL, POINT(arc),
-          "arc length in the chart, from the saddle");
-    states(s, t, "*", RECORD_REAL, POINT(at));
-    field(t, "slope", RECORD_REAL, POINT(slope),
-          "d second/d first, in the chart");
-    field(t, "error", RECORD_REAL, POINT(error),
-          "bound on the distance to the exact curve, in the chart");
-    r = result(t,
-               type_of(t, first, "branch", "points of a manifold",
-                       sizeof(struct plane_point)),
-               ASKED(MANIFOLDS));
+    plane_table_field(t, "arc", RECORD_REAL, POINT(arc),
+                      "arc length in the chart, from the saddle");
+    plane_table_states(s, t, "*", RECORD_REAL, POINT(at));
+    plane_table_field(t, "slope", RECORD_REAL, POINT(slope),
+                      "d second/d first, in the chart");
+    plane_table_field(t, "error", RECORD_REAL, POINT(error),
+                      "bound on the distance to the exact curve, in the chart");
+    r = plane_table_result(t,
+                           plane_table_type(t, first, "branch",
+                                            "points of a manifold",
+                                            sizeof(struct plane_point)),
+                           ASKED(MANIFOLDS));
     r->path = paths;
     r->axis = "arc";
     r->count = count_branches;
@@ -304,16 +230,17 @@ static void add_cycles(const struct plane_study *s, struct plane_table *t)
 {
     const size_t first = t->fields;
 
-    field(t, "name", RECORD_TEXT, offsetof(struct plane_cycle, name),
-          "its name");
-    field(t, "type", RECORD_CODE, offsetof(struct plane_cycle, type),
-          "whether it attracts")
+    plane_table_field(t, "name", RECORD_TEXT,
+                      offsetof(struct plane_cycle, name), "its name");
+    plane_table_field(t, "type", RECORD_CODE,
+                      offsetof(struct plane_cycle, type), "whether it attracts")
         ->codes = plane_cycle_types;
-    struct result *r = result(t,
-                              type_of(t, first, "cycle",
-                                      "closed orbits that curves wind on to",
-                                      sizeof *s->cycle),
-                              ASKED(MANIFOLDS) | ASKED(BASINS));
+    struct result *r = plane_table_result(
+        t,
+        plane_table_type(t, first, "cycle",
+                         "closed orbits that curves wind on to",
+                         sizeof *s->cycle),
+        ASKED(MANIFOLDS) | ASKED(BASINS));
     r->name = "cycles";
     r->path = "/cycles";
     r->title = "closed orbits that were met";
@@ -346,15 +273,17 @@ static void add_nullclines(const struct plane_study *s, struct plane_table *t)
 {
     const size_t first = t->fields;
 
-    field(t, "arc", RECORD_REAL, offsetof(struct plane_place, arc),
-          "arc length in the chart");
-    states(s, t, "*", RECORD_REAL, offsetof(struct plane_place, at));
-    const struct record_type *type =
-        type_of(t, first, "nullcline", "points where a state stands still",
-                sizeof(struct plane_place));
+    plane_table_field(t, "arc", RECORD_REAL, offsetof(struct plane_place, arc),
+                      "arc length in the chart");
+    plane_table_states(s, t, "*", RECORD_REAL,
+                       offsetof(struct plane_place, at));
+    const struct record_type *type = plane_table_type(
+        t, first, "nullcline", "points where a state stands still",
+        sizeof(struct plane_place));
     for (size_t i = 0; i < 2; i++) {
-        struct result *r = result(t, type, ASKED(NULLCLINES));
-        r->path = keep(t, "/nullcline/%s_K", s->system[0].axis[i].name);
+        struct result *r = plane_table_result(t, type, ASKED(NULLCLINES));
+        r->path =
+            plane_table_keep(t, "/nullcline/%s_K", s->system[0].axis[i].name);
         r->axis = "arc";
         r->count = i == 0 ? count_x : count_y;
         r->view = i == 0 ? view_x : view_y;
@@ -365,15 +294,18 @@ static void add_arrows(const struct plane_study *s, struct plane_table *t)
 {
     const size_t first = t->fields;
 
-    states(s, t, "*", RECORD_REAL, offsetof(struct plane_arrow, at));
-    states(s, t, "direction_*", RECORD_REAL,
-           offsetof(struct plane_arrow, direction));
-    field(t, "log10_speed", RECORD_REAL,
-          offsetof(struct plane_arrow, log10_speed), "in the chart");
-    struct result *r = result(t,
-                              type_of(t, first, "arrow", "direction field",
-                                      sizeof(struct plane_arrow)),
-                              ASKED(FIELD_ARROWS));
+    plane_table_states(s, t, "*", RECORD_REAL,
+                       offsetof(struct plane_arrow, at));
+    plane_table_states(s, t, "direction_*", RECORD_REAL,
+                       offsetof(struct plane_arrow, direction));
+    plane_table_field(t, "log10_speed", RECORD_REAL,
+                      offsetof(struct plane_arrow, log10_speed),
+                      "in the chart");
+    struct result *r = plane_table_result(
+        t,
+        plane_table_type(t, first, "arrow", "direction field",
+                         sizeof(struct plane_arrow)),
+        ASKED(FIELD_ARROWS));
     r->path = "/field_arrows";
     r->view = view_arrows;
 }
@@ -382,148 +314,27 @@ static void add_tracks(const struct plane_study *s, struct plane_table *t)
 {
     const size_t first = t->fields;
 
-    field(t, "time", RECORD_REAL, offsetof(struct plane_moment, time),
-          "0 at the start");
-    states(s, t, "*", RECORD_REAL, offsetof(struct plane_moment, at));
+    plane_table_field(t, "time", RECORD_REAL,
+                      offsetof(struct plane_moment, time), "0 at the start");
+    plane_table_states(s, t, "*", RECORD_REAL,
+                       offsetof(struct plane_moment, at));
     for (size_t i = 0; i < s->system[0].observable_count; i++) {
         const struct planar_observable *o = &s->system[0].observables[i];
-        field(t, o->name, RECORD_REAL,
-              offsetof(struct plane_moment, value) + i * sizeof(double),
-              o->long_name)
+        plane_table_field(t, o->name, RECORD_REAL,
+                          offsetof(struct plane_moment, value) +
+                              i * sizeof(double),
+                          o->long_name)
             ->unit = o->unit;
     }
-    struct result *r =
-        result(t,
-               type_of(t, first, "trajectory", "an orbit, both ways in time",
-                       sizeof(struct plane_moment)),
-               ASKED(TRAJECTORIES));
+    struct result *r = plane_table_result(
+        t,
+        plane_table_type(t, first, "trajectory", "an orbit, both ways in time",
+                         sizeof(struct plane_moment)),
+        ASKED(TRAJECTORIES));
     r->path = "/trajectory_K";
     r->axis = "time";
     r->count = count_tracks;
     r->view = view_track;
-}
-
-/* ---- basins -------------------------------------------------------------- */
-
-RESULT_VIEW(view_shares, plane_study, s->basin.share, s->basin.shares)
-RESULT_VIEW(view_boundary, plane_study, s->basin.boundary, s->basin.boundaries)
-RESULT_VIEW(view_audit, plane_study, &s->basin, 1)
-
-static enum status view_cells(const void *run, size_t axis,
-                              struct result_view *out)
-{
-    const struct plane_study *s = run;
-    const size_t n = s->scene->cells[axis];
-    double *at = malloc(n * sizeof *at);
-
-    if (at == NULL)
-        return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < n; i++)
-        at[i] = plane_basin_cell(s, (int) axis, i, n, false);
-    out->owned = at;
-    return result_lend(out, at, n);
-}
-
-static enum status view_columns(const void *run, size_t k,
-                                struct result_view *out)
-{
-    (void) k;
-    return view_cells(run, 0, out);
-}
-
-static enum status view_rows(const void *run, size_t k, struct result_view *out)
-{
-    (void) k;
-    return view_cells(run, 1, out);
-}
-
-static enum status label_rows(const void *run, size_t first, size_t count,
-                              const struct monitor *monitor, void *records)
-{
-    const struct plane_study *s = run;
-
-    (void) monitor;
-    return plane_basin_fill(s, s->scene->cells[0], s->scene->cells[1], first,
-                            count, records);
-}
-
-static void add_grid(const struct plane_study *s, struct plane_table *t)
-{
-    const char *name[] = { s->system[0].axis[0].name,
-                           s->system[0].axis[1].name };
-    size_t first;
-    struct result *r;
-
-    for (size_t i = 2; i-- > 0;) {
-        first = t->fields;
-        field(t, name[i], RECORD_REAL, 0, name[i]);
-        r = result(t, type_of(t, first, name[i], "cells", sizeof(double)),
-                   ASKED(BASINS));
-        r->path = "/basin";
-        r->axis = name[i];
-        r->view = i == 0 ? view_columns : view_rows;
-    }
-    first = t->fields;
-    field(t, "label", RECORD_CODE, 0, "whereto the state goes")->codes =
-        s->basin.name;
-    r = result(t, type_of(t, first, "label", "a map of attractors", 1),
-               ASKED(BASINS));
-    r->path = "/basin";
-    r->shape = RESULT_LAYERS;
-    r->axis = keep(t, "%s, %s", name[1], name[0]);
-    r->rows = label_rows;
-}
-
-#define BASIN(member) offsetof(struct plane_basin, member)
-
-static void add_basins(const struct plane_study *s, struct plane_table *t)
-{
-    size_t first = t->fields;
-    struct result *r;
-
-    field(t, "attractor", RECORD_TEXT, offsetof(struct plane_share, attractor),
-          "whereto");
-    field(t, "fraction", RECORD_QUANTITY,
-          offsetof(struct plane_share, fraction),
-          "of the window, by area as it is drawn");
-    r = result(t,
-               type_of(t, first, "share", "shares of the window",
-                       sizeof(struct plane_share)),
-               ASKED(BASINS));
-    r->name = "shares";
-    r->path = "/shares";
-    r->title = "shares of the window";
-    r->view = view_shares;
-    first = t->fields;
-    field(t, "manifold", RECORD_COUNT,
-          offsetof(struct plane_boundary, manifold),
-          "number among the manifolds");
-    field(t, "of", RECORD_TEXT, offsetof(struct plane_boundary, of),
-          "its saddle, or the cycle itself");
-    r = result(t,
-               type_of(t, first, "boundary", "curves between basins",
-                       sizeof(struct plane_boundary)),
-               ASKED(BASINS));
-    r->name = "boundary";
-    r->path = "/boundary";
-    r->title = "boundaries of basins";
-    r->view = view_boundary;
-    first = t->fields;
-    field(t, "cells", RECORD_COUNT, BASIN(audited),
-          "states followed forward in time");
-    field(t, "disagreements", RECORD_COUNT, BASIN(disagreements),
-          "those that go elsewhere");
-    r = result(t,
-               type_of(t, first, "audit", "map against orbits",
-                       sizeof(struct plane_basin)),
-               ASKED(BASINS));
-    r->name = "audit";
-    r->title = "audit";
-    r->path = "/basin";
-    r->member = "audit_*";
-    r->shape = RESULT_ATTRIBUTES;
-    r->view = view_audit;
-    add_grid(s, t);
 }
 
 /* ---- all ----------------------------------------------------------------- */
@@ -548,7 +359,7 @@ enum status plane_results_make(struct plane_study *s)
     add_arrows(s, t);
     add_tracks(s, t);
     if (s->products & ASKED(BASINS))
-        add_basins(s, t);
+        plane_results_basins(s, t);
     t->tables[0] = t->result;
     return STATUS_OK;
 }

@@ -12,6 +12,9 @@ MUST_CHECK enum status plane_results_make(struct plane_study *s);
 /* Its tables and itself, which must not move. */
 struct results plane_results(const struct plane_study *s);
 
+/* Adds what it says of basins. */
+void plane_results_basins(const struct plane_study *s, struct plane_table *t);
+
 void plane_results_free(struct plane_table *t);
 
 #endif

@@ -44,6 +44,23 @@ static double period_of(const struct plane_study *s, int i)
     return (double) s->scene->system->state[i].period;
 }
 
+/* So far curves are followed; an angle any way round. */
+static struct box domain_of(const struct plane_study *s)
+{
+    const struct box w = s->window.box;
+    struct box far = box_grow(w, TOL_PLANE_FAR);
+
+    if (s->scale.period.x > 0.0) {
+        far.lo.x = w.lo.x - TOL_PLANE_ROUND * s->scale.period.x;
+        far.hi.x = w.hi.x + TOL_PLANE_ROUND * s->scale.period.x;
+    }
+    if (s->scale.period.y > 0.0) {
+        far.lo.y = w.lo.y - TOL_PLANE_ROUND * s->scale.period.y;
+        far.hi.y = w.hi.y + TOL_PLANE_ROUND * s->scale.period.y;
+    }
+    return far;
+}
+
 static void set_system(struct plane_study *s)
 {
     const struct box w = scene_box(s->scene);
@@ -70,7 +87,7 @@ static void set_system(struct plane_study *s)
         s->system[i] = (struct planar){
             .name = "system",
             .axis = { axis_of(s, 0), axis_of(s, 1) },
-            .domain = box_grow(w, TOL_PLANE_FAR),
+            .domain = domain_of(s),
         };
         plain_planar(&s->plane[i], &s->system[i]);
         s->system[i].observables = s->observable;

@@ -83,7 +83,7 @@ extern const char *const plane_cycle_types[];
 /* A share of the window, by area as it is drawn. */
 struct plane_share {
     const char *attractor; /* borrowed; an equilibrium, a cycle, "infinity",
-                              "undecided" */
+                              "outside" (an equilibrium there), "undecided" */
     struct quantity fraction;
 };
 
@@ -168,7 +168,8 @@ struct plane_goal {
         PLANE_GOAL_NONE, /* as far as it was followed */
         PLANE_GOAL_REST,
         PLANE_GOAL_CYCLE,
-        PLANE_GOAL_INFINITY
+        PLANE_GOAL_INFINITY,
+        PLANE_GOAL_OUTSIDE /* it comes to rest outside the window */
     } kind;
     size_t index;         /* of the rest, of the cycle; cycles: one not known */
     struct winding round; /* of a cycle */

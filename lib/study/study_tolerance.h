@@ -46,24 +46,28 @@
 #define TOL_TAYLOR_ROUNDING 64.0
 
 /* Planes of formulas, distances in sides of the window.  Curves are followed
- * this many windows far; orbits to this accuracy, which only has to find the
- * right trap; a curve has arrived this near to an equilibrium, as a part of its
- * trap, or touches one; has left its saddle, or is
- * lost in its bar; two cycles are the same; orbits that are drawn end this near
- * to an equilibrium, and after so many steps; straight lines between stored
- * points of manifolds are this near to them; of the accuracy that is asked for,
- * a branch gets this part. */
+ * this many windows far, this many times round an angle; orbits to this
+ * accuracy, which only has to find the right trap, and for so many steps; a
+ * curve has arrived this near to an equilibrium, as a part of its trap, or
+ * touches one; has left its saddle, or is lost in its bar; two cycles are the
+ * same; a state that changes no faster, of the fastest rate, rests; orbits that
+ * are drawn end this near to an equilibrium, and after so many steps; straight
+ * lines between stored points of manifolds are this near to them; of the
+ * accuracy that is asked for, a branch gets this part. */
 #define TOL_PLANE_PART       0.1
 #define TOL_PLANE_DRAWN      1e-3
 #define TOL_PLANE_STEPS      4000
 #define TOL_PLANE_CHORD      1e-4
 #define TOL_PLANE_FAR        100.0
+#define TOL_PLANE_ROUND      1e4
 #define TOL_PLANE_FOLLOW     1e-9
+#define TOL_PLANE_FOLLOWED   200000
 #define TOL_PLANE_ARRIVED    1e-6
 #define TOL_PLANE_TOUCH      1e-12
 #define TOL_PLANE_LEFT       1e-2
 #define TOL_PLANE_LOST       1e-3
 #define TOL_PLANE_SAME_CYCLE 1e-4
+#define TOL_PLANE_STILL      1e-9
 
 /* Basins of such planes: cycles are looked for from this far beside others, and
  * kept to this accuracy; copies of a curve of an angle; regions are one where

@@ -122,6 +122,71 @@ static void a_cycle_that_repels_is_a_boundary(void **state)
     plane_end(&s, &c);
 }
 
+/* r' = r (1 - r^2)(r^2 - 4): each round is e^150 nearer to r = 2. */
+static void cycles_that_attract_at_once_are_seen(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c,
+              "g = (1 - x^2 - y^2)*(x^2 + y^2 - 4); x' = x*g - y; y' = y*g + x",
+              "window={x: [-3, 3], y: [-3, 3]}\nproducts=[basins]\n"
+              "basins.audit=50\n");
+    has_share(&s, "stable_focus_0", M_PI / 36.0, 1e-9);
+    has_share(&s, "cycle_1", 1.0 - M_PI / 36.0, 1e-9);
+    plane_end(&s, &c);
+}
+
+/* Morris and Lecar's cell: a weak focus within a cycle that repels, within one
+ * that attracts, beside a node. */
+static void a_weak_focus_has_its_share(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c,
+              "V' = (I - 2*(V + 60) - 8*w*(V + 84) - 2*(1 + tanh((V + "
+              "1.2)/18))*(V - 120))/20; w' = 0.23*((1 + tanh((V - 12)/17.4))/2 "
+              "- w)*cosh((V - 12)/34.8); I = 37",
+              "window={V: [-70, 60], w: [-0.1, 0.8]}\nproducts=[basins]\n"
+              "basins.audit=50\n");
+    assert_int_equal(s.cycles, 2);
+    const double focus = share_of(&s, "stable_focus_0")->fraction.value;
+    CHECK(focus > 3e-3 && focus < 4e-3, "%g", focus);
+    assert_int_equal(s.basin.disagreements, 0);
+    plane_end(&s, &c);
+}
+
+static void orbits_that_all_close_are_no_attractors(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = x*(1.1 - 0.4*y); y' = y*(0.1*x - 0.4)",
+              "system.state={x: positive, y: positive}\n"
+              "window={x: [0.1, 20], y: [0.1, 10]}\nproducts=[basins]\n");
+    assert_int_equal(s.cycles, 0);
+    has_share(&s, "undecided", 1.0, 1e-12);
+    plane_end(&s, &c);
+}
+
+static void what_rests_outside_is_said_to(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = x - x^3; y' = -y",
+              "window={x: [-0.5, 2], y: [-1, 1]}\nproducts=[basins]\n"
+              "basins.audit=20\n");
+    has_share(&s, "stable_node_0", 0.8, 1e-12);
+    has_share(&s, "outside", 0.2, 1e-12);
+    plane_end(&s, &c);
+}
+
 static void rows_of_the_map_agree_with_single_states(void **state)
 {
     struct plane_study s;
@@ -154,6 +219,10 @@ int main(void)
         TEST(a_bent_separatrix_has_the_area_beside_it),
         TEST(a_cycle_that_attracts_has_all_of_van_der_pol),
         TEST(a_cycle_that_repels_is_a_boundary),
+        TEST(cycles_that_attract_at_once_are_seen),
+        TEST(a_weak_focus_has_its_share),
+        TEST(orbits_that_all_close_are_no_attractors),
+        TEST(what_rests_outside_is_said_to),
         TEST(rows_of_the_map_agree_with_single_states),
     };
 

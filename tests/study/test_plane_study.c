@@ -242,6 +242,23 @@ static void invariant_lines_end_at_the_first_equilibrium(void **state)
     plane_end(&s, &c);
 }
 
+/* Bars of a curve that winds in grow with what is off, not with its turns. */
+static void bars_stay_small_along_spirals(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = y; y' = x - x^3 - 0.1*y", WINDOW);
+    for (size_t i = 0; i < s.branches; i++) {
+        const struct plane_branch *b = &s.branch[i];
+        for (size_t k = 0; k < b->shown; k++)
+            CHECK(b->curve.curve.piece[k].error <= 1e-9, "piece %zu: %g", k,
+                  b->curve.curve.piece[k].error);
+    }
+    plane_end(&s, &c);
+}
+
 static void manifolds_wind_on_to_a_cycle(void **state)
 {
     struct plane_study s;
@@ -306,6 +323,7 @@ int main(void)
         TEST(linear_saddles_have_straight_manifolds),
         TEST(random_shears_move_manifolds_exactly),
         TEST(invariant_lines_end_at_the_first_equilibrium),
+        TEST(bars_stay_small_along_spirals),
         TEST(manifolds_wind_on_to_a_cycle),
         TEST(systems_without_equilibria_are_studied),
         TEST(positive_states_are_logarithms),

@@ -1,0 +1,30 @@
+/* plane_patch.h -- which regions (region.h) are one: neighbouring bands share a
+ * part of the row between them. */
+#ifndef STUDY_PLANE_PATCH_H
+#define STUDY_PLANE_PATCH_H
+
+#include "plane_study.h"
+
+/* Regions and which belong together: of[i] <= i, of[i] == i for the first. */
+struct patches {
+    const struct plane_study *s;
+    struct regions *r;
+    size_t *of;
+    struct area *area;
+    struct crossing *below, *above;
+};
+
+/* The first region of the patch that region i belongs to. */
+size_t plane_patch_of(const struct patches *p, size_t i);
+
+/* The left and the right end of region k between n crossings, in the window. */
+double plane_patch_end(const struct plane_study *s, const struct crossing c[],
+                       size_t n, size_t k);
+
+/* Thin bands are none: a curve ends before what it goes to. */
+bool plane_patch_is_door(const struct plane_study *s, const struct band *band);
+
+/* Fills p->of. */
+void plane_patch_join(struct patches *p);
+
+#endif
