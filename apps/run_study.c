@@ -77,7 +77,14 @@ static enum status read_scene(const struct options *o,
     const enum status s = command_read(o, NULL, 0, scene, why);
     if (s != STATUS_OK)
         return s;
-    const char *name = scene->system ? "study" : scene_command(scene);
+    if (scene->system && o->sensitivities) {
+        scene_free(scene);
+        return command_refuse(why,
+                              "%s: --sensitivities: not for a system of "
+                              "formulas, expected a law on a slope",
+                              o->command->name);
+    }
+    const char *name = scene_command(scene);
     const unsigned products = products_of(o, how, scene);
     if (how->hands_over && strcmp(name, "study") != 0)
         *other = command_find(name);

@@ -468,7 +468,9 @@ enum status scene_system_check(const struct node *root, const struct scene *s,
     const unsigned others = s->products & ~scene_system_products;
     const struct node *axes = node_at(root, "window.axes");
     const struct node *list = node_find(root, "products");
-    const struct node *slip = node_at(root, "trajectories.until.slip");
+    static const char *const of_law[] = { "trajectories.until.slip",
+                                          "trajectories.sample", "basins.exact",
+                                          "basins.rtol" };
     char words[200];
     const char *known[PRODUCTS + 1] = { NULL };
     size_t count = 0;
@@ -477,10 +479,13 @@ enum status scene_system_check(const struct node *root, const struct scene *s,
         return place_blame(axes->at, why,
                            "window.axes: eigen is for a law on a slope, "
                            "expected log or linear");
-    if (slip)
-        return place_blame(slip->at, why,
-                           "trajectories.until.slip: a system has no slip, "
-                           "expected until.time");
+    for (size_t i = 0; i < sizeof of_law / sizeof *of_law; i++) {
+        const struct node *n = node_at(root, of_law[i]);
+        if (n)
+            return place_blame(n->key_at, why,
+                               "%s: for a law on a slope, not for a system",
+                               of_law[i]);
+    }
     if (others == 0)
         return STATUS_OK;
     for (int i = 0; i < PRODUCTS; i++)
