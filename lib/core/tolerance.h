@@ -380,9 +380,11 @@
 /* A block pulled through a spring: sigma where the scene gives none, that of a
  * decimetre of rock or paper board; and the c of fold curves, from where even
  * the minimum of mu_ss is next to no friction to beyond the cusp (Table 2). */
-#define SCENE_SIGMA      1e3
-#define SCENE_FOLD_LEAST 1e-14
-#define SCENE_FOLD_MOST  10.0
+#define SCENE_SIGMA 1e3
+/* States that audit the basins of a system of formulas, unless a scene says. */
+#define SCENE_SYSTEM_AUDIT 200
+#define SCENE_FOLD_LEAST   1e-14
+#define SCENE_FOLD_MOST    10.0
 
 /* The xi estimate, in ln(v/v_sp0): nearer than this the manifold is a vertical
  * wall, and the equation says nothing; beyond, v is no number. */

@@ -453,6 +453,7 @@ enum status scene_system_take(struct node *root, struct scene *s,
     if (s->system == NULL)
         return STATUS_NO_MEMORY;
     formula_system_init(s->system);
+    s->audit = SCENE_SYSTEM_AUDIT;
     status = read_system(&r);
     if (status == STATUS_OK)
         status = take_window(root, s, why);

@@ -61,7 +61,7 @@
 #define TOL_PLANE_FAR        100.0
 #define TOL_PLANE_ROUND      1e4
 #define TOL_PLANE_FOLLOW     1e-9
-#define TOL_PLANE_FOLLOWED   200000
+#define TOL_PLANE_FOLLOWED   50000
 #define TOL_PLANE_ARRIVED    1e-6
 #define TOL_PLANE_TOUCH      1e-12
 #define TOL_PLANE_LEFT       1e-2
