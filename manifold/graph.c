@@ -146,8 +146,9 @@ struct graph_miss graph_missing(const double u[], size_t order, double s,
     if (smooth && ratio <= TOL_STEP_SMOOTH && part > 0.5 * terms) {
         const double fall = ratio / (1.0 - ratio);
         const double noise = fmin(fabs(off), rate->noise) * h;
-        return (struct graph_miss){ off * s / part,
-                                    (fall * fall * last + noise) / part };
+        return (struct graph_miss){
+            off * s / part, (TOL_STEP_REST * fall * fall * last + noise) / part
+        };
     }
     if (next > most && fabs(off) > rounding)
         return (struct graph_miss){ 0.0, fabs(off) * h };

@@ -268,6 +268,39 @@ static size_t hold_both(const struct draw *d, double rtol,
     return held;
 }
 
+/* Found by chance: terms that fall more slowly than the last ones promise. */
+static void bars_that_lied_once_lie_no_more(void **state)
+{
+    struct draw d = {
+        .law = { .preset = "composed",
+                 .equation = "",
+                 .form = FRICTION_LOG,
+                 .theta = THETA_LN_PSI,
+                 .psi_ss = PSI_SS_SPINODAL,
+                 .timescale = TIMESCALE_SLIP45,
+                 .kinetics = KINETICS_LINEAR },
+        .m = material_bristol_board(),
+        .tan_alpha = 0.964213307843796437282L,
+    };
+    struct solved fine, s;
+
+    (void) state;
+    d.m.mu_star = 0.87282149950100674;
+    d.m.a = 0.0014829935850765421;
+    d.m.b = 0.020154839655817287;
+    d.m.R = 176.30256287929842;
+    d.m.L = 0.00044103642234773806;
+    d.m.V_star = 4.4159452363176371e-06;
+    draw_name(&d);
+    assert_int_equal(solve(&fine, &d.law, &d.m, d.tan_alpha, 1e-14), STATUS_OK);
+    for (double rtol = 3e-4; rtol < 5e-4; rtol *= 1.01) {
+        assert_int_equal(solve(&s, &d.law, &d.m, d.tan_alpha, rtol), STATUS_OK);
+        assert_true(hold_both(&d, rtol, &s.numbers, &fine.numbers) > 0);
+        solved_free(&s);
+    }
+    solved_free(&fine);
+}
+
 /* A law whose friction turns sharply: b up to a thousand times a. */
 static bool draw_kink(uint64_t *seed, struct draw *d)
 {
@@ -358,6 +391,7 @@ int main(void)
         cmocka_unit_test(a_saddle_beside_a_fold_is_known_to_its_bar),
         cmocka_unit_test(bars_hold_on_random_laws_and_parameters),
         cmocka_unit_test(bars_hold_beside_cusps_and_folds),
+        cmocka_unit_test(bars_that_lied_once_lie_no_more),
         cmocka_unit_test(bars_hold_where_friction_turns_sharply),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
