@@ -51,13 +51,11 @@ struct base_point base_point_of(const struct slow_curve *c,
         return none;
     const double v1 = landed.slip_slope / landed.time_slope;
     const double v = p.slip_slope / p.time_slope;
-    const double shift = fabs(landed.time_slope) * l->y_error;
     return (struct base_point){
         .y = y,
-        .y_error = (shift + l->way_time_error) / fabs(p.time_slope),
+        .y_error = l->way_time_error / fabs(p.time_slope),
         .more = l->slip - p.slip,
-        .more_error =
-            l->way_slip_error + v * l->way_time_error + fabs(v1 - v) * shift,
+        .more_error = l->way_slip_error + fabs(v1 - v) * l->way_time_error,
     };
 }
 
@@ -102,6 +100,7 @@ bool base_point_tell(const struct slow_curve *c, const struct base_point *b,
     out->end = p.fate == FATE_RUNAWAY ? LAYER_RAN : LAYER_LANDED;
     out->fate = p.fate;
     out->x_end = p.x_end;
+    out->x_end_error = p.x_end_error;
     out->time = p.time;
     out->slip = p.slip + b->more;
     out->time_error =

@@ -31,19 +31,19 @@ static void fill_integrals(const struct slider *s, double x,
                            const struct layer *l, struct cell *c)
 {
     const double t = (double) s->block.tan_alpha;
-    const double least = TOL_FAST_LEAST, rounding = TOL_FAST_ROUNDING;
+    const double rounding = TOL_FAST_ROUNDING;
     const double v0 = exp(x), v1 = exp(s->block.at.x0 + l->x_end);
     const double per =
         0.5 * material_eps2(&s->block.material) * hypot(1.0, t) / l->slip;
     const double lost = per * (v0 - v1) * (v0 + v1);
-    const double unsure = 2.0 * per *
-                          (v0 * v0 * rounding * (1.0 + fabs(x)) +
-                           v1 * v1 * (l->x_end_error + least));
+    const double unsure =
+        2.0 * per *
+        (v0 * v0 * rounding * (1.0 + fabs(x)) + v1 * v1 * l->x_end_error);
 
     c->slip = l->slip;
-    c->slip_error = l->slip_error + least * l->slip;
+    c->slip_error = l->slip_error + TOL_FAST_LEAST * l->slip;
     c->time = l->time;
-    c->time_error = l->time_error + least * l->time;
+    c->time_error = l->time_error + TOL_FAST_LEAST * l->time;
     c->mu_mean = t + lost;
     c->mu_mean_error = fabs(lost) * c->slip_error / l->slip + unsure +
                        rounding * (t + fabs(lost));

@@ -1,17 +1,19 @@
 /* In arc length of the chart an orbit off the slow curve is not stiff.  Its
  * steps are by the method of order 8 with time and slip as components.  What a
- * step may have missed is moved across the orbit, where it shifts the landing
- * but for what closes in before, and along it, where it shifts the time.
+ * step may have missed is kept, with its sign, and weighed by what it makes of
+ * all to come once that is known (landing_weigh).
  *
  * Step sizes follow the trend of the last two (Gustafsson, ACM TOMS 20, 1994,
  * 496-517): a fifth fewer are refused than without. */
 #include "fast_layer.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "crest.h"
 #include "explicit8.h"
+#include "explicit8_table.h"
 #include "landing.h"
 #include "slider.h"
 #include "slow_tolerance.h"
@@ -57,6 +59,12 @@ static void along(const void *ctx, double s, const double u[], double du[])
     du[LAYER_SLIP] = exp(slider->block.at.x0 + u[LAYER_X]) * du[LAYER_TIME];
 }
 
+/* Per unit across an orbit, to its left: how fast it is left behind, and how
+ * much longer and further an arc takes. */
+struct aside {
+    double spread, time, slip;
+};
+
 /* An orbit on its way. */
 struct walk {
     struct landing at;
@@ -66,8 +74,8 @@ struct walk {
     double previous, last; /* error and size of the last accepted step */
     bool refused;          /* the last attempt was */
     double least[2];       /* sizes that tolerances are relative to */
-    double spread;         /* rate at which orbits part where it is */
-    double mu;             /* where it is, if peaks are asked for */
+    struct aside aside;
+    double mu; /* where it is, if peaks are asked for */
 };
 
 /* ---- steps --------------------------------------------------------------- */
@@ -194,20 +202,6 @@ static void find_peaks(struct walk *w, const double u1[])
     }
 }
 
-/* The estimates of order 5 over their tolerances, root mean square. */
-static double size_of(const struct landing *l, const double u1[],
-                      const double atol[], const double error[])
-{
-    double sum = 0.0;
-
-    for (int i = 0; i < LAYER_DIM; i++) {
-        const double larger = fmax(fabs(l->u[i]), fabs(u1[i]));
-        const double e = error[i] / (atol[i] + l->options.rtol * larger);
-        sum += e * e;
-    }
-    return sqrt(sum / LAYER_DIM);
-}
-
 /* Whether ln v and mu fall at the start. */
 static void look_ahead(const struct walk *w)
 {
@@ -221,70 +215,136 @@ static void look_ahead(const struct walk *w)
     l->out->mu_next = -HUGE_VAL;
 }
 
-/* The rate at which orbits beside the end of the walk part, per arc. */
-static double spread_at(const struct landing *l)
+/* What changes per unit to the left of the end of the walk. */
+static struct aside look_aside(const struct landing *l)
 {
     const double *du = l->du;
     const double u[LAYER_DIM] = { l->u[LAYER_X] - TOL_LAYER_ASIDE * du[LAYER_Y],
                                   l->u[LAYER_Y] +
                                       TOL_LAYER_ASIDE * du[LAYER_X] };
-    double beside[LAYER_DIM];
+    double at[LAYER_DIM];
 
-    along(l->curve->slider, 0.0, u, beside);
-    return (du[LAYER_X] * beside[LAYER_Y] - du[LAYER_Y] * beside[LAYER_X]) /
-           TOL_LAYER_ASIDE;
+    along(l->curve->slider, 0.0, u, at);
+    return (struct aside){
+        (du[LAYER_X] * at[LAYER_Y] - du[LAYER_Y] * at[LAYER_X]) /
+            TOL_LAYER_ASIDE,
+        (at[LAYER_TIME] - du[LAYER_TIME]) / TOL_LAYER_ASIDE,
+        (at[LAYER_SLIP] - du[LAYER_SLIP]) / TOL_LAYER_ASIDE,
+    };
 }
 
-/* What becomes of the distance across the orbit on the step: it shrinks as
- * orbits do that close in on each other at both ends of it, and grows as they
+/* How distances across the orbit grow on the step, as an exponent: they shrink
+ * as orbits do that close in on each other at both ends of it, and grow as they
  * part in the mean of both. */
-static double across_left(struct walk *w)
+static double parting(double h, double one, double other)
 {
-    const double spread = spread_at(&w->at);
-    const double most = w->h * fmax(spread, w->spread);
-    const double mean = 0.5 * w->h * (spread + w->spread);
+    const double most = h * fmax(one, other), mean = 0.5 * h * (one + other);
 
-    w->spread = spread;
-    return exp(fmin(fmax(fmin(most, 0.0), mean), TOL_LAYER_PARTING)) *
-           w->at.across;
+    return fmin(fmax(fmin(most, 0.0), mean), TOL_LAYER_PARTING);
 }
 
-/* Takes the step to u1.  Of the estimates of order 5 the method misses `part`,
- * as it says itself; off its orbit a state also gains another time and slip, by
- * about as much, relative.  Rounding moves the end of the step, and turns the
- * field by as much, relative, as its exponents are wrong.  What closes in on
- * another orbit does so ahead of it or behind: what is lost across is on the
- * way, as where it lands. */
-static void account(struct walk *w, const double u1[], double part,
-                    const double error[])
+/* What the step to the end of the walk makes of what was across at its start,
+ * where the direction was du0.  Off its orbit a state is also as far along as
+ * the orbit turns. */
+static void carry(struct walk *w, const double du0[], struct landing_step *m)
+{
+    const struct landing *l = &w->at;
+    const double *du1 = l->du;
+    const struct aside a0 = w->aside, a1 = look_aside(l);
+    const double grows = parting(w->h, a0.spread, a1.spread);
+    const double mean = 0.5 * (grows != 0.0 ? expm1(grows) / grows : 1.0);
+    const double turn =
+        du0[LAYER_X] * du1[LAYER_Y] - du0[LAYER_Y] * du1[LAYER_X];
+
+    w->aside = a1;
+    m->left = exp(grows);
+    m->time_gain = mean * (w->h * (a0.time + a1.time) -
+                           turn * (du0[LAYER_TIME] + du1[LAYER_TIME]));
+    m->slip_gain = mean * (w->h * (a0.slip + a1.slip) -
+                           turn * (du0[LAYER_SLIP] + du1[LAYER_SLIP]));
+}
+
+/* What the step misses of the estimates of order 5: like the cube of a step, as
+ * the power 3/2 of their ratio to those of order 3, but where terms of another
+ * order are as large; and as much more as another estimate of order 5, by the
+ * two stages at its end, says.  unit: of the sum of squares. */
+static double missed(const struct walk *w, const double e5[],
+                     const double gain[], const double unit[])
+{
+    double sum5 = 0.0, sum3 = 0.0, other = 0.0;
+
+    for (int i = 0; i < LAYER_DIM; i++) {
+        double third = 0.0;
+        for (int j = 0; j < EXPLICIT8_STAGES; j++)
+            third += explicit8_weight3[j] * w->work.k[j][i];
+        const double e = e5[i] / unit[i];
+        const double e3 = (gain[i] - w->h * third) / unit[i];
+        const double end = w->at.du[i] - w->work.k[EXPLICIT8_STAGES - 1][i];
+        const double second = TOL_LAYER_SECOND * w->h * end / unit[i];
+        sum5 += e * e;
+        sum3 += e3 * e3;
+        other += second * second;
+    }
+    const double more = sqrt(fmax(other, sum5) / fmax(sum5, DBL_MIN));
+    const double ratio = more * sqrt(sum5 / fmax(sum3, DBL_MIN));
+    const double cube = fmin(fabs(w->h * w->h * w->h), 1.0);
+
+    return more * fmin(fmax(TOL_LAYER_MISSED * ratio * sqrt(ratio),
+                            TOL_LAYER_MISSED_LEAST * cube),
+                       TOL_LAYER_MISSED_MOST);
+}
+
+/* All of it, from u0; *place: of the end's. */
+static void miss(const struct walk *w, const double u0[], const double unit[],
+                 struct landing_step *m, double *place)
+{
+    const double *du = w->at.du;
+    double gain[LAYER_DIM], e[LAYER_DIM];
+
+    for (int i = 0; i < LAYER_DIM; i++) {
+        gain[i] = w->at.u[i] - u0[i];
+        e[i] = 0.0;
+        for (int j = 0; j < EXPLICIT8_STAGES; j++)
+            e[i] += w->h * explicit8_error5[j] * w->work.k[j][i];
+    }
+    const double part = missed(w, e, gain, unit);
+    const double fair = fmax(part, w->at.options.fair);
+    *place = fair * (fabs(e[LAYER_X]) + fabs(e[LAYER_Y]));
+    for (int i = 0; i < LAYER_DIM; i++)
+        e[i] *= part;
+    const double on = e[LAYER_X] * du[LAYER_X] + e[LAYER_Y] * du[LAYER_Y];
+    m->across = e[LAYER_Y] * du[LAYER_X] - e[LAYER_X] * du[LAYER_Y];
+    m->time = e[LAYER_TIME] - du[LAYER_TIME] * on;
+    m->slip = e[LAYER_SLIP] - du[LAYER_SLIP] * on;
+}
+
+/* Takes the step to u1.  Rounding moves its end, and turns the field by as
+ * much, relative, as its exponents are wrong. */
+static void account(struct walk *w, const double u1[], const double unit[])
 {
     struct landing *const l = &w->at;
-    const double time = u1[LAYER_TIME] - l->u[LAYER_TIME];
-    const double slip = u1[LAYER_SLIP] - l->u[LAYER_SLIP];
-    const double fair = fmax(part, l->options.fair);
-    const double transport = TOL_LAYER_TRANSPORT * fair;
-
-    memcpy(l->u, u1, sizeof l->u);
-    along(l->curve->slider, 0.0, l->u, l->du);
+    struct landing_step *const m = &l->step[l->out->steps];
     const double digit_x = TOL_LAYER_ROUNDING * fabs(u1[LAYER_X]);
     const double digit_y = TOL_LAYER_ROUNDING * fabs(u1[LAYER_Y]);
     const double digits = digit_x + digit_y;
-    const double missed = TOL_LAYER_MISSED * fair;
-    const double x = missed * error[LAYER_X] + digit_x;
-    const double y = missed * error[LAYER_Y] + digit_y;
+    const double time = digits * fabs(u1[LAYER_TIME] - l->u[LAYER_TIME]);
+    const double slip = digits * fabs(u1[LAYER_SLIP] - l->u[LAYER_SLIP]);
+    double u0[LAYER_DIM], before[LAYER_DIM], place;
+
+    memcpy(u0, l->u, sizeof u0);
+    memcpy(before, l->du, sizeof before);
+    memcpy(l->u, u1, sizeof l->u);
+    along(l->curve->slider, 0.0, l->u, l->du);
     const double dx = fabs(l->du[LAYER_X]), dy = fabs(l->du[LAYER_Y]);
-    const double left = across_left(w);
-    const double on =
-        x * dx + y * dy + TOL_LAYER_TURNED * fabs(l->across - left);
-    const double turned = TOL_LAYER_TERMS * digits * fabs(w->h) * dx * dy;
-    const double across = x * dy + y * dx + turned + left;
-    const double most = TOL_LAYER_TRANSPORT * fmax(across, l->across) + digits;
-    l->across = across;
-    l->time_error += transport * error[LAYER_TIME] + l->du[LAYER_TIME] * on +
-                     most * fabs(time);
-    l->slip_error += transport * error[LAYER_SLIP] + l->du[LAYER_SLIP] * on +
-                     most * fabs(slip);
-    l->out->place_error += fair * (error[LAYER_X] + error[LAYER_Y]) + digits;
+    const double on = digit_x * dx + digit_y * dy;
+    carry(w, before, m);
+    miss(w, u0, unit, m, &place);
+    m->digits = digit_x * dy + digit_y * dx +
+                TOL_LAYER_TERMS * digits * fabs(w->h) * dx * dy;
+    l->across = m->left * l->across + fabs(m->across) + m->digits;
+    l->time_error += time + l->du[LAYER_TIME] * on;
+    l->slip_error += slip + l->du[LAYER_SLIP] * on;
+    l->out->place_error += place + digits;
 }
 
 /* Whether a step with this error, relative to what is allowed, is accepted;
@@ -336,8 +396,9 @@ static bool advance(struct walk *w, double most)
     }
     if (l->options.peaks)
         find_peaks(w, u1);
-    const double size = size_of(l, u1, atol, error);
-    account(w, u1, size > 0.0 ? off / size : 1.0, error);
+    for (int i = 0; i < LAYER_DIM; i++)
+        error[i] = atol[i] / tol + fmax(fabs(l->u[i]), fabs(u1[i]));
+    account(w, u1, error);
     w->h = fabs(w->h) * factor;
     l->out->steps++;
     return true;
@@ -346,7 +407,9 @@ static bool advance(struct walk *w, double most)
 void layer_follow(const struct slow_curve *c, struct vec2 z,
                   const struct layer_options *options, struct layer *out)
 {
-    struct walk w = { .ode = { LAYER_DIM, along, c->slider },
+    struct landing_step step[TOL_LAYER_STEPS];
+    struct walk w = { .at.step = step,
+                      .ode = { LAYER_DIM, along, c->slider },
                       .h = TOL_LAYER_FIRST,
                       .previous = 1.0 };
     double most;

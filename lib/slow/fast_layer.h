@@ -21,8 +21,8 @@ struct layer_options {
     double promise;    /* relative, of time and slip */
     double rtol;       /* of each step, absolute in ln v and ln psi */
     double landing;    /* from the slow curve, in ln v */
-    double fair;       /* least part of the estimates of order 5 that a step of
-                          order 8 misses */
+    double fair;       /* of places of peaks, the least part of the estimates of
+                          order 5 that a step misses */
     double time, slip; /* about what is to come, if less than that of any state
                           outside the boxes of arrest; 0: not known */
     bool peaks;
@@ -39,13 +39,13 @@ struct layer {
     double slip, slip_error;
     double x_end; /* ln(v/v0) at arrest; -HUGE_VAL: v = 0 */
     double x_end_error;
-    /* where on the slow curve it landed, NaN: elsewhere; and the errors of time
-     * and slip on the way there */
-    double y, y_error, way_time_error, way_slip_error;
-    /* told by the saddle's series: y is then where its base point is, and
-     * `more` its slip beyond that of y, with the error way_slip_error */
+    /* where on the slow curve it landed, NaN: elsewhere; the errors of time,
+     * and of slip less as much at that place, but for the table's */
+    double y, way_time_error, way_slip_error;
+    /* told by the saddle's series: y, with its error, is then where its base
+     * point is, and `more` its slip beyond that of y, with way_slip_error */
     bool is_near;
-    double more;
+    double y_error, more;
     double x_peak, mu_peak;   /* with the error of a point of the orbit: */
     double place_error;       /* in ln v and ln psi */
     double x_error, mu_error; /* more, of one of them alone */

@@ -8,6 +8,7 @@
 
 #include "landing_near.h"
 #include "landing_rest.h"
+#include "landing_weigh.h"
 #include "slider.h"
 #include "slow_tolerance.h"
 
@@ -37,13 +38,14 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
 {
     *l = (struct landing){
         .curve = c,
+        .step = l->step,
         .options = *options,
         .from = z,
         .u = { z.x, z.y, 0.0, 0.0 },
         .out = out,
     };
     *out = (struct layer){ .end = LAYER_LOST, .x_peak = z.x, .y = NAN };
-    l->across = slider_rounding(c->slider, z);
+    l->start = l->across = slider_rounding(c->slider, z);
     if (options->peaks)
         out->mu_peak = block_mu(&c->slider->block, z);
     choose_least(l, least);
@@ -82,38 +84,30 @@ bool landing_is_past(const struct landing *l, const double u[])
     return door_at(l, l->u).way > 0.0 && door_at(l, u).way < -TOL_LAYER_FACE;
 }
 
-void landing_add_least(const struct landing *l, double time_slope,
-                       double slip_slope, double moved)
-{
-    const double promise = l->options.promise;
-    const double loose = promise / TOL_LAYER_LOOSE;
-    const double least =
-        TOL_LAYER_LEAST * promise * fmin(pow(loose, 3.0 / 8.0), 1.0);
-
-    l->out->time_error += l->late[0] + least * (fabs(l->u[LAYER_TIME]) +
-                                                fabs(time_slope) * moved);
-    l->out->slip_error += l->late[1] + least * (fabs(l->u[LAYER_SLIP]) +
-                                                fabs(slip_slope) * moved);
-}
-
-/* `way` of its own from the face, towards which it closes at this rate. */
+/* `way` of its own from the face, towards which it closes at this rate: what
+ * lies to the left of it comes later by what it is further off the face. */
 static void arrive(struct landing *l, const struct door *door, double closing,
                    double way)
 {
     const struct slider *s = l->curve->slider;
-    const double aside = fabs(l->du[!door->along]) / closing;
-    const double late = 2.0 * l->across * (1.0 + aside);
+    const double *du = l->du;
+    const double late =
+        door->along ? -du[LAYER_X] / du[LAYER_Y] : du[LAYER_Y] / du[LAYER_X];
+    const struct landing_slope across = { late * du[LAYER_TIME],
+                                          late * du[LAYER_SLIP] };
+    const struct landing_bar bar = landing_weigh(l, &across, 0.0);
     struct layer *const out = l->out;
 
     out->end = LAYER_LANDED;
     out->fate = (int8_t) fate_of_node(s, &s->plane.equilibrium[door->node]);
-    out->x_end = l->u[LAYER_X] + way * l->du[LAYER_X];
-    out->time = l->u[LAYER_TIME] + way * l->du[LAYER_TIME];
-    out->slip = l->u[LAYER_SLIP] + way * l->du[LAYER_SLIP];
-    out->time_error = l->time_error + late * l->du[LAYER_TIME];
-    out->slip_error = l->slip_error + late * l->du[LAYER_SLIP];
-    out->x_end_error = late;
-    landing_add_least(l, l->du[LAYER_TIME], l->du[LAYER_SLIP], 1.0 + aside);
+    out->x_end = l->u[LAYER_X] + way * du[LAYER_X];
+    out->time = l->u[LAYER_TIME] + way * du[LAYER_TIME];
+    out->slip = l->u[LAYER_SLIP] + way * du[LAYER_SLIP];
+    out->time_error = bar.time;
+    out->slip_error = bar.slip;
+    out->x_end_error =
+        fmin(l->across, 2.0 * TOL_ARREST) * fabs(du[!door->along]) / closing +
+        slider_rounding(s, (struct vec2){ out->x_end, 0.0 });
 }
 
 /* Beside a box: enters it, takes the next step of Newton's method, or passes it
@@ -308,6 +302,32 @@ static double turning(const struct landing *l, const struct slow_point *p)
                       : 0.0;
 }
 
+/* Whether its fibre says too little of where it lands: psi may wait until the
+ * curve has passed, or it may land anywhere on the way. */
+static bool is_vague(const struct landing *l, const struct slow_point *p,
+                     double off, double bend)
+{
+    return bend > TOL_LAYER_VAGUE * fabs(off) ||
+           (may_wait(l, p, off) && fabs(off) > fmin(p->gap, TOL_LAYER_CLOSER));
+}
+
+/* Of a point to the left of the end of the walk: its place on the curve is
+ * another one, and so is how far along the fibre it is, by which slip has this
+ * slope. */
+static struct landing_slope across_fibre(const struct landing *l,
+                                         const struct slow_point *p,
+                                         double off_slope)
+{
+    const double dx = l->du[LAYER_X], dy = l->du[LAYER_Y];
+    const struct vec2 e = p->fibre;
+    const double det = e.x - e.y * p->x_slope;
+    const double on = (e.x * dx + e.y * dy) / det;
+    const double off = -(dy + dx * p->x_slope) / det;
+
+    return (struct landing_slope){ p->time_slope * on,
+                                   p->slip_slope * on + off_slope * off };
+}
+
 /* What the table says of the point y, `off` away along its fibre, added to what
  * was before.  False: nearer to the curve it would be good enough. */
 static bool land(struct landing *l, double y, const struct slow_point *p,
@@ -319,7 +339,8 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double part =
         TOL_LAYER_BEND * (fabs(off) + p->gap) + unevenness(l, p, off);
     const double bend =
-        fabs(off) * fmax(fabs(e.x * e.y) * part, turning(l, p)) / det;
+        fabs(off) * fmax((fabs(e.x * e.y) + p->turns) * part, turning(l, p)) /
+        det;
     const double wrong = bend + l->across / det;
     const double d = off * e.x, v = exp(s->block.at.x0 + p->x);
     const double more = v / p->fast * d * (1.0 + 0.25 * d);
@@ -329,39 +350,42 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double wait =
         delay(l, p, off) +
         2.0 * slider_rounding(s, (struct vec2){ p->x, y }) * fabs(p->end_slope);
-    const double moved = fabs(e.x * (l->u[LAYER_Y] - l->from.y)) +
-                         fabs(e.y * (l->u[LAYER_X] - l->from.x));
     const double waste =
         wait > 0.0 ? wait * exp(s->block.at.x0 + p->x_end) : 0.0;
-    const double late = 2.0 * fabs(p->time_slope) * bend + wait;
-    const double long_ = 2.0 * fabs(p->slip_slope) * bend + unsaid + waste;
+    const double late = 2.0 * fabs(p->time_slope) * bend;
+    const double long_ = 2.0 * fabs(p->slip_slope) * bend + unsaid;
     struct layer *const out = l->out;
 
-    *excess = (l->options.through ? bend : fmax(late / time, long_ / slip)) /
+    *excess = (l->options.through
+                   ? bend
+                   : fmax((late + wait) / time, (long_ + waste) / slip)) /
               (TOL_LAYER_BENT * l->options.promise);
+    if (is_vague(l, p, off, bend))
+        *excess = fmax(*excess, 1.0 / TOL_LAYER_RISE);
     if (*excess > 1.0 && fabs(off) > TOL_LAYER_TOUCH)
         return false;
     if (!is_clear(l, p, y))
         return false;
     if (l->options.peaks && !add_peaks(l, p, y, off, excess))
         return false;
+    const struct landing_slope across =
+        across_fibre(l, p, v / p->fast * e.x * (1.0 + 0.5 * d));
+    const struct landing_bar bar =
+        landing_weigh(l, &across, p->slip_slope / p->time_slope);
     out->end = LAYER_LANDED;
     if (slider_saddle(s) >= 0 && !(wrong < TOL_LAYER_SIDE * fabs(y)))
         out->end = LAYER_UNSURE;
     out->fate = p->fate;
     out->x_end = p->x_end;
     out->y = y;
-    out->y_error = 2.0 * wrong;
-    out->way_time_error = l->time_error;
-    out->way_slip_error = l->slip_error + unsaid;
+    out->way_time_error = bar.time + late;
+    out->way_slip_error = bar.more + unsaid;
     out->time = time;
     out->slip = slip;
-    out->time_error = l->time_error + p->time_error + wait +
-                      2.0 * fabs(p->time_slope) * wrong;
-    out->slip_error = l->slip_error + p->slip_error + unsaid + waste +
-                      2.0 * fabs(p->slip_slope) * wrong;
-    out->x_end_error = p->end_slope != 0.0 ? wait / fabs(p->end_slope) : 0.0;
-    landing_add_least(l, p->time_slope, p->slip_slope, moved / det);
+    out->time_error = bar.time + late + p->time_error + wait;
+    out->slip_error = bar.slip + long_ + p->slip_error + waste;
+    out->x_end_error = p->x_end_error +
+                       (p->end_slope != 0.0 ? wait / fabs(p->end_slope) : 0.0);
     return true;
 }
 
@@ -378,13 +402,15 @@ static bool rests(struct landing *l)
         return false;
     const double left = -du[LAYER_TIME] / du[LAYER_X];
     const double v = exp(l->curve->slider->block.at.x0 + u[LAYER_X]);
+    const struct landing_slope none = { 0.0, 0.0 };
+    const struct landing_bar bar = landing_weigh(l, &none, 0.0);
     l->out->end = LAYER_RESTED;
     l->out->fate = FATE_REST_FINITE;
     l->out->x_end = -HUGE_VAL;
     l->out->time = u[LAYER_TIME] + left;
     l->out->slip = u[LAYER_SLIP] + 0.5 * v * left;
-    l->out->time_error = l->time_error + left;
-    l->out->slip_error = l->slip_error + v * left;
+    l->out->time_error = bar.time + left;
+    l->out->slip_error = bar.slip + v * left;
     return true;
 }
 
@@ -456,9 +482,9 @@ static bool is_over(struct landing *l, double *most)
 
 bool landing_is_over(struct landing *l, double *most)
 {
-    if (l->u[LAYER_TIME] == 0.0) { /* at the start */
-        l->late[0] = l->across * l->du[LAYER_TIME];
-        l->late[1] = l->across * l->du[LAYER_SLIP];
+    if (l->out->steps == 0) {
+        l->start_time = l->start * l->du[LAYER_TIME];
+        l->start_slip = l->start * l->du[LAYER_SLIP];
     }
     if (landing_near(l))
         return true;

@@ -6,6 +6,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "landing_weigh.h"
 #include "slider.h"
 #include "slow_tolerance.h"
 
@@ -20,32 +21,55 @@ static const struct slow_branch *branch_of(const struct slow_curve *c, double p)
     return c->away.count > 2 && c->away.first.p * p > 0.0 ? &c->away : NULL;
 }
 
-/* How wrong p is, relative to it. */
+/* How wrong p is, relative to it: by the series, and by how far the orbit is
+ * off. */
+static double blur_of(const struct saddle_point *at)
+{
+    return at->p_error / fmax(fabs(at->p), DBL_MIN);
+}
+
 static double doubt_of(const struct landing *l, const struct saddle_point *at)
 {
     const double slope = hypot(at->p_x, at->p_y);
 
-    return (at->p_error + slope * l->across) / fmax(fabs(at->p), DBL_MIN);
+    return blur_of(at) + slope * l->across / fmax(fabs(at->p), DBL_MIN);
+}
+
+/* What the steps before have made of it all; of slip less v time too, which is
+ * q alone. */
+static struct landing_bar weigh(const struct landing *l,
+                                const struct saddle_series *u,
+                                const struct saddle_point *at, double doubt)
+{
+    const double *du = l->du;
+    const double p = du[LAYER_X] * at->p_y - du[LAYER_Y] * at->p_x;
+    const double q = du[LAYER_X] * at->q_y - du[LAYER_Y] * at->q_x;
+    const double size = copysign(fmax(fabs(at->p), DBL_MIN), at->p);
+    const double late = -p / size / u->lambda;
+    const struct landing_slope across = { late, u->v * late + q };
+    struct landing_bar bar = landing_weigh(l, &across, u->v);
+    const double more = 1.0 + doubt; /* ln|p| is no line */
+
+    bar.time *= more;
+    bar.slip *= more;
+    return bar;
 }
 
 /* Where it began, in the coordinates of the series. */
 static void tell_base(const struct landing *l, const struct saddle_series *u,
-                      const struct saddle_point *at, double doubt,
-                      struct layer *out)
+                      const struct saddle_point *at,
+                      const struct landing_bar *bar, struct layer *out)
 {
     const double time = l->u[LAYER_TIME];
-    const double before = exp(-u->lambda * time);
-    const double wrong = before * doubt * fmax(fabs(at->p), DBL_MIN);
+    const double p = exp(-u->lambda * time) * at->p;
+    const double wrong =
+        blur_of(at) + u->lambda * (bar->time + u->lambda_error * time);
 
-    out->y = saddle_series_y(u, before * at->p);
+    out->y = saddle_series_y(u, p);
     const struct saddle_point on = saddle_series_on(u, out->y);
-    out->y_error = (wrong + u->lambda * fabs(out->y) *
-                                (l->time_error + u->lambda_error * time)) /
-                   (on.p_y + on.p_x * on.x_slope);
+    out->y_error = fabs(p) * wrong / (on.p_y + on.p_x * on.x_slope);
     out->more = l->u[LAYER_SLIP] - u->v * time + at->q - on.q;
-    out->way_time_error = l->time_error;
-    out->way_slip_error = l->slip_error + u->v * l->time_error + at->q_error +
-                          hypot(at->q_x, at->q_y) * l->across;
+    out->way_slip_error = bar->more + at->q_error;
 }
 
 /* All of it, in *out; the end of it is on branch b. */
@@ -55,20 +79,31 @@ static void tell(const struct landing *l, const struct slow_branch *b,
     const struct saddle_series *u = b->near;
     const struct slow_knot *k = b->knot;
     const double fold = log(b->first.p / at->p) / u->lambda;
-    const double wrong = (doubt * (1.0 + doubt) + TOL_SADDLE) / u->lambda +
-                         u->lambda_error * fabs(fold);
 
     out->end = b == &l->curve->away ? LAYER_RAN : LAYER_LANDED;
     if (!(doubt < TOL_LAYER_SIDE))
         out->end = LAYER_UNSURE;
     out->fate = b->fate;
     out->x_end = b->x_end;
+    out->x_end_error = b->x_end_error;
     out->time = l->u[LAYER_TIME] + k->time[0] + fold;
     out->slip =
         l->u[LAYER_SLIP] + k->slip[0] + u->v * fold + at->q - b->first.q;
-    out->time_error = l->time_error + k->time_bar + wrong;
-    out->slip_error = l->slip_error + k->slip_bar + u->v * wrong + at->q_error +
-                      hypot(at->q_x, at->q_y) * l->across;
+}
+
+static void tell_bars(const struct slow_branch *b,
+                      const struct saddle_point *at,
+                      const struct landing_bar *bar, struct layer *out)
+{
+    const struct saddle_series *u = b->near;
+    const struct slow_knot *k = b->knot;
+    const double fold = log(b->first.p / at->p) / u->lambda;
+    const double wrong =
+        (blur_of(at) * (1.0 + blur_of(at)) + TOL_SADDLE) / u->lambda +
+        u->lambda_error * fabs(fold);
+
+    out->time_error = bar->time + k->time_bar + wrong;
+    out->slip_error = bar->slip + k->slip_bar + u->v * wrong + at->q_error;
 }
 
 /* Whether nearer to the saddle the series would tell what was promised, and
@@ -100,19 +135,18 @@ bool landing_near(struct landing *l)
     tell(l, b, &at, doubt, &told);
     if (is_early(l, &at, &told))
         return false;
-    tell_base(l, u, &at, doubt, &told);
+    const struct landing_bar bar = weigh(l, u, &at, doubt);
+    tell_bars(b, &at, &bar, &told);
+    tell_base(l, u, &at, &bar, &told);
     told.is_near = true;
     l->near = told;
-    if (l->options.peaks)
-        return false;
-    *l->out = told;
-    landing_add_least(l, 1.0 / u->lambda, u->v / u->lambda, 1.0);
-    return true;
+    if (!l->options.peaks)
+        *l->out = told;
+    return !l->options.peaks;
 }
 
 void landing_keep_near(struct landing *l)
 {
-    const struct saddle_series *u = l->curve->near;
     const struct layer *near = &l->near;
     struct layer *const out = l->out;
 
@@ -125,6 +159,5 @@ void landing_keep_near(struct landing *l)
     out->slip = near->slip;
     out->time_error = near->time_error;
     out->slip_error = near->slip_error;
-    out->x_end_error = 0.0;
-    landing_add_least(l, 1.0 / u->lambda, u->v / u->lambda, 1.0);
+    out->x_end_error = near->x_end_error;
 }

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "landing_weigh.h"
 #include "slider.h"
 #include "slow_tolerance.h"
 
@@ -50,10 +51,14 @@ static bool land(struct landing *l, const struct rest_point *p, double off,
     const double det = fabs(e.y - e.x * p->y_slope);
     const double bend =
         TOL_LAYER_BEND * fabs(off * e.x) * bent_part(l, p, off) / det;
-    const double wrong = bend + l->across / det;
     const double time = l->u[LAYER_TIME] + p->time;
     const double slip = l->u[LAYER_SLIP] + p->slip;
     const double late = 2.0 * fabs(p->time_slope), far = 2.0 * p->slip_slope;
+    const double on = -(e.x * l->du[LAYER_X] + e.y * l->du[LAYER_Y]) /
+                      (e.y - e.x * p->y_slope);
+    const struct landing_slope across = { p->time_slope * on,
+                                          p->slip_slope * on };
+    const struct landing_bar bar = landing_weigh(l, &across, 0.0);
     struct layer *const out = l->out;
 
     *excess = bend * fmax(late / time, far / slip) /
@@ -65,11 +70,8 @@ static bool land(struct landing *l, const struct rest_point *p, double off,
     out->x_end = -HUGE_VAL;
     out->time = time;
     out->slip = slip;
-    out->time_error = l->time_error + p->time_error + late * wrong;
-    out->slip_error = l->slip_error + p->slip_error + far * wrong;
-    landing_add_least(l, p->time_slope, p->slip_slope,
-                      fabs(l->u[LAYER_X] - l->from.x) +
-                          fabs(l->u[LAYER_Y] - l->from.y));
+    out->time_error = bar.time + p->time_error + late * bend;
+    out->slip_error = bar.slip + p->slip_error + far * bend;
     return true;
 }
 

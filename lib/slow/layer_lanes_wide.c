@@ -3,6 +3,7 @@
  * over the states; whether one is over is asked one by one (landing.h). */
 #include "layer_lanes.h"
 
+#include <float.h>
 #include <string.h>
 
 #include "explicit8_table.h"
@@ -20,9 +21,10 @@ struct bundle {
     lanes h, most, tol, least[2];
     lanes previous, last; /* error and size of the last accepted step */
     lanes fresh;          /* 1: no step was refused */
-    lanes part, fair; /* of the estimates of order 5 that it misses; least */
-    lanes across, wrong[2], place;
-    lanes spread; /* rate at which orbits part where it is */
+    lanes fair;           /* as of struct layer_options */
+    lanes sum5, sum3;     /* squares of estimates over tolerances */
+    lanes across, digits[2], place;
+    lanes spread, aside[2]; /* per unit to the left of where it is */
     struct landing at[LANES];
     bool busy[LANES], asks[LANES]; /* asks: whether it is over */
 };
@@ -100,11 +102,12 @@ static lanes finish(struct bundle *b)
         const lanes r3 = (gain[i] - third[i]) * unit, r5 = e5[i] * unit;
         sum3 = r3 * r3 + sum3;
         sum5 = r5 * r5 + sum5;
-        b->error[i] = lanes_size(b->h * e5[i]);
+        b->error[i] = b->h * e5[i];
     }
     const lanes all = sum5 + 0.01 * sum3, none = LANES_OF(0.0);
     const lanes off = lanes_size(b->h) * sum5 / lanes_root(LAYER_DIM * all);
-    b->part = lanes_less(none, sum5, lanes_root(sum5 / all), none + 1.0);
+    b->sum5 = b->h * b->h * sum5;
+    b->sum3 = b->h * b->h * sum3;
     return lanes_less(none, sum5, off, sum5);
 }
 
@@ -133,78 +136,149 @@ static lanes judge(struct bundle *b, lanes off, lanes *factor)
     return good;
 }
 
-/* The rate at which orbits beside u part, per arc. */
-static lanes spread_at(const struct bundle *b, const lanes u[])
+/* What changes per unit to the left of u, as look_aside of fast_layer.c. */
+static lanes look_aside(const struct bundle *b, const lanes u[], lanes aside[2])
 {
     const lanes *du = b->k[0];
-    lanes beside[2];
+    lanes at[LAYER_DIM];
 
-    const lanes x = u[0] - TOL_LAYER_ASIDE * du[LAYER_Y];
-    const lanes y = u[1] + TOL_LAYER_ASIDE * du[LAYER_X];
-    along(b, &x, &y, false, beside);
-    return (du[LAYER_X] * beside[1] - du[LAYER_Y] * beside[0]) /
+    const lanes x = u[LAYER_X] - TOL_LAYER_ASIDE * du[LAYER_Y];
+    const lanes y = u[LAYER_Y] + TOL_LAYER_ASIDE * du[LAYER_X];
+    along(b, &x, &y, true, at);
+    for (int i = 0; i < 2; i++)
+        aside[i] = (at[LAYER_TIME + i] - du[LAYER_TIME + i]) / TOL_LAYER_ASIDE;
+    return (du[LAYER_X] * at[LAYER_Y] - du[LAYER_Y] * at[LAYER_X]) /
            TOL_LAYER_ASIDE;
 }
 
-/* As account of fast_layer.c, where the step to u is accepted. */
-static void account(struct bundle *b, lanes good, const lanes u[])
+/* struct landing_step of every lane. */
+struct steps {
+    lanes across, gain[2], digits, left, carried[2];
+};
+
+/* As carry of fast_layer.c; b->k[0] was du0. */
+static void carry(struct bundle *b, lanes good, const lanes u[],
+                  const lanes du0[], struct steps *m)
 {
-    const lanes *du = b->k[0], *e = b->error, none = LANES_OF(0.0);
+    const lanes *du1 = b->k[0], none = LANES_OF(0.0), one = LANES_OF(1.0);
+    lanes aside[2];
+    const lanes spread = look_aside(b, u, aside);
+    const lanes most = b->h * lanes_larger(spread, b->spread);
+    const lanes half = 0.5 * b->h * (spread + b->spread);
+    const lanes grows =
+        lanes_smaller(lanes_larger(lanes_smaller(most, none), half),
+                      LANES_OF(TOL_LAYER_PARTING));
+    const lanes turn =
+        du0[LAYER_X] * du1[LAYER_Y] - du0[LAYER_Y] * du1[LAYER_X];
+
+    m->left = lanes_exp(grows);
+    const lanes even =
+        lanes_less(none, lanes_size(grows), lanes_em1(grows) / grows, one);
+    for (int i = 0; i < 2; i++) {
+        const int k = LAYER_TIME + i;
+        m->carried[i] =
+            0.5 * even *
+            (b->h * (b->aside[i] + aside[i]) - turn * (du0[k] + du1[k]));
+        b->aside[i] = lanes_less(none, good, aside[i], b->aside[i]);
+    }
+    b->spread = lanes_less(none, good, spread, b->spread);
+}
+
+/* As missed of fast_layer.c. */
+static lanes missed(const struct bundle *b)
+{
+    const lanes tiny = LANES_OF(DBL_MIN), size = lanes_size(b->h);
+    lanes other = LANES_OF(0.0);
+
+    for (int i = 0; i < LAYER_DIM; i++) {
+        const lanes end = b->k[0][i] - b->k[STEPS - 1][i];
+        const lanes second = TOL_LAYER_SECOND * b->h * end / on_tolerance(b, i);
+        other = second * second + other;
+    }
+    const lanes more =
+        lanes_root(lanes_larger(other, b->sum5) / lanes_larger(b->sum5, tiny));
+    const lanes ratio =
+        more * lanes_root(b->sum5 / lanes_larger(b->sum3, tiny));
+    const lanes cube = lanes_smaller(size * size * size, LANES_OF(1.0));
+
+    return more * lanes_smaller(
+                      lanes_larger(TOL_LAYER_MISSED * ratio * lanes_root(ratio),
+                                   TOL_LAYER_MISSED_LEAST * cube),
+                      LANES_OF(TOL_LAYER_MISSED_MOST));
+}
+
+/* As account of fast_layer.c, where the step to u is accepted. */
+static void account(struct bundle *b, lanes good, const lanes u[],
+                    const lanes du0[], struct steps *m)
+{
+    const lanes *du = b->k[0], none = LANES_OF(0.0);
     const lanes dx = lanes_size(du[LAYER_X]), dy = lanes_size(du[LAYER_Y]);
-    const lanes fair = lanes_larger(b->part, b->fair);
-    const lanes spread = spread_at(b, u);
-    const lanes most_h = b->h * lanes_larger(spread, b->spread);
-    const lanes mean = 0.5 * b->h * (spread + b->spread);
-    const lanes parting = lanes_larger(lanes_smaller(most_h, none), mean);
-    const lanes left =
-        lanes_exp(lanes_smaller(parting, LANES_OF(TOL_LAYER_PARTING))) *
-        b->across;
-    const lanes transport = TOL_LAYER_TRANSPORT * fair;
     const lanes digit_x = TOL_LAYER_ROUNDING * lanes_size(u[LAYER_X]);
     const lanes digit_y = TOL_LAYER_ROUNDING * lanes_size(u[LAYER_Y]);
     const lanes digits = digit_x + digit_y;
-    const lanes missed = TOL_LAYER_MISSED * fair;
-    const lanes x = missed * e[LAYER_X] + digit_x;
-    const lanes y = missed * e[LAYER_Y] + digit_y;
-    const lanes turned = TOL_LAYER_TERMS * digits * lanes_size(b->h) * dx * dy;
-    const lanes across = x * dy + y * dx + turned + left;
-    const lanes on =
-        x * dx + y * dy + TOL_LAYER_TURNED * lanes_size(b->across - left);
-    const lanes place = fair * (e[LAYER_X] + e[LAYER_Y]) + digits;
-    const lanes most =
-        TOL_LAYER_TRANSPORT * lanes_larger(across, b->across) + digits;
+    const lanes part = missed(b);
+    const lanes e_x = part * b->error[LAYER_X];
+    const lanes e_y = part * b->error[LAYER_Y];
+    const lanes on = e_x * du[LAYER_X] + e_y * du[LAYER_Y];
+    const lanes moved = digit_x * dx + digit_y * dy;
 
+    carry(b, good, u, du0, m);
+    m->across = e_y * du[LAYER_X] - e_x * du[LAYER_Y];
+    m->digits = digit_x * dy + digit_y * dx +
+                TOL_LAYER_TERMS * digits * lanes_size(b->h) * dx * dy;
+    const lanes across =
+        m->left * b->across + lanes_size(m->across) + m->digits;
+    const lanes fair = lanes_larger(part, b->fair);
+    const lanes place =
+        fair * (lanes_size(b->error[LAYER_X]) + lanes_size(b->error[LAYER_Y])) +
+        digits;
     for (int i = 0; i < 2; i++) {
         const int k = LAYER_TIME + i;
-        const lanes gain = lanes_size(b->u1[k] - b->u[k]);
-        const lanes wrong = transport * e[k] + du[k] * on + most * gain;
-        b->wrong[i] += lanes_less(none, good, wrong, none);
+        const lanes gain = digits * lanes_size(b->u1[k] - b->u[k]);
+        m->gain[i] = part * b->error[k] - du[k] * on;
+        b->digits[i] += lanes_less(none, good, gain + du[k] * moved, none);
     }
     b->across = lanes_less(none, good, across, b->across);
-    b->spread = lanes_less(none, good, spread, b->spread);
     b->place += lanes_less(none, good, place, none);
+}
+
+/* Keeps what lane l's step was. */
+static void keep(struct bundle *b, int l, const struct steps *m)
+{
+    const size_t k = b->at[l].out->steps++;
+
+    b->at[l].step[k] = (struct landing_step){
+        .across = m->across[l],
+        .time = m->gain[0][l],
+        .slip = m->gain[1][l],
+        .digits = m->digits[l],
+        .left = m->left[l],
+        .time_gain = m->carried[0][l],
+        .slip_gain = m->carried[1][l],
+    };
 }
 
 /* Goes where the steps that are good end. */
 static void move(struct bundle *b)
 {
     const lanes none = LANES_OF(0.0);
-    lanes factor, u[LAYER_DIM];
+    lanes factor, u[LAYER_DIM], du0[LAYER_DIM];
+    struct steps m;
     const lanes good = judge(b, finish(b), &factor);
 
     for (int i = 0; i < LAYER_DIM; i++)
         u[i] = lanes_less(none, good, b->u1[i], b->u[i]);
+    memcpy(du0, b->k[0], sizeof du0);
     along(b, &u[LAYER_X], &u[LAYER_Y], true, b->k[0]);
-    account(b, good, u);
+    account(b, good, u, du0, &m);
     memcpy(b->u, u, sizeof u);
     b->h = factor * lanes_less(none, good, lanes_size(b->h), b->h);
     for (int l = 0; l < LANES; l++) {
-        struct layer *const out = b->at[l].out;
         b->asks[l] = good[l] > 0.0;
-        if (b->busy[l]) {
-            out->calls += STEPS;
-            out->steps += b->asks[l];
-        }
+        if (b->busy[l])
+            b->at[l].out->calls += STEPS;
+        if (b->busy[l] && b->asks[l])
+            keep(b, l, &m);
     }
 }
 
@@ -240,7 +314,8 @@ static void take(struct bundle *b, int l, const struct layer_job *job,
     b->previous[l] = b->fresh[l] = 1.0;
     b->last[l] = 0.0;
     b->across[l] = b->at[l].across;
-    b->spread[l] = b->wrong[0][l] = b->wrong[1][l] = b->place[l] = 0.0;
+    b->spread[l] = b->aside[0][l] = b->aside[1][l] = b->place[l] = 0.0;
+    b->digits[0][l] = b->digits[1][l] = 0.0;
     b->busy[l] = b->asks[l] = true;
 }
 
@@ -257,8 +332,8 @@ static bool is_over(struct bundle *b, int l)
         at->du[i] = b->k[0][i][l];
     }
     at->across = b->across[l];
-    at->time_error = b->wrong[0][l];
-    at->slip_error = b->wrong[1][l];
+    at->time_error = b->digits[0][l];
+    at->slip_error = b->digits[1][l];
     at->out->place_error = b->place[l];
     if (landing_is_over(at, &most) || at->out->steps >= TOL_LAYER_STEPS)
         return true;
@@ -299,6 +374,7 @@ void LAYER_LANES(const struct slow_curve *c, const struct layer_job job[],
                  size_t n, struct layer out[])
 {
     struct bundle b[PAIR];
+    struct landing_step taken[PAIR * LANES][TOL_LAYER_STEPS];
     size_t next = 0;
     int busy = n > 0;
 
@@ -308,6 +384,7 @@ void LAYER_LANES(const struct slow_curve *c, const struct layer_job job[],
         const size_t i = is_busy ? next++ : n - 1;
         struct bundle *p = &b[l / LANES];
         p->curve = c;
+        p->at[l % LANES].step = taken[l];
         take(p, l % LANES, &job[i], &out[i]);
         p->busy[l % LANES] = is_busy;
     }

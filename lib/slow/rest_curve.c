@@ -100,8 +100,8 @@ static enum status push(struct rest_curve *c, const struct rest_knot *k)
 static enum status keep(struct rest_curve *c, const struct orbit *o,
                         struct rest_knot *k)
 {
-    k->at.time = slow_branch_gained(o, 2);
-    k->at.slip = slow_branch_gained(o, 3 + BLOCK_SLIP);
+    k->at.time = slow_knot_gained(o, 2);
+    k->at.slip = slow_knot_gained(o, 3 + BLOCK_SLIP);
     k->time_bar = o->error[2];
     k->slip_bar = o->error[3 + BLOCK_SLIP];
     return push(c, k);

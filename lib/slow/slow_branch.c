@@ -83,21 +83,7 @@ static void tell(struct slow_knot *k, double dt, double *folds)
         k->gap = HUGE_VAL;
 }
 
-double slow_branch_gained(const struct orbit *o, size_t i)
-{
-    double sum = 0.0;
-
-    if (o->curve.count == 0)
-        return 0.0;
-    const size_t last = o->curve.count - 1;
-    const double *c = curve_component(&o->curve, last, i);
-    for (size_t j = o->curve.piece[last].degree; j > 0; j--)
-        sum += c[j];
-    return sum;
-}
-
-/* Where a function with that gradient has its value: how late the orbit is, how
- * far it has come, and how far x is off. */
+/* Where a function with that gradient has its value: of time, slip and x. */
 static void note_drift(const struct orbit *o, struct vec2 gradient,
                        struct slow_knot *k)
 {
@@ -127,8 +113,8 @@ static enum status follow(const struct slider *s, struct orbit *o,
         const double bend = slow_knot_at(s, o->u, slope_of(o), k);
         note_drift(o, (struct vec2){ 0.0, 1.0 }, k);
         k->mu = mu_until(s, o);
-        k->time[0] = -slow_branch_gained(o, 2);
-        k->slip[0] = -slow_branch_gained(o, 3 + BLOCK_SLIP);
+        k->time[0] = -slow_knot_gained(o, 2);
+        k->slip[0] = -slow_knot_gained(o, 3 + BLOCK_SLIP);
         tell(k, -k->time[0], &folds);
         goes_on =
             o->end == ORBIT_RUNNING && o->steps < TOL_SLOW_STEPS &&
@@ -192,6 +178,20 @@ static void count_from_face(struct slow_branch *b)
     }
 }
 
+/* Of x where the orbit meets the face of a box of arrest. */
+static double x_error_at_face(const struct slider *s, const struct orbit *o)
+{
+    const struct vec2 z = { o->u[0], o->u[1] };
+    const struct vec2 face = fate_face(z, o->options.target[o->end_index]);
+    struct cascade_linear l;
+
+    rescaled_linear(&o->clock, z, &l);
+    const double off = fabs(drift_off(o->options.drift, l.du, face, 0));
+    const double most = face.x != 0.0 ? 0.0 : TOL_ARREST;
+    return fmin(TOL_BAR_FIRST_ORDER * off, most) + TOL_FAST_LEAST +
+           slider_rounding(s, z);
+}
+
 static enum status finish(const struct slider *s, const struct orbit *o,
                           int8_t node_fate, struct slow_branch *b)
 {
@@ -201,6 +201,7 @@ static enum status finish(const struct slider *s, const struct orbit *o,
     if (o->end == ORBIT_ARRIVED) {
         b->fate = node_fate;
         b->x_end = b->knot[b->count - 1].x;
+        b->x_end_error = x_error_at_face(s, o);
     } else if (b->start == SLOW_SADDLE) {
         return finish_rest(s, b);
     }

@@ -29,7 +29,7 @@ struct slow_branch {
     uint32_t *bin; /* owned: the last knot before each of even parts */
     enum slow_start start;
     int8_t fate;
-    double x_end;
+    double x_end, x_end_error;
     const struct saddle_series *near; /* borrowed: of the saddle that the first
                                          knot is beside; NULL: none */
     struct saddle_point first;        /* of the first knot */
@@ -57,9 +57,5 @@ size_t slow_branch_interval(const struct slow_branch *b, double y);
 
 /* A second call is harmless. */
 void slow_branch_free(struct slow_branch *b);
-
-/* What a component of an orbit gained on its last step, whatever it was before.
- */
-double slow_branch_gained(const struct orbit *o, size_t i);
 
 #endif

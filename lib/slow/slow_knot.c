@@ -131,3 +131,16 @@ double slow_knot_shift(const struct slow_knot *k, double dx)
 {
     return fabs(k->fibre.y * dx / (k->fibre.x - k->fibre.y * k->x_slope));
 }
+
+double slow_knot_gained(const struct orbit *o, size_t i)
+{
+    double sum = 0.0;
+
+    if (o->curve.count == 0)
+        return 0.0;
+    const size_t last = o->curve.count - 1;
+    const double *c = curve_component(&o->curve, last, i);
+    for (size_t j = o->curve.piece[last].degree; j > 0; j--)
+        sum += c[j];
+    return sum;
+}

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-#include "plane.h"
+#include "orbit.h"
 
 struct slider;
 
@@ -55,5 +55,9 @@ double slow_quintic(const double f[3], const double g[3], double h,
 /* How far off in y a state lands that is right in its slow coordinate, beside a
  * curve that is off by dx. */
 double slow_knot_shift(const struct slow_knot *k, double dx);
+
+/* What a component of an orbit gained on its last step, whatever it was before.
+ */
+double slow_knot_gained(const struct orbit *o, size_t i);
 
 #endif

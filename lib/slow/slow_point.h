@@ -18,7 +18,8 @@ struct slow_point {
     double gap;                    /* the slow rate over it; HUGE_VAL: not to
                                       land on */
     struct vec2 fibre;             /* unit */
-    double x_end;                  /* at arrest; -HUGE_VAL at rest */
+    double turns;                  /* how much it does on the interval */
+    double x_end, x_end_error;     /* at arrest; -HUGE_VAL at rest */
     double end_slope;              /* time_slope there; 0 at rest */
     double x_peak, mu_peak;        /* largest from some later point on */
     double mu_near;                /* largest on the interval around it */

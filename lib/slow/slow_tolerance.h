@@ -82,10 +82,8 @@
  * much later or earlier at most a box is entered for what is then left of the
  * distance, in what is left; steps; the first and the shortest; the least error
  * that tells anything on the next step.  Bars: what the fibre's curvature and
- * the slow rates change of what it corrects, and of errors of the steps in time
- * and slip; how many times what a step says of its place it may miss (measured
- * on 4000 states at 1e-4, 1e-6 and 1e-9: errors are 0.55 of their bars at most;
- * a landing at 0.1 errs by 1e-7). */
+ * the slow rates change of what it corrects (measured: errors are 0.3 of that
+ * at most, half of them 0.06), and of places of peaks. */
 #define TOL_LAYER_PART      0.03
 #define TOL_LAYER_PLAIN     1e-6
 #define TOL_LAYER_LANDING   0.1
@@ -101,18 +99,25 @@
 #define TOL_LAYER_GROWTH    2.0
 #define TOL_LAYER_BEND      5.0
 #define TOL_LAYER_TRANSPORT 6.0
-#define TOL_LAYER_MISSED    2.0
 
-/* How far along an orbit another one is that it closed in on, as a part of the
- * distance across that it lost.  On the slow curve it is the slope dx/dy, 1 to
- * 2 where x settles first, of the distance without TOL_LAYER_TRANSPORT
- * (measured: 0.11 at most). */
-#define TOL_LAYER_TURNED 0.5
+/* What a step of order 8 misses of its estimates of order 5 (fast_layer.c),
+ * over the power 3/2 of their ratio to those of order 3 (measured: 6 to 24
+ * where that law holds); the least, in steps of a length of 1 or more, and the
+ * most; what the other estimate is to be multiplied by to be as large, in the
+ * mean of all its terms of order 6; and how well what a step makes of a unit
+ * across is known (landing.c), as a part of what it changes. */
+#define TOL_LAYER_MISSED       45.0
+#define TOL_LAYER_MISSED_LEAST 0.45
+#define TOL_LAYER_MISSED_MOST  6.0
+#define TOL_LAYER_SECOND       0.26
+#define TOL_LAYER_BLUR         0.3
 
 /* It lands only where the fibre's part of the bar is within this part of what
- * was promised, or this near, for friction too this near; nearer by this factor
- * at most at once. */
+ * was promised, and its place as well known as this part of the way to it; or
+ * this near, for friction too this near; nearer by this factor at most at once.
+ */
 #define TOL_LAYER_BENT     0.3
+#define TOL_LAYER_VAGUE    0.5
 #define TOL_LAYER_TOUCH    1e-6
 #define TOL_LAYER_MU_TOUCH 1e-9
 #define TOL_LAYER_DIVE     1e-3
@@ -132,14 +137,10 @@
 #define TOL_LAYER_HEAD_ON 0.1
 #define TOL_LAYER_CORNER  10.0
 
-/* The least part of the estimates of order 5 that a step of order 8 misses, at
- * a promise of TOL_LAYER_PLAIN (fast_layer.c has it at others): in loose steps
- * its own word is no bound; and the least
- * bar of what was gained and moved on the way, as a part of what was promised:
- * less below TOL_LAYER_LOOSE (landing_add_least). */
-#define TOL_LAYER_FAIR  0.1
-#define TOL_LAYER_LEAST 0.01
-#define TOL_LAYER_LOOSE 1e-4
+/* Places of peaks on the way: the least part of the estimates of order 5 that a
+ * step misses, at a promise of TOL_LAYER_PLAIN (fast_layer.c has it at others).
+ */
+#define TOL_LAYER_FAIR 0.1
 
 /* How far beside an orbit its neighbour is whose direction tells whether they
  * close in on each other; and what part of the step that its error allows is
@@ -168,7 +169,8 @@
  * one is at most whose bars are too wide, and what part of the promise it aims
  * at; above what part of its bars a try has left one is tried as fine as that,
  * and then no more, for they are the table's; the finest; and the least bar,
- * relative, of what passes a node's slow approach. */
+ * relative, of what passes a node's slow approach, and of time and slip, sums
+ * of a thousand roundings there. */
 #define TOL_FAST_FINER  0.01
 #define TOL_FAST_AIM    0.3
 #define TOL_FAST_GAIN   0.7

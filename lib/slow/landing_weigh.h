@@ -1,0 +1,24 @@
+/*
+ * landing_weigh.h -- what the steps of a landing (landing.h) have missed of its
+ * time and slip, with their signs, once it is known what comes after them.
+ */
+#ifndef SLOW_LANDING_WEIGH_H
+#define SLOW_LANDING_WEIGH_H
+
+#include "landing.h"
+
+/* Of time and slip still to come. */
+struct landing_slope {
+    double time, slip;
+};
+
+/* A bound on what steps and rounding have made of time and slip, and of slip
+ * less v time, at the end of the walk, where `across` is what the rest of time
+ * and slip changes by per unit to the left of it. */
+struct landing_bar {
+    double time, slip, more;
+};
+struct landing_bar landing_weigh(const struct landing *l,
+                                 const struct landing_slope *across, double v);
+
+#endif
