@@ -1,7 +1,6 @@
 /* Two orbits by orbit.h, the second ten times finer, which is what is kept.
  * Measured on the runs of Figs 14, 15: at 1e-11 times of events are good to
- * 1e-12, where |mu - tan(alpha)| is 1e-7 to 3e-10; below 3e-13 the rounding of
- * some ten thousand steps takes over. */
+ * 1e-12, |mu - tan(alpha)| being 1e-7 to 3e-10; below 3e-13 to rounding. */
 #include "transient.h"
 
 #include <float.h>
@@ -158,14 +157,14 @@ static enum status follow(const struct course *c, double rtol,
                           const struct monitor *monitor, struct drift *drift,
                           struct orbit *out)
 {
+    const struct phase_plane *plane = &c->slider->plane;
     struct orbit_options options = c->options;
 
     drift_start(drift, slider_rounding(c->slider, c->start),
-                phase_plane_leaving_rate(&c->slider->plane));
+                phase_plane_leaving_rate(plane));
     options.drift = drift;
     options.rtol = rtol;
-    enum status s =
-        orbit_init(out, &c->slider->plane.system, c->start, &options);
+    enum status s = orbit_init(out, &plane->system, c->start, &options);
     if (s == STATUS_OK)
         s = run_orbit(c, out, monitor);
     return s == STATUS_NO_CONVERGENCE || s == STATUS_TOO_MANY_STEPS ? STATUS_OK
