@@ -202,10 +202,11 @@ static void stability_changes_at_the_folds_and_nowhere_else(void **state)
 /* psi = -ln v > 0 only below v = 1; friction < 0 holds no slope. */
 static void what_does_not_exist_is_left_out_or_says_why(void **state)
 {
-    struct law law = { "composed",       "",
-                       FRICTION_LOG,     THETA_LN_PSI,
-                       PSI_SS_MINUS_LOG, TIMESCALE_SLIP,
-                       KINETICS_LINEAR };
+    struct law law = { .form = FRICTION_LOG,
+                       .theta = THETA_LN_PSI,
+                       .psi_ss = PSI_SS_MINUS_LOG,
+                       .timescale = TIMESCALE_SLIP,
+                       .kinetics = KINETICS_LINEAR };
     const struct material m = material_bristol_board();
     struct steady_curve c = curve_of(&law, &m, 2.0, 9.0);
 
