@@ -54,7 +54,8 @@ def what_is_planned_is_what_runs(room):
         expect(stages_run(room, 'study', *args) == plan, products, plan)
         plans.add(tuple(plan))
     expect(len(plans) > 8, plans)
-    for scene in room.names('scenes')[:4]:
+    laws = [name for name in room.names('scenes') if name.startswith('fig')]
+    for scene in laws[:4]:
         args = ['scenes/' + scene, '-o', 'a.h5', '--figure', 'a.svg']
         expect(stages_run(room, 'study', *args)
                == stages_planned(room, *args), scene)

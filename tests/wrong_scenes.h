@@ -57,7 +57,7 @@ static const struct wrong wrong_keys[] = {
       "window.axes?)" },
     { LAW SLOPE "material: {mu: 0.3}\n",
       "3:12: unknown key 'material.mu', expected preset, mu_star, a, b, L, "
-      "V_star, c, R or V_c" },
+      "V_star, c, R or V_c (did you mean law.mu?)" },
     { LAW SLOPE "material: {g: 9.81}\n",
       "3:12: unknown key 'material.g', expected preset, mu_star, a, b, L, "
       "V_star, c, R or V_c" },
@@ -92,7 +92,8 @@ static const struct wrong wrong_keys[] = {
       "3:1: unknown key 'ti\\x09tle', expected " TOP " (did you mean title?)" },
     { "law: {presett: dieterich_gen}\n" SLOPE,
       "1:7: unknown key 'law.presett', expected preset, theta, psi_ss, "
-      "timescale, kinetics or friction (did you mean law.preset?)" },
+      "timescale, kinetics, T, K, rate, mu, state or friction (did you mean "
+      "law.preset?)" },
     { LAW "slope: {alfa: 0.34}\n",
       "2:9: unknown key 'slope.alfa', expected alpha, alpha_deg or tan_alpha" },
 };
@@ -210,7 +211,8 @@ static const struct wrong wrong_kinds[] = {
       "2:8: slope: '0.34'" NOT "a map of keys, alpha, alpha_deg or tan_alpha" },
     { "law: dieterich_gen\n" SLOPE,
       "1:6: law: 'dieterich_gen'" NOT
-      "a map of keys, preset, theta, psi_ss, timescale, kinetics or friction" },
+      "a map of keys, preset, theta, psi_ss, timescale, kinetics, T, K, rate, "
+      "mu, state or friction" },
     { "law: {preset: [ruina]}\n" SLOPE, "1:15: law.preset: a list" NOT LAWS },
     { "law: {preset: dietrich_gen}\n" SLOPE,
       "1:15: law.preset: 'dietrich_gen'" NOT LAWS

@@ -62,7 +62,7 @@ static void level_find(const char *path, size_t head, struct level *l)
 }
 
 /* The key, wherever it is, whose last word is near to this one, such as
- * slope.alpha of alpha; NULL if there is none. */
+ * slope.alpha of alpha; NULL if there is none.  A letter is near to nothing. */
 static const char *near_elsewhere(const char *word)
 {
     const char *last[SCHEMA_KEYS_MAX + 1] = { NULL };
@@ -71,7 +71,7 @@ static const char *near_elsewhere(const char *word)
         const char *dot = strrchr(schema_table[i].path, '.');
         last[i] = dot ? dot + 1 : schema_table[i].path;
     }
-    const char *near = spell_nearest(word, last);
+    const char *near = word[1] ? spell_nearest(word, last) : NULL;
     for (size_t i = 0; near && last[i]; i++)
         if (last[i] == near)
             return schema_table[i].path;

@@ -128,11 +128,13 @@ static struct cell cell_of(const struct slider *s, struct vec2 z,
     return c;
 }
 
-/* Whether the table knows its largest friction as well as is asked: it may lie
- * beside the slow curve, between where the state lands and the next knot. */
-static bool knows_friction(const struct cell *c, double rtol)
+/* Whether the table knows its peaks as well as is asked: the largest friction
+ * may lie beside the slow curve, between where the state lands and the next
+ * knot. */
+static bool knows_peaks(const struct cell *c, double rtol)
 {
-    return !(c->mu_peak_error > rtol * c->mu_peak);
+    return !(c->mu_peak_error > rtol * c->mu_peak) &&
+           !(c->v_peak_error > rtol * c->v_peak);
 }
 
 /* ---- many ---------------------------------------------------------------- */
@@ -241,7 +243,7 @@ static enum status find(const struct fast_cells *f, const struct vec2 z[],
 
     find_by_curve(&b, n);
     for (size_t k = 0; k < n && status == STATUS_OK; k++) {
-        if (b.found[k] && knows_friction(&out[k], rtol))
+        if (b.found[k] && knows_peaks(&out[k], rtol))
             continue;
         ++*whole;
         status = cells_find(f->slider, &z[k], 1, rtol, which, NULL, &out[k]);

@@ -262,7 +262,8 @@ static void is_sound(const struct scene *s)
     assert_true(s->alpha >= 0.0 && s->alpha <= M_PI_2);
     assert_true(s->tan_alpha >= 0.0L && isfinite(s->tan_alpha));
     assert_true((s->alpha > 0.0) == (s->tan_alpha > 0.0L));
-    assert_true(s->window.v[0] >= 1e-300 && s->window.v[1] <= 1e300);
+    assert_true(s->system ||
+                (s->window.v[0] >= 1e-300 && s->window.v[1] <= 1e300));
     assert_true(s->window.v[0] < s->window.v[1]);
     assert_true(s->window.psi[0] < s->window.psi[1]);
     assert_true(s->material.a > 0.0 && s->material.b > 0.0);
@@ -271,7 +272,9 @@ static void is_sound(const struct scene *s)
     assert_true(s->products < 1u << PRODUCTS);
     assert_true(s->cells[0] >= 1 && s->cells[1] <= 32768);
     for (size_t i = 0; i < s->starts; i++)
-        assert_true(s->start[i].v > 0.0 && isfinite(s->start[i].psi));
+        assert_true(
+            (s->system ? isfinite(s->start[i].v) : s->start[i].v > 0.0) &&
+            isfinite(s->start[i].psi));
 }
 
 /* Merged with its overrides it is the same scene. */
