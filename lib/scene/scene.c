@@ -18,6 +18,7 @@
 #include "scene_units.h"
 #include "schema.h"
 #include "system.h"
+#include "text.h"
 #include "text_file.h"
 #include "tolerance.h"
 
@@ -279,6 +280,18 @@ static enum status check_all(scene_check *const check[],
     return status;
 }
 
+/* Formulas blame words as they are typed. */
+static enum status take_system(struct node *root, struct scene *s,
+                               struct fault *why)
+{
+    struct fault raw = { "" };
+    const enum status status = scene_system_take(root, s, &raw);
+
+    if (status != STATUS_OK)
+        text_show(raw.text, why->text, sizeof why->text);
+    return status;
+}
+
 static enum status fill(struct node *root, struct scene *s, struct fault *why)
 {
     static scene_check *const of_law[] = { check_law,         scene_slope_check,
@@ -289,7 +302,7 @@ static enum status fill(struct node *root, struct scene *s, struct fault *why)
     enum status status = set_defaults(s);
 
     if (status == STATUS_OK)
-        status = scene_system_take(root, s, why);
+        status = take_system(root, s, why);
     if (status == STATUS_OK && s->system == NULL)
         status = scene_law_begin(root, s);
     if (status == STATUS_OK)

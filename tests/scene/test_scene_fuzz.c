@@ -228,7 +228,8 @@ static void file_put(const struct file *f, const char *bytes, size_t size)
 
 /* ---- what must hold ------------------------------------------------------ */
 
-/* "LINE:COL: " of a place that is in the text, or just behind it. */
+/* "LINE:COL: " of a place that is in the text, or just behind it; or "LINE:
+ * column COL of the formula: " */
 static void is_a_place(const char *place, const struct draft *d)
 {
     unsigned long line, column, lines = 2;
@@ -237,7 +238,10 @@ static void is_a_place(const char *place, const struct draft *d)
     for (size_t i = 0; i < d->size; i++)
         lines += d->text[i] == '\n' || d->text[i] == '\r' ||
                  (d->text[i] & 0x80) != 0; /* the line ends of Unicode */
-    const int read = sscanf(place, "%lu:%lu: %n", &line, &column, &end);
+    int read = sscanf(place, "%lu:%lu: %n", &line, &column, &end);
+    if (read != 2)
+        read = sscanf(place, "%lu: column %lu of the formula: %n", &line,
+                      &column, &end);
     CHECK(read == 2 && end > 0 && place[end], "'%s'", place);
     CHECK(line >= 1 && line <= lines, "'%s' of %lu", place, lines);
     CHECK(column >= 1 && column <= d->size + 1, "'%s'", place);
