@@ -70,7 +70,7 @@ static enum exit_code judge(const struct plane_basin *b)
     snprintf(text, sizeof text,
              "audit: the orbits of %d of %d states go elsewhere than the map "
              "says",
-             (int) b->disagreements, (int) b->audited);
+             (int) b->disagreements, (int) b->cells);
     return command_fail(STATUS_NO_CONVERGENCE, text);
 }
 

@@ -286,7 +286,7 @@ static enum status audit(struct plane_study *s, const struct monitor *monitor)
     }
     if (!failed)
         failed = check_rests(s, &asked, &wrong) != STATUS_OK;
-    b->audited = (int64_t) asked;
+    b->cells = (int64_t) asked;
     b->disagreements = (int64_t) wrong;
     for (size_t k = 0; k < b->shares && wrong > 0; k++)
         b->share[k].fraction.error +=

@@ -11,6 +11,56 @@ RESULT_VIEW(view_shares, plane_study, s->basin.share, s->basin.shares)
 RESULT_VIEW(view_boundary, plane_study, s->basin.boundary, s->basin.boundaries)
 RESULT_VIEW(view_audit, plane_study, &s->basin, 1)
 
+static const struct record_field share_fields[] = {
+    FIELD(plane_share, TEXT, attractor, "1", "whereto"),
+    FIELD(plane_share, QUANTITY, fraction, "1",
+          "of the window, by area as it is drawn"),
+};
+static const struct record_type record_share =
+    RECORD_TYPE("share", "shares of the window", share_fields, plane_share);
+
+static const struct record_field boundary_fields[] = {
+    FIELD(plane_boundary, COUNT, manifold, "1", "number among the manifolds"),
+    FIELD(plane_boundary, TEXT, of, "1", "its saddle, or the cycle itself"),
+};
+static const struct record_type record_boundary = RECORD_TYPE(
+    "boundary", "curves between basins", boundary_fields, plane_boundary);
+
+static const struct record_field audit_fields[] = {
+    FIELD(plane_basin, COUNT, cells, "1", "states followed forward in time"),
+    FIELD(plane_basin, COUNT, disagreements, "1", "those that go elsewhere"),
+};
+static const struct record_type record_audit =
+    RECORD_TYPE("audit", "map against orbits", audit_fields, plane_basin);
+
+const struct result plane_basin_results[] = {
+    { .path = "/shares",
+      .name = "shares",
+      .title = "shares of the window",
+      .type = &record_share,
+      .shape = RESULT_COLUMNS,
+      .needs = ASKED(BASINS),
+      .view = view_shares },
+    { .path = "/boundary",
+      .name = "boundary",
+      .title = "boundaries of basins",
+      .type = &record_boundary,
+      .shape = RESULT_COLUMNS,
+      .needs = ASKED(BASINS),
+      .view = view_boundary },
+    { .path = "/basin",
+      .name = "audit",
+      .title = "audit",
+      .member = "audit_*",
+      .type = &record_audit,
+      .shape = RESULT_ATTRIBUTES,
+      .needs = ASKED(BASINS),
+      .view = view_audit },
+    { .path = NULL },
+};
+
+/* ---- the map, along the states' own names -------------------------------- */
+
 static enum status view_cells(const void *run, size_t axis,
                               struct result_view *out)
 {
@@ -49,7 +99,7 @@ static enum status label_rows(const void *run, size_t first, size_t count,
                             count, records);
 }
 
-static void add_grid(const struct plane_study *s, struct plane_table *t)
+void plane_results_map(const struct plane_study *s, struct plane_table *t)
 {
     const char *name[] = { s->system[0].axis[0].name,
                            s->system[0].axis[1].name };
@@ -76,59 +126,4 @@ static void add_grid(const struct plane_study *s, struct plane_table *t)
     r->shape = RESULT_LAYERS;
     r->axis = plane_table_keep(t, "%s, %s", name[1], name[0]);
     r->rows = label_rows;
-}
-
-#define BASIN(member) offsetof(struct plane_basin, member)
-
-void plane_results_basins(const struct plane_study *s, struct plane_table *t)
-{
-    size_t first = t->fields;
-    struct result *r;
-
-    plane_table_field(t, "attractor", RECORD_TEXT,
-                      offsetof(struct plane_share, attractor), "whereto");
-    plane_table_field(t, "fraction", RECORD_QUANTITY,
-                      offsetof(struct plane_share, fraction),
-                      "of the window, by area as it is drawn");
-    r = plane_table_result(t,
-                           plane_table_type(t, first, "share",
-                                            "shares of the window",
-                                            sizeof(struct plane_share)),
-                           ASKED(BASINS));
-    r->name = "shares";
-    r->path = "/shares";
-    r->title = "shares of the window";
-    r->view = view_shares;
-    first = t->fields;
-    plane_table_field(t, "manifold", RECORD_COUNT,
-                      offsetof(struct plane_boundary, manifold),
-                      "number among the manifolds");
-    plane_table_field(t, "of", RECORD_TEXT, offsetof(struct plane_boundary, of),
-                      "its saddle, or the cycle itself");
-    r = plane_table_result(t,
-                           plane_table_type(t, first, "boundary",
-                                            "curves between basins",
-                                            sizeof(struct plane_boundary)),
-                           ASKED(BASINS));
-    r->name = "boundary";
-    r->path = "/boundary";
-    r->title = "boundaries of basins";
-    r->view = view_boundary;
-    first = t->fields;
-    plane_table_field(t, "cells", RECORD_COUNT, BASIN(audited),
-                      "states followed forward in time");
-    plane_table_field(t, "disagreements", RECORD_COUNT, BASIN(disagreements),
-                      "those that go elsewhere");
-    r = plane_table_result(t,
-                           plane_table_type(t, first, "audit",
-                                            "map against orbits",
-                                            sizeof(struct plane_basin)),
-                           ASKED(BASINS));
-    r->name = "audit";
-    r->title = "audit";
-    r->path = "/basin";
-    r->member = "audit_*";
-    r->shape = RESULT_ATTRIBUTES;
-    r->view = view_audit;
-    add_grid(s, t);
 }

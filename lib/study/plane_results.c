@@ -138,6 +138,45 @@ static const char *const kind_names[] = { "stable", "unstable", NULL };
 RESULT_VIEW(view_branches, plane_study, s->branch, s->branches)
 RESULT_VIEW(view_cycles, plane_study, s->cycle, s->cycles)
 
+static const struct record_field manifold_fields[] = {
+    FIELD(plane_branch, COUNT, saddle, "1", "number of the saddle"),
+    FIELD_CODE(plane_branch, kind, kind_names, "stable or unstable"),
+    FIELD(plane_branch, COUNT, branch, "1",
+          "0: the one on which the first state grows at the saddle (the second "
+          "where that stays), 1"),
+    FIELD_CODE(plane_branch, end, plane_end_names, "where it ends"),
+    FIELD(plane_branch, COUNT, to, "1", "number of that equilibrium or cycle"),
+    FIELD(plane_branch, QUANTITY, length, "1",
+          "in the chart, to its end or where it leaves the window"),
+};
+static const struct record_type record_manifold = RECORD_TYPE(
+    "manifold", "half of an invariant manifold", manifold_fields, plane_branch);
+
+static const struct record_field cycle_fields[] = {
+    FIELD(plane_cycle, TEXT, name, "1", "its name"),
+    FIELD_CODE(plane_cycle, type, plane_cycle_types, "whether it attracts"),
+};
+static const struct record_type record_cycle = RECORD_TYPE(
+    "cycle", "closed orbits that curves wind on to", cycle_fields, plane_cycle);
+
+static const struct result manifold_results[] = {
+    { .path = "/manifolds",
+      .name = "manifolds",
+      .title = "manifolds of the saddles",
+      .type = &record_manifold,
+      .shape = RESULT_COLUMNS,
+      .needs = ASKED(MANIFOLDS),
+      .view = view_branches },
+    { .path = "/cycles",
+      .name = "cycles",
+      .title = "closed orbits that were met",
+      .type = &record_cycle,
+      .shape = RESULT_COLUMNS,
+      .needs = ASKED(MANIFOLDS) | ASKED(BASINS),
+      .view = view_cycles },
+    { .path = NULL },
+};
+
 static size_t count_branches(const void *run)
 {
     return ((const struct plane_study *) run)->branches;
@@ -174,40 +213,13 @@ static const char *branch_paths(const struct plane_study *s,
     return t->paths;
 }
 
-#define BRANCH(member) offsetof(struct plane_branch, member)
-#define POINT(member)  offsetof(struct plane_point, member)
+#define POINT(member) offsetof(struct plane_point, member)
 
 static void add_branches(const struct plane_study *s, struct plane_table *t,
                          const char *paths)
 {
-    size_t first = t->fields;
-    struct result *r;
+    const size_t first = t->fields;
 
-    plane_table_field(t, "saddle", RECORD_COUNT, BRANCH(saddle),
-                      "number of the saddle");
-    plane_table_field(t, "kind", RECORD_CODE, BRANCH(kind),
-                      "stable or unstable")
-        ->codes = kind_names;
-    plane_table_field(
-        t, "branch", RECORD_COUNT, BRANCH(branch),
-        "0: the one on which the first state grows at the saddle (the second "
-        "where that stays), 1");
-    plane_table_field(t, "end", RECORD_CODE, BRANCH(end), "where it ends")
-        ->codes = plane_end_names;
-    plane_table_field(t, "to", RECORD_COUNT, BRANCH(to),
-                      "number of that equilibrium or cycle");
-    plane_table_field(t, "length", RECORD_QUANTITY, BRANCH(length),
-                      "in the chart, to its end or where it leaves the window");
-    r = plane_table_result(t,
-                           plane_table_type(t, first, "manifold",
-                                            "half of an invariant manifold",
-                                            sizeof *s->branch),
-                           ASKED(MANIFOLDS));
-    r->name = "manifolds";
-    r->path = "/manifolds";
-    r->title = "manifolds of the saddles";
-    r->view = view_branches;
-    first = t->fields;
     plane_table_field(t, "arc", RECORD_REAL, POINT(arc),
                       "arc length in the chart, from the saddle");
     plane_table_states(s, t, "*", RECORD_REAL, POINT(at));
@@ -215,36 +227,15 @@ static void add_branches(const struct plane_study *s, struct plane_table *t,
                       "d second/d first, in the chart");
     plane_table_field(t, "error", RECORD_REAL, POINT(error),
                       "bound on the distance to the exact curve, in the chart");
-    r = plane_table_result(t,
-                           plane_table_type(t, first, "branch",
-                                            "points of a manifold",
-                                            sizeof(struct plane_point)),
-                           ASKED(MANIFOLDS));
+    struct result *r = plane_table_result(
+        t,
+        plane_table_type(t, first, "branch", "points of a manifold",
+                         sizeof(struct plane_point)),
+        ASKED(MANIFOLDS));
     r->path = paths;
     r->axis = "arc";
     r->count = count_branches;
     r->view = view_branch;
-}
-
-static void add_cycles(const struct plane_study *s, struct plane_table *t)
-{
-    const size_t first = t->fields;
-
-    plane_table_field(t, "name", RECORD_TEXT,
-                      offsetof(struct plane_cycle, name), "its name");
-    plane_table_field(t, "type", RECORD_CODE,
-                      offsetof(struct plane_cycle, type), "whether it attracts")
-        ->codes = plane_cycle_types;
-    struct result *r = plane_table_result(
-        t,
-        plane_table_type(t, first, "cycle",
-                         "closed orbits that curves wind on to",
-                         sizeof *s->cycle),
-        ASKED(MANIFOLDS) | ASKED(BASINS));
-    r->name = "cycles";
-    r->path = "/cycles";
-    r->title = "closed orbits that were met";
-    r->view = view_cycles;
 }
 
 /* ---- portrait ------------------------------------------------------------ */
@@ -353,14 +344,15 @@ enum status plane_results_make(struct plane_study *s)
         if (paths == NULL)
             return STATUS_NO_MEMORY;
         add_branches(s, t, paths);
-        add_cycles(s, t);
     }
     add_nullclines(s, t);
     add_arrows(s, t);
     add_tracks(s, t);
     if (s->products & ASKED(BASINS))
-        plane_results_basins(s, t);
+        plane_results_map(s, t);
     t->tables[0] = t->result;
+    t->tables[1] = manifold_results;
+    t->tables[2] = plane_basin_results;
     return STATUS_OK;
 }
 

@@ -12,8 +12,10 @@ MUST_CHECK enum status plane_results_make(struct plane_study *s);
 /* Its tables and itself, which must not move. */
 struct results plane_results(const struct plane_study *s);
 
-/* Adds what it says of basins. */
-void plane_results_basins(const struct plane_study *s, struct plane_table *t);
+/* Those of basins whose members have names of their own; and the map, which is
+ * added. */
+extern const struct result plane_basin_results[];
+void plane_results_map(const struct plane_study *s, struct plane_table *t);
 
 void plane_results_free(struct plane_table *t);
 

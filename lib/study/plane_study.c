@@ -19,16 +19,6 @@ double plane_state(const struct plane_study *s, int axis, double z)
     return scene_axis_is_log(s->scene, axis) ? exp(z) : z;
 }
 
-struct quantity plane_quantity(const struct plane_study *s, int axis, double z,
-                               double error)
-{
-    const double x = plane_state(s, axis, z);
-    const bool is_log = scene_axis_is_log(s->scene, axis);
-
-    return is_log ? quantity_of(x, x * (expm1(error) + 0x1p-51))
-                  : quantity_of(x, error);
-}
-
 /* ---- the system ---------------------------------------------------------- */
 
 static struct planar_axis axis_of(const struct plane_study *s, int i)

@@ -112,7 +112,7 @@ struct plane_basin {
     size_t labels, shares;           /* shares: and "undecided" */
     struct plane_boundary *boundary; /* owned */
     size_t boundaries;
-    int64_t audited, disagreements;
+    int64_t cells, disagreements; /* of the audit */
 };
 
 struct plane_box {
@@ -159,8 +159,6 @@ void plane_study_free(struct plane_study *s);
 
 /* A coordinate of the chart as the state that it is. */
 double plane_state(const struct plane_study *s, int axis, double z);
-struct quantity plane_quantity(const struct plane_study *s, int axis, double z,
-                               double error);
 
 /* Whereto an orbit goes. */
 struct plane_goal {
