@@ -188,19 +188,27 @@ static void hold_loose(const struct tally *t)
           "%zu of %zu bars are loose", loose, bars);
 }
 
-static void bars_hold_on_random_laws_and_parameters(void **state)
+/* As many as CHECK_COUNT says. */
+static void hold_draws(bool (*draw)(uint64_t *seed, struct draw *d),
+                       size_t usual, struct tally tally[LEVELS + 1])
 {
     const char *count = getenv("CHECK_COUNT");
-    const size_t rows = count ? strtoul(count, NULL, 10) : 60;
-    struct tally tally[LEVELS + 1] = { { 0 } };
+    const size_t rows = count ? strtoul(count, NULL, 10) : usual;
     uint64_t seed = check_seed();
 
-    (void) state;
     if (laws_emulated())
         skip();
     print_message("# CHECK_SEED=%llu\n", (unsigned long long) seed);
     while (tally[0].rows < rows)
-        hold_draw(draw_any, &seed, tally);
+        hold_draw(draw, &seed, tally);
+}
+
+static void bars_hold_on_random_laws_and_parameters(void **state)
+{
+    struct tally tally[LEVELS + 1] = { { 0 } };
+
+    (void) state;
+    hold_draws(draw_any, 60, tally);
     double before = HUGE_VAL;
     for (int k = 0; k < LEVELS; k++) {
         const size_t bars = sum_of(tally[k].bars);
@@ -218,17 +226,10 @@ static void bars_hold_on_random_laws_and_parameters(void **state)
  * and the energy go like powers of v there. */
 static void bars_hold_beside_cusps_and_folds(void **state)
 {
-    const char *count = getenv("CHECK_COUNT");
-    const size_t rows = count ? strtoul(count, NULL, 10) : 30;
     struct tally tally[LEVELS + 1] = { { 0 } };
-    uint64_t seed = check_seed();
 
     (void) state;
-    if (laws_emulated())
-        skip();
-    print_message("# CHECK_SEED=%llu\n", (unsigned long long) seed);
-    while (tally[0].rows < rows)
-        hold_draw(draw_beside, &seed, tally);
+    hold_draws(draw_beside, 30, tally);
     hold_loose(&tally[LEVELS - 1]);
 }
 
