@@ -77,7 +77,8 @@ static void create_in_memory(struct store *st)
     snprintf(name, sizeof name, "%p", (void *) st);
     hdf_took(st, H5Pset_fapl_core(access, STORE_GROWTH, false));
     hdf_took(st, H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
-    st->file = hdf_took(st, H5Fcreate(name, H5F_ACC_TRUNC, create, access));
+    if (st->status == STATUS_OK) /* else perhaps not in memory */
+        st->file = hdf_took(st, H5Fcreate(name, H5F_ACC_TRUNC, create, access));
     hdf_close(create);
     hdf_close(access);
 }

@@ -5,6 +5,7 @@
 #include <hdf5.h>
 #include <stdbool.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "check.h"
 #include "fault_hdf.h"
@@ -294,8 +295,15 @@ static void no_call_of_the_store_is_forgotten(void **state)
     CHECK(calls > 80, "only %zu", calls);
 }
 
+/* A file that no path names is left in the working folder, which is the test's
+ * own. */
+static int work_in_own_folder(void **state)
+{
+    return own_folder_make(state) == 0 ? chdir(own_path("")) : -1;
+}
+
 #define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, own_folder_make, own_folder_remove)
+    cmocka_unit_test_setup_teardown(name, work_in_own_folder, own_folder_remove)
 
 int main(void)
 {
