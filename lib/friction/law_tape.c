@@ -70,7 +70,7 @@ static void text_of(const struct law *law, struct law_text *out)
     out->typed = t != NULL;
     if (t) {
         out->theta = given(t->text[LAW_THETA]);
-        out->psi_ss = t->text[LAW_PSI_SS];
+        out->psi_ss = given(t->text[LAW_PSI_SS]);
         out->T = given(t->text[LAW_T]);
         out->K = given(t->text[LAW_K]);
         out->mu = given(t->text[LAW_MU]);
@@ -120,7 +120,10 @@ static void anchor(struct reading *r, const struct law_text *text,
     p->at[0] = formula_of(f, FUNCTION_EXP, p->chart[0]);
     formula_define(f, "v0", p->at[0]);
     formula_define(f, "v", p->at[0]);
-    const int psi0 = define(r, "psi0", text->psi_ss);
+    const int y0 = formula_find(f, "y0", 2);
+    const int psi0 = text->psi_ss ? define(r, "psi0", text->psi_ss)
+                     : text->real ? y0
+                                  : formula_of(f, FUNCTION_EXP, y0);
     *r->name = "psi_ss";
     if (r->status == STATUS_OK && f->node[psi0].moves) {
         snprintf(r->why->text, sizeof r->why->text,
@@ -138,7 +141,7 @@ static void name_plane(struct reading *r, const struct law_text *text,
     formula_define(r->f, "v", p->state[0]);
     define(r, "theta", text->theta);
     define(r, "psi_ss", text->psi_ss);
-    if (text->typed)
+    if (text->typed && text->psi_ss)
         define(r, "d", "psi - psi_ss");
     define(r, "T", text->T);
     define(r, "K", text->K);

@@ -1,6 +1,4 @@
-/* Steady states of laws that are formulas.  The extrema of mu_ss are where its
- * slope changes sign: looked for in steps of an e-fold of v, between steps
- * where the slope is least, and settled in 113 bits. */
+/* Laws that are formulas, and their steady states. */
 #include "law_typed.h"
 
 #include <float.h>
@@ -8,9 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "law_root.h"
 #include "parse.h"
 #include "quad.h"
-#include "tolerance.h"
 
 const char *const law_part_names[] = { "theta", "psi_ss", "T", "K",
                                        "mu",    "rate",   NULL };
@@ -22,12 +20,20 @@ static const struct {
     const char *name;
     bool positive;
 } model[] = {
-    { "tan_alpha", true }, { "mu_star", false }, { "a", true },
-    { "b", true },         { "c", true },        { "R", true },
-    { "one_R", true },     { "V_c", true },      { "eps2", true },
-    { "lnv0", false },
+    { "tan_alpha", true },
+    { "mu_star", false },
+    { "a", true },
+    { "b", true },
+    { "c", true },
+    { "R", true },
+    { "one_R", true },
+    { "V_c", true },
+    { "eps2", true },
+    [LAW_LNV0] = { "lnv0", false },
+    [LAW_Y0] = { "y0", false },
 };
 enum { MODEL = sizeof model / sizeof *model };
+_Static_assert(MODEL + LAW_OWNS + 1 == LAW_VALUES, "one value a name");
 
 static void name_constants(const struct law_typed *t, struct formula *f)
 {
@@ -63,9 +69,9 @@ static enum status check_parts(const struct law_typed *t, struct fault *why)
 {
     const bool rate = t->text[LAW_RATE][0];
 
-    if (!t->text[LAW_PSI_SS][0])
+    if (!t->text[LAW_PSI_SS][0] && !rate)
         return lack(why, "psi_ss is missing, expected the state in steady "
-                         "sliding, as in 1/v");
+                         "sliding, as in 1/v, or rate");
     if (!t->text[LAW_THETA][0] && !t->text[LAW_MU][0])
         return lack(why, "theta is missing, expected it, as in ln(psi), or mu");
     if (rate && (t->text[LAW_T][0] || t->text[LAW_K][0]))
@@ -75,8 +81,8 @@ static enum status check_parts(const struct law_typed *t, struct fault *why)
     return STATUS_OK;
 }
 
-/* A part of the steady graph, of v0 = e^lnv0 and psi = psi_ss(v0). */
-static int steady_part(struct formula *f, const char *name, const char *text)
+/* A part of a graph of lnv0 and y0. */
+static int part(struct formula *f, const char *name, const char *text)
 {
     struct fault why;
     int node = 0;
@@ -84,6 +90,32 @@ static int steady_part(struct formula *f, const char *name, const char *text)
     if (text[0] && formula_parse(f, text, &node, &why) == STATUS_OK)
         formula_define(f, name, node);
     return node;
+}
+
+/* psi of y0, the chart's y */
+static int psi_of(const struct law_typed *t, struct formula *f)
+{
+    const int y = formula_find(f, "y0", 2);
+
+    return t->real ? y : formula_of(f, FUNCTION_EXP, y);
+}
+
+static void begin(const struct law_typed *t, struct formula *f)
+{
+    name_constants(t, f);
+    formula_define(f, "v",
+                   formula_of(f, FUNCTION_EXP, formula_find(f, "lnv0", 4)));
+}
+
+/* dpsi/dt at any psi, where nothing else is said of psi_ss. */
+static void make_growth(struct law_typed *t)
+{
+    struct formula *f = &t->growth;
+
+    begin(t, f);
+    formula_define(f, "psi", psi_of(t, f));
+    part(f, "theta", t->text[LAW_THETA]);
+    t->rate = part(f, "dpsi", t->text[LAW_RATE]);
 }
 
 static void make_steady(struct law_typed *t)
@@ -94,16 +126,15 @@ static void make_steady(struct law_typed *t)
     };
     struct formula *f = &t->steady;
 
-    name_constants(t, f);
-    formula_define(f, "v",
-                   formula_of(f, FUNCTION_EXP, formula_find(f, "lnv0", 4)));
-    t->psi = steady_part(f, "psi_ss", t->text[LAW_PSI_SS]);
+    begin(t, f);
+    t->psi = t->text[LAW_PSI_SS][0] ? part(f, "psi_ss", t->text[LAW_PSI_SS])
+                                    : psi_of(t, f);
     formula_define(f, "psi", t->psi);
     t->y = t->real ? t->psi : formula_of(f, FUNCTION_LN, t->psi);
-    steady_part(f, "theta", t->text[LAW_THETA]);
-    steady_part(f, "T", t->text[LAW_T]);
-    t->mu = steady_part(
-        f, "mu", t->text[LAW_MU][0] ? t->text[LAW_MU] : friction[t->form]);
+    part(f, "theta", t->text[LAW_THETA]);
+    part(f, "T", t->text[LAW_T]);
+    t->mu =
+        part(f, "mu", t->text[LAW_MU][0] ? t->text[LAW_MU] : friction[t->form]);
 }
 
 enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
@@ -121,6 +152,8 @@ enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
     }
     if (s == STATUS_OK)
         make_steady(t);
+    if (s == STATUS_OK && !t->text[LAW_PSI_SS][0])
+        make_growth(t);
     return s == STATUS_OK ? s : STATUS_BAD_SCENE;
 }
 
@@ -189,15 +222,14 @@ void law_typed_formula(const struct law_typed *t, char *text, size_t size)
 
 /* ---- numbers ------------------------------------------------------------- */
 
-/* All names, ended by none. */
-static void values(const struct law_typed *t, const struct material *m,
-                   long double tan_alpha, long double x,
-                   struct formula_value out[])
+void law_typed_values(const struct law_typed *t, const struct material *m,
+                      long double tan_alpha, formula_real x, formula_real y,
+                      struct formula_value out[LAW_VALUES])
 {
     const quad V = m->V_star, gL = (quad) m->g * (quad) m->L;
     const quad value[MODEL] = {
-        tan_alpha, m->mu_star,      m->a,   m->b,       m->c,
-        m->R,      1 / (quad) m->R, m->V_c, V * V / gL, x
+        tan_alpha,       m->mu_star, m->a,       m->b, m->c, m->R,
+        1 / (quad) m->R, m->V_c,     V * V / gL, x,    y,
     };
     int n = 0;
 
@@ -208,16 +240,14 @@ static void values(const struct law_typed *t, const struct material *m,
     out[n] = (struct formula_value){ NULL, 0 };
 }
 
-enum { VALUES = MODEL + LAW_OWNS + 1 };
-
 struct typed_steady law_typed_steady(const struct law *law,
                                      const struct material *m, long double x)
 {
     const struct law_typed *t = law->typed;
-    struct formula_value leaf[VALUES];
+    struct formula_value leaf[LAW_VALUES];
     long double value[FORMULA_NODES];
 
-    values(t, m, 0, x, leaf);
+    law_typed_values(t, m, 0, x, law_root(t, m, x), leaf);
     formula_long_constants(&t->steady, leaf, value);
     return (struct typed_steady){ value[t->y], value[t->psi], value[t->mu] };
 }
@@ -225,13 +255,20 @@ struct typed_steady law_typed_steady(const struct law *law,
 static quad friction_at(const struct law *law, const struct material *m, quad x)
 {
     const struct law_typed *t = law->typed;
-    struct formula_value leaf[VALUES];
+    struct formula_value leaf[LAW_VALUES];
     quad value[FORMULA_NODES];
 
-    values(t, m, 0, 0, leaf);
-    leaf[MODEL - 1].value = x;
+    law_typed_values(t, m, 0, x, law_root_quad(t, m, x), leaf);
     formula_constants(&t->steady, leaf, 0, value);
     return value[t->mu];
+}
+
+formula_real law_typed_slope(const struct law *law, const struct material *m,
+                             long double x)
+{
+    const quad h = 1e-9;
+
+    return (friction_at(law, m, x + h) - friction_at(law, m, x - h)) / (2 * h);
 }
 
 bool law_typed_anchor(const struct law *law, const struct material *m,
@@ -239,197 +276,16 @@ bool law_typed_anchor(const struct law *law, const struct material *m,
                       struct tape_plane *plane)
 {
     const struct law_typed *t = law->typed;
-    struct formula_value leaf[VALUES];
+    struct formula_value leaf[LAW_VALUES];
     struct fault why;
-    const quad anchor[2] = { x, law_typed_steady(law, m, x).y };
+    const quad root = law_root_quad(t, m, x);
+    const quad anchor[2] = { x, t->text[LAW_PSI_SS][0]
+                                    ? law_typed_steady(law, m, x).y
+                                    : root };
 
-    values(t, m, tan_alpha, x, leaf);
+    law_typed_values(t, m, tan_alpha, x, root, leaf);
     return tape_plane_at(&t->tape[equilibrium], leaf, anchor, plane, &why) ==
            STATUS_OK;
-}
-
-/* ---- where mu_ss is, and its extrema ------------------------------------- */
-
-static bool is_there(const struct law *law, const struct material *m,
-                     long double x)
-{
-    const struct typed_steady s = law_typed_steady(law, m, x);
-
-    return isfinite(s.y) && isfinite(s.mu);
-}
-
-/* The last x from `in`, where mu_ss is, towards `out`. */
-static long double last_there(const struct law *law, const struct material *m,
-                              long double in, long double out)
-{
-    if (is_there(law, m, out))
-        return out;
-    for (int i = 0; i < 80; i++) {
-        const long double mid = (in + out) / 2;
-        *(is_there(law, m, mid) ? &in : &out) = mid;
-    }
-    return in;
-}
-
-void law_typed_range(const struct law *law, const struct material *m,
-                     long double *lo, long double *hi)
-{
-    const long double far = (long double) TOL_LN_RANGE;
-    long double in = 0;
-
-    for (int i = 1; i < 40 && !is_there(law, m, in); i++)
-        in = (i % 2 ? -1 : 1) * (long double) i; /* 0, -1, 2, -3, ... */
-    *lo = in;
-    *hi = in;
-    for (long double step = 1; step < 2 * far; step *= 2) {
-        if (is_there(law, m, fmaxl(in - step, -far)))
-            *lo = fmaxl(in - step, -far);
-        if (is_there(law, m, fminl(in + step, far)))
-            *hi = fminl(in + step, far);
-    }
-    *lo = last_there(law, m, *lo, fmaxl(-far, in - 2 * (in - *lo) - 1));
-    *hi = last_there(law, m, *hi, fminl(far, in + 2 * (*hi - in) + 1));
-}
-
-/* d mu_ss/dx in 113 bits, to 1e-16 of its scale */
-static quad slope_at(const struct law *law, const struct material *m,
-                     long double x)
-{
-    const quad h = 1e-9;
-
-    return (friction_at(law, m, x + h) - friction_at(law, m, x - h)) / (2 * h);
-}
-
-static long double rough_slope(const struct law *law, const struct material *m,
-                               long double x)
-{
-    const long double h = 1e-4L;
-
-    return (law_typed_steady(law, m, x + h).mu -
-            law_typed_steady(law, m, x - h).mu) /
-           (2 * h);
-}
-
-/* -1, 1, or 0 where it is none to all digits */
-static int sign_at(const struct law *law, const struct material *m,
-                   long double x)
-{
-    const quad slope = slope_at(law, m, x), least = 1e-20;
-
-    return (slope > least) - (slope < -least);
-}
-
-struct extrema {
-    const struct law *law;
-    const struct material *m;
-    long double *x;
-    size_t n;
-};
-
-/* By false position, the older end's slope halved (Illinois). */
-static void between(struct extrema *e, long double lo, long double hi)
-{
-    const quad least = 1e-20;
-    quad at_lo = slope_at(e->law, e->m, lo), at_hi = slope_at(e->law, e->m, hi);
-    long double x = lo, before = hi;
-
-    if (e->n == 4 || !((at_lo > least && at_hi < -least) ||
-                       (at_lo < -least && at_hi > least)))
-        return;
-    for (int i = 0; i < 60 && fabsl(x - before) > 1e-19L * (1 + fabsl(x));
-         i++) {
-        before = x;
-        x = hi - (long double) (at_hi / (at_hi - at_lo)) * (hi - lo);
-        const quad at_x = slope_at(e->law, e->m, x);
-        if ((at_x > 0) == (at_hi > 0)) {
-            at_lo /= 2;
-        } else {
-            lo = hi;
-            at_lo = at_hi;
-        }
-        hi = x;
-        at_hi = at_x;
-    }
-    e->x[e->n++] = x;
-}
-
-/* Whether the slope, of one sign at lo and hi, has the other between. */
-static bool dips(const struct extrema *e, long double lo, long double hi,
-                 bool rises, long double *at)
-{
-    const long double sign = rises ? 1 : -1;
-
-    for (int i = 0; i < 60; i++) {
-        const long double s = lo + (hi - lo) / 3, t = hi - (hi - lo) / 3;
-        if (sign * rough_slope(e->law, e->m, s) <
-            sign * rough_slope(e->law, e->m, t))
-            hi = t;
-        else
-            lo = s;
-    }
-    *at = (lo + hi) / 2;
-    return sign_at(e->law, e->m, *at) == (rises ? -1 : 1);
-}
-
-/* In steps of at most an e-fold from lo to hi. */
-static void look_between(struct extrema *e, long double lo, long double hi)
-{
-    const int steps = (int) ceill(hi - lo);
-    const long double h = (hi - lo) / (long double) steps;
-    const long double off = 1e-3L; /* at a step's end the sign is uncertain */
-    long double at, slope[3] = { 0, 0, 0 };
-
-    for (int i = 0; i <= steps; i++) {
-        const long double here = lo + h * i;
-        slope[2] = rough_slope(e->law, e->m, here);
-        if (i > 0 && (slope[1] > 0) != (slope[2] > 0)) {
-            between(e, here - h - off, here + off);
-        } else if (i > 1 && (slope[0] > 0) == (slope[1] > 0) &&
-                   fabsl(slope[1]) < fabsl(slope[0]) &&
-                   fabsl(slope[1]) < fabsl(slope[2]) &&
-                   dips(e, here - 2 * h, here, slope[1] > 0, &at)) {
-            between(e, here - 2 * h, at);
-            between(e, at, here);
-        }
-        slope[0] = slope[1];
-        slope[1] = slope[2];
-    }
-}
-
-/* Whether mu_ss is not a straight line of x around a step of three e-folds. */
-static bool bends(const long double mu[3])
-{
-    const long double bend = mu[0] - 2 * mu[1] + mu[2];
-
-    return fabsl(bend) > 1e-13L * (1 + fabsl(mu[1]));
-}
-
-size_t law_typed_extrema(const struct law *law, const struct material *m,
-                         long double x[4])
-{
-    enum { STEP = 3 };
-    const long double edge = 2e-3L; /* slopes are taken a bit to both sides */
-    struct extrema e = { law, m, x, 0 };
-    long double lo, hi, done, from = NAN, mu[3] = { 0, 0, 0 };
-
-    law_typed_range(law, m, &lo, &hi);
-    done = lo + edge;
-    const int steps = (int) ((hi - lo) / STEP);
-    for (int i = 0; i <= steps; i++) {
-        const long double here = lo + STEP * i;
-        mu[0] = mu[1];
-        mu[1] = mu[2];
-        mu[2] = law_typed_steady(law, m, here).mu;
-        const bool bent = i > 1 && bends(mu);
-        if (bent && isnan(from))
-            from = fmaxl(done, here - 3 * STEP);
-        if (isnan(from) || (bent && i < steps))
-            continue;
-        done = fminl(hi - edge, here + STEP);
-        look_between(&e, from, done);
-        from = NAN;
-    }
-    return e.n;
 }
 
 /* ---- around a steady state ----------------------------------------------- */
@@ -452,7 +308,7 @@ struct response law_typed_response(const struct law *law,
 {
     struct tape_plane plane;
     struct planar_jacobian J;
-    const long double slope = (long double) slope_at(law, m, x);
+    const long double slope = (long double) law_typed_slope(law, m, x);
 
     if (!law_typed_anchor(law, m, law_typed_steady(law, m, x).mu, x, true,
                           &plane))

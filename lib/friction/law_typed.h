@@ -10,7 +10,10 @@
 #include "law_tape.h"
 #include "response.h"
 
-enum { LAW_LETTERS = 512, LAW_OWNS = 16 };
+enum { LAW_LETTERS = 512, LAW_OWNS = 16, LAW_VALUES = 28 };
+
+/* Two of its values. */
+enum { LAW_LNV0 = 9, LAW_Y0 = 10 };
 
 /* In the order in which each may use those before it. */
 enum law_part {
@@ -19,7 +22,7 @@ enum law_part {
     LAW_T,
     LAW_K, /* of d; K(d) = d unless given */
     LAW_MU,
-    LAW_RATE, /* dpsi/dt; or T and K */
+    LAW_RATE, /* dpsi/dt; or T and K; alone: psi_ss is where it is 0 */
     LAW_PARTS
 };
 
@@ -38,8 +41,10 @@ struct law_typed {
     int owns;
 
     struct tape_lowered tape[2]; /* where v changes, and from an equilibrium */
-    struct formula steady;       /* of lnv0 alone, and what it gives: */
+    struct formula steady;       /* of lnv0 and y0, and what it gives: */
     int y, psi, mu;
+    struct formula growth; /* the same, where there is a rate alone: */
+    int rate;              /* dpsi/dt anywhere */
 };
 
 extern const char *const law_part_names[]; /* "theta" ..., NULL-ended */
@@ -55,13 +60,22 @@ struct law law_of_typed(const struct law_typed *t);
 /* A preset as formulas, to be made. */
 void law_typed_of_preset(const struct law *preset, struct law_typed *out);
 
-/* ---- for steady.c and block.c -------------------------------------------- */
+/* ---- for this folder ----------------------------------------------------- */
+
+/* All names that its formulas may have, at x = ln v and y, ended by none. */
+void law_typed_values(const struct law_typed *t, const struct material *m,
+                      long double tan_alpha, formula_real x, formula_real y,
+                      struct formula_value out[LAW_VALUES]);
 
 struct typed_steady {
     long double y, psi, mu; /* chart's y, psi_ss and mu_ss at x = ln v */
 };
 struct typed_steady law_typed_steady(const struct law *law,
                                      const struct material *m, long double x);
+
+/* d mu_ss/dx in 113 bits, to 1e-16 of its scale */
+formula_real law_typed_slope(const struct law *law, const struct material *m,
+                             long double x);
 
 /* Extrema of mu_ss, ascending, at most 4. */
 size_t law_typed_extrema(const struct law *law, const struct material *m,

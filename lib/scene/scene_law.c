@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "law_root.h"
 #include "law_typed.h"
 #include "number.h"
 #include "text.h"
@@ -66,7 +67,7 @@ static bool is_name(const char *text)
     static const char *const taken[] = {
         "v",  "psi",  "v0", "psi0",      "theta", "psi_ss", "d",
         "T",  "K",    "mu", "tan_alpha", "eps2",  "lnv0",   "one_R",
-        "dv", "dpsi", "pi", "slip",      "work",  "excess",
+        "dv", "dpsi", "pi", "slip",      "work",  "excess", "y0",
     };
 
     for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
@@ -169,6 +170,8 @@ enum status scene_law_finish(const struct node *root, struct scene *s,
         return status;
     if (law_typed_make(t, &wrong, &reason) != STATUS_OK)
         return blame(root, wrong, reason.text, why);
+    if (law_root_check(t, &s->material, &reason) != STATUS_OK)
+        return blame(root, LAW_RATE, reason.text, why);
     s->law = law_of_typed(t);
     return STATUS_OK;
 }

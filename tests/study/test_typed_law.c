@@ -31,6 +31,26 @@ static struct scene as_formulas(const struct law *law, const char *rest)
     return scene_made(text, "");
 }
 
+/* The same by dpsi/dt alone. */
+static struct scene as_rate(const struct law *law, const char *rest)
+{
+    char text[4000];
+
+    law_typed_of_preset(law, &typed);
+    int used = snprintf(text, sizeof text, "law:\n  theta: \"%s\"\n  rate: \"",
+                        typed.text[LAW_THETA]);
+    if (typed.text[LAW_RATE][0])
+        used += sprintf(text + used, "%s", typed.text[LAW_RATE]);
+    else
+        used += sprintf(text + used, "-%s(psi - (%s))/(%s)",
+                        typed.text[LAW_K][0] == 's' ? "sinh" : "",
+                        typed.text[LAW_PSI_SS], typed.text[LAW_T]);
+    sprintf(text + used, "\"\n  state: %s\n  friction: %s\n%s",
+            typed.real ? "real" : "positive", friction_form_names[law->form],
+            rest);
+    return scene_made(text, "");
+}
+
 static struct scene by_name(const struct law *law, const char *rest)
 {
     char text[1000];
@@ -80,12 +100,12 @@ static void compare(const struct study *found, const struct study *exact,
     same(&found->folds.v_m, &exact->folds.v_m, "v_m", law);
 }
 
-static void a_preset_as_formulas_gives_its_numbers(void **state)
+static void presets_give_their_numbers(
+    struct scene (*typed_as)(const struct law *law, const char *rest))
 {
     static struct study found, exact;
     uint64_t seed = check_seed();
 
-    (void) state;
     for (int i = 0; i < 32; i++) {
         struct law law = *law_preset_at((size_t) i % 8);
         char rest[300];
@@ -98,7 +118,7 @@ static void a_preset_as_formulas_gives_its_numbers(void **state)
                 "material: {a: %.6g, b: %.6g%s}\nslope: {tan_alpha: %.6g}\n"
                 "products: [equilibria, folds, manifolds, knees]\n",
                 a, b, i % 8 == 7 ? ", V_c: 3" : "", tangent);
-        struct scene s = as_formulas(&law, rest), t = by_name(&law, rest);
+        struct scene s = typed_as(&law, rest), t = by_name(&law, rest);
         assert_int_equal(study_run(&found, &s, NULL, &why), STATUS_OK);
         assert_int_equal(study_run(&exact, &t, NULL, &why), STATUS_OK);
         compare(&found, &exact, law.preset);
@@ -107,6 +127,18 @@ static void a_preset_as_formulas_gives_its_numbers(void **state)
         scene_free(&s);
         scene_free(&t);
     }
+}
+
+static void a_preset_as_formulas_gives_its_numbers(void **state)
+{
+    (void) state;
+    presets_give_their_numbers(as_formulas);
+}
+
+static void a_preset_by_its_rate_alone_gives_its_numbers(void **state)
+{
+    (void) state;
+    presets_give_their_numbers(as_rate);
 }
 
 /* ---- what no preset says ------------------------------------------------- */
@@ -152,6 +184,14 @@ static void what_is_wrong_is_said_where_it_stands(void **state)
           "s.yaml:1:31: law.psi_ss: line 1, column 3: unknown name w" },
         { "law: {theta: ln(psi), psi_ss: 1/v}\n",
           "s.yaml:1:6: law: T is missing" },
+        { "law: {theta: ln(psi), rate: (psi - 1/v)*(psi - 9/v)*(99/v - psi)}\n",
+          "s.yaml:1:29: law.rate: it is 0 at several psi at v" },
+        { "law: {theta: ln(psi), rate: psi*v - 1}\n",
+          "s.yaml:1:29: law.rate: psi leaves where it is 0 at v" },
+        { "law: {theta: ln(psi), rate: v}\n",
+          "s.yaml:1:29: law.rate: it is 0 at no psi" },
+        { "law: {theta: ln(psi), rate: 1 - d}\n",
+          "s.yaml:1:29: law.rate: line 1, column 5: unknown name d" },
         { "law: {theta: ln(psi), psi_ss: 1/v, T: abs(v)}\n",
           "s.yaml:1:39: law.T: line 1, column 1: abs is not analytic" },
         { "law: {theta: ln_psy, psi_ss: inverse, T: 1/v}\n",
@@ -199,6 +239,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         IN_FOLDER(a_preset_as_formulas_gives_its_numbers),
+        IN_FOLDER(a_preset_by_its_rate_alone_gives_its_numbers),
         IN_FOLDER(a_law_with_names_of_its_own_has_its_folds),
         IN_FOLDER(what_is_wrong_is_said_where_it_stands),
         IN_FOLDER(products_that_need_more_than_formulas_are_refused),

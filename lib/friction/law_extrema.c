@@ -1,0 +1,181 @@
+/* The extrema of mu_ss are where its slope changes sign: looked for in steps of
+ * an e-fold of v, between steps where the slope is least, and settled in 113
+ * bits. */
+#include <math.h>
+
+#include "law_typed.h"
+#include "quad.h"
+#include "tolerance.h"
+
+static bool is_there(const struct law *law, const struct material *m,
+                     long double x)
+{
+    const struct typed_steady s = law_typed_steady(law, m, x);
+
+    return isfinite(s.y) && isfinite(s.mu);
+}
+
+/* The last x from `in`, where mu_ss is, towards `out`. */
+static long double last_there(const struct law *law, const struct material *m,
+                              long double in, long double out)
+{
+    if (is_there(law, m, out))
+        return out;
+    for (int i = 0; i < 80; i++) {
+        const long double mid = (in + out) / 2;
+        *(is_there(law, m, mid) ? &in : &out) = mid;
+    }
+    return in;
+}
+
+void law_typed_range(const struct law *law, const struct material *m,
+                     long double *lo, long double *hi)
+{
+    const long double far = (long double) TOL_LN_RANGE;
+    long double in = 0;
+
+    for (int i = 1; i < 40 && !is_there(law, m, in); i++)
+        in = (i % 2 ? -1 : 1) * (long double) i; /* 0, -1, 2, -3, ... */
+    *lo = in;
+    *hi = in;
+    for (long double step = 1; step < 2 * far; step *= 2) {
+        if (is_there(law, m, fmaxl(in - step, -far)))
+            *lo = fmaxl(in - step, -far);
+        if (is_there(law, m, fminl(in + step, far)))
+            *hi = fminl(in + step, far);
+    }
+    *lo = last_there(law, m, *lo, fmaxl(-far, in - 2 * (in - *lo) - 1));
+    *hi = last_there(law, m, *hi, fminl(far, in + 2 * (*hi - in) + 1));
+}
+
+static long double rough(const struct law *law, const struct material *m,
+                         long double x)
+{
+    const long double h = 1e-4L;
+
+    return (law_typed_steady(law, m, x + h).mu -
+            law_typed_steady(law, m, x - h).mu) /
+           (2 * h);
+}
+
+/* -1, 1, or 0 where it is none to all digits */
+static int sign_at(const struct law *law, const struct material *m,
+                   long double x)
+{
+    const quad slope = law_typed_slope(law, m, x), least = 1e-20;
+
+    return (slope > least) - (slope < -least);
+}
+
+struct extrema {
+    const struct law *law;
+    const struct material *m;
+    long double *x;
+    size_t n;
+};
+
+/* By false position, the older end's slope halved (Illinois). */
+static void between(struct extrema *e, long double lo, long double hi)
+{
+    const quad least = 1e-20;
+    quad at_lo = law_typed_slope(e->law, e->m, lo),
+         at_hi = law_typed_slope(e->law, e->m, hi);
+    long double x = lo, before = hi;
+
+    if (e->n == 4 || !((at_lo > least && at_hi < -least) ||
+                       (at_lo < -least && at_hi > least)))
+        return;
+    for (int i = 0; i < 60 && fabsl(x - before) > 1e-19L * (1 + fabsl(x));
+         i++) {
+        before = x;
+        x = hi - (long double) (at_hi / (at_hi - at_lo)) * (hi - lo);
+        const quad at_x = law_typed_slope(e->law, e->m, x);
+        if ((at_x > 0) == (at_hi > 0)) {
+            at_lo /= 2;
+        } else {
+            lo = hi;
+            at_lo = at_hi;
+        }
+        hi = x;
+        at_hi = at_x;
+    }
+    e->x[e->n++] = x;
+}
+
+/* Whether the slope, of one sign at lo and hi, has the other between. */
+static bool dips(const struct extrema *e, long double lo, long double hi,
+                 bool rises, long double *at)
+{
+    const long double sign = rises ? 1 : -1;
+
+    for (int i = 0; i < 60; i++) {
+        const long double s = lo + (hi - lo) / 3, t = hi - (hi - lo) / 3;
+        if (sign * rough(e->law, e->m, s) < sign * rough(e->law, e->m, t))
+            hi = t;
+        else
+            lo = s;
+    }
+    *at = (lo + hi) / 2;
+    return sign_at(e->law, e->m, *at) == (rises ? -1 : 1);
+}
+
+/* In steps of at most an e-fold from lo to hi. */
+static void look_between(struct extrema *e, long double lo, long double hi)
+{
+    const int steps = (int) ceill(hi - lo);
+    const long double h = (hi - lo) / (long double) steps;
+    const long double off = 1e-3L; /* at a step's end the sign is uncertain */
+    long double at, slope[3] = { 0, 0, 0 };
+
+    for (int i = 0; i <= steps; i++) {
+        const long double here = lo + h * i;
+        slope[2] = rough(e->law, e->m, here);
+        if (i > 0 && (slope[1] > 0) != (slope[2] > 0)) {
+            between(e, here - h - off, here + off);
+        } else if (i > 1 && (slope[0] > 0) == (slope[1] > 0) &&
+                   fabsl(slope[1]) < fabsl(slope[0]) &&
+                   fabsl(slope[1]) < fabsl(slope[2]) &&
+                   dips(e, here - 2 * h, here, slope[1] > 0, &at)) {
+            between(e, here - 2 * h, at);
+            between(e, at, here);
+        }
+        slope[0] = slope[1];
+        slope[1] = slope[2];
+    }
+}
+
+/* Whether mu_ss is not a straight line of x around a step of three e-folds. */
+static bool bends(const long double mu[3])
+{
+    const long double bend = mu[0] - 2 * mu[1] + mu[2];
+
+    return fabsl(bend) > 1e-13L * (1 + fabsl(mu[1]));
+}
+
+size_t law_typed_extrema(const struct law *law, const struct material *m,
+                         long double x[4])
+{
+    enum { STEP = 3 };
+    const long double edge = 2e-3L; /* slopes are taken a bit to both sides */
+    struct extrema e = { law, m, x, 0 };
+    long double lo, hi, done, from = NAN, mu[3] = { 0, 0, 0 };
+
+    law_typed_range(law, m, &lo, &hi);
+    done = lo + edge;
+    const int steps = (int) ((hi - lo) / STEP);
+    for (int i = 0; i <= steps; i++) {
+        const long double here = lo + STEP * i;
+        mu[0] = mu[1];
+        mu[1] = mu[2];
+        mu[2] = law_typed_steady(law, m, here).mu;
+        const bool bent = i > 1 && bends(mu);
+        if (bent && isnan(from))
+            from = fmaxl(done, here - 3 * STEP);
+        if (isnan(from) || (bent && i < steps))
+            continue;
+        done = fminl(hi - edge, here + STEP);
+        look_between(&e, from, done);
+        from = NAN;
+    }
+    return e.n;
+}
