@@ -19,21 +19,67 @@ struct vec2 arrival_from(const struct arrival_scale *s, struct vec2 a,
                           shortest(a.y - b.y, s->period.y) / s->side.y };
 }
 
+/* A piece of a curve, and where it may come to. */
+struct approach {
+    const struct arrival_scale *s;
+    const struct curve *c;
+    size_t piece;
+    struct vec2 origin, to;
+    double speed; /* |dz/dtheta| is nowhere larger */
+};
+
+static double distance_at(const struct approach *a, double theta)
+{
+    double at[CURVE_DIM_MAX];
+
+    curve_at(a->c, a->piece, theta, at);
+    const struct vec2 z = vec2_add(a->origin, (struct vec2){ at[0], at[1] });
+    return vec2_length(arrival_from(a->s, z, a->to));
+}
+
+/* sum of j |coefficient j| */
+static double speed_of(const struct approach *a)
+{
+    const double *x = curve_component(a->c, a->piece, 0),
+                 *y = curve_component(a->c, a->piece, 1);
+    double sum = 0.0;
+
+    for (size_t j = 1; j <= a->c->piece[a->piece].degree; j++)
+        sum += (double) j *
+               (fabs(x[j]) / a->s->side.x + fabs(y[j]) / a->s->side.y);
+    return sum;
+}
+
+/* Whether it may come so near between lo and hi: the distance changes no faster
+ * than the curve moves. */
+static bool may_come(const struct approach *a, double lo, double hi,
+                     double most)
+{
+    const double middle = 0.5 * (lo + hi), half = 0.5 * (hi - lo);
+
+    if (distance_at(a, middle) - a->speed * half > most)
+        return false;
+    return half < 0.01 || may_come(a, lo, middle, most) ||
+           may_come(a, middle, hi, most);
+}
+
 double arrival_nearest(const struct arrival_scale *s, const struct curve *c,
                        size_t piece, struct vec2 origin, struct vec2 to,
-                       double *theta)
+                       double most, double *theta)
 {
     enum { SAMPLES = 16, REFINE = 60 };
-    double best = HUGE_VAL, at[CURVE_DIM_MAX], width = 1.0 / SAMPLES;
+    struct approach a = { s, c, piece, origin, to, 0.0 };
+    double best = HUGE_VAL, width = 1.0 / SAMPLES;
 
+    a.speed = speed_of(&a);
     *theta = 1.0;
+    if (!may_come(&a, 0.0, 1.0, most))
+        return HUGE_VAL;
     for (int i = -SAMPLES; i < 2 * REFINE && best > 0.0; i++) {
         const double step = i % 2 ? width : -width;
         const double t = i <= 0 ? (double) (i + SAMPLES) / SAMPLES
                                 : fmin(fmax(*theta + step, 0.0), 1.0);
-        curve_at(c, piece, t, at);
-        const struct vec2 z = vec2_add(origin, (struct vec2){ at[0], at[1] });
-        const double d = vec2_length(arrival_from(s, z, to));
+        const double d = distance_at(&a, t);
         if (d < best) {
             best = d;
             *theta = t;
@@ -209,8 +255,9 @@ bool winding_add(struct winding *w, const struct planar *sys,
         w->start = vec2_add(sys->origin, (struct vec2){ at[0], at[1] });
         w->near = HUGE_VAL;
     } else {
-        w->near = fmin(w->near, arrival_nearest(s, c, piece, sys->origin,
-                                                w->start, &theta));
+        w->near =
+            fmin(w->near, arrival_nearest(s, c, piece, sys->origin, w->start,
+                                          TOL_WINDING_AFAR, &theta));
     }
     curve_at(c, piece, 1.0, at);
     z = vec2_add(sys->origin, (struct vec2){ at[0], at[1] });

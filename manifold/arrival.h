@@ -21,10 +21,11 @@ struct vec2 arrival_from(const struct arrival_scale *s, struct vec2 a,
                          struct vec2 b);
 
 /* How near a piece of a curve of offsets from an origin comes to an absolute
- * point, and where. */
+ * point, and where; HUGE_VAL, soon, where that is certainly more than `most`.
+ */
 double arrival_nearest(const struct arrival_scale *s, const struct curve *c,
                        size_t piece, struct vec2 origin, struct vec2 to,
-                       double *theta);
+                       double most, double *theta);
 
 /* V(u) = u'Pu <= size^2, u = arrival_from(z): V falls along every orbit there,
  * looked at on ellipses; V >= u'u.  size 0: none. */

@@ -76,14 +76,6 @@ struct following {
     struct half half[2];
 };
 
-/* The nearest point of the last piece to an equilibrium. */
-static double nearest(const struct following *f, const struct curve *c,
-                      struct vec2 to, double *theta)
-{
-    return arrival_nearest(&f->s->scale, c, c->count - 1, f->from->z, to,
-                           theta);
-}
-
 /* How much longer than straight the way into it is, at most: a spiral's. */
 static double turns_of(const struct plane_rest *r)
 {
@@ -107,10 +99,12 @@ static void look_at(const struct following *f, struct half *h,
 
     if (r == f->from && !h->left)
         return;
-    const double d = nearest(f, &b->curve, r->z, &theta);
-    const bool trapped =
-        trap->size > 0.0 && d <= TOL_PLANE_ARRIVED * trap->size;
-    if (h->theta < theta || !(trapped || d <= fmax(touch, TOL_PLANE_TOUCH)))
+    const double near =
+        fmax(fmax(touch, TOL_PLANE_TOUCH), TOL_PLANE_ARRIVED * trap->size);
+    const double d =
+        arrival_nearest(&f->s->scale, &b->curve, b->curve.count - 1, f->from->z,
+                        r->z, near, &theta);
+    if (h->theta < theta || !(d <= near))
         return;
     h->end = r->type == PLANE_SADDLE ? PLANE_END_SADDLE : PLANE_END_EQUILIBRIUM;
     h->to = i;
@@ -178,6 +172,33 @@ static bool in_window(const struct plane_study *s, struct vec2 z)
            (s->scale.period.y > 0.0 || (z.y >= w.lo.y && z.y <= w.hi.y));
 }
 
+/* How much outside a range. */
+static double outside(double at, double lo, double hi)
+{
+    return fmax(fmax(lo - at, at - hi), 0.0);
+}
+
+/* Whether a piece may come into the window: no coordinate changes by more than
+ * the sizes of its terms. */
+static bool may_be_shown(const struct plane_study *s,
+                         const struct plane_branch *b, size_t piece)
+{
+    const struct curve *c = &b->curve.curve;
+    const struct box w = s->window.box;
+    const struct vec2 from = point(b, s->rest[b->rest].z, piece, 0.0);
+    const double *x = curve_component(c, piece, 0),
+                 *y = curve_component(c, piece, 1);
+    double left_x = outside(from.x, w.lo.x, w.hi.x),
+           left_y = outside(from.y, w.lo.y, w.hi.y);
+
+    for (size_t j = 1; j <= c->piece[piece].degree; j++) {
+        left_x -= fabs(x[j]);
+        left_y -= fabs(y[j]);
+    }
+    return (s->scale.period.x > 0.0 || left_x <= 0.0) &&
+           (s->scale.period.y > 0.0 || left_y <= 0.0);
+}
+
 /* Up to where it last leaves the window, for good. */
 static void find_shown(const struct plane_study *s, struct plane_branch *b)
 {
@@ -185,7 +206,7 @@ static void find_shown(const struct plane_study *s, struct plane_branch *b)
     const struct vec2 origin = s->rest[b->rest].z;
 
     for (size_t i = b->curve.curve.count; i-- > 0;)
-        for (int k = SAMPLES; k >= 0; k--) {
+        for (int k = may_be_shown(s, b, i) ? SAMPLES : -1; k >= 0; k--) {
             double in = (double) k / SAMPLES, out = (k + 1.0) / SAMPLES;
             if (!in_window(s, point(b, origin, i, in)))
                 continue;
