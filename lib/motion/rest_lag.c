@@ -57,7 +57,7 @@ struct rest_lag rest_lag_at(const struct slider *s, double x)
     const double part = fabs(bend) * v + h;
     const double off = bend == 0.0 ? v * first : part * fabs(lag - first);
     const double psi_v = 1.0 - lag * v;
-    struct rest_lag l = { .y = y_behind(s, x, lag) };
+    struct rest_lag l = { .y = y_behind(s, x, lag), .lag = lag };
 
     l.y_slope = s->plane.system.axis[1].is_log ? -(1.0 + bend * v) / psi_v
                                                : -1.0 / v - bend;

@@ -15,6 +15,7 @@ struct slider;
 struct rest_lag {
     double y, y_slope; /* dy/dx */
     double slowness;   /* -1/(d ln v/dt) */
+    double lag;        /* psi_ss - psi */
     double wrong;      /* of it, relative; NaN where v is not small enough */
 };
 struct rest_lag rest_lag_at(const struct slider *s, double x);

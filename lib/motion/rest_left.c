@@ -241,24 +241,38 @@ static bool sum_up(const struct way *w, int first, double sum[PARTS])
     return false;
 }
 
+/* Where only inertia slows it: psi_ss rises by 1 while ln v falls by v.  psi
+ * behind the curve leaps onto it in less than that; ahead of it by g it falls
+ * by a sinh to 2 lag, at once, and from there on waits until psi_ss has risen
+ * by g, while its lead fades like a line. */
+static void add_wait(const struct way *w, struct rest_left *r)
+{
+    const struct slider *s = w->slider;
+    const struct vec2 z = w->z;
+    const struct rest_lag l = rest_lag_at(s, z.x);
+    const bool is_log = s->plane.system.axis[1].is_log;
+    const double v = exp(s->block.at.x0 + z.x);
+    const double psi = exp(s->plane.system.origin.y + l.y), above = z.y - l.y;
+    const double lead = is_log ? psi * expm1(above) : above;
+    const double g = fmin(fmax(lead, 0.0), 2.0 * (1.0 + l.lag));
+    const double y =
+        lead > g && g > 0.0 ? l.y + (is_log ? log1p(g / psi) : g) : z.y;
+    const double shift = fabs(rest_lag_slowness(s, z.x, y) - l.slowness);
+    const double late = (2.0 + g) * v * shift;
+
+    r->time_error += late;
+    r->slip_error += v * late;
+}
+
 /* An orbit that is not quite on the curve gets there by as much earlier or
- * later as its rates differ meanwhile: while psi changes by one where only
- * inertia slows it, and else as long as inertia tells, the longer the further
- * off it is. */
+ * later as its rates differ meanwhile: as long as inertia tells, the longer the
+ * further off it is. */
 static void add_landing(const struct way *w, struct rest_left *r)
 {
     const struct block *b = &w->slider->block;
     const struct vec2 z = w->z;
     const double v = exp(b->at.x0 + z.x);
 
-    if (w->inertial) {
-        const double late = rest_lag_at(w->slider, z.x).slowness;
-        const double shift =
-            v * fabs(rest_lag_slowness(w->slider, z.x, z.y) - late);
-        r->time_error += 2.0 * shift;
-        r->slip_error += 2.0 * v * shift;
-        return;
-    }
     const struct point p = point_at(b, z.y);
     const double off = fabs(z.x - p.x), wait = 2.0 * fabs(p.d / p.slope);
     const double shift = change_of_rate(b, &p, z.y, off);
@@ -313,7 +327,10 @@ bool rest_left_find(const struct slider *s, struct vec2 z, double time,
             r.time_error = sum[TIME_WRONG] + 0x1p-46 * r.time;
             r.time_slope = rate[TIME];
         }
-        add_landing(&w, &r);
+        if (form.inertial)
+            add_wait(&w, &r);
+        else
+            add_landing(&w, &r);
     }
     if (!is_good(s, z, time, &r))
         return false;

@@ -3,6 +3,7 @@
  * more than a test can afford, CHECK_SEED others, ANSWER_TELL=1 prints each lie
  * as it is found. */
 #include "answers.h"
+#include "found.h"
 #include "rest_form.h"
 
 enum { RESTS = 8, EACH = 4 };
@@ -75,10 +76,41 @@ static void time_and_slip_to_rest_are_those_of_113_bits(void **state)
     CHECK(t.fields >= states, "%zu fields of %zu states", t.fields, states);
 }
 
+/* By Runge's and Kutta's steps over psi - psi_ss, which falls from 85 to 40,
+ * then over time, and an integral from there on; no other digits with half the
+ * steps. */
+static void who_leaps_ahead_of_psi_ss_waits_for_it(void **state)
+{
+    const struct found f = {
+        FRICTION_LOG,  THETA_LN_PSI, PSI_SS_INVERSE,         TIMESCALE_SLIP,
+        KINETICS_SINH, 0.369,        0.02493675061400168,    0.0489,
+        0.001,         100.0,        7.6617024914627204e-07, 1e-6,
+        0.0,           1e-6
+    };
+    const double time = 1.260904954041968e-12, slip = 6.117830887242574e-19;
+    static struct draw d;
+
+    (void) state;
+    found_scene(&f, grid, &d.scene);
+    d.scene.tan_alpha = 0.613099620486629253162L;
+    d.scene.alpha = (double) atanl(d.scene.tan_alpha);
+    assert_true(make(&d));
+    const struct told t = by_push(
+        &d,
+        state_of(&d, (struct vec2){ -13.934137966364553, 14.616699379417748 }));
+    CHECK(fabs(t.value[CELL_TIME] - time) <= t.bar[CELL_TIME],
+          "time %.16g +- %g", t.value[CELL_TIME], t.bar[CELL_TIME]);
+    CHECK(fabs(t.value[CELL_SLIP] - slip) <= t.bar[CELL_SLIP],
+          "slip %.16g +- %g", t.value[CELL_SLIP], t.bar[CELL_SLIP]);
+    CHECK(t.bar[CELL_SLIP] < 1e-9 * slip, "%g", t.bar[CELL_SLIP]);
+    release(&d);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(time_and_slip_to_rest_are_those_of_113_bits),
+        cmocka_unit_test(who_leaps_ahead_of_psi_ss_waits_for_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -211,6 +211,80 @@ static void psi_is_as_fast_as_its_lag_makes_it(void **state)
     slope_free(&s);
 }
 
+/* A block on its way there: ln v, psi - psi_ss, time and slip so far. */
+enum { LN_V, LEAD, TIME, SLIP, PARTS };
+
+/* By psi' = -v sinh(psi - psi_ss), psi_ss = 1/v. */
+static void rates(const struct slider *t, const double q[], double dq[])
+{
+    const struct vec2 o = t->plane.system.origin;
+    const double v = exp(q[LN_V]), y = log1p(v * q[LEAD]) - q[LN_V] - o.y;
+
+    dq[LN_V] = -1.0 / rest_lag_slowness(t, q[LN_V] - o.x, y);
+    dq[LEAD] = dq[LN_V] / v - v * sinh(q[LEAD]);
+    dq[TIME] = 1.0;
+    dq[SLIP] = v;
+}
+
+/* One step of Runge's and Kutta's method, so short that its lead changes by a
+ * fiftieth at most, and settles by a tenth. */
+static void go(const struct slider *t, double q[])
+{
+    static const double part[] = { 0.0, 0.5, 0.5, 1.0 },
+                        weight[] = { 1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6 };
+    double k[4][PARTS], at[PARTS], h = 0.0;
+
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < PARTS; j++)
+            at[j] = q[j] + (i > 0 ? part[i] * h * k[i - 1][j] : 0.0);
+        rates(t, at, k[i]);
+        if (i == 0)
+            h = fmin(0.02 / fabs(k[0][LEAD]),
+                     0.1 / (exp(q[LN_V]) * cosh(q[LEAD])));
+    }
+    for (int j = 0; j < PARTS; j++)
+        for (int i = 0; i < 4; i++)
+            q[j] += h * weight[i] * k[i][j];
+}
+
+/* Ahead of the curve by g at the offset x, until nothing is left of g. */
+static void check_lead(const struct slider *t, double x, double g)
+{
+    const struct vec2 o = t->plane.system.origin;
+    const struct rest_lag l = rest_lag_at(t, x);
+    const double v = exp(o.x + x);
+    const struct vec2 z = { x, log1p(v * (g - l.lag)) - o.x - x - o.y };
+    double q[PARTS] = { o.x + x, g - l.lag, 0.0, 0.0 };
+    struct rest_left r, end;
+
+    for (int i = 0; i < 100000 && fabs(q[LEAD] + l.lag) > 1e-3; i++)
+        go(t, q);
+    assert_true(rest_left_find(t, z, 1e9 * l.slowness, &r));
+    assert_true(rest_left_find(
+        t, (struct vec2){ q[LN_V] - o.x, rest_lag_at(t, q[LN_V] - o.x).y }, 0.0,
+        &end));
+    const double off = fabs(q[TIME] + end.time - r.time);
+    const double far = fabs(q[SLIP] + end.slip - r.slip);
+    CHECK(off <= r.time_error && far <= r.slip_error,
+          "g %g: time %g off, bar %g; slip %g, bar %g", g, off, r.time_error,
+          far, r.slip_error);
+    CHECK(g < 20.0 || r.time_error < 10.0 * off, "g %g: bar %g of %g", g,
+          r.time_error, off);
+}
+
+static void who_is_ahead_of_the_curve_waits_for_it(void **state)
+{
+    static const double lead[] = { 1.0, 5.0, 20.0, 50.0, 100.0, 500.0 };
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "dieterich_gen", NULL, "0.34", steady_only);
+    for (double x = -15.0; x > -18.0; x -= 1.0)
+        for (size_t i = 0; i < sizeof lead / sizeof *lead; i++)
+            check_lead(&s.study.slider, x, lead[i]);
+    slope_free(&s);
+}
+
 /* ---- whole motions ------------------------------------------------------- */
 
 static int word(const struct csv *c, const char *column,
@@ -354,6 +428,7 @@ int main(void)
         cmocka_unit_test(without_inertia_it_is_a_closed_form),
         cmocka_unit_test(orbits_take_what_is_gone_of_it),
         cmocka_unit_test(psi_is_as_fast_as_its_lag_makes_it),
+        cmocka_unit_test(who_is_ahead_of_the_curve_waits_for_it),
         cmocka_unit_test(motions_end_as_the_table_says),
         cmocka_unit_test(slips_without_bound_have_no_limit),
     };
