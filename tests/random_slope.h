@@ -1,5 +1,5 @@
-/* random_slope.h -- slopes with a saddle, of any preset, either form of
- * friction, L from 1e-6 to 1e-2 m, V_star from 1e-9 to 1e-6 m/s. */
+/* random_slope.h -- slopes with a saddle, of any law, L from 1e-6 to 1e-2 m,
+ * V_star from 1e-9 to 1e-6 m/s. */
 #ifndef TESTS_RANDOM_SLOPE_H
 #define TESTS_RANDOM_SLOPE_H
 
@@ -20,37 +20,56 @@ static inline bool random_falls(const struct scene *s, long double x)
                steady_mu(&s->law, &s->material, x - h);
 }
 
-/* Of preset number `law` of all, with more settings as in slope_scene; until it
- * is one that has a saddle with manifolds. */
+/* Whether a slope of it has a saddle with manifolds. */
+static inline bool random_slope_try(struct slope *s, const struct law *law,
+                                    uint64_t *rng, const char *const more[])
+{
+    struct scene *c = &s->scene;
+    struct fault why;
+
+    /* for its window */
+    slope_scene(c, law_psi_is_log(law) ? "ruina" : "spinodal", NULL, "0.34",
+                more);
+    c->law = *law;
+    c->material.L = random_power(rng, -6.0, -2.0);
+    c->material.V_star = random_power(rng, -9.0, -6.0);
+    if (law->kinetics == KINETICS_COMPOSITE)
+        c->material.V_c = 100.0;
+    const long double x = (long double) check_uniform(rng, -12.0, 16.0);
+    const bool falls = law_check(&c->law, &c->material, &why) == STATUS_OK &&
+                       random_falls(c, x);
+    if (falls)
+        c->tan_alpha = steady_mu(&c->law, &c->material, x);
+    c->alpha = (double) atanl(c->tan_alpha);
+    if (falls && c->tan_alpha > 0.02L && c->tan_alpha < 5.0L &&
+        study_run(&s->study, c, NULL, &why) == STATUS_OK) {
+        if (slider_has_manifolds(&s->study.slider))
+            return true;
+        study_free(&s->study);
+    }
+    scene_free(c);
+    return false;
+}
+
+/* With more settings as in slope_scene; false: none of this law was found. */
+static inline bool random_slope_by(struct slope *s, const struct law *law,
+                                   uint64_t *rng, const char *const more[])
+{
+    for (int attempt = 0; attempt < 100; attempt++)
+        if (random_slope_try(s, law, rng, more))
+            return true;
+    return false;
+}
+
+/* Of preset number `law` of all. */
 static inline void random_slope_of(struct slope *s, size_t law, uint64_t *rng,
                                    const char *const more[])
 {
-    const char *cut[8] = { "material.V_c=100" };
-    struct fault why;
+    struct law preset = *law_preset_at(law);
 
-    for (size_t i = 0; i < 6 && more[i]; i++)
-        cut[i + 1] = more[i];
-    for (int attempt = 0; attempt < 1000; attempt++) {
-        struct scene *c = &s->scene;
-        const char *preset = law_preset_at(law)->preset;
-        slope_scene(c, preset, check_bits(rng) & 1 ? "log" : "asinh", "0.34",
-                    strcmp(preset, "kato_tullis") == 0 ? cut : more);
-        c->material.L = random_power(rng, -6.0, -2.0);
-        c->material.V_star = random_power(rng, -9.0, -6.0);
-        const long double x = (long double) check_uniform(rng, -12.0, 16.0);
-        const bool falls = random_falls(c, x);
-        if (falls)
-            c->tan_alpha = steady_mu(&c->law, &c->material, x);
-        c->alpha = (double) atanl(c->tan_alpha);
-        if (falls && c->tan_alpha > 0.02L && c->tan_alpha < 5.0L &&
-            study_run(&s->study, c, NULL, &why) == STATUS_OK) {
-            if (slider_has_manifolds(&s->study.slider))
-                return;
-            study_free(&s->study);
-        }
-        scene_free(c);
-    }
-    fail_msg("no slope");
+    preset.form = check_bits(rng) & 1 ? FRICTION_LOG : FRICTION_ASINH;
+    if (!random_slope_by(s, &preset, rng, more))
+        fail_msg("no slope");
 }
 
 static inline size_t random_presets(void)

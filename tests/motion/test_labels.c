@@ -3,6 +3,7 @@
 #include "labels.h"
 
 #include "fault_alloc.h"
+#include "laws.h"
 #include "push.h"
 #include "quad_side.h"
 #include "random_slope.h"
@@ -148,30 +149,63 @@ static void check_map(const struct slope *s)
         sum += m->fraction[i].log.value;
     CHECK(m->audit.cells == 50 && m->audit.disagreements == 0 &&
               fabs(sum - 1.0) < 1e-9,
-          "%s (%s), L = %.17g, V_star = %.17g, alpha = %.17g: %zu cells wrong, "
-          "shares sum to %.17g",
-          b->law.preset, b->law.form == FRICTION_LOG ? "log" : "asinh",
+          "%s (%s %s %s %s %s), L = %.17g, V_star = %.17g, alpha = %.17g: %zu "
+          "cells wrong, shares sum to %.17g",
+          b->law.preset, friction_form_names[b->law.form],
+          theta_names[b->law.theta], psi_ss_names[b->law.psi_ss],
+          timescale_names[b->law.timescale], kinetics_names[b->law.kinetics],
           b->material.L, b->material.V_star, s->scene.alpha,
           m->audit.disagreements, sum);
 }
 
-/* MAP_SLOPES=120: as many of each preset, one half in each form; 3 usually. */
-static void random_maps_have_the_fates_of_their_orbits(void **state)
+static const char *const map[] = { "products=[basins]",
+                                   "basins={cells: [32, 32], audit: 50}",
+                                   NULL };
+
+/* MAP_SLOPES: slopes of each law. */
+static size_t map_slopes(size_t usual)
 {
     const char *asked = getenv("MAP_SLOPES");
-    const size_t slopes = asked ? strtoul(asked, NULL, 10) : 3;
-    static const char *const set[] = { "products=[basins]",
-                                       "basins={cells: [32, 32], audit: 50}",
-                                       NULL };
+    return asked ? strtoul(asked, NULL, 10) : usual;
+}
+
+/* One half in each form. */
+static void random_maps_have_the_fates_of_their_orbits(void **state)
+{
+    const size_t slopes = map_slopes(3);
     uint64_t rng = check_seed();
 
     (void) state;
     for (size_t i = 0; i < slopes * random_presets(); i++) {
         struct slope s;
-        random_slope_of(&s, i % random_presets(), &rng, set);
+        random_slope_of(&s, i % random_presets(), &rng, map);
         check_map(&s);
         slope_free(&s);
     }
+}
+
+/* Every law of laws.h, or a few. */
+static void maps_of_composed_laws_have_the_fates_of_their_orbits(void **state)
+{
+    const size_t slopes = map_slopes(0), few = 12;
+    const size_t laws = slopes ? slopes * LAWS : few;
+    uint64_t rng = check_seed();
+    size_t maps = 0;
+
+    (void) state;
+    for (size_t i = 0; i < laws; i++) {
+        const struct law law =
+            laws_at(slopes ? i % LAWS : check_bits(&rng) % LAWS);
+        struct slope s;
+        if (!random_slope_by(&s, &law, &rng, map))
+            continue;
+        check_map(&s);
+        slope_free(&s);
+        maps++;
+    }
+    print_message("# CHECK_SEED=%llu: %zu maps\n",
+                  (unsigned long long) check_seed(), maps);
+    CHECK(2 * maps >= laws, "%zu maps of %zu laws", maps, laws);
 }
 
 /* A whole basin of it was labelled wrong by an orbit that landed in a band of
@@ -375,6 +409,7 @@ int main(void)
         cmocka_unit_test(random_states_are_on_the_side_that_113_bits_say),
         cmocka_unit_test(at_the_saddle_nothing_is_told),
         cmocka_unit_test(random_maps_have_the_fates_of_their_orbits),
+        cmocka_unit_test(maps_of_composed_laws_have_the_fates_of_their_orbits),
         cmocka_unit_test(a_flat_shelf_does_not_turn_a_basin_round),
         cmocka_unit_test(an_exact_map_prints_the_shares_of_its_cells),
         cmocka_unit_test(shares_are_continuous_in_the_slope),
