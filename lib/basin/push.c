@@ -119,7 +119,7 @@ static bool slip_is_finite(const struct push *p)
 {
     const struct block *b = &p->slider.block;
 
-    return rest_form_of(&b->law, &b->material).has_slip;
+    return rest_form_at(b).has_slip;
 }
 
 /* What a cell tells of a state of that fate, or why there is nothing to tell

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "law_typed.h"
+#include "quasistatic_typed.h"
 #include "tolerance.h"
 
 static long double balance(const void *ctx, long double x)
@@ -92,7 +93,11 @@ void block_init(struct block *b, const struct law *law,
 {
     const long double top = steady_x_max(law);
 
-    *b = (struct block){ .law = *law, .material = *m, .tan_alpha = tan_alpha };
+    *b = (struct block){ .law = *law,
+                         .material = *m,
+                         .tan_alpha = tan_alpha,
+                         .steep = { m->a, m->b },
+                         .waits = law->kinetics == KINETICS_SINH };
     b->steady.balance = balance;
     b->steady.y = steady_curve;
     b->steady.turnings = steady_extrema(law, m, b->steady.turning);
@@ -113,6 +118,15 @@ void block_anchor(struct block *b, long double x, bool equilibrium)
                                         equilibrium, &b->plane)
                            ? b->at.force0
                            : NAN;
+}
+
+void block_ask(struct block *b)
+{
+    if (!b->law.typed)
+        return;
+    b->end = quasistatic_typed_end(b);
+    b->steep = quasistatic_typed_steep(b);
+    b->waits = !quasistatic_typed_is_linear(b);
 }
 
 struct vec2 block_offset(const struct block *b, double v, double psi)

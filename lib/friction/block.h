@@ -11,6 +11,21 @@
 #include "steady.h"
 #include "tape_plane.h"
 
+/* What becomes of v as psi grows and nothing steady holds it: of laws of
+ * formulas, see quasistatic_typed.h. */
+enum block_course {
+    BLOCK_UNKNOWN, /* the formulas do not tell */
+    BLOCK_NEVER,   /* it creeps */
+    BLOCK_ENDLESS, /* v -> 0 as t -> inf, and so does the slip */
+    BLOCK_SLOWLY,  /* as t -> inf, in a finite slip */
+    BLOCK_SOON,    /* in a finite time */
+    BLOCK_AT_ONCE  /* as fast as inertia lets it */
+};
+struct block_end {
+    enum block_course course;
+    double power; /* soon: v ~ (t0 - t)^power, or faster */
+};
+
 /* A law, its parameters and a slope, with the point its field is anchored at.
  * Copied as a whole. */
 struct block {
@@ -20,7 +35,11 @@ struct block {
     struct anchor at; /* set by block_anchor */
     long double x, y; /* its place, to all digits that are known */
     struct planar_steady steady;
-    struct tape_plane plane; /* of a law of formulas */
+    struct vec2 steep;       /* about the largest |d mu/dx| and |d mu/dy| */
+    bool waits;              /* far above psi_ss psi has hardly a rate of its
+                                own, or may have none: not of first order */
+    struct tape_plane plane; /* of a law of formulas, and */
+    struct block_end end;    /* its end; set by block_ask */
 };
 
 /* Law, material and slope; anchored at no point yet.  The parameters must
@@ -31,6 +50,9 @@ void block_init(struct block *b, const struct law *law,
 /* Puts the anchor on the steady-state curve at x = ln v.  `equilibrium`: x is
  * a root of the force balance, which then vanishes there exactly. */
 void block_anchor(struct block *b, long double x, bool equilibrium);
+
+/* Asks a law of formulas, from the anchor on, for steep, waits and end. */
+void block_ask(struct block *b);
 
 /* The planar system around b's anchor; borrows b, which must not move.
  * Observables: slip, work, excess, as in enum block_observable. */

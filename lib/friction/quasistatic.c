@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "quasistatic_typed.h"
+
 #define SCALAR double
 #define FN(f)  f
 #include "scalar.h"
@@ -35,6 +37,8 @@ static double theta_at(const struct block *b, double Y, double *slope)
 double quasistatic_x(const struct block *b, double Y, double *slope)
 {
     const struct anchor *at = &b->at;
+    if (b->law.typed)
+        return quasistatic_typed_x(b, Y, slope);
     const double theta = theta_at(b, Y, slope);
 
     *slope *= -at->b / at->a;
@@ -46,8 +50,11 @@ double quasistatic_x(const struct block *b, double Y, double *slope)
 }
 
 /* mu_log/a = ln(2 sinh(mu/a)) under (4a). */
-double quasistatic_above(const struct block *b, double excess)
+double quasistatic_above(const struct block *b, double X, double Y,
+                         double excess)
 {
+    if (b->law.typed)
+        return quasistatic_typed_above(b, X, Y, excess);
     const double h = excess / b->at.a;
     const double t = (double) b->tan_alpha / b->at.a;
     const double half = sinh(0.5 * h);
@@ -112,6 +119,8 @@ double quasistatic_log_rate(const struct block *b, double X, double Y)
 {
     const bool is_sinh = b->law.kinetics == KINETICS_SINH;
 
+    if (b->law.typed)
+        return quasistatic_typed_log_rate(b, X, Y);
     if (b->law.kinetics == KINETICS_COMPOSITE)
         return log_composite(&b->at, X, Y);
     const double rate = law_freezes(&b->law) ? log_frozen(b, X, Y)

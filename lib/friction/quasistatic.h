@@ -17,8 +17,9 @@
 /* X where mu = tan(alpha), and dX/dY < 0. */
 double quasistatic_x(const struct block *b, double Y, double *slope);
 
-/* How far above it mu - tan(alpha) is `excess`, >= 0. */
-double quasistatic_above(const struct block *b, double excess);
+/* How far above it, from X on, mu - tan(alpha) is `excess`, >= 0. */
+double quasistatic_above(const struct block *b, double X, double Y,
+                         double excess);
 
 /* ln(dY/dt), per L/V_star, of a state that grows below psi_ss(v); NaN where it
  * does not.  For laws by which a block comes to rest, not of those with K =

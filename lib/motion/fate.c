@@ -65,7 +65,7 @@ static double slow_time(const struct slider *s)
 /* Of a block that stops, or all but does: a law's matter. */
 static enum fate fate_at_rest(const struct slider *s)
 {
-    const enum fate fate = rest_form_of(&s->block.law, &s->block.material).fate;
+    const enum fate fate = rest_form_at(&s->block).fate;
 
     return fate == FATE_CREEP ? FATE_UNDECIDED : fate;
 }
@@ -141,11 +141,12 @@ static enum fate fate_at_end(const struct slider *s, const struct goals *g,
     return is_beyond(o) ? fate_beyond(s, o) : FATE_UNDECIDED;
 }
 
-static const char *reason_of(const struct past *past, enum fate fate)
+static const char *reason_of(const struct slider *s, const struct past *past,
+                             enum fate fate)
 {
     if (fate != FATE_UNDECIDED)
         return NULL;
-    return past->fell ? "the block creeps at a rate below the plane's"
+    return past->fell ? rest_form_at(&s->block).reason
                       : "the orbit could not be followed to an end";
 }
 
@@ -168,7 +169,7 @@ static struct rest_left left_beyond(const struct slider *s,
                                     const struct orbit *o)
 {
     const struct vec2 z = { o->u[0], o->u[1] };
-    const double power = rest_form_of(&s->block.law, &s->block.material).power;
+    const double power = rest_form_at(&s->block).power;
     const double v = s->block.at.v0 * exp(z.x);
     const double time = power * exp(z.x - s->block.at.log_inertia) /
                         moment_excess_friction(s, z);
@@ -341,7 +342,7 @@ static enum status follow(const struct slider *s, struct vec2 z, double rtol,
     if (status == STATUS_OK || status == STATUS_NO_CONVERGENCE ||
         status == STATUS_TOO_MANY_STEPS) {
         out->fate = fate_at_end(s, &goals, &o, &past);
-        out->reason = reason_of(&past, out->fate);
+        out->reason = reason_of(s, &past, out->fate);
         out->steps = o.steps;
         out->field_evaluations = o.field_calls + o.jacobian_calls;
         if (observe)
@@ -369,7 +370,7 @@ enum fate fate_of_side(const struct slider *s, bool slow)
  * steady state in it.) */
 enum fate fate_of_all(const struct slider *s)
 {
-    const enum fate rest = rest_form_of(&s->block.law, &s->block.material).fate;
+    const enum fate rest = rest_form_at(&s->block).fate;
 
     if (slider_saddle(s) >= 0 || s->plane.equilibria > 1)
         return FATE_UNDECIDED;

@@ -7,6 +7,7 @@
 
 #include "grow.h"
 #include "motion_tolerance.h"
+#include "rest_form.h"
 #include "slider.h"
 
 /* ---- the curve ----------------------------------------------------------- */
@@ -195,7 +196,7 @@ enum status labels_find(const struct labels *l, struct vec2 z,
 {
     static const char near[] =
         "the state is nearer the separatrix than its error bar";
-    static const char slow[] = "the block creeps at a rate below the plane's";
+    const char *slow = rest_form_at(&l->slider->block).reason;
     int8_t fate = l->regions.region[region_at(l, z)].label;
 
     if (is_in_doubt(l, z)) {

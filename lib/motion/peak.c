@@ -213,8 +213,7 @@ static bool is_to_peak(const struct slider *s, const struct orbit *o,
     const double t = (double) s->block.tan_alpha;
     const double now = friction(s, (struct vec2){ o->u[0], o->u[1] });
 
-    return rest_form_of(&s->block.law, &s->block.material).fate ==
-               FATE_REST_ASYMPTOTIC &&
+    return rest_form_at(&s->block).fate == FATE_REST_ASYMPTOTIC &&
            o->du[0] < 0.0 && !(now - t < TOL_PEAK_FADED * (most - t));
 }
 
@@ -238,7 +237,7 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     const struct vec2 start = vec2_sub(z, s->plane.system.origin);
     struct orbit_options options =
         orbit_defaults(&s->plane.system, s->plane.fastest_rate);
-    const struct material *m = &s->block.material;
+    const struct vec2 m = s->block.steep;
     struct vec2 goal[EQUILIBRIA_MAX];
     const double rounding = slider_rounding(s, start);
     struct drift drift;
@@ -265,16 +264,15 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     if (status == STATUS_OK)
         status = peak_of(s, &o, start, slip_rate, 1.0, &p.x, &p.x_error);
     if (status == STATUS_OK)
-        status =
-            peak_of(s, &o, start, friction, m->a + m->b, &p.mu, &p.mu_error);
+        status = peak_of(s, &o, start, friction, m.x + m.y, &p.mu, &p.mu_error);
     if (status == STATUS_OK) {
         *out = p;
         if (p.x == slip_rate(s, start))
             out->x = z.x;
         else
             out->x_error += rounding;
-        out->mu_error += (m->a + m->b) * rounding +
-                         TOL_PEAK_DIGITS * DBL_EPSILON * fabs(p.mu);
+        out->mu_error +=
+            (m.x + m.y) * rounding + TOL_PEAK_DIGITS * DBL_EPSILON * fabs(p.mu);
     }
     orbit_free(&o);
     return status;

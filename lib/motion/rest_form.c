@@ -4,6 +4,7 @@
 
 /* As v -> 0. */
 enum course {
+    UNKNOWN,  /* formulas do not tell */
     NEVER,    /* it creeps */
     ENDLESS,  /* as t -> inf, and so does the slip */
     SLOWLY,   /* as t -> inf, in a finite slip */
@@ -74,20 +75,43 @@ static enum course course_of(const struct law *law, const struct material *m)
     return grows(law, m) ? under_inverse(law, m) : NEVER;
 }
 
-struct rest_form rest_form_of(const struct law *law, const struct material *m)
+static struct rest_form form_of(enum course course, double power)
 {
-    static const enum fate fate[] = { [NEVER] = FATE_CREEP,
-                                      [ENDLESS] = FATE_REST_ASYMPTOTIC,
-                                      [SLOWLY] = FATE_REST_ASYMPTOTIC,
-                                      [SOON] = FATE_REST_FINITE,
-                                      [BY_POWER] = FATE_REST_FINITE,
-                                      [AT_ONCE] = FATE_REST_FINITE };
-    const enum course course = course_of(law, m);
+    static const enum fate fate[] = {
+        [UNKNOWN] = FATE_UNDECIDED,       [NEVER] = FATE_CREEP,
+        [ENDLESS] = FATE_REST_ASYMPTOTIC, [SLOWLY] = FATE_REST_ASYMPTOTIC,
+        [SOON] = FATE_REST_FINITE,        [BY_POWER] = FATE_REST_FINITE,
+        [AT_ONCE] = FATE_REST_FINITE
+    };
 
     return (struct rest_form){
         .fate = fate[course],
-        .power = course == BY_POWER ? m->b / (m->b - m->a) : 1.0,
+        .reason = course == UNKNOWN ? "how the block stops cannot be told from "
+                                      "the formulas of its law"
+                  : course == NEVER ? "the block creeps at a rate below the "
+                                      "plane's"
+                                    : NULL,
+        .power = power,
         .inertial = course == AT_ONCE,
         .has_slip = course >= SLOWLY,
     };
+}
+
+struct rest_form rest_form_of(const struct law *law, const struct material *m)
+{
+    const enum course course = course_of(law, m);
+
+    return form_of(course, course == BY_POWER ? m->b / (m->b - m->a) : 1.0);
+}
+
+struct rest_form rest_form_at(const struct block *b)
+{
+    static const enum course typed[] = {
+        [BLOCK_UNKNOWN] = UNKNOWN, [BLOCK_NEVER] = NEVER,
+        [BLOCK_ENDLESS] = ENDLESS, [BLOCK_SLOWLY] = SLOWLY,
+        [BLOCK_SOON] = BY_POWER,   [BLOCK_AT_ONCE] = AT_ONCE
+    };
+
+    return b->law.typed ? form_of(typed[b->end.course], b->end.power)
+                        : rest_form_of(&b->law, &b->material);
 }

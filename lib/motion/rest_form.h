@@ -25,19 +25,22 @@
 
 #include <stdbool.h>
 
+#include "block.h"
 #include "fate.h"
-#include "law.h"
 
 struct rest_form {
     enum fate fate; /* FATE_REST_FINITE, FATE_REST_ASYMPTOTIC; FATE_CREEP: it
-                       never stops */
-    double power;   /* finite: v ~ (t0 - t)^power or falls even faster to 0; 1
-                       at the least */
-    bool inertial;  /* finite, and by inertia */
-    bool has_slip;  /* a limit of slip: always where it is finite */
+                       never stops; FATE_UNDECIDED: formulas do not tell */
+    const char *reason; /* static: why it is none of the first two, else NULL */
+    double power;  /* finite: v ~ (t0 - t)^power or falls even faster to 0; 1
+                      at the least */
+    bool inertial; /* finite, and by inertia */
+    bool has_slip; /* a limit of slip: always where it is finite */
 };
 
-/* law and m: by law_check. */
+/* law and m: by law_check; not of formulas. */
 struct rest_form rest_form_of(const struct law *law, const struct material *m);
+/* Of any law; block_ask has looked at one of formulas. */
+struct rest_form rest_form_at(const struct block *b);
 
 #endif

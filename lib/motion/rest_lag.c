@@ -6,7 +6,10 @@
 
 #include "moment.h"
 #include "motion_tolerance.h"
+#include "newton.h"
+#include "quasistatic.h"
 #include "slider.h"
+#include "steady.h"
 
 double rest_lag_slowness(const struct slider *s, double x, double y)
 {
@@ -44,8 +47,84 @@ static double lag_at(const struct slider *s, double x, double bend)
     return lag;
 }
 
+/* ---- laws of formulas ---------------------------------------------------- */
+
+/* The offset of psi_ss, whatever it is. */
+static double y_steady(const struct slider *s, double x)
+{
+    const struct block *b = &s->block;
+
+    return (double) (steady_y(&b->law, &b->material, b->x + (long double) x) -
+                     b->y);
+}
+
+/* psi grows as fast as `slope` asks, ln(behind) below psi_ss. */
+struct behind {
+    const struct slider *s;
+    double x, top, slope;
+};
+
+static double too_fast(const void *ctx, double ln_behind)
+{
+    const struct behind *w = ctx;
+    const double y = w->top - exp(ln_behind);
+    const double rate = quasistatic_log_rate(&w->s->block, w->x, y);
+    const double asked = log(-w->slope / rest_lag_slowness(w->s, w->x, y));
+
+    return isnan(rate) ? -HUGE_VAL : rate - asked;
+}
+
+/* How far behind; 0: less than digits hold. */
+static double behind_at(const struct slider *s, double x, double slope)
+{
+    const struct behind w = { s, x, y_steady(s, x), slope };
+    const double least = log(0x1p-50 * (1.0 + fabs(w.top)));
+    struct newton_root root;
+
+    if (too_fast(&w, least) >= 0.0)
+        return 0.0;
+    return newton_find(too_fast, &w, least, 1.0, TOL_REST_DIFFERENCE, &root) ==
+                   STATUS_OK
+               ? exp(root.x)
+               : (double) NAN;
+}
+
+static double steady_slope(const struct slider *s, double x)
+{
+    const double h = TOL_REST_DIFFERENCE;
+
+    return (y_steady(s, x + h) - y_steady(s, x - h)) / (2.0 * h);
+}
+
+static double first_behind(const struct slider *s, double x)
+{
+    return behind_at(s, x, steady_slope(s, x));
+}
+
+static struct rest_lag lag_of_formulas(const struct slider *s, double x)
+{
+    const double h = 0.01, slope = steady_slope(s, x);
+    const double first = behind_at(s, x, slope);
+    const double bend =
+        first > 0.0
+            ? (first_behind(s, x + h) - first_behind(s, x - h)) / (2.0 * h)
+            : 0.0;
+    const double lag = first > 0.0 ? behind_at(s, x, slope - bend) : 0.0;
+    const double top = y_steady(s, x), hide = 0x1p-50 * (1.0 + fabs(top));
+    struct rest_lag l = { .y = top - lag, .y_slope = slope - bend };
+
+    l.slowness = rest_lag_slowness(s, x, l.y);
+    const double off = fabs(lag - first) * fabs(bend) + lag * h + hide;
+    l.wrong = fabs(rest_lag_slowness(s, x, l.y - off) / l.slowness - 1.0);
+    if (!(fabs(bend) < 0.5 && lag < 0.5))
+        l.wrong = (double) NAN;
+    return l;
+}
+
 struct rest_lag rest_lag_at(const struct slider *s, double x)
 {
+    if (s->block.law.typed)
+        return lag_of_formulas(s, x);
     const double h = TOL_REST_DIFFERENCE, v = exp(s->plane.system.origin.x + x);
     const double first = lag_at(s, x, 0.0);
     double bend = 0.0, lag = first;

@@ -25,7 +25,7 @@ static double lift(const struct block *b, double Y, double x, double slope)
          i++) {
         const double rate = quasistatic_log_rate(b, x + d, Y);
         const double force = exp(x + d - b->at.log_inertia + rate);
-        change = quasistatic_above(b, -slope * force) - d;
+        change = quasistatic_above(b, x, Y, -slope * force) - d;
         d += change;
     }
     return fabs(change) < TOL_REST_SETTLED * (d + nothing) ? d : (double) NAN;
@@ -109,9 +109,10 @@ static bool is_behind(const struct slider *s, struct vec2 z, double time)
 static bool is_there(const struct slider *s, struct vec2 z, double time)
 {
     const struct block *b = &s->block;
-    const struct rest_form form = rest_form_of(&b->law, &b->material);
+    const struct rest_form form = rest_form_at(b);
 
-    if (form.fate == FATE_CREEP || !is_bound(s, z))
+    if (form.fate == FATE_CREEP || form.fate == FATE_UNDECIDED ||
+        !is_bound(s, z))
         return false;
     if (form.inertial)
         return is_behind(s, z, time);
@@ -307,7 +308,7 @@ bool rest_left_find(const struct slider *s, struct vec2 z, double time,
                     struct rest_left *out)
 {
     const struct block *b = &s->block;
-    const struct rest_form form = rest_form_of(&b->law, &b->material);
+    const struct rest_form form = rest_form_at(b);
     const bool ends = form.fate == FATE_REST_FINITE;
     const struct way w = { s, z, form.inertial };
     double sum[PARTS], rate[PARTS];
@@ -340,7 +341,7 @@ bool rest_left_find(const struct slider *s, struct vec2 z, double time,
 
 struct vec2 rest_left_section(const struct slider *s)
 {
-    const bool x = rest_form_of(&s->block.law, &s->block.material).inertial;
+    const bool x = rest_form_at(&s->block).inertial;
 
     return (struct vec2){ x, !x };
 }

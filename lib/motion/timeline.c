@@ -179,14 +179,13 @@ static double level_error(const struct slider *s, enum moment what)
 }
 
 /* What the steps up to there allow for, which two orbits may share: in the
- * state, and in when it is reached; d mu/d ln v <= a, and b is the most that
- * d mu/d y comes to. */
+ * state, and in when it is reached. */
 static void add_step_errors(const struct slider *s,
                             const struct moment_watches *w,
                             const struct orbit *o, const struct event_hit *hit,
                             struct transient_event *e)
 {
-    const struct material *m = &s->block.material;
+    const struct vec2 m = s->block.steep;
     const double size = o->peak[0] + o->peak[1];
     const double off =
         fmax(hit->error[0], hit->error[1]) + rounding_along(o) * size;
@@ -200,7 +199,7 @@ static void add_step_errors(const struct slider *s,
     e->psi.error += s->plane.system.axis[1].is_log
                         ? e->psi.value * expm1(d.y + off)
                         : d.y + off;
-    e->mu.error += d.mu + (m->a + m->b) * off;
+    e->mu.error += d.mu + (m.x + m.y) * off;
 }
 
 static struct transient_event event_at(const struct slider *s,

@@ -82,8 +82,7 @@ static void course_set(struct course *c, const struct transient_options *o,
     const struct block *b = &c->slider->block;
     const bool goes_on = limited(o);
 
-    c->rest =
-        rest && rest_form_of(&b->law, &b->material).fate == FATE_REST_FINITE;
+    c->rest = rest && rest_form_at(b).fate == FATE_REST_FINITE;
     moment_watch_all(&c->watches, c->slider, o->level, o->levels, !goes_on);
     c->window = window_of(c, goes_on);
     c->options =
@@ -119,8 +118,7 @@ static bool is_deep(const struct course *c, const struct orbit *o)
     return c->slider->plane.system.origin.x + o->u[0] < TOL_TRANSIENT_DEEP ||
            (o->curve.count > 0 &&
             end_rate(o) * TOL_TRANSIENT_LEFT * o->u[2] > 1.0) ||
-           (law_psi_is_log(&b->law) &&
-            rest_form_of(&b->law, &b->material).inertial);
+           (law_psi_is_log(&b->law) && rest_form_at(b).inertial);
 }
 
 /* Whether it comes to rest before any limit is reached, and what is left. */

@@ -41,6 +41,7 @@ void slider_init(struct slider *s, const struct law *law,
                  ? anchor_at(s, root[home_among(e, n)].x, true)
                  : anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
     s->plane = phase_plane_of(&system, e, n);
+    block_ask(&s->block);
     const char *none = slider_no_manifolds(s);
     s->critical = numbers_none(none ? none : "nobody asked");
 }

@@ -268,7 +268,7 @@ static struct rest_form rest_of(const struct quad_course *c)
 {
     const struct block *b = &c->slope->study->slider.block;
 
-    return rest_form_of(&b->law, &b->material);
+    return rest_form_at(b);
 }
 
 /* What is left of one that fades too slowly to be followed. */

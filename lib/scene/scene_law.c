@@ -184,7 +184,9 @@ enum status scene_law_demand(const struct scene *s, unsigned products,
     static const unsigned known =
         BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(NULLCLINES) | BIT(FIELD_ARROWS) |
         BIT(TRAJECTORIES) | BIT(MANIFOLDS) | BIT(KNEES) | BIT(ESTIMATES) |
-        BIT(FRICTION_LAW) | BIT(BIFURCATION);
+        BIT(FRICTION_LAW) | BIT(BIFURCATION) | BIT(BASINS) | BIT(MARGIN) |
+        BIT(SLIP) | BIT(TIME) | BIT(FRICTION) | BIT(PEAK) | BIT(TAYLOR_SERIES) |
+        BIT(SPRING_BLOCK) | BIT(FOLD_CURVES);
     const struct place at = { s->file, false, 0, 0 };
 
     for (int p = 0; p < PRODUCTS && s->typed; p++)

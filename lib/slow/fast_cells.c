@@ -53,7 +53,7 @@ static void fill_integrals(const struct slider *s, double x,
 static void fill_peaks(const struct slider *s, struct vec2 z,
                        const struct layer *l, struct cell *c)
 {
-    const struct material *m = &s->block.material;
+    const struct vec2 m = s->block.steep;
     const struct vec2 o = s->plane.system.origin, from = vec2_sub(z, o);
     const double x = s->block.at.x0 + l->x_peak;
     const double place = TOL_LAYER_TRANSPORT * l->place_error;
@@ -63,7 +63,7 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
     const bool fastest = l->falls[0] && l->x_peak == from.x;
     const bool hardest =
         l->falls[1] && l->mu_peak == block_mu(&s->block, from) &&
-        l->mu_next < l->mu_peak - TOL_FAST_HARDER * (m->a + m->b);
+        l->mu_next < l->mu_peak - TOL_FAST_HARDER * (m.x + m.y);
 
     c->v_peak = exp(fastest ? z.x : x);
     c->v_peak_error =
@@ -71,11 +71,11 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
     if (l->fate == FATE_REST_FINITE)
         return;
     c->mu_peak = l->mu_peak;
-    c->mu_peak_error = (m->a + m->b) * (hardest ? rounding : place) +
+    c->mu_peak_error = (m.x + m.y) * (hardest ? rounding : place) +
                        l->mu_error +
                        TOL_PEAK_DIGITS * DBL_EPSILON * fabs(l->mu_peak);
     if (!hardest)
-        c->mu_peak_error += (m->a + m->b) * least;
+        c->mu_peak_error += (m.x + m.y) * least;
 }
 
 /* The largest error of those asked for, relative. */

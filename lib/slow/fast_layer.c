@@ -173,10 +173,9 @@ static double top_of(const struct walk *w, point_value *value,
 
 /* The most that friction, from mu0 to mu1, can be on an arc of length h: it
  * changes by a at most per unit of ln v, and by b of y. */
-static double most_on(const struct material *m, double mu0, double mu1,
-                      double h)
+static double most_on(const struct block *b, double mu0, double mu1, double h)
 {
-    return 0.5 * (mu0 + mu1 + h * hypot(m->a, m->b));
+    return 0.5 * (mu0 + mu1 + h * hypot(b->steep.x, b->steep.y));
 }
 
 /* On the step to u1: v has a peak where it rises at first and falls at last, mu
@@ -196,7 +195,7 @@ static void find_peaks(struct walk *w, const double u1[])
         out->x_peak = top_of(w, x_of, u1, out->x_peak, &doubt);
         out->place_error += doubt;
     }
-    if (most_on(&block->material, mu0, w->mu, w->h) > out->mu_peak) {
+    if (most_on(block, mu0, w->mu, w->h) > out->mu_peak) {
         out->mu_peak = top_of(w, mu_of, u1, out->mu_peak, &doubt);
         out->mu_error = fmax(out->mu_error, doubt);
     }

@@ -269,7 +269,7 @@ static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
 static bool may_wait(const struct landing *l, const struct slow_point *p,
                      double off)
 {
-    return l->curve->slider->block.law.kinetics == KINETICS_SINH &&
+    return l->curve->slider->block.waits &&
            fabs(p->fibre.y) > fabs(p->fibre.x) &&
            off * p->fibre.y * p->time_slope < 0.0;
 }

@@ -36,8 +36,7 @@ static double bent_part(const struct landing *l, const struct rest_point *p,
 {
     const double part = fabs(off) / p->gap + p->gap;
     const bool may_wait =
-        l->curve->slider->block.law.kinetics == KINETICS_SINH &&
-        off * p->fibre.y * p->y_slope < 0.0;
+        l->curve->slider->block.waits && off * p->fibre.y * p->y_slope < 0.0;
 
     return may_wait ? part : fmin(part, 1.0);
 }

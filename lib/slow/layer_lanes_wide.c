@@ -31,6 +31,21 @@ struct bundle {
 
 /* ---- the field ----------------------------------------------------------- */
 
+/* Of a law of formulas, one by one. */
+static void fields(const struct bundle *b, lanes x, lanes y, lanes *fx,
+                   lanes *fy, lanes *scale)
+{
+    const struct planar *s = &b->curve->slider->plane.system;
+    struct planar_field f;
+
+    for (int l = 0; l < LANES; l++) {
+        s->field(s->ctx, (struct vec2){ x[l], y[l] }, &f);
+        (*fx)[l] = f.direction.x;
+        (*fy)[l] = f.direction.y;
+        (*scale)[l] = f.log_scale;
+    }
+}
+
 /* d(x, y, t, slip)/ds, s the arc length. */
 static void along(const struct bundle *b, const lanes *x, const lanes *y,
                   bool weighed, lanes du[])
@@ -39,7 +54,10 @@ static void along(const struct bundle *b, const lanes *x, const lanes *y,
     struct many_ctx c;
     lanes fx, fy;
 
-    many_field(&block->law, &block->at, &c, x, y, &fx, &fy);
+    if (block->law.typed)
+        fields(b, *x, *y, &fx, &fy, &c.scale);
+    else
+        many_field(&block->law, &block->at, &c, x, y, &fx, &fy);
     const lanes part = 1.0 / lanes_root(fx * fx + fy * fy);
     du[LAYER_X] = fx * part;
     du[LAYER_Y] = fy * part;

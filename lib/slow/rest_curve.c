@@ -248,7 +248,7 @@ enum status rest_curve_run(const struct slider *s, struct vec2 z,
     bool is_down = false;
 
     *c = (struct rest_curve){ .slider = s };
-    if (!rest_form_of(&s->block.law, &s->block.material).inertial)
+    if (!rest_form_at(&s->block).inertial)
         return STATUS_OK;
     options.rtol = TOL_SLOW_RTOL;
     options.observables = 1;

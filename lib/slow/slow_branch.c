@@ -449,7 +449,7 @@ static enum status run(const struct slider *s, struct vec2 z,
         find_frictions(s, b);
         compare_bars(&o, b);
         look_back(b);
-        slow_fit_judge(b, s->block.material.a);
+        slow_fit_judge(b, s->block.steep.x);
         status = finish(s, &o, goals->fate[o.end_index], b);
         make_monotone(b);
     }

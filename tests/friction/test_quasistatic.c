@@ -53,7 +53,7 @@ static void it_is_where_friction_balances_the_slope(void **state)
         CHECK(fabs(rise - slope) < 1e-5 * fabs(slope) + 1e-9, "%g, not %g",
               slope, rise);
         const double excess = pow(10.0, check_uniform(&rng, -10.0, 0.0));
-        const double up = quasistatic_above(&b, excess);
+        const double up = quasistatic_above(&b, X, Y, excess);
         const double mu = block_mu(&b, (struct vec2){ X + up, Y });
         CHECK(fabs(mu - t - excess) < scale + 1e-13 * excess, "%g, not %g",
               mu - t, excess);

@@ -1,7 +1,9 @@
 /* How blocks stop: by the law alone, and as orbits show it. */
 #include "rest_form.h"
 
+#include "law_typed.h"
 #include "laws.h"
+#include "slider.h"
 #include "slope.h"
 
 static const char *const steady_only[] = { "products=[equilibria]", NULL };
@@ -127,6 +129,48 @@ static void the_power_is_that_of_the_time_left(void **state)
     }
 }
 
+/* Compositions typed as formulas are asked, and answer as they are known to. */
+static void formulas_tell_what_compositions_are_known_to_do(void **state)
+{
+    static struct law_typed typed;
+    static struct slider s;
+    size_t told = 0, unknown = 0, finite = 0, inertial = 0;
+
+    (void) state;
+    for (size_t i = 0; i < LAWS; i++) {
+        struct law law = laws_at(i);
+        struct material m = material_bristol_board();
+        enum law_part wrong;
+        struct fault why;
+        if (law_check(&law, &m, &why) != STATUS_OK)
+            continue;
+        law_typed_of_preset(&law, &typed);
+        assert_int_equal(law_typed_make(&typed, &wrong, &why), STATUS_OK);
+        const struct law text = law_of_typed(&typed);
+        slider_init(&s, &text, &m, 0.35L);
+        const struct rest_form form = rest_form_at(&s.block),
+                               known = rest_form_of(&law, &m);
+        unknown += form.fate == FATE_UNDECIDED;
+        if (form.fate == FATE_UNDECIDED)
+            continue;
+        CHECK(
+            form.fate == known.fate && form.inertial == known.inertial &&
+                (known.fate == FATE_CREEP || form.has_slip == known.has_slip) &&
+                fabs(form.power - known.power) < 1e-3 * known.power,
+            "%s, %s, %s, kinetics %d: %s, not %s; power %g, not %g; slip %d",
+            theta_names[law.theta], psi_ss_names[law.psi_ss],
+            timescale_names[law.timescale], (int) law.kinetics,
+            fate_names[form.fate], fate_names[known.fate], form.power,
+            known.power, (int) form.has_slip);
+        told++;
+        finite += form.fate == FATE_REST_FINITE;
+        inertial += form.inertial;
+    }
+    CHECK(unknown == 0 && told > 200 && finite >= 20 && inertial >= 20,
+          "%zu told, %zu unknown, %zu finite, %zu by inertia", told, unknown,
+          finite, inertial);
+}
+
 static void a_law_without_ageing_at_rest_creeps(void **state)
 {
     struct law law = *law_preset_find("dieterich");
@@ -217,6 +261,7 @@ int main(void)
         cmocka_unit_test(the_papers_laws_rest_as_it_says),
         cmocka_unit_test(rests_are_finite_where_their_time_is),
         cmocka_unit_test(the_power_is_that_of_the_time_left),
+        cmocka_unit_test(formulas_tell_what_compositions_are_known_to_do),
         cmocka_unit_test(a_law_without_ageing_at_rest_creeps),
         cmocka_unit_test(fates_of_rest_do_not_depend_on_the_tolerance),
     };

@@ -3,62 +3,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "law_typed.h"
+#include "law_scenes.h"
 #include "scene_law.h"
-#include "scenes.h"
 #include "study.h"
 
 /* ---- presets ------------------------------------------------------------- */
-
-static struct law_typed typed;
-
-/* The preset as formulas, with a slope. */
-static struct scene as_formulas(const struct law *law, const char *rest)
-{
-    char text[4000] = "law:\n";
-    int used = 5;
-
-    law_typed_of_preset(law, &typed);
-    for (int i = 0; i < LAW_PARTS; i++)
-        if (typed.text[i][0])
-            used +=
-                snprintf(text + used, sizeof text - (size_t) used,
-                         "  %s: \"%s\"\n", law_part_names[i], typed.text[i]);
-    snprintf(text + used, sizeof text - (size_t) used,
-             "  state: %s\n  friction: %s\n%s",
-             typed.real ? "real" : "positive", friction_form_names[law->form],
-             rest);
-    return scene_made(text, "");
-}
-
-/* The same by dpsi/dt alone. */
-static struct scene as_rate(const struct law *law, const char *rest)
-{
-    char text[4000];
-
-    law_typed_of_preset(law, &typed);
-    int used = snprintf(text, sizeof text, "law:\n  theta: \"%s\"\n  rate: \"",
-                        typed.text[LAW_THETA]);
-    if (typed.text[LAW_RATE][0])
-        used += sprintf(text + used, "%s", typed.text[LAW_RATE]);
-    else
-        used += sprintf(text + used, "-%s(psi - (%s))/(%s)",
-                        typed.text[LAW_K][0] == 's' ? "sinh" : "",
-                        typed.text[LAW_PSI_SS], typed.text[LAW_T]);
-    sprintf(text + used, "\"\n  state: %s\n  friction: %s\n%s",
-            typed.real ? "real" : "positive", friction_form_names[law->form],
-            rest);
-    return scene_made(text, "");
-}
-
-static struct scene by_name(const struct law *law, const char *rest)
-{
-    char text[1000];
-
-    sprintf(text, "law: {preset: %s, friction: %s}\n%s", law->preset,
-            friction_form_names[law->form], rest);
-    return scene_made(text, "");
-}
 
 static void same(const struct quantity *found, const struct quantity *exact,
                  const char *what, const char *law)
@@ -223,12 +172,12 @@ static void products_that_need_more_than_formulas_are_refused(void **state)
     static struct study study;
     struct fault why;
     struct scene s = scene_made("law: {theta: ln(psi), psi_ss: 1/v, T: 1/v}\n"
-                                "slope: {alpha: 0.34}\nproducts: [basins]\n",
+                                "slope: {alpha: 0.34}\nproducts: [sensitivities]\n",
                                 "");
 
     (void) state;
     assert_int_equal(study_run(&study, &s, NULL, &why), STATUS_BAD_SCENE);
-    assert_non_null(strstr(why.text, "basins: not of a law of formulas"));
+    assert_non_null(strstr(why.text, "sensitivities: not of a law of formulas"));
     scene_free(&s);
 }
 
