@@ -25,7 +25,8 @@ enum {
     ROW(PLAN, plan, COMMAND_ALL_OF_IT | COMMAND_PLANES)                        \
     ROW(KNEES, knees, COMMAND_READS | COMMAND_STUDIES | COMMAND_DRAWS)         \
     ROW(BASIN, basin, COMMAND_ALL_OF_IT | COMMAND_PLANES)                      \
-    ROW(SWEEP, sweep, COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES)           \
+    ROW(SWEEP, sweep,                                                          \
+        COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES | COMMAND_PLANES)        \
     ROW(PUSH, push, COMMAND_READS | COMMAND_PLANES)                            \
     ROW(SIMULATE, simulate, COMMAND_READS | COMMAND_DRAWS)                     \
     ROW(RABINOWICZ, rabinowicz, COMMAND_READS | COMMAND_DRAWS)                 \

@@ -5,9 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "plane_numbers.h"
 #include "scene_sweep.h"
 #include "sheet.h"
 #include "sweep_show.h"
+#include "system.h"
 
 /* A bar can be seen when it is this part of its axis long: 2 px of 600.  Marks
  * are at least this part of the axis along the key apart. */
@@ -223,7 +225,10 @@ static void add_map(const struct sweep *s, const struct figure_axis *x,
                     const struct figure_axis *y, struct figure *f)
 {
     static double value[ROWS][COLUMNS];
-    const struct show_frame *show = &show_frames[s->scene->sweep.show];
+    static const struct show_frame count = { .map = "count_equilibria",
+                                             .map_label = "equilibria" };
+    const struct show_frame *show =
+        s->scene->system ? &count : &show_frames[s->scene->sweep.show];
     const int column = sweep_find(s, show->map);
     size_t across[COLUMNS], up[ROWS];
 
@@ -252,13 +257,70 @@ static void draw_map(const struct sweep *s, struct figure *f)
     label_of(&s->axis[1], label[1], sizeof label[1]);
     const struct figure_axis x = frame(&s->axis[0], label[0]);
     const struct figure_axis y = frame(&s->axis[1], label[1]);
-    figure_init(f, title_of(s).text, &x, &y);
+    figure_init(f, s->scene->system ? s->scene->title : title_of(s).text, &x,
+                &y);
     add_map(s, &x, &y, f);
+}
+
+/* ---- of a system --------------------------------------------------------- */
+
+/* The first state of equilibrium k at each point of type `type`; NaN at others.
+ */
+static bool find_states(const struct sweep *s, size_t k, int type, double y[])
+{
+    char name[2][64];
+    bool any = false;
+
+    snprintf(name[0], sizeof name[0], "equilibria_%zu_type", k);
+    snprintf(name[1], sizeof name[1], "equilibria_%zu_state_%.32s", k,
+             s->scene->system->state[0].name);
+    const int code = sweep_find(s, name[0]), column = sweep_find(s, name[1]);
+    for (size_t i = 0; i < s->points && code >= 0 && column >= 0; i++) {
+        const bool is_it = sweep_code(s, code, i) == type;
+        y[i] = is_it ? sweep_quantity(s, column, i).value : (double) NAN;
+        any = any || isfinite(y[i]);
+    }
+    return any;
+}
+
+/* Every equilibrium over the key, marked by what it is. */
+static void draw_equilibria(const struct sweep *s, struct figure *f)
+{
+    const struct sweep_axis *a = &s->axis[0];
+    const struct figure_axis upward = { s->scene->system->state[0].name,
+                                        s->scene->window.v[0],
+                                        s->scene->window.v[1],
+                                        s->scene->window.axes == AXES_LOG &&
+                                            scene_axis_is_log(s->scene, 0) };
+    double *y = malloc(s->points * sizeof *y);
+    char label[96];
+
+    label_of(a, label, sizeof label);
+    const struct figure_axis x =
+        around(label, a->value[0], a->value[a->count - 1], a->is_log, 0.0);
+    figure_init(f, s->scene->title, &x, &upward);
+    if (y == NULL)
+        f->status = STATUS_NO_MEMORY;
+    for (size_t k = 0; k < PLANE_RESTS_ALONE && y; k++)
+        for (int type = 0; type < PLANE_TYPES; type++)
+            if (find_states(s, k, type, y))
+                figure_add(f, &(struct figure_layer){
+                                  .kind = FIGURE_POINTS,
+                                  .style = { .role = FIGURE_SERIES_1 + type },
+                                  .entry = plane_type_names[type],
+                                  .x = a->value,
+                                  .y = y,
+                                  .count = s->points,
+                                  .size = 5,
+                                  .mark = FIGURE_DISC });
+    free(y);
 }
 
 void picture_sweep(const struct sweep *s, struct figure *f)
 {
-    if (s->axes == 1)
+    if (s->scene->system && s->axes == 1)
+        draw_equilibria(s, f);
+    else if (s->axes == 1)
         draw_curves(s, f);
     else
         draw_map(s, f);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "sweep_summary.h"
+#include "system.h"
 
 /* ---- tables -------------------------------------------------------------- */
 
@@ -202,8 +203,41 @@ static void print_maps(FILE *out, const struct sweep *s)
             print_range(out, s, k);
 }
 
+/* How many equilibria there are, and the first of them. */
+static void print_equilibria(FILE *out, const struct sweep *s)
+{
+    enum { EACH = 3 };
+    const char *x = s->scene->system->state[0].name;
+    char name[EACH][2][64];
+    struct shown t = { .count = 0 };
+
+    add(&t, s, "count_equilibria", "equilibria");
+    add(&t, s, "count_attractors", "attractors");
+    for (size_t k = 0; k < EACH; k++) {
+        snprintf(name[k][0], sizeof name[k][0], "equilibria_%zu_type", k);
+        snprintf(name[k][1], sizeof name[k][1], "equilibria_%zu_state_%.32s", k,
+                 x);
+        for (size_t i = 0; i < 2; i++)
+            add(&t, s, name[k][i], i == 0 ? "type" : x);
+    }
+    print_table(out, s, &t);
+}
+
+static void print_system(FILE *out, const struct sweep *s)
+{
+    fprintf(out, "%s\n", scene_name(s->scene));
+    print_axes(out, s);
+    print_equilibria(out, s);
+    if (sweep_find(s, "basin_undecided") >= 0)
+        print_missing(out, s, "basin_undecided");
+}
+
 void report_sweep_print(FILE *out, const struct sweep *s)
 {
+    if (s->scene->system) {
+        print_system(out, s);
+        return;
+    }
     fprintf(out, "%s (%s form)\n", s->scene->law.preset,
             friction_form_names[s->scene->law.form]);
     print_axes(out, s);

@@ -188,17 +188,26 @@ static json_t *maps_json(const struct sweep *s)
 
 /* ---- the whole ----------------------------------------------------------- */
 
+/* What it is a sweep of. */
+static json_t *what_json(const struct scene *c)
+{
+    return c->system ? json_pack("{s:s}", "system", scene_name(c))
+                     : json_pack("{s:s, s:s}", "law", c->law.preset, "form",
+                                 friction_form_names[c->law.form]);
+}
+
 json_t *report_sweep_json(const struct sweep *s)
 {
     json_t *reasons = json_array();
 
     for (size_t r = 0; r < s->reasons.count; r++)
         json_array_append_new(reasons, json_string(s->reasons.text[r]));
-    return json_pack("{s:s, s:s, s:o, s:I, s:I, s:o, s:o, s:o, s:o, s:o}",
-                     "law", s->scene->law.preset, "form",
-                     friction_form_names[s->scene->law.form], "keys",
+    json_t *j = what_json(s->scene);
+    json_object_update_new(
+        j, json_pack("{s:o, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "keys",
                      keys_json(s), "points", (json_int_t) s->points, "failed",
                      (json_int_t) s->failed, "reasons", reasons, "dims",
                      dims_json(s), "starts", starts_json(s), "numbers",
-                     numbers_json(s), "maps", maps_json(s));
+                     numbers_json(s), "maps", maps_json(s)));
+    return j;
 }

@@ -279,6 +279,8 @@ enum exit_code command_plan(const struct options *o)
     if (s != STATUS_OK)
         return command_fail(s, why.text);
     if (scene.system) {
+        if (scene.sweep.axes > 0 && !o->json && !o->quiet)
+            print_sweep(&scene);
         const enum exit_code done = plane_plan(o, &scene);
         scene_free(&scene);
         return done;

@@ -10,10 +10,10 @@ static bool has_rabinowicz(const struct scene_rabinowicz *r)
 
 const char *scene_command(const struct scene *s)
 {
-    if (s->system)
-        return "study";
     if (s->sweep.axes > 0)
         return "sweep";
+    if (s->system)
+        return "study";
     if (s->products == 0 && has_rabinowicz(&s->rabinowicz))
         return "rabinowicz";
     if (s->products == 0 && s->starts > 0 && s->spread == 0)

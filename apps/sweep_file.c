@@ -309,8 +309,9 @@ enum status sweep_file_write(const struct sweep *s, const char *path,
                              struct fault *why)
 {
     struct store *out;
-    enum status status =
-        result_file_begin(&out, path, s->scene, s->scene->law.preset, why);
+    enum status status = result_file_begin(
+        &out, path, s->scene,
+        s->scene->system ? "system" : s->scene->law.preset, why);
 
     if (status == STATUS_OK)
         status = result_file_end(&out, path, put_all(s, out, why), why);

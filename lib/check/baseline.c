@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
 #include "scene_slope.h"
 #include "slope_row.h"
 #include "study_results.h"
@@ -30,16 +31,12 @@ static void add_number(FILE *out, int digits, double value)
     fprintf(out, "%s", text);
 }
 
-/* In the fewest digits that read back as the same double. */
 static void add_input(FILE *out, double value)
 {
-    char text[40];
-    int digits = DBL_DIG - 1;
+    char text[NUMBER_DECIMAL];
 
-    do
-        snprintf(text, sizeof text, "%.*g", ++digits, value);
-    while (strtod(text, NULL) != value && digits < DBL_DECIMAL_DIG);
-    add_number(out, digits, value);
+    number_decimal(value, text);
+    fputs(text, out);
 }
 
 /* A label in quotes, cut to a reasonable length. */

@@ -122,6 +122,8 @@ enum status result_open(const struct results *all, const struct result *r,
     *out = (struct result_view){ .records = { .type = r->type } };
     if (kept)
         return result_lend(out, kept->record, 1);
+    if (r->count && k >= r->count(all->run))
+        return STATUS_OK;
     return r->view ? r->view(all->run, k, out) : STATUS_OK;
 }
 

@@ -115,7 +115,8 @@ static inline bool result_asked(const struct result *r,
 /* How many instances there are. */
 size_t result_count(const struct result *r, const void *run);
 
-/* Instance k, if there is one; result_close either way.  STATUS_NO_MEMORY. */
+/* Instance k, if there are so many; result_close either way.  STATUS_NO_MEMORY.
+ */
 MUST_CHECK enum status result_open(const struct results *all,
                                    const struct result *r, size_t k,
                                    struct result_view *out);

@@ -10,7 +10,8 @@
 
 static bool stands_alone(const struct record_field *f)
 {
-    return f->kind == RECORD_QUANTITY || f->kind == RECORD_CODE;
+    return f->kind == RECORD_QUANTITY || f->kind == RECORD_CODE ||
+           f->kind == RECORD_COUNT;
 }
 
 static enum status add(struct result_numbers *n, const struct result_number *x)
@@ -46,9 +47,10 @@ static enum status add_record(struct result_numbers *n, const struct result *r,
     return status;
 }
 
-static enum status add_result(struct result_numbers *n, const struct result *r)
+static enum status add_result(struct result_numbers *n, const struct result *r,
+                              const void *run)
 {
-    const size_t instances = result_count(r, NULL);
+    const size_t instances = result_count(r, run);
     const size_t rows = r->shape == RESULT_COLUMNS ? r->alone : 1;
     enum status status = STATUS_OK;
 
@@ -66,7 +68,7 @@ static enum status add_shape(struct result_numbers *n,
         for (const struct result *r = all->table[t]; r->type && !status; r++)
             if (r->name && r->shape == shape && result_asked(r, all) &&
                 (shape == RESULT_SCALARS || r->alone > 0))
-                status = add_result(n, r);
+                status = add_result(n, r, all->run);
     return status;
 }
 
@@ -127,7 +129,8 @@ struct quantity result_quantity(const struct results *all,
         return quantity_of(real, 0.0);
     if (n->field->kind == RECORD_COUNT &&
         read_member(all, n, &count, sizeof count))
-        return quantity_of((double) count, 0.0);
+        return count == RECORD_COUNT_NONE ? quantity_none("there is none")
+                                          : quantity_of((double) count, 0.0);
     if (n->field->kind == RECORD_QUANTITY)
         (void) read_member(all, n, &q, sizeof q);
     return q;

@@ -11,7 +11,7 @@
 struct result_number {
     const struct result *of;
     size_t instance, row;             /* row: of columns; else 0 */
-    const struct record_field *field; /* a quantity or a code */
+    const struct record_field *field; /* a quantity, a code or a count */
     char name[RESULT_NAME];
 };
 
@@ -20,8 +20,8 @@ struct result_numbers {
     size_t count, room;
 };
 
-/* Those asked for; rows of columns (result.h: alone) come last.
- * STATUS_NO_MEMORY leaves *n empty. */
+/* Those asked for; rows of columns (result.h: alone) come last.  all->run may
+ * be NULL, or a run that only counts.  STATUS_NO_MEMORY leaves *n empty. */
 MUST_CHECK enum status result_numbers_init(struct result_numbers *n,
                                            const struct results *all);
 

@@ -3,6 +3,7 @@
 #include "number.h"
 
 #include <errno.h>
+#include <float.h>
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>
@@ -47,4 +48,16 @@ bool number_read_whole(const char *text, uint64_t *value)
         return false;
     *value = n;
     return true;
+}
+
+void number_decimal(double value, char text[NUMBER_DECIMAL])
+{
+    int digits = DBL_DIG - 1;
+
+    do
+        snprintf(text, NUMBER_DECIMAL, "%.*g", ++digits, value);
+    while (strtod(text, NULL) != value && digits < DBL_DECIMAL_DIG);
+    char *point = strchr(text, localeconv()->decimal_point[0]);
+    if (point)
+        *point = '.';
 }

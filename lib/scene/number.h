@@ -14,4 +14,9 @@ bool number_read(const char *text, double *value);
 /* Digits only, below 2^64.  False, *value untouched, for anything else. */
 bool number_read_whole(const char *text, uint64_t *value);
 
+enum { NUMBER_DECIMAL = 40 };
+
+/* The fewest digits that read back as the same double, with a point. */
+void number_decimal(double value, char text[NUMBER_DECIMAL]);
+
 #endif

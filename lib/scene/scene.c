@@ -281,11 +281,37 @@ static enum status check_all(scene_check *const check[],
 }
 
 /* Formulas blame words as they are typed. */
+/* Sections that are for laws. */
+static enum status refuse_others(const struct node *root, struct fault *why)
+{
+    static const char *const known[] = { "title",    "system",       "window",
+                                         "products", "trajectories", "basins",
+                                         "sweep",    "accuracy",     "output",
+                                         NULL };
+
+    for (size_t i = 0; i < root->count; i++) {
+        const struct node *n = root->child[i];
+        const char *const *k = known;
+        while (*k && strcmp(*k, n->key) != 0)
+            k++;
+        if (*k == NULL)
+            return place_blame(n->key_at, why,
+                               "%s: not beside system, expected one of the two",
+                               text_shown(n->key).text);
+    }
+    return STATUS_OK;
+}
+
 static enum status take_system(struct node *root, struct scene *s,
                                struct fault *why)
 {
     struct fault raw = { "" };
-    const enum status status = scene_system_take(root, s, &raw);
+    enum status status = STATUS_OK;
+
+    if (node_find(root, "system"))
+        status = refuse_others(root, &raw);
+    if (status == STATUS_OK)
+        status = scene_system_take(root, s, &raw);
 
     if (status != STATUS_OK)
         text_show(raw.text, why->text, sizeof why->text);
@@ -298,7 +324,8 @@ static enum status fill(struct node *root, struct scene *s, struct fault *why)
                                            check_material,    check_composition,
                                            check_window,      check_starts,
                                            scene_sweep_check, NULL };
-    static scene_check *const of_system[] = { scene_system_check, NULL };
+    static scene_check *const of_system[] = { scene_system_check,
+                                              scene_sweep_check, NULL };
     enum status status = set_defaults(s);
 
     if (status == STATUS_OK)
@@ -307,6 +334,8 @@ static enum status fill(struct node *root, struct scene *s, struct fault *why)
         status = scene_law_begin(root, s);
     if (status == STATUS_OK)
         status = schema_apply(root, s, why);
+    if (status == STATUS_OK && s->system)
+        status = scene_sweep_fill(root, s, why);
     if (status == STATUS_OK && s->system)
         return check_all(of_system, root, s, why);
     if (status == STATUS_OK)
@@ -386,6 +415,7 @@ void scene_free(struct scene *s)
 {
     free(s->title);
     free(s->system);
+    free(s->parameter_key);
     free(s->xi);
     free(s->chi_alpha);
     free(s->typed);

@@ -91,7 +91,7 @@ enum sweep_scale { SWEEP_LINEAR, SWEEP_LOG };
 
 /* A key and the values it takes, one after another. */
 struct scene_axis {
-    const char *key; /* of the schema, static; NULL: none */
+    const char *key; /* borrowed, of the schema or a system; NULL: none */
     double from, to; /* as given; both 0: values were listed */
     size_t points;
     enum sweep_scale scale; /* of the points between, and of drawings */
@@ -132,6 +132,8 @@ struct scene {
     struct formula_system *system; /* owned; NULL: a law on a slope.  With it,
                                       v and psi of window and starts are its
                                       first and its second state */
+    char **parameter_key; /* owned: "system.parameters.NAME" of each of its
+                             parameters; NULL-ended */
     struct law law;
     struct law_typed *typed; /* owned: the law's formulas; NULL: components */
     struct material material;

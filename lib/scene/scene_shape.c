@@ -12,6 +12,8 @@
 const unsigned scene_shape_curves = BIT(NULLCLINES) | BIT(MANIFOLDS) |
                                     BIT(FRICTION_LAW) | BIT(SPRING_BLOCK) |
                                     BIT(BIFURCATION) | BIT(FOLD_CURVES);
+static const unsigned curves_of_system =
+    BIT(NULLCLINES) | BIT(FIELD_ARROWS) | BIT(TRAJECTORIES);
 static const unsigned maps = BIT(BASINS) | BIT(MARGIN) | BIT(SLIP) | BIT(TIME) |
                              BIT(FRICTION) | BIT(PEAK);
 
@@ -45,12 +47,13 @@ static enum status blame(struct place at, const struct scene *s,
 static enum status check_curves(const struct node *root, const struct scene *s,
                                 struct fault *why)
 {
+    const unsigned curves = s->system ? curves_of_system : scene_shape_curves;
     const struct node *list = node_find(root, "products");
     char what[64];
 
-    for (size_t i = 0; s->products & scene_shape_curves && i < list->count; i++)
+    for (size_t i = 0; s->products & curves && i < list->count; i++)
         for (int p = 0; p < PRODUCTS; p++)
-            if (scene_shape_curves & 1u << p &&
+            if (curves & 1u << p &&
                 strcmp(list->child[i]->text, product_names[p]) == 0) {
                 snprintf(what, sizeof what, "products: %s", product_names[p]);
                 return blame(list->child[i]->at, s, what, "study", why);
@@ -144,6 +147,8 @@ static enum status check_cells(const struct node *root, const struct scene *s,
 enum status scene_shape_check(const struct node *root, const struct scene *s,
                               struct fault *why)
 {
+    if (s->system)
+        return check_curves(root, s, why);
     static enum status (*const check[])(
         const struct node *, const struct scene *,
         struct fault *) = { check_curves, check_starts, check_release,

@@ -41,7 +41,7 @@ static const struct node *find_of_sweep(const struct node *root,
 
 /* ---- one axis ------------------------------------------------------------ */
 
-static enum status check_given(const struct node *n,
+static enum status check_given(const struct node *n, const struct scene *s,
                                const struct scene_axis *axis, struct fault *why)
 {
     static const char *const part[] = { "from", "to", "points" };
@@ -49,7 +49,9 @@ static enum status check_given(const struct node *n,
     if (axis->key == NULL)
         return place_blame(n->at, why,
                            "sweep: key is missing, expected the key of a "
-                           "number, such as slope.alpha");
+                           "number, such as %s",
+                           s->system ? "system.parameters.NAME"
+                                     : "slope.alpha");
     for (int i = 0; i < 3 && axis->count == 0; i++)
         if (node_find(n, part[i]) == NULL)
             return place_blame(n->at, why,
@@ -102,22 +104,31 @@ static enum status list_values(struct scene_axis *axis)
     return STATUS_OK;
 }
 
+/* Of a system's parameters any number is allowed. */
+static bool set_key(const char *path, double x, struct scene *s)
+{
+    const struct schema_key *key = schema_find(path);
+
+    return key ? value_set(key, x, s) : isfinite(x);
+}
+
 /* Every value is allowed for the key, and they ascend. */
 static enum status check_values(const struct node *n, const struct scene *s,
                                 const struct scene_axis *axis,
                                 struct fault *why)
 {
-    const struct schema_key *key = schema_find(axis->key);
     const struct node *list = node_find(n, "values");
     struct scene trial = *s; /* borrows */
 
     for (size_t i = 0; i < axis->count; i++) {
         const char *part = list ? "values" : i == 0 ? "from" : "to";
         const struct place at = list ? list->child[i]->at : place_of(n, part);
-        if (!value_set(key, axis->value[i], &trial))
+        if (!set_key(axis->key, axis->value[i], &trial))
             return place_blame(at, why,
                                "sweep.%s: %s: %g is not allowed, expected %s",
-                               part, axis->key, axis->value[i], key->expected);
+                               part, axis->key, axis->value[i],
+                               s->system ? "a finite number"
+                                         : schema_find(axis->key)->expected);
         if (i > 0 && !(axis->value[i] > axis->value[i - 1]))
             return place_blame(at, why,
                                "sweep.%s: %.17g after %.17g, expected numbers "
@@ -130,7 +141,7 @@ static enum status check_values(const struct node *n, const struct scene *s,
 static enum status fill_axis(const struct node *n, const struct scene *s,
                              struct scene_axis *axis, struct fault *why)
 {
-    enum status status = check_given(n, axis, why);
+    enum status status = check_given(n, s, axis, why);
 
     if (status == STATUS_OK)
         status = check_range(n, axis, why);
@@ -270,11 +281,33 @@ static enum status check_show(const struct node *root, const struct scene *s,
     return check_shown(root, s, why);
 }
 
+/* Of a system: curves have no place in a sweep, nor has what is drawn or
+ * refined by numbers that only laws have. */
+static enum status check_of_system(const struct node *root,
+                                   const struct scene *s, struct fault *why)
+{
+    static const char *const of_law[] = { "refine", "show", "y_scale",
+                                          "y_range" };
+
+    for (size_t i = 0; i < sizeof of_law / sizeof *of_law; i++) {
+        const struct node *n = find_of_sweep(root, &s->sweep, of_law[i]);
+        if (n)
+            return place_blame(n->key_at, why,
+                               "sweep.%s: for a law on a slope, not for a "
+                               "system",
+                               of_law[i]);
+    }
+    return scene_shape_check(root, s, why);
+}
+
 enum status scene_sweep_check(const struct node *root, const struct scene *s,
                               struct fault *why)
 {
     const struct node *products = node_find(root, "products");
     enum status status = STATUS_OK;
+
+    if (s->system)
+        return s->sweep.axes > 0 ? check_of_system(root, s, why) : STATUS_OK;
 
     for (size_t i = 0; i < s->sweep.axes && status == STATUS_OK; i++)
         status = check_used(root, s, i, why);
@@ -309,5 +342,5 @@ void scene_at(const struct scene *s, const double x[], struct scene *point)
 {
     *point = *s;
     for (size_t i = 0; i < s->sweep.axes; i++)
-        (void) value_set(schema_find(s->sweep.axis[i].key), x[i], point);
+        (void) set_key(s->sweep.axis[i].key, x[i], point);
 }

@@ -31,7 +31,8 @@ bool scene_sweeps(const struct scene *s, const char *key);
 
 /* The scene with its sweep's keys at x[0 .. axes - 1], values in their range.
  * What follows from them by default - the mass of spring_block - stays as it
- * was.  *point borrows all that s owns, and is not to be freed. */
+ * was, and so does a system: scene_parameter.h.  *point borrows all that s
+ * owns, and is not to be freed. */
 void scene_at(const struct scene *s, const double x[], struct scene *point);
 
 #endif

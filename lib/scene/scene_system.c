@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "scene_parameter.h"
 #include "spell.h"
 #include "statements.h"
 #include "system.h"
@@ -418,25 +419,6 @@ static enum status take_starts(struct node *root, struct scene *s,
 
 /* ---- the whole ----------------------------------------------------------- */
 
-static enum status refuse_others(const struct node *root, struct fault *why)
-{
-    static const char *const known[] = { "title",    "system",       "window",
-                                         "products", "trajectories", "basins",
-                                         "accuracy", "output",       NULL };
-
-    for (size_t i = 0; i < root->count; i++) {
-        const struct node *n = root->child[i];
-        const char *const *k = known;
-        while (*k && strcmp(*k, n->key) != 0)
-            k++;
-        if (*k == NULL)
-            return place_blame(n->key_at, why,
-                               "%s: not beside system, expected one of the two",
-                               text_shown(n->key).text);
-    }
-    return STATUS_OK;
-}
-
 enum status scene_system_take(struct node *root, struct scene *s,
                               struct fault *why)
 {
@@ -446,15 +428,14 @@ enum status scene_system_take(struct node *root, struct scene *s,
 
     if (r.node == NULL)
         return STATUS_OK;
-    enum status status = refuse_others(root, why);
-    if (status != STATUS_OK)
-        return status;
     s->system = r.system = malloc(sizeof *r.system);
     if (s->system == NULL)
         return STATUS_NO_MEMORY;
     formula_system_init(s->system);
     s->audit = SCENE_SYSTEM_AUDIT;
-    status = read_system(&r);
+    enum status status = read_system(&r);
+    if (status == STATUS_OK)
+        status = scene_parameter_keys(s, section(&r, "parameters"), why);
     if (status == STATUS_OK)
         status = take_window(root, s, why);
     if (status == STATUS_OK)

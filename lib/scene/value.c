@@ -351,13 +351,15 @@ bool value_set(const struct schema_key *key, double x, struct scene *s)
 enum status value_key(const struct schema_key *key, const struct node *n,
                       struct scene *s, struct fault *why)
 {
-    const char *known[SCHEMA_KEYS_MAX + 1] = { NULL };
+    const char *of_law[SCHEMA_KEYS_MAX + 1] = { NULL };
+    const char *const *known =
+        s->system ? (const char *const *) s->parameter_key : of_law;
     size_t count = 0;
 
     for (const struct schema_key *k = schema_table; k->path; k++)
         if (value_is_real(k))
-            known[count++] = k->path;
-    for (size_t i = 0; i < count && n->kind == NODE_SCALAR; i++)
+            of_law[count++] = k->path;
+    for (size_t i = 0; known[i] && n->kind == NODE_SCALAR; i++)
         if (strcmp(known[i], n->text) == 0) {
             *(const char **) member(s, key) = known[i];
             return STATUS_OK;
@@ -365,7 +367,8 @@ enum status value_key(const struct schema_key *key, const struct node *n,
     const char *near =
         n->kind == NODE_SCALAR ? spell_nearest(n->text, known) : NULL;
     return place_blame(n->at, why, "%s: %s is not allowed, expected %s%s%s%s",
-                       key->path, node_shown(n).text, key->expected,
+                       key->path, node_shown(n).text,
+                       s->system ? "system.parameters.NAME" : key->expected,
                        near ? " (did you mean " : "", near ? near : "",
                        near ? "?)" : "");
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "plane_numbers.h"
 #include "plane_rows.h"
 #include "plane_table.h"
 
@@ -46,6 +47,7 @@ static void add_type(struct plane_table *t)
 
 static void add_rests(const struct plane_study *s, struct plane_table *t)
 {
+    static const char fewer[] = "there are fewer equilibria";
     size_t first = t->fields;
     struct result *r;
 
@@ -58,6 +60,7 @@ static void add_rests(const struct plane_study *s, struct plane_table *t)
     r = plane_table_result(t, brief, 0);
     r->name = "equilibria[K]";
     r->shape = RESULT_SCALARS;
+    r->fewer = fewer;
     r->count = count_rests;
     r->view = view_rest;
     first = t->fields;
@@ -66,6 +69,7 @@ static void add_rests(const struct plane_study *s, struct plane_table *t)
         t, plane_table_type(t, first, "state", "where", sizeof *s->rest), 0);
     r->name = "equilibria[K].state";
     r->shape = RESULT_SCALARS;
+    r->fewer = fewer;
     r->count = count_rests;
     r->view = view_rest;
     first = t->fields;
@@ -79,6 +83,8 @@ static void add_rests(const struct plane_study *s, struct plane_table *t)
                                             sizeof(struct plane_lambda)),
                            0);
     r->name = "equilibria[K].eigenvalues";
+    r->alone = 2;
+    r->fewer = fewer;
     r->count = count_rests;
     r->view = view_lambda;
 }
@@ -166,6 +172,8 @@ static const struct result manifold_results[] = {
       .type = &record_manifold,
       .shape = RESULT_COLUMNS,
       .needs = ASKED(MANIFOLDS),
+      .alone = 4 * PLANE_SADDLES_ALONE,
+      .fewer = "there are fewer saddles",
       .view = view_branches },
     { .path = "/cycles",
       .name = "cycles",
@@ -352,7 +360,8 @@ enum status plane_results_make(struct plane_study *s)
         plane_results_map(s, t);
     t->tables[0] = t->result;
     t->tables[1] = manifold_results;
-    t->tables[2] = plane_basin_results;
+    t->tables[2] = plane_number_results;
+    t->tables[3] = plane_basin_results;
     return STATUS_OK;
 }
 

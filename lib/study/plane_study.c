@@ -7,6 +7,7 @@
 
 #include "plane_basin.h"
 #include "plane_branch.h"
+#include "plane_numbers.h"
 #include "plane_rest.h"
 #include "plane_results.h"
 #include "study_tolerance.h"
@@ -219,7 +220,10 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
         status = find_portrait(s, monitor, why);
     if (status == STATUS_OK && s->products & BIT(BASINS))
         status = plane_basin_find(s, monitor);
-    return status ? status : plane_results_make(s);
+    if (status != STATUS_OK)
+        return status;
+    plane_numbers_fill(s);
+    return plane_results_make(s);
 }
 
 enum status plane_study_run(struct plane_study *s, const struct scene *scene,

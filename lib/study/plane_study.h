@@ -43,6 +43,7 @@ struct plane_rest {
     struct plain_plane plane[2]; /* about it, forward and backward in time */
     struct planar system[2];
     struct trap_form trap[2];
+    struct quantity share; /* of the window; with basins */
 };
 
 /* Where a curve ends, in this order; NULL-ended. */
@@ -102,6 +103,11 @@ struct plane_boundary {
     const char *of; /* borrowed */
 };
 
+/* Shares that are no equilibrium's. */
+struct plane_elsewhere {
+    struct quantity infinity, outside, cycles, undecided;
+};
+
 struct plane_basin {
     struct plane_border *border; /* owned */
     size_t borders, border_room;
@@ -113,6 +119,11 @@ struct plane_basin {
     struct plane_boundary *boundary; /* owned */
     size_t boundaries;
     int64_t cells, disagreements; /* of the audit */
+    struct plane_elsewhere elsewhere;
+};
+
+struct plane_count {
+    int64_t equilibria, undecided, saddles, cycles, attractors;
 };
 
 struct plane_box {
@@ -143,7 +154,8 @@ struct plane_study {
     struct portrait portrait;     /* owned; trajectories: forward */
     struct trajectories backward; /* owned; from the same starts */
     struct plane_basin basin;     /* members owned */
-    struct plane_table *table;    /* owned; plane_results.h */
+    struct plane_count count;
+    struct plane_table *table; /* owned; plane_results.h */
 };
 
 /* The products run; the scene's, or these where it names none.  Errors as

@@ -16,7 +16,7 @@ struct plane_table {
     char *paths; /* owned: of manifolds */
     char text[TEXTS];
     size_t letters;
-    const struct result *tables[4];
+    const struct result *tables[5]; /* NULL-ended */
 };
 
 /* A text that stays with the table. */

@@ -352,6 +352,8 @@ static bool takes_long(const struct run *r)
 {
     const unsigned runs = 1u << PRODUCT_TRAJECTORIES;
 
+    if (r->s->scene->system)
+        return true;
     return plan_has(plan_stages(r->products), STAGE_BASINS) ||
            r->s->scene->products & runs;
 }

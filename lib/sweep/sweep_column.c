@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "plane_numbers.h"
+#include "plane_results.h"
 #include "room.h"
 #include "study_results.h"
 #include "sweep_results.h"
@@ -113,20 +115,46 @@ static enum status add_all(struct sweep_columns *c, const struct scene *scene,
     return status ? status : add_numbers(c, d, n, true);
 }
 
-enum status sweep_columns_init(struct sweep_columns *c,
-                               const struct scene *scene,
-                               const struct sweep_dims *d)
+static enum status add_of_law(struct sweep_columns *c,
+                              const struct scene *scene,
+                              const struct sweep_dims *d)
 {
     const uint64_t asked = sweep_asked(scene);
     struct result_numbers n;
 
-    *c = (struct sweep_columns){
-        .conditioning = (asked & ASKED_BY(SENSITIVITIES)) != 0,
-    };
+    c->conditioning = (asked & ASKED_BY(SENSITIVITIES)) != 0;
     enum status status = study_numbers(&n, asked);
     if (status == STATUS_OK)
         status = add_all(c, scene, d, &n);
     result_numbers_free(&n);
+    return status;
+}
+
+static enum status add_of_system(struct sweep_columns *c,
+                                 const struct scene *scene,
+                                 const struct sweep_dims *d)
+{
+    struct result_numbers n = { .at = NULL };
+
+    c->frame = malloc(sizeof *c->frame);
+    if (c->frame == NULL)
+        return STATUS_NO_MEMORY;
+    enum status status = plane_numbers_frame(c->frame, scene);
+    if (status == STATUS_OK)
+        status = plane_numbers(&n, c->frame);
+    for (size_t i = 0; i < n.count && status == STATUS_OK; i++)
+        status = add(c, d, &n.at[i], NULL, 0);
+    result_numbers_free(&n);
+    return status;
+}
+
+enum status sweep_columns_init(struct sweep_columns *c,
+                               const struct scene *scene,
+                               const struct sweep_dims *d)
+{
+    *c = (struct sweep_columns){ .at = NULL };
+    const enum status status =
+        scene->system ? add_of_system(c, scene, d) : add_of_law(c, scene, d);
     if (status != STATUS_OK)
         sweep_columns_free(c);
     return status;
@@ -135,6 +163,9 @@ enum status sweep_columns_init(struct sweep_columns *c,
 void sweep_columns_free(struct sweep_columns *c)
 {
     free(c->at);
+    if (c->frame)
+        plane_numbers_free(c->frame);
+    free(c->frame);
     *c = (struct sweep_columns){ .at = NULL };
 }
 
@@ -143,6 +174,8 @@ void sweep_columns_free(struct sweep_columns *c)
 static struct results results_of(const struct sweep_column *c,
                                  const struct sweep_point *p)
 {
+    if (p->system)
+        return plane_results(&p->plane);
     return c->names > 0 ? (struct results){ .table = point_tables, .run = p }
                         : study_results(&p->study);
 }
@@ -160,17 +193,26 @@ static struct result_number number_of(const struct sweep_column *c,
 struct quantity sweep_column_quantity(const struct sweep_column *c,
                                       const struct sweep_point *p, size_t entry)
 {
-    const struct results all = results_of(c, p);
+    static const char *const hidden = "not all equilibria could be told apart";
     const struct result_number n = number_of(c, entry);
 
-    return p->failed ? quantity_none(p->failed) : result_quantity(&all, &n);
+    if (p->failed)
+        return quantity_none(p->failed);
+    const struct results all = results_of(c, p);
+    const struct quantity q = result_quantity(&all, &n);
+    return p->system && !p->plane.complete && q.reason == n.of->fewer &&
+                   !quantity_exists(&q)
+               ? quantity_none(hidden)
+               : q;
 }
 
 int8_t sweep_column_code(const struct sweep_column *c,
                          const struct sweep_point *p, size_t entry)
 {
-    const struct results all = results_of(c, p);
     const struct result_number n = number_of(c, entry);
 
-    return p->failed ? -1 : result_code(&all, &n);
+    if (p->failed)
+        return -1;
+    const struct results all = results_of(c, p);
+    return result_code(&all, &n);
 }

@@ -46,7 +46,9 @@ struct sweep_column {
 struct sweep_columns {
     struct sweep_column *at; /* owned */
     size_t count, room;
-    size_t entries;    /* of all columns */
+    struct plane_study *frame; /* owned: whose results' columns these are; NULL:
+                                  a law's */
+    size_t entries;            /* of all columns */
     bool conditioning; /* of the quantities, where the scene asks for it */
 };
 

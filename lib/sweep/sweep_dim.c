@@ -145,6 +145,8 @@ enum status sweep_dims_init(struct sweep_dims *d, const struct scene *scene)
 
     for (int i = 0; i < SWEEP_DIMS; i++)
         d->of[i] = known[i];
+    if (scene->system)
+        return STATUS_OK;
     if (plan_has(stages, STAGE_TRAJECTORIES))
         status = add_runs(d, scene);
     if (status == STATUS_OK && plan_has(stages, STAGE_TAYLOR))

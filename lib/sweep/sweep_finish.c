@@ -37,19 +37,34 @@ static enum status sort_reasons(struct sweep *s)
     return status;
 }
 
-/* The last columns, those of steady states that no point has, go. */
+/* Numbers of things that are counted: of rows, or of instances. */
+static bool is_one_of_many(const struct sweep_column *c)
+{
+    return c->dims == 0 &&
+           ((c->names == 0 && c->number.of->count) ||
+            (c->number.of->shape == RESULT_COLUMNS && c->number.of->alone > 0));
+}
+
+static bool is_anywhere(const struct sweep *s, const struct sweep_column *c)
+{
+    for (size_t i = 0; i < s->rows.count; i++) {
+        const int8_t code = *sweep_rows_code(&s->rows, i, c->first);
+        if (c->codes ? code >= 0 : code == REASON_PRESENT)
+            return true;
+    }
+    return false;
+}
+
+/* Columns of those that no point has go. */
 static void trim_columns(struct sweep *s)
 {
-    const struct sweep_column *c = s->columns.at;
+    size_t kept = 0;
 
-    while (s->columns.count > 0 &&
-           strncmp(c[s->columns.count - 1].name, "equilibria_", 11) == 0) {
-        for (size_t i = 0; i < s->rows.count; i++)
-            if (*sweep_rows_code(&s->rows, i, c[s->columns.count - 1].first) ==
-                REASON_PRESENT)
-                return;
-        s->columns.count--;
-    }
+    for (size_t k = 0; k < s->columns.count; k++)
+        if (!is_one_of_many(&s->columns.at[k]) ||
+            is_anywhere(s, &s->columns.at[k]))
+            s->columns.at[kept++] = s->columns.at[k];
+    s->columns.count = kept;
 }
 
 static void count_failures(struct sweep *s)

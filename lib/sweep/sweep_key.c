@@ -26,6 +26,8 @@ struct sweep_key sweep_key_of(const char *path)
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (strcmp(table[i].path, path) == 0)
             return table[i];
+    if (strncmp(path, "system.", 7) == 0)
+        return (struct sweep_key){ path, "1", "parameter" };
     const struct schema_key *k = schema_find(path);
     return (struct sweep_key){ path, k && k->unit ? k->unit : "1",
                                k ? k->text : path };

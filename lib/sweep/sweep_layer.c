@@ -55,6 +55,8 @@ enum status sweep_layers_init(struct sweep_layers *l, const struct scene *scene,
     const uint64_t asked = sweep_asked(scene);
 
     *l = (struct sweep_layers){ .at = NULL };
+    if (scene->system)
+        return STATUS_OK;
     enum status status = add_tables(
         l, d, &(struct results){ .table = study_tables, .asked = asked });
     l->of_study = l->count;

@@ -36,8 +36,8 @@ struct sweep_layers {
     size_t size;     /* bytes of a point's block; a multiple of 8 */
 };
 
-/* Those of the scene's products; d: their dimensions.  STATUS_NO_MEMORY leaves
- * *l empty. */
+/* Those of the scene's products, none of a system; d: their dimensions.
+ * STATUS_NO_MEMORY leaves *l empty. */
 MUST_CHECK enum status sweep_layers_init(struct sweep_layers *l,
                                          const struct scene *scene,
                                          const struct sweep_dims *d);

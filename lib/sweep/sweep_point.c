@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "scene_parameter.h"
 #include "scene_sweep.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
@@ -15,6 +16,8 @@ unsigned sweep_point_products(const struct scene *scene, bool maps)
         BIT(MARGIN) | BIT(SLIP) | BIT(TIME) | BIT(FRICTION) | BIT(PEAK);
     unsigned products = scene->products & ~BIT(TRAJECTORIES);
 
+    if (scene->system)
+        return scene->products;
     if (scene->products & BIT(TRAJECTORIES))
         products |= BIT(KNEES);
     if (scene_sweep_releases(scene))
@@ -114,6 +117,21 @@ static enum status run(struct sweep_point *p, bool starts,
     return status;
 }
 
+/* The same of a system of formulas. */
+static enum status run_plane(struct sweep_point *p, const struct scene *scene,
+                             const double x[], const struct monitor *monitor)
+{
+    struct fault why;
+
+    p->system = malloc(sizeof *p->system);
+    if (p->system == NULL)
+        return STATUS_NO_MEMORY;
+    p->scene.system = p->system;
+    const enum status status = scene_parameter_at(scene, x, p->system);
+    return status ? status
+                  : plane_study_run(&p->plane, &p->scene, monitor, &why);
+}
+
 enum status sweep_point_run(struct sweep_point *p, const struct scene *scene,
                             const double x[], unsigned products,
                             const struct monitor *monitor)
@@ -121,10 +139,13 @@ enum status sweep_point_run(struct sweep_point *p, const struct scene *scene,
     p->start = NULL; /* what is large is not cleared twice */
     p->starts = 0;
     p->failed = NULL;
+    p->system = NULL;
+    p->plane = (struct plane_study){ .scene = NULL };
     scene_at(scene, x, &p->scene);
     p->scene.products = products;
     const enum status status =
-        run(p, scene->products & BIT(TRAJECTORIES), monitor);
+        scene->system ? run_plane(p, scene, x, monitor)
+                      : run(p, scene->products & BIT(TRAJECTORIES), monitor);
     if (status == STATUS_OK)
         return STATUS_OK;
     sweep_point_free(p);
@@ -139,5 +160,9 @@ void sweep_point_free(struct sweep_point *p)
     free(p->start);
     p->start = NULL;
     p->starts = 0;
-    study_free(&p->study);
+    if (p->scene.system == NULL)
+        study_free(&p->study);
+    plane_study_free(&p->plane);
+    free(p->system);
+    p->system = NULL;
 }

@@ -5,6 +5,7 @@
 #ifndef SWEEP_SWEEP_POINT_H
 #define SWEEP_SWEEP_POINT_H
 
+#include "plane_study.h"
 #include "release.h"
 #include "start_numbers.h"
 #include "study.h"
@@ -18,8 +19,10 @@ struct kind_numbers {
 enum steady_kind { STEADY_CREEP, STEADY_SADDLE, STEADY_SLIDING, STEADY_KINDS };
 
 struct sweep_point {
-    struct scene scene; /* borrowed members */
-    struct study study; /* owned */
+    struct scene scene;            /* borrowed members */
+    struct study study;            /* owned; of a law */
+    struct formula_system *system; /* owned; and of a system of formulas */
+    struct plane_study plane;      /* owned */
     struct kind_numbers kind[STEADY_KINDS];
     struct release_row release;  /* where the scene has an experiment */
     struct start_numbers *start; /* owned; one for each start of the scene */

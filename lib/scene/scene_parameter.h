@@ -1,0 +1,22 @@
+/* scene_parameter.h -- the parameters of a scene's system as keys:
+ * "system.parameters.NAME". */
+#ifndef SCENE_SCENE_PARAMETER_H
+#define SCENE_SCENE_PARAMETER_H
+
+#include "node.h"
+#include "scene.h"
+
+/* Those of s->system into s->parameter_key, owned by *s.  STATUS_BAD_SCENE: an
+ * override sets a parameter (below n) that no formula has; STATUS_NO_MEMORY. */
+MUST_CHECK enum status scene_parameter_keys(struct scene *s,
+                                            const struct node *n,
+                                            struct fault *why);
+
+/* The scene's system with its sweep's keys at x[0 .. axes - 1], numbers as
+ * their shortest decimals say: a study with --set KEY=DECIMAL has the same.
+ * STATUS_BAD_SCENE where the formulas cannot be read with them. */
+MUST_CHECK enum status scene_parameter_at(const struct scene *s,
+                                          const double x[],
+                                          struct formula_system *point);
+
+#endif

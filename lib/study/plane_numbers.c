@@ -1,0 +1,155 @@
+#include "plane_numbers.h"
+
+#include <string.h>
+
+#include "plane_basin.h"
+#include "plane_results.h"
+#include "plane_table.h"
+
+#define ASKED(product) ((uint64_t) 1 << PRODUCT_##product)
+
+/* ---- what is counted ----------------------------------------------------- */
+
+static struct quantity share_of(const struct plane_study *s,
+                                const struct plane_goal *goal,
+                                const char *reason)
+{
+    const int8_t label = plane_basin_label(s, goal);
+
+    return label < 0 || !s->basin.share ? quantity_none(reason)
+                                        : s->basin.share[label].fraction;
+}
+
+/* Sums over all cycles that attract. */
+static struct quantity share_of_cycles(const struct plane_study *s)
+{
+    struct quantity sum = quantity_of(0.0, 0.0);
+
+    for (size_t k = 0; k < s->cycles; k++) {
+        const struct plane_goal goal = { .kind = PLANE_GOAL_CYCLE, .index = k };
+        if (s->cycle[k].type != PLANE_CYCLE_STABLE)
+            continue;
+        const struct quantity q = share_of(s, &goal, "no basins");
+        sum = quantity_of(sum.value + q.value, sum.error + q.error);
+    }
+    return sum;
+}
+
+static void fill_shares(struct plane_study *s)
+{
+    const struct plane_goal infinity = { .kind = PLANE_GOAL_INFINITY },
+                            outside = { .kind = PLANE_GOAL_OUTSIDE };
+    struct plane_basin *b = &s->basin;
+
+    for (size_t i = 0; i < s->rests; i++) {
+        const struct plane_goal goal = { .kind = PLANE_GOAL_REST, .index = i };
+        s->rest[i].share = s->rest[i].trap[0].size > 0.0
+                               ? share_of(s, &goal, "no basins")
+                               : quantity_none("it does not attract");
+    }
+    b->elsewhere = (struct plane_elsewhere){
+        share_of(s, &infinity, "no basins"),
+        share_of(s, &outside, "no basins"),
+        share_of_cycles(s),
+        b->share[b->labels].fraction,
+    };
+}
+
+void plane_numbers_fill(struct plane_study *s)
+{
+    s->count = (struct plane_count){
+        .equilibria = (int64_t) s->rests,
+        .undecided = (int64_t) s->undecided_count,
+        .saddles = (int64_t) s->saddles,
+    };
+    for (size_t i = 0; i < s->rests; i++)
+        s->count.attractors += s->rest[i].trap[0].size > 0.0;
+    for (size_t k = 0; k < s->cycles; k++) {
+        s->count.cycles++;
+        s->count.attractors += s->cycle[k].type == PLANE_CYCLE_STABLE;
+    }
+    if (s->basin.share)
+        fill_shares(s);
+}
+
+/* ---- described ----------------------------------------------------------- */
+
+RESULT_VIEW(view_count, plane_study, &s->count, 1)
+RESULT_VIEW(view_share, plane_study, &s->rest[k], 1)
+RESULT_VIEW(view_elsewhere, plane_study, &s->basin.elsewhere, 1)
+
+static size_t count_rests(const void *run)
+{
+    return ((const struct plane_study *) run)->rests;
+}
+
+static const struct record_field count_fields[] = {
+    FIELD(plane_count, COUNT, equilibria, "1", "found in the window"),
+    FIELD(plane_count, COUNT, undecided, "1", "boxes that may hold others"),
+    FIELD(plane_count, COUNT, saddles, "1", "among the equilibria"),
+    FIELD(plane_count, COUNT, cycles, "1", "closed orbits that were met"),
+    FIELD(plane_count, COUNT, attractors, "1", "equilibria and cycles"),
+};
+static const struct record_type record_count =
+    RECORD_TYPE("count", "how many there are", count_fields, plane_count);
+
+static const struct record_field share_fields[] = {
+    { "fraction", "1", "of the window, by area as it is drawn",
+      offsetof(struct plane_rest, share), RECORD_QUANTITY, NULL },
+};
+static const struct record_type record_share = RECORD_TYPE(
+    "share", "the basin of an equilibrium", share_fields, plane_rest);
+
+static const struct record_field elsewhere_fields[] = {
+    FIELD(plane_elsewhere, QUANTITY, infinity, "1", "goes beyond all bounds"),
+    FIELD(plane_elsewhere, QUANTITY, outside, "1",
+          "comes to rest outside the window"),
+    FIELD(plane_elsewhere, QUANTITY, cycles, "1", "goes to closed orbits"),
+    FIELD(plane_elsewhere, QUANTITY, undecided, "1", "is not known"),
+};
+static const struct record_type record_elsewhere =
+    RECORD_TYPE("elsewhere", "shares that are no equilibrium's",
+                elsewhere_fields, plane_elsewhere);
+
+const struct result plane_number_results[] = {
+    { .name = "count", .type = &record_count, .view = view_count },
+    { .name = "equilibria[K].basin",
+      .type = &record_share,
+      .needs = ASKED(BASINS),
+      .fewer = "there are fewer equilibria",
+      .count = count_rests,
+      .view = view_share },
+    { .name = "basin",
+      .type = &record_elsewhere,
+      .needs = ASKED(BASINS),
+      .view = view_elsewhere },
+    { .path = NULL },
+};
+
+/* ---- a frame ------------------------------------------------------------- */
+
+enum status plane_numbers_frame(struct plane_study *frame,
+                                const struct scene *scene)
+{
+    *frame = (struct plane_study){ .scene = scene,
+                                   .products = scene->products |
+                                               1u << PRODUCT_EQUILIBRIA,
+                                   .rests = PLANE_RESTS_ALONE };
+    for (int i = 0; i < 2; i++)
+        frame->system[0].axis[i].name = scene->system->state[i].name;
+    return plane_results_make(frame);
+}
+
+void plane_numbers_free(struct plane_study *frame)
+{
+    plane_results_free(frame->table);
+    *frame = (struct plane_study){ .scene = NULL };
+}
+
+enum status plane_numbers(struct result_numbers *n,
+                          const struct plane_study *frame)
+{
+    const struct results all = plane_results(frame);
+
+    return result_numbers_init(n, &all);
+}
