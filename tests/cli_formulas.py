@@ -81,6 +81,30 @@ output: {hdf5: a.h5, figure: a.svg}
     expect('same bytes' in room.good('info', '--rerun', 'a.h5'))
 
 
+SWEEP = ['--set', 'sweep={key: system.parameters.d, values: [0.1, 0.3]}']
+
+
+def a_parameter_is_swept(room):
+    found = room.json('sweep', *DUFFING, *SWEEP, '-o', 'a.h5', '--figure',
+                      'a.svg')
+    numbers = found['numbers']
+    expect(found['keys'][0]['values'] == [0.1, 0.3], found['keys'])
+    expect(numbers['count_equilibria']['value'] == [3, 3], numbers)
+    expect(numbers['equilibria_1_type'] == ['saddle'] * 2, numbers)
+    expect(numbers['manifolds_2_end'] == ['equilibrium'] * 2, numbers)
+    for i, d in enumerate((0.1, 0.3)):
+        high = numbers['equilibria_1_eigenvalues_1_re']
+        root = (d * d / 4 + 1) ** 0.5
+        expect(abs(high['value'][i] - (root - d / 2)) <= high['error'][i] + 1e-16,
+               high)
+    listed = room.good('info', 'a.h5')
+    expect('equilibria_1_eigenvalues_1_re_error 2' in listed, listed)
+    expect(b'saddle' in room.bytes('a.svg'), 'figure')
+    many = room.json('study', *DUFFING, '--set', 'system.parameters.d=0.3')
+    one = many['equilibria'][1]['eigenvalues'][1]['re']
+    expect(one['value'] == high['value'][1], 'a point is a study')
+
+
 def what_is_wrong_costs_one_line(room):
     for words, said in (
             (['study', '--ode', "x' = y; y' = sn(x)"], 'did you mean'),
@@ -92,11 +116,18 @@ def what_is_wrong_costs_one_line(room):
             (['push', '--law', 'ruina', '--alpha', '0.3', '--state', 'x=1'],
              '--state'),
             (['push', *DUFFING, '--v', '1', '--psi', '1'], '--state'),
-            (['study', *DUFFING, '--set', 'products=[knees]'], 'knees')):
+            (['study', *DUFFING, '--set', 'products=[knees]'], 'knees'),
+            (['study', *DUFFING, '--set', 'system.parameters.e=1'],
+             'no formula has it'),
+            (['sweep', *DUFFING], 'the scene has none'),
+            (['sweep', *DUFFING, *SWEEP, '--set', 'sweep.key=slope.alpha'],
+             'expected system.parameters.NAME'),
+            (['sweep', *DUFFING, *SWEEP, '--set', 'products=[nullclines]'],
+             'not in a sweep')):
         refused(room.run(*words), 2, said)
     room.write('a.yaml', 'system: {rates: {x: y, y: -x}}\n'
                          'window: {x: [-1, 1], y: [-1, 1]}\n')
-    for command in ('knees', 'sweep', 'simulate', 'rabinowicz', 'workprec',
+    for command in ('knees', 'simulate', 'rabinowicz', 'workprec',
                     'stress'):
         refused(room.run(command, 'a.yaml'), 2,
                 f'{command}: not for a system of formulas')
@@ -111,4 +142,4 @@ def what_is_wrong_costs_one_line(room):
 run_cases([json_is_as_the_interface_says, shares_are_halves,
            parameters_are_set, one_state_or_many_are_pushed,
            files_and_figures_have_the_names_of_states,
-           what_is_wrong_costs_one_line])
+           a_parameter_is_swept, what_is_wrong_costs_one_line])
