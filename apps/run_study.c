@@ -56,7 +56,7 @@ static unsigned products_of(const struct options *o, const struct shortcut *how,
     if (s->system)
         return (s->products ? s->products : plane_products(o)) |
                (how->always & (BIT(EQUILIBRIA) | BIT(BASINS))) |
-               BIT(EQUILIBRIA);
+               (o->sensitivities ? BIT(SENSITIVITIES) : 0) | BIT(EQUILIBRIA);
     const unsigned none = how->hands_over && s->sweep.axes > 0
                               ? knees_shortcut.always
                               : how->if_none;
@@ -77,13 +77,6 @@ static enum status read_scene(const struct options *o,
     const enum status s = command_read(o, NULL, 0, scene, why);
     if (s != STATUS_OK)
         return s;
-    if (scene->system && o->sensitivities) {
-        scene_free(scene);
-        return command_refuse(why,
-                              "%s: --sensitivities: not for a system of "
-                              "formulas, expected a law on a slope",
-                              o->command->name);
-    }
     const char *name = scene_command(scene);
     const unsigned products = products_of(o, how, scene);
     if (how->hands_over && strcmp(name, "study") != 0)

@@ -26,9 +26,9 @@ static enum status complain(struct fault *why, const char *text)
 /* What `knees` computes, where the scene names nothing. */
 static unsigned products_of(const struct options *o, const struct scene *s)
 {
-    if (s->system)
-        return s->products ? s->products : BIT(EQUILIBRIA) | BIT(MANIFOLDS);
+    const unsigned of_system = BIT(EQUILIBRIA) | BIT(MANIFOLDS);
     const unsigned asked = s->products ? s->products
+                           : s->system ? of_system
                                        : BIT(EQUILIBRIA) | BIT(FOLDS) |
                                              BIT(KNEES) | BIT(ESTIMATES);
 

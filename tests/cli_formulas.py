@@ -131,8 +131,7 @@ def what_is_wrong_costs_one_line(room):
                     'stress'):
         refused(room.run(command, 'a.yaml'), 2,
                 f'{command}: not for a system of formulas')
-    for words in (['study', 'a.yaml', '--sensitivities'],
-                  ['basin', 'a.yaml', '--exact'],
+    for words in (['basin', 'a.yaml', '--exact'],
                   ['check', '--record', 'a.yaml', '-o', 'a.csv']):
         refused(room.run(*words), 2, 'a law on a slope')
     refused(room.run('export', 'a.yaml', '--as', 'xppaut'), 2, 'export')

@@ -16,9 +16,9 @@
 
 #define BIT(p) (1u << PRODUCT_##p)
 
-const unsigned scene_system_products = BIT(EQUILIBRIA) | BIT(NULLCLINES) |
-                                       BIT(FIELD_ARROWS) | BIT(MANIFOLDS) |
-                                       BIT(TRAJECTORIES) | BIT(BASINS);
+const unsigned scene_system_products =
+    BIT(EQUILIBRIA) | BIT(NULLCLINES) | BIT(FIELD_ARROWS) | BIT(MANIFOLDS) |
+    BIT(SENSITIVITIES) | BIT(TRAJECTORIES) | BIT(BASINS);
 
 /* ---- places -------------------------------------------------------------- */
 

@@ -36,6 +36,8 @@ static size_t count_of_complete(const void *run)
     return !((const struct plane_study *) run)->complete;
 }
 
+static const char fewer[] = "there are fewer equilibria";
+
 #define REST(member) offsetof(struct plane_rest, member)
 
 static void add_type(struct plane_table *t)
@@ -47,7 +49,6 @@ static void add_type(struct plane_table *t)
 
 static void add_rests(const struct plane_study *s, struct plane_table *t)
 {
-    static const char fewer[] = "there are fewer equilibria";
     size_t first = t->fields;
     struct result *r;
 
@@ -134,6 +135,48 @@ static void add_boxes(const struct plane_study *s, struct plane_table *t)
         r->path = plane_table_keep(t, "/undecided_K/%s", name);
         r->count = count_boxes;
         r->view = view[i];
+    }
+}
+
+/* ---- sensitivities ------------------------------------------------------- */
+
+static size_t parameters_of(const struct plane_study *s)
+{
+    return (size_t) s->scene->system->parameters;
+}
+
+/* Those of one equilibrium, of all parameters; and of all equilibria. */
+RESULT_VIEW(view_slope, plane_study, s->slope + k * parameters_of(s), 1)
+RESULT_VIEW(view_slopes, plane_study, s->slope, s->rests)
+
+/* By each parameter one result in JSON, one in files. */
+static void add_slopes(const struct plane_study *s, struct plane_table *t)
+{
+    static const char *const part[] = { "re_0", "im_0", "re_1", "im_1" };
+    const size_t each = parameters_of(s);
+
+    for (size_t p = 0; p < each; p++) {
+        const char *name = s->scene->system->parameter[p].name;
+        const size_t at = p * sizeof *s->slope, first = t->fields;
+        plane_table_states(s, t, "*", RECORD_QUANTITY, at);
+        for (size_t i = 0; i < 4; i++)
+            plane_table_field(t, part[i], RECORD_QUANTITY,
+                              at + (2 + i) * sizeof(struct quantity),
+                              "part of an eigenvalue");
+        const struct record_type *type =
+            plane_table_type(t, first, "sensitivity",
+                             plane_table_keep(t, "derivatives by %s", name),
+                             each * sizeof *s->slope);
+        struct result *r = plane_table_result(t, type, ASKED(SENSITIVITIES));
+        r->name = plane_table_keep(t, "equilibria[K].sensitivities.%s", name);
+        r->shape = RESULT_SCALARS;
+        r->fewer = fewer;
+        r->count = count_rests;
+        r->view = view_slope;
+        r = plane_table_result(t, type, ASKED(SENSITIVITIES));
+        r->path = plane_table_keep(t, "/sensitivities/%s", name);
+        r->title = plane_table_keep(t, "derivatives by %s", name);
+        r->view = view_slopes;
     }
 }
 
@@ -347,6 +390,8 @@ enum status plane_results_make(struct plane_study *s)
     add_rest_columns(s, t);
     add_rests(s, t);
     add_boxes(s, t);
+    if (s->products & ASKED(SENSITIVITIES))
+        add_slopes(s, t);
     if (s->products & (ASKED(MANIFOLDS) | ASKED(BASINS))) {
         const char *paths = branch_paths(s, t);
         if (paths == NULL)

@@ -10,6 +10,7 @@
 #include "plane_numbers.h"
 #include "plane_rest.h"
 #include "plane_results.h"
+#include "plane_sensitivity.h"
 #include "study_tolerance.h"
 #include "tolerance.h"
 
@@ -222,6 +223,10 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
         status = plane_basin_find(s, monitor);
     if (status != STATUS_OK)
         return status;
+    if (s->products & BIT(SENSITIVITIES))
+        status = plane_sensitivity_find(s);
+    if (status != STATUS_OK)
+        return status;
     plane_numbers_fill(s);
     return plane_results_make(s);
 }
@@ -249,6 +254,7 @@ void plane_study_free(struct plane_study *s)
     free(s->rest);
     free(s->undecided);
     free(s->cycle);
+    free(s->slope);
     portrait_free(&s->portrait);
     trajectory_free(&s->backward);
     plane_basin_free(&s->basin);

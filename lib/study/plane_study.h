@@ -122,6 +122,13 @@ struct plane_basin {
     struct plane_elsewhere elsewhere;
 };
 
+/* Derivatives of an equilibrium's numbers: its state, re and im of both
+ * eigenvalues. */
+enum { PLANE_SLOPES = 6 };
+struct plane_slope {
+    struct quantity by[PLANE_SLOPES];
+};
+
 struct plane_count {
     int64_t equilibria, undecided, saddles, cycles, attractors;
 };
@@ -155,6 +162,7 @@ struct plane_study {
     struct trajectories backward; /* owned; from the same starts */
     struct plane_basin basin;     /* members owned */
     struct plane_count count;
+    struct plane_slope *slope; /* owned; by equilibrium, then by parameter */
     struct plane_table *table; /* owned; plane_results.h */
 };
 

@@ -6,7 +6,13 @@
 #include "plane_study.h"
 #include "result.h"
 
-enum { RESULTS_MOST = 40, FIELDS_MOST = 64, TYPES_MOST = 28, TEXTS = 8192 };
+/* Sensitivities have as many as there are parameters. */
+enum {
+    RESULTS_MOST = 40 + 2 * SYSTEM_PARAMETERS,
+    FIELDS_MOST = 64 + 6 * SYSTEM_PARAMETERS,
+    TYPES_MOST = 28 + SYSTEM_PARAMETERS,
+    TEXTS = 8192 + 400 * SYSTEM_PARAMETERS
+};
 
 struct plane_table {
     struct record_field field[FIELDS_MOST];

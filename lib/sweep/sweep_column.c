@@ -136,6 +136,7 @@ static enum status add_of_system(struct sweep_columns *c,
 {
     struct result_numbers n = { .at = NULL };
 
+    c->conditioning = (scene->products & 1u << PRODUCT_SENSITIVITIES) != 0;
     c->frame = malloc(sizeof *c->frame);
     if (c->frame == NULL)
         return STATUS_NO_MEMORY;

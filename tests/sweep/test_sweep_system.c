@@ -30,7 +30,8 @@ static void is_near(const struct sweep *s, const char *name, size_t i,
     const struct quantity q = number(s, name, i);
 
     CHECK(quantity_exists(&q), "%s at %zu: %s", name, i, q.reason);
-    CHECK(fabs(q.value - value) <= q.error && q.error <= most,
+    CHECK(fabs(q.value - value) <= q.error + 2e-16 * fabs(value) &&
+              q.error <= most,
           "%s at %zu: %.17g +- %g, expected %.17g +- %g", name, i, q.value,
           q.error, value, most);
 }
@@ -102,6 +103,35 @@ static void shares_and_ends_are_numbers_of_points(void **state)
         is_near(&w.s, "manifolds_3_to", i, 0.0, 0.0);
     }
     assert_int_equal(sweep_find(&w.s, "equilibria_1_basin_fraction"), -1);
+    swept_free(&w);
+}
+
+/* x_1 = sqrt a, re = -d/2 at the focus: their derivatives, and what a rounding
+ * of a costs x_1: half of it. */
+static void derivatives_are_columns_too(void **state)
+{
+    static const char *const sets[] = {
+        DUFFING, "products=[sensitivities]",
+        "sweep={key: system.parameters.a, values: [1, 4]}", NULL
+    };
+    struct swept w;
+
+    (void) state;
+    sweep_of(&w, sets, &plainly);
+    for (size_t i = 0; i < 2; i++) {
+        const double a = i ? 4.0 : 1.0, d = 0.2, root = sqrt(0.25 * d * d + a);
+        const struct quantity q = number(&w.s, "equilibria_2_state_x", i);
+        is_near(&w.s, "equilibria_2_sensitivities_a_x", i, 0.5 / sqrt(a),
+                1e-16);
+        is_near(&w.s, "equilibria_2_sensitivities_d_x", i, 0.0, 1e-16);
+        is_near(&w.s, "equilibria_2_sensitivities_d_re_0", i, -0.5, 1e-16);
+        is_near(&w.s, "equilibria_1_sensitivities_a_re_1", i, 0.5 / root,
+                2e-16);
+        is_near(&w.s, "equilibria_1_sensitivities_d_re_1", i,
+                -0.5 + 0.25 * d / root, 2e-16);
+        CHECK(fabs(q.conditioning - 0x1p-54) <= 1e-6 * 0x1p-54, "%g",
+              q.conditioning);
+    }
     swept_free(&w);
 }
 
@@ -200,6 +230,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(equilibria_follow_their_closed_form),
         cmocka_unit_test(shares_and_ends_are_numbers_of_points),
+        cmocka_unit_test(derivatives_are_columns_too),
         cmocka_unit_test(what_is_undecided_has_its_reason),
         cmocka_unit_test(points_of_a_grid_are_studies),
         cmocka_unit_test(decimals_are_taken_as_typed),
