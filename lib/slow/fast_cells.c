@@ -159,7 +159,7 @@ struct batch {
 static void follow(const struct fast_cells *f, unsigned which,
                    const struct layer_job job[], size_t n, struct layer out[])
 {
-    if (f->lanes > 1 && !(which & peaks)) {
+    if (!(which & peaks)) {
         layer_lanes_follow(&f->curve, f->lanes, job, n, out);
         return;
     }

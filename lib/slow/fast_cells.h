@@ -11,7 +11,7 @@
 struct fast_cells {
     const struct slider *slider; /* borrowed */
     struct slow_curve curve;     /* owned */
-    int lanes; /* as of layer_lanes_width; 1: one state after the other */
+    int lanes; /* as of layer_lanes_width; peaks go one by one */
 };
 
 /* The table for a slider, and as many lanes as the

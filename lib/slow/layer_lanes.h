@@ -16,8 +16,8 @@ struct layer_job {
     struct layer_options options;
 };
 
-/* How many lanes at once: 8 or 4 where the processor has them, else 2; at most
- * `most`. */
+/* How many lanes at once: 8 or 4 where the processor has them, else 2, or 1; at
+ * most `most`. */
 int layer_lanes_width(int most);
 
 /* job[n] into out[n], as layer_follow; `width`: as of layer_lanes_width.  Each
@@ -28,6 +28,8 @@ void layer_lanes_follow(const struct slow_curve *c, int width,
 
 /* The same at one width each; those of 8 and 4 lanes only where the processor
  * has them. */
+void layer_lanes_1(const struct slow_curve *c, const struct layer_job job[],
+                   size_t n, struct layer out[]);
 void layer_lanes_2(const struct slow_curve *c, const struct layer_job job[],
                    size_t n, struct layer out[]);
 void layer_lanes_4(const struct slow_curve *c, const struct layer_job job[],
