@@ -8,8 +8,8 @@
  * with the entries chosen so that reductions are exact without fused
  * products; the rest is rounded from 113 bits.  tests/core/test_elementary.c
  * holds each to its claim in units in the last place (ulps): exp 0.56, log
- * 0.53, pow 0.6, expm1, log1p 1.2, cosh, sinh, asinh, atanh, tanh 3, others
- * 0.501.
+ * and log10 0.53, pow 0.6, expm1, log1p 1.2, cosh, sinh, asinh, atanh, tanh 3,
+ * others 0.501.
  */
 #include <math.h>
 #include <quadmath.h>
@@ -289,7 +289,7 @@ double log1p(double x)
     return high + low;
 }
 
-/* ---- x^y ----------------------------------------------------------------- */
+/* ---- log10 x, x^y -------------------------------------------------------- */
 
 /* The product of a and b is the result + *low (Veltkamp, Dekker 1971). */
 static double product(double a, double b, double *low)
@@ -301,6 +301,23 @@ static double product(double a, double b, double *low)
     *low = ((upper * top - p) + upper * (b - top) + (a - upper) * top) +
            (a - upper) * (b - top);
     return p;
+}
+
+#define LOG10_E     0x1.bcb7b1526e50ep-2 /* log10 e, and by how much less */
+#define LOG10_E_LOW 0x1.95355baaafad3p-57
+
+double log10(double x)
+{
+    double low, left;
+
+    if (!(x > 0.0 && x < HUGE_VAL))
+        return log_special(x);
+    double high = log_split(x, 0.0, &low);
+    const double sum = high + low;
+
+    low += high - sum;
+    high = product(sum, LOG10_E, &left);
+    return high + (left + low * LOG10_E + sum * LOG10_E_LOW);
 }
 
 double pow(double x, double y)
@@ -381,9 +398,4 @@ double atan(double x)
 double atan2(double y, double x)
 {
     return (double) atan2q(y, x);
-}
-
-double log10(double x)
-{
-    return (double) log10q(x);
 }
