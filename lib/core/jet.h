@@ -45,7 +45,7 @@ struct jet_work {
     jet_pair log_scale;     /* set by the field at k = 0 */
     jet_pair frozen[4];     /* whatever else the field fixes at k = 0 */
     size_t used;
-    jet_pair slot[JET_SLOTS][JET_SIZE];
+    _Alignas(64) jet_pair slot[JET_SLOTS][JET_SIZE]; /* as a cache's lines */
 };
 
 /* The next free series; forget them all with w->used = 0. */

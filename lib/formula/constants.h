@@ -18,9 +18,16 @@ struct formula_value {
 void formula_constants(const struct formula *f,
                        const struct formula_value leaf[], formula_real least,
                        formula_real value[]);
-/* Faster; nothing is too small. */
-void formula_long_constants(const struct formula *f,
+/* Faster; nothing is too small.  False where a constant has lost more than
+ * eight of the eleven bits that a long double has beyond a double. */
+bool formula_long_constants(const struct formula *f,
                             const struct formula_value leaf[],
                             long double value[]);
+
+/* A leaf and, in order, all that changes with it; their number. */
+int formula_changing(const struct formula *f, int leaf, short changing[]);
+/* Those again, no leaves among them, of the others' values. */
+void formula_long_again(const struct formula *f, const short changing[],
+                        int count, long double value[]);
 
 #endif

@@ -79,10 +79,27 @@ static SCALAR KIND(node_value)(const struct formula_node *n,
     }
 }
 
-static void KIND(constants)(const struct formula *f,
+/* Whether value[i] has lost more than eight bits that its arguments had: a sum
+ * that cancels, a function that is small where its argument is not. */
+static bool KIND(loses)(const struct formula_node *n, const SCALAR value[],
+                        SCALAR out)
+{
+    const SCALAR part = (SCALAR) 1 / 256, size = FN(fabs)(out);
+    const SCALAR u = FN(fabs)(value[n->of[0]]), w = FN(fabs)(value[n->of[1]]);
+
+    if (n->kind == FORMULA_SUM)
+        return size < part * (u > w ? u : w);
+    return n->kind == FORMULA_CALL && n->function != FUNCTION_EXP &&
+           n->function != FUNCTION_LAMBERT &&
+           size < part * (n->function == FUNCTION_LN ? 1 : u) && size > 0;
+}
+
+/* False where something loses digits. */
+static bool KIND(constants)(const struct formula *f,
                             const struct formula_value leaf[], SCALAR least,
                             SCALAR value[])
 {
+    bool whole = true;
     int count = 0;
 
     while (leaf[count].name)
@@ -96,5 +113,8 @@ static void KIND(constants)(const struct formula *f,
         if (least > 0 && n->kind == FORMULA_SUM &&
             FN(fabs)(value[i]) < least * FN(fabs)(value[n->of[0]]))
             value[i] = 0;
+        if (least <= 0 && !n->moves && KIND(loses)(n, value, value[i]))
+            whole = false;
     }
+    return whole;
 }

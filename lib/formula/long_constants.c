@@ -9,9 +9,16 @@
 #define FN(f)   f##l
 #include "constants_formula.h"
 
-void formula_long_constants(const struct formula *f,
+bool formula_long_constants(const struct formula *f,
                             const struct formula_value leaf[],
                             long double value[])
 {
-    long_constants(f, leaf, 0, value);
+    return long_constants(f, leaf, 0, value);
+}
+
+void formula_long_again(const struct formula *f, const short changing[],
+                        int count, long double value[])
+{
+    for (int i = 0; i < count; i++)
+        value[changing[i]] = long_node_value(&f->node[changing[i]], value);
 }

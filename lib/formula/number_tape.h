@@ -37,6 +37,7 @@ struct TAPE_KIND(tape) {
     int terms;
     struct TAPE_KIND(tape_rate) rate[TAPE_RATES];
     int rates;
+    bool used[TAPE_OBSERVABLES][TAPE_STEPS]; /* steps */
     struct TAPE_KIND(tape_form) value[TAPE_VALUES];
 };
 
@@ -45,10 +46,10 @@ MUST_CHECK bool TAPE_KIND(tape_at)(const struct tape *t,
                                    const formula_real constant[],
                                    struct TAPE_KIND(tape) * out);
 
-/* All registers at offsets from the anchor, or those that the chart's rates
- * need: reg[0 .. steps + 1]. */
+/* Registers at offsets from the anchor, reg[0 .. steps + 1]: those that the
+ * chart's rates need (rate 0), all (1), or those of an observable's rate. */
 void TAPE_KIND(tape_run)(const struct TAPE_KIND(tape) * t, TAPE_SCALAR x,
-                         TAPE_SCALAR y, bool everything, TAPE_SCALAR reg[]);
+                         TAPE_SCALAR y, int rate, TAPE_SCALAR reg[]);
 
 /* A step of the tape, a growth or an apart times e^-s, from the registers
  * before it; not of a scaled one. */

@@ -113,7 +113,7 @@ static void TAPE_KIND(mean_at)(struct TAPE_KIND(making) * m,
             t->term[t->terms++].c = (TAPE_SCALAR) sum[i];
             out->mean.terms++;
         }
-    out->mean_kept = (TAPE_SCALAR) expq(c - (quad) (TAPE_SCALAR) c);
+    out->mean_kept = (TAPE_SCALAR) (1 + (c - (quad) (TAPE_SCALAR) c));
 }
 
 static void TAPE_KIND(rate_at)(struct TAPE_KIND(making) * m,
@@ -124,9 +124,11 @@ static void TAPE_KIND(rate_at)(struct TAPE_KIND(making) * m,
     for (int k = 0; k < 2; k++) {
         const quad c = m->constant[r->exponent[k].constant];
         TAPE_KIND(linear_at)(m, &r->exponent[k], &out->exponent[k]);
-        out->kept[k] = (TAPE_SCALAR) expq(c - (quad) out->exponent[k].constant);
+        out->kept[k] =
+            (TAPE_SCALAR) (1 + (c - (quad) out->exponent[k].constant));
     }
-    TAPE_KIND(mean_at)(m, r, out);
+    if (r->sinh >= 0)
+        TAPE_KIND(mean_at)(m, r, out);
     out->sinh = r->sinh >= 0 ? m->place[r->sinh] : -1;
     out->scaled = r->scaled >= 0 ? m->place[r->scaled] : -1;
     out->joined = r->joined;
@@ -141,6 +143,18 @@ static void TAPE_KIND(read_form)(const struct TAPE_KIND(tape) * t,
             read[t->term[j].reg] = true;
 }
 
+static void TAPE_KIND(read_rate)(struct TAPE_KIND(tape) * t, int rate,
+                                 bool read[])
+{
+    const struct TAPE_KIND(tape_rate) *r = &t->rate[rate];
+
+    TAPE_KIND(read_form)(t, &r->mantissa, false, read);
+    TAPE_KIND(read_form)(t, &r->exponent[0], false, read);
+    TAPE_KIND(read_form)(t, &r->exponent[1], false, read);
+    read[r->sinh >= 0 ? r->sinh : 0] = true;
+    read[r->scaled >= 0 ? r->scaled : 0] = true;
+}
+
 /* Which registers nobody reads. */
 static void TAPE_KIND(find_idle)(struct TAPE_KIND(tape) * t)
 {
@@ -153,11 +167,7 @@ static void TAPE_KIND(find_idle)(struct TAPE_KIND(tape) * t)
     }
     for (int i = 0; i < t->rates; i++) {
         const struct TAPE_KIND(tape_rate) *r = &t->rate[i];
-        TAPE_KIND(read_form)(t, &r->mantissa, false, read);
-        TAPE_KIND(read_form)(t, &r->exponent[0], false, read);
-        TAPE_KIND(read_form)(t, &r->exponent[1], false, read);
-        read[r->sinh >= 0 ? r->sinh : 0] = true;
-        read[r->scaled >= 0 ? r->scaled : 0] = true;
+        TAPE_KIND(read_rate)(t, i, read);
         if (r->joined)
             t->step[r->sinh - 2].joined = true;
     }
@@ -165,6 +175,23 @@ static void TAPE_KIND(find_idle)(struct TAPE_KIND(tape) * t)
         TAPE_KIND(read_form)(t, &t->value[i], false, read);
     for (int i = 0; i < t->steps; i++)
         t->step[i].idle = !read[i + 2];
+}
+
+/* What an observable's rate needs, parts of scaled ones, too. */
+static void TAPE_KIND(find_used)(struct TAPE_KIND(tape) * t, int rate,
+                                 bool used[])
+{
+    bool read[TAPE_STEPS + 2] = { false };
+
+    TAPE_KIND(read_rate)(t, rate, read);
+    for (int i = t->steps; i-- > 0;) {
+        const struct TAPE_KIND(tape_entry) *n = &t->step[i];
+        used[i] = read[i + 2] && !n->idle;
+        if (!read[i + 2])
+            continue;
+        TAPE_KIND(read_form)(t, &n->form, false, read);
+        read[n->a >= 0 ? n->a : 0] = read[n->b >= 0 ? n->b : 0] = true;
+    }
 }
 
 bool TAPE_KIND(tape_at)(const struct tape *t, const formula_real constant[],
@@ -194,6 +221,8 @@ bool TAPE_KIND(tape_at)(const struct tape *t, const formula_real constant[],
     for (int i = 0; i < TAPE_VALUES; i++)
         TAPE_KIND(linear_at)(&m, &t->value[i], &out->value[i]);
     TAPE_KIND(find_idle)(out);
+    for (int i = 2; i < t->rates; i++)
+        TAPE_KIND(find_used)(out, i, out->used[i - 2]);
     return out->terms < NUMBER_TERMS;
 }
 
@@ -312,14 +341,15 @@ static TAPE_SCALAR TAPE_KIND(scaled)(const struct TAPE_KIND(tape) * t, int i,
 }
 
 void TAPE_KIND(tape_run)(const struct TAPE_KIND(tape) * t, TAPE_SCALAR x,
-                         TAPE_SCALAR y, bool everything, TAPE_SCALAR r[])
+                         TAPE_SCALAR y, int rate, TAPE_SCALAR r[])
 {
-    const int steps = everything ? t->steps : t->rate_steps;
+    const bool *used = rate < 2 ? NULL : t->used[rate - 2];
+    const int steps = rate == 0 ? t->rate_steps : t->steps;
 
     r[0] = x;
     r[1] = y;
     for (int i = 0; i < steps; i++)
-        if (!t->step[i].idle)
+        if (used ? used[i] : !t->step[i].idle)
             r[i + 2] = t->step[i].kind == STEP_SCALED
                            ? TAPE_KIND(scaled)(t, i, r)
                            : TAPE_KIND(tape_step)(t, i, 0, r);

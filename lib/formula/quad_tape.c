@@ -11,7 +11,7 @@ void quad_tape_field(const struct quad_tape *t, quad X, quad Y, quad rate[2],
 {
     quad r[TAPE_STEPS + 2], e[2];
 
-    quad_tape_run(t, X, Y, true, r);
+    quad_tape_run(t, X, Y, 1, r);
     for (int i = 0; i < 2; i++)
         e[i] = quad_tape_exponent(t, i, r);
     *scale = scalar_larger(e[0], e[1]);

@@ -120,13 +120,14 @@ static inline SCALAR scalar_asinh_exp(SCALAR w)
 /* W(exp(-k)), Lambert's W, from w + exp(w) = -k with w = ln W */
 static inline SCALAR scalar_lambert(SCALAR k)
 {
-    SCALAR w = k > 1 ? -k : (SCALAR) -1;
+    SCALAR w = k > 1 ? -k : (SCALAR) -1, before = 2;
 
-    for (int i = 0; i < 60; i++) {
+    for (int i = 0; i < 60; i++) { /* until rounding is all that moves it */
         const SCALAR e = FN(exp)(w), step = (w + e + k) / (1 + e);
-        w -= step;
-        if (FN(fabs)(step) <= FN(fabs)(w) * (SCALAR) 1e-36)
+        if (!(FN(fabs)(step) < before) || w - step == w)
             break;
+        before = FN(fabs)(step);
+        w -= step;
     }
     return FN(exp)(w);
 }

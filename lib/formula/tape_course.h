@@ -11,41 +11,45 @@
 struct course {
     const struct tape_plane *p;
     const struct real_tape *t;
-    jet_pair *all, *reg; /* the workspace, registers */
-    jet_pair *A, *B;     /* row k */
-    const jet_pair *S;   /* sums */
+    jet_pair *reg, *keep; /* registers, what is kept of order 0 */
+    jet_pair *A, *B, *S;  /* rows k, sums */
     double k, inverse;
 };
 
-/* An expression for each lane i. */
-#define EACH(out, value)                                                       \
-    do {                                                                       \
-        for (int i = 0; i < JET_LANES; i++)                                    \
-            (out)[i] = value;                                                  \
-    } while (0)
-
 /* What is kept of order 0 is kept by slot, three each, and one more. */
-enum { KEPT = 3 };
+enum { TAPE_KEPT = 3 };
 
-/* How many sums a step needs, by its kind and with its parts; and a rate: the
- * exponential, and its product with the mantissa. */
+/* How many sums a step needs, by its kind and with its parts. */
 int tape_kind_slots(enum step_kind kind);
 int tape_step_slots(const struct real_tape *t, const struct real_tape_entry *n);
-int tape_rate_slots(const struct real_tape_rate *r);
 
-/* The sums of order k > 0. */
-void tape_sums(const struct tape_plane *p, struct jet_work *w, size_t k,
-               int part);
+/* Registers and what is kept of them, in the places of p->kept and rate_kept;
+ * reg[0] and reg[1] are the chart's offsets. */
+struct tape_kept {
+    const struct tape_plane *p;
+    double reg[TAPE_STEPS + 2], keep[TAPE_KEEPS];
+};
 
-/* They on rows a and b: sum[i] of a[j width + i] b[(k - j) width + i]; width is
- * even.  On registers twice as wide, false where there are none. */
-void tape_sums_plain(size_t k, size_t width, const jet_pair *a,
-                     const jet_pair *b, jet_pair *sum);
-bool tape_sums_wide(size_t k, size_t width, const jet_pair *a,
-                    const jet_pair *b, jet_pair *sum);
+/* Steps from .. to, those of used[] unless it is NULL; frozen: e^-|w| sinh w
+ * has the |w| of this point. */
+void tape_keep(struct tape_kept *v, bool frozen, const bool used[], int from,
+               int to);
 
-/* Order 0 of a step. */
-void tape_start(const struct course *c, int i);
+/* Of a rate: the logarithm of its size, and all but that, times e^e. */
+double tape_start_size(const struct tape_kept *v, int rate);
+double tape_start_rate(struct tape_kept *v, int rate, double e);
+
+/* Of a linear form. */
+struct vec2 tape_linear_gradient(const struct real_tape *t,
+                                 const struct real_tape_form *u,
+                                 const struct vec2 g[]);
+
+/* d register/d(x, y) of what is kept, not frozen, for a rate (0: both of the
+ * chart, 1: everything); and of rate i without its exponential, which is
+ * `power`. */
+void tape_gradients(const struct tape_kept *v, int rate, struct vec2 g[]);
+struct vec2 tape_rate_gradient(const struct tape_kept *v, int i, double power,
+                               const struct vec2 g[]);
 
 /* No exponential then. */
 static inline bool is_fixed(const struct real_tape_rate *r)
@@ -58,14 +62,11 @@ static inline bool is_joined(const struct real_tape *t, int reg)
     return t->step[reg - 2].joined;
 }
 
-static inline jet_pair linear(const struct course *c,
-                              const struct real_tape_form *u)
+/* Whether the exponent is the mean of two: sinh w with |w| of order 0. */
+static inline bool is_mean(const struct real_tape *t,
+                           const struct real_tape_rate *r)
 {
-    jet_pair sum = JET_PAIR(0.0);
-
-    for (int i = u->first; i < u->first + u->terms; i++)
-        sum += c->t->term[i].c * c->reg[c->t->term[i].reg];
-    return sum;
+    return r->sinh >= 0 && !is_joined(t, r->sinh);
 }
 
 #endif

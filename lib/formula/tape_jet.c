@@ -2,15 +2,14 @@
  *     S_k = sum_{0 < j < k} A_j B_{k-j}
  * of rows that are known before order k: the sums of all steps are made at
  * once, as one rectangle of rows by slots, and what a step has left to do at an
- * order is a few operations.  The workspace is one array: rows A and B of both
- * parts (the chart's rates, and what observables add), their sums, registers
- * at this order, and what each step keeps of order 0.
+ * order is a few operations (tape_orders.c).  The workspace is one array: rows
+ * A and B of both parts (the chart's rates, and what observables add), their
+ * sums, registers at this order, and what each step keeps of order 0.
  *
  * Of a function w = f(u), k w_k is the convolution of j u_j with f'(u): one
  * slot; f' is made of w (Moore 1966, as in core/jet.h). */
 #include "tape_course.h"
-
-#include <math.h>
+#include "tape_sums.h"
 
 static void course_at(struct course *c, const struct tape_plane *p,
                       struct jet_work *w, size_t k, int part)
@@ -20,8 +19,8 @@ static void course_at(struct course *c, const struct tape_plane *p,
 
     *c = (struct course){ .p = p,
                           .t = &p->t,
-                          .all = all,
                           .reg = all + p->registers,
+                          .keep = all + p->keep,
                           .A = rows + k * width,
                           .B = rows + (JET_SIZE + k) * width,
                           .S = rows + 2 * JET_SIZE * width,
@@ -31,310 +30,315 @@ static void course_at(struct course *c, const struct tape_plane *p,
         c->A[width - 1] = c->B[width - 1] = JET_PAIR(0.0);
 }
 
-/* Coefficient of w where w' = u' v, d = k u_k, v0 of order 0; v is told. */
-static inline jet_pair chain(const struct course *c, int slot, jet_pair d,
-                             jet_pair v0)
+enum { NEXT = sizeof(jet_pair) };
+
+static inline jet_pair *at(jet_pair *base, unsigned bytes)
 {
-    c->A[slot] = d;
-    return (c->S[slot] + d * v0) * c->inverse;
+    return (jet_pair *) (void *) ((char *) base + bytes);
 }
 
-static inline void tell(const struct course *c, int slot, jet_pair v)
+/* Coefficient of w where w' = u' v, d = k u_k, v0 of order 0; v is told. */
+static inline jet_pair chain(const struct course *c, unsigned slot, jet_pair d,
+                             jet_pair v0)
 {
-    c->B[slot] = v;
+    *at(c->A, slot) = d;
+    return (*at(c->S, slot) + d * v0) * c->inverse;
+}
+
+static inline void tell(const struct course *c, unsigned slot, jet_pair v)
+{
+    *at(c->B, slot) = v;
 }
 
 /* ---- orders above -------------------------------------------------------- */
 
-static inline jet_pair go_growth(const struct course *c,
-                                 const struct real_tape_entry *n, int slot,
-                                 const jet_pair keep[])
+static inline jet_pair growth(const struct course *c, jet_pair u, unsigned slot,
+                              jet_pair keep)
 {
-    const jet_pair e = chain(c, slot, c->k * c->reg[n->a], keep[0]);
+    const jet_pair e = chain(c, slot, c->k * u, keep);
 
     tell(c, slot, e);
     return e;
 }
 
-static inline jet_pair go_apart(const struct course *c,
-                                const struct real_tape_entry *n, int slot,
-                                const jet_pair keep[])
-{
-    const jet_pair u = chain(c, slot, c->k * c->reg[n->a], keep[0]),
-                   w = chain(c, slot + 1, c->k * c->reg[n->b], keep[1]);
-
-    tell(c, slot, u);
-    tell(c, slot + 1, w);
-    return u - w;
-}
-
-static jet_pair go_scaled(const struct course *c,
-                          const struct real_tape_entry *n, int slot,
-                          const jet_pair keep[])
-{
-    const struct real_tape_form *f = &n->form;
-    jet_pair sum = { 0 };
-    int at = 1;
-
-    for (int j = f->first; j < f->first + f->terms; j++) {
-        const int reg = c->t->term[j].reg;
-        const struct real_tape_entry *part = &c->t->step[reg - 2];
-        if (!real_tape_grows(c->t, reg)) {
-            sum += c->t->term[j].c * (c->reg[reg] * keep[0]);
-        } else if (part->kind == STEP_GROWTH) {
-            sum += c->t->term[j].c * go_growth(c, part, slot, keep + at);
-            slot += 1;
-            at += 1;
-        } else {
-            sum += c->t->term[j].c * go_apart(c, part, slot, keep + at);
-            slot += 2;
-            at += 2;
-        }
-    }
-    return sum;
-}
-
 /* w' = p u' with the logistic p, p' = (1 - p) w' */
-static inline jet_pair go_mixed(const struct course *c, jet_pair u, int slot,
-                                const jet_pair keep[])
+static inline jet_pair mixed(const struct course *c, jet_pair u, unsigned slot,
+                             const jet_pair keep[])
 {
     const jet_pair w = chain(c, slot, c->k * u, keep[0]),
-                   p = chain(c, slot + 1, c->k * w, keep[1]);
+                   p = chain(c, slot + NEXT, c->k * w, keep[1]);
 
     tell(c, slot, p);
-    tell(c, slot + 1, -p);
+    tell(c, slot + NEXT, -p);
     return w;
 }
 
-/* g' = h u', h' = +-g u'; of a joined sinh h' = -2 sign(g) h u' */
-static inline jet_pair go_turning(const struct course *c, jet_pair u, int slot,
-                                  jet_pair g0, jet_pair h0, bool minus)
+/* g' = h u', h' = +-g u' */
+static inline jet_pair turning(const struct course *c, jet_pair u,
+                               unsigned slot, const jet_pair keep[], bool minus)
 {
-    const jet_pair d = c->k * u, g = chain(c, slot, d, h0),
-                   h = chain(c, slot + 1, d, g0);
+    const jet_pair d = c->k * u, g = chain(c, slot, d, keep[1]),
+                   h = chain(c, slot + NEXT, d, keep[0]);
 
     tell(c, slot, minus ? -h : h);
-    tell(c, slot + 1, g);
+    tell(c, slot + NEXT, g);
     return g;
 }
 
-static inline jet_pair go_sinh(const struct course *c, int i, jet_pair u,
-                               int slot, const jet_pair keep[])
+/* g' = h u', h' = -2 sign(g) h u' */
+static inline jet_pair sinh_joined(const struct course *c, jet_pair u,
+                                   unsigned slot, const jet_pair keep[])
 {
-    if (!is_joined(c->t, i + 2))
-        return go_turning(c, u, slot, keep[0], keep[1], false);
     const jet_pair g = chain(c, slot, c->k * u, keep[1]);
+
     tell(c, slot, 2.0 * jet_choose(keep[0] < JET_PAIR(0.0), g, -g));
     return g;
 }
 
 /* m = asinh(e^w/2): m' = t w', t = tanh m, t' = b m', b = 1 - t^2 */
-static inline jet_pair go_friction(const struct course *c, jet_pair u, int slot,
-                                   const jet_pair keep[])
+static inline jet_pair friction(const struct course *c, jet_pair u,
+                                unsigned slot, const jet_pair keep[])
 {
     const jet_pair m = chain(c, slot, c->k * u, keep[0]),
-                   t = chain(c, slot + 1, c->k * m, keep[1]);
+                   t = chain(c, slot + NEXT, c->k * m, keep[1]);
 
     tell(c, slot, t);
-    tell(c, slot + 1, -(c->S[slot + 2] + 2.0 * keep[0] * t));
-    c->A[slot + 2] = t;
-    tell(c, slot + 2, t);
+    tell(c, slot + NEXT, -(*at(c->S, slot + 2 * NEXT) + 2.0 * keep[0] * t));
+    *at(c->A, slot + 2 * NEXT) = t;
+    tell(c, slot + 2 * NEXT, t);
     return m;
 }
 
 /* t' = b u' with b = 1 + t^2 for tan, 1 - t^2 for tanh */
-static jet_pair go_tangent(const struct course *c, jet_pair u, int slot,
-                           const jet_pair keep[], bool circular)
+static inline jet_pair tangent(const struct course *c, jet_pair u,
+                               unsigned slot, const jet_pair keep[],
+                               bool circular)
 {
     const jet_pair t = chain(c, slot, c->k * u, keep[1]),
-                   b = c->S[slot + 1] + 2.0 * keep[0] * t;
+                   b = *at(c->S, slot + NEXT) + 2.0 * keep[0] * t;
 
     tell(c, slot, circular ? b : -b);
-    c->A[slot + 1] = t;
-    tell(c, slot + 1, t);
+    *at(c->A, slot + NEXT) = t;
+    tell(c, slot + NEXT, t);
     return t;
 }
 
 /* d m' = u': m, with 1/d0; d is told */
-static inline jet_pair over_slope(const struct course *c, jet_pair u, int slot,
-                                  jet_pair over)
+static inline jet_pair over_slope(const struct course *c, jet_pair u,
+                                  unsigned slot, jet_pair over)
 {
-    const jet_pair dm = (c->k * u - c->S[slot]) * over;
+    const jet_pair dm = (c->k * u - *at(c->S, slot)) * over;
 
-    c->A[slot] = dm;
+    *at(c->A, slot) = dm;
     return dm * c->inverse;
 }
 
+static inline jet_pair apart(const struct course *c, jet_pair u, jet_pair w,
+                             unsigned slot, const jet_pair keep[])
+{
+    const jet_pair less = growth(c, w, slot + NEXT, keep[1]);
+
+    return growth(c, u, slot, keep[0]) - less;
+}
+
+static inline jet_pair ln1p(const struct course *c, jet_pair u, unsigned slot,
+                            jet_pair over)
+{
+    tell(c, slot, u);
+    return over_slope(c, u, slot, over);
+}
+
 /* d = 1 + w^2 for atan; d' = -w m' for asin, w m' for asinh */
-static jet_pair go_inverse(const struct course *c,
-                           const struct real_tape_entry *n, jet_pair u,
-                           int slot, const jet_pair keep[])
+static inline jet_pair inverse(const struct course *c, enum jet_code code,
+                               jet_pair u, unsigned slot, const jet_pair keep[])
 {
     const jet_pair m = over_slope(c, u, slot, keep[1]);
     jet_pair d;
 
-    if (n->kind == STEP_ATAN) {
-        d = c->S[slot + 1] + 2.0 * keep[2] * u;
-        c->A[slot + 1] = u;
+    if (code == JET_ATAN) {
+        d = *at(c->S, slot + NEXT) + 2.0 * keep[2] * u;
+        *at(c->A, slot + NEXT) = u;
     } else {
-        d = chain(c, slot + 1, c->k * m, keep[2]);
+        d = chain(c, slot + NEXT, c->k * m, keep[2]);
     }
-    tell(c, slot + 1, u);
-    tell(c, slot, n->kind == STEP_ASIN ? -d : d);
+    tell(c, slot + NEXT, u);
+    tell(c, slot, code == JET_ASIN ? -d : d);
     return m;
 }
 
-static inline jet_pair go_product(const struct course *c, int slot, jet_pair u,
-                                  jet_pair w, jet_pair u0, jet_pair w0)
+static inline jet_pair product(const struct course *c, unsigned slot,
+                               jet_pair u, jet_pair w, const jet_pair keep[])
 {
-    c->A[slot] = u;
+    *at(c->A, slot) = u;
     tell(c, slot, w);
-    return c->S[slot] + (u0 * w + u * w0);
+    return *at(c->S, slot) + (keep[0] * w + u * keep[1]);
 }
 
-static inline jet_pair go_quotient(const struct course *c, int slot, jet_pair u,
-                                   jet_pair w, const jet_pair keep[])
+static inline jet_pair quotient(const struct course *c, unsigned slot,
+                                jet_pair u, jet_pair w, const jet_pair keep[])
 {
-    const jet_pair q = (u - keep[0] * w - c->S[slot]) * keep[1];
+    const jet_pair q = (u - keep[0] * w - *at(c->S, slot)) * keep[1];
 
-    c->A[slot] = q;
+    *at(c->A, slot) = q;
     tell(c, slot, w);
     return q;
 }
 
-static inline jet_pair go_ln1p(const struct course *c, jet_pair u, int slot,
-                               const jet_pair keep[])
+/* What entry o makes. */
+static inline __attribute__((always_inline)) jet_pair entry(
+    const struct course *c, const struct jet_op *o)
 {
-    tell(c, slot, u);
-    return over_slope(c, u, slot, keep[0]);
-}
-
-static inline __attribute__((always_inline)) jet_pair go(const struct course *c,
-                                                         int i)
-{
-    const struct real_tape_entry *n = &c->t->step[i];
-    const jet_pair *keep = c->all + c->p->keep + c->p->kept[i];
-    const int slot = c->p->slot[i];
-    const jet_pair u = c->reg[n->a >= 0 ? n->a : 0],
-                   w = c->reg[n->b >= 0 ? n->b : 0];
-
-    switch (n->kind) {
-        case STEP_LINEAR:
-            return linear(c, &n->form);
-        case STEP_GROWTH:
-        case STEP_EXP:
-            return go_growth(c, n, slot, keep);
-        case STEP_APART:
-            return go_apart(c, n, slot, keep);
-        case STEP_SCALED:
-            return go_scaled(c, n, slot, keep);
-        case STEP_MIXED:
-            return go_mixed(c, u, slot, keep);
-        case STEP_LN1P:
-            return go_ln1p(c, u, slot, keep);
-        case STEP_SINH:
-            return go_sinh(c, i, u, slot, keep);
-        case STEP_FRICTION:
-            return go_friction(c, u, slot, keep);
-        case STEP_SIN:
-        case STEP_COSH:
-            return go_turning(c, u, slot, keep[0], keep[1],
-                              n->kind == STEP_SIN);
-        case STEP_TAN:
-        case STEP_TANH:
-            return go_tangent(c, u, slot, keep, n->kind == STEP_TAN);
-        case STEP_PRODUCT:
-            return go_product(c, slot, u, w, keep[0], keep[1]);
-        case STEP_QUOTIENT:
-            return go_quotient(c, slot, u, w, keep);
+#define U    (*at(c->reg, o->a))
+#define W    (*at(c->reg, o->b))
+#define KEPT at(c->keep, o->keep)
+    switch ((enum jet_code) o->code) {
+        case JET_NOTHING:
+            return JET_PAIR(0.0);
+        case JET_TIMES:
+            return o->c[0] * U;
+        case JET_SUM:
+            return U + W;
+        case JET_LESS:
+            return U - W;
+        case JET_ADD:
+            return U + o->c[0] * W;
+        case JET_TWO:
+            return o->c[0] * U + o->c[1] * W;
+        case JET_FIXED:
+            return U * *KEPT;
+        case JET_CHOOSE:
+            return jet_choose(*KEPT > JET_PAIR(0.0), U, W);
+        case JET_GROWTH:
+            return growth(c, U, o->slot, *KEPT);
+        case JET_APART:
+            return apart(c, U, W, o->slot, KEPT);
+        case JET_MIXED:
+            return mixed(c, U, o->slot, KEPT);
+        case JET_LN1P:
+            return ln1p(c, U, o->slot, *KEPT);
+        case JET_SINH:
+            return turning(c, U, o->slot, KEPT, false);
+        case JET_SIN:
+            return turning(c, U, o->slot, KEPT, true);
+        case JET_SINH_JOINED:
+            return sinh_joined(c, U, o->slot, KEPT);
+        case JET_FRICTION:
+            return friction(c, U, o->slot, KEPT);
+        case JET_TAN:
+            return tangent(c, U, o->slot, KEPT, true);
+        case JET_TANH:
+            return tangent(c, U, o->slot, KEPT, false);
+        case JET_PRODUCT:
+            return product(c, o->slot, U, W, KEPT);
+        case JET_QUOTIENT:
+            return quotient(c, o->slot, U, W, KEPT);
+        case JET_RATE:
+            return product(c, o->slot + NEXT, W,
+                           growth(c, o->c[0] * U, o->slot, KEPT[1]), KEPT);
+        case JET_RATE_ALONE:
+            return KEPT[0] * growth(c, o->c[0] * U, o->slot, KEPT[1]);
+        case JET_ASIN:
+        case JET_ATAN:
+        case JET_ASINH:
+            return inverse(c, (enum jet_code) o->code, U, o->slot, KEPT);
         default:
-            return go_inverse(c, n, u, slot, keep);
+            __builtin_unreachable();
     }
+#undef U
+#undef W
+#undef KEPT
 }
 
-/* ---- rates --------------------------------------------------------------- */
-
-/* What the exponent has besides its linear form, at order 0: s, |w0| of the
- * factor sinh w where that is frozen. */
-static jet_pair fixed(const struct course *c, const struct real_tape_rate *r)
+/* Entries from .. to of order k > 0 after their sums, of which `most` fit in
+ * registers. */
+static inline __attribute__((always_inline)) void order(const struct course *c,
+                                                        size_t k, size_t width,
+                                                        size_t most, int from,
+                                                        int to)
 {
-    jet_pair s = { 0 };
+    const struct course here = *c;
 
-    if (r->scaled >= 0) {
-        const int i = r->scaled - 2;
-        s = c->all[c->p->keep + c->p->kept[i] +
-                   KEPT * tape_step_slots(c->t, &c->t->step[i])];
-    }
-    if (r->sinh >= 0 && !is_joined(c->t, r->sinh)) {
-        const struct real_tape_entry *n = &c->t->step[r->sinh - 2];
-        const jet_pair w = n->k + c->reg[n->a];
-        EACH(s, fabs(w[i]));
-    }
-    return s;
+    sums(k, width, most, c->A - k * width, c->B - k * width, c->S);
+    for (const struct jet_op *o = &c->p->op[from]; o < &c->p->op[to]; o++)
+        *at(here.reg, o->out) = entry(&here, o);
 }
 
-/* Which of two exponents: where the factor sinh is < 0; bits. */
-static jet_mask sign_of(const struct course *c, const struct real_tape_rate *r)
+#ifdef __x86_64__
+__attribute__((target("avx2"))) static void order_wide(const struct course *c,
+                                                       size_t k, size_t width,
+                                                       int from, int to)
 {
-    return r->sinh >= 0 ? c->reg[r->sinh] < JET_PAIR(0.0)
-                        : JET_PAIR(1.0) < JET_PAIR(0.0);
+    order(c, k, width, 8, from, to);
 }
 
-/* The linear form of a rate's exponent without its constant. */
-static inline jet_pair exponent(const struct course *c,
-                                const struct real_tape_rate *r, jet_mask less)
+bool tape_jet_wide(void)
 {
-    if (r->sinh < 0)
-        return linear(c, &r->exponent[0]);
-    if (!is_joined(c->t, r->sinh))
-        return linear(c, &r->mean);
-    return jet_choose(less, linear(c, &r->exponent[1]),
-                      linear(c, &r->exponent[0]));
+    return __builtin_cpu_supports("avx2");
+}
+#else
+#define order_wide order_plain
+
+bool tape_jet_wide(void)
+{
+    return false;
+}
+#endif
+
+static void order_plain(const struct course *c, size_t k, size_t width,
+                        int from, int to)
+{
+    order(c, k, width, 4, from, to);
 }
 
-static jet_pair size_of(const struct course *c, int i, jet_pair *kept)
+static void run(const struct course *c, size_t k, int width, int from, int to)
 {
-    const struct real_tape_rate *r = &c->t->rate[i];
-    const jet_mask less = sign_of(c, r);
-    const bool mean = r->sinh >= 0 && !is_joined(c->t, r->sinh);
-    const jet_pair constant =
-        mean ? JET_PAIR(r->mean.constant)
-             : jet_choose(less, JET_PAIR(r->exponent[1].constant),
-                          JET_PAIR(r->exponent[0].constant));
-
-    *kept = mean ? JET_PAIR(r->mean_kept)
-                 : jet_choose(less, JET_PAIR(r->kept[1]), JET_PAIR(r->kept[0]));
-    return constant + exponent(c, r, less) + fixed(c, r);
+    if (c->p->wide)
+        order_wide(c, k, (size_t) width, from, to);
+    else
+        order_plain(c, k, (size_t) width, from, to);
 }
 
-/* Order 0 of a rate; keeps mantissa, kept e^(E - scale) and the sign. */
-static jet_pair start_rate(const struct course *c, int rate, jet_pair scale)
-{
-    const struct real_tape_rate *r = &c->t->rate[rate];
-    jet_pair *keep = c->all + c->p->keep + c->p->rate_kept[rate];
-    jet_pair kept;
-    const jet_pair e = size_of(c, rate, &kept) - scale;
+/* ---- order 0 ------------------------------------------------------------- */
 
-    keep[0] = r->mantissa.constant + linear(c, &r->mantissa);
-    EACH(keep[1], kept[i] * exp(e[i]));
-    keep[2] = (jet_pair) sign_of(c, r);
-    return keep[0] * keep[1];
+/* Steps of a part and then its rates; the chart's own fix the scale. */
+static void start_lane(const struct course *c, struct jet_work *w, int part,
+                       int l, struct tape_kept *v, double rate[])
+{
+    const struct tape_plane *p = c->p;
+    const int from = part ? p->t.rate_steps : 0,
+              to = part ? p->t.steps : p->t.rate_steps;
+    const int first = part ? 2 : 0, end = part ? p->t.rates : 2;
+    double e[TAPE_RATES];
+
+    v->p = p;
+    for (int i = 0; i < from + 2; i++)
+        v->reg[i] = c->reg[i][l];
+    tape_keep(v, true, NULL, from, to);
+    for (int i = first; i < end; i++)
+        e[i] = tape_start_size(v, i);
+    if (part == 0)
+        w->log_scale[l] = e[0] > e[1] ? e[0] : e[1];
+    for (int i = first; i < end; i++)
+        rate[i] = tape_start_rate(v, i, e[i] - w->log_scale[l]);
 }
 
-static inline jet_pair go_rate(const struct course *c, int i)
+/* In pairs: a lane that is written by itself stalls whoever reads the pair. */
+static void start(const struct course *c, struct jet_work *w, int part)
 {
-    const struct real_tape_rate *r = &c->t->rate[i];
-    const jet_pair *keep = c->all + c->p->keep + c->p->rate_kept[i];
-    const int slot = c->p->rate_slot[i];
-    const jet_pair m = linear(c, &r->mantissa);
+    const struct tape_plane *p = c->p;
+    const int from = part ? p->t.rate_steps : 0,
+              to = part ? p->t.steps : p->t.rate_steps;
+    struct tape_kept v[JET_LANES];
+    double rate[JET_LANES][TAPE_RATES];
 
-    if (is_fixed(r))
-        return m * keep[1];
-    const jet_pair d = c->k * exponent(c, r, (jet_mask) keep[2]),
-                   e = chain(c, slot, d, keep[1]);
-    tell(c, slot, e);
-    return r->mantissa.terms ? go_product(c, slot + 1, m, e, keep[0], keep[1])
-                             : keep[0] * e;
+    for (int l = 0; l < JET_LANES; l++)
+        start_lane(c, w, part, l, &v[l], rate[l]);
+    for (int i = from + 2; i < to + 2; i++)
+        c->reg[i] = (jet_pair){ v[0].reg[i], v[1].reg[i] };
+    for (int i = part ? p->kept_to[0] : 0; i < p->kept_to[part]; i++)
+        c->keep[i] = (jet_pair){ v[0].keep[i], v[1].keep[i] };
+    for (int i = part ? 2 : 0; i < (part ? p->t.rates : 2); i++)
+        c->reg[p->result[i]] = (jet_pair){ rate[0][i], rate[1][i] };
 }
 
 /* ---- the contract -------------------------------------------------------- */
@@ -344,48 +348,34 @@ void tape_jet(const void *ctx, struct jet_work *w, size_t k, const jet_pair x[],
 {
     const struct tape_plane *p = ctx;
     struct course c;
-    jet_pair kept;
 
     course_at(&c, p, w, k, 0);
     c.reg[0] = x[k];
     c.reg[1] = y[k];
-    w->frozen[0] = JET_PAIR(-1.0); /* observables' steps are not done */
-    if (k > 0) {
-        tape_sums(p, w, k, 0);
-        for (int i = 0; i < p->t.rate_steps; i++)
-            if (!p->t.step[i].idle)
-                c.reg[i + 2] = go(&c, i);
-        fx[k] = go_rate(&c, 0);
-        fy[k] = go_rate(&c, 1);
-        return;
-    }
-    for (int i = 0; i < p->t.rate_steps; i++)
-        if (!p->t.step[i].idle)
-            tape_start(&c, i);
-    const jet_pair e[2] = { size_of(&c, 0, &kept), size_of(&c, 1, &kept) };
-    EACH(w->log_scale, fmax(e[0][i], e[1][i]));
-    fx[0] = start_rate(&c, 0, w->log_scale);
-    fy[0] = start_rate(&c, 1, w->log_scale);
+    w->frozen[0] = JET_PAIR(-1.0); /* observables are not done */
+    if (k > 0)
+        run(&c, k, p->width[0], 0, p->part[0]);
+    else
+        start(&c, w, 0);
+    fx[k] = c.reg[p->result[0]];
+    fy[k] = c.reg[p->result[1]];
 }
 
+/* All observables are done at once. */
 void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
                    const jet_pair x[], const jet_pair y[], jet_pair rate[])
 {
     const struct tape_plane *p = ctx;
-    const int i = 2 + (int) which;
     struct course c;
 
     (void) x, (void) y; /* registers of this order */
     course_at(&c, p, w, k, 1);
     if (w->frozen[0][0] < (double) k) {
-        if (k > 0)
-            tape_sums(p, w, k, 1);
-        for (int j = p->t.rate_steps; j < p->t.steps; j++)
-            if (k > 0 && !p->t.step[j].idle)
-                c.reg[j + 2] = go(&c, j);
-            else if (!p->t.step[j].idle)
-                tape_start(&c, j);
         w->frozen[0] = JET_PAIR((double) k);
+        if (k > 0)
+            run(&c, k, p->width[1], p->part[0], p->part[1]);
+        else
+            start(&c, w, 1);
     }
-    rate[k] = k > 0 ? go_rate(&c, i) : start_rate(&c, i, w->log_scale);
+    rate[k] = c.reg[p->result[2 + which]];
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "quad.h"
+#include "tape_course.h"
 
 /* ---- making -------------------------------------------------------------- */
 
@@ -51,6 +52,21 @@ static enum status refuse(struct fault *why, const char *text)
     return STATUS_BAD_ARGUMENT;
 }
 
+/* In 113 bits where long doubles lose digits. */
+static void constants_at(const struct formula *f,
+                         const struct formula_value leaf[],
+                         formula_real constant[])
+{
+    long double rough[FORMULA_NODES];
+
+    if (!formula_long_constants(f, leaf, rough)) {
+        formula_constants(f, leaf, (quad) 0x1p-90, constant);
+        return;
+    }
+    for (int i = 0; i < f->nodes; i++)
+        constant[i] = rough[i];
+}
+
 enum status tape_plane_at(const struct tape_lowered *l,
                           const struct formula_value value[],
                           const formula_real anchor[2], struct tape_plane *out,
@@ -64,56 +80,72 @@ enum status tape_plane_at(const struct tape_lowered *l,
         all[n] = *value++;
     for (int i = 0; i < 2; i++)
         all[n++] = (struct formula_value){ anchor_name[i], anchor[i] };
-    formula_constants(&l->f, all, (quad) 0x1p-90, constant);
+    constants_at(&l->f, all, constant);
     if (!real_tape_at(&l->t, constant, &out->t) || !tape_jet_slots(out))
         return refuse(why, "the formulas have too many parts");
     if (!is_finite(&out->t))
         return refuse(why, "a formula has no finite value at this point");
     for (int i = 0; i < 2; i++)
         out->origin[i] = (double) anchor[i];
+    out->wide = tape_jet_wide();
     return STATUS_OK;
 }
 
 /* ---- reals and duals ----------------------------------------------------- */
 
-static double larger(double u, double w)
+/* e^u, mostly of 0 */
+static double power(double u)
 {
-    return u > w ? u : w;
+    return u < 0 || u > 0 ? exp(u) : 1;
 }
 
-/* Registers, and the field's scale. */
+/* And the exponentials of both rates. */
 static void field_of(const struct real_tape *t, const double reg[],
-                     struct planar_field *f)
+                     struct planar_field *f, double e[2])
 {
-    const double ex = real_tape_exponent(t, 0, reg),
-                 ey = real_tape_exponent(t, 1, reg);
-
-    f->log_scale = larger(ex, ey);
-    f->direction.x = real_tape_mantissa(t, 0, reg) * exp(ex - f->log_scale);
-    f->direction.y = real_tape_mantissa(t, 1, reg) * exp(ey - f->log_scale);
+    for (int i = 0; i < 2; i++)
+        e[i] = real_tape_exponent(t, i, reg);
+    f->log_scale = e[0] > e[1] ? e[0] : e[1];
+    for (int i = 0; i < 2; i++)
+        e[i] = power(e[i] - f->log_scale);
+    f->direction.x = real_tape_mantissa(t, 0, reg) * e[0];
+    f->direction.y = real_tape_mantissa(t, 1, reg) * e[1];
 }
 
 void tape_field(const void *ctx, struct vec2 z, struct planar_field *f)
 {
     const struct tape_plane *p = ctx;
-    double reg[TAPE_STEPS + 2];
+    double reg[TAPE_STEPS + 2], e[2];
 
-    real_tape_run(&p->t, z.x, z.y, false, reg);
-    field_of(&p->t, reg, f);
+    real_tape_run(&p->t, z.x, z.y, 0, reg);
+    field_of(&p->t, reg, f, e);
+}
+
+/* Registers and gradients that a rate needs; 0: both of the chart, 1: all. */
+static void run_both(const struct tape_plane *p, struct vec2 z, int rate,
+                     struct tape_kept *v, struct vec2 gradient[])
+{
+    v->p = p;
+    v->reg[0] = z.x;
+    v->reg[1] = z.y;
+    gradient[0] = (struct vec2){ 1, 0 };
+    gradient[1] = (struct vec2){ 0, 1 };
+    tape_keep(v, false, rate < 2 ? NULL : p->t.used[rate - 2], 0,
+              rate == 0 ? p->t.rate_steps : p->t.steps);
+    tape_gradients(v, rate, gradient);
 }
 
 void tape_jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
 {
     const struct tape_plane *p = ctx;
-    double reg[TAPE_STEPS + 2];
+    struct tape_kept v;
     struct vec2 gradient[TAPE_STEPS + 2];
+    double e[2];
 
-    real_tape_run(&p->t, z.x, z.y, false, reg);
-    tape_gradients(&p->t, false, reg, gradient);
-    field_of(&p->t, reg, &J->field);
-    const double scale = J->field.log_scale;
-    const struct vec2 x = tape_rate_gradient(&p->t, 0, scale, reg, gradient),
-                      y = tape_rate_gradient(&p->t, 1, scale, reg, gradient);
+    run_both(p, z, 0, &v, gradient);
+    field_of(&p->t, v.reg, &J->field, e);
+    const struct vec2 x = tape_rate_gradient(&v, 0, e[0], gradient),
+                      y = tape_rate_gradient(&v, 1, e[1], gradient);
     J->matrix = (struct mat2){ x.x, x.y, y.x, y.y };
 }
 
@@ -122,16 +154,26 @@ void tape_rate(const void *ctx, size_t which, struct vec2 z, double *rate,
 {
     const struct tape_plane *p = ctx;
     const int i = 2 + (int) which;
-    double reg[TAPE_STEPS + 2];
+    struct tape_kept v;
     struct vec2 slope[TAPE_STEPS + 2];
 
-    real_tape_run(&p->t, z.x, z.y, true, reg);
-    *rate = real_tape_mantissa(&p->t, i, reg) *
-            exp(real_tape_exponent(&p->t, i, reg));
     if (gradient == NULL)
-        return;
-    tape_gradients(&p->t, true, reg, slope);
-    *gradient = tape_rate_gradient(&p->t, i, 0.0, reg, slope);
+        real_tape_run(&p->t, z.x, z.y, i, v.reg);
+    else
+        run_both(p, z, i, &v, slope);
+    const double e = power(real_tape_exponent(&p->t, i, v.reg));
+    *rate = real_tape_mantissa(&p->t, i, v.reg) * e;
+    if (gradient != NULL)
+        *gradient = tape_rate_gradient(&v, i, e, slope);
+}
+
+struct vec2 tape_value_gradient(const struct tape_plane *p, struct vec2 z)
+{
+    struct tape_kept v;
+    struct vec2 gradient[TAPE_STEPS + 2];
+
+    run_both(p, z, 1, &v, gradient);
+    return tape_linear_gradient(&p->t, &p->t.value[0], gradient);
 }
 
 struct planar tape_planar(const struct tape_plane *t)

@@ -27,16 +27,59 @@ struct tape_lowered {
     struct tape t;
 };
 
+/* What is done at an order of a series after the sums (tape_jet.c): register
+ * `out` of registers a and b; d: derivative. */
+enum jet_code {
+    JET_NOTHING,
+    JET_TIMES,  /* c a, c the first */
+    JET_SUM,    /* a + b */
+    JET_LESS,   /* a - b */
+    JET_ADD,    /* a + c b */
+    JET_TWO,    /* c[0] a + c[1] b */
+    JET_FIXED,  /* a times what is kept */
+    JET_CHOOSE, /* a or b by what is kept */
+    JET_GROWTH, /* steps of tape.h, from here */
+    JET_APART,
+    JET_MIXED,
+    JET_LN1P,
+    JET_SINH, /* cosh, too */
+    JET_SINH_JOINED,
+    JET_FRICTION,
+    JET_SIN,
+    JET_TAN,
+    JET_TANH,
+    JET_ASIN,
+    JET_ATAN,
+    JET_ASINH,
+    JET_PRODUCT,
+    JET_QUOTIENT,
+    JET_RATE, /* b e^(c a), b the mantissa */
+    JET_RATE_ALONE
+};
+
+enum { TAPE_OPS = 768, TAPE_KEEPS = 2048 };
+
+/* All but the code in bytes from where registers, slots, what is kept begin. */
+struct jet_op {
+    unsigned code, out, a, b, slot, keep;
+    double c[2];
+};
+
 /* A plane at an anchor.  Copied as a whole. */
 struct tape_plane {
     struct real_tape t;
     double origin[2]; /* of the chart */
     /* places in a workspace of series, see tape_jet.c: by step and by rate
-     * the first slot and what is kept of order 0; by part its rows */
-    short slot[TAPE_STEPS], kept[TAPE_STEPS];
-    short rate_slot[TAPE_RATES], rate_kept[TAPE_RATES];
-    int width[2], rows[2], registers, keep;
+     * what is kept of order 0, and the factor of a rate's mantissa that is left
+     * to it; by part its rows */
+    short kept[TAPE_STEPS], rate_kept[TAPE_RATES];
+    double factor[TAPE_RATES];
+    int width[2], rows[2], kept_to[2], registers, keep;
     bool odd[2];
+    bool wide; /* registers of four numbers: the same bits, sooner */
+    struct jet_op op[TAPE_OPS];
+    short result[TAPE_RATES]; /* registers */
+    int ops, part[2];         /* where each part of them ends */
 };
 
 /* Copies f; of p, states, rates and observables count.  `equilibrium`: both
@@ -70,15 +113,13 @@ void tape_jet(const void *ctx, struct jet_work *w, size_t k, const jet_pair x[],
 void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
                    const jet_pair x[], const jet_pair y[], jet_pair rate[]);
 
+/* d value[0] of the tape/d(x, y). */
+struct vec2 tape_value_gradient(const struct tape_plane *t, struct vec2 z);
+
+/* Whether this processor has them. */
+bool tape_jet_wide(void);
+
 /* Hands out places; false where they are too many. */
 MUST_CHECK bool tape_jet_slots(struct tape_plane *t);
-
-/* d register/d(x, y) for all registers, after real_tape_run. */
-void tape_gradients(const struct real_tape *t, bool everything,
-                    const double reg[], struct vec2 gradient[]);
-/* Of rate i times exp(-scale), at registers with gradients. */
-struct vec2 tape_rate_gradient(const struct real_tape *t, int i, double scale,
-                               const double reg[],
-                               const struct vec2 gradient[]);
 
 #endif

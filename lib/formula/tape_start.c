@@ -1,5 +1,5 @@
-/* Order 0 of a tape's series: everything that is not a sum of products, by the
- * careful scalar code of other kinds. */
+/* Steps with what series and gradients keep of them: slopes and their kin, of
+ * the same exponentials as the values. */
 #include "tape_course.h"
 
 #include <math.h>
@@ -10,197 +10,236 @@
 #define FN(f)  f
 #include "change.h"
 
-/* k e^(u - s), and the growth. */
-static jet_pair start_growth(const struct course *c,
-                             const struct real_tape_entry *n, jet_pair s,
-                             jet_pair keep[])
+/* e^u - 1, and e^u */
+static double less_one(double u, double *power)
 {
-    const jet_pair u = c->reg[n->a];
-    jet_pair out;
-
-    for (int i = 0; i < JET_LANES; i++) {
-        const double l = (n->b >= 0 ? c->reg[n->b][i] : n->q + u[i]) - s[i];
-        const double p = s[i] > 0 ? exp(n->q - s[i]) : n->k;
-        keep[0][i] = exp(l);
-        out[i] = u[i] > 1 ? keep[0][i] - p : p * scalar_em1(u[i]);
+    if (u < -1 || u > 1) {
+        *power = exp(u);
+        return *power - 1;
     }
-    return out;
+    const double more = expm1(u);
+    *power = 1 + more;
+    return more;
 }
 
-static jet_pair start_apart(const struct course *c,
-                            const struct real_tape_entry *n, jet_pair s,
-                            jet_pair keep[])
+/* p (e^u - 1) and p e^u; l = u + ln p, if u is large */
+static double kept_growth(double p, double l, double u, double *power)
 {
-    const jet_pair u = c->reg[n->a] - s, w = c->reg[n->b] + n->q - s;
-    jet_pair out;
+    double e;
 
-    EACH(out, scalar_difference(n->k, u[i], w[i]));
-    EACH(keep[0], scalar_exp(n->k, u[i]));
-    EACH(keep[1], scalar_exp(n->k, w[i]));
-    return out;
+    if (u > 1) {
+        *power = exp(l);
+        return *power - p;
+    }
+    const double more = less_one(u, &e);
+    *power = p * e;
+    return p * more;
 }
 
-/* Largest exponents of both lanes. */
-static jet_pair scale_of(const struct course *c, const struct real_tape_form *f)
+/* p (e^u - e^w), p e^u and p e^w */
+static double kept_apart(double p, double u, double w, double keep[])
 {
-    jet_pair s = { 0 };
+    const bool up = u > w;
+    const double most = scalar_exp(p, up ? u : w);
+    double e;
+    const double less = less_one(up ? w - u : u - w, &e);
 
-    for (int j = f->first; j < f->first + f->terms; j++) {
-        const int reg = c->t->term[j].reg;
-        if (!real_tape_grows(c->t, reg))
-            continue;
-        const struct real_tape_entry *n = &c->t->step[reg - 2];
-        const jet_pair u = c->reg[n->a],
-                       w = n->b >= 0 ? c->reg[n->b] : JET_PAIR(0.0);
-        EACH(s, scalar_larger(s[i], n->kind == STEP_APART
-                                        ? scalar_larger(u[i], w[i] + n->q)
-                                    : n->b >= 0 ? w[i]
-                                                : n->q + u[i]));
-    }
-    return s;
+    keep[!up] = most;
+    keep[up] = most * e;
+    return up ? -most * less : most * less;
 }
 
-/* keep: e^-s, those of the parts, and s as the last */
-static jet_pair start_scaled(const struct course *c,
-                             const struct real_tape_entry *n, jet_pair keep[],
-                             int slots)
+/* ln(r e^u + s), its slope and what that leaves of 1 */
+static double kept_mixed(double r, double s, double u, double keep[])
 {
-    const struct real_tape_form *f = &n->form;
-    const jet_pair s = scale_of(c, f);
-    int at = 1;
+    double e;
 
-    EACH(keep[0], exp(-s[i]));
-    jet_pair sum = f->constant * keep[0];
-    for (int j = f->first; j < f->first + f->terms; j++) {
-        const int reg = c->t->term[j].reg;
-        const struct real_tape_entry *part =
-            real_tape_grows(c->t, reg) ? &c->t->step[reg - 2] : NULL;
-        if (part == NULL) {
-            sum += c->t->term[j].c * (c->reg[reg] * keep[0]);
-            continue;
-        }
-        sum += c->t->term[j].c * (part->kind == STEP_GROWTH
-                                      ? start_growth(c, part, s, keep + at)
-                                      : start_apart(c, part, s, keep + at));
-        at += tape_kind_slots(part->kind);
+    if (!(s > 0 || s < 0) || u > 700) {
+        keep[0] = scalar_logistic(r, s, u);
+        keep[1] = scalar_logistic_rest(r, s, u);
+        return scalar_log1p_expm1(r, s, u);
     }
-    keep[KEPT * slots] = s;
-    return sum;
+    const double change = r * less_one(u, &e), sum = r * e + s;
+    keep[0] = r * e / sum;
+    keep[1] = s / sum;
+    return 2 * change > -1 ? scalar_ln1p(change) : log(sum);
 }
 
-/* Functions that are not made of exponentials. */
-static jet_pair start_function(const struct real_tape_entry *n, jet_pair u,
-                               jet_pair keep[])
+/* e^-|w| sinh w, and its slope e^(-2|w|); cosh w if |w| is frozen */
+static double kept_sinh(double w, bool joined, double keep[])
 {
-    const jet_pair w = n->k + u;
-    jet_pair out = { 0 };
+    double e;
+    const double less = less_one(-2 * fabs(w), &e);
 
-    switch (n->kind) {
-        case STEP_SIN:
-            EACH(out, change_sin(n->k, n->q, u[i]));
-            keep[0] = n->k + out;
-            EACH(keep[1], change_sin_slope(n->k, n->q, u[i]));
-            break;
-        case STEP_COSH:
-            EACH(out, change_cosh(n->k, u[i]));
-            EACH(keep[0], cosh(w[i]));
-            EACH(keep[1], sinh(w[i]));
-            break;
-        case STEP_TAN:
-            EACH(out, change_tan(n->k, n->q, u[i]));
-            EACH(keep[0], change_tangent(n->k, n->q, u[i]));
-            keep[1] = 1 + keep[0] * keep[0];
-            break;
-        case STEP_TANH:
-            EACH(out, change_tanh(n->k, u[i]));
-            EACH(keep[0], tanh(w[i]));
-            EACH(keep[1], change_tanh_slope(w[i]));
-            break;
-        case STEP_ATAN:
-            EACH(out, change_atan(n->k, u[i]));
-            keep[1] = 1 / (1 + w * w);
-            break;
-        case STEP_ASIN:
-            EACH(out, change_asin(n->k, u[i]));
-            EACH(keep[1], 1 / change_root(w[i]));
-            break;
-        default: /* STEP_ASINH */
-            EACH(out, change_asinh(n->k, u[i]));
-            EACH(keep[1], 1 / change_length(w[i]));
-            break;
-    }
+    keep[0] = copysign(-less / 2, w);
+    keep[1] = joined ? e : (1 + e) / 2;
+    return keep[0];
+}
+
+/* asinh(e^w/2) - asinh(e^k/2), its slope and 1 - its square */
+static double kept_friction(double k, double q, double u, double keep[])
+{
+    const double w = k + u, e = exp(w > 0 ? -2 * w : 2 * w);
+    const double sum = w > 0 ? 1 + 4 * e : 4 + e;
+
+    keep[0] = w > 0 ? 1 / sqrt(sum) : exp(w) / sqrt(sum);
+    keep[1] = w > 0 ? 4 * e / sum : 4 / sum;
+    return scalar_friction(k, q, u);
+}
+
+/* Functions that are not made of exponentials: keep[1] is the slope. */
+static double kept_function(const struct real_tape_entry *n, double u,
+                            double keep[])
+{
+    const double k = n->k, w = k + u;
+
     keep[2] = w;
-    return out;
+    switch (n->kind) {
+        case STEP_SIN: {
+            const double out = change_sin(k, n->q, u);
+            keep[0] = k + out;
+            keep[1] = change_sin_slope(k, n->q, u);
+            return out;
+        }
+        case STEP_COSH:
+            keep[0] = cosh(w);
+            keep[1] = sinh(w);
+            return change_cosh(k, u);
+        case STEP_TAN:
+            keep[0] = change_tangent(k, n->q, u);
+            keep[1] = 1 + keep[0] * keep[0];
+            return change_tan(k, n->q, u);
+        case STEP_TANH:
+            keep[0] = tanh(w);
+            keep[1] = change_tanh_slope(w);
+            return change_tanh(k, u);
+        case STEP_ATAN:
+            keep[1] = 1 / (1 + w * w);
+            return change_atan(k, u);
+        case STEP_ASIN:
+            keep[1] = 1 / change_root(w);
+            return change_asin(k, u);
+        default: /* STEP_ASINH */
+            keep[1] = 1 / change_length(w);
+            return change_asinh(k, u);
+    }
 }
 
-static jet_pair start_simple(const struct course *c,
-                             const struct real_tape_entry *n, jet_pair keep[])
+/* Growths and aparts times e^-s. */
+static double kept_step(const struct real_tape_entry *n, bool joined, double s,
+                        double u, double w, double keep[])
 {
-    const jet_pair u = c->reg[n->a],
-                   w = n->b >= 0 ? c->reg[n->b] : JET_PAIR(0.0);
-    jet_pair out = { 0 };
+    const double k = n->k, q = n->q;
 
     switch (n->kind) {
+        case STEP_GROWTH:
+            return kept_growth(s > 0 ? exp(q - s) : k,
+                               (n->b >= 0 ? w : q + u) - s, u, keep);
+        case STEP_APART:
+            return kept_apart(k, u - s, w + q - s, keep);
         case STEP_EXP:
-            EACH(out, exp(n->q + u[i]));
-            keep[0] = out;
-            return out;
+            return keep[0] = exp(q + u);
         case STEP_MIXED:
-            EACH(out, scalar_log1p_expm1(n->k, n->q, u[i]));
-            EACH(keep[0], scalar_logistic(n->k, n->q, u[i]));
-            EACH(keep[1], scalar_logistic_rest(n->k, n->q, u[i]));
-            return out;
+            return kept_mixed(k, q, u, keep);
         case STEP_LN1P:
-            EACH(out, log1p(u[i] / n->k));
-            keep[0] = 1 / (n->k + u);
-            return out;
+            keep[0] = 1 / (k + u);
+            return log1p(u / k);
+        case STEP_SINH:
+            return kept_sinh(k + u, joined, keep);
         case STEP_FRICTION:
-            EACH(out, scalar_friction(n->k, n->q, u[i]));
-            EACH(keep[0], scalar_friction_slope(n->k + u[i]));
-            EACH(keep[1], scalar_friction_bend(n->k + u[i]));
-            return out;
+            return kept_friction(k, q, u, keep);
         case STEP_PRODUCT:
             keep[0] = u;
             keep[1] = w;
             return u * w;
         case STEP_QUOTIENT:
-            keep[0] = u / (n->k + w);
-            keep[1] = 1 / (n->k + w);
-            return keep[0];
+            keep[1] = 1 / (k + w);
+            return keep[0] = u / (k + w);
         default:
-            return start_function(n, u, keep);
+            return kept_function(n, u, keep);
     }
 }
 
-/* e^-|w| sinh w, and its slope: cosh w for the |w| of order 0, else e^(-2|w|)
- */
-static jet_pair start_sinh(jet_pair w, bool joined, jet_pair keep[])
-{
-    jet_pair out;
+/* ---- all ----------------------------------------------------------------- */
 
-    EACH(out, scalar_sinh(w[i]));
-    keep[0] = out;
-    EACH(keep[1], joined ? exp(-2 * fabs(w[i])) : scalar_cosh(w[i]));
-    return out;
+static double kept_at(const struct tape_kept *v, int i, bool joined, double s,
+                      double keep[])
+{
+    const struct real_tape_entry *n = &v->p->t.step[i];
+
+    return kept_step(n, joined, s, n->a >= 0 ? v->reg[n->a] : 0,
+                     n->b >= 0 ? v->reg[n->b] : 0, keep);
 }
 
-void tape_start(const struct course *c, int i)
+/* keep: e^-s, those of the parts, and s as the last */
+static double kept_scaled(const struct tape_kept *v, int i, double keep[])
 {
-    const struct real_tape_entry *n = &c->t->step[i];
-    jet_pair *keep = c->all + c->p->keep + c->p->kept[i];
-    const jet_pair none = { 0 };
-    jet_pair *out = &c->reg[i + 2];
+    const struct real_tape *t = &v->p->t;
+    const struct real_tape_form *f = &t->step[i].form;
+    const double s = real_tape_scale(t, i, v->reg);
+    double sum = f->constant * (keep[0] = s > 0 ? exp(-s) : 1), out;
+    int at = 1;
 
-    if (n->kind == STEP_LINEAR)
-        *out = n->form.constant + linear(c, &n->form);
-    else if (n->kind == STEP_GROWTH)
-        *out = start_growth(c, n, none, keep);
-    else if (n->kind == STEP_APART)
-        *out = start_apart(c, n, none, keep);
-    else if (n->kind == STEP_SCALED)
-        *out = start_scaled(c, n, keep, tape_step_slots(c->t, n));
-    else if (n->kind == STEP_SINH)
-        *out = start_sinh(n->k + c->reg[n->a], is_joined(c->t, i + 2), keep);
-    else
-        *out = start_simple(c, n, keep);
+    for (int j = f->first; j < f->first + f->terms; j++) {
+        const int reg = t->term[j].reg;
+        if (real_tape_grows(t, reg)) {
+            out = kept_at(v, reg - 2, true, s, keep + at);
+            at += tape_kind_slots(t->step[reg - 2].kind);
+        } else {
+            out = v->reg[reg] * keep[0];
+        }
+        sum += t->term[j].c * out;
+    }
+    keep[TAPE_KEPT * tape_step_slots(t, &t->step[i])] = s;
+    return sum;
+}
+
+void tape_keep(struct tape_kept *v, bool frozen, const bool used[], int from,
+               int to)
+{
+    const struct real_tape *t = &v->p->t;
+
+    for (int i = from; i < to; i++) {
+        const struct real_tape_entry *n = &t->step[i];
+        double *keep = v->keep + v->p->kept[i];
+        if (used ? used[i] : !n->idle)
+            v->reg[i + 2] = n->kind == STEP_LINEAR
+                                ? real_tape_linear(t, &n->form, v->reg)
+                            : n->kind == STEP_SCALED
+                                ? kept_scaled(v, i, keep)
+                                : kept_at(v, i, !frozen || n->joined, 0, keep);
+    }
+}
+
+/* ---- rates --------------------------------------------------------------- */
+
+double tape_start_size(const struct tape_kept *v, int rate)
+{
+    const struct real_tape *t = &v->p->t;
+    const struct real_tape_rate *r = &t->rate[rate];
+
+    if (!is_mean(t, r))
+        return real_tape_exponent(t, rate, v->reg);
+    const struct real_tape_entry *n = &t->step[r->sinh - 2];
+    const double s =
+        r->scaled >= 0 ? real_tape_scale(t, r->scaled - 2, v->reg) : 0;
+    return real_tape_linear(t, &r->mean, v->reg) + s +
+           fabs(n->k + v->reg[n->a]);
+}
+
+/* Keeps the mantissa over its factor, which goes to kept e^e, and which of two
+ * exponents it is. */
+double tape_start_rate(struct tape_kept *v, int rate, double e)
+{
+    const struct real_tape *t = &v->p->t;
+    const struct real_tape_rate *r = &t->rate[rate];
+    const double factor = v->p->factor[rate];
+    double *keep = v->keep + v->p->rate_kept[rate];
+    const bool less = r->sinh >= 0 && v->reg[r->sinh] < 0;
+
+    keep[0] = real_tape_linear(t, &r->mantissa, v->reg) / factor;
+    keep[1] = factor * (is_mean(t, r) ? r->mean_kept : r->kept[less]);
+    keep[1] *= e < 0 || e > 0 ? exp(e) : 1;
+    keep[2] = less;
+    return keep[0] * keep[1];
 }

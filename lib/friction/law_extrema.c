@@ -7,69 +7,71 @@
 #include "quad.h"
 #include "tolerance.h"
 
-static bool is_there(const struct law *law, const struct material *m,
-                     long double x)
+static bool is_there(struct typed_curve *c, long double x)
 {
-    const struct typed_steady s = law_typed_steady(law, m, x);
+    const struct typed_steady s = law_curve_at(c, x);
 
     return isfinite(s.y) && isfinite(s.mu);
 }
 
 /* The last x from `in`, where mu_ss is, towards `out`. */
-static long double last_there(const struct law *law, const struct material *m,
-                              long double in, long double out)
+static long double last_there(struct typed_curve *c, long double in,
+                              long double out)
 {
-    if (is_there(law, m, out))
+    if (is_there(c, out))
         return out;
     for (int i = 0; i < 80; i++) {
         const long double mid = (in + out) / 2;
-        *(is_there(law, m, mid) ? &in : &out) = mid;
+        *(is_there(c, mid) ? &in : &out) = mid;
     }
     return in;
+}
+
+static void range(struct typed_curve *c, long double *lo, long double *hi)
+{
+    const long double far = (long double) TOL_LN_RANGE;
+    long double in = 0;
+
+    for (int i = 1; i < 40 && !is_there(c, in); i++)
+        in = (i % 2 ? -1 : 1) * (long double) i; /* 0, -1, 2, -3, ... */
+    *lo = in;
+    *hi = in;
+    for (long double step = 1; step < 2 * far; step *= 2) {
+        if (is_there(c, fmaxl(in - step, -far)))
+            *lo = fmaxl(in - step, -far);
+        if (is_there(c, fminl(in + step, far)))
+            *hi = fminl(in + step, far);
+    }
+    *lo = last_there(c, *lo, fmaxl(-far, in - 2 * (in - *lo) - 1));
+    *hi = last_there(c, *hi, fminl(far, in + 2 * (*hi - in) + 1));
 }
 
 void law_typed_range(const struct law *law, const struct material *m,
                      long double *lo, long double *hi)
 {
-    const long double far = (long double) TOL_LN_RANGE;
-    long double in = 0;
+    struct typed_curve c;
 
-    for (int i = 1; i < 40 && !is_there(law, m, in); i++)
-        in = (i % 2 ? -1 : 1) * (long double) i; /* 0, -1, 2, -3, ... */
-    *lo = in;
-    *hi = in;
-    for (long double step = 1; step < 2 * far; step *= 2) {
-        if (is_there(law, m, fmaxl(in - step, -far)))
-            *lo = fmaxl(in - step, -far);
-        if (is_there(law, m, fminl(in + step, far)))
-            *hi = fminl(in + step, far);
-    }
-    *lo = last_there(law, m, *lo, fmaxl(-far, in - 2 * (in - *lo) - 1));
-    *hi = last_there(law, m, *hi, fminl(far, in + 2 * (*hi - in) + 1));
+    law_curve_init(&c, law, m);
+    range(&c, lo, hi);
 }
 
-static long double rough(const struct law *law, const struct material *m,
-                         long double x)
+static long double rough(struct typed_curve *c, long double x)
 {
     const long double h = 1e-4L;
 
-    return (law_typed_steady(law, m, x + h).mu -
-            law_typed_steady(law, m, x - h).mu) /
-           (2 * h);
+    return (law_curve_at(c, x + h).mu - law_curve_at(c, x - h).mu) / (2 * h);
 }
 
 /* -1, 1, or 0 where it is none to all digits */
-static int sign_at(const struct law *law, const struct material *m,
-                   long double x)
+static int sign_at(struct typed_curve *c, long double x)
 {
-    const quad slope = law_typed_slope(law, m, x), least = 1e-20;
+    const quad slope = law_typed_slope(c->law, c->m, x), least = 1e-20;
 
     return (slope > least) - (slope < -least);
 }
 
 struct extrema {
-    const struct law *law;
-    const struct material *m;
+    struct typed_curve *c;
     long double *x;
     size_t n;
 };
@@ -78,8 +80,8 @@ struct extrema {
 static void between(struct extrema *e, long double lo, long double hi)
 {
     const quad least = 1e-20;
-    quad at_lo = law_typed_slope(e->law, e->m, lo),
-         at_hi = law_typed_slope(e->law, e->m, hi);
+    quad at_lo = law_typed_slope(e->c->law, e->c->m, lo),
+         at_hi = law_typed_slope(e->c->law, e->c->m, hi);
     long double x = lo, before = hi;
 
     if (e->n == 4 || !((at_lo > least && at_hi < -least) ||
@@ -89,7 +91,7 @@ static void between(struct extrema *e, long double lo, long double hi)
          i++) {
         before = x;
         x = hi - (long double) (at_hi / (at_hi - at_lo)) * (hi - lo);
-        const quad at_x = law_typed_slope(e->law, e->m, x);
+        const quad at_x = law_typed_slope(e->c->law, e->c->m, x);
         if ((at_x > 0) == (at_hi > 0)) {
             at_lo /= 2;
         } else {
@@ -110,13 +112,13 @@ static bool dips(const struct extrema *e, long double lo, long double hi,
 
     for (int i = 0; i < 60; i++) {
         const long double s = lo + (hi - lo) / 3, t = hi - (hi - lo) / 3;
-        if (sign * rough(e->law, e->m, s) < sign * rough(e->law, e->m, t))
+        if (sign * rough(e->c, s) < sign * rough(e->c, t))
             hi = t;
         else
             lo = s;
     }
     *at = (lo + hi) / 2;
-    return sign_at(e->law, e->m, *at) == (rises ? -1 : 1);
+    return sign_at(e->c, *at) == (rises ? -1 : 1);
 }
 
 /* In steps of at most an e-fold from lo to hi. */
@@ -129,7 +131,7 @@ static void look_between(struct extrema *e, long double lo, long double hi)
 
     for (int i = 0; i <= steps; i++) {
         const long double here = lo + h * i;
-        slope[2] = rough(e->law, e->m, here);
+        slope[2] = rough(e->c, here);
         if (i > 0 && (slope[1] > 0) != (slope[2] > 0)) {
             between(e, here - h - off, here + off);
         } else if (i > 1 && (slope[0] > 0) == (slope[1] > 0) &&
@@ -155,19 +157,21 @@ static bool bends(const long double mu[3])
 size_t law_typed_extrema(const struct law *law, const struct material *m,
                          long double x[4])
 {
+    struct typed_curve c;
     enum { STEP = 3 };
     const long double edge = 2e-3L; /* slopes are taken a bit to both sides */
-    struct extrema e = { law, m, x, 0 };
+    struct extrema e = { &c, x, 0 };
     long double lo, hi, done, from = NAN, mu[3] = { 0, 0, 0 };
 
-    law_typed_range(law, m, &lo, &hi);
+    law_curve_init(&c, law, m);
+    range(&c, &lo, &hi);
     done = lo + edge;
     const int steps = (int) ((hi - lo) / STEP);
     for (int i = 0; i <= steps; i++) {
         const long double here = lo + STEP * i;
         mu[0] = mu[1];
         mu[1] = mu[2];
-        mu[2] = law_typed_steady(law, m, here).mu;
+        mu[2] = law_curve_at(&c, here).mu;
         const bool bent = i > 1 && bends(mu);
         if (bent && isnan(from))
             from = fmaxl(done, here - 3 * STEP);

@@ -252,6 +252,34 @@ struct typed_steady law_typed_steady(const struct law *law,
     return (struct typed_steady){ value[t->y], value[t->psi], value[t->mu] };
 }
 
+void law_curve_init(struct typed_curve *c, const struct law *law,
+                    const struct material *m)
+{
+    const struct law_typed *t = law->typed;
+    const int x = formula_find(&t->steady, model[LAW_LNV0].name,
+                               strlen(model[LAW_LNV0].name));
+    struct formula_value leaf[LAW_VALUES];
+
+    c->law = law;
+    c->m = m;
+    law_typed_values(t, m, 0, 0, 0, leaf);
+    formula_long_constants(&t->steady, leaf, c->value);
+    c->count = formula_changing(&t->steady, x, c->changing);
+}
+
+/* The first that changes is x. */
+struct typed_steady law_curve_at(struct typed_curve *c, long double x)
+{
+    const struct law_typed *t = c->law->typed;
+
+    if (!t->text[LAW_PSI_SS][0])
+        return law_typed_steady(c->law, c->m, x);
+    c->value[c->changing[0]] = x;
+    formula_long_again(&t->steady, c->changing + 1, c->count - 1, c->value);
+    return (struct typed_steady){ c->value[t->y], c->value[t->psi],
+                                  c->value[t->mu] };
+}
+
 static quad friction_at(const struct law *law, const struct material *m, quad x)
 {
     const struct law_typed *t = law->typed;

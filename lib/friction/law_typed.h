@@ -73,6 +73,18 @@ struct typed_steady {
 struct typed_steady law_typed_steady(const struct law *law,
                                      const struct material *m, long double x);
 
+/* The same at many x, sooner: what does not change with x is made once. */
+struct typed_curve {
+    const struct law *law;    /* borrowed */
+    const struct material *m; /* borrowed */
+    long double value[FORMULA_NODES];
+    short changing[FORMULA_NODES];
+    int count; /* of them */
+};
+void law_curve_init(struct typed_curve *c, const struct law *law,
+                    const struct material *m);
+struct typed_steady law_curve_at(struct typed_curve *c, long double x);
+
 /* d mu_ss/dx in 113 bits, to 1e-16 of its scale */
 formula_real law_typed_slope(const struct law *law, const struct material *m,
                              long double x);

@@ -19,7 +19,7 @@ struct run {
 static void run_at(const struct block *b, double X, double Y, struct run *r)
 {
     r->t = &b->plane.t;
-    real_tape_run(r->t, X, Y, true, r->reg);
+    real_tape_run(r->t, X, Y, 1, r->reg);
 }
 
 /* mu - tan(alpha) */
@@ -33,17 +33,10 @@ static double excess_of(const struct block *b, const struct run *r)
     return sum;
 }
 
-static struct vec2 gradient_of(const struct run *r)
+static struct vec2 gradient_of(const struct block *b, const struct run *r)
 {
-    const struct real_tape_form *mu = &r->t->value[0];
-    struct vec2 gradient[TAPE_STEPS + 2], sum = { 0, 0 };
-
-    tape_gradients(r->t, true, r->reg, gradient);
-    for (int i = mu->first; i < mu->first + mu->terms; i++) {
-        sum.x += r->t->term[i].c * gradient[r->t->term[i].reg].x;
-        sum.y += r->t->term[i].c * gradient[r->t->term[i].reg].y;
-    }
-    return sum;
+    return tape_value_gradient(&b->plane,
+                               (struct vec2){ r->reg[0], r->reg[1] });
 }
 
 struct search {
@@ -71,7 +64,7 @@ static double solve(const struct search *s, double X)
     for (int i = 0; i < 12; i++) {
         run_at(s->b, X, s->Y, &r);
         const double step =
-            (excess_of(s->b, &r) - s->excess) / gradient_of(&r).x;
+            (excess_of(s->b, &r) - s->excess) / gradient_of(s->b, &r).x;
         if (!(fabs(step) < last))
             break;
         X -= step;
@@ -95,10 +88,10 @@ double quasistatic_typed_x(const struct block *b, double Y, double *slope)
     struct run r;
 
     run_at(b, 0.0, 0.0, &r);
-    const struct vec2 first = gradient_of(&r);
+    const struct vec2 first = gradient_of(b, &r);
     const double X = solve(&s, -Y * first.y / first.x);
     run_at(b, X, Y, &r);
-    const struct vec2 g = gradient_of(&r);
+    const struct vec2 g = gradient_of(b, &r);
     *slope = -g.y / g.x;
     return X;
 }
@@ -111,7 +104,7 @@ double quasistatic_typed_above(const struct block *b, double X, double Y,
     struct run r;
 
     run_at(b, X, Y, &r);
-    const double d = excess / gradient_of(&r).x;
+    const double d = excess / gradient_of(b, &r).x;
     return d < 1e-7 || !isfinite(d) ? d : solve(&s, X + d) - X;
 }
 
@@ -135,7 +128,7 @@ struct vec2 quasistatic_typed_steep(const struct block *b)
     for (int i = -FAR; i <= FAR; i += STEP)
         for (int j = -FAR; j <= FAR; j += STEP) {
             run_at(b, i, j, &r);
-            const struct vec2 g = gradient_of(&r);
+            const struct vec2 g = gradient_of(b, &r);
             if (isfinite(g.x) && isfinite(g.y)) {
                 most.x = fmax(most.x, fabs(g.x));
                 most.y = fmax(most.y, fabs(g.y));

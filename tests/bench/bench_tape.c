@@ -1,7 +1,8 @@
 /*
  * bench_tape -- the presets' fields from formulas (tape_plane.h) against the
  * compiled ones (field.h), interleaved: nanoseconds a field, a gradient, a
- * Taylor coefficient of two curves (order 22); minima of the repetitions.
+ * Taylor coefficient of two curves (order 22) on wide registers and on narrow
+ * ones; minima of the repetitions.
  */
 #include <math.h>
 #include <stdio.h>
@@ -64,9 +65,10 @@ static double run_series(const struct planar *s)
     return (now() - t) / (POINTS / 10) / ORDER;
 }
 
-static double (*const kinds[3])(const struct planar *) = { run_fields,
-                                                           run_gradients,
-                                                           run_series };
+static double (*const kinds[])(const struct planar *) = {
+    run_fields, run_gradients, run_series, run_series
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static void anchored(struct block *b, const struct law *law, long double slope)
 {
@@ -89,7 +91,7 @@ int main(void)
     for (int i = 0; i < POINTS; i++)
         point[i] = (struct vec2){ 2 * sin(1.7 * i), 2 * cos(2.9 * i) };
     printf("ns: compiled formulas ratio, of a field, a gradient, a "
-           "coefficient\n");
+           "coefficient, a narrow one\n");
     for (int i = 0; i < 16; i++) {
         struct law law = *law_preset_at((size_t) i / 2);
         enum law_part wrong;
@@ -103,7 +105,8 @@ int main(void)
         anchored(&b[1], &text, 0.35L);
         const struct planar s[2] = { block_planar(&b[0]), block_planar(&b[1]) };
         printf("%-17s %-5s", law.preset, friction_form_names[law.form]);
-        for (int kind = 0; kind < 3; kind++) {
+        for (int kind = 0; kind < KINDS; kind++) {
+            b[1].plane.wide = kind < KINDS - 1 && tape_jet_wide();
             double best[2] = { HUGE_VAL, HUGE_VAL };
             for (int n = 0; n < REPEATS; n++)
                 for (int way = 0; way < 2; way++)
