@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "number.h"
+
 enum { WIDE = 26 };
 
 /* Now's value as text: a number, a word or none. */
@@ -10,7 +12,7 @@ static void show_now(const struct finding *f, char text[WIDE])
     if (f->word || f->reason)
         snprintf(text, WIDE, "%s", f->word ? f->word : "none");
     else
-        snprintf(text, WIDE, "%.17g", f->now);
+        snprintf(text, WIDE, "%s", number_shortest(f->now).text);
 }
 
 /* ---- for people ---------------------------------------------------------- */

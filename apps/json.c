@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
 #include "text.h"
 
 /* Has an allocation failed? */
@@ -97,11 +98,75 @@ json_t *json_text(const char *text)
     return j;
 }
 
+/* ---- writing ------------------------------------------------------------- */
+
+static void begin_line(FILE *out, int depth)
+{
+    fprintf(out, "\n%*s", 2 * depth, "");
+}
+
+/* A text, a whole number, true, false or null. */
+static bool write_word(const json_t *j, FILE *out)
+{
+    return json_dumpf(j, out, JSON_ENCODE_ANY) == 0;
+}
+
+static bool write_value(json_t *j, FILE *out, int depth);
+
+static bool write_members(json_t *object, FILE *out, int depth)
+{
+    const char *key;
+    json_t *member;
+    bool first = true, ok = true;
+
+    json_object_foreach(object, key, member)
+    {
+        json_t *name = json_string(key);
+        fputs(first ? "" : ",", out);
+        begin_line(out, depth + 1);
+        ok = ok && write_word(name, out) && fputs(": ", out) >= 0 &&
+             write_value(member, out, depth + 1);
+        json_decref(name);
+        first = false;
+    }
+    return ok;
+}
+
+static bool write_items(json_t *list, FILE *out, int depth)
+{
+    size_t i;
+    json_t *item;
+    bool ok = true;
+
+    json_array_foreach(list, i, item)
+    {
+        fputs(i ? "," : "", out);
+        begin_line(out, depth + 1);
+        ok = ok && write_value(item, out, depth + 1);
+    }
+    return ok;
+}
+
+static bool write_value(json_t *j, FILE *out, int depth)
+{
+    const bool object = json_is_object(j);
+    bool ok;
+
+    if (json_is_real(j))
+        return fputs(number_shortest(json_real_value(j)).text, out) >= 0;
+    if (!object && !json_is_array(j))
+        return write_word(j, out);
+    fputs(object ? "{" : "[", out);
+    ok = (object ? write_members : write_items)(j, out, depth);
+    if (object ? json_object_size(j) : json_array_size(j))
+        begin_line(out, depth);
+    return fputs(object ? "}" : "]", out) >= 0 && ok;
+}
+
 bool json_write(json_t *j, FILE *out)
 {
-    const size_t flags = JSON_INDENT(2) | JSON_REAL_PRECISION(17);
-    const bool ok = j != NULL && !starved && json_dumpf(j, out, flags) == 0 &&
-                    putc('\n', out) != EOF && fflush(out) == 0;
+    const bool ok = j != NULL && !starved && write_value(j, out, 0) &&
+                    putc('\n', out) != EOF && fflush(out) == 0 && !ferror(out);
 
     json_decref(j);
     return ok;

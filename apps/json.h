@@ -27,8 +27,9 @@ json_t *json_text(const char *text);
  * memory for, so one failure must spoil all. */
 void json_watch_memory(void);
 
-/* Writes 17 digits, keys in the order they were added; false if `out` refuses
- * or memory ran out on the way.  Steals j. */
+/* Writes numbers as the shortest decimals that read back (jansson knows 17
+ * digits only: 0.34000000000000002), keys in the order they were added; false
+ * if `out` refuses or memory ran out on the way.  Steals j. */
 bool json_write(json_t *j, FILE *out);
 
 /* The same to stdout. */

@@ -133,8 +133,9 @@ static enum exit_code print(const struct job *j, const struct options *o)
     for (size_t i = 0; i < j->count; i++) {
         json_array_append_new(list, answer_json(j, i));
         if (!o->json && !o->quiet)
-            printf("%s = %.17g, %s = %.17g: %s\n", name_of(j, 0),
-                   j->state[i][0], name_of(j, 1), j->state[i][1], j->goal[i]);
+            printf("%s = %s, %s = %s: %s\n", name_of(j, 0),
+                   number_shortest(j->state[i][0]).text, name_of(j, 1),
+                   number_shortest(j->state[i][1]).text, j->goal[i]);
     }
     if (!o->json) {
         json_decref(list);

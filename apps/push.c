@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "json.h"
+#include "number.h"
 #include "plane_push.h"
 #include "progress.h"
 #include "scene_units.h"
@@ -180,10 +181,12 @@ static enum status check_states(const struct job *j, struct fault *why)
 
 static void print_quantity(const char *name, const struct quantity *q)
 {
-    if (!quantity_exists(q))
+    if (!quantity_exists(q)) {
         printf("  %-9s -  (%s)\n", name, q->reason);
-    else
-        printf("  %-9s %-22.15g +- %.1e\n", name, q->value, q->error);
+        return;
+    }
+    const struct number_bar shown = number_with_bar(q->value, q->error);
+    printf("  %-9s %-22s +- %s\n", name, shown.value.text, shown.error.text);
 }
 
 static void print_answer(const struct scene *scene, const struct push_state *at,

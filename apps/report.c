@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "json_results.h"
+#include "number.h"
 #include "scene_slope.h"
 #include "study_results.h"
 #include "text_results.h"
@@ -17,7 +18,7 @@ enum status report_print(FILE *out, const struct study *s)
     fprintf(out, "%s (%s form)", s->slider.block.law.preset,
             friction_form_names[s->slider.block.law.form]);
     if (scene_has_slope(s->scene))
-        fprintf(out, ", alpha = %.17g rad", s->scene->alpha);
+        fprintf(out, ", alpha = %s rad", number_shortest(s->scene->alpha).text);
     fputc('\n', out);
     return text_results(out, &all);
 }

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "number.h"
+
 /* More rows than these are shown in part, unless words tell them apart; more
  * columns than these in fewer digits. */
 enum { ROWS = 24, WIDE = 7 };
@@ -26,7 +28,9 @@ static void print_quantity(FILE *out, const char *name,
         fprintf(out, "  %-16s -  (%s)\n", name, q->reason);
         return;
     }
-    fprintf(out, "  %-16s %-22.15g +- %.1e", name, q->value, q->error);
+    const struct number_bar shown = number_with_bar(q->value, q->error);
+    fprintf(out, "  %-16s %-22s +- %s", name, shown.value.text,
+            shown.error.text);
     print_unit(out, f);
     if (!isnan(q->conditioning))
         fprintf(out, "  (inputs +- %.1e)", q->conditioning * fabs(q->value));
@@ -38,7 +42,7 @@ static void print_real(FILE *out, const char *name,
 {
     if (isnan(value))
         return;
-    fprintf(out, "  %-16s %.15g", name, value);
+    fprintf(out, "  %-16s %s", name, number_shortest(value).text);
     print_unit(out, f);
     fputc('\n', out);
 }
@@ -89,11 +93,14 @@ static void print_pairs(FILE *out, const struct record_array *a,
         for (size_t k = 0; k < a->type->count; k++) {
             const struct record_field *f = &a->type->fields[k];
             const struct quantity *q = record_member(a, i, f);
-            if (quantity_exists(q))
-                fprintf(out, "%s %s = %.12g +- %.1e", k ? "," : "", f->name,
-                        q->value, q->error);
-            else if (k == 0)
+            if (quantity_exists(q)) {
+                const struct number_bar shown =
+                    number_with_bar(q->value, q->error);
+                fprintf(out, "%s %s = %s +- %s", k ? "," : "", f->name,
+                        shown.value.text, shown.error.text);
+            } else if (k == 0) {
                 fprintf(out, " -  (%s)", q->reason);
+            }
         }
         fputc('\n', out);
     }
@@ -117,8 +124,18 @@ static int width_of(const struct record_type *type,
                : 22;
 }
 
+/* As many digits as its bar leaves, or few. */
+static struct number_text number_cell(const struct quantity *q, bool few)
+{
+    struct number_text shown = number_with_bar(q->value, q->error).value;
+
+    if (few)
+        snprintf(shown.text, sizeof shown.text, "%.7g", q->value);
+    return shown;
+}
+
 static void cell_text(const struct record_field *f, const void *member,
-                      int digits, char text[32])
+                      bool few, char text[32])
 {
     const char *word = NULL;
 
@@ -126,12 +143,11 @@ static void cell_text(const struct record_field *f, const void *member,
     switch (f->kind) {
         case RECORD_QUANTITY:
             if (quantity_exists(member))
-                snprintf(text, 32, "%.*g", digits,
-                         ((const struct quantity *) member)->value);
+                strcpy(text, number_cell(member, few).text);
             break;
         case RECORD_REAL:
             if (!isnan(*(const double *) member))
-                snprintf(text, 32, "%.*g", digits < 10 ? digits : 10,
+                snprintf(text, 32, "%.*g", few ? 7 : 10,
                          *(const double *) member);
             break;
         case RECORD_COUNT:
@@ -159,7 +175,7 @@ static void print_line(FILE *out, const struct record_array *a,
         const struct record_field *f = &a->type->fields[k];
         const bool bare = strcmp(f->unit, "1") == 0;
         if (row)
-            cell_text(f, record_member(a, *row, f), n > WIDE ? 7 : 15, text);
+            cell_text(f, record_member(a, *row, f), n > WIDE, text);
         else
             snprintf(text, sizeof text, "%s%s%s%s", f->name, bare ? "" : " (",
                      bare ? "" : f->unit, bare ? "" : ")");
@@ -210,7 +226,7 @@ static void print_list(FILE *out, const struct record_array *a)
     if (a->count > 0)
         fprintf(out, "  %-16s", f->name);
     for (size_t i = 0; i < a->count; i++) {
-        cell_text(f, record_member(a, i, f), 15, text);
+        cell_text(f, record_member(a, i, f), false, text);
         fprintf(out, " %s", text);
     }
     if (a->count > 0)

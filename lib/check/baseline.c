@@ -1,7 +1,6 @@
 #include "baseline.h"
 
 #include <float.h>
-#include <locale.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,24 +18,9 @@ static const char preface[] =
 
 /* ---- cells --------------------------------------------------------------- */
 
-/* With a decimal point whatever the locale. */
-static void add_number(FILE *out, int digits, double value)
+static void add_number(FILE *out, double value)
 {
-    char text[40];
-
-    snprintf(text, sizeof text, "%.*g", digits, value);
-    char *point = strchr(text, localeconv()->decimal_point[0]);
-    if (point)
-        *point = '.';
-    fprintf(out, "%s", text);
-}
-
-static void add_input(FILE *out, double value)
-{
-    char text[NUMBER_DECIMAL];
-
-    number_decimal(value, text);
-    fputs(text, out);
+    fputs(number_shortest(value).text, out);
 }
 
 /* A label in quotes, cut to a reasonable length. */
@@ -85,11 +69,11 @@ static void add_inputs(FILE *out, const char *name, const struct slope_row *s)
     for (int i = 0; i < MATERIAL_KEYS; i++) {
         fputs(",", out);
         if (law_uses(law, (enum material_key) i))
-            add_input(out, *material_member(&m, (enum material_key) i));
+            add_number(out, *material_member(&m, (enum material_key) i));
     }
     fputs(",", out);
     if (!isnan(s->alpha))
-        add_input(out, s->alpha);
+        add_number(out, s->alpha);
 }
 
 static void add_quantity(FILE *out, const struct quantity *q)
@@ -99,9 +83,9 @@ static void add_quantity(FILE *out, const struct quantity *q)
         return;
     }
     fputs(",", out);
-    add_number(out, DBL_DECIMAL_DIG, q->value);
+    add_number(out, q->value);
     fputs(",", out);
-    add_number(out, 4,
+    add_number(out,
                CHECK_RECORDED_BARS * q->error + DBL_EPSILON * fabs(q->value));
 }
 

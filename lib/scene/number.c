@@ -50,14 +50,68 @@ bool number_read_whole(const char *text, uint64_t *value)
     return true;
 }
 
-void number_decimal(double value, char text[NUMBER_DECIMAL])
-{
-    int digits = DBL_DIG - 1;
+/* ---- written ------------------------------------------------------------- */
 
-    do
-        snprintf(text, NUMBER_DECIMAL, "%.*g", ++digits, value);
-    while (strtod(text, NULL) != value && digits < DBL_DECIMAL_DIG);
-    char *point = strchr(text, localeconv()->decimal_point[0]);
+static void put_point(struct number_text *shown)
+{
+    char *point = strchr(shown->text, localeconv()->decimal_point[0]);
+
     if (point)
         *point = '.';
+}
+
+static struct number_text number_digits(int digits, double value)
+{
+    struct number_text shown;
+
+    snprintf(shown.text, sizeof shown.text, "%.*g", digits, value);
+    put_point(&shown);
+    return shown;
+}
+
+/* The fewest digits, from `digits` on, that move it by at most `most`; *moved:
+ * by how much.  Up to 15 digits are written without an exponent where %g of 15
+ * does. */
+static struct number_text number_within(double value, double most, int digits,
+                                        double *moved)
+{
+    for (;; digits++) {
+        struct number_text shown = number_digits(digits, value);
+        double read = value;
+        number_read(shown.text, &read);
+        *moved = fabs(read - value);
+        if (!(*moved > most) || digits >= DBL_DECIMAL_DIG)
+            return digits < DBL_DIG ? number_digits(DBL_DIG, read) : shown;
+    }
+}
+
+struct number_text number_shortest(double value)
+{
+    double moved;
+
+    return number_within(value, 0.0, DBL_DIG, &moved);
+}
+
+/* Two digits, not below. */
+static struct number_text number_above(double error)
+{
+    double up = error, read = 0.0;
+    struct number_text shown;
+
+    for (;; up *= 1.01) {
+        snprintf(shown.text, sizeof shown.text, "%.1e", up);
+        put_point(&shown);
+        if (!number_read(shown.text, &read) || read >= error)
+            return shown;
+    }
+}
+
+struct number_bar number_with_bar(double value, double error)
+{
+    struct number_bar shown;
+    double moved;
+
+    shown.value = number_within(value, error / 20.0, 1, &moved);
+    shown.error = number_above(error + moved);
+    return shown;
 }

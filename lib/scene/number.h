@@ -1,5 +1,5 @@
-/* number.h -- numbers as users write them: decimal, with a point, whatever
- * the locale. */
+/* number.h -- numbers as users write and read them: decimal, with a point,
+ * whatever the locale. */
 #ifndef SCENE_NUMBER_H
 #define SCENE_NUMBER_H
 
@@ -14,9 +14,20 @@ bool number_read(const char *text, double *value);
 /* Digits only, below 2^64.  False, *value untouched, for anything else. */
 bool number_read_whole(const char *text, uint64_t *value);
 
-enum { NUMBER_DECIMAL = 40 };
+struct number_text {
+    char text[26];
+};
 
-/* The fewest digits that read back as the same double, with a point. */
-void number_decimal(double value, char text[NUMBER_DECIMAL]);
+/* The shortest decimal that reads back as the same double: 0.34, 1e+300. */
+struct number_text number_shortest(double value);
+
+/* A value with the bar |value - truth| <= error, as "2832.22335885 +- 2.2e-10":
+ * the fewest digits that move it by at most error/20, and the bar rounded up,
+ * what was moved included.  With as many digits as there are where the bar is
+ * below a rounding of the value. */
+struct number_bar {
+    struct number_text value, error;
+};
+struct number_bar number_with_bar(double value, double error);
 
 #endif

@@ -81,10 +81,9 @@ enum status scene_parameter_at(const struct scene *s, const double x[],
 
     *point = *s->system;
     for (size_t i = 0; i < s->sweep.axes && status == STATUS_OK; i++) {
-        char decimal[NUMBER_DECIMAL];
         formula_real value;
-        number_decimal(x[i], decimal);
-        status = formula_parse_decimal(decimal, here, &value, &why);
+        status = formula_parse_decimal(number_shortest(x[i]).text, here, &value,
+                                       &why);
         if (status == STATUS_OK)
             status = formula_system_set(point,
                                         strrchr(s->sweep.axis[i].key, '.') + 1,

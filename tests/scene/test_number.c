@@ -144,6 +144,78 @@ static void anything_else_is_no_whole_number(void **state)
     }
 }
 
+/* ---- written ------------------------------------------------------------- */
+
+static void is_written_as(double x, const char *wanted)
+{
+    CHECK(strcmp(number_shortest(x).text, wanted) == 0, "%.17g: %s", x,
+          number_shortest(x).text);
+}
+
+static void the_shortest_decimal_is_written(void **state)
+{
+    (void) state;
+    is_written_as(0.34, "0.34");
+    is_written_as(0.1 + 0.2, "0.30000000000000004");
+    is_written_as(-1000.0, "-1000");
+    is_written_as(1e300, "1e+300");
+    is_written_as(0x1p-1074, "4.94065645841247e-324");
+    is_written_as(-0.0, "-0");
+    comma_locale_use(true);
+    is_written_as(0.34, "0.34");
+    comma_locale_use(false);
+}
+
+static void what_is_written_reads_back(void **state)
+{
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 20000; i++) {
+        const double x = pow(10.0, check_uniform(&seed, -300.0, 300.0));
+        double read = 0.0;
+        CHECK(number_read(number_shortest(x).text, &read) && read == x,
+              "%.17g: %s", x, number_shortest(x).text);
+    }
+}
+
+static void has_bar(double x, double error, const char *value, const char *bar)
+{
+    const struct number_bar b = number_with_bar(x, error);
+
+    CHECK(strcmp(b.value.text, value) == 0 && strcmp(b.error.text, bar) == 0,
+          "%.17g %.17g: %s +- %s", x, error, b.value.text, b.error.text);
+}
+
+static void a_bar_tells_how_many_digits_there_are(void **state)
+{
+    (void) state;
+    has_bar(2832.2233588543, 2.1e-10, "2832.2233588543", "2.1e-10");
+    has_bar(2832.2233588543, 2.2e-2, "2832.223", "2.3e-02");
+    has_bar(2832.2233588543, 1e4, "3000", "1.1e+04");
+    has_bar(0.34, 0.0, "0.34", "0.0e+00");
+    has_bar(2.0 / 3.0, 1e-18, "0.6666666666666666", "1.0e-18");
+}
+
+/* |shown - truth| <= |shown - value| + error <= bar */
+static void a_bar_holds_what_was_cut_off(void **state)
+{
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 20000; i++) {
+        const double x = pow(10.0, check_uniform(&seed, -30.0, 30.0)),
+                     error = x * pow(10.0, check_uniform(&seed, -17.0, 2.0));
+        const struct number_bar b = number_with_bar(x, error);
+        double shown = 0.0, bar = 0.0;
+        CHECK(number_read(b.value.text, &shown) &&
+                  number_read(b.error.text, &bar),
+              "%s +- %s", b.value.text, b.error.text);
+        CHECK(fabs(shown - x) + error <= bar && bar <= 1.2 * error,
+              "%.17g %.17g: %s +- %s", x, error, b.value.text, b.error.text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -154,6 +226,10 @@ int main(void)
         cmocka_unit_test(a_decimal_comma_of_the_locale_changes_nothing),
         cmocka_unit_test(whole_numbers_are_read_up_to_64_bits),
         cmocka_unit_test(anything_else_is_no_whole_number),
+        cmocka_unit_test(the_shortest_decimal_is_written),
+        cmocka_unit_test(what_is_written_reads_back),
+        cmocka_unit_test(a_bar_tells_how_many_digits_there_are),
+        cmocka_unit_test(a_bar_holds_what_was_cut_off),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

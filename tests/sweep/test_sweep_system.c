@@ -167,12 +167,12 @@ static void points_of_a_grid_are_studies(void **state)
     sweep_of(&w, grid, &plainly);
     assert_int_equal(w.s.points, 8);
     for (size_t i = 0; i < 8; i++) {
-        char set[2][200], a[NUMBER_DECIMAL], d[NUMBER_DECIMAL];
-        number_decimal(w.s.axis[0].value[i / 2], a);
-        number_decimal(w.s.axis[1].value[i % 2], d);
-        snprintf(set[0], sizeof set[0], "system.parameters.a=%s", a);
+        char set[2][200];
+        snprintf(set[0], sizeof set[0], "system.parameters.a=%s",
+                 number_shortest(w.s.axis[0].value[i / 2]).text);
         snprintf(set[1], sizeof set[1],
-                 "sweep={key: system.parameters.d, values: [%s]}", d);
+                 "sweep={key: system.parameters.d, values: [%s]}",
+                 number_shortest(w.s.axis[1].value[i % 2]).text);
         const char *const sets[] = { DUFFING, "products=[manifolds]", set[0],
                                      set[1], NULL };
         sweep_of(&one, sets, &plainly);
