@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "spell.h"
+#include "synonym.h"
 #include "text.h"
 
 /* ---- the table ----------------------------------------------------------- */
@@ -164,7 +164,7 @@ static const char *option_nearest(const char *name)
 
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         known[i] = option_table[i].name;
-    return spell_nearest(name, known);
+    return synonym_nearest(name, known);
 }
 
 /* ---- complaints ---------------------------------------------------------- */

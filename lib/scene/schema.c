@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "scene_law.h"
-#include "spell.h"
+#include "synonym.h"
 #include "text.h"
 
 /* ---- keys ---------------------------------------------------------------- */
@@ -71,7 +71,7 @@ static const char *near_elsewhere(const char *word)
         const char *dot = strrchr(schema_table[i].path, '.');
         last[i] = dot ? dot + 1 : schema_table[i].path;
     }
-    const char *near = word[1] ? spell_nearest(word, last) : NULL;
+    const char *near = word[1] ? synonym_nearest(word, last) : NULL;
     for (size_t i = 0; near && last[i]; i++)
         if (last[i] == near)
             return schema_table[i].path;
@@ -89,7 +89,7 @@ static enum status unknown(const char *path, size_t head, struct place at,
              path + head);
     level_find(path, head, &level);
     text_list(level.list, words, sizeof words);
-    const char *near = spell_nearest(word, level.list);
+    const char *near = synonym_nearest(word, level.list);
     const size_t parent = near ? head : 0;
     if (near == NULL)
         near = near_elsewhere(word);

@@ -7,10 +7,19 @@
 #include <string.h>
 
 #include "number.h"
-#include "spell.h"
+#include "synonym.h"
 #include "text.h"
 #include "tolerance.h"
 #include "unit.h"
+
+/* Whether it would do as an angle in degrees, where one in rad is asked for. */
+static bool is_in_degrees(const struct schema_key *key, const struct node *n)
+{
+    double x;
+
+    return key->read == value_alpha && n->kind == NODE_SCALAR &&
+           number_read(n->text, &x) && x > 0.0 && x < 90.0;
+}
 
 /* Blames a value; offers the nearest word where words are expected. */
 static enum status refuse(const struct schema_key *key, const struct node *n,
@@ -22,7 +31,9 @@ static enum status refuse(const struct schema_key *key, const struct node *n,
     if (key->words)
         text_list(key->words, words, sizeof words);
     if (key->words && n->kind == NODE_SCALAR)
-        near = spell_nearest(n->text, key->words);
+        near = synonym_nearest(n->text, key->words);
+    else if (is_in_degrees(key, n))
+        near = "slope.alpha_deg";
     return place_blame(n->at, why, "%s: %s is not allowed, expected %s%s%s%s%s",
                        key->path, node_shown(n).text, expected, words,
                        near ? " (did you mean " : "", near ? near : "",
@@ -365,7 +376,7 @@ enum status value_key(const struct schema_key *key, const struct node *n,
             return STATUS_OK;
         }
     const char *near =
-        n->kind == NODE_SCALAR ? spell_nearest(n->text, known) : NULL;
+        n->kind == NODE_SCALAR ? synonym_nearest(n->text, known) : NULL;
     return place_blame(n->at, why, "%s: %s is not allowed, expected %s%s%s%s",
                        key->path, node_shown(n).text,
                        s->system ? "system.parameters.NAME" : key->expected,
@@ -426,7 +437,7 @@ static enum status unknown_in_start(const struct schema_key *key,
                                     const struct node *n, struct fault *why)
 {
     static const char *const known[] = { "v", "psi", "phi", NULL };
-    const char *near = spell_nearest(n->key, known);
+    const char *near = synonym_nearest(n->key, known);
 
     return place_blame(
         n->key_at, why, "%s: unknown key '%s', expected v and psi%s%s%s",

@@ -134,6 +134,9 @@ static void an_override_has_a_known_key_and_a_value_on_one_line(void **state)
     refused("", "slope.alpha.x=1",
             "--set slope.alpha.x=1: unknown key 'slope.alpha.x', expected "
             "alpha, alpha_deg or tan_alpha (did you mean slope.alpha?)");
+    refused("", "slope.angle=20",
+            "--set slope.angle=20: unknown key 'slope.angle', expected "
+            "alpha, alpha_deg or tan_alpha (did you mean slope.alpha_deg?)");
     refused("", "slope.=1",
             "--set slope.=1: unknown key 'slope.', expected "
             "alpha, alpha_deg or tan_alpha");

@@ -94,6 +94,9 @@ static void a_wrong_override_is_named_whole(void **state)
     } wrong[] = {
         { "slope.alpha=x",
           "slope.alpha: 'x'" NOT "an angle in rad, 0 < alpha < pi/2" },
+        { "slope.alpha=19.5",
+          "slope.alpha: '19.5'" NOT "an angle in rad, 0 < alpha < pi/2 "
+          "(did you mean slope.alpha_deg?)" },
         { "window.v=[2, 1]", "window.v: [2, 1] is empty, expected lo < hi" },
         { "products=[kness]",
           "products: 'kness'" NOT "a list of " PRODUCTS_KNOWN
