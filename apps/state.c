@@ -52,10 +52,10 @@ void state_print(FILE *out, const struct scene *s, double v, double psi)
     const char *unit = physical_unit(law);
 
     if (s->units == UNITS_SI)
-        fprintf(out, "v = %.15g m/s = %s V_star, phi = %.15g%s%s, psi = %s",
-                v * m->V_star, number_shortest(v).text,
-                physical_phi(law, m, psi), strcmp(unit, "1") ? " " : "",
-                strcmp(unit, "1") ? unit : "", number_shortest(psi).text);
+        fprintf(
+            out, "v = %.15g m/s = %.15g V_star, phi = %.15g%s%s, psi = %.15g",
+            v * m->V_star, v, physical_phi(law, m, psi),
+            strcmp(unit, "1") ? " " : "", strcmp(unit, "1") ? unit : "", psi);
     else
         fprintf(out, "v = %s, psi = %s", number_shortest(v).text,
                 number_shortest(psi).text);

@@ -42,7 +42,7 @@ static void print_real(FILE *out, const char *name,
 {
     if (isnan(value))
         return;
-    fprintf(out, "  %-16s %s", name, number_shortest(value).text);
+    fprintf(out, "  %-16s %.15g", name, value);
     print_unit(out, f);
     fputc('\n', out);
 }
