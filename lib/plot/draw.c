@@ -117,8 +117,8 @@ static enum status finish_pdf(const struct workshop *w, struct fault *fault)
     return s == STATUS_IO ? io_fault(fault, w->goal[WORKSHOP_FIGURE]) : s;
 }
 
-static enum status make(const struct figure *f, const struct device *d,
-                        const struct workshop *w, struct fault *fault)
+static enum status draw_make(const struct figure *f, const struct device *d,
+                             const struct workshop *w, struct fault *fault)
 {
     enum status s = write_script(f, d, w, fault);
     if (s == STATUS_OK)
@@ -130,8 +130,8 @@ static enum status make(const struct figure *f, const struct device *d,
     return s;
 }
 
-static enum status deliver(const struct workshop *w, bool keep_script,
-                           struct fault *fault)
+static enum status draw_deliver(const struct workshop *w, bool keep_script,
+                                struct fault *fault)
 {
     enum status s = workshop_deliver(w, WORKSHOP_FIGURE, fault);
     if (s == STATUS_OK && keep_script)
@@ -158,7 +158,7 @@ static enum status make_at(const struct figure *f, const char *path,
     s = check_figure(f, fault);
     if (s == STATUS_OK)
         s = workshop_open(path, w, fault);
-    return s == STATUS_OK ? make(f, device, w, fault) : s;
+    return s == STATUS_OK ? draw_make(f, device, w, fault) : s;
 }
 
 enum status figures_write(const struct figure f[], const char *const path[],
@@ -173,7 +173,7 @@ enum status figures_write(const struct figure f[], const char *const path[],
     for (size_t i = 0; i < count && s == STATUS_OK; i++)
         s = make_at(&f[i], path[i], &w[i], fault);
     for (size_t i = 0; i < count && s == STATUS_OK; i++)
-        s = deliver(&w[i], keep_script, fault);
+        s = draw_deliver(&w[i], keep_script, fault);
     for (size_t i = 0; i < count; i++)
         workshop_close(&w[i]);
     return s;

@@ -31,7 +31,7 @@ static bool axis_copy(const struct figure_axis *axis, struct figure_axis *copy)
 }
 
 /* What the caller thinks borrowed is ours. */
-static void release(const void *owned)
+static void figure_release(const void *owned)
 {
     free((void *) (uintptr_t) owned);
 }
@@ -48,7 +48,7 @@ void figure_init(struct figure *f, const char *title,
 }
 
 /* Moves *column into our numbers, from *to on. */
-static void keep(const double **column, size_t count, double **to)
+static void figure_keep(const double **column, size_t count, double **to)
 {
     if (*column == NULL || count == 0)
         return;
@@ -76,11 +76,11 @@ void figure_add(struct figure *f, const struct figure_layer *layer)
     if (!(l.size > 0))
         l.size = l.kind == FIGURE_ARROWS ? 14 : 10;
     l.x = l.count > 0 ? l.x : numbers; /* all else is freed with it */
-    keep(&l.x, l.count, &to);
-    keep(&l.y, l.count, &to);
-    keep(&l.dx, l.count, &to);
-    keep(&l.dy, l.count, &to);
-    keep(&l.heads, l.head_count, &to);
+    figure_keep(&l.x, l.count, &to);
+    figure_keep(&l.y, l.count, &to);
+    figure_keep(&l.dx, l.count, &to);
+    figure_keep(&l.dy, l.count, &to);
+    figure_keep(&l.heads, l.head_count, &to);
     f->layers[f->layer_count++] = l;
 }
 
@@ -90,7 +90,7 @@ static void raster_free(struct figure_raster *r)
         return;
     for (size_t k = 0; k < FIGURE_SHADES_MAX; k++)
         free(r->entry[k]);
-    release(r->scale.label);
+    figure_release(r->scale.label);
     free(r->value);
     free(r);
 }
@@ -185,13 +185,13 @@ void figure_add_map(struct figure *f, const struct figure_map *m)
 void figure_free(struct figure *f)
 {
     for (size_t k = 0; k < f->layer_count; k++) {
-        release(f->layers[k].entry);
-        release(f->layers[k].x);
+        figure_release(f->layers[k].entry);
+        figure_release(f->layers[k].x);
     }
     free(f->layers);
     raster_free(f->raster);
-    release(f->x.label);
-    release(f->y.label);
+    figure_release(f->x.label);
+    figure_release(f->y.label);
     free(f->title);
     *f = FIGURE_EMPTY;
 }

@@ -37,7 +37,7 @@ static void listen_to(int fd, char said[SAID_MAX])
 /* gnuplot echoes the line it stumbled on and only then says why: the first
  * line that names a place in the script, else the first that is not blank.
  * Warnings do not stop it. */
-static const char *complaint(char *said)
+static const char *gnuplot_complaint(char *said)
 {
     const char *first = NULL;
     char *rest = said;
@@ -52,8 +52,8 @@ static const char *complaint(char *said)
     return first ? first : "it gave no reason";
 }
 
-static enum status refuse(struct fault *fault, const char *what,
-                          const char *why)
+static enum status gnuplot_refuse(struct fault *fault, const char *what,
+                                  const char *why)
 {
     snprintf(fault->text, sizeof fault->text, "gnuplot %s: %.400s", what, why);
     return STATUS_NO_GNUPLOT;
@@ -61,7 +61,7 @@ static enum status refuse(struct fault *fault, const char *what,
 
 /* Ours without GNUTERM, GNUPLOT_LIB and all that gnuplot would obey; the list
  * is the caller's (free), its texts are not.  NULL without memory. */
-static char **surroundings(void)
+static char **gnuplot_surroundings(void)
 {
     size_t n = 0, kept = 0;
     while (environ[n])
@@ -77,8 +77,8 @@ static char **surroundings(void)
 }
 
 /* Returns an errno; stderr of the child goes to `out`. */
-static int start(const char *folder, const char *script, int out,
-                 char *const variables[], pid_t *child)
+static int gnuplot_start(const char *folder, const char *script, int out,
+                         char *const variables[], pid_t *child)
 {
     char program[] = "gnuplot", defaults[] = "-d", name[512];
     char *const argv[] = { program, defaults, name, NULL };
@@ -118,14 +118,14 @@ enum status gnuplot_run(const char *folder, const char *script,
     int ends[2], how = 0;
     char said[SAID_MAX];
     pid_t child;
-    char **variables = surroundings();
+    char **variables = gnuplot_surroundings();
     if (!variables)
         return STATUS_NO_MEMORY;
     if (pipe2(ends, O_CLOEXEC) != 0) {
         free((void *) variables);
-        return refuse(fault, "cannot be started", strerror(errno));
+        return gnuplot_refuse(fault, "cannot be started", strerror(errno));
     }
-    const int e = start(folder, script, ends[1], variables, &child);
+    const int e = gnuplot_start(folder, script, ends[1], variables, &child);
     free((void *) variables);
     close(ends[1]);
     if (e == 0) {
@@ -134,15 +134,15 @@ enum status gnuplot_run(const char *folder, const char *script,
     }
     close(ends[0]);
     if (e != 0 && e != ENOENT)
-        return refuse(fault, "cannot be started", strerror(e));
+        return gnuplot_refuse(fault, "cannot be started", strerror(e));
     while (e == 0 && waitpid(child, &how, 0) < 0 && errno == EINTR)
         continue;
     litter_child(0);
     /* POSIX lets posix_spawn say that nothing was found by exit status 127 */
     if (e == ENOENT || (WIFEXITED(how) && WEXITSTATUS(how) == 127))
-        return refuse(fault, "was not found",
-                      "install gnuplot, or put it in PATH");
+        return gnuplot_refuse(fault, "was not found",
+                              "install gnuplot, or put it in PATH");
     if (WIFEXITED(how) && WEXITSTATUS(how) == 0)
         return STATUS_OK;
-    return refuse(fault, "failed", complaint(said));
+    return gnuplot_refuse(fault, "failed", gnuplot_complaint(said));
 }

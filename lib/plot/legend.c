@@ -5,7 +5,7 @@
 
 #include "label.h"
 
-static void add(struct legend *l, struct legend_line line)
+static void legend_add(struct legend *l, struct legend_line line)
 {
     if (!line.text)
         return;
@@ -25,14 +25,15 @@ struct legend legend_of(const struct figure *f)
     struct legend l = { .count = 0 };
     for (size_t k = 0; k < f->layer_count; k++)
         if (f->layers[k].kind != FIGURE_REGION)
-            add(&l, (struct legend_line){ f->layers[k].entry, &f->layers[k],
-                                          f->layers[k].style.role });
+            legend_add(&l,
+                       (struct legend_line){ f->layers[k].entry, &f->layers[k],
+                                             f->layers[k].style.role });
     for (size_t k = 0; f->raster && k < f->raster->shade_count; k++)
-        add(&l, (struct legend_line){ f->raster->entry[k], NULL,
-                                      f->raster->role[k] });
+        legend_add(&l, (struct legend_line){ f->raster->entry[k], NULL,
+                                             f->raster->role[k] });
     for (size_t k = 0; k < f->layer_count; k++)
         if (f->layers[k].kind == FIGURE_REGION)
-            add(&l, (struct legend_line){ f->layers[k].entry, NULL,
-                                          f->layers[k].style.role });
+            legend_add(&l, (struct legend_line){ f->layers[k].entry, NULL,
+                                                 f->layers[k].style.role });
     return l;
 }

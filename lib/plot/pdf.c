@@ -19,7 +19,7 @@ static void reset_dates(char *text, size_t size)
     }
 }
 
-static enum status rewrite(FILE *file)
+static enum status pdf_rewrite(FILE *file)
 {
     long size = 0;
     if (fseek(file, 0, SEEK_END) != 0 || (size = ftell(file)) < 0)
@@ -45,6 +45,6 @@ enum status pdf_forget_date(const char *path)
     FILE *file = fopen(path, "r+");
     if (!file)
         return STATUS_IO;
-    const enum status s = rewrite(file);
+    const enum status s = pdf_rewrite(file);
     return fclose(file) == 0 ? s : STATUS_IO;
 }

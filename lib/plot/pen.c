@@ -65,8 +65,8 @@ struct run {
     size_t count;
 };
 
-static enum status clip(const struct pen *pen, const struct figure_layer *layer,
-                        struct stroke *s)
+static enum status pen_clip(const struct pen *pen,
+                            const struct figure_layer *layer, struct stroke *s)
 {
     return stroke_clip(&pen->page->x, &pen->page->y, layer->x, layer->y,
                        layer->count, s);
@@ -77,7 +77,7 @@ static enum status draw_lines(struct pen *pen, struct run run, struct stroke *s)
     const struct paint paint = paint_of(run.layer->style);
     bool any = false;
     for (size_t k = 0; k < run.count; k++) {
-        const enum status status = clip(pen, &run.layer[k], s);
+        const enum status status = pen_clip(pen, &run.layer[k], s);
         if (status != STATUS_OK)
             return status;
         if (s->count == 0)
@@ -102,7 +102,7 @@ static enum status draw_heads(struct pen *pen, struct run run, struct stroke *s)
     bool any = false;
     for (size_t k = 0; k < run.count; k++) {
         const struct figure_layer *layer = &run.layer[k];
-        const enum status status = clip(pen, layer, s);
+        const enum status status = pen_clip(pen, layer, s);
         if (status != STATUS_OK)
             return status;
         for (size_t i = 0; i < layer->head_count; i++) {
@@ -279,7 +279,7 @@ static void draw_arrows(struct pen *pen, const struct figure_layer *layer)
 
 /* Viewers of SVG blur the cells of a coarse image, so each becomes a block of
  * equal ones. */
-static size_t copies(size_t cells)
+static size_t pen_copies(size_t cells)
 {
     return cells < TOL_FIGURE_CELLS ? (TOL_FIGURE_CELLS + cells - 1) / cells
                                     : 1;
@@ -287,7 +287,7 @@ static size_t copies(size_t cells)
 
 size_t pen_cells(size_t cells)
 {
-    return cells * copies(cells);
+    return cells * pen_copies(cells);
 }
 
 static void draw_raster(struct pen *pen, const struct figure_raster *r)
@@ -296,9 +296,9 @@ static void draw_raster(struct pen *pen, const struct figure_raster *r)
     block_begin(pen, "raster", r->scale.label);
     fprintf(pen->script, "matrix axes x2y2 with image");
     for (size_t j = 0; j < ny; j++) {
-        const double *row = r->value + j / copies(r->ny) * r->nx;
+        const double *row = r->value + j / pen_copies(r->ny) * r->nx;
         for (size_t i = 0; i < nx; i++) {
-            const double v = row[i / copies(r->nx)];
+            const double v = row[i / pen_copies(r->nx)];
             if (isfinite(v))
                 fprintf(pen->data, "%.5g ", v);
             else

@@ -34,7 +34,8 @@ static struct vec2 to_page(const struct scale *sx, const struct scale *sy,
 }
 
 /* One direction of Liang & Barsky: keeps t with 0 <= p + t d <= size. */
-static bool narrow(double p, double d, double size, double *t0, double *t1)
+static bool stroke_narrow(double p, double d, double size, double *t0,
+                          double *t1)
 {
     if (d == 0)
         return p >= 0 && p <= size;
@@ -45,24 +46,24 @@ static bool narrow(double p, double d, double size, double *t0, double *t1)
     return *t0 <= *t1;
 }
 
-static double clamp(double p, double size)
+static double stroke_clamp(double p, double size)
 {
     return fmin(fmax(p, 0), size);
 }
 
 /* One coordinate of the point at t, where the segment enters (leaves) the box:
  * exactly on the frame if it is this direction that cuts. */
-static double cut(double p, double d, double size, double t, bool enters)
+static double stroke_cut(double p, double d, double size, double t, bool enters)
 {
     const double side = (d > 0) == enters ? 0 : size;
-    return t == (side - p) / d ? side : clamp(p + t * d, size);
+    return t == (side - p) / d ? side : stroke_clamp(p + t * d, size);
 }
 
 static struct vec2 cut_at(struct vec2 p, struct vec2 d, struct vec2 size,
                           double t, bool enters)
 {
-    return (struct vec2){ cut(p.x, d.x, size.x, t, enters),
-                          cut(p.y, d.y, size.y, t, enters) };
+    return (struct vec2){ stroke_cut(p.x, d.x, size.x, t, enters),
+                          stroke_cut(p.y, d.y, size.y, t, enters) };
 }
 
 /* Appends the visible part of p -> q; the pen may still be at p. */
@@ -73,8 +74,8 @@ static enum status push_segment(struct stroke *s, struct vec2 p, struct vec2 q,
     double t0 = 0, t1 = 1;
     enum status status = STATUS_OK;
     if (!isfinite(d.x) || !isfinite(d.y) ||
-        !narrow(p.x, d.x, size.x, &t0, &t1) ||
-        !narrow(p.y, d.y, size.y, &t0, &t1)) {
+        !stroke_narrow(p.x, d.x, size.x, &t0, &t1) ||
+        !stroke_narrow(p.y, d.y, size.y, &t0, &t1)) {
         *pen_down = false;
         return STATUS_OK;
     }
@@ -112,7 +113,7 @@ enum status stroke_clip(const struct scale *sx, const struct scale *sy,
 }
 
 /* Distance inside one side of the box: 0 left, 1 right, 2 below, 3 above. */
-static double inside(int side, struct vec2 size, struct vec2 p)
+static double stroke_inside(int side, struct vec2 size, struct vec2 p)
 {
     switch (side) {
         case 0:
@@ -134,7 +135,8 @@ static enum status keep_side(int side, struct vec2 size,
     out->count = 0;
     for (size_t k = 0; k < in->count && s == STATUS_OK; k++) {
         const struct vec2 p = in->at[k ? k - 1 : in->count - 1], q = in->at[k];
-        const double a = inside(side, size, p), b = inside(side, size, q);
+        const double a = stroke_inside(side, size, p),
+                     b = stroke_inside(side, size, q);
         if ((a < 0) != (b < 0)) {
             const double t = a / (a - b);
             struct vec2 r = { p.x * (1 - t) + q.x * t,

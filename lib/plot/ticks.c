@@ -20,8 +20,8 @@ struct tick_sink {
     double width;
 };
 
-static void put(struct tick_sink *k, const struct scale *s, double at,
-                const char *text)
+static void ticks_put(struct tick_sink *k, const struct scale *s, double at,
+                      const char *text)
 {
     if (!(at >= s->lo && at <= s->hi))
         return;
@@ -78,9 +78,9 @@ static void linear_ticks(struct tick_sink *k, const struct scale *s, int labels)
         char text[64];
         const double at = (first + i) * step;
         number_text(text, at, step, top);
-        put(k, s, at, text);
+        ticks_put(k, s, at, text);
         for (int j = 1; j < parts; j++)
-            put(k, s, at + step * j / parts, "");
+            ticks_put(k, s, at + step * j / parts, "");
     }
 }
 
@@ -94,9 +94,9 @@ static void decade_ticks(struct tick_sink *k, const struct scale *s, int step,
         if (n % step == 0)
             power_text(text, 1, n);
         if (n % step == 0 || (small > 0 && n % small == 0))
-            put(k, s, pow(10, n), text);
+            ticks_put(k, s, pow(10, n), text);
         for (int m = 2; small == 0 && m < 10; m++)
-            put(k, s, m * pow(10, n), "");
+            ticks_put(k, s, m * pow(10, n), "");
     }
 }
 
@@ -112,7 +112,7 @@ static void mantissa_ticks(struct tick_sink *k, const struct scale *s,
             const double at = m * pow(10, n);
             if (strchr(labelled, '0' + m))
                 number_text(text, at, pow(10, n), at);
-            put(k, s, at, text);
+            ticks_put(k, s, at, text);
         }
     }
 }

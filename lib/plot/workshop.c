@@ -10,7 +10,7 @@
 #include "litter.h"
 
 /* The first n bytes of a text and another, as a new string. */
-static char *join(const char *a, size_t n, const char *b)
+static char *workshop_join(const char *a, size_t n, const char *b)
 {
     const size_t m = strlen(b);
     char *s = malloc(n + m + 1);
@@ -24,8 +24,8 @@ static char *join(const char *a, size_t n, const char *b)
 static char *join_path(const char *folder, const char *name)
 {
     const size_t n = strlen(folder);
-    char *slashed = join(folder, n, "/");
-    char *s = slashed ? join(slashed, n + 1, name) : NULL;
+    char *slashed = workshop_join(folder, n, "/");
+    char *s = slashed ? workshop_join(slashed, n + 1, name) : NULL;
     free(slashed);
     return s;
 }
@@ -40,8 +40,8 @@ static bool name_files(struct workshop *w, const char *path, const char *base)
                                     [WORKSHOP_DATA] = ".dat",
                                     [WORKSHOP_FIGURE] = dot ? dot : "" };
     for (int k = 0; k < WORKSHOP_FILES; k++) {
-        w->name[k] = join(base, stem, endings[k]);
-        w->goal[k] = join(path, before + stem, endings[k]);
+        w->name[k] = workshop_join(base, stem, endings[k]);
+        w->goal[k] = workshop_join(path, before + stem, endings[k]);
         w->made[k] = w->name[k] ? join_path(w->folder, w->name[k]) : NULL;
         if (!w->name[k] || !w->goal[k] || !w->made[k])
             return false;
@@ -75,7 +75,8 @@ enum status workshop_open(const char *path, struct workshop *w,
                  "the name of the figure holds a control character");
         return STATUS_BAD_ARGUMENT;
     }
-    char *folder = join(path, (size_t) (base - path), ".figure-XXXXXX");
+    char *folder =
+        workshop_join(path, (size_t) (base - path), ".figure-XXXXXX");
     if (!folder)
         return STATUS_NO_MEMORY;
     if (!mkdtemp(folder)) {
