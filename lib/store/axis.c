@@ -14,7 +14,8 @@ struct axis_user {
     int32_t dimension, zero;
 };
 
-static hobj_ref_t reference(struct store *st, hid_t group, const char *name)
+static hobj_ref_t axis_reference(struct store *st, hid_t group,
+                                 const char *name)
 {
     hobj_ref_t at = 0;
 
@@ -45,7 +46,7 @@ struct axis *axis_new(struct store *st, hid_t set, const char *name,
     put_label(st, set, "CLASS", "DIMENSION_SCALE");
     put_label(st, set, "NAME", name);
     axis->set = set;
-    axis->at = reference(st, set, ".");
+    axis->at = axis_reference(st, set, ".");
     axis->extent = extent;
     axis->next = st->axes;
     st->axes = axis;
@@ -54,7 +55,7 @@ struct axis *axis_new(struct store *st, hid_t set, const char *name,
 
 struct axis *axis_find(struct store *st, hid_t group, const char *name)
 {
-    const hobj_ref_t at = reference(st, group, name);
+    const hobj_ref_t at = axis_reference(st, group, name);
     struct axis *axis = st->axes;
 
     while (axis != NULL && axis->at != at)
@@ -77,7 +78,7 @@ static void note_user(struct store *st, struct axis *axis, hobj_ref_t set,
 
 void axis_tie(struct store *st, hid_t set, int rank, struct axis *const axis[])
 {
-    const hobj_ref_t at = reference(st, set, ".");
+    const hobj_ref_t at = axis_reference(st, set, ".");
     const hid_t type = st->handles.axes;
     hvl_t list[AXES_MAX];
 

@@ -24,8 +24,8 @@ struct ending {
     struct fault why;
 };
 
-static enum status blame(const char *path, const char *what, const char *reason,
-                         struct fault *why)
+static enum status child_blame(const char *path, const char *what,
+                               const char *reason, struct fault *why)
 {
     snprintf(why->text, sizeof why->text, "%.250s: %s%s", path, what, reason);
     return STATUS_IO;
@@ -60,7 +60,7 @@ static void limit_memory(void)
 
 /* It ends with its parent, in time, without eating the machine, without a core
  * file, and in silence: the parent says in one line what happened. */
-static void confine(unsigned seconds)
+static void child_confine(unsigned seconds)
 {
     const int silence = open("/dev/null", O_WRONLY | O_CLOEXEC);
     sigset_t alarms;
@@ -78,7 +78,7 @@ static void confine(unsigned seconds)
 }
 
 /* A reader that is gone is an error of writing, as everywhere. */
-static _Noreturn void answer(child_work *work, void *ctx, int pipe)
+static _Noreturn void child_answer(child_work *work, void *ctx, int pipe)
 {
     FILE *out = fdopen(pipe, "w");
     struct ending e = { .status = STATUS_NO_MEMORY };
@@ -135,17 +135,16 @@ static int wait_for(pid_t child)
 static enum status blame_death(const char *path, int how, struct fault *why)
 {
     if (WIFSIGNALED(how) && WTERMSIG(how) == SIGALRM)
-        return blame(path, "cannot be read: it takes too long", "", why);
+        return child_blame(path, "cannot be read: it takes too long", "", why);
     if (WIFSIGNALED(how))
-        return blame(path,
-                     "damaged: HDF5 died over it: ", strsignal(WTERMSIG(how)),
-                     why);
-    return blame(path, "damaged: HDF5 gave up over it", "", why);
+        return child_blame(path, "damaged: HDF5 died over it: ",
+                           strsignal(WTERMSIG(how)), why);
+    return child_blame(path, "damaged: HDF5 gave up over it", "", why);
 }
 
 /* Cuts the ending off the answer. */
-static enum status judge(struct answer *a, const char *path, int how,
-                         struct fault *why)
+static enum status child_judge(struct answer *a, const char *path, int how,
+                               struct fault *why)
 {
     struct ending e;
 
@@ -162,8 +161,8 @@ static enum status judge(struct answer *a, const char *path, int how,
 }
 
 /* Takes all that comes and waits for the child. */
-static enum status collect(struct answer *a, const char *path, int pipe,
-                           pid_t child, struct fault *why)
+static enum status child_collect(struct answer *a, const char *path, int pipe,
+                                 pid_t child, struct fault *why)
 {
     while (take_some(a, pipe))
         continue;
@@ -172,11 +171,12 @@ static enum status collect(struct answer *a, const char *path, int pipe,
         kill(child, SIGKILL);
     const int how = wait_for(child);
     if (error == ENOMEM) {
-        blame(path, status_text(STATUS_NO_MEMORY), "", why);
+        child_blame(path, status_text(STATUS_NO_MEMORY), "", why);
         return STATUS_NO_MEMORY;
     }
-    return error != 0 ? blame(path, "cannot be read: ", strerror(error), why)
-                      : judge(a, path, how, why);
+    return error != 0
+               ? child_blame(path, "cannot be read: ", strerror(error), why)
+               : child_judge(a, path, how, why);
 }
 
 enum status child_read(child_work *work, void *ctx, const char *path,
@@ -189,16 +189,16 @@ enum status child_read(child_work *work, void *ctx, const char *path,
     *bytes = NULL;
     *size = 0;
     if (pipe2(ends, O_CLOEXEC) != 0)
-        return blame(path, "cannot be read: ", strerror(errno), why);
+        return child_blame(path, "cannot be read: ", strerror(errno), why);
     const pid_t child = fork();
     if (child == 0) {
-        confine(seconds);
-        answer(work, ctx, ends[1]);
+        child_confine(seconds);
+        child_answer(work, ctx, ends[1]);
     }
     close(ends[1]);
     const enum status s =
-        child > 0 ? collect(&a, path, ends[0], child, why)
-                  : blame(path, "cannot be read: ", strerror(errno), why);
+        child > 0 ? child_collect(&a, path, ends[0], child, why)
+                  : child_blame(path, "cannot be read: ", strerror(errno), why);
     close(ends[0]);
     if (s == STATUS_OK) {
         *bytes = a.bytes;

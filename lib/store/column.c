@@ -87,8 +87,8 @@ static void put_meanings(struct store *st, hid_t set, const char *const *codes)
 
 /* Compressed chunks; shuffling puts the slowly changing exponents together.
  * The caller closes it. */
-static hid_t chunked(struct store *st, const struct column *c, int rank,
-                     const hsize_t extent[])
+static hid_t column_chunked(struct store *st, const struct column *c, int rank,
+                            const hsize_t extent[])
 {
     const hid_t list = hdf_took(st, H5Pcopy(st->handles.set[c->kind]));
     hsize_t chunk[AXES_MAX];
@@ -105,8 +105,9 @@ static hid_t chunked(struct store *st, const struct column *c, int rank,
 }
 
 /* The bare data set: type, shape, storage. */
-static hid_t create(struct store *st, hid_t group, const struct column *c,
-                    int rank, const hsize_t extent[])
+static hid_t column_make_set(struct store *st, hid_t group,
+                             const struct column *c, int rank,
+                             const hsize_t extent[])
 {
     hsize_t values = 1;
 
@@ -114,7 +115,7 @@ static hid_t create(struct store *st, hid_t group, const struct column *c,
         values *= extent[i];
     const bool large = rank >= 2 && values >= STORE_LARGE;
     const hid_t list =
-        large ? chunked(st, c, rank, extent) : st->handles.set[c->kind];
+        large ? column_chunked(st, c, rank, extent) : st->handles.set[c->kind];
     const hid_t set = hdf_took(st, H5Dcreate2(group, c->name, file_type(st, c),
                                               hdf_space(st, rank, extent),
                                               H5P_DEFAULT, list, H5P_DEFAULT));
@@ -123,7 +124,7 @@ static hid_t create(struct store *st, hid_t group, const struct column *c,
     return set;
 }
 
-static void describe(struct store *st, hid_t set, const struct column *c)
+static void column_describe(struct store *st, hid_t set, const struct column *c)
 {
     if (c->kind != RECORD_TEXT)
         hdf_put_text(st, set, "units", c->unit);
@@ -140,8 +141,8 @@ hid_t column_create(struct store *st, hid_t group, const struct column *c,
 
     for (int i = 0; i < rank; i++)
         extent[i] = axis[i]->extent;
-    set = create(st, group, c, rank, extent);
-    describe(st, set, c);
+    set = column_make_set(st, group, c, rank, extent);
+    column_describe(st, set, c);
     put_fill(st, set, c);
     if (rank > 0)
         axis_tie(st, set, rank, axis);
@@ -153,11 +154,11 @@ struct axis *column_axis(struct store *st, hid_t group, const struct column *c,
                          size_t count, const void *values)
 {
     const hsize_t extent = count;
-    const hid_t set = create(st, group, c, 1, &extent);
+    const hid_t set = column_make_set(st, group, c, 1, &extent);
     struct axis *axis = axis_new(st, set, c->name, extent);
 
     if (axis != NULL) {
-        describe(st, set, c);
+        column_describe(st, set, c);
         column_write(st, set, c, values);
     }
     return axis;

@@ -6,7 +6,8 @@
 #include <string.h>
 
 /* Keeps the innermost reason; HDF5 puts times and new lines into some. */
-static herr_t innermost(unsigned depth, const H5E_error2_t *error, void *ctx)
+static herr_t hdf_innermost(unsigned depth, const H5E_error2_t *error,
+                            void *ctx)
 {
     struct store *st = ctx;
 
@@ -21,7 +22,7 @@ int64_t hdf_took(struct store *st, int64_t answer)
 {
     if (answer < 0 && st->status == STATUS_OK) {
         hdf_fail(st, STATUS_IO, "HDF5 refused");
-        H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, st);
+        H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, hdf_innermost, st);
     }
     return answer;
 }
@@ -74,7 +75,7 @@ hid_t hdf_space(struct store *st, int rank, const hsize_t extent[])
 }
 
 /* One step down; closes `parent`. */
-static hid_t child(struct store *st, hid_t parent, const char *name)
+static hid_t hdf_child(struct store *st, hid_t parent, const char *name)
 {
     const int64_t found = hdf_took(st, H5Lexists(parent, name, H5P_DEFAULT));
     const hid_t group = found > 0 ? H5Gopen2(parent, name, H5P_DEFAULT)
@@ -86,7 +87,7 @@ static hid_t child(struct store *st, hid_t parent, const char *name)
     return group;
 }
 
-static hid_t descend(struct store *st, const char *path)
+static hid_t hdf_descend(struct store *st, const char *path)
 {
     hid_t group = hdf_took(st, H5Gopen2(st->file, "/", H5P_DEFAULT));
     char name[256];
@@ -97,7 +98,7 @@ static hid_t descend(struct store *st, const char *path)
         assert(length > 0 && length < sizeof name);
         memcpy(name, path, length);
         name[length] = '\0';
-        group = child(st, group, name);
+        group = hdf_child(st, group, name);
         path += length;
     }
     return group;
@@ -108,7 +109,7 @@ hid_t hdf_group(struct store *st, const char *path)
     if (st->group_path == NULL || strcmp(st->group_path, path) != 0) {
         hdf_close(st->group);
         free(st->group_path);
-        st->group = descend(st, path);
+        st->group = hdf_descend(st, path);
         st->group_path = hdf_memory(st, strlen(path) + 1, 1);
         if (st->group_path != NULL)
             strcpy(st->group_path, path);

@@ -19,7 +19,8 @@ struct place {
     char temporary[PATH_MAX + NAME_ROOM];
 };
 
-static enum status blame(const char *path, const char *why, struct fault *fault)
+static enum status replace_blame(const char *path, const char *why,
+                                 struct fault *fault)
 {
     snprintf(fault->text, sizeof fault->text, "%.300s: %s", path, why);
     return STATUS_IO;
@@ -144,30 +145,31 @@ static int replace_at(struct place *p, const void *bytes, size_t size)
     return error;
 }
 
-static enum status find(const char *path, struct place *p, struct fault *fault)
+static enum status replace_find(const char *path, struct place *p,
+                                struct fault *fault)
 {
     const int error = place_find(path, p);
     const char *why = error != 0 ? strerror(error) : place_refuses(p);
 
-    return why == NULL ? STATUS_OK : blame(path, why, fault);
+    return why == NULL ? STATUS_OK : replace_blame(path, why, fault);
 }
 
 enum status replace_check(const char *path, struct fault *fault)
 {
     struct place p;
 
-    return find(path, &p, fault);
+    return replace_find(path, &p, fault);
 }
 
 enum status replace_file(const char *path, const void *bytes, size_t size,
                          struct fault *fault)
 {
     struct place p;
-    const enum status s = find(path, &p, fault);
+    const enum status s = replace_find(path, &p, fault);
     int error;
 
     if (s != STATUS_OK)
         return s;
     error = replace_at(&p, bytes, size);
-    return error == 0 ? STATUS_OK : blame(path, strerror(error), fault);
+    return error == 0 ? STATUS_OK : replace_blame(path, strerror(error), fault);
 }

@@ -169,7 +169,7 @@ enum status store_put_count(struct store *st, const char *path, const char *key,
 }
 
 /* The finished image lies in the memory driver's buffer: no second copy. */
-static const void *finish(struct store *st, size_t *size)
+static const void *store_finish(struct store *st, size_t *size)
 {
     void **image = NULL;
 
@@ -196,7 +196,7 @@ static void close_all(struct store *st)
 enum status store_commit(struct store *st, struct fault *fault)
 {
     size_t size = 0;
-    const void *image = finish(st, &size);
+    const void *image = store_finish(st, &size);
     enum status s = hdf_blame(st, fault);
 
     if (s == STATUS_OK)

@@ -19,7 +19,8 @@ struct compare {
 };
 
 /* Nothing more after a failure, which may be why something looks different. */
-static void tell(const struct compare *c, const char *key, const char *what)
+static void store_compare_tell(const struct compare *c, const char *key,
+                               const char *what)
 {
     if (c->a->status != STATUS_OK || c->b->status != STATUS_OK)
         return;
@@ -29,7 +30,8 @@ static void tell(const struct compare *c, const char *key, const char *what)
 
 static void tell_alone(const struct compare *c, const char *key)
 {
-    tell(c, key, c->backward ? "only in the second" : "only in the first");
+    store_compare_tell(
+        c, key, c->backward ? "only in the second" : "only in the first");
 }
 
 /* ---- values -------------------------------------------------------------- */
@@ -192,7 +194,7 @@ static void tell_values(const struct compare *c, const char *key,
     if (!isnan(t.most))
         snprintf(what + n, sizeof what - (size_t) n, ", by up to %.1e of them",
                  t.most);
-    tell(c, key, what);
+    store_compare_tell(c, key, what);
 }
 
 enum { SHORT_TEXT = 80 };
@@ -223,7 +225,7 @@ static bool tell_texts(const struct compare *c, const char *key,
         return false;
     snprintf(what, sizeof what, "'%s' and '%s'", x, y);
     if (strcmp(x, y) != 0)
-        tell(c, key, what);
+        store_compare_tell(c, key, what);
     return true;
 }
 
@@ -235,9 +237,10 @@ static void tell_pair(const struct compare *c, const char *key,
     if (!is_healthy(a) || !is_healthy(b) || tell_texts(c, key, a, b))
         return;
     if (hdf_took(a->st, H5Tequal(a->type, b->type)) <= 0)
-        tell(c, key, a->class == H5T_STRING ? "another text" : "another type");
+        store_compare_tell(
+            c, key, a->class == H5T_STRING ? "another text" : "another type");
     else if (hdf_took(a->st, H5Sextent_equal(a->space, b->space)) <= 0)
-        tell(c, key, "another shape");
+        store_compare_tell(c, key, "another shape");
     else
         tell_values(c, key, a, b);
 }
@@ -294,7 +297,7 @@ static herr_t compare_pair(struct compare *c)
     const bool is_set = is_data(c->a, c->before);
 
     if (is_set != is_data(c->b, c->now)) {
-        tell(c, "", "a group in one, a data set in the other");
+        store_compare_tell(c, "", "a group in one, a data set in the other");
         return 0;
     }
     if (is_set && !c->backward)
@@ -347,7 +350,7 @@ static herr_t compare_object(hid_t root, const char *name,
     return c->a->status || c->b->status ? -1 : answer;
 }
 
-static enum status walk(struct compare *c, struct fault *fault)
+static enum status store_compare_walk(struct compare *c, struct fault *fault)
 {
     hdf_took(c->a, H5Ovisit2(c->a->file, H5_INDEX_CRT_ORDER, H5_ITER_INC,
                              compare_object, c, H5O_INFO_BASIC));
@@ -360,12 +363,12 @@ enum status store_compare(struct store *a, struct store *b,
                           void *ctx, struct fault *fault)
 {
     struct compare c = { .a = a, .b = b, .tell = told, .ctx = ctx };
-    enum status s = walk(&c, fault);
+    enum status s = store_compare_walk(&c, fault);
 
     if (s != STATUS_OK)
         return s;
     c = (struct compare){
         .a = b, .b = a, .backward = true, .tell = told, .ctx = ctx
     };
-    return walk(&c, fault);
+    return store_compare_walk(&c, fault);
 }

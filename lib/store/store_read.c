@@ -60,7 +60,8 @@ static bool is_plumbing(const char *key)
 
 /* Answers of the visitor and of HDF5 share one number here: HDF5 stops at any
  * non-zero, and a negative one is a failure. */
-static herr_t tell(const struct visit *v, const struct store_item *item)
+static herr_t store_read_tell(const struct visit *v,
+                              const struct store_item *item)
 {
     if (v->st->status != STATUS_OK)
         return -1;
@@ -78,12 +79,12 @@ static herr_t tell_text(hid_t object, const char *key, const H5A_info_t *info,
     if (!is_plumbing(key))
         text = read_text(v->st, object, key);
     if (text != NULL)
-        answer = tell(v, &(struct store_item){ .kind = STORE_TEXT,
-                                               .path = v->path,
-                                               .units = "",
-                                               .long_name = "",
-                                               .key = key,
-                                               .text = text });
+        answer = store_read_tell(v, &(struct store_item){ .kind = STORE_TEXT,
+                                                          .path = v->path,
+                                                          .units = "",
+                                                          .long_name = "",
+                                                          .key = key,
+                                                          .text = text });
     free(text);
     return v->st->status == STATUS_OK ? answer : -1;
 }
@@ -106,7 +107,7 @@ static herr_t tell_dataset(const struct visit *v, hid_t set)
         (int) hdf_took(v->st, H5Sget_simple_extent_dims(space, extent, NULL));
     for (int i = 0; i < item.rank; i++)
         item.extent[i] = extent[i];
-    answer = tell(v, &item);
+    answer = store_read_tell(v, &item);
     hdf_close(space);
     free(long_name);
     free(units);
@@ -129,12 +130,13 @@ static herr_t tell_object(hid_t root, const char *name, const H5O_info_t *info,
         if (info->type == H5O_TYPE_DATASET)
             answer = tell_dataset(v, object);
         else
-            answer = tell(v, &(struct store_item){ .kind = STORE_GROUP,
-                                                   .path = path,
-                                                   .units = "",
-                                                   .long_name = "",
-                                                   .key = "",
-                                                   .text = "" });
+            answer =
+                store_read_tell(v, &(struct store_item){ .kind = STORE_GROUP,
+                                                         .path = path,
+                                                         .units = "",
+                                                         .long_name = "",
+                                                         .key = "",
+                                                         .text = "" });
     }
     if (answer == 0)
         answer = H5Aiterate2(object, H5_INDEX_CRT_ORDER, H5_ITER_INC, NULL,

@@ -17,8 +17,8 @@ struct sheet {
 
 static const char *const existence[] = { "absent", "present", NULL };
 
-static void gather(const struct record_array *a, size_t offset, size_t size,
-                   char *out)
+static void store_records_gather(const struct record_array *a, size_t offset,
+                                 size_t size, char *out)
 {
     for (size_t i = 0; i < a->count; i++)
         memcpy(out + i * size,
@@ -52,7 +52,7 @@ static hid_t put_members(const struct sheet *sh, const struct column *c,
     hid_t set;
 
     if (values != NULL)
-        gather(sh->a, offset, size, values);
+        store_records_gather(sh->a, offset, size, values);
     set = put_values(sh, c, values);
     free(values);
     return set;
@@ -224,7 +224,7 @@ static struct axis *put_axis(const struct sheet *sh,
     struct axis *axis = NULL;
 
     if (values != NULL) {
-        gather(sh->a, f->offset, size_of(f->kind), values);
+        store_records_gather(sh->a, f->offset, size_of(f->kind), values);
         axis = column_axis(sh->st, sh->group, &c, sh->a->count, values);
     }
     free(values);

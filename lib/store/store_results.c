@@ -146,8 +146,9 @@ static enum status create_layers(struct grid *g)
 }
 
 /* One member of n records, one after another. */
-static void gather(const struct record_type *type, const struct record_field *f,
-                   const void *records, size_t n, char *out)
+static void store_results_gather(const struct record_type *type,
+                                 const struct record_field *f,
+                                 const void *records, size_t n, char *out)
 {
     const size_t size =
         f->kind == RECORD_CODE ? sizeof(int8_t) : sizeof(double);
@@ -164,7 +165,8 @@ static enum status put_members(const struct grid *g, const struct result *r,
 
     for (size_t i = 0; i < r->type->count && status == STATUS_OK; i++) {
         const struct record_field *f = &r->type->fields[i];
-        gather(r->type, f, g->records, count * g->columns, g->values);
+        store_results_gather(r->type, f, g->records, count * g->columns,
+                             g->values);
         status = store_put_rows(g->st, r->path, f, first, count, g->values);
     }
     return status;
