@@ -134,7 +134,7 @@ double passage_into(const struct curve *c, struct box b)
     struct walk w = through_box(c, b, 1.0);
 
     w.closed = true;
-    w.stride = TOL_PASSAGE_LEAST;
+    w.stride = TOL_PASSAGE_CHORD;
     w.least = TOL_PASSAGE_CHORD * fmin(b.hi.x - b.lo.x, b.hi.y - b.lo.y);
     return first(&w);
 }

@@ -142,9 +142,8 @@
  * less grazes by less than a thousandth of the way a piece can make. */
 #define TOL_PASSAGE_STEP 0x1p-10
 /* The same into a box, as a fraction of its width, far below what an orbit is
- * off; in theta, where rounding is all that moves; and halvings at most. */
+ * off, and in theta, where rounding is all that moves; and halvings at most. */
 #define TOL_PASSAGE_CHORD    0x1p-40
-#define TOL_PASSAGE_LEAST    0x1p-40
 #define TOL_PASSAGE_HALVINGS 65536
 /* An orbit whose steps shrink below this times |z| is stuck: z + h = z, as
  * where the field ends in NaN. */

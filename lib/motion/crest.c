@@ -43,10 +43,10 @@ double crest_between(double (*value)(const void *ctx, double t),
 double crest_of(double (*value)(const void *ctx, double t), const void *ctx,
                 double *at)
 {
-    const double stride = 1.0 / TOL_CREST_SAMPLES;
+    const double stride = 1.0 / TOL_EVENT_SAMPLES;
     double best = value(ctx, 0.0), where = 0.0, nearer;
 
-    for (int i = 1; i <= TOL_CREST_SAMPLES; i++) {
+    for (int i = 1; i <= TOL_EVENT_SAMPLES; i++) {
         const double here = value(ctx, i * stride);
         where = here > best ? i * stride : where;
         best = fmax(best, here);

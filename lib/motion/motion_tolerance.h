@@ -4,8 +4,8 @@
 
 #include "numbers_tolerance.h"
 
-/* Steps that an orbit may take: ten times what an accurate one to a node
- * needs. */
+/* Steps that an orbit may take, of any system: ten times what an accurate one
+ * to a node needs. */
 #define TOL_FATE_STEPS 50000
 
 /* An orbit that has not arrived after so many times the slowest scale of the
@@ -41,11 +41,11 @@
 #define TOL_TRAP_STEPS 1000
 
 /* One state (push.c).  Its orbit is run at two tolerances, the coarse one and
- * the next finer; where their fates differ, finer ones, down to the finest.
- * Where the table's bars are wider than such a part it is followed, too.  What
- * rounding does to a coordinate and to a root, per unit of either. */
+ * one finer by TOL_CELLS_FINER; where their fates differ, finer ones, down to
+ * the finest.  Where the table's bars are wider than such a part it is
+ * followed, too.  What rounding does to a coordinate and to a root, per unit of
+ * either. */
 #define TOL_PUSH_COARSE   1e-9
-#define TOL_PUSH_FINER    0.1
 #define TOL_PUSH_FINEST   5e-14
 #define TOL_PUSH_WIDE     1e-7
 #define TOL_PUSH_ROUNDING 0x1p-50
@@ -55,7 +55,7 @@
  * steps around it are followed again as finely as doubles allow.  Friction has
  * faded where it has so little of its most left over gravity: v falls like a
  * power of time, and it like the square.  What rounding does to friction, in
- * units of roundoff; and how far ahead a start is seen to rise. */
+ * units of roundoff; and how far ahead a start, or a step, is seen to rise. */
 #define TOL_PEAK_SAMPLES 4
 #define TOL_PEAK_WIDTH   1e-8
 #define TOL_PEAK_FINEST  1e-13
@@ -85,9 +85,9 @@
  * by more along the way). */
 #define TOL_PHASE_NEAR 0.01
 
-/* A maximum on a step (crest.c): samples, and the part of it it is found to. */
-#define TOL_CREST_SAMPLES 8
-#define TOL_CREST_WIDTH   1e-5
+/* A maximum on a step (crest.c), between TOL_EVENT_SAMPLES samples: the part of
+ * it it is found to. */
+#define TOL_CREST_WIDTH 1e-5
 
 /* Orbits of transients: tolerance as a part of what is asked for (their events
  * are good to a hundredth of it), the finest that helps and the coarsest that
@@ -96,7 +96,7 @@
  * attempt is where they do not suffice; where a block runs away or fades, as
  * factors on v; where arrest is looked for at the end of a run that was
  * arrested, in units of its distance; and the ln v (1e-11) down to which a
- * block that rests is followed, at least. */
+ * block that rests is followed, at least, or until TOL_REST_NOTHING is left. */
 #define TOL_TRANSIENT_STEP     10.0
 #define TOL_TRANSIENT_FINEST   3e-13
 #define TOL_TRANSIENT_COARSEST 1e-6
@@ -107,7 +107,6 @@
 #define TOL_TRANSIENT_SLOW     1e-8
 #define TOL_TRANSIENT_REACH    2.0
 #define TOL_TRANSIENT_DEEP     (-25.4)
-#define TOL_TRANSIENT_LEFT     1e-17
 
 /* The curve along which a block comes to rest (rest_curve.c): no knots are kept
  * below this ln v; and apart in ln v, or in ln psi, for differences. */
@@ -127,7 +126,6 @@
 #define TOL_REST_ROUNDS   12
 #define TOL_REST_SETTLED  1e-9
 #define TOL_REST_WRONG    1e-11
-#define TOL_REST_OFF      1e-11
 #define TOL_REST_BESIDE   1e-3
 #define TOL_REST_EDGE     (-600.0)
 #define TOL_REST_UNSEEN   1e-14

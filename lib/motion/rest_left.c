@@ -88,7 +88,7 @@ static bool is_on(const struct slider *s, struct vec2 z, const struct point *p)
         z.x > p->x && s->plane.system.origin.x + z.x < TOL_REST_EDGE;
 
     return p->wrong < TOL_REST_WRONG && isfinite(p->log_rate) &&
-           (falls || fabs(z.x - p->x) < TOL_REST_OFF);
+           (falls || fabs(z.x - p->x) < TOL_REST_WRONG);
 }
 
 /* `late`: about what time is left. */
@@ -281,7 +281,7 @@ static void add_landing(const struct way *w, struct rest_left *r)
     if (isfinite(r->time))
         r->time_error += wait * shift * exp(-p.log_rate);
     r->slip_error += wait * (shift + off) * exp(b->at.x0 + p.x - p.log_rate);
-    if (off > TOL_REST_OFF) {
+    if (off > TOL_REST_WRONG) {
         const double fall =
             fmax(off, 1.0) * rest_lag_slowness(w->slider, z.x, z.y);
         const double moved =

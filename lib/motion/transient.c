@@ -117,7 +117,7 @@ static bool is_deep(const struct course *c, const struct orbit *o)
 
     return c->slider->plane.system.origin.x + o->u[0] < TOL_TRANSIENT_DEEP ||
            (o->curve.count > 0 &&
-            end_rate(o) * TOL_TRANSIENT_LEFT * o->u[2] > 1.0) ||
+            end_rate(o) * TOL_REST_NOTHING * o->u[2] > 1.0) ||
            (law_psi_is_log(&b->law) && rest_form_at(b).inertial);
 }
 

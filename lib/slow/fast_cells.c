@@ -181,7 +181,7 @@ static double finer(struct batch *b, size_t i)
     b->out[k] = cell_of(b->fast->slider, b->z[k], b->which, l);
     const double before = b->excess[k];
     const double excess = worst_of(&b->out[k], b->which) / b->rtol;
-    const bool vain = before > 0.0 && !(excess < TOL_FAST_GAIN * before);
+    const bool vain = before > 0.0 && !(excess < TOL_CELLS_GAIN * before);
     if (l->end == LAYER_RAN || excess <= 1.0 || (vain && b->vain[k]))
         return 0.0;
     b->excess[k] = excess;
@@ -226,7 +226,7 @@ static void find_by_curve(struct batch *b, size_t n)
         follow(b->fast, b->which, b->job, b->open, b->layer);
         for (size_t i = 0; i < b->open; i++) {
             const double tol = b->job[i].options.promise * finer(b, i);
-            if (tol >= TOL_FAST_FINEST)
+            if (tol >= TOL_CELLS_FINEST)
                 set_again(b, open++, i, tol);
         }
         b->open = open;
@@ -359,7 +359,7 @@ static enum status sample_some(const struct fast_cells *f,
 
     for (size_t i = 0; i < n; i++) {
         job[i].z = vec2_sub(s[i].z, origin);
-        job[i].options = layer_defaults(fmax(rtol, TOL_FAST_FINEST));
+        job[i].options = layer_defaults(fmax(rtol, TOL_CELLS_FINEST));
         job[i].options.peaks = false;
         job[i].options.through = true;
     }

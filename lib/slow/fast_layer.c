@@ -122,8 +122,8 @@ static double at_point(const struct arc *a, const double u[])
 /* Whether it rises along the orbit. */
 static bool is_rising(const struct arc *a, const double u[], const double du[])
 {
-    const double ahead[2] = { u[LAYER_X] + TOL_LAYER_AHEAD * du[LAYER_X],
-                              u[LAYER_Y] + TOL_LAYER_AHEAD * du[LAYER_Y] };
+    const double ahead[2] = { u[LAYER_X] + TOL_PEAK_AHEAD * du[LAYER_X],
+                              u[LAYER_Y] + TOL_PEAK_AHEAD * du[LAYER_Y] };
 
     return at_point(a, ahead) > at_point(a, u);
 }
@@ -323,8 +323,8 @@ static void account(struct walk *w, const double u1[], const double unit[])
 {
     struct landing *const l = &w->at;
     struct landing_step *const m = &l->step[l->out->steps];
-    const double digit_x = TOL_LAYER_ROUNDING * fabs(u1[LAYER_X]);
-    const double digit_y = TOL_LAYER_ROUNDING * fabs(u1[LAYER_Y]);
+    const double digit_x = TOL_SLIDER_ROUNDING * fabs(u1[LAYER_X]);
+    const double digit_y = TOL_SLIDER_ROUNDING * fabs(u1[LAYER_Y]);
     const double digits = digit_x + digit_y;
     const double time = digits * fabs(u1[LAYER_TIME] - l->u[LAYER_TIME]);
     const double slip = digits * fabs(u1[LAYER_SLIP] - l->u[LAYER_SLIP]);

@@ -202,8 +202,8 @@ static bool project(const struct landing *l, double *y, struct slow_point *p,
 static bool mu_rises(const struct landing *l, struct vec2 z, struct vec2 dz)
 {
     const struct block *b = &l->curve->slider->block;
-    const struct vec2 ahead = { z.x + TOL_LAYER_AHEAD * dz.x,
-                                z.y + TOL_LAYER_AHEAD * dz.y };
+    const struct vec2 ahead = { z.x + TOL_PEAK_AHEAD * dz.x,
+                                z.y + TOL_PEAK_AHEAD * dz.y };
 
     return block_mu(b, ahead) > block_mu(b, z);
 }

@@ -231,8 +231,8 @@ static void account(struct bundle *b, lanes good, const lanes u[],
 {
     const lanes *du = b->k[0], none = LANES_OF(0.0);
     const lanes dx = lanes_size(du[LAYER_X]), dy = lanes_size(du[LAYER_Y]);
-    const lanes digit_x = TOL_LAYER_ROUNDING * lanes_size(u[LAYER_X]);
-    const lanes digit_y = TOL_LAYER_ROUNDING * lanes_size(u[LAYER_Y]);
+    const lanes digit_x = TOL_SLIDER_ROUNDING * lanes_size(u[LAYER_X]);
+    const lanes digit_y = TOL_SLIDER_ROUNDING * lanes_size(u[LAYER_Y]);
     const lanes digits = digit_x + digit_y;
     const lanes part = missed(b);
     const lanes e_x = part * b->error[LAYER_X];

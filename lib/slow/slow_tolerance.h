@@ -148,34 +148,29 @@
 #define TOL_LAYER_ASIDE  1e-6
 #define TOL_LAYER_SAFETY 0.8
 
-/* What rounding does to a coordinate, per unit of it: half a unit of its last
- * digit, and as much again of a logarithm; of how many terms of the field; and
- * how much orbits part in a step at most, as an exponent: beyond nothing is
- * known. */
-#define TOL_LAYER_ROUNDING 0x1.4p-53
-#define TOL_LAYER_TERMS    2.0
-#define TOL_LAYER_PARTING  30.0
+/* Terms of the field that round (a coordinate by TOL_SLIDER_ROUNDING); and how
+ * much orbits part in a step at most, as an exponent: beyond nothing is known.
+ */
+#define TOL_LAYER_TERMS   2.0
+#define TOL_LAYER_PARTING 30.0
 
 /* A side of the saddle is told from this much of the distance on; what is left
  * of the distance by a step towards a peak beside the curve. */
 #define TOL_LAYER_SIDE 0.5
 #define TOL_LAYER_RISE 0.3
 
-/* A peak on a step (fast_layer.c): so far ahead it is seen to rise; looks. */
-#define TOL_LAYER_AHEAD 1e-6
-#define TOL_LAYER_TOPS  12
+/* Looks for a peak on a step (fast_layer.c). */
+#define TOL_LAYER_TOPS 12
 
 /* Many states by the slow curve (fast_cells.c).  How much finer the next try of
  * one is at most whose bars are too wide, and what part of the promise it aims
  * at; above what part of its bars a try has left one is tried as fine as that,
- * and then no more, for they are the table's; the finest; and the least bar,
- * relative, of what passes a node's slow approach, and of time and slip, sums
- * of a thousand roundings there. */
-#define TOL_FAST_FINER  0.01
-#define TOL_FAST_AIM    0.3
-#define TOL_FAST_GAIN   0.7
-#define TOL_FAST_FINEST 1e-12
-#define TOL_FAST_LEAST  2e-11
+ * and then no more, for they are the table's (TOL_CELLS_GAIN), down to
+ * TOL_CELLS_FINEST; and the least bar, relative, of what passes a node's slow
+ * approach, and of time and slip, sums of a thousand roundings there. */
+#define TOL_FAST_FINER 0.01
+#define TOL_FAST_AIM   0.3
+#define TOL_FAST_LEAST 2e-11
 
 /* What rounding does to a logarithm and to its exponential, per unit of it; and
  * friction at the start is the largest where no later one is nearer than what
@@ -190,8 +185,8 @@
 
 /* Cells run to their fates (cells.c).  Orbits are first followed to this part
  * of the accuracy asked for, at most this (looser ones miss where a block
- * rests), then finer by this factor, down to the finest that doubles hold, as
- * long as bars shrink to this part. */
+ * rests), then finer by this factor (a single state's, too: push.c), down to
+ * the finest that doubles hold, as long as bars shrink to this part. */
 #define TOL_CELLS_START    0.05
 #define TOL_CELLS_COARSEST 1e-5
 #define TOL_CELLS_FINER    0.1

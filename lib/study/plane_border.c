@@ -156,9 +156,9 @@ static enum status add_cycle(struct plane_study *s, size_t k)
     size_t first = 0, last = 0, before = 0;
     double gap = HUGE_VAL, next = HUGE_VAL, ratio = 0.0;
 
-    options.rtol = TOL_PLANE_CYCLE;
+    options.rtol = TOL_RTOL_DEFAULT;
     options.observables = 0;
-    options.max_steps = TOL_PLANE_FOLLOWED;
+    options.max_steps = TOL_FATE_STEPS;
     enum status status =
         orbit_init(&o, system, vec2_sub(w->at[0], system->origin), &options);
     for (int rounds = 0; rounds < 2000 && status == STATUS_OK;) {
@@ -189,7 +189,7 @@ static enum status add_cycle(struct plane_study *s, size_t k)
         status = add(s, c, first, system->origin,
                      10.0 * gap / (1.0 - ratio) *
                              fmax(s->scale.side.x, s->scale.side.y) +
-                         TOL_PLANE_CYCLE * vec2_length(s->scale.side),
+                         TOL_RTOL_DEFAULT * vec2_length(s->scale.side),
                      s->branches + k);
     }
     orbit_free(&o);

@@ -449,9 +449,9 @@ enum status plane_follow(const struct plane_study *s, struct vec2 z,
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < s->rests; i++)
         rests[i] = s->rest[i].z;
-    options.rtol = TOL_PLANE_FOLLOW;
+    options.rtol = TOL_ORBIT_RTOL;
     options.observables = 0;
-    options.max_steps = TOL_PLANE_FOLLOWED;
+    options.max_steps = TOL_FATE_STEPS;
     enum status status =
         orbit_init(&o, system, vec2_sub(z, system->origin), &options);
     while (status == STATUS_OK && out->kind == PLANE_GOAL_NONE) {

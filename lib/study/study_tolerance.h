@@ -46,22 +46,20 @@
 #define TOL_TAYLOR_ROUNDING 64.0
 
 /* Planes of formulas, distances in sides of the window.  Curves are followed
- * this many windows far, this many times round an angle; orbits to this
- * accuracy, which only has to find the right trap, and for so many steps; a
- * curve has arrived this near to an equilibrium, as a part of its trap, or
- * touches one; has left its saddle, or is lost in its bar; two cycles are the
- * same; a state that changes no faster, of the fastest rate, rests; orbits that
- * are drawn end this near to an equilibrium, and after so many steps; straight
- * lines between stored points of manifolds are this near to them; of the
- * accuracy that is asked for, a branch gets this part. */
+ * this many windows far, this many times round an angle (orbits to
+ * TOL_ORBIT_RTOL, which only has to find the right trap); a curve has arrived
+ * this near to an equilibrium, as a part of its trap, or touches one; has left
+ * its saddle, or is lost in its bar; two cycles are the same; a state that
+ * changes no faster, of the fastest rate, rests; orbits that are drawn end this
+ * near to an equilibrium, and after so many steps; straight lines between
+ * stored points of manifolds are this near to them; of the accuracy that is
+ * asked for, a branch gets this part. */
 #define TOL_PLANE_PART       0.1
 #define TOL_PLANE_DRAWN      1e-3
 #define TOL_PLANE_STEPS      4000
 #define TOL_PLANE_CHORD      1e-4
 #define TOL_PLANE_FAR        100.0
 #define TOL_PLANE_ROUND      1e4
-#define TOL_PLANE_FOLLOW     1e-9
-#define TOL_PLANE_FOLLOWED   50000
 #define TOL_PLANE_ARRIVED    1e-6
 #define TOL_PLANE_TOUCH      1e-12
 #define TOL_PLANE_LEFT       1e-2
@@ -70,10 +68,9 @@
 #define TOL_PLANE_STILL      1e-9
 
 /* Basins of such planes: cycles are looked for from this far beside others, and
- * kept to this accuracy; copies of a curve of an angle; regions are one where
- * they share more of a row than this. */
+ * kept to TOL_RTOL_DEFAULT; copies of a curve of an angle; regions are one
+ * where they share more of a row than this. */
 #define TOL_PLANE_BESIDE 1e-3
-#define TOL_PLANE_CYCLE  1e-12
 #define TOL_PLANE_TURNS  50.0
 #define TOL_PLANE_DOOR   1e-6
 
