@@ -1,6 +1,4 @@
-/* Regions of neighbouring bands that share a part of the row between them are
- * one: only whole patches are labelled, by the orbits from inside of their
- * largest regions.  Orbits from anywhere then audit the map. */
+/* Orbits from anywhere audit the map. */
 #include "plane_basin.h"
 
 #include <math.h>
@@ -10,6 +8,7 @@
 #include "basin.h"
 #include "plane_border.h"
 #include "plane_branch.h"
+#include "plane_label.h"
 #include "plane_patch.h"
 #include "study_tolerance.h"
 #include "tolerance.h"
@@ -19,7 +18,7 @@
 /* Near the middle, where equilibria like to be. */
 static double between(double lo, double hi)
 {
-    return lo + 0.4871 * (hi - lo);
+    return lo + PLANE_LABEL_MIDDLE * (hi - lo);
 }
 
 int8_t plane_basin_label(const struct plane_study *s,
@@ -43,89 +42,6 @@ int8_t plane_basin_label(const struct plane_study *s,
     return g->index < s->cycles ? (int8_t) (n + 2) : -1;
 }
 
-/* Near the middle of region k of a band, on the row where it is widest of some;
- * false: it is nowhere wide. */
-static bool inside_of(const struct patches *p, const struct band *band,
-                      size_t k, struct vec2 *z)
-{
-    enum { ROWS = 16 };
-    const struct box w = p->s->window.box;
-    const double from = fmax(band->lo, w.lo.y), to = fmin(band->hi, w.hi.y);
-    double widest = 0.0;
-
-    for (int i = 0; i < ROWS; i++) {
-        const double y = from + (i + 0.4871) / ROWS * (to - from);
-        const size_t n = separatrix_row(p->r->separatrix, y, p->below);
-        const double lo = plane_patch_end(p->s, p->below, n, k);
-        const double hi = plane_patch_end(p->s, p->below, n, k + 1);
-        if (n != band->strands || !(hi - lo > widest))
-            continue;
-        widest = hi - lo;
-        *z = (struct vec2){ between(lo, hi), y };
-    }
-    return widest > 0.0;
-}
-
-/* Whereto the inside of a region goes; cycles that are new are added. */
-static enum status follow_region(struct patches *p, size_t region,
-                                 struct plane_study *s, int8_t *label)
-{
-    size_t i = 0;
-    struct plane_goal goal;
-    struct vec2 z;
-
-    while (i + 1 < p->r->bands && p->r->band[i + 1].first <= region)
-        i++;
-    const struct band *band = &p->r->band[i];
-    *label = -1;
-    if (!inside_of(p, band, region - band->first, &z))
-        return STATUS_OK;
-    enum status status = plane_follow(s, z, false, &goal);
-    if (status == STATUS_OK && goal.kind == PLANE_GOAL_CYCLE)
-        status = plane_cycle_add(s, &goal.round, true, &goal.index);
-    *label = plane_basin_label(s, &goal);
-    return status;
-}
-
-enum { WITNESSES = 3 };
-
-/* The largest regions of a patch, by area. */
-static size_t largest(const struct patches *p, size_t patch,
-                      size_t out[WITNESSES])
-{
-    size_t n = 0;
-
-    for (size_t i = patch; i < p->r->count; i++) {
-        if (plane_patch_of(p, i) != patch || !(p->area[i].value > 0.0))
-            continue;
-        size_t k = n < WITNESSES ? n++ : WITNESSES;
-        for (; k > 0 && p->area[out[k - 1]].value < p->area[i].value; k--)
-            if (k < WITNESSES)
-                out[k] = out[k - 1];
-        if (k < WITNESSES)
-            out[k] = i;
-    }
-    return n;
-}
-
-static enum status label_patch(struct patches *p, size_t patch,
-                               struct plane_study *s)
-{
-    size_t witness[WITNESSES];
-    const size_t n = largest(p, patch, witness);
-    int8_t label = -1, other;
-    enum status status = STATUS_OK;
-
-    for (size_t k = 0; k < n && status == STATUS_OK; k++) {
-        status = follow_region(p, witness[k], s, &other);
-        label = k == 0 || label == other ? other : (int8_t) -1;
-    }
-    for (size_t i = patch; i < p->r->count; i++)
-        if (plane_patch_of(p, i) == patch)
-            p->r->region[i].label = label < 0 ? REGION_UNLABELLED : label;
-    return status;
-}
-
 static struct measure measure_of(const struct plane_study *s)
 {
     const struct box w = s->window.box;
@@ -133,22 +49,6 @@ static struct measure measure_of(const struct plane_study *s)
     return (
         struct measure){ { s->window.exponential[0], s->window.exponential[1] },
                          { w.hi.x, w.hi.y } };
-}
-
-static enum status label_all(struct plane_study *s, struct patches *p,
-                             const struct monitor *monitor)
-{
-    enum status status = STATUS_OK;
-
-    plane_patch_join(p);
-    for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
-        if (p->of[i] != i)
-            continue;
-        if (monitor_tell(monitor, "regions", i, p->r->count))
-            return STATUS_STOPPED;
-        status = label_patch(p, i, s);
-    }
-    return status;
 }
 
 /* ---- shares -------------------------------------------------------------- */
@@ -382,10 +282,11 @@ static enum status work(struct plane_study *s, struct patches *p,
     p->area = calloc(n, sizeof *p->area);
     p->below = calloc(room, sizeof *p->below);
     p->above = calloc(room, sizeof *p->above);
-    if (!p->of || !p->area || !p->below || !p->above)
+    p->before = calloc(room, sizeof *p->before);
+    if (!p->of || !p->area || !p->below || !p->above || !p->before)
         return STATUS_NO_MEMORY;
     regions_areas(p->r, s->window.box, measure_of(s), p->below, p->area);
-    enum status status = label_all(s, p, monitor);
+    enum status status = plane_label_all(s, p, monitor);
     if (status == STATUS_OK)
         status = name_shares(s);
     if (status != STATUS_OK)
@@ -414,6 +315,7 @@ enum status plane_basin_find(struct plane_study *s,
     free(p.area);
     free(p.below);
     free(p.above);
+    free(p.before);
     return status;
 }
 

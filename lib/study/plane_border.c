@@ -213,13 +213,23 @@ static enum status cut(struct plane_study *s)
     return status;
 }
 
+bool plane_border_is_weak(const struct plane_study *s)
+{
+    bool weak = !s->complete;
+
+    for (size_t i = 0; i < s->rests; i++)
+        weak = weak || s->rest[i].type == PLANE_NONHYPERBOLIC;
+    return weak;
+}
+
 enum status plane_border_find(struct plane_study *s)
 {
+    const bool all = plane_border_is_weak(s);
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i + 1 < s->branches && status == STATUS_OK; i++) {
         const struct plane_branch *b = &s->branch[i];
-        if (b->kind != MANIFOLD_STABLE || b->branch != 0)
+        if ((b->kind != MANIFOLD_STABLE && !all) || b->branch != 0)
             continue;
         const struct curve *const c[2] = { &b[0].curve.curve,
                                            &b[1].curve.curve };

@@ -419,6 +419,25 @@ static bool rests_outside(const struct plane_study *s, struct vec2 z)
            hypot(f.x / side.x, f.y / side.y) <= TOL_PLANE_STILL * s->kappa;
 }
 
+/* Whether a state is so near to an equilibrium that is not hyperbolic, or to
+ * where one may be, that rounding decides where its orbit goes. */
+static bool is_lost(const struct plane_study *s, struct vec2 z)
+{
+    for (size_t i = 0; i < s->rests; i++)
+        if (s->rest[i].type == PLANE_NONHYPERBOLIC &&
+            vec2_length(arrival_from(&s->scale, z, s->rest[i].z)) <=
+                TOL_PLANE_WEAK)
+            return true;
+    for (size_t i = 0; i < s->undecided_count; i++) {
+        const struct plane_box *b = &s->undecided[i];
+        const double x = plane_state(s, 0, z.x), y = plane_state(s, 1, z.y);
+        if (x >= b->range[0][0] && x <= b->range[0][1] && y >= b->range[1][0] &&
+            y <= b->range[1][1])
+            return true;
+    }
+    return false;
+}
+
 /* The cycle that returns come nearer and nearer to; s->cycles: none known. */
 static size_t cycle_ahead(const struct plane_study *s, const struct winding *w,
                           bool stable)
@@ -463,7 +482,7 @@ enum status plane_follow(const struct plane_study *s, struct vec2 z,
             out->kind = PLANE_GOAL_INFINITY;
         else if (rests_outside(s, here))
             out->kind = PLANE_GOAL_OUTSIDE;
-        else if (o.end != ORBIT_RUNNING ||
+        else if (o.end != ORBIT_RUNNING || is_lost(s, here) ||
                  winding_is_closed(&out->round, &s->scale))
             break;
         else

@@ -29,6 +29,32 @@ double plane_patch_end(const struct plane_study *s, const struct crossing c[],
     return k > n ? w.hi.x : fmin(fmax(c[k - 1].at, w.lo.x), w.hi.x);
 }
 
+/* The same, moved by what the crossing may be off there. */
+static double sure_end(const struct patches *p, const struct crossing c[],
+                       size_t n, size_t k, double way)
+{
+    const double off = k == 0 || k > n ? 0.0 : c[k - 1].error;
+
+    return plane_patch_end(p->s, c, n, k) + way * off;
+}
+
+/* The crossings of the row at an end of a band, each with how far its curve
+ * may go in the gap behind it: one that ends there flat, like |y|^(1/q), goes
+ * by 1/(2^(1/q) - 1) of what it went in a gap's length before, which is below
+ * TOL_PLANE_FLAT for q <= 11.  Their number. */
+static size_t row_at_door(const struct patches *p, double row, double gap,
+                          struct crossing out[])
+{
+    const size_t n = separatrix_row(p->r->separatrix, row, out);
+    const size_t m = separatrix_row(p->r->separatrix, row + gap, p->before);
+
+    for (size_t k = 0; k < n; k++)
+        out[k].error += m == n
+                            ? TOL_PLANE_FLAT * fabs(out[k].at - p->before[k].at)
+                            : HUGE_VAL;
+    return n;
+}
+
 /* How much between two places is open from a row to another just above it. */
 static double open_part(const struct separatrix *c, double row, double next,
                         double left, double right)
@@ -48,19 +74,22 @@ static void join_bands(struct patches *p, const struct band *lower,
 {
     const struct separatrix *c = p->r->separatrix;
     const double least = TOL_PLANE_DOOR * p->s->scale.side.x;
+    const double gap =
+        fmax(upper->lo - lower->hi, TOL_SHARE_ROUNDING * p->s->scale.side.y);
     const size_t m =
-        separatrix_row(c, nextafter(lower->hi, -HUGE_VAL), p->below);
-    const size_t n = separatrix_row(c, upper->lo, p->above);
+        row_at_door(p, nextafter(lower->hi, -HUGE_VAL), -gap, p->below);
+    const size_t n = row_at_door(p, upper->lo, gap, p->above);
 
     if (m != lower->strands || n != upper->strands)
         return; /* as thin as rounding */
     for (size_t k = 0, j = 0; k <= m && j <= n;) {
         const double below = plane_patch_end(p->s, p->below, m, k + 1);
         const double above = plane_patch_end(p->s, p->above, n, j + 1);
-        const double left = fmax(plane_patch_end(p->s, p->below, m, k),
-                                 plane_patch_end(p->s, p->above, n, j));
-        if (open_part(c, lower->hi, upper->lo, left, fmin(below, above)) >
-            least)
+        const double left = fmax(sure_end(p, p->below, m, k, 1.0),
+                                 sure_end(p, p->above, n, j, 1.0));
+        const double right = fmin(sure_end(p, p->below, m, k + 1, -1.0),
+                                  sure_end(p, p->above, n, j + 1, -1.0));
+        if (open_part(c, lower->hi, upper->lo, left, right) > least)
             join(p, lower->first + k, upper->first + j);
         k += below <= above;
         j += above <= below;

@@ -11,7 +11,7 @@ struct patches {
     struct regions *r;
     size_t *of;
     struct area *area;
-    struct crossing *below, *above;
+    struct crossing *below, *above, *before;
 };
 
 /* The first region of the patch that region i belongs to. */

@@ -211,6 +211,55 @@ static void rows_of_the_map_agree_with_single_states(void **state)
 #define TEST(test)                                                             \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
+/* In (x, u), u = y - x^3/5, two wells that know nothing of each other: four
+ * saddles, borders x = 0 and y = x^3/5, which are flat where they meet. */
+static void a_border_that_ends_flat_is_one(void **state)
+{
+    static const double share[] = { 0.2, 0.3, 0.3, 0.2 };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c,
+              "x' = x - x^3; y' = y - w - (y - w)^3 + 0.6*x^2*(x - x^3); "
+              "w = 0.2*x^3",
+              WINDOW);
+    for (int i = 0; i < 4; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "stable_node_%d", i);
+        has_share(&s, name, share[i], 1e-12);
+    }
+    plane_end(&s, &c);
+}
+
+/* Left of x = 0 orbits go to (0, 0), at no rate; right of it to infinity. */
+static void next_to_a_fold_nothing_is_said(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = x^2; y' = -y", WINDOW);
+    has_share(&s, "undecided", 1.0, 1e-12);
+    plane_end(&s, &c);
+}
+
+/* Lotka and Volterra: closed orbits where both are positive; elsewhere all go
+ * to infinity. */
+static void orbits_about_a_centre_do_not_leave(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = x*(1 - y); y' = y*(x - 1)",
+              "window={x: [-1, 3], y: [-1, 2]}\nproducts=[basins]\n"
+              "basins.audit=20\n");
+    has_share(&s, "undecided", 0.5, 1e-11);
+    has_share(&s, "infinity", 0.5, 1e-11);
+    plane_end(&s, &c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -224,6 +273,9 @@ int main(void)
         TEST(orbits_that_all_close_are_no_attractors),
         TEST(what_rests_outside_is_said_to),
         TEST(rows_of_the_map_agree_with_single_states),
+        TEST(a_border_that_ends_flat_is_one),
+        TEST(next_to_a_fold_nothing_is_said),
+        TEST(orbits_about_a_centre_do_not_leave),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
