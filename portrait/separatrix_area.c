@@ -81,8 +81,29 @@ static double rule(const struct patch *q, double a, double b,
     return sum * half;
 }
 
-/* From a to b, halved until both rules agree, or as well as the curve is known:
- * kinks lie where the strand leaves lo .. hi. */
+/* Where between a and b the strand crosses lo or hi, and the integrand has a
+ * kink: on different sides the rules may agree and both be wrong.  b: nowhere.
+ */
+static double kink_of(const struct patch *q, double a, double b, double edge)
+{
+    const struct series out =
+        strand_series(q->p->curve, q->p->piece, 1 - q->s->along);
+    const double origin = strand_across(q->s, q->s->origin) - edge;
+    double slope;
+    const bool below = origin + series_at(out, a, &slope) < 0.0;
+
+    if (below == (origin + series_at(out, b, &slope) < 0.0))
+        return b;
+    for (int i = 0; i < 60; i++) {
+        const double middle = 0.5 * (a + b);
+        *((origin + series_at(out, middle, &slope) < 0.0) == below ? &a : &b) =
+            middle;
+    }
+    return b;
+}
+
+/* From a to b, halved until both rules agree, or as well as the curve is known.
+ */
 static double integrate(const struct patch *q, double a, double b, int depth,
                         double *error)
 {
@@ -97,6 +118,21 @@ static double integrate(const struct patch *q, double a, double b, int depth,
     }
     return integrate(q, a, middle, depth - 1, error) +
            integrate(q, middle, b, depth - 1, error);
+}
+
+/* The same between kinks. */
+static double integrate_all(const struct patch *q, double a, double b,
+                            double *error)
+{
+    const double x = kink_of(q, a, b, q->lo), y = kink_of(q, a, b, q->hi);
+    const bool turned = (x < y) != (a < b);
+    const double at[] = { a, turned ? y : x, turned ? x : y, b };
+    double sum = 0.0;
+
+    for (int i = 0; i < 3; i++)
+        if (at[i] != at[i + 1])
+            sum += integrate(q, at[i], at[i + 1], TOL_AREA_DEPTH, error);
+    return sum;
 }
 
 static double ray_area(const struct patch *q, double from, double to,
@@ -134,9 +170,8 @@ double separatrix_area(const struct separatrix *s, size_t i, double from,
             continue;
         }
         const struct series up = strand_series(p->curve, p->piece, s->along);
-        sum += integrate(&q, a > p->lo ? strand_theta(up, a, p) : p->from,
-                         b < p->hi ? strand_theta(up, b, p) : p->to,
-                         TOL_AREA_DEPTH, error);
+        sum += integrate_all(&q, a > p->lo ? strand_theta(up, a, p) : p->from,
+                             b < p->hi ? strand_theta(up, b, p) : p->to, error);
         *error += height * measure_weight(&m, s->along, base + b) *
                   TOL_CROSSING_ROUNDING * (fabs(a) + fabs(b));
     }

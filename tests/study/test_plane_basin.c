@@ -227,7 +227,7 @@ static void a_border_that_ends_flat_is_one(void **state)
     for (int i = 0; i < 4; i++) {
         char name[32];
         snprintf(name, sizeof name, "stable_node_%d", i);
-        has_share(&s, name, share[i], 1e-12);
+        has_share(&s, name, share[i], 2e-14);
     }
     plane_end(&s, &c);
 }
