@@ -4,16 +4,19 @@
 usage: cli_signals.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import os
+import queue
 import random
 import shutil
 import signal
 import subprocess
 import time
+from multiprocessing.pool import ThreadPool
 
 from cli_room import LAWS, expect, run_cases
 
 SEED = int(os.environ.get('CHECK_SEED', 20240229))
 RUNS = int(os.environ.get('SIGNALS', 40))
+TOGETHER = 2
 
 
 def slope(draw):
@@ -63,45 +66,72 @@ def gallery(_):
 COMMANDS = [push, fields, exact, simulate, sweep, portrait, gallery]
 
 
-def interrupt(room, draw, command):
-    """Exit code, seconds from the signal to the end, lines on stderr."""
-    job = subprocess.Popen([room.slipway, *command], cwd=room.folder,
+def folder_of(room, number):
+    """A folder to run in, with what commands read."""
+    name = f'run{number}'
+    room.make(name)
+    for read in ('states.csv', 'scenes'):
+        os.symlink(room.path(read), room.path(f'{name}/{read}'))
+    return name
+
+
+def interrupt(room, folder, run):
+    """Exit code, seconds from the signal to the end, lines on stderr, and what
+    was left that should not be."""
+    command, delay, told = run
+    job = subprocess.Popen([room.slipway, *command], cwd=room.path(folder),
                            env=room.environment(), stdout=subprocess.DEVNULL,
                            stderr=subprocess.PIPE, text=True)
-    time.sleep(draw.uniform(0.1, 1.5))
+    time.sleep(delay)
     sent = time.monotonic()
-    job.send_signal(draw.choice([signal.SIGINT, signal.SIGTERM]))
+    job.send_signal(told)
     _, said = job.communicate(timeout=300)
-    return job.returncode, time.monotonic() - sent, said.splitlines()
+    took = time.monotonic() - sent
+    left = [name for _, folders, files in os.walk(room.path(folder))
+            for name in folders + files
+            if name.startswith(('.figure', '.slipway')) or
+            name.endswith('.tmp')]
+    for name in room.names(folder):
+        if name.startswith('a.'):
+            os.remove(room.path(f'{folder}/{name}'))
+    shutil.rmtree(room.path(f'{folder}/gallery'), ignore_errors=True)
+    return job.returncode, took, said.splitlines(), left
 
 
 def a_signal_is_heard_within_a_second_and_nothing_is_left(room):
+    """Two at a time, each in a folder of its own."""
     draw = random.Random(SEED)
     room.write('states.csv', 'v,psi\n' + ''.join(
         f'{10 ** draw.uniform(-3, 4):.6g},{10 ** draw.uniform(-3, 2):.6g}\n'
         for _ in range(100000)))
     room.bring('scenes')
+    runs = [(COMMANDS[k % len(COMMANDS)](draw), draw.uniform(0.1, 1.5),
+             draw.choice([signal.SIGINT, signal.SIGTERM]))
+            for k in range(RUNS)]
+    folders = queue.SimpleQueue()
+    for number in range(TOGETHER):
+        folders.put(folder_of(room, number))
+
+    def one(run):
+        folder = folders.get()
+        try:
+            return interrupt(room, folder, run)
+        finally:
+            folders.put(folder)
+
+    with ThreadPool(TOGETHER) as pool:
+        ended = pool.map(one, runs, chunksize=1)
     stopped, longest = 0, 0.0
-    for k in range(RUNS):
-        command = COMMANDS[k % len(COMMANDS)](draw)
-        code, took, said = interrupt(room, draw, command)
+    for run, (code, took, said, left) in zip(runs, ended):
         if code == 130:
             stopped += 1
             longest = max(longest, took)
             # its own 0.7 s and what a busy machine adds
-            expect(took < 1.5 and len(said) == 1, took, said, command, SEED)
+            expect(took < 1.5 and len(said) == 1, took, said, run, SEED)
         else:  # done before, or not yet listening
             expect(code in (0, 2, 3, -signal.SIGINT, -signal.SIGTERM), code,
-                   said, command, SEED)
-        left = [name for _, folders, files in os.walk(room.folder)
-                for name in folders + files
-                if name.startswith(('.figure', '.slipway')) or
-                name.endswith('.tmp')]
-        expect(left == [], left, command, SEED)
-        for name in room.names():
-            if name.startswith('a.'):
-                os.remove(room.path(name))
-        shutil.rmtree(room.path('gallery'), ignore_errors=True)
+                   said, run, SEED)
+        expect(left == [], left, run, SEED)
     print(f'# {stopped} of {RUNS} stopped, within {longest:.2f} s')
     expect(stopped > RUNS // 3, stopped, RUNS)
 
