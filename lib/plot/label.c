@@ -4,44 +4,24 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "utf8.h"
+
 struct glyph {
     uint32_t code;
     size_t bytes; /* of the text */
 };
 
-/* The smallest code that needs so many bytes: anything below is overlong. */
-static const uint32_t first_code[5] = { 0, 0, 0x80, 0x800, 0x10000 };
-
-static bool code_is_text(uint32_t c)
-{
-    return c <= 0x10ffff && !(c >= 0xd800 && c <= 0xdfff) &&
-           (c & 0xfffe) != 0xfffe;
-}
-
 /* The first character of a text that is not empty; '?' for a byte that is not
- * UTF-8, a blank for a control character. */
+ * UTF-8 or of a code that is no character, a blank for a control character. */
 static struct glyph glyph_read(const char *text)
 {
-    const uint8_t *b = (const uint8_t *) text;
-    const struct glyph bad = { '?', 1 };
-    if (b[0] < 0x80)
-        return (struct glyph){ b[0] < ' ' || b[0] == 0x7f ? ' ' : b[0], 1 };
-    const size_t n = b[0] >= 0xf8   ? 0
-                     : b[0] >= 0xf0 ? 4
-                     : b[0] >= 0xe0 ? 3
-                     : b[0] >= 0xc0 ? 2
-                                    : 0;
-    if (n == 0)
-        return bad;
-    uint32_t code = b[0] & (0x7fu >> n);
-    for (size_t k = 1; k < n; k++) {
-        if ((b[k] & 0xc0) != 0x80)
-            return bad;
-        code = code << 6 | (b[k] & 0x3fu);
-    }
-    if (code < first_code[n] || !code_is_text(code))
-        return bad;
-    return (struct glyph){ code >= 0x80 && code < 0xa0 ? ' ' : code, n };
+    uint32_t code;
+    const size_t bytes = utf8_read(text, &code);
+    const bool control = code < ' ' || (code >= 0x7f && code < 0xa0);
+
+    if (bytes == 0 || (code & 0xfffe) == 0xfffe)
+        return (struct glyph){ '?', 1 };
+    return (struct glyph){ control ? ' ' : code, bytes };
 }
 
 static double glyph_width(uint32_t code)

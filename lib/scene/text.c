@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "utf8.h"
+
 char *text_copy(const char *bytes, size_t size)
 {
     char *copy = malloc(size + 1);
@@ -16,29 +18,8 @@ char *text_copy(const char *bytes, size_t size)
     return copy;
 }
 
-/* Bytes of the character at s, and its code; 0 where it is not UTF-8. */
-static size_t decode(const unsigned char *s, unsigned *code)
-{
-    static const unsigned bits[] = { 0, 0x7f, 0x1f, 0x0f, 0x07 };
-    static const unsigned least[] = { 0, 0, 0x80, 0x800, 0x10000 };
-    const size_t size = s[0] < 0x80         ? 1
-                        : s[0] >> 5 == 0x06 ? 2
-                        : s[0] >> 4 == 0x0e ? 3
-                        : s[0] >> 3 == 0x1e ? 4
-                                            : 0;
-
-    *code = s[0] & bits[size];
-    for (size_t i = 1; i < size; i++) {
-        if (s[i] >> 6 != 0x02)
-            return 0;
-        *code = *code << 6 | (s[i] & 0x3fu);
-    }
-    const bool surrogate = *code >= 0xd800 && *code <= 0xdfff;
-    return *code < least[size] || *code > 0x10ffff || surrogate ? 0 : size;
-}
-
 /* Neither controls a terminal, nor ends a line, nor turns it around. */
-static bool is_printable(unsigned code)
+static bool is_printable(uint32_t code)
 {
     const bool control = code < 0x20 || (code >= 0x7f && code <= 0x9f);
     const bool turns = code == 0x61c || code == 0x200e || code == 0x200f ||
@@ -53,19 +34,17 @@ enum { SHOWN_MAX = 4 * 4 };
 /* Shows the character at *text, moves past it, returns the bytes written. */
 static size_t show_character(const char **text, char out[SHOWN_MAX + 1])
 {
-    unsigned char byte[5] = { 0 };
-    unsigned code;
+    const char *byte = *text;
+    uint32_t code;
 
-    memcpy(byte, *text, strnlen(*text, 4));
-    const size_t valid = decode(byte, &code);
-    const size_t size = valid ? valid : 1;
+    const size_t valid = utf8_read(byte, &code), size = valid ? valid : 1;
     *text += size;
     if (valid && is_printable(code)) {
         memcpy(out, byte, size);
         return size;
     }
     for (size_t i = 0; i < size; i++)
-        sprintf(out + 4 * i, "\\x%02x", byte[i]);
+        sprintf(out + 4 * i, "\\x%02x", (unsigned char) byte[i]);
     return 4 * size;
 }
 
