@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "room.h"
+
 static const struct {
     enum status status;
     slipway_status told;
@@ -97,15 +99,8 @@ slipway_status slipway_scene_set(slipway_scene *scene, const char *key,
 {
     char *line = NULL;
 
-    if (scene->sets == scene->room) {
-        const size_t room = 2 * scene->room + 8;
-        char **set = realloc(scene->set, room * sizeof *set);
-        if (set == NULL)
-            return SLIPWAY_NO_MEMORY;
-        scene->set = set;
-        scene->room = room;
-    }
-    if (asprintf(&line, "%s=%s", key, value) < 0)
+    if (ROOM_FOR(scene->set, scene->room, scene->sets + 1) ||
+        asprintf(&line, "%s=%s", key, value) < 0)
         return SLIPWAY_NO_MEMORY;
     scene->set[scene->sets++] = line;
     return SLIPWAY_OK;

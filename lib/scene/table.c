@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "room.h"
 #include "text_file.h"
 #include "tolerance.h"
 
@@ -44,14 +45,8 @@ static enum status blame(const struct reader *r, struct table_cell cell,
 
 static enum status push(struct reader *r, struct table_cell cell)
 {
-    if (r->cells == r->room) {
-        const size_t room = r->room ? 2 * r->room : 64;
-        void *cells = realloc(r->t->cell, room * sizeof cell);
-        if (cells == NULL)
-            return STATUS_NO_MEMORY;
-        r->t->cell = cells;
-        r->room = room;
-    }
+    if (ROOM_FOR(r->t->cell, r->room, r->cells + 1))
+        return STATUS_NO_MEMORY;
     r->t->cell[r->cells++] = cell;
     r->count++;
     return STATUS_OK;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "fate.h"
+#include "room.h"
 #include "slow_tolerance.h"
 
 /* A rectangle of cells, with states inside it that have been looked at. */
@@ -20,28 +21,10 @@ struct pieces {
     size_t count, room;
 };
 
-static enum status make_room(void **p, size_t size, size_t need, size_t *room)
-{
-    if (need <= *room)
-        return STATUS_OK;
-    const size_t more = need + need / 2;
-    void *const wider = realloc(*p, more * size);
-    if (wider == NULL)
-        return STATUS_NO_MEMORY;
-    *p = wider;
-    *room = more;
-    return STATUS_OK;
-}
-
 /* One more, uninitialised; NULL: no memory. */
 static struct piece *new_piece(struct pieces *p)
 {
-    void *at = p->at;
-    const enum status status =
-        make_room(&at, sizeof *p->at, p->count + 1, &p->room);
-
-    p->at = at;
-    return status == STATUS_OK ? &p->at[p->count++] : NULL;
+    return ROOM_FOR(p->at, p->room, p->count + 1) ? NULL : &p->at[p->count++];
 }
 
 /* ---- sampling ------------------------------------------------------------ */
@@ -235,11 +218,8 @@ static enum status cut(const struct trial *t, const struct patchwork_grid *g,
 
 static enum status keep(struct patchwork *w, const struct patch *p)
 {
-    void *at = w->patch;
-    const enum status status =
-        make_room(&at, sizeof *w->patch, w->count + 1, &w->room);
+    const enum status status = ROOM_FOR(w->patch, w->room, w->count + 1);
 
-    w->patch = at;
     if (status == STATUS_OK)
         w->patch[w->count++] = *p;
     return status;

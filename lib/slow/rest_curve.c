@@ -8,6 +8,7 @@
 #include "rest_form.h"
 #include "rest_lag.h"
 #include "rest_left.h"
+#include "room.h"
 #include "slider.h"
 #include "slow_branch.h"
 #include "slow_tolerance.h"
@@ -84,14 +85,8 @@ static bool knot_at(const struct slider *s, const struct orbit *o,
 
 static enum status push(struct rest_curve *c, const struct rest_knot *k)
 {
-    if (c->count == c->room) {
-        const size_t room = c->room ? 2 * c->room : 512;
-        struct rest_knot *more = realloc(c->knot, room * sizeof *more);
-        if (more == NULL)
-            return STATUS_NO_MEMORY;
-        c->knot = more;
-        c->room = room;
-    }
+    if (ROOM_FOR(c->knot, c->room, c->count + 1))
+        return STATUS_NO_MEMORY;
     c->knot[c->count++] = *k;
     return STATUS_OK;
 }

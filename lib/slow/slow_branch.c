@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "crest.h"
+#include "room.h"
 #include "slider.h"
 #include "slow_fit.h"
 #include "slow_tolerance.h"
@@ -40,15 +41,8 @@ static double mu_until(const struct slider *s, const struct orbit *o)
 
 static struct slow_knot *push(struct slow_branch *b)
 {
-    if (b->count == b->room) {
-        const size_t room = b->room ? 2 * b->room : 256;
-        struct slow_knot *more = realloc(b->knot, room * sizeof *more);
-        if (more == NULL)
-            return NULL;
-        b->knot = more;
-        b->room = room;
-    }
-    return &b->knot[b->count++];
+    return ROOM_FOR(b->knot, b->room, b->count + 1) ? NULL
+                                                    : &b->knot[b->count++];
 }
 
 /* ---- a branch ------------------------------------------------------------ */

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "room.h"
+
 struct sweep_rows sweep_rows_of(size_t entries, bool conditioning)
 {
     const size_t reals = conditioning ? 3 : 2;
@@ -17,14 +19,8 @@ enum status sweep_rows_add(struct sweep_rows *r, size_t count)
 {
     const size_t size = r->width * sizeof *r->at;
 
-    if (r->count + count > r->room) {
-        const size_t room = r->count + count + r->room / 2;
-        double *at = realloc(r->at, room * size);
-        if (at == NULL)
-            return STATUS_NO_MEMORY;
-        r->at = at;
-        r->room = room;
-    }
+    if (room_for(&r->at, &r->room, r->count + count, size))
+        return STATUS_NO_MEMORY;
     memset(r->at + r->count * r->width, 0, count * size);
     r->count += count;
     return STATUS_OK;
