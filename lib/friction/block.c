@@ -175,7 +175,8 @@ double block_mu(const struct block *b, struct vec2 z)
            field_real_rate(&b->law, &b->at, BLOCK_SLIP, z);
 }
 
-/* |d ln psi_ss/d ln v| <= 1, or psi_ss = -ln v, but for formulas. */
+/* v^-1, 1/(1/R + v) or -ln v; that of kato_tullis falls less steeply than
+ * v^-1. */
 double block_psi_slope(const struct block *b)
 {
     const long double h = 1e-5L;
@@ -185,7 +186,15 @@ double block_psi_slope(const struct block *b)
             (law_typed_steady(&b->law, &b->material, b->x + h).psi -
              law_typed_steady(&b->law, &b->material, b->x - h).psi) /
             (2 * h));
-    return b->law.psi_ss == PSI_SS_MINUS_LOG ? 1.0 : fabs(b->at.psi0);
+    switch (b->law.psi_ss) {
+        case PSI_SS_MINUS_LOG:
+            return 1.0;
+        case PSI_SS_SPINODAL:
+        case PSI_SS_SPINODAL_UNIT:
+            return fabs(b->at.psi0) * b->at.steady_r;
+        default:
+            return fabs(b->at.psi0);
+    }
 }
 
 double block_energy_defect(const struct block *b, double v0, double v1,

@@ -29,15 +29,18 @@ static enum status grow_stable(struct labels *l, double rtol,
                : status;
 }
 
-/* How far the saddle may be from where it was found, in the chart. */
+/* How far a state may be from the saddle, in the chart, and read as the doubles
+ * that its place is told in or those next to them. */
 static double slack_of(const struct slider *s)
 {
     const struct steady_number *saddle = &s->steady[slider_saddle(s)];
     const struct quantity *v = &saddle->v;
     const struct quantity *psi = &saddle->psi;
     const double scale = s->plane.system.axis[1].is_log ? psi->value : 1.0;
+    const double dv = v->error + TOL_LABELS_BESIDE * v->value;
+    const double dpsi = psi->error + TOL_LABELS_BESIDE * fabs(psi->value);
 
-    return fmax(v->error / v->value, psi->error / scale);
+    return fmax(dv / v->value, dpsi / scale);
 }
 
 /* ---- sides --------------------------------------------------------------- */

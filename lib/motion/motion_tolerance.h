@@ -22,6 +22,10 @@
  */
 #define TOL_LABELS_EDGE 1e-9
 
+/* A double beside the one that a number is told in, relative: 3/2 units of its
+ * last digit. */
+#define TOL_LABELS_BESIDE 0x1.8p-52
+
 /* Labels by forward integration (trap.c): accuracy of the first attempt, and of
  * the next ones; and the distance from the saddle, in tolerances, at which a
  * label is certain: errors of a few hundred steps, grown a hundredfold on the

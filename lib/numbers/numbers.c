@@ -27,7 +27,7 @@ double numbers_cancellation(const struct equilibrium *e)
 
 double numbers_floor(const struct block *b)
 {
-    return 2.0 * DBL_EPSILON + place_bar(b);
+    return TOL_SLIDER_ROUNDING + place_bar(b);
 }
 
 /* The logarithm in mu = a asinh(e^w/2), as far as exp of it is what counts: its
@@ -49,10 +49,10 @@ struct steady_number numbers_steady(const struct block *b,
     const double rate = law_timescale(&b->law)->psi_ss != 0 || b->law.typed
                             ? floor * (1.0 + fabs(b->at.psi0))
                             : floor;
-    const double psi_floor = b->law.psi_ss == PSI_SS_MINUS_LOG || b->law.typed
-                                 ? place_bar(b) * fabs(block_psi_slope(b)) +
-                                       2.0 * DBL_EPSILON * fabs(b->at.psi0)
-                                 : 2.0 * floor * fabs(b->at.psi0);
+    const double digits =
+        (b->law.typed ? 2.0 * DBL_EPSILON : TOL_SLIDER_ROUNDING) *
+        fabs(b->at.psi0);
+    const double psi_floor = place_bar(b) * fabs(block_psi_slope(b)) + digits;
     struct steady_number s = {
         .type = (int8_t) e->type,
         .v = quantity_of(b->at.v0, floor * b->at.v0),

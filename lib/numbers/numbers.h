@@ -69,9 +69,8 @@ struct steady_number numbers_steady(const struct block *b,
  * a, b and b - a), which grows towards a fold. */
 double numbers_cancellation(const struct equilibrium *e);
 
-/* Relative uncertainty of v, psi at the steady state of b's anchor: one
- * rounding to double, and what a long double root of the balance leaves near a
- * fold. */
+/* Relative uncertainty of v at the steady state of b's anchor: v0 is the double
+ * nearest to e^x, and x a long double root of the balance (place.h). */
 double numbers_floor(const struct block *b);
 
 struct saddle_numbers numbers_saddle(const struct steady_number *s);

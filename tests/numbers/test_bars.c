@@ -349,11 +349,22 @@ static void bars_hold_where_friction_turns_sharply(void **state)
     CHECK(held > 8 * rows, "%zu numbers of %zu draws", held, rows);
 }
 
+/* Whether it is loose. */
+static bool hold_place(const struct draw *d, const char *what,
+                       const struct quantity *q, quad want)
+{
+    const double off = (double) fabsq(q->value - want);
+
+    CHECK(off <= q->error, "%s: %s = %.17g +- %.2g is off by %.2g", d->name,
+          what, q->value, q->error, off);
+    return q->error > 100.0 * off;
+}
+
 /* What the root of the balance leaves of a saddle's place, in long double. */
 static void a_saddle_beside_a_fold_is_known_to_its_bar(void **state)
 {
     uint64_t seed = check_seed();
-    size_t loose = 0, count = 0;
+    size_t loose[2] = { 0 }, count = 0;
 
     (void) state;
     if (laws_emulated())
@@ -373,17 +384,19 @@ static void a_saddle_beside_a_fold_is_known_to_its_bar(void **state)
             equilibrium_at(&at, root[i].fold, &e);
             if (e.type != EQUILIBRIUM_SADDLE || !draw_solve_saddle(&d, &b))
                 continue;
-            const struct quantity v = numbers_steady(&b, &e).v;
-            const double off = (double) fabsq(v.value - d.at.v0);
-            CHECK(off <= v.error, "%s: v = %.17g +- %.2g is off by %.2g",
-                  d.name, v.value, v.error, off);
-            loose += v.error > 100.0 * off;
+            const struct steady_number s = numbers_steady(&b, &e);
+            const quad psi = law_psi_is_log(&d.law) ? d.at.y0 : expq(d.at.y0);
+            loose[0] += hold_place(&d, "v", &s.v, d.at.v0);
+            loose[1] += hold_place(&d, "psi", &s.psi, psi);
             count++;
         }
     }
-    print_message("# %zu of %zu bars above 100 times the error\n", loose,
-                  count);
-    CHECK(10 * loose <= count, "%zu of %zu bars are loose", loose, count);
+    print_message("# of %zu, bars above 100 times the error: %zu of v, %zu of "
+                  "psi\n",
+                  count, loose[0], loose[1]);
+    for (int i = 0; i < 2; i++)
+        CHECK(10 * loose[i] <= count, "%zu of %zu bars are loose", loose[i],
+              count);
 }
 
 int main(void)
