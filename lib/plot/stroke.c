@@ -177,16 +177,17 @@ enum status stroke_clip_region(const struct scale *sx, const struct scale *sy,
     return s;
 }
 
-/* Directions from the anchor as an angle range about `axis`. */
+/* Directions from the anchor, counterclockwise from lo to hi, unit vectors less
+ * than half a turn apart. */
 struct wedge {
-    struct vec2 anchor;
-    double axis, lo, hi; /* lo, hi relative to axis */
-    double reach;        /* largest distance from the anchor so far */
+    struct vec2 anchor, lo, hi;
+    double reach; /* largest distance from the anchor so far */
 };
 
-static double angle_near(double angle, double axis)
+/* Positive where b lies counterclockwise of a. */
+static double turn_of(struct vec2 a, struct vec2 b)
 {
-    return remainder(angle - axis, 2 * M_PI);
+    return a.x * b.y - a.y * b.x;
 }
 
 /* Takes q in; false if no line from the anchor to q serves all points. */
@@ -198,14 +199,18 @@ static bool wedge_take(struct wedge *w, struct vec2 q, double tolerance)
         return false;
     if (r <= tolerance)
         return true;
-    const double angle = atan2(d.y, d.x), half = asin(tolerance / r);
+    const double s = tolerance / r, c = sqrt(1.0 - s * s);
+    const struct vec2 u = vec2_scale(1.0 / r, d);
+    const struct vec2 lo = { c * u.x + s * u.y, c * u.y - s * u.x };
+    const struct vec2 hi = { c * u.x - s * u.y, c * u.y + s * u.x };
     if (w->reach == 0)
-        *w = (struct wedge){ w->anchor, angle, -half, half, r };
-    const double off = angle_near(angle, w->axis);
-    if (off < w->lo || off > w->hi)
+        *w = (struct wedge){ w->anchor, lo, hi, r };
+    if (turn_of(w->lo, u) < 0 || turn_of(u, w->hi) < 0)
         return false;
-    w->lo = fmax(w->lo, off - half);
-    w->hi = fmin(w->hi, off + half);
+    if (turn_of(w->lo, lo) > 0)
+        w->lo = lo;
+    if (turn_of(hi, w->hi) > 0)
+        w->hi = hi;
     w->reach = r;
     return true;
 }
@@ -213,7 +218,7 @@ static bool wedge_take(struct wedge *w, struct vec2 q, double tolerance)
 void stroke_thin(struct stroke *s, double tolerance)
 {
     size_t kept = 0;
-    struct wedge w = { { NAN, NAN }, 0, 0, 0, 0 };
+    struct wedge w = { .anchor = { NAN, NAN } };
     bool in_piece = false;
     for (size_t k = 0; k < s->count; k++) {
         const struct vec2 p = s->at[k];
