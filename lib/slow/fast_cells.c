@@ -41,9 +41,9 @@ static void fill_integrals(const struct slider *s, double x,
         (v0 * v0 * rounding * (1.0 + fabs(x)) + v1 * v1 * l->x_end_error);
 
     c->slip = l->slip;
-    c->slip_error = l->slip_error + TOL_FAST_LEAST * l->slip;
+    c->slip_error = l->slip_error + rounding * l->slip;
     c->time = l->time;
-    c->time_error = l->time_error + TOL_FAST_LEAST * l->time;
+    c->time_error = l->time_error + rounding * l->time;
     c->mu_mean = t + lost;
     c->mu_mean_error = fabs(lost) * c->slip_error / l->slip + unsure +
                        rounding * (t + fabs(lost));

@@ -263,16 +263,17 @@ static void carry(struct walk *w, const double du0[], struct landing_step *m)
                            turn * (du0[LAYER_SLIP] + du1[LAYER_SLIP]));
 }
 
-/* What the step misses of the estimates of order 5: like the cube of a step, as
- * the power 3/2 of their ratio to those of order 3, but where terms of another
- * order are as large; and as much more as another estimate of order 5, by the
- * two stages at its end, says.  unit: of the sum of squares. */
-static double missed(const struct walk *w, const double e5[],
-                     const double gain[], const double unit[])
+/* What the step misses of the estimates of order 5 of two components: like the
+ * cube of a step, as the power 3/2 of their ratio to those of order 3, but
+ * where terms of another order are as large; and as much more as another
+ * estimate of order 5, by the two stages at its end, says.  gain: of the step;
+ * unit: of the sums of squares. */
+static double missed_of(const struct walk *w, int first, const double e5[],
+                        const double gain[], const double unit[])
 {
     double sum5 = 0.0, sum3 = 0.0, other = 0.0;
 
-    for (int i = 0; i < LAYER_DIM; i++) {
+    for (int i = first; i < first + 2; i++) {
         double third = 0.0;
         for (int j = 0; j < EXPLICIT8_STAGES; j++)
             third += explicit8_weight3[j] * w->work.k[j][i];
@@ -291,6 +292,15 @@ static double missed(const struct walk *w, const double e5[],
     return more * fmin(fmax(TOL_LAYER_MISSED * ratio * sqrt(ratio),
                             TOL_LAYER_MISSED_LEAST * cube),
                        TOL_LAYER_MISSED_MOST);
+}
+
+/* The larger of that of its place and that of time and slip: what is late
+ * because it lies aside is to cancel. */
+static double missed(const struct walk *w, const double e5[],
+                     const double gain[], const double unit[])
+{
+    return fmax(missed_of(w, LAYER_X, e5, gain, unit),
+                missed_of(w, LAYER_TIME, e5, gain, unit));
 }
 
 /* All of it, from u0; *place: of the end's. */

@@ -347,9 +347,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double unsaid = fabs(more) * part;
     const double time = l->u[LAYER_TIME] + p->time;
     const double slip = l->u[LAYER_SLIP] + p->slip + more;
-    const double wait =
-        delay(l, p, off) +
-        2.0 * slider_rounding(s, (struct vec2){ p->x, y }) * fabs(p->end_slope);
+    const double wait = delay(l, p, off);
     const double waste =
         wait > 0.0 ? wait * exp(s->block.at.x0 + p->x_end) : 0.0;
     const double late = 2.0 * fabs(p->time_slope) * bend;

@@ -19,10 +19,11 @@ struct bundle {
     lanes u[LAYER_DIM], k[STEPS][LAYER_DIM];
     lanes u1[LAYER_DIM], error[LAYER_DIM];
     lanes h, most, tol, least[2];
-    lanes previous, last; /* error and size of the last accepted step */
-    lanes fresh;          /* 1: no step was refused */
-    lanes fair;           /* as of struct layer_options */
-    lanes sum5, sum3;     /* squares of estimates over tolerances */
+    lanes previous, last;   /* error and size of the last accepted step */
+    lanes fresh;            /* 1: no step was refused */
+    lanes fair;             /* as of struct layer_options */
+    lanes sum5[2], sum3[2]; /* squares of estimates over tolerances, of place
+                               and of time and slip */
     lanes across, digits[2], place;
     lanes spread, aside[2]; /* per unit to the left of where it is */
     struct landing at[LANES];
@@ -109,8 +110,9 @@ static void stage(struct bundle *b, int j)
 static lanes finish(struct bundle *b)
 {
     lanes gain[LAYER_DIM], third[LAYER_DIM], e5[LAYER_DIM];
-    lanes sum5 = LANES_OF(0.0), sum3 = LANES_OF(0.0);
 
+    for (int g = 0; g < 2; g++)
+        b->sum5[g] = b->sum3[g] = LANES_OF(0.0);
     combine(b, LAYER_DIM, STEPS, explicit8_a[STEPS], gain);
     combine(b, LAYER_DIM, STEPS, explicit8_weight3, third);
     combine(b, LAYER_DIM, STEPS, explicit8_error5, e5);
@@ -118,14 +120,20 @@ static lanes finish(struct bundle *b)
         b->u1[i] = b->h * gain[i] + b->u[i];
         const lanes unit = 1.0 / on_tolerance(b, i);
         const lanes r3 = (gain[i] - third[i]) * unit, r5 = e5[i] * unit;
-        sum3 = r3 * r3 + sum3;
-        sum5 = r5 * r5 + sum5;
+        lanes *const sum5 = &b->sum5[i / LAYER_TIME];
+        lanes *const sum3 = &b->sum3[i / LAYER_TIME];
+        *sum3 = r3 * r3 + *sum3;
+        *sum5 = r5 * r5 + *sum5;
         b->error[i] = b->h * e5[i];
     }
+    const lanes sum5 = b->sum5[0] + b->sum5[1];
+    const lanes sum3 = b->sum3[0] + b->sum3[1];
     const lanes all = sum5 + 0.01 * sum3, none = LANES_OF(0.0);
     const lanes off = lanes_size(b->h) * sum5 / lanes_root(LAYER_DIM * all);
-    b->sum5 = b->h * b->h * sum5;
-    b->sum3 = b->h * b->h * sum3;
+    for (int g = 0; g < 2; g++) {
+        b->sum5[g] = b->h * b->h * b->sum5[g];
+        b->sum3[g] = b->h * b->h * b->sum3[g];
+    }
     return lanes_less(none, sum5, off, sum5);
 }
 
@@ -202,21 +210,21 @@ static void carry(struct bundle *b, lanes good, const lanes u[],
     b->spread = lanes_less(none, good, spread, b->spread);
 }
 
-/* As missed of fast_layer.c. */
-static lanes missed(const struct bundle *b)
+/* As missed_of of fast_layer.c: of place (0), or of time and slip (1). */
+static lanes missed_of(const struct bundle *b, int g)
 {
     const lanes tiny = LANES_OF(DBL_MIN), size = lanes_size(b->h);
     lanes other = LANES_OF(0.0);
 
-    for (int i = 0; i < LAYER_DIM; i++) {
+    for (int i = g * LAYER_TIME; i < (g + 1) * LAYER_TIME; i++) {
         const lanes end = b->k[0][i] - b->k[STEPS - 1][i];
         const lanes second = TOL_LAYER_SECOND * b->h * end / on_tolerance(b, i);
         other = second * second + other;
     }
-    const lanes more =
-        lanes_root(lanes_larger(other, b->sum5) / lanes_larger(b->sum5, tiny));
+    const lanes more = lanes_root(lanes_larger(other, b->sum5[g]) /
+                                  lanes_larger(b->sum5[g], tiny));
     const lanes ratio =
-        more * lanes_root(b->sum5 / lanes_larger(b->sum3, tiny));
+        more * lanes_root(b->sum5[g] / lanes_larger(b->sum3[g], tiny));
     const lanes cube = lanes_smaller(size * size * size, LANES_OF(1.0));
 
     return more * lanes_smaller(
@@ -234,7 +242,7 @@ static void account(struct bundle *b, lanes good, const lanes u[],
     const lanes digit_x = TOL_SLIDER_ROUNDING * lanes_size(u[LAYER_X]);
     const lanes digit_y = TOL_SLIDER_ROUNDING * lanes_size(u[LAYER_Y]);
     const lanes digits = digit_x + digit_y;
-    const lanes part = missed(b);
+    const lanes part = lanes_larger(missed_of(b, 0), missed_of(b, 1));
     const lanes e_x = part * b->error[LAYER_X];
     const lanes e_y = part * b->error[LAYER_Y];
     const lanes on = e_x * du[LAYER_X] + e_y * du[LAYER_Y];

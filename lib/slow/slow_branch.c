@@ -182,8 +182,24 @@ static double x_error_at_face(const struct slider *s, const struct orbit *o)
     rescaled_linear(&o->clock, z, &l);
     const double off = fabs(drift_off(o->options.drift, l.du, face, 0));
     const double most = face.x != 0.0 ? 0.0 : TOL_ARREST;
-    return fmin(TOL_BAR_FIRST_ORDER * off, most) + TOL_FAST_LEAST +
-           slider_rounding(s, z);
+    return fmin(TOL_BAR_FIRST_ORDER * off, most) + slider_rounding(s, z);
+}
+
+/* A node is known to rounding, and so is the face of its box, the knot k:
+ * what is left until there. */
+static void add_face(const struct slider *s, const struct slow_knot *k,
+                     struct slow_branch *b)
+{
+    const double level = TOL_SLOW_FACE *
+                         slider_rounding(s, (struct vec2){ k->x, k->y }) /
+                         fmax(fabs(k->x_slope), 1.0);
+    const double time = fabs(k->time[1]) * level;
+    const double slip = fabs(k->slip[1]) * level;
+
+    for (size_t i = 0; i < b->count; i++) {
+        b->knot[i].time_bar += time;
+        b->knot[i].slip_bar += slip;
+    }
 }
 
 static enum status finish(const struct slider *s, const struct orbit *o,
@@ -196,62 +212,15 @@ static enum status finish(const struct slider *s, const struct orbit *o,
         b->fate = node_fate;
         b->x_end = b->knot[b->count - 1].x;
         b->x_end_error = x_error_at_face(s, o);
+        add_face(s, &b->knot[b->count - 1], b);
     } else if (b->start == SLOW_SADDLE) {
         return finish_rest(s, b);
     }
-    if (b->start == SLOW_FACE)
+    if (b->start == SLOW_FACE) {
         count_from_face(b);
-    return STATUS_OK;
-}
-
-/* The curve between two knots. */
-struct between {
-    const struct block *block;
-    const struct slow_knot *from, *to;
-};
-
-static double mu_between(const void *ctx, double theta)
-{
-    const struct between *c = ctx;
-    const double y = c->from->y + theta * (c->to->y - c->from->y);
-    double ignored;
-
-    return block_mu(
-        c->block,
-        (struct vec2){ slow_knot_x(c->from, c->to, theta, &ignored), y });
-}
-
-/* The curve from the saddle to the first knot. */
-struct start {
-    const struct block *block;
-    const struct saddle_series *near;
-    double y;
-};
-
-static double mu_near(const void *ctx, double theta)
-{
-    const struct start *c = ctx;
-    const double y = theta * c->y;
-    double ignored;
-
-    return block_mu(c->block,
-                    (struct vec2){ saddle_series_x(c->near, y, &ignored), y });
-}
-
-/* Where steps are short the curve is better than what they say between their
- * ends, off it, where friction balances gravity. */
-static void find_frictions(const struct slider *s, struct slow_branch *b)
-{
-    struct slow_knot *const k = b->knot;
-    const struct start start = { &s->block, b->near, k->y };
-
-    if (b->near)
-        k->mu = crest_of(mu_near, &start, NULL);
-    for (size_t i = 1; i < b->count; i++) {
-        const struct between c = { &s->block, &k[i - 1], &k[i] };
-        if (isfinite(k[i - 1].gap) && isfinite(k[i].gap))
-            k[i].mu = crest_of(mu_between, &c, NULL);
+        add_face(s, &b->knot[0], b);
     }
+    return STATUS_OK;
 }
 
 /* Of the face of a box of arrest, or of the last knot. */
@@ -440,7 +409,7 @@ static enum status run(const struct slider *s, struct vec2 z,
         status = follow(s, &o, ahead, monitor, b);
     if (status == STATUS_OK && b->count > 2) {
         slow_fit_smooth(b);
-        find_frictions(s, b);
+        slow_fit_frictions(s, b);
         compare_bars(&o, b);
         look_back(b);
         slow_fit_judge(b, s->block.steep.x);

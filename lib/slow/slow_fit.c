@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "crest.h"
+#include "slider.h"
 #include "slow_tolerance.h"
 
 /* Whether rates come from a slope that is mostly noise: y' is what is left of
@@ -89,6 +91,54 @@ void slow_fit_smooth(struct slow_branch *b)
         k[0].x_bend = k[1].x_bend;
     if (k[last].gap < TOL_SLOW_NOISY)
         k[last].x_bend = k[last - 1].x_bend;
+}
+
+/* The curve between two knots. */
+struct between {
+    const struct block *block;
+    const struct slow_knot *from, *to;
+};
+
+static double mu_between(const void *ctx, double theta)
+{
+    const struct between *c = ctx;
+    const double y = c->from->y + theta * (c->to->y - c->from->y);
+    double ignored;
+
+    return block_mu(
+        c->block,
+        (struct vec2){ slow_knot_x(c->from, c->to, theta, &ignored), y });
+}
+
+/* The curve from the saddle to the first knot. */
+struct start {
+    const struct block *block;
+    const struct saddle_series *near;
+    double y;
+};
+
+static double mu_near(const void *ctx, double theta)
+{
+    const struct start *c = ctx;
+    const double y = theta * c->y;
+    double ignored;
+
+    return block_mu(c->block,
+                    (struct vec2){ saddle_series_x(c->near, y, &ignored), y });
+}
+
+void slow_fit_frictions(const struct slider *s, struct slow_branch *b)
+{
+    struct slow_knot *const k = b->knot;
+    const struct start start = { &s->block, b->near, k->y };
+
+    if (b->near)
+        k->mu = crest_of(mu_near, &start, NULL);
+    for (size_t i = 1; i < b->count; i++) {
+        const struct between c = { &s->block, &k[i - 1], &k[i] };
+        if (isfinite(k[i - 1].gap) && isfinite(k[i].gap))
+            k[i].mu = crest_of(mu_between, &c, NULL);
+    }
 }
 
 /* Of the largest friction to come, by that of each interval that may hold it.

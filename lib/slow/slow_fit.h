@@ -1,6 +1,7 @@
 /*
  * slow_fit.h -- the polynomials between the knots of a slow branch
- * (slow_branch.h): their curvatures, and how far off they are.
+ * (slow_branch.h): their curvatures, the friction on them, and how far off
+ * they are.
  */
 #ifndef SLOW_SLOW_FIT_H
 #define SLOW_SLOW_FIT_H
@@ -10,6 +11,11 @@
 /* The curvatures of knots where those of the field are noise.  Time and slip of
  * a knot are still what its step gained, negative. */
 void slow_fit_smooth(struct slow_branch *b);
+
+/* The largest friction on the way to each knot.  Where steps are short the
+ * curve is better than what they say between their ends, off it, where friction
+ * balances gravity. */
+void slow_fit_frictions(const struct slider *s, struct slow_branch *b);
 
 /* Errors of the intervals, by what polynomials over two steps miss: of time and
  * slip, which are what is still to come, and of friction, which changes by `a`

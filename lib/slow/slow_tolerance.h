@@ -67,6 +67,10 @@
 #define TOL_SLOW_NEWTON 60
 #define TOL_SLOW_ROOT   0x1p-51
 
+/* Roundings that the face of a box of arrest is known to: of its node, and of
+ * the field's zero. */
+#define TOL_SLOW_FACE 2.0
+
 /* Bins a knot to look one up in. */
 #define TOL_SLOW_BINS 4
 
@@ -82,8 +86,8 @@
  * much later or earlier at most a box is entered for what is then left of the
  * distance, in what is left; steps; the first and the shortest; the least error
  * that tells anything on the next step.  Bars: what the fibre's curvature and
- * the slow rates change of what it corrects (measured: errors are 0.3 of that
- * at most, half of them 0.06), and of places of peaks. */
+ * the slow rates change of what it corrects (measured: errors are 0.5 of that
+ * at most, half of them 0.1), and of places of peaks. */
 #define TOL_LAYER_PART      0.03
 #define TOL_LAYER_PLAIN     1e-6
 #define TOL_LAYER_LANDING   0.1
@@ -97,17 +101,18 @@
 #define TOL_LAYER_SHORTEST  1e-12
 #define TOL_LAYER_FLOOR     1e-8
 #define TOL_LAYER_GROWTH    2.0
-#define TOL_LAYER_BEND      5.0
+#define TOL_LAYER_BEND      3.0
 #define TOL_LAYER_TRANSPORT 6.0
 
 /* What a step of order 8 misses of its estimates of order 5 (fast_layer.c),
  * over the power 3/2 of their ratio to those of order 3 (measured: 6 to 24
- * where that law holds); the least, in steps of a length of 1 or more, and the
- * most; what the other estimate is to be multiplied by to be as large, in the
- * mean of all its terms of order 6; and how well what a step makes of a unit
- * across is known (landing.c), as a part of what it changes. */
+ * where that law holds, and along exponentials down to e^-10); the least, in
+ * steps of a length of 1 or more, and the most; what the other estimate is to
+ * be multiplied by to be as large, in the mean of all its terms of order 6; and
+ * how well what a step makes of a unit across is known (landing.c), as a part
+ * of what it changes. */
 #define TOL_LAYER_MISSED       45.0
-#define TOL_LAYER_MISSED_LEAST 0.45
+#define TOL_LAYER_MISSED_LEAST 0.05
 #define TOL_LAYER_MISSED_MOST  6.0
 #define TOL_LAYER_SECOND       0.26
 #define TOL_LAYER_BLUR         0.3
@@ -166,8 +171,7 @@
  * one is at most whose bars are too wide, and what part of the promise it aims
  * at; above what part of its bars a try has left one is tried as fine as that,
  * and then no more, for they are the table's (TOL_CELLS_GAIN), down to
- * TOL_CELLS_FINEST; and the least bar, relative, of what passes a node's slow
- * approach, and of time and slip, sums of a thousand roundings there. */
+ * TOL_CELLS_FINEST; and the least bar of a peak, in its logarithm. */
 #define TOL_FAST_FINER 0.01
 #define TOL_FAST_AIM   0.3
 #define TOL_FAST_LEAST 2e-11

@@ -1,10 +1,10 @@
 /* Bars of fields are believed in both directions: none is below the true
  * error, by 113 bits (quad_orbit.h), and half of those of slip, time and mean
- * friction that come from whole orbits (cells.h, push.h, transient.h) are at
- * most 30 times it, or the value's last digit where that is more.  Random laws,
- * materials, slopes and tolerances.  Those of peaks, and those from the slow
+ * friction are at most 30 times it, or the value's last digit where that is
+ * more: from whole orbits (cells.h, push.h, transient.h), and from the slow
  * curve's table (fast_cells.h: all fields, one by one; and without peaks, in
- * lanes), are wider, and only printed.
+ * lanes; held where there are enough of them, as with BAR_DRAWS=40).  Random
+ * laws, materials, slopes and tolerances.  Those of peaks are only printed.
  *
  * BAR_DRAWS=400 tries more slopes than a test can afford; CHECK_SEED others.
  */
@@ -16,13 +16,8 @@
 #include "transient.h"
 
 enum route { WHOLE, PUSH, RUN, TABLE, LANES_OF_TABLE, ROUTES };
-static const struct {
-    const char *name;
-    bool is_held;
-} route[ROUTES] = {
-    { "whole orbits", true },  { "push", true },          { "simulate", true },
-    { "by the table", false }, { "table, lanes", false },
-};
+static const char *const route[ROUTES] = { "whole orbits", "push", "simulate",
+                                           "by the table", "table, lanes" };
 enum { MOST = 16384, EACH = 4 };
 static const double most = 30.0, wide = 100.0;
 
@@ -55,8 +50,7 @@ static void note(enum route r, int k, struct vec2 z, double told, double bar,
         return;
     CHECK(off <= bar + unsure,
           "%s, %s (%.17g, %.17g) %s: %.17g +- %.3g, not %.17g +- %.3g",
-          route[r].name, name, z.x, z.y, field_name(k), told, bar, truth,
-          unsure);
+          route[r], name, z.x, z.y, field_name(k), told, bar, truth, unsure);
     if (unsure < 0.1 * bar && to->count < MOST)
         to->of[to->count++] = bar / fmax(off, 0x1p-53 * fabs(truth));
 }
@@ -67,7 +61,7 @@ static void note_cell(enum route r, struct vec2 z, const struct cell *c,
     if (c->exit_reason == FATE_UNDECIDED)
         return;
     CHECK(c->exit_reason == (int8_t) t->fate,
-          "%s, %s (%.17g, %.17g): %s, not %s", route[r].name, name, z.x, z.y,
+          "%s, %s (%.17g, %.17g): %s, not %s", route[r], name, z.x, z.y,
           fate_names[c->exit_reason], fate_names[t->fate]);
     for (int k = 0; k < CELL_FIELDS; k++)
         note(r, k, z, value(c, (enum cell_field) k),
@@ -170,6 +164,13 @@ static void try_state(const struct slope *s, const struct quad_slope *q,
     transient_free(&run);
 }
 
+/* So many bars make a median sure: of the table's, some are 1e5 times as wide
+ * as the error, others twice. */
+static size_t least_of(enum route r)
+{
+    return r == TABLE || r == LANES_OF_TABLE ? 40 : 1;
+}
+
 static void report(enum route r, int k)
 {
     struct ratios *const q = &by[r][k];
@@ -182,7 +183,7 @@ static void report(enum route r, int k)
         beyond += q->of[i] > wide;
     print_message("# %s, %s: %zu bars, half within %.3g of the error, %.0f %% "
                   "above %g\n",
-                  route[r].name, field_name(k), q->count, q->of[q->count / 2],
+                  route[r], field_name(k), q->count, q->of[q->count / 2],
                   100.0 * (double) beyond / (double) q->count, wide);
 }
 
@@ -223,9 +224,9 @@ static void bars_hold_and_half_of_them_are_not_much_wider_than_the_error(
             report((enum route) r, k);
     for (int r = 0; r < ROUTES; r++)
         for (int k = CELL_SLIP; k <= CELL_MU_MEAN; k++)
-            CHECK(!route[r].is_held || by[r][k].count == 0 ||
+            CHECK(by[r][k].count < least_of((enum route) r) ||
                       by[r][k].of[by[r][k].count / 2] <= most,
-                  "%s, %s", route[r].name, field_name(k));
+                  "%s, %s", route[r], field_name(k));
 }
 
 int main(void)

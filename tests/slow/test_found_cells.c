@@ -278,6 +278,65 @@ static void rounding_along_the_curve_is_no_peak_of_friction(void **state)
     compare(&found, 2.0260646961923072, -6.6063353509104505);
 }
 
+/* v settles while psi still leaps: the estimates of the one say nothing of the
+ * other's steps. */
+static void each_coordinate_s_steps_are_told_by_its_own(void **state)
+{
+    static const struct found turns = {
+        FRICTION_ASINH,         THETA_LN_C_1PR_PSI,
+        PSI_SS_SPINODAL,        TIMESCALE_SLIP,
+        KINETICS_SINH,          0.39343915979375177,
+        0.21239659901634647,    0.23054647456497085,
+        0.28529951669061571,    36062326.31883496,
+        0.00038857111452964916, 2.7804906347175084e-08,
+        1.3488332159631249,     1e-9
+    };
+
+    (void) state;
+    const struct cell c =
+        compare(&turns, -3.5485524304815055, 0.19157890932054);
+    CHECK(c.time_error < 2e-10 * c.time, "%g of %g", c.time_error, c.time);
+}
+
+/* In 113 bits; at this slope, as a long double: a node is known to its
+ * rounding. */
+static void the_face_of_a_box_is_as_wrong_as_its_node(void **state)
+{
+    static const struct found node = { FRICTION_LOG,
+                                       THETA_LN_C_PSI,
+                                       PSI_SS_SPINODAL,
+                                       TIMESCALE_SPINODAL,
+                                       KINETICS_SINH,
+                                       0.369,
+                                       0.030699321576861248,
+                                       0.0489,
+                                       0.00028490258829448519,
+                                       173.0357353051192,
+                                       1.9065023601466705e-07,
+                                       1e-6,
+                                       0.0,
+                                       1e-8 };
+    const struct vec2 z = { 3.2342926851231866, 0.76126088109832457 };
+    const double slip = 525697719.7058351;
+    static struct slope s;
+    struct fast_cells fast;
+    struct fault why;
+    struct cell c;
+
+    (void) state;
+    found_scene(&node, steady_only, &s.scene);
+    s.scene.tan_alpha = 0.426405707621409282133L;
+    s.scene.alpha = (double) atanl(s.scene.tan_alpha);
+    assert_int_equal(study_run(&s.study, &s.scene, NULL, &why), 0);
+    assert_int_equal(fast_cells_init(&fast, &s.study.slider, NULL), 0);
+    assert_int_equal(fast_cells_find(&fast, &z, 1, 1e-8, ALL, NULL, &c, NULL),
+                     0);
+    is_near(&c, CELL_SLIP, slip);
+    CHECK(c.slip_error < 1e-12 * slip, "%g", c.slip_error);
+    fast_cells_free(&fast);
+    slope_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -289,6 +348,8 @@ int main(void)
         cmocka_unit_test(steep_curves_are_as_good_between_knots),
         cmocka_unit_test(landings_wait_until_a_sinh_is_as_good_as_linear),
         cmocka_unit_test(psi_may_wait_for_the_curve_to_come),
+        cmocka_unit_test(each_coordinate_s_steps_are_told_by_its_own),
+        cmocka_unit_test(the_face_of_a_box_is_as_wrong_as_its_node),
         cmocka_unit_test(what_an_orbit_closes_in_on_is_ahead_or_behind),
         cmocka_unit_test(a_peak_on_a_loose_step_has_a_bar_of_its_own),
         cmocka_unit_test(
