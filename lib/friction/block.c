@@ -97,7 +97,8 @@ void block_init(struct block *b, const struct law *law,
                          .material = *m,
                          .tan_alpha = tan_alpha,
                          .steep = { m->a, m->b },
-                         .waits = law->kinetics == KINETICS_SINH };
+                         .waits = law->kinetics == KINETICS_SINH,
+                         .traps = true };
     b->steady.balance = balance;
     b->steady.y = steady_curve;
     b->steady.turnings = steady_extrema(law, m, b->steady.turning);
@@ -127,6 +128,7 @@ void block_ask(struct block *b)
     b->end = quasistatic_typed_end(b);
     b->steep = quasistatic_typed_steep(b);
     b->waits = !quasistatic_typed_is_linear(b);
+    b->traps = quasistatic_typed_traps(b);
 }
 
 struct vec2 block_offset(const struct block *b, double v, double psi)

@@ -38,6 +38,9 @@ struct block {
     struct vec2 steep;       /* about the largest |d mu/dx| and |d mu/dy| */
     bool waits;              /* far above psi_ss psi has hardly a rate of its
                                 own, or may have none: not of first order */
+    bool traps;              /* v falls beside the anchor where psi is larger
+                                and psi grows where v is smaller, and so on: the
+                                quadrants of trap.h cannot be left */
     struct tape_plane plane; /* of a law of formulas, and */
     struct block_end end;    /* its end; set by block_ask */
 };
@@ -51,7 +54,8 @@ void block_init(struct block *b, const struct law *law,
  * a root of the force balance, which then vanishes there exactly. */
 void block_anchor(struct block *b, long double x, bool equilibrium);
 
-/* Asks a law of formulas, from the anchor on, for steep, waits and end. */
+/* Asks a law of formulas, from the anchor on, for steep, waits, traps and
+ * end. */
 void block_ask(struct block *b);
 
 /* The planar system around b's anchor; borrows b, which must not move.

@@ -115,6 +115,8 @@ static void make_growth(struct law_typed *t)
     begin(t, f);
     formula_define(f, "psi", psi_of(t, f));
     part(f, "theta", t->text[LAW_THETA]);
+    if (t->text[LAW_MU][0])
+        part(f, "mu", t->text[LAW_MU]);
     t->rate = part(f, "dpsi", t->text[LAW_RATE]);
 }
 

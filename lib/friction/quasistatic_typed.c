@@ -158,6 +158,26 @@ bool quasistatic_typed_is_linear(const struct block *b)
     return fabs(one - 2.0 * two + three) <= 1e-10 * size;
 }
 
+/* ---- quadrants ------------------------------------------------------------
+ */
+
+bool quasistatic_typed_traps(const struct block *b)
+{
+    const double digits = 1e-12;
+
+    for (double h = 0x1p-6; h < 256.0; h *= 2.0)
+        for (int side = -1; side <= 1; side += 2) {
+            struct run r;
+            run_at(b, 0.0, side * h, &r);
+            const double force = real_tape_mantissa(r.t, 0, r.reg);
+            run_at(b, side * h, 0.0, &r);
+            const double rate = real_tape_mantissa(r.t, 1, r.reg);
+            if (force * side > digits || rate * side > digits)
+                return false;
+        }
+    return true;
+}
+
 /* ---- the end ------------------------------------------------------------- */
 
 enum { DOUBLINGS = 28 };
@@ -168,6 +188,17 @@ struct way {
     int count;
     bool stops; /* psi grows no further */
 };
+
+/* What the mantissa of psi's rate is a sum of. */
+static double terms_of(const struct run *r)
+{
+    const struct real_tape_form *m = &r->t->rate[1].mantissa;
+    double sum = fabs(m->constant);
+
+    for (int i = m->first; i < m->first + m->terms; i++)
+        sum += fabs(r->t->term[i].c * r->reg[r->t->term[i].reg]);
+    return sum;
+}
 
 static void go(const struct block *b, struct way *w)
 {
@@ -181,7 +212,7 @@ static void go(const struct block *b, struct way *w)
             break;
         run_at(b, X, Y, &r);
         const double mantissa = real_tape_mantissa(r.t, 1, r.reg);
-        if (isnan(mantissa))
+        if (!(fabs(mantissa) > 1e-13 * terms_of(&r)))
             break;
         w->stops = mantissa <= 0.0;
         w->count = w->stops ? 0 : w->count;

@@ -25,5 +25,6 @@ double quasistatic_typed_log_rate(const struct block *b, double X, double Y);
 struct block_end quasistatic_typed_end(const struct block *b);
 struct vec2 quasistatic_typed_steep(const struct block *b);
 bool quasistatic_typed_is_linear(const struct block *b);
+bool quasistatic_typed_traps(const struct block *b);
 
 #endif

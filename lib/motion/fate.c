@@ -42,7 +42,7 @@ static struct goals goals_of(const struct slider *s)
     struct goals g = { .count = 0 };
 
     for (size_t i = 0; i < s->plane.equilibria; i++) {
-        if ((int) i == slider_saddle(s))
+        if (s->plane.equilibrium[i].type == EQUILIBRIUM_SADDLE)
             continue;
         g.at[g.count] = phase_plane_offset(&s->plane, i);
         g.fate[g.count++] = fate_of_node(s, &s->plane.equilibrium[i]);
@@ -88,7 +88,7 @@ struct past {
  * without a node in it: nothing bounds v. */
 static bool runs_away(const struct slider *s, const struct orbit *o)
 {
-    if (slider_saddle(s) < 0 || !(o->u[0] > 0.0 && o->u[1] < 0.0))
+    if (!slider_traps(s) || !(o->u[0] > 0.0 && o->u[1] < 0.0))
         return false;
     return (size_t) slider_saddle(s) + 1 == s->plane.equilibria;
 }
@@ -97,7 +97,8 @@ static bool runs_away(const struct slider *s, const struct orbit *o)
  * without a node in it: nothing holds v above 0. */
 static bool falls(const struct slider *s, const struct orbit *o)
 {
-    return slider_saddle(s) == 0 && o->u[0] < 0.0 && o->u[1] > 0.0;
+    return slider_traps(s) && slider_saddle(s) == 0 && o->u[0] < 0.0 &&
+           o->u[1] > 0.0;
 }
 
 /* The power of time that v follows over the last part of the time: the rates
@@ -388,9 +389,9 @@ static enum fate find_anyway(const struct slider *s, struct vec2 last)
     const bool slow = last.x < 0.0 && last.y > 0.0;
     const bool fast = last.x > 0.0 && last.y < 0.0;
 
-    return slider_saddle(s) < 0 ? fate_of_all(s)
-           : slow || fast       ? fate_of_side(s, slow)
-                                : FATE_UNDECIDED;
+    return !slider_traps(s) ? fate_of_all(s)
+           : slow || fast   ? fate_of_side(s, slow)
+                            : FATE_UNDECIDED;
 }
 
 enum status fate_find(const struct slider *s, struct vec2 z, double rtol,

@@ -92,7 +92,12 @@ static void label_all(struct labels *l)
     const struct slider *s = l->slider;
     const enum fate all = fate_of_all(s);
 
-    if (slider_has_manifolds(s))
+    if (slider_no_traps(s))
+        for (size_t i = 0; i < l->regions.bands; i++)
+            for (size_t k = 0; k <= l->regions.band[i].strands; k++)
+                l->regions.region[l->regions.band[i].first + k].label =
+                    FATE_UNDECIDED;
+    else if (slider_has_manifolds(s))
         for (size_t i = 0; i < l->regions.bands; i++)
             label_band(l, &l->regions.band[i]);
     else if (slider_saddle(s) < 0 && all != FATE_UNDECIDED)
@@ -167,7 +172,7 @@ static size_t region_at(const struct labels *l, struct vec2 z)
 /* The quadrants tell as far as the saddle is known. */
 static int8_t label_of_quadrant(const struct slider *s, struct vec2 z)
 {
-    const double slack = slider_saddle(s) >= 0 ? slack_of(s) : HUGE_VAL;
+    const double slack = slider_traps(s) ? slack_of(s) : HUGE_VAL;
 
     if (z.x < -slack && z.y > slack)
         return (int8_t) fate_of_side(s, true);
@@ -199,7 +204,8 @@ enum status labels_find(const struct labels *l, struct vec2 z,
 {
     static const char near[] =
         "the state is nearer the separatrix than its error bar";
-    const char *slow = rest_form_at(&l->slider->block).reason;
+    const char *none = slider_no_traps(l->slider);
+    const char *slow = none ? none : rest_form_at(&l->slider->block).reason;
     int8_t fate = l->regions.region[region_at(l, z)].label;
 
     if (is_in_doubt(l, z)) {

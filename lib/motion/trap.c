@@ -26,7 +26,7 @@ static struct vec2 across_of(const struct equilibrium *saddle)
 
 void trap_init(struct trap *t, const struct slider *s)
 {
-    *t = (struct trap){ .slider = s, .set = slider_saddle(s) >= 0 };
+    *t = (struct trap){ .slider = s, .set = slider_traps(s) };
     if (!t->set)
         return;
     t->across = across_of(phase_plane_saddle(&s->plane));
@@ -121,6 +121,11 @@ enum status trap_pass(const struct trap *t, struct vec2 z, int8_t *label,
     size_t spent = 0;
     enum status s = STATUS_OK;
 
+    if (slider_no_traps(t->slider)) {
+        *label = FATE_UNDECIDED;
+        *near = HUGE_VAL;
+        return STATUS_OK;
+    }
     *near = t->set ? fabs(t->across.x * z.x + t->across.y * z.y) : HUGE_VAL;
     for (double rtol = TOL_TRAP_RTOL; !certain && rtol >= TOL_TRAP_FINEST;
          rtol *= TOL_TRAP_FINER)

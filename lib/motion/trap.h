@@ -1,7 +1,7 @@
 /*
  * trap.h -- labels of states by forward integration that ends early: the
  * quadrants v < v_sp, psi > psi_sp and v > v_sp, psi < psi_sp of the saddle
- * cannot be left, since mu grows with psi and psi_ss falls with v, so the fate
+ * cannot be left where mu grows with psi and psi_ss falls with v, so the fate
  * of an orbit is that of the quadrant it enters.  Shares nothing with the
  * separatrix but the field: the independent check of basin maps.
  */

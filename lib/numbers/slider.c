@@ -65,6 +65,16 @@ const char *slider_no_manifolds(const struct slider *s)
     return NULL;
 }
 
+const char *slider_no_traps(const struct slider *s)
+{
+    if (s->plane.saddles == 0 || slider_traps(s))
+        return NULL;
+    return s->plane.saddles > 1
+               ? "there are several saddles: the sides of one do not tell"
+               : "the law lets states leave both quadrants of the saddle: its "
+                 "sides do not tell";
+}
+
 double slider_energy_defect(const struct slider *s, const struct curve *c)
 {
     double first[CURVE_DIM_MAX], last[CURVE_DIM_MAX];

@@ -31,6 +31,17 @@ static inline int slider_saddle(const struct slider *s)
     return s->plane.saddles > 0 ? (int) s->plane.saddle[0] : -1;
 }
 
+/* Whether there is one saddle, whose quadrants v < v_sp, psi > psi_sp and
+ * v > v_sp, psi < psi_sp cannot be left. */
+static inline bool slider_traps(const struct slider *s)
+{
+    return s->plane.saddles == 1 && s->block.traps;
+}
+
+/* Why there are saddles and yet none of that kind: static; NULL: there is none
+ * or one of that kind. */
+const char *slider_no_traps(const struct slider *s);
+
 /* Whether there is a saddle whose manifolds doubles can hold. */
 bool slider_has_manifolds(const struct slider *s);
 

@@ -47,11 +47,12 @@ const struct record_type record_bifurcation =
 /* Type and eigenvalues on the slope that v takes: a saddle where mu_ss falls, a
  * stable node where it rises, (14).  The eigenvalues cannot tell where a frozen
  * state takes one of them below the smallest number. */
-static void set_type(const struct law *law, const struct material *m,
-                     long double x, bool fold, struct steady_point *p)
+static void set_type(struct block *b, long double x, bool fold,
+                     struct steady_point *p)
 {
+    const struct law *law = &b->law;
+    const struct material *m = &b->material;
     const double top = law_psi_is_log(law) ? -TOL_PSI_LEAST : TOL_LN_RANGE;
-    struct block b;
     struct equilibrium e;
 
     p->type = -1;
@@ -61,11 +62,11 @@ static void set_type(const struct law *law, const struct material *m,
     if (!quantity_exists(&p->alpha) ||
         !(fabsl(steady_y(law, m, x)) <= (long double) top))
         return;
-    block_init(&b, law, m, steady_mu(law, m, x));
-    block_anchor(&b, x, true);
-    const struct planar sys = block_planar(&b);
+    b->tan_alpha = steady_mu(law, m, x);
+    block_anchor(b, x, true);
+    const struct planar sys = block_planar(b);
     equilibrium_at(&sys, fold, &e);
-    const struct steady_number n = numbers_steady(&b, &e);
+    const struct steady_number n = numbers_steady(b, &e);
     p->type = (int8_t) (fold                   ? EQUILIBRIUM_SADDLE_NODE
                         : p->slope.value < 0.0 ? EQUILIBRIUM_SADDLE
                                                : EQUILIBRIUM_STABLE_NODE);
@@ -73,10 +74,10 @@ static void set_type(const struct law *law, const struct material *m,
     p->lambda_plus = n.lambda_plus;
 }
 
-static struct steady_point point_at(const struct law *law,
-                                    const struct material *m, double v,
-                                    bool fold)
+static struct steady_point point_at(struct block *b, double v, bool fold)
 {
+    const struct law *law = &b->law;
+    const struct material *m = &b->material;
     const long double x = logl((long double) v);
     const struct response r = response_at(law, m, x);
     const double psi = (double) steady_psi(law, m, x);
@@ -94,7 +95,7 @@ static struct steady_point point_at(const struct law *law,
     };
 
     p.alpha = extremum_angle(&p.mu);
-    set_type(law, m, x, fold, &p);
+    set_type(b, x, fold, &p);
     return p;
 }
 
@@ -113,15 +114,14 @@ static bool clip(const struct law *law, const double v[2], double out[2])
 }
 
 /* After those with smaller v; an extremum replaces the point it falls on. */
-static void append(const struct law *law, const struct material *m, double v,
-                   bool fold, struct steady_curve *c)
+static void append(struct block *b, double v, bool fold, struct steady_curve *c)
 {
     const double last = c->count > 0 ? c->at[c->count - 1].v : 0.0;
 
     if (v > last)
-        c->at[c->count++] = point_at(law, m, v, fold);
+        c->at[c->count++] = point_at(b, v, fold);
     else if (fold)
-        c->at[c->count - 1] = point_at(law, m, v, true);
+        c->at[c->count - 1] = point_at(b, v, true);
 }
 
 static void fill(const struct law *law, const struct material *m,
@@ -130,7 +130,9 @@ static void fill(const struct law *law, const struct material *m,
     const int last = STUDY_STEADY_POINTS - 1;
     const long double ratio = logl((long double) v[1] / (long double) v[0]);
     size_t next = 0;
+    struct block b;
 
+    block_init(&b, law, m, 0.0L);
     while (next < c->extrema && c->extremum[next].v.value < v[0])
         next++;
     for (int i = 0; i <= last; i++) {
@@ -138,8 +140,8 @@ static void fill(const struct law *law, const struct material *m,
         const double at =
             i < last ? (double) ((long double) v[0] * grown) : v[1];
         for (; next < c->extrema && c->extremum[next].v.value < at; next++)
-            append(law, m, c->extremum[next].v.value, true, c);
-        append(law, m, at, false, c);
+            append(&b, c->extremum[next].v.value, true, c);
+        append(&b, at, false, c);
     }
 }
 
