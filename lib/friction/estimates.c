@@ -44,7 +44,7 @@ bool estimates_at(const struct law *law, const struct material *m,
 {
     const double d = m->b - m->a, tiny = 1e-16;
 
-    if (law->kinetics != KINETICS_SINH || law_psi_is_log(law) || !(d > 0.0))
+    if (!law_is_hyperbolic(law, m) || !(d > 0.0))
         return false;
     const double eta = law_eta(law, m), x = (m->mu_star - tan_alpha) / d;
     const double f = m->mu_star + d * log(log(2.0 * eta / tiny));

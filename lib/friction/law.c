@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "law_plain.h"
 #include "law_typed.h"
 
 /* preset, equation, theta, psi_ss, timescale, kinetics */
@@ -110,6 +111,22 @@ bool law_uses(const struct law *law, enum material_key key)
     }
 }
 
+bool law_is_hyperbolic(const struct law *law, const struct material *m)
+{
+    if (law->typed)
+        return law_plain_is_hyperbolic(law, m) &&
+               law_plain_theta_is_log(law, m);
+    return law->kinetics == KINETICS_SINH && !law_psi_is_log(law);
+}
+
+bool law_is_spinodal(const struct law *law, const struct material *m)
+{
+    if (law->typed)
+        return law_plain_is_spinodal(law, m) && law_plain_theta_is_log(law, m);
+    return law->psi_ss == PSI_SS_SPINODAL ||
+           law->psi_ss == PSI_SS_SPINODAL_UNIT;
+}
+
 double material_eps2(const struct material *m)
 {
     return m->V_star * m->V_star / (m->g * m->L);
@@ -117,7 +134,8 @@ double material_eps2(const struct material *m)
 
 double law_eta(const struct law *law, const struct material *m)
 {
-    return law_uses_R(law) && isfinite(m->R) ? m->R / (1.0 + m->R) : 1.0;
+    return law_uses(law, MATERIAL_R) && isfinite(m->R) ? m->R / (1.0 + m->R)
+                                                       : 1.0;
 }
 
 const struct law *law_preset_at(size_t i)

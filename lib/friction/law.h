@@ -139,6 +139,12 @@ static inline bool law_freezes(const struct law *law)
     return law_timescale(law)->psi_ss && law->psi_ss != PSI_SS_MINUS_LOG;
 }
 
+/* K = sinh and theta a logarithm of psi, as the paper's estimates have it. */
+bool law_is_hyperbolic(const struct law *law, const struct material *m);
+
+/* psi_ss is (1 + R)/(1 + R v) or 1/(1 + R v). */
+bool law_is_spinodal(const struct law *law, const struct material *m);
+
 /* eps^2 = V_star^2 / (g L), below (17). */
 double material_eps2(const struct material *m);
 

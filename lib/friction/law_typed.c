@@ -120,12 +120,38 @@ static void make_growth(struct law_typed *t)
     t->rate = part(f, "dpsi", t->text[LAW_RATE]);
 }
 
+static const char *const friction[FRICTION_FORMS] = {
+    [FRICTION_ASINH] = "a*asinh(v/2*exp((mu_star + b*theta)/a))",
+    [FRICTION_LOG] = "mu_star + a*ln(v) + b*theta",
+};
+
+static void make_plain(struct law_typed *t)
+{
+    struct formula *f = &t->plain;
+    const char *const *text =
+        (const char *const[]){ t->text[LAW_THETA], t->text[LAW_PSI_SS],
+                               t->text[LAW_T], t->text[LAW_K] };
+
+    begin(t, f);
+    formula_define(f, "psi", psi_of(t, f));
+    t->theta = part(f, "theta", text[0]);
+    if (part(f, "psi_ss", text[1]))
+        part(f, "d", "psi - psi_ss");
+    part(f, "T", text[2]);
+    part(f, "K", text[3]);
+    part(f, "mu", t->text[LAW_MU][0] ? t->text[LAW_MU] : friction[t->form]);
+    t->psi_rate = part(f, "dpsi",
+                       t->text[LAW_RATE][0] ? t->text[LAW_RATE]
+                       : text[3][0]         ? "-K/T"
+                                            : "-d/T");
+    t->chart_rate[0] = part(f, "fx",
+                            "(tan_alpha - mu)/"
+                            "(v*eps2*sqrt(1 + tan_alpha*tan_alpha))");
+    t->chart_rate[1] = t->real ? t->psi_rate : part(f, "fy", "dpsi/psi");
+}
+
 static void make_steady(struct law_typed *t)
 {
-    static const char *const friction[FRICTION_FORMS] = {
-        [FRICTION_ASINH] = "a*asinh(v/2*exp((mu_star + b*theta)/a))",
-        [FRICTION_LOG] = "mu_star + a*ln(v) + b*theta",
-    };
     struct formula *f = &t->steady;
 
     begin(t, f);
@@ -152,8 +178,10 @@ enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
         s = law_tape_observed(&law, i, &t->tape[i], &name, why);
         *wrong = part_of(name);
     }
-    if (s == STATUS_OK)
+    if (s == STATUS_OK) {
         make_steady(t);
+        make_plain(t);
+    }
     if (s == STATUS_OK && !t->text[LAW_PSI_SS][0])
         make_growth(t);
     return s == STATUS_OK ? s : STATUS_BAD_SCENE;

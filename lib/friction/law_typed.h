@@ -43,6 +43,8 @@ struct law_typed {
     struct tape_lowered tape[2]; /* where v changes, and from an equilibrium */
     struct formula steady;       /* of lnv0 and y0, and what it gives: */
     int y, psi, mu;
+    struct formula plain; /* the same, at any state, and what it gives: */
+    int theta, psi_rate, chart_rate[2]; /* theta 0: there is none */
     struct formula growth; /* the same, where there is a rate alone: */
     int rate;              /* dpsi/dt anywhere */
 };

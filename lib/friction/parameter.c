@@ -9,6 +9,8 @@
 
 #include <math.h>
 
+#include "law_plain.h"
+
 #include "steady.h"
 
 #define SCALAR double
@@ -18,6 +20,12 @@
 const char *parameter_missing(const struct law *law, const struct material *m,
                               enum parameter p)
 {
+    if (p == PARAMETER_A && !law_uses(law, MATERIAL_A))
+        return "the law does not use a";
+    if (p == PARAMETER_B && !law_uses(law, MATERIAL_B))
+        return "the law does not use b";
+    if (p == PARAMETER_MU_STAR && !law_uses(law, MATERIAL_MU_STAR))
+        return "the law does not use mu_star";
     if (p == PARAMETER_C && !law_uses(law, MATERIAL_C))
         return "the law does not use c";
     if (p == PARAMETER_R && !law_uses(law, MATERIAL_R))
@@ -142,6 +150,33 @@ static double state_by_R(const struct block *b, const struct place *at,
             shift * s.by_r);
 }
 
+/* Of a law of formulas. */
+static void typed_field(const struct block *b, struct vec2 z,
+                        const struct planar_field *f,
+                        struct vec2 out[PARAMETERS])
+{
+    static const char *const name[PARAMETERS] = {
+        [PARAMETER_ALPHA] = "tan_alpha",
+        [PARAMETER_A] = "a",
+        [PARAMETER_B] = "b",
+        [PARAMETER_MU_STAR] = "mu_star",
+        [PARAMETER_C] = "c",
+        [PARAMETER_R] = "R",
+        [PARAMETER_EPS2] = "eps2",
+    };
+    const long double less = expl(-(long double) f->log_scale);
+
+    for (int p = 0; p < PARAMETERS; p++) {
+        const struct law_plain_slope at = law_plain_slope(
+            &b->law, &b->material, b->tan_alpha, b->x + (long double) z.x,
+            b->y + (long double) z.y, name[p]);
+        const long double unit =
+            less * (p == PARAMETER_ALPHA ? 1 + b->tan_alpha * b->tan_alpha : 1);
+        out[p] = (struct vec2){ (double) (at.slope[0] * unit),
+                                (double) (at.slope[1] * unit) };
+    }
+}
+
 void parameter_field(const void *ctx, struct vec2 z,
                      const struct planar_field *f, struct vec2 out[PARAMETERS])
 {
@@ -150,6 +185,10 @@ void parameter_field(const void *ctx, struct vec2 z,
     const double unit = exp(b->at.log_inertia - z.x - f->log_scale);
     double mu, by[PARAMETERS] = { 0 };
 
+    if (b->law.typed) {
+        typed_field(b, z, f, out);
+        return;
+    }
     friction_parts(b, &at, &mu, by);
     for (int p = 0; p < PARAMETERS; p++)
         out[p] = (struct vec2){ -unit * by[p], 0 };

@@ -124,8 +124,7 @@ static void fold_estimates(const struct law *law, const struct material *m,
                            struct fold_numbers *f)
 {
     const double a = m->a, b = m->b, d = b - a;
-    const bool spinodal =
-        law->psi_ss == PSI_SS_SPINODAL || law->psi_ss == PSI_SS_SPINODAL_UNIT;
+    const bool spinodal = law_is_spinodal(law, m);
     const double eps = 16.0 * DBL_EPSILON;
 
     if (!spinodal || !law_uses(law, MATERIAL_C) || !isfinite(m->R) || !(d > 0))

@@ -186,7 +186,7 @@ enum status scene_law_demand(const struct scene *s, unsigned products,
         BIT(TRAJECTORIES) | BIT(MANIFOLDS) | BIT(KNEES) | BIT(ESTIMATES) |
         BIT(FRICTION_LAW) | BIT(BIFURCATION) | BIT(BASINS) | BIT(MARGIN) |
         BIT(SLIP) | BIT(TIME) | BIT(FRICTION) | BIT(PEAK) | BIT(TAYLOR_SERIES) |
-        BIT(SPRING_BLOCK) | BIT(FOLD_CURVES);
+        BIT(SPRING_BLOCK) | BIT(FOLD_CURVES) | BIT(CHI) | BIT(SENSITIVITIES);
     const struct place at = { s->file, false, 0, 0 };
 
     for (int p = 0; p < PRODUCTS && s->typed; p++)
