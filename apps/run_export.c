@@ -9,7 +9,6 @@
 #include "progress.h"
 #include "replace.h"
 #include "report.h"
-#include "scene_law.h"
 #include "scene_slope.h"
 #include "text.h"
 #include "xppaut.h"
@@ -134,8 +133,6 @@ static enum status read_scene(struct job *j, struct fault *why)
     enum status s = command_read(o, NULL, 0, &j->scene, why);
     if (s == STATUS_OK)
         s = scene_slope_demand(&j->scene, exchange_products, why);
-    if (s == STATUS_OK) /* its text has no place for names of its own */
-        s = scene_law_demand(&j->scene, 1u << PRODUCT_SENSITIVITIES, why);
     j->scene.products = exchange_products;
     return s;
 }

@@ -6,7 +6,6 @@
 
 #include "api.h"
 #include "rows.h"
-#include "scene_law.h"
 #include "scene_slope.h"
 #include "sweep_column.h"
 
@@ -33,8 +32,6 @@ static slipway_status run(slipway_study *study, const slipway_monitor *monitor,
         one.products =
             BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(KNEES) | BIT(ESTIMATES);
     enum status s = scene_slope_demand(scene, scene->products, &fault);
-    if (s == STATUS_OK)
-        s = scene_law_demand(scene, scene->products, &fault);
     if (s != STATUS_OK)
         return api_fault(why, api_status(s), fault.text);
     s = sweep_dims_init(&study->dims, scene);

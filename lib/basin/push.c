@@ -11,7 +11,6 @@
 #include "basin_tolerance.h"
 #include "margin.h"
 #include "rest_form.h"
-#include "scene_law.h"
 #include "scene_slope.h"
 
 static const struct record_field push_fields[] = {
@@ -40,8 +39,6 @@ enum status push_init(struct push *p, const struct scene *scene,
     *p = (struct push){ .scene = scene };
     enum status status =
         scene_slope_demand(scene, 1u << PRODUCT_EQUILIBRIA, why);
-    if (status == STATUS_OK)
-        status = scene_law_demand(scene, 1u << PRODUCT_BASINS, why);
     if (status != STATUS_OK)
         return status;
     slider_init(&p->slider, &scene->law, &scene->material, scene->tan_alpha);

@@ -8,6 +8,7 @@
 
 #include "number.h"
 #include "scene_slope.h"
+#include "slope_law.h"
 #include "slope_row.h"
 #include "study_results.h"
 #include "tolerance.h"
@@ -59,7 +60,13 @@ static void add_inputs(FILE *out, const char *name, const struct slope_row *s)
     struct material m = s->material;
 
     add_name(out, name);
-    fprintf(out, ",%s,%s", law->preset, friction_form_names[law->form]);
+    fputs(law->typed ? ",\"" : ",", out);
+    if (law->typed)
+        slope_law_write(out, law->typed);
+    else
+        fputs(law->preset, out);
+    fprintf(out, "%s,%s", law->typed ? "\"" : "",
+            friction_form_names[law->form]);
     if (strcmp(law->preset, "composed") == 0)
         fprintf(out, ",%s,%s,%s,%s", theta_names[law->theta],
                 psi_ss_names[law->psi_ss], timescale_names[law->timescale],

@@ -260,6 +260,7 @@ static enum status check_row(const struct expected *s, size_t row,
         (expected_products(s, row) & ~scene_slopeless))
         status = place_blame(table_place(s->table, table_at(s->table, row, 0)),
                              why, "no alpha, expected an angle in rad");
+    slope_row_free(&slope);
     return status;
 }
 

@@ -170,6 +170,7 @@ static void run_row(const struct expected *expected, size_t row, double rtol,
     enum status status = slope_row_read(expected->table, row, &c.slope, &why);
     for (; c.law < c.slope.laws && status == STATUS_OK; c.law++)
         status = compare_law(&c, &why);
+    slope_row_free(&c.slope);
     result->status = status;
     if (status == STATUS_OK || status == STATUS_NO_MEMORY)
         return;

@@ -1,10 +1,12 @@
 #include "slope_row.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "number.h"
 #include "scene_slope.h"
+#include "slope_law.h"
 
 const char *const slope_row_columns[] = {
     "law",     "form", "theta", "psi_ss", "timescale", "kinetics",
@@ -123,6 +125,23 @@ static enum status read_presets(const struct table *t,
     return STATUS_OK;
 }
 
+static enum status read_formulas(const struct table *t,
+                                 const struct table_cell *cell,
+                                 enum friction_form form, struct slope_row *s,
+                                 struct fault *why)
+{
+    struct fault reason = { "" };
+
+    s->typed = calloc(1, sizeof *s->typed);
+    if (s->typed == NULL)
+        return STATUS_NO_MEMORY;
+    if (slope_law_read(cell->text, form, s->typed, &reason) != STATUS_OK)
+        return place_blame(table_place(t, cell), why, "law: %s", reason.text);
+    s->laws = 1;
+    s->law[0] = law_of_typed(s->typed);
+    return STATUS_OK;
+}
+
 static enum status read_law(const struct table *t, size_t row,
                             struct slope_row *s, struct fault *why)
 {
@@ -135,10 +154,13 @@ static enum status read_law(const struct table *t, size_t row,
     if (!cell && !composed)
         return place_blame(table_place(t, table_at(t, row, 0)), why,
                            "no law, expected one in a column law");
-    status = composed ? read_composed(t, row, s, why)
-                      : read_presets(t, cell, s, why);
-    if (status == STATUS_OK && table_find(t, row, "form"))
+    if (table_find(t, row, "form"))
         status = read_word(t, row, "form", friction_form_names, &form, why);
+    if (status == STATUS_OK)
+        status = composed ? read_composed(t, row, s, why)
+                 : slope_law_is(cell->text)
+                     ? read_formulas(t, cell, (enum friction_form) form, s, why)
+                     : read_presets(t, cell, s, why);
     for (size_t i = 0; i < s->laws; i++)
         s->law[i].form = (enum friction_form) form;
     return status;
@@ -207,6 +229,12 @@ enum status slope_row_read(const struct table *t, size_t row,
     if (status == STATUS_OK)
         status = read_slope(t, row, s, why);
     return status;
+}
+
+void slope_row_free(struct slope_row *s)
+{
+    free(s->typed);
+    s->typed = NULL;
 }
 
 /* ---- to and from scenes -------------------------------------------------- */

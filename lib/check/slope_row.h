@@ -16,6 +16,7 @@
 enum { SLOPE_LAWS_MAX = 4 };
 
 struct slope_row {
+    struct law_typed *typed; /* owned: of a law of formulas; else NULL */
     struct law law[SLOPE_LAWS_MAX];
     size_t laws;
     struct material material;
@@ -25,7 +26,8 @@ struct slope_row {
 /* Names of the columns that slope_row_read reads; NULL-ended. */
 extern const char *const slope_row_columns[];
 
-/* STATUS_BAD_SCENE with one line FILE:LINE:COL: in *why, *s undefined. */
+/* STATUS_BAD_SCENE with one line FILE:LINE:COL: in *why; *s is to be freed even
+ * so. */
 MUST_CHECK enum status slope_row_read(const struct table *t, size_t row,
                                       struct slope_row *s, struct fault *why);
 
@@ -40,7 +42,11 @@ MUST_CHECK enum status slope_row_number(const struct table *t,
 struct scene slope_row_scene(const struct slope_row *s, size_t k, double rtol,
                              unsigned products);
 
-/* The inputs of a scene as a row. */
+/* The inputs of a scene as a row, which borrows its law's formulas and is not
+ * to be freed. */
 struct slope_row slope_row_of(const struct scene *scene);
+
+/* After slope_row_read; a second call is harmless. */
+void slope_row_free(struct slope_row *s);
 
 #endif

@@ -19,6 +19,9 @@ const struct text_symbol text_parameters[TEXT_PARAMETERS] = {
     [TEXT_LNV0] = { "lnv0", "1",
                     "where differences are taken from: any number gives the "
                     "same field, ln v of a steady state keeps its digits" },
+    [TEXT_Y0] = { "y0", "1",
+                  "where psi stands still there, in the chart: to be found "
+                  "again where lnv0 is changed" },
 };
 
 double text_parameter_value(const struct block *b, enum text_parameter p)
@@ -34,6 +37,7 @@ double text_parameter_value(const struct block *b, enum text_parameter p)
         [TEXT_V_C] = m->V_c,
         [TEXT_EPS2] = material_eps2(m),
         [TEXT_LNV0] = b->at.x0,
+        [TEXT_Y0] = b->at.y0,
     };
     return value[p];
 }
@@ -50,7 +54,7 @@ static void name_parameters(struct formula *f)
 {
     for (int p = 0; p < TEXT_PARAMETERS; p++) {
         const bool signs =
-            p == TEXT_ALPHA || p == TEXT_MU_STAR || p == TEXT_LNV0;
+            p == TEXT_ALPHA || p == TEXT_MU_STAR || p >= TEXT_LNV0;
         formula_leaf(f, text_parameters[p].name,
                      signs ? FORMULA_PARAMETER : FORMULA_POSITIVE_PARAMETER);
     }
@@ -59,6 +63,29 @@ static void name_parameters(struct formula *f)
     formula_define(
         f, "one_R",
         formula_over(f, formula_number(f, 1), formula_find(f, "R", 1)));
+}
+
+/* Those that are too long for other programs become numbers. */
+static void name_owns(const struct law_typed *t, struct formula *f)
+{
+    enum { LETTERS = 9 };
+
+    for (int i = 0; t && i < t->owns; i++)
+        if (strlen(t->own[i].name) <= LETTERS)
+            formula_leaf(f, t->own[i].name,
+                         t->own[i].value > 0 ? FORMULA_POSITIVE_PARAMETER
+                                             : FORMULA_PARAMETER);
+        else
+            formula_define(f, t->own[i].name,
+                           formula_number(f, t->own[i].value));
+}
+
+static bool is_used(const struct formula *f, const struct text_lines *lines,
+                    const char *name)
+{
+    const int node = formula_find(f, name, strlen(name));
+
+    return f->node[node].kind == FORMULA_LEAF && lines->uses[node];
 }
 
 static void write_tape(const struct law *law, struct tape_lowered *tape,
@@ -91,11 +118,12 @@ void field_text(const struct law *law, struct field_text *out)
 
     formula_init(&tape.f);
     name_parameters(&tape.f);
+    name_owns(law->typed, &tape.f);
     law_tape(law, false, &tape);
     write_tape(law, &tape, &out->lines);
-    for (int i = 0; i < TEXT_PARAMETERS; i++) {
-        const char *name = text_parameters[i].name;
-        out->uses[i] =
-            out->lines.uses[formula_find(&tape.f, name, strlen(name))];
-    }
+    for (int i = 0; i < TEXT_PARAMETERS; i++)
+        out->uses[i] = is_used(&tape.f, &out->lines, text_parameters[i].name);
+    for (int i = 0; i < LAW_OWNS; i++)
+        out->owns[i] = law->typed && i < law->typed->owns &&
+                       is_used(&tape.f, &out->lines, law->typed->own[i].name);
 }

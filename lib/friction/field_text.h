@@ -9,6 +9,7 @@
 #define FRICTION_FIELD_TEXT_H
 
 #include "block.h"
+#include "law_typed.h"
 #include "lines.h"
 
 enum text_parameter {
@@ -21,6 +22,7 @@ enum text_parameter {
     TEXT_V_C,
     TEXT_EPS2,
     TEXT_LNV0,
+    TEXT_Y0,
     TEXT_PARAMETERS
 };
 
@@ -38,6 +40,7 @@ const char *text_state_name(const struct law *law, int coordinate);
 
 struct field_text {
     bool uses[TEXT_PARAMETERS];
+    bool owns[LAW_OWNS]; /* names of the law's own */
     /* Among them mu and the field, fx and fy times e^scale, in the chart (ln v,
      * ln psi) per t*; none overflows. */
     struct text_lines lines;

@@ -1,6 +1,6 @@
 /* AUTO-07p takes equations in C and calls the parameters par[0], par[1], ...;
- * those of the law come to nine, before par[9] and what follows, which AUTO
- * needs for itself.  C has expm1, log1p and asinh of its own. */
+ * those of the law come to nine at most, before par[9] and what follows, which
+ * AUTO needs for itself.  C has expm1, log1p and asinh of its own. */
 #include "auto07p.h"
 
 #include <ctype.h>
@@ -109,6 +109,10 @@ static void write_func(FILE *out, const struct law *law,
           "         doublereal *dfdu, doublereal *dfdp)\n{\n",
           out);
     write_parameters(out, f);
+    for (int i = 0; law->typed && i < law->typed->owns; i++)
+        if (f->owns[i])
+            fprintf(out, "    const double %s = %.17g;\n",
+                    law->typed->own[i].name, law->typed->own[i].value);
     fputs("    /* the state */\n", out);
     for (int i = 0; i < 2; i++)
         fprintf(out, "    const double %s = u[%d];\n", text_state_name(law, i),

@@ -9,8 +9,6 @@
 #include "number.h"
 #include "text.h"
 
-#define BIT(p) (1u << PRODUCT_##p)
-
 /* No word as components have them, or misspelt. */
 static bool is_formula(const char *text)
 {
@@ -173,27 +171,5 @@ enum status scene_law_finish(const struct node *root, struct scene *s,
     if (law_root_check(t, &s->material, &reason) != STATUS_OK)
         return blame(root, LAW_RATE, reason.text, why);
     s->law = law_of_typed(t);
-    return STATUS_OK;
-}
-
-/* ---- products ------------------------------------------------------------ */
-
-enum status scene_law_demand(const struct scene *s, unsigned products,
-                             struct fault *why)
-{
-    static const unsigned known =
-        BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(NULLCLINES) | BIT(FIELD_ARROWS) |
-        BIT(TRAJECTORIES) | BIT(MANIFOLDS) | BIT(KNEES) | BIT(ESTIMATES) |
-        BIT(FRICTION_LAW) | BIT(BIFURCATION) | BIT(BASINS) | BIT(MARGIN) |
-        BIT(SLIP) | BIT(TIME) | BIT(FRICTION) | BIT(PEAK) | BIT(TAYLOR_SERIES) |
-        BIT(SPRING_BLOCK) | BIT(FOLD_CURVES) | BIT(CHI) | BIT(SENSITIVITIES);
-    const struct place at = { s->file, false, 0, 0 };
-
-    for (int p = 0; p < PRODUCTS && s->typed; p++)
-        if (products & ~known & 1u << p)
-            return place_blame(at, why,
-                               "%s: not of a law of formulas, expected a "
-                               "preset or components",
-                               product_names[p]);
     return STATUS_OK;
 }

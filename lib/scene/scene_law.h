@@ -33,9 +33,4 @@ MUST_CHECK enum status scene_law_own(const struct node *n, struct scene *s,
 MUST_CHECK enum status scene_law_finish(const struct node *root,
                                         struct scene *s, struct fault *why);
 
-/* STATUS_BAD_SCENE where products are asked for that need to know more of a law
- * than its formulas say. */
-MUST_CHECK enum status scene_law_demand(const struct scene *s,
-                                        unsigned products, struct fault *why);
-
 #endif

@@ -9,7 +9,6 @@
 #include <time.h>
 
 #include "conditioning.h"
-#include "scene_law.h"
 #include "scene_slope.h"
 #include "study_results.h"
 #include "study_tolerance.h"
@@ -377,8 +376,6 @@ enum status study_run(struct study *s, const struct scene *scene,
     *s = (struct study){ .scene = scene };
     s->stages = plan_scene(scene);
     enum status status = scene_slope_demand(scene, scene->products, why);
-    if (status == STATUS_OK)
-        status = scene_law_demand(scene, scene->products, why);
     block_init(&s->slider.block, &scene->law, &scene->material,
                scene->tan_alpha);
     for (int i = 0; i < STAGES && status == STATUS_OK; i++)

@@ -167,20 +167,6 @@ static void what_is_wrong_is_said_where_it_stands(void **state)
     }
 }
 
-static void products_that_need_more_than_formulas_are_refused(void **state)
-{
-    static struct study study;
-    struct fault why;
-    struct scene s = scene_made("law: {theta: ln(psi), psi_ss: 1/v, T: 1/v}\n"
-                                "slope: {alpha: 0.34}\nproducts: [sensitivities]\n",
-                                "");
-
-    (void) state;
-    assert_int_equal(study_run(&study, &s, NULL, &why), STATUS_BAD_SCENE);
-    assert_non_null(strstr(why.text, "sensitivities: not of a law of formulas"));
-    scene_free(&s);
-}
-
 #define IN_FOLDER(test)                                                        \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
@@ -191,7 +177,6 @@ int main(void)
         IN_FOLDER(a_preset_by_its_rate_alone_gives_its_numbers),
         IN_FOLDER(a_law_with_names_of_its_own_has_its_folds),
         IN_FOLDER(what_is_wrong_is_said_where_it_stands),
-        IN_FOLDER(products_that_need_more_than_formulas_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
