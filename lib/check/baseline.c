@@ -62,7 +62,7 @@ static void add_inputs(FILE *out, const char *name, const struct slope_row *s)
     add_name(out, name);
     fputs(law->typed ? ",\"" : ",", out);
     if (law->typed)
-        slope_law_write(out, law->typed);
+        slope_law_write(out, law->typed, &m);
     else
         fputs(law->preset, out);
     fprintf(out, "%s,%s", law->typed ? "\"" : "",

@@ -19,13 +19,14 @@ static void put(FILE *out, const char *name, const char *text)
     fputs("; ", out);
 }
 
-void slope_law_write(FILE *out, const struct law_typed *t)
+void slope_law_write(FILE *out, const struct law_typed *t,
+                     const struct material *m)
 {
     for (int i = 0; i < LAW_PARTS; i++)
         if (t->text[i][0])
             put(out, law_part_names[i], t->text[i]);
     for (int i = 0; i < t->owns; i++)
-        fprintf(out, "%s = %.17g; ", t->own[i].name, t->own[i].value);
+        fprintf(out, "%s = %.17g; ", t->own[i].name, m->own[i]);
     fprintf(out, "state = %s", t->real ? "real" : "positive");
 }
 

@@ -12,7 +12,8 @@
 /* Whether the cell is one of those, not a preset's name. */
 bool slope_law_is(const char *cell);
 
-void slope_law_write(FILE *out, const struct law_typed *t);
+void slope_law_write(FILE *out, const struct law_typed *t,
+                     const struct material *m);
 
 /* STATUS_BAD_SCENE with the reason; *t is then undefined. */
 MUST_CHECK enum status slope_law_read(const char *cell, enum friction_form form,

@@ -224,6 +224,8 @@ enum status slope_row_read(const struct table *t, size_t row,
     enum status status = read_law(t, row, s, why);
     if (status == STATUS_OK)
         status = read_material(t, row, s, why);
+    for (int i = 0; s->typed && i < s->typed->owns; i++)
+        s->material.own[i] = s->typed->own[i].value;
     if (status == STATUS_OK)
         status = check_laws(t, row, s, why);
     if (status == STATUS_OK)

@@ -89,10 +89,13 @@ struct law {
 
 struct law_typed; /* law_typed.h */
 
+enum { LAW_OWNS = 16 };
+
 /* Parameters; all dimensionless but L (m), V_star (m/s), g (m/s^2).  R may be
  * infinite.  A law ignores what it does not use. */
 struct material {
     double mu_star, a, b, c, R, V_c, L, V_star, g;
+    double own[LAW_OWNS]; /* of names of a law's own, see law_typed.h */
 };
 
 /* The members of struct material that scenes and sweeps name. */

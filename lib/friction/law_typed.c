@@ -266,7 +266,7 @@ void law_typed_values(const struct law_typed *t, const struct material *m,
     for (; n < MODEL; n++)
         out[n] = (struct formula_value){ model[n].name, value[n] };
     for (int i = 0; i < t->owns; i++)
-        out[n++] = (struct formula_value){ t->own[i].name, t->own[i].value };
+        out[n++] = (struct formula_value){ t->own[i].name, m->own[i] };
     out[n] = (struct formula_value){ NULL, 0 };
 }
 

@@ -10,7 +10,7 @@
 #include "law_tape.h"
 #include "response.h"
 
-enum { LAW_LETTERS = 512, LAW_OWNS = 16, LAW_VALUES = 28 };
+enum { LAW_LETTERS = 512, LAW_VALUES = 28 };
 
 /* Two of its values. */
 enum { LAW_LNV0 = 9, LAW_Y0 = 10 };
@@ -26,7 +26,8 @@ enum law_part {
     LAW_PARTS
 };
 
-/* A name of the law's own; not one of the model's. */
+/* A name of the law's own; not one of the model's.  Its value is that of the
+ * material, of the same sign as this one. */
 struct law_own {
     char name[FORMULA_NAME];
     double value;
@@ -39,6 +40,8 @@ struct law_typed {
     enum friction_form form;           /* where there is no mu */
     struct law_own own[LAW_OWNS];
     int owns;
+    char swept[2][FORMULA_NAME + 16]; /* "material.NAME" of keys of sweeps */
+    int sweeps;
 
     struct tape_lowered tape[2]; /* where v changes, and from an equilibrium */
     struct formula steady;       /* of lnv0 and y0, and what it gives: */

@@ -101,9 +101,11 @@ static void write_parameters(FILE *out, const struct field_text *f)
     }
 }
 
-static void write_func(FILE *out, const struct law *law,
+static void write_func(FILE *out, const struct block *b,
                        const struct field_text *f)
 {
+    const struct law *law = &b->law;
+
     fputs("\nint func(integer ndim, const doublereal *u, const integer *icp,\n"
           "         const doublereal *par, integer ijac, doublereal *f,\n"
           "         doublereal *dfdu, doublereal *dfdp)\n{\n",
@@ -112,7 +114,7 @@ static void write_func(FILE *out, const struct law *law,
     for (int i = 0; law->typed && i < law->typed->owns; i++)
         if (f->owns[i])
             fprintf(out, "    const double %s = %.17g;\n",
-                    law->typed->own[i].name, law->typed->own[i].value);
+                    law->typed->own[i].name, b->material.own[i]);
     fputs("    /* the state */\n", out);
     for (int i = 0; i < 2; i++)
         fprintf(out, "    const double %s = u[%d];\n", text_state_name(law, i),
@@ -179,7 +181,7 @@ void auto07p_write_equations(FILE *out, const struct interchange *x)
     interchange_remark(out, " * ", x->remarks);
     fputs(" */\n#include \"auto_f2c.h\"\n#include <math.h>\n", out);
     write_functions(out, &f);
-    write_func(out, &x->block->law, &f);
+    write_func(out, x->block, &f);
     write_stpnt(out, x, &f);
     write_unused(out);
 }

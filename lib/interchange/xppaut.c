@@ -18,12 +18,14 @@ static void write_parameters(FILE *out, const struct interchange *x,
 }
 
 /* Names of the law's own. */
-static void write_owns(FILE *out, const struct law_typed *t,
+static void write_owns(FILE *out, const struct block *b,
                        const struct field_text *f)
 {
+    const struct law_typed *t = b->law.typed;
+
     for (int i = 0; t && i < t->owns; i++)
         if (f->owns[i])
-            fprintf(out, "par %s=%.17g\n", t->own[i].name, t->own[i].value);
+            fprintf(out, "par %s=%.17g\n", t->own[i].name, b->material.own[i]);
 }
 
 static void write_functions(FILE *out, const struct field_text *f)
@@ -116,7 +118,7 @@ void xppaut_write(FILE *out, const struct interchange *x, enum xppaut_form form)
     interchange_remark(out, "# ", x->remarks);
     fputs("\n", out);
     write_parameters(out, x, &f);
-    write_owns(out, law->typed, &f);
+    write_owns(out, x->block, &f);
     write_functions(out, &f);
     write_lines(out, &f);
     write_rates(out, state, form);

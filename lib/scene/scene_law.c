@@ -7,6 +7,7 @@
 #include "law_root.h"
 #include "law_typed.h"
 #include "number.h"
+#include "schema.h"
 #include "text.h"
 
 /* No word as components have them, or misspelt. */
@@ -99,6 +100,26 @@ enum status scene_law_own(const struct node *n, struct scene *s,
     return STATUS_OK;
 }
 
+const char *scene_law_key(struct scene *s, const char *path)
+{
+    struct law_typed *t = s->typed;
+
+    if (t == NULL || t->sweeps == 2 || !scene_law_may_own(path) ||
+        schema_find(path) || strlen(path) >= sizeof t->swept[0])
+        return NULL;
+    return strcpy(t->swept[t->sweeps++], path);
+}
+
+int scene_law_find(const struct scene *s, const char *path)
+{
+    const struct law_typed *t = s->typed;
+
+    for (int i = 0; t && scene_law_may_own(path) && i < t->owns; i++)
+        if (strcmp(t->own[i].name, path + 9) == 0)
+            return i;
+    return -1;
+}
+
 /* ---- formulas ------------------------------------------------------------ */
 
 /* Words stand for their components' formulas. */
@@ -152,11 +173,15 @@ enum status scene_law_finish(const struct node *root, struct scene *s,
         return STATUS_OK;
     const struct node *state = given(root, "state");
     struct law_own own[LAW_OWNS];
-    const int owns = t->owns;
+    const int owns = t->owns, sweeps = t->sweeps;
+    char swept[2][sizeof t->swept[0]];
     memcpy(own, t->own, sizeof own);
+    memcpy(swept, t->swept, sizeof swept);
     words_of(root, s, t);
     memcpy(t->own, own, sizeof own);
+    memcpy(t->swept, swept, sizeof swept);
     t->owns = owns;
+    t->sweeps = sweeps;
     t->real = state ? strcmp(state->text, "real") == 0
                     : given(root, "theta") && law_psi_is_log(&s->law);
     for (int i = 0; i < LAW_PARTS && status == STATUS_OK; i++) {
@@ -170,6 +195,8 @@ enum status scene_law_finish(const struct node *root, struct scene *s,
         return blame(root, wrong, reason.text, why);
     if (law_root_check(t, &s->material, &reason) != STATUS_OK)
         return blame(root, LAW_RATE, reason.text, why);
+    for (int i = 0; i < t->owns; i++)
+        s->material.own[i] = t->own[i].value;
     s->law = law_of_typed(t);
     return STATUS_OK;
 }

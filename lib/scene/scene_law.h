@@ -29,6 +29,13 @@ bool scene_law_may_own(const char *path);
 MUST_CHECK enum status scene_law_own(const struct node *n, struct scene *s,
                                      struct fault *why);
 
+/* "material.NAME" for a key of a sweep, which lives as long as s->typed; NULL:
+ * it is none, or one of the schema's. */
+const char *scene_law_key(struct scene *s, const char *path);
+
+/* The own name's number in s->material, by such a key; -1: there is none. */
+int scene_law_find(const struct scene *s, const char *path);
+
 /* After the keys are read: reads the formulas, s->law. */
 MUST_CHECK enum status scene_law_finish(const struct node *root,
                                         struct scene *s, struct fault *why);

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "law_typed.h"
+#include "scene_law.h"
 #include "scene_shape.h"
 #include "schema.h"
 #include "tolerance.h"
@@ -104,11 +106,17 @@ static enum status list_values(struct scene_axis *axis)
     return STATUS_OK;
 }
 
-/* Of a system's parameters any number is allowed. */
+/* Of a system's parameters any number is allowed, of a law's own names those of
+ * the sign that it has. */
 static bool set_key(const char *path, double x, struct scene *s)
 {
     const struct schema_key *key = schema_find(path);
+    const int own = scene_law_find(s, path);
 
+    if (own >= 0) {
+        s->material.own[own] = x;
+        return isfinite(x) && (x > 0.0) == (s->typed->own[own].value > 0.0);
+    }
     return key ? value_set(key, x, s) : isfinite(x);
 }
 
@@ -128,7 +136,10 @@ static enum status check_values(const struct node *n, const struct scene *s,
                                "sweep.%s: %s: %g is not allowed, expected %s",
                                part, axis->key, axis->value[i],
                                s->system ? "a finite number"
-                                         : schema_find(axis->key)->expected);
+                               : s->typed && !schema_find(axis->key)
+                                   ? "numbers of the sign that it has in the "
+                                     "scene"
+                                   : schema_find(axis->key)->expected);
         if (i > 0 && !(axis->value[i] > axis->value[i - 1]))
             return place_blame(at, why,
                                "sweep.%s: %.17g after %.17g, expected numbers "
@@ -138,11 +149,26 @@ static enum status check_values(const struct node *n, const struct scene *s,
     return STATUS_OK;
 }
 
+/* A name that is no key must be one of the law's own. */
+static enum status check_own(const struct node *n, const struct scene *s,
+                             const struct scene_axis *axis, struct fault *why)
+{
+    if (s->system || axis->key == NULL || schema_find(axis->key) ||
+        scene_law_find(s, axis->key) >= 0)
+        return STATUS_OK;
+    return place_blame(place_of(n, "key"), why,
+                       "sweep.key: %s is not there, expected its number "
+                       "under material, from which the sweep departs",
+                       axis->key);
+}
+
 static enum status fill_axis(const struct node *n, const struct scene *s,
                              struct scene_axis *axis, struct fault *why)
 {
     enum status status = check_given(n, s, axis, why);
 
+    if (status == STATUS_OK)
+        status = check_own(n, s, axis, why);
     if (status == STATUS_OK)
         status = check_range(n, axis, why);
     if (status == STATUS_OK)
@@ -219,6 +245,13 @@ static enum status check_used(const struct node *root, const struct scene *s,
                               size_t i, struct fault *why)
 {
     const char *path = s->sweep.axis[i].key;
+    const int own = scene_law_find(s, path);
+
+    if (own >= 0 && !law_typed_uses(s->typed, s->typed->own[own].name))
+        return place_blame(place_of(section(root, i), "key"), why,
+                           "sweep.key: %s: no formula of the law has it, "
+                           "expected another key",
+                           path);
 
     for (int k = 0; k < MATERIAL_G; k++) {
         const char *name = material_key_name((enum material_key) k);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "scene_law.h"
 #include "synonym.h"
 #include "text.h"
 #include "tolerance.h"
@@ -375,6 +376,11 @@ enum status value_key(const struct schema_key *key, const struct node *n,
             *(const char **) member(s, key) = known[i];
             return STATUS_OK;
         }
+    const char *own = n->kind == NODE_SCALAR ? scene_law_key(s, n->text) : NULL;
+    if (own) {
+        *(const char **) member(s, key) = own;
+        return STATUS_OK;
+    }
     const char *near =
         n->kind == NODE_SCALAR ? synonym_nearest(n->text, known) : NULL;
     return place_blame(n->at, why, "%s: %s is not allowed, expected %s%s%s%s",

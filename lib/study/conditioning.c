@@ -13,7 +13,12 @@
 #include "study_results.h"
 #include "study_tolerance.h"
 
-enum { INPUT_ALPHA = MATERIAL_KEYS, INPUTS, NUMBERS_MAX = 512 };
+enum {
+    INPUT_ALPHA = MATERIAL_KEYS,
+    INPUT_OWN, /* names of the law's own */
+    INPUTS = INPUT_OWN + LAW_OWNS,
+    NUMBERS_MAX = 512
+};
 
 /* The numbers of a study, in a fixed order. */
 struct numbers {
@@ -100,6 +105,8 @@ static enum status recompute(struct search *f, int input, double factor,
     if (input == INPUT_ALPHA && factor != 1.0) {
         c->alpha *= factor;
         c->tan_alpha = tanl((long double) c->alpha);
+    } else if (input >= INPUT_OWN) {
+        c->material.own[input - INPUT_OWN] *= factor;
     } else if (input != INPUT_ALPHA) {
         *material_member(&c->material, (enum material_key) input) *= factor;
     }
@@ -178,6 +185,8 @@ static double weight_of(const struct scene *c, int input)
         return 0.0;
     if (input == INPUT_ALPHA) /* d ln alpha/d ln tan(alpha) */
         return given_by_tangent(c) ? t / ((1.0 + t * t) * c->alpha) : 1.0;
+    if (input >= INPUT_OWN)
+        return m.own[input - INPUT_OWN] != 0.0 ? 1.0 : 0.0;
     const double value = *material_member(&m, key);
     if (key == MATERIAL_L || key == MATERIAL_V_STAR || value == 0.0 ||
         !isfinite(value) || !law_uses(&c->law, key))
