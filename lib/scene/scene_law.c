@@ -191,12 +191,12 @@ enum status scene_law_finish(const struct node *root, struct scene *s,
     }
     if (status != STATUS_OK)
         return status;
+    for (int i = 0; i < t->owns; i++)
+        s->material.own[i] = t->own[i].value;
     if (law_typed_make(t, &wrong, &reason) != STATUS_OK)
         return blame(root, wrong, reason.text, why);
     if (law_root_check(t, &s->material, &reason) != STATUS_OK)
         return blame(root, LAW_RATE, reason.text, why);
-    for (int i = 0; i < t->owns; i++)
-        s->material.own[i] = t->own[i].value;
     s->law = law_of_typed(t);
     return STATUS_OK;
 }
