@@ -65,7 +65,7 @@ static long double rough(struct typed_curve *c, long double x)
 /* -1, 1, or 0 where it is none to all digits */
 static int sign_at(struct typed_curve *c, long double x)
 {
-    const quad slope = law_typed_slope(c->law, c->m, x), least = 1e-20;
+    const quad slope = law_curve_slope(c, x), least = 1e-20;
 
     return (slope > least) - (slope < -least);
 }
@@ -76,22 +76,54 @@ struct extrema {
     size_t n;
 };
 
+/* Whether the slope has other signs at both ends; *at_lo and *at_hi. */
+static bool turns(struct extrema *e, long double lo, long double hi,
+                  quad *at_lo, quad *at_hi)
+{
+    const quad least = 1e-20;
+
+    *at_lo = law_curve_slope(e->c, lo);
+    *at_hi = law_curve_slope(e->c, hi);
+    return (*at_lo > least && *at_hi < -least) ||
+           (*at_lo<-least && * at_hi> least);
+}
+
+/* Halves lo .. hi as the rough slope says, to a millionth of an e-fold. */
+static void narrow(struct typed_curve *c, long double *lo, long double *hi)
+{
+    const long double aside = 5e-7L;
+    const bool rises = rough(c, *lo) > 0;
+    long double from = *lo, to = *hi;
+
+    while (to - from > aside) {
+        const long double middle = (from + to) / 2;
+        *((rough(c, middle) > 0) == rises ? &from : &to) = middle;
+    }
+    *lo = fmaxl(*lo, from - aside);
+    *hi = fminl(*hi, to + aside);
+}
+
 /* By false position, the older end's slope halved (Illinois). */
 static void between(struct extrema *e, long double lo, long double hi)
 {
-    const quad least = 1e-20;
-    quad at_lo = law_typed_slope(e->c->law, e->c->m, lo),
-         at_hi = law_typed_slope(e->c->law, e->c->m, hi);
-    long double x = lo, before = hi;
+    long double near = lo, far = hi;
+    quad at_lo, at_hi;
 
-    if (e->n == 4 || !((at_lo > least && at_hi < -least) ||
-                       (at_lo < -least && at_hi > least)))
+    if (e->n == 4)
         return;
+    narrow(e->c, &near, &far);
+    if (turns(e, near, far, &at_lo, &at_hi)) {
+        lo = near;
+        hi = far;
+    } else if (!turns(e, lo, hi, &at_lo, &at_hi)) {
+        return;
+    }
+    long double x = lo, before = hi;
     for (int i = 0; i < 60 && fabsl(x - before) > 1e-19L * (1 + fabsl(x));
          i++) {
         before = x;
         x = hi - (long double) (at_hi / (at_hi - at_lo)) * (hi - lo);
-        const quad at_x = law_typed_slope(e->c->law, e->c->m, x);
+        const quad at_x = law_curve_slope(e->c, x);
         if ((at_x > 0) == (at_hi > 0)) {
             at_lo /= 2;
         } else {

@@ -294,7 +294,10 @@ void law_curve_init(struct typed_curve *c, const struct law *law,
     c->m = m;
     law_typed_values(t, m, 0, 0, 0, leaf);
     formula_long_constants(&t->steady, leaf, c->value);
-    c->count = formula_changing(&t->steady, x, c->changing);
+    c->count = formula_changing(&t->steady, x, (int[]){ t->y, t->psi, t->mu },
+                                3, c->changing);
+    c->count_mu = formula_changing(&t->steady, x, &t->mu, 1, c->of_mu);
+    c->is_exact = false;
 }
 
 /* The first that changes is x. */
@@ -327,6 +330,30 @@ formula_real law_typed_slope(const struct law *law, const struct material *m,
     const quad h = 1e-9;
 
     return (friction_at(law, m, x + h) - friction_at(law, m, x - h)) / (2 * h);
+}
+
+static quad curve_friction(struct typed_curve *c, quad x)
+{
+    const struct law_typed *t = c->law->typed;
+
+    if (!t->text[LAW_PSI_SS][0])
+        return friction_at(c->law, c->m, x);
+    c->exact[c->of_mu[0]] = x;
+    formula_again(&t->steady, c->of_mu + 1, c->count_mu - 1, c->exact);
+    return c->exact[t->mu];
+}
+
+formula_real law_curve_slope(struct typed_curve *c, long double x)
+{
+    const quad h = 1e-9;
+    struct formula_value leaf[LAW_VALUES];
+
+    if (!c->is_exact) {
+        law_typed_values(c->law->typed, c->m, 0, 0, 0, leaf);
+        formula_constants(&c->law->typed->steady, leaf, 0, c->exact);
+        c->is_exact = true;
+    }
+    return (curve_friction(c, x + h) - curve_friction(c, x - h)) / (2 * h);
 }
 
 bool law_typed_anchor(const struct law *law, const struct material *m,

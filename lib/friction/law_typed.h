@@ -83,12 +83,16 @@ struct typed_curve {
     const struct law *law;    /* borrowed */
     const struct material *m; /* borrowed */
     long double value[FORMULA_NODES];
-    short changing[FORMULA_NODES];
-    int count; /* of them */
+    short changing[FORMULA_NODES], of_mu[FORMULA_NODES];
+    int count, count_mu; /* of them */
+    formula_real exact[FORMULA_NODES];
+    bool is_exact; /* exact[] is made */
 };
 void law_curve_init(struct typed_curve *c, const struct law *law,
                     const struct material *m);
 struct typed_steady law_curve_at(struct typed_curve *c, long double x);
+/* As law_typed_slope. */
+formula_real law_curve_slope(struct typed_curve *c, long double x);
 
 /* d mu_ss/dx in 113 bits, to 1e-16 of its scale */
 formula_real law_typed_slope(const struct law *law, const struct material *m,
