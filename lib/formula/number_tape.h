@@ -22,7 +22,7 @@ struct TAPE_KIND(tape_entry) {
  * which may be hundreds. */
 struct TAPE_KIND(tape_rate) {
     struct TAPE_KIND(tape_form) mantissa, exponent[2], mean; /* of the two */
-    TAPE_SCALAR kept[2], mean_kept;
+    TAPE_SCALAR kept[2];
     int sinh, scaled;
     bool joined;
 };

@@ -113,7 +113,6 @@ static void TAPE_KIND(mean_at)(struct TAPE_KIND(making) * m,
             t->term[t->terms++].c = (TAPE_SCALAR) sum[i];
             out->mean.terms++;
         }
-    out->mean_kept = (TAPE_SCALAR) (1 + (c - (quad) (TAPE_SCALAR) c));
 }
 
 static void TAPE_KIND(rate_at)(struct TAPE_KIND(making) * m,

@@ -35,8 +35,7 @@ struct tape_kept {
 void tape_keep(struct tape_kept *v, bool frozen, const bool used[], int from,
                int to);
 
-/* Of a rate: the logarithm of its size, and all but that, times e^e. */
-double tape_start_size(const struct tape_kept *v, int rate);
+/* A rate, e^e for its exponential. */
 double tape_start_rate(struct tape_kept *v, int rate, double e);
 
 /* Of a linear form. */

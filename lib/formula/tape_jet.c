@@ -315,7 +315,7 @@ static void start_lane(const struct course *c, struct jet_work *w, int part,
         v->reg[i] = c->reg[i][l];
     tape_keep(v, true, NULL, from, to);
     for (int i = first; i < end; i++)
-        e[i] = tape_start_size(v, i);
+        e[i] = real_tape_exponent(&p->t, i, v->reg);
     if (part == 0)
         w->log_scale[l] = e[0] > e[1] ? e[0] : e[1];
     for (int i = first; i < end; i++)

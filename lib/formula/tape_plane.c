@@ -93,29 +93,51 @@ enum status tape_plane_at(const struct tape_lowered *l,
 
 /* ---- reals and duals ----------------------------------------------------- */
 
-/* e^u, mostly of 0 */
-static double power(double u)
+/* e^u in two factors, the second 1 but for e^u that a mantissa, which may be
+ * large, brings back; mostly u is 0. */
+struct power {
+    double most, rest;
+};
+
+static struct power power_of(double u)
 {
-    return u < 0 || u > 0 ? exp(u) : 1;
+    const double half = u < -700 ? exp(u / 2) : 1;
+
+    return (struct power){ u < -700         ? half
+                           : u < 0 || u > 0 ? exp(u)
+                                            : 1,
+                           half };
 }
 
 /* And the exponentials of both rates. */
 static void field_of(const struct real_tape *t, const double reg[],
-                     struct planar_field *f, double e[2])
+                     struct planar_field *f, struct power e[2])
 {
+    double size[2];
+
     for (int i = 0; i < 2; i++)
-        e[i] = real_tape_exponent(t, i, reg);
-    f->log_scale = e[0] > e[1] ? e[0] : e[1];
+        size[i] = real_tape_exponent(t, i, reg);
+    f->log_scale = size[0] > size[1] ? size[0] : size[1];
     for (int i = 0; i < 2; i++)
-        e[i] = power(e[i] - f->log_scale);
-    f->direction.x = real_tape_mantissa(t, 0, reg) * e[0];
-    f->direction.y = real_tape_mantissa(t, 1, reg) * e[1];
+        e[i] = power_of(size[i] - f->log_scale);
+    f->direction.x = real_tape_mantissa(t, 0, reg) * e[0].most * e[0].rest;
+    f->direction.y = real_tape_mantissa(t, 1, reg) * e[1].most * e[1].rest;
+}
+
+/* A rate's gradient, its exponential e. */
+static struct vec2 gradient_of(const struct tape_kept *v, int rate,
+                               struct power e, const struct vec2 gradient[])
+{
+    const struct vec2 g = tape_rate_gradient(v, rate, e.most, gradient);
+
+    return (struct vec2){ g.x * e.rest, g.y * e.rest };
 }
 
 void tape_field(const void *ctx, struct vec2 z, struct planar_field *f)
 {
     const struct tape_plane *p = ctx;
-    double reg[TAPE_STEPS + 2], e[2];
+    double reg[TAPE_STEPS + 2];
+    struct power e[2];
 
     real_tape_run(&p->t, z.x, z.y, 0, reg);
     field_of(&p->t, reg, f, e);
@@ -140,12 +162,12 @@ void tape_jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
     const struct tape_plane *p = ctx;
     struct tape_kept v;
     struct vec2 gradient[TAPE_STEPS + 2];
-    double e[2];
+    struct power e[2];
 
     run_both(p, z, 0, &v, gradient);
     field_of(&p->t, v.reg, &J->field, e);
-    const struct vec2 x = tape_rate_gradient(&v, 0, e[0], gradient),
-                      y = tape_rate_gradient(&v, 1, e[1], gradient);
+    const struct vec2 x = gradient_of(&v, 0, e[0], gradient),
+                      y = gradient_of(&v, 1, e[1], gradient);
     J->matrix = (struct mat2){ x.x, x.y, y.x, y.y };
 }
 
@@ -161,10 +183,18 @@ void tape_rate(const void *ctx, size_t which, struct vec2 z, double *rate,
         real_tape_run(&p->t, z.x, z.y, i, v.reg);
     else
         run_both(p, z, i, &v, slope);
-    const double e = power(real_tape_exponent(&p->t, i, v.reg));
-    *rate = real_tape_mantissa(&p->t, i, v.reg) * e;
+    const struct power e = power_of(real_tape_exponent(&p->t, i, v.reg));
+    *rate = real_tape_mantissa(&p->t, i, v.reg) * e.most * e.rest;
     if (gradient != NULL)
-        *gradient = tape_rate_gradient(&v, i, e, slope);
+        *gradient = gradient_of(&v, i, e, slope);
+}
+
+double tape_value(const struct tape_plane *p, struct vec2 z)
+{
+    double reg[TAPE_STEPS + 2];
+
+    real_tape_run(&p->t, z.x, z.y, 1, reg);
+    return real_tape_linear(&p->t, &p->t.value[0], reg);
 }
 
 struct vec2 tape_value_gradient(const struct tape_plane *p, struct vec2 z)

@@ -113,7 +113,8 @@ void tape_jet(const void *ctx, struct jet_work *w, size_t k, const jet_pair x[],
 void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
                    const jet_pair x[], const jet_pair y[], jet_pair rate[]);
 
-/* d value[0] of the tape/d(x, y). */
+/* value[0] of the tape, and d value[0]/d(x, y). */
+double tape_value(const struct tape_plane *t, struct vec2 z);
 struct vec2 tape_value_gradient(const struct tape_plane *t, struct vec2 z);
 
 /* Whether this processor has them. */

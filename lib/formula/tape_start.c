@@ -62,7 +62,7 @@ static double kept_mixed(double r, double s, double u, double keep[])
     const double change = r * less_one(u, &e), sum = r * e + s;
     keep[0] = r * e / sum;
     keep[1] = s / sum;
-    return 2 * change > -1 ? scalar_ln1p(change) : log(sum);
+    return 2 * change > -1 ? scalar_ln1p(change) : log(s + r * exp(u));
 }
 
 /* e^-|w| sinh w, and its slope e^(-2|w|); cosh w if |w| is frozen */
@@ -142,7 +142,7 @@ static double kept_step(const struct real_tape_entry *n, bool joined, double s,
         case STEP_MIXED:
             return kept_mixed(k, q, u, keep);
         case STEP_LN1P:
-            keep[0] = 1 / (k + u);
+            keep[0] = k + u > 0 ? 1 / (k + u) : 0;
             return log1p(u / k);
         case STEP_SINH:
             return kept_sinh(k + u, joined, keep);
@@ -213,33 +213,19 @@ void tape_keep(struct tape_kept *v, bool frozen, const bool used[], int from,
 
 /* ---- rates --------------------------------------------------------------- */
 
-double tape_start_size(const struct tape_kept *v, int rate)
-{
-    const struct real_tape *t = &v->p->t;
-    const struct real_tape_rate *r = &t->rate[rate];
-
-    if (!is_mean(t, r))
-        return real_tape_exponent(t, rate, v->reg);
-    const struct real_tape_entry *n = &t->step[r->sinh - 2];
-    const double s =
-        r->scaled >= 0 ? real_tape_scale(t, r->scaled - 2, v->reg) : 0;
-    return real_tape_linear(t, &r->mean, v->reg) + s +
-           fabs(n->k + v->reg[n->a]);
-}
-
 /* Keeps the mantissa over its factor, which goes to kept e^e, and which of two
  * exponents it is. */
 double tape_start_rate(struct tape_kept *v, int rate, double e)
 {
     const struct real_tape *t = &v->p->t;
     const struct real_tape_rate *r = &t->rate[rate];
-    const double factor = v->p->factor[rate];
+    const double factor = v->p->factor[rate],
+                 power = e < 0 || e > 0 ? exp(e) : 1;
     double *keep = v->keep + v->p->rate_kept[rate];
     const bool less = r->sinh >= 0 && v->reg[r->sinh] < 0;
 
     keep[0] = real_tape_linear(t, &r->mantissa, v->reg) / factor;
-    keep[1] = factor * (is_mean(t, r) ? r->mean_kept : r->kept[less]);
-    keep[1] *= e < 0 || e > 0 ? exp(e) : 1;
+    keep[1] = factor * r->kept[less] * power;
     keep[2] = less;
-    return keep[0] * keep[1];
+    return real_tape_mantissa(t, rate, v->reg) * power;
 }

@@ -167,12 +167,8 @@ struct planar block_planar(const struct block *b)
 
 double block_mu(const struct block *b, struct vec2 z)
 {
-    if (b->law.typed) {
-        double v, work;
-        tape_rate(&b->plane, BLOCK_SLIP, z, &v, NULL);
-        tape_rate(&b->plane, BLOCK_WORK, z, &work, NULL);
-        return work / v;
-    }
+    if (b->law.typed)
+        return tape_value(&b->plane, z);
     return field_real_rate(&b->law, &b->at, BLOCK_WORK, z) /
            field_real_rate(&b->law, &b->at, BLOCK_SLIP, z);
 }

@@ -297,6 +297,43 @@ static void field_and_gradients_are_those_of_the_formulas(void **state)
     }
 }
 
+/* However it is asked for: alone, with gradients, as a series begins. */
+static void a_field_is_the_same_bits_whoever_asks(void **state)
+{
+    static struct jet_work w;
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int n = 0; n < 40 * PLANES; n++) {
+        const struct plane_case *c = &planes[n % PLANES];
+        double anchor[2], to[2], rate[2];
+        struct planar_field f;
+        struct planar_jacobian J;
+        struct vec2 slope;
+        jet_pair fx, fy, r;
+        draw(c, &seed, anchor);
+        draw(c, &seed, to);
+        const quad at[2] = { anchor[0], anchor[1] };
+        make(c->rate, c->positive, c->observable, n % 2, at);
+        const struct vec2 z = { to[0] - anchor[0], to[1] - anchor[1] };
+        const jet_pair x = JET_PAIR(z.x), y = JET_PAIR(z.y);
+        tape_field(&plane, z, &f);
+        tape_jacobian(&plane, z, &J);
+        tape_rate(&plane, 0, z, &rate[0], NULL);
+        tape_rate(&plane, 0, z, &rate[1], &slope);
+        tape_jet(&plane, &w, 0, &x, &y, &fx, &fy);
+        tape_jet_rate(&plane, 0, &w, 0, &x, &y, &r);
+        assert_memory_equal(&f, &J.field, sizeof f);
+        assert_true(rate[0] == rate[1]);
+        for (int l = 0; l < JET_LANES; l++)
+            CHECK(fx[l] == f.direction.x && fy[l] == f.direction.y &&
+                      w.log_scale[l] == f.log_scale,
+                  "%s | %s: %.17g %.17g exp(%.17g), not %.17g %.17g exp(%.17g)",
+                  c->rate[0], c->rate[1], fx[l], fy[l], w.log_scale[l],
+                  f.direction.x, f.direction.y, f.log_scale);
+    }
+}
+
 /* Two curves x + t s, y + t s^2/2 - s of which the series are added up at s. */
 static void a_series_adds_up_to_the_field_along_the_curve(void **state)
 {
@@ -443,6 +480,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_function_from_its_anchor_loses_no_digits),
         cmocka_unit_test(field_and_gradients_are_those_of_the_formulas),
+        cmocka_unit_test(a_field_is_the_same_bits_whoever_asks),
         cmocka_unit_test(a_series_adds_up_to_the_field_along_the_curve),
         cmocka_unit_test(series_are_the_same_bits_on_registers_of_any_width),
         cmocka_unit_test(rates_vanish_at_an_equilibrium_that_is_no_double),
