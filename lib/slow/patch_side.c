@@ -2,8 +2,6 @@
  * (2003), ch. 6. */
 #include "patch_side.h"
 
-#include <math.h>
-
 struct patch_side patch_side_of(const double at[], size_t cells)
 {
     const bool is_exact = cells <= PATCH_SIDE;
@@ -12,11 +10,13 @@ struct patch_side patch_side_of(const double at[], size_t cells)
                                 is_exact };
 }
 
-/* Descending, in [-1, 1]. */
-static double chebyshev_point(int i)
-{
-    return cos(M_PI * (i + 0.5) / PATCH_SIDE);
-}
+/* cos(pi (i + 1/2)/PATCH_SIDE) */
+static const double chebyshev_point[PATCH_SIDE] = {
+    0x1.f9b24942fe45cp-1,  0x1.c83201d3d2c6dp-1,  0x1.6a09e667f3bcdp-1,
+    0x1.d0e2e2b44de01p-2,  0x1.4060b67a85377p-3,  -0x1.4060b67a8536bp-3,
+    -0x1.d0e2e2b44ddffp-2, -0x1.6a09e667f3bccp-1, -0x1.c83201d3d2c6cp-1,
+    -0x1.f9b24942fe45bp-1
+};
 
 /* T_0(t), T_1(t), ... */
 static void chebyshev(double t, double T[PATCH_SIDE])
@@ -32,7 +32,7 @@ double patch_side_node(const struct patch_side *s, int i)
     const double lo = s->at[0], hi = s->at[s->cells - 1];
 
     return s->is_exact ? s->at[i]
-                       : 0.5 * (lo + hi) + 0.5 * (hi - lo) * chebyshev_point(i);
+                       : 0.5 * (lo + hi) + 0.5 * (hi - lo) * chebyshev_point[i];
 }
 
 /* c[k] = (2/n) sum f_i T_k(t_i), half of it for k = 0. */
@@ -44,7 +44,7 @@ void patch_side_transform(const struct patch_side *s, double f[], size_t stride)
         return;
     for (int i = 0; i < PATCH_SIDE; i++) {
         double T[PATCH_SIDE];
-        chebyshev(chebyshev_point(i), T);
+        chebyshev(chebyshev_point[i], T);
         for (int k = 0; k < PATCH_SIDE; k++)
             c[k] += f[(size_t) i * stride] * T[k];
     }

@@ -23,6 +23,19 @@ static double polynomial(const double c[PATCH_SIDE], double x)
     return sum;
 }
 
+static void nodes_are_chebyshevs(void **state)
+{
+    double at[CELLS];
+
+    (void) state;
+    for (int i = 0; i < CELLS; i++)
+        at[i] = -1.0 + 2.0 * i / (CELLS - 1);
+    const struct patch_side s = patch_side_of(at, CELLS);
+    for (int i = 0; i < PATCH_SIDE; i++)
+        assert_true(patch_side_node(&s, i) ==
+                    cos(M_PI * (i + 0.5) / PATCH_SIDE));
+}
+
 /* Those of degree 7 everywhere between the ends, whatever the stride. */
 static void polynomials_of_degree_7_are_reproduced(void **state)
 {
@@ -103,6 +116,7 @@ static void parts_are_even_and_leave_nothing_out(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nodes_are_chebyshevs),
         cmocka_unit_test(polynomials_of_degree_7_are_reproduced),
         cmocka_unit_test(few_cells_have_a_value_each),
         cmocka_unit_test(parts_are_even_and_leave_nothing_out),
