@@ -1,4 +1,4 @@
-/* One scene of the gallery: run twice, for SVG and PNG, and described. */
+/* One scene of the gallery: run, drawn as SVG, PNG and PDF, and described. */
 #include "gallery_entry.h"
 
 #include <stdlib.h>
@@ -43,9 +43,9 @@ static char *output_set(const struct gallery_place *g,
                : NULL;
 }
 
-/* Runs the scene's command with its figure as NAME + ending. */
-static enum exit_code run_as(const struct gallery_place *g,
-                             struct gallery_entry *e, const char *ending)
+/* Runs the scene's command with its figure as NAME.svg and the others. */
+static enum exit_code run_scene(const struct gallery_place *g,
+                                struct gallery_entry *e)
 {
     const char *file[] = { e->path };
     struct options o = { .command = command_find(scene_command(&e->scene)),
@@ -53,9 +53,10 @@ static enum exit_code run_as(const struct gallery_place *g,
                          .files = 1,
                          .quiet = true,
                          .keep_script = g->options->keep_script,
+                         .also = { ".png", ".pdf" },
                          .progress = g->options->progress };
     char *own[] = { output_set(g, e, "output.hdf5", ".h5"),
-                    output_set(g, e, "output.figure", ending),
+                    output_set(g, e, "output.figure", ".svg"),
                     moved_data(g, &e->scene) };
     enum exit_code code = EXIT_FILE;
 
@@ -142,9 +143,7 @@ void gallery_build(const struct gallery_place *g, struct gallery_entry *e)
         e->code = command_fail(s, why.text);
     }
     if (s == STATUS_OK && e->scene.figure) {
-        e->code = run_as(g, e, ".svg");
-        if (e->code == EXIT_DONE)
-            e->code = run_as(g, e, ".png");
+        e->code = run_scene(g, e);
         if (e->code == EXIT_DONE)
             e->code = copy_scene(g, e);
         if (e->code == EXIT_DONE)

@@ -51,7 +51,7 @@ bool option_is_common(const struct option *o);
 /* "push, simulate" of one that is not; else "". */
 void option_commands(const struct option *o, char *text, size_t size);
 
-enum { OPTIONS_SETS = 64 };
+enum { OPTIONS_SETS = 64, OPTIONS_ALSO = 2 };
 
 struct options {
     const struct command *command; /* NULL: none named */
@@ -60,6 +60,8 @@ struct options {
     char *set[OPTIONS_SETS]; /* owned: "key=value", in order */
     size_t sets;
     uint64_t given; /* 1 << row of option_table */
+    const char *also[OPTIONS_ALSO]; /* endings that figures are drawn with
+                                       beside that of their path; NULL: none */
 
     /* As they were given, borrowed; NULL or 0: not given. */
     const char *output, *v, *psi, *phi, *states, *state, *scenes, *only, *form,

@@ -69,8 +69,35 @@ struct figure *panels_add(struct panels *p, const char *name)
     return &p->figure[p->count++];
 }
 
-enum status output_draw(const struct options *o, struct panels *p,
-                        const char *path, struct fault *why)
+static struct figure_page page_of(const struct scene_figure *paper)
+{
+    static const enum figure_legend legend[] = {
+        [LEGEND_AUTO] = FIGURE_LEGEND_OUTSIDE,
+        [LEGEND_OUTSIDE] = FIGURE_LEGEND_OUTSIDE,
+        [LEGEND_INSIDE] = FIGURE_LEGEND_INSIDE,
+        [LEGEND_BELOW] = FIGURE_LEGEND_BELOW,
+        [LEGEND_NONE] = FIGURE_LEGEND_NONE,
+    };
+    static const enum figure_colours colours[] = {
+        [COLOURS_VIRIDIS] = FIGURE_VIRIDIS,
+        [COLOURS_CIVIDIS] = FIGURE_CIVIDIS,
+        [COLOURS_GREYS] = FIGURE_GREYS,
+    };
+
+    return (struct figure_page){ .width = paper->width,
+                                 .height = paper->height,
+                                 .type = paper->type,
+                                 .dpi = paper->dpi,
+                                 .font = paper->font,
+                                 .untitled = !paper->title,
+                                 .legend = legend[paper->legend],
+                                 .colours = colours[paper->colours] };
+}
+
+/* All panels, beside `path`, or as its like with another ending. */
+static enum status draw_as(const struct options *o, const struct panels *p,
+                           const char *path, const char *ending,
+                           struct fault *why)
 {
     char file[PANELS_MAX][PANEL_PATH];
     const char *to[PANELS_MAX];
@@ -80,14 +107,31 @@ enum status output_draw(const struct options *o, struct panels *p,
         to[i] = file[i];
         if (!panel_path(path, p->name[i], file[i]))
             s = refuse(why, path, "too long a path");
+        else if (ending) /* as long as the other */
+            strcpy(strrchr(file[i], '.'), ending);
     }
     if (s == STATUS_OK)
         s = figures_write(p->figure, to, p->count, o->keep_script, why);
-    for (size_t i = 0; i < p->count; i++) {
+    for (size_t i = 0; i < p->count && s == STATUS_OK; i++)
+        output_tell(o, file[i]);
+    return s;
+}
+
+enum status output_draw(const struct options *o,
+                        const struct scene_figure *paper, struct panels *p,
+                        const char *path, struct fault *why)
+{
+    enum status s = STATUS_OK;
+
+    for (size_t i = 0; i < p->count; i++)
+        p->figure[i].page = page_of(paper);
+    if (p->count > 0)
+        s = draw_as(o, p, path, NULL, why);
+    for (size_t i = 0; p->count > 0 && i < OPTIONS_ALSO && o->also[i]; i++)
         if (s == STATUS_OK)
-            output_tell(o, file[i]);
+            s = draw_as(o, p, path, o->also[i], why);
+    for (size_t i = 0; i < p->count; i++)
         figure_free(&p->figure[i]);
-    }
     *p = PANELS_EMPTY;
     return s;
 }

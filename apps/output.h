@@ -43,10 +43,12 @@ struct panels {
 /* One more, to be begun by figure_init. */
 struct figure *panels_add(struct panels *p, const char *name);
 
-/* Draws the files of a figure, all or none, says so, and frees p.  Errors as
- * figure_write. */
-MUST_CHECK enum status output_draw(const struct options *o, struct panels *p,
-                                   const char *path, struct fault *why);
+/* Draws the files of a figure on that paper, all or none, says so, and frees p.
+ * Errors as figure_write. */
+MUST_CHECK enum status output_draw(const struct options *o,
+                                   const struct scene_figure *paper,
+                                   struct panels *p, const char *path,
+                                   struct fault *why);
 
 /* Prints JSON or, unless the command is quiet, text, below what `head` prints
  * (NULL: nothing). */

@@ -92,7 +92,8 @@ static void put_links(FILE *out, const struct gallery_entry *e, bool scripts)
     put(out, "<p><a href=\"%a.yaml\">scene</a> · <a href=\"%a.h5\">HDF5</a>",
         e->name, e->name);
     for (size_t i = 0; i < e->panels; i++) {
-        put(out, " · <a href=\"%a.png\">PNG</a>", e->panel[i]);
+        put(out, " · <a href=\"%a.png\">PNG</a>, <a href=\"%a.pdf\">PDF</a>",
+            e->panel[i], e->panel[i]);
         if (scripts)
             put(out,
                 ", <a href=\"%a.gp\">script</a>, <a href=\"%a.dat\">data</a>",

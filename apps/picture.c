@@ -13,6 +13,7 @@
 #include "picture_field.h"
 #include "picture_taylor.h"
 #include "sheet.h"
+#include "symbols.h"
 
 struct picture {
     const struct study *s;
@@ -63,18 +64,20 @@ static void labels(const struct picture *p, char *x, char *y, size_t size)
     const bool si = p->s->scene->units == UNITS_SI;
 
     if (p->axes == AXES_EIGEN) {
-        snprintf(x, size, "X: along the stable direction, B X of (36)");
-        snprintf(y, size, "Y: along the unstable direction, B Y of (36)");
+        snprintf(x, size, "stable coordinate " ITALIC("X"));
+        snprintf(y, size, "unstable coordinate " ITALIC("Y"));
         return;
     }
-    snprintf(x, size, si ? "slip rate V (m/s)" : "slip rate v = V/V*");
+    snprintf(x, size,
+             si ? "slip rate " S_BIG_V " (m/s)" : "slip rate " S_V_RATIO);
     if (si)
-        snprintf(y, size, "interfacial state φ%s",
+        snprintf(y, size, "interfacial state " S_PHI "%s",
                  strcmp(physical_unit(&b->law), "s") == 0 ? " (s)" : "");
     else
         snprintf(y, size,
-                 law_psi_is_log(&b->law) ? "interfacial state φ = exp ψ"
-                                         : "interfacial state ψ");
+                 law_psi_is_log(&b->law) ? "interfacial state " S_PHI
+                                           " = exp " S_PSI
+                                         : "interfacial state " S_PSI);
 }
 
 /* The window's corners on the axes; for eigen axes a square around the saddle
@@ -152,7 +155,8 @@ static void add_nullclines(struct picture *p)
 {
     static const enum figure_role role[] = { FIGURE_NULLCLINE_X,
                                              FIGURE_NULLCLINE_Y };
-    static const char *const entry[] = { "dv/dt = 0", "dψ/dt = 0" };
+    static const char *const entry[] = { S_RATE_OF(S_V) " = 0",
+                                         S_RATE_OF(S_PSI) " = 0" };
 
     for (int i = 0; i < NULLCLINES; i++)
         for (size_t k = 0; k < p->s->portrait.nullcline[i].count; k++) {
@@ -303,7 +307,7 @@ static void add_basins(struct picture *p)
         { FATE_CREEP, FIGURE_SHADE_1, "creeps" },
         { FATE_SLIDING, FIGURE_SHADE_2, "slides" },
         { FATE_REST_FINITE, FIGURE_SHADE_3, "comes to rest" },
-        { FATE_REST_ASYMPTOTIC, FIGURE_SHADE_4, "rests as t → ∞" },
+        { FATE_REST_ASYMPTOTIC, FIGURE_SHADE_4, "rests as " S_T " → ∞" },
         { FATE_RUNAWAY, FIGURE_SHADE_5, "runs away" },
         { FATE_UNDECIDED, FIGURE_SHADE_6, "undecided" },
     };

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "sheet.h"
+#include "symbols.h"
 
 /* Roles of the scene's law and of Dieterich's. */
 static const struct figure_style law_style[DIAGRAM_LAWS] = {
@@ -51,7 +52,7 @@ static void draw_friction_law(const struct sheet *p)
         range_grow(range, line[i].y, line[i].count);
     }
     const struct figure_axis y =
-        sheet_linear("friction coefficient μ_ss", range);
+        sheet_linear("friction coefficient " S_MU_SS, range);
     sheet_start(p, &x, &y);
     for (int i = DIAGRAM_LAWS; i-- > 0;)
         sheet_line(p, &line[i], law_style[i], law_name(p, i));
@@ -146,7 +147,7 @@ static void draw_spring_block(const struct sheet *p)
     }
     range[1] *= 1.1;
     const struct figure_axis y =
-        sheet_linear("spring stiffness k (Pa/m)", range);
+        sheet_linear("spring stiffness " ITALIC("k") " (Pa/m)", range);
     sheet_start(p, &x, &y);
     add_springs(p, line);
     mark_speeds(p, c);
@@ -204,7 +205,7 @@ static void mark_folds(const struct sheet *p, const struct steady_curve *c)
         char entry[64];
         if (!quantity_exists(&e->alpha))
             continue;
-        snprintf(entry, sizeof entry, "fold: α_c%c = %.6g rad",
+        snprintf(entry, sizeof entry, "fold: " S_CM("%c") " = %.6g rad",
                  e->kind == EXTREMUM_MAXIMUM ? 'M' : 'm', e->alpha.value);
         sheet_mark(p, e->alpha.value, e->v.value * p->unit, sheet_mark_of(e),
                    entry);
@@ -221,7 +222,8 @@ static void draw_bifurcation(const struct sheet *p)
 
     for (size_t i = 0; i < c->count; i++)
         range_grow(range, &c->at[i].alpha.value, 1);
-    const struct figure_axis x = sheet_linear("slope angle α (rad)", range);
+    const struct figure_axis x =
+        sheet_linear("slope angle " S_ALPHA " (rad)", range);
     sheet_start(p, &x, &y);
     shade_bistable(p, c);
     add_branches(p, c);
@@ -267,7 +269,8 @@ static void mark_cusp(const struct sheet *p, const struct cusp_numbers *cusp)
 
     if (!quantity_exists(&cusp->alpha))
         return;
-    snprintf(entry, sizeof entry, "cusp: α = %.5g rad, c = %.5g",
+    snprintf(entry, sizeof entry,
+             "cusp: " S_ALPHA " = %.5g rad, " ITALIC("c") " = %.5g",
              cusp->alpha.value, cusp->c.value);
     sheet_mark(p, cusp->alpha.value, cusp->c.value, FIGURE_DISC, entry);
 }
@@ -278,11 +281,12 @@ static void draw_fold_curves(const struct sheet *p)
         { FIGURE_SERIES_1, FIGURE_SOLID, 3.0 },
         { FIGURE_SERIES_2, FIGURE_SOLID, 3.0 },
     };
-    static const char *const entry[] = { "α_cm, minimum of μ_ss",
-                                         "α_cM, maximum of μ_ss" };
+    static const char *const entry[] = { S_CM("m") ", minimum of " S_MU_SS,
+                                         S_CM("M") ", maximum of " S_MU_SS };
     const struct fold_curve *f = &p->s->diagrams.fold_curves;
     const double *c = p->s->scene->fold_c;
-    const struct figure_axis y = { "residual strength c", c[0], c[1], true };
+    const struct figure_axis y = { "residual strength " ITALIC("c"), c[0], c[1],
+                                   true };
     struct line line[2];
     double range[2] = RANGE_EMPTY;
 
@@ -290,7 +294,8 @@ static void draw_fold_curves(const struct sheet *p)
         line[i] = fold_line(f, i == 1);
         range_grow(range, line[i].x, line[i].count);
     }
-    const struct figure_axis x = sheet_linear("slope angle α (rad)", range);
+    const struct figure_axis x =
+        sheet_linear("slope angle " S_ALPHA " (rad)", range);
     sheet_start(p, &x, &y);
     shade_metastable(p, line);
     for (int i = 0; i < 2; i++)
@@ -325,7 +330,7 @@ static void add_chi(const struct sheet *p, const struct chi_curves *c,
     struct line l = LINE_EMPTY;
     char entry[64];
 
-    snprintf(entry, sizeof entry, "α = %.6g rad", c->slope[slope].alpha);
+    snprintf(entry, sizeof entry, S_ALPHA " = %.6g rad", c->slope[slope].alpha);
     for (size_t i = 0; i < c->points; i++)
         line_add(&l, c->v[i] * p->unit, exp(ln_chi[i]));
     sheet_line(p, &l, look_of_slope(slope), entry);
@@ -338,7 +343,7 @@ static void mark_chi_roots(const struct sheet *p, const struct chi_slope *s)
     for (int i = 0; i < 2; i++)
         if (quantity_exists(root[i]))
             sheet_mark(p, root[i]->value * p->unit, 1.0, FIGURE_CIRCLE,
-                       "χ(v) = 1");
+                       ITALIC("χ") "(" S_V ") = 1");
 }
 
 static void draw_chi(const struct sheet *p)
@@ -350,8 +355,9 @@ static void draw_chi(const struct sheet *p)
 
     range_grow(range, c->ln_chi, c->slopes * c->points);
     const struct figure_axis x = sheet_rates(p, "slip rate", v, label);
-    const struct figure_axis y = { "χ(v)", 0.3 * exp(fmax(range[0], -100.0)),
-                                   chi_top, true };
+    const struct figure_axis y = { "slope of the flow " ITALIC("χ") "(" S_V ")",
+                                   0.3 * exp(fmax(range[0], -100.0)), chi_top,
+                                   true };
     sheet_start(p, &x, &y);
     sheet_segment(p->figure,
                   (struct figure_style){ FIGURE_FIELD, FIGURE_SOLID, 1.2 },

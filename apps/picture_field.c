@@ -3,17 +3,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "symbols.h"
+
 #define AT(name) offsetof(struct cell, name)
 static const struct {
     const char *panel, *label;
     bool is_log;
     size_t at; /* in struct cell */
 } look[CELL_FIELDS] = {
-    [CELL_SLIP] = { "_slip", "slip to arrest x/L", true, AT(slip) },
-    [CELL_TIME] = { "_time", "time to arrest t V*/L", true, AT(time) },
-    [CELL_MU_MEAN] = { "_mu_mean", "mean friction", false, AT(mu_mean) },
-    [CELL_V_PEAK] = { "_v_peak", "largest slip rate", true, AT(v_peak) },
-    [CELL_MU_PEAK] = { "_mu_peak", "largest friction", false, AT(mu_peak) },
+    [CELL_SLIP] = { "_slip", "slip to arrest " S_SLIP, true, AT(slip) },
+    [CELL_TIME] = { "_time", "time to arrest " S_TIME, true, AT(time) },
+    [CELL_MU_MEAN] = { "_mu_mean", "mean friction coefficient", false,
+                       AT(mu_mean) },
+    [CELL_V_PEAK] = { "_v_peak", "largest slip rate " S_V_RATIO, true,
+                      AT(v_peak) },
+    [CELL_MU_PEAK] = { "_mu_peak", "largest friction coefficient", false,
+                       AT(mu_peak) },
 };
 
 enum status picture_raster_find(struct picture_raster *r, const struct study *s,

@@ -3,8 +3,10 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "line.h"
+#include "mark.h"
 #include "plane_basin.h"
 
 struct picture {
@@ -63,6 +65,20 @@ static void finish(const struct picture *p, struct stroke *t,
                    const struct figure_layer *look)
 {
     figure_add_line(p->figure, look, &t->line);
+}
+
+/* Italic, what follows a _ below the line: v_m. */
+static void name_state(const struct picture *p, int i,
+                       char text[2 * FORMULA_NAME])
+{
+    const char *name = p->s->system[0].axis[i].name;
+    const char *under = strchr(name, '_');
+
+    if (under && under > name && under[1])
+        snprintf(text, 2 * FORMULA_NAME, ITALIC("%.*s") SUB("%s"),
+                 (int) (under - name), name, under + 1);
+    else
+        snprintf(text, 2 * FORMULA_NAME, ITALIC("%s"), name);
 }
 
 /* ---- layers -------------------------------------------------------------- */
@@ -158,9 +174,9 @@ static void add_nullclines(const struct picture *p)
 {
     for (int i = 0; i < NULLCLINES; i++) {
         const struct nullcline *n = &p->s->portrait.nullcline[i];
-        char entry[FORMULA_NAME + 16];
-        snprintf(entry, sizeof entry, "d%s/dt = 0",
-                 p->s->system[0].axis[i].name);
+        char name[2 * FORMULA_NAME], entry[2 * FORMULA_NAME + 32];
+        name_state(p, i, name);
+        snprintf(entry, sizeof entry, "d%s/d" ITALIC("t") " = 0", name);
         for (size_t k = 0; k < n->count; k++) {
             struct stroke t = { .line = LINE_EMPTY };
             for (size_t j = 0; j < n->piece[k].count; j++)
@@ -226,13 +242,15 @@ void picture_plane(const struct plane_study *s, struct figure *figure)
     const struct picture p = { s, figure };
     const bool log_axes = s->scene->window.axes == AXES_LOG;
     const double *range[] = { s->scene->window.v, s->scene->window.psi };
+    char label[2][2 * FORMULA_NAME];
     struct figure_axis axis[2];
 
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++) {
+        name_state(&p, i, label[i]);
         axis[i] =
-            (struct figure_axis){ s->system[0].axis[i].name, range[i][0],
-                                  range[i][1],
+            (struct figure_axis){ label[i], range[i][0], range[i][1],
                                   log_axes && s->system[0].axis[i].is_log };
+    }
     figure_init(figure, s->scene->title[0] ? s->scene->title : NULL, &axis[0],
                 &axis[1]);
     for (size_t i = 0; i < sizeof layer / sizeof *layer; i++)

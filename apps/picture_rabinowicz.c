@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "sheet.h"
+#include "symbols.h"
 
 const char *const picture_rabinowicz_panel[] = { "", "_friction", NULL };
 
@@ -152,9 +153,9 @@ static void add_root(struct figure *f, const struct quantity *root, double low,
 static void add_roots(struct figure *f, const struct parabola *p)
 {
     add_root(f, &p->mu_s, p->mu_s_low, p->mu_s_high, FIGURE_HIGHLIGHT,
-             "static friction μ_s");
+             "static friction " S_MU_S);
     add_root(f, &p->mu_half, p->mu_half_low, p->mu_half_high, FIGURE_SERIES_3,
-             "smaller root, μ_ss(V*/2)");
+             "smaller root, " S_MU_SS "(" S_V_STAR "/2)");
 }
 
 /* The ranges of the data and, where there are any, of the roots. */
@@ -163,9 +164,9 @@ static void measure(const struct release *r, struct figure_axis *x,
 {
     const struct series *s = &r->observed.l_k;
 
-    *x = (struct figure_axis){ "l_k tan α (mm)", 0.0, 0.0, false };
-    *y = (struct figure_axis){ "tan α", s->tan_alpha[0], s->tan_alpha[0],
-                               false };
+    *x = (struct figure_axis){ "release distance " S_L_K " " S_TAN " (mm)", 0.0,
+                               0.0, false };
+    *y = (struct figure_axis){ S_TAN, s->tan_alpha[0], s->tan_alpha[0], false };
     for (size_t i = 0; i < s->count; i++) {
         x->hi = fmax(x->hi, mm * s->value[i] * s->tan_alpha[i]);
         y->lo = fmin(y->lo, s->tan_alpha[i]);
@@ -239,10 +240,12 @@ static void build_friction(struct figure *f, const struct release *r,
 
     for (size_t i = 0; i < c->count; i++)
         far = fmax(far, um * K * (c->at[i].gradient + c->at[i].gradient_error));
-    const struct figure_axis x = { has_K ? "slip s_k (μm)"
-                                         : "slip over K, s_k/K (μm)",
-                                   0.0, (1.0 + rim) * far, false };
-    const struct figure_axis y = { "friction coefficient μ = tan α",
+    const struct figure_axis x = {
+        has_K ? "slip " S_S_K " (μm)"
+              : "slip over " ITALIC("K") ", " S_S_K "/" ITALIC("K") " (μm)",
+        0.0, (1.0 + rim) * far, false
+    };
+    const struct figure_axis y = { "friction coefficient " S_MU " = " S_TAN,
                                    from - rim * (to - from),
                                    to + rim * (to - from), false };
     figure_init(f, title, &x, &y);

@@ -9,6 +9,7 @@
 #include "scene_sweep.h"
 #include "sheet.h"
 #include "sweep_show.h"
+#include "symbols.h"
 #include "system.h"
 
 /* A bar can be seen when it is this part of its axis long: 2 px of 600.  Marks
@@ -32,13 +33,33 @@ static struct figure_axis around(const char *label, double lo, double hi,
     return (struct figure_axis){ label, lo - rim, hi + rim, false };
 }
 
+/* Words, letter and unit of the keys that have a letter. */
+static const struct {
+    const char *path, *label;
+} labels[] = {
+    { "slope.alpha", "slope angle " S_ALPHA " (rad)" },
+    { "slope.alpha_deg", "slope angle " S_ALPHA " (°)" },
+    { "slope.tan_alpha", "slope " S_TAN },
+    { "material.mu_star", "friction coefficient " S_MU SUB("∗") },
+    { "material.a", "direct effect " ITALIC("a") },
+    { "material.b", "evolution effect " ITALIC("b") },
+    { "material.L", "memory length " S_L " (m)" },
+    { "material.V_star", "reference slip rate " S_V_STAR " (m/s)" },
+    { "material.c", "residual strength " ITALIC("c") },
+    { "material.R", "longest relaxation time " ITALIC("R") },
+    { "material.V_c", "cut-off slip rate " S_BIG_V SUB("c") "/" S_V_STAR },
+    { "gravity", "gravity " ITALIC("g") " (m/s" SUPER("2") ")" },
+};
+
 static void label_of(const struct sweep_axis *a, char *label, size_t size)
 {
-    if (a->key.unit[0] == '1')
-        snprintf(label, size, "%s, %s", a->key.text, a->key.path);
-    else
-        snprintf(label, size, "%s, %s (%s)", a->key.text, a->key.path,
-                 a->key.unit);
+    const bool plain = a->key.unit[0] == '1';
+
+    snprintf(label, size, "%s%s%s%s", a->key.text, plain ? "" : " (",
+             plain ? "" : a->key.unit, plain ? "" : ")");
+    for (size_t i = 0; i < sizeof labels / sizeof *labels; i++)
+        if (strcmp(a->key.path, labels[i].path) == 0)
+            snprintf(label, size, "%s", labels[i].label);
 }
 
 /* The slope is in the title where no key is a slope's. */

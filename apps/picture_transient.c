@@ -7,6 +7,7 @@
 
 #include "sample.h"
 #include "sheet.h"
+#include "symbols.h"
 
 /* Points of a curve: more than there are px along its axis. */
 enum { POINTS = 2000 };
@@ -31,15 +32,15 @@ struct view {
 };
 
 #define AT(name) offsetof(struct trajectory_row, name)
-#define SLIP     "slip x/L"
-#define RATES    "slip rate v = V/V*, interfacial state ψ"
-#define FRICTION "friction coefficient μ"
+#define SLIP     "slip " S_SLIP
+#define RATES    "slip rate " S_V ", state " S_PSI
+#define FRICTION "friction coefficient " S_MU
 static const struct view views[] = {
-    { false, FRICTION, false, { { "μ", AT(mu) } } },
-    { false, RATES, true, { { "v", AT(v) }, { "ψ", AT(psi) } } },
-    { true, RATES, true, { { "v", AT(v) }, { "ψ", AT(psi) } } },
-    { true, FRICTION, false, { { "μ", AT(mu) } } },
-    { true, SLIP, false, { { "x", AT(slip) } } },
+    { false, FRICTION, false, { { S_MU, AT(mu) } } },
+    { false, RATES, true, { { S_V, AT(v) }, { S_PSI, AT(psi) } } },
+    { true, RATES, true, { { S_V, AT(v) }, { S_PSI, AT(psi) } } },
+    { true, FRICTION, false, { { S_MU, AT(mu) } } },
+    { true, SLIP, false, { { S_X, AT(slip) } } },
 };
 
 /* e^psi where psi is a logarithm, for a log axis. */
@@ -131,19 +132,29 @@ static struct figure_axis axis_of(const char *label, double *const value[2],
     return (struct figure_axis){ label, lo / rim, hi * rim, true };
 }
 
+static void name_run(const char *curve, const struct transient_summary *sum,
+                     char *entry, size_t size)
+{
+    char v[32], psi[32];
+
+    mark_number(v, sizeof v, sum->v, 4);
+    mark_number(psi, sizeof psi, sum->psi, 4);
+    snprintf(entry, size, "%s from " S_V " = %s, " S_PSI " = %s", curve, v,
+             psi);
+}
+
 /* One run in a colour of its own; alone, each curve in one of its own. */
 static void add_run(struct figure *f, const struct view *view,
                     const struct transient_summary *sum, const struct points *p,
                     size_t at)
 {
     for (int c = 0; c < 2 && view->curve[c].name; c++) {
-        char entry[96];
+        char entry[160];
         const int colour = (p->runs == 1 ? c : (int) (at % 6));
         if (p->runs == 1)
             snprintf(entry, sizeof entry, "%s", view->curve[c].name);
         else
-            snprintf(entry, sizeof entry, "%s from v = %.4g, ψ = %.4g",
-                     view->curve[c].name, sum->v, sum->psi);
+            name_run(view->curve[c].name, sum, entry, sizeof entry);
         figure_add(f,
                    &(struct figure_layer){
                        .style = { (enum figure_role)(FIGURE_SERIES_1 + colour),
@@ -167,7 +178,7 @@ static void add_guides(struct figure *f, const struct simulation *s,
     const double drive = (double) s->study.slider.block.tan_alpha;
 
     if (view->curve[0].at == AT(mu))
-        sheet_segment(f, guide(FIGURE_DASHED), "tan α",
+        sheet_segment(f, guide(FIGURE_DASHED), S_TAN,
                       (struct vec2){ f->x.lo, drive },
                       (struct vec2){ f->x.hi, drive });
     for (int i = 0; s->runs == 1 && i < PHASES - 1; i++) {
@@ -186,7 +197,7 @@ static void build(struct figure *f, const struct simulation *s,
 {
     const size_t count = p->runs * POINTS;
     const struct figure_axis x =
-        axis_of(view->over_time ? "time t V*/L" : SLIP,
+        axis_of(view->over_time ? "time " S_TIME : SLIP,
                 (double *[]){ p->x, NULL }, count, view->over_time);
     const struct figure_axis y = axis_of(view->y, p->y, count, view->y_log);
     size_t shown = 0;

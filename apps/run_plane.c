@@ -59,7 +59,7 @@ static enum status write_files(const struct plane_study *s,
 
     if (status == STATUS_OK && figure)
         picture_plane(s, panels_add(&p, ""));
-    return status ? status : output_draw(o, &p, figure, why);
+    return status ? status : output_draw(o, &s->scene->paper, &p, figure, why);
 }
 
 /* Files are written and numbers printed: the user may see for himself. */

@@ -23,7 +23,7 @@ static enum status draw(const struct options *o, const struct scene *c,
     const enum status s =
         c->figure ? picture_rabinowicz(r, c->title, &p, why) : STATUS_OK;
 
-    return s ? s : output_draw(o, &p, c->figure, why);
+    return s ? s : output_draw(o, &c->paper, &p, c->figure, why);
 }
 
 static enum exit_code run(const struct options *o, const struct scene *c)

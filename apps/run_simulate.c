@@ -39,7 +39,8 @@ static enum status write_files(const struct simulation *s,
                               s->study.slider.block.law.preset, why);
     if (status == STATUS_OK && s->scene.figure)
         picture_simulation(s, &p);
-    return status ? status : output_draw(o, &p, s->scene.figure, why);
+    return status ? status
+                  : output_draw(o, &s->scene.paper, &p, s->scene.figure, why);
 }
 
 /* Numbers are printed and files written: the user may see for himself. */

@@ -140,7 +140,7 @@ static enum status write_files(const struct study *s, const struct options *o,
 
     if (status == STATUS_OK && figure)
         picture_study(s, progress_monitor(o), &p);
-    return status ? status : output_draw(o, &p, figure, why);
+    return status ? status : output_draw(o, &s->scene->paper, &p, figure, why);
 }
 
 static enum exit_code print_results(const struct study *s,

@@ -94,7 +94,7 @@ static enum status write_files(const struct sweep *s, const struct options *o,
     }
     if (status == STATUS_OK && c->figure)
         picture_sweep(s, panels_add(&p, panel[0]));
-    return status ? status : output_draw(o, &p, c->figure, why);
+    return status ? status : output_draw(o, &c->paper, &p, c->figure, why);
 }
 
 /* ---- results ------------------------------------------------------------- */

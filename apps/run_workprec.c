@@ -100,7 +100,7 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
     if (s == STATUS_OK && scene->figure)
         picture_workprec(&w, &p);
     if (s == STATUS_OK)
-        s = output_draw(o, &p, scene->figure, &why);
+        s = output_draw(o, &scene->paper, &p, scene->figure, &why);
     const enum exit_code code = s == STATUS_OK
                                     ? output_print(o, &all, print_head)
                                     : command_fail(s, why.text);

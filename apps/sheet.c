@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "symbols.h"
+
 static bool is_si(const struct sheet *p)
 {
     return p->s->scene->units == UNITS_SI;
@@ -20,7 +22,7 @@ struct figure_axis sheet_linear(const char *label, const double range[2])
 struct figure_axis sheet_rates(const struct sheet *p, const char *what,
                                const double v[2], char label[64])
 {
-    snprintf(label, 64, "%s %s", what, is_si(p) ? "V (m/s)" : "v = V/V*");
+    snprintf(label, 64, "%s %s", what, is_si(p) ? S_BIG_V " (m/s)" : S_V_RATIO);
     return (struct figure_axis){ label, v[0] * p->unit, v[1] * p->unit, true };
 }
 
@@ -70,12 +72,11 @@ enum figure_mark sheet_mark_of(const struct extremum *e)
 void sheet_name(const struct sheet *p, const struct extremum *e, char text[64])
 {
     const char which = e->kind == EXTREMUM_MAXIMUM ? 'M' : 'm';
-    const double v = e->v.value * p->unit;
+    char v[32];
 
-    if (is_si(p))
-        snprintf(text, 64, "V_%c = %.3e m/s", which, v);
-    else
-        snprintf(text, 64, "v_%c = %.4g", which, v);
+    mark_number(v, sizeof v, e->v.value * p->unit, 4);
+    snprintf(text, 64, ITALIC("%c") SUB(ITALIC("%c")) " = %s%s",
+             is_si(p) ? 'V' : 'v', which, v, is_si(p) ? " m/s" : "");
 }
 
 void sheet_segment(struct figure *f, struct figure_style style,

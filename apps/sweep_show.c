@@ -2,22 +2,30 @@
 
 #include <stdio.h>
 
+#include "symbols.h"
+
 const struct show_frame show_frames[SHOWS] = {
-    [SHOW_VELOCITIES] = { "slip rate v = V/V*", { 0 }, "ln_v_plus", "ln v₊" },
-    [SHOW_VELOCITY_ESTIMATES] = { "slip rate v = V/V*",
+    [SHOW_VELOCITIES] = { "slip rate " S_V_RATIO,
+                          { 0 },
+                          "ln_v_plus",
+                          "ln " S_V_PLUS },
+    [SHOW_VELOCITY_ESTIMATES] = { "slip rate " S_V_RATIO,
                                   { 0 },
                                   "ln_v_plus",
-                                  "ln v₊" },
-    [SHOW_PERSISTENCE] = { "slip x/L", { 0 }, "x_excess", "x_excess" },
-    [SHOW_STATIC_FRICTION] = { "static friction coefficient μ_s",
+                                  "ln " S_V_PLUS },
+    [SHOW_PERSISTENCE] = { "slip " S_SLIP,
+                           { 0 },
+                           "x_excess",
+                           "excess slip " S_SLIP },
+    [SHOW_STATIC_FRICTION] = { "static friction coefficient " S_MU_S,
                                { 0.0, 1.5 }, /* (41) leaves it at both ends */
                                "mu_s_mean",
-                               "mean μ_s" },
-    [SHOW_FRACTURE_ENERGY] = { "fracture energy G",
+                               "mean static friction " S_MU_S },
+    [SHOW_FRACTURE_ENERGY] = { "fracture energy " ITALIC("G"),
                                { 0 },
                                "fracture_energy",
-                               "fracture energy" },
-    [SHOW_BASINS] = { "share of the window in the chart",
+                               "fracture energy " ITALIC("G") },
+    [SHOW_BASINS] = { "share of the window",
                       { 0.0, 1.0 },
                       "basin_fraction_log_creep",
                       "share that creeps" },
@@ -50,39 +58,39 @@ enum { LOOKS = 7 }; /* at most, and one that ends the list */
 
 static const struct look look[SHOWS][LOOKS] = {
     [SHOW_VELOCITIES] = {
-        LINE("v_plus", "v₊", SERIES_1, SOLID, 0),
-        LINE("saddle_v", "v at the saddle", SERIES_2, DASHED, 0),
-        LINE("v_minus", "v₋", SERIES_3, SOLID, 0),
+        LINE("v_plus", S_V_PLUS, SERIES_1, SOLID, 0),
+        LINE("saddle_v", S_V " at the saddle", SERIES_2, DASHED, 0),
+        LINE("v_minus", S_V_MINUS, SERIES_3, SOLID, 0),
         LINE("knee_upper_v", "upper knee", SERIES_4, DOTTED, 0),
         LINE("knee_lower_v", "lower knee", SERIES_5, DOTTED, 0),
     },
     [SHOW_VELOCITY_ESTIMATES] = {
         XI("v_plus", 2.0),
         XI("v_minus", 2.0),
-        LINE("saddle_v", "v at the saddle", TRAJECTORY, DASHED, 1.8),
-        MARKS("v_plus", "exact v₊", SERIES_2),
-        MARKS("v_minus", "exact v₋", SERIES_1),
+        LINE("saddle_v", S_V " at the saddle", TRAJECTORY, DASHED, 1.8),
+        MARKS("v_plus", "exact " S_V_PLUS, SERIES_2),
+        MARKS("v_minus", "exact " S_V_MINUS, SERIES_1),
     },
     [SHOW_PERSISTENCE] = {
-        LINE("estimates_x_k", "x_k, (30)", SERIES_2, SOLID, 2.6),
-        LINE("estimates_x_k_small_psi", "x_k, (31)", SERIES_3, DASHED, 2.2),
+        LINE("estimates_x_k", S_X_K ", (30)", SERIES_2, SOLID, 2.6),
+        LINE("estimates_x_k_small_psi", S_X_K ", (31)", SERIES_3, DASHED, 2.2),
         LINE("x_excess", "exact excess slip", SERIES_1, SOLID, 3.0),
     },
     [SHOW_STATIC_FRICTION] = {
         XI("mu_s", 1.8),
-        LINE("estimates_mu_s_exact_v_plus", "(41), exact v₊", SERIES_2, SOLID, 2.6),
-        LINE("mu_s_num", "exact v₊ and slip", SERIES_1, DASHED, 2.4),
+        LINE("estimates_mu_s_exact_v_plus", "(41), exact " S_V_PLUS, SERIES_2, SOLID, 2.6),
+        LINE("mu_s_num", "exact " S_V_PLUS " and slip", SERIES_1, DASHED, 2.4),
         LINE("mu_s_mean", "exact mean", SERIES_1, SOLID, 3.0),
     },
     [SHOW_FRACTURE_ENERGY] = {
         XI("G", 1.8),
-        LINE("fracture_energy", "exact v₊", SERIES_1, SOLID, 3.0),
+        LINE("fracture_energy", "exact " S_V_PLUS, SERIES_1, SOLID, 3.0),
     },
     [SHOW_BASINS] = {
         LINE("basin_fraction_log_creep", "creeps", SERIES_1, SOLID, 0),
         LINE("basin_fraction_log_sliding", "slides", SERIES_2, SOLID, 0),
         LINE("basin_fraction_log_rest_finite", "comes to rest", SERIES_3, SOLID, 0),
-        LINE("basin_fraction_log_rest_asymptotic", "rests as t → ∞", SERIES_4, SOLID, 0),
+        LINE("basin_fraction_log_rest_asymptotic", "rests as " S_T " → ∞", SERIES_4, SOLID, 0),
         LINE("basin_fraction_log_runaway", "runs away", SERIES_5, SOLID, 0),
         LINE("basin_fraction_log_undecided", "undecided", SERIES_6, DASHED, 0),
     },
@@ -100,7 +108,7 @@ static struct sweep_curve curve_of_xi(const struct look *l, double xi, size_t i)
     c.style.role = (enum figure_role) role;
     c.style.dash = dash[i / roles % 3];
     snprintf(c.column, sizeof c.column, "estimates_xi_%zu_%s", i, l->column);
-    snprintf(c.entry, sizeof c.entry, "ξ = %.6g", xi);
+    snprintf(c.entry, sizeof c.entry, ITALIC("ξ") " = %.6g", xi);
     return c;
 }
 

@@ -9,7 +9,7 @@ import re
 import signal
 import subprocess
 
-from cli_room import READER, expect, refused, run_cases
+from cli_room import READER, expect, refused, run_cases, shown
 
 SADDLE = ['basin', '--law', 'spinodal_gen', '--alpha', '0.34']
 ALL = {'slip': ['slip'], 'time': ['time'], 'friction': ['mu_mean'],
@@ -118,7 +118,7 @@ def each_field_has_its_figure_under_the_separatrix(room):
             (['friction', 'basins'], {'a.svg': 'mean friction'})):
         done = room.good(*SADDLE, *grid(products, 6, 5), '--figure', 'a.svg')
         for name, label in files.items():
-            drawn = room.read(name)
+            drawn = shown(room.read(name))
             expect(label in drawn and 'stable manifold' in drawn
                    and 'creeps' not in drawn, name)
             expect('wrote ' + name in done, done)

@@ -156,6 +156,13 @@ def the_power_series_is_drawn_told_and_stored(room):
 
 # ---- scripts -----------------------------------------------------------------
 
+def drawing(data):
+    """A figure but for how large it is on paper."""
+    if data.startswith(b'\x89PNG'):
+        return data.replace(data[33:54], b'') if data[37:41] == b'pHYs' else data
+    return data[data.index(b' xmlns='):]
+
+
 def a_kept_script_draws_the_figure_again(room):
     room.make('figures')
     for ending in ('svg', 'png'):
@@ -168,7 +175,8 @@ def a_kept_script_draws_the_figure_again(room):
         moved = room.shell(f'mv figures moved; rm moved/a.{ending}; '
                            'cd moved && gnuplot -d a.gp')
         expect(moved.returncode == 0, moved)
-        expect(room.bytes('moved/a.' + ending) == before, ending)
+        expect(drawing(room.bytes('moved/a.' + ending)) == drawing(before),
+               ending)
         room.shell('rm -r moved; mkdir figures')
 
 

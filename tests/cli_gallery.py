@@ -84,7 +84,8 @@ def linked(page, ending):
 def check_pictures(room, folder, page):
     for name in linked(page, '.svg'):
         xml.etree.ElementTree.parse(room.path(f'{folder}/{name}'))
-    for ending, start in (('.png', b'\x89PNG\r\n'), ('.h5', b'\x89HDF\r\n')):
+    for ending, start in (('.png', b'\x89PNG\r\n'), ('.pdf', b'%PDF'),
+                          ('.h5', b'\x89HDF\r\n')):
         for name in linked(page, ending):
             expect(room.bytes(f'{folder}/{name}').startswith(start), name)
 
@@ -126,7 +127,7 @@ def every_figure_is_built_and_shown(room):
     for figure in page.figures:
         expect(figure['pictures'] >= 1 and len(figure['caption']) > 60, figure)
     expect(page.failed == 0, page.failed)
-    for ending in ('.svg', '.png', '.gp', '.dat'):
+    for ending in ('.svg', '.png', '.pdf', '.gp', '.dat'):
         expect(len(linked(page, ending))
                == sum(figure['pictures'] for figure in page.figures), ending)
     for name in scenes:
@@ -146,7 +147,8 @@ def settings_hold_for_every_scene(room):
         expect('0.33 rad' in room.read(f'g/{name}.svg'), name)
     expect(room.names('g') == sorted(
         name + ending for name in 'ab'
-        for ending in ('.h5', '.png', '.svg', '.yaml')) + ['index.html'],
+        for ending in ('.h5', '.pdf', '.png', '.svg', '.yaml'))
+        + ['index.html'],
         room.names('g'))
 
 

@@ -6,7 +6,7 @@ usage: cli_rabinowicz.py PATH_TO_SLIPWAY SOURCE_ROOT
 import re
 import subprocess
 
-from cli_room import READER, SLOPE, expect, refused, run_cases
+from cli_room import READER, SLOPE, expect, refused, run_cases, shown
 
 MASSES = ['--set', 'rabinowicz.block_mass=0.1', '--set',
           'rabinowicz.ball_mass=0.01', '--set', 'rabinowicz.restitution=0.5']
@@ -126,18 +126,19 @@ def figures_show_the_fit_and_friction_over_slip(room):
     said = room.good('rabinowicz', 'scenes/fig08.yaml', '-o', 'a.h5',
                      '--figure', 'a.svg')
     expect('wrote a.svg' in said and 'wrote a_friction.svg' in said, said)
-    first, second = room.read('a.svg'), room.read('a_friction.svg')
-    for word in ('synthetic', 'l_k tan α (mm)', 'parabola (33), fitted',
-                 'static friction μ_s = 0.61', '95 % band', 'data'):
+    first, second = (shown(room.read(name)) for name in
+                     ('a.svg', 'a_friction.svg'))
+    for word in ('synthetic', 'lk tan α (mm)', 'parabola (33), fitted',
+                 'static friction μs = 0.61', '95 % band', 'data'):
         expect(word in first, word)
-    for word in ('synthetic', 'slip s_k (μm)', 'smoothing spline (25)'):
+    for word in ('synthetic', 'slip sk (μm)', 'smoothing spline (25)'):
         expect(word in second, word)
     # without masses K is not known; without errors there are no bars
     room.write('b.csv', 'tan_alpha,l_k\n' + ''.join(
         f'{t},{(0.6 - t) * (0.38 - t) / t * (1 + 0.01 * (-1) ** k)}\n'
         for k, t in enumerate((0.1, 0.15, 0.2, 0.25, 0.3, 0.35))))
     room.good('rabinowicz', *SLOPE, '--data', 'b.csv', '--figure', 'b.svg')
-    expect('s_k/K' in room.read('b_friction.svg')
+    expect('sk/K' in shown(room.read('b_friction.svg'))
            and '95 % bars' not in room.read('b.svg'), 'b.svg')
     # too few for a curve of friction over slip
     room.write('c.csv', 'tan_alpha,l_k\n0.1,1\n0.2,0.5\n')

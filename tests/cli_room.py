@@ -7,11 +7,21 @@ import subprocess
 import sys
 import tempfile
 import traceback
+import xml.etree.ElementTree
 
 LAWS = ['dieterich', 'dieterich_gen', 'ruina', 'perrin', 'spinodal',
         'spinodal_gen', 'spinodal_phi_gen']
 SLOPE = ['--law', 'dieterich_gen', '--alpha', '0.34']
 READER = '/usr/bin/python3'  # Debian's, with h5py and xarray
+
+
+def shown(svg):
+    """The words that a figure shows, each text on a line: lines that were
+    broken are joined, and what stands below or above a line is in it."""
+    root = xml.etree.ElementTree.fromstring(svg)
+    texts = (''.join(text.itertext()) for text in
+             root.iter('{http://www.w3.org/2000/svg}text'))
+    return ' '.join(texts)
 
 
 class Room:

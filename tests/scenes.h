@@ -110,6 +110,15 @@ static inline bool same_formulas(const struct law_typed *a,
                   : a == b;
 }
 
+static inline bool same_paper(const struct scene_figure *a,
+                              const struct scene_figure *b)
+{
+    return a->width == b->width && a->height == b->height &&
+           a->type == b->type && a->dpi == b->dpi && a->title == b->title &&
+           a->legend == b->legend && a->colours == b->colours &&
+           same_text(a->font, b->font);
+}
+
 static inline bool scene_same(const struct scene *a, const struct scene *b)
 {
     return same_text(a->title, b->title) && same_law(&a->law, &b->law) &&
@@ -130,7 +139,8 @@ static inline bool scene_same(const struct scene *a, const struct scene *b)
            same_spring(&a->spring_block, &b->spring_block) &&
            a->fold_c[0] == b->fold_c[0] && a->fold_c[1] == b->fold_c[1] &&
            same_sweep(&a->sweep, &b->sweep) && a->rtol == b->rtol &&
-           same_text(a->hdf5, b->hdf5) && same_text(a->figure, b->figure);
+           same_paper(&a->paper, &b->paper) && same_text(a->hdf5, b->hdf5) &&
+           same_text(a->figure, b->figure);
 }
 
 #endif

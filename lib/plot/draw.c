@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "finish.h"
 #include "gnuplot.h"
-#include "pdf.h"
 #include "script.h"
 #include "workshop.h"
 
@@ -23,20 +23,31 @@ static enum status check_axis(const struct figure_axis *a, const char *name,
     return STATUS_BAD_ARGUMENT;
 }
 
-static enum status check_size(const struct figure *f, struct fault *fault)
+static enum status refuse_page(const struct figure_page *p, struct fault *fault)
 {
-    if (f->width >= 300 && f->width <= 8000 && f->height >= 200 &&
-        f->height <= 8000)
-        return STATUS_OK;
+    char height[48] = "";
+
+    if (p->height > 0)
+        snprintf(height, sizeof height, " x %g", p->height);
     snprintf(fault->text, sizeof fault->text,
-             "a figure of %g x %g px: 300 x 200 to 8000 x 8000 is possible",
-             f->width, f->height);
+             "a figure of %g%s mm has no room for a plot with letters of %g pt",
+             p->width, height, p->type);
     return STATUS_BAD_ARGUMENT;
+}
+
+/* Type of 0.1 pt on 10 m would be drawn, but no PNG of it. */
+static enum status check_page(const struct figure_page *p, struct fault *fault)
+{
+    const double dots = fmax(p->width, p->height) / 25.4 * fmax(p->dpi, 72);
+
+    return p->width > 0 && p->height >= 0 && p->type > 0 && dots <= 30000
+               ? STATUS_OK
+               : refuse_page(p, fault);
 }
 
 static enum status check_figure(const struct figure *f, struct fault *fault)
 {
-    enum status s = check_size(f, fault);
+    enum status s = check_page(&f->page, fault);
     if (s == STATUS_OK)
         s = check_axis(&f->x, "x", fault);
     if (s == STATUS_OK)
@@ -72,7 +83,8 @@ static enum status io_fault(struct fault *fault, const char *path)
 }
 
 static enum status write_script(const struct figure *f, const struct device *d,
-                                const struct workshop *w, struct fault *fault)
+                                const struct workshop *w,
+                                struct script_size *size, struct fault *fault)
 {
     const struct script_names names = { w->name[WORKSHOP_FIGURE],
                                         w->name[WORKSHOP_DATA] };
@@ -80,16 +92,17 @@ static enum status write_script(const struct figure *f, const struct device *d,
     FILE *data = fopen(w->made[WORKSHOP_DATA], "w");
     enum status s = STATUS_OK;
     if (script && data)
-        s = script_write(f, d, &names, script, data);
+        s = script_write(f, d, &names, script, data, size);
     const bool script_ok = close_file(script);
     const bool data_ok = close_file(data);
+    if (s == STATUS_BAD_ARGUMENT)
+        return refuse_page(&f->page, fault);
     if (s != STATUS_OK || (script_ok && data_ok))
         return s;
     return io_fault(fault, w->goal[WORKSHOP_DATA]);
 }
 
-/* gnuplot does not notice that a disk is full.  Where there is nothing at all,
- * workshop_deliver says so. */
+/* gnuplot does not notice that a disk is full. */
 static enum status check_whole(const struct device *d, const struct workshop *w,
                                struct fault *fault)
 {
@@ -102,32 +115,42 @@ static enum status check_whole(const struct device *d, const struct workshop *w,
         n = fread(end, 1, sizeof end, file);
     if (file)
         fclose(file);
-    if (n == 0 || memmem(end, n, d->last, strlen(d->last)))
+    if (memmem(end, n, d->last, strlen(d->last)))
         return STATUS_OK;
     snprintf(fault->text, sizeof fault->text,
-             "gnuplot ended without an error but did not draw all of %.300s: "
-             "is the disk full?",
-             w->goal[WORKSHOP_FIGURE]);
+             "gnuplot ended without an error but %s %.300s%s",
+             n == 0 ? "drew nothing into" : "did not draw all of",
+             w->goal[WORKSHOP_FIGURE], n == 0 ? "" : ": is the disk full?");
     return STATUS_NO_GNUPLOT;
 }
 
-static enum status finish_pdf(const struct workshop *w, struct fault *fault)
+/* What gnuplot cannot say: how large the page is, and not when it was made. */
+static enum status draw_finish(const struct figure *f, const struct device *d,
+                               const struct script_size *size, const char *path)
 {
-    const enum status s = pdf_forget_date(w->made[WORKSHOP_FIGURE]);
-    return s == STATUS_IO ? io_fault(fault, w->goal[WORKSHOP_FIGURE]) : s;
+    switch (d->kind) {
+        case DEVICE_SVG:
+            return finish_svg(path, f->page.width, size);
+        case DEVICE_PDF:
+            return finish_pdf(path, size);
+        default:
+            return finish_png(path, f->page.dpi);
+    }
 }
 
 static enum status draw_make(const struct figure *f, const struct device *d,
                              const struct workshop *w, struct fault *fault)
 {
-    enum status s = write_script(f, d, w, fault);
+    struct script_size size;
+    enum status s = write_script(f, d, w, &size, fault);
+
     if (s == STATUS_OK)
         s = gnuplot_run(w->folder, w->name[WORKSHOP_SCRIPT], fault);
     if (s == STATUS_OK)
         s = check_whole(d, w, fault);
-    if (s == STATUS_OK && strcmp(d->extension, ".pdf") == 0)
-        s = finish_pdf(w, fault);
-    return s;
+    if (s == STATUS_OK)
+        s = draw_finish(f, d, &size, w->made[WORKSHOP_FIGURE]);
+    return s == STATUS_IO ? io_fault(fault, w->goal[WORKSHOP_FIGURE]) : s;
 }
 
 static enum status draw_deliver(const struct workshop *w, bool keep_script,

@@ -6,9 +6,10 @@
 
 /*
  * Draws the figure into `path`, whose ending chooses the format: .svg, .pdf or
- * .png (two dots per px).  With keep_script, NAME.gp and NAME.dat stay beside
- * NAME.svg, so that `gnuplot -d NAME.gp` in that folder draws it again;
- * NAME.dat holds the clipped curves, thinned where no eye could tell.
+ * .png, each as large as the page says.  With keep_script, NAME.gp and NAME.dat
+ * stay beside NAME.svg, so that `gnuplot -d NAME.gp` in that folder draws it
+ * again, but for its size on paper; NAME.dat holds the clipped curves, thinned
+ * where no eye could tell.
  *
  * Everything is made in a temporary folder beside the target and moved into
  * place at the end, the figure first: a failure leaves no partial file, and
@@ -16,7 +17,8 @@
  * the same gnuplot and fonts (PDF: and the same time zone); the creation date
  * of a PDF, which gnuplot cannot leave out, is set to 1970.
  *
- * STATUS_BAD_ARGUMENT: unknown ending, or an axis without a range.
+ * STATUS_BAD_ARGUMENT: unknown ending, an axis without a range, a page without
+ * room for a plot.
  * STATUS_IO: the folder cannot be written.
  * STATUS_NO_GNUPLOT: gnuplot is missing or failed.
  * STATUS_NO_MEMORY, or what else the figure remembers.

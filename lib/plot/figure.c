@@ -21,6 +21,19 @@ static bool text_copy(const char *text, char **copy)
     return *copy != NULL;
 }
 
+const struct figure_page figure_screen = { .width = 900 * 25.4 / 96,
+                                           .height = 600 * 25.4 / 96,
+                                           .type = 9.75,
+                                           .dpi = 192 };
+
+/* A user's text: no marks. */
+static void figure_unmark(char *text)
+{
+    for (; text && *text; text++)
+        if ((unsigned char) *text < ' ')
+            *text = ' ';
+}
+
 static bool axis_copy(const struct figure_axis *axis, struct figure_axis *copy)
 {
     char *label;
@@ -40,11 +53,11 @@ void figure_init(struct figure *f, const char *title,
                  const struct figure_axis *x, const struct figure_axis *y)
 {
     *f = FIGURE_EMPTY;
-    f->width = 900;
-    f->height = 600;
+    f->page = figure_screen;
     if (!text_copy(title, &f->title) || !axis_copy(x, &f->x) ||
         !axis_copy(y, &f->y))
         f->status = STATUS_NO_MEMORY;
+    figure_unmark(f->title);
 }
 
 /* Moves *column into our numbers, from *to on. */

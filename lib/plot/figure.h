@@ -6,8 +6,11 @@
  * coordinate that is not finite, or not positive on a log axis, breaks a line
  * and hides a mark.  Everything outside the axes' box is cut off exactly at
  * the frame.  All arrays and texts are *copied*; nothing given to a function
- * below needs to outlive the call.  Texts are UTF-8 and shown as they are:
- * there is no markup.
+ * below needs to outlive the call.  Texts are UTF-8 and shown as they are;
+ * only labels and entries may hold the marks of mark.h.
+ *
+ * Lengths are in px, of which a letter's size has 13: a figure of larger type
+ * has thicker lines.
  *
  * A figure remembers its first failure, after which nothing is added, and
  * figure_write returns it: what builds one need not ask.
@@ -20,6 +23,40 @@
 #include <stdint.h>
 
 #include "status.h"
+
+/* Where the legend stands: right of the plot, in its emptiest corner, under it,
+ * nowhere. */
+enum figure_legend {
+    FIGURE_LEGEND_OUTSIDE,
+    FIGURE_LEGEND_INSIDE,
+    FIGURE_LEGEND_BELOW,
+    FIGURE_LEGEND_NONE
+};
+
+/* Tints of a map (palette.c). */
+enum figure_colours {
+    FIGURE_VIRIDIS,
+    FIGURE_CIVIDIS,
+    FIGURE_GREYS,
+    FIGURE_COLOURS
+};
+
+/* The paper.  All panels on the same kind of page have plots of one size,
+ * whatever their legends hold; where there is a height, what stands below the
+ * plot and lines of the title beyond the first take from it. */
+struct figure_page {
+    double width, height; /* mm, exact; height 0: what a plot 0.68 times as high
+                             as it is wide needs, and what is around it */
+    double type;          /* size of letters, pt */
+    double dpi;           /* of a PNG */
+    const char *font;     /* borrowed until it is drawn; NULL: sans-serif */
+    bool untitled;
+    enum figure_legend legend;
+    enum figure_colours colours;
+};
+
+/* 900 x 600 px of 1/96 inch, two dots for each. */
+extern const struct figure_page figure_screen;
 
 /* What a thing is; decides colour, width and dash.  The colours are those of
  * Okabe & Ito (2008), which colour-blind readers tell apart; widths and dashes
@@ -52,7 +89,11 @@ enum figure_dash {
     FIGURE_DASH_OF_ROLE,
     FIGURE_SOLID,
     FIGURE_DASHED,
-    FIGURE_DOTTED
+    FIGURE_DOTTED,
+    FIGURE_DASH_DOT,
+    FIGURE_LONG_DASH,
+    FIGURE_DASH_DOT_DOT,
+    FIGURE_DASHES
 };
 
 /* { .role = r } alone is the role's own look. */
@@ -67,7 +108,13 @@ enum figure_mark {
     FIGURE_CIRCLE, /* white inside: saddles */
     FIGURE_SQUARE, /* filled */
     FIGURE_PLUS,
-    FIGURE_CROSS
+    FIGURE_CROSS,
+    FIGURE_BOX,      /* the others' outlines */
+    FIGURE_TRIANGLE, /* filled, point up */
+    FIGURE_DELTA,
+    FIGURE_DIAMOND, /* filled */
+    FIGURE_LOZENGE,
+    FIGURE_STAR
 };
 
 struct figure_axis {
@@ -120,8 +167,8 @@ struct figure_labels {
     size_t shade_count; /* 1 .. FIGURE_SHADES_MAX */
 };
 
-/* Numbers as a tint from pale (lo) to blue (hi), explained by a bar under the
- * legend; cells that are not finite stay white. */
+/* Numbers as a tint, explained by a bar beside the legend; cells that are not
+ * finite stay white. */
 struct figure_map {
     const double *value;
     size_t nx, ny;
@@ -131,7 +178,7 @@ struct figure_map {
 struct figure_raster; /* layer.h */
 
 struct figure {
-    double width, height;        /* px; 900 x 600, may be changed at will */
+    struct figure_page page;     /* figure_screen, may be changed at will */
     char *title;                 /* owned */
     struct figure_axis x, y;     /* labels owned */
     struct figure_layer *layers; /* owned, with all they hold */

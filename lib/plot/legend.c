@@ -3,37 +3,143 @@
 #include <math.h>
 #include <string.h>
 
-#include "label.h"
+#include "layout.h"
+
+/* A layer of a text that is there already adds its mark, or its line. */
+static bool legend_join(struct legend *l, const struct legend_line *line)
+{
+    for (size_t k = 0; k < l->count; k++) {
+        struct legend_line *old = &l->line[k];
+        if (strcmp(old->text, line->text) != 0)
+            continue;
+        old->curve = old->curve ? old->curve : line->curve;
+        old->mark = old->mark ? old->mark : line->mark;
+        return true;
+    }
+    return false;
+}
 
 static void legend_add(struct legend *l, struct legend_line line)
 {
-    if (!line.text)
+    if (!line.text || legend_join(l, &line))
         return;
-    for (size_t k = 0; k < l->count; k++)
-        if (strcmp(l->line[k].text, line.text) == 0)
-            return;
-    if (l->count == LEGEND_MAX) {
+    if (l->count == LEGEND_MAX)
         l->left_out++;
-        return;
-    }
-    l->width = fmax(l->width, label_width(line.text));
-    l->line[l->count++] = line;
+    else
+        l->line[l->count++] = line;
+}
+
+static void add_shade(struct legend *l, const char *text, enum figure_role role)
+{
+    legend_add(l, (struct legend_line){ .text = text, .role = role });
 }
 
 struct legend legend_of(const struct figure *f)
 {
     struct legend l = { .count = 0 };
-    for (size_t k = 0; k < f->layer_count; k++)
-        if (f->layers[k].kind != FIGURE_REGION)
+
+    for (size_t k = 0; k < f->layer_count; k++) {
+        const struct figure_layer *layer = &f->layers[k];
+        const bool points = layer->kind == FIGURE_POINTS;
+        if (layer->kind != FIGURE_REGION)
             legend_add(&l,
-                       (struct legend_line){ f->layers[k].entry, &f->layers[k],
-                                             f->layers[k].style.role });
+                       (struct legend_line){ .text = layer->entry,
+                                             .curve = points ? NULL : layer,
+                                             .mark = points ? layer : NULL });
+    }
     for (size_t k = 0; f->raster && k < f->raster->shade_count; k++)
-        legend_add(&l, (struct legend_line){ f->raster->entry[k], NULL,
-                                             f->raster->role[k] });
+        add_shade(&l, f->raster->entry[k], f->raster->role[k]);
     for (size_t k = 0; k < f->layer_count; k++)
         if (f->layers[k].kind == FIGURE_REGION)
-            legend_add(&l, (struct legend_line){ f->layers[k].entry, NULL,
-                                                 f->layers[k].style.role });
+            add_shade(&l, f->layers[k].entry, f->layers[k].style.role);
     return l;
+}
+
+/* Row by row in so many columns; no text is cut that can be broken. */
+static bool legend_flow(struct legend *l, double width, size_t columns)
+{
+    const double column = width / (double) columns;
+    double y = 0;
+
+    l->text_room = column - LEGEND_SAMPLE - 2 * LEGEND_SKIP;
+    const double room = l->text_room / LAYOUT_FONT;
+    bool fits = true;
+    for (size_t k = 0; k < l->count;) {
+        size_t parts = 1;
+        for (size_t i = 0; i < columns && k < l->count; i++, k++) {
+            struct legend_line *line = &l->line[k];
+            line->at = (struct vec2){ (double) i * column, y };
+            line->parts =
+                label_break(line->text, room, line->part, LEGEND_PARTS);
+            for (size_t j = 0; j < line->parts; j++)
+                fits &= label_part_width(line->part[j]) <= room;
+            parts = line->parts > parts ? line->parts : parts;
+        }
+        y += (double) parts * LEGEND_LINE;
+    }
+    l->size = (struct vec2){ width, y + (l->left_out ? LEGEND_LINE : 0) };
+    return fits;
+}
+
+void legend_arrange(struct legend *l, double width, size_t most)
+{
+    size_t best = 1;
+    double height = INFINITY;
+
+    for (size_t n = 1; n <= most; n++)
+        if (legend_flow(l, width, n) && l->size.y < height) {
+            height = l->size.y;
+            best = n;
+        }
+    (void) legend_flow(l, width, best);
+}
+
+double legend_width(const struct legend *l)
+{
+    double width = 0;
+
+    for (size_t k = 0; k < l->count; k++)
+        width = fmax(width, label_width(l->line[k].text));
+    return width * LAYOUT_FONT + LEGEND_SAMPLE + 2 * LEGEND_SKIP + 1;
+}
+
+/* ---- inside -------------------------------------------------------------- */
+
+/* Points of curves in the box; a mark counts as many. */
+static double legend_clutter(const struct figure *f, const struct scale *x,
+                             const struct scale *y, struct box b)
+{
+    enum { MARK = 1000 };
+    double sum = 0;
+
+    for (size_t k = 0; k < f->layer_count; k++) {
+        const struct figure_layer *l = &f->layers[k];
+        const double each = l->kind == FIGURE_POINTS ? MARK : 1;
+        for (size_t i = 0; i < l->count && l->kind != FIGURE_REGION; i++)
+            if (box_holds(b, (struct vec2){ scale_pixel(x, l->x[i]),
+                                            scale_pixel(y, l->y[i]) }))
+                sum += each;
+    }
+    return sum;
+}
+
+struct vec2 legend_corner(const struct figure *f, const struct scale *x,
+                          const struct scale *y, struct vec2 size)
+{
+    struct vec2 best = { 0, 0 };
+    double least = INFINITY;
+
+    for (int k = 0; k < 4; k++) {
+        const double left =
+            k % 2 ? LEGEND_SKIP : x->pixels - size.x - LEGEND_SKIP;
+        const double top =
+            k < 2 ? y->pixels - LEGEND_SKIP : size.y + LEGEND_SKIP;
+        const struct box b = { { left, top - size.y }, { left + size.x, top } };
+        const double here = legend_clutter(f, x, y, b);
+        if (here < least) {
+            least = here;
+            best = (struct vec2){ left, top };
+        }
+    }
+    return best;
 }

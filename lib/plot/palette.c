@@ -6,8 +6,28 @@
  */
 #include "palette.h"
 
-const char palette_map[] = "(0 '#fbf6e6', 1 '#cfe0e6', 2 '#8fb6d0', "
-                           "3 '#4a7fb0')";
+/*
+ * Maps: viridis (N. Smith, S. van der Walt, 2015) and cividis (J.R. Nunez,
+ * C.R. Anderton, R.S. Renslow, PLoS ONE 13 (2018) e0199239), both CC0, at every
+ * sixteenth of their range; greys of even lightness L* from 20 to 95.
+ */
+const char palette_map[FIGURE_COLOURS][PALETTE_TINTS][8] = {
+    [FIGURE_VIRIDIS] = {
+        "#440154", "#48186a", "#472d7b", "#424086", "#3b528b", "#33638d",
+        "#2c728e", "#26828e", "#21918c", "#1f9f88", "#27ad81", "#3dbc74",
+        "#5cc863", "#81d34d", "#aadc32", "#d5e21a", "#fde725",
+    },
+    [FIGURE_CIVIDIS] = {
+        "#00224e", "#002e6a", "#1a386f", "#32436d", "#434e6c", "#535a6d",
+        "#61656f", "#6f7073", "#7d7c78", "#8b8778", "#9a9376", "#aaa073",
+        "#bbad6d", "#ccba64", "#ddc858", "#efd748", "#fee838",
+    },
+    [FIGURE_GREYS] = {
+        "#303030", "#3b3b3b", "#454545", "#505050", "#5b5b5b", "#676767",
+        "#727272", "#7e7e7e", "#8a8a8a", "#969696", "#a3a3a3", "#afafaf",
+        "#bcbcbc", "#c9c9c9", "#d6d6d6", "#e3e3e3", "#f1f1f1",
+    },
+};
 
 static const struct {
     const char *colour;
@@ -25,9 +45,9 @@ static const struct {
     [FIGURE_SERIES_1] = { "#0072b2", 2.2, FIGURE_SOLID },
     [FIGURE_SERIES_2] = { "#d55e00", 2.2, FIGURE_DASHED },
     [FIGURE_SERIES_3] = { "#009e73", 2.2, FIGURE_DOTTED },
-    [FIGURE_SERIES_4] = { "#cc79a7", 2.2, FIGURE_SOLID },
-    [FIGURE_SERIES_5] = { "#e69f00", 2.2, FIGURE_DASHED },
-    [FIGURE_SERIES_6] = { "#56b4e9", 2.2, FIGURE_DOTTED },
+    [FIGURE_SERIES_4] = { "#cc79a7", 2.2, FIGURE_DASH_DOT },
+    [FIGURE_SERIES_5] = { "#e69f00", 2.2, FIGURE_LONG_DASH },
+    [FIGURE_SERIES_6] = { "#56b4e9", 2.2, FIGURE_DASH_DOT_DOT },
     [FIGURE_SHADE_1] = { "#bccfe0", 1.0, FIGURE_SOLID },
     [FIGURE_SHADE_2] = { "#fbf1da", 1.0, FIGURE_SOLID },
     [FIGURE_SHADE_3] = { "#d3e6d2", 1.0, FIGURE_SOLID },
@@ -36,12 +56,12 @@ static const struct {
     [FIGURE_SHADE_6] = { "#c4c4c4", 1.0, FIGURE_SOLID },
 };
 
-/* Dash and gap. */
-static const double dashes[][2] = {
-    [FIGURE_DASH_OF_ROLE] = { 0, 0 },
-    [FIGURE_SOLID] = { 0, 0 },
+static const double dashes[FIGURE_DASHES][PAINT_DASHES] = {
     [FIGURE_DASHED] = { 4, 2.8 },
     [FIGURE_DOTTED] = { 1, 2.4 },
+    [FIGURE_DASH_DOT] = { 5, 2.4, 1, 2.4 },
+    [FIGURE_LONG_DASH] = { 9, 3 },
+    [FIGURE_DASH_DOT_DOT] = { 5, 2.4, 1, 2.4, 1, 2.4 },
 };
 
 struct paint paint_of(struct figure_style style)
@@ -50,6 +70,6 @@ struct paint paint_of(struct figure_style style)
         style.dash ? style.dash : looks[style.role].dash;
     const double width =
         style.width > 0 ? style.width : looks[style.role].width;
-    return (struct paint){ looks[style.role].colour, width, dashes[dash][0],
-                           dashes[dash][1] };
+
+    return (struct paint){ looks[style.role].colour, width, dashes[dash] };
 }

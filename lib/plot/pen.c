@@ -4,6 +4,7 @@
 
 #include "label.h"
 #include "layer.h"
+#include "look.h"
 #include "palette.h"
 #include "stroke.h"
 #include "tolerance.h"
@@ -12,7 +13,7 @@
 static void block_begin(struct pen *pen, const char *what, const char *entry)
 {
     fprintf(pen->data, "# block %zu: %s ", pen->blocks, what);
-    label_write(pen->data, entry ? entry : "", INFINITY);
+    label_comment(pen->data, entry ? entry : "");
     fputc('\n', pen->data);
     fprintf(pen->script, ", \\\n  data index %zu ", pen->blocks++);
 }
@@ -52,10 +53,8 @@ static void put_fill(FILE *out, const char *colour)
 
 static void put_line(const struct pen *pen, const struct paint *p)
 {
-    const double unit = pen->page->device->dash;
-    fprintf(pen->script, "with lines lw %.4g lc rgb '%s'", p->width, p->colour);
-    if (p->dash > 0)
-        fprintf(pen->script, " dt (%.4g,%.4g)", p->dash * unit, p->gap * unit);
+    fprintf(pen->script, "with lines ");
+    look_line(pen->script, pen->page->device, p);
 }
 
 /* Consecutive curves of one look are drawn as one: gnuplot takes a moment for
@@ -161,27 +160,30 @@ static bool is_visible(const struct layout *page, double x, double y)
            y <= page->y.hi;
 }
 
-/* gnuplot's point types. */
-static const int mark_types[] = {
-    [FIGURE_DISC] = 7, [FIGURE_CIRCLE] = 6, [FIGURE_SQUARE] = 5,
-    [FIGURE_PLUS] = 1, [FIGURE_CROSS] = 2,
-};
-
-static void put_mark(FILE *out, const struct figure_layer *layer)
+static void put_mark(const struct pen *pen, const struct figure_layer *layer)
 {
-    const struct paint paint = paint_of(layer->style);
-    fprintf(out, "with points pt %d ps %.4g*dot lw %.4g lc rgb '%s'",
-            mark_types[layer->mark], layer->size, paint.width, paint.colour);
+    fprintf(pen->script, "with points ");
+    look_mark(pen->script, pen->page->device, layer);
+}
+
+/* Discs, squares, ... of a size of their own in that colour. */
+static void put_disc(const struct pen *pen, enum figure_mark mark, double size,
+                     const char *colour)
+{
+    fprintf(pen->script, "with points pt %d ps %.4g lc rgb '%s'",
+            look_type(mark), size * pen->page->device->point, colour);
 }
 
 /* One more line of the plot command for the points of a block. */
-static void put_again(struct pen *pen, size_t block, int type, double size,
-                      const char *colour)
+static void put_again(const struct pen *pen, size_t block)
 {
-    fprintf(pen->script,
-            "with points pt %d ps %.4g*dot lc rgb '%s', \\\n"
-            "  data index %zu ",
-            type, size, colour, block);
+    fprintf(pen->script, ", \\\n  data index %zu ", block);
+}
+
+static bool is_filled(enum figure_mark mark)
+{
+    return mark == FIGURE_DISC || mark == FIGURE_SQUARE ||
+           mark == FIGURE_TRIANGLE || mark == FIGURE_DIAMOND;
 }
 
 /* A white rim first, which sets the mark off from the lines below.  A circle
@@ -190,26 +192,21 @@ static void put_marks(struct pen *pen, const struct figure_layer *layer,
                       size_t block)
 {
     const struct paint paint = paint_of(layer->style);
-    const int disc = mark_types[FIGURE_DISC];
     const double ring = layer->size + 1.5;
-    switch (layer->mark) {
-        case FIGURE_CIRCLE:
-            put_again(pen, block, disc, ring + 2.5, "white");
-            put_again(pen, block, disc, ring, paint.colour);
-            fprintf(pen->script, "with points pt %d ps %.4g*dot lc rgb 'white'",
-                    disc, fmax(1, ring - 2 * paint.width));
-            break;
-        case FIGURE_DISC:
-        case FIGURE_SQUARE:
-            put_again(pen, block, mark_types[layer->mark], layer->size + 2.5,
-                      "white");
-            put_mark(pen->script, layer);
-            break;
-        case FIGURE_PLUS:
-        case FIGURE_CROSS:
-            put_mark(pen->script, layer);
-            break;
+
+    if (layer->mark == FIGURE_CIRCLE) {
+        put_disc(pen, FIGURE_DISC, ring + 2.5, "white");
+        put_again(pen, block);
+        put_disc(pen, FIGURE_DISC, ring, paint.colour);
+        put_again(pen, block);
+        put_disc(pen, FIGURE_DISC, fmax(1, ring - 2 * paint.width), "white");
+        return;
     }
+    if (is_filled(layer->mark)) {
+        put_disc(pen, layer->mark, layer->size + 2.5, "white");
+        put_again(pen, block);
+    }
+    put_mark(pen, layer);
 }
 
 static void draw_points(struct pen *pen, const struct figure_layer *layer)
@@ -337,38 +334,6 @@ static enum status draw_layer(struct pen *pen, const struct figure *f, size_t k,
     return s;
 }
 
-static void put_sample(const struct pen *pen, const struct legend_line *line)
-{
-    FILE *out = pen->script;
-    const struct paint paint =
-        paint_of(line->layer ? line->layer->style
-                             : (struct figure_style){ .role = line->role });
-    if (!line->layer)
-        fprintf(out,
-                "with boxes fs solid border lc rgb '#808080' "
-                "fc rgb '%s'",
-                paint.colour);
-    else if (line->layer->kind == FIGURE_POINTS)
-        put_mark(out, line->layer);
-    else
-        put_line(pen, &paint);
-}
-
-static void draw_legend(struct pen *pen, const struct legend *l)
-{
-    for (size_t k = 0; k < l->count; k++) {
-        fprintf(pen->script, ", \\\n  keyentry ");
-        put_sample(pen, &l->line[k]);
-        fprintf(pen->script, " title ");
-        label_write(pen->script, l->line[k].text, pen->page->legend_room);
-    }
-    if (l->left_out > 0)
-        fprintf(pen->script,
-                ", \\\n  keyentry with lines lc rgb 'white' "
-                "title '(and %zu more)'",
-                l->left_out);
-}
-
 static enum status draw_layers(struct pen *pen, const struct figure *f)
 {
     struct stroke stroke = STROKE_EMPTY;
@@ -379,23 +344,10 @@ static enum status draw_layers(struct pen *pen, const struct figure *f)
     return s;
 }
 
-static void put_key(FILE *out, const struct layout *p)
+enum status pen_draw(struct pen *pen, const struct figure *f)
 {
-    fprintf(out,
-            "set key at screen %.6f,%.6f left top Left reverse vertical "
-            "noenhanced samplen 2.4 spacing %.4g maxcols 1 noautotitle\n",
-            p->legend_left / p->width,
-            (p->bottom + p->y.pixels + 4) / p->height, p->device->spacing);
-}
-
-enum status pen_draw(struct pen *pen, const struct figure *f,
-                     const struct legend *l)
-{
-    put_key(pen->script, pen->page);
-    fprintf(pen->script, "plot NaN notitle");
+    fprintf(pen->script, "unset key\nplot NaN notitle");
     if (f->raster)
         draw_raster(pen, f->raster);
-    const enum status s = draw_layers(pen, f);
-    draw_legend(pen, l);
-    return s;
+    return draw_layers(pen, f);
 }

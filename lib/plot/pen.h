@@ -1,5 +1,5 @@
-/* pen.h -- the layers and the legend: a block of data and a line of the plot
- * command for each. */
+/* pen.h -- the layers: a block of data and a line of the plot command for each.
+ */
 #ifndef PLOT_PEN_H
 #define PLOT_PEN_H
 
@@ -18,7 +18,6 @@ struct pen {
 size_t pen_cells(size_t cells);
 
 /* Writes the whole plot command, without the line's end. */
-MUST_CHECK enum status pen_draw(struct pen *pen, const struct figure *f,
-                                const struct legend *l);
+MUST_CHECK enum status pen_draw(struct pen *pen, const struct figure *f);
 
 #endif

@@ -2,51 +2,89 @@
 
 #include <math.h>
 
+#include "key.h"
 #include "label.h"
 #include "layer.h"
 #include "palette.h"
 #include "pen.h"
 #include "ticks.h"
 
+/* Of the terminal: its page, in whole dots, and how large letters and lines
+ * are. */
+static void put_size(FILE *out, const struct layout *p)
+{
+    const double wide = p->canvas.x * p->dots, high = p->canvas.y * p->dots;
+
+    if (p->device->kind == DEVICE_PDF)
+        fprintf(out, "%.9gin,%.9gin", wide / 72, high / 72);
+    else
+        fprintf(out, "%.0f,%.0f", wide, high);
+    if (p->device->kind != DEVICE_SVG)
+        fprintf(out, " fontscale %.6g linewidth %.6g pointscale %.6g", p->dots,
+                p->dots * p->device->lw, p->dots);
+}
+
 static void put_terminal(FILE *out, const struct layout *p,
                          const struct script_names *names)
 {
     const struct device *d = p->device;
+    const char *font = p->page->font ? p->page->font : "sans-serif";
+
+    fprintf(out, "reset session\nset encoding utf8\nset terminal %s size ",
+            d->terminal);
+    put_size(out, p);
     fprintf(out,
-            "reset session\nset encoding utf8\nset terminal %s "
-            "size %.6g%s,%.6g%s font 'sans-serif,%.4g' %s enhanced rounded "
-            "background rgb 'white'\nset output ",
-            d->terminal, p->width * d->per_pixel, d->unit,
-            p->height * d->per_pixel, d->unit, LAYOUT_FONT * d->font,
-            d->options);
+            " font '%s,%.4g' %s enhanced rounded background rgb 'white'\n"
+            "set output ",
+            font, LAYOUT_FONT * d->font, d->options);
     label_write_path(out, names->figure);
     fprintf(out, "\ndata = ");
     label_write_path(out, names->data);
-    fprintf(out, "\ndot = %.4g # point size of a mark 1 px wide\n", d->point);
+    fprintf(out, "\n");
 }
 
-/* A text at a place of the page, as it is: no markup. */
-static void put_text(FILE *out, const struct layout *p, const char *text,
-                     double x, double y, const char *how, double size,
-                     double room)
+/* A text of one line or several, whose first begins at (x, y); `step` leads to
+ * the next. */
+static void put_text(FILE *out, const struct layout *p,
+                     const struct label_part line[], size_t lines,
+                     struct vec2 at, struct vec2 step, const char *how,
+                     double size, double room)
 {
-    if (!text)
-        return;
-    fprintf(out, "set label ");
-    label_write(out, text, room / size);
-    fprintf(out, " at screen %.6f,%.6f %s noenhanced font ',%.4g'\n",
-            x / p->width, y / p->height, how, size * p->device->font);
+    for (size_t k = 0; k < lines; k++, at = vec2_add(at, step)) {
+        fprintf(out, "set label ");
+        label_write(out, line[k], room / size, p->script);
+        fprintf(out, " at screen %.6f,%.6f %s font ',%.4g'\n",
+                layout_across(p, at.x), layout_up(p, at.y), how,
+                size * p->device->font);
+    }
 }
 
-static void put_texts(FILE *out, const struct figure *f, const struct layout *p)
+/* As large as its room allows, from that of labels on. */
+static double title_size(const struct layout *p, double room)
 {
-    const double top = p->bottom + p->y.pixels;
-    put_text(out, p, f->title, p->left, top + 20, "left", p->title_size,
-             p->width - p->left - 8);
-    put_text(out, p, f->x.label, p->left + p->x.pixels / 2, 15, "center",
-             LAYOUT_LABEL, p->width - p->left);
-    put_text(out, p, f->y.label, 16, p->bottom + p->y.pixels / 2,
-             "center rotate", LAYOUT_LABEL, p->height);
+    const double most = 16;
+
+    return p->titles == 1 ? fmax(LAYOUT_LABEL,
+                                 fmin(most, room / label_width(p->title->text)))
+                          : LAYOUT_LABEL;
+}
+
+static void put_texts(FILE *out, const struct layout *p)
+{
+    const double room = p->width - p->left - 8;
+    const struct vec2 down = { 0, -LAYOUT_LINE };
+    const struct vec2 middle = { p->left + p->x.pixels / 2,
+                                 p->bottom + p->y.pixels / 2 };
+
+    put_text(out, p, p->title, p->titles,
+             (struct vec2){ p->left, p->height - 6 - LAYOUT_LINE / 2.0 }, down,
+             "left", title_size(p, room), room);
+    put_text(out, p, p->x_label, p->x_labels,
+             (struct vec2){ middle.x, p->bottom - 47 }, down, "center",
+             LAYOUT_LABEL, p->width);
+    put_text(out, p, p->y_label, p->y_labels, (struct vec2){ 16, middle.y },
+             (struct vec2){ LAYOUT_LINE, 0 }, "center rotate", LAYOUT_LABEL,
+             p->height);
 }
 
 /* Labels side by side need room for their texts. */
@@ -56,14 +94,14 @@ static double side_by_side(const struct scale *s)
     return fmax(LAYOUT_SPACING_X, text + 12);
 }
 
-static void put_axis(FILE *out, const char *name, const struct scale *s,
-                     double spacing)
+static void put_axis(FILE *out, const char *name, const struct layout *p,
+                     const struct scale *s, double spacing)
 {
     if (s->is_log)
         fprintf(out, "set logscale %s 10\n", name);
     fprintf(out, "set %srange [%.17g:%.17g]\n", name, s->lo, s->hi);
     fprintf(out, "set %stics out nomirror enhanced scale 0.7,0.35 ", name);
-    ticks_write(out, s, spacing);
+    ticks_write(out, s, spacing, p->script);
     fputc('\n', out);
 }
 
@@ -72,12 +110,12 @@ static void put_box(FILE *out, const struct layout *p)
     fprintf(out,
             "set lmargin at screen %.6f\nset rmargin at screen %.6f\n"
             "set bmargin at screen %.6f\nset tmargin at screen %.6f\n",
-            p->left / p->width, (p->left + p->x.pixels) / p->width,
-            p->bottom / p->height, (p->bottom + p->y.pixels) / p->height);
+            layout_across(p, p->left), layout_across(p, p->left + p->x.pixels),
+            layout_up(p, p->bottom), layout_up(p, p->bottom + p->y.pixels));
     fprintf(out, "set border 15 front lw 1.2 lc rgb '#202020'\n"
                  "set clip two\nset tics front textcolor rgb '#202020'\n");
-    put_axis(out, "x", &p->x, side_by_side(&p->x));
-    put_axis(out, "y", &p->y, LAYOUT_SPACING_Y);
+    put_axis(out, "x", p, &p->x, side_by_side(&p->x));
+    put_axis(out, "y", p, &p->y, LAYOUT_SPACING_Y);
 }
 
 static void put_shades(FILE *out, const struct figure_raster *r)
@@ -87,27 +125,41 @@ static void put_shades(FILE *out, const struct figure_raster *r)
         const struct figure_style style = { .role = r->role[k] };
         fprintf(out, "%s%zu '%s'", k ? ", " : "", k, paint_of(style).colour);
     }
-    if (r->shade_count == 1)
-        fprintf(out, ", 1 'white'");
+    if (r->shade_count == 1) /* a palette has two ends */
+        fprintf(out, ", 1 '%s'",
+                paint_of((struct figure_style){ .role = r->role[0] }).colour);
     fprintf(out, ")\nset cbrange [-0.5:%zu.5]\nunset colorbox\n",
             r->shade_count - 1);
 }
 
-/* The bar under the legend that explains a map. */
+static void put_palette(FILE *out, enum figure_colours colours)
+{
+    fprintf(out, "set palette maxcolors 256 defined (");
+    for (int k = 0; k < PALETTE_TINTS; k++)
+        fprintf(out, "%s%d '%s'", k ? ", " : "", k, palette_map[colours][k]);
+    fprintf(out, ")\n");
+}
+
+/* The bar that explains a map, its label over it. */
 static void put_bar(FILE *out, const struct layout *p,
                     const struct figure_axis *axis)
 {
-    const double room = p->width - p->legend_left - 24;
-    const struct scale s = scale_of(axis, room);
-    fprintf(out, "set palette defined %s\n", palette_map);
+    const struct scale s = scale_of(axis, p->bar_width);
+    const double high = 12, label = p->bar_top - 11;
+    struct label_part line[LAYOUT_LABEL_LINES];
+
+    put_palette(out, p->page->colours);
     fprintf(out,
             "set colorbox horizontal front user origin screen %.6f,%.6f "
             "size screen %.6f,%.6f\n",
-            p->legend_left / p->width, (p->bottom + 14) / p->height,
-            room / p->width, 12 / p->height);
-    put_axis(out, "cb", &s, side_by_side(&s));
-    put_text(out, p, axis->label, p->legend_left, p->bottom + 40, "left",
-             LAYOUT_FONT, p->width - p->legend_left - 4);
+            layout_across(p, p->bar_left), layout_up(p, label - 12 - high),
+            p->bar_width / p->canvas.x, high / p->canvas.y);
+    put_axis(out, "cb", p, &s, side_by_side(&s));
+    if (axis->label)
+        put_text(out, p, line,
+                 label_break(axis->label, p->bar_width / LAYOUT_FONT, line, 1),
+                 (struct vec2){ p->bar_left, label }, (struct vec2){ 0, 0 },
+                 "left", LAYOUT_FONT, p->bar_width + 20);
 }
 
 static void put_raster(FILE *out, const struct layout *p,
@@ -125,16 +177,24 @@ static void put_raster(FILE *out, const struct layout *p,
 
 enum status script_write(const struct figure *f, const struct device *d,
                          const struct script_names *names, FILE *script,
-                         FILE *data)
+                         FILE *data, struct script_size *size)
 {
-    const struct legend legend = legend_of(f);
-    const struct layout page = layout_of(f, &legend, d);
+    struct legend legend = legend_of(f);
+    struct layout page;
+    enum status s = layout_find(f, &legend, d, &page);
+
+    if (s != STATUS_OK)
+        return s;
     struct pen pen = { .script = script, .data = data, .page = &page };
     put_terminal(script, &page, names);
-    put_texts(script, f, &page);
+    put_texts(script, &page);
     put_box(script, &page);
     put_raster(script, &page, f->raster);
-    const enum status s = pen_draw(&pen, f, &legend);
+    key_write(script, &page, &legend);
+    s = pen_draw(&pen, f);
     fprintf(script, "\nunset output\n");
+    *size =
+        (struct script_size){ page.width * page.dots, page.height * page.dots,
+                              page.height * page.unit * 25.4 / 72 };
     return s;
 }

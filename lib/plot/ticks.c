@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "label.h"
+#include "mark.h"
 
 enum { LABELS_MAX = 8 };
 
@@ -16,30 +17,55 @@ static const int decade_steps[][2] = {
 /* Receives one tick; text "" for a small one. */
 struct tick_sink {
     FILE *out; /* NULL: only measure */
-    size_t count;
+    double script;
+    size_t count, labels;
+    size_t three; /* of so many labels the first, a middle one and the last are
+                     written; 0: all */
     double width;
 };
+
+/* A label, whose marks (mark.h) need no escape here. */
+static void put_text(struct tick_sink *k, const char *text)
+{
+    for (; *text; text++)
+        if (*text == MARK_SUPER && k->script > 1)
+            fprintf(k->out, "^{/*%.3g ", k->script);
+        else if (*text == MARK_SUPER)
+            fputs("^{", k->out);
+        else
+            fputc(*text == MARK_END ? '}' : *text, k->out);
+}
+
+static bool is_kept(const struct tick_sink *k, size_t label)
+{
+    return k->three == 0 || label == 0 || label == (k->three - 1) / 2 ||
+           label == k->three - 1;
+}
 
 static void ticks_put(struct tick_sink *k, const struct scale *s, double at,
                       const char *text)
 {
     if (!(at >= s->lo && at <= s->hi))
         return;
-    if (k->out)
-        fprintf(k->out, "%s'%s' %.15g %d", k->count ? ", " : "", text, at,
-                text[0] == '\0');
+    if (text[0] != '\0' && !is_kept(k, k->labels++))
+        text = "";
+    if (k->out) {
+        fputs(k->count ? ", '" : "'", k->out);
+        put_text(k, text);
+        fprintf(k->out, "' %.15g %d", at, text[0] == '\0');
+    }
     k->count++;
-    const double raised = strchr(text, '^') ? label_width("^{}") + 0.5 : 0;
-    k->width = fmax(k->width, label_width(text) - raised);
+    k->width = fmax(k->width, label_width(text));
 }
 
-/* "10^{-6}" with a true minus sign, "2x10^{...}" where the factor is not 1. */
+/* "10^-6" with a true minus sign, "2x10^..." where the factor is not 1. */
 static void power_text(char text[64], double factor, int exponent)
 {
     char front[32] = "";
     if (factor != 1)
         snprintf(front, sizeof front, "%.6g\xc3\x97", factor);
-    snprintf(text, 64, "%s10^{%s%d}", front, exponent < 0 ? "\xe2\x88\x92" : "",
+    snprintf(text, 64, "%s10" SUPER("%s%d"), front,
+             exponent < 0 ? "\xe2\x88\x92" : "",
              exponent < 0 ? -exponent : exponent);
 }
 
@@ -117,35 +143,64 @@ static void mantissa_ticks(struct tick_sink *k, const struct scale *s,
     }
 }
 
-static void log_ticks(struct tick_sink *k, const struct scale *s, int labels)
+/* ---- how densely --------------------------------------------------------- */
+
+/* From coarse to fine: decades, parts of them, a linear scale. */
+enum { DECADES = sizeof decade_steps / sizeof decade_steps[0] };
+enum { MANTISSA = DECADES, LINEAR, FINEST = LINEAR + 3 * LABELS_MAX };
+
+static void ticks_at(struct tick_sink *k, const struct scale *s, int labels,
+                     int density)
 {
-    const double decades = s->b - s->a;
-    const size_t n = sizeof decade_steps / sizeof decade_steps[0];
-    size_t i = 0;
-    if (decades < 0.7) {
-        linear_ticks(k, s, labels);
-    } else if (decades < 2) {
+    const int *step = decade_steps[DECADES - 1 - density % DECADES];
+
+    if (density >= LINEAR)
+        linear_ticks(k, s, labels + density - LINEAR);
+    else if (density == MANTISSA)
         mantissa_ticks(k, s, labels);
-    } else {
-        while (i + 1 < n && decades / decade_steps[i][0] + 1 > labels)
-            i++;
-        decade_ticks(k, s, decade_steps[i][0], decade_steps[i][1]);
-    }
+    else
+        decade_ticks(k, s, step[0], step[1]);
 }
 
+/* As dense as there is room for. */
+static int first_density(const struct scale *s, int labels)
+{
+    const double decades = s->b - s->a;
+    int i = 0;
+
+    if (!s->is_log || decades < 0.7)
+        return LINEAR;
+    if (decades < 2)
+        return MANTISSA;
+    while (i + 1 < DECADES && decades / decade_steps[i][0] + 1 > labels)
+        i++;
+    return DECADES - 1 - i;
+}
+
+/* Denser where less than three labels would be left. */
 static void all_ticks(struct tick_sink *k, const struct scale *s,
                       double spacing)
 {
     const int labels = labels_fit(s, spacing);
-    if (s->is_log)
-        log_ticks(k, s, labels);
-    else
-        linear_ticks(k, s, labels);
+    const int first = first_density(s, labels);
+    int density = first;
+
+    for (; density < FINEST; density++) {
+        struct tick_sink trial = { .out = NULL };
+        ticks_at(&trial, s, labels, density);
+        if (trial.labels < 3)
+            continue;
+        k->three = density > first ? trial.labels : 0;
+        break;
+    }
+    ticks_at(k, s, labels, density);
 }
 
-void ticks_write(FILE *out, const struct scale *s, double spacing)
+void ticks_write(FILE *out, const struct scale *s, double spacing,
+                 double script)
 {
-    struct tick_sink k = { .out = out };
+    struct tick_sink k = { .out = out, .script = script };
+
     fputc('(', out);
     all_ticks(&k, s, spacing);
     fputc(')', out);
@@ -154,6 +209,7 @@ void ticks_write(FILE *out, const struct scale *s, double spacing)
 double ticks_width(const struct scale *s, double spacing)
 {
     struct tick_sink k = { .out = NULL };
+
     all_ticks(&k, s, spacing);
     return k.width;
 }

@@ -4,7 +4,6 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "litter.h"
@@ -97,13 +96,6 @@ enum status workshop_open(const char *path, struct workshop *w,
 enum status workshop_deliver(const struct workshop *w, enum workshop_file which,
                              struct fault *fault)
 {
-    struct stat about;
-    if (stat(w->made[which], &about) != 0 || about.st_size == 0) {
-        snprintf(fault->text, sizeof fault->text,
-                 "gnuplot ended without an error but drew nothing into %.300s",
-                 w->goal[which]);
-        return STATUS_NO_GNUPLOT;
-    }
     if (rename(w->made[which], w->goal[which]) != 0)
         return io_fault(fault, w->goal[which]);
     return STATUS_OK;

@@ -29,7 +29,7 @@ struct workshop {
 MUST_CHECK enum status workshop_open(const char *path, struct workshop *w,
                                      struct fault *fault);
 
-/* Moves a file that must exist and not be empty to its goal. */
+/* Moves a file to its goal. */
 MUST_CHECK enum status workshop_deliver(const struct workshop *w,
                                         enum workshop_file which,
                                         struct fault *fault);

@@ -10,6 +10,7 @@
 
 #include "document.h"
 #include "override.h"
+#include "scene_figure.h"
 #include "scene_law.h"
 #include "scene_ode.h"
 #include "scene_slope.h"
@@ -73,6 +74,7 @@ static enum status set_defaults(struct scene *s)
     s->fold_c[0] = SCENE_FOLD_LEAST;
     s->fold_c[1] = SCENE_FOLD_MOST;
     s->rtol = TOL_RTOL_DEFAULT;
+    scene_figure_begin(&s->paper);
     s->xi_count = sizeof xi / sizeof *xi;
     s->title = text_copy("", 0);
     s->xi = malloc(sizeof xi);
@@ -284,10 +286,11 @@ static enum status check_all(scene_check *const check[],
 /* Sections that are for laws. */
 static enum status refuse_others(const struct node *root, struct fault *why)
 {
-    static const char *const known[] = { "title",    "system",       "window",
-                                         "products", "trajectories", "basins",
-                                         "sweep",    "accuracy",     "output",
-                                         NULL };
+    static const char *const known[] = {
+        "title",        "system", "window", "products",
+        "trajectories", "basins", "sweep",  "accuracy",
+        "output",       "figure", NULL
+    };
 
     for (size_t i = 0; i < root->count; i++) {
         const struct node *n = root->child[i];
@@ -334,6 +337,8 @@ static enum status fill(struct node *root, struct scene *s, struct fault *why)
         status = scene_law_begin(root, s);
     if (status == STATUS_OK)
         status = schema_apply(root, s, why);
+    if (status == STATUS_OK)
+        scene_figure_settle(&s->paper);
     if (status == STATUS_OK && s->system)
         status = scene_sweep_fill(root, s, why);
     if (status == STATUS_OK && s->system)
@@ -425,6 +430,7 @@ void scene_free(struct scene *s)
     for (int i = 0; i < SCENE_AXES; i++)
         free(s->sweep.axis[i].value);
     free(s->sweep.draft.value);
+    free(s->paper.font);
     free(s->hdf5);
     free(s->figure);
     free(s->file);

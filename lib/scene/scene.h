@@ -86,6 +86,28 @@ struct scene_rabinowicz {
     double smoothing; /* of slip_curve.h; 0: found from the data */
 };
 
+/* Where a figure's legend stands; auto: outside where a page is wide. */
+enum legend_place {
+    LEGEND_AUTO,
+    LEGEND_OUTSIDE,
+    LEGEND_INSIDE,
+    LEGEND_BELOW,
+    LEGEND_NONE
+};
+/* Of maps of numbers. */
+enum colour_map { COLOURS_VIRIDIS, COLOURS_CIVIDIS, COLOURS_GREYS };
+
+/* The paper of figures. */
+struct scene_figure {
+    double width, height; /* mm; height 0: as the plot and the legend need */
+    double type;          /* size of letters, pt */
+    double dpi;           /* of a PNG */
+    char *font;           /* owned; NULL: the system's sans-serif */
+    bool title;
+    enum legend_place legend; /* never auto */
+    enum colour_map colours;
+};
+
 /* How the values of a key lie between its first and its last. */
 enum sweep_scale { SWEEP_LINEAR, SWEEP_LOG };
 
@@ -162,6 +184,7 @@ struct scene {
     size_t chi_alphas;
     struct scene_sweep sweep;
     double rtol;
+    struct scene_figure paper;
     char *hdf5, *figure; /* owned; NULL: none */
     char *file;          /* owned: its path as given; NULL: none */
     char *text;          /* owned: the file as read, "" without one */

@@ -34,6 +34,10 @@ static const char *const units_names[] = { "dimensionless", "si", NULL };
 static const char *const flag_names[] = { "false", "true", NULL };
 static const char *const scale_names[] = { "linear", "log", NULL };
 static const char *const state_names[] = { "positive", "real", NULL };
+static const char *const legend_names[] = { "auto",  "outside", "inside",
+                                            "below", "none",    NULL };
+static const char *const colours_names[] = { "viridis", "cividis", "greys",
+                                             NULL };
 static const char *const board_names[] = { "bristol_board", NULL };
 
 /* ---- the table ----------------------------------------------------------- */
@@ -268,6 +272,34 @@ const struct schema_key schema_table[] = {
     { "chi.alpha", value_chi_slopes, ABOVE(0.0), BELOW(M_PI_2),
       .expected = "1 to 64 angles in rad in brackets, 0 < alpha < pi/2",
       UNIT("rad"), IS("[0.2, 0.28, 0.34, 0.38]"), TEXT("slopes of chi(v)") },
+
+    { "figure.width", value_page, FROM(20), TO(2000),
+      .expected = "one_column, two_columns, slide, screen, or mm from 20 to "
+                  "2000",
+      IS("screen"), UNIT("mm"),
+      TEXT("of figures, exactly: 89 and 183 mm of a journal's columns with "
+           "letters of 8 pt, 254 x 143 mm with 14 pt, 900 x 600 px of 1/96 "
+           "inch with 9.75 pt, or a width, with 8 pt") },
+    { "figure.height", value_length, AT(paper.height), FROM(20), TO(2000),
+      .expected = "mm from 20 to 2000", UNIT("mm"),
+      TEXT("of figures, exactly; unless given the word's, or what the plot "
+           "and what is around it need") },
+    { "figure.type", value_length, AT(paper.type), FROM(4), TO(72),
+      .expected = "pt from 4 to 72", UNIT("pt"),
+      TEXT("size of letters; lines and marks grow with it") },
+    { "figure.font", value_font, AT(paper.font),
+      .expected = "a font's name, of letters, digits, blanks and -",
+      TEXT("unless given the system's sans-serif") },
+    { "figure.title", value_flag, AT(paper.title), .words = flag_names,
+      IS("true"), TEXT("whether figures have one") },
+    { "figure.legend", value_choice, AT(paper.legend), .words = legend_names,
+      IS("auto"), TEXT("where it stands; auto: outside of a wide figure, else "
+                       "below") },
+    { "figure.colours", value_choice, AT(paper.colours),
+      .words = colours_names, IS("viridis"), TEXT("of maps of numbers") },
+    { "figure.dpi", value_length, AT(paper.dpi), FROM(50), TO(1200),
+      .expected = "dots per inch from 50 to 1200",
+      TEXT("of a .png; unless given 192 on slide and screen, else 300") },
 
     { "accuracy.rtol", value_real, AT(rtol), FROM(1e-14), TO(0.1),
       .expected = "a number from 1e-14 to 0.1", IS("1e-12"),

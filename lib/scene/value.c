@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "scene_figure.h"
 #include "scene_law.h"
 #include "synonym.h"
 #include "text.h"
@@ -83,6 +84,22 @@ enum status value_real(const struct schema_key *key, const struct node *n,
                        struct scene *s, struct fault *why)
 {
     return is_number(key, n, member(s, key)) ? STATUS_OK : refuse(key, n, why);
+}
+
+enum status value_length(const struct schema_key *key, const struct node *n,
+                         struct scene *s, struct fault *why)
+{
+    return value_real(key, n, s, why);
+}
+
+enum status value_page(const struct schema_key *key, const struct node *n,
+                       struct scene *s, struct fault *why)
+{
+    const bool known =
+        n->kind == NODE_SCALAR && scene_figure_preset(n->text, &s->paper);
+
+    return known || is_number(key, n, &s->paper.width) ? STATUS_OK
+                                                       : refuse(key, n, why);
 }
 
 enum status value_seed(const struct schema_key *key, const struct node *n,
@@ -166,6 +183,17 @@ enum status value_path(const struct schema_key *key, const struct node *n,
     free(*path);
     *path = NULL;
     return STATUS_OK;
+}
+
+enum status value_font(const struct schema_key *key, const struct node *n,
+                       struct scene *s, struct fault *why)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyz"
+                                  "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -";
+    const bool plain = n->kind == NODE_SCALAR && strlen(n->text) < SCENE_FONT &&
+                       n->text[strspn(n->text, letters)] == '\0';
+
+    return plain ? value_path(key, n, s, why) : refuse(key, n, why);
 }
 
 enum status value_figure(const struct schema_key *key, const struct node *n,

@@ -17,6 +17,9 @@ VALUE_READER(value_text);       /* char *, owned */
 VALUE_READER(value_path);       /* the same; nothing: NULL */
 VALUE_READER(value_figure);     /* a path that ends in .svg, .pdf, .png */
 VALUE_READER(value_real);       /* double */
+VALUE_READER(value_length);     /* the same, which no sweep can vary */
+VALUE_READER(value_page);       /* paper, from a word or its width */
+VALUE_READER(value_font);       /* char *, owned; the name of a font */
 VALUE_READER(value_pair);       /* double[2], lo < hi */
 VALUE_READER(value_count);      /* size_t */
 VALUE_READER(value_seed);       /* uint64_t */

@@ -105,6 +105,15 @@ static const struct {
 
     { "chi.alpha", "[0.3]", "[0.3, 0.4]", LAW SLOPE },
 
+    { "figure.width", "one_column", "90", LAW SLOPE },
+    { "figure.height", "80", "81.5", LAW SLOPE },
+    { "figure.type", "7", "9", LAW SLOPE },
+    { "figure.font", "Lato", "", LAW SLOPE },
+    { "figure.title", "false", "true", LAW SLOPE },
+    { "figure.legend", "inside", "none", LAW SLOPE },
+    { "figure.colours", "cividis", "viridis", LAW SLOPE },
+    { "figure.dpi", "600", "72", LAW SLOPE },
+
     { "accuracy.rtol", "1e-9", "1e-12", LAW SLOPE },
 
     { "output.hdf5", "a.h5", "", LAW SLOPE },

@@ -1,0 +1,20 @@
+/* scene_figure.h -- the paper of figures: words for kinds of it, and what a
+ * scene leaves open. */
+#ifndef SCENE_SCENE_FIGURE_H
+#define SCENE_SCENE_FIGURE_H
+
+#include "scene.h"
+
+enum { SCENE_FONT = 64 }; /* letters of a font's name, and one */
+
+/* The screen's width, all else open. */
+void scene_figure_begin(struct scene_figure *f);
+
+/* Takes the width of that kind of page; false: there is no such word. */
+bool scene_figure_preset(const char *word, struct scene_figure *f);
+
+/* What is open becomes that of the kind of page that is so wide, if there is
+ * one. */
+void scene_figure_settle(struct scene_figure *f);
+
+#endif

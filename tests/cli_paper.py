@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+"""Figures on a journal's page: sizes and letters, read from the PDF (TAP).
+
+usage: cli_paper.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import os
+import re
+import struct
+import subprocess
+import xml.etree.ElementTree
+
+from cli_room import SLOPE, expect, refused, run_cases
+
+POINT = 25.4 / 72
+COARSE = ['--set', 'basins={cells: [24, 16], audit: 0}']
+
+
+def words(path):
+    """Of the first page: text, left, top, right, bottom in pt; the page."""
+    found = subprocess.run(['pdftotext', '-bbox', path, '-'], text=True,
+                           capture_output=True, check=True).stdout
+    page = re.search(r'<page width="([\d.]+)" height="([\d.]+)"', found)
+    return [(m[5], *map(float, m.group(1, 2, 3, 4))) for m in re.finditer(
+        r'<word xMin="([-\d.]+)" yMin="([-\d.]+)" xMax="([-\d.]+)" '
+        r'yMax="([-\d.]+)">(.*?)</word>', found)], float(page[1]), float(page[2])
+
+
+def heights(path):
+    """Of all texts: their font's, from its ascent to its descent, pt."""
+    found = subprocess.run(['pdftohtml', '-xml', '-stdout', '-i', '-zoom', '1',
+                            '-hidden', '-noroundcoord', path], text=True,
+                           capture_output=True, check=True).stdout
+    return [float(size) for size in re.findall(r'<text [^>]*height="([\d.]+)"',
+                                               found)]
+
+
+def letters(room, path, known=[]):
+    """Sizes of all letters, pt: the font's height by its size is known from
+    the largest letters without a title, which are the axes' labels, 14/13 of
+    20 pt."""
+    if not known:
+        room.good('portrait', *SLOPE, '--figure', 'known.pdf', '--figure-width',
+                  '400', '--figure-type', '20', '--set', 'figure.title=false',
+                  '--set', 'products=[nullclines]')
+        known.append(max(heights(room.path('known.pdf'))) / (20 * 14 / 13))
+        os.remove(room.path('known.pdf'))
+    return [height / known[0] for height in heights(path)]
+
+
+# ---- every figure of the project ----------------------------------------------
+
+
+def overlap(a, b):
+    """Of two boxes, as a part of the smaller one's."""
+    wide = min(a[3], b[3]) - max(a[1], b[1])
+    high = min(a[4], b[4]) - max(a[2], b[2])
+    least = min((c[3] - c[1]) * (c[4] - c[2]) for c in (a, b))
+    return wide * high / least if wide > 0 and high > 0 else 0
+
+
+def check_text(room, path, width):
+    """Nothing clipped, nothing cut, no two words on each other; returns the
+    smallest letter, pt."""
+    found, wide, high = words(path)
+    expect(len(found) > 8, path, found)
+    expect(abs(wide * POINT - width) < 0.01, path, wide)
+    for word in found:
+        expect(-0.1 < word[1] and word[3] < wide + 0.1 and -0.1 < word[2]
+               and word[4] < high + 0.1, path, word)
+        expect('\u2026' not in word[0], path, word)
+    for i, a in enumerate(found):
+        for b in found[:i]:
+            expect(overlap(a, b) < 0.3, path, a, b)
+    return min(letters(room, path))
+
+
+def figures_of_the_project_fit_one_column_and_two(room):
+    room.bring('scenes')
+    for width, mm in (('one_column', 89), ('two_columns', 183)):
+        room.good('gallery', '-o', 'g', '-q', '--figure-width', width, *COARSE)
+        drawn = [n for n in room.names('g') if n.endswith('.pdf')]
+        expect(len(drawn) > 30, drawn)
+        for name in drawn:
+            least = check_text(room, room.path('g/' + name), mm)
+            expect(least >= 6, name, least)
+
+
+# ---- one figure ----------------------------------------------------------------
+
+
+def sizes(room, name):
+    """Width and height in mm as the file itself says."""
+    data = room.bytes(name)
+    if name.endswith('.svg'):
+        root = xml.etree.ElementTree.fromstring(data)
+        return tuple(float(root.get(key)[:-2]) for key in ('width', 'height'))
+    if name.endswith('.png'):
+        dots = struct.unpack('>II', data[16:24])
+        at = data.index(b'pHYs') + 4
+        return tuple(n / m * 1e3 for n, m in
+                     zip(dots, struct.unpack('>II', data[at:at + 8])))
+    box = [float(x) for x in
+           re.search(rb'/MediaBox \[([-\d. ]+)', data)[1].split()]
+    return (box[2] - box[0]) * POINT, (box[3] - box[1]) * POINT
+
+
+def a_figure_is_as_large_as_it_was_asked_for(room):
+    for ending, near in (('svg', 1e-5), ('pdf', 1e-4), ('png', 0.05)):
+        name = 'a.' + ending
+        room.good('portrait', *SLOPE, '--figure', name, '--figure-width', '120',
+                  '--figure-height', '77.7', '--set', 'products=[nullclines]')
+        for found, wanted in zip(sizes(room, name), (120, 77.7)):
+            expect(abs(found - wanted) < near, name, found)
+        for word, mm in (('one_column', 89), ('two_columns', 183),
+                         ('slide', 254), ('screen', 238.125)):
+            room.good('portrait', *SLOPE, '--figure', name, '--set',
+                      'products=[nullclines]', '--set', f'figure.width={word}')
+            expect(abs(sizes(room, name)[0] - mm) < near, name, word)
+
+
+def letters_are_as_large_as_they_were_asked_for(room):
+    for size in (7, 8, 9):
+        room.good('portrait', *SLOPE, '--figure', 'a.pdf', '--figure-width',
+                  'one_column', '--figure-type', str(size), '--set',
+                  'products=[nullclines]')
+        found = letters(room, room.path('a.pdf'))
+        expect(min(found) >= 6 and any(abs(x - size) < 0.01 for x in found),
+               size, found)
+
+
+def a_figure_has_what_was_asked_for(room):
+    def text(*args):
+        room.good('portrait', *SLOPE, '--figure', 'a.svg', '--set',
+                  'title=Heading', *args)
+        return room.read('a.svg')
+    whole = text('--figure-legend', 'inside')
+    expect('Heading' in whole and 'saddle' in whole, 'title and legend')
+    expect('font-style="italic"' in whole, 'italics')
+    bare = text('--figure-legend', 'none', '--set', 'figure.title=false')
+    expect('Heading' not in bare and 'saddle' not in bare, 'no title, no legend')
+    expect('DejaVu Serif' in text('--set', 'figure.font=DejaVu Serif'), 'font')
+
+
+def wrong_paper_costs_one_line(room):
+    for key, value, word in (('width', 'wide', 'one_column'),
+                             ('width', '3', 'mm from 20'),
+                             ('height', '-1', 'mm'), ('type', '2', 'pt'),
+                             ('legend', 'above', 'below'),
+                             ('colours', 'jet', 'viridis'),
+                             ('font', "a'b", 'letters'), ('dpi', '0', 'inch'),
+                             ('size', '3', 'figure.')):
+        refused(room.run('portrait', *SLOPE, '--figure', 'a.svg', '--set',
+                         f'figure.{key}={value}'), 2, 'figure.' + key, word)
+    refused(room.run('portrait', *SLOPE, '--figure', 'a.svg', '--figure-width',
+                     '20', '--figure-type', '72'), 2, '20 mm', '72 pt')
+    expect(room.names() == [], room.names())
+
+
+run_cases([
+    a_figure_is_as_large_as_it_was_asked_for,
+    letters_are_as_large_as_they_were_asked_for,
+    a_figure_has_what_was_asked_for,
+    wrong_paper_costs_one_line,
+    figures_of_the_project_fit_one_column_and_two,
+])
