@@ -128,10 +128,10 @@ static void add_line(struct picture *p, struct line *l, enum figure_role role,
         &(struct figure_layer){ .style = { .role = role }, .entry = entry }, l);
 }
 
-/* Sixteen points a piece draw any of our polynomials smoothly. */
+/* So many points a piece draw any of our polynomials smoothly. */
 static struct line curve_line(const struct picture *p, const struct curve *c)
 {
-    enum { PER_PIECE = 16 };
+    enum { PER_PIECE = 48 };
     struct line l = LINE_EMPTY;
     double at[CURVE_DIM_MAX];
 
@@ -141,14 +141,6 @@ static struct line curve_line(const struct picture *p, const struct curve *c)
             add_point(p, &l, (struct vec2){ at[0], at[1] });
         }
     return l;
-}
-
-static void add_curve(struct picture *p, const struct curve *c,
-                      enum figure_role role, const char *entry)
-{
-    struct line l = curve_line(p, c);
-
-    add_line(p, &l, role, entry);
 }
 
 static void add_nullclines(struct picture *p)
@@ -171,42 +163,51 @@ static void add_nullclines(struct picture *p)
         }
 }
 
-/* With an arrowhead in the middle. */
-static void add_orbits(struct picture *p, const struct trajectories *all,
-                       enum figure_role role, const char *entry)
+/* With an arrowhead there, as a fraction of its visible length; or none. */
+static void add_way(struct picture *p, struct line *l,
+                    struct figure_style style, const char *entry,
+                    const double *head)
 {
-    static const double head[] = { 0.5 };
+    figure_add_line(p->figure,
+                    &(struct figure_layer){ .style = style,
+                                            .entry = entry,
+                                            .heads = head,
+                                            .head_count = head != NULL },
+                    l);
+}
 
-    for (size_t i = 0; i < all->count; i++) {
-        struct line l = curve_line(p, &all->at[i].curve);
-        figure_add_line(p->figure,
-                        &(struct figure_layer){ .style = { .role = role },
-                                                .entry = entry,
-                                                .heads = head,
-                                                .head_count = 1 },
-                        &l);
+/* One orbit; with an arrowhead in the middle. */
+static void add_chosen(struct picture *p)
+{
+    static const double middle = 0.5;
+
+    for (size_t i = 0; i < p->s->chosen.count; i++) {
+        struct line l = curve_line(p, &p->s->chosen.at[i].curve);
+        add_way(p, &l, (struct figure_style){ .role = FIGURE_HIGHLIGHT },
+                "trajectory from the given start", &middle);
     }
 }
 
+/* Where an orbit starts it is far from all before it: there the arrowhead
+ * stands. */
 static void add_trajectories(struct picture *p)
 {
-    add_orbits(p, &p->s->portrait.trajectories, FIGURE_TRAJECTORY,
-               "trajectories");
+    static const double first = 0.0;
+    const struct trajectories *all = &p->s->portrait.trajectories;
+
+    for (size_t i = 0; i < all->count; i++) {
+        struct line l = curve_line(p, &all->at[i].curve);
+        add_way(p, &l, (struct figure_style){ .role = FIGURE_TRAJECTORY },
+                "trajectories", &first);
+    }
 }
 
-/* Over the nullclines and manifolds, which they follow closely. */
-static void add_chosen(struct picture *p)
-{
-    add_orbits(p, &p->s->chosen, FIGURE_HIGHLIGHT,
-               "trajectory from the given start");
-}
-
-/* The asymptote that closes a branch, drawn to the window's edge. */
-static void add_asymptote(struct picture *p, const struct branch *b)
+/* The asymptote that closes a branch, to the window's edge. */
+static void add_asymptote(struct picture *p, const struct branch *b,
+                          struct line *l)
 {
     const struct box w = scene_box(p->s->scene);
     const struct vec2 origin = p->s->slider.plane.system.origin;
-    struct line l = LINE_EMPTY;
     struct vec2 end = b->limit;
 
     if (b->end != BRANCH_LIMIT_X && b->end != BRANCH_LIMIT_Y)
@@ -219,26 +220,34 @@ static void add_asymptote(struct picture *p, const struct branch *b)
         end.x = (b->sign > 0 ? fmax(w.hi.x, b->limit.x + origin.x)
                              : fmin(w.lo.x, b->limit.x + origin.x)) -
                 origin.x;
-    add_point(p, &l, b->limit);
-    add_point(p, &l, end);
-    add_line(p, &l, FIGURE_STABLE, "stable manifold");
+    add_point(p, l, end);
 }
 
 /* Under the nullclines, which it follows closely. */
 static void add_unstable(struct picture *p)
 {
-    for (int i = 0; i < SIDES; i++)
-        add_curve(p, &p->s->unstable[i].curve, FIGURE_UNSTABLE,
-                  "unstable manifold");
+    static const double middle = 0.5;
+
+    for (int i = 0; i < SIDES; i++) {
+        struct line l = curve_line(p, &p->s->unstable[i].curve);
+        add_way(p, &l, (struct figure_style){ .role = FIGURE_UNSTABLE },
+                "unstable manifold", &middle);
+    }
 }
 
+/* Each branch with its asymptote as one line, along the flow. */
 static void add_manifolds(struct picture *p)
 {
+    static const double middle = 0.5;
+
     for (int i = 0; i < SIDES; i++) {
-        if (p->s->stable[i].curve.count == 0)
-            continue;
-        add_curve(p, &p->s->stable[i].curve, FIGURE_STABLE, "stable manifold");
-        add_asymptote(p, &p->s->stable[i]);
+        const struct branch *b = &p->s->stable[i];
+        struct line l = curve_line(p, &b->curve);
+        if (b->curve.count > 0)
+            add_asymptote(p, b, &l);
+        line_reverse(&l);
+        add_way(p, &l, (struct figure_style){ .role = FIGURE_STABLE },
+                "stable manifold", &middle);
     }
 }
 

@@ -309,17 +309,14 @@ static void draw_fold_curves(const struct sheet *p)
 /* Highest chi shown: well above 1, where all that matters happens. */
 static const double chi_top = 1e4;
 
-/* The look of the curve of a slope; dashed after six, dotted after twelve. */
+/* The look of the curve of a slope: hue and dash, thinner after six. */
 static struct figure_style look_of_slope(size_t slope)
 {
-    static const enum figure_dash dash[] = { FIGURE_SOLID, FIGURE_DASHED,
-                                             FIGURE_DOTTED };
     const size_t roles = FIGURE_SERIES_6 - FIGURE_SERIES_1 + 1;
 
     return (struct figure_style){
         .role = (enum figure_role)(FIGURE_SERIES_1 + slope % roles),
-        .dash = dash[slope / roles % 3],
-        .width = 2.6,
+        .width = slope < roles ? 2.6 : 1.3,
     };
 }
 

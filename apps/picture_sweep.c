@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "line.h"
 #include "plane_numbers.h"
 #include "scene_sweep.h"
 #include "sheet.h"
@@ -166,7 +167,82 @@ static void find_values(const struct plot *p, const struct sweep_curve *c,
     }
 }
 
-/* A line, or crosses, with bars. */
+/* ---- a line: jumps at folds, single values as points ----------------------
+ */
+
+/* Whether a fold lies between two points: one has a saddle and one has none. */
+static bool is_fold(const struct sweep *s, int saddle, size_t i)
+{
+    return saddle >= 0 && isfinite(sweep_quantity(s, saddle, i).value) !=
+                              isfinite(sweep_quantity(s, saddle, i + 1).value);
+}
+
+/* Half way from point i to the next on the axis. */
+static double half_way(const struct sweep_axis *a, size_t i)
+{
+    return a->is_log ? sqrt(a->value[i]) * sqrt(a->value[i + 1])
+                     : a->value[i] / 2.0 + a->value[i + 1] / 2.0;
+}
+
+/* Up to a fold as before it, from there on as behind it. */
+static struct line line_of(const struct plot *p, const double y[])
+{
+    const struct sweep_axis *a = &p->s->axis[0];
+    const int saddle = sweep_find(p->s, "saddle_v");
+    struct line l = LINE_EMPTY;
+
+    for (size_t i = 0; i < p->s->points; i++) {
+        line_add(&l, a->value[i], y[i]);
+        if (i + 1 == p->s->points || !is_fold(p->s, saddle, i))
+            continue;
+        line_add(&l, half_way(a, i), y[i]);
+        line_add(&l, half_way(a, i), y[i + 1]);
+    }
+    return l;
+}
+
+/* Values without a neighbour, which are no line. */
+static void add_single(const struct plot *p, const struct sweep_curve *c,
+                       const double y[])
+{
+    for (size_t i = 0; i < p->s->points; i++)
+        if (isfinite(y[i]) && (i == 0 || !isfinite(y[i - 1])) &&
+            (i + 1 == p->s->points || !isfinite(y[i + 1])))
+            figure_add(p->figure,
+                       &(struct figure_layer){ .kind = FIGURE_POINTS,
+                                               .style = c->style,
+                                               .entry = c->entry,
+                                               .x = &p->s->axis[0].value[i],
+                                               .y = &y[i],
+                                               .count = 1,
+                                               .size = 7,
+                                               .mark = FIGURE_DISC });
+}
+
+static void add_marks(const struct plot *p, const struct sweep_curve *c,
+                      const double y[])
+{
+    figure_add(p->figure, &(struct figure_layer){ .kind = FIGURE_POINTS,
+                                                  .style = c->style,
+                                                  .entry = c->entry,
+                                                  .x = p->s->axis[0].value,
+                                                  .y = y,
+                                                  .count = p->s->points,
+                                                  .mark = c->mark });
+}
+
+static void add_line(const struct plot *p, const struct sweep_curve *c,
+                     const double y[])
+{
+    struct line l = line_of(p, y);
+
+    figure_add_line(
+        p->figure,
+        &(struct figure_layer){ .style = c->style, .entry = c->entry }, &l);
+    add_single(p, c, y);
+}
+
+/* A line, or marks, with bars. */
 static void add_curve(const struct plot *p, const struct sweep_curve *c)
 {
     const int column = sweep_find(p->s, c->column);
@@ -180,14 +256,7 @@ static void add_curve(const struct plot *p, const struct sweep_curve *c)
         return;
     }
     find_values(p, c, column, y);
-    figure_add(p->figure, &(struct figure_layer){
-                              .kind = c->marks ? FIGURE_POINTS : FIGURE_CURVE,
-                              .style = c->style,
-                              .entry = c->entry,
-                              .x = x,
-                              .y = y,
-                              .count = p->s->points,
-                              .mark = FIGURE_PLUS });
+    (c->marks ? add_marks : add_line)(p, c, y);
     for (size_t i = 0; i < p->s->points; i++)
         if (isfinite(y[i]))
             add_bar(p, c, x[i], y[i], sweep_quantity(p->s, column, i).error);

@@ -16,7 +16,7 @@ struct trace {
 };
 
 /* Ours are thick, red and black; GSL's solid, SUNDIALS' dotted, the same colour
- * for the same kind of method. */
+ * for the same kind of method, and a mark for each. */
 struct look {
     const char *method;
     struct figure_style style;
@@ -39,13 +39,13 @@ static const struct look looks[] = {
     { "radau", OURS(FIGURE_EQUILIBRIUM, FIGURE_SOLID), FIGURE_SQUARE },
     { "explicit8", OURS(FIGURE_EQUILIBRIUM, FIGURE_DASHED), FIGURE_CIRCLE },
     { "gsl_rk8pd", THEIRS(1, FIGURE_SOLID), FIGURE_PLUS },
-    { "gsl_rkf45", THEIRS(2, FIGURE_SOLID), FIGURE_PLUS },
-    { "gsl_msbdf", THEIRS(3, FIGURE_SOLID), FIGURE_PLUS },
-    { "gsl_bsimp", THEIRS(4, FIGURE_SOLID), FIGURE_PLUS },
-    { "gsl_rk4imp", THEIRS(5, FIGURE_SOLID), FIGURE_PLUS },
-    { "cvode_adams", THEIRS(1, FIGURE_DOTTED), FIGURE_CROSS },
-    { "cvode_bdf", THEIRS(3, FIGURE_DOTTED), FIGURE_CROSS },
-    { "arkode_erk8", THEIRS(2, FIGURE_DOTTED), FIGURE_CROSS },
+    { "gsl_rkf45", THEIRS(2, FIGURE_SOLID), FIGURE_CROSS },
+    { "gsl_msbdf", THEIRS(3, FIGURE_SOLID), FIGURE_BOX },
+    { "gsl_bsimp", THEIRS(4, FIGURE_SOLID), FIGURE_DELTA },
+    { "gsl_rk4imp", THEIRS(5, FIGURE_SOLID), FIGURE_LOZENGE },
+    { "cvode_adams", THEIRS(1, FIGURE_DOTTED), FIGURE_STAR },
+    { "cvode_bdf", THEIRS(3, FIGURE_DOTTED), FIGURE_TRIANGLE },
+    { "arkode_erk8", THEIRS(2, FIGURE_DOTTED), FIGURE_DIAMOND },
 };
 enum { LOOKS = sizeof looks / sizeof *looks, OURS_COUNT = 5 };
 

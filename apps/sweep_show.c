@@ -39,19 +39,22 @@ struct look {
     const char *column, *entry;
     struct figure_style style;
     bool marks, of_xi;
+    enum figure_mark mark;
 };
 
 #define XI(column, width)                                                      \
     {                                                                          \
-        column, NULL, { FIGURE_SERIES_3, FIGURE_SOLID, width }, false, true    \
+        column, NULL, { FIGURE_SERIES_3, FIGURE_SOLID, width }, false, true, 0 \
     }
 #define LINE(column, entry, role, dash, width)                                 \
     {                                                                          \
-        column, entry, { FIGURE_##role, FIGURE_##dash, width }, false, false   \
+        column, entry, { FIGURE_##role, FIGURE_##dash, width }, false, false,  \
+            0                                                                  \
     }
-#define MARKS(column, entry, role)                                             \
+#define MARKS(column, entry, role, mark)                                       \
     {                                                                          \
-        column, entry, { FIGURE_##role, FIGURE_SOLID, 0 }, true, false         \
+        column, entry, { FIGURE_##role, FIGURE_SOLID, 0 }, true, false,        \
+            FIGURE_##mark                                                      \
     }
 
 enum { LOOKS = 7 }; /* at most, and one that ends the list */
@@ -60,20 +63,20 @@ static const struct look look[SHOWS][LOOKS] = {
     [SHOW_VELOCITIES] = {
         LINE("v_plus", S_V_PLUS, SERIES_1, SOLID, 0),
         LINE("saddle_v", S_V " at the saddle", SERIES_2, DASHED, 0),
-        LINE("v_minus", S_V_MINUS, SERIES_3, SOLID, 0),
+        LINE("v_minus", S_V_MINUS, SERIES_3, DASH_DOT, 0),
         LINE("knee_upper_v", "upper knee", SERIES_4, DOTTED, 0),
-        LINE("knee_lower_v", "lower knee", SERIES_5, DOTTED, 0),
+        LINE("knee_lower_v", "lower knee", SERIES_5, LONG_DASH, 0),
     },
     [SHOW_VELOCITY_ESTIMATES] = {
         XI("v_plus", 2.0),
         XI("v_minus", 2.0),
         LINE("saddle_v", S_V " at the saddle", TRAJECTORY, DASHED, 1.8),
-        MARKS("v_plus", "exact " S_V_PLUS, SERIES_2),
-        MARKS("v_minus", "exact " S_V_MINUS, SERIES_1),
+        MARKS("v_plus", "exact " S_V_PLUS, SERIES_2, PLUS),
+        MARKS("v_minus", "exact " S_V_MINUS, SERIES_1, CROSS),
     },
     [SHOW_PERSISTENCE] = {
-        LINE("estimates_x_k", S_X_K ", (30)", SERIES_2, SOLID, 2.6),
-        LINE("estimates_x_k_small_psi", S_X_K ", (31)", SERIES_3, DASHED, 2.2),
+        LINE("estimates_x_k", S_X_K ", (30)", SERIES_5, SOLID, 4.5),
+        LINE("estimates_x_k_small_psi", S_X_K ", (31)", SERIES_3, DASHED, 1.8),
         LINE("x_excess", "exact excess slip", SERIES_1, SOLID, 3.0),
     },
     [SHOW_STATIC_FRICTION] = {
@@ -87,26 +90,25 @@ static const struct look look[SHOWS][LOOKS] = {
         LINE("fracture_energy", "exact " S_V_PLUS, SERIES_1, SOLID, 3.0),
     },
     [SHOW_BASINS] = {
-        LINE("basin_fraction_log_creep", "creeps", SERIES_1, SOLID, 0),
-        LINE("basin_fraction_log_sliding", "slides", SERIES_2, SOLID, 0),
-        LINE("basin_fraction_log_rest_finite", "comes to rest", SERIES_3, SOLID, 0),
-        LINE("basin_fraction_log_rest_asymptotic", "rests as " S_T " → ∞", SERIES_4, SOLID, 0),
-        LINE("basin_fraction_log_runaway", "runs away", SERIES_5, SOLID, 0),
-        LINE("basin_fraction_log_undecided", "undecided", SERIES_6, DASHED, 0),
+        LINE("basin_fraction_log_creep", "creeps", SERIES_1, DASH_OF_ROLE, 0),
+        LINE("basin_fraction_log_sliding", "slides", SERIES_2, DASH_OF_ROLE, 0),
+        LINE("basin_fraction_log_rest_finite", "comes to rest", SERIES_3, DASH_OF_ROLE, 0),
+        LINE("basin_fraction_log_rest_asymptotic", "rests as " S_T " → ∞", SERIES_4, DASH_OF_ROLE, 0),
+        LINE("basin_fraction_log_runaway", "runs away", SERIES_5, DASH_OF_ROLE, 0),
+        LINE("basin_fraction_log_undecided", "undecided", SERIES_6, DASH_OF_ROLE, 0),
     },
 };
 
-/* Colours that exact numbers leave; dashed after four, dotted after eight. */
+/* Colours and dashes that exact numbers leave; thinner after four. */
 static struct sweep_curve curve_of_xi(const struct look *l, double xi, size_t i)
 {
-    static const enum figure_dash dash[] = { FIGURE_SOLID, FIGURE_DASHED,
-                                             FIGURE_DOTTED };
     const size_t roles = FIGURE_SERIES_6 - FIGURE_SERIES_3 + 1;
     const int role = FIGURE_SERIES_3 + (int) (i % roles);
     struct sweep_curve c = { .style = l->style };
 
     c.style.role = (enum figure_role) role;
-    c.style.dash = dash[i / roles % 3];
+    c.style.dash = FIGURE_DASH_OF_ROLE;
+    c.style.width *= i < roles ? 1.0 : 0.5;
     snprintf(c.column, sizeof c.column, "estimates_xi_%zu_%s", i, l->column);
     snprintf(c.entry, sizeof c.entry, ITALIC("ξ") " = %.6g", xi);
     return c;
@@ -114,7 +116,9 @@ static struct sweep_curve curve_of_xi(const struct look *l, double xi, size_t i)
 
 static struct sweep_curve curve_of(const struct look *l)
 {
-    struct sweep_curve c = { .style = l->style, .marks = l->marks };
+    struct sweep_curve c = { .style = l->style,
+                             .marks = l->marks,
+                             .mark = l->mark };
 
     snprintf(c.column, sizeof c.column, "%s", l->column);
     snprintf(c.entry, sizeof c.entry, "%s", l->entry);

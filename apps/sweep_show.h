@@ -11,7 +11,8 @@ struct sweep_curve {
     char column[64];
     char entry[64]; /* in the legend */
     struct figure_style style;
-    bool marks; /* crosses, no line */
+    bool marks; /* no line */
+    enum figure_mark mark;
 };
 
 struct show_frame {

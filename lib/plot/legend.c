@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "layout.h"
+#include "stroke.h"
 
 /* A layer of a text that is there already adds its mark, or its line. */
 static bool legend_join(struct legend *l, const struct legend_line *line)
@@ -34,24 +35,66 @@ static void add_shade(struct legend *l, const char *text, enum figure_role role)
     legend_add(l, (struct legend_line){ .text = text, .role = role });
 }
 
-struct legend legend_of(const struct figure *f)
+/* ---- only what is drawn -------------------------------------------------- */
+
+/* Whether any of it lies in the axes' box. */
+static bool is_drawn(const struct figure *f, const struct figure_layer *l,
+                     struct stroke *s)
 {
-    struct legend l = { .count = 0 };
+    const struct scale x = scale_of(&f->x, 1000), y = scale_of(&f->y, 1000);
+
+    if (l->kind == FIGURE_CURVE)
+        return stroke_clip(&x, &y, l->x, l->y, l->count, s) != STATUS_OK ||
+               s->count > 0;
+    if (l->kind == FIGURE_REGION)
+        return stroke_clip_region(&x, &y, l->x, l->y, l->count, s) !=
+                   STATUS_OK ||
+               s->count > 0;
+    for (size_t i = 0; i < l->count; i++)
+        if (l->x[i] >= f->x.lo && l->x[i] <= f->x.hi && l->y[i] >= f->y.lo &&
+            l->y[i] <= f->y.hi)
+            return true;
+    return false;
+}
+
+static bool has_shade(const struct figure_raster *r, size_t shade)
+{
+    for (size_t i = 0; i < r->nx * r->ny; i++)
+        if (r->value[i] == (double) shade)
+            return true;
+    return false;
+}
+
+static void add_layers(struct legend *l, const struct figure *f, bool regions)
+{
+    struct stroke s = STROKE_EMPTY;
 
     for (size_t k = 0; k < f->layer_count; k++) {
         const struct figure_layer *layer = &f->layers[k];
         const bool points = layer->kind == FIGURE_POINTS;
-        if (layer->kind != FIGURE_REGION)
-            legend_add(&l,
+        if ((layer->kind == FIGURE_REGION) != regions || !layer->entry ||
+            !is_drawn(f, layer, &s))
+            continue;
+        if (regions)
+            add_shade(l, layer->entry, layer->style.role);
+        else
+            legend_add(l,
                        (struct legend_line){ .text = layer->entry,
                                              .curve = points ? NULL : layer,
                                              .mark = points ? layer : NULL });
     }
+    stroke_free(&s);
+}
+
+struct legend legend_of(const struct figure *f)
+{
+    struct legend l = { .count = 0 };
+
+    add_layers(&l, f, false);
     for (size_t k = 0; f->raster && k < f->raster->shade_count; k++)
-        add_shade(&l, f->raster->entry[k], f->raster->role[k]);
-    for (size_t k = 0; k < f->layer_count; k++)
-        if (f->layers[k].kind == FIGURE_REGION)
-            add_shade(&l, f->layers[k].entry, f->layers[k].style.role);
+        if (has_shade(f->raster, k))
+            add_shade(&l, f->raster->entry[k], f->raster->role[k]);
+    add_layers(&l, f, true);
     return l;
 }
 

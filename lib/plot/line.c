@@ -24,6 +24,18 @@ void line_free(struct line *l)
     *l = LINE_EMPTY;
 }
 
+void line_reverse(struct line *l)
+{
+    for (size_t i = 0; 2 * i + 1 < l->count; i++) {
+        const size_t k = l->count - 1 - i;
+        const double x = l->x[i], y = l->y[i];
+        l->x[i] = l->x[k];
+        l->y[i] = l->y[k];
+        l->x[k] = x;
+        l->y[k] = y;
+    }
+}
+
 void figure_add_line(struct figure *f, const struct figure_layer *look,
                      struct line *l)
 {

@@ -17,6 +17,9 @@ void line_add(struct line *l, double x, double y);
 /* Leaves LINE_EMPTY, so a second call is harmless. */
 void line_free(struct line *l);
 
+/* The last point first. */
+void line_reverse(struct line *l);
+
 /* Adds the layer `look` with these points, if there are any, two of a curve or
  * a region, and frees them. */
 void figure_add_line(struct figure *f, const struct figure_layer *look,

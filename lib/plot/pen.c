@@ -57,6 +57,15 @@ static void put_line(const struct pen *pen, const struct paint *p)
     look_line(pen->script, pen->page->device, p);
 }
 
+/* White under a line, which sets it off from a map. */
+static void put_casing(const struct pen *pen, const struct paint *p,
+                       size_t block)
+{
+    fprintf(pen->script,
+            "with lines lw %.4g lc rgb 'white', \\\n  data index %zu ",
+            p->width + 2, block);
+}
+
 /* Consecutive curves of one look are drawn as one: gnuplot takes a moment for
  * each line of its plot command. */
 struct run {
@@ -82,7 +91,10 @@ static enum status draw_lines(struct pen *pen, struct run run, struct stroke *s)
         if (s->count == 0)
             continue;
         if (!any) {
+            const size_t block = pen->blocks;
             block_begin(pen, "curves", run.layer->entry);
+            if (pen->cased)
+                put_casing(pen, &paint, block);
             put_line(pen, &paint);
         }
         any = true;
@@ -306,30 +318,29 @@ static void draw_raster(struct pen *pen, const struct figure_raster *r)
     block_end(pen);
 }
 
+/* Lines first, heads on all of them, marks on top. */
+enum turn { TURN_LINES, TURN_HEADS, TURN_MARKS, TURNS };
+
 /* Draws layer k and what forms one run with it; *next is the layer after. */
 static enum status draw_layer(struct pen *pen, const struct figure *f, size_t k,
-                              struct stroke *stroke, size_t *next)
+                              enum turn turn, struct stroke *stroke,
+                              size_t *next)
 {
     const struct figure_layer *layer = &f->layers[k];
+    const struct run run =
+        layer->kind == FIGURE_CURVE ? run_at(f, k) : (struct run){ layer, 1 };
     enum status s = STATUS_OK;
-    struct run run = { layer, 1 };
-    switch (layer->kind) {
-        case FIGURE_CURVE:
-            run = run_at(f, k);
-            s = draw_lines(pen, run, stroke);
-            if (s == STATUS_OK)
-                s = draw_heads(pen, run, stroke);
-            break;
-        case FIGURE_REGION:
-            s = draw_region(pen, layer, stroke);
-            break;
-        case FIGURE_POINTS:
-            draw_points(pen, layer);
-            break;
-        case FIGURE_ARROWS:
-            draw_arrows(pen, layer);
-            break;
-    }
+
+    if (turn == TURN_LINES && layer->kind == FIGURE_CURVE)
+        s = draw_lines(pen, run, stroke);
+    else if (turn == TURN_HEADS && layer->kind == FIGURE_CURVE)
+        s = draw_heads(pen, run, stroke);
+    else if (turn == TURN_LINES && layer->kind == FIGURE_REGION)
+        s = draw_region(pen, layer, stroke);
+    else if (turn == TURN_LINES && layer->kind == FIGURE_ARROWS)
+        draw_arrows(pen, layer);
+    else if (turn == TURN_MARKS && layer->kind == FIGURE_POINTS)
+        draw_points(pen, layer);
     *next = k + run.count;
     return s;
 }
@@ -338,8 +349,9 @@ static enum status draw_layers(struct pen *pen, const struct figure *f)
 {
     struct stroke stroke = STROKE_EMPTY;
     enum status s = STATUS_OK;
-    for (size_t k = 0; k < f->layer_count && s == STATUS_OK;)
-        s = draw_layer(pen, f, k, &stroke, &k);
+    for (int turn = 0; turn < TURNS; turn++)
+        for (size_t k = 0; k < f->layer_count && s == STATUS_OK;)
+            s = draw_layer(pen, f, k, (enum turn) turn, &stroke, &k);
     stroke_free(&stroke);
     return s;
 }
@@ -347,6 +359,7 @@ static enum status draw_layers(struct pen *pen, const struct figure *f)
 enum status pen_draw(struct pen *pen, const struct figure *f)
 {
     fprintf(pen->script, "unset key\nplot NaN notitle");
+    pen->cased = f->raster && f->raster->shade_count == 0;
     if (f->raster)
         draw_raster(pen, f->raster);
     return draw_layers(pen, f);

@@ -11,6 +11,7 @@ struct pen {
     FILE *script, *data;       /* borrowed */
     const struct layout *page; /* borrowed */
     size_t blocks;             /* of data, so far */
+    bool cased;                /* lines stand out from what is below them */
 };
 
 /* Cells along a side of the image of a raster with so many, which repeats each
