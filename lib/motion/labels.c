@@ -30,7 +30,9 @@ static enum status grow_stable(struct labels *l, double rtol,
 }
 
 /* How far a state may be from the saddle, in the chart, and read as the doubles
- * that its place is told in or those next to them. */
+ * that its place is told in or those next to them: off by dx and dy it is off a
+ * curve of slope s by dy + |s| dx in its column, <= dx + dy where |s| <= 1, and
+ * as in its row where not. */
 static double slack_of(const struct slider *s)
 {
     const struct steady_number *saddle = &s->steady[slider_saddle(s)];
@@ -40,7 +42,7 @@ static double slack_of(const struct slider *s)
     const double dv = v->error + TOL_LABELS_BESIDE * v->value;
     const double dpsi = psi->error + TOL_LABELS_BESIDE * fabs(psi->value);
 
-    return fmax(dv / v->value, dpsi / scale);
+    return dv / v->value + dpsi / scale;
 }
 
 /* ---- sides --------------------------------------------------------------- */
