@@ -249,16 +249,19 @@ static inline __attribute__((always_inline)) jet_pair entry(
 #undef KEPT
 }
 
-/* Entries from .. to of order k > 0 after their sums, of which `most` fit in
- * registers. */
+/* Entries from .. to of order k > 0 after their sums. */
 static inline __attribute__((always_inline)) void order(const struct course *c,
                                                         size_t k, size_t width,
-                                                        size_t most, int from,
+                                                        bool wide, int from,
                                                         int to)
 {
     const struct course here = *c;
+    const jet_pair *a = c->A - k * width, *b = c->B - k * width;
 
-    sums(k, width, most, c->A - k * width, c->B - k * width, c->S);
+    if (wide)
+        sums_by_fours(k, width, a, b, c->S);
+    else
+        sums_by_pairs(k, width, a, b, c->S);
     for (const struct jet_op *o = &c->p->op[from]; o < &c->p->op[to]; o++)
         *at(here.reg, o->out) = entry(&here, o);
 }
@@ -268,7 +271,7 @@ __attribute__((target("avx2"))) static void order_wide(const struct course *c,
                                                        size_t k, size_t width,
                                                        int from, int to)
 {
-    order(c, k, width, 8, from, to);
+    order(c, k, width, true, from, to);
 }
 
 bool tape_jet_wide(void)
@@ -287,7 +290,7 @@ bool tape_jet_wide(void)
 static void order_plain(const struct course *c, size_t k, size_t width,
                         int from, int to)
 {
-    order(c, k, width, 4, from, to);
+    order(c, k, width, false, from, to);
 }
 
 static void run(const struct course *c, size_t k, int width, int from, int to)

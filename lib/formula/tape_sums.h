@@ -11,70 +11,74 @@
 /* Four numbers where pairs stand. */
 typedef double four __attribute__((vector_size(32), aligned(16), may_alias));
 
-/* One product of `fours` neighbours each. */
-#define ADD_ROW(fours, j)                                                      \
-    for (int i = 0; i < (fours); i++)                                          \
-    s[i] += *(const four *) (a + (j) *width + 2 * i) *                         \
-            *(const four *) (b + (k - (j)) * width + 2 * i)
+/* One product of n neighbours each, of a type. */
+#define ADD_ROW(type, n, j)                                                    \
+    for (int i = 0; i < (n); i++)                                              \
+    s[i] += ((const type *) (a + (j) *width))[i] *                             \
+            ((const type *) (b + (k - (j)) * width))[i]
 /* The newest rows come last, and what is older need not wait for them. */
-#define SUMS(fours)                                                            \
+#define SUMS(type, n)                                                          \
     do {                                                                       \
-        four s[fours];                                                         \
-        for (int i = 0; i < (fours); i++)                                      \
-            s[i] = (four){ 0 };                                                \
+        type s[n];                                                             \
+        for (int i = 0; i < (n); i++)                                          \
+            s[i] = (type){ 0 };                                                \
         for (size_t j = 2; j + 1 < k; j++)                                     \
-            ADD_ROW(fours, j);                                                 \
+            ADD_ROW(type, n, j);                                               \
         if (k > 2)                                                             \
-            ADD_ROW(fours, k - 1);                                             \
+            ADD_ROW(type, n, k - 1);                                           \
         if (k > 1)                                                             \
-            ADD_ROW(fours, 1);                                                 \
-        for (int i = 0; i < (fours); i++)                                      \
-            *(four *) (sum + 2 * i) = s[i];                                    \
+            ADD_ROW(type, n, 1);                                               \
+        for (int i = 0; i < (n); i++)                                          \
+            ((type *) sum)[i] = s[i];                                          \
     } while (0)
 
-static inline __attribute__((always_inline)) void sums(size_t k, size_t width,
-                                                       size_t most,
-                                                       const jet_pair *a,
-                                                       const jet_pair *b,
-                                                       jet_pair *sum)
-{
-    size_t left = width / 2;
-
-    for (; left > 0;) {
-        const size_t now = left < most ? left : most;
-        switch (now) {
-            case 8:
-                SUMS(8);
-                break;
-            case 7:
-                SUMS(7);
-                break;
-            case 6:
-                SUMS(6);
-                break;
-            case 5:
-                SUMS(5);
-                break;
-            case 4:
-                SUMS(4);
-                break;
-            case 3:
-                SUMS(3);
-                break;
-            case 2:
-                SUMS(2);
-                break;
-            default:
-                SUMS(1);
-                break;
-        }
-        left -= now;
-        a += 2 * now;
-        b += 2 * now;
-        sum += 2 * now;
+/* name(k, width, a, b, sum), by registers of a type. */
+#define SUMS_BY(name, type)                                                    \
+    static inline __attribute__((always_inline)) void name(                    \
+        size_t k, size_t width, const jet_pair *a, const jet_pair *b,          \
+        jet_pair *sum)                                                         \
+    {                                                                          \
+        const size_t each = sizeof(type) / sizeof(jet_pair);                   \
+        size_t now;                                                            \
+                                                                               \
+        for (size_t left = width / each; left > 0; left -= now) {              \
+            now = left < 8 ? left : 8;                                         \
+            switch (now) {                                                     \
+                case 8:                                                        \
+                    SUMS(type, 8);                                             \
+                    break;                                                     \
+                case 7:                                                        \
+                    SUMS(type, 7);                                             \
+                    break;                                                     \
+                case 6:                                                        \
+                    SUMS(type, 6);                                             \
+                    break;                                                     \
+                case 5:                                                        \
+                    SUMS(type, 5);                                             \
+                    break;                                                     \
+                case 4:                                                        \
+                    SUMS(type, 4);                                             \
+                    break;                                                     \
+                case 3:                                                        \
+                    SUMS(type, 3);                                             \
+                    break;                                                     \
+                case 2:                                                        \
+                    SUMS(type, 2);                                             \
+                    break;                                                     \
+                default:                                                       \
+                    SUMS(type, 1);                                             \
+                    break;                                                     \
+            }                                                                  \
+            a += each * now;                                                   \
+            b += each * now;                                                   \
+            sum += each * now;                                                 \
+        }                                                                      \
     }
-}
 
+SUMS_BY(sums_by_pairs, jet_pair)
+SUMS_BY(sums_by_fours, four)
+
+#undef SUMS_BY
 #undef SUMS
 #undef ADD_ROW
 
