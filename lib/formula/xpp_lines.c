@@ -282,3 +282,16 @@ enum status xpp_lines_read(const char *text, const char *name,
     }
     return status;
 }
+
+const char *xpp_option(const struct xpp_lines *lines, const char *name,
+                       const char *other)
+{
+    const char *text = NULL;
+
+    for (int i = 0; i < lines->count; i++)
+        if (lines->at[i].kind == XPP_OPTION &&
+            (strcmp(lines->at[i].name, name) == 0 ||
+             strcmp(lines->at[i].name, other) == 0))
+            text = lines->at[i].text;
+    return text;
+}

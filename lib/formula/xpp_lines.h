@@ -35,4 +35,8 @@ struct xpp_lines {
 MUST_CHECK enum status xpp_lines_read(const char *text, const char *name,
                                       struct xpp_lines *out, struct fault *why);
 
+/* The last option of this name, or of its other name; NULL: there is none. */
+const char *xpp_option(const struct xpp_lines *lines, const char *name,
+                       const char *other);
+
 #endif

@@ -18,6 +18,8 @@ struct reading {
     struct fault *why;
     struct xpp_lines lines;
     char text[DEEP][PARSE_LETTERS + 2]; /* formulas while they are expanded */
+    enum { TIME_REFUSED, TIME_LEAF, TIME_NOTHING } time;
+    bool off[XPP_STATEMENTS]; /* parameters that are 0 for good */
 };
 
 /* ---- words --------------------------------------------------------------- */
@@ -211,6 +213,8 @@ static enum status need_word(struct reading *r, const struct xpp_statement *s,
 
     if (find(r, XPP_RATE, word, size) || find(r, XPP_PARAMETER, word, size))
         return STATUS_OK;
+    if (r->time != TIME_REFUSED && is_word(word, size, "t"))
+        return STATUS_OK;
     for (size_t i = 0; i < sizeof refused / sizeof *refused && !name; i++)
         if (is_word(word, size, refused[i].word))
             return formula_blame(place_of(r, s), r->why, "%s",
@@ -268,20 +272,6 @@ static enum status add_rate(struct reading *r, const struct xpp_statement *s)
 
 /* ---- states, parameters, window ------------------------------------------ */
 
-/* The last of this name, or of its other name. */
-static const char *option(struct reading *r, const char *name,
-                          const char *other)
-{
-    const char *text = NULL;
-
-    for (int i = 0; i < r->lines.count; i++)
-        if (r->lines.at[i].kind == XPP_OPTION &&
-            (strcmp(r->lines.at[i].name, name) == 0 ||
-             strcmp(r->lines.at[i].name, other) == 0))
-            text = r->lines.at[i].text;
-    return text;
-}
-
 static double number(const char *text, double otherwise)
 {
     struct fault why;
@@ -304,7 +294,8 @@ static bool is_folded(struct reading *r, const char *name)
         folded = folded || (r->lines.at[i].kind == XPP_OPTION &&
                             strcmp(r->lines.at[i].name, "fold") == 0 &&
                             strcmp(r->lines.at[i].text, name) == 0);
-    return folded && fabs(number(option(r, "tor_per", ""), turn) - turn) < 0.01;
+    return folded && fabs(number(xpp_option(&r->lines, "tor_per", ""), turn) -
+                          turn) < 0.01;
 }
 
 static enum status add_states(struct reading *r, bool angles)
@@ -341,6 +332,11 @@ static enum status add_parameters(struct reading *r)
         const struct xpp_statement *e = &r->lines.at[i];
         if (e->kind != XPP_PARAMETER)
             continue;
+        if (r->off[i]) {
+            status =
+                formula_system_define(s, e->name, "0", place_of(r, e), r->why);
+            continue;
+        }
         if (strlen(e->text) >= XPP_DECIMAL)
             return formula_blame(place_of(r, e), r->why,
                                  "a number of %d letters or more", XPP_DECIMAL);
@@ -371,13 +367,14 @@ static void set_window(struct reading *r)
     double lo[2], hi[2];
     int first = -1;
     for (int axis = 0; axis < 2; axis++) {
-        const char *name = option(r, plotted[axis][0], plotted[axis][1]);
+        const char *name =
+            xpp_option(&r->lines, plotted[axis][0], plotted[axis][1]);
         const int k = name ? formula_system_find_state(&m->system, name) : -1;
         if (k < 0 || k == first)
             return;
         first = k;
-        lo[k] = number(option(r, end[axis][0], ""), 1);
-        hi[k] = number(option(r, end[axis][1], ""), 0);
+        lo[k] = number(xpp_option(&r->lines, end[axis][0], ""), 1);
+        hi[k] = number(xpp_option(&r->lines, end[axis][1], ""), 0);
     }
     for (int k = 0; k < 2; k++)
         if (lo[k] < hi[k]) {
@@ -385,8 +382,6 @@ static void set_window(struct reading *r)
             m->hi[k] = hi[k];
         }
 }
-
-/* ---- all ----------------------------------------------------------------- */
 
 static enum status read_system(struct reading *r, bool angles)
 {
@@ -396,6 +391,11 @@ static enum status read_system(struct reading *r, bool angles)
         r->lines.at[i].state = 0;
     formula_system_init(s);
     enum status status = add_states(r, angles);
+    if (status == STATUS_OK && r->time == TIME_LEAF)
+        status =
+            formula_system_parameter(s, "t", "1", place_of(r, NULL), r->why);
+    if (status == STATUS_OK && r->time == TIME_NOTHING)
+        status = formula_system_define(s, "t", "0", place_of(r, NULL), r->why);
     if (status == STATUS_OK)
         status = add_parameters(r);
     for (int i = 0; i < r->lines.count && status == STATUS_OK; i++)
@@ -404,21 +404,73 @@ static enum status read_system(struct reading *r, bool angles)
     return status;
 }
 
+/* ---- forcing that is off ------------------------------------------------- */
+
+/* Whether the rates do not depend on t, as 0 sin(t) does not: 0 u is 0. */
+static bool stands_still(struct reading *r, bool angles)
+{
+    const struct formula_system *s = &r->model->system;
+    bool depends[FORMULA_NODES] = { false };
+
+    r->time = TIME_LEAF;
+    if (read_system(r, angles) != STATUS_OK)
+        return false;
+    const int t = formula_find(&s->graph, "t", 1);
+    for (int i = 0; i < s->graph.nodes; i++) {
+        const struct formula_node *n = &s->graph.node[i];
+        depends[i] = i == t;
+        for (int k = 0; k < n->arguments; k++)
+            depends[i] = depends[i] || depends[n->of[k]];
+    }
+    return !depends[s->rate[0]] && !depends[s->rate[1]];
+}
+
+/* A forcing whose amplitude is 0: the fewest parameters that are 0 stay so. */
+static enum status read_still(struct reading *r, bool angles)
+{
+    struct fault why = *r->why;
+
+    for (int i = 0; i < r->lines.count; i++)
+        r->off[i] = r->lines.at[i].kind == XPP_PARAMETER &&
+                    !(number(r->lines.at[i].text, 1) != 0);
+    if (!stands_still(r, angles)) {
+        *r->why = why;
+        return STATUS_BAD_SCENE;
+    }
+    for (int i = 0; i < r->lines.count; i++)
+        if (r->off[i]) {
+            r->off[i] = false;
+            r->off[i] = !stands_still(r, angles);
+        }
+    r->time = TIME_NOTHING;
+    return read_system(r, angles);
+}
+
+/* ---- all ----------------------------------------------------------------- */
+
+static enum status read_whole(struct reading *r, bool angles)
+{
+    enum status status = read_system(r, angles);
+
+    if (status == STATUS_BAD_SCENE && r->time == TIME_REFUSED)
+        status = read_still(r, angles);
+    return status ? status
+                  : formula_system_finish(&r->model->system, place_of(r, NULL),
+                                          r->why);
+}
+
 static enum status read_model(struct reading *r, const char *text)
 {
     enum status status = xpp_lines_read(text, r->name, &r->lines, r->why);
 
     if (status != STATUS_OK)
         return status;
-    const char *method = option(r, "meth", "method");
+    const char *method = xpp_option(&r->lines, "meth", "method");
     if (method && strncmp(method, "disc", 4) == 0)
         return formula_blame(place_of(r, NULL), r->why, "a map, no flow");
-    status = read_system(r, true);
-    if (status == STATUS_OK)
-        status =
-            formula_system_finish(&r->model->system, place_of(r, NULL), r->why);
-    if (status == STATUS_BAD_SCENE && option(r, "fold", ""))
-        status = read_system(r, false); /* folded, but not periodic */
+    status = read_whole(r, true);
+    if (status == STATUS_BAD_SCENE && xpp_option(&r->lines, "fold", ""))
+        status = read_whole(r, false); /* folded, but not periodic */
     if (status == STATUS_OK)
         set_window(r);
     return status;

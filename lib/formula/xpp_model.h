@@ -5,7 +5,8 @@
  * name = formula, f(x) = formula, @ options (the window of x against y, an
  * angle by fold and tor_per), done; comments, \ at line ends, ** and log as ^
  * and ln; capitals do not count.  Functions are written out; names that the
- * rates do not need are left.  Not needed, so left: aux, set, only, bdry.
+ * rates do not need are left.  Not needed, so left: aux, set, only, bdry.  A
+ * forcing whose amplitude is 0 is none: that parameter is 0 for good then.
  *
  * Refused with a line and a reason: what is not planar (three variables,
  * delays, Volterra, tables, arrays, algebraic equations), not autonomous (t),

@@ -66,6 +66,23 @@ static void statements_come_in_any_order_and_case(void **state)
     assert_true(fabs((double) found.equilibrium[0].state[0].value) < 1e-30);
 }
 
+static void forcing_that_is_off_is_none(void **state)
+{
+    (void) state;
+    reads("s(t)=al*sin(omega*t)\n"
+          "x'=y\ny'=-x-k*y+s(t)+f\n"
+          "par al=0,omega=2,k=0,f=0\n");
+    assert_int_equal(m.system.parameters, 3);
+    assert_int_equal(formula_system_find_parameter(&m.system, "al"), -1);
+    assert_int_equal(formula_system_find_parameter(&m.system, "t"), -1);
+    assert_true(formula_system_find_parameter(&m.system, "k") >= 0);
+    refused("s(t)=al*sin(omega*t)\nx'=y\ny'=-x-k*y+s(t)\n"
+            "par al=0.1,omega=2,k=0\n",
+            "a.ode:3: depends on t: the system is not autonomous");
+    refused("x'=y\ny'=-x-k*cos(t)\npar k=1,a=0\n",
+            "a.ode:2: depends on t: the system is not autonomous");
+}
+
 static int node_of(const char *text)
 {
     int node = -1;
@@ -105,7 +122,7 @@ static void what_is_no_planar_autonomous_flow_is_refused(void **state)
             "a.ode:2: depends on t: the system is not autonomous");
     refused("x'=y\ns(u)=sin(u)\ny'=a\na=s(t)\n",
             "a.ode:4: depends on t: the system is not autonomous");
-    refused("x'=y\ns(t)=a*sin(t)\npar a=0\ny'=s(t)\n",
+    refused("x'=y\ns(t)=a*sin(t)\npar a=1\ny'=s(t)\n",
             "a.ode:4: depends on t: the system is not autonomous");
     refused("x'=y\ny(t)=int{exp(-t)#x}\n",
             "a.ode:2: an integral equation, the system is not planar");
@@ -244,6 +261,7 @@ static void every_installed_model_is_analysed_or_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(forcing_that_is_off_is_none),
         cmocka_unit_test(statements_come_in_any_order_and_case),
         cmocka_unit_test(what_xppaut_writes_otherwise_means_the_same),
         cmocka_unit_test(a_folded_variable_is_an_angle),
