@@ -144,6 +144,40 @@ static enum status add(struct plane_study *s, const struct curve *const c[2],
     return status;
 }
 
+static double height(const struct curve *c, size_t piece, double theta)
+{
+    double at[CURVE_DIM_MAX];
+
+    curve_at(c, piece, theta, at);
+    return at[1];
+}
+
+/* From the top of a round to half of its height: ends of a curve that lie at
+ * its top are in no band that is wide.  *first: the piece where that is now;
+ * the orbit goes on to the same place, and by a piece more. */
+static enum status go_down(struct orbit *o, size_t *first, size_t last)
+{
+    double top = -HUGE_VAL, bottom = HUGE_VAL;
+    enum status status = STATUS_OK;
+
+    for (size_t i = *first; i <= last; i++) {
+        top = fmax(top, height(&o->curve, i, 0.0));
+        bottom = fmin(bottom, height(&o->curve, i, 0.0));
+    }
+    const double middle = 0.5 * (top + bottom);
+    while (*first < last && height(&o->curve, *first, 0.0) > middle)
+        ++*first;
+    for (bool more = true; more && status == STATUS_OK; last++) {
+        more = height(&o->curve, last, 1.0) > middle;
+        if (last + 1 == o->curve.count)
+            status = orbit_step(o);
+        if (last + 1 == o->curve.count)
+            break;
+    }
+    o->curve.count = last + 1;
+    return status;
+}
+
 /* The last of some rounds backward in time, until they repeat to rounding or
  * come no nearer to each other. */
 static enum status add_cycle(struct plane_study *s, size_t k)
@@ -158,10 +192,11 @@ static enum status add_cycle(struct plane_study *s, size_t k)
 
     options.rtol = TOL_RTOL_DEFAULT;
     options.observables = 0;
-    options.max_steps = TOL_FATE_STEPS;
+    options.max_steps = 2 * TOL_FATE_STEPS;
     enum status status =
         orbit_init(&o, system, vec2_sub(w->at[0], system->origin), &options);
-    for (int rounds = 0; rounds < 2000 && status == STATUS_OK;) {
+    for (int rounds = 0; rounds < 2000 && status == STATUS_OK &&
+                         o.curve.count < TOL_FATE_STEPS;) {
         status = orbit_step(&o);
         if (status != STATUS_OK || o.end != ORBIT_RUNNING)
             break;
@@ -183,8 +218,9 @@ static enum status add_cycle(struct plane_study *s, size_t k)
         gap = next;
     }
     gap = fmin(gap, next);
+    if (status == STATUS_OK && gap < HUGE_VAL && first > 0)
+        status = go_down(&o, &first, last);
     if (status != STATUS_NO_MEMORY && gap < HUGE_VAL && first > 0) {
-        o.curve.count = last + 1;
         const struct curve *const c[2] = { NULL, &o.curve };
         status = add(s, c, first, system->origin,
                      10.0 * gap / (1.0 - ratio) *
