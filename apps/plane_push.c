@@ -10,6 +10,7 @@
 #include "number.h"
 #include "plane_basin.h"
 #include "plane_branch.h"
+#include "plane_label.h"
 #include "progress.h"
 #include "table.h"
 
@@ -113,7 +114,7 @@ static enum status find_goal(struct job *j, size_t i)
         status = plane_basin_at(s, z, &label);
     } else {
         status = plane_follow(s, z, false, &goal);
-        label = plane_basin_label(s, &goal);
+        label = plane_label_of(s, &goal);
     }
     j->goal[i] = s->basin.name[label < 0 ? (int8_t) s->basin.labels : label];
     return status;

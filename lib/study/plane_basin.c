@@ -1,4 +1,5 @@
-/* Orbits from anywhere audit the map. */
+/* Regions, labelled (plane_label.h), are shared out and bounded.  Orbits from
+ * anywhere then audit the map. */
 #include "plane_basin.h"
 
 #include <math.h>
@@ -13,35 +14,6 @@
 #include "study_tolerance.h"
 #include "tolerance.h"
 
-/* ---- labels -------------------------------------------------------------- */
-
-/* Near the middle, where equilibria like to be. */
-static double between(double lo, double hi)
-{
-    return lo + PLANE_LABEL_MIDDLE * (hi - lo);
-}
-
-int8_t plane_basin_label(const struct plane_study *s,
-                         const struct plane_goal *g)
-{
-    size_t n = 0;
-
-    for (size_t i = 0; i < s->rests; i++) {
-        if (g->kind == PLANE_GOAL_REST && g->index == i)
-            return (int8_t) n;
-        n += s->rest[i].trap[0].size > 0.0;
-    }
-    if (g->kind == PLANE_GOAL_INFINITY)
-        return (int8_t) n;
-    if (g->kind == PLANE_GOAL_OUTSIDE)
-        return (int8_t) (n + 1);
-    if (g->kind != PLANE_GOAL_CYCLE)
-        return -1;
-    for (size_t k = 0; k < g->index; k++)
-        n += s->cycle[k].type == PLANE_CYCLE_STABLE;
-    return g->index < s->cycles ? (int8_t) (n + 2) : -1;
-}
-
 static struct measure measure_of(const struct plane_study *s)
 {
     const struct box w = s->window.box;
@@ -53,11 +25,11 @@ static struct measure measure_of(const struct plane_study *s)
 
 /* ---- shares -------------------------------------------------------------- */
 
-/* Room for all attractors, infinity, and what is undecided. */
+/* Room for all attractors, what is beyond, and what is undecided. */
 static enum status name_shares(struct plane_study *s)
 {
     struct plane_basin *b = &s->basin;
-    const size_t most = s->rests + s->cycles + 4;
+    const size_t most = s->rests + s->beyonds + s->cycles + 2;
     size_t n = 0;
 
     b->share = calloc(most, sizeof *b->share);
@@ -67,8 +39,8 @@ static enum status name_shares(struct plane_study *s)
     for (size_t i = 0; i < s->rests; i++)
         if (s->rest[i].trap[0].size > 0.0)
             b->name[n++] = s->rest[i].name;
-    b->name[n++] = "infinity";
-    b->name[n++] = "outside";
+    for (size_t i = 0; i < s->beyonds; i++)
+        b->name[n++] = s->beyond[i].word;
     for (size_t k = 0; k < s->cycles; k++)
         if (s->cycle[k].type == PLANE_CYCLE_STABLE)
             b->name[n++] = s->cycle[k].name;
@@ -156,7 +128,7 @@ static enum status check_rests(const struct plane_study *s, size_t *asked,
             continue;
         status = plane_basin_at(s, s->rest[i].z, &label);
         *asked += label >= 0;
-        *wrong += label >= 0 && label != plane_basin_label(s, &goal);
+        *wrong += label >= 0 && !plane_label_allows(s, label, &goal);
     }
     return status;
 }
@@ -182,7 +154,7 @@ static enum status audit(struct plane_study *s, const struct monitor *monitor)
             continue;
         }
         asked += label >= 0;
-        wrong += label >= 0 && label != plane_basin_label(s, &goal);
+        wrong += label >= 0 && !plane_label_allows(s, label, &goal);
     }
     if (!failed)
         failed = check_rests(s, &asked, &wrong) != STATUS_OK;
@@ -204,7 +176,7 @@ static void mark_borders(struct patches *p, struct plane_study *s)
     for (size_t i = 0; i < p->r->bands; i++) {
         const struct band *band = &p->r->band[i];
         const double y =
-            between(fmax(band->lo, w.lo.y), fmin(band->hi, w.hi.y));
+            plane_label_between(fmax(band->lo, w.lo.y), fmin(band->hi, w.hi.y));
         const size_t n = separatrix_row(p->r->separatrix, y, p->below);
         if (n != band->strands || !(band->hi > w.lo.y && band->lo < w.hi.y))
             continue;
@@ -236,9 +208,11 @@ static enum status mark_flats(struct plane_study *s)
         if (!(from < to) || f->w < w.lo.y || f->w > w.hi.y)
             continue;
         for (int k = 0; k < 2 && status == STATUS_OK; k++)
-            status = plane_basin_at(
-                s, (struct vec2){ between(from, to), f->w + (k ? off : -off) },
-                &side[k]);
+            status =
+                plane_basin_at(s,
+                               (struct vec2){ plane_label_between(from, to),
+                                              f->w + (k ? off : -off) },
+                               &side[k]);
         s->basin.border[f->chain].divides |= side[0] != side[1];
     }
     return status;
@@ -280,10 +254,11 @@ static enum status work(struct plane_study *s, struct patches *p,
 
     p->of = calloc(n, sizeof *p->of);
     p->area = calloc(n, sizeof *p->area);
+    p->goal = calloc(n, sizeof *p->goal);
     p->below = calloc(room, sizeof *p->below);
     p->above = calloc(room, sizeof *p->above);
     p->before = calloc(room, sizeof *p->before);
-    if (!p->of || !p->area || !p->below || !p->above || !p->before)
+    if (!p->of || !p->area || !p->goal || !p->below || !p->above || !p->before)
         return STATUS_NO_MEMORY;
     regions_areas(p->r, s->window.box, measure_of(s), p->below, p->area);
     enum status status = plane_label_all(s, p, monitor);
@@ -313,6 +288,7 @@ enum status plane_basin_find(struct plane_study *s,
         status = work(s, &p, monitor);
     free(p.of);
     free(p.area);
+    free(p.goal);
     free(p.below);
     free(p.above);
     free(p.before);

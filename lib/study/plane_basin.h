@@ -17,10 +17,6 @@ MUST_CHECK enum status plane_basin_find(struct plane_study *s,
 MUST_CHECK enum status plane_basin_at(const struct plane_study *s,
                                       struct vec2 z, int8_t *label);
 
-/* The label of a goal; -1: it has none. */
-int8_t plane_basin_label(const struct plane_study *s,
-                         const struct plane_goal *goal);
-
 /* Rows of the grid of the scene, or of another one over the window, where cells
  * are even in the drawing. */
 MUST_CHECK enum status plane_basin_fill(const struct plane_study *s,

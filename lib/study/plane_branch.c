@@ -8,6 +8,7 @@
 
 #include "grow.h"
 #include "orbit.h"
+#include "plane_beyond.h"
 #include "study_tolerance.h"
 #include "tolerance.h"
 
@@ -409,16 +410,6 @@ static bool is_trapped(const struct plane_study *s, struct vec2 z,
     return false;
 }
 
-/* Whether a state hardly moves, outside the window. */
-static bool rests_outside(const struct plane_study *s, struct vec2 z)
-{
-    const struct vec2 side = s->scale.side,
-                      f = plain_rates(&s->program, z, NULL);
-
-    return !box_holds(s->window.box, z) &&
-           hypot(f.x / side.x, f.y / side.y) <= TOL_PLANE_STILL * s->kappa;
-}
-
 /* Whether a state is so near to an equilibrium that is not hyperbolic, or to
  * where one may be, that rounding decides where its orbit goes. */
 static bool is_lost(const struct plane_study *s, struct vec2 z)
@@ -478,10 +469,9 @@ enum status plane_follow(const struct plane_study *s, struct vec2 z,
             vec2_add(system->origin, (struct vec2){ o.u[0], o.u[1] });
         if (is_trapped(s, here, backward, &out->index))
             out->kind = PLANE_GOAL_REST;
-        else if (o.end == ORBIT_LEFT_DOMAIN)
-            out->kind = PLANE_GOAL_INFINITY;
-        else if (rests_outside(s, here))
-            out->kind = PLANE_GOAL_OUTSIDE;
+        else if (plane_beyond_at(s, here, backward, o.end == ORBIT_LEFT_DOMAIN,
+                                 &out->beyond))
+            out->kind = PLANE_GOAL_BEYOND;
         else if (o.end != ORBIT_RUNNING || is_lost(s, here) ||
                  winding_is_closed(&out->round, &s->scale))
             break;

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "plane_basin.h"
+#include "plane_label.h"
 #include "plane_results.h"
 #include "plane_table.h"
 
@@ -14,10 +15,27 @@ static struct quantity share_of(const struct plane_study *s,
                                 const struct plane_goal *goal,
                                 const char *reason)
 {
-    const int8_t label = plane_basin_label(s, goal);
+    const int8_t label = plane_label_of(s, goal);
 
     return label < 0 || !s->basin.share ? quantity_none(reason)
                                         : s->basin.share[label].fraction;
+}
+
+static struct quantity sum_of(struct quantity p, struct quantity q)
+{
+    return quantity_of(p.value + q.value, p.error + q.error);
+}
+
+/* Sums over all equilibria outside the window, or over all else beyond it. */
+static struct quantity share_beyond(const struct plane_study *s, bool rests)
+{
+    struct quantity sum = quantity_of(0.0, 0.0);
+
+    for (size_t i = 0; i < s->beyonds; i++)
+        if (s->beyond[i].rests == rests)
+            sum =
+                sum_of(sum, s->basin.share[plane_label_beyond(s) + i].fraction);
+    return sum;
 }
 
 /* Sums over all cycles that attract. */
@@ -29,16 +47,13 @@ static struct quantity share_of_cycles(const struct plane_study *s)
         const struct plane_goal goal = { .kind = PLANE_GOAL_CYCLE, .index = k };
         if (s->cycle[k].type != PLANE_CYCLE_STABLE)
             continue;
-        const struct quantity q = share_of(s, &goal, "no basins");
-        sum = quantity_of(sum.value + q.value, sum.error + q.error);
+        sum = sum_of(sum, share_of(s, &goal, "no basins"));
     }
     return sum;
 }
 
 static void fill_shares(struct plane_study *s)
 {
-    const struct plane_goal infinity = { .kind = PLANE_GOAL_INFINITY },
-                            outside = { .kind = PLANE_GOAL_OUTSIDE };
     struct plane_basin *b = &s->basin;
 
     for (size_t i = 0; i < s->rests; i++) {
@@ -48,8 +63,8 @@ static void fill_shares(struct plane_study *s)
                                : quantity_none("it does not attract");
     }
     b->elsewhere = (struct plane_elsewhere){
-        share_of(s, &infinity, "no basins"),
-        share_of(s, &outside, "no basins"),
+        share_beyond(s, false),
+        share_beyond(s, true),
         share_of_cycles(s),
         b->share[b->labels].fraction,
     };

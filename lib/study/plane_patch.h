@@ -11,6 +11,7 @@ struct patches {
     struct regions *r;
     size_t *of;
     struct area *area;
+    struct plane_goal *goal; /* of the first regions */
     struct crossing *below, *above, *before;
 };
 

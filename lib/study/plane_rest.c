@@ -27,10 +27,12 @@ static struct quantity number(const struct system_number *n)
     return quantity_of(value, n->error + fabs(left));
 }
 
-/* r must not move afterwards. */
-static void fill(const struct plane_study *s,
-                 const struct system_equilibrium *e, struct plane_rest *r)
+/* STATUS_NO_MEMORY, STATUS_BAD_SCENE. */
+static enum status fill(const struct plane_study *s,
+                        const struct system_equilibrium *e,
+                        struct plane_rest *r, struct fault *why)
 {
+    const formula_real at[] = { e->chart[0].value, e->chart[1].value };
     const struct quantity x = number(&e->chart[0]), y = number(&e->chart[1]);
 
     r->type = (int8_t) e->type;
@@ -40,14 +42,17 @@ static void fill(const struct plane_study *s,
         r->state[i] = number(&e->state[i]);
         r->lambda[i].re = number(&e->eigenvalue[i].re);
         r->lambda[i].im = number(&e->eigenvalue[i].im);
-        r->plane[i] =
-            plain_around(&s->program, r->z, true, i == 0 ? 1.0 : -1.0);
-        r->system[i] = s->system[i];
-        plain_planar(&r->plane[i], &r->system[i]);
+    }
+    r->plane = calloc(2, sizeof *r->plane);
+    if (r->plane == NULL)
+        return STATUS_NO_MEMORY;
+    const enum status status =
+        plane_study_about(s, true, at, r->plane, r->system, why);
+    for (int i = 0; i < 2 && status == STATUS_OK; i++)
         r->trap[i] = r->type == PLANE_NONHYPERBOLIC
                          ? (struct trap_form){ .z = r->z }
                          : trap_form_at(&r->system[i], &s->scale);
-    }
+    return status;
 }
 
 /* No trap reaches to another equilibrium. */
@@ -63,9 +68,11 @@ static void keep_apart(struct plane_study *s)
 }
 
 static enum status keep(struct plane_study *s,
-                        const struct system_equilibria *found)
+                        const struct system_equilibria *found,
+                        struct fault *why)
 {
     size_t count[PLANE_TYPES] = { 0 };
+    enum status status = STATUS_OK;
 
     s->complete = found->complete;
     s->rests = (size_t) found->count;
@@ -74,13 +81,15 @@ static enum status keep(struct plane_study *s,
     s->undecided = calloc(s->undecided_count + 1, sizeof *s->undecided);
     if (s->rest == NULL || s->undecided == NULL)
         return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < s->rests; i++) {
+    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++) {
         struct plane_rest *r = &s->rest[i];
-        fill(s, &found->equilibrium[i], r);
+        status = fill(s, &found->equilibrium[i], r, why);
         r->name = r->word;
         snprintf(r->word, sizeof r->word, "%s_%zu", plane_type_names[r->type],
                  count[r->type]++);
     }
+    if (status != STATUS_OK)
+        return status;
     s->saddles = count[PLANE_SADDLE];
     keep_apart(s);
     for (size_t i = 0; i < s->undecided_count; i++)
@@ -103,7 +112,7 @@ enum status plane_rest_find(struct plane_study *s, struct fault *why)
               : STATUS_NO_MEMORY;
 
     if (status == STATUS_OK)
-        status = keep(s, found);
+        status = keep(s, found, why);
     free(found);
     return status;
 }

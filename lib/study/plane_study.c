@@ -53,10 +53,9 @@ static struct box domain_of(const struct plane_study *s)
     return far;
 }
 
-static void set_system(struct plane_study *s)
+static void set_window(struct plane_study *s)
 {
     const struct box w = scene_box(s->scene);
-    const struct vec2 middle = vec2_scale(0.5, vec2_add(w.lo, w.hi));
     const struct formula_system *f = s->scene->system;
 
     for (int i = 0; i < f->observables; i++)
@@ -73,25 +72,52 @@ static void set_system(struct plane_study *s)
     s->scale = (struct arrival_scale){ .side = vec2_sub(w.hi, w.lo),
                                        .period = { period_of(s, 0),
                                                    period_of(s, 1) } };
-    for (int i = 0; i < 2; i++) {
-        s->plane[i] =
-            plain_around(&s->program, middle, false, i == 0 ? 1.0 : -1.0);
-        s->system[i] = (struct planar){
-            .name = "system",
-            .axis = { axis_of(s, 0), axis_of(s, 1) },
-            .domain = domain_of(s),
-        };
-        plain_planar(&s->plane[i], &s->system[i]);
-        s->system[i].observables = s->observable;
-        s->system[i].observable_count = (size_t) f->observables;
+}
+
+/* About the middle of the window, or about another place where all formulas
+ * have values. */
+static enum status set_anchor(struct plane_study *s, struct fault *why)
+{
+    enum { PLACES = 20 };
+    const struct box w = s->window.box;
+    enum status status = STATUS_BAD_SCENE;
+
+    for (int i = 0; i < PLACES && status == STATUS_BAD_SCENE; i++) {
+        const double x = 0.5 + 0.7548776662466927 * i,
+                     y = 0.5 + 0.5698402909980532 * i;
+        const formula_real at[] = { w.lo.x + (x - floor(x)) * (w.hi.x - w.lo.x),
+                                    w.lo.y +
+                                        (y - floor(y)) * (w.hi.y - w.lo.y) };
+        status = plane_study_about(s, false, at, s->plane, s->system, why);
     }
+    return status;
+}
+
+enum status plane_study_about(const struct plane_study *s, bool equilibrium,
+                              const formula_real at[2],
+                              struct tape_plane plane[2],
+                              struct planar system[2], struct fault *why)
+{
+    enum status status = STATUS_OK;
+
+    for (int i = 0; i < 2 && status == STATUS_OK; i++) {
+        status =
+            system_plane_at(s->lowered, equilibrium, i, at, &plane[i], why);
+        system[i] = tape_planar(&plane[i]);
+        system[i].name = "system";
+        system[i].axis[0] = axis_of(s, 0);
+        system[i].axis[1] = axis_of(s, 1);
+        system[i].domain = domain_of(s);
+        system[i].observables = s->observable;
+    }
+    return status;
 }
 
 /* The fastest rate at any equilibrium, or else in the middle of the window. */
 static double fastest(const struct plane_study *s)
 {
     double rate = 0.0;
-    struct mat2 A;
+    struct planar_jacobian J;
 
     for (size_t i = 0; i < s->rests; i++)
         for (int k = 0; k < 2; k++)
@@ -99,8 +125,10 @@ static double fastest(const struct plane_study *s)
                                     s->rest[i].lambda[k].im.value));
     if (rate > 0.0)
         return rate;
-    (void) plain_rates(&s->program, s->system[0].origin, &A);
-    rate = hypot(hypot(A.xx, A.xy), hypot(A.yx, A.yy));
+    s->system[0].jacobian(s->system[0].ctx, (struct vec2){ 0.0, 0.0 }, &J);
+    rate = hypot(hypot(J.matrix.xx, J.matrix.xy),
+                 hypot(J.matrix.yx, J.matrix.yy)) *
+           exp(J.field.log_scale);
     return isfinite(rate) && rate > 0.0 ? rate : 1.0;
 }
 
@@ -202,17 +230,23 @@ static enum status find_portrait(struct plane_study *s,
 static enum status run(struct plane_study *s, const struct monitor *monitor,
                        struct fault *why)
 {
-    enum status status = plain_program(&s->program, s->scene->system, why);
+    enum status status = STATUS_OK;
 
-    if (status == STATUS_OK &&
-        s->scene->system->observables > PLANAR_OBSERVABLES_MAX) {
+    if (s->scene->system->observables > PLANAR_OBSERVABLES_MAX) {
         snprintf(why->text, sizeof why->text,
                  "system.observables: more than %d", PLANAR_OBSERVABLES_MAX);
         return STATUS_BAD_SCENE;
     }
+    s->lowered = malloc(sizeof *s->lowered);
+    s->plane = calloc(2, sizeof *s->plane);
+    if (s->lowered == NULL || s->plane == NULL)
+        return STATUS_NO_MEMORY;
+    set_window(s);
+    status = system_plane_lower(s->lowered, s->scene->system, why);
+    if (status == STATUS_OK)
+        status = set_anchor(s, why);
     if (status != STATUS_OK)
         return status;
-    set_system(s);
     status = plane_rest_find(s, why);
     s->kappa = fastest(s);
     if (status == STATUS_OK && s->products & (BIT(MANIFOLDS) | BIT(BASINS)))
@@ -251,10 +285,15 @@ void plane_study_free(struct plane_study *s)
     for (size_t i = 0; i < s->branches; i++)
         branch_free(&s->branch[i].curve);
     free(s->branch);
+    for (size_t i = 0; i < s->rests; i++)
+        free(s->rest[i].plane);
     free(s->rest);
+    free(s->lowered);
+    free(s->plane);
     free(s->undecided);
     free(s->cycle);
     free(s->slope);
+    free(s->beyond);
     portrait_free(&s->portrait);
     trajectory_free(&s->backward);
     plane_basin_free(&s->basin);

@@ -11,11 +11,11 @@
 
 #include "arrival.h"
 #include "branch.h"
-#include "plain_plane.h"
 #include "portrait.h"
 #include "record.h"
 #include "region.h"
 #include "scene.h"
+#include "system_plane.h"
 
 /* Types of equilibria, in this order; NULL-ended. */
 enum plane_type {
@@ -39,8 +39,9 @@ struct plane_rest {
     struct quantity state[2];
     struct plane_lambda {
         struct quantity re, im;
-    } lambda[2];                 /* ascending; or a pair, im < 0 first */
-    struct plain_plane plane[2]; /* about it, forward and backward in time */
+    } lambda[2]; /* ascending; or a pair, im < 0 first */
+    struct tape_plane
+        *plane; /* owned: about it, forward and backward in time */
     struct planar system[2];
     struct trap_form trap[2];
     struct quantity share; /* of the window; with basins */
@@ -81,10 +82,26 @@ struct plane_cycle {
 enum plane_cycle_type { PLANE_CYCLE_STABLE, PLANE_CYCLE_UNSTABLE };
 extern const char *const plane_cycle_types[];
 
+/* What orbits go to beyond the window: infinity of the chart, or an equilibrium
+ * outside.  Each coordinate grows, falls, has a limit, or does what is not
+ * known; the word tells what is known, "x_to_0_y_to_1", or else "infinity" or
+ * "outside". */
+struct plane_beyond {
+    bool rests; /* an equilibrium */
+    enum plane_way {
+        PLANE_WAY_UNKNOWN,
+        PLANE_WAY_LIMIT,
+        PLANE_WAY_UP,
+        PLANE_WAY_DOWN
+    } way[2];
+    double limit[2]; /* in the chart */
+    char word[2 * PLANE_NAME + 48];
+};
+
 /* A share of the window, by area as it is drawn. */
 struct plane_share {
-    const char *attractor; /* borrowed; an equilibrium, a cycle, "infinity",
-                              "outside" (an equilibrium there), "undecided" */
+    const char *attractor; /* borrowed; an equilibrium, a cycle, what is
+                              beyond the window, "undecided" */
     struct quantity fraction;
 };
 
@@ -140,9 +157,9 @@ struct plane_box {
 struct plane_study {
     const struct scene *scene; /* borrowed */
     unsigned products;
-    struct plain_program program;
-    struct plain_plane plane[2]; /* about the middle of the window */
-    struct planar system[2];     /* forward and backward in time */
+    struct system_lowered *lowered; /* owned */
+    struct tape_plane *plane;       /* owned: about a place of the window */
+    struct planar system[2];        /* forward and backward in time */
     struct window window;
     struct planar_observable observable[PLANAR_OBSERVABLES_MAX];
     struct arrival_scale scale;
@@ -158,6 +175,9 @@ struct plane_study {
     size_t branches;
     struct plane_cycle *cycle; /* owned */
     size_t cycles;
+    struct plane_beyond *beyond; /* owned; no two agree, "infinity" and
+                                    "outside" are last; with the basins */
+    size_t beyonds;
     struct portrait portrait;     /* owned; trajectories: forward */
     struct trajectories backward; /* owned; from the same starts */
     struct plane_basin basin;     /* members owned */
@@ -177,6 +197,12 @@ MUST_CHECK enum status plane_study_run(struct plane_study *s,
 /* A second call is harmless. */
 void plane_study_free(struct plane_study *s);
 
+/* The planar systems about a place of the chart, forward and backward in time,
+ * which borrow plane[].  STATUS_BAD_SCENE: no formulas have values there. */
+MUST_CHECK enum status plane_study_about(
+    const struct plane_study *s, bool equilibrium, const formula_real at[2],
+    struct tape_plane plane[2], struct planar system[2], struct fault *why);
+
 /* A coordinate of the chart as the state that it is. */
 double plane_state(const struct plane_study *s, int axis, double z);
 
@@ -186,11 +212,11 @@ struct plane_goal {
         PLANE_GOAL_NONE, /* as far as it was followed */
         PLANE_GOAL_REST,
         PLANE_GOAL_CYCLE,
-        PLANE_GOAL_INFINITY,
-        PLANE_GOAL_OUTSIDE /* it comes to rest outside the window */
+        PLANE_GOAL_BEYOND
     } kind;
     size_t index;         /* of the rest, of the cycle; cycles: one not known */
     struct winding round; /* of a cycle */
+    struct plane_beyond beyond;
 };
 
 #endif

@@ -70,11 +70,13 @@
 
 /* Basins of such planes: cycles are looked for from this far beside others, and
  * kept to TOL_RTOL_DEFAULT; copies of a curve of an angle; regions are one
- * where they share more of a row than this. */
-#define TOL_PLANE_BESIDE 1e-3
-#define TOL_PLANE_TURNS  50.0
-#define TOL_PLANE_DOOR   1e-6
-#define TOL_PLANE_FLAT   16.0
+ * where they share more of a row than this; two limits outside the window are
+ * the same. */
+#define TOL_PLANE_BESIDE     1e-3
+#define TOL_PLANE_TURNS      50.0
+#define TOL_PLANE_DOOR       1e-6
+#define TOL_PLANE_FLAT       16.0
+#define TOL_PLANE_SAME_LIMIT 1e-6
 
 /* Sensitivities: parameters are moved by this part of themselves, so that a
  * difference is off by 1e-18 third derivatives and by 1e9 bars of numbers that

@@ -183,7 +183,56 @@ static void what_rests_outside_is_said_to(void **state)
               "window={x: [-0.5, 2], y: [-1, 1]}\nproducts=[basins]\n"
               "basins.audit=20\n");
     has_share(&s, "stable_node_0", 0.8, 1e-12);
-    has_share(&s, "outside", 0.2, 1e-12);
+    has_share(&s, "x_to_-1_y_to_0", 0.2, 1e-12);
+    plane_end(&s, &c);
+    plane_run(&s, &c, "x' = x - x^3; y' = -y",
+              "window={x: [-0.5, 0.5], y: [-1, 1]}\nproducts=[basins]\n"
+              "basins.audit=20\n");
+    has_share(&s, "x_to_-1_y_to_0", 0.5, 1e-12);
+    has_share(&s, "x_to_1_y_to_0", 0.5, 1e-12);
+    assert_int_equal(s.basin.boundaries, 2);
+    plane_end(&s, &c);
+}
+
+/* Lotka and Volterra: each alone is an attractor on an axis, which the chart
+ * has at infinity; the species are alike. */
+static void those_who_compete_share_alike(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = x*(1 - x - b*y); y' = y*(1 - y - b*x); b = 1.5",
+              "system.state={x: positive, y: positive}\n"
+              "window={x: [0.01, 2], y: [0.01, 2]}\nproducts=[basins]\n"
+              "basins.audit=50\n");
+    has_share(&s, "x_to_0_y_to_1", 0.5, 1e-12);
+    has_share(&s, "x_to_1_y_to_0", 0.5, 1e-12);
+    assert_int_equal(s.basin.boundaries, 2);
+    assert_string_equal(s.basin.boundary[0].of, "saddle_0");
+    plane_end(&s, &c);
+}
+
+/* Where orbits from one side of all borders have nothing in common, nothing is
+ * said. */
+static void ways_to_infinity_are_told_apart_where_they_differ(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = x; y' = -y", WINDOW);
+    has_share(&s, "x_to_-infinity", 0.5, 1e-12);
+    has_share(&s, "x_to_infinity", 0.5, 1e-12);
+    plane_end(&s, &c);
+    plane_run(&s, &c, "x' = x; y' = y", WINDOW);
+    has_share(&s, "infinity", 1.0, 1e-12);
+    plane_end(&s, &c);
+    plane_run(&s, &c, "x' = x - y; y' = x + y", WINDOW);
+    has_share(&s, "infinity", 1.0, 1e-12);
+    plane_end(&s, &c);
+    plane_run(&s, &c, "x' = x^2 - 1; y' = y", WINDOW);
+    has_share(&s, "infinity", 1.0, 1e-12);
     plane_end(&s, &c);
 }
 
@@ -255,8 +304,10 @@ static void orbits_about_a_centre_do_not_leave(void **state)
     plane_run(&s, &c, "x' = x*(1 - y); y' = y*(x - 1)",
               "window={x: [-1, 3], y: [-1, 2]}\nproducts=[basins]\n"
               "basins.audit=20\n");
+    const struct quantity *q = &s.basin.elsewhere.infinity;
     has_share(&s, "undecided", 0.5, 1e-11);
-    has_share(&s, "infinity", 0.5, 1e-11);
+    CHECK(fabs(q->value - 0.5) <= q->error && q->error <= 1e-11,
+          "%.17g +- %g go beyond all bounds", q->value, q->error);
     plane_end(&s, &c);
 }
 
@@ -272,6 +323,8 @@ int main(void)
         TEST(a_weak_focus_has_its_share),
         TEST(orbits_that_all_close_are_no_attractors),
         TEST(what_rests_outside_is_said_to),
+        TEST(those_who_compete_share_alike),
+        TEST(ways_to_infinity_are_told_apart_where_they_differ),
         TEST(rows_of_the_map_agree_with_single_states),
         TEST(a_border_that_ends_flat_is_one),
         TEST(next_to_a_fold_nothing_is_said),

@@ -1,0 +1,166 @@
+/* Limits at infinity of the chart: no map of the circle at infinity is made.
+ * Of each end so much is known as all orbits to it have in common. */
+#include "plane_beyond.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study_tolerance.h"
+
+static double part_of(struct vec2 z, int axis)
+{
+    return axis == 0 ? z.x : z.y;
+}
+
+/* ---- one orbit ----------------------------------------------------------- */
+
+static enum plane_way way_of(const struct plane_study *s, int axis, double z)
+{
+    const double lo = part_of(s->window.box.lo, axis),
+                 hi = part_of(s->window.box.hi, axis);
+
+    if (part_of(s->scale.period, axis) > 0.0)
+        return PLANE_WAY_UNKNOWN;
+    return z > 2.0 * hi - lo   ? PLANE_WAY_UP
+           : z < 2.0 * lo - hi ? PLANE_WAY_DOWN
+                               : PLANE_WAY_UNKNOWN;
+}
+
+bool plane_beyond_at(const struct plane_study *s, struct vec2 z, bool backward,
+                     bool left, struct plane_beyond *out)
+{
+    const struct planar *system = &s->system[backward];
+    bool still[2];
+    struct planar_field f;
+
+    if (!left && box_holds(s->window.box, z))
+        return false;
+    system->field(system->ctx, vec2_sub(z, system->origin), &f);
+    for (int i = 0; i < 2; i++)
+        still[i] = fabs(part_of(f.direction, i)) * exp(f.log_scale) <=
+                   TOL_PLANE_STILL * s->kappa * part_of(s->scale.side, i);
+    if (!left && !(still[0] && still[1]))
+        return false;
+    *out = (struct plane_beyond){ .rests = !left };
+    for (int i = 0; i < 2; i++) {
+        out->limit[i] = part_of(z, i);
+        out->way[i] = still[i] ? PLANE_WAY_LIMIT : way_of(s, i, part_of(z, i));
+    }
+    return true;
+}
+
+/* ---- two ends ------------------------------------------------------------ */
+
+static bool same_way(const struct plane_study *s, int axis,
+                     const struct plane_beyond *a, const struct plane_beyond *b)
+{
+    const struct vec2 d =
+        arrival_from(&s->scale, (struct vec2){ a->limit[0], a->limit[1] },
+                     (struct vec2){ b->limit[0], b->limit[1] });
+
+    return a->way[axis] == b->way[axis] &&
+           (a->way[axis] != PLANE_WAY_LIMIT ||
+            fabs(part_of(d, axis)) <= TOL_PLANE_SAME_LIMIT);
+}
+
+bool plane_beyond_agree(const struct plane_study *s,
+                        const struct plane_beyond *a,
+                        const struct plane_beyond *b)
+{
+    bool alike = a->rests == b->rests;
+
+    for (int i = 0; i < 2; i++)
+        alike =
+            alike && (a->way[i] == PLANE_WAY_UNKNOWN ||
+                      b->way[i] == PLANE_WAY_UNKNOWN || same_way(s, i, a, b));
+    return alike;
+}
+
+void plane_beyond_meet(const struct plane_study *s, struct plane_beyond *a,
+                       const struct plane_beyond *b)
+{
+    for (int i = 0; i < 2; i++)
+        if (!same_way(s, i, a, b))
+            a->way[i] = PLANE_WAY_UNKNOWN;
+}
+
+/* ---- all ends ------------------------------------------------------------ */
+
+enum status plane_beyond_add(struct plane_study *s,
+                             const struct plane_beyond *new)
+{
+    struct plane_beyond all = *new;
+    struct plane_beyond *more =
+        realloc(s->beyond, (s->beyonds + 1) * sizeof *more);
+    size_t i = 0;
+
+    if (more == NULL)
+        return STATUS_NO_MEMORY;
+    s->beyond = more;
+    while (i < s->beyonds) {
+        if (!plane_beyond_agree(s, &all, &s->beyond[i])) {
+            i++;
+            continue;
+        }
+        plane_beyond_meet(s, &all, &s->beyond[i]);
+        s->beyonds--;
+        memmove(&s->beyond[i], &s->beyond[i + 1],
+                (s->beyonds - i) * sizeof *s->beyond);
+        i = 0; /* it agrees with more now */
+    }
+    s->beyond[s->beyonds++] = all;
+    return STATUS_OK;
+}
+
+/* "x_to_0": no blank, as names of labels are. */
+static void add_word(const struct plane_study *s, int axis,
+                     struct plane_beyond *b)
+{
+    const struct planar_axis *a = &s->system[0].axis[axis];
+    const size_t n = strlen(b->word);
+    const double limit = plane_state(s, axis, b->limit[axis]);
+    const bool none =
+        fabs(limit) <= TOL_PLANE_SAME_LIMIT * part_of(s->scale.side, axis) &&
+        !a->is_log;
+    char at[32];
+
+    if (b->way[axis] == PLANE_WAY_UNKNOWN)
+        return;
+    if (b->way[axis] == PLANE_WAY_LIMIT)
+        snprintf(at, sizeof at, "%.5g", none ? 0.0 : limit);
+    else
+        strcpy(at, b->way[axis] == PLANE_WAY_UP ? "infinity"
+                   : a->is_log                  ? "0"
+                                                : "-infinity");
+    snprintf(b->word + n, sizeof b->word - n, "%s%s_to_%s", n ? "_" : "",
+             a->name, at);
+}
+
+enum status plane_beyond_finish(struct plane_study *s)
+{
+    struct plane_beyond *more =
+        realloc(s->beyond, (s->beyonds + 2) * sizeof *more);
+
+    if (more == NULL)
+        return STATUS_NO_MEMORY;
+    s->beyond = more;
+    for (int rests = 0; rests < 2; rests++) {
+        bool known = false;
+        for (size_t i = 0; i < s->beyonds; i++)
+            known = known || (s->beyond[i].rests == rests &&
+                              !s->beyond[i].way[0] && !s->beyond[i].way[1]);
+        if (!known)
+            s->beyond[s->beyonds++] = (struct plane_beyond){ .rests = rests };
+    }
+    for (size_t i = 0; i < s->beyonds; i++) {
+        struct plane_beyond *b = &s->beyond[i];
+        b->word[0] = '\0';
+        add_word(s, 0, b);
+        add_word(s, 1, b);
+        if (b->word[0] == '\0')
+            strcpy(b->word, b->rests ? "outside" : "infinity");
+    }
+    return STATUS_OK;
+}
