@@ -217,14 +217,23 @@ static bool is_to_peak(const struct slider *s, const struct orbit *o,
            o->du[0] < 0.0 && !(now - t < TOL_PEAK_FADED * (most - t));
 }
 
-/* Follows the orbit for so many steps, and on to where friction has faded. */
+/* Whether v still rises where nothing holds it above 0 (fate.c): an orbit's
+ * rest is known next to its curve, from below as well. */
+static bool is_to_fall(const struct slider *s, const struct orbit *o)
+{
+    return slider_saddle(s) == 0 && o->u[0] < 0.0 && o->u[1] > 0.0 &&
+           o->du[0] > 0.0;
+}
+
+/* Follows the orbit for so many steps, and on to where v falls and friction has
+ * faded. */
 static enum status follow(const struct slider *s, size_t steps, struct orbit *o)
 {
     double most = friction(s, (struct vec2){ o->u[0], o->u[1] });
     enum status status = STATUS_OK;
 
     while (status == STATUS_OK && o->end == ORBIT_RUNNING &&
-           (o->steps < steps || is_to_peak(s, o, most))) {
+           (o->steps < steps || is_to_fall(s, o) || is_to_peak(s, o, most))) {
         status = orbit_step(o);
         most = fmax(most, friction(s, (struct vec2){ o->u[0], o->u[1] }));
     }

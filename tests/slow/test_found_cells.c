@@ -337,6 +337,40 @@ static void the_face_of_a_box_is_as_wrong_as_its_node(void **state)
     slope_free(&s);
 }
 
+/* In 113 bits, whose friction is the slope's there, at this one to all digits.
+ */
+static void v_may_rise_where_its_rest_is_known(void **state)
+{
+    static const struct found below = { FRICTION_ASINH,
+                                        THETA_LN_PSI,
+                                        PSI_SS_INVERSE,
+                                        TIMESCALE_SLIP,
+                                        KINETICS_LINEAR,
+                                        0.369,
+                                        0.023136378877920673,
+                                        0.0489,
+                                        0.0040038059188324815,
+                                        295.54509595478493,
+                                        1.2125443594073605e-05,
+                                        1e-6,
+                                        0.0,
+                                        1e-10 };
+    const struct vec2 z = { -14.580516889147628, 11.909791629865099 };
+    static struct slope s;
+    struct fault why;
+    struct cell c;
+
+    (void) state;
+    found_scene(&below, steady_only, &s.scene);
+    s.scene.tan_alpha = 0.629509396859851262282L;
+    s.scene.alpha = (double) atanl(s.scene.tan_alpha);
+    assert_int_equal(study_run(&s.study, &s.scene, NULL, &why), 0);
+    find(&s, &z, 1, 1e-10, ALL, &c);
+    is_near(&c, CELL_V_PEAK, 9.0777968561207354e-07);
+    is_near(&c, CELL_MU_PEAK, 0.6295093968598513);
+    slope_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -350,6 +384,7 @@ int main(void)
         cmocka_unit_test(psi_may_wait_for_the_curve_to_come),
         cmocka_unit_test(each_coordinate_s_steps_are_told_by_its_own),
         cmocka_unit_test(the_face_of_a_box_is_as_wrong_as_its_node),
+        cmocka_unit_test(v_may_rise_where_its_rest_is_known),
         cmocka_unit_test(what_an_orbit_closes_in_on_is_ahead_or_behind),
         cmocka_unit_test(a_peak_on_a_loose_step_has_a_bar_of_its_own),
         cmocka_unit_test(
