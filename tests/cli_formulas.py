@@ -138,7 +138,34 @@ def what_is_wrong_costs_one_line(room):
     expect(set(os.listdir(room.folder)) <= {'.bin', 'a.yaml'}, room.folder)
 
 
-run_cases([json_is_as_the_interface_says, shares_are_halves,
+CUT = '''law: {theta: ln(psi), psi_ss: 1/v + 1/v_0, T: 1/v, K: sinh(d)}
+material: {v_0: 50}
+slope: {alpha: 0.34}
+'''
+
+
+def names_of_a_law_s_own_are_set_swept_exported_and_recorded(room):
+    room.write('a.yaml', CUT)
+    for v_0 in (100, 1000):
+        one = room.json('knees', 'a.yaml', '--set', f'material.v_0={v_0}')
+        room.good('check', '--record', 'a.yaml', '--set',
+                  f'material.v_0={v_0}', '-o', f'{v_0}.csv')
+        expect('all hold' in room.good('check', f'{v_0}.csv'), v_0)
+        many = room.good('sweep', 'a.yaml', '--set', 'sweep.key=material.v_0',
+                         '--set', 'sweep.values=[100, 1000]')
+        expect(f"{one['v_plus']['value']:.10g}"[:10] in many, many)
+    room.good('export', 'a.yaml', '--as', 'xppaut', '-o', 'a.ode')
+    expect('par v_0=50' in room.read('a.ode'), room.read('a.ode'))
+    for key, said in (('material.w', 'material.w is not there'),
+                      ('material.c', 'not used by this law')):
+        refused(room.run('sweep', 'a.yaml', '--set', f'sweep.key={key}',
+                         '--set', 'sweep.values=[1, 2]'), 2, said)
+    refused(room.run('sweep', 'a.yaml', '--set', 'sweep.key=material.v_0',
+                     '--set', 'sweep.values=[-1, 2]'), 2, 'of the sign')
+
+
+run_cases([names_of_a_law_s_own_are_set_swept_exported_and_recorded,
+           json_is_as_the_interface_says, shares_are_halves,
            parameters_are_set, one_state_or_many_are_pushed,
            files_and_figures_have_the_names_of_states,
            a_parameter_is_swept, what_is_wrong_costs_one_line])

@@ -313,7 +313,9 @@ struct typed_steady law_curve_at(struct typed_curve *c, long double x)
                                   c->value[t->mu] };
 }
 
-static quad friction_at(const struct law *law, const struct material *m, quad x)
+struct typed_steady_quad law_typed_steady_quad(const struct law *law,
+                                               const struct material *m,
+                                               formula_real x)
 {
     const struct law_typed *t = law->typed;
     struct formula_value leaf[LAW_VALUES];
@@ -321,7 +323,13 @@ static quad friction_at(const struct law *law, const struct material *m, quad x)
 
     law_typed_values(t, m, 0, x, law_root_quad(t, m, x), leaf);
     formula_constants(&t->steady, leaf, 0, value);
-    return value[t->mu];
+    return (struct typed_steady_quad){ value[t->y], value[t->psi],
+                                       value[t->mu] };
+}
+
+static quad friction_at(const struct law *law, const struct material *m, quad x)
+{
+    return law_typed_steady_quad(law, m, x).mu;
 }
 
 formula_real law_typed_slope(const struct law *law, const struct material *m,

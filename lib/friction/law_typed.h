@@ -94,6 +94,14 @@ struct typed_steady law_curve_at(struct typed_curve *c, long double x);
 /* As law_typed_slope. */
 formula_real law_curve_slope(struct typed_curve *c, long double x);
 
+/* The same in 113 bits. */
+struct typed_steady_quad {
+    formula_real y, psi, mu;
+};
+struct typed_steady_quad law_typed_steady_quad(const struct law *law,
+                                               const struct material *m,
+                                               formula_real x);
+
 /* d mu_ss/dx in 113 bits, to 1e-16 of its scale */
 formula_real law_typed_slope(const struct law *law, const struct material *m,
                              long double x);

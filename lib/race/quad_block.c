@@ -4,6 +4,7 @@
 #include <assert.h>
 
 #include "law_tape.h"
+#include "law_typed.h"
 
 #define T       quad
 #define NAME(f) quad_##f
@@ -15,22 +16,30 @@
 
 quad quad_block_mu_ss(const struct law *law, const struct material *m, quad x)
 {
-    return quad_mu_ss(law, m, x);
+    return law->typed ? law_typed_steady_quad(law, m, x).mu
+                      : quad_mu_ss(law, m, x);
 }
 
 quad quad_block_y_ss(const struct law *law, const struct material *m, quad x)
 {
-    return quad_y_ss(law, m, x);
+    return law->typed ? law_typed_steady_quad(law, m, x).y
+                      : quad_y_ss(law, m, x);
+}
+
+/* What steady states are found by. */
+static quad mu_log(const struct law *law, const struct material *m, quad x)
+{
+    return law->typed ? quad_block_mu_ss(law, m, x) : quad_mu_log_ss(law, m, x);
 }
 
 quad quad_block_equilibrium(const struct law *law, const struct material *m,
                             quad tan_alpha, quad lo, quad hi)
 {
-    const quad tau = quad_tau(law, m, tan_alpha);
-    const bool rises = quad_mu_log_ss(law, m, lo) < tau;
+    const quad tau = law->typed ? tan_alpha : quad_tau(law, m, tan_alpha);
+    const bool rises = mu_log(law, m, lo) < tau;
 
     for (quad mid = (lo + hi) / 2; lo < mid && mid < hi; mid = (lo + hi) / 2)
-        if ((quad_mu_log_ss(law, m, mid) < tau) == rises)
+        if ((mu_log(law, m, mid) < tau) == rises)
             lo = mid;
         else
             hi = mid;
@@ -46,10 +55,40 @@ static void name_constants(struct formula *f, const struct formula_value leaf[])
                                       : FORMULA_PARAMETER);
 }
 
+/* Of a law of formulas: what its tape does not hold. */
+static void typed_anchor(const struct law *law, const struct material *m,
+                         quad tan_alpha, quad x, bool equilibrium,
+                         struct quad_anchor *at)
+{
+    const struct typed_steady_quad s = law_typed_steady_quad(law, m, x);
+    const struct tape_lowered *tape = &law->typed->tape[equilibrium];
+    struct formula_value leaf[LAW_VALUES];
+    quad constant[FORMULA_NODES];
+
+    law_typed_values(law->typed, m, 0, x, s.y, leaf);
+    leaf[0].value = tan_alpha;
+    formula_constants(&tape->f, leaf, 0, constant);
+    at->x0 = x;
+    at->y0 = s.y;
+    at->v0 = expq(x);
+    at->psi0 = s.psi;
+    at->mu0 = equilibrium ? tan_alpha : s.mu;
+    at->force0 = tan_alpha - at->mu0;
+    at->log_inertia =
+        -logq(quad_eps2(m)) - log1pq(tan_alpha * tan_alpha) / 2 - x;
+    const bool fits = quad_tape_at(&tape->t, constant, &at->tape);
+    assert(fits); /* it is no longer than that of doubles */
+    (void) fits;
+}
+
 void quad_block_anchor(const struct law *law, const struct material *m,
                        quad tan_alpha, quad x, bool equilibrium,
                        struct quad_anchor *at)
 {
+    if (law->typed) {
+        typed_anchor(law, m, tan_alpha, x, equilibrium, at);
+        return;
+    }
     const struct formula_value leaf[] = {
         { "tan_alpha", tan_alpha },
         { "mu_star", m->mu_star },
