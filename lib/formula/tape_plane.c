@@ -103,10 +103,7 @@ static struct power power_of(double u)
 {
     const double half = u < -700 ? exp(u / 2) : 1;
 
-    return (struct power){ u < -700         ? half
-                           : u < 0 || u > 0 ? exp(u)
-                                            : 1,
-                           half };
+    return (struct power){ u < -700 ? half : u == 0 ? 1 : exp(u), half };
 }
 
 /* And the exponentials of both rates. */

@@ -219,8 +219,7 @@ double tape_start_rate(struct tape_kept *v, int rate, double e)
 {
     const struct real_tape *t = &v->p->t;
     const struct real_tape_rate *r = &t->rate[rate];
-    const double factor = v->p->factor[rate],
-                 power = e < 0 || e > 0 ? exp(e) : 1;
+    const double factor = v->p->factor[rate], power = e == 0 ? 1 : exp(e);
     double *keep = v->keep + v->p->rate_kept[rate];
     const bool less = r->sinh >= 0 && v->reg[r->sinh] < 0;
 

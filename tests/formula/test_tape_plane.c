@@ -334,6 +334,26 @@ static void a_field_is_the_same_bits_whoever_asks(void **state)
     }
 }
 
+/* A rate of which the exponent is no number is none either. */
+static void what_is_not_known_is_not_one(void **state)
+{
+    static struct jet_work w;
+    const struct plane_case *c = &planes[0];
+    const quad at[2] = { 0, 0 };
+    const jet_pair x = JET_PAIR(0.1), y = JET_PAIR(0.2);
+    jet_pair fx, fy, r;
+    double rate;
+
+    (void) state;
+    make(c->rate, c->positive, c->observable, false, at);
+    plane.t.rate[2].exponent[0].constant = NAN;
+    plane.t.rate[2].exponent[1].constant = NAN;
+    tape_rate(&plane, 0, (struct vec2){ 0.1, 0.2 }, &rate, NULL);
+    tape_jet(&plane, &w, 0, &x, &y, &fx, &fy);
+    tape_jet_rate(&plane, 0, &w, 0, &x, &y, &r);
+    assert_true(isnan(rate) && isnan(r[0]) && isnan(r[1]));
+}
+
 /* Two curves x + t s, y + t s^2/2 - s of which the series are added up at s. */
 static void a_series_adds_up_to_the_field_along_the_curve(void **state)
 {
@@ -481,6 +501,7 @@ int main(void)
         cmocka_unit_test(a_function_from_its_anchor_loses_no_digits),
         cmocka_unit_test(field_and_gradients_are_those_of_the_formulas),
         cmocka_unit_test(a_field_is_the_same_bits_whoever_asks),
+        cmocka_unit_test(what_is_not_known_is_not_one),
         cmocka_unit_test(a_series_adds_up_to_the_field_along_the_curve),
         cmocka_unit_test(series_are_the_same_bits_on_registers_of_any_width),
         cmocka_unit_test(rates_vanish_at_an_equilibrium_that_is_no_double),
