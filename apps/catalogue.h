@@ -33,7 +33,7 @@ enum {
     ROW(EXPORT, export, COMMAND_READS)                                         \
     ROW(IMPORT, import, 0)                                                     \
     ROW(GALLERY, gallery, COMMAND_READS)                                       \
-    ROW(CHECK, check, COMMAND_READS)                                           \
+    ROW(CHECK, check, COMMAND_READS | COMMAND_PLANES)                          \
     ROW(WORKPREC, workprec, COMMAND_READS | COMMAND_DRAWS)                     \
     ROW(STRESS, stress, COMMAND_READS)                                         \
     ROW(LAWS, laws, 0)                                                         \

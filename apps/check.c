@@ -162,13 +162,6 @@ static enum status record_scene(const struct options *o, const char *path,
     struct scene scene;
 
     enum status s = scene_read(&scene, path, o->set, o->sets, why);
-    if (s == STATUS_OK && scene.system) {
-        scene_free(&scene);
-        s = command_refuse(why,
-                           "check: %s: not for a system of formulas, expected "
-                           "a law on a slope",
-                           path ? path : "--ode");
-    }
     if (s != STATUS_OK)
         return s;
     s = baseline_add(b, scene_name(&scene), &scene, why);

@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "number.h"
+#include "plane_numbers.h"
+#include "plane_results.h"
 #include "scene_slope.h"
 #include "slope_law.h"
 #include "slope_row.h"
@@ -38,17 +40,21 @@ static void add_name(FILE *out, const char *name)
 
 /* ---- columns ------------------------------------------------------------- */
 
+static void add_title(FILE *out, const struct result_number *n)
+{
+    fprintf(out, ",%s", n->name);
+    if (n->field->kind == RECORD_QUANTITY)
+        fprintf(out, ",%s_tol", n->name);
+}
+
 static void add_header(FILE *out, const struct result_numbers *n)
 {
     fprintf(out, "%sname,law,form,theta,psi_ss,timescale,kinetics", preface);
     for (int i = 0; i < MATERIAL_KEYS; i++)
         fprintf(out, ",%s", material_key_name((enum material_key) i));
     fputs(",alpha", out);
-    for (size_t i = 0; i < n->count; i++) {
-        fprintf(out, ",%s", n->at[i].name);
-        if (n->at[i].field->kind == RECORD_QUANTITY)
-            fprintf(out, ",%s_tol", n->at[i].name);
-    }
+    for (size_t i = 0; i < n->count; i++)
+        add_title(out, &n->at[i]);
     fputs("\n", out);
 }
 
@@ -107,6 +113,8 @@ static void add_cells(FILE *out, const struct results *all,
     } else if (is_code) {
         const int8_t code = result_code(all, n);
         fprintf(out, ",%s", code < 0 ? "none" : n->field->codes[code]);
+    } else if (n->field->kind == RECORD_COUNT) {
+        fprintf(out, ",%.0f", result_quantity(all, n).value);
     } else {
         const struct quantity q = result_quantity(all, n);
         add_quantity(out, &q);
@@ -156,10 +164,88 @@ static enum status add_scene(struct baseline *b, const char *name,
     return status;
 }
 
+/* ---- systems ------------------------------------------------------------- */
+
+static void add_quoted(FILE *out, const char *text, size_t size)
+{
+    fputs(",\"", out);
+    for (size_t i = 0; i < size; i++)
+        fprintf(out, "%s%c", text[i] == '"' ? "\"" : "", text[i]);
+    fputs("\"", out);
+}
+
+/* Whether the number exists, of a study that was asked for it. */
+static bool is_there(const struct results *all, const struct result_number *n)
+{
+    const struct quantity q = result_quantity(all, n);
+
+    return result_asked(n->of, all) &&
+           (n->field->kind == RECORD_CODE ? result_code(all, n) >= 0
+                                          : quantity_exists(&q));
+}
+
+/* A table of its numbers, those that there are. */
+static void add_plane(struct baseline *b, const char *name,
+                      const struct plane_study *s,
+                      const struct result_numbers *n)
+{
+    const struct results all = plane_results(s);
+    const struct scene *c = s->scene;
+    const size_t lines = strlen(c->overrides);
+
+    fprintf(b->out, "%sname,scene,set", preface);
+    for (size_t i = 0; i < n->count; i++)
+        if (is_there(&all, &n->at[i]))
+            add_title(b->out, &n->at[i]);
+    fputs("\n", b->out);
+    add_name(b->out, name);
+    add_quoted(b->out, c->file ? c->file : "", c->file ? strlen(c->file) : 0);
+    add_quoted(b->out, c->overrides, lines > 0 ? lines - 1 : 0);
+    for (size_t i = 0; i < n->count; i++)
+        if (is_there(&all, &n->at[i]))
+            add_cells(b->out, &all, &n->at[i]);
+    fputs("\n", b->out);
+    b->rows++;
+    b->of_system = true;
+}
+
+static enum status add_system(struct baseline *b, const char *name,
+                              const struct scene *scene, struct fault *why)
+{
+    struct scene plain = *scene; /* borrows */
+    struct plane_study frame, s;
+    struct result_numbers n = { .at = NULL };
+
+    plain.products |= 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_MANIFOLDS;
+    b->out = open_memstream(&b->text, &b->size);
+    if (b->out == NULL)
+        return STATUS_NO_MEMORY;
+    enum status status = plane_study_run(&s, &plain, NULL, why);
+    if (status != STATUS_OK)
+        return status;
+    status = plane_numbers_frame(&frame, &plain);
+    if (status == STATUS_OK)
+        status = plane_numbers(&n, &frame);
+    if (status == STATUS_OK)
+        add_plane(b, name, &s, &n);
+    if (status == STATUS_OK && (fflush(b->out) != 0 || ferror(b->out)))
+        status = STATUS_NO_MEMORY;
+    result_numbers_free(&n);
+    plane_numbers_free(&frame);
+    plane_study_free(&s);
+    return status;
+}
+
 enum status baseline_add(struct baseline *b, const char *name,
                          const struct scene *scene, struct fault *why)
 {
-    const enum status status = add_scene(b, name, scene, why);
+    if (b->of_system || (scene->system && b->rows > 0)) {
+        snprintf(why->text, sizeof why->text,
+                 "%.300s: a table holds laws, or one system alone", name);
+        return STATUS_BAD_SCENE;
+    }
+    const enum status status = scene->system ? add_system(b, name, scene, why)
+                                             : add_scene(b, name, scene, why);
 
     if (status == STATUS_NO_MEMORY)
         snprintf(why->text, sizeof why->text, "%s", status_text(status));

@@ -8,6 +8,9 @@
  * same double; inputs that the law does not use stay empty.  Behind each number
  * NAME stands NAME_tol, absolute: CHECK_RECORDED_BARS error bars and a
  * rounding.
+ *
+ * A system of formulas has a table of its own, of one row: name, scene and set
+ * (plane_row.h), and the numbers that it has (plane_numbers.h).
  */
 #ifndef CHECK_BASELINE_H
 #define CHECK_BASELINE_H
@@ -21,6 +24,7 @@ struct baseline {
     char *text;  /* owned, zero-ended: CSV; NULL when empty */
     size_t size; /* of it */
     size_t rows;
+    bool of_system; /* it is full */
 };
 
 /* Computes a scene's slope (at alpha and rtol the scene's) and adds its row,

@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "number.h"
+#include "plane_numbers.h"
+#include "plane_row.h"
 #include "scene_slope.h"
 #include "spell.h"
 
@@ -59,6 +61,11 @@ static size_t tolerance_of(const struct expected *s, const char *name)
     return n && n->field->kind == RECORD_QUANTITY ? i : EXPECTED_NO_COLUMN;
 }
 
+static const char *const *inputs_of(const struct expected *s)
+{
+    return s->of_systems ? plane_row_columns : slope_row_columns;
+}
+
 static enum status blame_name(const struct expected *s,
                               const struct table_cell *cell, struct fault *why)
 {
@@ -68,8 +75,8 @@ static enum status blame_name(const struct expected *s,
 
     for (size_t i = 0; i < s->numbers.count && n < KNOWN - 1; i++)
         known[n++] = s->numbers.at[i].name;
-    for (size_t i = 0; slope_row_columns[i] && n < KNOWN - 1; i++)
-        known[n++] = slope_row_columns[i];
+    for (const char *const *c = inputs_of(s); *c && n < KNOWN - 1; c++)
+        known[n++] = *c;
     for (size_t i = 0; labels[i] && n < KNOWN - 1; i++)
         known[n++] = labels[i];
     known[n] = NULL;
@@ -92,7 +99,7 @@ static enum status read_header(struct expected *s, struct fault *why)
         if (number)
             s->column[s->columns++] =
                 (struct expected_column){ number, i, EXPECTED_NO_COLUMN };
-        else if (!is_label(name) && !is_listed(name, slope_row_columns) &&
+        else if (!is_label(name) && !is_listed(name, inputs_of(s)) &&
                  tolerance_of(s, name) == EXPECTED_NO_COLUMN)
             return blame_name(s, table_header(t, i), why);
     }
@@ -243,32 +250,85 @@ unsigned expected_products(const struct expected *s, size_t row)
     for (size_t i = 0; i < s->columns; i++)
         if (expected_at(s, row, i).kind != EXPECTED_NOTHING)
             needs |= s->column[i].number->of->needs;
+    if (s->of_systems)
+        return (unsigned) needs | 1u << PRODUCT_EQUILIBRIA;
     return plan_products((unsigned) (needs & EXPECTED_STAGES));
 }
 
-static enum status check_row(const struct expected *s, size_t row,
-                             struct fault *why)
+/* The names of the states are those of the first row. */
+static enum status check_system(const struct expected *s, size_t row,
+                                struct fault *why)
+{
+    struct scene scene;
+    const enum status status = plane_row_read(s->table, row, 0, &scene, why);
+
+    if (status != STATUS_OK)
+        return status;
+    bool same = true;
+    for (int i = 0; i < 2; i++)
+        same = same && strcmp(scene.system->state[i].name,
+                              s->scene.system->state[i].name) == 0;
+    scene_free(&scene);
+    return same ? STATUS_OK
+                : place_blame(table_place(s->table, table_at(s->table, row, 0)),
+                              why,
+                              "states are not called %s, %s as in the "
+                              "first row",
+                              s->scene.system->state[0].name,
+                              s->scene.system->state[1].name);
+}
+
+static enum status check_slope(const struct expected *s, size_t row,
+                               struct fault *why)
 {
     struct slope_row slope;
     enum status status = slope_row_read(s->table, row, &slope, why);
 
-    for (size_t i = 0; i < s->columns && status == STATUS_OK; i++)
-        status = check_cell(s, row, i, why);
-    if (status == STATUS_OK)
-        status = check_tolerances(s, row, why);
-    if (status == STATUS_OK && isnan(slope.alpha) &&
-        (expected_products(s, row) & ~scene_slopeless))
+    if (status != STATUS_OK)
+        return status;
+    if (isnan(slope.alpha) && (expected_products(s, row) & ~scene_slopeless))
         status = place_blame(table_place(s->table, table_at(s->table, row, 0)),
                              why, "no alpha, expected an angle in rad");
     slope_row_free(&slope);
     return status;
 }
 
+static enum status check_row(const struct expected *s, size_t row,
+                             struct fault *why)
+{
+    enum status status =
+        s->of_systems ? check_system(s, row, why) : check_slope(s, row, why);
+
+    for (size_t i = 0; i < s->columns && status == STATUS_OK; i++)
+        status = check_cell(s, row, i, why);
+    if (status == STATUS_OK)
+        status = check_tolerances(s, row, why);
+    return status;
+}
+
+/* All numbers that the rows may state. */
+static enum status find_numbers(struct expected *s, struct fault *why)
+{
+    const unsigned all = 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_MANIFOLDS |
+                         1u << PRODUCT_BASINS | 1u << PRODUCT_SENSITIVITIES;
+
+    if (!s->of_systems)
+        return study_numbers(&s->numbers, EXPECTED_STAGES);
+    enum status status = plane_row_read(s->table, 0, all, &s->scene, why);
+    if (status == STATUS_OK)
+        status = plane_numbers_frame(&s->frame, &s->scene);
+    return status ? status : plane_numbers(&s->numbers, &s->frame);
+}
+
 enum status expected_read(struct expected *s, const struct table *t,
                           struct fault *why)
 {
-    *s = (struct expected){ .table = t };
-    enum status status = study_numbers(&s->numbers, EXPECTED_STAGES);
+    *s = (struct expected){ .table = t, .of_systems = plane_row_is(t) };
+    enum status status = find_numbers(s, why);
+    if (status != STATUS_OK && status != STATUS_NO_MEMORY) {
+        expected_free(s);
+        return status;
+    }
     s->column = malloc(t->columns * sizeof *s->column);
     if (status != STATUS_OK || s->column == NULL) {
         expected_free(s);
@@ -291,5 +351,7 @@ void expected_free(struct expected *s)
 {
     free(s->column);
     result_numbers_free(&s->numbers);
+    plane_numbers_free(&s->frame);
+    scene_free(&s->scene);
     *s = (struct expected){ .table = s->table };
 }

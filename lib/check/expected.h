@@ -9,6 +9,7 @@
 #ifndef CHECK_EXPECTED_H
 #define CHECK_EXPECTED_H
 
+#include "plane_study.h"
 #include "slope_row.h"
 #include "study_results.h"
 
@@ -40,6 +41,9 @@ struct expected_column {
 
 struct expected {
     const struct table *table;      /* borrowed */
+    bool of_systems;                /* plane_row.h */
+    struct scene scene;             /* owned; of the first of these */
+    struct plane_study frame;       /* owned; plane_numbers.h */
     struct result_numbers numbers;  /* owned; all that may be stated */
     struct expected_column *column; /* owned; those that state something */
     size_t columns;

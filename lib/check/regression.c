@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "conditioning.h"
+#include "plane_results.h"
+#include "plane_row.h"
 #include "tolerance.h"
 
 /* One row under one of its laws. */
@@ -16,8 +18,9 @@ struct comparison {
     unsigned products;
     struct slope_row slope;
     struct scene scene;
-    struct study study; /* of the scene */
-    bool has_cost;      /* its numbers know what rounding the inputs costs */
+    struct study study;       /* of the scene */
+    struct plane_study plane; /* the same of a system */
+    bool has_cost; /* its numbers know what rounding the inputs costs */
     struct row_result *result;
 };
 
@@ -28,7 +31,7 @@ static enum status add_finding(struct comparison *c, struct finding f)
 
     if (more == NULL)
         return STATUS_NO_MEMORY;
-    f.law = c->slope.law[c->law].preset;
+    f.law = c->expected->of_systems ? "system" : c->slope.law[c->law].preset;
     r->finding = more;
     r->finding[r->findings++] = f;
     return STATUS_OK;
@@ -41,10 +44,16 @@ static const char *name_of(const struct comparison *c, size_t i)
     return table_header(c->expected->table, c->expected->column[i].at)->text;
 }
 
+static struct results results_of(const struct comparison *c)
+{
+    return c->expected->of_systems ? plane_results(&c->plane)
+                                   : study_results(&c->study);
+}
+
 static struct quantity now_of(struct comparison *c,
                               const struct expected_column *column)
 {
-    const struct results all = study_results(&c->study);
+    const struct results all = results_of(c);
 
     return result_quantity(&all, column->number);
 }
@@ -55,7 +64,7 @@ static enum status cost_of(struct comparison *c,
 {
     enum status status = STATUS_OK;
 
-    if (!c->has_cost) {
+    if (!c->has_cost && !c->expected->of_systems) {
         struct sensitivities none = sensitivity_none("nobody asked");
         size_t evaluations = 0;
         status = conditioning_find(&c->study, NULL, &none, &evaluations);
@@ -115,7 +124,7 @@ static enum status compare_code(struct comparison *c, size_t i,
                                 const struct expected_value *v)
 {
     const struct result_number *number = c->expected->column[i].number;
-    const struct results all = study_results(&c->study);
+    const struct results all = results_of(c);
     const int8_t now = result_code(&all, number);
     const struct finding f = {
         .stored = v->cell,
@@ -144,6 +153,30 @@ static enum status compare_value(struct comparison *c, size_t i)
 
 /* ---- one row ------------------------------------------------------------- */
 
+static enum status compare_values(struct comparison *c)
+{
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < c->expected->columns && status == STATUS_OK; i++)
+        status = compare_value(c, i);
+    return status;
+}
+
+/* Decimals of a system are taken as typed: rounding them costs nothing. */
+static enum status compare_system(struct comparison *c, struct fault *why)
+{
+    enum status status =
+        plane_row_read(c->expected->table, c->row, c->products, &c->scene, why);
+    if (status != STATUS_OK)
+        return status;
+    status = plane_study_run(&c->plane, &c->scene, NULL, why);
+    if (status == STATUS_OK)
+        status = compare_values(c);
+    plane_study_free(&c->plane);
+    scene_free(&c->scene);
+    return status;
+}
+
 static enum status compare_law(struct comparison *c, struct fault *why)
 {
     c->scene = slope_row_scene(&c->slope, c->law, c->rtol, c->products);
@@ -151,8 +184,7 @@ static enum status compare_law(struct comparison *c, struct fault *why)
     if (status != STATUS_OK)
         return status;
     c->has_cost = plan_has(c->study.stages, STAGE_SENSITIVITIES);
-    for (size_t i = 0; i < c->expected->columns && status == STATUS_OK; i++)
-        status = compare_value(c, i);
+    status = compare_values(c);
     study_free(&c->study);
     return status;
 }
@@ -167,7 +199,10 @@ static void run_row(const struct expected *expected, size_t row, double rtol,
                             .result = result };
     struct fault why = { "" };
 
-    enum status status = slope_row_read(expected->table, row, &c.slope, &why);
+    enum status status =
+        expected->of_systems
+            ? compare_system(&c, &why)
+            : slope_row_read(expected->table, row, &c.slope, &why);
     for (; c.law < c.slope.laws && status == STATUS_OK; c.law++)
         status = compare_law(&c, &why);
     slope_row_free(&c.slope);
