@@ -81,6 +81,30 @@ output: {hdf5: a.h5, figure: a.svg}
     expect('same bytes' in room.good('info', '--rerun', 'a.h5'))
 
 
+def tables_hold_systems(room):
+    room.good('check', '--record', *DUFFING, '-o', 'a.csv')
+    expect('all hold' in room.good('check', 'a.csv'), 'moved')
+    text = room.read('a.csv')
+    expect('manifolds_2_end' in text and 'equilibrium' in text, text)
+    room.write('b.csv', text.replace('d = 0.1', 'd = 0.2'))
+    done = room.run('check', 'b.csv')
+    expect(done.returncode == 1
+           and 'equilibria_1_eigenvalues_1_re' in done.stdout, done)
+    room.write('c.csv', 'set,equilibria_0_state_z\n"system.ode=x\'=y;y\'=x",0')
+    expect(room.run('check', 'c.csv').returncode == 2, 'unknown column')
+
+
+def a_manifold_leaves_the_window_somewhere(room):
+    found = room.json('study', '--ode', "x' = x; y' = -y", '--window',
+                      'x=-2:3,y=-5:4')['manifolds']
+    for branch, x, y in zip(found, (0, 0, 3, -2), (-5, 4, 0, 0)):
+        at = branch['leaves_x'], branch['leaves_y']
+        expect(is_near(at[0], x, 1e-13) or is_near(at[0], x, 1e-12), branch)
+        expect(abs(at[1]['value'] - (y if x else at[1]['value'])) <= 1e-13,
+               branch)
+        expect(x or abs(at[1]['value']) in (4, 5), branch)
+
+
 SWEEP = ['--set', 'sweep={key: system.parameters.d, values: [0.1, 0.3]}']
 
 
@@ -131,8 +155,7 @@ def what_is_wrong_costs_one_line(room):
                     'stress'):
         refused(room.run(command, 'a.yaml'), 2,
                 f'{command}: not for a system of formulas')
-    for words in (['basin', 'a.yaml', '--exact'],
-                  ['check', '--record', 'a.yaml', '-o', 'a.csv']):
+    for words in (['basin', 'a.yaml', '--exact'],):
         refused(room.run(*words), 2, 'a law on a slope')
     refused(room.run('export', 'a.yaml', '--as', 'xppaut'), 2, 'export')
     expect(set(os.listdir(room.folder)) <= {'.bin', 'a.yaml'}, room.folder)
@@ -168,4 +191,5 @@ run_cases([names_of_a_law_s_own_are_set_swept_exported_and_recorded,
            json_is_as_the_interface_says, shares_are_halves,
            parameters_are_set, one_state_or_many_are_pushed,
            files_and_figures_have_the_names_of_states,
-           a_parameter_is_swept, what_is_wrong_costs_one_line])
+           a_parameter_is_swept, tables_hold_systems,
+           a_manifold_leaves_the_window_somewhere, what_is_wrong_costs_one_line])

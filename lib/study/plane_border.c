@@ -8,6 +8,7 @@
 
 #include "orbit.h"
 #include "plane_branch.h"
+#include "plane_cycle.h"
 #include "room.h"
 #include "study_tolerance.h"
 #include "tolerance.h"

@@ -15,12 +15,4 @@ MUST_CHECK enum status plane_branch_grow(struct plane_study *s,
 MUST_CHECK enum status plane_follow(const struct plane_study *s, struct vec2 z,
                                     bool backward, struct plane_goal *out);
 
-/* The number of the cycle with these returns, s->cycles where it is none of
- * them; and the same, a new one being added.  STATUS_NO_MEMORY. */
-size_t plane_cycle_find(const struct plane_study *s, const struct winding *w,
-                        bool stable);
-MUST_CHECK enum status plane_cycle_add(struct plane_study *s,
-                                       const struct winding *w, bool stable,
-                                       size_t *index);
-
 #endif

@@ -8,6 +8,7 @@
 #include "plane_beyond.h"
 #include "plane_border.h"
 #include "plane_branch.h"
+#include "plane_cycle.h"
 
 double plane_label_between(double lo, double hi)
 {

@@ -1,11 +1,12 @@
 #include "plane_numbers.h"
 
-#include <string.h>
+#include <math.h>
 
 #include "plane_basin.h"
 #include "plane_label.h"
 #include "plane_results.h"
 #include "plane_table.h"
+#include "study_tolerance.h"
 
 #define ASKED(product) ((uint64_t) 1 << PRODUCT_##product)
 
@@ -70,8 +71,45 @@ static void fill_shares(struct plane_study *s)
     };
 }
 
+/* Off the curve by d, the place on the edge is off by d (1 + |t|), t how much
+ * the curve goes along the edge where it goes one across. */
+static void fill_leaves(const struct plane_study *s, struct plane_branch *b)
+{
+    static const char stays[] = "it does not leave the window";
+    const struct curve *c = &b->curve.curve;
+    const struct plane_rest *r = &s->rest[b->rest];
+    const struct box w = s->window.box;
+    double at[CURVE_DIM_MAX], slope[CURVE_DIM_MAX];
+
+    b->leaves[0] = b->leaves[1] = quantity_none(stays);
+    if (b->shown == 0 || (b->shown == c->count && b->shown_to == 1.0))
+        return;
+    curve_at(c, b->shown - 1, b->shown_to, at);
+    curve_slope_at(c, b->shown - 1, b->shown_to, slope);
+    const double z[] = { r->z.x + at[0], r->z.y + at[1] };
+    const double off[] = { fmin(z[0] - w.lo.x, w.hi.x - z[0]) / s->scale.side.x,
+                           fmin(z[1] - w.lo.y, w.hi.y - z[1]) /
+                               s->scale.side.y };
+    const int across = off[0] <= off[1] ? 0 : 1;
+    const double along = fabs(slope[1 - across] / slope[across]);
+    const double error =
+        (c->piece[b->shown - 1].error + vec2_length(r->error)) * (1.0 + along);
+
+    for (int i = 0; i < 2; i++) {
+        const double x = plane_state(s, i, z[i]);
+        const double steep = scene_axis_is_log(s->scene, i) ? fabs(x) : 1.0;
+        b->leaves[i] =
+            isfinite(x) && isfinite(error)
+                ? quantity_of(x, steep * error +
+                                     TOL_SHARE_ROUNDING * (fabs(x) + steep))
+                : quantity_none("no bound on its error could be found");
+    }
+}
+
 void plane_numbers_fill(struct plane_study *s)
 {
+    for (size_t i = 0; i < s->branches; i++)
+        fill_leaves(s, &s->branch[i]);
     s->count = (struct plane_count){
         .equilibria = (int64_t) s->rests,
         .undecided = (int64_t) s->undecided_count,

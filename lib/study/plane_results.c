@@ -198,9 +198,6 @@ static const struct record_field manifold_fields[] = {
     FIELD(plane_branch, QUANTITY, length, "1",
           "in the chart, to its end or where it leaves the window"),
 };
-static const struct record_type record_manifold = RECORD_TYPE(
-    "manifold", "half of an invariant manifold", manifold_fields, plane_branch);
-
 static const struct record_field cycle_fields[] = {
     FIELD(plane_cycle, TEXT, name, "1", "its name"),
     FIELD_CODE(plane_cycle, type, plane_cycle_types, "whether it attracts"),
@@ -209,15 +206,6 @@ static const struct record_type record_cycle = RECORD_TYPE(
     "cycle", "closed orbits that curves wind on to", cycle_fields, plane_cycle);
 
 static const struct result manifold_results[] = {
-    { .path = "/manifolds",
-      .name = "manifolds",
-      .title = "manifolds of the saddles",
-      .type = &record_manifold,
-      .shape = RESULT_COLUMNS,
-      .needs = ASKED(MANIFOLDS),
-      .alone = 4 * PLANE_SADDLES_ALONE,
-      .fewer = "there are fewer saddles",
-      .view = view_branches },
     { .path = "/cycles",
       .name = "cycles",
       .title = "closed orbits that were met",
@@ -227,6 +215,29 @@ static const struct result manifold_results[] = {
       .view = view_cycles },
     { .path = NULL },
 };
+
+/* With where they leave the window, by the states' names. */
+static void add_manifolds(const struct plane_study *s, struct plane_table *t)
+{
+    const size_t first = t->fields;
+
+    for (size_t i = 0; i < sizeof manifold_fields / sizeof *manifold_fields;
+         i++)
+        t->field[t->fields++] = manifold_fields[i];
+    plane_table_states(s, t, "leaves_*", RECORD_QUANTITY,
+                       offsetof(struct plane_branch, leaves));
+    struct result *r = plane_table_result(
+        t,
+        plane_table_type(t, first, "manifold", "half of an invariant manifold",
+                         sizeof *s->branch),
+        ASKED(MANIFOLDS));
+    r->path = "/manifolds";
+    r->name = "manifolds";
+    r->title = "manifolds of the saddles";
+    r->alone = 4 * PLANE_SADDLES_ALONE;
+    r->fewer = "there are fewer saddles";
+    r->view = view_branches;
+}
 
 static size_t count_branches(const void *run)
 {
@@ -392,6 +403,7 @@ enum status plane_results_make(struct plane_study *s)
     add_boxes(s, t);
     if (s->products & ASKED(SENSITIVITIES))
         add_slopes(s, t);
+    add_manifolds(s, t);
     if (s->products & (ASKED(MANIFOLDS) | ASKED(BASINS))) {
         const char *paths = branch_paths(s, t);
         if (paths == NULL)

@@ -68,8 +68,10 @@ struct plane_branch {
     int64_t to;             /* number of the equilibrium or cycle; or none */
     struct quantity length; /* in the chart, from the saddle to the end, or to
                                where it last leaves the window */
-    size_t shown;           /* pieces up to that place */
-    double shown_to;        /* theta there, on the last of them */
+    struct quantity leaves[2]; /* the state where it leaves the window for
+                                  good; plane_numbers.h */
+    size_t shown;              /* pieces up to that place */
+    double shown_to;           /* theta there, on the last of them */
 };
 
 struct plane_cycle {

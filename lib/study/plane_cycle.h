@@ -1,0 +1,16 @@
+/* plane_cycle.h -- the list of closed orbits that curves of a plane wind on to.
+ */
+#ifndef STUDY_PLANE_CYCLE_H
+#define STUDY_PLANE_CYCLE_H
+
+#include "plane_study.h"
+
+/* The number of the cycle with these returns, s->cycles where it is none of
+ * them; and the same, a new one being added.  STATUS_NO_MEMORY. */
+size_t plane_cycle_find(const struct plane_study *s, const struct winding *w,
+                        bool stable);
+MUST_CHECK enum status plane_cycle_add(struct plane_study *s,
+                                       const struct winding *w, bool stable,
+                                       size_t *index);
+
+#endif
