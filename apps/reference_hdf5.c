@@ -3,9 +3,12 @@
 #include <string.h>
 
 #include "markdown.h"
+#include "plane_numbers.h"
+#include "plane_results.h"
 #include "provenance.h"
 #include "release.h"
 #include "scene_shape.h"
+#include "scene_system.h"
 #include "schema.h"
 #include "simulation.h"
 #include "stress_run.h"
@@ -14,6 +17,7 @@
 #include "sweep_file.h"
 #include "sweep_key.h"
 #include "sweep_layer.h"
+#include "system.h"
 #include "value.h"
 #include "workprec.h"
 
@@ -326,10 +330,73 @@ static enum status put_sweep(FILE *out)
     return status;
 }
 
+/* ---- systems ------------------------------------------------------------- */
+
+/* One group of a system's file in a line: what it holds, along what. */
+static void put_group(FILE *out, const struct result *r)
+{
+    fprintf(out, "- `%s`, ", r->path);
+    markdown_text(out, r->type->text);
+    fputs(":", out);
+    for (size_t i = 0; i < r->type->count; i++) {
+        const struct record_field *f = &r->type->fields[i];
+        char name[RESULT_NAME];
+        result_member(r, 0, f, name);
+        fprintf(out, "%s `%s`", i ? "," : "", name);
+        if (f->kind == RECORD_QUANTITY)
+            fprintf(out, ", `%s_error`", name);
+    }
+    if (r->shape == RESULT_ATTRIBUTES)
+        fputs("; attributes\n", out);
+    else
+        fprintf(out, "; along `%s`\n", r->axis ? r->axis : "n");
+}
+
+/* States x and y, a parameter p. */
+static enum status make_system(struct formula_system *f)
+{
+    const struct formula_place here = { "reference", 0, 0 };
+    struct fault why;
+
+    formula_system_init(f);
+    enum status status =
+        formula_system_state(f, "x", CHART_REAL, NULL, here, &why);
+    if (status == STATUS_OK)
+        status = formula_system_state(f, "y", CHART_REAL, NULL, here, &why);
+    return status ? status : formula_system_parameter(f, "p", "1", here, &why);
+}
+
+static enum status put_systems(FILE *out)
+{
+    static struct formula_system system;
+    const struct scene scene = { .system = &system,
+                                 .products = scene_system_products };
+    struct plane_study frame;
+    enum status status = make_system(&system);
+
+    if (status == STATUS_OK)
+        status = plane_numbers_frame(&frame, &scene);
+    if (status != STATUS_OK)
+        return status;
+    fputs("\n## Systems of formulas\n"
+          "\nA file of a system has these groups, with the names of its states "
+          "for x and y, of\nits parameters for p, and `/manifold/saddle_K/` "
+          "for each of its saddles:\n\n",
+          out);
+    const struct results all = plane_results(&frame);
+    for (size_t t = 0; all.table[t]; t++)
+        for (const struct result *r = all.table[t]; r->type; r++)
+            if (r->path)
+                put_group(out, r);
+    plane_numbers_free(&frame);
+    return STATUS_OK;
+}
+
 enum status reference_hdf5(FILE *out)
 {
     fputs(head, out);
     fputs("\n## Groups\n", out);
     put_groups(out);
-    return put_sweep(out);
+    const enum status status = put_sweep(out);
+    return status ? status : put_systems(out);
 }

@@ -112,6 +112,8 @@ enum exit_code plane_plan(const struct options *o, const struct scene *scene)
           "some hundred boxes", BIT(EQUILIBRIA) },
         { "manifolds", "stable and unstable ones of every saddle",
           "some hundred Taylor steps a branch", BIT(MANIFOLDS) },
+        { "sensitivities", "of the equilibria, by every parameter",
+          "four searches each", BIT(SENSITIVITIES) },
         { "nullclines", "where a state stands still", "some thousand fields",
           BIT(NULLCLINES) },
         { "field_arrows", "the direction field", "400 fields",

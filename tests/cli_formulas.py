@@ -105,6 +105,18 @@ def a_manifold_leaves_the_window_somewhere(room):
         expect(x or abs(at[1]['value']) in (4, 5), branch)
 
 
+def pages_and_plans_tell_of_systems(room):
+    page = room.good('help', '--as', 'hdf5')
+    for group in ('/sensitivities/p', '/manifold/saddle_0/stable_0',
+                  '/nullcline/x_K', '/shares'):
+        expect(f'- `{group}`,' in page, group)
+    expect('sensitivities' in room.good('plan', *DUFFING, '--sensitivities'),
+           'plan')
+    done = room.run('basin', *DUFFING, *AUDIT, '--progress', 'json', '--quiet')
+    for stage in ('equilibria', 'saddles', 'regions', 'audit'):
+        expect(f'"stage": "{stage}"' in done.stderr, done.stderr)
+
+
 SWEEP = ['--set', 'sweep={key: system.parameters.d, values: [0.1, 0.3]}']
 
 
@@ -192,4 +204,5 @@ run_cases([names_of_a_law_s_own_are_set_swept_exported_and_recorded,
            parameters_are_set, one_state_or_many_are_pushed,
            files_and_figures_have_the_names_of_states,
            a_parameter_is_swept, tables_hold_systems,
-           a_manifold_leaves_the_window_somewhere, what_is_wrong_costs_one_line])
+           a_manifold_leaves_the_window_somewhere,
+           pages_and_plans_tell_of_systems, what_is_wrong_costs_one_line])

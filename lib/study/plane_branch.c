@@ -346,7 +346,10 @@ enum status plane_branch_grow(struct plane_study *s,
     for (size_t i = 0; i < s->rests && status == STATUS_OK; i++) {
         if (s->rest[i].type != PLANE_SADDLE)
             continue;
-        status = grow(s, saddle, i, MANIFOLD_STABLE, rests, monitor);
+        if (monitor_tell(monitor, "saddles", (uint64_t) saddle, s->saddles))
+            status = STATUS_STOPPED;
+        if (status == STATUS_OK)
+            status = grow(s, saddle, i, MANIFOLD_STABLE, rests, monitor);
         if (status == STATUS_OK)
             status = grow(s, saddle, i, MANIFOLD_UNSTABLE, rests, monitor);
         saddle++;

@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "plane_numbers.h"
 #include "plane_rows.h"
@@ -266,6 +267,8 @@ static const char *branch_paths(const struct plane_study *s,
 
     if (end == NULL)
         return NULL;
+    if (s->branches == 0)
+        return strcpy(t->paths, "/manifold/saddle_0/stable_0");
     end += sprintf(end, "/manifold/{");
     for (size_t i = 0; i < s->branches; i++)
         end += sprintf(end, "%ssaddle_%d/%s_%d", i ? "," : "",

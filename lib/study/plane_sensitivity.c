@@ -145,7 +145,8 @@ static void set_all(struct plane_rest *r, const struct plane_slope *by,
 
 /* ---- all ----------------------------------------------------------------- */
 
-enum status plane_sensitivity_find(struct plane_study *s)
+enum status plane_sensitivity_find(struct plane_study *s,
+                                   const struct monitor *monitor)
 {
     const struct formula_system *f = s->scene->system;
     const size_t each = (size_t) f->parameters;
@@ -159,6 +160,8 @@ enum status plane_sensitivity_find(struct plane_study *s)
         status = STATUS_NO_MEMORY;
     for (size_t i = 0; i < s->rests && status == STATUS_OK; i++) {
         d.rest = &s->rest[i];
+        if (monitor_tell(monitor, "sensitivities", i, s->rests))
+            status = STATUS_STOPPED;
         for (int k = 0; k < f->parameters && status == STATUS_OK; k++)
             status = find_slopes(&d, k, &s->slope[i * each + (size_t) k]);
         set_all(&s->rest[i], s->slope + i * each, f);

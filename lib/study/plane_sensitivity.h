@@ -15,7 +15,8 @@
  * the bar is all of it, and the bars of the four q over their steps: it holds
  * unless q''' changes by a factor of 3 within h = 2^-30 |p|.
  *
- * STATUS_NO_MEMORY. */
-MUST_CHECK enum status plane_sensitivity_find(struct plane_study *s);
+ * STATUS_NO_MEMORY, STATUS_STOPPED. */
+MUST_CHECK enum status plane_sensitivity_find(struct plane_study *s,
+                                              const struct monitor *monitor);
 
 #endif

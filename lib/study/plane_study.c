@@ -247,6 +247,8 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
         status = set_anchor(s, why);
     if (status != STATUS_OK)
         return status;
+    if (monitor_tell(monitor, "equilibria", 0, 0))
+        return STATUS_STOPPED;
     status = plane_rest_find(s, why);
     s->kappa = fastest(s);
     if (status == STATUS_OK && s->products & (BIT(MANIFOLDS) | BIT(BASINS)))
@@ -258,7 +260,7 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
     if (status != STATUS_OK)
         return status;
     if (s->products & BIT(SENSITIVITIES))
-        status = plane_sensitivity_find(s);
+        status = plane_sensitivity_find(s, monitor);
     if (status != STATUS_OK)
         return status;
     plane_numbers_fill(s);
