@@ -192,7 +192,7 @@ static void add_chosen(struct picture *p)
  * stands. */
 static void add_trajectories(struct picture *p)
 {
-    static const double first = 0.0;
+    static const double first = 0.15;
     const struct trajectories *all = &p->s->portrait.trajectories;
 
     for (size_t i = 0; i < all->count; i++) {

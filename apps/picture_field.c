@@ -1,23 +1,26 @@
 #include "picture_field.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "fate.h"
 #include "symbols.h"
 
 #define AT(name) offsetof(struct cell, name)
 static const struct {
     const char *panel, *label;
     bool is_log;
-    size_t at; /* in struct cell */
+    bool to_arrest; /* of those that slide there is none */
+    size_t at;      /* in struct cell */
 } look[CELL_FIELDS] = {
-    [CELL_SLIP] = { "_slip", "slip to arrest " S_SLIP, true, AT(slip) },
-    [CELL_TIME] = { "_time", "time to arrest " S_TIME, true, AT(time) },
-    [CELL_MU_MEAN] = { "_mu_mean", "mean friction coefficient", false,
+    [CELL_SLIP] = { "_slip", "slip to arrest " S_SLIP, true, true, AT(slip) },
+    [CELL_TIME] = { "_time", "time to arrest " S_TIME, true, true, AT(time) },
+    [CELL_MU_MEAN] = { "_mu_mean", "mean friction coefficient", false, true,
                        AT(mu_mean) },
-    [CELL_V_PEAK] = { "_v_peak", "largest slip rate " S_V_RATIO, true,
+    [CELL_V_PEAK] = { "_v_peak", "largest slip rate " S_V_RATIO, true, false,
                       AT(v_peak) },
-    [CELL_MU_PEAK] = { "_mu_peak", "largest friction coefficient", false,
+    [CELL_MU_PEAK] = { "_mu_peak", "largest friction coefficient", false, false,
                        AT(mu_peak) },
 };
 
@@ -41,10 +44,17 @@ void picture_raster_free(struct picture_raster *r)
     r->cell = NULL;
 }
 
+static bool comes_to_rest(const struct cell *c)
+{
+    return c->exit_reason == FATE_CREEP || c->exit_reason == FATE_REST_FINITE ||
+           c->exit_reason == FATE_REST_ASYMPTOTIC;
+}
+
 void picture_add_field(const struct picture_raster *r, enum cell_field field,
                        struct figure *f)
 {
     const size_t n = r->columns * r->rows;
+    const bool to_arrest = look[field].to_arrest;
     double *value = malloc(n * sizeof *value);
 
     if (value == NULL) {
@@ -52,14 +62,19 @@ void picture_add_field(const struct picture_raster *r, enum cell_field field,
         return;
     }
     for (size_t i = 0; i < n; i++)
-        memcpy(&value[i], (const char *) &r->cell[i] + look[field].at,
-               sizeof *value);
+        if (to_arrest && !comes_to_rest(&r->cell[i]))
+            value[i] = (double) NAN;
+        else
+            memcpy(&value[i], (const char *) &r->cell[i] + look[field].at,
+                   sizeof *value);
     figure_add_map(
         f, &(struct figure_map){ .value = value,
                                  .nx = r->columns,
                                  .ny = r->rows,
                                  .scale = { .label = look[field].label,
-                                            .is_log = look[field].is_log } });
+                                            .is_log = look[field].is_log },
+                                 .missing = to_arrest ? "does not come to rest"
+                                                      : "does not exist" });
     free(value);
 }
 

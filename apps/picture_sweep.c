@@ -332,11 +332,12 @@ static void add_map(const struct sweep *s, const struct figure_axis *x,
                     : sweep_quantity(s, column,
                                      across[i] * s->axis[1].count + up[j])
                           .value;
-    figure_add_map(
-        f, &(struct figure_map){ .value = value[0],
-                                 .nx = COLUMNS,
-                                 .ny = ROWS,
-                                 .scale = { .label = show->map_label } });
+    figure_add_map(f,
+                   &(struct figure_map){ .value = value[0],
+                                         .nx = COLUMNS,
+                                         .ny = ROWS,
+                                         .scale = { .label = show->map_label },
+                                         .missing = "does not exist" });
 }
 
 static void draw_map(const struct sweep *s, struct figure *f)

@@ -121,6 +121,9 @@ def each_field_has_its_figure_under_the_separatrix(room):
             drawn = shown(room.read(name))
             expect(label in drawn and 'stable manifold' in drawn
                    and 'creeps' not in drawn, name)
+            # what slides does not arrest: grey, and in the legend
+            expect(('does not come to rest' in drawn)
+                   == ('arrest' in label or 'mean' in label), name)
             expect('wrote ' + name in done, done)
     room.good(*SADDLE, *grid(['basins'], 6, 5), '--figure', 'a.svg')
     expect('creeps' in room.read('a.svg'), 'no basins')

@@ -186,7 +186,8 @@ static void range_find(const struct figure_raster *r, struct figure_axis *a)
 void figure_add_map(struct figure *f, const struct figure_map *m)
 {
     struct figure_raster *r = raster_new(m->nx, m->ny);
-    const bool good = r && axis_copy(&m->scale, &r->scale);
+    const bool good = r && axis_copy(&m->scale, &r->scale) &&
+                      text_copy(m->missing, &r->entry[0]);
 
     if (good)
         memcpy(r->value, m->value, m->nx * m->ny * sizeof *r->value);

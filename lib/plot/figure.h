@@ -168,11 +168,13 @@ struct figure_labels {
 };
 
 /* Numbers as a tint, explained by a bar beside the legend; cells that are not
- * finite stay white. */
+ * finite are grey (FIGURE_SHADE_6) where they have an entry, else white. */
 struct figure_map {
     const double *value;
     size_t nx, ny;
     struct figure_axis scale; /* lo = hi: the range of the values */
+    const char *missing; /* the legend's entry of cells that are not finite;
+                            NULL: none */
 };
 
 struct figure_raster; /* layer.h */

@@ -10,7 +10,8 @@ struct figure_raster {
     size_t nx, ny;
     size_t shade_count; /* 0: a map */
     enum figure_role role[FIGURE_SHADES_MAX];
-    char *entry[FIGURE_SHADES_MAX]; /* owned, NULL: none */
+    char *entry[FIGURE_SHADES_MAX]; /* owned, NULL: none; of a map the first
+                                       is that of missing cells */
     struct figure_axis scale;       /* label owned */
 };
 

@@ -169,6 +169,12 @@ static void put_raster(FILE *out, const struct layout *p,
         return;
     fprintf(out, "set x2range [-0.5:%zu.5]\nset y2range [-0.5:%zu.5]\n",
             pen_cells(r->nx) - 1, pen_cells(r->ny) - 1);
+    if (r->shade_count == 0 && r->entry[0]) /* under cells without a tint */
+        fprintf(
+            out,
+            "set object rectangle from graph 0,0 to graph 1,1 behind "
+            "fs solid noborder fc rgb '%s'\n",
+            paint_of((struct figure_style){ .role = FIGURE_SHADE_6 }).colour);
     if (r->shade_count > 0)
         put_shades(out, r);
     else
