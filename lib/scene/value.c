@@ -23,9 +23,8 @@ static bool is_in_degrees(const struct schema_key *key, const struct node *n)
            number_read(n->text, &x) && x > 0.0 && x < 90.0;
 }
 
-/* Blames a value; offers the nearest word where words are expected. */
-static enum status refuse(const struct schema_key *key, const struct node *n,
-                          struct fault *why)
+enum status value_refuse(const struct schema_key *key, const struct node *n,
+                         struct fault *why)
 {
     const char *expected = key->expected ? key->expected : "", *near = NULL;
     char words[240] = "";
@@ -55,8 +54,8 @@ static bool in_range(const struct schema_key *key, double x)
            !(key->open_hi && x == key->hi);
 }
 
-static bool is_number(const struct schema_key *key, const struct node *n,
-                      double *value)
+bool value_is_number(const struct schema_key *key, const struct node *n,
+                     double *value)
 {
     enum unit unit;
     double x;
@@ -83,7 +82,8 @@ static bool is_whole(const struct schema_key *key, const struct node *n,
 enum status value_real(const struct schema_key *key, const struct node *n,
                        struct scene *s, struct fault *why)
 {
-    return is_number(key, n, member(s, key)) ? STATUS_OK : refuse(key, n, why);
+    return value_is_number(key, n, member(s, key)) ? STATUS_OK
+                                                   : value_refuse(key, n, why);
 }
 
 enum status value_length(const struct schema_key *key, const struct node *n,
@@ -98,14 +98,16 @@ enum status value_page(const struct schema_key *key, const struct node *n,
     const bool known =
         n->kind == NODE_SCALAR && scene_figure_preset(n->text, &s->paper);
 
-    return known || is_number(key, n, &s->paper.width) ? STATUS_OK
-                                                       : refuse(key, n, why);
+    return known || value_is_number(key, n, &s->paper.width)
+               ? STATUS_OK
+               : value_refuse(key, n, why);
 }
 
 enum status value_seed(const struct schema_key *key, const struct node *n,
                        struct scene *s, struct fault *why)
 {
-    return is_whole(key, n, member(s, key)) ? STATUS_OK : refuse(key, n, why);
+    return is_whole(key, n, member(s, key)) ? STATUS_OK
+                                            : value_refuse(key, n, why);
 }
 
 enum status value_count(const struct schema_key *key, const struct node *n,
@@ -114,7 +116,7 @@ enum status value_count(const struct schema_key *key, const struct node *n,
     uint64_t count;
 
     if (!is_whole(key, n, &count))
-        return refuse(key, n, why);
+        return value_refuse(key, n, why);
     *(size_t *) member(s, key) = (size_t) count;
     return STATUS_OK;
 }
@@ -128,8 +130,8 @@ enum status value_pair(const struct schema_key *key, const struct node *n,
         return place_blame(n->at, why, "%s: this is no pair, expected [lo, hi]",
                            key->path);
     for (int i = 0; i < 2; i++)
-        if (!is_number(key, n->child[i], &x[i]))
-            return refuse(key, n->child[i], why);
+        if (!value_is_number(key, n->child[i], &x[i]))
+            return value_refuse(key, n->child[i], why);
     if (key->dimension == DIMENSION_NONE && x[0] >= x[1])
         return place_blame(n->at, why,
                            "%s: [%s, %s] is empty, expected lo < hi", key->path,
@@ -147,10 +149,10 @@ enum status value_cells(const struct schema_key *key, const struct node *n,
     uint64_t count;
 
     if (n->kind != NODE_LIST || n->count != 2)
-        return refuse(key, n, why);
+        return value_refuse(key, n, why);
     for (int i = 0; i < 2; i++) {
         if (!is_whole(key, n->child[i], &count))
-            return refuse(key, n->child[i], why);
+            return value_refuse(key, n->child[i], why);
         cells[i] = (size_t) count;
     }
     return STATUS_OK;
@@ -164,7 +166,7 @@ enum status value_text(const struct schema_key *key, const struct node *n,
     char **text = member(s, key);
 
     if (n->kind != NODE_SCALAR)
-        return refuse(key, n, why);
+        return value_refuse(key, n, why);
     char *copy = text_copy(n->text, strlen(n->text));
     if (copy == NULL)
         return STATUS_NO_MEMORY;
@@ -193,7 +195,7 @@ enum status value_font(const struct schema_key *key, const struct node *n,
     const bool plain = n->kind == NODE_SCALAR && strlen(n->text) < SCENE_FONT &&
                        n->text[strspn(n->text, letters)] == '\0';
 
-    return plain ? value_path(key, n, s, why) : refuse(key, n, why);
+    return plain ? value_path(key, n, s, why) : value_refuse(key, n, why);
 }
 
 enum status value_figure(const struct schema_key *key, const struct node *n,
@@ -205,7 +207,7 @@ enum status value_figure(const struct schema_key *key, const struct node *n,
                 strcmp(dot, ".png") == 0);
 
     return drawn || node_is_nothing(n) ? value_path(key, n, s, why)
-                                       : refuse(key, n, why);
+                                       : value_refuse(key, n, why);
 }
 
 /* ---- words --------------------------------------------------------------- */
@@ -225,7 +227,7 @@ enum status value_choice(const struct schema_key *key, const struct node *n,
     const int code = code_of(n, key->words);
 
     if (code < 0)
-        return refuse(key, n, why);
+        return value_refuse(key, n, why);
     *(int *) member(s, key) = code;
     return STATUS_OK;
 }
@@ -234,7 +236,7 @@ enum status value_formula(const struct schema_key *key, const struct node *n,
                           struct scene *s, struct fault *why)
 {
     (void) s;
-    return n->kind == NODE_SCALAR ? STATUS_OK : refuse(key, n, why);
+    return n->kind == NODE_SCALAR ? STATUS_OK : value_refuse(key, n, why);
 }
 
 enum status value_part(const struct schema_key *key, const struct node *n,
@@ -249,7 +251,7 @@ enum status value_state(const struct schema_key *key, const struct node *n,
                         struct scene *s, struct fault *why)
 {
     (void) s;
-    return code_of(n, key->words) < 0 ? refuse(key, n, why) : STATUS_OK;
+    return code_of(n, key->words) < 0 ? value_refuse(key, n, why) : STATUS_OK;
 }
 
 enum status value_flag(const struct schema_key *key, const struct node *n,
@@ -258,7 +260,7 @@ enum status value_flag(const struct schema_key *key, const struct node *n,
     const int code = code_of(n, key->words);
 
     if (code < 0)
-        return refuse(key, n, why);
+        return value_refuse(key, n, why);
     *(bool *) member(s, key) = code == 1;
     return STATUS_OK;
 }
@@ -267,7 +269,7 @@ enum status value_board(const struct schema_key *key, const struct node *n,
                         struct scene *s, struct fault *why)
 {
     (void) s;
-    return code_of(n, key->words) < 0 ? refuse(key, n, why) : STATUS_OK;
+    return code_of(n, key->words) < 0 ? value_refuse(key, n, why) : STATUS_OK;
 }
 
 enum status value_products(const struct schema_key *key, const struct node *n,
@@ -276,11 +278,11 @@ enum status value_products(const struct schema_key *key, const struct node *n,
     unsigned products = 0;
 
     if (n->kind != NODE_LIST || n->count == 0)
-        return refuse(key, n, why);
+        return value_refuse(key, n, why);
     for (size_t i = 0; i < n->count; i++) {
         const int code = code_of(n->child[i], key->words);
         if (code < 0)
-            return refuse(key, n->child[i], why);
+            return value_refuse(key, n->child[i], why);
         products |= 1u << code;
     }
     s->products = products;
@@ -300,7 +302,7 @@ enum status value_preset(const struct schema_key *key, const struct node *n,
         for (size_t i = 0; i < 31 && law_preset_at(i); i++)
             words[i] = law_preset_at(i)->preset;
         with_words.words = words;
-        return refuse(&with_words, n, why);
+        return value_refuse(&with_words, n, why);
     }
     const enum friction_form form = s->law.form;
     s->law = *law;
@@ -340,8 +342,8 @@ static enum status read_slope(const struct schema_key *key,
 {
     double x;
 
-    if (!is_number(key, n, &x))
-        return refuse(key, n, why);
+    if (!value_is_number(key, n, &x))
+        return value_refuse(key, n, why);
     set(s, x);
     return STATUS_OK;
 }
@@ -416,130 +418,4 @@ enum status value_key(const struct schema_key *key, const struct node *n,
                        s->system ? "system.parameters.NAME" : key->expected,
                        near ? " (did you mean " : "", near ? near : "",
                        near ? "?)" : "");
-}
-
-/* ---- lists --------------------------------------------------------------- */
-
-/* One to `most` numbers in the key's range, instead of those in *list. */
-static enum status read_list(const struct schema_key *key, const struct node *n,
-                             size_t most, double **list, size_t *count,
-                             struct fault *why)
-{
-    if (n->kind != NODE_LIST || n->count == 0 || n->count > most)
-        return refuse(key, n, why);
-    double *x = malloc(n->count * sizeof *x);
-    if (x == NULL)
-        return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < n->count; i++)
-        if (!is_number(key, n->child[i], &x[i])) {
-            free(x);
-            return refuse(key, n->child[i], why);
-        }
-    free(*list);
-    *list = x;
-    *count = n->count;
-    return STATUS_OK;
-}
-
-enum status value_xi(const struct schema_key *key, const struct node *n,
-                     struct scene *s, struct fault *why)
-{
-    return read_list(key, n, SCENE_XI, &s->xi, &s->xi_count, why);
-}
-
-enum status value_slopes(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
-{
-    return read_list(key, n, SCENE_SLOPES, &s->rabinowicz.tan_alpha,
-                     &s->rabinowicz.slopes, why);
-}
-
-enum status value_chi_slopes(const struct schema_key *key, const struct node *n,
-                             struct scene *s, struct fault *why)
-{
-    return read_list(key, n, SCENE_CHI, &s->chi_alpha, &s->chi_alphas, why);
-}
-
-enum status value_values(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
-{
-    return read_list(key, n, SCENE_POINTS, &s->sweep.draft.value,
-                     &s->sweep.draft.count, why);
-}
-
-static enum status unknown_in_start(const struct schema_key *key,
-                                    const struct node *n, struct fault *why)
-{
-    static const char *const known[] = { "v", "psi", "phi", NULL };
-    const char *near = synonym_nearest(n->key, known);
-
-    return place_blame(
-        n->key_at, why, "%s: unknown key '%s', expected v and psi%s%s%s",
-        key->path, text_shown(n->key).text, near ? " (did you mean " : "",
-        near ? near : "", near ? "?)" : "");
-}
-
-/* {v: V, psi: P} or {v: V, phi: P}, as they stand there (scene_units.h):
- * positive v, the other any finite number yet. */
-static enum status read_start(const struct schema_key *key,
-                              const struct node *n, struct scene_start *start,
-                              struct fault *why)
-{
-    static const struct schema_key parts[] = {
-        { .path = "trajectories.starts: v",
-          .lo = 0.0,
-          .open_lo = true,
-          .hi = DBL_MAX,
-          .dimension = DIMENSION_RATE,
-          .expected = "a number > 0" },
-        { .path = "trajectories.starts: psi",
-          .lo = -DBL_MAX,
-          .hi = DBL_MAX,
-          .expected = "a number" },
-    };
-
-    if (n->kind != NODE_MAP)
-        return refuse(key, n, why);
-    for (size_t i = 0; i < n->count; i++)
-        if (strcmp(n->child[i]->key, "v") != 0 &&
-            strcmp(n->child[i]->key, "psi") != 0 &&
-            strcmp(n->child[i]->key, "phi") != 0)
-            return unknown_in_start(key, n->child[i], why);
-    const struct node *v = node_find(n, "v"), *psi = node_find(n, "psi");
-    const struct node *phi = node_find(n, "phi");
-    if (v == NULL || (psi == NULL && phi == NULL))
-        return place_blame(n->at, why,
-                           "%s: %s is missing, expected {v: V, psi: P}",
-                           key->path, v ? "psi" : "v");
-    if (psi && phi)
-        return place_blame(phi->key_at, why, "%s: phi beside psi, expected one",
-                           key->path);
-    psi = psi ? psi : phi;
-    if (!is_number(&parts[0], v, &start->v))
-        return refuse(&parts[0], v, why);
-    if (!is_number(&parts[1], psi, &start->psi))
-        return refuse(&parts[1], psi, why);
-    return STATUS_OK;
-}
-
-enum status value_starts(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
-{
-    enum status status = STATUS_OK;
-
-    if (n->kind != NODE_LIST)
-        return refuse(key, n, why);
-    struct scene_start *start = malloc((n->count + 1) * sizeof *start);
-    if (start == NULL)
-        return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < n->count && status == STATUS_OK; i++)
-        status = read_start(key, n->child[i], &start[i], why);
-    if (status != STATUS_OK) {
-        free(start);
-        return status;
-    }
-    free(s->start);
-    s->start = start;
-    s->starts = n->count;
-    return STATUS_OK;
 }

@@ -44,6 +44,14 @@ VALUE_READER(value_values);     /* sweep.draft.value, count */
 
 #undef VALUE_READER
 
+/* Blames a value; offers the nearest word where words are expected. */
+enum status value_refuse(const struct schema_key *key, const struct node *n,
+                         struct fault *why);
+
+/* A number in the key's range, in its unit; false, *value untouched. */
+bool value_is_number(const struct schema_key *key, const struct node *n,
+                     double *value);
+
 /* Whether a key holds one real number. */
 bool value_is_real(const struct schema_key *key);
 
