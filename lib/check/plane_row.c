@@ -43,8 +43,8 @@ enum status plane_row_read(const struct table *t, size_t row, unsigned products,
     if (status == STATUS_OK && scene->system == NULL) {
         scene_free(scene);
         status = place_blame(table_place(t, table_at(t, row, 0)), why,
-                             "a law on a slope, expected a system (a table of "
-                             "laws has columns law, alpha, ...)");
+                             "a law on a slope, expected a system, or a table "
+                             "of laws with columns law, alpha, ...");
     }
     if (status == STATUS_OK)
         scene->products = products;
