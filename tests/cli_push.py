@@ -4,9 +4,8 @@
 usage: test_push.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import math
-import re
 
-from cli_room import SLOPE, expect, refused, run_cases
+from cli_room import SLOPE, expect, expect_number, refused, run_cases
 
 STATE = ['--v', '1e3', '--psi', '10']
 KEYS = ['fate', 'slip', 'time', 'mu_mean', 'v_kick', 'psi_kick']
@@ -44,10 +43,7 @@ def people_read_the_same_numbers(room):
     found = room.json('push', *SLOPE, *STATE)
     expect(said.startswith('v = 1000, psi = 10: rest_finite\n'), said)
     for key in KEYS[1:]:
-        shown, bar = re.search(rf'^  {key} +(\S+) +\+- (\S+)$', said,
-                               re.M).groups()
-        cut = abs(float(shown) - found[key]['value'])
-        expect(cut + found[key]['error'] <= float(bar), key, said)
+        expect_number(said, key, found[key])
     expect(room.good('push', *SLOPE, *STATE, '--quiet') == '', 'quiet')
 
 

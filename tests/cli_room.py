@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -105,6 +106,14 @@ class Room:
 def expect(holds, *told):
     """Told to whoever reads the log."""
     assert holds, ' '.join(str(item) for item in told)
+
+
+def expect_number(said, name, found):
+    """That a number's line has the value to the digits that its bar leaves."""
+    line = re.search(rf'^ +{name} +(\S+) +\+- (\S+)', said, re.M)
+    expect(line, name, said)
+    cut = abs(float(line[1]) - found['value'])
+    expect(cut + found['error'] <= float(line[2]), name, said)
 
 
 def refused(done, code, *words):
