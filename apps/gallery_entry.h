@@ -26,8 +26,8 @@ struct gallery_entry {
     enum exit_code code;
 };
 
-/* Runs the scene by the command it is for: NAME.svg, .png, .pdf, .h5 and the scene
- * itself as NAME.yaml.  A scene that draws nothing is not run and has no
+/* Runs the scene by the command it is for: NAME.svg, .png, .pdf, .h5 and the
+ * scene itself as NAME.yaml.  A scene that draws nothing is not run and has no
  * panels; of one that fails the command has complained, and e->code says how.
  * The user's settings hold for every scene. */
 void gallery_build(const struct gallery_place *g, struct gallery_entry *e);

@@ -59,7 +59,7 @@ struct options {
     size_t files;
     char *set[OPTIONS_SETS]; /* owned: "key=value", in order */
     size_t sets;
-    uint64_t given; /* 1 << row of option_table */
+    uint64_t given;                 /* 1 << row of option_table */
     const char *also[OPTIONS_ALSO]; /* endings that figures are drawn with
                                        beside that of their path; NULL: none */
 

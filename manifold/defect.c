@@ -30,7 +30,7 @@ static double rounding_of(const struct planar_field *f, struct vec2 z,
     const double far = fmin(1.0, fabs(z.x) + fabs(z.y));
     const double by_x = s->ind == 0 ? s->by_ind : s->by_dep;
     const double by_y = s->ind == 0 ? s->by_dep : s->by_ind;
-    const double rounds = TOL_DEFECT_ROUNDINGS + fabs(f->log_scale);
+    const double rounds = TOL_ROUNDINGS + fabs(f->log_scale);
 
     return DBL_EPSILON *
            (rounds * fabs(s->slope) + fabs(by_x) * (far + fabs(z.x)) +

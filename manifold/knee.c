@@ -80,8 +80,7 @@ static struct post post_at_saddle(const struct seeker *s)
 
     curve_slope_at(&s->b->curve, 0, 0.0, way);
     const double slope = way[1 - s->ind] / way[s->ind];
-    const double lost =
-        DBL_EPSILON * TOL_DEFECT_ROUNDINGS + s->floor.x + s->floor.y;
+    const double lost = DBL_EPSILON * TOL_ROUNDINGS + s->floor.x + s->floor.y;
     return (struct post){ .value = value_of(s, slope),
                           .unsure = lost * fabs(slope) };
 }

@@ -127,7 +127,7 @@ size_t turning_find(size_t degree, const double c[], double at[TURNING_MAX])
         s.slope[k - 1] = (double) k * c[k];
         s.noise += fabs(s.slope[k - 1]);
     }
-    s.noise *= TOL_TURNING_ROUNDING;
+    s.noise *= TOL_ROUNDINGS_MANY * DBL_EPSILON;
     to_bernstein(s.degree, s.slope, b);
     look_in(&s, b, 0.0, 1.0);
     return s.found;

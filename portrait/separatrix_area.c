@@ -1,6 +1,7 @@
 /* Gauss-Legendre panels of two orders. */
 #include "strand.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "tolerance.h"
@@ -173,7 +174,7 @@ double separatrix_area(const struct separatrix *s, size_t i, double from,
         sum += integrate_all(&q, a > p->lo ? strand_theta(up, a, p) : p->from,
                              b < p->hi ? strand_theta(up, b, p) : p->to, error);
         *error += height * measure_weight(&m, s->along, base + b) *
-                  TOL_CROSSING_ROUNDING * (fabs(a) + fabs(b));
+                  TOL_ROUNDINGS_FEW * DBL_EPSILON * (fabs(a) + fabs(b));
     }
     *error = fmin(*error, whole);
     return sum;

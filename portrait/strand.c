@@ -1,6 +1,7 @@
 /* Newton steps kept in a bracket. */
 #include "strand.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "tolerance.h"
@@ -58,5 +59,5 @@ double strand_bar(const struct strand_piece *p, double theta)
 
 double strand_rounding(const struct separatrix *s, double w, double at)
 {
-    return s->slack + TOL_CROSSING_ROUNDING * (fabs(at) + fabs(w));
+    return s->slack + TOL_ROUNDINGS_FEW * DBL_EPSILON * (fabs(at) + fabs(w));
 }

@@ -152,12 +152,10 @@ bool zero_tangent(struct zero *q, struct vec2 u, struct vec2 along_,
     if (gradient(q, u, &g)) {
         t = (struct vec2){ -g.y, g.x };
     } else {
-        const struct vec2 next =
-            vec2_add(u, vec2_scale(TOL_NULLCLINE_ALONG, along_));
+        const struct vec2 next = vec2_add(u, vec2_scale(TOL_ASIDE, along_));
         const struct vec2 across = { -along_.y, along_.x };
         struct vec2 near;
-        if (!zero_near(q, next, across, TOL_NULLCLINE_ALONG,
-                       64.0 * TOL_NULLCLINE_ALONG, &near))
+        if (!zero_near(q, next, across, TOL_ASIDE, 64.0 * TOL_ASIDE, &near))
             return false;
         t = vec2_sub(near, u);
     }

@@ -4,6 +4,7 @@
  * the bars with what the finer one changes. */
 #include "push.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -83,12 +84,12 @@ static enum status follow(const struct push *p, struct vec2 z,
     static const char too_near[] =
         "the state is too near the boundary for its orbit to be followed";
     struct fate_result coarse, fine;
-    double rtol = TOL_PUSH_COARSE;
+    double rtol = TOL_ORBIT_RTOL;
     bool agree = false;
     enum status s = fate_find(&p->slider, z, rtol, true, monitor, &coarse);
 
     while (s == STATUS_OK && !agree && coarse.reason == NULL &&
-           rtol * TOL_CELLS_FINER >= TOL_PUSH_FINEST) {
+           rtol * TOL_CELLS_FINER >= TOL_FINEST) {
         rtol *= TOL_CELLS_FINER;
         s = fate_find(&p->slider, z, rtol, true, monitor, &fine);
         agree = (int8_t) coarse.fate == out->fate && fine.fate == coarse.fate;
@@ -166,7 +167,7 @@ static enum status narrow(const struct push *p, struct vec2 z,
     if (!is_wide(&out->slip) && !is_wide(&out->time) && !is_wide(&out->mu_mean))
         return STATUS_OK;
     const enum status s =
-        cells_find(&p->slider, &z, 1, TOL_PUSH_COARSE, integrals, NULL, &c);
+        cells_find(&p->slider, &z, 1, TOL_ORBIT_RTOL, integrals, NULL, &c);
     if (s != STATUS_OK || c.exit_reason != out->fate)
         return s;
     keep_narrower(&out->slip, c.slip, c.slip_error);
@@ -184,7 +185,8 @@ static struct quantity kick_from(const struct push *p,
 {
     double error;
     const double shift = margin_at(l, at, &error);
-    const double rounding = TOL_PUSH_ROUNDING * (1.0 + fabs(at) + fabs(shift));
+    const double rounding =
+        TOL_ROUNDINGS_FEW * DBL_EPSILON * (1.0 + fabs(at) + fabs(shift));
     const double factor = exp(shift);
 
     if (slider_saddle(&p->slider) < 0)
@@ -266,7 +268,7 @@ static enum status find_cells(const struct push *p, const struct vec2 z[],
         out[i] = (struct cell){ .exit_reason = FATE_UNDECIDED };
     return p->fast.slider == NULL
                ? STATUS_OK
-               : fast_cells_find(&p->fast, z, n, TOL_PUSH_COARSE, integrals,
+               : fast_cells_find(&p->fast, z, n, TOL_ORBIT_RTOL, integrals,
                                  NULL, out, NULL);
 }
 

@@ -38,7 +38,7 @@ static double norm(const struct flow *f, const double d[])
 static double first_step(struct flow *f, double way)
 {
     const size_t dim = f->ode->dim;
-    const double *du = f->work.k[0], probe = TOL_STEP_PROBE * way;
+    const double *du = f->work.k[0], probe = TOL_ASIDE * way;
     double at[CURVE_DIM_MAX] = { 0.0 }, change[CURVE_DIM_MAX] = { 0.0 };
 
     for (size_t i = 0; i < dim; i++)

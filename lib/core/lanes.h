@@ -1,8 +1,8 @@
 /*
  * lanes.h -- several doubles side by side, each in its own lane: what one lane
  * holds never touches another.  The including file defines LANES, 1, 2, 4
- * or 8, and is compiled once for each processor whose registers hold that many; the
- * bits of a lane are the same in all, for nothing here depends on LANES and
+ * or 8, and is compiled once for each processor whose registers hold that many;
+ * the bits of a lane are the same in all, for nothing here depends on LANES and
  * nothing multiplies and adds in one rounding, which not all can.
  *
  * e^x and ln x: the argument is reduced by a power of 2, the rest is a series

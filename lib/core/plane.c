@@ -2,6 +2,14 @@
 
 #include <math.h>
 
+struct vec2 vec2_spread(double shift, double t)
+{
+    const double x = shift + 0.7548776662466927 * t;
+    const double y = shift + 0.5698402909980532 * t;
+
+    return (struct vec2){ x - floor(x), y - floor(y) };
+}
+
 double vec2_length(struct vec2 v)
 {
     return hypot(v.x, v.y);

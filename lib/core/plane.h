@@ -45,6 +45,17 @@ static inline struct box box_grow(struct box b, double part)
     return (struct box){ vec2_sub(b.lo, more), vec2_add(b.hi, more) };
 }
 
+/* Between lo and hi, and not in the middle, where zeros and symmetric things
+ * like to be. */
+static inline double off_middle(double lo, double hi)
+{
+    return lo + 0.4871 * (hi - lo);
+}
+
+/* Point t = 0, 1, ... of the sequence from (shift, shift) on that fills the
+ * unit square most evenly (Roberts 2018). */
+struct vec2 vec2_spread(double shift, double t);
+
 /* Euclidean length, without overflow. */
 double vec2_length(struct vec2 v);
 

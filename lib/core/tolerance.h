@@ -13,6 +13,20 @@
  * by 2^-52, then err by no more. */
 #define TOL_FINEST 3e-14
 
+/* Roundings, in units of roundoff (2^-52), of a number made by so many of them,
+ * where no part is larger than the whole: n operations err by n/2 (Higham,
+ * Accuracy and Stability, 2002, lemma 3.1).  Few: an expression of a field;
+ * some: a polynomial of order 20 and a step of twelve stages, to both sides;
+ * many: sums of a hundred terms, of a thousand with signs of their own. */
+#define TOL_ROUNDINGS_FEW  4.0
+#define TOL_ROUNDINGS      16.0
+#define TOL_ROUNDINGS_MANY 64.0
+
+/* How far beside a point, in ln v and ln psi, in sides of a window or in parts
+ * of a way, its neighbour is whose difference tells a slope: curvature and
+ * rounding over it, 2^-53, are both below 1e-6 of it. */
+#define TOL_ASIDE 1e-6
+
 /* Range of v (and of psi where it is positive), dimensionless: ln of 1e300. */
 #define TOL_LN_RANGE 690.7755278982137
 /* Range of psi where psi is itself a logarithm: down to LEAST, for friction
@@ -25,6 +39,10 @@
  * cost twice the time; figures and energy balances to nine digits are
  * plenty. */
 #define TOL_ORBIT_RTOL 1e-9
+
+/* Steps that an orbit may take, of any system: ten times what an accurate one
+ * to a node needs. */
+#define TOL_ORBIT_STEPS 60000
 
 /* An orbit has arrived when it is this near an equilibrium, in both ln v and
  * ln psi: one per cent is what friction experiments resolve. */
@@ -59,7 +77,8 @@
 #define TOL_ROUNDING_BAR 2.5
 /* Errors travel over a step by the mean of their rates at its ends, which is
  * off by no more than this part of the difference (an exponential's is, up to
- * thirtyfold); and the most one grows, as an exponent. */
+ * thirtyfold); and the most one grows, as an exponent: beyond nothing is
+ * known. */
 #define TOL_STEP_BEND        0.25
 #define TOL_STEP_GROWTH_MOST 50.0
 /* Most need some fifty; down to psi of -1e300 some five a unit of ln |psi|. */
@@ -67,8 +86,6 @@
 /* Integrals below this have no digits in a double: the smallest normal number
  * over its roundoff. */
 #define TOL_INTEGRAL_NIL 1e-292
-/* Least doubles that a coefficient of an integral may have lost. */
-#define TOL_INTEGRAL_LOST 16.0
 /* Never a series start further than this from the saddle, in ln v or ln psi:
  * beyond, the defect at the two ends no longer speaks for the middle. */
 #define TOL_SERIES_RADIUS_MAX 2.0
@@ -128,9 +145,7 @@
 /* Shorter steps are no steps: reached after some fifty rejections, as where
  * a field is NaN. */
 #define TOL_STEP_MIN 1e-30
-/* First step: probe of the second derivative, as a fraction of the way; error
- * aimed at, as a fraction of the tolerance. */
-#define TOL_STEP_PROBE 1e-6
+/* First step: error aimed at, as a fraction of the tolerance. */
 #define TOL_STEP_FIRST 0.01
 /* Steps between two calls of a monitor. */
 #define TOL_MONITOR_STEPS 64
@@ -176,9 +191,8 @@
 /* Width at which roots are closed: the rounding of a number below 1. */
 #define TOL_NULLCLINE_ROOT 1e-16
 /* Where a component is too small to have digits: how far beside a zero its
- * signs are looked at, and how far along tangents are differenced. */
+ * signs are looked at. */
 #define TOL_NULLCLINE_ASIDE 1e-12
-#define TOL_NULLCLINE_ALONG 1e-6
 /* A step is smooth when the curve is this near the cubic through its ends and
  * tangents, as a fraction of the cubic's height: a circle is off by 0.01 at
  * the largest angle allowed, a change to a crossing piece by more than 0.1.
@@ -254,10 +268,6 @@
  * is that near the truth. */
 #define CHECK_RECORDED_BARS 2.0
 
-/* What rounding does to a crossing of a separatrix, per unit of its distance
- * from the saddle: that of the offsets, of a polynomial, of the first slope. */
-#define TOL_CROSSING_ROUNDING 0x1p-51
-
 /* Areas beside a separatrix: relative error of a piece, how often one is halved
  * around a kink, and how many are halved at all before their differences stand
  * as errors. */
@@ -268,15 +278,11 @@
 /* From so many rows of a basin map on, threads pay. */
 #define BASIN_PARALLEL_ROWS 4096
 
-/* Roundings of a field's slope, in units of roundoff, where a branch's distance
- * from its manifold is found. */
-#define TOL_DEFECT_ROUNDINGS 16.0
 /* A piece whose slope stays further than this from 1 has no knee. */
 #define TOL_KNEE_NEAR 0.05
-/* Turning points and variations: the shortest part of a piece that is halved;
- * and what counts as no coefficient of a slope, as a part of all of them. */
-#define TOL_PIECE_SHORTEST   0x1p-20
-#define TOL_TURNING_ROUNDING 1e-14
+/* Turning points and variations: the shortest part of a piece that is halved.
+ */
+#define TOL_PIECE_SHORTEST 0x1p-20
 
 /* The clock of an orbit: this part of the field's largest rate, so that its
  * rounding, 1e-15 of it, stays far below, and the stages of a step, which start
@@ -370,9 +376,6 @@
 #define SCENE_SLOPES          1000
 #define SCENE_TAN             1e6
 #define SCENE_SMOOTHING_LEAST 1e-12
-
-/* What a few operations round, as a part of a release distance. */
-#define RELEASE_ROUNDING 0x1p-50
 
 /* Points of a sweep in all, 500 x 500: a million studies are hours, and their
  * numbers fill memory before (1.4 kB a point). */

@@ -10,6 +10,7 @@
 #include <math.h>
 
 #include "formula_tolerance.h"
+#include "plane.h"
 #include "room.h"
 
 enum outcome { BOX_EMPTY, BOX_UNIQUE, BOX_OPEN };
@@ -211,12 +212,11 @@ static int side_to_part(const struct equilibrium_search *s,
     return change[1] > change[0];
 }
 
-/* Not at the middle, where zeros like to be. */
 static enum status part(struct equilibrium_search *s,
                         const struct search_box *box, const struct look *l)
 {
     const int k = side_to_part(s, box, l);
-    const double at = box->side[k].lo + 0.4871 * width(box->side[k]);
+    const double at = off_middle(box->side[k].lo, box->side[k].hi);
     struct search_box half[2] = { *box, *box };
 
     half[0].side[k].hi = half[1].side[k].lo = at;

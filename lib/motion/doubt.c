@@ -3,6 +3,7 @@
  * doubling: each is at most twice as far as it is. */
 #include "doubt.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "moment.h"
@@ -53,7 +54,7 @@ static void leave(const struct watched *w, double at, int side, double allowed,
                   double u[])
 {
     const double end = side > 0 ? (double) w->curve->count : 0.0;
-    double far = TOL_DOUBT_NEAREST;
+    double far = TOL_ROUNDINGS_FEW * DBL_EPSILON;
 
     do {
         const double next = at + side * far;

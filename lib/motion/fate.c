@@ -241,7 +241,7 @@ static struct quantity sum_of(const struct orbit *o, const struct ending *e,
     const double sum = o->u[i] + left;
 
     return quantity_of(sum, bar_at(e, i) + left_error +
-                                TOL_FATE_DIGITS * DBL_EPSILON * fabs(sum));
+                                TOL_ROUNDINGS * DBL_EPSILON * fabs(sum));
 }
 
 static void observe_end(const struct slider *s, double v0,
@@ -329,7 +329,7 @@ static enum status follow(const struct slider *s, struct vec2 z, double rtol,
     options.target = goals.at;
     options.targets = goals.count;
     options.arrival = TOL_ARREST;
-    options.max_steps = TOL_FATE_STEPS;
+    options.max_steps = TOL_ORBIT_STEPS;
     options.reach[0] = TOL_FATE_LATE * slow_time(s);
     options.drift = observe ? &past.drift : NULL;
     drift_start(&past.drift, slider_rounding(s, z),

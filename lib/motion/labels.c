@@ -194,7 +194,7 @@ static enum status ask_orbit(const struct labels *l, struct vec2 z,
     at.x = fmin(fmax(at.x, d.lo.x), d.hi.x); /* rounding at the edge */
     at.y = fmin(fmax(at.y, d.lo.y), d.hi.y);
     const enum status s =
-        fate_find(l->slider, at, TOL_PUSH_COARSE, false, monitor, &r);
+        fate_find(l->slider, at, TOL_ORBIT_RTOL, false, monitor, &r);
 
     if (s == STATUS_OK)
         *out = (struct fate_told){ (int8_t) r.fate, r.reason, false };

@@ -26,14 +26,12 @@
  * last digit. */
 #define TOL_LABELS_BESIDE 0x1.8p-52
 
-/* Labels by forward integration (trap.c): accuracy of the first attempt, and of
- * the next ones; and the distance from the saddle, in tolerances, at which a
- * label is certain: errors of a few hundred steps, grown a hundredfold on the
- * way. */
-#define TOL_TRAP_RTOL   1e-6
-#define TOL_TRAP_FINER  1e-3
-#define TOL_TRAP_FINEST 5e-13
-#define TOL_TRAP_FAR    1e4
+/* Labels by forward integration (trap.c): how much finer each attempt is, from
+ * TOL_TRANSIENT_COARSEST to TOL_TRANSIENT_FINEST; and the distance from the
+ * saddle, in tolerances, at which a label is certain: errors of a few hundred
+ * steps, grown a hundredfold on the way. */
+#define TOL_TRAP_FINER 1e-3
+#define TOL_TRAP_FAR   1e4
 
 /* The same for the distance from the stable manifold where an orbit is caught:
  * a few steps, not magnified. */
@@ -44,28 +42,21 @@
 #define TOL_TRAP_STEP  1.0
 #define TOL_TRAP_STEPS 1000
 
-/* One state (push.c).  Its orbit is run at two tolerances, the coarse one and
+/* One state (push.c).  Its orbit is run at two tolerances, TOL_ORBIT_RTOL and
  * one finer by TOL_CELLS_FINER; where their fates differ, finer ones, down to
- * the finest.  Where the table's bars are wider than such a part it is
- * followed, too.  What rounding does to a coordinate and to a root, per unit of
- * either. */
-#define TOL_PUSH_COARSE   1e-9
-#define TOL_PUSH_FINEST   5e-14
-#define TOL_PUSH_WIDE     1e-7
-#define TOL_PUSH_ROUNDING 0x1p-50
+ * TOL_FINEST.  Where the table's bars are wider than such a part it is
+ * followed, too. */
+#define TOL_PUSH_WIDE 1e-7
 
 /* Peaks along an orbit (peak.c).  Samples of a step; the part of the distance
  * between three samples at which a peak is found: it errs by the square.  The
  * steps around it are followed again as finely as doubles allow.  Friction has
  * faded where it has so little of its most left over gravity: v falls like a
- * power of time, and it like the square.  What rounding does to friction, in
- * units of roundoff; and how far ahead a start, or a step, is seen to rise. */
+ * power of time, and it like the square. */
 #define TOL_PEAK_SAMPLES 4
 #define TOL_PEAK_WIDTH   1e-8
 #define TOL_PEAK_FINEST  1e-13
 #define TOL_PEAK_FADED   0.01
-#define TOL_PEAK_DIGITS  4.0
-#define TOL_PEAK_AHEAD   1e-6
 
 /* Moments (moment.c).  Below this component of a direction mu is compared with
  * tan(alpha) itself; and how far, on a piece, one looks to both sides of an
@@ -73,13 +64,12 @@
 #define TOL_MOMENT_DIRECTION 1e-100
 #define TOL_MOMENT_ASIDE     0.05
 
-/* A turn of ln v, ln psi or mu along an orbit is one when it is this many
- * times the orbit's tolerance high (rounding makes turns a tenth of it high);
- * bars in units of what the coarser orbit changes, for two may agree by
- * chance; and what rounding does to numbers along an orbit, in units of
- * roundoff, at once and with each step (measured at the finest tolerances: 120
- * roundings of the time at most). */
-#define TOL_TIMELINE_TURN     1.0
+/* A turn of ln v, ln psi or mu along an orbit is one when it is as high as the
+ * orbit's tolerance (rounding makes turns a tenth of it high); bars in units of
+ * what the coarser orbit changes, for two may agree by chance; and what
+ * rounding does to numbers along an orbit, in units of roundoff, at once and
+ * with each step (measured at the finest tolerances: 120 roundings of the time
+ * at most). */
 #define TOL_TIMELINE_BAR      8.0
 #define TOL_TIMELINE_ROUNDING 128.0
 #define TOL_TIMELINE_STEP     0.02
@@ -94,18 +84,16 @@
 #define TOL_CREST_WIDTH 1e-5
 
 /* Orbits of transients: tolerance as a part of what is asked for (their events
- * are good to a hundredth of it), the finest that helps and the coarsest that
- * still follows the curve; that of the second orbit, to compare with; steps,
- * several times what the finest takes; how much looser, then finer, the next
- * attempt is where they do not suffice; where a block runs away or fades, as
+ * are good to a hundredth of it), and that of the second orbit, to compare
+ * with, as a part of that; the finest that helps and the coarsest that still
+ * follows the curve; how much looser, then finer, the next attempt is where
+ * TOL_ORBIT_STEPS do not suffice; where a block runs away or fades, as
  * factors on v; where arrest is looked for at the end of a run that was
  * arrested, in units of its distance; and the ln v (1e-11) down to which a
  * block that rests is followed, at least, or until TOL_REST_NOTHING is left. */
-#define TOL_TRANSIENT_STEP     10.0
 #define TOL_TRANSIENT_FINEST   3e-13
 #define TOL_TRANSIENT_COARSEST 1e-6
 #define TOL_TRANSIENT_RATIO    10.0
-#define TOL_TRANSIENT_STEPS    60000
 #define TOL_TRANSIENT_RETREAT  100.0
 #define TOL_TRANSIENT_FAST     1e6
 #define TOL_TRANSIENT_SLOW     1e-8
@@ -119,11 +107,13 @@
 
 /* What is left of a rest (rest_left.c, rest_lag.c).  Rounds of an iteration at
  * most, and the change, as a part, that the last may leave; what the curve may
- * be off, relative, or beside the time so far, and an orbit from it in ln v, or
- * in psi where that is the faster one, unless it is below this ln v; the least
- * part of psi_ss that psi is,
- * behind it, the ln v below which that is looked for, and the v below which it
- * is known by one round; bars, beside all time and slip.  Panels: the first, in
+ * be off, relative, or by rounding beside the time so far, and an orbit from it
+ * in ln v, or in psi where that is the faster one, unless it is below this ln
+ * v; the least part of psi_ss that psi is, behind it, the ln v below which that
+ * is looked for, and the v below which it is known by one round; bars, beside
+ * all time and slip, and the part of the time so far within which a state rests
+ * before it lands (landing.c): v would reach zero, and psi infinity, and power
+ * laws are far above it.  Panels: the first, in
  * ln psi or ln v, and their number; what both rules may differ by, and the
  * factor before that is raised to 3/2 for a bar; what is nothing; and how much
  * better a panel is that is followed by one twice as long. */
@@ -132,7 +122,6 @@
 #define TOL_REST_WRONG    1e-11
 #define TOL_REST_BESIDE   1e-3
 #define TOL_REST_EDGE     (-600.0)
-#define TOL_REST_UNSEEN   1e-14
 #define TOL_REST_BEHIND   0.5
 #define TOL_REST_SLOW     (-3.0)
 #define TOL_REST_GOOD     1e-10
@@ -144,18 +133,12 @@
 #define TOL_REST_EASY     1e-3
 #define TOL_REST_QUADPACK 200.0
 
-/* Where doubt about an event begins to be measured (doubt.c), in pieces of the
- * orbit: far below what rounding does to a piece. */
-#define TOL_DOUBT_NEAREST 0x1p-50
-
 /* An orbit to a rest needs no digits of a time below this part of eps^2 v, the
  * time in which a friction of 1 stops it: where psi leaps first, by a sinh of
  * psi_ss - psi, time grows from 1e-300, and its rate is rounding. */
 #define TOL_FATE_LEAST 0.01
 
-/* What rounding does to a sum along an orbit, in units of roundoff; and what
- * part of the change by a tenfold tolerance a bar holds at least. */
-#define TOL_FATE_DIGITS 16.0
+/* What part of the change by a tenfold tolerance a bar holds at least. */
 #define TOL_FATE_CHANGE 0.2
 
 #endif

@@ -163,7 +163,7 @@ static bool is_rising(const struct slider *s, struct vec2 z, peak_value *value)
     struct planar_field f;
 
     s->plane.system.field(s->plane.system.ctx, z, &f);
-    const double part = TOL_PEAK_AHEAD / vec2_length(f.direction);
+    const double part = TOL_ASIDE / vec2_length(f.direction);
     return value(s, vec2_add(z, vec2_scale(part, f.direction))) > value(s, z);
 }
 
@@ -258,7 +258,7 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     options.target = goal;
     options.targets = phase_plane_goals(&s->plane, goal);
     options.arrival = TOL_ARREST;
-    options.max_steps = TOL_FATE_STEPS;
+    options.max_steps = TOL_ORBIT_STEPS;
     options.drift = &drift;
     drift_start(&drift, rounding, phase_plane_leaving_rate(&s->plane));
     fate_least(s, start, options.least);
@@ -280,8 +280,8 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
             out->x = z.x;
         else
             out->x_error += rounding;
-        out->mu_error +=
-            (m.x + m.y) * rounding + TOL_PEAK_DIGITS * DBL_EPSILON * fabs(p.mu);
+        out->mu_error += (m.x + m.y) * rounding +
+                         TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(p.mu);
     }
     orbit_free(&o);
     return status;

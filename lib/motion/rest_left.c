@@ -4,6 +4,7 @@
  * which grow as the integrands, sums of exponentials, allow. */
 #include "rest_left.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "moment.h"
@@ -94,7 +95,8 @@ static bool is_on(const struct slider *s, struct vec2 z, const struct point *p)
 /* `late`: about what time is left. */
 static bool is_small(double wrong, double late, double time)
 {
-    return wrong < TOL_REST_WRONG || wrong * late < TOL_REST_UNSEEN * time;
+    return wrong < TOL_REST_WRONG ||
+           wrong * late < TOL_ROUNDINGS_MANY * DBL_EPSILON * time;
 }
 
 static bool is_behind(const struct slider *s, struct vec2 z, double time)

@@ -89,7 +89,7 @@ static void keep_turns(const struct slider *s, struct marks *m, size_t which,
 
     curve_at(c, 0, 0.0, u);
     const double start = turning(s, what, u);
-    struct swing w = { .least = TOL_TIMELINE_TURN * m->orbit->options.rtol,
+    struct swing w = { .least = m->orbit->options.rtol,
                        .hi = start,
                        .lo = start };
     for (size_t i = 0; i < m->count; i++)

@@ -59,7 +59,7 @@ static struct box window_of(const struct course *c, bool limited)
 
 static double finest(double rtol)
 {
-    return fmin(fmax(TOL_TRANSIENT_STEP * rtol, TOL_TRANSIENT_FINEST),
+    return fmin(fmax(TOL_TRANSIENT_RATIO * rtol, TOL_TRANSIENT_FINEST),
                 TOL_TRANSIENT_COARSEST);
 }
 
@@ -91,7 +91,7 @@ static void course_set(struct course *c, const struct transient_options *o,
     c->options.window = &c->window;
     c->options.event = c->watches.event;
     c->options.events = c->watches.count;
-    c->options.max_steps = TOL_TRANSIENT_STEPS;
+    c->options.max_steps = TOL_ORBIT_STEPS;
     if (o->until_time > 0.0)
         c->options.reach[0] = o->until_time;
     if (o->until_slip > 0.0)
@@ -242,7 +242,7 @@ static struct quantity total_of(const struct course *c, const struct orbit *o,
     const double sum = o->u[i] + left;
 
     return quantity_of(sum, bar_of(c, o, end, i) + left_error +
-                                TOL_FATE_DIGITS * DBL_EPSILON * fabs(sum));
+                                TOL_ROUNDINGS * DBL_EPSILON * fabs(sum));
 }
 
 static struct totals totals_of(const struct course *c, const struct orbit *o)

@@ -14,24 +14,22 @@
 
 /* Bars: this many times the finer run's tolerance, for two runs may agree by
  * chance; e-folds that what is left at the end may take to decay; above this
- * part of the value it never does; roundings, in units of roundoff; and the
- * part of the bar of the saddle's place that is felt (measured: 1/4000). */
-#define TOL_VARIATION_BAR      5.0
-#define TOL_VARIATION_REST     10.0
-#define TOL_VARIATION_OPEN     1e-9
-#define TOL_VARIATION_ROUNDING 64.0
-#define TOL_VARIATION_PLACE    0.1
+ * part of the value it never does; and the part of the bar of the saddle's
+ * place that is felt (measured: 1/4000). */
+#define TOL_VARIATION_BAR   5.0
+#define TOL_VARIATION_REST  10.0
+#define TOL_VARIATION_OPEN  1e-9
+#define TOL_VARIATION_PLACE 0.1
 
 /* Curves of steady states (steady_curve.c, spring_curve.c, fold_curve.c).
  * Points: more than there are 2 px on an axis of 600, most of them where one
  * sees them; an even step from 1e-4 to 1e4 has its decades among them.  Apart
  * in ln v for a second derivative of mu_ss, which changes over distances of
- * one; and how far before v = 1 psi = -ln v ends. */
+ * one. */
 #define STUDY_STEADY_POINTS 401
 #define STUDY_SPRING_POINTS 801
 #define STUDY_FOLD_POINTS   401
 #define TOL_EXTREMUM_REACH  1e-3L
-#define TOL_STEADY_SHY      1e-6
 
 /* A branch that ends within this part of the least psi (TOL_PSI_LEAST) ends
  * there. */
@@ -45,11 +43,10 @@
 #define TOL_SLIDER_ROUNDING 0x1.4p-53
 
 /* The saddle's place (place.c).  Numbers go like powers of v_sp, below this one
- * but where places are not known to a rounding; how far the second place is
- * from the first, over which they bend little; and the tolerance of both runs,
- * as a part of that. */
+ * but where places are not known to a rounding; and the tolerance of both runs,
+ * as a part of the way from the first place to the second, over which they bend
+ * as little as mu_ss: TOL_EXTREMUM_REACH. */
 #define TOL_PLACE_POWER 8.0
-#define TOL_PLACE_STEP  1e-3L
 #define TOL_PLACE_FINE  1e-3
 
 #endif

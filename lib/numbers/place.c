@@ -51,8 +51,8 @@ static long double step_of(const struct block *b)
         else
             hi = fminl(hi, s->turning[i]);
     const long double down = b->x - lo, up = hi - b->x;
-    return up > down ? fminl(up / 2, TOL_PLACE_STEP)
-                     : -fminl(down / 2, TOL_PLACE_STEP);
+    return up > down ? fminl(up / 2, TOL_EXTREMUM_REACH)
+                     : -fminl(down / 2, TOL_EXTREMUM_REACH);
 }
 
 static enum status run_at(const struct block *b, long double x, double rtol,

@@ -109,7 +109,7 @@ static bool clip(const struct law *law, const double v[2], double out[2])
     out[0] = fmax(v[0], 1.0 / SCENE_RANGE);
     out[1] = fmin(v[1], SCENE_RANGE);
     if (logl((long double) out[1]) >= top)
-        out[1] = (double) expl(top) * (1.0 - TOL_STEADY_SHY);
+        out[1] = (double) expl(top) * (1.0 - TOL_ASIDE);
     return out[0] < out[1];
 }
 

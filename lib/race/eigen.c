@@ -20,7 +20,7 @@
 
 struct eigen_options eigen_defaults(double rtol)
 {
-    return (struct eigen_options){ .rtol = rtol, .max_steps = TOL_EIGEN_STEPS };
+    return (struct eigen_options){ .rtol = rtol, .max_steps = TOL_ORBIT_STEPS };
 }
 
 enum { LEGS = 2 };
@@ -205,7 +205,7 @@ static enum status copy_curve(const struct route *r, struct curve *c)
 static double bar(double difference, double drift, double rest, double value)
 {
     return fabs(difference) + drift + TOL_EIGEN_RESTS * fabs(rest) +
-           TOL_EIGEN_ROUNDING * DBL_EPSILON * fabs(value);
+           TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(value);
 }
 
 static bool ends_alike(const struct route *a, const struct route *b)

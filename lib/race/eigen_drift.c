@@ -69,7 +69,7 @@ void eigen_drift_step(struct eigen_drift *d, const struct eigen_frame *g,
                       double h, const double u[], const double error[])
 {
     const struct eigen_drift old = *d;
-    const double eps = TOL_EIGEN_ROUNDING * DBL_EPSILON;
+    const double eps = TOL_ROUNDINGS_FEW * DBL_EPSILON;
 
     d->u = (struct vec2){ u[0], u[1] };
     look(d, g);

@@ -137,7 +137,7 @@ static void set_weights(struct eigen_leg *l)
     for (size_t i = 0; i < l->frame->carry->count; i++)
         f->options.atol[i + 2] =
             fmax(f->options.atol[i + 2],
-                 TOL_EIGEN_NOISE * l->drift.noise[i] * (1.0 + f->s));
+                 TOL_ROUNDINGS_MANY * l->drift.noise[i] * (1.0 + f->s));
     const double far = TOL_EIGEN_STRIDE * vec2_length(eigen_leg_end(l));
     f->h = fmin(f->h, fmax(TOL_EIGEN_LONGEST, far) / pace);
 }

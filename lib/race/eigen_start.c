@@ -59,7 +59,7 @@ static double noise(const struct eigen_frame *g, const struct eigen_start *t,
     const double n =
         eigen_rate_noise(g, i, eigen_point(g->basis, W), log_scale);
 
-    return TOL_EIGEN_NOISE * fabs(t->reach * (n / v.x));
+    return TOL_ROUNDINGS_MANY * fabs(t->reach * (n / v.x));
 }
 
 /* The integrands, smooth but 0/0 at the saddle, are interpolated at thirds of

@@ -2,13 +2,12 @@
 #ifndef RACE_EIGEN_TOLERANCE_H
 #define RACE_EIGEN_TOLERANCE_H
 
+#include "tolerance.h"
+
 /* The stable manifold in eigen-coordinates (eigen.c).  Step tolerance for a
  * promise of rtol, and that of the second run to compare with. */
 #define TOL_EIGEN_STEP   0.1
 #define TOL_EIGEN_COARSE 100.0
-/* Steps of one run: where a branch crosses the whole chart while an integral
- * grows like e^(2x), a step is a tenth of a unit. */
-#define TOL_EIGEN_STEPS 40000
 /* Where the search for a start begins, in X, and the most it shortens it in one
  * attempt: a field may change over 1e-300. */
 #define TOL_EIGEN_START   0.25
@@ -39,14 +38,11 @@
 /* Where steps fail, points at this part of the distance from the saddle tell
  * whether an equilibrium lies between. */
 #define TOL_EIGEN_ODD 1e-8
-/* What is an integral's rate only by this many roundings is none. */
-#define TOL_EIGEN_NOISE 64.0
 /* Bars: a part of the steps' estimates (of order 5; measured: true errors stay
  * below a tenth of them where rounding does not rule) and defects; of what the
  * end adds (measured: an exponential through two steps is right to a factor of
- * two); roundings of a step of twelve stages, in units of roundoff. */
+ * two). */
 #define TOL_EIGEN_ESTIMATES 0.1
 #define TOL_EIGEN_RESTS     10.0
-#define TOL_EIGEN_ROUNDING  4.0
 
 #endif

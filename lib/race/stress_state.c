@@ -68,7 +68,7 @@ static enum status find_fates(struct stress_work *w, struct routes *r,
     o.labels = &r->push.labels;
     enum status s = push_find(&r->push, state, NULL, &answer);
     if (s == STATUS_OK)
-        s = fate_find(&r->push.slider, z, TOL_PUSH_COARSE, false, NULL, &orbit);
+        s = fate_find(&r->push.slider, z, TOL_ORBIT_RTOL, false, NULL, &orbit);
     if (s == STATUS_OK && orbit.fate != FATE_UNDECIDED)
         s = transient_find(&w->study.slider, at, &o, NULL, &r->transient);
     if (s != STATUS_OK)

@@ -249,7 +249,7 @@ static enum status follow(const struct maker *m, double rtol,
     options.rtol = rtol;
     options.observables = 0;
     options.reach[0] = m->c->until;
-    options.max_steps = TOL_TRANSIENT_STEPS;
+    options.max_steps = TOL_ORBIT_STEPS;
     enum status status =
         orbit_init(o, &s->slider.plane.system, m->c->start, &options);
     if (status == STATUS_OK)
@@ -273,7 +273,7 @@ static double bar_of(const struct orbit *coarse, const struct orbit *fine,
         rescaled_linear(&o->clock, (struct vec2){ o->u[0], o->u[1] }, &l);
         q[k] = quantity_of(o->u[i],
                            drift_bar_at(o->options.drift, l.du, 2, (size_t) i) +
-                               TOL_FATE_DIGITS * DBL_EPSILON * fabs(o->u[i]));
+                               TOL_ROUNDINGS * DBL_EPSILON * fabs(o->u[i]));
     }
     return fate_compare(&q[0], &q[1]).error;
 }

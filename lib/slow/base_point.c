@@ -68,7 +68,7 @@ static double reach_of(const struct slow_branch *inside)
     const struct vec2 e = k->fibre;
     const double det = fabs(e.x - e.y * k->x_slope);
 
-    return TOL_BASE_REACH * TOL_ARREST * (fabs(e.x) + fabs(e.y)) / det;
+    return TOL_BASE_BEND * TOL_ARREST * (fabs(e.x) + fabs(e.y)) / det;
 }
 
 bool base_point_passes(const struct slow_curve *c, double one, double other)
@@ -91,7 +91,7 @@ bool base_point_passes(const struct slow_curve *c, double one, double other)
 bool base_point_tell(const struct slow_curve *c, const struct base_point *b,
                      struct layer *out)
 {
-    const double room = TOL_BASE_ROOM * b->y_error;
+    const double room = TOL_LAYER_CORNER * b->y_error;
     struct slow_point p;
 
     *out = (struct layer){ .end = LAYER_LOST, .fate = FATE_UNDECIDED };

@@ -61,9 +61,9 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
     const double rounding = TOL_FAST_ROUNDING * (1.0 + fabs(z.x) + fabs(z.y) +
                                                  fabs(o.x) + fabs(o.y));
     const bool fastest = l->falls[0] && l->x_peak == from.x;
-    const bool hardest =
-        l->falls[1] && l->mu_peak == block_mu(&s->block, from) &&
-        l->mu_next < l->mu_peak - TOL_FAST_HARDER * (m.x + m.y);
+    const bool hardest = l->falls[1] &&
+                         l->mu_peak == block_mu(&s->block, from) &&
+                         l->mu_next < l->mu_peak - TOL_ASIDE * (m.x + m.y);
 
     c->v_peak = exp(fastest ? z.x : x);
     c->v_peak_error =
@@ -73,7 +73,7 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
     c->mu_peak = l->mu_peak;
     c->mu_peak_error = (m.x + m.y) * (hardest ? rounding : place) +
                        l->mu_error +
-                       TOL_PEAK_DIGITS * DBL_EPSILON * fabs(l->mu_peak);
+                       TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(l->mu_peak);
     if (!hardest)
         c->mu_peak_error += (m.x + m.y) * least;
 }
@@ -186,7 +186,8 @@ static double finer(struct batch *b, size_t i)
         return 0.0;
     b->excess[k] = excess;
     b->vain[k] = vain;
-    return vain ? TOL_FAST_FINER : fmax(TOL_FAST_FINER, TOL_FAST_AIM / excess);
+    return vain ? TOL_FAST_FINER
+                : fmax(TOL_FAST_FINER, TOL_LAYER_BENT / excess);
 }
 
 static void set_job(struct batch *b, size_t i, size_t k, double tol)

@@ -122,8 +122,8 @@ static double at_point(const struct arc *a, const double u[])
 /* Whether it rises along the orbit. */
 static bool is_rising(const struct arc *a, const double u[], const double du[])
 {
-    const double ahead[2] = { u[LAYER_X] + TOL_PEAK_AHEAD * du[LAYER_X],
-                              u[LAYER_Y] + TOL_PEAK_AHEAD * du[LAYER_Y] };
+    const double ahead[2] = { u[LAYER_X] + TOL_ASIDE * du[LAYER_X],
+                              u[LAYER_Y] + TOL_ASIDE * du[LAYER_Y] };
 
     return at_point(a, ahead) > at_point(a, u);
 }
@@ -218,17 +218,15 @@ static void look_ahead(const struct walk *w)
 static struct aside look_aside(const struct landing *l)
 {
     const double *du = l->du;
-    const double u[LAYER_DIM] = { l->u[LAYER_X] - TOL_LAYER_ASIDE * du[LAYER_Y],
-                                  l->u[LAYER_Y] +
-                                      TOL_LAYER_ASIDE * du[LAYER_X] };
+    const double u[LAYER_DIM] = { l->u[LAYER_X] - TOL_ASIDE * du[LAYER_Y],
+                                  l->u[LAYER_Y] + TOL_ASIDE * du[LAYER_X] };
     double at[LAYER_DIM];
 
     along(l->curve->slider, 0.0, u, at);
     return (struct aside){
-        (du[LAYER_X] * at[LAYER_Y] - du[LAYER_Y] * at[LAYER_X]) /
-            TOL_LAYER_ASIDE,
-        (at[LAYER_TIME] - du[LAYER_TIME]) / TOL_LAYER_ASIDE,
-        (at[LAYER_SLIP] - du[LAYER_SLIP]) / TOL_LAYER_ASIDE,
+        (du[LAYER_X] * at[LAYER_Y] - du[LAYER_Y] * at[LAYER_X]) / TOL_ASIDE,
+        (at[LAYER_TIME] - du[LAYER_TIME]) / TOL_ASIDE,
+        (at[LAYER_SLIP] - du[LAYER_SLIP]) / TOL_ASIDE,
     };
 }
 
@@ -239,7 +237,7 @@ static double parting(double h, double one, double other)
 {
     const double most = h * fmax(one, other), mean = 0.5 * h * (one + other);
 
-    return fmin(fmax(fmin(most, 0.0), mean), TOL_LAYER_PARTING);
+    return fmin(fmax(fmin(most, 0.0), mean), TOL_STEP_GROWTH_MOST);
 }
 
 /* What the step to the end of the walk makes of what was across at its start,
@@ -397,7 +395,7 @@ static bool advance(struct walk *w, double most)
         if (judge(w, off, &factor)) {
             if (!(l->options.peaks && landing_is_past(l, u1)))
                 break;
-            factor = TOL_LAYER_BACK; /* or it sees peaks beyond */
+            factor = TOL_ORBIT_RETREAT; /* or it sees peaks beyond */
         }
         w->h *= factor;
         if (!(fabs(w->h) > TOL_LAYER_SHORTEST))
@@ -419,7 +417,7 @@ void layer_follow(const struct slow_curve *c, struct vec2 z,
     struct landing_step step[TOL_LAYER_STEPS];
     struct walk w = { .at.step = step,
                       .ode = { LAYER_DIM, along, c->slider },
-                      .h = TOL_LAYER_FIRST,
+                      .h = TOL_LAYER_LANDING,
                       .previous = 1.0 };
     double most;
 

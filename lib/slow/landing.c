@@ -81,7 +81,8 @@ static struct door door_at(const struct landing *l, const double u[])
 
 bool landing_is_past(const struct landing *l, const double u[])
 {
-    return door_at(l, l->u).way > 0.0 && door_at(l, u).way < -TOL_LAYER_FACE;
+    return door_at(l, l->u).way > 0.0 &&
+           door_at(l, u).way < -TOL_LAYER_SHORTEST;
 }
 
 /* `way` of its own from the face, towards which it closes at this rate: what
@@ -123,11 +124,11 @@ static bool enters(struct landing *l, const struct door *door, double *most)
         return true;
     if (!(closing > TOL_LAYER_HEAD_ON) ||
         fabs(aside) > TOL_ARREST - TOL_LAYER_CORNER * wrong) {
-        *most = TOL_LAYER_NEARER * door->way;
-        return !(door->way > TOL_LAYER_GRAZE + TOL_LAYER_CORNER * wrong);
+        *most = TOL_STEP_SAFETY * door->way;
+        return !(door->way > TOL_LAYER_TOUCH + TOL_LAYER_CORNER * wrong);
     }
     *most = door->way / closing;
-    if (fabs(*most) > TOL_LAYER_FACE) {
+    if (fabs(*most) > TOL_LAYER_SHORTEST) {
         if (l->options.peaks && door->way > 0.0)
             *most *= TOL_LAYER_SHORT; /* or it sees peaks beyond */
         return false;
@@ -165,7 +166,7 @@ static bool is_clear(const struct landing *l, const struct slow_point *p,
 static double delay(const struct landing *l, const struct slow_point *p,
                     double off)
 {
-    const double folds = fmin(p->time * p->fast, TOL_LAYER_FOLDS);
+    const double folds = p->time * p->fast;
 
     return l->options.through ? 0.0
                               : TOL_LAYER_FORGET * fabs(off) * exp(-folds) *
@@ -202,8 +203,8 @@ static bool project(const struct landing *l, double *y, struct slow_point *p,
 static bool mu_rises(const struct landing *l, struct vec2 z, struct vec2 dz)
 {
     const struct block *b = &l->curve->slider->block;
-    const struct vec2 ahead = { z.x + TOL_PEAK_AHEAD * dz.x,
-                                z.y + TOL_PEAK_AHEAD * dz.y };
+    const struct vec2 ahead = { z.x + TOL_ASIDE * dz.x,
+                                z.y + TOL_ASIDE * dz.y };
 
     return block_mu(b, ahead) > block_mu(b, z);
 }
@@ -307,7 +308,7 @@ static double turning(const struct landing *l, const struct slow_point *p)
 static bool is_vague(const struct landing *l, const struct slow_point *p,
                      double off, double bend)
 {
-    return bend > TOL_LAYER_VAGUE * fabs(off) ||
+    return bend > TOL_LAYER_SIDE * fabs(off) ||
            (may_wait(l, p, off) && fabs(off) > fmin(p->gap, TOL_LAYER_CLOSER));
 }
 
@@ -393,7 +394,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
 static bool rests(struct landing *l)
 {
     const double *du = l->du, *u = l->u;
-    const double soon = TOL_REST_SOON * u[LAYER_TIME];
+    const double soon = TOL_REST_GOOD * u[LAYER_TIME];
 
     if (!(-du[LAYER_X] * soon > du[LAYER_TIME] &&
           du[LAYER_Y] * soon > du[LAYER_TIME]))
@@ -462,7 +463,7 @@ static bool is_over(struct landing *l, double *most)
 
     if (door.way <= 0.0 && l->u[LAYER_TIME] == 0.0)
         return true; /* it starts in a box */
-    *most = TOL_LAYER_NEARER * door.way;
+    *most = TOL_STEP_SAFETY * door.way;
     const bool beside = slow_curve_beside(l->curve, l->u[LAYER_Y],
                                           l->options.through, &x, &x_slope);
     if (rests(l) || runs(l, beside))

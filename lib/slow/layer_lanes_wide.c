@@ -168,13 +168,12 @@ static lanes look_aside(const struct bundle *b, const lanes u[], lanes aside[2])
     const lanes *du = b->k[0];
     lanes at[LAYER_DIM];
 
-    const lanes x = u[LAYER_X] - TOL_LAYER_ASIDE * du[LAYER_Y];
-    const lanes y = u[LAYER_Y] + TOL_LAYER_ASIDE * du[LAYER_X];
+    const lanes x = u[LAYER_X] - TOL_ASIDE * du[LAYER_Y];
+    const lanes y = u[LAYER_Y] + TOL_ASIDE * du[LAYER_X];
     along(b, &x, &y, true, at);
     for (int i = 0; i < 2; i++)
-        aside[i] = (at[LAYER_TIME + i] - du[LAYER_TIME + i]) / TOL_LAYER_ASIDE;
-    return (du[LAYER_X] * at[LAYER_Y] - du[LAYER_Y] * at[LAYER_X]) /
-           TOL_LAYER_ASIDE;
+        aside[i] = (at[LAYER_TIME + i] - du[LAYER_TIME + i]) / TOL_ASIDE;
+    return (du[LAYER_X] * at[LAYER_Y] - du[LAYER_Y] * at[LAYER_X]) / TOL_ASIDE;
 }
 
 /* struct landing_step of every lane. */
@@ -193,7 +192,7 @@ static void carry(struct bundle *b, lanes good, const lanes u[],
     const lanes half = 0.5 * b->h * (spread + b->spread);
     const lanes grows =
         lanes_smaller(lanes_larger(lanes_smaller(most, none), half),
-                      LANES_OF(TOL_LAYER_PARTING));
+                      LANES_OF(TOL_STEP_GROWTH_MOST));
     const lanes turn =
         du0[LAYER_X] * du1[LAYER_Y] - du0[LAYER_Y] * du1[LAYER_X];
 
@@ -332,7 +331,7 @@ static void take(struct bundle *b, int l, const struct layer_job *job,
     landing_start(&b->at[l], b->curve, job->z, &options, out, least);
     for (int i = 0; i < LAYER_DIM; i++)
         b->u[i][l] = b->at[l].u[i];
-    b->h[l] = TOL_LAYER_FIRST;
+    b->h[l] = TOL_LAYER_LANDING;
     b->tol[l] = options.rtol;
     b->fair[l] = options.fair;
     b->least[0][l] = least[0];

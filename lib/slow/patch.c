@@ -273,7 +273,7 @@ static struct patch_verdict fit_base(struct patch *p, struct numbers *n,
     v = judge_tails(p, t, most, most_by_y);
     const double left =
         (double) wide / (double) n->count * (double) (p->x.cells * p->y.cells);
-    v.holds = left <= TOL_PATCH_SPARE * (double) n->nodes;
+    v.holds = left <= (double) n->nodes;
     return v;
 }
 

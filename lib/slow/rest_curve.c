@@ -121,7 +121,7 @@ static enum status descend(struct rest_curve *c, struct orbit *o,
 
     *is_down = false;
     while (status == STATUS_OK && o->end == ORBIT_RUNNING &&
-           o->steps < TOL_SLOW_STEPS) {
+           o->steps < TOL_BRANCH_STEPS) {
         struct rest_knot k;
         double bend;
         if (knot_at(s, o, &k, &bend)) {
@@ -245,7 +245,7 @@ enum status rest_curve_run(const struct slider *s, struct vec2 z,
     *c = (struct rest_curve){ .slider = s };
     if (!rest_form_at(&s->block).inertial)
         return STATUS_OK;
-    options.rtol = TOL_SLOW_RTOL;
+    options.rtol = TOL_REST_WRONG;
     options.observables = 1;
     enum status status = orbit_init(&o, &s->plane.system, z, &options);
     if (status == STATUS_OK)

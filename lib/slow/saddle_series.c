@@ -213,9 +213,9 @@ static void find_rounding(const struct equilibrium *e, struct saddle_series *u)
     const double ahead = fabs(1.0 - u->curve[1] / u->unit * u->p[1][0]);
     const double part = aside > ahead ? u->fast / u->lambda : 1.0;
 
-    u->lambda_error = TOL_SADDLE_ROUNDING * DBL_EPSILON *
+    u->lambda_error = TOL_ROUNDINGS * DBL_EPSILON *
                       (1.0 + terms / fabs(e->scaled[0] * e->scaled[1]));
-    u->rounding = TOL_SADDLE_ROUNDING * DBL_EPSILON * part;
+    u->rounding = TOL_ROUNDINGS * DBL_EPSILON * part;
 }
 
 /* How many orders are apart from any resonance. */
@@ -345,7 +345,7 @@ double saddle_series_y(const struct saddle_series *u, double p)
         const double before = y, s = y / u->unit;
         const double at = u->unit * jet_at(u->order, u->p[0], s);
         y -= (at - p) / jet_slope_at(u->order, u->p[0], s);
-        if (fabs(y - before) <= TOL_SLOW_ROOT * fabs(y))
+        if (fabs(y - before) <= TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(y))
             break;
     }
     return y;

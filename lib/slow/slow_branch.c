@@ -2,6 +2,7 @@
  * 5 through both ends, their slopes and curvatures is as good as the ends. */
 #include "slow_branch.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -111,7 +112,7 @@ static enum status follow(const struct slider *s, struct orbit *o,
         k->slip[0] = -slow_knot_gained(o, 3 + BLOCK_SLIP);
         tell(k, -k->time[0], &folds);
         goes_on =
-            o->end == ORBIT_RUNNING && o->steps < TOL_SLOW_STEPS &&
+            o->end == ORBIT_RUNNING && o->steps < TOL_BRANCH_STEPS &&
             (node_ahead || (isfinite(k->gap) && !slow_knot_is_noisy(k))) &&
             fabs(k->y) < far;
         if (!goes_on)
@@ -139,9 +140,9 @@ static enum status finish_rest(const struct slider *s, struct slow_branch *b)
 
     if (!box_holds(s->plane.system.domain, z))
         return STATUS_OK;
-    enum status status = fate_find(s, z, TOL_SLOW_RTOL, true, NULL, &fine);
+    enum status status = fate_find(s, z, TOL_REST_WRONG, true, NULL, &fine);
     if (status == STATUS_OK)
-        status = fate_find(s, z, TOL_SLOW_COARSE, true, NULL, &coarse);
+        status = fate_find(s, z, TOL_REST_WRONG / TOL_CELLS_FINER, true, NULL, &coarse);
     if (status != STATUS_OK || fine.fate != FATE_REST_FINITE ||
         coarse.fate != FATE_REST_FINITE)
         return status;
@@ -265,8 +266,8 @@ static void look_back(struct slow_branch *b)
         const double dt = -k->time[0], dx = -k->slip[0];
         k->time[0] = time;
         k->slip[0] = slip;
-        k->time_bar += TOL_SLOW_ROUNDING * time;
-        k->slip_bar += TOL_SLOW_ROUNDING * slip;
+        k->time_bar += TOL_ROUNDINGS_MANY * DBL_EPSILON * time;
+        k->slip_bar += TOL_ROUNDINGS_MANY * DBL_EPSILON * slip;
         k->x_peak = x_peak = fmax(x_peak, k->x);
         k->mu_peak = mu_peak;
         mu_peak = fmax(mu_peak, k->mu);
@@ -304,12 +305,12 @@ static double part_of(const struct slow_branch *b, double y)
 {
     const double first = b->knot[0].y, last = b->knot[b->count - 1].y;
 
-    return TOL_SLOW_BINS * (double) b->count * ((y - first) / (last - first));
+    return (double) b->count * ((y - first) / (last - first));
 }
 
 static enum status fill_bins(struct slow_branch *b)
 {
-    const size_t bins = TOL_SLOW_BINS * b->count;
+    const size_t bins = b->count;
     size_t k = 0;
 
     b->bin = malloc((bins + 2) * sizeof *b->bin);
@@ -329,7 +330,7 @@ size_t slow_branch_interval(const struct slow_branch *b, double y)
     const bool rises = k[b->count - 1].y > k[0].y;
     const double part = part_of(b, y);
 
-    if (!(part >= 0.0 && part <= TOL_SLOW_BINS * (double) b->count))
+    if (!(part >= 0.0 && part <= (double) b->count))
         return 0;
     const uint32_t *bin = b->bin + (size_t) part;
     size_t lo = bin[0], hi = bin[1] + 1 < b->count ? bin[1] + 1 : b->count - 1;
@@ -353,7 +354,7 @@ static enum status comes_to_rest(const struct slider *s, struct vec2 z,
                              z.y + s->plane.system.origin.y };
     struct fate_result r;
     const enum status status =
-        fate_find(s, at, TOL_SLOW_GLANCE, false, NULL, &r);
+        fate_find(s, at, TOL_CELLS_COARSEST, false, NULL, &r);
 
     *is = status == STATUS_OK && r.fate == FATE_REST_FINITE;
     return status;
@@ -396,7 +397,7 @@ static enum status run(const struct slider *s, struct vec2 z,
 
     drift_start(&drift, slider_rounding(s, z), 0.0);
     options.drift = &drift;
-    options.rtol = TOL_SLOW_RTOL;
+    options.rtol = TOL_REST_WRONG;
     options.observables = 1;
     options.target = goals->at;
     options.targets = goals->count;

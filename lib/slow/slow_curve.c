@@ -78,8 +78,7 @@ static bool settle(const struct slider *s, int which, struct vec2 *z)
                            : d.hi.y - s->plane.system.origin.y;
     const double low = lo, high = hi;
 
-    for (int i = 0; i < TOL_SLOW_HALVINGS; i++) {
-        *at = 0.5 * (lo + hi);
+    for (double last = hi; (*at = 0.5 * (lo + hi)) != last; last = *at) {
         if (component(s, which, *z) > 0.0)
             lo = *at;
         else

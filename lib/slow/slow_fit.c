@@ -168,8 +168,7 @@ void slow_fit_judge(struct slow_branch *b, double a)
         const double x = slow_knot_x(f, g, theta, &ignored);
         const double t = slow_quintic(f->time, g->time, h, theta, &ignored);
         const double l = slow_quintic(f->slip, g->slip, h, theta, &ignored);
-        const double part =
-            is_blurred(&k[i]) ? TOL_SLOW_NOISE : TOL_SLOW_MISSED;
+        const double part = is_blurred(&k[i]) ? 1.0 : TOL_SLOW_MISSED;
         const double shift = slow_knot_shift(&k[i], x - k[i].x);
         const double dt =
             part * (fabs(t - k[i].time[0]) + fabs(k[i].time[1]) * shift);

@@ -4,6 +4,7 @@
  * what changes evenly. */
 #include "slow_point.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "slow_tolerance.h"
@@ -194,8 +195,8 @@ static double solve(const struct slow_knot *f, double time)
     for (int i = 0; i < TOL_SLOW_NEWTON; i++) {
         const double off = slow_quintic(f->time, g->time, h, t, &slope) - time;
         const double next = t - off / (slope * h);
-        if (fabs(off) <= TOL_SLOW_ROOT * fabs(time) ||
-            fabs(next - t) < TOL_SLOW_ROOT)
+        if (fabs(off) <= TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(time) ||
+            fabs(next - t) < TOL_ROUNDINGS_FEW * DBL_EPSILON)
             break;
         if (off > 0.0)
             lo = t;

@@ -4,33 +4,25 @@
 
 #include "motion_tolerance.h"
 
-/* A state rests before it lands (landing.c) where v would reach zero, and psi
- * infinity, within this part of the time so far; power laws are far above it.
- */
-#define TOL_REST_SOON 1e-10
-
-/* The slow curve (slow_curve.c).  Accuracy of its orbit, and of a second one of
- * what is left of a rest, on which both must agree; steps, in e-folds of the
- * slow rate and in ln psi, that polynomials of degree 5 bear to 1e-11, and
- * their number; how much of what twice the step misses one step may, and where
- * slopes are mostly noise, below such a ratio of the slow rate to the fast one,
- * where curvatures come from knots not nearer than such a part of an interval;
- * and the largest ratio. */
-#define TOL_SLOW_RTOL    1e-11
-#define TOL_SLOW_COARSE  1e-10
+/* The slow curve (slow_curve.c), whose orbit is as accurate as that of a rest,
+ * TOL_REST_WRONG.  To what one that is coarser by TOL_CELLS_FINER must agree on
+ * what is left of a rest; steps, in
+ * e-folds of the slow rate and in ln psi, that polynomials of degree 5 bear to
+ * 1e-11, at most TOL_BRANCH_STEPS; how much of what twice the step misses one
+ * step may, which is all where slopes are mostly noise: below such a ratio of
+ * the slow rate to the fast one, where curvatures come from knots not nearer
+ * than such a part of an interval; and the largest ratio. */
 #define TOL_SLOW_REST    1e-6
 #define TOL_SLOW_STEP    0.035
 #define TOL_SLOW_LONGEST 0.1
-#define TOL_SLOW_STEPS   4000
 #define TOL_SLOW_MISSED  0.05
-#define TOL_SLOW_NOISE   1.0
 #define TOL_SLOW_NOISY   1e-5
 #define TOL_SLOW_AROUND  0.3
 #define TOL_SLOW_ALONG   1e-8
 #define TOL_SLOW_GAP     0.1
 
 /* Beyond a node: nearest and furthest start in ln psi, growth of the
- * steps to it, halvings of the domain, and e-folds after which any orbit is on
+ * steps to it, and e-folds after which any orbit is on
  * it to rounding; the ratio of rates it may start at; what a rounding of y may
  * do to x where y settles first, and the ratios below which rounding in x or y,
  * being the fast one, shows in the other; and how near the end of a branch none
@@ -43,18 +35,16 @@
 #define TOL_SLOW_CLEAR       0.003
 #define TOL_SLOW_GAP_START   0.5
 #define TOL_SLOW_STRIDE      1.1
-#define TOL_SLOW_HALVINGS    60
 #define TOL_SLOW_SETTLED     36.0
 
 /* Series at the saddle (saddle_series.c): what their last terms are of the
  * first where they end, at most this far out, or this part of the way to a box
- * of arrest; how near to 1 orders, in units of the ratio of the eigenvalues,
- * may come to a resonance; and roundings of a coefficient or an eigenvalue. */
-#define TOL_SADDLE          1e-13
-#define TOL_SADDLE_MOST     0.1
-#define TOL_SADDLE_ROOM     0.3
-#define TOL_SADDLE_APART    0.8
-#define TOL_SADDLE_ROUNDING 16.0
+ * of arrest; and how near to 1 orders, in units of the ratio of the
+ * eigenvalues, may come to a resonance. */
+#define TOL_SADDLE       1e-13
+#define TOL_SADDLE_MOST  0.1
+#define TOL_SADDLE_ROOM  0.3
+#define TOL_SADDLE_APART 0.8
 
 /* Inside a box of arrest it is run to here, where the node is as good as
  * linear; and a runaway this far in ln psi: fields next to the separatrix need
@@ -62,32 +52,22 @@
 #define TOL_SLOW_INSIDE 1e-5
 #define TOL_SLOW_AWAY   2.0
 
-/* A point by its time: steps of Newton's method, and where they end, as a part
- * of the time or of an interval. */
+/* A point by its time: steps of Newton's method. */
 #define TOL_SLOW_NEWTON 60
-#define TOL_SLOW_ROOT   0x1p-51
 
 /* Roundings that the face of a box of arrest is known to: of its node, and of
  * the field's zero. */
 #define TOL_SLOW_FACE 2.0
 
-/* Bins a knot to look one up in. */
-#define TOL_SLOW_BINS 4
-
-/* Whether an orbit rests at all needs no accuracy. */
-#define TOL_SLOW_GLANCE 1e-5
-
-/* Roundings of a sum of a thousand steps, relative to the sum. */
-#define TOL_SLOW_ROUNDING 0x1p-46
-
 /* The fast layer (fast_layer.c, landing.c): tolerance for a promise of rtol,
  * landing distance from it on, and closer for a finer one; how far beyond the
  * distance a step aims; size of a box of arrest that must not be between; how
  * much later or earlier at most a box is entered for what is then left of the
- * distance, in what is left; steps; the first and the shortest; the least error
- * that tells anything on the next step.  Bars: what the fibre's curvature and
- * the slow rates change of what it corrects (measured: errors are 0.5 of that
- * at most, half of them 0.1), and of places of peaks. */
+ * distance, in what is left; steps, the first of a landing's distance; the
+ * shortest; the least error that tells anything on the next step.  Bars: what
+ * the fibre's curvature and the slow rates change of what it corrects
+ * (measured: errors are 0.5 of that at most, half of them 0.1), and of places
+ * of peaks. */
 #define TOL_LAYER_PART      0.03
 #define TOL_LAYER_PLAIN     1e-6
 #define TOL_LAYER_LANDING   0.1
@@ -95,9 +75,7 @@
 #define TOL_LAYER_AIM       0.7
 #define TOL_LAYER_ARREST    1.001
 #define TOL_LAYER_FORGET    4.0
-#define TOL_LAYER_FOLDS     700.0
 #define TOL_LAYER_STEPS     200
-#define TOL_LAYER_FIRST     0.1
 #define TOL_LAYER_SHORTEST  1e-12
 #define TOL_LAYER_FLOOR     1e-8
 #define TOL_LAYER_GROWTH    2.0
@@ -118,27 +96,24 @@
 #define TOL_LAYER_BLUR         0.3
 
 /* It lands only where the fibre's part of the bar is within this part of what
- * was promised, and its place as well known as this part of the way to it; or
- * this near, for friction too this near; nearer by this factor at most at once.
+ * was promised (finer tries aim at it, too), and its place as well known as
+ * TOL_LAYER_SIDE of the way to it; or this near, for friction too this near;
+ * nearer by this factor at most at once.
  */
 #define TOL_LAYER_BENT     0.3
-#define TOL_LAYER_VAGUE    0.5
 #define TOL_LAYER_TOUCH    1e-6
 #define TOL_LAYER_MU_TOUCH 1e-9
 #define TOL_LAYER_DIVE     1e-3
 
-/* A box of arrest is come nearer by so much of the way at once.  Nearer than
- * BESIDE its face is aimed at; reached at FACE, and only by an orbit that
- * closes at this rate or faster, so many of its errors from every corner;
- * others are let pass until they are this near; and where nothing beyond the
- * face may be seen the part of the way that is gone at once, and that of a step
- * that is taken again from one that went through. */
-#define TOL_LAYER_NEARER  0.9
+/* A box of arrest is come nearer by TOL_STEP_SAFETY of the way.  Nearer than
+ * BESIDE its face is aimed at; reached within the shortest step, and only by an
+ * orbit that closes at this rate or faster, so many of its errors from every
+ * corner (what is as far is surely there); others are let pass until they touch
+ * it; and where nothing beyond the face may be seen the part of the way that is
+ * gone at once (a step that went through is taken again, shorter by
+ * TOL_ORBIT_RETREAT). */
 #define TOL_LAYER_BESIDE  1e-3
-#define TOL_LAYER_GRAZE   1e-6
-#define TOL_LAYER_FACE    1e-12
 #define TOL_LAYER_SHORT   0.97
-#define TOL_LAYER_BACK    0.5
 #define TOL_LAYER_HEAD_ON 0.1
 #define TOL_LAYER_CORNER  10.0
 
@@ -147,17 +122,12 @@
  */
 #define TOL_LAYER_FAIR 0.1
 
-/* How far beside an orbit its neighbour is whose direction tells whether they
- * close in on each other; and what part of the step that its error allows is
- * taken: more are refused, and bars grow, where it is more. */
-#define TOL_LAYER_ASIDE  1e-6
+/* What part of the step that its error allows is taken: more are refused, and
+ * bars grow, where it is more. */
 #define TOL_LAYER_SAFETY 0.8
 
-/* Terms of the field that round (a coordinate by TOL_SLIDER_ROUNDING); and how
- * much orbits part in a step at most, as an exponent: beyond nothing is known.
- */
-#define TOL_LAYER_TERMS   2.0
-#define TOL_LAYER_PARTING 30.0
+/* Terms of the field that round (a coordinate by TOL_SLIDER_ROUNDING). */
+#define TOL_LAYER_TERMS 2.0
 
 /* A side of the saddle is told from this much of the distance on; what is left
  * of the distance by a step towards a peak beside the curve. */
@@ -168,19 +138,16 @@
 #define TOL_LAYER_TOPS 12
 
 /* Many states by the slow curve (fast_cells.c).  How much finer the next try of
- * one is at most whose bars are too wide, and what part of the promise it aims
- * at; above what part of its bars a try has left one is tried as fine as that,
- * and then no more, for they are the table's (TOL_CELLS_GAIN), down to
- * TOL_CELLS_FINEST; and the least bar of a peak, in its logarithm. */
+ * one is at most whose bars are too wide; above what part of its bars a try has
+ * left one is tried as fine as that, and then no more, for they are the table's
+ * (TOL_CELLS_GAIN), down to TOL_CELLS_FINEST; and the least bar of a peak, in
+ * its logarithm. */
 #define TOL_FAST_FINER 0.01
-#define TOL_FAST_AIM   0.3
 #define TOL_FAST_LEAST 2e-11
 
-/* What rounding does to a logarithm and to its exponential, per unit of it; and
- * friction at the start is the largest where no later one is nearer than what
- * so much of ln v or ln psi makes of it. */
+/* What rounding does to a logarithm and to its exponential, per unit of it.
+ */
 #define TOL_FAST_ROUNDING 0x1.8p-53
-#define TOL_FAST_HARDER   1e-6
 
 /* Peaks are sampled for patches no finer than this, with bars so many times as
  * wide. */
@@ -208,12 +175,11 @@
 #define TOL_PATCH_SLOWEST 0.9
 #define TOL_PATCH_TESTS   10.0
 
-/* A patch holds where no more cells, in units of its nodes, are left for being
- * too near the separatrix; the excess of most samples, not all, says how far it
+/* A patch holds where no more cells than it has nodes are left for being too
+ * near the separatrix; the excess of most samples, not all, says how far it
  * is from that (and no more than this is believed); what is left of the slip is
  * to blame where bars are less than this part without it.  Base points of a
  * patch reach a little beyond those of its samples, in their range. */
-#define TOL_PATCH_SPARE  1.0
 #define TOL_PATCH_MOST   0.7
 #define TOL_PATCH_EXCESS 1e9
 #define TOL_PATCH_CAUSE  0.5
@@ -230,11 +196,8 @@
 #define TOL_PATCH_PARTS       0.7
 
 /* Base points (base_point.c).  What meets a box of arrest is no further from
- * the node than the box along the fibre, and a part more for its curvature; a
- * side of the separatrix is told from so many errors on; and what the table's
- * curvature over so much of the way adds to an error. */
-#define TOL_BASE_REACH 1.1
-#define TOL_BASE_ROOM  10.0
-#define TOL_BASE_BEND  1.1
+ * the node than the box along the fibre times this, for its curvature; and so
+ * much the table's curvature over the way adds to an error. */
+#define TOL_BASE_BEND 1.1
 
 #endif

@@ -1,5 +1,6 @@
 #include "plane_numbers.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "plane_basin.h"
@@ -100,8 +101,9 @@ static void fill_leaves(const struct plane_study *s, struct plane_branch *b)
         const double steep = scene_axis_is_log(s->scene, i) ? fabs(x) : 1.0;
         b->leaves[i] =
             isfinite(x) && isfinite(error)
-                ? quantity_of(x, steep * error +
-                                     TOL_SHARE_ROUNDING * (fabs(x) + steep))
+                ? quantity_of(x, steep * error + TOL_ROUNDINGS_MANY *
+                                                     DBL_EPSILON *
+                                                     (fabs(x) + steep))
                 : quantity_none("no bound on its error could be found");
     }
 }

@@ -83,11 +83,9 @@ static enum status set_anchor(struct plane_study *s, struct fault *why)
     enum status status = STATUS_BAD_SCENE;
 
     for (int i = 0; i < PLACES && status == STATUS_BAD_SCENE; i++) {
-        const double x = 0.5 + 0.7548776662466927 * i,
-                     y = 0.5 + 0.5698402909980532 * i;
-        const formula_real at[] = { w.lo.x + (x - floor(x)) * (w.hi.x - w.lo.x),
-                                    w.lo.y +
-                                        (y - floor(y)) * (w.hi.y - w.lo.y) };
+        const struct vec2 part = vec2_spread(0.5, i);
+        const formula_real at[] = { w.lo.x + part.x * (w.hi.x - w.lo.x),
+                                    w.lo.y + part.y * (w.hi.y - w.lo.y) };
         status = plane_study_about(s, false, at, s->plane, s->system, why);
     }
     return status;

@@ -62,7 +62,7 @@ static struct quantity find_K(const struct scene_rabinowicz *r)
         return quantity_none("no coefficient of restitution: "
                              "rabinowicz.restitution is not given");
     const double K = rabinowicz_K(r->block_mass, r->ball_mass, r->restitution);
-    return quantity_of(K, RELEASE_ROUNDING * K);
+    return quantity_of(K, TOL_ROUNDINGS_FEW * DBL_EPSILON * K);
 }
 
 /* Of q by a monotone formula: the value and the part that an error of q, as a
@@ -72,7 +72,8 @@ static struct quantity derived(const struct quantity *q, double value,
 {
     if (!quantity_exists(q))
         return *q;
-    return quantity_of(value, fabs(value) * (fabs(part) + RELEASE_ROUNDING));
+    return quantity_of(
+        value, fabs(value) * (fabs(part) + TOL_ROUNDINGS_FEW * DBL_EPSILON));
 }
 
 static struct quantity scaled(const struct quantity *q, double factor)

@@ -37,13 +37,11 @@
 
 /* The power series in v (taylor_series.c).  Order 14 agrees with the curve
  * while it is this near, relative (an eye sees no less in a figure); accuracy
- * of that place; tests of the radius that differ by more than a factor SETTLED
- * say that the ratios have no line yet; and roundings of a coefficient, in
- * units of roundoff of its terms (measured: 10). */
-#define TOL_TAYLOR_AGREE    0.01
-#define TOL_TAYLOR_PLACE    1e-9
-#define TOL_TAYLOR_SETTLED  2.0
-#define TOL_TAYLOR_ROUNDING 64.0
+ * of that place; and tests of the radius that differ by more than a factor
+ * SETTLED say that the ratios have no line yet. */
+#define TOL_TAYLOR_AGREE   0.01
+#define TOL_TAYLOR_PLACE   1e-9
+#define TOL_TAYLOR_SETTLED 2.0
 
 /* Planes of formulas, distances in sides of the window.  Curves are followed
  * this many windows far, this many times round an angle (orbits to

@@ -128,7 +128,7 @@ static void linear_series(const struct local_series *u, long double nudge,
 static void rounding_of(const struct local_series *u, bool psi_is_log,
                         const power e, power error)
 {
-    const long double nudge = TOL_TAYLOR_ROUNDING * DBL_EPSILON;
+    const long double nudge = TOL_ROUNDINGS_MANY * DBL_EPSILON;
     power a, x, y, all;
 
     chart_series(u, 0.0L, a);
