@@ -5,8 +5,6 @@
 
 const char *const plane_row_columns[] = { "scene", "set", NULL };
 
-enum { SETS = 64 };
-
 bool plane_row_is(const struct table *t)
 {
     for (size_t i = 0; i < t->columns; i++)
@@ -16,15 +14,20 @@ bool plane_row_is(const struct table *t)
     return false;
 }
 
-/* Cuts the lines of *text, which it changes; their number. */
-static size_t cut_lines(char *text, char *line[SETS])
+/* The lines of *text, which is cut; their number.  NULL without memory; owned
+ * by the caller. */
+static char **cut_lines(char *text, size_t *count)
 {
-    size_t n = 0;
+    size_t most = 1;
 
-    for (char *rest = NULL, *at = strtok_r(text, "\n", &rest); at && n < SETS;
-         at = strtok_r(NULL, "\n", &rest))
-        line[n++] = at;
-    return n;
+    for (const char *at = text; (at = strchr(at, '\n')) != NULL; at++)
+        most++;
+    char **line = calloc(most, sizeof *line);
+    *count = 0;
+    for (char *part; line && (part = strsep(&text, "\n")) != NULL;)
+        if (*part)
+            line[(*count)++] = part;
+    return line;
 }
 
 enum status plane_row_read(const struct table *t, size_t row, unsigned products,
@@ -32,13 +35,14 @@ enum status plane_row_read(const struct table *t, size_t row, unsigned products,
 {
     const struct table_cell *file = table_find(t, row, "scene");
     const struct table_cell *set = table_find(t, row, "set");
-    char *line[SETS], *text = strdup(set ? set->text : "");
+    char *text = strdup(set ? set->text : "");
+    size_t lines = 0;
+    char **line = text ? cut_lines(text, &lines) : NULL;
 
-    if (text == NULL)
-        return STATUS_NO_MEMORY;
-    const size_t lines = cut_lines(text, line);
     enum status status =
-        scene_read(scene, file ? file->text : NULL, line, lines, why);
+        line ? scene_read(scene, file ? file->text : NULL, line, lines, why)
+             : STATUS_NO_MEMORY;
+    free(line);
     free(text);
     if (status == STATUS_OK && scene->system == NULL) {
         scene_free(scene);

@@ -1,8 +1,10 @@
 #include "slope_law.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "number.h"
+#include "statements.h"
 
 bool slope_law_is(const char *cell)
 {
@@ -26,69 +28,62 @@ void slope_law_write(FILE *out, const struct law_typed *t,
         if (t->text[i][0])
             put(out, law_part_names[i], t->text[i]);
     for (int i = 0; i < t->owns; i++)
-        fprintf(out, "%s = %.17g; ", t->own[i].name, m->own[i]);
+        fprintf(out, "%s = %s; ", t->own[i].name,
+                number_shortest(m->own[i]).text);
     fprintf(out, "state = %s", t->real ? "real" : "positive");
 }
 
-/* A name and what is to the right of it, without blanks around. */
-struct entry {
-    char name[FORMULA_NAME], text[LAW_LETTERS];
-};
-
-static bool take(char *out, size_t size, const char *from, const char *to)
+/* Whether a text of less than `size` letters was there and is copied. */
+static bool copy(char *out, size_t size, const char *text)
 {
-    while (from < to && *from == ' ')
-        from++;
-    while (to > from && to[-1] == ' ')
-        to--;
-    if (from == to || (size_t) (to - from) >= size)
+    const size_t n = strlen(text);
+
+    if (n == 0 || n >= size)
         return false;
-    memcpy(out, from, (size_t) (to - from));
-    out[to - from] = '\0';
+    memcpy(out, text, n + 1);
     return true;
 }
 
-static bool read_entry(const char *from, const char *to, struct entry *e)
+static bool add_own(struct law_typed *t, const struct statement *e)
 {
-    const char *sign = memchr(from, '=', (size_t) (to - from));
-
-    return sign && take(e->name, sizeof e->name, from, sign) &&
-           take(e->text, sizeof e->text, sign + 1, to);
+    if (t->owns == LAW_OWNS ||
+        !copy(t->own[t->owns].name, sizeof t->own->name, e->name))
+        return false;
+    return number_read(e->text, &t->own[t->owns++].value);
 }
 
-static bool add_entry(struct law_typed *t, const struct entry *e)
+static bool add(struct law_typed *t, const struct statement *e)
 {
+    if (e->rate)
+        return false;
     for (int i = 0; i < LAW_PARTS; i++)
-        if (strcmp(e->name, law_part_names[i]) == 0) {
-            strcpy(t->text[i], e->text);
-            return true;
-        }
+        if (strcmp(e->name, law_part_names[i]) == 0)
+            return copy(t->text[i], sizeof t->text[i], e->text);
     if (strcmp(e->name, "state") == 0) {
         t->real = strcmp(e->text, "real") == 0;
         return t->real || strcmp(e->text, "positive") == 0;
     }
-    if (t->owns == LAW_OWNS)
-        return false;
-    strcpy(t->own[t->owns].name, e->name);
-    return number_read(e->text, &t->own[t->owns++].value);
+    return add_own(t, e);
 }
 
 enum status slope_law_read(const char *cell, enum friction_form form,
                            struct law_typed *t, struct fault *why)
 {
+    char *text = strdup(cell);
+    struct statements of;
     enum law_part wrong;
-    struct entry e;
 
+    if (text == NULL)
+        return STATUS_NO_MEMORY;
     memset(t, 0, sizeof *t);
     t->form = form;
-    while (*cell) {
-        const size_t size = strcspn(cell, ";");
-        if (!read_entry(cell, cell + size, &e) || !add_entry(t, &e)) {
-            snprintf(why->text, sizeof why->text,
-                     "expected a preset, or NAME = FORMULA with ; between");
-            return STATUS_BAD_SCENE;
-        }
-        cell += size + (cell[size] == ';');
-    }
-    return law_typed_make(t, &wrong, why);
+    bool good = statements_cut(text, &of) == NULL;
+    for (size_t i = 0; i < of.count && good; i++)
+        good = add(t, &of.at[i]);
+    free(text);
+    if (good)
+        return law_typed_make(t, &wrong, why);
+    snprintf(why->text, sizeof why->text,
+             "expected a preset, or NAME = FORMULA with ; between");
+    return STATUS_BAD_SCENE;
 }

@@ -15,7 +15,7 @@ bool slope_law_is(const char *cell);
 void slope_law_write(FILE *out, const struct law_typed *t,
                      const struct material *m);
 
-/* STATUS_BAD_SCENE with the reason; *t is then undefined. */
+/* STATUS_BAD_SCENE with the reason, STATUS_NO_MEMORY; *t is then undefined. */
 MUST_CHECK enum status slope_law_read(const char *cell, enum friction_form form,
                                       struct law_typed *t, struct fault *why);
 

@@ -135,8 +135,12 @@ static enum status read_formulas(const struct table *t,
     s->typed = calloc(1, sizeof *s->typed);
     if (s->typed == NULL)
         return STATUS_NO_MEMORY;
-    if (slope_law_read(cell->text, form, s->typed, &reason) != STATUS_OK)
+    const enum status status =
+        slope_law_read(cell->text, form, s->typed, &reason);
+    if (status == STATUS_BAD_SCENE)
         return place_blame(table_place(t, cell), why, "law: %s", reason.text);
+    if (status != STATUS_OK)
+        return status;
     s->laws = 1;
     s->law[0] = law_of_typed(s->typed);
     return STATUS_OK;

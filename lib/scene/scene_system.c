@@ -83,6 +83,8 @@ struct reading {
     const struct node *node; /* `system` */
     struct scene *s;
     struct formula_system *system;
+    const struct node *ode_node; /* NULL: none */
+    char *ode_text;              /* owned: cut in place */
     struct statements ode;
     struct fault *why;
 };
@@ -143,7 +145,7 @@ static enum status add_states(const struct reading *r)
         if (r->ode.at[i].rate)
             status = add_state(r, r->ode.at[i].name,
                                node_find(state, r->ode.at[i].name));
-    if (r->ode.node) {
+    if (r->ode_node) {
         for (size_t i = 0; state && i < state->count && !status; i++)
             if (formula_system_find_state(r->system, state->child[i]->key) < 0)
                 status = place_blame(state->child[i]->key_at, r->why,
@@ -170,7 +172,7 @@ static enum status add_parameters(const struct reading *r)
         const struct statement *t = &r->ode.at[i];
         if (!t->rate && number_read(t->text, &x) && !node_find(n, t->name))
             status = formula_system_parameter(r->system, t->name, t->text,
-                                              *origin_of(&o, r->s, r->ode.node),
+                                              *origin_of(&o, r->s, r->ode_node),
                                               r->why);
     }
     for (size_t i = 0; n && i < n->count && status == STATUS_OK; i++) {
@@ -206,7 +208,7 @@ static enum status add_formulas(const struct reading *r, const char *key,
         const struct statement *t = &r->ode.at[i];
         if (t->rate == rates && (rates || !number_read(t->text, &x)))
             status = add(r->system, t->name, t->text,
-                         *origin_of(&o, r->s, r->ode.node), r->why);
+                         *origin_of(&o, r->s, r->ode_node), r->why);
     }
     for (size_t i = 0; n && i < n->count && status == STATUS_OK; i++) {
         const struct node *p = n->child[i];
@@ -269,7 +271,9 @@ static enum status read_system(struct reading *r)
     for (size_t i = 0; i < r->node->count && status == STATUS_OK; i++)
         status = expect_key(r->node->child[i], "system", words, r->why);
     if (status == STATUS_OK)
-        status = statements_cut(section(r, "ode"), &r->ode, r->why);
+        r->ode_node = section(r, "ode");
+    if (status == STATUS_OK)
+        status = statements_read(r->ode_node, &r->ode_text, &r->ode, r->why);
     if (status == STATUS_OK)
         status = add_states(r);
     if (status == STATUS_OK)
@@ -283,7 +287,7 @@ static enum status read_system(struct reading *r)
     if (status == STATUS_OK)
         status = formula_system_finish(r->system, *origin_of(&o, r->s, r->node),
                                        r->why);
-    free(r->ode.text);
+    free(r->ode_text);
     return status;
 }
 

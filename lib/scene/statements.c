@@ -27,12 +27,31 @@ static char *name_of_rate(char *name, bool *rate)
     return name + 1;
 }
 
-enum status statements_cut(const struct node *n, struct statements *out,
-                           struct fault *why)
+const char *statements_cut(char *text, struct statements *out)
 {
-    char *rest, *part;
+    char *part;
 
-    *out = (struct statements){ .node = n };
+    out->count = 0;
+    while ((part = strsep(&text, ";\n")) != NULL) {
+        char *equal = strchr(part, '=');
+        if (*trimmed(part) == '\0')
+            continue;
+        if (equal == NULL || out->count == STATEMENTS)
+            return trimmed(part);
+        *equal = '\0';
+        struct statement *s = &out->at[out->count++];
+        s->name = name_of_rate(trimmed(part), &s->rate);
+        s->text = trimmed(equal + 1);
+    }
+    return NULL;
+}
+
+enum status statements_read(const struct node *n, char **text,
+                            struct statements *out, struct fault *why)
+{
+    const char *wrong;
+
+    *text = NULL;
     if (n == NULL)
         return STATUS_OK;
     if (n->kind != NODE_SCALAR)
@@ -40,22 +59,13 @@ enum status statements_cut(const struct node *n, struct statements *out,
                            "system.ode: %s is not allowed, expected \"x' = "
                            "..., y' = ...\"",
                            node_shown(n).text);
-    if ((out->text = rest = text_copy(n->text, strlen(n->text))) == NULL)
+    if ((*text = text_copy(n->text, strlen(n->text))) == NULL)
         return STATUS_NO_MEMORY;
-    while ((part = strsep(&rest, ";\n")) != NULL) {
-        char *equal = strchr(part, '=');
-        if (*trimmed(part) == '\0')
-            continue;
-        if (equal == NULL || out->count == STATEMENTS)
-            return place_blame(n->at, why,
-                               "system.ode: '%s', expected at most %d of "
-                               "NAME' = FORMULA or NAME = FORMULA, with ; "
-                               "between them",
-                               text_shown(trimmed(part)).text, STATEMENTS);
-        *equal = '\0';
-        struct statement *s = &out->at[out->count++];
-        s->name = name_of_rate(trimmed(part), &s->rate);
-        s->text = trimmed(equal + 1);
-    }
-    return STATUS_OK;
+    if ((wrong = statements_cut(*text, out)) == NULL)
+        return STATUS_OK;
+    return place_blame(n->at, why,
+                       "system.ode: '%s', expected at most %d of "
+                       "NAME' = FORMULA or NAME = FORMULA, with ; "
+                       "between them",
+                       text_shown(wrong).text, STATEMENTS);
 }

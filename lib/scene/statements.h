@@ -1,4 +1,4 @@
-/* statements.h -- a system in one text: "x' = y; y' = -k*x; k = 1". */
+/* statements.h -- formulas in one text: "x' = y; y' = -k*x; k = 1". */
 #ifndef SCENE_STATEMENTS_H
 #define SCENE_STATEMENTS_H
 
@@ -13,16 +13,18 @@ struct statement {
 };
 
 struct statements {
-    char *text; /* owned: cut in place */
     struct statement at[STATEMENTS];
     size_t count;
-    const struct node *node;
 };
 
-/* Cuts the text of a node, NULL for none.  out->text is the caller's to free in
- * any case; errors as scene_read. */
-MUST_CHECK enum status statements_cut(const struct node *n,
-                                      struct statements *out,
-                                      struct fault *why);
+/* Cuts a text in place, at semicolons and ends of lines.  NULL, or the part
+ * that is no statement, or one too many. */
+const char *statements_cut(char *text, struct statements *out);
+
+/* Those of a scene's system.ode, none without a node.  *text, the caller's to
+ * free in any case, is what they point into; errors as scene_read. */
+MUST_CHECK enum status statements_read(const struct node *n, char **text,
+                                       struct statements *out,
+                                       struct fault *why);
 
 #endif
