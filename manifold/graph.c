@@ -130,6 +130,25 @@ static double fall_of(const double u[], size_t order, double h, double last,
                 fmin(TOL_STEP_FALL * fmax(single, step), TOL_STEP_SMOOTH));
 }
 
+/* Where terms fall, by `ratio`, from `last` on. */
+static struct graph_miss smooth_missing(const double u[], size_t order,
+                                        double s, const struct graph_rate *rate,
+                                        double ratio, double last)
+{
+    const double off = rate->value - jet_slope_at(order, u, s), h = fabs(s);
+    const double turn = rate->change - jet_bend_at(order, u, s);
+    const double part = (double) (order + 1) - rate->growth;
+    const double both = part + (double) (order + 1), square = part * (part + 1);
+    const double value = (both * off * s - turn * s * s) / square;
+    const double noise = both * fmin(fabs(off), rate->noise) * h +
+                         fmin(fabs(turn), rate->change_noise) * h * h;
+    const double fall = ratio / (1.0 - ratio);
+    const double rest = 2.0 * fall * fall * fall * last;
+    const double last_off = (2.0 + rate->bend) * fabs(value);
+
+    return (struct graph_miss){ value, (rest + last_off + noise) / square };
+}
+
 struct graph_miss graph_missing(const double u[], size_t order, double s,
                                 const struct graph_rate *rate, bool smooth)
 {
@@ -138,18 +157,13 @@ struct graph_miss graph_missing(const double u[], size_t order, double s,
         TOL_SLOPE_ROUNDING * (fabs(u[1]) + fabs(rate->value));
     const double terms = (double) (order + 1), part = terms - rate->growth;
     const double last = two_terms(u, order, h), next = fabs(off) * h / terms;
-    const double most = TOL_STEP_BAR_MOST * last;
+    const double most = TOL_STEP_BAR_NEXT * last;
     const double ratio = fabs(off) <= rounding && last == 0.0
                              ? 0.0
                              : fall_of(u, order, h, last, next);
 
-    if (smooth && ratio <= TOL_STEP_SMOOTH && part > 0.5 * terms) {
-        const double fall = ratio / (1.0 - ratio);
-        const double noise = fmin(fabs(off), rate->noise) * h;
-        return (struct graph_miss){
-            off * s / part, (TOL_STEP_REST * fall * fall * last + noise) / part
-        };
-    }
+    if (smooth && ratio <= TOL_STEP_SMOOTH && part > 0.5 * terms)
+        return smooth_missing(u, order, s, rate, ratio, last);
     if (next > most && fabs(off) > rounding)
         return (struct graph_miss){ 0.0, fabs(off) * h };
     return (struct graph_miss){ 0.0, TOL_STEP_BAR_NEXT * fmin(next, most) +

@@ -30,10 +30,13 @@ void graph_expand(const struct planar *sys, const struct carry *carry,
  * they are zero. */
 double graph_reach(const double u[], size_t order, double scale, double tol);
 
-/* What the derivative by s should be at the end of a step, its rounding, and
- * how a rate grows with the unknown itself, times s. */
+/* What the first and second derivatives by s should be at the end of a step
+ * along u, what these are off by, how the rate grows with the unknown itself,
+ * times s, and by how much that changes over the step. */
 struct graph_rate {
-    double value, noise, growth;
+    double value, noise;
+    double change, change_noise;
+    double growth, bend;
 };
 
 /* What a step s along u leaves out: an estimate of it, and a bound on what that
@@ -42,14 +45,18 @@ struct graph_miss {
     double value, bar;
 };
 
-/* By u's derivative at s against rate, what it should be.  Terms left out, e_1
- * + e_2 + ..., have the derivative sum (order + j)/s e_j, of which growth/s e_j
- * is missing if u itself makes the rate; so the difference, times s over order
- * + 1 - growth, is their sum but for sum (j - 1) e_j/(order + 1 - growth).
- * Where |e_j| <= P r^j, P the last two terms, that is at most (r/(1 - r))^2 P
- * over the same: r as the last terms fall, with a margin.  Where they hardly
- * fall, or `smooth` is false, nothing is estimated: the bound is some times the
- * first term as the difference has it, and a part of P, for that may be zero by
+/* By u's derivatives at s against what they should be, d and d' too little.
+ * Terms left out, e_1 + e_2 + ..., obey with n the order and g the growth
+ *     s d = sum (n + j - g) e_j
+ *     s^2 d' = sum (n + j - g) (n + j - 1) e_j
+ * where rates grow like g/s, else but for bend e_j.  So
+ *     ((2 n + 2 - g) s d - s^2 d')/((n + 1 - g) (n + 2 - g))
+ * is their sum but for sum (j - 1) (j - 2) e_j over the same divisor.
+ * Where |e_j| <= P r^j, P the last two terms, that is at most 2 (r/(1 - r))^3 P
+ * over it: r as the last terms fall, with a margin; and a last term that is off
+ * itself, by e_0 of rounding, leaves 2 e_0.  Where they hardly fall, or
+ * `smooth` is false, nothing is estimated: the bound is some times the first
+ * term as the difference has it, and a part of P, for that may be zero by
  * chance; where it is far more than P, and no rounding, the series knows
  * nothing of a kink: all. */
 struct graph_miss graph_missing(const double u[], size_t order, double s,

@@ -26,11 +26,14 @@ void grow_error_look(struct grower *g, struct vec2 z)
     const bool over_x = g->ind == 0;
     const struct vec2 f = J->field.direction;
     const double ind = over_x ? f.x : f.y, dep = over_x ? f.y : f.x;
+    const double ind_i = over_x ? J->matrix.xx : J->matrix.yy;
     const double ind_d = over_x ? J->matrix.xy : J->matrix.yx;
+    const double dep_i = over_x ? J->matrix.yx : J->matrix.xy;
     const double dep_d = over_x ? J->matrix.yy : J->matrix.xx;
     const double unit = exp(-J->field.log_scale);
 
     g->out.slope = dep / ind;
+    g->out.slope_i = (dep_i - g->out.slope * ind_i) / ind;
     g->out.slope_d = (dep_d - g->out.slope * ind_d) / ind;
     for (size_t i = 0; i < g->o->carry.count; i++) {
         double rate;
@@ -39,8 +42,10 @@ void grow_error_look(struct grower *g, struct vec2 z)
             continue;
         sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z, &rate,
                            &gradient);
+        const double rate_i = over_x ? gradient.x : gradient.y;
         const double rate_d = over_x ? gradient.y : gradient.x;
         g->out.swift[i] = unit * rate / ind;
+        g->out.swift_i[i] = unit * (rate_i - rate / ind * ind_i) / ind;
         g->out.swift_d[i] = unit * (rate_d - rate / ind * ind_d) / ind;
     }
 }
@@ -103,7 +108,7 @@ static struct noise noise_at(const struct grower *g, struct vec2 z)
     const double x = fabs(m.xx * z.x) + fabs(m.xy * z.y);
     const double y = fabs(m.yx * z.x) + fabs(m.yy * z.y);
     const double ind = fabs(g->ind == 0 ? f.x : f.y);
-    const double rate = TOL_STEP_NOISE + 0.5 * fabs(g->end.field.log_scale) +
+    const double rate = TOL_ROUNDINGS_FEW + 0.5 * fabs(g->end.field.log_scale) +
                         (g->ind == 0 ? x : y) / ind;
 
     return (struct noise){ DBL_EPSILON * (rate * fabs(g->out.slope) +
@@ -183,16 +188,55 @@ static void add(struct grow_miss *m, struct graph_miss own, double noise)
     m->noise = hypot(m->noise, noise);
 }
 
+/* What a rate should be, per s: by ind, and by ind once more where dep goes
+ * with `slope`; `noise` is relative. */
+static struct graph_rate rate_of(const struct grower *g, double value,
+                                 double by_ind, double by_dep, double slope,
+                                 double noise)
+{
+    const double unit = g->unit, square = unit * unit;
+
+    return (struct graph_rate){
+        .value = unit * value,
+        .noise = unit * noise * fabs(value),
+        .change = square * (by_ind + by_dep * slope),
+        .change_noise = square * noise * (fabs(by_ind) + fabs(by_dep * slope)),
+    };
+}
+
+/* The step's own: dep's rate goes on as its series has it. */
+static struct graph_miss own_dep(struct grower *g, const struct noise *noise,
+                                 const struct outward *before)
+{
+    const double s = g->toward * g->h, per_s = s * g->unit;
+    const double *dep = g->u.at[1 - g->ind];
+    const double slope = jet_slope_at(g->order, dep, s) / g->unit;
+    struct graph_rate rate = rate_of(g, g->out.slope, g->out.slope_i,
+                                     g->out.slope_d, slope, noise->rate);
+
+    rate.noise = g->unit * noise->slope;
+    rate.growth = per_s * g->out.slope_d;
+    rate.bend = fabs(per_s * before->slope_d - rate.growth) + fabs(rate.growth);
+    struct graph_miss own =
+        graph_missing(dep, g->order, s, &rate, g->kink == 0.0);
+    own.bar += g->h * g->unit * g->kink;
+    return own;
+}
+
+/* An integral's is that at the true end, which `dep_off` leads to. */
 static void add_integral(struct grower *g, size_t i, const struct noise *noise,
-                         double dep_off)
+                         const struct outward *before, double dep_off)
 {
     const double s = g->toward * g->h, *u = g->u.integral[i];
-    const double swift =
-        g->unit * (g->out.swift[i] + g->out.swift_d[i] * dep_off);
-    const struct graph_rate rate = { swift, noise->rate * fabs(swift), 0.0 };
+    const double by_dep = g->out.swift_d[i];
+    struct graph_rate rate =
+        rate_of(g, g->out.swift[i] + by_dep * dep_off, g->out.swift_i[i],
+                by_dep, g->out.slope + g->out.slope_d * dep_off, noise->rate);
     const double rounded = noise->rate * fabs(jet_at(g->order, u, s)) +
                            0.5 * DBL_EPSILON * fabs(g->total[i]);
 
+    rate.change_noise +=
+        fabs(g->unit / s * (by_dep - before->swift_d[i]) * dep_off);
     const struct graph_miss own =
         graph_missing(u, g->order, s, &rate, g->kink == 0.0);
 
@@ -202,7 +246,7 @@ static void add_integral(struct grower *g, size_t i, const struct noise *noise,
 
 void grow_error_step(struct grower *g, struct vec2 end)
 {
-    const double s = g->toward * g->h, way = g->h * g->unit;
+    const double way = g->h * g->unit;
     const struct outward before = g->out;
     const double entering = grow_error_bound(&g->miss);
     const double *dep = g->u.at[1 - g->ind];
@@ -210,16 +254,11 @@ void grow_error_step(struct grower *g, struct vec2 end)
     grow_error_look(g, end);
     carry_over(g, &before);
     const struct noise noise = noise_at(g, end);
-    const struct graph_rate rate = { g->unit * g->out.slope,
-                                     g->unit * noise.slope,
-                                     s * g->unit * g->out.slope_d };
-    struct graph_miss own =
-        graph_missing(dep, g->order, s, &rate, g->kink == 0.0);
-    own.bar += way * g->kink;
+    const struct graph_miss own = own_dep(g, &noise, &before);
     const double place = fabs(dep[0]) + fabs(g->out.slope * g->u.at[g->ind][0]);
     add(&g->miss, own, noise.slope * way + 0.5 * DBL_EPSILON * place);
     g->piece.bar += own.bar;
     g->worst = fmax(entering, grow_error_bound(&g->miss));
     for (size_t i = 0; i < g->o->carry.count; i++)
-        add_integral(g, i, &noise, own.value);
+        add_integral(g, i, &noise, &before, own.value);
 }

@@ -6,10 +6,12 @@
 #include "grow.h"
 
 /* At a point of the curve: slope of dep and of the carried integrals by ind,
- * and how both change with dep, which is how errors of dep travel. */
+ * and how both change with ind at one dep, and with dep, which is how errors of
+ * dep travel. */
 struct outward {
-    double slope, slope_d;
-    double swift[LOCAL_CARRY_MAX], swift_d[LOCAL_CARRY_MAX];
+    double slope, slope_i, slope_d;
+    double swift[LOCAL_CARRY_MAX];
+    double swift_i[LOCAL_CARRY_MAX], swift_d[LOCAL_CARRY_MAX];
 };
 
 /* The true number less the computed one: off, but for no more than bar; and the

@@ -37,3 +37,12 @@ double jet_slope_at(size_t order, const double u[], double s)
         sum = sum * s + (double) j * u[j];
     return sum;
 }
+
+double jet_bend_at(size_t order, const double u[], double s)
+{
+    double sum = 0.0;
+
+    for (size_t j = order; j >= 2; j--)
+        sum = sum * s + (double) (j * (j - 1)) * u[j];
+    return sum;
+}

@@ -134,9 +134,10 @@ static inline jet_pair jet_quotient(size_t k, const jet_pair num[],
 }
 
 /* Of one curve: its series, taken out of a lane; sum_{k=0}^{order} u[k] s^k,
- * and its derivative. */
+ * and its derivatives, the first and the second. */
 void jet_take(size_t order, const jet_pair u[], size_t lane, double out[]);
 double jet_at(size_t order, const double u[], double s);
 double jet_slope_at(size_t order, const double u[], double s);
+double jet_bend_at(size_t order, const double u[], double s);
 
 #endif

@@ -59,21 +59,16 @@
 #define TOL_ORDER_PER_DIGIT 1.35
 #define TOL_TAYLOR_STEP     0.02
 /* What a step leaves out is its first missing term where terms fall at least
- * like powers of SMOOTH; they may fall more slowly than the last ones by FALL,
- * and what that leaves may be REST times as much (1.5 was seen).
+ * like powers of SMOOTH; they may fall more slowly than the last ones by FALL.
  * Else its bar is so many times that term and the last ones; the first one is
- * no more than MOST of the last ones, but what roundings make of it (beside a
+ * no more than NEXT of the last ones, but what roundings make of it (beside a
  * kink terms may be small by chance). */
 #define TOL_STEP_SMOOTH   0.8
 #define TOL_STEP_FALL     1.1
-#define TOL_STEP_REST     2.0
 #define TOL_STEP_BAR_NEXT 4.0
 #define TOL_STEP_BAR_LAST 0.4
-#define TOL_STEP_BAR_MOST 4.0
-/* Roundings of a field's component where nothing cancels; those of all steps
- * together, each with a sign of its own, are ROUNDING times the root of the sum
- * of their squares. */
-#define TOL_STEP_NOISE   4.0
+/* Roundings of all steps together, each with a sign of its own, are so many
+ * times the root of the sum of their squares. */
 #define TOL_ROUNDING_BAR 2.5
 /* Errors travel over a step by the mean of their rates at its ends, which is
  * off by no more than this part of the difference (an exponential's is, up to

@@ -203,22 +203,30 @@ static double integral_floor(const struct block *b, const struct equilibrium *e)
            DBL_EPSILON * (2.0 + 0.5 * fabs(b->at.log_rate));
 }
 
+/* Of a coordinate at the end of a branch, where nobody asks how it goes with
+ * the saddle's place: what a power of it makes of that. */
+static double place_floor(const struct block *b)
+{
+    return place_is_felt(b) ? 0.0 : TOL_PLACE_POWER * place_bar(b);
+}
+
 struct limit {
     struct quantity value, log; /* v (or psi) and its ln */
 };
 
-/* v = v0 e^X with X known to `error`. */
-static struct limit limit_of(double v0, double x0, double X, double error,
-                             double floor)
+/* at e^X with X known to `error`, at the end of a branch; ln = ln(at).  Half a
+ * unit, and one of e^X - 1. */
+static struct limit limit_of(long double at, long double ln, double X,
+                             double error)
 {
-    const double value = v0 * exp(X), relative = expm1(error + floor);
-    const double log = x0 + X;
+    const double rise = (double) at * expm1(X);
+    const double value = (double) (at + (long double) rise);
+    const double log = (double) (ln + (long double) X);
 
     return (struct limit){
-        quantity_of(value, value * (relative + 2.0 * DBL_EPSILON)),
-        quantity_of(log,
-                    error + floor +
-                        0.5 * DBL_EPSILON * (fabs(x0) + fabs(X) + fabs(log))),
+        quantity_of(value, value * (expm1(error) + TOL_SLIDER_ROUNDING) +
+                               2.0 * DBL_EPSILON * fabs(rise)),
+        quantity_of(log, error + TOL_SLIDER_ROUNDING * fabs(log)),
     };
 }
 
@@ -247,8 +255,8 @@ static void upper_numbers(struct builder *n)
         return;
     }
     const double X = u->limit.x;
-    const double floor = AT_SADDLE + branch_floor(b, n->e, X);
-    const struct limit v = limit_of(b->at.v0, b->at.x0, X, u->error.x, floor);
+    const double floor = place_floor(b) + branch_floor(b, n->e, X);
+    const struct limit v = limit_of(expl(b->x), b->x, X, u->error.x + floor);
     out->v_plus = v.value;
     out->ln_v_plus = v.log;
 }
@@ -326,9 +334,9 @@ static void lower_numbers(struct builder *n)
 
     out->lower_end = (int8_t) lower_code(l);
     if (out->lower_end == END_PSI_0) {
-        const double floor = AT_SADDLE + branch_floor(b, n->e, l->limit.x);
+        const double floor = place_floor(b) + branch_floor(b, n->e, l->limit.x);
         const struct limit v =
-            limit_of(b->at.v0, b->at.x0, l->limit.x, l->error.x, floor);
+            limit_of(expl(b->x), b->x, l->limit.x, l->error.x + floor);
         out->v_minus = v.value;
         out->ln_v_minus = v.log;
         out->psi_at_v0 = quantity_none(
@@ -341,9 +349,9 @@ static void lower_numbers(struct builder *n)
         out->psi_at_v0 = quantity_none(why_open(b, l));
     }
     if (out->lower_end == END_V_0) {
-        const double floor = AT_SADDLE + branch_floor(b, n->e, l->limit.y);
-        const struct limit psi =
-            limit_of(b->at.psi0, b->at.y0, l->limit.y, l->error.y, floor);
+        const double floor = place_floor(b) + branch_floor(b, n->e, l->limit.y);
+        const struct limit psi = limit_of(is_log ? 0.0L : expl(b->y), b->y,
+                                          l->limit.y, l->error.y + floor);
         out->psi_at_v0 = is_log ? psi.log : psi.value;
     }
     const double deficit = fabs(l->total[0]);

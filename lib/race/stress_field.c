@@ -44,11 +44,13 @@ static void judge_field(const struct cell *c, const struct quad_orbit *o, int k,
         return;
     }
     const quad off = fabsq((quad) t.value - o->value[k]);
-    row->bar = fmax(row->bar, (double) (off / (quad) t.error));
+    const bool sure = o->error[k] <= STRESS_SETTLED * t.error;
+    if (sure)
+        row->bar = fmax(row->bar, (double) (off / (quad) t.error));
     if (!(off <= (quad) t.error + (quad) o->error[k]))
         stress_row_say(row, STRESS_LIE, "a number is further off than its bar",
                        name);
-    if (!(o->error[k] <= STRESS_SETTLED * t.error))
+    if (!sure)
         stress_row_say(row, STRESS_DEGRADED,
                        "the oracle is not sure of a number", name);
 }
