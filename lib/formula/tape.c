@@ -68,19 +68,19 @@ static bool shares(const struct linear *u, const struct linear *w)
     return false;
 }
 
-/* e^|u| joins the exponent; term by term where they have terms in common, which
- * may be as large as 1e300 and cancel. */
+/* e^|u| joins the exponent, as one with terms that it has in common: these may
+ * be as large as 1e300 and cancel. */
 static void join_sinh(struct lowering *L, int argument, struct tape_rate *r)
 {
     const struct formula_node n = L->s.f->node[argument];
-    struct linear u = lower_plain(L, argument);
+    struct linear u = lower_plain(L, argument), terms = u;
     int less;
 
-    if (lower_apart(L, &n, &less)) {
-        const struct linear terms = lower_both(L, &n);
-        r->joined = shares(&r->exponent[0], &terms);
-        u = r->joined ? terms : u;
-    }
+    if (lower_apart(L, &n, &less))
+        terms = lower_both(L, &n);
+    r->joined = shares(&r->exponent[0], &terms);
+    if (r->joined)
+        u = terms;
     linear_add_times(&L->s, &r->exponent[0], 1, &u);
     linear_add_times(&L->s, &r->exponent[1], -1, &u);
 }
