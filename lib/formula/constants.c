@@ -11,10 +11,10 @@
 #include "constants_formula.h"
 
 void formula_constants(const struct formula *f,
-                       const struct formula_value leaf[], formula_real least,
-                       formula_real value[])
+                       const struct formula_value leaf[], const bool needed[],
+                       formula_real least, formula_real value[])
 {
-    (void) quad_constants(f, leaf, least, value);
+    (void) quad_constants(f, leaf, needed, least, value);
 }
 
 void formula_again(const struct formula *f, const short changing[], int count,

@@ -12,17 +12,17 @@ struct formula_value {
     formula_real value;
 };
 
-/* By node: value[0 .. f->nodes - 1]; 0 for those that change with the state
- * and for leaves that are not among the given ones.  A sum below `least` of its
- * first term is 0. */
+/* By node: value[0 .. f->nodes - 1]; 0 for those that change with the state,
+ * are not needed (NULL: all are), and for leaves that are not given.  A sum
+ * below `least` of its first term is 0. */
 void formula_constants(const struct formula *f,
-                       const struct formula_value leaf[], formula_real least,
-                       formula_real value[]);
-/* Faster; nothing is too small.  False where a constant has lost more than
+                       const struct formula_value leaf[], const bool needed[],
+                       formula_real least, formula_real value[]);
+/* Faster; nothing is too small.  False where a needed one has lost more than
  * eight of the eleven bits that a long double has beyond a double. */
 bool formula_long_constants(const struct formula *f,
                             const struct formula_value leaf[],
-                            long double value[]);
+                            const bool needed[], long double value[]);
 
 /* A leaf and, in order, all that changes with it and that n nodes need; their
  * number. */

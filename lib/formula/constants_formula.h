@@ -94,10 +94,10 @@ static bool KIND(loses)(const struct formula_node *n, const SCALAR value[],
            size < part * (n->function == FUNCTION_LN ? 1 : u) && size > 0;
 }
 
-/* False where something loses digits. */
+/* False where something that is needed loses digits. */
 static bool KIND(constants)(const struct formula *f,
-                            const struct formula_value leaf[], SCALAR least,
-                            SCALAR value[])
+                            const struct formula_value leaf[],
+                            const bool needed[], SCALAR least, SCALAR value[])
 {
     bool whole = true;
     int count = 0;
@@ -106,14 +106,15 @@ static bool KIND(constants)(const struct formula *f,
         count++;
     for (int i = 0; i < f->nodes; i++) {
         const struct formula_node *n = &f->node[i];
-        value[i] = n->moves ? 0
+        const bool idle = n->moves || (needed && !needed[i]);
+        value[i] = idle ? 0
                    : n->kind == FORMULA_LEAF
                        ? KIND(leaf_value)(leaf, count, i, n->name)
                        : KIND(node_value)(n, value);
         if (least > 0 && n->kind == FORMULA_SUM &&
             FN(fabs)(value[i]) < least * FN(fabs)(value[n->of[0]]))
             value[i] = 0;
-        if (least <= 0 && !n->moves && KIND(loses)(n, value, value[i]))
+        if (least <= 0 && !idle && KIND(loses)(n, value, value[i]))
             whole = false;
     }
     return whole;

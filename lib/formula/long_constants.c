@@ -11,9 +11,9 @@
 
 bool formula_long_constants(const struct formula *f,
                             const struct formula_value leaf[],
-                            long double value[])
+                            const bool needed[], long double value[])
 {
-    return long_constants(f, leaf, 0, value);
+    return long_constants(f, leaf, needed, 0, value);
 }
 
 void formula_long_again(const struct formula *f, const short changing[],

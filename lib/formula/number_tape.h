@@ -1,8 +1,8 @@
 /*
  * number_tape.h -- a tape (tape.h) whose constants are numbers, for one type:
- * the including file defines TAPE_SCALAR and TAPE_KIND(f), the name of f for
- * it.  Steps that nothing needs are left out; the first `rate_steps` are all
- * that the rates of the chart need.
+ * the including file defines TAPE_SCALAR, TAPE_CONSTANT, that constants come
+ * in, and TAPE_KIND(f), the name of f for it.  Steps that nothing needs are
+ * left out; the first `rate_steps` are all that the rates of the chart need.
  */
 struct TAPE_KIND(tape_form) {
     TAPE_SCALAR constant;
@@ -43,7 +43,7 @@ struct TAPE_KIND(tape) {
 
 /* False where it is too long. */
 MUST_CHECK bool TAPE_KIND(tape_at)(const struct tape *t,
-                                   const formula_real constant[],
+                                   const TAPE_CONSTANT constant[],
                                    struct TAPE_KIND(tape) * out);
 
 /* Registers at offsets from the anchor, reg[0 .. steps + 1]: those that the

@@ -1,4 +1,5 @@
-/* The functions of number_tape.h, for TAPE_SCALAR, KIND and FN. */
+/* The functions of number_tape.h, for TAPE_SCALAR, TAPE_CONSTANT, TAPE_KIND and
+ * FN; CONSTANT_FN(f) is f for constants. */
 
 #include "change.h"
 
@@ -6,7 +7,7 @@
 
 struct TAPE_KIND(making) {
     const struct tape *from;
-    const formula_real *constant; /* by node */
+    const TAPE_CONSTANT *constant; /* by node */
     struct TAPE_KIND(tape) * to;
     int place[TAPE_STEPS + 2]; /* of a register; -1: not needed */
 };
@@ -67,15 +68,16 @@ static void TAPE_KIND(step_at)(struct TAPE_KIND(making) * m,
                                const struct step *s)
 {
     struct TAPE_KIND(tape_entry) *out = &m->to->step[m->to->steps++];
-    const quad k = m->constant[s->k];
+    const TAPE_CONSTANT k = m->constant[s->k];
 
     *out = (struct TAPE_KIND(tape_entry)){ .kind = s->kind, .a = -1, .b = -1 };
     out->a = s->a >= 0 ? m->place[s->a] : -1;
     out->b = s->b >= 0 ? m->place[s->b] : -1;
-    out->k = (TAPE_SCALAR) (s->kind == STEP_TAN ? cosq(k) : k);
-    out->q = (TAPE_SCALAR) (s->kind == STEP_FRICTION ? 4 * expq(-2 * k)
-                            : s->kind == STEP_TAN    ? sinq(k)
-                                                     : m->constant[s->q]);
+    out->k = (TAPE_SCALAR) (s->kind == STEP_TAN ? CONSTANT_FN(cos)(k) : k);
+    out->q =
+        (TAPE_SCALAR) (s->kind == STEP_FRICTION ? 4 * CONSTANT_FN(exp)(-2 * k)
+                       : s->kind == STEP_TAN    ? CONSTANT_FN(sin)(k)
+                                                : m->constant[s->q]);
     TAPE_KIND(linear_at)(m, &s->form, &out->form);
 }
 
@@ -97,10 +99,10 @@ static void TAPE_KIND(mean_at)(struct TAPE_KIND(making) * m,
                                struct TAPE_KIND(tape_rate) * out)
 {
     struct TAPE_KIND(tape) *t = m->to;
-    const quad c = (m->constant[r->exponent[0].constant] +
-                    m->constant[r->exponent[1].constant]) /
-                   2;
-    quad sum[TAPE_STEPS + 2] = { 0 };
+    const TAPE_CONSTANT c = (m->constant[r->exponent[0].constant] +
+                             m->constant[r->exponent[1].constant]) /
+                            2;
+    TAPE_CONSTANT sum[TAPE_STEPS + 2] = { 0 };
 
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < r->exponent[k].terms; i++)
@@ -121,10 +123,10 @@ static void TAPE_KIND(rate_at)(struct TAPE_KIND(making) * m,
 {
     TAPE_KIND(linear_at)(m, &r->mantissa, &out->mantissa);
     for (int k = 0; k < 2; k++) {
-        const quad c = m->constant[r->exponent[k].constant];
+        const TAPE_CONSTANT c = m->constant[r->exponent[k].constant];
         TAPE_KIND(linear_at)(m, &r->exponent[k], &out->exponent[k]);
         out->kept[k] =
-            (TAPE_SCALAR) (1 + (c - (quad) out->exponent[k].constant));
+            (TAPE_SCALAR) (1 + (c - (TAPE_CONSTANT) out->exponent[k].constant));
     }
     if (r->sinh >= 0)
         TAPE_KIND(mean_at)(m, r, out);
@@ -193,7 +195,7 @@ static void TAPE_KIND(find_used)(struct TAPE_KIND(tape) * t, int rate,
     }
 }
 
-bool TAPE_KIND(tape_at)(const struct tape *t, const formula_real constant[],
+bool TAPE_KIND(tape_at)(const struct tape *t, const TAPE_CONSTANT constant[],
                         struct TAPE_KIND(tape) * out)
 {
     struct TAPE_KIND(making) m = { .from = t, .constant = constant, .to = out };

@@ -20,6 +20,7 @@ quad expm1q(quad x);
 quad expq(quad x);
 quad fabsq(quad x);
 quad floorq(quad x);
+quad hypotq(quad x, quad y);
 quad log1pq(quad x);
 quad logq(quad x);
 quad powq(quad x, quad y);

@@ -1,9 +1,11 @@
 #include "quad_tape.h"
 
-#define TAPE_SCALAR  quad
-#define TAPE_KIND(f) quad_##f
-#define SCALAR       quad
-#define FN(f)        f##q
+#define TAPE_SCALAR    quad
+#define TAPE_CONSTANT  quad
+#define CONSTANT_FN(f) f##q
+#define TAPE_KIND(f)   quad_##f
+#define SCALAR         quad
+#define FN(f)          f##q
 #include "number_tape_formula.h"
 
 void quad_tape_field(const struct quad_tape *t, quad X, quad Y, quad rate[2],

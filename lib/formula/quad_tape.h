@@ -9,10 +9,12 @@
 #include "quad.h"
 #include "real_tape.h"
 
-#define TAPE_SCALAR  quad
-#define TAPE_KIND(f) quad_##f
+#define TAPE_SCALAR   quad
+#define TAPE_CONSTANT quad
+#define TAPE_KIND(f)  quad_##f
 #include "number_tape.h"
 #undef TAPE_SCALAR
+#undef TAPE_CONSTANT
 #undef TAPE_KIND
 
 /* Rates of the chart, rate[i] exp(scale); value 0 of the tape in *value. */

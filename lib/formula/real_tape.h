@@ -1,6 +1,6 @@
 /*
- * real_tape.h -- a tape in doubles: its constants, made in 113 bits and
- * rounded, and what it computes at offsets from the anchor.
+ * real_tape.h -- a tape in doubles: its constants, made in long double or
+ * more and rounded, and what it computes at offsets from the anchor.
  */
 #ifndef FORMULA_REAL_TAPE_H
 #define FORMULA_REAL_TAPE_H
@@ -11,10 +11,12 @@
 #define NUMBER_TERMS 1024
 #endif
 
-#define TAPE_SCALAR  double
-#define TAPE_KIND(f) real_##f
+#define TAPE_SCALAR   double
+#define TAPE_CONSTANT long double
+#define TAPE_KIND(f)  real_##f
 #include "number_tape.h"
 #undef TAPE_SCALAR
+#undef TAPE_CONSTANT
 #undef TAPE_KIND
 
 #endif

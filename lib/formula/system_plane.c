@@ -94,7 +94,7 @@ enum status system_plane_lower(struct system_lowered *out,
     }
     out->value[s->parameters] = (struct formula_value){ NULL, 0 };
     if (status == STATUS_OK) {
-        formula_constants(&s->graph, out->value, 0, value);
+        formula_constants(&s->graph, out->value, NULL, 0, value);
         copy_graph(f, &s->graph, value, at);
         status = lower(out, s, f, at, why);
     }

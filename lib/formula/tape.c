@@ -2,6 +2,7 @@
 #include "tape.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "lower.h"
 
@@ -130,12 +131,57 @@ static void lower_rate(struct lowering *L, int i)
     lower_factors(L, &s, L->p->zero[i], &L->s.t->rate[i]);
 }
 
+/* A value times something positive: its own form is the mantissa, for ln of a
+ * value that is small beside that of the anchor has no digits. */
+static bool split_value(struct lowering *L, int i, struct factors *out)
+{
+    const struct formula_node n = L->s.f->node[i];
+
+    for (int k = 0; k < 2 && n.kind == FORMULA_TIMES && L->p->values; k++)
+        if (n.of[k] == L->p->value[0] && L->s.f->node[n.of[1 - k]].positive) {
+            *out = (struct factors){ .sinh = -1 };
+            out->mantissa = lower_plain(L, n.of[k]);
+            out->exponent = lower_log(L, n.of[1 - k]);
+            return true;
+        }
+    return false;
+}
+
 static void lower_observable(struct lowering *L, int i)
 {
     struct factors s;
 
-    split(L, L->p->observable[i], &s);
+    if (!split_value(L, L->p->observable[i], &s))
+        split(L, L->p->observable[i], &s);
     lower_factors(L, &s, false, &L->s.t->rate[2 + i]);
+}
+
+/* ---- constants ----------------------------------------------------------- */
+
+static void need_linear(struct tape *t, const struct linear *u)
+{
+    t->needs[u->constant] = true;
+    for (int i = 0; i < u->terms; i++)
+        t->needs[u->term[i].c] = true;
+}
+
+static void find_needs(struct tape *t, const struct formula *f)
+{
+    memset(t->needs, 0, sizeof t->needs);
+    for (int i = 0; i < t->steps; i++) {
+        need_linear(t, &t->step[i].form);
+        t->needs[t->step[i].k] = t->needs[t->step[i].q] = true;
+    }
+    for (int i = 0; i < t->rates; i++) {
+        need_linear(t, &t->rate[i].mantissa);
+        for (int k = 0; k < 2; k++)
+            need_linear(t, &t->rate[i].exponent[k]);
+    }
+    for (int i = 0; i < TAPE_VALUES; i++)
+        need_linear(t, &t->value[i]);
+    for (int i = f->nodes; i-- > 0;)
+        for (int j = 0; t->needs[i] && j < f->node[i].arguments; j++)
+            t->needs[f->node[i].of[j]] = true;
 }
 
 /* ---- all ----------------------------------------------------------------- */
@@ -167,6 +213,7 @@ enum status tape_lower(struct tape *t, struct formula *f,
     for (int i = 0; i < TAPE_VALUES; i++)
         t->value[i] =
             i < p->values ? lower_plain(&L, p->value[i]) : linear_constant(0);
+    find_needs(t, f);
     return answer(&L, why);
 }
 

@@ -84,6 +84,7 @@ struct tape {
     struct tape_rate rate[TAPE_RATES]; /* of the chart, and observables */
     int rates;
     struct linear value[TAPE_VALUES];
+    bool needs[FORMULA_NODES]; /* its constants, and what they are made of */
 };
 
 /* What a tape is made of: nodes. */

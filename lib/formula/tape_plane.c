@@ -52,19 +52,18 @@ static enum status refuse(struct fault *why, const char *text)
     return STATUS_BAD_ARGUMENT;
 }
 
-/* In 113 bits where long doubles lose digits. */
-static void constants_at(const struct formula *f,
+/* By way of 113 bits where long doubles lose digits. */
+static void constants_at(const struct tape_lowered *l,
                          const struct formula_value leaf[],
-                         formula_real constant[])
+                         long double constant[])
 {
-    long double rough[FORMULA_NODES];
+    quad exact[FORMULA_NODES];
 
-    if (!formula_long_constants(f, leaf, rough)) {
-        formula_constants(f, leaf, (quad) 0x1p-90, constant);
+    if (formula_long_constants(&l->f, leaf, l->t.needs, constant))
         return;
-    }
-    for (int i = 0; i < f->nodes; i++)
-        constant[i] = rough[i];
+    formula_constants(&l->f, leaf, l->t.needs, (quad) 0x1p-90, exact);
+    for (int i = 0; i < l->f.nodes; i++)
+        constant[i] = (long double) exact[i];
 }
 
 enum status tape_plane_at(const struct tape_lowered *l,
@@ -73,14 +72,14 @@ enum status tape_plane_at(const struct tape_lowered *l,
                           struct fault *why)
 {
     struct formula_value all[TAPE_PLANE_VALUES] = { { NULL, 0 } };
-    formula_real constant[FORMULA_NODES];
+    long double constant[FORMULA_NODES];
     int n = 0;
 
     for (; value->name && n < TAPE_PLANE_VALUES - 3; n++)
         all[n] = *value++;
     for (int i = 0; i < 2; i++)
         all[n++] = (struct formula_value){ anchor_name[i], anchor[i] };
-    constants_at(&l->f, all, constant);
+    constants_at(l, all, constant);
     if (!real_tape_at(&l->t, constant, &out->t) || !tape_jet_slots(out))
         return refuse(why, "the formulas have too many parts");
     if (!is_finite(&out->t))

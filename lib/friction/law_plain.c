@@ -22,7 +22,7 @@ static void place_at(const struct law *law, const struct material *m,
 
     p->t = law->typed;
     law_typed_values(p->t, m, tan_alpha, x, y, leaf);
-    formula_long_constants(&p->t->plain, leaf, p->value);
+    formula_long_constants(&p->t->plain, leaf, NULL, p->value);
 }
 
 struct law_plain_slope law_plain_slope(const struct law *law,
@@ -37,7 +37,7 @@ struct law_plain_slope law_plain_slope(const struct law *law,
     struct place p;
 
     place_at(law, m, tan_alpha, x, y, &p);
-    formula_slopes(f, p.value, leaf, slope);
+    formula_long_slopes(f, p.value, leaf, slope);
     for (int i = 0; i < 2; i++) {
         out.rate[i] = p.value[law->typed->chart_rate[i]];
         out.slope[i] = slope[law->typed->chart_rate[i]];

@@ -32,7 +32,7 @@ static long double rate(const void *ctx, long double y)
 
     memcpy(leaf, at->leaf, sizeof leaf);
     leaf[LAW_Y0].value = y;
-    formula_long_constants(&at->t->growth, leaf, value);
+    formula_long_constants(&at->t->growth, leaf, NULL, value);
     return value[at->t->rate];
 }
 
@@ -43,7 +43,7 @@ static quad rate_quad(const struct at *at, quad y)
 
     memcpy(leaf, at->leaf, sizeof leaf);
     leaf[LAW_Y0].value = y;
-    formula_constants(&at->t->growth, leaf, 0, value);
+    formula_constants(&at->t->growth, leaf, NULL, 0, value);
     return value[at->t->rate];
 }
 

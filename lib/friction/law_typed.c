@@ -278,7 +278,7 @@ struct typed_steady law_typed_steady(const struct law *law,
     long double value[FORMULA_NODES];
 
     law_typed_values(t, m, 0, x, law_root(t, m, x), leaf);
-    formula_long_constants(&t->steady, leaf, value);
+    formula_long_constants(&t->steady, leaf, NULL, value);
     return (struct typed_steady){ value[t->y], value[t->psi], value[t->mu] };
 }
 
@@ -293,7 +293,7 @@ void law_curve_init(struct typed_curve *c, const struct law *law,
     c->law = law;
     c->m = m;
     law_typed_values(t, m, 0, 0, 0, leaf);
-    formula_long_constants(&t->steady, leaf, c->value);
+    formula_long_constants(&t->steady, leaf, NULL, c->value);
     c->count = formula_changing(&t->steady, x, (int[]){ t->y, t->psi, t->mu },
                                 3, c->changing);
     c->count_mu = formula_changing(&t->steady, x, &t->mu, 1, c->of_mu);
@@ -322,7 +322,7 @@ struct typed_steady_quad law_typed_steady_quad(const struct law *law,
     quad value[FORMULA_NODES];
 
     law_typed_values(t, m, 0, x, law_root_quad(t, m, x), leaf);
-    formula_constants(&t->steady, leaf, 0, value);
+    formula_constants(&t->steady, leaf, NULL, 0, value);
     return (struct typed_steady_quad){ value[t->y], value[t->psi],
                                        value[t->mu] };
 }
@@ -358,7 +358,7 @@ formula_real law_curve_slope(struct typed_curve *c, long double x)
 
     if (!c->is_exact) {
         law_typed_values(c->law->typed, c->m, 0, 0, 0, leaf);
-        formula_constants(&c->law->typed->steady, leaf, 0, c->exact);
+        formula_constants(&c->law->typed->steady, leaf, NULL, 0, c->exact);
         c->is_exact = true;
     }
     return (curve_friction(c, x + h) - curve_friction(c, x - h)) / (2 * h);

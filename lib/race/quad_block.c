@@ -67,7 +67,7 @@ static void typed_anchor(const struct law *law, const struct material *m,
 
     law_typed_values(law->typed, m, 0, x, s.y, leaf);
     leaf[0].value = tan_alpha;
-    formula_constants(&tape->f, leaf, 0, constant);
+    formula_constants(&tape->f, leaf, NULL, 0, constant);
     at->x0 = x;
     at->y0 = s.y;
     at->v0 = expq(x);
@@ -109,7 +109,7 @@ void quad_block_anchor(const struct law *law, const struct material *m,
     formula_init(&tape.f);
     name_constants(&tape.f, leaf);
     law_tape(law, equilibrium, &tape);
-    formula_constants(&tape.f, leaf, 0, constant);
+    formula_constants(&tape.f, leaf, NULL, 0, constant);
     const bool fits = quad_tape_at(&tape.t, constant, &at->tape);
     assert(fits); /* tests/friction/test_law_tape.c */
     (void) fits;
