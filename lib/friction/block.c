@@ -1,10 +1,10 @@
-/* The planar contract filled in by friction: thin wrappers that hand the
- * block's law and anchor to the formulas of field_formula.h. */
+/* The planar contract filled in by friction: thin wrappers around the tape of
+ * the law's formulas (law_tape.h). */
 #include "block.h"
 
 #include <math.h>
 
-#include "law_typed.h"
+#include "law_curve.h"
 #include "quasistatic_typed.h"
 #include "tolerance.h"
 
@@ -24,21 +24,13 @@ static long double steady_curve(const void *ctx, long double x)
 static void field(const void *ctx, struct vec2 z, struct planar_field *f)
 {
     const struct block *b = ctx;
-
-    if (b->law.typed)
-        tape_field(&b->plane, z, f);
-    else
-        field_real(&b->law, &b->at, z, f);
+    tape_field(&b->plane, z, f);
 }
 
 static void jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
 {
     const struct block *b = ctx;
-
-    if (b->law.typed)
-        tape_jacobian(&b->plane, z, J);
-    else
-        field_dual(&b->law, &b->at, z, J);
+    tape_jacobian(&b->plane, z, J);
 }
 
 static void jet(const void *ctx, struct jet_work *w, size_t k,
@@ -46,25 +38,14 @@ static void jet(const void *ctx, struct jet_work *w, size_t k,
                 jet_pair fy[])
 {
     const struct block *b = ctx;
-
-    if (b->law.typed)
-        tape_jet(&b->plane, w, k, x, y, fx, fy);
-    else
-        field_jet(&b->law, &b->at, w, k, x, y, fx, fy);
+    tape_jet(&b->plane, w, k, x, y, fx, fy);
 }
 
 static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
                           double *rate, struct vec2 *gradient)
 {
     const struct block *b = ctx;
-    const enum block_observable o = (enum block_observable) which;
-
-    if (b->law.typed)
-        tape_rate(&b->plane, which, z, rate, gradient);
-    else if (gradient == NULL)
-        *rate = field_real_rate(&b->law, &b->at, o, z);
-    else
-        field_dual_rate(&b->law, &b->at, o, z, rate, gradient);
+    tape_rate(&b->plane, which, z, rate, gradient);
 }
 
 static void rate_jet(const void *ctx, size_t which, struct jet_work *w,
@@ -72,12 +53,7 @@ static void rate_jet(const void *ctx, size_t which, struct jet_work *w,
                      jet_pair rate[])
 {
     const struct block *b = ctx;
-
-    if (b->law.typed)
-        tape_jet_rate(&b->plane, which, w, k, x, y, rate);
-    else
-        field_jet_rate(&b->law, &b->at, (enum block_observable) which, w, k, x,
-                       y, rate);
+    tape_jet_rate(&b->plane, which, w, k, x, y, rate);
 }
 
 static const struct planar_observable observables[BLOCK_OBSERVABLES] = {
@@ -114,11 +90,9 @@ void block_anchor(struct block *b, long double x, bool equilibrium)
     steady_anchor(&b->law, &b->material, b->tan_alpha, x, equilibrium, &b->at);
     b->x = x;
     b->y = steady_y(&b->law, &b->material, x);
-    if (b->law.typed)
-        b->at.force0 = law_typed_anchor(&b->law, &b->material, b->tan_alpha, x,
-                                        equilibrium, &b->plane)
-                           ? b->at.force0
-                           : NAN;
+    if (!steady_plane(&b->law, &b->material, b->tan_alpha, x, equilibrium,
+                      &b->plane))
+        b->at.force0 = NAN;
 }
 
 void block_ask(struct block *b)
@@ -167,23 +141,19 @@ struct planar block_planar(const struct block *b)
 
 double block_mu(const struct block *b, struct vec2 z)
 {
-    if (b->law.typed)
-        return tape_value(&b->plane, z);
-    return field_real_rate(&b->law, &b->at, BLOCK_WORK, z) /
-           field_real_rate(&b->law, &b->at, BLOCK_SLIP, z);
+    return tape_value(&b->plane, z);
 }
 
 /* v^-1, 1/(1/R + v) or -ln v; that of kato_tullis falls less steeply than
  * v^-1. */
 double block_psi_slope(const struct block *b)
 {
-    const long double h = 1e-5L;
+    struct typed_curve c;
 
-    if (b->law.typed)
-        return (double) fabsl(
-            (law_typed_steady(&b->law, &b->material, b->x + h).psi -
-             law_typed_steady(&b->law, &b->material, b->x - h).psi) /
-            (2 * h));
+    if (b->law.typed) {
+        law_curve_init(&c, &b->law, &b->material);
+        return (double) fabsl(law_curve_slopes(&c, b->x).psi);
+    }
     switch (b->law.psi_ss) {
         case PSI_SS_MINUS_LOG:
             return 1.0;

@@ -6,10 +6,17 @@
 #ifndef FRICTION_BLOCK_H
 #define FRICTION_BLOCK_H
 
-#include "field.h"
 #include "planar.h"
 #include "steady.h"
 #include "tape_plane.h"
+
+/* Observables beyond time, in this order. */
+enum block_observable {
+    BLOCK_SLIP,   /* v: slip, units of L */
+    BLOCK_WORK,   /* mu v: frictional work per normal force, units of L */
+    BLOCK_EXCESS, /* v - v0: slip in excess of the anchor's, units of L */
+    BLOCK_OBSERVABLES
+};
 
 /* What becomes of v as psi grows and nothing steady holds it: of laws of
  * formulas, see quasistatic_typed.h. */
@@ -41,8 +48,8 @@ struct block {
     bool traps;              /* v falls beside the anchor where psi is larger
                                 and psi grows where v is smaller, and so on: the
                                 quadrants of trap.h cannot be left */
-    struct tape_plane plane; /* of a law of formulas, and */
-    struct block_end end;    /* its end; set by block_ask */
+    struct tape_plane plane; /* the field around the anchor */
+    struct block_end end;    /* of a law of formulas; set by block_ask */
 };
 
 /* Law, material and slope; anchored at no point yet.  The parameters must

@@ -1,8 +1,8 @@
 /*
  * field_formula.h -- the block on a slope, (17), in the chart (ln v, ln psi)
- * [(ln v, psi) where psi is a logarithm], written once for every kind of
- * number: real (double), dual (value and gradient), jet (Taylor series), lanes
- * (several points).  With offsets X, Y from the anchor,
+ * [(ln v, psi) where psi is a logarithm], in closed form, for lanes (several
+ * points, field_lanes.h) and, in tests, for series of 113-bit numbers; all
+ * else goes by law_tape.h.  With offsets X, Y from the anchor,
  *
  *     dX/dt = exp(log_inertia - X) (tan(alpha) - mu),
  *     dY/dt = -K(psi - psi_ss(v)) / (T(v) psi)       [without 1/psi].
@@ -14,7 +14,7 @@
  * is exponentiated, so that nothing overflows.
  *
  * A number is an array of KIND(num) whose element 0 is its value.  The
- * including file (one per kind: field_*.c) defines
+ * including file defines
  *     KIND(f)          the name of f for this kind;
  *     KIND(real)       the type of an element;
  *     REAL(f)          the name of f for elements: size(u) = |u|, power(u) =

@@ -1,8 +1,8 @@
 /*
  * field_lanes.h -- the field of several points side by side (lanes.h; define
  * LANES before).  A number is the values of its lanes: each is what
- * field_real.c makes of its point, to rounding.  Where scalar.h branches on
- * values, the rarer branch is skipped unless a lane needs it.
+ * the tape of the law makes of its point, to rounding.  Where scalar.h branches
+ * on values, the rarer branch is skipped unless a lane needs it.
  */
 #ifndef FRICTION_FIELD_LANES_H
 #define FRICTION_FIELD_LANES_H

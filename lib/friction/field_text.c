@@ -33,7 +33,7 @@ double text_parameter_value(const struct block *b, enum text_parameter p)
         [TEXT_A] = m->a,
         [TEXT_B] = m->b,
         [TEXT_C] = m->c,
-        [TEXT_R] = isinf(m->R) ? 1e300 : m->R,
+        [TEXT_R] = isinf(m->R) ? 1e200 : m->R,
         [TEXT_V_C] = m->V_c,
         [TEXT_EPS2] = material_eps2(m),
         [TEXT_LNV0] = b->at.x0,
@@ -49,7 +49,6 @@ const char *text_state_name(const struct law *law, int coordinate)
 
 /* ---- lines ------------------------------------------------------------ */
 
-/* one_R is 1/R: R may be infinite. */
 static void name_parameters(struct formula *f)
 {
     for (int p = 0; p < TEXT_PARAMETERS; p++) {
@@ -60,9 +59,6 @@ static void name_parameters(struct formula *f)
     }
     formula_define(f, "tan_alpha",
                    formula_of(f, FUNCTION_TAN, formula_find(f, "alpha", 5)));
-    formula_define(
-        f, "one_R",
-        formula_over(f, formula_number(f, 1), formula_find(f, "R", 1)));
 }
 
 /* Those that are too long for other programs become numbers. */

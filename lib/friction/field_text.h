@@ -32,7 +32,7 @@ struct text_symbol {
 };
 extern const struct text_symbol text_parameters[TEXT_PARAMETERS];
 
-/* The parameter of a block; an infinite R becomes 1e300. */
+/* The parameter of a block; an infinite R becomes 1e200. */
 double text_parameter_value(const struct block *b, enum text_parameter p);
 
 /* ln v, and ln psi (psi where it is a logarithm). */

@@ -36,13 +36,48 @@ const char *const psi_ss_names[] = { "inverse", "minus_log", "spinodal",
                                      "spinodal_unit", NULL };
 const char *const timescale_names[] = { "slip", "spinodal", "ageing44",
                                         "slip45", NULL };
-const struct timescale_terms timescale_terms[TIMESCALES] = {
-    [TIMESCALE_SLIP] = { "1/v", .ln_v = 1 },
-    [TIMESCALE_SPINODAL] = { "R/(1+R v)", .ln_r_plus_v = 1 },
-    [TIMESCALE_AGEING44] = { "R psi_ss", .ln_r = 1, .ln_psi_ss = -1 },
-    [TIMESCALE_SLIP45] = { "R exp(psi_ss)", .ln_r = 1, .psi_ss = -1 },
-};
 const char *const kinetics_names[] = { "linear", "sinh", NULL };
+const struct timescale_terms timescale_terms[TIMESCALES] = {
+    [TIMESCALE_SLIP] = { .ln_v = 1 },
+    [TIMESCALE_SPINODAL] = { .ln_r_plus_v = 1 },
+    [TIMESCALE_AGEING44] = { .ln_r = 1, .ln_psi_ss = -1 },
+    [TIMESCALE_SLIP45] = { .ln_r = 1, .psi_ss = -1 },
+};
+
+/* The components' formulas; no other place has them as text. */
+const char *const law_part_names[] = { "theta", "psi_ss", "T", "K",
+                                       "mu",    "rate",   NULL };
+static const char *const mu_formula[FRICTION_FORMS] = {
+    [FRICTION_ASINH] = "a*asinh(v/2*exp((mu_star + b*theta)/a))",
+    [FRICTION_LOG] = "mu_star + a*ln(v) + b*theta",
+};
+static const char *const theta_formula[THETAS] = {
+    [THETA_LN_PSI] = "ln(psi)",
+    [THETA_PSI] = "psi",
+    [THETA_LN_C_PSI] = "ln(c + psi)",
+    [THETA_LN_C_1PR_PSI] = "ln(c + (1 + R)*psi)",
+};
+static const char *const psi_ss_formula[PSI_SSES] = {
+    [PSI_SS_INVERSE] = "1/v",
+    [PSI_SS_MINUS_LOG] = "-ln(v)",
+    [PSI_SS_SPINODAL] = "(1 + R)/(1 + R*v)",
+    [PSI_SS_SPINODAL_UNIT] = "1/(1 + R*v)",
+    [PSI_SS_LAMBERT] = "exp(lambert(v/V_c))/v",
+};
+static const char *const timescale_formula[TIMESCALES] = {
+    [TIMESCALE_SLIP] = "1/v",
+    [TIMESCALE_SPINODAL] = "R/(1 + R*v)",
+    [TIMESCALE_AGEING44] = "R*psi_ss",
+    [TIMESCALE_SLIP45] = "R*exp(psi_ss)",
+};
+static const char *const kinetics_formula[KINETICSES] = {
+    [KINETICS_LINEAR] = "d",
+    [KINETICS_SINH] = "sinh(d)",
+};
+/* Where it is not -K/T; the one is exp(-v/V_c) - v psi ln(v psi). */
+static const char *const rate_formula[KINETICSES] = {
+    [KINETICS_COMPOSITE] = "v*psi*(exp(-v/V_c - ln(v*psi)) - ln(v*psi))",
+};
 
 static const struct {
     const char *name;
@@ -96,8 +131,7 @@ bool law_uses(const struct law *law, enum material_key key)
     const bool always = key >= MATERIAL_L && key != MATERIAL_V_C;
 
     if (law->typed && !always)
-        return law_typed_uses(law->typed, material_key_name(key)) ||
-               (key == MATERIAL_R && law_typed_uses(law->typed, "one_R"));
+        return law_typed_uses(law->typed, material_key_name(key));
     switch (key) {
         case MATERIAL_C:
             return law->theta == THETA_LN_C_PSI ||
@@ -152,26 +186,47 @@ const struct law *law_preset_find(const char *name)
     return law;
 }
 
-void law_formula(const struct law *law, char *text, size_t size)
+const char *law_text(const struct law *law, enum law_part part)
 {
-    static const char *const theta[] = { "ln psi", "psi", "ln(c + psi)",
-                                         "ln(c + (1+R) psi)" };
-    static const char *const psi_ss[] = { "1/v", "-ln v", "(1+R)/(1+R v)",
-                                          "1/(1+R v)",
-                                          "exp(W(exp(-v/V_c)))/v" };
-    static const char *const rate[] = { "-(psi - psi_ss)/T",
-                                        "-sinh(psi - psi_ss)/T",
-                                        "exp(-v/V_c) - v psi ln(v psi)" };
+    const bool composite = law->kinetics == KINETICS_COMPOSITE;
 
     if (law->typed)
-        law_typed_formula(law->typed, text, size);
-    else if (law->kinetics == KINETICS_COMPOSITE)
-        snprintf(text, size, "theta = %s, dpsi/dt = %s", theta[law->theta],
-                 rate[law->kinetics]);
-    else
-        snprintf(text, size, "theta = %s, psi_ss = %s, T = %s, dpsi/dt = %s",
-                 theta[law->theta], psi_ss[law->psi_ss],
-                 law_timescale(law)->formula, rate[law->kinetics]);
+        return law_typed_text(law->typed, part);
+    switch (part) {
+        case LAW_THETA:
+            return theta_formula[law->theta];
+        case LAW_PSI_SS:
+            return psi_ss_formula[law->psi_ss];
+        case LAW_T:
+            return composite ? NULL : timescale_formula[law->timescale];
+        case LAW_K:
+            return kinetics_formula[law->kinetics];
+        case LAW_RATE:
+            return rate_formula[law->kinetics];
+        default:
+            return NULL;
+    }
+}
+
+const char *law_text_mu(const struct law *law)
+{
+    const char *given = law_text(law, LAW_MU);
+
+    return given ? given : mu_formula[law->form];
+}
+
+void law_formula(const struct law *law, char *text, size_t size)
+{
+    size_t used = 0;
+
+    text[0] = '\0';
+    for (int i = 0; i < LAW_PARTS && used < size; i++) {
+        const char *formula = law_text(law, (enum law_part) i);
+        if (formula)
+            used += (size_t) snprintf(
+                text + used, size - used, "%s%s = %s", used ? ", " : "",
+                i == LAW_RATE ? "dpsi/dt" : law_part_names[i], formula);
+    }
 }
 
 static enum status refuse(struct fault *why, const char *text)
@@ -192,7 +247,8 @@ static enum status check_composition(const struct law *law,
         snprintf(why->text, sizeof why->text,
                  "timescale %s is %s and needs psi_ss > 0, but psi_ss is "
                  "minus_log",
-                 timescale_names[law->timescale], law_timescale(law)->formula);
+                 timescale_names[law->timescale],
+                 timescale_formula[law->timescale]);
         return STATUS_BAD_ARGUMENT;
     }
     const bool composite = law->kinetics == KINETICS_COMPOSITE;

@@ -51,11 +51,10 @@ enum timescale {
     TIMESCALES
 };
 
-/* ln(1/T) is a sum, each term so many times.  All that is computed of T, its
- * derivatives too, is made of these. */
+/* ln(1/T) is a sum, each term so many times: what closed forms of T are made
+ * of. */
 struct timescale_terms {
-    const char *formula; /* T, for people */
-    int ln_r;            /* ln(1/R) */
+    int ln_r; /* ln(1/R) */
     int ln_v;
     int ln_r_plus_v; /* ln(1/R + v) */
     int ln_psi_ss;
@@ -88,6 +87,18 @@ struct law {
 };
 
 struct law_typed; /* law_typed.h */
+
+/* A law's formulas, in the order in which each may use those before it. */
+enum law_part {
+    LAW_THETA,
+    LAW_PSI_SS,
+    LAW_T,
+    LAW_K,    /* of d = psi - psi_ss; K(d) = d unless given */
+    LAW_MU,   /* or that of the form */
+    LAW_RATE, /* dpsi/dt; or T and K; alone: psi_ss is where it is 0 */
+    LAW_PARTS
+};
+extern const char *const law_part_names[]; /* "theta" ..., NULL-ended */
 
 enum { LAW_OWNS = 16 };
 
@@ -167,8 +178,14 @@ extern const char *const psi_ss_names[];
 extern const char *const timescale_names[];
 extern const char *const kinetics_names[];
 
-/* The law's formulas as one readable line, e.g.
- * "theta = ln psi, psi_ss = 1/v, T = 1/v, dpsi/dt = -sinh(psi - psi_ss)/T". */
+/* A formula of the law, as scenes have it; NULL: it is not given.  All that is
+ * computed of fields is computed of these. */
+const char *law_text(const struct law *law, enum law_part part);
+/* mu, given or of the form. */
+const char *law_text_mu(const struct law *law);
+
+/* The given ones as one readable line, e.g.
+ * "theta = ln(psi), psi_ss = 1/v, T = 1/v, K = sinh(d)". */
 void law_formula(const struct law *law, char *text, size_t size);
 
 /* STATUS_BAD_ARGUMENT, with the reason, where the composition or a parameter

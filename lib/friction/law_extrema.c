@@ -1,9 +1,12 @@
 /* The extrema of mu_ss are where its slope changes sign: looked for in steps of
  * an e-fold of v, between steps where the slope is least, and settled in 113
  * bits. */
+#include <float.h>
 #include <math.h>
 
-#include "law_typed.h"
+#include "friction_tolerance.h"
+#include "law_curve.h"
+#include "newton.h"
 #include "quad.h"
 #include "tolerance.h"
 
@@ -55,17 +58,16 @@ void law_typed_range(const struct law *law, const struct material *m,
     range(&c, lo, hi);
 }
 
+/* d mu_ss/dx, soon */
 static long double rough(struct typed_curve *c, long double x)
 {
-    const long double h = 1e-4L;
-
-    return (law_curve_at(c, x + h).mu - law_curve_at(c, x - h).mu) / (2 * h);
+    return law_curve_slopes(c, x).mu;
 }
 
 /* -1, 1, or 0 where it is none to all digits */
-static int sign_at(struct typed_curve *c, long double x)
+static int sign_of(quad slope)
 {
-    const quad slope = law_curve_slope(c, x), least = 1e-20;
+    const quad least = TOL_SLOPE_LEAST;
 
     return (slope > least) - (slope < -least);
 }
@@ -80,27 +82,28 @@ struct extrema {
 static bool turns(struct extrema *e, long double lo, long double hi,
                   quad *at_lo, quad *at_hi)
 {
-    const quad least = 1e-20;
-
     *at_lo = law_curve_slope(e->c, lo);
     *at_hi = law_curve_slope(e->c, hi);
-    return (*at_lo > least && *at_hi < -least) ||
-           (*at_lo<-least && * at_hi> least);
+    return sign_of(*at_lo) * sign_of(*at_hi) < 0;
 }
 
-/* Halves lo .. hi as the rough slope says, to a millionth of an e-fold. */
-static void narrow(struct typed_curve *c, long double *lo, long double *hi)
+static long double rough_of(const void *ctx, long double x)
 {
-    const long double aside = 5e-7L;
-    const bool rises = rough(c, *lo) > 0;
-    long double from = *lo, to = *hi;
+    const struct extrema *e = ctx;
 
-    while (to - from > aside) {
-        const long double middle = (from + to) / 2;
-        *((rough(c, middle) > 0) == rises ? &from : &to) = middle;
-    }
-    *lo = fmaxl(*lo, from - aside);
-    *hi = fminl(*hi, to + aside);
+    return rough(e->c, x);
+}
+
+/* What the rough slope says of where in lo .. hi it is. */
+static void narrow(struct extrema *e, long double *lo, long double *hi)
+{
+    const long double aside = (long double) TOL_EXTREMUM_ASIDE;
+    struct newton_root_long root;
+
+    if (newton_find_long(rough_of, e, *lo, *hi, aside, &root) != STATUS_OK)
+        return;
+    *lo = fmaxl(*lo, root.x - aside);
+    *hi = fminl(*hi, root.x + aside);
 }
 
 /* By false position, the older end's slope halved (Illinois). */
@@ -111,7 +114,7 @@ static void between(struct extrema *e, long double lo, long double hi)
 
     if (e->n == 4)
         return;
-    narrow(e->c, &near, &far);
+    narrow(e, &near, &far);
     if (turns(e, near, far, &at_lo, &at_hi)) {
         lo = near;
         hi = far;
@@ -119,7 +122,7 @@ static void between(struct extrema *e, long double lo, long double hi)
         return;
     }
     long double x = lo, before = hi;
-    for (int i = 0; i < 60 && fabsl(x - before) > 1e-19L * (1 + fabsl(x));
+    for (int i = 0; i < 60 && fabsl(x - before) > LDBL_EPSILON * (1 + fabsl(x));
          i++) {
         before = x;
         x = hi - (long double) (at_hi / (at_hi - at_lo)) * (hi - lo);
@@ -150,7 +153,7 @@ static bool dips(const struct extrema *e, long double lo, long double hi,
             lo = s;
     }
     *at = (lo + hi) / 2;
-    return sign_at(e->c, *at) == (rises ? -1 : 1);
+    return sign_of(law_curve_slope(e->c, *at)) == (rises ? -1 : 1);
 }
 
 /* In steps of at most an e-fold from lo to hi. */
@@ -158,7 +161,7 @@ static void look_between(struct extrema *e, long double lo, long double hi)
 {
     const int steps = (int) ceill(hi - lo);
     const long double h = (hi - lo) / (long double) steps;
-    const long double off = 1e-3L; /* at a step's end the sign is uncertain */
+    const long double off = (long double) TOL_EXTREMUM_ROOM;
     long double at, slope[3] = { 0, 0, 0 };
 
     for (int i = 0; i <= steps; i++) {
@@ -183,7 +186,7 @@ static bool bends(const long double mu[3])
 {
     const long double bend = mu[0] - 2 * mu[1] + mu[2];
 
-    return fabsl(bend) > 1e-13L * (1 + fabsl(mu[1]));
+    return fabsl(bend) > (long double) TOL_STRAIGHT * (1 + fabsl(mu[1]));
 }
 
 size_t law_typed_extrema(const struct law *law, const struct material *m,
@@ -191,7 +194,7 @@ size_t law_typed_extrema(const struct law *law, const struct material *m,
 {
     struct typed_curve c;
     enum { STEP = 3 };
-    const long double edge = 2e-3L; /* slopes are taken a bit to both sides */
+    const long double edge = (long double) TOL_EXTREMUM_ROOM;
     struct extrema e = { &c, x, 0 };
     long double lo, hi, done, from = NAN, mu[3] = { 0, 0, 0 };
 

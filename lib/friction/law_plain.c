@@ -1,10 +1,11 @@
-/* Identities are held to 1e-13 at some places each: formulas that agree there
- * agree. */
+/* Identities are held to TOL_IDENTITY at some places each: formulas that agree
+ * there agree. */
 #include "law_plain.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "friction_tolerance.h"
 #include "law_root.h"
 #include "slope.h"
 
@@ -21,7 +22,7 @@ static void place_at(const struct law *law, const struct material *m,
     struct formula_value leaf[LAW_VALUES];
 
     p->t = law->typed;
-    law_typed_values(p->t, m, tan_alpha, x, y, leaf);
+    law_values(law, m, tan_alpha, x, y, leaf);
     formula_long_constants(&p->t->plain, leaf, NULL, p->value);
 }
 
@@ -49,7 +50,7 @@ struct law_plain_slope law_plain_slope(const struct law *law,
 
 static bool is_near(long double u, long double w)
 {
-    return fabsl(u - w) <= 1e-13L * (fabsl(u) + fabsl(w));
+    return fabsl(u - w) <= (long double) TOL_IDENTITY * (fabsl(u) + fabsl(w));
 }
 
 /* The chart's y of psi_ss. */
@@ -92,7 +93,8 @@ bool law_plain_theta_is_log(const struct law *law, const struct material *m)
     for (long double y = -3; y < 4; y += 1.7L) {
         place_at(law, &bare, 0, 0, y, &p);
         place_at(law, &bare, 0, 0, y + 1, &q);
-        if (fabsl(q.value[q.t->theta] - p.value[p.t->theta] - 1) > 1e-13L)
+        if (fabsl(q.value[q.t->theta] - p.value[p.t->theta] - 1) >
+            (long double) TOL_IDENTITY)
             return false;
     }
     return true;

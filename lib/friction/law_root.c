@@ -1,6 +1,6 @@
 /* From psi = 1/v (-ln v where psi is a logarithm) in steps that double, the way
  * that psi itself would go, until its rate turns; then between both (newton.h),
- * and by secants in 113 bits. */
+ * and by Newton's steps in 113 bits. */
 #include "law_root.h"
 
 #include <math.h>
@@ -9,6 +9,7 @@
 
 #include "newton.h"
 #include "quad.h"
+#include "slope.h"
 #include "tolerance.h"
 
 struct at {
@@ -16,11 +17,11 @@ struct at {
     struct formula_value leaf[LAW_VALUES];
 };
 
-static void place(struct at *at, const struct law_typed *t,
+static void place(struct at *at, const struct law *law,
                   const struct material *m, formula_real x)
 {
-    at->t = t;
-    law_typed_values(t, m, 0, x, 0, at->leaf);
+    at->t = law->typed;
+    law_values(law, m, 0, x, 0, at->leaf);
 }
 
 /* dpsi/dt at y */
@@ -36,20 +37,23 @@ static long double rate(const void *ctx, long double y)
     return value[at->t->rate];
 }
 
-static quad rate_quad(const struct at *at, quad y)
+/* A step of Newton's in 113 bits; 0 where the rate does not fall. */
+static quad newton_step(const struct at *at, quad y)
 {
+    const struct formula *f = &at->t->growth;
     struct formula_value leaf[LAW_VALUES];
-    quad value[FORMULA_NODES];
+    quad value[FORMULA_NODES], slope[FORMULA_NODES];
 
     memcpy(leaf, at->leaf, sizeof leaf);
     leaf[LAW_Y0].value = y;
-    formula_constants(&at->t->growth, leaf, NULL, 0, value);
-    return value[at->t->rate];
+    formula_constants(f, leaf, NULL, 0, value);
+    formula_slopes(f, value, formula_find(f, "y0", 2), slope);
+    return slope[at->t->rate] < 0 ? value[at->t->rate] / slope[at->t->rate] : 0;
 }
 
-static bool is_root(const struct law_typed *t)
+static bool is_root(const struct law *law)
 {
-    return t->text[LAW_PSI_SS][0] == '\0';
+    return law->typed && law->typed->text[LAW_PSI_SS][0] == '\0';
 }
 
 static long double find(const struct at *at, long double guess)
@@ -78,34 +82,28 @@ static long double find(const struct at *at, long double guess)
     return (long double) NAN;
 }
 
-long double law_root(const struct law_typed *t, const struct material *m,
+long double law_root(const struct law *law, const struct material *m,
                      long double x)
 {
     struct at at;
 
-    if (!is_root(t))
+    if (!is_root(law))
         return 0;
-    place(&at, t, m, x);
+    place(&at, law, m, x);
     return find(&at, -x);
 }
 
-formula_real law_root_quad(const struct law_typed *t, const struct material *m,
+formula_real law_root_quad(const struct law *law, const struct material *m,
                            formula_real x)
 {
-    const quad h = 1e-12;
     struct at at;
 
-    if (!is_root(t))
+    if (!is_root(law))
         return 0;
-    place(&at, t, m, x);
+    place(&at, law, m, x);
     quad y = find(&at, (long double) -x);
-    for (int i = 0; i < 3; i++) {
-        const quad here = rate_quad(&at, y);
-        const quad slope =
-            (rate_quad(&at, y + h) - rate_quad(&at, y - h)) / (2 * h);
-        if (here != 0 && slope < 0)
-            y -= here / slope;
-    }
+    for (int i = 0; i < 3; i++)
+        y -= newton_step(&at, y);
     return y;
 }
 
@@ -142,7 +140,7 @@ static enum status check_at(const struct at *at, long double x, bool *found,
     return STATUS_OK;
 }
 
-enum status law_root_check(const struct law_typed *t, const struct material *m,
+enum status law_root_check(const struct law *law, const struct material *m,
                            struct fault *why)
 {
     enum { FAR = 40, STEP = 4 };
@@ -150,11 +148,11 @@ enum status law_root_check(const struct law_typed *t, const struct material *m,
     bool found = false;
     struct at at;
 
-    for (int x = -FAR; x <= FAR && s == STATUS_OK && is_root(t); x += STEP) {
-        place(&at, t, m, x);
+    for (int x = -FAR; x <= FAR && s == STATUS_OK && is_root(law); x += STEP) {
+        place(&at, law, m, x);
         s = check_at(&at, x, &found, why);
     }
-    if (s == STATUS_OK && is_root(t) && !found)
+    if (s == STATUS_OK && is_root(law) && !found)
         return refuse(why, "it is 0 at no psi", 0);
     return s;
 }

@@ -9,16 +9,16 @@
 
 /* The chart's y at x = ln v; NaN where dpsi/dt is 0 at no psi.  0 for laws with
  * a psi_ss. */
-long double law_root(const struct law_typed *t, const struct material *m,
+long double law_root(const struct law *law, const struct material *m,
                      long double x);
 /* The same to 113 bits. */
-formula_real law_root_quad(const struct law_typed *t, const struct material *m,
+formula_real law_root_quad(const struct law *law, const struct material *m,
                            formula_real x);
 
 /* STATUS_BAD_SCENE with a reason where psi_ss is no function of v as far as a
  * search can tell: dpsi/dt is 0 at no psi, or at several, or psi leaves where
  * it is 0. */
-MUST_CHECK enum status law_root_check(const struct law_typed *t,
+MUST_CHECK enum status law_root_check(const struct law *law,
                                       const struct material *m,
                                       struct fault *why);
 

@@ -1,90 +1,71 @@
-/* The components of laws as formulas; no other place has them as text. */
 #include "law_tape.h"
 
 #include <assert.h>
+#include <math.h>
+#include <stdatomic.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "law_typed.h"
 #include "parse.h"
+#include "quad.h"
 
-/* one_R is 1/R: R may be infinite. */
-static const char *const theta_formula[THETAS] = {
-    [THETA_LN_PSI] = "ln(psi)",
-    [THETA_PSI] = "psi",
-    [THETA_LN_C_PSI] = "ln(c + psi)",
-    [THETA_LN_C_1PR_PSI] = "ln(c + (1 + R)*psi)",
-};
-static const char *const psi_ss_formula[PSI_SSES] = {
-    [PSI_SS_INVERSE] = "1/v",
-    [PSI_SS_MINUS_LOG] = "-ln(v)",
-    [PSI_SS_SPINODAL] = "(1 + one_R)/(one_R + v)",
-    [PSI_SS_SPINODAL_UNIT] = "one_R/(one_R + v)",
-    [PSI_SS_LAMBERT] = "exp(lambert(v/V_c))/v",
-};
-static const char *const mu_formula[FRICTION_FORMS] = {
-    [FRICTION_ASINH] = "a*asinh(v/2*exp((mu_star + b*theta)/a))",
-    [FRICTION_LOG] = "mu_star + a*ln(v) + b*theta",
-};
-/* The last is exp(-v/V_c) - v psi ln(v psi). */
-static const char *const rate_formula[KINETICSES] = {
-    [KINETICS_LINEAR] = "-(psi - psi_ss)/T",
-    [KINETICS_SINH] = "-sinh(psi - psi_ss)/T",
-    [KINETICS_COMPOSITE] = "v*psi*(exp(-v/V_c - ln(v*psi)) - ln(v*psi))",
-};
+/* ---- names --------------------------------------------------------------- */
 
-/* A law as text: what each name of the model stands for; rate is dpsi/dt. */
-struct law_text {
-    const char *theta, *psi_ss, *T, *K, *mu, *rate; /* NULL: there is none */
-    bool real;                                      /* psi: any number */
-    bool typed;
-    char buffer[200];
+/* By sign: a formula may be positive whatever its parameters are. */
+static const struct {
+    const char *name;
+    bool positive;
+} model[] = {
+    { "tan_alpha", true },
+    { "mu_star", false },
+    { "a", true },
+    { "b", true },
+    { "c", true },
+    { "R", true },
+    { "V_c", true },
+    { "eps2", true },
+    [LAW_LNV0] = { "lnv0", false },
+    [LAW_Y0] = { "y0", false },
 };
+enum { MODEL = sizeof model / sizeof *model };
+_Static_assert(MODEL + LAW_OWNS + 1 == LAW_VALUES, "one value a name");
 
-/* ---- text ---------------------------------------------------------------- */
-
-/* T, of the terms of ln(1/T) */
-static void write_timescale(const struct law *law, char *text, size_t size)
+static enum formula_leaf leaf_of(bool positive)
 {
-    const struct timescale_terms *t = law_timescale(law);
-
-    snprintf(text, size,
-             "exp(%d*ln(R) - (%d)*ln(v) - (%d)*ln(one_R + v) - (%d)*psi_ss",
-             t->ln_r, t->ln_v, t->ln_r_plus_v, t->psi_ss);
-    if (t->ln_psi_ss)
-        snprintf(text + strlen(text), size - strlen(text), " - (%d)*ln(psi_ss)",
-                 t->ln_psi_ss);
-    strcat(text, ")");
+    return positive ? FORMULA_POSITIVE_PARAMETER : FORMULA_PARAMETER;
 }
 
-static const char *given(const char *text)
-{
-    return text[0] ? text : NULL;
-}
-
-static void text_of(const struct law *law, struct law_text *out)
+void law_names(const struct law *law, struct formula *f)
 {
     const struct law_typed *t = law->typed;
 
-    *out = (struct law_text){ .real = law_psi_is_log(law) };
-    out->typed = t != NULL;
-    if (t) {
-        out->theta = given(t->text[LAW_THETA]);
-        out->psi_ss = given(t->text[LAW_PSI_SS]);
-        out->T = given(t->text[LAW_T]);
-        out->K = given(t->text[LAW_K]);
-        out->mu = given(t->text[LAW_MU]);
-        out->rate = given(t->text[LAW_RATE]);
-        out->mu = out->mu ? out->mu : mu_formula[law->form];
-        out->rate = out->rate ? out->rate : out->K ? "-K/T" : "-d/T";
-        return;
-    }
-    write_timescale(law, out->buffer, sizeof out->buffer);
-    out->theta = theta_formula[law->theta];
-    out->psi_ss = psi_ss_formula[law->psi_ss];
-    out->T = out->buffer;
-    out->mu = mu_formula[law->form];
-    out->rate = rate_formula[law->kinetics];
+    formula_init(f);
+    for (int i = 0; i < MODEL; i++)
+        formula_leaf(f, model[i].name, leaf_of(model[i].positive));
+    for (int i = 0; t && i < t->owns; i++)
+        formula_leaf(f, t->own[i].name, leaf_of(t->own[i].value > 0));
+}
+
+void law_values(const struct law *law, const struct material *m,
+                formula_real tan_alpha, formula_real x, formula_real y,
+                struct formula_value out[LAW_VALUES])
+{
+    const quad V = m->V_star, gL = (quad) m->g * (quad) m->L;
+    /* as good as infinite beside any v >= 1e-300, and not too large for 113
+     * bits */
+    const quad R = isinf(m->R) ? (quad) 1e4000L : m->R;
+    const quad value[MODEL] = {
+        tan_alpha, m->mu_star, m->a, m->b, m->c, R, m->V_c, V * V / gL, x, y,
+    };
+    int n = 0;
+
+    for (; n < MODEL; n++)
+        out[n] = (struct formula_value){ model[n].name, value[n] };
+    for (int i = 0; law->typed && i < law->typed->owns; i++)
+        out[n++] = (struct formula_value){ law->typed->own[i].name, m->own[i] };
+    out[n] = (struct formula_value){ NULL, 0 };
 }
 
 /* ---- reading ------------------------------------------------------------- */
@@ -111,9 +92,10 @@ static int define(struct reading *r, const char *name, const char *text)
 }
 
 /* At lnv0 on the steady curve. */
-static void anchor(struct reading *r, const struct law_text *text,
+static void anchor(struct reading *r, const struct law *law,
                    struct plane_formulas *p)
 {
+    const char *psi_ss = law_text(law, LAW_PSI_SS);
     struct formula *f = r->f;
 
     p->chart[0] = formula_find(f, "lnv0", 4);
@@ -121,9 +103,9 @@ static void anchor(struct reading *r, const struct law_text *text,
     formula_define(f, "v0", p->at[0]);
     formula_define(f, "v", p->at[0]);
     const int y0 = formula_find(f, "y0", 2);
-    const int psi0 = text->psi_ss ? define(r, "psi0", text->psi_ss)
-                     : text->real ? y0
-                                  : formula_of(f, FUNCTION_EXP, y0);
+    const int psi0 = psi_ss                ? define(r, "psi0", psi_ss)
+                     : law_psi_is_log(law) ? y0
+                                           : formula_of(f, FUNCTION_EXP, y0);
     *r->name = "psi_ss";
     if (r->status == STATUS_OK && f->node[psi0].moves) {
         snprintf(r->why->text, sizeof r->why->text,
@@ -135,25 +117,27 @@ static void anchor(struct reading *r, const struct law_text *text,
 }
 
 /* The plane (17), and mu beside it. */
-static void name_plane(struct reading *r, const struct law_text *text,
+static void name_plane(struct reading *r, const struct law *law,
                        struct plane_formulas *p)
 {
+    const char *psi_ss = law_text(law, LAW_PSI_SS), *K = law_text(law, LAW_K),
+               *rate = law_text(law, LAW_RATE);
+
     formula_define(r->f, "v", p->state[0]);
-    define(r, "theta", text->theta);
-    define(r, "psi_ss", text->psi_ss);
-    if (text->typed && text->psi_ss)
-        define(r, "d", "psi - psi_ss");
-    define(r, "T", text->T);
-    define(r, "K", text->K);
-    p->value[0] = define(r, "mu", text->mu);
+    define(r, "theta", law_text(law, LAW_THETA));
+    define(r, "psi_ss", psi_ss);
+    define(r, "d", psi_ss ? "psi - psi_ss" : NULL);
+    define(r, "T", law_text(law, LAW_T));
+    define(r, "K", K);
+    p->value[0] = define(r, "mu", law_text_mu(law));
     p->values = 1;
     p->rate[0] = define(r, "dv",
                         "(tan_alpha - mu)/"
                         "(eps2*sqrt(1 + tan_alpha*tan_alpha))");
-    p->rate[1] = define(r, "dpsi", text->rate);
+    p->rate[1] = define(r, "dpsi", rate ? rate : K ? "-K/T" : "-d/T");
 }
 
-/* In the order of enum block_observable (field.h). */
+/* In the order of enum block_observable (block.h). */
 static void observe(struct reading *r, struct plane_formulas *p)
 {
     p->observable[0] = define(r, "slip", "v");
@@ -162,19 +146,20 @@ static void observe(struct reading *r, struct plane_formulas *p)
     p->observables = 3;
 }
 
-static enum status make(const struct law_text *text, bool equilibrium,
-                        bool observed, struct tape_lowered *out,
-                        const char **name, struct fault *why)
+static enum status make(const struct law *law, bool equilibrium, bool observed,
+                        struct tape_lowered *out, const char **name,
+                        struct fault *why)
 {
     struct plane_formulas *p = &out->p;
     struct reading r = { &out->f, STATUS_OK, name, why };
 
     *p = (struct plane_formulas){ .zero = { equilibrium, true } };
     p->state[0] = formula_leaf(&out->f, "v", FORMULA_POSITIVE_STATE);
-    p->state[1] = formula_leaf(
-        &out->f, "psi", text->real ? FORMULA_STATE : FORMULA_POSITIVE_STATE);
-    anchor(&r, text, p);
-    name_plane(&r, text, p);
+    p->state[1] = formula_leaf(&out->f, "psi",
+                               law_psi_is_log(law) ? FORMULA_STATE
+                                                   : FORMULA_POSITIVE_STATE);
+    anchor(&r, law, p);
+    name_plane(&r, law, p);
     if (observed)
         observe(&r, p);
     *name = r.status == STATUS_OK ? NULL : *name;
@@ -182,24 +167,62 @@ static enum status make(const struct law_text *text, bool equilibrium,
                                  : r.status;
 }
 
-void law_tape(const struct law *law, bool equilibrium, struct tape_lowered *out)
+/* tests/friction/test_law_tape.c: every composition */
+static void make_surely(const struct law *law, bool equilibrium, bool observed,
+                        struct tape_lowered *out)
 {
-    struct law_text text;
     struct fault why;
     const char *name;
+    const enum status s = make(law, equilibrium, observed, out, &name, &why);
 
-    text_of(law, &text);
-    const enum status s = make(&text, equilibrium, false, out, &name, &why);
-    assert(s == STATUS_OK); /* tests/friction/test_field_text.c: every law */
+    assert(s == STATUS_OK);
     (void) s;
+}
+
+void law_tape(const struct law *law, bool equilibrium, struct tape_lowered *out)
+{
+    make_surely(law, equilibrium, false, out);
 }
 
 enum status law_tape_observed(const struct law *law, bool equilibrium,
                               struct tape_lowered *out, const char **name,
                               struct fault *why)
 {
-    struct law_text text;
+    return make(law, equilibrium, true, out, name, why);
+}
 
-    text_of(law, &text);
-    return make(&text, equilibrium, true, out, name, why);
+/* ---- kept ---------------------------------------------------------------- */
+
+typedef _Atomic(struct tape_lowered *) kept_tape;
+
+static kept_tape *place_of(const struct law *law, bool equilibrium)
+{
+    static kept_tape kept[FRICTION_FORMS][THETAS][PSI_SSES][TIMESCALES]
+                         [KINETICSES][2];
+
+    return &kept[law->form][law->theta][law->psi_ss][law->timescale]
+                [law->kinetics][equilibrium];
+}
+
+const struct tape_lowered *law_tape_kept(const struct law *law,
+                                         bool equilibrium,
+                                         struct tape_lowered *room)
+{
+    kept_tape *place = place_of(law, equilibrium);
+    struct tape_lowered *there = atomic_load(place), *made;
+
+    if (law->typed)
+        return &law->typed->tape[equilibrium];
+    if (there)
+        return there;
+    law_names(law, &room->f);
+    make_surely(law, equilibrium, true, room);
+    made = malloc(sizeof *made);
+    if (made == NULL)
+        return room;
+    *made = *room;
+    if (atomic_compare_exchange_strong(place, &there, made))
+        return made;
+    free(made); /* another thread was sooner */
+    return there;
 }

@@ -8,10 +8,27 @@
 #include "law.h"
 #include "tape_plane.h"
 
+/* ---- the names that formulas may have ------------------------------------ */
+
+enum { LAW_VALUES = 27 };
+
+/* Two of their values. */
+enum { LAW_LNV0 = 8, LAW_Y0 = 9 };
+
+/* A new graph of them. */
+void law_names(const struct law *law, struct formula *f);
+
+/* Ended by none; at x = ln v and the chart's y. */
+void law_values(const struct law *law, const struct material *m,
+                formula_real tan_alpha, formula_real x, formula_real y,
+                struct formula_value out[LAW_VALUES]);
+
+/* ---- tapes --------------------------------------------------------------- */
+
 /* Rates of the chart (ln v, ln psi) or (ln v, psi) per t*; value 0 is mu.
- * out->f must know the constants tan_alpha, mu_star, a, b, c, R, one_R (1/R: R
- * may be infinite), V_c, eps2 and lnv0, where the steady curve is left from:
- * psi stands still there, and v, too, if it is an equilibrium. */
+ * out->f must know the constants tan_alpha, mu_star, a, b, c, R, V_c, eps2,
+ * lnv0 and y0, where the steady curve is left from: psi stands still there, and
+ * v, too, if it is an equilibrium.  Of a law that can be used. */
 void law_tape(const struct law *law, bool equilibrium,
               struct tape_lowered *out);
 
@@ -22,5 +39,12 @@ MUST_CHECK enum status law_tape_observed(const struct law *law,
                                          bool equilibrium,
                                          struct tape_lowered *out,
                                          const char **name, struct fault *why);
+
+/* That of law_tape_observed, of law_names: a composition's is made once and
+ * kept as long as the program runs; where there is no memory for it, in
+ * *room. */
+const struct tape_lowered *law_tape_kept(const struct law *law,
+                                         bool equilibrium,
+                                         struct tape_lowered *room);
 
 #endif

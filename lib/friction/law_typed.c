@@ -6,47 +6,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "law_curve.h"
 #include "law_root.h"
 #include "parse.h"
 #include "quad.h"
-
-const char *const law_part_names[] = { "theta", "psi_ss", "T", "K",
-                                       "mu",    "rate",   NULL };
+#include "steady.h"
 
 /* ---- making -------------------------------------------------------------- */
-
-/* By sign: a formula may be positive whatever its parameters are. */
-static const struct {
-    const char *name;
-    bool positive;
-} model[] = {
-    { "tan_alpha", true },
-    { "mu_star", false },
-    { "a", true },
-    { "b", true },
-    { "c", true },
-    { "R", true },
-    { "one_R", true },
-    { "V_c", true },
-    { "eps2", true },
-    [LAW_LNV0] = { "lnv0", false },
-    [LAW_Y0] = { "y0", false },
-};
-enum { MODEL = sizeof model / sizeof *model };
-_Static_assert(MODEL + LAW_OWNS + 1 == LAW_VALUES, "one value a name");
-
-static void name_constants(const struct law_typed *t, struct formula *f)
-{
-    formula_init(f);
-    for (int i = 0; i < MODEL; i++)
-        formula_leaf(f, model[i].name,
-                     model[i].positive ? FORMULA_POSITIVE_PARAMETER
-                                       : FORMULA_PARAMETER);
-    for (int i = 0; i < t->owns; i++)
-        formula_leaf(f, t->own[i].name,
-                     t->own[i].value > 0 ? FORMULA_POSITIVE_PARAMETER
-                                         : FORMULA_PARAMETER);
-}
 
 static enum law_part part_of(const char *name)
 {
@@ -102,7 +68,9 @@ static int psi_of(const struct law_typed *t, struct formula *f)
 
 static void begin(const struct law_typed *t, struct formula *f)
 {
-    name_constants(t, f);
+    const struct law law = law_of_typed(t);
+
+    law_names(&law, f);
     formula_define(f, "v",
                    formula_of(f, FUNCTION_EXP, formula_find(f, "lnv0", 4)));
 }
@@ -120,13 +88,9 @@ static void make_growth(struct law_typed *t)
     t->rate = part(f, "dpsi", t->text[LAW_RATE]);
 }
 
-static const char *const friction[FRICTION_FORMS] = {
-    [FRICTION_ASINH] = "a*asinh(v/2*exp((mu_star + b*theta)/a))",
-    [FRICTION_LOG] = "mu_star + a*ln(v) + b*theta",
-};
-
 static void make_plain(struct law_typed *t)
 {
+    const struct law law = law_of_typed(t);
     struct formula *f = &t->plain;
     const char *const *text =
         (const char *const[]){ t->text[LAW_THETA], t->text[LAW_PSI_SS],
@@ -139,7 +103,7 @@ static void make_plain(struct law_typed *t)
         part(f, "d", "psi - psi_ss");
     part(f, "T", text[2]);
     part(f, "K", text[3]);
-    part(f, "mu", t->text[LAW_MU][0] ? t->text[LAW_MU] : friction[t->form]);
+    part(f, "mu", law_text_mu(&law));
     t->psi_rate = part(f, "dpsi",
                        t->text[LAW_RATE][0] ? t->text[LAW_RATE]
                        : text[3][0]         ? "-K/T"
@@ -152,6 +116,7 @@ static void make_plain(struct law_typed *t)
 
 static void make_steady(struct law_typed *t)
 {
+    const struct law law = law_of_typed(t);
     struct formula *f = &t->steady;
 
     begin(t, f);
@@ -161,8 +126,7 @@ static void make_steady(struct law_typed *t)
     t->y = t->real ? t->psi : formula_of(f, FUNCTION_LN, t->psi);
     part(f, "theta", t->text[LAW_THETA]);
     part(f, "T", t->text[LAW_T]);
-    t->mu =
-        part(f, "mu", t->text[LAW_MU][0] ? t->text[LAW_MU] : friction[t->form]);
+    t->mu = part(f, "mu", law_text_mu(&law));
 }
 
 enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
@@ -174,7 +138,7 @@ enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
     *wrong = LAW_PARTS;
     for (int i = 0; i < 2 && s == STATUS_OK; i++) {
         const char *name = NULL;
-        name_constants(t, &t->tape[i].f);
+        law_names(&law, &t->tape[i].f);
         s = law_tape_observed(&law, i, &t->tape[i], &name, why);
         *wrong = part_of(name);
     }
@@ -200,75 +164,23 @@ struct law law_of_typed(const struct law_typed *t)
                          .typed = t };
 }
 
-/* ---- presets ------------------------------------------------------------- */
-
 void law_typed_of_preset(const struct law *p, struct law_typed *out)
 {
-    static const char *const theta[THETAS] = {
-        [THETA_LN_PSI] = "ln(psi)",
-        [THETA_PSI] = "psi",
-        [THETA_LN_C_PSI] = "ln(c + psi)",
-        [THETA_LN_C_1PR_PSI] = "ln(c + (1 + R)*psi)",
-    };
-    static const char *const psi_ss[PSI_SSES] = {
-        [PSI_SS_INVERSE] = "1/v",
-        [PSI_SS_MINUS_LOG] = "-ln(v)",
-        [PSI_SS_SPINODAL] = "(1 + R)/(1 + R*v)",
-        [PSI_SS_SPINODAL_UNIT] = "1/(1 + R*v)",
-        [PSI_SS_LAMBERT] = "exp(lambert(v/V_c))/v",
-    };
-    static const char *const timescale[TIMESCALES] = {
-        [TIMESCALE_SLIP] = "1/v",
-        [TIMESCALE_SPINODAL] = "R/(1 + R*v)",
-        [TIMESCALE_AGEING44] = "R*psi_ss",
-        [TIMESCALE_SLIP45] = "R*exp(psi_ss)",
-    };
-
     memset(out, 0, sizeof *out);
     out->real = law_psi_is_log(p);
     out->form = p->form;
-    strcpy(out->text[LAW_THETA], theta[p->theta]);
-    strcpy(out->text[LAW_PSI_SS], psi_ss[p->psi_ss]);
-    if (p->kinetics == KINETICS_COMPOSITE) {
-        strcpy(out->text[LAW_RATE],
-               "v*psi*(exp(-v/V_c - ln(v*psi)) - ln(v*psi))");
-        return;
+    for (int i = 0; i < LAW_PARTS; i++) {
+        const char *text = law_text(p, (enum law_part) i);
+        strcpy(out->text[i], text ? text : "");
     }
-    strcpy(out->text[LAW_T], timescale[p->timescale]);
-    strcpy(out->text[LAW_K], p->kinetics == KINETICS_SINH ? "sinh(d)" : "d");
 }
 
-void law_typed_formula(const struct law_typed *t, char *text, size_t size)
+const char *law_typed_text(const struct law_typed *t, enum law_part part)
 {
-    size_t used = 0;
-
-    text[0] = '\0';
-    for (int i = 0; i < LAW_PARTS && used < size; i++)
-        if (t->text[i][0])
-            used += (size_t) snprintf(
-                text + used, size - used, "%s%s = %s", used ? ", " : "",
-                i == LAW_RATE ? "dpsi/dt" : law_part_names[i], t->text[i]);
+    return t->text[part][0] ? t->text[part] : NULL;
 }
 
 /* ---- numbers ------------------------------------------------------------- */
-
-void law_typed_values(const struct law_typed *t, const struct material *m,
-                      long double tan_alpha, formula_real x, formula_real y,
-                      struct formula_value out[LAW_VALUES])
-{
-    const quad V = m->V_star, gL = (quad) m->g * (quad) m->L;
-    const quad value[MODEL] = {
-        tan_alpha,       m->mu_star, m->a,       m->b, m->c, m->R,
-        1 / (quad) m->R, m->V_c,     V * V / gL, x,    y,
-    };
-    int n = 0;
-
-    for (; n < MODEL; n++)
-        out[n] = (struct formula_value){ model[n].name, value[n] };
-    for (int i = 0; i < t->owns; i++)
-        out[n++] = (struct formula_value){ t->own[i].name, m->own[i] };
-    out[n] = (struct formula_value){ NULL, 0 };
-}
 
 struct typed_steady law_typed_steady(const struct law *law,
                                      const struct material *m, long double x)
@@ -277,40 +189,9 @@ struct typed_steady law_typed_steady(const struct law *law,
     struct formula_value leaf[LAW_VALUES];
     long double value[FORMULA_NODES];
 
-    law_typed_values(t, m, 0, x, law_root(t, m, x), leaf);
+    law_values(law, m, 0, x, law_root(law, m, x), leaf);
     formula_long_constants(&t->steady, leaf, NULL, value);
     return (struct typed_steady){ value[t->y], value[t->psi], value[t->mu] };
-}
-
-void law_curve_init(struct typed_curve *c, const struct law *law,
-                    const struct material *m)
-{
-    const struct law_typed *t = law->typed;
-    const int x = formula_find(&t->steady, model[LAW_LNV0].name,
-                               strlen(model[LAW_LNV0].name));
-    struct formula_value leaf[LAW_VALUES];
-
-    c->law = law;
-    c->m = m;
-    law_typed_values(t, m, 0, 0, 0, leaf);
-    formula_long_constants(&t->steady, leaf, NULL, c->value);
-    c->count = formula_changing(&t->steady, x, (int[]){ t->y, t->psi, t->mu },
-                                3, c->changing);
-    c->count_mu = formula_changing(&t->steady, x, &t->mu, 1, c->of_mu);
-    c->is_exact = false;
-}
-
-/* The first that changes is x. */
-struct typed_steady law_curve_at(struct typed_curve *c, long double x)
-{
-    const struct law_typed *t = c->law->typed;
-
-    if (!t->text[LAW_PSI_SS][0])
-        return law_typed_steady(c->law, c->m, x);
-    c->value[c->changing[0]] = x;
-    formula_long_again(&t->steady, c->changing + 1, c->count - 1, c->value);
-    return (struct typed_steady){ c->value[t->y], c->value[t->psi],
-                                  c->value[t->mu] };
 }
 
 struct typed_steady_quad law_typed_steady_quad(const struct law *law,
@@ -321,64 +202,10 @@ struct typed_steady_quad law_typed_steady_quad(const struct law *law,
     struct formula_value leaf[LAW_VALUES];
     quad value[FORMULA_NODES];
 
-    law_typed_values(t, m, 0, x, law_root_quad(t, m, x), leaf);
+    law_values(law, m, 0, x, law_root_quad(law, m, x), leaf);
     formula_constants(&t->steady, leaf, NULL, 0, value);
     return (struct typed_steady_quad){ value[t->y], value[t->psi],
                                        value[t->mu] };
-}
-
-static quad friction_at(const struct law *law, const struct material *m, quad x)
-{
-    return law_typed_steady_quad(law, m, x).mu;
-}
-
-formula_real law_typed_slope(const struct law *law, const struct material *m,
-                             long double x)
-{
-    const quad h = 1e-9;
-
-    return (friction_at(law, m, x + h) - friction_at(law, m, x - h)) / (2 * h);
-}
-
-static quad curve_friction(struct typed_curve *c, quad x)
-{
-    const struct law_typed *t = c->law->typed;
-
-    if (!t->text[LAW_PSI_SS][0])
-        return friction_at(c->law, c->m, x);
-    c->exact[c->of_mu[0]] = x;
-    formula_again(&t->steady, c->of_mu + 1, c->count_mu - 1, c->exact);
-    return c->exact[t->mu];
-}
-
-formula_real law_curve_slope(struct typed_curve *c, long double x)
-{
-    const quad h = 1e-9;
-    struct formula_value leaf[LAW_VALUES];
-
-    if (!c->is_exact) {
-        law_typed_values(c->law->typed, c->m, 0, 0, 0, leaf);
-        formula_constants(&c->law->typed->steady, leaf, NULL, 0, c->exact);
-        c->is_exact = true;
-    }
-    return (curve_friction(c, x + h) - curve_friction(c, x - h)) / (2 * h);
-}
-
-bool law_typed_anchor(const struct law *law, const struct material *m,
-                      long double tan_alpha, long double x, bool equilibrium,
-                      struct tape_plane *plane)
-{
-    const struct law_typed *t = law->typed;
-    struct formula_value leaf[LAW_VALUES];
-    struct fault why;
-    const quad root = law_root_quad(t, m, x);
-    const quad anchor[2] = { x, t->text[LAW_PSI_SS][0]
-                                    ? law_typed_steady(law, m, x).y
-                                    : root };
-
-    law_typed_values(t, m, tan_alpha, x, root, leaf);
-    return tape_plane_at(&t->tape[equilibrium], leaf, anchor, plane, &why) ==
-           STATUS_OK;
 }
 
 /* ---- around a steady state ----------------------------------------------- */
@@ -401,10 +228,11 @@ struct response law_typed_response(const struct law *law,
 {
     struct tape_plane plane;
     struct planar_jacobian J;
-    const long double slope = (long double) law_typed_slope(law, m, x);
+    struct typed_curve c;
+    law_curve_init(&c, law, m);
+    const long double slope = (long double) law_curve_slope(&c, x);
 
-    if (!law_typed_anchor(law, m, law_typed_steady(law, m, x).mu, x, true,
-                          &plane))
+    if (!steady_plane(law, m, law_typed_steady(law, m, x).mu, x, true, &plane))
         return (struct response){ .slope = slope };
     const struct planar s = tape_planar(&plane);
     const double direct = friction_gradient(&s).x;

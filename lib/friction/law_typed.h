@@ -10,21 +10,7 @@
 #include "law_tape.h"
 #include "response.h"
 
-enum { LAW_LETTERS = 512, LAW_VALUES = 28 };
-
-/* Two of its values. */
-enum { LAW_LNV0 = 9, LAW_Y0 = 10 };
-
-/* In the order in which each may use those before it. */
-enum law_part {
-    LAW_THETA,
-    LAW_PSI_SS,
-    LAW_T,
-    LAW_K, /* of d; K(d) = d unless given */
-    LAW_MU,
-    LAW_RATE, /* dpsi/dt; or T and K; alone: psi_ss is where it is 0 */
-    LAW_PARTS
-};
+enum { LAW_LETTERS = 512 };
 
 /* A name of the law's own; not one of the model's.  Its value is that of the
  * material, of the same sign as this one. */
@@ -52,8 +38,6 @@ struct law_typed {
     int rate;              /* dpsi/dt anywhere */
 };
 
-extern const char *const law_part_names[]; /* "theta" ..., NULL-ended */
-
 /* Makes the rest.  STATUS_BAD_SCENE with a reason where a part, *wrong, cannot
  * be read or used; *wrong is LAW_PARTS where one is missing. */
 MUST_CHECK enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
@@ -62,37 +46,19 @@ MUST_CHECK enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
 /* The law; borrows t. */
 struct law law_of_typed(const struct law_typed *t);
 
+/* As law_text. */
+const char *law_typed_text(const struct law_typed *t, enum law_part part);
+
 /* A preset as formulas, to be made. */
 void law_typed_of_preset(const struct law *preset, struct law_typed *out);
 
 /* ---- for this folder ----------------------------------------------------- */
-
-/* All names that its formulas may have, at x = ln v and y, ended by none. */
-void law_typed_values(const struct law_typed *t, const struct material *m,
-                      long double tan_alpha, formula_real x, formula_real y,
-                      struct formula_value out[LAW_VALUES]);
 
 struct typed_steady {
     long double y, psi, mu; /* chart's y, psi_ss and mu_ss at x = ln v */
 };
 struct typed_steady law_typed_steady(const struct law *law,
                                      const struct material *m, long double x);
-
-/* The same at many x, sooner: what does not change with x is made once. */
-struct typed_curve {
-    const struct law *law;    /* borrowed */
-    const struct material *m; /* borrowed */
-    long double value[FORMULA_NODES];
-    short changing[FORMULA_NODES], of_mu[FORMULA_NODES];
-    int count, count_mu; /* of them */
-    formula_real exact[FORMULA_NODES];
-    bool is_exact; /* exact[] is made */
-};
-void law_curve_init(struct typed_curve *c, const struct law *law,
-                    const struct material *m);
-struct typed_steady law_curve_at(struct typed_curve *c, long double x);
-/* As law_typed_slope. */
-formula_real law_curve_slope(struct typed_curve *c, long double x);
 
 /* The same in 113 bits. */
 struct typed_steady_quad {
@@ -101,10 +67,6 @@ struct typed_steady_quad {
 struct typed_steady_quad law_typed_steady_quad(const struct law *law,
                                                const struct material *m,
                                                formula_real x);
-
-/* d mu_ss/dx in 113 bits, to 1e-16 of its scale */
-formula_real law_typed_slope(const struct law *law, const struct material *m,
-                             long double x);
 
 /* Extrema of mu_ss, ascending, at most 4. */
 size_t law_typed_extrema(const struct law *law, const struct material *m,
@@ -120,13 +82,5 @@ struct response law_typed_response(const struct law *law,
 
 /* Whether a name of the model or of its own can change anything. */
 bool law_typed_uses(const struct law_typed *t, const char *name);
-
-/* As law_formula. */
-void law_typed_formula(const struct law_typed *t, char *text, size_t size);
-
-/* As block_anchor; false where a formula has no value there. */
-bool law_typed_anchor(const struct law *law, const struct material *m,
-                      long double tan_alpha, long double x, bool equilibrium,
-                      struct tape_plane *plane);
 
 #endif

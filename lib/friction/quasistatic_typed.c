@@ -5,8 +5,10 @@
 
 #include <math.h>
 
+#include "friction_tolerance.h"
 #include "law_typed.h"
 #include "newton.h"
+#include "tolerance.h"
 
 /* ---- friction and rates -------------------------------------------------- */
 
@@ -73,7 +75,7 @@ static double solve(const struct search *s, double X)
             return X;
     }
     const double middle = isfinite(X) ? X : 0.0;
-    for (double h = 1e-12 * (1.0 + fabs(middle)); h < 1e15; h *= 8.0)
+    for (double h = TOL_BRACKET * (1.0 + fabs(middle)); isfinite(h); h *= 8.0)
         if (lacking(s, middle - h) < 0.0 && lacking(s, middle + h) > 0.0)
             return newton_find(lacking, s, middle - h, middle + h, 0.0,
                                &root) == STATUS_OK
@@ -105,7 +107,7 @@ double quasistatic_typed_above(const struct block *b, double X, double Y,
 
     run_at(b, X, Y, &r);
     const double d = excess / gradient_of(b, &r).x;
-    return d < 1e-7 || !isfinite(d) ? d : solve(&s, X + d) - X;
+    return d < TOL_TANGENT || !isfinite(d) ? d : solve(&s, X + d) - X;
 }
 
 double quasistatic_typed_log_rate(const struct block *b, double X, double Y)
@@ -155,7 +157,7 @@ bool quasistatic_typed_is_linear(const struct block *b)
                  three = growth_at(b, 3.0);
     const double size = fabs(one) + fabs(two) + fabs(three);
 
-    return fabs(one - 2.0 * two + three) <= 1e-10 * size;
+    return fabs(one - 2.0 * two + three) <= TOL_LINEAR * size;
 }
 
 /* ---- quadrants ------------------------------------------------------------
@@ -163,8 +165,6 @@ bool quasistatic_typed_is_linear(const struct block *b)
 
 bool quasistatic_typed_traps(const struct block *b)
 {
-    const double digits = 1e-12;
-
     for (double h = 0x1p-6; h < 256.0; h *= 2.0)
         for (int side = -1; side <= 1; side += 2) {
             struct run r;
@@ -172,7 +172,7 @@ bool quasistatic_typed_traps(const struct block *b)
             const double force = real_tape_mantissa(r.t, 0, r.reg);
             run_at(b, side * h, 0.0, &r);
             const double rate = real_tape_mantissa(r.t, 1, r.reg);
-            if (force * side > digits || rate * side > digits)
+            if (force * side > TOL_SIGN || rate * side > TOL_SIGN)
                 return false;
         }
     return true;
@@ -212,7 +212,7 @@ static void go(const struct block *b, struct way *w)
             break;
         run_at(b, X, Y, &r);
         const double mantissa = real_tape_mantissa(r.t, 1, r.reg);
-        if (!(fabs(mantissa) > 1e-13 * terms_of(&r)))
+        if (!(fabs(mantissa) > TOL_SIGN_PART * terms_of(&r)))
             break;
         w->stops = mantissa <= 0.0;
         w->count = w->stops ? 0 : w->count;
@@ -237,23 +237,25 @@ static double power(const double h[], int n, int k)
 /* Whether p goes on as it has: it grows, or it has settled. */
 static enum sum sum_of(const double h[], int n)
 {
-    const double margin = 0.02;
-
     if (n < 6)
         return SUM_UNKNOWN;
     const double p = power(h, n, 0), q = power(h, n, 1), r = power(h, n, 2);
-    const bool grows = fabs(p) > 1.3 * fabs(q) && fabs(q) > 1.3 * fabs(r) &&
-                       (p > 0) == (q > 0) && fabs(p) > 2.0;
-    const bool settled = fabs(p - q) <= 0.01 * fmax(1.0, fabs(p)) &&
-                         fabs(p - q) <= 0.75 * fabs(q - r) + 1e-6;
+    const bool grows = fabs(p) > TOL_POWER_GROWTH * fabs(q) &&
+                       fabs(q) > TOL_POWER_GROWTH * fabs(r) &&
+                       (p > 0) == (q > 0) && fabs(p) > TOL_POWER_LARGE;
+    const bool settled =
+        fabs(p - q) <= TOL_POWER_SETTLED * fmax(1.0, fabs(p)) &&
+        fabs(p - q) <= TOL_POWER_FALL * fabs(q - r) + TOL_POWER_NOISE;
 
     if (!grows && !settled)
         return SUM_UNKNOWN;
-    if (fabs(p - 1.0) > margin)
+    if (fabs(p - 1.0) > TOL_POWER_ONE)
         return p > 1.0 ? SUM_ENDS : SUM_OPEN;
     /* 1/(Y ln^s Y): p - 1 = s/ln Y, and s > 1 would have an end */
     const double s = (p - 1.0) * (n - 1) * M_LN2;
-    return s < 0.5 ? SUM_OPEN : s > 1.5 ? SUM_ENDS : SUM_UNKNOWN;
+    return fabs(s - 1.0) < TOL_POWER_LOG ? SUM_UNKNOWN
+           : s > 1.0                     ? SUM_ENDS
+                                         : SUM_OPEN;
 }
 
 static struct block_end end_of(const struct way *w)
@@ -291,18 +293,20 @@ static bool is_inertial(const struct block *b, const struct way *w)
     if (isinf(last))
         return last > 0.0;
     return n > 2 && last > w->x[n - 2] + w->rate[n - 2] &&
-           last - b->at.x0 - b->at.log_inertia > 20.0;
+           last - b->at.x0 - b->at.log_inertia > TOL_INERTIA_LN;
 }
 
 /* mu_ss(v) as v goes to 0, or at the last v at which it is a number, where it
  * is past all bounds; NaN: neither. */
 static long double last_friction(const struct block *b)
 {
-    const bool is_low = b->steady.lo < -600.0L;
-    const long double x = b->steady.lo + (is_low ? 1.0L : 1e-3L);
+    const bool is_low = b->steady.lo <= -(long double) TOL_LN_RANGE;
+    const long double x =
+        b->steady.lo + (is_low ? 0 : (long double) TOL_EXTREMUM_ROOM);
     const long double mu = law_typed_steady(&b->law, &b->material, x).mu;
 
-    return is_low || mu > 100.0L ? mu : (long double) NAN;
+    return is_low || mu > (long double) TOL_FRICTION_MOST ? mu
+                                                          : (long double) NAN;
 }
 
 struct block_end quasistatic_typed_end(const struct block *b)

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "law_root.h"
 #include "law_typed.h"
 
 #define T       long double
@@ -245,4 +246,21 @@ void steady_anchor(const struct law *law, const struct material *m,
         .log_kappa0 = (double) p.log_kappa0,
         .log_composite = (double) p.log_composite,
     };
+}
+
+bool steady_plane(const struct law *law, const struct material *m,
+                  long double tan_alpha, long double x, bool equilibrium,
+                  struct tape_plane *plane)
+{
+    const formula_real root = law_root_quad(law, m, x);
+    const formula_real anchor[2] = { x, law_text(law, LAW_PSI_SS)
+                                            ? steady_y(law, m, x)
+                                            : root };
+    struct formula_value leaf[LAW_VALUES];
+    struct tape_lowered room;
+    struct fault why;
+
+    law_values(law, m, tan_alpha, x, root, leaf);
+    return tape_plane_at(law_tape_kept(law, equilibrium, &room), leaf, anchor,
+                         plane, &why) == STATUS_OK;
 }

@@ -6,6 +6,7 @@
 #define FRICTION_STEADY_H
 
 #include "anchor.h"
+#include "tape_plane.h"
 
 /* mu_ss(v), x = ln v, and the log form's mu_star + a ln v + b theta_ss(v). */
 long double steady_mu(const struct law *law, const struct material *m,
@@ -44,5 +45,10 @@ long double steady_x_max(const struct law *law);
 void steady_anchor(const struct law *law, const struct material *m,
                    long double tan_alpha, long double x, bool equilibrium,
                    struct anchor *at);
+
+/* The field around it; false where a formula has no value there. */
+bool steady_plane(const struct law *law, const struct material *m,
+                  long double tan_alpha, long double x, bool equilibrium,
+                  struct tape_plane *plane);
 
 #endif

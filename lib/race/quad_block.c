@@ -46,28 +46,13 @@ quad quad_block_equilibrium(const struct law *law, const struct material *m,
     return lo;
 }
 
-/* The names that law_tape needs. */
-static void name_constants(struct formula *f, const struct formula_value leaf[])
-{
-    for (; leaf->name; leaf++)
-        formula_leaf(f, leaf->name,
-                     leaf->value >= 0 ? FORMULA_POSITIVE_PARAMETER
-                                      : FORMULA_PARAMETER);
-}
-
 /* Of a law of formulas: what its tape does not hold. */
 static void typed_anchor(const struct law *law, const struct material *m,
                          quad tan_alpha, quad x, bool equilibrium,
                          struct quad_anchor *at)
 {
     const struct typed_steady_quad s = law_typed_steady_quad(law, m, x);
-    const struct tape_lowered *tape = &law->typed->tape[equilibrium];
-    struct formula_value leaf[LAW_VALUES];
-    quad constant[FORMULA_NODES];
 
-    law_typed_values(law->typed, m, 0, x, s.y, leaf);
-    leaf[0].value = tan_alpha;
-    formula_constants(&tape->f, leaf, NULL, 0, constant);
     at->x0 = x;
     at->y0 = s.y;
     at->v0 = expq(x);
@@ -76,42 +61,25 @@ static void typed_anchor(const struct law *law, const struct material *m,
     at->force0 = tan_alpha - at->mu0;
     at->log_inertia =
         -logq(quad_eps2(m)) - log1pq(tan_alpha * tan_alpha) / 2 - x;
-    const bool fits = quad_tape_at(&tape->t, constant, &at->tape);
-    assert(fits); /* it is no longer than that of doubles */
-    (void) fits;
 }
 
 void quad_block_anchor(const struct law *law, const struct material *m,
                        quad tan_alpha, quad x, bool equilibrium,
                        struct quad_anchor *at)
 {
-    if (law->typed) {
-        typed_anchor(law, m, tan_alpha, x, equilibrium, at);
-        return;
-    }
-    const struct formula_value leaf[] = {
-        { "tan_alpha", tan_alpha },
-        { "mu_star", m->mu_star },
-        { "a", m->a },
-        { "b", m->b },
-        { "c", m->c },
-        { "R", m->R },
-        { "one_R", quad_inverse_R(m) },
-        { "V_c", m->V_c },
-        { "eps2", quad_eps2(m) },
-        { "lnv0", x },
-        { NULL, 0 },
-    };
-    struct tape_lowered tape;
+    struct formula_value leaf[LAW_VALUES];
+    struct tape_lowered room;
     quad constant[FORMULA_NODES];
 
-    quad_anchor(law, m, tan_alpha, x, equilibrium, at);
-    formula_init(&tape.f);
-    name_constants(&tape.f, leaf);
-    law_tape(law, equilibrium, &tape);
-    formula_constants(&tape.f, leaf, NULL, 0, constant);
-    const bool fits = quad_tape_at(&tape.t, constant, &at->tape);
-    assert(fits); /* tests/friction/test_law_tape.c */
+    if (law->typed)
+        typed_anchor(law, m, tan_alpha, x, equilibrium, at);
+    else
+        quad_anchor(law, m, tan_alpha, x, equilibrium, at);
+    law_values(law, m, tan_alpha, x, at->y0, leaf);
+    const struct tape_lowered *tape = law_tape_kept(law, equilibrium, &room);
+    formula_constants(&tape->f, leaf, tape->t.needs, 0, constant);
+    const bool fits = quad_tape_at(&tape->t, constant, &at->tape);
+    assert(fits); /* it is no longer than that of doubles */
     (void) fits;
 }
 

@@ -1,12 +1,12 @@
 /*
  * quad_block.h -- the 113-bit oracle: the law's formulas as typed
- * (law_tape.h), not those of field_formula.h.  Same chart, same meaning of
- * every argument as in block.h and field.h; x = ln v.
+ * (law_tape.h).  Same chart, same meaning of every argument as in block.h; x =
+ * ln v.
  */
 #ifndef RACE_QUAD_BLOCK_H
 #define RACE_QUAD_BLOCK_H
 
-#include "field.h"
+#include "block.h"
 #include "quad_tape.h"
 
 struct quad_anchor {

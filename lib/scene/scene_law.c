@@ -64,9 +64,9 @@ bool scene_law_may_own(const char *path)
 static bool is_name(const char *text)
 {
     static const char *const taken[] = {
-        "v",  "psi",  "v0", "psi0",      "theta", "psi_ss", "d",
-        "T",  "K",    "mu", "tan_alpha", "eps2",  "lnv0",   "one_R",
-        "dv", "dpsi", "pi", "slip",      "work",  "excess", "y0",
+        "v",    "psi", "v0",   "psi0",      "theta",  "psi_ss", "d",
+        "T",    "K",   "mu",   "tan_alpha", "eps2",   "lnv0",   "dv",
+        "dpsi", "pi",  "slip", "work",      "excess", "y0",
     };
 
     for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
@@ -195,8 +195,8 @@ enum status scene_law_finish(const struct node *root, struct scene *s,
         s->material.own[i] = t->own[i].value;
     if (law_typed_make(t, &wrong, &reason) != STATUS_OK)
         return blame(root, wrong, reason.text, why);
-    if (law_root_check(t, &s->material, &reason) != STATUS_OK)
-        return blame(root, LAW_RATE, reason.text, why);
     s->law = law_of_typed(t);
-    return STATUS_OK;
+    return law_root_check(&s->law, &s->material, &reason) == STATUS_OK
+               ? STATUS_OK
+               : blame(root, LAW_RATE, reason.text, why);
 }

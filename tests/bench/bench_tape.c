@@ -1,15 +1,13 @@
 /*
- * bench_tape -- the presets' fields from formulas (tape_plane.h) against the
- * compiled ones (field.h), interleaved: nanoseconds a field, a gradient, a
- * Taylor coefficient of two curves (order 22) on wide registers and on narrow
- * ones; minima of the repetitions.
+ * bench_tape -- the presets' fields from formulas (tape_plane.h): nanoseconds a
+ * field, a gradient, a Taylor coefficient of two curves (order 22) on wide
+ * registers and on narrow ones; minima of the repetitions.
  */
 #include <math.h>
 #include <stdio.h>
 #include <time.h>
 
 #include "block.h"
-#include "law_typed.h"
 
 enum { ORDER = 22, REPEATS = 40, POINTS = 400 };
 
@@ -80,8 +78,7 @@ static void anchored(struct block *b, const struct law *law, long double slope)
 
 int main(void)
 {
-    static struct law_typed typed;
-    static struct block b[2];
+    static struct block b;
 
     for (int k = 0; k < JET_SIZE; k++)
         for (int i = 0; i < JET_LANES; i++) {
@@ -90,29 +87,19 @@ int main(void)
         }
     for (int i = 0; i < POINTS; i++)
         point[i] = (struct vec2){ 2 * sin(1.7 * i), 2 * cos(2.9 * i) };
-    printf("ns: compiled formulas ratio, of a field, a gradient, a "
-           "coefficient, a narrow one\n");
+    printf("ns of a field, a gradient, a coefficient, a narrow one\n");
     for (int i = 0; i < 16; i++) {
         struct law law = *law_preset_at((size_t) i / 2);
-        enum law_part wrong;
-        struct fault why;
         law.form = i % 2 ? FRICTION_LOG : FRICTION_ASINH;
-        law_typed_of_preset(&law, &typed);
-        if (law_typed_make(&typed, &wrong, &why) != STATUS_OK)
-            return 1;
-        const struct law text = law_of_typed(&typed);
-        anchored(&b[0], &law, 0.35L);
-        anchored(&b[1], &text, 0.35L);
-        const struct planar s[2] = { block_planar(&b[0]), block_planar(&b[1]) };
+        anchored(&b, &law, 0.35L);
+        const struct planar s = block_planar(&b);
         printf("%-17s %-5s", law.preset, friction_form_names[law.form]);
         for (int kind = 0; kind < KINDS; kind++) {
-            b[1].plane.wide = kind < KINDS - 1 && tape_jet_wide();
-            double best[2] = { HUGE_VAL, HUGE_VAL };
+            double best = HUGE_VAL;
+            b.plane.wide = kind < KINDS - 1 && tape_jet_wide();
             for (int n = 0; n < REPEATS; n++)
-                for (int way = 0; way < 2; way++)
-                    best[way] = fmin(best[way], kinds[kind](&s[way]));
-            printf("  %6.1f %6.1f %5.2f", 1e9 * best[0], 1e9 * best[1],
-                   best[1] / best[0]);
+                best = fmin(best, kinds[kind](&s));
+            printf("  %6.1f", 1e9 * best);
         }
         printf("\n");
     }

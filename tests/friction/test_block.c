@@ -30,7 +30,7 @@ static void the_system_is_the_field_around_the_anchor(void **state)
         assert_true(p.origin.x == s.b.at.x0 && p.origin.y == s.b.at.y0);
         p.field(p.ctx, z, &f);
         p.jacobian(p.ctx, z, &J);
-        field_real(&s.law, &s.b.at, z, &g);
+        tape_field(&s.b.plane, z, &g);
         assert_memory_equal(&f, &g, sizeof f);
         assert_memory_equal(&J.field, &g, sizeof g);
         p.jet(p.ctx, &w, 0, &x, &y, &fx, &fy);
@@ -110,7 +110,7 @@ static void equilibria_are_roots_of_the_balance(void **state)
             }
             block_anchor(&s.b, lo, true);
             struct planar_field f;
-            field_real(&s.law, &s.b.at, (struct vec2){ 0, 0 }, &f);
+            tape_field(&s.b.plane, (struct vec2){ 0, 0 }, &f);
             assert_true(f.direction.x == 0 && f.direction.y == 0);
             /* w = mu_log/a is known to the digits of its terms, mu_log/a */
             const quad mu = plain_mu_ss(&s.law, &s.m, lo);
@@ -197,12 +197,11 @@ static void orbit_step(const struct setting *s, struct vec2 *z,
     x[0] = JET_PAIR(z->x);
     y[0] = JET_PAIR(z->y);
     for (size_t k = 0; k < ORDER; k++) {
-        field_jet(&s->law, &s->b.at, &w, k, x, y, fx, fy);
+        tape_jet(&s->b.plane, &w, k, x, y, fx, fy);
         x[k + 1] = fx[k] / (double) (k + 1);
         y[k + 1] = fy[k] / (double) (k + 1);
         for (int i = 0; i < BLOCK_OBSERVABLES; i++)
-            field_jet_rate(&s->law, &s->b.at, (enum block_observable) i, &w, k,
-                           x, y, rate[i]);
+            tape_jet_rate(&s->b.plane, (size_t) i, &w, k, x, y, rate[i]);
     }
     double h = 0.1;
     for (int k = ORDER - 1; k <= ORDER; k++)

@@ -2,7 +2,7 @@
  * the model as printed (plain.h).  Errors are compared with what rounding must
  * cost: 2^-53 times the condition number of each component, in which a sum
  * costs its largest term over its value and an exponent its own size. */
-#include "field.h"
+#include "block.h"
 
 #include <math.h>
 
@@ -34,7 +34,7 @@ static void check_real(const struct setting *s, struct vec2 z)
     struct planar_field f;
     struct quad_field q;
 
-    field_real(&s->law, &s->b.at, z, &f);
+    tape_field(&s->b.plane, z, &f);
     quad_block_field(&s->law, &s->at, z.x, z.y, &q);
     const struct condition c = condition_at(s, z.x, z.y, f.log_scale);
     check_component(s, z, "fx", f.direction.x, f.log_scale, q.direction[0],
@@ -124,7 +124,7 @@ static void near_the_anchor_no_digit_is_lost(void **state)
             if (c.x + c.y > 200)
                 continue;
             points++;
-            field_real(&s.law, &s.b.at, z, &f);
+            tape_field(&s.b.plane, z, &f);
             const quad off_x = log_ratio(f.direction.x, f.log_scale,
                                          q.direction[0], q.log_scale);
             const quad off_y = log_ratio(f.direction.y, f.log_scale,
@@ -150,7 +150,7 @@ static void at_an_equilibrium_the_field_is_exactly_zero(void **state)
         if (!draw_setting(i, 300, &seed, &s) ||
             !set_anchor(&s, (double) s.x, 0, true))
             continue;
-        field_real(&s.law, &s.b.at, (struct vec2){ 0, 0 }, &f);
+        tape_field(&s.b.plane, (struct vec2){ 0, 0 }, &f);
         CHECK(f.direction.x == 0 && f.direction.y == 0 && isfinite(f.log_scale),
               "law %zu: %g %g", s.number, f.direction.x, f.direction.y);
         zeros++;
@@ -194,8 +194,8 @@ static void check_dual(const struct setting *s, struct vec2 z)
     struct quad_field q;
     quad J[2][2];
 
-    field_dual(&s->law, &s->b.at, z, &D);
-    field_real(&s->law, &s->b.at, z, &f);
+    tape_jacobian(&s->b.plane, z, &D);
+    tape_field(&s->b.plane, z, &f);
     assert_true(D.field.direction.x == f.direction.x &&
                 D.field.direction.y == f.direction.y &&
                 D.field.log_scale == f.log_scale);
@@ -266,11 +266,15 @@ static void check_rate(const struct setting *s, enum block_observable which,
                       fabsq(s->at.b / s->at.a * Y);
     const quad bound =
         8 * ULP * size * (terms + fabsq(rx) + fabsq(ry)) + 1e-300 * v + 1e-320;
-    double found;
+    double found, alone;
     struct vec2 g;
 
-    field_dual_rate(&s->law, &s->b.at, which, z, &found, &g);
-    assert_true(field_real_rate(&s->law, &s->b.at, which, z) == found);
+    tape_rate(&s->b.plane, which, z, &found, &g);
+    tape_rate(&s->b.plane, which, z, &alone, NULL);
+    CHECK(alone == found,
+          "law %zu at %g %g from %g: rate %d: %.17g alone, %.17g with its "
+          "gradient",
+          s->number, z.x, z.y, s->b.at.x0, which, alone, found);
     CHECK(fabsq(found - rate) <= bound,
           "law %zu at %g %g: rate %d: %.17g, not %.17g", s->number, z.x, z.y,
           which, found, (double) rate);

@@ -1,7 +1,7 @@
 /* Taylor coefficients of the field and its observables against a second
- * implementation: the formulas compiled once more for whole series of 113-bit
- * coefficients, with recurrences of their own. */
-#include "field.h"
+ * implementation: the closed forms compiled once more for whole series of
+ * 113-bit coefficients, with recurrences of their own. */
+#include "block.h"
 
 #include <math.h>
 #include <string.h>
@@ -164,7 +164,30 @@ static void series_friction(struct series_ctx *c, quad a, quad w0, quad q0,
 }
 
 #include "field_formula.h"
-#include "rate_formula.h"
+
+/* The rates of block.h's observables, times exp(-scale). */
+static void series_rate(const struct law *law, const struct quad_anchor *at,
+                        struct series_ctx *c, enum block_observable which,
+                        quad scale, const quad *X, const quad *Y, quad *out)
+{
+    VAR(mu);
+    VAR(v);
+
+    series_exp(c, at->x0 + X[0] - scale, 1, X, v);
+    switch (which) {
+        case BLOCK_SLIP:
+            memcpy(out, v, sizeof v);
+            break;
+        case BLOCK_EXCESS:
+            series_expm1(c, expq(at->x0 - scale), at->x0 - scale, 1, X, out);
+            break;
+        default: /* BLOCK_WORK */
+            series_mu(law, at, c, X, Y, mu);
+            mu[0] += at->mu0;
+            series_product(c, mu, v, out);
+            break;
+    }
+}
 
 /* A curve, the field along it in both kinds, and the rates. */
 struct curve {
@@ -239,10 +262,9 @@ static void pairs_take(const struct pairs *p, size_t i, struct curve *c)
 static void pairs_expand(struct pairs *p, const struct setting *s)
 {
     for (size_t k = 0; k < N; k++) {
-        field_jet(&s->law, &s->b.at, &p->work, k, p->x, p->y, p->f[0], p->f[1]);
+        tape_jet(&s->b.plane, &p->work, k, p->x, p->y, p->f[0], p->f[1]);
         for (size_t i = 0; i < BLOCK_OBSERVABLES; i++)
-            field_jet_rate(&s->law, &s->b.at, (enum block_observable) i,
-                           &p->work, k, p->x, p->y, p->rate[i]);
+            tape_jet_rate(&s->b.plane, i, &p->work, k, p->x, p->y, p->rate[i]);
     }
 }
 
@@ -352,7 +374,7 @@ static void the_series_sums_to_the_field_on_the_curve(void **state)
         const double t = check_uniform(&seed, -0.1, 0.1);
         const struct vec2 z = { jet_at(ORDER, c.x, t), jet_at(ORDER, c.y, t) };
         struct planar_field f;
-        field_real(&s.law, &s.b.at, z, &f);
+        tape_field(&s.b.plane, z, &f);
         const double factor = exp(f.log_scale - c.log_scale);
         const double direction[2] = { f.direction.x, f.direction.y };
         for (int j = 0; j < 2; j++) {
@@ -410,11 +432,11 @@ static void a_second_call_replaces_the_first(void **state)
         pairs_expand(&p, &s);
         for (size_t k = 0; k < N; k++) {
             twice.y[k] = 0.5 * p.y[k] + 0.25; /* a guess, then the value */
-            field_jet(&s.law, &s.b.at, &twice.work, k, twice.x, twice.y,
-                      twice.f[0], twice.f[1]);
+            tape_jet(&s.b.plane, &twice.work, k, twice.x, twice.y, twice.f[0],
+                     twice.f[1]);
             twice.y[k] = p.y[k];
-            field_jet(&s.law, &s.b.at, &twice.work, k, twice.x, twice.y,
-                      twice.f[0], twice.f[1]);
+            tape_jet(&s.b.plane, &twice.work, k, twice.x, twice.y, twice.f[0],
+                     twice.f[1]);
             for (int j = 0; j < JET_LANES; j++)
                 assert_true(twice.f[0][k][j] == p.f[0][k][j] &&
                             twice.f[1][k][j] == p.f[1][k][j]);

@@ -142,14 +142,17 @@ static void a_formula_reads_like_the_paper(void **state)
 
     (void) state;
     law_formula(law_preset_find("dieterich_gen"), text, sizeof text);
-    assert_string_equal(text, "theta = ln psi, psi_ss = 1/v, T = 1/v, "
-                              "dpsi/dt = -sinh(psi - psi_ss)/T");
+    assert_string_equal(text,
+                        "theta = ln(psi), psi_ss = 1/v, T = 1/v, K = sinh(d)");
     law_formula(law_preset_find("spinodal"), text, sizeof text);
-    assert_string_equal(text, "theta = ln(c + psi), psi_ss = (1+R)/(1+R v), "
-                              "T = R/(1+R v), dpsi/dt = -(psi - psi_ss)/T");
+    assert_string_equal(text,
+                        "theta = ln(c + psi), psi_ss = (1 + R)/(1 + R*v), "
+                        "T = R/(1 + R*v), K = d");
     law_formula(law_preset_find("kato_tullis"), text, sizeof text);
-    assert_string_equal(text, "theta = ln psi, "
-                              "dpsi/dt = exp(-v/V_c) - v psi ln(v psi)");
+    assert_string_equal(text,
+                        "theta = ln(psi), psi_ss = exp(lambert(v/V_c))/v, "
+                        "dpsi/dt = v*psi*(exp(-v/V_c - ln(v*psi)) - "
+                        "ln(v*psi))");
     law_formula(law_preset_find("ruina"), small, sizeof small);
     assert_string_equal(small, "theta =");
 }

@@ -10,15 +10,7 @@ static struct tape_lowered tape;
 
 static void make(const struct law *law, bool equilibrium)
 {
-    static const char *const names[] = { "a",     "b",   "c",   "R",
-                                         "one_R", "V_c", "eps2" };
-
-    formula_init(&tape.f);
-    formula_leaf(&tape.f, "tan_alpha", FORMULA_PARAMETER);
-    formula_leaf(&tape.f, "mu_star", FORMULA_PARAMETER);
-    formula_leaf(&tape.f, "lnv0", FORMULA_PARAMETER);
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        formula_leaf(&tape.f, names[i], FORMULA_POSITIVE_PARAMETER);
+    law_names(law, &tape.f);
     law_tape(law, equilibrium, &tape);
 }
 

@@ -72,7 +72,7 @@ static void steady_states_are_those_of_the_components(void **state)
                       fabsl(s.mu - steady_mu(&law, &m, x)) <
                           1e-17L * (1 + fabsl(x)),
                   "%s at %.17Lg", law.preset, x);
-            CHECK(fabsl(found.slope - exact.slope) < 1e-14L &&
+            CHECK(fabsl(found.slope - exact.slope) < 1e-18L * (1 + fabsl(x)) &&
                       is_near(found.direct, exact.direct, 1e-13L) &&
                       is_near(found.rate, exact.rate, 1e-12L),
                   "%s at %.17Lg: %Lg %Lg %Lg, not %Lg %Lg %Lg", law.preset, x,
@@ -96,7 +96,7 @@ static void extrema_are_found_without_being_told(void **state)
                      all = steady_extrema(&law, &m, exact);
         CHECK(n == all, "%s: %zu extrema, not %zu", law.preset, n, all);
         for (size_t k = 0; k < n; k++)
-            CHECK(fabsl(found[k] - exact[k]) < 1e-13L,
+            CHECK(fabsl(found[k] - exact[k]) < 1e-16L * (1 + fabsl(exact[k])),
                   "%s: extremum at %.17Lg, not %.17Lg", law.preset, found[k],
                   exact[k]);
         most = n > most ? n : most;

@@ -93,7 +93,7 @@ static void check_parameter(const struct setting *s, struct vec2 z,
     struct planar_field f;
     struct vec2 got[PARAMETERS];
 
-    field_real(&s->law, &s->b.at, z, &f);
+    tape_field(&s->b.plane, z, &f);
     parameter_field(&s->b, z, &f, got);
     const struct moved want = difference(s, z, p, (quad) f.log_scale);
     const double unit = exp(s->b.at.log_inertia - z.x - f.log_scale);
@@ -159,7 +159,7 @@ static void what_a_law_does_not_use_moves_nothing_and_is_missing(void **state)
     (void) state;
     block_init(&b, law, &m, 0.35L);
     block_anchor(&b, 0.0L, false);
-    field_real(law, &b.at, (struct vec2){ 1, -1 }, &f);
+    tape_field(&b.plane, (struct vec2){ 1, -1 }, &f);
     parameter_field(&b, (struct vec2){ 1, -1 }, &f, out);
     for (int p = PARAMETER_C; p <= PARAMETER_R; p++) {
         assert_non_null(parameter_missing(law, &m, (enum parameter) p));

@@ -75,7 +75,7 @@ def dictionary(source, folder):
     """Every word in quotes of the code that knows scenes."""
     words = set()
     for path in glob.glob(source + '/lib/scene/*.c') + [
-            source + '/lib/friction/law.c', source + '/lib/friction/field.h']:
+            source + '/lib/friction/law.c']:
         words |= {part for word in re.findall(r'"([a-zA-Z_0-9.]{1,40})"',
                                               read(path).decode())
                   for part in (word, *word.split('.'))}

@@ -1,0 +1,67 @@
+/* friction_tolerance.h -- what is asked of laws of formulas, which say nothing
+ * of themselves.  mu is of the order of 1. */
+#ifndef FRICTION_TOLERANCE_H
+#define FRICTION_TOLERANCE_H
+
+/* ---- steady friction, law_extrema.c -------------------------------------- */
+
+/* |d mu_ss/d ln v| below this is none: 2^-112 times terms of up to 1e13, which
+ * cancel where a law does not weaken with v at all. */
+#define TOL_SLOPE_LEAST 1e-20
+/* mu_ss is a straight line of ln v where its second difference over three
+ * e-folds is below this times 1 + |mu_ss|: above 2^-64 times some hundred
+ * roundings, below (3)^2 mu'' of any extremum with slopes that tell. */
+#define TOL_STRAIGHT 1e-13
+/* ln v: by so much the slope at a step's end may be of the wrong sign: rounding
+ * of the slope over its curvature; and so far inside the end of its range mu_ss
+ * is looked at. */
+#define TOL_EXTREMUM_ROOM 1e-3
+/* ln v: how near long doubles find an extremum, or 113 bits look further. */
+#define TOL_EXTREMUM_ASIDE 5e-7
+
+/* ---- identities, law_plain.c --------------------------------------------- */
+
+/* Relative: formulas that agree to this at some places are the same; rounding
+ * in long double is 1e-16 of theirs, and others differ by more than 1e-9. */
+#define TOL_IDENTITY 1e-13
+
+/* ---- friction as psi grows, quasistatic_typed.c -------------------------- */
+
+/* ln v: first width of a bracket, relative to 1 + |ln v|, as near as steps of
+ * Newton's come where they do not settle. */
+#define TOL_BRACKET 1e-12
+/* ln v: up to this a friction in excess is taken along the tangent, off by
+ * d^2, and not by a difference of mu, off by 1e-16/d. */
+#define TOL_TANGENT 1e-7
+/* dpsi/dt is linear where its second difference is below this part of it: 2^-52
+ * times a condition of 1e5. */
+#define TOL_LINEAR 1e-10
+/* A rate without its exponential is of some sign above this; times its terms'
+ * size where psi grows to 1e8: 2^-52 times some thousand roundings, and less.
+ */
+#define TOL_SIGN      1e-12
+#define TOL_SIGN_PART 1e-13
+
+/* p = -dh/d ln psi of an integral of e^h dpsi, by the last three doublings p,
+ * q, r.  It has settled where |p - q| <= TOL_POWER_SETTLED max(1, |p|) and this
+ * falls, to TOL_POWER_FALL of |q - r| or less, but for TOL_POWER_NOISE; it
+ * grows where each is TOL_POWER_GROWTH times the one before and |p| is
+ * TOL_POWER_LARGE. */
+#define TOL_POWER_SETTLED 0.01
+#define TOL_POWER_FALL    0.75
+#define TOL_POWER_NOISE   1e-6
+#define TOL_POWER_GROWTH  1.3
+#define TOL_POWER_LARGE   2.0
+/* The integral ends if p > 1: surely where |p - 1| is above this; else
+ * e^h = 1/(psi ln^s psi), which ends if s > 1: surely where |s - 1| is above
+ * TOL_POWER_LOG. */
+#define TOL_POWER_ONE 0.02
+#define TOL_POWER_LOG 0.5
+
+/* Inertia cannot hold v back where it is e^-TOL_INERTIA_LN of the forces at the
+ * anchor. */
+#define TOL_INERTIA_LN 20.0
+/* Friction above this is past all bounds. */
+#define TOL_FRICTION_MOST 100.0
+
+#endif
