@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "layer_lanes.h"
+#include "rest_form.h"
 #include "slider.h"
 #include "slow_tolerance.h"
 
@@ -49,6 +50,21 @@ static void fill_integrals(const struct slider *s, double x,
                        rounding * (t + fabs(lost));
 }
 
+/* The fields that a block of that fate has (cells.h). */
+static unsigned fields_of(const struct slider *s, enum fate fate)
+{
+    switch (fate) {
+        case FATE_REST_FINITE:
+            return integrals | 1u << CELL_V_PEAK;
+        case FATE_REST_ASYMPTOTIC:
+            return rest_form_at(&s->block).has_slip
+                       ? peaks | 1u << CELL_SLIP | 1u << CELL_MU_MEAN
+                       : peaks;
+        default:
+            return integrals | peaks;
+    }
+}
+
 /* A peak at the start is the start's, to rounding. */
 static void fill_peaks(const struct slider *s, struct vec2 z,
                        const struct layer *l, struct cell *c)
@@ -68,8 +84,6 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
     c->v_peak = exp(fastest ? z.x : x);
     c->v_peak_error =
         c->v_peak * (fastest ? TOL_FAST_ROUNDING : place + least + l->x_error);
-    if (l->fate == FATE_REST_FINITE)
-        return;
     c->mu_peak = l->mu_peak;
     c->mu_peak_error = (m.x + m.y) * (hardest ? rounding : place) +
                        l->mu_error +
@@ -124,7 +138,7 @@ static struct cell cell_of(const struct slider *s, struct vec2 z,
         if (which & peaks)
             fill_peaks(s, z, l, &c);
     }
-    keep_asked(which, &c);
+    keep_asked(which & fields_of(s, (enum fate) l->fate), &c);
     return c;
 }
 

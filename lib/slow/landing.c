@@ -329,6 +329,11 @@ static struct landing_slope across_fibre(const struct landing *l,
                                    p->slip_slope * on + off_slope * off };
 }
 
+static bool is_endless(const struct slow_point *p)
+{
+    return p->fate == FATE_REST_ASYMPTOTIC;
+}
+
 /* What the table says of the point y, `off` away along its fibre, added to what
  * was before.  False: nearer to the curve it would be good enough. */
 static bool land(struct landing *l, double y, const struct slow_point *p,
@@ -352,13 +357,13 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double waste =
         wait > 0.0 ? wait * exp(s->block.at.x0 + p->x_end) : 0.0;
     const double late = 2.0 * fabs(p->time_slope) * bend;
+    const double lateness = is_endless(p) ? 0.0 : (late + wait) / time;
     const double long_ = 2.0 * fabs(p->slip_slope) * bend + unsaid;
     struct layer *const out = l->out;
 
-    *excess = (l->options.through
-                   ? bend
-                   : fmax((late + wait) / time, (long_ + waste) / slip)) /
-              (TOL_LAYER_BENT * l->options.promise);
+    *excess =
+        (l->options.through ? bend : fmax(lateness, (long_ + waste) / slip)) /
+        (TOL_LAYER_BENT * l->options.promise);
     if (is_vague(l, p, off, bend))
         *excess = fmax(*excess, 1.0 / TOL_LAYER_RISE);
     if (*excess > 1.0 && fabs(off) > TOL_LAYER_TOUCH)

@@ -115,7 +115,11 @@ static bool is_early(const struct landing *l, const struct saddle_point *at,
     const struct vec2 to = { l->u[LAYER_X], l->u[LAYER_Y] };
     const bool nears = to.x * l->du[LAYER_X] + to.y * l->du[LAYER_Y] < 0.0;
 
-    return nears && wrong > TOL_LAYER_BENT * l->options.promise * out->time &&
+    const double whole = out->fate == FATE_REST_ASYMPTOTIC
+                             ? out->slip / l->curve->near->v
+                             : out->time;
+
+    return nears && wrong > TOL_LAYER_BENT * l->options.promise * whole &&
            hypot(to.x, to.y) > TOL_LAYER_TOUCH;
 }
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "crest.h"
+#include "rest_form.h"
 #include "room.h"
 #include "slider.h"
 #include "slow_fit.h"
@@ -91,10 +92,13 @@ static void note_drift(const struct orbit *o, struct vec2 gradient,
     k->beside = drift_off(d, l.du, gradient, 0);
 }
 
-/* Runs the orbit to its end; without a node ahead, until the rates are alike or
- * too far apart. */
+/* What a branch leads to: a node, v that fades for ever, or neither. */
+enum ahead { AHEAD_NEITHER, AHEAD_FADING, AHEAD_NODE };
+
+/* Runs the orbit to its end; without a node ahead, until the rates are too far
+ * apart, or alike, but where v fades they part again. */
 static enum status follow(const struct slider *s, struct orbit *o,
-                          bool node_ahead, const struct monitor *monitor,
+                          enum ahead ahead, const struct monitor *monitor,
                           struct slow_branch *b)
 {
     const double far = b->start == SLOW_RUNAWAY ? TOL_SLOW_AWAY : HUGE_VAL;
@@ -111,10 +115,11 @@ static enum status follow(const struct slider *s, struct orbit *o,
         k->time[0] = -slow_knot_gained(o, 2);
         k->slip[0] = -slow_knot_gained(o, 3 + BLOCK_SLIP);
         tell(k, -k->time[0], &folds);
-        goes_on =
-            o->end == ORBIT_RUNNING && o->steps < TOL_BRANCH_STEPS &&
-            (node_ahead || (isfinite(k->gap) && !slow_knot_is_noisy(k))) &&
-            fabs(k->y) < far;
+        goes_on = o->end == ORBIT_RUNNING && o->steps < TOL_BRANCH_STEPS &&
+                  (ahead == AHEAD_NODE ||
+                   ((isfinite(k->gap) || ahead == AHEAD_FADING) &&
+                    !slow_knot_is_noisy(k))) &&
+                  fabs(k->y) < far;
         if (!goes_on)
             break;
         if (isfinite(k->gap))
@@ -129,10 +134,16 @@ static enum status follow(const struct slider *s, struct orbit *o,
                : status;
 }
 
+static bool rests(enum fate fate)
+{
+    return fate == FATE_REST_FINITE || fate == FATE_REST_ASYMPTOTIC;
+}
+
 /* What is still to come at the last knot at rest is that of the orbit from
- * there, if it rests. */
+ * there, if it rests; nothing of what never ends. */
 static enum status finish_rest(const struct slider *s, struct slow_branch *b)
 {
+    const struct quantity none = quantity_of(0.0, 0.0);
     const struct slow_knot *last = &b->knot[b->count - 1];
     const struct vec2 z = { last->x + s->plane.system.origin.x,
                             last->y + s->plane.system.origin.y };
@@ -142,15 +153,20 @@ static enum status finish_rest(const struct slider *s, struct slow_branch *b)
         return STATUS_OK;
     enum status status = fate_find(s, z, TOL_REST_WRONG, true, NULL, &fine);
     if (status == STATUS_OK)
-        status = fate_find(s, z, TOL_REST_WRONG / TOL_CELLS_FINER, true, NULL, &coarse);
-    if (status != STATUS_OK || fine.fate != FATE_REST_FINITE ||
-        coarse.fate != FATE_REST_FINITE)
+        status = fate_find(s, z, TOL_REST_WRONG / TOL_CELLS_FINER, true, NULL,
+                           &coarse);
+    if (status != STATUS_OK || !rests(fine.fate) || coarse.fate != fine.fate)
         return status;
-    const struct quantity time = fate_compare(&coarse.time, &fine.time);
-    const struct quantity slip = fate_compare(&coarse.slip, &fine.slip);
-    if (!(time.error < TOL_SLOW_REST * time.value))
+    const struct quantity time = fine.fate == FATE_REST_FINITE
+                                     ? fate_compare(&coarse.time, &fine.time)
+                                     : none;
+    const struct quantity slip = rest_form_at(&s->block).has_slip
+                                     ? fate_compare(&coarse.slip, &fine.slip)
+                                     : none;
+    if (!(time.error <= TOL_SLOW_REST * time.value) ||
+        !(slip.error <= TOL_SLOW_REST * slip.value))
         return status;
-    b->fate = FATE_REST_FINITE;
+    b->fate = (int8_t) fine.fate;
     b->x_end = -HUGE_VAL;
     for (size_t i = 0; i < b->count; i++) {
         b->knot[i].time[0] += time.value;
@@ -346,9 +362,9 @@ size_t slow_branch_interval(const struct slow_branch *b, double y)
 
 /* ---- a whole one --------------------------------------------------------- */
 
-/* Where v only fades, an orbit would go on for ever. */
+/* Elsewhere an orbit would go on for ever. */
 static enum status comes_to_rest(const struct slider *s, struct vec2 z,
-                                 bool *is)
+                                 bool *is, enum ahead *ahead)
 {
     const struct vec2 at = { z.x + s->plane.system.origin.x,
                              z.y + s->plane.system.origin.y };
@@ -356,7 +372,9 @@ static enum status comes_to_rest(const struct slider *s, struct vec2 z,
     const enum status status =
         fate_find(s, at, TOL_CELLS_COARSEST, false, NULL, &r);
 
-    *is = status == STATUS_OK && r.fate == FATE_REST_FINITE;
+    *is = status == STATUS_OK && rests(r.fate);
+    if (*is && r.fate == FATE_REST_ASYMPTOTIC)
+        *ahead = AHEAD_FADING;
     return status;
 }
 
@@ -387,7 +405,7 @@ static bool find_goals(const struct slider *s, struct vec2 z,
 
 /* Runs the branch, whose start is set. */
 static enum status run(const struct slider *s, struct vec2 z,
-                       const struct goals *goals, bool ahead,
+                       const struct goals *goals, enum ahead ahead,
                        const struct monitor *monitor, struct slow_branch *b)
 {
     struct orbit_options options =
@@ -437,10 +455,11 @@ enum status slow_branch_run(const struct slider *s, struct vec2 z,
                                .near = near };
     if (near)
         b->first = saddle_series_on(near, z.y);
-    const bool ahead = find_goals(s, z, start, &goals);
-    bool ends = ahead || start == SLOW_RUNAWAY;
+    enum ahead ahead =
+        find_goals(s, z, start, &goals) ? AHEAD_NODE : AHEAD_NEITHER;
+    bool ends = ahead == AHEAD_NODE || start == SLOW_RUNAWAY;
     if (!ends)
-        status = comes_to_rest(s, z, &ends);
+        status = comes_to_rest(s, z, &ends, &ahead);
     if (status == STATUS_OK && ends)
         status = run(s, z, &goals, ahead, monitor, b);
     return status;

@@ -21,8 +21,10 @@ enum slow_start {
                      what is still to come is negative */
 };
 
-/* In order of time, so that y rises or falls.  At a node's box of arrest, or
- * at rest in finite time, its fate ends; x_end is -HUGE_VAL there. */
+/* In order of time, so that y rises or falls.  Its fate is that of its end, a
+ * node's box of arrest or rest, with -HUGE_VAL for x_end.  Of a rest that takes
+ * for ever time is counted to the last knot, and slip, too, where it has no
+ * limit (rest_form.h). */
 struct slow_branch {
     struct slow_knot *knot; /* owned */
     size_t count, room;

@@ -200,7 +200,7 @@ static void find_least(struct slow_curve *c)
     for (size_t i = 0; i < c->branches; i++) {
         const struct slow_branch *b = &c->branch[i];
         const double end = b->knot[b->count - 1].y;
-        c->rests = c->rests || b->fate == FATE_REST_FINITE;
+        c->rests = c->rests || b->x_end == -HUGE_VAL;
         for (size_t k = 0; k < b->count; k++) {
             if (fabs(b->knot[k].y - end) < TOL_SLOW_CLEAR)
                 break;

@@ -33,8 +33,8 @@ struct slow_curve {
 };
 
 /* Of s, whose steady states are known.  Branches that do not end at a node or
- * at rest in finite time are left out, and so are parts where the rates are too
- * much alike (TOL_SLOW_GAP); there may be none at all.  STATUS_NO_MEMORY,
+ * at rest are left out, and so are parts where the rates are too much alike
+ * (TOL_SLOW_GAP); there may be none at all.  STATUS_NO_MEMORY,
  * STATUS_STOPPED: *c is empty. */
 MUST_CHECK enum status slow_curve_init(struct slow_curve *c,
                                        const struct slider *s,

@@ -109,33 +109,46 @@ static void every_value_is_that_of_the_whole_orbit(void **state)
     check_law("spinodal_phi_gen", "0.30", integrals, &seed);
     check_law("dieterich_gen", "0.34", ALL, &seed);
     check_law("dieterich_gen", "0.30", integrals, &seed);
+    check_law("dieterich", "0.26", ALL, &seed);
+    check_law("perrin", "0.34", ALL, &seed);
+    check_law("ruina", "0.26", ALL, &seed);
 }
 
-static void most_states_need_no_whole_orbit(void **state)
+static void check_whole(const char *law, const char *alpha, uint64_t *seed)
 {
     enum { N = 300 };
-    uint64_t seed = check_seed();
     struct vec2 z[N];
     struct cell c[N];
     struct place p;
     int wide = 0;
 
-    (void) state;
-    make(&p, "spinodal_gen", "0.34");
+    make(&p, law, alpha);
     for (int i = 0; i < N; i++)
-        z[i] = (struct vec2){ check_uniform(&seed, -6, 9),
-                              check_uniform(&seed, -6, 6) };
+        z[i] = (struct vec2){ check_uniform(seed, -6, 9),
+                              check_uniform(seed, -6, 6) };
     const unsigned which = 1u << CELL_SLIP | 1u << CELL_TIME;
     const size_t whole = find(&p, z, N, 1e-6, which, c);
-    CHECK(whole <= N / 20, "%zu whole orbits", whole);
+    CHECK(whole <= N / 20, "%s at %s: %zu whole orbits", law, alpha, whole);
     for (int i = 0; i < N; i++)
         wide += c[i].slip_error > 1e-6 * c[i].slip ||
                 c[i].time_error > 1e-6 * c[i].time;
-    CHECK(wide <= N / 10, "%d bars too wide", wide);
+    CHECK(wide <= N / 10, "%s at %s: %d bars too wide", law, alpha, wide);
     const size_t tops =
         find(&p, z, N, 1e-6, 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK, c);
-    CHECK(tops <= N / 20, "%zu whole orbits for peaks", tops);
+    CHECK(tops <= N / 20, "%s at %s: %zu whole orbits for peaks", law, alpha,
+          tops);
     drop(&p);
+}
+
+static void most_states_need_no_whole_orbit(void **state)
+{
+    uint64_t seed = check_seed();
+
+    (void) state;
+    check_whole("spinodal_gen", "0.34", &seed);
+    check_whole("dieterich", "0.30", &seed);
+    check_whole("ruina", "0.25", &seed);
+    check_whole("perrin", "0.30", &seed);
 }
 
 static void any_number_of_threads_gives_the_same_bits(void **state)
@@ -166,15 +179,15 @@ static void any_number_of_threads_gives_the_same_bits(void **state)
     drop(&p);
 }
 
-/* No slow curve: as cells_find does. */
-static void other_laws_take_their_whole_orbits(void **state)
+/* As cells_find does. */
+static void states_beyond_the_slow_curve_take_their_whole_orbits(void **state)
 {
     struct cell fast, slow;
     struct place p;
 
     (void) state;
     make(&p, "ruina", "0.34");
-    const struct vec2 z = slope_point(&p.s, 1.0, 2.0);
+    const struct vec2 z = slope_point(&p.s, 1.0, 500.0);
     assert_int_equal(find(&p, &z, 1, 1e-4, ALL, &fast), 1);
     assert_int_equal(
         cells_find(&p.s.study.slider, &z, 1, 1e-4, ALL, NULL, &slow),
@@ -220,7 +233,7 @@ static void every_allocation_may_fail(void **state)
 
     (void) state;
     slope_make(&s, "ruina", NULL, "0.34", steady_only);
-    const struct vec2 z = slope_point(&s, 1.0, 2.0);
+    const struct vec2 z = slope_point(&s, 1.0, 500.0);
     assert_int_equal(fast_cells_init(&f, &s.study.slider, NULL), STATUS_OK);
     fault_alloc_at(0);
     status = fast_cells_find(&f, &z, 1, 1e-3, 1u, NULL, &c, NULL);
@@ -236,7 +249,7 @@ int main(void)
         cmocka_unit_test(every_value_is_that_of_the_whole_orbit),
         cmocka_unit_test(most_states_need_no_whole_orbit),
         cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
-        cmocka_unit_test(other_laws_take_their_whole_orbits),
+        cmocka_unit_test(states_beyond_the_slow_curve_take_their_whole_orbits),
         cmocka_unit_test(wrong_arguments_and_monitors_are_answered),
         cmocka_unit_test(every_allocation_may_fail),
     };

@@ -7,13 +7,28 @@
 #include "peak.h"
 #include "study.h"
 
-static void make(const struct found *f, struct slope *s)
+static void run(struct slope *s)
 {
     struct fault why;
-
-    found_scene(f, steady_only, &s->scene);
     const enum status status = study_run(&s->study, &s->scene, NULL, &why);
+
     CHECK(status == STATUS_OK, "%s", why.text);
+}
+
+static void make(const struct found *f, struct slope *s)
+{
+    found_scene(f, steady_only, &s->scene);
+    run(s);
+}
+
+/* At a slope with more digits than a double has. */
+static void make_at(const struct found *f, long double tan_alpha,
+                    struct slope *s)
+{
+    found_scene(f, steady_only, &s->scene);
+    s->scene.tan_alpha = tan_alpha;
+    s->scene.alpha = (double) atanl(tan_alpha);
+    run(s);
 }
 
 /* The values of an orbit, and its errors, in the order of enum cell_field. */
@@ -320,14 +335,10 @@ static void the_face_of_a_box_is_as_wrong_as_its_node(void **state)
     const double slip = 525697719.7058351;
     static struct slope s;
     struct fast_cells fast;
-    struct fault why;
     struct cell c;
 
     (void) state;
-    found_scene(&node, steady_only, &s.scene);
-    s.scene.tan_alpha = 0.426405707621409282133L;
-    s.scene.alpha = (double) atanl(s.scene.tan_alpha);
-    assert_int_equal(study_run(&s.study, &s.scene, NULL, &why), 0);
+    make_at(&node, 0.426405707621409282133L, &s);
     assert_int_equal(fast_cells_init(&fast, &s.study.slider, NULL), 0);
     assert_int_equal(fast_cells_find(&fast, &z, 1, 1e-8, ALL, NULL, &c, NULL),
                      0);
@@ -357,14 +368,10 @@ static void v_may_rise_where_its_rest_is_known(void **state)
                                         1e-10 };
     const struct vec2 z = { -14.580516889147628, 11.909791629865099 };
     static struct slope s;
-    struct fault why;
     struct cell c;
 
     (void) state;
-    found_scene(&below, steady_only, &s.scene);
-    s.scene.tan_alpha = 0.629509396859851262282L;
-    s.scene.alpha = (double) atanl(s.scene.tan_alpha);
-    assert_int_equal(study_run(&s.study, &s.scene, NULL, &why), 0);
+    make_at(&below, 0.629509396859851262282L, &s);
     find(&s, &z, 1, 1e-10, ALL, &c);
     is_near(&c, CELL_V_PEAK, 9.0777968561207354e-07);
     is_near(&c, CELL_MU_PEAK, 0.6295093968598513);
