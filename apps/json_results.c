@@ -72,8 +72,8 @@ static bool is_missing(const struct record_field *f, const void *member)
 static void put_members(json_t *to, const struct result *r,
                         const struct record_array *a)
 {
-    for (size_t i = 0; i < r->type->count; i++) {
-        const struct record_field *f = &r->type->fields[i];
+    for (size_t i = 0; i < a->type->count; i++) {
+        const struct record_field *f = &a->type->fields[i];
         const void *member = record_member(a, 0, f);
         if (r->shape != RESULT_ATTRIBUTES || !is_missing(f, member))
             json_object_set_new(to, f->name, json_member(f, member));
@@ -105,6 +105,61 @@ static void put_view(json_t *j, const struct result *r, const char *name,
                     &v->records);
 }
 
+/* ---- units --------------------------------------------------------------- */
+
+/* "m/s"; of a column with different ones, each row's by its first member. */
+static json_t *unit_json(const struct record_field *f,
+                         const struct record_field *first)
+{
+    const char *unit = unit_name(NULL, f->unit);
+    json_t *j = json_object();
+
+    for (size_t k = 0; f->units && first->codes[k]; k++)
+        if (f->units[k] && strcmp(unit_name(NULL, f->units[k]), "1") != 0)
+            json_object_set_new(j, first->codes[k],
+                                json_string(unit_name(NULL, f->units[k])));
+    if (f->units)
+        return j;
+    json_decref(j);
+    return strcmp(unit, "1") == 0 ? NULL : json_string(unit);
+}
+
+json_t *json_units(json_t *at, const struct record_type *type)
+{
+    for (size_t i = 0; i < type->count; i++) {
+        json_t *unit = unit_json(&type->fields[i], type->fields);
+        if (unit)
+            json_object_set_new(at, type->fields[i].name, unit);
+    }
+    return at;
+}
+
+/* Where numbers of that name have units: at the same name below "units", lists
+ * being one object. */
+static void put_units(json_t *j, const char *name,
+                      const struct record_type *type, bool list)
+{
+    char path[RESULT_NAME] = "", key[RESULT_NAME], *end = path;
+    json_t *all = json_units(json_object(), type);
+
+    if (json_object_size(all) > 0) {
+        for (const char *c = name; *c; c++) {
+            if (*c == '[')
+                c = strchr(c, ']');
+            else
+                *end++ = *c;
+        }
+        *end = '\0';
+        json_t *at = place_of(member_of(j, "units", json_object), path, key);
+        if (list && type->count == 1)
+            json_object_set(at, key, json_object_get(all, type->fields->name));
+        else
+            json_object_update(key[0] ? member_of(at, key, json_object) : at,
+                               all);
+    }
+    json_decref(all);
+}
+
 /* ---- all ----------------------------------------------------------------- */
 
 static enum status put_result(json_t *j, const struct result *r,
@@ -120,6 +175,8 @@ static enum status put_result(json_t *j, const struct result *r,
         status = result_open(all, r, k, &v);
         if (v.here)
             put_view(j, r, name, &v);
+        if (v.here)
+            put_units(j, name, v.records.type, r->shape == RESULT_COLUMNS);
         else if (status == STATUS_OK && strpbrk(name, ".[") == NULL &&
                  json_object_get(j, name) == NULL)
             json_object_set_new(j, name, json_null());
@@ -138,8 +195,14 @@ json_t *json_results(json_t *j, const struct results *all)
         for (const struct result *r = all->table[t]; r->type && !status; r++)
             if (r->name && result_asked(r, all))
                 status = put_result(j, r, all);
-    if (status == STATUS_OK)
-        return j;
-    json_decref(j);
-    return NULL;
+    if (status != STATUS_OK) {
+        json_decref(j);
+        return NULL;
+    }
+    json_t *units = json_incref(json_object_get(j, "units"));
+    if (units) { /* behind what they are of */
+        json_object_del(j, "units");
+        json_object_set_new(j, "units", units);
+    }
+    return j;
 }

@@ -3,8 +3,9 @@
  * one that was asked for and has a name, at its place.
  *
  * A record is an object, several are a list; records of one member are a list
- * of values.  What was asked for and is not there is null at the top, and left
- * out below.
+ * of values.  "units" mirrors it: at the place of each number that has a unit
+ * that unit, lists being one object.  What was asked for and is not there is
+ * null at the top, and left out below.
  */
 #ifndef APPS_JSON_RESULTS_H
 #define APPS_JSON_RESULTS_H
@@ -15,5 +16,9 @@
 /* Adds to the object j, after what it holds; NULL: to a new one.  Returns it;
  * NULL, and j is gone, without memory. */
 json_t *json_results(json_t *j, const struct results *all);
+
+/* Adds the units that members of such a record have to an object; of those
+ * that have none nothing.  Returns it. */
+json_t *json_units(json_t *at, const struct record_type *type);
 
 #endif

@@ -12,6 +12,7 @@
 #include "picture_diagram.h"
 #include "picture_field.h"
 #include "picture_taylor.h"
+#include "scene_units.h"
 #include "sheet.h"
 #include "symbols.h"
 
@@ -344,8 +345,10 @@ static void add_basins(struct picture *p)
 /* A field as an image instead. */
 static void add_field(struct picture *p)
 {
+    const struct unit_system units = scene_units(p->s->scene);
+
     if (p->raster.cell)
-        picture_add_field(&p->raster, p->field, p->figure);
+        picture_add_field(&p->raster, p->field, &units, p->figure);
 }
 
 static void draw_portrait(struct picture *p)

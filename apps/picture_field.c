@@ -5,21 +5,21 @@
 #include <string.h>
 
 #include "fate.h"
+#include "sheet.h"
 #include "symbols.h"
 
 #define AT(name) offsetof(struct cell, name)
 static const struct {
-    const char *panel, *label;
+    const char *panel, *what;
     bool is_log;
     bool to_arrest; /* of those that slide there is none */
     size_t at;      /* in struct cell */
 } look[CELL_FIELDS] = {
-    [CELL_SLIP] = { "_slip", "slip to arrest " S_SLIP, true, true, AT(slip) },
-    [CELL_TIME] = { "_time", "time to arrest " S_TIME, true, true, AT(time) },
+    [CELL_SLIP] = { "_slip", "slip to arrest", true, true, AT(slip) },
+    [CELL_TIME] = { "_time", "time to arrest", true, true, AT(time) },
     [CELL_MU_MEAN] = { "_mu_mean", "mean friction coefficient", false, true,
                        AT(mu_mean) },
-    [CELL_V_PEAK] = { "_v_peak", "largest slip rate " S_V_RATIO, true, false,
-                      AT(v_peak) },
+    [CELL_V_PEAK] = { "_v_peak", "largest slip rate", true, false, AT(v_peak) },
     [CELL_MU_PEAK] = { "_mu_peak", "largest friction coefficient", false, false,
                        AT(mu_peak) },
 };
@@ -51,8 +51,10 @@ static bool comes_to_rest(const struct cell *c)
 }
 
 void picture_add_field(const struct picture_raster *r, enum cell_field field,
-                       struct figure *f)
+                       const struct unit_system *units, struct figure *f)
 {
+    const char *own = cell_fields[1 + 2 * field].unit;
+    const struct sheet_label label = sheet_label(units, look[field].what, own);
     const size_t n = r->columns * r->rows;
     const bool to_arrest = look[field].to_arrest;
     double *value = malloc(n * sizeof *value);
@@ -67,14 +69,16 @@ void picture_add_field(const struct picture_raster *r, enum cell_field field,
         else
             memcpy(&value[i], (const char *) &r->cell[i] + look[field].at,
                    sizeof *value);
+    for (size_t i = 0; i < n; i++)
+        value[i] = unit_value(units, unit_find(own), value[i]);
     figure_add_map(
-        f, &(struct figure_map){ .value = value,
-                                 .nx = r->columns,
-                                 .ny = r->rows,
-                                 .scale = { .label = look[field].label,
-                                            .is_log = look[field].is_log },
-                                 .missing = to_arrest ? "does not come to rest"
-                                                      : "does not exist" });
+        f, &(struct figure_map){
+               .value = value,
+               .nx = r->columns,
+               .ny = r->rows,
+               .scale = { .label = label.text, .is_log = look[field].is_log },
+               .missing =
+                   to_arrest ? "does not come to rest" : "does not exist" });
     free(value);
 }
 

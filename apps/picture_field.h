@@ -4,6 +4,7 @@
 
 #include "figure.h"
 #include "study.h"
+#include "unit.h"
 
 /* The cells behind the pictures, no finer than the study's grid. */
 struct picture_raster {
@@ -20,7 +21,7 @@ MUST_CHECK enum status picture_raster_find(struct picture_raster *r,
 void picture_raster_free(struct picture_raster *r);
 
 void picture_add_field(const struct picture_raster *r, enum cell_field field,
-                       struct figure *f);
+                       const struct unit_system *units, struct figure *f);
 
 /* "_slip": what its file is named after (output.h). */
 const char *picture_field_panel(enum cell_field field);

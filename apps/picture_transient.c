@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "sample.h"
+#include "scene_units.h"
 #include "sheet.h"
 #include "symbols.h"
 
@@ -22,36 +23,48 @@ enum { ENDING = POINTS / 50, BEYOND = 30 };
 /* One figure over slip, or over time on a log axis; a second curve is drawn
  * dashed. */
 struct view {
-    bool over_time;
-    const char *y; /* label */
-    bool y_log;
+    bool over_time, y_log;
     struct {
-        const char *name; /* NULL: none */
-        size_t at;        /* in struct trajectory_row */
+        const char *what;    /* NULL: none */
+        const char *name[2]; /* as it is, in the SI */
+        size_t at;           /* in struct trajectory_row */
+        const char *unit;
     } curve[2];
 };
 
 #define AT(name) offsetof(struct trajectory_row, name)
-#define SLIP     "slip " S_SLIP
-#define RATES    "slip rate " S_V ", state " S_PSI
-#define FRICTION "friction coefficient " S_MU
+#define SLIP                                                                   \
+    {                                                                          \
+        "slip", { S_X, S_X }, AT(slip), "L"                                    \
+    }
+#define RATE                                                                   \
+    {                                                                          \
+        "slip rate", { S_V, S_BIG_V }, AT(v), "V_star"                         \
+    }
+#define STATE                                                                  \
+    {                                                                          \
+        "state", { S_PSI, S_PHI }, AT(psi), "psi"                              \
+    }
+#define FRICTION                                                               \
+    {                                                                          \
+        "friction coefficient " S_MU, { S_MU, S_MU }, AT(mu), "1"              \
+    }
 static const struct view views[] = {
-    { false, FRICTION, false, { { S_MU, AT(mu) } } },
-    { false, RATES, true, { { S_V, AT(v) }, { S_PSI, AT(psi) } } },
-    { true, RATES, true, { { S_V, AT(v) }, { S_PSI, AT(psi) } } },
-    { true, FRICTION, false, { { S_MU, AT(mu) } } },
-    { true, SLIP, false, { { S_X, AT(slip) } } },
+    { false, false, { FRICTION } },  { false, true, { RATE, STATE } },
+    { true, true, { RATE, STATE } }, { true, false, { FRICTION } },
+    { true, false, { SLIP } },
 };
 
-/* e^psi where psi is a logarithm, for a log axis. */
-static double value_of(const struct study *s, const struct trajectory_row *r,
-                       size_t at)
+/* As told; e^psi where psi is a logarithm, for a log axis. */
+static double value_of(const struct unit_system *u,
+                       const struct trajectory_row *r, size_t at,
+                       const char *unit)
 {
     const double value =
-        *(const double *) (const void *) ((const char *) r + at);
+        unit_value(u, unit_find(unit),
+                   *(const double *) (const void *) ((const char *) r + at));
 
-    return at == AT(psi) && law_psi_is_log(&s->slider.block.law) ? exp(value)
-                                                                 : value;
+    return at == AT(psi) && u->psi_is_log && !u->si ? exp(value) : value;
 }
 
 const char *const picture_simulation_panel[] = { "",          "_slip",
@@ -71,14 +84,15 @@ static bool room_for(const struct simulation *s, const struct view *view,
 
     p->x = calloc(count, sizeof *p->x);
     p->y[0] = calloc(count, sizeof *p->y[0]);
-    if (view->curve[1].name)
+    if (view->curve[1].what)
         p->y[1] = calloc(count, sizeof *p->y[1]);
-    return p->x && p->y[0] && (p->y[1] || !view->curve[1].name);
+    return p->x && p->y[0] && (p->y[1] || !view->curve[1].what);
 }
 
 static enum status fill(const struct simulation *s, const struct view *view,
                         struct points *p)
 {
+    const struct unit_system units = scene_units(&s->scene);
     struct trajectory_row *row = calloc(POINTS, sizeof *row);
 
     if (row == NULL || !room_for(s, view, p)) {
@@ -92,9 +106,12 @@ static enum status fill(const struct simulation *s, const struct view *view,
             &s->study.slider, &s->run[k], POINTS, row);
         for (size_t i = 0; i < POINTS; i++) {
             const size_t at = p->runs * POINTS + i;
-            p->x[at] = view->over_time ? row[i].time : row[i].slip;
+            p->x[at] = view->over_time
+                           ? value_of(&units, &row[i], AT(time), "L/V_star")
+                           : value_of(&units, &row[i], AT(slip), "L");
             for (int c = 0; c < 2 && p->y[c]; c++)
-                p->y[c][at] = value_of(&s->study, &row[i], view->curve[c].at);
+                p->y[c][at] = value_of(&units, &row[i], view->curve[c].at,
+                                       view->curve[c].unit);
         }
         p->runs++;
     }
@@ -132,29 +149,63 @@ static struct figure_axis axis_of(const char *label, double *const value[2],
     return (struct figure_axis){ label, lo / rim, hi * rim, true };
 }
 
-static void name_run(const char *curve, const struct transient_summary *sum,
-                     char *entry, size_t size)
+static void name_run(const struct unit_system *u, const char *curve,
+                     const struct transient_summary *sum, char *entry,
+                     size_t size)
 {
     char v[32], psi[32];
 
-    mark_number(v, sizeof v, sum->v, 4);
-    mark_number(psi, sizeof psi, sum->psi, 4);
-    snprintf(entry, size, "%s from " S_V " = %s, " S_PSI " = %s", curve, v,
-             psi);
+    mark_number(v, sizeof v, unit_value(u, unit_find("V_star"), sum->v), 4);
+    mark_number(psi, sizeof psi, unit_value(u, unit_find("psi"), sum->psi), 4);
+    snprintf(entry, size,
+             u->si ? "%s from " S_BIG_V " = %s m/s, " S_PHI " = %s%s"
+                   : "%s from " S_V " = %s, " S_PSI " = %s%s",
+             curve, v, psi, strcmp(unit_name(u, "psi"), "s") == 0 ? " s" : "");
 }
 
-/* One run in a colour of its own; alone, each curve in one of its own. */
-static void add_run(struct figure *f, const struct view *view,
+/* Of each run a mark of its own, and its places along the run: so many runs
+ * differ also where colours are the same or there are none. */
+static void add_marks(struct figure *f, const char *entry, int colour,
+                      const double x[], const double y[], size_t run)
+{
+    enum { EACH = 8 };
+    static const enum figure_mark mark[] = { FIGURE_DISC,     FIGURE_SQUARE,
+                                             FIGURE_TRIANGLE, FIGURE_DIAMOND,
+                                             FIGURE_PLUS,     FIGURE_CROSS };
+    const size_t marks = sizeof mark / sizeof *mark;
+    double at[2][EACH];
+
+    for (size_t k = 0; k < EACH; k++) {
+        const size_t i = (POINTS * (2 * k + 1) / 2 + 97 * run) / EACH % POINTS;
+        at[0][k] = x[i];
+        at[1][k] = y[i];
+    }
+    figure_add(
+        f, &(struct figure_layer){ .kind = FIGURE_POINTS,
+                                   .style = { .role = (enum figure_role)(
+                                                  FIGURE_SERIES_1 + colour) },
+                                   .entry = entry,
+                                   .x = at[0],
+                                   .y = at[1],
+                                   .count = EACH,
+                                   .size = 7,
+                                   .mark = mark[(run + run / marks) % marks] });
+}
+
+/* One run in a colour and with a mark of its own; alone, each curve in a colour
+ * of its own. */
+static void add_run(struct figure *f, const struct unit_system *u,
+                    const struct view *view,
                     const struct transient_summary *sum, const struct points *p,
                     size_t at)
 {
-    for (int c = 0; c < 2 && view->curve[c].name; c++) {
+    for (int c = 0; c < 2 && view->curve[c].what; c++) {
         char entry[160];
         const int colour = (p->runs == 1 ? c : (int) (at % 6));
         if (p->runs == 1)
-            snprintf(entry, sizeof entry, "%s", view->curve[c].name);
+            snprintf(entry, sizeof entry, "%s", view->curve[c].name[u->si]);
         else
-            name_run(view->curve[c].name, sum, entry, sizeof entry);
+            name_run(u, view->curve[c].name[u->si], sum, entry, sizeof entry);
         figure_add(f,
                    &(struct figure_layer){
                        .style = { (enum figure_role)(FIGURE_SERIES_1 + colour),
@@ -163,6 +214,9 @@ static void add_run(struct figure *f, const struct view *view,
                        .x = p->x + at * POINTS,
                        .y = p->y[c] + at * POINTS,
                        .count = POINTS });
+        if (p->runs > 1)
+            add_marks(f, entry, colour, p->x + at * POINTS,
+                      p->y[c] + at * POINTS, at);
     }
 }
 
@@ -175,6 +229,7 @@ static struct figure_style guide(enum figure_dash dash)
 static void add_guides(struct figure *f, const struct simulation *s,
                        const struct view *view)
 {
+    const struct unit_system units = scene_units(&s->scene);
     const double drive = (double) s->study.slider.block.tan_alpha;
 
     if (view->curve[0].at == AT(mu))
@@ -185,28 +240,50 @@ static void add_guides(struct figure *f, const struct simulation *s,
         const struct phase *q = &s->run[0].phase[i];
         const struct quantity *end =
             view->over_time ? &q->end_time : &q->end_slip;
+        const double x = unit_value(
+            &units, unit_find(view->over_time ? "L/V_star" : "L"), end->value);
         if (quantity_exists(end))
             sheet_segment(f, guide(FIGURE_DOTTED), "ends of phases 1 and 2",
-                          (struct vec2){ end->value, f->y.lo },
-                          (struct vec2){ end->value, f->y.hi });
+                          (struct vec2){ x, f->y.lo },
+                          (struct vec2){ x, f->y.hi });
     }
+}
+
+/* Of one curve, or of two with a comma between. */
+static struct sheet_label y_label(const struct unit_system *u,
+                                  const struct view *view)
+{
+    struct sheet_label all =
+        sheet_label(u, view->curve[0].what, view->curve[0].unit);
+
+    if (view->curve[1].what) {
+        const struct sheet_label second =
+            sheet_label(u, view->curve[1].what, view->curve[1].unit);
+        strncat(all.text, ", ", sizeof all.text - strlen(all.text) - 1);
+        strncat(all.text, second.text, sizeof all.text - strlen(all.text) - 1);
+    }
+    return all;
 }
 
 static void build(struct figure *f, const struct simulation *s,
                   const struct view *view, const struct points *p)
 {
     const size_t count = p->runs * POINTS;
+    const struct unit_system units = scene_units(&s->scene);
+    const struct sheet_label over =
+        view->over_time ? sheet_label(&units, "time", "L/V_star")
+                        : sheet_label(&units, "slip", "L");
+    const struct sheet_label label = y_label(&units, view);
     const struct figure_axis x =
-        axis_of(view->over_time ? "time " S_TIME : SLIP,
-                (double *[]){ p->x, NULL }, count, view->over_time);
-    const struct figure_axis y = axis_of(view->y, p->y, count, view->y_log);
+        axis_of(over.text, (double *[]){ p->x, NULL }, count, view->over_time);
+    const struct figure_axis y = axis_of(label.text, p->y, count, view->y_log);
     size_t shown = 0;
 
     figure_init(f, sheet_title(&s->scene, true).text, &x, &y);
     add_guides(f, s, view);
     for (size_t k = 0; k < s->runs; k++)
         if (s->run[k].curve.count > 0)
-            add_run(f, view, &s->run[k].sum, p, shown++);
+            add_run(f, &units, view, &s->run[k].sum, p, shown++);
 }
 
 enum status picture_simulation_check(const struct simulation *s,

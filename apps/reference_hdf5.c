@@ -32,8 +32,13 @@ static const char head[] =
     "in L, slip rate in V_star, time in L/V_star, all in `/provenance`.\n"
     "\n"
     "Each data set has the attribute `long_name`, its meaning below, each but\n"
-    "texts `units` (UDUNITS; 1: none). What a data set is over (along) is a\n"
-    "dimension scale of its own group: a coordinate in xarray's words.\n"
+    "texts `units` (UDUNITS; 1: none). Where the unit below is V_star or L or\n"
+    "made of them, `units` is 1 and the attribute `scale` says it: times "
+    "that,\n"
+    "of `/provenance`, the number is in m, s, m/s, 1/s. What a data set is "
+    "over\n"
+    "(along) is a dimension scale of its own group: a coordinate in xarray's\n"
+    "words.\n"
     "\n"
     "| kind | stored as | when missing |\n"
     "|---|---|---|\n"
@@ -62,10 +67,15 @@ static const char *const kind_names[] = {
 
 /* ---- lines of tables ----------------------------------------------------- */
 
+static const char *unit_of(const struct record_field *f)
+{
+    return unit_factor(f->unit) ? f->unit : unit_plain(f->unit);
+}
+
 static void put_set(FILE *out, const struct record_field *f, const char *along)
 {
     fprintf(out, "| `%s` | %s | %s | %s | ", f->name, kind_names[f->kind],
-            f->kind == RECORD_TEXT ? "" : f->unit, along ? along : "");
+            f->kind == RECORD_TEXT ? "" : unit_of(f), along ? along : "");
     markdown_text(out, f->text);
     if (f->codes) {
         fputs(": ", out);
@@ -78,7 +88,7 @@ static void put_attribute_line(FILE *out, const char *name, const char *kind,
                                const struct record_field *f, const char *text)
 {
     fprintf(out, "| `%s` | %s | %s | ", name, kind,
-            f->kind == RECORD_TEXT || f->kind == RECORD_CODE ? "" : f->unit);
+            f->kind == RECORD_TEXT || f->kind == RECORD_CODE ? "" : unit_of(f));
     markdown_text(out, text);
     fputs(" |\n", out);
 }

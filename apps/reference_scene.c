@@ -22,11 +22,10 @@ static const char head[] =
     "`section.key` below is a key in a map, as `slope.alpha` above. On the\n"
     "command line `--set slope.alpha=0.3` sets any of them, and wins over the\n"
     "file. A key that is not in this list is an error. Numbers are decimal,\n"
-    "with a point. Lengths are in units of `material.L`, slip rates of\n"
-    "`material.V_star`, times of L/V_star where no unit stands. Those of the\n"
-    "window, of `spring_block.v` and of `trajectories` may have one behind "
-    "them:\n"
-    "`8e-3 m/s` or `8000 V_star`, `5 s` or `5 L/V_star`, `1e-6 m` or `1 L`.\n"
+    "with a point. Those in V_star, L or L/V_star below may have a unit "
+    "behind\n"
+    "them, `8e-3 m/s` or `8000 V_star`, `5 s` or `5 L/V_star`, `1e-6 m` or\n"
+    "`1 L`; one without is in m/s, m or s beside `units: si`.\n"
     "\n"
     "This page is written by `slipway help --as scene`.\n";
 

@@ -6,19 +6,29 @@
 #include "json_results.h"
 #include "number.h"
 #include "scene_slope.h"
+#include "scene_units.h"
 #include "study_results.h"
 #include "text_results.h"
 
 /* ---- text ------------------------------------------------------------- */
 
+static const char *const slope_form[] = {
+    [ANGLE_RAD] = ", alpha = %s rad",
+    [ANGLE_DEGREE] = ", alpha = %s degree",
+    [ANGLE_TAN] = ", tan_alpha = %s",
+};
+
 enum status report_print(FILE *out, const struct study *s)
 {
-    const struct results all = study_results(s);
+    struct results all = study_results(s);
 
+    all.units = scene_units(s->scene);
+    all.units.angle = s->scene->slope_in;
     fprintf(out, "%s (%s form)", s->slider.block.law.preset,
             friction_form_names[s->slider.block.law.form]);
     if (scene_has_slope(s->scene))
-        fprintf(out, ", alpha = %s rad", number_shortest(s->scene->alpha).text);
+        fprintf(out, slope_form[s->scene->slope_in],
+                number_shortest(s->scene->slope_given).text);
     fputc('\n', out);
     return text_results(out, &all);
 }
@@ -43,7 +53,7 @@ static json_t *parameters_json(const struct study *s)
 
 json_t *report_json(const struct study *s)
 {
-    const struct results all = study_results(s);
+    struct results all = study_results(s);
     const struct stage_cost total = study_cost(s);
     const struct law *law = &s->slider.block.law;
     json_t *j = json_pack(
@@ -52,6 +62,11 @@ json_t *report_json(const struct study *s)
         scene_has_slope(s->scene) ? json_number(s->scene->alpha) : json_null(),
         "parameters", parameters_json(s));
 
+    all.units = scene_units(s->scene);
+    json_object_set_new(j, "units",
+                        json_pack("{s:s, s:{s:s, s:s, s:s}}", "alpha", "rad",
+                                  "parameters", "L", "m", "V_star", "m/s", "g",
+                                  "m/s^2"));
     j = json_results(j, &all);
     json_object_set_new(j, "cost",
                         json_pack("{s:I, s:o}", "field_evaluations",

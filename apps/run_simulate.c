@@ -6,6 +6,7 @@
 #include "output.h"
 #include "picture_transient.h"
 #include "progress.h"
+#include "scene_units.h"
 #include "state.h"
 #include "tolerance.h"
 
@@ -81,7 +82,9 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
 {
     struct simulation s;
     struct fault why = { "" };
-    const struct results all = { .table = simulation_tables, .run = &s };
+    const struct results all = { .table = simulation_tables,
+                                 .run = &s,
+                                 .units = scene_units(scene) };
 
     enum status status =
         output_check(o, scene, scene->figure, picture_simulation_panel, &why);

@@ -2,12 +2,34 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "symbols.h"
 
 static bool is_si(const struct sheet *p)
 {
     return p->s->scene->units == UNITS_SI;
+}
+
+struct sheet_label sheet_label(const struct unit_system *u, const char *what,
+                               const char *unit)
+{
+    static const struct {
+        const char *unit, *own, *si;
+    } letters[] = { { "V_star", " " S_V_RATIO, " " S_BIG_V },
+                    { "L", " " S_SLIP, " " S_X },
+                    { "L/V_star", " " S_TIME, " " S_T },
+                    { "psi", " " S_PSI, " " S_PHI } };
+    const char *name = unit_name(u, unit), *letter = "";
+    const bool told = u->si && strcmp(name, "1") != 0;
+    struct sheet_label l;
+
+    for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
+        if (strcmp(letters[i].unit, unit) == 0)
+            letter = u->si ? letters[i].si : letters[i].own;
+    snprintf(l.text, sizeof l.text, "%s%s%s%s%s", what, letter,
+             told ? " (" : "", told ? name : "", told ? ")" : "");
+    return l;
 }
 
 struct figure_axis sheet_linear(const char *label, const double range[2])

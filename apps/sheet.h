@@ -5,6 +5,7 @@
 
 #include "line.h"
 #include "study.h"
+#include "unit.h"
 
 /* A figure in the making; all borrowed. */
 struct sheet {
@@ -18,6 +19,14 @@ struct sheet {
 struct figure_axis sheet_linear(const char *label, const double range[2]);
 struct figure_axis sheet_rates(const struct sheet *p, const char *what,
                                const double v[2], char label[64]);
+
+/* "slip x/L" of "slip" and the unit "L" (unit.h), "slip x (m)" as the SI has
+ * it; what has no such unit keeps its name. */
+struct sheet_label {
+    char text[192];
+};
+struct sheet_label sheet_label(const struct unit_system *u, const char *what,
+                               const char *unit);
 
 /* "TITLE - law, alpha = 0.34 rad" of a scene; without a slope, the former. */
 struct sheet_text {

@@ -6,7 +6,7 @@
 #include "physical.h"
 #include "scene_units.h"
 #include "text.h"
-#include "unit.h"
+#include "unit_text.h"
 
 static const char *name_of(const struct options *o, const char *text)
 {
@@ -35,14 +35,14 @@ enum status state_read(const struct options *o, const struct scene *s,
 
 void state_setting(const struct options *o, char *text, size_t size)
 {
-    enum unit unit = UNIT_BARE;
+    const struct unit *rate = unit_find("V_star");
+    enum unit_text in = UNIT_TEXT_BARE;
     double v = 0.0, state = 0.0;
 
-    (void) unit_read(DIMENSION_RATE, o->v, &v, &unit);
+    (void) unit_text_read(rate, o->v, &v, &in);
     (void) number_read(o->psi ? o->psi : o->phi, &state);
-    snprintf(text, size, "trajectories.starts=[{v: %.17g%s%s, %s: %.17g}]", v,
-             unit ? " " : "", unit_name(DIMENSION_RATE, unit),
-             o->psi ? "psi" : "phi", state);
+    snprintf(text, size, "trajectories.starts=[{v: %.17g%s, %s: %.17g}]", v,
+             unit_text_name(rate, in).text, o->psi ? "psi" : "phi", state);
 }
 
 void state_print(FILE *out, const struct scene *s, double v, double psi)

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "result_units.h"
 
 /* More rows than these are shown in part, unless words tell them apart; more
  * columns than these in fewer digits. */
@@ -14,8 +15,10 @@ enum { ROWS = 24, WIDE = 7 };
 /* " m"; nothing for "1". */
 static void print_unit(FILE *out, const struct record_field *f)
 {
-    if (strcmp(f->unit, "1") != 0)
-        fprintf(out, " %s", f->unit);
+    const char *unit = unit_name(NULL, f->unit);
+
+    if (strcmp(unit, "1") != 0)
+        fprintf(out, " %s", unit);
 }
 
 /* "name   value +- error unit" or "name   -   reason"; what rounding of the
@@ -84,6 +87,14 @@ static void print_record(FILE *out, const struct result *r, size_t k,
     }
 }
 
+void text_record(FILE *out, const struct record_array *a, size_t first)
+{
+    for (size_t i = first; i < a->type->count; i++) {
+        const struct record_field *f = &a->type->fields[i];
+        print_member(out, f->name, f, record_member(a, 0, f));
+    }
+}
+
 /* "name   v = value +- error, psi = value +- error" */
 static void print_pairs(FILE *out, const struct record_array *a,
                         const char *name)
@@ -98,6 +109,7 @@ static void print_pairs(FILE *out, const struct record_array *a,
                     number_with_bar(q->value, q->error);
                 fprintf(out, "%s %s = %s +- %s", k ? "," : "", f->name,
                         shown.value.text, shown.error.text);
+                print_unit(out, f);
             } else if (k == 0) {
                 fprintf(out, " -  (%s)", q->reason);
             }
@@ -110,16 +122,41 @@ static void print_pairs(FILE *out, const struct record_array *a,
 
 /* ---- tables -------------------------------------------------------------- */
 
+enum { CELL = 64 };
+
+/* "name (unit)" */
+static void head_text(const struct record_field *f, char text[CELL])
+{
+    const char *unit = unit_name(NULL, f->unit);
+    const bool bare = strcmp(unit, "1") == 0;
+
+    snprintf(text, CELL, "%s%s%s%s", f->name, bare ? "" : " (",
+             bare ? "" : unit, bare ? "" : ")");
+}
+
+static void add_unit(char text[CELL], const char *unit)
+{
+    const size_t size = strlen(text);
+
+    if (strcmp(unit, "1") != 0)
+        snprintf(text + size, CELL - size, " %s", unit);
+}
+
 static int width_of(const struct record_type *type,
                     const struct record_field *f)
 {
-    size_t width = 13;
+    char head[CELL];
+
+    head_text(f, head);
+    size_t width = strlen(head) > 13 ? strlen(head) : 13;
 
     for (size_t i = 0; f->kind == RECORD_CODE && f->codes[i]; i++)
         if (strlen(f->codes[i]) > width)
             width = strlen(f->codes[i]);
+    if (f->units)
+        width += 9;
     return f->kind == RECORD_CODE || f->kind == RECORD_REAL ||
-                   type->count > WIDE
+                   type->count > WIDE || width > 22
                ? (int) width
                : 22;
 }
@@ -168,17 +205,17 @@ static void print_line(FILE *out, const struct record_array *a,
                        const size_t *row)
 {
     const size_t n = a->type->count;
-    char text[64];
+    char text[CELL];
 
     fputc(' ', out);
     for (size_t k = 0; k < n; k++) {
         const struct record_field *f = &a->type->fields[k];
-        const bool bare = strcmp(f->unit, "1") == 0;
         if (row)
             cell_text(f, record_member(a, *row, f), n > WIDE, text);
         else
-            snprintf(text, sizeof text, "%s%s%s%s", f->name, bare ? "" : " (",
-                     bare ? "" : f->unit, bare ? "" : ")");
+            head_text(f, text);
+        if (row && f->units && strcmp(text, "-") != 0)
+            add_unit(text, result_unit(a, *row, f));
         fprintf(out, " %-*s", k + 1 < n ? width_of(a->type, f) : 0, text);
     }
     fputc('\n', out);
@@ -229,8 +266,10 @@ static void print_list(FILE *out, const struct record_array *a)
         cell_text(f, record_member(a, i, f), false, text);
         fprintf(out, " %s", text);
     }
-    if (a->count > 0)
+    if (a->count > 0) {
+        print_unit(out, f);
         fputc('\n', out);
+    }
 }
 
 static bool are_numbers(const struct record_type *type)

@@ -15,4 +15,7 @@
 /* STATUS_NO_MEMORY, with a part printed. */
 MUST_CHECK enum status text_results(FILE *out, const struct results *all);
 
+/* Members first .. of a record by their own names, a line each. */
+void text_record(FILE *out, const struct record_array *a, size_t first);
+
 #endif

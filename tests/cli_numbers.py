@@ -168,6 +168,7 @@ SHAPE = {
                 'mu_s': QUANTITY, 'G': QUANTITY}],
     },
     'cost': {'field_evaluations': NUMBER, 'seconds': NUMBER},
+    'units': dict,
 }
 
 
@@ -190,6 +191,8 @@ def check_shape(found, shape, where):
         expect(is_quantity(found), where, found, 'is not', shape)
     elif shape is NUMBER:
         expect(is_number(found), where, found, 'is not', shape)
+    elif shape is dict:
+        expect(isinstance(found, dict) and found, where, found)
     elif shape is str:
         expect(isinstance(found, str) and found, where, found)
     elif isinstance(shape, set):
@@ -232,10 +235,45 @@ def composed_laws_have_the_same_shape(room):
     expect(found['law'] == 'composed', found['law'])
 
 
+def slopes_are_told_in_the_unit_they_were_given_in(room):
+    law = ['--law', 'spinodal_gen']
+    rad = room.json('knees', *law, '--set', 'slope.alpha_deg=19.5')
+    for key, given, head, name, told in (
+            ('alpha', '0.34', ', alpha = 0.34 rad', 'alpha_cM', lambda x: x),
+            ('alpha_deg', '19.5', ', alpha = 19.5 degree', 'alpha_cM',
+             math.degrees),
+            ('tan_alpha', '0.354', ', tan_alpha = 0.354', 'tan_alpha_cM',
+             math.tan)):
+        said = room.good('knees', *law, '--set', f'slope.{key}={given}')
+        expect(said.splitlines()[0].endswith(head), said)
+        line = re.search(rf'^ +{name} +(\S+) +\+- (\S+)(.*)', said, re.M)
+        wanted = told(rad['folds']['alpha_cM']['value'])
+        expect(line and abs(float(line[1]) - wanted) <= float(line[2])
+               + 1e-15 * wanted, name, said)
+        expect(line[3] == {'alpha': ' rad', 'alpha_deg': ' degree',
+                           'tan_alpha': ''}[key], line)
+    expect(rad['units']['folds']['alpha_cM'] == 'rad', 'JSON is in rad')
+
+
+def without_v_plus_a_line_says_what_answers_instead(room):
+    for law in LAWS:
+        for alpha in ('0.3', '0.34'):
+            found = room.json('knees', '--law', law, '--alpha', alpha)
+            said = room.good('knees', '--law', law, '--alpha', alpha)
+            notes = re.findall(r'^note: no v_plus: (.*)', said, re.M)
+            expect(len(notes) == (found['upper_end'] == 'open'), law, notes)
+            for note in notes:
+                expect('push' in note and 'knees_upper' in note and
+                       ('psi_at_v0' in note) ==
+                       (found['psi_at_v0']['value'] is not None), note)
+    expect('note: no v_plus' in room.good('knees', '--law', 'dieterich',
+                                          '--alpha', '0.3'), 'dieterich')
+
+
 def a_study_prints_only_what_was_asked_for(room):
     found = room.json('study', *SLOPE, '--set', 'products=[equilibria]')
     expect(set(found) == {'law', 'form', 'alpha', 'parameters', 'equilibria',
-                          'saddle', 'cost'}, sorted(found))
+                          'saddle', 'cost', 'units'}, sorted(found))
     found = room.json('study', *SLOPE, '--set', 'products=[folds]')
     expect('folds' in found and 'v_plus' not in found, sorted(found))
 

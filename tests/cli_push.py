@@ -19,7 +19,7 @@ def is_quantity(found):
 
 def one_state_is_answered_as_the_page_says(room):
     found = room.json('push', *SLOPE, *STATE)
-    expect(list(found) == KEYS, found)
+    expect(list(found) == [*KEYS, 'units'], found)
     expect(found['fate'] == 'rest_finite', found)
     expect(all(is_quantity(found[key]) for key in KEYS[1:]), found)
     expect(abs(found['slip']['value'] - 0.2689053) < 1e-6, found)
@@ -52,10 +52,11 @@ def states_of_a_file_keep_their_order(room):
     room.write('s.csv', '# some states\npsi,id,v\n' + ''.join(
         f'{psi!r},{number},{v!r}\n' for number, (v, psi) in enumerate(states)))
     found = room.json('push', *SLOPE, '--states', 's.csv')
-    expect(list(found) == ['states'] and len(found['states']) == 80, found)
+    expect(list(found) == ['states', 'units'] and len(found['states']) == 80, found)
     single = [room.json('push', *SLOPE, '--v', repr(v), '--psi', repr(psi))
               for v, psi in states[:4]]
-    expect(found['states'] == single * 20, found['states'][:4], single)
+    expect([{**state, 'units': found['units']['states']}
+            for state in found['states']] == single * 20, found['states'][:4], single)
     one = room.json('push', *SLOPE, '--states', 's.csv', '--threads', '1')
     expect(found == one, 'threads change the answers')
 
@@ -63,7 +64,7 @@ def states_of_a_file_keep_their_order(room):
 def a_file_of_one_state_is_still_a_list(room):
     room.write('s.csv', 'v,psi\n1e3,10\n')
     found = room.json('push', *SLOPE, '--states', 's.csv')
-    expect(list(found) == ['states'] and len(found['states']) == 1, found)
+    expect(list(found) == ['states', 'units'] and len(found['states']) == 1, found)
 
 
 def a_scene_gives_the_slope(room):
@@ -92,14 +93,14 @@ def the_range_of_a_logarithm_is_the_one_that_holds(room):
 UNIT_OF_PHI = {'dieterich_gen': 3e-6 / 4e-7, 'spinodal_gen': 1 / 101}
 
 
-def in_si_a_state_without_its_unit_is_refused(room):
+def in_si_a_bare_number_is_in_the_si_and_psi_is_refused(room):
     for law in UNIT_OF_PHI:
         room.write('a.yaml', SI % law)
         for command in ('push', 'simulate'):
             def say(*args):
                 return room.run(command, 'a.yaml', *args)
-            refused(say('--v', '8e-3', '--phi', '1'), 2, '--v 8e-3', 'm/s',
-                    'V_star')
+            expect(say('--v', '8e-3', '--phi', '1').stdout ==
+                   say('--v', '8e-3 m/s', '--phi', '1').stdout != '', law)
             refused(say('--v', '8e-3m/s', '--psi', '10'), 2, '--psi 10', 'phi')
             refused(say('--v', '8e-3m', '--phi', '1'), 2, '--v 8e-3m')
             refused(say('--v', '8e-3m/s', '--phi', '-1'), 2, '--phi -1', '> 0')
@@ -107,8 +108,9 @@ def in_si_a_state_without_its_unit_is_refused(room):
                     'one of them')
             refused(say('--v', '8e-3m/s'), 2, '--phi')
     room.write('b.csv', 'v,phi\n1e-3,1\n')
-    refused(room.run('push', 'a.yaml', '--states', 'b.csv'), 2, 'b.csv:2:1',
-            'm/s')
+    expect(room.json('push', 'a.yaml', '--states', 'b.csv')['states'][0]['fate']
+           == room.json('push', 'a.yaml', '--v', '1e-3 m/s', '--phi',
+                        '1')['fate'], 'b.csv')
     room.write('b.csv', 'v [m/s],psi\n1e-3,1\n')
     refused(room.run('push', 'a.yaml', '--states', 'b.csv'), 2, 'b.csv:2:6',
             'phi')
@@ -128,8 +130,8 @@ def physical_and_own_units_give_the_same_answer(room):
         for command in ('push', 'simulate'):
             twin = room.json(command, 'a.yaml', *own, '--v', '1000', '--psi',
                              '10')
-            for args in (['--v', '4e-4 m/s', '--phi', phi],
-                         ['--v', '1000V_star', '--phi', phi],
+            for args in ([*own, '--v', '4e-4 m/s', '--phi', phi],
+                         [*own, '--v', '1000V_star', '--phi', phi],
                          [*own, '--v', '4e-4m/s', '--psi', '10'],
                          [*own, '--v', '1000 V_star', '--phi', phi]):
                 found = room.json(command, 'a.yaml', *args)
@@ -214,7 +216,7 @@ run_cases([
     states_of_a_file_keep_their_order,
     a_file_of_one_state_is_still_a_list,
     a_scene_gives_the_slope,
-    in_si_a_state_without_its_unit_is_refused,
+    in_si_a_bare_number_is_in_the_si_and_psi_is_refused,
     physical_and_own_units_give_the_same_answer,
     psi_may_be_negative_where_it_is_a_logarithm,
     what_does_not_exist_has_a_reason,

@@ -23,7 +23,7 @@ def the_example_scene_gives_numbers_and_a_file(room):
                  'fit of (30)', 's_k (m)', 'wrote outputs/rabinowicz.h5'):
         expect(word in said, word, said)
     found = room.json('rabinowicz', SCENE)
-    expect(list(found) == ['K', 'release', 'fit', 'slip', 'persistence'],
+    expect(list(found) == ['K', 'release', 'fit', 'slip', 'persistence', 'units'],
            list(found))
     expect(len(found['release']) == 7 and all(
         list(row) == ROW for row in found['release']), found['release'])

@@ -63,7 +63,7 @@ with h5py.File('a.h5') as f:
 
 def one_run(room, *args):
     found = room.json('simulate', *args)
-    expect(list(found) == ['trajectories'], found)
+    expect(list(found) == ['trajectories', 'units'], found)
     return found['trajectories'][0]
 
 

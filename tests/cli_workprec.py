@@ -50,7 +50,8 @@ def check_run(run):
 
 def everything_is_raced_and_ours_does_not_lie(room):
     found = room.json('workprec', '--quick', '-o', 'a.h5', '--figure', 'a.svg')
-    expect(list(found) == ['runs', 'fastest', 'missing', 'environment'],
+    expect(list(found) == ['runs', 'fastest', 'missing', 'environment',
+                           'units'],
            list(found))
     for run in found['runs']:
         check_run(run)

@@ -138,9 +138,15 @@ class Reader:
             wanted.add('_FillValue')
         if dataset.ndim and not is_axis:
             wanted.add('DIMENSION_LIST')
-        found = set(dataset.attrs) - {'REFERENCE_LIST'} - (
+        found = set(dataset.attrs) - {'REFERENCE_LIST', 'scale'} - (
             {'comment'} if dataset.size == 1 else set())
         self.demand(found == wanted, path, 'has', found ^ wanted)
+
+    def unit(self, path, dataset, unit):
+        """What V_star and L scale has no unit as it is."""
+        scaled = 'V_star' in unit or unit == 'L'
+        found = (text_of(dataset.attrs, 'units'), text_of(dataset.attrs, 'scale'))
+        self.demand(found == (('1', unit) if scaled else (unit, '')), path, unit)
 
     def words(self, path, dataset, words):
         found = text_of(dataset.attrs, 'flag_meanings').split()
@@ -170,7 +176,7 @@ class Reader:
         axes = ([name] if is_axis else [
             axis[0].name.rsplit('/', 1)[1] for axis in dataset.dims])
         self.demand(dataset.dtype == DTYPES[kind], path, dataset.dtype)
-        self.demand(text_of(dataset.attrs, 'units') == unit, path, unit)
+        self.unit(path, dataset, unit)
         self.demand(long_name == text, path, 'means', long_name)
         along = along.replace('the axes', ', '.join(self.keys))
         self.demand(along == ', '.join(axes), path, 'is along', axes)

@@ -18,7 +18,7 @@ struct steady {
 };
 #define STEADY(name, unit, text, kind, codes)                                  \
     {                                                                          \
-#name, unit, text, offsetof(struct steady, name), kind, codes          \
+#name, unit, text, offsetof(struct steady, name), kind, codes, NULL    \
     }
 static const struct record_field steady_fields[] = {
     STEADY(type, "1", "linear type", RECORD_CODE, types),
@@ -41,7 +41,8 @@ struct point {
 };
 #define POINT(i, name)                                                         \
     {                                                                          \
-        name, "1", "column " name, (i) * sizeof(double), RECORD_REAL, NULL     \
+        name, "1", "column " name, (i) * sizeof(double), RECORD_REAL, NULL,    \
+            NULL                                                               \
     }
 /* More columns on one axis than an object header holds compactly. */
 static const struct record_field point_fields[] = {

@@ -340,7 +340,7 @@ def files_that_cannot_be_read_or_written_exit_4(room):
                     'slipway check t.csv --tap > /dev/full',
                     'slipway check t.csv --json > /dev/full',
                     f'slipway check --record {slope} > /dev/full',
-                    f'slipway check --record {slope} -o none/x.csv',
+                    f'slipway check --record {slope} -o /dev/null/x.csv',
                     f'slipway check --record {slope} -o scenes',
                     'slipway check --record none.yaml -o x.csv'):
         done = room.shell(command)
@@ -392,6 +392,19 @@ def composed_laws_and_coarse_accuracy_hold(room):
             and room.check('x.csv', '--rtol', '1e-8').returncode == 0)
 
 
+def every_setting_of_a_row_counts(room):
+    room.check('--record', '--ode', "x' = y; y' = -k*x; k = 2", '--window',
+               'x=-2:2,y=-1:1', '-o', 'x.csv')
+    text = room.read('x.csv')
+    at = text.index('"system.ode')
+    room.write('y.csv', text[:at] + '"' + 90 * 'title=oscillator\n'
+               + text[at + 1:])
+    room.write('z.csv', text[:at] + '"' + 90 * 'title=oscillator\n'
+               + 'system.parameters.k=3\n' + text[at + 1:])
+    return ([room.check(name).returncode for name in ('x.csv', 'y.csv',
+                                                      'z.csv')] == [0, 0, 1])
+
+
 def another_material_does_not_hold(room):
     room.check('--record', '--law', 'ruina', '--alpha', '0.3', '-o', 'x.csv')
     text = room.read('x.csv').replace(',0.369', ',0.370')
@@ -435,6 +448,7 @@ CASES = [
     every_scene_recorded_holds,
     any_number_of_scenes_and_tables_is_taken,
     composed_laws_and_coarse_accuracy_hold,
+    every_setting_of_a_row_counts,
     another_material_does_not_hold,
     progress_is_told_and_an_interrupt_stops,
 ]

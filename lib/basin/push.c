@@ -16,13 +16,13 @@
 
 static const struct record_field push_fields[] = {
     FIELD_CODE(push_answer, fate, fate_names, "what becomes of the state"),
-    FIELD(push_answer, QUANTITY, slip, "1", "slip to arrest in units of L"),
-    FIELD(push_answer, QUANTITY, time, "1",
+    FIELD(push_answer, QUANTITY, slip, "L", "slip to arrest in units of L"),
+    FIELD(push_answer, QUANTITY, time, "L/V_star",
           "time to arrest in units of L/V_star"),
     FIELD(push_answer, QUANTITY, mu_mean, "1", "mean friction over that slip"),
     FIELD(push_answer, QUANTITY, v_kick, "1",
           "factor on v to the nearest other fate"),
-    FIELD(push_answer, QUANTITY, psi_kick, "1",
+    FIELD(push_answer, QUANTITY, psi_kick, "kick of psi",
           "factor on psi (or shift of it) to the nearest other fate"),
 };
 const struct record_type record_push =

@@ -34,12 +34,15 @@ enum record_kind {
 
 struct record_field {
     const char *name; /* HDF5 name = JSON key */
-    const char *unit; /* UDUNITS; "1" if none */
+    const char *unit; /* UDUNITS, or one of unit.h; "1" if none */
     const char *text; /* one plain phrase: CF long_name */
     size_t offset;
     enum record_kind kind;
     const char *const *codes; /* RECORD_CODE: NULL-ended words, code = index;
                                  -1 means "no value" */
+    const char *const *units; /* of a column whose rows have different ones,
+                                 by the code that is the record's first
+                                 member; else NULL */
 };
 
 struct record_type {

@@ -34,3 +34,14 @@ const char *physical_unit(const struct law *law)
 {
     return law->theta == THETA_LN_PSI || law->theta == THETA_PSI ? "s" : "1";
 }
+
+struct unit_system physical_units(const struct law *law,
+                                  const struct material *m, bool si)
+{
+    return (struct unit_system){ .si = si,
+                                 .V_star = m->V_star,
+                                 .L = m->L,
+                                 .phi_1 = unit_of(law, m),
+                                 .psi_is_log = law_psi_is_log(law),
+                                 .phi = physical_unit(law) };
+}

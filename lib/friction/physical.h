@@ -3,6 +3,7 @@
 #define FRICTION_PHYSICAL_H
 
 #include "law.h"
+#include "unit.h"
 
 /* phi of psi: (L/V_star) psi in s for `dieterich*`,
  * (L/V_star) e^psi for `ruina`, (2 L/V_star) e^psi for `perrin`, psi/(1 + R)
@@ -17,5 +18,9 @@ double physical_psi(const struct law *law, const struct material *m,
 
 /* "s", or "1" where phi is dimensionless. */
 const char *physical_unit(const struct law *law);
+
+/* In which to tell numbers: the SI, or as they are. */
+struct unit_system physical_units(const struct law *law,
+                                  const struct material *m, bool si);
 
 #endif

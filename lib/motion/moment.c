@@ -22,6 +22,12 @@ const char *const moment_names[] = { "v_sp",
                                      "rest",
                                      NULL };
 
+const char *const moment_units[] = {
+    [MOMENT_V_SP] = "V_star",   [MOMENT_V_MINUS] = "V_star",
+    [MOMENT_V_PLUS] = "V_star", [MOMENT_V] = "V_star",
+    [MOMENT_PSI] = "psi",       [MOMENTS] = NULL,
+};
+
 static struct vec2 place(const double u[])
 {
     return (struct vec2){ u[0], u[1] };

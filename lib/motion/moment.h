@@ -31,6 +31,7 @@ enum moment {
     MOMENT_REST,      /* v = 0 */
     MOMENTS
 };
+extern const char *const moment_units[]; /* of the level, by code */
 extern const char *const moment_names[];
 
 /* A value to look out for, of v (MOMENT_V), psi (MOMENT_PSI) or

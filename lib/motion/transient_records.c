@@ -10,16 +10,17 @@ const char *const transient_end_names[] = {
 /* ---- records ------------------------------------------------------------- */
 
 static const struct record_field summary_fields[] = {
-    FIELD(transient_summary, REAL, v, "1",
+    FIELD(transient_summary, REAL, v, "V_star",
           "slip rate at the start in units of V_star"),
-    FIELD(transient_summary, REAL, psi, "1", "interfacial state at the start"),
+    FIELD(transient_summary, REAL, psi, "psi",
+          "interfacial state at the start"),
     FIELD_CODE(transient_summary, fate, fate_names,
                "what becomes of the start"),
     FIELD_CODE(transient_summary, end, transient_end_names,
                "why the run ended"),
-    FIELD(transient_summary, QUANTITY, time, "1",
+    FIELD(transient_summary, QUANTITY, time, "L/V_star",
           "time of the run in units of L/V_star"),
-    FIELD(transient_summary, QUANTITY, slip, "1",
+    FIELD(transient_summary, QUANTITY, slip, "L",
           "slip of the run in units of L"),
     FIELD(transient_summary, QUANTITY, mu_mean, "1",
           "mean friction over that slip"),
@@ -34,14 +35,19 @@ const struct record_type record_transient = RECORD_TYPE(
 
 static const struct record_field event_fields[] = {
     FIELD_CODE(transient_event, what, moment_names, "what happens"),
-    FIELD(transient_event, REAL, level, "1",
-          "the value that v, psi, |mu - tan(alpha)| takes"),
-    FIELD(transient_event, QUANTITY, time, "1",
+    { .name = "level",
+      .unit = "1",
+      .text = "the value that v, psi, |mu - tan(alpha)| takes",
+      .offset = offsetof(struct transient_event, level),
+      .kind = RECORD_REAL,
+      .units = moment_units },
+    FIELD(transient_event, QUANTITY, time, "L/V_star",
           "time since the start in units of L/V_star"),
-    FIELD(transient_event, QUANTITY, slip, "1",
+    FIELD(transient_event, QUANTITY, slip, "L",
           "slip since the start in units of L"),
-    FIELD(transient_event, QUANTITY, v, "1", "slip rate in units of V_star"),
-    FIELD(transient_event, QUANTITY, psi, "1", "interfacial state"),
+    FIELD(transient_event, QUANTITY, v, "V_star",
+          "slip rate in units of V_star"),
+    FIELD(transient_event, QUANTITY, psi, "psi", "interfacial state"),
     FIELD(transient_event, QUANTITY, mu, "1", "friction coefficient"),
 };
 const struct record_type record_transient_event =

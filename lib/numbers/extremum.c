@@ -14,8 +14,8 @@ const char *const extremum_names[] = { "maximum", "minimum", NULL };
 
 static const struct record_field fields[] = {
     FIELD_CODE(extremum, kind, extremum_names, "which kind of extremum"),
-    FIELD(extremum, QUANTITY, v, "1", "slip rate in units of V_star"),
-    FIELD(extremum, QUANTITY, psi, "1", "interfacial state"),
+    FIELD(extremum, QUANTITY, v, "V_star", "slip rate in units of V_star"),
+    FIELD(extremum, QUANTITY, psi, "psi", "interfacial state"),
     FIELD(extremum, QUANTITY, mu, "1",
           "steady-state friction coefficient mu_ss(v)"),
     FIELD(extremum, QUANTITY, alpha, "rad",

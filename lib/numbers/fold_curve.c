@@ -16,8 +16,10 @@ static const struct record_field fields[] = {
           "slope angle of the fold at the minimum of mu_ss, (16)"),
     FIELD(fold_point, QUANTITY, alpha_cM, "rad",
           "slope angle of the fold at the maximum of mu_ss, (16)"),
-    FIELD(fold_point, QUANTITY, v_m, "1", "slip rate at the minimum of mu_ss"),
-    FIELD(fold_point, QUANTITY, v_M, "1", "slip rate at the maximum of mu_ss"),
+    FIELD(fold_point, QUANTITY, v_m, "V_star",
+          "slip rate at the minimum of mu_ss"),
+    FIELD(fold_point, QUANTITY, v_M, "V_star",
+          "slip rate at the maximum of mu_ss"),
     FIELD(fold_point, QUANTITY, mu_m, "1", "mu_ss at its minimum"),
     FIELD(fold_point, QUANTITY, mu_M, "1",
           "mu_ss at its maximum: static friction, (15)"),
@@ -28,8 +30,8 @@ const struct record_type record_fold_curve =
 
 static const struct record_field cusp_fields[] = {
     FIELD(cusp_numbers, QUANTITY, c, "1", "c at which both folds meet"),
-    FIELD(cusp_numbers, QUANTITY, v, "1", "slip rate there"),
-    FIELD(cusp_numbers, QUANTITY, psi, "1", "interfacial state there"),
+    FIELD(cusp_numbers, QUANTITY, v, "V_star", "slip rate there"),
+    FIELD(cusp_numbers, QUANTITY, psi, "psi", "interfacial state there"),
     FIELD(cusp_numbers, QUANTITY, mu, "1", "friction coefficient there"),
     FIELD(cusp_numbers, QUANTITY, alpha, "rad", "slope angle there"),
 };

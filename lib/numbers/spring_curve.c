@@ -8,7 +8,8 @@
 #include "steady.h"
 
 static const struct record_field fields[] = {
-    FIELD(spring_point, REAL, v, "1", "speed of pulling in units of V_star"),
+    FIELD(spring_point, REAL, v, "V_star",
+          "speed of pulling in units of V_star"),
     FIELD(spring_point, QUANTITY, k, "Pa m-1",
           "stiffness below which the block sticks and slips"),
     FIELD(spring_point, QUANTITY, k_quasistatic, "Pa m-1",

@@ -9,9 +9,9 @@
 #include "response.h"
 #include "tolerance.h"
 
-#define V FIELD(steady_point, REAL, v, "1", "slip rate in units of V_star")
+#define V FIELD(steady_point, REAL, v, "V_star", "slip rate in units of V_star")
 #define PSI                                                                    \
-    FIELD(steady_point, QUANTITY, psi, "1", "interfacial state psi_ss(v)")
+    FIELD(steady_point, QUANTITY, psi, "psi", "interfacial state psi_ss(v)")
 #define MU                                                                     \
     FIELD(steady_point, QUANTITY, mu, "1",                                     \
           "steady-state friction coefficient mu_ss(v)")
@@ -33,9 +33,9 @@ static const struct record_field bifurcation_fields[] = {
     FIELD_CODE(steady_point, type, equilibrium_type_names, "linear type there"),
     PSI,
     MU,
-    FIELD(steady_point, QUANTITY, lambda_minus, "1",
+    FIELD(steady_point, QUANTITY, lambda_minus, "V_star/L",
           "smaller eigenvalue, per L/V_star"),
-    FIELD(steady_point, QUANTITY, lambda_plus, "1",
+    FIELD(steady_point, QUANTITY, lambda_plus, "V_star/L",
           "larger eigenvalue, per L/V_star"),
 };
 const struct record_type record_bifurcation =

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "result_units.h"
+
 /* ---- names --------------------------------------------------------------- */
 
 /* A name in the making. */
@@ -114,8 +116,8 @@ static const struct result_kept *find_kept(const struct result_keep *kept,
     return NULL;
 }
 
-enum status result_open(const struct results *all, const struct result *r,
-                        size_t k, struct result_view *out)
+static enum status open_own(const struct results *all, const struct result *r,
+                            size_t k, struct result_view *out)
 {
     const struct result_kept *kept = r->make ? find_kept(all->kept, r) : NULL;
 
@@ -125,6 +127,15 @@ enum status result_open(const struct results *all, const struct result *r,
     if (r->count && k >= r->count(all->run))
         return STATUS_OK;
     return r->view ? r->view(all->run, k, out) : STATUS_OK;
+}
+
+enum status result_open(const struct results *all, const struct result *r,
+                        size_t k, struct result_view *out)
+{
+    const enum status status = open_own(all, r, k, out);
+
+    return status == STATUS_OK && out->here ? result_tell(&all->units, out)
+                                            : status;
 }
 
 void result_close(struct result_view *v)

@@ -18,6 +18,7 @@
 #include "monitor.h"
 #include "record.h"
 #include "status.h"
+#include "unit.h"
 
 /* How the records of a result lie. */
 enum result_shape {
@@ -81,7 +82,8 @@ struct results {
     const struct result *const *table;
     const void *run;                /* borrowed; what views are given */
     const struct result_keep *kept; /* borrowed; NULL: none */
-    uint64_t asked; /* bits that the run and its tables agree upon */
+    uint64_t asked;           /* bits that the run and its tables agree upon */
+    struct unit_system units; /* that views are in; clear: as they are */
 };
 
 /* Lends records from *out on; they are owned by the run. */

@@ -22,6 +22,7 @@
 
 #include "law.h"
 #include "plane.h"
+#include "unit.h"
 
 /* What a scene may ask for; stage_table says what each runs. */
 enum product {
@@ -159,7 +160,9 @@ struct scene {
     struct law law;
     struct law_typed *typed; /* owned: the law's formulas; NULL: components */
     struct material material;
-    double alpha; /* rad; 0: none (scene_slope.h) */
+    double alpha;             /* rad; 0: none (scene_slope.h) */
+    enum unit_angle slope_in; /* as it was given */
+    double slope_given;
     long double tan_alpha;
     struct scene_window window; /* dimensionless */
     enum units units;           /* of start values and figure axes */

@@ -7,7 +7,12 @@
 #include "number.h"
 #include "physical.h"
 #include "schema_table.h"
-#include "unit.h"
+#include "unit_text.h"
+
+struct unit_system scene_units(const struct scene *s)
+{
+    return physical_units(&s->law, &s->material, s->units == UNITS_SI);
+}
 
 /* The first key with a physical unit. */
 static void note(struct scene *s, const char *path)
@@ -18,30 +23,30 @@ static void note(struct scene *s, const char *path)
 
 /* ---- keys with a dimension ----------------------------------------------- */
 
+/* Whether a number is in the SI's unit: behind it, or the scene's. */
+static bool is_si(const struct scene *s, enum unit_text in)
+{
+    return in == UNIT_TEXT_BARE ? s->units == UNITS_SI : in == UNIT_TEXT_SI;
+}
+
 static enum status settle_number(const struct schema_key *key,
                                  const struct node *n, struct scene *s,
                                  double *value, struct fault *why)
 {
-    enum unit unit = UNIT_BARE;
+    const struct unit *unit = unit_text_of(key->unit);
+    const struct unit_system units = scene_units(s);
+    enum unit_text in = UNIT_TEXT_BARE;
     double x;
 
-    if (!unit_read(key->dimension, n->text, &x, &unit))
-        return STATUS_OK; /* `inf`, which has no unit */
-    if (unit == UNIT_BARE && s->units == UNITS_SI)
-        return place_blame(
-            n->at, why,
-            "%s: %s has no unit, expected %s or %s beside units: si", key->path,
-            node_shown(n).text, unit_name(key->dimension, UNIT_SI),
-            unit_name(key->dimension, UNIT_OWN));
-    if (unit != UNIT_SI)
-        return STATUS_OK;
+    if (!unit_text_read(unit, n->text, &x, &in) || !is_si(s, in))
+        return STATUS_OK; /* `inf` has no unit */
     note(s, key->path);
-    *value = x / unit_scale(key->dimension, &s->material);
+    *value = x / unit_scale(&units, unit);
     if (*value >= key->lo && *value <= key->hi)
         return STATUS_OK;
-    return place_blame(n->at, why, "%s: %s is %g %s, expected %s", key->path,
+    return place_blame(n->at, why, "%s: %s is %g%s, expected %s", key->path,
                        node_shown(n).text, *value,
-                       unit_name(key->dimension, UNIT_OWN), key->expected);
+                       unit_text_name(unit, UNIT_TEXT_OWN).text, key->expected);
 }
 
 static enum status settle_key(const struct schema_key *key,
@@ -69,11 +74,11 @@ static enum status settle_start(const struct node *n, struct scene *s,
                                 struct scene_start *start, struct fault *why)
 {
     const struct node *v = node_find(n, "v"), *psi = node_find(n, "psi");
-    enum unit unit = UNIT_BARE;
+    enum unit_text in = UNIT_TEXT_BARE;
     double x;
 
-    (void) unit_read(DIMENSION_RATE, v->text, &x, &unit);
-    const bool si = unit == UNIT_BARE ? s->units == UNITS_SI : unit == UNIT_SI;
+    (void) unit_text_read(unit_find("V_star"), v->text, &x, &in);
+    const bool si = is_si(s, in);
     if (si)
         start->v /= s->material.V_star;
     if ((si || !psi) && s->products & 1u << PRODUCT_TRAJECTORIES)
@@ -118,7 +123,7 @@ enum status scene_units_settle(const struct node *root, struct scene *s,
 
     for (const struct schema_key *key = schema_table; key->path; key++) {
         const struct node *n = node_at(root, key->path);
-        if (key->dimension != DIMENSION_NONE && n && status == STATUS_OK)
+        if (unit_text_of(key->unit) && n && status == STATUS_OK)
             status = settle_key(key, n, s, why);
     }
     for (size_t i = 0; i < s->starts && status == STATUS_OK; i++)
@@ -128,20 +133,14 @@ enum status scene_units_settle(const struct node *root, struct scene *s,
 
 /* ---- elsewhere ----------------------------------------------------------- */
 
-static bool read_rate(const struct scene *s, const char *text, double *v,
-                      char expected[128])
+static bool read_rate(const struct scene *s, const char *text, double *v)
 {
-    enum unit unit;
+    enum unit_text in;
     double x;
 
-    snprintf(expected, 128, "expected a number, perhaps with m/s or V_star");
-    if (!unit_read(DIMENSION_RATE, text, &x, &unit))
+    if (!unit_text_read(unit_find("V_star"), text, &x, &in))
         return false;
-    snprintf(expected, 128,
-             "expected m/s or V_star behind it, as the scene has units: si");
-    if (unit == UNIT_BARE && s->units == UNITS_SI)
-        return false;
-    *v = unit == UNIT_SI ? x / s->material.V_star : x;
+    *v = is_si(s, in) ? x / s->material.V_star : x;
     return true;
 }
 
@@ -152,7 +151,8 @@ bool scene_state_read(const struct scene *s, const struct scene_state *text,
     struct scene_start z;
 
     *wrong = text->v;
-    if (!text->v || !read_rate(s, text->v, &z.v, expected))
+    snprintf(expected, 128, "expected a number, perhaps with m/s or V_star");
+    if (!text->v || !read_rate(s, text->v, &z.v))
         return false;
     *wrong = text->psi && text->phi ? text->psi : NULL;
     snprintf(expected, 128, "expected psi or phi, one of them");

@@ -1,16 +1,18 @@
 /* scene_units.h -- what a scene says in physical units, made dimensionless; and
  * states as users write them elsewhere.
  *
- * A slip rate may have its unit behind it, m/s or V_star; a state is psi, which
- * is dimensionless, or phi, in the units of its law (physical.h).  In a scene
- * with `units: si` a number that could mean either is refused: slip rates need
- * a unit, states are phi.  Only in trajectories.starts, of which `units` says
- * so, a bare v is in m/s then. */
+ * A slip rate, a time or a length may have its unit behind it, m/s or V_star; a
+ * bare one is in the scene's units.  A state is psi, which is dimensionless, or
+ * phi, in the units of its law (physical.h); beside `units: si` it is phi. */
 #ifndef SCENE_SCENE_UNITS_H
 #define SCENE_SCENE_UNITS_H
 
 #include "node.h"
 #include "scene.h"
+#include "unit.h"
+
+/* The units that numbers of the scene are told in. */
+struct unit_system scene_units(const struct scene *s);
 
 /* To be called when the tree's values are in *s, as they stand there. */
 MUST_CHECK enum status scene_units_settle(const struct node *root,

@@ -50,7 +50,6 @@ static const char *const board_names[] = { "bristol_board", NULL };
 #define IS(value)    .standard = value
 #define UNIT(name)   .unit = name
 #define TEXT(phrase) .text = phrase
-#define OF(name)     .dimension = DIMENSION_##name
 #define POSITIVE                                                               \
     .read = value_real, ABOVE(0.0), TO(DBL_MAX), .expected = "a number > 0"
 
@@ -145,7 +144,7 @@ const struct schema_key schema_table[] = {
     { "window.v", value_pair, AT(window.v), FROM(1 / SCENE_RANGE),
       TO(SCENE_RANGE), .expected = "a number from 1e-300 to 1e300",
       IS("[1e-6, 1e6]"),
-      OF(RATE), TEXT("slip rates that figures and grids show") },
+      UNIT("V_star"), TEXT("slip rates that figures and grids show") },
     { "window.psi", value_pair, .side = 1, AT(window.psi), FROM(-SCENE_RANGE),
       TO(SCENE_RANGE), .expected = "a number up to 1e300", IS("[1e-3, 1e2]"),
       TEXT("states that they show; where psi is a logarithm (theta: psi) "
@@ -159,9 +158,9 @@ const struct schema_key schema_table[] = {
 
     { "units", value_choice, AT(units), .words = units_names,
       IS("dimensionless"),
-      TEXT("of trajectories.starts and of the axes of figures; beside si other "
-           "slip rates, times and lengths need a unit, and states are phi; "
-           "files are always dimensionless") },
+      TEXT("of numbers as they are read and told: beside si slip rates are in "
+           "m/s, lengths in m, times in s and states phi, but for those with "
+           "a unit behind them; files are always dimensionless") },
 
     { "products", value_products, .words = product_names,
       .expected = "a list of ",
@@ -174,17 +173,17 @@ const struct schema_key schema_table[] = {
 
     { "trajectories.starts", value_starts,
       .expected = "a list [{v: V, psi: P}, ...]", IS("[]"),
-      TEXT("states to follow, {v: V, psi: P} or {v: V, phi: P}; in SI units v in "
-           "m/s, and phi") },
+      TEXT("states to follow, {v: V, psi: P} or {v: V, phi: P}; beside units: "
+           "si phi") },
     { "trajectories.spread", value_count, AT(spread), FROM(0), TO(10000),
       .expected = "a whole number from 0 to 10000", IS("0"),
       TEXT("how many more starts, spread over the window") },
     { "trajectories.seed", value_seed, AT(seed), FROM(0), TO(0x1p53),
       .expected = "a whole number from 0 to 9007199254740992", IS("1"),
       TEXT("seed of everything random") },
-    { "trajectories.until.time", AT(until_time), POSITIVE, OF(TIME),
+    { "trajectories.until.time", AT(until_time), POSITIVE, UNIT("L/V_star"),
       TEXT("stop at this time") },
-    { "trajectories.until.slip", AT(until_slip), POSITIVE, OF(LENGTH),
+    { "trajectories.until.slip", AT(until_slip), POSITIVE, UNIT("L"),
       TEXT("stop at this slip") },
     { "trajectories.sample.linear_slip", value_count, AT(linear_slip),
       FROM(2), TO(1000000), .side = 1,
@@ -262,7 +261,7 @@ const struct schema_key schema_table[] = {
       TEXT("of the block; unless given its weight is sigma") },
     { "spring_block.v", value_pair, AT(spring_block.v), FROM(1 / SCENE_RANGE),
       TO(SCENE_RANGE), .expected = "a number from 1e-300 to 1e300",
-      OF(RATE),
+      UNIT("V_star"),
       TEXT("speeds of pulling; unless given those of the window") },
 
     { "fold_curves.c", value_pair, AT(fold_c), FROM(1 / SCENE_RANGE),

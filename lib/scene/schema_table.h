@@ -7,7 +7,7 @@
 
 #include "node.h"
 #include "scene.h"
-#include "unit.h"
+#include "unit_text.h"
 
 struct schema_key {
     const char *path; /* "window.v" */
@@ -23,8 +23,8 @@ struct schema_key {
     int side;  /* keys of one section on different sides exclude each other; 0:
                   on none */
     bool open; /* holds keys that the user names */
-    const char *unit;         /* UDUNITS; NULL: none */
-    enum dimension dimension; /* of numbers that may have a unit behind them */
+    const char *unit; /* UDUNITS, or one of unit.h, which may stand behind the
+                         number; NULL: none */
     const char *standard; /* what a scene without the key has, as it would say
                              it; NULL: nothing, or see text */
     const char *text;     /* what it is, one phrase */

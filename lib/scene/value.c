@@ -12,7 +12,7 @@
 #include "synonym.h"
 #include "text.h"
 #include "tolerance.h"
-#include "unit.h"
+#include "unit_text.h"
 
 /* Whether it would do as an angle in degrees, where one in rad is asked for. */
 static bool is_in_degrees(const struct schema_key *key, const struct node *n)
@@ -57,11 +57,12 @@ static bool in_range(const struct schema_key *key, double x)
 bool value_is_number(const struct schema_key *key, const struct node *n,
                      double *value)
 {
-    enum unit unit;
+    enum unit_text in;
     double x;
 
     if (n->kind != NODE_SCALAR ||
-        !unit_read(key->dimension, n->text, &x, &unit) || !in_range(key, x))
+        !unit_text_read(unit_text_of(key->unit), n->text, &x, &in) ||
+        !in_range(key, x))
         return false;
     *value = x;
     return true;
@@ -132,7 +133,7 @@ enum status value_pair(const struct schema_key *key, const struct node *n,
     for (int i = 0; i < 2; i++)
         if (!value_is_number(key, n->child[i], &x[i]))
             return value_refuse(key, n->child[i], why);
-    if (key->dimension == DIMENSION_NONE && x[0] >= x[1])
+    if (!unit_text_of(key->unit) && x[0] >= x[1])
         return place_blame(n->at, why,
                            "%s: [%s, %s] is empty, expected lo < hi", key->path,
                            text_shown(n->child[0]->text).text,
@@ -316,7 +317,8 @@ static const long double pi = 3.141592653589793238462643383279502884L;
 
 static void set_alpha(struct scene *s, double rad)
 {
-    s->alpha = rad;
+    s->slope_in = ANGLE_RAD;
+    s->slope_given = s->alpha = rad;
     s->tan_alpha = tanl((long double) rad);
 }
 
@@ -325,12 +327,16 @@ static void set_alpha_deg(struct scene *s, double degrees)
 {
     const long double x = (long double) degrees, rad = pi / 180;
 
+    s->slope_in = ANGLE_DEGREE;
+    s->slope_given = degrees;
     s->alpha = (double) (x * rad);
     s->tan_alpha = x <= 45 ? tanl(x * rad) : 1 / tanl((90 - x) * rad);
 }
 
 static void set_tan_alpha(struct scene *s, double x)
 {
+    s->slope_in = ANGLE_TAN;
+    s->slope_given = x;
     s->alpha = atan(x);
     s->tan_alpha = (long double) x;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tolerance.h"
+#include "unit.h"
 
 enum { CODES_MAX = 127 };
 
@@ -127,7 +128,9 @@ static hid_t column_make_set(struct store *st, hid_t group,
 static void column_describe(struct store *st, hid_t set, const struct column *c)
 {
     if (c->kind != RECORD_TEXT)
-        hdf_put_text(st, set, "units", c->unit);
+        hdf_put_text(st, set, "units", unit_plain(c->unit));
+    if (unit_factor(c->unit))
+        hdf_put_text(st, set, "scale", unit_factor(c->unit));
     hdf_put_text(st, set, "long_name", c->text);
     if (c->kind == RECORD_CODE)
         put_meanings(st, set, c->codes);

@@ -4,7 +4,7 @@
  *
  * Scalars and columns as store_records.h has them; layers in blocks of rows,
  * so that a grid need not fit into memory; attributes NAME, and of a number
- * NAME_error, a word as text.
+ * NAME_error, a word as text.  Numbers are as they are, whatever the units.
  */
 #ifndef STORE_STORE_RESULTS_H
 #define STORE_STORE_RESULTS_H
@@ -15,7 +15,7 @@
 /* Also STATUS_STOPPED by the monitor (may be NULL), which rows of layers are
  * told to, and what these return. */
 MUST_CHECK enum status store_put_results(struct store *store,
-                                         const struct results *all,
+                                         const struct results *told,
                                          const struct monitor *monitor);
 
 #endif

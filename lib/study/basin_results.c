@@ -15,13 +15,13 @@ struct v_at {
 };
 
 static const struct record_field psi_fields[] = {
-    FIELD(psi_at, REAL, psi, "1", "interfacial state"),
+    FIELD(psi_at, REAL, psi, "psi", "interfacial state"),
 };
 static const struct record_type record_psi =
     RECORD_TYPE("psi", "rows of the grid", psi_fields, psi_at);
 
 static const struct record_field v_fields[] = {
-    FIELD(v_at, REAL, v, "1", "slip rate in units of V_star"),
+    FIELD(v_at, REAL, v, "V_star", "slip rate in units of V_star"),
 };
 static const struct record_type record_v =
     RECORD_TYPE("v", "columns of the grid", v_fields, v_at);
@@ -172,8 +172,8 @@ struct disagreement {
 };
 
 static const struct record_field disagreement_fields[] = {
-    FIELD(disagreement, REAL, v, "1", "slip rate in units of V_star"),
-    FIELD(disagreement, REAL, psi, "1", "interfacial state"),
+    FIELD(disagreement, REAL, v, "V_star", "slip rate in units of V_star"),
+    FIELD(disagreement, REAL, psi, "psi", "interfacial state"),
 };
 static const struct record_type record_disagreement = RECORD_TYPE(
     "disagreement", "cells whose orbit has another fate than the map says",
@@ -234,13 +234,19 @@ static enum status view_fields(const void *run, size_t k,
 }
 
 static const struct record_field count_fields[] = {
-    { "cells", "1", "columns and rows", 0, RECORD_COUNT, NULL },
+    { .name = "cells",
+      .unit = "1",
+      .text = "columns and rows",
+      .kind = RECORD_COUNT },
 };
 static const struct record_type record_cells = { "cells", "size of the grid",
                                                  count_fields, 1,
                                                  sizeof(int64_t) };
 static const struct record_field name_fields[] = {
-    { "fields", "1", "a field of the cells", 0, RECORD_TEXT, NULL },
+    { .name = "fields",
+      .unit = "1",
+      .text = "a field of the cells",
+      .kind = RECORD_TEXT },
 };
 static const struct record_type record_names = {
     "fields", "fields of each cell", name_fields, 1, sizeof(char *)

@@ -183,7 +183,7 @@ struct chi_cell {
 };
 
 static const struct record_field rate_fields[] = {
-    FIELD(rate, REAL, v, "1", "slip rate"),
+    FIELD(rate, REAL, v, "V_star", "slip rate"),
 };
 static const struct record_type record_rate =
     RECORD_TYPE("rate", "slip rates", rate_fields, rate);

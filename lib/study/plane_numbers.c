@@ -149,8 +149,11 @@ static const struct record_type record_count =
     RECORD_TYPE("count", "how many there are", count_fields, plane_count);
 
 static const struct record_field share_fields[] = {
-    { "fraction", "1", "of the window, by area as it is drawn",
-      offsetof(struct plane_rest, share), RECORD_QUANTITY, NULL },
+    { .name = "fraction",
+      .unit = "1",
+      .text = "of the window, by area as it is drawn",
+      .offset = offsetof(struct plane_rest, share),
+      .kind = RECORD_QUANTITY },
 };
 static const struct record_type record_share = RECORD_TYPE(
     "share", "the basin of an equilibrium", share_fields, plane_rest);

@@ -7,12 +7,12 @@ const char *const end_names[] = { "psi_inf", "open",      "psi_0",
 
 static const struct record_field steady_fields[] = {
     FIELD_CODE(steady_number, type, equilibrium_type_names, "linear type"),
-    FIELD(steady_number, QUANTITY, v, "1", "slip rate in units of V_star"),
-    FIELD(steady_number, QUANTITY, psi, "1", "interfacial state"),
+    FIELD(steady_number, QUANTITY, v, "V_star", "slip rate in units of V_star"),
+    FIELD(steady_number, QUANTITY, psi, "psi", "interfacial state"),
     FIELD(steady_number, QUANTITY, mu, "1", "friction coefficient"),
-    FIELD(steady_number, QUANTITY, lambda_minus, "1",
+    FIELD(steady_number, QUANTITY, lambda_minus, "V_star/L",
           "smaller eigenvalue, per L/V_star"),
-    FIELD(steady_number, QUANTITY, lambda_plus, "1",
+    FIELD(steady_number, QUANTITY, lambda_plus, "V_star/L",
           "larger eigenvalue, per L/V_star"),
 };
 const struct record_type record_steady =
@@ -23,14 +23,14 @@ static const struct record_field fold_fields[] = {
           "slope angle of the fold at the minimum of mu_ss, (16)"),
     FIELD(fold_numbers, QUANTITY, alpha_cM, "rad",
           "slope angle of the fold at the maximum of mu_ss, (16)"),
-    FIELD(fold_numbers, QUANTITY, v_m, "1",
+    FIELD(fold_numbers, QUANTITY, v_m, "V_star",
           "slip rate at the minimum of mu_ss"),
-    FIELD(fold_numbers, QUANTITY, v_M, "1",
+    FIELD(fold_numbers, QUANTITY, v_M, "V_star",
           "slip rate at the maximum of mu_ss"),
     FIELD(fold_numbers, QUANTITY, mu_s, "1",
           "static friction mu_ss(v_M), (15)"),
-    FIELD(fold_numbers, QUANTITY, v_M_eq11, "1", "estimate of v_M, (11)"),
-    FIELD(fold_numbers, QUANTITY, v_m_eq12, "1", "estimate of v_m, (12)"),
+    FIELD(fold_numbers, QUANTITY, v_M_eq11, "V_star", "estimate of v_M, (11)"),
+    FIELD(fold_numbers, QUANTITY, v_m_eq12, "V_star", "estimate of v_m, (12)"),
     FIELD(fold_numbers, QUANTITY, c_cusp, "1",
           "c at which both folds meet, Fig 4"),
     FIELD(fold_numbers, QUANTITY, alpha_cusp, "rad",
@@ -40,12 +40,12 @@ const struct record_type record_folds = RECORD_TYPE(
     "folds", "extrema of steady-state friction", fold_fields, fold_numbers);
 
 static const struct record_field saddle_fields[] = {
-    FIELD(saddle_numbers, QUANTITY, v, "1", "slip rate at the saddle"),
-    FIELD(saddle_numbers, QUANTITY, psi, "1",
+    FIELD(saddle_numbers, QUANTITY, v, "V_star", "slip rate at the saddle"),
+    FIELD(saddle_numbers, QUANTITY, psi, "psi",
           "interfacial state at the saddle"),
-    FIELD(saddle_numbers, QUANTITY, lambda_minus, "1",
+    FIELD(saddle_numbers, QUANTITY, lambda_minus, "V_star/L",
           "stable eigenvalue, per L/V_star"),
-    FIELD(saddle_numbers, QUANTITY, lambda_plus, "1",
+    FIELD(saddle_numbers, QUANTITY, lambda_plus, "V_star/L",
           "unstable eigenvalue, per L/V_star"),
 };
 const struct record_type record_saddle =
@@ -56,23 +56,25 @@ static const struct record_field critical_fields[] = {
                "how the upper branch ends"),
     FIELD_CODE(critical_numbers, lower_end, end_names,
                "how the lower branch ends"),
-    FIELD(critical_numbers, QUANTITY, v_plus, "1",
+    FIELD(critical_numbers, QUANTITY, v_plus, "V_star",
           "critical slip rate: limit of v as psi -> infinity"),
-    FIELD(critical_numbers, QUANTITY, ln_v_plus, "1", "its natural logarithm"),
-    FIELD(critical_numbers, QUANTITY, v_minus, "1",
+    FIELD(critical_numbers, QUANTITY, ln_v_plus, "ln(V_star)",
+          "its natural logarithm"),
+    FIELD(critical_numbers, QUANTITY, v_minus, "V_star",
           "critical slip rate: limit of v as psi -> 0"),
-    FIELD(critical_numbers, QUANTITY, ln_v_minus, "1", "its natural logarithm"),
-    FIELD(critical_numbers, QUANTITY, psi_at_v0, "1",
+    FIELD(critical_numbers, QUANTITY, ln_v_minus, "ln(V_star)",
+          "its natural logarithm"),
+    FIELD(critical_numbers, QUANTITY, psi_at_v0, "psi",
           "interfacial state where the lower branch meets v = 0"),
-    FIELD(critical_numbers, QUANTITY, x_excess, "1",
+    FIELD(critical_numbers, QUANTITY, x_excess, "L",
           "integral of (v - v_sp) dt along the upper branch, units of L"),
-    FIELD(critical_numbers, QUANTITY, x_deficit, "1",
+    FIELD(critical_numbers, QUANTITY, x_deficit, "L",
           "integral of |v - v_sp| dt along the lower branch, units of L"),
     FIELD(critical_numbers, QUANTITY, mu_s_num, "1",
           "static friction (41) with exact v_plus and x_excess"),
     FIELD(critical_numbers, QUANTITY, mu_s_mean, "1",
           "mean friction along the upper branch, weight v - v_sp"),
-    FIELD(critical_numbers, QUANTITY, fracture_energy, "1",
+    FIELD(critical_numbers, QUANTITY, fracture_energy, "L",
           "(mu_s_num - tan(alpha)) x_excess"),
 };
 const struct record_type record_critical =
@@ -80,8 +82,8 @@ const struct record_type record_critical =
                 critical_fields, critical_numbers);
 
 static const struct record_field knee_fields[] = {
-    FIELD(knee_number, QUANTITY, v, "1", "slip rate at the knee"),
-    FIELD(knee_number, QUANTITY, psi, "1", "interfacial state at the knee"),
+    FIELD(knee_number, QUANTITY, v, "V_star", "slip rate at the knee"),
+    FIELD(knee_number, QUANTITY, psi, "psi", "interfacial state at the knee"),
 };
 const struct record_type record_knee = RECORD_TYPE(
     "knee", "where the slope rises through 1", knee_fields, knee_number);
@@ -89,17 +91,17 @@ const struct record_type record_knee = RECORD_TYPE(
 static const struct record_field branch_fields[] = {
     FIELD(branch_row, REAL, arc, "1",
           "arc length from the saddle in (ln v, ln psi)"),
-    FIELD(branch_row, REAL, v, "1", "slip rate in units of V_star"),
-    FIELD(branch_row, REAL, psi, "1", "interfacial state"),
+    FIELD(branch_row, REAL, v, "V_star", "slip rate in units of V_star"),
+    FIELD(branch_row, REAL, psi, "psi", "interfacial state"),
     FIELD(branch_row, REAL, slope, "1",
           "d ln psi / d ln v along the branch; missing: vertical"),
-    FIELD(branch_row, REAL, slip, "1",
+    FIELD(branch_row, REAL, slip, "L",
           "slip in units of L from the first point on"),
-    FIELD(branch_row, REAL, time, "1",
+    FIELD(branch_row, REAL, time, "L/V_star",
           "time in L/V_star from the first point on"),
-    FIELD(branch_row, REAL, work, "1",
+    FIELD(branch_row, REAL, work, "L",
           "frictional work per unit normal force, units of L, likewise"),
-    FIELD(branch_row, REAL, excess, "1",
+    FIELD(branch_row, REAL, excess, "L",
           "slip in excess of v_sp, units of L, from the saddle"),
     FIELD(branch_row, REAL, error, "1",
           "bound on the distance to the exact curve in (ln v, ln psi)"),
@@ -110,46 +112,46 @@ const struct record_type record_branch =
 
 static const struct record_field nullcline_fields[] = {
     FIELD(nullcline_row, REAL, arc, "1", "arc length in (ln v, ln psi)"),
-    FIELD(nullcline_row, REAL, v, "1", "slip rate in units of V_star"),
-    FIELD(nullcline_row, REAL, psi, "1", "interfacial state"),
+    FIELD(nullcline_row, REAL, v, "V_star", "slip rate in units of V_star"),
+    FIELD(nullcline_row, REAL, psi, "psi", "interfacial state"),
 };
 const struct record_type record_nullcline = RECORD_TYPE(
     "nullcline", "a piece of nullcline", nullcline_fields, nullcline_row);
 
 static const struct record_field trajectory_fields[] = {
-    FIELD(trajectory_row, REAL, time, "1", "time in L/V_star"),
-    FIELD(trajectory_row, REAL, v, "1", "slip rate in units of V_star"),
-    FIELD(trajectory_row, REAL, psi, "1", "interfacial state"),
-    FIELD(trajectory_row, REAL, slip, "1", "slip in units of L"),
+    FIELD(trajectory_row, REAL, time, "L/V_star", "time in L/V_star"),
+    FIELD(trajectory_row, REAL, v, "V_star", "slip rate in units of V_star"),
+    FIELD(trajectory_row, REAL, psi, "psi", "interfacial state"),
+    FIELD(trajectory_row, REAL, slip, "L", "slip in units of L"),
     FIELD(trajectory_row, REAL, mu, "1", "friction coefficient"),
-    FIELD(trajectory_row, REAL, work, "1",
+    FIELD(trajectory_row, REAL, work, "L",
           "frictional work per unit normal force, units of L"),
 };
 const struct record_type record_trajectory = RECORD_TYPE(
     "trajectory", "one forward orbit", trajectory_fields, trajectory_row);
 
 static const struct record_field arrow_fields[] = {
-    FIELD(arrow_row, REAL, v, "1", "slip rate in units of V_star"),
-    FIELD(arrow_row, REAL, psi, "1", "interfacial state"),
+    FIELD(arrow_row, REAL, v, "V_star", "slip rate in units of V_star"),
+    FIELD(arrow_row, REAL, psi, "psi", "interfacial state"),
     FIELD(arrow_row, REAL, direction_v, "1",
           "unit direction as drawn, along v"),
     FIELD(arrow_row, REAL, direction_psi, "1",
           "unit direction as drawn, along psi"),
-    FIELD(arrow_row, REAL, log10_speed, "1",
+    FIELD(arrow_row, REAL, log10_speed, "log10(V_star/L)",
           "log10 of the speed in (ln v, ln psi) per L/V_star"),
 };
 const struct record_type record_arrow =
     RECORD_TYPE("field_arrows", "direction field", arrow_fields, arrow_row);
 
 static const struct record_field estimate_fields[] = {
-    FIELD(estimate_numbers, QUANTITY, v_sp0, "1",
+    FIELD(estimate_numbers, QUANTITY, v_sp0, "V_star",
           "slip rate at the saddle, (29)"),
-    FIELD(estimate_numbers, QUANTITY, psi_sp0, "1",
+    FIELD(estimate_numbers, QUANTITY, psi_sp0, "psi",
           "state at the saddle, (29)"),
-    FIELD(estimate_numbers, QUANTITY, x_k, "1",
+    FIELD(estimate_numbers, QUANTITY, x_k, "L",
           "persistence length in units of L, (30)"),
-    FIELD(estimate_numbers, QUANTITY, x_k_small_psi, "1", "its limit (31)"),
-    FIELD(estimate_numbers, QUANTITY, x_k_zero_slope, "1", "(31) at alpha = 0"),
+    FIELD(estimate_numbers, QUANTITY, x_k_small_psi, "L", "its limit (31)"),
+    FIELD(estimate_numbers, QUANTITY, x_k_zero_slope, "L", "(31) at alpha = 0"),
     FIELD(estimate_numbers, QUANTITY, mu_s_exact_v_plus, "1",
           "static friction (41) with the exact saddle and v_plus"),
     FIELD(estimate_numbers, QUANTITY, alpha_f, "rad", "friction angle (42)"),
@@ -162,19 +164,20 @@ const struct record_type record_estimates =
 
 static const struct record_field xi_fields[] = {
     FIELD(xi_number, REAL, xi, "1", "coefficient xi of (38)"),
-    FIELD(xi_number, QUANTITY, v_minus, "1", "critical slip rate (39)"),
-    FIELD(xi_number, QUANTITY, v_plus, "1", "critical slip rate (39)"),
+    FIELD(xi_number, QUANTITY, v_minus, "V_star", "critical slip rate (39)"),
+    FIELD(xi_number, QUANTITY, v_plus, "V_star", "critical slip rate (39)"),
     FIELD(xi_number, QUANTITY, mu_s, "1", "static friction (41)"),
-    FIELD(xi_number, QUANTITY, G, "1", "fracture energy (32)"),
+    FIELD(xi_number, QUANTITY, G, "L", "fracture energy (32)"),
 };
 const struct record_type record_xi =
     RECORD_TYPE("xi", "the eigen-coordinate estimate", xi_fields, xi_number);
 
-#define BY(parameter, name, unit, text)                                        \
+#define BY(parameter, name_, unit_, text_)                                     \
     {                                                                          \
-        name, unit, text,                                                      \
+        .name = name_, .unit = unit_, .text = text_,                           \
+        .offset =                                                              \
             offsetof(struct sensitivity_numbers, by[PARAMETER_##parameter]),   \
-            RECORD_QUANTITY, NULL                                              \
+        .kind = RECORD_QUANTITY                                                \
     }
 
 static const struct record_field sensitivity_fields[] = {
@@ -262,15 +265,19 @@ RESULT_VIEW(view_roots, study, s->estimates.chi_root, s->estimates.chi_roots)
 RESULT_VIEW(view_xi, study, s->estimates.xi, s->estimates.xi_count)
 
 static const struct record_field root_fields[] = {
-    { "roots", "1", "root of chi(v) = 1, (34)", 0, RECORD_QUANTITY, NULL },
+    { .name = "roots",
+      .unit = "V_star",
+      .text = "root of chi(v) = 1, (34)",
+      .kind = RECORD_QUANTITY },
 };
 static const struct record_type record_root = { "roots", "roots of chi",
                                                 root_fields, 1,
                                                 sizeof(struct quantity) };
-#define ROOT(name, member, text)                                               \
+#define ROOT(name_, member, text_)                                             \
     {                                                                          \
-        name, "1", text, offsetof(struct estimate_numbers, member),            \
-            RECORD_QUANTITY, NULL                                              \
+        .name = name_, .unit = "V_star", .text = text_,                        \
+        .offset = offsetof(struct estimate_numbers, member),                   \
+        .kind = RECORD_QUANTITY                                                \
     }
 static const struct record_field chi_fields[] = {
     ROOT("v_minus", chi_v_minus, "root of chi(v) = 1 below v_sp, (34)"),

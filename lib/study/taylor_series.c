@@ -25,11 +25,11 @@ const struct record_type record_taylor_term =
                 term_fields, taylor_term);
 
 static const struct record_field series_fields[] = {
-    FIELD(taylor_series, QUANTITY, radius, "1",
+    FIELD(taylor_series, QUANTITY, radius, "V_star",
           "radius of convergence, in v, around v_sp"),
-    FIELD(taylor_series, QUANTITY, agrees_from, "1",
+    FIELD(taylor_series, QUANTITY, agrees_from, "V_star",
           "least v where order 14 is within 1 % of the curve"),
-    FIELD(taylor_series, QUANTITY, agrees_to, "1",
+    FIELD(taylor_series, QUANTITY, agrees_to, "V_star",
           "largest v where order 14 is within 1 % of the curve"),
 };
 const struct record_type record_taylor =

@@ -26,7 +26,7 @@ static const struct sweep_dim_axis known[SWEEP_DIMS] = {
     [DIM_ARROW_PSI] = { .name = "arrow_psi" },
     [DIM_ARROW_V] = { .name = "arrow_v" },
     [DIM_CHI_V] = { .name = "chi_v",
-                    .unit = "1",
+                    .unit = "V_star",
                     .text = "slip rate in units of V_star" },
 };
 

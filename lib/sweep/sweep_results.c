@@ -46,11 +46,17 @@ RESULT_VIEW(view_share, sweep_point, &s->study.basins.fraction[k], 1)
 RESULT_VIEW(view_audit, sweep_point, &s->study.basins.audit, 1)
 
 static const struct record_field arrow_fields[] = {
-    { "direction_v", "1", "unit direction as drawn, along v",
-      offsetof(struct arrow, direction.x), RECORD_REAL, NULL },
-    { "direction_psi", "1", "unit direction as drawn, along psi",
-      offsetof(struct arrow, direction.y), RECORD_REAL, NULL },
-    FIELD(arrow, REAL, log10_speed, "1",
+    { .name = "direction_v",
+      .unit = "1",
+      .text = "unit direction as drawn, along v",
+      .offset = offsetof(struct arrow, direction.x),
+      .kind = RECORD_REAL },
+    { .name = "direction_psi",
+      .unit = "1",
+      .text = "unit direction as drawn, along psi",
+      .offset = offsetof(struct arrow, direction.y),
+      .kind = RECORD_REAL },
+    FIELD(arrow, REAL, log10_speed, "log10(V_star/L)",
           "log10 of the speed in (ln v, ln psi) per L/V_star"),
 };
 static const struct record_type record_arrow_cell =
@@ -71,24 +77,25 @@ static enum status arrow_rows(const void *run, size_t first, size_t count,
 /* ---- steady states by what they are -------------------------------------- */
 
 static const struct record_field kind_fields[] = {
-    FIELD(kind_numbers, QUANTITY, v, "1", "slip rate in units of V_star"),
-    FIELD(kind_numbers, QUANTITY, psi, "1", "interfacial state"),
-    FIELD(kind_numbers, QUANTITY, lambda_minus, "1",
+    FIELD(kind_numbers, QUANTITY, v, "V_star", "slip rate in units of V_star"),
+    FIELD(kind_numbers, QUANTITY, psi, "psi", "interfacial state"),
+    FIELD(kind_numbers, QUANTITY, lambda_minus, "V_star/L",
           "smaller eigenvalue, per L/V_star"),
-    FIELD(kind_numbers, QUANTITY, lambda_plus, "1",
+    FIELD(kind_numbers, QUANTITY, lambda_plus, "V_star/L",
           "larger eigenvalue, per L/V_star"),
 };
 static const struct record_type record_kind = RECORD_TYPE(
     "kind", "a steady state by what it is", kind_fields, kind_numbers);
 
 static const struct record_field ln_v_fields[] = {
-    FIELD(kind_numbers, QUANTITY, ln_v, "1", "natural logarithm of v"),
+    FIELD(kind_numbers, QUANTITY, ln_v, "ln(V_star)", "natural logarithm of v"),
 };
 static const struct record_type record_ln_v =
     RECORD_TYPE("ln_v", "its slip rate", ln_v_fields, kind_numbers);
 
 static const struct record_field ln_psi_fields[] = {
-    FIELD(kind_numbers, QUANTITY, ln_psi, "1", "natural logarithm of psi"),
+    FIELD(kind_numbers, QUANTITY, ln_psi, "ln(psi)",
+          "natural logarithm of psi"),
 };
 static const struct record_type record_ln_psi =
     RECORD_TYPE("ln_psi", "its state", ln_psi_fields, kind_numbers);
@@ -107,12 +114,13 @@ static const struct record_type record_defect = RECORD_TYPE(
     "energy", "balance of energy", defect_fields, transient_summary);
 
 static const struct record_field moment_fields[] = {
-    FIELD(transient_event, QUANTITY, time, "1",
+    FIELD(transient_event, QUANTITY, time, "L/V_star",
           "time since the start in units of L/V_star"),
-    FIELD(transient_event, QUANTITY, slip, "1",
+    FIELD(transient_event, QUANTITY, slip, "L",
           "slip since the start in units of L"),
-    FIELD(transient_event, QUANTITY, v, "1", "slip rate in units of V_star"),
-    FIELD(transient_event, QUANTITY, psi, "1", "interfacial state"),
+    FIELD(transient_event, QUANTITY, v, "V_star",
+          "slip rate in units of V_star"),
+    FIELD(transient_event, QUANTITY, psi, "psi", "interfacial state"),
     FIELD(transient_event, QUANTITY, mu, "1", "friction coefficient"),
 };
 static const struct record_type record_moment =

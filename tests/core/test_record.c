@@ -57,12 +57,26 @@ struct row {
 static void records_are_settled_number_by_number(void **state)
 {
     static const struct record_field fields[] = {
-        { "real", "1", "", offsetof(struct row, real), RECORD_REAL, NULL },
-        { "first", "1", "", offsetof(struct row, first), RECORD_QUANTITY,
-          NULL },
-        { "code", "1", "", offsetof(struct row, code), RECORD_CODE, NULL },
-        { "second", "1", "", offsetof(struct row, second), RECORD_QUANTITY,
-          NULL },
+        { .name = "real",
+          .unit = "1",
+          .text = "",
+          .offset = offsetof(struct row, real),
+          .kind = RECORD_REAL },
+        { .name = "first",
+          .unit = "1",
+          .text = "",
+          .offset = offsetof(struct row, first),
+          .kind = RECORD_QUANTITY },
+        { .name = "code",
+          .unit = "1",
+          .text = "",
+          .offset = offsetof(struct row, code),
+          .kind = RECORD_CODE },
+        { .name = "second",
+          .unit = "1",
+          .text = "",
+          .offset = offsetof(struct row, second),
+          .kind = RECORD_QUANTITY },
     };
     static const struct record_type type = { "row", "", fields, 4,
                                              sizeof(struct row) };

@@ -129,7 +129,9 @@ static void what_is_made_is_made_once_and_kept(void **state)
     static const struct result *const tables[] = { table, NULL };
     double run = 1.0;
     struct result_keep kept = { .at = NULL };
-    const struct results all = { tables, &run, &kept, 3 };
+    const struct results all = {
+        .table = tables, .run = &run, .kept = &kept, .asked = 3
+    };
     struct result_view v;
 
     (void) state;

@@ -377,6 +377,15 @@ static void numbers_with_units_become_dimensionless(void **state)
         assert_int_equal(s.units, si ? UNITS_SI : UNITS_DIMENSIONLESS);
         scene_free(&s);
     }
+    struct scene bare = scene_made(
+        "law: {preset: spinodal_gen}\nunits: si\n",
+        "slope.alpha=0.3\nwindow.v=[1e-8, 1]\nspring_block.v=[2e-9, 1]\n"
+        "trajectories.until.time=5\ntrajectories.until.slip=1e-6");
+    assert_true(bare.window.v[0] == 1e-8 / V && bare.window.v[1] == 1 / V);
+    assert_true(bare.spring_block.v[0] == 2e-9 / V &&
+                bare.spring_block.v[1] == 1 / V);
+    assert_true(bare.until_time == 5 / (L / V) && bare.until_slip == 1e-6 / L);
+    scene_free(&bare);
     struct scene s =
         scene_made("law: {preset: spinodal_gen}\n",
                    "slope.alpha=0.3\ntrajectories.until.time=5 L/V_star\n"

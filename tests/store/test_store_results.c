@@ -29,7 +29,11 @@ struct run {
 static const char *const words[] = { "no", "yes", NULL };
 
 static const struct record_field y_fields[] = {
-    { "y", "1", "a row", offsetof(struct at, x), RECORD_REAL, NULL },
+    { .name = "y",
+      .unit = "1",
+      .text = "a row",
+      .offset = offsetof(struct at, x),
+      .kind = RECORD_REAL },
 };
 static const struct record_field x_fields[] = {
     FIELD(at, REAL, x, "1", "a column"),

@@ -1,0 +1,269 @@
+#!/usr/bin/env python3
+"""The units in which numbers are told (TAP): a scene and its twin beside
+units: si, number by number.
+
+usage: cli_units.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import math
+import re
+
+from cli_room import expect, run_cases, shown
+
+V, L = 4e-7, 3e-6
+MATERIAL = f'material: {{V_star: {V}, L: {L}}}\n'
+FACTOR = {'V_star': ('m/s', V), 'L': ('m', L), 'L/V_star': ('s', L / V),
+          'V_star/L': ('1/s', V / L)}
+SHIFT = {'ln(V_star)': ('ln(m/s)', math.log(V)),
+         'log10(V_star/L)': ('log10(1/s)', math.log10(V / L))}
+# Of each law: phi of psi = 1, its unit, whether psi is a logarithm.
+PHI = {'dieterich_gen': (L / V, 's', False),
+       'spinodal_gen': (1 / 101, '1', False),
+       'perrin': (2 * L / V, 's', True)}
+STATES = {'psi', 'psi_at_v0', 'psi_sp0', 'psi_kick'}
+PRODUCTS = ('products=[equilibria, folds, knees, estimates, sensitivities, '
+            'taylor_series, friction_law, spring_block, bifurcation, '
+            'fold_curves, chi, basins]')
+SMALL = ['--set', 'basins.cells=[8, 8]', '--set', 'basins.audit=4']
+COMMANDS = [
+    ['knees'], ['study', '--set', PRODUCTS, *SMALL], ['basin', *SMALL],
+    ['portrait', '--sensitivities'],
+    ['push', '--v', '1000 V_star'], ['push', '--v', '1 V_star'],
+    ['simulate', '--v', '1000 V_star'],
+]
+
+
+class Twins:
+    """Two trees of JSON, their units beside them."""
+
+    def __init__(self, law):
+        self.law = law
+        self.compared = 0
+        self.told = 0
+
+    def unit(self, name, unit):
+        """Name, unit, and what makes the other number of one."""
+        phi_1, s, is_log = PHI[self.law]
+        if name in STATES:
+            other = name.replace('psi', 'phi')
+            if name == 'psi_kick':
+                return other, None, math.exp if is_log else lambda x: x
+            unit_told = None if s == '1' else s
+            if is_log:
+                return other, unit_told, lambda x: phi_1 * math.exp(x)
+            return other, unit_told, lambda x: phi_1 * x
+        if unit in FACTOR:
+            told, factor = FACTOR[unit]
+            return name, told, lambda x: x * factor
+        if unit in SHIFT:
+            told, shift = SHIFT[unit]
+            return name, told, lambda x: x + shift
+        return name, unit, lambda x: x
+
+    def same(self, where, made, own, si, bars):
+        if own is None or si is None:
+            expect(own is None and si is None or own is not None
+                   and not 1e-300 < abs(made(own)) < 1e300, where, own, si)
+            return
+        wanted = made(own)
+        expect(abs(wanted - si) <= bars + 1e-13 * max(abs(wanted), abs(si))
+               + 1e-15, where, own, wanted, si)
+        self.compared += 1
+        self.told += wanted != own
+
+    def numbers(self, where, made, own, si):
+        """A number, or one with its bar; a list of them; a word."""
+        if isinstance(own, list):
+            expect(len(own) == len(si), where)
+            for a, b in zip(own, si):
+                self.numbers(where, made, a, b)
+        elif isinstance(own, dict):
+            if own['value'] is None or si['value'] is None:
+                expect(own.get('reason') == si.get('reason')
+                       or 'largest double' in si['reason'], where, own, si)
+                return
+            width = own['error']
+            both = abs(made(own['value'] + width) - made(own['value'] - width))
+            self.same(where, made, own['value'], si['value'],
+                      both + si['error'])
+            expect(si['error'] >= 0.49 * both * (1 - 1e-6) - 1e-13 *
+                   abs(si['value']), where, own, si)
+        elif isinstance(own, (int, float)) and not isinstance(own, bool):
+            self.same(where, made, own, si, 0)
+        else:
+            expect(own == si, where, own, si)
+
+    def member(self, where, name, own, si, units, told):
+        kind = units.get(name) if isinstance(units, dict) else None
+        other, unit, made = self.unit(name, kind if isinstance(kind, str)
+                                      else None)
+        where = f'{where}.{name}'
+        expect(other in si, where, 'is not', sorted(si))
+        if name == 'level' and isinstance(kind, dict):
+            return
+        quantity = isinstance(own[name], dict) and 'value' in own[name]
+        leaf = (quantity or not isinstance(own[name], (dict, list)) or
+                isinstance(own[name], list) and
+                not (own[name] and isinstance(own[name][0], dict)
+                     and 'value' not in own[name][0]))
+        if not leaf:
+            self.walk(where, own[name], si[other], kind or {},
+                      told.get(other) or {})
+            return
+        if own[name] != []:
+            expect(told.get(other) == unit, where, unit, told)
+        self.numbers(where, made, own[name], si[other])
+
+    def walk(self, where, own, si, units, told):
+        if isinstance(own, list):
+            expect(len(own) == len(si), where, own, si)
+            for a, b in zip(own, si):
+                self.walk(where, a, b, units, told)
+            return
+        expect(len(own) == len(si), where, sorted(own), sorted(si))
+        for name in own:
+            if name not in ('units', 'parameters', 'cost', 'alpha'):
+                self.member(where, name, own, si, units, told)
+        for row in [own] if 'level' in own else []:
+            level = units['level'].get(row['what'])
+            if row['what'] == 'psi_level':
+                return
+            _, unit, made = self.unit('level', level)
+            expect(told['level'].get(row['what']) == unit, where, told)
+            self.numbers(where + '.level', made, own['level'], si['level'])
+
+
+def scene(law, units=''):
+    return (f'law: {{preset: {law}}}\nslope: {{alpha: 0.34}}\n{MATERIAL}'
+            f'{units}')
+
+
+def pair(room, law, command, *more):
+    """Both files, and the arguments for each."""
+    room.write('own.yaml', scene(law))
+    room.write('si.yaml', scene(law, 'units: si\n'))
+    phi_1, _, is_log = PHI[law]
+    psi = 1.5
+    phi = phi_1 * (math.exp(psi) if is_log else psi)
+    args = [command[0], *command[1:], *more]
+    state = '--v' in command
+    return ([args[0], 'own.yaml', *args[1:],
+             *(['--psi', repr(psi)] if state else [])],
+            [args[0], 'si.yaml', *args[1:],
+             *(['--phi', repr(phi)] if state else [])])
+
+
+def every_number_of_json_is_that_of_the_twin(room):
+    for law in PHI:
+        for command in COMMANDS:
+            own, si = pair(room, law, command)
+            twins = Twins(law)
+            own, si = room.json(*own), room.json(*si)
+            twins.walk(f'{law} {command[0]}', own, si, own['units'],
+                       si['units'])
+            expect(twins.told > 5 or command[0] == 'push', law, command,
+                   twins.told, twins.compared)
+
+
+NUMBER = re.compile(r'[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?')
+
+
+def every_line_of_text_has_the_units_of_json(room):
+    """Of lines NAME VALUE +- ERROR UNIT."""
+    line = re.compile(r'^  (\w+) +\S+ +\+- \S+(?: ([^(\s]\S*))?', re.M)
+    for law in PHI:
+        for command in (COMMANDS[0], COMMANDS[5]):
+            for args in pair(room, law, command):
+                units = room.json(*args)['units']
+                told = dict(line.findall(room.good(*args)))
+                expect(len(told) > (6 if args[0] == 'knees' else 0), told)
+                flat = {**units, **units.get('folds', {}),
+                        **units.get('estimates', {})}
+                for name, unit in told.items():
+                    if not name.startswith('estimates_'):
+                        expect(unit == flat.get(name, ''), args, name, unit,
+                               flat)
+
+
+def a_bare_number_of_a_scene_is_in_its_units(room):
+    for key, own, si in [('window.v', '[1e-3, 1e3]', f'[{1e-3 * V}, {1e3 * V}]'),
+                         ('trajectories.until.time', '5', repr(5 * L / V)),
+                         ('trajectories.until.slip', '5', repr(5 * L))]:
+        answer = []
+        for units, value in (('dimensionless', own), ('si', si)):
+            room.write('a.yaml', scene('spinodal_gen', f'units: {units}\n'))
+            answer.append(room.json(
+                'portrait', 'a.yaml', '--set', f'{key}={value}', '--set',
+                'trajectories.starts=[{v: 100 V_star, phi: 0.1}]', '-o',
+                f'{units}.h5'))
+        expect(answer[0]['saddle']['v']['value'] * V / answer[1]['saddle']['v']
+               ['value'] - 1 < 1e-14, answer)
+        script = ('import h5py, sys\n'
+                  'a, b = (h5py.File(f) for f in sys.argv[1:])\n'
+                  't = [f["trajectory_0/time"][-1] for f in (a, b)]\n'
+                  'assert abs(t[0] - t[1]) <= 1e-9 * t[0], t\n'
+                  't = [f["nullcline/v_0/v"][:].max() for f in (a, b)]\n'
+                  'assert abs(t[0] - t[1]) <= 1e-9 * t[0], t\n')
+        room.write('same.py', script)
+        done = room.shell('/usr/bin/python3 same.py dimensionless.h5 si.h5')
+        expect(done.returncode == 0, key, done)
+
+
+def figures_are_in_the_scene_s_units(room):
+    """Their words, and the numbers that are drawn, point by point."""
+    for law in PHI:
+        drawn = {}
+        for units in ('dimensionless', 'si'):
+            room.write('a.yaml', scene(law, f'units: {units}\n'))
+            phi_1, s, is_log = PHI[law]
+            phi = phi_1 * (math.exp(1.5) if is_log else 1.5)
+            room.good('simulate', 'a.yaml', '-q', '--v', '1000 V_star',
+                      '--phi', repr(phi), '--figure', f'{units}.svg')
+            room.good('basin', 'a.yaml', '-q', '--set', 'products=[basins, '
+                      'slip, time, peak]', *SMALL, '--figure',
+                      f'{units}_b.svg')
+            drawn[units] = {name[len(units):]: shown(room.bytes(name))
+                            for name in room.names()
+                            if name.startswith(units) and
+                            name.endswith('.svg')}
+        expect(set(drawn['si']) == set(drawn['dimensionless']) and
+               len(drawn['si']) > 6, drawn.keys())
+        for panel, words in drawn['si'].items():
+            own = drawn['dimensionless'][panel]
+            for unit, letters in (('(m/s)', 'v = V/V'), ('(m)', 'x/L'),
+                                  ('(s)', 'tV∗/L')):
+                expect((unit in words) >= (letters in own), law, panel, words,
+                       own)
+            expect(re.search(r'\((m|s|m/s)\)', words) or 'friction' in words,
+                   panel, words)
+            expect('V∗' not in words and 'x/L' not in words, panel, words)
+
+
+def files_hold_numbers_as_they_are_and_say_their_scale(room):
+    for units in ('dimensionless', 'si'):
+        room.write('a.yaml', scene('spinodal_gen', f'units: {units}\n'))
+        room.good('knees', 'a.yaml', '-o', f'{units}.h5')
+    room.write('look.py', '''
+import h5py, sys
+a, b = (h5py.File(f)["critical"] for f in sys.argv[1:])
+assert len(a) > 10
+for name in a:
+    if isinstance(a[name], h5py.Dataset):
+        assert str(a[name][()]) == str(b[name][()]), name
+for name, scale in [("v_plus", "V_star"), ("x_excess", "L")]:
+    assert a[name].attrs["scale"].decode() == scale, name
+    assert a[name].attrs["units"].decode() == "1", name
+    error = a[name + "_error"].attrs
+    assert error["scale"].decode() == scale, error
+assert "scale" not in a["mu_s_num"].attrs
+''')
+    done = room.shell('/usr/bin/python3 look.py dimensionless.h5 si.h5')
+    expect(done.returncode == 0, done)
+
+
+run_cases([
+    every_number_of_json_is_that_of_the_twin,
+    every_line_of_text_has_the_units_of_json,
+    a_bare_number_of_a_scene_is_in_its_units,
+    figures_are_in_the_scene_s_units,
+    files_hold_numbers_as_they_are_and_say_their_scale,
+])
