@@ -16,21 +16,6 @@ bool gallery_path(char out[PATH_MAX], const char *folder, const char *name,
     return snprintf(out, PATH_MAX, "%s/%s%s", folder, name, ending) < PATH_MAX;
 }
 
-/* Its data file, looked for beside the scene where it is not found from here;
- * NULL where nothing has to change.  Owned by the caller. */
-static char *moved_data(const struct gallery_place *g, const struct scene *s)
-{
-    char path[PATH_MAX], *set = NULL;
-    const char *data = s->rabinowicz.data;
-    const char *slash = data ? strrchr(data, '/') : NULL;
-
-    if (data == NULL || access(data, R_OK) == 0 ||
-        !gallery_path(path, g->scenes, slash ? slash + 1 : data, "") ||
-        strchr(path, '\'') || access(path, R_OK) != 0)
-        return NULL;
-    return asprintf(&set, "rabinowicz.data='%s'", path) < 0 ? NULL : set;
-}
-
 /* "output.hdf5='DIR/NAME.h5'"; owned. */
 static char *output_set(const struct gallery_place *g,
                         const struct gallery_entry *e, const char *key,
@@ -56,21 +41,19 @@ static enum exit_code run_scene(const struct gallery_place *g,
                          .also = { ".png", ".pdf" },
                          .progress = g->options->progress };
     char *own[] = { output_set(g, e, "output.hdf5", ".h5"),
-                    output_set(g, e, "output.figure", ".svg"),
-                    moved_data(g, &e->scene) };
+                    output_set(g, e, "output.figure", ".svg") };
     enum exit_code code = EXIT_FILE;
 
     o.sets = g->options->sets;
     memcpy(o.set, g->options->set, o.sets * sizeof *o.set);
-    const bool fits = o.sets + 3 <= OPTIONS_SETS && own[0] && own[1];
-    for (int i = 0; fits && i < 3; i++)
-        if (own[i])
-            o.set[o.sets++] = own[i];
+    const bool fits = o.sets + 2 <= OPTIONS_SETS && own[0] && own[1];
+    for (int i = 0; fits && i < 2; i++)
+        o.set[o.sets++] = own[i];
     if (fits)
         code = command_run(o.command, &o);
     else
         command_fail(STATUS_IO, "gallery: too many settings, or a long path");
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 2; i++)
         free(own[i]);
     return code;
 }

@@ -111,6 +111,8 @@ static enum status draw_as(const struct options *o, const struct panels *p,
             strcpy(strrchr(file[i], '.'), ending);
     }
     if (s == STATUS_OK)
+        s = replace_folder(path, why);
+    if (s == STATUS_OK)
         s = figures_write(p->figure, to, p->count, o->keep_script, why);
     for (size_t i = 0; i < p->count && s == STATUS_OK; i++)
         output_tell(o, file[i]);

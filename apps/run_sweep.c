@@ -7,6 +7,7 @@
 #include "picture_sweep.h"
 #include "product_setting.h"
 #include "progress.h"
+#include "replace.h"
 #include "report_sweep.h"
 #include "report_sweep_json.h"
 #include "scene_sweep.h"
@@ -178,9 +179,10 @@ static enum status run_points(struct sweep *s, const struct scene *scene,
     const struct sweep_options how = { .journal = journal,
                                        .resume = o->resume,
                                        .version = SLIPWAY_VERSION };
-    const enum status status =
-        sweep_run(s, scene, &how, progress_monitor(o), why);
+    enum status status = journal ? replace_folder(journal, why) : STATUS_OK;
 
+    if (status == STATUS_OK)
+        status = sweep_run(s, scene, &how, progress_monitor(o), why);
     progress_end();
     if (status == STATUS_STOPPED && journal)
         snprintf(why->text, sizeof why->text,

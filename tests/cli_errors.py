@@ -164,8 +164,8 @@ def outputs_that_cannot_be_written_exit_4_before_anything_is(room):
     room.make('folder')
     room.make('folder.svg')
     os.mkfifo(room.path('pipe'))
-    for args in (['-o', 'none/a.h5'], ['-o', 'folder'], ['-o', 'pipe'],
-                 ['-o', 'a.h5', '--figure', 'none/a.svg'],
+    for args in (['-o', '/dev/null/a.h5'], ['-o', 'folder'], ['-o', 'pipe'],
+                 ['-o', 'a.h5', '--figure', '/dev/null/a.svg'],
                  ['-o', 'a.h5', '--figure', 'folder.svg'],
                  ['-o', '/proc/a.h5', '--figure', 'a.svg']):
         refused(room.run('portrait', *SLOPE, *args), 4, args[-1]
@@ -178,7 +178,7 @@ def an_old_file_survives_a_failed_run(room):
     room.good('study', 'a.yaml')
     before = room.bytes('out.h5'), room.bytes('out.svg')
     refused(room.run('study', 'a.yaml', '--set', 'slope.alpha=9'), 2)
-    refused(room.run('study', 'a.yaml', '--figure', 'none/a.png'), 4)
+    refused(room.run('study', 'a.yaml', '--figure', '/dev/null/a.png'), 4)
     expect((room.bytes('out.h5'), room.bytes('out.svg')) == before, 'changed')
     expect(room.names() == ['a.yaml', 'out.h5', 'out.svg'], room.names())
 

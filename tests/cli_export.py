@@ -296,7 +296,7 @@ def wrong_words_cost_one_line(room):
     refused(export('--as', 'xppaut', '--figure', 'a.svg'), 2, '--figure')
     refused(export('--as', 'xppaut', '--set', 'output.hdf5=a.h5'), 2,
             'output.hdf5')
-    refused(export('--as', 'xppaut', '-o', 'none/a.ode'), 4, 'none/a.ode')
+    refused(export('--as', 'xppaut', '-o', '/dev/null/a.ode'), 4, '/dev/null/a.ode')
     refused(export('--as', 'xppaut', 'a.yaml', 'b.yaml'), 2, 'b.yaml')
     refused(room.run('export', '--as', 'auto', '--law', 'ruina'), 2, 'slope')
     expect(room.names() == [], room.names())

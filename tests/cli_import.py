@@ -65,7 +65,7 @@ def what_cannot_be_read_costs_one_line_and_leaves_nothing(room):
     refused(room.run('import', 'none.ode'), 4, 'none.ode')
     refused(room.run('import'), 2, 'NAME.ode')
     room.write('b.ode', BRUSSELATOR)
-    refused(room.run('import', 'b.ode', '-o', 'none/b.yaml'), 4, 'none/b.yaml')
+    refused(room.run('import', 'b.ode', '-o', '/dev/null/b.yaml'), 4, '/dev/null/b.yaml')
     expect(room.names() == sorted([*before, 'b.ode']), room.names())
 
 

@@ -186,10 +186,10 @@ def wrong_starts_are_refused(room):
     expect(room.names() == [], room.names())
 
 
-def a_folder_that_is_not_there_costs_nothing(room):
+def a_folder_that_cannot_be_made_costs_nothing(room):
     for option in ('-o', '--figure'):
-        refused(room.run('simulate', *SLOPE, *START, option, 'no/a.svg'), 4,
-                'no/a')
+        refused(room.run('simulate', *SLOPE, *START, option, '/dev/null/a.svg'), 4,
+                '/dev/null/a')
 
 
 def an_orbit_that_gets_lost_exits_3_and_says_so(room):
@@ -289,6 +289,6 @@ if __name__ == '__main__':
         wrong_starts_are_refused,
         an_orbit_that_gets_lost_exits_3_and_says_so,
         a_number_without_a_finite_bar_is_missing,
-        a_folder_that_is_not_there_costs_nothing,
+        a_folder_that_cannot_be_made_costs_nothing,
         a_figure_of_nothing_is_refused_before_any_file,
     ])

@@ -111,7 +111,8 @@ def wrong_uses_are_refused(room):
     refused(room.run('stress', 'mine.yaml', '--figure', 'a.svg'), 2, 'figure')
     refused(room.run('stress', 'mine.yaml', 'mine.yaml'), 2, 'mine.yaml')
     refused(room.run('stress', 'none.yaml'), 4, 'none.yaml')
-    refused(room.run('stress', '-o', 'no/a.h5', *FEW), 4, 'no/a.h5')
+    refused(room.run('stress', '-o', '/dev/null/a.h5', *FEW), 4,
+            '/dev/null/a.h5')
 
 
 run_cases([

@@ -451,7 +451,7 @@ def a_wrong_sweep_costs_one_line(room):
     refused(room.run('sweep', *line(3), '--resume'), 2, '--resume without')
     refused(room.run('sweep', *line(3), '-o', 'a.svg', '--figure', 'a.svg'), 2,
             'both the HDF5 file and the figure')
-    refused(room.run('sweep', *line(3), '-o', 'none/a.h5'), 4, 'none')
+    refused(room.run('sweep', *line(3), '-o', '/dev/null/a.h5'), 4, '/dev/null')
     refused(room.run('sweep', 's.yaml', 't.yaml'), 2, 't.yaml: one argument')
     expect(room.names() == ['s.yaml'], room.names())
 

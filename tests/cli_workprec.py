@@ -111,8 +111,10 @@ def no_saddle_is_an_answer(room):
 
 def what_cannot_be_done_is_refused(room):
     refused(room.run('workprec', '--quick', '--law', 'none'), 2, 'none')
-    refused(room.run('workprec', '--quick', '-o', 'no/a.h5'), 4, 'no')
-    refused(room.run('workprec', '--quick', '--figure', 'no/a.svg'), 4, 'no')
+    refused(room.run('workprec', '--quick', '-o', '/dev/null/a.h5'), 4,
+            '/dev/null')
+    refused(room.run('workprec', '--quick', '--figure', '/dev/null/a.svg'), 4,
+            '/dev/null')
     refused(room.run('workprec', 'a.yaml', 'b.yaml'), 2, 'b.yaml')
 
 

@@ -217,10 +217,10 @@ const struct schema_key schema_table[] = {
       .expected = "1 to 1000 numbers tan_alpha > 0 in brackets",
       TEXT("slopes to compute release distances at; unless given the "
            "scene's") },
-    { "rabinowicz.data", value_path, AT(rabinowicz.data),
+    { "rabinowicz.data", value_input, AT(rabinowicz.data),
       .expected = "a path",
       TEXT("measured distances, CSV: tan_alpha, l_k, l_k_error, x_k, "
-           "x_k_error") },
+           "x_k_error; beside the scene, or from the working folder") },
     { "rabinowicz.smoothing", value_real, AT(rabinowicz.smoothing),
       FROM(SCENE_SMOOTHING_LEAST), TO(1.0),
       .expected = "a number from 1e-12 to 1",

@@ -1,9 +1,11 @@
 #include "text_file.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "text.h"
 
@@ -35,10 +37,34 @@ static enum status read_open(FILE *file, size_t most, char **text, size_t *size)
     return ferror(file) ? STATUS_IO : STATUS_OK;
 }
 
+/* All that is left of standard input, behind what *to holds. */
+static bool take_input(FILE *to)
+{
+    char bytes[4096];
+    ssize_t n;
+
+    while ((n = read(STDIN_FILENO, bytes, sizeof bytes)) > 0)
+        fwrite(bytes, 1, (size_t) n, to);
+    return n == 0 && fflush(to) == 0;
+}
+
+/* Standard input, which can be read but once, as a file without a name. */
+static FILE *open_input(void)
+{
+    static FILE *kept;
+
+    kept = kept ? kept : tmpfile();
+    if (kept == NULL || !take_input(kept))
+        return NULL;
+    rewind(kept);
+    const int fd = dup(fileno(kept));
+    return fd < 0 ? NULL : fdopen(fd, "rb");
+}
+
 enum status text_file_read(const char *path, size_t most, char **text,
                            size_t *size, struct fault *why)
 {
-    FILE *file = fopen(path, "rb");
+    FILE *file = strcmp(path, "-") == 0 ? open_input() : fopen(path, "rb");
 
     *text = NULL;
     *size = 0;

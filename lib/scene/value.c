@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "number.h"
 #include "scene_figure.h"
@@ -186,6 +187,38 @@ enum status value_path(const struct schema_key *key, const struct node *n,
     free(*path);
     *path = NULL;
     return STATUS_OK;
+}
+
+/* The folder of the scene and the path in it; NULL: it is no other than that
+ * from here, or nothing is there.  Owned by the caller. */
+static char *beside(const char *scene, const char *path)
+{
+    const char *slash = strrchr(scene, '/');
+    char *there = NULL;
+
+    if (slash == NULL || path[0] == '/' ||
+        asprintf(&there, "%.*s%s", (int) (slash - scene) + 1, scene, path) < 0)
+        return NULL;
+    if (access(there, R_OK) == 0)
+        return there;
+    free(there);
+    return NULL;
+}
+
+enum status value_input(const struct schema_key *key, const struct node *n,
+                        struct scene *s, struct fault *why)
+{
+    char **path = member(s, key);
+    const enum status status = value_path(key, n, s, why);
+    char *there = status == STATUS_OK && *path && n->at.name && !n->at.is_set
+                      ? beside(n->at.name, *path)
+                      : NULL;
+
+    if (there) {
+        free(*path);
+        *path = there;
+    }
+    return status;
 }
 
 enum status value_font(const struct schema_key *key, const struct node *n,

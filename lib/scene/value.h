@@ -38,6 +38,7 @@ VALUE_READER(value_products);   /* products, from a list of words */
 VALUE_READER(value_xi);         /* xi, xi_count; each in the key's range */
 VALUE_READER(value_slopes);     /* rabinowicz.tan_alpha, slopes */
 VALUE_READER(value_chi_slopes); /* chi_alpha, chi_alphas */
+VALUE_READER(value_input);      /* a path, beside the scene if it is there */
 VALUE_READER(value_starts);     /* start, starts, in the scene's units */
 VALUE_READER(value_key);        /* sweep.draft.key: a key of a real number */
 VALUE_READER(value_values);     /* sweep.draft.value, count */

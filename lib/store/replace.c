@@ -49,6 +49,45 @@ static int place_find(const char *path, struct place *p)
     return 0;
 }
 
+/* Zero, or the errno that says why the folder is not there, nor can be. */
+static int folder_check(const char *folder)
+{
+    char path[PATH_MAX];
+    char *slash;
+
+    strcpy(path, folder);
+    while (faccessat(AT_FDCWD, path, W_OK | X_OK, AT_EACCESS) != 0) {
+        if (errno != ENOENT || strcmp(path, ".") == 0)
+            return errno;
+        slash = strrchr(path, '/');
+        if (slash == NULL)
+            strcpy(path, ".");
+        else
+            slash[slash == path] = '\0';
+    }
+    return 0;
+}
+
+static int folder_make(const char *folder)
+{
+    char path[PATH_MAX];
+
+    strcpy(path, folder);
+    for (char *end = path + 1; path[0]; end++) {
+        const char was = *end;
+        if (was != '/' && was != '\0')
+            continue;
+        *end = '\0';
+        if (access(path, F_OK) != 0 && mkdir(path, 0777) != 0 &&
+            errno != EEXIST)
+            return errno;
+        *end = was;
+        if (was == '\0')
+            break;
+    }
+    return 0;
+}
+
 /* NULL, or why this place takes no file. */
 static const char *place_refuses(const struct place *p)
 {
@@ -56,9 +95,8 @@ static const char *place_refuses(const struct place *p)
 
     if (stat(p->target, &about) == 0 && !S_ISREG(about.st_mode))
         return S_ISDIR(about.st_mode) ? strerror(EISDIR) : "not a regular file";
-    if (faccessat(AT_FDCWD, p->folder, W_OK | X_OK, AT_EACCESS) != 0)
-        return strerror(errno);
-    return NULL;
+    const int error = folder_check(p->folder);
+    return error ? strerror(error) : NULL;
 }
 
 static int open_new(const char *name, int fd)
@@ -125,11 +163,11 @@ static int write_all(int fd, const char *bytes, size_t size)
 
 static int replace_at(struct place *p, const void *bytes, size_t size)
 {
-    const int fd = open_temporary(p);
-    int error;
+    int error = folder_make(p->folder);
+    const int fd = error == 0 ? open_temporary(p) : -1;
 
     if (fd < 0)
-        return errno;
+        return error ? error : errno;
     litter_add(p->temporary);
     error = write_all(fd, bytes, size);
     if (error == 0 && p->temporary[0] == '\0' &&
@@ -159,6 +197,15 @@ enum status replace_check(const char *path, struct fault *fault)
     struct place p;
 
     return replace_find(path, &p, fault);
+}
+
+enum status replace_folder(const char *path, struct fault *fault)
+{
+    struct place p;
+    const enum status s = replace_find(path, &p, fault);
+    const int error = s == STATUS_OK ? folder_make(p.folder) : 0;
+
+    return error ? replace_blame(path, strerror(error), fault) : s;
 }
 
 enum status replace_file(const char *path, const void *bytes, size_t size,

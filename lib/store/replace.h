@@ -6,16 +6,19 @@
 
 #include "status.h"
 
-/* Could replace_file(path) work: is the folder there and writable, and is
- * `path` new or a regular file?  Changes nothing.  STATUS_IO with the path and
- * the system's reason in *fault. */
+/* Could replace_file(path) work: is the folder, or where it is missing the one
+ * it can be made in, writable, and is `path` new or a regular file?  Changes
+ * nothing.  STATUS_IO with the path and the system's reason in *fault. */
 MUST_CHECK enum status replace_check(const char *path, struct fault *fault);
 
-/* Writes bytes[0 .. size-1] to a new file in the folder of `path`, syncs it
- * and renames it over `path`: at every moment, and after a power cut, `path` is
- * the old file (or none) or the whole new one.  Of a symbolic link the file it
- * names is replaced, not the link.  On STATUS_IO the temporary file is gone
- * and `path` untouched. */
+/* Makes the folder of `path`, and those it is in, where they are missing. */
+MUST_CHECK enum status replace_folder(const char *path, struct fault *fault);
+
+/* Makes the folder likewise; writes bytes[0 .. size-1] to a new file in the
+ * folder of `path`, syncs it and renames it over `path`: at every moment, and
+ * after a power cut, `path` is the old file (or none) or the whole new one.  Of
+ * a symbolic link the file it names is replaced, not the link.  On STATUS_IO
+ * the temporary file is gone and `path` untouched. */
 MUST_CHECK enum status replace_file(const char *path, const void *bytes,
                                     size_t size, struct fault *fault);
 

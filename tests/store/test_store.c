@@ -59,7 +59,6 @@ static void a_wrong_place_is_named_with_the_reason(void **state)
     struct store *st;
 
     (void) state;
-    refuses(own_path("missing/out.h5"), "No such file or directory");
     refuses("", "No such file or directory");
     refuses(folder, "Is a directory");
     refuses("/dev/null", "not a regular file");

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""From where scenes run and where their files go (TAP).
+
+usage: cli_places.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import os
+import re
+import subprocess
+
+from cli_room import SLOPE, expect, refused, run_cases
+
+# What makes a scene a matter of a second.
+SMALL = {r'^basins:': ['basins.cells=[8, 8]', 'basins.audit=4'],
+         r'^trajectories:': ['trajectories.spread=0'],
+         r'^sweep:[^\[]*points:': ['sweep.points=3']}
+
+
+def scenes_installed(room):
+    """Each one's name and text, in a folder that takes no files."""
+    room.bring('scenes')
+    os.rename(room.path('scenes'), room.path('installed'))
+    os.chmod(room.path('installed'), 0o555)
+    for name in room.names('installed'):
+        if name.endswith('.yaml'):
+            yield name, room.read('installed/' + name)
+
+
+def smaller(text):
+    return [
+        word for key, sets in SMALL.items() if re.search(key, text, re.M)
+        for one in sets for word in ('--set', one)]
+
+
+def every_scene_runs_from_an_empty_folder(room):
+    done = 0
+    for name, text in scenes_installed(room):
+        installed = room.names('installed')
+        folder = 'in_' + name[:-5]
+        room.make(folder)
+        path = f'../installed/{name}'
+        small = smaller(text)
+        told = room.good('study', path, *small, '--set', 'output={}',
+                         cwd=folder)
+        expect(room.names(folder) == [] and 'wrote' not in told, name,
+               room.names(folder))
+        told = room.good('study', path, *small, cwd=folder)
+        wanted = re.findall(r'(outputs/\w+\.\w+)', text)
+        for file in wanted:
+            stem = os.path.splitext(os.path.basename(file))[0]
+            expect(any(made.startswith(stem) for made in
+                       room.names(f'{folder}/{os.path.dirname(file)}')), name,
+                   file, told)
+        expect(room.names('installed') == installed, name)
+        done += bool(wanted)
+    expect(done > 30, done)
+
+
+def an_output_makes_its_folders(room):
+    room.good('knees', *SLOPE, '-o', 'new/and/deep/a.h5')
+    room.good('portrait', *SLOPE, '--figure', 'another/one/a.svg', '-q')
+    room.good('export', *SLOPE, '-o', 'x/slope.ode', '--as', 'xppaut')
+    room.good('check', '--record', *SLOPE, '-o', 'y/a.csv')
+    for made in ('new/and/deep/a.h5', 'another/one/a.svg', 'x/slope.ode',
+                 'y/a.csv'):
+        expect(os.path.getsize(room.path(made)) > 100, made)
+    room.write('file', 'precious')
+    refused(room.run('knees', *SLOPE, '-o', 'file/a.h5'), 4, 'file/a.h5')
+    refused(room.run('knees', '--law', 'spinodal_gen', '--alpha', '9', '-o',
+                     'never/a.h5'), 2, 'alpha')
+    refused(room.run('knees', *SLOPE, '-o', '/proc/never/a.h5'), 4, '/proc')
+    expect('never' not in room.names() and room.read('file') == 'precious',
+           room.names())
+
+
+def data_are_beside_their_scene(room):
+    room.make('far')
+    room.write('far/d.csv', 'tan_alpha,l_k\n0.1,1e-4\n0.2,3e-4\n0.25,5e-4\n'
+               '0.3,9e-4\n0.32,12e-4\n')
+    room.write('far/a.yaml', 'law: {preset: dieterich_gen}\n'
+               'slope: {alpha: 0.3}\nrabinowicz: {data: d.csv}\n')
+    found = room.json('rabinowicz', 'far/a.yaml')
+    expect(found['fit']['points'] == 5, found)
+    expect(room.json('rabinowicz', *SLOPE, '--data', 'far/d.csv')['fit']
+           ['points'] == 5, 'an option is from here')
+    refused(room.run('rabinowicz', 'far/a.yaml', '--data', 'd.csv'), 4, 'd.csv')
+
+
+def standard_input_is_a_file_called_dash(room):
+    scene = 'law: {preset: dieterich_gen}\nslope: {alpha: 0.34}\n'
+    room.write('a.yaml', scene)
+
+    def fed(text, *args):
+        done = subprocess.run([room.slipway, *args], cwd=room.folder,
+                              input=text, text=True, capture_output=True,
+                              timeout=300, check=False)
+        expect(done.stderr == '', done)
+        return done.stdout
+    expect(fed(scene, 'knees', '-') == room.good('knees', 'a.yaml'), 'knees')
+    push = ['--v', '1000', '--psi', '10']
+    expect(fed(scene, 'simulate', '-', *push) ==
+           room.good('simulate', 'a.yaml', *push), 'read twice')
+    room.write('s.csv', 'v,psi\n1000,10\n1,1\n')
+    expect(fed(room.read('s.csv'), 'push', 'a.yaml', '--states', '-') ==
+           room.good('push', 'a.yaml', '--states', 's.csv'), 'states')
+    done = room.shell("echo 'law: {preset: nolaw}' | slipway knees -")
+    refused(done, 2, '-:1:', 'nolaw')
+
+
+run_cases([
+    every_scene_runs_from_an_empty_folder,
+    an_output_makes_its_folders,
+    data_are_beside_their_scene,
+    standard_input_is_a_file_called_dash,
+])
