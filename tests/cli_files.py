@@ -203,6 +203,17 @@ def numbers_are_finite_or_declared_missing(room):
     expect(int(reads(room, 'walk_floats.py', *made)) > 500, made)
 
 
+def names_of_many_runs_sort_as_their_numbers(room):
+    room.good('portrait', *SLOPE, '-q', '-o', 'a.h5', '--set',
+              'products=[trajectories]', '--set', 'trajectories.starts=[' +
+              ', '.join(f'{{v: {v}, psi: 10}}' for v in range(1, 13)) + ']')
+    done = room.shell(f'{READER} -c "import h5py; '
+                      'f = h5py.File(\'a.h5\'); '
+                      'print(*[n for n in sorted(f) if \'traj\' in n])"')
+    expect(done.stdout.split() == [f'trajectory_{k:02}' for k in range(12)],
+           done)
+
+
 def a_question_writes_only_what_it_is_told_to(room):
     """The scene's output is for portrait, study, basin and sweep."""
     room.write('a.yaml', '''law: {preset: dieterich_gen}
@@ -242,6 +253,7 @@ output: {hdf5: a.h5, figure: a.svg}
 
 run_cases([
     numbers_are_finite_or_declared_missing,
+    names_of_many_runs_sort_as_their_numbers,
     a_question_writes_only_what_it_is_told_to,
     every_reader_opens_a_portrait,
     every_reader_opens_a_portrait_without_a_saddle,

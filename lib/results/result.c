@@ -32,11 +32,11 @@ static const char *put_word(struct writer *w, const char *list, size_t k)
     return strchr(list, '}') + 1;
 }
 
-static void put_number(struct writer *w, size_t k)
+static void put_number(struct writer *w, size_t k, int digits)
 {
-    char text[24];
+    char text[48];
 
-    put(w, text, (size_t) snprintf(text, sizeof text, "%zu", k));
+    put(w, text, (size_t) snprintf(text, sizeof text, "%0*zu", digits, k));
 }
 
 /* A K by itself. */
@@ -46,8 +46,8 @@ static bool is_number(const char *pattern, const char *p)
            (p[1] == '\0' || strchr("_]/", p[1]));
 }
 
-void result_name(const char *pattern, size_t k, const char *field,
-                 char name[RESULT_NAME])
+static void name_of(const char *pattern, size_t k, int digits,
+                    const char *field, char name[RESULT_NAME])
 {
     struct writer w = { name, RESULT_NAME, 0 };
 
@@ -58,13 +58,29 @@ void result_name(const char *pattern, size_t k, const char *field,
             continue;
         }
         if (is_number(pattern, p))
-            put_number(&w, k);
+            put_number(&w, k, digits);
         else if (*p == '*' && field)
             put(&w, field, strlen(field));
         else
             put(&w, p, 1);
         p++;
     }
+}
+
+void result_name(const char *pattern, size_t k, const char *field,
+                 char name[RESULT_NAME])
+{
+    name_of(pattern, k, 1, field, name);
+}
+
+void result_path(const struct result *r, size_t k, size_t n,
+                 char name[RESULT_NAME])
+{
+    int digits = 1;
+
+    for (size_t most = n ? n - 1 : 0; most >= 10; most /= 10)
+        digits++;
+    name_of(r->path, k, digits, NULL, name);
 }
 
 void result_prefix(const struct result *r, size_t k, char prefix[RESULT_NAME])

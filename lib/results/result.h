@@ -138,6 +138,11 @@ enum { RESULT_NAME = 160 };
 void result_name(const char *pattern, size_t k, const char *field,
                  char name[RESULT_NAME]);
 
+/* The path of instance k of n: numbers of one length, so that names sort as
+ * numbers do, "/trajectory_01" of 11. */
+void result_path(const struct result *r, size_t k, size_t n,
+                 char name[RESULT_NAME]);
+
 /* "estimates.chi[0]" as "estimates_chi_0_", "" as it is: what precedes the
  * members' names where they stand alone. */
 void result_prefix(const struct result *r, size_t k, char prefix[RESULT_NAME]);

@@ -63,14 +63,14 @@ static enum status put_attributes(struct store *st, const char *group,
 /* ---- one result ---------------------------------------------------------- */
 
 static enum status put_view(struct store *st, const struct result *r, size_t k,
-                            const struct result_view *v)
+                            size_t n, const struct result_view *v)
 {
     const struct record_array *a = &v->records;
     char group[RESULT_NAME];
 
     if (!v->here)
         return STATUS_OK;
-    result_name(r->path, k, NULL, group);
+    result_path(r, k, n, group);
     if (r->shape == RESULT_ATTRIBUTES)
         return put_attributes(st, group, r, k, a);
     return r->shape == RESULT_SCALARS
@@ -97,7 +97,7 @@ static enum status put_result(struct store *st, const struct result *r,
     if (!made)
         status = STATUS_NO_MEMORY;
     for (size_t k = 0; k < n && status == STATUS_OK; k++)
-        status = put_view(st, r, k, &view[k]);
+        status = put_view(st, r, k, n, &view[k]);
     for (size_t k = 0; k < n && view; k++)
         result_close(&view[k]);
     free(view);

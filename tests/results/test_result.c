@@ -229,9 +229,31 @@ static void numbers_stand_alone_by_name_and_row(void **state)
     result_numbers_free(&n);
 }
 
+static void paths_sort_as_their_numbers_do(void **state)
+{
+    static const struct result r = { .path = "/trajectory_K/events" };
+    static const struct {
+        size_t k, n;
+        const char *name;
+    } wanted[] = { { 0, 1, "/trajectory_0/events" },
+                   { 9, 10, "/trajectory_9/events" },
+                   { 1, 11, "/trajectory_01/events" },
+                   { 10, 11, "/trajectory_10/events" },
+                   { 7, 1000, "/trajectory_007/events" },
+                   { 7, 1001, "/trajectory_0007/events" } };
+    char name[RESULT_NAME];
+
+    (void) state;
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) {
+        result_path(&r, wanted[i].k, wanted[i].n, name);
+        assert_string_equal(name, wanted[i].name);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(paths_sort_as_their_numbers_do),
         cmocka_unit_test(numbers_and_words_stand_for_the_instance),
         cmocka_unit_test(a_letter_of_a_word_is_no_number),
         cmocka_unit_test(what_is_too_long_is_cut),
