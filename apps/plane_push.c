@@ -9,8 +9,8 @@
 #include "json.h"
 #include "number.h"
 #include "plane_basin.h"
-#include "plane_branch.h"
 #include "plane_label.h"
+#include "plane_orbit.h"
 #include "progress.h"
 #include "table.h"
 
@@ -113,7 +113,7 @@ static enum status find_goal(struct job *j, size_t i)
     if (box_holds(s->window.box, z)) {
         status = plane_basin_at(s, z, &label);
     } else {
-        status = plane_follow(s, z, false, &goal);
+        status = plane_orbit(s, z, false, NULL, &goal);
         label = plane_label_of(s, &goal);
     }
     j->goal[i] = s->basin.name[label < 0 ? (int8_t) s->basin.labels : label];

@@ -214,6 +214,10 @@
 #define TOL_WINDING_ROUNDING 1e-13
 #define TOL_WINDING_APART    1e-6
 
+/* A curve between places that follow each other is straight up to this
+ * (escape.h): half, and a margin. */
+#define TOL_ESCAPE_CHORD 0.6
+
 /* Trajectories of a portrait: how far beyond the window they go, so that no end
  * shows; starts chosen at a time (fixed, so that the number of threads changes
  * nothing); candidates for each start; spacing of the points that stand for a

@@ -4,10 +4,6 @@
 
 #include "numbers_tolerance.h"
 
-/* Steps that an orbit may take, of any system: ten times what an accurate one
- * to a node needs. */
-#define TOL_FATE_STEPS 50000
-
 /* An orbit that has not arrived after so many times the slowest scale of the
  * steady states has left every scale; below this power of time it has not. */
 #define TOL_FATE_LATE     1e30

@@ -8,8 +8,8 @@
 
 #include "basin.h"
 #include "plane_border.h"
-#include "plane_branch.h"
 #include "plane_label.h"
+#include "plane_orbit.h"
 #include "plane_patch.h"
 #include "study_tolerance.h"
 #include "tolerance.h"
@@ -103,17 +103,6 @@ static void share_out(struct plane_study *s, const struct area area[])
 
 /* ---- audit --------------------------------------------------------------- */
 
-/* Point i of a sequence that fills the unit square evenly (Roberts 2018). */
-static struct vec2 spread(uint64_t seed, size_t i)
-{
-    const double t = (double) i + 1.0,
-                 shift = 0.5 + 1e-3 * (double) (seed % 997);
-    const double x = shift + 0.7548776662466927 * t;
-    const double y = shift + 0.5698402909980532 * t;
-
-    return (struct vec2){ x - floor(x), y - floor(y) };
-}
-
 /* Whether attractors in the window are where they themselves go: one that is
  * not is beyond a border that was not found. */
 static enum status check_rests(const struct plane_study *s, size_t *asked,
@@ -133,37 +122,63 @@ static enum status check_rests(const struct plane_study *s, size_t *asked,
     return status;
 }
 
-static enum status audit(struct plane_study *s, const struct monitor *monitor)
-{
-    struct plane_basin *b = &s->basin;
-    const size_t n = s->scene->audit;
-    size_t asked = 0, wrong = 0;
-    bool failed = false;
+/* Of an audit: how many went where, and what it took. */
+struct counts {
+    size_t asked, wrong, steps;
+    bool failed;
+};
 
-    if (monitor_tell(monitor, "audit", 0, n))
-        return STATUS_STOPPED;
-#pragma omp parallel for schedule(dynamic, 8) reduction(+ : asked, wrong)
-    for (size_t i = 0; i < n; i++) {
-        const struct vec2 z = window_at(&s->window, spread(s->scene->seed, i));
+/* States number first .. last - 1. */
+static void audit_part(const struct plane_study *s, size_t first, size_t last,
+                       struct counts *c)
+{
+    const double shift = 0.5 + 1e-3 * (double) (s->scene->seed % 997);
+    size_t asked = 0, wrong = 0, steps = 0, failed = 0;
+
+#pragma omp parallel for schedule(dynamic, 8)                                  \
+    reduction(+ : asked, wrong, steps, failed)
+    for (size_t i = first; i < last; i++) {
+        const struct vec2 z =
+            window_at(&s->window, vec2_spread(shift, (double) i + 1.0));
         struct plane_goal goal;
         int8_t label;
         if (plane_basin_at(s, z, &label) != STATUS_OK ||
-            (label >= 0 && plane_follow(s, z, false, &goal) != STATUS_OK)) {
-#pragma omp atomic write
-            failed = true;
-            continue;
+            (label >= 0 &&
+             plane_orbit(s, z, false, NULL, &goal) != STATUS_OK)) {
+            failed++;
+        } else if (label >= 0) {
+            asked++;
+            wrong += !plane_label_allows(s, label, &goal);
+            steps += goal.steps;
         }
-        asked += label >= 0;
-        wrong += label >= 0 && !plane_label_allows(s, label, &goal);
     }
-    if (!failed)
-        failed = check_rests(s, &asked, &wrong) != STATUS_OK;
-    b->cells = (int64_t) asked;
-    b->disagreements = (int64_t) wrong;
-    for (size_t k = 0; k < b->shares && wrong > 0; k++)
+    c->asked += asked;
+    c->wrong += wrong;
+    c->steps += steps;
+    c->failed = c->failed || failed > 0;
+}
+
+static enum status audit(struct plane_study *s, const struct monitor *monitor)
+{
+    enum { PART = 32 };
+    struct plane_basin *b = &s->basin;
+    const size_t n = s->scene->audit;
+    struct counts c = { .asked = 0 };
+
+    for (size_t i = 0; i < n && c.steps < TOL_PLANE_WORK; i += PART) {
+        if (monitor_tell(monitor, "audit", i, n))
+            return STATUS_STOPPED;
+        audit_part(s, i, i + PART < n ? i + PART : n, &c);
+    }
+    if (!c.failed)
+        c.failed = check_rests(s, &c.asked, &c.wrong) != STATUS_OK;
+    b->cells = (int64_t) c.asked;
+    b->disagreements = (int64_t) c.wrong;
+    b->steps += (int64_t) c.steps;
+    for (size_t k = 0; k < b->shares && c.wrong > 0; k++)
         b->share[k].fraction.error +=
-            (double) wrong / (double) asked + 3.0 / sqrt((double) asked);
-    return failed ? STATUS_NO_MEMORY : STATUS_OK;
+            (double) c.wrong / (double) c.asked + 3.0 / sqrt((double) c.asked);
+    return c.failed ? STATUS_NO_MEMORY : STATUS_OK;
 }
 
 /* ---- the boundary -------------------------------------------------------- */
@@ -176,7 +191,7 @@ static void mark_borders(struct patches *p, struct plane_study *s)
     for (size_t i = 0; i < p->r->bands; i++) {
         const struct band *band = &p->r->band[i];
         const double y =
-            plane_label_between(fmax(band->lo, w.lo.y), fmin(band->hi, w.hi.y));
+            off_middle(fmax(band->lo, w.lo.y), fmin(band->hi, w.hi.y));
         const size_t n = separatrix_row(p->r->separatrix, y, p->below);
         if (n != band->strands || !(band->hi > w.lo.y && band->lo < w.hi.y))
             continue;
@@ -208,11 +223,10 @@ static enum status mark_flats(struct plane_study *s)
         if (!(from < to) || f->w < w.lo.y || f->w > w.hi.y)
             continue;
         for (int k = 0; k < 2 && status == STATUS_OK; k++)
-            status =
-                plane_basin_at(s,
-                               (struct vec2){ plane_label_between(from, to),
-                                              f->w + (k ? off : -off) },
-                               &side[k]);
+            status = plane_basin_at(
+                s,
+                (struct vec2){ off_middle(from, to), f->w + (k ? off : -off) },
+                &side[k]);
         s->basin.border[f->chain].divides |= side[0] != side[1];
     }
     return status;
@@ -228,9 +242,10 @@ static enum status list_boundary(struct plane_study *s)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < b->borders; i++) {
         const size_t of = b->border[i].of;
-        const bool known =
-            i > 0 && b->border[i - 1].of == of && b->border[i - 1].divides;
-        if (!b->border[i].divides || known)
+        bool known = !b->border[i].divides;
+        for (size_t k = 0; k < i; k++)
+            known = known || (b->border[k].of == of && b->border[k].divides);
+        if (known)
             continue;
         if (of >= s->branches)
             b->boundary[b->boundaries++] =

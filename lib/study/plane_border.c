@@ -1,16 +1,19 @@
 /* All curves are moved to one origin; of an angle, there is one copy for each
- * period in which a curve meets the window. */
+ * period in which a curve meets the window.  Of each copy only runs of pieces
+ * that may touch the window are kept: beyond it nothing is divided, and a
+ * spiral goes round for ever. */
 #include "plane_border.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "orbit.h"
-#include "plane_branch.h"
+#include "escape.h"
 #include "plane_cycle.h"
+#include "plane_orbit.h"
 #include "room.h"
 #include "study_tolerance.h"
+#include "taylor_orbit.h"
 #include "tolerance.h"
 
 /* ---- cycles that repel --------------------------------------------------- */
@@ -19,7 +22,7 @@ static enum status look_from(struct plane_study *s, struct vec2 z)
 {
     struct plane_goal goal;
     size_t index;
-    enum status status = plane_follow(s, z, true, &goal);
+    enum status status = plane_orbit(s, z, true, NULL, &goal);
 
     if (status == STATUS_OK && goal.kind == PLANE_GOAL_CYCLE)
         status = plane_cycle_add(s, &goal.round, false, &index);
@@ -55,23 +58,31 @@ enum status plane_border_look(struct plane_study *s)
 
 /* ---- curves -------------------------------------------------------------- */
 
-/* A copy of a curve of offsets, moved; `error` more is off everywhere. */
-static enum status copy(const struct curve *from, size_t first, struct vec2 by,
-                        double error, struct branch *out)
+/* Curves of offsets, how far they are moved, what they are off everywhere
+ * besides, and what they belong to. */
+struct moved {
+    struct vec2 by; /* to offsets from the study's origin */
+    double error;
+    size_t of;
+};
+
+/* Pieces first .. last - 1. */
+static enum status copy(const struct curve *from, size_t first, size_t last,
+                        const struct moved *m, struct branch *out)
 {
     enum status status = STATUS_OK;
 
     *out = (struct branch){ .curve = CURVE_EMPTY(2), .end = BRANCH_DOMAIN };
-    for (size_t i = first; i < from->count && status == STATUS_OK; i++) {
+    for (size_t i = first; i < last && status == STATUS_OK; i++) {
         const struct curve_piece *p = &from->piece[i];
         double *coef;
         status = curve_push(&out->curve, p->degree, &coef);
         if (status != STATUS_OK)
             break;
         memcpy(coef, from->coef + p->first, 2 * (p->degree + 1) * sizeof *coef);
-        coef[0] += by.x;
-        coef[p->degree + 1] += by.y;
-        out->curve.piece[i - first].error = p->error + error;
+        coef[0] += m->by.x;
+        coef[p->degree + 1] += m->by.y;
+        out->curve.piece[i - first].error = p->error + m->error;
     }
     return status;
 }
@@ -114,12 +125,78 @@ static void periods(const struct plane_study *s, const struct curve *const c[2],
     turn[1] = (int) fmin(floor((hi - least) / period), TOL_PLANE_TURNS);
 }
 
+/* The pieces from `first` on that may touch the window: up to which. */
+static size_t run_from(const struct plane_study *s, const struct curve *c,
+                       size_t first, const struct moved *m)
+{
+    const struct vec2 origin = vec2_add(s->system[0].origin, m->by);
+
+    while (c && first < c->count &&
+           escape_may_touch(c, first, origin, s->window.box))
+        first++;
+    return first;
+}
+
+static enum status new_border(struct plane_study *s, size_t of,
+                              struct plane_border **out)
+{
+    struct plane_basin *b = &s->basin;
+    const enum status status =
+        ROOM_FOR(b->border, b->border_room, b->borders + 1);
+
+    if (status != STATUS_OK)
+        return status;
+    *out = &b->border[b->borders++];
+    **out = (struct plane_border){ .of = of };
+    for (int k = 0; k < 2; k++)
+        (*out)->half[k].curve = CURVE_EMPTY(2);
+    return STATUS_OK;
+}
+
+/* The runs of a curve from a piece on. */
+static enum status add_runs(struct plane_study *s, const struct curve *c,
+                            size_t first, const struct moved *m)
+{
+    struct plane_border *new;
+    enum status status = STATUS_OK;
+
+    for (size_t i = first; c && i < c->count && status == STATUS_OK; i++) {
+        const size_t last = run_from(s, c, i, m);
+        if (last == i)
+            continue;
+        status = new_border(s, m->of, &new);
+        if (status == STATUS_OK)
+            status = copy(c, i, last, m, &new->half[1]);
+        i = last;
+    }
+    return status;
+}
+
+/* The run through the place where both begin, and the others. */
+static enum status add_copy(struct plane_study *s,
+                            const struct curve *const c[2], size_t first,
+                            const struct moved *m)
+{
+    const size_t last[] = { run_from(s, c[0], first, m),
+                            run_from(s, c[1], first, m) };
+    struct plane_border *new = NULL;
+    enum status status = STATUS_OK;
+
+    if (last[0] > first || last[1] > first)
+        status = new_border(s, m->of, &new);
+    for (int k = 0; k < 2 && new &&status == STATUS_OK; k++)
+        if (last[k] > first)
+            status = copy(c[k], first, last[k], m, &new->half[k]);
+    for (int k = 0; k < 2 && status == STATUS_OK; k++)
+        status = add_runs(s, c[k], last[k], m);
+    return status;
+}
+
 /* One chain and its copies. */
 static enum status add(struct plane_study *s, const struct curve *const c[2],
                        size_t first, struct vec2 origin, double error,
                        size_t of)
 {
-    struct plane_basin *b = &s->basin;
     int x[2], y[2];
     enum status status = STATUS_OK;
 
@@ -127,20 +204,13 @@ static enum status add(struct plane_study *s, const struct curve *const c[2],
     periods(s, c, origin, 1, y);
     for (int i = x[0]; i <= x[1]; i++)
         for (int j = y[0]; j <= y[1] && status == STATUS_OK; j++) {
-            const struct vec2 by = {
-                origin.x - s->system[0].origin.x + i * s->scale.period.x,
-                origin.y - s->system[0].origin.y + j * s->scale.period.y
+            const struct moved m = {
+                { origin.x - s->system[0].origin.x + i * s->scale.period.x,
+                  origin.y - s->system[0].origin.y + j * s->scale.period.y },
+                error,
+                of
             };
-            status = ROOM_FOR(b->border, b->border_room, b->borders + 1);
-            if (status != STATUS_OK)
-                return status;
-            struct plane_border *new = &b->border[b->borders++];
-            *new = (struct plane_border){ .of = of };
-            for (int k = 0; k < 2; k++)
-                new->half[k].curve = CURVE_EMPTY(2);
-            for (int k = 0; k < 2 && status == STATUS_OK; k++)
-                if (c[k])
-                    status = copy(c[k], first, by, error, &new->half[k]);
+            status = add_copy(s, c, first, &m);
         }
     return status;
 }
@@ -156,7 +226,7 @@ static double height(const struct curve *c, size_t piece, double theta)
 /* From the top of a round to half of its height: ends of a curve that lie at
  * its top are in no band that is wide.  *first: the piece where that is now;
  * the orbit goes on to the same place, and by a piece more. */
-static enum status go_down(struct orbit *o, size_t *first, size_t last)
+static enum status go_down(struct taylor_orbit *o, size_t *first, size_t last)
 {
     double top = -HUGE_VAL, bottom = HUGE_VAL;
     enum status status = STATUS_OK;
@@ -171,7 +241,7 @@ static enum status go_down(struct orbit *o, size_t *first, size_t last)
     for (bool more = true; more && status == STATUS_OK; last++) {
         more = height(&o->curve, last, 1.0) > middle;
         if (last + 1 == o->curve.count)
-            status = orbit_step(o);
+            status = taylor_orbit_step(o);
         if (last + 1 == o->curve.count)
             break;
     }
@@ -185,21 +255,17 @@ static enum status add_cycle(struct plane_study *s, size_t k)
 {
     const struct planar *system = &s->system[1];
     const struct winding *w = &s->cycle[k].round;
-    struct orbit_options options = orbit_defaults(system, s->kappa);
     struct winding round = { .count = 0 };
-    struct orbit o;
+    struct taylor_orbit o =
+        taylor_orbit_at(system, vec2_sub(w->at[0], system->origin),
+                        s->scale.side, 0.01 * TOL_RTOL_DEFAULT);
     size_t first = 0, last = 0, before = 0;
     double gap = HUGE_VAL, next = HUGE_VAL, ratio = 0.0;
 
-    options.rtol = TOL_RTOL_DEFAULT;
-    options.observables = 0;
-    options.max_steps = 2 * TOL_FATE_STEPS;
-    enum status status =
-        orbit_init(&o, system, vec2_sub(w->at[0], system->origin), &options);
-    for (int rounds = 0; rounds < 2000 && status == STATUS_OK &&
-                         o.curve.count < TOL_FATE_STEPS;) {
-        status = orbit_step(&o);
-        if (status != STATUS_OK || o.end != ORBIT_RUNNING)
+    enum status status = STATUS_OK;
+    while (o.curve.count < TOL_PLANE_SERIES) {
+        status = taylor_orbit_step(&o);
+        if (status != STATUS_OK)
             break;
         before = round.count;
         (void) winding_add(&round, system, &s->scale, &o.curve,
@@ -208,7 +274,6 @@ static enum status add_cycle(struct plane_study *s, size_t k)
             continue;
         first = last;
         last = o.curve.count - 1;
-        rounds++;
         if (round.count <= w->turns)
             continue;
         next = vec2_length(
@@ -229,7 +294,7 @@ static enum status add_cycle(struct plane_study *s, size_t k)
                          TOL_RTOL_DEFAULT * vec2_length(s->scale.side),
                      s->branches + k);
     }
-    orbit_free(&o);
+    taylor_orbit_free(&o);
     return status == STATUS_NO_MEMORY ? status : STATUS_OK;
 }
 

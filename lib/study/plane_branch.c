@@ -6,9 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "escape.h"
 #include "grow.h"
-#include "orbit.h"
-#include "plane_beyond.h"
 #include "plane_cycle.h"
 #include "study_tolerance.h"
 #include "tolerance.h"
@@ -125,40 +124,20 @@ static struct vec2 point(const struct plane_branch *b, const struct vec2 origin,
     return vec2_add(origin, (struct vec2){ at[0], at[1] });
 }
 
-/* An angle is in the window wherever it is. */
-static bool in_window(const struct plane_study *s, struct vec2 z)
+/* The window; an angle is in it wherever it is. */
+static struct box shown_box(const struct plane_study *s)
 {
-    const struct box w = s->window.box;
+    struct box w = s->window.box;
 
-    return (s->scale.period.x > 0.0 || (z.x >= w.lo.x && z.x <= w.hi.x)) &&
-           (s->scale.period.y > 0.0 || (z.y >= w.lo.y && z.y <= w.hi.y));
-}
-
-/* How much outside a range. */
-static double outside(double at, double lo, double hi)
-{
-    return fmax(fmax(lo - at, at - hi), 0.0);
-}
-
-/* Whether a piece may come into the window: no coordinate changes by more than
- * the sizes of its terms. */
-static bool may_be_shown(const struct plane_study *s,
-                         const struct plane_branch *b, size_t piece)
-{
-    const struct curve *c = &b->curve.curve;
-    const struct box w = s->window.box;
-    const struct vec2 from = point(b, s->rest[b->rest].z, piece, 0.0);
-    const double *x = curve_component(c, piece, 0),
-                 *y = curve_component(c, piece, 1);
-    double left_x = outside(from.x, w.lo.x, w.hi.x),
-           left_y = outside(from.y, w.lo.y, w.hi.y);
-
-    for (size_t j = 1; j <= c->piece[piece].degree; j++) {
-        left_x -= fabs(x[j]);
-        left_y -= fabs(y[j]);
+    if (s->scale.period.x > 0.0) {
+        w.lo.x = -HUGE_VAL;
+        w.hi.x = HUGE_VAL;
     }
-    return (s->scale.period.x > 0.0 || left_x <= 0.0) &&
-           (s->scale.period.y > 0.0 || left_y <= 0.0);
+    if (s->scale.period.y > 0.0) {
+        w.lo.y = -HUGE_VAL;
+        w.hi.y = HUGE_VAL;
+    }
+    return w;
 }
 
 /* Up to where it last leaves the window, for good. */
@@ -166,11 +145,14 @@ static void find_shown(const struct plane_study *s, struct plane_branch *b)
 {
     enum { SAMPLES = 32 };
     const struct vec2 origin = s->rest[b->rest].z;
+    const struct box w = shown_box(s);
 
-    for (size_t i = b->curve.curve.count; i-- > 0;)
-        for (int k = may_be_shown(s, b, i) ? SAMPLES : -1; k >= 0; k--) {
+    for (size_t i = b->curve.curve.count; i-- > 0;) {
+        if (!escape_may_touch(&b->curve.curve, i, origin, w))
+            continue;
+        for (int k = SAMPLES; k >= 0; k--) {
             double in = (double) k / SAMPLES, out = (k + 1.0) / SAMPLES;
-            if (!in_window(s, point(b, origin, i, in)))
+            if (!box_holds(w, point(b, origin, i, in)))
                 continue;
             b->shown = i + 1;
             b->shown_to = 1.0;
@@ -178,12 +160,13 @@ static void find_shown(const struct plane_study *s, struct plane_branch *b)
                 return;
             for (int n = 0; n < 52; n++) {
                 const double middle = 0.5 * (in + out);
-                *(in_window(s, point(b, origin, i, middle)) ? &in : &out) =
+                *(box_holds(w, point(b, origin, i, middle)) ? &in : &out) =
                     middle;
             }
             b->shown_to = in;
             return;
         }
+    }
 }
 
 /* Five Gauss points on `parts` parts of the piece. */
@@ -261,7 +244,7 @@ static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
         return h->end;
     if (b->curve.end == BRANCH_DOMAIN)
         return PLANE_END_INFINITY;
-    return in_window(s, last_point(s, b)) ? -1 : PLANE_END_EDGE;
+    return box_holds(shown_box(s), last_point(s, b)) ? -1 : PLANE_END_EDGE;
 }
 
 static enum status settle(struct plane_study *s, struct plane_branch *b,
@@ -356,107 +339,4 @@ enum status plane_branch_grow(struct plane_study *s,
     }
     free(rests);
     return status;
-}
-
-/* ---- orbits -------------------------------------------------------------- */
-
-/* The equilibrium whose trap holds the end of the orbit. */
-static bool is_trapped(const struct plane_study *s, struct vec2 z,
-                       bool backward, size_t *index)
-{
-    for (size_t i = 0; i < s->rests; i++) {
-        const struct trap_form *t = &s->rest[i].trap[backward];
-        if (t->size > 0.0 && trap_form_distance(t, &s->scale, z) < t->size) {
-            *index = i;
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Whether a state is so near to an equilibrium that is not hyperbolic, or to
- * where one may be, that rounding decides where its orbit goes. */
-static bool is_lost(const struct plane_study *s, struct vec2 z)
-{
-    for (size_t i = 0; i < s->rests; i++)
-        if (s->rest[i].type == PLANE_NONHYPERBOLIC &&
-            vec2_length(arrival_from(&s->scale, z, s->rest[i].z)) <=
-                TOL_PLANE_WEAK)
-            return true;
-    for (size_t i = 0; i < s->undecided_count; i++) {
-        const struct plane_box *b = &s->undecided[i];
-        const double x = plane_state(s, 0, z.x), y = plane_state(s, 1, z.y);
-        if (x >= b->range[0][0] && x <= b->range[0][1] && y >= b->range[1][0] &&
-            y <= b->range[1][1])
-            return true;
-    }
-    return false;
-}
-
-/* The cycle that returns come nearer and nearer to; s->cycles: none known. */
-static size_t cycle_ahead(const struct plane_study *s, const struct winding *w,
-                          bool stable)
-{
-    for (size_t k = 0; k < s->cycles && w->count > 1; k++) {
-        const struct plane_cycle *c = &s->cycle[k];
-        const double d[] = {
-            vec2_length(arrival_from(&s->scale, w->at[0], c->round.at[0])),
-            vec2_length(arrival_from(&s->scale, w->at[1], c->round.at[0]))
-        };
-        if ((c->type == PLANE_CYCLE_STABLE) == stable && c->round.turns == 1 &&
-            d[0] <= TOL_PLANE_DRAWN && d[0] < TOL_WINDING_SHRINK * d[1])
-            return k;
-    }
-    return s->cycles;
-}
-
-enum status plane_follow(const struct plane_study *s, struct vec2 z,
-                         bool backward, struct plane_goal *out)
-{
-    const struct planar *system = &s->system[backward];
-    struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
-    struct orbit_options options = orbit_defaults(system, s->kappa);
-    struct orbit o;
-
-    *out = (struct plane_goal){ .kind = PLANE_GOAL_NONE };
-    if (rests == NULL)
-        return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < s->rests; i++)
-        rests[i] = s->rest[i].z;
-    options.rtol = TOL_ORBIT_RTOL;
-    options.observables = 0;
-    options.max_steps = TOL_FATE_STEPS;
-    enum status status =
-        orbit_init(&o, system, vec2_sub(z, system->origin), &options);
-    while (status == STATUS_OK && out->kind == PLANE_GOAL_NONE) {
-        const struct vec2 here =
-            vec2_add(system->origin, (struct vec2){ o.u[0], o.u[1] });
-        if (is_trapped(s, here, backward, &out->index))
-            out->kind = PLANE_GOAL_REST;
-        else if (plane_beyond_at(s, here, backward, o.end == ORBIT_LEFT_DOMAIN,
-                                 &out->beyond))
-            out->kind = PLANE_GOAL_BEYOND;
-        else if (o.end != ORBIT_RUNNING || is_lost(s, here) ||
-                 winding_is_closed(&out->round, &s->scale))
-            break;
-        else
-            status = orbit_step(&o);
-        if (status == STATUS_OK && out->kind == PLANE_GOAL_NONE &&
-            o.curve.count > 0 &&
-            winding_add(&out->round, system, &s->scale, &o.curve,
-                        o.curve.count - 1, rests, s->rests))
-            out->kind = PLANE_GOAL_CYCLE;
-        const size_t ahead = out->kind == PLANE_GOAL_NONE
-                                 ? cycle_ahead(s, &out->round, !backward)
-                                 : s->cycles;
-        if (ahead < s->cycles) {
-            out->kind = PLANE_GOAL_CYCLE;
-            out->round = s->cycle[ahead].round;
-        }
-    }
-    orbit_free(&o);
-    free(rests);
-    if (out->kind == PLANE_GOAL_CYCLE)
-        out->index = plane_cycle_find(s, &out->round, !backward);
-    return status == STATUS_NO_MEMORY ? status : STATUS_OK;
 }

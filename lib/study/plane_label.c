@@ -4,16 +4,13 @@
 #include "plane_label.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "plane_beyond.h"
 #include "plane_border.h"
-#include "plane_branch.h"
 #include "plane_cycle.h"
-
-double plane_label_between(double lo, double hi)
-{
-    return lo + 0.4871 * (hi - lo);
-}
+#include "plane_orbit.h"
+#include "study_tolerance.h"
 
 /* ---- goals --------------------------------------------------------------- */
 
@@ -37,6 +34,9 @@ int8_t plane_label_of(const struct plane_study *s, const struct plane_goal *g)
 
     if (g->kind == PLANE_GOAL_REST)
         return (int8_t) traps_before(s, g->index);
+    for (size_t i = 0; i < s->beyonds && g->kind == PLANE_GOAL_LEFT; i++)
+        if (s->beyond[i].rests && !s->beyond[i].way[0] && !s->beyond[i].way[1])
+            return (int8_t) (n + i);
     for (size_t i = 0; i < s->beyonds && g->kind == PLANE_GOAL_BEYOND; i++)
         if (plane_beyond_agree(s, &s->beyond[i], &g->beyond))
             return (int8_t) (n + i);
@@ -48,11 +48,27 @@ int8_t plane_label_of(const struct plane_study *s, const struct plane_goal *g)
     return (int8_t) n;
 }
 
+/* Whether it is of something outside the window. */
+static bool is_outside(const struct plane_study *s, int8_t label)
+{
+    size_t n = plane_label_beyond(s);
+
+    if (label < 0 || (size_t) label < n + s->beyonds)
+        return label >= 0 && (size_t) label >= n;
+    n += s->beyonds;
+    for (size_t k = 0; k < s->cycles; k++)
+        if (s->cycle[k].type == PLANE_CYCLE_STABLE && n++ == (size_t) label)
+            return !box_holds(s->window.box, s->cycle[k].round.at[0]);
+    return false;
+}
+
 bool plane_label_allows(const struct plane_study *s, int8_t label,
                         const struct plane_goal *g)
 {
     const size_t n = plane_label_beyond(s), i = (size_t) label - n;
 
+    if (g->kind == PLANE_GOAL_LEFT)
+        return is_outside(s, label);
     if (g->kind == PLANE_GOAL_BEYOND && label >= 0 && (size_t) label >= n &&
         i < s->beyonds)
         return plane_beyond_agree(s, &s->beyond[i], &g->beyond);
@@ -63,6 +79,10 @@ bool plane_label_allows(const struct plane_study *s, int8_t label,
 static bool meet(const struct plane_study *s, struct plane_goal *a,
                  const struct plane_goal *b)
 {
+    if (a->kind == PLANE_GOAL_LEFT && b->kind == PLANE_GOAL_BEYOND)
+        return true;
+    if (a->kind == PLANE_GOAL_BEYOND && b->kind == PLANE_GOAL_LEFT)
+        a->kind = PLANE_GOAL_LEFT;
     if (a->kind != b->kind)
         return false;
     if (a->kind != PLANE_GOAL_BEYOND)
@@ -73,15 +93,52 @@ static bool meet(const struct plane_study *s, struct plane_goal *a,
     return true;
 }
 
+/* ---- what is known so far ------------------------------------------------ */
+
+/* Patches that have their goal, while others still get theirs. */
+struct labelling {
+    struct patches *p;
+    struct plane_study *s;
+    bool *done; /* by region, of patches */
+    bool tiny;  /* the patch is so small that rounding makes closed orbits */
+};
+
+/* Orbits cross no border: whereto the patch goes that it has come to.  Not
+ * where the border is too near to tell. */
+static bool knows(void *ctx, struct vec2 z, struct plane_goal *out)
+{
+    const struct labelling *l = ctx;
+    const struct regions *r = l->p->r;
+    struct crossing *c = l->p->below;
+    const size_t region = regions_at(r, z, c);
+    const struct band *band = regions_band(r, z.y);
+    const size_t k = region - band->first, patch = plane_patch_of(l->p, region);
+    const double far = TOL_PLANE_DOOR * l->s->scale.side.x;
+
+    if (!l->done[patch] || !box_holds(l->s->window.box, z) ||
+        (k > 0 && !(z.x - c[k - 1].at > far + c[k - 1].error)) ||
+        (k < band->strands && !(c[k].at - z.x > far + c[k].error)))
+        return false;
+    *out = l->p->goal[patch];
+    return out->kind != PLANE_GOAL_NONE;
+}
+
 /* ---- witnesses ----------------------------------------------------------- */
 
-static enum status follow(struct plane_study *s, struct vec2 z,
+static enum status follow(struct labelling *l, struct vec2 z, bool alone,
                           struct plane_goal *goal)
 {
-    enum status status = plane_follow(s, z, false, goal);
+    const struct plane_guide guide = { .rounds = &l->s->rounds,
+                                       .knows = alone ? NULL : knows,
+                                       .ctx = l };
+    enum status status = plane_orbit(l->s, z, false, &guide, goal);
 
+    l->s->basin.steps += (int64_t) goal->steps;
+    if (goal->kind == PLANE_GOAL_CYCLE && l->tiny &&
+        goal->index == l->s->cycles)
+        goal->kind = PLANE_GOAL_NONE;
     if (status == STATUS_OK && goal->kind == PLANE_GOAL_CYCLE)
-        status = plane_cycle_add(s, &goal->round, true, &goal->index);
+        status = plane_cycle_add(l->s, &goal->round, true, &goal->index);
     return status;
 }
 
@@ -111,7 +168,7 @@ static double width_at(const struct inside *in, int i, double *y, double *lo)
     const double from = fmax(in->band->lo, w.lo.y),
                  to = fmin(in->band->hi, w.hi.y);
 
-    *y = from + (i + 0.4871) / ROWS * (to - from);
+    *y = from + off_middle(i, i + 1) / ROWS * (to - from);
     const size_t n = separatrix_row(p->r->separatrix, *y, p->below);
     if (n != in->band->strands)
         return 0.0;
@@ -137,7 +194,7 @@ static bool place_in(const struct inside *in, double part, struct vec2 *z)
 
 /* What orbits from all over the region have in common that go beyond the
  * window: there may be borders at infinity that nothing finds. */
-static enum status look_around(struct plane_study *s, const struct inside *in,
+static enum status look_around(struct labelling *l, const struct inside *in,
                                struct plane_goal *goal)
 {
     enum status status = STATUS_OK;
@@ -149,11 +206,11 @@ static enum status look_around(struct plane_study *s, const struct inside *in,
             const double width = width_at(in, i, &y, &lo);
             if (!(width > 0.0) || goal->kind != PLANE_GOAL_BEYOND)
                 continue;
-            status =
-                follow(s, (struct vec2){ lo + j / 6.0 * width, y }, &other);
+            status = follow(l, (struct vec2){ lo + j / 6.0 * width, y }, true,
+                            &other);
             if (status != STATUS_OK)
                 return status;
-            if (other.kind != PLANE_GOAL_NONE && !meet(s, goal, &other))
+            if (other.kind != PLANE_GOAL_NONE && !meet(l->s, goal, &other))
                 goal->kind = PLANE_GOAL_NONE;
         }
     return status;
@@ -161,7 +218,7 @@ static enum status look_around(struct plane_study *s, const struct inside *in,
 
 /* The same, where curves that are not known may divide it (plane_border.h), of
  * all orbits, from one row. */
-static enum status look_along(struct plane_study *s, const struct inside *in,
+static enum status look_along(struct labelling *l, const struct inside *in,
                               struct plane_goal *goal)
 {
     static const double part[] = { 0.03, 0.17, 0.33, 0.67, 0.83, 0.97 };
@@ -172,90 +229,128 @@ static enum status look_along(struct plane_study *s, const struct inside *in,
     for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
         if (goal->kind == PLANE_GOAL_NONE || !place_in(in, part[i], &z))
             break;
-        status = follow(s, z, &other);
+        status = follow(l, z, true, &other);
         if (status != STATUS_OK)
             break;
-        if (!meet(s, goal, &other))
+        if (!meet(l->s, goal, &other))
             goal->kind = PLANE_GOAL_NONE;
     }
     return status;
 }
 
-/* Whereto the inside of a region goes; cycles that are new are added. */
-static enum status follow_region(struct patches *p, size_t region,
-                                 struct plane_study *s, struct plane_goal *goal)
+/* Whereto the inside of a region goes; cycles that are new are added.  Of a
+ * small one, where its orbit comes to another patch, whereto that goes. */
+static enum status follow_region(struct labelling *l, size_t region, bool small,
+                                 struct plane_goal *goal)
 {
-    const struct inside in = region_of(p, region);
+    const struct inside in = region_of(l->p, region);
     struct vec2 z;
 
     goal->kind = PLANE_GOAL_NONE;
-    if (!place_in(&in, plane_label_between(0.0, 1.0), &z))
+    if (!place_in(&in, off_middle(0.0, 1.0), &z))
         return STATUS_OK;
-    enum status status = follow(s, z, goal);
-    if (status == STATUS_OK && plane_border_is_weak(s))
-        status = look_along(s, &in, goal);
-    return status ? status : look_around(s, &in, goal);
+    enum status status = follow(l, z, !small, goal);
+    if (small)
+        return status;
+    if (status == STATUS_OK && plane_border_is_weak(l->s))
+        status = look_along(l, &in, goal);
+    return status ? status : look_around(l, &in, goal);
 }
 
 /* ---- patches ------------------------------------------------------------- */
 
 enum { WITNESSES = 3 };
 
-/* The largest regions of a patch, by area. */
-static size_t largest(const struct patches *p, size_t patch,
-                      size_t out[WITNESSES])
-{
-    size_t n = 0;
+/* The largest regions of a patch, by area, and the area of all. */
+struct witnesses {
+    size_t patch, count, region[WITNESSES];
+    double area;
+};
 
-    for (size_t i = patch; i < p->r->count; i++) {
-        if (plane_patch_of(p, i) != patch || !(p->area[i].value > 0.0))
-            continue;
-        size_t k = n < WITNESSES ? n++ : WITNESSES;
-        for (; k > 0 && p->area[out[k - 1]].value < p->area[i].value; k--)
-            if (k < WITNESSES)
-                out[k] = out[k - 1];
+static void add_witness(const struct patches *p, struct witnesses *w, size_t i)
+{
+    size_t k = w->count < WITNESSES ? w->count++ : WITNESSES;
+
+    w->area += p->area[i].value;
+    for (; k > 0 && p->area[w->region[k - 1]].value < p->area[i].value; k--)
         if (k < WITNESSES)
-            out[k] = i;
-    }
-    return n;
+            w->region[k] = w->region[k - 1];
+    if (k < WITNESSES)
+        w->region[k] = i;
 }
 
-static enum status find_goal(struct patches *p, size_t patch,
-                             struct plane_study *s)
+static int by_area(const void *a, const void *b)
 {
-    size_t witness[WITNESSES];
-    const size_t n = largest(p, patch, witness);
-    struct plane_goal *goal = &p->goal[patch], other;
+    const struct witnesses *p = a, *q = b;
+
+    if (p->area != q->area)
+        return p->area > q->area ? -1 : 1;
+    return p->patch < q->patch ? -1 : p->patch > q->patch;
+}
+
+static enum status find_goal(struct labelling *l, const struct witnesses *w,
+                             bool small)
+{
+    struct plane_goal *goal = &l->p->goal[w->patch], other;
+    const size_t n = small && w->count > 1 ? 1 : w->count;
     enum status status = STATUS_OK;
 
     for (size_t k = 0; k < n && status == STATUS_OK; k++) {
-        status = follow_region(p, witness[k], s, k == 0 ? goal : &other);
-        if (k > 0 && !meet(s, goal, &other))
+        status = follow_region(l, w->region[k], small, k == 0 ? goal : &other);
+        if (k > 0 && !meet(l->s, goal, &other))
             goal->kind = PLANE_GOAL_NONE;
     }
+    l->done[w->patch] = true;
     if (status == STATUS_OK && goal->kind == PLANE_GOAL_BEYOND)
-        status = plane_beyond_add(s, &goal->beyond);
+        status = plane_beyond_add(l->s, &goal->beyond);
+    return status;
+}
+
+/* The large ones first, as long as work goes. */
+static enum status find_goals(struct labelling *l, struct witnesses w[],
+                              const struct monitor *monitor)
+{
+    const size_t n = l->p->r->count;
+    enum status status = STATUS_OK;
+    double all = 0.0;
+
+    for (size_t i = 0; i < n; i++) {
+        w[i].patch = i;
+        if (l->p->area[i].value > 0.0)
+            add_witness(l->p, &w[plane_patch_of(l->p, i)], i);
+    }
+    qsort(w, n, sizeof *w, by_area);
+    for (size_t i = 0; i < n; i++)
+        all += w[i].area;
+    for (size_t i = 0; i < n && w[i].count > 0 && status == STATUS_OK &&
+                       l->s->basin.steps < TOL_PLANE_WORK;
+         i++) {
+        l->tiny = w[i].area < TOL_PLANE_DOOR * all;
+        status = monitor_tell(monitor, "regions", i, n)
+                     ? STATUS_STOPPED
+                     : find_goal(l, &w[i], w[i].area < TOL_PLANE_SMALL * all);
+    }
     return status;
 }
 
 enum status plane_label_all(struct plane_study *s, struct patches *p,
                             const struct monitor *monitor)
 {
-    enum status status = STATUS_OK;
+    struct witnesses *w = calloc(p->r->count + 1, sizeof *w);
+    struct labelling l = { p, s, calloc(p->r->count + 1, sizeof *l.done),
+                           false };
+    enum status status = w && l.done ? STATUS_OK : STATUS_NO_MEMORY;
 
     plane_patch_join(p);
-    for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
-        if (p->of[i] != i)
-            continue;
-        if (monitor_tell(monitor, "regions", i, p->r->count))
-            return STATUS_STOPPED;
-        status = find_goal(p, i, s);
-    }
+    if (status == STATUS_OK)
+        status = find_goals(&l, w, monitor);
     if (status == STATUS_OK)
         status = plane_beyond_finish(s);
     for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
         const int8_t label = plane_label_of(s, &p->goal[plane_patch_of(p, i)]);
         p->r->region[i].label = label < 0 ? REGION_UNLABELLED : label;
     }
+    free(w);
+    free(l.done);
     return status;
 }

@@ -22,7 +22,4 @@ size_t plane_label_beyond(const struct plane_study *s);
 bool plane_label_allows(const struct plane_study *s, int8_t label,
                         const struct plane_goal *goal);
 
-/* Near the middle, where equilibria like to be. */
-double plane_label_between(double lo, double hi);
-
 #endif

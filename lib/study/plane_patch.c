@@ -6,8 +6,10 @@
 
 size_t plane_patch_of(const struct patches *p, size_t i)
 {
-    while (p->of[i] != i)
+    while (p->of[i] != i) {
+        p->of[i] = p->of[p->of[i]];
         i = p->of[i];
+    }
     return i;
 }
 

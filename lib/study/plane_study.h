@@ -100,6 +100,32 @@ struct plane_beyond {
     char word[2 * PLANE_NAME + 48];
 };
 
+/* Whereto an orbit goes. */
+struct plane_goal {
+    enum plane_goal_kind {
+        PLANE_GOAL_NONE, /* as far as it was followed */
+        PLANE_GOAL_LEFT, /* outside the window for good: escape.h */
+        PLANE_GOAL_REST,
+        PLANE_GOAL_CYCLE,
+        PLANE_GOAL_BEYOND
+    } kind;
+    size_t index;         /* of the rest, of the cycle; cycles: one not known */
+    struct winding round; /* of a cycle */
+    struct plane_beyond beyond;
+    size_t steps; /* that it took to know */
+};
+
+/* Rounds of an orbit about the window, which it has left for good
+ * (manifold/escape.h), by where they cross the ray: orbits that cross it
+ * between two of them go where it went.  count 0: none is known. */
+enum { PLANE_ROUNDS = 512 };
+
+struct plane_rounds {
+    double at[PLANE_ROUNDS], sense;
+    size_t count;
+    struct plane_goal goal;
+};
+
 /* A share of the window, by area as it is drawn. */
 struct plane_share {
     const char *attractor; /* borrowed; an equilibrium, a cycle, what is
@@ -138,6 +164,7 @@ struct plane_basin {
     struct plane_boundary *boundary; /* owned */
     size_t boundaries;
     int64_t cells, disagreements; /* of the audit */
+    int64_t steps; /* of all orbits: TOL_PLANE_WORK ends labels and audit */
     struct plane_elsewhere elsewhere;
 };
 
@@ -180,6 +207,7 @@ struct plane_study {
     struct plane_beyond *beyond; /* owned; no two agree, "infinity" and
                                     "outside" are last; with the basins */
     size_t beyonds;
+    struct plane_rounds rounds;
     struct portrait portrait;     /* owned; trajectories: forward */
     struct trajectories backward; /* owned; from the same starts */
     struct plane_basin basin;     /* members owned */
@@ -207,18 +235,5 @@ MUST_CHECK enum status plane_study_about(
 
 /* A coordinate of the chart as the state that it is. */
 double plane_state(const struct plane_study *s, int axis, double z);
-
-/* Whereto an orbit goes. */
-struct plane_goal {
-    enum plane_goal_kind {
-        PLANE_GOAL_NONE, /* as far as it was followed */
-        PLANE_GOAL_REST,
-        PLANE_GOAL_CYCLE,
-        PLANE_GOAL_BEYOND
-    } kind;
-    size_t index;         /* of the rest, of the cycle; cycles: one not known */
-    struct winding round; /* of a cycle */
-    struct plane_beyond beyond;
-};
 
 #endif

@@ -66,14 +66,26 @@
 #define TOL_PLANE_STILL      1e-9
 #define TOL_PLANE_WEAK       1e-3
 
+/* Orbits of such planes: steps of series in time, or of the implicit method
+ * once so many steps in turn are HELD to where the velocity changes by less
+ * than that part of itself, or so many did not bring it round; and of all
+ * orbits, for labels and for audits. */
+#define TOL_PLANE_SERIES     20000
+#define TOL_PLANE_WORK       400000
+#define TOL_PLANE_IMPLICIT   20000
+#define TOL_PLANE_HELD       1e-2
+#define TOL_PLANE_HELD_STEPS 64
+#define TOL_PLANE_NO_RETURN  1000
+
 /* Basins of such planes: cycles are looked for from this far beside others, and
  * kept to TOL_RTOL_DEFAULT; copies of a curve of an angle; regions are one
- * where they share more of a row than this; two limits outside the window are
- * the same. */
+ * where they share more of a row than this, and small, of the window; two
+ * limits outside the window are the same. */
 #define TOL_PLANE_BESIDE     1e-3
 #define TOL_PLANE_TURNS      50.0
 #define TOL_PLANE_DOOR       1e-6
 #define TOL_PLANE_FLAT       16.0
+#define TOL_PLANE_SMALL      1e-3
 #define TOL_PLANE_SAME_LIMIT 1e-6
 
 /* Sensitivities: parameters are moved by this part of themselves, so that a

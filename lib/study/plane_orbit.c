@@ -1,0 +1,257 @@
+/* By Taylor series in time; where these are held back, by the implicit method
+ * of orbit.h from there on. */
+#include "plane_orbit.h"
+
+#include <stdlib.h>
+
+#include "escape.h"
+#include "orbit.h"
+#include "plane_beyond.h"
+#include "plane_cycle.h"
+#include "study_tolerance.h"
+#include "taylor_orbit.h"
+#include "tolerance.h"
+
+/* ---- where it ends ------------------------------------------------------- */
+
+/* The equilibrium whose trap holds the end of the orbit. */
+static bool is_trapped(const struct plane_study *s, struct vec2 z,
+                       bool backward, size_t *index)
+{
+    for (size_t i = 0; i < s->rests; i++) {
+        const struct trap_form *t = &s->rest[i].trap[backward];
+        if (t->size > 0.0 && trap_form_distance(t, &s->scale, z) < t->size) {
+            *index = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Whether a state is so near to an equilibrium that is not hyperbolic, or to
+ * where one may be, that rounding decides where its orbit goes. */
+static bool is_lost(const struct plane_study *s, struct vec2 z)
+{
+    for (size_t i = 0; i < s->rests; i++)
+        if (s->rest[i].type == PLANE_NONHYPERBOLIC &&
+            vec2_length(arrival_from(&s->scale, z, s->rest[i].z)) <=
+                TOL_PLANE_WEAK)
+            return true;
+    for (size_t i = 0; i < s->undecided_count; i++) {
+        const struct plane_box *b = &s->undecided[i];
+        const double x = plane_state(s, 0, z.x), y = plane_state(s, 1, z.y);
+        if (x >= b->range[0][0] && x <= b->range[0][1] && y >= b->range[1][0] &&
+            y <= b->range[1][1])
+            return true;
+    }
+    return false;
+}
+
+/* The cycle that returns come nearer and nearer to; s->cycles: none known. */
+static size_t cycle_ahead(const struct plane_study *s, const struct winding *w,
+                          bool stable)
+{
+    for (size_t k = 0; k < s->cycles && w->count > 1; k++) {
+        const struct plane_cycle *c = &s->cycle[k];
+        const double d[] = {
+            vec2_length(arrival_from(&s->scale, w->at[0], c->round.at[0])),
+            vec2_length(arrival_from(&s->scale, w->at[1], c->round.at[0]))
+        };
+        if ((c->type == PLANE_CYCLE_STABLE) == stable && c->round.turns == 1 &&
+            d[0] <= TOL_PLANE_DRAWN && d[0] < TOL_WINDING_SHRINK * d[1])
+            return k;
+    }
+    return s->cycles;
+}
+
+/* ---- steps --------------------------------------------------------------- */
+
+struct walk {
+    const struct plane_study *s;
+    const struct planar *system;
+    bool backward, stiff, stopped;
+    int held;        /* steps in turn in which its velocity hardly changed */
+    size_t returned; /* the piece on which it returned last */
+    struct taylor_orbit series;
+    struct orbit implicit; /* once it is stiff */
+    struct winding winding;
+    struct escape escape;
+    const struct plane_guide *guide; /* borrowed; or NULL */
+    struct plane_rounds own;
+};
+
+static const struct curve *curve_of(const struct walk *w)
+{
+    return w->stiff ? &w->implicit.curve : &w->series.curve;
+}
+
+/* Absolute. */
+static struct vec2 place_of(const struct walk *w)
+{
+    const struct vec2 z =
+        w->stiff ? (struct vec2){ w->implicit.u[0], w->implicit.u[1] }
+                 : w->series.z;
+
+    return vec2_add(w->system->origin, z);
+}
+
+static enum status be_implicit(struct walk *w)
+{
+    struct orbit_options options = orbit_defaults(w->system, w->s->kappa);
+
+    options.rtol = TOL_ORBIT_RTOL;
+    options.observables = 0;
+    options.max_steps = TOL_PLANE_IMPLICIT;
+    w->stiff = true;
+    return orbit_init(&w->implicit, w->system, w->series.z, &options);
+}
+
+/* One piece more; w->stopped where there is none. */
+static enum status step(struct walk *w)
+{
+    const size_t before = curve_of(w)->count;
+    enum status status;
+
+    if (w->stiff) {
+        status = orbit_step(&w->implicit);
+    } else {
+        status = taylor_orbit_step(&w->series);
+        w->held = w->series.bent < TOL_PLANE_HELD ? w->held + 1 : 0;
+        if (status == STATUS_NO_CONVERGENCE || w->held > TOL_PLANE_HELD_STEPS ||
+            before > w->returned + TOL_PLANE_NO_RETURN)
+            return be_implicit(w) == STATUS_NO_MEMORY ? STATUS_NO_MEMORY
+                                                      : STATUS_OK;
+    }
+    if (status == STATUS_NO_MEMORY)
+        return status;
+    w->stopped = curve_of(w)->count == before ||
+                 w->series.curve.count >= TOL_PLANE_SERIES;
+    return STATUS_OK;
+}
+
+/* ---- rounds about the window --------------------------------------------- */
+
+static bool knows(const struct plane_rounds *r, const struct escape *e)
+{
+    return r->count > 1 && r->sense == e->sense && e->at >= r->at[0] &&
+           e->at <= r->at[r->count - 1];
+}
+
+/* It has left for good, and is on the ray. */
+static void come_round(struct walk *w, struct plane_goal *out)
+{
+    struct plane_rounds *own = &w->own;
+
+    own->sense = w->escape.sense;
+    if (w->guide == NULL)
+        out->kind = PLANE_GOAL_LEFT;
+    else if (knows(w->guide->rounds, &w->escape))
+        *out = w->guide->rounds->goal;
+    else if (own->count < PLANE_ROUNDS)
+        own->at[own->count++] = w->escape.at;
+}
+
+/* What its rounds tell of others.  An equilibrium has sides; of an orbit that
+ * leaves all bounds going round, no coordinate has a limit. */
+static void keep_rounds(struct walk *w, struct plane_goal *out)
+{
+    if (out->kind == PLANE_GOAL_NONE && w->escape.left)
+        out->kind = PLANE_GOAL_LEFT;
+    if (w->guide == NULL || w->guide->rounds->count > 1 || w->own.count < 3 ||
+        (out->kind == PLANE_GOAL_BEYOND && out->beyond.rests))
+        return;
+    for (int i = 0; i < 2; i++)
+        out->beyond.way[i] = PLANE_WAY_UNKNOWN;
+    *w->guide->rounds = w->own;
+    w->guide->rounds->goal = *out;
+}
+
+/* What the last piece tells. */
+static void look(struct walk *w, const struct vec2 rests[],
+                 struct plane_goal *out)
+{
+    const struct curve *c = curve_of(w);
+    const struct plane_study *s = w->s;
+    const size_t returns = w->winding.count;
+    const bool flat = !(s->scale.period.x > 0.0 || s->scale.period.y > 0.0);
+
+    if (winding_add(&w->winding, w->system, &s->scale, c, c->count - 1, rests,
+                    s->rests)) {
+        *out = (struct plane_goal){ .kind = PLANE_GOAL_CYCLE,
+                                    .round = w->winding };
+        return;
+    }
+    w->returned = w->winding.count > returns ? c->count : w->returned;
+    const size_t ahead = cycle_ahead(s, &w->winding, !w->backward);
+    if (ahead < s->cycles)
+        *out = (struct plane_goal){ .kind = PLANE_GOAL_CYCLE,
+                                    .round = s->cycle[ahead].round };
+    else if (flat &&
+             escape_add(&w->escape, w->system, s->window.box, c,
+                        c->count - 1) &&
+             w->escape.left)
+        come_round(w, out);
+}
+
+/* ---- an orbit ------------------------------------------------------------ */
+
+static bool has_left_domain(const struct walk *w)
+{
+    return w->implicit.end == ORBIT_LEFT_DOMAIN ||
+           !box_holds(w->system->domain, place_of(w));
+}
+
+/* Whether the orbit ends where it is now. */
+static bool arrives(struct walk *w, struct plane_goal *out)
+{
+    const struct vec2 here = place_of(w);
+    const struct plane_guide *g = w->guide;
+    struct plane_beyond end;
+
+    if (g && g->knows && g->knows(g->ctx, here, out))
+        return true;
+    if (is_trapped(w->s, here, w->backward, &out->index)) {
+        out->kind = PLANE_GOAL_REST;
+    } else if (plane_beyond_at(w->s, here, w->backward, has_left_domain(w),
+                               &end)) {
+        out->kind = PLANE_GOAL_BEYOND;
+        out->beyond = end;
+    } else {
+        return w->stopped || is_lost(w->s, here) ||
+               winding_is_closed(&w->winding, &w->s->scale);
+    }
+    return true;
+}
+
+enum status plane_orbit(const struct plane_study *s, struct vec2 z,
+                        bool backward, const struct plane_guide *guide,
+                        struct plane_goal *out)
+{
+    const struct planar *system = &s->system[backward];
+    struct walk w = {
+        .s = s, .system = system, .backward = backward, .guide = guide
+    };
+    struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
+    enum status status = rests ? STATUS_OK : STATUS_NO_MEMORY;
+
+    *out = (struct plane_goal){ .kind = PLANE_GOAL_NONE };
+    for (size_t i = 0; i < s->rests && rests; i++)
+        rests[i] = s->rest[i].z;
+    w.series = taylor_orbit_at(system, vec2_sub(z, system->origin),
+                               s->scale.side, TOL_ORBIT_RTOL);
+    while (status == STATUS_OK && out->kind == PLANE_GOAL_NONE &&
+           !arrives(&w, out)) {
+        const size_t before = curve_of(&w)->count;
+        status = step(&w);
+        if (status == STATUS_OK && curve_of(&w)->count > before)
+            look(&w, rests, out);
+    }
+    keep_rounds(&w, out);
+    out->steps = w.series.curve.count + w.implicit.steps + w.implicit.rejected;
+    taylor_orbit_free(&w.series);
+    orbit_free(&w.implicit);
+    free(rests);
+    if (out->kind == PLANE_GOAL_CYCLE)
+        out->index = plane_cycle_find(s, &out->round, !backward);
+    return status;
+}
