@@ -1,5 +1,3 @@
-/* Inside the window by the map of basins, in which a state may lie too near to
- * a boundary to tell; beyond it by the state's own orbit. */
 #include "plane_push.h"
 
 #include <math.h>
@@ -8,9 +6,7 @@
 
 #include "json.h"
 #include "number.h"
-#include "plane_basin.h"
-#include "plane_label.h"
-#include "plane_orbit.h"
+#include "plane_answer.h"
 #include "progress.h"
 #include "table.h"
 
@@ -18,8 +14,8 @@ struct job {
     const struct scene *scene;
     struct scene asked; /* borrows from it */
     struct plane_study study;
-    double (*state)[2]; /* owned */
-    const char **goal;  /* owned; names are borrowed */
+    double (*state)[2];          /* owned */
+    struct plane_answer *answer; /* owned */
     size_t count;
     struct table table; /* where the states come from; else empty */
 };
@@ -46,8 +42,8 @@ static enum status make_room(struct job *j, size_t count)
 {
     j->count = count;
     j->state = calloc(count, sizeof *j->state);
-    j->goal = (const char **) calloc(count, sizeof *j->goal);
-    return j->state && j->goal ? STATUS_OK : STATUS_NO_MEMORY;
+    j->answer = calloc(count, sizeof *j->answer);
+    return j->state && j->answer ? STATUS_OK : STATUS_NO_MEMORY;
 }
 
 /* "x=1,y=0.5" */
@@ -99,32 +95,32 @@ static enum status read_many(struct job *j, const char *path, struct fault *why)
 
 /* ---- answers ------------------------------------------------------------- */
 
-static enum status find_goal(struct job *j, size_t i)
-{
-    const struct plane_study *s = &j->study;
-    const struct vec2 z = {
-        scene_axis_is_log(j->scene, 0) ? log(j->state[i][0]) : j->state[i][0],
-        scene_axis_is_log(j->scene, 1) ? log(j->state[i][1]) : j->state[i][1]
-    };
-    struct plane_goal goal;
-    int8_t label;
-    enum status status;
-
-    if (box_holds(s->window.box, z)) {
-        status = plane_basin_at(s, z, &label);
-    } else {
-        status = plane_orbit(s, z, false, NULL, &goal);
-        label = plane_label_of(s, &goal);
-    }
-    j->goal[i] = s->basin.name[label < 0 ? (int8_t) s->basin.labels : label];
-    return status;
-}
-
 static json_t *answer_json(const struct job *j, size_t i)
 {
-    return json_pack("{s:{s:o, s:o}, s:s}", "state", name_of(j, 0),
-                     json_number(j->state[i][0]), name_of(j, 1),
-                     json_number(j->state[i][1]), "attractor", j->goal[i]);
+    json_t *all = json_pack("{s:{s:o, s:o}, s:s}", "state", name_of(j, 0),
+                            json_number(j->state[i][0]), name_of(j, 1),
+                            json_number(j->state[i][1]), "attractor",
+                            j->answer[i].attractor);
+    char name[80];
+
+    for (int k = 0; k < 2; k++) {
+        snprintf(name, sizeof name, "%.70s_kick", name_of(j, k));
+        json_object_set_new(all, name, json_quantity(&j->answer[i].kick[k]));
+    }
+    return all;
+}
+
+static void print_kick(const struct job *j, size_t i, int axis)
+{
+    const struct quantity *q = &j->answer[i].kick[axis];
+
+    if (q->reason) {
+        printf("  %s_kick: %s\n", name_of(j, axis), q->reason);
+        return;
+    }
+    const struct number_bar n = number_with_bar(q->value, q->error);
+    printf("  %s_kick: %s +- %s\n", name_of(j, axis), n.value.text,
+           n.error.text);
 }
 
 static enum exit_code print(const struct job *j, const struct options *o)
@@ -136,7 +132,10 @@ static enum exit_code print(const struct job *j, const struct options *o)
         if (!o->json && !o->quiet)
             printf("%s = %s, %s = %s: %s\n", name_of(j, 0),
                    number_shortest(j->state[i][0]).text, name_of(j, 1),
-                   number_shortest(j->state[i][1]).text, j->goal[i]);
+                   number_shortest(j->state[i][1]).text,
+                   j->answer[i].attractor);
+        for (int k = 0; k < 2 && !o->json && !o->quiet; k++)
+            print_kick(j, i, k);
     }
     if (!o->json) {
         json_decref(list);
@@ -162,12 +161,12 @@ enum exit_code plane_push(const struct options *o, const struct scene *scene)
         s = plane_study_run(&j.study, &j.asked, progress_monitor(o), &why);
     progress_end();
     for (size_t i = 0; i < j.count && s == STATUS_OK; i++)
-        s = find_goal(&j, i);
+        s = plane_answer_at(&j.study, j.state[i], &j.answer[i]);
     const enum exit_code code =
         s == STATUS_OK ? print(&j, o) : command_fail(s, why.text);
     plane_study_free(&j.study);
     table_free(&j.table);
     free(j.state);
-    free((void *) j.goal);
+    free(j.answer);
     return code;
 }

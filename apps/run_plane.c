@@ -120,6 +120,8 @@ enum exit_code plane_plan(const struct options *o, const struct scene *scene)
           BIT(FIELD_ARROWS) },
         { "basins", "whereto every state goes, their shares",
           "an orbit a region, and those of the audit", BIT(BASINS) },
+        { "margin", "how far another fate is",
+          "borders, along two lines a cell", BIT(MARGIN) },
         { "trajectories", "orbits, both ways in time",
           "some hundred steps each", BIT(TRAJECTORIES) },
     };

@@ -310,6 +310,21 @@ enum status basin_map_margins(const struct basin_map *m, size_t first,
     return STATUS_OK;
 }
 
+enum status basin_map_raster_margins(const struct basin_map *m, size_t columns,
+                                     size_t rows, double v[], double psi[])
+{
+    struct basin_map raster = { .slider = m->slider,
+                                .scene = m->scene,
+                                .labels = m->labels };
+    enum status s = make_grid(&raster, columns, rows);
+
+    if (s == STATUS_OK)
+        s = basin_map_margins(&raster, 0, rows, v, psi);
+    raster.labels = (struct labels){ .slider = NULL };
+    basin_map_free(&raster);
+    return s;
+}
+
 /* ---- audit --------------------------------------------------------------- */
 
 /* splitmix64: Steele, Lea, Flood, OOPSLA 2014. */

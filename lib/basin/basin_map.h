@@ -70,6 +70,11 @@ MUST_CHECK enum status basin_map_raster(const struct basin_map *m,
                                         size_t columns, size_t rows,
                                         int8_t out[]);
 
+/* The margins below of such a grid. */
+MUST_CHECK enum status basin_map_raster_margins(const struct basin_map *m,
+                                                size_t columns, size_t rows,
+                                                double v[], double psi[]);
+
 /* ln of the factor on v, and the shift of ln psi (of psi where it is a
  * logarithm), to the nearest other fate along the cell's row and column, for
  * rows first .. first + count - 1; infinite where there is none.

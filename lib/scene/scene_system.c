@@ -18,7 +18,7 @@
 
 const unsigned scene_system_products =
     BIT(EQUILIBRIA) | BIT(NULLCLINES) | BIT(FIELD_ARROWS) | BIT(MANIFOLDS) |
-    BIT(SENSITIVITIES) | BIT(TRAJECTORIES) | BIT(BASINS);
+    BIT(SENSITIVITIES) | BIT(TRAJECTORIES) | BIT(BASINS) | BIT(MARGIN);
 
 /* ---- places -------------------------------------------------------------- */
 

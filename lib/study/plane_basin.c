@@ -381,6 +381,7 @@ void plane_basin_free(struct plane_basin *b)
     free(b->border);
     regions_free(&b->regions);
     separatrix_free(&b->cuts);
+    separatrix_free(&b->columns);
     free(b->share);
     free((void *) b->name);
     free(b->boundary);

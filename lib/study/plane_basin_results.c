@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "plane_basin.h"
+#include "plane_margin.h"
 #include "plane_results.h"
 #include "plane_table.h"
 
@@ -99,6 +100,38 @@ static enum status label_rows(const void *run, size_t first, size_t count,
                             count, records);
 }
 
+static enum status margin_rows(const void *run, size_t first, size_t count,
+                               const struct monitor *monitor, void *records)
+{
+    (void) monitor;
+    return plane_margin_fill(run, first, count, records);
+}
+
+/* "margin_x": along rows; and "margin_y". */
+static void add_margins(const struct plane_study *s, struct plane_table *t)
+{
+    const size_t first = t->fields;
+
+    for (int i = 0; i < 2; i++) {
+        const struct planar_axis *a = &s->system[0].axis[i];
+        plane_table_field(
+            t, plane_table_keep(t, "margin_%s", a->name), RECORD_REAL,
+            offsetof(struct plane_margins, by) + (size_t) i * sizeof(double),
+            plane_table_keep(t, "smallest change of %s%s with another fate",
+                             a->is_log ? "ln " : "", a->name));
+    }
+    struct result *r = plane_table_result(
+        t,
+        plane_table_type(t, first, "margin", "how far another fate is",
+                         sizeof(struct plane_margins)),
+        ASKED(MARGIN));
+    r->path = "/basin";
+    r->shape = RESULT_LAYERS;
+    r->axis = plane_table_keep(t, "%s, %s", s->system[0].axis[1].name,
+                               s->system[0].axis[0].name);
+    r->rows = margin_rows;
+}
+
 void plane_results_map(const struct plane_study *s, struct plane_table *t)
 {
     const char *name[] = { s->system[0].axis[0].name,
@@ -126,4 +159,5 @@ void plane_results_map(const struct plane_study *s, struct plane_table *t)
     r->shape = RESULT_LAYERS;
     r->axis = plane_table_keep(t, "%s, %s", name[1], name[0]);
     r->rows = label_rows;
+    add_margins(s, t);
 }

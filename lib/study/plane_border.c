@@ -304,13 +304,17 @@ static enum status cut(struct plane_study *s)
     enum status status = STATUS_OK;
 
     b->cuts = separatrix_empty(SEPARATRIX_Y, s->system[0].origin);
+    b->columns = separatrix_empty(SEPARATRIX_X, s->system[0].origin);
     for (size_t i = 0; i < b->borders && status == STATUS_OK; i++) {
         struct plane_border *p = &b->border[i];
+        const struct branch *half[2];
+        for (int k = 0; k < 2; k++)
+            half[k] = p->half[k].curve.count ? &p->half[k] : NULL;
         p->first = b->cuts.count;
-        status = separatrix_add(&b->cuts,
-                                p->half[0].curve.count ? &p->half[0] : NULL,
-                                p->half[1].curve.count ? &p->half[1] : NULL);
+        status = separatrix_add(&b->cuts, half[0], half[1]);
         p->last = b->cuts.count;
+        if (status == STATUS_OK)
+            status = separatrix_add(&b->columns, half[0], half[1]);
     }
     return status;
 }

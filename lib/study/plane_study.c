@@ -270,6 +270,8 @@ enum status plane_study_run(struct plane_study *s, const struct scene *scene,
 {
     *s = (struct plane_study){ .scene = scene,
                                .products = scene->products | BIT(EQUILIBRIA) };
+    if (s->products & BIT(MARGIN))
+        s->products |= BIT(BASINS);
     why->text[0] = '\0';
     const enum status status = run(s, monitor, why);
     if (status == STATUS_OK)

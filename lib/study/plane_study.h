@@ -156,7 +156,8 @@ struct plane_elsewhere {
 struct plane_basin {
     struct plane_border *border; /* owned */
     size_t borders, border_room;
-    struct separatrix cuts; /* of all of them; along y */
+    struct separatrix cuts;    /* of all of them; along y */
+    struct separatrix columns; /* the same along x */
     struct regions regions;
     struct plane_share *share;       /* owned; by label */
     const char **name;               /* owned; their names, NULL-ended */

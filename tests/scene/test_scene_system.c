@@ -104,7 +104,7 @@ static const struct {
     { RATES WINDOW "products: [knees]\n",
       "3:11: products: knees is for a law on a slope, a system has "
       "equilibria, nullclines, field_arrows, manifolds, sensitivities, "
-      "trajectories or basins" },
+      "trajectories, basins or margin" },
     { RATES "window: {x: [-1, 1], y: [-1, 1], axes: eigen}\n",
       "2:40: window.axes: eigen is for a law on a slope, expected log or "
       "linear" },

@@ -1,0 +1,20 @@
+/* plane_answer.h -- whereto one state of a plane goes. */
+#ifndef STUDY_PLANE_ANSWER_H
+#define STUDY_PLANE_ANSWER_H
+
+#include "plane_study.h"
+
+struct plane_answer {
+    const char *attractor;   /* a name of the basins */
+    struct quantity kick[2]; /* plane_margin.h */
+};
+
+/* Inside the window by the map of basins, in which a state may lie too near to
+ * a boundary to tell; beyond it by the state's own orbit.  The basins are
+ * known; state[] as the formulas have it, finite, > 0 where it is positive.
+ * STATUS_NO_MEMORY. */
+MUST_CHECK enum status plane_answer_at(const struct plane_study *s,
+                                       const double state[2],
+                                       struct plane_answer *out);
+
+#endif

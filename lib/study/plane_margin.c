@@ -1,0 +1,108 @@
+/* Borders are known in the window only: a change of fate beyond it is none. */
+#include "plane_margin.h"
+
+#include <math.h>
+
+#include "margin.h"
+#include "plane_basin.h"
+#include "study_tolerance.h"
+
+static double part_of(struct vec2 z, int axis)
+{
+    return axis == 0 ? z.x : z.y;
+}
+
+/* Where fates change as one coordinate does, the other being `at`. */
+static void find_line(const struct plane_study *s, int axis, double at,
+                      struct margin_line *l)
+{
+    margin_find(l, &s->basin.regions,
+                axis == 0 ? &s->basin.cuts : &s->basin.columns, at);
+}
+
+/* From `at` to the nearest change, signed; infinite where the window ends
+ * before it. */
+static double shift_in_window(const struct plane_study *s, int axis,
+                              const struct margin_line *l, double at,
+                              double *error)
+{
+    const double shift = margin_at(l, at, error);
+    const double end = at + shift;
+
+    return end >= part_of(s->window.box.lo, axis) &&
+                   end <= part_of(s->window.box.hi, axis)
+               ? shift
+               : (double) INFINITY;
+}
+
+static struct quantity kick_of(const struct plane_study *s, int axis,
+                               const struct margin_line *l, double at)
+{
+    double error;
+    const double shift = shift_in_window(s, axis, l, at, &error);
+    const double bar =
+        error + 4.0 * TOL_SHARE_ROUNDING * (1.0 + fabs(at) + fabs(shift));
+
+    if (isinf(shift))
+        return quantity_none("no other fate in the window along this line");
+    if (!(bar <= fabs(shift)))
+        return quantity_none("the other fate may be as near as its error bar");
+    if (!s->system[0].axis[axis].is_log)
+        return quantity_of(shift, bar);
+    return quantity_of(exp(shift), exp(shift) * expm1(bar));
+}
+
+enum status plane_margin_at(const struct plane_study *s, struct vec2 z,
+                            struct quantity kick[2])
+{
+    const bool inside = box_holds(s->window.box, z);
+    struct margin_line l;
+    int8_t label = -1;
+    enum status status = plane_basin_at(s, z, &label);
+
+    if (status == STATUS_OK)
+        status = margin_init(&l, &s->basin.cuts, &s->basin.columns);
+    if (status != STATUS_OK)
+        return status;
+    for (int i = 0; i < 2; i++) {
+        kick[i] =
+            quantity_none(inside ? "whereto the state itself goes is not known"
+                                 : "the state is outside the window");
+        if (!inside || label < 0)
+            continue;
+        find_line(s, i, part_of(z, 1 - i), &l);
+        kick[i] = kick_of(s, i, &l, part_of(z, i));
+    }
+    margin_free(&l);
+    return STATUS_OK;
+}
+
+enum status plane_margin_fill(const struct plane_study *s, size_t first,
+                              size_t count, struct plane_margins out[])
+{
+    const size_t columns = s->scene->cells[0], rows = s->scene->cells[1];
+    struct margin_line l;
+    double error;
+    enum status status = margin_init(&l, &s->basin.cuts, &s->basin.columns);
+
+    if (status != STATUS_OK)
+        return status;
+    for (size_t k = 0; k < columns + count; k++) {
+        const int axis = k < count ? 0 : 1; /* along rows, then columns */
+        const double at =
+            axis == 0 ? plane_basin_cell(s, 1, first + k, rows, true)
+                      : plane_basin_cell(s, 0, k - count, columns, true);
+        find_line(s, axis, at, &l);
+        for (size_t i = 0; i < (axis == 0 ? columns : count); i++) {
+            const double here =
+                axis == 0 ? plane_basin_cell(s, 0, i, columns, true)
+                          : plane_basin_cell(s, 1, first + i, rows, true);
+            const double shift = shift_in_window(s, axis, &l, here, &error);
+            const size_t cell =
+                axis == 0 ? k * columns + i : i * columns + (k - count);
+            out[cell].by[axis] = isinf(shift) ? (double) NAN : shift;
+        }
+    }
+    margin_free(&l);
+    return STATUS_OK;
+}
