@@ -1,20 +1,20 @@
 /*
- * slipway_planar.h -- an analytic system of one's own in a window of the plane:
- * its equilibria and the invariant manifolds of its saddles.
+ * slipway_planar.h -- an analytic system of one's own, typed as formulas, in a
+ * window of the plane: its equilibria, the invariant manifolds of its saddles,
+ * its closed orbits, and whereto every state goes.
  *
- *     static void pendulum(void *ctx, slipway_form *f, slipway_term x,
- *                          slipway_term y, slipway_term rate[2])
- *     {
- *         rate[0] = y;
- *         rate[1] = slipway_neg(f, slipway_sin(f, x));
- *     }
- *     ...
- *     slipway_window w = { { -4, -3 }, { 4, 3 } };
- *     slipway_plane_open(pendulum, NULL, &w, &plane, &why);
- *     slipway_plane_branch(plane, 0, SLIPWAY_STABLE, +1, 1e-12, out, room, &n);
+ *     slipway_plane *plane = NULL;
+ *     slipway_number kick[2];
+ *     slipway_fault why;
+ *     const char *goal;
+ *     if (slipway_plane_open("x' = y; y' = x - x^3 - d*y; d = 0.1",
+ *                            "{x: [-2, 2], y: [-2, 2]}", &plane, &why))
+ *         ... why.text is one line, with the column of a wrong formula ...
+ *     slipway_plane_goal(plane, 1.0, 1.0, &goal, kick);   "stable_focus_0"
+ *     slipway_plane_free(plane);
  *
- * The function is called once and says how the rates are built; they are then
- * evaluated as numbers, derivatives and Taylor series.
+ * States are numbers as the formulas have them, in the order in which their
+ * rates are given.  A plane may be read by many threads at once.
  */
 #ifndef SLIPWAY_SLIPWAY_PLANAR_H
 #define SLIPWAY_SLIPWAY_PLANAR_H
@@ -25,103 +25,91 @@
 extern "C" {
 #endif
 
-typedef struct slipway_form slipway_form;
-typedef int32_t slipway_term;
+typedef struct slipway_plane slipway_plane;
 
-typedef enum slipway_operation {
-    SLIPWAY_OP_ADD,
-    SLIPWAY_OP_SUB,
-    SLIPWAY_OP_MUL,
-    SLIPWAY_OP_DIV,
-    SLIPWAY_OP_EXP,
-    SLIPWAY_OP_LOG,
-    SLIPWAY_OP_SQRT,
-    SLIPWAY_OP_SIN,
-    SLIPWAY_OP_COS
-} slipway_operation;
+/* The system of equations "x' = ...; y' = ..." with its parameters and named
+ * expressions, over a window as scenes write it.  BAD_SCENE: a formula that
+ * cannot be read or an empty window, with the reason; NO_MEMORY. */
+slipway_status slipway_plane_open(const char *equations, const char *window,
+                                  slipway_plane **out, slipway_fault *why);
 
-/* A constant; and what an operation makes of a (and b; functions of one take
- * b = a). */
-slipway_term slipway_constant(slipway_form *form, double value);
-slipway_term slipway_operate(slipway_form *form, slipway_operation operation,
-                             slipway_term a, slipway_term b);
+/* The same of a scene with a `system`, which has positive states, angles, and
+ * everything else; basins.audit = 0 spares the audit of its basins.
+ * BAD_SCENE also where it has none; STOPPED by the monitor, which may be NULL.
+ * The scene is not kept. */
+slipway_status slipway_plane_run(const slipway_scene *scene,
+                                 const slipway_monitor *monitor,
+                                 slipway_plane **out, slipway_fault *why);
 
-#define SLIPWAY_OF_TWO(name, op)                                               \
-    static inline slipway_term slipway_##name(slipway_form *f, slipway_term a, \
-                                              slipway_term b)                  \
-    {                                                                          \
-        return slipway_operate(f, op, a, b);                                   \
-    }
-SLIPWAY_OF_TWO(add, SLIPWAY_OP_ADD)
-SLIPWAY_OF_TWO(sub, SLIPWAY_OP_SUB)
-SLIPWAY_OF_TWO(mul, SLIPWAY_OP_MUL)
-SLIPWAY_OF_TWO(div, SLIPWAY_OP_DIV)
-#undef SLIPWAY_OF_TWO
+/* What each function below lists: the number of all; the first `room` of them
+ * into out[].  Names are valid as long as the plane. */
 
-#define SLIPWAY_OF_ONE(name, op)                                               \
-    static inline slipway_term slipway_##name(slipway_form *f, slipway_term a) \
-    {                                                                          \
-        return slipway_operate(f, op, a, a);                                   \
-    }
-SLIPWAY_OF_ONE(exp, SLIPWAY_OP_EXP)
-SLIPWAY_OF_ONE(log, SLIPWAY_OP_LOG)
-SLIPWAY_OF_ONE(sqrt, SLIPWAY_OP_SQRT)
-SLIPWAY_OF_ONE(sin, SLIPWAY_OP_SIN)
-SLIPWAY_OF_ONE(cos, SLIPWAY_OP_COS)
-#undef SLIPWAY_OF_ONE
-
-static inline slipway_term slipway_neg(slipway_form *f, slipway_term a)
-{
-    return slipway_sub(f, slipway_constant(f, 0.0), a);
-}
-
-/* Builds rate[0] = dx/dt and rate[1] = dy/dt. */
-typedef void slipway_rates(void *ctx, slipway_form *form, slipway_term x,
-                           slipway_term y, slipway_term rate[2]);
-
-typedef struct slipway_window {
-    double lo[2], hi[2];
-} slipway_window;
+typedef enum slipway_rest_type {
+    SLIPWAY_REST_SADDLE,
+    SLIPWAY_REST_STABLE_NODE,
+    SLIPWAY_REST_STABLE_FOCUS,
+    SLIPWAY_REST_UNSTABLE_NODE,
+    SLIPWAY_REST_UNSTABLE_FOCUS,
+    SLIPWAY_REST_NONHYPERBOLIC
+} slipway_rest_type;
 
 typedef struct slipway_rest {
-    double x, y;
-    double error; /* bound on the distance to it: twice one more Newton step,
-                     and rounding */
-    double re[2], im; /* eigenvalues re[0] +- i im, or re[0] <= re[1], im = 0 */
+    const char *name; /* its type and its number among these: "saddle_0" */
+    slipway_rest_type type;
+    slipway_number state[2];
+    slipway_number re[2], im[2]; /* eigenvalues, in rising order */
+    slipway_number share;        /* of the window that goes there */
 } slipway_rest;
+
+/* Ascending in the first state, then in the second.  *complete (may be NULL):
+ * the window was proved to hold no others. */
+size_t slipway_plane_equilibria(const slipway_plane *plane, slipway_rest out[],
+                                size_t room, int *complete);
 
 typedef enum slipway_kind { SLIPWAY_STABLE, SLIPWAY_UNSTABLE } slipway_kind;
 
+typedef struct slipway_manifold {
+    size_t saddle; /* number of its equilibrium */
+    slipway_kind kind;
+    int branch; /* 0: where the first state grows at the saddle (the second,
+                   if that stands still); 1: the other one */
+    const char *end; /* "equilibrium", "cycle", "saddle", "infinity", "edge";
+                        NULL: not known */
+    long to;         /* number of that equilibrium or closed orbit; -1 */
+    slipway_number length; /* logarithms of positive states */
+} slipway_manifold;
+
+/* Four a saddle. */
+size_t slipway_plane_manifolds(const slipway_plane *plane,
+                               slipway_manifold out[], size_t room);
+
 typedef struct slipway_place {
-    double x, y, error; /* bound on the distance to the exact curve */
+    double state[2];
+    double error; /* bound on the distance to the exact curve, where lengths of
+                     positive states are logarithms */
 } slipway_place;
 
-typedef struct slipway_plane slipway_plane;
+/* Points of manifold number `which`, from the saddle to where it leaves the
+ * window for good.  NO_MEMORY is 0 points, as is one that does not exist. */
+size_t slipway_plane_points(const slipway_plane *plane, size_t which,
+                            slipway_place out[], size_t room);
 
-/* BAD_ARGUMENT: an empty window, a rate that is not a term, or more than 62
- * constants and operations; NO_MEMORY.  `rates` is called once, here; neither
- * it nor ctx is kept. */
-slipway_status slipway_plane_open(slipway_rates *rates, void *ctx,
-                                  const slipway_window *window,
-                                  slipway_plane **out, slipway_fault *why);
+typedef struct slipway_share {
+    const char *attractor; /* an equilibrium, a closed orbit, what is beyond the
+                              window, or "undecided" */
+    slipway_number fraction; /* of the window's area */
+} slipway_share;
 
-/* The number of equilibria that Newton's method finds in the window from a grid
- * of 32 x 32 (that there are no others is not proved), ascending in x, then y;
- * the first `room` of them into out[]. */
-size_t slipway_plane_equilibria(const slipway_plane *plane, slipway_rest out[],
-                                size_t room);
+size_t slipway_plane_shares(const slipway_plane *plane, slipway_share out[],
+                            size_t room);
 
-/* Half of a manifold of equilibrium number `which`, from there to the window's
- * edge, or as far as the allowed steps go, where it winds or nears another
- * equilibrium: the side of growing (+1) or falling (-1) x, or y where it leaves
- * vertically.  rtol: asked of its points, relative to their distance from the
- * equilibrium.  *count: its points, the first `room` of them in out[].
- * BAD_ARGUMENT: no such equilibrium, side not 1 or -1, rtol not in (0, 1);
- * NUMERICAL: it is no hyperbolic saddle, or no step is short enough. */
-slipway_status slipway_plane_branch(const slipway_plane *plane, size_t which,
-                                    slipway_kind kind, int side, double rtol,
-                                    slipway_place out[], size_t room,
-                                    size_t *count);
+/* Whereto a state goes, as a name of the shares, and the smallest change of
+ * each state alone, inside the window, after which it goes elsewhere: what is
+ * added, or of a positive state the factor; kick may be NULL.  BAD_ARGUMENT:
+ * not a state; NO_MEMORY. */
+slipway_status slipway_plane_goal(const slipway_plane *plane, double x,
+                                  double y, const char **attractor,
+                                  slipway_number kick[2]);
 
 void slipway_plane_free(slipway_plane *plane);
 

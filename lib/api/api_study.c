@@ -27,6 +27,9 @@ static slipway_status run(slipway_study *study, const slipway_monitor *monitor,
     struct monitor tell;
     struct fault fault = { "" };
 
+    if (scene->system)
+        return api_fault(why, SLIPWAY_BAD_SCENE,
+                         "a system of formulas: slipway_plane_run takes it");
     one.sweep.axes = 0;
     if (one.products == 0)
         one.products =

@@ -1,6 +1,6 @@
-/* Friction and a pendulum through the installed headers alone: as C and, the
- * same file, as C++.  Prints TAP; its numbers have closed forms or are held to
- * the shared table. */
+/* Friction and systems of formulas through the installed headers alone: as C
+ * and, the same file, as C++.  Prints TAP; its numbers have closed forms or are
+ * held to the shared table. */
 #include <math.h>
 #include <slipway/slipway.h>
 #include <slipway/slipway_planar.h>
@@ -177,104 +177,121 @@ static void sweeps(void)
     slipway_scene_free(scene);
 }
 
-/* ---- a pendulum ---------------------------------------------------------- */
+/* ---- formulas ------------------------------------------------------------ */
 
 /* x' = y, y' = -sin x: saddles at +-pi, separatrices y = +-2 cos(x/2). */
-static void pendulum(void *ctx, slipway_form *f, slipway_term x, slipway_term y,
-                     slipway_term rate[2])
-{
-    (void) ctx;
-    rate[0] = y;
-    rate[1] = slipway_neg(f, slipway_sin(f, x));
-}
-
 static void swings(void)
 {
     const double pi = 3.14159265358979323846;
-    const slipway_window w = { { -4.0, -3.0 }, { 4.0, 3.0 } };
     slipway_plane *plane = NULL;
     slipway_rest e[4];
+    slipway_manifold m[9];
     static slipway_place p[4000];
-    size_t n = 0, inside = 0;
+    size_t checked = 0;
+    int complete = 0;
     int good =
-        slipway_plane_open(pendulum, NULL, &w, &plane, NULL) == SLIPWAY_OK;
+        slipway_plane_open("x' = y; y' = -sin(x)", "{x: [-4, 4], y: [-3, 3]}",
+                           &plane, NULL) == SLIPWAY_OK;
 
-    told(good && slipway_plane_equilibria(plane, e, 4) == 3 &&
-             fabs(e[0].x + pi) <= e[0].error && e[0].error < 1e-14 &&
-             e[1].im > 0.99 && e[2].re[0] < 0.0 && e[2].re[1] > 0.0,
-         "two saddles and a centre");
-    for (int kind = 0; kind < 2 && good; kind++) {
-        good = slipway_plane_branch(plane, 0, (slipway_kind) kind, +1, 1e-12, p,
-                                    4000, &n) == SLIPWAY_OK &&
-               n > 30 && n < 4000;
-        for (size_t i = 0; i < n && good; i++) {
-            const double y = (kind ? 2.0 : -2.0) * cos(0.5 * p[i].x);
-            good = p[i].x > pi - 1e-6 || fabs(p[i].y - y) <= p[i].error;
-            inside += p[i].x > 0.0 && p[i].error < 1e-10;
+    told(good && slipway_plane_equilibria(plane, e, 4, &complete) == 3 &&
+             complete && e[0].type == SLIPWAY_REST_SADDLE &&
+             fabs(e[0].state[0].value + pi) <= e[0].state[0].error &&
+             e[0].state[0].error < 1e-14 &&
+             e[1].type == SLIPWAY_REST_NONHYPERBOLIC &&
+             e[1].im[1].value > 0.99 && strcmp(e[2].name, "saddle_1") == 0 &&
+             e[2].share.reason,
+         "two saddles and a centre, and no others");
+    good = good && slipway_plane_manifolds(plane, m, 9) == 8;
+    for (size_t i = 0; i < 8 && good; i++) {
+        const size_t n = slipway_plane_points(plane, i, p, 4000);
+        good = n > 5 && n < 4000;
+        for (size_t k = 0; k < n && good; k++) {
+            const double y = 2.0 * fabs(cos(0.5 * p[k].state[0]));
+            good = fabs(fabs(p[k].state[1]) - y) <= p[k].error + 1e-15;
+            checked += p[k].error < 1e-10;
         }
     }
-    told(good && inside > 20,
+    told(good && checked > 40,
          "separatrices y = +-2 cos(x/2) within their bars");
-    told(slipway_plane_branch(plane, 1, SLIPWAY_STABLE, 1, 1e-9, p, 10, &n) ==
-             SLIPWAY_NUMERICAL,
-         "a centre has none");
+    told(good && strcmp(m[0].end, "saddle") == 0 && m[0].saddle == 0 &&
+             m[0].to == 2 && m[0].length.value > 2.0 * pi,
+         "they go from saddle to saddle");
+    told(good && slipway_plane_points(plane, 8, p, 4000) == 0,
+         "there is no ninth");
     slipway_plane_free(plane);
 }
 
-/* A saddle whose stable line y = -2 x leaves more up than aside. */
-static void steep(void *ctx, slipway_form *f, slipway_term x, slipway_term y,
-                  slipway_term rate[2])
+/* A switch of two genes that are alike: u = v divides positive states. */
+static void switches(void)
 {
-    const slipway_term third = slipway_constant(f, 1.0 / 3.0);
-    const slipway_term two = slipway_constant(f, 2.0);
-    const slipway_term four = slipway_constant(f, 4.0);
-
-    (void) ctx;
-    rate[0] = slipway_mul(f, third, slipway_add(f, x, slipway_mul(f, two, y)));
-    rate[1] = slipway_mul(f, third, slipway_sub(f, slipway_mul(f, four, x), y));
-}
-
-static void sides(void)
-{
-    const slipway_window w = { { -1.0, -1.0 }, { 1.0, 1.0 } };
+    slipway_scene *scene = NULL;
     slipway_plane *plane = NULL;
-    slipway_place p[200];
+    slipway_share share[9];
+    slipway_number kick[2];
+    const char *low = NULL, *high = NULL;
     size_t n = 0;
-    int good = slipway_plane_open(steep, NULL, &w, &plane, NULL) == SLIPWAY_OK;
+    int good =
+        slipway_scene_new(&scene) == SLIPWAY_OK &&
+        slipway_scene_set(scene, "system.ode",
+                          "\"u' = a/(1 + v^2) - u; v' = a/(1 + u^2) - v; "
+                          "a = 3\"") == SLIPWAY_OK &&
+        slipway_scene_set(scene, "system.state",
+                          "{u: positive, v: positive}") == SLIPWAY_OK &&
+        slipway_scene_set(scene, "window", "{u: [0.05, 5], v: [0.05, 5]}") ==
+            SLIPWAY_OK &&
+        slipway_scene_set(scene, "basins.audit", "20") == SLIPWAY_OK &&
+        slipway_plane_run(scene, NULL, &plane, NULL) == SLIPWAY_OK;
 
-    for (int side = -1; side <= 1 && good; side += 2) {
-        good = slipway_plane_branch(plane, 0, SLIPWAY_STABLE, side, 1e-9, p,
-                                    200, &n) == SLIPWAY_OK &&
-               n > 2;
-        for (size_t i = 1; i < n && i < 200 && good; i++)
-            good = side * p[i].x > 0.0 && fabs(p[i].y + 2.0 * p[i].x) < 1e-8;
-    }
-    told(good, "side +1 is that of growing x, however steep");
+    n = good ? slipway_plane_shares(plane, share, 9) : 0;
+    told(n > 2 && n < 9 &&
+             fabs(share[0].fraction.value - 0.5) <= share[0].fraction.error &&
+             share[0].fraction.error < 1e-9 &&
+             strcmp(share[n - 1].attractor, "undecided") == 0,
+         "half of the window each");
+    told(good &&
+             slipway_plane_goal(plane, 0.5, 2.0, &low, kick) == SLIPWAY_OK &&
+             fabs(kick[0].value - 4.0) <= kick[0].error &&
+             fabs(kick[1].value - 0.25) <= kick[1].error &&
+             slipway_plane_goal(plane, 2.1, 2.0, &high, NULL) == SLIPWAY_OK &&
+             strcmp(low, "stable_node_0") == 0 &&
+             strcmp(high, "stable_node_1") == 0,
+         "u is to grow fourfold to switch it");
+    told(good && slipway_plane_goal(plane, -1.0, 2.0, &low, kick) ==
+                     SLIPWAY_BAD_ARGUMENT,
+         "a negative one is refused");
     slipway_plane_free(plane);
-}
-
-static void nothing(void *ctx, slipway_form *f, slipway_term x, slipway_term y,
-                    slipway_term rate[2])
-{
-    (void) ctx, (void) f, (void) x, (void) y;
-    rate[0] = 99;
-    rate[1] = 0;
+    slipway_scene_free(scene);
 }
 
 static void wrong_planes(void)
 {
-    const slipway_window w = { { 0.0, 0.0 }, { 1.0, 1.0 } };
-    const slipway_window empty = { { 0.0, 0.0 }, { 0.0, 1.0 } };
+    slipway_scene *scene = scene_at(0.34, "[knees]");
     slipway_plane *plane = NULL;
+    slipway_study *study = NULL;
     slipway_fault why;
 
-    told(slipway_plane_open(nothing, NULL, &w, &plane, &why) ==
-                 SLIPWAY_BAD_ARGUMENT &&
-             plane == NULL,
-         "a rate that is no term is refused");
-    told(slipway_plane_open(pendulum, NULL, &empty, &plane, &why) ==
-             SLIPWAY_BAD_ARGUMENT,
+    told(slipway_plane_open("x' = y; y' = sine(x)", "{x: [0, 1], y: [0, 1]}",
+                            &plane, &why) == SLIPWAY_BAD_SCENE &&
+             plane == NULL && strstr(why.text, "sine"),
+         "a wrong name is named");
+    told(slipway_plane_open("x' = y; y' = x", "{x: [0, 0], y: [0, 1]}", &plane,
+                            &why) == SLIPWAY_BAD_SCENE,
          "an empty window is refused");
+    told(slipway_plane_run(scene, NULL, &plane, &why) == SLIPWAY_BAD_SCENE &&
+             strstr(why.text, "system"),
+         "friction is no system of formulas");
+    slipway_scene_free(scene);
+    scene = NULL;
+    told(slipway_scene_new(&scene) == SLIPWAY_OK &&
+             slipway_scene_set(scene, "system.ode", "\"x' = y; y' = x\"") ==
+                 SLIPWAY_OK &&
+             slipway_scene_set(scene, "window", "{x: [-1, 1], y: [-1, 1]}") ==
+                 SLIPWAY_OK &&
+             slipway_study_run(scene, NULL, &study, &why) ==
+                 SLIPWAY_BAD_SCENE &&
+             strstr(why.text, "slipway_plane_run"),
+         "nor is a system friction");
+    slipway_scene_free(scene);
 }
 
 int main(void)
@@ -287,7 +304,7 @@ int main(void)
     pushes();
     sweeps();
     swings();
-    sides();
+    switches();
     wrong_planes();
     printf("1..%d\n", cases);
     return failed > 0;
