@@ -98,6 +98,19 @@ double label_width(const char *text)
     return label_part_width(label_whole(text));
 }
 
+/* Whether a line may end at this blank: what belongs to an "=", a number or a
+ * dash does not stand alone, nor a unit, of three letters at most. */
+static bool breaks_well(const char *text, size_t at)
+{
+    const char next = text[at + 1];
+    const char last = at > 0 ? text[at - 1] : ' ';
+    const bool after = last == '=' || (last >= '0' && last <= '9' &&
+                                       strcspn(text + at + 1, " ") <= 3);
+
+    return !after && next != '=' && !(next >= '0' && next <= '9') &&
+           strncmp(text + at + 1, "\xe2\x80\x94", 3) != 0;
+}
+
 /* Bytes up to the last blank before which all fits; 0: all of it, or no blank
  * will do. */
 static size_t break_at(const char *text, double room)
@@ -107,7 +120,7 @@ static size_t break_at(const char *text, double room)
     size_t at = 0, blank = 0, bytes;
 
     for (; text[at]; at += bytes) {
-        if (text[at] == ' ' && r.open == 0)
+        if (text[at] == ' ' && r.open == 0 && breaks_well(text, at))
             blank = at;
         width += reader_step(&r, text + at, &bytes);
         if (width > room && blank > 0)

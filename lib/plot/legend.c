@@ -65,6 +65,15 @@ static bool has_shade(const struct figure_raster *r, size_t shade)
     return false;
 }
 
+/* A curve of a text that has one already adds nothing. */
+static bool has_curve(const struct legend *l, const struct figure_layer *layer)
+{
+    for (size_t k = 0; k < l->count && layer->kind == FIGURE_CURVE; k++)
+        if (l->line[k].curve && strcmp(l->line[k].text, layer->entry) == 0)
+            return true;
+    return false;
+}
+
 static void add_layers(struct legend *l, const struct figure *f, bool regions)
 {
     struct stroke s = STROKE_EMPTY;
@@ -73,7 +82,7 @@ static void add_layers(struct legend *l, const struct figure *f, bool regions)
         const struct figure_layer *layer = &f->layers[k];
         const bool points = layer->kind == FIGURE_POINTS;
         if ((layer->kind == FIGURE_REGION) != regions || !layer->entry ||
-            !is_drawn(f, layer, &s))
+            has_curve(l, layer) || !is_drawn(f, layer, &s))
             continue;
         if (regions)
             add_shade(l, layer->entry, layer->style.role);

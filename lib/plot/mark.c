@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 void mark_number(char *out, size_t size, double x, int digits)
 {
@@ -10,8 +11,9 @@ void mark_number(char *out, size_t size, double x, int digits)
     const double most = fabs(x);
     char text[64];
 
-    if (x == 0 || (most >= 1e-3 && most < 1e5)) {
-        snprintf(out, size, "%s%.*g", minus, digits, most);
+    snprintf(text, sizeof text, "%.*g", digits, most);
+    if (x == 0 || (most >= 1e-3 && most < 1e5 && !strchr(text, 'e'))) {
+        snprintf(out, size, "%s%s", minus, text);
         return;
     }
     /* rounded first: 9.996e-5 to three digits is 1e-4 */

@@ -37,7 +37,7 @@ static const struct {
     [FIGURE_TRAJECTORY] = { "#4d4d4d", 1.0, FIGURE_SOLID },
     [FIGURE_HIGHLIGHT] = { "#b2001d", 2.2, FIGURE_SOLID },
     [FIGURE_STABLE] = { "#0072b2", 3.0, FIGURE_SOLID },
-    [FIGURE_UNSTABLE] = { "#d55e00", 3.0, FIGURE_SOLID },
+    [FIGURE_UNSTABLE] = { "#d55e00", 3.0, FIGURE_LONG_DASH },
     [FIGURE_NULLCLINE_X] = { "#000000", 2.2, FIGURE_DASHED },
     [FIGURE_NULLCLINE_Y] = { "#2b2b2b", 2.2, FIGURE_SOLID },
     [FIGURE_FIELD] = { "#8c8c8c", 0.9, FIGURE_SOLID },

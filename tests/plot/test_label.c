@@ -97,6 +97,8 @@ static void numbers_have_powers_of_ten(void **state)
         { 999996, "1\xc3\x97"
                   "10^6" },
         { 405.11, "405.1" },
+        { 59710, "5.971\xc3\x97"
+                 "10^4" },
         { 0, "0" },
         { 1e-4, "1\xc3\x97"
                 "10^\xe2\x88\x92"
@@ -121,6 +123,14 @@ static void a_text_breaks_at_blanks(void **state)
     assert_string_equal(line[1].text, "given start");
     assert_int_equal(label_break(text, 1, line, 3), 3);
     assert_string_equal(line[2].text, "the given start");
+    assert_int_equal(label_break("maximum: v = 6 m/s", 6, line, 3), 2);
+    assert_string_equal(line[1].text, "v = 6 m/s");
+    assert_int_equal(label_break("law, v = 6 m/s", 5.2, line, 3), 2);
+    assert_string_equal(line[1].text, "v = 6 m/s");
+    assert_int_equal(label_break("power series, order 30", 9, line, 3), 2);
+    assert_string_equal(line[1].text, "order 30");
+    assert_int_equal(label_break("law \xe2\x80\x94 preset", 3, line, 3), 2);
+    assert_string_equal(line[1].text, "preset");
     assert_int_equal(label_break("word", 1, line, 3), 1);
     assert_int_equal(label_break("", 1, line, 3), 1);
     assert_int_equal(label_break(SUB("a b c"), 1, line, 3), 1);

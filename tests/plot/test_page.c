@@ -195,8 +195,8 @@ static void maps_grow_evenly_lighter(void **state)
         CHECK(all > 60, "map %d: %g", k, all);
         for (int i = 0; i + 1 < PALETTE_TINTS; i++) {
             const double step = lightness(map[i + 1]) - lightness(map[i]);
-            CHECK(fabs(step / mean - 1) < 1.0 / 3, "map %d, step %d: %g of %g", k,
-                  i, step, mean);
+            CHECK(fabs(step / mean - 1) < 1.0 / 3, "map %d, step %d: %g of %g",
+                  k, i, step, mean);
         }
     }
 }
