@@ -77,6 +77,7 @@ void picture_add_field(const struct picture_raster *r, enum cell_field field,
                .nx = r->columns,
                .ny = r->rows,
                .scale = { .label = label.text, .is_log = look[field].is_log },
+               .contours = true,
                .missing =
                    to_arrest ? "does not come to rest" : "does not exist" });
     free(value);

@@ -189,6 +189,8 @@ void figure_add_map(struct figure *f, const struct figure_map *m)
     const bool good = r && axis_copy(&m->scale, &r->scale) &&
                       text_copy(m->missing, &r->entry[0]);
 
+    if (r)
+        r->contours = m->contours;
     if (good)
         memcpy(r->value, m->value, m->nx * m->ny * sizeof *r->value);
     if (good && r->scale.lo == r->scale.hi)

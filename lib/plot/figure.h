@@ -69,6 +69,7 @@ enum figure_role {
     FIGURE_NULLCLINE_X, /* where dx/dt = 0: dashed */
     FIGURE_NULLCLINE_Y, /* where dy/dt = 0: solid */
     FIGURE_FIELD,
+    FIGURE_CONTOUR, /* of a map */
     FIGURE_EQUILIBRIUM,
     FIGURE_SERIES_1, /* curves that are just numbered */
     FIGURE_SERIES_2,
@@ -173,6 +174,7 @@ struct figure_map {
     const double *value;
     size_t nx, ny;
     struct figure_axis scale; /* lo = hi: the range of the values */
+    bool contours; /* lines at the values that the bar labels, which say them */
     const char *missing; /* the legend's entry of cells that are not finite;
                             NULL: none */
 };

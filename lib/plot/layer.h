@@ -12,7 +12,8 @@ struct figure_raster {
     enum figure_role role[FIGURE_SHADES_MAX];
     char *entry[FIGURE_SHADES_MAX]; /* owned, NULL: none; of a map the first
                                        is that of missing cells */
-    struct figure_axis scale;       /* label owned */
+    bool contours;
+    struct figure_axis scale; /* label owned */
 };
 
 #endif

@@ -180,6 +180,8 @@ static void place_legend(const struct figure *f, const struct legend *l,
     p->legend = corner;
     p->bar_left = beside ? corner.x : p->left;
     p->bar_width = beside ? right_of(p) - COLUMN_GAP - 24 : p->x.pixels;
+    if (has_bar(f))
+        p->bar = scale_of(&f->raster->scale, p->bar_width);
     p->bar_top = beside ? p->bottom + BAR - 20 : BAR;
 }
 
@@ -206,6 +208,13 @@ enum status layout_find(const struct figure *f, struct legend *l,
         (struct vec2){ layout_whole(p, p->width), layout_whole(p, p->height) };
     place_legend(f, l, p);
     return STATUS_OK;
+}
+
+double layout_side_by_side(const struct scale *s)
+{
+    const double text = ticks_width(s, LAYOUT_SPACING_X) * LAYOUT_FONT;
+
+    return fmax(LAYOUT_SPACING_X, text + 12);
 }
 
 double layout_across(const struct layout *p, double x)

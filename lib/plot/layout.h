@@ -43,14 +43,18 @@ struct layout {
     size_t titles, x_labels, y_labels;
     struct vec2 legend;                  /* its upper left corner */
     double bar_left, bar_top, bar_width; /* of a map */
-    const struct device *device;         /* borrowed */
-    const struct figure_page *page;      /* borrowed */
+    struct scale bar;
+    const struct device *device;    /* borrowed */
+    const struct figure_page *page; /* borrowed */
 };
 
 /* The axes must be valid.  Arranges the legend; STATUS_BAD_ARGUMENT where the
  * page has no room for a plot. */
 MUST_CHECK enum status layout_find(const struct figure *f, struct legend *l,
                                    const struct device *d, struct layout *p);
+
+/* px between labels that stand side by side. */
+double layout_side_by_side(const struct scale *s);
 
 /* As fractions of what gnuplot draws. */
 double layout_across(const struct layout *p, double x);

@@ -2,11 +2,13 @@
 
 #include <math.h>
 
+#include "contour.h"
 #include "label.h"
 #include "layer.h"
 #include "look.h"
 #include "palette.h"
 #include "stroke.h"
+#include "ticks.h"
 #include "tolerance.h"
 
 /* Opens a block of data and the line of the plot command that draws it. */
@@ -318,6 +320,93 @@ static void draw_raster(struct pen *pen, const struct figure_raster *r)
     block_end(pen);
 }
 
+/* ---- contours of a map --------------------------------------------------- */
+
+enum {
+    CONTOUR_TEXT = LAYOUT_FONT
+}; /* px: its powers are no smaller than 6 pt */
+
+/* White behind it. */
+static void put_label(struct pen *pen, struct vec2 at, const char *text)
+{
+    const struct layout *p = pen->page;
+
+    fprintf(pen->data, "# block %zu: label of a contour\n", pen->blocks);
+    fprintf(pen->script,
+            ", \\\n  data index %zu using 1:2:3 with labels center boxed "
+            "enhanced font ',%.4g'",
+            pen->blocks++, CONTOUR_TEXT * p->device->font);
+    fprintf(pen->data, "%.12g %.12g \"", scale_value(&p->x, at.x),
+            scale_value(&p->y, at.y));
+    ticks_put(pen->data, text, p->script);
+    fprintf(pen->data, "\"\n");
+    block_end(pen);
+}
+
+/* The line of one level. */
+static enum status draw_contour(struct pen *pen, const struct figure_raster *r,
+                                double level, struct stroke *s)
+{
+    const struct paint paint =
+        paint_of((struct figure_style){ .role = FIGURE_CONTOUR });
+    const struct vec2 box = { pen->page->x.pixels, pen->page->y.pixels };
+    const enum status status = contour_trace(r, level, box, s);
+
+    if (status != STATUS_OK || s->count == 0)
+        return status;
+    block_begin(pen, "contour", NULL);
+    put_line(pen, &paint);
+    put_stroke(pen, s);
+    block_end(pen);
+    return STATUS_OK;
+}
+
+enum { CONTOUR_TAKEN = 16 }; /* marks that labels keep away from */
+
+/* Where the figure's marks are. */
+static size_t find_marks(const struct pen *pen, const struct figure *f,
+                         struct vec2 at[CONTOUR_TAKEN])
+{
+    size_t count = 0;
+
+    for (size_t k = 0; k < f->layer_count; k++) {
+        const struct figure_layer *l = &f->layers[k];
+        const size_t points = l->kind == FIGURE_POINTS ? l->count : 0;
+        for (size_t i = 0; i < points && count < CONTOUR_TAKEN; i++)
+            at[count++] = (struct vec2){ scale_pixel(&pen->page->x, l->x[i]),
+                                         scale_pixel(&pen->page->y, l->y[i]) };
+    }
+    return count;
+}
+
+/* At the values that the bar labels. */
+static enum status draw_contours(struct pen *pen, const struct figure *f,
+                                 struct stroke *s)
+{
+    const struct vec2 box = { pen->page->x.pixels, pen->page->y.pixels };
+    struct tick_label label[TICKS_LABELS];
+    struct vec2 at[CONTOUR_TAKEN + TICKS_LABELS];
+    const char *text[TICKS_LABELS];
+    const size_t marks = find_marks(pen, f, at);
+    const size_t count = ticks_labels(
+        &pen->page->bar, layout_side_by_side(&pen->page->bar), label);
+    size_t placed = 0;
+
+    for (size_t k = 0; k < count; k++) {
+        const struct vec2 size = { label_width(label[k].text) * CONTOUR_TEXT,
+                                   CONTOUR_TEXT };
+        const enum status status = draw_contour(pen, f->raster, label[k].at, s);
+        if (status != STATUS_OK)
+            return status;
+        if (contour_place(s, size, box, at, marks + placed,
+                          &at[marks + placed]))
+            text[placed++] = label[k].text;
+    }
+    for (size_t k = 0; k < placed; k++)
+        put_label(pen, at[marks + k], text[k]);
+    return STATUS_OK;
+}
+
 /* Lines first, heads on all of them, marks on top. */
 enum turn { TURN_LINES, TURN_HEADS, TURN_MARKS, TURNS };
 
@@ -349,6 +438,8 @@ static enum status draw_layers(struct pen *pen, const struct figure *f)
 {
     struct stroke stroke = STROKE_EMPTY;
     enum status s = STATUS_OK;
+    if (f->raster && f->raster->contours)
+        s = draw_contours(pen, f, &stroke);
     for (int turn = 0; turn < TURNS; turn++)
         for (size_t k = 0; k < f->layer_count && s == STATUS_OK;)
             s = draw_layer(pen, f, k, (enum turn) turn, &stroke, &k);

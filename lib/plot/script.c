@@ -87,13 +87,6 @@ static void put_texts(FILE *out, const struct layout *p)
              p->height);
 }
 
-/* Labels side by side need room for their texts. */
-static double side_by_side(const struct scale *s)
-{
-    const double text = ticks_width(s, LAYOUT_SPACING_X) * LAYOUT_FONT;
-    return fmax(LAYOUT_SPACING_X, text + 12);
-}
-
 static void put_axis(FILE *out, const char *name, const struct layout *p,
                      const struct scale *s, double spacing)
 {
@@ -114,7 +107,7 @@ static void put_box(FILE *out, const struct layout *p)
             layout_up(p, p->bottom), layout_up(p, p->bottom + p->y.pixels));
     fprintf(out, "set border 15 front lw 1.2 lc rgb '#202020'\n"
                  "set clip two\nset tics front textcolor rgb '#202020'\n");
-    put_axis(out, "x", p, &p->x, side_by_side(&p->x));
+    put_axis(out, "x", p, &p->x, layout_side_by_side(&p->x));
     put_axis(out, "y", p, &p->y, LAYOUT_SPACING_Y);
 }
 
@@ -144,17 +137,18 @@ static void put_palette(FILE *out, enum figure_colours colours)
 static void put_bar(FILE *out, const struct layout *p,
                     const struct figure_axis *axis)
 {
-    const struct scale s = scale_of(axis, p->bar_width);
     const double high = 12, label = p->bar_top - 11;
     struct label_part line[LAYOUT_LABEL_LINES];
 
     put_palette(out, p->page->colours);
+    fprintf(out, "set style textbox opaque noborder fc rgb 'white' "
+                 "margins 0.6,0.4\n");
     fprintf(out,
             "set colorbox horizontal front user origin screen %.6f,%.6f "
             "size screen %.6f,%.6f\n",
             layout_across(p, p->bar_left), layout_up(p, label - 12 - high),
             p->bar_width / p->canvas.x, high / p->canvas.y);
-    put_axis(out, "cb", p, &s, side_by_side(&s));
+    put_axis(out, "cb", p, &p->bar, layout_side_by_side(&p->bar));
     if (axis->label)
         put_text(out, p, line,
                  label_break(axis->label, p->bar_width / LAYOUT_FONT, line, 1),

@@ -22,18 +22,20 @@ struct tick_sink {
     size_t three; /* of so many labels the first, a middle one and the last are
                      written; 0: all */
     double width;
+    struct tick_label *kept; /* TICKS_LABELS of them; NULL: nobody asks */
+    size_t kept_count;
 };
 
 /* A label, whose marks (mark.h) need no escape here. */
-static void put_text(struct tick_sink *k, const char *text)
+void ticks_put(FILE *out, const char *text, double script)
 {
     for (; *text; text++)
-        if (*text == MARK_SUPER && k->script > 1)
-            fprintf(k->out, "^{/*%.3g ", k->script);
+        if (*text == MARK_SUPER && script > 1)
+            fprintf(out, "^{/*%.3g ", script);
         else if (*text == MARK_SUPER)
-            fputs("^{", k->out);
+            fputs("^{", out);
         else
-            fputc(*text == MARK_END ? '}' : *text, k->out);
+            fputc(*text == MARK_END ? '}' : *text, out);
 }
 
 static bool is_kept(const struct tick_sink *k, size_t label)
@@ -42,8 +44,8 @@ static bool is_kept(const struct tick_sink *k, size_t label)
            label == k->three - 1;
 }
 
-static void ticks_put(struct tick_sink *k, const struct scale *s, double at,
-                      const char *text)
+static void ticks_tick(struct tick_sink *k, const struct scale *s, double at,
+                       const char *text)
 {
     if (!(at >= s->lo && at <= s->hi))
         return;
@@ -51,8 +53,14 @@ static void ticks_put(struct tick_sink *k, const struct scale *s, double at,
         text = "";
     if (k->out) {
         fputs(k->count ? ", '" : "'", k->out);
-        put_text(k, text);
+        ticks_put(k->out, text, k->script);
         fprintf(k->out, "' %.15g %d", at, text[0] == '\0');
+    }
+    if (k->kept && text[0] != '\0' && at > s->lo && at < s->hi &&
+        k->kept_count < TICKS_LABELS) {
+        struct tick_label *label = &k->kept[k->kept_count++];
+        label->at = at;
+        snprintf(label->text, sizeof label->text, "%s", text);
     }
     k->count++;
     k->width = fmax(k->width, label_width(text));
@@ -104,9 +112,9 @@ static void linear_ticks(struct tick_sink *k, const struct scale *s, int labels)
         char text[64];
         const double at = (first + i) * step;
         number_text(text, at, step, top);
-        ticks_put(k, s, at, text);
+        ticks_tick(k, s, at, text);
         for (int j = 1; j < parts; j++)
-            ticks_put(k, s, at + step * j / parts, "");
+            ticks_tick(k, s, at + step * j / parts, "");
     }
 }
 
@@ -120,9 +128,9 @@ static void decade_ticks(struct tick_sink *k, const struct scale *s, int step,
         if (n % step == 0)
             power_text(text, 1, n);
         if (n % step == 0 || (small > 0 && n % small == 0))
-            ticks_put(k, s, pow(10, n), text);
+            ticks_tick(k, s, pow(10, n), text);
         for (int m = 2; small == 0 && m < 10; m++)
-            ticks_put(k, s, m * pow(10, n), "");
+            ticks_tick(k, s, m * pow(10, n), "");
     }
 }
 
@@ -138,7 +146,7 @@ static void mantissa_ticks(struct tick_sink *k, const struct scale *s,
             const double at = m * pow(10, n);
             if (strchr(labelled, '0' + m))
                 number_text(text, at, pow(10, n), at);
-            ticks_put(k, s, at, text);
+            ticks_tick(k, s, at, text);
         }
     }
 }
@@ -204,6 +212,15 @@ void ticks_write(FILE *out, const struct scale *s, double spacing,
     fputc('(', out);
     all_ticks(&k, s, spacing);
     fputc(')', out);
+}
+
+size_t ticks_labels(const struct scale *s, double spacing,
+                    struct tick_label label[TICKS_LABELS])
+{
+    struct tick_sink k = { .out = NULL, .kept = label };
+
+    all_ticks(&k, s, spacing);
+    return k.kept_count;
 }
 
 double ticks_width(const struct scale *s, double spacing)

@@ -15,6 +15,19 @@
 void ticks_write(FILE *out, const struct scale *s, double spacing,
                  double script);
 
+/* The values that ticks_write labels between the ends, and what they say there;
+ * returns how many, TICKS_LABELS at most. */
+enum { TICKS_LABELS = 12 };
+struct tick_label {
+    double at;
+    char text[64]; /* with marks */
+};
+size_t ticks_labels(const struct scale *s, double spacing,
+                    struct tick_label label[TICKS_LABELS]);
+
+/* Such a text as gnuplot has it, enhanced. */
+void ticks_put(FILE *out, const char *text, double script);
+
 /* Upper estimate of the widest label in units of the font size. */
 double ticks_width(const struct scale *s, double spacing);
 

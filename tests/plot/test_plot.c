@@ -222,9 +222,8 @@ static void a_map_shows_its_scale(void **state)
     struct figure f;
     struct fault fault = { "" };
     figure_init(&f, NULL, &sample_v, &sample_psi);
-    const struct figure_map map = {
-        value, 3, 2, { "slip / L", 0, 0, true }, NULL
-    };
+    const struct figure_map map = { value, 3,   2, { "slip / L", 0, 0, true },
+                                    false, NULL };
     figure_add_map(&f, &map);
     check_ok(figure_write(&f, place_path(p, "p.svg"), true, &fault), &fault);
     struct bytes b = read_file(p->path);
@@ -376,9 +375,8 @@ static void a_figure_remembers_its_first_failure(void **state)
 {
     struct place *p = *state;
     const double value[] = { 1, 2 };
-    const struct figure_map map = {
-        value, 2, 1, { "slip", 0, 0, false }, NULL
-    };
+    const struct figure_map map = { value, 2,   1, { "slip", 0, 0, false },
+                                    false, NULL };
     const double x[] = { 0, 1, 0 }, y[] = { 0, 0, 1 };
     const struct figure_layer region = {
         .kind = FIGURE_REGION, .entry = "r", .x = x, .y = y, .count = 3

@@ -1,0 +1,20 @@
+/* contour.h -- lines along which a map has one value. */
+#ifndef PLOT_CONTOUR_H
+#define PLOT_CONTOUR_H
+
+#include "layer.h"
+#include "stroke.h"
+
+/* The lines of the map at this level, in pixels of the axes' box, between the
+ * centres of cells: none where a neighbour has no value, or another by a sixth
+ * of the scale.  *out is emptied first, also on STATUS_NO_MEMORY. */
+MUST_CHECK enum status contour_trace(const struct figure_raster *r,
+                                     double level, struct vec2 box,
+                                     struct stroke *out);
+
+/* Where a text of this size may stand on them: on the longest piece, inside
+ * the box, `apart` from each of `taken`.  False: nowhere. */
+bool contour_place(const struct stroke *s, struct vec2 size, struct vec2 box,
+                   const struct vec2 taken[], size_t count, struct vec2 *at);
+
+#endif
