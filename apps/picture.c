@@ -12,6 +12,7 @@
 #include "picture_diagram.h"
 #include "picture_field.h"
 #include "picture_taylor.h"
+#include "scene_figure.h"
 #include "scene_units.h"
 #include "sheet.h"
 #include "symbols.h"
@@ -129,18 +130,37 @@ static void add_line(struct picture *p, struct line *l, enum figure_role role,
         &(struct figure_layer){ .style = { .role = role }, .entry = entry }, l);
 }
 
-/* So many points a piece draw any of our polynomials smoothly. */
+/* Into so many chords that none is further from piece i than the page allows,
+ * also where it turns by a right angle: half its length by the angle at most,
+ * over four times their number squared.  On linear axes, which stretch, 48. */
+static int piece_chords(const struct picture *p, const struct curve *c,
+                        size_t i)
+{
+    const struct box w = scene_box(p->s->scene);
+    double a[CURVE_DIM_MAX], b[CURVE_DIM_MAX];
+
+    if (p->axes == AXES_LINEAR)
+        return 48;
+    curve_at(c, i, 0.0, a);
+    curve_at(c, i, 1.0, b);
+    const double length = hypot((b[0] - a[0]) / (w.hi.x - w.lo.x),
+                                (b[1] - a[1]) / (w.hi.y - w.lo.y));
+    return 4 + (int) sqrt(fmin(length, 16.0) / 4.0 /
+                          scene_figure_chord(&p->s->scene->paper));
+}
+
 static struct line curve_line(const struct picture *p, const struct curve *c)
 {
-    enum { PER_PIECE = 48 };
     struct line l = LINE_EMPTY;
     double at[CURVE_DIM_MAX];
 
-    for (size_t i = 0; i < c->count; i++)
-        for (int k = i == 0 ? 0 : 1; k <= PER_PIECE; k++) {
-            curve_at(c, i, (double) k / PER_PIECE, at);
+    for (size_t i = 0; i < c->count; i++) {
+        const int chords = piece_chords(p, c, i);
+        for (int k = i == 0 ? 0 : 1; k <= chords; k++) {
+            curve_at(c, i, (double) k / chords, at);
             add_point(p, &l, (struct vec2){ at[0], at[1] });
         }
+    }
     return l;
 }
 

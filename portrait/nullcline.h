@@ -32,10 +32,9 @@ struct nullcline {
 #define NULLCLINE_EMPTY ((struct nullcline){ .count = 0 })
 
 /* Both nullclines; `chord`: how far the straight line between neighbouring
- * points may be from the curve, as a fraction of the drawing's sides,
- * TOL_NULLCLINE_CHORD.  A window without zeros has no pieces.
- * STATUS_BAD_ARGUMENT: window outside the domain or chord <= 0;
- * STATUS_NO_MEMORY.  On error *out is untouched. */
+ * points may be from the curve, as a fraction of the drawing's sides.  A window
+ * without zeros has no pieces. STATUS_BAD_ARGUMENT: window outside the domain
+ * or chord <= 0; STATUS_NO_MEMORY.  On error *out is untouched. */
 MUST_CHECK enum status nullcline_find(const struct planar *system,
                                       const struct window *window, double chord,
                                       struct nullcline out[NULLCLINES]);

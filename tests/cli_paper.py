@@ -128,6 +128,54 @@ def letters_are_as_large_as_they_were_asked_for(room):
                size, found)
 
 
+def plot_dots(room, name, dpi):
+    """Width and height of the plot in dots of the page."""
+    script = room.read(name + '.gp')
+    left, right, bottom, top = (float(re.search(
+        rf'set {side}margin at screen ([\d.]+)', script)[1]) for side in 'lrbt')
+    wide, high = sizes(room, name + '.svg')
+    return (right - left) * wide / 25.4 * dpi, (top - bottom) * high / 25.4 * dpi
+
+
+def segments(room, name, entry):
+    """Of the curves with that line in the legend."""
+    last, wanted = None, False
+    for line in room.read(name).splitlines():
+        if line.startswith('# block'):
+            wanted = line.endswith(': curves ' + entry)
+        here = tuple(map(float, line.split())) if wanted and line[:1] not in (
+            '', '#') else None
+        if here and last:
+            yield last, here
+        last = here
+
+
+def lines_are_a_quarter_of_a_dot_from_their_curves(room):
+    """x' = 0 on a cubic, y' = 0 on a circle; the slopes are theirs."""
+    curves = {'dx/dt = 0': (lambda x, y: y - x**3 + x,
+                            lambda x, y: (1 - 3 * x * x, 1)),
+              'dy/dt = 0': (lambda x, y: x * x + y * y - 1,
+                            lambda x, y: (2 * x, 2 * y))}
+    for width, dpi in (('screen', 300), ('one_column', 300),
+                       ('two_columns', 300), ('two_columns', 600)):
+        room.good('portrait', '--ode', "x' = y - x^3 + x; y' = x^2 + y^2 - 1",
+                  '--window', 'x=-1.5:1.5,y=-1.5:1.5', '--set',
+                  'products=[nullclines]', '--figure', 'a.svg', '--keep-script',
+                  '--figure-width', width, '--set', f'figure.dpi={dpi}')
+        wide, high = (dots / 3 for dots in plot_dots(room, 'a', dpi))
+        for entry, (value, slope) in curves.items():
+            found = list(segments(room, 'a.dat', entry))
+            expect(len(found) > 20, entry, len(found))
+            worst = 0
+            for a, b in found:
+                for k in range(5):
+                    x, y = (p + k / 4 * (q - p) for p, q in zip(a, b))
+                    along, up = slope(x, y)
+                    worst = max(worst, abs(value(x, y)) / (
+                        (along / wide)**2 + (up / high)**2)**0.5)
+            expect(worst < 0.25, width, dpi, entry, worst)
+
+
 def a_figure_has_what_was_asked_for(room):
     def text(*args):
         room.good('portrait', *SLOPE, '--figure', 'a.svg', '--set',
@@ -159,6 +207,7 @@ def wrong_paper_costs_one_line(room):
 run_cases([
     a_figure_is_as_large_as_it_was_asked_for,
     letters_are_as_large_as_they_were_asked_for,
+    lines_are_a_quarter_of_a_dot_from_their_curves,
     a_figure_has_what_was_asked_for,
     wrong_paper_costs_one_line,
     figures_of_the_project_fit_one_column_and_two,

@@ -84,10 +84,12 @@ static inline double height(const double p[], struct vec2 z, struct vec2 *g)
     return z.y - p[1];
 }
 
+#define LEVEL_CHORD 1e-3
+
 static inline void find(const struct planar *sys, const struct window *w,
                         struct nullcline out[NULLCLINES])
 {
-    const enum status s = nullcline_find(sys, w, TOL_NULLCLINE_CHORD, out);
+    const enum status s = nullcline_find(sys, w, LEVEL_CHORD, out);
     CHECK(s == STATUS_OK, "%s", status_text(s));
 }
 

@@ -161,9 +161,12 @@
 /* An orbit at rest ends here, dimensionless: as far as a double goes. */
 #define TOL_TIME_MAX 1e300
 
-/* A point of a drawn curve may be left out when the line passes this near to
- * it, in px (1/96 inch): a tenth of a dot of a printer at 200 dots an inch. */
-#define TOL_FIGURE_PX 0.05
+/* Straight lines stay this near to the curve that they stand for, in dots of
+ * the page, where those of SVG and PDF are taken to be as small as this many to
+ * an inch: twice, where points are chosen and where some are left out again,
+ * together a quarter of a dot, which no eye sees. */
+#define TOL_FIGURE_DOT 0.125
+#define TOL_FIGURE_DPI 300.0
 /* Cells along each side of a drawn raster, at least: about as many as there
  * are px, so that a viewer that blurs images blurs nothing visible. */
 #define TOL_FIGURE_CELLS 400
@@ -172,8 +175,6 @@
  * signs are looked at, cells a side: what is smaller than a cell, or two pieces
  * nearer than one, may be missed. */
 #define TOL_NULLCLINE_CELLS 64
-/* The drawn polyline stays this near the curve: a px at 1000 px. */
-#define TOL_NULLCLINE_CHORD 1e-3
 /* Longest and shortest step, and the tangent of the largest angle between the
  * chord and the tangents at its ends: beyond, the step may have changed over
  * to another piece; shorter than the shortest, the curve has a cusp, and zeros

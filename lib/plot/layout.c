@@ -6,6 +6,7 @@
 
 #include "layer.h"
 #include "ticks.h"
+#include "tolerance.h"
 
 static const struct device devices[] = {
     { DEVICE_SVG, ".svg", "svg", "name 'figure'", 1, 1, 1.4, 0.092, "</svg>" },
@@ -194,6 +195,7 @@ enum status layout_find(const struct figure *f, struct legend *l,
     *p = (struct layout){ .device = d, .page = page };
     p->unit = page->type / LAYOUT_FONT;
     p->dots = dots_in_px(p);
+    p->slack = TOL_FIGURE_DOT * 72 / fmax(page->dpi, TOL_FIGURE_DPI) / p->unit;
     p->script = fmax(1, LEAST_TYPE / (LABEL_SCRIPT * page->type));
     p->width = mm_px(page->width, p->unit);
     if (page->legend == FIGURE_LEGEND_NONE)

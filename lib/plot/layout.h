@@ -34,6 +34,7 @@ struct layout {
                              right of it and below */
     double unit;          /* pt in a px */
     double dots;          /* of the device in a px */
+    double slack;         /* px; what lines may be off curves */
     double script;        /* of labels (label.h): none is below 6 pt, and all
                              are so large */
     double left, bottom;

@@ -100,7 +100,7 @@ static enum status draw_lines(struct pen *pen, struct run run, struct stroke *s)
             put_line(pen, &paint);
         }
         any = true;
-        stroke_thin(s, TOL_FIGURE_PX);
+        stroke_thin(s, pen->page->slack);
         put_stroke(pen, s);
         fputc('\n', pen->data);
     }
@@ -160,7 +160,7 @@ static enum status draw_region(struct pen *pen,
         &pen->page->x, &pen->page->y, layer->x, layer->y, layer->count, s);
     if (status != STATUS_OK || s->count < 3)
         return status;
-    stroke_thin(s, TOL_FIGURE_PX);
+    stroke_thin(s, pen->page->slack);
     block_begin(pen, "region", layer->entry);
     put_fill(pen->script, paint_of(layer->style).colour);
     put_stroke(pen, s);

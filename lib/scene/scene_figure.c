@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "tolerance.h"
+
 /* Height 0: as the plot needs.  The last is of any other width. */
 static const struct {
     const char *word;
@@ -56,4 +58,9 @@ void scene_figure_settle(struct scene_figure *f)
     if (f->legend == LEGEND_AUTO)
         f->legend = f->width / 25.4 * 72 / f->type >= wide ? LEGEND_OUTSIDE
                                                            : LEGEND_BELOW;
+}
+
+double scene_figure_chord(const struct scene_figure *f)
+{
+    return TOL_FIGURE_DOT / (f->width / 25.4 * fmax(f->dpi, TOL_FIGURE_DPI));
 }

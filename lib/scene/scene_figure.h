@@ -17,4 +17,8 @@ bool scene_figure_preset(const char *word, struct scene_figure *f);
  * one. */
 void scene_figure_settle(struct scene_figure *f);
 
+/* How far a line may be from the curve that it stands for, as a fraction of
+ * the page's width: TOL_FIGURE_DOT dots. */
+double scene_figure_chord(const struct scene_figure *f);
+
 #endif

@@ -11,6 +11,7 @@
 #include "plane_rest.h"
 #include "plane_results.h"
 #include "plane_sensitivity.h"
+#include "scene_figure.h"
 #include "study_tolerance.h"
 #include "tolerance.h"
 
@@ -215,7 +216,8 @@ static enum status find_portrait(struct plane_study *s,
     enum status status = portrait_init(&s->portrait, &s->system[0], &s->window);
 
     if (status == STATUS_OK && s->products & BIT(NULLCLINES))
-        status = portrait_find_nullclines(&s->portrait, TOL_NULLCLINE_CHORD);
+        status = portrait_find_nullclines(&s->portrait,
+                                          scene_figure_chord(&s->scene->paper));
     if (status == STATUS_OK && s->products & BIT(FIELD_ARROWS))
         status = portrait_find_arrows(&s->portrait, TOL_ARROWS, TOL_ARROWS);
     if (status == STATUS_OK && s->products & BIT(TRAJECTORIES))

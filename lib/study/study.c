@@ -9,6 +9,7 @@
 #include <time.h>
 
 #include "conditioning.h"
+#include "scene_figure.h"
 #include "scene_slope.h"
 #include "study_results.h"
 #include "study_tolerance.h"
@@ -210,8 +211,8 @@ static enum status run_nullclines(struct study *s,
                                   struct fault *why)
 {
     (void) monitor, (void) why;
-    const enum status status =
-        portrait_find_nullclines(&s->portrait, TOL_NULLCLINE_CHORD);
+    const enum status status = portrait_find_nullclines(
+        &s->portrait, scene_figure_chord(&s->scene->paper));
     s->cost[STAGE_NULLCLINES].field_evaluations =
         s->portrait.nullcline[NULLCLINE_X].evaluations +
         s->portrait.nullcline[NULLCLINE_Y].evaluations;

@@ -162,7 +162,7 @@ static void check_covers(const struct plain *s, const struct window *w,
         if (box_holds(w->box, z) && box_holds(w->box, before))
             exact += vec2_length(vec2_sub(z, before));
         if (i % 50 == 0 && is_open(s, w, z))
-            CHECK(distance(n, w, z) < 1.2 * TOL_NULLCLINE_CHORD,
+            CHECK(distance(n, w, z) < 1.2 * LEVEL_CHORD,
                   "(%g, %g) is off by %g", z.x, z.y, distance(n, w, z));
         before = z;
     }
@@ -296,7 +296,7 @@ static void fixtures_have_nullclines_through_their_equilibria(void **state)
             for (size_t e = 0; e < f.equilibria; e++) {
                 const struct vec2 z = f.equilibrium[e].z;
                 if (box_holds(w.box, z))
-                    CHECK(distance(&n[k], &w, z) < 1.2 * TOL_NULLCLINE_CHORD,
+                    CHECK(distance(&n[k], &w, z) < 1.2 * LEVEL_CHORD,
                           "equilibrium (%g, %g) is off", z.x, z.y);
             }
         }
@@ -346,7 +346,7 @@ static void linear_axes_get_the_points_they_need(void **state)
         for (int i = 0; i <= 3000; i++) {
             const double x = -3.0 + 6.0 * i / 3000.0;
             const double d = distance(&n[1], &w, (struct vec2){ x, -x });
-            CHECK(d < TOL_NULLCLINE_CHORD, "off by %g at x = %g", d, x);
+            CHECK(d < LEVEL_CHORD, "off by %g at x = %g", d, x);
         }
         drop(n);
     }
