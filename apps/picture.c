@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crowd.h"
 #include "eigen_frame.h"
 #include "physical.h"
 #include "picture_diagram.h"
@@ -209,20 +210,6 @@ static void add_chosen(struct picture *p)
     }
 }
 
-/* Where an orbit starts it is far from all before it: there the arrowhead
- * stands. */
-static void add_trajectories(struct picture *p)
-{
-    static const double first = 0.15;
-    const struct trajectories *all = &p->s->portrait.trajectories;
-
-    for (size_t i = 0; i < all->count; i++) {
-        struct line l = curve_line(p, &all->at[i].curve);
-        add_way(p, &l, (struct figure_style){ .role = FIGURE_TRAJECTORY },
-                "trajectories", &first);
-    }
-}
-
 /* The asymptote that closes a branch, to the window's edge. */
 static void add_asymptote(struct picture *p, const struct branch *b,
                           struct line *l)
@@ -244,6 +231,51 @@ static void add_asymptote(struct picture *p, const struct branch *b,
     add_point(p, l, end);
 }
 
+/* A branch with its asymptote, along the flow. */
+static struct line stable_line(struct picture *p, const struct branch *b)
+{
+    struct line l = curve_line(p, &b->curve);
+
+    if (b->curve.count > 0)
+        add_asymptote(p, b, &l);
+    line_reverse(&l);
+    return l;
+}
+
+static void take_line(struct crowd *crowd, struct line l)
+{
+    crowd_take(crowd, &l);
+    line_free(&l);
+}
+
+/* Whole orbits, as far as none runs beside another or beside a manifold. */
+static void add_trajectories(struct picture *p)
+{
+    static const double middle = 0.5;
+    const struct trajectories *chosen = &p->s->chosen,
+                              *all = &p->s->portrait.trajectories;
+    struct crowd *crowd = malloc(sizeof *crowd);
+
+    if (crowd == NULL) {
+        p->figure->status = STATUS_NO_MEMORY;
+        return;
+    }
+    crowd_init(crowd, p->figure);
+    for (int i = 0; i < SIDES; i++) {
+        take_line(crowd, stable_line(p, &p->s->stable[i]));
+        take_line(crowd, curve_line(p, &p->s->unstable[i].curve));
+    }
+    for (size_t i = 0; i < chosen->count; i++)
+        take_line(crowd, curve_line(p, &chosen->at[i].curve));
+    for (size_t i = 0; i < all->count; i++) {
+        struct line l = curve_line(p, &all->at[i].curve);
+        crowd_cut(crowd, &l);
+        add_way(p, &l, (struct figure_style){ .role = FIGURE_TRAJECTORY },
+                "trajectories", &middle);
+    }
+    free(crowd);
+}
+
 /* Under the nullclines, which it follows closely. */
 static void add_unstable(struct picture *p)
 {
@@ -256,17 +288,12 @@ static void add_unstable(struct picture *p)
     }
 }
 
-/* Each branch with its asymptote as one line, along the flow. */
 static void add_manifolds(struct picture *p)
 {
     static const double middle = 0.5;
 
     for (int i = 0; i < SIDES; i++) {
-        const struct branch *b = &p->s->stable[i];
-        struct line l = curve_line(p, &b->curve);
-        if (b->curve.count > 0)
-            add_asymptote(p, b, &l);
-        line_reverse(&l);
+        struct line l = stable_line(p, &p->s->stable[i]);
         add_way(p, &l, (struct figure_style){ .role = FIGURE_STABLE },
                 "stable manifold", &middle);
     }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crowd.h"
 #include "line.h"
 #include "mark.h"
 #include "plane_basin.h"
@@ -83,17 +84,30 @@ static void name_state(const struct picture *p, int i,
 
 /* ---- layers -------------------------------------------------------------- */
 
+/* From its end to its beginning: way = -1. */
 static void add_pieces(const struct picture *p, struct stroke *t,
-                       const struct curve *c, size_t pieces, struct vec2 origin)
+                       const struct curve *c, size_t pieces, struct vec2 origin,
+                       int way)
 {
-    enum { PER_PIECE = 16 };
+    enum { PER_PIECE = 48 };
     double at[CURVE_DIM_MAX];
 
     for (size_t i = 0; i < pieces; i++)
         for (int k = i > 0; k <= PER_PIECE; k++) {
-            curve_at(c, i, (double) k / PER_PIECE, at);
+            const double part = (double) k / PER_PIECE;
+            curve_at(c, way > 0 ? i : pieces - 1 - i,
+                     way > 0 ? part : 1.0 - part, at);
             add(p, t, vec2_add(origin, (struct vec2){ at[0], at[1] }));
         }
+}
+
+static struct stroke branch_stroke(const struct picture *p,
+                                   const struct plane_branch *b)
+{
+    struct stroke t = { .line = LINE_EMPTY };
+
+    add_pieces(p, &t, &b->curve.curve, b->shown, p->s->rest[b->rest].z, 1);
+    return t;
 }
 
 /* The basins as tints. */
@@ -149,25 +163,46 @@ static void add_arrows(const struct picture *p)
     line_free(&along);
 }
 
+/* Orbit k as one line along the flow. */
+static struct stroke orbit_stroke(const struct picture *p, size_t k)
+{
+    const struct plane_study *s = p->s;
+    const struct curve *way[] = { &s->backward.at[k].curve,
+                                  &s->portrait.trajectories.at[k].curve };
+    struct stroke t = { .line = LINE_EMPTY };
+
+    for (int i = 0; i < 2; i++)
+        add_pieces(p, &t, way[i], way[i]->count, s->system[0].origin,
+                   i ? 1 : -1);
+    return t;
+}
+
+/* As far as none runs beside another or beside a manifold. */
 static void add_trajectories(const struct picture *p)
 {
-    static const double head[] = { 0.5 };
-    const struct plane_study *s = p->s;
-    const struct trajectories *way[] = { &s->portrait.trajectories,
-                                         &s->backward };
+    static const double middle = 0.5;
+    struct crowd *crowd = malloc(sizeof *crowd);
 
-    for (int k = 0; k < 2; k++)
-        for (size_t i = 0; i < way[k]->count; i++) {
-            struct stroke t = { .line = LINE_EMPTY };
-            const struct curve *c = &way[k]->at[i].curve;
-            add_pieces(p, &t, c, c->count, s->system[0].origin);
-            finish(
-                p, &t,
-                &(struct figure_layer){ .style = { .role = FIGURE_TRAJECTORY },
-                                        .entry = "trajectories",
-                                        .heads = head,
-                                        .head_count = k == 0 });
-        }
+    if (crowd == NULL) {
+        p->figure->status = STATUS_NO_MEMORY;
+        return;
+    }
+    crowd_init(crowd, p->figure);
+    for (size_t i = 0; i < p->s->branches; i++) {
+        struct stroke t = branch_stroke(p, &p->s->branch[i]);
+        crowd_take(crowd, &t.line);
+        line_free(&t.line);
+    }
+    for (size_t i = 0; i < p->s->portrait.trajectories.count; i++) {
+        struct stroke t = orbit_stroke(p, i);
+        crowd_cut(crowd, &t.line);
+        finish(p, &t,
+               &(struct figure_layer){ .style = { .role = FIGURE_TRAJECTORY },
+                                       .entry = "trajectories",
+                                       .heads = &middle,
+                                       .head_count = 1 });
+    }
+    free(crowd);
 }
 
 static void add_nullclines(const struct picture *p)
@@ -190,18 +225,24 @@ static void add_nullclines(const struct picture *p)
     }
 }
 
+/* Along the flow: stable ones are grown against it. */
 static void add_manifolds(const struct picture *p)
 {
+    static const double middle = 0.5;
+
     for (size_t i = 0; i < p->s->branches; i++) {
         const struct plane_branch *b = &p->s->branch[i];
         const bool stable = b->kind == MANIFOLD_STABLE;
-        struct stroke t = { .line = LINE_EMPTY };
-        add_pieces(p, &t, &b->curve.curve, b->shown, p->s->rest[b->rest].z);
+        struct stroke t = branch_stroke(p, b);
+        if (stable)
+            line_reverse(&t.line);
         finish(
             p, &t,
             &(struct figure_layer){
                 .style = { .role = stable ? FIGURE_STABLE : FIGURE_UNSTABLE },
-                .entry = stable ? "stable manifold" : "unstable manifold" });
+                .entry = stable ? "stable manifold" : "unstable manifold",
+                .heads = &middle,
+                .head_count = 1 });
     }
 }
 

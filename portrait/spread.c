@@ -1,7 +1,8 @@
 /* Candidates: the R2 sequence (Roberts 2018: u_k = u_0 + k (1/p, 1/p^2) mod 1,
- * p^3 = p + 1) inside, the golden one around the edge.  Choice: farthest point
- * first, as for evenly spaced streamlines (Mebarki, Alliez & Devillers, IEEE
- * Visualization 2005), by distances to samples of what is drawn. */
+ * p^3 = p + 1).  Choice: farthest point first, as for evenly spaced streamlines
+ * (Mebarki, Alliez & Devillers, IEEE Visualization 2005), by distances to
+ * samples of what is drawn (Jobard & Lefer, Visualization in Scientific
+ * Computing 1997, 43-55).  Changed: the frame counts as what is drawn. */
 #include "spread.h"
 
 #include <math.h>
@@ -19,112 +20,63 @@ static double uniform(uint64_t *state)
     return (double) ((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-#define SLANT 0.1 /* sine of the least angle with the frame */
-
 static double fraction(double x)
 {
     return x - floor(x);
 }
 
-static void add(struct spread *s, enum spread_place place, struct vec2 unit)
+/* The square of the distance to the mirror image beyond the frame. */
+static double mirror_gap(struct vec2 u)
 {
-    s->candidate[place][s->count[place]++] =
-        (struct spread_candidate){ window_at(s->window, unit), unit, INFINITY };
+    const double d = 2.0 * fmin(fmin(u.x, 1.0 - u.x), fmin(u.y, 1.0 - u.y));
+
+    return d * d;
 }
 
-/* Around the square once: 0 <= p < 4, a side for each unit. */
-static struct vec2 around(double p, struct vec2 *inward)
+enum status spread_init(struct spread *s, const struct window *window,
+                        size_t count, uint64_t seed)
 {
-    const double t = fraction(p);
+    const double p = 1.3247179572447460;
+    const double x = uniform(&seed), y = uniform(&seed);
 
-    switch ((int) p) {
-        case 0:
-            *inward = (struct vec2){ 0.0, 1.0 };
-            return (struct vec2){ t, 0.0 };
-        case 1:
-            *inward = (struct vec2){ -1.0, 0.0 };
-            return (struct vec2){ 1.0, t };
-        case 2:
-            *inward = (struct vec2){ 0.0, -1.0 };
-            return (struct vec2){ 1.0 - t, 1.0 };
-        default:
-            *inward = (struct vec2){ 1.0, 0.0 };
-            return (struct vec2){ 0.0, 1.0 - t };
-    }
-}
-
-/* Whether an orbit from the edge enters at an angle that can be seen; one that
- * runs along the frame is no picture. */
-static bool flows(const struct planar *system, const struct window *w,
-                  struct vec2 z, struct vec2 inward)
-{
-    struct planar_field f;
-
-    system->field(system->ctx, vec2_sub(z, system->origin), &f);
-    const struct vec2 d = window_push(w, z, f.direction);
-    return d.x * inward.x + d.y * inward.y > SLANT * vec2_length(d);
-}
-
-static void list(struct spread *s, const struct planar *system, size_t count,
-                 uint64_t seed)
-{
-    const double p = 1.3247179572447460, golden = 0.6180339887498949;
-    const double x = uniform(&seed), y = uniform(&seed), q = uniform(&seed);
-
+    *s = (struct spread){ .window = window };
+    s->candidate = calloc(count + 1, sizeof *s->candidate);
+    if (s->candidate == NULL)
+        return STATUS_NO_MEMORY;
     for (size_t k = 0; k < count; k++) {
         const double n = (double) k;
-        const struct vec2 unit = { fraction(x + n / p),
-                                   fraction(y + n / (p * p)) };
-        struct vec2 inward;
-        const struct vec2 edge =
-            around(4.0 * fraction(q + n * golden), &inward);
-        add(s, SPREAD_INTERIOR, unit);
-        if (flows(system, s->window, window_at(s->window, edge), inward))
-            add(s, SPREAD_EDGE, edge);
+        const struct vec2 u = { fraction(x + n / p),
+                                fraction(y + n / (p * p)) };
+        s->candidate[s->count++] =
+            (struct spread_candidate){ u, mirror_gap(u) };
     }
-}
-
-enum status spread_init(struct spread *s, const struct planar *system,
-                        const struct window *window, size_t count,
-                        uint64_t seed)
-{
-    *s = (struct spread){ .window = window };
-    for (int k = 0; k < SPREAD_PLACES; k++) {
-        s->candidate[k] = calloc(count + 1, sizeof *s->candidate[k]);
-        if (s->candidate[k] == NULL) {
-            spread_free(s);
-            return STATUS_NO_MEMORY;
-        }
-    }
-    list(s, system, count, seed);
     return STATUS_OK;
 }
 
 static void avoid_point(struct spread *s, struct vec2 unit)
 {
-    for (int k = 0; k < SPREAD_PLACES; k++)
-        for (size_t i = 0; i < s->count[k]; i++) {
-            struct spread_candidate *c = &s->candidate[k][i];
-            const struct vec2 d = vec2_sub(c->unit, unit);
-            const double gap = d.x * d.x + d.y * d.y;
-            c->gap = gap < c->gap ? gap : c->gap;
-        }
+    for (size_t i = 0; i < s->count; i++) {
+        struct spread_candidate *c = &s->candidate[i];
+        const struct vec2 d = vec2_sub(c->unit, unit);
+        const double gap = d.x * d.x + d.y * d.y;
+        c->gap = gap < c->gap ? gap : c->gap;
+    }
 }
 
-bool spread_take(struct spread *s, enum spread_place place, struct vec2 *z)
+bool spread_take(struct spread *s, struct vec2 *z)
 {
-    struct spread_candidate *c = s->candidate[place];
+    struct spread_candidate *c = s->candidate;
     size_t best = 0;
 
-    if (s->count[place] == 0)
+    if (s->count == 0)
         return false;
-    for (size_t i = 1; i < s->count[place]; i++)
+    for (size_t i = 1; i < s->count; i++)
         if (c[i].gap > c[best].gap)
             best = i;
-    const struct spread_candidate chosen = c[best];
-    c[best] = c[--s->count[place]];
-    avoid_point(s, chosen.unit);
-    *z = chosen.z;
+    const struct vec2 chosen = c[best].unit;
+    c[best] = c[--s->count];
+    avoid_point(s, chosen);
+    *z = window_at(s->window, chosen);
     return true;
 }
 
@@ -158,9 +110,19 @@ void spread_avoid(struct spread *s, const struct curve *c, struct vec2 origin)
     }
 }
 
+void spread_avoid_way(struct spread *s, const struct polyline *way)
+{
+    for (size_t k = 0; k + 1 < way->count; k++) {
+        const struct vec2 d = vec2_sub(way->at[k + 1], way->at[k]);
+        const size_t n = 1 + (size_t) (vec2_length(d) / TOL_PORTRAIT_SPACING);
+        for (size_t i = 0; i < n; i++)
+            avoid_point(s, vec2_add(way->at[k],
+                                    vec2_scale((double) i / (double) n, d)));
+    }
+}
+
 void spread_free(struct spread *s)
 {
-    for (int k = 0; k < SPREAD_PLACES; k++)
-        free(s->candidate[k]);
+    free(s->candidate);
     *s = (struct spread){ .window = NULL };
 }

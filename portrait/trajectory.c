@@ -1,6 +1,4 @@
-/* Orbits are independent: each thread fills the slots it is given.  The spread
- * is made in batches of a fixed size, so that what is chosen never depends on
- * which orbit was ready first. */
+/* Given starts are independent: each thread fills the slots it is given. */
 #include "trajectory.h"
 
 #include <math.h>
@@ -8,6 +6,7 @@
 #include <string.h>
 
 #include "spread.h"
+#include "streamline.h"
 #include "tolerance.h"
 
 struct trajectory_options trajectory_defaults(const struct planar *system,
@@ -124,31 +123,41 @@ enum status trajectory_run(const struct planar *system,
     return finish(s, &found, out);
 }
 
-/* The next start: on the edge while `edge`, inside when there is no more. */
-static struct vec2 choose(struct spread *spread, bool edge)
+/* An orbit through z, from there or from where it comes in; the next ones keep
+ * away from all of it. */
+static enum status fill_one(const struct plan *p, const struct window *window,
+                            struct spread *spread, struct vec2 z,
+                            struct trajectories *out, size_t i)
 {
-    struct vec2 z = { 0.0, 0.0 };
+    struct trajectory *t = &out->at[i];
+    struct polyline way = POLYLINE_EMPTY;
+    enum status s =
+        streamline_back(p->system, window, z, &way, &out->evaluations);
 
-    if (!edge || !spread_take(spread, SPREAD_EDGE, &z))
-        (void) spread_take(spread, SPREAD_INTERIOR, &z); /* never runs out */
-    return z;
+    if (s == STATUS_OK) {
+        t->start =
+            p->options->halfway ? z : window_at(window, way.at[way.count - 1]);
+        spread_avoid_way(spread, &way);
+        s = run_batch(p, out, i, i + 1);
+        spread_avoid(spread, &t->curve, p->system->origin);
+    }
+    polyline_free(&way);
+    return s;
 }
 
-static enum status fill(const struct plan *p, struct spread *spread,
-                        struct trajectories *out)
+/* One after another: each keeps away from all before it. */
+static enum status fill(const struct plan *p, const struct window *window,
+                        struct spread *spread, struct trajectories *out)
 {
-    const size_t edges = (out->count + 1) / 2;
+    const struct trajectory_options *o = p->options;
     enum status s = STATUS_OK;
 
-    for (size_t i = 0; s == STATUS_OK && i < out->count;) {
-        const size_t left = out->count - i;
-        const size_t to =
-            i + (left < TOL_PORTRAIT_BATCH ? left : TOL_PORTRAIT_BATCH);
-        for (size_t k = i; k < to; k++)
-            out->at[k].start = choose(spread, k < edges);
-        s = run_batch(p, out, i, to);
-        for (; i < to; i++)
-            spread_avoid(spread, &out->at[i].curve, p->system->origin);
+    for (size_t k = 0; k < o->drawn_count; k++)
+        spread_avoid(spread, o->drawn[k].curve, o->drawn[k].origin);
+    for (size_t i = 0; s == STATUS_OK && i < out->count; i++) {
+        struct vec2 z = { 0.0, 0.0 };
+        (void) spread_take(spread, &z); /* never runs out */
+        s = fill_one(p, window, spread, z, out, i);
     }
     return s;
 }
@@ -158,17 +167,16 @@ enum status trajectory_spread(const struct planar *system,
                               const struct trajectory_options *options,
                               struct trajectories *out)
 {
-    const size_t candidates = TOL_PORTRAIT_CANDIDATES * count;
     struct trajectories found;
     struct spread spread;
     struct plan p;
     enum status s = prepare(&p, system, window, count, options, &found);
 
     if (s == STATUS_OK)
-        s = spread_init(&spread, system, window, candidates, options->seed);
+        s = spread_init(&spread, window, TOL_PORTRAIT_CANDIDATES * count,
+                        options->seed);
     if (s == STATUS_OK) {
-        found.evaluations = candidates;
-        s = fill(&p, &spread, &found);
+        s = fill(&p, window, &spread, &found);
         spread_free(&spread);
     }
     return finish(s, &found, out);

@@ -1,6 +1,6 @@
 /*
  * trajectory.h -- orbits of a portrait: forward in time from given starts, or
- * from starts spread over the window so that the picture is evenly filled,
+ * whole orbits spread over the window so that the picture is evenly filled,
  * until each leaves the window by a margin, arrives at a target or meets
  * another of its limits.
  */
@@ -12,12 +12,23 @@
 #include "orbit.h"
 #include "window.h"
 
+/* A curve whose components 0 and 1 are offsets from `origin`. */
+struct trajectory_drawn {
+    const struct curve *curve; /* borrowed */
+    struct vec2 origin;
+};
+
 struct trajectory_options {
     /* As for a single orbit: targets (equilibria) with the distance that
      * counts as arrival, limits, events.  `window` is ours to set. */
     struct orbit_options orbit;
     double margin; /* >= 0; beyond the window, as a fraction of its sides */
     uint64_t seed; /* of the spread */
+    bool halfway;  /* spread orbits start where they were chosen, not where they
+                      come in */
+    const struct trajectory_drawn *drawn; /* borrowed: what else a spread keeps
+                                             away from */
+    size_t drawn_count;
     const struct monitor *monitor; /* borrowed, may be NULL */
 };
 
@@ -58,9 +69,10 @@ MUST_CHECK enum status trajectory_run(const struct planar *system,
                                       const struct trajectory_options *options,
                                       struct trajectories *out);
 
-/* From `count` starts, half of them on the window's edge where the field
- * points inward (as far as there are such), the others inside; each as far as
- * can be from the trajectories before it.  Otherwise as trajectory_run. */
+/* `count` orbits, each through a point as far as can be from those before it,
+ * from what is drawn and from the frame's mirror image, and each from where it
+ * comes into the window (streamline.h), or from that point where it is halfway.
+ * Otherwise as trajectory_run. */
 MUST_CHECK enum status trajectory_spread(
     const struct planar *system, const struct window *window, size_t count,
     const struct trajectory_options *options, struct trajectories *out);

@@ -4,6 +4,7 @@
 usage: cli_figures.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import json
+import math
 import re
 import xml.etree.ElementTree
 
@@ -154,6 +155,162 @@ def the_power_series_is_drawn_told_and_stored(room):
     expect(flat['terms'] == [] and 'saddle' in flat['radius']['reason'], flat)
 
 
+# ---- orbits ------------------------------------------------------------------
+
+NEAR = 1 / 160  # of the plot's sides
+
+
+def pieces(room, name):
+    """Of a figure's curves: (entry, points in sides of the plot, points of a
+    piece not further apart than NEAR/2)."""
+    script = room.read(name + '.gp')
+    sides = []
+    for axis in 'xy':
+        lo, hi = map(float, re.search(rf'set {axis}range \[(.*):(.*)\]',
+                                      script).groups())
+        is_log = f'set logscale {axis}' in script
+        sides.append((math.log if is_log else float, lo, hi))
+
+    def place(row):
+        return tuple((f(x) - f(lo)) / (f(hi) - f(lo))
+                     for x, (f, lo, hi) in zip(row, sides))
+    what, found = '', []
+    for line in room.read(name + '.dat').splitlines():
+        if line.startswith('# block'):
+            what = line.split(': ', 1)[1]
+        row = line.split() if line[:1] not in ('#', '') else []
+        if not row:
+            found.append((what, []))
+            continue
+        b = place(map(float, row))
+        points = found[-1][1]
+        a = points[-1] if points else b
+        n = int(math.dist(a, b) / (NEAR / 2)) + 1
+        points += [tuple(p + k / n * (q - p) for p, q in zip(a, b))
+                   for k in range(1, n + 1)]
+    return [(what[7:], points) for what, points in found
+            if points and what.startswith('curves')]
+
+
+def largest_empty_disc(lines):
+    worst, near = 0, {}
+    for _, line in lines:
+        for x, y in line:
+            near.setdefault((int(20 * x), int(20 * y)), []).append((x, y))
+    for i in range(40):
+        for k in range(40):
+            at = (i + 0.5) / 40, (k + 0.5) / 40
+            for ring in range(20):
+                here = [p for a in range(-ring, ring + 1)
+                        for b in range(-ring, ring + 1)
+                        for p in near.get((i // 2 + a, k // 2 + b), [])]
+                gap = min((math.dist(at, p) for p in here), default=9)
+                if gap <= ring / 20:
+                    break
+            worst = max(worst, min(gap, *at, 1 - at[0], 1 - at[1]))
+    return worst
+
+
+def longest_side_by_side(orbits):
+    """How far one runs nearer than NEAR to another, in sides of the plot."""
+    held = {}
+    for k, line in enumerate(orbits):
+        for x, y in line:
+            held.setdefault((int(x / NEAR), int(y / NEAR)), []).append((k, x, y))
+    worst = 0
+    for k, line in enumerate(orbits):
+        gone = 0
+        for a, b in zip(line, line[1:]):
+            i, j = int(b[0] / NEAR), int(b[1] / NEAR)
+            beside = any(n != k and math.dist(b, (x, y)) < NEAR
+                         for u in (i - 1, i, i + 1) for v in (j - 1, j, j + 1)
+                         for n, x, y in held.get((u, v), []))
+            gone = gone + math.dist(a, b) if beside else 0
+            worst = max(worst, gone)
+    return worst
+
+
+SYSTEMS = {
+    'a damped pendulum': ("x' = y; y' = -sin(x) - 0.2*y", 'x=-6:6,y=-3:3'),
+    'competing species': ("x' = x*(3-x-2*y); y' = y*(2-x-y)", 'x=0:4,y=0:3'),
+    'van der Pol': ("x' = y; y' = (1-x^2)*y - x", 'x=-4:4,y=-4:4'),
+    'a stiff node': ("x' = -x; y' = -40*(y - x^2)", 'x=-2:2,y=-1:3'),
+}
+
+
+def orbits_leave_no_hole_and_are_no_bunch(room):
+    laws = [law['name'] for law in room.json('laws')]
+    expect(len(laws) > 5, laws)
+    asked = {law: ['--law', law, '--alpha', '0.34'] for law in laws}
+    asked['kato_tullis'] += ['--set', 'material.V_c=1']
+    for name, (text, window) in SYSTEMS.items():
+        asked[name] = ['--ode', text, '--window', window]
+    for name, args in asked.items():
+        room.good('portrait', *args, '--figure', 'a.svg', '--keep-script')
+        lines = [line for line in pieces(room, 'a') if ' = 0' not in line[0]]
+        orbits = [line for what, line in lines if what == 'trajectories']
+        hole, bunch = largest_empty_disc(lines), longest_side_by_side(orbits)
+        expect(hole < 0.085 and bunch < 8 * NEAR, name,
+               len(orbits), hole, bunch)
+
+
+# ---- over a key --------------------------------------------------------------
+
+def blocks(room, name):
+    """Of a figure's data: (what it is, its rows), in drawing order."""
+    found = []
+    for line in room.read(name).splitlines():
+        if line.startswith('# block'):
+            found.append((line.split(': ', 1)[1], []))
+        elif line:
+            found[-1][1].append(tuple(float(x) for x in line.split()))
+    return found
+
+
+def sweep(room, values, show, products):
+    room.good('sweep', '--law', 'spinodal_gen', '--set',
+              f'sweep={{key: slope.alpha, values: {values}, show: {show}}}',
+              '--set', 'basins={cells: [8, 8], audit: 0}', '--set',
+              f'products=[{products}]', '-o', 'a.csv',
+              '--figure', 'a.svg', '--keep-script')
+    return blocks(room, 'a.dat')
+
+
+def what_jumps_at_a_fold_is_drawn_as_a_jump(room):
+    drawn = [rows for what, rows in sweep(room, [0.28, 0.31], 'basins',
+                                          'basins') if 'creep' in what]
+    expect(len(drawn) == 1, drawn)
+    (x, before), (left, above), (right, below), (end, behind) = drawn[0]
+    expect((x, left, right, end) == (0.28, 0.295, 0.295, 0.31), drawn)
+    expect(before == above == 1 > below == behind, drawn)
+
+
+def one_value_is_drawn_as_a_point(room):
+    drawn = sweep(room, [0.34], 'velocities', 'knees')
+    expect(len(drawn) > 3, drawn)
+    for what, rows in drawn:
+        expect(what.startswith('points') and [x for x, _ in rows] == [0.34],
+               what, rows)
+
+
+def several_runs_differ_by_their_marks(room):
+    room.write('a.yaml', '''law: {preset: dieterich_gen}
+slope: {alpha: 0.34}
+trajectories: {starts: [{v: 1000, psi: 50}, {v: 100, psi: 50}, {v: 10, psi: 9}]}
+''')
+    room.good('simulate', 'a.yaml', '--figure', 'a.svg', '--keep-script')
+    script = room.read('a_slip.gp')
+    marks = {}
+    for line in re.findall(r'# block (\d+): points (.*)', room.read('a_slip.dat')):
+        marks.setdefault(line[1], []).append(re.findall(
+            rf'data index {line[0]} with points pt (\d+)', script)[-1])
+    expect(len(marks) == 6, marks)  # v and psi of each
+    for curve in 'vψ':
+        runs = [mark for entry, mark in marks.items()
+                if entry.startswith(curve + ' from')]
+        expect(len(runs) == 3 and len({mark[0] for mark in runs}) == 3, marks)
+
+
 # ---- scripts -----------------------------------------------------------------
 
 def drawing(data):
@@ -196,6 +353,10 @@ run_cases([
     hostile_titles_are_drawn_and_never_run,
     hostile_file_names_are_only_names,
     the_power_series_is_drawn_told_and_stored,
+    orbits_leave_no_hole_and_are_no_bunch,
+    what_jumps_at_a_fold_is_drawn_as_a_jump,
+    one_value_is_drawn_as_a_point,
+    several_runs_differ_by_their_marks,
     a_kept_script_draws_the_figure_again,
     every_format_is_what_its_name_says,
 ])

@@ -219,12 +219,17 @@
  * (escape.h): half, and a margin. */
 #define TOL_ESCAPE_CHORD 0.6
 
+/* The way back of an orbit (streamline.h), in sides of the drawing: a step's
+ * error, below a px, its length, and how long the whole may be, as around a
+ * centre. */
+#define TOL_STREAMLINE        1e-4
+#define TOL_STREAMLINE_STEP   0.05
+#define TOL_STREAMLINE_LENGTH 8.0
+
 /* Trajectories of a portrait: how far beyond the window they go, so that no end
- * shows; starts chosen at a time (fixed, so that the number of threads changes
- * nothing); candidates for each start; spacing of the points that stand for a
+ * shows; candidates for each start; spacing of the points that stand for a
  * curve when the next starts are chosen (fractions of the window). */
 #define TOL_PORTRAIT_MARGIN     0.05
-#define TOL_PORTRAIT_BATCH      4
 #define TOL_PORTRAIT_CANDIDATES 16
 #define TOL_PORTRAIT_SPACING    0.02
 

@@ -177,7 +177,7 @@ const struct schema_key schema_table[] = {
            "si phi") },
     { "trajectories.spread", value_count, AT(spread), FROM(0), TO(10000),
       .expected = "a whole number from 0 to 10000", IS("0"),
-      TEXT("how many more starts, spread over the window") },
+      TEXT("how many more orbits, spread evenly over the window") },
     { "trajectories.seed", value_seed, AT(seed), FROM(0), TO(0x1p53),
       .expected = "a whole number from 0 to 9007199254740992", IS("1"),
       TEXT("seed of everything random") },

@@ -166,6 +166,26 @@ static struct trajectory_options orbits(const struct plane_study *s,
     return o;
 }
 
+/* Starts of orbits that fill the window between the manifolds. */
+static enum status spread_starts(struct plane_study *s,
+                                 struct trajectory_options *o)
+{
+    struct trajectory_drawn *drawn = calloc(s->branches + 1, sizeof *drawn);
+
+    if (drawn == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < s->branches; i++)
+        drawn[i] = (struct trajectory_drawn){ &s->branch[i].curve.curve,
+                                              s->rest[s->branch[i].rest].z };
+    o->halfway = true;
+    o->drawn = drawn;
+    o->drawn_count = s->branches;
+    const enum status status =
+        portrait_spread_trajectories(&s->portrait, s->scene->spread, o);
+    free(drawn);
+    return status;
+}
+
 /* The scene's starts, then spread ones, all both ways. */
 static enum status find_trajectories(struct plane_study *s,
                                      const struct monitor *monitor,
@@ -182,7 +202,7 @@ static enum status find_trajectories(struct plane_study *s,
     if (status == STATUS_OK)
         o = orbits(s, false, target, monitor);
     if (status == STATUS_OK && c->spread > 0)
-        status = portrait_spread_trajectories(&s->portrait, c->spread, &o);
+        status = spread_starts(s, &o);
     for (size_t i = 0; i < c->starts && start; i++)
         start[i] = (struct vec2){
             scene_axis_is_log(c, 0) ? log(c->start[i].v) : c->start[i].v,

@@ -262,6 +262,30 @@ static enum status run_starts(struct study *s,
     return status;
 }
 
+/* What the portrait shows besides: manifolds and the chosen orbits. */
+static enum status spread_orbits(struct study *s, struct trajectory_options *o)
+{
+    const size_t chosen = s->chosen.count;
+    struct trajectory_drawn *drawn = calloc(2 * SIDES + chosen, sizeof *drawn);
+
+    if (drawn == NULL)
+        return STATUS_NO_MEMORY;
+    for (int i = 0; i < SIDES; i++) {
+        drawn[2 * i].curve = &s->stable[i].curve;
+        drawn[2 * i + 1].curve = &s->unstable[i].curve;
+    }
+    for (size_t i = 0; i < chosen; i++)
+        drawn[2 * SIDES + i].curve = &s->chosen.at[i].curve;
+    for (size_t i = 0; i < 2 * SIDES + chosen; i++)
+        drawn[i].origin = s->slider.plane.system.origin;
+    o->drawn = drawn;
+    o->drawn_count = 2 * SIDES + chosen;
+    const enum status status =
+        portrait_spread_trajectories(&s->portrait, s->scene->spread, o);
+    free(drawn);
+    return status;
+}
+
 static enum status run_trajectories(struct study *s,
                                     const struct monitor *monitor,
                                     struct fault *why)
@@ -287,7 +311,7 @@ static enum status run_trajectories(struct study *s,
         status = run_starts(s, &o, why);
     o.orbit.rtol = fmax(c->rtol, TOL_SPREAD_RTOL);
     if (status == STATUS_OK && c->spread > 0)
-        status = portrait_spread_trajectories(&s->portrait, c->spread, &o);
+        status = spread_orbits(s, &o);
     s->cost[STAGE_TRAJECTORIES].field_evaluations =
         s->chosen.evaluations + s->portrait.trajectories.evaluations;
     return status;
