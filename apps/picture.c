@@ -18,13 +18,18 @@
 #include "sheet.h"
 #include "symbols.h"
 
+/* What lies under the curves. */
+enum ground { GROUND_BASINS, GROUND_FIELD, GROUND_MARGIN };
+
 struct picture {
     const struct study *s;
     struct figure *figure; /* borrowed */
     struct mat2 basis;     /* eigenvectors, for eigen axes */
     enum axes axes;
     struct picture_raster raster; /* owned; empty: no image below */
-    enum cell_field field;        /* shown now */
+    enum ground ground;           /* shown now */
+    enum cell_field field;
+    enum basin_axis margin;
 };
 
 /* Eigenvectors as columns, both with x-component 1: (x, y) = P (X, Y), (36). */
@@ -356,10 +361,33 @@ static void add_taylor(struct picture *p)
         picture_add_taylor(p->s, shown_plain, p, p->figure);
 }
 
-/* The basins as tints; not on eigen axes, whose window is another. */
+/* Labels of points of the drawing along eigenvectors. */
+static enum status label_eigen(const struct picture *p, size_t columns,
+                               size_t rows, int8_t label[])
+{
+    const struct box w = frame(p);
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < columns * rows && status == STATUS_OK; i++) {
+        const struct vec2 unit = {
+            ((double) (i % columns) + 0.5) / (double) columns,
+            ((double) (i / columns) + 0.5) / (double) rows
+        };
+        struct fate_told told = { .fate = FATE_UNDECIDED };
+        const struct vec2 u = window_mix(w, unit);
+        const struct mat2 P = p->basis;
+        const struct vec2 z = { P.xx * u.x + P.xy * u.y,
+                                P.yx * u.x + P.yy * u.y };
+        status = labels_find(&p->s->basins.labels, z, NULL, &told);
+        label[i] = told.fate;
+    }
+    return status;
+}
+
+/* The basins as tints. */
 static void add_basins(struct picture *p)
 {
-    enum { COLUMNS = 720, ROWS = 480 };
+    enum { COLUMNS = 720, ROWS = 480, COARSER = 2 };
     static const struct figure_shade shade[] = {
         { FATE_CREEP, FIGURE_SHADE_1, "creeps" },
         { FATE_SLIDING, FIGURE_SHADE_2, "slides" },
@@ -368,43 +396,40 @@ static void add_basins(struct picture *p)
         { FATE_RUNAWAY, FIGURE_SHADE_5, "runs away" },
         { FATE_UNDECIDED, FIGURE_SHADE_6, "undecided" },
     };
-    struct figure_shade shown[FATES];
-    size_t count = 0;
+    const bool eigen = p->axes == AXES_EIGEN;
+    const size_t nx = eigen ? COLUMNS / COARSER : COLUMNS,
+                 ny = eigen ? ROWS / COARSER : ROWS;
+    int8_t *label = malloc(nx * ny);
 
-    if (!plan_has(p->s->stages, STAGE_BASINS) || p->axes == AXES_EIGEN ||
-        p->s->fields.which != 0)
-        return;
-    int8_t *label = malloc((size_t) COLUMNS * ROWS);
-    const enum status status =
-        label ? basin_map_raster(&p->s->basins, COLUMNS, ROWS, label)
-              : STATUS_NO_MEMORY;
-    for (int i = 0; i < FATES; i++)
-        if (p->s->basins.fraction[i].log.value > 0.0)
-            shown[count++] = shade[i];
-    if (status == STATUS_OK)
-        figure_add_labels(p->figure, &(struct figure_labels){
-                                         label, COLUMNS, ROWS, shown, count });
-    else
-        p->figure->status = status;
+    p->figure->status = label == NULL ? STATUS_NO_MEMORY
+                        : eigen
+                            ? label_eigen(p, nx, ny, label)
+                            : basin_map_raster(&p->s->basins, nx, ny, label);
+    if (p->figure->status == STATUS_OK)
+        figure_add_labels(
+            p->figure, &(struct figure_labels){ label, nx, ny, shade,
+                                                sizeof shade / sizeof *shade });
     free(label);
 }
 
-/* A field as an image instead. */
-static void add_field(struct picture *p)
+static void add_ground(struct picture *p)
 {
     const struct unit_system units = scene_units(p->s->scene);
 
-    if (p->raster.cell)
+    if (p->ground == GROUND_FIELD)
         picture_add_field(&p->raster, p->field, &units, p->figure);
+    else if (p->ground == GROUND_MARGIN)
+        picture_add_margin(p->s, p->margin, p->figure);
+    else if (plan_has(p->s->stages, STAGE_BASINS))
+        add_basins(p);
 }
 
 static void draw_portrait(struct picture *p)
 {
-    static void (*const layer[])(struct picture *) = {
-        add_basins,       add_field,     add_arrows,     add_taylor,
-        add_trajectories, add_unstable,  add_nullclines, add_manifolds,
-        add_chosen,       add_equilibria
-    };
+    static void (*const layer[])(
+        struct picture *) = { add_ground,       add_arrows,   add_taylor,
+                              add_trajectories, add_unstable, add_nullclines,
+                              add_manifolds,    add_chosen,   add_equilibria };
 
     if (slider_saddle(&p->s->slider) >= 0)
         p->basis = paper_basis(phase_plane_saddle(&p->s->slider.plane));
@@ -415,45 +440,54 @@ static void draw_portrait(struct picture *p)
         layer[i](p);
 }
 
-static bool shows_fields(const struct study *s)
+/* One picture more, the first where the figure was asked for. */
+static void draw_panel(struct picture *p, enum ground ground, const char *name,
+                       struct panels *out)
 {
-    return s->fields.which != 0 && s->scene->window.axes != AXES_EIGEN &&
-           !picture_has_diagram(s);
+    p->figure = panels_add(out, out->count ? name : "");
+    p->ground = ground;
+    draw_portrait(p);
 }
 
-/* One picture for each field, the first where the figure was asked for. */
 static void draw_fields(struct picture *p, const struct monitor *monitor,
                         struct panels *out)
 {
     const enum status status = picture_raster_find(&p->raster, p->s, monitor);
 
     for (int k = 0; k < CELL_FIELDS; k++) {
-        const enum cell_field field = (enum cell_field) k;
+        p->field = (enum cell_field) k;
         if (!(p->s->fields.which >> k & 1u))
             continue;
-        p->figure =
-            panels_add(out, out->count ? picture_field_panel(field) : "");
-        p->field = field;
         if (status == STATUS_OK)
-            draw_portrait(p);
+            draw_panel(p, GROUND_FIELD, picture_field_panel(p->field), out);
         else
-            p->figure->status = status;
+            panels_add(out, picture_field_panel(p->field))->status = status;
     }
     picture_raster_free(&p->raster);
 }
 
+static void draw_margins(struct picture *p, struct panels *out)
+{
+    for (int k = BASIN_V; k <= BASIN_PSI; k++) {
+        p->margin = (enum basin_axis) k;
+        draw_panel(p, GROUND_MARGIN, picture_margin_panel(p->margin), out);
+    }
+}
+
+/* Each field, the map, each margin; eigen axes have the map alone. */
 void picture_study(const struct study *s, const struct monitor *monitor,
                    struct panels *out)
 {
     struct picture p = { .s = s, .axes = s->scene->window.axes };
+    const bool grid = plan_has(s->stages, STAGE_BASINS) && p.axes != AXES_EIGEN;
 
-    if (shows_fields(s)) {
-        draw_fields(&p, monitor, out);
+    if (picture_has_diagram(s)) {
+        picture_diagram(s, panels_add(out, ""));
         return;
     }
-    p.figure = panels_add(out, "");
-    if (picture_has_diagram(s))
-        picture_diagram(s, p.figure);
-    else
-        draw_portrait(&p);
+    if (grid && s->fields.which != 0)
+        draw_fields(&p, monitor, out);
+    draw_panel(&p, GROUND_BASINS, "_basins", out);
+    if (grid && s->scene->products >> PRODUCT_MARGIN & 1u)
+        draw_margins(&p, out);
 }

@@ -87,3 +87,52 @@ const char *picture_field_panel(enum cell_field field)
 {
     return look[field].panel;
 }
+
+/* ---- margins ------------------------------------------------------------- */
+
+enum { MARGIN_COLUMNS = 288, MARGIN_ROWS = 192 };
+
+static void draw_margin(const struct study *s, enum basin_axis axis,
+                        double value[], struct figure *f)
+{
+    const size_t n = (size_t) MARGIN_COLUMNS * MARGIN_ROWS;
+    const bool shift = axis == BASIN_PSI && law_psi_is_log(&s->scene->law);
+
+    for (size_t i = 0; i < n; i++)
+        if (!isfinite(value[i]))
+            value[i] = (double) NAN;
+        else
+            value[i] = shift ? fabs(value[i]) : exp(fabs(value[i]));
+    figure_add_map(
+        f,
+        &(struct figure_map){
+            .value = value,
+            .nx = MARGIN_COLUMNS,
+            .ny = MARGIN_ROWS,
+            .scale = { .label = axis == BASIN_V ? "factor on " S_V
+                                                  " to another fate"
+                                : shift ? "shift of " S_PSI " to another fate"
+                                        : "factor on " S_PSI " to another fate",
+                       .is_log = !shift },
+            .contours = true,
+            .missing = "no other fate there" });
+}
+
+void picture_add_margin(const struct study *s, enum basin_axis axis,
+                        struct figure *f)
+{
+    const size_t n = (size_t) MARGIN_COLUMNS * MARGIN_ROWS;
+    double *value = malloc(2 * n * sizeof *value);
+
+    f->status = value ? basin_map_raster_margins(&s->basins, MARGIN_COLUMNS,
+                                                 MARGIN_ROWS, value, value + n)
+                      : STATUS_NO_MEMORY;
+    if (f->status == STATUS_OK)
+        draw_margin(s, axis, axis == BASIN_V ? value : value + n, f);
+    free(value);
+}
+
+const char *picture_margin_panel(enum basin_axis axis)
+{
+    return axis == BASIN_V ? "_margin_v" : "_margin_psi";
+}

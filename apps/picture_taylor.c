@@ -79,8 +79,8 @@ void picture_add_taylor(const struct study *s,
 
     if (s->taylor.terms == 0)
         return;
-    if (quantity_exists(&s->taylor.radius))
-        add_band(&q);
+    if (quantity_exists(&s->taylor.radius) && f->raster == NULL)
+        add_band(&q); /* else it would hide basins */
     for (size_t i = 0; i < sizeof sum / sizeof *sum; i++)
         add_sum(&q, sum[i].order, sum[i].role);
 }

@@ -129,6 +129,32 @@ def each_field_has_its_figure_under_the_separatrix(room):
     expect('creeps' in room.read('a.svg'), 'no basins')
 
 
+def labels_of_contours(room, name):
+    return re.findall(r'label of a contour\n\S+ \S+ "(.*)"', room.read(name))
+
+
+def the_map_and_margins_have_figures_beside_the_fields(room):
+    room.good(*SADDLE, *grid(['slip', 'margin', 'basins'], 6, 5), '--figure',
+              'a.svg', '--keep-script')
+    for name, label in (('a', 'slip to arrest'), ('a_basins', 'creeps'),
+                        ('a_margin_v', 'factor on v to another fate'),
+                        ('a_margin_psi', 'factor on ψ to another fate')):
+        expect(label in shown(room.read(name + '.svg')), name)
+    for name in ('a_margin_v', 'a_margin_psi'):
+        expect(len(labels_of_contours(room, name + '.dat')) >= 2, name)
+    room.good(*SADDLE, *grid(['margin'], 6, 5), '--figure', 'b.svg')
+    expect('creeps' in room.read('b.svg'), 'the map comes first')
+    expect('b_margin_v.svg' in room.names(), room.names())
+
+
+def eigen_axes_show_the_basins(room):
+    room.good(*SADDLE, *grid(['basins'], 6, 5), '--set', 'window.axes=eigen',
+              '--figure', 'a.svg')
+    drawn = shown(room.read('a.svg'))
+    expect('stable coordinate' in drawn and 'creeps' in drawn
+           and 'slides' in drawn and '<image' in room.read('a.svg'), drawn)
+
+
 # ---- told --------------------------------------------------------------------
 
 def fields_are_told_with_the_numbers(room):
@@ -194,6 +220,8 @@ run_cases([
     the_scene_of_figure_7_is_computed_as_it_stands,
     the_same_bytes_at_any_thread_count,
     each_field_has_its_figure_under_the_separatrix,
+    the_map_and_margins_have_figures_beside_the_fields,
+    eigen_axes_show_the_basins,
     fields_are_told_with_the_numbers,
     the_plan_names_the_fields_where_they_are_asked_for,
     progress_counts_cells,
