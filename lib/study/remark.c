@@ -1,5 +1,18 @@
 #include "remark.h"
 
+/* What answers for a v_plus that is none. */
+static const char *instead_of_v_plus(const struct study *s)
+{
+    if (!plan_has(s->stages, STAGE_CRITICAL) ||
+        s->slider.critical.upper_end != END_OPEN)
+        return NULL;
+    return quantity_exists(&s->slider.critical.psi_at_v0)
+               ? "no v_plus: push tells whether a state stops; the watershed "
+                 "bends at knees_upper and meets v = 0 at psi_at_v0"
+               : "no v_plus: push tells whether a state stops; the watershed "
+                 "bends at knees_upper";
+}
+
 size_t study_remarks(const struct study *s, const char *text[], size_t room)
 {
     size_t n = 0;
@@ -17,6 +30,8 @@ size_t study_remarks(const struct study *s, const char *text[], size_t room)
                           "doubles can tell, hence no separatrix"
                         : "the saddle's psi is beyond the plane's range, hence "
                           "no separatrix";
+    if (instead_of_v_plus(s) && n < room)
+        text[n++] = instead_of_v_plus(s);
     const struct box window = scene_box(s->scene);
     bool inside = false;
     for (size_t i = 0; i < s->slider.plane.equilibria; i++)
