@@ -67,7 +67,7 @@ const struct option option_table[] = {
     { "state", 0, "POINT", OPTION_TEXT, TO(state), .commands = ON(PUSH),
       .text = "the state of a system of formulas, x=1,y=0.5" },
     { "states", 0, "FILE", OPTION_FILE, TO(states), .commands = ON(PUSH),
-      .text = "many states, a CSV file with columns v or v [m/s], psi or phi" },
+      .text = "many states, CSV with columns v or v [m/s], psi or phi, and id" },
 
     { "output", 'o', "DIR", OPTION_FOLDER, TO(output), .commands = ON(GALLERY),
       .text = "where all goes [outputs/gallery]" },
@@ -77,6 +77,8 @@ const struct option option_table[] = {
       .text = "write NAME.ode for XPPAUT, NAME.c and its like for AUTO" },
     { "output", 'o', "FILE", OPTION_FILE, TO(output), .commands = ON(IMPORT),
       .text = "write the scene to this YAML file" },
+    { "output", 'o', "FILE", OPTION_FILE, TO(output), .commands = ON(PUSH),
+      .text = "write states and answers to this CSV or HDF5 file" },
     { "output", 'o', "FILE", OPTION_FILE, "output.hdf5", TO(output),
       .commands = DRAW | ON(STRESS),
       .text = "write the results to this HDF5 file" },

@@ -7,13 +7,16 @@
 #include <string.h>
 
 #include "command.h"
-#include "json.h"
-#include "number.h"
+#include "json_results.h"
+#include "output.h"
 #include "plane_push.h"
 #include "progress.h"
+#include "push_file.h"
+#include "result_units.h"
 #include "scene_units.h"
 #include "state.h"
 #include "table.h"
+#include "text_results.h"
 #include "tolerance.h"
 
 /* What was asked and what was found. */
@@ -23,6 +26,7 @@ struct job {
     struct push_answer *answer; /* owned */
     size_t count;
     struct table table; /* where the states come from; else empty */
+    char (*number)[24]; /* owned: of rows without an id */
 };
 
 /* ---- states -------------------------------------------------------------- */
@@ -36,7 +40,7 @@ static enum status check_options(const struct options *o, struct fault *why)
             "push: --states %s: expected no --v, --psi, --phi beside "
             "it",
             o->states);
-    return STATUS_OK;
+    return o->output ? push_file_check(o->output, why) : STATUS_OK;
 }
 
 static enum status check_state(const struct options *o,
@@ -44,6 +48,11 @@ static enum status check_state(const struct options *o,
 {
     const bool of_law = o->v || o->psi || o->phi;
 
+    if (scene->system && o->output)
+        return command_refuse(why,
+                              "push: --output %s: not for a system of "
+                              "formulas, expected --json",
+                              o->output);
     if (scene->system && of_law)
         return command_refuse(why,
                               "push: --v, --psi, --phi are of a law%s, "
@@ -62,7 +71,19 @@ static enum status make_room(struct job *j, size_t count)
     j->count = count;
     j->state = calloc(count, sizeof *j->state);
     j->answer = calloc(count, sizeof *j->answer);
-    return j->state && j->answer ? STATUS_OK : STATUS_NO_MEMORY;
+    j->number = calloc(count, sizeof *j->number);
+    return j->state && j->answer && j->number ? STATUS_OK : STATUS_NO_MEMORY;
+}
+
+/* That of the table's column id, or the number of the state from 0 on. */
+static void name_answers(struct job *j)
+{
+    for (size_t i = 0; i < j->count; i++) {
+        const struct table_cell *id =
+            j->table.rows > 0 ? table_find(&j->table, i, "id") : NULL;
+        snprintf(j->number[i], sizeof j->number[i], "%zu", i);
+        j->answer[i].id = id ? id->text : j->number[i];
+    }
 }
 
 static enum status read_single(struct job *j, const struct options *o,
@@ -101,7 +122,9 @@ static enum status read_row(const struct job *j, const struct scene *scene,
     const struct table_cell *first = table_at(t, row, 0);
     const struct table_cell *rate = find_rate(t, row, v, sizeof v);
     const struct table_cell *psi = table_find(t, row, "psi");
-    const struct table_cell *phi = table_find(t, row, "phi");
+    const struct table_cell *seconds = table_find(t, row, "phi [s]");
+    const struct table_cell *phi =
+        seconds ? seconds : table_find(t, row, "phi");
     const struct scene_state state = { rate ? v : NULL, psi ? psi->text : NULL,
                                        phi ? phi->text : NULL };
     const char *wrong;
@@ -138,7 +161,7 @@ static enum status read_states(struct job *j, const struct options *o,
                                const struct scene *scene, struct fault *why)
 {
     static const char *const rates[] = { "v", "v [m/s]", "v [V_star]", NULL };
-    static const char *const states[] = { "psi", "phi", NULL };
+    static const char *const states[] = { "psi", "phi", "phi [s]", NULL };
     enum status s = table_read(&j->table, o->states, why);
 
     if (s == STATUS_OK)
@@ -179,46 +202,50 @@ static enum status check_states(const struct job *j, struct fault *why)
 
 /* ---- answers ------------------------------------------------------------- */
 
-static void print_quantity(const char *name, const struct quantity *q)
+static void print_answers(const struct job *j, const struct scene *scene,
+                          const struct record_array *told)
 {
-    if (!quantity_exists(q)) {
-        printf("  %-9s -  (%s)\n", name, q->reason);
-        return;
+    for (size_t i = 0; i < j->count; i++) {
+        const struct record_array one = {
+            told->type, (const char *) told->at + i * told->type->size, 1
+        };
+        state_print(stdout, scene, j->state[i].v, j->state[i].psi);
+        printf(": %s\n", fate_names[j->answer[i].fate]);
+        text_record(stdout, &one, 1);
     }
-    const struct number_bar shown = number_with_bar(q->value, q->error);
-    printf("  %-9s %-22s +- %s\n", name, shown.value.text, shown.error.text);
 }
 
-static void print_answer(const struct scene *scene, const struct push_state *at,
-                         const struct push_answer *a)
+/* "units" as in json_results.h. */
+static json_t *answers_json(const struct job *j,
+                            const struct record_array *told)
 {
-    state_print(stdout, scene, at->v, at->psi);
-    printf(": %s\n", fate_names[a->fate]);
-    print_quantity("slip", &a->slip);
-    print_quantity("time", &a->time);
-    print_quantity("mu_mean", &a->mu_mean);
-    print_quantity("v_kick", &a->v_kick);
-    print_quantity("psi_kick", &a->psi_kick);
+    json_t *units = json_units(json_object(), told->type);
+
+    if (j->table.rows > 0)
+        return json_pack("{s:o, s:{s:o}}", "states", json_records(told),
+                         "units", "states", units);
+    json_t *one = json_record(told->type, told->at);
+    json_object_set_new(one, "units", units);
+    return one;
 }
 
-static json_t *answers_json(const struct job *j)
+static enum exit_code tell_answers(const struct options *o,
+                                   const struct scene *scene,
+                                   const struct job *j)
 {
-    const struct record_array all = { &record_push, j->answer, j->count };
+    const struct unit_system units = scene_units(scene);
+    struct result_view v = { .records = { &record_push, j->answer, j->count },
+                             .here = true };
+    enum exit_code code = EXIT_DONE;
 
-    return j->table.rows == 0
-               ? json_record(&record_push, j->answer)
-               : json_pack("{s:o}", "states", json_records(&all));
-}
-
-static enum exit_code print_answers(const struct options *o,
-                                    const struct scene *scene,
-                                    const struct job *j)
-{
-    if (o->json)
-        return json_print(answers_json(j)) ? EXIT_DONE : command_unwritten();
-    for (size_t i = 0; i < j->count && !o->quiet; i++)
-        print_answer(scene, &j->state[i], &j->answer[i]);
-    return EXIT_DONE;
+    if (result_tell(&units, &v) != STATUS_OK)
+        return command_fail(STATUS_NO_MEMORY, status_text(STATUS_NO_MEMORY));
+    if (o->json && !json_print(answers_json(j, &v.records)))
+        code = command_unwritten();
+    else if (!o->json && !o->quiet)
+        print_answers(j, scene, &v.records);
+    result_close(&v);
+    return code;
 }
 
 /* ---- the command --------------------------------------------------------- */
@@ -236,6 +263,21 @@ static enum status find_answers(struct job *j, const struct options *o,
     if (s == STATUS_OK)
         s = push_find_all(&j->push, j->state, j->count, monitor, j->answer);
     progress_end();
+    if (s == STATUS_OK)
+        name_answers(j);
+    return s;
+}
+
+static enum status write_answers(const struct options *o,
+                                 const struct scene *scene, const struct job *j,
+                                 struct fault *why)
+{
+    const struct push_answers all = { j->answer, j->count };
+    const enum status s =
+        o->output ? push_file_write(scene, &all, o->output, why) : STATUS_OK;
+
+    if (s == STATUS_OK && o->output)
+        output_tell(o, o->output);
     return s;
 }
 
@@ -250,12 +292,15 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
                               : read_single(&j, o, scene, &why);
     if (s == STATUS_OK)
         s = find_answers(&j, o, scene, &why);
-    const enum exit_code code = s == STATUS_OK ? print_answers(o, scene, &j)
-                                               : command_fail(s, why.text);
+    if (s == STATUS_OK)
+        s = write_answers(o, scene, &j, &why);
+    const enum exit_code code =
+        s == STATUS_OK ? tell_answers(o, scene, &j) : command_fail(s, why.text);
     push_free(&j.push);
     table_free(&j.table);
     free(j.state);
     free(j.answer);
+    free(j.number);
     return code;
 }
 

@@ -6,6 +6,7 @@
 #include "plane_numbers.h"
 #include "plane_results.h"
 #include "provenance.h"
+#include "push_file.h"
 #include "release.h"
 #include "scene_shape.h"
 #include "scene_system.h"
@@ -190,8 +191,8 @@ static void put_part(FILE *out, const struct result *r, struct told *t)
 static void put_groups(FILE *out)
 {
     const struct result *const *const list[] = {
-        provenance_tables, study_tables,    simulation_tables, sweep_tables,
-        release_tables,    workprec_tables, stress_tables
+        provenance_tables, study_tables, simulation_tables, sweep_tables,
+        release_tables,    push_tables,  workprec_tables,   stress_tables
     };
     struct told told = { .path = NULL };
 

@@ -33,6 +33,13 @@ struct rerun {
 static enum status check_command(const struct rerun *r, const char *name,
                                  struct fault *why)
 {
+    if (strcmp(name, "push") == 0) {
+        snprintf(why->text, sizeof why->text,
+                 "%.300s: a file of push has its states in /push, not in its "
+                 "scene, expected push --states",
+                 r->given);
+        return STATUS_BAD_ARGUMENT;
+    }
     if (strcmp(name, "stress") != 0 && strcmp(name, "workprec") != 0)
         return STATUS_OK;
     snprintf(why->text, sizeof why->text,

@@ -4,6 +4,7 @@
 usage: cli_numbers.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import math
+import re
 from decimal import Decimal
 
 from cli_room import LAWS, SLOPE, expect, run_cases
@@ -340,6 +341,8 @@ run_cases([
     critical_velocities_match_the_table,
     the_shape_is_that_of_the_page_with_and_without_a_saddle,
     composed_laws_have_the_same_shape,
+    slopes_are_told_in_the_unit_they_were_given_in,
+    without_v_plus_a_line_says_what_answers_instead,
     a_study_prints_only_what_was_asked_for,
     what_does_not_exist_is_said_and_the_rest_is_written,
 ])

@@ -3,9 +3,10 @@
 
 usage: test_push.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
+import csv
 import math
 
-from cli_room import SLOPE, expect, expect_number, refused, run_cases
+from cli_room import READER, SLOPE, expect, expect_number, refused, run_cases
 
 STATE = ['--v', '1e3', '--psi', '10']
 KEYS = ['fate', 'slip', 'time', 'mu_mean', 'v_kick', 'psi_kick']
@@ -154,6 +155,44 @@ def physical_and_own_units_give_the_same_answer(room):
         expect(fates[0] == fates[1] == fates[2], fates)
 
 
+def states_and_answers_go_to_files(room):
+    """With their names; what CSV holds is read again."""
+    for law, state in (('dieterich_gen', 'phi [s]'), ('spinodal_gen', 'phi'),
+                       ('perrin', 'phi [s]')):
+        room.write('a.yaml', SI % law)
+        room.write('s.csv', 'id,v [m/s],phi\nslow,1e-9,2\n"a, b",2e-3,70\n'
+                   '7,0.5,0.09\n')
+        found = room.json('push', 'a.yaml', '--states', 's.csv', '-o',
+                          'new/a.csv')['states']
+        with open(room.path('new/a.csv'), encoding='utf-8') as file:
+            rows = list(csv.DictReader(file))
+        expect([row['id'] for row in rows] == ['slow', 'a, b', '7'], rows)
+        expect([float(row['v [m/s]']) for row in rows] == [1e-9, 2e-3, 0.5]
+               and abs(float(rows[0][state]) - 2) < 1e-12, rows)
+        for row, answer in zip(rows, found):
+            expect(row['fate'] == answer['fate'], row, answer)
+            for key, unit in (('slip', ' [m]'), ('time', ' [s]'),
+                              ('mu_mean', ''), ('v_kick', '')):
+                value = answer[key]['value']
+                if value is None:
+                    expect(row[key + unit] == '' and row[key + '_reason'] ==
+                           answer[key]['reason'], row, answer)
+                    continue
+                expect(float(row[key + unit]) == value and
+                       float(row[f'{key}_error{unit}']) ==
+                       answer[key]['error'], row, answer)
+        again = room.json('push', 'a.yaml', '--states', 'new/a.csv', '-o',
+                          'b.h5', '-q')['states']
+        expect([state['fate'] for state in again] ==
+               [state['fate'] for state in found], again)
+    done = room.shell(f"{READER} -c 'import h5py; f = h5py.File(\"b.h5\")[\"push\"]"
+                      "; print([i.decode() for i in f[\"id\"][:]], "
+                      "f[\"v\"].attrs[\"scale\"], f[\"v\"][0])'")
+    expect(done.stdout.startswith("['slow', 'a, b', '7'] ") and 'V_star' in
+           done.stdout, done)
+    refused(room.run('info', 'b.h5', '--rerun'), 2, 'push --states')
+
+
 def psi_may_be_negative_where_it_is_a_logarithm(room):
     found = room.json('push', '--law', 'perrin', '--alpha', '0.34', '--v',
                       '1e3', '--psi', '-2')
@@ -178,7 +217,8 @@ def wrong_words_cost_one_line(room):
     refused(push('--v', '1', '--psi', '0x1'), 2, '--psi', '0x1')
     refused(push('--v', '0', '--psi', '1'), 2, '1e-300')
     refused(push('--v', '1', '--psi', 'inf'), 2, '1e300')
-    refused(push(*STATE, '-o', 'a.h5'), 2, '--output')
+    refused(push(*STATE, '-o', 'a.txt'), 2, '--output', 'a.txt', '.csv')
+    refused(push(*STATE, '-o', '/dev/null/a.csv'), 4, '/dev/null')
     refused(push(*STATE, '--figure', 'a.svg'), 2, '--figure')
     refused(push(*STATE, '--states', 's.csv'), 2, '--states')
     refused(push('a.yaml', 'b.yaml', *STATE), 2, 'b.yaml')
@@ -218,6 +258,7 @@ run_cases([
     a_scene_gives_the_slope,
     in_si_a_bare_number_is_in_the_si_and_psi_is_refused,
     physical_and_own_units_give_the_same_answer,
+    states_and_answers_go_to_files,
     psi_may_be_negative_where_it_is_a_logarithm,
     what_does_not_exist_has_a_reason,
     wrong_words_cost_one_line,

@@ -43,6 +43,7 @@ MORE = [
         'rabinowicz={block_mass: 1, ball_mass: 0.1, restitution: 0.5}',
         'sweep={key: slope.alpha, values: [0.34]}']),
     ('rabinowicz --law dieterich_gen --alpha 0.34 --data three.csv', []),
+    ('push --law spinodal_gen --alpha 0.34 --v 1e3 --psi 10', []),
     ('workprec --quick --law ruina --alpha 0.34', []),
     ('stress --only fold-max/spinodal/asinh', []),
 ]

@@ -14,7 +14,17 @@
 #include "rest_form.h"
 #include "scene_slope.h"
 
+#define STATE(name_, unit_, text_)                                             \
+    {                                                                          \
+        .name = #name_, .unit = unit_, .text = text_,                          \
+        .offset = offsetof(struct push_answer, at.name_), .kind = RECORD_REAL  \
+    }
+
+enum { STATE_FIELDS = 3 };
 static const struct record_field push_fields[] = {
+    FIELD(push_answer, TEXT, id, "1", "what the state is called"),
+    STATE(v, "V_star", "slip rate in units of V_star"),
+    STATE(psi, "psi", "interfacial state"),
     FIELD_CODE(push_answer, fate, fate_names, "what becomes of the state"),
     FIELD(push_answer, QUANTITY, slip, "L", "slip to arrest in units of L"),
     FIELD(push_answer, QUANTITY, time, "L/V_star",
@@ -25,9 +35,15 @@ static const struct record_field push_fields[] = {
     FIELD(push_answer, QUANTITY, psi_kick, "kick of psi",
           "factor on psi (or shift of it) to the nearest other fate"),
 };
-const struct record_type record_push =
+const struct record_type record_push_row =
     RECORD_TYPE("push", "what becomes of a state and what would change that",
                 push_fields, push_answer);
+const struct record_type record_push = {
+    "push", "what becomes of a state and what would change that",
+    push_fields + STATE_FIELDS,
+    sizeof push_fields / sizeof *push_fields - STATE_FIELDS,
+    sizeof(struct push_answer)
+};
 
 static const unsigned integrals =
     1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
@@ -244,7 +260,7 @@ static enum status answer(const struct push *p, struct push_state at,
     const struct vec2 z = block_offset(&p->slider.block, at.v, at.psi);
     struct fate_told label;
 
-    *out = (struct push_answer){ .fate = FATE_NONE };
+    *out = (struct push_answer){ .at = at, .fate = FATE_NONE };
     enum status s = find_kicks(p, z, out);
     if (s == STATUS_OK)
         s = labels_find(&p->labels, z, monitor, &label);

@@ -26,7 +26,9 @@ struct push_state {
 };
 
 struct push_answer {
-    int8_t fate; /* enum fate */
+    struct push_state at;
+    const char *id; /* borrowed, of whoever asks; NULL: none */
+    int8_t fate;    /* enum fate */
     /* To arrest, from the state's own orbit; in units of L and L/V_star.  The
      * bar is that orbit's (fate.h), or fast_cells.h's. */
     struct quantity slip, time, mu_mean;
@@ -34,7 +36,8 @@ struct push_answer {
      * lead just onto the nearest boundary of another fate; beyond lies it. */
     struct quantity v_kick, psi_kick;
 };
-extern const struct record_type record_push;
+extern const struct record_type record_push;     /* from fate on */
+extern const struct record_type record_push_row; /* all of it */
 
 struct push {
     const struct scene *scene; /* borrowed */

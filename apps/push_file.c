@@ -1,0 +1,75 @@
+#include "push_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "command.h"
+#include "csv_results.h"
+#include "replace.h"
+#include "result_file.h"
+#include "result_units.h"
+#include "scene_units.h"
+
+RESULT_VIEW(view_answers, push_answers, s->at, s->count)
+
+/* clang-format off */
+static const struct result push_results[] = {
+    { "/push", NULL, "push: states and what becomes of them", RESULT_COLUMNS,
+      .type = &record_push_row, .view = view_answers },
+    { .path = NULL },
+};
+/* clang-format on */
+
+const struct result *const push_tables[] = { push_results, NULL };
+
+static bool is_csv(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+
+    return dot && strcmp(dot, ".csv") == 0;
+}
+
+enum status push_file_check(const char *path, struct fault *why)
+{
+    const char *dot = strrchr(path, '.');
+
+    if (!is_csv(path) && !(dot && strcmp(dot, ".h5") == 0))
+        return command_refuse(
+            why, "push: --output %s: expected a path ending in .csv or .h5",
+            path);
+    return replace_check(path, why);
+}
+
+static enum status write_csv(const struct scene *scene,
+                             const struct push_answers *answers,
+                             const char *path, struct fault *why)
+{
+    const struct unit_system units = scene_units(scene);
+    struct result_view v = { .records = { &record_push_row, answers->at,
+                                          answers->count } };
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    enum status s = out ? result_tell(&units, &v) : STATUS_NO_MEMORY;
+
+    if (s == STATUS_OK)
+        csv_results(out, &v.records);
+    if (out && (ferror(out) | fclose(out)) && s == STATUS_OK)
+        s = STATUS_NO_MEMORY;
+    if (s == STATUS_OK)
+        s = replace_file(path, text, size, why);
+    result_close(&v);
+    free(text);
+    return s;
+}
+
+enum status push_file_write(const struct scene *scene,
+                            const struct push_answers *answers,
+                            const char *path, struct fault *why)
+{
+    const struct results all = { .table = push_tables, .run = answers };
+
+    return is_csv(path) ? write_csv(scene, answers, path, why)
+                        : result_file_write("push", &all, scene,
+                                            scene->law.preset, path, NULL, why);
+}

@@ -1,0 +1,25 @@
+/* push_file.h -- states and their answers as a file: CSV in the scene's units,
+ * or the group /push of an HDF5 file. */
+#ifndef APPS_PUSH_FILE_H
+#define APPS_PUSH_FILE_H
+
+#include "push.h"
+#include "result.h"
+
+/* Their results; of struct push_answers. */
+extern const struct result *const push_tables[];
+
+struct push_answers {
+    const struct push_answer *at;
+    size_t count;
+};
+
+/* By the ending of the path, .csv or .h5; errors as replace_file. */
+MUST_CHECK enum status push_file_write(const struct scene *scene,
+                                       const struct push_answers *answers,
+                                       const char *path, struct fault *why);
+
+/* That it can be written, and has one of the endings; STATUS_BAD_ARGUMENT. */
+MUST_CHECK enum status push_file_check(const char *path, struct fault *why);
+
+#endif
