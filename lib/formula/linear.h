@@ -38,9 +38,9 @@ int linear_step(struct forms *s, enum step_kind kind, int a, int b, int k,
 /* A register that is its value. */
 int linear_value(struct forms *s, const struct linear *u);
 
-/* With what grew instead of growths: beside an exponent it loses no digits near
- * the anchor, and far from there it keeps those that a growth, which has all
- * but taken away the anchor's value, would cancel. */
+/* With what grew instead of growths: far from the anchor it keeps the digits
+ * that a growth, which has all but taken away the anchor's value, would cancel.
+ */
 struct linear linear_grown(struct forms *s, const struct linear *u);
 
 /* The register of u times e^-s, STEP_SCALED. */

@@ -21,8 +21,9 @@ struct TAPE_KIND(tape_entry) {
 /* A rate times kept[] exp(..): what rounding took from the exponent's constant,
  * which may be hundreds. */
 struct TAPE_KIND(tape_rate) {
-    struct TAPE_KIND(tape_form) mantissa, exponent[2], mean; /* of the two */
-    TAPE_SCALAR kept[2];
+    struct TAPE_KIND(tape_form) mantissa, exponent[TAPE_EXPONENTS];
+    struct TAPE_KIND(tape_form) mean; /* of the first two */
+    TAPE_SCALAR kept[TAPE_EXPONENTS];
     int sinh, scaled;
     bool joined;
 };
@@ -63,6 +64,10 @@ TAPE_SCALAR TAPE_KIND(tape_scale)(const struct TAPE_KIND(tape) * t, int step,
 TAPE_SCALAR TAPE_KIND(tape_linear)(const struct TAPE_KIND(tape) * t,
                                    const struct TAPE_KIND(tape_form) * u,
                                    const TAPE_SCALAR reg[]);
+
+/* Which of its exponents a rate goes by. */
+int TAPE_KIND(tape_which)(const struct TAPE_KIND(tape) * t, int rate,
+                          const TAPE_SCALAR reg[]);
 
 /* The exponent of a rate, and its mantissa. */
 TAPE_SCALAR TAPE_KIND(tape_exponent)(const struct TAPE_KIND(tape) * t, int rate,

@@ -38,7 +38,7 @@ static void TAPE_KIND(need_linear)(const struct linear *u, bool needed[])
 static void TAPE_KIND(need_rate)(const struct tape_rate *r, bool needed[])
 {
     TAPE_KIND(need_linear)(&r->mantissa, needed);
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < TAPE_EXPONENTS; k++)
         TAPE_KIND(need_linear)(&r->exponent[k], needed);
     if (r->sinh >= 0)
         needed[r->sinh] = true;
@@ -122,7 +122,7 @@ static void TAPE_KIND(rate_at)(struct TAPE_KIND(making) * m,
                                struct TAPE_KIND(tape_rate) * out)
 {
     TAPE_KIND(linear_at)(m, &r->mantissa, &out->mantissa);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < TAPE_EXPONENTS; k++) {
         const TAPE_CONSTANT c = m->constant[r->exponent[k].constant];
         TAPE_KIND(linear_at)(m, &r->exponent[k], &out->exponent[k]);
         out->kept[k] =
@@ -150,8 +150,8 @@ static void TAPE_KIND(read_rate)(struct TAPE_KIND(tape) * t, int rate,
     const struct TAPE_KIND(tape_rate) *r = &t->rate[rate];
 
     TAPE_KIND(read_form)(t, &r->mantissa, false, read);
-    TAPE_KIND(read_form)(t, &r->exponent[0], false, read);
-    TAPE_KIND(read_form)(t, &r->exponent[1], false, read);
+    for (int k = 0; k < TAPE_EXPONENTS; k++)
+        TAPE_KIND(read_form)(t, &r->exponent[k], false, read);
     read[r->sinh >= 0 ? r->sinh : 0] = true;
     read[r->scaled >= 0 ? r->scaled : 0] = true;
 }
@@ -358,13 +358,29 @@ void TAPE_KIND(tape_run)(const struct TAPE_KIND(tape) * t, TAPE_SCALAR x,
 
 /* ---- rates --------------------------------------------------------------- */
 
+/* A growth has taken away all but 1/e of the anchor's value where u < -1. */
+int TAPE_KIND(tape_which)(const struct TAPE_KIND(tape) * t, int i,
+                          const TAPE_SCALAR r[])
+{
+    const struct TAPE_KIND(tape_rate) *p = &t->rate[i];
+    const int less = p->sinh >= 0 && r[p->sinh] < 0;
+    const struct TAPE_KIND(tape_form) *u = &p->exponent[less + TAPE_NEAR];
+
+    for (int j = u->first; j < u->first + u->terms; j++) {
+        const int g = t->term[j].reg - 2;
+        if (g >= 0 && t->step[g].kind == STEP_GROWTH && r[t->step[g].a] > -1)
+            return less + TAPE_NEAR;
+    }
+    return less;
+}
+
 TAPE_SCALAR TAPE_KIND(tape_exponent)(const struct TAPE_KIND(tape) * t, int i,
                                      const TAPE_SCALAR r[])
 {
     const struct TAPE_KIND(tape_rate) *p = &t->rate[i];
-    const bool less = p->sinh >= 0 && r[p->sinh] < 0;
 
-    return TAPE_KIND(tape_linear)(t, &p->exponent[less], r) +
+    return TAPE_KIND(tape_linear)(
+               t, &p->exponent[TAPE_KIND(tape_which)(t, i, r)], r) +
            (p->scaled >= 0 ? TAPE_KIND(tape_scale)(t, p->scaled - 2, r) : 0);
 }
 
@@ -372,7 +388,7 @@ TAPE_SCALAR TAPE_KIND(tape_mantissa)(const struct TAPE_KIND(tape) * t, int i,
                                      const TAPE_SCALAR r[])
 {
     const struct TAPE_KIND(tape_rate) *p = &t->rate[i];
-    const bool less = p->sinh >= 0 && r[p->sinh] < 0;
 
-    return p->kept[less] * TAPE_KIND(tape_linear)(t, &p->mantissa, r);
+    return p->kept[TAPE_KIND(tape_which)(t, i, r)] *
+           TAPE_KIND(tape_linear)(t, &p->mantissa, r);
 }

@@ -114,8 +114,10 @@ static void lower_factors(struct lowering *L, const struct factors *s,
         r->scaled = linear_scaled(&L->s, &r->mantissa);
         r->mantissa = linear_one(&L->s, r->scaled, 0);
     }
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < TAPE_NEAR; k++) {
+        r->exponent[k + TAPE_NEAR] = r->exponent[k];
         r->exponent[k] = linear_grown(&L->s, &r->exponent[k]);
+    }
 }
 
 static void lower_rate(struct lowering *L, int i)
@@ -174,7 +176,7 @@ static void find_needs(struct tape *t, const struct formula *f)
     }
     for (int i = 0; i < t->rates; i++) {
         need_linear(t, &t->rate[i].mantissa);
-        for (int k = 0; k < 2; k++)
+        for (int k = 0; k < TAPE_EXPONENTS; k++)
             need_linear(t, &t->rate[i].exponent[k]);
     }
     for (int i = 0; i < TAPE_VALUES; i++)

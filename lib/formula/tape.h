@@ -70,12 +70,16 @@ struct step {
     char name[FORMULA_NAME]; /* for people; may be empty */
 };
 
-/* mantissa exp(exponent + s) */
+/* mantissa exp(exponent + s).  The second exponent holds where u of step `sinh`
+ * is < 0; those from TAPE_NEAR on are the same forms with growths, k (e^u - 1),
+ * where the others have what grew, k e^u: the first lose no digits near the
+ * anchor, the second none where all growths have all but taken it away. */
+enum { TAPE_NEAR = 2, TAPE_EXPONENTS = 4 };
 struct tape_rate {
     struct linear mantissa;
-    struct linear exponent[2]; /* the second where u of step `sinh` is < 0 */
-    int sinh, scaled;          /* registers; -1: there is none, s = 0 */
-    bool joined;               /* e^|u| has met terms that it cancels */
+    struct linear exponent[TAPE_EXPONENTS];
+    int sinh, scaled; /* registers; -1: there is none, s = 0 */
+    bool joined;      /* e^|u| has met terms that it cancels */
 };
 
 struct tape {

@@ -98,11 +98,11 @@ struct vec2 tape_rate_gradient(const struct tape_kept *v, int i, double power,
 {
     const struct real_tape *t = &v->p->t;
     const struct real_tape_rate *p = &t->rate[i];
-    const bool less = p->sinh >= 0 && v->reg[p->sinh] < 0;
+    const int k = real_tape_which(t, i, v->reg);
     struct vec2 sum = { 0, 0 };
 
-    add(&sum, p->kept[less] * power, tape_linear_gradient(t, &p->mantissa, g));
+    add(&sum, p->kept[k] * power, tape_linear_gradient(t, &p->mantissa, g));
     add(&sum, real_tape_mantissa(t, i, v->reg) * power,
-        tape_linear_gradient(t, &p->exponent[less], g));
+        tape_linear_gradient(t, &p->exponent[k], g));
     return sum;
 }

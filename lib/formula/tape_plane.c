@@ -42,7 +42,9 @@ static bool is_finite(const struct real_tape *t)
     for (int i = 0; i < t->rates; i++)
         fine = fine && isfinite(t->rate[i].mantissa.constant) &&
                isfinite(t->rate[i].exponent[0].constant) &&
-               isfinite(t->rate[i].exponent[1].constant);
+               isfinite(t->rate[i].exponent[1].constant) &&
+               isfinite(t->rate[i].exponent[TAPE_NEAR].constant) &&
+               isfinite(t->rate[i].exponent[TAPE_NEAR + 1].constant);
     return fine;
 }
 

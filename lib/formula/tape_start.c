@@ -224,7 +224,7 @@ double tape_start_rate(struct tape_kept *v, int rate, double e)
     const bool less = r->sinh >= 0 && v->reg[r->sinh] < 0;
 
     keep[0] = real_tape_linear(t, &r->mantissa, v->reg) / factor;
-    keep[1] = factor * r->kept[less] * power;
+    keep[1] = factor * r->kept[real_tape_which(t, rate, v->reg)] * power;
     keep[2] = less;
     return real_tape_mantissa(t, rate, v->reg) * power;
 }
