@@ -214,18 +214,15 @@ struct limit {
     struct quantity value, log; /* v (or psi) and its ln */
 };
 
-/* at e^X with X known to `error`, at the end of a branch; ln = ln(at).  Half a
- * unit, and one of e^X - 1. */
+/* at e^X with X known to `error`, at the end of a branch; ln = ln(at). */
 static struct limit limit_of(long double at, long double ln, double X,
                              double error)
 {
-    const double rise = (double) at * expm1(X);
-    const double value = (double) (at + (long double) rise);
+    const double value = (double) (at * expl((long double) X));
     const double log = (double) (ln + (long double) X);
 
     return (struct limit){
-        quantity_of(value, value * (expm1(error) + TOL_SLIDER_ROUNDING) +
-                               2.0 * DBL_EPSILON * fabs(rise)),
+        quantity_of(value, value * (expm1(error) + TOL_SLIDER_ROUNDING)),
         quantity_of(log, error + TOL_SLIDER_ROUNDING * fabs(log)),
     };
 }
