@@ -134,7 +134,8 @@ static double radius_of(const double u[], size_t order, double tol)
     return radius;
 }
 
-/* The series' slope against the field's at +-s, relative. */
+/* The series' slope against the field's at +-s, relative; terms below the least
+ * double are lost. */
 static double slope_defect(const struct planar *sys,
                            const struct local_series *u, double s)
 {
@@ -144,7 +145,8 @@ static double slope_defect(const struct planar *sys,
         const double t = side * s;
         const double slope = jet_slope_at(u->order, u->c, t) / u->unit;
         const double field = local_slope(sys, u->ind, local_series_at(u, t));
-        const double off = fabs(slope - field);
+        const double lost = TOL_ROUNDINGS * DBL_TRUE_MIN / u->unit;
+        const double off = fdim(fabs(slope - field), lost);
         const double size = fabs(slope) + fabs(u->c[1] / u->unit);
         const double defect = off == 0.0 ? 0.0 : off / size;
         if (!(defect <= worst))
@@ -178,11 +180,12 @@ static enum status find_radius(const struct planar *sys,
         if (u->converges[i] && fabs(u->integral[i][1]) > TOL_INTEGRAL_NIL)
             radius = fmin(radius, radius_of(u->integral[i], u->order, tol));
     radius = fmin(0.9 * radius, TOL_SERIES_RADIUS_MAX);
-    for (int i = 0; i < 60; i++, radius *= 0.5)
+    for (int i = 0; i < 60; i++, radius *= 0.5) {
+        u->radius = radius;
         if (slope_defect(sys, u, radius) <= TOL_SLOPE_CHECK * tol + rounding)
-            break;
-    u->radius = radius;
-    return radius > 1e-12 ? STATUS_OK : STATUS_NO_CONVERGENCE;
+            return STATUS_OK;
+    }
+    return STATUS_NO_CONVERGENCE;
 }
 
 /* The length over which the field changes, in units: from the larger of the
@@ -224,10 +227,11 @@ static void expand(const struct planar *sys, const struct carry *carry,
         const double length = length_of(u);
         if (length > near && (length < 1.0 / near || exponent == 0))
             break;
-        *(length > near ? &least : &most) = exponent;
-        if (most - least < 2)
+        const bool ends = most - least < 2;
+        if (ends && (length > near || exponent == least))
             break;
-        exponent = least + (most - least) / 2;
+        *(length > near ? &least : &most) = exponent;
+        exponent = ends ? least : least + (most - least) / 2;
     }
     build_integrals(&g, carry, u);
 }

@@ -260,8 +260,8 @@ static void extreme_cases_come_to_what_they_must(void **state)
         { "fold-max/spinodal_gen/log/1e-12", STRESS_NONE },
         { "fold-max/spinodal_gen/log/-1e-12", STRESS_EXACT },
         { "R/spinodal_gen/log/0.001", STRESS_NONE },
-        /* eigenvalues 1e266 apart are refused, not taken for a node */
-        { "far/dieterich_gen/asinh/0.001/-300", STRESS_FAILED },
+        /* eigenvalues 1e266 apart: numbers, and no bound for some */
+        { "far/dieterich_gen/asinh/0.001/-300", STRESS_DEGRADED },
         /* a fast start is no rest */
         { "start/spinodal_gen/asinh/1,1e+06", STRESS_EXACT },
         { "start/spinodal_phi_gen/asinh/1e-200,1e+06", STRESS_EXACT },
