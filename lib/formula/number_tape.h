@@ -4,6 +4,11 @@
  * in, and TAPE_KIND(f), the name of f for it.  Steps that nothing needs are
  * left out; the first `rate_steps` are all that the rates of the chart need.
  */
+struct TAPE_KIND(tape_term) {
+    int reg;
+    TAPE_SCALAR c;
+};
+
 struct TAPE_KIND(tape_form) {
     TAPE_SCALAR constant;
     int first, terms; /* in term[] of the tape */
@@ -25,16 +30,13 @@ struct TAPE_KIND(tape_rate) {
     struct TAPE_KIND(tape_form) mean; /* of the first two */
     TAPE_SCALAR kept[TAPE_EXPONENTS];
     int sinh, scaled;
-    bool joined;
+    bool joined, grows; /* grows: its exponents have growths */
 };
 
 struct TAPE_KIND(tape) {
     struct TAPE_KIND(tape_entry) step[TAPE_STEPS];
     int steps, rate_steps;
-    struct {
-        int reg;
-        TAPE_SCALAR c;
-    } term[NUMBER_TERMS];
+    struct TAPE_KIND(tape_term) term[NUMBER_TERMS];
     int terms;
     struct TAPE_KIND(tape_rate) rate[TAPE_RATES];
     int rates;
@@ -57,27 +59,97 @@ void TAPE_KIND(tape_run)(const struct TAPE_KIND(tape) * t, TAPE_SCALAR x,
 TAPE_SCALAR TAPE_KIND(tape_step)(const struct TAPE_KIND(tape) * t, int step,
                                  TAPE_SCALAR s, const TAPE_SCALAR reg[]);
 
-/* The s of a scaled step. */
-TAPE_SCALAR TAPE_KIND(tape_scale)(const struct TAPE_KIND(tape) * t, int step,
-                                  const TAPE_SCALAR reg[]);
+static inline TAPE_SCALAR TAPE_KIND(tape_linear)(
+    const struct TAPE_KIND(tape) * t, const struct TAPE_KIND(tape_form) * u,
+    const TAPE_SCALAR r[])
+{
+    const struct TAPE_KIND(tape_term) *at = &t->term[u->first], *const end =
+                                                                    at +
+                                                                    u->terms;
+    TAPE_SCALAR sum = u->constant;
 
-TAPE_SCALAR TAPE_KIND(tape_linear)(const struct TAPE_KIND(tape) * t,
-                                   const struct TAPE_KIND(tape_form) * u,
-                                   const TAPE_SCALAR reg[]);
-
-/* Which of its exponents a rate goes by. */
-int TAPE_KIND(tape_which)(const struct TAPE_KIND(tape) * t, int rate,
-                          const TAPE_SCALAR reg[]);
-
-/* The exponent of a rate, and its mantissa. */
-TAPE_SCALAR TAPE_KIND(tape_exponent)(const struct TAPE_KIND(tape) * t, int rate,
-                                     const TAPE_SCALAR reg[]);
-TAPE_SCALAR TAPE_KIND(tape_mantissa)(const struct TAPE_KIND(tape) * t, int rate,
-                                     const TAPE_SCALAR reg[]);
-
-/* What a growth is the logarithm of: ln of k e^u. */
-TAPE_SCALAR TAPE_KIND(tape_grown)(const struct TAPE_KIND(tape) * t, int step,
-                                  const TAPE_SCALAR reg[]);
+    for (; at < end; at++)
+        sum += at->c * r[at->reg];
+    return sum;
+}
 
 /* Whether the register is a growth or an apart. */
-bool TAPE_KIND(tape_grows)(const struct TAPE_KIND(tape) * t, int reg);
+static inline bool TAPE_KIND(tape_grows)(const struct TAPE_KIND(tape) * t,
+                                         int reg)
+{
+    return reg >= 2 && (t->step[reg - 2].kind == STEP_GROWTH ||
+                        t->step[reg - 2].kind == STEP_APART);
+}
+
+/* What a growth is the logarithm of: ln of k e^u. */
+static inline TAPE_SCALAR TAPE_KIND(tape_grown)(const struct TAPE_KIND(tape) *
+                                                    t,
+                                                int i, const TAPE_SCALAR r[])
+{
+    const struct TAPE_KIND(tape_entry) *s = &t->step[i];
+
+    return s->b >= 0 ? r[s->b] : s->q + r[s->a];
+}
+
+static inline TAPE_SCALAR TAPE_KIND(larger)(TAPE_SCALAR u, TAPE_SCALAR w)
+{
+    return u > w ? u : w;
+}
+
+/* The s of a scaled step. */
+static inline TAPE_SCALAR TAPE_KIND(tape_scale)(const struct TAPE_KIND(tape) *
+                                                    t,
+                                                int i, const TAPE_SCALAR r[])
+{
+    const struct TAPE_KIND(tape_form) *form = &t->step[i].form;
+    TAPE_SCALAR s = 0;
+
+    for (int j = form->first; j < form->first + form->terms; j++) {
+        const int g = t->term[j].reg - 2;
+        if (!TAPE_KIND(tape_grows)(t, g + 2))
+            continue;
+        const struct TAPE_KIND(tape_entry) *n = &t->step[g];
+        s = TAPE_KIND(larger)(s,
+                              n->kind == STEP_GROWTH
+                                  ? TAPE_KIND(tape_grown)(t, g, r)
+                                  : TAPE_KIND(larger)(r[n->a], r[n->b] + n->q));
+    }
+    return s;
+}
+
+/* Which of its exponents a rate goes by: a growth has taken away all but 1/e of
+ * the anchor's value where u < -1. */
+static inline int TAPE_KIND(tape_which)(const struct TAPE_KIND(tape) * t, int i,
+                                        const TAPE_SCALAR r[])
+{
+    const struct TAPE_KIND(tape_rate) *p = &t->rate[i];
+    const int less = p->sinh >= 0 && r[p->sinh] < 0;
+    const struct TAPE_KIND(tape_form) *u = &p->exponent[less + TAPE_NEAR];
+
+    for (int j = u->first; p->grows && j < u->first + u->terms; j++) {
+        const int g = t->term[j].reg - 2;
+        if (g >= 0 && t->step[g].kind == STEP_GROWTH && r[t->step[g].a] > -1)
+            return less + TAPE_NEAR;
+    }
+    return less;
+}
+
+/* The exponent of a rate, and its mantissa. */
+static inline TAPE_SCALAR TAPE_KIND(tape_exponent)(
+    const struct TAPE_KIND(tape) * t, int i, const TAPE_SCALAR r[])
+{
+    const struct TAPE_KIND(tape_rate) *p = &t->rate[i];
+    const int k = TAPE_KIND(tape_which)(t, i, r);
+
+    return TAPE_KIND(tape_linear)(t, &p->exponent[k], r) +
+           (p->scaled >= 0 ? TAPE_KIND(tape_scale)(t, p->scaled - 2, r) : 0);
+}
+
+static inline TAPE_SCALAR TAPE_KIND(tape_mantissa)(
+    const struct TAPE_KIND(tape) * t, int i, const TAPE_SCALAR r[])
+{
+    const struct TAPE_KIND(tape_rate) *p = &t->rate[i];
+    const int k = TAPE_KIND(tape_which)(t, i, r);
+
+    return p->kept[k] * TAPE_KIND(tape_linear)(t, &p->mantissa, r);
+}

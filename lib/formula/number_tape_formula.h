@@ -128,6 +128,13 @@ static void TAPE_KIND(rate_at)(struct TAPE_KIND(making) * m,
         out->kept[k] =
             (TAPE_SCALAR) (1 + (c - (TAPE_CONSTANT) out->exponent[k].constant));
     }
+    out->grows = false;
+    for (int k = TAPE_NEAR; k < TAPE_EXPONENTS; k++)
+        for (int i = 0; i < r->exponent[k].terms; i++)
+            out->grows = out->grows ||
+                         (r->exponent[k].term[i].reg >= 2 &&
+                          m->from->step[r->exponent[k].term[i].reg - 2].kind ==
+                              STEP_GROWTH);
     if (r->sinh >= 0)
         TAPE_KIND(mean_at)(m, r, out);
     out->sinh = r->sinh >= 0 ? m->place[r->sinh] : -1;
@@ -229,31 +236,6 @@ bool TAPE_KIND(tape_at)(const struct tape *t, const TAPE_CONSTANT constant[],
 
 /* ---- steps --------------------------------------------------------------- */
 
-TAPE_SCALAR TAPE_KIND(tape_linear)(const struct TAPE_KIND(tape) * t,
-                                   const struct TAPE_KIND(tape_form) * u,
-                                   const TAPE_SCALAR r[])
-{
-    TAPE_SCALAR sum = u->constant;
-
-    for (int i = u->first; i < u->first + u->terms; i++)
-        sum += t->term[i].c * r[t->term[i].reg];
-    return sum;
-}
-
-bool TAPE_KIND(tape_grows)(const struct TAPE_KIND(tape) * t, int reg)
-{
-    return reg >= 2 && (t->step[reg - 2].kind == STEP_GROWTH ||
-                        t->step[reg - 2].kind == STEP_APART);
-}
-
-TAPE_SCALAR TAPE_KIND(tape_grown)(const struct TAPE_KIND(tape) * t, int i,
-                                  const TAPE_SCALAR r[])
-{
-    const struct TAPE_KIND(tape_entry) *s = &t->step[i];
-
-    return s->b >= 0 ? r[s->b] : s->q + r[s->a];
-}
-
 /* p (e^u - 1), l = u + ln p */
 static TAPE_SCALAR TAPE_KIND(growth)(TAPE_SCALAR p, TAPE_SCALAR l,
                                      TAPE_SCALAR u)
@@ -307,24 +289,6 @@ TAPE_SCALAR TAPE_KIND(tape_step)(const struct TAPE_KIND(tape) * t, int i,
     }
 }
 
-TAPE_SCALAR TAPE_KIND(tape_scale)(const struct TAPE_KIND(tape) * t, int i,
-                                  const TAPE_SCALAR r[])
-{
-    const struct TAPE_KIND(tape_form) *form = &t->step[i].form;
-    TAPE_SCALAR s = 0;
-
-    for (int j = form->first; j < form->first + form->terms; j++) {
-        const int g = t->term[j].reg - 2;
-        if (!TAPE_KIND(tape_grows)(t, g + 2))
-            continue;
-        const struct TAPE_KIND(tape_entry) *n = &t->step[g];
-        s = scalar_larger(s, n->kind == STEP_GROWTH
-                                 ? TAPE_KIND(tape_grown)(t, g, r)
-                                 : scalar_larger(r[n->a], r[n->b] + n->q));
-    }
-    return s;
-}
-
 static TAPE_SCALAR TAPE_KIND(scaled)(const struct TAPE_KIND(tape) * t, int i,
                                      const TAPE_SCALAR r[])
 {
@@ -354,41 +318,4 @@ void TAPE_KIND(tape_run)(const struct TAPE_KIND(tape) * t, TAPE_SCALAR x,
             r[i + 2] = t->step[i].kind == STEP_SCALED
                            ? TAPE_KIND(scaled)(t, i, r)
                            : TAPE_KIND(tape_step)(t, i, 0, r);
-}
-
-/* ---- rates --------------------------------------------------------------- */
-
-/* A growth has taken away all but 1/e of the anchor's value where u < -1. */
-int TAPE_KIND(tape_which)(const struct TAPE_KIND(tape) * t, int i,
-                          const TAPE_SCALAR r[])
-{
-    const struct TAPE_KIND(tape_rate) *p = &t->rate[i];
-    const int less = p->sinh >= 0 && r[p->sinh] < 0;
-    const struct TAPE_KIND(tape_form) *u = &p->exponent[less + TAPE_NEAR];
-
-    for (int j = u->first; j < u->first + u->terms; j++) {
-        const int g = t->term[j].reg - 2;
-        if (g >= 0 && t->step[g].kind == STEP_GROWTH && r[t->step[g].a] > -1)
-            return less + TAPE_NEAR;
-    }
-    return less;
-}
-
-TAPE_SCALAR TAPE_KIND(tape_exponent)(const struct TAPE_KIND(tape) * t, int i,
-                                     const TAPE_SCALAR r[])
-{
-    const struct TAPE_KIND(tape_rate) *p = &t->rate[i];
-
-    return TAPE_KIND(tape_linear)(
-               t, &p->exponent[TAPE_KIND(tape_which)(t, i, r)], r) +
-           (p->scaled >= 0 ? TAPE_KIND(tape_scale)(t, p->scaled - 2, r) : 0);
-}
-
-TAPE_SCALAR TAPE_KIND(tape_mantissa)(const struct TAPE_KIND(tape) * t, int i,
-                                     const TAPE_SCALAR r[])
-{
-    const struct TAPE_KIND(tape_rate) *p = &t->rate[i];
-
-    return p->kept[TAPE_KIND(tape_which)(t, i, r)] *
-           TAPE_KIND(tape_linear)(t, &p->mantissa, r);
 }

@@ -30,25 +30,24 @@ struct tape_kept {
     double reg[TAPE_STEPS + 2], keep[TAPE_KEEPS];
 };
 
-/* Steps from .. to, those of used[] unless it is NULL; frozen: e^-|w| sinh w
- * has the |w| of this point. */
-void tape_keep(struct tape_kept *v, bool frozen, const bool used[], int from,
-               int to);
+/* Steps of a part, for series, those that the chart's rates need being there:
+ * e^-|w| sinh w has the |w| of this point. */
+void tape_keep(struct tape_kept *v, int part);
 
 /* A rate, e^e for its exponential. */
 double tape_start_rate(struct tape_kept *v, int rate, double e);
 
-/* Of a linear form. */
-struct vec2 tape_linear_gradient(const struct real_tape *t,
-                                 const struct real_tape_form *u,
-                                 const struct vec2 g[]);
+/* Registers at z that a rate needs (0: both of the chart, 1: everything), and
+ * with them d register/d(x, y). */
+void tape_values(const struct tape_plane *p, struct vec2 z, int rate,
+                 double reg[]);
+void tape_gradients(const struct tape_plane *p, struct vec2 z, int rate,
+                    double reg[], jet_pair g[]);
 
-/* d register/d(x, y) of what is kept, not frozen, for a rate (0: both of the
- * chart, 1: everything); and of rate i without its exponential, which is
- * `power`. */
-void tape_gradients(const struct tape_kept *v, int rate, struct vec2 g[]);
-struct vec2 tape_rate_gradient(const struct tape_kept *v, int i, double power,
-                               const struct vec2 g[]);
+/* Of a linear form. */
+jet_pair tape_linear_gradient(const struct real_tape *t,
+                              const struct real_tape_form *u,
+                              const jet_pair g[]);
 
 /* No exponential then. */
 static inline bool is_fixed(const struct real_tape_rate *r)

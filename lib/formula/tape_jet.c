@@ -3,7 +3,7 @@
  * of rows that are known before order k: the sums of all steps are made at
  * once, as one rectangle of rows by slots, and what a step has left to do at an
  * order is a few operations (tape_orders.c).  The workspace is one array: rows
- * A and B of both parts (the chart's rates, and what observables add), their
+ * A and B of all parts (the chart's rates, and what an observable adds), their
  * sums, registers at this order, and what each step keeps of order 0.
  *
  * Of a function w = f(u), k w_k is the convolution of j u_j with f'(u): one
@@ -14,8 +14,9 @@
 static void course_at(struct course *c, const struct tape_plane *p,
                       struct jet_work *w, size_t k, int part)
 {
-    jet_pair *all = &w->slot[0][0], *rows = all + p->rows[part];
-    const size_t width = (size_t) p->width[part];
+    const struct tape_part *of = &p->part[part];
+    jet_pair *all = &w->slot[0][0], *rows = all + of->rows;
+    const size_t width = (size_t) of->width;
 
     *c = (struct course){ .p = p,
                           .t = &p->t,
@@ -26,7 +27,7 @@ static void course_at(struct course *c, const struct tape_plane *p,
                           .S = rows + 2 * JET_SIZE * width,
                           .k = jet_number[k],
                           .inverse = jet_inverse[k] };
-    if (p->odd[part]) /* nobody's */
+    if (of->odd) /* nobody's */
         c->A[width - 1] = c->B[width - 1] = JET_PAIR(0.0);
 }
 
@@ -293,12 +294,15 @@ static void order_plain(const struct course *c, size_t k, size_t width,
     order(c, k, width, false, from, to);
 }
 
-static void run(const struct course *c, size_t k, int width, int from, int to)
+static void run(const struct course *c, size_t k, int part)
 {
+    const struct tape_part *of = &c->p->part[part];
+    const size_t width = (size_t) of->width;
+
     if (c->p->wide)
-        order_wide(c, k, (size_t) width, from, to);
+        order_wide(c, k, width, of->op, of->ops);
     else
-        order_plain(c, k, (size_t) width, from, to);
+        order_plain(c, k, width, of->op, of->ops);
 }
 
 /* ---- order 0 ------------------------------------------------------------- */
@@ -308,40 +312,50 @@ static void start_lane(const struct course *c, struct jet_work *w, int part,
                        int l, struct tape_kept *v, double rate[])
 {
     const struct tape_plane *p = c->p;
-    const int from = part ? p->t.rate_steps : 0,
-              to = part ? p->t.steps : p->t.rate_steps;
-    const int first = part ? 2 : 0, end = part ? p->t.rates : 2;
-    double e[TAPE_RATES];
+    const int from = part ? p->t.rate_steps : 0;
+    double e[2];
 
     v->p = p;
     for (int i = 0; i < from + 2; i++)
         v->reg[i] = c->reg[i][l];
-    tape_keep(v, true, NULL, from, to);
-    for (int i = first; i < end; i++)
-        e[i] = real_tape_exponent(&p->t, i, v->reg);
+    tape_keep(v, part);
+    for (int i = 0; i < (part ? 1 : 2); i++)
+        e[i] = real_tape_exponent(&p->t, part ? part + 1 : i, v->reg);
     if (part == 0)
         w->log_scale[l] = e[0] > e[1] ? e[0] : e[1];
-    for (int i = first; i < end; i++)
-        rate[i] = tape_start_rate(v, i, e[i] - w->log_scale[l]);
+    for (int i = 0; i < (part ? 1 : 2); i++)
+        rate[i] =
+            tape_start_rate(v, part ? part + 1 : i, e[i] - w->log_scale[l]);
+}
+
+static void keep_pairs(const struct course *c, const struct tape_kept v[],
+                       int from, int to)
+{
+    for (int i = from; i < to; i++)
+        c->keep[i] = (jet_pair){ v[0].keep[i], v[1].keep[i] };
 }
 
 /* In pairs: a lane that is written by itself stalls whoever reads the pair. */
 static void start(const struct course *c, struct jet_work *w, int part)
 {
     const struct tape_plane *p = c->p;
-    const int from = part ? p->t.rate_steps : 0,
-              to = part ? p->t.steps : p->t.rate_steps;
+    const bool *used = part ? p->t.used[part - 1] : NULL;
     struct tape_kept v[JET_LANES];
-    double rate[JET_LANES][TAPE_RATES];
+    double rate[JET_LANES][2];
 
     for (int l = 0; l < JET_LANES; l++)
         start_lane(c, w, part, l, &v[l], rate[l]);
-    for (int i = from + 2; i < to + 2; i++)
-        c->reg[i] = (jet_pair){ v[0].reg[i], v[1].reg[i] };
-    for (int i = part ? p->kept_to[0] : 0; i < p->kept_to[part]; i++)
-        c->keep[i] = (jet_pair){ v[0].keep[i], v[1].keep[i] };
-    for (int i = part ? 2 : 0; i < (part ? p->t.rates : 2); i++)
-        c->reg[p->result[i]] = (jet_pair){ rate[0][i], rate[1][i] };
+    for (int i = part ? p->t.rate_steps : 0;
+         i < (part ? p->t.steps : p->t.rate_steps); i++)
+        if (used ? used[i] : !p->t.step[i].idle) {
+            c->reg[i + 2] = (jet_pair){ v[0].reg[i + 2], v[1].reg[i + 2] };
+            keep_pairs(c, v, p->kept[i], p->kept[i + 1]);
+        }
+    for (int i = 0; i < (part ? 1 : 2); i++) {
+        const int r = part ? part + 1 : i;
+        keep_pairs(c, v, p->rate_kept[r], p->rate_kept[r] + TAPE_KEPT);
+        c->reg[p->result[r]] = (jet_pair){ rate[0][i], rate[1][i] };
+    }
 }
 
 /* ---- the contract -------------------------------------------------------- */
@@ -355,30 +369,26 @@ void tape_jet(const void *ctx, struct jet_work *w, size_t k, const jet_pair x[],
     course_at(&c, p, w, k, 0);
     c.reg[0] = x[k];
     c.reg[1] = y[k];
-    w->frozen[0] = JET_PAIR(-1.0); /* observables are not done */
     if (k > 0)
-        run(&c, k, p->width[0], 0, p->part[0]);
+        run(&c, k, 0);
     else
         start(&c, w, 0);
     fx[k] = c.reg[p->result[0]];
     fy[k] = c.reg[p->result[1]];
 }
 
-/* All observables are done at once. */
 void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
                    const jet_pair x[], const jet_pair y[], jet_pair rate[])
 {
     const struct tape_plane *p = ctx;
+    const int part = 1 + (int) which;
     struct course c;
 
     (void) x, (void) y; /* registers of this order */
-    course_at(&c, p, w, k, 1);
-    if (w->frozen[0][0] < (double) k) {
-        w->frozen[0] = JET_PAIR((double) k);
-        if (k > 0)
-            run(&c, k, p->width[1], p->part[0], p->part[1]);
-        else
-            start(&c, w, 1);
-    }
+    course_at(&c, p, w, k, part);
+    if (k > 0)
+        run(&c, k, part);
+    else
+        start(&c, w, part);
     rate[k] = c.reg[p->result[2 + which]];
 }

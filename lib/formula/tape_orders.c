@@ -11,7 +11,7 @@ struct orders {
     struct tape_plane *p;
     const struct real_tape *t;
     int free;               /* register */
-    int slots, kept;        /* of this part so far, of all */
+    int slots;              /* of this part so far */
     bool needed[REGISTERS]; /* at orders above 0 */
 };
 
@@ -228,15 +228,12 @@ static void add_scaled(struct orders *o, int i, int keep)
     add_sum(o, i + 2, all, parts);
 }
 
-/* What is kept of order 0 has its place in any case. */
 static void add_step(struct orders *o, int i)
 {
     const struct real_tape_entry *n = &o->t->step[i];
-    const int keep = o->kept;
+    const int keep = o->p->kept[i];
     struct term u[REGISTERS];
 
-    o->p->kept[i] = (short) keep;
-    o->kept += TAPE_KEPT * tape_step_slots(o->t, n) + 1;
     if (n->idle || !o->needed[i + 2])
         return;
     if (n->kind == STEP_LINEAR)
@@ -272,11 +269,9 @@ static int add_exponent(struct orders *o, const struct real_tape_rate *r,
 static void add_rate(struct orders *o, int i)
 {
     const struct real_tape_rate *r = &o->t->rate[i];
-    const int keep = o->kept;
+    const int keep = o->p->rate_kept[i];
     double of_m = 1, of_e = 1;
 
-    o->p->rate_kept[i] = (short) keep;
-    o->kept += TAPE_KEPT;
     const int m = is_fixed(r) || r->mantissa.terms > 0
                       ? add_form(o, &r->mantissa, &of_m)
                       : 0;
@@ -297,40 +292,54 @@ static void add_rate(struct orders *o, int i)
 
 /* ---- all ----------------------------------------------------------------- */
 
-static void end_part(struct orders *o, int part, int *used)
+/* What is kept of order 0 has its place in any case. */
+static int keep_all(struct tape_plane *p)
 {
-    struct tape_plane *p = o->p;
+    int kept = 0;
 
-    p->odd[part] = o->slots % 2;
-    p->width[part] = o->slots + p->odd[part];
-    p->rows[part] = *used;
-    p->kept_to[part] = o->kept;
-    *used += (2 * JET_SIZE + 1) * p->width[part];
-    o->slots = 0;
+    for (int i = 0; i < p->t.steps; i++) {
+        p->kept[i] = (short) kept;
+        kept += TAPE_KEPT * tape_step_slots(&p->t, &p->t.step[i]) + 1;
+    }
+    p->kept[p->t.steps] = (short) kept;
+    for (int i = 0; i < p->t.rates; i++, kept += TAPE_KEPT)
+        p->rate_kept[i] = (short) kept;
+    return kept;
 }
 
-/* The chart's rates, and observables. */
+/* Its steps, of those from .. to, and its rates; those that another part has,
+ * too, are made by both. */
+static void add_part(struct orders *o, int i, int *used)
+{
+    struct tape_plane *p = o->p;
+    struct tape_part *part = &p->part[i];
+
+    part->op = p->ops;
+    o->slots = 0;
+    for (int s = i ? p->t.rate_steps : 0;
+         s < (i ? p->t.steps : p->t.rate_steps); s++)
+        if (i == 0 || p->t.used[i - 1][s])
+            add_step(o, s);
+    for (int r = i ? i + 1 : 0; r < i + 2; r++)
+        add_rate(o, r);
+    part->ops = p->ops;
+    part->odd = o->slots % 2;
+    part->width = o->slots + part->odd;
+    part->rows = *used;
+    *used += (2 * JET_SIZE + 1) * part->width;
+}
+
 bool tape_jet_slots(struct tape_plane *p)
 {
     struct orders o = { .p = p, .t = &p->t, .free = p->t.steps + 2 };
+    const int kept = keep_all(p);
     int used = 0;
 
     find_needed(&o);
     p->ops = 0;
-    for (int i = 0; i < p->t.rate_steps; i++)
-        add_step(&o, i);
-    add_rate(&o, 0);
-    add_rate(&o, 1);
-    p->part[0] = p->ops;
-    end_part(&o, 0, &used);
-    for (int i = p->t.rate_steps; i < p->t.steps; i++)
-        add_step(&o, i);
-    for (int i = 2; i < p->t.rates; i++)
-        add_rate(&o, i);
-    p->part[1] = p->ops;
-    end_part(&o, 1, &used);
+    for (int i = 0; i < p->t.rates - 1; i++)
+        add_part(&o, i, &used);
     p->registers = used;
     p->keep = used + o.free;
-    return p->ops <= TAPE_OPS && o.kept <= TAPE_KEEPS &&
-           p->keep + o.kept <= ALL;
+    return p->ops <= TAPE_OPS && kept <= TAPE_KEEPS && p->keep + kept <= ALL;
 }

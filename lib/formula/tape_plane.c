@@ -122,13 +122,20 @@ static void field_of(const struct real_tape *t, const double reg[],
     f->direction.y = real_tape_mantissa(t, 1, reg) * e[1].most * e[1].rest;
 }
 
-/* A rate's gradient, its exponential e. */
-static struct vec2 gradient_of(const struct tape_kept *v, int rate,
-                               struct power e, const struct vec2 gradient[])
+/* M' e^E + M E' e^E of a rate, e its exponential */
+static struct vec2 gradient_of(const struct real_tape *t, int rate,
+                               struct power e, const double reg[],
+                               const jet_pair g[])
 {
-    const struct vec2 g = tape_rate_gradient(v, rate, e.most, gradient);
+    const struct real_tape_rate *r = &t->rate[rate];
+    const int k = real_tape_which(t, rate, reg);
+    const double m = real_tape_mantissa(t, rate, reg);
+    const jet_pair up = tape_linear_gradient(t, &r->mantissa, g),
+                   along = tape_linear_gradient(t, &r->exponent[k], g);
+    const jet_pair sum =
+        (r->kept[k] * e.most * up + m * e.most * along) * e.rest;
 
-    return (struct vec2){ g.x * e.rest, g.y * e.rest };
+    return (struct vec2){ sum[0], sum[1] };
 }
 
 void tape_field(const void *ctx, struct vec2 z, struct planar_field *f)
@@ -137,35 +144,21 @@ void tape_field(const void *ctx, struct vec2 z, struct planar_field *f)
     double reg[TAPE_STEPS + 2];
     struct power e[2];
 
-    real_tape_run(&p->t, z.x, z.y, 0, reg);
+    tape_values(p, z, 0, reg);
     field_of(&p->t, reg, f, e);
-}
-
-/* Registers and gradients that a rate needs; 0: both of the chart, 1: all. */
-static void run_both(const struct tape_plane *p, struct vec2 z, int rate,
-                     struct tape_kept *v, struct vec2 gradient[])
-{
-    v->p = p;
-    v->reg[0] = z.x;
-    v->reg[1] = z.y;
-    gradient[0] = (struct vec2){ 1, 0 };
-    gradient[1] = (struct vec2){ 0, 1 };
-    tape_keep(v, false, rate < 2 ? NULL : p->t.used[rate - 2], 0,
-              rate == 0 ? p->t.rate_steps : p->t.steps);
-    tape_gradients(v, rate, gradient);
 }
 
 void tape_jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
 {
     const struct tape_plane *p = ctx;
-    struct tape_kept v;
-    struct vec2 gradient[TAPE_STEPS + 2];
+    double reg[TAPE_STEPS + 2];
+    jet_pair g[TAPE_STEPS + 2];
     struct power e[2];
 
-    run_both(p, z, 0, &v, gradient);
-    field_of(&p->t, v.reg, &J->field, e);
-    const struct vec2 x = gradient_of(&v, 0, e[0], gradient),
-                      y = gradient_of(&v, 1, e[1], gradient);
+    tape_gradients(p, z, 0, reg, g);
+    field_of(&p->t, reg, &J->field, e);
+    const struct vec2 x = gradient_of(&p->t, 0, e[0], reg, g),
+                      y = gradient_of(&p->t, 1, e[1], reg, g);
     J->matrix = (struct mat2){ x.x, x.y, y.x, y.y };
 }
 
@@ -174,34 +167,35 @@ void tape_rate(const void *ctx, size_t which, struct vec2 z, double *rate,
 {
     const struct tape_plane *p = ctx;
     const int i = 2 + (int) which;
-    struct tape_kept v;
-    struct vec2 slope[TAPE_STEPS + 2];
+    double reg[TAPE_STEPS + 2];
+    jet_pair g[TAPE_STEPS + 2];
 
     if (gradient == NULL)
-        real_tape_run(&p->t, z.x, z.y, i, v.reg);
+        tape_values(p, z, i, reg);
     else
-        run_both(p, z, i, &v, slope);
-    const struct power e = power_of(real_tape_exponent(&p->t, i, v.reg));
-    *rate = real_tape_mantissa(&p->t, i, v.reg) * e.most * e.rest;
+        tape_gradients(p, z, i, reg, g);
+    const struct power e = power_of(real_tape_exponent(&p->t, i, reg));
+    *rate = real_tape_mantissa(&p->t, i, reg) * e.most * e.rest;
     if (gradient != NULL)
-        *gradient = gradient_of(&v, i, e, slope);
+        *gradient = gradient_of(&p->t, i, e, reg, g);
 }
 
 double tape_value(const struct tape_plane *p, struct vec2 z)
 {
     double reg[TAPE_STEPS + 2];
 
-    real_tape_run(&p->t, z.x, z.y, 1, reg);
+    tape_values(p, z, 1, reg);
     return real_tape_linear(&p->t, &p->t.value[0], reg);
 }
 
 struct vec2 tape_value_gradient(const struct tape_plane *p, struct vec2 z)
 {
-    struct tape_kept v;
-    struct vec2 gradient[TAPE_STEPS + 2];
+    double reg[TAPE_STEPS + 2];
+    jet_pair g[TAPE_STEPS + 2];
 
-    run_both(p, z, 1, &v, gradient);
-    return tape_linear_gradient(&p->t, &p->t.value[0], gradient);
+    tape_gradients(p, z, 1, reg, g);
+    const jet_pair slope = tape_linear_gradient(&p->t, &p->t.value[0], g);
+    return (struct vec2){ slope[0], slope[1] };
 }
 
 struct planar tape_planar(const struct tape_plane *t)

@@ -65,21 +65,30 @@ struct jet_op {
     double c[2];
 };
 
+/* What is made together: the chart's rates, an observable's. */
+enum { TAPE_PARTS = 1 + TAPE_OBSERVABLES };
+
+struct tape_part {
+    int width, rows; /* of its rows, where they begin */
+    int op, ops;     /* its entries */
+    bool odd;
+};
+
 /* A plane at an anchor.  Copied as a whole. */
 struct tape_plane {
     struct real_tape t;
     double origin[2]; /* of the chart */
-    /* places in a workspace of series, see tape_jet.c: by step and by rate
-     * what is kept of order 0, and the factor of a rate's mantissa that is left
-     * to it; by part its rows */
-    short kept[TAPE_STEPS], rate_kept[TAPE_RATES];
+    /* places in a workspace of series, see tape_jet.c: by step (and where they
+     * end) and by rate what is kept of order 0, and the factor of a rate's
+     * mantissa that is left to it */
+    short kept[TAPE_STEPS + 1], rate_kept[TAPE_RATES];
     double factor[TAPE_RATES];
-    int width[2], rows[2], kept_to[2], registers, keep;
-    bool odd[2];
+    struct tape_part part[TAPE_PARTS];
+    int registers, keep;
     bool wide; /* registers of four numbers: the same bits, sooner */
     struct jet_op op[TAPE_OPS];
     short result[TAPE_RATES]; /* registers */
-    int ops, part[2];         /* where each part of them ends */
+    int ops;
 };
 
 /* Copies f; of p, states, rates and observables count.  `equilibrium`: both
