@@ -107,33 +107,50 @@ static struct power power_of(double u)
     return (struct power){ u < -700 ? half : u == 0 ? 1 : exp(u), half };
 }
 
-/* And the exponentials of both rates. */
-static void field_of(const struct real_tape *t, const double reg[],
-                     struct planar_field *f, struct power e[2])
-{
-    double size[2];
+/* A rate before its exponential is made. */
+struct factors {
+    double mantissa, exponent;
+    int which; /* exponent */
+};
 
+static struct factors factors_of(const struct real_tape *t, int rate,
+                                 const double reg[])
+{
+    const struct real_tape_rate *r = &t->rate[rate];
+    const int k = real_tape_which(t, rate, reg);
+    const double s =
+        r->scaled >= 0 ? real_tape_scale(t, r->scaled - 2, reg) : 0;
+
+    return (struct factors){ r->kept[k] *
+                                 real_tape_linear(t, &r->mantissa, reg),
+                             real_tape_linear(t, &r->exponent[k], reg) + s, k };
+}
+
+/* Of both rates, and their exponentials. */
+static void field_of(const struct real_tape *t, const double reg[],
+                     struct planar_field *f, struct factors r[2],
+                     struct power e[2])
+{
     for (int i = 0; i < 2; i++)
-        size[i] = real_tape_exponent(t, i, reg);
-    f->log_scale = size[0] > size[1] ? size[0] : size[1];
+        r[i] = factors_of(t, i, reg);
+    f->log_scale =
+        r[0].exponent > r[1].exponent ? r[0].exponent : r[1].exponent;
     for (int i = 0; i < 2; i++)
-        e[i] = power_of(size[i] - f->log_scale);
-    f->direction.x = real_tape_mantissa(t, 0, reg) * e[0].most * e[0].rest;
-    f->direction.y = real_tape_mantissa(t, 1, reg) * e[1].most * e[1].rest;
+        e[i] = power_of(r[i].exponent - f->log_scale);
+    f->direction.x = r[0].mantissa * e[0].most * e[0].rest;
+    f->direction.y = r[1].mantissa * e[1].most * e[1].rest;
 }
 
 /* M' e^E + M E' e^E of a rate, e its exponential */
 static struct vec2 gradient_of(const struct real_tape *t, int rate,
-                               struct power e, const double reg[],
+                               struct factors f, struct power e,
                                const jet_pair g[])
 {
     const struct real_tape_rate *r = &t->rate[rate];
-    const int k = real_tape_which(t, rate, reg);
-    const double m = real_tape_mantissa(t, rate, reg);
     const jet_pair up = tape_linear_gradient(t, &r->mantissa, g),
-                   along = tape_linear_gradient(t, &r->exponent[k], g);
+                   along = tape_linear_gradient(t, &r->exponent[f.which], g);
     const jet_pair sum =
-        (r->kept[k] * e.most * up + m * e.most * along) * e.rest;
+        (r->kept[f.which] * e.most * up + f.mantissa * e.most * along) * e.rest;
 
     return (struct vec2){ sum[0], sum[1] };
 }
@@ -142,10 +159,11 @@ void tape_field(const void *ctx, struct vec2 z, struct planar_field *f)
 {
     const struct tape_plane *p = ctx;
     double reg[TAPE_STEPS + 2];
+    struct factors r[2];
     struct power e[2];
 
     tape_values(p, z, 0, reg);
-    field_of(&p->t, reg, f, e);
+    field_of(&p->t, reg, f, r, e);
 }
 
 void tape_jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
@@ -153,12 +171,13 @@ void tape_jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
     const struct tape_plane *p = ctx;
     double reg[TAPE_STEPS + 2];
     jet_pair g[TAPE_STEPS + 2];
+    struct factors r[2];
     struct power e[2];
 
     tape_gradients(p, z, 0, reg, g);
-    field_of(&p->t, reg, &J->field, e);
-    const struct vec2 x = gradient_of(&p->t, 0, e[0], reg, g),
-                      y = gradient_of(&p->t, 1, e[1], reg, g);
+    field_of(&p->t, reg, &J->field, r, e);
+    const struct vec2 x = gradient_of(&p->t, 0, r[0], e[0], g),
+                      y = gradient_of(&p->t, 1, r[1], e[1], g);
     J->matrix = (struct mat2){ x.x, x.y, y.x, y.y };
 }
 
@@ -174,10 +193,11 @@ void tape_rate(const void *ctx, size_t which, struct vec2 z, double *rate,
         tape_values(p, z, i, reg);
     else
         tape_gradients(p, z, i, reg, g);
-    const struct power e = power_of(real_tape_exponent(&p->t, i, reg));
-    *rate = real_tape_mantissa(&p->t, i, reg) * e.most * e.rest;
+    const struct factors r = factors_of(&p->t, i, reg);
+    const struct power e = power_of(r.exponent);
+    *rate = r.mantissa * e.most * e.rest;
     if (gradient != NULL)
-        *gradient = gradient_of(&p->t, i, e, reg, g);
+        *gradient = gradient_of(&p->t, i, r, e, g);
 }
 
 double tape_value(const struct tape_plane *p, struct vec2 z)
