@@ -125,8 +125,9 @@ static void TAPE_KIND(rate_at)(struct TAPE_KIND(making) * m,
     for (int k = 0; k < TAPE_EXPONENTS; k++) {
         const TAPE_CONSTANT c = m->constant[r->exponent[k].constant];
         TAPE_KIND(linear_at)(m, &r->exponent[k], &out->exponent[k]);
-        out->kept[k] =
-            (TAPE_SCALAR) (1 + (c - (TAPE_CONSTANT) out->exponent[k].constant));
+        const TAPE_CONSTANT rest =
+            c - (TAPE_CONSTANT) out->exponent[k].constant;
+        out->kept[k] = (TAPE_SCALAR) (rest > -1 && rest < 1 ? 1 + rest : 1);
     }
     out->grows = false;
     for (int k = TAPE_NEAR; k < TAPE_EXPONENTS; k++)
