@@ -130,23 +130,44 @@ enum status orbit_init(struct orbit *o, const struct planar *system,
     return STATUS_OK;
 }
 
+/* A step as tried. */
+struct attempt {
+    double h; /* signed */
+    struct radau radau;
+    double u1[CURVE_DIM_MAX], error[CURVE_DIM_MAX];
+    double coef[CURVE_DIM_MAX * COEFS];
+    double fastest; /* rate of the field on the way, per unit of time */
+    struct vec2 slope[CURVE_DIM_MAX]; /* gradients there, per tau */
+};
+
 /* What errors of time and integrals are relative to. */
 static double size_of(const struct orbit *o, size_t i, double u)
 {
     return fmax(fmax(o->peak[i], fabs(u)), o->options.least[i - 2]);
 }
 
+/* What a rounding of the coordinates does to integral i on the step, up to all
+ * of it: shorter steps have no less of that. */
+static double noise_of(const struct orbit *o, const struct attempt *a, size_t i)
+{
+    const double digit = DBL_EPSILON * fmax(fabs(o->u[0]), fabs(o->u[1]));
+    const struct vec2 g = a->slope[i];
+    const double noise = digit * (fabs(g.x) + fabs(g.y)) * fabs(a->h);
+
+    return i < 2 || isnan(noise) ? 0.0 : fmin(noise, fabs(a->u1[i] - o->u[i]));
+}
+
 /* The largest estimated error over what is allowed; NaN if anything is. */
-static double error_ratio(const struct orbit *o, const double u1[],
-                          const double error[])
+static double error_ratio(const struct orbit *o, const struct attempt *a)
 {
     double worst = 0.0;
 
     for (size_t i = 0; i < o->curve.dim; i++) {
-        const double size = i < 2 ? 1.0 : size_of(o, i, u1[i]);
-        const double ratio =
-            fabs(error[i]) / (o->options.rtol * size + DBL_MIN);
-        if (!isfinite(ratio) || !isfinite(u1[i]))
+        const double size = i < 2 ? 1.0 : size_of(o, i, a->u1[i]);
+        const double allowed =
+            o->options.rtol * size + noise_of(o, a, i) + DBL_MIN;
+        const double ratio = fabs(a->error[i]) / allowed;
+        if (!isfinite(ratio) || !isfinite(a->u1[i]))
             return (double) NAN;
         worst = fmax(worst, ratio);
     }
@@ -240,15 +261,6 @@ static enum status advance(struct orbit *o, double h, const double u1[],
     return s;
 }
 
-/* A step as tried. */
-struct attempt {
-    double h; /* signed */
-    struct radau radau;
-    double u1[CURVE_DIM_MAX], error[CURVE_DIM_MAX];
-    double coef[CURVE_DIM_MAX * COEFS];
-    double fastest; /* rate of the field on the way, per unit of time */
-};
-
 /* The stages as the last step suggests, where it reaches so far. */
 static void guess(const struct orbit *o, struct attempt *a)
 {
@@ -274,6 +286,7 @@ static bool solve(struct orbit *o, struct attempt *a)
                     &at);
     o->jacobian_calls++;
     a->fastest = rescaled_rate(&at);
+    memcpy(a->slope, at.slope, sizeof a->slope);
     memcpy(at.du, o->du, sizeof at.du);
     const bool solved = radau_solve(&a->radau, &system, &at, o->u, a->h, tol);
     o->rate = a->radau.rate;
@@ -317,21 +330,43 @@ static double longer(const struct orbit *o, const struct attempt *a,
     return fmin(fmax(f, TOL_STEP_SHRINK), most);
 }
 
-/* Where the field changes far faster than kappa, rounding alone moves an orbit
- * that creeps along a slow curve at more than kappa, and it would stand still
- * on its clock: the clock follows the field, in steps that rarely come. */
-static void keep_pace(struct orbit *o, double fastest)
+/* The kappa for a field that changes at this rate; what there is where that is
+ * no number. */
+static double pace_at(const struct orbit *o, double fastest)
 {
-    const double kappa = fmin(fmax(o->options.kappa, TOL_ORBIT_PACE * fastest),
-                              TOL_ORBIT_PACE_MAX);
+    return isnan(fastest)
+               ? o->clock.kappa
+               : fmin(fmax(o->options.kappa, TOL_ORBIT_PACE * fastest),
+                      TOL_ORBIT_PACE_MAX);
+}
+
+static bool is_pace(const struct orbit *o, double kappa)
+{
     const double ratio = kappa / o->clock.kappa;
 
-    if (!(ratio > TOL_ORBIT_PACE_STEP || ratio < 1.0 / TOL_ORBIT_PACE_STEP) ||
-        !(o->du[2] > 0.0))
+    return ratio <= TOL_ORBIT_PACE_STEP && ratio >= 1.0 / TOL_ORBIT_PACE_STEP;
+}
+
+/* Where the field changes far faster than kappa, rounding alone moves an orbit
+ * that creeps along a slow curve at more than kappa, and it would stand still
+ * on its clock: the clock follows the field, in steps that rarely come.  On the
+ * way the rate was that of guesses, whose own distance from a slow curve may
+ * be all of it; the step's last rates are as good as its equations: both are
+ * looked up where the orbit is. */
+static void keep_pace(struct orbit *o, double fastest)
+{
+    struct cascade_linear l;
+
+    if (is_pace(o, pace_at(o, fastest)))
         return;
-    const double pace = hypot(kappa * o->du[2], hypot(o->du[0], o->du[1]));
+    rescaled_linear(&o->clock, place(o), &l);
+    o->jacobian_calls++;
+    const double kappa = pace_at(o, rescaled_rate(&l));
+    if (is_pace(o, kappa) || !(l.du[2] > 0.0))
+        return;
+    const double pace = hypot(kappa * l.du[2], hypot(l.du[0], l.du[1]));
     for (size_t i = 0; i < o->curve.dim; i++)
-        o->du[i] /= pace;
+        o->du[i] = l.du[i] / pace;
     o->clock.kappa = kappa;
     o->h *= pace;
     o->last.h *= pace;
@@ -362,7 +397,7 @@ static enum status attempt(struct orbit *o, double h, bool *accepted)
 {
     struct attempt a = { .h = h };
     const bool solved = solve(o, &a);
-    const double ratio = solved ? error_ratio(o, a.u1, a.error) : INFINITY;
+    const double ratio = solved ? error_ratio(o, &a) : INFINITY;
 
     *accepted = ratio <= 1.0;
     if (*accepted)

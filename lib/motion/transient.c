@@ -319,6 +319,16 @@ static bool is_stuck(const struct course *c, const struct orbit *o)
            fabs(o->u[1]) < TOL_ARREST;
 }
 
+/* Why an orbit is lost; whether another one would be, too, however exact. */
+static const char *why_lost(const struct orbit *o, bool *surely)
+{
+    *surely = o->end != ORBIT_RUNNING;
+    return o->end == ORBIT_LEFT_WINDOW || o->end == ORBIT_LEFT_DOMAIN
+               ? "the orbit leaves the plane"
+           : o->end == ORBIT_REACHED ? "it takes longer than any number holds"
+                                     : "the orbit cannot be followed further";
+}
+
 /* Whether it is settled: both orbits end in the same way, on the side of the
  * separatrix that they started on. */
 static bool judge(const struct course *c, const struct orbit *coarse,
@@ -326,7 +336,6 @@ static bool judge(const struct course *c, const struct orbit *coarse,
 {
     static const char unclear[] =
         "orbits of two tolerances end in different ways";
-    static const char lost[] = "the orbit cannot be followed further";
     static const char near[] =
         "the state is too near the boundary for its orbit to be followed";
     struct transient_summary *sum = &t->sum;
@@ -334,6 +343,8 @@ static bool judge(const struct course *c, const struct orbit *coarse,
     const enum fate shown = fate_at(c, fine, end);
     const bool known = c->fate != FATE_UNDECIDED;
     const bool is_lost = end == TRANSIENT_LOST;
+    bool surely;
+    const char *lost = why_lost(fine, &surely);
     const bool is_near =
         (known && shown != c->fate) || (is_lost && is_stuck(c, fine));
     const bool agree =
@@ -352,7 +363,7 @@ static bool judge(const struct course *c, const struct orbit *coarse,
         t->reason = is_lost ? lost : NULL;
     if (!agree || is_near)
         refuse(t, is_near ? near : unclear);
-    return agree && !is_lost && !is_near;
+    return agree && !is_near && (!is_lost || surely);
 }
 
 /* Both orbits, to what they say. */
