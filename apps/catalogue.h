@@ -9,7 +9,7 @@
 /* What a command does, which decides on most of its options (options.c). */
 enum {
     COMMAND_READS = 1,   /* a scene: its settings, threads, progress */
-    COMMAND_STUDIES = 2, /* it, or says what that would be: sensitivities */
+    COMMAND_STUDIES = 2, /* runs a study, or plans one: sensitivities */
     COMMAND_DRAWS = 4,   /* a figure, and writes the numbers to HDF5 */
     COMMAND_MAKES = 8,   /* the files that the scene's output names */
     COMMAND_PLANES = 16  /* also for a system of formulas */

@@ -13,10 +13,10 @@
 
 static enum exit_code run(const struct options *o)
 {
-    const struct command *none = &command_table[COMMAND_HELP];
+    const struct command *general = &command_table[COMMAND_HELP];
 
     if (!o->help && !o->version)
-        return command_run(o->command ? o->command : none, o);
+        return command_run(o->command ? o->command : general, o);
     if (o->help)
         help_print(stdout, o->command);
     else

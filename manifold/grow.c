@@ -184,7 +184,7 @@ static bool clip_to_domain(struct grower *g)
     return true;
 }
 
-/* Writes u(toward * h * theta) + start as polynomial in theta. */
+/* Writes u(s theta), with `start` for its constant, as polynomial in theta. */
 static void store_series(const double u[], size_t order, double start, double s,
                          double coef[])
 {
@@ -274,7 +274,7 @@ static enum status step(struct grower *g)
         return s;
     advance(g);
     look_for_end(g, edge);
-    return !g->done && g->b->steps % 64 == 0 &&
+    return !g->done && g->b->steps % TOL_MONITOR_STEPS == 0 &&
                    monitor_tell(g->o->monitor, "manifold", g->b->steps, 0)
                ? STATUS_STOPPED
                : STATUS_OK;

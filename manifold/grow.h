@@ -36,9 +36,11 @@ size_t grow_order(double rtol);
 
 struct grow_options grow_defaults(double rtol);
 
-/* Both branches of the local series, out[0] on the side of growing ind and
- * out[1] on the other, to their limits or the end of the domain: their series
- * are expanded side by side.  On error both are empty. */
+/* Both branches of the local series of a stable manifold, backward in time,
+ * out[0] on the side of growing ind and out[1] on the other, to their limits or
+ * the end of the domain: their series are expanded side by side.  The caller
+ * frees them (branch_free).  STATUS_NO_CONVERGENCE: no step is short enough;
+ * STATUS_STOPPED; STATUS_NO_MEMORY.  On error both are empty. */
 MUST_CHECK enum status grow_branches(const struct planar *sys,
                                      const struct local_series *start,
                                      const struct grow_options *o,

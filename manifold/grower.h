@@ -20,16 +20,17 @@ struct grow_miss {
     double off, bar, noise;
 };
 
-/* One step in the making: series in s, ind = at + unit s (graph.h). */
+/* A branch in the making, by steps whose series are in s, ind = at + unit s
+ * (graph.h). */
 struct grower {
     const struct planar *sys;
     const struct grow_options *o;
     struct branch *b;
     bool done;
-    double tol;
-    int ind;    /* independent coordinate */
-    int toward; /* sign of its steps */
-    struct vec2 z;
+    double tol;    /* of a step, part of what it changes */
+    int ind;       /* independent coordinate */
+    int toward;    /* sign of its steps */
+    struct vec2 z; /* where it is, and its integrals so far */
     double total[LOCAL_CARRY_MAX];
     struct grow_miss miss; /* of dep so far, and of the integrals */
     struct grow_miss total_miss[LOCAL_CARRY_MAX];

@@ -1,6 +1,7 @@
 /*
- * phase_plane.h -- a planar system with its steady states: what all geometry
- * and every orbit starts from.
+ * phase_plane.h -- a planar system with the steady states of its steady curve:
+ * what the slider's geometry and orbits start from.  (Systems of formulas may
+ * have any number of equilibria: study/plane_study.h.)
  *
  * The system is anchored at a saddle if there is one, so that offsets
  * (planar.h) are small where digits matter.
@@ -10,7 +11,8 @@
 
 #include "equilibrium.h"
 
-enum { SADDLES_MAX = 2 }; /* among EQUILIBRIA_MAX along one steady curve */
+/* Among EQUILIBRIA_MAX along one steady curve: they alternate with nodes. */
+enum { SADDLES_MAX = 2 };
 
 struct phase_plane {
     struct planar system;

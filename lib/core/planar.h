@@ -7,7 +7,9 @@
  * The field comes in two factors so that nothing overflows where f itself
  * would.  manifold/ and portrait/ see the physics only through this struct.
  *
- * Every function below takes z as an *offset* from `origin`.  Whoever fills
+ * Every function of `struct planar` takes z as an *offset* from `origin`; only
+ * a planar_steady is in absolute coordinates.  `direction` is no unit vector;
+ * names and what is pointed to are the filler's.  Whoever fills
  * the struct puts the origin where digits matter (on an equilibrium) and
  * evaluates differences from there without cancellation; offset zero means
  * exactly the origin.  All functions are total on the domain and never fail;
@@ -73,9 +75,9 @@ struct planar {
      * curves whose coefficients 0..k are x[], y[]: writes fx[k] and fy[k].
      * Called for k = 0, 1, 2, ... with the same arrays and workspace; the
      * call with k = 0 fixes w->log_scale for the whole series.  A second call
-     * with the same k replaces the first.  It starts with w->used = 0, and
-     * rate_jet takes the slots that follow; all of *w but `linear`, which is
-     * the caller's, is the system's.  NULL: the system has no jets. */
+     * with the same k replaces the first.  All of *w but `linear`, which is
+     * the caller's, is the system's: it sets w->used before it takes slots.
+     * NULL: the system has no jets, local_at answers STATUS_BAD_ARGUMENT. */
     void (*jet)(const void *ctx, struct jet_work *w, size_t k,
                 const jet_pair x[], const jet_pair y[], jet_pair fx[],
                 jet_pair fy[]);

@@ -128,7 +128,7 @@ static bool law_uses_R(const struct law *law)
 
 bool law_uses(const struct law *law, enum material_key key)
 {
-    const bool always = key >= MATERIAL_L && key != MATERIAL_V_C;
+    const bool always = key >= MATERIAL_L;
 
     if (law->typed && !always)
         return law_typed_uses(law->typed, material_key_name(key));

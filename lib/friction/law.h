@@ -4,9 +4,9 @@
  *
  *     mu(v, psi) from theta(psi),      dpsi/dt = -K(psi - psi_ss(v)) / T(v).
  *
- * A law names one of each component; a preset is a law with a name.  Adding a
- * composition, or a time scale, is one line of a table in law.c (and a name
- * here); docs/new_law.md tells what else a component touches.
+ * A law names one of each component; a preset is a law with a name.  v is in
+ * units of V_star; psi has none.  Adding a preset is one line of a table in
+ * law.c; docs/new_law.md tells what a new component takes.
  */
 #ifndef FRICTION_LAW_H
 #define FRICTION_LAW_H
@@ -82,8 +82,10 @@ struct law {
     enum psi_ss psi_ss;
     enum timescale timescale;
     enum kinetics kinetics;
-    const struct law_typed *typed; /* borrowed; its formulas then count, and
-                                      the components do not; else NULL */
+    /* Borrowed, or NULL.  Its formulas then count; theta still tells whether
+     * psi is a logarithm and form the mu if none is given, the other components
+     * are placeholders. */
+    const struct law_typed *typed;
 };
 
 struct law_typed; /* law_typed.h */
