@@ -12,7 +12,7 @@ import signal
 import subprocess
 import time
 
-from cli_room import READER, expect, refused, run_cases
+from cli_room import expect, refused, run_cases
 
 SADDLE = ['basin', '--law', 'spinodal_gen', '--alpha', '0.34']
 FIGURES = {'fig05a': {'creep'}, 'fig05b': {'creep', 'sliding'},
@@ -27,17 +27,8 @@ def small(nv=40, npsi=30, audit=50):
     return ['--set', f'basins={{cells: [{nv}, {npsi}], audit: {audit}}}']
 
 
-def reads(room, script, *args):
-    """What Debian's python prints."""
-    done = subprocess.run([READER, room.script(script), *args],
-                          cwd=room.folder, text=True, capture_output=True,
-                          check=False)
-    expect(done.returncode == 0, script, *args, done.stdout, done.stderr)
-    return done.stdout
-
-
 def maps(room, *names):
-    return json.loads(reads(room, 'read_basin.py', *names))
+    return json.loads(room.reads('read_basin.py', *names))
 
 
 def starts(room, *args, **how):
@@ -65,7 +56,7 @@ def figure_5_is_read_by_everyone(room):
                   'basins.audit=200', '-o', name + '.h5')
         expect(os.path.getsize(room.path(f'outputs/{name}_basin.svg')) > 1e4,
                name)
-    reads(room, 'open_file.py', 'fig05b.h5')
+    room.reads('open_file.py', 'fig05b.h5')
     for name, found in maps(room, *(n + '.h5' for n in FIGURES)).items():
         expect(set(found['cells']) == FIGURES[name[:6]]
                and found['shape'] == [300, 400] and found['audit'] == 200
@@ -113,7 +104,7 @@ def exact_labels_are_those_of_the_separatrix(room):
                  '--set', 'products=[basins, margin]']
         room.good(*scene, '-o', name + '1.h5')
         room.good(*scene, '-o', name + '2.h5', '--exact')
-        reads(room, 'read_basin.py', '--near', name + '1.h5', name + '2.h5')
+        room.reads('read_basin.py', '--near', name + '1.h5', name + '2.h5')
 
 
 # ---- other windows, other laws -----------------------------------------------

@@ -9,7 +9,7 @@ import re
 import signal
 import subprocess
 
-from cli_room import READER, expect, refused, run_cases, shown
+from cli_room import expect, refused, run_cases, shown
 
 SADDLE = ['basin', '--law', 'spinodal_gen', '--alpha', '0.34']
 ALL = {'slip': ['slip'], 'time': ['time'], 'friction': ['mu_mean'],
@@ -24,11 +24,7 @@ def grid(products, nv=24, npsi=18, more=''):
 
 
 def fields(room, *names):
-    done = subprocess.run([READER, room.script('read_fields.py'), *names],
-                          cwd=room.folder, text=True, capture_output=True,
-                          check=False)
-    expect(done.returncode == 0, names, done.stdout, done.stderr)
-    return json.loads(done.stdout)
+    return json.loads(room.reads('read_fields.py', *names))
 
 
 # ---- what the files hold -----------------------------------------------------

@@ -7,7 +7,6 @@ import glob
 import os
 import re
 import socket
-import subprocess
 import time
 
 from cli_room import LAWS, READER, SLOPE, expect, run_cases
@@ -22,29 +21,20 @@ output: {hdf5: out.h5, figure: out.svg}
 '''
 
 
-def reads(room, script, *args):
-    """What Debian's python prints."""
-    done = subprocess.run([READER, room.script(script), *args],
-                          cwd=room.folder, text=True, capture_output=True,
-                          check=False)
-    expect(done.returncode == 0, script, *args, done.stdout, done.stderr)
-    return done.stdout
-
-
 # ---- readers -----------------------------------------------------------------
 
 def every_reader_opens_a_portrait(room):
     room.write('a.yaml', SCENE)
     room.good('portrait', 'a.yaml')
-    reads(room, 'open_file.py', 'out.h5')
-    reads(room, 'read_file.py', 'layout', 'out.h5')
+    room.reads('open_file.py', 'out.h5')
+    room.reads('read_file.py', 'layout', 'out.h5')
 
 
 def every_reader_opens_a_portrait_without_a_saddle(room):
     room.good('portrait', '--law', 'ruina', '--alpha', '1.5', '-o', 'a.h5',
               '--set', 'products=[equilibria, knees, estimates, nullclines, '
               'manifolds, field_arrows]')
-    reads(room, 'open_file.py', 'a.h5')
+    room.reads('open_file.py', 'a.h5')
 
 
 def exact_points_lie_on_the_stored_curve(room):
@@ -59,7 +49,7 @@ def exact_points_lie_on_the_stored_curve(room):
         room.good('study', '--law', law, '--alpha', alpha, '-o', 'a.h5',
                   '--set', 'products=[manifolds]', '--set',
                   'window={v: [1e-30, 1e30], psi: [1e-30, 1e30]}')
-        met += int(reads(room, 'read_file.py', 'curve', 'a.h5', 'points.csv'))
+        met += int(room.reads('read_file.py', 'curve', 'a.h5', 'points.csv'))
         listed += len(rows)
     expect(listed == 280 and met > 0.7 * listed, met, 'of', listed)
 
@@ -158,7 +148,7 @@ def overrides_and_shortcuts_are_part_of_the_printed_scene(room):
         room.write('b.yaml', scene)
         expect('a.h5' not in scene and 'a.svg' not in scene, scene)
         room.good('study', 'b.yaml', '-o', 'b.h5', '--figure', 'b.svg')
-        reads(room, 'read_file.py', 'same', 'a.h5', 'b.h5')
+        room.reads('read_file.py', 'same', 'a.h5', 'b.h5')
         expect(room.bytes('a.svg') == room.bytes('b.svg'), args, 'figure')
         expect(room.good('info', 'b.h5', 'scene') == scene, scene)
         if TITLE[:3] in str(args):
@@ -200,7 +190,7 @@ def numbers_are_finite_or_declared_missing(room):
                   *(small if re.search('^basins:', text, re.M) else []))
         made.append(name + '.h5')
     expect(len(made) > 25, made)
-    expect(int(reads(room, 'walk_floats.py', *made)) > 500, made)
+    expect(int(room.reads('walk_floats.py', *made)) > 500, made)
 
 
 def names_of_many_runs_sort_as_their_numbers(room):

@@ -441,12 +441,11 @@ def a_title_is_stored_as_it_is(room):
                    '\nlaw: {preset: ruina}\nslope: {alpha: 0.34}\n'
                    'products: [equilibria]\n')
         room.good('study', 'a.yaml', '-o', 'a.h5', '-q')
-        held = subprocess.run(
-            [READER, '-c', 'import h5py, sys\n'
-             'with h5py.File("a.h5") as f: t = f.attrs["title"]\n'
-             'sys.stdout.buffer.write(t.encode() if isinstance(t, str) else t)'
-             ], cwd=room.folder, capture_output=True, check=True).stdout
-        expect(held.decode() == title, title[:60], held[:60])
+        held = room.reads(
+            'import h5py, sys\n'
+            'with h5py.File("a.h5") as f: t = f.attrs["title"]\n'
+            'sys.stdout.buffer.write(t.encode() if isinstance(t, str) else t)')
+        expect(held == title, title[:60], held[:60])
         expect(room.json('info', 'a.h5')[0]['texts']['title'] == title,
                title[:60])
         expect(len(room.good('info', 'a.h5').splitlines()[2]) < 4200, 'cut')

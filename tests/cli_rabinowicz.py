@@ -4,9 +4,8 @@
 usage: cli_rabinowicz.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import re
-import subprocess
 
-from cli_room import READER, SLOPE, expect, refused, run_cases, shown
+from cli_room import SLOPE, expect, refused, run_cases, shown
 
 MASSES = ['--set', 'rabinowicz.block_mass=0.1', '--set',
           'rabinowicz.ball_mass=0.01', '--set', 'rabinowicz.restitution=0.5']
@@ -48,16 +47,14 @@ def the_file_holds_what_the_json_says(room):
         ' f["fit/mu_s"][()], f["fit/mu_s_low"][()], f["fit/L"][()],'
         ' f["slip/s_k"][()].tolist(), f["persistence/L"][()],'
         ' f["l_k/value"][()].tolist(), float(f["release"].attrs["K"])]))\n')
-    done = subprocess.run([READER, '-c', script], cwd=room.folder, text=True,
-                          capture_output=True, check=False)
-    expect(done.returncode == 0, done)
+    read = room.reads(script)
     fit = found['fit']
-    expect(done.stdout.startswith(
-        '[' + repr([row['l_k']['value'] for row in found['release']])), done)
+    expect(read.startswith(
+        '[' + repr([row['l_k']['value'] for row in found['release']])), read)
     for number in (fit['mu_s']['value'], fit['mu_s_low'], fit['L']['value'],
                    found['slip']['points'][7]['s_k']['value'],
                    found['persistence']['L']['value'], found['K']['value']):
-        expect(repr(number) in done.stdout, number, done.stdout)
+        expect(repr(number) in read, number, read)
     first = room.bytes('a.h5')
     room.good('rabinowicz', SCENE, '-o', 'a.h5', '--threads', '1', '--quiet')
     expect(room.bytes('a.h5') != b'' and room.bytes('a.h5') == first,

@@ -6,9 +6,8 @@ usage: cli_reference.py PATH_TO_SLIPWAY SOURCE_ROOT
 import glob
 import os
 import re
-import subprocess
 
-from cli_room import READER, expect, run_cases
+from cli_room import expect, run_cases
 
 CURVES = ['nullclines', 'manifolds', 'friction_law', 'spring_block',
           'bifurcation', 'fold_curves']
@@ -78,9 +77,7 @@ def make_files(room):
 
 
 def read_layout(room, page, files):
-    return subprocess.run(
-        [READER, room.script('read_layout.py'), page, *files], text=True,
-        cwd=room.folder, capture_output=True, timeout=300, check=False)
+    return room.python('read_layout.py', page, *files)
 
 
 # Lies, and what must be said of them.

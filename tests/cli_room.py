@@ -1,4 +1,5 @@
 """What the cli_*.py share: a folder to run slipway in, and TAP."""
+import atexit
 import csv
 import json
 import os
@@ -23,6 +24,22 @@ def shown(svg):
     texts = (''.join(text.itertext()) for text in
              root.iter('{http://www.w3.org/2000/svg}text'))
     return ' '.join(texts)
+
+
+def read_by(path, text, args, folder, started=[]):
+    """By reader.py, which is started once and ends with this program."""
+    if not started:
+        started.append(subprocess.Popen(
+            [READER, os.path.join(os.path.dirname(__file__), 'reader.py')],
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True))
+        atexit.register(started[0].communicate)
+    said = [tempfile.NamedTemporaryFile(mode='w+') for _ in range(2)]
+    print(json.dumps({'path': path, 'text': text, 'args': args,
+                      'folder': folder, 'out': said[0].name,
+                      'err': said[1].name}), file=started[0].stdin, flush=True)
+    code = int(started[0].stdout.readline())
+    return subprocess.CompletedProcess([path or text, *args], code,
+                                       *(file.read() for file in said))
 
 
 class Room:
@@ -93,6 +110,18 @@ class Room:
             ['sh', '-c', text], cwd=self.path(cwd), text=True, timeout=300,
             env=self.environment(), capture_output=True,
             stdin=subprocess.DEVNULL, check=False)
+
+    def python(self, script, *args):
+        """A script of this folder, by its name, or the text of one, run by
+        the python with h5py and xarray."""
+        return read_by(self.script(script) if script.endswith('.py') else '',
+                       script, args, self.folder)
+
+    def reads(self, script, *args):
+        """What it prints; it must succeed."""
+        done = self.python(script, *args)
+        expect(done.returncode == 0, done)
+        return done.stdout
 
     def reference(self, name):
         path = os.path.join(self.source, 'tests', 'reference', name)

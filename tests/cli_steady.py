@@ -6,9 +6,8 @@ usage: cli_steady.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import json
 import math
-import subprocess
 
-from cli_room import READER, expect, refused, run_cases, shown
+from cli_room import expect, refused, run_cases, shown
 
 SCENES = {'fig01a': 'friction_law', 'fig01b': 'spring_block',
           'fig03': 'bifurcation', 'fig04': 'fold_curves', 'fig10': 'chi'}
@@ -42,10 +41,7 @@ def asking(*products):
 
 def columns(room, group):
     """The data sets straight in a group of a.h5, each told of in full."""
-    done = subprocess.run([READER, '-c', READ], cwd=room.folder, text=True,
-                          capture_output=True, check=False)
-    expect(done.returncode == 0, done.stderr)
-    found = json.loads(done.stdout)
+    found = json.loads(room.reads(READ))
     for name, item in found.items():
         if name.startswith('/' + group):
             expect(item['told'], name, 'has no long_name')

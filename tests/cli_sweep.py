@@ -10,7 +10,7 @@ import signal
 import subprocess
 import time
 
-from cli_room import READER, expect, refused, run_cases, shown
+from cli_room import expect, refused, run_cases, shown
 
 SCENE = 'scenes/sweep.yaml'
 KNEES = 'products=[equilibria, folds, knees, estimates]'
@@ -22,19 +22,7 @@ def line(points, more=''):
 
 
 def read(room, name, *numbers):
-    done = subprocess.run([READER, room.script('read_sweep.py'), name,
-                           *numbers],
-                          cwd=room.folder, text=True, capture_output=True,
-                          check=False)
-    expect(done.returncode == 0, done)
-    return json.loads(done.stdout)
-
-
-def is_sound(room, name):
-    done = subprocess.run([READER, room.script('open_file.py'), name],
-                          cwd=room.folder, text=True, capture_output=True,
-                          check=False)
-    expect(done.returncode == 0, done)
+    return json.loads(room.reads('read_sweep.py', name, *numbers))
 
 
 # ---- results -----------------------------------------------------------------
@@ -90,7 +78,7 @@ def a_grid_is_a_cube_over_both_keys(room):
             '{key: material.c, from: 1e-4, to: 1e-2, points: 3, scale: log}]')
     room.good('sweep', '--law', 'spinodal_gen', '--set', grid, '--set',
               'products=[knees]', '-o', 'a.h5', '--figure', 'a.svg')
-    is_sound(room, 'a.h5')
+    room.reads('open_file.py', 'a.h5')
     found = read(room, 'a.h5')
     expect(found['keys'] == ['slope.tan_alpha', 'material.c']
            and found['axes']['c'][0] == 1e-4 and found['axes']['c'][2] == 1e-2
