@@ -250,7 +250,7 @@ def a_terminal_shows_a_bar_with_rate_and_time_left(room):
            and '\n' not in ''.join(shown), shown)
     for args in (['--quiet'], ['--progress', 'none']):
         expect(seen_on_a_terminal(room, *SADDLE, *small(), *args) == '', args)
-    room.good(*scene, '--progress', 'auto')  # no terminal: no complaint
+    room.good(*SADDLE, *small(), '--progress', 'auto')  # none: no complaint
 
 
 # ---- full disks, memory ------------------------------------------------------
