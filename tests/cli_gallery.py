@@ -10,10 +10,9 @@ import subprocess
 import urllib.parse
 import xml.etree.ElementTree
 
+from cli_paper import COARSE, check_figures
 from cli_room import expect, refused, run_cases
 
-# Coarser maps than the scenes ask for: a quarter of the time.
-COARSE = ['--set', 'basins={cells: [12, 9], audit: 10}']
 SCENE = '''# %s
 title: %s
 law: {preset: dieterich_gen}
@@ -116,7 +115,8 @@ def screenshot(room, folder):
 
 def every_figure_is_built_and_shown(room):
     room.bring('scenes')
-    said = room.good('gallery', '-o', 'g', '--keep-script', *COARSE)
+    said = room.good('gallery', '-o', 'g', '--keep-script', '--figure-width',
+                     'two_columns', *COARSE)
     page = read_page(room, 'g')
     scenes = {name[:-5] for name in room.names('scenes')
               if name.endswith('.yaml')
@@ -134,6 +134,7 @@ def every_figure_is_built_and_shown(room):
         expect(room.read(f'g/{name}.yaml')
                == room.read(f'scenes/{name}.yaml'), name)
     check_pictures(room, 'g', page)
+    check_figures(room, 'g', 183, 31)
     screenshot(room, 'g')
     expect(room.names() == ['g', 'scenes'], room.names())
 
