@@ -105,7 +105,8 @@ def a_signal_is_heard_within_a_second_and_nothing_is_left(room):
         f'{10 ** draw.uniform(-3, 4):.6g},{10 ** draw.uniform(-3, 2):.6g}\n'
         for _ in range(100000)))
     room.bring('scenes')
-    runs = [(COMMANDS[k % len(COMMANDS)](draw), draw.uniform(0.1, 1.5),
+    # soon, mostly: more happens in the first tenths than later
+    runs = [(COMMANDS[k % len(COMMANDS)](draw), 0.05 * 30 ** draw.random(),
              draw.choice([signal.SIGINT, signal.SIGTERM]))
             for k in range(RUNS)]
     folders = queue.SimpleQueue()
