@@ -49,7 +49,7 @@ static inline quad line_at(const struct line_scope *s, const char *text)
     struct line_reader r = { s, text };
     const quad value = line_sum(&r);
 
-    CHECK(*r.at == '\0', "%.60s after %s", r.at, text);
+    CHECK(*r.at == '\0', "%.60s after %.900s", r.at, text);
     return value;
 }
 
