@@ -238,6 +238,209 @@ def figures_are_in_the_scene_s_units(room):
             expect('V∗' not in words and 'x/L' not in words, panel, words)
 
 
+SWEEP = ('sweep={key: slope.alpha, from: 0.3, to: 0.36, points: 3}')
+
+
+def every_number_of_a_sweep_is_that_of_the_twin(room):
+    more = ['--set', SWEEP, '--set', 'products=[equilibria, folds, knees, '
+            'estimates, trajectories, basins, slip, chi]', '--set',
+            'trajectories.starts=[{v: 1000 V_star, phi: 0.1}]',
+            '--set', 'basins.cells=[4, 4]', '--set', 'basins.audit=0']
+    for law, (_, s, _) in PHI.items():
+        found, text = [], []
+        for name, units in (('own', ''), ('si', 'units: si\n')):
+            room.write(f'{name}.yaml', scene(law, units))
+            found.append(room.json('sweep', f'{name}.yaml', *more, '-o',
+                                   f'{name}.h5'))
+            text.append(room.good('sweep', f'{name}.yaml', '--set', SWEEP,
+                                  *more[4:6], '--set',
+                                  'products=[trajectories]'))
+        twins = Twins(law)
+        own, si = found
+        for part in ('numbers', 'starts', 'maps'):
+            units = own['units'][part], si['units'][part]
+            rows = zip(*([j[part]] if isinstance(j[part], dict) else j[part]
+                         for j in found))
+            for a, b in rows:
+                expect(len(a) == len(b) > 1, law, part)
+                for name, value in a.items():
+                    sweep_member(twins, law, name, value, b, *units)
+        for name, dim in own['dims'].items():
+            unit = dim['unit']
+            if name.endswith('psi'):
+                unit = s
+                made = state_of(law)
+            else:
+                _, unit, made = twins.unit(name, unit)
+            told = si['dims'][name.replace('psi', 'phi')]
+            expect(told['unit'] == (unit or '1'), name, dim, told)
+            twins.numbers(name, made, dim['values'], told['values'])
+        expect(own['keys'] == si['keys'], own['keys'], si['keys'])
+        expect(twins.told > 60, law, twins.told, twins.compared)
+        expect('time (s)' in text[1] and 'time (L/V_star)' in text[0] and
+               'V_star' not in text[1], law, text)
+
+
+def state_of(law):
+    """phi of psi."""
+    phi_1, _, is_log = PHI[law]
+    return lambda x: phi_1 * (math.exp(x) if is_log else x)
+
+
+def sweep_member(twins, law, name, value, told, units, units_told):
+    """A number over the points, or a map: its values and their bars."""
+    state = re.search(r'(ln_)?psi(_kick|_at_v0|_sp0)?$', name)
+    unit = units.get(name)
+    phi_1, s, _ = PHI[law]
+    if state and name not in told:
+        other = name[:state.start()] + state.group().replace('psi', 'phi')
+        expect(units_told.get(other, '1') == (
+            ('ln(s)' if s == 's' else '1') if state.group(1) else s), other,
+               units_told)
+
+        made = state_of(law)
+        if state.group(1):
+            def made(x):
+                return x + math.log(phi_1)
+    else:
+        other, unit_told, made = twins.unit(name, unit)
+        expect(units_told.get(other) == unit_told, name, unit, units_told)
+    own, si = value, told[other]
+    if not isinstance(own, dict):
+        twins.numbers(name, made, own, si)
+        return
+    for part in ('value', 'least', 'greatest'):
+        if part in own:
+            error = own.get('error', 0), si.get('error', 0)
+            sweep_numbers(twins, name, made, own[part], si[part], *error)
+    for part in own:
+        if part == 'dims':
+            expect(own[part] == [x.replace('phi', 'psi') for x in si[part]],
+                   name)
+        elif part not in ('value', 'error', 'least', 'greatest'):
+            expect(own[part] == si[part], name, part)
+
+
+def sweep_numbers(twins, where, made, own, si, error, error_told):
+    if isinstance(own, list):
+        expect(len(own) == len(si), where)
+        for i, (a, b) in enumerate(zip(own, si)):
+            bar = (e[i] if isinstance(e, list) else e
+                   for e in (error, error_told))
+            sweep_numbers(twins, where, made, a, b, *bar)
+    elif isinstance(own, (int, float)):
+        bars = (error or 0, error_told or 0)
+        both = abs(made(own + bars[0]) - made(own - bars[0]))
+        twins.same(where, made, own, si, both + bars[1])
+    else:
+        expect(own == si, where, own, si)
+
+
+def a_bare_number_of_a_swept_key_is_in_the_scene_s_units(room):
+    slip = []
+    for units, scale in (('dimensionless', 1), ('si', L / V)):
+        room.write('a.yaml', scene('spinodal_gen', f'units: {units}\n'))
+        found = room.json(
+            'sweep', 'a.yaml', '--set', 'products=[trajectories]', '--set',
+            'trajectories.starts=[{v: 100 V_star, phi: 0.1}]', '--set',
+            'sweep={key: trajectories.until.time, values: '
+            f'[{scale}, {3 * scale}]}}')
+        expect(found['keys'][0]['unit'] == ('s' if units == 'si' else
+                                            'L/V_star'), found['keys'])
+        slip.append([x[0] for x in found['numbers']['trajectory_slip']
+                     ['value']])
+    for own, si in zip(*slip):
+        expect(abs(own * L - si) <= 1e-9 * si > 0, slip)
+
+
+TICK = re.compile(r"'([^']*)' (\S+) 0")
+
+
+def drawn_ticks(script):
+    """Of x and y: ends, and the numbers that are written at their places."""
+    found = []
+    for axis in 'xy':
+        ends = re.search(rf'^set {axis}range \[(.*):(.*)\]', script, re.M)
+        ticks = re.search(rf'^set {axis}tics .*?\((.*)\)', script, re.M)
+        found.append(([float(end) for end in ends.groups()],
+                      TICK.findall(ticks.group(1))))
+    return found
+
+
+def written(text):
+    """'2.5 × 10^{−8}' as a number."""
+    text = text.replace('−', '-')
+    power = re.search(r'10\^\{?(-?\d+)\}?', text)
+    if power is None:
+        return float(text)
+    factor = text[:power.start()].strip(' ×·{}')
+    return (float(factor) if factor else 1.0) * 10.0 ** int(power.group(1))
+
+
+def points_drawn(data):
+    """Of all lines, their points in turn."""
+    data = re.sub(r'# block \d+: raster.*?\n\n\n', '', data, flags=re.S)
+    return [tuple(map(float, line.split())) for line in data.split('\n')
+            if re.fullmatch(r'[-\d.e+]+ [-\d.e+]+', line)]
+
+
+# Law, figure, and what x and y are times in the SI.
+FIGURES = [
+    ('perrin', ['portrait'], (V, PHI['perrin'][0])),
+    ('spinodal_gen', ['sweep', '--set', SWEEP], (1, V)),
+    ('spinodal_gen', ['sweep', '--set', 'sweep={key: slope.alpha, from: 0.3, '
+                      'to: 0.36, points: 9, show: persistence}'], (1, L)),
+]
+
+
+def axes_and_points_are_those_of_the_twin(room):
+    for law, args, factors in FIGURES:
+        seen = []
+        for units in ('dimensionless', 'si'):
+            room.write('a.yaml', scene(law, f'units: {units}\n'))
+            room.good(args[0], 'a.yaml', *args[1:], '-q', '--figure',
+                      'a.svg', '--keep-script')
+            seen.append((drawn_ticks(room.read('a.gp')),
+                         points_drawn(room.read('a.dat'))))
+        (own, points), (si, points_si) = seen
+        expect(len(points) == len(points_si) > 4, args, points, points_si)
+        for axis, factor in enumerate(factors):
+            for a, b in zip(own[axis][0], si[axis][0]):
+                expect(abs(a * factor - b) <= 1e-9 * abs(b), args, own, si)
+            expect(len(si[axis][1]) > 1, si)
+            for text, place in own[axis][1] + si[axis][1]:
+                expect(abs(written(text) - float(place)) <= 1e-9 * max(
+                    abs(float(place)), 1e-9 * factor), text, place)
+            for a, b in zip(points, points_si):
+                expect(abs(a[axis] * factor - b[axis]) <= 1e-4 *
+                       abs(b[axis]), args, axis, a, b)
+
+
+def words_of_states_are_phi_in_the_si(room):
+    """Margins' labels, and the note where there is no v_plus."""
+    room.write('si.yaml', scene('perrin', 'units: si\n'))
+    room.good('basin', 'si.yaml', '-q', '--set', 'products=[basins, margin]',
+              *SMALL, '--figure', 'm.svg')
+    words = shown(room.bytes('m_margin_psi.svg'))
+    expect('factor on φ' in words and 'ψ' not in words, words)
+    for units, name in (('dimensionless', 'psi'), ('si', 'phi')):
+        room.write('a.yaml', scene('dieterich', f'units: {units}\n'))
+        said = room.good('knees', 'a.yaml', '--set', 'slope.alpha=0.3')
+        expect(re.search(r'^note: no v_plus.* v = 0 at ' + name + '_at_v0$',
+                         said, re.M), said)
+
+
+def a_tangent_is_told_once(room):
+    for units in ('dimensionless', 'si'):
+        room.write('a.yaml', 'law: {preset: spinodal_gen}\n'
+                   f'slope: {{tan_alpha: 0.35}}\n{MATERIAL}units: {units}\n')
+        said = room.good('knees', 'a.yaml')
+        names = re.findall(r'^  (\w+) ', said, re.M)
+        expect(names.count('tan_alpha_f') == 1 and 'alpha_f' in names and
+               'tan_alpha_cM' in names, said)
+        expect(re.search(r'^  alpha_f .* rad$', said, re.M), said)
+
+
 def files_hold_numbers_as_they_are_and_say_their_scale(room):
     for units in ('dimensionless', 'si'):
         room.write('a.yaml', scene('spinodal_gen', f'units: {units}\n'))
@@ -262,6 +465,11 @@ assert "scale" not in a["mu_s_num"].attrs
 
 run_cases([
     every_number_of_json_is_that_of_the_twin,
+    every_number_of_a_sweep_is_that_of_the_twin,
+    a_bare_number_of_a_swept_key_is_in_the_scene_s_units,
+    axes_and_points_are_those_of_the_twin,
+    words_of_states_are_phi_in_the_si,
+    a_tangent_is_told_once,
     every_line_of_text_has_the_units_of_json,
     a_bare_number_of_a_scene_is_in_its_units,
     figures_are_in_the_scene_s_units,

@@ -4,13 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NAME = 32, WORDS = 32 };
+enum { WORDS = 32 };
 
 /* What is in place of a view's own. */
 struct told {
     struct record_type type;
     struct record_field *field;
-    char (*name)[NAME];
+    char (*name)[RESULT_NAME];
     char *at;
     const char *units[WORDS]; /* of the member that has one for each code */
 };
@@ -30,25 +30,46 @@ const char *result_unit(const struct record_array *a, size_t i,
     return unit_name(NULL, unit_of(a, i, f));
 }
 
-/* psi is phi, the tangent of alpha tan_alpha. */
-static const char *name_of(const struct unit_system *u,
-                           const struct record_field *f, char name[NAME])
+/* Whether alpha has its tangent beside it. */
+static bool has_tangent(const struct record_type *type,
+                        const struct record_field *f)
 {
-    const struct unit *unit = unit_find(f->unit);
-    const size_t at = strncmp(f->name, "ln_", 3) == 0 ? 3 : 0;
+    bool has = false;
 
-    if (unit && unit->kind == UNIT_ANGLE && u->angle == ANGLE_TAN &&
-        strlen(f->name) + 4 < NAME) {
-        snprintf(name, NAME, "tan_%s", f->name);
-        return name;
-    }
-    if (unit == NULL || !u->si || unit->kind < UNIT_STATE ||
-        unit->kind == UNIT_ANGLE || strncmp(f->name + at, "psi", 3) != 0 ||
-        strlen(f->name) >= NAME)
-        return f->name;
-    strcpy(name, f->name);
-    memcpy(name + at, "phi", 3);
-    return name;
+    for (size_t i = 0; i < type->count; i++)
+        has = has || (strncmp(type->fields[i].name, "tan_", 4) == 0 &&
+                      strcmp(type->fields[i].name + 4, f->name) == 0);
+    return has;
+}
+
+/* The unit in which a member is told otherwise than it is; else NULL. */
+static const struct unit *told_unit(const struct unit_system *u,
+                                    const struct record_type *type,
+                                    const struct record_field *f,
+                                    const char *own)
+{
+    const struct unit *unit = unit_find(own);
+
+    return unit && unit->kind == UNIT_ANGLE && u->angle == ANGLE_TAN &&
+                   has_tangent(type, f)
+               ? NULL
+               : unit;
+}
+
+/* psi is at the beginning, or behind "ln_". */
+void result_told_name(const struct unit_system *u,
+                      const struct record_type *type,
+                      const struct record_field *f, char name[RESULT_NAME])
+{
+    const struct unit *unit = told_unit(u, type, f, f->unit);
+    const size_t at = strncmp(f->name, "ln_", 3) == 0 ? 3 : 0;
+    const bool angle = unit && unit->kind == UNIT_ANGLE;
+
+    snprintf(name, RESULT_NAME, "%s%s",
+             angle && u->angle == ANGLE_TAN ? "tan_" : "", f->name);
+    if (unit && u->si && !angle && unit->kind >= UNIT_STATE &&
+        strncmp(name + at, "psi", 3) == 0)
+        memcpy(name + at, "phi", 3);
 }
 
 static const char *const *tell_units(const struct unit_system *u,
@@ -68,8 +89,10 @@ static void tell_type(const struct unit_system *u, struct told *t,
     t->type.fields = t->field;
     for (size_t i = 0; i < own->count; i++) {
         t->field[i] = own->fields[i];
-        t->field[i].name = name_of(u, &own->fields[i], t->name[i]);
-        t->field[i].unit = unit_name(u, own->fields[i].unit);
+        result_told_name(u, own, &own->fields[i], t->name[i]);
+        t->field[i].name = t->name[i];
+        if (told_unit(u, own, &own->fields[i], own->fields[i].unit))
+            t->field[i].unit = unit_name(u, own->fields[i].unit);
         if (own->fields[i].units)
             t->field[i].units = tell_units(u, t, own, own->fields[i].units);
     }
@@ -97,7 +120,7 @@ static void tell_records(const struct unit_system *u, char *to,
     for (size_t i = 0; i < own->count; i++)
         for (size_t k = 0; k < type->count; k++) {
             const struct record_field *f = &type->fields[k];
-            tell_member(u, unit_find(unit_of(own, i, f)), f,
+            tell_member(u, told_unit(u, type, f, unit_of(own, i, f)), f,
                         to + i * type->size + f->offset);
         }
 }
@@ -111,7 +134,7 @@ enum status result_tell(const struct unit_system *u, struct result_view *v)
         sizeof(struct told) + fields * sizeof(struct record_field);
     if (unit_system_is_own(u))
         return STATUS_OK;
-    char *block = malloc(before + records + fields * NAME);
+    char *block = malloc(before + records + fields * RESULT_NAME);
 
     if (block == NULL) {
         result_close(v);
@@ -120,7 +143,7 @@ enum status result_tell(const struct unit_system *u, struct result_view *v)
     struct told *t = (struct told *) (void *) block;
     t->field = (struct record_field *) (void *) (block + sizeof *t);
     t->at = block + before;
-    t->name = (char(*)[NAME])(void *) (t->at + records);
+    t->name = (char(*)[RESULT_NAME])(void *) (t->at + records);
     tell_type(u, t, own.type);
     tell_records(u, t->at, &own);
     free(v->owned);

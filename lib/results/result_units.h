@@ -5,11 +5,16 @@
 #include "result.h"
 
 /* Where any is told otherwise puts a copy in place of the view's records, their
- * type told as well: units by their names there, and phi for psi at the
- * beginning of names, or behind "ln_".  STATUS_NO_MEMORY leaves a view that is
- * closed. */
+ * type told as well: units and names by what they are called there.
+ * STATUS_NO_MEMORY leaves a view that is closed. */
 MUST_CHECK enum status result_tell(const struct unit_system *u,
                                    struct result_view *v);
+
+/* What a member of such records is called there: phi for psi, tan_alpha for
+ * alpha, unless the type has a member of that name. */
+void result_told_name(const struct unit_system *u,
+                      const struct record_type *type,
+                      const struct record_field *f, char name[RESULT_NAME]);
 
 /* The name of the unit that a member of record i is in, "1": none. */
 const char *result_unit(const struct record_array *a, size_t i,
