@@ -7,8 +7,10 @@
 #include "law_typed.h"
 #include "scene_law.h"
 #include "scene_shape.h"
+#include "scene_units.h"
 #include "schema.h"
 #include "tolerance.h"
+#include "unit_text.h"
 #include "value.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
@@ -106,8 +108,16 @@ static enum status list_values(struct scene_axis *axis)
     return STATUS_OK;
 }
 
+/* Of a key whose bare numbers have a physical unit. */
+static const struct unit *unit_of(const struct scene *s, const char *path)
+{
+    const struct schema_key *key = schema_find(path);
+
+    return key && s->units == UNITS_SI ? unit_text_of(key->unit) : NULL;
+}
+
 /* Of a system's parameters any number is allowed, of a law's own names those of
- * the sign that it has. */
+ * the sign that it has; a bare number is in the scene's units. */
 static bool set_key(const char *path, double x, struct scene *s)
 {
     const struct schema_key *key = schema_find(path);
@@ -117,7 +127,11 @@ static bool set_key(const char *path, double x, struct scene *s)
         s->material.own[own] = x;
         return isfinite(x) && (x > 0.0) == (s->typed->own[own].value > 0.0);
     }
-    return key ? value_set(key, x, s) : isfinite(x);
+    if (key == NULL)
+        return isfinite(x);
+    const struct unit *unit = unit_of(s, path);
+    const struct unit_system units = scene_units(s);
+    return value_set(key, unit ? x / unit_scale(&units, unit) : x, s);
 }
 
 /* Every value is allowed for the key, and they ascend. */
