@@ -96,26 +96,29 @@ static void draw_margin(const struct study *s, enum basin_axis axis,
                         double value[], struct figure *f)
 {
     const size_t n = (size_t) MARGIN_COLUMNS * MARGIN_ROWS;
-    const bool shift = axis == BASIN_PSI && law_psi_is_log(&s->scene->law);
+    const bool si = s->scene->units == UNITS_SI;
+    const bool shift =
+        axis == BASIN_PSI && !si && law_psi_is_log(&s->scene->law);
+    const char *const what[2][2] = {
+        { "factor on " S_V " to another fate",
+          "factor on " S_BIG_V " to another fate" },
+        { shift ? "shift of " S_PSI " to another fate"
+                : "factor on " S_PSI " to another fate",
+          "factor on " S_PHI " to another fate" },
+    };
 
     for (size_t i = 0; i < n; i++)
         if (!isfinite(value[i]))
             value[i] = (double) NAN;
         else
             value[i] = shift ? fabs(value[i]) : exp(fabs(value[i]));
-    figure_add_map(
-        f,
-        &(struct figure_map){
-            .value = value,
-            .nx = MARGIN_COLUMNS,
-            .ny = MARGIN_ROWS,
-            .scale = { .label = axis == BASIN_V ? "factor on " S_V
-                                                  " to another fate"
-                                : shift ? "shift of " S_PSI " to another fate"
-                                        : "factor on " S_PSI " to another fate",
-                       .is_log = !shift },
-            .contours = true,
-            .missing = "no other fate there" });
+    figure_add_map(f, &(struct figure_map){ .value = value,
+                                            .nx = MARGIN_COLUMNS,
+                                            .ny = MARGIN_ROWS,
+                                            .scale = { .label = what[axis][si],
+                                                       .is_log = !shift },
+                                            .contours = true,
+                                            .missing = "no other fate there" });
 }
 
 void picture_add_margin(const struct study *s, enum basin_axis axis,

@@ -24,7 +24,7 @@ void picture_add_field(const struct picture_raster *r, enum cell_field field,
                        const struct unit_system *units, struct figure *f);
 
 /* How far every state is from another fate: a factor on v or on psi, or a shift
- * of psi where it is a logarithm. */
+ * of psi where it is a logarithm and told as it is. */
 void picture_add_margin(const struct study *s, enum basin_axis axis,
                         struct figure *f);
 const char *picture_margin_panel(enum basin_axis axis);
