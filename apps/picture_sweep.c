@@ -10,6 +10,7 @@
 #include "scene_sweep.h"
 #include "sheet.h"
 #include "sweep_show.h"
+#include "sweep_told.h"
 #include "symbols.h"
 #include "system.h"
 
@@ -52,12 +53,14 @@ static const struct {
     { "gravity", "gravity " ITALIC("g") " (m/s" SUPER("2") ")" },
 };
 
-static void label_of(const struct sweep_axis *a, char *label, size_t size)
+static void label_of(const struct sweep *s, size_t k, char *label, size_t size)
 {
-    const bool plain = a->key.unit[0] == '1';
+    const struct sweep_axis *a = &s->axis[k];
+    const char *unit = sweep_told_unit(s, a->key.unit);
+    const bool plain = unit[0] == '1';
 
     snprintf(label, size, "%s%s%s%s", a->key.text, plain ? "" : " (",
-             plain ? "" : a->key.unit, plain ? "" : ")");
+             plain ? "" : unit, plain ? "" : ")");
     for (size_t i = 0; i < sizeof labels / sizeof *labels; i++)
         if (strcmp(a->key.path, labels[i].path) == 0)
             snprintf(label, size, "%s", labels[i].label);
@@ -71,6 +74,11 @@ static struct sheet_text title_of(const struct sweep *s)
     for (size_t i = 0; i < s->axes; i++)
         slope &= s->axis[i].key.path[0] != 's';
     return sheet_title(s->scene, slope);
+}
+
+static bool is_si(const struct sweep *s)
+{
+    return s->scene->units == UNITS_SI && s->scene->system == NULL;
 }
 
 /* ---- over one key -------------------------------------------------------- */
@@ -89,7 +97,7 @@ static void span(const struct sweep *s, const struct sweep_curve curve[],
     for (size_t k = 0; k < curves; k++) {
         const int column = sweep_find(s, curve[k].column);
         for (size_t i = 0; column >= 0 && i < s->points; i++) {
-            const double y = sweep_quantity(s, column, i).value;
+            const double y = sweep_told(s, column, i, 0).value;
             if (y > 0.0 || !is_log)
                 range_grow(range, &y, 1);
         }
@@ -108,17 +116,18 @@ static struct figure_axis upward(const struct sweep *s,
     const struct scene_sweep *w = &s->scene->sweep;
     const struct show_frame *show = &show_frames[w->show];
     const bool is_log = scene_sweep_y_log(w);
+    const char *label = show->label[is_si(s)];
     double range[2] = RANGE_EMPTY;
 
     for (int i = 0; i < 2; i++) {
         const double *r = i == 0 ? w->y_range : show->range;
         if (r[0] < r[1] && (r[0] > 0.0 || !is_log))
-            return (struct figure_axis){ show->label, r[0], r[1], is_log };
+            return (struct figure_axis){ label, r[0], r[1], is_log };
     }
     span(s, curve, curves, is_log, range);
     const double rim = is_log ? 0.03 * log(range[1] / range[0]) + 0.03
                               : 0.04 * (range[1] - range[0]);
-    return around(show->label, range[0], range[1], is_log, rim);
+    return around(label, range[0], range[1], is_log, rim);
 }
 
 /* The bar from y - error to y + error, where it can be seen. */
@@ -159,7 +168,7 @@ static void find_values(const struct plot *p, const struct sweep_curve *c,
 
     for (size_t i = 0; i < p->s->points; i++) {
         const double x = place(a, a->value[i]);
-        y[i] = sweep_quantity(p->s, column, i).value;
+        y[i] = sweep_told(p->s, column, i, 0).value;
         if (c->marks && x - last < step)
             y[i] = (double) NAN;
         else if (isfinite(y[i]))
@@ -259,7 +268,7 @@ static void add_curve(const struct plot *p, const struct sweep_curve *c)
     (c->marks ? add_marks : add_line)(p, c, y);
     for (size_t i = 0; i < p->s->points; i++)
         if (isfinite(y[i]))
-            add_bar(p, c, x[i], y[i], sweep_quantity(p->s, column, i).error);
+            add_bar(p, c, x[i], y[i], sweep_told(p->s, column, i, 0).error);
     free(y);
 }
 
@@ -271,7 +280,7 @@ static void draw_curves(const struct sweep *s, struct figure *f)
     struct plot p = { .s = s, .figure = f };
     char label[96];
 
-    label_of(a, label, sizeof label);
+    label_of(s, 0, label, sizeof label);
     p.x = around(label, a->value[0], a->value[a->count - 1], a->is_log, 0.0);
     p.y = upward(s, curve, curves);
     figure_init(f, title_of(s).text, &p.x, &p.y);
@@ -315,8 +324,9 @@ static void add_map(const struct sweep *s, const struct figure_axis *x,
                     const struct figure_axis *y, struct figure *f)
 {
     static double value[ROWS][COLUMNS];
-    static const struct show_frame count = { .map = "count_equilibria",
-                                             .map_label = "equilibria" };
+    static const struct show_frame count = {
+        .map = "count_equilibria", .map_label = { "equilibria", "equilibria" }
+    };
     const struct show_frame *show =
         s->scene->system ? &count : &show_frames[s->scene->sweep.show];
     const int column = sweep_find(s, show->map);
@@ -327,25 +337,24 @@ static void add_map(const struct sweep *s, const struct figure_axis *x,
     for (size_t j = 0; j < ROWS; j++)
         for (size_t i = 0; i < COLUMNS; i++)
             value[j][i] =
-                column < 0
-                    ? (double) NAN
-                    : sweep_quantity(s, column,
-                                     across[i] * s->axis[1].count + up[j])
-                          .value;
-    figure_add_map(f,
-                   &(struct figure_map){ .value = value[0],
-                                         .nx = COLUMNS,
-                                         .ny = ROWS,
-                                         .scale = { .label = show->map_label },
-                                         .missing = "does not exist" });
+                column < 0 ? (double) NAN
+                           : sweep_told(s, column,
+                                        across[i] * s->axis[1].count + up[j], 0)
+                                 .value;
+    figure_add_map(f, &(struct figure_map){
+                          .value = value[0],
+                          .nx = COLUMNS,
+                          .ny = ROWS,
+                          .scale = { .label = show->map_label[is_si(s)] },
+                          .missing = "does not exist" });
 }
 
 static void draw_map(const struct sweep *s, struct figure *f)
 {
     char label[2][96];
 
-    label_of(&s->axis[0], label[0], sizeof label[0]);
-    label_of(&s->axis[1], label[1], sizeof label[1]);
+    label_of(s, 0, label[0], sizeof label[0]);
+    label_of(s, 1, label[1], sizeof label[1]);
     const struct figure_axis x = frame(&s->axis[0], label[0]);
     const struct figure_axis y = frame(&s->axis[1], label[1]);
     figure_init(f, s->scene->system ? s->scene->title : title_of(s).text, &x,
@@ -386,7 +395,7 @@ static void draw_equilibria(const struct sweep *s, struct figure *f)
     double *y = malloc(s->points * sizeof *y);
     char label[96];
 
-    label_of(a, label, sizeof label);
+    label_of(s, 0, label, sizeof label);
     const struct figure_axis x =
         around(label, a->value[0], a->value[a->count - 1], a->is_log, 0.0);
     figure_init(f, s->scene->title, &x, &upward);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "sweep_summary.h"
+#include "sweep_told.h"
 #include "system.h"
 
 /* ---- tables -------------------------------------------------------------- */
@@ -14,7 +15,7 @@ enum { ROWS = 24, SHOWN = 8 };
 /* Some columns, of those with more the same entry. */
 struct shown {
     int column[SHOWN];
-    const char *name[SHOWN];
+    struct sweep_name name[SHOWN]; /* with the unit */
     size_t count, entry;
 };
 
@@ -28,6 +29,19 @@ static bool is_there(const struct sweep *s, int column)
     return false;
 }
 
+/* "time (s)" */
+static struct sweep_name head_of(const struct sweep *s, const char *name,
+                                 const char *own)
+{
+    const char *unit = sweep_told_unit(s, own);
+    const bool bare = strcmp(unit, "1") == 0;
+    struct sweep_name head;
+
+    snprintf(head.text, sizeof head.text, "%s%s%s%s", name, bare ? "" : " (",
+             bare ? "" : unit, bare ? "" : ")");
+    return head;
+}
+
 /* A column, if the sweep has it. */
 static void add(struct shown *t, const struct sweep *s, const char *column,
                 const char *name)
@@ -37,15 +51,17 @@ static void add(struct shown *t, const struct sweep *s, const char *column,
     if (k < 0 || t->count == SHOWN)
         return;
     t->column[t->count] = k;
-    t->name[t->count++] = name;
+    t->name[t->count++] = head_of(s, name, s->columns.at[k].unit);
 }
 
 static void print_axes(FILE *out, const struct sweep *s)
 {
     for (size_t k = 0; k < s->axes; k++) {
         const struct sweep_axis *a = &s->axis[k];
-        fprintf(out, "%s: %zu values from %.6g to %.6g\n", a->key.path,
-                a->count, a->value[0], a->value[a->count - 1]);
+        const char *unit = sweep_told_unit(s, a->key.unit);
+        fprintf(out, "%s: %zu values from %.6g to %.6g%s%s\n", a->key.path,
+                a->count, a->value[0], a->value[a->count - 1],
+                *unit == '1' ? "" : " ", *unit == '1' ? "" : unit);
     }
 }
 
@@ -60,7 +76,7 @@ static void print_entry(FILE *out, const struct sweep *s, int k, size_t point,
         fprintf(out, " %-16s", code < 0 ? "-" : c->codes[code]);
         return;
     }
-    q = sweep_entry(s, k, point, entry);
+    q = sweep_told(s, k, point, entry);
     if (quantity_exists(&q))
         fprintf(out, " %-16.10g", q.value);
     else
@@ -87,7 +103,7 @@ static void print_table(FILE *out, const struct sweep *s, const struct shown *t)
     for (size_t k = 0; k < s->axes; k++)
         fprintf(out, "%s%-14s", k ? " " : "  ", s->axis[k].name);
     for (size_t k = 0; k < t->count; k++)
-        fprintf(out, " %-16s", t->name[k]);
+        fprintf(out, " %-16s", t->name[k].text);
     fputc('\n', out);
     for (size_t i = 0; i < rows; i++)
         print_point(out, s, t, rows > 1 ? i * (s->points - 1) / (rows - 1) : 0);
@@ -141,12 +157,22 @@ static void print_shares(FILE *out, const struct sweep *s)
     print_table(out, s, &t);
 }
 
+static void print_start(FILE *out, const struct sweep *s, size_t i)
+{
+    const struct scene_start *z = &s->scene->start[i];
+    const char *psi = sweep_told_unit(s, "psi");
+
+    fprintf(out, "start %zu: v = %.10g %s, %s = %.10g%s%s\n", i,
+            sweep_told_value(s, "V_star", z->v), sweep_told_unit(s, "V_star"),
+            sweep_told_state(s), sweep_told_value(s, "psi", z->psi),
+            *psi == '1' ? "" : " ", *psi == '1' ? "" : psi);
+}
+
 static void print_runs(FILE *out, const struct sweep *s)
 {
     for (size_t i = 0; i < s->dims.of[DIM_START].count; i++) {
         struct shown t = { .entry = i };
-        fprintf(out, "start %zu: v = %.10g, psi = %.10g\n", i,
-                s->scene->start[i].v, s->scene->start[i].psi);
+        print_start(out, s, i);
         add(&t, s, "trajectory_fate", "fate");
         add(&t, s, "trajectory_end", "end");
         add(&t, s, "trajectory_time", "time");
@@ -162,6 +188,8 @@ static void print_range(FILE *out, const struct sweep *s, size_t k)
 {
     struct sweep_summary all = { .least = (double) NAN,
                                  .greatest = (double) NAN };
+    const struct unit *unit = unit_find(s->layers.at[k].unit);
+    const char *name = sweep_told_unit(s, s->layers.at[k].unit);
     struct fault why;
 
     for (size_t i = 0; i < s->points; i++) {
@@ -170,12 +198,14 @@ static void print_range(FILE *out, const struct sweep *s, size_t k)
             return;
         all.cells += is.cells;
         all.present += is.present;
-        all.least = fmin(all.least, is.least);
-        all.greatest = fmax(all.greatest, is.greatest);
+        const struct unit_system u = sweep_units(s, i);
+        all.least = fmin(all.least, unit_value(&u, unit, is.least));
+        all.greatest = fmax(all.greatest, unit_value(&u, unit, is.greatest));
     }
     fprintf(out, "  %-22s", s->layers.at[k].name);
     if (all.present > 0)
-        fprintf(out, " from %.6g to %.6g,", all.least, all.greatest);
+        fprintf(out, " from %.6g to %.6g%s%s,", all.least, all.greatest,
+                *name == '1' ? "" : " ", *name == '1' ? "" : name);
     fprintf(out, " in %.4g %% of the cells\n",
             100.0 * (double) all.present / (double) all.cells);
 }

@@ -1,6 +1,9 @@
 #include "report_sweep_json.h"
 
+#include <string.h>
+
 #include "sweep_summary.h"
+#include "sweep_told.h"
 
 /* ---- axes ---------------------------------------------------------------- */
 
@@ -19,12 +22,22 @@ static json_t *keys_json(const struct sweep *s)
 
     for (size_t k = 0; k < s->axes; k++) {
         const struct sweep_axis *a = &s->axis[k];
-        json_array_append_new(keys, json_pack("{s:s, s:s, s:s, s:o}", "key",
-                                              a->key.path, "name", a->name,
-                                              "unit", a->key.unit, "values",
-                                              list_json(a->value, a->count)));
+        json_array_append_new(
+            keys, json_pack("{s:s, s:s, s:s, s:o}", "key", a->key.path, "name",
+                            a->name, "unit", sweep_told_unit(s, a->key.unit),
+                            "values", list_json(a->value, a->count)));
     }
     return keys;
+}
+
+static json_t *told_json(const struct sweep *s, const struct sweep_dim_axis *a)
+{
+    json_t *values = json_array();
+
+    for (size_t i = 0; i < a->count; i++)
+        json_array_append_new(
+            values, json_number(sweep_told_value(s, a->unit, a->value[i])));
+    return values;
 }
 
 static json_t *dims_json(const struct sweep *s)
@@ -34,10 +47,10 @@ static json_t *dims_json(const struct sweep *s)
     for (int i = 0; i < SWEEP_DIMS; i++) {
         const struct sweep_dim_axis *a = &s->dims.of[i];
         if (a->count > 0)
-            json_object_set_new(dims, a->name,
-                                json_pack("{s:s, s:o}", "unit", a->unit,
-                                          "values",
-                                          list_json(a->value, a->count)));
+            json_object_set_new(
+                dims, sweep_told_dim(s, (enum sweep_dim) i).text,
+                json_pack("{s:s, s:o}", "unit", sweep_told_unit(s, a->unit),
+                          "values", told_json(s, a)));
     }
     return dims;
 }
@@ -48,9 +61,12 @@ static json_t *starts_json(const struct sweep *s)
 
     for (size_t i = 0; i < s->dims.of[DIM_START].count; i++)
         json_array_append_new(
-            starts,
-            json_pack("{s:o, s:o}", "v", json_number(s->scene->start[i].v),
-                      "psi", json_number(s->scene->start[i].psi)));
+            starts, json_pack("{s:o, s:o}", "v",
+                              json_number(sweep_told_value(
+                                  s, "V_star", s->scene->start[i].v)),
+                              sweep_told_state(s),
+                              json_number(sweep_told_value(
+                                  s, "psi", s->scene->start[i].psi))));
     return starts;
 }
 
@@ -60,7 +76,8 @@ static json_t *names_json(const struct sweep *s, const enum sweep_dim dim[],
     json_t *names = json_array();
 
     for (size_t i = 0; i < dims; i++)
-        json_array_append_new(names, json_string(s->dims.of[dim[i]].name));
+        json_array_append_new(names,
+                              json_string(sweep_told_dim(s, dim[i]).text));
     return names;
 }
 
@@ -79,7 +96,7 @@ static json_t *entry_json(const struct sweep *s, int k, enum part part,
         return code < 0 ? json_null() : json_string(codes[code]);
     if (part == REASON)
         return code == REASON_PRESENT ? json_null() : json_integer(code);
-    const struct quantity q = sweep_entry(s, k, point, entry);
+    const struct quantity q = sweep_told(s, k, point, entry);
     return json_number(part == VALUE ? q.value : q.error);
 }
 
@@ -120,7 +137,8 @@ static json_t *numbers_json(const struct sweep *s)
     json_t *j = json_object();
 
     for (size_t k = 0; k < s->columns.count; k++)
-        json_object_set_new(j, s->columns.at[k].name, number_json(s, (int) k));
+        json_object_set_new(j, sweep_told_name(s, (int) k).text,
+                            number_json(s, (int) k));
     return j;
 }
 
@@ -134,8 +152,10 @@ static json_t *count_json(const struct sweep_summary *is, size_t count)
 }
 
 static void add_point(json_t *j, const struct sweep_layer *l,
+                      const struct unit_system *u,
                       const struct sweep_summary *is)
 {
+    const struct unit *unit = unit_find(l->unit);
     const json_t *cells = json_object_get(j, "cells");
 
     for (size_t w = 0; w < json_object_size(cells); w++)
@@ -145,9 +165,10 @@ static void add_point(json_t *j, const struct sweep_layer *l,
         return;
     json_array_append_new(json_object_get(j, "present"),
                           count_json(is, is->present));
-    json_array_append_new(json_object_get(j, "least"), json_number(is->least));
+    json_array_append_new(json_object_get(j, "least"),
+                          json_number(unit_value(u, unit, is->least)));
     json_array_append_new(json_object_get(j, "greatest"),
-                          json_number(is->greatest));
+                          json_number(unit_value(u, unit, is->greatest)));
 }
 
 /* How many cells of each point have each word, or a value, and which are least
@@ -172,7 +193,8 @@ static json_t *map_json(const struct sweep *s, size_t k)
         struct sweep_summary is;
         if (sweep_summary_find(s, k, i, &is, &why) != STATUS_OK)
             is.cells = 0;
-        add_point(j, l, &is);
+        const struct unit_system u = sweep_units(s, i);
+        add_point(j, l, &u, &is);
     }
     return j;
 }
@@ -184,6 +206,33 @@ static json_t *maps_json(const struct sweep *s)
     for (size_t k = 0; k < s->layers.count; k++)
         json_object_set_new(maps, s->layers.at[k].name, map_json(s, k));
     return maps;
+}
+
+/* ---- units ----------------------------------------------------------------
+ */
+
+static void add_unit(json_t *j, const char *name, const char *unit)
+{
+    if (strcmp(unit, "1") != 0)
+        json_object_set_new(j, name, json_string(unit));
+}
+
+/* Of what has one: numbers and maps by their names, and a start's. */
+static json_t *units_json(const struct sweep *s)
+{
+    json_t *numbers = json_object(), *maps = json_object();
+    json_t *starts = json_object();
+
+    for (size_t k = 0; k < s->columns.count; k++)
+        add_unit(numbers, sweep_told_name(s, (int) k).text,
+                 sweep_told_unit(s, s->columns.at[k].unit));
+    for (size_t k = 0; k < s->layers.count; k++)
+        add_unit(maps, s->layers.at[k].name,
+                 sweep_told_unit(s, s->layers.at[k].unit));
+    add_unit(starts, "v", sweep_told_unit(s, "V_star"));
+    add_unit(starts, sweep_told_state(s), sweep_told_unit(s, "psi"));
+    return json_pack("{s:o, s:o, s:o}", "numbers", numbers, "starts", starts,
+                     "maps", maps);
 }
 
 /* ---- the whole ----------------------------------------------------------- */
@@ -204,10 +253,11 @@ json_t *report_sweep_json(const struct sweep *s)
         json_array_append_new(reasons, json_string(s->reasons.text[r]));
     json_t *j = what_json(s->scene);
     json_object_update_new(
-        j, json_pack("{s:o, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "keys",
+        j, json_pack("{s:o, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "keys",
                      keys_json(s), "points", (json_int_t) s->points, "failed",
                      (json_int_t) s->failed, "reasons", reasons, "dims",
                      dims_json(s), "starts", starts_json(s), "numbers",
-                     numbers_json(s), "maps", maps_json(s)));
+                     numbers_json(s), "maps", maps_json(s), "units",
+                     units_json(s)));
     return j;
 }

@@ -9,6 +9,7 @@
 #include "store.h"
 #include "store_grid.h"
 #include "study_results.h"
+#include "sweep_told.h"
 #include "tolerance.h"
 
 static const char group[] = "/sweep";
@@ -171,8 +172,9 @@ static enum status put_keys(const struct cube *c)
 
     for (size_t i = 0; i < c->s->axes && status == STATUS_OK; i++) {
         const struct sweep_axis *a = &c->s->axis[i];
-        status = store_put_axis(c->out, group, a->name, a->key.unit,
-                                a->key.text, a->count, a->value);
+        status = store_put_axis(c->out, group, a->name,
+                                sweep_told_unit(c->s, a->key.unit), a->key.text,
+                                a->count, a->value);
         snprintf(keys + strlen(keys), sizeof keys - strlen(keys), "%s%s",
                  i > 0 ? " " : "", a->key.path);
     }
@@ -200,11 +202,11 @@ static enum status put_dims(const struct cube *c)
 
 static const struct record_field start_field[] = {
     { .name = "start_v",
-      .unit = "1",
+      .unit = "V_star",
       .text = "slip rate at the start in units of V_star",
       .kind = RECORD_REAL },
     { .name = "start_psi",
-      .unit = "1",
+      .unit = "psi",
       .text = "interfacial state at the start",
       .kind = RECORD_REAL },
 };

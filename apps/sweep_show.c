@@ -4,31 +4,45 @@
 
 #include "symbols.h"
 
+#define BOTH(text)                                                             \
+    {                                                                          \
+        text, text                                                             \
+    }
+#define IN_L(text)                                                             \
+    {                                                                          \
+        text "/" S_L, text " (m)"                                              \
+    }
 const struct show_frame show_frames[SHOWS] = {
-    [SHOW_VELOCITIES] = { "slip rate " S_V_RATIO,
+    [SHOW_VELOCITIES] = { { "slip rate " S_V_RATIO,
+                            "slip rate " S_BIG_V " (m/s)" },
                           { 0 },
                           "ln_v_plus",
-                          "ln " S_V_PLUS },
-    [SHOW_VELOCITY_ESTIMATES] = { "slip rate " S_V_RATIO,
+                          { "ln " S_V_PLUS,
+                            "ln " S_BIG_V SUB("+") " (" S_BIG_V " in m/s)" } },
+    [SHOW_VELOCITY_ESTIMATES] = { { "slip rate " S_V_RATIO,
+                                    "slip rate " S_BIG_V " (m/s)" },
                                   { 0 },
                                   "ln_v_plus",
-                                  "ln " S_V_PLUS },
-    [SHOW_PERSISTENCE] = { "slip " S_SLIP,
+                                  { "ln " S_V_PLUS,
+                                    "ln " S_BIG_V SUB("+") " (" S_BIG_V
+                                                           " in m/s)" } },
+    [SHOW_PERSISTENCE] = { { "slip " S_SLIP, "slip " S_X " (m)" },
                            { 0 },
                            "x_excess",
-                           "excess slip " S_SLIP },
-    [SHOW_STATIC_FRICTION] = { "static friction coefficient " S_MU_S,
+                           { "excess slip " S_SLIP,
+                             "excess slip " S_X " (m)" } },
+    [SHOW_STATIC_FRICTION] = { BOTH("static friction coefficient " S_MU_S),
                                { 0.0, 1.5 }, /* (41) leaves it at both ends */
                                "mu_s_mean",
-                               "mean static friction " S_MU_S },
-    [SHOW_FRACTURE_ENERGY] = { "fracture energy " ITALIC("G"),
+                               BOTH("mean static friction " S_MU_S) },
+    [SHOW_FRACTURE_ENERGY] = { IN_L("fracture energy " ITALIC("G")),
                                { 0 },
                                "fracture_energy",
-                               "fracture energy " ITALIC("G") },
-    [SHOW_BASINS] = { "share of the window",
+                               IN_L("fracture energy " ITALIC("G")) },
+    [SHOW_BASINS] = { BOTH("share of the window"),
                       { 0.0, 1.0 },
                       "basin_fraction_log_creep",
-                      "share that creeps" },
+                      BOTH("share that creeps") },
 };
 
 /* ---- curves -------------------------------------------------------------- */

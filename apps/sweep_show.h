@@ -16,9 +16,9 @@ struct sweep_curve {
 };
 
 struct show_frame {
-    const char *label; /* of the axis upward */
-    double range[2];   /* of that axis; both 0: what the values need */
-    const char *map, *map_label; /* the column shown over a grid */
+    const char *label[2]; /* of the axis upward: as it is, in the SI */
+    double range[2];      /* of that axis; both 0: what the values need */
+    const char *map, *map_label[2]; /* the column shown over a grid */
 };
 extern const struct show_frame show_frames[SHOWS];
 

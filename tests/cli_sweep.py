@@ -293,7 +293,7 @@ def text_and_json_sum_up_what_a_file_holds(room):
     args = line(3) + ['--set', 'products=[knees, slip, trajectories]', '--set',
                       CELLS, '--set', STARTS]
     said = room.good('sweep', *args, '-o', 'a.h5')
-    for words in ('start 1: v = 0.01, psi = 10', 'arrest',
+    for words in ('start 1: v = 0.01 V_star, psi = 10', 'arrest',
                   'basins: share of the window', '4 maps at each point',
                   'basin_slip', '100 % of the cells'):
         expect(words in said, words, said)

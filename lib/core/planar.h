@@ -25,7 +25,7 @@
 
 struct planar_axis {
     const char *name;      /* what is drawn and stored, e.g. "v" */
-    const char *unit;      /* UDUNITS; "1" if none */
+    const char *unit;      /* of unit.h or UDUNITS; "1" if none */
     const char *long_name; /* one plain phrase */
     bool is_log;           /* the coordinate is the ln of what is stored */
 };

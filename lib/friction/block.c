@@ -123,8 +123,8 @@ struct planar block_planar(const struct block *b)
 
     return (struct planar){
         .name = b->law.preset,
-        .axis = { { "v", "1", "slip rate in units of V_star", true },
-                  { "psi", "1", "interfacial state", !is_log } },
+        .axis = { { "v", "V_star", "slip rate in units of V_star", true },
+                  { "psi", "psi", "interfacial state", !is_log } },
         .domain = { { -TOL_LN_RANGE, bottom }, { TOL_LN_RANGE, top } },
         .origin = { b->at.x0, b->at.y0 },
         .field = field,

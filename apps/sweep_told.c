@@ -1,0 +1,79 @@
+#include "sweep_told.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "result_units.h"
+#include "scene_sweep.h"
+#include "scene_units.h"
+
+struct unit_system sweep_units(const struct sweep *s, size_t point)
+{
+    struct scene at;
+
+    if (s->scene->system)
+        return (struct unit_system){ .si = false };
+    scene_at(s->scene, sweep_rows_x(&s->rows, point), &at);
+    return scene_units(&at);
+}
+
+struct quantity sweep_told(const struct sweep *s, int column, size_t point,
+                           size_t entry)
+{
+    const struct quantity q = sweep_entry(s, column, point, entry);
+    const struct unit *unit = unit_find(s->columns.at[column].unit);
+
+    if (unit == NULL || !quantity_exists(&q))
+        return q;
+    const struct unit_system u = sweep_units(s, point);
+    return unit_quantity(&u, unit, q);
+}
+
+/* A column's name ends with its member's. */
+struct sweep_name sweep_told_name(const struct sweep *s, int column)
+{
+    const struct sweep_column *c = &s->columns.at[column];
+    const struct unit_system u = sweep_units(s, 0);
+    const struct record_field *f = c->number.field;
+    char member[RESULT_NAME];
+    struct sweep_name name;
+
+    result_told_name(&u, c->number.of->type, f, member);
+    const size_t size = strlen(c->name), end = strlen(f->name);
+    const bool ends = size >= end && strcmp(c->name + size - end, f->name) == 0;
+    snprintf(name.text, sizeof name.text, "%.*s%s",
+             ends ? (int) (size - end) : (int) size, c->name,
+             ends ? member : "");
+    return name;
+}
+
+const char *sweep_told_unit(const struct sweep *s, const char *own)
+{
+    const struct unit_system u = sweep_units(s, 0);
+
+    return unit_name(&u, own);
+}
+
+double sweep_told_value(const struct sweep *s, const char *own, double x)
+{
+    const struct unit_system u = sweep_units(s, 0);
+
+    return unit_value(&u, unit_find(own), x);
+}
+
+const char *sweep_told_state(const struct sweep *s)
+{
+    return s->scene->units == UNITS_SI ? "phi" : "psi";
+}
+
+struct sweep_name sweep_told_dim(const struct sweep *s, enum sweep_dim dim)
+{
+    const struct sweep_dim_axis *a = &s->dims.of[dim];
+    const struct record_field f = { .name = a->name, .unit = a->unit };
+    const struct record_type alone = { .fields = &f, .count = 1 };
+    const struct unit_system u = sweep_units(s, 0);
+    struct sweep_name name;
+
+    result_told_name(&u, &alone, &f, name.text);
+    return name;
+}

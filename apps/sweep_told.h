@@ -1,0 +1,28 @@
+/* sweep_told.h -- a sweep in the units that its scene tells numbers in: those
+ * of each point, where a key changes them. */
+#ifndef APPS_SWEEP_TOLD_H
+#define APPS_SWEEP_TOLD_H
+
+#include "sweep.h"
+#include "unit.h"
+
+/* At a point; of what is the same at all points, at the first. */
+struct unit_system sweep_units(const struct sweep *s, size_t point);
+
+/* An entry of a column, as sweep_entry. */
+struct quantity sweep_told(const struct sweep *s, int column, size_t point,
+                           size_t entry);
+
+/* "saddle_phi" of saddle_psi, and its unit. */
+struct sweep_name {
+    char text[64 + RESULT_NAME];
+};
+struct sweep_name sweep_told_name(const struct sweep *s, int column);
+const char *sweep_told_unit(const struct sweep *s, const char *own);
+
+/* The same of a start, v and psi, or of an axis beside the keys. */
+double sweep_told_value(const struct sweep *s, const char *own, double x);
+const char *sweep_told_state(const struct sweep *s);
+struct sweep_name sweep_told_dim(const struct sweep *s, enum sweep_dim dim);
+
+#endif
