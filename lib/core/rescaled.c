@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+#include "tolerance.h"
+
 /* The field, its clock and the common factor: f = d / a, N = n / a. */
 struct scaled {
     struct vec2 d;
@@ -15,11 +17,23 @@ struct scaled {
     double unit; /* d = direction * unit */
 };
 
+/* A scale beside which e^-L has few digits, or none, is lent to a direction
+ * that is small, as where a huge rate of psi is all but balanced. */
+static double lent(const struct planar_field *f)
+{
+    const double size = fmax(fabs(f->direction.x), fabs(f->direction.y));
+
+    return f->log_scale > TOL_RESCALED_FAR && size > 0.0 && size < 1.0
+               ? fmin(-log(size), TOL_RESCALED_FAR)
+               : 0.0;
+}
+
 static struct scaled scale(const struct planar_field *f, double kappa)
 {
     const bool fast = f->log_scale > 0.0;
-    const double unit = fast ? 1.0 : exp(f->log_scale);
-    const double a = fast ? exp(-f->log_scale) : 1.0;
+    const double loan = lent(f);
+    const double unit = fast ? exp(loan) : exp(f->log_scale);
+    const double a = fast ? exp(loan - f->log_scale) : 1.0;
     const struct vec2 d = vec2_scale(unit, f->direction);
     const double slow = kappa * a;
     const double plain = sqrt(slow * slow + d.x * d.x + d.y * d.y);

@@ -158,6 +158,11 @@
 /* An orbit whose steps shrink below this times |z| is stuck: z + h = z, as
  * where the field ends in NaN. */
 #define TOL_ORBIT_STALL 1e-15
+/* A log scale of the field from which e^-L is near the end of the doubles. */
+#define TOL_RESCALED_FAR 500.0
+/* Steps in no time, to and fro, after which it is: more than an orbit takes for
+ * all of a fast motion there and back. */
+#define TOL_ORBIT_STILL 1000
 /* An orbit at rest ends here, dimensionless: as far as a double goes. */
 #define TOL_TIME_MAX 1e300
 
@@ -291,11 +296,9 @@
 
 /* The clock of an orbit: this part of the field's largest rate, so that its
  * rounding, 1e-15 of it, stays far below, and the stages of a step, which start
- * as far as this from a slow curve, are solved without slowing the clock; no
- * more than MAX per unit of time, lest kappa t overflow; changed by no less
- * than this factor. */
+ * as far as this from a slow curve, are solved without slowing the clock;
+ * changed by no less than this factor. */
 #define TOL_ORBIT_PACE      1e-6
-#define TOL_ORBIT_PACE_MAX  1e150
 #define TOL_ORBIT_PACE_STEP 10.0
 
 /* What is carried along an orbit (drift.h).  The bar, beside the error to first

@@ -126,6 +126,19 @@ static struct factors factors_of(const struct real_tape *t, int rate,
                              real_tape_linear(t, &r->exponent[k], reg) + s, k };
 }
 
+/* How much less than its exponent the scale of the larger rate may be, so that
+ * the smaller one does not vanish beside it: its mantissa all but does so, too,
+ * as where psi follows psi_ss at a huge rate. */
+static double lent(const struct factors *large, const struct factors *small)
+{
+    const double wide = 600.0, apart = large->exponent - small->exponent;
+    const double size = fabs(large->mantissa);
+
+    if (!(apart > wide) || size >= 1.0 || (size > 0.0 && size < 1e-290))
+        return 0.0;
+    return fmin(fmin(apart - wide, wide), size > 0.0 ? -log(size) : wide);
+}
+
 /* Of both rates, and their exponentials. */
 static void field_of(const struct real_tape *t, const double reg[],
                      struct planar_field *f, struct factors r[2],
@@ -133,8 +146,8 @@ static void field_of(const struct real_tape *t, const double reg[],
 {
     for (int i = 0; i < 2; i++)
         r[i] = factors_of(t, i, reg);
-    f->log_scale =
-        r[0].exponent > r[1].exponent ? r[0].exponent : r[1].exponent;
+    const int large = r[1].exponent >= r[0].exponent;
+    f->log_scale = r[large].exponent - lent(&r[large], &r[1 - large]);
     for (int i = 0; i < 2; i++)
         e[i] = power_of(r[i].exponent - f->log_scale);
     f->direction.x = r[0].mantissa * e[0].most * e[0].rest;
