@@ -98,6 +98,15 @@ static double first_step(const struct orbit *o, const struct cascade_linear *l)
     return fmax(pow(o->options.rtol, 1.0 / ORDER) / fastest, least);
 }
 
+static void set_mark(struct orbit *o)
+{
+    o->mark.x = o->u[0];
+    o->mark.y = o->u[1];
+    o->mark.t = o->u[2];
+    o->mark.steps = o->steps;
+    o->mark.way = 0.0;
+}
+
 /* The rates at the start and what the first step needs. */
 static void begin(struct orbit *o)
 {
@@ -108,6 +117,7 @@ static void begin(struct orbit *o)
     memcpy(o->du, l.du, sizeof o->du);
     o->h = first_step(o, &l);
     o->rate = 1.0;
+    set_mark(o);
 }
 
 enum status orbit_init(struct orbit *o, const struct planar *system,
@@ -248,6 +258,7 @@ static enum status advance(struct orbit *o, double h, const double u1[],
     }
     o->steps++;
     o->tau += end * h;
+    o->mark.way += hypot(u1[0] - o->u[0], u1[1] - o->u[1]);
     memcpy(o->u, u1, o->curve.dim * sizeof *u1);
     if (o->end != ORBIT_RUNNING) {
         event_trim(&o->log, &o->curve, end);
@@ -331,13 +342,14 @@ static double longer(const struct orbit *o, const struct attempt *a,
 }
 
 /* The kappa for a field that changes at this rate; what there is where that is
- * no number. */
+ * no number.  kappa t is one, and 1/kappa. */
 static double pace_at(const struct orbit *o, double fastest)
 {
+    const double most = TOL_TIME_MAX / fmax(1.0, fabs(o->u[2]));
+
     return isnan(fastest)
                ? o->clock.kappa
-               : fmin(fmax(o->options.kappa, TOL_ORBIT_PACE * fastest),
-                      TOL_ORBIT_PACE_MAX);
+               : fmin(fmax(o->options.kappa, TOL_ORBIT_PACE * fastest), most);
 }
 
 static bool is_pace(const struct orbit *o, double kappa)
@@ -408,6 +420,32 @@ static enum status attempt(struct orbit *o, double h, bool *accepted)
     return STATUS_OK;
 }
 
+/* Whether an integral is hardly a number. */
+static bool is_beyond(const struct orbit *o)
+{
+    double most = 0.0;
+
+    for (size_t i = 3; i < o->curve.dim; i++)
+        most = fmax(most, fabs(o->u[i]));
+    return most > TOL_TIME_MAX;
+}
+
+/* Whether in so many steps it has gone no further than a walk at random, in no
+ * time: what moves gets on in one of the two. */
+static bool stands_still(struct orbit *o)
+{
+    const double x = o->u[0] - o->mark.x, y = o->u[1] - o->mark.y;
+    const double late = fabs(o->u[2]) - fabs(o->mark.t);
+    const bool is_due = o->steps >= o->mark.steps + TOL_ORBIT_STILL;
+    const bool is_still = is_due &&
+                          hypot(x, y) * sqrt(TOL_ORBIT_STILL) < o->mark.way &&
+                          late <= DBL_EPSILON * fabs(o->u[2]);
+
+    if (is_due)
+        set_mark(o);
+    return is_still;
+}
+
 enum status orbit_step(struct orbit *o)
 {
     const double size = fmax(fabs(o->u[0]), fabs(o->u[1]));
@@ -415,7 +453,7 @@ enum status orbit_step(struct orbit *o)
     bool accepted = o->end != ORBIT_RUNNING;
 
     while (!accepted) {
-        if (!(o->h > least))
+        if (!(o->h > least) || is_beyond(o) || stands_still(o))
             return STATUS_NO_CONVERGENCE;
         if (o->steps + o->rejected >= o->options.max_steps)
             return STATUS_TOO_MANY_STEPS;

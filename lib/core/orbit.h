@@ -70,7 +70,12 @@ struct orbit {
         double h, ratio; /* signed size; error over what is allowed */
     } last;              /* accepted step; h = 0: there is none */
     bool refused;        /* the last attempt was */
-    double rate;         /* of the solution of its equations: radau.h */
+    struct {
+        double x, y, t; /* some steps ago, at step number */
+        size_t steps;
+        double way; /* how far it has gone since, to and fro */
+    } mark;
+    double rate; /* of the solution of its equations: radau.h */
 };
 
 /* Starts at the offset z with t = 0 and all integrals 0.  A start outside the
@@ -84,8 +89,9 @@ MUST_CHECK enum status orbit_init(struct orbit *o, const struct planar *system,
 /* One accepted step, appended as a piece; the last one is cut where the first
  * stop fired and o->end is set.  Afterwards does nothing.
  * STATUS_NO_CONVERGENCE: no step however short is accepted, e.g. where the
- * field is NaN; STATUS_TOO_MANY_STEPS; STATUS_NO_MEMORY.  After an error the
- * curve up to o->u is valid. */
+ * field is NaN, it goes to and fro in no time, where the field is nothing but
+ * rounding, or an integral is above TOL_TIME_MAX; STATUS_TOO_MANY_STEPS;
+ * STATUS_NO_MEMORY.  After an error the curve up to o->u is valid. */
 MUST_CHECK enum status orbit_step(struct orbit *o);
 
 /* Steps until o->end is set.  Also STATUS_STOPPED, by the monitor (may be

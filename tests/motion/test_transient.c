@@ -2,7 +2,6 @@
 #include "transient.h"
 
 #include "fault_alloc.h"
-#include "laws.h"
 #include "sample.h"
 #include "slope.h"
 
@@ -192,46 +191,6 @@ static void slow_orbits_are_followed_far(void **state)
     assert_int_equal(t.sum.fate, FATE_REST_ASYMPTOTIC);
     transient_free(&t);
     slope_free(&s);
-}
-
-/* psi leaps by a sinh of some 1/v, in times from 1e-300 on; then follows 1/v
- * faster than anything else, known to a rounding of ln psi, times 1/v. */
-static void starts_below_all_slow_curves_are_followed(void **state)
-{
-    static const char *const law[][2] = { { "ln_psi", "slip" },
-                                          { "ln_c_psi", "spinodal" },
-                                          { "ln_c_1pR_psi", "ageing44" } };
-    enum { KINDS = sizeof law / sizeof *law, STARTS = 4 };
-    uint64_t rng = check_seed();
-    struct slope s;
-    struct fault why;
-
-    (void) state;
-    for (int i = 0; i < KINDS; i++) {
-        char theta[40], timescale[40];
-        snprintf(theta, sizeof theta, "law.theta=%s", law[i][0]);
-        snprintf(timescale, sizeof timescale, "law.timescale=%s", law[i][1]);
-        char *set[] = { theta,
-                        timescale,
-                        (char[]){ "law.psi_ss=inverse" },
-                        (char[]){ "law.kinetics=sinh" },
-                        (char[]){ "slope.alpha=0.346" },
-                        (char[]){ "products=[knees]" } };
-        assert_int_equal(scene_read(&s.scene, NULL, set, 6, &why), STATUS_OK);
-        assert_int_equal(study_run(&s.study, &s.scene, NULL, &why), STATUS_OK);
-        for (int k = 0; k < STARTS; k++) {
-            const double v = k ? laws_power(&rng, -10, -6) : 1.71e-8;
-            const double psi = k ? check_uniform(&rng, 0.1, 10) : 6.3137;
-            struct transient t = run(&s, v, psi, 0, 0);
-            CHECK(t.sum.end == TRANSIENT_REST &&
-                      t.sum.time.error < 1e-14 / v * t.sum.time.value,
-                  "%s %s v %.17g psi %.17g: %s, %g +- %g", law[i][0], law[i][1],
-                  v, psi, transient_end_names[t.sum.end], t.sum.time.value,
-                  t.sum.time.error);
-            transient_free(&t);
-        }
-        slope_free(&s);
-    }
 }
 
 static void a_start_at_a_node_goes_nowhere(void **state)
@@ -470,7 +429,6 @@ int main(void)
         cmocka_unit_test(every_law_keeps_the_balance_of_energy),
         cmocka_unit_test(runs_end_where_they_are_told),
         cmocka_unit_test(slow_orbits_are_followed_far),
-        cmocka_unit_test(starts_below_all_slow_curves_are_followed),
         cmocka_unit_test(a_start_at_a_node_goes_nowhere),
         cmocka_unit_test(samples_are_evenly_spaced_and_on_the_orbit),
         cmocka_unit_test(samples_of_a_leap_are_right),

@@ -1,0 +1,99 @@
+/* Runs from where rates are as far apart as doubles are. */
+#include "laws.h"
+#include "slope.h"
+#include "transient.h"
+
+static struct transient find(const struct slope *s, double v, double psi,
+                             const struct transient_options *o)
+{
+    struct transient t;
+    const struct scene_start start = { v, psi };
+    const enum status status =
+        transient_find(&s->study.slider, start, o, NULL, &t);
+
+    CHECK(status == STATUS_OK, "%s", status_text(status));
+    return t;
+}
+
+/* psi leaps by a sinh of some 1/v, in times from 1e-300 on; then follows 1/v
+ * faster than anything else, known to a rounding of ln psi, times 1/v. */
+static void starts_below_all_slow_curves_are_followed(void **state)
+{
+    static const char *const law[][2] = { { "ln_psi", "slip" },
+                                          { "ln_c_psi", "spinodal" },
+                                          { "ln_c_1pR_psi", "ageing44" } };
+    enum { KINDS = sizeof law / sizeof *law, STARTS = 3 };
+    uint64_t rng = check_seed();
+    struct slope s;
+    struct fault why;
+
+    (void) state;
+    for (int i = 0; i < KINDS; i++) {
+        char theta[40], timescale[40];
+        snprintf(theta, sizeof theta, "law.theta=%s", law[i][0]);
+        snprintf(timescale, sizeof timescale, "law.timescale=%s", law[i][1]);
+        char *set[] = { theta,
+                        timescale,
+                        (char[]){ "law.psi_ss=inverse" },
+                        (char[]){ "law.kinetics=sinh" },
+                        (char[]){ "slope.alpha=0.346" },
+                        (char[]){ "products=[knees]" } };
+        assert_int_equal(scene_read(&s.scene, NULL, set, 6, &why), STATUS_OK);
+        assert_int_equal(study_run(&s.study, &s.scene, NULL, &why), STATUS_OK);
+        const struct transient_options o = transient_defaults(&s.scene);
+        for (int k = 0; k < STARTS; k++) {
+            const double v = k ? laws_power(&rng, -10, -6) : 1.71e-8;
+            const double psi = k ? check_uniform(&rng, 0.1, 10) : 6.3137;
+            struct transient t = find(&s, v, psi, &o);
+            CHECK(t.sum.end == TRANSIENT_REST &&
+                      t.sum.time.error < 1e-14 / v * t.sum.time.value,
+                  "%s %s v %.17g psi %.17g: %s, %g +- %g", law[i][0], law[i][1],
+                  v, psi, transient_end_names[t.sum.end], t.sum.time.value,
+                  t.sum.time.error);
+            transient_free(&t);
+        }
+        slope_free(&s);
+    }
+}
+
+/* Friction slows it down, mu = m + n ln v: in a time of v eps^2 cos(alpha) over
+ * mu - tan(alpha), so v/t is a line in ln v.  Beyond 1e155 rates are further
+ * apart than doubles: that is told at once. */
+static void starts_at_any_v_end_in_bounded_work(void **state)
+{
+    double rate[3];
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "spinodal_phi_gen", NULL, "0.34",
+               (const char *const[]){ "products=[knees]", NULL });
+    struct transient_options o = transient_defaults(&s.scene);
+    o.rtol = 1e-6;
+    for (int i = 0; i < 3; i++) {
+        const double v = pow(10, 90 + 30 * i);
+        struct transient t = find(&s, v, 1, &o);
+        CHECK(t.sum.end == TRANSIENT_ARREST, "%g: %s", v, t.reason);
+        rate[i] = v / t.sum.time.value;
+        transient_free(&t);
+    }
+    CHECK(fabs(rate[2] - 2 * rate[1] + rate[0]) < 1e-3 * (rate[2] - rate[1]),
+          "%.12g %.12g %.12g", rate[0], rate[1], rate[2]);
+    for (int i = 0; i < 3; i++) {
+        struct transient t = find(&s, pow(10, 200 + 50 * i), 1, &o);
+        CHECK(t.sum.end == TRANSIENT_LOST && t.reason, "%d: ends", i);
+        CHECK(t.sum.field_evaluations < 100000, "%d: %lld", i,
+              (long long) t.sum.field_evaluations);
+        transient_free(&t);
+    }
+    slope_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(starts_below_all_slow_curves_are_followed),
+        cmocka_unit_test(starts_at_any_v_end_in_bounded_work),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
