@@ -175,8 +175,7 @@ enum status contour_trace(const struct figure_raster *r, double level,
     return status;
 }
 
-/* ---- labels
- * ------------------------------------------------------------------ */
+/* ---- labels -------------------------------------------------------------- */
 
 /* The longest piece [from, to) and its length. */
 static double longest(const struct stroke *s, size_t *from, size_t *to)
@@ -202,31 +201,21 @@ static double longest(const struct stroke *s, size_t *from, size_t *to)
     return best;
 }
 
-static bool is_free(struct vec2 p, struct vec2 size, struct vec2 box,
-                    const struct vec2 taken[], size_t count)
+bool contour_place(const struct stroke *s, struct vec2 size,
+                   const struct keep *keep, uint8_t own, struct vec2 *at)
 {
-    const struct box inner = { size, vec2_sub(box, size) };
-    bool clear = box_holds(inner, p);
-
-    for (size_t k = 0; k < count && clear; k++)
-        clear = fabs(p.x - taken[k].x) > 2.0 * size.x ||
-                fabs(p.y - taken[k].y) > 2.0 * size.y;
-    return clear;
-}
-
-bool contour_place(const struct stroke *s, struct vec2 size, struct vec2 box,
-                   const struct vec2 taken[], size_t count, struct vec2 *at)
-{
+    const struct vec2 half = { size.x / 2.0 + CONTOUR_CLEAR,
+                               size.y / 2.0 + CONTOUR_CLEAR };
     size_t from, to;
 
     if (!(longest(s, &from, &to) > 3.0 * size.x))
         return false;
     for (size_t k = 0; k < to - from; k++) { /* the middle first */
-        const size_t half = (to - from) / 2, off = (k + 1) / 2;
-        const size_t here = from + (k % 2 ? half + off : half - off);
+        const size_t middle = (to - from) / 2, off = (k + 1) / 2;
+        const size_t here = from + (k % 2 ? middle + off : middle - off);
         if (here < from || here >= to)
             continue;
-        if (is_free(s->at[here], size, box, taken, count)) {
+        if (keep_is_free(keep, s->at[here], half, own)) {
             *at = s->at[here];
             return true;
         }

@@ -2,6 +2,7 @@
 #ifndef PLOT_CONTOUR_H
 #define PLOT_CONTOUR_H
 
+#include "keep.h"
 #include "layer.h"
 #include "stroke.h"
 
@@ -12,9 +13,11 @@ MUST_CHECK enum status contour_trace(const struct figure_raster *r,
                                      double level, struct vec2 box,
                                      struct stroke *out);
 
-/* Where a text of this size may stand on them: on the longest piece, inside
- * the box, `apart` from each of `taken`.  False: nowhere. */
-bool contour_place(const struct stroke *s, struct vec2 size, struct vec2 box,
-                   const struct vec2 taken[], size_t count, struct vec2 *at);
+/* Where a text of this size may stand on them, with so many px around it: on
+ * the longest piece, where all is free but for the lines themselves.  False:
+ * nowhere. */
+enum { CONTOUR_CLEAR = 5 };
+bool contour_place(const struct stroke *s, struct vec2 size,
+                   const struct keep *keep, uint8_t own, struct vec2 *at);
 
 #endif

@@ -361,22 +361,50 @@ static enum status draw_contour(struct pen *pen, const struct figure_raster *r,
     return STATUS_OK;
 }
 
-enum { CONTOUR_TAKEN = 16 }; /* marks that labels keep away from */
-
-/* Where the figure's marks are. */
-static size_t find_marks(const struct pen *pen, const struct figure *f,
-                         struct vec2 at[CONTOUR_TAKEN])
+/* Takes the figure's curves and marks, and what has no value. */
+static enum status keep_figure(const struct pen *pen, const struct figure *f,
+                               struct stroke *s, struct keep *keep)
 {
-    size_t count = 0;
+    enum status status = STATUS_OK;
 
-    for (size_t k = 0; k < f->layer_count; k++) {
+    keep_gaps(keep, f->raster);
+    for (size_t k = 0; k < f->layer_count && status == STATUS_OK; k++) {
         const struct figure_layer *l = &f->layers[k];
-        const size_t points = l->kind == FIGURE_POINTS ? l->count : 0;
-        for (size_t i = 0; i < points && count < CONTOUR_TAKEN; i++)
-            at[count++] = (struct vec2){ scale_pixel(&pen->page->x, l->x[i]),
-                                         scale_pixel(&pen->page->y, l->y[i]) };
+        const double half = l->size / 2.0 + 2.0;
+        if (l->kind == FIGURE_CURVE)
+            status = pen_clip(pen, l, s);
+        if (l->kind == FIGURE_CURVE && status == STATUS_OK)
+            keep_stroke(keep, s, KEEP_ALL);
+        for (size_t i = 0; l->kind == FIGURE_POINTS && i < l->count; i++)
+            keep_box(keep,
+                     (struct vec2){ scale_pixel(&pen->page->x, l->x[i]),
+                                    scale_pixel(&pen->page->y, l->y[i]) },
+                     (struct vec2){ half, half });
     }
-    return count;
+    return status;
+}
+
+/* A label on the line of each level, if there is room for it. */
+static enum status label_contours(struct pen *pen, const struct figure *f,
+                                  const struct tick_label label[], size_t count,
+                                  struct stroke *s, struct keep *keep)
+{
+    const struct vec2 box = { pen->page->x.pixels, pen->page->y.pixels };
+
+    for (size_t k = 0; k < count; k++) {
+        const struct vec2 size = { label_width(label[k].text) * CONTOUR_TEXT,
+                                   CONTOUR_TEXT };
+        const enum status status =
+            contour_trace(f->raster, label[k].at, box, s);
+        struct vec2 at;
+        if (status != STATUS_OK)
+            return status;
+        if (!contour_place(s, size, keep, (uint8_t) (KEEP_OWN + k), &at))
+            continue;
+        keep_box(keep, at, vec2_scale(1.5, size));
+        put_label(pen, at, label[k].text);
+    }
+    return STATUS_OK;
 }
 
 /* At the values that the bar labels. */
@@ -385,26 +413,21 @@ static enum status draw_contours(struct pen *pen, const struct figure *f,
 {
     const struct vec2 box = { pen->page->x.pixels, pen->page->y.pixels };
     struct tick_label label[TICKS_LABELS];
-    struct vec2 at[CONTOUR_TAKEN + TICKS_LABELS];
-    const char *text[TICKS_LABELS];
-    const size_t marks = find_marks(pen, f, at);
+    struct keep keep;
     const size_t count = ticks_labels(
         &pen->page->bar, layout_side_by_side(&pen->page->bar), label);
-    size_t placed = 0;
+    enum status status = keep_init(&keep, box);
 
-    for (size_t k = 0; k < count; k++) {
-        const struct vec2 size = { label_width(label[k].text) * CONTOUR_TEXT,
-                                   CONTOUR_TEXT };
-        const enum status status = draw_contour(pen, f->raster, label[k].at, s);
-        if (status != STATUS_OK)
-            return status;
-        if (contour_place(s, size, box, at, marks + placed,
-                          &at[marks + placed]))
-            text[placed++] = label[k].text;
+    for (size_t k = 0; k < count && status == STATUS_OK; k++) {
+        status = draw_contour(pen, f->raster, label[k].at, s);
+        keep_stroke(&keep, s, (uint8_t) (KEEP_OWN + k));
     }
-    for (size_t k = 0; k < placed; k++)
-        put_label(pen, at[marks + k], text[k]);
-    return STATUS_OK;
+    if (status == STATUS_OK)
+        status = keep_figure(pen, f, s, &keep);
+    if (status == STATUS_OK)
+        status = label_contours(pen, f, label, count, s, &keep);
+    keep_free(&keep);
+    return status;
 }
 
 /* Lines first, heads on all of them, marks on top. */

@@ -102,10 +102,15 @@ static void labels_stand_on_lines_and_apart(void **state)
     double value[NX * NY];
     const struct figure_raster r = map_of(cone, value);
     const struct vec2 size = { 30, 12 };
+    struct keep keep;
     struct vec2 at[3];
+    assert_int_equal(keep_init(&keep, box), STATUS_OK);
     for (size_t k = 0; k < 3; k++) {
         struct stroke s = traced(&r, 100 + 15 * (double) k);
-        assert_true(contour_place(&s, size, box, at, k, &at[k]));
+        keep_stroke(&keep, &s, (uint8_t) (KEEP_OWN + k));
+        assert_true(
+            contour_place(&s, size, &keep, (uint8_t) (KEEP_OWN + k), &at[k]));
+        keep_box(&keep, at[k], vec2_scale(1.5, size));
         CHECK(fabs(cone(at[k]) - 100 - 15 * (double) k) < 0.2, "%zu", k);
         for (size_t i = 0; i < k; i++)
             CHECK(fabs(at[i].x - at[k].x) > 2 * size.x ||
@@ -114,8 +119,56 @@ static void labels_stand_on_lines_and_apart(void **state)
         stroke_free(&s);
     }
     struct stroke small = traced(&r, 12);
-    assert_false(contour_place(&small, size, box, at, 0, &at[0]));
+    assert_false(contour_place(&small, size, &keep, KEEP_OWN, &at[0]));
     stroke_free(&small);
+    keep_free(&keep);
+}
+
+/* A label of the line y = 100 between curves at x = 100, 130 and 330, a mark
+ * at x = 240, gaps from x = 360 on. */
+static double slope(struct vec2 p)
+{
+    return p.x > 360 ? (double) NAN : p.y;
+}
+
+static void labels_keep_clear_of_curves_marks_gaps_and_edges(void **state)
+{
+    (void) state;
+    double value[NX * NY];
+    const struct figure_raster r = map_of(slope, value);
+    const struct vec2 size = { 40, 12 };
+    struct stroke s = traced(&r, 100);
+    for (int how = 0; how < 8; how++) {
+        const bool curves = how & 1, mark = how & 2, gaps = how & 4;
+        const struct vec2 at_mark = { 240, 104 };
+        struct keep keep;
+        struct vec2 at;
+        assert_int_equal(keep_init(&keep, box), STATUS_OK);
+        keep_stroke(&keep, &s, KEEP_OWN);
+        for (double x = 100; curves && x < 340; x += x < 120 ? 30 : 200)
+            keep_stroke(
+                &keep,
+                &(struct stroke){ .at = (struct vec2[]){ { x, 0 }, { x, 300 } },
+                                  .count = 2 },
+                KEEP_ALL);
+        if (mark)
+            keep_box(&keep, at_mark, (struct vec2){ 4, 4 });
+        if (gaps)
+            keep_gaps(&keep, &r);
+        assert_true(contour_place(&s, size, &keep, KEEP_OWN, &at));
+        const double half = size.x / 2 + CONTOUR_CLEAR - 2.1;
+        for (double x = 100; curves && x < 340; x += x < 120 ? 30 : 200)
+            CHECK(fabs(at.x - x) > half, "%d: on a curve, %g", how, at.x);
+        CHECK(!mark || fabs(at.x - at_mark.x) > half + 4, "%d: %g", how, at.x);
+        CHECK(!gaps || at.x + half < 360, "%d: %g", how, at.x);
+        CHECK(at.x > half && at.x + half < box.x, "%d: %g", how, at.x);
+        /* No room at all: left out. */
+        for (double x = 0; x < box.x; x += 45)
+            keep_box(&keep, (struct vec2){ x, 100 }, (struct vec2){ 1, 1 });
+        assert_false(contour_place(&s, size, &keep, KEEP_OWN, &at));
+        keep_free(&keep);
+    }
+    stroke_free(&s);
 }
 
 int main(void)
@@ -125,6 +178,7 @@ int main(void)
         cmocka_unit_test(a_hyperbola_has_two_pieces),
         cmocka_unit_test(no_line_runs_along_a_step_or_where_there_is_no_value),
         cmocka_unit_test(labels_stand_on_lines_and_apart),
+        cmocka_unit_test(labels_keep_clear_of_curves_marks_gaps_and_edges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
