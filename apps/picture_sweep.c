@@ -320,31 +320,51 @@ static void nearest(const struct sweep_axis *a, const struct figure_axis *shown,
     }
 }
 
+/* Whether the map's cells are the points: no nearer to one side than can be
+ * seen. */
+static bool is_even(const struct sweep_axis *a)
+{
+    const double lo = place(a, a->value[0]);
+    const double step =
+        (place(a, a->value[a->count - 1]) - lo) / (double) (a->count - 1);
+    bool even = a->count > 1;
+
+    for (size_t i = 0; i < a->count && even; i++)
+        even = fabs(place(a, a->value[i]) - lo - (double) i * step) <=
+               visible * step;
+    return even;
+}
+
 static void add_map(const struct sweep *s, const struct figure_axis *x,
                     const struct figure_axis *y, struct figure *f)
 {
-    static double value[ROWS][COLUMNS];
+    static double value[ROWS * COLUMNS];
     static const struct show_frame count = {
         .map = "count_equilibria", .map_label = { "equilibria", "equilibria" }
     };
     const struct show_frame *show =
         s->scene->system ? &count : &show_frames[s->scene->sweep.show];
     const int column = sweep_find(s, show->map);
+    const bool even = is_even(&s->axis[0]) && is_even(&s->axis[1]) &&
+                      s->axis[0].count <= COLUMNS && s->axis[1].count <= ROWS;
+    const size_t nx = even ? s->axis[0].count : COLUMNS;
+    const size_t ny = even ? s->axis[1].count : ROWS;
     size_t across[COLUMNS], up[ROWS];
 
-    nearest(&s->axis[0], x, COLUMNS, across);
-    nearest(&s->axis[1], y, ROWS, up);
-    for (size_t j = 0; j < ROWS; j++)
-        for (size_t i = 0; i < COLUMNS; i++)
-            value[j][i] =
+    nearest(&s->axis[0], x, nx, across);
+    nearest(&s->axis[1], y, ny, up);
+    for (size_t j = 0; j < ny; j++)
+        for (size_t i = 0; i < nx; i++)
+            value[j * nx + i] =
                 column < 0 ? (double) NAN
                            : sweep_told(s, column,
                                         across[i] * s->axis[1].count + up[j], 0)
                                  .value;
     figure_add_map(f, &(struct figure_map){
-                          .value = value[0],
-                          .nx = COLUMNS,
-                          .ny = ROWS,
+                          .value = value,
+                          .nx = nx,
+                          .ny = ny,
+                          .contours = even && s->scene->system == NULL,
                           .scale = { .label = show->map_label[is_si(s)] },
                           .missing = "does not exist" });
 }

@@ -6,6 +6,7 @@ usage: cli_sweep.py PATH_TO_SLIPWAY SOURCE_ROOT
 import json
 import os
 import random
+import re
 import signal
 import subprocess
 import time
@@ -88,6 +89,19 @@ def a_grid_is_a_cube_over_both_keys(room):
                     f'material.c={found["axes"]["c"][1]!r}')
     expect(found['v_plus']['value'][4] == one['v_plus']['value'], one)
     expect('ln v+' in shown(room.read('a.svg')), 'the bar of the map')
+
+
+def a_map_over_even_points_has_contours_with_labels(room):
+    for last, even in ((0.36, True), (0.35, False)):
+        room.good('sweep', '--law', 'spinodal_gen', '--set', 'sweep=[{key: '
+                  'material.a, from: 0.01, to: 0.03, points: 5}, {key: '
+                  f'slope.alpha, values: [0.30, 0.32, 0.34, {last}]}}]', '-q',
+                  '--figure', 'a.svg', '--keep-script')
+        data = room.read('a.dat')
+        labels = re.findall(r'label of a contour\n\S+ \S+ "(.*)"', data)
+        expect((': contour' in data) == even and bool(labels) == even, data)
+        bar = re.search(r'set cbtics.*', room.read('a.gp')).group()
+        expect(all(f"'{label}'" in bar for label in labels), labels, bar)
 
 
 def a_figure_shows_both_critical_velocities(room):
@@ -461,6 +475,7 @@ run_cases([
     the_example_scene_gives_file_figure_and_table,
     each_point_is_what_knees_says,
     a_grid_is_a_cube_over_both_keys,
+    a_map_over_even_points_has_contours_with_labels,
     a_figure_shows_both_critical_velocities,
     a_figure_shows_what_is_asked_for,
     shares_of_basins_are_drawn,
