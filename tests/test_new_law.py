@@ -60,7 +60,7 @@ def of_a_law():
         with open(os.path.join(SOURCE, name), encoding='utf-8') as file:
             text = file.read()
         if name.startswith('lib/friction/') or re.search(
-                r'#include "(field_lanes|field_formula|layer_lanes\w*)\.', text):
+                r'#include "layer_lanes\w*\.', text):
             yield name, command
 
 

@@ -117,13 +117,22 @@ static inline lanes lanes_exp(lanes x)
     return two * rest + two;
 }
 
+/* e^x - 1, and e^x to all its digits */
+static inline lanes lanes_em1_exp(lanes x, lanes *e)
+{
+    lanes two;
+    const lanes rest = lanes_split_exp(x, &two), part = two * rest;
+
+    *e = part + two;
+    return part + (two - 1.0);
+}
+
 /* e^x - 1 */
 static inline lanes lanes_em1(lanes x)
 {
-    lanes two;
-    const lanes rest = lanes_split_exp(x, &two);
+    lanes e;
 
-    return two * rest + (two - 1.0);
+    return lanes_em1_exp(x, &e);
 }
 
 /* ---- ln x ---------------------------------------------------------------- */

@@ -7,35 +7,9 @@
 #ifndef FORMULA_SCALAR_H
 #define FORMULA_SCALAR_H
 
-/* What field_formula.h asks of the elements of its numbers. */
-static inline SCALAR scalar_size(SCALAR u)
-{
-    return FN(fabs)(u);
-}
-
-static inline SCALAR scalar_power(SCALAR u)
-{
-    return FN(exp)(u);
-}
-
-static inline SCALAR scalar_ln(SCALAR u)
-{
-    return FN(log)(u);
-}
-
 static inline SCALAR scalar_larger(SCALAR u, SCALAR w)
 {
     return u > w ? u : w;
-}
-
-static inline SCALAR scalar_at_least(SCALAR p, SCALAR u)
-{
-    return u > p ? u : p;
-}
-
-static inline SCALAR scalar_choose(SCALAR u, SCALAR p, SCALAR q, SCALAR r)
-{
-    return u < p ? q : r;
 }
 
 /* e^u - 1 and ln(1 + x), where the plain way, several times faster, is as

@@ -1,5 +1,5 @@
-/* The formulas of field_formula.h for v -> 0, where psi_ss is 1/v or -ln v: of
- * numbers that overflow only logarithms. */
+/* The rates of the chart for v -> 0, where psi_ss is 1/v or -ln v, in closed
+ * form: of numbers that overflow only logarithms. */
 #include "quasistatic.h"
 
 #include <math.h>
@@ -93,7 +93,7 @@ static double log_gap(const struct block *b, double X, double Y)
     return log(at->psi0 * expm1(-X) - Y);
 }
 
-/* Kato-Tullis, as in field_formula.h: dY/dt = v (E - z). */
+/* Kato-Tullis: dY/dt = v (E - z). */
 static double log_composite(const struct anchor *at, double X, double Y)
 {
     const double q = -X - Y - at->kappa0 * expm1(X);

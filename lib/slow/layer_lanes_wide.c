@@ -7,12 +7,12 @@
 #include <string.h>
 
 #include "explicit8_table.h"
-#include "field_lanes.h"
 #include "landing.h"
 #include "slider.h"
 #include "slow_tolerance.h"
+#include "tape_lanes.h"
 
-enum { STEPS = EXPLICIT8_STAGES, PAIR = 2, WEIGHED = 5 };
+enum { STEPS = EXPLICIT8_STAGES, PAIR = TAPE_SETS, WEIGHED = 5 };
 
 struct bundle {
     const struct slow_curve *curve;
@@ -32,40 +32,46 @@ struct bundle {
 
 /* ---- the field ----------------------------------------------------------- */
 
-/* Of a law of formulas, one by one. */
-static void fields(const struct bundle *b, lanes x, lanes y, lanes *fx,
-                   lanes *fy, lanes *scale)
+/* d(x, y, t, slip)/ds of both bundles, s the arc length. */
+static void along(const struct bundle b[], const lanes x[], const lanes y[],
+                  bool weighed, lanes *const du[])
 {
-    const struct planar *s = &b->curve->slider->plane.system;
-    struct planar_field f;
+    const struct block *block = &b->curve->slider->block;
+    lanes fx[PAIR], fy[PAIR], scale[PAIR];
 
-    for (int l = 0; l < LANES; l++) {
-        s->field(s->ctx, (struct vec2){ x[l], y[l] }, &f);
-        (*fx)[l] = f.direction.x;
-        (*fy)[l] = f.direction.y;
-        (*scale)[l] = f.log_scale;
+    tape_lanes_field(&block->plane.t, x, y, fx, fy, scale);
+    for (int p = 0; p < PAIR; p++) {
+        const lanes part = 1.0 / lanes_root(fx[p] * fx[p] + fy[p] * fy[p]);
+        du[p][LAYER_X] = fx[p] * part;
+        du[p][LAYER_Y] = fy[p] * part;
+        if (!weighed)
+            continue;
+        du[p][LAYER_TIME] = lanes_exp(-scale[p]) * part;
+        du[p][LAYER_SLIP] = block->at.v0 * lanes_exp(x[p]) * du[p][LAYER_TIME];
     }
 }
 
-/* d(x, y, t, slip)/ds, s the arc length. */
-static void along(const struct bundle *b, const lanes *x, const lanes *y,
-                  bool weighed, lanes du[])
+/* At u, into k[0]. */
+static void along_from(struct bundle b[], const lanes *const u[])
 {
-    const struct block *block = &b->curve->slider->block;
-    struct many_ctx c;
-    lanes fx, fy;
+    lanes x[PAIR], y[PAIR], *du[PAIR];
 
-    if (block->law.typed)
-        fields(b, *x, *y, &fx, &fy, &c.scale);
-    else
-        many_field(&block->law, &block->at, &c, x, y, &fx, &fy);
-    const lanes part = 1.0 / lanes_root(fx * fx + fy * fy);
-    du[LAYER_X] = fx * part;
-    du[LAYER_Y] = fy * part;
-    if (!weighed)
-        return;
-    du[LAYER_TIME] = lanes_exp(-c.scale) * part;
-    du[LAYER_SLIP] = block->at.v0 * lanes_exp(*x) * du[LAYER_TIME];
+    for (int p = 0; p < PAIR; p++) {
+        x[p] = u[p][LAYER_X];
+        y[p] = u[p][LAYER_Y];
+        du[p] = b[p].k[0];
+    }
+    along(b, x, y, true, du);
+}
+
+/* Where they are. */
+static void start(struct bundle b[])
+{
+    const lanes *u[PAIR];
+
+    for (int p = 0; p < PAIR; p++)
+        u[p] = b[p].u;
+    along_from(b, u);
 }
 
 /* ---- a step -------------------------------------------------------------- */
@@ -95,15 +101,18 @@ static lanes on_tolerance(const struct bundle *b, int i)
     return b->tol * (least + larger);
 }
 
-/* Stage j of a step; time and slip matter from stage WEIGHED on. */
-static void stage(struct bundle *b, int j)
+/* Stage j of both steps; time and slip matter from stage WEIGHED on. */
+static void stage(struct bundle b[], int j)
 {
-    lanes at[2];
+    lanes at[2], x[PAIR], y[PAIR], *du[PAIR];
 
-    combine(b, 2, j, explicit8_a[j], at);
-    at[0] = b->h * at[0] + b->u[LAYER_X];
-    at[1] = b->h * at[1] + b->u[LAYER_Y];
-    along(b, &at[0], &at[1], j >= WEIGHED, b->k[j]);
+    for (int p = 0; p < PAIR; p++) {
+        combine(&b[p], 2, j, explicit8_a[j], at);
+        x[p] = b[p].h * at[0] + b[p].u[LAYER_X];
+        y[p] = b[p].h * at[1] + b[p].u[LAYER_Y];
+        du[p] = b[p].k[j];
+    }
+    along(b, x, y, j >= WEIGHED, du);
 }
 
 /* After the stages, as explicit8_try: the error over the tolerance. */
@@ -162,34 +171,43 @@ static lanes judge(struct bundle *b, lanes off, lanes *factor)
     return good;
 }
 
-/* What changes per unit to the left of u, as look_aside of fast_layer.c. */
-static lanes look_aside(const struct bundle *b, const lanes u[], lanes aside[2])
-{
-    const lanes *du = b->k[0];
-    lanes at[LAYER_DIM];
-
-    const lanes x = u[LAYER_X] - TOL_ASIDE * du[LAYER_Y];
-    const lanes y = u[LAYER_Y] + TOL_ASIDE * du[LAYER_X];
-    along(b, &x, &y, true, at);
-    for (int i = 0; i < 2; i++)
-        aside[i] = (at[LAYER_TIME + i] - du[LAYER_TIME + i]) / TOL_ASIDE;
-    return (du[LAYER_X] * at[LAYER_Y] - du[LAYER_Y] * at[LAYER_X]) / TOL_ASIDE;
-}
-
-/* struct landing_step of every lane. */
+/* struct landing_step of every lane, and what else is known of the step;
+ * b->k[0] was du0. */
 struct steps {
     lanes across, gain[2], digits, left, carried[2];
+    lanes good, factor, u[LAYER_DIM], du0[LAYER_DIM];
+    lanes spread, aside[2];
 };
 
-/* As carry of fast_layer.c; b->k[0] was du0. */
-static void carry(struct bundle *b, lanes good, const lanes u[],
-                  const lanes du0[], struct steps *m)
+/* What changes per unit to the left of u, as look_aside of fast_layer.c. */
+static void look_aside(const struct bundle b[], struct steps m[])
 {
-    const lanes *du1 = b->k[0], none = LANES_OF(0.0), one = LANES_OF(1.0);
-    lanes aside[2];
-    const lanes spread = look_aside(b, u, aside);
-    const lanes most = b->h * lanes_larger(spread, b->spread);
-    const lanes half = 0.5 * b->h * (spread + b->spread);
+    lanes x[PAIR], y[PAIR], at[PAIR][LAYER_DIM], *to[PAIR];
+
+    for (int p = 0; p < PAIR; p++) {
+        x[p] = m[p].u[LAYER_X] - TOL_ASIDE * b[p].k[0][LAYER_Y];
+        y[p] = m[p].u[LAYER_Y] + TOL_ASIDE * b[p].k[0][LAYER_X];
+        to[p] = at[p];
+    }
+    along(b, x, y, true, to);
+    for (int p = 0; p < PAIR; p++) {
+        const lanes *du = b[p].k[0];
+        for (int i = 0; i < 2; i++)
+            m[p].aside[i] =
+                (at[p][LAYER_TIME + i] - du[LAYER_TIME + i]) / TOL_ASIDE;
+        m[p].spread =
+            (du[LAYER_X] * at[p][LAYER_Y] - du[LAYER_Y] * at[p][LAYER_X]) /
+            TOL_ASIDE;
+    }
+}
+
+/* As carry of fast_layer.c. */
+static void carry(struct bundle *b, struct steps *m)
+{
+    const lanes *du0 = m->du0, *du1 = b->k[0];
+    const lanes none = LANES_OF(0.0), one = LANES_OF(1.0);
+    const lanes most = b->h * lanes_larger(m->spread, b->spread);
+    const lanes half = 0.5 * b->h * (m->spread + b->spread);
     const lanes grows =
         lanes_smaller(lanes_larger(lanes_smaller(most, none), half),
                       LANES_OF(TOL_STEP_GROWTH_MOST));
@@ -203,10 +221,10 @@ static void carry(struct bundle *b, lanes good, const lanes u[],
         const int k = LAYER_TIME + i;
         m->carried[i] =
             0.5 * even *
-            (b->h * (b->aside[i] + aside[i]) - turn * (du0[k] + du1[k]));
-        b->aside[i] = lanes_less(none, good, aside[i], b->aside[i]);
+            (b->h * (b->aside[i] + m->aside[i]) - turn * (du0[k] + du1[k]));
+        b->aside[i] = lanes_less(none, m->good, m->aside[i], b->aside[i]);
     }
-    b->spread = lanes_less(none, good, spread, b->spread);
+    b->spread = lanes_less(none, m->good, m->spread, b->spread);
 }
 
 /* As missed_of of fast_layer.c: of place (0), or of time and slip (1). */
@@ -233,10 +251,10 @@ static lanes missed_of(const struct bundle *b, int g)
 }
 
 /* As account of fast_layer.c, where the step to u is accepted. */
-static void account(struct bundle *b, lanes good, const lanes u[],
-                    const lanes du0[], struct steps *m)
+static void account(struct bundle *b, struct steps *m)
 {
-    const lanes *du = b->k[0], none = LANES_OF(0.0);
+    const lanes *u = m->u, *du = b->k[0];
+    const lanes good = m->good, none = LANES_OF(0.0);
     const lanes dx = lanes_size(du[LAYER_X]), dy = lanes_size(du[LAYER_Y]);
     const lanes digit_x = TOL_SLIDER_ROUNDING * lanes_size(u[LAYER_X]);
     const lanes digit_y = TOL_SLIDER_ROUNDING * lanes_size(u[LAYER_Y]);
@@ -247,7 +265,7 @@ static void account(struct bundle *b, lanes good, const lanes u[],
     const lanes on = e_x * du[LAYER_X] + e_y * du[LAYER_Y];
     const lanes moved = digit_x * dx + digit_y * dy;
 
-    carry(b, good, u, du0, m);
+    carry(b, m);
     m->across = e_y * du[LAYER_X] - e_x * du[LAYER_Y];
     m->digits = digit_x * dy + digit_y * dx +
                 TOL_LAYER_TERMS * digits * lanes_size(b->h) * dx * dy;
@@ -283,40 +301,49 @@ static void keep(struct bundle *b, int l, const struct steps *m)
     };
 }
 
-/* Goes where the steps that are good end. */
-static void move(struct bundle *b)
+/* Where the steps that are good end, where the others began. */
+static void look_ahead(struct bundle *b, struct steps *m)
 {
-    const lanes none = LANES_OF(0.0);
-    lanes factor, u[LAYER_DIM], du0[LAYER_DIM];
-    struct steps m;
-    const lanes good = judge(b, finish(b), &factor);
-
+    m->good = judge(b, finish(b), &m->factor);
     for (int i = 0; i < LAYER_DIM; i++)
-        u[i] = lanes_less(none, good, b->u1[i], b->u[i]);
-    memcpy(du0, b->k[0], sizeof du0);
-    along(b, &u[LAYER_X], &u[LAYER_Y], true, b->k[0]);
-    account(b, good, u, du0, &m);
-    memcpy(b->u, u, sizeof u);
-    b->h = factor * lanes_less(none, good, lanes_size(b->h), b->h);
+        m->u[i] = lanes_less(LANES_OF(0.0), m->good, b->u1[i], b->u[i]);
+    memcpy(m->du0, b->k[0], sizeof m->du0);
+}
+
+/* Goes there. */
+static void move(struct bundle *b, struct steps *m)
+{
+    account(b, m);
+    memcpy(b->u, m->u, sizeof b->u);
+    b->h =
+        m->factor * lanes_less(LANES_OF(0.0), m->good, lanes_size(b->h), b->h);
     for (int l = 0; l < LANES; l++) {
-        b->asks[l] = good[l] > 0.0;
+        b->asks[l] = m->good[l] > 0.0;
         if (b->busy[l])
             b->at[l].out->calls += STEPS;
         if (b->busy[l] && b->asks[l])
-            keep(b, l, &m);
+            keep(b, l, m);
     }
 }
 
 /* One attempt in every lane; its step is no longer than `most`. */
 static void step(struct bundle b[])
 {
+    struct steps m[PAIR];
+    const lanes *u[PAIR];
+
     for (int p = 0; p < PAIR; p++)
         b[p].h = lanes_smaller(b[p].h, b[p].most);
     for (int j = 1; j < STEPS; j++)
-        for (int p = 0; p < PAIR; p++)
-            stage(&b[p], j);
+        stage(b, j);
+    for (int p = 0; p < PAIR; p++) {
+        look_ahead(&b[p], &m[p]);
+        u[p] = m[p].u;
+    }
+    along_from(b, u);
+    look_aside(b, m);
     for (int p = 0; p < PAIR; p++)
-        move(&b[p]);
+        move(&b[p], &m[p]);
 }
 
 /* ---- lanes --------------------------------------------------------------- */
@@ -366,31 +393,42 @@ static bool is_over(struct bundle *b, int l)
     return false;
 }
 
-/* Asks every lane that moved; done ones take the next of the jobs.  Returns how
- * many are busy. */
+/* Asks every lane of a bundle that moved; done ones take the next of the jobs
+ * and *again is true.  Returns how many are busy. */
 static int refill(struct bundle *b, const struct layer_job job[], size_t n,
-                  size_t *next, struct layer out[])
+                  size_t *next, struct layer out[], bool *again)
+{
+    int busy = 0;
+
+    for (int l = 0; l < LANES; l++) {
+        if (b->busy[l] && is_over(b, l)) {
+            b->busy[l] = *next < n;
+            if (*next < n) {
+                take(b, l, &job[*next], &out[*next]);
+                ++*next;
+                *again = true;
+            }
+        } else {
+            b->asks[l] = false;
+        }
+        busy += b->busy[l];
+    }
+    return busy;
+}
+
+/* And those again, until none is done. */
+static int refill_all(struct bundle b[], const struct layer_job job[], size_t n,
+                      size_t *next, struct layer out[])
 {
     int busy = 0;
 
     for (bool again = true; again;) {
         busy = 0;
         again = false;
-        for (int l = 0; l < LANES; l++) {
-            if (b->busy[l] && is_over(b, l)) {
-                b->busy[l] = *next < n;
-                if (*next < n) {
-                    take(b, l, &job[*next], &out[*next]);
-                    ++*next;
-                    again = true;
-                }
-            } else {
-                b->asks[l] = false;
-            }
-            busy += b->busy[l];
-        }
+        for (int p = 0; p < PAIR; p++)
+            busy += refill(&b[p], job, n, next, out, &again);
         if (again)
-            along(b, &b->u[LAYER_X], &b->u[LAYER_Y], true, b->k[0]);
+            start(b);
     }
     return busy;
 }
@@ -413,12 +451,10 @@ void LAYER_LANES(const struct slow_curve *c, const struct layer_job job[],
         take(p, l % LANES, &job[i], &out[i]);
         p->busy[l % LANES] = is_busy;
     }
-    for (int p = 0; p < PAIR && n > 0; p++)
-        along(&b[p], &b[p].u[LAYER_X], &b[p].u[LAYER_Y], true, b[p].k[0]);
+    if (n > 0)
+        start(b);
     while (busy > 0) {
-        busy = 0;
-        for (int p = 0; p < PAIR; p++)
-            busy += refill(&b[p], job, n, &next, out);
+        busy = refill_all(b, job, n, &next, out);
         if (busy > 0)
             step(b);
     }

@@ -163,6 +163,32 @@ static void series_friction(struct series_ctx *c, quad a, quad w0, quad q0,
         out[k] *= a;
 }
 
+/* What field_formula.h asks of the elements of its numbers. */
+static quad scalar_size(quad u)
+{
+    return fabsq(u);
+}
+
+static quad scalar_power(quad u)
+{
+    return expq(u);
+}
+
+static quad scalar_ln(quad u)
+{
+    return logq(u);
+}
+
+static quad scalar_at_least(quad p, quad u)
+{
+    return u > p ? u : p;
+}
+
+static quad scalar_choose(quad u, quad p, quad q, quad r)
+{
+    return u < p ? q : r;
+}
+
 #include "field_formula.h"
 
 /* The rates of block.h's observables, times exp(-scale). */

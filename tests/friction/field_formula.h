@@ -1,8 +1,8 @@
 /*
  * field_formula.h -- the block on a slope, (17), in the chart (ln v, ln psi)
- * [(ln v, psi) where psi is a logarithm], in closed form, for lanes (several
- * points, field_lanes.h) and, in tests, for series of 113-bit numbers; all
- * else goes by law_tape.h.  With offsets X, Y from the anchor,
+ * [(ln v, psi) where psi is a logarithm], in closed form, for series of 113-bit
+ * numbers: by hand, and so independent of the formulas that it judges
+ * (law_tape.h).  With offsets X, Y from the anchor,
  *
  *     dX/dt = exp(log_inertia - X) (tan(alpha) - mu),
  *     dY/dt = -K(psi - psi_ss(v)) / (T(v) psi)       [without 1/psi].
