@@ -8,13 +8,16 @@
 
 #include "condition.h"
 
+#define LANES 2
+#include "tape_lanes.h"
+
 /* One component in double against 113 bits, unless it has underflown beside
  * the other one or no digit of its exponent can be known. */
 static void check_component(const struct setting *s, struct vec2 z,
                             const char *name, double p, double log_scale,
-                            quad q, quad exact_scale, quad condition)
+                            quad q, quad exact_scale, quad cost)
 {
-    const quad bound = 8 * ULP * condition;
+    const quad bound = 8 * ULP * cost;
 
     CHECK(isfinite(p) && isfinite(log_scale),
           "law %zu at %g %g from %g %g: %s = %g exp(%g)", s->number, z.x, z.y,
@@ -41,6 +44,47 @@ static void check_real(const struct setting *s, struct vec2 z)
                     q.log_scale, c.x);
     check_component(s, z, "fy", f.direction.y, f.log_scale, q.direction[1],
                     q.log_scale, c.y);
+}
+
+static void check_lanes(const struct setting *s, uint64_t *seed)
+{
+    lanes x[TAPE_SETS], y[TAPE_SETS], fx[TAPE_SETS], fy[TAPE_SETS],
+        scale[TAPE_SETS];
+
+    for (int i = 0; i < TAPE_SETS * LANES; i++) {
+        const struct vec2 z =
+            i % 2 ? draw_near(-1, 1.3, seed) : draw_near(-15, -1, seed);
+        x[i / LANES][i % LANES] = z.x;
+        y[i / LANES][i % LANES] = z.y;
+    }
+    tape_lanes_field(&s->b.plane.t, x, y, fx, fy, scale);
+    for (int i = 0; i < TAPE_SETS * LANES; i++) {
+        const int p = i / LANES, l = i % LANES;
+        const struct vec2 z = { x[p][l], y[p][l] };
+        struct quad_field q;
+        quad_block_field(&s->law, &s->at, z.x, z.y, &q);
+        const struct condition c = condition_at(s, z.x, z.y, scale[p][l]);
+        check_component(s, z, "fx of lanes", fx[p][l], scale[p][l],
+                        q.direction[0], q.log_scale, 3 * c.x);
+        check_component(s, z, "fy of lanes", fy[p][l], scale[p][l],
+                        q.direction[1], q.log_scale, 3 * c.y);
+    }
+}
+
+/* Of every law; anchors as far as the fast layer goes.  e^x of lanes is good to
+ * four units of roundoff, not one, and a difference takes three of them: three
+ * times what doubles may cost. */
+static void the_field_of_points_side_by_side_is_exact(void **state)
+{
+    uint64_t seed = check_seed() + 6;
+    struct setting s;
+
+    (void) state;
+    if (laws_emulated())
+        skip();
+    for (size_t i = 0; i < LAWS * 4; i++)
+        for (int k = 0; draw_setting(i, 20, &seed, &s) && k < 2; k++)
+            check_lanes(&s, &seed);
 }
 
 static void the_field_is_exact_over_the_whole_range(void **state)
@@ -310,6 +354,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_field_is_exact_over_the_whole_range),
+        cmocka_unit_test(the_field_of_points_side_by_side_is_exact),
         cmocka_unit_test(the_113_bit_field_is_the_model_s),
         cmocka_unit_test(near_the_anchor_no_digit_is_lost),
         cmocka_unit_test(at_an_equilibrium_the_field_is_exactly_zero),
