@@ -44,7 +44,7 @@ static inline int lanes_any_less(lanes a, lanes b)
 
 static inline lanes lanes_larger(lanes a, lanes b)
 {
-    lanes c;
+    lanes c = a;
 
     for (int i = 0; i < LANES; i++)
         c[i] = a[i] > b[i] ? a[i] : b[i];
@@ -53,7 +53,7 @@ static inline lanes lanes_larger(lanes a, lanes b)
 
 static inline lanes lanes_smaller(lanes a, lanes b)
 {
-    lanes c;
+    lanes c = a;
 
     for (int i = 0; i < LANES; i++)
         c[i] = a[i] < b[i] ? a[i] : b[i];
