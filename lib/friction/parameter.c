@@ -2,8 +2,8 @@
  * With E = exp(log_inertia - X) = cos(alpha)/(eps^2 v) the first component is
  * E (tan(alpha) - mu), and mu a function of a and of
  * mu_log = mu_star + a x + b theta; the second knows of R alone, through
- * r = 1/R in psi_ss and T.  By hand, because the law's tape holds differences to
- * an anchor that moves with the parameters.
+ * r = 1/R in psi_ss and T.  By hand, because the law's tape holds differences
+ * to an anchor that moves with the parameters.
  */
 #include "parameter.h"
 
