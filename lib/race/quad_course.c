@@ -128,12 +128,11 @@ static void guess(const struct quad_course *c, struct quad_radau *w)
 
     for (int k = 0; k < 2; k++) {
         const quad end =
-            ratio <= (quad) reach ? quad_radau_gain(m, &c->last, k, 1) : 0;
+            ratio <= (quad) reach ? quad_radau_gain(&c->last, k, 1) : 0;
         for (int i = 0; i < QUAD_STAGES; i++)
             w->z[i][k] =
                 ratio <= (quad) reach
-                    ? quad_radau_gain(m, &c->last, k, 1 + ratio * m->node[i]) -
-                          end
+                    ? quad_radau_gain(&c->last, k, 1 + ratio * m->node[i]) - end
                     : w->h * m->node[i] * c->du[k];
     }
 }
@@ -143,9 +142,8 @@ static void arrive(const struct quad_course *c, const struct quad_radau *w,
                    quad to[QUAD_DIM])
 {
     for (int k = 0; k < QUAD_DIM; k++)
-        to[k] = c->u[k] + (k < QUAD_TIME
-                               ? w->z[QUAD_STAGES - 1][k]
-                               : quad_radau_gain(&c->slope->method, w, k, 1));
+        to[k] = c->u[k] + (k < QUAD_TIME ? w->z[QUAD_STAGES - 1][k]
+                                         : quad_radau_gain(w, k, 1));
 }
 
 /* What it may be too long by: 1 is just right. */
@@ -156,7 +154,7 @@ static double excess_of(const struct quad_course *c, const struct quad_radau *w,
     double worst = 0.0;
 
     for (int k = 0; k < QUAD_DIM; k++) {
-        const quad tail = quad_radau_tail(&c->slope->method, w, k);
+        const quad tail = quad_radau_tail(w, k);
         const quad size = k >= QUAD_TIME ? to[k] : here < there ? there : here;
         if (tail > 0)
             worst = fmax(worst, (double) (tail / size) / c->tol);
@@ -175,7 +173,7 @@ bool quad_course_part(const struct quad_course *c,
     w->bend = whole->bend;
     for (int i = 0; i < QUAD_STAGES; i++)
         for (int k = 0; k < 2; k++)
-            w->z[i][k] = quad_radau_gain(m, whole, k, theta * m->node[i]);
+            w->z[i][k] = quad_radau_gain(whole, k, theta * m->node[i]);
     if (!quad_radau_solve(w, &system, c->u,
                           solved * (double) offset_of(c, c->u)))
         return false;

@@ -112,10 +112,8 @@ static void polish_peak(struct quad_course *c, const struct quad_radau *w,
         const quad theta = (from + to) / 2;
         double rise[2];
         quad du[QUAD_DIM];
-        const quad z[2] = {
-            c->u[QUAD_X] + quad_radau_gain(&c->slope->method, w, QUAD_X, theta),
-            c->u[QUAD_Y] + quad_radau_gain(&c->slope->method, w, QUAD_Y, theta)
-        };
+        const quad z[2] = { c->u[QUAD_X] + quad_radau_gain(w, QUAD_X, theta),
+                            c->u[QUAD_Y] + quad_radau_gain(w, QUAD_Y, theta) };
         quad_course_field(c, z, du);
         find_rise(c, z, du, rise);
         *(rise[which] > 0.0 ? &from : &to) = theta;
@@ -175,7 +173,7 @@ static quad missing_at(const struct quad_course *c, const struct quad_radau *w,
     quad u[QUAD_DIM];
 
     for (int k = 0; k <= QUAD_TIME; k++)
-        u[k] = c->u[k] + quad_radau_gain(&c->slope->method, w, k, theta);
+        u[k] = c->u[k] + quad_radau_gain(w, k, theta);
     return missing(c->slope, g, u);
 }
 

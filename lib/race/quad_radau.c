@@ -168,16 +168,17 @@ static double largest(const struct quad_radau *w)
     return most;
 }
 
-/* The factor of the clock at a stage. */
-static quad factor_at(const struct quad_radau *w, const struct quad_method *m,
-                      int stage)
+/* The factor of the clock at each stage. */
+static void find_factors(const struct quad_radau *w,
+                         const struct quad_method *m, quad factor[S])
 {
-    return w->bend == 0 ? 1 : expq(w->bend * w->h * m->node[stage]);
+    for (int j = 0; j < S; j++)
+        factor[j] = w->bend == 0 ? 1 : expq(w->bend * w->h * m->node[j]);
 }
 
 /* One iteration in double precision, with the matrix of where it starts. */
 static double improve(struct quad_radau *w, const struct quad_system *system,
-                      const quad u[], struct factors *f)
+                      const quad u[], const quad clock[S], struct factors *f)
 {
     double left[N];
 
@@ -185,7 +186,7 @@ static double improve(struct quad_radau *w, const struct quad_system *system,
         double du[2];
         struct vec2 slope[2];
         quad z[2];
-        const quad e = factor_at(w, system->method, j);
+        const quad e = clock[j];
         place(w, j, u, z);
         system->linear(system->ctx, z, du, slope);
         for (int c = 0; c < 2; c++)
@@ -209,13 +210,13 @@ static double improve(struct quad_radau *w, const struct quad_system *system,
 
 static bool solve_coarsely(struct quad_radau *w,
                            const struct quad_system *system, const quad u[],
-                           struct factors *f)
+                           const quad clock[S], struct factors *f)
 {
     const double start = fmax(fabs((double) u[0]), fabs((double) u[1]));
     double before = HUGE_VAL;
 
     for (int k = 0; k < COARSE_MAX; k++) {
-        const double change = improve(w, system, u, f);
+        const double change = improve(w, system, u, clock, f);
         const double size = largest(w);
         if (!isfinite(change) || (k > 3 && change > before))
             return change <= coarse_least * size || change <= rounding * start;
@@ -227,7 +228,8 @@ static bool solve_coarsely(struct quad_radau *w,
 }
 
 static bool solve_finely(struct quad_radau *w, const struct quad_system *system,
-                         const quad u[], double tol, const struct factors *f)
+                         const quad u[], const quad clock[S], double tol,
+                         const struct factors *f)
 {
     double before = HUGE_VAL, left[N];
 
@@ -237,7 +239,7 @@ static bool solve_finely(struct quad_radau *w, const struct quad_system *system,
             place(w, j, u, z);
             system->plane(system->ctx, z, w->du[j]);
             for (int i = 0; i < 3; i++)
-                w->du[j][i] *= factor_at(w, system->method, j);
+                w->du[j][i] *= clock[j];
         }
         residual(system->method, w, left);
         solve(f, left);
@@ -251,24 +253,6 @@ static bool solve_finely(struct quad_radau *w, const struct quad_system *system,
     return false;
 }
 
-bool quad_radau_solve(struct quad_radau *w, const struct quad_system *system,
-                      const quad u[], double tol)
-{
-    struct factors f;
-
-    if (!solve_coarsely(w, system, u, &f) ||
-        !solve_finely(w, system, u, tol, &f))
-        return false;
-    for (int j = 0; j < S; j++) {
-        quad z[2];
-        place(w, j, u, z);
-        system->integrals(system->ctx, z, w->du[j]);
-    }
-    return true;
-}
-
-/* ---- its polynomials ----------------------------------------------------- */
-
 static quad coefficient(const struct quad_method *m, const struct quad_radau *w,
                         int component, int k)
 {
@@ -279,22 +263,42 @@ static quad coefficient(const struct quad_method *m, const struct quad_radau *w,
     return sum;
 }
 
-quad quad_radau_gain(const struct quad_method *m, const struct quad_radau *w,
-                     int k, quad theta)
+bool quad_radau_solve(struct quad_radau *w, const struct quad_system *system,
+                      const quad u[], double tol)
+{
+    struct factors f;
+    quad clock[S];
+
+    find_factors(w, system->method, clock);
+    if (!solve_coarsely(w, system, u, clock, &f) ||
+        !solve_finely(w, system, u, clock, tol, &f))
+        return false;
+    for (int j = 0; j < S; j++) {
+        quad z[2];
+        place(w, j, u, z);
+        system->integrals(system->ctx, z, w->du[j]);
+    }
+    for (int k = 0; k < QUAD_MOST; k++)
+        for (int i = 0; i < S; i++)
+            w->rate[k][i] = coefficient(system->method, w, k, i);
+    return true;
+}
+
+/* ---- its polynomials ----------------------------------------------------- */
+
+quad quad_radau_gain(const struct quad_radau *w, int k, quad theta)
 {
     quad to[S], sum = 0;
 
     integrals_to(theta, to);
     for (int i = 0; i < S; i++)
-        sum += coefficient(m, w, k, i) * to[i];
+        sum += w->rate[k][i] * to[i];
     return w->h * sum;
 }
 
-quad quad_radau_tail(const struct quad_method *m, const struct quad_radau *w,
-                     int k)
+quad quad_radau_tail(const struct quad_radau *w, int k)
 {
-    const quad last = coefficient(m, w, k, S - 1);
-    const quad other = coefficient(m, w, k, S - 2) / 4;
+    const quad last = w->rate[k][S - 1], other = w->rate[k][S - 2] / 4;
 
     return fabsq(w->h) * (fabsq(last) + fabsq(other));
 }

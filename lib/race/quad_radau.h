@@ -40,8 +40,10 @@ struct quad_radau {
     quad h;
     quad bend; /* rates are those of the system times e^(bend tau), tau from the
                   step's start: a clock that runs with the orbit */
-    quad z[QUAD_STAGES][2];          /* stages, less the step's start */
-    quad du[QUAD_STAGES][QUAD_MOST]; /* rates there */
+    quad z[QUAD_STAGES][2];            /* stages, less the step's start */
+    quad du[QUAD_STAGES][QUAD_MOST];   /* rates there */
+    quad rate[QUAD_MOST][QUAD_STAGES]; /* once solved: [k][i], of P_i in the
+                                          rate of component k */
 };
 
 /* From the guess w->z to the solution of the step w->h from u[2], to `tol` in
@@ -51,11 +53,9 @@ bool quad_radau_solve(struct quad_radau *w, const struct quad_system *system,
 
 /* What component k has gained at the part theta of a step that was solved,
  * beyond theta = 1 too; for all but theta = 1 of order QUAD_STAGES + 1. */
-quad quad_radau_gain(const struct quad_method *m, const struct quad_radau *w,
-                     int k, quad theta);
+quad quad_radau_gain(const struct quad_radau *w, int k, quad theta);
 
 /* The size of the last coefficients of component k's polynomial. */
-quad quad_radau_tail(const struct quad_method *m, const struct quad_radau *w,
-                     int k);
+quad quad_radau_tail(const struct quad_radau *w, int k);
 
 #endif

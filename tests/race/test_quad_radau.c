@@ -54,11 +54,11 @@ static void take(double fast, double h, double bend, double from, quad off[3])
     const struct quad_system system = { &l.method, plane, integrals, linear,
                                         &l };
     assert_true(quad_radau_solve(&w, &system, u, 1e-30));
-    const quad t = quad_radau_gain(&l.method, &w, 2, 1);
+    const quad t = quad_radau_gain(&w, 2, 1);
     const quad y = expq(-t), rest = ((quad) from - 1) * expq(-l.fast * t);
     off[0] = fabsq(u[0] + w.z[QUAD_STAGES - 1][0] - y * y - rest);
     off[1] = fabsq(1 + w.z[QUAD_STAGES - 1][1] - y);
-    off[2] = fabsq(quad_radau_gain(&l.method, &w, 3, 1) - (1 - y));
+    off[2] = fabsq(quad_radau_gain(&w, 3, 1) - (1 - y));
 }
 
 static void a_smooth_step_is_of_order_21(void **state)
