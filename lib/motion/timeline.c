@@ -18,9 +18,10 @@ struct mark {
 };
 
 struct marks {
-    struct mark *at; /* owned */
+    struct mark *at; /* owned, in the order of time */
     size_t count;
-    const struct orbit *orbit; /* borrowed */
+    const struct orbit *orbit;             /* borrowed */
+    size_t from[EVENT_COUNT_MAX][MOMENTS]; /* of a kind: nearest, the last */
 };
 
 /* ---- turns --------------------------------------------------------------- */
@@ -131,18 +132,30 @@ static enum status collect(const struct slider *s,
 
 /* ---- events -------------------------------------------------------------- */
 
-/* The mark of m nearest in time to `to` among those of its kind. */
-static const struct mark *nearest(const struct marks *m, const struct mark *to)
+/* The mark of m nearest in time to `to` among those of its kind, asked for one
+ * `to` of a kind after the other, in the order of time: what is before the last
+ * answer is further. */
+static const struct mark *nearest(struct marks *m, const struct mark *to)
 {
+    size_t *from = &m->from[to->hit->which][to->what];
     const struct mark *best = NULL;
+    double least = HUGE_VAL;
 
-    for (size_t i = 0; i < m->count; i++) {
+    for (size_t i = *from; i < m->count; i++) {
         const struct mark *k = &m->at[i];
-        if (k->what == to->what && k->hit->which == to->hit->which &&
-            (best == NULL || fabs(k->hit->u[2] - to->hit->u[2]) <
-                                 fabs(best->hit->u[2] - to->hit->u[2])))
-            best = k;
+        const double off = fabs(k->hit->u[2] - to->hit->u[2]);
+        if (k->what != to->what || k->hit->which != to->hit->which)
+            continue;
+        if (best && off > least)
+            break;
+        if (best && !(off < least))
+            continue;
+        best = k;
+        least = off;
+        *from = i;
     }
+    if (best == NULL)
+        *from = m->count;
     return best;
 }
 
@@ -226,7 +239,7 @@ static struct transient_event event_at(const struct slider *s,
 }
 
 static size_t match(const struct slider *s, const struct moment_watches *w,
-                    const struct marks *coarse, const struct marks *fine,
+                    struct marks *coarse, struct marks *fine,
                     struct transient_event event[])
 {
     size_t n = 0;
