@@ -17,7 +17,7 @@ COMMANDS = [
     ['simulate', '--alpha', '0.33', *START, '--json'],
     ['portrait', '--alpha', '0.34', '-o', 'p.h5'],
     ['basin', '--alpha', '0.33', '-o', 'b.h5', '--set',
-     'basins.cells=[40, 30]', '--set', 'products=[margin, slip, peak]'],
+     'basins.cells=[20, 15]', '--set', 'products=[margin, slip, peak]'],
 ]
 
 

@@ -44,7 +44,7 @@ MORE = [
     ('rabinowicz --law dieterich_gen --alpha 0.34 --data three.csv', []),
     ('push --law spinodal_gen --alpha 0.34 --v 1e3 --psi 10', []),
     ('workprec --quick --law ruina --alpha 0.34', []),
-    ('stress --only fold-max/spinodal/asinh', []),
+    ('stress --only laws/perrin/log/0.38', []),
 ]
 
 

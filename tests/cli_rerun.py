@@ -99,7 +99,8 @@ def another_scene_inside_makes_other_numbers(room):
 
 def what_cannot_run_again_says_so_in_a_line(room):
     room.make('tmp')
-    room.good('stress', '--quick', '--only', 'ageing', '-q', '-o', 'a.h5')
+    room.good('stress', '--quick', '--only', 'flat/spinodal_gen', '-q',
+              '-o', 'a.h5')
     refused(again(room), 2, 'a.h5', 'stress')
     room.good('knees', *SLOPE, '-q', '-o', 'a.h5')
     change(room, 'p["overrides"] = numpy.bytes_("law.preset=none")')

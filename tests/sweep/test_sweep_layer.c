@@ -141,7 +141,7 @@ static void every_map_is_that_of_the_study_at_its_point(void **state)
         LAW,
         "products=[basins, margin, slip, peak, field_arrows, chi]",
         "sweep={key: slope.alpha, values: [0.33, 0.4]}",
-        "basins={cells: [3, 66], audit: 0, rtol: 1e-4}",
+        "basins={cells: [2, 66], audit: 0, rtol: 1e-4}",
         "chi.alpha=[0.3, 0.35]",
         NULL
     };
