@@ -41,7 +41,10 @@ static void put_option(FILE *out, const struct option *o, bool general)
     if (general)
         option_commands(o, only, sizeof only);
     snprintf(text, sizeof text, "%s%s%s", only, only[0] ? ": " : "", o->text);
-    fprintf(out, "%-*s", OPTION_INDENT, name);
+    if (strlen(name) + 1 > OPTION_INDENT) /* the text below a long name */
+        fprintf(out, "%s\n%*s", name, OPTION_INDENT, "");
+    else
+        fprintf(out, "%-*s", OPTION_INDENT, name);
     put_wrapped(out, OPTION_INDENT, text);
 }
 

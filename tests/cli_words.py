@@ -99,6 +99,18 @@ WITH_SLOPE = ('portrait', 'study', 'plan', 'knees', 'basin', 'push',
               'simulate', 'rabinowicz', 'export', 'workprec', 'stress')
 
 
+def text_of_options_stands_in_a_column_of_its_own(room):
+    for command in commands_of(room.good('--help')):
+        said = room.good(command, '--help').split('Options:\n')[1]
+        for line in said.split('\n'):
+            name = re.match(r'  (?:-\w, |    )--[a-z-]+(?:=[A-Z:=]+)?', line)
+            if name:
+                rest = line[name.end():]
+                expect(rest == '' or len(line) - len(rest.lstrip()) == 26 and
+                       rest[0] == ' ', line)
+            expect(len(line) < 80, line)
+
+
 def an_option_is_no_prefix_and_no_letter_of_another(room):
     for word in ('--sens', '--s', '--outputs=a.h5', '-x', '--', '-qx'):
         done = room.run('plan', *SLOPE, word)
@@ -199,6 +211,7 @@ run_cases([
     every_command_explains_itself,
     every_example_works,
     every_option_belongs_to_the_commands_that_tell_of_it,
+    text_of_options_stands_in_a_column_of_its_own,
     an_option_is_no_prefix_and_no_letter_of_another,
     a_command_that_is_handed_a_scene_takes_its_own_options,
     what_means_nothing_beside_another_is_refused,
