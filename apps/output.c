@@ -64,7 +64,7 @@ enum status output_write(const struct options *o, const char *command,
 
 struct figure *panels_add(struct panels *p, const char *name)
 {
-    p->name[p->count] = name;
+    snprintf(p->name[p->count], PANEL_NAME, "%s", name);
     p->figure[p->count] = FIGURE_EMPTY;
     return &p->figure[p->count++];
 }

@@ -7,7 +7,7 @@
 #include "draw.h"
 #include "result.h"
 
-enum { PANELS_MAX = FIGURES_MAX, PANEL_PATH = 4096 };
+enum { PANELS_MAX = FIGURES_MAX, PANEL_PATH = 4096, PANEL_NAME = 64 };
 
 /* "a.svg", "_time" -> "a_time.svg"; false if that is too long. */
 bool panel_path(const char *path, const char *panel, char out[PANEL_PATH]);
@@ -34,7 +34,7 @@ void output_tell(const struct options *o, const char *path);
 /* Figures in the making; owned. */
 struct panels {
     struct figure figure[PANELS_MAX];
-    const char *name[PANELS_MAX]; /* as of panel_path; borrowed */
+    char name[PANELS_MAX][PANEL_NAME]; /* as of panel_path */
     size_t count;
 };
 

@@ -488,6 +488,7 @@ void picture_study(const struct study *s, const struct monitor *monitor,
     if (grid && s->fields.which != 0)
         draw_fields(&p, monitor, out);
     draw_panel(&p, GROUND_BASINS, "_basins", out);
-    if (grid && s->scene->products >> PRODUCT_MARGIN & 1u)
+    if (grid && s->scene->products >> PRODUCT_MARGIN & 1u &&
+        margin_exists(&s->basins.labels.regions))
         draw_margins(&p, out);
 }

@@ -7,12 +7,15 @@
 
 #include "crowd.h"
 #include "line.h"
+#include "margin.h"
 #include "mark.h"
 #include "plane_basin.h"
+#include "plane_margin.h"
 
 struct picture {
     const struct plane_study *s;
     struct figure *figure;
+    int margin; /* of that state; -1: the map */
 };
 
 /* ---- points -------------------------------------------------------------- */
@@ -274,26 +277,87 @@ static void add_equilibria(const struct picture *p)
     }
 }
 
-void picture_plane(const struct plane_study *s, struct figure *figure)
+/* ---- margins ------------------------------------------------------------- */
+
+enum { MARGIN_COLUMNS = 288, MARGIN_ROWS = 192 };
+
+/* What is added to a state, or of a positive one the factor. */
+static void draw_margin(const struct picture *p, int axis,
+                        const struct plane_margins cell[], double value[])
+{
+    enum { N = MARGIN_COLUMNS * MARGIN_ROWS };
+    const bool factor = p->s->system[0].axis[axis].is_log;
+    char name[2 * FORMULA_NAME], label[2 * FORMULA_NAME + 48];
+
+    for (size_t i = 0; i < N; i++) {
+        const double shift = fabs(cell[i].by[axis]);
+        value[i] = factor ? exp(shift) : shift;
+    }
+    name_state(p, axis, name);
+    snprintf(label, sizeof label, "%s %s to another fate",
+             factor ? "factor on" : "change of", name);
+    figure_add_map(p->figure, &(struct figure_map){
+                                  .value = value,
+                                  .nx = MARGIN_COLUMNS,
+                                  .ny = MARGIN_ROWS,
+                                  .scale = { .label = label, .is_log = factor },
+                                  .contours = true,
+                                  .missing = "no other fate there" });
+}
+
+/* Each under the curves, as the map is. */
+static void add_margin(const struct picture *p)
+{
+    const size_t n = (size_t) MARGIN_COLUMNS * MARGIN_ROWS;
+    struct plane_margins *cell = malloc(n * sizeof *cell);
+    double *value = malloc(n * sizeof *value);
+
+    p->figure->status =
+        cell && value ? plane_margin_fill(p->s, MARGIN_COLUMNS, MARGIN_ROWS, 0,
+                                          MARGIN_ROWS, cell)
+                      : STATUS_NO_MEMORY;
+    if (p->figure->status == STATUS_OK)
+        draw_margin(p, p->margin, cell, value);
+    free(cell);
+    free(value);
+}
+
+/* ---- the whole ----------------------------------------------------------- */
+
+static void draw(const struct picture *p)
 {
     static void (*const layer[])(const struct picture *) = {
-        add_basins,     add_arrows,    add_trajectories,
-        add_nullclines, add_manifolds, add_equilibria
+        add_arrows, add_trajectories, add_nullclines, add_manifolds,
+        add_equilibria
     };
-    const struct picture p = { s, figure };
-    const bool log_axes = s->scene->window.axes == AXES_LOG;
-    const double *range[] = { s->scene->window.v, s->scene->window.psi };
+    const struct scene *c = p->s->scene;
+    const double *range[] = { c->window.v, c->window.psi };
     char label[2][2 * FORMULA_NAME];
     struct figure_axis axis[2];
 
     for (int i = 0; i < 2; i++) {
-        name_state(&p, i, label[i]);
-        axis[i] =
-            (struct figure_axis){ label[i], range[i][0], range[i][1],
-                                  log_axes && s->system[0].axis[i].is_log };
+        name_state(p, i, label[i]);
+        axis[i] = (struct figure_axis){ label[i], range[i][0], range[i][1],
+                                        c->window.axes == AXES_LOG &&
+                                            p->s->system[0].axis[i].is_log };
     }
-    figure_init(figure, s->scene->title[0] ? s->scene->title : NULL, &axis[0],
-                &axis[1]);
+    figure_init(p->figure, c->title[0] ? c->title : NULL, &axis[0], &axis[1]);
+    (p->margin < 0 ? add_basins : add_margin)(p);
     for (size_t i = 0; i < sizeof layer / sizeof *layer; i++)
-        layer[i](&p);
+        layer[i](p);
+}
+
+void picture_plane(const struct plane_study *s, struct panels *out)
+{
+    const bool margins = s->basin.shares > 0 &&
+                         margin_exists(&s->basin.regions) &&
+                         s->scene->products >> PRODUCT_MARGIN & 1u;
+
+    for (int margin = -1; margin < (margins ? 2 : 0); margin++) {
+        char name[PANEL_NAME] = "";
+        if (margin >= 0)
+            snprintf(name, sizeof name, "_margin_%.40s",
+                     s->system[0].axis[margin].name);
+        draw(&(struct picture){ s, panels_add(out, name), margin });
+    }
 }

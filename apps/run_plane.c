@@ -1,6 +1,7 @@
 #include "run_plane.h"
 
 #include "json_results.h"
+#include "margin.h"
 #include "picture_plane.h"
 #include "plane_results.h"
 #include "progress.h"
@@ -45,6 +46,8 @@ static enum exit_code print(const struct plane_study *s,
     if (!s->complete)
         printf("note: that there are no other equilibria in the window was "
                "not proved\n");
+    if (s->scene->products & BIT(MARGIN) && !margin_exists(&s->basin.regions))
+        printf("note: no margins to draw: all states have the same fate\n");
     return EXIT_DONE;
 }
 
@@ -58,7 +61,7 @@ static enum status write_files(const struct plane_study *s,
                                             s->system[0].name, why);
 
     if (status == STATUS_OK && figure)
-        picture_plane(s, panels_add(&p, ""));
+        picture_plane(s, &p);
     return status ? status : output_draw(o, &s->scene->paper, &p, figure, why);
 }
 

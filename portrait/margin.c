@@ -3,6 +3,15 @@
 #include <math.h>
 #include <stdlib.h>
 
+bool margin_exists(const struct regions *r)
+{
+    size_t i = 1;
+
+    while (i < r->count && r->region[i].label == r->region[0].label)
+        i++;
+    return i < r->count;
+}
+
 enum status margin_init(struct margin_line *l, const struct separatrix *one,
                         const struct separatrix *other)
 {

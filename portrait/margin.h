@@ -7,6 +7,9 @@
 
 #include "region.h"
 
+/* Whether regions have different labels, so that there is a margin. */
+bool margin_exists(const struct regions *r);
+
 /* Where the label changes along a line of the plane, absolute. */
 struct margin_line {
     struct crossing *at; /* owned; ascending */

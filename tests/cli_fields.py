@@ -143,6 +143,16 @@ def the_map_and_margins_have_figures_beside_the_fields(room):
     expect('b_margin_v.svg' in room.names(), room.names())
 
 
+def a_margin_that_no_state_has_is_not_drawn(room):
+    for alpha, drawn in (('0.28', False), ('0.34', True), ('0.4', False)):
+        said = room.good('basin', '--law', 'spinodal_gen', '--alpha', alpha,
+                         *grid(['basins', 'margin'], 6, 5), '--figure',
+                         f'{alpha}.svg')
+        expect((f'{alpha}_margin_v.svg' in room.names()) == drawn and
+               ('note: no margins to draw: all states have the same fate'
+                in said) != drawn, alpha, said, room.names())
+
+
 def eigen_axes_show_the_basins(room):
     room.good(*SADDLE, *grid(['basins'], 6, 5), '--set', 'window.axes=eigen',
               '--figure', 'a.svg')
@@ -218,6 +228,7 @@ run_cases([
     the_scene_of_figure_7_is_computed_as_it_stands,
     the_same_bytes_at_any_thread_count,
     each_field_has_its_figure_under_the_separatrix,
+    a_margin_that_no_state_has_is_not_drawn,
     the_map_and_margins_have_figures_beside_the_fields,
     eigen_axes_show_the_basins,
     fields_are_told_with_the_numbers,

@@ -5,7 +5,7 @@ usage: cli_formulas.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import os
 
-from cli_room import expect, refused, run_cases
+from cli_room import expect, refused, run_cases, shown
 
 DUFFING = ['--ode', "x' = y; y' = x - x^3 - d*y; d = 0.1",
            '--window', 'x=-2:2,y=-2:2']
@@ -120,6 +120,20 @@ def pages_and_plans_tell_of_systems(room):
 SWEEP = ['--set', 'sweep={key: system.parameters.d, values: [0.1, 0.3]}']
 
 
+def margins_have_figures_where_there_are_two_fates(room):
+    asked = ['--set', 'products=[basins, margin]', '--figure', 'a.svg', *AUDIT]
+    said = room.good('basin', *DUFFING, *asked)
+    for name in 'xy':
+        drawn = shown(room.bytes(f'a_margin_{name}.svg'))
+        expect(f'change of {name} to another fate' in drawn and
+               f'wrote a_margin_{name}.svg' in said, drawn, said)
+    expect('no margins' not in said, said)
+    one = ['--ode', "x' = y; y' = -x - y", '--window', 'x=-2:2,y=-2:2']
+    said = room.good('basin', *one, *asked[:2], '--figure', 'b.svg', *AUDIT)
+    expect('note: no margins to draw: all states have the same fate' in said
+           and [n for n in room.names() if n[0] == 'b'] == ['b.svg'], said)
+
+
 def a_parameter_is_swept(room):
     found = room.json('sweep', *DUFFING, *SWEEP, '-o', 'a.h5', '--figure',
                       'a.svg')
@@ -203,6 +217,7 @@ run_cases([names_of_a_law_s_own_are_set_swept_exported_and_recorded,
            json_is_as_the_interface_says, shares_are_halves,
            parameters_are_set, one_state_or_many_are_pushed,
            files_and_figures_have_the_names_of_states,
+           margins_have_figures_where_there_are_two_fates,
            a_parameter_is_swept, tables_hold_systems,
            a_manifold_leaves_the_window_somewhere,
            pages_and_plans_tell_of_systems, what_is_wrong_costs_one_line])

@@ -103,8 +103,11 @@ static enum status label_rows(const void *run, size_t first, size_t count,
 static enum status margin_rows(const void *run, size_t first, size_t count,
                                const struct monitor *monitor, void *records)
 {
+    const struct plane_study *s = run;
+
     (void) monitor;
-    return plane_margin_fill(run, first, count, records);
+    return plane_margin_fill(s, s->scene->cells[0], s->scene->cells[1], first,
+                             count, records);
 }
 
 /* "margin_x": along rows; and "margin_y". */

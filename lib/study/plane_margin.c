@@ -77,10 +77,10 @@ enum status plane_margin_at(const struct plane_study *s, struct vec2 z,
     return STATUS_OK;
 }
 
-enum status plane_margin_fill(const struct plane_study *s, size_t first,
-                              size_t count, struct plane_margins out[])
+enum status plane_margin_fill(const struct plane_study *s, size_t columns,
+                              size_t rows, size_t first, size_t count,
+                              struct plane_margins out[])
 {
-    const size_t columns = s->scene->cells[0], rows = s->scene->cells[1];
     struct margin_line l;
     double error;
     enum status status = margin_init(&l, &s->basin.cuts, &s->basin.columns);

@@ -11,12 +11,13 @@
 MUST_CHECK enum status plane_margin_at(const struct plane_study *s,
                                        struct vec2 z, struct quantity kick[2]);
 
-/* The same of the scene's cells, row by row, in the chart: the logarithm of a
- * factor; NaN where there is none. */
+/* The same of the cells of a grid over the window, row by row, in the chart:
+ * the logarithm of a factor; NaN where there is none. */
 struct plane_margins {
     double by[2];
 };
 MUST_CHECK enum status plane_margin_fill(const struct plane_study *s,
+                                         size_t columns, size_t rows,
                                          size_t first, size_t count,
                                          struct plane_margins out[]);
 

@@ -54,6 +54,10 @@ size_t study_remarks(const struct study *s, const char *text[], size_t room)
         text[n++] = s->diagrams.fold_curves.reason;
     if (plan_has(s->stages, STAGE_CHI) && s->diagrams.chi.reason && n < room)
         text[n++] = s->diagrams.chi.reason;
+    if (plan_has(s->stages, STAGE_BASINS) &&
+        s->scene->products >> PRODUCT_MARGIN & 1u &&
+        !margin_exists(&s->basins.labels.regions) && n < room)
+        text[n++] = "no margins to draw: all states have the same fate";
     if (s->fields.which && s->scene->hdf5 == NULL && n < room)
         text[n++] = "fields of the cells are computed for files only: give "
                     "-o FILE.h5";

@@ -102,8 +102,9 @@ static void the_map_says_the_same(void **state)
               "window={x: [-2, 2], y: [-1.5, 1.5]}\nproducts=[margin]\n"
               "basins.cells=[12, 12]\n");
     for (size_t row = 0; row < CELLS; row += 4)
-        assert_int_equal(plane_margin_fill(&s, row, 4, map + CELLS * row),
-                         STATUS_OK);
+        assert_int_equal(
+            plane_margin_fill(&s, CELLS, CELLS, row, 4, map + CELLS * row),
+            STATUS_OK);
     for (size_t i = 0; i < CELLS * CELLS; i++) {
         const struct vec2 z = { plane_basin_cell(&s, 0, i % CELLS, CELLS, true),
                                 plane_basin_cell(&s, 1, i / CELLS, CELLS,
