@@ -453,3 +453,15 @@ static int value_of(struct lowering *L, int i)
         L->value[i] = (short) (make_value(L, i) + 1);
     return L->value[i] ? L->value[i] - 1 : 0;
 }
+
+void lower_start(struct lowering *L, struct formula *f, struct tape *t,
+                 const struct plane_formulas *p)
+{
+    L->s = (struct forms){ .f = f, .t = t };
+    L->p = p;
+    L->forms = 0;
+    memset(L->plain, 0, sizeof L->plain);
+    memset(L->log, 0, sizeof L->log);
+    memset(L->value, 0, sizeof L->value);
+    t->steps = 0;
+}

@@ -18,6 +18,10 @@ struct lowering {
     short plain[FORMULA_NODES], log[FORMULA_NODES], value[FORMULA_NODES];
 };
 
+/* Nothing is made yet, nor any step of t; borrows all three. */
+void lower_start(struct lowering *L, struct formula *f, struct tape *t,
+                 const struct plane_formulas *p);
+
 /* Of a node, and of its logarithm. */
 struct linear lower_plain(struct lowering *L, int i);
 struct linear lower_log(struct lowering *L, int i);

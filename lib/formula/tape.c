@@ -200,13 +200,9 @@ static enum status answer(const struct lowering *L, struct fault *why)
 enum status tape_lower(struct tape *t, struct formula *f,
                        const struct plane_formulas *p, struct fault *why)
 {
-    static const struct lowering none;
-    struct lowering L = none;
+    struct lowering L;
 
-    L.s.f = f;
-    L.s.t = t;
-    L.p = p;
-    t->steps = 0;
+    lower_start(&L, f, t, p);
     for (int i = 0; i < 2; i++)
         lower_rate(&L, i);
     for (int i = 0; i < p->observables; i++)
@@ -222,13 +218,10 @@ enum status tape_lower(struct tape *t, struct formula *f,
 enum status tape_anchor(struct formula *f, struct plane_formulas *p, int i,
                         int node, struct fault *why)
 {
-    static const struct lowering none;
-    struct lowering L = none;
-    struct tape t = { .steps = 0 };
+    struct lowering L;
+    struct tape t;
 
-    L.s.f = f;
-    L.s.t = &t;
-    L.p = p;
+    lower_start(&L, f, &t, p);
     p->at[i] = node;
     p->chart[i] =
         f->node[p->state[i]].positive ? lower_log(&L, node).constant : node;

@@ -215,12 +215,12 @@ const struct tape_lowered *law_tape_kept(const struct law *law,
         return &law->typed->tape[equilibrium];
     if (there)
         return there;
+    made = malloc(sizeof *made);
+    room = made ? made : room;
     law_names(law, &room->f);
     make_surely(law, equilibrium, true, room);
-    made = malloc(sizeof *made);
     if (made == NULL)
         return room;
-    *made = *room;
     if (atomic_compare_exchange_strong(place, &there, made))
         return made;
     free(made); /* another thread was sooner */
