@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "course.h"
 #include "motion_tolerance.h"
 #include "rest_form.h"
 #include "rest_left.h"
@@ -30,33 +31,6 @@ struct transient_options transient_defaults(const struct scene *c)
     };
 }
 
-/* What both orbits of a run share; must not move. */
-struct course {
-    const struct slider *slider;
-    double v;          /* at the start */
-    struct vec2 start; /* offset */
-    enum fate fate;
-    struct moment_watches watches;
-    struct box window; /* absolute: beyond it v runs away or fades */
-    bool rest;         /* looked out for */
-    struct orbit_options options;
-};
-
-/* Without limits of the scene's, where the fate itself never ends: some powers
- * of ten from start and saddle. */
-static struct box window_of(const struct course *c, bool limited)
-{
-    const double saddle = c->slider->plane.system.origin.x;
-    const double start = saddle + c->start.x;
-    struct box w = c->slider->plane.system.domain;
-
-    if (!limited && c->fate == FATE_RUNAWAY)
-        w.hi.x = fmin(w.hi.x, fmax(start, saddle) + log(TOL_TRANSIENT_FAST));
-    if (!limited && c->fate == FATE_REST_ASYMPTOTIC)
-        w.lo.x = fmax(w.lo.x, fmin(start, saddle) + log(TOL_TRANSIENT_SLOW));
-    return w;
-}
-
 static double finest(double rtol)
 {
     return fmin(fmax(TOL_TRANSIENT_RATIO * rtol, TOL_TRANSIENT_FINEST),
@@ -71,104 +45,6 @@ static bool may_rest(enum fate fate)
            fate == FATE_UNDECIDED;
 }
 
-static bool limited(const struct transient_options *o)
-{
-    return o->until_time > 0.0 || o->until_slip > 0.0;
-}
-
-static void course_set(struct course *c, const struct transient_options *o,
-                       bool rest)
-{
-    const struct block *b = &c->slider->block;
-    const bool goes_on = limited(o);
-
-    c->rest = rest && rest_form_at(b).fate == FATE_REST_FINITE;
-    moment_watch_all(&c->watches, c->slider, o->level, o->levels, !goes_on);
-    c->window = window_of(c, goes_on);
-    c->options =
-        orbit_defaults(&c->slider->plane.system, c->slider->plane.fastest_rate);
-    c->options.observables = BLOCK_EXCESS; /* slip and work */
-    c->options.window = &c->window;
-    c->options.event = c->watches.event;
-    c->options.events = c->watches.count;
-    c->options.max_steps = TOL_ORBIT_STEPS;
-    if (o->until_time > 0.0)
-        c->options.reach[0] = o->until_time;
-    if (o->until_slip > 0.0)
-        c->options.reach[1 + BLOCK_SLIP] = o->until_slip;
-}
-
-/* d ln v/dt at the end, by the last step: in the field there may be nothing
- * left of it but rounding. */
-static double end_rate(const struct orbit *o)
-{
-    double du[CURVE_DIM_MAX];
-
-    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, du);
-    return fabs(du[0] / du[2]);
-}
-
-/* Whether hardly anything is left of v or of the time, or what is cannot be
- * seen: psi itself, where only inertia slows the block, is too large for its
- * digits. */
-static bool is_deep(const struct course *c, const struct orbit *o)
-{
-    const struct block *b = &c->slider->block;
-
-    return c->slider->plane.system.origin.x + o->u[0] < TOL_TRANSIENT_DEEP ||
-           (o->curve.count > 0 &&
-            end_rate(o) * TOL_REST_NOTHING * o->u[2] > 1.0) ||
-           (law_psi_is_log(&b->law) && rest_form_at(b).inertial);
-}
-
-/* Whether it comes to rest before any limit is reached, and what is left. */
-static bool rests(const struct course *c, const struct orbit *o,
-                  struct rest_left *left)
-{
-    const double *reach = o->options.reach;
-
-    return c->rest && o->end == ORBIT_RUNNING && is_deep(c, o) &&
-           rest_left_find(c->slider, (struct vec2){ o->u[0], o->u[1] }, o->u[2],
-                          left) &&
-           o->u[2] + left->time < reach[0] &&
-           o->u[3 + BLOCK_SLIP] + left->slip < reach[1 + BLOCK_SLIP];
-}
-
-/* orbit_run, which also ends where it rests. */
-static enum status run_orbit(const struct course *c, struct orbit *o,
-                             const struct monitor *monitor)
-{
-    enum status s = STATUS_OK;
-    struct rest_left left;
-
-    while (s == STATUS_OK && o->end == ORBIT_RUNNING && !rests(c, o, &left)) {
-        s = orbit_step(o);
-        if (o->steps % TOL_MONITOR_STEPS == 0 &&
-            monitor_tell(monitor, "orbit", o->steps, 0))
-            s = STATUS_STOPPED;
-    }
-    return s;
-}
-
-/* An orbit that gets stuck is kept as far as it goes. */
-static enum status follow(const struct course *c, double rtol,
-                          const struct monitor *monitor, struct drift *drift,
-                          struct orbit *out)
-{
-    const struct phase_plane *plane = &c->slider->plane;
-    struct orbit_options options = c->options;
-
-    drift_start(drift, slider_rounding(c->slider, c->start),
-                phase_plane_leaving_rate(plane));
-    options.drift = drift;
-    options.rtol = rtol;
-    enum status s = orbit_init(out, &plane->system, c->start, &options);
-    if (s == STATUS_OK)
-        s = run_orbit(c, out, monitor);
-    return s == STATUS_NO_CONVERGENCE || s == STATUS_TOO_MANY_STEPS ? STATUS_OK
-                                                                    : s;
-}
-
 /* ---- what came of it ----------------------------------------------------- */
 
 static enum transient_end end_of(const struct course *c, const struct orbit *o)
@@ -177,7 +53,7 @@ static enum transient_end end_of(const struct course *c, const struct orbit *o)
 
     if (o->end == ORBIT_EVENT)
         return TRANSIENT_ARREST;
-    if (rests(c, o, &left))
+    if (course_rests(c, o, &left))
         return TRANSIENT_REST;
     if (o->end == ORBIT_REACHED && fabs(o->u[2]) < TOL_TIME_MAX)
         return o->end_index == 0 ? TRANSIENT_UNTIL_TIME : TRANSIENT_UNTIL_SLIP;
@@ -250,7 +126,7 @@ static struct totals totals_of(const struct course *c, const struct orbit *o)
     const struct block *b = &c->slider->block;
     const enum transient_end end = end_of(c, o);
     struct rest_left left = { .time = 0.0 };
-    const bool rest = rests(c, o, &left);
+    const bool rest = course_rests(c, o, &left);
     const double v1 = rest ? 0.0 : b->at.v0 * exp(o->u[0]);
     struct totals all = {
         .time = total_of(c, o, end, 2, left.time, left.time_error),
@@ -373,11 +249,11 @@ static enum status run_at(const struct course *c, double rtol,
 {
     struct orbit coarse = { .steps = 0 }, fine = { .steps = 0 };
     struct drift drift[2];
-    enum status s =
-        follow(c, TOL_TRANSIENT_RATIO * rtol, monitor, &drift[0], &coarse);
+    enum status s = course_follow(c, TOL_TRANSIENT_RATIO * rtol, monitor,
+                                  &drift[0], &coarse);
 
     if (s == STATUS_OK)
-        s = follow(c, rtol, monitor, &drift[1], &fine);
+        s = course_follow(c, rtol, monitor, &drift[1], &fine);
     if (s == STATUS_OK)
         s = timeline_find(c->slider, &c->watches, &coarse, &fine, &out->event,
                           &out->events);
@@ -433,7 +309,8 @@ static bool is_there(const struct course *c, const struct transient_options *o,
     const struct equilibrium *node =
         moment_node_at(c->slider, c->start, TOL_ARREST);
 
-    if (node == NULL || limited(o) || fate_of_node(c->slider, node) != c->fate)
+    if (node == NULL || course_is_limited(o) ||
+        fate_of_node(c->slider, node) != c->fate)
         return false;
     sum->end = TRANSIENT_ARREST;
     sum->time = sum->slip = quantity_of(0.0, 0.0);
@@ -466,7 +343,7 @@ static enum status find(struct course *c, const struct transient_options *o,
     c->fate = (enum fate) told->fate;
     out->sum.fate = told->fate;
     out->reason = told->reason;
-    if (told->is_near && !limited(o)) {
+    if (told->is_near && !course_is_limited(o)) {
         out->sum.end = TRANSIENT_NEAR;
         refuse(out, told->reason);
     } else if (!is_there(c, o, &out->sum)) {

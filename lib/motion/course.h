@@ -1,0 +1,38 @@
+/*
+ * course.h -- what the orbits of a run (transient.h) share, and one of them:
+ * until it leaves a window or comes to rest.
+ */
+#ifndef MOTION_COURSE_H
+#define MOTION_COURSE_H
+
+#include "rest_left.h"
+#include "transient.h"
+
+/* Must not move. */
+struct course {
+    const struct slider *slider;
+    double v;          /* at the start */
+    struct vec2 start; /* offset */
+    enum fate fate;
+    struct moment_watches watches;
+    struct box window; /* absolute: beyond it v runs away or fades */
+    bool rest;         /* looked out for */
+    struct orbit_options options;
+};
+
+/* Whether the scene ends the run before its fate does. */
+bool course_is_limited(const struct transient_options *o);
+
+/* The rest of *c, from its first four members; `rest`: look out for one. */
+void course_set(struct course *c, const struct transient_options *o, bool rest);
+
+/* Whether it comes to rest before any limit is reached, and what is left. */
+bool course_rests(const struct course *c, const struct orbit *o,
+                  struct rest_left *left);
+
+/* An orbit that gets stuck is kept as far as it goes. */
+MUST_CHECK enum status course_follow(const struct course *c, double rtol,
+                                     const struct monitor *monitor,
+                                     struct drift *drift, struct orbit *out);
+
+#endif
