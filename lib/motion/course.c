@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "motion_tolerance.h"
+#include "near_cut.h"
 #include "rest_form.h"
 
 bool course_is_limited(const struct transient_options *o)
@@ -81,7 +82,7 @@ bool course_rests(const struct course *c, const struct orbit *o,
            o->u[3 + BLOCK_SLIP] + left->slip < reach[1 + BLOCK_SLIP];
 }
 
-/* orbit_run, which also ends where it rests. */
+/* orbit_run, which also ends where it rests, or before its side matters. */
 static enum status run_orbit(const struct course *c, struct orbit *o,
                              const struct monitor *monitor)
 {
@@ -94,6 +95,10 @@ static enum status run_orbit(const struct course *c, struct orbit *o,
         if (o->steps % TOL_MONITOR_STEPS == 0 &&
             monitor_tell(monitor, "orbit", o->steps, 0))
             s = STATUS_STOPPED;
+        if (c->near && near_cut_is_due(o)) {
+            near_cut_back(o);
+            break;
+        }
     }
     return s;
 }

@@ -1,6 +1,6 @@
 /*
  * course.h -- what the orbits of a run (transient.h) share, and one of them:
- * until it leaves a window or comes to rest.
+ * until it leaves a window, comes to rest, or its side matters.
  */
 #ifndef MOTION_COURSE_H
 #define MOTION_COURSE_H
@@ -17,6 +17,7 @@ struct course {
     struct moment_watches watches;
     struct box window; /* absolute: beyond it v runs away or fades */
     bool rest;         /* looked out for */
+    bool near;         /* followed only as far as its side does not matter */
     struct orbit_options options;
 };
 

@@ -325,32 +325,40 @@ void transient_free(struct transient *t)
     *t = (struct transient){ .event = NULL };
 }
 
-static void forget(struct transient *t)
+/* As far as both sides of the separatrix share it; the run has no numbers. */
+static enum status run_near(struct course *c, const struct transient_options *o,
+                            const struct fate_told *told, const char *reason,
+                            const struct monitor *monitor,
+                            struct transient *out)
 {
-    struct transient bare = { .sum = t->sum, .reason = t->reason };
+    struct transient empty = { .sum = { .v = c->v, .psi = out->sum.psi } };
+    bool settled;
 
-    bare.sum.energy_defect = 0.0;
-    transient_free(t);
-    *t = bare;
+    transient_free(out);
+    *out = empty;
+    c->near = true;
+    course_set(c, o, false);
+    const enum status s = run_at(c, finest(o->rtol), monitor, out, &settled);
+    out->sum.fate = told->fate;
+    out->sum.end = TRANSIENT_NEAR;
+    refuse(out, reason);
+    return s;
 }
 
 static enum status find(struct course *c, const struct transient_options *o,
                         const struct fate_told *told,
                         const struct monitor *monitor, struct transient *out)
 {
+    const bool is_near = told->is_near && !course_is_limited(o);
     enum status s = STATUS_OK;
 
     c->fate = (enum fate) told->fate;
     out->sum.fate = told->fate;
     out->reason = told->reason;
-    if (told->is_near && !course_is_limited(o)) {
-        out->sum.end = TRANSIENT_NEAR;
-        refuse(out, told->reason);
-    } else if (!is_there(c, o, &out->sum)) {
+    if (!is_near && !is_there(c, o, &out->sum))
         s = run(c, o, monitor, out);
-    }
-    if (s == STATUS_OK && out->sum.end == TRANSIENT_NEAR)
-        forget(out);
+    if (s == STATUS_OK && (is_near || out->sum.end == TRANSIENT_NEAR))
+        s = run_near(c, o, told, out->reason, monitor, out);
     if (s == STATUS_OK)
         phase_find(c->slider, out, out->phase);
     return s;

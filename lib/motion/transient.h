@@ -73,8 +73,9 @@ struct transient_options transient_defaults(const struct scene *c);
 
 /* One run from (v, psi) in s, whose critical numbers are known.  Its fate is
  * that of its side of the separatrix (labels.h); within the bar of that, or
- * where its orbits go to the other side, it has no numbers from here
- * (TRANSIENT_NEAR; with a limit the scene sets, they go as far).  The bars of
+ * where its orbits go to the other side, it has no numbers from here and a
+ * curve as far as both sides share it (TRANSIENT_NEAR, near_cut.h; with a limit
+ * the scene sets, they go as far).  The bars of
  * the whole run hold what its orbit carries of its errors (drift.h) and part of
  * what a second one at ten times the tolerance changes; those of events what
  * the second one changes, what the steps of this one estimate, and rounding;
