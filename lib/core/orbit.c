@@ -156,15 +156,18 @@ static double size_of(const struct orbit *o, size_t i, double u)
     return fmax(fmax(o->peak[i], fabs(u)), o->options.least[i - 2]);
 }
 
-/* What a rounding of the coordinates does to integral i on the step, up to all
- * of it: shorter steps have no less of that. */
+/* What rounding does to integral i on the step, up to all of it: that of the
+ * coordinates, and of a rate that is the first integral's times a difference of
+ * numbers of order 1.  Shorter steps have no less of that. */
 static double noise_of(const struct orbit *o, const struct attempt *a, size_t i)
 {
     const double digit = DBL_EPSILON * fmax(fabs(o->u[0]), fabs(o->u[1]));
     const struct vec2 g = a->slope[i];
     const double noise = digit * (fabs(g.x) + fabs(g.y)) * fabs(a->h);
 
-    return i < 2 || isnan(noise) ? 0.0 : fmin(noise, fabs(a->u1[i] - o->u[i]));
+    if (i < 2 || isnan(noise))
+        return 0.0;
+    return i > 3 ? noise + DBL_EPSILON * fabs(a->u1[3] - o->u[3]) : noise;
 }
 
 /* The largest estimated error over what is allowed; NaN if anything is. */
@@ -175,7 +178,8 @@ static double error_ratio(const struct orbit *o, const struct attempt *a)
     for (size_t i = 0; i < o->curve.dim; i++) {
         const double size = i < 2 ? 1.0 : size_of(o, i, a->u1[i]);
         const double allowed =
-            o->options.rtol * size + noise_of(o, a, i) + DBL_MIN;
+            o->options.rtol * size + DBL_MIN +
+            fmin(noise_of(o, a, i), fabs(a->u1[i] - o->u[i]));
         const double ratio = fabs(a->error[i]) / allowed;
         if (!isfinite(ratio) || !isfinite(a->u1[i]))
             return (double) NAN;
@@ -342,10 +346,10 @@ static double longer(const struct orbit *o, const struct attempt *a,
 }
 
 /* The kappa for a field that changes at this rate; what there is where that is
- * no number.  kappa t is one, and 1/kappa. */
+ * no number.  kappa t is one, some steps further on, too. */
 static double pace_at(const struct orbit *o, double fastest)
 {
-    const double most = TOL_TIME_MAX / fmax(1.0, fabs(o->u[2]));
+    const double most = 0x1p-8 * DBL_MAX / fmax(0x1p8, fabs(o->u[2]));
 
     return isnan(fastest)
                ? o->clock.kappa

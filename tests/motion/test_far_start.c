@@ -15,31 +15,39 @@ static struct transient find(const struct slope *s, double v, double psi,
     return t;
 }
 
+/* Of a law of four parts at a slope. */
+static void make(struct slope *s, const char *const part[4], const char *alpha)
+{
+    static const char *const key[] = { "theta", "psi_ss", "timescale",
+                                       "kinetics" };
+    char text[6][40] = { "products=[knees]" }, *set[6];
+    struct fault why;
+
+    for (int i = 0; i < 4; i++)
+        snprintf(text[1 + i], sizeof text[0], "law.%s=%s", key[i], part[i]);
+    snprintf(text[5], sizeof text[0], "slope.alpha=%s", alpha);
+    for (int i = 0; i < 6; i++)
+        set[i] = text[i];
+    assert_int_equal(scene_read(&s->scene, NULL, set, 6, &why), STATUS_OK);
+    assert_int_equal(study_run(&s->study, &s->scene, NULL, &why), STATUS_OK);
+}
+
 /* psi leaps by a sinh of some 1/v, in times from 1e-300 on; then follows 1/v
  * faster than anything else, known to a rounding of ln psi, times 1/v. */
 static void starts_below_all_slow_curves_are_followed(void **state)
 {
-    static const char *const law[][2] = { { "ln_psi", "slip" },
-                                          { "ln_c_psi", "spinodal" },
-                                          { "ln_c_1pR_psi", "ageing44" } };
+    static const char *const law[][4] = {
+        { "ln_psi", "inverse", "slip", "sinh" },
+        { "ln_c_psi", "inverse", "spinodal", "sinh" },
+        { "ln_c_1pR_psi", "inverse", "ageing44", "sinh" }
+    };
     enum { KINDS = sizeof law / sizeof *law, STARTS = 3 };
     uint64_t rng = check_seed();
     struct slope s;
-    struct fault why;
 
     (void) state;
     for (int i = 0; i < KINDS; i++) {
-        char theta[40], timescale[40];
-        snprintf(theta, sizeof theta, "law.theta=%s", law[i][0]);
-        snprintf(timescale, sizeof timescale, "law.timescale=%s", law[i][1]);
-        char *set[] = { theta,
-                        timescale,
-                        (char[]){ "law.psi_ss=inverse" },
-                        (char[]){ "law.kinetics=sinh" },
-                        (char[]){ "slope.alpha=0.346" },
-                        (char[]){ "products=[knees]" } };
-        assert_int_equal(scene_read(&s.scene, NULL, set, 6, &why), STATUS_OK);
-        assert_int_equal(study_run(&s.study, &s.scene, NULL, &why), STATUS_OK);
+        make(&s, law[i], "0.346");
         const struct transient_options o = transient_defaults(&s.scene);
         for (int k = 0; k < STARTS; k++) {
             const double v = k ? laws_power(&rng, -10, -6) : 1.71e-8;
@@ -47,7 +55,7 @@ static void starts_below_all_slow_curves_are_followed(void **state)
             struct transient t = find(&s, v, psi, &o);
             CHECK(t.sum.end == TRANSIENT_REST &&
                       t.sum.time.error < 1e-14 / v * t.sum.time.value,
-                  "%s %s v %.17g psi %.17g: %s, %g +- %g", law[i][0], law[i][1],
+                  "%s %s v %.17g psi %.17g: %s, %g +- %g", law[i][0], law[i][2],
                   v, psi, transient_end_names[t.sum.end], t.sum.time.value,
                   t.sum.time.error);
             transient_free(&t);
@@ -88,11 +96,50 @@ static void starts_at_any_v_end_in_bounded_work(void **state)
     slope_free(&s);
 }
 
+/* mu = mu0 + (mu - mu0), and next to nothing: its work is rounding. */
+static void friction_that_is_nothing_costs_no_steps(void **state)
+{
+    static const char *const law[] = { "ln_psi", "spinodal", "spinodal",
+                                       "sinh" };
+    struct slope s;
+
+    (void) state;
+    make(&s, law, "0.3685");
+    const struct transient_options o = transient_defaults(&s.scene);
+    struct transient t = find(&s, 1.85e-12, 0.387, &o);
+    assert_int_equal(t.sum.end, TRANSIENT_ARREST);
+    CHECK(t.sum.field_evaluations < 100000, "%lld",
+          (long long) t.sum.field_evaluations);
+    transient_free(&t);
+    slope_free(&s);
+}
+
+static void a_block_that_runs_away_may_lose_psi_first(void **state)
+{
+    static const char *const law[] = { "ln_c_psi", "minus_log", "slip",
+                                       "linear" };
+    struct slope s;
+
+    (void) state;
+    make(&s, law, "0.3657");
+    const struct transient_options o = transient_defaults(&s.scene);
+    struct transient t = find(&s, 1, 0.15, &o);
+    assert_int_equal(t.sum.end, TRANSIENT_RUNAWAY);
+    CHECK(quantity_exists(&t.sum.time) &&
+              t.sum.time.error < 1e-9 * t.sum.time.value,
+          "%g +- %g: %s", t.sum.time.value, t.sum.time.error,
+          t.sum.time.reason);
+    transient_free(&t);
+    slope_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(starts_below_all_slow_curves_are_followed),
         cmocka_unit_test(starts_at_any_v_end_in_bounded_work),
+        cmocka_unit_test(friction_that_is_nothing_costs_no_steps),
+        cmocka_unit_test(a_block_that_runs_away_may_lose_psi_first),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
