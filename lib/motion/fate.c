@@ -50,16 +50,19 @@ static struct goals goals_of(const struct slider *s)
     return g;
 }
 
-/* The slowest time scale of the steady states; without any, 1 (t*). */
-static double slow_time(const struct slider *s)
+/* The slowest time scale of the steady states, 1 (t*), and the time in which a
+ * friction of order 1 stops a block at the offset x. */
+static double slow_time(const struct slider *s, double x)
 {
-    double slowest = s->plane.equilibria > 0 ? 0.0 : 1.0;
+    const double stop =
+        material_eps2(&s->block.material) * s->block.at.v0 * exp(x);
+    double slowest = fmax(stop, 1.0);
 
     for (size_t i = 0; i < s->plane.equilibria; i++)
         for (int k = 0; k < 2; k++)
             slowest =
                 fmax(slowest, 1.0 / fabs(s->plane.equilibrium[i].lambda[k]));
-    return fmin(fmax(slowest, 1.0), TOL_FATE_TIME_MAX);
+    return fmin(slowest, TOL_FATE_TIME_MAX);
 }
 
 /* Of a block that stops, or all but does: a law's matter. */
@@ -330,7 +333,7 @@ static enum status follow(const struct slider *s, struct vec2 z, double rtol,
     options.targets = goals.count;
     options.arrival = TOL_ARREST;
     options.max_steps = TOL_ORBIT_STEPS;
-    options.reach[0] = TOL_FATE_LATE * slow_time(s);
+    options.reach[0] = TOL_FATE_LATE * slow_time(s, z.x);
     options.drift = observe ? &past.drift : NULL;
     drift_start(&past.drift, slider_rounding(s, z),
                 phase_plane_leaving_rate(&s->plane));

@@ -82,6 +82,15 @@ static void starts_at_any_v_end_in_bounded_work(void **state)
         struct transient t = find(&s, v, 1, &o);
         CHECK(t.sum.end == TRANSIENT_ARREST, "%g: %s", v, t.reason);
         rate[i] = v / t.sum.time.value;
+        struct fate_result r;
+        assert_int_equal(fate_find(&s.study.slider, (struct vec2){ log(v), 0 },
+                                   1e-9, true, NULL, &r),
+                         STATUS_OK);
+        CHECK(quantity_exists(&r.time) &&
+                  fabs(r.time.value - t.sum.time.value) <=
+                      r.time.error + t.sum.time.error,
+              "%g: %g and %g: %s", v, r.time.value, t.sum.time.value,
+              r.time.reason);
         transient_free(&t);
     }
     CHECK(fabs(rate[2] - 2 * rate[1] + rate[0]) < 1e-3 * (rate[2] - rate[1]),
