@@ -33,7 +33,7 @@ void course_set(struct course *c, const struct transient_options *o, bool rest)
 
     c->rest = rest && rest_form_at(b).fate == FATE_REST_FINITE;
     moment_watch_all(&c->watches, c->slider, o->level, o->levels, !goes_on);
-    c->window = window_of(c, goes_on);
+    c->start_window = window_of(c, goes_on);
     c->options =
         orbit_defaults(&c->slider->plane.system, c->slider->plane.fastest_rate);
     c->options.observables = BLOCK_EXCESS; /* slip and work */
@@ -82,8 +82,20 @@ bool course_rests(const struct course *c, const struct orbit *o,
            o->u[3 + BLOCK_SLIP] + left->slip < reach[1 + BLOCK_SLIP];
 }
 
+/* A block that has risen from far below fades where others do. */
+static void set_floor(struct course *c, const struct orbit *o)
+{
+    const double floor = log(TOL_TRANSIENT_SLOW);
+    const bool is_endless =
+        isinf(c->options.reach[0]) && isinf(c->options.reach[1 + BLOCK_SLIP]);
+
+    if (c->fate == FATE_REST_ASYMPTOTIC && is_endless && o->u[0] > floor)
+        c->window.lo.x =
+            fmax(c->window.lo.x, c->slider->plane.system.origin.x + floor);
+}
+
 /* orbit_run, which also ends where it rests, or before its side matters. */
-static enum status run_orbit(const struct course *c, struct orbit *o,
+static enum status run_orbit(struct course *c, struct orbit *o,
                              const struct monitor *monitor)
 {
     enum status s = STATUS_OK;
@@ -92,6 +104,7 @@ static enum status run_orbit(const struct course *c, struct orbit *o,
     while (s == STATUS_OK && o->end == ORBIT_RUNNING &&
            !course_rests(c, o, &left)) {
         s = orbit_step(o);
+        set_floor(c, o);
         if (o->steps % TOL_MONITOR_STEPS == 0 &&
             monitor_tell(monitor, "orbit", o->steps, 0))
             s = STATUS_STOPPED;
@@ -103,7 +116,7 @@ static enum status run_orbit(const struct course *c, struct orbit *o,
     return s;
 }
 
-enum status course_follow(const struct course *c, double rtol,
+enum status course_follow(struct course *c, double rtol,
                           const struct monitor *monitor, struct drift *drift,
                           struct orbit *out)
 {
@@ -113,6 +126,7 @@ enum status course_follow(const struct course *c, double rtol,
     drift_start(drift, slider_rounding(c->slider, c->start),
                 phase_plane_leaving_rate(plane));
     options.drift = drift;
+    c->window = c->start_window;
     options.rtol = rtol;
     enum status s = orbit_init(out, &plane->system, c->start, &options);
     if (s == STATUS_OK)

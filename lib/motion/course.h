@@ -15,9 +15,10 @@ struct course {
     struct vec2 start; /* offset */
     enum fate fate;
     struct moment_watches watches;
-    struct box window; /* absolute: beyond it v runs away or fades */
-    bool rest;         /* looked out for */
-    bool near;         /* followed only as far as its side does not matter */
+    struct box start_window; /* absolute: beyond it v runs away or fades */
+    struct box window;       /* the same of the last orbit at its end */
+    bool rest;               /* looked out for */
+    bool near; /* followed only as far as its side does not matter */
     struct orbit_options options;
 };
 
@@ -32,7 +33,7 @@ bool course_rests(const struct course *c, const struct orbit *o,
                   struct rest_left *left);
 
 /* An orbit that gets stuck is kept as far as it goes. */
-MUST_CHECK enum status course_follow(const struct course *c, double rtol,
+MUST_CHECK enum status course_follow(struct course *c, double rtol,
                                      const struct monitor *monitor,
                                      struct drift *drift, struct orbit *out);
 

@@ -254,7 +254,7 @@ static bool judge(const struct course *c, const struct orbit *coarse,
 }
 
 /* Both orbits, to what they say. */
-static enum status run_at(const struct course *c, double rtol,
+static enum status run_at(struct course *c, double rtol,
                           const struct monitor *monitor, struct transient *out,
                           bool *settled)
 {

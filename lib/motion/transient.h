@@ -22,7 +22,8 @@ enum transient_end {
     TRANSIENT_UNTIL_TIME, /* as the scene asks */
     TRANSIENT_UNTIL_SLIP,
     TRANSIENT_RUNAWAY, /* v beyond TOL_TRANSIENT_FAST times start and saddle */
-    TRANSIENT_FADED,   /* v below TOL_TRANSIENT_SLOW of both, and no rest */
+    TRANSIENT_FADED,   /* v below TOL_TRANSIENT_SLOW of both, or falling below
+                             it from above, of the saddle; and no rest */
     TRANSIENT_LOST,    /* could not be followed further */
     TRANSIENT_NEAR,    /* not followed: too near the separatrix */
     TRANSIENT_ENDS

@@ -123,6 +123,28 @@ static void friction_that_is_nothing_costs_no_steps(void **state)
     slope_free(&s);
 }
 
+/* It is slow for so short that where it comes from hardly matters. */
+static void a_block_that_rose_from_far_below_fades_where_others_do(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "dieterich", NULL, "0.34",
+               (const char *const[]){ "products=[knees]", NULL });
+    struct transient_options o = transient_defaults(&s.scene);
+    o.rtol = 1e-6;
+    struct transient a = find(&s, 1e-250, 1, &o), b = find(&s, 1e-40, 1, &o);
+    assert_int_equal(a.sum.end, TRANSIENT_FADED);
+    assert_int_equal(b.sum.end, TRANSIENT_FADED);
+    CHECK(fabs(a.sum.time.value - b.sum.time.value) <=
+              a.sum.time.error + b.sum.time.error,
+          "%.17g +- %g, %.17g +- %g", a.sum.time.value, a.sum.time.error,
+          b.sum.time.value, b.sum.time.error);
+    transient_free(&a);
+    transient_free(&b);
+    slope_free(&s);
+}
+
 static void a_block_that_runs_away_may_lose_psi_first(void **state)
 {
     static const char *const law[] = { "ln_c_psi", "minus_log", "slip",
@@ -148,6 +170,8 @@ int main(void)
         cmocka_unit_test(starts_below_all_slow_curves_are_followed),
         cmocka_unit_test(starts_at_any_v_end_in_bounded_work),
         cmocka_unit_test(friction_that_is_nothing_costs_no_steps),
+        cmocka_unit_test(
+            a_block_that_rose_from_far_below_fades_where_others_do),
         cmocka_unit_test(a_block_that_runs_away_may_lose_psi_first),
     };
 
