@@ -9,7 +9,7 @@
 #include "slow_tolerance.h"
 
 static const struct base_point none = { (double) NAN, (double) NAN,
-                                        (double) NAN, (double) NAN };
+                                        (double) NAN, (double) NAN, 1.0 };
 
 /* Of a state that comes to rest without landing on it: the same by its time
  * alone. */
@@ -28,9 +28,35 @@ static struct base_point of_rest(const struct slow_curve *c,
         const double v = p.slip_slope / p.time_slope;
         return (struct base_point){ y, l->time_error / fabs(p.time_slope),
                                     l->slip - p.slip,
-                                    l->slip_error + v * l->time_error };
+                                    l->slip_error + v * l->time_error, 1.0 };
     }
     return none;
+}
+
+/* Orbits that meet a node's box have their base points this near it then. */
+static double reach_of(const struct slow_branch *inside)
+{
+    const struct slow_knot *k = &inside->knot[inside->count - 1];
+    const struct vec2 e = k->fibre;
+    const double det = fabs(e.x - e.y * k->x_slope);
+
+    return TOL_BASE_BEND * TOL_ARREST * (fabs(e.x) + fabs(e.y)) / det;
+}
+
+/* A state that falls from y to y1 may meet a box that y is not near. */
+static double late_of(const struct slow_curve *c, double y, double y1)
+{
+    double late = 1.0;
+
+    for (size_t i = 0; i < c->branches; i++) {
+        const struct slow_branch *in = &c->inside[i];
+        if (in->count < 3)
+            continue;
+        const double reach = reach_of(in), far = fabs(y - in->centre);
+        if (far > reach)
+            late = fmax(late, far / fmax(fabs(y1 - in->centre), reach));
+    }
+    return late;
 }
 
 struct base_point base_point_of(const struct slow_curve *c,
@@ -40,7 +66,7 @@ struct base_point base_point_of(const struct slow_curve *c,
 
     if (l->is_near)
         return (struct base_point){ l->y, l->y_error, l->more,
-                                    l->way_slip_error };
+                                    l->way_slip_error, 1.0 };
     if (l->end == LAYER_RESTED || (l->end == LAYER_LANDED && isnan(l->y)))
         return l->fate == FATE_REST_FINITE ? of_rest(c, l) : none;
     if (l->end == LAYER_RAN || l->end == LAYER_LOST || isnan(l->y) ||
@@ -56,22 +82,14 @@ struct base_point base_point_of(const struct slow_curve *c,
         .y_error = l->way_time_error / fabs(p.time_slope),
         .more = l->slip - p.slip,
         .more_error = l->way_slip_error + fabs(v1 - v) * l->way_time_error,
+        .late = late_of(c, y, l->y),
     };
 }
 
 /* ---- boxes --------------------------------------------------------------- */
 
-/* Orbits that meet a node's box have their base points this near it. */
-static double reach_of(const struct slow_branch *inside)
-{
-    const struct slow_knot *k = &inside->knot[inside->count - 1];
-    const struct vec2 e = k->fibre;
-    const double det = fabs(e.x - e.y * k->x_slope);
-
-    return TOL_BASE_BEND * TOL_ARREST * (fabs(e.x) + fabs(e.y)) / det;
-}
-
-bool base_point_passes(const struct slow_curve *c, double one, double other)
+static bool passes(const struct slow_curve *c, double one, double other,
+                   double late)
 {
     const double lo = fmin(one, other), hi = fmax(one, other);
 
@@ -79,11 +97,16 @@ bool base_point_passes(const struct slow_curve *c, double one, double other)
         const struct slow_branch *in = &c->inside[i];
         if (in->count < 3)
             continue;
-        const double reach = reach_of(in);
+        const double reach = fmax(late, 1.0) * reach_of(in);
         if (hi > in->centre - reach && lo < in->centre + reach)
             return true;
     }
     return false;
+}
+
+bool base_point_passes(const struct slow_curve *c, double one, double other)
+{
+    return passes(c, one, other, 1.0);
 }
 
 /* ---- telling ------------------------------------------------------------- */
@@ -108,5 +131,5 @@ bool base_point_tell(const struct slow_curve *c, const struct base_point *b,
     out->slip_error = TOL_BASE_BEND * fabs(p.slip_slope) * b->y_error +
                       b->more_error + p.slip_error;
     return (slider_saddle(c->slider) < 0 || room < fabs(b->y)) &&
-           !base_point_passes(c, b->y - room, b->y + room);
+           !passes(c, b->y - room, b->y + room, TOL_BASE_BEND * b->late);
 }

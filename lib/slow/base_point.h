@@ -16,6 +16,8 @@
 struct base_point {
     double y, y_error;       /* offset; NaN: there is none */
     double more, more_error; /* slip beyond that of y, units of L */
+    double late; /* how many times as near to a node the curve comes, or to the
+                    reach of its box, while the state still falls; <= 1: none */
 };
 
 /* Of what has been followed `through` (fast_layer.h). */

@@ -7,13 +7,7 @@
 
 #include "base_point.h"
 #include "cells.h"
-#include "patch_side.h"
-
-enum {
-    PATCH_NODES = PATCH_SIDE * PATCH_SIDE,
-    PATCH_TESTS = 32, /* at most */
-    PATCH_STATES = PATCH_NODES + PATCH_TESTS
-};
+#include "patch_poly.h"
 
 /* A state that has been looked at; no number is there that it lacks. */
 struct patch_sample {
@@ -40,10 +34,10 @@ struct patch {
     unsigned which, plain; /* bits: fields asked for; those with coef */
     bool has_base;
     int8_t exit_reason; /* of the samples; FATE_UNDECIDED: they differ */
-    double coef[CELL_FIELDS][PATCH_SIDE][PATCH_SIDE]; /* [y][x] */
-    double bar[CELL_FIELDS]; /* relative; NaN where the field does not exist */
-    double base[PATCH_BASES][PATCH_SIDE][PATCH_SIDE];
-    double base_bar[PATCH_BASES]; /* absolute */
+    struct patch_poly field[CELL_FIELDS], base[PATCH_BASES];
+    double late;             /* of its base points, at most */
+    double bar[CELL_FIELDS]; /* relative, the largest; NaN where the field does
+                                not exist */
 };
 
 /* How well polynomials stand for a rectangle. */

@@ -33,6 +33,17 @@ void patch_side_transform(const struct patch_side *s, double f[],
 bool patch_side_basis(const struct patch_side *s, double at,
                       double basis[PATCH_SIDE]);
 
+/* |T_n| there, the next of the basis; 0 on an exact side. */
+double patch_side_left_out(const struct patch_side *s,
+                           const double basis[PATCH_SIDE]);
+
+/* The squares of what the value at each node is multiplied by at a point; and
+ * the root of their sum, below sqrt(2). */
+void patch_side_squares(const struct patch_side *s, double at,
+                        double square[PATCH_SIDE]);
+double patch_side_spread(const struct patch_side *s,
+                         const double basis[PATCH_SIDE]);
+
 /* The first cell of part i, if it is cut into even parts. */
 size_t patch_side_cut(const struct patch_side *s, size_t parts, size_t i);
 

@@ -164,16 +164,14 @@
 #define TOL_CELLS_FINEST   1e-12
 #define TOL_CELLS_GAIN     0.7
 
-/* Patches (patch.c, patchwork.c).  Accuracy of the samples, as a part of what
- * is asked for: of a part that small bars can be had next to the separatrix;
- * how much of their bars, the last coefficients but one and the largest miss at
- * the tests a bar holds (measured: true errors stay below a third of such
- * bars). */
+/* Patches (patch_poly.c, patchwork.c).  Accuracy of the samples, as a part of
+ * what is asked for: of a part that small bars can be had next to the
+ * separatrix; how much of their bars, and of the largest miss at the tests, a
+ * bar holds; and the slowest that coefficients fall, two by two. */
 #define TOL_PATCH_SAMPLES 0.002
-#define TOL_PATCH_SPREAD  1.5
-#define TOL_PATCH_BEFORE  0.1
+#define TOL_PATCH_SPREAD  3.5
 #define TOL_PATCH_SLOWEST 0.9
-#define TOL_PATCH_TESTS   10.0
+#define TOL_PATCH_TESTS   8.0
 
 /* A patch holds where no more cells than it has nodes are left for being too
  * near the separatrix; the excess of most samples, not all, says how far it

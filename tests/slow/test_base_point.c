@@ -99,14 +99,14 @@ static void bars_grow_towards_the_separatrix_until_nothing_is_told(void **state)
     (void) state;
     place_make(&p, "spinodal_gen", "0.34");
     for (double y = 0.1; y > 2e-6; y *= 0.1) {
-        const struct base_point b = { y, 1e-7, 0.0, 0.0 };
+        const struct base_point b = { y, 1e-7, 0.0, 0.0, 1.0 };
         assert_true(base_point_tell(&p.c, &b, &l));
         CHECK(l.time_error > 5.0 * before && l.fate == FATE_CREEP, "%g: %g", y,
               l.time_error);
         before = l.time_error;
     }
-    const struct base_point near = { 5e-7, 1e-7, 0.0, 0.0 };
-    const struct base_point nowhere = { 50.0, 1e-7, 0.0, 0.0 };
+    const struct base_point near = { 5e-7, 1e-7, 0.0, 0.0, 1.0 };
+    const struct base_point nowhere = { 50.0, 1e-7, 0.0, 0.0, 1.0 };
     assert_false(base_point_tell(&p.c, &near, &l));
     assert_false(base_point_tell(&p.c, &nowhere, &l));
     assert_int_equal(l.fate, FATE_UNDECIDED);

@@ -33,12 +33,12 @@ static struct patch_sample sample_of(const struct field *f, struct vec2 z)
         .cell = { .exit_reason = FATE_CREEP,
                   .slip = value,
                   .slip_error = f->noise * value },
-        .base = { no, no, no, no },
+        .base = { no, no, no, no, 1.0 },
     };
 
     if (f->line == 0.0)
         return s;
-    s.base = (struct base_point){ y, 1e-12, z.y, 1e-12 };
+    s.base = (struct base_point){ y, 1e-12, z.y, 1e-12, 1.0 };
     s.cell.slip = 3.0 - log(fabs(y)) + z.y;
     s.cell.exit_reason = y > 0.0 ? FATE_SLIDING : FATE_CREEP;
     return s;

@@ -104,11 +104,11 @@ static enum status sample(const void *ctx, struct patch_sample s[], size_t n,
         const double y = base_of(m, s[i].z), no = (double) NAN;
         const double shake = 0.5 * sign_of(s[i].z) * m->noise * rtol;
         status = find(ctx, &s[i].z, 1, rtol, which, &s[i].cell);
-        s[i].base =
-            (struct base_point){ y + shake, m->noise * rtol,
-                                 more_of(s[i].z) - shake, m->noise * rtol };
+        s[i].base = (struct base_point){ y + shake, m->noise * rtol,
+                                         more_of(s[i].z) - shake,
+                                         m->noise * rtol, 1.0 };
         if (s[i].z.y > m->kink || m->has_no_slip)
-            s[i].base = (struct base_point){ no, no, no, no };
+            s[i].base = (struct base_point){ no, no, no, no, 1.0 };
         if (passes(NULL, s[i].base.y, s[i].base.y))
             s[i].cell.slip = s[i].cell.mu_mean = no;
     }
