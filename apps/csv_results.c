@@ -7,7 +7,7 @@
 #include "unit.h"
 
 /* RFC 4180: in quotes where it must be. */
-static void put_text(FILE *out, const char *text)
+void csv_text(FILE *out, const char *text)
 {
     const bool plain = text[strcspn(text, ",\"\n\r")] == '\0';
 
@@ -21,10 +21,16 @@ static void put_text(FILE *out, const char *text)
     fputc('"', out);
 }
 
-static void put_real(FILE *out, double x)
+void csv_real(FILE *out, double x)
 {
     if (isfinite(x))
         fputs(number_shortest(x).text, out);
+}
+
+void csv_unit(FILE *out, const char *unit)
+{
+    if (strcmp(unit, "1") != 0)
+        fprintf(out, " [%s]", unit);
 }
 
 static bool has_gaps(const struct record_array *a, const struct record_field *f)
@@ -38,11 +44,8 @@ static bool has_gaps(const struct record_array *a, const struct record_field *f)
 static void put_head(FILE *out, const char *suffix,
                      const struct record_field *f)
 {
-    const char *unit = unit_name(NULL, f->unit);
-    const bool bare = strcmp(unit, "1") == 0;
-
-    fprintf(out, "%s%s%s%s%s", f->name, suffix, bare ? "" : " [",
-            bare ? "" : unit, bare ? "" : "]");
+    fprintf(out, "%s%s", f->name, suffix);
+    csv_unit(out, unit_name(NULL, f->unit));
 }
 
 /* The name of a field's columns, or row i of them. */
@@ -60,13 +63,13 @@ static void put_heads(FILE *out, const struct record_array *a,
 
 static void put_quantity(FILE *out, const struct quantity *q, bool gaps)
 {
-    put_real(out, q->value);
+    csv_real(out, q->value);
     fputc(',', out);
-    put_real(out, q->error);
+    csv_real(out, q->error);
     if (gaps)
         fputc(',', out);
     if (gaps && !quantity_exists(q))
-        put_text(out, q->reason);
+        csv_text(out, q->reason);
 }
 
 static void put_cells(FILE *out, const struct record_array *a, size_t i,
@@ -80,7 +83,7 @@ static void put_cells(FILE *out, const struct record_array *a, size_t i,
             put_quantity(out, member, has_gaps(a, f));
             return;
         case RECORD_REAL:
-            put_real(out, *(const double *) member);
+            csv_real(out, *(const double *) member);
             return;
         case RECORD_COUNT:
             if (*(const int64_t *) member != RECORD_COUNT_NONE)
@@ -90,7 +93,7 @@ static void put_cells(FILE *out, const struct record_array *a, size_t i,
         case RECORD_TEXT:
             word = record_word(f, member);
     }
-    put_text(out, word ? word : "");
+    csv_text(out, word ? word : "");
 }
 
 void csv_results(FILE *out, const struct record_array *a)

@@ -78,10 +78,11 @@ const struct option option_table[] = {
     { "output", 'o', "FILE", OPTION_FILE, TO(output), .commands = ON(IMPORT),
       .text = "write the scene to this YAML file" },
     { "output", 'o', "FILE", OPTION_FILE, TO(output), .commands = ON(PUSH),
-      .text = "write states and answers to this CSV or HDF5 file" },
+      .text = "write states and answers to this CSV or HDF5 file; -: CSV to "
+              "standard output" },
     { "output", 'o', "FILE", OPTION_FILE, "output.hdf5", TO(output),
       .commands = DRAW | ON(STRESS),
-      .text = "write the results to this HDF5 file" },
+      .text = "write the results to this HDF5 file; sweep: - prints CSV" },
     { "figure", 0, "FILE", OPTION_FILE, "output.figure", .commands = DRAW,
       .text = "draw FILE.svg, .pdf or .png" },
     { "figure-width", 0, "MM", OPTION_TEXT, "figure.width",

@@ -43,9 +43,24 @@ enum status output_check(const struct options *o, const struct scene *scene,
     return s;
 }
 
+bool output_is_standard(const struct options *o)
+{
+    return o->output && strcmp(o->output, "-") == 0;
+}
+
+enum status output_standard_check(const struct options *o, struct fault *why)
+{
+    return output_is_standard(o) && o->json
+               ? command_refuse(why,
+                                "%s: --output -: expected no --json "
+                                "beside it",
+                                o->command->name)
+               : STATUS_OK;
+}
+
 void output_tell(const struct options *o, const char *path)
 {
-    if (!o->quiet && !o->json)
+    if (!o->quiet && !o->json && !output_is_standard(o))
         printf("wrote %s\n", path);
 }
 

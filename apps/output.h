@@ -28,6 +28,12 @@ MUST_CHECK enum status output_write(const struct options *o,
                                     const struct scene *scene,
                                     const char *untitled, struct fault *why);
 
+/* Whether -o names standard output, "-": CSV then is all that is printed.
+ * STATUS_BAD_ARGUMENT beside --json. */
+bool output_is_standard(const struct options *o);
+MUST_CHECK enum status output_standard_check(const struct options *o,
+                                             struct fault *why);
+
 /* "wrote PATH", unless the command is quiet. */
 void output_tell(const struct options *o, const char *path);
 

@@ -40,7 +40,8 @@ static enum status check_options(const struct options *o, struct fault *why)
             "push: --states %s: expected no --v, --psi, --phi beside "
             "it",
             o->states);
-    return o->output ? push_file_check(o->output, why) : STATUS_OK;
+    const enum status s = output_standard_check(o, why);
+    return s == STATUS_OK && o->output ? push_file_check(o->output, why) : s;
 }
 
 static enum status check_state(const struct options *o,
@@ -242,7 +243,7 @@ static enum exit_code tell_answers(const struct options *o,
         return command_fail(STATUS_NO_MEMORY, status_text(STATUS_NO_MEMORY));
     if (o->json && !json_print(answers_json(j, &v.records)))
         code = command_unwritten();
-    else if (!o->json && !o->quiet)
+    else if (!o->json && !o->quiet && !output_is_standard(o))
         print_answers(j, scene, &v.records);
     result_close(&v);
     return code;

@@ -26,7 +26,7 @@ static bool is_csv(const char *path)
 {
     const char *dot = strrchr(path, '.');
 
-    return dot && strcmp(dot, ".csv") == 0;
+    return (dot && strcmp(dot, ".csv") == 0) || strcmp(path, "-") == 0;
 }
 
 enum status push_file_check(const char *path, struct fault *why)
@@ -35,9 +35,19 @@ enum status push_file_check(const char *path, struct fault *why)
 
     if (!is_csv(path) && !(dot && strcmp(dot, ".h5") == 0))
         return command_refuse(
-            why, "push: --output %s: expected a path ending in .csv or .h5",
+            why,
+            "push: --output %s: expected - or a path ending in .csv or .h5",
             path);
+    if (strcmp(path, "-") == 0)
+        return STATUS_OK;
     return replace_check(path, why);
+}
+
+static enum status print(const char *text, size_t size)
+{
+    return fwrite(text, 1, size, stdout) == size && fflush(stdout) == 0
+               ? STATUS_OK
+               : STATUS_IO;
 }
 
 static enum status write_csv(const struct scene *scene,
@@ -57,7 +67,8 @@ static enum status write_csv(const struct scene *scene,
     if (out && (ferror(out) | fclose(out)) && s == STATUS_OK)
         s = STATUS_NO_MEMORY;
     if (s == STATUS_OK)
-        s = replace_file(path, text, size, why);
+        s = strcmp(path, "-") == 0 ? print(text, size)
+                                   : replace_file(path, text, size, why);
     result_close(&v);
     free(text);
     return s;

@@ -14,7 +14,8 @@ struct push_answers {
     size_t count;
 };
 
-/* By the ending of the path, .csv or .h5; errors as replace_file. */
+/* By the ending of the path, .csv or .h5; "-": CSV to standard output.
+ * Errors as replace_file. */
 MUST_CHECK enum status push_file_write(const struct scene *scene,
                                        const struct push_answers *answers,
                                        const char *path, struct fault *why);

@@ -11,6 +11,7 @@
 #include "report_sweep.h"
 #include "report_sweep_json.h"
 #include "scene_sweep.h"
+#include "sweep_csv.h"
 #include "sweep_file.h"
 #include "tolerance.h"
 
@@ -36,12 +37,27 @@ static unsigned products_of(const struct options *o, const struct scene *s)
     return asked | (o->sensitivities ? BIT(SENSITIVITIES) : 0);
 }
 
+static enum status read_settings(const struct options *o, char *const more[],
+                                 size_t count, struct scene *scene,
+                                 struct fault *why)
+{
+    enum status s = output_standard_check(o, why);
+
+    if (s == STATUS_OK)
+        s = command_read(o, more, count, scene, why);
+    if (s == STATUS_OK && output_is_standard(o)) {
+        free(scene->hdf5); /* CSV, and no file */
+        scene->hdf5 = NULL;
+    }
+    return s;
+}
+
 static enum status read_scene(const struct options *o, struct scene *scene,
                               struct fault *why)
 {
     char line[PRODUCT_SETTING], *more[] = { line };
 
-    enum status s = command_read(o, NULL, 0, scene, why);
+    enum status s = read_settings(o, NULL, 0, scene, why);
     if (s != STATUS_OK)
         return s;
     if (scene->sweep.axes == 0) {
@@ -54,7 +70,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
         return STATUS_OK;
     scene_free(scene);
     product_setting(products, line);
-    return command_read(o, more, 1, scene, why);
+    return read_settings(o, more, 1, scene, why);
 }
 
 /* ---- files --------------------------------------------------------------- */
@@ -161,9 +177,14 @@ static enum exit_code print_results(const struct sweep *s,
                                     const struct options *o,
                                     const char *journal)
 {
-    if (o->json && !json_print(report_sweep_json(s)))
+    const bool csv = output_is_standard(o);
+
+    if (csv && sweep_csv(stdout, s) != STATUS_OK)
+        return command_fail(STATUS_NO_MEMORY, status_text(STATUS_NO_MEMORY));
+    if ((o->json && !json_print(report_sweep_json(s))) ||
+        (csv && fflush(stdout)))
         return command_unwritten();
-    if (!o->json && !o->quiet) {
+    if (!o->json && !o->quiet && !csv) {
         report_sweep_print(stdout, s);
         print_notes(s, journal);
     }

@@ -3,7 +3,9 @@
 
 usage: cli_files.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
+import csv
 import glob
+import io
 import os
 import re
 import socket
@@ -241,7 +243,40 @@ output: {hdf5: a.h5, figure: a.svg}
         room.write('a.svg', 'precious')
 
 
+def a_sweep_is_csv_on_standard_output(room):
+    """The numbers of its JSON, named and with their units."""
+    for units in ('dimensionless', 'si'):
+        args = ['sweep', '--law', 'spinodal_gen', '--set', f'units={units}',
+                '--set', 'sweep={key: slope.alpha, from: '
+                '0.28, to: 0.36, points: 3}', '--set', 'products=[knees, '
+                'trajectories]', '--set',
+                'trajectories.starts=[{v: 1000 V_star, phi: 0.1}, {v: '
+                '1 V_star, phi: 0.1}]']
+        found = room.json(*args)
+        rows = list(csv.DictReader(io.StringIO(room.good(*args, '-o', '-'))))
+        expect(len(rows) == 3 and room.names() == [], room.names())
+        expect([float(row['alpha [rad]']) for row in rows] ==
+               found['keys'][0]['values'], rows)
+        for name, start in (('v_plus', None), ('saddle_phi' if units == 'si'
+                                               else 'saddle_psi', None),
+                            ('trajectory_time', 0), ('trajectory_time', 1)):
+            told = name if start is None else f'{name}_{start}'
+            unit = found['units']['numbers'].get(name)
+            behind = f' [{unit}]' if unit else ''
+            for i, row in enumerate(rows):
+                for part, of in (('', 'value'), ('_error', 'error')):
+                    x = found['numbers'][name][of][i]
+                    x = x if start is None else x[start]
+                    text = row[told + part + behind]
+                    expect((float(text) if text else None) == x, name, row)
+        expect([row['trajectory_fate_1'] for row in rows] == [
+            x[1] for x in found['numbers']['trajectory_fate']['value']], rows)
+        expect('no saddle' in rows[0]['v_plus_reason'] and
+               rows[1]['v_plus_reason'] == '', rows)
+
+
 run_cases([
+    a_sweep_is_csv_on_standard_output,
     numbers_are_finite_or_declared_missing,
     names_of_many_runs_sort_as_their_numbers,
     a_question_writes_only_what_it_is_told_to,

@@ -249,7 +249,18 @@ def output_that_does_not_arrive_exits_4(room):
         refused(done, 4, 'standard output')
 
 
+def csv_goes_to_standard_output(room):
+    room.write('states.csv', 'id,v,psi\na,1000,10\nb,0.01,10\n')
+    args = ['push', '--law', 'spinodal_gen', '--alpha', '0.34', '--states',
+            'states.csv', '-o']
+    room.good(*args, 'a.csv')
+    expect(room.good(*args, '-') == room.read('a.csv') and
+           '-' not in room.names(), room.names())
+    refused(room.run(*args, '-', '--json'), 2, '--output -', '--json')
+
+
 run_cases([
+    csv_goes_to_standard_output,
     one_state_is_answered_as_the_page_says,
     a_kick_as_named_changes_the_fate,
     people_read_the_same_numbers,
