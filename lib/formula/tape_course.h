@@ -14,6 +14,7 @@ struct course {
     jet_pair *reg, *keep; /* registers, what is kept of order 0 */
     jet_pair *A, *B, *S;  /* rows k, sums */
     double k, inverse;
+    bool first; /* rows A end after the first */
 };
 
 /* What is kept of order 0 is kept by slot, three each, and one more. */

@@ -250,6 +250,15 @@ static inline __attribute__((always_inline)) jet_pair entry(
 #undef KEPT
 }
 
+/* The sums where rows A end after the first. */
+static inline void sums_of_first(const struct course *c, size_t k, size_t width)
+{
+    const jet_pair *a = c->A - (k - 1) * width, *b = c->B - width;
+
+    for (size_t i = 0; i < width; i++)
+        c->S[i] = k > 1 ? a[i] * b[i] : JET_PAIR(0.0);
+}
+
 /* Entries from .. to of order k > 0 after their sums. */
 static inline __attribute__((always_inline)) void order(const struct course *c,
                                                         size_t k, size_t width,
@@ -259,7 +268,9 @@ static inline __attribute__((always_inline)) void order(const struct course *c,
     const struct course here = *c;
     const jet_pair *a = c->A - k * width, *b = c->B - k * width;
 
-    if (wide)
+    if (c->first)
+        sums_of_first(c, k, width);
+    else if (wide)
         sums_by_fours(k, width, a, b, c->S);
     else
         sums_by_pairs(k, width, a, b, c->S);
@@ -384,8 +395,10 @@ void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
     const int part = 1 + (int) which;
     struct course c;
 
-    (void) x, (void) y; /* registers of this order */
     course_at(&c, p, w, k, part);
+    c.first = w->linear && w->linear == (p->part[part].alone == 0   ? x
+                                         : p->part[part].alone == 1 ? y
+                                                                    : NULL);
     if (k > 0)
         run(&c, k, part);
     else

@@ -12,6 +12,7 @@ struct orders {
     const struct real_tape *t;
     int free;               /* register */
     int slots;              /* of this part so far */
+    int alone;              /* as of struct tape_part; -2: none needs a row */
     bool needed[REGISTERS]; /* at orders above 0 */
 };
 
@@ -189,6 +190,14 @@ static enum jet_code code_of(const struct real_tape *t, int i)
                                                     : code[kind];
 }
 
+/* Rows A of multiples of a register; -1: and of others. */
+static void row_of(struct orders *o, int reg)
+{
+    const bool same = o->alone == -2 || o->alone == reg;
+
+    o->alone = same && (reg == 0 || reg == 1) ? reg : -1;
+}
+
 /* Takes slots. */
 static void add_function(struct orders *o, int i, int out, int keep)
 {
@@ -198,6 +207,7 @@ static void add_function(struct orders *o, int i, int out, int keep)
 
     op->slot = bytes(o->slots);
     op->keep = bytes(keep);
+    row_of(o, n->kind == STEP_GROWTH || n->kind == STEP_EXP ? n->a : -1);
     o->slots += tape_kind_slots(n->kind);
 }
 
@@ -285,6 +295,7 @@ static void add_rate(struct orders *o, int i)
         op->slot = bytes(o->slots);
         op->keep = bytes(keep);
         op->c[0] = of_e;
+        row_of(o, r->mantissa.terms ? -1 : e);
         o->slots += 1 + (r->mantissa.terms > 0);
     }
     o->p->result[i] = (short) o->free++;
@@ -316,6 +327,7 @@ static void add_part(struct orders *o, int i, int *used)
 
     part->op = p->ops;
     o->slots = 0;
+    o->alone = -2;
     for (int s = i ? p->t.rate_steps : 0;
          s < (i ? p->t.steps : p->t.rate_steps); s++)
         if (i == 0 || p->t.used[i - 1][s])
@@ -323,6 +335,7 @@ static void add_part(struct orders *o, int i, int *used)
     for (int r = i ? i + 1 : 0; r < i + 2; r++)
         add_rate(o, r);
     part->ops = p->ops;
+    part->alone = o->alone;
     part->odd = o->slots % 2;
     part->width = o->slots + part->odd;
     part->rows = *used;

@@ -71,6 +71,7 @@ enum { TAPE_PARTS = 1 + TAPE_OBSERVABLES };
 struct tape_part {
     int width, rows; /* of its rows, where they begin */
     int op, ops;     /* its entries */
+    int alone;       /* the state of which all rows A are multiples, or -1 */
     bool odd;
 };
 
