@@ -25,7 +25,7 @@ enum transient_end {
     TRANSIENT_FADED,   /* v below TOL_TRANSIENT_SLOW of both, or falling below
                              it from above, of the saddle; and no rest */
     TRANSIENT_LOST,    /* could not be followed further */
-    TRANSIENT_NEAR,    /* not followed: too near the separatrix */
+    TRANSIENT_NEAR,    /* too near the separatrix: up to the saddle */
     TRANSIENT_ENDS
 };
 extern const char *const transient_end_names[];
