@@ -49,12 +49,12 @@ static const struct {
     [FIGURE_SERIES_4] = { "#cc79a7", 2.2, FIGURE_DASH_DOT },
     [FIGURE_SERIES_5] = { "#e69f00", 2.2, FIGURE_LONG_DASH },
     [FIGURE_SERIES_6] = { "#56b4e9", 2.2, FIGURE_DASH_DOT_DOT },
-    [FIGURE_SHADE_1] = { "#bccfe0", 1.0, FIGURE_SOLID },
-    [FIGURE_SHADE_2] = { "#fbf1da", 1.0, FIGURE_SOLID },
-    [FIGURE_SHADE_3] = { "#d3e6d2", 1.0, FIGURE_SOLID },
-    [FIGURE_SHADE_4] = { "#efcfd6", 1.0, FIGURE_SOLID },
-    [FIGURE_SHADE_5] = { "#dcd3ea", 1.0, FIGURE_SOLID },
-    [FIGURE_SHADE_6] = { "#c4c4c4", 1.0, FIGURE_SOLID },
+    [FIGURE_SHADE_1] = { "#b9cde0", 1.0, FIGURE_SOLID },
+    [FIGURE_SHADE_2] = { "#fdf5e2", 1.0, FIGURE_SOLID },
+    [FIGURE_SHADE_3] = { "#cce4ca", 1.0, FIGURE_SOLID },
+    [FIGURE_SHADE_4] = { "#f0c8d1", 1.0, FIGURE_SOLID },
+    [FIGURE_SHADE_5] = { "#efe9f9", 1.0, FIGURE_SOLID },
+    [FIGURE_SHADE_6] = { "#b8b8b8", 1.0, FIGURE_SOLID },
 };
 
 static const double dashes[FIGURE_DASHES][PAINT_DASHES] = {

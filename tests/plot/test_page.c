@@ -201,6 +201,22 @@ static void maps_grow_evenly_lighter(void **state)
     }
 }
 
+/* Regions side by side can be told apart in grey. */
+static void no_two_tints_are_equally_light(void **state)
+{
+    (void) state;
+    for (int i = FIGURE_SHADE_1; i <= FIGURE_SHADE_6; i++)
+        for (int k = FIGURE_SHADE_1; k < i; k++) {
+            const char *a =
+                paint_of((struct figure_style){ .role = (enum figure_role) i })
+                    .colour;
+            const char *b =
+                paint_of((struct figure_style){ .role = (enum figure_role) k })
+                    .colour;
+            CHECK(fabs(lightness(a) - lightness(b)) > 2.5, "%s, %s", a, b);
+        }
+}
+
 #define IN_FOLDER(test)                                                        \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
@@ -211,6 +227,7 @@ int main(void)
         IN_FOLDER(a_pdf_s_objects_are_where_it_says),
         IN_FOLDER(panels_have_plots_of_one_size),
         cmocka_unit_test(maps_grow_evenly_lighter),
+        cmocka_unit_test(no_two_tints_are_equally_light),
         IN_FOLDER(a_page_without_room_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
