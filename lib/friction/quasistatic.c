@@ -93,15 +93,17 @@ static double log_gap(const struct block *b, double X, double Y)
     return log(at->psi0 * expm1(-X) - Y);
 }
 
-/* Kato-Tullis: dY/dt = v (E - z). */
+/* Kato-Tullis: dY/dt = v (E - z) with z = ln(v psi), E = e^(-v/V_c - z); near
+ * the saddle from there, away from it by itself: v0 may be any part of V_c. */
 static double log_composite(const struct anchor *at, double X, double Y)
 {
     const double q = -X - Y - at->kappa0 * expm1(X);
-    const double z = at->x0 + at->y0 + X + Y, e = at->log_composite + q;
+    const double z = at->x0 + at->y0 + X + Y;
 
-    if (q > 1.0)
-        return at->x0 + X + e + log1p(-z * exp(-e));
-    return at->x0 + X + log(exp(at->log_composite) * expm1(q) - X - Y);
+    if (!(q > 1.0))
+        return at->x0 + X + log(exp(at->log_composite) * expm1(q) - X - Y);
+    const double e = -at->kappa0 * exp(X) - z;
+    return at->x0 + X + (e > 0.0 ? e + log1p(-z * exp(-e)) : log(exp(e) - z));
 }
 
 /* ln(K(psi_ss - psi) e^(-psi_ss)). */

@@ -106,12 +106,39 @@ static void it_has_no_end(void **state)
     assert_true(isnan(quasistatic_log_rate(&b, 1.0, 1.0)));
 }
 
+/* kato_tullis: psi grows by exp(-v/V_c)/(v psi) - ln(v psi), whatever v0/V_c,
+ * which is 5e7 here. */
+static void a_saddle_far_above_the_cutoff_takes_no_digits(void **state)
+{
+    struct material m = material_bristol_board();
+    struct block b;
+    double slope;
+
+    (void) state;
+    m.a = 0.005;
+    m.b = 0.0104;
+    m.V_c = 2.96778;
+    block_init(&b, law_preset_find("kato_tullis"), &m, 0.2672L);
+    block_anchor(&b, 18.889497341434065L, false);
+    for (int i = 0; i < 200; i++) {
+        const double Y = 0.1 + 0.2 * i, X = quasistatic_x(&b, Y, &slope);
+        const long double x = (long double) b.at.x0 + X;
+        const long double z = x + b.at.y0 + Y;
+        const long double v = expl(x), E = expl(-v / (long double) m.V_c - z);
+        const double truth = (double) (x + logl(E - z));
+        const double rate = quasistatic_log_rate(&b, X, Y);
+        CHECK(fabs(rate - truth) < 1e-13, "Y %g: %.16g, not %.16g", Y, rate,
+              truth);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(it_is_where_friction_balances_the_slope),
         cmocka_unit_test(psi_grows_as_the_field_says),
         cmocka_unit_test(it_has_no_end),
+        cmocka_unit_test(a_saddle_far_above_the_cutoff_takes_no_digits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
