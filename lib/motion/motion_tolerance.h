@@ -123,7 +123,7 @@
 #define TOL_REST_GOOD     1e-10
 #define TOL_REST_STRAIGHT 1e-8
 #define TOL_REST_PANEL    0.25
-#define TOL_REST_PANELS   1000
+#define TOL_REST_PANELS   100
 #define TOL_REST_SUM      1e-12
 #define TOL_REST_NOTHING  1e-17
 #define TOL_REST_EASY     1e-3
