@@ -77,7 +77,7 @@ static bool holds(const struct taylor_orbit *o, const struct series *u,
         const double slope = jet_slope_at(o->order, u->at[i], s);
         const double rounding =
             TOL_SLOPE_ROUNDING * (fabs(slope) + fabs(u->at[i][1]));
-        if (!(s * fmax(fabs(slope - rate[i]) - rounding, 0.0) <=
+        if (!(s * (fabs(slope - rate[i]) - rounding) <=
               (double) (o->order + 1) * allowed(o, i)))
             return false;
     }

@@ -69,7 +69,7 @@ bool plane_beyond_agree(const struct plane_study *s,
                         const struct plane_beyond *a,
                         const struct plane_beyond *b)
 {
-    bool alike = a->rests == b->rests;
+    bool alike = a->rests == b->rests && a->breaks == b->breaks;
 
     for (int i = 0; i < 2; i++)
         alike =
@@ -149,8 +149,9 @@ enum status plane_beyond_finish(struct plane_study *s)
     for (int rests = 0; rests < 2; rests++) {
         bool known = false;
         for (size_t i = 0; i < s->beyonds; i++)
-            known = known || (s->beyond[i].rests == rests &&
-                              !s->beyond[i].way[0] && !s->beyond[i].way[1]);
+            known =
+                known || (s->beyond[i].rests == rests && !s->beyond[i].breaks &&
+                          !s->beyond[i].way[0] && !s->beyond[i].way[1]);
         if (!known)
             s->beyond[s->beyonds++] = (struct plane_beyond){ .rests = rests };
     }
@@ -160,7 +161,9 @@ enum status plane_beyond_finish(struct plane_study *s)
         add_word(s, 0, b);
         add_word(s, 1, b);
         if (b->word[0] == '\0')
-            strcpy(b->word, b->rests ? "outside" : "infinity");
+            strcpy(b->word, b->breaks  ? "singularity"
+                            : b->rests ? "outside"
+                                       : "infinity");
     }
     return STATUS_OK;
 }

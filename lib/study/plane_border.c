@@ -321,7 +321,7 @@ static enum status cut(struct plane_study *s)
 
 bool plane_border_is_weak(const struct plane_study *s)
 {
-    bool weak = !s->complete;
+    bool weak = !s->complete || s->broken;
 
     for (size_t i = 0; i < s->rests; i++)
         weak = weak || s->rest[i].type == PLANE_NONHYPERBOLIC;

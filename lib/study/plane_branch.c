@@ -9,11 +9,13 @@
 #include "escape.h"
 #include "grow.h"
 #include "plane_cycle.h"
+#include "plane_defined.h"
 #include "study_tolerance.h"
 #include "tolerance.h"
 
 const char *const plane_end_names[] = { "equilibrium", "cycle", "saddle",
-                                        "infinity",    "edge",  NULL };
+                                        "infinity",    "edge",  "singularity",
+                                        NULL };
 
 /* ---- a branch in the making ---------------------------------------------- */
 
@@ -21,6 +23,7 @@ const char *const plane_end_names[] = { "equilibrium", "cycle", "saddle",
 struct half {
     struct winding winding;
     bool left;     /* it has been away from its saddle */
+    bool broken;   /* formulas may have no values after theta */
     int8_t end;    /* enum plane_end, -1 */
     size_t to;     /* rest */
     double theta;  /* on the last piece */
@@ -73,6 +76,22 @@ static void look_at(const struct following *f, struct half *h,
     h->beyond = 2.0 * d * fmax(side.x, side.y) * turns_of(r);
 }
 
+/* Whether there is a place on the piece where formulas have no values, or there
+ * may be. */
+static bool breaks_off(const struct following *f, struct half *h,
+                       const struct branch *b)
+{
+    double theta;
+    const enum plane_defined d = plane_defined_along(
+        f->s->plan, f->s, &b->curve, b->curve.count - 1, f->from->z, &theta);
+
+    h->theta = d == PLANE_DEFINED ? 1.0 : theta;
+    h->broken = d != PLANE_DEFINED;
+    if (d == PLANE_DEFINED_UP_TO)
+        h->end = PLANE_END_SINGULARITY;
+    return h->broken;
+}
+
 static bool branch_ends(void *ctx, const struct branch *b, struct vec2 z,
                         double error)
 {
@@ -86,6 +105,8 @@ static bool branch_ends(void *ctx, const struct branch *b, struct vec2 z,
     if (!(bar <= TOL_PLANE_LOST))
         return true;
     h->theta = 1.0;
+    if (breaks_off(f, h, b))
+        return true;
     for (size_t i = 0; i < f->s->rests; i++)
         look_at(f, h, b, i, bar);
     if (h->end >= 0)
@@ -238,8 +259,11 @@ static void look_for_trap(const struct plane_study *s,
 static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
                      struct half *h)
 {
-    if (h->end < 0 && b->curve.end != BRANCH_DOMAIN)
+    if (h->end < 0 && !h->broken && b->curve.end != BRANCH_DOMAIN)
         look_for_trap(s, b, h);
+    if (h->end < 0 && b->curve.end == BRANCH_STEPS &&
+        !plane_defined_near(s->plan, s, last_point(s, b)))
+        h->end = PLANE_END_SINGULARITY;
     if (h->end >= 0)
         return h->end;
     if (b->curve.end == BRANCH_DOMAIN)
@@ -257,13 +281,17 @@ static enum status settle(struct plane_study *s, struct plane_branch *b,
     b->to = b->end == PLANE_END_EQUILIBRIUM || b->end == PLANE_END_SADDLE
                 ? (int64_t) h->to
                 : RECORD_COUNT_NONE;
-    if (b->end == PLANE_END_EQUILIBRIUM || b->end == PLANE_END_SADDLE)
+    if (h->broken || b->end == PLANE_END_EQUILIBRIUM ||
+        b->end == PLANE_END_SADDLE)
         cut(&b->curve.curve, h->theta);
     if (b->end == PLANE_END_CYCLE) {
         status = plane_cycle_add(s, &h->winding, b->kind == MANIFOLD_UNSTABLE,
                                  &cycle);
         b->to = (int64_t) cycle;
     }
+    if (b->end == PLANE_END_SINGULARITY) /* plane_defined_near */
+        h->beyond =
+            2.0 * TOL_PLANE_STILL * fmax(s->scale.side.x, s->scale.side.y);
     measure(s, b, h->end >= 0 ? h->beyond : 0.0);
     return status;
 }

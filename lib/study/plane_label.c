@@ -35,7 +35,8 @@ int8_t plane_label_of(const struct plane_study *s, const struct plane_goal *g)
     if (g->kind == PLANE_GOAL_REST)
         return (int8_t) traps_before(s, g->index);
     for (size_t i = 0; i < s->beyonds && g->kind == PLANE_GOAL_LEFT; i++)
-        if (s->beyond[i].rests && !s->beyond[i].way[0] && !s->beyond[i].way[1])
+        if (s->beyond[i].rests && !s->beyond[i].breaks &&
+            !s->beyond[i].way[0] && !s->beyond[i].way[1])
             return (int8_t) (n + i);
     for (size_t i = 0; i < s->beyonds && g->kind == PLANE_GOAL_BEYOND; i++)
         if (plane_beyond_agree(s, &s->beyond[i], &g->beyond))
@@ -87,7 +88,8 @@ static bool meet(const struct plane_study *s, struct plane_goal *a,
         return false;
     if (a->kind != PLANE_GOAL_BEYOND)
         return a->index == b->index;
-    if (a->beyond.rests != b->beyond.rests)
+    if (a->beyond.rests != b->beyond.rests ||
+        a->beyond.breaks != b->beyond.breaks)
         return false;
     plane_beyond_meet(s, &a->beyond, &b->beyond);
     return true;

@@ -28,13 +28,15 @@ static struct quantity sum_of(struct quantity p, struct quantity q)
     return quantity_of(p.value + q.value, p.error + q.error);
 }
 
-/* Sums over all equilibria outside the window, or over all else beyond it. */
-static struct quantity share_beyond(const struct plane_study *s, bool rests)
+/* Sums over all equilibria outside the window, over all else beyond it, or
+ * over what ends where formulas have no values. */
+static struct quantity share_beyond(const struct plane_study *s, bool rests,
+                                    bool breaks)
 {
     struct quantity sum = quantity_of(0.0, 0.0);
 
     for (size_t i = 0; i < s->beyonds; i++)
-        if (s->beyond[i].rests == rests)
+        if (s->beyond[i].rests == rests && s->beyond[i].breaks == breaks)
             sum =
                 sum_of(sum, s->basin.share[plane_label_beyond(s) + i].fraction);
     return sum;
@@ -65,9 +67,8 @@ static void fill_shares(struct plane_study *s)
                                : quantity_none("it does not attract");
     }
     b->elsewhere = (struct plane_elsewhere){
-        share_beyond(s, false),
-        share_beyond(s, true),
-        share_of_cycles(s),
+        share_beyond(s, false, false), share_beyond(s, true, false),
+        share_beyond(s, true, true),   share_of_cycles(s),
         b->share[b->labels].fraction,
     };
 }
@@ -162,6 +163,8 @@ static const struct record_field elsewhere_fields[] = {
     FIELD(plane_elsewhere, QUANTITY, infinity, "1", "goes beyond all bounds"),
     FIELD(plane_elsewhere, QUANTITY, outside, "1",
           "comes to rest outside the window"),
+    FIELD(plane_elsewhere, QUANTITY, singularity, "1",
+          "ends where the formulas have no values"),
     FIELD(plane_elsewhere, QUANTITY, cycles, "1", "goes to closed orbits"),
     FIELD(plane_elsewhere, QUANTITY, undecided, "1", "is not known"),
 };

@@ -8,6 +8,7 @@
 #include "orbit.h"
 #include "plane_beyond.h"
 #include "plane_cycle.h"
+#include "plane_defined.h"
 #include "study_tolerance.h"
 #include "taylor_orbit.h"
 #include "tolerance.h"
@@ -70,6 +71,7 @@ struct walk {
     const struct plane_study *s;
     const struct planar *system;
     bool backward, stiff, stopped;
+    bool broken;     /* formulas may have no values on the last piece */
     int held;        /* steps in turn in which its velocity hardly changed */
     size_t returned; /* the piece on which it returned last */
     struct taylor_orbit series;
@@ -78,6 +80,7 @@ struct walk {
     struct escape escape;
     const struct plane_guide *guide; /* borrowed; or NULL */
     struct plane_rounds own;
+    struct interval_plan *plan; /* owned */
 };
 
 static const struct curve *curve_of(const struct walk *w)
@@ -193,6 +196,30 @@ static void look(struct walk *w, const struct vec2 rests[],
         come_round(w, out);
 }
 
+/* ---- where it breaks off ------------------------------------------------- */
+
+/* At a place where formulas have no values, or one too near to tell. */
+static void break_off(struct plane_goal *out)
+{
+    *out = (struct plane_goal){ .kind = PLANE_GOAL_BEYOND,
+                                .beyond = { .rests = true, .breaks = true } };
+}
+
+/* Whether formulas have values all along the last piece. */
+static bool is_defined(struct walk *w, struct plane_goal *out)
+{
+    const struct curve *c = curve_of(w);
+    double theta;
+    const enum plane_defined d = plane_defined_along(
+        w->plan, w->s, c, c->count - 1, w->system->origin, &theta);
+
+    w->broken = d != PLANE_DEFINED;
+    w->escape.left = w->escape.left && d == PLANE_DEFINED;
+    if (d == PLANE_DEFINED_UP_TO)
+        break_off(out);
+    return d == PLANE_DEFINED;
+}
+
 /* ---- an orbit ------------------------------------------------------------ */
 
 static bool has_left_domain(const struct walk *w)
@@ -208,7 +235,7 @@ static bool arrives(struct walk *w, struct plane_goal *out)
     const struct plane_guide *g = w->guide;
     struct plane_beyond end;
 
-    if (g && g->knows && g->knows(g->ctx, here, out))
+    if (w->broken || (g && g->knows && g->knows(g->ctx, here, out)))
         return true;
     if (is_trapped(w->s, here, w->backward, &out->index)) {
         out->kind = PLANE_GOAL_REST;
@@ -228,11 +255,14 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
                         struct plane_goal *out)
 {
     const struct planar *system = &s->system[backward];
-    struct walk w = {
-        .s = s, .system = system, .backward = backward, .guide = guide
-    };
+    struct walk w = { .s = s,
+                      .system = system,
+                      .backward = backward,
+                      .guide = guide,
+                      .plan = plane_defined_copy(s) };
     struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
-    enum status status = rests ? STATUS_OK : STATUS_NO_MEMORY;
+    enum status status =
+        rests && (w.plan || s->plan == NULL) ? STATUS_OK : STATUS_NO_MEMORY;
 
     *out = (struct plane_goal){ .kind = PLANE_GOAL_NONE };
     for (size_t i = 0; i < s->rests && rests; i++)
@@ -243,13 +273,18 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
            !arrives(&w, out)) {
         const size_t before = curve_of(&w)->count;
         status = step(&w);
-        if (status == STATUS_OK && curve_of(&w)->count > before)
+        if (status == STATUS_OK && curve_of(&w)->count > before &&
+            is_defined(&w, out))
             look(&w, rests, out);
     }
+    if (out->kind == PLANE_GOAL_NONE && w.stopped &&
+        !plane_defined_near(w.plan, s, place_of(&w)))
+        break_off(out);
     keep_rounds(&w, out);
     out->steps = w.series.curve.count + w.implicit.steps + w.implicit.rejected;
     taylor_orbit_free(&w.series);
     orbit_free(&w.implicit);
+    free(w.plan);
     free(rests);
     if (out->kind == PLANE_GOAL_CYCLE)
         out->index = plane_cycle_find(s, &out->round, !backward);

@@ -7,6 +7,7 @@
 
 #include "plane_basin.h"
 #include "plane_branch.h"
+#include "plane_defined.h"
 #include "plane_numbers.h"
 #include "plane_rest.h"
 #include "plane_results.h"
@@ -265,6 +266,8 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
     status = system_plane_lower(s->lowered, s->scene->system, why);
     if (status == STATUS_OK)
         status = set_anchor(s, why);
+    if (status == STATUS_OK)
+        status = plane_defined_plan(s, why);
     if (status != STATUS_OK)
         return status;
     if (monitor_tell(monitor, "equilibria", 0, 0))
@@ -313,6 +316,7 @@ void plane_study_free(struct plane_study *s)
         free(s->rest[i].plane);
     free(s->rest);
     free(s->lowered);
+    free(s->plan);
     free(s->plane);
     free(s->undecided);
     free(s->cycle);

@@ -52,9 +52,10 @@ enum plane_end {
     PLANE_END_EQUILIBRIUM,
     PLANE_END_CYCLE,
     PLANE_END_SADDLE,
-    PLANE_END_INFINITY, /* it has left TOL_PLANE_FAR windows */
-    PLANE_END_EDGE,     /* outside the window as far as it was followed */
-    PLANE_END_UNKNOWN   /* as codes go, -1 */
+    PLANE_END_INFINITY,    /* it has left TOL_PLANE_FAR windows */
+    PLANE_END_EDGE,        /* outside the window as far as it was followed */
+    PLANE_END_SINGULARITY, /* formulas have no values there */
+    PLANE_END_UNKNOWN      /* as codes go, -1 */
 };
 extern const char *const plane_end_names[];
 
@@ -84,12 +85,13 @@ struct plane_cycle {
 enum plane_cycle_type { PLANE_CYCLE_STABLE, PLANE_CYCLE_UNSTABLE };
 extern const char *const plane_cycle_types[];
 
-/* What orbits go to beyond the window: infinity of the chart, or an equilibrium
- * outside.  Each coordinate grows, falls, has a limit, or does what is not
- * known; the word tells what is known, "x_to_0_y_to_1", or else "infinity" or
- * "outside". */
+/* What orbits go to that is not in the window: infinity of the chart, an
+ * equilibrium outside, or where formulas have no values.  Each coordinate
+ * grows, falls, has a limit, or does what is not known; the word tells what is
+ * known, "x_to_0_y_to_1", or else "infinity", "outside" or "singularity". */
 struct plane_beyond {
-    bool rests; /* an equilibrium */
+    bool rests;  /* an equilibrium */
+    bool breaks; /* no: where the formulas have no values */
     enum plane_way {
         PLANE_WAY_UNKNOWN,
         PLANE_WAY_LIMIT,
@@ -150,7 +152,7 @@ struct plane_boundary {
 
 /* Shares that are no equilibrium's. */
 struct plane_elsewhere {
-    struct quantity infinity, outside, cycles, undecided;
+    struct quantity infinity, outside, singularity, cycles, undecided;
 };
 
 struct plane_basin {
@@ -188,8 +190,10 @@ struct plane_study {
     const struct scene *scene; /* borrowed */
     unsigned products;
     struct system_lowered *lowered; /* owned */
-    struct tape_plane *plane;       /* owned: about a place of the window */
-    struct planar system[2];        /* forward and backward in time */
+    struct interval_plan *plan;     /* owned; plane_defined.h */
+    bool broken; /* formulas may have no values somewhere in the window */
+    struct tape_plane *plane; /* owned: about a place of the window */
+    struct planar system[2];  /* forward and backward in time */
     struct window window;
     struct planar_observable observable[PLANAR_OBSERVABLES_MAX];
     struct arrival_scale scale;

@@ -311,6 +311,58 @@ static void orbits_about_a_centre_do_not_leave(void **state)
     plane_end(&s, &c);
 }
 
+/* The field ends at x = 0, 1, 0, or at the poles of the tangent: all orbits run
+ * there in a finite time, though one might step across. */
+static void where_the_field_ends_is_not_infinity(void **state)
+{
+    static const struct {
+        const char *ode;
+        double singular, up;
+    } at[] = {
+        { "x' = -1/x; y' = -y", 1.0, 0.0 },
+        { "x' = -x + 1/(1 - x); y' = -y", 1.0, 0.0 },
+        { "x' = sqrt(x) - 1; y' = -y", 0.75, 0.25 },
+        { "x' = tan(x); y' = -y", 1.0, 0.0 },
+        { "x' = 1/(1 + x^2); y' = -y", 0.0, 1.0 },
+    };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 5; i++) {
+        plane_run(&s, &c, at[i].ode, WINDOW);
+        if (at[i].singular > 0.0)
+            has_share(&s, "singularity", at[i].singular, 1e-12);
+        if (at[i].up > 0.0)
+            has_share(&s, "x_to_infinity_y_to_0", at[i].up, 1e-12);
+        CHECK(s.basin.elsewhere.undecided.value <= 0.0, "%s", at[i].ode);
+        plane_end(&s, &c);
+    }
+}
+
+/* Its own end, and the length to there; beside the pole that repels, which is
+ * no border, nothing is said. */
+static void manifolds_do_not_cross_poles(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = tan(x); y' = -y", WINDOW);
+    for (int k = 0; k < 2; k++) {
+        const struct plane_branch *b =
+            plane_branch_of(&s, 0, MANIFOLD_UNSTABLE, k);
+        assert_int_equal(b->end, PLANE_END_SINGULARITY);
+        CHECK(fabs(b->length.value - M_PI_2) <= b->length.error &&
+                  b->length.error < 1e-8,
+              "%.17g +- %g", b->length.value, b->length.error);
+    }
+    plane_end(&s, &c);
+    plane_run(&s, &c, "x' = 1/x - x; y' = -y", WINDOW);
+    has_share(&s, "undecided", 1.0, 1e-12);
+    plane_end(&s, &c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -329,6 +381,8 @@ int main(void)
         TEST(a_border_that_ends_flat_is_one),
         TEST(next_to_a_fold_nothing_is_said),
         TEST(orbits_about_a_centre_do_not_leave),
+        TEST(where_the_field_ends_is_not_infinity),
+        TEST(manifolds_do_not_cross_poles),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

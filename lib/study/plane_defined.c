@@ -1,0 +1,137 @@
+/* On a part of a piece p(m + h t), |t| <= 1, |p - p(m)| <= sum |p_k| h^k over
+ * k > 0, p_k its Taylor coefficients at m.  Parts that this cannot tell are
+ * halved, the first first. */
+#include "plane_defined.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "jet.h"
+#include "study_tolerance.h"
+
+static double part_of(struct vec2 z, int axis)
+{
+    return axis == 0 ? z.x : z.y;
+}
+
+/* ---- boxes --------------------------------------------------------------- */
+
+/* Of the chart; infinite states are where no number is. */
+static bool is_whole(struct interval_plan *p, const struct plane_study *s,
+                     const struct interval chart[2])
+{
+    struct interval box[2];
+    struct interval_slope out[INTERVAL_RESULTS];
+
+    for (int i = 0; i < 2; i++)
+        box[i] = (struct interval){ plane_state(s, i, chart[i].lo),
+                                    plane_state(s, i, chart[i].hi) };
+    return interval_over(p, box, out) == INTERVAL_WHOLE;
+}
+
+enum status plane_defined_plan(struct plane_study *s, struct fault *why)
+{
+    const struct formula_system *f = s->scene->system;
+    const struct box far = s->system[0].domain;
+    const struct interval all[] = { { far.lo.x, far.hi.x },
+                                    { far.lo.y, far.hi.y } };
+    const struct box w = s->window.box;
+    const struct interval in_window[] = { { w.lo.x, w.hi.x },
+                                          { w.lo.y, w.hi.y } };
+    formula_real *value = calloc(FORMULA_NODES, sizeof *value);
+    int state[2];
+
+    s->plan = malloc(sizeof *s->plan);
+    if (value == NULL || s->plan == NULL) {
+        free(value);
+        return STATUS_NO_MEMORY;
+    }
+    for (int i = 0; i < f->parameters; i++)
+        value[f->parameter[i].node] = f->parameter[i].value;
+    for (int k = 0; k < 2; k++)
+        state[k] = f->state[k].node;
+    const enum status status =
+        interval_plan(s->plan, &f->graph, state, f->rate, 2, value, why);
+    free(value);
+    if (status == STATUS_OK && !is_whole(s->plan, s, all)) {
+        s->broken = !is_whole(s->plan, s, in_window);
+        return STATUS_OK;
+    }
+    free(s->plan);
+    s->plan = NULL;
+    return status == STATUS_OK ? STATUS_OK : STATUS_BAD_SCENE;
+}
+
+struct interval_plan *plane_defined_copy(const struct plane_study *s)
+{
+    struct interval_plan *out = s->plan ? malloc(sizeof *out) : NULL;
+
+    if (out)
+        memcpy(out, s->plan, sizeof *out);
+    return out;
+}
+
+bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,
+                        struct vec2 z)
+{
+    struct interval box[2];
+
+    for (int i = 0; i < 2 && plan; i++) {
+        const double at = part_of(z, i);
+        const double room = TOL_PLANE_STILL * part_of(s->scale.side, i);
+        box[i] = (struct interval){ at - room, at + room };
+    }
+    return plan == NULL || is_whole(plan, s, box);
+}
+
+/* ---- pieces -------------------------------------------------------------- */
+
+/* What a coordinate may be from lo to hi. */
+static struct interval range_of(const double *coef, size_t degree, double lo,
+                                double hi)
+{
+    const double m = 0.5 * (lo + hi), h = 0.5 * (hi - lo);
+    double at[JET_SIZE], off = 0.0, power = 1.0;
+
+    memcpy(at, coef, (degree + 1) * sizeof *at);
+    for (size_t i = 0; i < degree; i++)
+        for (size_t k = degree; k-- > i;)
+            at[k] += m * at[k + 1];
+    for (size_t k = 1; k <= degree; k++)
+        off += fabs(at[k]) * (power *= h);
+    return (struct interval){ at[0] - off, at[0] + off };
+}
+
+enum plane_defined plane_defined_along(struct interval_plan *plan,
+                                       const struct plane_study *s,
+                                       const struct curve *c, size_t piece,
+                                       struct vec2 origin, double *theta)
+{
+    enum { WORK = 1000, DEPTH = 40 };
+    const size_t degree = c->piece[piece].degree;
+    double lo = 0.0, width = 1.0;
+
+    for (int work = 0; plan && lo < 1.0; work++) {
+        struct interval box[2];
+        for (int i = 0; i < 2; i++) {
+            const double from = part_of(origin, i);
+            box[i] = range_of(curve_component(c, piece, (size_t) i), degree, lo,
+                              lo + width);
+            box[i] = (struct interval){ from + box[i].lo, from + box[i].hi };
+        }
+        *theta = lo;
+        if (is_whole(plan, s, box)) {
+            lo += width;
+            while (lo < 1.0 && fmod(lo, 2.0 * width) <= 0.0)
+                width *= 2.0;
+        } else if (width < ldexp(1.0, -DEPTH)) {
+            return PLANE_DEFINED_UP_TO;
+        } else if (work > WORK) {
+            return PLANE_DEFINED_UNKNOWN;
+        } else {
+            width *= 0.5;
+        }
+    }
+    return PLANE_DEFINED;
+}
