@@ -33,9 +33,7 @@ static bool is_whole(struct interval_plan *p, const struct plane_study *s,
 enum status plane_defined_plan(struct plane_study *s, struct fault *why)
 {
     const struct formula_system *f = s->scene->system;
-    const struct box far = s->system[0].domain;
-    const struct interval all[] = { { far.lo.x, far.hi.x },
-                                    { far.lo.y, far.hi.y } };
+    const struct interval any = { -HUGE_VAL, HUGE_VAL }, all[] = { any, any };
     const struct box w = s->window.box;
     const struct interval in_window[] = { { w.lo.x, w.hi.x },
                                           { w.lo.y, w.hi.y } };

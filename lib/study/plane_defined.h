@@ -6,7 +6,7 @@
 #include "interval.h"
 #include "plane_study.h"
 
-/* Makes s->plan, where formulas may be without values somewhere in the domain.
+/* Makes s->plan, where formulas may be without values somewhere.
  * STATUS_NO_MEMORY, STATUS_BAD_SCENE. */
 MUST_CHECK enum status plane_defined_plan(struct plane_study *s,
                                           struct fault *why);

@@ -2,6 +2,7 @@
  * of orbit.h from there on. */
 #include "plane_orbit.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "escape.h"
@@ -250,13 +251,28 @@ static bool arrives(struct walk *w, struct plane_goal *out)
     return true;
 }
 
+/* So far it is followed: as far as from the window, from where it starts. */
+static struct box domain_about(const struct planar *system, struct box window,
+                               struct vec2 z)
+{
+    const struct box d = system->domain,
+                     b = { { fmin(window.lo.x, z.x), fmin(window.lo.y, z.y) },
+                           { fmax(window.hi.x, z.x), fmax(window.hi.y, z.y) } },
+                     far = box_grow(b, TOL_PLANE_FAR);
+
+    if (box_holds(window, z))
+        return d;
+    return (struct box){ { fmin(d.lo.x, far.lo.x), fmin(d.lo.y, far.lo.y) },
+                         { fmax(d.hi.x, far.hi.x), fmax(d.hi.y, far.hi.y) } };
+}
+
 enum status plane_orbit(const struct plane_study *s, struct vec2 z,
                         bool backward, const struct plane_guide *guide,
                         struct plane_goal *out)
 {
-    const struct planar *system = &s->system[backward];
+    struct planar system = s->system[backward];
     struct walk w = { .s = s,
-                      .system = system,
+                      .system = &system,
                       .backward = backward,
                       .guide = guide,
                       .plan = plane_defined_copy(s) };
@@ -267,7 +283,8 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
     *out = (struct plane_goal){ .kind = PLANE_GOAL_NONE };
     for (size_t i = 0; i < s->rests && rests; i++)
         rests[i] = s->rest[i].z;
-    w.series = taylor_orbit_at(system, vec2_sub(z, system->origin),
+    system.domain = domain_about(&system, s->window.box, z);
+    w.series = taylor_orbit_at(&system, vec2_sub(z, system.origin),
                                s->scale.side, TOL_ORBIT_RTOL);
     while (status == STATUS_OK && out->kind == PLANE_GOAL_NONE &&
            !arrives(&w, out)) {

@@ -115,6 +115,28 @@ static void what_is_beyond_is_followed_where_it_is_asked_for(void **state)
     plane_end(&s, &c);
 }
 
+/* From anywhere, as far as the window is small beside that. */
+static void who_starts_far_away_arrives_too(void **state)
+{
+    static const double x[] = { 140.0, 210.0, -1e6, 1e12 };
+    struct plane_study s;
+    struct scene c;
+    struct plane_goal goal;
+
+    (void) state;
+    plane_run(&s, &c, "x' = -x; y' = -y", WINDOW);
+    for (int i = 0; i < 4; i++) {
+        const struct vec2 z = { x[i], 1.0 };
+        assert_int_equal(plane_orbit(&s, z, false, NULL, &goal), STATUS_OK);
+        CHECK(goal.kind == PLANE_GOAL_REST && goal.index == 0, "from %g: %d",
+              x[i], (int) goal.kind);
+        assert_int_equal(plane_orbit(&s, z, true, NULL, &goal), STATUS_OK);
+        CHECK(goal.kind == PLANE_GOAL_BEYOND && !goal.beyond.rests,
+              "back from %g: %d", x[i], (int) goal.kind);
+    }
+    plane_end(&s, &c);
+}
+
 static void stiff_orbits_arrive_too(void **state)
 {
     struct plane_study s;
@@ -183,6 +205,7 @@ int main(void)
         cmocka_unit_test(series_stay_on_a_logarithmic_spiral),
         cmocka_unit_test(who_has_gone_round_the_window_never_returns),
         cmocka_unit_test(what_is_beyond_is_followed_where_it_is_asked_for),
+        cmocka_unit_test(who_starts_far_away_arrives_too),
         cmocka_unit_test(stiff_orbits_arrive_too),
         cmocka_unit_test(spirals_on_a_wide_window_cost_little),
         cmocka_unit_test(rounding_makes_no_closed_orbits),
