@@ -50,11 +50,14 @@ struct figure_axis sheet_rates(const struct sheet *p, const char *what,
 
 struct sheet_text sheet_title(const struct scene *c, bool slope)
 {
+    static const char *const form[] = { [ANGLE_RAD] = ", α = %.6g rad",
+                                        [ANGLE_DEGREE] = ", α = %.6g°",
+                                        [ANGLE_TAN] = ", tan α = %.6g" };
     struct sheet_text t;
     char alpha[64] = "";
 
     if (slope)
-        snprintf(alpha, sizeof alpha, ", α = %.6g rad", c->alpha);
+        snprintf(alpha, sizeof alpha, form[c->slope_in], c->slope_given);
     snprintf(t.text, sizeof t.text, "%s%s%s%s", c->title,
              c->title[0] ? " — " : "", c->law.preset, alpha);
     return t;

@@ -430,6 +430,16 @@ def words_of_states_are_phi_in_the_si(room):
                          said, re.M), said)
 
 
+def a_figure_s_title_has_the_slope_as_it_was_given(room):
+    for key, value, told in (('alpha', 0.34, 'α = 0.34 rad'),
+                             ('alpha_deg', 19.5, 'α = 19.5°'),
+                             ('tan_alpha', 0.35, 'tan α = 0.35')):
+        room.good('portrait', '--law', 'dieterich', '--set',
+                  f'slope.{key}={value}', '-q', '--figure', 'a.svg')
+        expect(f'dieterich, {told} ' in shown(room.bytes('a.svg')), told,
+               shown(room.bytes('a.svg')))
+
+
 def a_tangent_is_told_once(room):
     for units in ('dimensionless', 'si'):
         room.write('a.yaml', 'law: {preset: spinodal_gen}\n'
@@ -469,6 +479,7 @@ run_cases([
     a_bare_number_of_a_swept_key_is_in_the_scene_s_units,
     axes_and_points_are_those_of_the_twin,
     words_of_states_are_phi_in_the_si,
+    a_figure_s_title_has_the_slope_as_it_was_given,
     a_tangent_is_told_once,
     every_line_of_text_has_the_units_of_json,
     a_bare_number_of_a_scene_is_in_its_units,
