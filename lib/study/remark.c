@@ -10,11 +10,11 @@ static const char *instead_of_v_plus(const struct study *s)
     if (!plan_has(s->stages, STAGE_CRITICAL) ||
         s->slider.critical.upper_end != END_OPEN)
         return NULL;
-    if (quantity_exists(&s->slider.critical.psi_at_v0))
-        return s->scene->units == UNITS_SI ? MEETS_V_0 "phi_at_v0"
-                                           : MEETS_V_0 "psi_at_v0";
-    return "no v_plus: push tells whether a state stops; the watershed "
-           "bends at knees_upper";
+    return !quantity_exists(&s->slider.critical.psi_at_v0)
+               ? "no v_plus: push tells whether a state stops; the watershed "
+                 "bends at knees_upper"
+           : s->scene->units == UNITS_SI ? MEETS_V_0 "phi_at_v0"
+                                         : MEETS_V_0 "psi_at_v0";
 }
 
 size_t study_remarks(const struct study *s, const char *text[], size_t room)
