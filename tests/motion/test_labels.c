@@ -300,7 +300,8 @@ static void check_run(const struct scene *c, const struct labels *l,
           fate_names[fate], fate_names[t.sum.fate]);
     if (fate == FATE_UNDECIDED)
         CHECK(t.reason && t.sum.end == TRANSIENT_NEAR &&
-                  !quantity_exists(&t.sum.time) && t.events == 0,
+                  !quantity_exists(&t.sum.time) &&
+                  !quantity_exists(&t.sum.slip),
               "%s", t.reason ? t.reason : "no reason");
     transient_free(&t);
 }
