@@ -22,7 +22,8 @@ static struct box window_of(const struct course *c, bool limited)
     if (!limited && c->fate == FATE_RUNAWAY)
         w.hi.x = fmin(w.hi.x, fmax(start, saddle) + log(TOL_TRANSIENT_FAST));
     if (!limited && c->fate == FATE_REST_ASYMPTOTIC)
-        w.lo.x = fmax(w.lo.x, fmin(start, saddle) + log(TOL_TRANSIENT_SLOW));
+        w.lo.x = fmax(w.lo.x,
+                      fmin(start, saddle) + c->depth * log(TOL_TRANSIENT_SLOW));
     return w;
 }
 
@@ -85,7 +86,7 @@ bool course_rests(const struct course *c, const struct orbit *o,
 /* A block that has risen from far below fades where others do. */
 static void set_floor(struct course *c, const struct orbit *o)
 {
-    const double floor = log(TOL_TRANSIENT_SLOW);
+    const double floor = c->depth * log(TOL_TRANSIENT_SLOW);
     const bool is_endless =
         isinf(c->options.reach[0]) && isinf(c->options.reach[1 + BLOCK_SLIP]);
 

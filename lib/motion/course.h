@@ -17,6 +17,7 @@ struct course {
     struct moment_watches watches;
     struct box start_window; /* absolute: beyond it v runs away or fades */
     struct box window;       /* the same of the last orbit at its end */
+    int depth;               /* powers of TOL_TRANSIENT_SLOW to fade by */
     bool rest;               /* looked out for */
     bool near; /* followed only as far as its side does not matter */
     struct orbit_options options;
@@ -25,7 +26,8 @@ struct course {
 /* Whether the scene ends the run before its fate does. */
 bool course_is_limited(const struct transient_options *o);
 
-/* The rest of *c, from its first four members; `rest`: look out for one. */
+/* The rest of *c, from its first four members and depth; `rest`: look out for
+ * one. */
 void course_set(struct course *c, const struct transient_options *o, bool rest);
 
 /* Whether it comes to rest before any limit is reached, and what is left. */

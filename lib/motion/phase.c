@@ -103,7 +103,7 @@ void phase_find(const struct slider *s, const struct transient *t,
                                 : fall < t->events ? at_event(&t->event[fall])
                                                    : end;
     const bool falls = below || fall < t->events;
-    const bool direct = falls && third.time.value <= on.time.value;
+    const bool direct = falls && !(third.time.value > on.time.value);
 
     out[0] = below  ? none("it starts below v_minus")
              : near ? none("it starts on the v-nullcline")

@@ -106,7 +106,7 @@ static double bar_of(const struct course *c, const struct orbit *o,
         return drift_bar_at(d, du, 2, i);
     if (end == TRANSIENT_UNTIL_SLIP)
         return drift_bar_at(d, du, 3 + BLOCK_SLIP, i);
-    if (end == TRANSIENT_RUNAWAY || end == TRANSIENT_FADED)
+    if (end == TRANSIENT_RUNAWAY)
         return drift_bar(d, du, edge_at(c, z), i);
     if (end != TRANSIENT_ARREST || node == NULL)
         return drift_bar(d, du, rest_left_section(c->slider), i);
@@ -132,6 +132,29 @@ static struct quantity total_of(const struct course *c, const struct orbit *o,
                                 TOL_ROUNDINGS * DBL_EPSILON * fabs(sum));
 }
 
+static const char limit_unknown[] =
+    "the orbit could not be followed to its end";
+
+/* A run that fades to a limit: of its slip, and of nothing else. */
+static struct totals limits_of(const struct course *c, const struct orbit *o)
+{
+    static const char never[] = "the block never quite stops";
+    static const char unbounded[] = "the slip grows without bound";
+    const struct vec2 z = { o->u[0], o->u[1] };
+    struct totals all = { .time = quantity_none(never) };
+    struct rest_left left;
+
+    if (!rest_form_at(&c->slider->block).has_slip)
+        all.slip = quantity_none(unbounded);
+    else if (!rest_left_find(c->slider, z, o->u[2], &left))
+        all.slip = quantity_none(limit_unknown);
+    else
+        all.slip = total_of(c, o, TRANSIENT_REST, 3 + BLOCK_SLIP, left.slip,
+                            left.slip_error);
+    all.mean = fate_mean_friction(c->slider, c->v, 0.0, 0.0, &all.slip);
+    return all;
+}
+
 static struct totals totals_of(const struct course *c, const struct orbit *o)
 {
     const struct block *b = &c->slider->block;
@@ -139,11 +162,12 @@ static struct totals totals_of(const struct course *c, const struct orbit *o)
     struct rest_left left = { .time = 0.0 };
     const bool rest = course_rests(c, o, &left);
     const double v1 = rest ? 0.0 : b->at.v0 * exp(o->u[0]);
-    struct totals all = {
-        .time = total_of(c, o, end, 2, left.time, left.time_error),
-        .slip = total_of(c, o, end, 3 + BLOCK_SLIP, left.slip, left.slip_error),
-    };
+    struct totals all;
 
+    if (end == TRANSIENT_FADED)
+        return limits_of(c, o);
+    all.time = total_of(c, o, end, 2, left.time, left.time_error);
+    all.slip = total_of(c, o, end, 3 + BLOCK_SLIP, left.slip, left.slip_error);
     all.mean = fate_mean_friction(c->slider, c->v, v1, bar_of(c, o, end, 0),
                                   &all.slip);
     return all;
@@ -313,6 +337,33 @@ static enum status run(struct course *c, const struct transient_options *o,
     return s;
 }
 
+/* Where the limit of a run that fades is not known yet, it is followed down to
+ * where it is: v falls by twice as many powers of ten each time. */
+static enum status deepen(struct course *c, const struct transient_options *o,
+                          const struct monitor *monitor, struct transient *out)
+{
+    const struct transient_summary start = { .v = out->sum.v,
+                                             .psi = out->sum.psi };
+    enum status s = STATUS_OK;
+
+    while (s == STATUS_OK && out->sum.end == TRANSIENT_FADED &&
+           out->sum.slip.reason == limit_unknown &&
+           c->window.lo.x > c->slider->plane.system.domain.lo.x) {
+        struct transient deeper = { .sum = start };
+        bool settled = false;
+        c->depth *= 2;
+        course_set(c, o, false);
+        s = run_at(c, finest(o->rtol), monitor, &deeper, &settled);
+        if (s == STATUS_OK && settled && quantity_exists(&deeper.sum.slip)) {
+            transient_free(out);
+            *out = deeper;
+        } else {
+            transient_free(&deeper);
+        }
+    }
+    return s;
+}
+
 /* Nothing to follow: the start is where blocks are arrested. */
 static bool is_there(const struct course *c, const struct transient_options *o,
                      struct transient_summary *sum)
@@ -368,6 +419,8 @@ static enum status find(struct course *c, const struct transient_options *o,
     out->reason = told->reason;
     if (!is_near && !is_there(c, o, &out->sum))
         s = run(c, o, monitor, out);
+    if (s == STATUS_OK)
+        s = deepen(c, o, monitor, out);
     if (s == STATUS_OK && (is_near || out->sum.end == TRANSIENT_NEAR))
         s = run_near(c, o, told, out->reason, monitor, out);
     if (s == STATUS_OK)
@@ -384,6 +437,7 @@ enum status transient_find(const struct slider *s, struct scene_start start,
                                               : start.psi };
     const struct vec2 near = block_offset(&s->block, start.v, start.psi);
     struct course c = { .slider = s,
+                        .depth = 1,
                         .v = start.v,
                         .start = vec2_sub(z, s->plane.system.origin) };
     struct fate_told told;

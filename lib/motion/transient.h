@@ -23,7 +23,8 @@ enum transient_end {
     TRANSIENT_UNTIL_SLIP,
     TRANSIENT_RUNAWAY, /* v beyond TOL_TRANSIENT_FAST times start and saddle */
     TRANSIENT_FADED,   /* v below TOL_TRANSIENT_SLOW of both, or falling below
-                             it from above, of the saddle; and no rest */
+                             it from above, of the saddle; and no rest; or
+                             further, to where the limit of its slip is known */
     TRANSIENT_LOST,    /* could not be followed further */
     TRANSIENT_NEAR,    /* too near the separatrix: up to the saddle */
     TRANSIENT_ENDS
@@ -42,7 +43,8 @@ struct transient_summary {
     double v, psi;                       /* the start */
     int8_t fate;                         /* enum fate */
     int8_t end;                          /* enum transient_end */
-    struct quantity time, slip, mu_mean; /* of the run, to its end */
+    struct quantity time, slip, mu_mean; /* of the run, to its end; of one that
+                                            fades the limits, if any */
     /* Of the balance of energy (27) over the run, relative to its largest
      * term; zero along an exact orbit. */
     double energy_defect;

@@ -21,7 +21,7 @@ static const struct record_field summary_fields[] = {
     FIELD(transient_summary, QUANTITY, time, "L/V_star",
           "time of the run in units of L/V_star"),
     FIELD(transient_summary, QUANTITY, slip, "L",
-          "slip of the run in units of L"),
+          "slip of the run, if it fades its limit, in units of L"),
     FIELD(transient_summary, QUANTITY, mu_mean, "1",
           "mean friction over that slip"),
     FIELD(transient_summary, REAL, energy_defect, "1",

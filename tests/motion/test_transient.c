@@ -189,6 +189,36 @@ static void slow_orbits_are_followed_far(void **state)
     struct transient t = run(&s, 1, 2, 0, 0);
     assert_int_equal(t.sum.end, TRANSIENT_FADED);
     assert_int_equal(t.sum.fate, FATE_REST_ASYMPTOTIC);
+    assert_true(quantity_exists(&t.sum.slip) &&
+                quantity_exists(&t.sum.mu_mean));
+    assert_string_equal(t.sum.time.reason, "the block never quite stops");
+    assert_true(t.phase[1].end_slip.value == t.sum.slip.value);
+    transient_free(&t);
+    slope_free(&s);
+    make(&s, "ruina");
+    t = run(&s, 1000, 1, 0, 0);
+    assert_int_equal(t.sum.end, TRANSIENT_FADED);
+    assert_string_equal(t.sum.time.reason, "the block never quite stops");
+    assert_string_equal(t.sum.slip.reason, "the slip grows without bound");
+    assert_false(quantity_exists(&t.sum.mu_mean));
+    transient_free(&t);
+    slope_free(&s);
+}
+
+/* The limit is known only far below where v has fallen by eight powers of ten;
+ * it is what push tells. */
+static void a_fading_run_is_followed_down_to_its_limit(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "dieterich", "log", "0.35645503446508281",
+               (const char *const[]){ "products=[knees]", "material.a=0.004643",
+                                      "material.b=0.0257", NULL });
+    struct transient t = run(&s, 0.12353272237968428, 12016.116354857193, 0, 0);
+    assert_int_equal(t.sum.end, TRANSIENT_FADED);
+    is_quantity(&t.sum.slip, 4.08029649012904e-9, 1e-22);
+    is_quantity(&t.sum.mu_mean, 0.598370380009248, 1e-14);
     transient_free(&t);
     slope_free(&s);
 }
@@ -429,6 +459,7 @@ int main(void)
         cmocka_unit_test(every_law_keeps_the_balance_of_energy),
         cmocka_unit_test(runs_end_where_they_are_told),
         cmocka_unit_test(slow_orbits_are_followed_far),
+        cmocka_unit_test(a_fading_run_is_followed_down_to_its_limit),
         cmocka_unit_test(a_start_at_a_node_goes_nowhere),
         cmocka_unit_test(samples_are_evenly_spaced_and_on_the_orbit),
         cmocka_unit_test(samples_of_a_leap_are_right),
