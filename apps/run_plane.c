@@ -28,7 +28,22 @@ static enum exit_code print_json(const struct plane_study *s,
     if (j)
         json_object_set_new(j, "equilibria_complete",
                             json_boolean(s->complete));
+    if (j && s->products & BIT(BASINS))
+        json_object_set_new(j, "neutral_cycles",
+                            json_integer((json_int_t) s->basin.neutral));
     return json_print(j) ? EXIT_DONE : command_unwritten();
+}
+
+static void print_notes(const struct plane_study *s)
+{
+    if (!s->complete)
+        printf("note: that there are no other equilibria in the window was "
+               "not proved\n");
+    if (s->basin.neutral > 0)
+        printf("note: closed orbits that attract none beside them are "
+               "undecided, as where something is conserved\n");
+    if (s->scene->products & BIT(MARGIN) && !margin_exists(&s->basin.regions))
+        printf("note: no margins to draw: all states have the same fate\n");
 }
 
 static enum exit_code print(const struct plane_study *s,
@@ -43,11 +58,7 @@ static enum exit_code print(const struct plane_study *s,
     const enum status status = text_results(stdout, &all);
     if (status != STATUS_OK)
         return command_fail(status, status_text(status));
-    if (!s->complete)
-        printf("note: that there are no other equilibria in the window was "
-               "not proved\n");
-    if (s->scene->products & BIT(MARGIN) && !margin_exists(&s->basin.regions))
-        printf("note: no margins to draw: all states have the same fate\n");
+    print_notes(s);
     return EXIT_DONE;
 }
 

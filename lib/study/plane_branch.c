@@ -287,7 +287,8 @@ static enum status settle(struct plane_study *s, struct plane_branch *b,
     if (b->end == PLANE_END_CYCLE) {
         status = plane_cycle_add(s, &h->winding, b->kind == MANIFOLD_UNSTABLE,
                                  &cycle);
-        b->to = (int64_t) cycle;
+        b->to = cycle < s->cycles ? (int64_t) cycle : RECORD_COUNT_NONE;
+        b->end = cycle < s->cycles ? b->end : -1;
     }
     if (b->end == PLANE_END_SINGULARITY) /* plane_defined_near */
         h->beyond =

@@ -1,9 +1,12 @@
 #include "plane_cycle.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "study_tolerance.h"
+#include "taylor_orbit.h"
+#include "tolerance.h"
 
 const char *const plane_cycle_types[] = { "stable", "unstable", NULL };
 
@@ -22,11 +25,76 @@ size_t plane_cycle_find(const struct plane_study *s, const struct winding *w,
     return s->cycles;
 }
 
+/* ---- whether it attracts ------------------------------------------------- */
+
+/* The integrals of the divergence and of its size over time, on a piece up to
+ * theta: dt is the way over the velocity.  Five Gauss points. */
+static void add_divergence(const struct planar *sys, const struct curve *c,
+                           size_t piece, double theta, double sum[2])
+{
+    static const double node[] = { 0.0, 0.5384693101056831, -0.5384693101056831,
+                                   0.9061798459386640, -0.9061798459386640 };
+    static const double weight[] = { 0.5688888888888889, 0.4786286704993665,
+                                     0.4786286704993665, 0.2369268850561891,
+                                     0.2369268850561891 };
+    double at[CURVE_DIM_MAX], slope[CURVE_DIM_MAX];
+    struct planar_jacobian J;
+
+    for (int k = 0; k < 10; k++) {
+        const double t = 0.25 * theta * (1.0 + 2.0 * (k / 5) + node[k % 5]);
+        curve_at(c, piece, t, at);
+        curve_slope_at(c, piece, t, slope);
+        sys->jacobian(sys->ctx, (struct vec2){ at[0], at[1] }, &J);
+        const struct vec2 f = J.field.direction;
+        const double dt =
+            (slope[0] * f.x + slope[1] * f.y) / (f.x * f.x + f.y * f.y);
+        const double part = 0.25 * theta * weight[k % 5] * dt;
+        sum[0] += part * (J.matrix.xx + J.matrix.yy);
+        sum[1] += part * (fabs(J.matrix.xx) + fabs(J.matrix.yy));
+    }
+}
+
+/* Whether orbits beside it come nearer, in that direction of time: ln of its
+ * multiplier is the integral of the divergence over a round, and is not told
+ * from 0 where it is less than a small part of what it is the difference of.
+ * True where series are held back: what is so stiff attracts. */
+static bool attracts(const struct plane_study *s, const struct winding *w,
+                     bool stable)
+{
+    const struct planar *sys = &s->system[!stable];
+    struct taylor_orbit o =
+        taylor_orbit_at(sys, vec2_sub(w->at[0], sys->origin), s->scale.side,
+                        0.01 * TOL_RTOL_DEFAULT);
+    struct winding round = { .count = 0 };
+    double sum[2] = { 0.0, 0.0 }, theta = 1.0;
+    size_t turns = 0, before;
+    bool follows = true;
+
+    while (turns < w->turns && follows) {
+        follows = o.curve.count < TOL_PLANE_NO_RETURN &&
+                  taylor_orbit_step(&o) == STATUS_OK;
+        if (!follows)
+            break;
+        const size_t piece = o.curve.count - 1;
+        before = round.count;
+        (void) winding_add(&round, sys, &s->scale, &o.curve, piece, NULL, 0);
+        turns += piece > 0 && round.count > before;
+        if (turns == w->turns)
+            (void) arrival_nearest(&s->scale, &o.curve, piece, sys->origin,
+                                   w->at[0], HUGE_VAL, &theta);
+        add_divergence(sys, &o.curve, piece, theta, sum);
+    }
+    taylor_orbit_free(&o);
+    return !follows || sum[0] < -TOL_WINDING_APART * sum[1];
+}
+
+/* ---- the list ------------------------------------------------------------ */
+
 enum status plane_cycle_add(struct plane_study *s, const struct winding *w,
                             bool stable, size_t *index)
 {
     *index = plane_cycle_find(s, w, stable);
-    if (*index < s->cycles)
+    if (*index < s->cycles || !attracts(s, w, stable))
         return STATUS_OK;
     struct plane_cycle *more =
         realloc(s->cycle, (s->cycles + 1) * sizeof *more);

@@ -6,7 +6,9 @@
 #include "plane_study.h"
 
 /* The number of the cycle with these returns, s->cycles where it is none of
- * them; and the same, a new one being added.  STATUS_NO_MEMORY. */
+ * them; and the same, a new one being added where it attracts
+ * orbits beside it (backward in time, if it is not stable).  STATUS_NO_MEMORY.
+ */
 size_t plane_cycle_find(const struct plane_study *s, const struct winding *w,
                         bool stable);
 MUST_CHECK enum status plane_cycle_add(struct plane_study *s,

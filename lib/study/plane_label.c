@@ -141,6 +141,10 @@ static enum status follow(struct labelling *l, struct vec2 z, bool alone,
         goal->kind = PLANE_GOAL_NONE;
     if (status == STATUS_OK && goal->kind == PLANE_GOAL_CYCLE)
         status = plane_cycle_add(l->s, &goal->round, true, &goal->index);
+    if (goal->kind == PLANE_GOAL_CYCLE && goal->index == l->s->cycles) {
+        goal->kind = PLANE_GOAL_NONE;
+        l->s->basin.neutral++;
+    }
     return status;
 }
 

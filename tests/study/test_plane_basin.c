@@ -363,6 +363,26 @@ static void manifolds_do_not_cross_poles(void **state)
     plane_end(&s, &c);
 }
 
+/* Whose orbits nearly all close: the integral of the divergence round them is
+ * 0, though rounding may bring them nearer to each other. */
+static void closed_orbits_of_a_well_attract_nothing(void **state)
+{
+    static const char *const ode[] = {
+        "x' = y; y' = x - x^3",
+        "x' = y; y' = -x",
+        "x' = x*(1 - y) + 2*(1 - y); y' = (y + 3)*x",
+    };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 3; i++) {
+        plane_run(&s, &c, ode[i], WINDOW);
+        CHECK(s.cycles == 0, "%s: %zu cycles", ode[i], s.cycles);
+        plane_end(&s, &c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -381,6 +401,7 @@ int main(void)
         TEST(a_border_that_ends_flat_is_one),
         TEST(next_to_a_fold_nothing_is_said),
         TEST(orbits_about_a_centre_do_not_leave),
+        TEST(closed_orbits_of_a_well_attract_nothing),
         TEST(where_the_field_ends_is_not_infinity),
         TEST(manifolds_do_not_cross_poles),
     };
