@@ -20,6 +20,15 @@ unsigned plane_products(const struct options *o)
                : always;
 }
 
+/* What is undecided may be part of any of the others: of that their bars know
+ * nothing. */
+static bool are_lower_bounds(const struct plane_study *s)
+{
+    const struct quantity q = s->basin.elsewhere.undecided;
+
+    return s->basin.share && q.value > q.error;
+}
+
 static enum exit_code print_json(const struct plane_study *s,
                                  const struct results *all)
 {
@@ -28,9 +37,12 @@ static enum exit_code print_json(const struct plane_study *s,
     if (j)
         json_object_set_new(j, "equilibria_complete",
                             json_boolean(s->complete));
-    if (j && s->products & BIT(BASINS))
+    if (j && s->products & BIT(BASINS)) {
+        json_object_set_new(j, "shares_are_lower_bounds",
+                            json_boolean(are_lower_bounds(s)));
         json_object_set_new(j, "neutral_cycles",
                             json_integer((json_int_t) s->basin.neutral));
+    }
     return json_print(j) ? EXIT_DONE : command_unwritten();
 }
 
@@ -39,6 +51,10 @@ static void print_notes(const struct plane_study *s)
     if (!s->complete)
         printf("note: that there are no other equilibria in the window was "
                "not proved\n");
+    if (are_lower_bounds(s))
+        printf("note: shares are lower bounds: each may have up to %.3g more, "
+               "which is undecided\n",
+               s->basin.elsewhere.undecided.value);
     if (s->basin.neutral > 0)
         printf("note: closed orbits that attract none beside them are "
                "undecided, as where something is conserved\n");

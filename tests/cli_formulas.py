@@ -43,6 +43,16 @@ def shares_are_halves(room):
     expect([b['manifold'] for b in found['boundary']] == [0, 1], found)
 
 
+def shares_beside_what_is_undecided_are_lower_bounds(room):
+    half = ['--ode', "x' = x*(1 - y); y' = y*(x - 1)",
+            '--window', 'x=-1:3,y=-1:2']
+    for system, lower in ((DUFFING, False), (half, True)):
+        found = room.json('basin', *system, *AUDIT)
+        expect(found['shares_are_lower_bounds'] is lower, found['shares'])
+        said = room.good('basin', *system, *AUDIT)
+        expect(('up to 0.5 more' in said) is lower, said)
+
+
 def parameters_are_set(room):
     found = room.json('study', *DUFFING, '--set', 'system.parameters.d=3')
     expect(found['equilibria'][0]['type'] == 'stable_node', found)
@@ -215,6 +225,7 @@ def names_of_a_law_s_own_are_set_swept_exported_and_recorded(room):
 
 run_cases([names_of_a_law_s_own_are_set_swept_exported_and_recorded,
            json_is_as_the_interface_says, shares_are_halves,
+           shares_beside_what_is_undecided_are_lower_bounds,
            parameters_are_set, one_state_or_many_are_pushed,
            files_and_figures_have_the_names_of_states,
            margins_have_figures_where_there_are_two_fates,
