@@ -256,6 +256,19 @@ static void look_for_trap(const struct plane_study *s,
     }
 }
 
+/* Whether orbits on it go to its end: a curve runs through an equilibrium that
+ * is outside the window and so is not known, where theirs end. */
+static bool is_on_its_way(const struct plane_study *s,
+                          const struct plane_branch *b)
+{
+    const struct curve *c = &b->curve.curve;
+    bool moves = true;
+
+    for (size_t i = 0; i < c->count && moves; i++)
+        moves = plane_defined_moves(s->plan, s, c, i, s->rest[b->rest].z);
+    return moves;
+}
+
 static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
                      struct half *h)
 {
@@ -266,7 +279,7 @@ static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
         h->end = PLANE_END_SINGULARITY;
     if (h->end >= 0)
         return h->end;
-    if (b->curve.end == BRANCH_DOMAIN)
+    if (b->curve.end == BRANCH_DOMAIN && is_on_its_way(s, b))
         return PLANE_END_INFINITY;
     return box_holds(shown_box(s), last_point(s, b)) ? -1 : PLANE_END_EDGE;
 }

@@ -52,18 +52,16 @@ enum status plane_defined_plan(struct plane_study *s, struct fault *why)
     const enum status status =
         interval_plan(s->plan, &f->graph, state, f->rate, 2, value, why);
     free(value);
-    if (status == STATUS_OK && !is_whole(s->plan, s, all)) {
-        s->broken = !is_whole(s->plan, s, in_window);
-        return STATUS_OK;
-    }
-    free(s->plan);
-    s->plan = NULL;
-    return status == STATUS_OK ? STATUS_OK : STATUS_BAD_SCENE;
+    if (status != STATUS_OK)
+        return STATUS_BAD_SCENE;
+    s->entire = is_whole(s->plan, s, all);
+    s->broken = !s->entire && !is_whole(s->plan, s, in_window);
+    return STATUS_OK;
 }
 
 struct interval_plan *plane_defined_copy(const struct plane_study *s)
 {
-    struct interval_plan *out = s->plan ? malloc(sizeof *out) : NULL;
+    struct interval_plan *out = s->entire ? NULL : malloc(sizeof *out);
 
     if (out)
         memcpy(out, s->plan, sizeof *out);
@@ -75,12 +73,31 @@ bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,
 {
     struct interval box[2];
 
-    for (int i = 0; i < 2 && plan; i++) {
+    for (int i = 0; i < 2; i++) {
         const double at = part_of(z, i);
         const double room = TOL_PLANE_STILL * part_of(s->scale.side, i);
         box[i] = (struct interval){ at - room, at + room };
     }
-    return plan == NULL || is_whole(plan, s, box);
+    return s->entire || is_whole(plan, s, box);
+}
+
+/* Whether formulas have values, and no equilibrium is there, if that is not in
+ * the window. */
+static bool is_moving(struct interval_plan *p, const struct plane_study *s,
+                      const struct interval chart[2])
+{
+    const struct box w = s->window.box;
+    const struct vec2 lo = { chart[0].lo, chart[1].lo },
+                      hi = { chart[0].hi, chart[1].hi };
+    bool moves = box_holds(w, lo) && box_holds(w, hi);
+
+    if (!is_whole(p, s, chart))
+        return false;
+    for (int i = 0; i < 2; i++) {
+        const struct interval rate = p->of[p->result[i]].value;
+        moves = moves || rate.lo > 0.0 || rate.hi < 0.0;
+    }
+    return moves;
 }
 
 /* ---- pieces -------------------------------------------------------------- */
@@ -101,16 +118,21 @@ static struct interval range_of(const double *coef, size_t degree, double lo,
     return (struct interval){ at[0] - off, at[0] + off };
 }
 
-enum plane_defined plane_defined_along(struct interval_plan *plan,
-                                       const struct plane_study *s,
-                                       const struct curve *c, size_t piece,
-                                       struct vec2 origin, double *theta)
+typedef bool holds_over(struct interval_plan *, const struct plane_study *,
+                        const struct interval[2]);
+
+/* Whether that holds on all parts of a piece. */
+static enum plane_defined look_along(holds_over *holds,
+                                     struct interval_plan *plan,
+                                     const struct plane_study *s,
+                                     const struct curve *c, size_t piece,
+                                     struct vec2 origin, double *theta)
 {
     enum { WORK = 1000, DEPTH = 40 };
     const size_t degree = c->piece[piece].degree;
     double lo = 0.0, width = 1.0;
 
-    for (int work = 0; plan && lo < 1.0; work++) {
+    for (int work = 0; lo < 1.0; work++) {
         struct interval box[2];
         for (int i = 0; i < 2; i++) {
             const double from = part_of(origin, i);
@@ -119,7 +141,7 @@ enum plane_defined plane_defined_along(struct interval_plan *plan,
             box[i] = (struct interval){ from + box[i].lo, from + box[i].hi };
         }
         *theta = lo;
-        if (is_whole(plan, s, box)) {
+        if (holds(plan, s, box)) {
             lo += width;
             while (lo < 1.0 && fmod(lo, 2.0 * width) <= 0.0)
                 width *= 2.0;
@@ -132,4 +154,23 @@ enum plane_defined plane_defined_along(struct interval_plan *plan,
         }
     }
     return PLANE_DEFINED;
+}
+
+enum plane_defined plane_defined_along(struct interval_plan *plan,
+                                       const struct plane_study *s,
+                                       const struct curve *c, size_t piece,
+                                       struct vec2 origin, double *theta)
+{
+    return s->entire ? PLANE_DEFINED
+                     : look_along(is_whole, plan, s, c, piece, origin, theta);
+}
+
+bool plane_defined_moves(struct interval_plan *plan,
+                         const struct plane_study *s, const struct curve *c,
+                         size_t piece, struct vec2 origin)
+{
+    double theta;
+
+    return look_along(is_moving, plan, s, c, piece, origin, &theta) ==
+           PLANE_DEFINED;
 }

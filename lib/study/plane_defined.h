@@ -6,12 +6,12 @@
 #include "interval.h"
 #include "plane_study.h"
 
-/* Makes s->plan, where formulas may be without values somewhere.
+/* Makes s->plan; s->entire where formulas have values everywhere.
  * STATUS_NO_MEMORY, STATUS_BAD_SCENE. */
 MUST_CHECK enum status plane_defined_plan(struct plane_study *s,
                                           struct fault *why);
 
-/* A copy of s->plan, or NULL where there is none, or no memory. */
+/* A copy of s->plan, or NULL where s->entire, or no memory. */
 struct interval_plan *plane_defined_copy(const struct plane_study *s);
 
 enum plane_defined {
@@ -26,6 +26,12 @@ enum plane_defined plane_defined_along(struct interval_plan *plan,
                                        const struct plane_study *s,
                                        const struct curve *c, size_t piece,
                                        struct vec2 origin, double *theta);
+
+/* Whether orbits get on all along it, outside the window: that no equilibrium
+ * is there is proved. */
+bool plane_defined_moves(struct interval_plan *plan,
+                         const struct plane_study *s, const struct curve *c,
+                         size_t piece, struct vec2 origin);
 
 /* At all places as near to an absolute point as rounding. */
 bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,

@@ -278,7 +278,7 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
                       .plan = plane_defined_copy(s) };
     struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
     enum status status =
-        rests && (w.plan || s->plan == NULL) ? STATUS_OK : STATUS_NO_MEMORY;
+        rests && (w.plan || s->entire) ? STATUS_OK : STATUS_NO_MEMORY;
 
     *out = (struct plane_goal){ .kind = PLANE_GOAL_NONE };
     for (size_t i = 0; i < s->rests && rests; i++)

@@ -192,6 +192,7 @@ struct plane_study {
     unsigned products;
     struct system_lowered *lowered; /* owned */
     struct interval_plan *plan;     /* owned; plane_defined.h */
+    bool entire;                    /* formulas have values everywhere */
     bool broken; /* formulas may have no values somewhere in the window */
     struct tape_plane *plane; /* owned: about a place of the window */
     struct planar system[2];  /* forward and backward in time */

@@ -314,6 +314,28 @@ static void positive_states_are_logarithms(void **state)
 #define TEST(test)                                                             \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
+/* To an equilibrium outside of the window, which nobody looked for; and to
+ * infinity. */
+static void ends_outside_are_edges_where_something_is_on_the_way(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        plane_run(&s, &c, i ? "x' = x + x^3; y' = -y" : "x' = x - x^3; y' = -y",
+                  "window={x: [-0.5, 0.5], y: [-1, 1]}\n"
+                  "products=[manifolds]\n");
+        for (int k = 0; k < 2; k++) {
+            assert_int_equal(plane_branch_of(&s, 0, MANIFOLD_UNSTABLE, k)->end,
+                             i ? PLANE_END_INFINITY : PLANE_END_EDGE);
+            assert_int_equal(plane_branch_of(&s, 0, MANIFOLD_STABLE, k)->end,
+                             PLANE_END_INFINITY);
+        }
+        plane_end(&s, &c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -327,6 +349,7 @@ int main(void)
         TEST(manifolds_wind_on_to_a_cycle),
         TEST(systems_without_equilibria_are_studied),
         TEST(positive_states_are_logarithms),
+        TEST(ends_outside_are_edges_where_something_is_on_the_way),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
