@@ -156,18 +156,20 @@ static double size_of(const struct orbit *o, size_t i, double u)
     return fmax(fmax(o->peak[i], fabs(u)), o->options.least[i - 2]);
 }
 
-/* What rounding does to integral i on the step, up to all of it: that of the
- * coordinates, and of a rate that is the first integral's times a difference of
- * numbers of order 1.  Shorter steps have no less of that. */
+/* What rounding does to integral i on the step, up to all of it: a rate that is
+ * the first integral's times a difference of numbers of order 1 has no digits
+ * below that, and where a step was refused twice for no less, that of the
+ * coordinates is to be borne: shorter steps have no less of it. */
 static double noise_of(const struct orbit *o, const struct attempt *a, size_t i)
 {
     const double digit = DBL_EPSILON * fmax(fabs(o->u[0]), fabs(o->u[1]));
     const struct vec2 g = a->slope[i];
     const double noise = digit * (fabs(g.x) + fabs(g.y)) * fabs(a->h);
+    const double rate = i > 3 ? DBL_EPSILON * fabs(a->u1[3] - o->u[3]) : 0.0;
 
-    if (i < 2 || isnan(noise))
+    if (i < 2)
         return 0.0;
-    return i > 3 ? noise + DBL_EPSILON * fabs(a->u1[3] - o->u[3]) : noise;
+    return o->refused < 2 || isnan(noise) ? rate : rate + noise;
 }
 
 /* The largest estimated error over what is allowed; NaN if anything is. */
@@ -402,7 +404,7 @@ static enum status accept(struct orbit *o, const struct attempt *a,
     o->h = fabs(a->h) * longer(o, a, ratio);
     o->last.h = a->h;
     o->last.ratio = fmax(ratio, TOL_STEP_ERROR_FLOOR);
-    o->refused = false;
+    o->refused = 0;
     const enum status done = advance(o, a->h, a->u1, a->error);
     keep_pace(o, a->fastest);
     return done;
@@ -419,7 +421,7 @@ static enum status attempt(struct orbit *o, double h, bool *accepted)
     if (*accepted)
         return accept(o, &a, ratio);
     o->h = fabs(h) * (solved ? shorter(ratio) : TOL_ORBIT_RETREAT);
-    o->refused = true;
+    o->refused++;
     o->rejected++;
     return STATUS_OK;
 }

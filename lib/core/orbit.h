@@ -69,7 +69,7 @@ struct orbit {
     struct {
         double h, ratio; /* signed size; error over what is allowed */
     } last;              /* accepted step; h = 0: there is none */
-    bool refused;        /* the last attempt was */
+    int refused;         /* attempts in a row that were */
     struct {
         double x, y, t; /* some steps ago, at step number */
         size_t steps;
