@@ -26,9 +26,10 @@ bool number_read(const char *text, double *value)
     if (size == 0 || size > LETTERS || strspn(text, "+-.0123456789eE") != size)
         return false;
     const bool has_point = whole < size;
-    snprintf(copy, sizeof copy, "%.*s%.8s%s", (int) whole, text,
-             has_point ? localeconv()->decimal_point : "",
-             text + whole + has_point);
+    char *at = mempcpy(copy, text, whole);
+    if (has_point)
+        at = stpncpy(at, localeconv()->decimal_point, 8);
+    strcpy(at, text + whole + has_point);
     const double x = strtod(copy, &end);
     if (*end != '\0' || !isfinite(x))
         return false;
@@ -69,20 +70,39 @@ static struct number_text number_digits(int digits, double value)
     return shown;
 }
 
-/* The fewest digits, from `digits` on, that move it by at most `most`; *moved:
- * by how much.  Up to 15 digits are written without an exponent where %g of 15
- * does. */
+static double read_back(struct number_text shown, double value)
+{
+    double read = value;
+
+    number_read(shown.text, &read);
+    return read;
+}
+
+/* The fewest digits, `digits` or more, that move it by at most `most`; *moved:
+ * by how much.  What d digits hold, d + 1 hold no worse: by bisection.  Up to
+ * 15 digits are written without an exponent where %g of 15 does. */
 static struct number_text number_within(double value, double most, int digits,
                                         double *moved)
 {
-    for (;; digits++) {
-        struct number_text shown = number_digits(digits, value);
-        double read = value;
-        number_read(shown.text, &read);
-        *moved = fabs(read - value);
-        if (!(*moved > most) || digits >= DBL_DECIMAL_DIG)
-            return digits < DBL_DIG ? number_digits(DBL_DIG, read) : shown;
+    struct number_text shown = number_digits(DBL_DECIMAL_DIG, value);
+    int enough = DBL_DECIMAL_DIG;
+
+    *moved = 0.0;
+    while (digits < enough) {
+        const int middle = (digits + enough) / 2;
+        const struct number_text less = number_digits(middle, value);
+        const double off = fabs(read_back(less, value) - value);
+
+        if (off > most) {
+            digits = middle + 1;
+        } else {
+            shown = less;
+            *moved = off;
+            enough = middle;
+        }
     }
+    return enough < DBL_DIG ? number_digits(DBL_DIG, read_back(shown, value))
+                            : shown;
 }
 
 struct number_text number_shortest(double value)
@@ -92,18 +112,24 @@ struct number_text number_shortest(double value)
     return number_within(value, 0.0, DBL_DIG, &moved);
 }
 
-/* Two digits, not below. */
-static struct number_text number_above(double error)
+static struct number_text number_leading(double error)
 {
-    double up = error, read = 0.0;
     struct number_text shown;
 
-    for (;; up *= 1.01) {
-        snprintf(shown.text, sizeof shown.text, "%.1e", up);
-        put_point(&shown);
-        if (!number_read(shown.text, &read) || read >= error)
-            return shown;
-    }
+    snprintf(shown.text, sizeof shown.text, "%.1e", error);
+    put_point(&shown);
+    return shown;
+}
+
+/* Two digits, not below: the nearest, or where that is less, n of its last
+ * digit, n + 1 of them. */
+static struct number_text number_above(double error)
+{
+    const struct number_text near = number_leading(error);
+    const double read = read_back(near, error);
+    const int n = 10 * (near.text[0] - '0') + near.text[2] - '0';
+
+    return read < error ? number_leading(read + read / n) : near;
 }
 
 struct number_bar number_with_bar(double value, double error)
