@@ -1,5 +1,8 @@
 #include "jet.h"
 
+#include <math.h>
+#include <string.h>
+
 /* clang-format off */
 const double jet_number[JET_SIZE] = {
     0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15,
@@ -44,5 +47,20 @@ double jet_bend_at(size_t order, const double u[], double s)
 
     for (size_t j = order; j >= 2; j--)
         sum = sum * s + (double) (j * (j - 1)) * u[j];
+    return sum;
+}
+
+/* Each term |u[k]| C(k, j) |s|^(k - j) h^j is rounded no more than 4 (order +
+ * 1) times, by half a DBL_EPSILON of itself. */
+double jet_spread_at(size_t order, const double u[], double s, double h)
+{
+    double c[JET_SIZE], power = 1.0, sum = 0.0;
+
+    memcpy(c, u, (order + 1) * sizeof *c);
+    for (size_t k = 0; k < order; k++)
+        for (size_t j = order; j-- > k;)
+            c[j] += s * c[j + 1];
+    for (size_t k = 1; k <= order; k++)
+        sum += fabs(c[k]) * (power *= h);
     return sum;
 }

@@ -140,4 +140,9 @@ double jet_at(size_t order, const double u[], double s);
 double jet_slope_at(size_t order, const double u[], double s);
 double jet_bend_at(size_t order, const double u[], double s);
 
+/* sum |c_k| h^k over k > 0, h >= 0, c_k the coefficients about s: for |t| <= h
+ * the series at s + t is no further from that at s, but for rounding, less than
+ * 2 (order + 1) DBL_EPSILON sum |u[k]| (|s| + h)^k. */
+double jet_spread_at(size_t order, const double u[], double s, double h);
+
 #endif

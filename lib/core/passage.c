@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <string.h>
 
 #include "jet.h"
 #include "newton.h"
@@ -48,17 +47,8 @@ static double to_go(const void *ctx, double theta)
 /* How far component i may be from its value at the middle m. */
 static double spread(const struct walk *w, size_t i, double m, double h)
 {
-    const size_t n = w->curve->piece[w->piece].degree;
-    const double *p = curve_component(w->curve, w->piece, i);
-    double c[JET_SIZE], power = 1.0, sum = 0.0;
-
-    memcpy(c, p, (n + 1) * sizeof *c);
-    for (size_t k = 0; k < n; k++)
-        for (size_t j = n; j-- > k;)
-            c[j] += m * c[j + 1];
-    for (size_t j = 1; j <= n; j++)
-        sum += fabs(c[j]) * (power *= h);
-    return sum;
+    return jet_spread_at(w->curve->piece[w->piece].degree,
+                         curve_component(w->curve, w->piece, i), m, h);
 }
 
 /* Whether it keeps off the passage, all along: into a box it must come between

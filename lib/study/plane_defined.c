@@ -1,8 +1,8 @@
-/* On a part of a piece p(m + h t), |t| <= 1, |p - p(m)| <= sum |p_k| h^k over
- * k > 0, p_k its Taylor coefficients at m.  Parts that this cannot tell are
- * halved, the first first. */
+/* On a part of a piece p is within jet_spread_at of its value at the middle.
+ * Parts that this cannot tell are halved, the first first. */
 #include "plane_defined.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -102,20 +102,20 @@ static bool is_moving(struct interval_plan *p, const struct plane_study *s,
 
 /* ---- pieces -------------------------------------------------------------- */
 
-/* What a coordinate may be from lo to hi. */
+/* What a coordinate may be from lo to hi, inside of 0 to 1, rounded outward:
+ * the spread and the value are no further off than by twice the spread's bound.
+ */
 static struct interval range_of(const double *coef, size_t degree, double lo,
                                 double hi)
 {
-    const double m = 0.5 * (lo + hi), h = 0.5 * (hi - lo);
-    double at[JET_SIZE], off = 0.0, power = 1.0;
+    const double m = 0.5 * (lo + hi), at = jet_at(degree, coef, m);
+    double size = 0.0;
 
-    memcpy(at, coef, (degree + 1) * sizeof *at);
-    for (size_t i = 0; i < degree; i++)
-        for (size_t k = degree; k-- > i;)
-            at[k] += m * at[k + 1];
-    for (size_t k = 1; k <= degree; k++)
-        off += fabs(at[k]) * (power *= h);
-    return (struct interval){ at[0] - off, at[0] + off };
+    for (size_t k = 0; k <= degree; k++)
+        size += fabs(coef[k]);
+    const double off = jet_spread_at(degree, coef, m, 0.5 * (hi - lo)) +
+                       (double) (4 * (degree + 1)) * DBL_EPSILON * size;
+    return (struct interval){ at - off, at + off };
 }
 
 typedef bool holds_over(struct interval_plan *, const struct plane_study *,
@@ -136,9 +136,10 @@ static enum plane_defined look_along(holds_over *holds,
         struct interval box[2];
         for (int i = 0; i < 2; i++) {
             const double from = part_of(origin, i);
-            box[i] = range_of(curve_component(c, piece, (size_t) i), degree, lo,
-                              lo + width);
-            box[i] = (struct interval){ from + box[i].lo, from + box[i].hi };
+            box[i] =
+                interval_add((struct interval){ from, from },
+                             range_of(curve_component(c, piece, (size_t) i),
+                                      degree, lo, lo + width));
         }
         *theta = lo;
         if (holds(plan, s, box)) {

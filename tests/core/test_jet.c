@@ -137,6 +137,35 @@ static void series_sum_to_their_function_and_its_slope(void **state)
     CHECK(jet_bend_at(1, u, 2.0) == 0.0, "a line");
 }
 
+/* exp(s + t) - exp(s) is largest at t = h, exp(-s - t) - exp(-s) at -h. */
+static void spread_is_how_far_a_series_gets(void **state)
+{
+    jet_pair both[JET_SIZE];
+    double u[JET_SIZE];
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int lane = 0; lane < 2; lane++) {
+        exponential(lane ? 2.0 : 1.0, both);
+        jet_take(JET_SIZE - 1, both, (size_t) lane, u);
+        for (int i = 0; i < 1000; i++) {
+            const double s = check_uniform(&rng, -1.0, 1.0);
+            const double h = check_uniform(&rng, 0.0, 1.0);
+            const double got = jet_spread_at(JET_SIZE - 1, u, s, h);
+            const double far = exp(lane ? -s : s) * expm1(h);
+            const double rounding =
+                2 * JET_SIZE * DBL_EPSILON * exp(fabs(s) + h);
+            CHECK(fabs(got - far) <= rounding,
+                  "lane %d, s = %a, h = %a: %a, "
+                  "true %a",
+                  lane, s, h, got, far);
+        }
+    }
+    CHECK(jet_spread_at(0, u, 0.5, 1.0) == 0.0, "constant");
+    CHECK(jet_spread_at(2, (double[]){ 7, -4, 1 }, 2.0, 0.5) == 0.25,
+          "its least value");
+}
+
 static void slots_are_found_again_in_call_order(void **state)
 {
     static struct jet_work w;
@@ -157,6 +186,7 @@ int main(void)
         cmocka_unit_test(chain_gives_the_exponential_of_a_series),
         cmocka_unit_test(chain_gives_sine_and_cosine),
         cmocka_unit_test(series_sum_to_their_function_and_its_slope),
+        cmocka_unit_test(spread_is_how_far_a_series_gets),
         cmocka_unit_test(slots_are_found_again_in_call_order),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
