@@ -40,7 +40,7 @@ static const struct record_field provenance_fields[] = {
     KEY(b, "1"),
     KEY(c, "1"),
     KEY(R, "1"),
-    KEY(V_c, "1"),
+    KEY(V_c, "V_star"),
     KEY(L, "m"),
     KEY(V_star, "m s-1"),
     KEY(g, "m s-2"),
@@ -71,7 +71,9 @@ RESULT_VIEW(view_provenance, provenance, s, 1)
 /* clang-format off */
 static const struct result provenance_results[] = {
     { "/", NULL, "of every file", RESULT_ATTRIBUTES, .type = &record_root },
-    { "/provenance", NULL, "where the file comes from; stress has no scene",
+    { "/provenance", NULL,
+      "where the file comes from, with what the law uses of the material; "
+      "stress has no scene",
       RESULT_ATTRIBUTES, .type = &record_provenance,
       .view = view_provenance },
     { .path = NULL },
@@ -110,6 +112,10 @@ static void tell_law(const struct scene *scene, struct provenance *p,
     p->friction = friction_form_names[scene->law.form];
     p->material = scene->material;
     p->eps2 = material_eps2(&p->material);
+    for (int k = 0; k < MATERIAL_KEYS; k++)
+        if (!law_uses(&scene->law, (enum material_key) k))
+            *material_member(&p->material, (enum material_key) k) =
+                (double) NAN;
 }
 
 static void tell_system(const struct formula_system *f, char formula[],

@@ -42,6 +42,7 @@ MORE = [
         'rabinowicz={block_mass: 1, ball_mass: 0.1, restitution: 0.5}',
         'sweep={key: slope.alpha, values: [0.34]}']),
     ('rabinowicz --law dieterich_gen --alpha 0.34 --data three.csv', []),
+    ('knees --law kato_tullis --alpha 0.34', ['material.V_c=1e3']),
     ('push --law spinodal_gen --alpha 0.34 --v 1e3 --psi 10', []),
     ('workprec --quick --law ruina --alpha 0.34', []),
     ('stress --only laws/perrin/log/0.38', []),

@@ -166,6 +166,20 @@ def every_law_of_the_list_is_a_law(room):
         room.good('plan', '--law', law['name'], '--alpha', '0.34', *more)
 
 
+def inputs_that_a_law_does_not_use_are_not_listed(room):
+    """In JSON and, as numbers, in files."""
+    inputs = {'mu_star', 'a', 'b', 'c', 'R', 'V_c', 'L', 'V_star', 'g'}
+    for law in room.json('laws'):
+        used = set(law['parameters']) | {'g'}
+        more = ['--set', 'material.V_c=1e3'] if 'V_c' in used else []
+        found = room.json('knees', '--law', law['name'], '--alpha', '0.34',
+                          *more, '-o', 'a.h5')
+        expect(set(found['parameters']) & inputs == used, law, found)
+        listed = room.python("""import h5py, sys
+print(*h5py.File("a.h5")["provenance"].attrs)""").stdout.split()
+        expect(set(listed) & inputs == used, law, listed)
+
+
 # ---- README ------------------------------------------------------------------
 
 def blocks(page):
@@ -217,5 +231,6 @@ run_cases([
     what_means_nothing_beside_another_is_refused,
     the_version_is_that_of_the_project,
     every_law_of_the_list_is_a_law,
+    inputs_that_a_law_does_not_use_are_not_listed,
     the_readme_does_what_it_says,
 ])
