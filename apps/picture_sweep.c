@@ -35,22 +35,29 @@ static struct figure_axis around(const char *label, double lo, double hi,
     return (struct figure_axis){ label, lo - rim, hi + rim, false };
 }
 
+static bool is_si(const struct sweep *s)
+{
+    return s->scene->units == UNITS_SI && s->scene->system == NULL;
+}
+
 /* Words, letter and unit of the keys that have a letter. */
 static const struct {
-    const char *path, *label;
+    const char *path, *label[2]; /* in the SI, where it is another there */
 } labels[] = {
-    { "slope.alpha", "slope angle " S_ALPHA " (rad)" },
-    { "slope.alpha_deg", "slope angle " S_ALPHA " (°)" },
-    { "slope.tan_alpha", "slope " S_TAN },
-    { "material.mu_star", "friction coefficient " S_MU SUB("∗") },
-    { "material.a", "direct effect " ITALIC("a") },
-    { "material.b", "evolution effect " ITALIC("b") },
-    { "material.L", "memory length " S_L " (m)" },
-    { "material.V_star", "reference slip rate " S_V_STAR " (m/s)" },
-    { "material.c", "residual strength " ITALIC("c") },
-    { "material.R", "longest relaxation time " ITALIC("R") },
-    { "material.V_c", "cut-off slip rate " S_BIG_V SUB("c") "/" S_V_STAR },
-    { "gravity", "gravity " ITALIC("g") " (m/s" SUPER("2") ")" },
+    { "slope.alpha", { "slope angle " S_ALPHA " (rad)" } },
+    { "slope.alpha_deg", { "slope angle " S_ALPHA " (°)" } },
+    { "slope.tan_alpha", { "slope " S_TAN } },
+    { "material.mu_star", { "friction coefficient " S_MU SUB("∗") } },
+    { "material.a", { "direct effect " ITALIC("a") } },
+    { "material.b", { "evolution effect " ITALIC("b") } },
+    { "material.L", { "memory length " S_L " (m)" } },
+    { "material.V_star", { "reference slip rate " S_V_STAR " (m/s)" } },
+    { "material.c", { "residual strength " ITALIC("c") } },
+    { "material.R", { "longest relaxation time " ITALIC("R") } },
+    { "material.V_c",
+      { "cut-off slip rate " S_BIG_V SUB("c") "/" S_V_STAR,
+        "cut-off slip rate " S_BIG_V SUB("c") " (m/s)" } },
+    { "gravity", { "gravity " ITALIC("g") " (m/s" SUPER("2") ")" } },
 };
 
 static void label_of(const struct sweep *s, size_t k, char *label, size_t size)
@@ -63,7 +70,8 @@ static void label_of(const struct sweep *s, size_t k, char *label, size_t size)
              plain ? "" : unit, plain ? "" : ")");
     for (size_t i = 0; i < sizeof labels / sizeof *labels; i++)
         if (strcmp(a->key.path, labels[i].path) == 0)
-            snprintf(label, size, "%s", labels[i].label);
+            snprintf(label, size, "%s",
+                     labels[i].label[is_si(s) && labels[i].label[1]]);
 }
 
 /* The slope is in the title where no key is a slope's. */
@@ -74,11 +82,6 @@ static struct sheet_text title_of(const struct sweep *s)
     for (size_t i = 0; i < s->axes; i++)
         slope &= s->axis[i].key.path[0] != 's';
     return sheet_title(s->scene, slope);
-}
-
-static bool is_si(const struct sweep *s)
-{
-    return s->scene->units == UNITS_SI && s->scene->system == NULL;
 }
 
 /* ---- over one key -------------------------------------------------------- */

@@ -124,9 +124,8 @@ const struct schema_key schema_table[] = {
     { "material.R", value_real, AT(material.R), ABOVE(0.0),
       TO((double) INFINITY), .expected = "a number > 0 or inf", IS("100"),
       TEXT("longest relaxation time in L/V_star, of spinodal laws") },
-    { "material.V_c", AT(material.V_c), POSITIVE,
-      TEXT("cut-off slip rate in V_star; kato_tullis needs it, no other law "
-           "has it") },
+    { "material.V_c", AT(material.V_c), POSITIVE, UNIT("V_star"),
+      TEXT("cut-off slip rate; kato_tullis needs it, no other law has it") },
 
     { "slope.alpha", value_alpha, ABOVE(0.0), BELOW(M_PI_2), .side = 1,
       .expected = "an angle in rad, 0 < alpha < pi/2", UNIT("rad"),

@@ -16,7 +16,7 @@ static const struct sweep_key table[] = {
     { "material.V_star", "m s-1", "characteristic slip rate V_star" },
     { "material.c", "1", "parameter c of the law" },
     { "material.R", "1", "parameter R of the law" },
-    { "material.V_c", "1", "velocity cut-off in units of V_star" },
+    { "material.V_c", "V_star", "cut-off slip rate" },
     { "gravity", "m s-2", "gravity" },
     { "accuracy.rtol", "1", "relative tolerance of the computation" },
 };
