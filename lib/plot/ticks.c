@@ -19,8 +19,7 @@ struct tick_sink {
     FILE *out; /* NULL: only measure */
     double script;
     size_t count, labels;
-    size_t three; /* of so many labels the first, a middle one and the last are
-                     written; 0: all */
+    double gap, free; /* px: labels are so far apart; the next is from there */
     double width;
     struct tick_label *kept; /* TICKS_LABELS of them; NULL: nobody asks */
     size_t kept_count;
@@ -38,10 +37,14 @@ void ticks_put(FILE *out, const char *text, double script)
             fputc(*text == MARK_END ? '}' : *text, out);
 }
 
-static bool is_kept(const struct tick_sink *k, size_t label)
+/* Whether there is room for a label there, which is taken. */
+static bool has_room(struct tick_sink *k, double pixel)
 {
-    return k->three == 0 || label == 0 || label == (k->three - 1) / 2 ||
-           label == k->three - 1;
+    if (k->labels > 0 && pixel < k->free)
+        return false;
+    k->labels++;
+    k->free = pixel + k->gap;
+    return true;
 }
 
 static void ticks_tick(struct tick_sink *k, const struct scale *s, double at,
@@ -49,7 +52,7 @@ static void ticks_tick(struct tick_sink *k, const struct scale *s, double at,
 {
     if (!(at >= s->lo && at <= s->hi))
         return;
-    if (text[0] != '\0' && !is_kept(k, k->labels++))
+    if (text[0] != '\0' && !has_room(k, scale_pixel(s, at)))
         text = "";
     if (k->out) {
         fputs(k->count ? ", '" : "'", k->out);
@@ -185,23 +188,23 @@ static int first_density(const struct scale *s, int labels)
     return DECADES - 1 - i;
 }
 
-/* Denser where less than three labels would be left. */
+/* Closer, then denser, where less than three labels would be left. */
 static void all_ticks(struct tick_sink *k, const struct scale *s,
                       double spacing)
 {
+    static const double close[] = { 0.9, 0.72, 0.58, 0.46 };
+    enum { WAYS = sizeof close / sizeof *close };
     const int labels = labels_fit(s, spacing);
-    const int first = first_density(s, labels);
-    int density = first;
+    int way = WAYS * first_density(s, labels);
 
-    for (; density < FINEST; density++) {
-        struct tick_sink trial = { .out = NULL };
-        ticks_at(&trial, s, labels, density);
-        if (trial.labels < 3)
-            continue;
-        k->three = density > first ? trial.labels : 0;
-        break;
+    for (; way < WAYS * FINEST; way++) {
+        struct tick_sink trial = { .gap = close[way % WAYS] * spacing };
+        ticks_at(&trial, s, labels, way / WAYS);
+        if (trial.labels >= 3)
+            break;
     }
-    ticks_at(k, s, labels, density);
+    k->gap = close[way % WAYS] * spacing;
+    ticks_at(k, s, labels, way / WAYS);
 }
 
 void ticks_write(FILE *out, const struct scale *s, double spacing,

@@ -270,6 +270,28 @@ static void labels_are_few_apart_and_on_the_axis(void **state)
     }
 }
 
+/* 0.1, 0.2, 0.4 without 0.3 looks like a log axis. */
+static void labels_of_linear_axes_are_evenly_apart(void **state)
+{
+    (void) state;
+    uint64_t seed = check_seed();
+    for (int k = 0; k < 3000; k++) {
+        const double lo = check_uniform(&seed, -3, 3);
+        const struct figure_axis axis = {
+            .lo = lo, .hi = lo + pow(10, check_uniform(&seed, -3, 3))
+        };
+        struct tick_label label[TICKS_LABELS];
+        const struct scale s = scale_of(&axis, check_uniform(&seed, 120, 700));
+        const size_t count = ticks_labels(&s, 60, label);
+        for (size_t i = 2; i < count; i++) {
+            const double bend =
+                label[i].at - 2 * label[i - 1].at + label[i - 2].at;
+            CHECK(fabs(bend) < 1e-6 * (axis.hi - axis.lo), "%g, %g, %g",
+                  label[i - 2].at, label[i - 1].at, label[i].at);
+        }
+    }
+}
+
 static void decades_are_labelled_as_powers_of_ten(void **state)
 {
     (void) state;
@@ -314,6 +336,7 @@ int main(void)
         cmocka_unit_test(a_straight_line_thins_to_its_ends),
         cmocka_unit_test(an_arrowhead_points_along_the_line),
         cmocka_unit_test(labels_are_few_apart_and_on_the_axis),
+        cmocka_unit_test(labels_of_linear_axes_are_evenly_apart),
         cmocka_unit_test(decades_are_labelled_as_powers_of_ten),
         cmocka_unit_test(every_range_has_three_labels),
     };
