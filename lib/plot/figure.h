@@ -3,8 +3,9 @@
  * they were added, a legend.  draw.h turns it into a file.
  *
  * Numbers are in the unit of their axis (v, not ln v).  A point with a
- * coordinate that is not finite, or not positive on a log axis, breaks a line
- * and hides a mark.  Everything outside the axes' box is cut off exactly at
+ * coordinate that is not finite breaks a line and hides a mark, as does one
+ * that is not positive on a log axis, to which a line goes as far as the axis
+ * does.  Everything outside the axes' box is cut off exactly at
  * the frame.  All arrays and texts are *copied*; nothing given to a function
  * below needs to outlive the call.  Texts are UTF-8 and shown as they are;
  * only labels and entries may hold the marks of mark.h.

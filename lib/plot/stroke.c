@@ -91,23 +91,43 @@ static enum status push_segment(struct stroke *s, struct vec2 p, struct vec2 q,
     return status;
 }
 
+/* How far along the way from a to b is what a log axis shows. */
+static double shown_part(const struct scale *s, double a, double b)
+{
+    return s->is_log && a > 0 && b <= 0 ? (a - s->lo) / (a - b) : 1;
+}
+
+/* The last point of a straight way from a that can be drawn: where a log axis
+ * ends, if b is not on it at all. */
+static struct vec2 last_shown(const struct scale *sx, const struct scale *sy,
+                              struct vec2 a, struct vec2 b)
+{
+    const double t = fmin(shown_part(sx, a.x, b.x), shown_part(sy, a.y, b.y));
+
+    return t >= 1 ? to_page(sx, sy, b.x, b.y)
+           : t > 0
+               ? to_page(sx, sy, a.x + t * (b.x - a.x), a.y + t * (b.y - a.y))
+               : (struct vec2){ NAN, NAN };
+}
+
 enum status stroke_clip(const struct scale *sx, const struct scale *sy,
                         const double x[], const double y[], size_t count,
                         struct stroke *out)
 {
     const struct vec2 size = { sx->pixels, sy->pixels };
     bool pen_down = false;
-    struct vec2 last = { NAN, NAN };
     out->count = 0;
-    for (size_t k = 0; k < count; k++) {
-        const struct vec2 p = to_page(sx, sy, x[k], y[k]);
-        if (is_break(p) || is_break(last)) {
+    for (size_t k = 1; k < count; k++) {
+        const struct vec2 a = { x[k - 1], y[k - 1] }, b = { x[k], y[k] };
+        const struct vec2 p = last_shown(sx, sy, b, a);
+        const struct vec2 q = last_shown(sx, sy, a, b);
+        if (is_break(p) || is_break(q)) {
             pen_down = false;
-        } else if (push_segment(out, last, p, size, &pen_down) != STATUS_OK) {
+        } else if (push_segment(out, p, q, size, &pen_down) != STATUS_OK) {
             out->count = 0;
             return STATUS_NO_MEMORY;
         }
-        last = p;
+        pen_down = pen_down && !is_break(to_page(sx, sy, b.x, b.y));
     }
     return STATUS_OK;
 }

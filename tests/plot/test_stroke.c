@@ -137,6 +137,28 @@ static double area_by_rows(const double x[3], const double y[3], int rows)
     return sum * 100 / rows;
 }
 
+/* From 3 down through 0: as far as the axis goes, and back. */
+static void a_line_to_zero_ends_where_a_log_axis_does(void **state)
+{
+    (void) state;
+    const struct figure_axis down = { .lo = 1, .hi = 100, .is_log = true };
+    const struct scale sx = unit_scale(), sy = scale_of(&down, 100);
+    const double x[] = { 10, 30, 70, 90 }, y[] = { 10, 3, -1, 11 };
+    struct stroke out = STROKE_EMPTY;
+    assert_int_equal(stroke_clip(&sx, &sy, x, y, 4, &out), STATUS_OK);
+    assert_int_equal(out.count, 6);
+    CHECK(fabs(out.at[2].x - 50) < 1e-12 && fabs(out.at[2].y) < 1e-12,
+          "(%g, %g)", out.at[2].x, out.at[2].y);
+    assert_true(isnan(out.at[3].x));
+    CHECK(fabs(out.at[4].x - 70 - 20.0 / 6) < 1e-12, "%g", out.at[4].x);
+    const double gone[] = { 10, 3, NAN, 11 }, under[] = { 10, 0.5, -1, -2 };
+    assert_int_equal(stroke_clip(&sx, &sy, x, gone, 4, &out), STATUS_OK);
+    assert_int_equal(out.count, 2);
+    assert_int_equal(stroke_clip(&sx, &sy, x, under, 4, &out), STATUS_OK);
+    assert_int_equal(out.count, 2);
+    stroke_free(&out);
+}
+
 static void a_clipped_region_keeps_the_area_in_the_box(void **state)
 {
     (void) state;
@@ -331,6 +353,7 @@ int main(void)
         cmocka_unit_test(an_axis_maps_there_and_back),
         cmocka_unit_test(a_clipped_segment_is_the_part_in_the_box),
         cmocka_unit_test(a_line_that_leaves_and_returns_has_two_pieces),
+        cmocka_unit_test(a_line_to_zero_ends_where_a_log_axis_does),
         cmocka_unit_test(a_clipped_region_keeps_the_area_in_the_box),
         cmocka_unit_test(thinning_stays_within_its_tolerance),
         cmocka_unit_test(a_straight_line_thins_to_its_ends),
