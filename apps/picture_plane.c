@@ -71,18 +71,10 @@ static void finish(const struct picture *p, struct stroke *t,
     figure_add_line(p->figure, look, &t->line);
 }
 
-/* Italic, what follows a _ below the line: v_m. */
 static void name_state(const struct picture *p, int i,
                        char text[2 * FORMULA_NAME])
 {
-    const char *name = p->s->system[0].axis[i].name;
-    const char *under = strchr(name, '_');
-
-    if (under && under > name && under[1])
-        snprintf(text, 2 * FORMULA_NAME, ITALIC("%.*s") SUB("%s"),
-                 (int) (under - name), name, under + 1);
-    else
-        snprintf(text, 2 * FORMULA_NAME, ITALIC("%s"), name);
+    mark_name(text, 2 * FORMULA_NAME, p->s->system[0].axis[i].name);
 }
 
 /* ---- layers -------------------------------------------------------------- */
@@ -249,31 +241,28 @@ static void add_manifolds(const struct picture *p)
     }
 }
 
+const struct picture_plane_look picture_plane_look[PLANE_TYPES] = {
+    [PLANE_SADDLE] = { "saddle", FIGURE_CIRCLE },
+    [PLANE_STABLE_NODE] = { "stable node", FIGURE_DISC },
+    [PLANE_STABLE_FOCUS] = { "stable focus", FIGURE_DIAMOND },
+    [PLANE_UNSTABLE_NODE] = { "unstable node", FIGURE_SQUARE },
+    [PLANE_UNSTABLE_FOCUS] = { "unstable focus", FIGURE_TRIANGLE },
+    [PLANE_NONHYPERBOLIC] = { "not hyperbolic", FIGURE_PLUS },
+};
+
 static void add_equilibria(const struct picture *p)
 {
-    static const struct {
-        const char *entry;
-        enum figure_mark mark;
-    } look[PLANE_TYPES] = {
-        [PLANE_SADDLE] = { "saddle", FIGURE_CIRCLE },
-        [PLANE_STABLE_NODE] = { "stable", FIGURE_DISC },
-        [PLANE_STABLE_FOCUS] = { "stable", FIGURE_DISC },
-        [PLANE_UNSTABLE_NODE] = { "unstable", FIGURE_SQUARE },
-        [PLANE_UNSTABLE_FOCUS] = { "unstable", FIGURE_SQUARE },
-        [PLANE_NONHYPERBOLIC] = { "not hyperbolic", FIGURE_PLUS },
-    };
-
     for (size_t i = 0; i < p->s->rests; i++) {
         const struct plane_rest *r = &p->s->rest[i];
         const struct vec2 at = shown(p, r->z);
         figure_add(p->figure, &(struct figure_layer){
                                   .kind = FIGURE_POINTS,
                                   .style = { .role = FIGURE_EQUILIBRIUM },
-                                  .entry = look[r->type].entry,
+                                  .entry = picture_plane_look[r->type].entry,
                                   .x = &at.x,
                                   .y = &at.y,
                                   .count = 1,
-                                  .mark = look[r->type].mark });
+                                  .mark = picture_plane_look[r->type].mark });
     }
 }
 

@@ -6,83 +6,18 @@
 #include <string.h>
 
 #include "line.h"
+#include "mark.h"
+#include "picture_plane.h"
 #include "plane_numbers.h"
 #include "scene_sweep.h"
-#include "sheet.h"
+#include "sweep_sheet.h"
 #include "sweep_show.h"
 #include "sweep_told.h"
-#include "symbols.h"
 #include "system.h"
 
 /* A bar can be seen when it is this part of its axis long: 2 px of 600.  Marks
  * are at least this part of the axis along the key apart. */
 static const double visible = 1.0 / 300.0, apart = 1.0 / 36.0;
-
-static double place(const struct sweep_axis *a, double x)
-{
-    return a->is_log ? log(x) : x;
-}
-
-/* From lo to hi, and half of `step` on both sides; of one value, around it. */
-static struct figure_axis around(const char *label, double lo, double hi,
-                                 bool is_log, double rim)
-{
-    if (!(lo < hi))
-        rim = is_log ? 1.0 : fabs(lo) + 1.0;
-    if (is_log)
-        return (struct figure_axis){ label, lo * exp(-rim), hi * exp(rim),
-                                     true };
-    return (struct figure_axis){ label, lo - rim, hi + rim, false };
-}
-
-static bool is_si(const struct sweep *s)
-{
-    return s->scene->units == UNITS_SI && s->scene->system == NULL;
-}
-
-/* Words, letter and unit of the keys that have a letter. */
-static const struct {
-    const char *path, *label[2]; /* in the SI, where it is another there */
-} labels[] = {
-    { "slope.alpha", { "slope angle " S_ALPHA " (rad)" } },
-    { "slope.alpha_deg", { "slope angle " S_ALPHA " (°)" } },
-    { "slope.tan_alpha", { "slope " S_TAN } },
-    { "material.mu_star", { "friction coefficient " S_MU SUB("∗") } },
-    { "material.a", { "direct effect " ITALIC("a") } },
-    { "material.b", { "evolution effect " ITALIC("b") } },
-    { "material.L", { "memory length " S_L " (m)" } },
-    { "material.V_star", { "reference slip rate " S_V_STAR " (m/s)" } },
-    { "material.c", { "residual strength " ITALIC("c") } },
-    { "material.R", { "longest relaxation time " ITALIC("R") } },
-    { "material.V_c",
-      { "cut-off slip rate " S_BIG_V SUB("c") "/" S_V_STAR,
-        "cut-off slip rate " S_BIG_V SUB("c") " (m/s)" } },
-    { "gravity", { "gravity " ITALIC("g") " (m/s" SUPER("2") ")" } },
-};
-
-static void label_of(const struct sweep *s, size_t k, char *label, size_t size)
-{
-    const struct sweep_axis *a = &s->axis[k];
-    const char *unit = sweep_told_unit(s, a->key.unit);
-    const bool plain = unit[0] == '1';
-
-    snprintf(label, size, "%s%s%s%s", a->key.text, plain ? "" : " (",
-             plain ? "" : unit, plain ? "" : ")");
-    for (size_t i = 0; i < sizeof labels / sizeof *labels; i++)
-        if (strcmp(a->key.path, labels[i].path) == 0)
-            snprintf(label, size, "%s",
-                     labels[i].label[is_si(s) && labels[i].label[1]]);
-}
-
-/* The slope is in the title where no key is a slope's. */
-static struct sheet_text title_of(const struct sweep *s)
-{
-    bool slope = true;
-
-    for (size_t i = 0; i < s->axes; i++)
-        slope &= s->axis[i].key.path[0] != 's';
-    return sheet_title(s->scene, slope);
-}
 
 /* ---- over one key -------------------------------------------------------- */
 
@@ -91,6 +26,8 @@ struct plot {
     const struct sweep *s;
     struct figure *figure;
     struct figure_axis x, y;
+    struct sweep_curve curve[SWEEP_CURVES_MAX];
+    size_t curves; /* of a system: none */
 };
 
 /* The least and largest value of all curves that the axis can show. */
@@ -119,7 +56,7 @@ static struct figure_axis upward(const struct sweep *s,
     const struct scene_sweep *w = &s->scene->sweep;
     const struct show_frame *show = &show_frames[w->show];
     const bool is_log = scene_sweep_y_log(w);
-    const char *label = show->label[is_si(s)];
+    const char *label = show->label[sweep_is_si(s)];
     double range[2] = RANGE_EMPTY;
 
     for (int i = 0; i < 2; i++) {
@@ -130,7 +67,7 @@ static struct figure_axis upward(const struct sweep *s,
     span(s, curve, curves, is_log, range);
     const double rim = is_log ? 0.03 * log(range[1] / range[0]) + 0.03
                               : 0.04 * (range[1] - range[0]);
-    return around(label, range[0], range[1], is_log, rim);
+    return sweep_around(label, range[0], range[1], is_log, rim);
 }
 
 /* The bar from y - error to y + error, where it can be seen. */
@@ -149,15 +86,17 @@ static void add_bar(const struct plot *p, const struct sweep_curve *c, double x,
                       (struct vec2){ x, y + error });
 }
 
-/* Shares of fates that no state has are not worth an entry. */
-static bool is_nothing(const struct sweep *s, int column)
+/* The column of a curve that is drawn; -1: none, nor of shares of fates that no
+ * state has. */
+static int drawn_column(const struct sweep *s, const struct sweep_curve *c)
 {
+    const int column = sweep_find(s, c->column);
     size_t i = 0;
 
     while (column >= 0 && i < s->points &&
            sweep_quantity(s, column, i).value == 0.0)
         i++;
-    return column < 0 || i == s->points;
+    return i < s->points ? column : -1;
 }
 
 /* NaN where there is no value, and at a mark that would lie on top of the one
@@ -166,11 +105,12 @@ static void find_values(const struct plot *p, const struct sweep_curve *c,
                         int column, double y[])
 {
     const struct sweep_axis *a = &p->s->axis[0];
-    const double step = apart * (place(a, p->x.hi) - place(a, p->x.lo));
+    const double step =
+        apart * (sweep_place(a, p->x.hi) - sweep_place(a, p->x.lo));
     double last = -HUGE_VAL;
 
     for (size_t i = 0; i < p->s->points; i++) {
-        const double x = place(a, a->value[i]);
+        const double x = sweep_place(a, a->value[i]);
         y[i] = sweep_told(p->s, column, i, 0).value;
         if (c->marks && x - last < step)
             y[i] = (double) NAN;
@@ -196,7 +136,8 @@ static double half_way(const struct sweep_axis *a, size_t i)
                      : a->value[i] / 2.0 + a->value[i + 1] / 2.0;
 }
 
-/* Up to a fold as before it, from there on as behind it. */
+/* Up to a fold as before it, from there on as behind it; what is only on one
+ * side ends there. */
 static struct line line_of(const struct plot *p, const double y[])
 {
     const struct sweep_axis *a = &p->s->axis[0];
@@ -205,7 +146,8 @@ static struct line line_of(const struct plot *p, const double y[])
 
     for (size_t i = 0; i < p->s->points; i++) {
         line_add(&l, a->value[i], y[i]);
-        if (i + 1 == p->s->points || !is_fold(p->s, saddle, i))
+        if (i + 1 == p->s->points || !is_fold(p->s, saddle, i) ||
+            isfinite(y[i]) != isfinite(y[i + 1]))
             continue;
         line_add(&l, half_way(a, i), y[i]);
         line_add(&l, half_way(a, i), y[i + 1]);
@@ -257,10 +199,10 @@ static void add_line(const struct plot *p, const struct sweep_curve *c,
 /* A line, or marks, with bars. */
 static void add_curve(const struct plot *p, const struct sweep_curve *c)
 {
-    const int column = sweep_find(p->s, c->column);
+    const int column = drawn_column(p->s, c);
     const double *x = p->s->axis[0].value;
 
-    if (is_nothing(p->s, column))
+    if (column < 0)
         return;
     double *y = malloc(p->s->points * sizeof *y);
     if (y == NULL) {
@@ -275,20 +217,122 @@ static void add_curve(const struct plot *p, const struct sweep_curve *c)
     free(y);
 }
 
-static void draw_curves(const struct sweep *s, struct figure *f)
-{
-    const struct sweep_axis *a = &s->axis[0];
-    struct sweep_curve curve[SWEEP_CURVES_MAX];
-    const size_t curves = sweep_show_curves(s->scene, curve);
-    struct plot p = { .s = s, .figure = f };
-    char label[96];
+/* ---- where there is nothing to draw ---------------------------------------
+ */
 
-    label_of(s, 0, label, sizeof label);
-    p.x = around(label, a->value[0], a->value[a->count - 1], a->is_log, 0.0);
-    p.y = upward(s, curve, curves);
-    figure_init(f, title_of(s).text, &p.x, &p.y);
-    for (size_t k = 0; k < curves; k++)
-        add_curve(&p, &curve[k]);
+static bool any_value(const struct plot *p, size_t point)
+{
+    bool any = false;
+
+    if (p->s->scene->system)
+        return sweep_quantity(p->s, sweep_find(p->s, "count_equilibria"), point)
+                   .value != 0.0;
+    for (size_t k = 0; k < p->curves && !any; k++) {
+        const int column = drawn_column(p->s, &p->curve[k]);
+        any = column >= 0 && isfinite(sweep_told(p->s, column, point, 0).value);
+    }
+    return any;
+}
+
+/* From half way to the point before to half way to the one behind. */
+static void add_gap(const struct plot *p, size_t first, size_t last)
+{
+    const struct sweep_axis *a = &p->s->axis[0];
+    const double lo = first > 0 ? half_way(a, first - 1) : p->x.lo;
+    const double hi = last + 1 < p->s->points ? half_way(a, last) : p->x.hi;
+
+    figure_add(p->figure,
+               &(struct figure_layer){
+                   .kind = FIGURE_REGION,
+                   .style.role = FIGURE_SHADE_6,
+                   .entry = "does not exist",
+                   .x = (double[]){ lo, hi, hi, lo },
+                   .y = (double[]){ p->y.lo, p->y.lo, p->y.hi, p->y.hi },
+                   .count = 4 });
+}
+
+static void add_gaps(const struct plot *p)
+{
+    size_t first = 0;
+
+    for (size_t i = 0; i <= p->s->points; i++) {
+        if (i < p->s->points && !any_value(p, i))
+            continue;
+        if (first < i)
+            add_gap(p, first, i - 1);
+        first = i + 1;
+    }
+}
+
+/* ---- of a system --------------------------------------------------------- */
+
+/* The first state of equilibrium k at each point of type `type`; NaN at others.
+ */
+static bool find_states(const struct sweep *s, size_t k, int type, double y[])
+{
+    char name[2][64];
+    bool any = false;
+
+    snprintf(name[0], sizeof name[0], "equilibria_%zu_type", k);
+    snprintf(name[1], sizeof name[1], "equilibria_%zu_state_%.32s", k,
+             s->scene->system->state[0].name);
+    const int code = sweep_find(s, name[0]), column = sweep_find(s, name[1]);
+    for (size_t i = 0; i < s->points && code >= 0 && column >= 0; i++) {
+        const bool is_it = sweep_code(s, code, i) == type;
+        y[i] = is_it ? sweep_quantity(s, column, i).value : (double) NAN;
+        any = any || isfinite(y[i]);
+    }
+    return any;
+}
+
+/* Every equilibrium over the key, marked by what it is. */
+static void add_equilibria(const struct plot *p)
+{
+    double *y = malloc(p->s->points * sizeof *y);
+
+    if (y == NULL)
+        p->figure->status = STATUS_NO_MEMORY;
+    for (size_t k = 0; k < PLANE_RESTS_ALONE && y; k++)
+        for (int type = 0; type < PLANE_TYPES; type++)
+            if (find_states(p->s, k, type, y))
+                figure_add(p->figure,
+                           &(struct figure_layer){
+                               .kind = FIGURE_POINTS,
+                               .style = { .role = FIGURE_SERIES_1 + type },
+                               .entry = picture_plane_look[type].entry,
+                               .x = p->s->axis[0].value,
+                               .y = y,
+                               .count = p->s->points,
+                               .size = 5,
+                               .mark = picture_plane_look[type].mark });
+    free(y);
+}
+
+static void draw_key(const struct sweep *s, struct figure *f)
+{
+    const struct scene *c = s->scene;
+    const struct sweep_axis *a = &s->axis[0];
+    const struct sheet_label x = sweep_label(s, 0);
+    struct plot p = { .s = s, .figure = f };
+    char y[2 * FORMULA_NAME];
+
+    p.x = sweep_around(x.text, a->value[0], a->value[a->count - 1], a->is_log,
+                       0.0);
+    if (c->system) {
+        mark_name(y, sizeof y, c->system->state[0].name);
+        p.y = (struct figure_axis){ y, c->window.v[0], c->window.v[1],
+                                    c->window.axes == AXES_LOG &&
+                                        scene_axis_is_log(c, 0) };
+    } else {
+        p.curves = sweep_show_curves(c, p.curve);
+        p.y = upward(s, p.curve, p.curves);
+    }
+    figure_init(f, sweep_title(s).text, &p.x, &p.y);
+    add_gaps(&p);
+    for (size_t k = 0; k < p.curves; k++)
+        add_curve(&p, &p.curve[k]);
+    if (c->system)
+        add_equilibria(&p);
 }
 
 /* ---- over a grid --------------------------------------------------------- */
@@ -300,24 +344,25 @@ enum { COLUMNS = 360, ROWS = 240 };
 static struct figure_axis frame(const struct sweep_axis *a, const char *label)
 {
     const double lo = a->value[0], hi = a->value[a->count - 1];
-    const double step =
-        a->count > 1 ? (place(a, hi) - place(a, lo)) / (double) (a->count - 1)
-                     : 0.0;
+    const double step = a->count > 1
+                            ? (sweep_place(a, hi) - sweep_place(a, lo)) /
+                                  (double) (a->count - 1)
+                            : 0.0;
 
-    return around(label, lo, hi, a->is_log, 0.5 * step);
+    return sweep_around(label, lo, hi, a->is_log, 0.5 * step);
 }
 
 /* The value nearest the middle of each of n cells, as an index. */
 static void nearest(const struct sweep_axis *a, const struct figure_axis *shown,
                     size_t n, size_t index[])
 {
-    const double lo = place(a, shown->lo), hi = place(a, shown->hi);
+    const double lo = sweep_place(a, shown->lo), hi = sweep_place(a, shown->hi);
     size_t k = 0;
 
     for (size_t i = 0; i < n; i++) {
         const double x = lo + (hi - lo) * ((double) i + 0.5) / (double) n;
-        while (k + 1 < a->count && fabs(place(a, a->value[k + 1]) - x) <=
-                                       fabs(place(a, a->value[k]) - x))
+        while (k + 1 < a->count && fabs(sweep_place(a, a->value[k + 1]) - x) <=
+                                       fabs(sweep_place(a, a->value[k]) - x))
             k++;
         index[i] = k;
     }
@@ -327,13 +372,13 @@ static void nearest(const struct sweep_axis *a, const struct figure_axis *shown,
  * seen. */
 static bool is_even(const struct sweep_axis *a)
 {
-    const double lo = place(a, a->value[0]);
+    const double lo = sweep_place(a, a->value[0]);
     const double step =
-        (place(a, a->value[a->count - 1]) - lo) / (double) (a->count - 1);
+        (sweep_place(a, a->value[a->count - 1]) - lo) / (double) (a->count - 1);
     bool even = a->count > 1;
 
     for (size_t i = 0; i < a->count && even; i++)
-        even = fabs(place(a, a->value[i]) - lo - (double) i * step) <=
+        even = fabs(sweep_place(a, a->value[i]) - lo - (double) i * step) <=
                visible * step;
     return even;
 }
@@ -368,83 +413,21 @@ static void add_map(const struct sweep *s, const struct figure_axis *x,
                           .nx = nx,
                           .ny = ny,
                           .contours = even && s->scene->system == NULL,
-                          .scale = { .label = show->map_label[is_si(s)] },
+                          .scale = { .label = show->map_label[sweep_is_si(s)] },
                           .missing = "does not exist" });
 }
 
 static void draw_map(const struct sweep *s, struct figure *f)
 {
-    char label[2][96];
+    const struct sheet_label label[] = { sweep_label(s, 0), sweep_label(s, 1) };
+    const struct figure_axis x = frame(&s->axis[0], label[0].text);
+    const struct figure_axis y = frame(&s->axis[1], label[1].text);
 
-    label_of(s, 0, label[0], sizeof label[0]);
-    label_of(s, 1, label[1], sizeof label[1]);
-    const struct figure_axis x = frame(&s->axis[0], label[0]);
-    const struct figure_axis y = frame(&s->axis[1], label[1]);
-    figure_init(f, s->scene->system ? s->scene->title : title_of(s).text, &x,
-                &y);
+    figure_init(f, sweep_title(s).text, &x, &y);
     add_map(s, &x, &y, f);
-}
-
-/* ---- of a system --------------------------------------------------------- */
-
-/* The first state of equilibrium k at each point of type `type`; NaN at others.
- */
-static bool find_states(const struct sweep *s, size_t k, int type, double y[])
-{
-    char name[2][64];
-    bool any = false;
-
-    snprintf(name[0], sizeof name[0], "equilibria_%zu_type", k);
-    snprintf(name[1], sizeof name[1], "equilibria_%zu_state_%.32s", k,
-             s->scene->system->state[0].name);
-    const int code = sweep_find(s, name[0]), column = sweep_find(s, name[1]);
-    for (size_t i = 0; i < s->points && code >= 0 && column >= 0; i++) {
-        const bool is_it = sweep_code(s, code, i) == type;
-        y[i] = is_it ? sweep_quantity(s, column, i).value : (double) NAN;
-        any = any || isfinite(y[i]);
-    }
-    return any;
-}
-
-/* Every equilibrium over the key, marked by what it is. */
-static void draw_equilibria(const struct sweep *s, struct figure *f)
-{
-    const struct sweep_axis *a = &s->axis[0];
-    const struct figure_axis upward = { s->scene->system->state[0].name,
-                                        s->scene->window.v[0],
-                                        s->scene->window.v[1],
-                                        s->scene->window.axes == AXES_LOG &&
-                                            scene_axis_is_log(s->scene, 0) };
-    double *y = malloc(s->points * sizeof *y);
-    char label[96];
-
-    label_of(s, 0, label, sizeof label);
-    const struct figure_axis x =
-        around(label, a->value[0], a->value[a->count - 1], a->is_log, 0.0);
-    figure_init(f, s->scene->title, &x, &upward);
-    if (y == NULL)
-        f->status = STATUS_NO_MEMORY;
-    for (size_t k = 0; k < PLANE_RESTS_ALONE && y; k++)
-        for (int type = 0; type < PLANE_TYPES; type++)
-            if (find_states(s, k, type, y))
-                figure_add(f, &(struct figure_layer){
-                                  .kind = FIGURE_POINTS,
-                                  .style = { .role = FIGURE_SERIES_1 + type },
-                                  .entry = plane_type_names[type],
-                                  .x = a->value,
-                                  .y = y,
-                                  .count = s->points,
-                                  .size = 5,
-                                  .mark = FIGURE_DISC });
-    free(y);
 }
 
 void picture_sweep(const struct sweep *s, struct figure *f)
 {
-    if (s->scene->system && s->axes == 1)
-        draw_equilibria(s, f);
-    else if (s->axes == 1)
-        draw_curves(s, f);
-    else
-        draw_map(s, f);
+    (s->axes == 1 ? draw_key : draw_map)(s, f);
 }

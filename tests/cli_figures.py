@@ -285,6 +285,38 @@ def what_jumps_at_a_fold_is_drawn_as_a_jump(room):
     expect(before == above == 1 > below == behind, drawn)
 
 
+def what_does_not_exist_is_grey_and_in_the_legend(room):
+    """And curves end there: the saddle's is no level line to the fold."""
+    drawn = sweep(room, [0.28, 0.29, 0.3, 0.33, 0.38, 0.39], 'velocities',
+                  'knees')
+    grey = [{x for x, _ in rows} for what, rows in drawn
+            if what == 'region does not exist']
+    expect(grey == [{0.28, 0.295}, {0.385, 0.39}], grey)
+    for what, rows in drawn:
+        if what.startswith('curves'):
+            expect([x for x, _ in rows] == [0.3, 0.33, 0.38], what, rows)
+    expect('does not exist' in room.read('a.svg'), 'legend')
+    room.write('a.yaml', '''system:
+  state: {x: real, y: real}
+  parameters: {m_0: 0}
+  rates: {x: m_0 - x^2, y: 0 - y}
+window: {x: [-2, 2], y: [-1, 1]}
+sweep: {key: system.parameters.m_0, from: -1, to: 2, points: 7}
+''')
+    room.good('sweep', 'a.yaml', '-o', 'a.csv', '--figure', 'a.svg',
+              '--keep-script')
+    drawn = blocks(room, 'a.dat')
+    grey = [{x for x, _ in rows} for what, rows in drawn
+            if what == 'region does not exist']
+    expect(grey == [{-1, -0.25}], grey)
+    script = room.read('a.gp')
+    marks = {what: re.findall(rf'data index {k} with points pt (\d+)', script)[-1]
+             for k, (what, _) in enumerate(drawn) if what.startswith('points')}
+    expect(set(marks) == {'points saddle', 'points stable node',
+                          'points not hyperbolic'}, marks)
+    expect(len(set(marks.values())) == 2, marks)  # a circle is two discs
+
+
 def one_value_is_drawn_as_a_point(room):
     drawn = sweep(room, [0.34], 'velocities', 'knees')
     expect(len(drawn) > 3, drawn)
@@ -355,6 +387,7 @@ run_cases([
     the_power_series_is_drawn_told_and_stored,
     orbits_leave_no_hole_and_are_no_bunch,
     what_jumps_at_a_fold_is_drawn_as_a_jump,
+    what_does_not_exist_is_grey_and_in_the_legend,
     one_value_is_drawn_as_a_point,
     several_runs_differ_by_their_marks,
     a_kept_script_draws_the_figure_again,

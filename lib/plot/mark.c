@@ -30,6 +30,17 @@ void mark_number(char *out, size_t size, double x, int digits)
              power < 0 ? "\xe2\x88\x92" : "", abs(power));
 }
 
+void mark_name(char *out, size_t size, const char *name)
+{
+    const char *under = strchr(name, '_');
+
+    if (under && under > name && under[1])
+        snprintf(out, size, ITALIC("%.*s") SUB("%s"), (int) (under - name),
+                 name, under + 1);
+    else
+        snprintf(out, size, ITALIC("%s"), name);
+}
+
 void mark_plain(const char *text, char *out, size_t size)
 {
     size_t n = 0;

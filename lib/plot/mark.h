@@ -18,6 +18,9 @@ enum mark { MARK_ITALIC = 1, MARK_SUB, MARK_SUPER, MARK_END };
  * true minus, multiplication sign and superscript. */
 void mark_number(char *out, size_t size, double x, int digits);
 
+/* A variable's name: italic, what follows a _ below the line. */
+void mark_name(char *out, size_t size, const char *name);
+
 /* The text with its marks and what they raise or lower written plainly: mu_ss,
  * 10^-8. */
 void mark_plain(const char *text, char *out, size_t size);
