@@ -17,7 +17,7 @@ struct condition {
 
 static inline quad condition_of_mu(const struct setting *s, quad X, quad Y)
 {
-    const struct quad_anchor *at = &s->at;
+    const struct exact_anchor *at = &s->hand;
     const quad psi0 = law_psi_is_log(&s->law) ? at->psi0 : expq(at->y0);
     const quad psi = law_psi_is_log(&s->law) ? at->y0 + Y : expq(at->y0 + Y);
     const quad theta =
@@ -39,7 +39,7 @@ static inline quad condition_of_mu(const struct setting *s, quad X, quad Y)
 static inline quad condition_of_composite(const struct setting *s, quad X,
                                           quad Y, struct condition *c)
 {
-    const struct quad_anchor *at = &s->at;
+    const struct exact_anchor *at = &s->hand;
     const quad k = at->kappa0 * expq(X), z0 = at->x0 + at->y0, z = z0 + X + Y;
     const quad E = expq(-k - z), E0 = z0;
     const quad size = 1 + fabsq(X) + fabsq(Y) + fabsq(at->log_composite) +
@@ -54,7 +54,7 @@ static inline quad condition_of_composite(const struct setting *s, quad X,
 static inline quad condition_of_lag(const struct setting *s, quad X, quad Y,
                                     struct condition *c)
 {
-    const struct quad_anchor *at = &s->at;
+    const struct exact_anchor *at = &s->hand;
     const quad x = at->x0 + X, y = at->y0 + Y;
     const bool is_log = law_psi_is_log(&s->law);
     const bool ss_is_log = s->law.psi_ss == PSI_SS_MINUS_LOG;
@@ -87,7 +87,7 @@ static inline quad condition_of_lag(const struct setting *s, quad X, quad Y,
 static inline struct condition condition_at(const struct setting *s, quad X,
                                             quad Y, quad log_scale)
 {
-    const struct quad_anchor *at = &s->at;
+    const struct exact_anchor *at = &s->hand;
     const quad psi = law_psi_is_log(&s->law) ? at->y0 + Y : expq(at->y0 + Y);
     const quad force =
         fabsq(s->exact_tan - plain_mu(&s->law, &s->m, at->x0 + X, psi));

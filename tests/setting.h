@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "block.h"
+#include "exact_anchor.h"
 #include "laws.h"
 #include "quad_block.h"
 #include "tolerance.h"
@@ -19,6 +20,7 @@ struct setting {
     quad exact_tan; /* of which x is an exact equilibrium, if it is one */
     struct block b;
     struct quad_anchor at;
+    struct exact_anchor hand; /* the same point by hand */
 };
 
 /* The anchor must lie in the chart's domain. */
@@ -37,6 +39,7 @@ static inline bool set_anchor(struct setting *s, double x,
     block_init(&s->b, &s->law, &s->m, s->tan_alpha);
     block_anchor(&s->b, s->x, equilibrium);
     quad_block_anchor(&s->law, &s->m, s->exact_tan, s->x, equilibrium, &s->at);
+    s->hand = exact_anchor_at(&s->law, &s->m, s->exact_tan, s->x, equilibrium);
     return fabs(s->b.at.y0) < TOL_LN_RANGE || /* or friction of 1e30 */
            (law_psi_is_log(&s->law) && fabs(s->b.at.y0) < 1e30);
 }

@@ -24,14 +24,10 @@ bool formula_long_constants(const struct formula *f,
                             const struct formula_value leaf[],
                             const bool needed[], long double value[]);
 
-/* A leaf and, in order, all that changes with it and that n nodes need; their
- * number. */
-int formula_changing(const struct formula *f, int leaf, const int needed[],
-                     int n, short changing[]);
-/* Those again, no leaves among them, of the others' values. */
-void formula_again(const struct formula *f, const short changing[], int count,
+/* Some nodes again, no leaves among them, of the others' values. */
+void formula_again(const struct formula *f, const short node[], int count,
                    formula_real value[]);
-void formula_long_again(const struct formula *f, const short changing[],
-                        int count, long double value[]);
+void formula_long_again(const struct formula *f, const short node[], int count,
+                        long double value[]);
 
 #endif

@@ -79,6 +79,13 @@ static SCALAR KIND(node_value)(const struct formula_node *n,
     }
 }
 
+static void KIND(again)(const struct formula *f, const short node[], int count,
+                        SCALAR value[])
+{
+    for (int i = 0; i < count; i++)
+        value[node[i]] = KIND(node_value)(&f->node[node[i]], value);
+}
+
 /* Whether value[i] has lost more than eight bits that its arguments had: a sum
  * that cancels, a function that is small where its argument is not. */
 static bool KIND(loses)(const struct formula_node *n, const SCALAR value[],

@@ -16,9 +16,8 @@ bool formula_long_constants(const struct formula *f,
     return long_constants(f, leaf, needed, 0, value);
 }
 
-void formula_long_again(const struct formula *f, const short changing[],
-                        int count, long double value[])
+void formula_long_again(const struct formula *f, const short node[], int count,
+                        long double value[])
 {
-    for (int i = 0; i < count; i++)
-        value[changing[i]] = long_node_value(&f->node[changing[i]], value);
+    long_again(f, node, count, value);
 }

@@ -38,7 +38,7 @@ static SCALAR KIND(slope_of)(enum formula_function function, SCALAR u, SCALAR w)
 }
 
 /* c s, and 0 where s is, whatever c is. */
-static SCALAR KIND(times)(SCALAR c, SCALAR s)
+static SCALAR KIND(slope_by)(SCALAR c, SCALAR s)
 {
     return s == 0 ? 0 : c * s;
 }
@@ -50,35 +50,26 @@ static SCALAR KIND(slope_at)(const struct formula_node *n, SCALAR here,
     const SCALAR du = slope[n->of[0]], dw = slope[n->of[1]];
 
     switch (n->kind) {
+        case FORMULA_NUMBER:
+            return 0;
         case FORMULA_SUM:
             return du + dw;
         case FORMULA_TIMES:
-            return KIND(times)(w, du) + KIND(times)(u, dw);
+            return KIND(slope_by)(w, du) + KIND(slope_by)(u, dw);
         case FORMULA_OVER:
-            return KIND(times)(1 / w, du) - KIND(times)(here / w, dw);
+            return KIND(slope_by)(1 / w, du) - KIND(slope_by)(here / w, dw);
         default:
             if (n->function == FUNCTION_POWER)
-                return KIND(times)(w * FN(pow)(u, w - 1), du) +
-                       KIND(times)(here * FN(log)(u), dw);
-            return KIND(times)(KIND(slope_of)(n->function, u, here), du);
+                return KIND(slope_by)(w * FN(pow)(u, w - 1), du) +
+                       KIND(slope_by)(here * FN(log)(u), dw);
+            return KIND(slope_by)(KIND(slope_of)(n->function, u, here), du);
     }
 }
 
-static void KIND(slopes)(const struct formula *f, const SCALAR value[],
-                         int leaf, SCALAR slope[])
-{
-    for (int i = 0; i < f->nodes; i++) {
-        const struct formula_node *n = &f->node[i];
-        slope[i] = n->kind == FORMULA_NUMBER || n->kind == FORMULA_LEAF
-                       ? (SCALAR) (i == leaf)
-                       : KIND(slope_at)(n, value[i], value, slope);
-    }
-}
-
-static void KIND(slopes_again)(const struct formula *f, const short changing[],
-                               int count, const SCALAR value[], SCALAR slope[])
+void KIND(slopes)(const struct formula *f, const short node[], int count,
+                  const SCALAR value[], SCALAR slope[])
 {
     for (int i = 0; i < count; i++)
-        slope[changing[i]] = KIND(slope_at)(&f->node[changing[i]],
-                                            value[changing[i]], value, slope);
+        slope[node[i]] =
+            KIND(slope_at)(&f->node[node[i]], value[node[i]], value, slope);
 }

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "law_curve.h"
+#include "law_typed.h"
 #include "quasistatic_typed.h"
 #include "tolerance.h"
 
@@ -144,25 +144,12 @@ double block_mu(const struct block *b, struct vec2 z)
     return tape_value(&b->plane, z);
 }
 
-/* v^-1, 1/(1/R + v) or -ln v; that of kato_tullis falls less steeply than
- * v^-1. */
 double block_psi_slope(const struct block *b)
 {
-    struct typed_curve c;
+    struct law_long p;
 
-    if (b->law.typed) {
-        law_curve_init(&c, &b->law, &b->material);
-        return (double) fabsl(law_curve_slopes(&c, b->x).psi);
-    }
-    switch (b->law.psi_ss) {
-        case PSI_SS_MINUS_LOG:
-            return 1.0;
-        case PSI_SS_SPINODAL:
-        case PSI_SS_SPINODAL_UNIT:
-            return fabs(b->at.psi0) * b->at.steady_r;
-        default:
-            return fabs(b->at.psi0);
-    }
+    law_long_init(&p, &b->law, &b->material, 0);
+    return (double) fabsl(law_long_along(&p, b->x, LAW_AT_PSI));
 }
 
 double block_energy_defect(const struct block *b, double v0, double v1,

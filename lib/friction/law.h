@@ -90,6 +90,19 @@ struct law {
 
 struct law_typed; /* law_typed.h */
 
+/* Which composition it is, from 0 on. */
+enum {
+    LAW_COMPOSITIONS =
+        FRICTION_FORMS * THETAS * PSI_SSES * TIMESCALES * KINETICSES
+};
+static inline size_t law_composition(const struct law *law)
+{
+    size_t i = (size_t) law->form * THETAS + law->theta;
+
+    i = i * PSI_SSES + law->psi_ss;
+    return (i * TIMESCALES + law->timescale) * KINETICSES + law->kinetics;
+}
+
 /* A law's formulas, in the order in which each may use those before it. */
 enum law_part {
     LAW_THETA,

@@ -5,21 +5,25 @@
 #include <math.h>
 
 #include "friction_tolerance.h"
-#include "law_curve.h"
+#include "law_typed.h"
 #include "newton.h"
 #include "quad.h"
 #include "tolerance.h"
 
-static bool is_there(struct typed_curve *c, long double x)
-{
-    const struct typed_steady s = law_curve_at(c, x);
+/* A law and a material in both kinds of numbers. */
+struct curve {
+    struct law_long rough;
+    struct law_quad fine;
+};
 
-    return isfinite(s.y) && isfinite(s.mu);
+static bool is_there(struct curve *c, long double x)
+{
+    return isfinite(law_long_steady(&c->rough, x, LAW_AT_Y)) &&
+           isfinite(law_long_steady(&c->rough, x, LAW_AT_MU));
 }
 
 /* The last x from `in`, where mu_ss is, towards `out`. */
-static long double last_there(struct typed_curve *c, long double in,
-                              long double out)
+static long double last_there(struct curve *c, long double in, long double out)
 {
     if (is_there(c, out))
         return out;
@@ -30,7 +34,7 @@ static long double last_there(struct typed_curve *c, long double in,
     return in;
 }
 
-static void range(struct typed_curve *c, long double *lo, long double *hi)
+static void range(struct curve *c, long double *lo, long double *hi)
 {
     const long double far = (long double) TOL_LN_RANGE;
     long double in = 0;
@@ -52,16 +56,21 @@ static void range(struct typed_curve *c, long double *lo, long double *hi)
 void law_typed_range(const struct law *law, const struct material *m,
                      long double *lo, long double *hi)
 {
-    struct typed_curve c;
+    struct curve c;
 
-    law_curve_init(&c, law, m);
+    law_long_init(&c.rough, law, m, 0);
     range(&c, lo, hi);
 }
 
 /* d mu_ss/dx, soon */
-static long double rough(struct typed_curve *c, long double x)
+static long double rough(struct curve *c, long double x)
 {
-    return law_curve_slopes(c, x).mu;
+    return law_long_along(&c->rough, x, LAW_AT_MU);
+}
+
+static quad fine(struct curve *c, long double x)
+{
+    return law_quad_along(&c->fine, x, LAW_AT_MU);
 }
 
 /* -1, 1, or 0 where it is none to all digits */
@@ -73,7 +82,7 @@ static int sign_of(quad slope)
 }
 
 struct extrema {
-    struct typed_curve *c;
+    struct curve *c;
     long double *x;
     size_t n;
 };
@@ -82,8 +91,8 @@ struct extrema {
 static bool turns(struct extrema *e, long double lo, long double hi,
                   quad *at_lo, quad *at_hi)
 {
-    *at_lo = law_curve_slope(e->c, lo);
-    *at_hi = law_curve_slope(e->c, hi);
+    *at_lo = fine(e->c, lo);
+    *at_hi = fine(e->c, hi);
     return sign_of(*at_lo) * sign_of(*at_hi) < 0;
 }
 
@@ -126,7 +135,7 @@ static void between(struct extrema *e, long double lo, long double hi)
          i++) {
         before = x;
         x = hi - (long double) (at_hi / (at_hi - at_lo)) * (hi - lo);
-        const quad at_x = law_curve_slope(e->c, x);
+        const quad at_x = fine(e->c, x);
         if ((at_x > 0) == (at_hi > 0)) {
             at_lo /= 2;
         } else {
@@ -153,7 +162,7 @@ static bool dips(const struct extrema *e, long double lo, long double hi,
             lo = s;
     }
     *at = (lo + hi) / 2;
-    return sign_of(law_curve_slope(e->c, *at)) == (rises ? -1 : 1);
+    return sign_of(fine(e->c, *at)) == (rises ? -1 : 1);
 }
 
 /* In steps of at most an e-fold from lo to hi. */
@@ -192,13 +201,14 @@ static bool bends(const long double mu[3])
 size_t law_typed_extrema(const struct law *law, const struct material *m,
                          long double x[4])
 {
-    struct typed_curve c;
+    struct curve c;
     enum { STEP = 3 };
     const long double edge = (long double) TOL_EXTREMUM_ROOM;
     struct extrema e = { &c, x, 0 };
     long double lo, hi, done, from = NAN, mu[3] = { 0, 0, 0 };
 
-    law_curve_init(&c, law, m);
+    law_long_init(&c.rough, law, m, 0);
+    law_quad_init(&c.fine, law, m, 0);
     range(&c, &lo, &hi);
     done = lo + edge;
     const int steps = (int) ((hi - lo) / STEP);
@@ -206,7 +216,7 @@ size_t law_typed_extrema(const struct law *law, const struct material *m,
         const long double here = lo + STEP * i;
         mu[0] = mu[1];
         mu[1] = mu[2];
-        mu[2] = law_curve_at(&c, here).mu;
+        mu[2] = law_long_steady(&c.rough, here, LAW_AT_MU);
         const bool bent = i > 1 && bends(mu);
         if (bent && isnan(from))
             from = fmaxl(done, here - 3 * STEP);

@@ -5,55 +5,22 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "newton.h"
 #include "quad.h"
-#include "slope.h"
 #include "tolerance.h"
 
 struct at {
-    const struct law_typed *t;
-    struct formula_value leaf[LAW_VALUES];
+    struct law_long *p;
+    long double x;
 };
-
-static void place(struct at *at, const struct law *law,
-                  const struct material *m, formula_real x)
-{
-    at->t = law->typed;
-    law_values(law, m, 0, x, 0, at->leaf);
-}
 
 /* dpsi/dt at y */
 static long double rate(const void *ctx, long double y)
 {
     const struct at *at = ctx;
-    struct formula_value leaf[LAW_VALUES];
-    long double value[FORMULA_NODES];
 
-    memcpy(leaf, at->leaf, sizeof leaf);
-    leaf[LAW_Y0].value = y;
-    formula_long_constants(&at->t->growth, leaf, NULL, value);
-    return value[at->t->rate];
-}
-
-/* A step of Newton's in 113 bits; 0 where the rate does not fall. */
-static quad newton_step(const struct at *at, quad y)
-{
-    const struct formula *f = &at->t->growth;
-    struct formula_value leaf[LAW_VALUES];
-    quad value[FORMULA_NODES], slope[FORMULA_NODES];
-
-    memcpy(leaf, at->leaf, sizeof leaf);
-    leaf[LAW_Y0].value = y;
-    formula_constants(f, leaf, NULL, 0, value);
-    formula_slopes(f, value, formula_find(f, "y0", 2), slope);
-    return slope[at->t->rate] < 0 ? value[at->t->rate] / slope[at->t->rate] : 0;
-}
-
-static bool is_root(const struct law *law)
-{
-    return law->typed && law->typed->text[LAW_PSI_SS][0] == '\0';
+    return law_long_at(at->p, at->x, y, LAW_AT_GROWTH);
 }
 
 static long double find(const struct at *at, long double guess)
@@ -82,28 +49,23 @@ static long double find(const struct at *at, long double guess)
     return (long double) NAN;
 }
 
-long double law_root(const struct law *law, const struct material *m,
-                     long double x)
+long double law_root(struct law_long *p, long double x)
 {
-    struct at at;
-
-    if (!is_root(law))
-        return 0;
-    place(&at, law, m, x);
-    return find(&at, -x);
+    return find(&(struct at){ p, x }, -x);
 }
 
-formula_real law_root_quad(const struct law *law, const struct material *m,
-                           formula_real x)
+/* Steps of Newton's, as far as the rate falls. */
+formula_real law_root_quad(struct law_quad *p, formula_real x)
 {
-    struct at at;
+    struct law_long start;
 
-    if (!is_root(law))
-        return 0;
-    place(&at, law, m, x);
-    quad y = find(&at, (long double) -x);
-    for (int i = 0; i < 3; i++)
-        y -= newton_step(&at, y);
+    law_long_init(&start, p->law, p->m, 0);
+    quad y = law_root(&start, (long double) x);
+    for (int i = 0; i < 3; i++) {
+        const quad off = law_quad_at(p, x, y, LAW_AT_GROWTH);
+        const quad slope = law_quad_by(p, LAW_AT_GROWTH, p->g->y);
+        y -= slope < 0 ? off / slope : 0;
+    }
     return y;
 }
 
@@ -119,14 +81,13 @@ static enum status refuse(struct fault *why, const char *what, long double x)
 }
 
 /* Signs of the rate from far below to far above psi = 1/v: what turns where. */
-static enum status check_at(const struct at *at, long double x, bool *found,
-                            struct fault *why)
+static enum status check_at(const struct at *at, bool *found, struct fault *why)
 {
     enum { FAR = 40 };
     int falls = 0, rises = 0, sign = 0;
 
     for (int i = -FAR; i <= FAR; i++) {
-        const long double here = rate(at, -x + i + 0.0625L);
+        const long double here = rate(at, -at->x + i + 0.0625L);
         const int now = (here > 0) - (here < 0);
         falls += sign > 0 && now < 0;
         rises += sign < 0 && now > 0;
@@ -134,9 +95,9 @@ static enum status check_at(const struct at *at, long double x, bool *found,
     }
     *found = *found || falls;
     if (falls > 1)
-        return refuse(why, "it is 0 at several psi", x);
+        return refuse(why, "it is 0 at several psi", at->x);
     if (falls == 0 && rises > 0)
-        return refuse(why, "psi leaves where it is 0", x);
+        return refuse(why, "psi leaves where it is 0", at->x);
     return STATUS_OK;
 }
 
@@ -146,13 +107,12 @@ enum status law_root_check(const struct law *law, const struct material *m,
     enum { FAR = 40, STEP = 4 };
     enum status s = STATUS_OK;
     bool found = false;
-    struct at at;
+    struct law_long p;
 
-    for (int x = -FAR; x <= FAR && s == STATUS_OK && is_root(law); x += STEP) {
-        place(&at, law, m, x);
-        s = check_at(&at, x, &found, why);
-    }
-    if (s == STATUS_OK && is_root(law) && !found)
-        return refuse(why, "it is 0 at no psi", 0);
-    return s;
+    if (law_text(law, LAW_PSI_SS))
+        return STATUS_OK;
+    law_long_init(&p, law, m, 0);
+    for (int x = -FAR; x <= FAR && s == STATUS_OK; x += STEP)
+        s = check_at(&(struct at){ &p, x }, &found, why);
+    return s == STATUS_OK && !found ? refuse(why, "it is 0 at no psi", 0) : s;
 }

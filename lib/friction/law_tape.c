@@ -18,16 +18,10 @@ static const struct {
     const char *name;
     bool positive;
 } model[] = {
-    { "tan_alpha", true },
-    { "mu_star", false },
-    { "a", true },
-    { "b", true },
-    { "c", true },
-    { "R", true },
-    { "V_c", true },
-    { "eps2", true },
-    [LAW_LNV0] = { "lnv0", false },
-    [LAW_Y0] = { "y0", false },
+    { "tan_alpha", true }, { "mu_star", false }, { "a", true },
+    { "b", true },         { "c", true },        { "R", true },
+    { "V_c", true },       { "eps2", true },     { "lnv0", false },
+    { "y0", false },
 };
 enum { MODEL = sizeof model / sizeof *model };
 _Static_assert(MODEL + LAW_OWNS + 1 == LAW_VALUES, "one value a name");
@@ -53,9 +47,7 @@ void law_values(const struct law *law, const struct material *m,
                 struct formula_value out[LAW_VALUES])
 {
     const quad V = m->V_star, gL = (quad) m->g * (quad) m->L;
-    /* as good as infinite beside any v >= 1e-300, and not too large for 113
-     * bits */
-    const quad R = isinf(m->R) ? (quad) 1e4000L : m->R;
+    const quad R = isinf(m->R) ? (quad) LAW_R_INFINITE : m->R;
     const quad value[MODEL] = {
         tan_alpha, m->mu_star, m->a, m->b, m->c, R, m->V_c, V * V / gL, x, y,
     };
@@ -193,22 +185,13 @@ enum status law_tape_observed(const struct law *law, bool equilibrium,
 
 /* ---- kept ---------------------------------------------------------------- */
 
-typedef _Atomic(struct tape_lowered *) kept_tape;
-
-static kept_tape *place_of(const struct law *law, bool equilibrium)
-{
-    static kept_tape kept[FRICTION_FORMS][THETAS][PSI_SSES][TIMESCALES]
-                         [KINETICSES][2];
-
-    return &kept[law->form][law->theta][law->psi_ss][law->timescale]
-                [law->kinetics][equilibrium];
-}
-
 const struct tape_lowered *law_tape_kept(const struct law *law,
                                          bool equilibrium,
                                          struct tape_lowered *room)
 {
-    kept_tape *place = place_of(law, equilibrium);
+    static _Atomic(struct tape_lowered *) kept[LAW_COMPOSITIONS][2];
+    _Atomic(struct tape_lowered *) *place =
+        &kept[law_composition(law)][equilibrium];
     struct tape_lowered *there = atomic_load(place), *made;
 
     if (law->typed)

@@ -12,8 +12,9 @@
 
 enum { LAW_VALUES = 27 };
 
-/* Two of their values. */
-enum { LAW_LNV0 = 8, LAW_Y0 = 9 };
+/* R = inf: as good as that beside any v >= 1e-300, and not too large for 113
+ * bits. */
+#define LAW_R_INFINITE 1e4000L
 
 /* A new graph of them. */
 void law_names(const struct law *law, struct formula *f);

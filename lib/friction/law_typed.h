@@ -7,8 +7,8 @@
 #ifndef FRICTION_LAW_TYPED_H
 #define FRICTION_LAW_TYPED_H
 
+#include "law_graph.h"
 #include "law_tape.h"
-#include "response.h"
 
 enum { LAW_LETTERS = 512 };
 
@@ -30,12 +30,7 @@ struct law_typed {
     int sweeps;
 
     struct tape_lowered tape[2]; /* where v changes, and from an equilibrium */
-    struct formula steady;       /* of lnv0 and y0, and what it gives: */
-    int y, psi, mu;
-    struct formula plain; /* the same, at any state, and what it gives: */
-    int theta, psi_rate, chart_rate[2]; /* theta 0: there is none */
-    struct formula growth; /* the same, where there is a rate alone: */
-    int rate;              /* dpsi/dt anywhere */
+    struct law_graph graph;
 };
 
 /* Makes the rest.  STATUS_BAD_SCENE with a reason where a part, *wrong, cannot
@@ -54,20 +49,6 @@ void law_typed_of_preset(const struct law *preset, struct law_typed *out);
 
 /* ---- for this folder ----------------------------------------------------- */
 
-struct typed_steady {
-    long double y, psi, mu; /* chart's y, psi_ss and mu_ss at x = ln v */
-};
-struct typed_steady law_typed_steady(const struct law *law,
-                                     const struct material *m, long double x);
-
-/* The same in 113 bits. */
-struct typed_steady_quad {
-    formula_real y, psi, mu;
-};
-struct typed_steady_quad law_typed_steady_quad(const struct law *law,
-                                               const struct material *m,
-                                               formula_real x);
-
 /* Extrema of mu_ss, ascending, at most 4. */
 size_t law_typed_extrema(const struct law *law, const struct material *m,
                          long double x[4]);
@@ -75,10 +56,6 @@ size_t law_typed_extrema(const struct law *law, const struct material *m,
 /* The largest range of x around the middle in which psi_ss and mu_ss are. */
 void law_typed_range(const struct law *law, const struct material *m,
                      long double *lo, long double *hi);
-
-/* As response_at. */
-struct response law_typed_response(const struct law *law,
-                                   const struct material *m, long double x);
 
 /* Whether a name of the model or of its own can change anything. */
 bool law_typed_uses(const struct law_typed *t, const char *name);

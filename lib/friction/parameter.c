@@ -8,10 +8,9 @@
 #include "parameter.h"
 
 #include <math.h>
+#include <string.h>
 
-#include "law_plain.h"
-
-#include "steady.h"
+#include "law_graph.h"
 
 #define SCALAR double
 #define FN(f)  f
@@ -166,14 +165,21 @@ static void typed_field(const struct block *b, struct vec2 z,
     };
     const long double less = expl(-(long double) f->log_scale);
 
+    const long double x = b->x + (long double) z.x,
+                      y = b->y + (long double) z.y;
+    struct law_long at;
+
+    law_long_init(&at, &b->law, &b->material, b->tan_alpha);
+    (void) law_long_at(&at, x, y, LAW_AT_DX);
+    (void) law_long_at(&at, x, y, LAW_AT_DY);
     for (int p = 0; p < PARAMETERS; p++) {
-        const struct law_plain_slope at = law_plain_slope(
-            &b->law, &b->material, b->tan_alpha, b->x + (long double) z.x,
-            b->y + (long double) z.y, name[p]);
+        const int leaf = formula_find(&at.g->f, name[p], strlen(name[p]));
         const long double unit =
             less * (p == PARAMETER_ALPHA ? 1 + b->tan_alpha * b->tan_alpha : 1);
-        out[p] = (struct vec2){ (double) (at.slope[0] * unit),
-                                (double) (at.slope[1] * unit) };
+        out[p] = (struct vec2){
+            (double) (law_long_by(&at, LAW_AT_DX, leaf) * unit),
+            (double) (law_long_by(&at, LAW_AT_DY, leaf) * unit),
+        };
     }
 }
 

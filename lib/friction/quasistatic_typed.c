@@ -303,7 +303,7 @@ static long double last_friction(const struct block *b)
     const bool is_low = b->steady.lo <= -(long double) TOL_LN_RANGE;
     const long double x =
         b->steady.lo + (is_low ? 0 : (long double) TOL_EXTREMUM_ROOM);
-    const long double mu = law_typed_steady(&b->law, &b->material, x).mu;
+    const long double mu = steady_mu(&b->law, &b->material, x);
 
     return is_low || mu > (long double) TOL_FRICTION_MOST ? mu
                                                           : (long double) NAN;

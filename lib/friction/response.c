@@ -1,95 +1,37 @@
-/* With f = d mu/d mu_log (1 in the log form (2)):
- *     direct = f a,   slope = f (a + b theta'(psi_ss) d psi_ss/d ln v).
- * Both kinetics have K'(0) = 1, so rate = 1/T(v); that of Kato & Tullis (2001)
- * is v (1 + ln(v psi)) where v psi ln(v psi) = exp(-v/V_c). */
 #include "response.h"
 
 #include <float.h>
 #include <math.h>
 
-#include "law_typed.h"
-#include "steady.h"
+#include "law_graph.h"
 
-#define SCALAR long double
-#define FN(f)  f##l
-#include "scalar.h"
-
-/* ln(v psi_ss) of Kato & Tullis: W(exp(-v/V_c)), which is exp(-v/V_c) where
- * that is small. */
-static long double composite(const struct law *law, const struct material *m,
-                             long double x)
-{
-    const long double k = expl(x) / (long double) m->V_c;
-    return k > 50 ? expl(-k) : steady_y(law, m, x) + x;
-}
-
-/* d psi_ss/d ln v */
-static long double state_slope(const struct law *law, const struct material *m,
+/* Of a law of formulas, which may cancel as they like, in 113 bits. */
+static long double typed_slope(const struct law *law, const struct material *m,
                                long double x)
 {
-    const long double psi = steady_psi(law, m, x), v = expl(x);
+    struct law_quad p;
 
-    switch (law->psi_ss) {
-        case PSI_SS_INVERSE:
-            return -psi;
-        case PSI_SS_MINUS_LOG:
-            return -1;
-        case PSI_SS_LAMBERT: {
-            const long double u = composite(law, m, x);
-            return -psi * (1 + v / (long double) m->V_c * u / (1 + u));
-        }
-        default:
-            return -psi * v / (1 / (long double) m->R + v);
-    }
-}
-
-/* theta'(psi_ss) */
-static long double theta_slope(const struct law *law, const struct material *m,
-                               long double x)
-{
-    const long double psi = steady_psi(law, m, x), c = (long double) m->c;
-
-    switch (law->theta) {
-        case THETA_LN_PSI:
-            return 1 / psi;
-        case THETA_PSI:
-            return 1;
-        case THETA_LN_C_PSI:
-            return 1 / (c + psi);
-        default:
-            return 1 / (c / (1 + (long double) m->R) + psi);
-    }
-}
-
-/* ln of the rate. */
-static long double log_rate(const struct law *law, const struct material *m,
-                            long double x)
-{
-    if (law->kinetics == KINETICS_COMPOSITE)
-        return x + log1pl(composite(law, m, x));
-    return steady_log_rate(law, m, x) -
-           (law_freezes(law) ? steady_psi(law, m, x) : 0);
+    law_quad_init(&p, law, m, 0);
+    return (long double) law_quad_along(&p, x, LAW_AT_MU);
 }
 
 struct response response_at(const struct law *law, const struct material *m,
                             long double x)
 {
-    if (law->typed)
-        return law_typed_response(law, m, x);
-    const long double a = (long double) m->a;
-    const long double f =
-        law->form == FRICTION_LOG
-            ? 1
-            : scalar_friction_slope(steady_mu_log(law, m, x) / a);
-    const long double rate = log_rate(law, m, x);
-    const long double evolution =
-        (long double) m->b * theta_slope(law, m, x) * state_slope(law, m, x);
+    struct law_long p;
+
+    law_long_init(&p, law, m, 0);
+    const long double slope = law_long_along(&p, x, LAW_AT_MU);
+    const long double direct = law_long_by(&p, LAW_AT_MU, p.g->x);
+    (void) law_long_steady(&p, x, LAW_AT_GROWTH);
+    const long double unit = law_psi_is_log(law) ? 1 : p.value[p.g->psi];
+    const long double rate = -law_long_by(&p, LAW_AT_GROWTH, p.g->y) / unit;
 
     return (struct response){
-        .slope = f * (a + evolution),
-        .direct = f * a,
-        .rate = expl(rate),
-        .slope_error = 16 * LDBL_EPSILON * f * (a + fabsl(evolution)),
-        .rate_error = 8 * LDBL_EPSILON * (1 + fabsl(x) + fabsl(rate)),
+        .slope = law->typed ? typed_slope(law, m, x) : slope,
+        .direct = direct,
+        .rate = rate,
+        .slope_error = 16 * LDBL_EPSILON * (direct + fabsl(slope - direct)),
+        .rate_error = 8 * LDBL_EPSILON * (1 + fabsl(x) + fabsl(logl(rate))),
     };
 }

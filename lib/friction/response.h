@@ -1,7 +1,7 @@
 /*
  * response.h -- how friction answers to a small change of slip rate about
- * steady sliding, in closed form and in long double: near an extremum of mu_ss
- * every digit counts.
+ * steady sliding, from the law's formulas and in long double: near an extremum
+ * of mu_ss every digit counts.
  */
 #ifndef FRICTION_RESPONSE_H
 #define FRICTION_RESPONSE_H

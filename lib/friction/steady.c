@@ -1,59 +1,94 @@
-/* Steady states in long double, from the formulas of steady_formula.h.  The
- * extrema of mu_ss are those of mu_log (mu is an increasing function of it);
- * with v as unknown d mu_log/dx = 0 is a quadratic for every composition. */
+/* Steady states in long double, from the law's formulas.  The extrema of mu_ss
+ * are those of mu_log (mu is an increasing function of it); with v as unknown
+ * d mu_log/dx = 0 is a quadratic for every composition. */
 #include "steady.h"
 
 #include <math.h>
 
-#include "law_root.h"
+#include "law_graph.h"
 #include "law_typed.h"
 
-#define T       long double
-#define NAME(f) ld_##f
-#define FN(f)   f##l
-#define REAL(f) scalar_##f
-#define SCALAR  long double
+#define FN(f)  f##l
+#define SCALAR long double
 #include "scalar.h"
-struct ld_anchor {
-    ANCHOR_MEMBERS(long double)
-};
-#include "steady_formula.h"
+
+static long double steady(const struct law *law, const struct material *m,
+                          long double x, enum law_number what)
+{
+    struct law_long p;
+
+    law_long_init(&p, law, m, 0);
+    return law_long_steady(&p, x, what);
+}
 
 long double steady_mu(const struct law *law, const struct material *m,
                       long double x)
 {
-    return law->typed ? law_typed_steady(law, m, x).mu : ld_mu_ss(law, m, x);
+    return steady(law, m, x, LAW_AT_MU);
 }
 
 long double steady_mu_log(const struct law *law, const struct material *m,
                           long double x)
 {
-    return law->typed ? law_typed_steady(law, m, x).mu
-                      : ld_mu_log_ss(law, m, x);
+    return steady(law, m, x, LAW_AT_MU_LOG);
 }
 
 long double steady_y(const struct law *law, const struct material *m,
                      long double x)
 {
-    return law->typed ? law_typed_steady(law, m, x).y : ld_y_ss(law, m, x);
+    return steady(law, m, x, LAW_AT_Y);
 }
 
 long double steady_psi(const struct law *law, const struct material *m,
                        long double x)
 {
-    return law->typed ? law_typed_steady(law, m, x).psi : ld_psi_ss(law, m, x);
+    return steady(law, m, x, LAW_AT_PSI);
+}
+
+/* 1/R, and c as it stands beside psi: c, or c/(1 + R). */
+static long double inverse_R(const struct material *m)
+{
+    return 1 / (long double) m->R;
+}
+
+static long double offset(const struct law *law, const struct material *m)
+{
+    switch (law->theta) {
+        case THETA_LN_C_PSI:
+            return (long double) m->c;
+        case THETA_LN_C_1PR_PSI:
+            return (long double) m->c / (1 + (long double) m->R);
+        default:
+            return 0;
+    }
 }
 
 long double steady_log_rate(const struct law *law, const struct material *m,
                             long double x)
 {
-    return ld_log_rate(law, m, x);
+    const struct timescale_terms *t = law_timescale(law);
+    const long double r = inverse_R(m);
+    long double sum = t->ln_r ? t->ln_r * logl(r) : 0;
+
+    if (t->ln_v)
+        sum += t->ln_v * x;
+    if (t->ln_r_plus_v)
+        sum += t->ln_r_plus_v * logl(r + expl(x));
+    if (t->ln_psi_ss)
+        sum += t->ln_psi_ss * logl(steady_psi(law, m, x));
+    if (t->psi_ss && !law_freezes(law))
+        sum += t->psi_ss * steady_psi(law, m, x);
+    return sum;
 }
 
+/* tan(alpha) + a ln(1 - exp(-2 tan(alpha)/a)), from (4a) */
 long double steady_tau(const struct law *law, const struct material *m,
                        long double tan_alpha)
 {
-    return law->typed ? tan_alpha : ld_tau(law, m, tan_alpha);
+    const long double a = (long double) m->a;
+    const bool bent = law->form == FRICTION_ASINH && !law_text(law, LAW_MU);
+
+    return bent ? tan_alpha + a * logl(-expm1l(-2 * tan_alpha / a)) : tan_alpha;
 }
 
 long double steady_x_max(const struct law *law)
@@ -153,7 +188,7 @@ size_t steady_extrema(const struct law *law, const struct material *m,
     if (law->typed)
         return law_typed_extrema(law, m, x);
     const long double a = (long double) m->a, b = (long double) m->b;
-    const long double r = ld_inverse_R(m), c = ld_offset(law, m);
+    const long double r = inverse_R(m), c = offset(law, m);
     const long double top = law->psi_ss == PSI_SS_SPINODAL ? 1 + r : r;
 
     if (law->psi_ss == PSI_SS_LAMBERT)
@@ -179,88 +214,69 @@ size_t steady_extrema(const struct law *law, const struct material *m,
     }
 }
 
-/* As far as a law of formulas has them: w0 is that of a friction of this
- * size, and the rest is in its tape. */
-static void typed_anchor(const struct law *law, const struct material *m,
-                         long double tan_alpha, long double x, bool equilibrium,
-                         struct anchor *at)
-{
-    const struct typed_steady s = law_typed_steady(law, m, x);
-    const long double eps2 = ld_eps2(m);
-
-    *at = (struct anchor){
-        .x0 = (double) x,
-        .y0 = (double) s.y,
-        .v0 = (double) expl(x),
-        .psi0 = (double) s.psi,
-        .log_psi0 = (double) logl(fabsl(s.psi)),
-        .mu0 = (double) (equilibrium ? tan_alpha : s.mu),
-        .force0 = equilibrium ? 0.0 : (double) (tan_alpha - s.mu),
-        .a = m->a,
-        .b = m->b,
-        .log_inertia =
-            (double) (-logl(eps2) - log1pl(tan_alpha * tan_alpha) / 2 - x),
-        .kept = 1.0,
-        .w0 = (double) logl(s.mu / (long double) m->a),
-    };
-}
-
-/* What is left of p when a double holds it. */
-static long double remainder_of(long double p)
-{
-    return p - (long double) (double) p;
-}
-
+/* w0 of a law of formulas is that of a friction of this size. */
 void steady_anchor(const struct law *law, const struct material *m,
                    long double tan_alpha, long double x, bool equilibrium,
                    struct anchor *at)
 {
-    struct ld_anchor p;
+    struct law_long p;
 
-    if (law->typed) {
-        typed_anchor(law, m, tan_alpha, x, equilibrium, at);
-        return;
-    }
-    ld_anchor(law, m, tan_alpha, x, equilibrium, &p);
+    law_long_init(&p, law, m, tan_alpha);
+    const long double y = law_long_steady(&p, x, LAW_AT_Y),
+                      psi = law_long_steady(&p, x, LAW_AT_PSI),
+                      mu_ss = law_long_steady(&p, x, LAW_AT_MU),
+                      mu_log = law_long_steady(&p, x, LAW_AT_MU_LOG),
+                      mu = equilibrium ? tan_alpha : mu_ss;
+    const long double a = (long double) m->a, v = expl(x), r = inverse_R(m),
+                      c = offset(law, m), kappa = v / (long double) m->V_c;
+    const long double V = m->V_star, gL = (long double) m->g * m->L;
+
     *at = (struct anchor){
-        .x0 = (double) p.x0,
-        .y0 = (double) p.y0,
-        .v0 = (double) p.v0,
-        .psi0 = (double) p.psi0,
-        .log_psi0 = (double) p.log_psi0,
-        .mu0 = (double) p.mu0,
-        .force0 = (double) p.force0,
-        .a = (double) p.a,
-        .b = (double) p.b,
-        .theta_r = (double) p.theta_r,
-        .theta_s = (double) p.theta_s,
-        .steady_r = (double) p.steady_r,
-        .steady_s = (double) p.steady_s,
-        .log_inertia = (double) p.log_inertia,
-        .log_rate = (double) p.log_rate,
-        .kept = (double) expl(remainder_of(p.log_inertia) -
-                              remainder_of(p.log_rate)),
-        .w0 = (double) p.w0,
-        .q0 = (double) p.q0,
-        .kappa0 = (double) p.kappa0,
-        .log_kappa0 = (double) p.log_kappa0,
-        .log_composite = (double) p.log_composite,
+        .x0 = (double) x,
+        .y0 = (double) y,
+        .v0 = (double) v,
+        .psi0 = (double) psi,
+        .log_psi0 = (double) (law_psi_is_log(law) ? logl(fabsl(psi)) : y),
+        .mu0 = (double) mu,
+        .force0 = (double) (tan_alpha - mu),
+        .a = m->a,
+        .b = m->b,
+        .theta_r = (double) (c > 0 ? psi / (c + psi) : 1),
+        .theta_s = (double) (c > 0 ? c / (c + psi) : 0),
+        .steady_r = (double) (v / (r + v)),
+        .steady_s = (double) (r / (r + v)),
+        .log_inertia = (double) (-logl(V * V / gL) -
+                                 log1pl(tan_alpha * tan_alpha) / 2 - x),
+        .log_rate = (double) (steady_log_rate(law, m, x) -
+                              (law_psi_is_log(law) ? 0 : y)),
+        .w0 = (double) (law_text(law, LAW_MU) ? logl(mu_ss / a) : mu_log / a),
+        .kappa0 = (double) kappa,
+        .log_composite = (double) (-kappa - x - y),
     };
+}
+
+/* A root in 113 bits, for the tape's constants are made of it. */
+static formula_real place(const struct law *law, const struct material *m,
+                          long double x)
+{
+    struct law_quad p;
+
+    if (law_text(law, LAW_PSI_SS))
+        return steady_y(law, m, x);
+    law_quad_init(&p, law, m, 0);
+    return law_quad_steady(&p, x, LAW_AT_Y);
 }
 
 bool steady_plane(const struct law *law, const struct material *m,
                   long double tan_alpha, long double x, bool equilibrium,
                   struct tape_plane *plane)
 {
-    const formula_real root = law_root_quad(law, m, x);
-    const formula_real anchor[2] = { x, law_text(law, LAW_PSI_SS)
-                                            ? steady_y(law, m, x)
-                                            : root };
     struct formula_value leaf[LAW_VALUES];
     struct tape_lowered room;
     struct fault why;
+    const formula_real y = place(law, m, x);
 
-    law_values(law, m, tan_alpha, x, root, leaf);
-    return tape_plane_at(law_tape_kept(law, equilibrium, &room), leaf, anchor,
-                         plane, &why) == STATUS_OK;
+    law_values(law, m, tan_alpha, x, y, leaf);
+    return tape_plane_at(law_tape_kept(law, equilibrium, &room), leaf,
+                         (formula_real[]){ x, y }, plane, &why) == STATUS_OK;
 }

@@ -1,66 +1,45 @@
-/* Steady states from steady_formula.h, the field from the law's formulas. */
+/* Steady states and the field from the law's formulas. */
 #include "quad_block.h"
 
 #include <assert.h>
 
+#include "law_graph.h"
 #include "law_tape.h"
-#include "law_typed.h"
 
-#define T       quad
-#define NAME(f) quad_##f
-#define FN(f)   f##q
-#define REAL(f) scalar_##f
-#define SCALAR  quad
+#define FN(f)  f##q
+#define SCALAR quad
 #include "scalar.h"
-#include "steady_formula.h"
+
+static quad steady(const struct law *law, const struct material *m, quad x,
+                   enum law_number what)
+{
+    struct law_quad p;
+
+    law_quad_init(&p, law, m, 0);
+    return law_quad_steady(&p, x, what);
+}
 
 quad quad_block_mu_ss(const struct law *law, const struct material *m, quad x)
 {
-    return law->typed ? law_typed_steady_quad(law, m, x).mu
-                      : quad_mu_ss(law, m, x);
+    return steady(law, m, x, LAW_AT_MU);
 }
 
 quad quad_block_y_ss(const struct law *law, const struct material *m, quad x)
 {
-    return law->typed ? law_typed_steady_quad(law, m, x).y
-                      : quad_y_ss(law, m, x);
-}
-
-/* What steady states are found by. */
-static quad mu_log(const struct law *law, const struct material *m, quad x)
-{
-    return law->typed ? quad_block_mu_ss(law, m, x) : quad_mu_log_ss(law, m, x);
+    return steady(law, m, x, LAW_AT_Y);
 }
 
 quad quad_block_equilibrium(const struct law *law, const struct material *m,
                             quad tan_alpha, quad lo, quad hi)
 {
-    const quad tau = law->typed ? tan_alpha : quad_tau(law, m, tan_alpha);
-    const bool rises = mu_log(law, m, lo) < tau;
+    const quad sign = quad_block_mu_ss(law, m, lo) < tan_alpha ? 1 : -1;
 
     for (quad mid = (lo + hi) / 2; lo < mid && mid < hi; mid = (lo + hi) / 2)
-        if ((mu_log(law, m, mid) < tau) == rises)
+        if (sign * (quad_block_mu_ss(law, m, mid) - tan_alpha) < 0)
             lo = mid;
         else
             hi = mid;
     return lo;
-}
-
-/* Of a law of formulas: what its tape does not hold. */
-static void typed_anchor(const struct law *law, const struct material *m,
-                         quad tan_alpha, quad x, bool equilibrium,
-                         struct quad_anchor *at)
-{
-    const struct typed_steady_quad s = law_typed_steady_quad(law, m, x);
-
-    at->x0 = x;
-    at->y0 = s.y;
-    at->v0 = expq(x);
-    at->psi0 = s.psi;
-    at->mu0 = equilibrium ? tan_alpha : s.mu;
-    at->force0 = tan_alpha - at->mu0;
-    at->log_inertia =
-        -logq(quad_eps2(m)) - log1pq(tan_alpha * tan_alpha) / 2 - x;
 }
 
 void quad_block_anchor(const struct law *law, const struct material *m,
@@ -71,10 +50,12 @@ void quad_block_anchor(const struct law *law, const struct material *m,
     struct tape_lowered room;
     quad constant[FORMULA_NODES];
 
-    if (law->typed)
-        typed_anchor(law, m, tan_alpha, x, equilibrium, at);
-    else
-        quad_anchor(law, m, tan_alpha, x, equilibrium, at);
+    at->x0 = x;
+    at->y0 = quad_block_y_ss(law, m, x);
+    at->v0 = expq(x);
+    at->psi0 = steady(law, m, x, LAW_AT_PSI);
+    at->mu0 = equilibrium ? tan_alpha : quad_block_mu_ss(law, m, x);
+    at->force0 = tan_alpha - at->mu0;
     law_values(law, m, tan_alpha, x, at->y0, leaf);
     const struct tape_lowered *tape = law_tape_kept(law, equilibrium, &room);
     formula_constants(&tape->f, leaf, tape->t.needs, 0, constant);

@@ -10,8 +10,8 @@
 #include "quad_tape.h"
 
 struct quad_anchor {
-    ANCHOR_MEMBERS(quad)
-    struct quad_tape tape; /* of the law */
+    quad x0, y0, v0, psi0, mu0, force0; /* as in anchor.h */
+    struct quad_tape tape;              /* of the law */
 };
 
 /* The field: (direction_x, direction_y) * exp(log_scale). */

@@ -27,7 +27,7 @@ struct plain plain_of(const struct block *b, const struct equilibrium *e)
         .A = exp(b->at.log_inertia),
         .v = b->at.v0,
         .psi = b->at.psi0,
-        .s0 = log_form ? 0.0 : sqrt(1.0 + b->at.q0),
+        .s0 = log_form ? 0.0 : sqrt(1.0 + 4.0 * exp(-2.0 * b->at.w0)),
         .lambda = e->lambda[0],
         .stable = mat2_eigenvector(e->matrix, e->scaled[0]),
     };

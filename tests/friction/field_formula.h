@@ -271,7 +271,7 @@ static void KIND(field)(const struct law *law, const struct KIND(anchor) * at,
 
     KIND(mu)(law, at, c, X, Y, mu);
     KIND(linear)
-    (c, at->kept * at->force0, 0 - at->kept, mu, 0, mu, force);
+    (c, at->force0, -1, mu, 0, mu, force);
     const KIND(real) x = at->log_inertia - X[0];
     const KIND(real) y = KIND(kinetics)(law, at, c, X, Y, mantissa, exponent);
     if (KIND(order)(c) == 0)

@@ -19,7 +19,7 @@ typedef quad series_real;
 struct series_ctx {
     quad scale, frozen[4];
 };
-#define series_anchor quad_anchor
+#define series_anchor exact_anchor
 
 static int series_order(const struct series_ctx *c)
 {

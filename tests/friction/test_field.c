@@ -247,13 +247,13 @@ static void check_dual(const struct setting *s, struct vec2 z)
                 isfinite(D.matrix.yx) && isfinite(D.matrix.yy));
     quad_block_field(&s->law, &s->at, z.x, z.y, &q);
     const struct condition c = condition_at(s, z.x, z.y, f.log_scale);
-    const quad size = fabsq(f.log_scale) + fabsq(s->at.log_rate) +
-                      fabsq(s->at.log_inertia) + fabsq(z.x) + fabsq(z.y) +
-                      fabsq(s->at.w0) + fabsq(s->at.b / s->at.a * z.y);
+    const quad size = fabsq(f.log_scale) + fabsq(s->hand.log_rate) +
+                      fabsq(s->hand.log_inertia) + fabsq(z.x) + fabsq(z.y) +
+                      fabsq(s->hand.w0) + fabsq(s->hand.b / s->hand.a * z.y);
     if (c.log_slope > 1e8)
         return;
     quad_jacobian(s, z, f.log_scale, 1e-11 / c.log_slope, J);
-    const quad ex = expq(s->at.log_inertia - z.x - f.log_scale);
+    const quad ex = expq(s->hand.log_inertia - z.x - f.log_scale);
     const quad same = expq(q.log_scale - f.log_scale);
     const quad fx = fabsq(q.direction[0]) * same,
                fy = fabsq(q.direction[1]) * same;
@@ -306,8 +306,8 @@ static void check_rate(const struct setting *s, enum block_observable which,
     const quad terms = which == BLOCK_WORK
                            ? (fabsq(s->at.mu0) + condition_of_mu(s, X, Y)) * v
                            : fabsq(plain);
-    const quad size = 1 + fabsq(x) + fabsq(s->at.x0) + fabsq(s->at.w0) +
-                      fabsq(s->at.b / s->at.a * Y);
+    const quad size = 1 + fabsq(x) + fabsq(s->at.x0) + fabsq(s->hand.w0) +
+                      fabsq(s->hand.b / s->hand.a * Y);
     const quad bound =
         8 * ULP * size * (terms + fabsq(rx) + fabsq(ry)) + 1e-300 * v + 1e-320;
     double found, alone;

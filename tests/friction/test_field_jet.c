@@ -13,7 +13,7 @@
 #include "field_formula.h"
 
 /* The rates of block.h's observables, times exp(-scale). */
-static void series_rate(const struct law *law, const struct quad_anchor *at,
+static void series_rate(const struct law *law, const struct exact_anchor *at,
                         struct series_ctx *c, enum block_observable which,
                         quad scale, const quad *X, const quad *Y, quad *out)
 {
@@ -54,11 +54,11 @@ static void exact_series(const struct setting *s, struct curve *c)
         X[k] = c->x[k];
         Y[k] = c->y[k];
     }
-    series_field(&s->law, &s->at, &ctx, X, Y, c->exact[0], c->exact[1]);
+    series_field(&s->law, &s->hand, &ctx, X, Y, c->exact[0], c->exact[1]);
     c->exact_scale = ctx.scale;
     for (int i = 0; i < BLOCK_OBSERVABLES; i++)
-        series_rate(&s->law, &s->at, &ctx, (enum block_observable) i, ctx.scale,
-                    X, Y, c->exact_rate[i]);
+        series_rate(&s->law, &s->hand, &ctx, (enum block_observable) i,
+                    ctx.scale, X, Y, c->exact_rate[i]);
 }
 
 /* Changes the parameter's unit, so that coefficients of the field neither grow
@@ -141,7 +141,7 @@ static bool draw_curve(const struct setting *s, bool straight, uint64_t *seed,
     const double psi_ss =
         fabs((double) steady_psi(&s->law, &s->m, s->x + (long double) z.x));
 
-    if (!(psi < 300 && psi_ss < 300 && fabsq(s->at.w0) < 1000))
+    if (!(psi < 300 && psi_ss < 300 && fabsq(s->hand.w0) < 1000))
         return false;
     *c = (struct curve){ .x = { z.x }, .y = { z.y } };
     for (int k = 1; k < N; k++) {
