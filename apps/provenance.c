@@ -82,10 +82,9 @@ static const struct result provenance_results[] = {
 
 const struct result *const provenance_tables[] = { provenance_results, NULL };
 
-/* The overrides but those of the output: where a file lies is not part of what
- * it holds.  Owned by the caller. */
-static char *lasting_overrides(const char *overrides)
+char *provenance_overrides(const struct scene *scene)
 {
+    const char *overrides = scene->overrides;
     char *kept = calloc(strlen(overrides) + 1, 1), *end = kept;
 
     for (const char *line = overrides; kept && *line;) {
@@ -133,7 +132,7 @@ static void tell_system(const struct formula_system *f, char formula[],
 static enum status put_scene(const struct scene *scene, struct provenance *p,
                              struct store *out)
 {
-    char *overrides = lasting_overrides(scene->overrides);
+    char *overrides = provenance_overrides(scene);
     char formula[1024], libraries[128];
 
     if (scene->system)

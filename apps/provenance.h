@@ -16,4 +16,9 @@ MUST_CHECK enum status provenance_put(const char *command,
                                       const struct scene *scene,
                                       struct store *out);
 
+/* The settings that are written there: all but those of the output, for where a
+ * file lies is not part of what it holds.  Owned by the caller; NULL without
+ * memory. */
+char *provenance_overrides(const struct scene *scene);
+
 #endif

@@ -9,6 +9,7 @@
 #include "child.h"
 #include "json.h"
 #include "litter.h"
+#include "origin.h"
 #include "replace.h"
 #include "store_compare.h"
 #include "store_read.h"
@@ -21,8 +22,7 @@ struct rerun {
     const struct options *options;
     const char *given;                 /* the file */
     const struct command *command;     /* that makes it again */
-    char *held;                        /* owned: what a child brought back */
-    char *scene, *overrides;           /* borrowed from it */
+    struct origin origin;              /* of it; owned */
     char folder[FOLDER];               /* owned; "" until made */
     char scene_path[PATH], path[PATH]; /* in there */
     const char *scene_file;            /* the former */
@@ -30,70 +30,32 @@ struct rerun {
 
 /* ---- what made the file -------------------------------------------------- */
 
-static enum status check_command(const struct rerun *r, const char *name,
+static enum status check_command(const char *path, const char *name,
                                  struct fault *why)
 {
     if (strcmp(name, "push") == 0) {
         snprintf(why->text, sizeof why->text,
                  "%.300s: a file of push has its states in /push, not in its "
                  "scene, expected push --states",
-                 r->given);
+                 path);
         return STATUS_BAD_ARGUMENT;
     }
     if (strcmp(name, "stress") != 0 && strcmp(name, "workprec") != 0)
         return STATUS_OK;
     snprintf(why->text, sizeof why->text,
              "%.300s: a file of %s holds times, which no second run repeats",
-             r->given, name);
+             path, name);
     return STATUS_BAD_ARGUMENT;
-}
-
-/* In the child: command, scene and overrides, a zero after each. */
-static enum status look(void *ctx, FILE *out, struct fault *why)
-{
-    static const char *const key[] = { "command", "scene", "overrides" };
-    const struct rerun *r = ctx;
-    struct store *file = NULL;
-    enum status s = store_open(r->given, &file, why);
-
-    for (int i = 0; i < 3 && s == STATUS_OK; i++) {
-        char *text = NULL;
-        s = store_read_text(file, "/provenance", key[i], &text, why);
-        if (s == STATUS_OK && i == 0)
-            s = check_command(r, text, why);
-        if (s == STATUS_OK)
-            fwrite(text, 1, strlen(text) + 1, out);
-        free(text);
-    }
-    store_free(&file);
-    return s;
-}
-
-/* The text at *at, which is moved past it; NULL at the end. */
-static char *next_text(char **at, const char *end)
-{
-    char *text = *at;
-
-    if (text >= end)
-        return NULL;
-    *at += strlen(text) + 1;
-    return text;
 }
 
 static enum status read_file(struct rerun *r, struct fault *why)
 {
-    size_t size;
-    const enum status s =
-        child_read(look, r, r->given, CHILD_LIST_SECONDS, &r->held, &size, why);
-    char *at = r->held;
+    const enum status s = origin_read(r->given, check_command, &r->origin, why);
 
     if (s != STATUS_OK)
         return s;
-    const char *name = next_text(&at, r->held + size);
-    r->command = name ? command_find(name) : NULL;
-    r->scene = next_text(&at, r->held + size);
-    r->overrides = next_text(&at, r->held + size);
-    if (r->command && r->scene && r->overrides)
+    r->command = command_find(r->origin.command);
+    if (r->command)
         return STATUS_OK;
     snprintf(why->text, sizeof why->text, "%.300s: damaged", r->given);
     return STATUS_IO;
@@ -120,9 +82,9 @@ static enum status make_folder(struct rerun *r, struct fault *why)
     litter_add(r->folder);
     litter_add(r->path);
     litter_add(r->scene_path);
-    return r->scene[0]
-               ? replace_file(r->scene_path, r->scene, strlen(r->scene), why)
-               : STATUS_OK;
+    return r->origin.scene[0] ? replace_file(r->scene_path, r->origin.scene,
+                                             strlen(r->origin.scene), why)
+                              : STATUS_OK;
 }
 
 /* The stored overrides, and the output in place of the scene's own; all
@@ -130,7 +92,7 @@ static enum status make_folder(struct rerun *r, struct fault *why)
 static enum status set_options(struct rerun *r, struct options *o, char *output,
                                struct fault *why)
 {
-    char *line = r->overrides;
+    char *line = r->origin.overrides;
 
     *o = (struct options){ .command = r->command,
                            .file = &r->scene_file,
@@ -138,7 +100,7 @@ static enum status set_options(struct rerun *r, struct options *o, char *output,
                            .progress = r->options->progress,
                            .quiet = true };
     r->scene_file = r->scene_path;
-    o->files = r->scene[0] != '\0';
+    o->files = r->origin.scene[0] != '\0';
     while (*line && o->sets < OPTIONS_SETS - 1) {
         char *end = line + strcspn(line, "\n");
         o->set[o->sets++] = line;
@@ -303,6 +265,6 @@ enum exit_code rerun(const struct options *o)
     if (code == EXIT_DONE)
         code = judge(&r);
     remove_folder(&r);
-    free(r.held);
+    free(r.origin.held);
     return code;
 }

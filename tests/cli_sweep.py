@@ -441,6 +441,23 @@ def a_left_side_file_is_noted_or_refused(room):
     expect(room.read('a.h5.part') == 'a letter to my mother', 'untouched')
 
 
+def a_finished_file_of_another_sweep_is_not_resumed(room):
+    room.good('sweep', *line(3), '-o', 'a.h5', '-q')
+    room.good('knees', '--law', 'ruina', '--alpha', '0.34', '-o', 'k.h5', '-q')
+    room.write('letter', 'to my mother')
+    for args, code, name, why in (
+            (line(4), 2, 'a.h5', 'of another scene'),
+            (line(3), 2, 'k.h5', 'made by study'),
+            (line(3), 4, 'letter', '')):
+        before = room.bytes(name)
+        refused(room.run('sweep', *args, '-o', name, '--resume'), code, name,
+                why)
+        expect(room.bytes(name) == before, name)
+    before = room.bytes('a.h5')
+    room.good('sweep', *line(3), '-o', 'a.h5', '--resume', '-q')
+    expect(room.bytes('a.h5') == before, 'its own')
+
+
 # ---- what is wrong -----------------------------------------------------------
 
 
@@ -494,6 +511,7 @@ run_cases([
     killed_twenty_times_it_ends_in_the_same_bytes,
     ctrl_c_keeps_what_is_computed,
     a_left_side_file_is_noted_or_refused,
+    a_finished_file_of_another_sweep_is_not_resumed,
     a_wrong_sweep_costs_one_line,
     what_is_overridden_stays_a_sweep,
 ])
