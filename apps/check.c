@@ -7,6 +7,7 @@
 #include "check_report.h"
 #include "command.h"
 #include "number.h"
+#include "output.h"
 #include "progress.h"
 #include "replace.h"
 #include "tolerance.h"
@@ -179,7 +180,7 @@ static enum status record_scenes(const struct options *o, struct baseline *b,
     if (o->tap || o->json)
         return command_refuse(why, "check: --%s: --record writes CSV",
                               o->tap ? "tap" : "json");
-    if (o->output)
+    if (output_path(o))
         s = replace_check(o->output, why);
     for (size_t i = 0; i < count && s == STATUS_OK; i++) {
         if (monitor_tell(monitor, "scenes", i, count))
@@ -194,15 +195,16 @@ static enum status record_scenes(const struct options *o, struct baseline *b,
 static enum status write_baseline(const struct options *o,
                                   const struct baseline *b, struct fault *why)
 {
+    const char *file = output_path(o);
     enum status s = STATUS_OK;
 
-    if (o->output)
-        s = replace_file(o->output, b->text, b->size, why);
+    if (file)
+        s = replace_file(file, b->text, b->size, why);
     if (s != STATUS_OK)
         return s;
-    if (o->output && !o->quiet)
-        printf("wrote %s: %zu rows\n", o->output, b->rows);
-    if (o->output == NULL)
+    if (file && !o->quiet)
+        printf("wrote %s: %zu rows\n", file, b->rows);
+    if (file == NULL)
         fputs(b->text, stdout);
     if (fflush(stdout) == 0 && !ferror(stdout))
         return STATUS_OK;

@@ -24,6 +24,14 @@ static enum status refuse(struct fault *why, const char *what, const char *text)
     return STATUS_BAD_SCENE;
 }
 
+enum status output_file_check(const char *path, struct fault *why)
+{
+    return strcmp(path, "-") == 0
+               ? refuse(why, "--output -",
+                        "HDF5 is not printed, expected FILE.h5, or --json")
+               : replace_check(path, why);
+}
+
 enum status output_check(const struct options *o, const struct scene *scene,
                          const char *path, const char *const panel[],
                          struct fault *why)
@@ -34,7 +42,7 @@ enum status output_check(const struct options *o, const struct scene *scene,
     if (scene->hdf5 && path && strcmp(scene->hdf5, path) == 0)
         return refuse(why, path, "both the HDF5 file and the figure");
     if (scene->hdf5)
-        s = replace_check(scene->hdf5, why);
+        s = output_file_check(scene->hdf5, why);
     for (size_t i = 0; path && panel[i] && s == STATUS_OK; i++)
         s = panel_path(path, panel[i], file)
                 ? replace_check(file, why)
@@ -46,6 +54,11 @@ enum status output_check(const struct options *o, const struct scene *scene,
 bool output_is_standard(const struct options *o)
 {
     return o->output && strcmp(o->output, "-") == 0;
+}
+
+const char *output_path(const struct options *o)
+{
+    return output_is_standard(o) ? NULL : o->output;
 }
 
 enum status output_standard_check(const struct options *o, struct fault *why)

@@ -12,6 +12,9 @@ enum { PANELS_MAX = FIGURES_MAX, PANEL_PATH = 4096, PANEL_NAME = 64 };
 /* "a.svg", "_time" -> "a_time.svg"; false if that is too long. */
 bool panel_path(const char *path, const char *panel, char out[PANEL_PATH]);
 
+/* Could that HDF5 file be written?  "-" could not: it is no text. */
+MUST_CHECK enum status output_file_check(const char *path, struct fault *why);
+
 /* Could the scene's HDF5 file and all files of the figure at `path` (NULL:
  * none) be written?  Asked before anything is computed.  panel: names as of
  * panel_path, "" for the path itself, ended by NULL. */
@@ -28,11 +31,14 @@ MUST_CHECK enum status output_write(const struct options *o,
                                     const struct scene *scene,
                                     const char *untitled, struct fault *why);
 
-/* Whether -o names standard output, "-": CSV then is all that is printed.
- * STATUS_BAD_ARGUMENT beside --json. */
+/* Whether -o names standard output, "-": the text that a file would hold then
+ * is all that is printed.  STATUS_BAD_ARGUMENT beside --json. */
 bool output_is_standard(const struct options *o);
 MUST_CHECK enum status output_standard_check(const struct options *o,
                                              struct fault *why);
+
+/* The file that -o names; NULL: none, or standard output. */
+const char *output_path(const struct options *o);
 
 /* "wrote PATH", unless the command is quiet. */
 void output_tell(const struct options *o, const char *path);

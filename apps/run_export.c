@@ -6,6 +6,7 @@
 #include "auto07p.h"
 #include "command.h"
 #include "exchange.h"
+#include "output.h"
 #include "progress.h"
 #include "replace.h"
 #include "report.h"
@@ -18,6 +19,7 @@ enum { FILES = 4, PATH_ROOM = PATH_MAX + 16 };
 /* A file of an export: its path and who writes it. */
 struct export_file {
     char path[PATH_ROOM];
+    bool printed; /* not written */
     void (*write)(FILE *out, const struct interchange *x);
 };
 
@@ -103,8 +105,10 @@ static enum status name_files(struct job *j, struct fault *why)
 {
     const char *ending = j->to_auto ? ".c" : ".ode";
     char given[PATH_MAX];
-    const char *path = j->options->output;
+    const char *path = output_path(j->options);
 
+    if (path == NULL && output_is_standard(j->options) && j->to_auto)
+        return usage(why, "-o", "-", "NAME.c: they are several files");
     if (path == NULL) {
         snprintf(given, sizeof given, "%s%s", j->scene.law.preset, ending);
         path = given;
@@ -117,6 +121,7 @@ static enum status name_files(struct job *j, struct fault *why)
     if (!j->to_auto) {
         add_file(j, path, "", ending,
                  j->form == XPPAUT_TIME ? write_time : write_arclength);
+        j->file[0].printed = output_is_standard(j->options);
         return STATUS_OK;
     }
     add_file(j, path, "", ending, auto07p_write_equations);
@@ -171,7 +176,9 @@ static enum status write_file(const struct export_file *f,
     f->write(out, x);
     const bool whole = !ferror(out);
     enum status s = fclose(out) == 0 && whole ? STATUS_OK : STATUS_NO_MEMORY;
-    if (s == STATUS_OK)
+    if (s == STATUS_OK && f->printed)
+        fwrite(text, 1, size, stdout); /* main() asks whether it arrived */
+    else if (s == STATUS_OK)
         s = replace_file(f->path, text, size, why);
     free(text);
     return s;
@@ -203,8 +210,11 @@ static enum status run(struct job *j, struct fault *why)
         s = read_scene(j, why);
     if (s == STATUS_OK)
         s = name_files(j, why);
+    if (s == STATUS_OK)
+        s = output_standard_check(j->options, why);
     for (size_t i = 0; i < j->files && s == STATUS_OK; i++)
-        s = replace_check(j->file[i].path, why);
+        if (!j->file[i].printed)
+            s = replace_check(j->file[i].path, why);
     if (s == STATUS_OK) {
         s = study_run(&j->study, &j->scene, progress_monitor(j->options), why);
         j->has_study = s == STATUS_OK;
@@ -221,7 +231,8 @@ static enum exit_code tell(const struct job *j)
         return json_print(report_json(&j->study)) ? EXIT_DONE
                                                   : command_unwritten();
     for (size_t i = 0; i < j->files && !j->options->quiet; i++)
-        printf("wrote %s\n", j->file[i].path);
+        if (!j->file[i].printed)
+            printf("wrote %s\n", j->file[i].path);
     return EXIT_DONE;
 }
 

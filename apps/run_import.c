@@ -4,6 +4,7 @@
 
 #include "command.h"
 #include "json.h"
+#include "output.h"
 #include "replace.h"
 #include "scene_ode.h"
 #include "text_file.h"
@@ -20,14 +21,17 @@ static enum status convert(const struct options *o, char **scene,
                  "import: expected a model, NAME.ode");
         return STATUS_BAD_ARGUMENT;
     }
-    enum status s = o->output ? replace_check(o->output, why) : STATUS_OK;
+    const char *file = output_path(o);
+    enum status s = output_standard_check(o, why);
+    if (s == STATUS_OK && file)
+        s = replace_check(file, why);
     if (s == STATUS_OK)
         s = text_file_read(o->file[0], XPP_SIZE, &text, &size, why);
     if (s == STATUS_OK)
         s = scene_of_ode(o->file[0], text, scene, why);
     free(text);
-    if (s == STATUS_OK && o->output)
-        s = replace_file(o->output, *scene, strlen(*scene), why);
+    if (s == STATUS_OK && file)
+        s = replace_file(file, *scene, strlen(*scene), why);
     return s;
 }
 
@@ -35,7 +39,7 @@ static bool tell(const struct options *o, const char *scene)
 {
     if (o->json)
         return json_print(json_pack("{s:s}", "scene", scene));
-    if (o->output)
+    if (output_path(o))
         return o->quiet || printf("wrote %s\n", o->output) > 0;
     return fputs(scene, stdout) >= 0;
 }

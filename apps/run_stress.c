@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "output.h"
 #include "progress.h"
 #include "replace.h"
 #include "report_stress.h"
@@ -106,7 +107,8 @@ static enum exit_code run(const struct options *o,
     struct fault why = { "" };
     struct stress s = { .row = NULL };
     const struct results all = { .table = stress_tables, .run = &s };
-    enum status status = o->output ? replace_check(o->output, &why) : STATUS_OK;
+    enum status status =
+        o->output ? output_file_check(o->output, &why) : STATUS_OK;
 
     if (status == STATUS_OK)
         status = stress_run(&s, list, progress_monitor(o));

@@ -106,9 +106,35 @@ def standard_input_is_a_file_called_dash(room):
     refused(done, 2, '-:1:', 'nolaw')
 
 
+def standard_output_is_a_file_called_dash(room):
+    """Where a file is text; HDF5 is not, and no file is called so."""
+    room.bring('scenes')
+    room.write('s.csv', 'v,psi\n1000,10\n1,1\n')
+    ode = 'scenes/brusselator.ode'
+    sweep = ['sweep', *SLOPE, '--set',
+             'sweep={key: slope.alpha, from: 0.3, to: 0.36, points: 5}']
+    for file, args in (('a.csv', ['push', *SLOPE, '--states', 's.csv']),
+                       ('b.csv', ['check', '--record', *SLOPE]),
+                       ('a.yaml', ['import', ode]),
+                       ('dieterich_gen.ode',
+                        ['export', *SLOPE, '--as', 'xppaut'])):
+        room.good(*args, '-o', file)
+        expect(room.good(*args, '-o', '-') == room.read(file), args)
+    table = room.good(*sweep, '-o', '-')
+    expect(table.count('\n') == 6 and '\n0.33,' in table, table)
+    for args in (['knees', *SLOPE], ['portrait', *SLOPE], ['basin', *SLOPE],
+                 ['simulate', *SLOPE, '--v', '1', '--psi', '1'],
+                 ['stress', '--quick'], ['workprec', '--quick'],
+                 ['export', *SLOPE, '--as', 'auto']):
+        refused(room.run(*args, '-o', '-'), 2, '-', 'expected')
+    refused(room.run('import', ode, '-o', '-', '--json'), 2, '--json')
+    expect('-' not in room.names(), room.names())
+
+
 run_cases([
     every_scene_runs_from_an_empty_folder,
     an_output_makes_its_folders,
     data_are_beside_their_scene,
     standard_input_is_a_file_called_dash,
+    standard_output_is_a_file_called_dash,
 ])

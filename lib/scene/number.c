@@ -13,11 +13,28 @@
 /* No double has more digits that matter: 767 and an exponent. */
 enum { LETTERS = 800 };
 
+/* As strtod wants it, of at most LETTERS. */
+struct local {
+    char text[LETTERS + 16];
+};
+
+static struct local local_of(const char *text)
+{
+    struct local local;
+    const size_t size = strlen(text), whole = strcspn(text, ".");
+    const bool has_point = whole < size;
+    char *at = mempcpy(local.text, text, whole);
+
+    if (has_point)
+        at = stpncpy(at, localeconv()->decimal_point, 8);
+    strcpy(at, text + whole + has_point);
+    return local;
+}
+
 bool number_read(const char *text, double *value)
 {
-    char copy[LETTERS + 16], *end;
     const size_t size = strlen(text);
-    const size_t whole = strcspn(text, ".");
+    char *end;
 
     if (strcmp(text, "inf") == 0 || strcmp(text, ".inf") == 0) {
         *value = (double) INFINITY;
@@ -25,12 +42,8 @@ bool number_read(const char *text, double *value)
     }
     if (size == 0 || size > LETTERS || strspn(text, "+-.0123456789eE") != size)
         return false;
-    const bool has_point = whole < size;
-    char *at = mempcpy(copy, text, whole);
-    if (has_point)
-        at = stpncpy(at, localeconv()->decimal_point, 8);
-    strcpy(at, text + whole + has_point);
-    const double x = strtod(copy, &end);
+    const struct local local = local_of(text);
+    const double x = strtod(local.text, &end);
     if (*end != '\0' || !isfinite(x))
         return false;
     *value = x;
@@ -110,6 +123,11 @@ struct number_text number_shortest(double value)
     double moved;
 
     return number_within(value, 0.0, DBL_DIG, &moved);
+}
+
+long double number_decimal(double value)
+{
+    return strtold(local_of(number_shortest(value).text).text, NULL);
 }
 
 static struct number_text number_leading(double error)

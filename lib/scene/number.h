@@ -21,6 +21,10 @@ struct number_text {
 /* The shortest decimal that reads back as the same double: 0.34, 1e+300. */
 struct number_text number_shortest(double value);
 
+/* That decimal itself, to 64 bits: what was typed, where it was at most 15
+ * digits. */
+long double number_decimal(double value);
+
 /* A value with the bar |value - truth| <= error, as "2832.22335885 +- 2.2e-10":
  * the fewest digits that move it by at most error/20, and the bar rounded up,
  * what was moved included.  With as many digits as there are where the bar is

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "law_typed.h"
+#include "number.h"
 #include "scene_law.h"
 #include "scene_shape.h"
 #include "scene_units.h"
@@ -82,17 +83,21 @@ static enum status check_range(const struct node *n,
     return STATUS_OK;
 }
 
+/* On a linear scale the double nearest to the decimal between those typed. */
 static double value_between(const struct scene_axis *axis, size_t i)
 {
-    const double t = (double) i / (double) (axis->points - 1);
+    const size_t n = axis->points - 1;
+    const double t = (double) i / (double) n;
 
     if (i == 0)
         return axis->from;
-    if (i == axis->points - 1)
+    if (i == n)
         return axis->to;
     return axis->scale == SWEEP_LOG
                ? axis->from * exp(t * log(axis->to / axis->from))
-               : axis->from + t * (axis->to - axis->from);
+               : (double) (((long double) (n - i) * number_decimal(axis->from) +
+                            (long double) i * number_decimal(axis->to)) /
+                           (long double) n);
 }
 
 static enum status list_values(struct scene_axis *axis)

@@ -35,6 +35,30 @@ static void ranges_are_even_and_end_as_given(void **state)
     }
 }
 
+/* From 0.001 k to 0.001 (k + 10 m) in ten steps. */
+static void points_between_decimals_are_decimals(void **state)
+{
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 100; i++) {
+        const int k = (int) check_uniform(&seed, 1.0, 500.0);
+        const int m = (int) check_uniform(&seed, 1.0, 100.0);
+        char text[200];
+        snprintf(text, sizeof text,
+                 LAW "sweep: {key: slope.alpha, from: %d.%03d, to: %d.%03d, "
+                     "points: 11}\n",
+                 k / 1000, k % 1000, (k + 10 * m) / 1000, (k + 10 * m) % 1000);
+        struct scene s = scene_made(text, "");
+        for (int n = 0; n < 11; n++) {
+            const double wanted = (double) (k + n * m) / 1000.0;
+            CHECK(s.sweep.axis[0].value[n] == wanted, "%.17g, not %.17g",
+                  s.sweep.axis[0].value[n], wanted);
+        }
+        scene_free(&s);
+    }
+}
+
 static void ends_are_exactly_as_given(void **state)
 {
     uint64_t seed = check_seed();
@@ -148,6 +172,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         IN_FOLDER(ranges_are_even_and_end_as_given),
+        IN_FOLDER(points_between_decimals_are_decimals),
         IN_FOLDER(ends_are_exactly_as_given),
         IN_FOLDER(lists_and_grids_are_as_written),
         IN_FOLDER(keys_of_a_sweep_can_be_overridden_one_by_one),
