@@ -42,10 +42,30 @@ def a_kick_as_named_changes_the_fate(room):
 def people_read_the_same_numbers(room):
     said = room.good('push', *SLOPE, *STATE)
     found = room.json('push', *SLOPE, *STATE)
-    expect(said.startswith('v = 1000, psi = 10: rest_finite\n'), said)
+    expect(said.startswith('v = 1000 V_star = 0.001 m/s, psi = 10: '
+                           'rest_finite\n'), said)
     for key in KEYS[1:]:
         expect_number(said, key, found[key])
     expect(room.good('push', *SLOPE, *STATE, '--quiet') == '', 'quiet')
+
+
+def push_and_simulate_say_one_thing(room):
+    fates = set()
+    for law in ('dieterich', 'dieterich_gen', 'ruina', 'spinodal_gen'):
+        for v, psi in ((1e3, 10), (1e4, 1), (1e-3, 1)):
+            state = ['--law', law, '--alpha', '0.34', '--v', repr(v), '--psi',
+                     repr(psi)]
+            push = room.json('push', *state)
+            run = room.json('simulate', *state)['trajectories'][0]
+            expect(push['fate'] == run['fate'], law, v, psi, push, run)
+            fates.add(push['fate'])
+            for key in ('slip', 'time', 'mu_mean'):
+                a, b = push[key], run[key]
+                expect(a.get('reason') == b.get('reason'), state, key, a, b)
+                expect(a['value'] is None or abs(a['value'] - b['value'])
+                       <= a['error'] + b['error'], state, key, a, b)
+    expect(fates == {'creep', 'sliding', 'runaway', 'rest_finite',
+                     'rest_asymptotic'}, fates)
 
 
 def states_of_a_file_keep_their_order(room):
@@ -264,6 +284,7 @@ run_cases([
     one_state_is_answered_as_the_page_says,
     a_kick_as_named_changes_the_fate,
     people_read_the_same_numbers,
+    push_and_simulate_say_one_thing,
     states_of_a_file_keep_their_order,
     a_file_of_one_state_is_still_a_list,
     a_scene_gives_the_slope,

@@ -143,8 +143,7 @@ static bool take_cell(const struct push *p, const struct cell *c,
 {
     const bool fades = c->exit_reason == FATE_REST_ASYMPTOTIC;
     const bool runs = c->exit_reason == FATE_RUNAWAY;
-    const char *never =
-        runs ? "the block runs away" : "the block never quite stops";
+    const char *never = runs ? fate_runs_away : "the block never quite stops";
     const char *unbounded = runs ? never : "the slip grows without bound";
 
     if (c->exit_reason != out->fate)

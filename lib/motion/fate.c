@@ -20,6 +20,8 @@ const char *const fate_names[] = { "creep",       "sliding",
                                    "runaway",     "undecided",
                                    NULL };
 
+const char fate_runs_away[] = "the block runs away";
+
 enum fate fate_of_node(const struct slider *s, const struct equilibrium *e)
 {
     const struct planar_steady *curve = s->plane.system.steady;
@@ -189,7 +191,7 @@ static const char *why_endless(const struct slider *s, const struct orbit *o,
                                const struct past *past, enum fate fate)
 {
     if (fate == FATE_RUNAWAY)
-        return "the block runs away";
+        return fate_runs_away;
     if (fate == FATE_UNDECIDED)
         return "the fate is undecided";
     return o->end == ORBIT_ARRIVED || past->rests ||

@@ -27,6 +27,9 @@ enum fate {
 enum { FATE_NONE = -1 }; /* no cell, no value */
 extern const char *const fate_names[];
 
+/* Why a block has no slip, no time and no mean friction that runs away. */
+extern const char fate_runs_away[];
+
 /* Creep and sliding nodes: below and above the turning points of mu_ss; where
  * it has none, v <= 1 is creep. */
 enum fate fate_of_node(const struct slider *s, const struct equilibrium *e);

@@ -77,19 +77,8 @@ static enum fate fate_at(const struct course *c, const struct orbit *o,
                                            : c->fate;
 }
 
-/* The gradient of the coordinate whose edge of the window is the nearer one. */
-static struct vec2 edge_at(const struct course *c, struct vec2 z)
-{
-    const struct vec2 at = vec2_add(c->slider->plane.system.origin, z);
-    const struct box w = c->window;
-    const double x = fmin(fabs(at.x - w.lo.x), fabs(at.x - w.hi.x));
-    const double y = fmin(fabs(at.y - w.lo.y), fabs(at.y - w.hi.y));
-
-    return x <= y ? (struct vec2){ 1.0, 0.0 } : (struct vec2){ 0.0, 1.0 };
-}
-
 /* Bar of component i of an orbit where it ended: at a face of a box of arrest,
- * at an edge of the window, at a limit, or on its way. */
+ * at a limit, or on its way. */
 static double bar_of(const struct course *c, const struct orbit *o,
                      enum transient_end end, size_t i)
 {
@@ -106,8 +95,6 @@ static double bar_of(const struct course *c, const struct orbit *o,
         return drift_bar_at(d, du, 2, i);
     if (end == TRANSIENT_UNTIL_SLIP)
         return drift_bar_at(d, du, 3 + BLOCK_SLIP, i);
-    if (end == TRANSIENT_RUNAWAY)
-        return drift_bar(d, du, edge_at(c, z), i);
     if (end != TRANSIENT_ARREST || node == NULL)
         return drift_bar(d, du, rest_left_section(c->slider), i);
     const struct vec2 at = vec2_sub(node->z, c->slider->plane.system.origin);
@@ -166,6 +153,10 @@ static struct totals totals_of(const struct course *c, const struct orbit *o)
 
     if (end == TRANSIENT_FADED)
         return limits_of(c, o);
+    if (end == TRANSIENT_RUNAWAY)
+        return (struct totals){ .time = quantity_none(fate_runs_away),
+                                .slip = quantity_none(fate_runs_away),
+                                .mean = quantity_none(fate_runs_away) };
     all.time = total_of(c, o, end, 2, left.time, left.time_error);
     all.slip = total_of(c, o, end, 3 + BLOCK_SLIP, left.slip, left.slip_error);
     all.mean = fate_mean_friction(c->slider, c->v, v1, bar_of(c, o, end, 0),

@@ -44,7 +44,8 @@ struct transient_summary {
     int8_t fate;                         /* enum fate */
     int8_t end;                          /* enum transient_end */
     struct quantity time, slip, mu_mean; /* of the run, to its end; of one that
-                                            fades the limits, if any */
+                                            fades the limits, if any; of one
+                                            that runs away none */
     /* Of the balance of energy (27) over the run, relative to its largest
      * term; zero along an exact orbit. */
     double energy_defect;
@@ -63,7 +64,8 @@ struct transient {
 
 struct transient_options {
     double until_time, until_slip; /* 0: no limit.  With one, a run goes on
-                                      beyond arrest and runaway */
+                                      beyond arrest and runaway, and has the
+                                      numbers of its length */
     double rtol;                   /* of events, slip and time; see tolerance.h
                                       for what is done to reach it */
     const struct moment_level *level; /* borrowed */

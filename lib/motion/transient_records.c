@@ -19,9 +19,11 @@ static const struct record_field summary_fields[] = {
     FIELD_CODE(transient_summary, end, transient_end_names,
                "why the run ended"),
     FIELD(transient_summary, QUANTITY, time, "L/V_star",
-          "time of the run in units of L/V_star"),
-    FIELD(transient_summary, QUANTITY, slip, "L",
-          "slip of the run, if it fades its limit, in units of L"),
+          "time of the run, unless it runs away, in units of L/V_star"),
+    FIELD(
+        transient_summary, QUANTITY, slip, "L",
+        "slip of the run, unless it runs away; if it fades its limit; in units "
+        "of L"),
     FIELD(transient_summary, QUANTITY, mu_mean, "1",
           "mean friction over that slip"),
     FIELD(transient_summary, REAL, energy_defect, "1",

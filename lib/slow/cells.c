@@ -47,7 +47,7 @@ struct run {
 static void take_peaks(const struct peaks *p, struct run *r)
 {
     const double v = exp(p->x);
-    const char *why = r->fate == FATE_RUNAWAY     ? "the block runs away"
+    const char *why = r->fate == FATE_RUNAWAY     ? fate_runs_away
                       : r->fate == FATE_UNDECIDED ? "the fate is undecided"
                                                   : NULL;
 

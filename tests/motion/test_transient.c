@@ -176,6 +176,13 @@ static void runs_end_where_they_are_told(void **state)
     t = run(&s, 4e3, 10, 0, 0);
     assert_int_equal(t.sum.end, TRANSIENT_RUNAWAY);
     assert_int_equal(t.sum.fate, FATE_RUNAWAY);
+    assert_string_equal(t.sum.slip.reason, fate_runs_away);
+    assert_string_equal(t.sum.time.reason, fate_runs_away);
+    assert_string_equal(t.sum.mu_mean.reason, fate_runs_away);
+    transient_free(&t);
+    t = run(&s, 4e3, 10, 0, 100);
+    assert_int_equal(t.sum.fate, FATE_RUNAWAY);
+    is_quantity(&t.sum.slip, 100, 1e-13);
     transient_free(&t);
     slope_free(&s);
 }
