@@ -16,6 +16,7 @@
 #include "scene_units.h"
 #include "state.h"
 #include "table.h"
+#include "text.h"
 #include "text_results.h"
 #include "tolerance.h"
 
@@ -210,6 +211,8 @@ static void print_answers(const struct job *j, const struct scene *scene,
         const struct record_array one = {
             told->type, (const char *) told->at + i * told->type->size, 1
         };
+        if (j->table.rows > 0)
+            printf("%s: ", text_shown(j->answer[i].id).text);
         state_print(stdout, scene, j->state[i].v, j->state[i].psi);
         printf(": %s\n", fate_names[j->answer[i].fate]);
         text_record(stdout, &one, 1);

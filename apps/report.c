@@ -56,7 +56,7 @@ static json_t *parameters_json(const struct study *s, json_t *units)
         if (!law_uses(law, key))
             continue;
         json_object_set_new(j, name,
-                            json_number(unit_value(&u, unit_find(unit),
+                            json_number(unit_input(&u, unit_find(unit),
                                                    *material_member(&m, key))));
         if (unit)
             json_object_set_new(units, name, json_string(unit_name(&u, unit)));

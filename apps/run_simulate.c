@@ -66,12 +66,12 @@ static enum exit_code judge(const struct simulation *s)
     return EXIT_DONE;
 }
 
-/* Starts in the scene's units: results have none. */
+/* In both units. */
 static void print_starts(FILE *out, const void *run)
 {
     const struct simulation *s = run;
 
-    for (size_t i = 0; i < s->runs && s->scene.units == UNITS_SI; i++) {
+    for (size_t i = 0; i < s->runs; i++) {
         fprintf(out, "start %zu: ", i);
         state_print(out, &s->scene, s->run[i].sum.v, s->run[i].sum.psi);
         fputc('\n', out);

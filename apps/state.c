@@ -47,16 +47,17 @@ void state_setting(const struct options *o, char *text, size_t size)
 
 void state_print(FILE *out, const struct scene *s, double v, double psi)
 {
-    const struct law *law = &s->law;
-    const struct material *m = &s->material;
-    const char *unit = physical_unit(law);
+    const struct unit_system u = physical_units(&s->law, &s->material, true);
+    const struct unit *rate = unit_find("V_star"), *state = unit_find("psi");
+    const bool has_unit = strcmp(u.phi, "1") != 0;
 
     if (s->units == UNITS_SI)
-        fprintf(
-            out, "v = %.15g m/s = %.15g V_star, phi = %.15g%s%s, psi = %.15g",
-            v * m->V_star, v, physical_phi(law, m, psi),
-            strcmp(unit, "1") ? " " : "", strcmp(unit, "1") ? unit : "", psi);
+        fprintf(out,
+                "v = %.15g m/s = %.15g V_star, phi = %.15g%s%s, psi = %.15g",
+                unit_input(&u, rate, v), v, unit_input(&u, state, psi),
+                has_unit ? " " : "", has_unit ? u.phi : "", psi);
     else
-        fprintf(out, "v = %s, psi = %s", number_shortest(v).text,
+        fprintf(out, "v = %s V_star = %.15g m/s, psi = %s",
+                number_shortest(v).text, unit_value(&u, rate, v),
                 number_shortest(psi).text);
 }

@@ -17,8 +17,8 @@ MUST_CHECK enum status state_read(const struct options *o,
 /* The same as a setting of the scene, trajectories.starts=[...]. */
 void state_setting(const struct options *o, char *text, size_t size);
 
-/* "v = 1000, psi = 10"; beside units: si "v = 0.001 m/s = 1000 V_star, phi =
- * 1e-05 s, psi = 10". */
+/* "v = 1000 V_star = 0.001 m/s, psi = 10"; beside units: si "v = 0.001 m/s =
+ * 1000 V_star, phi = 1e-05 s, psi = 10". */
 void state_print(FILE *out, const struct scene *s, double v, double psi);
 
 #endif

@@ -105,7 +105,7 @@ static void tell_member(const struct unit_system *u, const struct unit *unit,
     struct quantity *q = member;
 
     if (unit && f->kind == RECORD_REAL)
-        *real = unit_value(u, unit, *real);
+        *real = unit_input(u, unit, *real);
     if (unit && f->kind == RECORD_QUANTITY)
         *q = unit_quantity(u, unit, *q);
 }
