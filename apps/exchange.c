@@ -1,4 +1,5 @@
 #include "exchange.h"
+#include "number.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -161,9 +162,10 @@ static void print_saddle(FILE *out, const struct study *s)
 
     fprintf(out,
             "saddle in the chart (ln v, %s)\n"
-            "  at               (%.17g, %.17g)\n"
+            "  at               (%s, %s)\n"
             "  lambda           %.15g, %.15g\n",
-            text_state_name(&s->slider.block.law, 1), e->z.x, e->z.y,
+            text_state_name(&s->slider.block.law, 1),
+            number_shortest(e->z.x).text, number_shortest(e->z.y).text,
             e->lambda[0], e->lambda[1]);
     print_direction(out, e, 0);
     print_direction(out, e, 1);

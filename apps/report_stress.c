@@ -31,7 +31,7 @@ static void print_row(FILE *out, const struct stress_row *row)
         fprintf(out, " %7s", "-");
     else
         fprintf(out, " %7.2g", row->bar);
-    fprintf(out, " %6lld %9.2e %9.2e %-5s %s\n", (long long) row->steps,
+    fprintf(out, " %6lld %9.2e %10.2e %-5s %s\n", (long long) row->steps,
             row->seconds, row->oracle_seconds, agreement(row->agree),
             row->outcome != STRESS_EXACT && row->reason ? row->reason : "");
 }
@@ -57,9 +57,9 @@ static void print_rest(FILE *out, const struct stress *s)
 
 void report_stress_print(FILE *out, const struct stress *s)
 {
-    fprintf(out, "%-62s %-8s %6s %6s %6s %7s %6s %9s %9s %-5s %s\n", "case",
-            "outcome", "digits", "allow", "lack", "err/bar", "steps", "s",
-            "oracle s", "agree", "reason");
+    fprintf(out, "%-62s %-8s %6s %6s %6s %7s %6s %9s %10s %-5s %s\n", "case",
+            "outcome", "digits", "allow", "lack", "err/bar", "steps",
+            "time (s)", "oracle (s)", "agree", "reason");
     for (size_t i = 0; i < s->count; i++)
         print_row(out, &s->row[i]);
     print_rest(out, s);

@@ -41,8 +41,9 @@ void state_setting(const struct options *o, char *text, size_t size)
 
     (void) unit_text_read(rate, o->v, &v, &in);
     (void) number_read(o->psi ? o->psi : o->phi, &state);
-    snprintf(text, size, "trajectories.starts=[{v: %.17g%s, %s: %.17g}]", v,
-             unit_text_name(rate, in).text, o->psi ? "psi" : "phi", state);
+    snprintf(text, size, "trajectories.starts=[{v: %s%s, %s: %s}]",
+             number_shortest(v).text, unit_text_name(rate, in).text,
+             o->psi ? "psi" : "phi", number_shortest(state).text);
 }
 
 void state_print(FILE *out, const struct scene *s, double v, double psi)

@@ -180,6 +180,32 @@ print(*h5py.File("a.h5")["provenance"].attrs)""").stdout.split()
         expect(set(listed) & inputs == used, law, listed)
 
 
+def no_decimal_is_longer_than_it_must_be(room):
+    """Of all commands that tell numbers: 0.34, not 0.34000000000000002."""
+    slope = ['--law', 'spinodal_gen', '--alpha', '0.34', '--set',
+             'material.V_star=3e-7']
+    state = ['--v', '1e3', '--psi', '0.3']
+    sweep = 'sweep={key: slope.alpha, from: 0.3, to: 0.36, points: 5}'
+    seen = 0
+    for args in (['knees', *slope], ['knees', *slope, '--json'],
+                 ['knees', *slope, '--json', '--set', 'units=si'],
+                 ['push', *slope, *state, '--json'],
+                 ['simulate', *slope, *state, '--json'],
+                 ['sweep', *slope, '--set', sweep, '-o', '-'],
+                 ['stress', '--only', 'field/perrin/log/0,1e-11'],
+                 ['stress', '--only', 'field/perrin/log/0,1e-11', '--json'],
+                 ['check', '--record', *slope],
+                 ['export', *slope, '--as', 'xppaut', '-o', '-'],
+                 ['workprec', '--quick', *slope, '--json']):
+        said = room.run(*args).stdout
+        for text in re.findall(r'(?<![\w.])\d+\.\d+(?:e[-+]?\d+)?', said):
+            seen += 1
+            digits = re.sub(r'e.*|\.', '', text).strip('0')
+            least = re.sub(r'e.*|\.', '', repr(float(text))).strip('0')
+            expect(len(digits) <= len(least), args, text)
+    expect(seen > 500, seen)
+
+
 # ---- README ------------------------------------------------------------------
 
 def blocks(page):
@@ -232,5 +258,6 @@ run_cases([
     the_version_is_that_of_the_project,
     every_law_of_the_list_is_a_law,
     inputs_that_a_law_does_not_use_are_not_listed,
+    no_decimal_is_longer_than_it_must_be,
     the_readme_does_what_it_says,
 ])

@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "number.h"
+
 /* ---- the tape over nodes ------------------------------------------------- */
 
 static int call(struct formula *f, enum formula_function which, int u, int w,
@@ -258,10 +260,7 @@ static void put_part(struct pen *p, int i, int needed)
 
 static void put_number(struct pen *p, double number)
 {
-    char word[32];
-
-    snprintf(word, sizeof word, "%.17g", number);
-    put(p, word);
+    put(p, number_shortest(number).text);
 }
 
 /* +w, or -|c| w */

@@ -6,6 +6,8 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "number.h"
+
 /* ---- text as C ----------------------------------------------------------- */
 
 static const struct {
@@ -113,8 +115,8 @@ static void write_func(FILE *out, const struct block *b,
     write_parameters(out, f);
     for (int i = 0; law->typed && i < law->typed->owns; i++)
         if (f->owns[i])
-            fprintf(out, "    const double %s = %.17g;\n",
-                    law->typed->own[i].name, b->material.own[i]);
+            fprintf(out, "    const double %s = %s;\n", law->typed->own[i].name,
+                    number_shortest(b->material.own[i]).text);
     fputs("    /* the state */\n", out);
     for (int i = 0; i < 2; i++)
         fprintf(out, "    const double %s = u[%d];\n", text_state_name(law, i),
@@ -143,11 +145,14 @@ static void write_stpnt(FILE *out, const struct interchange *x,
           out);
     for (int p = 0; p < TEXT_PARAMETERS; p++)
         if (f->uses[p])
-            fprintf(out, "    par[%d] = %.17g; /* %s */\n", index++,
-                    text_parameter_value(x->block, (enum text_parameter) p),
+            fprintf(out, "    par[%d] = %s; /* %s */\n", index++,
+                    number_shortest(
+                        text_parameter_value(x->block, (enum text_parameter) p))
+                        .text,
                     text_parameters[p].name);
-    fprintf(out, "    u[0] = %.17g;\n    u[1] = %.17g;\n    return 0;\n}\n",
-            x->steady.x, x->steady.y);
+    fprintf(out, "    u[0] = %s;\n    u[1] = %s;\n    return 0;\n}\n",
+            number_shortest(x->steady.x).text,
+            number_shortest(x->steady.y).text);
 }
 
 /* AUTO links these even where it calls none. */

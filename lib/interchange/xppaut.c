@@ -3,6 +3,8 @@
  * run ends where anything that is printed exceeds `bound`. */
 #include "xppaut.h"
 
+#include "number.h"
+
 static void write_parameters(FILE *out, const struct interchange *x,
                              const struct field_text *f)
 {
@@ -12,8 +14,8 @@ static void write_parameters(FILE *out, const struct interchange *x,
             continue;
         fputs("# ", out);
         interchange_meaning(out, p);
-        fprintf(out, "\npar %s=%.17g\n", text_parameters[p].name,
-                text_parameter_value(x->block, p));
+        fprintf(out, "\npar %s=%s\n", text_parameters[p].name,
+                number_shortest(text_parameter_value(x->block, p)).text);
     }
 }
 
@@ -25,7 +27,8 @@ static void write_owns(FILE *out, const struct block *b,
 
     for (int i = 0; t && i < t->owns; i++)
         if (f->owns[i])
-            fprintf(out, "par %s=%.17g\n", t->own[i].name, b->material.own[i]);
+            fprintf(out, "par %s=%s\n", t->own[i].name,
+                    number_shortest(b->material.own[i]).text);
 }
 
 static void write_functions(FILE *out, const struct field_text *f)
@@ -76,7 +79,8 @@ static void write_aux(FILE *out, bool psi_is_log)
 static void write_start(FILE *out, const char *const state[2], struct vec2 z,
                         const char *between)
 {
-    fprintf(out, "%s=%.17g%s%s=%.17g", state[0], z.x, between, state[1], z.y);
+    fprintf(out, "%s=%s%s%s=%s", state[0], number_shortest(z.x).text, between,
+            state[1], number_shortest(z.y).text);
 }
 
 static void write_branches(FILE *out, const char *const state[2],

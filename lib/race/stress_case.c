@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
 #include "room.h"
 #include "stress_family.h"
 #include "stress_tolerance.h"
@@ -115,8 +116,9 @@ static void set_material(struct settings *s, const struct combination *k)
         if (!law_uses(&k->law, which) ||
             (value == *material_member(&usual, which) && !needed))
             continue;
-        SET(s, "%s%s=%.17g", which == MATERIAL_G ? "" : "material.",
-            which == MATERIAL_G ? "gravity" : material_key_name(which), value);
+        SET(s, "%s%s=%s", which == MATERIAL_G ? "" : "material.",
+            which == MATERIAL_G ? "gravity" : material_key_name(which),
+            number_shortest(value).text);
     }
 }
 
@@ -124,8 +126,9 @@ static void set_start(struct settings *s, const struct combination *k)
 {
     const struct scene_start *at = &k->f->start[k->start];
 
-    SET(s, "trajectories.starts=[{v: %.17g, psi: %.17g}]", at->v,
-        law_psi_is_log(&k->law) ? log(at->psi) : at->psi);
+    SET(s, "trajectories.starts=[{v: %s, psi: %s}]",
+        number_shortest(at->v).text,
+        number_shortest(law_psi_is_log(&k->law) ? log(at->psi) : at->psi).text);
 }
 
 /* The whole plane, with room for a few hundred labels. */
@@ -147,7 +150,8 @@ static void set_pair(struct settings *s, const char *key, double centre,
         is_log ? centre * exp(-2.0 * aside) : centre - 2.0 * aside;
     const double hi = is_log ? centre * exp(2.0 * aside) : centre + 2.0 * aside;
 
-    SET(s, "%s=[%.17g, %.17g]", key, lo, hi);
+    SET(s, "%s=[%s, %s]", key, number_shortest(lo).text,
+        number_shortest(hi).text);
 }
 
 static void set_field(struct settings *s, const struct combination *k)
@@ -175,7 +179,7 @@ static void combine(struct settings *s, const struct combination *k)
     s->count = 0;
     set_law(s, &k->law);
     set_material(s, k);
-    SET(s, "slope.alpha=%.17g", k->alpha);
+    SET(s, "slope.alpha=%s", number_shortest(k->alpha).text);
     SET(s, "accuracy.rtol=%g", rtol[k->f->kind]);
     if (k->f->kind == STRESS_START)
         set_start(s, k);

@@ -1,7 +1,7 @@
 /* number.h -- numbers as users write and read them: decimal, with a point,
  * whatever the locale. */
-#ifndef SCENE_NUMBER_H
-#define SCENE_NUMBER_H
+#ifndef CORE_NUMBER_H
+#define CORE_NUMBER_H
 
 #include <stdbool.h>
 #include <stdint.h>
