@@ -155,32 +155,56 @@ static void judge_peaks(struct slow_branch *b)
     }
 }
 
-/* What a polynomial over two steps misses at the knot between is 64 times what
- * one over one step misses; twice, if it is noise in the slopes. */
-void slow_fit_judge(struct slow_branch *b, double a)
+/* What rounding of y, of which slopes and curvatures of knots are made where y
+ * settles first, makes of x in the middle between two that are h apart, per
+ * unit of its slope; of time and slip as much.  y' is wrong by r = fast
+ * digit/|y'| of itself and the curvature by fast r/|y'| slopes: h r (10 + h
+ * fast/|y'|)/32 for both knots, by the weights 5 h/32 and h^2/64 of a quintic.
+ */
+static double rounding_of(const struct slider *s, const struct slow_knot *k,
+                          double h)
 {
+    const double shrinks = k->fast * fabs(k->time[1]);
+    const double r = shrinks * slider_rounding(s, (struct vec2){ k->x, k->y });
+
+    return slow_knot_is_fast_y(k) ? h * r * (10.0 + h * shrinks) / 32.0 : 0.0;
+}
+
+/* What a polynomial over two steps misses at the knot between is 64 times what
+ * one over one step misses; but as much, at most, is noise of the slopes. */
+static double missed_of(double missed, double noise)
+{
+    return fmin(missed, TOL_SLOW_MISSED * missed + noise);
+}
+
+/* Of a number at both ends of an interval. */
+static void widen(double *from, double *to, double error)
+{
+    *from = fmax(*from, error);
+    *to = fmax(*to, error);
+}
+
+void slow_fit_judge(const struct slider *s, struct slow_branch *b)
+{
+    const double a = s->block.steep.x;
     struct slow_knot *const k = b->knot;
     double ignored;
 
     for (size_t i = 1; i + 1 < b->count; i++) {
         const struct slow_knot *f = &k[i - 1], *g = &k[i + 1];
         const double h = g->y - f->y, theta = (k[i].y - f->y) / h;
-        const double x = slow_knot_x(f, g, theta, &ignored);
+        const double x = slow_knot_x(f, g, theta, &ignored) - k[i].x;
         const double t = slow_quintic(f->time, g->time, h, theta, &ignored);
         const double l = slow_quintic(f->slip, g->slip, h, theta, &ignored);
-        const double part = is_blurred(&k[i]) ? 1.0 : TOL_SLOW_MISSED;
-        const double shift = slow_knot_shift(&k[i], x - k[i].x);
-        const double dt =
-            part * (fabs(t - k[i].time[0]) + fabs(k[i].time[1]) * shift);
-        const double dl =
-            part * (fabs(l - k[i].slip[0]) + fabs(k[i].slip[1]) * shift);
-        k[i].time_error = fmax(k[i].time_error, dt);
-        k[i + 1].time_error = fmax(k[i + 1].time_error, dt);
-        k[i].slip_error = fmax(k[i].slip_error, dl);
-        k[i + 1].slip_error = fmax(k[i + 1].slip_error, dl);
-        const double dmu = part * a * fabs(x - k[i].x);
-        k[i].mu_error = fmax(k[i].mu_error, dmu);
-        k[i + 1].mu_error = fmax(k[i + 1].mu_error, dmu);
+        const double noise = rounding_of(s, &k[i], 0.5 * fabs(h));
+        const double shift = slow_knot_shift(&k[i], x);
+        const double time = fabs(k[i].time[1]), slip = fabs(k[i].slip[1]);
+        widen(&k[i].time_error, &k[i + 1].time_error,
+              missed_of(fabs(t - k[i].time[0]) + time * shift, time * noise));
+        widen(&k[i].slip_error, &k[i + 1].slip_error,
+              missed_of(fabs(l - k[i].slip[0]) + slip * shift, slip * noise));
+        widen(&k[i].mu_error, &k[i + 1].mu_error,
+              a * missed_of(fabs(x), fabs(k[i].x_slope) * noise));
     }
     judge_peaks(b);
 }

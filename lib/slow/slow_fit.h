@@ -18,8 +18,7 @@ void slow_fit_smooth(struct slow_branch *b);
 void slow_fit_frictions(const struct slider *s, struct slow_branch *b);
 
 /* Errors of the intervals, by what polynomials over two steps miss: of time and
- * slip, which are what is still to come, and of friction, which changes by `a`
- * at most per unit of x. */
-void slow_fit_judge(struct slow_branch *b, double a);
+ * slip, which are what is still to come, and of friction. */
+void slow_fit_judge(const struct slider *s, struct slow_branch *b);
 
 #endif

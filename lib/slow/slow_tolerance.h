@@ -9,8 +9,8 @@
  * what is left of a rest; steps, in
  * e-folds of the slow rate and in ln psi, that polynomials of degree 5 bear to
  * 1e-11, at most TOL_BRANCH_STEPS; how much of what twice the step misses one
- * step may, which is all where slopes are mostly noise: below such a ratio of
- * the slow rate to the fast one, where curvatures come from knots not nearer
+ * step may, but for rounding; the ratio of the slow rate to the fast one below
+ * which slopes are mostly noise, where curvatures come from knots not nearer
  * than such a part of an interval; and the largest ratio. */
 #define TOL_SLOW_REST    1e-6
 #define TOL_SLOW_STEP    0.035

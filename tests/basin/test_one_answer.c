@@ -380,6 +380,13 @@ static const struct {
         1e-6 },
       { -0.503659889971527, 0.1981887102485978 },
       "a box of arrest by whose corner an orbit goes" },
+    { { FRICTION_ASINH, THETA_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+        KINETICS_LINEAR, 0.35838222826273081, 0.048745225148090814,
+        0.010271319279817217, 0.013406343101165142, 2452.9873780463604,
+        3.0262838996485415e-07, 0.00023098601944379621, 0.35698359402709817,
+        1e-8 },
+      { 6.3936640313684689, 13.897865290179778 },
+      "slopes of the slow curve's knots that are mostly rounding" },
 };
 
 static void states_that_random_ones_found_have_one_answer(void **state)
