@@ -316,6 +316,9 @@ static void miss(const struct walk *w, const double u0[], const double unit[],
     }
     const double part = missed(w, e, gain, unit);
     const double fair = fmax(part, w->at.options.fair);
+    m->part = part;
+    m->size = part * sqrt(e[LAYER_X] * e[LAYER_X] + e[LAYER_Y] * e[LAYER_Y]);
+    m->length = fabs(w->h);
     *place = fair * (fabs(e[LAYER_X]) + fabs(e[LAYER_Y]));
     for (int i = 0; i < LAYER_DIM; i++)
         e[i] *= part;
@@ -348,7 +351,8 @@ static void account(struct walk *w, const double u1[], const double unit[])
     miss(w, u0, unit, m, &place);
     m->digits = digit_x * dy + digit_y * dx +
                 TOL_LAYER_TERMS * digits * fabs(w->h) * dx * dy;
-    l->across = m->left * l->across + fabs(m->across) + m->digits;
+    l->across = m->left * l->across + fabs(m->across) +
+                TOL_LAYER_TURN * m->size + m->digits;
     l->time_error += time + l->du[LAYER_TIME] * on;
     l->slip_error += slip + l->du[LAYER_SLIP] * on;
     l->out->place_error += place + digits;

@@ -11,11 +11,14 @@
 enum { LAYER_X, LAYER_Y, LAYER_TIME, LAYER_SLIP, LAYER_DIM };
 
 /* What a step may have missed: `across` the orbit, to its left, and of time and
- * slip where it has come as far along; by how much rounding moves it across;
- * and what it makes of a unit across at its start: `left` of it, and more of
- * time and slip. */
+ * slip where it has come as far along; its size in any direction, which is a
+ * part of the estimates of order 5 that goes like the cube of its length; by
+ * how much rounding moves it across; and what it makes of a unit across at its
+ * start: `left` of it, and more of time and slip. */
 struct landing_step {
-    double across, time, slip, digits;
+    double across, time, slip;
+    double size, part, length;
+    double digits;
     double left, time_gain, slip_gain;
 };
 

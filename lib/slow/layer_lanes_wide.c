@@ -174,7 +174,7 @@ static lanes judge(struct bundle *b, lanes off, lanes *factor)
 /* struct landing_step of every lane, and what else is known of the step;
  * b->k[0] was du0. */
 struct steps {
-    lanes across, gain[2], digits, left, carried[2];
+    lanes across, gain[2], size, part, length, digits, left, carried[2];
     lanes good, factor, u[LAYER_DIM], du0[LAYER_DIM];
     lanes spread, aside[2];
 };
@@ -267,10 +267,13 @@ static void account(struct bundle *b, struct steps *m)
 
     carry(b, m);
     m->across = e_y * du[LAYER_X] - e_x * du[LAYER_Y];
+    m->part = part;
+    m->size = lanes_root(e_x * e_x + e_y * e_y);
+    m->length = lanes_size(b->h);
     m->digits = digit_x * dy + digit_y * dx +
-                TOL_LAYER_TERMS * digits * lanes_size(b->h) * dx * dy;
-    const lanes across =
-        m->left * b->across + lanes_size(m->across) + m->digits;
+                TOL_LAYER_TERMS * digits * m->length * dx * dy;
+    const lanes across = m->left * b->across + lanes_size(m->across) +
+                         TOL_LAYER_TURN * m->size + m->digits;
     const lanes fair = lanes_larger(part, b->fair);
     const lanes place =
         fair * (lanes_size(b->error[LAYER_X]) + lanes_size(b->error[LAYER_Y])) +
@@ -294,6 +297,9 @@ static void keep(struct bundle *b, int l, const struct steps *m)
         .across = m->across[l],
         .time = m->gain[0][l],
         .slip = m->gain[1][l],
+        .size = m->size[l],
+        .part = m->part[l],
+        .length = m->length[l],
         .digits = m->digits[l],
         .left = m->left[l],
         .time_gain = m->carried[0][l],

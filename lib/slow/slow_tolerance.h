@@ -86,13 +86,15 @@
  * over the power 3/2 of their ratio to those of order 3 (measured: 6 to 24
  * where that law holds, and along exponentials down to e^-10); the least, in
  * steps of a length of 1 or more, and the most; what the other estimate is to
- * be multiplied by to be as large, in the mean of all its terms of order 6; and
- * how well what a step makes of a unit across is known (landing.c), as a part
- * of what it changes. */
-#define TOL_LAYER_MISSED       45.0
+ * be multiplied by to be as large, in the mean of all its terms of order 6;
+ * what part of it may point elsewhere than the estimates do (landing_weigh.c);
+ * and how well what a step makes of a unit across is known (landing.c), as a
+ * part of what it changes. */
+#define TOL_LAYER_MISSED       30.0
 #define TOL_LAYER_MISSED_LEAST 0.05
 #define TOL_LAYER_MISSED_MOST  6.0
 #define TOL_LAYER_SECOND       0.26
+#define TOL_LAYER_TURN         0.1
 #define TOL_LAYER_BLUR         0.3
 
 /* It lands only where the fibre's part of the bar is within this part of what
