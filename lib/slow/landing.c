@@ -329,11 +329,6 @@ static struct landing_slope across_fibre(const struct landing *l,
                                    p->slip_slope * on + off_slope * off };
 }
 
-static bool is_endless(const struct slow_point *p)
-{
-    return p->fate == FATE_REST_ASYMPTOTIC;
-}
-
 /* What the table says of the point y, `off` away along its fibre, added to what
  * was before.  False: nearer to the curve it would be good enough. */
 static bool land(struct landing *l, double y, const struct slow_point *p,
@@ -344,8 +339,12 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double det = fabs(e.x - e.y * p->x_slope);
     const double part =
         TOL_LAYER_BEND * (fabs(off) + p->gap) + unevenness(l, p, off);
+    /* Where fibres turn, that of y may not be the one that led to y. */
+    const double beside =
+        fabs(e.x * (l->u[LAYER_Y] - y) - e.y * (l->u[LAYER_X] - p->x));
     const double bend =
-        fabs(off) * fmax((fabs(e.x * e.y) + p->turns) * part, turning(l, p)) /
+        (fabs(off) * fmax((fabs(e.x * e.y) + p->turns) * part, turning(l, p)) +
+         beside) /
         det;
     const double wrong = bend + l->across / det;
     const double d = off * e.x, v = exp(s->block.at.x0 + p->x);
@@ -357,7 +356,8 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double waste =
         wait > 0.0 ? wait * exp(s->block.at.x0 + p->x_end) : 0.0;
     const double late = 2.0 * fabs(p->time_slope) * bend;
-    const double lateness = is_endless(p) ? 0.0 : (late + wait) / time;
+    const double lateness =
+        p->fate == FATE_REST_ASYMPTOTIC ? 0.0 : (late + wait) / time;
     const double long_ = 2.0 * fabs(p->slip_slope) * bend + unsaid;
     struct layer *const out = l->out;
 

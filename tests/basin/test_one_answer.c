@@ -406,6 +406,13 @@ static const struct {
         1e-8 },
       { 6.3936640313684689, 13.897865290179778 },
       "slopes of the slow curve's knots that are mostly rounding" },
+    { { FRICTION_LOG, THETA_LN_C_1PR_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+        KINETICS_SINH, 0.59402751916929952, 0.015351586407853998,
+        0.062243497090994644, 0.00017446094426540158, 8197.8300909377995,
+        0.00039863880108191856, 1.5082563659867877e-05, 0.99523463462405171,
+        1e-6 },
+      { -9.6662550733904027, 12.808337279079629 },
+      "a base point whose fibre is not that of the state" },
 };
 
 static void states_that_random_ones_found_have_one_answer(void **state)
