@@ -1,7 +1,8 @@
 /* Points of the slow curve's branches, by place and by time. */
 #include "slow_point.h"
 
-#include "slope.h"
+#include "fate.h"
+#include "found.h"
 #include "slow_curve.h"
 
 static const char *const steady_only[] = { "products=[equilibria]", NULL };
@@ -55,6 +56,59 @@ static void a_point_is_found_again_by_its_time(void **state)
         CHECK(points > 200, "%s: %d points", law[i], points);
         drop(&c, &s);
     }
+}
+
+/* Half way between knots, against an orbit from there. */
+static void check_between(const struct slow_curve *c, size_t branch, size_t i)
+{
+    const struct slow_branch *b = &c->branch[branch];
+    const double y = 0.5 * (b->knot[i].y + b->knot[i + 1].y);
+    struct slow_point p;
+    struct fate_result r;
+
+    assert_true(slow_point_at(b, y, &p));
+    const struct vec2 z = { p.x, y }, o = c->slider->plane.system.origin;
+    assert_int_equal(
+        fate_find(c->slider, vec2_add(z, o), 1e-12, true, NULL, &r), 0);
+    const double time = fabs(p.time - r.time.value);
+    const double slip = fabs(p.slip - r.slip.value);
+    CHECK(time <= p.time_error + r.time.error, "y = %.17g: time %g over %g", y,
+          time, p.time_error);
+    CHECK(slip <= p.slip_error + r.slip.error, "y = %.17g: slip %g over %g", y,
+          slip, p.slip_error);
+}
+
+/* Where psi settles first, and by 1e-4 of that the curve is followed, slopes of
+ * knots are rounding, which no shorter step mends. */
+static void rounding_of_slopes_is_in_the_bars(void **state)
+{
+    static const struct found f = {
+        FRICTION_ASINH,         THETA_PSI,
+        PSI_SS_SPINODAL,        TIMESCALE_SPINODAL,
+        KINETICS_LINEAR,        0.35838222826273081,
+        0.048745225148090814,   0.010271319279817217,
+        0.013406343101165142,   2452.9873780463604,
+        3.0262838996485415e-07, 0.00023098601944379621,
+        0.35698359402709817,    1e-8
+    };
+    struct slow_curve c;
+    struct slope s;
+    struct fault why;
+    int points = 0;
+
+    (void) state;
+    found_scene(&f, steady_only, &s.scene);
+    assert_int_equal(study_run(&s.study, &s.scene, NULL, &why), STATUS_OK);
+    assert_int_equal(slow_curve_init(&c, &s.study.slider, NULL), STATUS_OK);
+    for (size_t k = 0; k < c.branches; k++)
+        for (size_t i = 0; i + 1 < c.branch[k].count; i += 10)
+            if (isfinite(c.branch[k].knot[i].gap) &&
+                isfinite(c.branch[k].knot[i + 1].gap)) {
+                check_between(&c, k, i);
+                points++;
+            }
+    CHECK(points > 30, "%d points", points);
+    drop(&c, &s);
 }
 
 /* T = T0 + ln(way)/|lambda| next to a node, the table's last knot or not. */
@@ -115,6 +169,7 @@ int main(void)
         cmocka_unit_test(a_point_is_found_again_by_its_time),
         cmocka_unit_test(inside_a_box_time_goes_on_below_zero),
         cmocka_unit_test(elsewhere_there_is_nothing),
+        cmocka_unit_test(rounding_of_slopes_is_in_the_bars),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
