@@ -130,7 +130,9 @@ static double fall_of(const double u[], size_t order, double h, double last,
                 fmin(TOL_STEP_FALL * fmax(single, step), TOL_STEP_SMOOTH));
 }
 
-/* Where terms fall, by `ratio`, from `last` on. */
+/* Where terms fall, by `ratio`, from `last` on: what the slope and its change
+ * make of the next two terms.  Where it is no series', past a kink, that is off
+ * from what the slope alone makes of one, which then counts. */
 static struct graph_miss smooth_missing(const double u[], size_t order,
                                         double s, const struct graph_rate *rate,
                                         double ratio, double last)
@@ -145,8 +147,10 @@ static struct graph_miss smooth_missing(const double u[], size_t order,
     const double fall = ratio / (1.0 - ratio);
     const double rest = 2.0 * fall * fall * fall * last;
     const double last_off = (2.0 + rate->bend) * fabs(value);
+    const double one = fabs(value - off * s / part);
 
-    return (struct graph_miss){ value, (rest + last_off + noise) / square };
+    return (struct graph_miss){ value,
+                                (rest + last_off + noise) / square + one };
 }
 
 struct graph_miss graph_missing(const double u[], size_t order, double s,
@@ -164,7 +168,8 @@ struct graph_miss graph_missing(const double u[], size_t order, double s,
 
     if (smooth && ratio <= TOL_STEP_SMOOTH && part > 0.5 * terms)
         return smooth_missing(u, order, s, rate, ratio, last);
-    if (next > most && fabs(off) > rounding)
+    /* no series' rest: as far as the slope is off at the end, all the way */
+    if ((next > most || ratio >= 1.0) && fabs(off) > rounding)
         return (struct graph_miss){ 0.0, fabs(off) * h };
     return (struct graph_miss){ 0.0, TOL_STEP_BAR_NEXT * fmin(next, most) +
                                          TOL_STEP_BAR_LAST * last };
