@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "close.h"
+#include "grow_error.h"
 #include "limit.h"
 #include "tolerance.h"
 
@@ -58,15 +59,37 @@ static bool tail_holds(const struct grower *g, const struct tail *t)
     return holds || hardly_changes(g, TOL_TAIL);
 }
 
+static bool close_at(const struct grower *g, struct vec2 z, struct tail *t)
+{
+    return close_tail(g->sys, g->ind, g->toward, z, &g->o->carry, t);
+}
+
+/* What the tail makes of dep's error: by the tail beside it. */
+static bool carry_over_tail(struct grower *g, const struct tail *t)
+{
+    const double dep = grower_coordinate(g->z, 1 - g->ind);
+    const double aside = TOL_ASIDE * fmax(1.0, fabs(dep));
+    const struct vec2 z =
+        local_point(g->ind, grower_coordinate(g->z, g->ind), dep + aside);
+    double drift[LOCAL_CARRY_MAX];
+    struct tail beside;
+
+    if (!close_at(g, z, &beside))
+        return false;
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        drift[i] = (beside.integral[i] - t->integral[i]) / aside;
+    grow_error_tail(g, 1.0 + (beside.unknown - t->unknown) / aside, drift);
+    return true;
+}
+
 bool grow_end_close(struct grower *g)
 {
     struct tail t;
 
-    if (!may_close(g) ||
-        !close_tail(g->sys, g->ind, g->toward, g->z, &g->o->carry, &t) ||
-        !tail_holds(g, &t) ||
+    if (!may_close(g) || !close_at(g, g->z, &t) || !tail_holds(g, &t) ||
         !limit_exists(g->sys, g->ind, g->toward,
-                      grower_coordinate(g->z, 1 - g->ind)))
+                      grower_coordinate(g->z, 1 - g->ind)) ||
+        !carry_over_tail(g, &t))
         return false;
     g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
     g->b->sign = g->toward;

@@ -94,6 +94,15 @@ void grow_error_turn(struct grower *g, double slope)
     pass_on(g, (struct factor){ turned, fabs(turned) }, drift);
 }
 
+void grow_error_tail(struct grower *g, double grown, const double drift[])
+{
+    struct factor late[LOCAL_CARRY_MAX];
+
+    for (size_t i = 0; i < g->o->carry.count; i++)
+        late[i] = (struct factor){ drift[i], fabs(drift[i]) };
+    pass_on(g, (struct factor){ grown, fabs(grown) }, late);
+}
+
 /* Roundings of d dep/d ind and, relative, of rates over that of ind: each
  * component of the field is made of parts that cancel, and of a number whose
  * logarithm is its size. */

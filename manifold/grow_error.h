@@ -16,6 +16,10 @@ void grow_error_look(struct grower *g, struct vec2 z);
 /* Of dep along the other axis, `slope` = d dep/d ind: the same curve. */
 void grow_error_turn(struct grower *g, double slope);
 
+/* Beyond the last step: an error of dep becomes `grown` times as much and adds
+ * drift[i] times as much to integral i's. */
+void grow_error_tail(struct grower *g, double grown, const double drift[]);
+
 /* The step to `end`, where the field is g->end: its own errors, and what
  * becomes of those before it. */
 void grow_error_step(struct grower *g, struct vec2 end);
