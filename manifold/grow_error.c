@@ -203,13 +203,14 @@ static struct graph_rate rate_of(const struct grower *g, double value,
                                  double by_ind, double by_dep, double slope,
                                  double noise)
 {
-    const double unit = g->unit, square = unit * unit;
+    const double unit = g->unit; /* its square may be beyond a double */
 
     return (struct graph_rate){
         .value = unit * value,
         .noise = unit * noise * fabs(value),
-        .change = square * (by_ind + by_dep * slope),
-        .change_noise = square * noise * (fabs(by_ind) + fabs(by_dep * slope)),
+        .change = unit * (unit * (by_ind + by_dep * slope)),
+        .change_noise =
+            unit * (unit * noise * (fabs(by_ind) + fabs(by_dep * slope))),
     };
 }
 

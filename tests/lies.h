@@ -1,4 +1,4 @@
-/* lies.h -- spinodal laws, found by chance, the bars of which were too small.
+/* lies.h -- laws, found by chance, the bars of which were too small or missing.
  */
 #ifndef TESTS_LIES_H
 #define TESTS_LIES_H
@@ -8,6 +8,7 @@
 struct lie {
     enum friction_form form;
     enum theta theta;
+    enum psi_ss psi_ss;
     enum timescale timescale;
     enum kinetics kinetics;
     long double tan_alpha;
@@ -20,7 +21,7 @@ static inline struct draw draw_lie(const struct lie *lie)
                                .equation = "",
                                .form = lie->form,
                                .theta = lie->theta,
-                               .psi_ss = PSI_SS_SPINODAL,
+                               .psi_ss = lie->psi_ss,
                                .timescale = lie->timescale,
                                .kinetics = lie->kinetics },
                       .m = material_bristol_board(),
@@ -37,39 +38,47 @@ static inline struct draw draw_lie(const struct lie *lie)
 }
 
 /* Terms that fall more slowly than the last ones promise. */
-static const struct lie lie_slow = { FRICTION_LOG,
-                                     THETA_LN_PSI,
-                                     TIMESCALE_SLIP45,
-                                     KINETICS_LINEAR,
-                                     0.964213307843796437282L,
-                                     0.87282149950100674,
-                                     0.0014829935850765421,
-                                     0.020154839655817287,
-                                     1e-3,
-                                     176.30256287929842,
-                                     0.00044103642234773806,
-                                     4.4159452363176371e-06 };
+static const struct lie lie_slow = {
+    FRICTION_LOG,          THETA_LN_PSI,
+    PSI_SS_SPINODAL,       TIMESCALE_SLIP45,
+    KINETICS_LINEAR,       0.964213307843796437282L,
+    0.87282149950100674,   0.0014829935850765421,
+    0.020154839655817287,  1e-3,
+    176.30256287929842,    0.00044103642234773806,
+    4.4159452363176371e-06
+};
 
 /* A step past a kink, the series of which is none. */
-static const struct lie lie_kink = { FRICTION_ASINH,
-                                     THETA_PSI,
-                                     TIMESCALE_AGEING44,
-                                     KINETICS_SINH,
-                                     0.149915846062127221957L,
-                                     0.10714753708265717,
-                                     5.8918871288130952e-05,
-                                     0.0094770623665083407,
-                                     0.0,
-                                     228261.25709696827,
-                                     3.1091115698576416e-06,
-                                     4.6038575455652215e-07 };
+static const struct lie lie_kink = {
+    FRICTION_ASINH,        THETA_PSI,
+    PSI_SS_SPINODAL,       TIMESCALE_AGEING44,
+    KINETICS_SINH,         0.149915846062127221957L,
+    0.10714753708265717,   5.8918871288130952e-05,
+    0.0094770623665083407, 0.0,
+    228261.25709696827,    3.1091115698576416e-06,
+    4.6038575455652215e-07
+};
 
 /* An error of psi where a tail begins, which goes on in its integral. */
 static const struct lie lie_tail = {
-    FRICTION_ASINH,        THETA_LN_C_PSI,           TIMESCALE_SLIP45,
-    KINETICS_LINEAR,       0.701231502536695531418L, 0.78556884258157234,
-    2.730975548480436e-05, 0.020550546327293317,     0.0,
-    4297.1058715607842,    1.3983939456076344e-05,   2.8049869879198623e-05
+    FRICTION_ASINH,        THETA_LN_C_PSI,
+    PSI_SS_SPINODAL,       TIMESCALE_SLIP45,
+    KINETICS_LINEAR,       0.701231502536695531418L,
+    0.78556884258157234,   2.730975548480436e-05,
+    0.020550546327293317,  0.0,
+    4297.1058715607842,    1.3983939456076344e-05,
+    2.8049869879198623e-05
+};
+
+/* A branch that meets v = 0 at psi = -4.66e211, beyond the root of a double. */
+static const struct lie lie_far = {
+    FRICTION_ASINH,        THETA_PSI,
+    PSI_SS_MINUS_LOG,      TIMESCALE_SLIP,
+    KINETICS_LINEAR,       0.0899359124374139280928L,
+    0.10910940650540076,   0.0013274027724511706,
+    0.0029283506392844463, 0.003343742281455263,
+    853.83914215558127,    8.4116134970731493e-07,
+    1.6845192694703358e-07
 };
 
 #endif

@@ -12,7 +12,7 @@
 
 #include "quad_step.h"
 
-enum { STEPS_MAX = 4000 };
+enum { STEPS_MAX = 20000 };
 
 static const double nearest = 1e-18, near_saddle = 1e-2;
 static const double steep = 1.5;     /* |slope| above which the graph turns */

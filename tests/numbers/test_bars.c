@@ -327,6 +327,26 @@ static void bars_that_lied_once_lie_no_more(void **state)
     hold_lie(&lie_tail, 3.6885640652063053e-05, 3.7e-5);
 }
 
+static void bars_hold_where_squares_overflow(void **state)
+{
+    struct draw d = draw_lie(&lie_far);
+    struct tally tally = { 0 };
+    struct solved s;
+
+    (void) state;
+    if (laws_emulated())
+        skip();
+    draw_name(&d);
+    for (double rtol = 1e-12; rtol < 1e-5; rtol *= 1e3) {
+        assert_int_equal(solve(&s, &d.law, &d.m, d.tan_alpha, rtol), STATUS_OK);
+        assert_true(d.lower.steps > 0 || draw_solve(&d, &s.block));
+        assert_int_equal(d.lower.end, QUAD_V_0);
+        hold_ends(&d, rtol, &s.numbers);
+        hold_lower(&d, rtol, &s.numbers, &tally);
+        solved_free(&s);
+    }
+}
+
 /* A law whose friction turns sharply: b up to a thousand times a. */
 static bool draw_kink(uint64_t *seed, struct draw *d)
 {
@@ -433,6 +453,7 @@ int main(void)
         cmocka_unit_test(bars_hold_beside_cusps_and_folds),
         cmocka_unit_test(bars_are_believed),
         cmocka_unit_test(bars_that_lied_once_lie_no_more),
+        cmocka_unit_test(bars_hold_where_squares_overflow),
         cmocka_unit_test(bars_hold_where_friction_turns_sharply),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
