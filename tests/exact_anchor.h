@@ -1,6 +1,6 @@
 /* exact_anchor.h -- a point of the steady-state curve and what closed forms of
  * the field around it are made of, in 113 bits, from the model as it is printed
- * (plain.h).  Names as in anchor.h. */
+ * (plain.h).  Names as in steady.h. */
 #ifndef TESTS_EXACT_ANCHOR_H
 #define TESTS_EXACT_ANCHOR_H
 

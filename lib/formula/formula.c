@@ -353,6 +353,13 @@ bool formula_is_plain(const struct formula *f, int u)
     return is_number(f, u) || f->node[rest].kind == FORMULA_LEAF;
 }
 
+void formula_complete(const struct formula *f, bool needed[])
+{
+    for (int i = f->nodes; i-- > 0;)
+        for (int j = 0; needed[i] && j < f->node[i].arguments; j++)
+            needed[f->node[i].of[j]] = true;
+}
+
 void formula_name(struct formula *f, int u, const char *name)
 {
     if (is_number(f, u) || f->node[u].name[0] || strlen(name) >= FORMULA_NAME)

@@ -96,6 +96,9 @@ int formula_find(const struct formula *f, const char *name, size_t size);
 /* Whether it is a number, a leaf, or one times the other. */
 bool formula_is_plain(const struct formula *f, int u);
 
+/* Adds to needed[] all that the needed ones are made of. */
+void formula_complete(const struct formula *f, bool needed[]);
+
 /* Writes u under this name, unless u has one or is a number, or the name is
  * too long or another node's (capitals do not count). */
 void formula_name(struct formula *f, int u, const char *name);

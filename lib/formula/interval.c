@@ -71,9 +71,7 @@ static void mark(const struct formula *f, const int result[], int results,
 {
     for (int i = 0; i < results; i++)
         needed[result[i]] = true;
-    for (int i = f->nodes; i-- > 0;)
-        for (int k = 0; needed[i] && k < f->node[i].arguments; k++)
-            needed[f->node[i].of[k]] = true;
+    formula_complete(f, needed);
 }
 
 /* About what it costs, in additions. */

@@ -181,9 +181,7 @@ static void find_needs(struct tape *t, const struct formula *f)
     }
     for (int i = 0; i < TAPE_VALUES; i++)
         need_linear(t, &t->value[i]);
-    for (int i = f->nodes; i-- > 0;)
-        for (int j = 0; t->needs[i] && j < f->node[i].arguments; j++)
-            t->needs[f->node[i].of[j]] = true;
+    formula_complete(f, t->needs);
 }
 
 /* ---- all ----------------------------------------------------------------- */

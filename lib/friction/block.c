@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "law_typed.h"
-#include "quasistatic_typed.h"
+#include "quasistatic.h"
 #include "tolerance.h"
 
 static long double balance(const void *ctx, long double x)
@@ -19,41 +19,6 @@ static long double steady_curve(const void *ctx, long double x)
 {
     const struct block *b = ctx;
     return steady_y(&b->law, &b->material, x);
-}
-
-static void field(const void *ctx, struct vec2 z, struct planar_field *f)
-{
-    const struct block *b = ctx;
-    tape_field(&b->plane, z, f);
-}
-
-static void jacobian(const void *ctx, struct vec2 z, struct planar_jacobian *J)
-{
-    const struct block *b = ctx;
-    tape_jacobian(&b->plane, z, J);
-}
-
-static void jet(const void *ctx, struct jet_work *w, size_t k,
-                const jet_pair x[], const jet_pair y[], jet_pair fx[],
-                jet_pair fy[])
-{
-    const struct block *b = ctx;
-    tape_jet(&b->plane, w, k, x, y, fx, fy);
-}
-
-static void rate_gradient(const void *ctx, size_t which, struct vec2 z,
-                          double *rate, struct vec2 *gradient)
-{
-    const struct block *b = ctx;
-    tape_rate(&b->plane, which, z, rate, gradient);
-}
-
-static void rate_jet(const void *ctx, size_t which, struct jet_work *w,
-                     size_t k, const jet_pair x[], const jet_pair y[],
-                     jet_pair rate[])
-{
-    const struct block *b = ctx;
-    tape_jet_rate(&b->plane, which, w, k, x, y, rate);
 }
 
 static const struct planar_observable observables[BLOCK_OBSERVABLES] = {
@@ -121,22 +86,17 @@ struct planar block_planar(const struct block *b)
     const double top =
         is_log ? fmax(b->at.y0, 0.0) + TOL_PSI_ROOM : TOL_LN_RANGE;
 
-    return (struct planar){
-        .name = b->law.preset,
-        .axis = { { "v", "V_star", "slip rate in units of V_star", true },
-                  { "psi", "psi", "interfacial state", !is_log } },
-        .domain = { { -TOL_LN_RANGE, bottom }, { TOL_LN_RANGE, top } },
-        .origin = { b->at.x0, b->at.y0 },
-        .field = field,
-        .jacobian = jacobian,
-        .jet = jet,
-        .observables = observables,
-        .observable_count = BLOCK_OBSERVABLES,
-        .rate_gradient = rate_gradient,
-        .rate_jet = rate_jet,
-        .steady = &b->steady,
-        .ctx = b,
-    };
+    struct planar s = tape_planar(&b->plane);
+    s.name = b->law.preset;
+    s.axis[0] = (struct planar_axis){ "v", "V_star",
+                                      "slip rate in units of V_star", true };
+    s.axis[1] =
+        (struct planar_axis){ "psi", "psi", "interfacial state", !is_log };
+    s.domain = (struct box){ { -TOL_LN_RANGE, bottom }, { TOL_LN_RANGE, top } };
+    s.origin = (struct vec2){ b->at.x0, b->at.y0 };
+    s.observables = observables;
+    s.steady = &b->steady;
+    return s;
 }
 
 double block_mu(const struct block *b, struct vec2 z)

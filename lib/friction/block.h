@@ -19,7 +19,7 @@ enum block_observable {
 };
 
 /* What becomes of v as psi grows and nothing steady holds it: of laws of
- * formulas, see quasistatic_typed.h. */
+ * formulas, see quasistatic.h. */
 enum block_course {
     BLOCK_UNKNOWN, /* the formulas do not tell */
     BLOCK_NEVER,   /* it creeps */
@@ -36,20 +36,21 @@ struct block_end {
 /* A law, its parameters and a slope, with the point its field is anchored at.
  * Copied as a whole. */
 struct block {
+    struct tape_plane plane; /* the field around the anchor: who has a block
+                                has one of these */
     struct law law;
     struct material material;
     long double tan_alpha;
     struct anchor at; /* set by block_anchor */
     long double x, y; /* its place, to all digits that are known */
     struct planar_steady steady;
-    struct vec2 steep;       /* about the largest |d mu/dx| and |d mu/dy| */
-    bool waits;              /* far above psi_ss psi has hardly a rate of its
-                                own, or may have none: not of first order */
-    bool traps;              /* v falls beside the anchor where psi is larger
-                                and psi grows where v is smaller, and so on: the
-                                quadrants of trap.h cannot be left */
-    struct tape_plane plane; /* the field around the anchor */
-    struct block_end end;    /* of a law of formulas; set by block_ask */
+    struct vec2 steep;    /* about the largest |d mu/dx| and |d mu/dy| */
+    bool waits;           /* far above psi_ss psi has hardly a rate of its
+                             own, or may have none: not of first order */
+    bool traps;           /* v falls beside the anchor where psi is larger
+                             and psi grows where v is smaller, and so on: the
+                             quadrants of trap.h cannot be left */
+    struct block_end end; /* of a law of formulas; set by block_ask */
 };
 
 /* Law, material and slope; anchored at no point yet.  The parameters must

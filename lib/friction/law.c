@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "law_plain.h"
+#include "law_graph.h"
 #include "law_typed.h"
 
 /* preset, equation, theta, psi_ss, timescale, kinetics */

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "constants.h"
-#include "law_root.h"
 #include "law_tape.h"
 #include "law_typed.h"
 #include "parse.h"
@@ -35,9 +34,7 @@ static void find_steps(const struct formula *f, const int wanted[], int count,
 
     for (int i = 0; i < count; i++)
         needed[wanted[i]] = true;
-    for (int i = f->nodes; i-- > 0;)
-        for (int j = 0; needed[i] && j < f->node[i].arguments; j++)
-            needed[f->node[i].of[j]] = true;
+    formula_complete(f, needed);
     out->count = 0;
     for (int i = 0; i < f->nodes; i++)
         if (needed[i] && !done[i] && f->node[i].kind != FORMULA_LEAF)

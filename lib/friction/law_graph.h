@@ -8,6 +8,7 @@
 
 #include "formula.h"
 #include "law.h"
+#include "status.h"
 
 /* What can be asked for. */
 enum law_number {
@@ -67,5 +68,34 @@ const struct law_graph *law_graph_kept(const struct law *law,
 
 LAW_POINT(long double, long);
 LAW_POINT(formula_real, quad);
+
+/* ---- of laws of formulas --------------------------------------------------
+ */
+
+/* psi_ss(v) of one that is dpsi/dt alone, where that is 0. */
+
+/* The chart's y at x = ln v; NaN where dpsi/dt is 0 at no psi. */
+long double law_root(struct law_long *p, long double x);
+/* The same to 113 bits. */
+formula_real law_root_quad(struct law_quad *p, formula_real x);
+
+/* STATUS_BAD_SCENE with a reason where psi_ss is no function of v as far as a
+ * search can tell: dpsi/dt is 0 at no psi, or at several, or psi leaves where
+ * it is 0. */
+MUST_CHECK enum status law_root_check(const struct law *law,
+                                      const struct material *m,
+                                      struct fault *why);
+
+/* What it has in common with the compositions of the paper, found from its
+ * numbers. */
+
+/* dpsi/dt is -sinh(psi - psi_ss) times what does not depend on psi. */
+bool law_plain_is_hyperbolic(const struct law *law, const struct material *m);
+
+/* At c = 0 theta is ln psi but for a constant. */
+bool law_plain_theta_is_log(const struct law *law, const struct material *m);
+
+/* psi_ss (1 + R v) does not depend on v. */
+bool law_plain_is_spinodal(const struct law *law, const struct material *m);
 
 #endif

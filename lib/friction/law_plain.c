@@ -1,11 +1,10 @@
 /* Identities are held to TOL_IDENTITY at some places each: formulas that agree
  * there agree. */
-#include "law_plain.h"
+#include "law_graph.h"
 
 #include <math.h>
 
 #include "friction_tolerance.h"
-#include "law_graph.h"
 
 static bool is_near(long double u, long double w)
 {

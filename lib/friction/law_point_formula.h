@@ -1,6 +1,6 @@
 /* The functions of law_graph.h for SCALAR, KIND(f), their names, FN(f), the
  * mathematical function f, VALUES and SLOPES, those of constants.h and slope.h,
- * and ROOT (law_root.h). */
+ * and ROOT. */
 
 void KIND(init)(struct POINT *p, const struct law *law,
                 const struct material *m, SCALAR tan_alpha)

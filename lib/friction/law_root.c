@@ -1,7 +1,7 @@
 /* From psi = 1/v (-ln v where psi is a logarithm) in steps that double, the way
  * that psi itself would go, until its rate turns; then between both (newton.h),
  * and by Newton's steps in 113 bits. */
-#include "law_root.h"
+#include "law_graph.h"
 
 #include <math.h>
 #include <stdio.h>

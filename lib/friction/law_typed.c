@@ -88,23 +88,14 @@ const char *law_typed_text(const struct law_typed *t, enum law_part part)
 
 /* ---- what it uses -------------------------------------------------------- */
 
-static bool is_used(const struct formula *f, const bool wanted[], int leaf)
-{
-    bool used[FORMULA_NODES];
-
-    memcpy(used, wanted, sizeof used);
-    for (int i = f->nodes; i-- > 0;)
-        for (int j = 0; used[i] && j < f->node[i].arguments; j++)
-            used[f->node[i].of[j]] = true;
-    return leaf >= 0 && used[leaf];
-}
-
 bool law_typed_uses(const struct law_typed *t, const char *name)
 {
     const struct formula *f = &t->tape[0].f;
-    bool wanted[FORMULA_NODES] = { false };
+    const int leaf = formula_find(f, name, strlen(name));
+    bool used[FORMULA_NODES] = { false };
 
     for (int i = 0; i < 2; i++)
-        wanted[t->tape[0].p.rate[i]] = wanted[t->tape[0].p.chart[i]] = true;
-    return is_used(f, wanted, formula_find(f, name, strlen(name)));
+        used[t->tape[0].p.rate[i]] = used[t->tape[0].p.chart[i]] = true;
+    formula_complete(f, used);
+    return leaf >= 0 && used[leaf];
 }

@@ -4,8 +4,6 @@
 
 #include <math.h>
 
-#include "quasistatic_typed.h"
-
 #define SCALAR double
 #define FN(f)  f
 #include "scalar.h"

@@ -1,7 +1,7 @@
 /* Numbers of the tape at offsets of any size: its exponents add before anything
  * overflows.  An integral of e^h dY ends where h falls faster than -ln Y; h is
  * looked at where Y doubles, up to 1e8 or as far as numbers go. */
-#include "quasistatic_typed.h"
+#include "quasistatic.h"
 
 #include <math.h>
 

@@ -5,7 +5,7 @@
 #ifndef FRICTION_STEADY_H
 #define FRICTION_STEADY_H
 
-#include "anchor.h"
+#include "law.h"
 #include "tape_plane.h"
 
 /* mu_ss(v), x = ln v, and the log form's mu_star + a ln v + b theta_ss(v). */
@@ -39,9 +39,28 @@ size_t steady_extrema(const struct law *law, const struct material *m,
  * that needs psi > 0): the largest x with a steady state; +infinity if all. */
 long double steady_x_max(const struct law *law);
 
-/* Everything about the point x of the steady-state curve that the field is
- * computed from (anchor.h).  `equilibrium`: the force balance is zero there by
- * construction, not by subtraction. */
+/* A point of the steady-state curve, from which offsets are measured in the
+ * chart x = ln v, y = ln psi (y = psi where psi is a logarithm). */
+struct anchor {
+    double x0, y0;        /* chart coordinates */
+    double v0, psi0;      /* slip rate, state = psi_ss(v0) */
+    double log_psi0;      /* ln |psi0| */
+    double mu0;           /* mu(v0, psi0) */
+    double force0;        /* tan(alpha) - mu0: 0 at an equilibrium */
+    double a, b;          /* direct and evolution effect */
+    double theta_r;       /* psi0/(c' + psi0): weight of psi in theta */
+    double theta_s;       /* c'/(c' + psi0) */
+    double steady_r;      /* v0/(1/R + v0): weight of v in psi_ss and T */
+    double steady_s;      /* (1/R)/(1/R + v0) */
+    double log_inertia;   /* ln(cos(alpha)/(eps^2 v0)) */
+    double log_rate;      /* ln(1/T(v0)), for (45) ln(1/R); less y0 = ln psi0 */
+    double w0;            /* asinh form: mu_log/a */
+    double kappa0;        /* v0/V_c */
+    double log_composite; /* ln of exp(-v0/V_c)/(v0 psi0), Kato-Tullis */
+};
+
+/* That at x.  `equilibrium`: the force balance is zero there by construction,
+ * not by subtraction. */
 void steady_anchor(const struct law *law, const struct material *m,
                    long double tan_alpha, long double x, bool equilibrium,
                    struct anchor *at);

@@ -10,7 +10,7 @@
 #include "quad_tape.h"
 
 struct quad_anchor {
-    quad x0, y0, v0, psi0, mu0, force0; /* as in anchor.h */
+    quad x0, y0, v0, psi0, mu0, force0; /* as in steady.h */
     struct quad_tape tape;              /* of the law */
 };
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "law_root.h"
+#include "law_graph.h"
 #include "law_typed.h"
 #include "number.h"
 #include "schema.h"
