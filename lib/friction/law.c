@@ -118,31 +118,23 @@ double *material_member(struct material *m, enum material_key key)
     return (double *) (void *) ((char *) m + keys[key].offset);
 }
 
-static bool law_uses_R(const struct law *law)
+bool law_uses_name(const struct law *law, const char *name)
 {
-    const struct timescale_terms *t = law_timescale(law);
+    struct law_graph room;
+    const struct law_graph *g = law_graph_kept(law, &room);
+    const int leaf = formula_find(&g->f, name, strlen(name));
+    bool used[FORMULA_NODES] = { false };
 
-    return law->theta == THETA_LN_C_1PR_PSI || law->psi_ss == PSI_SS_SPINODAL ||
-           law->psi_ss == PSI_SS_SPINODAL_UNIT || t->ln_r || t->ln_r_plus_v;
+    used[g->node[LAW_AT_DX]] = used[g->node[LAW_AT_DY]] = true;
+    if (g->psi_ss >= 0)
+        used[g->psi_ss] = true;
+    formula_complete(&g->f, used);
+    return leaf >= 0 && used[leaf];
 }
 
 bool law_uses(const struct law *law, enum material_key key)
 {
-    const bool always = key >= MATERIAL_L;
-
-    if (law->typed && !always)
-        return law_typed_uses(law->typed, material_key_name(key));
-    switch (key) {
-        case MATERIAL_C:
-            return law->theta == THETA_LN_C_PSI ||
-                   law->theta == THETA_LN_C_1PR_PSI;
-        case MATERIAL_R:
-            return law_uses_R(law);
-        case MATERIAL_V_C:
-            return law->kinetics == KINETICS_COMPOSITE;
-        default:
-            return true;
-    }
+    return key >= MATERIAL_L || law_uses_name(law, material_key_name(key));
 }
 
 bool law_is_hyperbolic(const struct law *law, const struct material *m)

@@ -146,8 +146,10 @@ struct material material_bristol_board(void);
 const char *material_key_name(enum material_key key);
 double *material_member(struct material *m, enum material_key key);
 
-/* Whether the value of `key` can change anything the law computes. */
+/* Whether the value of `key`, or of a name of the law's own, can change
+ * anything the law computes. */
 bool law_uses(const struct law *law, enum material_key key);
+bool law_uses_name(const struct law *law, const char *name);
 
 /* psi itself plays the part of a logarithm (theta = psi), so the chart is
  * (ln v, psi) instead of (ln v, ln psi). */

@@ -85,17 +85,3 @@ const char *law_typed_text(const struct law_typed *t, enum law_part part)
 {
     return t->text[part][0] ? t->text[part] : NULL;
 }
-
-/* ---- what it uses -------------------------------------------------------- */
-
-bool law_typed_uses(const struct law_typed *t, const char *name)
-{
-    const struct formula *f = &t->tape[0].f;
-    const int leaf = formula_find(f, name, strlen(name));
-    bool used[FORMULA_NODES] = { false };
-
-    for (int i = 0; i < 2; i++)
-        used[t->tape[0].p.rate[i]] = used[t->tape[0].p.chart[i]] = true;
-    formula_complete(f, used);
-    return leaf >= 0 && used[leaf];
-}

@@ -57,7 +57,4 @@ size_t law_typed_extrema(const struct law *law, const struct material *m,
 void law_typed_range(const struct law *law, const struct material *m,
                      long double *lo, long double *hi);
 
-/* Whether a name of the model or of its own can change anything. */
-bool law_typed_uses(const struct law_typed *t, const char *name);
-
 #endif

@@ -266,7 +266,7 @@ static enum status check_used(const struct node *root, const struct scene *s,
     const char *path = s->sweep.axis[i].key;
     const int own = scene_law_find(s, path);
 
-    if (own >= 0 && !law_typed_uses(s->typed, s->typed->own[own].name))
+    if (own >= 0 && !law_uses_name(&s->law, s->typed->own[own].name))
         return place_blame(place_of(section(root, i), "key"), why,
                            "sweep.key: %s: no formula of the law has it, "
                            "expected another key",
