@@ -181,16 +181,6 @@ static OWN(range) OWN(one_plus_square)(OWN(range) u)
     return NAME(interval_add)(OWN(point)(1), OWN(square)(u));
 }
 
-/* 1/cosh^2 u falls with |u|. */
-static OWN(range) OWN(sech_square)(OWN(range) u)
-{
-    const REAL a = FN(fabs)(u.lo), b = FN(fabs)(u.hi);
-    const REAL near = OWN(holds)(u, 0) ? 0 : OWN(smaller)(a, b);
-    const OWN(range) c = OWN(wide)(FN(cosh)(near), FN(cosh)(OWN(larger)(a, b)));
-
-    return OWN(clip)(OWN(inverse)(OWN(square)(OWN(clip)(c, 1, ENDLESS))), 0, 1);
-}
-
 static OWN(range) OWN(cosh)(OWN(range) u)
 {
     const REAL a = FN(fabs)(u.lo), b = FN(fabs)(u.hi);
@@ -198,6 +188,11 @@ static OWN(range) OWN(cosh)(OWN(range) u)
 
     return OWN(clip)(OWN(wide)(FN(cosh)(near), FN(cosh)(OWN(larger)(a, b))), 1,
                      ENDLESS);
+}
+
+static OWN(range) OWN(sech_square)(OWN(range) u)
+{
+    return OWN(clip)(OWN(inverse)(OWN(square)(OWN(cosh)(u))), 0, 1);
 }
 
 /* sin has its extrema at pi/2 + n pi: those that may be in u count, n even 1,

@@ -48,15 +48,10 @@ static inline SCALAR scalar_difference(SCALAR p, SCALAR u, SCALAR w)
     return scalar_exp(p, w) * scalar_em1(u - w);
 }
 
-/* e^-|u| sinh u and e^-|u| cosh u */
+/* e^-|u| sinh u */
 static inline SCALAR scalar_sinh(SCALAR u)
 {
     return FN(copysign)(scalar_em1(-2 * FN(fabs)(u)) / 2, u);
-}
-
-static inline SCALAR scalar_cosh(SCALAR u)
-{
-    return (1 + FN(exp)(-2 * FN(fabs)(u))) / 2;
 }
 
 /* ln(1 + r (e^u - 1)) = ln(r e^u + s), r + s = 1: both are given, because the
@@ -128,17 +123,11 @@ static inline SCALAR scalar_friction(SCALAR w0, SCALAR q0, SCALAR u)
     return scalar_asinh_exp(w) - scalar_asinh_exp(w0);
 }
 
-/* d/du of the above, tanh of asinh(e^w/2), and 1 - its square */
+/* d/du of the above, tanh of asinh(e^w/2) */
 static inline SCALAR scalar_friction_slope(SCALAR w)
 {
     return w > 0 ? 1 / FN(sqrt)(1 + 4 * FN(exp)(-2 * w))
                  : FN(exp)(w) / FN(sqrt)(FN(exp)(2 * w) + 4);
-}
-
-static inline SCALAR scalar_friction_bend(SCALAR w)
-{
-    return w > 0 ? 4 * FN(exp)(-2 * w) / (1 + 4 * FN(exp)(-2 * w))
-                 : 4 / (4 + FN(exp)(2 * w));
 }
 
 #endif

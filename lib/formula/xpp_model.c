@@ -202,8 +202,10 @@ static const struct {
     { "not", "not is not analytic" },
 };
 
-static enum status need(struct reading *r, const struct xpp_statement *s,
-                        const char *text, int depth);
+/* Adds a name or a rate, its functions written out, behind the names that it
+ * needs. */
+static enum status add_formula(struct reading *r, const struct xpp_statement *s,
+                               int depth);
 
 /* A name that is not there yet is defined. */
 static enum status need_word(struct reading *r, const struct xpp_statement *s,
@@ -226,18 +228,8 @@ static enum status need_word(struct reading *r, const struct xpp_statement *s,
                              "%s needs itself, or names %d deep", name->name,
                              DEEP);
     name->state = 1;
-    struct room out = { .text = malloc(PARSE_LETTERS + 2) };
-    if (out.text == NULL)
-        return STATUS_NO_MEMORY;
-    out.text[0] = '\0';
-    enum status status = expand(r, name, name->text, &out, 0);
-    if (status == STATUS_OK)
-        status = need(r, name, out.text, depth + 1);
-    if (status == STATUS_OK)
-        status = formula_system_define(&r->model->system, name->name, out.text,
-                                       place_of(r, name), r->why);
+    const enum status status = add_formula(r, name, depth + 1);
     name->state = 2;
-    free(out.text);
     return status;
 }
 
@@ -253,7 +245,8 @@ static enum status need(struct reading *r, const struct xpp_statement *s,
     return status;
 }
 
-static enum status add_rate(struct reading *r, const struct xpp_statement *s)
+static enum status add_formula(struct reading *r, const struct xpp_statement *s,
+                               int depth)
 {
     struct room out = { .text = malloc(PARSE_LETTERS + 2) };
 
@@ -262,10 +255,11 @@ static enum status add_rate(struct reading *r, const struct xpp_statement *s)
     out.text[0] = '\0';
     enum status status = expand(r, s, s->text, &out, 0);
     if (status == STATUS_OK)
-        status = need(r, s, out.text, 0);
+        status = need(r, s, out.text, depth);
     if (status == STATUS_OK)
-        status = formula_system_rate(&r->model->system, s->name, out.text,
-                                     place_of(r, s), r->why);
+        status =
+            (s->kind == XPP_RATE ? formula_system_rate : formula_system_define)(
+                &r->model->system, s->name, out.text, place_of(r, s), r->why);
     free(out.text);
     return status;
 }
@@ -400,7 +394,7 @@ static enum status read_system(struct reading *r, bool angles)
         status = add_parameters(r);
     for (int i = 0; i < r->lines.count && status == STATUS_OK; i++)
         if (r->lines.at[i].kind == XPP_RATE)
-            status = add_rate(r, &r->lines.at[i]);
+            status = add_formula(r, &r->lines.at[i], 0);
     return status;
 }
 

@@ -137,22 +137,6 @@ bool law_uses(const struct law *law, enum material_key key)
     return key >= MATERIAL_L || law_uses_name(law, material_key_name(key));
 }
 
-bool law_is_hyperbolic(const struct law *law, const struct material *m)
-{
-    if (law->typed)
-        return law_plain_is_hyperbolic(law, m) &&
-               law_plain_theta_is_log(law, m);
-    return law->kinetics == KINETICS_SINH && !law_psi_is_log(law);
-}
-
-bool law_is_spinodal(const struct law *law, const struct material *m)
-{
-    if (law->typed)
-        return law_plain_is_spinodal(law, m) && law_plain_theta_is_log(law, m);
-    return law->psi_ss == PSI_SS_SPINODAL ||
-           law->psi_ss == PSI_SS_SPINODAL_UNIT;
-}
-
 double material_eps2(const struct material *m)
 {
     return m->V_star * m->V_star / (m->g * m->L);

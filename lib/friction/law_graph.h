@@ -69,12 +69,8 @@ const struct law_graph *law_graph_kept(const struct law *law,
 LAW_POINT(long double, long);
 LAW_POINT(formula_real, quad);
 
-/* ---- of laws of formulas --------------------------------------------------
- */
-
-/* psi_ss(v) of one that is dpsi/dt alone, where that is 0. */
-
-/* The chart's y at x = ln v; NaN where dpsi/dt is 0 at no psi. */
+/* Of a law that is typed as dpsi/dt alone, psi_ss(v), where that is 0: the
+ * chart's y at x = ln v; NaN where it is 0 at no psi. */
 long double law_root(struct law_long *p, long double x);
 /* The same to 113 bits. */
 formula_real law_root_quad(struct law_quad *p, formula_real x);
@@ -85,17 +81,5 @@ formula_real law_root_quad(struct law_quad *p, formula_real x);
 MUST_CHECK enum status law_root_check(const struct law *law,
                                       const struct material *m,
                                       struct fault *why);
-
-/* What it has in common with the compositions of the paper, found from its
- * numbers. */
-
-/* dpsi/dt is -sinh(psi - psi_ss) times what does not depend on psi. */
-bool law_plain_is_hyperbolic(const struct law *law, const struct material *m);
-
-/* At c = 0 theta is ln psi but for a constant. */
-bool law_plain_theta_is_log(const struct law *law, const struct material *m);
-
-/* psi_ss (1 + R v) does not depend on v. */
-bool law_plain_is_spinodal(const struct law *law, const struct material *m);
 
 #endif

@@ -1,5 +1,6 @@
-/* Identities are held to TOL_IDENTITY at some places each: formulas that agree
- * there agree. */
+/* What laws have in common: compositions say it, formulas are held to
+ * identities, to TOL_IDENTITY at some places each: those that agree there
+ * agree. */
 #include "law_graph.h"
 
 #include <math.h>
@@ -11,7 +12,8 @@ static bool is_near(long double u, long double w)
     return fabsl(u - w) <= (long double) TOL_IDENTITY * (fabsl(u) + fabsl(w));
 }
 
-bool law_plain_is_hyperbolic(const struct law *law, const struct material *m)
+/* dpsi/dt is -sinh(psi - psi_ss) times what does not depend on psi. */
+static bool is_hyperbolic(const struct law *law, const struct material *m)
 {
     const bool is_log = law_psi_is_log(law);
     struct law_long p;
@@ -34,7 +36,8 @@ bool law_plain_is_hyperbolic(const struct law *law, const struct material *m)
     return true;
 }
 
-bool law_plain_theta_is_log(const struct law *law, const struct material *m)
+/* At c = 0 theta is ln psi but for a constant. */
+static bool theta_is_log(const struct law *law, const struct material *m)
 {
     struct material bare = *m;
     struct law_long p;
@@ -51,7 +54,8 @@ bool law_plain_theta_is_log(const struct law *law, const struct material *m)
     return true;
 }
 
-bool law_plain_is_spinodal(const struct law *law, const struct material *m)
+/* psi_ss (1 + R v) does not depend on v. */
+static bool is_spinodal(const struct law *law, const struct material *m)
 {
     const long double R = (long double) m->R;
     long double first = 0;
@@ -69,4 +73,17 @@ bool law_plain_is_spinodal(const struct law *law, const struct material *m)
             return false;
     }
     return true;
+}
+
+bool law_is_hyperbolic(const struct law *law, const struct material *m)
+{
+    return law->typed ? is_hyperbolic(law, m) && theta_is_log(law, m)
+                      : law->kinetics == KINETICS_SINH && !law_psi_is_log(law);
+}
+
+bool law_is_spinodal(const struct law *law, const struct material *m)
+{
+    return law->typed ? is_spinodal(law, m) && theta_is_log(law, m)
+                      : law->psi_ss == PSI_SS_SPINODAL ||
+                            law->psi_ss == PSI_SS_SPINODAL_UNIT;
 }
