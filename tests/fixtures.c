@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "check.h"
+#include "jet_operations.h"
 
 /* Coordinates beyond this are of no interest to any test. */
 static const struct box domain = { { -100.0, -100.0 }, { 100.0, 100.0 } };

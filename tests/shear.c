@@ -2,6 +2,8 @@
  * the same with x and y exchanged. */
 #include "shear.h"
 
+#include "jet_operations.h"
+
 static struct vec2 flip_vec(bool flip, struct vec2 v)
 {
     return flip ? (struct vec2){ v.y, v.x } : v;

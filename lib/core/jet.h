@@ -43,16 +43,9 @@ struct jet_work {
     const jet_pair *linear; /* series known to end after s^1 in both lanes;
                                NULL if none */
     jet_pair log_scale;     /* set by the field at k = 0 */
-    jet_pair frozen[4];     /* whatever else the field fixes at k = 0 */
-    size_t used;
+    size_t used;            /* slots; for systems that hand them out */
     _Alignas(64) jet_pair slot[JET_SLOTS][JET_SIZE]; /* as a cache's lines */
 };
-
-/* The next free series; forget them all with w->used = 0. */
-static inline jet_pair *jet_slot(struct jet_work *w)
-{
-    return w->slot[w->used++];
-}
 
 /* 0, 1, 2, ... and 0, 1, 1/2, 1/3, ... */
 extern const double jet_number[JET_SIZE], jet_inverse[JET_SIZE];
@@ -89,37 +82,6 @@ static inline jet_pair jet_sum(size_t n, const jet_pair *u, const jet_pair *v)
 #undef JET_TERMS
 #undef JET_TERM
     return part[0] + part[1];
-}
-
-/* sum_{j=0}^{k} u[j] v[k-j] */
-static inline jet_pair jet_product(size_t k, const jet_pair u[],
-                                   const jet_pair v[])
-{
-    if (k == 0)
-        return u[0] * v[0];
-    return jet_sum(k - 1, u + 1, v + k - 1) + (u[0] * v[k] + u[k] * v[0]);
-}
-
-/* sum_{j=0}^{k} u[j] u[k-j] */
-static inline jet_pair jet_square(size_t k, const jet_pair u[])
-{
-    if (k == 0)
-        return u[0] * u[0];
-    const jet_pair inner = jet_sum((k - 1) / 2, u + 1, u + k - 1);
-    const jet_pair twice = 2.0 * (inner + u[0] * u[k]);
-
-    return k % 2 == 0 ? twice + u[k / 2] * u[k / 2] : twice;
-}
-
-/* Coefficient k of the integral of u' v, k > 0, given du[j] = j u[j]; one term
- * where u is w->linear. */
-static inline jet_pair jet_chain(const struct jet_work *w, size_t k,
-                                 const jet_pair u[], const jet_pair du[],
-                                 const jet_pair v[])
-{
-    if (u == w->linear)
-        return u[1] * v[k - 1] * jet_inverse[k];
-    return jet_sum(k - 1, du + 1, v + k - 1) * jet_inverse[k] + u[k] * v[0];
 }
 
 /* Coefficient k of num / den, den[0] != 0, given quotient[0..k-1]. */

@@ -1,4 +1,4 @@
-#include "jet.h"
+#include "jet_operations.h"
 
 #include <float.h>
 #include <math.h>
