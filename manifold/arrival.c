@@ -222,15 +222,15 @@ static bool closes(struct winding *w, const struct arrival_scale *s,
     if (w->count < 3 * turns + 1)
         return false;
     const double before = between(w, s, turns, 2 * turns);
-    const bool rounded = gap <= TOL_WINDING_ROUNDING;
+    const bool rounded = gap <= TOL_ROUNDED;
     const bool shrinks = gap <= TOL_WINDING_SHRINK * before || rounded;
     const double left = rounded ? gap : gap / (1.0 - gap / before);
     if (!(gap <= TOL_WINDING_GAP && shrinks && w->away >= TOL_WINDING_AFAR &&
-          w->round > TOL_WINDING_APART + 10.0 * left))
+          w->round > TOL_SAME + 10.0 * left))
         return false;
     for (size_t i = 0; i < n; i++)
         if (vec2_length(arrival_from(s, w->at[0], equilibrium[i])) <=
-            TOL_WINDING_APART + 10.0 * left)
+            TOL_SAME + 10.0 * left)
             return false;
     w->turns = turns;
     w->gap = gap;

@@ -157,8 +157,7 @@ struct graph_miss graph_missing(const double u[], size_t order, double s,
                                 const struct graph_rate *rate, bool smooth)
 {
     const double off = rate->value - jet_slope_at(order, u, s), h = fabs(s);
-    const double rounding =
-        TOL_SLOPE_ROUNDING * (fabs(u[1]) + fabs(rate->value));
+    const double rounding = TOL_ROUNDED * (fabs(u[1]) + fabs(rate->value));
     const double terms = (double) (order + 1), part = terms - rate->growth;
     const double last = two_terms(u, order, h), next = fabs(off) * h / terms;
     const double most = TOL_STEP_BAR_NEXT * last;

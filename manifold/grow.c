@@ -125,8 +125,7 @@ static bool slope_holds(const struct grower *g, double s, double field,
 {
     const double slope =
         jet_slope_at(g->order, g->u.at[1 - g->ind], s) / g->unit;
-    const double rounding =
-        TOL_SLOPE_ROUNDING * (fabs(slope) + fabs(g->u.slope));
+    const double rounding = TOL_ROUNDED * (fabs(slope) + fabs(g->u.slope));
 
     *off = fabs(slope - field);
     return *off <= slope_allowed(g) + rounding;

@@ -75,8 +75,7 @@ static bool holds(const struct taylor_orbit *o, const struct series *u,
     const double rate[] = { scale * f.direction.x, scale * f.direction.y };
     for (int i = 0; i < 2; i++) {
         const double slope = jet_slope_at(o->order, u->at[i], s);
-        const double rounding =
-            TOL_SLOPE_ROUNDING * (fabs(slope) + fabs(u->at[i][1]));
+        const double rounding = TOL_ROUNDED * (fabs(slope) + fabs(u->at[i][1]));
         if (!(s * (fabs(slope - rate[i]) - rounding) <=
               (double) (o->order + 1) * allowed(o, i)))
             return false;

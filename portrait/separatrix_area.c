@@ -162,7 +162,7 @@ double separatrix_area(const struct separatrix *s, size_t i, double from,
     *error = 0.0;
     for (size_t k = 0; k < s->strand[i].count; k++) {
         const struct strand_piece *p = &s->strand[i].piece[k];
-        const struct patch q = { s, p, lo, hi, m, TOL_AREA * whole, &left };
+        const struct patch q = { s, p, lo, hi, m, TOL_ROUNDED * whole, &left };
         const double a = fmax(p->lo, from - base), b = fmin(p->hi, to - base);
         if (!(a < b))
             continue;

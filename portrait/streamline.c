@@ -83,7 +83,7 @@ static struct vec2 at_frame(struct vec2 a, struct vec2 b)
 /* The next step's length, after one of length h that was off by so much. */
 static double next_length(double h, double off)
 {
-    const double wish = 0.9 * cbrt(TOL_STREAMLINE / fmax(off, 1e-300));
+    const double wish = 0.9 * cbrt(TOL_DRAWN / fmax(off, 1e-300));
 
     return fmin(h * fmin(2.0, wish), TOL_STREAMLINE_STEP);
 }
@@ -98,10 +98,10 @@ enum status streamline_back(const struct planar *system,
     enum status s = polyline_push(way, at);
 
     while (s == STATUS_OK && inside(at) && gone < TOL_STREAMLINE_LENGTH &&
-           h > TOL_STREAMLINE) {
+           h > TOL_DRAWN) {
         struct vec2 then = along, to;
         const double off = walk_step(&w, at, h, &then, &to);
-        if (off <= TOL_STREAMLINE) {
+        if (off <= TOL_DRAWN) {
             s = polyline_push(way, inside(to) ? to : at_frame(at, to));
             gone += h;
             at = to;

@@ -294,7 +294,7 @@ enum status trace_run(const struct trace *t, struct vec2 tangent,
     double h = TOL_NULLCLINE_STEP_MAX / 8.0;
 
     *end = TRACE_LOOSE;
-    for (size_t n = 0; n < TOL_DRAWN_STEPS; n++) {
+    for (size_t n = 0; n < TOL_CURVE_STEPS; n++) {
         struct step s;
         const enum landing l = step(t, &at, &h, &s);
         if (l == LANDED_NOWHERE)

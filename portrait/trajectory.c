@@ -17,7 +17,7 @@ struct trajectory_options trajectory_defaults(const struct planar *system,
         .margin = TOL_PORTRAIT_MARGIN,
     };
 
-    o.orbit.max_steps = TOL_DRAWN_STEPS;
+    o.orbit.max_steps = TOL_CURVE_STEPS;
     return o;
 }
 

@@ -63,7 +63,7 @@ static double value_along(const void *ctx, double s)
  * on both sides, either there are digits or there are not. */
 static bool is_genuine(struct zero *q, struct vec2 u, struct vec2 across)
 {
-    const double scale = TOL_NULLCLINE_ASIDE / vec2_length(across);
+    const double scale = TOL_TOUCH / vec2_length(across);
     const struct vec2 aside = vec2_scale(scale, across);
 
     q->calls++;

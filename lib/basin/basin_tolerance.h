@@ -7,7 +7,4 @@
 /* Shares of a window are differences of areas, which round. */
 #define TOL_SHARE_ROUNDING 1e-14
 
-/* Fields in pictures (fields.c): a thousandth is less than a tint. */
-#define TOL_FIELDS_PICTURE 1e-3
-
 #endif

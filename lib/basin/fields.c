@@ -127,7 +127,7 @@ static enum status fill_raster(const struct fields *f,
 
     if (status != STATUS_OK)
         return status;
-    status = plan(f, grid, TOL_FIELDS_PICTURE, monitor, &w);
+    status = plan(f, grid, TOL_SEEN, monitor, &w);
     if (status == STATUS_OK)
         status = patchwork_rows(&w, 0, grid->rows, label, out, NULL);
     if (status == STATUS_OK)

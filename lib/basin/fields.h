@@ -33,7 +33,7 @@ MUST_CHECK enum status fields_find(const struct fields *f, size_t first,
                                    struct cell out[]);
 
 /* The same fields on another grid over the same window, good enough for a
- * picture (TOL_FIELDS_PICTURE); row j, counted upward, starts at
+ * picture (TOL_SEEN); row j, counted upward, starts at
  * out[j * columns].  STATUS_NO_MEMORY, STATUS_STOPPED. */
 MUST_CHECK enum status fields_raster(const struct fields *f, size_t columns,
                                      size_t rows, const struct monitor *monitor,

@@ -21,6 +21,20 @@
 #define TOL_ROUNDINGS_FEW  4.0
 #define TOL_ROUNDINGS      16.0
 #define TOL_ROUNDINGS_MANY 64.0
+/* Relative: less than this is rounding and says nothing, of slopes, sums and
+ * areas as of formulas that are the same: 2^-52 of some hundred terms that
+ * cancel in part; where something is, it is larger by decades. */
+#define TOL_ROUNDED 1e-13
+
+/* In sides of a window or of a drawing, in ln v, relative.  Places nearer to
+ * each other than SAME are one, strips and regions smaller than it are none: a
+ * thousand times what curves are off.  Curves that are only looked at are off
+ * by DRAWN, which is less than a px, and may end SEEN beside where they go.
+ * TOUCH: as near as computing with doubles comes to a place. */
+#define TOL_TOUCH 1e-12
+#define TOL_SAME  1e-6
+#define TOL_DRAWN 1e-4
+#define TOL_SEEN  1e-3
 
 /* How far beside a point, in ln v and ln psi, in sides of a window or in parts
  * of a way, its neighbour is whose difference tells a slope: curvature and
@@ -90,8 +104,6 @@
 /* A step is kept when the series' slope agrees with the field's at its end to
  * this many times its tolerance: a derivative loses a factor of the order. */
 #define TOL_SLOPE_CHECK 300.0
-/* What rounding does to slopes, relative. */
-#define TOL_SLOPE_ROUNDING 1e-13
 /* A step's end says little where the slope is below FADED of that at its start,
  * where that is below LITTLE times what is allowed, and where the step is LEAP
  * times as long as the one before: by chance its last terms may vanish. */
@@ -191,9 +203,6 @@
 #define TOL_NULLCLINE_SAFETY 0.7
 /* Width at which roots are closed: the rounding of a number below 1. */
 #define TOL_NULLCLINE_ROOT 1e-16
-/* Where a component is too small to have digits: how far beside a zero its
- * signs are looked at. */
-#define TOL_NULLCLINE_ASIDE 1e-12
 /* A step is smooth when the curve is this near the cubic through its ends and
  * tangents, as a fraction of the cubic's height: a circle is off by 0.01 at
  * the largest angle allowed, a change to a crossing piece by more than 0.1.
@@ -201,33 +210,31 @@
  * fraction of it: more than the angle above allows. */
 #define TOL_NULLCLINE_SMOOTH 0.05
 #define TOL_NULLCLINE_NEAR   0.1
-/* Steps of a curve that is drawn, a trajectory or a piece of a nullcline:
- * enough for fifty turns around a centre, and a hang is worse than a gap. */
-#define TOL_DRAWN_STEPS 20000
+/* Steps of a curve that is drawn, a trajectory or a piece of a nullcline, and
+ * of an orbit of formulas: enough for fifty turns around a centre, and a hang
+ * is worse than a gap. */
+#define TOL_CURVE_STEPS 20000
 
 /* Traps (arrival.h), in sides of a window: looked for from 2^-LEVELS up to 1/2,
  * LEAST levels or none.  Closed orbits: differences between rounds are at most
- * GAP, each less than the one before by SHRINK or no more than ROUNDING; the
+ * GAP, each less than the one before by SHRINK or no more than TOL_ROUNDED; the
  * round is AFAR from where the curve started, and larger, and further from any
- * equilibrium, than APART and ten times what such differences add up to.  After
- * so many ROUNDS that come back to its start an orbit is closed by itself. */
-#define TOL_TRAP_LEVELS      30
-#define TOL_TRAP_LEAST       8
-#define TOL_WINDING_GAP      1e-7
-#define TOL_WINDING_AFAR     1e-5
-#define TOL_WINDING_ROUNDS   40
-#define TOL_WINDING_SHRINK   0.99
-#define TOL_WINDING_ROUNDING 1e-13
-#define TOL_WINDING_APART    1e-6
+ * equilibrium, than TOL_SAME and ten times what such differences add up to.
+ * After so many ROUNDS that come back to its start an orbit is closed by
+ * itself. */
+#define TOL_TRAP_LEVELS    30
+#define TOL_TRAP_LEAST     8
+#define TOL_WINDING_GAP    1e-7
+#define TOL_WINDING_AFAR   1e-5
+#define TOL_WINDING_ROUNDS 40
+#define TOL_WINDING_SHRINK 0.99
 
 /* A curve between places that follow each other is straight up to this
  * (escape.h): half, and a margin. */
 #define TOL_ESCAPE_CHORD 0.6
 
 /* The way back of an orbit (streamline.h), in sides of the drawing: a step's
- * error, below a px, its length, and how long the whole may be, as around a
- * centre. */
-#define TOL_STREAMLINE        1e-4
+ * length, and how long the whole may be, as around a centre. */
 #define TOL_STREAMLINE_STEP   0.05
 #define TOL_STREAMLINE_LENGTH 8.0
 
@@ -278,10 +285,8 @@
  * is that near the truth. */
 #define CHECK_RECORDED_BARS 2.0
 
-/* Areas beside a separatrix: relative error of a piece, how often one is halved
- * around a kink, and how many are halved at all before their differences stand
- * as errors. */
-#define TOL_AREA        1e-13
+/* Areas beside a separatrix: how often a piece is halved around a kink, and how
+ * many are halved at all before their differences stand as errors. */
 #define TOL_AREA_DEPTH  40
 #define TOL_AREA_PANELS 4000
 
@@ -399,9 +404,8 @@
 #define SCENE_FOLD_MOST    10.0
 
 /* The xi estimate, in ln(v/v_sp0): nearer than this the manifold is a vertical
- * wall, and the equation says nothing; beyond, v is no number. */
-#define TOL_XI_NEAREST  1e-6
-#define TOL_XI_FARTHEST 1e6
+ * wall, and the equation says nothing; beyond 1 over this v is no number. */
+#define TOL_XI_NEAREST 1e-6
 
 /* Files of others, read by a child (child.h).  Seconds to list one, and to
  * compare two, where 32768 x 32768 cells may have to be unpacked; bytes of

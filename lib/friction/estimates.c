@@ -202,7 +202,8 @@ static double xi_root(const struct root_context *c, int side)
 
     if (!(log_xi_ratio(c, side * near) > 0.0))
         return (double) NAN;
-    for (; log_xi_ratio(c, side * far) > 0.0 && far < TOL_XI_FARTHEST; far *= 2)
+    for (; log_xi_ratio(c, side * far) > 0.0 && far < 1.0 / TOL_XI_NEAREST;
+         far *= 2)
         near = far;
     return root_between(log_xi_ratio, c, fmin(side * near, side * far),
                         fmax(side * near, side * far));

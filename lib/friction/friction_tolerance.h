@@ -8,10 +8,6 @@
 /* |d mu_ss/d ln v| below this is none: 2^-112 times terms of up to 1e13, which
  * cancel where a law does not weaken with v at all. */
 #define TOL_SLOPE_LEAST 1e-20
-/* mu_ss is a straight line of ln v where its second difference over three
- * e-folds is below this times 1 + |mu_ss|: above 2^-64 times some hundred
- * roundings, below (3)^2 mu'' of any extremum with slopes that tell. */
-#define TOL_STRAIGHT 1e-13
 /* ln v: by so much the slope at a step's end may be of the wrong sign: rounding
  * of the slope over its curvature; and so far inside the end of its range mu_ss
  * is looked at. */
@@ -19,28 +15,17 @@
 /* ln v: how near long doubles find an extremum, or 113 bits look further. */
 #define TOL_EXTREMUM_ASIDE 5e-7
 
-/* ---- identities, law_plain.c --------------------------------------------- */
-
-/* Relative: formulas that agree to this at some places are the same; rounding
- * in long double is 1e-16 of theirs, and others differ by more than 1e-9. */
-#define TOL_IDENTITY 1e-13
-
 /* ---- friction as psi grows, quasistatic_typed.c -------------------------- */
 
-/* ln v: first width of a bracket, relative to 1 + |ln v|, as near as steps of
- * Newton's come where they do not settle. */
-#define TOL_BRACKET 1e-12
 /* ln v: up to this a friction in excess is taken along the tangent, off by
  * d^2, and not by a difference of mu, off by 1e-16/d. */
 #define TOL_TANGENT 1e-7
 /* dpsi/dt is linear where its second difference is below this part of it: 2^-52
  * times a condition of 1e5. */
 #define TOL_LINEAR 1e-10
-/* A rate without its exponential is of some sign above this; times its terms'
- * size where psi grows to 1e8: 2^-52 times some thousand roundings, and less.
- */
-#define TOL_SIGN      1e-12
-#define TOL_SIGN_PART 1e-13
+/* A rate without its exponential is of some sign above this: 2^-52 times some
+ * thousand roundings. */
+#define TOL_SIGN 1e-12
 
 /* p = -dh/d ln psi of an integral of e^h dpsi, by the last three doublings p,
  * q, r.  It has settled where |p - q| <= TOL_POWER_SETTLED max(1, |p|) and this

@@ -190,12 +190,14 @@ static void look_between(struct extrema *e, long double lo, long double hi)
     }
 }
 
-/* Whether mu_ss is not a straight line of x around a step of three e-folds. */
+/* Whether mu_ss is not a straight line of x around a step of three e-folds: its
+ * second difference there is (3)^2 mu'' of an extremum with slopes that tell.
+ */
 static bool bends(const long double mu[3])
 {
     const long double bend = mu[0] - 2 * mu[1] + mu[2];
 
-    return fabsl(bend) > (long double) TOL_STRAIGHT * (1 + fabsl(mu[1]));
+    return fabsl(bend) > (long double) TOL_ROUNDED * (1 + fabsl(mu[1]));
 }
 
 size_t law_typed_extrema(const struct law *law, const struct material *m,

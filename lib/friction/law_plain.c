@@ -1,15 +1,15 @@
 /* What laws have in common: compositions say it, formulas are held to
- * identities, to TOL_IDENTITY at some places each: those that agree there
+ * identities, to TOL_ROUNDED at some places each: those that agree there
  * agree. */
 #include "law_graph.h"
 
 #include <math.h>
 
-#include "friction_tolerance.h"
+#include "tolerance.h"
 
 static bool is_near(long double u, long double w)
 {
-    return fabsl(u - w) <= (long double) TOL_IDENTITY * (fabsl(u) + fabsl(w));
+    return fabsl(u - w) <= (long double) TOL_ROUNDED * (fabsl(u) + fabsl(w));
 }
 
 /* dpsi/dt is -sinh(psi - psi_ss) times what does not depend on psi. */
@@ -49,7 +49,7 @@ static bool theta_is_log(const struct law *law, const struct material *m)
     for (long double y = -3; y < 4; y += 1.7L)
         if (fabsl(law_long_at(&p, 0, y + 1, LAW_AT_THETA) -
                   law_long_at(&p, 0, y, LAW_AT_THETA) - 1) >
-            (long double) TOL_IDENTITY)
+            (long double) TOL_ROUNDED)
             return false;
     return true;
 }

@@ -75,7 +75,7 @@ static double solve(const struct search *s, double X)
             return X;
     }
     const double middle = isfinite(X) ? X : 0.0;
-    for (double h = TOL_BRACKET * (1.0 + fabs(middle)); isfinite(h); h *= 8.0)
+    for (double h = TOL_TOUCH * (1.0 + fabs(middle)); isfinite(h); h *= 8.0)
         if (lacking(s, middle - h) < 0.0 && lacking(s, middle + h) > 0.0)
             return newton_find(lacking, s, middle - h, middle + h, 0.0,
                                &root) == STATUS_OK
@@ -212,7 +212,7 @@ static void go(const struct block *b, struct way *w)
             break;
         run_at(b, X, Y, &r);
         const double mantissa = real_tape_mantissa(r.t, 1, r.reg);
-        if (!(fabs(mantissa) > TOL_SIGN_PART * terms_of(&r)))
+        if (!(fabs(mantissa) > TOL_ROUNDED * terms_of(&r)))
             break;
         w->stops = mantissa <= 0.0;
         w->count = w->stops ? 0 : w->count;

@@ -140,7 +140,7 @@ static bool rate_of(const struct quantity *q, const struct quantity *up,
     }
     const double first = up->value - down->value;
     const double second = up->value - 2.0 * q->value + down->value;
-    const double noise = TOL_CONDITION_NOISE * fabs(q->value);
+    const double noise = 10.0 * TOL_RTOL_DEFAULT * fabs(q->value);
     *rate = first / (2.0 * nudge);
     return fabs(second) <= TOL_CONDITION_BEND * fabs(first) + noise;
 }

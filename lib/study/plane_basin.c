@@ -218,7 +218,7 @@ static enum status mark_flats(struct plane_study *s)
     for (size_t i = 0; i < s->basin.cuts.flats && status == STATUS_OK; i++) {
         const struct flat *f = &s->basin.cuts.flat[i];
         const double from = fmax(f->from, w.lo.x), to = fmin(f->to, w.hi.x);
-        const double off = f->error + TOL_PLANE_DOOR * s->scale.side.y;
+        const double off = f->error + TOL_SAME * s->scale.side.y;
         int8_t side[2];
         if (!(from < to) || f->w < w.lo.y || f->w > w.hi.y)
             continue;

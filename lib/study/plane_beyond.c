@@ -60,9 +60,8 @@ static bool same_way(const struct plane_study *s, int axis,
         arrival_from(&s->scale, (struct vec2){ a->limit[0], a->limit[1] },
                      (struct vec2){ b->limit[0], b->limit[1] });
 
-    return a->way[axis] == b->way[axis] &&
-           (a->way[axis] != PLANE_WAY_LIMIT ||
-            fabs(part_of(d, axis)) <= TOL_PLANE_SAME_LIMIT);
+    return a->way[axis] == b->way[axis] && (a->way[axis] != PLANE_WAY_LIMIT ||
+                                            fabs(part_of(d, axis)) <= TOL_SAME);
 }
 
 bool plane_beyond_agree(const struct plane_study *s,
@@ -122,8 +121,7 @@ static void add_word(const struct plane_study *s, int axis,
     const size_t n = strlen(b->word);
     const double limit = plane_state(s, axis, b->limit[axis]);
     const bool none =
-        fabs(limit) <= TOL_PLANE_SAME_LIMIT * part_of(s->scale.side, axis) &&
-        !a->is_log;
+        fabs(limit) <= TOL_SAME * part_of(s->scale.side, axis) && !a->is_log;
     char at[32];
 
     if (b->way[axis] == PLANE_WAY_UNKNOWN)

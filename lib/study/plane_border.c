@@ -52,7 +52,7 @@ enum status plane_border_look(struct plane_study *s)
                                            0.0 }));
     for (size_t k = 0; k < s->cycles && status == STATUS_OK; k++)
         if (s->cycle[k].type == PLANE_CYCLE_STABLE)
-            status = look_beside(s, s->cycle[k].round.at[0], TOL_PLANE_BESIDE);
+            status = look_beside(s, s->cycle[k].round.at[0], TOL_PLANE_LITTLE);
     return status;
 }
 
@@ -263,7 +263,7 @@ static enum status add_cycle(struct plane_study *s, size_t k)
     double gap = HUGE_VAL, next = HUGE_VAL, ratio = 0.0;
 
     enum status status = STATUS_OK;
-    while (o.curve.count < TOL_PLANE_SERIES) {
+    while (o.curve.count < TOL_CURVE_STEPS) {
         status = taylor_orbit_step(&o);
         if (status != STATUS_OK)
             break;
@@ -278,7 +278,7 @@ static enum status add_cycle(struct plane_study *s, size_t k)
             continue;
         next = vec2_length(
             arrival_from(&s->scale, round.at[0], round.at[w->turns]));
-        if (next <= TOL_WINDING_ROUNDING || next > TOL_WINDING_SHRINK * gap)
+        if (next <= TOL_ROUNDED || next > TOL_WINDING_SHRINK * gap)
             break;
         ratio = next / gap;
         gap = next;

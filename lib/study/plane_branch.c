@@ -63,8 +63,7 @@ static void look_at(const struct following *f, struct half *h,
 
     if (r == f->from && !h->left)
         return;
-    const double near =
-        fmax(fmax(touch, TOL_PLANE_TOUCH), TOL_PLANE_ARRIVED * trap->size);
+    const double near = fmax(fmax(touch, TOL_TOUCH), TOL_SAME * trap->size);
     const double d =
         arrival_nearest(&f->s->scale, &b->curve, b->curve.count - 1, f->from->z,
                         r->z, near, &theta);
@@ -102,7 +101,7 @@ static bool branch_ends(void *ctx, const struct branch *b, struct vec2 z,
     const struct vec2 away =
         arrival_from(&f->s->scale, vec2_add(f->from->z, z), f->from->z);
 
-    if (!(bar <= TOL_PLANE_LOST))
+    if (!(bar <= TOL_PLANE_LITTLE))
         return true;
     h->theta = 1.0;
     if (breaks_off(f, h, b))

@@ -85,7 +85,7 @@ static bool attracts(const struct plane_study *s, const struct winding *w,
         add_divergence(sys, &o.curve, piece, theta, sum);
     }
     taylor_orbit_free(&o);
-    return !follows || sum[0] < -TOL_WINDING_APART * sum[1];
+    return !follows || sum[0] < -TOL_SAME * sum[1];
 }
 
 /* ---- the list ------------------------------------------------------------ */

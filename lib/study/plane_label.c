@@ -115,7 +115,7 @@ static bool knows(void *ctx, struct vec2 z, struct plane_goal *out)
     const size_t region = regions_at(r, z, c);
     const struct band *band = regions_band(r, z.y);
     const size_t k = region - band->first, patch = plane_patch_of(l->p, region);
-    const double far = TOL_PLANE_DOOR * l->s->scale.side.x;
+    const double far = TOL_SAME * l->s->scale.side.x;
 
     if (!l->done[patch] || !box_holds(l->s->window.box, z) ||
         (k > 0 && !(z.x - c[k - 1].at > far + c[k - 1].error)) ||
@@ -331,10 +331,10 @@ static enum status find_goals(struct labelling *l, struct witnesses w[],
     for (size_t i = 0; i < n && w[i].count > 0 && status == STATUS_OK &&
                        l->s->basin.steps < TOL_PLANE_WORK;
          i++) {
-        l->tiny = w[i].area < TOL_PLANE_DOOR * all;
+        l->tiny = w[i].area < TOL_SAME * all;
         status = monitor_tell(monitor, "regions", i, n)
                      ? STATUS_STOPPED
-                     : find_goal(l, &w[i], w[i].area < TOL_PLANE_SMALL * all);
+                     : find_goal(l, &w[i], w[i].area < TOL_PLANE_LITTLE * all);
     }
     return status;
 }

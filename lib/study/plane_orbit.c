@@ -37,7 +37,7 @@ static bool is_lost(const struct plane_study *s, struct vec2 z)
     for (size_t i = 0; i < s->rests; i++)
         if (s->rest[i].type == PLANE_NONHYPERBOLIC &&
             vec2_length(arrival_from(&s->scale, z, s->rest[i].z)) <=
-                TOL_PLANE_WEAK)
+                TOL_PLANE_LITTLE)
             return true;
     for (size_t i = 0; i < s->undecided_count; i++) {
         const struct plane_box *b = &s->undecided[i];
@@ -60,7 +60,7 @@ static size_t cycle_ahead(const struct plane_study *s, const struct winding *w,
             vec2_length(arrival_from(&s->scale, w->at[1], c->round.at[0]))
         };
         if ((c->type == PLANE_CYCLE_STABLE) == stable && c->round.turns == 1 &&
-            d[0] <= TOL_PLANE_DRAWN && d[0] < TOL_WINDING_SHRINK * d[1])
+            d[0] <= TOL_SEEN && d[0] < TOL_WINDING_SHRINK * d[1])
             return k;
     }
     return s->cycles;
@@ -105,7 +105,7 @@ static enum status be_implicit(struct walk *w)
 
     options.rtol = TOL_ORBIT_RTOL;
     options.observables = 0;
-    options.max_steps = TOL_PLANE_IMPLICIT;
+    options.max_steps = TOL_CURVE_STEPS;
     w->stiff = true;
     return orbit_init(&w->implicit, w->system, w->series.z, &options);
 }
@@ -129,7 +129,7 @@ static enum status step(struct walk *w)
     if (status == STATUS_NO_MEMORY)
         return status;
     w->stopped = curve_of(w)->count == before ||
-                 w->series.curve.count >= TOL_PLANE_SERIES;
+                 w->series.curve.count >= TOL_CURVE_STEPS;
     return STATUS_OK;
 }
 

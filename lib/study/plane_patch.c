@@ -75,7 +75,7 @@ static void join_bands(struct patches *p, const struct band *lower,
                        const struct band *upper)
 {
     const struct separatrix *c = p->r->separatrix;
-    const double least = TOL_PLANE_DOOR * p->s->scale.side.x;
+    const double least = TOL_SAME * p->s->scale.side.x;
     const double gap =
         fmax(upper->lo - lower->hi, TOL_SHARE_ROUNDING * p->s->scale.side.y);
     const size_t m =
@@ -104,7 +104,7 @@ bool plane_patch_is_door(const struct plane_study *s, const struct band *band)
     const struct box w = s->window.box;
 
     return fmin(band->hi, w.hi.y) - fmax(band->lo, w.lo.y) >
-           TOL_PLANE_DOOR * s->scale.side.y;
+           TOL_SAME * s->scale.side.y;
 }
 
 void plane_patch_join(struct patches *p)

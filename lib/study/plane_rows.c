@@ -51,7 +51,7 @@ static enum status refine(struct sampler *p, size_t piece, double from,
     const struct vec2 side = p->s->scale.side;
 
     if (depth == 0 ||
-        (depth < 6 && hypot(off.x / side.x, off.y / side.y) <= TOL_PLANE_CHORD))
+        (depth < 6 && hypot(off.x / side.x, off.y / side.y) <= TOL_DRAWN))
         return add(p, piece, to);
     const enum status s = refine(p, piece, from, middle, depth - 1);
     return s ? s : refine(p, piece, middle, to, depth - 1);

@@ -156,7 +156,7 @@ static struct trajectory_options orbits(const struct plane_study *s,
     o.orbit.backward = backward;
     o.orbit.target = target;
     o.orbit.targets = targets(s, backward, target);
-    o.orbit.arrival = TOL_PLANE_DRAWN * fmin(s->scale.side.x, s->scale.side.y);
+    o.orbit.arrival = TOL_SEEN * fmin(s->scale.side.x, s->scale.side.y);
     o.orbit.observables = s->system[0].observable_count;
     o.orbit.rtol = fmax(c->rtol, TOL_ORBIT_RTOL);
     o.orbit.max_steps = TOL_PLANE_STEPS;

@@ -122,9 +122,9 @@ static enum status run_unstable(struct study *s, const struct monitor *monitor,
     for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
         struct orbit_options o = orbit_defaults(&s->slider.plane.system,
                                                 s->slider.plane.fastest_rate);
-        const double t = side_sign(&u, (enum side) i) *
-                         fmin(u.radius, TOL_UNSTABLE_START / u.unit);
-        o.max_steps = TOL_DRAWN_STEPS;
+        const double t =
+            side_sign(&u, (enum side) i) * fmin(u.radius, TOL_SEEN / u.unit);
+        o.max_steps = TOL_CURVE_STEPS;
         o.window = &window;
         o.target = target;
         o.targets = n;
@@ -309,7 +309,7 @@ static enum status run_trajectories(struct study *s,
     enum status status = STATUS_OK;
     if (c->starts > 0)
         status = run_starts(s, &o, why);
-    o.orbit.rtol = fmax(c->rtol, TOL_SPREAD_RTOL);
+    o.orbit.rtol = fmax(c->rtol, TOL_DRAWN);
     if (status == STATUS_OK && c->spread > 0)
         status = spread_orbits(s, &o);
     s->cost[STAGE_TRAJECTORIES].field_evaluations =

@@ -15,24 +15,15 @@
 /* Arrows of the direction field along each side of the window. */
 #define TOL_ARROWS 20
 
-/* Trajectories that only fill a picture: their starts are arbitrary, and a
- * ten-thousandth of ln v is far below a pixel. */
-#define TOL_SPREAD_RTOL 1e-4
-
-/* The unstable manifold is followed from its series at most this far from the
- * saddle: no gap that an eye could see. */
-#define TOL_UNSTABLE_START 1e-3
-
 /* Conditioning (conditioning.c), of numbers to TOL_RTOL_DEFAULT: the first
  * change of an input, relative, a fold further than ten times that away; how
  * much smaller it gets in a step, and at most.  Two differences are alike when
- * they differ by less than BEND, or by what noise may do; a derivative is
+ * they differ by less than BEND, or by ten times that accuracy; a derivative is
  * trusted to TRUST. */
 #define TOL_CONDITION_NUDGE     1e-7
 #define TOL_CONDITION_SHRINK    0.01
 #define TOL_CONDITION_NUDGE_MIN 1e-12
 #define TOL_CONDITION_BEND      0.1
-#define TOL_CONDITION_NOISE     1e-11
 #define TOL_CONDITION_TRUST     1e-2
 
 /* The power series in v (taylor_series.c).  Order 14 agrees with the curve
@@ -45,48 +36,36 @@
 
 /* Planes of formulas, distances in sides of the window.  Curves are followed
  * this many windows far, this many times round an angle (orbits to
- * TOL_ORBIT_RTOL, which only has to find the right trap); a curve has arrived
- * this near to an equilibrium, as a part of its trap, or touches one; has left
- * its saddle, or is lost in its bar; two cycles are the same; a state that
- * changes no faster, of the fastest rate, rests; orbits that are drawn end this
- * near to an equilibrium, and after so many steps; straight lines between
- * stored points of manifolds are this near to them; of the accuracy that is
- * asked for, a branch gets this part. */
+ * TOL_ORBIT_RTOL, which only has to find the right trap); a curve has left
+ * its saddle; two cycles are the same; a state that changes no faster, of the
+ * fastest rate, rests; orbits that are drawn end after so many steps; of the
+ * accuracy that is asked for, a branch gets this part. LITTLE: a curve with a
+ * larger bar is lost, and so is an orbit so near to an equilibrium where
+ * rounding decides; cycles are looked for from so far beside others; a region
+ * with so much of the window is small. */
 #define TOL_PLANE_PART       0.1
-#define TOL_PLANE_DRAWN      1e-3
 #define TOL_PLANE_STEPS      4000
-#define TOL_PLANE_CHORD      1e-4
 #define TOL_PLANE_FAR        100.0
 #define TOL_PLANE_ROUND      1e4
-#define TOL_PLANE_ARRIVED    1e-6
-#define TOL_PLANE_TOUCH      1e-12
 #define TOL_PLANE_LEFT       1e-2
-#define TOL_PLANE_LOST       1e-3
+#define TOL_PLANE_LITTLE     1e-3
 #define TOL_PLANE_SAME_CYCLE 1e-4
 #define TOL_PLANE_STILL      1e-9
-#define TOL_PLANE_WEAK       1e-3
 
-/* Orbits of such planes: steps of series in time, or of the implicit method
- * once so many steps in turn are HELD to where the velocity changes by less
- * than that part of itself, or so many did not bring it round; and of all
- * orbits, for labels and for audits. */
-#define TOL_PLANE_SERIES     20000
+/* Orbits of such planes: series in time, or the implicit method once so many
+ * steps in turn are HELD to where the velocity changes by less than that part
+ * of itself, or so many did not bring it round; steps of all orbits, for labels
+ * and for audits. */
 #define TOL_PLANE_WORK       400000
-#define TOL_PLANE_IMPLICIT   20000
 #define TOL_PLANE_HELD       1e-2
 #define TOL_PLANE_HELD_STEPS 64
 #define TOL_PLANE_NO_RETURN  1000
 
-/* Basins of such planes: cycles are looked for from this far beside others, and
- * kept to TOL_RTOL_DEFAULT; copies of a curve of an angle; regions are one
- * where they share more of a row than this, and small, of the window; two
- * limits outside the window are the same. */
-#define TOL_PLANE_BESIDE     1e-3
-#define TOL_PLANE_TURNS      50.0
-#define TOL_PLANE_DOOR       1e-6
-#define TOL_PLANE_FLAT       16.0
-#define TOL_PLANE_SMALL      1e-3
-#define TOL_PLANE_SAME_LIMIT 1e-6
+/* Basins of such planes, of cycles that are kept to TOL_RTOL_DEFAULT: copies of
+ * a curve of an angle; how much further than before a curve may go in a gap
+ * (plane_patch.c). */
+#define TOL_PLANE_TURNS 50.0
+#define TOL_PLANE_FLAT  16.0
 
 /* Sensitivities: parameters are moved by this part of themselves, so that a
  * difference is off by 1e-18 third derivatives and by 1e9 bars of numbers that

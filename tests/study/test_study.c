@@ -304,7 +304,7 @@ static void energy_balances_along_every_trajectory_and_branch(void **state)
             const double d = t->curve.count
                                  ? slider_energy_defect(&s.slider, &t->curve)
                                  : 0.0;
-            CHECK(fabs(d) <= 10.0 * TOL_SPREAD_RTOL, "spread %zu: %.3g", i, d);
+            CHECK(fabs(d) <= 10.0 * TOL_DRAWN, "spread %zu: %.3g", i, d);
         }
         for (int i = 0; i < SIDES; i++) {
             const double d = branch_defect(&s, &s.stable[i]);
