@@ -3,10 +3,7 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-#include "picture_rabinowicz.h"
-#include "picture_transient.h"
 #include "replace.h"
 #include "scene_command.h"
 
@@ -39,7 +36,8 @@ static enum exit_code run_scene(const struct gallery_place *g,
                          .quiet = true,
                          .keep_script = g->options->keep_script,
                          .also = { ".png", ".pdf" },
-                         .progress = g->options->progress };
+                         .drawn = &e->panel,
+                         .progress = g->progress };
     char *own[] = { output_set(g, e, "output.hdf5", ".h5"),
                     output_set(g, e, "output.figure", ".svg") };
     enum exit_code code = EXIT_FILE;
@@ -77,31 +75,6 @@ static char *first_comment(const char *text)
     return out;
 }
 
-/* A file of the gallery that was made; from which its panels are known. */
-static void add_panel(const struct gallery_place *g, struct gallery_entry *e,
-                      const char *panel)
-{
-    char name[GALLERY_NAME], path[PATH_MAX];
-
-    if (e->panels < GALLERY_PANELS &&
-        snprintf(name, GALLERY_NAME, "%s%s", e->name, panel) < GALLERY_NAME &&
-        gallery_path(path, g->output, name, ".svg") && access(path, R_OK) == 0)
-        strcpy(e->panel[e->panels++], name);
-}
-
-static void find_panels(const struct gallery_place *g, struct gallery_entry *e)
-{
-    static const char *const one[] = { "", NULL };
-    const char *name = scene_command(&e->scene);
-    const char *const *panel =
-        strcmp(name, "simulate") == 0     ? picture_simulation_panel
-        : strcmp(name, "rabinowicz") == 0 ? picture_rabinowicz_panel
-                                          : one;
-
-    while (*panel)
-        add_panel(g, e, *panel++);
-}
-
 static enum exit_code copy_scene(const struct gallery_place *g,
                                  const struct gallery_entry *e)
 {
@@ -129,8 +102,6 @@ void gallery_build(const struct gallery_place *g, struct gallery_entry *e)
         e->code = run_scene(g, e);
         if (e->code == EXIT_DONE)
             e->code = copy_scene(g, e);
-        if (e->code == EXIT_DONE)
-            find_panels(g, e);
     }
     e->comment = first_comment(e->scene.text ? e->scene.text : "");
     if (asprintf(&e->command, "slipway %s %s", scene_command(&e->scene),

@@ -11,18 +11,18 @@
 struct gallery_place {
     const struct options *options;
     const char *scenes, *output; /* folders */
+    const char *progress;        /* of each scene, an option's word */
 };
 
-enum { GALLERY_PANELS = 8, GALLERY_NAME = 256 };
+enum { GALLERY_NAME = 256 };
 
 struct gallery_entry {
-    char path[PATH_MAX];                      /* of the scene; given */
-    char name[GALLERY_NAME];                  /* of all its files; given */
-    char panel[GALLERY_PANELS][GALLERY_NAME]; /* without .svg, .png, ... */
-    size_t panels;
-    struct scene scene;      /* owned */
-    char *comment, *command; /* owned: the scene's first comment, its lines
-                                joined; what makes the figure; or NULL */
+    char path[PATH_MAX];      /* of the scene; given */
+    char name[GALLERY_NAME];  /* of all its files; given */
+    struct panel_names panel; /* its files are NAME, a panel, .svg, ... */
+    struct scene scene;       /* owned */
+    char *comment, *command;  /* owned: the scene's first comment, its lines
+                                 joined; what makes the figure; or NULL */
     enum exit_code code;
 };
 

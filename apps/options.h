@@ -53,6 +53,13 @@ void option_commands(const struct option *o, char *text, size_t size);
 
 enum { OPTIONS_SETS = 64, OPTIONS_ALSO = 2 };
 
+/* The files of a figure beside one another: "", "_time", ... (output.h). */
+enum { PANELS_MAX = 8, PANEL_NAME = 64 };
+struct panel_names {
+    char name[PANELS_MAX][PANEL_NAME];
+    size_t count;
+};
+
 struct options {
     const struct command *command; /* NULL: none named */
     const char **file; /* arguments after the command; owned, each borrowed */
@@ -62,11 +69,13 @@ struct options {
     uint64_t given;                 /* 1 << row of option_table */
     const char *also[OPTIONS_ALSO]; /* endings that figures are drawn with
                                        beside that of their path; NULL: none */
+    struct panel_names *drawn;      /* borrowed: the panels of the figure;
+                                       NULL: nobody asks */
 
     /* As they were given, borrowed; NULL or 0: not given. */
     const char *output, *v, *psi, *phi, *states, *state, *scenes, *only, *form,
         *as;
-    const char *progress;
+    const char *progress; /* or "bar": also of a command that is quiet */
     bool json, keep_script, quiet, tap, record, sensitivities, resume, quick;
     bool rerun, help, version;
     int threads;

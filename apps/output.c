@@ -92,9 +92,11 @@ enum status output_write(const struct options *o, const char *command,
 
 struct figure *panels_add(struct panels *p, const char *name)
 {
-    snprintf(p->name[p->count], PANEL_NAME, "%s", name);
-    p->figure[p->count] = FIGURE_EMPTY;
-    return &p->figure[p->count++];
+    struct panel_names *n = &p->names;
+
+    snprintf(n->name[n->count], PANEL_NAME, "%s", name);
+    p->figure[n->count] = FIGURE_EMPTY;
+    return &p->figure[n->count++];
 }
 
 static struct figure_page page_of(const struct scene_figure *paper)
@@ -131,9 +133,9 @@ static enum status draw_as(const struct options *o, const struct panels *p,
     const char *to[PANELS_MAX];
     enum status s = STATUS_OK;
 
-    for (size_t i = 0; i < p->count && s == STATUS_OK; i++) {
+    for (size_t i = 0; i < p->names.count && s == STATUS_OK; i++) {
         to[i] = file[i];
-        if (!panel_path(path, p->name[i], file[i]))
+        if (!panel_path(path, p->names.name[i], file[i]))
             s = refuse(why, path, "too long a path");
         else if (ending) /* as long as the other */
             strcpy(strrchr(file[i], '.'), ending);
@@ -141,8 +143,8 @@ static enum status draw_as(const struct options *o, const struct panels *p,
     if (s == STATUS_OK)
         s = replace_folder(path, why);
     if (s == STATUS_OK)
-        s = figures_write(p->figure, to, p->count, o->keep_script, why);
-    for (size_t i = 0; i < p->count && s == STATUS_OK; i++)
+        s = figures_write(p->figure, to, p->names.count, o->keep_script, why);
+    for (size_t i = 0; i < p->names.count && s == STATUS_OK; i++)
         output_tell(o, file[i]);
     return s;
 }
@@ -153,15 +155,18 @@ enum status output_draw(const struct options *o,
 {
     enum status s = STATUS_OK;
 
-    for (size_t i = 0; i < p->count; i++)
+    for (size_t i = 0; i < p->names.count; i++)
         p->figure[i].page = page_of(paper);
-    if (p->count > 0)
+    if (p->names.count > 0)
         s = draw_as(o, p, path, NULL, why);
-    for (size_t i = 0; p->count > 0 && i < OPTIONS_ALSO && o->also[i]; i++)
+    for (size_t i = 0; p->names.count > 0 && i < OPTIONS_ALSO && o->also[i];
+         i++)
         if (s == STATUS_OK)
             s = draw_as(o, p, path, o->also[i], why);
-    for (size_t i = 0; i < p->count; i++)
+    for (size_t i = 0; i < p->names.count; i++)
         figure_free(&p->figure[i]);
+    if (o->drawn && s == STATUS_OK)
+        *o->drawn = p->names;
     *p = PANELS_EMPTY;
     return s;
 }

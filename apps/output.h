@@ -7,7 +7,8 @@
 #include "draw.h"
 #include "result.h"
 
-enum { PANELS_MAX = FIGURES_MAX, PANEL_PATH = 4096, PANEL_NAME = 64 };
+enum { PANEL_PATH = 4096 };
+_Static_assert((int) PANELS_MAX == (int) FIGURES_MAX, "drawn together");
 
 /* "a.svg", "_time" -> "a_time.svg"; false if that is too long. */
 bool panel_path(const char *path, const char *panel, char out[PANEL_PATH]);
@@ -46,11 +47,10 @@ void output_tell(const struct options *o, const char *path);
 /* Figures in the making; owned. */
 struct panels {
     struct figure figure[PANELS_MAX];
-    char name[PANELS_MAX][PANEL_NAME]; /* as of panel_path */
-    size_t count;
+    struct panel_names names; /* as of panel_path */
 };
 
-#define PANELS_EMPTY ((struct panels){ .count = 0 })
+#define PANELS_EMPTY ((struct panels){ .names.count = 0 })
 
 /* One more, to be begun by figure_init. */
 struct figure *panels_add(struct panels *p, const char *name);

@@ -58,10 +58,8 @@ static void put_text(FILE *out, const char *text)
         }
 }
 
-/* A file beside the page, as an address. */
 static void put_address(FILE *out, const char *name)
 {
-    fputs("./", out);
     for (; *name; name++)
         if (isalnum((unsigned char) *name) || strchr("._-", *name))
             fputc(*name, out);
@@ -69,7 +67,7 @@ static void put_address(FILE *out, const char *name)
             fprintf(out, "%%%02X", (unsigned) (unsigned char) *name);
 }
 
-/* %t: a text; %a: a file, without its ending; %i: a size_t. */
+/* %t: a text; %a: a part of a file's address; %i: a size_t. */
 static void put(FILE *out, const char *format, ...)
 {
     va_list args;
@@ -89,15 +87,19 @@ static void put(FILE *out, const char *format, ...)
 
 static void put_links(FILE *out, const struct gallery_entry *e, bool scripts)
 {
-    put(out, "<p><a href=\"%a.yaml\">scene</a> · <a href=\"%a.h5\">HDF5</a>",
+    put(out,
+        "<p><a href=\"./%a.yaml\">scene</a> · <a href=\"./%a.h5\">HDF5</a>",
         e->name, e->name);
-    for (size_t i = 0; i < e->panels; i++) {
-        put(out, " · <a href=\"%a.png\">PNG</a>, <a href=\"%a.pdf\">PDF</a>",
-            e->panel[i], e->panel[i]);
+    for (size_t i = 0; i < e->panel.count; i++) {
+        const char *panel = e->panel.name[i];
+        put(out,
+            " · <a href=\"./%a%a.png\">PNG</a>, <a href=\"./%a%a.pdf\">PDF</a>",
+            e->name, panel, e->name, panel);
         if (scripts)
             put(out,
-                ", <a href=\"%a.gp\">script</a>, <a href=\"%a.dat\">data</a>",
-                e->panel[i], e->panel[i]);
+                ", <a href=\"./%a%a.gp\">script</a>, "
+                "<a href=\"./%a%a.dat\">data</a>",
+                e->name, panel, e->name, panel);
     }
     put(out, "</p>\n");
 }
@@ -108,11 +110,11 @@ static void put_figure(FILE *out, const struct gallery_entry *e, size_t number,
     const char *title = e->scene.title ? e->scene.title : "";
 
     put(out, "<figure id=\"figure-%i\"", number);
-    put(out, e->panels > 1 ? " class=\"many\">\n" : ">\n");
+    put(out, e->panel.count > 1 ? " class=\"many\">\n" : ">\n");
     put(out, "<h2>%t%t%t</h2>\n", e->name, title[0] ? ": " : "", title);
-    for (size_t i = 0; i < e->panels; i++)
-        put(out, "<img src=\"%a.svg\" alt=\"%t\">\n", e->panel[i],
-            title[0] ? title : e->name);
+    for (size_t i = 0; i < e->panel.count; i++)
+        put(out, "<img src=\"./%a%a.svg\" alt=\"%t%t\">\n", e->name,
+            e->panel.name[i], title[0] ? title : e->name, e->panel.name[i]);
     put(out, "<figcaption>\n<p>%t</p>\n<p><code>%t</code></p>\n",
         e->comment ? e->comment : "", e->command ? e->command : "");
     if (e->code == EXIT_DONE)

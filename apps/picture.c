@@ -444,7 +444,7 @@ static void draw_portrait(struct picture *p)
 static void draw_panel(struct picture *p, enum ground ground, const char *name,
                        struct panels *out)
 {
-    p->figure = panels_add(out, out->count ? name : "");
+    p->figure = panels_add(out, out->names.count ? name : "");
     p->ground = ground;
     draw_portrait(p);
 }

@@ -119,6 +119,10 @@ enum { SPRING_LINES = 2 * DIAGRAM_LAWS }; /* each with inertia, and without */
 
 static void add_springs(const struct sheet *p, struct line line[SPRING_LINES])
 {
+    static const enum figure_dash no_inertia[DIAGRAM_LAWS] = {
+        [DIAGRAM_SCENE] = FIGURE_DOTTED, [DIAGRAM_DIETERICH] = FIGURE_DASH_DOT
+    };
+
     shade_stick_slip(p, &line[0]);
     for (int i = SPRING_LINES; i-- > 0;) {
         struct figure_style style = law_style[i / 2];
@@ -126,7 +130,7 @@ static void add_springs(const struct sheet *p, struct line line[SPRING_LINES])
         snprintf(entry, sizeof entry, "%s, %s", law_name(p, i / 2),
                  i % 2 ? "no inertia" : "with inertia");
         if (i % 2)
-            style = (struct figure_style){ style.role, FIGURE_DOTTED, 2.2 };
+            style = (struct figure_style){ style.role, no_inertia[i / 2], 2.2 };
         sheet_line(p, &line[i], style, entry);
     }
 }
@@ -279,7 +283,7 @@ static void draw_fold_curves(const struct sheet *p)
 {
     static const struct figure_style look[] = {
         { FIGURE_SERIES_1, FIGURE_SOLID, 3.0 },
-        { FIGURE_SERIES_2, FIGURE_SOLID, 3.0 },
+        { FIGURE_SERIES_2, FIGURE_DASHED, 3.0 },
     };
     static const char *const entry[] = { S_CM("m") ", minimum of " S_MU_SS,
                                          S_CM("M") ", maximum of " S_MU_SS };

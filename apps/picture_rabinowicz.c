@@ -139,7 +139,8 @@ static void add_fit(struct figure *f, const struct parabola *p, double from,
 
 /* A root on the axis with its interval. */
 static void add_root(struct figure *f, const struct quantity *root, double low,
-                     double high, enum figure_role role, const char *name)
+                     double high, enum figure_role role, enum figure_mark mark,
+                     const char *name)
 {
     char entry[64];
 
@@ -147,15 +148,15 @@ static void add_root(struct figure *f, const struct quantity *root, double low,
     sheet_segment(f, (struct figure_style){ role, FIGURE_SOLID, 4 }, NULL,
                   (struct vec2){ 0.0, fmax(low, f->y.lo) },
                   (struct vec2){ 0.0, fmin(high, f->y.hi) });
-    add_point(f, 0.0, root->value, role, FIGURE_SQUARE, entry);
+    add_point(f, 0.0, root->value, role, mark, entry);
 }
 
 static void add_roots(struct figure *f, const struct parabola *p)
 {
     add_root(f, &p->mu_s, p->mu_s_low, p->mu_s_high, FIGURE_HIGHLIGHT,
-             "static friction " S_MU_S);
+             FIGURE_SQUARE, "static friction " S_MU_S);
     add_root(f, &p->mu_half, p->mu_half_low, p->mu_half_high, FIGURE_SERIES_3,
-             "smaller root, " S_MU_SS "(" S_V_STAR "/2)");
+             FIGURE_DIAMOND, "smaller root, " S_MU_SS "(" S_V_STAR "/2)");
 }
 
 /* The ranges of the data and, where there are any, of the roots. */

@@ -73,7 +73,7 @@ void picture_add_taylor(const struct study *s,
         enum figure_role role;
     } sum[] = { { 2, FIGURE_SERIES_5 },
                 { 6, FIGURE_SERIES_3 },
-                { TAYLOR_PAPER, FIGURE_HIGHLIGHT },
+                { TAYLOR_PAPER, FIGURE_SERIES_6 },
                 { 30, FIGURE_SERIES_4 } };
     const struct sums q = { s, shown, ctx, f };
 

@@ -159,10 +159,12 @@ const struct monitor *progress_monitor(const struct options *o)
     static const struct monitor monitor = { tell, NULL };
     const char *word = o->progress ? o->progress : "auto";
 
-    how = strcmp(word, "json") == 0                 ? PROGRESS_JSON
-          : strcmp(word, "none") == 0               ? PROGRESS_NONE
-          : !o->quiet && isatty(STDERR_FILENO) != 0 ? PROGRESS_BAR
-                                                    : PROGRESS_NONE;
+    const bool bar =
+        strcmp(word, "bar") == 0 || (strcmp(word, "auto") == 0 && !o->quiet);
+
+    how = strcmp(word, "json") == 0           ? PROGRESS_JSON
+          : bar && isatty(STDERR_FILENO) != 0 ? PROGRESS_BAR
+                                              : PROGRESS_NONE;
     listen();
     return &monitor;
 }

@@ -87,6 +87,14 @@ static enum status make_folder(struct rerun *r, struct fault *why)
                               : STATUS_OK;
 }
 
+/* What the command prints is not wanted, but how far it is. */
+static const char *progress_of(const struct options *o)
+{
+    return o->quiet || (o->progress && strcmp(o->progress, "auto") != 0)
+               ? o->progress
+               : "bar";
+}
+
 /* The stored overrides, and the output in place of the scene's own; all
  * borrowed. */
 static enum status set_options(struct rerun *r, struct options *o, char *output,
@@ -97,7 +105,7 @@ static enum status set_options(struct rerun *r, struct options *o, char *output,
     *o = (struct options){ .command = r->command,
                            .file = &r->scene_file,
                            .threads = r->options->threads,
-                           .progress = r->options->progress,
+                           .progress = progress_of(r->options),
                            .quiet = true };
     r->scene_file = r->scene_path;
     o->files = r->origin.scene[0] != '\0';

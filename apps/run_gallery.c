@@ -112,21 +112,28 @@ static enum status list_scenes(struct gallery *g, struct fault *why)
 /* Builds them in turn and drops those that draw nothing; false when stopped. */
 static bool build_all(struct gallery *g)
 {
-    const struct gallery_place place = { g->options, g->scenes, g->output };
+    const char *how = g->options->progress;
+    const struct gallery_place place = { g->options, g->scenes, g->output,
+                                         how && strcmp(how, "json") == 0
+                                             ? how
+                                             : "none" };
     size_t kept = 0;
     bool stopped = false;
 
     for (size_t i = 0; i < g->count; i++) {
         struct gallery_entry *e = &g->entry[i];
+        stopped |= monitor_tell(progress_monitor(g->options), "scenes", i,
+                                g->count) != 0;
         if (!stopped) {
             gallery_build(&place, e);
             stopped = e->code == EXIT_INTERRUPT;
         }
-        if (e->panels > 0 || e->code != EXIT_DONE)
+        if (e->panel.count > 0 || e->code != EXIT_DONE)
             g->entry[kept++] = *e;
         else
             gallery_entry_free(e);
     }
+    progress_end();
     g->count = kept;
     return !stopped;
 }
@@ -152,8 +159,9 @@ static json_t *gallery_json(const struct gallery *g, const char *page)
     for (size_t i = 0; i < g->count; i++) {
         const struct gallery_entry *e = &g->entry[i];
         json_t *panels = json_array();
-        for (size_t k = 0; k < e->panels; k++)
-            json_array_append_new(panels, json_string(e->panel[k]));
+        for (size_t k = 0; k < e->panel.count; k++)
+            json_array_append_new(
+                panels, json_sprintf("%s%s", e->name, e->panel.name[k]));
         json_array_append_new(list, json_pack("{s:s, s:s, s:b, s:o}", "name",
                                               e->name, "scene", e->path,
                                               "built", e->code == EXIT_DONE,

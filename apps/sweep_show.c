@@ -95,7 +95,7 @@ static const struct look look[SHOWS][LOOKS] = {
     },
     [SHOW_STATIC_FRICTION] = {
         XI("mu_s", 1.8),
-        LINE("estimates_mu_s_exact_v_plus", "(41), exact " S_V_PLUS, SERIES_2, SOLID, 2.6),
+        LINE("estimates_mu_s_exact_v_plus", "(41), exact " S_V_PLUS, SERIES_2, LONG_DASH, 2.6),
         LINE("mu_s_num", "exact " S_V_PLUS " and slip", SERIES_1, DASHED, 2.4),
         LINE("mu_s_mean", "exact mean", SERIES_1, SOLID, 3.0),
     },

@@ -5,14 +5,13 @@ usage: cli_basin.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import json
 import os
-import pty
 import random
 import resource
 import signal
 import subprocess
 import time
 
-from cli_room import expect, refused, run_cases
+from cli_room import expect, refused, run_cases, seen_on_a_terminal, starts
 
 SADDLE = ['basin', '--law', 'spinodal_gen', '--alpha', '0.34']
 FIGURES = {'fig05a': {'creep'}, 'fig05b': {'creep', 'sliding'},
@@ -29,13 +28,6 @@ def small(nv=40, npsi=30, audit=50):
 
 def maps(room, *names):
     return json.loads(room.reads('read_basin.py', *names))
-
-
-def starts(room, *args, **how):
-    return subprocess.Popen([room.slipway, *args], cwd=room.folder, text=True,
-                            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                            env=room.environment(),
-                            **{'stderr': subprocess.PIPE, **how})
 
 
 def ends(job):
@@ -224,23 +216,6 @@ def progress_json_is_one_object_a_line(room):
            == {'stage': 'rows', 'done': 900, 'total': 900}, lines)
 
 
-def seen_on_a_terminal(room, *args):
-    """What a terminal on stderr receives."""
-    ours, theirs = pty.openpty()
-    job = starts(room, *args, stderr=theirs)
-    os.close(theirs)
-    seen = b''
-    try:
-        while part := os.read(ours, 4096):
-            seen += part
-    except OSError:  # its other end is closed
-        pass
-    os.close(ours)
-    job.communicate()
-    expect(job.returncode == 0, seen)
-    return seen.decode()
-
-
 def a_terminal_shows_a_bar_with_rate_and_time_left(room):
     scene = [*SADDLE, *small(64, 1500, 0), '--exact', '-o', 'a.h5']
     shown = seen_on_a_terminal(room, *scene).split('\r\033[K')
@@ -251,6 +226,10 @@ def a_terminal_shows_a_bar_with_rate_and_time_left(room):
     for args in (['--quiet'], ['--progress', 'none']):
         expect(seen_on_a_terminal(room, *SADDLE, *small(), *args) == '', args)
     room.good(*SADDLE, *small(), '--progress', 'auto')  # none: no complaint
+    again = seen_on_a_terminal(room, 'info', '--rerun', 'a.h5')
+    expect('rows [' in again and ' left' in again, again)
+    expect(seen_on_a_terminal(room, 'info', '--rerun', 'a.h5', '--quiet') == '',
+           'quiet')
 
 
 # ---- full disks, memory ------------------------------------------------------

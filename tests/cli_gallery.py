@@ -4,14 +4,16 @@
 usage: cli_gallery.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import html.parser
+import itertools
 import os
+import re
 import shutil
 import subprocess
 import urllib.parse
 import xml.etree.ElementTree
 
 from cli_paper import COARSE, check_figures
-from cli_room import expect, refused, run_cases
+from cli_room import expect, refused, run_cases, seen_on_a_terminal
 
 SCENE = '''# %s
 title: %s
@@ -89,6 +91,34 @@ def check_pictures(room, folder, page):
             expect(room.bytes(f'{folder}/{name}').startswith(start), name)
 
 
+def looks(script, data):
+    """Of each entry of a legend: its line's width and dash, or its marks."""
+    entry = dict(re.findall(r'# block (\d+): (?:curves|points) (.+)', data))
+    lines, marks = {}, {}
+    for block, kind, look in re.findall(
+            r"data index (\d+) with (lines|points) ([^\\\n]*)", script):
+        if block in entry and kind == 'points':
+            marks.setdefault(entry[block], []).append(
+                re.search(r'pt (\d+)', look)[1])
+        elif block in entry and "'white'" not in look:
+            dash = re.search(r'dt \((.*)\)', look)
+            lines[entry[block]] = (float(re.search(r'lw ([\d.]+)', look)[1]),
+                                   dash[1] if dash else '')
+    return lines, marks
+
+
+def check_grey(room, folder, page):
+    """No two entries differ by their colours alone."""
+    for name in linked(page, '.gp'):
+        lines, marks = looks(room.read(f'{folder}/{name}'),
+                             room.read(f'{folder}/{name[:-3]}.dat'))
+        for (a, (thin, dash)), (b, (wide, other)) in itertools.combinations(
+                sorted(lines.items(), key=lambda item: item[1]), 2):
+            expect(dash != other or wide > 1.25 * thin, name, a, b, lines)
+        for a, b in itertools.combinations(marks, 2):
+            expect(marks[a] != marks[b], name, a, b)
+
+
 def screenshot(room, folder):
     """In headless Chromium, where there is one: every picture is shown."""
     browser = shutil.which('chromium') or shutil.which('chromium-browser')
@@ -127,6 +157,8 @@ def every_figure_is_built_and_shown(room):
     for figure in page.figures:
         expect(figure['pictures'] >= 1 and len(figure['caption']) > 60, figure)
     expect(page.failed == 0, page.failed)
+    made = {name for name in room.names('g') if name.endswith('.svg')}
+    expect(set(linked(page, '.svg')) == made, made ^ set(linked(page, '.svg')))
     for ending in ('.svg', '.png', '.pdf', '.gp', '.dat'):
         expect(len(linked(page, ending))
                == sum(figure['pictures'] for figure in page.figures), ending)
@@ -134,6 +166,7 @@ def every_figure_is_built_and_shown(room):
         expect(room.read(f'g/{name}.yaml')
                == room.read(f'scenes/{name}.yaml'), name)
     check_pictures(room, 'g', page)
+    check_grey(room, 'g', page)
     check_figures(room, 'g', 183, 31)
     screenshot(room, 'g')
     expect(room.names() == ['g', 'scenes'], room.names())
@@ -146,6 +179,9 @@ def settings_hold_for_every_scene(room):
     room.good('gallery', '-o', 'g', '--set', 'slope.alpha=0.33', '--quiet')
     for name in ('a', 'b'):
         expect('0.33 rad' in room.read(f'g/{name}.svg'), name)
+    shown = seen_on_a_terminal(room, 'gallery', '-o', 'g').split('\r\033[K')
+    expect(any(line.startswith('scenes [') and ' left' in line
+               for line in shown) and shown[-1] == '', shown)
     expect(room.names('g') == sorted(
         name + ending for name in 'ab'
         for ending in ('.h5', '.pdf', '.png', '.svg', '.yaml'))

@@ -3,6 +3,7 @@ import atexit
 import csv
 import json
 import os
+import pty
 import re
 import shutil
 import subprocess
@@ -152,6 +153,30 @@ def refused(done, code, *words):
            and lines[0].startswith('slipway: ') and lines[0].isprintable()
            and len(lines[0]) < 600 and all(word in lines[0] for word in words),
            f'expected exit {code}, one line with {words}:', done)
+
+
+def starts(room, *args, **how):
+    return subprocess.Popen([room.slipway, *args], cwd=room.folder, text=True,
+                            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                            env=room.environment(),
+                            **{'stderr': subprocess.PIPE, **how})
+
+
+def seen_on_a_terminal(room, *args):
+    """What a terminal on stderr receives."""
+    ours, theirs = pty.openpty()
+    job = starts(room, *args, stderr=theirs)
+    os.close(theirs)
+    seen = b''
+    try:
+        while part := os.read(ours, 4096):
+            seen += part
+    except OSError:  # its other end is closed
+        pass
+    os.close(ours)
+    job.communicate()
+    expect(job.returncode == 0, seen)
+    return seen.decode()
 
 
 def run_cases(cases):

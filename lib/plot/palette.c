@@ -35,7 +35,7 @@ static const struct {
     enum figure_dash dash;
 } looks[FIGURE_ROLES] = {
     [FIGURE_TRAJECTORY] = { "#4d4d4d", 1.0, FIGURE_SOLID },
-    [FIGURE_HIGHLIGHT] = { "#b2001d", 2.2, FIGURE_SOLID },
+    [FIGURE_HIGHLIGHT] = { "#b2001d", 2.2, FIGURE_DASH_DOT },
     [FIGURE_STABLE] = { "#0072b2", 3.0, FIGURE_SOLID },
     [FIGURE_UNSTABLE] = { "#d55e00", 3.0, FIGURE_LONG_DASH },
     [FIGURE_NULLCLINE_X] = { "#000000", 2.2, FIGURE_DASHED },
