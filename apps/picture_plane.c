@@ -105,12 +105,23 @@ static struct stroke branch_stroke(const struct picture *p,
     return t;
 }
 
+/* "to stable focus 0" of stable_focus_0; or undecided. */
+static void name_basin(const struct plane_basin *b, size_t i,
+                       char entry[PANEL_NAME])
+{
+    snprintf(entry, PANEL_NAME, "%s%s", i < b->labels ? "to " : "",
+             b->share[i].attractor);
+    for (char *c = entry; *c; c++)
+        *c = *c == '_' ? ' ' : *c;
+}
+
 /* The basins as tints. */
 static void add_basins(const struct picture *p)
 {
     enum { COLUMNS = 720, ROWS = 480, TINTS = FIGURE_SHADE_6 - FIGURE_SHADE_1 };
     const struct plane_basin *b = &p->s->basin;
     struct figure_shade shade[FIGURE_SHADES_MAX];
+    char entry[FIGURE_SHADES_MAX][PANEL_NAME];
     size_t count = 0;
 
     if (b->shares == 0)
@@ -119,11 +130,15 @@ static void add_basins(const struct picture *p)
     p->figure->status =
         label ? plane_basin_fill(p->s, COLUMNS, ROWS, 0, ROWS, label)
               : STATUS_NO_MEMORY;
-    for (size_t i = 0; i < b->labels && count < FIGURE_SHADES_MAX; i++)
+    for (size_t i = 0; i < b->shares && count < FIGURE_SHADES_MAX; i++)
         if (b->share[i].fraction.value > 0.0) {
+            name_basin(b, i, entry[count]);
             shade[count] = (struct figure_shade){
-                (int8_t) i, (enum figure_role)(FIGURE_SHADE_1 + count % TINTS),
-                b->share[i].attractor
+                (int8_t) i,
+                i < b->labels
+                    ? (enum figure_role)(FIGURE_SHADE_1 + count % TINTS)
+                    : FIGURE_SHADE_6,
+                entry[count]
             };
             count++;
         }

@@ -8,7 +8,7 @@ import math
 import re
 import xml.etree.ElementTree
 
-from cli_room import SLOPE, expect, run_cases
+from cli_room import SLOPE, expect, run_cases, shown
 
 # ---- only what a scene needs -------------------------------------------------
 
@@ -254,6 +254,32 @@ def orbits_leave_no_hole_and_are_no_bunch(room):
                len(orbits), hole, bunch)
 
 
+def manifolds_have_arrows_along_the_flow(room):
+    """Two each, on all lines; the stable ones' point to the saddle."""
+    room.good('portrait', '--law', 'spinodal_gen', '--alpha', '0.34',
+              '--figure', 'a.svg', '--keep-script')
+    saddle = None
+    heads = {}
+    drawn = blocks(room, 'a.dat')
+    kinds = [what.split()[0] for what, _ in drawn]
+    expect(max(k for k, kind in enumerate(kinds) if kind == 'curves')
+           < kinds.index('arrowheads'), kinds)
+    for what, rows in drawn:
+        place = [(math.log(x), math.log(y)) for x, y in rows]
+        if what == 'points saddle':
+            saddle = place[0]
+        if what.startswith('arrowheads'):
+            heads[what[11:]] = [place[k:k + 3] for k in range(0, len(place), 3)]
+    for kind, way in (('stable', 1), ('unstable', -1)):
+        found = heads[kind + ' manifold']
+        expect(len(found) == 2, kind, found)
+        for base, tip, other in found:
+            tail = [(p + q) / 2 for p, q in zip(base, other)]
+            expect((math.dist(tail, saddle) - math.dist(tip, saddle)) * way > 0,
+                   kind, tail, tip)
+    expect(len(heads['trajectories']) > 10, heads)
+
+
 # ---- over a key --------------------------------------------------------------
 
 def blocks(room, name):
@@ -315,6 +341,19 @@ sweep: {key: system.parameters.m_0, from: -1, to: 2, points: 7}
     expect(set(marks) == {'points saddle', 'points stable node',
                           'points not hyperbolic'}, marks)
     expect(len(set(marks.values())) == 2, marks)  # a circle is two discs
+
+
+def basins_of_a_system_say_whereto_they_go(room):
+    """Those of a centre are undecided, and grey."""
+    for text, entries in (("x' = y; y' = x - x^3 - 0.5*y",
+                           ['to stable focus 0', 'to stable focus 1']),
+                          ("x' = y; y' = -x", ['undecided'])):
+        room.good('basin', '--ode', text, '--window', 'x=-2:2,y=-2:2',
+                  '--set', 'basins={cells: [24, 24], audit: 0}',
+                  '--figure', 'a.svg')
+        said = shown(room.read('a.svg'))
+        expect(all(entry in said for entry in entries) and '_' not in said,
+               said)
 
 
 def one_value_is_drawn_as_a_point(room):
@@ -386,8 +425,10 @@ run_cases([
     hostile_file_names_are_only_names,
     the_power_series_is_drawn_told_and_stored,
     orbits_leave_no_hole_and_are_no_bunch,
+    manifolds_have_arrows_along_the_flow,
     what_jumps_at_a_fold_is_drawn_as_a_jump,
     what_does_not_exist_is_grey_and_in_the_legend,
+    basins_of_a_system_say_whereto_they_go,
     one_value_is_drawn_as_a_point,
     several_runs_differ_by_their_marks,
     a_kept_script_draws_the_figure_again,

@@ -3,6 +3,7 @@
 
 usage: cli_paper.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
+import math
 import os
 import re
 import struct
@@ -186,6 +187,38 @@ def lines_are_a_quarter_of_a_dot_from_their_curves(room):
             expect(worst < 0.25, width, dpi, entry, worst)
 
 
+def a_nullcline_of_friction_is_as_smooth(room):
+    """psi = 101/(1 + 100 v), where it bends most: no polygon."""
+    room.good('portrait', '--law', 'spinodal_gen', '--alpha', '0.34',
+              '--figure', 'a.svg', '--keep-script', '--figure-width',
+              'two_columns', '--set', 'products=[nullclines]')
+    wide, high = plot_dots(room, 'a', 300)
+    across, up = wide / math.log(1e12), high / math.log(1e5)
+    found = list(segments(room, 'a.dat', 'dψ/dt = 0'))
+    expect(len(found) > 10, found)
+    for a, b in found:
+        for k in range(9):
+            x, y = (math.log(p) + k / 8 * (math.log(q) - math.log(p))
+                    for p, q in zip(a, b))
+            part = 100 * math.exp(x) / (1 + 100 * math.exp(x))
+            off = abs(y - math.log(101 / (1 + 100 * math.exp(x)))) / (
+                1 / up**2 + (part / across)**2)**0.5
+            expect(off < 0.25, x, y, off)
+
+
+def labels_at_the_ends_of_log_axes_are_there(room):
+    for low, high, ends in (('1e4', '1e6', ('104', '106')),
+                            ('1e-5', '1e-3', ('10−5', '10−3'))):
+        room.good('portrait', *SLOPE, '--figure', 'a.pdf', '--figure-width',
+                  'two_columns', '--set', f'window.v=[{low}, {high}]',
+                  '--set', 'window.psi=[10, 100]', '--set',
+                  'products=[nullclines]')
+        found = [word[0] for word in words(room.path('a.pdf'))[0]]
+        for end in (*ends, '100'):
+            expect(end in ''.join(found), end, found)
+        expect('10' in found, found)
+
+
 def a_figure_has_what_was_asked_for(room):
     def text(*args):
         room.good('portrait', *SLOPE, '--figure', 'a.svg', '--set',
@@ -219,6 +252,8 @@ if __name__ == '__main__':
         a_figure_is_as_large_as_it_was_asked_for,
         letters_are_as_large_as_they_were_asked_for,
         lines_are_a_quarter_of_a_dot_from_their_curves,
+        a_nullcline_of_friction_is_as_smooth,
+        labels_at_the_ends_of_log_axes_are_there,
         a_figure_has_what_was_asked_for,
         wrong_paper_costs_one_line,
         figures_of_the_project_fit_one_column,

@@ -87,12 +87,18 @@ static void put_texts(FILE *out, const struct layout *p)
              p->height);
 }
 
+/* gnuplot takes a tick for an end of a log axis, whose logarithm it rounds, to
+ * be beyond it: by a few parts in 10^16 of what is at most 10^3. */
+static const double log_rim = 1e-12;
+
 static void put_axis(FILE *out, const char *name, const struct layout *p,
                      const struct scale *s, double spacing)
 {
     if (s->is_log)
         fprintf(out, "set logscale %s 10\n", name);
-    fprintf(out, "set %srange [%.17g:%.17g]\n", name, s->lo, s->hi);
+    const double rim = s->is_log ? log_rim : 0;
+    fprintf(out, "set %srange [%.17g:%.17g]\n", name, s->lo * (1 - rim),
+            s->hi * (1 + rim));
     fprintf(out, "set %stics out nomirror enhanced scale 0.7,0.35 ", name);
     ticks_write(out, s, spacing, p->script);
     fputc('\n', out);

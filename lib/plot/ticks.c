@@ -14,6 +14,9 @@ static const int decade_steps[][2] = {
     { 20, 10 }, { 30, 10 }, { 50, 10 }, { 100, 50 }, { 200, 100 },
 };
 
+/* px: multiples of a step may be beyond an end that they are. */
+static const double rounding = 1e-6;
+
 /* Receives one tick; text "" for a small one. */
 struct tick_sink {
     FILE *out; /* NULL: only measure */
@@ -50,9 +53,12 @@ static bool has_room(struct tick_sink *k, double pixel)
 static void ticks_tick(struct tick_sink *k, const struct scale *s, double at,
                        const char *text)
 {
-    if (!(at >= s->lo && at <= s->hi))
+    const double pixel = scale_pixel(s, at);
+
+    if (!(pixel >= -rounding && pixel <= s->pixels + rounding))
         return;
-    if (text[0] != '\0' && !has_room(k, scale_pixel(s, at)))
+    at = fmin(fmax(at, s->lo), s->hi);
+    if (text[0] != '\0' && !has_room(k, pixel))
         text = "";
     if (k->out) {
         fputs(k->count ? ", '" : "'", k->out);

@@ -314,6 +314,26 @@ static void labels_of_linear_axes_are_evenly_apart(void **state)
     }
 }
 
+static void ends_that_are_labels_are_labelled(void **state)
+{
+    (void) state;
+    for (int n = -12; n < 12; n++)
+        for (int m = 1; m < 7; m++) {
+            char end[32];
+            snprintf(end, sizeof end, "1e%d", n);
+            const double lo = strtod(end, NULL);
+            snprintf(end, sizeof end, "1e%d", n + m);
+            const double hi = strtod(end, NULL);
+            const struct figure_axis axis = { .lo = lo, .hi = hi, .is_log = 1 };
+            char *text = ticks_text(&axis, 700, 60), wanted[64];
+            for (int k = 0; k < 2; k++) {
+                snprintf(wanted, sizeof wanted, "' %.15g 0", k ? hi : lo);
+                CHECK(strstr(text, wanted), "%s: %s", wanted, text);
+            }
+            free(text);
+        }
+}
+
 static void decades_are_labelled_as_powers_of_ten(void **state)
 {
     (void) state;
@@ -360,6 +380,7 @@ int main(void)
         cmocka_unit_test(an_arrowhead_points_along_the_line),
         cmocka_unit_test(labels_are_few_apart_and_on_the_axis),
         cmocka_unit_test(labels_of_linear_axes_are_evenly_apart),
+        cmocka_unit_test(ends_that_are_labels_are_labelled),
         cmocka_unit_test(decades_are_labelled_as_powers_of_ten),
         cmocka_unit_test(every_range_has_three_labels),
     };
