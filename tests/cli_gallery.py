@@ -13,7 +13,7 @@ import urllib.parse
 import xml.etree.ElementTree
 
 from cli_paper import COARSE, check_figures
-from cli_room import expect, refused, run_cases, seen_on_a_terminal
+from cli_room import expect, refused, run_cases, seen_on_a_terminal, shown
 
 SCENE = '''# %s
 title: %s
@@ -248,6 +248,20 @@ def scenes_are_found_beside_the_program(room):
         room.shell('rm -r outputs')
 
 
+def the_readme_s_pictures_are_todays(room):
+    """Words and colours; the README has the commands."""
+    room.bring('scenes')
+    for command, scene, name in (('portrait', 'fig07b', 'fig07b'),
+                                 ('basin', 'fig05b_basin', 'basin')):
+        room.good(command, f'scenes/{scene}.yaml', '--figure', name + '.svg')
+        with open(f'{room.source}/outputs/gallery/{name}.svg',
+                  encoding='utf-8') as file:
+            stored = file.read()
+        made = room.read(name + '.svg')
+        for what in (shown, lambda svg: set(re.findall(r'rgb\([^)]*\)', svg))):
+            expect(what(made) == what(stored), name, what(made), what(stored))
+
+
 def wrong_words_cost_one_line(room):
     refused(room.run('gallery', '--scenes', 'none'), 4, 'none', '--scenes')
     room.make('empty')
@@ -263,5 +277,6 @@ run_cases([
     names_and_titles_are_only_text,
     data_are_found_beside_the_scenes,
     scenes_are_found_beside_the_program,
+    the_readme_s_pictures_are_todays,
     wrong_words_cost_one_line,
 ])
