@@ -233,6 +233,9 @@ static struct fraction fraction_of(struct formula *f, int u, int *fuel)
     const struct formula_node n = *node_of(f, u);
     const struct fraction whole = { u, formula_number(f, 1) };
 
+    if (n.kind == FORMULA_CALL && n.function == FUNCTION_TAN)
+        return (struct fraction){ formula_of(f, FUNCTION_SIN, n.of[0]),
+                                  formula_of(f, FUNCTION_COS, n.of[0]) };
     if (n.kind == FORMULA_NUMBER || n.kind == FORMULA_LEAF ||
         n.kind == FORMULA_CALL || n.positive || !n.moves || --*fuel < 0)
         return whole;

@@ -260,6 +260,20 @@ static void a_pole_is_no_curve_of_equilibria(void **state)
     all_found(3, "on one side");
 }
 
+static void poles_of_a_tangent_hold_none(void **state)
+{
+    static const struct typed slips = { { CHART_REAL, CHART_REAL },
+                                        { { NULL } },
+                                        { { NULL } },
+                                        { "-tan(x)", "x - y" } };
+
+    (void) state;
+    type_system(&slips);
+    find_in(-2, 2, -2, 2);
+    all_found(1, "tangent");
+    is_type(at_place(0, 0, 0), SYSTEM_STABLE_NODE);
+}
+
 /* Names that need each other twice: 2^40 factors, were they counted. */
 static void shared_parts_are_not_written_out(void **state)
 {
@@ -326,6 +340,7 @@ int main(void)
         cmocka_unit_test(a_double_zero_that_is_seen_is_proved),
         cmocka_unit_test(where_rates_are_not_defined_there_is_none),
         cmocka_unit_test(a_pole_is_no_curve_of_equilibria),
+        cmocka_unit_test(poles_of_a_tangent_hold_none),
         cmocka_unit_test(shared_parts_are_not_written_out),
         cmocka_unit_test(a_window_that_is_none_is_refused),
     };
