@@ -10,6 +10,7 @@
 #include "grow.h"
 #include "plane_cycle.h"
 #include "plane_defined.h"
+#include "plane_weak.h"
 #include "study_tolerance.h"
 #include "tolerance.h"
 
@@ -23,7 +24,8 @@ const char *const plane_end_names[] = { "equilibrium", "cycle", "saddle",
 struct half {
     struct winding winding;
     bool left;     /* it has been away from its saddle */
-    bool broken;   /* formulas may have no values after theta */
+    bool broken;   /* formulas may have no values after theta, or an
+                      equilibrium that is not known may be there */
     int8_t end;    /* enum plane_end, -1 */
     size_t to;     /* rest */
     double theta;  /* on the last piece */
@@ -75,20 +77,27 @@ static void look_at(const struct following *f, struct half *h,
     h->beyond = 2.0 * d * fmax(side.x, side.y) * turns_of(r);
 }
 
-/* Whether there is a place on the piece where formulas have no values, or there
- * may be. */
-static bool breaks_off(const struct following *f, struct half *h,
-                       const struct branch *b)
+/* Up to where the piece is a branch: from there on formulas may have no
+ * values, or there may be an equilibrium that is not known. */
+static void break_off(const struct following *f, struct half *h,
+                      const struct branch *b, double bar)
 {
+    const size_t last = b->curve.count - 1;
+    const double touch = fmax(4.0 * bar, TOL_TOUCH);
     double theta;
     const enum plane_defined d = plane_defined_along(
-        f->s->plan, f->s, &b->curve, b->curve.count - 1, f->from->z, &theta);
+        f->s->plan, f->s, &b->curve, last, f->from->z, &theta);
 
     h->theta = d == PLANE_DEFINED ? 1.0 : theta;
     h->broken = d != PLANE_DEFINED;
     if (d == PLANE_DEFINED_UP_TO)
         h->end = PLANE_END_SINGULARITY;
-    return h->broken;
+    if (!plane_weak_along(f->s, &b->curve, last, f->from->z, touch, &theta) ||
+        theta > h->theta)
+        return;
+    h->theta = theta;
+    h->broken = true;
+    h->end = -1;
 }
 
 static bool branch_ends(void *ctx, const struct branch *b, struct vec2 z,
@@ -103,12 +112,10 @@ static bool branch_ends(void *ctx, const struct branch *b, struct vec2 z,
 
     if (!(bar <= TOL_PLANE_LITTLE))
         return true;
-    h->theta = 1.0;
-    if (breaks_off(f, h, b))
-        return true;
+    break_off(f, h, b, bar);
     for (size_t i = 0; i < f->s->rests; i++)
         look_at(f, h, b, i, bar);
-    if (h->end >= 0)
+    if (h->end >= 0 || h->broken)
         return true;
     h->left = h->left || vec2_length(away) > TOL_PLANE_LEFT;
     if (winding_add(&h->winding, f->system, &f->s->scale, &b->curve,
@@ -289,13 +296,13 @@ static enum status settle(struct plane_study *s, struct plane_branch *b,
     size_t cycle;
     enum status status = STATUS_OK;
 
+    if (h->broken || h->end == PLANE_END_EQUILIBRIUM ||
+        h->end == PLANE_END_SADDLE)
+        cut(&b->curve.curve, h->theta);
     b->end = end_of(s, b, h);
     b->to = b->end == PLANE_END_EQUILIBRIUM || b->end == PLANE_END_SADDLE
                 ? (int64_t) h->to
                 : RECORD_COUNT_NONE;
-    if (h->broken || b->end == PLANE_END_EQUILIBRIUM ||
-        b->end == PLANE_END_SADDLE)
-        cut(&b->curve.curve, h->theta);
     if (b->end == PLANE_END_CYCLE) {
         status = plane_cycle_add(s, &h->winding, b->kind == MANIFOLD_UNSTABLE,
                                  &cycle);

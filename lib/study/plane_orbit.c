@@ -10,6 +10,7 @@
 #include "plane_beyond.h"
 #include "plane_cycle.h"
 #include "plane_defined.h"
+#include "plane_weak.h"
 #include "study_tolerance.h"
 #include "taylor_orbit.h"
 #include "tolerance.h"
@@ -26,25 +27,6 @@ static bool is_trapped(const struct plane_study *s, struct vec2 z,
             *index = i;
             return true;
         }
-    }
-    return false;
-}
-
-/* Whether a state is so near to an equilibrium that is not hyperbolic, or to
- * where one may be, that rounding decides where its orbit goes. */
-static bool is_lost(const struct plane_study *s, struct vec2 z)
-{
-    for (size_t i = 0; i < s->rests; i++)
-        if (s->rest[i].type == PLANE_NONHYPERBOLIC &&
-            vec2_length(arrival_from(&s->scale, z, s->rest[i].z)) <=
-                TOL_PLANE_LITTLE)
-            return true;
-    for (size_t i = 0; i < s->undecided_count; i++) {
-        const struct plane_box *b = &s->undecided[i];
-        const double x = plane_state(s, 0, z.x), y = plane_state(s, 1, z.y);
-        if (x >= b->range[0][0] && x <= b->range[0][1] && y >= b->range[1][0] &&
-            y <= b->range[1][1])
-            return true;
     }
     return false;
 }
@@ -73,6 +55,7 @@ struct walk {
     const struct planar *system;
     bool backward, stiff, stopped;
     bool broken;     /* formulas may have no values on the last piece */
+    bool lost;       /* it has come to where rounding decides: plane_weak.h */
     int held;        /* steps in turn in which its velocity hardly changed */
     size_t returned; /* the piece on which it returned last */
     struct taylor_orbit series;
@@ -206,8 +189,9 @@ static void break_off(struct plane_goal *out)
                                 .beyond = { .rests = true, .breaks = true } };
 }
 
-/* Whether formulas have values all along the last piece. */
-static bool is_defined(struct walk *w, struct plane_goal *out)
+/* Whether formulas have values all along the last piece, and it passes nothing
+ * that may stop it. */
+static bool goes_on(struct walk *w, struct plane_goal *out)
 {
     const struct curve *c = curve_of(w);
     double theta;
@@ -218,7 +202,9 @@ static bool is_defined(struct walk *w, struct plane_goal *out)
     w->escape.left = w->escape.left && d == PLANE_DEFINED;
     if (d == PLANE_DEFINED_UP_TO)
         break_off(out);
-    return d == PLANE_DEFINED;
+    w->lost = plane_weak_along(w->s, c, c->count - 1, w->system->origin,
+                               TOL_PLANE_LITTLE, &theta);
+    return d == PLANE_DEFINED && !w->lost;
 }
 
 /* ---- an orbit ------------------------------------------------------------ */
@@ -236,7 +222,7 @@ static bool arrives(struct walk *w, struct plane_goal *out)
     const struct plane_guide *g = w->guide;
     struct plane_beyond end;
 
-    if (w->broken || (g && g->knows && g->knows(g->ctx, here, out)))
+    if (w->broken || w->lost || (g && g->knows && g->knows(g->ctx, here, out)))
         return true;
     if (is_trapped(w->s, here, w->backward, &out->index)) {
         out->kind = PLANE_GOAL_REST;
@@ -245,8 +231,7 @@ static bool arrives(struct walk *w, struct plane_goal *out)
         out->kind = PLANE_GOAL_BEYOND;
         out->beyond = end;
     } else {
-        return w->stopped || is_lost(w->s, here) ||
-               winding_is_closed(&w->winding, &w->s->scale);
+        return w->stopped || winding_is_closed(&w->winding, &w->s->scale);
     }
     return true;
 }
@@ -274,6 +259,7 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
     struct walk w = { .s = s,
                       .system = &system,
                       .backward = backward,
+                      .lost = plane_weak_at(s, z, TOL_PLANE_LITTLE),
                       .guide = guide,
                       .plan = plane_defined_copy(s) };
     struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
@@ -291,7 +277,7 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
         const size_t before = curve_of(&w)->count;
         status = step(&w);
         if (status == STATUS_OK && curve_of(&w)->count > before &&
-            is_defined(&w, out))
+            goes_on(&w, out))
             look(&w, rests, out);
     }
     if (out->kind == PLANE_GOAL_NONE && w.stopped &&

@@ -55,7 +55,18 @@ static enum status fill(const struct plane_study *s,
     return status;
 }
 
-/* No trap reaches to another equilibrium. */
+/* Of a box, what is nearest to a place. */
+static struct vec2 nearest_in(const struct plane_study *s,
+                              const struct plane_box *b, struct vec2 z)
+{
+    return (struct vec2){ fmin(fmax(z.x, plane_chart(s, 0, b->range[0][0])),
+                               plane_chart(s, 0, b->range[0][1])),
+                          fmin(fmax(z.y, plane_chart(s, 1, b->range[1][0])),
+                               plane_chart(s, 1, b->range[1][1])) };
+}
+
+/* No trap reaches to another equilibrium, or to a box that may hold one:
+ * V >= u'u. */
 static void keep_apart(struct plane_study *s)
 {
     for (size_t i = 0; i < 2 * s->rests; i++) {
@@ -64,6 +75,12 @@ static void keep_apart(struct plane_study *s)
             if (k != i / 2 && t->size > 0.0)
                 t->size = fmin(t->size, 0.5 * trap_form_distance(t, &s->scale,
                                                                  s->rest[k].z));
+        for (size_t k = 0; k < s->undecided_count; k++)
+            t->size =
+                fmin(t->size,
+                     0.5 * vec2_length(arrival_from(
+                               &s->scale, nearest_in(s, &s->undecided[k], t->z),
+                               t->z)));
     }
 }
 
@@ -91,13 +108,13 @@ static enum status keep(struct plane_study *s,
     if (status != STATUS_OK)
         return status;
     s->saddles = count[PLANE_SADDLE];
-    keep_apart(s);
     for (size_t i = 0; i < s->undecided_count; i++)
         for (int k = 0; k < 2; k++) {
             const struct system_window *w = &found->undecided[i];
             s->undecided[i].range[k][0] = plane_state(s, k, w->lo[k]);
             s->undecided[i].range[k][1] = plane_state(s, k, w->hi[k]);
         }
+    keep_apart(s);
     return STATUS_OK;
 }
 

@@ -23,6 +23,11 @@ double plane_state(const struct plane_study *s, int axis, double z)
     return scene_axis_is_log(s->scene, axis) ? exp(z) : z;
 }
 
+double plane_chart(const struct plane_study *s, int axis, double state)
+{
+    return scene_axis_is_log(s->scene, axis) ? log(state) : state;
+}
+
 /* ---- the system ---------------------------------------------------------- */
 
 static struct planar_axis axis_of(const struct plane_study *s, int i)
@@ -205,10 +210,8 @@ static enum status find_trajectories(struct plane_study *s,
     if (status == STATUS_OK && c->spread > 0)
         status = spread_starts(s, &o);
     for (size_t i = 0; i < c->starts && start; i++)
-        start[i] = (struct vec2){
-            scene_axis_is_log(c, 0) ? log(c->start[i].v) : c->start[i].v,
-            scene_axis_is_log(c, 1) ? log(c->start[i].psi) : c->start[i].psi
-        };
+        start[i] = (struct vec2){ plane_chart(s, 0, c->start[i].v),
+                                  plane_chart(s, 1, c->start[i].psi) };
     for (size_t i = 0; i < spread->count && status == STATUS_OK; i++)
         start[c->starts + i] = spread->at[i].start;
     for (int way = 0; way < 2 && status == STATUS_OK; way++) {

@@ -240,7 +240,8 @@ MUST_CHECK enum status plane_study_about(
     const struct plane_study *s, bool equilibrium, const formula_real at[2],
     struct tape_plane plane[2], struct planar system[2], struct fault *why);
 
-/* A coordinate of the chart as the state that it is. */
+/* A coordinate of the chart as the state that it is, and the way back. */
 double plane_state(const struct plane_study *s, int axis, double z);
+double plane_chart(const struct plane_study *s, int axis, double state);
 
 #endif

@@ -293,6 +293,28 @@ static void next_to_a_fold_nothing_is_said(void **state)
     plane_end(&s, &c);
 }
 
+/* x' > 0 beside x = 0, or beside the centre manifold's origin: no orbit from
+ * the left comes to (1, .), though a step may be as long. */
+static void orbits_do_not_step_across_what_is_degenerate(void **state)
+{
+    static const char *const ode[] = {
+        "x' = x^2*(1 - x); y' = -y",
+        "x' = x^4*(1 - x); y' = -y",
+        "x' = x^2*y - x^5; y' = -y + x^2",
+    };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 3; i++) {
+        plane_run(&s, &c, ode[i], WINDOW);
+        const struct quantity *q = &share_of(&s, "stable_node_0")->fraction;
+        CHECK(q->value <= 0.5 + q->error, "%s: %g", ode[i], q->value);
+        CHECK(s.basin.elsewhere.undecided.value > 0.49, "%s", ode[i]);
+        plane_end(&s, &c);
+    }
+}
+
 /* Lotka and Volterra: closed orbits where both are positive; elsewhere all go
  * to infinity. */
 static void orbits_about_a_centre_do_not_leave(void **state)
@@ -363,6 +385,35 @@ static void manifolds_do_not_cross_poles(void **state)
     plane_end(&s, &c);
 }
 
+/* One straight piece runs from the saddle through the node to the pole; or
+ * through what is degenerate to the node. */
+static void manifolds_end_at_what_comes_first(void **state)
+{
+    static const struct {
+        const char *ode;
+        int end;
+        double length;
+    } at[] = {
+        { "x' = (x^2 - 1)/(x - 2); y' = -y", PLANE_END_EQUILIBRIUM, 2.0 },
+        { "x' = (x + 1)*x^2*(1 - x); y' = -y", -1, 1.0 },
+    };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        plane_run(&s, &c, at[i].ode,
+                  "window={x: [-3, 3], y: [-1, 1]}\nproducts=[manifolds]\n");
+        const struct plane_branch *b =
+            plane_branch_of(&s, 0, MANIFOLD_UNSTABLE, 0);
+        assert_int_equal(b->end, at[i].end);
+        CHECK(fabs(b->length.value - at[i].length) <= b->length.error + 1e-9 &&
+                  b->length.error < 1e-6,
+              "%s: %.17g +- %g", at[i].ode, b->length.value, b->length.error);
+        plane_end(&s, &c);
+    }
+}
+
 /* Whose orbits nearly all close: the integral of the divergence round them is
  * 0, though rounding may bring them nearer to each other. */
 static void closed_orbits_of_a_well_attract_nothing(void **state)
@@ -400,10 +451,12 @@ int main(void)
         TEST(rows_of_the_map_agree_with_single_states),
         TEST(a_border_that_ends_flat_is_one),
         TEST(next_to_a_fold_nothing_is_said),
+        TEST(orbits_do_not_step_across_what_is_degenerate),
         TEST(orbits_about_a_centre_do_not_leave),
         TEST(closed_orbits_of_a_well_attract_nothing),
         TEST(where_the_field_ends_is_not_infinity),
         TEST(manifolds_do_not_cross_poles),
+        TEST(manifolds_end_at_what_comes_first),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
