@@ -1,6 +1,7 @@
 #include "output.h"
 
 #include <string.h>
+#include <sys/stat.h>
 
 #include "json_results.h"
 #include "progress.h"
@@ -24,12 +25,33 @@ static enum status refuse(struct fault *why, const char *what, const char *text)
     return STATUS_BAD_SCENE;
 }
 
-enum status output_file_check(const char *path, struct fault *why)
+static bool is_same_file(const char *a, const char *b)
+{
+    struct stat one, other;
+
+    return stat(a, &one) == 0 && stat(b, &other) == 0 &&
+           one.st_dev == other.st_dev && one.st_ino == other.st_ino &&
+           S_ISREG(one.st_mode);
+}
+
+enum status output_path_check(const struct options *o, const char *path,
+                              struct fault *why)
+{
+    for (size_t i = 0; i <= o->files; i++) {
+        const char *input = i < o->files ? o->file[i] : o->states;
+        if (input && is_same_file(input, path))
+            return refuse(why, path, "is read, expected another file to write");
+    }
+    return replace_check(path, why);
+}
+
+enum status output_file_check(const struct options *o, const char *path,
+                              struct fault *why)
 {
     return strcmp(path, "-") == 0
                ? refuse(why, "--output -",
                         "HDF5 is not printed, expected FILE.h5, or --json")
-               : replace_check(path, why);
+               : output_path_check(o, path, why);
 }
 
 enum status output_check(const struct options *o, const struct scene *scene,
@@ -42,10 +64,10 @@ enum status output_check(const struct options *o, const struct scene *scene,
     if (scene->hdf5 && path && strcmp(scene->hdf5, path) == 0)
         return refuse(why, path, "both the HDF5 file and the figure");
     if (scene->hdf5)
-        s = output_file_check(scene->hdf5, why);
+        s = output_file_check(o, scene->hdf5, why);
     for (size_t i = 0; path && panel[i] && s == STATUS_OK; i++)
         s = panel_path(path, panel[i], file)
-                ? replace_check(file, why)
+                ? output_path_check(o, file, why)
                 : refuse(why, o->command->name,
                          "the path of the figure is too long");
     return s;

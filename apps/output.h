@@ -13,8 +13,14 @@ _Static_assert((int) PANELS_MAX == (int) FIGURES_MAX, "drawn together");
 /* "a.svg", "_time" -> "a_time.svg"; false if that is too long. */
 bool panel_path(const char *path, const char *panel, char out[PANEL_PATH]);
 
-/* Could that HDF5 file be written?  "-" could not: it is no text. */
-MUST_CHECK enum status output_file_check(const char *path, struct fault *why);
+/* Could a file be written there: replace_check, and it is none that the command
+ * line names to be read (STATUS_BAD_SCENE). */
+MUST_CHECK enum status output_path_check(const struct options *o,
+                                         const char *path, struct fault *why);
+
+/* And an HDF5 file?  "-" could not: it is no text. */
+MUST_CHECK enum status output_file_check(const struct options *o,
+                                         const char *path, struct fault *why);
 
 /* Could the scene's HDF5 file and all files of the figure at `path` (NULL:
  * none) be written?  Asked before anything is computed.  panel: names as of

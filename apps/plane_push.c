@@ -46,23 +46,33 @@ static enum status make_room(struct job *j, size_t count)
     return j->state && j->answer ? STATUS_OK : STATUS_NO_MEMORY;
 }
 
+/* Which axis has not been named before; 2: none. */
+static int axis_named(const struct job *j, const char *name,
+                      const bool known[2])
+{
+    int i = 0;
+
+    while (i < 2 && (known[i] || strcmp(name, name_of(j, i)) != 0))
+        i++;
+    return i;
+}
+
 /* "x=1,y=0.5" */
 static enum status read_single(struct job *j, const char *text,
                                struct fault *why)
 {
     char *copy = strdup(text ? text : ""), *rest = copy, *part;
-    bool known[2] = { false, false };
+    bool known[3] = { false, false, false };
     enum status s = make_room(j, 1);
 
     while (copy && s == STATUS_OK && (part = strsep(&rest, ",")) != NULL) {
         char *value = strchr(part, '=');
         if (value)
             *value++ = '\0';
-        for (int i = 0; i < 2 && value; i++)
-            if (strcmp(part, name_of(j, i)) == 0)
-                known[i] = is_good(j, i, value, &j->state[0][i]);
+        const int i = axis_named(j, part, known);
+        known[i] = i == 2 || (value && is_good(j, i, value, &j->state[0][i]));
     }
-    if (s == STATUS_OK && !(known[0] && known[1])) {
+    if (s == STATUS_OK && !(known[0] && known[1] && !known[2])) {
         snprintf(why->text, sizeof why->text,
                  "push: %s%.60s, expected --state %s=A,%s=B, each %s",
                  text ? "--state " : "no state", text ? text : "",

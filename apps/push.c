@@ -42,7 +42,7 @@ static enum status check_options(const struct options *o, struct fault *why)
             "it",
             o->states);
     const enum status s = output_standard_check(o, why);
-    return s == STATUS_OK && o->output ? push_file_check(o->output, why) : s;
+    return s == STATUS_OK && o->output ? push_file_check(o, why) : s;
 }
 
 static enum status check_state(const struct options *o,
@@ -147,16 +147,26 @@ static enum status read_row(const struct job *j, const struct scene *scene,
                        text_shown(at->text).text, expected);
 }
 
-/* One of the columns of a list. */
+/* Just one of the columns of a list. */
 static enum status has_column(const struct table *t, const char *const *names,
                               struct fault *why)
 {
+    const struct table_cell *found = NULL;
+
     for (size_t i = 0; i < t->columns; i++)
-        for (const char *const *name = names; *name; name++)
-            if (strcmp(table_header(t, i)->text, *name) == 0)
-                return STATUS_OK;
-    return place_blame(table_place(t, table_header(t, 0)), why,
-                       "no column '%s', expected v and psi", names[0]);
+        for (const char *const *name = names; *name; name++) {
+            const struct table_cell *c = table_header(t, i);
+            if (strcmp(c->text, *name) != 0)
+                continue;
+            if (found)
+                return place_blame(table_place(t, c), why,
+                                   "column '%s' beside '%s', expected one",
+                                   c->text, found->text);
+            found = c;
+        }
+    return found ? STATUS_OK
+                 : place_blame(table_place(t, table_header(t, 0)), why,
+                               "no column '%s', expected v and psi", names[0]);
 }
 
 static enum status read_states(struct job *j, const struct options *o,

@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "csv_results.h"
+#include "output.h"
 #include "replace.h"
 #include "result_file.h"
 #include "result_units.h"
@@ -29,8 +30,9 @@ static bool is_csv(const char *path)
     return (dot && strcmp(dot, ".csv") == 0) || strcmp(path, "-") == 0;
 }
 
-enum status push_file_check(const char *path, struct fault *why)
+enum status push_file_check(const struct options *o, struct fault *why)
 {
+    const char *path = o->output;
     const char *dot = strrchr(path, '.');
 
     if (!is_csv(path) && !(dot && strcmp(dot, ".h5") == 0))
@@ -40,7 +42,7 @@ enum status push_file_check(const char *path, struct fault *why)
             path);
     if (strcmp(path, "-") == 0)
         return STATUS_OK;
-    return replace_check(path, why);
+    return output_path_check(o, path, why);
 }
 
 static enum status print(const char *text, size_t size)

@@ -3,6 +3,7 @@
 #ifndef APPS_PUSH_FILE_H
 #define APPS_PUSH_FILE_H
 
+#include "options.h"
 #include "push.h"
 #include "result.h"
 
@@ -20,7 +21,9 @@ MUST_CHECK enum status push_file_write(const struct scene *scene,
                                        const struct push_answers *answers,
                                        const char *path, struct fault *why);
 
-/* That it can be written, and has one of the endings; STATUS_BAD_ARGUMENT. */
-MUST_CHECK enum status push_file_check(const char *path, struct fault *why);
+/* That what -o names can be written (output_path_check), and has one of the
+ * endings; STATUS_BAD_ARGUMENT. */
+MUST_CHECK enum status push_file_check(const struct options *o,
+                                       struct fault *why);
 
 #endif

@@ -11,7 +11,7 @@ import re
 import socket
 import time
 
-from cli_room import LAWS, READER, SLOPE, expect, run_cases
+from cli_room import LAWS, READER, SLOPE, expect, refused, run_cases
 
 SCENE = '''# a comment, and an odd   blank
 title: "b \\"q\\" \\u03b1"
@@ -243,6 +243,23 @@ output: {hdf5: a.h5, figure: a.svg}
         room.write('a.svg', 'precious')
 
 
+def what_is_read_is_not_written_over(room):
+    files = {'a.yaml': 'law: {preset: dieterich_gen}\nslope: {alpha: 0.34}\n',
+             's.csv': 'v,psi\n1,2\n', 'm.ode': "x'=-x\ny'=-y\ndone\n"}
+    for name, text in files.items():
+        room.write(name, text)
+    os.symlink('a.yaml', room.path('b.h5'))
+    for args in (['knees', 'a.yaml', '-o', 'a.yaml'],
+                 ['portrait', 'a.yaml', '-o', './a.yaml'],
+                 ['knees', 'a.yaml', '-o', 'b.h5'],
+                 ['check', '--record', 'a.yaml', '-o', 'a.yaml'],
+                 ['push', 'a.yaml', '--states', 's.csv', '-o', 's.csv'],
+                 ['import', 'm.ode', '-o', 'm.ode']):
+        refused(room.run(*args), 2, args[-1], 'is read')
+    expect(all(room.read(name) == text for name, text in files.items()),
+           room.names())
+
+
 def a_sweep_is_csv_on_standard_output(room):
     """The numbers of its JSON, named and with their units."""
     for units in ('dimensionless', 'si'):
@@ -280,6 +297,7 @@ run_cases([
     numbers_are_finite_or_declared_missing,
     names_of_many_runs_sort_as_their_numbers,
     a_question_writes_only_what_it_is_told_to,
+    what_is_read_is_not_written_over,
     every_reader_opens_a_portrait,
     every_reader_opens_a_portrait_without_a_saddle,
     exact_points_lie_on_the_stored_curve,

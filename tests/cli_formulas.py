@@ -173,6 +173,8 @@ def what_is_wrong_costs_one_line(room):
             (['study', *DUFFING, '--law', 'ruina'], 'not beside system'),
             (['push', *DUFFING], 'expected --state x=A,y=B'),
             (['push', *DUFFING, '--state', 'x=1,y=b'], 'a number'),
+            (['push', *DUFFING, '--state', 'x=1,y=1,z=2'], 'expected --state'),
+            (['push', *DUFFING, '--state', 'x=1,y=1,x=2'], 'expected --state'),
             (['push', '--law', 'ruina', '--alpha', '0.3', '--state', 'x=1'],
              '--state'),
             (['push', *DUFFING, '--v', '1', '--psi', '1'], '--state'),

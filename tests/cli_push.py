@@ -252,6 +252,8 @@ TABLES = {
     'v,psi\n1,2\n3,\n': ['s.csv:3:', 'psi'],
     'v,psi\n1,2\n0,2\n': ['s.csv:3:1', '1e-300'],
     'v,psi\n': ['s.csv'],
+    'id,v,v [m/s],psi\na,1,1,3\n': ['s.csv:1:6', "'v [m/s]' beside 'v'"],
+    'v,psi,phi\n1,1,3\n': ['s.csv:1:7', "'phi' beside 'psi'"],
 }
 
 
