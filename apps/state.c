@@ -58,7 +58,6 @@ void state_print(FILE *out, const struct scene *s, double v, double psi)
                 unit_input(&u, rate, v), v, unit_input(&u, state, psi),
                 has_unit ? " " : "", has_unit ? u.phi : "", psi);
     else
-        fprintf(out, "v = %s V_star = %.15g m/s, psi = %s",
-                number_shortest(v).text, unit_value(&u, rate, v),
-                number_shortest(psi).text);
+        fprintf(out, "v = %.15g V_star = %.15g m/s, psi = %.15g", v,
+                unit_input(&u, rate, v), psi);
 }
