@@ -1,59 +1,12 @@
 #!/usr/bin/env python3
-"""From where scenes run and where their files go (TAP).
+"""Where files are looked for and go (TAP); test_install.py runs the scenes.
 
 usage: cli_places.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import os
-import re
 import subprocess
 
 from cli_room import SLOPE, expect, refused, run_cases
-
-# What makes a scene a matter of a second.
-SMALL = {r'^basins:': ['basins.cells=[8, 8]', 'basins.audit=4'],
-         r'^trajectories:': ['trajectories.spread=0'],
-         r'^sweep:[^\[]*points:': ['sweep.points=3']}
-
-
-def scenes_installed(room):
-    """Each one's name and text, in a folder that takes no files."""
-    room.bring('scenes')
-    os.rename(room.path('scenes'), room.path('installed'))
-    os.chmod(room.path('installed'), 0o555)
-    for name in room.names('installed'):
-        if name.endswith('.yaml'):
-            yield name, room.read('installed/' + name)
-
-
-def smaller(text):
-    return [
-        word for key, sets in SMALL.items() if re.search(key, text, re.M)
-        for one in sets for word in ('--set', one)]
-
-
-def every_scene_runs_from_an_empty_folder(room):
-    done = 0
-    for name, text in scenes_installed(room):
-        installed = room.names('installed')
-        folder = 'in_' + name[:-5]
-        room.make(folder)
-        path = f'../installed/{name}'
-        small = smaller(text)
-        told = room.good('study', path, *small, '--set', 'output={}',
-                         cwd=folder)
-        expect(room.names(folder) == [] and 'wrote' not in told, name,
-               room.names(folder))
-        told = room.good('study', path, *small, cwd=folder)
-        wanted = re.findall(r'(outputs/\w+\.\w+)', text)
-        for file in wanted:
-            stem = os.path.splitext(os.path.basename(file))[0]
-            expect(any(made.startswith(stem) for made in
-                       room.names(f'{folder}/{os.path.dirname(file)}')), name,
-                   file, told)
-        expect(room.names('installed') == installed, name)
-        done += bool(wanted)
-    expect(done > 30, done)
-
 
 def an_output_makes_its_folders(room):
     room.good('knees', *SLOPE, '-o', 'new/and/deep/a.h5')
@@ -132,7 +85,6 @@ def standard_output_is_a_file_called_dash(room):
 
 
 run_cases([
-    every_scene_runs_from_an_empty_folder,
     an_output_makes_its_folders,
     data_are_beside_their_scene,
     standard_input_is_a_file_called_dash,

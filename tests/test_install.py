@@ -220,6 +220,71 @@ def fish_offers_what_fits(room):
 
 # ---- the program and the library ---------------------------------------------
 
+# What makes a scene a matter of a second.
+SMALL = {r'^basins:': ['basins.cells=[8, 8]', 'basins.audit=4'],
+         r'^trajectories:': ['trajectories.spread=0'],
+         r'^sweep:[^\[]*points:': ['sweep.points=3']}
+STATE = {'system:': ['--state', 'x=1,y=1'], 'units: si': ['--v', '1 V_star',
+                                                         '--phi', '1']}
+
+
+def smaller(text):
+    return [
+        word for key, sets in SMALL.items() if re.search(key, text, re.M)
+        for one in sets for word in ('--set', one)]
+
+
+def answers(room, path, text, folder):
+    """Of all questions: what they say, or one line why they cannot."""
+    law = ['--v', '1', '--psi', '1']
+    push = next((state for key, state in STATE.items() if key in text), law)
+    asked = [['plan'], ['knees'], ['push', *push], ['export', '--as', 'xppaut',
+                                                    '-o', '-'],
+             ['check', '--record'],
+             ['simulate', *law, '--set', 'trajectories.until.time=1e-3']]
+    for command, *more in asked:
+        done = room.run(command, path, *more, cwd=folder)
+        if done.returncode == 0:
+            yield command
+        else:
+            refused(done, done.returncode, 'slipway: ')
+            expect(command != 'plan' and done.returncode in (2, 3), done)
+
+
+def every_scene_runs_from_an_empty_folder(room):
+    """Installed, where nothing can be written: whole, without its outputs, and
+    asked all questions, which write nothing."""
+    scenes = place('datadir') + '/slipway/scenes'
+    room.slipway = place('bindir') + '/slipway'
+    installed, drawn, said = files(scenes), 0, []
+    os.chmod(scenes, 0o555)
+    for name in sorted(name for name in installed if name.endswith('.yaml')):
+        path, folder = f'{scenes}/{name}', 'in_' + name[:-5]
+        with open(path, encoding='utf-8') as file:
+            text = file.read()
+        room.make(folder)
+        told = room.good('study', path, *smaller(text), '--set', 'output={}',
+                         cwd=folder)
+        said += answers(room, path, text, folder)
+        expect(room.names(folder) == [] and 'wrote' not in told, name,
+               room.names(folder))
+        told = room.good('study', path, *smaller(text), cwd=folder)
+        wanted = re.findall(r'(outputs/\w+)\.\w+', text)
+        for stem in wanted:
+            made = room.names(f'{folder}/outputs')
+            expect(any(f'outputs/{one}'.startswith(stem) for one in made),
+                   name, stem, told)
+        for made in room.names(f'{folder}/outputs') if wanted else []:
+            if made.endswith('.h5'):
+                before = room.names(f'{folder}/outputs')
+                room.good('info', f'outputs/{made}', cwd=folder)
+                expect(room.names(f'{folder}/outputs') == before, made)
+        drawn += bool(wanted)
+    expect(drawn > 35 and files(scenes) == installed, drawn)
+    expect(len(set(said)) == 6 and said.count('plan') == drawn and
+           said.count('push') > 20, said)
+
+
 def the_installed_program_finds_its_scenes(room):
     program = place('bindir') + '/slipway'
     expect(ran([program, '--version']) == room.good('--version'), program)
@@ -346,6 +411,7 @@ def main():
             shells_can_read_the_completions,
             bash_offers_what_fits,
             fish_offers_what_fits,
+            every_scene_runs_from_an_empty_folder,
             the_installed_program_finds_its_scenes,
             the_example_prints_v_plus,
             the_page_about_c_is_true,
