@@ -112,11 +112,21 @@ def every_file_it_names_is_there(_):
         expect(os.path.exists(os.path.join(SOURCE, name)), name)
 
 
+def every_function_of_a_format_is_in_a_header(_):
+    names = set(re.findall(r'`([a-z]+(?:_[a-z]+)+)`',
+                           text_of(f'{SOURCE}/docs/new_format.md')))
+    headers = ''.join(text_of(path) for room in ('lib/*', 'apps') for path in
+                      glob.glob(f'{SOURCE}/{room}/*.h'))
+    expect(len(names) > 12, names)
+    for name in sorted(names):
+        expect(re.search(rf'\b{name}\b', headers), name)
+
+
 LITERAL = r'"(?:\\.|[^"\\\n])*"'
 LITERALS = rf'{LITERAL}(?:\s*{LITERAL})*'
 # Where the sources give a reason.
 GIVEN = [r'\b(?:quantity_none|none|no_fit|no_material|nothing)\(([^;]*);',
-         rf'static const char \w+\[\] =\s*({LITERALS})',
+         rf'\bconst char \w+\[\] =\s*({LITERALS})',
          r'\b(?:reason(?:\[\w+\])?|why) =([^;]*);', rf'return ({LITERALS});']
 
 
@@ -155,5 +165,6 @@ run_cases([
     *[case_of(path) for path in pages()
       if os.path.basename(path) not in ELSEWHERE],
     every_file_it_names_is_there,
+    every_function_of_a_format_is_in_a_header,
     reasons_are_explained_and_none_is_invented,
 ])
