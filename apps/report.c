@@ -5,6 +5,7 @@
 
 #include "json_results.h"
 #include "number.h"
+#include "result_units.h"
 #include "scene_slope.h"
 #include "scene_units.h"
 #include "study_results.h"
@@ -55,9 +56,10 @@ static json_t *parameters_json(const struct study *s, json_t *units)
         const char *name = material_key_name(key), *unit = parameter_unit[k];
         if (!law_uses(law, key))
             continue;
-        json_object_set_new(j, name,
-                            json_number(unit_input(&u, unit_find(unit),
-                                                   *material_member(&m, key))));
+        json_object_set_new(
+            j, name,
+            json_number(
+                result_input(&u, unit_find(unit), *material_member(&m, key))));
         if (unit)
             json_object_set_new(units, name, json_string(unit_name(&u, unit)));
     }

@@ -4,6 +4,7 @@
 
 #include "number.h"
 #include "physical.h"
+#include "result_units.h"
 #include "scene_units.h"
 #include "text.h"
 #include "unit_text.h"
@@ -55,9 +56,9 @@ void state_print(FILE *out, const struct scene *s, double v, double psi)
     if (s->units == UNITS_SI)
         fprintf(out,
                 "v = %.15g m/s = %.15g V_star, phi = %.15g%s%s, psi = %.15g",
-                unit_input(&u, rate, v), v, unit_input(&u, state, psi),
+                result_input(&u, rate, v), v, result_input(&u, state, psi),
                 has_unit ? " " : "", has_unit ? u.phi : "", psi);
     else
         fprintf(out, "v = %.15g V_star = %.15g m/s, psi = %.15g", v,
-                unit_input(&u, rate, v), psi);
+                result_input(&u, rate, v), psi);
 }

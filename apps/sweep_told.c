@@ -58,7 +58,7 @@ double sweep_told_value(const struct sweep *s, const char *own, double x)
 {
     const struct unit_system u = sweep_units(s, 0);
 
-    return unit_input(&u, unit_find(own), x);
+    return result_input(&u, unit_find(own), x);
 }
 
 const char *sweep_told_state(const struct sweep *s)

@@ -7,8 +7,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const struct unit units[] = {
@@ -111,33 +109,6 @@ double unit_value(const struct unit_system *u, const struct unit *unit,
             break;
     }
     return f * x;
-}
-
-/* As inputs are read. */
-static double unit_read(const struct unit_system *u, const struct unit *unit,
-                        double told)
-{
-    const double x = told / unit_scale(u, unit);
-
-    return unit->kind == UNIT_STATE && u->psi_is_log ? log(x) : x;
-}
-
-double unit_input(const struct unit_system *u, const struct unit *unit,
-                  double x)
-{
-    const double told = unit_value(u, unit, x);
-    char text[32];
-
-    if (is_own(u, unit) ||
-        !(unit->kind == UNIT_FACTOR || unit->kind == UNIT_STATE))
-        return told;
-    for (int digits = 1; digits <= DBL_DIG; digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, told);
-        const double typed = strtod(text, NULL);
-        if (unit_read(u, unit, typed) == x)
-            return typed;
-    }
-    return told;
 }
 
 /* e^x - 1 <= x (1 + x) for 0 <= x <= 1.79. */

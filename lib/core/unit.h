@@ -65,11 +65,6 @@ bool unit_system_is_own(const struct unit_system *u);
 double unit_value(const struct unit_system *u, const struct unit *unit,
                   double x);
 
-/* The same of an input that was read in these units: the shortest decimal, of
- * 15 digits at most, that is read as x; where there is none as above. */
-double unit_input(const struct unit_system *u, const struct unit *unit,
-                  double x);
-
 /* The same with its bar: error' bounds |x' - exact'| if error does |x - exact|,
  * for V_star and L as they are read.  What is beyond all doubles is none. */
 struct quantity unit_quantity(const struct unit_system *u,

@@ -1,5 +1,7 @@
 #include "result_units.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -98,6 +100,33 @@ static void tell_type(const struct unit_system *u, struct told *t,
     }
 }
 
+/* As inputs are read. */
+static double read_back(const struct unit_system *u, const struct unit *unit,
+                        double told)
+{
+    const double x = told / unit_scale(u, unit);
+
+    return unit->kind == UNIT_STATE && u->psi_is_log ? log(x) : x;
+}
+
+double result_input(const struct unit_system *u, const struct unit *unit,
+                    double x)
+{
+    const double told = unit_value(u, unit, x);
+    char text[32];
+
+    if (!u->si || unit == NULL ||
+        !(unit->kind == UNIT_FACTOR || unit->kind == UNIT_STATE))
+        return told;
+    for (int digits = 1; digits <= DBL_DIG; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, told);
+        const double typed = strtod(text, NULL);
+        if (read_back(u, unit, typed) == x)
+            return typed;
+    }
+    return told;
+}
+
 static void tell_member(const struct unit_system *u, const struct unit *unit,
                         const struct record_field *f, void *member)
 {
@@ -105,7 +134,7 @@ static void tell_member(const struct unit_system *u, const struct unit *unit,
     struct quantity *q = member;
 
     if (unit && f->kind == RECORD_REAL)
-        *real = unit_input(u, unit, *real);
+        *real = result_input(u, unit, *real);
     if (unit && f->kind == RECORD_QUANTITY)
         *q = unit_quantity(u, unit, *q);
 }

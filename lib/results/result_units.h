@@ -10,6 +10,11 @@
 MUST_CHECK enum status result_tell(const struct unit_system *u,
                                    struct result_view *v);
 
+/* unit_value of an input that was read in these units: the shortest decimal, of
+ * 15 digits at most, that is read as x; where there is none as it is. */
+double result_input(const struct unit_system *u, const struct unit *unit,
+                    double x);
+
 /* What a member of such records is called there: phi for psi, tan_alpha for
  * alpha, unless the type has a member of that name. */
 void result_told_name(const struct unit_system *u,

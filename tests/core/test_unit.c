@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <quadmath.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
@@ -134,31 +133,6 @@ static void numbers_as_they_are_keep_their_bits(void **state)
     assert_string_equal(unit_plain("Pa m-1"), "Pa m-1");
 }
 
-/* Of decimals of 15 digits at most, read as scene_units.c and physical.c do. */
-static void inputs_are_told_as_they_were_typed(void **state)
-{
-    uint64_t rng = check_seed();
-    int rounded = 0;
-
-    (void) state;
-    for (int i = 0; i < 20000; i++) {
-        const struct unit_system u = random_units(&rng);
-        const bool is_state = i % 2;
-        const struct unit *unit = unit_find(is_state ? "psi" : "V_star");
-        const bool is_log = is_state && u.psi_is_log;
-        char text[32];
-        snprintf(text, sizeof text, "%.*g", 1 + i % 12,
-                 pow(10, check_uniform(&rng, -9, 9)));
-        const double typed = strtod(text, NULL);
-        const double x = typed / unit_scale(&u, unit);
-        const double own = is_log ? log(x) : x;
-        CHECK(unit_input(&u, unit, own) == typed, "%s: %.17g", text,
-              unit_input(&u, unit, own));
-        rounded += unit_value(&u, unit, own) != typed;
-    }
-    assert_true(rounded > 1000);
-}
-
 static void units_have_the_names_that_people_type(void **state)
 {
     struct unit_system u = { .si = true, .phi = "s" };
@@ -184,7 +158,6 @@ int main(void)
         cmocka_unit_test(a_bar_holds_what_it_held),
         cmocka_unit_test(what_is_beyond_all_doubles_is_none),
         cmocka_unit_test(numbers_as_they_are_keep_their_bits),
-        cmocka_unit_test(inputs_are_told_as_they_were_typed),
         cmocka_unit_test(units_have_the_names_that_people_type),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,7 +1,7 @@
 /* number.h -- numbers as users write and read them: decimal, with a point,
  * whatever the locale. */
-#ifndef CORE_NUMBER_H
-#define CORE_NUMBER_H
+#ifndef FORMULA_NUMBER_H
+#define FORMULA_NUMBER_H
 
 #include <stdbool.h>
 #include <stdint.h>
