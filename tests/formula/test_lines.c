@@ -47,7 +47,7 @@ static void brackets_stand_where_they_must_and_nowhere_else(void **state)
     written("-u - w", "(-u)-w");
     written("exp(u+w)/sinh(-u)", "exp(u+w)/sinh((-u))");
     written("u*(-w)", "-(u*w)");
-    written("u + 0.1", "u+0.10000000000000001");
+    written("u + 0.1", "u+0.1");
     written("u^3", "power(u,3)");
 }
 
