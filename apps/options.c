@@ -85,7 +85,7 @@ const struct option option_table[] = {
       .commands = ON(SWEEP),
       .text = "write the results to this HDF5 file; -: print them as CSV" },
     { "output", 'o', "FILE", OPTION_FILE, "output.hdf5", TO(output),
-      .commands = DRAW | ON(STRESS),
+      .commands = (DRAW & ~ON(SWEEP)) | ON(STRESS),
       .text = "write the results to this HDF5 file" },
     { "figure", 0, "FILE", OPTION_FILE, "output.figure", .commands = DRAW,
       .text = "draw FILE.svg, .pdf or .png" },
