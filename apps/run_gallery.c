@@ -122,8 +122,9 @@ static bool build_all(struct gallery *g)
 
     for (size_t i = 0; i < g->count; i++) {
         struct gallery_entry *e = &g->entry[i];
-        stopped |= monitor_tell(progress_monitor(g->options), "scenes", i,
-                                g->count) != 0;
+        if (!stopped && monitor_tell(progress_monitor(g->options), "scenes", i,
+                                     g->count) != 0)
+            stopped = command_fail(STATUS_STOPPED, "") == EXIT_INTERRUPT;
         if (!stopped) {
             gallery_build(&place, e);
             stopped = e->code == EXIT_INTERRUPT;
