@@ -37,12 +37,11 @@ double quasistatic_log_rate(const struct block *b, double X, double Y);
  * ln v_s + ln(dY/dt) change with ln Y, and dY/dt on whether psi can follow
  * psi_ss(v) or, if it can go faster than inertia lets v fall, is that. */
 
-/* As quasistatic_x, quasistatic_above and quasistatic_log_rate; NaN where the
- * formulas have no such value. */
+/* As quasistatic_x and quasistatic_above; NaN where the formulas have no such
+ * value. */
 double quasistatic_typed_x(const struct block *b, double Y, double *slope);
 double quasistatic_typed_above(const struct block *b, double X, double Y,
                                double excess);
-double quasistatic_typed_log_rate(const struct block *b, double X, double Y);
 
 /* At the block's anchor; members of struct block (block.h). */
 struct block_end quasistatic_typed_end(const struct block *b);

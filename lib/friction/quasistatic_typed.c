@@ -110,7 +110,7 @@ double quasistatic_typed_above(const struct block *b, double X, double Y,
     return d < TOL_TANGENT || !isfinite(d) ? d : solve(&s, X + d) - X;
 }
 
-double quasistatic_typed_log_rate(const struct block *b, double X, double Y)
+double quasistatic_log_rate(const struct block *b, double X, double Y)
 {
     struct run r;
 

@@ -227,8 +227,7 @@ void steady_anchor(const struct law *law, const struct material *m,
                       mu_ss = law_long_steady(&p, x, LAW_AT_MU),
                       mu_log = law_long_steady(&p, x, LAW_AT_MU_LOG),
                       mu = equilibrium ? tan_alpha : mu_ss;
-    const long double a = (long double) m->a, v = expl(x), r = inverse_R(m),
-                      c = offset(law, m), kappa = v / (long double) m->V_c;
+    const long double a = (long double) m->a, v = expl(x), c = offset(law, m);
     const long double V = m->V_star, gL = (long double) m->g * m->L;
 
     *at = (struct anchor){
@@ -236,22 +235,17 @@ void steady_anchor(const struct law *law, const struct material *m,
         .y0 = (double) y,
         .v0 = (double) v,
         .psi0 = (double) psi,
-        .log_psi0 = (double) (law_psi_is_log(law) ? logl(fabsl(psi)) : y),
         .mu0 = (double) mu,
         .force0 = (double) (tan_alpha - mu),
         .a = m->a,
         .b = m->b,
         .theta_r = (double) (c > 0 ? psi / (c + psi) : 1),
         .theta_s = (double) (c > 0 ? c / (c + psi) : 0),
-        .steady_r = (double) (v / (r + v)),
-        .steady_s = (double) (r / (r + v)),
         .log_inertia = (double) (-logl(V * V / gL) -
                                  log1pl(tan_alpha * tan_alpha) / 2 - x),
         .log_rate = (double) (steady_log_rate(law, m, x) -
                               (law_psi_is_log(law) ? 0 : y)),
         .w0 = (double) (law_text(law, LAW_MU) ? logl(mu_ss / a) : mu_log / a),
-        .kappa0 = (double) kappa,
-        .log_composite = (double) (-kappa - x - y),
     };
 }
 
