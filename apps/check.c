@@ -181,7 +181,7 @@ static enum status record_scenes(const struct options *o, struct baseline *b,
         return command_refuse(why, "check: --%s: --record writes CSV",
                               o->tap ? "tap" : "json");
     if (output_path(o))
-        s = output_path_check(o, o->output, why);
+        s = output_path_check(o, NULL, o->output, why);
     for (size_t i = 0; i < count && s == STATUS_OK; i++) {
         if (monitor_tell(monitor, "scenes", i, count))
             s = STATUS_STOPPED;

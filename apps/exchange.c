@@ -1,10 +1,10 @@
 #include "exchange.h"
-#include "number.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
 #include "report.h"
 #include "tolerance.h"
 

@@ -34,24 +34,29 @@ static bool is_same_file(const char *a, const char *b)
            S_ISREG(one.st_mode);
 }
 
-enum status output_path_check(const struct options *o, const char *path,
+enum status output_path_check(const struct options *o,
+                              const struct scene *scene, const char *path,
                               struct fault *why)
 {
-    for (size_t i = 0; i <= o->files; i++) {
-        const char *input = i < o->files ? o->file[i] : o->states;
-        if (input && is_same_file(input, path))
-            return refuse(why, path, "is read, expected another file to write");
-    }
-    return replace_check(path, why);
+    const char *const data = scene ? scene->rabinowicz.data : NULL;
+    bool is_read = (o->states && is_same_file(o->states, path)) ||
+                   (data && is_same_file(data, path));
+
+    for (size_t i = 0; i < o->files; i++)
+        is_read |= is_same_file(o->file[i], path);
+    return is_read
+               ? refuse(why, path, "is read, expected another file to write")
+               : replace_check(path, why);
 }
 
-enum status output_file_check(const struct options *o, const char *path,
+enum status output_file_check(const struct options *o,
+                              const struct scene *scene, const char *path,
                               struct fault *why)
 {
     return strcmp(path, "-") == 0
                ? refuse(why, "--output -",
                         "HDF5 is not printed, expected FILE.h5, or --json")
-               : output_path_check(o, path, why);
+               : output_path_check(o, scene, path, why);
 }
 
 enum status output_check(const struct options *o, const struct scene *scene,
@@ -64,10 +69,10 @@ enum status output_check(const struct options *o, const struct scene *scene,
     if (scene->hdf5 && path && strcmp(scene->hdf5, path) == 0)
         return refuse(why, path, "both the HDF5 file and the figure");
     if (scene->hdf5)
-        s = output_file_check(o, scene->hdf5, why);
+        s = output_file_check(o, scene, scene->hdf5, why);
     for (size_t i = 0; path && panel[i] && s == STATUS_OK; i++)
         s = panel_path(path, panel[i], file)
-                ? output_path_check(o, file, why)
+                ? output_path_check(o, scene, file, why)
                 : refuse(why, o->command->name,
                          "the path of the figure is too long");
     return s;

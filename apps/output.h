@@ -14,12 +14,14 @@ _Static_assert((int) PANELS_MAX == (int) FIGURES_MAX, "drawn together");
 bool panel_path(const char *path, const char *panel, char out[PANEL_PATH]);
 
 /* Could a file be written there: replace_check, and it is none that the command
- * line names to be read (STATUS_BAD_SCENE). */
+ * line or the scene (NULL: none) names to be read (STATUS_BAD_SCENE). */
 MUST_CHECK enum status output_path_check(const struct options *o,
+                                         const struct scene *scene,
                                          const char *path, struct fault *why);
 
 /* And an HDF5 file?  "-" could not: it is no text. */
 MUST_CHECK enum status output_file_check(const struct options *o,
+                                         const struct scene *scene,
                                          const char *path, struct fault *why);
 
 /* Could the scene's HDF5 file and all files of the figure at `path` (NULL:

@@ -42,7 +42,7 @@ enum status push_file_check(const struct options *o, struct fault *why)
             path);
     if (strcmp(path, "-") == 0)
         return STATUS_OK;
-    return output_path_check(o, path, why);
+    return output_path_check(o, NULL, path, why);
 }
 
 static enum status print(const char *text, size_t size)

@@ -214,7 +214,7 @@ static enum status run(struct job *j, struct fault *why)
         s = output_standard_check(j->options, why);
     for (size_t i = 0; i < j->files && s == STATUS_OK; i++)
         if (!j->file[i].printed)
-            s = output_path_check(j->options, j->file[i].path, why);
+            s = output_path_check(j->options, &j->scene, j->file[i].path, why);
     if (s == STATUS_OK) {
         s = study_run(&j->study, &j->scene, progress_monitor(j->options), why);
         j->has_study = s == STATUS_OK;

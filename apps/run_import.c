@@ -24,7 +24,7 @@ static enum status convert(const struct options *o, char **scene,
     const char *file = output_path(o);
     enum status s = output_standard_check(o, why);
     if (s == STATUS_OK && file)
-        s = output_path_check(o, file, why);
+        s = output_path_check(o, NULL, file, why);
     if (s == STATUS_OK)
         s = text_file_read(o->file[0], XPP_SIZE, &text, &size, why);
     if (s == STATUS_OK)

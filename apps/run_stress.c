@@ -108,7 +108,7 @@ static enum exit_code run(const struct options *o,
     struct stress s = { .row = NULL };
     const struct results all = { .table = stress_tables, .run = &s };
     enum status status =
-        o->output ? output_file_check(o, o->output, &why) : STATUS_OK;
+        o->output ? output_file_check(o, NULL, o->output, &why) : STATUS_OK;
 
     if (status == STATUS_OK)
         status = stress_run(&s, list, progress_monitor(o));

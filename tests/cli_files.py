@@ -245,7 +245,8 @@ output: {hdf5: a.h5, figure: a.svg}
 
 def what_is_read_is_not_written_over(room):
     files = {'a.yaml': 'law: {preset: dieterich_gen}\nslope: {alpha: 0.34}\n',
-             's.csv': 'v,psi\n1,2\n', 'm.ode': "x'=-x\ny'=-y\ndone\n"}
+             's.csv': 'v,psi\n1,2\n', 'd.csv': 'tan_alpha,l_k\n0.7,1e-3\n',
+             'm.ode': "x'=-x\ny'=-y\ndone\n"}
     for name, text in files.items():
         room.write(name, text)
     os.symlink('a.yaml', room.path('b.h5'))
@@ -254,6 +255,7 @@ def what_is_read_is_not_written_over(room):
                  ['knees', 'a.yaml', '-o', 'b.h5'],
                  ['check', '--record', 'a.yaml', '-o', 'a.yaml'],
                  ['push', 'a.yaml', '--states', 's.csv', '-o', 's.csv'],
+                 ['rabinowicz', 'a.yaml', '--data', 'd.csv', '-o', 'd.csv'],
                  ['import', 'm.ode', '-o', 'm.ode']):
         refused(room.run(*args), 2, args[-1], 'is read')
     expect(all(room.read(name) == text for name, text in files.items()),
