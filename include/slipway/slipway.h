@@ -58,6 +58,12 @@ typedef struct slipway_number {
     const char *reason;
 } slipway_number;
 
+/* What a number or a key is called, its unit ("1": none) and its meaning; valid
+ * as long as the handle it came from.  All NULL: there is none. */
+typedef struct slipway_label {
+    const char *name, *unit, *text;
+} slipway_label;
+
 /* Told now and then during long work; `total` is 0 where nobody knows.  A
  * non-zero answer ends it with SLIPWAY_STOPPED.  May be NULL. */
 typedef struct slipway_monitor {
@@ -111,8 +117,8 @@ void slipway_study_free(slipway_study *study);
 slipway_status slipway_study_number(const slipway_study *study,
                                     const char *name, slipway_number *out);
 
-/* The name of number k, k = 0, 1, ...; NULL behind the last. */
-const char *slipway_study_name(const slipway_study *study, size_t k);
+/* Of number k, k = 0, 1, ...; none behind the last. */
+slipway_label slipway_study_label(const slipway_study *study, size_t k);
 
 typedef enum slipway_type {
     SLIPWAY_SADDLE,
@@ -139,18 +145,20 @@ typedef enum slipway_branch {
     SLIPWAY_UNSTABLE_LOWER
 } slipway_branch;
 
-/* `slope`: d ln psi/d ln v (d psi/d ln v where psi is a logarithm); with it
- * cubic Hermite interpolation in (ln v, ln psi) is as good as the points.
- * `error`: bound on the distance to the exact curve there. */
+/* In the chart (ln v, ln psi), or (ln v, psi) where psi is a logarithm: `arc`,
+ * the length from the saddle; `slope` of the curve, NaN where it is vertical,
+ * with which cubic Hermite interpolation is as good as the points; `error`, a
+ * bound on the distance to the exact curve.  Along it, from the first point
+ * on: slip, time, frictional work per unit normal force; `excess`, of slip
+ * over v_sp, from the saddle. */
 typedef struct slipway_point {
-    double v, psi, slope, error;
+    double arc, v, psi, slope, slip, time, work, excess, error;
 } slipway_point;
 
-/* The points of a branch from the saddle outward: their number; the first
- * `room` of them into out[].  NO_MEMORY is 0 points, as is a branch that was
- * not asked for or does not exist. */
-size_t slipway_study_branch(const slipway_study *study, slipway_branch which,
-                            slipway_point out[], size_t room);
+/* The points of a branch from the saddle outward, lent for as long as the
+ * study is there; NULL and 0: it was not asked for or does not exist. */
+const slipway_point *slipway_study_branch(const slipway_study *study,
+                                          slipway_branch which, size_t *count);
 
 /* ---- basins: products "basins", "margin", "slip", "time", ... -------------
  */
@@ -228,15 +236,19 @@ slipway_status slipway_sweep_run(const slipway_scene *scene,
                                  slipway_sweep **out, slipway_fault *why);
 
 /* The values of key `axis` (0 or 1), lent; *count: how many; NULL and 0: no
- * such axis. */
+ * such axis.  *key (may be NULL): its label, "slope.alpha". */
 const double *slipway_sweep_axis(const slipway_sweep *sweep, size_t axis,
-                                 size_t *count);
+                                 size_t *count, slipway_label *key);
 
-/* A number, named as by slipway_study_number, at value i of the first and j of
- * the second key (0 where there is one). */
-slipway_status slipway_sweep_number(const slipway_sweep *sweep,
-                                    const char *name, size_t i, size_t j,
-                                    slipway_number *out);
+/* Of number k, as of a study. */
+slipway_label slipway_sweep_label(const slipway_sweep *sweep, size_t k);
+
+/* A number at all points: out[i] at value i of the key, of two keys
+ * out[i * n + j] at i of the first and j of the n of the second.  BAD_ARGUMENT:
+ * no such number, or points other than `count`. */
+slipway_status slipway_sweep_numbers(const slipway_sweep *sweep,
+                                     const char *name, slipway_number out[],
+                                     size_t count);
 
 void slipway_sweep_free(slipway_sweep *sweep);
 

@@ -83,16 +83,17 @@ typedef struct slipway_manifold {
 size_t slipway_plane_manifolds(const slipway_plane *plane,
                                slipway_manifold out[], size_t room);
 
+/* In the chart, where positive states are logarithms: length from the saddle,
+ * slope dy/dx, a bound on the distance to the exact curve. */
 typedef struct slipway_place {
-    double state[2];
-    double error; /* bound on the distance to the exact curve, where lengths of
-                     positive states are logarithms */
+    double arc, state[2], slope, error;
 } slipway_place;
 
 /* Points of manifold number `which`, from the saddle to where it leaves the
- * window for good.  NO_MEMORY is 0 points, as is one that does not exist. */
-size_t slipway_plane_points(const slipway_plane *plane, size_t which,
-                            slipway_place out[], size_t room);
+ * window for good, lent for as long as the plane is there; NULL and 0: there is
+ * no such manifold. */
+const slipway_place *slipway_plane_points(const slipway_plane *plane,
+                                          size_t which, size_t *count);
 
 typedef struct slipway_share {
     const char *attractor; /* an equilibrium, a closed orbit, what is beyond the

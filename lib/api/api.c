@@ -44,6 +44,20 @@ slipway_number api_number(const struct quantity *q)
     return (slipway_number){ q->value, q->error, q->reason };
 }
 
+bool api_is_number(const struct sweep_column *c)
+{
+    return c->codes == NULL && c->dims == 0;
+}
+
+slipway_label api_label(const struct sweep_columns *c, size_t k)
+{
+    for (size_t i = 0; i < c->count; i++)
+        if (api_is_number(&c->at[i]) && k-- == 0)
+            return (slipway_label){ c->at[i].name, c->at[i].unit,
+                                    c->at[i].text };
+    return (slipway_label){ NULL, NULL, NULL };
+}
+
 const struct monitor *api_monitor(const slipway_monitor *in,
                                   struct monitor *out)
 {

@@ -2,11 +2,14 @@
 #ifndef API_API_H
 #define API_API_H
 
+#include <stddef.h>
+
 #include "monitor.h"
 #include "record.h"
 #include "scene.h"
 #include "slipway.h"
 #include "status.h"
+#include "sweep_column.h"
 
 struct slipway_scene {
     char *path; /* owned; NULL: no file */
@@ -14,9 +17,20 @@ struct slipway_scene {
     size_t sets, room;
 };
 
+/* That rows are lent as what the header calls them: a member lies where another
+ * does. */
+#define API_LENT(type, member, row, of_row)                                    \
+    _Static_assert(offsetof(type, member) == offsetof(struct row, of_row) &&   \
+                       sizeof(type) == sizeof(struct row),                     \
+                   #type " is " #row)
+
 /* As a caller of the library is told it. */
 slipway_status api_status(enum status s);
 slipway_number api_number(const struct quantity *q);
+
+/* Whether a column is one number; the label of the k-th of those. */
+bool api_is_number(const struct sweep_column *c);
+slipway_label api_label(const struct sweep_columns *c, size_t k);
 
 /* *in as the rooms below take it; NULL stays NULL. */
 const struct monitor *api_monitor(const slipway_monitor *in,

@@ -12,11 +12,34 @@
 struct slipway_plane {
     struct scene scene;
     struct plane_study study;
+    struct rows *branch; /* owned; of each of study.branch */
 };
+
+API_LENT(slipway_place, arc, plane_point, arc);
+API_LENT(slipway_place, state, plane_point, at);
+API_LENT(slipway_place, slope, plane_point, slope);
+API_LENT(slipway_place, error, plane_point, error);
 
 #define BIT(p) (1u << PRODUCT_##p)
 
 /* ---- a run --------------------------------------------------------------- */
+
+static enum status fill_branches(slipway_plane *p)
+{
+    static const struct record_type type = { .size =
+                                                 sizeof(struct plane_point) };
+    const struct plane_study *s = &p->study;
+    enum status status = STATUS_OK;
+
+    p->branch = calloc(s->branches + 1, sizeof *p->branch);
+    if (p->branch == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < s->branches && status == STATUS_OK; i++) {
+        p->branch[i] = rows_of(&type);
+        status = plane_rows_branch(s, &s->branch[i], &p->branch[i]);
+    }
+    return status;
+}
 
 static slipway_status run(slipway_plane *p, const slipway_monitor *monitor,
                           slipway_fault *why)
@@ -28,10 +51,14 @@ static slipway_status run(slipway_plane *p, const slipway_monitor *monitor,
         return api_fault(why, SLIPWAY_BAD_SCENE,
                          "no system of formulas in this scene");
     p->scene.products |= BIT(EQUILIBRIA) | BIT(MANIFOLDS) | BIT(BASINS);
-    const enum status s = plane_study_run(&p->study, &p->scene,
-                                          api_monitor(monitor, &tell), &fault);
-    return s == STATUS_OK ? SLIPWAY_OK
-                          : api_fault(why, api_status(s), fault.text);
+    enum status s = plane_study_run(&p->study, &p->scene,
+                                    api_monitor(monitor, &tell), &fault);
+    if (s == STATUS_OK)
+        s = fill_branches(p);
+    return s == STATUS_OK
+               ? SLIPWAY_OK
+               : api_fault(why, api_status(s),
+                           fault.text[0] ? fault.text : status_text(s));
 }
 
 slipway_status slipway_plane_run(const slipway_scene *scene,
@@ -81,6 +108,9 @@ void slipway_plane_free(slipway_plane *plane)
 {
     if (plane == NULL)
         return;
+    for (size_t i = 0; i < plane->study.branches && plane->branch; i++)
+        rows_free(&plane->branch[i]);
+    free(plane->branch);
     plane_study_free(&plane->study);
     scene_free(&plane->scene);
     free(plane);
@@ -129,23 +159,13 @@ size_t slipway_plane_manifolds(const slipway_plane *plane,
     return s->branches;
 }
 
-size_t slipway_plane_points(const slipway_plane *plane, size_t which,
-                            slipway_place out[], size_t room)
+const slipway_place *slipway_plane_points(const slipway_plane *plane,
+                                          size_t which, size_t *count)
 {
-    static const struct record_type type = { .size =
-                                                 sizeof(struct plane_point) };
-    const struct plane_study *s = &plane->study;
-    struct rows r = rows_of(&type);
+    const bool is = which < plane->study.branches;
 
-    if (which >= s->branches ||
-        plane_rows_branch(s, &s->branch[which], &r) != STATUS_OK)
-        return 0;
-    const struct plane_point *p = r.at;
-    const size_t count = r.count;
-    for (size_t i = 0; i < count && i < room; i++)
-        out[i] = (slipway_place){ { p[i].at[0], p[i].at[1] }, p[i].error };
-    rows_free(&r);
-    return count;
+    *count = is ? plane->branch[which].count : 0;
+    return is ? plane->branch[which].at : NULL;
 }
 
 size_t slipway_plane_shares(const slipway_plane *plane, slipway_share out[],

@@ -14,11 +14,47 @@ struct slipway_study {
     struct sweep_point point;
     struct sweep_dims dims;
     struct sweep_columns columns;
+    struct rows branch[SLIPWAY_UNSTABLE_LOWER + 1]; /* owned */
 };
+
+API_LENT(slipway_point, arc, branch_row, arc);
+API_LENT(slipway_point, v, branch_row, v);
+API_LENT(slipway_point, psi, branch_row, psi);
+API_LENT(slipway_point, slope, branch_row, slope);
+API_LENT(slipway_point, slip, branch_row, slip);
+API_LENT(slipway_point, time, branch_row, time);
+API_LENT(slipway_point, work, branch_row, work);
+API_LENT(slipway_point, excess, branch_row, excess);
+API_LENT(slipway_point, error, branch_row, error);
 
 /* ---- a run --------------------------------------------------------------- */
 
 #define BIT(p) (1u << PRODUCT_##p)
+
+static enum status fill(const struct sweep_point *p, size_t which,
+                        struct rows *rows)
+{
+    const size_t side = which % SIDES;
+
+    if (which < SLIPWAY_UNSTABLE_UPPER)
+        return rows_branch(&p->study, &p->study.stable[side], rows);
+    return rows_unstable(&p->study, &p->study.unstable[side], rows);
+}
+
+static enum status fill_branches(slipway_study *study)
+{
+    const struct sweep_point *p = &study->point;
+    enum status s = STATUS_OK;
+
+    if (!plan_has(p->study.stages, STAGE_UNSTABLE) ||
+        !slider_has_manifolds(&p->study.slider))
+        return s;
+    for (size_t i = 0; i <= SLIPWAY_UNSTABLE_LOWER && s == STATUS_OK; i++) {
+        study->branch[i] = rows_of(&record_branch);
+        s = fill(p, i, &study->branch[i]);
+    }
+    return s;
+}
 
 static slipway_status run(slipway_study *study, const slipway_monitor *monitor,
                           slipway_fault *why)
@@ -43,6 +79,8 @@ static slipway_status run(slipway_study *study, const slipway_monitor *monitor,
     if (s == STATUS_OK)
         s = sweep_point_run(&study->point, scene, NULL, scene->products,
                             api_monitor(monitor, &tell));
+    if (s == STATUS_OK && study->point.failed == NULL)
+        s = fill_branches(study);
     if (s != STATUS_OK)
         return api_fault(why, api_status(s), status_text(s));
     return study->point.failed
@@ -72,6 +110,8 @@ void slipway_study_free(slipway_study *study)
 {
     if (study == NULL)
         return;
+    for (size_t i = 0; i <= SLIPWAY_UNSTABLE_LOWER; i++)
+        rows_free(&study->branch[i]);
     sweep_point_free(&study->point);
     sweep_columns_free(&study->columns);
     sweep_dims_free(&study->dims);
@@ -81,17 +121,12 @@ void slipway_study_free(slipway_study *study)
 
 /* ---- numbers ------------------------------------------------------------- */
 
-static bool is_number(const struct sweep_column *c)
-{
-    return c->codes == NULL && c->dims == 0;
-}
-
 slipway_status slipway_study_number(const slipway_study *study,
                                     const char *name, slipway_number *out)
 {
     for (size_t i = 0; i < study->columns.count; i++) {
         const struct sweep_column *c = &study->columns.at[i];
-        if (!is_number(c) || strcmp(c->name, name) != 0)
+        if (!api_is_number(c) || strcmp(c->name, name) != 0)
             continue;
         const struct quantity q = sweep_column_quantity(c, &study->point, 0);
         *out = api_number(&q);
@@ -100,12 +135,9 @@ slipway_status slipway_study_number(const slipway_study *study,
     return SLIPWAY_BAD_ARGUMENT;
 }
 
-const char *slipway_study_name(const slipway_study *study, size_t k)
+slipway_label slipway_study_label(const slipway_study *study, size_t k)
 {
-    for (size_t i = 0; i < study->columns.count; i++)
-        if (is_number(&study->columns.at[i]) && k-- == 0)
-            return study->columns.at[i].name;
-    return NULL;
+    return api_label(&study->columns, k);
 }
 
 size_t slipway_study_equilibria(const slipway_study *study,
@@ -127,34 +159,11 @@ size_t slipway_study_equilibria(const slipway_study *study,
     return s->plane.equilibria;
 }
 
-/* ---- branches ------------------------------------------------------------ */
-
-static enum status fill(const struct sweep_point *p, slipway_branch which,
-                        struct rows *rows)
+const slipway_point *slipway_study_branch(const slipway_study *study,
+                                          slipway_branch which, size_t *count)
 {
-    const size_t side = (size_t) which % SIDES;
-
-    if (!plan_has(p->study.stages, STAGE_UNSTABLE) ||
-        !slider_has_manifolds(&p->study.slider))
-        return STATUS_OK;
-    if (which < SLIPWAY_UNSTABLE_UPPER)
-        return rows_branch(&p->study, &p->study.stable[side], rows);
-    return rows_unstable(&p->study, &p->study.unstable[side], rows);
-}
-
-size_t slipway_study_branch(const slipway_study *study, slipway_branch which,
-                            slipway_point out[], size_t room)
-{
-    struct rows rows = rows_of(&record_branch);
-    const enum status s = fill(&study->point, which, &rows);
-    const size_t count = s == STATUS_OK ? rows.count : 0;
-
-    for (size_t i = 0; i < count && i < room; i++) {
-        const struct branch_row *r = (const struct branch_row *) rows.at + i;
-        out[i] = (slipway_point){ r->v, r->psi, r->slope, r->error };
-    }
-    rows_free(&rows);
-    return count;
+    *count = study->branch[which].count;
+    return study->branch[which].at;
 }
 
 /* ---- basins -------------------------------------------------------------- */

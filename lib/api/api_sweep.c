@@ -38,27 +38,37 @@ slipway_status slipway_sweep_run(const slipway_scene *scene,
 }
 
 const double *slipway_sweep_axis(const slipway_sweep *sweep, size_t axis,
-                                 size_t *count)
+                                 size_t *count, slipway_label *key)
 {
-    const bool is = axis < sweep->sweep.axes;
+    static const struct sweep_axis none = { .key = { 0 } };
+    const struct sweep_axis *a =
+        axis < sweep->sweep.axes ? &sweep->sweep.axis[axis] : &none;
 
-    *count = is ? sweep->sweep.axis[axis].count : 0;
-    return is ? sweep->sweep.axis[axis].value : NULL;
+    *count = a->count;
+    if (key)
+        *key = (slipway_label){ a->key.path, a->key.unit, a->key.text };
+    return a->value;
 }
 
-slipway_status slipway_sweep_number(const slipway_sweep *sweep,
-                                    const char *name, size_t i, size_t j,
-                                    slipway_number *out)
+slipway_label slipway_sweep_label(const slipway_sweep *sweep, size_t k)
+{
+    return api_label(&sweep->sweep.columns, k);
+}
+
+slipway_status slipway_sweep_numbers(const slipway_sweep *sweep,
+                                     const char *name, slipway_number out[],
+                                     size_t count)
 {
     const struct sweep *w = &sweep->sweep;
     const int column = sweep_find(w, name);
-    const size_t second = w->axes > 1 ? w->axis[1].count : 1;
 
-    if (column < 0 || i >= w->axis[0].count || j >= second ||
-        w->columns.at[column].codes)
+    if (column < 0 || count != w->points ||
+        !api_is_number(&w->columns.at[column]))
         return SLIPWAY_BAD_ARGUMENT;
-    const struct quantity q = sweep_quantity(w, column, i * second + j);
-    *out = api_number(&q);
+    for (size_t i = 0; i < count; i++) {
+        const struct quantity q = sweep_quantity(w, column, i);
+        out[i] = api_number(&q);
+    }
     return SLIPWAY_OK;
 }
 

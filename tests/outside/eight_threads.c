@@ -39,7 +39,7 @@ static void *work(void *ctx)
     slipway_study *study = NULL;
     slipway_push *push = NULL;
     slipway_sweep *sweep = NULL;
-    slipway_number n = { 0, 0, NULL };
+    slipway_number n = { 0, 0, NULL }, two[2];
     slipway_answer a = { .fate = SLIPWAY_UNDECIDED };
 
     memset(job->found, 0, sizeof job->found);
@@ -54,8 +54,8 @@ static void *work(void *ctx)
     if (push && !a.slip.reason)
         job->found[3] = a.slip.value;
     if (scene && !slipway_sweep_run(scene, NULL, &sweep, NULL) &&
-        !slipway_sweep_number(sweep, "saddle_psi", 1, 0, &n))
-        job->found[4] = n.value;
+        !slipway_sweep_numbers(sweep, "saddle_psi", two, 2))
+        job->found[4] = two[1].value;
     slipway_sweep_free(sweep);
     slipway_push_free(push);
     slipway_study_free(study);

@@ -38,7 +38,7 @@ static void critical_numbers(void)
     slipway_study *study = NULL;
     slipway_equilibrium e[5];
     slipway_number v, none;
-    size_t names = 0;
+    size_t names = 0, saddle = 0;
 
     told(slipway_study_run(scene, NULL, &study, NULL) == SLIPWAY_OK, "a study");
     slipway_scene_free(scene);
@@ -50,9 +50,12 @@ static void critical_numbers(void)
          "a number that does not exist has a reason");
     told(slipway_study_number(study, "v_plsu", &v) == SLIPWAY_BAD_ARGUMENT,
          "an unknown name is refused");
-    while (slipway_study_name(study, names))
-        names++;
-    told(names > 20, "numbers have names");
+    while (slipway_study_label(study, names).name)
+        saddle += !strcmp(slipway_study_label(study, names++).name, "saddle_v");
+    told(names > 20 && saddle == 1 &&
+             strlen(slipway_study_label(study, 0).unit) > 0 &&
+             strlen(slipway_study_label(study, 0).text) > 5,
+         "numbers have names, units and meanings");
     told(slipway_study_equilibria(study, e, 5) == 1 &&
              e[0].type == SLIPWAY_SADDLE && e[0].lambda_minus.value < 0.0 &&
              e[0].lambda_plus.value > 0.0,
@@ -80,18 +83,16 @@ static void branches(void)
     slipway_scene *scene = scene_at(0.34, "[manifolds]");
     slipway_study *study = NULL;
     const int ran = slipway_study_run(scene, NULL, &study, NULL) == SLIPWAY_OK;
-    const size_t n =
-        ran ? slipway_study_branch(study, SLIPWAY_STABLE_UPPER, NULL, 0) : 0;
-    slipway_point *p = (slipway_point *) calloc(n + 1, sizeof *p);
+    size_t n = 0;
+    const slipway_point *p =
+        ran ? slipway_study_branch(study, SLIPWAY_STABLE_UPPER, &n) : NULL;
     int rises = n > 10;
 
-    if (ran)
-        slipway_study_branch(study, SLIPWAY_STABLE_UPPER, p, n);
     for (size_t i = 1; i < n; i++)
         rises = rises && p[i].v >= (1.0 - 1e-14) * p[i - 1].v &&
-                p[i].psi > p[i - 1].psi;
+                p[i].psi > p[i - 1].psi && p[i].arc > p[i - 1].arc &&
+                !(p[i].slope <= 0.0) && p[i].error < 1e-9;
     told(rises, "the separatrix rises from the saddle");
-    free(p);
     slipway_study_free(study);
     slipway_scene_free(scene);
 }
@@ -158,21 +159,34 @@ static void sweeps(void)
 {
     slipway_scene *scene = scene_at(0.34, "[knees]");
     slipway_sweep *sweep = NULL;
-    slipway_number v;
-    size_t n = 0;
+    slipway_number v[3];
+    slipway_label key, label = { NULL, NULL, NULL };
+    size_t n = 0, names = 0;
     const int ran =
         slipway_scene_set(scene, "sweep.key", "slope.alpha") == SLIPWAY_OK &&
         slipway_scene_set(scene, "sweep.values", "[0.33, 0.34]") ==
             SLIPWAY_OK &&
         slipway_sweep_run(scene, NULL, &sweep, NULL) == SLIPWAY_OK;
 
-    told(ran && slipway_sweep_axis(sweep, 0, &n) && n == 2 &&
-             slipway_sweep_number(sweep, "v_plus", 1, 0, &v) == SLIPWAY_OK &&
-             fabs(v.value - 2832.2233588) < 1e-7,
+    told(ran && slipway_sweep_axis(sweep, 0, &n, &key) && n == 2 &&
+             strcmp(key.name, "slope.alpha") == 0 &&
+             strcmp(key.unit, "rad") == 0 &&
+             slipway_sweep_numbers(sweep, "v_plus", v, 2) == SLIPWAY_OK &&
+             v[0].value > v[1].value && fabs(v[1].value - 2832.2233588) < 1e-7,
          "a sweep of two slopes");
-    told(ran && slipway_sweep_number(sweep, "v_plus", 2, 0, &v) ==
-                    SLIPWAY_BAD_ARGUMENT,
-         "a third is refused");
+    told(ran &&
+             slipway_sweep_numbers(sweep, "v_plus", v, 3) ==
+                 SLIPWAY_BAD_ARGUMENT &&
+             slipway_sweep_numbers(sweep, "v_plsu", v, 2) ==
+                 SLIPWAY_BAD_ARGUMENT &&
+             slipway_sweep_axis(sweep, 1, &n, &key) == NULL && n == 0 &&
+             key.name == NULL,
+         "a third, another name and a second key are refused");
+    while (ran && (label = slipway_sweep_label(sweep, names)).name &&
+           strcmp(label.name, "v_plus") != 0)
+        names++;
+    told(label.name && strcmp(label.unit, "V_star") == 0,
+         "its numbers have names and units");
     slipway_sweep_free(sweep);
     slipway_scene_free(scene);
 }
@@ -186,8 +200,7 @@ static void swings(void)
     slipway_plane *plane = NULL;
     slipway_rest e[4];
     slipway_manifold m[9];
-    static slipway_place p[4000];
-    size_t checked = 0;
+    size_t checked = 0, n = 0;
     int complete = 0;
     int good =
         slipway_plane_open("x' = y; y' = -sin(x)", "{x: [-4, 4], y: [-3, 3]}",
@@ -203,8 +216,8 @@ static void swings(void)
          "two saddles and a centre, and no others");
     good = good && slipway_plane_manifolds(plane, m, 9) == 8;
     for (size_t i = 0; i < 8 && good; i++) {
-        const size_t n = slipway_plane_points(plane, i, p, 4000);
-        good = n > 5 && n < 4000;
+        const slipway_place *p = slipway_plane_points(plane, i, &n);
+        good = n > 5;
         for (size_t k = 0; k < n && good; k++) {
             const double y = 2.0 * fabs(cos(0.5 * p[k].state[0]));
             good = fabs(fabs(p[k].state[1]) - y) <= p[k].error + 1e-15;
@@ -216,7 +229,7 @@ static void swings(void)
     told(good && strcmp(m[0].end, "saddle") == 0 && m[0].saddle == 0 &&
              m[0].to == 2 && m[0].length.value > 2.0 * pi,
          "they go from saddle to saddle");
-    told(good && slipway_plane_points(plane, 8, p, 4000) == 0,
+    told(good && slipway_plane_points(plane, 8, &n) == NULL && n == 0,
          "there is no ninth");
     slipway_plane_free(plane);
 }
