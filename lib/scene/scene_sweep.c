@@ -8,10 +8,9 @@
 #include "number.h"
 #include "scene_law.h"
 #include "scene_shape.h"
-#include "scene_units.h"
+#include "scene_vary.h"
 #include "schema.h"
 #include "tolerance.h"
-#include "unit_text.h"
 #include "value.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
@@ -113,52 +112,22 @@ static enum status list_values(struct scene_axis *axis)
     return STATUS_OK;
 }
 
-/* Of a key whose bare numbers have a physical unit. */
-static const struct unit *unit_of(const struct scene *s, const char *path)
-{
-    const struct schema_key *key = schema_find(path);
-
-    return key && s->units == UNITS_SI ? unit_text_of(key->unit) : NULL;
-}
-
-/* Of a system's parameters any number is allowed, of a law's own names those of
- * the sign that it has; a bare number is in the scene's units. */
-static bool set_key(const char *path, double x, struct scene *s)
-{
-    const struct schema_key *key = schema_find(path);
-    const int own = scene_law_find(s, path);
-
-    if (own >= 0) {
-        s->material.own[own] = x;
-        return isfinite(x) && (x > 0.0) == (s->typed->own[own].value > 0.0);
-    }
-    if (key == NULL)
-        return isfinite(x);
-    const struct unit *unit = unit_of(s, path);
-    const struct unit_system units = scene_units(s);
-    return value_set(key, unit ? x / unit_scale(&units, unit) : x, s);
-}
-
 /* Every value is allowed for the key, and they ascend. */
 static enum status check_values(const struct node *n, const struct scene *s,
                                 const struct scene_axis *axis,
                                 struct fault *why)
 {
+    const struct scene_vary vary = scene_vary_at(s, axis->key);
     const struct node *list = node_find(n, "values");
     struct scene trial = *s; /* borrows */
 
     for (size_t i = 0; i < axis->count; i++) {
         const char *part = list ? "values" : i == 0 ? "from" : "to";
         const struct place at = list ? list->child[i]->at : place_of(n, part);
-        if (!set_key(axis->key, axis->value[i], &trial))
-            return place_blame(at, why,
-                               "sweep.%s: %s: %g is not allowed, expected %s",
-                               part, axis->key, axis->value[i],
-                               s->system ? "a finite number"
-                               : s->typed && !schema_find(axis->key)
-                                   ? "numbers of the sign that it has in the "
-                                     "scene"
-                                   : schema_find(axis->key)->expected);
+        if (!scene_vary_set(&vary, axis->value[i], &trial))
+            return place_blame(
+                at, why, "sweep.%s: %s: %g is not allowed, expected %s", part,
+                axis->key, axis->value[i], scene_vary_expected(&vary, s));
         if (i > 0 && !(axis->value[i] > axis->value[i - 1]))
             return place_blame(at, why,
                                "sweep.%s: %.17g after %.17g, expected numbers "
@@ -393,6 +362,8 @@ bool scene_sweeps(const struct scene *s, const char *key)
 void scene_at(const struct scene *s, const double x[], struct scene *point)
 {
     *point = *s;
-    for (size_t i = 0; i < s->sweep.axes; i++)
-        (void) set_key(s->sweep.axis[i].key, x[i], point);
+    for (size_t i = 0; i < s->sweep.axes; i++) {
+        const struct scene_vary vary = scene_vary_at(s, s->sweep.axis[i].key);
+        (void) scene_vary_set(&vary, x[i], point);
+    }
 }
