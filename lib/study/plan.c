@@ -63,6 +63,11 @@ unsigned plan_stages(unsigned products)
     for (int s = 0; s < STAGES; s++)
         if (products & stage_table[s].products)
             stages |= 1u << s;
+    return plan_close(stages);
+}
+
+unsigned plan_close(unsigned stages)
+{
     for (int s = STAGES; s-- > 0;) /* needs point backward only */
         if (plan_has(stages, (enum stage) s))
             stages |= stage_table[s].needs;

@@ -46,6 +46,9 @@ extern const struct stage_info stage_table[STAGES];
 /* The stages a set of products runs, closed under `needs`: bits. */
 unsigned plan_stages(unsigned products);
 
+/* Stages with all that they need. */
+unsigned plan_close(unsigned stages);
+
 /* As few products as run these stages. */
 unsigned plan_products(unsigned stages);
 

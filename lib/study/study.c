@@ -397,9 +397,15 @@ static enum status run_stage(struct study *s, enum stage stage,
 enum status study_run(struct study *s, const struct scene *scene,
                       const struct monitor *monitor, struct fault *why)
 {
+    return study_run_stages(s, scene, plan_scene(scene), monitor, why);
+}
+
+enum status study_run_stages(struct study *s, const struct scene *scene,
+                             unsigned stages, const struct monitor *monitor,
+                             struct fault *why)
+{
     why->text[0] = '\0';
-    *s = (struct study){ .scene = scene };
-    s->stages = plan_scene(scene);
+    *s = (struct study){ .scene = scene, .stages = stages };
     enum status status = scene_slope_demand(scene, scene->products, why);
     block_init(&s->slider.block, &scene->law, &scene->material,
                scene->tan_alpha);

@@ -71,6 +71,14 @@ MUST_CHECK enum status study_run(struct study *s, const struct scene *scene,
                                  const struct monitor *monitor,
                                  struct fault *why);
 
+/* The same of these stages (bits, closed under what they need: plan.h) in place
+ * of those that the scene's products ask for. */
+MUST_CHECK enum status study_run_stages(struct study *s,
+                                        const struct scene *scene,
+                                        unsigned stages,
+                                        const struct monitor *monitor,
+                                        struct fault *why);
+
 /* A second call is harmless. */
 void study_free(struct study *s);
 
