@@ -75,8 +75,8 @@ RULES = [
      'lib/plot/planted.c', 'void p(void) { fputs("done", stderr); }'),
     ('only those who run a study know all of it',
      CODE, r'\bstruct\s+study\b',
-     everywhere_but('lib/study', 'lib/sweep', 'lib/check', 'lib/race', 'apps',
-                    'tests'),
+     everywhere_but('lib/study', 'lib/sweep', 'lib/ensemble', 'lib/check',
+                    'lib/race', 'apps', 'tests'),
      'lib/api/planted.c', 'void p(const struct study *s);'),
     ('main() is in apps',
      CODE, r'\bint\s+main\s*\(', everywhere_but('apps', 'tests'),
@@ -109,8 +109,9 @@ MAY_SEE = {
     'lib/basin': LOW + ['lib/numbers', 'lib/motion', 'lib/slow'],
     'lib/study': LOW + ORBITS,
     'lib/sweep': LOW + ORBITS + ['lib/study'],
+    'lib/ensemble': LOW + ORBITS + ['lib/study', 'lib/sweep'],
     'lib/check': LOW + ORBITS + ['lib/study'],
-    'lib/api': LOW + ORBITS + ['lib/study', 'lib/sweep'],
+    'lib/api': LOW + ORBITS + ['lib/study', 'lib/sweep', 'lib/ensemble'],
     'lib/race': LOW + ORBITS + ['lib/study'],
 }
 

@@ -1,0 +1,82 @@
+/*
+ * batch.h -- a few numbers of very many scenes that differ in some keys.
+ *
+ *     struct batch b;
+ *     batch_init(&b, &scene, key, keys, name, names, &fault);
+ *     batch_run(&b, draws, column, 0, NULL, out);
+ *     batch_free(&b);
+ *
+ * Each draw is a study, as `knees --set KEY=VALUE ...` makes it: the same bits,
+ * at any number of threads and in any company.  What does not change from draw
+ * to draw is set up once: keys and numbers are found, and of the stages only
+ * those run that the numbers named need.
+ */
+#ifndef ENSEMBLE_BATCH_H
+#define ENSEMBLE_BATCH_H
+
+#include "monitor.h"
+#include "result_number.h"
+#include "scene_vary.h"
+
+/* A state whose fate is asked for at every draw. */
+struct batch_push {
+    bool from_creep; /* v is added to the slip rate of the creep state, and psi
+                        is that of it; else both are absolute */
+    double v, psi;   /* in units of V_star; as the law's */
+};
+
+struct batch {
+    const struct scene *scene; /* borrowed */
+    struct scene_vary *key;    /* owned */
+    char **beyond;             /* owned: why a key's value is not allowed */
+    size_t keys;
+    struct result_number *number; /* owned */
+    size_t numbers;
+    const struct batch_push *push; /* borrowed */
+    size_t pushes;
+    unsigned stages; /* bits of enum stage */
+};
+
+/* One number of all draws: any array may be NULL. */
+struct batch_column {
+    double *value;       /* NaN where there is none */
+    double *error;       /* absolute; NaN where there is none */
+    const char **reason; /* static, or owned by the batch; NULL: it exists */
+};
+
+/* The fates of one state in all draws. */
+struct batch_fates {
+    int8_t *fate;        /* enum fate; -1: the draw has none */
+    const char **reason; /* why a fate is undecided or is none; else NULL */
+};
+
+/* Numbers of that scene's law, by name (result_number.h), over those keys, such
+ * as "material.a"; no name: all that the scene's products give.  Both the
+ * arrays and the scene's own values of the keys may go afterwards; the scene
+ * and the keys' texts must stay.  STATUS_BAD_ARGUMENT: *why names the key or
+ * the number that does not exist, is twice there or excludes another;
+ * STATUS_BAD_SCENE: a system of formulas, or no slope where one is needed;
+ * STATUS_NO_MEMORY.  On error *b is empty. */
+MUST_CHECK enum status batch_init(struct batch *b, const struct scene *scene,
+                                  const char *const key[], size_t keys,
+                                  const char *const name[], size_t names,
+                                  struct fault *why);
+
+/* From now on the fates of these states, too. */
+void batch_push(struct batch *b, const struct batch_push push[], size_t pushes);
+
+/* `count` draws, column[k][i] being the value of key k at draw i, into
+ * out[numbers] and fates[pushes] (NULL: without pushes).  A draw whose values
+ * are not allowed, or whose computation fails, has that as the reason of all
+ * its numbers.  threads: 0 for those of OpenMP.  STATUS_STOPPED,
+ * STATUS_NO_MEMORY; the outputs are undefined then. */
+MUST_CHECK enum status batch_run(const struct batch *b, size_t count,
+                                 const double *const column[], int threads,
+                                 const struct monitor *monitor,
+                                 const struct batch_column out[],
+                                 const struct batch_fates fates[]);
+
+/* A second call is harmless. */
+void batch_free(struct batch *b);
+
+#endif

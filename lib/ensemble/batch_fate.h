@@ -1,0 +1,19 @@
+/* batch_fate.h -- inside batch.c: the fates of the pushes at a draw. */
+#ifndef ENSEMBLE_BATCH_FATE_H
+#define ENSEMBLE_BATCH_FATE_H
+
+#include "batch.h"
+#include "study.h"
+
+void batch_fate_put(const struct batch_fates *f, size_t i, int8_t fate,
+                    const char *reason);
+
+/* Those of all b->push into f[pushes] at draw i, of whose law and slope the
+ * study knows the steady states, by the sides of the separatrix (labels.h).
+ * STATUS_NO_MEMORY, STATUS_STOPPED, or as labels_init. */
+MUST_CHECK enum status batch_fate_find(const struct batch *b,
+                                       const struct study *study, size_t i,
+                                       const struct monitor *monitor,
+                                       const struct batch_fates f[]);
+
+#endif
