@@ -252,6 +252,45 @@ slipway_status slipway_sweep_numbers(const slipway_sweep *sweep,
 
 void slipway_sweep_free(slipway_sweep *sweep);
 
+/* ---- batches: a few numbers of very many materials and slopes -------------
+ */
+
+typedef struct slipway_batch slipway_batch;
+
+/* What varies, and what is asked for: keys such as "material.a" or
+ * "slope.alpha", numbers named as by slipway_study_number, such as "v_plus".
+ * Everything else is the scene's, which need not have the keys.  BAD_ARGUMENT:
+ * the fault names the key or number that does not exist or is twice there. */
+slipway_status slipway_batch_open(const slipway_scene *scene,
+                                  const char *const key[], size_t keys,
+                                  const char *const name[], size_t names,
+                                  slipway_batch **out, slipway_fault *why);
+
+/* One number of all draws, arrays as long as there are draws; any may be NULL.
+ * reason: 0 where it exists, else slipway_batch_reason tells it; value and
+ * error are NaN there. */
+typedef struct slipway_column {
+    double *value, *error;
+    uint8_t *reason;
+} slipway_column;
+
+/* `count` draws: column[k][i] is the value of key k at draw i, in the scene's
+ * units; out[n] is number n of `name`.  Values that are not allowed, such as a
+ * negative a, are a reason, not an error.  threads: 0 for as many as OpenMP
+ * has; the numbers, and the reasons of a first run, are the same at any.
+ * STOPPED by the monitor, NO_MEMORY: the outputs are undefined. */
+slipway_status slipway_batch_run(slipway_batch *batch, size_t count,
+                                 const double *const column[], int threads,
+                                 const slipway_monitor *monitor,
+                                 const slipway_column out[],
+                                 slipway_fault *why);
+
+/* The sentence behind a reason that some run of the batch gave, valid as long
+ * as it; NULL for 0 and for others. */
+const char *slipway_batch_reason(const slipway_batch *batch, uint8_t reason);
+
+void slipway_batch_free(slipway_batch *batch);
+
 #ifdef __cplusplus
 }
 #endif

@@ -307,6 +307,47 @@ static void wrong_planes(void)
     slipway_scene_free(scene);
 }
 
+static void batches(void)
+{
+    static const char *const keys[] = { "slope.alpha", "material.a" };
+    static const char *const names[] = { "v_plus", "psi_at_v0" };
+    static const double alpha[] = { 0.34, 0.34, 0.33 };
+    static const double a[] = { 0.0349, -1.0, 0.035 };
+    const double *const column[] = { alpha, a };
+    double v[3], error[3];
+    uint8_t why_v[3], why_psi[3];
+    slipway_column out[2] = { { v, error, why_v }, { NULL, NULL, why_psi } };
+    slipway_scene *scene = NULL;
+    slipway_batch *batch = NULL;
+    slipway_fault why = { "" };
+    int good =
+        slipway_scene_new(&scene) == SLIPWAY_OK &&
+        slipway_scene_set(scene, "law.preset", "dieterich_gen") == SLIPWAY_OK &&
+        slipway_batch_open(scene, keys, 2, names, 2, &batch, &why) ==
+            SLIPWAY_OK &&
+        slipway_batch_run(batch, 3, column, 2, NULL, out, &why) == SLIPWAY_OK;
+
+    told(good, "a batch needs no slope of the scene's");
+    told(good && why_v[0] == 0 && fabs(v[0] - 2832.2233588) < 1e-7 &&
+             error[0] < 1e-8 && why_v[2] == 0 && v[2] != v[0],
+         "its numbers are those of studies");
+    told(good && why_v[1] > 0 && isnan(v[1]) && isnan(error[1]) &&
+             strstr(slipway_batch_reason(batch, why_v[1]), "material.a"),
+         "a value that is not allowed is a reason");
+    told(good && why_psi[0] > 0 && why_psi[0] != why_v[1] &&
+             slipway_batch_reason(batch, why_psi[0]) &&
+             slipway_batch_reason(batch, 0) == NULL &&
+             slipway_batch_reason(batch, 200) == NULL,
+         "reasons are told");
+    slipway_batch_free(batch);
+    batch = NULL;
+    told(slipway_batch_open(scene, keys, 2, keys, 1, &batch, &why) ==
+                 SLIPWAY_BAD_ARGUMENT &&
+             batch == NULL && strstr(why.text, "slope.alpha"),
+         "a batch refuses what is no number");
+    slipway_scene_free(scene);
+}
+
 int main(void)
 {
     printf("# slipway %s\n", slipway_version());
@@ -316,6 +357,7 @@ int main(void)
     basins();
     pushes();
     sweeps();
+    batches();
     swings();
     switches();
     wrong_planes();
