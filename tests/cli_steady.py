@@ -109,7 +109,7 @@ def the_stick_slip_boundary_is_in_pascal_per_metre(room):
               'spring_block={sigma: 2000, mass: 50, v: [1e-3, 1e3]}')
     near, found = columns(room, 'spring_block')
     expect((found['sigma'], found['mass']) == (2000, 50), found['sigma'])
-    expect(near['k']['units'] == 'Pa m-1' and near['v']['units'] == '1', near)
+    expect(near['k']['units'] == 'Pa/m' and near['v']['units'] == '1', near)
     for v, k, light in zip(*(near[name]['values'] for name in
                              ('v', 'k', 'k_quasistatic'))):
         expect((not math.isnan(k)) == (V_M < v < V_m), v, k)

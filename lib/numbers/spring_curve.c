@@ -10,9 +10,9 @@
 static const struct record_field fields[] = {
     FIELD(spring_point, REAL, v, "V_star",
           "speed of pulling in units of V_star"),
-    FIELD(spring_point, QUANTITY, k, "Pa m-1",
+    FIELD(spring_point, QUANTITY, k, "Pa/m",
           "stiffness below which the block sticks and slips"),
-    FIELD(spring_point, QUANTITY, k_quasistatic, "Pa m-1",
+    FIELD(spring_point, QUANTITY, k_quasistatic, "Pa/m",
           "the same for a block without mass"),
 };
 const struct record_type record_spring = RECORD_TYPE(

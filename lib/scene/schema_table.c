@@ -116,7 +116,7 @@ const struct schema_key schema_table[] = {
       TEXT("evolution effect: factor of theta") },
     { "material.L", AT(material.L), POSITIVE, UNIT("m"), IS("0.9e-6"),
       TEXT("memory length, unit of slip") },
-    { "material.V_star", AT(material.V_star), POSITIVE, UNIT("m s-1"),
+    { "material.V_star", AT(material.V_star), POSITIVE, UNIT("m/s"),
       IS("1e-6"), TEXT("unit of slip rate; L/V_star is that of time") },
     { "material.c", value_real, AT(material.c), FROM(0.0), TO(DBL_MAX),
       .expected = "a number >= 0", IS("1e-3"),
@@ -137,7 +137,7 @@ const struct schema_key schema_table[] = {
       .expected = "a number > 0",
       TEXT("its tangent, shear over normal stress") },
 
-    { "gravity", AT(material.g), POSITIVE, UNIT("m s-2"), IS("9.81"),
+    { "gravity", AT(material.g), POSITIVE, UNIT("m/s^2"), IS("9.81"),
       TEXT("eps^2 = V_star^2/(gravity L) weighs inertia") },
 
     { "window.v", value_pair, AT(window.v), FROM(1 / SCENE_RANGE),
@@ -256,7 +256,7 @@ const struct schema_key schema_table[] = {
     { "spring_block.sigma", AT(spring_block.sigma), POSITIVE, UNIT("Pa"),
       IS("1000"), TEXT("normal stress") },
     { "spring_block.mass", value_real, AT(spring_block.mass), FROM(0.0),
-      TO(DBL_MAX), .expected = "a number >= 0", UNIT("kg m-2"),
+      TO(DBL_MAX), .expected = "a number >= 0", UNIT("kg/m^2"),
       TEXT("of the block; unless given its weight is sigma") },
     { "spring_block.v", value_pair, AT(spring_block.v), FROM(1 / SCENE_RANGE),
       TO(SCENE_RANGE), .expected = "a number from 1e-300 to 1e300",

@@ -159,7 +159,7 @@ static enum status view_stiffest(const void *run, size_t k,
 
 static const struct record_field block_fields[] = {
     FIELD(spring_block, REAL, sigma, "Pa", "normal stress"),
-    FIELD(spring_block, REAL, mass, "kg m-2", "of the block"),
+    FIELD(spring_block, REAL, mass, "kg/m^2", "of the block"),
 };
 static const struct record_type record_block =
     RECORD_TYPE("spring_block", "the block", block_fields, spring_block);

@@ -181,7 +181,7 @@ const struct record_type record_xi =
     }
 
 static const struct record_field sensitivity_fields[] = {
-    BY(ALPHA, "alpha", "rad-1", "derivative of ln v by the slope angle"),
+    BY(ALPHA, "alpha", "1/rad", "derivative of ln v by the slope angle"),
     BY(A, "a", "1", "derivative of ln v by a"),
     BY(B, "b", "1", "derivative of ln v by b"),
     BY(MU_STAR, "mu_star", "1", "derivative of ln v by mu_star"),

@@ -14,7 +14,7 @@
 static const struct record_field row_fields[] = {
     FIELD(release_row, REAL, tan_alpha, "1", "tangent of the slope angle"),
     FIELD(release_row, REAL, alpha, "rad", "slope angle"),
-    FIELD(release_row, QUANTITY, v_k, "m s-1",
+    FIELD(release_row, QUANTITY, v_k, "m/s",
           "critical slip rate, V_star v_plus"),
     FIELD(release_row, QUANTITY, l_k, "m", "critical release distance, exact"),
     FIELD(release_row, QUANTITY, l_k_G, "m",

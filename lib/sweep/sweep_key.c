@@ -13,11 +13,11 @@ static const struct sweep_key table[] = {
     { "material.a", "1", "direct effect a" },
     { "material.b", "1", "evolution effect b" },
     { "material.L", "m", "characteristic length L" },
-    { "material.V_star", "m s-1", "characteristic slip rate V_star" },
+    { "material.V_star", "m/s", "characteristic slip rate V_star" },
     { "material.c", "1", "parameter c of the law" },
     { "material.R", "1", "parameter R of the law" },
     { "material.V_c", "V_star", "cut-off slip rate" },
-    { "gravity", "m s-2", "gravity" },
+    { "gravity", "m/s^2", "gravity" },
     { "accuracy.rtol", "1", "relative tolerance of the computation" },
 };
 
