@@ -30,6 +30,14 @@ struct plot {
     size_t curves; /* of a system: none */
 };
 
+/* A number of a point as it is drawn. */
+static struct quantity drawn(const struct sweep *s, int column, size_t point)
+{
+    const struct unit_system u = sweep_units(s, point);
+
+    return sweep_told(s, &u, column, point, 0);
+}
+
 /* The least and largest value of all curves that the axis can show. */
 static void span(const struct sweep *s, const struct sweep_curve curve[],
                  size_t curves, bool is_log, double range[2])
@@ -37,7 +45,7 @@ static void span(const struct sweep *s, const struct sweep_curve curve[],
     for (size_t k = 0; k < curves; k++) {
         const int column = sweep_find(s, curve[k].column);
         for (size_t i = 0; column >= 0 && i < s->points; i++) {
-            const double y = sweep_told(s, column, i, 0).value;
+            const double y = drawn(s, column, i).value;
             if (y > 0.0 || !is_log)
                 range_grow(range, &y, 1);
         }
@@ -111,7 +119,7 @@ static void find_values(const struct plot *p, const struct sweep_curve *c,
 
     for (size_t i = 0; i < p->s->points; i++) {
         const double x = sweep_place(a, a->value[i]);
-        y[i] = sweep_told(p->s, column, i, 0).value;
+        y[i] = drawn(p->s, column, i).value;
         if (c->marks && x - last < step)
             y[i] = (double) NAN;
         else if (isfinite(y[i]))
@@ -213,7 +221,7 @@ static void add_curve(const struct plot *p, const struct sweep_curve *c)
     (c->marks ? add_marks : add_line)(p, c, y);
     for (size_t i = 0; i < p->s->points; i++)
         if (isfinite(y[i]))
-            add_bar(p, c, x[i], y[i], sweep_told(p->s, column, i, 0).error);
+            add_bar(p, c, x[i], y[i], drawn(p->s, column, i).error);
     free(y);
 }
 
@@ -229,7 +237,7 @@ static bool any_value(const struct plot *p, size_t point)
                    .value != 0.0;
     for (size_t k = 0; k < p->curves && !any; k++) {
         const int column = drawn_column(p->s, &p->curve[k]);
-        any = column >= 0 && isfinite(sweep_told(p->s, column, point, 0).value);
+        any = column >= 0 && isfinite(drawn(p->s, column, point).value);
     }
     return any;
 }
@@ -404,10 +412,10 @@ static void add_map(const struct sweep *s, const struct figure_axis *x,
     for (size_t j = 0; j < ny; j++)
         for (size_t i = 0; i < nx; i++)
             value[j * nx + i] =
-                column < 0 ? (double) NAN
-                           : sweep_told(s, column,
-                                        across[i] * s->axis[1].count + up[j], 0)
-                                 .value;
+                column < 0
+                    ? (double) NAN
+                    : drawn(s, column, across[i] * s->axis[1].count + up[j])
+                          .value;
     figure_add_map(f, &(struct figure_map){
                           .value = value,
                           .nx = nx,

@@ -31,9 +31,10 @@ static bool is_there(const struct sweep *s, int column)
 
 /* "time (s)" */
 static struct sweep_name head_of(const struct sweep *s, const char *name,
-                                 const char *own)
+                                 int column)
 {
-    const char *unit = sweep_told_unit(s, own);
+    const struct unit_system u = sweep_answer_units(s, 0);
+    const char *unit = sweep_column_unit(s, &u, column);
     const bool bare = strcmp(unit, "1") == 0;
     struct sweep_name head;
 
@@ -51,7 +52,7 @@ static void add(struct shown *t, const struct sweep *s, const char *column,
     if (k < 0 || t->count == SHOWN)
         return;
     t->column[t->count] = k;
-    t->name[t->count++] = head_of(s, name, s->columns.at[k].unit);
+    t->name[t->count++] = head_of(s, name, k);
 }
 
 static void print_axes(FILE *out, const struct sweep *s)
@@ -69,14 +70,14 @@ static void print_entry(FILE *out, const struct sweep *s, int k, size_t point,
                         size_t entry)
 {
     const struct sweep_column *c = &s->columns.at[k];
-    struct quantity q;
 
     if (c->codes) {
         const int code = sweep_entry_code(s, k, point, entry);
         fprintf(out, " %-16s", code < 0 ? "-" : c->codes[code]);
         return;
     }
-    q = sweep_told(s, k, point, entry);
+    const struct unit_system u = sweep_answer_units(s, point);
+    const struct quantity q = sweep_told(s, &u, k, point, entry);
     if (quantity_exists(&q))
         fprintf(out, " %-16.10g", q.value);
     else

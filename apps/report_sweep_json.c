@@ -96,7 +96,8 @@ static json_t *entry_json(const struct sweep *s, int k, enum part part,
         return code < 0 ? json_null() : json_string(codes[code]);
     if (part == REASON)
         return code == REASON_PRESENT ? json_null() : json_integer(code);
-    const struct quantity q = sweep_told(s, k, point, entry);
+    const struct unit_system u = sweep_units(s, point);
+    const struct quantity q = sweep_told(s, &u, k, point, entry);
     return json_number(part == VALUE ? q.value : q.error);
 }
 
@@ -134,10 +135,11 @@ static json_t *number_json(const struct sweep *s, int k)
 
 static json_t *numbers_json(const struct sweep *s)
 {
+    const struct unit_system u = sweep_units(s, 0);
     json_t *j = json_object();
 
     for (size_t k = 0; k < s->columns.count; k++)
-        json_object_set_new(j, sweep_told_name(s, (int) k).text,
+        json_object_set_new(j, sweep_told_name(s, &u, (int) k).text,
                             number_json(s, (int) k));
     return j;
 }
@@ -220,12 +222,13 @@ static void add_unit(json_t *j, const char *name, const char *unit)
 /* Of what has one: numbers and maps by their names, and a start's. */
 static json_t *units_json(const struct sweep *s)
 {
+    const struct unit_system u = sweep_units(s, 0);
     json_t *numbers = json_object(), *maps = json_object();
     json_t *starts = json_object();
 
     for (size_t k = 0; k < s->columns.count; k++)
-        add_unit(numbers, sweep_told_name(s, (int) k).text,
-                 sweep_told_unit(s, s->columns.at[k].unit));
+        add_unit(numbers, sweep_told_name(s, &u, (int) k).text,
+                 sweep_column_unit(s, &u, (int) k));
     for (size_t k = 0; k < s->layers.count; k++)
         add_unit(maps, s->layers.at[k].name,
                  sweep_told_unit(s, s->layers.at[k].unit));

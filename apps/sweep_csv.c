@@ -26,7 +26,8 @@ static bool *find_gaps(const struct sweep *s)
     return gaps;
 }
 
-static void put_head(FILE *out, const struct sweep *s, struct part p)
+static void put_head(FILE *out, const struct sweep *s,
+                     const struct unit_system *u, struct part p)
 {
     const struct sweep_column *c = &s->columns.at[p.column];
     const bool number = !c->codes && strcmp(p.suffix, "_reason") != 0;
@@ -34,16 +35,18 @@ static void put_head(FILE *out, const struct sweep *s, struct part p)
 
     if (c->entries > 1)
         snprintf(count, sizeof count, "_%zu", p.entry);
-    fprintf(out, ",%s%s%s", sweep_told_name(s, p.column).text, count, p.suffix);
-    csv_unit(out, number ? sweep_told_unit(s, c->unit) : "1");
+    fprintf(out, ",%s%s%s", sweep_told_name(s, u, p.column).text, count,
+            p.suffix);
+    csv_unit(out, number ? sweep_column_unit(s, u, p.column) : "1");
 }
 
-static void put_cell(FILE *out, const struct sweep *s, struct part p, size_t i)
+static void put_cell(FILE *out, const struct sweep *s,
+                     const struct unit_system *u, struct part p, size_t i)
 {
     const struct sweep_column *c = &s->columns.at[p.column];
     const int code = sweep_entry_code(s, p.column, i, p.entry);
     const struct quantity q =
-        c->codes ? quantity_none("") : sweep_told(s, p.column, i, p.entry);
+        c->codes ? quantity_none("") : sweep_told(s, u, p.column, i, p.entry);
 
     fputc(',', out);
     if (c->codes)
@@ -55,29 +58,31 @@ static void put_cell(FILE *out, const struct sweep *s, struct part p, size_t i)
 }
 
 /* The head, or of point i what stands under it. */
-static void put(FILE *out, const struct sweep *s, struct part p, bool head,
-                size_t i)
+static void put(FILE *out, const struct sweep *s, const struct unit_system *u,
+                struct part p, bool head, size_t i)
 {
     if (head)
-        put_head(out, s, p);
+        put_head(out, s, u, p);
     else
-        put_cell(out, s, p, i);
+        put_cell(out, s, u, p, i);
 }
 
 static void put_line(FILE *out, const struct sweep *s, const bool gaps[],
                      bool head, size_t i)
 {
+    const struct unit_system u = sweep_answer_units(s, i);
+
     for (size_t k = 0; k < s->columns.count; k++) {
         const struct sweep_column *c = &s->columns.at[k];
         for (size_t e = 0; e < c->entries; e++) {
             struct part p = { (int) k, e, "" };
-            put(out, s, p, head, i);
+            put(out, s, &u, p, head, i);
             p.suffix = "_error";
             if (c->kind == RECORD_QUANTITY)
-                put(out, s, p, head, i);
+                put(out, s, &u, p, head, i);
             p.suffix = "_reason";
             if (*gaps++)
-                put(out, s, p, head, i);
+                put(out, s, &u, p, head, i);
         }
     }
     fputc('\n', out);

@@ -7,38 +7,60 @@
 #include "scene_sweep.h"
 #include "scene_units.h"
 
-struct unit_system sweep_units(const struct sweep *s, size_t point)
+struct unit_system sweep_answer_units(const struct sweep *s, size_t point)
 {
     struct scene at;
 
     if (s->scene->system)
         return (struct unit_system){ .si = false };
     scene_at(s->scene, sweep_rows_x(&s->rows, point), &at);
-    return scene_units(&at);
+    struct unit_system u = scene_units(&at);
+    u.angle = at.slope_in;
+    return u;
 }
 
-struct quantity sweep_told(const struct sweep *s, int column, size_t point,
-                           size_t entry)
+struct unit_system sweep_units(const struct sweep *s, size_t point)
 {
-    const struct quantity q = sweep_entry(s, column, point, entry);
-    const struct unit *unit = unit_find(s->columns.at[column].unit);
+    struct unit_system u = sweep_answer_units(s, point);
 
-    if (unit == NULL || !quantity_exists(&q))
-        return q;
-    const struct unit_system u = sweep_units(s, point);
-    return unit_quantity(&u, unit, q);
+    u.angle = ANGLE_RAD;
+    return u;
+}
+
+/* The unit in which a column is told otherwise than it is; else NULL. */
+static const struct unit *column_unit(const struct sweep *s,
+                                      const struct unit_system *u, int column)
+{
+    const struct sweep_column *c = &s->columns.at[column];
+
+    return result_told_unit(u, c->number.of->type, c->number.field, c->unit);
+}
+
+struct quantity sweep_told(const struct sweep *s, const struct unit_system *u,
+                           int column, size_t point, size_t entry)
+{
+    return unit_quantity(u, column_unit(s, u, column),
+                         sweep_entry(s, column, point, entry));
+}
+
+const char *sweep_column_unit(const struct sweep *s,
+                              const struct unit_system *u, int column)
+{
+    const char *own = s->columns.at[column].unit;
+
+    return column_unit(s, u, column) ? unit_name(u, own) : own;
 }
 
 /* A column's name ends with its member's. */
-struct sweep_name sweep_told_name(const struct sweep *s, int column)
+struct sweep_name sweep_told_name(const struct sweep *s,
+                                  const struct unit_system *u, int column)
 {
     const struct sweep_column *c = &s->columns.at[column];
-    const struct unit_system u = sweep_units(s, 0);
     const struct record_field *f = c->number.field;
     char member[RESULT_NAME];
     struct sweep_name name;
 
-    result_told_name(&u, c->number.of->type, f, member);
+    result_told_name(u, c->number.of->type, f, member);
     const size_t size = strlen(c->name), end = strlen(f->name);
     const bool ends = size >= end && strcmp(c->name + size - end, f->name) == 0;
     snprintf(name.text, sizeof name.text, "%.*s%s",

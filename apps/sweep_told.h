@@ -9,15 +9,23 @@
 /* At a point; of what is the same at all points, at the first. */
 struct unit_system sweep_units(const struct sweep *s, size_t point);
 
-/* An entry of a column, as sweep_entry. */
-struct quantity sweep_told(const struct sweep *s, int column, size_t point,
-                           size_t entry);
+/* The same for readers: slopes as that point's is given. */
+struct unit_system sweep_answer_units(const struct sweep *s, size_t point);
+
+/* An entry of a column, as sweep_entry, in the units of its point. */
+struct quantity sweep_told(const struct sweep *s, const struct unit_system *u,
+                           int column, size_t point, size_t entry);
 
 /* "saddle_phi" of saddle_psi, and its unit. */
 struct sweep_name {
     char text[64 + RESULT_NAME];
 };
-struct sweep_name sweep_told_name(const struct sweep *s, int column);
+struct sweep_name sweep_told_name(const struct sweep *s,
+                                  const struct unit_system *u, int column);
+const char *sweep_column_unit(const struct sweep *s,
+                              const struct unit_system *u, int column);
+
+/* Of keys and maps. */
 const char *sweep_told_unit(const struct sweep *s, const char *own);
 
 /* The same of a start, v and psi, or of an axis beside the keys. */

@@ -44,8 +44,7 @@ static bool has_tangent(const struct record_type *type,
     return has;
 }
 
-/* The unit in which a member is told otherwise than it is; else NULL. */
-static const struct unit *told_unit(const struct unit_system *u,
+const struct unit *result_told_unit(const struct unit_system *u,
                                     const struct record_type *type,
                                     const struct record_field *f,
                                     const char *own)
@@ -63,7 +62,7 @@ void result_told_name(const struct unit_system *u,
                       const struct record_type *type,
                       const struct record_field *f, char name[RESULT_NAME])
 {
-    const struct unit *unit = told_unit(u, type, f, f->unit);
+    const struct unit *unit = result_told_unit(u, type, f, f->unit);
     const size_t at = strncmp(f->name, "ln_", 3) == 0 ? 3 : 0;
     const bool angle = unit && unit->kind == UNIT_ANGLE;
 
@@ -93,7 +92,7 @@ static void tell_type(const struct unit_system *u, struct told *t,
         t->field[i] = own->fields[i];
         result_told_name(u, own, &own->fields[i], t->name[i]);
         t->field[i].name = t->name[i];
-        if (told_unit(u, own, &own->fields[i], own->fields[i].unit))
+        if (result_told_unit(u, own, &own->fields[i], own->fields[i].unit))
             t->field[i].unit = unit_name(u, own->fields[i].unit);
         if (own->fields[i].units)
             t->field[i].units = tell_units(u, t, own, own->fields[i].units);
@@ -149,7 +148,7 @@ static void tell_records(const struct unit_system *u, char *to,
     for (size_t i = 0; i < own->count; i++)
         for (size_t k = 0; k < type->count; k++) {
             const struct record_field *f = &type->fields[k];
-            tell_member(u, told_unit(u, type, f, unit_of(own, i, f)), f,
+            tell_member(u, result_told_unit(u, type, f, unit_of(own, i, f)), f,
                         to + i * type->size + f->offset);
         }
 }

@@ -21,6 +21,13 @@ void result_told_name(const struct unit_system *u,
                       const struct record_type *type,
                       const struct record_field *f, char name[RESULT_NAME]);
 
+/* The unit in which a member with this unit is told otherwise than it is; NULL
+ * where it is not: of no such unit, or of an angle beside its tangent. */
+const struct unit *result_told_unit(const struct unit_system *u,
+                                    const struct record_type *type,
+                                    const struct record_field *f,
+                                    const char *own);
+
 /* The name of the unit that a member of record i is in, "1": none. */
 const char *result_unit(const struct record_array *a, size_t i,
                         const struct record_field *f);
