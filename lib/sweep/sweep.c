@@ -10,6 +10,7 @@
 
 #include "scene_sweep.h"
 #include "sweep_finish.h"
+#include "sweep_left.h"
 #include "sweep_refine.h"
 #include "tolerance.h"
 
@@ -22,7 +23,8 @@ struct run {
     struct fault *why;
     const char *reason; /* static; the last that was met, often the next */
     int8_t reason_code;
-    size_t done;        /* rows that are computed */
+    const struct sweep_share *share; /* borrowed; NULL: all are ours */
+    size_t done;                     /* rows that are computed */
     enum status failed; /* the first failure; others follow it out */
 };
 
@@ -191,23 +193,34 @@ static bool take(struct run *r, size_t i)
 
 /* ---- many points --------------------------------------------------------- */
 
-/* Every row from `first` on, whose x is set. */
+/* The next of `count` rows, *at first; any thread. */
+static size_t next(const struct run *r, size_t count, size_t *at)
+{
+    size_t k;
+
+#pragma omp critical(sweep)
+    k = r->share ? r->share->next(r->share->ctx, count) : (*at)++;
+    return k;
+}
+
+/* Every row from `first` on, whose x is set; of a share, its rows. */
 static enum status compute_from(struct run *r, size_t first)
 {
-    const size_t end = r->s->rows.count;
-    size_t missing = 0;
-    size_t *row = malloc((end - first + 1) * sizeof *row);
+    const size_t count = r->s->rows.count - first;
+    bool *there = malloc(count * sizeof *there + 1);
+    size_t at = 0;
 
-    if (row == NULL)
+    if (there == NULL)
         return STATUS_NO_MEMORY;
-    for (size_t i = first; i < end; i++)
-        if (!take(r, i))
-            row[missing++] = i;
-#pragma omp parallel for schedule(dynamic, 1)
-    for (size_t k = 0; k < missing; k++)
-        if (failure(r, STATUS_OK) == STATUS_OK)
-            (void) failure(r, compute(r, row[k]));
-    free(row);
+    for (size_t i = 0; i < count; i++)
+        there[i] = take(r, first + i);
+#pragma omp parallel
+    for (size_t k; failure(r, STATUS_OK) == STATUS_OK &&
+                   (k = next(r, count, &at)) < count;)
+        if (!there[k])
+            (void) failure(r, compute(r, first + k));
+    free(there);
+    r->s->missing = r->s->rows.count - r->done;
     return r->failed;
 }
 
@@ -234,7 +247,7 @@ static enum status compute_middles(struct run *r, const struct sweep_refine *f)
         sweep_rows_x(&r->s->rows, first + k)[0] = sweep_refine_middle(f, k);
     if (status == STATUS_OK)
         status = compute_from(r, first);
-    if (status == STATUS_OK)
+    if (status == STATUS_OK && r->s->missing == 0)
         sweep_rows_sort(&r->s->rows);
     return status;
 }
@@ -260,6 +273,8 @@ static enum status refine(struct run *r)
     while (status == STATUS_OK && f.spans > 0 && f.depth < REFINE_DEPTH &&
            s->rows.count + f.spans <= SCENE_POINTS) {
         status = compute_middles(r, &f);
+        if (s->missing > 0)
+            break;
         if (status == STATUS_OK)
             status = sweep_refine_next(&f, &s->rows);
     }
@@ -269,83 +284,6 @@ static enum status refine(struct run *r)
 }
 
 /* ---- the whole ----------------------------------------------------------- */
-
-/* The same for the same scene and version, wherever the results go. */
-static uint64_t key_of(const struct sweep *s, const char *version)
-{
-    const struct scene *c = s->scene;
-    uint64_t sum = sweep_journal_nil;
-
-    for (const char *line = c->overrides; *line;) {
-        const size_t size = strcspn(line, "\n") + 1;
-        if (strncmp(line, "output.", 7) != 0 &&
-            strncmp(line, "output=", 7) != 0)
-            sum = sweep_journal_sum(sum, line, size);
-        line += size;
-    }
-    sum = sweep_journal_sum(sum, c->text, strlen(c->text) + 1);
-    sum = sweep_journal_sum(sum, &c->products, sizeof c->products);
-    for (size_t k = 0; k < s->columns.count; k++)
-        sum = sweep_journal_sum(sum, s->columns.at[k].name,
-                                strlen(s->columns.at[k].name) + 1);
-    for (size_t k = 0; k < s->layers.count; k++)
-        sum = sweep_journal_sum(sum, s->layers.at[k].name,
-                                strlen(s->layers.at[k].name) + 1);
-    return version ? sweep_journal_sum(sum, version, strlen(version)) : sum;
-}
-
-static size_t count_words(const char *const *words)
-{
-    size_t n = 0;
-
-    while (words[n])
-        n++;
-    return n;
-}
-
-/* Every code of a row means something: the checksum of a side file keeps out
- * accidents only. */
-static bool is_sound(const struct sweep *s, const struct sweep_rows *rows,
-                     size_t i)
-{
-    bool sound = true;
-
-    for (size_t k = 0; k < s->columns.count && sound; k++) {
-        const struct sweep_column *c = &s->columns.at[k];
-        const int8_t *code = sweep_rows_code(rows, i, c->first);
-        const size_t words =
-            c->codes ? count_words(c->codes) : s->reasons.count;
-        for (size_t n = 0; n < c->entries; n++)
-            sound &= (code[n] >= 0 && (size_t) code[n] < words) ||
-                     (code[n] == -1 && c->codes);
-    }
-    return sound;
-}
-
-static void drop_unsound(const struct sweep *s, struct sweep_rows *rows)
-{
-    size_t kept = 0;
-
-    for (size_t i = 0; i < rows->count; i++)
-        if (is_sound(s, rows, i))
-            memmove(sweep_rows_row(rows, kept++), sweep_rows_row(rows, i),
-                    rows->width * sizeof *rows->at);
-    rows->count = kept;
-}
-
-static enum status open_journal(struct run *r, const struct sweep_options *o)
-{
-    struct sweep *s = r->s;
-
-    if (o->journal == NULL)
-        return STATUS_OK;
-    const enum status status = sweep_journal_open(
-        &s->journal, o->journal, key_of(s, o->version), s->layers.size,
-        o->resume, &r->left, &s->reasons, &s->replaced, r->why);
-    drop_unsound(s, &r->left);
-    sweep_rows_sort(&r->left);
-    return status;
-}
 
 /* Runs and maps are not done in microseconds. */
 static bool takes_long(const struct run *r)
@@ -373,14 +311,16 @@ static enum status begin(struct run *r, const struct sweep_options *o)
         sweep_rows_of(s->columns.entries, s->columns.conditioning);
     r->products = sweep_point_products(s->scene, s->layers.count > 0);
     r->takes_long = takes_long(r);
-    return status ? status : open_journal(r, o);
+    return status ? status : sweep_left_open(s, o, &r->left, r->why);
 }
 
 enum status sweep_run(struct sweep *s, const struct scene *scene,
                       const struct sweep_options *options,
                       const struct monitor *monitor, struct fault *why)
 {
-    struct run r = { .s = s, .monitor = monitor, .why = why };
+    struct run r = {
+        .s = s, .monitor = monitor, .why = why, .share = options->share
+    };
 
     *s = (struct sweep){ .scene = scene,
                          .axes = scene->sweep.axes,
@@ -389,9 +329,9 @@ enum status sweep_run(struct sweep *s, const struct scene *scene,
     enum status status = begin(&r, options);
     if (status == STATUS_OK)
         status = compute_grid(&r);
-    if (status == STATUS_OK && scene->sweep.refine > 0.0)
+    if (status == STATUS_OK && s->missing == 0 && scene->sweep.refine > 0.0)
         status = refine(&r);
-    if (status == STATUS_OK)
+    if (status == STATUS_OK && s->missing == 0)
         status = sweep_finish(s);
     if (s->layers.count == 0)
         sweep_journal_close(&s->journal);

@@ -55,9 +55,19 @@ struct sweep {
     struct sweep_journal journal; /* owned; open while there are layers */
 
     size_t taken;   /* points that an earlier, interrupted run had left */
+    size_t missing; /* points that are of other shares: then the rows are not
+                       to be read, those that are ours are in the side file */
     size_t failed;  /* points at which the computation failed (reasons) */
     bool replaced;  /* a side file was left, not asked for, and replaced */
     bool unrefined; /* refinement met its bounds before its tolerance */
+};
+
+/* Which points a run computes, where several share a sweep. */
+struct sweep_share {
+    /* Another of `count` points, from 0, which no other run gets; count or
+     * more: there is none.  One thread at a time asks. */
+    size_t (*next)(void *ctx, size_t count);
+    void *ctx; /* borrowed, passed back */
 };
 
 struct sweep_options {
@@ -65,6 +75,10 @@ struct sweep_options {
     bool resume;         /* take the points of a left side file */
     const char *version; /* of the program, part of the key of that file; may
                             be NULL */
+    const struct sweep_share *share; /* NULL: all points */
+    const char *const *other; /* side files whose points are taken, too; without
+                                 a share they are copied to the own one */
+    size_t others;
 };
 
 /* Runs scene->sweep, which must have an axis, with all threads of OpenMP.

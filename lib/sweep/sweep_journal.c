@@ -117,9 +117,9 @@ static enum status keep(const struct sweep_journal *j,
     return STATUS_OK;
 }
 
-/* Everything up to what was torn off, which goes. */
+/* Everything up to what was torn off. */
 static enum status take_all(struct sweep_journal *j, struct sweep_rows *rows,
-                            struct sweep_reasons *reasons, struct fault *why)
+                            struct sweep_reasons *reasons)
 {
     const size_t row = rows->width * sizeof *rows->at;
     enum status status = STATUS_OK;
@@ -133,10 +133,16 @@ static enum status take_all(struct sweep_journal *j, struct sweep_rows *rows,
         j->end += (off_t) (sizeof head + head.size + sizeof(uint64_t));
     }
     free(bytes);
-    if (status == STATUS_OK && (ftruncate(j->file, j->end) != 0 ||
-                                lseek(j->file, j->end, SEEK_SET) < 0))
-        return trouble(j, why);
     return status;
+}
+
+/* The torn rest goes. */
+static enum status cut(const struct sweep_journal *j, struct fault *why)
+{
+    return ftruncate(j->file, j->end) != 0 ||
+                   lseek(j->file, j->end, SEEK_SET) < 0
+               ? trouble(j, why)
+               : STATUS_OK;
 }
 
 enum status sweep_journal_read(const struct sweep_journal *j,
@@ -227,14 +233,15 @@ enum status sweep_journal_row(struct sweep_journal *j,
 
 /* ---- opening ------------------------------------------------------------- */
 
-static enum status open_file(struct sweep_journal *j, struct fault *why)
+static enum status open_file(struct sweep_journal *j, int how, int lock,
+                             struct fault *why)
 {
     struct stat is;
 
-    j->file = open(j->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    j->file = open(j->path, how | O_CLOEXEC, 0666);
     if (j->file < 0 || fstat(j->file, &is) != 0)
         return trouble(j, why);
-    if (flock(j->file, LOCK_EX | LOCK_NB) == 0 && S_ISREG(is.st_mode))
+    if (flock(j->file, lock | LOCK_NB) == 0 && S_ISREG(is.st_mode))
         return STATUS_OK;
     snprintf(why->text, sizeof why->text, "%.300s: %s", j->path,
              S_ISREG(is.st_mode) ? "another run is writing it"
@@ -257,38 +264,60 @@ static enum status refuse(const struct sweep_journal *j, const char *what,
     return STATUS_BAD_SCENE;
 }
 
-/* A file that ends within its head was killed before its first row. */
-static enum status enter(struct sweep_journal *j, bool resume,
-                         struct sweep_rows *rows, struct sweep_reasons *reasons,
-                         bool *replaced, struct fault *why)
+static struct head head_of(const struct sweep_journal *j,
+                           const struct sweep_rows *rows)
 {
-    struct head head = { .key = 0 };
     struct head own = { .key = j->key,
                         .row_bytes = rows->width * sizeof *rows->at,
                         .block_bytes = j->block };
-    const bool whole = take(j->file, &head, sizeof head);
-    const off_t size = lseek(j->file, 0, SEEK_END);
-    const size_t marked =
-        (size_t) size < sizeof mark ? (size_t) size : sizeof mark;
 
     memcpy(own.mark, mark, sizeof mark);
-    *replaced = false;
+    return own;
+}
+
+/* The head of a side file, of which *size is the size; *whole: it did not end
+ * within its head, killed before its first row.  `resume`: of this sweep. */
+static enum status take_head(const struct sweep_journal *j,
+                             const struct head *own, bool resume, off_t *size,
+                             bool *whole, struct fault *why)
+{
+    struct head head = { .key = 0 };
+
+    *whole = take(j->file, &head, sizeof head);
+    *size = lseek(j->file, 0, SEEK_END);
+    const size_t marked =
+        (size_t) *size < sizeof mark ? (size_t) *size : sizeof mark;
     if (memcmp(head.mark, mark, marked) != 0)
         return refuse(j, "not the side file of a sweep, expected no such file",
                       why);
-    if (whole && resume && memcmp(&head, &own, sizeof head) != 0)
+    if (*whole && resume && memcmp(&head, own, sizeof head) != 0)
         return refuse(j,
                       "of another scene or version, expected that of this "
                       "scene (without --resume it is replaced)",
                       why);
-    j->end = sizeof head;
+    return lseek(j->file, sizeof head, SEEK_SET) < 0 ? trouble(j, why)
+                                                     : STATUS_OK;
+}
+
+static enum status enter(struct sweep_journal *j, bool resume,
+                         struct sweep_rows *rows, struct sweep_reasons *reasons,
+                         bool *replaced, struct fault *why)
+{
+    const struct head own = head_of(j, rows);
+    bool whole;
+    off_t size;
+    enum status status = take_head(j, &own, resume, &size, &whole, why);
+
+    *replaced = false;
+    j->end = sizeof own;
+    if (status != STATUS_OK)
+        return status;
     if (!whole || !resume) {
-        *replaced = size > (off_t) sizeof head;
+        *replaced = size > (off_t) sizeof own;
         return begin(j, &own, why);
     }
-    if (lseek(j->file, sizeof head, SEEK_SET) < 0)
-        return trouble(j, why);
-    return take_all(j, rows, reasons, why);
+    status = take_all(j, rows, reasons);
+    return status ? status : cut(j, why);
 }
 
 enum status sweep_journal_open(struct sweep_journal *j, const char *path,
@@ -300,9 +329,36 @@ enum status sweep_journal_open(struct sweep_journal *j, const char *path,
     *j = (struct sweep_journal){
         .path = strdup(path), .file = -1, .key = key, .block = block
     };
-    enum status status = j->path ? open_file(j, why) : STATUS_NO_MEMORY;
+    enum status status = j->path ? open_file(j, O_RDWR | O_CREAT, LOCK_EX, why)
+                                 : STATUS_NO_MEMORY;
     if (status == STATUS_OK)
         status = enter(j, resume, rows, reasons, replaced, why);
+    if (status != STATUS_OK)
+        sweep_journal_close(j);
+    return status;
+}
+
+enum status sweep_journal_look(struct sweep_journal *j, const char *path,
+                               uint64_t key, size_t block,
+                               struct sweep_rows *rows,
+                               struct sweep_reasons *reasons, struct fault *why)
+{
+    bool whole = false;
+    off_t size;
+
+    *j = (struct sweep_journal){ .path = strdup(path),
+                                 .file = -1,
+                                 .key = key,
+                                 .block = block,
+                                 .end = sizeof(struct head) };
+    enum status status =
+        j->path ? open_file(j, O_RDONLY, LOCK_SH, why) : STATUS_NO_MEMORY;
+    if (status == STATUS_OK) {
+        const struct head own = head_of(j, rows);
+        status = take_head(j, &own, true, &size, &whole, why);
+    }
+    if (status == STATUS_OK && whole)
+        status = take_all(j, rows, reasons);
     if (status != STATUS_OK)
         sweep_journal_close(j);
     return status;

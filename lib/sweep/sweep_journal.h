@@ -43,6 +43,17 @@ MUST_CHECK enum status sweep_journal_open(struct sweep_journal *j,
                                           struct sweep_reasons *reasons,
                                           bool *replaced, struct fault *why);
 
+/* Reads a side file as it stands, and neither changes it nor is alone with it:
+ * rows and sentences are appended as above, with the sentences' codes as *they*
+ * are in *reasons.  STATUS_BAD_SCENE: of another key, or no side file of a
+ * sweep; STATUS_IO: it cannot be read, or a run is writing it;
+ * STATUS_NO_MEMORY.  On failure *why is one line and *j has no file. */
+MUST_CHECK enum status sweep_journal_look(struct sweep_journal *j,
+                                          const char *path, uint64_t key,
+                                          size_t block, struct sweep_rows *rows,
+                                          struct sweep_reasons *reasons,
+                                          struct fault *why);
+
 /* Append one record; nothing without a file.  A row notes the place of its
  * block.  STATUS_IO. */
 MUST_CHECK enum status sweep_journal_reason(struct sweep_journal *j,

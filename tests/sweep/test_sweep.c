@@ -316,7 +316,9 @@ static void each_failed_allocation_is_told(void **state)
         LAW, "products=[folds, knees]",
         "sweep={key: slope.alpha, values: [0.33, 0.34], refine: 0.9}", NULL
     };
-    const struct sweep_options o = { own_path("a.part"), true, "1" };
+    const struct sweep_options o = { .journal = own_path("a.part"),
+                                     .resume = true,
+                                     .version = "1" };
     enum status status = STATUS_NO_MEMORY;
     struct scene scene;
     struct sweep s;

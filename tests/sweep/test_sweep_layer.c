@@ -24,7 +24,9 @@ static const char *const maps[] = {
 
 static struct sweep_options in_file(bool resume)
 {
-    return (struct sweep_options){ own_path("a.part"), resume, "1" };
+    return (struct sweep_options){ .journal = own_path("a.part"),
+                                   .resume = resume,
+                                   .version = "1" };
 }
 
 static size_t find(const struct sweep *s, const char *name)
@@ -251,7 +253,9 @@ static void without_a_side_file_no_map_is_computed(void **state)
 static void any_number_of_threads_gives_the_same_maps(void **state)
 {
     const struct sweep_options one = in_file(false);
-    const struct sweep_options many = { own_path("b.part"), false, "1" };
+    const struct sweep_options many = { .journal = own_path("b.part"),
+                                        .resume = false,
+                                        .version = "1" };
     struct swept a, b;
 
     (void) state;
@@ -282,7 +286,9 @@ static int lose_patience(void *ctx, const char *stage, uint64_t done,
 static void maps_that_are_there_are_not_computed_again(void **state)
 {
     const struct sweep_options o = in_file(true);
-    const struct sweep_options other = { own_path("b.part"), false, "1" };
+    const struct sweep_options other = { .journal = own_path("b.part"),
+                                         .resume = false,
+                                         .version = "1" };
     struct patience p = { 2 };
     const struct monitor monitor = { lose_patience, &p };
     struct swept whole, part;
@@ -314,7 +320,9 @@ static void a_side_file_with_maps_cut_anywhere_is_taken_up(void **state)
         "basins={cells: [6, 5], audit: 0}", NULL
     };
     const struct sweep_options o = in_file(true);
-    const struct sweep_options other = { own_path("b.part"), false, "1" };
+    const struct sweep_options other = { .journal = own_path("b.part"),
+                                         .resume = false,
+                                         .version = "1" };
     uint64_t seed = check_seed();
     struct swept whole, part;
     size_t size;

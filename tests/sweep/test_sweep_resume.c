@@ -47,7 +47,9 @@ static enum status run_some(struct swept *w, const char *const sets[],
 static void what_was_computed_is_not_computed_again(void **state)
 {
     const char *path = own_path("a.part");
-    const struct sweep_options o = { path, true, "1" };
+    const struct sweep_options o = { .journal = path,
+                                     .resume = true,
+                                     .version = "1" };
     struct swept whole, part;
     struct fault why;
     size_t taken = 0;
@@ -81,7 +83,10 @@ static void a_side_file_cut_anywhere_is_taken_up(void **state)
         NULL
     };
     const char *path = own_path("a.part");
-    const struct sweep_options o = { path, true, NULL };
+    const struct sweep_options o = {
+        .journal = path,
+        .resume = true,
+    };
     uint64_t seed = check_seed();
     struct swept whole, part;
     size_t size;
@@ -149,7 +154,9 @@ static void a_row_whose_codes_mean_nothing_is_computed_again(void **state)
         { "upper_end", -2, 0 },
     };
     const char *path = own_path("a.part");
-    const struct sweep_options o = { path, true, "1" };
+    const struct sweep_options o = { .journal = path,
+                                     .resume = true,
+                                     .version = "1" };
 
     (void) state;
     for (size_t i = 0; i < sizeof change / sizeof *change; i++) {
@@ -169,7 +176,9 @@ static void a_row_whose_codes_mean_nothing_is_computed_again(void **state)
 
 static void without_resume_a_side_file_is_replaced(void **state)
 {
-    const struct sweep_options o = { own_path("a.part"), false, "1" };
+    const struct sweep_options o = { .journal = own_path("a.part"),
+                                     .resume = false,
+                                     .version = "1" };
     struct swept w;
     struct fault why;
 
@@ -188,8 +197,12 @@ static void a_side_file_of_another_scene_or_version_is_refused(void **state)
         NULL
     };
     const char *path = own_path("a.part");
-    const struct sweep_options one = { path, true, "1" };
-    const struct sweep_options two = { path, true, "2" };
+    const struct sweep_options one = { .journal = path,
+                                       .resume = true,
+                                       .version = "1" };
+    const struct sweep_options two = { .journal = path,
+                                       .resume = true,
+                                       .version = "2" };
     struct swept w;
     struct fault why;
 
@@ -218,7 +231,9 @@ static void where_the_side_file_goes_does_not_matter_to_its_key(void **state)
         LAW, ALL, "sweep={key: slope.alpha, values: [0.33, 0.34, 0.35]}",
         "output.figure=b.svg", NULL
     };
-    const struct sweep_options o = { own_path("a.part"), true, "1" };
+    const struct sweep_options o = { .journal = own_path("a.part"),
+                                     .resume = true,
+                                     .version = "1" };
     struct swept w;
 
     (void) state;
@@ -231,7 +246,8 @@ static void where_the_side_file_goes_does_not_matter_to_its_key(void **state)
 
 static void a_side_file_that_cannot_be_is_an_error(void **state)
 {
-    const struct sweep_options o = { own_path("none/a.part"), false, NULL };
+    const struct sweep_options o = { .journal = own_path("none/a.part"),
+                                     .resume = false };
     struct swept w;
     struct fault why;
 
@@ -243,6 +259,86 @@ static void a_side_file_that_cannot_be_is_an_error(void **state)
 #define IN_FOLDER(test)                                                        \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
+/* Every one of `of` points, from the k-th on. */
+struct stride {
+    size_t at, of;
+};
+
+static size_t next_of(void *ctx, size_t count)
+{
+    struct stride *s = ctx;
+    const size_t at = s->at < count ? s->at : count;
+
+    s->at += s->of;
+    return at;
+}
+
+enum { SHARES = 3 };
+
+/* The points of share k into its side file; how many are missing. */
+static size_t run_share(const char *const sets[], size_t k, const char *path)
+{
+    struct stride stride = { k, SHARES };
+    const struct sweep_share share = { next_of, &stride };
+    const struct sweep_options o = {
+        .journal = path, .resume = true, .version = "1", .share = &share
+    };
+    struct swept part;
+
+    sweep_of(&part, sets, &o);
+    const size_t missing = part.s.missing;
+    swept_free(&part);
+    return missing;
+}
+
+static void shares_make_the_same_sweep_as_one_run(void **state)
+{
+    static const char *const sets[] = {
+        LAW, "products=[knees, basins, margin]",
+        "basins={cells: [3, 2], audit: 0}",
+        "sweep={key: slope.alpha, from: 0.2, to: 0.4, points: 10, refine: 0.2}",
+        NULL
+    };
+    const char *const other[SHARES] = { own_path("a"), own_path("b"),
+                                        own_path("c") };
+    const char *path = own_path("a.part");
+    const struct sweep_options o = {
+        .journal = path, .version = "1", .other = other, .others = SHARES
+    };
+    struct swept whole, joined;
+
+    (void) state;
+    for (size_t k = 0; k < SHARES; k++)
+        for (int again = 0; again < 2; again++)
+            assert_int_equal(run_share(sets, k, other[k]), k ? 7 : 6);
+    sweep_of(&joined, sets, &o);
+    assert_int_equal(joined.s.missing, 0);
+    assert_int_equal(joined.s.taken, 10);
+    sweep_of(&whole, sets,
+             &(struct sweep_options){ .journal = own_path("w.part") });
+    sweeps_are_the_same(&whole.s, &joined.s);
+    swept_free(&whole);
+    swept_free(&joined);
+}
+
+static void a_side_file_of_another_sweep_is_no_share(void **state)
+{
+    const char *const other[] = { own_path("a") };
+    const struct sweep_options o = {
+        .journal = own_path("b"), .version = "2", .other = other, .others = 1
+    };
+    struct swept part;
+    struct fault why;
+
+    (void) state;
+    (void) run_share(slopes, 0, other[0]);
+    assert_int_equal(run_some(&part, slopes, &o, 1000, &why), STATUS_BAD_SCENE);
+    assert_non_null(strstr(why.text, "of another scene or version"));
+    (void) unlink(other[0]);
+    assert_int_equal(run_some(&part, slopes, &o, 1000, &why), STATUS_IO);
+    assert_non_null(strstr(why.text, "No such file"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -253,6 +349,8 @@ int main(void)
         IN_FOLDER(a_side_file_of_another_scene_or_version_is_refused),
         IN_FOLDER(where_the_side_file_goes_does_not_matter_to_its_key),
         IN_FOLDER(a_side_file_that_cannot_be_is_an_error),
+        IN_FOLDER(shares_make_the_same_sweep_as_one_run),
+        IN_FOLDER(a_side_file_of_another_sweep_is_no_share),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
