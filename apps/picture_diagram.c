@@ -16,7 +16,8 @@ static const struct figure_style law_style[DIAGRAM_LAWS] = {
 
 static const char *law_name(const struct sheet *p, int law)
 {
-    return law == DIAGRAM_SCENE ? p->s->slider.block.law.preset : "dieterich";
+    return law == DIAGRAM_SCENE ? p->s->slider.block.law.words
+                                : law_preset_find("dieterich")->words;
 }
 
 /* ---- friction laws, Fig 1(a) --------------------------------------------- */

@@ -112,7 +112,7 @@ static void draw(const struct workprec *w, enum workprec_quantity q,
     }
     const struct figure_axis time = axis_of("run time (µs)", x);
     const struct figure_axis error = axis_of("true error", y);
-    snprintf(title, sizeof title, "%s, α = %.6g: %s", w->scene.law.preset,
+    snprintf(title, sizeof title, "%s, α = %.6g: %s", w->scene.law.words,
              w->scene.alpha, workprec_quantity_texts[q]);
     figure_init(f, title, &time, &error);
     /* ours come first in the legend, and once more on top of the others */

@@ -58,8 +58,8 @@ struct sheet_text sheet_title(const struct scene *c, bool slope)
 
     if (slope)
         snprintf(alpha, sizeof alpha, form[c->slope_in], c->slope_given);
-    snprintf(t.text, sizeof t.text, "%s%s%s%s", c->title,
-             c->title[0] ? " — " : "", c->law.preset, alpha);
+    snprintf(t.text, sizeof t.text, "%s%s",
+             c->title[0] ? c->title : c->law.words, alpha);
     return t;
 }
 

@@ -254,6 +254,21 @@ def orbits_leave_no_hole_and_are_no_bunch(room):
                len(orbits), hole, bunch)
 
 
+def a_title_is_the_scene_s_or_the_law_in_words(room):
+    """With the slope; no figure shows the name of a preset."""
+    law, products = ['--law', 'spinodal_gen'], 'products=[friction_law]'
+    for title, words in (('', 'Generalised spinodal law'), ('Mine', 'Mine')):
+        room.good('portrait', *law, '--alpha', '0.34', '-q', '--set',
+                  f'title={title}', '--figure', 'a.svg')
+        room.good('study', *law, '-q', '--set', products, '--set',
+                  f'title={title}', '--figure', 'b.svg')
+        portrait, curves = (shown(room.bytes(name + '.svg')) for name in 'ab')
+        expect(portrait.startswith(f'{words}, α = 0.34 rad '), portrait)
+        expect(curves.startswith(words + ' '), curves)
+        expect('Dieterich law Generalised spinodal law' in curves, curves)
+        expect('spinodal_gen' not in portrait + curves, portrait, curves)
+
+
 def manifolds_have_arrows_along_the_flow(room):
     """Two each, on all lines; the stable ones' point to the saddle."""
     room.good('portrait', '--law', 'spinodal_gen', '--alpha', '0.34',
@@ -425,6 +440,7 @@ run_cases([
     hostile_file_names_are_only_names,
     the_power_series_is_drawn_told_and_stored,
     orbits_leave_no_hole_and_are_no_bunch,
+    a_title_is_the_scene_s_or_the_law_in_words,
     manifolds_have_arrows_along_the_flow,
     what_jumps_at_a_fold_is_drawn_as_a_jump,
     what_does_not_exist_is_grey_and_in_the_legend,

@@ -182,7 +182,7 @@ def a_figure_s_title_has_the_slope_as_it_was_given(room):
                              ('tan_alpha', 0.35, 'tan α = 0.35')):
         room.good('portrait', '--law', 'dieterich', '--set',
                   f'slope.{key}={value}', '-q', '--figure', 'a.svg')
-        expect(f'dieterich, {told} ' in shown(room.bytes('a.svg')), told,
+        expect(f'Dieterich law, {told} ' in shown(room.bytes('a.svg')), told,
                shown(room.bytes('a.svg')))
 
 

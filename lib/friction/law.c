@@ -7,25 +7,31 @@
 #include "law_graph.h"
 #include "law_typed.h"
 
-/* preset, equation, theta, psi_ss, timescale, kinetics */
-#define LAW(name, eq, t, p, s, k)                                              \
+/* preset, words, equation, theta, psi_ss, timescale, kinetics */
+#define LAW(name, in_words, eq, t, p, s, k)                                    \
     {                                                                          \
-        .preset = name, .equation = eq, .form = FRICTION_ASINH,                \
-        .theta = THETA_##t, .psi_ss = PSI_SS_##p, .timescale = TIMESCALE_##s,  \
-        .kinetics = KINETICS_##k                                               \
+        .preset = name, .words = in_words, .equation = eq,                     \
+        .form = FRICTION_ASINH, .theta = THETA_##t, .psi_ss = PSI_SS_##p,      \
+        .timescale = TIMESCALE_##s, .kinetics = KINETICS_##k                   \
     }
 
 /* clang-format off */
 static const struct law presets[] = {
-    LAW("dieterich",     "(3)_1", LN_PSI,   INVERSE,   SLIP,     LINEAR),
-    LAW("dieterich_gen", "(5)",   LN_PSI,   INVERSE,   SLIP,     SINH),
-    LAW("ruina",         "(6)",   PSI,      MINUS_LOG, SLIP,     LINEAR),
-    LAW("perrin",        "(7)",   PSI,      MINUS_LOG, SLIP,     SINH),
-    LAW("spinodal",      "(8)",   LN_C_PSI, SPINODAL,  SPINODAL, LINEAR),
-    LAW("spinodal_gen",  "(10)",  LN_C_PSI, SPINODAL,  SPINODAL, SINH),
-    LAW("spinodal_phi_gen", "before (8)",
+    LAW("dieterich", "Dieterich law", "(3)_1",
+        LN_PSI, INVERSE, SLIP, LINEAR),
+    LAW("dieterich_gen", "Generalised Dieterich law", "(5)",
+        LN_PSI, INVERSE, SLIP, SINH),
+    LAW("ruina", "Ruina law", "(6)",
+        PSI, MINUS_LOG, SLIP, LINEAR),
+    LAW("perrin", "Perrin law", "(7)",
+        PSI, MINUS_LOG, SLIP, SINH),
+    LAW("spinodal", "Spinodal law", "(8)",
+        LN_C_PSI, SPINODAL, SPINODAL, LINEAR),
+    LAW("spinodal_gen", "Generalised spinodal law", "(10)",
+        LN_C_PSI, SPINODAL, SPINODAL, SINH),
+    LAW("spinodal_phi_gen", "Generalised spinodal law of φ", "before (8)",
         LN_C_1PR_PSI, SPINODAL_UNIT, SPINODAL, SINH),
-    LAW("kato_tullis", "Kato & Tullis (2001)",
+    LAW("kato_tullis", "Kato and Tullis law", "Kato & Tullis (2001)",
         LN_PSI, LAMBERT, SLIP, COMPOSITE),
 };
 

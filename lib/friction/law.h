@@ -76,6 +76,7 @@ enum kinetics {
 /* One of each. */
 struct law {
     const char *preset;   /* "dieterich_gen", or "composed" */
+    const char *words;    /* "Generalised Dieterich law" */
     const char *equation; /* the paper's number, or a source */
     enum friction_form form;
     enum theta theta;

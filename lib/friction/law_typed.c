@@ -61,6 +61,7 @@ enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
 struct law law_of_typed(const struct law_typed *t)
 {
     return (struct law){ .preset = "typed",
+                         .words = "The scene's law",
                          .equation = "formulas of the scene",
                          .form = t->form,
                          .theta = t->real ? THETA_PSI : THETA_LN_PSI,

@@ -61,6 +61,7 @@ static enum status set_defaults(struct scene *s)
     static const double chi[] = { 0.2, 0.28, 0.34, 0.38 };
 
     s->law.preset = "composed";
+    s->law.words = "The scene's law";
     s->law.equation = "composed";
     s->material = material_bristol_board();
     s->window = (struct scene_window){ { 1e-6, 1e6 }, { NAN, NAN }, AXES_LOG };

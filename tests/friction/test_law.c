@@ -9,21 +9,29 @@
 /* Table of section 1 of the paper's laws, typed in again. */
 /* clang-format off */
 static const struct law table[] = {
-    { "dieterich", "(3)_1", FRICTION_ASINH, THETA_LN_PSI, PSI_SS_INVERSE,
+    { "dieterich", "Dieterich law", "(3)_1",
+      FRICTION_ASINH, THETA_LN_PSI, PSI_SS_INVERSE,
       TIMESCALE_SLIP, KINETICS_LINEAR, NULL },
-    { "dieterich_gen", "(5)", FRICTION_ASINH, THETA_LN_PSI, PSI_SS_INVERSE,
+    { "dieterich_gen", "Generalised Dieterich law", "(5)",
+      FRICTION_ASINH, THETA_LN_PSI, PSI_SS_INVERSE,
       TIMESCALE_SLIP, KINETICS_SINH, NULL },
-    { "ruina", "(6)", FRICTION_ASINH, THETA_PSI, PSI_SS_MINUS_LOG,
+    { "ruina", "Ruina law", "(6)",
+      FRICTION_ASINH, THETA_PSI, PSI_SS_MINUS_LOG,
       TIMESCALE_SLIP, KINETICS_LINEAR, NULL },
-    { "perrin", "(7)", FRICTION_ASINH, THETA_PSI, PSI_SS_MINUS_LOG,
+    { "perrin", "Perrin law", "(7)",
+      FRICTION_ASINH, THETA_PSI, PSI_SS_MINUS_LOG,
       TIMESCALE_SLIP, KINETICS_SINH, NULL },
-    { "spinodal", "(8)", FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL,
+    { "spinodal", "Spinodal law", "(8)",
+      FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL,
       TIMESCALE_SPINODAL, KINETICS_LINEAR, NULL },
-    { "spinodal_gen", "(10)", FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL,
+    { "spinodal_gen", "Generalised spinodal law", "(10)",
+      FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL,
       TIMESCALE_SPINODAL, KINETICS_SINH, NULL },
-    { "spinodal_phi_gen", "before (8)", FRICTION_ASINH, THETA_LN_C_1PR_PSI,
+    { "spinodal_phi_gen", "Generalised spinodal law of φ", "before (8)",
+      FRICTION_ASINH, THETA_LN_C_1PR_PSI,
       PSI_SS_SPINODAL_UNIT, TIMESCALE_SPINODAL, KINETICS_SINH, NULL },
-    { "kato_tullis", "Kato & Tullis (2001)", FRICTION_ASINH, THETA_LN_PSI,
+    { "kato_tullis", "Kato and Tullis law", "Kato & Tullis (2001)",
+      FRICTION_ASINH, THETA_LN_PSI,
       PSI_SS_LAMBERT, TIMESCALE_SLIP, KINETICS_COMPOSITE, NULL },
 };
 /* clang-format on */
@@ -36,6 +44,7 @@ static void presets_are_the_laws_of_the_paper(void **state)
         const struct law *want = &table[i], *law = law_preset_at(i);
         assert_non_null(law);
         assert_string_equal(law->preset, want->preset);
+        assert_string_equal(law->words, want->words);
         assert_string_equal(law->equation, want->equation);
         assert_int_equal(law->form, want->form);
         assert_int_equal(law->theta, want->theta);
