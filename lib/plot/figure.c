@@ -137,6 +137,15 @@ static void raster_replace(struct figure *f, struct figure_raster *r, bool good)
     raster_free(r);
 }
 
+bool figure_raster_hatched(const struct figure_raster *r)
+{
+    bool gap = false;
+
+    for (size_t i = 0; i < r->nx * r->ny && !gap; i++)
+        gap = !isfinite(r->value[i]);
+    return gap && r->shade_count == 0 && r->entry[0] != NULL;
+}
+
 static bool shades_copy(const struct figure_labels *l, struct figure_raster *r,
                         double index[256])
 {

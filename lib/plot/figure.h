@@ -84,6 +84,7 @@ enum figure_role {
     FIGURE_SHADE_4,
     FIGURE_SHADE_5,
     FIGURE_SHADE_6,
+    FIGURE_ABSENT, /* the ground of cells without a value: hatched */
     FIGURE_ROLES
 };
 
@@ -170,7 +171,7 @@ struct figure_labels {
 };
 
 /* Numbers as a tint, explained by a bar beside the legend; cells that are not
- * finite are grey (FIGURE_SHADE_6) where they have an entry, else white. */
+ * finite are hatched where they have an entry, else white. */
 struct figure_map {
     const double *value;
     size_t nx, ny;

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "hatch.h"
 #include "look.h"
 #include "palette.h"
 
@@ -43,10 +44,11 @@ static void put_shade(FILE *out, const struct layout *p, struct vec2 at,
 
     snprintf(look, sizeof look, "border lc rgb '#808080' fc rgb '%s' lw 0.8",
              paint.colour);
-    put_box(out, p,
-            (struct box){ { at.x, at.y - SWATCH / 2.0 },
-                          { at.x + LEGEND_SAMPLE, at.y + SWATCH / 2.0 } },
-            look);
+    const struct box b = { { at.x, at.y - SWATCH / 2.0 },
+                           { at.x + LEGEND_SAMPLE, at.y + SWATCH / 2.0 } };
+    put_box(out, p, b, look);
+    if (role == FIGURE_ABSENT)
+        hatch_write(out, p, b, "front");
 }
 
 static void put_curve(FILE *out, const struct layout *p, struct vec2 at,

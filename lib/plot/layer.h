@@ -16,4 +16,7 @@ struct figure_raster {
     struct figure_axis scale; /* label owned */
 };
 
+/* Whether cells of a map lack a value and have an entry that says so. */
+bool figure_raster_hatched(const struct figure_raster *r);
+
 #endif

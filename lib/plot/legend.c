@@ -95,21 +95,13 @@ static void add_layers(struct legend *l, const struct figure *f, bool regions)
     stroke_free(&s);
 }
 
-static bool has_missing(const struct figure_raster *r)
-{
-    for (size_t i = 0; i < r->nx * r->ny; i++)
-        if (!isfinite(r->value[i]))
-            return true;
-    return false;
-}
-
 struct legend legend_of(const struct figure *f)
 {
     struct legend l = { .count = 0 };
 
     add_layers(&l, f, false);
-    if (f->raster && f->raster->shade_count == 0 && has_missing(f->raster))
-        add_shade(&l, f->raster->entry[0], FIGURE_SHADE_6);
+    if (f->raster && figure_raster_hatched(f->raster))
+        add_shade(&l, f->raster->entry[0], FIGURE_ABSENT);
     for (size_t k = 0; f->raster && k < f->raster->shade_count; k++)
         if (has_shade(f->raster, k))
             add_shade(&l, f->raster->entry[k], f->raster->role[k]);

@@ -55,6 +55,7 @@ static const struct {
     [FIGURE_SHADE_4] = { "#f0c8d1", 1.0, FIGURE_SOLID },
     [FIGURE_SHADE_5] = { "#efe9f9", 1.0, FIGURE_SOLID },
     [FIGURE_SHADE_6] = { "#b8b8b8", 1.0, FIGURE_SOLID },
+    [FIGURE_ABSENT] = { "#ececec", 1.0, FIGURE_SOLID },
 };
 
 static const double dashes[FIGURE_DASHES][PAINT_DASHES] = {

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "hatch.h"
 #include "key.h"
 #include "label.h"
 #include "layer.h"
@@ -162,6 +163,24 @@ static void put_bar(FILE *out, const struct layout *p,
                  "left", LAYOUT_FONT, p->bar_width + 20);
 }
 
+/* Under cells without a tint. */
+static void put_ground(FILE *out, const struct layout *p)
+{
+    const struct paint paint =
+        paint_of((struct figure_style){ .role = FIGURE_ABSENT });
+    const struct vec2 corner = { p->left, p->bottom };
+
+    fprintf(out,
+            "set object rectangle from graph 0,0 to graph 1,1 behind "
+            "fs solid noborder fc rgb '%s'\n",
+            paint.colour);
+    hatch_write(
+        out, p,
+        (struct box){ corner, vec2_add(corner, (struct vec2){ p->x.pixels,
+                                                              p->y.pixels }) },
+        "back");
+}
+
 static void put_raster(FILE *out, const struct layout *p,
                        const struct figure_raster *r)
 {
@@ -169,12 +188,8 @@ static void put_raster(FILE *out, const struct layout *p,
         return;
     fprintf(out, "set x2range [-0.5:%zu.5]\nset y2range [-0.5:%zu.5]\n",
             pen_cells(r->nx) - 1, pen_cells(r->ny) - 1);
-    if (r->shade_count == 0 && r->entry[0]) /* under cells without a tint */
-        fprintf(
-            out,
-            "set object rectangle from graph 0,0 to graph 1,1 behind "
-            "fs solid noborder fc rgb '%s'\n",
-            paint_of((struct figure_style){ .role = FIGURE_SHADE_6 }).colour);
+    if (figure_raster_hatched(r))
+        put_ground(out, p);
     if (r->shade_count > 0)
         put_shades(out, r);
     else

@@ -170,6 +170,11 @@ static void a_map_without_gaps_has_no_entry_for_them(void **state)
         char *svg = drawn(&f, "p.svg");
         CHECK((strstr(svg, "does not exist") != NULL) == gaps, "%d", gaps);
         free(svg);
+        char *script = drawn(&f, "p.gp");
+        CHECK((strstr(script, "nohead back") != NULL) == gaps &&
+                  (strstr(script, "nohead front") != NULL) == gaps,
+              "hatching %d", gaps);
+        free(script);
         figure_free(&f);
     }
 }
