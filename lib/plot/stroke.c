@@ -315,6 +315,34 @@ static bool piece_at(const struct stroke *s, double *d, size_t *from,
     return false;
 }
 
+/* The way that a head of that length has to go, centred at c of a piece. */
+static struct vec2 way_at(const struct stroke *s, size_t from, size_t to,
+                          double c, double length, struct vec2 *tail)
+{
+    *tail = point_at(s, from, to, c - length / 2);
+    return vec2_sub(point_at(s, from, to, c + length / 2), *tail);
+}
+
+/* The place nearest to d along a piece at which it is straight over a head's
+ * length: the chord is no shorter than that of an arc of 60 degrees.  d itself
+ * where there is none. */
+static double straight_at(const struct stroke *s, size_t from, size_t to,
+                          double piece, double d, double length)
+{
+    const double chord = 3 / M_PI, lo = length / 2, hi = piece - length / 2;
+    struct vec2 tail;
+
+    for (int k = 0; k * length / 2 < piece; k++)
+        for (int side = -1; side <= 1; side += 2) {
+            const double c = d + side * k * length / 2;
+            if (c >= lo && c <= hi &&
+                vec2_length(way_at(s, from, to, c, length, &tail)) >=
+                    chord * length)
+                return c;
+        }
+    return d;
+}
+
 bool stroke_head(const struct stroke *s, double fraction, double length,
                  struct vec2 head[3])
 {
@@ -322,10 +350,10 @@ bool stroke_head(const struct stroke *s, double fraction, double length,
     size_t from, to;
     if (!piece_at(s, &d, &from, &to, &piece) || !(piece >= 2 * length))
         return false;
-    const double c = fmin(fmax(d, length / 2), piece - length / 2);
-    const struct vec2 tail = point_at(s, from, to, c - length / 2);
-    const struct vec2 tip = point_at(s, from, to, c + length / 2);
-    const struct vec2 way = vec2_sub(tip, tail);
+    d = fmin(fmax(d, length / 2), piece - length / 2);
+    const double c = straight_at(s, from, to, piece, d, length);
+    struct vec2 tail;
+    const struct vec2 way = way_at(s, from, to, c, length, &tail);
     const double r = vec2_length(way);
     if (!(r > length / 2))
         return false;

@@ -37,8 +37,8 @@ void stroke_thin(struct stroke *s, double tolerance);
 double stroke_length(const struct stroke *s);
 
 /* An arrowhead (base, tip, base) of the given length, centred at a fraction of
- * the stroke's length and pointing on along it; false where the piece there is
- * too short to carry one. */
+ * the stroke's length, or where the piece is straight next to it, and pointing
+ * on along it; false where the piece there is too short to carry one. */
 bool stroke_head(const struct stroke *s, double fraction, double length,
                  struct vec2 head[3]);
 

@@ -243,6 +243,28 @@ static void an_arrowhead_points_along_the_line(void **state)
     assert_false(stroke_head(&out, 0.5, 8, head));
 }
 
+/* At a corner it stands beside it, on either leg. */
+static void an_arrowhead_stands_where_the_line_is_straight(void **state)
+{
+    (void) state;
+    const struct scale s = unit_scale();
+    const double x[] = { 10, 50, 50 }, y[] = { 20, 20, 60 };
+    struct stroke out = STROKE_EMPTY;
+    struct vec2 head[3];
+    assert_int_equal(stroke_clip(&s, &s, x, y, 3, &out), STATUS_OK);
+    for (int k = 0; k <= 10; k++) {
+        assert_true(stroke_head(&out, k / 10.0, 8, head));
+        const struct vec2 base =
+            vec2_scale(0.5, vec2_add(head[0], head[2])); /* on the line */
+        const bool across = base.y == 20 && head[1].y == 20,
+                   up = base.x == 50 && head[1].x == 50;
+        CHECK(across != up &&
+                  fabs(head[1].x + head[1].y - base.x - base.y - 8) < 1e-12,
+              "%d: %g, %g to %g, %g", k, base.x, base.y, head[1].x, head[1].y);
+    }
+    stroke_free(&out);
+}
+
 /* What the function writes, as a text; freed by the caller. */
 static char *ticks_text(const struct figure_axis *axis, double pixels,
                         double spacing)
@@ -378,6 +400,7 @@ int main(void)
         cmocka_unit_test(thinning_stays_within_its_tolerance),
         cmocka_unit_test(a_straight_line_thins_to_its_ends),
         cmocka_unit_test(an_arrowhead_points_along_the_line),
+        cmocka_unit_test(an_arrowhead_stands_where_the_line_is_straight),
         cmocka_unit_test(labels_are_few_apart_and_on_the_axis),
         cmocka_unit_test(labels_of_linear_axes_are_evenly_apart),
         cmocka_unit_test(ends_that_are_labels_are_labelled),
