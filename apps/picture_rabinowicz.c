@@ -105,8 +105,7 @@ static void band_put(struct banded *b, size_t i, double middle, double reach,
 }
 
 static void band_add(const struct banded *b, struct figure *f, const char *band,
-                     enum figure_role role, enum figure_dash dash,
-                     const char *entry)
+                     struct figure_style style, const char *entry)
 {
     struct figure_layer l = { .kind = FIGURE_REGION,
                               .style = { .role = FIGURE_SHADE_1 },
@@ -117,7 +116,7 @@ static void band_add(const struct banded *b, struct figure *f, const char *band,
 
     figure_add(f, &l);
     l.kind = FIGURE_CURVE;
-    l.style = (struct figure_style){ .role = role, .dash = dash };
+    l.style = style;
     l.entry = entry;
     l.x = b->middle;
     l.count = b->n;
@@ -133,7 +132,8 @@ static void add_fit(struct figure *f, const struct parabola *p, double from,
         const double t = from + (to - from) * i / (POINTS - 1);
         band_put(&b, (size_t) i, parabola_at(p, t), band_at(p, t), t);
     }
-    band_add(&b, f, "95 % band of the fit", FIGURE_SERIES_2, FIGURE_SOLID,
+    band_add(&b, f, "95 % band of the fit",
+             (struct figure_style){ FIGURE_SERIES_2, FIGURE_SOLID, 0 },
              "parabola (33), fitted");
 }
 
@@ -205,14 +205,15 @@ static void build_release(struct figure *f, const struct release *r,
 
 /* ---- (b) friction over slip ---------------------------------------------- */
 
-/* s_k of (25) on the fitted parabola: a straight line. */
+/* s_k of (25) on the fitted parabola: a straight line, which lies on the
+ * spline's where both fit. */
 static void add_line_33(struct figure *f, const struct parabola *p, double K,
                         double from, double to)
 {
     const double sum = p->mu_s.value + p->mu_half.value;
     const double scale = um * K * p->factor.value;
 
-    sheet_segment(f, (struct figure_style){ FIGURE_SERIES_2, 0, 0 },
+    sheet_segment(f, (struct figure_style){ FIGURE_NULLCLINE_X, 0, 1.8 },
                   "of the parabola (33)",
                   (struct vec2){ scale * (sum - 2.0 * from), from },
                   (struct vec2){ scale * (sum - 2.0 * to), to });
@@ -226,7 +227,8 @@ static void add_slip(struct figure *f, const struct slip_curve *c, double K)
     for (size_t i = 0; i < b.n; i++)
         band_put(&b, i, um * K * c->at[i].gradient,
                  um * K * c->at[i].gradient_error, c->at[i].mu);
-    band_add(&b, f, "95 % band", FIGURE_SERIES_1, FIGURE_DASH_OF_ROLE,
+    band_add(&b, f, "95 % band",
+             (struct figure_style){ FIGURE_SERIES_1, FIGURE_SOLID, 4.5 },
              "of the smoothing spline (25)");
 }
 
