@@ -75,7 +75,7 @@
 #define TOL_LAYER_AIM       0.7
 #define TOL_LAYER_ARREST    1.001
 #define TOL_LAYER_FORGET    4.0
-#define TOL_LAYER_STEPS     200
+#define TOL_LAYER_STEPS     500
 #define TOL_LAYER_SHORTEST  1e-12
 #define TOL_LAYER_FLOOR     1e-8
 #define TOL_LAYER_GROWTH    2.0

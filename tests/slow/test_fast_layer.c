@@ -82,6 +82,30 @@ static void most_states_land_in_a_few_steps(void **state)
 }
 
 /* Nearer the separatrix bars grow like 1/distance, and never too little. */
+/* At 1e-14 a step, over a hundred e-folds. */
+static void what_patches_are_sampled_with_lands(void **state)
+{
+    uint64_t seed = check_seed();
+    size_t landed = 0;
+    struct place p;
+
+    (void) state;
+    place_make(&p, "dieterich", "0.34");
+    for (int k = 0; k < 200; k++) {
+        const struct vec2 z = { check_uniform(&seed, -13.8, 13.8),
+                                check_uniform(&seed, -6.9, 4.6) };
+        struct layer_options options = layer_defaults(2e-12);
+        struct layer l;
+        options.peaks = false;
+        options.through = true;
+        layer_follow(&p.c, vec2_sub(z, p.s.study.slider.plane.system.origin),
+                     &options, &l);
+        landed += l.end != LAYER_LOST;
+    }
+    CHECK(landed >= 198, "%zu of 200", landed);
+    place_drop(&p);
+}
+
 static void bars_grow_towards_the_separatrix(void **state)
 {
     struct place p;
@@ -156,6 +180,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slip_and_time_are_those_of_the_whole_orbit),
         cmocka_unit_test(most_states_land_in_a_few_steps),
+        cmocka_unit_test(what_patches_are_sampled_with_lands),
         cmocka_unit_test(bars_grow_towards_the_separatrix),
         cmocka_unit_test(bars_hold_what_loose_steps_miss),
         cmocka_unit_test(a_box_of_arrest_may_be_entered_before_landing),
