@@ -81,7 +81,7 @@ const char *slipway_status_text(slipway_status status);
 
 typedef struct slipway_scene slipway_scene;
 
-/* An empty scene: the default law and material, no slope, no products (then
+/* An empty scene: the default material, no law, no slope, no products (then
  * those of `slipway knees`). */
 slipway_status slipway_scene_new(slipway_scene **out);
 
@@ -137,6 +137,17 @@ typedef struct slipway_equilibrium {
 size_t slipway_study_equilibria(const slipway_study *study,
                                 slipway_equilibrium out[], size_t room);
 
+/* A state and what the window shows of it; on a logarithmic axis where the
+ * chart has its logarithm. */
+typedef struct slipway_axis {
+    const char *name;
+    int is_log;
+    double range[2];
+} slipway_axis;
+
+/* Of v (0) and psi (1), as long as the study. */
+slipway_axis slipway_study_axis(const slipway_study *study, int axis);
+
 /* Product "manifolds". */
 typedef enum slipway_branch {
     SLIPWAY_STABLE_UPPER, /* v > v_sp */
@@ -183,7 +194,8 @@ slipway_status slipway_basin_axes(const slipway_study *study, double v[],
 
 /* Fates (slipway_fate) of rows first .. first + rows - 1 into
  * label[rows * columns], row by row; and the factors on v, and on psi (a shift
- * where psi is a logarithm), to the nearest other fate, as their logarithms. */
+ * where psi is a logarithm), to the nearest other fate, as their logarithms;
+ * infinite where there is none. */
 slipway_status slipway_basin_labels(const slipway_study *study, size_t first,
                                     size_t rows, int8_t label[]);
 slipway_status slipway_basin_margins(const slipway_study *study, size_t first,
@@ -230,7 +242,8 @@ void slipway_push_free(slipway_push *push);
 
 typedef struct slipway_sweep slipway_sweep;
 
-/* Runs the scene's `sweep` section with all threads of OpenMP. */
+/* Runs the scene's `sweep` section with all threads of OpenMP; without products
+ * those of `slipway knees`. */
 slipway_status slipway_sweep_run(const slipway_scene *scene,
                                  const slipway_monitor *monitor,
                                  slipway_sweep **out, slipway_fault *why);

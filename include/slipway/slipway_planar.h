@@ -41,6 +41,9 @@ slipway_status slipway_plane_run(const slipway_scene *scene,
                                  const slipway_monitor *monitor,
                                  slipway_plane **out, slipway_fault *why);
 
+/* Of its first (0) and its second state (1). */
+slipway_axis slipway_plane_axis(const slipway_plane *plane, int axis);
+
 /* What each function below lists: the number of all; the first `room` of them
  * into out[].  Names are valid as long as the plane. */
 

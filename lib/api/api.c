@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "room.h"
+#include "system.h"
 
 static const struct {
     enum status status;
@@ -138,6 +139,26 @@ slipway_status api_read(const slipway_scene *scene, struct scene *out,
 
     return s == STATUS_OK ? SLIPWAY_OK
                           : api_fault(why, api_status(s), fault.text);
+}
+
+#define BIT(p) (1u << PRODUCT_##p)
+
+unsigned api_products(const struct scene *scene)
+{
+    return scene->products || scene->system
+               ? scene->products
+               : BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(KNEES) | BIT(ESTIMATES);
+}
+
+slipway_axis api_axis(const struct scene *scene, int axis)
+{
+    static const char *const friction[] = { "v", "psi" };
+    const double *range = axis ? scene->window.psi : scene->window.v;
+
+    return (slipway_axis){ scene->system ? scene->system->state[axis].name
+                                         : friction[axis],
+                           scene_axis_is_log(scene, axis),
+                           { range[0], range[1] } };
 }
 
 void slipway_scene_free(slipway_scene *scene)

@@ -40,6 +40,12 @@ const struct monitor *api_monitor(const slipway_monitor *in,
 slipway_status api_read(const slipway_scene *scene, struct scene *out,
                         slipway_fault *why);
 
+/* A state of the scene. */
+slipway_axis api_axis(const struct scene *scene, int axis);
+
+/* What a scene of a law asks for, where it names nothing that of `knees`. */
+unsigned api_products(const struct scene *scene);
+
 /* The text of a fault that the caller may not want; returns `status`. */
 slipway_status api_fault(slipway_fault *why, slipway_status status,
                          const char *text);

@@ -116,6 +116,11 @@ void slipway_plane_free(slipway_plane *plane)
     free(plane);
 }
 
+slipway_axis slipway_plane_axis(const slipway_plane *plane, int axis)
+{
+    return api_axis(&plane->scene, axis);
+}
+
 /* ---- lists --------------------------------------------------------------- */
 
 size_t slipway_plane_equilibria(const slipway_plane *plane, slipway_rest out[],

@@ -29,8 +29,6 @@ API_LENT(slipway_point, error, branch_row, error);
 
 /* ---- a run --------------------------------------------------------------- */
 
-#define BIT(p) (1u << PRODUCT_##p)
-
 static enum status fill(const struct sweep_point *p, size_t which,
                         struct rows *rows)
 {
@@ -67,9 +65,7 @@ static slipway_status run(slipway_study *study, const slipway_monitor *monitor,
         return api_fault(why, SLIPWAY_BAD_SCENE,
                          "a system of formulas: slipway_plane_run takes it");
     one.sweep.axes = 0;
-    if (one.products == 0)
-        one.products =
-            BIT(EQUILIBRIA) | BIT(FOLDS) | BIT(KNEES) | BIT(ESTIMATES);
+    one.products = api_products(scene);
     enum status s = scene_slope_demand(scene, scene->products, &fault);
     if (s != STATUS_OK)
         return api_fault(why, api_status(s), fault.text);
@@ -157,6 +153,13 @@ size_t slipway_study_equilibria(const slipway_study *study,
         };
     }
     return s->plane.equilibria;
+}
+
+/* ---- curves -------------------------------------------------------------- */
+
+slipway_axis slipway_study_axis(const slipway_study *study, int axis)
+{
+    return api_axis(&study->scene, axis);
 }
 
 const slipway_point *slipway_study_branch(const slipway_study *study,

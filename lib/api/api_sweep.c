@@ -22,6 +22,7 @@ slipway_status slipway_sweep_run(const slipway_scene *scene,
     if (s == SLIPWAY_OK && w->scene.sweep.axes == 0)
         s = api_fault(why, SLIPWAY_BAD_SCENE,
                       "the scene has no sweep, expected sweep.key and values");
+    w->scene.products = api_products(&w->scene);
     if (s == SLIPWAY_OK) {
         const enum status status =
             sweep_run(&w->sweep, &w->scene, &(struct sweep_options){ 0 },

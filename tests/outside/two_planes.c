@@ -88,6 +88,10 @@ static void branches(void)
         ran ? slipway_study_branch(study, SLIPWAY_STABLE_UPPER, &n) : NULL;
     int rises = n > 10;
 
+    told(ran && strcmp(slipway_study_axis(study, 1).name, "psi") == 0 &&
+             slipway_study_axis(study, 1).is_log &&
+             slipway_study_axis(study, 1).range[0] == 1e-3,
+         "states have axes");
     for (size_t i = 1; i < n; i++)
         rises = rises && p[i].v >= (1.0 - 1e-14) * p[i - 1].v &&
                 p[i].psi > p[i - 1].psi && p[i].arc > p[i - 1].arc &&
@@ -256,6 +260,10 @@ static void switches(void)
         slipway_plane_run(scene, NULL, &plane, NULL) == SLIPWAY_OK;
 
     n = good ? slipway_plane_shares(plane, share, 9) : 0;
+    told(good && strcmp(slipway_plane_axis(plane, 1).name, "v") == 0 &&
+             slipway_plane_axis(plane, 1).is_log &&
+             slipway_plane_axis(plane, 1).range[1] == 5.0,
+         "its states have names and a window");
     told(n > 2 && n < 9 &&
              fabs(share[0].fraction.value - 0.5) <= share[0].fraction.error &&
              share[0].fraction.error < 1e-9 &&
