@@ -58,10 +58,11 @@ typedef struct slipway_number {
     const char *reason;
 } slipway_number;
 
-/* What a number or a key is called, its unit ("1": none) and its meaning; valid
- * as long as the handle it came from.  All NULL: there is none. */
+/* What a number or a key is called, its unit ("rad", "1"), of what it is a
+ * multiple ("V_star", "L"; NULL: of nothing) and its meaning; valid as long as
+ * the handle it came from.  All NULL: there is none. */
 typedef struct slipway_label {
-    const char *name, *unit, *text;
+    const char *name, *unit, *scale, *text;
 } slipway_label;
 
 /* Told now and then during long work; `total` is 0 where nobody knows.  A

@@ -6,6 +6,7 @@
 
 #include "room.h"
 #include "system.h"
+#include "unit.h"
 
 static const struct {
     enum status status;
@@ -50,13 +51,17 @@ bool api_is_number(const struct sweep_column *c)
     return c->codes == NULL && c->dims == 0;
 }
 
+slipway_label api_labelled(const char *name, const char *unit, const char *text)
+{
+    return (slipway_label){ name, unit_plain(unit), unit_factor(unit), text };
+}
+
 slipway_label api_label(const struct sweep_columns *c, size_t k)
 {
     for (size_t i = 0; i < c->count; i++)
         if (api_is_number(&c->at[i]) && k-- == 0)
-            return (slipway_label){ c->at[i].name, c->at[i].unit,
-                                    c->at[i].text };
-    return (slipway_label){ NULL, NULL, NULL };
+            return api_labelled(c->at[i].name, c->at[i].unit, c->at[i].text);
+    return (slipway_label){ NULL, NULL, NULL, NULL };
 }
 
 const struct monitor *api_monitor(const slipway_monitor *in,

@@ -28,8 +28,10 @@ struct slipway_scene {
 slipway_status api_status(enum status s);
 slipway_number api_number(const struct quantity *q);
 
-/* Whether a column is one number; the label of the k-th of those. */
+/* Whether a column is one number; a label; that of the k-th of those. */
 bool api_is_number(const struct sweep_column *c);
+slipway_label api_labelled(const char *name, const char *unit,
+                           const char *text);
 slipway_label api_label(const struct sweep_columns *c, size_t k);
 
 /* *in as the rooms below take it; NULL stays NULL. */

@@ -47,7 +47,8 @@ const double *slipway_sweep_axis(const slipway_sweep *sweep, size_t axis,
 
     *count = a->count;
     if (key)
-        *key = (slipway_label){ a->key.path, a->key.unit, a->key.text };
+        *key = a->value ? api_labelled(a->key.path, a->key.unit, a->key.text)
+                        : (slipway_label){ NULL, NULL, NULL, NULL };
     return a->value;
 }
 

@@ -164,7 +164,7 @@ static void sweeps(void)
     slipway_scene *scene = scene_at(0.34, "[knees]");
     slipway_sweep *sweep = NULL;
     slipway_number v[3];
-    slipway_label key, label = { NULL, NULL, NULL };
+    slipway_label key, label = { NULL, NULL, NULL, NULL };
     size_t n = 0, names = 0;
     const int ran =
         slipway_scene_set(scene, "sweep.key", "slope.alpha") == SLIPWAY_OK &&
@@ -189,7 +189,8 @@ static void sweeps(void)
     while (ran && (label = slipway_sweep_label(sweep, names)).name &&
            strcmp(label.name, "v_plus") != 0)
         names++;
-    told(label.name && strcmp(label.unit, "V_star") == 0,
+    told(label.name && strcmp(label.scale, "V_star") == 0 &&
+             strcmp(label.unit, "1") == 0,
          "its numbers have names and units");
     slipway_sweep_free(sweep);
     slipway_scene_free(scene);
