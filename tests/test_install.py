@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-from cli_room import expect, refused, run_cases
+from cli_room import READER, expect, refused, run_cases
 from pages import blocks
 
 BUILD = os.path.realpath(sys.argv[3])
@@ -391,6 +391,65 @@ def the_library_has_a_version(room):
     expect('libslipway.so.0]' in ran(['readelf', '-d', library]), library)
 
 
+def python_finds_the_module(room):
+    """With the library that was installed beside it, wherever that is."""
+    path = [name for name in files(DESTINATION)
+            if name.endswith('slipway/__init__.py')]
+    expect(len(path) == 1, path)
+    site = os.path.dirname(os.path.dirname(os.path.join(DESTINATION, path[0])))
+    asked = 'import sys; print(*sys.path, sep=chr(10))'
+    if options()['prefix'] == '/usr/local':  # as Debian's python has it
+        expect(site.removeprefix(DESTINATION) in ran([READER, '-c', asked]),
+               site)
+    code = ('import slipway; print(slipway._c.find(), slipway.__version__, '
+            'slipway.Study("dieterich_gen", 0.34).v_plus)')
+    said = ran([READER, '-c', code], env=bare(PYTHONPATH=site))
+    expect(said.startswith(f'{place("libdir")}/libslipway.so.0 '
+                           + room.good('--version').split()[1]
+                           + ' 2832.223358'), said)
+
+
+def bare(**changes):
+    return {**{name: value for name, value in os.environ.items()
+               if name not in ('SLIPWAY_LIBRARY', 'PYTHONPATH')}, **changes}
+
+
+def a_place_for_the_module_is_found_below_any_prefix(room):
+    told = {prefix: ran([READER, f'{room.source}/lib/python/site_below.py',
+                         prefix], env=bare(HOME='/home/me')).strip()
+            for prefix in ('/usr', '/usr/local', '/home/me/.local', '/opt/me')}
+    version = ran([READER, '-c', 'import sys; print("%d.%d" % '
+                   'sys.version_info[:2])']).strip()
+    expect(told == {
+        '/usr': '/usr/lib/python3/dist-packages',
+        '/usr/local': f'/usr/local/lib/python{version}/dist-packages',
+        '/home/me/.local':
+            f'/home/me/.local/lib/python{version}/site-packages',
+        '/opt/me': ''}, told)
+
+
+def pip_installs_it_without_a_network(room):
+    with open(f'{room.source}/README.md', encoding='utf-8') as file:
+        expect('    pip install ./lib/python\n' in file.read(), 'README')
+    ran([READER, '-m', 'venv', '--system-site-packages', room.path('v')])
+    library = os.path.join(BUILD, 'lib', 'libslipway.so.0')
+    ran([room.path('v/bin/pip'), 'install', '--no-index', '--quiet',
+         f'{room.source}/lib/python'], env=bare(SLIPWAY_LIBRARY=library))
+    code = ('import slipway; print(slipway._c.find()); '
+            'print(slipway.Study("dieterich_gen", 0.34).v_plus)')
+    said = ran([room.path('v/bin/python'), '-c', code], env=bare())
+    expect(said.startswith(room.path('v/lib')) and '\n2832.223358' in said, said)
+    listed = ran([room.path('v/bin/pip'), 'list'], env=bare())
+    expect(re.search(r'^slipway +' + room.good('--version').split()[1], listed,
+                     re.M), listed)
+    done = subprocess.run(
+        [room.path('v/bin/pip'), 'wheel', '--no-index', '-w', room.folder,
+         f'{room.source}/lib/python'], text=True, capture_output=True,
+        env=bare(SLIPWAY_LIBRARY='/nowhere.so'), check=False)
+    expect(done.returncode != 0 and
+           'slipway: no /nowhere.so, expected the library' in done.stderr, done)
+
+
 def nothing_stays_behind(room):
     in_build(room, UNINSTALL)
     expect(files(DESTINATION) == set(), files(DESTINATION))
@@ -421,6 +480,9 @@ def main():
             friction_and_a_pendulum_from_c_and_cpp,
             only_public_names_leave_the_library,
             the_library_has_a_version,
+            python_finds_the_module,
+            a_place_for_the_module_is_found_below_any_prefix,
+            pip_installs_it_without_a_network,
             nothing_stays_behind,
         ])
     finally:

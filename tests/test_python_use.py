@@ -130,8 +130,8 @@ def numbers_need_no_numpy(room):
             '    sys.modules[name] = None\nimport slipway\n'
             's = slipway.Study("dieterich_gen", 0.34)\n'
             'print(f"{s.v_plus:.3f}", s.push(100, 1).fate, '
-            's.equilibria[0].type, len(s.numbers) > 20, "<table>" in s._repr_html_(),'
-            ' s._repr_svg_())\n'
+            's.equilibria[0].type, len(s.numbers) > 20,'
+            ' "<table>" in s._repr_html_(), s._repr_svg_())\n'
             'for call in (lambda: s.manifold, lambda: slipway.v_plus('
             '"ruina", alpha=[0.3]), lambda: s.basin((8, 8)), s.frame):\n'
             '    try: call()\n    except ImportError as why: print(why)')
