@@ -104,6 +104,7 @@ MAY_SEE = {
     'manifold': ['lib/core'],
     'portrait': ['lib/core', 'manifold'],
     'lib/numbers': LOW,
+    'lib/proof': LOW + ['lib/numbers'],
     'lib/motion': LOW + ['lib/numbers'],
     'lib/slow': LOW + ['lib/numbers', 'lib/motion'],
     'lib/basin': LOW + ['lib/numbers', 'lib/motion', 'lib/slow'],

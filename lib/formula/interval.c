@@ -33,6 +33,11 @@
 #define MOST    ((formula_real) 0x1.fffffffffffffffep16383L)
 #include "interval_formula.h"
 
+struct interval interval_divide(struct interval u, struct interval w)
+{
+    return interval_times(u, inverse_53(w));
+}
+
 struct interval_quad interval_divide_quad(struct interval_quad u,
                                           struct interval_quad w)
 {

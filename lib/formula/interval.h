@@ -69,6 +69,7 @@ struct interval_quad interval_decimal(formula_real x);
 struct interval interval_add(struct interval u, struct interval w);
 struct interval interval_less(struct interval u, struct interval w);
 struct interval interval_times(struct interval u, struct interval w);
+struct interval interval_divide(struct interval u, struct interval w);
 struct interval_quad interval_add_quad(struct interval_quad u,
                                        struct interval_quad w);
 struct interval_quad interval_less_quad(struct interval_quad u,

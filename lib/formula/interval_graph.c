@@ -1,0 +1,188 @@
+#include "interval_graph.h"
+
+#include <mpfi_io.h>
+#include <quadmath.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- numbers ------------------------------------------------------------- */
+
+/* A number of the graph, with all it may have been: 113 bits are the sum of
+ * three doubles. */
+static void enclose(mpfi_ptr out, formula_real x)
+{
+    const struct interval_quad u = interval_decimal(x);
+    const formula_real end[2] = { u.lo, u.hi };
+    mpfr_t sum[2];
+
+    for (int i = 0; i < 2; i++) {
+        formula_real rest = end[i];
+        mpfr_init2(sum[i], 160);
+        mpfr_set_zero(sum[i], 1);
+        for (int k = 0; k < 3; k++) {
+            const double part = (double) rest;
+            mpfr_add_d(sum[i], sum[i], part, i == 0 ? MPFR_RNDD : MPFR_RNDU);
+            rest -= part;
+        }
+    }
+    mpfi_interv_fr(out, sum[0], sum[1]);
+    for (int i = 0; i < 2; i++)
+        mpfr_clear(sum[i]);
+}
+
+struct interval interval_of_mpfi(mpfi_srcptr u)
+{
+    return (struct interval){ mpfr_get_d(&u->left, MPFR_RNDD),
+                              mpfr_get_d(&u->right, MPFR_RNDU) };
+}
+
+/* ---- functions ----------------------------------------------------------- */
+
+static void asinh_exp(mpfi_ptr out, mpfi_srcptr u)
+{
+    mpfi_exp(out, u);
+    mpfi_div_2ui(out, out, 1);
+    mpfi_asinh(out, out);
+}
+
+/* exp(w ln u) of u > 0 */
+static void power(mpfi_ptr out, mpfi_srcptr u, mpfi_srcptr w)
+{
+    mpfi_t l;
+
+    mpfi_init2(l, mpfi_get_prec(out));
+    mpfi_log(l, u);
+    mpfi_mul(l, l, w);
+    mpfi_exp(out, l);
+    mpfi_clear(l);
+}
+
+/* False: there is no rule. */
+static bool call(enum formula_function function, mpfi_ptr out, mpfi_srcptr u)
+{
+    static int (*const by[FUNCTIONS])(mpfi_ptr, mpfi_srcptr) = {
+        [FUNCTION_EXP] = mpfi_exp,   [FUNCTION_LN] = mpfi_log,
+        [FUNCTION_SQRT] = mpfi_sqrt, [FUNCTION_SINH] = mpfi_sinh,
+        [FUNCTION_COSH] = mpfi_cosh, [FUNCTION_TANH] = mpfi_tanh,
+        [FUNCTION_SIN] = mpfi_sin,   [FUNCTION_COS] = mpfi_cos,
+        [FUNCTION_TAN] = mpfi_tan,   [FUNCTION_ASIN] = mpfi_asin,
+        [FUNCTION_ATAN] = mpfi_atan, [FUNCTION_ASINH] = mpfi_asinh,
+        [FUNCTION_EM1] = mpfi_expm1, [FUNCTION_LN1P] = mpfi_log1p,
+    };
+
+    if (function == FUNCTION_ASINHEXP)
+        asinh_exp(out, u);
+    else if (by[function])
+        by[function](out, u);
+    return function == FUNCTION_ASINHEXP || by[function];
+}
+
+/* ---- nodes --------------------------------------------------------------- */
+
+static mpfi_ptr value_of(const struct interval_graph *g, int node)
+{
+    return g->value[g->place[node]];
+}
+
+/* False: there is no rule. */
+static bool make(struct interval_graph *g, int node)
+{
+    const struct formula_node *n = &g->f->node[node];
+    mpfi_ptr out = value_of(g, node);
+
+    switch (n->kind) {
+        case FORMULA_LEAF:
+            return true;
+        case FORMULA_NUMBER:
+            enclose(out, n->number);
+            return true;
+        case FORMULA_SUM:
+            mpfi_add(out, value_of(g, n->of[0]), value_of(g, n->of[1]));
+            return true;
+        case FORMULA_TIMES:
+            mpfi_mul(out, value_of(g, n->of[0]), value_of(g, n->of[1]));
+            return true;
+        case FORMULA_OVER:
+            mpfi_div(out, value_of(g, n->of[0]), value_of(g, n->of[1]));
+            return true;
+        case FORMULA_CALL:
+            if (n->function == FUNCTION_POWER) {
+                power(out, value_of(g, n->of[0]), value_of(g, n->of[1]));
+                return true;
+            }
+            return call(n->function, out, value_of(g, n->of[0]));
+    }
+    return false;
+}
+
+enum status interval_graph_run(struct interval_graph *g, struct fault *why)
+{
+    for (int i = 0; i < g->nodes; i++) {
+        const struct formula_node *n = &g->f->node[g->node[i]];
+        const char *name =
+            n->kind == FORMULA_CALL ? functions[n->function].name : "a formula";
+        const bool made = make(g, g->node[i]);
+        if (made && mpfi_bounded_p(value_of(g, g->node[i])))
+            continue;
+        snprintf(why->text, sizeof why->text, "%s %s", name,
+                 made ? "of a constant has no finite value"
+                      : "has no rule for proofs");
+        return STATUS_BAD_ARGUMENT;
+    }
+    return STATUS_OK;
+}
+
+/* ---- all ----------------------------------------------------------------- */
+
+enum status interval_graph_init(struct interval_graph *g,
+                                const struct formula *f, const bool needed[],
+                                int bits)
+{
+    bool all[FORMULA_NODES];
+
+    memcpy(all, needed, sizeof all);
+    formula_complete(f, all);
+    *g = (struct interval_graph){ .f = f };
+    for (int i = 0; i < FORMULA_NODES; i++) {
+        g->place[i] = -1;
+        if (i < f->nodes && all[i] && !f->node[i].moves) {
+            g->place[i] = (short) g->nodes;
+            g->node[g->nodes++] = (short) i;
+        }
+    }
+    g->value = malloc((size_t) (g->nodes + 1) * sizeof *g->value);
+    if (g->value == NULL)
+        return STATUS_NO_MEMORY;
+    for (int i = 0; i < g->nodes; i++)
+        mpfi_init2(g->value[i], bits);
+    return STATUS_OK;
+}
+
+void interval_graph_free(struct interval_graph *g)
+{
+    for (int i = 0; g->value && i < g->nodes; i++)
+        mpfi_clear(g->value[i]);
+    free(g->value);
+    g->value = NULL;
+}
+
+void interval_graph_set(struct interval_graph *g, const char *leaf,
+                        mpfi_srcptr value)
+{
+    for (int i = 0; i < g->nodes; i++) {
+        const struct formula_node *n = &g->f->node[g->node[i]];
+        if (n->kind == FORMULA_LEAF && strcmp(n->name, leaf) == 0)
+            mpfi_set(g->value[i], value);
+    }
+}
+
+mpfi_srcptr interval_graph_value(const struct interval_graph *g, int node)
+{
+    return value_of(g, node);
+}
+
+struct interval interval_graph_get(const struct interval_graph *g, int node)
+{
+    return interval_of_mpfi(value_of(g, node));
+}

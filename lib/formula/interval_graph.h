@@ -1,0 +1,47 @@
+/*
+ * interval_graph.h -- what does not change in a graph, enclosed to as many bits
+ * as asked for: MPFI's intervals (Revol & Rouillier, Reliable Computing 11
+ * (2005) 275), which round outward.  Decimals count as they are written.
+ *
+ *     interval_graph_init(&g, f, needed, 200);
+ *     interval_graph_set(&g, "a", x);     every leaf that is needed
+ *     interval_graph_run(&g, &why);       again after each change of a leaf
+ *     interval_graph_get(&g, node);
+ */
+#ifndef FORMULA_INTERVAL_GRAPH_H
+#define FORMULA_INTERVAL_GRAPH_H
+
+#include <mpfi.h>
+
+#include "interval.h"
+
+struct interval_graph {
+    const struct formula *f;    /* borrowed */
+    short node[FORMULA_NODES];  /* those that are needed, in order */
+    short place[FORMULA_NODES]; /* of a node in value[], or -1 */
+    int nodes;
+    mpfi_t *value; /* owned */
+};
+
+/* Of what is needed what does not move.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status interval_graph_init(struct interval_graph *g,
+                                           const struct formula *f,
+                                           const bool needed[], int bits);
+void interval_graph_free(struct interval_graph *g);
+
+/* Where the leaf is needed. */
+void interval_graph_set(struct interval_graph *g, const char *leaf,
+                        mpfi_srcptr value);
+
+/* STATUS_BAD_ARGUMENT: a function has no rule, or is not defined. */
+MUST_CHECK enum status interval_graph_run(struct interval_graph *g,
+                                          struct fault *why);
+
+/* Of a node that is needed; the same, rounded outward. */
+mpfi_srcptr interval_graph_value(const struct interval_graph *g, int node);
+struct interval interval_graph_get(const struct interval_graph *g, int node);
+
+/* The doubles around an interval. */
+struct interval interval_of_mpfi(mpfi_srcptr u);
+
+#endif

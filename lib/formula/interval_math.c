@@ -1,0 +1,206 @@
+#include "interval_math.h"
+
+#include <float.h>
+#include <mpfr.h>
+
+/* ---- MPFR's -------------------------------------------------------------- */
+
+/* f(x) to the double below or above; *exact: it is that double. */
+static double rounded(int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), double x,
+                      mpfr_rnd_t to, bool *exact)
+{
+    MPFR_DECL_INIT(t, DBL_MANT_DIG);
+
+    mpfr_set_d(t, x, to);
+    *exact = f(t, t, to) == 0 &&
+             mpfr_get_d(t, MPFR_RNDU) <= mpfr_get_d(t, MPFR_RNDD);
+    return mpfr_get_d(t, to);
+}
+
+/* Of a function that does not fall: at a point the double above is the one
+ * after that below. */
+static struct interval rising(int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t),
+                              struct interval u)
+{
+    bool exact;
+    const double lo = rounded(f, u.lo, MPFR_RNDD, &exact);
+    const double hi = u.lo < u.hi ? rounded(f, u.hi, MPFR_RNDU, &exact)
+                      : exact     ? lo
+                                  : nextafter(lo, HUGE_VAL);
+
+    return (struct interval){ lo < HUGE_VAL ? lo : DBL_MAX,
+                              hi > -HUGE_VAL ? hi : -DBL_MAX };
+}
+
+static struct interval all(void)
+{
+    return (struct interval){ -HUGE_VAL, HUGE_VAL };
+}
+
+struct interval interval_exp(struct interval u)
+{
+    return rising(mpfr_exp, u);
+}
+
+struct interval interval_expm1(struct interval u)
+{
+    return rising(mpfr_expm1, u);
+}
+
+struct interval interval_ln(struct interval u)
+{
+    return u.lo >= 0 && u.hi > 0 ? rising(mpfr_log, u) : all();
+}
+
+struct interval interval_ln1p(struct interval u)
+{
+    return u.lo >= -1 && u.hi > -1 ? rising(mpfr_log1p, u) : all();
+}
+
+/* The processor's is correctly rounded (IEEE 754). */
+struct interval interval_sqrt(struct interval u)
+{
+    if (!(u.lo >= 0))
+        return all();
+    return (struct interval){ fmax(0, nextafter(sqrt(u.lo), -HUGE_VAL)),
+                              nextafter(sqrt(u.hi), HUGE_VAL) };
+}
+
+struct interval interval_sinh(struct interval u)
+{
+    return rising(mpfr_sinh, u);
+}
+
+struct interval interval_asinh(struct interval u)
+{
+    return rising(mpfr_asinh, u);
+}
+
+/* ---- made of them -------------------------------------------------------- */
+
+static struct interval plus(struct interval u, double x)
+{
+    return interval_add(u, interval_point(x));
+}
+
+static struct interval twice(struct interval u, double factor)
+{
+    return interval_times(u, interval_point(factor));
+}
+
+/* w + ln(1 + (sqrt(1 + 4 e^(-2 w)) - 1)/2), where e^w would be too large */
+static struct interval asinh_exp_large(struct interval w)
+{
+    const struct interval q = twice(interval_exp(twice(w, -2)), 4);
+    const struct interval root = interval_sqrt(plus(q, 1));
+
+    return interval_add(w, interval_ln1p(twice(plus(root, -1), 0.5)));
+}
+
+/* Rises: an end each. */
+struct interval interval_asinh_exp(struct interval u)
+{
+    struct interval end[2];
+
+    for (int i = 0; i < 2; i++) {
+        const struct interval w = interval_point(i == 0 ? u.lo : u.hi);
+        end[i] = w.lo > 1 ? asinh_exp_large(w)
+                          : interval_asinh(twice(interval_exp(w), 0.5));
+    }
+    return (struct interval){ end[0].lo, end[1].hi };
+}
+
+/* Neither k nor q is much larger than 1. */
+static struct interval mixed_at(struct interval k, struct interval q, double at)
+{
+    const struct interval u = interval_point(at);
+
+    if (at > 1)
+        return interval_add(
+            u, interval_ln(interval_add(
+                   k, interval_times(q, interval_exp(twice(u, -1))))));
+    const struct interval change = interval_times(k, interval_expm1(u));
+    return change.lo > -0.5 ? interval_ln1p(change)
+                            : interval_ln(interval_add(
+                                  q, interval_times(k, interval_exp(u))));
+}
+
+struct interval interval_mixed(struct interval k, struct interval q,
+                               struct interval u)
+{
+    return (struct interval){ mixed_at(k, q, u.lo).lo,
+                              mixed_at(k, q, u.hi).hi };
+}
+
+/* k/(k + q e^-u) or k e^u/(k e^u + q): rises */
+static struct interval mixed_slope_at(struct interval k, struct interval q,
+                                      double at)
+{
+    const struct interval e = interval_exp(interval_point(-fabs(at)));
+    const struct interval ke = at < 0 ? interval_times(k, e) : k;
+    const struct interval qe = at < 0 ? q : interval_times(q, e);
+
+    return interval_divide(ke, interval_add(ke, qe));
+}
+
+struct interval interval_mixed_slope(struct interval k, struct interval q,
+                                     struct interval u)
+{
+    if (q.lo >= 0 && q.hi <= 0)
+        return interval_point(1);
+    if (k.lo >= 0 && k.hi <= 0)
+        return interval_point(0);
+    return interval_both((struct interval){ mixed_slope_at(k, q, u.lo).lo,
+                                            mixed_slope_at(k, q, u.hi).hi },
+                         (struct interval){ 0, 1 });
+}
+
+/* With q0 = 4 e^(-2 k), q = q0 e^(-2 u) and s = sqrt(1 + q):
+ * u + ln(1 + q0 (e^(-2 u) - 1)/((s + s0)(1 + s0))) */
+static struct interval friction_far(struct interval k, struct interval u)
+{
+    const struct interval q0 = twice(interval_exp(twice(k, -2)), 4);
+    const struct interval q =
+        twice(interval_exp(twice(interval_add(k, u), -2)), 4);
+    const struct interval s0 = interval_sqrt(plus(q0, 1));
+    const struct interval s = interval_sqrt(plus(q, 1));
+    const struct interval under =
+        interval_times(interval_add(s, s0), plus(s0, 1));
+    const struct interval over =
+        interval_times(q0, interval_expm1(twice(u, -2)));
+
+    return interval_add(u, interval_ln1p(interval_divide(over, under)));
+}
+
+/* asinh of t0 (e^(2 u) - 1)/(e^u sqrt(1 + t0^2) + sqrt(1 + t^2)), t = e^w/2 */
+static struct interval friction_near(struct interval k, struct interval u)
+{
+    const struct interval t0 = twice(interval_exp(k), 0.5);
+    const struct interval e = interval_exp(u), t = interval_times(t0, e);
+    const struct interval root0 =
+        interval_sqrt(plus(interval_times(t0, t0), 1));
+    const struct interval root = interval_sqrt(plus(interval_times(t, t), 1));
+    const struct interval under = interval_add(interval_times(e, root0), root);
+    const struct interval over =
+        interval_times(t0, interval_expm1(twice(u, 2)));
+
+    return interval_asinh(interval_divide(over, under));
+}
+
+static struct interval friction_at(struct interval k, double at)
+{
+    const struct interval u = interval_point(at);
+    const struct interval w = interval_add(k, u);
+
+    if (k.lo > 0.7 && w.lo > 0.7)
+        return friction_far(k, u);
+    if (fabs(at) < 1 && k.hi < 300)
+        return friction_near(k, u);
+    return interval_less(interval_asinh_exp(w), interval_asinh_exp(k));
+}
+
+struct interval interval_friction(struct interval k, struct interval u)
+{
+    return (struct interval){ friction_at(k, u.lo).lo,
+                              friction_at(k, u.hi).hi };
+}

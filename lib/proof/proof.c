@@ -1,0 +1,315 @@
+/* A proof walks along a branch as it was grown, piece by piece: cone, cells,
+ * and from piece to piece over the gap that rounding leaves between them, or
+ * round the corner where the other coordinate becomes the independent one. */
+#include "proof.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "numbers.h"
+#include "proof_cone.h"
+#include "proof_end.h"
+#include "proof_flow.h"
+#include "proof_tolerance.h"
+
+static struct interval point(double x)
+{
+    return interval_point(x);
+}
+
+/* ---- pieces -------------------------------------------------------------- */
+
+static struct proof_piece piece_of(const struct branch *b, size_t i)
+{
+    const int ind = branch_graph(b, i);
+    const double *at = curve_component(&b->curve, i, (size_t) ind);
+    const double *dep = curve_component(&b->curve, i, (size_t) (1 - ind));
+    struct proof_piece p = { .ind = ind, .start = at[0], .step = at[1] };
+
+    p.degree = b->curve.piece[i].degree;
+    memcpy(p.coef, dep, (p.degree + 1) * sizeof *dep);
+    return p;
+}
+
+static enum status take_pieces(const struct branch *b, struct proof_branch *out)
+{
+    out->piece = malloc((b->curve.count + 1) * sizeof *out->piece);
+    if (out->piece == NULL)
+        return STATUS_NO_MEMORY;
+    for (; out->pieces < b->curve.count; out->pieces++)
+        out->piece[out->pieces] = piece_of(b, out->pieces);
+    return STATUS_OK;
+}
+
+/* ---- from one piece to the next ------------------------------------------ */
+
+/* The theta at which a piece ends: where the next one of its kind begins. */
+static struct interval end_of(const struct proof_piece *p,
+                              const struct proof_piece *next)
+{
+    if (next == NULL || next->ind != p->ind)
+        return point(1);
+    return interval_divide(interval_less(point(next->start), point(p->start)),
+                           point(p->step));
+}
+
+static double most_apart(struct interval u, double x)
+{
+    return interval_most(interval_less(u, point(x)));
+}
+
+/* Where dep = p(theta) +- error and the manifold rises, its ind at dep =
+ * next->start is within (gap/m) of where it is now, gap bounding the change of
+ * dep and m > 0 the slope on a box that is so large; and the excess on the way,
+ * |v - v_sp|/|f_ind| times that. */
+static bool turn(struct proof_law *law, const struct proof_piece *p,
+                 const struct proof_piece *next, struct proof_front *f)
+{
+    const struct interval at = interval_add(point(p->start), point(p->step));
+    const struct interval from = interval_add(
+        proof_poly_at(p->degree, p->coef, point(1)), interval_within(f->error));
+    const struct interval dep = interval_hull(from, point(next->start));
+    const double gap = interval_less(point(dep.hi), point(dep.lo)).hi;
+    double way = 0;
+    struct proof_flow u;
+
+    for (int i = 0; i < PROOF_TURN_TRIES; i++) {
+        proof_flow_aside(law, p->ind, interval_add(at, interval_within(way)),
+                         dep, &u);
+        const struct interval slope = interval_divide(u.dep.c[0], u.ind.c[0]);
+        if (!(slope.lo > 0) || !interval_is_finite(u.ind.c[0]))
+            return false;
+        const double found =
+            interval_divide(point(gap), interval_low(slope)).hi;
+        if (found < way) {
+            const struct interval per =
+                interval_divide(u.excess.c[0], u.ind.c[0]);
+            const double more = proof_up_times(interval_most(per), way);
+            f->excess = interval_add(f->excess, interval_within(more));
+            f->error = proof_up_sum(way, most_apart(at, next->coef[0]));
+            return isfinite(more);
+        }
+        way = 2 * found + PROOF_END_LEAST;
+    }
+    return false;
+}
+
+/* On to the beginning of the next piece. */
+static bool join(struct proof_law *law, const struct proof_piece *p,
+                 const struct proof_piece *next, struct interval theta,
+                 struct proof_front *f)
+{
+    if (next->ind != p->ind)
+        return turn(law, p, next, f);
+    const struct interval dep = proof_poly_at(p->degree, p->coef, theta);
+    f->error = proof_up_sum(f->error, most_apart(dep, next->coef[0]));
+    return true;
+}
+
+/* ---- a branch ------------------------------------------------------------ */
+
+static struct proof_place place_of(const struct proof_piece *p,
+                                   struct interval theta, double error,
+                                   int side)
+{
+    const struct interval at =
+        interval_add(point(p->start), interval_times(point(p->step), theta));
+    const struct interval dep = interval_add(
+        proof_poly_at(p->degree, p->coef, theta), interval_within(error));
+
+    return p->ind == 0 ? (struct proof_place){ at, dep, side }
+                       : (struct proof_place){ dep, at, side };
+}
+
+static void fail(struct proof_branch *out, const char *why)
+{
+    out->end = -1;
+    out->not_proved = why;
+}
+
+/* The tail, outward: a coordinate goes on by 0 .. way. */
+static void settle(struct proof_branch *out, enum end_code end,
+                   struct interval from, const struct proof_tail *t,
+                   const struct proof_front *f)
+{
+    const double more = proof_up_sum(t->way, 0);
+    const struct interval way = out->side > 0 ? (struct interval){ 0, more }
+                                              : (struct interval){ -more, 0 };
+    const struct interval excess =
+        out->side > 0 ? f->excess : interval_minus(f->excess);
+
+    out->end = (int) end;
+    out->place = interval_add(from, way);
+    out->strip = interval_hull(from, out->place);
+    out->excess = interval_add(excess, (struct interval){ 0, t->excess });
+}
+
+/* At the end of piece i, if that is possible; *left: what is beyond, over the
+ * width of what is known. */
+static bool close(struct proof_law *law, const struct law *of,
+                  struct proof_branch *out, size_t i,
+                  const struct proof_front *f, double *left)
+{
+    const struct proof_piece *p = &out->piece[i];
+    const struct proof_place at = place_of(p, point(1), f->error, out->side);
+    const bool psi = p->ind == 1;
+    struct proof_tail t;
+
+    if (!(psi ? proof_tail_psi(law, &at, &t) : proof_tail_v(law, of, &at, &t)))
+        return false;
+    *left = fmax(t.way / f->error, t.excess / (f->excess.hi - f->excess.lo));
+    settle(out,
+           !psi            ? END_V_0
+           : out->side > 0 ? END_PSI_INF
+                           : END_PSI_0,
+           psi ? at.X : at.Y, &t, f);
+    return true;
+}
+
+/* The cells of one piece. */
+static bool pass(struct proof_law *law, struct proof_branch *out, size_t i,
+                 double from, struct interval to, struct proof_front *f,
+                 enum status *status)
+{
+    struct proof_piece *p = &out->piece[i];
+
+    p->first = out->cells;
+    if (!proof_cells(law, p, from, to, f, out, status))
+        return false;
+    p->cells = out->cells - p->first;
+    return true;
+}
+
+/* Of first order, v has no limit where psi grows (docs/proofs.md). */
+static bool is_open(struct proof_law *law, const struct proof_branch *b,
+                    const struct proof_front *f)
+{
+    const struct proof_place at =
+        place_of(&b->piece[0], point(b->cone.reach), f->error, b->side);
+
+    return b->side > 0 && law->first_order && proof_is_outward(law, &at);
+}
+
+/* From the end of the cone on, to where what is left is nothing beside what is
+ * not known, or to the last piece; the pieces beyond are let go. */
+static enum status walk(struct proof_law *law, const struct law *of,
+                        struct proof_branch *out, struct proof_front *f)
+{
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < out->pieces; i++) {
+        const struct proof_piece *next =
+            i + 1 < out->pieces ? &out->piece[i + 1] : NULL;
+        const struct interval to = end_of(&out->piece[i], next);
+        double left = HUGE_VAL;
+        if (!pass(law, out, i, i == 0 ? out->cone.reach : 0, to, f, &status)) {
+            fail(out, "no tube around the manifold was proved");
+            return status;
+        }
+        fail(out, "no bound on what is beyond the last piece was found");
+        if (close(law, of, out, i, f, &left) &&
+            (next == NULL || left < PROOF_END_PART)) {
+            out->not_proved = NULL;
+            out->pieces = i + 1;
+            return STATUS_OK;
+        }
+        if (next && !join(law, &out->piece[i], next, to, f)) {
+            fail(out, "the tube was lost between two pieces");
+            return STATUS_OK;
+        }
+    }
+    return STATUS_OK;
+}
+
+static enum status prove_branch(struct proof_law *law, const struct law *of,
+                                const struct branch *curve,
+                                struct proof_branch *out)
+{
+    struct proof_front f = { 0 };
+    enum status status = take_pieces(curve, out);
+
+    fail(out, "the manifold was not grown");
+    if (status != STATUS_OK || out->pieces == 0)
+        return status;
+    if (!proof_cone(law, &out->piece[0], &out->cone, &f)) {
+        fail(out, "no cone around the manifold at the saddle was proved");
+        return STATUS_OK;
+    }
+    if (is_open(law, out, &f)) {
+        fail(out, NULL);
+        out->end = END_OPEN;
+        return STATUS_OK;
+    }
+    return walk(law, of, out, &f);
+}
+
+/* ---- all ----------------------------------------------------------------- */
+
+enum status proof_along(const struct block *b, const struct proof_inputs *in,
+                        const struct branch curve[2], struct proof *out)
+{
+    struct fault why;
+    enum status s = STATUS_OK;
+
+    *out = (struct proof){ .branch = { { .side = 1, .end = -1 },
+                                       { .side = -1, .end = -1 } } };
+    s = proof_law_at(&out->law, b, in, &why);
+    if (s == STATUS_BAD_ARGUMENT)
+        out->not_proved = why;
+    else if (s == STATUS_OK && !proof_is_saddle(&out->law, &out->saddle))
+        snprintf(out->not_proved.text, sizeof out->not_proved.text,
+                 "the determinant of the Jacobian was not proved negative");
+    for (int i = 0; i < 2 && s == STATUS_OK && !out->not_proved.text[0]; i++)
+        s = prove_branch(&out->law, &b->law, &curve[i], &out->branch[i]);
+    return s == STATUS_BAD_ARGUMENT ? STATUS_OK : s;
+}
+
+/* Curves as good as doubles allow, until nothing changes. */
+static enum status grow(const struct block *b, struct branch curve[2])
+{
+    const struct planar sys = block_planar(b);
+    struct grow_options o = grow_defaults(PROOF_RTOL);
+    struct equilibrium e;
+    struct local_series u;
+    struct branch both[2];
+
+    equilibrium_at(&sys, false, &e);
+    o.reach = &sys.domain;
+    o.carry = (struct carry){ { BLOCK_EXCESS }, 1 };
+    enum status s =
+        local_at(&sys, &e, MANIFOLD_STABLE, &o.carry, o.order, PROOF_TERM, &u);
+    if (s == STATUS_OK)
+        s = grow_branches(&sys, &u, &o, both);
+    if (s != STATUS_OK)
+        return s;
+    const bool up = u.ind == 0 || u.c[1] > 0;
+    curve[0] = both[up ? 0 : 1];
+    curve[1] = both[up ? 1 : 0];
+    return STATUS_OK;
+}
+
+enum status proof_at(const struct block *b, const struct proof_inputs *in,
+                     struct proof *out)
+{
+    struct branch curve[2] = { { .curve = CURVE_EMPTY(2) },
+                               { .curve = CURVE_EMPTY(2) } };
+    const enum status grown = grow(b, curve);
+    const enum status s =
+        grown == STATUS_NO_MEMORY ? grown : proof_along(b, in, curve, out);
+
+    for (int i = 0; i < 2; i++)
+        branch_free(&curve[i]);
+    return s;
+}
+
+void proof_free(struct proof *p)
+{
+    proof_law_free(&p->law);
+    for (int i = 0; i < 2; i++) {
+        free(p->branch[i].piece);
+        free(p->branch[i].cell);
+        p->branch[i].piece = NULL;
+        p->branch[i].cell = NULL;
+    }
+}

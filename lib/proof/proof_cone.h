@@ -1,0 +1,25 @@
+/*
+ * proof_cone.h -- the stable manifold beside the saddle, in a cone around the
+ * polynomial p of its first piece.
+ *
+ * With M = f_ind/theta, D = step G(p) - p' and g = theta d(step G)/d dep: where
+ *     M/step < 0   and   |D| < slope (1 - g)
+ * on 0 < theta <= reach, |dep - p| <= slope theta, an orbit can leave that set
+ * only through its sides |dep - p| = slope theta and enters it where theta =
+ * reach; so one that starts there stays for ever (Wazewski), tends to the
+ * saddle and is the stable manifold.
+ */
+#ifndef PROOF_PROOF_CONE_H
+#define PROOF_PROOF_CONE_H
+
+#include "proof_cell.h"
+
+/* Eigenvalues, and that the equilibrium is a saddle: det J < 0. */
+bool proof_is_saddle(struct proof_law *p, struct proof_saddle *out);
+
+/* The cone on a piece that starts at the saddle: the longest found, reach < 1.
+ * *front: what is proved at its end. */
+bool proof_cone(struct proof_law *p, const struct proof_piece *piece,
+                struct proof_cone *out, struct proof_front *front);
+
+#endif

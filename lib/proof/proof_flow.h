@@ -1,0 +1,50 @@
+/*
+ * proof_flow.h -- the field along a polynomial, over intervals; polynomials of
+ * intervals.
+ */
+#ifndef PROOF_PROOF_FLOW_H
+#define PROOF_PROOF_FLOW_H
+
+#include "interval_math.h"
+#include "proof_law.h"
+
+/* f_ind, f_dep and the rate of excess slip, v - v_sp, times one factor. */
+struct proof_flow {
+    struct interval_series ind, dep, excess;
+    double log_scale; /* ln of 1 over that factor */
+};
+
+/* Series to order n along ind = at + step t, dep = sum dep[k] t^k, where at and
+ * dep[] may be intervals as in interval_tape.h. */
+void proof_flow_along(struct proof_law *p, int ind, struct interval at,
+                      double step, const struct interval dep[], size_t n,
+                      struct proof_flow *out);
+
+/* Values and derivatives over a box, by ind (coefficient 1 of out[0]) and by
+ * dep (out[1]). */
+void proof_flow_slopes(struct proof_law *p, int ind, struct interval at,
+                       struct interval dep, struct proof_flow out[2]);
+/* Those by dep only. */
+void proof_flow_aside(struct proof_law *p, int ind, struct interval at,
+                      struct interval dep, struct proof_flow *out);
+
+/* Coefficients of p(s + t) in t. */
+void proof_shift(size_t n, const struct interval p[], struct interval s,
+                 struct interval out[]);
+/* p(s) of a polynomial of doubles, and its coefficients as intervals. */
+struct interval proof_poly_at(size_t n, const double p[], struct interval s);
+void proof_points(size_t n, const double p[], struct interval out[]);
+
+/* Coefficients of u/w to order n, and of the product u w to order n. */
+void proof_quotient(size_t n, const struct interval u[],
+                    const struct interval w[], struct interval out[]);
+
+/* sum |u_k| h^k, from k = first to last, rounded up. */
+double proof_size(const struct interval u[], size_t first, size_t last,
+                  double h);
+
+/* Upward: u + w and u w of numbers >= 0. */
+double proof_up_sum(double u, double w);
+double proof_up_times(double u, double w);
+
+#endif

@@ -1,0 +1,101 @@
+#include "proof_numbers.h"
+
+#include "interval_math.h"
+#include "numbers.h"
+
+static struct proof_number none(const char *why)
+{
+    return (struct proof_number){ { 0, 0 }, why };
+}
+
+static struct proof_number some(struct interval value)
+{
+    if (!interval_is_finite(value))
+        return none("its enclosure is not finite");
+    return (struct proof_number){ value, NULL };
+}
+
+static const char not_so[] = "the branch ends otherwise, which is proved";
+
+/* Why what belongs to this end of the branch is not there; NULL: it is. */
+static const char *missing(const struct proof *p, const struct proof_branch *b,
+                           enum end_code end)
+{
+    return p->not_proved.text[0] ? p->not_proved.text
+           : b->not_proved       ? b->not_proved
+           : b->end != (int) end ? not_so
+                                 : NULL;
+}
+
+static void of_saddle(const struct proof *p, struct proof_numbers *out)
+{
+    if (p->not_proved.text[0]) {
+        out->v = out->psi = out->lambda_minus = out->lambda_plus =
+            none(p->not_proved.text);
+        return;
+    }
+    out->v = some(p->law.v);
+    out->psi = some(p->law.psi);
+    out->lambda_minus = some(p->saddle.lambda_minus);
+    out->lambda_plus = some(p->saddle.lambda_plus);
+}
+
+/* G = eps^2 (v_plus^2 - v^2)/(2 cos(alpha)), with F = cos(alpha)/eps^2. */
+static void of_upper(const struct proof *p, struct proof_numbers *out)
+{
+    const struct proof_branch *b = &p->branch[0];
+    const char *why = missing(p, b, END_PSI_INF);
+
+    out->v_plus = out->ln_v_plus = out->x_excess = none(why);
+    out->mu_s_num = out->mu_s_mean = out->fracture_energy = none(why);
+    if (why)
+        return;
+    const struct interval X = b->place, v = p->law.v;
+    const struct interval part = interval_divide(
+        interval_times(v, v), interval_times(interval_point(2), p->law.force));
+    const struct interval rise = interval_expm1(X);
+    const struct interval energy = interval_times(
+        part, interval_expm1(interval_times(interval_point(2), X)));
+    const struct interval mean =
+        interval_times(part, interval_times(rise, rise));
+
+    out->v_plus = some(interval_times(v, interval_exp(X)));
+    out->ln_v_plus = some(interval_add(p->law.x, X));
+    out->x_excess = some(b->excess);
+    out->fracture_energy = some(energy);
+    out->mu_s_num = some(
+        interval_add(p->law.tan_alpha, interval_divide(energy, b->excess)));
+    out->mu_s_mean =
+        some(interval_add(p->law.tan_alpha, interval_divide(mean, b->excess)));
+}
+
+static void of_lower(const struct proof *p, struct proof_numbers *out)
+{
+    const struct proof_branch *b = &p->branch[1];
+    const char *why = missing(p, b, END_PSI_0);
+    const char *none_at_0 = missing(p, b, END_V_0);
+
+    out->v_minus = out->ln_v_minus = none(why);
+    out->psi_at_v0 = none(none_at_0);
+    out->x_deficit = none(why && none_at_0 ? why : NULL);
+    if (why == NULL) {
+        out->v_minus = some(interval_times(p->law.v, interval_exp(b->place)));
+        out->ln_v_minus = some(interval_add(p->law.x, b->place));
+    }
+    if (none_at_0 == NULL)
+        out->psi_at_v0 = some(
+            p->law.is_log ? interval_add(p->law.psi, b->place)
+                          : interval_times(p->law.psi, interval_exp(b->place)));
+    if (why == NULL || none_at_0 == NULL)
+        out->x_deficit = some(b->excess);
+}
+
+struct proof_numbers proof_numbers_of(const struct proof *p)
+{
+    struct proof_numbers out;
+
+    of_saddle(p, &out);
+    of_upper(p, &out);
+    of_lower(p, &out);
+    return out;
+}

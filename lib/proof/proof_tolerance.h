@@ -1,0 +1,57 @@
+/*
+ * proof_tolerance.h -- the knobs of lib/proof.  None of them can make a proof
+ * wrong: they decide what is tried, never what is concluded.
+ */
+#ifndef PROOF_PROOF_TOLERANCE_H
+#define PROOF_PROOF_TOLERANCE_H
+
+/* Bits of constants at the saddle: 100 more than a double's, so that its place
+ * is known to 2^-53 of itself where mu_ss' is 2^-60 (alpha a rounding away from
+ * a fold). */
+#define PROOF_BITS 256
+
+/* Second point of the first secant, in ln v: near a root of long double, apart
+ * enough for 256 bits. */
+#define PROOF_SECANT 0x1p-40
+
+/* Secant steps: each gives 1.6 times the digits of the last, from 10 to 70 in
+ * five, and slower at a fold. */
+#define PROOF_NEWTONS 12
+
+/* Half widths of the saddle's ln v that are tried, times 256 each. */
+#define PROOF_PLACE_LEAST 0x1p-180
+#define PROOF_PLACE_MOST  0x1p-40
+
+/* Of the cone: shortened by this factor, so often, as long as its slope falls
+ * to this part, as the thirtieth power of the length does. */
+#define PROOF_CONE_SHRINK   0.7
+#define PROOF_CONE_TRIES    60
+#define PROOF_CONE_NARROWER 0.5
+
+/* A cell is halved where Lagrange's remainder is above this part of the rest of
+ * the defect, and what it adds above this part of the error that is there, at
+ * most so often. */
+#define PROOF_REMAINDER 0.5
+#define PROOF_FELT      0.01
+#define PROOF_HALVINGS  12
+
+/* Parts of a cell on which the transverse rate is bounded. */
+#define PROOF_PARTS 2
+
+/* A branch is closed as soon as what is left is below this part of the error,
+ * and of the width of its integral, that are there. */
+#define PROOF_END_PART 0.02
+
+/* Boxes that are tried at a turn, each twice as wide as the last one needed. */
+#define PROOF_TURN_TRIES 8
+
+/* What the curves are grown to, and where their first series ends. */
+#define PROOF_RTOL 1e-14
+#define PROOF_TERM 1e-16
+
+/* Bounds on what is left that are tried, each twice what the last one gave and
+ * a number that is smaller than any that matters. */
+#define PROOF_END_TRIES 40
+#define PROOF_END_LEAST 1e-290
+
+#endif

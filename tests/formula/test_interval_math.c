@@ -1,0 +1,111 @@
+/* Functions of intervals against 113 bits, at random points of random boxes. */
+#include "interval_math.h"
+
+#include "check.h"
+#include "quad.h"
+
+#define SCALAR formula_real
+#define FN(f)  f##q
+#include "scalar.h"
+#undef SCALAR
+#undef FN
+
+enum { POINTS = 20000 };
+
+struct sample {
+    struct interval u, k;
+    formula_real x;
+    uint64_t *rng;
+};
+
+/* A box of any width around a point of any size, and a point in it. */
+static struct sample draw(uint64_t *rng, double most)
+{
+    struct sample s = { .rng = rng };
+    const double size = most * pow(10, check_uniform(rng, -12, 0));
+    const double at = size * check_uniform(rng, -1, 1);
+    const double width =
+        check_bits(rng) % 3 ? size * pow(10, check_uniform(rng, -16, 0)) : 0;
+
+    s.u = (struct interval){ at, at + width };
+    s.x = s.u.lo + ((formula_real) s.u.hi - s.u.lo) *
+                       (formula_real) check_uniform(rng, 0, 1);
+    return s;
+}
+
+static void inside(const char *name, const struct sample *s,
+                   struct interval found, formula_real truth)
+{
+    /* 113 bits are right to 100 or so */
+    const formula_real room = fabsq(truth) * 0x1p-95L;
+
+    CHECK(found.lo <= truth + room && truth - room <= found.hi,
+          "%s over [%.17g, %.17g]: [%.17g, %.17g] has no %.17g", name, s->u.lo,
+          s->u.hi, found.lo, found.hi, (double) truth);
+}
+
+static void a_function_over_a_box_holds_its_value_at_every_point(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int i = 0; i < POINTS; i++) {
+        struct sample s = draw(&rng, 600);
+        inside("exp", &s, interval_exp(s.u), expq(s.x));
+        inside("expm1", &s, interval_expm1(s.u), expm1q(s.x));
+        inside("sinh", &s, interval_sinh(s.u), sinhq(s.x));
+        inside("asinh", &s, interval_asinh(s.u), asinhq(s.x));
+        inside("asinh_exp", &s, interval_asinh_exp(s.u), scalar_asinh_exp(s.x));
+        s.u.lo = fabs(s.u.lo);
+        s.u.hi = fmax(fabs(s.u.hi), s.u.lo);
+        s.x = s.u.lo + (s.u.hi - (formula_real) s.u.lo) / 3;
+        inside("ln", &s, interval_ln(s.u), logq(s.x));
+        inside("ln1p", &s, interval_ln1p(s.u), log1pq(s.x));
+        inside("sqrt", &s, interval_sqrt(s.u), sqrtq(s.x));
+    }
+}
+
+static void a_difference_over_a_box_holds_its_value_at_every_point(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int i = 0; i < POINTS; i++) {
+        const struct sample s = draw(&rng, 300);
+        const double k = pow(10, check_uniform(&rng, -18, 0));
+        const formula_real q = 1 - (formula_real) k;
+        const struct interval K = interval_point(k);
+        const struct interval Q = interval_less(interval_point(1), K);
+        const double w = check_uniform(&rng, -30, 30);
+        inside("mixed", &s, interval_mixed(K, Q, s.u),
+               scalar_log1p_expm1(k, q, s.x));
+        inside("mixed slope", &s, interval_mixed_slope(K, Q, s.u),
+               scalar_logistic(k, q, s.x));
+        inside("friction", &s, interval_friction(interval_point(w), s.u),
+               scalar_friction(w, 4 * expq(-2 * (formula_real) w), s.x));
+    }
+}
+
+static void a_point_has_a_value_as_thin_as_two_doubles(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int i = 0; i < POINTS; i++) {
+        const double x = check_uniform(&rng, -700, 700);
+        const struct interval e = interval_exp(interval_point(x));
+        CHECK(nextafter(e.lo, HUGE_VAL) >= e.hi, "exp(%.17g)", x);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_function_over_a_box_holds_its_value_at_every_point),
+        cmocka_unit_test(
+            a_difference_over_a_box_holds_its_value_at_every_point),
+        cmocka_unit_test(a_point_has_a_value_as_thin_as_two_doubles),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
