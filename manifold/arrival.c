@@ -1,5 +1,7 @@
 /* The form of a trap solves A'P + PA = -1 (Lyapunov); how far V falls along the
- * field is looked at on ellipses, four for each half of the size. */
+ * field at least half as fast as along its linear part is looked at on
+ * ellipses, four for each half of the size: between two of them nothing stops
+ * it, unless the field changes by half of itself there and back. */
 #include "arrival.h"
 
 #include <math.h>
@@ -97,9 +99,11 @@ static double form_at(const struct trap_form *t, struct vec2 u)
     return t->pxx * u.x * u.x + 2.0 * t->pxy * u.x * u.y + t->pyy * u.y * u.y;
 }
 
-/* Whether V falls all along V = size^2. */
+/* Whether V falls all along V = size^2; along the linear part it falls by
+ * `rate` u'u, in units of e^log_unit. */
 static bool falls(const struct planar *sys, const struct arrival_scale *s,
-                  const struct trap_form *t, double size)
+                  const struct trap_form *t, double rate, double log_unit,
+                  double size)
 {
     enum { DIRECTIONS = 48 };
 
@@ -112,9 +116,10 @@ static bool falls(const struct planar *sys, const struct arrival_scale *s,
                    &f);
         const struct vec2 d = { f.direction.x / s->side.x,
                                 f.direction.y / s->side.y };
-        const double rise = (t->pxx * u.x + t->pxy * u.y) * d.x +
-                            (t->pxy * u.x + t->pyy * u.y) * d.y;
-        if (!(rise < 0.0))
+        const double rise = 2.0 * ((t->pxx * u.x + t->pxy * u.y) * d.x +
+                                   (t->pxy * u.x + t->pyy * u.y) * d.y);
+        if (!(rise * exp(f.log_scale - log_unit) <
+              -0.5 * rate * (u.x * u.x + u.y * u.y)))
             return false;
     }
     return true;
@@ -122,14 +127,15 @@ static bool falls(const struct planar *sys, const struct arrival_scale *s,
 
 static double largest_size(const struct planar *sys,
                            const struct arrival_scale *s,
-                           const struct trap_form *t)
+                           const struct trap_form *t, double rate,
+                           double log_unit)
 {
     double size = 0.0;
     int fell = 0;
 
     for (int k = 4 * TOL_TRAP_LEVELS; k >= 4; k--) {
         const double next = exp2(-k / 4.0);
-        if (!falls(sys, s, t, next))
+        if (!falls(sys, s, t, rate, log_unit, next))
             break;
         size = next;
         fell++;
@@ -162,7 +168,8 @@ struct trap_form trap_form_at(const struct planar *sys,
     t.pxx /= e.re[0];
     t.pxy /= e.re[0];
     t.pyy /= e.re[0];
-    t.size = largest_size(sys, s, &t);
+    t.size = largest_size(sys, s, &t, -2.0 * trace * det / e.re[0],
+                          J.field.log_scale);
     return t;
 }
 

@@ -28,7 +28,8 @@ double arrival_nearest(const struct arrival_scale *s, const struct curve *c,
                        double most, double *theta);
 
 /* V(u) = u'Pu <= size^2, u = arrival_from(z): V falls along every orbit there,
- * looked at on ellipses; V >= u'u.  size 0: none. */
+ * half as fast at least as along those of the linear part, looked at on
+ * ellipses; V >= u'u.  size 0: none. */
 struct trap_form {
     struct vec2 z; /* absolute */
     double pxx, pxy, pyy, size;

@@ -54,22 +54,21 @@ static void add_divergence(const struct planar *sys, const struct curve *c,
     }
 }
 
-/* Whether orbits beside it come nearer, in that direction of time: ln of its
- * multiplier is the integral of the divergence over a round, and is not told
- * from 0 where it is less than a small part of what it is the difference of.
- * True where series are held back: what is so stiff attracts. */
-static bool attracts(const struct plane_study *s, const struct winding *w,
-                     bool stable)
+/* The same of a round from an absolute point; false where series are held back.
+ */
+static bool divergence_round(const struct plane_study *s,
+                             const struct winding *w, struct vec2 z,
+                             bool stable, double sum[2])
 {
     const struct planar *sys = &s->system[!stable];
-    struct taylor_orbit o =
-        taylor_orbit_at(sys, vec2_sub(w->at[0], sys->origin), s->scale.side,
-                        0.01 * TOL_RTOL_DEFAULT);
+    struct taylor_orbit o = taylor_orbit_at(
+        sys, vec2_sub(z, sys->origin), s->scale.side, 0.01 * TOL_RTOL_DEFAULT);
     struct winding round = { .count = 0 };
-    double sum[2] = { 0.0, 0.0 }, theta = 1.0;
+    double theta = 1.0;
     size_t turns = 0, before;
     bool follows = true;
 
+    sum[0] = sum[1] = 0.0;
     while (turns < w->turns && follows) {
         follows = o.curve.count < TOL_PLANE_NO_RETURN &&
                   taylor_orbit_step(&o) == STATUS_OK;
@@ -80,12 +79,44 @@ static bool attracts(const struct plane_study *s, const struct winding *w,
         (void) winding_add(&round, sys, &s->scale, &o.curve, piece, NULL, 0);
         turns += piece > 0 && round.count > before;
         if (turns == w->turns)
-            (void) arrival_nearest(&s->scale, &o.curve, piece, sys->origin,
-                                   w->at[0], HUGE_VAL, &theta);
+            (void) arrival_nearest(&s->scale, &o.curve, piece, sys->origin, z,
+                                   HUGE_VAL, &theta);
         add_divergence(sys, &o.curve, piece, theta, sum);
     }
     taylor_orbit_free(&o);
-    return !follows || sum[0] < -TOL_SAME * sum[1];
+    return follows;
+}
+
+/* Where returns go to whose differences shrink by a factor whose ln is given.
+ */
+static struct vec2 limit_of(const struct plane_study *s,
+                            const struct winding *w, double ln_factor)
+{
+    const struct vec2 step = arrival_from(&s->scale, w->at[0], w->at[w->turns]);
+    const double go = 1.0 / expm1(-ln_factor);
+
+    return vec2_add(w->at[0], (struct vec2){ go * step.x * s->scale.side.x,
+                                             go * step.y * s->scale.side.y });
+}
+
+/* Whether orbits beside it come nearer, in that direction of time: ln of its
+ * multiplier is the integral of the divergence over a round, and is not told
+ * from 0 where it is less than a small part of what it is the difference of.
+ * At a distance d it is ln m + O(d); or, where returns differ by c d^p, p > 1,
+ * -p c d^(p-1), which at the limit that a constant factor would give, d/p, is
+ * at most half of that: m is 1.  True where series are held back: what is so
+ * stiff attracts. */
+static bool attracts(const struct plane_study *s, const struct winding *w,
+                     bool stable)
+{
+    double beside[2], on[2];
+
+    if (!divergence_round(s, w, w->at[0], stable, beside))
+        return true;
+    if (!(beside[0] < -TOL_SAME * beside[1]))
+        return false;
+    return !divergence_round(s, w, limit_of(s, w, beside[0]), stable, on) ||
+           (on[0] < -TOL_SAME * on[1] && on[0] < 0.75 * beside[0]);
 }
 
 /* ---- the list ------------------------------------------------------------ */

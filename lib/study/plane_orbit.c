@@ -58,6 +58,7 @@ struct walk {
     bool lost;       /* it has come to where rounding decides: plane_weak.h */
     int held;        /* steps in turn in which its velocity hardly changed */
     size_t returned; /* the piece on which it returned last */
+    double first, least; /* differences of returns: the first, the least */
     struct taylor_orbit series;
     struct orbit implicit; /* once it is stiff */
     struct winding winding;
@@ -153,6 +154,22 @@ static void keep_rounds(struct walk *w, struct plane_goal *out)
     w->guide->rounds->goal = *out;
 }
 
+/* Whether returns have come so near to each other that rounding brings them
+ * past a closed orbit, and part again. */
+static bool has_slipped_past(struct walk *w)
+{
+    if (w->winding.count < 2)
+        return false;
+    const double gap = vec2_length(
+        arrival_from(&w->s->scale, w->winding.at[0], w->winding.at[1]));
+
+    if (w->winding.count == 2)
+        w->first = w->least = gap;
+    w->least = fmin(w->least, gap);
+    return w->least <= TOL_WINDING_GAP && 2.0 * w->least < w->first &&
+           2.0 * w->least < gap;
+}
+
 /* What the last piece tells. */
 static void look(struct walk *w, const struct vec2 rests[],
                  struct plane_goal *out)
@@ -168,7 +185,10 @@ static void look(struct walk *w, const struct vec2 rests[],
                                     .round = w->winding };
         return;
     }
-    w->returned = w->winding.count > returns ? c->count : w->returned;
+    if (w->winding.count > returns) {
+        w->returned = c->count;
+        w->lost = has_slipped_past(w);
+    }
     const size_t ahead = cycle_ahead(s, &w->winding, !w->backward);
     if (ahead < s->cycles)
         *out = (struct plane_goal){ .kind = PLANE_GOAL_CYCLE,

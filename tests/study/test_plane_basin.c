@@ -293,6 +293,31 @@ static void next_to_a_fold_nothing_is_said(void **state)
     plane_end(&s, &c);
 }
 
+/* r' = r (1 - r^2)^2: orbits come to r = 1 from inside, and leave it outside.
+ */
+static void a_cycle_that_attracts_on_one_side_is_no_attractor(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        plane_run(&s, &c,
+                  i == 0 ? "g = (1 - x^2 - y^2)^2; x' = x*g - y; y' = y*g + x"
+                         : "g = (1 - x^2 - y^2)^2; x' = y - x*g; y' = -y*g - x",
+                  "window={x: [-1.5, 1.5], y: [-1.5, 1.5]}\n"
+                  "products=[basins]\nbasins.audit=40\n");
+        assert_int_equal(s.cycles, 0);
+        const double value =
+                         share_of(&s, i == 0 ? "infinity" : "stable_focus_0")
+                             ->fraction.value,
+                     disc = M_PI / 9.0;
+        CHECK(value <= (i == 0 ? 1.0 - disc : disc), "%g", value);
+        assert_int_equal(s.basin.disagreements, 0);
+        plane_end(&s, &c);
+    }
+}
+
 /* x' > 0 beside x = 0, or beside the centre manifold's origin: no orbit from
  * the left comes to (1, .), though a step may be as long. */
 static void orbits_do_not_step_across_what_is_degenerate(void **state)
@@ -451,6 +476,7 @@ int main(void)
         TEST(rows_of_the_map_agree_with_single_states),
         TEST(a_border_that_ends_flat_is_one),
         TEST(next_to_a_fold_nothing_is_said),
+        TEST(a_cycle_that_attracts_on_one_side_is_no_attractor),
         TEST(orbits_do_not_step_across_what_is_degenerate),
         TEST(orbits_about_a_centre_do_not_leave),
         TEST(closed_orbits_of_a_well_attract_nothing),
