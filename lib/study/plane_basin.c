@@ -9,6 +9,7 @@
 #include "basin.h"
 #include "plane_border.h"
 #include "plane_label.h"
+#include "plane_mosaic.h"
 #include "plane_orbit.h"
 #include "plane_patch.h"
 #include "study_tolerance.h"
@@ -76,29 +77,44 @@ static double thin_part(const struct plane_study *s, const struct area area[])
     return sum;
 }
 
-static void share_out(struct plane_study *s, const struct area area[])
+static void add_area(struct area *sum, struct area a)
+{
+    sum->value += a.value;
+    sum->error += a.error;
+}
+
+static enum status share_out(struct plane_study *s, struct patches *p)
 {
     struct plane_basin *b = &s->basin;
     const struct measure m = measure_of(s);
     const struct box w = s->window.box;
     const double all = measure_between(&m, 0, w.lo.x, w.hi.x) *
                        measure_between(&m, 1, w.lo.y, w.hi.y);
-    double *value = calloc(2 * b->shares, sizeof *value);
+    const struct area *area = p->area;
+    struct area *part = calloc(b->shares, sizeof *part);
     double sum = 0.0, missing = 0.0;
 
-    for (size_t i = 0; i < b->regions.count && value; i++) {
+    if (part == NULL)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < b->regions.count; i++) {
         const int8_t label = b->regions.region[i].label;
-        const size_t k = label < 0 ? b->labels : (size_t) label;
-        value[2 * k] += area[i].value / all;
-        value[2 * k + 1] += area[i].error / all;
-        sum += area[i].value / all;
+        size_t k = 0;
+        while (k < b->mosaics && b->mosaic[k].region != i)
+            k++;
+        if (k < b->mosaics)
+            plane_mosaic_areas(s, p, k, m, part, b->labels);
+        else
+            add_area(&part[label < 0 ? b->labels : (size_t) label], area[i]);
     }
+    for (size_t k = 0; k < b->shares; k++)
+        sum += part[k].value / all;
     missing = fabs(1.0 - sum) + flat_error(s) + thin_part(s, area) / all;
-    for (size_t k = 0; k < b->shares && value; k++)
+    for (size_t k = 0; k < b->shares; k++)
         b->share[k].fraction =
-            quantity_of(fmax(value[2 * k], 0.0),
-                        value[2 * k + 1] + missing + TOL_SHARE_ROUNDING);
-    free(value);
+            quantity_of(fmax(part[k].value / all, 0.0),
+                        part[k].error / all + missing + TOL_SHARE_ROUNDING);
+    free(part);
+    return STATUS_OK;
 }
 
 /* ---- audit --------------------------------------------------------------- */
@@ -196,10 +212,11 @@ static void mark_borders(struct patches *p, struct plane_study *s)
         if (n != band->strands || !(band->hi > w.lo.y && band->lo < w.hi.y))
             continue;
         for (size_t k = 0; k < n; k++) {
-            const int8_t left = p->r->region[band->first + k].label;
-            const int8_t right = p->r->region[band->first + k + 1].label;
-            if (left == right || p->below[k].at < w.lo.x ||
-                p->below[k].at > w.hi.x)
+            const size_t region = band->first + k;
+            const struct vec2 z = { p->below[k].at, y };
+            const int8_t left = plane_mosaic_at(s, region, z, p->below),
+                         right = plane_mosaic_at(s, region + 1, z, p->below);
+            if (left == right || z.x < w.lo.x || z.x > w.hi.x)
                 continue;
             for (size_t j = 0; j < s->basin.borders; j++)
                 s->basin.border[j].divides |=
@@ -269,11 +286,13 @@ static enum status work(struct plane_study *s, struct patches *p,
 
     p->of = calloc(n, sizeof *p->of);
     p->area = calloc(n, sizeof *p->area);
+    p->part = calloc(n, sizeof *p->part);
     p->goal = calloc(n, sizeof *p->goal);
     p->below = calloc(room, sizeof *p->below);
     p->above = calloc(room, sizeof *p->above);
     p->before = calloc(room, sizeof *p->before);
-    if (!p->of || !p->area || !p->goal || !p->below || !p->above || !p->before)
+    if (!p->of || !p->area || !p->part || !p->goal || !p->below || !p->above ||
+        !p->before)
         return STATUS_NO_MEMORY;
     regions_areas(p->r, s->window.box, measure_of(s), p->below, p->area);
     enum status status = plane_label_all(s, p, monitor);
@@ -281,9 +300,10 @@ static enum status work(struct plane_study *s, struct patches *p,
         status = name_shares(s);
     if (status != STATUS_OK)
         return status;
-    share_out(s, p->area);
     mark_borders(p, s);
-    status = mark_flats(s);
+    status = share_out(s, p);
+    if (status == STATUS_OK)
+        status = mark_flats(s);
     if (status == STATUS_OK)
         status = list_boundary(s);
     return status ? status : audit(s, monitor);
@@ -303,6 +323,7 @@ enum status plane_basin_find(struct plane_study *s,
         status = work(s, &p, monitor);
     free(p.of);
     free(p.area);
+    free(p.part);
     free(p.goal);
     free(p.below);
     free(p.above);
@@ -321,8 +342,7 @@ enum status plane_basin_at(const struct plane_study *s, struct vec2 z,
 
     if (c == NULL)
         return STATUS_NO_MEMORY;
-    const int8_t found = b->regions.region[regions_at(&b->regions, z, c)].label;
-    *label = found < 0 ? (int8_t) -1 : found;
+    *label = plane_mosaic_at(s, regions_at(&b->regions, z, c), z, c);
     for (size_t i = 0; i < b->cuts.count; i++)
         if (separatrix_near(&b->cuts, i, z.y, &lo, &hi) && z.x >= lo &&
             z.x <= hi)
@@ -360,14 +380,18 @@ enum status plane_basin_fill(const struct plane_study *s, size_t columns,
         x[i] = plane_basin_cell(s, 0, i, columns, true);
     for (size_t j = 0; j < count; j++)
         y[j] = plane_basin_cell(s, 1, first + j, rows, true);
-    const enum status status = basin_init(
+    enum status status = basin_init(
         &b, &s->basin.regions, &(struct basin_grid){ x, y, columns, count });
     if (status == STATUS_OK) {
         basin_fill(&b, 0, count, out);
-        for (size_t i = 0; i < columns * count; i++)
-            if (out[i] < 0)
-                out[i] = (int8_t) s->basin.labels;
         basin_free(&b);
+    }
+    for (size_t i = 0; i < columns * count && status == STATUS_OK; i++) {
+        const struct vec2 z = { x[i % columns], y[i / columns] };
+        if (out[i] < 0 && s->basin.mosaics > 0)
+            status = plane_basin_at(s, z, &out[i]);
+        if (out[i] < 0)
+            out[i] = (int8_t) s->basin.labels;
     }
     free(x);
     return status;
@@ -379,6 +403,10 @@ void plane_basin_free(struct plane_basin *b)
         for (int k = 0; k < 2; k++)
             branch_free(&b->border[i].half[k]);
     free(b->border);
+    for (size_t i = 0; i < b->mosaics; i++)
+        free(b->mosaic[i].label);
+    free(b->mosaic);
+    free(b->goal);
     regions_free(&b->regions);
     separatrix_free(&b->cuts);
     separatrix_free(&b->columns);

@@ -68,17 +68,21 @@ struct interval_plan *plane_defined_copy(const struct plane_study *s)
     return out;
 }
 
+bool plane_defined_in(struct interval_plan *plan, const struct plane_study *s,
+                      struct box b)
+{
+    const struct interval box[] = { { b.lo.x, b.hi.x }, { b.lo.y, b.hi.y } };
+
+    return s->entire || is_whole(plan, s, box);
+}
+
 bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,
                         struct vec2 z)
 {
-    struct interval box[2];
+    const struct vec2 room = vec2_scale(TOL_PLANE_STILL, s->scale.side);
 
-    for (int i = 0; i < 2; i++) {
-        const double at = part_of(z, i);
-        const double room = TOL_PLANE_STILL * part_of(s->scale.side, i);
-        box[i] = (struct interval){ at - room, at + room };
-    }
-    return s->entire || is_whole(plan, s, box);
+    return plane_defined_in(
+        plan, s, (struct box){ vec2_sub(z, room), vec2_add(z, room) });
 }
 
 /* Whether formulas have values, and no equilibrium is there, if that is not in

@@ -33,6 +33,10 @@ bool plane_defined_moves(struct interval_plan *plan,
                          const struct plane_study *s, const struct curve *c,
                          size_t piece, struct vec2 origin);
 
+/* At all places of a box. */
+bool plane_defined_in(struct interval_plan *plan, const struct plane_study *s,
+                      struct box b);
+
 /* At all places as near to an absolute point as rounding. */
 bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,
                         struct vec2 z);

@@ -9,6 +9,7 @@
 #include "plane_beyond.h"
 #include "plane_border.h"
 #include "plane_cycle.h"
+#include "plane_mosaic.h"
 #include "plane_orbit.h"
 #include "study_tolerance.h"
 
@@ -198,49 +199,28 @@ static bool place_in(const struct inside *in, double part, struct vec2 *z)
     return widest > 0.0;
 }
 
-/* What orbits from all over the region have in common that go beyond the
- * window: there may be borders at infinity that nothing finds. */
+/* Whether orbits from all over the region go there: curves that are not known
+ * may divide it, of what is outside the window. */
 static enum status look_around(struct labelling *l, const struct inside *in,
                                struct plane_goal *goal)
 {
+    static const double part[] = { 0.03, 0.33, 0.67, 0.97 };
     enum status status = STATUS_OK;
     struct plane_goal other;
     double y, lo = 0.0;
 
     for (int i = 0; i < ROWS; i += 5)
-        for (int j = 1; j < 6; j += 2) {
+        for (size_t j = 0; j < sizeof part / sizeof *part; j++) {
             const double width = width_at(in, i, &y, &lo);
-            if (!(width > 0.0) || goal->kind != PLANE_GOAL_BEYOND)
+            if (!(width > 0.0) || goal->kind == PLANE_GOAL_NONE)
                 continue;
-            status = follow(l, (struct vec2){ lo + j / 6.0 * width, y }, true,
+            status = follow(l, (struct vec2){ lo + part[j] * width, y }, true,
                             &other);
             if (status != STATUS_OK)
                 return status;
-            if (other.kind != PLANE_GOAL_NONE && !meet(l->s, goal, &other))
+            if (!meet(l->s, goal, &other))
                 goal->kind = PLANE_GOAL_NONE;
         }
-    return status;
-}
-
-/* The same, where curves that are not known may divide it (plane_border.h), of
- * all orbits, from one row. */
-static enum status look_along(struct labelling *l, const struct inside *in,
-                              struct plane_goal *goal)
-{
-    static const double part[] = { 0.03, 0.17, 0.33, 0.67, 0.83, 0.97 };
-    enum status status = STATUS_OK;
-    struct plane_goal other;
-    struct vec2 z;
-
-    for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
-        if (goal->kind == PLANE_GOAL_NONE || !place_in(in, part[i], &z))
-            break;
-        status = follow(l, z, true, &other);
-        if (status != STATUS_OK)
-            break;
-        if (!meet(l->s, goal, &other))
-            goal->kind = PLANE_GOAL_NONE;
-    }
     return status;
 }
 
@@ -256,11 +236,7 @@ static enum status follow_region(struct labelling *l, size_t region, bool small,
     if (!place_in(&in, off_middle(0.0, 1.0), &z))
         return STATUS_OK;
     enum status status = follow(l, z, !small, goal);
-    if (small)
-        return status;
-    if (status == STATUS_OK && plane_border_is_weak(l->s))
-        status = look_along(l, &in, goal);
-    return status ? status : look_around(l, &in, goal);
+    return status || small ? status : look_around(l, &in, goal);
 }
 
 /* ---- patches ------------------------------------------------------------- */
@@ -294,9 +270,36 @@ static int by_area(const void *a, const void *b)
     return p->patch < q->patch ? -1 : p->patch > q->patch;
 }
 
-static enum status find_goal(struct labelling *l, const struct witnesses *w,
-                             bool small)
+/* Whether the middles of all other regions go there, as far as these are large.
+ */
+static enum status look_on(struct labelling *l, const struct witnesses *w,
+                           double least, struct plane_goal *goal)
 {
+    enum status status = STATUS_OK;
+    struct plane_goal other;
+    struct vec2 z;
+
+    for (size_t i = 0; i < l->p->r->count && status == STATUS_OK; i++) {
+        const struct inside in = region_of(l->p, i);
+        bool seen = goal->kind == PLANE_GOAL_NONE ||
+                    l->p->area[i].value < least ||
+                    plane_patch_of(l->p, i) != w->patch;
+        for (size_t k = 0; k < w->count; k++)
+            seen = seen || w->region[k] == i;
+        if (seen || !place_in(&in, off_middle(0.0, 1.0), &z))
+            continue;
+        status = follow(l, z, true, &other);
+        if (status == STATUS_OK && !meet(l->s, goal, &other))
+            goal->kind = PLANE_GOAL_NONE;
+    }
+    return status;
+}
+
+/* Of a patch, which is small if its area is less than the least. */
+static enum status find_goal(struct labelling *l, const struct witnesses *w,
+                             double least)
+{
+    const bool small = w->area < least;
     struct plane_goal *goal = &l->p->goal[w->patch], other;
     const size_t n = small && w->count > 1 ? 1 : w->count;
     enum status status = STATUS_OK;
@@ -306,9 +309,38 @@ static enum status find_goal(struct labelling *l, const struct witnesses *w,
         if (k > 0 && !meet(l->s, goal, &other))
             goal->kind = PLANE_GOAL_NONE;
     }
+    if (status == STATUS_OK)
+        status = look_on(l, w, least, goal);
     l->done[w->patch] = true;
     if (status == STATUS_OK && goal->kind == PLANE_GOAL_BEYOND)
         status = plane_beyond_add(l->s, &goal->beyond);
+    return status;
+}
+
+static enum status ask(void *ctx, struct vec2 z, struct plane_goal *goal)
+{
+    return follow(ctx, z, false, goal);
+}
+
+/* The large regions of patches that are not of one goal. */
+static enum status divide(struct labelling *l, const struct witnesses w[],
+                          double all, const struct monitor *monitor)
+{
+    const struct patches *p = l->p;
+    enum status status = STATUS_OK;
+
+    l->tiny = false;
+    for (size_t k = 0; k < p->r->count && w[k].area >= TOL_PLANE_LITTLE * all;
+         k++)
+        for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
+            const double part = p->area[i].value / all;
+            if (plane_patch_of(p, i) != w[k].patch || part < TOL_PLANE_LITTLE ||
+                p->goal[w[k].patch].kind != PLANE_GOAL_NONE)
+                continue;
+            status = monitor_tell(monitor, "cells", i, p->r->count)
+                         ? STATUS_STOPPED
+                         : plane_mosaic_add(l->s, l->p, i, part, ask, l);
+        }
     return status;
 }
 
@@ -334,9 +366,9 @@ static enum status find_goals(struct labelling *l, struct witnesses w[],
         l->tiny = w[i].area < TOL_SAME * all;
         status = monitor_tell(monitor, "regions", i, n)
                      ? STATUS_STOPPED
-                     : find_goal(l, &w[i], w[i].area < TOL_PLANE_LITTLE * all);
+                     : find_goal(l, &w[i], TOL_PLANE_LITTLE * all);
     }
-    return status;
+    return status ? status : divide(l, w, all, monitor);
 }
 
 enum status plane_label_all(struct plane_study *s, struct patches *p,
@@ -356,6 +388,8 @@ enum status plane_label_all(struct plane_study *s, struct patches *p,
         const int8_t label = plane_label_of(s, &p->goal[plane_patch_of(p, i)]);
         p->r->region[i].label = label < 0 ? REGION_UNLABELLED : label;
     }
+    if (status == STATUS_OK)
+        plane_mosaic_name(s);
     free(w);
     free(l.done);
     return status;

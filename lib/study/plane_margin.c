@@ -20,29 +20,46 @@ static void find_line(const struct plane_study *s, int axis, double at,
                 axis == 0 ? &s->basin.cuts : &s->basin.columns, at);
 }
 
-/* From `at` to the nearest change, signed; infinite where the window ends
- * before it. */
+/* The label of the region of a place that is one of one fate; below 0: orbits
+ * from there may go to different ones. */
+static int8_t region_of(const struct plane_study *s, struct vec2 z,
+                        struct margin_line *l)
+{
+    const struct regions *r = &s->basin.regions;
+
+    return r->region[regions_at(r, z, l->at + l->room)].label;
+}
+
+/* From z to the nearest change along the line, signed; infinite where the
+ * window ends before it, NaN where there may be another one before it. */
 static double shift_in_window(const struct plane_study *s, int axis,
-                              const struct margin_line *l, double at,
+                              struct margin_line *l, struct vec2 z,
                               double *error)
 {
-    const double shift = margin_at(l, at, error);
-    const double end = at + shift;
+    const double at = part_of(z, axis), shift = margin_at(l, at, error);
+    const double end = at + shift,
+                 past = end + copysign(*error + TOL_SHARE_ROUNDING, shift);
+    const struct vec2 other =
+        axis == 0 ? (struct vec2){ past, z.y } : (struct vec2){ z.x, past };
 
-    return end >= part_of(s->window.box.lo, axis) &&
-                   end <= part_of(s->window.box.hi, axis)
-               ? shift
-               : (double) INFINITY;
+    if (region_of(s, z, l) < 0)
+        return (double) NAN;
+    if (!(end >= part_of(s->window.box.lo, axis) &&
+          end <= part_of(s->window.box.hi, axis)))
+        return (double) INFINITY;
+    return region_of(s, other, l) < 0 ? (double) NAN : shift;
 }
 
 static struct quantity kick_of(const struct plane_study *s, int axis,
-                               const struct margin_line *l, double at)
+                               struct margin_line *l, struct vec2 z)
 {
     double error;
-    const double shift = shift_in_window(s, axis, l, at, &error);
-    const double bar =
-        error + 4.0 * TOL_SHARE_ROUNDING * (1.0 + fabs(at) + fabs(shift));
+    const double shift = shift_in_window(s, axis, l, z, &error);
+    const double bar = error + 4.0 * TOL_SHARE_ROUNDING *
+                                   (1.0 + fabs(part_of(z, axis)) + fabs(shift));
 
+    if (isnan(shift))
+        return quantity_none("where fates change there is not known");
     if (isinf(shift))
         return quantity_none("no other fate in the window along this line");
     if (!(bar <= fabs(shift)))
@@ -71,7 +88,7 @@ enum status plane_margin_at(const struct plane_study *s, struct vec2 z,
         if (!inside || label < 0)
             continue;
         find_line(s, i, part_of(z, 1 - i), &l);
-        kick[i] = kick_of(s, i, &l, part_of(z, i));
+        kick[i] = kick_of(s, i, &l, z);
     }
     margin_free(&l);
     return STATUS_OK;
@@ -94,13 +111,16 @@ enum status plane_margin_fill(const struct plane_study *s, size_t columns,
                       : plane_basin_cell(s, 0, k - count, columns, true);
         find_line(s, axis, at, &l);
         for (size_t i = 0; i < (axis == 0 ? columns : count); i++) {
-            const double here =
-                axis == 0 ? plane_basin_cell(s, 0, i, columns, true)
-                          : plane_basin_cell(s, 1, first + i, rows, true);
+            const struct vec2 here =
+                axis == 0
+                    ? (struct vec2){ plane_basin_cell(s, 0, i, columns, true),
+                                     at }
+                    : (struct vec2){ at, plane_basin_cell(s, 1, first + i, rows,
+                                                          true) };
             const double shift = shift_in_window(s, axis, &l, here, &error);
             const size_t cell =
                 axis == 0 ? k * columns + i : i * columns + (k - count);
-            out[cell].by[axis] = isinf(shift) ? (double) NAN : shift;
+            out[cell].by[axis] = isfinite(shift) ? shift : (double) NAN;
         }
     }
     margin_free(&l);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "plane_defined.h"
 #include "study_tolerance.h"
 
 size_t plane_patch_of(const struct patches *p, size_t i)
@@ -70,7 +71,7 @@ static double open_part(const struct separatrix *c, double row, double next,
     return part;
 }
 
-/* Regions of two bands that meet. */
+/* Regions of two bands that meet where formulas have values. */
 static void join_bands(struct patches *p, const struct band *lower,
                        const struct band *upper)
 {
@@ -91,7 +92,9 @@ static void join_bands(struct patches *p, const struct band *lower,
                                  sure_end(p, p->above, n, j, 1.0));
         const double right = fmin(sure_end(p, p->below, m, k + 1, -1.0),
                                   sure_end(p, p->above, n, j + 1, -1.0));
-        if (open_part(c, lower->hi, upper->lo, left, right) > least)
+        const struct box door = { { left, lower->hi }, { right, upper->lo } };
+        if (open_part(c, lower->hi, upper->lo, left, right) > least &&
+            plane_defined_in(p->s->plan, p->s, door))
             join(p, lower->first + k, upper->first + j);
         k += below <= above;
         j += above <= below;

@@ -10,8 +10,8 @@ struct patches {
     const struct plane_study *s;
     struct regions *r;
     size_t *of;
-    struct area *area;
-    struct plane_goal *goal; /* of the first regions */
+    struct area *area, *part; /* in the window, and in a part of it */
+    struct plane_goal *goal;  /* of the first regions */
     struct crossing *below, *above, *before;
 };
 

@@ -150,6 +150,14 @@ struct plane_boundary {
     const char *of; /* borrowed */
 };
 
+/* The cells of a region within which orbits go to different attractors:
+ * plane_mosaic.h. */
+struct plane_mosaic {
+    size_t region;
+    int n;         /* cells a side */
+    int8_t *label; /* owned; n x n, by rows; -1: not known */
+};
+
 /* Shares that are no equilibrium's. */
 struct plane_elsewhere {
     struct quantity infinity, outside, singularity, cycles, undecided;
@@ -161,6 +169,10 @@ struct plane_basin {
     struct separatrix cuts;    /* of all of them; along y */
     struct separatrix columns; /* the same along x */
     struct regions regions;
+    struct plane_mosaic *mosaic; /* owned */
+    size_t mosaics, mosaic_room;
+    struct plane_goal *goal; /* owned: of the cells of mosaics */
+    size_t goals, goal_room;
     struct plane_share *share;       /* owned; by label */
     const char **name;               /* owned; their names, NULL-ended */
     size_t labels, shares;           /* shares: and "undecided" */

@@ -56,16 +56,19 @@
  * steps in turn are HELD to where the velocity changes by less than that part
  * of itself, or so many did not bring it round; steps of all orbits, for labels
  * and for audits. */
-#define TOL_PLANE_WORK       400000
+#define TOL_PLANE_WORK       200000
 #define TOL_PLANE_HELD       1e-2
 #define TOL_PLANE_HELD_STEPS 64
 #define TOL_PLANE_NO_RETURN  1000
 
 /* Basins of such planes, of cycles that are kept to TOL_RTOL_DEFAULT: copies of
  * a curve of an angle; how much further than before a curve may go in a gap
- * (plane_patch.c). */
+ * (plane_patch.c); sides of the first and of the last cells of a region that
+ * is parted (plane_mosaic.h). */
 #define TOL_PLANE_TURNS 50.0
 #define TOL_PLANE_FLAT  16.0
+#define TOL_PLANE_CELLS 0x1p-4
+#define TOL_PLANE_CELL  0x1p-8
 
 /* Sensitivities: parameters are moved by this part of themselves, so that a
  * difference is off by 1e-18 third derivatives and by 1e9 bars of numbers that
