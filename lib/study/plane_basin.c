@@ -108,7 +108,8 @@ static enum status share_out(struct plane_study *s, struct patches *p)
     }
     for (size_t k = 0; k < b->shares; k++)
         sum += part[k].value / all;
-    missing = fabs(1.0 - sum) + flat_error(s) + thin_part(s, area) / all;
+    missing =
+        fabs(1.0 - sum) + flat_error(s) + thin_part(s, area) / all + b->shut;
     for (size_t k = 0; k < b->shares; k++)
         b->share[k].fraction =
             quantity_of(fmax(part[k].value / all, 0.0),

@@ -5,6 +5,7 @@
 
 #include "margin.h"
 #include "plane_basin.h"
+#include "plane_patch.h"
 #include "study_tolerance.h"
 
 static double part_of(struct vec2 z, int axis)
@@ -30,24 +31,90 @@ static int8_t region_of(const struct plane_study *s, struct vec2 z,
     return r->region[regions_at(r, z, l->at + l->room)].label;
 }
 
+static struct vec2 moved(struct vec2 z, int axis, double to)
+{
+    return axis == 0 ? (struct vec2){ to, z.y } : (struct vec2){ z.x, to };
+}
+
+/* How far it is, up or down a column, to a door (plane_patch.h) that is shut.
+ */
+static double door_at(const struct plane_study *s, struct margin_line *l,
+                      struct vec2 z, int way)
+{
+    const struct regions *r = &s->basin.regions;
+    const struct box w = s->window.box;
+    const double in = TOL_SAME * s->scale.side.y;
+    const int8_t own = region_of(s, z, l);
+    double nearest = HUGE_VAL;
+
+    for (size_t i = 0; i < r->bands; i++) {
+        const double edge = way > 0 ? r->band[i].lo : r->band[i].hi;
+        const double d = way * (edge - z.y), y = edge + way * in;
+        if (d > 0.0 && y > w.lo.y && y < w.hi.y &&
+            plane_patch_is_door(s, &r->band[i]) &&
+            region_of(s, moved(z, 1, y), l) != own)
+            nearest = fmin(nearest, d + 2.0 * in);
+    }
+    return nearest;
+}
+
+/* Towards one side: how far it is to where fates change, and whereto one goes
+ * from there; where one goes oneself: it is outside the window.  Infinite where
+ * there is none. */
+static double change_at(const struct plane_study *s, int axis,
+                        struct margin_line *l, struct vec2 z, int way,
+                        int8_t *label, double *error)
+{
+    const double at = part_of(z, axis),
+                 edge = part_of(way > 0 ? s->window.box.hi : s->window.box.lo,
+                                axis);
+    const double door =
+        axis == 1 && s->basin.shut > 0.0 ? door_at(s, l, z, way) : HUGE_VAL;
+    const int8_t own = region_of(s, z, l);
+
+    for (size_t i = 0; i < l->count; i++) {
+        const struct crossing *c = &l->at[way > 0 ? i : l->count - 1 - i];
+        const double d = way * (c->at - at);
+        const double next = i + 1 < l->count ? c[way].at : edge;
+        if (d < 0.0)
+            continue;
+        if (d > door)
+            break;
+        *error = c->error;
+        *label = own;
+        if (way * (edge - c->at) < 0.0)
+            return d;
+        *label = region_of(
+            s,
+            moved(z, axis,
+                  0.5 * (c->at + (way * (next - edge) < 0.0 ? next : edge))),
+            l);
+        if (*label != own)
+            return d;
+    }
+    *label = -1;
+    return door;
+}
+
 /* From z to the nearest change along the line, signed; infinite where the
  * window ends before it, NaN where there may be another one before it. */
 static double shift_in_window(const struct plane_study *s, int axis,
                               struct margin_line *l, struct vec2 z,
                               double *error)
 {
-    const double at = part_of(z, axis), shift = margin_at(l, at, error);
-    const double end = at + shift,
-                 past = end + copysign(*error + TOL_SHARE_ROUNDING, shift);
-    const struct vec2 other =
-        axis == 0 ? (struct vec2){ past, z.y } : (struct vec2){ z.x, past };
+    double off[2] = { HUGE_VAL, HUGE_VAL };
+    int8_t label[2] = { -1, -1 };
+    const double down = change_at(s, axis, l, z, -1, &label[0], &off[0]);
+    const double up = change_at(s, axis, l, z, 1, &label[1], &off[1]);
+    const bool is_up = !(down < up);
+    const int8_t own = region_of(s, z, l);
 
-    if (region_of(s, z, l) < 0)
+    *error = off[is_up];
+    if (own < 0 || (fmin(down, up) < HUGE_VAL && label[is_up] < 0))
         return (double) NAN;
-    if (!(end >= part_of(s->window.box.lo, axis) &&
-          end <= part_of(s->window.box.hi, axis)))
+    if (label[is_up] == own)
         return (double) INFINITY;
-    return region_of(s, other, l) < 0 ? (double) NAN : shift;
+    return is_up ? up : -down;
 }
 
 static struct quantity kick_of(const struct plane_study *s, int axis,

@@ -71,6 +71,32 @@ static double open_part(const struct separatrix *c, double row, double next,
     return part;
 }
 
+static struct box taller(struct box b, double by)
+{
+    b.lo.y -= by;
+    b.hi.y += by;
+    return b;
+}
+
+/* Whether formulas have values in a door and about it: a curve ends before an
+ * edge of theirs.  One that is shut may be so anywhere up to there. */
+static bool is_open(struct patches *p, struct box door)
+{
+    const struct plane_study *s = p->s;
+    double reach = TOL_SAME * s->scale.side.y;
+
+    if (plane_defined_in(s->plan, s, taller(door, reach)))
+        return true;
+    while (reach > TOL_SHARE_ROUNDING * s->scale.side.y &&
+           !plane_defined_in(s->plan, s, taller(door, 0.5 * reach)))
+        reach *= 0.5;
+    door = taller(door, reach);
+    const struct vec2 d = vec2_sub(window_unit(&s->window, door.hi),
+                                   window_unit(&s->window, door.lo));
+    p->s->basin.shut += fabs(d.x * d.y);
+    return false;
+}
+
 /* Regions of two bands that meet where formulas have values. */
 static void join_bands(struct patches *p, const struct band *lower,
                        const struct band *upper)
@@ -94,7 +120,7 @@ static void join_bands(struct patches *p, const struct band *lower,
                                   sure_end(p, p->above, n, j + 1, -1.0));
         const struct box door = { { left, lower->hi }, { right, upper->lo } };
         if (open_part(c, lower->hi, upper->lo, left, right) > least &&
-            plane_defined_in(p->s->plan, p->s, door))
+            is_open(p, door))
             join(p, lower->first + k, upper->first + j);
         k += below <= above;
         j += above <= below;

@@ -7,7 +7,7 @@
 
 /* Regions and which belong together: of[i] <= i, of[i] == i for the first. */
 struct patches {
-    const struct plane_study *s;
+    struct plane_study *s;
     struct regions *r;
     size_t *of;
     struct area *area, *part; /* in the window, and in a part of it */

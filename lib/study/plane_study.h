@@ -169,6 +169,8 @@ struct plane_basin {
     struct separatrix cuts;    /* of all of them; along y */
     struct separatrix columns; /* the same along x */
     struct regions regions;
+    double shut; /* part of the window that may be on either side of a door
+                    (plane_patch.c) that is shut */
     struct plane_mosaic *mosaic; /* owned */
     size_t mosaics, mosaic_room;
     struct plane_goal *goal; /* owned: of the cells of mosaics */

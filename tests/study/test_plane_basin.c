@@ -420,6 +420,7 @@ static void where_the_field_ends_is_not_infinity(void **state)
         { "x' = -1/x; y' = -y", 1.0, 0.0 },
         { "x' = -x + 1/(1 - x); y' = -y", 1.0, 0.0 },
         { "x' = sqrt(x) - 1; y' = -y", 0.75, 0.25 },
+        { "x' = sqrt(x) - 1; y' = -ln(y + 1)", 0.8125, 0.1875 },
         { "x' = tan(x); y' = -y", 1.0, 0.0 },
         { "x' = 1/(1 + x^2); y' = -y", 0.0, 1.0 },
     };
@@ -427,7 +428,7 @@ static void where_the_field_ends_is_not_infinity(void **state)
     struct scene c;
 
     (void) state;
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 6; i++) {
         plane_run(&s, &c, at[i].ode, WINDOW);
         if (at[i].singular > 0.0)
             has_share(&s, "singularity", at[i].singular, 1e-12);

@@ -46,6 +46,24 @@ static void a_bent_border_is_as_far_as_it_is(void **state)
     plane_end(&s, &c);
 }
 
+/* Where formulas end, at y = 0, is no curve that is known; x = 1 is one. */
+static void beside_what_is_not_known_no_kick_is_told(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+    struct quantity kick[2];
+    const struct vec2 z = { 1.9, 0.5 };
+
+    (void) state;
+    plane_run(&s, &c, "x' = sqrt(x) - 1; y' = -ln(y)",
+              "window={x: [-2, 2], y: [-2, 2]}\nproducts=[basins]\n");
+    assert_int_equal(plane_margin_at(&s, z, kick), STATUS_OK);
+    is_near(&kick[0], -0.9, "x", z);
+    assert_string_equal(kick[1].reason,
+                        "where fates change there is not known");
+    plane_end(&s, &c);
+}
+
 /* A switch of two genes that are alike: u = v divides it; factors. */
 static void of_positive_states_it_is_a_factor(void **state)
 {
@@ -123,6 +141,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_bent_border_is_as_far_as_it_is),
+        cmocka_unit_test(beside_what_is_not_known_no_kick_is_told),
         cmocka_unit_test(of_positive_states_it_is_a_factor),
         cmocka_unit_test(what_does_not_exist_has_a_reason),
         cmocka_unit_test(the_map_says_the_same),
