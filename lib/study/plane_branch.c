@@ -90,7 +90,7 @@ static void break_off(const struct following *f, struct half *h,
 
     h->theta = d == PLANE_DEFINED ? 1.0 : theta;
     h->broken = d != PLANE_DEFINED;
-    if (d == PLANE_DEFINED_UP_TO)
+    if (d == PLANE_DEFINED_BREAKS)
         h->end = PLANE_END_SINGULARITY;
     if (!plane_weak_along(f->s, &b->curve, last, f->from->z, touch, &theta) ||
         theta > h->theta)
@@ -151,28 +151,12 @@ static struct vec2 point(const struct plane_branch *b, const struct vec2 origin,
     return vec2_add(origin, (struct vec2){ at[0], at[1] });
 }
 
-/* The window; an angle is in it wherever it is. */
-static struct box shown_box(const struct plane_study *s)
-{
-    struct box w = s->window.box;
-
-    if (s->scale.period.x > 0.0) {
-        w.lo.x = -HUGE_VAL;
-        w.hi.x = HUGE_VAL;
-    }
-    if (s->scale.period.y > 0.0) {
-        w.lo.y = -HUGE_VAL;
-        w.hi.y = HUGE_VAL;
-    }
-    return w;
-}
-
 /* Up to where it last leaves the window, for good. */
 static void find_shown(const struct plane_study *s, struct plane_branch *b)
 {
     enum { SAMPLES = 32 };
     const struct vec2 origin = s->rest[b->rest].z;
-    const struct box w = shown_box(s);
+    const struct box w = plane_study_box(s);
 
     for (size_t i = b->curve.curve.count; i-- > 0;) {
         if (!escape_may_touch(&b->curve.curve, i, origin, w))
@@ -262,19 +246,6 @@ static void look_for_trap(const struct plane_study *s,
     }
 }
 
-/* Whether orbits on it go to its end: a curve runs through an equilibrium that
- * is outside the window and so is not known, where theirs end. */
-static bool is_on_its_way(const struct plane_study *s,
-                          const struct plane_branch *b)
-{
-    const struct curve *c = &b->curve.curve;
-    bool moves = true;
-
-    for (size_t i = 0; i < c->count && moves; i++)
-        moves = plane_defined_moves(s->plan, s, c, i, s->rest[b->rest].z);
-    return moves;
-}
-
 static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
                      struct half *h)
 {
@@ -285,9 +256,10 @@ static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
         h->end = PLANE_END_SINGULARITY;
     if (h->end >= 0)
         return h->end;
-    if (b->curve.end == BRANCH_DOMAIN && is_on_its_way(s, b))
+    if (b->curve.end == BRANCH_DOMAIN)
         return PLANE_END_INFINITY;
-    return box_holds(shown_box(s), last_point(s, b)) ? -1 : PLANE_END_EDGE;
+    return box_holds(plane_study_box(s), last_point(s, b)) ? -1
+                                                           : PLANE_END_EDGE;
 }
 
 static enum status settle(struct plane_study *s, struct plane_branch *b,

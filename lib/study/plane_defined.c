@@ -61,7 +61,7 @@ enum status plane_defined_plan(struct plane_study *s, struct fault *why)
 
 struct interval_plan *plane_defined_copy(const struct plane_study *s)
 {
-    struct interval_plan *out = s->entire ? NULL : malloc(sizeof *out);
+    struct interval_plan *out = malloc(sizeof *out);
 
     if (out)
         memcpy(out, s->plan, sizeof *out);
@@ -90,11 +90,13 @@ bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,
 static bool is_moving(struct interval_plan *p, const struct plane_study *s,
                       const struct interval chart[2])
 {
-    const struct box w = s->window.box;
+    const struct box w = plane_study_box(s);
     const struct vec2 lo = { chart[0].lo, chart[1].lo },
                       hi = { chart[0].hi, chart[1].hi };
     bool moves = box_holds(w, lo) && box_holds(w, hi);
 
+    if (moves && s->entire)
+        return true;
     if (!is_whole(p, s, chart))
         return false;
     for (int i = 0; i < 2; i++) {
@@ -122,15 +124,10 @@ static struct interval range_of(const double *coef, size_t degree, double lo,
     return (struct interval){ at - off, at + off };
 }
 
-typedef bool holds_over(struct interval_plan *, const struct plane_study *,
-                        const struct interval[2]);
-
-/* Whether that holds on all parts of a piece. */
-static enum plane_defined look_along(holds_over *holds,
-                                     struct interval_plan *plan,
-                                     const struct plane_study *s,
-                                     const struct curve *c, size_t piece,
-                                     struct vec2 origin, double *theta)
+enum plane_defined plane_defined_along(struct interval_plan *plan,
+                                       const struct plane_study *s,
+                                       const struct curve *c, size_t piece,
+                                       struct vec2 origin, double *theta)
 {
     enum { WORK = 1000, DEPTH = 40 };
     const size_t degree = c->piece[piece].degree;
@@ -146,12 +143,13 @@ static enum plane_defined look_along(holds_over *holds,
                                       degree, lo, lo + width));
         }
         *theta = lo;
-        if (holds(plan, s, box)) {
+        if (is_moving(plan, s, box)) {
             lo += width;
             while (lo < 1.0 && fmod(lo, 2.0 * width) <= 0.0)
                 width *= 2.0;
         } else if (width < ldexp(1.0, -DEPTH)) {
-            return PLANE_DEFINED_UP_TO;
+            return is_whole(plan, s, box) ? PLANE_DEFINED_RESTS
+                                          : PLANE_DEFINED_BREAKS;
         } else if (work > WORK) {
             return PLANE_DEFINED_UNKNOWN;
         } else {
@@ -159,23 +157,4 @@ static enum plane_defined look_along(holds_over *holds,
         }
     }
     return PLANE_DEFINED;
-}
-
-enum plane_defined plane_defined_along(struct interval_plan *plan,
-                                       const struct plane_study *s,
-                                       const struct curve *c, size_t piece,
-                                       struct vec2 origin, double *theta)
-{
-    return s->entire ? PLANE_DEFINED
-                     : look_along(is_whole, plan, s, c, piece, origin, theta);
-}
-
-bool plane_defined_moves(struct interval_plan *plan,
-                         const struct plane_study *s, const struct curve *c,
-                         size_t piece, struct vec2 origin)
-{
-    double theta;
-
-    return look_along(is_moving, plan, s, c, piece, origin, &theta) ==
-           PLANE_DEFINED;
 }

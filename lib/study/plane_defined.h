@@ -1,5 +1,6 @@
-/* plane_defined.h -- whether a plane's formulas have values all along a curve,
- * by intervals: a step may jump over a pole. */
+/* plane_defined.h -- whether orbits get on all along a curve, by intervals: a
+ * step may jump over a pole, or, outside the window, over an equilibrium that
+ * is not known. */
 #ifndef STUDY_PLANE_DEFINED_H
 #define STUDY_PLANE_DEFINED_H
 
@@ -11,27 +12,22 @@
 MUST_CHECK enum status plane_defined_plan(struct plane_study *s,
                                           struct fault *why);
 
-/* A copy of s->plan, or NULL where s->entire, or no memory. */
+/* A copy of s->plan, or NULL. */
 struct interval_plan *plane_defined_copy(const struct plane_study *s);
 
 enum plane_defined {
     PLANE_DEFINED,
-    PLANE_DEFINED_UP_TO,
+    PLANE_DEFINED_BREAKS, /* formulas have no values there */
+    PLANE_DEFINED_RESTS,  /* an equilibrium may be there */
     PLANE_DEFINED_UNKNOWN
 };
 
-/* On a piece of a curve of offsets from an origin: everywhere, up to theta, or
- * too much work to tell.  Everywhere, where there is no plan. */
+/* On a piece of a curve of offsets from an origin: they do everywhere, or what
+ * there is at theta, or it is too much work to tell. */
 enum plane_defined plane_defined_along(struct interval_plan *plan,
                                        const struct plane_study *s,
                                        const struct curve *c, size_t piece,
                                        struct vec2 origin, double *theta);
-
-/* Whether orbits get on all along it, outside the window: that no equilibrium
- * is there is proved. */
-bool plane_defined_moves(struct interval_plan *plan,
-                         const struct plane_study *s, const struct curve *c,
-                         size_t piece, struct vec2 origin);
 
 /* At all places of a box. */
 bool plane_defined_in(struct interval_plan *plan, const struct plane_study *s,

@@ -209,8 +209,22 @@ static void break_off(struct plane_goal *out)
                                 .beyond = { .rests = true, .breaks = true } };
 }
 
-/* Whether formulas have values all along the last piece, and it passes nothing
- * that may stop it. */
+/* At an equilibrium outside the window, if it is at rest there. */
+static void come_to_rest(struct walk *w, double theta, struct plane_goal *out)
+{
+    const struct curve *c = curve_of(w);
+    double at[CURVE_DIM_MAX];
+    struct plane_beyond end;
+
+    curve_at(c, c->count - 1, theta, at);
+    const struct vec2 z =
+        vec2_add(w->system->origin, (struct vec2){ at[0], at[1] });
+    if (plane_beyond_at(w->s, z, w->backward, false, &end))
+        *out = (struct plane_goal){ .kind = PLANE_GOAL_BEYOND, .beyond = end };
+}
+
+/* Whether orbits get on all along the last piece, and it passes nothing that
+ * may stop it. */
 static bool goes_on(struct walk *w, struct plane_goal *out)
 {
     const struct curve *c = curve_of(w);
@@ -220,8 +234,10 @@ static bool goes_on(struct walk *w, struct plane_goal *out)
 
     w->broken = d != PLANE_DEFINED;
     w->escape.left = w->escape.left && d == PLANE_DEFINED;
-    if (d == PLANE_DEFINED_UP_TO)
+    if (d == PLANE_DEFINED_BREAKS)
         break_off(out);
+    if (d == PLANE_DEFINED_RESTS)
+        come_to_rest(w, theta, out);
     w->lost = plane_weak_along(w->s, c, c->count - 1, w->system->origin,
                                TOL_PLANE_LITTLE, &theta);
     return d == PLANE_DEFINED && !w->lost;
@@ -283,8 +299,7 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
                       .guide = guide,
                       .plan = plane_defined_copy(s) };
     struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
-    enum status status =
-        rests && (w.plan || s->entire) ? STATUS_OK : STATUS_NO_MEMORY;
+    enum status status = rests && w.plan ? STATUS_OK : STATUS_NO_MEMORY;
 
     *out = (struct plane_goal){ .kind = PLANE_GOAL_NONE };
     for (size_t i = 0; i < s->rests && rests; i++)

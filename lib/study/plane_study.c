@@ -137,6 +137,21 @@ static double fastest(const struct plane_study *s)
     return isfinite(rate) && rate > 0.0 ? rate : 1.0;
 }
 
+struct box plane_study_box(const struct plane_study *s)
+{
+    struct box w = s->window.box;
+
+    if (s->scale.period.x > 0.0) {
+        w.lo.x = -HUGE_VAL;
+        w.hi.x = HUGE_VAL;
+    }
+    if (s->scale.period.y > 0.0) {
+        w.lo.y = -HUGE_VAL;
+        w.hi.y = HUGE_VAL;
+    }
+    return w;
+}
+
 /* ---- portrait ------------------------------------------------------------ */
 
 /* Where orbits in this direction of time may arrive. */

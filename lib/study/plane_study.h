@@ -254,6 +254,9 @@ MUST_CHECK enum status plane_study_about(
     const struct plane_study *s, bool equilibrium, const formula_real at[2],
     struct tape_plane plane[2], struct planar system[2], struct fault *why);
 
+/* The window; an angle is in it wherever it is. */
+struct box plane_study_box(const struct plane_study *s);
+
 /* A coordinate of the chart as the state that it is, and the way back. */
 double plane_state(const struct plane_study *s, int axis, double z);
 double plane_chart(const struct plane_study *s, int axis, double state);

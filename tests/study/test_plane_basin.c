@@ -492,6 +492,33 @@ static void manifolds_end_at_what_comes_first(void **state)
     }
 }
 
+/* The pendulum's saddles beyond the window, to which curves go, are not the one
+ * they come from; orbits to (3, 0), from the left, do not step across. */
+static void outside_the_window_nothing_passes_an_equilibrium(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = y; y' = -sin(x)",
+              "window={x: [-4, 4], y: [-3, 3]}\nproducts=[manifolds]\n");
+    for (int k = 0; k < 2; k++) {
+        const struct plane_branch *b =
+            plane_branch_of(&s, 1, MANIFOLD_STABLE, k);
+        assert_int_equal(b->end, k ? PLANE_END_SADDLE : PLANE_END_EDGE);
+        CHECK(b->length.value < 8.0, "%g", b->length.value);
+    }
+    plane_end(&s, &c);
+    plane_run(&s, &c, "x' = (x - 3)^2*(x + 1); y' = -y",
+              "window={x: [-2, 2], y: [-1, 1]}\nproducts=[basins]\n"
+              "basins.audit=10\n");
+    assert_int_equal(plane_branch_of(&s, 0, MANIFOLD_UNSTABLE, 0)->end,
+                     PLANE_END_EDGE);
+    has_share(&s, "x_to_-infinity", 0.25, 1e-12);
+    has_share(&s, "infinity", 0.0, 1e-12);
+    plane_end(&s, &c);
+}
+
 /* Whose orbits nearly all close: the integral of the divergence round them is
  * 0, though rounding may bring them nearer to each other. */
 static void closed_orbits_of_a_well_attract_nothing(void **state)
@@ -537,6 +564,7 @@ int main(void)
         TEST(where_the_field_ends_is_not_infinity),
         TEST(manifolds_do_not_cross_poles),
         TEST(manifolds_end_at_what_comes_first),
+        TEST(outside_the_window_nothing_passes_an_equilibrium),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
