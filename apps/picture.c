@@ -23,21 +23,14 @@ enum ground { GROUND_BASINS, GROUND_FIELD, GROUND_MARGIN };
 
 struct picture {
     const struct study *s;
-    struct figure *figure; /* borrowed */
-    struct mat2 basis;     /* eigenvectors, for eigen axes */
+    struct figure *figure;  /* borrowed */
+    struct eigen_view view; /* of eigen axes */
     enum axes axes;
     struct picture_raster raster; /* owned; empty: no image below */
     enum ground ground;           /* shown now */
     enum cell_field field;
     enum basin_axis margin;
 };
-
-/* Eigenvectors as columns, both with x-component 1: (x, y) = P (X, Y), (36). */
-static struct mat2 paper_basis(const struct equilibrium *e)
-{
-    const struct mat2 P = eigen_basis(e);
-    return (struct mat2){ 1.0, 1.0, P.yx / P.xx, P.yy / P.xy };
-}
 
 /* From (v, psi) to what the axes show; psi that is a logarithm as e^psi. */
 static struct vec2 shown_value(const struct picture *p, struct vec2 u)
@@ -56,7 +49,7 @@ static struct vec2 shown(const struct picture *p, struct vec2 z)
     const struct block *b = &p->s->slider.block;
 
     if (p->axes == AXES_EIGEN)
-        return eigen_coordinates(p->basis, z);
+        return eigen_coordinates(p->view.basis, z);
     const double y = b->at.y0 + z.y;
     return shown_value(
         p,
@@ -88,23 +81,18 @@ static void labels(const struct picture *p, char *x, char *y, size_t size)
                                          : "interfacial state " S_PSI);
 }
 
-/* The window's corners on the axes; for eigen axes a square around the saddle
- * that holds both critical velocities. */
+/* The window's corners on the axes; for eigen axes a square around the saddle.
+ */
 static struct box frame(const struct picture *p)
 {
-    const struct study *s = p->s;
-    const struct scene_window *w = &s->scene->window;
+    const struct scene_window *w = &p->s->scene->window;
 
     if (p->axes != AXES_EIGEN)
         return (
             struct box){ shown_value(p, (struct vec2){ w->v[0], w->psi[0] }),
                          shown_value(p, (struct vec2){ w->v[1], w->psi[1] }) };
-    double reach = 1.0;
-    for (int i = 0; i < SIDES; i++)
-        if (s->stable[i].curve.count > 0)
-            reach = fmax(reach, fabs(s->stable[i].limit.x));
-    reach *= 1.5;
-    return (struct box){ { -reach, -reach }, { reach, reach } };
+    return (struct box){ { -p->view.reach, -p->view.reach },
+                         { p->view.reach, p->view.reach } };
 }
 
 static void start_figure(struct picture *p)
@@ -361,26 +349,21 @@ static void add_taylor(struct picture *p)
         picture_add_taylor(p->s, shown_plain, p, p->figure);
 }
 
-/* Labels of points of the drawing along eigenvectors. */
+/* Of eigen axes, NULL: the scene's window. */
+static const struct eigen_view *view_of(const struct picture *p)
+{
+    return p->axes == AXES_EIGEN ? &p->view : NULL;
+}
+
 static enum status label_eigen(const struct picture *p, size_t columns,
                                size_t rows, int8_t label[])
 {
-    const struct box w = frame(p);
-    enum status status = STATUS_OK;
+    struct vec2 *z = eigen_view_states(&p->view, columns, rows);
+    const enum status status =
+        z ? eigen_view_labels(p->s, z, columns * rows, label)
+          : STATUS_NO_MEMORY;
 
-    for (size_t i = 0; i < columns * rows && status == STATUS_OK; i++) {
-        const struct vec2 unit = {
-            ((double) (i % columns) + 0.5) / (double) columns,
-            ((double) (i / columns) + 0.5) / (double) rows
-        };
-        struct fate_told told = { .fate = FATE_UNDECIDED };
-        const struct vec2 u = window_mix(w, unit);
-        const struct mat2 P = p->basis;
-        const struct vec2 z = { P.xx * u.x + P.xy * u.y,
-                                P.yx * u.x + P.yy * u.y };
-        status = labels_find(&p->s->basins.labels, z, NULL, &told);
-        label[i] = told.fate;
-    }
+    free(z);
     return status;
 }
 
@@ -419,7 +402,7 @@ static void add_ground(struct picture *p)
     if (p->ground == GROUND_FIELD)
         picture_add_field(&p->raster, p->field, &units, p->figure);
     else if (p->ground == GROUND_MARGIN)
-        picture_add_margin(p->s, p->margin, p->figure);
+        picture_add_margin(p->s, view_of(p), p->margin, p->figure);
     else if (plan_has(p->s->stages, STAGE_BASINS))
         add_basins(p);
 }
@@ -431,10 +414,6 @@ static void draw_portrait(struct picture *p)
                               add_trajectories, add_unstable, add_nullclines,
                               add_manifolds,    add_chosen,   add_equilibria };
 
-    if (slider_saddle(&p->s->slider) >= 0)
-        p->basis = paper_basis(phase_plane_saddle(&p->s->slider.plane));
-    else if (p->axes == AXES_EIGEN)
-        p->axes = AXES_LOG; /* nothing to be eigen about */
     start_figure(p);
     for (size_t i = 0; i < sizeof layer / sizeof *layer; i++)
         layer[i](p);
@@ -452,7 +431,8 @@ static void draw_panel(struct picture *p, enum ground ground, const char *name,
 static void draw_fields(struct picture *p, const struct monitor *monitor,
                         struct panels *out)
 {
-    const enum status status = picture_raster_find(&p->raster, p->s, monitor);
+    const enum status status =
+        picture_raster_find(&p->raster, p->s, view_of(p), monitor);
 
     for (int k = 0; k < CELL_FIELDS; k++) {
         p->field = (enum cell_field) k;
@@ -474,17 +454,21 @@ static void draw_margins(struct picture *p, struct panels *out)
     }
 }
 
-/* Each field, the map, each margin; eigen axes have the map alone. */
+/* Each field, the map, each margin. */
 void picture_study(const struct study *s, const struct monitor *monitor,
                    struct panels *out)
 {
     struct picture p = { .s = s, .axes = s->scene->window.axes };
-    const bool grid = plan_has(s->stages, STAGE_BASINS) && p.axes != AXES_EIGEN;
+    const bool grid = plan_has(s->stages, STAGE_BASINS);
 
     if (picture_has_diagram(s)) {
         picture_diagram(s, panels_add(out, ""));
         return;
     }
+    if (slider_saddle(&s->slider) >= 0)
+        p.view = eigen_view_of(s);
+    else if (p.axes == AXES_EIGEN)
+        p.axes = AXES_LOG; /* nothing to be eigen about */
     if (grid && s->fields.which != 0)
         draw_fields(&p, monitor, out);
     draw_panel(&p, GROUND_BASINS, "_basins", out);

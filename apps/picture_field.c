@@ -24,7 +24,28 @@ static const struct {
                        AT(mu_peak) },
 };
 
+/* State by state. */
+static enum status fill_eigen(struct picture_raster *r, const struct study *s,
+                              const struct eigen_view *view,
+                              const struct monitor *monitor)
+{
+    const size_t n = r->columns * r->rows;
+    struct vec2 *z = eigen_view_states(view, r->columns, r->rows);
+    int8_t *label = malloc(n);
+    enum status status =
+        z && label ? eigen_view_labels(s, z, n, label) : STATUS_NO_MEMORY;
+
+    for (size_t i = 0; i < n && status == STATUS_OK; i++)
+        z[i] = vec2_add(z[i], s->slider.plane.system.origin);
+    if (status == STATUS_OK)
+        status = fields_states(&s->fields, z, label, n, monitor, r->cell);
+    free(z);
+    free(label);
+    return status;
+}
+
 enum status picture_raster_find(struct picture_raster *r, const struct study *s,
+                                const struct eigen_view *view,
                                 const struct monitor *monitor)
 {
     enum { COLUMNS = 144, ROWS = 96 };
@@ -33,9 +54,11 @@ enum status picture_raster_find(struct picture_raster *r, const struct study *s,
     r->columns = m->columns < COLUMNS ? m->columns : COLUMNS;
     r->rows = m->rows < ROWS ? m->rows : ROWS;
     r->cell = malloc(r->columns * r->rows * sizeof *r->cell);
-    return r->cell ? fields_raster(&s->fields, r->columns, r->rows, monitor,
-                                   r->cell)
-                   : STATUS_NO_MEMORY;
+    if (r->cell == NULL)
+        return STATUS_NO_MEMORY;
+    return view ? fill_eigen(r, s, view, monitor)
+                : fields_raster(&s->fields, r->columns, r->rows, monitor,
+                                r->cell);
 }
 
 void picture_raster_free(struct picture_raster *r)
@@ -121,15 +144,31 @@ static void draw_margin(const struct study *s, enum basin_axis axis,
                                             .missing = "no other fate there" });
 }
 
-void picture_add_margin(const struct study *s, enum basin_axis axis,
-                        struct figure *f)
+/* Along v, then along psi. */
+static enum status find_margins(const struct study *s,
+                                const struct eigen_view *view, double value[])
+{
+    const size_t n = (size_t) MARGIN_COLUMNS * MARGIN_ROWS;
+
+    if (view == NULL)
+        return basin_map_raster_margins(&s->basins, MARGIN_COLUMNS, MARGIN_ROWS,
+                                        value, value + n);
+    struct vec2 *z = eigen_view_states(view, MARGIN_COLUMNS, MARGIN_ROWS);
+    const enum status status =
+        z ? margin_states(&s->basins.labels.regions, s->basins.labels.along, z,
+                          n, value, value + n)
+          : STATUS_NO_MEMORY;
+    free(z);
+    return status;
+}
+
+void picture_add_margin(const struct study *s, const struct eigen_view *view,
+                        enum basin_axis axis, struct figure *f)
 {
     const size_t n = (size_t) MARGIN_COLUMNS * MARGIN_ROWS;
     double *value = malloc(2 * n * sizeof *value);
 
-    f->status = value ? basin_map_raster_margins(&s->basins, MARGIN_COLUMNS,
-                                                 MARGIN_ROWS, value, value + n)
-                      : STATUS_NO_MEMORY;
+    f->status = value ? find_margins(s, view, value) : STATUS_NO_MEMORY;
     if (f->status == STATUS_OK)
         draw_margin(s, axis, axis == BASIN_V ? value : value + n, f);
     free(value);

@@ -2,6 +2,7 @@
 #ifndef APPS_PICTURE_FIELD_H
 #define APPS_PICTURE_FIELD_H
 
+#include "eigen_view.h"
 #include "figure.h"
 #include "study.h"
 #include "unit.h"
@@ -12,9 +13,11 @@ struct picture_raster {
     size_t columns, rows;
 };
 
-/* STATUS_NO_MEMORY, STATUS_STOPPED: *r is to be freed in any case. */
+/* Of the scene's window, or of a view along eigenvectors.  STATUS_NO_MEMORY,
+ * STATUS_STOPPED: *r is to be freed in any case. */
 MUST_CHECK enum status picture_raster_find(struct picture_raster *r,
                                            const struct study *s,
+                                           const struct eigen_view *view,
                                            const struct monitor *monitor);
 
 /* A second call is harmless. */
@@ -25,8 +28,8 @@ void picture_add_field(const struct picture_raster *r, enum cell_field field,
 
 /* How far every state is from another fate: a factor on v or on psi, or a shift
  * of psi where it is a logarithm and told as it is. */
-void picture_add_margin(const struct study *s, enum basin_axis axis,
-                        struct figure *f);
+void picture_add_margin(const struct study *s, const struct eigen_view *view,
+                        enum basin_axis axis, struct figure *f);
 const char *picture_margin_panel(enum basin_axis axis);
 
 /* "_slip": what its file is named after (output.h). */

@@ -75,6 +75,27 @@ double margin_at(const struct margin_line *l, double at, double *error)
     return up;
 }
 
+enum status margin_states(const struct regions *r,
+                          const struct separatrix along[2],
+                          const struct vec2 z[], size_t n, double x[],
+                          double y[])
+{
+    struct margin_line l;
+    const enum status s = margin_init(&l, &along[0], &along[1]);
+    double error;
+
+    if (s != STATUS_OK)
+        return s;
+    for (size_t i = 0; i < n; i++) {
+        margin_find(&l, r, &along[SEPARATRIX_Y], z[i].y);
+        x[i] = margin_at(&l, z[i].x, &error);
+        margin_find(&l, r, &along[SEPARATRIX_X], z[i].x);
+        y[i] = margin_at(&l, z[i].y, &error);
+    }
+    margin_free(&l);
+    return STATUS_OK;
+}
+
 void margin_free(struct margin_line *l)
 {
     free(l->at);

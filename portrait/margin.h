@@ -32,6 +32,13 @@ void margin_find(struct margin_line *l, const struct regions *r,
  * bound on its error; infinite where there is none. */
 double margin_at(const struct margin_line *l, double at, double *error);
 
+/* The same of n states anywhere, along their rows and along their columns;
+ * `along`: [SEPARATRIX_X], [SEPARATRIX_Y].  STATUS_NO_MEMORY. */
+MUST_CHECK enum status margin_states(const struct regions *r,
+                                     const struct separatrix along[2],
+                                     const struct vec2 z[], size_t n,
+                                     double x[], double y[]);
+
 /* A second call is harmless. */
 void margin_free(struct margin_line *l);
 

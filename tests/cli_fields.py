@@ -4,6 +4,7 @@
 usage: cli_fields.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import json
+import math
 import os
 import re
 import signal
@@ -161,6 +162,51 @@ def eigen_axes_show_the_basins(room):
            and 'slides' in drawn and '<image' in room.read('a.svg'), drawn)
 
 
+def raster(room, name):
+    """The map of a picture, from below."""
+    rows = re.search(r'^# block \d+: raster.*\n((?:.+\n)*)', room.read(name),
+                     re.M)[1].splitlines()
+    return [[float(cell) for cell in row.split()] for row in rows]
+
+
+SLOPES = """import h5py
+of = h5py.File('slopes.h5')['manifold']
+print(*(of[name + '/slope'][0] for name in ('stable_upper', 'unstable_upper')))
+"""
+
+
+def eigen_axes_show_fields_and_margins(room):
+    """In cells along the eigenvectors, each as push answers for its state."""
+    room.good(*SADDLE, *grid(['basins', 'margin', 'slip'], 12, 10), '--set',
+              'window.axes=eigen', '--figure', 'a.svg', '--keep-script')
+    expect({'a.svg', 'a_basins.svg', 'a_margin_v.svg', 'a_margin_psi.svg'} <=
+           set(room.names()), room.names())
+    room.good('portrait', *SADDLE[1:], '-q', '-o', 'slopes.h5')
+    slope = [float(s) for s in room.reads(SLOPES).split()]
+    saddle = room.json('knees', *SADDLE[1:])['saddle']
+    reach = float(re.search(r'set xrange \[.*:(.*)\]', room.read('a.gp'))[1])
+    for name, told in (('a', 'slip'), ('a_margin_v', 'v_kick'),
+                       ('a_margin_psi', 'psi_kick')):
+        cells = raster(room, name + '.dat')
+        size = len(cells[0]), len(cells)
+        for place in ((0.3, 0.2), (0.6, 0.5), (0.4, 0.8), (0.3, 0.6)):
+            at = [int(part * n) for part, n in zip(place, size)]
+            X, Y = (reach * (2 * (k + 0.5) / n - 1) for k, n in zip(at, size))
+            v = saddle['v']['value'] * math.exp(X + Y)
+            psi = saddle['psi']['value'] * math.exp(slope[0] * X + slope[1] * Y)
+            answer = room.json('push', *SADDLE[1:], '--v', repr(v), '--psi',
+                               repr(psi))
+            stops, answer = answer['fate'] == 'creep', answer[told]['value']
+            if told != 'slip' and answer:
+                answer = max(answer, 1 / answer)
+            elif not stops:
+                answer = None
+            cell = cells[at[1]][at[0]]
+            expect(math.isnan(cell) if answer is None else
+                   abs(math.log(cell / answer)) < 6 * reach / size[0], name,
+                   X, Y, cell, answer)  # a cell of the image is a part of one
+
+
 # ---- told --------------------------------------------------------------------
 
 def fields_are_told_with_the_numbers(room):
@@ -231,6 +277,7 @@ run_cases([
     a_margin_that_no_state_has_is_not_drawn,
     the_map_and_margins_have_figures_beside_the_fields,
     eigen_axes_show_the_basins,
+    eigen_axes_show_fields_and_margins,
     fields_are_told_with_the_numbers,
     the_plan_names_the_fields_where_they_are_asked_for,
     progress_counts_cells,

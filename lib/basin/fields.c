@@ -157,3 +157,15 @@ enum status fields_raster(const struct fields *f, size_t columns, size_t rows,
     free(label);
     return status;
 }
+
+enum status fields_states(const struct fields *f, const struct vec2 z[],
+                          const int8_t label[], size_t n,
+                          const struct monitor *monitor, struct cell out[])
+{
+    const enum status status =
+        fast_cells_find(&f->fast, z, n, TOL_SEEN, f->which, monitor, out, NULL);
+
+    if (status == STATUS_OK)
+        heed(label, n, out);
+    return status;
+}

@@ -39,6 +39,14 @@ MUST_CHECK enum status fields_raster(const struct fields *f, size_t columns,
                                      size_t rows, const struct monitor *monitor,
                                      struct cell out[]);
 
+/* As good, of n states anywhere, each by itself: absolute chart points with
+ * these labels (enum fate).  STATUS_NO_MEMORY, STATUS_STOPPED. */
+MUST_CHECK enum status fields_states(const struct fields *f,
+                                     const struct vec2 z[],
+                                     const int8_t label[], size_t n,
+                                     const struct monitor *monitor,
+                                     struct cell out[]);
+
 /* A second call is harmless. */
 void fields_free(struct fields *f);
 
