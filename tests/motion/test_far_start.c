@@ -1,19 +1,6 @@
 /* Runs from where rates are as far apart as doubles are. */
+#include "followed.h"
 #include "laws.h"
-#include "slope.h"
-#include "transient.h"
-
-static struct transient find(const struct slope *s, double v, double psi,
-                             const struct transient_options *o)
-{
-    struct transient t;
-    const struct scene_start start = { v, psi };
-    const enum status status =
-        transient_find(&s->study.slider, start, o, NULL, &t);
-
-    CHECK(status == STATUS_OK, "%s", status_text(status));
-    return t;
-}
 
 /* Of a law of four parts at a slope. */
 static void make(struct slope *s, const char *const part[4], const char *alpha)
@@ -52,7 +39,7 @@ static void starts_below_all_slow_curves_are_followed(void **state)
         for (int k = 0; k < STARTS; k++) {
             const double v = k ? laws_power(&rng, -10, -6) : 1.71e-8;
             const double psi = k ? check_uniform(&rng, 0.1, 10) : 6.3137;
-            struct transient t = find(&s, v, psi, &o);
+            struct transient t = follow(&s, v, psi, &o);
             CHECK(t.sum.end == TRANSIENT_REST &&
                       t.sum.time.error < 1e-14 / v * t.sum.time.value,
                   "%s %s v %.17g psi %.17g: %s, %g +- %g", law[i][0], law[i][2],
@@ -79,7 +66,7 @@ static void starts_at_any_v_end_in_bounded_work(void **state)
     o.rtol = 1e-6;
     for (int i = 0; i < 3; i++) {
         const double v = pow(10, 90 + 30 * i);
-        struct transient t = find(&s, v, 1, &o);
+        struct transient t = follow(&s, v, 1, &o);
         CHECK(t.sum.end == TRANSIENT_ARREST, "%g: %s", v, t.reason);
         rate[i] = v / t.sum.time.value;
         struct fate_result r;
@@ -96,7 +83,7 @@ static void starts_at_any_v_end_in_bounded_work(void **state)
     CHECK(fabs(rate[2] - 2 * rate[1] + rate[0]) < 1e-3 * (rate[2] - rate[1]),
           "%.12g %.12g %.12g", rate[0], rate[1], rate[2]);
     for (int i = 0; i < 3; i++) {
-        struct transient t = find(&s, pow(10, 200 + 50 * i), 1, &o);
+        struct transient t = follow(&s, pow(10, 200 + 50 * i), 1, &o);
         CHECK(t.sum.end == TRANSIENT_LOST && t.reason, "%d: ends", i);
         CHECK(t.sum.field_evaluations < 100000, "%d: %lld", i,
               (long long) t.sum.field_evaluations);
@@ -115,7 +102,7 @@ static void friction_that_is_nothing_costs_no_steps(void **state)
     (void) state;
     make(&s, law, "0.3685");
     const struct transient_options o = transient_defaults(&s.scene);
-    struct transient t = find(&s, 1.85e-12, 0.387, &o);
+    struct transient t = follow(&s, 1.85e-12, 0.387, &o);
     assert_int_equal(t.sum.end, TRANSIENT_ARREST);
     CHECK(t.sum.field_evaluations < 100000, "%lld",
           (long long) t.sum.field_evaluations);
@@ -133,7 +120,8 @@ static void a_block_that_rose_from_far_below_fades_where_others_do(void **state)
                (const char *const[]){ "products=[knees]", NULL });
     struct transient_options o = transient_defaults(&s.scene);
     o.rtol = 1e-6;
-    struct transient a = find(&s, 1e-250, 1, &o), b = find(&s, 1e-40, 1, &o);
+    struct transient a = follow(&s, 1e-250, 1, &o),
+                     b = follow(&s, 1e-40, 1, &o);
     assert_int_equal(a.sum.end, TRANSIENT_FADED);
     assert_int_equal(b.sum.end, TRANSIENT_FADED);
     CHECK(fabs(a.sum.slip.value - b.sum.slip.value) <=
@@ -159,7 +147,7 @@ static void a_block_that_runs_away_may_lose_psi_first(void **state)
     (void) state;
     make(&s, law, "0.3657");
     const struct transient_options o = transient_defaults(&s.scene);
-    struct transient t = find(&s, 1, 0.15, &o);
+    struct transient t = follow(&s, 1, 0.15, &o);
     assert_int_equal(t.sum.end, TRANSIENT_RUNAWAY);
     assert_string_equal(t.sum.time.reason, fate_runs_away);
     transient_free(&t);

@@ -1,21 +1,15 @@
 /* Runs from the separatrix itself. */
 #include "near_cut.h"
 
+#include "followed.h"
 #include "labels.h"
 #include "sample.h"
-#include "slope.h"
-#include "transient.h"
 
 static struct transient run(const struct slope *s, double v, double psi)
 {
     const struct transient_options o = transient_defaults(&s->scene);
-    struct transient t;
 
-    assert_int_equal(transient_find(&s->study.slider,
-                                    (struct scene_start){ v, psi }, &o, NULL,
-                                    &t),
-                     STATUS_OK);
-    return t;
+    return follow(s, v, psi, &o);
 }
 
 /* The largest difference in the chart where the curve of `on` is, and that of

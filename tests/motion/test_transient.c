@@ -1,21 +1,7 @@
 /* Runs of Figs 14 and 15, and what must hold of any. */
-#include "transient.h"
-
 #include "fault_alloc.h"
+#include "followed.h"
 #include "sample.h"
-#include "slope.h"
-
-static struct transient find(const struct slope *s, double v, double psi,
-                             const struct transient_options *o)
-{
-    struct transient t;
-    const struct scene_start start = { v, psi };
-    const enum status status =
-        transient_find(&s->study.slider, start, o, NULL, &t);
-
-    CHECK(status == STATUS_OK, "%s", status_text(status));
-    return t;
-}
 
 static void make(struct slope *s, const char *law)
 {
@@ -31,7 +17,7 @@ static struct transient run(const struct slope *s, double v, double psi,
 
     o.until_time = until_time;
     o.until_slip = until_slip;
-    return find(s, v, psi, &o);
+    return follow(s, v, psi, &o);
 }
 
 static void is_quantity(const struct quantity *q, double expected, double far)
@@ -385,9 +371,9 @@ static int run_holds(const struct slope *s, double v, double psi, double rtol)
     struct transient_options o = transient_defaults(&s->scene);
 
     o.rtol = 1e-14;
-    struct transient tight = find(s, v, psi, &o);
+    struct transient tight = follow(s, v, psi, &o);
     o.rtol = rtol;
-    struct transient t = find(s, v, psi, &o);
+    struct transient t = follow(s, v, psi, &o);
     int compared = 0;
     if (t.sum.end == tight.sum.end) {
         holds("time", &t.sum.time, &tight.sum.time);

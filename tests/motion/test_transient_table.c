@@ -1,20 +1,6 @@
 /* Runs of Figs 14 and 15 against transient.csv. */
-#include "transient.h"
-
+#include "followed.h"
 #include "sample.h"
-#include "slope.h"
-
-static struct transient find(const struct slope *s, double v, double psi,
-                             const struct transient_options *o)
-{
-    struct transient t;
-    const struct scene_start start = { v, psi };
-    const enum status status =
-        transient_find(&s->study.slider, start, o, NULL, &t);
-
-    CHECK(status == STATUS_OK, "%s", status_text(status));
-    return t;
-}
 
 /* All levels of the table, in two sets. */
 enum { SETS = 2 };
@@ -70,7 +56,7 @@ static void start_runs(struct table_runs *r, const struct csv *c,
         o.level = levels[i];
         o.levels = MOMENT_LEVELS_MAX;
         o.until_time = creeps ? 1e6 : 0.0;
-        r->t[i] = find(&r->slope, pow(10, 3.1), 100, &o);
+        r->t[i] = follow(&r->slope, pow(10, 3.1), 100, &o);
         CHECK(r->t[i].sum.end ==
                   (creeps ? TRANSIENT_UNTIL_TIME : TRANSIENT_REST),
               "%s", transient_end_names[r->t[i].sum.end]);
