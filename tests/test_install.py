@@ -326,6 +326,43 @@ def the_page_about_c_is_true(room):
         'v_plus = 2832.223358'), line)
 
 
+def the_recipe_of_check_works_in_another_repository(room):
+    """An empty one, cloned as a runner does, with the installed program and
+    page alone; a digit that moved fails the build."""
+    if not present('git'):
+        return
+    with open(documents() + '/check.md', encoding='utf-8') as file:
+        page = file.read()
+    record, *_ = re.findall(r'^slipway check --record .*-o .*$', page, re.M)
+    steps = [step for step in re.findall(r'- run: (.*)', page)
+             if step.startswith('slipway ')]
+    env = {**os.environ, 'PATH': place('bindir') + ':' + os.environ['PATH'],
+           'HOME': room.folder}
+    git = 'git -c user.name=a -c user.email=a@example.org'
+    room.make('theirs')
+
+    def shell(line, cwd):
+        return subprocess.run(line, shell=True, cwd=room.path(cwd), text=True,
+                              env=env, capture_output=True, check=False)
+
+    for line, cwd in ((f'git init -q && {record} && git add . && {git} commit '
+                       '-qm numbers', 'theirs'),
+                      ('git clone -q theirs checkout', '.')):
+        done = shell(line, cwd)
+        expect((done.returncode, done.stderr) == (0, ''), line, done)
+    for step in steps:
+        done = shell(step, 'checkout')
+        expect((done.returncode, done.stderr) == (0, ''), step, done)
+    done = shell('git status --porcelain', 'checkout')
+    expect(len(steps) == 2 and done.stdout == '?? moved.json\n', steps, done)
+    table = room.read('checkout/slopes.csv')
+    number = re.search(r'\b2[0-9]{3}\.[0-9]+', table)[0]
+    room.write('checkout/slopes.csv', table.replace(number, number[:3] + '0' +
+                                                    number[4:]))
+    expect([shell(step, 'checkout').returncode for step in steps] == [1, 1],
+           table)
+
+
 def the_static_library_holds_the_same(room):
     said = ran(['pkg-config', '--static', '--libs', 'slipway'],
                env=with_library())
@@ -475,6 +512,7 @@ def main():
             the_installed_program_finds_its_scenes,
             the_example_prints_v_plus,
             the_page_about_c_is_true,
+            the_recipe_of_check_works_in_another_repository,
             the_static_library_holds_the_same,
             headers_stand_on_their_own,
             friction_and_a_pendulum_from_c_and_cpp,
