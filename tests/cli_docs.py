@@ -4,28 +4,24 @@
 usage: cli_docs.py PATH_TO_SLIPWAY SOURCE_ROOT
 
 How pages are read is in pages.py.  test_check.py runs the commands of
-check.md, test_new_law.py those of new_law.md, new_number.md, new_command.md.
+check.md, test_new_law.py those of new_law.md, new_number.md, new_command.md,
+test_python_use.py python.md.
 """
 import glob
 import os
 import re
-import subprocess
 import sys
 
-from cli_room import READER, expect, run_cases
-from pages import Block, Reader, blocks, is_in
+from cli_room import expect, run_cases
+from pages import Block, Reader, do_page, is_in, text_of
 
-ELSEWHERE = ['check.md', 'new_command.md', 'new_law.md', 'new_number.md']
+ELSEWHERE = ['check.md', 'new_command.md', 'new_law.md', 'new_number.md',
+             'python.md']
 SOURCE = os.path.realpath(sys.argv[2])
 
 
 def pages():
     return sorted(glob.glob(os.path.join(SOURCE, 'docs', '*.md')))
-
-
-def text_of(path):
-    with open(path, encoding='utf-8') as file:
-        return file.read()
 
 
 # ---- the test itself ---------------------------------------------------------
@@ -63,33 +59,6 @@ def a_page_that_lies_is_seen(room):
 
 
 # ---- pages -------------------------------------------------------------------
-
-def run_snippets(room, path):
-    done = subprocess.run(
-        [READER, room.script('run_snippets.py'), path], text=True,
-        cwd=room.folder, env=room.environment(), capture_output=True,
-        timeout=300, check=False)
-    expect(done.returncode == 0, done.stdout, done.stderr)
-    return int(done.stdout.split()[-2])
-
-
-def do_page(room, path):
-    room.bring('scenes')
-    room.make('outputs')
-    reader, snippets = Reader(room, path), 0
-    for block in blocks(path):
-        if block.name:
-            reader.write(block)
-        elif block.language == 'console':
-            reader.run(block)
-        elif block.language == 'python':
-            snippets += 1
-        else:
-            expect(block.language == 'text', path, block.line, 'is not tried')
-    expect(not snippets or run_snippets(room, path) == snippets, snippets)
-    expect(reader.did + snippets or not re.search(r'^ *\$ ', text_of(path), re.M),
-           path, 'nothing was done')
-
 
 def case_of(path):
     def case(room):

@@ -8,6 +8,7 @@ block whose first line is a comment with a name is the file of that name.
 """
 import os
 import re
+import subprocess
 
 from cli_room import READER, expect
 
@@ -118,3 +119,35 @@ class Reader:
             expect(is_in(wanted, said), f'{self.page}:{line}: {command}: '
                    f'{wanted!r} is not in\n{said}')
         self.did += 1
+
+
+def text_of(path):
+    with open(path, encoding='utf-8') as file:
+        return file.read()
+
+
+def run_snippets(room, path):
+    done = subprocess.run(
+        [READER, room.script('run_snippets.py'), path], text=True,
+        cwd=room.folder, env=room.environment(), capture_output=True,
+        timeout=300, check=False)
+    expect(done.returncode == 0, done.stdout, done.stderr)
+    return int(done.stdout.split()[-2])
+
+
+def do_page(room, path):
+    room.bring('scenes')
+    room.make('outputs')
+    reader, snippets = Reader(room, path), 0
+    for block in blocks(path):
+        if block.name:
+            reader.write(block)
+        elif block.language == 'console':
+            reader.run(block)
+        elif block.language == 'python':
+            snippets += 1
+        else:
+            expect(block.language == 'text', path, block.line, 'is not tried')
+    expect(not snippets or run_snippets(room, path) == snippets, snippets)
+    expect(reader.did + snippets or not re.search(r'^ *\$ ', text_of(path), re.M),
+           path, 'nothing was done')

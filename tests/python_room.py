@@ -14,6 +14,7 @@ if os.path.realpath(sys.executable) != os.path.realpath(READER):
 SOURCE = os.path.realpath(sys.argv[2])
 MODULE = os.path.join(SOURCE, 'lib', 'python')
 os.environ['SLIPWAY_LIBRARY'] = os.path.realpath(sys.argv[3])
+os.environ['PYTHONPATH'] = MODULE
 sys.dont_write_bytecode = True
 sys.path.insert(0, MODULE)
 
@@ -27,7 +28,7 @@ def python(room, code, *more, **changes):
     return subprocess.run(
         [READER, '-c', code], text=True, timeout=300, capture_output=True,
         cwd=room.folder, check=False,
-        env=room.environment(PYTHONPATH=MODULE, **changes))
+        env=room.environment(**changes))
 
 
 def prints(room, code, **changes):
