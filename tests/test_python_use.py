@@ -86,7 +86,7 @@ def a_thousand_studies_leave_nothing(_):
 
 
 def the_lock_of_python_is_released(_):
-    alpha, found = numpy.linspace(0.3, 0.36, 4000), []
+    alpha, found = numpy.linspace(0.3, 0.36, 1000), []
     work = threading.Thread(target=lambda: found.append(
         slipway.v_plus('spinodal_gen', alpha, threads=1)))
     turns = 0
