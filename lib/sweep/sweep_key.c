@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "schema.h"
+#include "sweep_journal.h"
 
 static const struct sweep_key table[] = {
     { "slope.alpha", "rad", "slope angle" },
@@ -31,4 +32,20 @@ struct sweep_key sweep_key_of(const char *path)
     const struct schema_key *k = schema_find(path);
     return (struct sweep_key){ path, k && k->unit ? k->unit : "1",
                                k ? k->text : path };
+}
+
+uint64_t sweep_key_sum(const struct scene *c, const char *version)
+{
+    uint64_t sum = sweep_journal_nil;
+
+    for (const char *line = c->overrides; *line;) {
+        const size_t size = strcspn(line, "\n") + 1;
+        if (strncmp(line, "output.", 7) != 0 &&
+            strncmp(line, "output=", 7) != 0)
+            sum = sweep_journal_sum(sum, line, size);
+        line += size;
+    }
+    sum = sweep_journal_sum(sum, c->text, strlen(c->text) + 1);
+    sum = sweep_journal_sum(sum, &c->products, sizeof c->products);
+    return version ? sweep_journal_sum(sum, version, strlen(version)) : sum;
 }

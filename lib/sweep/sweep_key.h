@@ -3,6 +3,8 @@
 #ifndef SWEEP_SWEEP_KEY_H
 #define SWEEP_SWEEP_KEY_H
 
+#include "scene.h"
+
 struct sweep_key {
     const char *path; /* "slope.alpha" */
     const char *unit; /* UDUNITS; "1" if none */
@@ -11,5 +13,9 @@ struct sweep_key {
 
 /* Static; of a key that has no line in the table, what the schema says. */
 struct sweep_key sweep_key_of(const char *path);
+
+/* A checksum (sweep_journal.h) of all that a scene says but where its results
+ * go, and of the program's version (NULL: none). */
+uint64_t sweep_key_sum(const struct scene *c, const char *version);
 
 #endif

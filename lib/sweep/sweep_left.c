@@ -8,25 +8,15 @@
 /* The same for the same scene and version, wherever the results go. */
 static uint64_t key_of(const struct sweep *s, const char *version)
 {
-    const struct scene *c = s->scene;
-    uint64_t sum = sweep_journal_nil;
+    uint64_t sum = sweep_key_sum(s->scene, version);
 
-    for (const char *line = c->overrides; *line;) {
-        const size_t size = strcspn(line, "\n") + 1;
-        if (strncmp(line, "output.", 7) != 0 &&
-            strncmp(line, "output=", 7) != 0)
-            sum = sweep_journal_sum(sum, line, size);
-        line += size;
-    }
-    sum = sweep_journal_sum(sum, c->text, strlen(c->text) + 1);
-    sum = sweep_journal_sum(sum, &c->products, sizeof c->products);
     for (size_t k = 0; k < s->columns.count; k++)
         sum = sweep_journal_sum(sum, s->columns.at[k].name,
                                 strlen(s->columns.at[k].name) + 1);
     for (size_t k = 0; k < s->layers.count; k++)
         sum = sweep_journal_sum(sum, s->layers.at[k].name,
                                 strlen(s->layers.at[k].name) + 1);
-    return version ? sweep_journal_sum(sum, version, strlen(version)) : sum;
+    return sum;
 }
 
 static size_t count_words(const char *const *words)
