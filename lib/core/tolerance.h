@@ -394,6 +394,15 @@
  * numbers fill memory before (1.4 kB a point). */
 #define SCENE_POINTS 250000
 
+/* Of an ensemble (scene_ensemble.c): draws, of which a file holds a row each;
+ * parameters, fewer than the dimensions of GSL's Sobol sequence; numbers and
+ * pushes. */
+#define SCENE_DRAWS         1000000000
+#define SCENE_DRAWS_DEFAULT 10000
+#define SCENE_SPREADS       32
+#define SCENE_NUMBERS       256
+#define SCENE_PUSHES        64
+
 /* A block pulled through a spring: sigma where the scene gives none, that of a
  * decimetre of rock or paper board; and the c of fold curves, from where even
  * the minimum of mu_ss is next to no friction to beyond the cusp (Table 2). */
@@ -425,6 +434,8 @@
 /* A data set of fewer values is not compressed: chunks take 2 kB of their own.
  */
 #define STORE_LARGE 4096
+/* Values of an index that are written at a time. */
+#define STORE_INDEX 4096
 
 /* Systems for other programs.  A motion starts that far beside a steady state,
  * in ln v, and lasts so many times what its slowest rate takes.  A branch has

@@ -162,7 +162,8 @@ struct axis *column_axis(struct store *st, hid_t group, const struct column *c,
 
     if (axis != NULL) {
         column_describe(st, set, c);
-        column_write(st, set, c, values);
+        if (values != NULL)
+            column_write(st, set, c, values);
     }
     return axis;
 }

@@ -31,8 +31,8 @@ struct column column_of(const struct record_field *f);
 hid_t column_create(struct store *st, hid_t group, const struct column *c,
                     int rank, struct axis *const axis[]);
 
-/* A new one-dimensional data set that is itself an axis, with its values.
- * NULL (noted) on failure. */
+/* A new one-dimensional data set that is itself an axis, with its values, or
+ * NULL where they are written later.  NULL (noted) on failure. */
 struct axis *column_axis(struct store *st, hid_t group, const struct column *c,
                          size_t count, const void *values);
 

@@ -3,6 +3,7 @@
 #include <assert.h>
 
 #include "column.h"
+#include "tolerance.h"
 
 enum status store_put_axis(struct store *st, const char *path, const char *name,
                            const char *unit, const char *text, size_t count,
@@ -73,6 +74,29 @@ static void write_block(struct store *st, const char *path,
     hdf_close(memory);
     hdf_close(file);
     hdf_close(set);
+}
+
+enum status store_put_index(struct store *st, const char *path,
+                            const char *name, const char *text, size_t count)
+{
+    const struct record_field f = {
+        .name = name, .unit = "1", .text = text, .kind = RECORD_COUNT
+    };
+    const struct column c = column_of(&f);
+    int64_t values[STORE_INDEX];
+
+    if (st->status == STATUS_OK)
+        column_axis(st, hdf_group(st, path), &c, count, NULL);
+    for (size_t first = 0; first < count; first += STORE_INDEX) {
+        const hsize_t start[AXES_MAX] = { first };
+        const size_t left = count - first;
+        hsize_t block[AXES_MAX] = { left < STORE_INDEX ? left : STORE_INDEX };
+        for (size_t i = 0; i < block[0]; i++)
+            values[i] = (int64_t) (first + i);
+        if (st->status == STATUS_OK)
+            write_block(st, path, &f, start, block, values);
+    }
+    return st->status;
 }
 
 enum status store_put_rows(struct store *st, const char *path,

@@ -21,6 +21,11 @@ MUST_CHECK enum status store_put_axis(struct store *store, const char *group,
                                       const char *text, size_t count,
                                       const double *values);
 
+/* The coordinate 0, 1, ..., count - 1, of int64, written piece by piece. */
+MUST_CHECK enum status store_put_index(struct store *store, const char *group,
+                                       const char *name, const char *text,
+                                       size_t count);
+
 /* How many values an axis put before has. */
 MUST_CHECK enum status store_axis_length(struct store *store, const char *group,
                                          const char *name, size_t *count);
@@ -36,7 +41,8 @@ MUST_CHECK enum status store_put_cube(struct store *store, const char *group,
                                       const char *const axis[]);
 
 /* Rows first .. first + count - 1 of a cube of two axes: `values` holds count *
- * (length of the second axis) doubles or int8_t, row by row.  Blocks of
+ * (length of the second axis) doubles or int8_t, row by row; of one axis count
+ * of them.  Blocks of
  * STORE_CHUNK rows from row 0 on compress each chunk once. */
 MUST_CHECK enum status store_put_rows(struct store *store, const char *group,
                                       const struct record_field *f,
