@@ -119,6 +119,28 @@ static inline bool same_paper(const struct scene_figure *a,
            same_text(a->font, b->font);
 }
 
+static inline bool same_ensemble(const struct scene_ensemble *a,
+                                 const struct scene_ensemble *b)
+{
+    bool same = a->parameters == b->parameters && a->draws == b->draws &&
+                a->method == b->method && a->seed == b->seed &&
+                a->numbers == b->numbers && a->pushes == b->pushes &&
+                same_text(a->samples, b->samples) &&
+                same_text(a->covariance, b->covariance);
+
+    for (size_t i = 0; i < a->parameters && same; i++)
+        same = same_text(a->parameter[i].key, b->parameter[i].key) &&
+               a->parameter[i].law == b->parameter[i].law &&
+               a->parameter[i].of[0] == b->parameter[i].of[0] &&
+               a->parameter[i].of[1] == b->parameter[i].of[1];
+    for (size_t i = 0; i < a->numbers && same; i++)
+        same = same_text(a->number[i].name, b->number[i].name);
+    for (size_t i = 0; i < a->pushes && same; i++)
+        same = a->push[i].from_creep == b->push[i].from_creep &&
+               a->push[i].v == b->push[i].v && a->push[i].psi == b->push[i].psi;
+    return same;
+}
+
 static inline bool scene_same(const struct scene *a, const struct scene *b)
 {
     return same_text(a->title, b->title) && same_law(&a->law, &b->law) &&
@@ -138,7 +160,8 @@ static inline bool scene_same(const struct scene *a, const struct scene *b)
            same_experiment(&a->rabinowicz, &b->rabinowicz) &&
            same_spring(&a->spring_block, &b->spring_block) &&
            a->fold_c[0] == b->fold_c[0] && a->fold_c[1] == b->fold_c[1] &&
-           same_sweep(&a->sweep, &b->sweep) && a->rtol == b->rtol &&
+           same_sweep(&a->sweep, &b->sweep) &&
+           same_ensemble(&a->ensemble, &b->ensemble) && a->rtol == b->rtol &&
            same_paper(&a->paper, &b->paper) && same_text(a->hdf5, b->hdf5) &&
            same_text(a->figure, b->figure);
 }

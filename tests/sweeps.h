@@ -19,7 +19,7 @@ struct swept {
 static inline void scene_set(struct scene *scene, const char *const sets[])
 {
     enum { MOST = 12 };
-    char text[MOST][200], *set[MOST];
+    char text[MOST][640], *set[MOST];
     struct fault why;
     size_t count = 0;
 

@@ -9,8 +9,8 @@
 #define NOT " is not allowed, expected "
 #define TOP                                                                    \
     "title, system, law, material, slope, gravity, window, units, products, "  \
-    "estimates, trajectories, basins, rabinowicz, sweep, spring_block, "       \
-    "fold_curves, chi, figure, accuracy or output"
+    "estimates, trajectories, basins, rabinowicz, sweep, ensemble, "           \
+    "spring_block, fold_curves, chi, figure, accuracy or output"
 #define PRODUCTS_KNOWN                                                         \
     "equilibria, folds, nullclines, field_arrows, manifolds, knees, "          \
     "estimates, taylor_series, sensitivities, trajectories, basins, margin, "  \

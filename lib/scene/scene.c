@@ -10,6 +10,7 @@
 
 #include "document.h"
 #include "override.h"
+#include "scene_ensemble.h"
 #include "scene_figure.h"
 #include "scene_law.h"
 #include "scene_ode.h"
@@ -74,6 +75,8 @@ static enum status set_defaults(struct scene *s)
     s->spring_block.mass = s->spring_block.v[0] = NAN;
     s->fold_c[0] = SCENE_FOLD_LEAST;
     s->fold_c[1] = SCENE_FOLD_MOST;
+    s->ensemble.draws = SCENE_DRAWS_DEFAULT;
+    s->ensemble.seed = 1;
     s->rtol = TOL_RTOL_DEFAULT;
     scene_figure_begin(&s->paper);
     s->xi_count = sizeof xi / sizeof *xi;
@@ -159,7 +162,8 @@ static enum status check_material(const struct node *root,
             return blame_unused(n, &s->law, why);
     }
     if (law_uses(&s->law, MATERIAL_V_C) && !node_find(material, "V_c") &&
-        !scene_sweeps(s, "material.V_c"))
+        !scene_sweeps(s, "material.V_c") &&
+        !scene_ensemble_has(s, "material.V_c"))
         return s->typed
                    ? place_blame(place_of(root, "law", "law"), why,
                                  "law: V_c stands in it, expected "
@@ -324,10 +328,11 @@ static enum status take_system(struct node *root, struct scene *s,
 
 static enum status fill(struct node *root, struct scene *s, struct fault *why)
 {
-    static scene_check *const of_law[] = { check_law,         scene_slope_check,
-                                           check_material,    check_composition,
-                                           check_window,      check_starts,
-                                           scene_sweep_check, NULL };
+    static scene_check *const of_law[] = {
+        check_law,         scene_slope_check,    check_material,
+        check_composition, check_window,         check_starts,
+        scene_sweep_check, scene_ensemble_check, NULL
+    };
     static scene_check *const of_system[] = { scene_system_check,
                                               scene_sweep_check, NULL };
     enum status status = set_defaults(s);
@@ -352,6 +357,8 @@ static enum status fill(struct node *root, struct scene *s, struct fault *why)
         settle(s);
     if (status == STATUS_OK)
         status = scene_sweep_fill(root, s, why);
+    if (status == STATUS_OK)
+        status = scene_ensemble_settle(root, s, why);
     return status ? status : check_all(of_law, root, s, why);
 }
 
@@ -431,6 +438,7 @@ void scene_free(struct scene *s)
     for (int i = 0; i < SCENE_AXES; i++)
         free(s->sweep.axis[i].value);
     free(s->sweep.draft.value);
+    scene_ensemble_free(&s->ensemble);
     free(s->paper.font);
     free(s->hdf5);
     free(s->figure);

@@ -12,8 +12,9 @@
  * 0.85 0.9 0.99 0.999; spring_block sigma 1000 Pa, as heavy as that, over the
  * window's v; fold_curves c 1e-14..10; chi.alpha 0.2 0.28 0.34 0.38; no
  * trajectories, their seed 1 and without limits; basins 512 x 512, audit 1000,
- * not exact, their rtol 1e-6; no sweep; rtol 1e-12; no output.  A law must be
- * given, and a slope where products take one (scene_slope.h).
+ * not exact, their rtol 1e-6; no sweep; no ensemble, else of 10000 draws,
+ * sobol, seed 1; rtol 1e-12; no output.  A law must be given, and a slope where
+ * products take one (scene_slope.h).
  */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
@@ -147,6 +148,47 @@ struct scene_sweep {
     struct scene_axis draft; /* the axis being read */
 };
 
+/* How a parameter of an ensemble is distributed; of[2]: mean and standard
+ * deviation; ends; median and the factor that a standard deviation is in the
+ * logarithm. */
+enum spread_law { SPREAD_NORMAL, SPREAD_UNIFORM, SPREAD_LOGNORMAL };
+struct scene_spread {
+    char *key; /* owned */
+    enum spread_law law;
+    double of[2]; /* in the scene's units */
+};
+
+/* A number that is asked for, and where. */
+struct scene_number {
+    char *name; /* owned */
+    bool is_set;
+    size_t line, column;
+};
+
+/* A state whose fate is asked for at every draw: v and psi, or what is added to
+ * the slip rate of the creep state. */
+struct scene_push {
+    bool from_creep;
+    double v, psi;      /* as given */
+    bool is_si, is_phi; /* v in m/s, not in V_star; psi is phi (physical.h) */
+};
+
+enum ensemble_method { ENSEMBLE_SOBOL, ENSEMBLE_RANDOM, ENSEMBLE_GRID };
+
+/* Numbers of many materials. */
+struct scene_ensemble {
+    struct scene_spread *parameter; /* owned */
+    size_t parameters;
+    char *samples, *covariance; /* owned: paths of CSV files; NULL: none */
+    size_t draws;
+    enum ensemble_method method;
+    uint64_t seed;
+    struct scene_number *number; /* owned; none: those of the products */
+    size_t numbers;
+    struct scene_push *push; /* owned */
+    size_t pushes;
+};
+
 struct formula_system;
 
 /* All of it, defaults filled in. */
@@ -186,6 +228,7 @@ struct scene {
     double *chi_alpha; /* owned; slopes of chi(v), rad */
     size_t chi_alphas;
     struct scene_sweep sweep;
+    struct scene_ensemble ensemble;
     double rtol;
     struct scene_figure paper;
     char *hdf5, *figure; /* owned; NULL: none */

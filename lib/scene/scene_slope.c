@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "scene_ensemble.h"
+
 #define BIT(p) (1u << PRODUCT_##p)
 
 const unsigned scene_slopeless = BIT(FOLDS) | BIT(FRICTION_LAW) |
@@ -36,7 +38,8 @@ enum status scene_slope_check(const struct node *root, const struct scene *s,
     const struct node *slope = node_find(root, "slope");
     const char *product = first_of(s->products);
 
-    if (scene_has_slope(s) || (s->products && product == NULL))
+    if (scene_has_slope(s) || (s->products && product == NULL) ||
+        scene_ensemble_has(s, "slope.alpha"))
         return STATUS_OK;
     if (product)
         return place_blame(place_of(root, product), why,

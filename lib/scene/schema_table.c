@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "scene_ensemble.h"
 #include "tolerance.h"
 #include "value.h"
 
@@ -253,6 +254,40 @@ const struct schema_key schema_table[] = {
       TO(DBL_MAX), .expected = "a number",
       TEXT("of the figure; unless given as the values need") },
 
+    { "ensemble.parameters", value_spreads, .side = 1,
+      .expected = "1 to 32 of {KEY: {normal: [m, s]}, KEY: {uniform: [lo, "
+                  "hi]}, KEY: {lognormal: [median, factor]}}",
+      TEXT("what is not known: {KEY: {normal: [mean, standard deviation]}, "
+           "KEY: {uniform: [lo, hi]}, KEY: {lognormal: [median, factor]}}, "
+           "each by itself") },
+    { "ensemble.covariance", value_input, AT(ensemble.covariance), .side = 2,
+      .expected = "a path",
+      TEXT("or normal and not each by itself: a CSV file of columns key, mean "
+           "and one for each key, the covariances; beside the scene, or from "
+           "the working folder") },
+    { "ensemble.samples", value_input, AT(ensemble.samples), .side = 3,
+      .expected = "a path",
+      TEXT("or materials as they were measured: a CSV file whose columns are "
+           "keys, a row each; a column id is kept") },
+    { "ensemble.draws", value_count, AT(ensemble.draws), FROM(1),
+      TO(SCENE_DRAWS), .expected = "a whole number from 1 to 1000000000",
+      IS("10000"), TEXT("how many materials; of samples all that there are") },
+    { "ensemble.method", value_choice, AT(ensemble.method),
+      .words = ensemble_method_names, IS("sobol"),
+      TEXT("how they are drawn: evenly, at random, or on a grid of quantiles") },
+    { "ensemble.seed", value_seed, AT(ensemble.seed), FROM(0), TO(0x1p53),
+      .expected = "a whole number from 0 to 9007199254740992", IS("1"),
+      TEXT("of the draws") },
+    { "ensemble.numbers", value_numbers,
+      .expected = "a list of 1 to 256 names such as v_plus",
+      TEXT("what is asked for, by name as in tables of sweeps; unless given "
+           "what the products give") },
+    { "ensemble.pushes", value_pushes,
+      .expected = "a list [{v: V, psi: P}, {from: creep, kick: DV}, ...]",
+      IS("[]"),
+      TEXT("states whose fates are asked for: {v: V, psi: P}, or phi, or "
+           "{from: creep, kick: DV}, the creep state with DV added to v") },
+
     { "spring_block.sigma", AT(spring_block.sigma), POSITIVE, UNIT("Pa"),
       IS("1000"), TEXT("normal stress") },
     { "spring_block.mass", value_real, AT(spring_block.mass), FROM(0.0),
@@ -304,7 +339,8 @@ const struct schema_key schema_table[] = {
       TEXT("relative accuracy; numbers carry the error they have") },
 
     { "output.hdf5", value_path, AT(hdf5), .expected = "a path",
-      TEXT("write results here; by portrait, study, basin and sweep") },
+      TEXT("write results here; by portrait, study, basin, sweep and "
+           "ensemble") },
     { "output.figure", value_figure, AT(figure),
       .expected = "a path ending in .svg, .pdf or .png",
       TEXT("draw here; by the same") },

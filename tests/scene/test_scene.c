@@ -250,7 +250,8 @@ static void scenes_of_the_repository_are_read(void **state)
         CHECK(scene_read(&s, found.gl_pathv[i], NULL, 0, &why) == STATUS_OK,
               "%s", why.text);
         CHECK(s.title[0] && s.hdf5 &&
-                  (s.products || s.starts || s.sweep.axes || s.rabinowicz.data),
+                  (s.products || s.starts || s.sweep.axes ||
+                   s.ensemble.parameters || s.rabinowicz.data),
               "%s", found.gl_pathv[i]);
         scene_free(&s);
     }

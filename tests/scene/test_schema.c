@@ -97,6 +97,16 @@ static const struct {
     { "sweep.y_scale", "log", "linear", LAW SLOPE KEY VALUES },
     { "sweep.y_range", "[0.1, 2]", "[0.1, 3]", LAW SLOPE KEY VALUES },
 
+    { "ensemble.parameters", "{material.a: {normal: [0.03, 0.001]}}",
+      "{material.a: {normal: [0.03, 0.002]}}", LAW SLOPE },
+    { "ensemble.covariance", "a.csv", "b.csv", LAW SLOPE },
+    { "ensemble.samples", "a.csv", "b.csv", LAW SLOPE },
+    { "ensemble.draws", "7", "8", LAW SLOPE },
+    { "ensemble.method", "grid", "random", LAW SLOPE },
+    { "ensemble.seed", "7", "8", LAW SLOPE },
+    { "ensemble.numbers", "[v_plus]", "[v_minus]", LAW SLOPE },
+    { "ensemble.pushes", "[{v: 1, psi: 2}]", "[{v: 2, psi: 2}]", LAW SLOPE },
+
     { "spring_block.sigma", "7", "1e3", LAW SLOPE },
     { "spring_block.mass", "0", "7", LAW SLOPE },
     { "spring_block.v", "[1e-3, 1e3]", "[1e-6, 1e6]", LAW SLOPE },

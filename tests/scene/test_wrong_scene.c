@@ -9,6 +9,7 @@
 #include "scenes.h"
 #include "text.h"
 #include "tolerance.h"
+#include "wrong_ensembles.h"
 #include "wrong_scenes.h"
 #include "wrong_sweeps.h"
 
@@ -78,6 +79,12 @@ static void sweeps_over_nothing_sensible_are_refused(void **state)
 {
     (void) state;
     all_refused(wrong_sweeps, COUNT(wrong_sweeps));
+}
+
+static void ensembles_of_nothing_sensible_are_refused(void **state)
+{
+    (void) state;
+    all_refused(wrong_ensembles, COUNT(wrong_ensembles));
 }
 
 static void parts_that_do_not_fit_together_are_refused(void **state)
@@ -223,6 +230,7 @@ int main(void)
         IN_FOLDER(values_of_another_kind_are_refused),
         IN_FOLDER(what_is_no_number_or_out_of_range_is_refused),
         IN_FOLDER(sweeps_over_nothing_sensible_are_refused),
+        IN_FOLDER(ensembles_of_nothing_sensible_are_refused),
         IN_FOLDER(parts_that_do_not_fit_together_are_refused),
         IN_FOLDER(a_wrong_override_is_named_whole),
         cmocka_unit_test(without_a_file_the_command_line_is_to_blame),
