@@ -10,6 +10,7 @@
 
 #include "batch_fate.h"
 #include "ensemble_tolerance.h"
+#include "scene_slope.h"
 #include "schema.h"
 #include "study_results.h"
 
@@ -59,6 +60,15 @@ static enum status take_keys(struct batch *b, const char *const key[],
     return status;
 }
 
+/* Every draw has a slope. */
+static enum status check_slope(const struct batch *b, struct fault *why)
+{
+    for (size_t k = 0; k < b->keys; k++)
+        if (strncmp(b->key[k].path, "slope.", 6) == 0)
+            return STATUS_OK;
+    return scene_slope_demand(b->scene, 1u << PRODUCT_EQUILIBRIA, why);
+}
+
 /* ---- numbers ------------------------------------------------------------- */
 
 static bool is_quantity(const struct result_number *n)
@@ -93,7 +103,9 @@ static enum status take_named(struct batch *b, const struct result_numbers *all,
  * different ones. */
 static void take_products(struct batch *b, const struct result_numbers *all)
 {
-    const uint64_t asked = plan_stages(b->scene->products);
+    const unsigned products = b->scene->products;
+    const uint64_t asked =
+        products ? plan_stages(products) : ASKED_BY(CRITICAL);
 
     for (size_t i = 0; i < all->count; i++)
         if (is_quantity(&all->at[i]) && (all->at[i].of->needs & asked) &&
@@ -141,6 +153,8 @@ static enum status begin(struct batch *b, const char *const key[], size_t keys,
     }
     enum status status = take_keys(b, key, keys, why);
     if (status == STATUS_OK)
+        status = check_slope(b, why);
+    if (status == STATUS_OK)
         status = take_numbers(b, name, names, why);
     for (size_t i = 0; i < b->numbers; i++)
         b->stages |= stage_of(&b->number[i]);
@@ -161,7 +175,7 @@ enum status batch_init(struct batch *b, const struct scene *scene,
     return status;
 }
 
-void batch_push(struct batch *b, const struct batch_push push[], size_t pushes)
+void batch_push(struct batch *b, const struct scene_push push[], size_t pushes)
 {
     b->push = push;
     b->pushes = pushes;

@@ -18,13 +18,6 @@
 #include "result_number.h"
 #include "scene_vary.h"
 
-/* A state whose fate is asked for at every draw. */
-struct batch_push {
-    bool from_creep; /* v is added to the slip rate of the creep state, and psi
-                        is that of it; else both are absolute */
-    double v, psi;   /* in units of V_star; as the law's */
-};
-
 struct batch {
     const struct scene *scene; /* borrowed */
     struct scene_vary *key;    /* owned */
@@ -32,7 +25,7 @@ struct batch {
     size_t keys;
     struct result_number *number; /* owned */
     size_t numbers;
-    const struct batch_push *push; /* borrowed */
+    const struct scene_push *push; /* borrowed */
     size_t pushes;
     unsigned stages; /* bits of enum stage */
 };
@@ -51,7 +44,8 @@ struct batch_fates {
 };
 
 /* Numbers of that scene's law, by name (result_number.h), over those keys, such
- * as "material.a"; no name: all that the scene's products give.  Both the
+ * as "material.a"; no name: all that the scene's products give, and without
+ * products those of the saddle's stable manifold.  Both the
  * arrays and the scene's own values of the keys may go afterwards; the scene
  * and the keys' texts must stay.  STATUS_BAD_ARGUMENT: *why names the key or
  * the number that does not exist, is twice there or excludes another;
@@ -62,8 +56,9 @@ MUST_CHECK enum status batch_init(struct batch *b, const struct scene *scene,
                                   const char *const name[], size_t names,
                                   struct fault *why);
 
-/* From now on the fates of these states, too. */
-void batch_push(struct batch *b, const struct batch_push push[], size_t pushes);
+/* From now on the fates of these states, too, in the units of each draw's own
+ * material; they must stay. */
+void batch_push(struct batch *b, const struct scene_push push[], size_t pushes);
 
 /* `count` draws, column[k][i] being the value of key k at draw i, into
  * out[numbers] and fates[pushes] (NULL: without pushes).  A draw whose values

@@ -1,7 +1,7 @@
 #include "batch_fate.h"
 
 #include "labels.h"
-#include "tolerance.h"
+#include "physical.h"
 
 void batch_fate_put(const struct batch_fates *f, size_t i, int8_t fate,
                     const char *reason)
@@ -24,13 +24,16 @@ static const struct steady_number *creep_of(const struct slider *s)
 }
 
 /* The state that a push leads to; false, and why, where there is none. */
-static bool state_of(const struct slider *s, const struct batch_push *p,
+static bool state_of(const struct slider *s, const struct scene_push *p,
                      struct vec2 *z, const char **reason)
 {
     const struct steady_number *creep = p->from_creep ? creep_of(s) : NULL;
-    const double v = p->v + (creep ? creep->v.value : 0.0);
-    const double psi = creep ? creep->psi.value : p->psi;
-    const struct box d = s->plane.system.domain;
+    const struct material *m = &s->block.material;
+    const double given = p->is_si ? p->v / m->V_star : p->v;
+    const double v = given + (creep ? creep->v.value : 0.0);
+    const double psi = creep       ? creep->psi.value
+                       : p->is_phi ? physical_psi(&s->block.law, m, p->psi)
+                                   : p->psi;
 
     *reason = p->from_creep && creep == NULL
                   ? "there is no creep node at this slope"
@@ -39,10 +42,11 @@ static bool state_of(const struct slider *s, const struct batch_push *p,
         (s->plane.system.axis[1].is_log && !(psi > 0.0)))
         return false;
     *z = block_offset(&s->block, v, psi);
-    return box_holds(d, vec2_add(s->plane.system.origin, *z));
+    return box_holds(s->plane.system.domain,
+                     vec2_add(s->plane.system.origin, *z));
 }
 
-static enum status find(const struct labels *l, const struct batch_push *p,
+static enum status find(const struct labels *l, const struct scene_push *p,
                         size_t i, const struct monitor *monitor,
                         const struct batch_fates *f)
 {

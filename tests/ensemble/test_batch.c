@@ -16,9 +16,11 @@ static const char *const keys[KEYS] = { "material.a", "material.b",
                                         "slope.alpha", "material.L" };
 static const char *const names[NUMBERS] = { "v_plus", "v_minus", "x_excess",
                                             "saddle_v", "folds_alpha_cM" };
-static const struct batch_push pushes[PUSHES] = { { false, 2500.0, 10.0 },
-                                                  { false, 1e-3, 1.0 },
-                                                  { true, 3000.0, 0.0 } };
+static const struct scene_push pushes[PUSHES] = {
+    { false, 2500.0, 10.0, false, false },
+    { false, 1e-3, 1.0, false, false },
+    { true, 3000.0, 0.0, false, false }
+};
 
 /* Values of the keys and what comes of them. */
 struct draws {
@@ -136,7 +138,7 @@ static void test_each_draw_is_the_study_of_its_scene(void **state)
 
 /* The state that a push leads to. */
 static struct push_state state_of(const struct push *p,
-                                  const struct batch_push *push)
+                                  const struct scene_push *push)
 {
     if (!push->from_creep)
         return (struct push_state){ push->v, push->psi };

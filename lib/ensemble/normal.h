@@ -1,0 +1,8 @@
+/* normal.h -- the quantile function of the normal law. */
+#ifndef ENSEMBLE_NORMAL_H
+#define ENSEMBLE_NORMAL_H
+
+/* z with P(Z < z) = p, 0 < p < 1, to 1e-15 of it. */
+double normal_quantile(double p);
+
+#endif
