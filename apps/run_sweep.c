@@ -2,18 +2,16 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-#include "origin.h"
 #include "output.h"
 #include "picture_sweep.h"
 #include "product_setting.h"
 #include "progress.h"
-#include "provenance.h"
 #include "replace.h"
 #include "report_sweep.h"
 #include "report_sweep_json.h"
 #include "scene_sweep.h"
+#include "side_file.h"
 #include "sweep_csv.h"
 #include "sweep_file.h"
 #include "tolerance.h"
@@ -78,65 +76,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
 
 /* ---- files --------------------------------------------------------------- */
 
-static enum status is_sweep(const char *path, const char *command,
-                            struct fault *why)
-{
-    if (strcmp(command, "sweep") == 0)
-        return STATUS_OK;
-    snprintf(why->text, sizeof why->text,
-             "%.300s: made by %.40s, expected a file of this sweep (without "
-             "--resume it is replaced)",
-             path, command);
-    return STATUS_BAD_SCENE;
-}
-
-/* A file that is there already is this sweep's own, which was finished. */
-static enum status check_finished(const struct scene *c, struct fault *why)
-{
-    struct origin was;
-    enum status s = origin_read(c->hdf5, is_sweep, &was, why);
-    char *overrides = s == STATUS_OK ? provenance_overrides(c) : NULL;
-
-    if (s == STATUS_OK && overrides == NULL)
-        s = STATUS_NO_MEMORY;
-    if (s == STATUS_OK && (strcmp(was.scene, c->text) != 0 ||
-                           strcmp(was.overrides, overrides) != 0)) {
-        snprintf(why->text, sizeof why->text,
-                 "%.300s: of another scene, expected a file of this sweep "
-                 "(without --resume it is replaced)",
-                 c->hdf5);
-        s = STATUS_BAD_SCENE;
-    }
-    free(overrides);
-    free(was.held);
-    return s;
-}
-
 static const char *const panel[] = { "", NULL };
-
-/* With --resume the side file says what it is of, or else the file itself. */
-static enum status check_files(const struct options *o, const struct scene *c,
-                               const char *journal, struct fault *why)
-{
-    if (o->resume && c->hdf5 == NULL)
-        return complain(why, "--resume without a file, expected -o FILE.h5");
-    const enum status s = output_check(o, c, c->figure, panel, why);
-    return s == STATUS_OK && o->resume && access(journal, F_OK) != 0 &&
-                   access(c->hdf5, F_OK) == 0
-               ? check_finished(c, why)
-               : s;
-}
-
-/* FILE.h5.part, owned by the caller; NULL without a file or memory. */
-static char *journal_of(const struct scene *c)
-{
-    const size_t size = c->hdf5 ? strlen(c->hdf5) + sizeof ".part" : 0;
-    char *path = size ? malloc(size) : NULL;
-
-    if (path)
-        snprintf(path, size, "%s.part", c->hdf5);
-    return path;
-}
 
 static enum status write_files(const struct sweep *s, const struct options *o,
                                const char *journal, struct fault *why)
@@ -258,10 +198,11 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
 {
     struct fault why = { "" };
     struct sweep sweep;
-    char *journal = journal_of(scene);
-    enum status s = scene->hdf5 && !journal
-                        ? STATUS_NO_MEMORY
-                        : check_files(o, scene, journal, &why);
+    char *journal = side_file_of(scene);
+    enum status s =
+        scene->hdf5 && !journal
+            ? STATUS_NO_MEMORY
+            : side_file_check(o, scene, "sweep", journal, panel, &why);
 
     if (s == STATUS_OK)
         s = run_points(&sweep, scene, o, journal, &why);
