@@ -46,6 +46,14 @@ const struct command command_table[COMMANDS] = {
       "where the curves bend. Maps (basins, margin, slip, time, friction, "
       "peak) need -o. A sweep that was killed goes on with --resume.",
       "slipway sweep scenes/sweep.yaml" },
+    [COMMAND_ENSEMBLE] = { "ensemble", 1, "SCENE.yaml",
+      "many materials: distributions, probabilities",
+      "Draws materials and slopes from the scene's ensemble, or takes them "
+      "from a CSV file, and tells of each number its mean, its quantiles and "
+      "how often it exists, of each push the probability of each fate, and "
+      "which parameter makes which part of a number's variance. -o keeps every "
+      "draw. A run that was killed goes on with --resume.",
+      "slipway ensemble scenes/ensemble.yaml --draws 1000" },
     [COMMAND_PUSH] = { "push", 1, "[SCENE.yaml]",
       "one state: stops or slides, and what changes it",
       "Says of the state of --v and --psi whether it stops or slides for "

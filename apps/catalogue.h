@@ -27,6 +27,7 @@ enum {
     ROW(BASIN, basin, COMMAND_ALL_OF_IT | COMMAND_PLANES)                      \
     ROW(SWEEP, sweep,                                                          \
         COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES | COMMAND_PLANES)        \
+    ROW(ENSEMBLE, ensemble, COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES)     \
     ROW(PUSH, push, COMMAND_READS | COMMAND_PLANES)                            \
     ROW(SIMULATE, simulate, COMMAND_READS | COMMAND_DRAWS)                     \
     ROW(RABINOWICZ, rabinowicz, COMMAND_READS | COMMAND_DRAWS)                 \

@@ -17,8 +17,8 @@ COMMAND_LIST(COMMAND_FUNCTION)
 /* Reads the scene of the command line, if one is given, with the settings of it
  * and then these: borrowed, at most COMMAND_MORE.  A scene read again with more
  * says in its file what was run.  Its output is for the commands that make
- * files (portrait, study, plan, basin, sweep); of the others, which answer a
- * question, only what the settings name remains. */
+ * files (portrait, study, plan, basin, sweep, ensemble); of the others, which
+ * answer a question, only what the settings name remains. */
 enum { COMMAND_MORE = 2 };
 MUST_CHECK enum status command_read(const struct options *o, char *const more[],
                                     size_t count, struct scene *scene,

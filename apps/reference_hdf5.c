@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "ensemble_file.h"
 #include "markdown.h"
 #include "plane_numbers.h"
 #include "plane_results.h"
@@ -191,8 +192,9 @@ static void put_part(FILE *out, const struct result *r, struct told *t)
 static void put_groups(FILE *out)
 {
     const struct result *const *const list[] = {
-        provenance_tables, study_tables, simulation_tables, sweep_tables,
-        release_tables,    push_tables,  workprec_tables,   stress_tables
+        provenance_tables, study_tables,    simulation_tables,
+        sweep_tables,      ensemble_tables, release_tables,
+        push_tables,       workprec_tables, stress_tables
     };
     struct told told = { .path = NULL };
 
@@ -342,6 +344,42 @@ static enum status put_sweep(FILE *out)
     return status;
 }
 
+/* ---- ensembles ----------------------------------------------------------- */
+
+static enum status put_ensemble(FILE *out)
+{
+    static const struct record_field push = {
+        .name = "push_K",
+        .unit = "1",
+        .text = "what becomes of the pushed state",
+        .kind = RECORD_CODE,
+        .codes = fate_names
+    };
+    struct result_numbers n;
+    const enum status status = study_numbers(&n, STUDY_NUMBERS);
+
+    if (status != STATUS_OK)
+        return status;
+    fputs(
+        "\n## Columns of `/ensemble`\n"
+        "\nAlong the draws: each parameter, named, with its unit and meaning, "
+        "as the axis of a sweep\nover its key; the fate of push K; of these "
+        "numbers those that ensemble.numbers names or\nthe products give, "
+        "with NAME_exists as in `/sweep`.\n",
+        out);
+    put_sets_head(out);
+    put_set(out, &push, "draw");
+    for (size_t i = 0; i < n.count; i++)
+        if (n.at[i].field->kind == RECORD_QUANTITY &&
+            n.at[i].of->shape == RESULT_SCALARS) {
+            struct record_field f = *n.at[i].field;
+            f.name = n.at[i].name;
+            put_set(out, &f, "draw");
+        }
+    result_numbers_free(&n);
+    return STATUS_OK;
+}
+
 /* ---- systems ------------------------------------------------------------- */
 
 /* One group of a system's file in a line: what it holds, along what. */
@@ -409,6 +447,8 @@ enum status reference_hdf5(FILE *out)
     fputs(head, out);
     fputs("\n## Groups\n", out);
     put_groups(out);
-    const enum status status = put_sweep(out);
+    enum status status = put_sweep(out);
+    if (status == STATUS_OK)
+        status = put_ensemble(out);
     return status ? status : put_systems(out);
 }

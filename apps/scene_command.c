@@ -2,6 +2,8 @@
 
 #include <stddef.h>
 
+#include "ensemble.h"
+
 static bool has_rabinowicz(const struct scene_rabinowicz *r)
 {
     return r->block_mass > 0.0 || r->ball_mass > 0.0 || r->restitution >= 0.0 ||
@@ -14,6 +16,8 @@ const char *scene_command(const struct scene *s)
         return "sweep";
     if (s->system)
         return "study";
+    if (ensemble_is_asked(s))
+        return "ensemble";
     if (s->products == 0 && has_rabinowicz(&s->rabinowicz))
         return "rabinowicz";
     if (s->products == 0 && s->starts > 0 && s->spread == 0)

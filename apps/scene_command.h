@@ -4,9 +4,9 @@
 
 #include "scene.h"
 
-/* "sweep" for one with a sweep; of those that name no products, "rabinowicz"
- * for one with that section and "simulate" for one with starts of its own and
- * no spread; else "study". */
+/* "sweep" for one with a sweep, "ensemble" for one with an ensemble; of those
+ * that name no products, "rabinowicz" for one with that section and "simulate"
+ * for one with starts of its own and no spread; else "study". */
 const char *scene_command(const struct scene *s);
 
 #endif

@@ -42,6 +42,8 @@ MORE = [
         'rabinowicz={block_mass: 1, ball_mass: 0.1, restitution: 0.5}',
         'sweep={key: slope.alpha, values: [0.34]}']),
     ('rabinowicz --law dieterich_gen --alpha 0.34 --data three.csv', []),
+    ('ensemble --law spinodal_gen --alpha 0.34',
+     [products(NUMBERS), 'ensemble={samples: two.csv}']),
     ('knees --law kato_tullis --alpha 0.34', ['material.V_c=1e3']),
     ('push --law spinodal_gen --alpha 0.34 --v 1e3 --psi 10', []),
     ('workprec --quick --law ruina --alpha 0.34', []),
@@ -57,6 +59,8 @@ def small_scene(room, path):
     """How to make its file in no time; what it holds is the same."""
     text = room.read(path)
     sets = [one for one in SMALL if one.split('.')[0] + ':' in text]
+    if re.search(r'^ensemble:', text, re.M):
+        sets.append('ensemble.draws=100')
     if re.search(r'^sweep:', text, re.M):
         sets.append('sweep.points=3')
     return [path, '-o', os.path.basename(path)[:-5] + '.h5', *settings(sets)]
@@ -66,6 +70,7 @@ def make_files(room):
     room.bring('scenes')
     room.make('outputs')
     room.write('three.csv', DATA)
+    room.write('two.csv', 'id,material.a\nx,0.034\ny,0.035\n')
     for path in sorted(glob.glob(room.path('scenes/*.yaml'))):
         if 'system:' in room.read(os.path.relpath(path, room.folder)):
             continue  # its groups have the names of its own states

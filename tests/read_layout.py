@@ -19,6 +19,7 @@ COMPANIONS = {'error': ('real', ': bound on the absolute error'),
                                ': relative error from rounding the inputs')}
 DTYPES = {'real': 'float64', 'count': 'int64', 'code': 'int8', 'text': 'object'}
 SETS, ATTRIBUTES = 0, 1
+DRAWN = ['/sweep', '/ensemble']  # reasons by their codes
 # A map and its audit do not disagree in any scene there is, and these are
 # missing on no slope that workprec takes.
 NEVER = {'/basin/disagreement', '/workprec curve', '/workprec transient',
@@ -93,8 +94,9 @@ class Reader:
         self.page, self.wrong, self.keys = page, [], []
 
     def sweep(self, file):
-        """Names of the keys' axes."""
-        keys = file['sweep'].attrs['keys'] if 'sweep' in file else b''
+        """Names of the keys' axes, or of an ensemble's parameters."""
+        groups = [name for name in ('sweep', 'ensemble') if name in file]
+        keys = file[groups[0]].attrs['keys'] if groups else b''
         return [key.rsplit('.', 1)[-1] for key in keys.decode().split()]
 
     def demand(self, holds, *what):
@@ -119,12 +121,12 @@ class Reader:
                     e.words)
         base, _, suffix = name.rpartition('_')
         e = suffix in COMPANIONS and self.page.find(SETS, group, base)
-        exact = group == '/sweep' and suffix == 'exists' and e
+        exact = group in DRAWN and suffix == 'exists' and e
         if not e or e.kind != 'number' and not (exact and e.kind == 'real'):
             return None
         kind, text = COMPANIONS[suffix]
         unit = e.unit if suffix == 'error' else '' if kind == 'text' else '1'
-        if suffix == 'exists' and group == '/sweep':
+        if suffix == 'exists' and group in DRAWN:
             text = ': whether it exists, or why not'
         return kind, unit, e.along, e.text + text, ['absent', 'present'][
             :2 * (kind == 'code')]
@@ -150,7 +152,7 @@ class Reader:
 
     def words(self, path, dataset, words):
         found = text_of(dataset.attrs, 'flag_meanings').split()
-        if path.startswith('/sweep/') and path.endswith('_exists'):
+        if path.rsplit('/', 1)[0] in DRAWN and path.endswith('_exists'):
             found = found[:2]
         self.demand(found == words, path, 'has the words', found)
 
@@ -163,7 +165,8 @@ class Reader:
     def dataset(self, path, dataset):
         group, name = path.rsplit('/', 1)
         is_axis = h5py.h5ds.is_scale(dataset.id)
-        if is_axis and name in self.keys and group == '/sweep':
+        if name in self.keys and (is_axis and group == '/sweep'
+                                  or group == '/ensemble'):
             self.axis(dataset, name)
             return
         entry = self.entry(group, name)

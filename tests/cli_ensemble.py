@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+"""slipway ensemble as users call it (TAP).
+
+usage: cli_ensemble.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import json
+import os
+import random
+import signal
+import time
+
+from cli_room import expect, refused, run_cases, starts
+
+LAW = ['--law', 'spinodal_gen', '--alpha', '0.34', '--rtol', '1e-9']
+SPREAD = ('ensemble.parameters={material.a: {normal: [0.0349, 0.0005]}, '
+          'slope.alpha: {uniform: [0.28, 0.36]}}')
+NUMBERS = 'ensemble.numbers=[v_plus, x_excess]'
+PUSHES = ('ensemble.pushes=[{v: 2500, psi: 10}, {from: creep, kick: 2000}]')
+FATES = ['creep', 'sliding', 'rest_finite', 'rest_asymptotic', 'runaway',
+         'undecided', 'none']
+
+
+def call(*more):
+    return ['ensemble', *LAW, '--set', SPREAD, '--set', NUMBERS, '--set',
+            PUSHES, *more]
+
+
+def json_has_what_the_manual_says(room):
+    found = room.json(*call('--draws', '1500'))
+    expect(list(found) == ['draws', 'method', 'parameters', 'numbers', 'pushes',
+                           'sensitivity'] and found['draws'] == 1500, found)
+    for name in ('v_plus', 'x_excess'):
+        number = found['numbers'][name]
+        values = list(number['quantiles'].values())
+        expect(list(number['quantiles']) ==
+               ['0.025', '0.16', '0.5', '0.84', '0.975']
+               and values == sorted(values), number)
+        expect(0 < number['exists']['value'] < 1, number)  # below the fold
+        missing = sum(number['reasons'].values())
+        expect(abs(number['exists']['value'] - 1 + missing / 1500) < 1e-12,
+               number)
+        expect(set(found['sensitivity'][name]) ==
+               {'material.a', 'slope.alpha'}, found['sensitivity'])
+    for push in found['pushes']:
+        expect(abs(sum(push[fate]['value'] for fate in FATES) - 1) < 1e-12
+               and all(push[fate]['error'] > 0 for fate in FATES), push)
+        stops = sum(push[fate]['value'] for fate in
+                    ('creep', 'rest_finite', 'rest_asymptotic'))
+        expect(abs(push['arrest']['value'] - stops) < 1e-12, push)
+    expect(found['pushes'][1]['from'] == 'creep', found['pushes'])
+
+
+READ = '''
+import h5py, json, sys
+f = h5py.File(sys.argv[1])
+e = f['ensemble']
+print(json.dumps({'names': sorted(e), 'draws': len(e['draw']),
+    'alpha': list(e['alpha'][:3]), 'v_plus': list(e['v_plus'][:3]),
+    'error': list(e['v_plus_error'][:3]), 'fate': [int(x) for x in e['push_0'][:]],
+    'arrest': list(f['ensemble_pushes/arrest'][:]),
+    'id': [str(x) for x in e['id'].asstr()[:]] if 'id' in e else [],
+    'median': list(f['ensemble_numbers/quantile_50'][:])}))
+'''
+
+
+def the_file_holds_every_draw(room):
+    said = room.json(*call('--draws', '1500', '-o', 'a.h5'))
+    found = json.loads(room.reads(READ, 'a.h5'))
+    expect(found['names'] == sorted(
+        ['a', 'alpha', 'draw', 'push_0', 'push_1', 'v_plus', 'v_plus_error',
+         'v_plus_exists', 'x_excess', 'x_excess_error', 'x_excess_exists']),
+           found['names'])
+    expect(found['draws'] == 1500, found['draws'])
+    creep = found['fate'].count(0) / 1500
+    expect(abs(creep - said['pushes'][0]['creep']['value']) < 1e-12, creep)
+    expect(found['arrest'] == [p['arrest']['value'] for p in said['pushes']],
+           found['arrest'])
+    expect(found['median'][0] == said['numbers']['v_plus']['quantiles']['0.5'],
+           found['median'])
+    expect(room.names() == ['a.h5'], room.names())  # no side file is left
+
+
+def a_draw_is_what_knees_says(room):
+    room.write('s.csv', 'id,material.a,slope.alpha\nN 1,0.0349,0.34\n'
+                        'N 2,0.03,0.35\n')
+    room.json('ensemble', *LAW, '--set', 'ensemble.samples=s.csv', '--set',
+              NUMBERS, '--set', PUSHES, '-o', 'a.h5')
+    found = json.loads(room.reads(READ, 'a.h5'))
+    expect(found['id'] == ['N 1', 'N 2'], found)
+    for i, (a, alpha) in enumerate([(0.0349, 0.34), (0.03, 0.35)]):
+        knees = room.json('knees', *LAW, '--alpha', str(alpha), '--set',
+                          f'material.a={a}')['v_plus']
+        expect((found['v_plus'][i], found['error'][i]) ==
+               (knees['value'], knees['error']), found, knees)
+
+
+def threads_and_stops_change_no_byte(room):
+    seed = int(os.environ.get('CHECK_SEED', '20240229'))
+    print(f'# CHECK_SEED={seed}')
+    draw = random.Random(seed)
+    more = ['--draws', '6000']
+    room.good(*call(*more, '-o', 'a.h5', '--threads', '1', '-q'))
+    room.good(*call(*more, '-o', 'b.h5', '--threads', '2', '-q'))
+    expect(room.bytes('a.h5') == room.bytes('b.h5'), 'threads')
+    killed = 0
+    for _ in range(4):
+        job = starts(room, *call(*more, '-o', 'c.h5', '--resume', '-q'))
+        time.sleep(draw.uniform(0.02, 0.4))
+        killed += job.poll() is None
+        job.send_signal(draw.choice([signal.SIGKILL, signal.SIGINT]))
+        job.communicate()
+    room.good(*call(*more, '-o', 'c.h5', '--resume', '-q'))
+    expect(killed > 0 and room.bytes('a.h5') == room.bytes('c.h5'),
+           f'resumed after {killed} stops')
+    refused(room.run(*call('--resume')), 2, '--resume without a file')
+
+
+def the_figure_has_three_panels(room):
+    room.good(*call('--draws', '500', '--figure', 'a.svg', '-q'))
+    expect(room.names() == ['a.svg', 'a_arrest.svg', 'a_matrix.svg'],
+           room.names())
+    for name, words in (('a.svg', 'median'), ('a_matrix.svg', 'alpha'),
+                        ('a_arrest.svg', 'probability of arrest')):
+        expect(words in room.read(name), name, words)
+
+
+def what_is_wrong_is_one_line_and_nothing_is_written(room):
+    room.write('cell.csv', 'id,material.a\nx,0.03\ny,0,03\n')
+    room.write('word.csv', 'material.a,id\n0.03,1\nthin,2\n')
+    room.write('unit.csv', 'material.L [mm]\n1\n')
+    room.write('key.csv', 'material.d_c\n1\n')
+    room.write('name.yaml', 'law: {preset: spinodal_gen}\nslope: {alpha: 0.34}\n'
+                            'ensemble: {parameters: {material.a: {normal: '
+                            '[0.03, 0.001]}},\n           numbers: [v_plsu]}\n')
+    before = room.names()
+    for name, words in (('cell.csv', 'cell.csv:3:'),
+                        ('word.csv', "word.csv:3:1: material.a: 'thin'"),
+                        ('unit.csv', "unit.csv:1:1: material.L: unit 'mm'"),
+                        ('key.csv', "key.csv:1:1: 'material.d_c'"),
+                        ('none.csv', 'none.csv')):
+        refused(room.run('ensemble', *LAW, '--set', f'ensemble.samples={name}',
+                         '-o', 'a.h5', '--figure', 'a.svg'),
+                4 if name == 'none.csv' else 2, words)
+    refused(room.run('ensemble', 'name.yaml', '-o', 'a.h5'), 2,
+            'name.yaml:4:22: ensemble.numbers: v_plsu: no number')
+    refused(room.run('ensemble', *LAW), 2, 'the scene has none')
+    refused(room.run(*call('--set', 'ensemble.method=grd')), 2, 'grid')
+    expect(room.names() == before, room.names())
+
+
+def a_slope_may_be_among_what_is_drawn(room):
+    found = room.json('ensemble', '--law', 'spinodal_gen', '--set', SPREAD,
+                      '--set', NUMBERS, '--draws', '50')
+    expect(found['numbers']['v_plus']['exists']['value'] > 0.5, found)
+    room.write('s.csv', 'material.a\n0.03\n')
+    refused(room.run('ensemble', '--law', 'spinodal_gen', '--set',
+                     'ensemble.samples=s.csv'), 2, 'no slope')
+
+
+def draws_beyond_a_law_are_counted(room):
+    found = room.json('ensemble', *LAW, '--set', 'ensemble.parameters='
+                      '{material.a: {normal: [0.001, 0.001]}}', '--set',
+                      'ensemble.numbers=[saddle_v]', '--draws', '2000')
+    number = found['numbers']['saddle_v']
+    count = number['reasons']['material.a is not allowed, expected a number > 0']
+    expect(abs(count / 2000 - 0.158655) < 0.01, number)
+
+
+run_cases([
+    json_has_what_the_manual_says,
+    the_file_holds_every_draw,
+    a_draw_is_what_knees_says,
+    threads_and_stops_change_no_byte,
+    the_figure_has_three_panels,
+    what_is_wrong_is_one_line_and_nothing_is_written,
+    a_slope_may_be_among_what_is_drawn,
+    draws_beyond_a_law_are_counted,
+])
