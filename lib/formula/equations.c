@@ -148,7 +148,8 @@ static enum formula_function inverse_of(enum formula_function f)
     }
 }
 
-/* k f(u) + c = 0 as u - f^-1(-c/k) = 0, k and c constants. */
+/* k f(u) + c = 0 as u - f^-1(-c/k) = 0, k and c constants; not the logarithm of
+ * what is > 0, which split is made of. */
 static bool undo(struct formula *f, int u, int *out)
 {
     const struct formula_node n = *node_of(f, u);
@@ -167,7 +168,8 @@ static bool undo(struct formula *f, int u, int *out)
         const struct formula_node g = *node_of(f, rest);
         const enum formula_function inverse =
             g.kind == FORMULA_CALL ? inverse_of(g.function) : FUNCTIONS;
-        if (node_of(f, c)->moves || inverse == FUNCTIONS || !g.moves)
+        if (node_of(f, c)->moves || inverse == FUNCTIONS || !g.moves ||
+            (g.function == FUNCTION_LN && node_of(f, g.of[0])->positive))
             continue;
         call = formula_over(
             f, formula_times(f, formula_number(f, -1 / factor), c), k);

@@ -82,6 +82,22 @@ static void competing_species_are_all_found(void **state)
     all_found(4, "on edges");
 }
 
+/* 2 - x - y = 0 is ln 2 = ln(x + y), from which there is no way back. */
+static void whoever_competes_for_other_than_one_is_found(void **state)
+{
+    static const struct typed lotka = { { CHART_POSITIVE, CHART_POSITIVE },
+                                        { { NULL } },
+                                        { { NULL } },
+                                        { "x*(3 - x - 2*y)",
+                                          "y*(2 - x - y)" } };
+
+    (void) state;
+    type_system(&lotka);
+    find_in(-5, 2, -5, 2);
+    all_found(1, "Lotka and Volterra");
+    is_type(at_place(1, 1, 1e-15), SYSTEM_SADDLE);
+}
+
 static void morris_and_lecar_have_three(void **state)
 {
     static const struct typed lecar = {
@@ -332,6 +348,7 @@ int main(void)
         cmocka_unit_test(the_pendulum_has_a_saddle_and_a_centre_once_round),
         cmocka_unit_test(fitzhugh_and_nagumo_have_one_or_three),
         cmocka_unit_test(competing_species_are_all_found),
+        cmocka_unit_test(whoever_competes_for_other_than_one_is_found),
         cmocka_unit_test(morris_and_lecar_have_three),
         cmocka_unit_test(equations_that_know_nothing_of_each_other_are_solved),
         cmocka_unit_test(duffing_has_three_and_a_window_may_have_none),
