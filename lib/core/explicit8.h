@@ -8,7 +8,12 @@
 
 #include "ode.h"
 
-enum { EXPLICIT8_DEGREE = 7, EXPLICIT8_CALLS = 11, EXPLICIT8_DENSE_CALLS = 4 };
+enum {
+    EXPLICIT8_DEGREE = 7,
+    EXPLICIT8_CALLS = 11,
+    EXPLICIT8_DENSE_CALLS = 4,
+    EXPLICIT8_TERMS = 3 /* estimates of last terms (explicit8_table.h) */
+};
 
 /* The stages; k[0] = rhs(s, u) is the caller's to fill. */
 struct explicit8 {

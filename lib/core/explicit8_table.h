@@ -6,6 +6,8 @@
 #ifndef CORE_EXPLICIT8_TABLE_H
 #define CORE_EXPLICIT8_TABLE_H
 
+#include "explicit8.h"
+
 enum { EXPLICIT8_STAGES = 12, EXPLICIT8_ALL = 16 };
 
 static const double explicit8_node[EXPLICIT8_ALL] = {
@@ -122,6 +124,22 @@ static const double explicit8_weight3[EXPLICIT8_STAGES] = {
     [0] = 0.244094488188976377952755905512,
     [8] = 0.733846688281611857341361741547,
     [11] = 0.220588235294117647058823529412e-1,
+};
+
+/* Estimates of what is left out, in the stages: two of order 5, as large as the
+ * term of order 6 of an integral's series, and the one of order 6 there is, as
+ * large as that of order 7. */
+static const double explicit8_term[EXPLICIT8_TERMS][EXPLICIT8_STAGES] = {
+    { -1.66338582677165354331e+1, 0.0, 0.0, 0.0, 0.0, 2.75987903225806451613e+3,
+      9.87311729803742583295e+2, -3.64584642576590730558e+3,
+      1.13832755054523508503e+2, -1.98543233082706766917e+2, 0.0, 0.0 },
+    { -9.98031496062992125984e+0, 0.0, 0.0, 0.0, 0.0, 1.10395161290322580645e+3,
+      4.60745473908413205538e+2, -1.53935737976782752902e+3,
+      -1.67401110374299277211e+1, 0.0, 0.0, 1.38071895424836601307e+0 },
+    { 1.66338582677165354331e+1, 0.0, 0.0, 0.0, 0.0, -4.51616568914956011730e+3,
+      -1.39385185384057776465e+3, 5.68752042419481539670e+3,
+      -4.73965563750151263164e+2, 6.61810776942355889724e+2,
+      1.80180473354013232598e+1, 0.0 },
 };
 
 #endif

@@ -18,17 +18,6 @@
 #include "slider.h"
 #include "slow_tolerance.h"
 
-/* What steps of order 8 miss goes like the cube of a step, of their estimates
- * of order 5, and the eighth power of it like the tolerance; finer ones are
- * trusted less. */
-static double fair_of(double rtol)
-{
-    const double loose = rtol / TOL_LAYER_PLAIN;
-
-    return fmin(TOL_LAYER_FAIR * pow(loose, loose > 1.0 ? 3.0 / 8.0 : 0.25),
-                1.0);
-}
-
 struct layer_options layer_defaults(double rtol)
 {
     return (struct layer_options){
@@ -36,7 +25,6 @@ struct layer_options layer_defaults(double rtol)
         .rtol = TOL_LAYER_PART * rtol,
         .landing =
             rtol < TOL_LAYER_PLAIN ? TOL_LAYER_CLOSER : TOL_LAYER_LANDING,
-        .fair = fair_of(rtol),
         .peaks = true,
     };
 }
@@ -261,71 +249,83 @@ static void carry(struct walk *w, const double du0[], struct landing_step *m)
                            turn * (du0[LAYER_SLIP] + du1[LAYER_SLIP]));
 }
 
-/* What the step misses of the estimates of order 5 of two components: like the
- * cube of a step, as the power 3/2 of their ratio to those of order 3, but
- * where terms of another order are as large; and as much more as another
- * estimate of order 5, by the two stages at its end, says.  gain: of the step;
- * unit: of the sums of squares. */
-static double missed_of(const struct walk *w, int first, const double e5[],
-                        const double gain[], const double unit[])
-{
-    double sum5 = 0.0, sum3 = 0.0, other = 0.0;
+/* The estimates of what a step from u0 leaves out, and of what all of its terms
+ * from order 4 on make. */
+struct left_out {
+    double term[EXPLICIT8_TERMS][LAYER_DIM], fourth[LAYER_DIM];
+};
 
-    for (int i = first; i < first + 2; i++) {
+static void estimate(const struct walk *w, const double u0[],
+                     struct left_out *e)
+{
+    const struct explicit8 *work = &w->work;
+
+    for (int i = 0; i < LAYER_DIM; i++) {
         double third = 0.0;
         for (int j = 0; j < EXPLICIT8_STAGES; j++)
-            third += explicit8_weight3[j] * w->work.k[j][i];
-        const double e = e5[i] / unit[i];
-        const double e3 = (gain[i] - w->h * third) / unit[i];
-        const double end = w->at.du[i] - w->work.k[EXPLICIT8_STAGES - 1][i];
-        const double second = TOL_LAYER_SECOND * w->h * end / unit[i];
-        sum5 += e * e;
-        sum3 += e3 * e3;
-        other += second * second;
+            third += explicit8_weight3[j] * work->k[j][i];
+        e->fourth[i] = w->at.u[i] - u0[i] - w->h * third;
+        for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+            e->term[n][i] = 0.0;
+            for (int j = 0; j < EXPLICIT8_STAGES; j++)
+                e->term[n][i] += w->h * explicit8_term[n][j] * work->k[j][i];
+        }
     }
-    const double more = sqrt(fmax(other, sum5) / fmax(sum5, DBL_MIN));
-    const double ratio = more * sqrt(sum5 / fmax(sum3, DBL_MIN));
-    const double cube = fmin(fabs(w->h * w->h * w->h), 1.0);
-
-    return more * fmin(fmax(TOL_LAYER_MISSED * ratio * sqrt(ratio),
-                            TOL_LAYER_MISSED_LEAST * cube),
-                       TOL_LAYER_MISSED_MOST);
 }
 
-/* The larger of that of its place and that of time and slip: what is late
- * because it lies aside is to cancel. */
-static double missed(const struct walk *w, const double e5[],
-                     const double gain[], const double unit[])
+/* The square of the ratio in which terms fall from order to order, of two
+ * components: as the one of order 7 and what both of order 6 differ by are to
+ * these, and as these are to what there is from order 4 on.  unit: of the sums
+ * of squares. */
+static double fall_of(const struct left_out *e, int first, const double unit[])
 {
-    return fmax(missed_of(w, LAYER_X, e5, gain, unit),
-                missed_of(w, LAYER_TIME, e5, gain, unit));
+    double sixth = 0.0, seventh = 0.0, apart = 0.0, fourth = 0.0;
+
+    for (int i = first; i < first + 2; i++) {
+        const double a = e->term[0][i] / unit[i], b = e->term[1][i] / unit[i];
+        const double c = e->term[2][i] / unit[i], d = e->fourth[i] / unit[i];
+        sixth += 0.5 * (a * a + b * b);
+        seventh += c * c;
+        apart += (a - b) * (a - b);
+        fourth += d * d;
+    }
+    const double next = fmax(seventh, apart) / fmax(sixth, DBL_MIN);
+    const double before = sqrt(sixth / fmax(fourth, DBL_MIN));
+    return fmin(fmax(next, TOL_LAYER_FOURTH * before), TOL_LAYER_FALL);
 }
 
-/* All of it, from u0; *place: of the end's. */
+/* All that the step from u0 misses; *place: of its end.  What is late because
+ * it lies aside is to cancel, so one ratio is that of all. */
 static void miss(const struct walk *w, const double u0[], const double unit[],
                  struct landing_step *m, double *place)
 {
     const double *du = w->at.du;
-    double gain[LAYER_DIM], e[LAYER_DIM];
+    struct left_out e;
 
-    for (int i = 0; i < LAYER_DIM; i++) {
-        gain[i] = w->at.u[i] - u0[i];
-        e[i] = 0.0;
-        for (int j = 0; j < EXPLICIT8_STAGES; j++)
-            e[i] += w->h * explicit8_error5[j] * w->work.k[j][i];
+    estimate(w, u0, &e);
+    const double fall =
+        fmax(fall_of(&e, LAYER_X, unit), fall_of(&e, LAYER_TIME, unit));
+    const double r = sqrt(fall);
+    const double part = TOL_LAYER_MISSED * fall * r * (1.0 + r + fall);
+    *place = 0.0;
+    for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+        const double *t = e.term[n];
+        const double on = t[LAYER_X] * du[LAYER_X] + t[LAYER_Y] * du[LAYER_Y];
+        m->across[n] =
+            part * (t[LAYER_Y] * du[LAYER_X] - t[LAYER_X] * du[LAYER_Y]);
+        m->time[n] = part * (t[LAYER_TIME] - du[LAYER_TIME] * on);
+        m->slip[n] = part * (t[LAYER_SLIP] - du[LAYER_SLIP] * on);
+        *place = fmax(*place, part * (fabs(t[LAYER_X]) + fabs(t[LAYER_Y])));
     }
-    const double part = missed(w, e, gain, unit);
-    const double fair = fmax(part, w->at.options.fair);
-    m->part = part;
-    m->size = part * sqrt(e[LAYER_X] * e[LAYER_X] + e[LAYER_Y] * e[LAYER_Y]);
-    m->length = fabs(w->h);
-    *place = fair * (fabs(e[LAYER_X]) + fabs(e[LAYER_Y]));
-    for (int i = 0; i < LAYER_DIM; i++)
-        e[i] *= part;
-    const double on = e[LAYER_X] * du[LAYER_X] + e[LAYER_Y] * du[LAYER_Y];
-    m->across = e[LAYER_Y] * du[LAYER_X] - e[LAYER_X] * du[LAYER_Y];
-    m->time = e[LAYER_TIME] - du[LAYER_TIME] * on;
-    m->slip = e[LAYER_SLIP] - du[LAYER_SLIP] * on;
+}
+
+static double largest(const double of[])
+{
+    double most = 0.0;
+
+    for (int n = 0; n < EXPLICIT8_TERMS; n++)
+        most = fmax(most, fabs(of[n]));
+    return most;
 }
 
 /* Takes the step to u1.  Rounding moves its end, and turns the field by as
@@ -351,8 +351,7 @@ static void account(struct walk *w, const double u1[], const double unit[])
     miss(w, u0, unit, m, &place);
     m->digits = digit_x * dy + digit_y * dx +
                 TOL_LAYER_TERMS * digits * fabs(w->h) * dx * dy;
-    l->across = m->left * l->across + fabs(m->across) +
-                TOL_LAYER_TURN * m->size + m->digits;
+    l->across = m->left * l->across + largest(m->across) + m->digits;
     l->time_error += time + l->du[LAYER_TIME] * on;
     l->slip_error += slip + l->du[LAYER_SLIP] * on;
     l->out->place_error += place + digits;

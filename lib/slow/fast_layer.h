@@ -21,8 +21,6 @@ struct layer_options {
     double promise;    /* relative, of time and slip */
     double rtol;       /* of each step, absolute in ln v and ln psi */
     double landing;    /* from the slow curve, in ln v */
-    double fair;       /* of places of peaks, the least part of the estimates of
-                          order 5 that a step misses */
     double time, slip; /* about what is to come, if less than that of any state
                           outside the boxes of arrest; 0: not known */
     bool peaks;

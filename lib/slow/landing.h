@@ -5,19 +5,19 @@
 #ifndef SLOW_LANDING_H
 #define SLOW_LANDING_H
 
+#include "explicit8.h"
 #include "fast_layer.h"
 
 /* Components in arc length of the chart. */
 enum { LAYER_X, LAYER_Y, LAYER_TIME, LAYER_SLIP, LAYER_DIM };
 
-/* What a step may have missed: `across` the orbit, to its left, and of time and
- * slip where it has come as far along; its size in any direction, which is a
- * part of the estimates of order 5 that goes like the cube of its length; by
+/* What a step may have missed, by each of the estimates there are: `across` the
+ * orbit, to its left, and of time and slip where it has come as far along; by
  * how much rounding moves it across; and what it makes of a unit across at its
  * start: `left` of it, and more of time and slip. */
 struct landing_step {
-    double across, time, slip;
-    double size, part, length;
+    double across[EXPLICIT8_TERMS];
+    double time[EXPLICIT8_TERMS], slip[EXPLICIT8_TERMS];
     double digits;
     double left, time_gain, slip_gain;
 };

@@ -17,13 +17,11 @@ enum { STEPS = EXPLICIT8_STAGES, PAIR = TAPE_SETS, WEIGHED = 5 };
 struct bundle {
     const struct slow_curve *curve;
     lanes u[LAYER_DIM], k[STEPS][LAYER_DIM];
-    lanes u1[LAYER_DIM], error[LAYER_DIM];
+    lanes u1[LAYER_DIM];
+    lanes term[EXPLICIT8_TERMS][LAYER_DIM], fall; /* as miss of fast_layer.c */
     lanes h, most, tol, least[2];
-    lanes previous, last;   /* error and size of the last accepted step */
-    lanes fresh;            /* 1: no step was refused */
-    lanes fair;             /* as of struct layer_options */
-    lanes sum5[2], sum3[2]; /* squares of estimates over tolerances, of place
-                               and of time and slip */
+    lanes previous, last; /* error and size of the last accepted step */
+    lanes fresh;          /* 1: no step was refused */
     lanes across, digits[2], place;
     lanes spread, aside[2]; /* per unit to the left of where it is */
     struct landing at[LANES];
@@ -115,34 +113,54 @@ static void stage(struct bundle b[], int j)
     along(b, x, y, j >= WEIGHED, du);
 }
 
+/* As fall_of of fast_layer.c, of terms and of what there is from order 4 on, in
+ * tolerances: of place (0), or of time and slip (1). */
+static lanes fall_of(lanes term[][LAYER_DIM], const lanes r3[], int g)
+{
+    const lanes tiny = LANES_OF(DBL_MIN), none = LANES_OF(0.0);
+    lanes sixth = none, seventh = none, apart = none, fourth = none;
+
+    for (int i = g * LAYER_TIME; i < (g + 1) * LAYER_TIME; i++) {
+        const lanes a = term[0][i], b = term[1][i], c = term[2][i];
+        sixth += 0.5 * (a * a + b * b);
+        seventh += c * c;
+        apart += (a - b) * (a - b);
+        fourth += r3[i] * r3[i];
+    }
+    const lanes next = lanes_larger(seventh, apart) / lanes_larger(sixth, tiny);
+    const lanes before = lanes_root(sixth / lanes_larger(fourth, tiny));
+    return lanes_smaller(lanes_larger(next, TOL_LAYER_FOURTH * before),
+                         LANES_OF(TOL_LAYER_FALL));
+}
+
 /* After the stages, as explicit8_try: the error over the tolerance. */
 static lanes finish(struct bundle *b)
 {
-    lanes gain[LAYER_DIM], third[LAYER_DIM], e5[LAYER_DIM];
+    lanes gain[LAYER_DIM], third[LAYER_DIM], e5[LAYER_DIM], r3[LAYER_DIM];
+    lanes term[EXPLICIT8_TERMS][LAYER_DIM];
+    const lanes none = LANES_OF(0.0);
+    lanes sum5 = none, sum3 = none;
 
-    for (int g = 0; g < 2; g++)
-        b->sum5[g] = b->sum3[g] = LANES_OF(0.0);
     combine(b, LAYER_DIM, STEPS, explicit8_a[STEPS], gain);
     combine(b, LAYER_DIM, STEPS, explicit8_weight3, third);
     combine(b, LAYER_DIM, STEPS, explicit8_error5, e5);
+    for (int n = 0; n < EXPLICIT8_TERMS; n++)
+        combine(b, LAYER_DIM, STEPS, explicit8_term[n], term[n]);
     for (int i = 0; i < LAYER_DIM; i++) {
         b->u1[i] = b->h * gain[i] + b->u[i];
         const lanes unit = 1.0 / on_tolerance(b, i);
-        const lanes r3 = (gain[i] - third[i]) * unit, r5 = e5[i] * unit;
-        lanes *const sum5 = &b->sum5[i / LAYER_TIME];
-        lanes *const sum3 = &b->sum3[i / LAYER_TIME];
-        *sum3 = r3 * r3 + *sum3;
-        *sum5 = r5 * r5 + *sum5;
-        b->error[i] = b->h * e5[i];
+        const lanes r5 = e5[i] * unit;
+        r3[i] = (gain[i] - third[i]) * unit;
+        sum3 += r3[i] * r3[i];
+        sum5 += r5 * r5;
+        for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+            b->term[n][i] = b->h * term[n][i];
+            term[n][i] *= unit;
+        }
     }
-    const lanes sum5 = b->sum5[0] + b->sum5[1];
-    const lanes sum3 = b->sum3[0] + b->sum3[1];
-    const lanes all = sum5 + 0.01 * sum3, none = LANES_OF(0.0);
+    b->fall = lanes_larger(fall_of(term, r3, 0), fall_of(term, r3, 1));
+    const lanes all = sum5 + 0.01 * sum3;
     const lanes off = lanes_size(b->h) * sum5 / lanes_root(LAYER_DIM * all);
-    for (int g = 0; g < 2; g++) {
-        b->sum5[g] = b->h * b->h * b->sum5[g];
-        b->sum3[g] = b->h * b->h * b->sum3[g];
-    }
     return lanes_less(none, sum5, off, sum5);
 }
 
@@ -174,7 +192,9 @@ static lanes judge(struct bundle *b, lanes off, lanes *factor)
 /* struct landing_step of every lane, and what else is known of the step;
  * b->k[0] was du0. */
 struct steps {
-    lanes across, gain[2], size, part, length, digits, left, carried[2];
+    lanes across[EXPLICIT8_TERMS], gain[2][EXPLICIT8_TERMS];
+    lanes digits, left, carried[2];
+    lanes most, place; /* missed across, and at its end */
     lanes good, factor, u[LAYER_DIM], du0[LAYER_DIM];
     lanes spread, aside[2];
 };
@@ -227,27 +247,26 @@ static void carry(struct bundle *b, struct steps *m)
     b->spread = lanes_less(none, m->good, m->spread, b->spread);
 }
 
-/* As missed_of of fast_layer.c: of place (0), or of time and slip (1). */
-static lanes missed_of(const struct bundle *b, int g)
+/* As miss of fast_layer.c. */
+static void miss(const struct bundle *b, struct steps *m)
 {
-    const lanes tiny = LANES_OF(DBL_MIN), size = lanes_size(b->h);
-    lanes other = LANES_OF(0.0);
+    const lanes *du = b->k[0];
+    const lanes r = lanes_root(b->fall);
+    const lanes part = TOL_LAYER_MISSED * b->fall * r * (1.0 + r + b->fall);
 
-    for (int i = g * LAYER_TIME; i < (g + 1) * LAYER_TIME; i++) {
-        const lanes end = b->k[0][i] - b->k[STEPS - 1][i];
-        const lanes second = TOL_LAYER_SECOND * b->h * end / on_tolerance(b, i);
-        other = second * second + other;
+    m->most = m->place = LANES_OF(0.0);
+    for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+        const lanes *t = b->term[n];
+        const lanes on = t[LAYER_X] * du[LAYER_X] + t[LAYER_Y] * du[LAYER_Y];
+        const lanes size = lanes_size(t[LAYER_X]) + lanes_size(t[LAYER_Y]);
+        m->across[n] =
+            part * (t[LAYER_Y] * du[LAYER_X] - t[LAYER_X] * du[LAYER_Y]);
+        for (int i = 0; i < 2; i++)
+            m->gain[i][n] =
+                part * (t[LAYER_TIME + i] - du[LAYER_TIME + i] * on);
+        m->most = lanes_larger(m->most, lanes_size(m->across[n]));
+        m->place = lanes_larger(m->place, part * size);
     }
-    const lanes more = lanes_root(lanes_larger(other, b->sum5[g]) /
-                                  lanes_larger(b->sum5[g], tiny));
-    const lanes ratio =
-        more * lanes_root(b->sum5[g] / lanes_larger(b->sum3[g], tiny));
-    const lanes cube = lanes_smaller(size * size * size, LANES_OF(1.0));
-
-    return more * lanes_smaller(
-                      lanes_larger(TOL_LAYER_MISSED * ratio * lanes_root(ratio),
-                                   TOL_LAYER_MISSED_LEAST * cube),
-                      LANES_OF(TOL_LAYER_MISSED_MOST));
 }
 
 /* As account of fast_layer.c, where the step to u is accepted. */
@@ -259,29 +278,17 @@ static void account(struct bundle *b, struct steps *m)
     const lanes digit_x = TOL_SLIDER_ROUNDING * lanes_size(u[LAYER_X]);
     const lanes digit_y = TOL_SLIDER_ROUNDING * lanes_size(u[LAYER_Y]);
     const lanes digits = digit_x + digit_y;
-    const lanes part = lanes_larger(missed_of(b, 0), missed_of(b, 1));
-    const lanes e_x = part * b->error[LAYER_X];
-    const lanes e_y = part * b->error[LAYER_Y];
-    const lanes on = e_x * du[LAYER_X] + e_y * du[LAYER_Y];
     const lanes moved = digit_x * dx + digit_y * dy;
 
     carry(b, m);
-    m->across = e_y * du[LAYER_X] - e_x * du[LAYER_Y];
-    m->part = part;
-    m->size = lanes_root(e_x * e_x + e_y * e_y);
-    m->length = lanes_size(b->h);
+    miss(b, m);
     m->digits = digit_x * dy + digit_y * dx +
-                TOL_LAYER_TERMS * digits * m->length * dx * dy;
-    const lanes across = m->left * b->across + lanes_size(m->across) +
-                         TOL_LAYER_TURN * m->size + m->digits;
-    const lanes fair = lanes_larger(part, b->fair);
-    const lanes place =
-        fair * (lanes_size(b->error[LAYER_X]) + lanes_size(b->error[LAYER_Y])) +
-        digits;
+                TOL_LAYER_TERMS * digits * lanes_size(b->h) * dx * dy;
+    const lanes across = m->left * b->across + m->most + m->digits;
+    const lanes place = m->place + digits;
     for (int i = 0; i < 2; i++) {
         const int k = LAYER_TIME + i;
         const lanes gain = digits * lanes_size(b->u1[k] - b->u[k]);
-        m->gain[i] = part * b->error[k] - du[k] * on;
         b->digits[i] += lanes_less(none, good, gain + du[k] * moved, none);
     }
     b->across = lanes_less(none, good, across, b->across);
@@ -291,20 +298,19 @@ static void account(struct bundle *b, struct steps *m)
 /* Keeps what lane l's step was. */
 static void keep(struct bundle *b, int l, const struct steps *m)
 {
-    const size_t k = b->at[l].out->steps++;
+    struct landing_step *to = &b->at[l].step[b->at[l].out->steps++];
 
-    b->at[l].step[k] = (struct landing_step){
-        .across = m->across[l],
-        .time = m->gain[0][l],
-        .slip = m->gain[1][l],
-        .size = m->size[l],
-        .part = m->part[l],
-        .length = m->length[l],
+    *to = (struct landing_step){
         .digits = m->digits[l],
         .left = m->left[l],
         .time_gain = m->carried[0][l],
         .slip_gain = m->carried[1][l],
     };
+    for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+        to->across[n] = m->across[n][l];
+        to->time[n] = m->gain[0][n][l];
+        to->slip[n] = m->gain[1][n][l];
+    }
 }
 
 /* Where the steps that are good end, where the others began. */
@@ -366,7 +372,6 @@ static void take(struct bundle *b, int l, const struct layer_job *job,
         b->u[i][l] = b->at[l].u[i];
     b->h[l] = TOL_LAYER_LANDING;
     b->tol[l] = options.rtol;
-    b->fair[l] = options.fair;
     b->least[0][l] = least[0];
     b->least[1][l] = least[1];
     b->previous[l] = b->fresh[l] = 1.0;

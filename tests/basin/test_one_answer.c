@@ -413,6 +413,18 @@ static const struct {
         1e-6 },
       { -9.6662550733904027, 12.808337279079629 },
       "a base point whose fibre is not that of the state" },
+    { { FRICTION_ASINH, THETA_LN_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
+        KINETICS_SINH, 0.41410403466642653, 0.0087529388898655025,
+        0.039770166828770034, 0.0, HUGE_VAL, 1.7000743598736656e-05,
+        4.5641124349175146e-06, 0.10362603597122191, 1e-5 },
+      { 6.6906998563487132, -15.675120607608676 },
+      "a step over a bend that is small beside what it goes along" },
+    { { FRICTION_ASINH, THETA_LN_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
+        KINETICS_LINEAR, 0.369, 0.025358480393082479, 0.0489,
+        0.0048798127295660481, 48.390248828402015, 3.6345678915014544e-08, 1e-6,
+        0.2695171658454639, 1e-4 },
+      { 6.4694328345617969, 0.081544055362328921 },
+      "loose steps along the separatrix" },
 };
 
 static void states_that_random_ones_found_have_one_answer(void **state)

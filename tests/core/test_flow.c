@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "explicit8_table.h"
 #include "newton.h"
 
 static int fail_at = -1;
@@ -67,8 +68,22 @@ static double distance(const double u[], const double v[], size_t n)
 /* One step of size h from t = 2.5: errors of the end, of the dense output and
  * the estimate. */
 struct errors {
-    double end, dense, estimate;
+    double end, dense, estimate, term[EXPLICIT8_TERMS];
 };
+
+/* What estimate n of the last terms makes of a step. */
+static double term_of(const struct explicit8 *w, int n, double h, size_t dim)
+{
+    double worst = 0.0;
+
+    for (size_t i = 0; i < dim; i++) {
+        double sum = 0.0;
+        for (int j = 0; j < EXPLICIT8_STAGES; j++)
+            sum += h * explicit8_term[n][j] * w->k[j][i];
+        worst = fmax(worst, fabs(sum));
+    }
+    return worst;
+}
 
 static struct errors one_step(double h)
 {
@@ -76,12 +91,14 @@ static struct errors one_step(double h)
     struct curve c = CURVE_EMPTY(4);
     const double atol[4] = { 1, 1, 1, 1 };
     double u[4], u1[4], error[4], exact[4], *coef;
-    struct errors e = { 0, 0, 0 };
+    struct errors e = { 0 };
 
     kepler_exact(2.5, u);
     kepler(NULL, 2.5, u, w.k[0]);
     e.estimate =
         explicit8_try(&w, &kepler_ode, 2.5, u, h, atol, 0.0, u1, error);
+    for (int n = 0; n < EXPLICIT8_TERMS; n++)
+        e.term[n] = term_of(&w, n, h, 4);
     kepler_exact(2.5 + h, exact);
     e.end = distance(u1, exact, 4);
     assert_int_equal(curve_push(&c, EXPLICIT8_DEGREE, &coef), STATUS_OK);
@@ -112,6 +129,18 @@ static void step_has_order_8_and_dense_output_order_7(void **state)
           "estimate %g, true %g", b.estimate, b.end);
 }
 
+static void estimates_of_terms_are_of_order_6_and_7(void **state)
+{
+    static const double order[EXPLICIT8_TERMS] = { 6.0, 6.0, 7.0 };
+    const struct errors a = one_step(0.2), b = one_step(0.1);
+
+    (void) state;
+    for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+        const double told = log2(a.term[n] / b.term[n]);
+        CHECK(fabs(told - order[n]) < 0.4, "%d: order %g", n, told);
+    }
+}
+
 /* u' = s^n: the nodes and weights as a quadrature formula. */
 static void power(const void *ctx, double s, const double u[], double du[])
 {
@@ -134,6 +163,12 @@ static void quadrature_is_exact_up_to_degree_7(void **state)
         explicit8_dense(&w, &ode, 0.0, u, 1.0, u1, coef);
         const double off = fabs(u1[0] * (n + 1) - 1.0);
         CHECK(n == 8 ? off > 1e-9 : off < 1e-14, "n = %d: %g", n, off);
+        for (int k = 0; k < EXPLICIT8_TERMS; k++) {
+            const int first = k < 2 ? 5 : 6;
+            const double term = term_of(&w, k, 1.0, 1);
+            CHECK(n > first || fabs(term * (n + 1) - (n == first)) < 1e-11,
+                  "n = %d, term %d: %g", n, k, term);
+        }
         for (int j = 0; j <= EXPLICIT8_DEGREE && n < EXPLICIT8_DEGREE; j++) {
             const double ref = j == n + 1 ? 1.0 / j : 0.0;
             CHECK(fabs(coef[j] - ref) < 1e-12, "n = %d, theta^%d: %g", n, j,
@@ -441,6 +476,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(step_has_order_8_and_dense_output_order_7),
+        cmocka_unit_test(estimates_of_terms_are_of_order_6_and_7),
         cmocka_unit_test(quadrature_is_exact_up_to_degree_7),
         cmocka_unit_test(error_follows_the_tolerance_there_and_back),
         cmocka_unit_test(every_crossing_is_recorded_where_it_is),

@@ -9,17 +9,6 @@
 enum { STEPS = 3 };
 static const struct landing_slope slope = { 7.0, -3.0 };
 
-/* Three steps alike, each of which missed `across` of its size. */
-static void alike(double across, double part, struct landing_step step[])
-{
-    for (int k = 0; k < STEPS; k++)
-        step[k] = (struct landing_step){ .across = across,
-                                         .size = 1e-9,
-                                         .part = part,
-                                         .length = 0.5,
-                                         .left = 1.0 };
-}
-
 static struct landing_bar weigh(struct landing_step step[])
 {
     struct layer out = { .steps = STEPS };
@@ -34,55 +23,55 @@ static void check_close(double told, double expected)
           expected);
 }
 
-static void an_estimate_along_the_orbit_may_be_a_miss_across(void **state)
-{
-    struct landing_step step[STEPS];
+/* A step that misses nothing. */
+static const struct landing_step exact = { .left = 1.0 };
 
+static void an_estimate_that_vanishes_is_outdone_by_the_others(void **state)
+{
     (void) state;
-    alike(0.0, 0.1, step);
-    const struct landing_bar bar = weigh(step);
-    check_close(bar.time, STEPS * TOL_LAYER_TURN * 1e-9 * 7.0);
-    check_close(bar.slip, STEPS * TOL_LAYER_TURN * 1e-9 * 3.0);
+    for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+        struct landing_step step[STEPS] = { exact, exact, exact };
+        step[1].across[n] = 1e-9;
+        const struct landing_bar bar = weigh(step);
+        check_close(bar.time, 1e-9 * 7.0);
+        check_close(bar.slip, 1e-9 * 3.0);
+    }
 }
 
-/* The step in the middle, of twice the length, told a thousandth. */
-static void a_step_misses_no_less_than_its_neighbours_say(void **state)
+/* Late by as much as it lies aside, by every estimate but one. */
+static void what_is_late_for_being_aside_is_not_late(void **state)
 {
-    struct landing_step step[STEPS];
+    struct landing_step step[STEPS] = { exact, exact, exact };
 
     (void) state;
-    alike(1e-9, 0.1, step);
-    step[1].length = 1.0;
-    step[1].part = 8.0 * 0.1;
-    const struct landing_bar even = weigh(step);
-    step[1].across *= 1e-3;
-    step[1].size *= 1e-3;
-    step[1].part *= 1e-3;
-    const struct landing_bar odd = weigh(step);
-    check_close(odd.time, even.time);
-    check_close(odd.slip, even.slip);
-    check_close(odd.more, even.more);
+    for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+        step[2].across[n] = 1e-9;
+        step[2].time[n] = -7e-9;
+    }
+    CHECK(weigh(step).time <= 1e-24, "%g", weigh(step).time);
+    step[2].time[0] = -6e-9;
+    check_close(weigh(step).time, 1e-9);
 }
 
-static void neighbours_that_are_rounding_say_nothing(void **state)
+/* The last step leaves half of what is across, and takes it 2 longer. */
+static void what_steps_make_of_a_miss_is_known_to_a_part(void **state)
 {
-    struct landing_step step[STEPS];
+    struct landing_step step[STEPS] = { exact, exact, exact };
 
     (void) state;
-    alike(0.0, 0.1, step);
-    step[0] = step[2] = (struct landing_step){ .part = TOL_LAYER_MISSED_MOST,
-                                               .length = 0.5,
-                                               .left = 1.0 };
-    const struct landing_bar bar = weigh(step);
-    check_close(bar.time, TOL_LAYER_TURN * 1e-9 * 7.0);
+    step[1].across[0] = 1e-9;
+    step[2].left = 0.5;
+    step[2].time_gain = 2.0;
+    check_close(weigh(step).time,
+                1e-9 * (2.0 + 3.5 + TOL_LAYER_BLUR * (2.0 + 3.5)));
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_estimate_along_the_orbit_may_be_a_miss_across),
-        cmocka_unit_test(a_step_misses_no_less_than_its_neighbours_say),
-        cmocka_unit_test(neighbours_that_are_rounding_say_nothing),
+        cmocka_unit_test(an_estimate_that_vanishes_is_outdone_by_the_others),
+        cmocka_unit_test(what_is_late_for_being_aside_is_not_late),
+        cmocka_unit_test(what_steps_make_of_a_miss_is_known_to_a_part),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
