@@ -201,7 +201,7 @@ def eigen_axes_show_fields_and_margins(room):
                 answer = max(answer, 1 / answer)
             elif not stops:
                 answer = None
-            cell = cells[at[1]][at[0]]
+            cell = 10 ** cells[at[1]][at[0]]
             expect(math.isnan(cell) if answer is None else
                    abs(math.log(cell / answer)) < 6 * reach / size[0], name,
                    X, Y, cell, answer)  # a cell of the image is a part of one

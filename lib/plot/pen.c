@@ -309,7 +309,9 @@ static void draw_raster(struct pen *pen, const struct figure_raster *r)
     for (size_t j = 0; j < ny; j++) {
         const double *row = r->value + j / pen_copies(r->ny) * r->nx;
         for (size_t i = 0; i < nx; i++) {
-            const double v = row[i / pen_copies(r->nx)];
+            const double cell = row[i / pen_copies(r->nx)];
+            const double v =
+                r->shade_count == 0 && r->scale.is_log ? log10(cell) : cell;
             if (isfinite(v))
                 fprintf(pen->data, "%.5g ", v);
             else

@@ -101,7 +101,7 @@ static void put_axis(FILE *out, const char *name, const struct layout *p,
     fprintf(out, "set %srange [%.17g:%.17g]\n", name, s->lo * (1 - rim),
             s->hi * (1 + rim));
     fprintf(out, "set %stics out nomirror enhanced scale 0.7,0.35 ", name);
-    ticks_write(out, s, spacing, p->script);
+    ticks_write(out, s, spacing, p->script, NULL);
     fputc('\n', out);
 }
 
@@ -140,6 +140,19 @@ static void put_palette(FILE *out, enum figure_colours colours)
     fprintf(out, ")\n");
 }
 
+/* gnuplot keeps images in single precision: decades of a log bar. */
+static void put_bar_axis(FILE *out, const struct layout *p)
+{
+    const struct scale *s = &p->bar;
+
+    fprintf(out, "set cbrange [%.17g:%.17g]\n",
+            s->is_log ? log10(s->lo) : s->lo, s->is_log ? log10(s->hi) : s->hi);
+    fputs("set cbtics out nomirror enhanced scale 0.7,0.35 ", out);
+    ticks_write(out, s, layout_side_by_side(s), p->script,
+                s->is_log ? log10 : NULL);
+    fputc('\n', out);
+}
+
 /* The bar that explains a map, its label over it. */
 static void put_bar(FILE *out, const struct layout *p,
                     const struct figure_axis *axis)
@@ -155,7 +168,7 @@ static void put_bar(FILE *out, const struct layout *p,
             "size screen %.6f,%.6f\n",
             layout_across(p, p->bar_left), layout_up(p, label - 12 - high),
             p->bar_width / p->canvas.x, high / p->canvas.y);
-    put_axis(out, "cb", p, &p->bar, layout_side_by_side(&p->bar));
+    put_bar_axis(out, p);
     if (axis->label)
         put_text(out, p, line,
                  label_break(axis->label, p->bar_width / LAYOUT_FONT, line, 1),

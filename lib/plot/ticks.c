@@ -21,6 +21,7 @@ static const double rounding = 1e-6;
 struct tick_sink {
     FILE *out; /* NULL: only measure */
     double script;
+    double (*place)(double); /* NULL: as it is */
     size_t count, labels;
     double gap, free; /* px: labels are so far apart; the next is from there */
     double width;
@@ -63,7 +64,8 @@ static void ticks_tick(struct tick_sink *k, const struct scale *s, double at,
     if (k->out) {
         fputs(k->count ? ", '" : "'", k->out);
         ticks_put(k->out, text, k->script);
-        fprintf(k->out, "' %.15g %d", at, text[0] == '\0');
+        fprintf(k->out, "' %.15g %d", k->place ? k->place(at) : at,
+                text[0] == '\0');
     }
     if (k->kept && text[0] != '\0' && at > s->lo && at < s->hi &&
         k->kept_count < TICKS_LABELS) {
@@ -214,9 +216,9 @@ static void all_ticks(struct tick_sink *k, const struct scale *s,
 }
 
 void ticks_write(FILE *out, const struct scale *s, double spacing,
-                 double script)
+                 double script, double place(double))
 {
-    struct tick_sink k = { .out = out, .script = script };
+    struct tick_sink k = { .out = out, .script = script, .place = place };
 
     fputc('(', out);
     all_ticks(&k, s, spacing);

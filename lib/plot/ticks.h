@@ -10,9 +10,10 @@
  * least 3 labels; at most 8, about `spacing` pixels or more apart, where these
  * are 3, and evenly on linear axes.  Log axes: decades, every 1, 2, 3, 5, 10,
  * ...; below two decades also 2 and 5; well below one, and on linear axes,
- * multiples of 1, 2 or 5 times a power of ten.  script: of label.h. */
+ * multiples of 1, 2 or 5 times a power of ten.  script: of label.h; place: what
+ * gnuplot's axis has at a value, NULL: the value. */
 void ticks_write(FILE *out, const struct scale *s, double spacing,
-                 double script);
+                 double script, double place(double));
 
 /* The values that ticks_write labels between the ends, and what they say there;
  * returns how many, TICKS_LABELS at most. */

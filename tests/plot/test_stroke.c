@@ -273,7 +273,7 @@ static char *ticks_text(const struct figure_axis *axis, double pixels,
     size_t size;
     FILE *out = open_memstream(&text, &size);
     const struct scale s = scale_of(axis, pixels);
-    ticks_write(out, &s, spacing, 1);
+    ticks_write(out, &s, spacing, 1, NULL);
     fclose(out);
     return text;
 }
