@@ -162,8 +162,11 @@ static void add_nullclines(struct picture *p)
 {
     static const enum figure_role role[] = { FIGURE_NULLCLINE_X,
                                              FIGURE_NULLCLINE_Y };
-    static const char *const entry[] = { S_RATE_OF(S_V) " = 0",
-                                         S_RATE_OF(S_PSI) " = 0" };
+    static const char *const entry[][NULLCLINES] = {
+        { S_RATE_OF(S_V) " = 0", S_RATE_OF(S_PSI) " = 0" },
+        { S_RATE_OF(S_BIG_V) " = 0", S_RATE_OF(S_PHI) " = 0" },
+    };
+    const bool si = p->s->scene->units == UNITS_SI;
 
     for (int i = 0; i < NULLCLINES; i++)
         for (size_t k = 0; k < p->s->portrait.nullcline[i].count; k++) {
@@ -174,7 +177,7 @@ static void add_nullclines(struct picture *p)
                 add_point(
                     p, &l,
                     vec2_sub(piece->at[j], p->s->slider.plane.system.origin));
-            add_line(p, &l, role[i], entry[i]);
+            add_line(p, &l, role[i], entry[si][i]);
         }
 }
 

@@ -163,6 +163,17 @@ static struct line line_of(const struct plot *p, const double y[])
     return l;
 }
 
+/* Marks are told apart as lines are. */
+static enum figure_mark single_mark(const struct sweep_curve *c)
+{
+    static const enum figure_mark mark[] = { FIGURE_DISC,     FIGURE_SQUARE,
+                                             FIGURE_TRIANGLE, FIGURE_DIAMOND,
+                                             FIGURE_BOX,      FIGURE_DELTA };
+    const int k = (int) c->style.role - FIGURE_SERIES_1;
+
+    return mark[k < 0 || k > 5 ? 0 : k];
+}
+
 /* Values without a neighbour, which are no line. */
 static void add_single(const struct plot *p, const struct sweep_curve *c,
                        const double y[])
@@ -178,7 +189,7 @@ static void add_single(const struct plot *p, const struct sweep_curve *c,
                                                .y = &y[i],
                                                .count = 1,
                                                .size = 7,
-                                               .mark = FIGURE_DISC });
+                                               .mark = single_mark(c) });
 }
 
 static void add_marks(const struct plot *p, const struct sweep_curve *c,
@@ -205,13 +216,15 @@ static void add_line(const struct plot *p, const struct sweep_curve *c,
 }
 
 /* A line, or marks, with bars. */
-static void add_curve(const struct plot *p, const struct sweep_curve *c)
+static void add_curve(const struct plot *p, const struct sweep_curve *own)
 {
-    const int column = drawn_column(p->s, c);
+    const int column = drawn_column(p->s, own);
     const double *x = p->s->axis[0].value;
+    struct sweep_curve told = *own, *c = &told;
 
     if (column < 0)
         return;
+    sweep_letters(p->s, told.entry);
     double *y = malloc(p->s->points * sizeof *y);
     if (y == NULL) {
         p->figure->status = STATUS_NO_MEMORY;

@@ -28,8 +28,8 @@ struct sheet_label {
 struct sheet_label sheet_label(const struct unit_system *u, const char *what,
                                const char *unit);
 
-/* "TITLE - law, alpha = 0.34 rad" of a scene, as the slope was given; without a
- * slope, the former. */
+/* "TITLE, alpha = 0.34 rad" of a scene, or its law in words, as the slope was
+ * given; without a slope, the former. */
 struct sheet_text {
     char text[512];
 };

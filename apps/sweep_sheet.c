@@ -17,7 +17,7 @@ struct figure_axis sweep_around(const char *label, double lo, double hi,
                                 bool is_log, double rim)
 {
     if (!(lo < hi))
-        rim = is_log ? 1.0 : fabs(lo) + 1.0;
+        rim = is_log || lo == 0.0 ? 1.0 : 0.1 * fabs(lo);
     if (is_log)
         return (struct figure_axis){ label, lo * exp(-rim), hi * exp(rim),
                                      true };
@@ -65,6 +65,12 @@ struct sheet_label sweep_label(const struct sweep *s, size_t k)
             snprintf(l.text, sizeof l.text, "%s",
                      labels[i].label[sweep_is_si(s) && labels[i].label[1]]);
     return l;
+}
+
+void sweep_letters(const struct sweep *s, char *text)
+{
+    while (sweep_is_si(s) && (text = strstr(text, S_V)) != NULL)
+        memcpy(text, S_BIG_V, strlen(S_BIG_V));
 }
 
 struct sheet_text sweep_title(const struct sweep *s)

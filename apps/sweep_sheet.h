@@ -23,4 +23,7 @@ struct sheet_label sweep_label(const struct sweep *s, size_t k);
 /* The slope is in it where no key is a slope's. */
 struct sheet_text sweep_title(const struct sweep *s);
 
+/* Slip rates in a text as the axes have them: V for v in the SI. */
+void sweep_letters(const struct sweep *s, char *text);
+
 #endif

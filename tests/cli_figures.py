@@ -269,6 +269,32 @@ def a_title_is_the_scene_s_or_the_law_in_words(room):
         expect('spinodal_gen' not in portrait + curves, portrait, curves)
 
 
+def a_single_value_has_an_axis_and_a_mark_of_its_own(room):
+    """Within a tenth of it; its marks differ by more than their colours."""
+    sweep = ['sweep', '--law', 'spinodal_gen', '--alpha', '0.34', '-q', '--set']
+    room.good(*sweep, 'sweep={key: slope.alpha, values: [0.34]}', '--figure',
+              'a.svg', '--keep-script')
+    script = room.read('a.gp')
+    ends = re.search(r'set xrange \[(.*):(.*)\]', script).groups()
+    expect([round(float(end), 9) for end in ends] == [0.306, 0.374], ends)
+    marks = {(number, colour) for number, colour in re.findall(
+        r"with points pt (\d+) ps \S+ lw \S+ lc rgb '(#\w+)'", script)}
+    expect(len(marks) == 5 == len({number for number, _ in marks}), marks)
+
+
+def a_map_has_a_tint_at_any_size_of_its_values(room):
+    """gnuplot keeps cells in single precision."""
+    room.good('basin', '--law', 'dieterich_gen', '--alpha', '0.34', '-q',
+              '--set', 'window={v: [1e-300, 1e300], psi: [1e-300, 1e300]}',
+              '--set', 'products=[basins, margin]', '--set',
+              'basins={cells: [40, 30], audit: 0}', '--figure', 'a.svg',
+              '--keep-script')
+    raster = re.search(r'^# block \d+: raster.*\n((?:.+\n)*)',
+                       room.read('a_margin_v.dat'), re.M)[1]
+    cells = [float(cell) for cell in raster.split()]
+    expect(0 < max(cells) < 310 and len(set(cells)) > 100, max(cells))
+
+
 def manifolds_have_arrows_along_the_flow(room):
     """Two each, on all lines; the stable ones' point to the saddle."""
     room.good('portrait', '--law', 'spinodal_gen', '--alpha', '0.34',
@@ -441,6 +467,8 @@ run_cases([
     the_power_series_is_drawn_told_and_stored,
     orbits_leave_no_hole_and_are_no_bunch,
     a_title_is_the_scene_s_or_the_law_in_words,
+    a_single_value_has_an_axis_and_a_mark_of_its_own,
+    a_map_has_a_tint_at_any_size_of_its_values,
     manifolds_have_arrows_along_the_flow,
     what_jumps_at_a_fold_is_drawn_as_a_jump,
     what_does_not_exist_is_grey_and_in_the_legend,

@@ -176,6 +176,17 @@ def words_of_states_are_phi_in_the_si(room):
                          said, re.M), said)
 
 
+def letters_of_curves_are_those_of_the_axes(room):
+    """V and φ in the SI."""
+    for units, v, psi in (('dimensionless', 'v', 'ψ'), ('si', 'V', 'φ')):
+        room.write('a.yaml', scene('spinodal_gen', f'units: {units}\n'))
+        room.good('portrait', 'a.yaml', '-q', '--figure', 'a.svg')
+        room.good('sweep', 'a.yaml', '-q', '--set', SWEEP, '--figure', 'b.svg')
+        words = shown(room.bytes('a.svg')), shown(room.bytes('b.svg'))
+        expect(f'd{v}/dt = 0' in words[0] and f'd{psi}/dt = 0' in words[0] and
+               f' {v} at the saddle' in words[1], units, words)
+
+
 def a_figure_s_title_has_the_slope_as_it_was_given(room):
     for key, value, told in (('alpha', 0.34, 'α = 0.34 rad'),
                              ('alpha_deg', 19.5, 'α = 19.5°'),
@@ -212,6 +223,7 @@ run_cases([
     a_bare_number_of_a_swept_key_is_in_the_scene_s_units,
     axes_and_points_are_those_of_the_twin,
     words_of_states_are_phi_in_the_si,
+    letters_of_curves_are_those_of_the_axes,
     a_figure_s_title_has_the_slope_as_it_was_given,
     a_tangent_is_told_once,
     every_line_of_text_has_the_units_of_json,
