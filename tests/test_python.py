@@ -63,6 +63,8 @@ def a_scene_is_read_and_set(room):
     again = other.at(alpha=0.34)
     expect(other.v_plus != s.v_plus and again.v_plus == slipway.Study.read(
         room.path('scenes/fig07b.yaml'), a=0.035, alpha=0.34).v_plus, again)
+    expect(slipway.Study('dieterich_gen', numpy.array(0.34)).v_plus ==
+           slipway.Study(**SLOPE).v_plus, 'an array of one')
     expect(same(slipway.Study(**SLOPE, mu_star=0.37, L=12e-6).v_plus,
                 room.json('knees', *COMMAND, '--set', 'material.mu_star=0.37',
                           '--set', 'material.L=12e-6')['v_plus']), 'L')
@@ -194,6 +196,9 @@ def arrays_of_materials_are_those_of_single_studies(_):
     expect(list(found.frame()) == ['v_plus', 'v_plus_error', 'v_minus',
                                    'v_minus_error', 'x_excess',
                                    'x_excess_error'], found.frame())
+    v = found['v_plus']
+    expect((numpy.log(v)[0] == numpy.log(v.value)[0]).all() and
+           ((2 * v > 3) == (2 * v.value > 3)).all(), v)
     bad = slipway.v_plus(**{**SLOPE, 'alpha': [0.34, -1, math.nan]})
     expect(bad[0] == s.v_plus and not bad.exists[1:].any()
            and 'slope.alpha' in bad[1].reason, bad.reason)
@@ -309,7 +314,11 @@ def what_is_not_there_is_an_attribute_error(_):
     for call, kind in ((lambda: slipway.Study(**SLOPE, a=object()), TypeError),
                        (lambda: s.push('fast', 1), TypeError),
                        (lambda: slipway.v_plus(**{**SLOPE, 'alpha': ['x']}),
-                        ValueError),
+                        TypeError),
+                       (lambda: slipway.v_plus('ruina', [0.3], threads='2'),
+                        TypeError),
+                       (lambda: s.push([1j], 1), TypeError),
+                       (lambda: setattr(s, 'alpha', 0.33), AttributeError),
                        (lambda: slipway.v_plus(**{**SLOPE, 'alpha': [1, 2]},
                                                a=[1, 2, 3]), ValueError),
                        (lambda: s.push([1, 2], [1, 2, 3]), ValueError)):

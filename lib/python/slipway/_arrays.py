@@ -17,9 +17,16 @@ def arrays():
     return numpy
 
 
-class Numbers:
+def reals(values):
+    """As an array of doubles, if they are real numbers."""
+    return arrays().asarray(values).astype(float, casting='same_kind',
+                                           copy=False)
+
+
+class Numbers(numpy.lib.mixins.NDArrayOperatorsMixin if numpy else object):
     """An array of numbers: `value` and `error` of the same shape, NaN where
-    there is none, and `reason`, None where there is one.
+    there is none, and `reason`, None where there is one.  To numpy it is its
+    values.
 
     >>> nan = float('nan')
     >>> both = Numbers.of([Number(1, 0.1), Number(nan, nan, 'why')])
@@ -27,8 +34,8 @@ class Numbers:
     <2 numbers, 1 exist>
     >>> both[1]
     none (why)
-    >>> __import__('numpy').nansum(both)
-    1.0
+    >>> 2 * both
+    array([ 2., nan])
     """
 
     __slots__ = ('value', 'error', 'reason')
@@ -62,6 +69,11 @@ class Numbers:
 
     def __array__(self, dtype=None, copy=None):
         return arrays().array(self.value, dtype, copy=bool(copy))
+
+    def __array_ufunc__(self, function, method, *inputs, **how):
+        return getattr(function, method)(
+            *(one.value if isinstance(one, Numbers) else one
+              for one in inputs), **how)
 
     def __len__(self):
         return len(self.value)

@@ -1,9 +1,10 @@
 """A few numbers of very many materials and slopes at once."""
 import itertools
 import math
+import operator
 
 from . import _c
-from ._arrays import Numbers, arrays, filled, numpy
+from ._arrays import Numbers, arrays, filled, numpy, reals
 from ._scene import keys_of, named, scene_of
 
 library = _c.library
@@ -29,9 +30,9 @@ def varied(keys):
     """The keys whose values are arrays, these side by side, their shape."""
     given = {key: value for key, value in keys.items()
              if '.' in key and numpy and numpy.ndim(value)}
-    columns = arrays().broadcast_arrays(*given.values())
+    columns = arrays().broadcast_arrays(*map(reals, given.values()))
     shape = columns[0].shape if columns else ()
-    return (list(given), [numpy.ascontiguousarray(column, float).ravel()
+    return (list(given), [numpy.ascontiguousarray(column).ravel()
                           for column in columns], shape)
 
 
@@ -60,7 +61,8 @@ def run(batch, names, count, columns, threads):
         *(column.ctypes.data_as(_c.to(_c.real)) for column in columns))
     fault = _c.Fault()
     _c.check(_c.interruptible(lambda monitor: library.batch_run(
-        batch, count, into, threads, monitor, out, fault)), fault)
+        batch, count, into, operator.index(threads), monitor, out, fault)),
+        fault)
     return [[array for array, _ in one] for one in found]
 
 

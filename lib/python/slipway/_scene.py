@@ -24,6 +24,8 @@ def written(value):
     >>> written('10 um')
     '"10 um"'
     """
+    if hasattr(value, 'tolist'):  # numpy's
+        value = value.tolist()
     if isinstance(value, str):
         return value if PLAIN.fullmatch(value) else json.dumps(value)
     if isinstance(value, bool):

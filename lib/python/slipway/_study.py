@@ -4,7 +4,7 @@ import os
 from collections import namedtuple
 
 from . import _c, _show
-from ._arrays import Numbers, filled, lent, numpy
+from ._arrays import Numbers, filled, lent, numpy, reals
 from ._batch import drawn
 from ._basin import FATES, basin_of
 from ._number import number
@@ -69,6 +69,12 @@ class Study:
 
     def _run(self, keys):
         return _c.begin('study', 'run', scene_of(self._path, keys))
+
+    def __setattr__(self, name, value):
+        if not name.startswith('_'):
+            raise AttributeError(f'a study does not change: at({name}=...) '
+                                 'makes another one')
+        super().__setattr__(name, value)
 
     def __reduce__(self):
         return type(self)._made, (self._path, self._keys)
@@ -137,8 +143,10 @@ class Study:
     def basin(self, cells=(512, 512), products=(), **keys):
         """The fate of every state of a grid over the window, an xarray.Dataset;
         products: "margin", "slip", "time", "friction", "peak" beside it."""
-        study = self.at(basins={'cells': cells}, products=['basins', *products],
-                        **keys)
+        if isinstance(products, str):
+            products = [products]
+        study = self.at(basins={'cells': cells},
+                        products=['basins', *products], **keys)
         return basin_of(study._study, products, study.numbers)
 
     @functools.cached_property
@@ -200,7 +208,7 @@ def pushed(push, v, psi):
                  fault)
         return Push(FATES[answer.fate], *(number(getattr(answer, name))
                                           for name in Push._fields[1:]))
-    v, psi = numpy.broadcast_arrays(v, psi)
+    v, psi = numpy.broadcast_arrays(reals(v), reals(psi))
     states, at = filled(_c.State, v.size)
     states['v'], states['psi'] = v.ravel(), psi.ravel()
     answers, to, fault = *filled(_c.Answer, v.size), _c.Fault()

@@ -4,7 +4,7 @@ import os
 from collections import namedtuple
 
 from . import _c, _show
-from ._arrays import Numbers, lent, numpy
+from ._arrays import Numbers, lent, numpy, reals
 from ._number import number
 from ._scene import scene_of, written
 
@@ -122,8 +122,8 @@ class System:
         change of each coordinate alone after which it goes elsewhere: what is
         added, of a positive state the factor."""
         if not (numpy and (numpy.ndim(x) or numpy.ndim(y))):
-            return self._goal(x, y)
-        x, y = numpy.broadcast_arrays(x, y)
+            return self._goal(float(x), float(y))
+        x, y = numpy.broadcast_arrays(reals(x), reals(y))
         found = [self._goal(*state) for state in zip(x.ravel(), y.ravel())]
         return Goal(numpy.array([goal.attractor for goal in found],
                                 str).reshape(x.shape),
