@@ -12,7 +12,8 @@ enum {
     COMMAND_STUDIES = 2, /* runs a study, or plans one: sensitivities */
     COMMAND_DRAWS = 4,   /* a figure, and writes the numbers to HDF5 */
     COMMAND_MAKES = 8,   /* the files that the scene's output names */
-    COMMAND_PLANES = 16  /* also for a system of formulas */
+    COMMAND_PLANES = 16, /* also for a system of formulas */
+    COMMAND_SHARES = 32  /* its work with other ranks (crew.h) */
 };
 #define COMMAND_ALL_OF_IT                                                      \
     (COMMAND_READS | COMMAND_STUDIES | COMMAND_DRAWS | COMMAND_MAKES)
@@ -26,6 +27,9 @@ enum {
     ROW(KNEES, knees, COMMAND_READS | COMMAND_STUDIES | COMMAND_DRAWS)         \
     ROW(BASIN, basin, COMMAND_ALL_OF_IT | COMMAND_PLANES)                      \
     ROW(SWEEP, sweep,                                                          \
+        COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES | COMMAND_PLANES |       \
+            COMMAND_SHARES)                                                    \
+    ROW(MERGE, merge,                                                          \
         COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES | COMMAND_PLANES)        \
     ROW(ENSEMBLE, ensemble, COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES)     \
     ROW(PUSH, push, COMMAND_READS | COMMAND_PLANES)                            \
@@ -55,6 +59,8 @@ enum command_id { COMMAND_LIST(COMMAND_ID) COMMANDS };
     +((does) &COMMAND_PLANES ? 1u << COMMAND_##NAME : 0u)
 #define COMMAND_MAKE_BIT(NAME, name, does)                                     \
     +((does) &COMMAND_MAKES ? 1u << COMMAND_##NAME : 0u)
+#define COMMAND_SHARE_BIT(NAME, name, does)                                    \
+    +((does) &COMMAND_SHARES ? 1u << COMMAND_##NAME : 0u)
 
 struct command {
     const char *name;

@@ -8,13 +8,25 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "crew.h"
 #include "help.h"
 #include "json.h"
+
+/* Whether it shares its work with other ranks. */
+static bool shares(const struct command *c)
+{
+    static const unsigned sharing = COMMAND_LIST(COMMAND_SHARE_BIT);
+
+    return c && sharing >> command_id(c) & 1u;
+}
 
 static enum exit_code run(const struct options *o)
 {
     const struct command *general = &command_table[COMMAND_HELP];
 
+    if (crew_ranks() > 1 && !shares(o->command))
+        return command_fail(STATUS_BAD_ARGUMENT,
+                            "several ranks: expected sweep SCENE -o FILE.h5");
     if (!o->help && !o->version)
         return command_run(o->command ? o->command : general, o);
     if (o->help)
@@ -45,6 +57,7 @@ int main(int argc, char *argv[])
 {
     struct options o;
 
+    crew_begin(&argc, &argv);
     keep_streams_apart();
     signal(SIGXFSZ, SIG_IGN); /* a file too large is an error like another */
     gsl_set_error_handler_off();
@@ -54,5 +67,5 @@ int main(int argc, char *argv[])
         omp_set_num_threads(o.threads);
     const enum exit_code code = finish(run(&o));
     options_free(&o);
-    return (int) code;
+    return crew_end((int) code);
 }

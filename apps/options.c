@@ -124,6 +124,8 @@ const struct option option_table[] = {
     { "resume", 0, NULL, OPTION_FLAG, TO(resume),
       .commands = ON(SWEEP) | ON(ENSEMBLE),
       .text = "go on where an interrupted run stopped" },
+    { "shard", 0, "I/N", OPTION_TEXT, TO(shard), .commands = ON(SWEEP),
+      .text = "one of N shares of the points; see merge" },
     { "form", 0, "KIND", OPTION_WORD, TO(form), .words = form_words,
       .commands = ON(EXPORT),
       .text = "what XPPAUT integrates: arclength or time [arclength]" },

@@ -74,7 +74,7 @@ struct options {
 
     /* As they were given, borrowed; NULL or 0: not given. */
     const char *output, *v, *psi, *phi, *states, *state, *scenes, *only, *form,
-        *as;
+        *as, *shard;
     const char *progress; /* or "bar": also of a command that is quiet */
     bool json, keep_script, quiet, tap, record, sensitivities, resume, quick;
     bool rerun, help, version;

@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crew.h"
 #include "output.h"
 #include "picture_sweep.h"
 #include "product_setting.h"
-#include "progress.h"
 #include "replace.h"
 #include "report_sweep.h"
 #include "report_sweep_json.h"
@@ -14,6 +14,7 @@
 #include "side_file.h"
 #include "sweep_csv.h"
 #include "sweep_file.h"
+#include "sweep_shared.h"
 #include "tolerance.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
@@ -177,16 +178,14 @@ static enum exit_code print_results(const struct sweep *s,
 
 static enum status run_points(struct sweep *s, const struct scene *scene,
                               const struct options *o, const char *journal,
-                              struct fault *why)
+                              bool *whole, struct fault *why)
 {
-    const struct sweep_options how = { .journal = journal,
-                                       .resume = o->resume,
-                                       .version = SLIPWAY_VERSION };
-    enum status status = journal ? replace_folder(journal, why) : STATUS_OK;
+    enum status status =
+        crew_rank() == 0 && journal ? replace_folder(journal, why) : STATUS_OK;
 
+    status = crew_agree(status, why, NULL);
     if (status == STATUS_OK)
-        status = sweep_run(s, scene, &how, progress_monitor(o), why);
-    progress_end();
+        status = sweep_shared(s, scene, o, journal, whole, why);
     if (status == STATUS_STOPPED && journal)
         snprintf(why->text, sizeof why->text,
                  "interrupted; what is computed stays in %.300s for --resume",
@@ -194,32 +193,52 @@ static enum status run_points(struct sweep *s, const struct scene *scene,
     return status;
 }
 
+/* What a share tells. */
+static void print_share(const struct sweep *s, const struct options *o,
+                        const char *journal)
+{
+    if (!o->quiet && o->shard)
+        printf("share %s: %zu of %zu points, beside %s; 'slipway merge' joins "
+               "all shares\n",
+               o->shard, s->rows.count - s->missing, s->rows.count, journal);
+}
+
 static enum exit_code run(const struct options *o, const struct scene *scene)
 {
     struct fault why = { "" };
     struct sweep sweep;
+    bool whole = true;
     char *journal = side_file_of(scene);
     enum status s =
         scene->hdf5 && !journal
             ? STATUS_NO_MEMORY
             : side_file_check(o, scene, "sweep", journal, panel, &why);
 
+    s = crew_agree(s, &why, NULL);
     if (s == STATUS_OK)
-        s = run_points(&sweep, scene, o, journal, &why);
+        s = run_points(&sweep, scene, o, journal, &whole, &why);
     if (s != STATUS_OK) {
         free(journal);
         return command_fail(s, why.text);
     }
-    s = write_files(&sweep, o, journal, &why);
-    const enum exit_code code = s == STATUS_OK
-                                    ? print_results(&sweep, o, journal)
-                                    : command_fail(s, why.text);
+    if (whole)
+        s = write_files(&sweep, o, journal, &why);
+    else
+        print_share(&sweep, o, journal);
+    const enum exit_code code = s != STATUS_OK ? command_fail(s, why.text)
+                                : whole ? print_results(&sweep, o, journal)
+                                        : EXIT_DONE;
     sweep_free(&sweep);
     free(journal);
     return code;
 }
 
 enum exit_code command_sweep(const struct options *o)
+{
+    return command_with_scene(o, read_scene, run);
+}
+
+enum exit_code command_merge(const struct options *o)
 {
     return command_with_scene(o, read_scene, run);
 }

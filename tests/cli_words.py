@@ -42,6 +42,8 @@ def every_command_explains_itself(room):
 # What takes half a minute is run, word for word, by a test of its own.
 ELSEWHERE = {
     'slipway gallery -o outputs/gallery': ('cli_gallery.py', "'gallery'"),
+    'slipway merge scenes/sweep.yaml -o outputs/sweep.h5':
+        ('cli_ranks.py', "'merge', *sweep, '-o', 'a.h5'"),
     'slipway stress --quick': ('cli_stress.py', "'stress', '--quick', '--json'"),
 }
 
@@ -103,7 +105,7 @@ def text_of_options_stands_in_a_column_of_its_own(room):
     for command in commands_of(room.good('--help')):
         said = room.good(command, '--help').split('Options:\n')[1]
         for line in said.split('\n'):
-            name = re.match(r'  (?:-\w, |    )--[a-z-]+(?:=[A-Z:=]+)?', line)
+            name = re.match(r'  (?:-\w, |    )--[a-z-]+(?:=[A-Z:=/]+)?', line)
             if name:
                 rest = line[name.end():]
                 expect(rest == '' or len(line) - len(rest.lstrip()) == 26 and

@@ -208,14 +208,14 @@ static enum status compute_from(struct run *r, size_t first)
 {
     const size_t count = r->s->rows.count - first;
     bool *there = malloc(count * sizeof *there + 1);
-    size_t at = 0;
+    size_t at = 0, known = 0;
 
     if (there == NULL)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < count; i++)
-        there[i] = take(r, first + i);
-#pragma omp parallel
-    for (size_t k; failure(r, STATUS_OK) == STATUS_OK &&
+        known += there[i] = take(r, first + i);
+#pragma omp parallel if (known < count)
+    for (size_t k; known < count && failure(r, STATUS_OK) == STATUS_OK &&
                    (k = next(r, count, &at)) < count;)
         if (!there[k])
             (void) failure(r, compute(r, first + k));

@@ -76,9 +76,9 @@ struct sweep_options {
     const char *version; /* of the program, part of the key of that file; may
                             be NULL */
     const struct sweep_share *share; /* NULL: all points */
-    const char *const *other; /* side files whose points are taken, too; without
-                                 a share they are copied to the own one */
+    const char *const *other; /* side files whose points are taken, too */
     size_t others;
+    bool join; /* and copied to the own one */
 };
 
 /* Runs scene->sweep, which must have an axis, with all threads of OpenMP.

@@ -141,8 +141,7 @@ static enum status take_file(struct sweep *s, const struct sweep_options *o,
                                     s->layers.size, &rows, &reasons, why);
     if (status == STATUS_OK) {
         drop_unsound(s, &reasons, &rows);
-        status =
-            take_rows(s, &from, &rows, &reasons, o->share == NULL, left, why);
+        status = take_rows(s, &from, &rows, &reasons, o->join, left, why);
         sweep_journal_close(&from);
     }
     sweep_rows_free(&rows);
