@@ -25,6 +25,7 @@ static const char *const progress_words[] = { "auto", "json", "none", NULL };
 static const char *const export_words[] = { "xppaut", "auto", NULL };
 static const char *const law_words[] = { "scene", NULL };
 static const char *const form_words[] = { "arclength", "time", NULL };
+static const char *const from_words[] = { "creep", NULL };
 static const char *const help_words[] = { "man",   "bash",     "zsh",
                                           "fish",  "scene",    "hdf5",
                                           "words", "complete", NULL };
@@ -68,6 +69,10 @@ const struct option option_table[] = {
     { "phi", 0, "PHI", OPTION_TEXT, TO(phi),
       .commands = ON(PUSH) | ON(SIMULATE),
       .text = "the same in physical units, as 'slipway laws' has phi" },
+    { "from", 0, "STATE", OPTION_WORD, TO(from), .words = from_words,
+      .commands = ON(PUSH), .text = "kick the block from creep" },
+    { "kick", 0, "DV", OPTION_TEXT, TO(kick), .commands = ON(PUSH),
+      .text = "what that adds to its slip rate, as --v: 2.5e-3m/s" },
     { "state", 0, "POINT", OPTION_TEXT, TO(state), .commands = ON(PUSH),
       .text = "the state of a system of formulas, x=1,y=0.5" },
     { "states", 0, "FILE", OPTION_FILE, TO(states), .commands = ON(PUSH),

@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "json_results.h"
+#include "kick.h"
 #include "output.h"
 #include "plane_push.h"
 #include "progress.h"
@@ -19,6 +20,7 @@
 #include "text.h"
 #include "text_results.h"
 #include "tolerance.h"
+#include "unit_text.h"
 
 /* What was asked and what was found. */
 struct job {
@@ -41,6 +43,16 @@ static enum status check_options(const struct options *o, struct fault *why)
             "push: --states %s: expected no --v, --psi, --phi beside "
             "it",
             o->states);
+    if (!o->from != !o->kick)
+        return command_refuse(why,
+                              "push: --from creep and --kick DV go together, "
+                              "expected %s",
+                              o->from ? "--kick" : "--from creep");
+    if (o->from && (o->v || o->psi || o->phi || o->states || o->state))
+        return command_refuse(why,
+                              "push: --from %s: expected no other state "
+                              "beside it",
+                              o->from);
     const enum status s = output_standard_check(o, why);
     return s == STATUS_OK && o->output ? push_file_check(o, why) : s;
 }
@@ -48,7 +60,7 @@ static enum status check_options(const struct options *o, struct fault *why)
 static enum status check_state(const struct options *o,
                                const struct scene *scene, struct fault *why)
 {
-    const bool of_law = o->v || o->psi || o->phi;
+    const bool of_law = o->v || o->psi || o->phi || o->from;
 
     if (scene->system && o->output)
         return command_refuse(why,
@@ -57,7 +69,7 @@ static enum status check_state(const struct options *o,
                               o->output);
     if (scene->system && of_law)
         return command_refuse(why,
-                              "push: --v, --psi, --phi are of a law%s, "
+                              "push: --v, --psi, --phi, --from are of a law%s, "
                               "expected --state x=1,y=0.5",
                               "");
     if (!scene->system && o->state)
@@ -94,7 +106,7 @@ static enum status read_single(struct job *j, const struct options *o,
     struct scene_start z = { 0.0, 0.0 };
     enum status s = make_room(j, 1);
 
-    if (s == STATUS_OK)
+    if (s == STATUS_OK && !o->from)
         s = state_read(o, scene, &z, why);
     if (s == STATUS_OK)
         j->state[0] = (struct push_state){ z.v, z.psi };
@@ -264,12 +276,38 @@ static enum exit_code tell_answers(const struct options *o,
 
 /* ---- the command --------------------------------------------------------- */
 
+/* The creep state with the kick. */
+static enum status kick(struct job *j, const struct options *o,
+                        const struct scene *scene, struct fault *why)
+{
+    struct scene_push p = { .from_creep = true };
+    enum unit_text in = UNIT_TEXT_BARE;
+    struct scene_start at;
+    const char *reason;
+
+    if (!unit_text_read(unit_find("V_star"), o->kick, &p.v, &in))
+        return command_refuse(why,
+                              "push: --kick %s: expected a number, perhaps "
+                              "with m/s or V_star",
+                              o->kick);
+    p.is_si =
+        in == UNIT_TEXT_BARE ? scene->units == UNITS_SI : in == UNIT_TEXT_SI;
+    if (!kick_state(&j->push.slider, &p, &at, &reason)) {
+        snprintf(why->text, sizeof why->text, "push: --from creep: %s", reason);
+        return STATUS_BAD_ARGUMENT;
+    }
+    j->state[0] = (struct push_state){ at.v, at.psi };
+    return STATUS_OK;
+}
+
 static enum status find_answers(struct job *j, const struct options *o,
                                 const struct scene *scene, struct fault *why)
 {
     const struct monitor *monitor = progress_monitor(o);
     enum status s = push_init(&j->push, scene, monitor, why);
 
+    if (s == STATUS_OK && o->from)
+        s = kick(j, o, scene, why);
     if (s == STATUS_OK)
         s = check_states(j, why);
     if (s == STATUS_OK)

@@ -281,7 +281,27 @@ def csv_goes_to_standard_output(room):
     refused(room.run(*args, '-', '--json'), 2, '--output -', '--json')
 
 
+def a_kick_starts_from_the_creep_state(room):
+    law = ['--law', 'spinodal_gen', '--alpha', '0.34']
+    creep = room.json('knees', *law)['equilibria'][0]
+    state = ['--v', repr(creep['v']['value'] + 2500), '--psi',
+             repr(creep['psi']['value'])]
+    kicked = room.good('push', *law, '--from', 'creep', '--kick', '2500')
+    expect(kicked == room.good('push', *law, *state), kicked)
+    expect(kicked == room.good('push', *law, '--from', 'creep', '--kick',
+                               '2.5e-3m/s'), kicked)
+    for args, words in (
+            ([*law, '--from', 'creep'], '--kick'),
+            ([*law, '--kick', '1'], '--from creep'),
+            ([*law, '--from', 'creep', '--kick', '1', '--v', '1'], '--from'),
+            ([*law, '--from', 'creep', '--kick', 'x'], '--kick x'),
+            (['--law', 'dieterich_gen', '--alpha', '0.34', '--from', 'creep',
+              '--kick', '1'], 'there is no creep node')):
+        refused(room.run('push', *args), 2, words)
+
+
 run_cases([
+    a_kick_starts_from_the_creep_state,
     csv_goes_to_standard_output,
     one_state_is_answered_as_the_page_says,
     a_kick_as_named_changes_the_fate,
