@@ -25,6 +25,17 @@ def an_output_makes_its_folders(room):
            room.names())
 
 
+def hdf5_is_not_named_as_a_table(room):
+    """Whoever asks a sweep for a.csv means its table."""
+    sweep = ['sweep', *SLOPE, '--set', 'sweep={key: material.a, values: [0.02]}']
+    for command in (sweep, ['knees', *SLOPE], ['simulate', *SLOPE, '--v', '1',
+                                               '--psi', '1']):
+        refused(room.run(*command, '-o', 'a.csv'), 2, 'a.csv', 'FILE.h5',
+                '--output -')
+    expect(room.names() == [], room.names())
+    expect(room.good(*sweep, '-o', '-').startswith('a,'), 'CSV')
+
+
 def data_are_beside_their_scene(room):
     room.make('far')
     room.write('far/d.csv', 'tan_alpha,l_k\n0.1,1e-4\n0.2,3e-4\n0.25,5e-4\n'
@@ -86,6 +97,7 @@ def standard_output_is_a_file_called_dash(room):
 
 run_cases([
     an_output_makes_its_folders,
+    hdf5_is_not_named_as_a_table,
     data_are_beside_their_scene,
     standard_input_is_a_file_called_dash,
     standard_output_is_a_file_called_dash,
