@@ -29,14 +29,36 @@ json_t *json_number(double value)
     return isfinite(value) ? json_real(value) : json_null();
 }
 
+/* Adds "proved": the enclosure as decimals, or that there is no number; else
+ * null, with the reason. */
+static json_t *with_proof(json_t *out, const struct proved *p)
+{
+    if (out == NULL || p == NULL)
+        return out;
+    if (p->not_proved) {
+        json_object_set_new(out, "proved", json_null());
+        json_object_set_new(out, "not_proved", json_string(p->not_proved));
+        return out;
+    }
+    json_object_set_new(out, "proved",
+                        p->absent
+                            ? json_pack("{s:b}", "absent", 1)
+                            : json_pack("{s:s, s:s}", "lo",
+                                        number_outward(p->lo, false).text, "hi",
+                                        number_outward(p->hi, true).text));
+    return out;
+}
+
 json_t *json_quantity(const struct quantity *q)
 {
     if (!quantity_exists(q))
-        return json_pack("{s:n, s:s}", "value", "reason", q->reason);
-    return json_pack("{s:o, s:o, s:o*}", "value", json_number(q->value),
-                     "error", json_number(q->error), "conditioning",
-                     isnan(q->conditioning) ? NULL
-                                            : json_number(q->conditioning));
+        return with_proof(json_pack("{s:n, s:s}", "value", "reason", q->reason),
+                          q->proved);
+    return with_proof(
+        json_pack("{s:o, s:o, s:o*}", "value", json_number(q->value), "error",
+                  json_number(q->error), "conditioning",
+                  isnan(q->conditioning) ? NULL : json_number(q->conditioning)),
+        q->proved);
 }
 
 json_t *json_member(const struct record_field *f, const void *member)

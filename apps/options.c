@@ -46,6 +46,8 @@ const struct option option_table[] = {
       .text = "the part of the plane that is looked at, x=-2:2,y=-1:1" },
     { "rtol", 0, "TOL", OPTION_TEXT, "accuracy.rtol", .commands = SCENES,
       .text = "relative accuracy [1e-12]" },
+    { "proved", 0, NULL, OPTION_FLAG, "accuracy.proved", .commands = STUDIES,
+      .text = "enclose the numbers of a slope with proof" },
     { "seed", 0, "N", OPTION_TEXT, "trajectories.seed",
       .commands = (STUDIES & ~ON(KNEES)) | ON(SWEEP) | ON(GALLERY),
       .text = "seed of everything random" },

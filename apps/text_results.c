@@ -21,6 +21,21 @@ static void print_unit(FILE *out, const struct record_field *f)
         fprintf(out, " %s", unit);
 }
 
+/* On a line of its own, in the number's unit. */
+static void print_proof(FILE *out, const struct proved *p)
+{
+    if (p == NULL)
+        return;
+    fprintf(out, "  %-16s ", "");
+    if (p->not_proved)
+        fprintf(out, "not proved: %s\n", p->not_proved);
+    else if (p->absent)
+        fputs("proved: there is none\n", out);
+    else
+        fprintf(out, "proved: %s .. %s\n", number_outward(p->lo, false).text,
+                number_outward(p->hi, true).text);
+}
+
 /* "name   value +- error unit" or "name   -   reason"; what rounding of the
  * inputs costs follows where it is known. */
 static void print_quantity(FILE *out, const char *name,
@@ -29,6 +44,7 @@ static void print_quantity(FILE *out, const char *name,
 {
     if (!quantity_exists(q)) {
         fprintf(out, "  %-16s -  (%s)\n", name, q->reason);
+        print_proof(out, q->proved);
         return;
     }
     const struct number_bar shown = number_with_bar(q->value, q->error);
@@ -38,6 +54,7 @@ static void print_quantity(FILE *out, const char *name,
     if (!isnan(q->conditioning))
         fprintf(out, "  (inputs +- %.1e)", q->conditioning * fabs(q->value));
     fputc('\n', out);
+    print_proof(out, q->proved);
 }
 
 static void print_real(FILE *out, const char *name,

@@ -162,8 +162,8 @@ static inline bool scene_same(const struct scene *a, const struct scene *b)
            a->fold_c[0] == b->fold_c[0] && a->fold_c[1] == b->fold_c[1] &&
            same_sweep(&a->sweep, &b->sweep) &&
            same_ensemble(&a->ensemble, &b->ensemble) && a->rtol == b->rtol &&
-           same_paper(&a->paper, &b->paper) && same_text(a->hdf5, b->hdf5) &&
-           same_text(a->figure, b->figure);
+           a->proved == b->proved && same_paper(&a->paper, &b->paper) &&
+           same_text(a->hdf5, b->hdf5) && same_text(a->figure, b->figure);
 }
 
 #endif

@@ -90,7 +90,7 @@ RULES = [
 # The map of the house: what each folder may include besides itself.
 LOW = ['lib/core', 'lib/results', 'lib/formula', 'lib/friction', 'lib/scene', 'lib/fit',
        'manifold', 'portrait']
-ORBITS = ['lib/numbers', 'lib/motion', 'lib/slow', 'lib/basin']
+ORBITS = ['lib/numbers', 'lib/proof', 'lib/motion', 'lib/slow', 'lib/basin']
 MAY_SEE = {
     'lib/core': [],
     'lib/results': ['lib/core'],

@@ -85,7 +85,7 @@ static const struct wrong wrong_keys[] = {
     { LAW SLOPE "estimates: {zeta: [0.5]}\n",
       "3:13: unknown key 'estimates.zeta', expected xi" },
     { LAW SLOPE "accuracy: {tol: 1e-9}\n",
-      "3:12: unknown key 'accuracy.tol', expected rtol (did you mean "
+      "3:12: unknown key 'accuracy.tol', expected rtol or proved (did you mean "
       "accuracy.rtol?)" },
     { LAW SLOPE "\"\": 1\n", "3:1: unknown key '', expected " TOP },
     { LAW SLOPE "\"ti\\ttle\": x\n",

@@ -8,8 +8,16 @@
 #ifndef CORE_RECORD_H
 #define CORE_RECORD_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* What is proved of a number, its inputs being decimals. */
+struct proved {
+    double lo, hi;          /* the number is between them, or */
+    bool absent;            /* there is none, or */
+    const char *not_proved; /* why nothing is; borrowed, else NULL */
+};
 
 /* A computed number: either a value with a finite absolute error bound in its
  * own unit, or the reason (a plain sentence) why there is none. */
@@ -18,6 +26,7 @@ struct quantity {
     double error;
     double conditioning; /* relative; NaN where nobody asked */
     const char *reason;  /* borrowed, static; NULL when the value exists */
+    const struct proved *proved; /* borrowed; NULL: nobody asked */
 };
 
 /* A count that there is not. */
@@ -105,7 +114,7 @@ static inline int quantity_exists(const struct quantity *q)
 static inline struct quantity quantity_none(const char *reason)
 {
     const double nan = (double) __builtin_nanf("");
-    return (struct quantity){ nan, nan, nan, reason };
+    return (struct quantity){ nan, nan, nan, reason, NULL };
 }
 
 /* A number whose bar is not finite is none. */
@@ -115,7 +124,7 @@ static inline struct quantity quantity_of(double value, double error)
 
     if (!__builtin_isfinite(value) || !__builtin_isfinite(error))
         return quantity_none("no bound on its error could be found");
-    return (struct quantity){ value, error, nan, NULL };
+    return (struct quantity){ value, error, nan, NULL, NULL };
 }
 
 /* The same for one whose bar grew since. */

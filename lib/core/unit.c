@@ -188,6 +188,7 @@ struct quantity unit_quantity(const struct unit_system *u,
         return quantity_none("in SI units it is beyond the largest double");
     return (struct quantity){
         to, error,
-        conditioning_of(unit, q.value, to, q.conditioning, u->psi_is_log), NULL
+        conditioning_of(unit, q.value, to, q.conditioning, u->psi_is_log), NULL,
+        NULL /* of a number in our own units */
     };
 }

@@ -6,6 +6,7 @@
 #include <float.h>
 #include <locale.h>
 #include <math.h>
+#include <mpfr.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -128,6 +129,18 @@ struct number_text number_shortest(double value)
 long double number_decimal(double value)
 {
     return strtold(local_of(number_shortest(value).text).text, NULL);
+}
+
+struct number_text number_outward(double value, bool up)
+{
+    struct number_text shown;
+    MPFR_DECL_INIT(exact, DBL_MANT_DIG);
+
+    mpfr_set_d(exact, value, MPFR_RNDN);
+    mpfr_snprintf(shown.text, sizeof shown.text, "%.17R*g",
+                  up ? MPFR_RNDU : MPFR_RNDD, exact);
+    put_point(&shown);
+    return shown;
 }
 
 static struct number_text number_leading(double error)

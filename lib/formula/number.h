@@ -25,6 +25,9 @@ struct number_text number_shortest(double value);
  * digits. */
 long double number_decimal(double value);
 
+/* With 17 digits, rounded up or down: on that side of the value, or at it. */
+struct number_text number_outward(double value, bool up);
+
 /* A value with the bar |value - truth| <= error, as "2832.22335885 +- 2.2e-10":
  * the fewest digits that move it by at most error/20, and the bar rounded up,
  * what was moved included.  With as many digits as there are where the bar is

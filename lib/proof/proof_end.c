@@ -49,8 +49,7 @@ bool proof_is_outward(struct proof_law *p, const struct proof_place *at)
 {
     struct interval lag, rate;
 
-    return p->no_facts == NULL && force_at(p, at).lo > 0 &&
-           lag_at(p, at, &lag, &rate) && lag.lo > 0;
+    return force_at(p, at).lo > 0 && lag_at(p, at, &lag, &rate) && lag.lo > 0;
 }
 
 static struct interval kinetics(const struct proof_law *p, struct interval d)

@@ -241,12 +241,6 @@ static void know(struct proof_law *p, const struct block *b)
     p->is_log = law_psi_is_log(law);
     p->first_order = law->kinetics == KINETICS_LINEAR;
     p->form = law->psi_ss;
-    p->no_facts =
-        law->typed ? "what the ends of the manifold need to know of the law "
-                     "is not verified for formulas"
-        : law->kinetics == KINETICS_COMPOSITE
-            ? "the law is not of the form dpsi/dt = -K(psi - psi_ss)/T"
-            : NULL;
 }
 
 static struct interval value_at(const struct proof_law *p, int node)
@@ -291,6 +285,8 @@ static const char *refused(const struct block *b)
         return "R is infinite";
     if (b->law.typed)
         return "the law is typed as formulas";
+    if (b->law.kinetics == KINETICS_COMPOSITE)
+        return "the law is not of the form dpsi/dt = -K(psi - psi_ss)/T";
     return NULL;
 }
 

@@ -40,15 +40,14 @@ struct proof_law {
     bool is_log;           /* psi is a logarithm */
     bool first_order;      /* K(d) = d, else sinh d */
     enum psi_ss form;      /* of psi_ss */
-    /* NULL, or why these are not known: theta' > 0, at most 1/psi (1 if psi is
-     * a logarithm); psi_ss does not rise, 1/T does not fall with v; K = sinh or
-     * the identity; 0 <= d mu/d ln v <= a, 0 <= d mu/d theta <= b. */
-    const char *no_facts;
 };
 
-/* With the saddle near b's anchor.  *why: a plain sentence where the answer is
- * STATUS_BAD_ARGUMENT, "not proved"; STATUS_NO_MEMORY.  proof_law_free either
- * way. */
+/* With the saddle near b's anchor.  Of a law of named components, which have
+ * what proof_end.h uses: theta' > 0, at most 1/psi (1 if psi is a logarithm);
+ * psi_ss does not rise, 1/T does not fall with v; K = sinh or the identity;
+ * 0 <= d mu/d ln v <= a, 0 <= d mu/d theta <= b.  *why: a plain sentence where
+ * the answer is STATUS_BAD_ARGUMENT, "not proved"; STATUS_NO_MEMORY.
+ * proof_law_free either way. */
 MUST_CHECK enum status proof_law_at(struct proof_law *p, const struct block *b,
                                     const struct proof_inputs *in,
                                     struct fault *why);

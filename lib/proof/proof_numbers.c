@@ -3,19 +3,19 @@
 #include "interval_math.h"
 #include "numbers.h"
 
+static const char not_so[] = "the branch ends otherwise, which is proved";
+
 static struct proof_number none(const char *why)
 {
-    return (struct proof_number){ { 0, 0 }, why };
+    return (struct proof_number){ { 0, 0 }, why, why == not_so };
 }
 
 static struct proof_number some(struct interval value)
 {
     if (!interval_is_finite(value))
         return none("its enclosure is not finite");
-    return (struct proof_number){ value, NULL };
+    return (struct proof_number){ value, NULL, false };
 }
-
-static const char not_so[] = "the branch ends otherwise, which is proved";
 
 /* Why what belongs to this end of the branch is not there; NULL: it is. */
 static const char *missing(const struct proof *p, const struct proof_branch *b,

@@ -10,6 +10,7 @@
 struct proof_number {
     struct interval value;
     const char *not_proved; /* NULL: value holds it */
+    bool absent;            /* that there is none is proved */
 };
 
 struct proof_numbers {

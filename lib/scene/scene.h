@@ -230,6 +230,7 @@ struct scene {
     struct scene_sweep sweep;
     struct scene_ensemble ensemble;
     double rtol;
+    bool proved; /* enclose the numbers with proof */
     struct scene_figure paper;
     char *hdf5, *figure; /* owned; NULL: none */
     char *file;          /* owned: its path as given; NULL: none */

@@ -337,6 +337,9 @@ const struct schema_key schema_table[] = {
     { "accuracy.rtol", value_real, AT(rtol), FROM(1e-14), TO(0.1),
       .expected = "a number from 1e-14 to 0.1", IS("1e-12"),
       TEXT("relative accuracy; numbers carry the error they have") },
+    { "accuracy.proved", value_flag, AT(proved), .words = flag_names,
+      IS("false"), TEXT("enclose the numbers of a slope with proof, inputs as "
+                        "decimals; by knees, portrait, study and basin") },
 
     { "output.hdf5", value_path, AT(hdf5), .expected = "a path",
       TEXT("write results here; by portrait, study, basin, sweep and "

@@ -26,6 +26,7 @@
 #include "result.h"
 #include "sensitivity.h"
 #include "slider.h"
+#include "study_proof.h"
 #include "taylor_series.h"
 
 /* The branches of a manifold: v > v_sp, v < v_sp. */
@@ -58,7 +59,8 @@ struct study {
     struct fields fields;
     struct diagrams diagrams; /* owned */
 
-    struct result_keep kept; /* owned; what tables say how to make */
+    struct result_keep kept;  /* owned; what tables say how to make */
+    struct study_proof proof; /* of study_prove; else clear */
 
     struct stage_cost cost[STAGES];
 };

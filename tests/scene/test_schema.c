@@ -125,6 +125,7 @@ static const struct {
     { "figure.dpi", "600", "72", LAW SLOPE },
 
     { "accuracy.rtol", "1e-9", "1e-12", LAW SLOPE },
+    { "accuracy.proved", "true", "false", LAW SLOPE },
 
     { "output.hdf5", "a.h5", "", LAW SLOPE },
     { "output.figure", "a.svg", "", LAW SLOPE },

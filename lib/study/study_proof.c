@@ -1,0 +1,141 @@
+#include "study_proof.h"
+
+#include <stdio.h>
+
+#include "proof_numbers.h"
+#include "study.h"
+
+/* A number and what is proved of it, for inputs as decimals and as doubles. */
+struct pair {
+    const char *name;
+    struct quantity *number;
+    size_t proof; /* of struct proof_numbers */
+};
+
+enum { SADDLE_NUMBERS = 4 }; /* come first */
+
+#define PAIR(name_, number_, proof_)                                           \
+    {                                                                          \
+        name_, &number_, offsetof(struct proof_numbers, proof_)                \
+    }
+
+static const struct proof_number *number_of(const struct proof_numbers *n,
+                                            const struct pair *p)
+{
+    return (const void *) ((const char *) n + p->proof);
+}
+
+/* Of the saddle alone, or of its manifold, too. */
+static enum status find(const struct study *s, bool decimal, bool manifold,
+                        struct proof *out)
+{
+    static const struct branch none[2];
+    const struct proof_inputs in = { decimal, s->scene->slope_in,
+                                     s->scene->slope_given, NULL };
+
+    return manifold ? proof_at(&s->slider.block, &in, out)
+                    : proof_along(&s->slider.block, &in, none, out);
+}
+
+/* Whether the bar is beside what is proved, or there is a number where none is
+ * proved to be, or none where one is. */
+static bool contradicts(const struct quantity *q, const struct proof_number *p)
+{
+    if (p->not_proved)
+        return p->absent && quantity_exists(q);
+    return quantity_exists(q) && !(q->value - q->error <= p->value.hi &&
+                                   p->value.lo <= q->value + q->error);
+}
+
+static void tell(struct study_proof *k, const struct pair *pair,
+                 const struct proof *proof, const struct proof_numbers *n)
+{
+    const struct proof_number *p = number_of(n, pair);
+    struct proved *out = &k->of[k->count++];
+
+    *out = (struct proved){ .absent = p->absent };
+    if (p->not_proved == NULL) {
+        out->lo = p->value.lo;
+        out->hi = p->value.hi;
+    } else if (!p->absent) { /* one reason goes with the proof */
+        out->not_proved = p->not_proved == proof->not_proved.text
+                              ? k->not_proved.text
+                              : p->not_proved;
+    }
+    pair->number->proved = out;
+}
+
+/* The first `n` numbers, some of which are beside, again with the doubles
+ * themselves: rounding the inputs may have moved them. */
+static enum status judge(struct study *s, const struct pair pair[], size_t n,
+                         struct fault *why)
+{
+    struct proof exact;
+    enum status status = find(s, false, n > SADDLE_NUMBERS, &exact);
+
+    if (status == STATUS_OK) {
+        const struct proof_numbers numbers = proof_numbers_of(&exact);
+        for (size_t i = 0; i < n && status == STATUS_OK; i++)
+            if (contradicts(pair[i].number, number_of(&numbers, &pair[i]))) {
+                snprintf(why->text, sizeof why->text,
+                         "%s: what is proved contradicts the error bar",
+                         pair[i].name);
+                status = STATUS_NO_CONVERGENCE;
+            }
+    }
+    proof_free(&exact);
+    return status;
+}
+
+/* A copy of a saddle's number has its proof, too. */
+static void copy_to_steady(struct study *s)
+{
+    struct steady_number *to = &s->slider.steady[slider_saddle(&s->slider)];
+
+    to->v.proved = s->saddle_numbers.v.proved;
+    to->psi.proved = s->saddle_numbers.psi.proved;
+    to->lambda_minus.proved = s->saddle_numbers.lambda_minus.proved;
+    to->lambda_plus.proved = s->saddle_numbers.lambda_plus.proved;
+}
+
+enum status study_prove(struct study *s, struct fault *why)
+{
+    struct critical_numbers *c = &s->slider.critical;
+    const struct pair pair[] = {
+        PAIR("saddle.v", s->saddle_numbers.v, v),
+        PAIR("saddle.psi", s->saddle_numbers.psi, psi),
+        PAIR("saddle.lambda_minus", s->saddle_numbers.lambda_minus,
+             lambda_minus),
+        PAIR("saddle.lambda_plus", s->saddle_numbers.lambda_plus, lambda_plus),
+        PAIR("v_plus", c->v_plus, v_plus),
+        PAIR("ln_v_plus", c->ln_v_plus, ln_v_plus),
+        PAIR("v_minus", c->v_minus, v_minus),
+        PAIR("ln_v_minus", c->ln_v_minus, ln_v_minus),
+        PAIR("psi_at_v0", c->psi_at_v0, psi_at_v0),
+        PAIR("x_excess", c->x_excess, x_excess),
+        PAIR("x_deficit", c->x_deficit, x_deficit),
+        PAIR("mu_s_num", c->mu_s_num, mu_s_num),
+        PAIR("mu_s_mean", c->mu_s_mean, mu_s_mean),
+        PAIR("fracture_energy", c->fracture_energy, fracture_energy),
+    };
+    const size_t n = sizeof pair / sizeof *pair;
+    size_t beside = 0; /* as many hold all that are */
+    struct proof proof;
+
+    if (slider_saddle(&s->slider) < 0)
+        return STATUS_OK;
+    enum status status = find(s, true, true, &proof);
+    if (status == STATUS_OK) {
+        const struct proof_numbers numbers = proof_numbers_of(&proof);
+        s->proof.not_proved = proof.not_proved;
+        for (size_t i = 0; i < n; i++) {
+            tell(&s->proof, &pair[i], &proof, &numbers);
+            if (contradicts(pair[i].number, number_of(&numbers, &pair[i])))
+                beside = i < SADDLE_NUMBERS ? SADDLE_NUMBERS : n;
+        }
+        copy_to_steady(s);
+    }
+    proof_free(&proof);
+    return status == STATUS_OK && beside > 0 ? judge(s, pair, beside, why)
+                                             : status;
+}

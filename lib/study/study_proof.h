@@ -1,0 +1,27 @@
+/*
+ * study_proof.h -- what is proved of a study's numbers, beside their bars.
+ */
+#ifndef STUDY_STUDY_PROOF_H
+#define STUDY_STUDY_PROOF_H
+
+#include "record.h"
+#include "status.h"
+
+struct study;
+
+enum { STUDY_PROVED = 24 };
+
+/* Numbers point into `of`. */
+struct study_proof {
+    struct proved of[STUDY_PROVED];
+    size_t count;
+    struct fault not_proved; /* why the saddle is not */
+};
+
+/* Proves the numbers that were found, of the saddle and of its stable manifold:
+ * their `proved` is set.  Where what is proved is beside a bar, for decimals
+ * and for the doubles that they are read as: STATUS_NO_CONVERGENCE, with the
+ * number's name in *why.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status study_prove(struct study *s, struct fault *why);
+
+#endif

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""slipway knees --proved (TAP).
+
+usage: cli_proved.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+from decimal import Decimal
+
+from cli_room import expect, run_cases
+
+COLUMNS = {'v_plus': 'v_plus', 'v_minus': 'v_minus', 'psi_at_v0': 'psi_at_v0',
+           'x_excess': 'x_excess', 'x_deficit': 'x_deficit_lower',
+           'mu_s_num': 'mu_s_num', 'fracture_energy': 'G_num'}
+
+
+def rows(room):
+    """One of each law and form, Table 2's material."""
+    seen = set()
+    for row in room.reference('manifold.csv'):
+        key = row['law'], row['form']
+        if row['tag'] == 'default' and row['alpha'] == '0.34' and key not in seen:
+            seen.add(key)
+            yield row
+
+
+def the_reference_is_between_both_decimals(room):
+    compared = 0
+    for row in rows(room):
+        found = room.json('knees', '--law', row['law'], '--friction',
+                          row['form'], '--alpha', row['alpha'], '--proved')
+        for name, column in COLUMNS.items():
+            proved = found[name]['proved']
+            if found[name]['value'] is None:
+                expect(proved == {'absent': True}, row['law'], name, proved)
+                continue
+            lo, hi = Decimal(proved['lo']), Decimal(proved['hi'])
+            expect(lo <= Decimal(row[column]) <= hi, row['law'], name, proved)
+            expect(hi - lo <= Decimal('1e-11') * abs(hi), row['law'], name)
+            compared += 1
+    expect(compared > 40, compared)
+
+
+def a_law_without_a_proof_says_why(room):
+    found = room.json('knees', '--law', 'kato_tullis', '--alpha', '0.34',
+                      '--set', 'material.V_c=100', '--proved')
+    expect(found['v_plus']['proved'] is None, found['v_plus'])
+    expect('dpsi/dt' in found['v_plus']['not_proved'], found['v_plus'])
+
+
+def a_scene_asks_for_it_too(room):
+    text = 'law: {preset: perrin}\nslope: {alpha: 0.34}\naccuracy: {proved: true}\n'
+    room.write('p.yaml', text)
+    expect('proved: 307.643622' in room.good('knees', 'p.yaml'))
+    found = room.json('portrait', 'p.yaml')
+    expect('lo' in found['saddle']['v']['proved'], found['saddle'])
+
+
+def nothing_is_proved_where_nobody_asks(room):
+    found = room.json('knees', '--law', 'perrin', '--alpha', '0.34')
+    expect('proved' not in found['v_plus'], found['v_plus'])
+
+
+run_cases([
+    the_reference_is_between_both_decimals,
+    a_law_without_a_proof_says_why,
+    a_scene_asks_for_it_too,
+    nothing_is_proved_where_nobody_asks,
+])
