@@ -15,6 +15,7 @@ SOURCE = os.path.realpath(sys.argv[2])
 MODULE = os.path.join(SOURCE, 'lib', 'python')
 os.environ['SLIPWAY_LIBRARY'] = os.path.realpath(sys.argv[3])
 os.environ['PYTHONPATH'] = MODULE
+os.environ['PYTHONDONTWRITEBYTECODE'] = '1'
 sys.dont_write_bytecode = True
 sys.path.insert(0, MODULE)
 

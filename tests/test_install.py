@@ -447,8 +447,11 @@ def python_finds_the_module(room):
 
 
 def bare(**changes):
+    """An environment in which python finds nothing by name, and leaves
+    nothing."""
     return {**{name: value for name, value in os.environ.items()
-               if name not in ('SLIPWAY_LIBRARY', 'PYTHONPATH')}, **changes}
+               if name not in ('SLIPWAY_LIBRARY', 'PYTHONPATH')},
+            'PYTHONDONTWRITEBYTECODE': '1', **changes}
 
 
 def a_place_for_the_module_is_found_below_any_prefix(room):
