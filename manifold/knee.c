@@ -97,8 +97,10 @@ static double by_field(const void *ctx, double theta)
                : value_of(s, local_slope(s->sys, s->ind, point_of(s, theta)));
 }
 
-/* First and second derivative by ind of the slope, by the polynomials. */
-static void bends_at(const struct seeker *s, double theta, double bend[2])
+/* First and second derivative by ind of the slope along the curve: the field's,
+ * and the polynomials'. */
+static void bends_at(const struct seeker *s, double theta,
+                     const struct defect_slope *d, double bend[2])
 {
     const size_t n = s->b->curve.piece[s->piece].degree;
     const double *c =
@@ -106,12 +108,10 @@ static void bends_at(const struct seeker *s, double theta, double bend[2])
     const double unit =
         curve_component(&s->b->curve, s->piece, (size_t) s->ind)[1];
 
-    bend[0] = bend[1] = 0.0;
-    for (size_t k = n; k >= 2; k--)
-        bend[0] = bend[0] * theta + (double) (k * (k - 1)) * c[k];
+    bend[0] = d->by_ind + d->by_dep * d->slope;
+    bend[1] = 0.0;
     for (size_t k = n; k >= 3; k--)
         bend[1] = bend[1] * theta + (double) (k * (k - 1) * (k - 2)) * c[k];
-    bend[0] /= unit * unit;
     bend[1] /= unit * unit * unit;
 }
 
@@ -141,10 +141,10 @@ static struct knee knee_before(const struct seeker *s, const struct post *to)
         found == STATUS_OK ? d.rounding + fabs(d.by_dep) * error : HUGE_VAL;
     double bend[2];
 
-    bends_at(s, theta, bend);
+    bends_at(s, theta, &d, bend);
     const double ind = stretch(bend, off) * off;
     const double dep =
-        stretch(bend, off) * (d.rounding + fabs(bend[0] - d.by_dep) * error);
+        stretch(bend, off) * (d.rounding + fabs(d.by_ind) * error);
     return (struct knee){
         .kind = (to->value > 0.0) == (s->direction > 0.0) ? KNEE_RISING
                                                           : KNEE_FALLING,
