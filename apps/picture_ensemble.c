@@ -8,13 +8,18 @@
 #include "line.h"
 #include "sheet.h"
 
+static bool has_numbers(const struct scene *s)
+{
+    return s->ensemble.number == NULL || s->ensemble.numbers > 0;
+}
+
 void picture_ensemble_panels(const struct scene *s,
                              const char *panel[PICTURE_ENSEMBLE_PANELS])
 {
     size_t n = 0;
 
     panel[n++] = "";
-    if (s->ensemble.pushes > 0)
+    if (s->ensemble.pushes > 0 && has_numbers(s))
         panel[n++] = "_arrest";
     panel[n++] = "_matrix";
     panel[n] = NULL;
@@ -289,7 +294,8 @@ enum status picture_ensemble(const struct ensemble *e, struct panels *p,
     picture_ensemble_panels(e->scene, panel);
     for (size_t i = 0; panel[i] && status == STATUS_OK; i++) {
         struct figure *f = panels_add(p, panel[i]);
-        if (strcmp(panel[i], "_arrest") == 0)
+        if (strcmp(panel[i], "_arrest") == 0 ||
+            (i == 0 && !has_numbers(e->scene)))
             arrest(e, f);
         else if (strcmp(panel[i], "_matrix") == 0)
             status = matrix(e, f, why);

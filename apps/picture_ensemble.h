@@ -8,7 +8,7 @@
 
 /* The panels of its figure (panel_path), NULL-ended: the distribution of v_plus
  * (or of the first number) with its quantiles, "_arrest" with pushes, "_matrix"
- * with parameters. */
+ * with parameters.  Without numbers the first is that of arrest. */
 enum { PICTURE_ENSEMBLE_PANELS = 4 };
 void picture_ensemble_panels(const struct scene *s,
                              const char *panel[PICTURE_ENSEMBLE_PANELS]);

@@ -90,7 +90,7 @@ void report_ensemble_print(FILE *out, const struct ensemble *e)
     fprintf(out, "ensemble: %zu draws (%s) of", e->draws.count, method_of(e));
     for (size_t k = 0; k < e->draws.keys; k++)
         fprintf(out, "%s %s", k ? "," : "", e->draws.key[k]);
-    fputs("\nnumbers\n", out);
+    fputs(e->batch.numbers > 0 ? "\nnumbers\n" : "\n", out);
     for (size_t k = 0; k < e->batch.numbers; k++)
         print_number(out, e, k);
     if (e->batch.pushes > 0)

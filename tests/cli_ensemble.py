@@ -148,6 +148,16 @@ def what_is_wrong_is_one_line_and_nothing_is_written(room):
     expect(room.names() == before, room.names())
 
 
+def pushes_may_be_all_that_is_asked(room):
+    none = ['--set', 'ensemble.numbers=[]', '--draws', '300']
+    found = room.json(*call(*none, '-o', 'a.h5', '--figure', 'a.svg'))
+    both = room.json(*call('--draws', '300'))
+    expect(found['numbers'] == {} and found['pushes'] == both['pushes'], found)
+    expect(room.names() == ['a.h5', 'a.svg', 'a_matrix.svg'], room.names())
+    refused(room.run(*call(*none, '--set', 'ensemble.pushes=[]')), 2,
+            'ensemble.numbers: none and no pushes')
+
+
 def a_slope_may_be_among_what_is_drawn(room):
     found = room.json('ensemble', '--law', 'spinodal_gen', '--set', SPREAD,
                       '--set', NUMBERS, '--draws', '50')
@@ -173,6 +183,7 @@ run_cases([
     threads_and_stops_change_no_byte,
     the_figure_has_three_panels,
     what_is_wrong_is_one_line_and_nothing_is_written,
+    pushes_may_be_all_that_is_asked,
     a_slope_may_be_among_what_is_drawn,
     draws_beyond_a_law_are_counted,
 ])

@@ -46,7 +46,7 @@ static const struct wrong wrong_ensembles[] = {
       "sobol, random or grid (did you mean sobol?)" },
     { LAW SLOPE "ensemble: {numbers: v_plus}\n",
       "3:21: ensemble.numbers: 'v_plus'" NOT
-      "a list of 1 to 256 names such as v_plus" },
+      "a list of at most 256 names such as v_plus" },
     { LAW SLOPE "ensemble: {pushes: [{v: 1}]}\n",
       "3:21: ensemble.pushes: expected v and psi (or phi), or from: creep and "
       "kick" },

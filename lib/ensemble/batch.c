@@ -124,7 +124,7 @@ static enum status take_numbers(struct batch *b, const char *const name[],
     b->number = calloc(all.count + names + 1, sizeof *b->number);
     if (b->number == NULL)
         status = STATUS_NO_MEMORY;
-    else if (names > 0)
+    else if (name)
         status = take_named(b, &all, name, names, why);
     else
         take_products(b, &all);

@@ -44,7 +44,7 @@ struct batch_fates {
 };
 
 /* Numbers of that scene's law, by name (result_number.h), over those keys, such
- * as "material.a"; no name: all that the scene's products give, and without
+ * as "material.a"; name NULL: all that the scene's products give, and without
  * products those of the saddle's stable manifold.  Both the
  * arrays and the scene's own values of the keys may go afterwards; the scene
  * and the keys' texts must stay.  STATUS_BAD_ARGUMENT: *why names the key or

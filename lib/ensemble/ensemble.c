@@ -194,10 +194,25 @@ static uint64_t key_of(const struct ensemble *e, const char *version)
     return sum;
 }
 
+/* No numbers, and no pushes either. */
+static enum status check_asked(const struct scene *scene, struct fault *why)
+{
+    const struct scene_ensemble *e = &scene->ensemble;
+
+    return e->number && e->numbers == 0 && e->pushes == 0
+               ? place_blame((struct place){ scene->file, false, 0, 0 }, why,
+                             "ensemble.numbers: none and no pushes, expected "
+                             "either")
+               : STATUS_OK;
+}
+
 static enum status begin(struct ensemble *e, const struct ensemble_options *o,
                          struct fault *why)
 {
-    enum status status = draws_init(&e->draws, e->scene, why);
+    enum status status = check_asked(e->scene, why);
+
+    if (status == STATUS_OK)
+        status = draws_init(&e->draws, e->scene, why);
 
     if (status == STATUS_OK)
         status = open_batch(e, why);

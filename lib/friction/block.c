@@ -34,12 +34,16 @@ void block_init(struct block *b, const struct law *law,
 {
     const long double top = steady_x_max(law);
 
-    *b = (struct block){ .law = *law,
-                         .material = *m,
-                         .tan_alpha = tan_alpha,
-                         .steep = { m->a, m->b },
-                         .waits = law->kinetics == KINETICS_SINH,
-                         .traps = true };
+    b->law = *law; /* what is large is not cleared: block_anchor fills it */
+    b->material = *m;
+    b->tan_alpha = tan_alpha;
+    b->at = (struct anchor){ 0 };
+    b->x = b->y = 0.0L;
+    b->steep = (struct vec2){ m->a, m->b };
+    b->waits = law->kinetics == KINETICS_SINH;
+    b->traps = true;
+    b->end = (struct block_end){ BLOCK_UNKNOWN, 0.0 };
+    b->steady = (struct planar_steady){ 0 };
     b->steady.balance = balance;
     b->steady.y = steady_curve;
     b->steady.turnings = steady_extrema(law, m, b->steady.turning);

@@ -183,7 +183,7 @@ struct scene_ensemble {
     size_t draws;
     enum ensemble_method method;
     uint64_t seed;
-    struct scene_number *number; /* owned; none: those of the products */
+    struct scene_number *number; /* owned; NULL: those of the products */
     size_t numbers;
     struct scene_push *push; /* owned */
     size_t pushes;

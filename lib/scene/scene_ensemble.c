@@ -122,10 +122,10 @@ enum status value_numbers(const struct schema_key *key, const struct node *n,
 {
     struct scene_ensemble *e = &s->ensemble;
 
-    if (n->kind != NODE_LIST || n->count == 0 || n->count > SCENE_NUMBERS)
+    if (n->kind != NODE_LIST || n->count > SCENE_NUMBERS)
         return value_refuse(key, n, why);
     free_numbers(e);
-    e->number = calloc(n->count, sizeof *e->number);
+    e->number = calloc(n->count + 1, sizeof *e->number);
     if (e->number == NULL)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < n->count; i++) {

@@ -279,9 +279,9 @@ const struct schema_key schema_table[] = {
       .expected = "a whole number from 0 to 9007199254740992", IS("1"),
       TEXT("of the draws") },
     { "ensemble.numbers", value_numbers,
-      .expected = "a list of 1 to 256 names such as v_plus",
+      .expected = "a list of at most 256 names such as v_plus",
       TEXT("what is asked for, by name as in tables of sweeps; unless given "
-           "what the products give") },
+           "what the products give; []: none, where pushes are all") },
     { "ensemble.pushes", value_pushes,
       .expected = "a list [{v: V, psi: P}, {from: creep, kick: DV}, ...]",
       IS("[]"),

@@ -407,8 +407,9 @@ enum status study_run_stages(struct study *s, const struct scene *scene,
     why->text[0] = '\0';
     *s = (struct study){ .scene = scene, .stages = stages };
     enum status status = scene_slope_demand(scene, scene->products, why);
-    block_init(&s->slider.block, &scene->law, &scene->material,
-               scene->tan_alpha);
+    if (!plan_has(stages, STAGE_STEADY)) /* which begins with that */
+        block_init(&s->slider.block, &scene->law, &scene->material,
+                   scene->tan_alpha);
     for (int i = 0; i < STAGES && status == STATUS_OK; i++)
         if (plan_has(s->stages, (enum stage) i))
             status = run_stage(s, (enum stage) i, monitor, why);
