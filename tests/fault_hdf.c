@@ -86,6 +86,10 @@ static bool refused(const char *name)
     CALL(herr_t, -1, H5Pset_chunk, (hid_t a, int b, const hsize_t *c),         \
          (a, b, c))                                                            \
     CALL(herr_t, -1, H5Pset_deflate, (hid_t a, unsigned b), (a, b))            \
+    CALL(hid_t, -1, H5FDregister, (const H5FD_class_t *a), (a))                \
+    CALL(const void *, NULL, H5Pget_driver_info, (hid_t a), (a))               \
+    CALL(herr_t, -1, H5Pset_driver, (hid_t a, hid_t b, const void *c),         \
+         (a, b, c))                                                            \
     CALL(herr_t, -1, H5Pset_fapl_core, (hid_t a, size_t b, hbool_t c),         \
          (a, b, c))                                                            \
     CALL(herr_t, -1, H5Pset_fclose_degree, (hid_t a, H5F_close_degree_t b),    \

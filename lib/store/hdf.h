@@ -13,6 +13,7 @@
 #include "status.h"
 
 struct store {
+    struct disk *disk;      /* owned; NULL: the file grows in memory */
     hid_t file;             /* owned; negative once closed */
     char *path;             /* owned; as the caller gave it */
     struct handles handles; /* owned */

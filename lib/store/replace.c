@@ -19,6 +19,11 @@ struct place {
     char temporary[PATH_MAX + NAME_ROOM];
 };
 
+struct replacing {
+    struct place place;
+    int fd;
+};
+
 static enum status replace_blame(const char *path, const char *why,
                                  struct fault *fault)
 {
@@ -102,7 +107,7 @@ static const char *place_refuses(const struct place *p)
 static int open_new(const char *name, int fd)
 {
     (void) fd;
-    return open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
 }
 
 /* /proc names files without a name, and asks for no privileges. */
@@ -137,7 +142,7 @@ static int make_temporary(struct place *p, int (*make)(const char *, int),
 static int open_temporary(struct place *p)
 {
     const int fd = access("/proc/self/fd", X_OK) == 0
-                       ? open(p->folder, O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666)
+                       ? open(p->folder, O_RDWR | O_TMPFILE | O_CLOEXEC, 0666)
                        : -1;
 
     p->temporary[0] = '\0';
@@ -155,21 +160,33 @@ static int write_all(int fd, const char *bytes, size_t size)
         bytes += took;
         size -= (size_t) took;
     }
+    return 0;
+}
+
+static int sync_all(int fd)
+{
     while (fsync(fd) != 0)
         if (errno != EINTR)
             return errno;
     return 0;
 }
 
-static int replace_at(struct place *p, const void *bytes, size_t size)
+static int begin_at(struct place *p, int *fd)
 {
-    int error = folder_make(p->folder);
-    const int fd = error == 0 ? open_temporary(p) : -1;
+    const int error = folder_make(p->folder);
 
-    if (fd < 0)
+    *fd = error == 0 ? open_temporary(p) : -1;
+    if (*fd < 0)
         return error ? error : errno;
     litter_add(p->temporary);
-    error = write_all(fd, bytes, size);
+    return 0;
+}
+
+/* Into place, or gone where there was an error. */
+static int end_at(struct place *p, int fd, int error)
+{
+    if (error == 0)
+        error = sync_all(fd);
     if (error == 0 && p->temporary[0] == '\0' &&
         make_temporary(p, link_new, fd) != 0)
         error = errno;
@@ -208,15 +225,51 @@ enum status replace_folder(const char *path, struct fault *fault)
     return error ? replace_blame(path, strerror(error), fault) : s;
 }
 
+enum status replace_begin(const char *path, struct replacing **out,
+                          struct fault *fault)
+{
+    struct replacing *r = malloc(sizeof *r);
+
+    *out = NULL;
+    if (r == NULL)
+        return STATUS_NO_MEMORY;
+    const enum status s = replace_find(path, &r->place, fault);
+    const int error = s == STATUS_OK ? begin_at(&r->place, &r->fd) : 0;
+    if (s == STATUS_OK && error == 0) {
+        *out = r;
+        return STATUS_OK;
+    }
+    free(r);
+    return error ? replace_blame(path, strerror(error), fault) : s;
+}
+
+int replace_descriptor(const struct replacing *r)
+{
+    return r->fd;
+}
+
+enum status replace_end(struct replacing **of, int error, const char *path,
+                        struct fault *fault)
+{
+    if (*of == NULL)
+        return STATUS_OK;
+    error = end_at(&(*of)->place, (*of)->fd, error);
+    free(*of);
+    *of = NULL;
+    return error == 0 ? STATUS_OK : replace_blame(path, strerror(error), fault);
+}
+
 enum status replace_file(const char *path, const void *bytes, size_t size,
                          struct fault *fault)
 {
     struct place p;
     const enum status s = replace_find(path, &p, fault);
-    int error;
+    int fd;
 
     if (s != STATUS_OK)
         return s;
-    error = replace_at(&p, bytes, size);
+    int error = begin_at(&p, &fd);
+    if (error == 0)
+        error = end_at(&p, fd, write_all(fd, bytes, size));
     return error == 0 ? STATUS_OK : replace_blame(path, strerror(error), fault);
 }

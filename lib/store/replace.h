@@ -22,4 +22,15 @@ MUST_CHECK enum status replace_folder(const char *path, struct fault *fault);
 MUST_CHECK enum status replace_file(const char *path, const void *bytes,
                                     size_t size, struct fault *fault);
 
+/* The same for a file that is written piece by piece through a descriptor for
+ * reading and writing: it takes its place at the end, if there was no error
+ * (errno; any other number drops it), which is told.  replace_end leaves *r
+ * NULL; a second call is harmless.  STATUS_IO, STATUS_NO_MEMORY. */
+struct replacing;
+MUST_CHECK enum status replace_begin(const char *path, struct replacing **r,
+                                     struct fault *fault);
+int replace_descriptor(const struct replacing *r);
+MUST_CHECK enum status replace_end(struct replacing **r, int error,
+                                   const char *path, struct fault *fault);
+
 #endif

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "axis.h"
+#include "disk.h"
 #include "hdf.h"
 #include "replace.h"
 #include "tolerance.h"
@@ -67,7 +68,8 @@ static hid_t access_list(struct store *st)
     return access;
 }
 
-static void create_in_memory(struct store *st)
+/* In memory, or on its disk. */
+static void create(struct store *st)
 {
     const hid_t access = access_list(st);
     const hid_t create = hdf_took(st, H5Pcreate(H5P_FILE_CREATE));
@@ -75,7 +77,10 @@ static void create_in_memory(struct store *st)
 
     handles_set_order(st, create, H5P_FILE_CREATE);
     snprintf(name, sizeof name, "%p", (void *) st);
-    hdf_took(st, H5Pset_fapl_core(access, STORE_GROWTH, false));
+    if (st->disk)
+        disk_choose(st, access);
+    else
+        hdf_took(st, H5Pset_fapl_core(access, STORE_GROWTH, false));
     hdf_took(st, H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
     if (st->status == STATUS_OK) /* else perhaps not in memory */
         st->file = hdf_took(st, H5Fcreate(name, H5F_ACC_TRUNC, create, access));
@@ -83,11 +88,11 @@ static void create_in_memory(struct store *st)
     hdf_close(access);
 }
 
-enum status store_create(const char *path, const char *title,
+static enum status begin(const char *path, const char *title, bool on_disk,
                          struct store **store, struct fault *fault)
 {
     struct store *st;
-    const enum status s = replace_check(path, fault);
+    enum status s = replace_check(path, fault);
 
     *store = NULL;
     if (s != STATUS_OK)
@@ -95,11 +100,29 @@ enum status store_create(const char *path, const char *title,
     st = store_new(path, fault);
     if (st == NULL)
         return STATUS_NO_MEMORY;
-    create_in_memory(st);
+    if (on_disk)
+        s = disk_open(path, &st->disk, fault);
+    if (s != STATUS_OK) {
+        store_free(&st);
+        return s;
+    }
+    create(st);
     handles_make(st);
     hdf_put_text(st, st->file, "Conventions", "CF-1.10");
     hdf_put_text(st, st->file, "title", title);
     return hand_over(st, store, fault);
+}
+
+enum status store_create(const char *path, const char *title,
+                         struct store **store, struct fault *fault)
+{
+    return begin(path, title, false, store, fault);
+}
+
+enum status store_create_on_disk(const char *path, const char *title,
+                                 struct store **store, struct fault *fault)
+{
+    return begin(path, title, true, store, fault);
 }
 
 /* The system says "no such file" better than HDF5 does. */
@@ -193,12 +216,23 @@ static void close_all(struct store *st)
     st->file = H5I_INVALID_HID;
 }
 
+static enum status commit_disk(struct store *st, struct fault *fault)
+{
+    if (st->status == STATUS_OK)
+        axis_finish(st);
+    close_all(st);
+    const enum status s = hdf_blame(st, fault);
+    return s ? s : disk_keep(&st->disk, st->path, fault);
+}
+
 enum status store_commit(struct store *st, struct fault *fault)
 {
     size_t size = 0;
+
+    if (st->disk)
+        return commit_disk(st, fault);
     const void *image = store_finish(st, &size);
     enum status s = hdf_blame(st, fault);
-
     if (s == STATUS_OK)
         s = replace_file(st->path, image, size, fault);
     close_all(st);
@@ -212,6 +246,7 @@ void store_free(struct store **store)
     if (st == NULL)
         return;
     close_all(st);
+    disk_drop(&st->disk);
     free(st->group_path);
     free(st->path);
     free(st);

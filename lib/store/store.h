@@ -47,6 +47,12 @@ const char *store_library_version(void);
 MUST_CHECK enum status store_create(const char *path, const char *title,
                                     struct store **store, struct fault *fault);
 
+/* The same for a file that may be larger than memory: it grows on disk, in a
+ * temporary file of the folder that takes its place at store_commit. */
+MUST_CHECK enum status store_create_on_disk(const char *path, const char *title,
+                                            struct store **store,
+                                            struct fault *fault);
+
 /* An existing file, to be read with store_read.h.  STATUS_IO and *fault when
  * it is missing, damaged or not HDF5; *store is then NULL. */
 MUST_CHECK enum status store_open(const char *path, struct store **store,

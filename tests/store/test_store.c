@@ -111,6 +111,43 @@ static void a_full_disk_leaves_the_old_file(void **state)
     assert_int_equal(own_folder_entries(), 1);
 }
 
+/* The sample, in a file that grows on disk. */
+static enum status write_on_disk(const char *path, struct fault *fault)
+{
+    struct store *st;
+    enum status s = store_create_on_disk(path, "sample", &st, fault);
+
+    if (s == STATUS_OK && sample_put(st) == STATUS_OK)
+        s = store_commit(st, fault);
+    store_free(&st);
+    sample_no_handles();
+    return s;
+}
+
+static void a_file_on_a_full_disk_leaves_the_old_one(void **state)
+{
+    const char *path = own_path("out.h5");
+    struct fault fault = { "" };
+    struct rlimit old, small;
+
+    (void) state;
+    file_write(path, "old", 3);
+    signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &old);
+    for (rlim_t limit = 0; limit < 20000; limit += 2500) {
+        small = (struct rlimit){ limit, old.rlim_max };
+        setrlimit(RLIMIT_FSIZE, &small);
+        const enum status s = write_on_disk(path, &fault);
+        CHECK(s == STATUS_IO, "%d: %s", (int) limit, status_text(s));
+        says(&fault, path, "File too large");
+    }
+    setrlimit(RLIMIT_FSIZE, &old);
+    file_holds(path, "old");
+    assert_int_equal(own_folder_entries(), 1);
+    assert_int_equal(write_on_disk(path, &fault), STATUS_OK);
+    assert_int_equal(own_folder_entries(), 1);
+}
+
 static void a_killed_run_leaves_the_old_file(void **state)
 {
     const char *path = own_path("out.h5");
@@ -229,6 +266,7 @@ int main(void)
         TEST(a_wrong_place_is_named_with_the_reason),
         TEST(a_read_only_folder_is_refused),
         TEST(a_full_disk_leaves_the_old_file),
+        TEST(a_file_on_a_full_disk_leaves_the_old_one),
         TEST(a_killed_run_leaves_the_old_file),
         TEST(what_is_not_committed_is_gone),
         TEST(the_first_failure_sticks_and_is_told_at_the_end),

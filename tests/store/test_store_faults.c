@@ -50,10 +50,13 @@ static enum status put(struct store *st)
 }
 
 /* The first failure sticks: commit says it again. */
+static bool on_disk; /* else in memory */
+
 static enum status write_file(const char *path, struct fault *why)
 {
     struct store *st = NULL;
-    enum status s = store_create(path, "sample", &st, why);
+    enum status s = (on_disk ? store_create_on_disk
+                             : store_create)(path, "sample", &st, why);
 
     if (s == STATUS_OK) {
         const enum status all = put(st);
@@ -105,14 +108,13 @@ static bool judge(long k, enum status s, const struct fault *why)
     return true;
 }
 
-static void a_file_is_written_whole_or_not_at_all(void **state)
+static void written_whole_or_not_at_all(void)
 {
     const char *path = own_path("out.h5");
     size_t size;
     long k = 0;
     bool more = true;
 
-    (void) state;
     must_write(path);
     char *whole = file_read(path, &size);
     for (; more; k++) {
@@ -134,6 +136,20 @@ static void a_file_is_written_whole_or_not_at_all(void **state)
     }
     free(whole);
     CHECK(k > 400, "only %ld calls", k);
+}
+
+static void a_file_is_written_whole_or_not_at_all(void **state)
+{
+    (void) state;
+    written_whole_or_not_at_all();
+}
+
+static void so_is_one_that_grows_on_disk(void **state)
+{
+    (void) state;
+    on_disk = true;
+    written_whole_or_not_at_all();
+    on_disk = false;
 }
 
 static int see(void *ctx, const struct store_item *item)
@@ -309,6 +325,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_file_is_written_whole_or_not_at_all),
+        TEST(so_is_one_that_grows_on_disk),
         TEST(a_visit_tells_of_everything_or_fails),
         TEST(a_text_is_read_or_there_is_none),
         TEST(nothing_is_told_to_differ_because_a_call_failed),
