@@ -5,14 +5,30 @@
 #include "provenance.h"
 #include "store_results.h"
 
+static const char *title_of(const struct scene *scene, const char *untitled)
+{
+    return scene && scene->title[0] ? scene->title : untitled;
+}
+
 enum status result_file_begin(struct store **out, const char *path,
                               const struct scene *scene, const char *untitled,
                               struct fault *why)
 {
-    const char *title = scene && scene->title[0] ? scene->title : untitled;
-
     store_silence();
-    const enum status s = store_create(path, title, out, why);
+    const enum status s =
+        store_create(path, title_of(scene, untitled), out, why);
+    if (s == STATUS_OK)
+        why->text[0] = '\0';
+    return s;
+}
+
+enum status result_file_begin_large(struct store **out, const char *path,
+                                    const struct scene *scene,
+                                    const char *untitled, struct fault *why)
+{
+    store_silence();
+    const enum status s =
+        store_create_on_disk(path, title_of(scene, untitled), out, why);
     if (s == STATUS_OK)
         why->text[0] = '\0';
     return s;

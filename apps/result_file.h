@@ -23,6 +23,13 @@ MUST_CHECK enum status result_file_begin(struct store **out, const char *path,
                                          const char *untitled,
                                          struct fault *why);
 
+/* The same of a file that may be larger than memory (store.h). */
+MUST_CHECK enum status result_file_begin_large(struct store **out,
+                                               const char *path,
+                                               const struct scene *scene,
+                                               const char *untitled,
+                                               struct fault *why);
+
 /* Path is the file now, if all was put (`s` OK); else it is what it was, and
  * *why keeps what was said already, or tells path and the status.  *out is
  * released. */
