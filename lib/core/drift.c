@@ -271,6 +271,24 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
     }
 }
 
+void drift_cross(struct drift *d, const double du[], size_t which, size_t dim)
+{
+    double by[CURVE_DIM_MAX];
+    const double late = d->e[which] / du[which];
+
+    for (size_t i = 0; i < dim; i++)
+        by[i] = d->noise[i][which] / du[which];
+    for (size_t i = 0; i < dim; i++) {
+        d->e[i] -= late * du[i];
+        for (size_t k = 0; k < dim; k++)
+            d->noise[i][k] += by[which] / du[which] * du[i] * du[k] -
+                              by[i] * du[k] - du[i] * by[k];
+    }
+    d->e[which] = 0.0;
+    for (size_t i = 0; i < dim; i++)
+        d->noise[i][which] = d->noise[which][i] = 0.0;
+}
+
 /* ---- the end ------------------------------------------------------------- */
 
 /* F, of the header. */

@@ -150,9 +150,11 @@ struct attempt {
     struct vec2 slope[CURVE_DIM_MAX]; /* gradients there, per tau */
 };
 
-/* What errors of time and integrals are relative to. */
+/* What errors are relative to. */
 static double size_of(const struct orbit *o, size_t i, double u)
 {
+    if (i < 2)
+        return o->options.far ? fmax(fabs(u), 1.0) : 1.0;
     return fmax(fmax(o->peak[i], fabs(u)), o->options.least[i - 2]);
 }
 
@@ -178,9 +180,8 @@ static double error_ratio(const struct orbit *o, const struct attempt *a)
     double worst = 0.0;
 
     for (size_t i = 0; i < o->curve.dim; i++) {
-        const double size = i < 2 ? 1.0 : size_of(o, i, a->u1[i]);
         const double allowed =
-            o->options.rtol * size + DBL_MIN +
+            o->options.rtol * size_of(o, i, a->u1[i]) + DBL_MIN +
             fmin(noise_of(o, a, i), fabs(a->u1[i] - o->u[i]));
         const double ratio = fabs(a->error[i]) / allowed;
         if (!isfinite(ratio) || !isfinite(a->u1[i]))

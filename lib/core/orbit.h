@@ -21,6 +21,7 @@ struct orbit_options {
     double least[1 + PLANAR_OBSERVABLES_MAX]; /* >= 0; time and integrals below
                                                  this need no more digits */
     bool backward;
+    bool far; /* rtol of x and y relative to them where they are above 1 */
     size_t observables; /* the first so many are integrated */
 
     /* Where to stop; the domain of the system stops every orbit. */

@@ -2,20 +2,20 @@
 
 #include <math.h>
 
-#include "eigen.h"
+#include "backward.h"
 
 /* The numbers by the second route. */
 static enum status second_route(const struct block *b, const struct planar *sys,
                                 const struct equilibrium *e,
-                                const struct eigen_options *o,
+                                const struct backward_options *o,
                                 struct critical_numbers *out,
                                 size_t *evaluations)
 {
     struct branch upper = { .kind = MANIFOLD_STABLE }, lower = upper;
-    enum status s = eigen_branch(sys, e, 1, o, &upper);
+    enum status s = backward_branch(sys, e, 1, o, &upper);
 
     if (s == STATUS_OK)
-        s = eigen_branch(sys, e, -1, o, &lower);
+        s = backward_branch(sys, e, -1, o, &lower);
     if (s == STATUS_OK &&
         (upper.end == BRANCH_STEPS || lower.end == BRANCH_STEPS))
         s = STATUS_TOO_MANY_STEPS;
@@ -65,7 +65,7 @@ enum status verify_numbers(const struct block *b, const struct planar *sys,
                            const struct monitor *monitor,
                            struct verification *out)
 {
-    struct eigen_options o = eigen_defaults(rtol);
+    struct backward_options o = backward_defaults(rtol);
     struct critical_numbers again;
     size_t evaluations;
 
@@ -74,6 +74,8 @@ enum status verify_numbers(const struct block *b, const struct planar *sys,
     const enum status s = second_route(b, sys, e, &o, &again, &evaluations);
     if (s != STATUS_OK)
         return s;
+    if (first->lower_end == END_TRUNCATED && again.lower_end != END_TRUNCATED)
+        return STATUS_TOO_MANY_STEPS;
     *out = (struct verification){
         .end = { compare_end("upper_end", first->upper_end, again.upper_end),
                  compare_end("lower_end", first->lower_end, again.lower_end) },

@@ -1,6 +1,6 @@
 /*
  * verify.h -- the critical numbers of a slope once more, by the second route
- * (eigen.h), beside those of the first (grow.h).
+ * (backward.h), beside those of the first (grow.h).
  *
  * Both routes share the field, the saddle, its eigenvalues and what rounding of
  * the field costs a number (numbers.h); everything else is done twice.
@@ -39,8 +39,8 @@ struct verification {
 
 /* The saddle `e` at sys->origin, b's anchor; `first` are the numbers found for
  * it; `rtol` as asked of them.
- * STATUS_NO_CONVERGENCE, STATUS_TOO_MANY_STEPS (arc length tells nothing of x
- * where psi, a logarithm, is below some -1e9): the second route failed;
+ * STATUS_NO_CONVERGENCE, STATUS_TOO_MANY_STEPS: the second route failed, or the
+ * first one's lower branch, whose end it does not know, has one by the second;
  * STATUS_STOPPED;
  * STATUS_NO_MEMORY; *out is then undefined. */
 MUST_CHECK enum status verify_numbers(

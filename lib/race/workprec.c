@@ -34,7 +34,7 @@ enum {
 };
 static const struct entrant own[] = {
     { "slipway", false, ALL, WORKPREC_SLIPWAY, NULL },
-    { "eigen", false, ALL & ~MOTION, WORKPREC_EIGEN, NULL },
+    { "backward", false, ALL & ~MOTION, WORKPREC_BACKWARD, NULL },
     { "radau", false, MOTION, WORKPREC_RADAU, NULL },
     { "slow_curve", false, SLIP, WORKPREC_SLOW, NULL },
 };

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "eigen.h"
+#include "backward.h"
 #include "fast_cells.h"
 #include "grow.h"
 #include "study_tolerance.h"
@@ -90,18 +90,18 @@ static enum status grow_sides(const struct maker *m, const bool wanted[],
     return s;
 }
 
-static enum status eigen_sides(const struct maker *m, const bool wanted[],
-                               struct branch branch[WORKPREC_SIDES])
+static enum status backward_sides(const struct maker *m, const bool wanted[],
+                                  struct branch branch[WORKPREC_SIDES])
 {
-    struct eigen_options o = eigen_defaults(m->tol);
+    struct backward_options o = backward_defaults(m->tol);
     enum status s = STATUS_OK;
 
     o.carry = m->carry;
     for (int i = 0; i < WORKPREC_SIDES && s == STATUS_OK; i++) {
         if (!wanted[i])
             continue;
-        s = eigen_branch(&m->c->study->slider.plane.system, m->c->saddle,
-                         i == SIDE_UPPER ? 1 : -1, &o, &branch[i]);
+        s = backward_branch(&m->c->study->slider.plane.system, m->c->saddle,
+                            i == SIDE_UPPER ? 1 : -1, &o, &branch[i]);
         m->out->calls += branch[i].evaluations;
         m->out->steps += branch[i].steps;
     }
@@ -113,8 +113,8 @@ static enum status make_sides(const struct maker *m, const bool wanted[],
 {
     for (int i = 0; i < WORKPREC_SIDES; i++)
         branch[i] = (struct branch){ .end = BRANCH_STEPS };
-    return m->how == WORKPREC_EIGEN ? eigen_sides(m, wanted, branch)
-                                    : grow_sides(m, wanted, branch);
+    return m->how == WORKPREC_BACKWARD ? backward_sides(m, wanted, branch)
+                                       : grow_sides(m, wanted, branch);
 }
 
 static void report(struct workprec_answer *out, const struct quantity *q)

@@ -110,12 +110,44 @@ static void what_is_not_known_of_the_start_grows_with_the_orbit(void **state)
     orbit_free(&o);
 }
 
+/* Whatever runs on: what is off at a place is off there still, but for the root
+ * of a rounding. */
+static void crossing_a_place_changes_no_bar_there(void **state)
+{
+    uint64_t rng = check_seed() + 5;
+
+    (void) state;
+    for (int i = 0; i < 200; i++) {
+        const size_t which = (size_t) i % 2;
+        double bar[4], du[CURVE_DIM_MAX];
+        struct drift d;
+        drift_start(&d, 0.0, 0.0);
+        for (int j = 0; j < 4; j++) {
+            du[j] = check_uniform(&rng, 0.1, 1.0);
+            d.e[j] = check_uniform(&rng, -1.0, 1.0);
+            for (int k = 0; k <= j; k++)
+                d.noise[j][k] = d.noise[k][j] =
+                    (j == k ? 3.0 : 0.0) + check_uniform(&rng, -0.5, 0.5);
+        }
+        for (size_t j = 0; j < 4; j++)
+            bar[j] = drift_bar_at(&d, du, which, j);
+        drift_cross(&d, du, which, 4);
+        assert_true(d.e[which] == 0.0 && d.noise[which][which] == 0.0);
+        for (size_t j = 0; j < 4; j++) {
+            const double now = drift_bar_at(&d, du, which, j);
+            CHECK(fabs(now - bar[j]) <= 1e-6 * (1.0 + bar[j]), "%zu: %g, %g", j,
+                  bar[j], now);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(errors_of_linear_orbits_are_known_with_their_signs),
         cmocka_unit_test(errors_across_an_orbit_are_what_its_energy_says),
         cmocka_unit_test(what_is_not_known_of_the_start_grows_with_the_orbit),
+        cmocka_unit_test(crossing_a_place_changes_no_bar_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

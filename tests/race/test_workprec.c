@@ -317,7 +317,7 @@ static bool has_bar(const struct workprec_run *r)
 {
     return strcmp(r->method, "slipway") == 0 ||
            strcmp(r->method, "slow_curve") == 0 ||
-           (strcmp(r->method, "eigen") == 0 && r->quantity < WORKPREC_CURVE);
+           (strcmp(r->method, "backward") == 0 && r->quantity < WORKPREC_CURVE);
 }
 
 /* Ours have bars where they promise them, which hold, and never fail so. */

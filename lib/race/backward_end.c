@@ -1,14 +1,36 @@
-#include "eigen_end.h"
+#include "backward_end.h"
 
 #include <math.h>
 
-#include "eigen_tolerance.h"
+#include "backward_tolerance.h"
 #include "tolerance.h"
 
-struct eigen_heading eigen_heading_at(const struct eigen_frame *g, int ind,
-                                      struct vec2 z)
+struct backward_way backward_way_of(const struct planar *sys,
+                                    const struct carry *carry)
 {
-    struct eigen_heading c;
+    const struct vec2 saddle = { 0.0, 0.0 };
+    struct backward_way g = { .sys = sys, .carry = carry };
+
+    for (size_t i = 0; i < carry->count; i++)
+        g.converges[i] = backward_rate(&g, i, saddle, 0.0) == 0.0;
+    return g;
+}
+
+double backward_rate(const struct backward_way *g, size_t i, struct vec2 z,
+                     double log_scale)
+{
+    const int which = g->carry->which[i];
+    double rate = 1.0;
+
+    if (which != CARRY_TIME)
+        g->sys->rate_gradient(g->sys->ctx, (size_t) which, z, &rate, NULL);
+    return rate * exp(-log_scale);
+}
+
+struct backward_heading backward_heading_at(const struct backward_way *g,
+                                            int ind, struct vec2 z)
+{
+    struct backward_heading c;
     struct planar_field f;
 
     g->sys->field(g->sys->ctx, z, &f);
@@ -19,7 +41,7 @@ struct eigen_heading eigen_heading_at(const struct eigen_frame *g, int ind,
     c.dep = c.ind == 0 ? z.y : z.x;
     c.slope = (c.ind == 0 ? d.y : d.x) / along;
     for (size_t i = 0; i < g->carry->count; i++)
-        c.swift[i] = eigen_rate(g, i, z, f.log_scale) / along;
+        c.swift[i] = backward_rate(g, i, z, f.log_scale) / along;
     return c;
 }
 
@@ -35,14 +57,14 @@ static double remainder_of(double earlier, double now, double gap)
                                    : HUGE_VAL;
 }
 
-static bool small_rest(const struct eigen_frame *g,
-                       const struct eigen_heading *earlier,
-                       const struct eigen_heading *now, const double total[],
-                       double part, struct eigen_rest *rest)
+static bool small_rest(const struct backward_way *g,
+                       const struct backward_heading *earlier,
+                       const struct backward_heading *now, const double total[],
+                       double part, struct backward_rest *rest)
 {
     const double gap = now->at - earlier->at;
 
-    *rest = (struct eigen_rest){ 0 };
+    *rest = (struct backward_rest){ 0 };
     rest->dep = remainder_of(earlier->slope, now->slope, gap);
     if (!(fabs(rest->dep) <= part * fabs(now->dep)))
         return false;
@@ -57,8 +79,8 @@ static bool small_rest(const struct eigen_frame *g,
 }
 
 /* Distance from the point to the edge of the domain along its heading. */
-static double room_ahead(const struct eigen_frame *g,
-                         const struct eigen_heading *c, int sign)
+static double room_ahead(const struct backward_way *g,
+                         const struct backward_heading *c, int sign)
 {
     const struct box d = g->sys->domain;
     const struct vec2 o = g->sys->origin, edge = sign > 0 ? d.hi : d.lo;
@@ -68,36 +90,36 @@ static double room_ahead(const struct eigen_frame *g,
 
 /* Along the asymptote, what is small stays so: at strides of a unit, and of a
  * part of the way where that is long. */
-static bool stays_small(const struct eigen_frame *g,
-                        const struct eigen_heading *now, int sign,
+static bool stays_small(const struct backward_way *g,
+                        const struct backward_heading *now, int sign,
                         const double total[], double part,
-                        const struct eigen_rest *rest)
+                        const struct backward_rest *rest)
 {
     const double room = room_ahead(g, now, sign);
     double left = 0.0, total_left[LOCAL_CARRY_MAX] = { 0.0 }, stride = 1.0;
 
     for (double u = 1.0; u < room; u += stride) {
         const double at = now->at + sign * u;
-        const struct eigen_heading c =
-            eigen_heading_at(g, now->ind, local_point(now->ind, at, now->dep));
-        stride = fmax(1.0, TOL_EIGEN_STRIDE * u);
+        const struct backward_heading c = backward_heading_at(
+            g, now->ind, local_point(now->ind, at, now->dep));
+        stride = fmax(1.0, TOL_BACKWARD_STRIDE * u);
         left += stride * fabs(c.slope);
         for (size_t i = 0; i < g->carry->count; i++)
             total_left[i] += stride * fabs(c.swift[i]);
     }
     bool small =
-        left <= TOL_EIGEN_RESTS * fabs(rest->dep) + part * fabs(now->dep);
+        left <= TOL_BAR_FIRST_ORDER * fabs(rest->dep) + part * fabs(now->dep);
     for (size_t i = 0; i < g->carry->count; i++)
         small &= !g->converges[i] ||
-                 total_left[i] <= TOL_EIGEN_RESTS * fabs(rest->total[i]) +
+                 total_left[i] <= TOL_BAR_FIRST_ORDER * fabs(rest->total[i]) +
                                       part * fabs(total[i]);
     return small;
 }
 
-bool eigen_end_near(const struct eigen_frame *g,
-                    const struct eigen_heading *earlier,
-                    const struct eigen_heading *now, const double total[],
-                    double part, struct eigen_rest *rest)
+bool backward_end_near(const struct backward_way *g,
+                       const struct backward_heading *earlier,
+                       const struct backward_heading *now, const double total[],
+                       double part, struct backward_rest *rest)
 {
     const int sign = now->at > earlier->at ? 1 : -1;
 

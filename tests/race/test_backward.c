@@ -1,17 +1,19 @@
 /* The second route against systems whose manifolds are known exactly. */
-#include "eigen.h"
+#include "backward.h"
 
 #include <math.h>
 
+#include "backward_end.h"
+#include "eigen_frame.h"
 #include "check.h"
 #include "fault_alloc.h"
 #include "fixtures.h"
 
 /* ---- exact systems ------------------------------------------------------- */
 
-static struct eigen_options options_of(double rtol)
+static struct backward_options options_of(double rtol)
 {
-    struct eigen_options o = eigen_defaults(rtol);
+    struct backward_options o = backward_defaults(rtol);
 
     o.max_steps = 400; /* loops never end */
     o.carry =
@@ -22,12 +24,12 @@ static struct eigen_options options_of(double rtol)
 /* One branch of a fixture's saddle at its origin. */
 static struct branch branch_of(const struct planar *sys, int side, double rtol)
 {
-    const struct eigen_options o = options_of(rtol);
+    const struct backward_options o = options_of(rtol);
     struct equilibrium e;
     struct branch b;
 
     equilibrium_at(sys, false, &e);
-    const enum status s = eigen_branch(sys, &e, side, &o, &b);
+    const enum status s = backward_branch(sys, &e, side, &o, &b);
     CHECK(s == STATUS_OK, "side %d: %s", side, status_text(s));
     CHECK(b.curve.count > 5, "%zu pieces", b.curve.count);
     return b;
@@ -198,6 +200,7 @@ static const struct planar flat = {
     .domain = { { -60.0, -60.0 }, { 60.0, 60.0 } },
     .field = flat_field,
     .jacobian = flat_jacobian,
+    .observable_count = 1,
     .rate_gradient = flat_rate,
 };
 
@@ -209,10 +212,11 @@ static void a_limit_and_an_integral_are_inside_their_bars(void **state)
     equilibrium_at(&flat, false, &e);
     for (int k = 4; k <= 12; k += 2)
         for (int side = -1; side <= 1; side += 2) {
-            struct eigen_options o = eigen_defaults(pow(10.0, -k));
+            struct backward_options o = backward_defaults(pow(10.0, -k));
             struct branch q;
             o.carry = (struct carry){ { 0 }, 1 };
-            assert_int_equal(eigen_branch(&flat, &e, side, &o, &q), STATUS_OK);
+            assert_int_equal(backward_branch(&flat, &e, side, &o, &q),
+                             STATUS_OK);
             const struct branch *b = &q;
             assert_int_equal(b->end, BRANCH_LIMIT_Y);
             assert_int_equal(b->sign, side);
@@ -234,16 +238,31 @@ static void a_branch_that_leaves_the_domain_says_so(void **state)
 {
     struct planar small = flat;
     struct equilibrium e;
-    const struct eigen_options o = eigen_defaults(1e-12);
+    const struct backward_options o = backward_defaults(1e-12);
     struct branch b;
 
     (void) state;
     small.domain = (struct box){ { -2.0, -2.0 }, { 2.0, 2.0 } };
     equilibrium_at(&small, false, &e);
-    assert_int_equal(eigen_branch(&small, &e, 1, &o, &b), STATUS_OK);
+    assert_int_equal(backward_branch(&small, &e, 1, &o, &b), STATUS_OK);
     assert_int_equal(b.end, BRANCH_DOMAIN);
     assert_true(fabs(b.limit.x - 2.0) < 1e-9);
     branch_free(&b);
+}
+
+static void integrals_converge_whose_rate_vanishes_at_the_saddle(void **state)
+{
+    const struct carry carry = { { FIXTURE_X_MOVED, FIXTURE_CLOCK, CARRY_TIME },
+                                 3 };
+    struct fixture f;
+
+    (void) state;
+    fixture_plain(&f, FIXTURE_DUFFING);
+    const struct planar sys = fixture_planar(&f);
+    const struct backward_way g = backward_way_of(&sys, &carry);
+    assert_true(g.converges[0]);
+    assert_false(g.converges[1]);
+    assert_false(g.converges[2]);
 }
 
 /* ---- what it refuses ----------------------------------------------------- */
@@ -252,29 +271,34 @@ static void wrong_arguments_are_refused(void **state)
 {
     struct equilibrium e;
     struct branch b;
-    struct eigen_options o = eigen_defaults(1e-12);
+    struct backward_options o = backward_defaults(1e-12);
     struct planar far = flat;
 
     (void) state;
     equilibrium_at(&flat, false, &e);
-    assert_int_equal(eigen_branch(&flat, &e, 0, &o, &b), STATUS_BAD_ARGUMENT);
-    assert_int_equal(eigen_branch(&flat, &e, 2, &o, &b), STATUS_BAD_ARGUMENT);
+    assert_int_equal(backward_branch(&flat, &e, 0, &o, &b),
+                     STATUS_BAD_ARGUMENT);
+    assert_int_equal(backward_branch(&flat, &e, 2, &o, &b),
+                     STATUS_BAD_ARGUMENT);
     far.origin.x = 61.0; /* outside the domain */
-    assert_int_equal(eigen_branch(&far, &e, 1, &o, &b), STATUS_BAD_ARGUMENT);
+    assert_int_equal(backward_branch(&far, &e, 1, &o, &b), STATUS_BAD_ARGUMENT);
     o.rtol = 1.0;
-    assert_int_equal(eigen_branch(&flat, &e, 1, &o, &b), STATUS_BAD_ARGUMENT);
+    assert_int_equal(backward_branch(&flat, &e, 1, &o, &b),
+                     STATUS_BAD_ARGUMENT);
     o.rtol = NAN;
-    assert_int_equal(eigen_branch(&flat, &e, 1, &o, &b), STATUS_BAD_ARGUMENT);
+    assert_int_equal(backward_branch(&flat, &e, 1, &o, &b),
+                     STATUS_BAD_ARGUMENT);
     o.rtol = 1e-9;
     o.carry.count = LOCAL_CARRY_MAX + 1;
-    assert_int_equal(eigen_branch(&flat, &e, 1, &o, &b), STATUS_BAD_ARGUMENT);
+    assert_int_equal(backward_branch(&flat, &e, 1, &o, &b),
+                     STATUS_BAD_ARGUMENT);
     assert_int_equal(b.curve.count, 0);
     branch_free(&b);
 }
 
 static void a_node_has_no_such_manifold(void **state)
 {
-    const struct eigen_options o = eigen_defaults(1e-12);
+    const struct backward_options o = backward_defaults(1e-12);
     struct fixture f;
     struct equilibrium e;
     struct branch b;
@@ -284,7 +308,8 @@ static void a_node_has_no_such_manifold(void **state)
     fixture_center(&f, f.equilibrium[1].base);
     const struct planar sys = fixture_planar(&f);
     equilibrium_at(&sys, false, &e);
-    assert_int_equal(eigen_branch(&sys, &e, 1, &o, &b), STATUS_NOT_HYPERBOLIC);
+    assert_int_equal(backward_branch(&sys, &e, 1, &o, &b),
+                     STATUS_NOT_HYPERBOLIC);
     branch_free(&b);
 }
 
@@ -297,7 +322,7 @@ static void broken_field(const void *ctx, struct vec2 z, struct planar_field *f)
 
 static void a_field_of_nan_is_no_endless_search(void **state)
 {
-    const struct eigen_options o = eigen_defaults(1e-12);
+    const struct backward_options o = backward_defaults(1e-12);
     struct planar broken = flat;
     struct equilibrium e;
     struct branch b;
@@ -305,7 +330,7 @@ static void a_field_of_nan_is_no_endless_search(void **state)
     (void) state;
     equilibrium_at(&flat, false, &e);
     broken.field = broken_field;
-    assert_int_equal(eigen_branch(&broken, &e, 1, &o, &b),
+    assert_int_equal(backward_branch(&broken, &e, 1, &o, &b),
                      STATUS_NO_CONVERGENCE);
     assert_int_equal(b.curve.count, 0);
 }
@@ -320,20 +345,20 @@ static int stop_at_once(void *ctx, const char *stage, uint64_t done,
 static void the_monitor_can_stop_it(void **state)
 {
     const struct monitor monitor = { stop_at_once, NULL };
-    struct eigen_options o = eigen_defaults(1e-12);
+    struct backward_options o = backward_defaults(1e-12);
     struct equilibrium e;
     struct branch b;
 
     (void) state;
     o.monitor = &monitor;
     equilibrium_at(&flat, false, &e);
-    assert_int_equal(eigen_branch(&flat, &e, 1, &o, &b), STATUS_STOPPED);
+    assert_int_equal(backward_branch(&flat, &e, 1, &o, &b), STATUS_STOPPED);
     assert_int_equal(b.curve.count, 0);
 }
 
 static void any_allocation_may_fail(void **state)
 {
-    const struct eigen_options o = eigen_defaults(1e-6);
+    const struct backward_options o = backward_defaults(1e-6);
     struct equilibrium e;
     struct branch b;
     enum status s = STATUS_NO_MEMORY;
@@ -342,7 +367,7 @@ static void any_allocation_may_fail(void **state)
     equilibrium_at(&flat, false, &e);
     for (long k = 0; s != STATUS_OK; k++) {
         fault_alloc_at(k);
-        s = eigen_branch(&flat, &e, 1, &o, &b);
+        s = backward_branch(&flat, &e, 1, &o, &b);
         fault_alloc_at(FAULT_ALLOC_NEVER);
         CHECK(s == STATUS_OK || s == STATUS_NO_MEMORY, "%ld: %s", k,
               status_text(s));
@@ -359,6 +384,7 @@ int main(void)
         cmocka_unit_test(the_curve_leaves_the_saddle_along_the_first_axis),
         cmocka_unit_test(a_limit_and_an_integral_are_inside_their_bars),
         cmocka_unit_test(a_branch_that_leaves_the_domain_says_so),
+        cmocka_unit_test(integrals_converge_whose_rate_vanishes_at_the_saddle),
         cmocka_unit_test(wrong_arguments_are_refused),
         cmocka_unit_test(a_node_has_no_such_manifold),
         cmocka_unit_test(a_field_of_nan_is_no_endless_search),

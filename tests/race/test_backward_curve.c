@@ -3,7 +3,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "eigen.h"
+#include "backward.h"
 #include "slope.h"
 #include "workprec_curve.h"
 
@@ -62,11 +62,11 @@ static void check_branch(const struct study *s, int side)
     assert_true(workprec_curve_grow(&s->slider.block.law, &at, side, &exact));
     for (int k = 4; k <= 12; k += 4) {
         const double rtol = pow(10.0, -k);
-        const struct eigen_options o = eigen_defaults(rtol);
+        const struct backward_options o = backward_defaults(rtol);
         struct branch b;
-        assert_int_equal(eigen_branch(&s->slider.plane.system,
-                                      phase_plane_saddle(&s->slider.plane),
-                                      side, &o, &b),
+        assert_int_equal(backward_branch(&s->slider.plane.system,
+                                         phase_plane_saddle(&s->slider.plane),
+                                         side, &o, &b),
                          STATUS_OK);
         const double bar = check_pieces(s, &exact, &b.curve, rtol);
         CHECK(bar <= 1000.0 * rtol, "%s: bar %g at rtol %g",

@@ -1,0 +1,25 @@
+/* backward_tolerance.h -- the tunable numbers of the second route. */
+#ifndef RACE_BACKWARD_TOLERANCE_H
+#define RACE_BACKWARD_TOLERANCE_H
+
+#include "tolerance.h"
+
+/* Offsets from the saddle are in units of where the orbit was, until they have
+ * grown by this: its errors are then carried by gradients that compare, and
+ * stay far from where squares overflow. */
+#define TOL_BACKWARD_UNITS 0x1p10
+/* A branch has ended when what is left is below this part of rtol, so that
+ * the end never dominates the error; at the edge of the domain, which is only
+ * where doubles end, this part will do (TOL_LIMIT_DECAY tells whether it
+ * ends). */
+#define TOL_BACKWARD_REST 0.01
+#define TOL_BACKWARD_EDGE 1e-3
+/* A branch without a limit is left where its slope is this slight, and is so
+ * this far ahead of it. */
+#define TOL_BACKWARD_SLIGHT 1e-4
+#define TOL_BACKWARD_AHEAD  0.1
+/* Strides along the asymptote, as a part of the way there: as a power of it,
+ * slopes then change by little. */
+#define TOL_BACKWARD_STRIDE 0.05
+
+#endif
