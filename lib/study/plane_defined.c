@@ -86,16 +86,18 @@ bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,
 }
 
 /* Whether formulas have values, and no equilibrium is there, if that is not in
- * the window. */
+ * the window; nothing is asked where curves are not followed. */
 static bool is_moving(struct interval_plan *p, const struct plane_study *s,
                       const struct interval chart[2])
 {
     const struct box w = plane_study_box(s);
     const struct vec2 lo = { chart[0].lo, chart[1].lo },
                       hi = { chart[0].hi, chart[1].hi };
+    const struct box far = s->system[0].domain;
     bool moves = box_holds(w, lo) && box_holds(w, hi);
 
-    if (moves && s->entire)
+    if ((moves && s->entire) || hi.x < far.lo.x || hi.y < far.lo.y ||
+        lo.x > far.hi.x || lo.y > far.hi.y)
         return true;
     if (!is_whole(p, s, chart))
         return false;

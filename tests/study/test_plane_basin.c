@@ -213,6 +213,22 @@ static void those_who_compete_share_alike(void **state)
     plane_end(&s, &c);
 }
 
+/* Both die out: the chart has that at infinity, where the terms of x' are much
+ * less than those they are the difference of. */
+static void whoever_dies_out_is_followed_to_the_end(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = x*(x - 0.2)*(1 - x) - x*y; y' = y*(x - 0.5)",
+              "system.state={x: positive, y: positive}\n"
+              "window={x: [0.01, 1.5], y: [0.01, 1]}\nproducts=[basins]\n"
+              "basins.audit=50\n");
+    has_share(&s, "x_to_0_y_to_0", 1.0, 1e-12);
+    plane_end(&s, &c);
+}
+
 /* Where orbits from one side of all borders have nothing in common, nothing is
  * said. */
 static void ways_to_infinity_are_told_apart_where_they_differ(void **state)
@@ -552,6 +568,7 @@ int main(void)
         TEST(orbits_that_all_close_are_no_attractors),
         TEST(what_rests_outside_is_said_to),
         TEST(those_who_compete_share_alike),
+        TEST(whoever_dies_out_is_followed_to_the_end),
         TEST(ways_to_infinity_are_told_apart_where_they_differ),
         TEST(rows_of_the_map_agree_with_single_states),
         TEST(a_border_that_ends_flat_is_one),
