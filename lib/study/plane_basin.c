@@ -139,7 +139,7 @@ static enum status check_rests(const struct plane_study *s, size_t *asked,
     return status;
 }
 
-/* Of an audit: how many went where, and what it took. */
+/* Of an audit: how many went where that is known, and what it took. */
 struct counts {
     size_t asked, wrong, steps;
     bool failed;
@@ -164,8 +164,9 @@ static void audit_part(const struct plane_study *s, size_t first, size_t last,
              plane_orbit(s, z, false, NULL, &goal) != STATUS_OK)) {
             failed++;
         } else if (label >= 0) {
-            asked++;
-            wrong += !plane_label_allows(s, label, &goal);
+            const bool told = goal.kind != PLANE_GOAL_NONE;
+            asked += told;
+            wrong += told && !plane_label_allows(s, label, &goal);
             steps += goal.steps;
         }
     }
