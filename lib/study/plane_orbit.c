@@ -56,7 +56,8 @@ struct walk {
     bool backward, stiff, stopped;
     bool broken;     /* formulas may have no values on the last piece */
     bool lost;       /* it has come to where rounding decides: plane_weak.h */
-    int held;        /* steps in turn in which its velocity hardly changed */
+    int held;        /* steps in turn in which it hardly moved, and its velocity
+                        hardly changed */
     size_t returned; /* the piece on which it returned last */
     double first, least; /* differences of returns: the first, the least */
     struct taylor_orbit series;
@@ -98,13 +99,17 @@ static enum status be_implicit(struct walk *w)
 static enum status step(struct walk *w)
 {
     const size_t before = curve_of(w)->count;
+    const struct vec2 from = place_of(w);
     enum status status;
 
     if (w->stiff) {
         status = orbit_step(&w->implicit);
     } else {
         status = taylor_orbit_step(&w->series);
-        w->held = w->series.bent < TOL_PLANE_HELD ? w->held + 1 : 0;
+        const struct vec2 way = arrival_from(&w->s->scale, place_of(w), from);
+        const bool held = w->series.bent < TOL_PLANE_HELD &&
+                          vec2_length(way) < TOL_PLANE_HELD;
+        w->held = held ? w->held + 1 : 0;
         if (status == STATUS_NO_CONVERGENCE || w->held > TOL_PLANE_HELD_STEPS ||
             before > w->returned + TOL_PLANE_NO_RETURN)
             return be_implicit(w) == STATUS_NO_MEMORY ? STATUS_NO_MEMORY

@@ -53,9 +53,9 @@
 #define TOL_PLANE_STILL      1e-9
 
 /* Orbits of such planes: series in time, or the implicit method once so many
- * steps in turn are HELD to where the velocity changes by less than that part
- * of itself, or so many did not bring it round; steps of all orbits, for labels
- * and for audits. */
+ * steps in turn are HELD to less than that part of the window, and to where the
+ * velocity changes by less than that part of itself, or so many did not bring
+ * it round; steps of all orbits, for labels and for audits. */
 #define TOL_PLANE_WORK       200000
 #define TOL_PLANE_HELD       1e-2
 #define TOL_PLANE_HELD_STEPS 64
