@@ -170,6 +170,16 @@ static double rounding_of(const struct slider *s, const struct slow_knot *k,
     return slow_knot_is_fast_y(k) ? h * r * (10.0 + h * shrinks) / 32.0 : 0.0;
 }
 
+/* What noise of the curvatures at knots h apart makes of x between two of them:
+ * h^2/64 of that at each. */
+static double bending_of(const struct slow_knot *f, const struct slow_knot *k,
+                         const struct slow_knot *g, double h)
+{
+    const double most = fmax(fmax(f->bend_noise, g->bend_noise), k->bend_noise);
+
+    return h * h / 32.0 * most;
+}
+
 /* What a polynomial over two steps misses at the knot between is 64 times what
  * one over one step misses; but as much, at most, is noise of the slopes. */
 static double missed_of(double missed, double noise)
@@ -197,6 +207,7 @@ void slow_fit_judge(const struct slider *s, struct slow_branch *b)
         const double t = slow_quintic(f->time, g->time, h, theta, &ignored);
         const double l = slow_quintic(f->slip, g->slip, h, theta, &ignored);
         const double noise = rounding_of(s, &k[i], 0.5 * fabs(h));
+        const double bent = bending_of(f, &k[i], g, 0.5 * h);
         const double shift = slow_knot_shift(&k[i], x);
         const double time = fabs(k[i].time[1]), slip = fabs(k[i].slip[1]);
         widen(&k[i].time_error, &k[i + 1].time_error,
@@ -204,7 +215,7 @@ void slow_fit_judge(const struct slider *s, struct slow_branch *b)
         widen(&k[i].slip_error, &k[i + 1].slip_error,
               missed_of(fabs(l - k[i].slip[0]) + slip * shift, slip * noise));
         widen(&k[i].mu_error, &k[i + 1].mu_error,
-              a * missed_of(fabs(x), fabs(k[i].x_slope) * noise));
+              a * missed_of(fabs(x), fabs(k[i].x_slope) * noise + bent));
     }
     judge_peaks(b);
 }

@@ -13,7 +13,9 @@ struct slider;
 
 /* One point of the orbit, an offset from the system's origin. */
 struct slow_knot {
-    double y, x, x_slope, x_bend;  /* dx/dy, d2x/dy2 */
+    double y, x, x_slope, x_bend; /* dx/dy, d2x/dy2 */
+    double bend_noise; /* what the orbit's slope makes of x_bend that is not the
+                          field's */
     double time[3], slip[3];       /* with two derivatives by y */
     double time_error, slip_error; /* from the knot before to this one */
     double time_bar, slip_bar;     /* from here on */

@@ -425,6 +425,13 @@ static const struct {
         0.2695171658454639, 1e-4 },
       { 6.4694328345617969, 0.081544055362328921 },
       "loose steps along the separatrix" },
+    { { FRICTION_LOG, THETA_LN_C_PSI, PSI_SS_MINUS_LOG, TIMESCALE_SLIP45,
+        KINETICS_LINEAR, 0.43607592926725147, 0.0064652240491263821,
+        0.0023475200781905019, 2.1908654918560221e-05, 404109.38334217726,
+        6.6749327922710329e-05, 0.00016884887334311509, 0.3900385207639963,
+        1e-5 },
+      { -2.0471439198992928e-06, -13.099064943995469 },
+      "friction between knots whose curvatures are noise" },
 };
 
 static void states_that_random_ones_found_have_one_answer(void **state)
