@@ -36,13 +36,6 @@ static const struct record_type record_spline =
 RESULT_VIEW(view_rows, release, s->row, s->rows)
 RESULT_VIEW(view_impact, release, s, 1)
 
-/* A part that only data give. */
-static enum status lend_if(struct result_view *out, bool here, const void *at,
-                           size_t count)
-{
-    return here ? result_lend(out, at, count) : STATUS_OK;
-}
-
 static enum status view_series(const struct series *s, struct result_view *out)
 {
     struct point *point = calloc(s->count + 1, sizeof *point);
@@ -56,68 +49,26 @@ static enum status view_series(const struct series *s, struct result_view *out)
     return result_lend(out, point, s->count);
 }
 
-static enum status view_l_k(const void *run, size_t k, struct result_view *out)
-{
-    const struct release *r = run;
+/* A part that only data give. */
+#define VIEW_IF(function, here_, view_)                                        \
+    static enum status function(const void *run, size_t k,                     \
+                                struct result_view *out)                       \
+    {                                                                          \
+        const struct release *r = run;                                         \
+        (void) k;                                                              \
+        return (here_) ? view_ : STATUS_OK;                                    \
+    }
+#define FITTED (r->parabola.points > 0)
 
-    (void) k;
-    return r->parabola.points > 0 ? view_series(&r->observed.l_k, out)
-                                  : STATUS_OK;
-}
-
-static enum status view_x_k(const void *run, size_t k, struct result_view *out)
-{
-    const struct release *r = run;
-
-    (void) k;
-    return r->persistence.points > 0 ? view_series(&r->observed.x_k, out)
-                                     : STATUS_OK;
-}
-
-static enum status view_parabola(const void *run, size_t k,
-                                 struct result_view *out)
-{
-    const struct release *r = run;
-
-    (void) k;
-    return lend_if(out, r->parabola.points > 0, &r->parabola, 1);
-}
-
-static enum status view_material(const void *run, size_t k,
-                                 struct result_view *out)
-{
-    const struct release *r = run;
-
-    (void) k;
-    return lend_if(out, r->parabola.points > 0, &r->material, 1);
-}
-
-static enum status view_slip(const void *run, size_t k, struct result_view *out)
-{
-    const struct release *r = run;
-
-    (void) k;
-    return lend_if(out, r->parabola.points > 0 && !r->slip.reason, r->slip.at,
-                   r->slip.count);
-}
-
-static enum status view_spline(const void *run, size_t k,
-                               struct result_view *out)
-{
-    const struct release *r = run;
-
-    (void) k;
-    return lend_if(out, r->parabola.points > 0, &r->slip, 1);
-}
-
-static enum status view_persistence(const void *run, size_t k,
-                                    struct result_view *out)
-{
-    const struct release *r = run;
-
-    (void) k;
-    return lend_if(out, r->persistence.points > 0, &r->persistence, 1);
-}
+VIEW_IF(view_l_k, FITTED, view_series(&r->observed.l_k, out))
+VIEW_IF(view_parabola, FITTED, result_lend(out, &r->parabola, 1))
+VIEW_IF(view_material, FITTED, result_lend(out, &r->material, 1))
+VIEW_IF(view_slip, FITTED && !r->slip.reason,
+        result_lend(out, r->slip.at, r->slip.count))
+VIEW_IF(view_spline, FITTED, result_lend(out, &r->slip, 1))
+VIEW_IF(view_x_k, r->persistence.points > 0, view_series(&r->observed.x_k, out))
+VIEW_IF(view_persistence, r->persistence.points > 0,
+        result_lend(out, &r->persistence, 1))
 
 /* clang-format off */
 static const struct result release_results[] = {
