@@ -8,6 +8,7 @@
 
 #include "remark.h"
 #include "room.h"
+#include "sample.h"
 #include "study_results.h"
 #include "study_tolerance.h"
 
@@ -241,21 +242,6 @@ enum status rows_nullcline(const struct study *s, const struct polyline *line,
     return status;
 }
 
-static struct trajectory_row trajectory_row(const struct study *s,
-                                            const double at[])
-{
-    const struct vec2 z = { at[0], at[1] };
-
-    return (struct trajectory_row){
-        .time = at[2],
-        .v = s->slider.block.at.v0 * exp(z.x),
-        .psi = psi_of(s, z.y),
-        .slip = at[3 + BLOCK_SLIP],
-        .mu = block_mu(&s->slider.block, z),
-        .work = at[3 + BLOCK_WORK],
-    };
-}
-
 /* As rows have a time each: of those that doubles cannot tell apart by it the
  * first, but for the end of the run. */
 static enum status push_later(struct rows *r, const struct trajectory_row *row,
@@ -281,7 +267,7 @@ enum status rows_trajectory(const struct study *s, const struct curve *c,
     for (size_t i = 0; i < c->count; i++)
         for (int k = i == 0 ? 0 : 1; k <= PER_STEP; k++) {
             curve_at(c, i, (double) k / PER_STEP, at);
-            const struct trajectory_row row = trajectory_row(s, at);
+            const struct trajectory_row row = sample_row(&s->slider, at);
             status = push_later(r, &row, i + 1 == c->count && k == PER_STEP);
             if (status != STATUS_OK)
                 return status;

@@ -41,7 +41,7 @@ static size_t find_piece(struct along a)
     return lo;
 }
 
-static struct trajectory_row row_at(const struct slider *s, const double u[])
+struct trajectory_row sample_row(const struct slider *s, const double u[])
 {
     const struct block *b = &s->block;
 
@@ -71,7 +71,7 @@ static struct trajectory_row sample(const struct slider *s,
     if (newton_find(excess, &a, 0.0, 1.0, 0.0, &root) == STATUS_OK)
         theta = root.x;
     curve_at(&t->curve, a.piece, theta, u);
-    return row_at(s, u);
+    return sample_row(s, u);
 }
 
 struct trajectory_row sample_at_time(const struct slider *s,

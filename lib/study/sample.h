@@ -8,6 +8,9 @@
 #include "records.h"
 #include "transient.h"
 
+/* Of the components of an orbit with all observables (orbit.h). */
+struct trajectory_row sample_row(const struct slider *s, const double u[]);
+
 /* Where time (slip) has the value, or the end of the run before that.  The run
  * must have a length. */
 struct trajectory_row sample_at_time(const struct slider *s,
