@@ -55,14 +55,15 @@ enum status output_file_check(const struct options *o,
 {
     const char *dot = strrchr(path, '.');
 
-    return strcmp(path, "-") == 0
-               ? refuse(why, "--output -",
-                        "HDF5 is not printed, expected FILE.h5, or --json")
-           : dot && strcmp(dot, ".csv") == 0
+    if (strcmp(path, "-") == 0)
+        return refuse(why, "--output -",
+                      "HDF5 is not printed, expected FILE.h5, or --json");
+    const enum status s = output_path_check(o, scene, path, why);
+    return s == STATUS_OK && dot && strcmp(dot, ".csv") == 0
                ? refuse(why, path,
                         "the file is HDF5, expected FILE.h5 (CSV of a sweep: "
                         "--output -)")
-               : output_path_check(o, scene, path, why);
+               : s;
 }
 
 enum status output_check(const struct options *o, const struct scene *scene,

@@ -338,7 +338,7 @@ def sweep(room, values, show, products):
     room.good('sweep', '--law', 'spinodal_gen', '--set',
               f'sweep={{key: slope.alpha, values: {values}, show: {show}}}',
               '--set', 'basins={cells: [8, 8], audit: 0}', '--set',
-              f'products=[{products}]', '-o', 'a.csv',
+              f'products=[{products}]', '-o', 'a.h5',
               '--figure', 'a.svg', '--keep-script')
     return blocks(room, 'a.dat')
 
@@ -370,7 +370,7 @@ def what_does_not_exist_is_grey_and_in_the_legend(room):
 window: {x: [-2, 2], y: [-1, 1]}
 sweep: {key: system.parameters.m_0, from: -1, to: 2, points: 7}
 ''')
-    room.good('sweep', 'a.yaml', '-o', 'a.csv', '--figure', 'a.svg',
+    room.good('sweep', 'a.yaml', '-o', 'a.h5', '--figure', 'a.svg',
               '--keep-script')
     drawn = blocks(room, 'a.dat')
     grey = [{x for x, _ in rows} for what, rows in drawn
