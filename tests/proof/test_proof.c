@@ -7,7 +7,7 @@
 #include <mpfr.h>
 
 #include "check.h"
-#include "interval_math.h"
+#include "proof_flow.h"
 #include "reference_rows.h"
 
 struct tally {
@@ -213,26 +213,85 @@ static void each_number_of_the_extreme_table_is_proved(void **state)
 
 /* ---- spoiled curves ------------------------------------------------------ */
 
-/* Multiplies every coefficient of the dependent coordinate. */
-static void spoil(struct branch *b, double noise, uint64_t *rng)
+/* Which coefficients of the dependent coordinate are multiplied: all but the
+ * constants, those of theta, constants - of which the saddle's is 0 -, none. */
+enum spoil { SPOIL_ALL, SPOIL_SLOPE, SPOIL_PLACE, SPOIL_NONE, SPOILS };
+
+static void spoil(struct branch *b, enum spoil kind, double noise,
+                  uint64_t *rng)
 {
+    static const size_t first[] = { 1, 1, 0, 1 }, last[] = { 99, 1, 0, 0 };
+
     for (size_t i = 0; i < b->curve.count; i++) {
         const struct curve_piece *p = &b->curve.piece[i];
         const size_t dep = (size_t) (1 - branch_graph(b, i));
         double *coef = b->curve.coef + p->first + dep * (p->degree + 1);
-        for (size_t k = 1; k <= p->degree; k++)
+        for (size_t k = first[kind]; k <= p->degree && k <= last[kind]; k++)
             coef[k] *= 1 + noise * check_uniform(rng, -1, 1);
     }
 }
 
-/* Grown like those of a proof. */
-static void grow_for_proof(struct solved *s, const struct csv *c)
+/* To the end, to any accuracy and so of any order. */
+static void grow_for_proof(struct solved *s, const struct csv *c, double rtol)
 {
     const struct box all = { { -700, -1e300 }, { 700, 1e300 } };
 
     solve_reach = &all;
-    assert_int_equal(solve_row(s, c, 1e-14), STATUS_OK);
+    assert_int_equal(solve_row(s, c, rtol), STATUS_OK);
     solve_reach = NULL;
+}
+
+/* Gronwall's two bounds at a point of a cell: of step G - p' on p, and of
+ * d(step G)/d dep on the rim of the tube. */
+static void check_cell(struct proof *p, const struct proof_piece *piece,
+                       const struct proof_cell *cell, double theta)
+{
+    const struct interval at = interval_add(
+        interval_point(piece->start),
+        interval_times(interval_point(piece->step), interval_point(theta)));
+    const struct interval dep =
+        proof_poly_at(piece->degree, piece->coef, interval_point(theta));
+    const double aside = theta < cell->to ? cell->radius : -cell->radius;
+    double slope[JET_SIZE];
+    struct proof_flow f, rim;
+
+    for (size_t k = 1; k <= piece->degree; k++)
+        slope[k - 1] = (double) k * piece->coef[k];
+    proof_flow_aside(&p->law, piece->ind, at, dep, &f);
+    proof_flow_aside(&p->law, piece->ind, at,
+                     interval_add(dep, interval_point(aside)), &rim);
+    const struct interval step = interval_point(piece->step);
+    const struct interval rise =
+        proof_poly_at(piece->degree - 1, slope, interval_point(theta));
+    const struct interval off = interval_less(
+        interval_times(step, interval_divide(f.dep.c[0], f.ind.c[0])), rise);
+    const struct interval g = interval_divide(rim.dep.c[0], rim.ind.c[0]);
+    const struct interval rate = interval_times(
+        step, interval_divide(
+                  interval_less(rim.dep.c[1], interval_times(g, rim.ind.c[1])),
+                  rim.ind.c[0]));
+    /* slope[] is rounded */
+    const double room = 0x1p-50 * interval_most(rise);
+    CHECK(interval_least(off) <= cell->defect + room,
+          "a defect of %g in a cell of %g, theta %g of %g .. %g",
+          interval_least(off), cell->defect, theta, cell->from, cell->to);
+    CHECK(rate.lo <= cell->rate, "a rate of %g in a cell of %g", rate.lo,
+          cell->rate);
+}
+
+static void check_cells(struct proof *p)
+{
+    for (int b = 0; b < 2; b++)
+        for (size_t i = 0; i < p->branch[b].pieces; i++) {
+            const struct proof_piece *piece = &p->branch[b].piece[i];
+            const struct proof_cell *cell = p->branch[b].cell + piece->first;
+            for (size_t k = 0; k < piece->cells; k++) {
+                check_cell(p, piece, &cell[k], cell[k].from);
+                check_cell(p, piece, &cell[k],
+                           cell[k].from / 3 + cell[k].to * 2 / 3);
+                check_cell(p, piece, &cell[k], cell[k].to);
+            }
+        }
 }
 
 static void check_spoiled(const struct csv *c, double noise, uint64_t *rng,
@@ -244,12 +303,13 @@ static void check_spoiled(const struct csv *c, double noise, uint64_t *rng,
     struct solved s;
     struct proof p;
 
-    grow_for_proof(&s, c);
+    grow_for_proof(&s, c, pow(10, check_uniform(rng, -14, -3)));
     both[0] = s.upper;
     both[1] = s.lower;
     for (int i = 0; i < 2; i++)
-        spoil(&both[i], noise, rng);
+        spoil(&both[i], (enum spoil)(check_bits(rng) % SPOILS), noise, rng);
     assert_int_equal(proof_along(&s.block, &in, both, &p), STATUS_OK);
+    check_cells(&p);
     const struct proof_numbers n = proof_numbers_of(&p);
     for (size_t i = 4; i < sizeof compared / sizeof *compared; i++) {
         const char *text = csv_text(c, compared[i].column);
@@ -289,6 +349,82 @@ static void a_spoiled_curve_is_proved_wider_or_refused_never_wrong(void **state)
                   t.proved, t.asked, runs);
 }
 
+/* ---- random materials ---------------------------------------------------- */
+
+/* Inputs are doubles, of which tan(alpha) is exact. */
+static bool draw(struct solved *s, double *tan_alpha, uint64_t *rng)
+{
+    struct material m = material_bristol_board();
+    size_t presets = 0;
+
+    while (law_preset_at(presets))
+        presets++;
+    struct law law = *law_preset_at(check_bits(rng) % presets);
+    if (law.kinetics == KINETICS_COMPOSITE)
+        return false;
+    law.form = check_bits(rng) % 2 ? FRICTION_LOG : FRICTION_ASINH;
+    m.mu_star = check_uniform(rng, 0.2, 0.8);
+    m.a = pow(10, check_uniform(rng, -2.5, -1));
+    m.b = m.a * check_uniform(rng, 1.05, 2.5);
+    m.c = pow(10, check_uniform(rng, -6, -2));
+    m.R = pow(10, check_uniform(rng, 0.5, 6));
+    m.L = pow(10, check_uniform(rng, -6, -3));
+    m.V_star = pow(10, check_uniform(rng, -9, -5));
+    *tan_alpha = m.mu_star * check_uniform(rng, 0.7, 1.2);
+    if (solve(s, &law, &m, (long double) *tan_alpha, 1e-12) == STATUS_OK &&
+        s->has_saddle)
+        return true;
+    solved_free(s);
+    return false;
+}
+
+static void check_random(const struct solved *s, double tan_alpha,
+                         struct tally *t)
+{
+    const struct proof_inputs in = { false, ANGLE_TAN, tan_alpha, NULL };
+    struct proof p;
+
+    assert_int_equal(proof_at(&s->block, &in, &p), STATUS_OK);
+    const struct proof_numbers n = proof_numbers_of(&p);
+    for (size_t i = 0; i < sizeof compared / sizeof *compared; i++) {
+        const struct quantity *q = computed(s, &compared[i]);
+        const struct proof_number *found = proved(&n, &compared[i]);
+        if (!quantity_exists(q))
+            continue;
+        t->asked++;
+        CHECK(!found->absent, "%s: %s", s->block.law.preset,
+              compared[i].column);
+        t->proved += found->not_proved == NULL;
+        if (found->not_proved == NULL)
+            check_bar(s->block.law.preset, compared[i].column, q, found->value,
+                      t);
+        else if (getenv("SAY"))
+            print_message("# %s: %s: %s\n", s->block.law.preset,
+                          compared[i].column, found->not_proved);
+    }
+    proof_free(&p);
+}
+
+static void bars_of_random_materials_meet_what_is_proved(void **state)
+{
+    const long runs = getenv("RANDOM") ? atol(getenv("RANDOM")) : 6;
+    uint64_t rng = check_seed();
+    struct tally t = { 0 };
+    struct solved s;
+    double tan_alpha;
+
+    (void) state;
+    for (long done = 0; done < runs;) {
+        if (!draw(&s, &tan_alpha, &rng))
+            continue;
+        check_random(&s, tan_alpha, &t);
+        solved_free(&s);
+        done++;
+    }
+    print_message("# %zu of %zu numbers of random materials are proved\n",
+                  t.proved, t.asked);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -296,6 +432,7 @@ int main(void)
         cmocka_unit_test(each_number_of_the_extreme_table_is_proved),
         cmocka_unit_test(
             a_spoiled_curve_is_proved_wider_or_refused_never_wrong),
+        cmocka_unit_test(bars_of_random_materials_meet_what_is_proved),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
