@@ -335,8 +335,8 @@ enum status ensemble_file_write(const struct ensemble *e, const char *path,
                                 struct fault *why)
 {
     struct file f = { .e = e, .why = why };
-    enum status status =
-        result_file_begin(&f.out, path, e->scene, e->scene->law.preset, why);
+    enum status status = result_file_begin_large(&f.out, path, e->scene,
+                                                 e->scene->law.preset, why);
 
     if (status != STATUS_OK)
         return status;
