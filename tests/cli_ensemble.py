@@ -152,6 +152,8 @@ def pushes_may_be_all_that_is_asked(room):
     none = ['--set', 'ensemble.numbers=[]', '--draws', '300']
     found = room.json(*call(*none, '-o', 'a.h5', '--figure', 'a.svg'))
     both = room.json(*call('--draws', '300'))
+    every = room.json('ensemble', *LAW, '--set', SPREAD, '--draws', '10')
+    expect({'v_plus', 'mu_s_num', 'x_excess'} <= set(every['numbers']), every)
     expect(found['numbers'] == {} and found['pushes'] == both['pushes'], found)
     expect(room.names() == ['a.h5', 'a.svg', 'a_matrix.svg'], room.names())
     refused(room.run(*call(*none, '--set', 'ensemble.pushes=[]')), 2,
