@@ -12,6 +12,7 @@ struct disk {
     struct replacing *place; /* owned */
     int fd;                  /* borrowed of it */
     int error;               /* errno of the first failure; 0: none */
+    hid_t driver; /* owned: on closing a file HDF5 lets go of it too early */
 };
 
 /* What HDF5 holds of it. */
@@ -160,16 +161,15 @@ enum status disk_open(const char *path, struct disk **disk, struct fault *fault)
         return s;
     }
     d->fd = replace_descriptor(d->place);
+    d->driver = H5I_INVALID_HID;
     *disk = d;
     return STATUS_OK;
 }
 
 void disk_choose(struct store *st, hid_t access)
 {
-    const hid_t own = hdf_took(st, H5FDregister(&driver));
-
-    hdf_took(st, H5Pset_driver(access, own, &st->disk));
-    hdf_close(own);
+    st->disk->driver = hdf_took(st, H5FDregister(&driver));
+    hdf_took(st, H5Pset_driver(access, st->disk->driver, &st->disk));
 }
 
 enum status disk_keep(struct disk **disk, const char *path, struct fault *fault)
@@ -177,6 +177,7 @@ enum status disk_keep(struct disk **disk, const char *path, struct fault *fault)
     const enum status s =
         replace_end(&(*disk)->place, (*disk)->error, path, fault);
 
+    hdf_close((*disk)->driver);
     free(*disk);
     *disk = NULL;
     return s;
@@ -189,6 +190,7 @@ void disk_drop(struct disk **disk)
     if (*disk == NULL)
         return;
     (void) !replace_end(&(*disk)->place, ECANCELED, "", &unheard);
+    hdf_close((*disk)->driver);
     free(*disk);
     *disk = NULL;
 }
