@@ -55,11 +55,11 @@ const struct command command_table[COMMANDS] = {
       "draw. A run that was killed goes on with --resume.",
       "slipway ensemble scenes/ensemble.yaml --draws 1000" },
     [COMMAND_MERGE] = { "merge", 1, "SCENE.yaml",
-      "joins the shares of a sweep into its file",
-      "Takes the points that 'slipway sweep SCENE --shard I/N -o FILE.h5' left "
-      "in FILE.h5.part.I-of-N, computes those that are missing of an "
-      "interrupted share and those that refinement adds, and writes what one "
-      "run of the sweep would have written.",
+      "joins shares of a sweep or an ensemble",
+      "Takes what 'slipway sweep SCENE --shard I/N -o FILE.h5', or ensemble, "
+      "left in FILE.h5.part.I-of-N, computes what is missing of an interrupted "
+      "share and the points that refinement adds, and writes what one run "
+      "would have written.",
       "slipway merge scenes/sweep.yaml -o outputs/sweep.h5" },
     [COMMAND_PUSH] = { "push", 1, "[SCENE.yaml]",
       "one state: stops or slides, and what changes it",

@@ -2,11 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crew.h"
 #include "ensemble_file.h"
 #include "picture_ensemble.h"
-#include "progress.h"
-#include "replace.h"
 #include "report_ensemble.h"
+#include "shared.h"
 #include "side_file.h"
 #include "sweep.h"
 
@@ -24,23 +24,25 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     return STATUS_BAD_SCENE;
 }
 
-static enum status run_draws(struct ensemble *e, const struct scene *scene,
-                             const struct options *o, const char *journal,
-                             struct fault *why)
-{
-    const struct ensemble_options how = { .journal = journal,
-                                          .resume = o->resume,
-                                          .version = SLIPWAY_VERSION };
-    enum status status = journal ? replace_folder(journal, why) : STATUS_OK;
+/* An ensemble in the making. */
+struct work {
+    struct ensemble ensemble;
+    const struct scene *scene;
+};
 
-    if (status == STATUS_OK)
-        status = ensemble_run(e, scene, &how, progress_monitor(o), why);
-    progress_end();
-    if (status == STATUS_STOPPED && journal)
-        snprintf(why->text, sizeof why->text,
-                 "interrupted; what is computed stays in %.300s for --resume",
-                 journal);
-    return status;
+static enum status run_work(void *work, const struct sweep_options *how,
+                            const struct monitor *monitor, struct fault *why)
+{
+    struct work *w = work;
+
+    return ensemble_run(&w->ensemble, w->scene, how, monitor, why);
+}
+
+static void free_work(void *work)
+{
+    struct work *w = work;
+
+    ensemble_free(&w->ensemble);
 }
 
 static enum status write_files(const struct ensemble *e,
@@ -84,7 +86,14 @@ static enum exit_code print_results(const struct ensemble *e,
 static enum exit_code run(const struct options *o, const struct scene *scene)
 {
     struct fault why = { "" };
-    struct ensemble e;
+    struct work work = { .scene = scene,
+                         .ensemble = {
+                             .draws = { .id = -1 },
+                             .spool = { .journal = { .file = -1 } } } };
+    struct ensemble *e = &work.ensemble;
+    const struct shared_work shared = { run_work, free_work, &work, &e->missing,
+                                        &e->taken };
+    bool whole = true;
     const char *panel[PICTURE_ENSEMBLE_PANELS];
     char *journal = side_file_of(scene);
 
@@ -94,16 +103,23 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
             ? STATUS_NO_MEMORY
             : side_file_check(o, scene, "ensemble", journal, panel, &why);
 
+    s = crew_agree(s, &why, NULL);
     if (s == STATUS_OK)
-        s = run_draws(&e, scene, o, journal, &why);
+        s = shared_run(&shared, o, journal, &whole, &why);
     if (s != STATUS_OK) {
         free(journal);
         return command_fail(s, why.text);
     }
-    s = write_files(&e, o, journal, &why);
-    const enum exit_code code = s == STATUS_OK ? print_results(&e, o, journal)
-                                               : command_fail(s, why.text);
-    ensemble_free(&e);
+    if (whole)
+        s = write_files(e, o, journal, &why);
+    else if (!o->quiet && o->shard)
+        printf("share %s: %zu of %zu draws, beside %s; 'slipway merge' joins "
+               "all shares\n",
+               o->shard, e->draws.count - e->missing, e->draws.count, journal);
+    const enum exit_code code = s != STATUS_OK ? command_fail(s, why.text)
+                                : whole        ? print_results(e, o, journal)
+                                               : EXIT_DONE;
+    ensemble_free(e);
     free(journal);
     return code;
 }

@@ -11,10 +11,10 @@
 #include "report_sweep.h"
 #include "report_sweep_json.h"
 #include "scene_sweep.h"
+#include "shared.h"
 #include "side_file.h"
 #include "sweep_csv.h"
 #include "sweep_file.h"
-#include "sweep_shared.h"
 #include "tolerance.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
@@ -176,21 +176,25 @@ static enum exit_code print_results(const struct sweep *s,
 
 /* ---- the whole ----------------------------------------------------------- */
 
-static enum status run_points(struct sweep *s, const struct scene *scene,
-                              const struct options *o, const char *journal,
-                              bool *whole, struct fault *why)
-{
-    enum status status =
-        crew_rank() == 0 && journal ? replace_folder(journal, why) : STATUS_OK;
+/* A sweep in the making. */
+struct work {
+    struct sweep sweep;
+    const struct scene *scene;
+};
 
-    status = crew_agree(status, why, NULL);
-    if (status == STATUS_OK)
-        status = sweep_shared(s, scene, o, journal, whole, why);
-    if (status == STATUS_STOPPED && journal)
-        snprintf(why->text, sizeof why->text,
-                 "interrupted; what is computed stays in %.300s for --resume",
-                 journal);
-    return status;
+static enum status run_work(void *work, const struct sweep_options *how,
+                            const struct monitor *monitor, struct fault *why)
+{
+    struct work *w = work;
+
+    return sweep_run(&w->sweep, w->scene, how, monitor, why);
+}
+
+static void free_work(void *work)
+{
+    struct work *w = work;
+
+    sweep_free(&w->sweep);
 }
 
 /* What a share tells. */
@@ -206,7 +210,10 @@ static void print_share(const struct sweep *s, const struct options *o,
 static enum exit_code run(const struct options *o, const struct scene *scene)
 {
     struct fault why = { "" };
-    struct sweep sweep;
+    struct work work = { .scene = scene };
+    struct sweep *sweep = &work.sweep;
+    const struct shared_work shared = { run_work, free_work, &work,
+                                        &sweep->missing, &sweep->taken };
     bool whole = true;
     char *journal = side_file_of(scene);
     enum status s =
@@ -216,29 +223,24 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
 
     s = crew_agree(s, &why, NULL);
     if (s == STATUS_OK)
-        s = run_points(&sweep, scene, o, journal, &whole, &why);
+        s = shared_run(&shared, o, journal, &whole, &why);
     if (s != STATUS_OK) {
         free(journal);
         return command_fail(s, why.text);
     }
     if (whole)
-        s = write_files(&sweep, o, journal, &why);
+        s = write_files(sweep, o, journal, &why);
     else
-        print_share(&sweep, o, journal);
+        print_share(sweep, o, journal);
     const enum exit_code code = s != STATUS_OK ? command_fail(s, why.text)
-                                : whole ? print_results(&sweep, o, journal)
+                                : whole ? print_results(sweep, o, journal)
                                         : EXIT_DONE;
-    sweep_free(&sweep);
+    sweep_free(sweep);
     free(journal);
     return code;
 }
 
 enum exit_code command_sweep(const struct options *o)
-{
-    return command_with_scene(o, read_scene, run);
-}
-
-enum exit_code command_merge(const struct options *o)
 {
     return command_with_scene(o, read_scene, run);
 }

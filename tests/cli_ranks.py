@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Sweeps that are shared: --shard and merge, and the ranks of slipway-mpi
+"""Sweeps and ensembles that are shared: --shard and merge, and the ranks of slipway-mpi
 (TAP).  RANK_KILLS sets how many times a run of ranks is killed (3).
 
 usage: cli_ranks.py PATH_TO_SLIPWAY SOURCE_ROOT
@@ -18,6 +18,16 @@ SWEEP = ['--law', 'spinodal_gen', '--set', 'sweep={key: slope.alpha, from: '
 MAPS = ['--law', 'spinodal_gen', '--set', 'products=[knees, basins, margin]',
         '--set', 'basins={cells: [3, 2], audit: 0}', '--set',
         'sweep={key: slope.alpha, values: [0.2, 0.3, 0.32, 0.34, 0.36]}']
+DRAWS = """
+law: {preset: spinodal_gen}
+slope: {alpha: 0.34}
+ensemble:
+  parameters: {material.a: {normal: [0.0349, 0.004]},
+               material.c: {lognormal: [1e-3, 3]}}
+  draws: 5000
+  numbers: [v_plus, v_minus]
+  pushes: [{v: 2000, psi: 10}]
+"""
 MANY = ['--law', 'spinodal_gen', '--set', 'sweep={key: slope.alpha, from: '
         '0.28, to: 0.4, points: 3000}']
 
@@ -38,7 +48,12 @@ def of_ranks(process):
 
 
 def ends(process):
-    said, complaint = process.communicate(timeout=300)
+    try:
+        said, complaint = process.communicate(timeout=120)
+    except subprocess.TimeoutExpired:
+        for pid in [process.pid, *of_ranks(process)]:
+            os.kill(pid, signal.SIGKILL)
+        raise
     return process.returncode, said, complaint
 
 
@@ -61,6 +76,20 @@ def shares_are_merged_into_the_bytes_of_one_run(room):
         expect(room.bytes('a.h5') == room.bytes('whole.h5'), whole)
         expect(room.names() == ['a.h5', 'whole.h5'], room.names())
         os.remove(room.path('a.h5'))
+
+
+def an_ensemble_is_shared_like_a_sweep(room):
+    room.write('draws.yaml', DRAWS)
+    said = room.good('ensemble', 'draws.yaml', '-o', 'whole.h5')
+    expect('exist' in said or 'missing' in said, said)
+    for share in ('1/2', '2/2'):
+        said = room.good('ensemble', 'draws.yaml', '-o', 'a.h5', '--shard',
+                         share)
+        expect(f'share {share}: ' in said, said)
+    said = room.good('merge', 'draws.yaml', '-o', 'a.h5')
+    expect('5000 of 5000 draws were there already' in said, said)
+    expect(room.bytes('a.h5') == room.bytes('whole.h5'), 'the same bytes')
+    expect(room.names() == ['a.h5', 'draws.yaml', 'whole.h5'], room.names())
 
 
 def an_interrupted_share_goes_on_or_is_completed(room):
@@ -112,6 +141,16 @@ def any_number_of_ranks_writes_the_same_bytes(room):
             expect((code, told) == (0, said), count, told, complaint)
             expect(room.bytes('a.h5') == whole, count, 'ranks')
             expect(room.names() == ['a.h5'], room.names())
+
+
+def any_number_of_ranks_draws_the_same_bytes(room):
+    room.write('draws.yaml', DRAWS)
+    room.good('ensemble', 'draws.yaml', '-o', 'whole.h5')
+    for count in (1, 3):
+        code, _, complaint = ends(ranks(room, count, 'ensemble', 'draws.yaml',
+                                        '-o', 'a.h5'))
+        expect(code == 0, complaint)
+        expect(room.bytes('a.h5') == room.bytes('whole.h5'), count, 'ranks')
 
 
 def killed_at_any_moment_ranks_go_on(room):
@@ -183,11 +222,13 @@ def ranks_complain_once(room):
 
 SHARES = [
     shares_are_merged_into_the_bytes_of_one_run,
+    an_ensemble_is_shared_like_a_sweep,
     an_interrupted_share_goes_on_or_is_completed,
     what_is_missing_or_wrong_costs_one_line,
 ]
 RANKS = [
     any_number_of_ranks_writes_the_same_bytes,
+    any_number_of_ranks_draws_the_same_bytes,
     killed_at_any_moment_ranks_go_on,
     a_rank_that_dies_ends_the_run_which_one_process_resumes,
     interrupted_ranks_say_where_they_stopped,

@@ -20,7 +20,7 @@ bool ensemble_is_asked(const struct scene *scene)
 /* A run, with what a block takes. */
 struct run {
     struct ensemble *e;
-    const struct ensemble_options *o;
+    const struct sweep_options *o;
     const struct monitor *monitor;
     struct fault *why;
     double *key[SCENE_SPREADS]; /* columns of the spool's block */
@@ -93,11 +93,11 @@ static enum status run_block(struct run *r, size_t block)
     r->first = block * SPOOL_DRAWS;
     fill_keys(r, count);
     enum status status =
-        batch_run(&r->e->batch, count, (const double *const *) r->key,
-                  r->o->threads, &monitor, r->out, r->fates);
+        batch_run(&r->e->batch, count, (const double *const *) r->key, 0,
+                  &monitor, r->out, r->fates);
     if (status == STATUS_OK)
         status = code_block(r, count);
-    return status ? status : spool_push(&r->e->spool, r->why);
+    return status ? status : spool_push(&r->e->spool, block, r->why);
 }
 
 static enum status prepare(struct run *r)
@@ -126,14 +126,37 @@ static enum status prepare(struct run *r)
     return good ? STATUS_OK : STATUS_NO_MEMORY;
 }
 
+/* The next of `count` blocks, *at first. */
+static size_t next(const struct run *r, size_t count, size_t *at)
+{
+    const struct sweep_share *share = r->o->share;
+
+    return share ? share->next(share->ctx, count) : (*at)++;
+}
+
+/* Those that are missing; of a share, its own. */
+static enum status run_missing(struct run *r)
+{
+    const struct spool *s = &r->e->spool;
+    const size_t blocks = spool_blocks(s);
+    enum status status = STATUS_OK;
+    size_t at = 0;
+
+    for (size_t i; r->e->missing > 0 && status == STATUS_OK &&
+                   (i = next(r, blocks, &at)) < blocks;)
+        if (!s->there[i])
+            status = run_block(r, i);
+    r->e->missing = r->e->draws.count - spool_done(s);
+    return status;
+}
+
 static enum status run_blocks(struct run *r)
 {
     const struct batch *b = &r->e->batch;
-    struct spool *s = &r->e->spool;
     enum status status = prepare(r);
 
-    for (size_t i = spool_done(s); i < spool_blocks(s) && !status; i++)
-        status = run_block(r, i);
+    if (status == STATUS_OK)
+        status = run_missing(r);
     for (size_t k = 0; r->out && k < b->numbers; k++)
         free(r->out[k].reason);
     for (size_t k = 0; r->fates && k < b->pushes; k++)
@@ -207,7 +230,7 @@ static enum status check_asked(const struct scene *scene, struct fault *why)
                : STATUS_OK;
 }
 
-static enum status begin(struct ensemble *e, const struct ensemble_options *o,
+static enum status begin(struct ensemble *e, const struct sweep_options *o,
                          struct fault *why)
 {
     enum status status = check_asked(e->scene, why);
@@ -222,19 +245,18 @@ static enum status begin(struct ensemble *e, const struct ensemble_options *o,
     const struct spool_shape shape = { e->draws.count, e->draws.keys,
                                        e->batch.numbers, e->batch.pushes };
     if (status == STATUS_OK)
-        status = spool_open(&e->spool, o->journal, key_of(e, o->version),
-                            &shape, o->resume, &e->reasons, &e->replaced, why);
+        status = spool_open(&e->spool, o, key_of(e, o->version), &shape,
+                            &e->reasons, &e->replaced, why);
     if (status == STATUS_OK)
-        e->taken = spool_done(&e->spool) * SPOOL_DRAWS < e->draws.count
-                       ? spool_done(&e->spool) * SPOOL_DRAWS
-                       : e->draws.count;
+        e->taken = spool_done(&e->spool);
+    e->missing = e->draws.count - e->taken;
     return status;
 }
 
 /* ---- the whole ----------------------------------------------------------- */
 
 enum status ensemble_run(struct ensemble *e, const struct scene *scene,
-                         const struct ensemble_options *options,
+                         const struct sweep_options *options,
                          const struct monitor *monitor, struct fault *why)
 {
     struct run r = { .e = e, .o = options, .monitor = monitor, .why = why };
@@ -246,7 +268,8 @@ enum status ensemble_run(struct ensemble *e, const struct scene *scene,
     enum status status = begin(e, options, why);
     if (status == STATUS_OK)
         status = run_blocks(&r);
-    if (status == STATUS_OK)
+    if (status == STATUS_OK && e->missing == 0 &&
+        (options->share == NULL || options->join))
         status = ensemble_summary(e, why);
     if (status == STATUS_OK)
         return STATUS_OK;

@@ -3,7 +3,7 @@
  * them: what is known where parameters are not.
  *
  *     struct ensemble e;
- *     ensemble_run(&e, &scene, &(struct ensemble_options){ 0 }, NULL, &fault);
+ *     ensemble_run(&e, &scene, &(struct sweep_options){ 0 }, NULL, &fault);
  *     ... e.number[k].quantile, e.push[k].fate ...
  *     ensemble_free(&e);
  *
@@ -54,14 +54,9 @@ struct ensemble {
     struct ensemble_number *number; /* owned; batch.numbers of them */
     struct ensemble_push *push;     /* owned; batch.pushes */
     size_t taken;                   /* draws that an interrupted run had left */
-    bool replaced; /* a side file was left, not asked for, and replaced */
-};
-
-struct ensemble_options {
-    const char *journal; /* side file kept while running; NULL: none */
-    bool resume;         /* take the draws of a left side file */
-    const char *version; /* of the program, part of the key of that file */
-    int threads;         /* 0: those of OpenMP */
+    size_t missing; /* draws that are of other shares: then there is no summary,
+                       and those that are ours are in the side file */
+    bool replaced;  /* a side file was left, not asked for, and replaced */
 };
 
 /* Runs scene->ensemble.  STATUS_BAD_SCENE: with the place of what is wrong, in
@@ -70,7 +65,7 @@ struct ensemble_options {
  * STATUS_NO_MEMORY.  On error *e is empty and *why is one line. */
 MUST_CHECK enum status ensemble_run(struct ensemble *e,
                                     const struct scene *scene,
-                                    const struct ensemble_options *options,
+                                    const struct sweep_options *options,
                                     const struct monitor *monitor,
                                     struct fault *why);
 

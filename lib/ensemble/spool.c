@@ -42,7 +42,11 @@ size_t spool_blocks(const struct spool *s)
 
 size_t spool_done(const struct spool *s)
 {
-    return s->rows.count;
+    size_t draws = 0;
+
+    for (size_t i = 0; i < spool_blocks(s); i++)
+        draws += s->there[i] ? spool_count(s, i) : 0;
+    return draws;
 }
 
 size_t spool_count(const struct spool *s, size_t block)
@@ -56,6 +60,7 @@ size_t spool_count(const struct spool *s, size_t block)
 
 /* A file of no name, once it is open. */
 static enum status open_hidden(struct spool *s, uint64_t key, size_t size,
+                               struct sweep_rows *rows,
                                struct sweep_reasons *reasons, struct fault *why)
 {
     const char *folder = getenv("TMPDIR");
@@ -72,24 +77,126 @@ static enum status open_hidden(struct spool *s, uint64_t key, size_t size,
     }
     close(file);
     const enum status status = sweep_journal_open(
-        &s->journal, path, key, size, false, &s->rows, reasons, &replaced, why);
+        &s->journal, path, key, size, false, rows, reasons, &replaced, why);
     (void) unlink(path);
     return status;
 }
 
-/* They follow one another from 0 on; what does not goes. */
-static void drop_unsound(struct spool *s)
+/* All blocks, none of them whole. */
+static enum status make_rows(struct spool *s)
 {
-    size_t n = 0;
+    const size_t blocks = spool_blocks(s);
 
-    while (n < s->rows.count && n < spool_blocks(s) &&
-           sweep_rows_x(&s->rows, n)[0] == (double) n)
-        n++;
-    s->rows.count = n;
+    s->there = calloc(blocks + 1, sizeof *s->there);
+    if (s->block == NULL || s->there == NULL)
+        return STATUS_NO_MEMORY;
+    const enum status status = sweep_rows_add(&s->rows, blocks);
+    for (size_t i = 0; status == STATUS_OK && i < blocks; i++)
+        sweep_rows_x(&s->rows, i)[0] = (double) i;
+    return status;
 }
 
-enum status spool_open(struct spool *s, const char *path, uint64_t key,
-                       const struct spool_shape *shape, bool resume,
+/* The block of a row of a file; spool_blocks if it is none, or not wanted. */
+static size_t wanted(const struct spool *s, const struct sweep_rows *rows,
+                     size_t i)
+{
+    const double x = sweep_rows_x(rows, i)[0];
+    const size_t blocks = spool_blocks(s);
+    const size_t k = x >= 0.0 && x < (double) blocks ? (size_t) x : blocks;
+
+    return k < blocks && x == (double) k && !s->there[k] ? k : blocks;
+}
+
+/* ---- other files --------------------------------------------------------- */
+
+/* Codes of the other's sentences as our own; what is no code is none of it. */
+static enum status translate(struct spool *s, const struct sweep_reasons *other,
+                             struct sweep_reasons *own, enum spool_kind kind,
+                             struct fault *why)
+{
+    const size_t count = columns_of(&s->shape, kind) * SPOOL_DRAWS;
+    int8_t *code = spool_column(s, kind, 0);
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < count && status == STATUS_OK; i++) {
+        const size_t known = own->count;
+        if (code[i] < REASON_FIRST || (size_t) code[i] >= other->count)
+            continue;
+        const char *text = other->text[code[i]];
+        status = sweep_reasons_code(own, text, &code[i]);
+        if (status == STATUS_OK && own->count > known)
+            status = sweep_journal_reason(&s->journal, text, why);
+    }
+    return status;
+}
+
+static enum status copy_block(struct spool *s, const struct sweep_journal *from,
+                              const struct sweep_rows *rows, size_t i, size_t k,
+                              const struct sweep_reasons *other,
+                              struct sweep_reasons *own, struct fault *why)
+{
+    enum status status =
+        sweep_journal_read(from, rows, i, 0, s->block, from->block, why);
+
+    if (status == STATUS_OK)
+        status = translate(s, other, own, SPOOL_CODE, why);
+    if (status == STATUS_OK)
+        status = translate(s, other, own, SPOOL_FATE_REASON, why);
+    return status ? status : spool_push(s, k, why);
+}
+
+/* The blocks of another file, into the own one if they are joined. */
+static enum status take_file(struct spool *s, const char *path, bool join,
+                             struct sweep_reasons *own, struct fault *why)
+{
+    struct sweep_rows rows = sweep_rows_of(0, false);
+    struct sweep_reasons other;
+    struct sweep_journal from = { .file = -1 };
+    enum status status = sweep_reasons_init(&other);
+
+    if (status == STATUS_OK)
+        status = sweep_journal_look(&from, path, s->journal.key,
+                                    s->journal.block, &rows, &other, why);
+    for (size_t i = 0; i < rows.count && status == STATUS_OK; i++) {
+        const size_t k = wanted(s, &rows, i);
+        if (k < spool_blocks(s) && join)
+            status = copy_block(s, &from, &rows, i, k, &other, own, why);
+        if (k < spool_blocks(s))
+            s->there[k] = true;
+    }
+    sweep_journal_close(&from);
+    sweep_rows_free(&rows);
+    sweep_reasons_free(&other);
+    return status;
+}
+
+/* ---- the whole ----------------------------------------------------------- */
+
+static enum status open_own(struct spool *s, const struct sweep_options *o,
+                            uint64_t key, size_t size,
+                            struct sweep_reasons *reasons, bool *replaced,
+                            struct fault *why)
+{
+    struct sweep_rows rows = sweep_rows_of(0, false);
+    const enum status status =
+        o->journal
+            ? sweep_journal_open(&s->journal, o->journal, key, size, o->resume,
+                                 &rows, reasons, replaced, why)
+            : open_hidden(s, key, size, &rows, reasons, why);
+
+    for (size_t i = 0; i < rows.count && status == STATUS_OK; i++) {
+        const size_t k = wanted(s, &rows, i);
+        if (k == spool_blocks(s))
+            continue;
+        *sweep_rows_place(&s->rows, k) = *sweep_rows_place(&rows, i);
+        s->there[k] = true;
+    }
+    sweep_rows_free(&rows);
+    return status;
+}
+
+enum status spool_open(struct spool *s, const struct sweep_options *o,
+                       uint64_t key, const struct spool_shape *shape,
                        struct sweep_reasons *reasons, bool *replaced,
                        struct fault *why)
 {
@@ -99,15 +206,12 @@ enum status spool_open(struct spool *s, const char *path, uint64_t key,
                          .journal = { .file = -1 },
                          .rows = sweep_rows_of(0, false),
                          .block = calloc(size, 1) };
-    if (s->block == NULL)
-        return STATUS_NO_MEMORY;
-    const enum status status =
-        path ? sweep_journal_open(&s->journal, path, key, size, resume,
-                                  &s->rows, reasons, replaced, why)
-             : open_hidden(s, key, size, reasons, why);
+    enum status status = make_rows(s);
     if (status == STATUS_OK)
-        drop_unsound(s);
-    else
+        status = open_own(s, o, key, size, reasons, replaced, why);
+    for (size_t k = 0; k < o->others && status == STATUS_OK; k++)
+        status = take_file(s, o->other[k], o->join, reasons, why);
+    if (status != STATUS_OK)
         spool_close(s);
     return status;
 }
@@ -117,7 +221,9 @@ void spool_close(struct spool *s)
     sweep_journal_close(&s->journal);
     sweep_rows_free(&s->rows);
     free(s->block);
+    free(s->there);
     s->block = NULL;
+    s->there = NULL;
 }
 
 /* ---- blocks -------------------------------------------------------------- */
@@ -127,15 +233,10 @@ void *spool_column(const struct spool *s, enum spool_kind kind, size_t k)
     return s->block + offset_of(&s->shape, (int) kind, k);
 }
 
-enum status spool_push(struct spool *s, struct fault *why)
+enum status spool_push(struct spool *s, size_t block, struct fault *why)
 {
-    const size_t n = s->rows.count;
-    const enum status status = sweep_rows_add(&s->rows, 1);
-
-    if (status != STATUS_OK)
-        return status;
-    sweep_rows_x(&s->rows, n)[0] = (double) n;
-    return sweep_journal_row(&s->journal, &s->rows, n, s->block, why);
+    s->there[block] = true;
+    return sweep_journal_row(&s->journal, &s->rows, block, s->block, why);
 }
 
 enum status spool_read(const struct spool *s, size_t block,

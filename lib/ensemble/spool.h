@@ -7,6 +7,7 @@
 #define ENSEMBLE_SPOOL_H
 
 #include "sweep_journal.h"
+#include "sweep_options.h"
 
 /* What stands at a draw. */
 enum spool_kind {
@@ -27,18 +28,20 @@ struct spool {
     struct sweep_journal journal; /* owned */
     struct sweep_rows rows; /* owned; a row a block, x[0] being its number */
     char *block;            /* owned; the one being filled */
+    bool *there;            /* owned; blocks that are whole, in any file */
 };
 
-/* Opens the file of a run with this key; without a path one in TMPDIR that
- * nobody else sees.  `resume` takes its blocks and sentences, else it is
- * emptied and *replaced says whether it held some.  Errors as
- * sweep_journal_open; *s is then closed. */
-MUST_CHECK enum status spool_open(struct spool *s, const char *path,
-                                  uint64_t key, const struct spool_shape *shape,
-                                  bool resume, struct sweep_reasons *reasons,
-                                  bool *replaced, struct fault *why);
+/* Opens the file of a run with this key (o->journal); without a path one in
+ * TMPDIR that nobody else sees.  o->resume takes its blocks and sentences, else
+ * it is emptied and *replaced says whether it held some; then those of the
+ * other files.  Errors as sweep_journal_open; *s is then closed. */
+MUST_CHECK enum status spool_open(struct spool *s,
+                                  const struct sweep_options *o, uint64_t key,
+                                  const struct spool_shape *shape,
+                                  struct sweep_reasons *reasons, bool *replaced,
+                                  struct fault *why);
 
-/* Blocks in all, those that are whole, and the draws of a block. */
+/* Blocks in all, draws in those that are whole, and in one. */
 size_t spool_blocks(const struct spool *s);
 size_t spool_done(const struct spool *s);
 size_t spool_count(const struct spool *s, size_t block);
@@ -46,11 +49,12 @@ size_t spool_count(const struct spool *s, size_t block);
 /* A column of the block being filled: SPOOL_DRAWS values. */
 void *spool_column(const struct spool *s, enum spool_kind kind, size_t k);
 
-/* Writes that block behind those that are whole.  STATUS_IO,
- * STATUS_NO_MEMORY. */
-MUST_CHECK enum status spool_push(struct spool *s, struct fault *why);
+/* Writes that block, which is then whole.  STATUS_IO. */
+MUST_CHECK enum status spool_push(struct spool *s, size_t block,
+                                  struct fault *why);
 
-/* A column of a block that is whole: spool_count values.  STATUS_IO. */
+/* A column of a block that is whole in the own file: spool_count values.
+ * STATUS_IO. */
 MUST_CHECK enum status spool_read(const struct spool *s, size_t block,
                                   enum spool_kind kind, size_t k, void *out,
                                   struct fault *why);

@@ -29,6 +29,7 @@
 #include "sweep_journal.h"
 #include "sweep_key.h"
 #include "sweep_layer.h"
+#include "sweep_options.h"
 #include "sweep_reason.h"
 #include "sweep_rows.h"
 
@@ -60,25 +61,6 @@ struct sweep {
     size_t failed;  /* points at which the computation failed (reasons) */
     bool replaced;  /* a side file was left, not asked for, and replaced */
     bool unrefined; /* refinement met its bounds before its tolerance */
-};
-
-/* Which points a run computes, where several share a sweep. */
-struct sweep_share {
-    /* Another of `count` points, from 0, which no other run gets; count or
-     * more: there is none.  One thread at a time asks. */
-    size_t (*next)(void *ctx, size_t count);
-    void *ctx; /* borrowed, passed back */
-};
-
-struct sweep_options {
-    const char *journal; /* side file kept while running; NULL: none */
-    bool resume;         /* take the points of a left side file */
-    const char *version; /* of the program, part of the key of that file; may
-                            be NULL */
-    const struct sweep_share *share; /* NULL: all points */
-    const char *const *other; /* side files whose points are taken, too */
-    size_t others;
-    bool join; /* and copied to the own one */
 };
 
 /* Runs scene->sweep, which must have an axis, with all threads of OpenMP.

@@ -34,7 +34,7 @@ static void set_scene(struct scene *scene, const char *more)
 }
 
 static void run(struct ran *x, const char *more,
-                const struct ensemble_options *o)
+                const struct sweep_options *o)
 {
     struct fault why;
 
@@ -49,7 +49,7 @@ static void ran_free(struct ran *x)
     scene_free(&x->scene);
 }
 
-static const struct ensemble_options plain = { .journal = NULL };
+static const struct sweep_options plain = { .journal = NULL };
 
 /* A column of all draws; owned by the caller. */
 static void *read_all(const struct ensemble *e, enum spool_kind kind, size_t k,
@@ -170,12 +170,12 @@ static void test_a_stopped_run_goes_on_to_the_same_bytes(void **state)
     uint64_t most = 2200;
     const struct monitor monitor = { stop_at, &most };
     const char *journal = own_path("j.part");
-    const struct ensemble_options fresh = { .journal = journal,
+    const struct sweep_options fresh = { .journal = journal,
                                             .version = "1" };
-    const struct ensemble_options again = { .journal = journal,
+    const struct sweep_options again = { .journal = journal,
                                             .resume = true,
                                             .version = "1" };
-    const struct ensemble_options other = { .journal = journal,
+    const struct sweep_options other = { .journal = journal,
                                             .resume = true,
                                             .version = "2" };
     struct ran whole, part, rest;

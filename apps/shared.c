@@ -1,26 +1,28 @@
-#include "sweep_shared.h"
+#include "shared.h"
 
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "command.h"
 #include "crew.h"
 #include "parts.h"
 #include "progress.h"
+#include "replace.h"
 
 /* What all ways of running it have in common. */
 struct shared {
-    const struct scene *scene;
+    const struct shared_work *w;
     const struct options *o;
     const char *journal;
     bool resume;
     struct fault *why;
 };
 
-static enum status run(struct sweep *s, const struct shared *h,
-                       const struct sweep_options *how)
+static enum status run(const struct shared *h, const struct sweep_options *how)
 {
     const enum status status =
-        sweep_run(s, h->scene, how, progress_monitor(h->o), h->why);
+        h->w->run(h->w->work, how, progress_monitor(h->o), h->why);
 
     progress_end();
     return status;
@@ -28,8 +30,7 @@ static enum status run(struct sweep *s, const struct shared *h,
 
 /* Goes on with what shares have left, which is then in the own side file.
  * share: NULL: computes the rest. */
-static enum status join(struct sweep *s, const struct shared *h,
-                        const struct parts *parts,
+static enum status join(const struct shared *h, const struct parts *parts,
                         const struct sweep_share *share)
 {
     const struct sweep_options how = {
@@ -41,7 +42,7 @@ static enum status join(struct sweep *s, const struct shared *h,
         .others = parts->count,
         .join = true,
     };
-    const enum status status = run(s, h, &how);
+    const enum status status = run(h, &how);
 
     if (status == STATUS_OK)
         parts_forget(parts);
@@ -51,7 +52,7 @@ static enum status join(struct sweep *s, const struct shared *h,
 /* ---- alone ----------------------------------------------------------------
  */
 
-static enum status run_alone(struct sweep *s, const struct shared *h)
+static enum status run_alone(const struct shared *h)
 {
     struct parts parts = { .path = NULL };
     enum status status = STATUS_OK;
@@ -61,7 +62,7 @@ static enum status run_alone(struct sweep *s, const struct shared *h)
     if (status == STATUS_OK && command_id(h->o->command) == COMMAND_MERGE)
         status = parts_check(&parts, h->journal, h->why);
     if (status == STATUS_OK)
-        status = join(s, h, &parts, NULL);
+        status = join(h, &parts, NULL);
     parts_free(&parts);
     return status;
 }
@@ -69,7 +70,7 @@ static enum status run_alone(struct sweep *s, const struct shared *h)
 /* ---- a share --------------------------------------------------------------
  */
 
-/* Every `shares`-th point. */
+/* Every `shares`-th task. */
 static size_t next_of_share(void *ctx, size_t count)
 {
     struct part *p = ctx;
@@ -79,7 +80,7 @@ static size_t next_of_share(void *ctx, size_t count)
     return at;
 }
 
-static enum status run_share(struct sweep *s, const struct shared *h)
+static enum status run_share(const struct shared *h)
 {
     struct part part;
     const struct sweep_share share = { next_of_share, &part };
@@ -93,7 +94,7 @@ static enum status run_share(struct sweep *s, const struct shared *h)
                                        .version = SLIPWAY_VERSION,
                                        .share = &share };
     part.share--;
-    status = path ? run(s, h, &how) : STATUS_NO_MEMORY;
+    status = path ? run(h, &how) : STATUS_NO_MEMORY;
     free(path);
     return status;
 }
@@ -107,10 +108,10 @@ static size_t next_of_nobody(void *ctx, size_t count)
     return count;
 }
 
-/* The first rank's turn: how many points are missing.  Side files that are not
- * to be resumed go. */
-static enum status join_ranks(struct sweep *s, const struct shared *h,
-                              size_t *missing)
+/* The first rank's turn: how much is missing.  Side files that are not to be
+ * resumed go. */
+static enum status join_ranks(const struct shared *h, size_t *missing,
+                              size_t *taken)
 {
     static const struct sweep_share nobody = { next_of_nobody, NULL };
     struct parts parts;
@@ -121,18 +122,16 @@ static enum status join_ranks(struct sweep *s, const struct shared *h,
         parts_free(&parts);
     }
     if (status == STATUS_OK)
-        status = join(s, h, &parts, &nobody);
-    *missing = status == STATUS_OK ? s->missing : 0;
-    if (*missing > 0) {
-        const size_t taken = s->taken;
-        sweep_free(s);
-        s->taken = taken;
-    }
+        status = join(h, &parts, &nobody);
     parts_free(&parts);
+    *missing = status == STATUS_OK ? *h->w->missing : 0;
+    *taken = status == STATUS_OK ? *h->w->taken : 0;
+    if (*missing > 0)
+        h->w->free(h->w->work);
     return status;
 }
 
-/* A rank's turn: some of the points that are missing, into its side file. */
+/* A rank's turn: some of what is missing, into its side file. */
 static enum status run_rank(const struct shared *h)
 {
     const struct sweep_share share = { crew_share_next, NULL };
@@ -143,26 +142,26 @@ static enum status run_rank(const struct shared *h)
                                        .share = &share,
                                        .other = &h->journal,
                                        .others = 1 };
-    struct sweep s;
-    const enum status status = path ? run(&s, h, &how) : STATUS_NO_MEMORY;
+    const enum status status = path ? run(h, &how) : STATUS_NO_MEMORY;
 
     if (status == STATUS_OK)
-        sweep_free(&s);
+        h->w->free(h->w->work);
     free(path);
     return status;
 }
 
-static enum status run_ranks(struct sweep *s, struct shared *h)
+/* What is told to have been there is what an earlier run had left. */
+static enum status run_ranks(struct shared *h)
 {
     const struct monitor *monitor = progress_monitor(h->o);
     enum status status = STATUS_OK;
-    size_t missing = SIZE_MAX, taken = 0;
+    size_t missing = SIZE_MAX, taken = 0, now = 0;
 
     while (status == STATUS_OK && missing > 0) {
         const bool first = missing == SIZE_MAX;
         if (crew_rank() == 0)
-            status = join_ranks(s, h, &missing);
-        taken = first ? s->taken : taken; /* not those of this run */
+            status = join_ranks(h, &missing, &now);
+        taken = first ? now : taken;
         status = crew_agree(status, h->why, monitor);
         if (status == STATUS_OK)
             missing = crew_told(missing);
@@ -172,7 +171,8 @@ static enum status run_ranks(struct sweep *s, struct shared *h)
         }
         h->resume = true;
     }
-    s->taken = taken;
+    if (status == STATUS_OK)
+        *h->w->taken = taken;
     return status;
 }
 
@@ -186,21 +186,33 @@ static enum status complain(const struct shared *h, const char *what)
     return STATUS_BAD_ARGUMENT;
 }
 
-enum status sweep_shared(struct sweep *s, const struct scene *scene,
-                         const struct options *o, const char *journal,
-                         bool *whole, struct fault *why)
+static enum status run_somehow(struct shared *h)
+{
+    enum status status = crew_rank() == 0 && h->journal
+                             ? replace_folder(h->journal, h->why)
+                             : STATUS_OK;
+
+    status = crew_agree(status, h->why, NULL);
+    if (status != STATUS_OK)
+        return status;
+    if (crew_ranks() > 1)
+        return run_ranks(h);
+    return h->o->shard ? run_share(h) : run_alone(h);
+}
+
+enum status shared_run(const struct shared_work *w, const struct options *o,
+                       const char *journal, bool *whole, struct fault *why)
 {
     const bool merged = command_id(o->command) == COMMAND_MERGE;
-    struct shared h = { scene, o, journal, o->resume || merged, why };
-    enum status status;
+    struct shared h = { w, o, journal, o->resume || merged, why };
 
-    *s = (struct sweep){ .scene = scene };
     if (journal == NULL && (merged || o->shard || crew_ranks() > 1))
         return complain(&h, o->shard ? "--shard" : o->command->name);
-    if (crew_ranks() > 1)
-        status = run_ranks(s, &h);
-    else
-        status = o->shard ? run_share(s, &h) : run_alone(s, &h);
+    const enum status status = run_somehow(&h);
+    if (status == STATUS_STOPPED && journal)
+        snprintf(why->text, sizeof why->text,
+                 "interrupted; what is computed stays in %.300s for --resume",
+                 journal);
     *whole = crew_rank() == 0 && !o->shard;
     return status;
 }
