@@ -126,13 +126,18 @@ enum status schema_blame_section(const char *path, size_t size,
 {
     struct level level;
     char section[PATH_SIZE], words[200];
+    size_t last = size;
 
     snprintf(section, sizeof section, "%.*s.", (int) size, path);
     level_find(section, size + 1, &level);
     text_list(level.list, words, sizeof words);
+    while (last > 0 && path[last - 1] != '.')
+        last--;
     return place_blame(n->at, why,
-                       "%.*s: %s is not allowed, expected a map of keys, %s",
-                       (int) size, path, node_shown(n).text, words);
+                       "%.*s: %s is not allowed, expected a map of keys, %s, "
+                       "as in '%.*s: {%s: ...}'",
+                       (int) size, path, node_shown(n).text, words,
+                       (int) (size - last), path + last, level.list[0]);
 }
 
 /* ---- a whole tree -------------------------------------------------------- */

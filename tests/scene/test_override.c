@@ -167,10 +167,14 @@ static void keys_cannot_be_put_into_a_value(void **state)
     (void) state;
     refused("slope: 0.3", "slope.alpha=0.4",
             "s.yaml:1:8: slope: '0.3' is not allowed, expected a map of keys, "
-            "alpha, alpha_deg or tan_alpha");
+            "alpha, alpha_deg or tan_alpha, as in 'slope: {alpha: ...}'");
     refused("trajectories: {until: [1]}", "trajectories.until.time=1",
             "s.yaml:1:23: trajectories.until: a list is not allowed, expected "
-            "a map of keys, time or slip");
+            "a map of keys, time or slip, as in 'until: {time: ...}'");
+    refused("law: aging", "law.preset=ruina",
+            "s.yaml:1:6: law: 'aging' is not allowed, expected a map of keys, "
+            "preset, theta, psi_ss, timescale, kinetics, T, K, rate, mu, state "
+            "or friction, as in 'law: {preset: ...}'");
 }
 
 static void a_long_override_is_cut_in_the_message(void **state)
