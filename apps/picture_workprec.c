@@ -18,7 +18,7 @@ struct trace {
 /* Ours are thick, red and black; GSL's solid, SUNDIALS' dotted, the same colour
  * for the same kind of method, and a mark for each. */
 struct look {
-    const char *method;
+    const char *method, *entry; /* its word and its line in the legend */
     struct figure_style style;
     enum figure_mark mark;
 };
@@ -33,19 +33,26 @@ struct look {
     }
 
 static const struct look looks[] = {
-    { "slipway", OURS(FIGURE_HIGHLIGHT, FIGURE_SOLID), FIGURE_DISC },
-    { "slow_curve", OURS(FIGURE_HIGHLIGHT, FIGURE_DASHED), FIGURE_SQUARE },
-    { "backward", OURS(FIGURE_EQUILIBRIUM, FIGURE_SOLID), FIGURE_DISC },
-    { "radau", OURS(FIGURE_EQUILIBRIUM, FIGURE_SOLID), FIGURE_SQUARE },
-    { "explicit8", OURS(FIGURE_EQUILIBRIUM, FIGURE_DASHED), FIGURE_CIRCLE },
-    { "gsl_rk8pd", THEIRS(1, FIGURE_SOLID), FIGURE_PLUS },
-    { "gsl_rkf45", THEIRS(2, FIGURE_SOLID), FIGURE_CROSS },
-    { "gsl_msbdf", THEIRS(3, FIGURE_SOLID), FIGURE_BOX },
-    { "gsl_bsimp", THEIRS(4, FIGURE_SOLID), FIGURE_DELTA },
-    { "gsl_rk4imp", THEIRS(5, FIGURE_SOLID), FIGURE_LOZENGE },
-    { "cvode_adams", THEIRS(1, FIGURE_DOTTED), FIGURE_STAR },
-    { "cvode_bdf", THEIRS(3, FIGURE_DOTTED), FIGURE_TRIANGLE },
-    { "arkode_erk8", THEIRS(2, FIGURE_DOTTED), FIGURE_DIAMOND },
+    { "slipway", "Slipway", OURS(FIGURE_HIGHLIGHT, FIGURE_SOLID), FIGURE_DISC },
+    { "slow_curve", "slow curve", OURS(FIGURE_HIGHLIGHT, FIGURE_DASHED),
+      FIGURE_SQUARE },
+    { "backward", "backward orbits", OURS(FIGURE_EQUILIBRIUM, FIGURE_SOLID),
+      FIGURE_DISC },
+    { "radau", "Radau", OURS(FIGURE_EQUILIBRIUM, FIGURE_SOLID), FIGURE_SQUARE },
+    { "explicit8", "Dormand–Prince 8", OURS(FIGURE_EQUILIBRIUM, FIGURE_DASHED),
+      FIGURE_CIRCLE },
+    { "gsl_rk8pd", "GSL, Prince–Dormand 8", THEIRS(1, FIGURE_SOLID),
+      FIGURE_PLUS },
+    { "gsl_rkf45", "GSL, Fehlberg 4(5)", THEIRS(2, FIGURE_SOLID),
+      FIGURE_CROSS },
+    { "gsl_msbdf", "GSL, BDF", THEIRS(3, FIGURE_SOLID), FIGURE_BOX },
+    { "gsl_bsimp", "GSL, Bader–Deuflhard", THEIRS(4, FIGURE_SOLID),
+      FIGURE_DELTA },
+    { "gsl_rk4imp", "GSL, Gauss 4", THEIRS(5, FIGURE_SOLID), FIGURE_LOZENGE },
+    { "cvode_adams", "CVODE, Adams", THEIRS(1, FIGURE_DOTTED), FIGURE_STAR },
+    { "cvode_bdf", "CVODE, BDF", THEIRS(3, FIGURE_DOTTED), FIGURE_TRIANGLE },
+    { "arkode_erk8", "ARKODE, Fehlberg 8", THEIRS(2, FIGURE_DOTTED),
+      FIGURE_DIAMOND },
 };
 enum { LOOKS = sizeof looks / sizeof *looks, OURS_COUNT = 5 };
 
@@ -117,7 +124,7 @@ static void draw(const struct workprec *w, enum workprec_quantity q,
     figure_init(f, title, &time, &error);
     /* ours come first in the legend, and once more on top of the others */
     for (int i = 0; i < LOOKS; i++)
-        add(f, &looks[i], looks[i].method, &trace[i]);
+        add(f, &looks[i], looks[i].entry, &trace[i]);
     for (int i = OURS_COUNT; i-- > 0;)
         add(f, &looks[i], NULL, &trace[i]);
 }

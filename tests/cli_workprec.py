@@ -5,6 +5,7 @@ usage: cli_workprec.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import json
 import math
+import re
 import subprocess
 
 from cli_room import READER, expect, refused, run_cases
@@ -73,6 +74,10 @@ def everything_is_raced_and_ours_does_not_lie(room):
         expect(found['environment'][key], key)
     expect(room.names() == sorted(['a.h5'] + [f'a_{q}.svg' for q in QUANTITIES]),
            room.names())
+    for quantity in QUANTITIES:
+        shown = ' '.join(re.findall(r'>([^<]+)<', room.read(f'a_{quantity}.svg')))
+        expect('GSL, ' in shown and not re.search(
+            'v_plus|v_minus|x_excess|slow_curve|gsl_|explicit8', shown), shown)
     check_file(room, found)
 
 

@@ -11,9 +11,9 @@ const char *const workprec_quantity_names[] = { "v_plus",    "v_minus",
                                                 "transient", "basin_rows",
                                                 "slip",      NULL };
 const char *const workprec_quantity_texts[] = {
-    "v_plus, relative",
-    "v_minus, relative",
-    "x_excess, relative",
+    "upper critical slip rate, relative",
+    "lower critical slip rate, relative",
+    "excess slip, relative",
     ("both branches within the window: largest distance of a stored point from "
      "the curve, in ln v and ln psi"),
     "an orbit's state at a time: ln v, ln psi",
