@@ -15,12 +15,17 @@ static enum status read_scene(const struct options *o, struct scene *scene,
 {
     const enum status s = command_read(o, NULL, 0, scene, why);
 
-    if (s != STATUS_OK || ensemble_is_asked(scene))
+    if (s != STATUS_OK || (ensemble_is_asked(scene) && !scene->proved))
         return s;
+    const bool proved = scene->proved;
     scene_free(scene);
-    snprintf(why->text, sizeof why->text,
-             "ensemble: the scene has none, expected 'ensemble: {parameters: "
-             "{material.a: {normal: [m, s]}}, draws: N}'");
+    snprintf(
+        why->text, sizeof why->text, "%s",
+        proved
+            ? "ensemble: accuracy.proved: draws are not proved, "
+              "expected knees, study or basin"
+            : "ensemble: the scene has none, expected 'ensemble: {parameters: "
+              "{material.a: {normal: [m, s]}}, draws: N}'");
     return STATUS_BAD_SCENE;
 }
 

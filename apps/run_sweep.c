@@ -67,6 +67,11 @@ static enum status read_scene(const struct options *o, struct scene *scene,
         return complain(why, "the scene has none, expected 'sweep: {key: "
                              "slope.alpha, from: A, to: B, points: N}'");
     }
+    if (scene->proved) {
+        scene_free(scene);
+        return complain(why, "accuracy.proved: points of a sweep are not "
+                             "proved, expected knees, study or basin");
+    }
     const unsigned products = products_of(o, scene);
     if (products == scene->products)
         return STATUS_OK;

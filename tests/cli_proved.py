@@ -5,7 +5,7 @@ usage: cli_proved.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 from decimal import Decimal
 
-from cli_room import expect, run_cases
+from cli_room import expect, refused, run_cases
 
 COLUMNS = {'v_plus': 'v_plus', 'v_minus': 'v_minus', 'psi_at_v0': 'psi_at_v0',
            'x_excess': 'x_excess', 'x_deficit': 'x_deficit_lower',
@@ -54,6 +54,19 @@ def a_scene_asks_for_it_too(room):
     expect('lo' in found['saddle']['v']['proved'], found['saddle'])
 
 
+def what_is_not_proved_is_refused_or_says_so(room):
+    slope = ['--law', 'perrin', '--set', 'accuracy.proved=true']
+    refused(room.run('sweep', *slope, '--set', 'sweep={key: slope.alpha, '
+                     'values: [0.34]}'), 2, 'accuracy.proved', 'expected knees')
+    refused(room.run('ensemble', *slope, '--alpha', '0.34', '--set',
+                     'ensemble={parameters: {material.a: {uniform: [0.03, '
+                     '0.04]}}, draws: 8}'), 2, 'accuracy.proved', 'expected knees')
+    found = room.json('knees', *slope, '--alpha', '0.34', '--set', 'units=si')
+    expect(found['v_plus']['proved'] is None
+           and 'not that in SI units' in found['v_plus']['not_proved'],
+           found['v_plus'])
+
+
 def nothing_is_proved_where_nobody_asks(room):
     found = room.json('knees', '--law', 'perrin', '--alpha', '0.34')
     expect('proved' not in found['v_plus'], found['v_plus'])
@@ -63,5 +76,6 @@ run_cases([
     the_reference_is_between_both_decimals,
     a_law_without_a_proof_says_why,
     a_scene_asks_for_it_too,
+    what_is_not_proved_is_refused_or_says_so,
     nothing_is_proved_where_nobody_asks,
 ])

@@ -176,6 +176,11 @@ static double conditioning_of(const struct unit *unit, double from, double to,
     return (c * fabs(from) + inputs) / fabs(to);
 }
 
+static const struct proved of_our_own = {
+    .not_proved = "what is proved is the number in units of V_star and L, not "
+                  "that in SI units"
+};
+
 struct quantity unit_quantity(const struct unit_system *u,
                               const struct unit *unit, struct quantity q)
 {
@@ -186,9 +191,8 @@ struct quantity unit_quantity(const struct unit_system *u,
     const double error = bar_of(u, unit, to, q.error);
     if (!isfinite(to) || !isfinite(error))
         return quantity_none("in SI units it is beyond the largest double");
-    return (struct quantity){
-        to, error,
-        conditioning_of(unit, q.value, to, q.conditioning, u->psi_is_log), NULL,
-        NULL /* of a number in our own units */
-    };
+    return (struct quantity){ to, error,
+                              conditioning_of(unit, q.value, to, q.conditioning,
+                                              u->psi_is_log),
+                              NULL, q.proved ? &of_our_own : NULL };
 }
