@@ -16,8 +16,8 @@ enum { POINTS = 2000 };
 /* Those that are the end of a run, and how far they may stretch a log axis. */
 enum { ENDING = POINTS / 50, BEYOND = 30 };
 
-/* Shown of a log axis at most: the fastest changes of a start may be over in
- * 1e-46 units of time. */
+/* Shown of a time axis at most, as the fastest changes of a start may be over
+ * in 1e-46 units of time; and of another that reaches zero. */
 #define DECADES 1e-12
 
 /* One figure over slip, or over time on a log axis; a second curve is drawn
@@ -130,7 +130,7 @@ static void free_points(struct points *p)
  * a logarithm may be, is a gap; of a log axis the ends of runs, where v may
  * fall to zero and psi grow without bound, add a decade or two at most. */
 static struct figure_axis axis_of(const char *label, double *const value[2],
-                                  size_t count, bool is_log)
+                                  size_t count, bool is_log, bool is_time)
 {
     double all[2] = RANGE_EMPTY, most[2] = RANGE_EMPTY;
 
@@ -144,7 +144,8 @@ static struct figure_axis axis_of(const char *label, double *const value[2],
         return (struct figure_axis){ label, all[0] - rim, all[1] + rim, false };
     }
     const double hi = fmin(all[1], most[1] * BEYOND);
-    const double lo = fmax(fmax(all[0], most[0] / BEYOND), DECADES * hi);
+    const double seen = fmax(all[0], most[0] / BEYOND);
+    const double lo = is_time || seen <= 0.0 ? fmax(seen, DECADES * hi) : seen;
     const double rim = pow(hi / lo, 0.03);
     return (struct figure_axis){ label, lo / rim, hi * rim, true };
 }
@@ -274,9 +275,10 @@ static void build(struct figure *f, const struct simulation *s,
         view->over_time ? sheet_label(&units, "time", "L/V_star")
                         : sheet_label(&units, "slip", "L");
     const struct sheet_label label = y_label(&units, view);
-    const struct figure_axis x =
-        axis_of(over.text, (double *[]){ p->x, NULL }, count, view->over_time);
-    const struct figure_axis y = axis_of(label.text, p->y, count, view->y_log);
+    const struct figure_axis x = axis_of(over.text, (double *[]){ p->x, NULL },
+                                         count, view->over_time, true);
+    const struct figure_axis y =
+        axis_of(label.text, p->y, count, view->y_log, false);
     size_t shown = 0;
 
     figure_init(f, sheet_title(&s->scene, true).text, &x, &y);

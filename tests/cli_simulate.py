@@ -154,6 +154,16 @@ def figures_show_friction_and_slip_rate(room):
     expect(len(room.names()) == 5, room.names())
 
 
+def the_state_of_a_runaway_stays_within_its_axis(room):
+    """psi falls to 1e-10 while v grows to 1e10."""
+    room.good('simulate', '--law', 'dieterich', '--alpha', '0.34', '--v', '1e4',
+              '--psi', '1e-2', '--figure', 'a.svg', '--keep-script')
+    for name in ('a_slip.gp', 'a_time.gp'):
+        low, high = re.search(r'set yrange \[(.*):(.*)\]',
+                              room.read(name)).groups()
+        expect(float(low) < 1.01e-10 and float(high) > 0.99e10, name, low, high)
+
+
 def figures_of_the_paper_have_scenes(room):
     room.bring('scenes')
     room.make('outputs')
@@ -284,6 +294,7 @@ if __name__ == '__main__':
         times_grow_from_row_to_row,
         a_scene_chooses_samples_and_limits,
         figures_show_friction_and_slip_rate,
+        the_state_of_a_runaway_stays_within_its_axis,
         figures_of_the_paper_have_scenes,
         study_runs_a_scene_that_only_has_starts,
         wrong_starts_are_refused,
