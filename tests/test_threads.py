@@ -27,7 +27,8 @@ def main():
                 ['ninja', '-C', 'b', 'lib/libslipway.a'],
                 ['sh', '-c', 'cc -fsanitize=thread -I "$0/include" '
                  '"$0/tests/outside/eight_threads.c" b/lib/libslipway.a -o e '
-                 '$(pkg-config --libs gsl yaml-0.1) -fopenmp -lquadmath -lm', SOURCE]):
+                 '$(pkg-config --libs gsl yaml-0.1) -lmpfi -lmpfr -lgmp -fopenmp '
+                 '-lquadmath -lm', SOURCE]):
             done = ran(command, folder)
             if done.returncode:
                 print(f'Bail out! {command}: {done.stdout}{done.stderr}')
