@@ -7,7 +7,7 @@ import glob
 import os
 import re
 
-from cli_reference import DATA, MORE, settings, small_scene
+from cli_reference import DATA, MORE, SAMPLES, settings, small_scene
 from cli_room import LAWS, expect, run_cases
 
 FIELDS = ['products=[slip, time, friction]', 'basins={cells: [24, 18], audit: 3}']
@@ -43,6 +43,7 @@ def no_byte_of_any_scene_depends_on_the_lanes(room):
     room.bring('scenes')
     room.make('outputs')
     room.write('three.csv', DATA)
+    room.write('two.csv', SAMPLES)
     used = dict.fromkeys(WIDTHS, 0)
     for args in commands(room):
         first = outcome(room, args, WIDTHS[-1])

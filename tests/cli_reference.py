@@ -21,6 +21,7 @@ def products(*lists):
 
 
 SMALL = ['basins.cells=[7, 5]', 'basins.audit=3', 'trajectories.spread=2']
+SAMPLES = 'id,material.a\nx,0.034\ny,0.035\n'
 DATA = ('tan_alpha,l_k,x_k\n0.26,0.0063,1e-6\n0.3,0.0048,1e-6\n'
         '0.34,0.0035,1e-6\n')  # three slopes: no curve of friction over slip
 
@@ -70,7 +71,7 @@ def make_files(room):
     room.bring('scenes')
     room.make('outputs')
     room.write('three.csv', DATA)
-    room.write('two.csv', 'id,material.a\nx,0.034\ny,0.035\n')
+    room.write('two.csv', SAMPLES)
     for path in sorted(glob.glob(room.path('scenes/*.yaml'))):
         if 'system:' in room.read(os.path.relpath(path, room.folder)):
             continue  # its groups have the names of its own states

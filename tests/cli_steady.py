@@ -208,7 +208,8 @@ def figures_are_labelled_as_in_the_paper(room):
     room.bring('scenes')
     words = {
         'fig01a': ['friction coefficient μss', 'slip rate V (m/s)',
-                   'dieterich', 'spinodal_gen', 'VM = 2.493×10−8 m/s',
+                   'Dieterich law', 'Generalised spinodal law',
+                   'VM = 2.493×10−8 m/s',
                    'Vm = 4.051×10−4 m/s'],
         'fig01b': ['spring stiffness k (Pa/m)', 'stick-slip', 'no inertia',
                    'with inertia', 'VM = 2.493×10−8 m/s'],
