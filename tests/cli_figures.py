@@ -120,6 +120,8 @@ def hostile_titles_are_drawn_and_never_run(room):
         expect(room.names() == ['a.dat', 'a.gp', 'a.svg', 'a.yaml'],
                title[:99], room.names())
         svg = xml.etree.ElementTree.parse(room.path('a.svg'))
+        expect(svg.getroot().get('{http://www.w3.org/XML/1998/namespace}space')
+               == 'preserve', 'spaces beside italics')
         shown = printable(''.join(svg.getroot().itertext()))
         expect(printable(title)[:50] in shown, title[:99], shown)
 

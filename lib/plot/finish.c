@@ -70,7 +70,7 @@ enum status finish_svg(const char *path, double width,
                        const struct script_size *size)
 {
     struct text t;
-    char head[160];
+    char head[200];
     enum status s = text_read(path, &t);
     const char *from = s == STATUS_OK ? strstr(t.at, " width=\"") : NULL;
     const char *view = from ? strstr(from, "viewBox=\"") : NULL;
@@ -80,7 +80,8 @@ enum status finish_svg(const char *path, double width,
         return text_write(path, s == STATUS_OK ? STATUS_IO : s, &t);
     const int n = snprintf(head, sizeof head,
                            " width=\"%.9gmm\" height=\"%.9gmm\"\n "
-                           "viewBox=\"0 0 %.9g %.9g\"",
+                           "viewBox=\"0 0 %.9g %.9g\"\n "
+                           "xml:space=\"preserve\"",
                            width, size->height, size->wide, size->high);
     s = text_replace(&t, (size_t) (from - t.at), (size_t) (end + 1 - from),
                      head, (size_t) n);

@@ -5,7 +5,8 @@
 
 #include "script.h"
 
-/* Width and height in mm, and the page of what is drawn. */
+/* Width and height in mm, and the page of what is drawn; spaces beside italics
+ * stay (SVG 1.1, 10.15: else viewers may drop them). */
 MUST_CHECK enum status finish_svg(const char *path, double width,
                                   const struct script_size *size);
 
