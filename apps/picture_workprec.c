@@ -101,7 +101,6 @@ static void add(struct figure *f, const struct look *look, const char *entry,
         return;
     figure_add(f, &l);
     l.kind = FIGURE_POINTS;
-    l.entry = NULL;
     figure_add(f, &l);
 }
 
