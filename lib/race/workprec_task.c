@@ -14,10 +14,9 @@ const char *const workprec_quantity_texts[] = {
     "upper critical slip rate, relative",
     "lower critical slip rate, relative",
     "excess slip, relative",
-    ("both branches within the window: largest distance of a stored point from "
-     "the curve, in ln v and ln psi"),
-    "an orbit's state at a time: ln v, ln psi",
-    "where both branches cut rows of a basin map: ln v",
+    "stored points' distance from the curve, logarithmic",
+    "an orbit's state at a time, logarithmic",
+    "where both branches cut rows of a map, logarithmic",
     "slip of some states to their arrest, relative",
     NULL
 };
