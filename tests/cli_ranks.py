@@ -30,6 +30,7 @@ ensemble:
 """
 MANY = ['--law', 'spinodal_gen', '--set', 'sweep={key: slope.alpha, from: '
         '0.28, to: 0.4, points: 3000}']
+LONG = [text.replace('3000', '30000') for text in MANY]
 
 
 def ranks(room, count, *args):
@@ -196,7 +197,7 @@ def a_rank_that_dies_ends_the_run_which_one_process_resumes(room):
 
 
 def interrupted_ranks_say_where_they_stopped(room):
-    process = ranks(room, 2, 'sweep', *MANY, '-o', 'a.h5')
+    process = ranks(room, 2, 'sweep', *LONG, '-o', 'a.h5')
     wait_for_parts(room, 2)
     process.send_signal(signal.SIGTERM)
     code, said, complaint = ends(process)

@@ -125,12 +125,15 @@ static const struct wrong wrong_kinds[] = {
       "3:10: gravity: '9,81'" NOT "a number > 0" },
     { LAW SLOPE "material: 3\n",
       "3:11: material: '3'" NOT
-      "a map of keys, preset, mu_star, a, b, L, V_star, c, R or V_c" },
+      "a map of keys, preset, mu_star, a, b, L, V_star, c, R or V_c, as in "
+      "'material: {preset: ...}'" },
     { LAW SLOPE "material: [a, b]\n",
       "3:11: material: a list" NOT
-      "a map of keys, preset, mu_star, a, b, L, V_star, c, R or V_c" },
+      "a map of keys, preset, mu_star, a, b, L, V_star, c, R or V_c, as in "
+      "'material: {preset: ...}'" },
     { LAW SLOPE "trajectories: {until: 3}\n",
-      "3:23: trajectories.until: '3'" NOT "a map of keys, time or slip" },
+      "3:23: trajectories.until: '3'" NOT
+      "a map of keys, time or slip, as in 'until: {time: ...}'" },
     { LAW SLOPE "window: {v: 1}\n",
       "3:13: window.v: this is no pair, expected [lo, hi]" },
     { LAW SLOPE "window: {v: [1]}\n",
@@ -208,11 +211,13 @@ static const struct wrong wrong_kinds[] = {
     { LAW SLOPE "window: {axes: logarithmic}\n",
       "3:16: window.axes: 'logarithmic'" NOT "log, linear or eigen" },
     { LAW "slope: 0.34\n",
-      "2:8: slope: '0.34'" NOT "a map of keys, alpha, alpha_deg or tan_alpha" },
+      "2:8: slope: '0.34'" NOT
+      "a map of keys, alpha, alpha_deg or tan_alpha, as in "
+      "'slope: {alpha: ...}'" },
     { "law: dieterich_gen\n" SLOPE,
       "1:6: law: 'dieterich_gen'" NOT
       "a map of keys, preset, theta, psi_ss, timescale, kinetics, T, K, rate, "
-      "mu, state or friction" },
+      "mu, state or friction, as in 'law: {preset: ...}'" },
     { "law: {preset: [ruina]}\n" SLOPE, "1:15: law.preset: a list" NOT LAWS },
     { "law: {preset: dietrich_gen}\n" SLOPE,
       "1:15: law.preset: 'dietrich_gen'" NOT LAWS

@@ -12,13 +12,15 @@
     "not in a sweep, whose points all have the same shape; for one point: "    \
     "slipway "
 static const struct wrong wrong_sweeps[] = {
-    { LAW SLOPE "sweep: 3\n", "3:8: sweep: '3'" NOT "a map of keys, " AXIS },
+    { LAW SLOPE "sweep: 3\n", "3:8: sweep: '3'" NOT "a map of keys, " AXIS
+                              ", as in 'sweep: {key: ...}'" },
     { LAW SLOPE "sweep: []\n",
       "3:8: sweep: a list of 0, expected one or two of {key: KEY, ...}" },
     { LAW SLOPE "sweep: [{}, {}, {}]\n",
       "3:8: sweep: a list of 3, expected one or two of {key: KEY, ...}" },
     { LAW SLOPE "sweep: [slope.alpha]\n",
-      "3:9: sweep: 'slope.alpha'" NOT "a map of keys, " AXIS },
+      "3:9: sweep: 'slope.alpha'" NOT "a map of keys, " AXIS
+      ", as in 'sweep: {key: ...}'" },
     { LAW SLOPE "sweep: {key: slope.alfa, " RANGE "}\n",
       "3:14: sweep.key: 'slope.alfa'" NOT NUMBER
       " (did you mean slope.alpha?)" },
