@@ -33,8 +33,7 @@ static void set_scene(struct scene *scene, const char *more)
     scene_set(scene, sets);
 }
 
-static void run(struct ran *x, const char *more,
-                const struct sweep_options *o)
+static void run(struct ran *x, const char *more, const struct sweep_options *o)
 {
     struct fault why;
 
@@ -170,14 +169,13 @@ static void test_a_stopped_run_goes_on_to_the_same_bytes(void **state)
     uint64_t most = 2200;
     const struct monitor monitor = { stop_at, &most };
     const char *journal = own_path("j.part");
-    const struct sweep_options fresh = { .journal = journal,
-                                            .version = "1" };
+    const struct sweep_options fresh = { .journal = journal, .version = "1" };
     const struct sweep_options again = { .journal = journal,
-                                            .resume = true,
-                                            .version = "1" };
+                                         .resume = true,
+                                         .version = "1" };
     const struct sweep_options other = { .journal = journal,
-                                            .resume = true,
-                                            .version = "2" };
+                                         .resume = true,
+                                         .version = "2" };
     struct ran whole, part, rest;
     struct fault why;
 

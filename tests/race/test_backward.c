@@ -4,8 +4,8 @@
 #include <math.h>
 
 #include "backward_end.h"
-#include "eigen_frame.h"
 #include "check.h"
+#include "eigen_frame.h"
 #include "fault_alloc.h"
 #include "fixtures.h"
 

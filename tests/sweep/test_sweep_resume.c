@@ -302,9 +302,11 @@ static void shares_make_the_same_sweep_as_one_run(void **state)
     const char *const other[SHARES] = { own_path("a"), own_path("b"),
                                         own_path("c") };
     const char *path = own_path("a.part");
-    const struct sweep_options o = {
-        .journal = path, .version = "1", .other = other, .others = SHARES, .join = true
-    };
+    const struct sweep_options o = { .journal = path,
+                                     .version = "1",
+                                     .other = other,
+                                     .others = SHARES,
+                                     .join = true };
     struct swept whole, joined;
 
     (void) state;
