@@ -1,7 +1,6 @@
 /* catalogue.h -- the commands of slipway and how they end, as data: help, man
  * pages, completions and the table of options (options.h) refer to them. */
-#ifndef APPS_CATALOGUE_H
-#define APPS_CATALOGUE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -99,5 +98,3 @@ struct exit_line {
     const char *code, *text;
 };
 extern const struct exit_line exit_lines[];
-
-#endif

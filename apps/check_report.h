@@ -1,7 +1,6 @@
 /* check_report.h -- regressions of tables for people, test harnesses and
  * programs. */
-#ifndef APPS_CHECK_REPORT_H
-#define APPS_CHECK_REPORT_H
+#pragma once
 
 #include <stdio.h>
 
@@ -16,5 +15,3 @@ void check_report_tap(FILE *out, const struct regression *r, size_t *number);
 
 /* {file, rows, compared, moved[], failed[]}. */
 json_t *check_report_json(const struct regression *r);
-
-#endif

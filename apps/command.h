@@ -1,6 +1,5 @@
 /* command.h -- the commands as functions, and what they share. */
-#ifndef APPS_COMMAND_H
-#define APPS_COMMAND_H
+#pragma once
 
 #include <stdio.h>
 
@@ -41,5 +40,3 @@ enum exit_code command_with_scene(
 
 /* The complaint when standard output refuses what was printed. */
 enum exit_code command_unwritten(void);
-
-#endif

@@ -1,7 +1,6 @@
 /* completion.h -- what a shell offers after Tab, out of the tables of commands
  * and options, the laws and the keys of scenes. */
-#ifndef APPS_COMPLETION_H
-#define APPS_COMPLETION_H
+#pragma once
 
 #include <stdio.h>
 
@@ -13,5 +12,3 @@ void completion_print(FILE *out, const char *shell);
  * program's name: lines of a word, a tab and what it means; ":file" and
  * ":folder" with a pattern for files. */
 void completion_offer(FILE *out, const char *const word[], size_t count);
-
-#endif

@@ -3,8 +3,7 @@
  * ranks of one run (slipway-mpi).  Only the first rank is heard: what the
  * others print goes nowhere.
  */
-#ifndef APPS_CREW_H
-#define APPS_CREW_H
+#pragma once
 
 #include <stddef.h>
 
@@ -31,5 +30,3 @@ size_t crew_told(size_t number);
  * begin again together with crew_share_begin. */
 void crew_share_begin(void);
 size_t crew_share_next(void *ctx, size_t count);
-
-#endif

@@ -1,8 +1,7 @@
 /* csv_results.h -- records as CSV: a line each, columns NAME [UNIT], behind a
  * number NAME_error [UNIT], and where some of a column are missing NAME_reason.
  * What is missing is empty.  Slipway's own readers take it (table.h). */
-#ifndef APPS_CSV_RESULTS_H
-#define APPS_CSV_RESULTS_H
+#pragma once
 
 #include <stdio.h>
 
@@ -15,5 +14,3 @@ void csv_real(FILE *out, double x);
 void csv_unit(FILE *out, const char *unit);
 
 void csv_results(FILE *out, const struct record_array *a);
-
-#endif

@@ -1,7 +1,6 @@
 /* eigen_view.h -- the axes of Fig 11(a), X and Y of (36) around the saddle:
  * what a drawing along the eigenvectors shows, and the states of its cells. */
-#ifndef APPS_EIGEN_VIEW_H
-#define APPS_EIGEN_VIEW_H
+#pragma once
 
 #include "study.h"
 
@@ -22,5 +21,3 @@ struct vec2 *eigen_view_states(const struct eigen_view *e, size_t columns,
 MUST_CHECK enum status eigen_view_labels(const struct study *s,
                                          const struct vec2 z[], size_t n,
                                          int8_t label[]);
-
-#endif

@@ -1,7 +1,6 @@
 /* ensemble_file.h -- an ensemble as an HDF5 file: every draw, and what all say
  * together. */
-#ifndef APPS_ENSEMBLE_FILE_H
-#define APPS_ENSEMBLE_FILE_H
+#pragma once
 
 #include "ensemble.h"
 #include "result.h"
@@ -16,5 +15,3 @@ extern const struct result *const ensemble_tables[];
  * result_file_write. */
 MUST_CHECK enum status ensemble_file_write(const struct ensemble *e,
                                            const char *path, struct fault *why);
-
-#endif

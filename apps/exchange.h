@@ -1,6 +1,5 @@
 /* exchange.h -- a study as other programs need it (lib/interchange). */
-#ifndef APPS_EXCHANGE_H
-#define APPS_EXCHANGE_H
+#pragma once
 
 #include "interchange.h"
 #include "study.h"
@@ -17,5 +16,3 @@ struct interchange exchange_of(const struct study *s, const char *name,
 /* The scene and the study's numbers with their errors, as lines; owned by the
  * caller, NULL without memory. */
 char *exchange_remarks(const struct study *s);
-
-#endif

@@ -1,6 +1,5 @@
 /* gallery_entry.h -- one scene made into one figure of the gallery. */
-#ifndef APPS_GALLERY_ENTRY_H
-#define APPS_GALLERY_ENTRY_H
+#pragma once
 
 #include <limits.h>
 
@@ -38,5 +37,3 @@ void gallery_entry_free(struct gallery_entry *e);
 /* FOLDER/NAME + ending; false if that is too long. */
 bool gallery_path(char out[PATH_MAX], const char *folder, const char *name,
                   const char *ending);
-
-#endif

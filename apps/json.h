@@ -1,7 +1,6 @@
 /* json.h -- records as JSON: {"value", "error"} for every computed number,
  * {"value": null, "reason"} for one that does not exist. */
-#ifndef APPS_JSON_H
-#define APPS_JSON_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -34,5 +33,3 @@ bool json_write(json_t *j, FILE *out);
 
 /* The same to stdout. */
 bool json_print(json_t *j);
-
-#endif

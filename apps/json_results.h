@@ -7,8 +7,7 @@
  * that unit, lists being one object.  What was asked for and is not there is
  * null at the top, and left out below.
  */
-#ifndef APPS_JSON_RESULTS_H
-#define APPS_JSON_RESULTS_H
+#pragma once
 
 #include "json.h"
 #include "result.h"
@@ -20,5 +19,3 @@ json_t *json_results(json_t *j, const struct results *all);
 /* Adds the units that members of such a record have to an object; of those
  * that have none nothing.  Returns it. */
 json_t *json_units(json_t *at, const struct record_type *type);
-
-#endif

@@ -1,7 +1,6 @@
 /* manual.h -- man pages out of the tables of commands and options, so that
  * they say what the program does. */
-#ifndef APPS_MANUAL_H
-#define APPS_MANUAL_H
+#pragma once
 
 #include <stdio.h>
 
@@ -12,5 +11,3 @@ void manual_print(FILE *out);
 
 /* slipway-COMMAND(1): one command and the options that it takes. */
 void manual_print_command(FILE *out, const struct command *c);
-
-#endif

@@ -1,6 +1,5 @@
 /* markdown.h -- texts as they must stand in a table of Markdown. */
-#ifndef APPS_MARKDOWN_H
-#define APPS_MARKDOWN_H
+#pragma once
 
 #include <stdio.h>
 
@@ -9,5 +8,3 @@ void markdown_text(FILE *out, const char *text);
 
 /* `word` `word` ...; the list is NULL-ended. */
 void markdown_words(FILE *out, const char *const *words);
-
-#endif

@@ -1,8 +1,7 @@
 /* options.h -- the command line.  One table says of every option what it is
  * called, what it takes, what it sets and which commands know it; parsing,
  * help, man pages and completions are made from that table. */
-#ifndef APPS_OPTIONS_H
-#define APPS_OPTIONS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -97,5 +96,3 @@ _Noreturn void options_refuse_command(const char *name);
  * so many arguments: a command may be handed what was meant for another.
  * Complains if not. */
 bool options_suit(const struct options *o, const struct command *c);
-
-#endif

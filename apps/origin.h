@@ -1,7 +1,6 @@
 /* origin.h -- what a result file says of its making (provenance.h), read back.
  * The file may be anyone's: a child reads it (child.h). */
-#ifndef APPS_ORIGIN_H
-#define APPS_ORIGIN_H
+#pragma once
 
 #include "status.h"
 
@@ -18,5 +17,3 @@ typedef enum status origin_suits(const char *path, const char *command,
  * *out is then empty. */
 MUST_CHECK enum status origin_read(const char *path, origin_suits *suits,
                                    struct origin *out, struct fault *why);
-
-#endif

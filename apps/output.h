@@ -1,7 +1,6 @@
 /* output.h -- what a command leaves behind: an HDF5 file, a figure of one file
  * or several, and its results as JSON or text. */
-#ifndef APPS_OUTPUT_H
-#define APPS_OUTPUT_H
+#pragma once
 
 #include "command.h"
 #include "draw.h"
@@ -74,5 +73,3 @@ MUST_CHECK enum status output_draw(const struct options *o,
  * (NULL: nothing). */
 enum exit_code output_print(const struct options *o, const struct results *all,
                             void (*head)(FILE *out, const void *run));
-
-#endif

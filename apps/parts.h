@@ -2,8 +2,7 @@
  * parts.h -- the side files of a computation that several share: beside
  * FILE.h5.part, that of one run alone, FILE.h5.part.K-of-N of share K.
  */
-#ifndef APPS_PARTS_H
-#define APPS_PARTS_H
+#pragma once
 
 #include <stddef.h>
 
@@ -40,5 +39,3 @@ void parts_forget(const struct parts *p);
 
 /* A second call is harmless. */
 void parts_free(struct parts *p);
-
-#endif

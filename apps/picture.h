@@ -1,6 +1,5 @@
 /* picture.h -- a study as a figure. */
-#ifndef APPS_PICTURE_H
-#define APPS_PICTURE_H
+#pragma once
 
 #include "output.h"
 #include "study.h"
@@ -10,5 +9,3 @@
  * asks for, which are computed here; the first is called "". */
 void picture_study(const struct study *s, const struct monitor *monitor,
                    struct panels *p);
-
-#endif

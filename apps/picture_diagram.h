@@ -1,6 +1,5 @@
 /* picture_diagram.h -- the diagrams of steady sliding as figures. */
-#ifndef APPS_PICTURE_DIAGRAM_H
-#define APPS_PICTURE_DIAGRAM_H
+#pragma once
 
 #include "figure.h"
 #include "study.h"
@@ -11,5 +10,3 @@ bool picture_has_diagram(const struct study *s);
 
 /* Begins and fills that figure. */
 void picture_diagram(const struct study *s, struct figure *f);
-
-#endif

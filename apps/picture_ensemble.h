@@ -1,6 +1,5 @@
 /* picture_ensemble.h -- an ensemble as figures. */
-#ifndef APPS_PICTURE_ENSEMBLE_H
-#define APPS_PICTURE_ENSEMBLE_H
+#pragma once
 
 #include "ensemble.h"
 #include "figure.h"
@@ -16,5 +15,3 @@ void picture_ensemble_panels(const struct scene *s,
 /* Begins those panels.  STATUS_IO, STATUS_NO_MEMORY. */
 MUST_CHECK enum status picture_ensemble(const struct ensemble *e,
                                         struct panels *p, struct fault *why);
-
-#endif

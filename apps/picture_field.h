@@ -1,6 +1,5 @@
 /* picture_field.h -- a field of the cells (cells.h) as an image. */
-#ifndef APPS_PICTURE_FIELD_H
-#define APPS_PICTURE_FIELD_H
+#pragma once
 
 #include "eigen_view.h"
 #include "figure.h"
@@ -34,5 +33,3 @@ const char *picture_margin_panel(enum basin_axis axis);
 
 /* "_slip": what its file is named after (output.h). */
 const char *picture_field_panel(enum cell_field field);
-
-#endif

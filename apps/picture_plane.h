@@ -1,7 +1,6 @@
 /* picture_plane.h -- a plane study as a figure, on axes of its states; and one
  * more for each margin (plane_margin.h) that was asked for. */
-#ifndef APPS_PICTURE_PLANE_H
-#define APPS_PICTURE_PLANE_H
+#pragma once
 
 #include "output.h"
 #include "plane_study.h"
@@ -14,5 +13,3 @@ struct picture_plane_look {
 extern const struct picture_plane_look picture_plane_look[PLANE_TYPES];
 
 void picture_plane(const struct plane_study *s, struct panels *out);
-
-#endif

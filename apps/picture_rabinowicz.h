@@ -1,7 +1,6 @@
 /* picture_rabinowicz.h -- measured release distances, the fit of (33) and
  * friction against slip as figures, after Fig 8. */
-#ifndef APPS_PICTURE_RABINOWICZ_H
-#define APPS_PICTURE_RABINOWICZ_H
+#pragma once
 
 #include "output.h"
 #include "release.h"
@@ -17,5 +16,3 @@ extern const char *const picture_rabinowicz_panel[]; /* ended by NULL */
 MUST_CHECK enum status picture_rabinowicz(const struct release *r,
                                           const char *title, struct panels *p,
                                           struct fault *why);
-
-#endif

@@ -1,6 +1,5 @@
 /* picture_sweep.h -- a sweep as a figure. */
-#ifndef APPS_PICTURE_SWEEP_H
-#define APPS_PICTURE_SWEEP_H
+#pragma once
 
 #include "figure.h"
 #include "sweep.h"
@@ -8,5 +7,3 @@
 /* Over one key the curves of the scene's table (sweep_show.h), with error bars
  * where they can be seen; over a grid that table's map.  Begins *f. */
 void picture_sweep(const struct sweep *s, struct figure *f);
-
-#endif

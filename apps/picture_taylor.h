@@ -1,6 +1,5 @@
 /* picture_taylor.h -- the power series of the stable manifold in a portrait. */
-#ifndef APPS_PICTURE_TAYLOR_H
-#define APPS_PICTURE_TAYLOR_H
+#pragma once
 
 #include "figure.h"
 #include "study.h"
@@ -11,5 +10,3 @@
 void picture_add_taylor(const struct study *s,
                         struct vec2 (*shown)(const void *ctx, struct vec2),
                         const void *ctx, struct figure *f);
-
-#endif

@@ -1,6 +1,5 @@
 /* picture_transient.h -- the motion from each start as figures. */
-#ifndef APPS_PICTURE_TRANSIENT_H
-#define APPS_PICTURE_TRANSIENT_H
+#pragma once
 
 #include "output.h"
 #include "simulation.h"
@@ -15,5 +14,3 @@ MUST_CHECK enum status picture_simulation_check(const struct simulation *s,
 
 /* Adds all panels. */
 void picture_simulation(const struct simulation *s, struct panels *out);
-
-#endif

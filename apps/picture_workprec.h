@@ -1,7 +1,6 @@
 /* picture_workprec.h -- work-precision diagrams as figures: true error against
  * run time, one file for each quantity. */
-#ifndef APPS_PICTURE_WORKPREC_H
-#define APPS_PICTURE_WORKPREC_H
+#pragma once
 
 #include "output.h"
 #include "workprec.h"
@@ -11,5 +10,3 @@ extern const char *const picture_workprec_panel[];
 
 /* Adds one of each quantity that has runs. */
 void picture_workprec(const struct workprec *w, struct panels *p);
-
-#endif

@@ -1,8 +1,7 @@
 /* progress.h -- the monitor of long work: a bar with rate and time left on a
  * terminal, JSON lines for programs, and Ctrl-C.  Ten lines a second at most,
  * but the first and the last of every stage. */
-#ifndef APPS_PROGRESS_H
-#define APPS_PROGRESS_H
+#pragma once
 
 #include "monitor.h"
 #include "options.h"
@@ -17,5 +16,3 @@ void progress_heard(void);
 
 /* Wipes the line on the terminal. */
 void progress_end(void);
-
-#endif

@@ -1,7 +1,6 @@
 /* provenance.h -- what every result file says of its making, into /provenance:
  * no clock, path, host or thread count. */
-#ifndef APPS_PROVENANCE_H
-#define APPS_PROVENANCE_H
+#pragma once
 
 #include "result.h"
 #include "scene.h"
@@ -20,5 +19,3 @@ MUST_CHECK enum status provenance_put(const char *command,
  * file lies is not part of what it holds.  Owned by the caller; NULL without
  * memory. */
 char *provenance_overrides(const struct scene *scene);
-
-#endif

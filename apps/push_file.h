@@ -1,7 +1,6 @@
 /* push_file.h -- states and their answers as a file: CSV in the scene's units,
  * or the group /push of an HDF5 file. */
-#ifndef APPS_PUSH_FILE_H
-#define APPS_PUSH_FILE_H
+#pragma once
 
 #include "options.h"
 #include "push.h"
@@ -25,5 +24,3 @@ MUST_CHECK enum status push_file_write(const struct scene *scene,
  * endings; STATUS_BAD_ARGUMENT. */
 MUST_CHECK enum status push_file_check(const struct options *o,
                                        struct fault *why);
-
-#endif

@@ -1,8 +1,7 @@
 /* reference.h -- the parts of the manual that are tables of the program:
  * Markdown for people, who have them under share/doc, and for tests, which
  * compare them with what scenes take and files hold. */
-#ifndef APPS_REFERENCE_H
-#define APPS_REFERENCE_H
+#pragma once
 
 #include <stdio.h>
 
@@ -16,5 +15,3 @@ MUST_CHECK enum status reference_hdf5(FILE *out);
 
 /* Exit codes, and what the words of results mean. */
 void reference_words(FILE *out);
-
-#endif

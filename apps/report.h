@@ -1,6 +1,5 @@
 /* report.h -- a study as text for people and as JSON for programs. */
-#ifndef APPS_REPORT_H
-#define APPS_REPORT_H
+#pragma once
 
 #include <stdio.h>
 
@@ -13,5 +12,3 @@ MUST_CHECK enum status report_print(FILE *out, const struct study *s);
 
 /* The object of `knees --json`, as far as the study went. */
 json_t *report_json(const struct study *s);
-
-#endif

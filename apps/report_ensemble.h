@@ -1,6 +1,5 @@
 /* report_ensemble.h -- an ensemble as text and as JSON. */
-#ifndef APPS_REPORT_ENSEMBLE_H
-#define APPS_REPORT_ENSEMBLE_H
+#pragma once
 
 #include <stdio.h>
 
@@ -13,5 +12,3 @@ void report_ensemble_print(FILE *out, const struct ensemble *e);
  * pushes[{FATE arrest}], sensitivity{NAME{KEY}}; a new reference, NULL without
  * memory. */
 json_t *report_ensemble_json(const struct ensemble *e);
-
-#endif

@@ -1,6 +1,5 @@
 /* report_stress.h -- the catalogue's results as a table, as JSON and as TAP. */
-#ifndef APPS_REPORT_STRESS_H
-#define APPS_REPORT_STRESS_H
+#pragma once
 
 #include <stdio.h>
 
@@ -17,5 +16,3 @@ json_t *report_stress_json(const struct stress *s,
 
 /* One test a case: only a lie is not ok. */
 void report_stress_tap(FILE *out, const struct stress *s);
-
-#endif

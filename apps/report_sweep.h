@@ -1,6 +1,5 @@
 /* report_sweep.h -- a sweep as text for people. */
-#ifndef APPS_REPORT_SWEEP_H
-#define APPS_REPORT_SWEEP_H
+#pragma once
 
 #include <stdio.h>
 
@@ -13,5 +12,3 @@ void report_sweep_print(FILE *out, const struct sweep *s);
 
 /* The points that a scene asks for, in one phrase, and how many. */
 size_t report_sweep_plan(const struct scene *s, char *text, size_t size);
-
-#endif

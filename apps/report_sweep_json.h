@@ -1,6 +1,5 @@
 /* report_sweep_json.h -- a sweep as JSON for programs. */
-#ifndef APPS_REPORT_SWEEP_JSON_H
-#define APPS_REPORT_SWEEP_JSON_H
+#pragma once
 
 #include "json.h"
 #include "sweep.h"
@@ -18,5 +17,3 @@
  * or "cells": how many have each word.  A new reference, NULL without memory.
  */
 json_t *report_sweep_json(const struct sweep *s);
-
-#endif

@@ -1,6 +1,5 @@
 /* rerun.h -- slipway info --rerun: does the scene in a file still make it? */
-#ifndef APPS_RERUN_H
-#define APPS_RERUN_H
+#pragma once
 
 #include "command.h"
 
@@ -9,5 +8,3 @@
  * (EXIT_CHECK); with --json {"same_bytes": ..., "differences": [...]}.  Files
  * of stress and workprec hold no scene of their own: EXIT_USAGE. */
 enum exit_code rerun(const struct options *o);
-
-#endif

@@ -1,6 +1,5 @@
 /* result_file.h -- one HDF5 file of results, whole or not at all. */
-#ifndef APPS_RESULT_FILE_H
-#define APPS_RESULT_FILE_H
+#pragma once
 
 #include "result.h"
 #include "scene.h"
@@ -35,5 +34,3 @@ MUST_CHECK enum status result_file_begin_large(struct store **out,
  * released. */
 MUST_CHECK enum status result_file_end(struct store **out, const char *path,
                                        enum status s, struct fault *why);
-
-#endif

@@ -1,6 +1,5 @@
 /* run_plane.h -- commands on a scene with a system of formulas. */
-#ifndef APPS_RUN_PLANE_H
-#define APPS_RUN_PLANE_H
+#pragma once
 
 #include "command.h"
 
@@ -14,5 +13,3 @@ enum exit_code plane_plan(const struct options *o, const struct scene *scene);
 
 /* The products of a scene that names none; bits. */
 unsigned plane_products(const struct options *o);
-
-#endif

@@ -1,6 +1,5 @@
 /* scene_command.h -- which command a scene is for, where it does not say. */
-#ifndef APPS_SCENE_COMMAND_H
-#define APPS_SCENE_COMMAND_H
+#pragma once
 
 #include "scene.h"
 
@@ -8,5 +7,3 @@
  * that name no products, "rabinowicz" for one with that section and "simulate"
  * for one with starts of its own and no spread; else "study". */
 const char *scene_command(const struct scene *s);
-
-#endif

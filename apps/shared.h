@@ -8,8 +8,7 @@
  * own; once more for each refinement.  So a run that was killed is there to be
  * resumed, by any number of ranks, and the result is that of one process.
  */
-#ifndef APPS_SHARED_H
-#define APPS_SHARED_H
+#pragma once
 
 #include "monitor.h"
 #include "options.h"
@@ -34,5 +33,3 @@ struct shared_work {
 MUST_CHECK enum status shared_run(const struct shared_work *w,
                                   const struct options *o, const char *journal,
                                   bool *whole, struct fault *why);
-
-#endif

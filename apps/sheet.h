@@ -1,7 +1,6 @@
 /* sheet.h -- what the figures have in common: titles, axes around values, marks
  * at extrema. */
-#ifndef APPS_SHEET_H
-#define APPS_SHEET_H
+#pragma once
 
 #include "line.h"
 #include "study.h"
@@ -54,5 +53,3 @@ void sheet_name(const struct sheet *p, const struct extremum *e, char text[64]);
 /* Adds a curve of two points. */
 void sheet_segment(struct figure *f, struct figure_style style,
                    const char *entry, struct vec2 a, struct vec2 b);
-
-#endif

@@ -1,7 +1,6 @@
 /* side_file.h -- the file beside the result of a long run, FILE.h5.part: what
  * is computed stays there until all is written. */
-#ifndef APPS_SIDE_FILE_H
-#define APPS_SIDE_FILE_H
+#pragma once
 
 #include "output.h"
 
@@ -17,5 +16,3 @@ MUST_CHECK enum status side_file_check(const struct options *o,
                                        const char *command, const char *journal,
                                        const char *const panel[],
                                        struct fault *why);
-
-#endif

@@ -1,7 +1,6 @@
 /* state.h -- the state of --v and --psi or --phi, and states as people read
  * them. */
-#ifndef APPS_STATE_H
-#define APPS_STATE_H
+#pragma once
 
 #include <stdio.h>
 
@@ -20,5 +19,3 @@ void state_setting(const struct options *o, char *text, size_t size);
 /* "v = 1000 V_star = 0.001 m/s, psi = 10"; beside units: si "v = 0.001 m/s =
  * 1000 V_star, phi = 1e-05 s, psi = 10". */
 void state_print(FILE *out, const struct scene *s, double v, double psi);
-
-#endif

@@ -2,8 +2,7 @@
  * keys, then each entry of each column, NAME [UNIT] with its number behind the
  * name where there are more, NAME_error [UNIT], and where some are missing
  * NAME_reason; in the scene's units (sweep_told.h). */
-#ifndef APPS_SWEEP_CSV_H
-#define APPS_SWEEP_CSV_H
+#pragma once
 
 #include <stdio.h>
 
@@ -11,5 +10,3 @@
 
 /* STATUS_NO_MEMORY: nothing is written. */
 MUST_CHECK enum status sweep_csv(FILE *out, const struct sweep *s);
-
-#endif

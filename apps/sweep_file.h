@@ -1,6 +1,5 @@
 /* sweep_file.h -- a sweep as an HDF5 file. */
-#ifndef APPS_SWEEP_FILE_H
-#define APPS_SWEEP_FILE_H
+#pragma once
 
 #include "result.h"
 #include "sweep.h"
@@ -16,5 +15,3 @@ extern const struct result *const sweep_tables[];
  * STATUS_NO_MEMORY with the path in *why; an old file is then untouched. */
 MUST_CHECK enum status sweep_file_write(const struct sweep *s, const char *path,
                                         struct fault *why);
-
-#endif

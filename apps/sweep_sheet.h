@@ -1,7 +1,6 @@
 /* sweep_sheet.h -- what the figures of a sweep have in common: axes along keys,
  * their labels, titles. */
-#ifndef APPS_SWEEP_SHEET_H
-#define APPS_SWEEP_SHEET_H
+#pragma once
 
 #include "sheet.h"
 #include "sweep.h"
@@ -25,5 +24,3 @@ struct sheet_text sweep_title(const struct sweep *s);
 
 /* Slip rates in a text as the axes have them: V for v in the SI. */
 void sweep_letters(const struct sweep *s, char *text);
-
-#endif

@@ -1,6 +1,5 @@
 /* sweep_show.h -- the tables of curves that sweep.show chooses among. */
-#ifndef APPS_SWEEP_SHOW_H
-#define APPS_SWEEP_SHOW_H
+#pragma once
 
 #include "figure.h"
 #include "scene.h"
@@ -28,5 +27,3 @@ extern const struct show_frame show_frames[SHOWS];
 enum { SWEEP_CURVES_MAX = 2 * SCENE_XI + 5 };
 size_t sweep_show_curves(const struct scene *s,
                          struct sweep_curve curve[SWEEP_CURVES_MAX]);
-
-#endif

@@ -1,6 +1,5 @@
 /* sweep_summary.h -- a layer of a sweep at one point in a few numbers. */
-#ifndef APPS_SWEEP_SUMMARY_H
-#define APPS_SWEEP_SUMMARY_H
+#pragma once
 
 #include "sweep.h"
 
@@ -17,5 +16,3 @@ MUST_CHECK enum status sweep_summary_find(const struct sweep *s, size_t k,
                                           size_t point,
                                           struct sweep_summary *out,
                                           struct fault *why);
-
-#endif

@@ -1,7 +1,6 @@
 /* sweep_told.h -- a sweep in the units that its scene tells numbers in: those
  * of each point, where a key changes them. */
-#ifndef APPS_SWEEP_TOLD_H
-#define APPS_SWEEP_TOLD_H
+#pragma once
 
 #include "sweep.h"
 #include "unit.h"
@@ -32,5 +31,3 @@ const char *sweep_told_unit(const struct sweep *s, const char *own);
 double sweep_told_value(const struct sweep *s, const char *own, double x);
 const char *sweep_told_state(const struct sweep *s);
 struct sweep_name sweep_told_dim(const struct sweep *s, enum sweep_dim dim);
-
-#endif

@@ -1,6 +1,5 @@
 /* symbols.h -- the quantities' letters as figures show them (mark.h). */
-#ifndef APPS_SYMBOLS_H
-#define APPS_SYMBOLS_H
+#pragma once
 
 #include "mark.h"
 
@@ -29,5 +28,3 @@
 
 /* d of a quantity by dt. */
 #define S_RATE_OF(quantity) "d" quantity "/d" S_T
-
-#endif

@@ -5,8 +5,7 @@
  * A record is a line for each member; records of one or two numbers a line
  * each; longer ones a table, without bars.
  */
-#ifndef APPS_TEXT_RESULTS_H
-#define APPS_TEXT_RESULTS_H
+#pragma once
 
 #include <stdio.h>
 
@@ -17,5 +16,3 @@ MUST_CHECK enum status text_results(FILE *out, const struct results *all);
 
 /* Members first .. of a record by their own names, a line each. */
 void text_record(FILE *out, const struct record_array *a, size_t first);
-
-#endif

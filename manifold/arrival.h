@@ -5,8 +5,7 @@
  * Distances are in units of `side`, the sides of a window; where a coordinate
  * has a period, up to that.
  */
-#ifndef MANIFOLD_ARRIVAL_H
-#define MANIFOLD_ARRIVAL_H
+#pragma once
 
 #include "curve.h"
 #include "equilibrium.h"
@@ -70,5 +69,3 @@ bool winding_add(struct winding *w, const struct planar *sys,
 /* Whether it has been round so often without coming any nearer that it is one
  * of many closed orbits. */
 bool winding_is_closed(const struct winding *w, const struct arrival_scale *s);
-
-#endif

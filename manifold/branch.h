@@ -2,8 +2,7 @@
  * branch.h -- one half of an invariant manifold of a saddle, from the saddle
  * outward, and how it ends.
  */
-#ifndef MANIFOLD_BRANCH_H
-#define MANIFOLD_BRANCH_H
+#pragma once
 
 #include "curve.h"
 #include "local.h"
@@ -66,5 +65,3 @@ int branch_graph(const struct branch *b, size_t piece);
  * rounding); at the saddle itself the eigenvector's. */
 double branch_slope(const struct planar *sys, const struct branch *b,
                     size_t piece, double theta);
-
-#endif

@@ -1,6 +1,5 @@
 /* close.h -- what is left of a branch that approaches an asymptote. */
-#ifndef MANIFOLD_CLOSE_H
-#define MANIFOLD_CLOSE_H
+#pragma once
 
 #include "local.h"
 
@@ -16,5 +15,3 @@ struct tail {
  * exponentially.  False, with *t undefined, where it does not decay. */
 bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
                 const struct carry *carry, struct tail *t);
-
-#endif

@@ -8,8 +8,7 @@
  * What the saddle's own place is off does not: it is the effect of a force that
  * is there everywhere, and stays, or grows where S_dep > 0.
  */
-#ifndef MANIFOLD_DEFECT_H
-#define MANIFOLD_DEFECT_H
+#pragma once
 
 #include "branch.h"
 
@@ -38,5 +37,3 @@ struct defect defect_start(const struct branch *b, struct vec2 floor);
 /* From the start of a piece, over its own ind, to theta. */
 struct defect defect_carry(const struct planar *sys, const struct branch *b,
                            size_t piece, double theta, struct defect from);
-
-#endif

@@ -5,8 +5,7 @@
  *
  * (36) of Putelat & Dawes (2015), whose X and Y are these over B.
  */
-#ifndef MANIFOLD_EIGEN_FRAME_H
-#define MANIFOLD_EIGEN_FRAME_H
+#pragma once
 
 #include "equilibrium.h"
 
@@ -17,5 +16,3 @@ struct mat2 eigen_basis(const struct equilibrium *e);
 /* P W, and P^-1 z: not finite where the eigenvectors coincide. */
 struct vec2 eigen_point(struct mat2 basis, struct vec2 W);
 struct vec2 eigen_coordinates(struct mat2 basis, struct vec2 z);
-
-#endif

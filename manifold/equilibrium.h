@@ -1,6 +1,5 @@
 /* equilibrium.h -- zeros of a planar system and their linear type. */
-#ifndef MANIFOLD_EQUILIBRIUM_H
-#define MANIFOLD_EQUILIBRIUM_H
+#pragma once
 
 #include "planar.h"
 #include "status.h"
@@ -48,5 +47,3 @@ void equilibrium_at(const struct planar *sys, bool fold,
 /* Whether the eigenvalues are further apart than doubles can tell: the smaller
  * one is not zero, but its `scaled` has no digits. */
 bool equilibrium_is_beyond(const struct equilibrium *e);
-
-#endif

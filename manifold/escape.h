@@ -6,8 +6,7 @@
  * around the window.  Orbits cross it on the ray alone; where all cross it in
  * the sense of the round they come out, and none comes in again.
  */
-#ifndef MANIFOLD_ESCAPE_H
-#define MANIFOLD_ESCAPE_H
+#pragma once
 
 #include "curve.h"
 #include "planar.h"
@@ -34,5 +33,3 @@ bool escape_add(struct escape *e, const struct planar *sys, struct box window,
  * from both than TOL_ESCAPE_CHORD of their distance, in sides of the box. */
 bool escape_may_touch(const struct curve *c, size_t piece, struct vec2 origin,
                       struct box box);
-
-#endif

@@ -2,8 +2,7 @@
  * graph.h -- Taylor series of two orbits, each as a graph over one coordinate,
  * expanded side by side (core/jet.h).
  */
-#ifndef MANIFOLD_GRAPH_H
-#define MANIFOLD_GRAPH_H
+#pragma once
 
 #include "local.h"
 
@@ -61,5 +60,3 @@ struct graph_miss {
  * nothing of a kink: all. */
 struct graph_miss graph_missing(const double u[], size_t order, double s,
                                 const struct graph_rate *rate, bool smooth);
-
-#endif

@@ -4,8 +4,7 @@
  * Backward along its stable manifold a saddle is not stiff: the graph y(x) or
  * x(y), whichever is flatter, is continued by Taylor steps.
  */
-#ifndef MANIFOLD_GROW_H
-#define MANIFOLD_GROW_H
+#pragma once
 
 #include "branch.h"
 #include "monitor.h"
@@ -51,5 +50,3 @@ MUST_CHECK enum status grow_branch(const struct planar *sys,
                                    const struct local_series *start, int side,
                                    const struct grow_options *o,
                                    struct branch *out);
-
-#endif

@@ -1,7 +1,6 @@
 /* grow_end.h -- where a growing branch may stop: at its limit, by quadrature,
  * or where it goes on for ever. */
-#ifndef MANIFOLD_GROW_END_H
-#define MANIFOLD_GROW_END_H
+#pragma once
 
 #include "grower.h"
 
@@ -11,5 +10,3 @@ bool grow_end_close(struct grower *g);
 /* Whether what is left has no limit, though it hardly changes, and the less
  * the further it moves. */
 bool grow_end_is_open(const struct grower *g);
-
-#endif

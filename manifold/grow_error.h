@@ -2,8 +2,7 @@
  * grow_error.h -- what the numbers of a growing branch are off by: an estimate
  * with its sign, a bound on what that leaves, and roundings.
  */
-#ifndef MANIFOLD_GROW_ERROR_H
-#define MANIFOLD_GROW_ERROR_H
+#pragma once
 
 #include "grower.h"
 
@@ -23,5 +22,3 @@ void grow_error_tail(struct grower *g, double grown, const double drift[]);
 /* The step to `end`, where the field is g->end: its own errors, and what
  * becomes of those before it. */
 void grow_error_step(struct grower *g, struct vec2 end);
-
-#endif

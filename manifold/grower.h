@@ -1,6 +1,5 @@
 /* grower.h -- a branch in the making (grow.c): what its parts share. */
-#ifndef MANIFOLD_GROWER_H
-#define MANIFOLD_GROWER_H
+#pragma once
 
 #include "graph.h"
 #include "grow.h"
@@ -51,5 +50,3 @@ static inline double grower_coordinate(struct vec2 z, int i)
 {
     return i == 0 ? z.x : z.y;
 }
-
-#endif

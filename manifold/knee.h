@@ -1,6 +1,5 @@
 /* knee.h -- where a branch's slope dy/dx passes through 1. */
-#ifndef MANIFOLD_KNEE_H
-#define MANIFOLD_KNEE_H
+#pragma once
 
 #include "branch.h"
 
@@ -22,5 +21,3 @@ struct knee {
  * are.  `floor`: what the saddle's own place may be off; z is as that is. */
 size_t knee_find(const struct planar *sys, const struct branch *b,
                  struct vec2 floor, struct knee knee[], size_t room);
-
-#endif

@@ -7,8 +7,7 @@
  * power of two about as small as the length over which the field changes: that
  * may be 1e-200.
  */
-#ifndef MANIFOLD_LOCAL_H
-#define MANIFOLD_LOCAL_H
+#pragma once
 
 #include "equilibrium.h"
 
@@ -72,5 +71,3 @@ static inline struct vec2 local_point(int ind, double s, double dep)
  * are at least what they may have lost to the end of the doubles: rates come in
  * units of the field (planar.h), and are divided by `along`, its direction. */
 void local_integral_floor(size_t order, double along, double u[]);
-
-#endif

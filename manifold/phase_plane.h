@@ -6,8 +6,7 @@
  * The system is anchored at a saddle if there is one, so that offsets
  * (planar.h) are small where digits matter.
  */
-#ifndef MANIFOLD_PHASE_PLANE_H
-#define MANIFOLD_PHASE_PLANE_H
+#pragma once
 
 #include "equilibrium.h"
 
@@ -42,5 +41,3 @@ struct vec2 phase_plane_offset(const struct phase_plane *p, size_t i);
  * forward or backward in time; their number. */
 size_t phase_plane_goals(const struct phase_plane *p,
                          struct vec2 goal[EQUILIBRIA_MAX]);
-
-#endif

@@ -2,8 +2,7 @@
  * taylor_orbit.h -- one orbit of a planar system forward in time, by Taylor
  * series in time: a dozen steps a turn where nothing is stiff.
  */
-#ifndef MANIFOLD_TAYLOR_ORBIT_H
-#define MANIFOLD_TAYLOR_ORBIT_H
+#pragma once
 
 #include "curve.h"
 #include "planar.h"
@@ -31,5 +30,3 @@ MUST_CHECK enum status taylor_orbit_step(struct taylor_orbit *o);
 
 /* A second call is harmless. */
 void taylor_orbit_free(struct taylor_orbit *o);
-
-#endif

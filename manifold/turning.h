@@ -1,6 +1,5 @@
 /* turning.h -- where a polynomial on [0, 1] turns. */
-#ifndef MANIFOLD_TURNING_H
-#define MANIFOLD_TURNING_H
+#pragma once
 
 #include "jet.h"
 
@@ -17,5 +16,3 @@ struct turning_range turning_bound(size_t degree, const double c[]);
 /* Points in (0, 1), ascending, between which p is monotone; more of them where
  * digits do not tell.  Returns how many, at most TURNING_MAX. */
 size_t turning_find(size_t degree, const double c[], double at[TURNING_MAX]);
-
-#endif

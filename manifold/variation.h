@@ -8,8 +8,7 @@
  * which at the saddle has one bounded solution,
  *     eta = dz_dep - dep'(0) dz_ind,   Df dz = -f_p  (the saddle's motion).
  */
-#ifndef MANIFOLD_VARIATION_H
-#define MANIFOLD_VARIATION_H
+#pragma once
 
 #include "branch.h"
 
@@ -33,5 +32,3 @@ struct variation {
  * where the field's derivatives are not. */
 void variation_along(const struct planar *sys, const struct branch *b,
                      const struct variation *v, double end[], double rest[]);
-
-#endif

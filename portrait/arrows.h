@@ -1,6 +1,5 @@
 /* arrows.h -- the direction of a field at the cell centres of a grid. */
-#ifndef PORTRAIT_ARROWS_H
-#define PORTRAIT_ARROWS_H
+#pragma once
 
 #include "window.h"
 
@@ -29,5 +28,3 @@ MUST_CHECK enum status arrows_find(const struct planar *system,
 
 /* A second call is harmless. */
 void arrows_free(struct arrows *a);
-
-#endif

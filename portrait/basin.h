@@ -3,8 +3,7 @@
  * are the boundaries of basins: rows of the grid are cut by them, and whatever
  * lies between two of them is filled.  Cost grows with rows, not cells.
  */
-#ifndef PORTRAIT_BASIN_H
-#define PORTRAIT_BASIN_H
+#pragma once
 
 #include "region.h"
 
@@ -37,5 +36,3 @@ void basin_fill(const struct basin *b, size_t first, size_t count,
 
 /* A second call is harmless. */
 void basin_free(struct basin *b);
-
-#endif

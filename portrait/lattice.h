@@ -1,7 +1,6 @@
 /* lattice.h -- the signs of a field's components on a grid of the window, and
  * the zeros between neighbours. */
-#ifndef PORTRAIT_LATTICE_H
-#define PORTRAIT_LATTICE_H
+#pragma once
 
 #include "trace.h"
 
@@ -27,5 +26,3 @@ MUST_CHECK enum status lattice_seeds(const struct lattice *l, struct zero *q,
 
 /* A second call is harmless. */
 void lattice_free(struct lattice *l);
-
-#endif

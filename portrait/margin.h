@@ -2,8 +2,7 @@
  * margin.h -- how far a state is from another fate along a row or a column:
  * the push that starts what stops, the brake that stops what slides.
  */
-#ifndef PORTRAIT_MARGIN_H
-#define PORTRAIT_MARGIN_H
+#pragma once
 
 #include "region.h"
 
@@ -41,5 +40,3 @@ MUST_CHECK enum status margin_states(const struct regions *r,
 
 /* A second call is harmless. */
 void margin_free(struct margin_line *l);
-
-#endif

@@ -1,7 +1,6 @@
 /* measure.h -- a measure of the plane: each coordinate, or exp of it, counts
  * evenly. */
-#ifndef PORTRAIT_MEASURE_H
-#define PORTRAIT_MEASURE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -19,5 +18,3 @@ double measure_between(const struct measure *m, int axis, double lo, double hi);
 
 /* What a coordinate's change counts at c: 1, or e^c in units. */
 double measure_weight(const struct measure *m, int axis, double c);
-
-#endif

@@ -9,8 +9,7 @@
  * even order, where nothing changes sign, and a piece that is the window's
  * edge itself.
  */
-#ifndef PORTRAIT_NULLCLINE_H
-#define PORTRAIT_NULLCLINE_H
+#pragma once
 
 #include "polyline.h"
 #include "window.h"
@@ -41,5 +40,3 @@ MUST_CHECK enum status nullcline_find(const struct planar *system,
 
 /* Leaves *n empty, so a second call is harmless. */
 void nullcline_free(struct nullcline *n);
-
-#endif

@@ -5,8 +5,7 @@
  * a second call replaces the part.  Every part counts its evaluations of the
  * field; those of a part never asked for are 0.
  */
-#ifndef PORTRAIT_PORTRAIT_H
-#define PORTRAIT_PORTRAIT_H
+#pragma once
 
 #include "arrows.h"
 #include "nullcline.h"
@@ -37,5 +36,3 @@ MUST_CHECK enum status portrait_spread_trajectories(
 
 /* A second call is harmless. */
 void portrait_free(struct portrait *p);
-
-#endif

@@ -5,8 +5,7 @@
  * not change, for stable manifolds do not cross: a `band` of rows, in which
  * regions are counted from the left.  One basin may consist of several regions.
  */
-#ifndef PORTRAIT_REGION_H
-#define PORTRAIT_REGION_H
+#pragma once
 
 #include <stdint.h>
 
@@ -51,5 +50,3 @@ void regions_areas(const struct regions *r, struct box w, struct measure m,
 
 /* A second call is harmless. */
 void regions_free(struct regions *r);
-
-#endif

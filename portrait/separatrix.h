@@ -7,8 +7,7 @@
  * the saddle to the end of the other; an end with a limit goes on along its
  * asymptote to infinity.
  */
-#ifndef PORTRAIT_SEPARATRIX_H
-#define PORTRAIT_SEPARATRIX_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -96,5 +95,3 @@ double separatrix_area(const struct separatrix *s, size_t i, double from,
 
 /* A second call is harmless. */
 void separatrix_free(struct separatrix *s);
-
-#endif

@@ -3,8 +3,7 @@
  * furthest from everything drawn so far, and half as far from the frame, as if
  * the drawing went on beyond it as its mirror image.
  */
-#ifndef PORTRAIT_SPREAD_H
-#define PORTRAIT_SPREAD_H
+#pragma once
 
 #include <stdint.h>
 
@@ -42,5 +41,3 @@ void spread_avoid_way(struct spread *s, const struct polyline *way);
 
 /* A second call is harmless. */
 void spread_free(struct spread *s);
-
-#endif

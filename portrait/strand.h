@@ -1,6 +1,5 @@
 /* strand.h -- the polynomials that strands (separatrix.h) are made of. */
-#ifndef PORTRAIT_STRAND_H
-#define PORTRAIT_STRAND_H
+#pragma once
 
 #include "separatrix.h"
 
@@ -35,5 +34,3 @@ double strand_bar(const struct strand_piece *p, double theta);
 /* What is off besides at the offset w, at: offsets and series are rounded, the
  * saddle may be. */
 double strand_rounding(const struct separatrix *s, double w, double at);
-
-#endif

@@ -1,6 +1,5 @@
 /* streamline.h -- where an orbit came from, as the drawing shows it. */
-#ifndef PORTRAIT_STREAMLINE_H
-#define PORTRAIT_STREAMLINE_H
+#pragma once
 
 #include "polyline.h"
 #include "window.h"
@@ -15,5 +14,3 @@ MUST_CHECK enum status streamline_back(const struct planar *system,
                                        const struct window *window,
                                        struct vec2 z, struct polyline *way,
                                        size_t *evaluations);
-
-#endif

@@ -3,8 +3,7 @@
  * the window or back to the start: predictor along the tangent, corrector by
  * root finding across it.
  */
-#ifndef PORTRAIT_TRACE_H
-#define PORTRAIT_TRACE_H
+#pragma once
 
 #include "polyline.h"
 #include "window.h"
@@ -40,5 +39,3 @@ struct trace {
  * STATUS_NO_MEMORY: the points so far are valid. */
 MUST_CHECK enum status trace_run(const struct trace *t, struct vec2 tangent,
                                  struct polyline *line, enum trace_end *end);
-
-#endif

@@ -4,8 +4,7 @@
  * until each leaves the window by a margin, arrives at a target or meets
  * another of its limits.
  */
-#ifndef PORTRAIT_TRAJECTORY_H
-#define PORTRAIT_TRAJECTORY_H
+#pragma once
 
 #include <stdint.h>
 
@@ -79,5 +78,3 @@ MUST_CHECK enum status trajectory_spread(
 
 /* A second call is harmless. */
 void trajectory_free(struct trajectories *t);
-
-#endif

@@ -6,8 +6,7 @@
  * logarithm of something wants when that is to be drawn on a linear axis.
  * `Unit` coordinates are positions in the drawing, [0, 1] x [0, 1].
  */
-#ifndef PORTRAIT_WINDOW_H
-#define PORTRAIT_WINDOW_H
+#pragma once
 
 #include "planar.h"
 #include "status.h"
@@ -39,5 +38,3 @@ static inline struct vec2 window_mix(struct box b, struct vec2 u)
     return (struct vec2){ (1.0 - u.x) * b.lo.x + u.x * b.hi.x,
                           (1.0 - u.y) * b.lo.y + u.y * b.hi.y };
 }
-
-#endif

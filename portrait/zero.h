@@ -6,8 +6,7 @@
  * the system leaves it a signed zero; if it does not, the frontier of the
  * underflow is told from a true zero by looking at both sides.
  */
-#ifndef PORTRAIT_ZERO_H
-#define PORTRAIT_ZERO_H
+#pragma once
 
 #include "planar.h"
 
@@ -45,5 +44,3 @@ bool zero_within(struct zero *q, struct vec2 u, struct vec2 across,
 /* The zero between those two points.  False: none found. */
 bool zero_near(struct zero *q, struct vec2 u, struct vec2 across, double narrow,
                double reach, struct vec2 *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* api.h -- what the files behind include/slipway share. */
-#ifndef API_API_H
-#define API_API_H
+#pragma once
 
 #include <stddef.h>
 
@@ -51,5 +50,3 @@ unsigned api_products(const struct scene *scene);
 /* The text of a fault that the caller may not want; returns `status`. */
 slipway_status api_fault(slipway_fault *why, slipway_status status,
                          const char *text);
-
-#endif

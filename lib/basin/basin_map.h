@@ -6,8 +6,7 @@
  * (labels.h); `exact` labels every cell by its own forward orbit (trap.h).  The
  * audit plays one against the other.
  */
-#ifndef BASIN_BASIN_MAP_H
-#define BASIN_BASIN_MAP_H
+#pragma once
 
 #include "basin.h"
 #include "labels.h"
@@ -92,5 +91,3 @@ MUST_CHECK enum status basin_map_audit(struct basin_map *m, size_t cells,
 
 /* A second call is harmless. */
 void basin_map_free(struct basin_map *m);
-
-#endif

@@ -2,8 +2,7 @@
  * fields.h -- slip, time, friction and peaks (cells.h) over the grid of the
  * basin map, a block of cells at a time: a grid need not fit into memory.
  */
-#ifndef BASIN_FIELDS_H
-#define BASIN_FIELDS_H
+#pragma once
 
 #include "basin_map.h"
 #include "fast_cells.h"
@@ -49,5 +48,3 @@ MUST_CHECK enum status fields_states(const struct fields *f,
 
 /* A second call is harmless. */
 void fields_free(struct fields *f);
-
-#endif

@@ -12,8 +12,7 @@
  * (labels.h), which is followed to the ends of the domain, so a state may lie
  * anywhere.
  */
-#ifndef BASIN_PUSH_H
-#define BASIN_PUSH_H
+#pragma once
 
 #include "fast_cells.h"
 #include "labels.h"
@@ -80,5 +79,3 @@ bool push_holds(const struct push *p, struct push_state at);
 
 /* A second call is harmless. */
 void push_free(struct push *p);
-
-#endif

@@ -12,8 +12,7 @@
  * A system of formulas has a table of its own, of one row: name, scene and set
  * (plane_row.h), and the numbers that it has (plane_numbers.h).
  */
-#ifndef CHECK_BASELINE_H
-#define CHECK_BASELINE_H
+#pragma once
 
 #include <stdio.h>
 
@@ -37,5 +36,3 @@ MUST_CHECK enum status baseline_add(struct baseline *b, const char *name,
 
 /* A second call is harmless. */
 void baseline_free(struct baseline *b);
-
-#endif

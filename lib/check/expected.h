@@ -6,8 +6,7 @@
  * (result_number.h): a decimal number, `none` or an infinity (there is none), a
  * word, or nothing (empty).
  */
-#ifndef CHECK_EXPECTED_H
-#define CHECK_EXPECTED_H
+#pragma once
 
 #include "plane_study.h"
 #include "slope_row.h"
@@ -73,5 +72,3 @@ double expected_lost(const struct expected *s, size_t row);
 
 /* What a row needs for all that it states: bits of enum product. */
 unsigned expected_products(const struct expected *s, size_t row);
-
-#endif

@@ -4,8 +4,7 @@
  * Columns: scene (its file, relative to the working directory) and set
  * (settings KEY=VALUE as of --set, one a line); either may be empty.
  */
-#ifndef CHECK_PLANE_ROW_H
-#define CHECK_PLANE_ROW_H
+#pragma once
 
 #include "scene.h"
 #include "table.h"
@@ -21,5 +20,3 @@ bool plane_row_is(const struct table *t);
 MUST_CHECK enum status plane_row_read(const struct table *t, size_t row,
                                       unsigned products, struct scene *scene,
                                       struct fault *why);
-
-#endif

@@ -8,8 +8,7 @@
  * row's decimal inputs to doubles costs (conditioning.h), half a unit of the
  * stored number's last digit, and 10^(digits_lost - 15) of it.
  */
-#ifndef CHECK_REGRESSION_H
-#define CHECK_REGRESSION_H
+#pragma once
 
 #include "expected.h"
 
@@ -49,5 +48,3 @@ MUST_CHECK enum status regression_run(struct regression *r,
 
 /* A second call is harmless. */
 void regression_free(struct regression *r);
-
-#endif

@@ -2,8 +2,7 @@
  * slope_law.h -- a law of formulas as one cell of a table:
  * "theta = ln(psi); psi_ss = 1/v; T = 1/v; state = positive; v_0 = 50".
  */
-#ifndef CHECK_SLOPE_LAW_H
-#define CHECK_SLOPE_LAW_H
+#pragma once
 
 #include <stdio.h>
 
@@ -18,5 +17,3 @@ void slope_law_write(FILE *out, const struct law_typed *t,
 /* STATUS_BAD_SCENE with the reason, STATUS_NO_MEMORY; *t is then undefined. */
 MUST_CHECK enum status slope_law_read(const char *cell, enum friction_form form,
                                       struct law_typed *t, struct fault *why);
-
-#endif

@@ -7,8 +7,7 @@
  * V_star g c R V_c, eps2 (gives g where g is not given), alpha (rad).  What a
  * row leaves out is that of Table 2; V_c has no default.
  */
-#ifndef CHECK_SLOPE_ROW_H
-#define CHECK_SLOPE_ROW_H
+#pragma once
 
 #include "scene.h"
 #include "table.h"
@@ -48,5 +47,3 @@ struct slope_row slope_row_of(const struct scene *scene);
 
 /* After slope_row_read; a second call is harmless. */
 void slope_row_free(struct slope_row *s);
-
-#endif

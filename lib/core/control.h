@@ -2,8 +2,7 @@
  * control.h -- the step size of a one-step method from its error estimate:
  * PI control, Hairer & Wanner, Solving ODEs II (1996), sec. IV.2, (2.43a).
  */
-#ifndef CORE_CONTROL_H
-#define CORE_CONTROL_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -18,5 +17,3 @@ struct control {
 /* `error`: estimate over tolerance.  True: the step is accepted.  NaN is not.
  * *factor: what to multiply the step by for the next attempt. */
 bool control_judge(struct control *c, double error, double *factor);
-
-#endif

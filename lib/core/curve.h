@@ -8,8 +8,7 @@
  * others the integrals of observables.  The curve is continuous up to the
  * error of the method that made it.
  */
-#ifndef CORE_CURVE_H
-#define CORE_CURVE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -56,5 +55,3 @@ const double *curve_component(const struct curve *c, size_t piece, size_t i);
 
 /* Leaves *c empty with the same dim, so a second call is harmless. */
 void curve_free(struct curve *c);
-
-#endif

@@ -5,8 +5,7 @@
  * where one is late and then early; and what rounding does, carried the same
  * way as a covariance.
  */
-#ifndef CORE_DRIFT_H
-#define CORE_DRIFT_H
+#pragma once
 
 #include "rescaled.h"
 
@@ -54,5 +53,3 @@ double drift_bar_at(const struct drift *d, const double du[], size_t which,
 /* The bound on how far the orbit is from the true one in the chart, across the
  * direction of du. */
 double drift_across(const struct drift *d, const double du[]);
-
-#endif

@@ -2,8 +2,7 @@
  * event.h -- sign changes of functions along a curve: found between samples
  * of a polynomial piece, located on it by root finding.
  */
-#ifndef CORE_EVENT_H
-#define CORE_EVENT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -59,5 +58,3 @@ void event_trim(struct event_log *log, struct curve *c, double end);
 
 /* Leaves *log empty, so a second call is harmless. */
 void event_free(struct event_log *log);
-
-#endif

@@ -3,8 +3,7 @@
  * of order 8 with error estimates of order 5 and 3 and dense output of order
  * 7: Hairer, Norsett & Wanner, Solving ODEs I (1993), sec. II.5, II.6.
  */
-#ifndef CORE_EXPLICIT8_H
-#define CORE_EXPLICIT8_H
+#pragma once
 
 #include "ode.h"
 
@@ -33,5 +32,3 @@ double explicit8_try(struct explicit8 *w, const struct ode *ode, double s,
 void explicit8_dense(struct explicit8 *w, const struct ode *ode, double s,
                      const double u[], double h, const double u1[],
                      double coef[]);
-
-#endif

@@ -3,8 +3,7 @@
  * Wanner (1993), the pair 8(5,3) of sec. II.5 and the stages of its dense
  * output of sec. II.6; test_flow.c checks the order conditions.
  */
-#ifndef CORE_EXPLICIT8_TABLE_H
-#define CORE_EXPLICIT8_TABLE_H
+#pragma once
 
 #include "explicit8.h"
 
@@ -141,5 +140,3 @@ static const double explicit8_term[EXPLICIT8_TERMS][EXPLICIT8_STAGES] = {
       -4.73965563750151263164e+2, 6.61810776942355889724e+2,
       1.80180473354013232598e+1, 0.0 },
 };
-
-#endif

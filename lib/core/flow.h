@@ -2,8 +2,7 @@
  * flow.h -- adaptive integration of a small system u' = rhs(s, u) by the
  * explicit method of order 8, every step a polynomial piece of a curve.
  */
-#ifndef CORE_FLOW_H
-#define CORE_FLOW_H
+#pragma once
 
 #include "control.h"
 #include "event.h"
@@ -59,5 +58,3 @@ MUST_CHECK enum status flow_step(struct flow *f, double s_end);
 
 /* A second call is harmless. */
 void flow_free(struct flow *f);
-
-#endif

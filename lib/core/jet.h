@@ -10,8 +10,7 @@
  * Math. 14 (2005) 99-117, sec. 3).  Order 0 is evaluated by the same careful
  * scalar code as everywhere else.
  */
-#ifndef CORE_JET_H
-#define CORE_JET_H
+#pragma once
 
 #include <stddef.h>
 
@@ -106,5 +105,3 @@ double jet_bend_at(size_t order, const double u[], double s);
  * the series at s + t is no further from that at s, but for rounding, less than
  * 2 (order + 1) DBL_EPSILON sum |u[k]| (|s| + h)^k. */
 double jet_spread_at(size_t order, const double u[], double s, double h);
-
-#endif

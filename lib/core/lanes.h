@@ -9,8 +9,7 @@
  * (Muller et al., Handbook of Floating-Point Arithmetic, 2018, ch. 10), to
  * some 2 units in the last place.
  */
-#ifndef CORE_LANES_H
-#define CORE_LANES_H
+#pragma once
 
 #include <math.h>
 #include <stdint.h>
@@ -168,5 +167,3 @@ static inline lanes lanes_ln1p(lanes x)
 {
     return lanes_ln_near(1.0 + x, x);
 }
-
-#endif

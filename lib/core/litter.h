@@ -2,8 +2,7 @@
  * litter.h -- what must not outlive the program: temporary files and folders
  * and a child, known to whoever has to end it at once (from a signal handler).
  */
-#ifndef CORE_LITTER_H
-#define CORE_LITTER_H
+#pragma once
 
 #include <sys/types.h>
 
@@ -18,5 +17,3 @@ void litter_child(pid_t child);
 /* Kills the child, removes files and folders, the last one first.  May be
  * called from a signal handler. */
 void litter_sweep(void);
-
-#endif

@@ -1,6 +1,5 @@
 /* monitor.h -- how long work tells of its progress and learns to stop. */
-#ifndef CORE_MONITOR_H
-#define CORE_MONITOR_H
+#pragma once
 
 #include <stdint.h>
 
@@ -18,5 +17,3 @@ static inline int monitor_tell(const struct monitor *m, const char *stage,
 {
     return m && m->tell ? m->tell(m->ctx, stage, done, total) : 0;
 }
-
-#endif

@@ -2,8 +2,7 @@
  * newton.h -- the root of a scalar function in a bracket: interpolation steps
  * of Newton's kind, safeguarded by bisection, so that they never leave it.
  */
-#ifndef CORE_NEWTON_H
-#define CORE_NEWTON_H
+#pragma once
 
 #include <stddef.h>
 
@@ -39,5 +38,3 @@ MUST_CHECK enum status newton_find_long(long double (*f)(const void *ctx,
                                         const void *ctx, long double lo,
                                         long double hi, long double tol,
                                         struct newton_root_long *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* ode.h -- a small system of ordinary differential equations. */
-#ifndef CORE_ODE_H
-#define CORE_ODE_H
+#pragma once
 
 #include "curve.h"
 
@@ -11,5 +10,3 @@ struct ode {
     void (*rhs)(const void *ctx, double s, const double u[], double du[]);
     const void *ctx; /* borrowed */
 };
-
-#endif

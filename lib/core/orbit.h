@@ -3,8 +3,7 @@
  * time and the observables' integrals as components, by the L-stable method
  * of radau.h on the clock of rescaled.h.
  */
-#ifndef CORE_ORBIT_H
-#define CORE_ORBIT_H
+#pragma once
 
 #include "drift.h"
 #include "event.h"
@@ -102,5 +101,3 @@ MUST_CHECK enum status orbit_run(struct orbit *o,
 
 /* A second call is harmless. */
 void orbit_free(struct orbit *o);
-
-#endif

@@ -2,8 +2,7 @@
  * passage.h -- where the last piece of a curve first enters or leaves a box
  * of its (x, y) plane, or a component first passes a value.
  */
-#ifndef CORE_PASSAGE_H
-#define CORE_PASSAGE_H
+#pragma once
 
 #include "curve.h"
 #include "plane.h"
@@ -29,5 +28,3 @@ double passage_beyond(const struct curve *c, size_t i, double value);
 
 /* Distance in the maximum norm from z to b, negative inside. */
 double passage_distance(struct box b, struct vec2 z);
-
-#endif

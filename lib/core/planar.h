@@ -15,8 +15,7 @@
  * exactly the origin.  All functions are total on the domain and never fail;
  * `ctx` is passed back unchanged.
  */
-#ifndef CORE_PLANAR_H
-#define CORE_PLANAR_H
+#pragma once
 
 #include <stddef.h>
 
@@ -97,5 +96,3 @@ struct planar {
     const struct planar_steady *steady; /* borrowed; NULL if none is known */
     const void *ctx;                    /* borrowed: outlives the system */
 };
-
-#endif

@@ -1,6 +1,5 @@
 /* plane.h -- vectors, matrices and boxes of the plane, by value; no failure. */
-#ifndef CORE_PLANE_H
-#define CORE_PLANE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -77,5 +76,3 @@ struct eigen2 mat2_eigenvalues(struct mat2 A);
  * and y > 0.  Taken from the row of A - lambda with the larger diagonal, which
  * is the one that does not cancel. */
 struct vec2 mat2_eigenvector(struct mat2 A, double lambda);
-
-#endif

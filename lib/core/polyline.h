@@ -1,6 +1,5 @@
 /* polyline.h -- a growable list of points of the plane. */
-#ifndef CORE_POLYLINE_H
-#define CORE_POLYLINE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -22,5 +21,3 @@ void polyline_reverse(struct polyline *p);
 
 /* Leaves *p equal to POLYLINE_EMPTY, so a second call is harmless. */
 void polyline_free(struct polyline *p);
-
-#endif

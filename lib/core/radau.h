@@ -4,8 +4,7 @@
  * Hairer & Wanner, Solving ODEs II (1996), sec. IV.5, IV.8; J. Comput. Appl.
  * Math. 111 (1999) 93-111.
  */
-#ifndef CORE_RADAU_H
-#define CORE_RADAU_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -67,5 +66,3 @@ bool radau_solve(struct radau *w, const struct cascade *system,
 void radau_finish(const struct radau *w, const struct cascade *system,
                   const struct cascade_linear *at, const double u[], double h,
                   double coef[], double error[]);
-
-#endif

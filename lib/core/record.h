@@ -5,8 +5,7 @@
  * name, unit, meaning, offset.  The same table drives HDF5 data sets, JSON
  * keys, the printed report and the documentation, so that none can disagree.
  */
-#ifndef CORE_RECORD_H
-#define CORE_RECORD_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -146,5 +145,3 @@ static inline void record_settle(const struct record_type *type, void *at,
             quantity_settle((struct quantity *) (void *) (record + f->offset));
     }
 }
-
-#endif

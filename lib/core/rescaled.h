@@ -7,8 +7,7 @@
  * |dz/dtau| <= 1 everywhere, equilibria stay equilibria, and tau is smooth.
  * Components: x, y, t, then the integrals of the first observables.
  */
-#ifndef CORE_RESCALED_H
-#define CORE_RESCALED_H
+#pragma once
 
 #include "planar.h"
 #include "radau.h"
@@ -31,5 +30,3 @@ double rescaled_rate(const struct cascade_linear *l);
 /* The same without, as the system of dimension 3 + observables that radau.h
  * integrates; borrows r. */
 struct cascade rescaled_cascade(const struct rescaled *r);
-
-#endif

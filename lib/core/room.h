@@ -1,6 +1,5 @@
 /* room.h -- arrays that grow while they are filled. */
-#ifndef CORE_ROOM_H
-#define CORE_ROOM_H
+#pragma once
 
 #include <stddef.h>
 
@@ -19,5 +18,3 @@
 /* The same of items of `size` bytes; at: the address of a pointer to them. */
 MUST_CHECK enum status room_for(void *at, size_t *room, size_t need,
                                 size_t size);
-
-#endif

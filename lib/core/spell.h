@@ -1,6 +1,5 @@
 /* spell.h -- the nearest known word to a misspelt one. */
-#ifndef CORE_SPELL_H
-#define CORE_SPELL_H
+#pragma once
 
 #include <stddef.h>
 
@@ -13,5 +12,3 @@ size_t spell_distance(const char *a, const char *b);
  * first among equals; NULL if none is near: one slip for every three letters
  * of the longer word, cut as above. */
 const char *spell_nearest(const char *word, const char *const *known);
-
-#endif

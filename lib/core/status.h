@@ -1,6 +1,5 @@
 /* status.h -- the one error vocabulary of the project. */
-#ifndef CORE_STATUS_H
-#define CORE_STATUS_H
+#pragma once
 
 /* Before a function whose answer must not be ignored. */
 #define MUST_CHECK __attribute__((warn_unused_result))
@@ -35,5 +34,3 @@ const char *status_text(enum status s);
 struct fault {
     char text[512];
 };
-
-#endif

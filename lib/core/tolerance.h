@@ -3,8 +3,7 @@
  * default, unit, reason.  Those of orbits, slow curves, basins, numbers,
  * studies, sweeps and races are in ROOM_tolerance.h of their rooms.
  */
-#ifndef CORE_TOLERANCE_H
-#define CORE_TOLERANCE_H
+#pragma once
 
 /* Relative error asked for when the scene does not say (dimensionless):
  * what double precision can hold with a margin for the bars. */
@@ -449,5 +448,3 @@
 #define EXCHANGE_STRIDE 0.5
 #define EXCHANGE_ARC    40.0
 #define EXCHANGE_MARGIN 0.05
-
-#endif

@@ -7,8 +7,7 @@
  * is a logarithm.  An angle may be told in degrees or by its tangent.  Names
  * that are not in this table are in the SI as they are, or have no unit.  One
  * more unit is one more line of the table. */
-#ifndef CORE_UNIT_H
-#define CORE_UNIT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -69,5 +68,3 @@ double unit_value(const struct unit_system *u, const struct unit *unit,
  * for V_star and L as they are read.  What is beyond all doubles is none. */
 struct quantity unit_quantity(const struct unit_system *u,
                               const struct unit *unit, struct quantity q);
-
-#endif

@@ -1,6 +1,5 @@
 /* utf8.h -- characters of a text in UTF-8, one by one. */
-#ifndef CORE_UTF8_H
-#define CORE_UTF8_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -9,5 +8,3 @@
  * code point; 0 where that is no UTF-8: a stray or a missing byte, an overlong
  * form, a surrogate, a code beyond 0x10ffff. */
 size_t utf8_read(const char *text, uint32_t *code);
-
-#endif

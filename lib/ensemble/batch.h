@@ -11,8 +11,7 @@
  * to draw is set up once: keys and numbers are found, and of the stages only
  * those run that the numbers named need.
  */
-#ifndef ENSEMBLE_BATCH_H
-#define ENSEMBLE_BATCH_H
+#pragma once
 
 #include "monitor.h"
 #include "result_number.h"
@@ -73,5 +72,3 @@ MUST_CHECK enum status batch_run(const struct batch *b, size_t count,
 
 /* A second call is harmless. */
 void batch_free(struct batch *b);
-
-#endif

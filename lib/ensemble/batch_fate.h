@@ -1,6 +1,5 @@
 /* batch_fate.h -- inside batch.c: the fates of the pushes at a draw. */
-#ifndef ENSEMBLE_BATCH_FATE_H
-#define ENSEMBLE_BATCH_FATE_H
+#pragma once
 
 #include "batch.h"
 #include "study.h"
@@ -15,5 +14,3 @@ MUST_CHECK enum status batch_fate_find(const struct batch *b,
                                        const struct study *study, size_t i,
                                        const struct monitor *monitor,
                                        const struct batch_fates f[]);
-
-#endif

@@ -9,8 +9,7 @@
  * (normal.h), so that even points stay even; a covariance through its Cholesky
  * factor.  samples: the rows of the file.
  */
-#ifndef ENSEMBLE_DRAWS_H
-#define ENSEMBLE_DRAWS_H
+#pragma once
 
 #include "scene.h"
 #include "sobol.h"
@@ -55,5 +54,3 @@ const char *draws_id(const struct draws *d, size_t i);
 
 /* A second call is harmless. */
 void draws_free(struct draws *d);
-
-#endif

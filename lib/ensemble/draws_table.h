@@ -1,6 +1,5 @@
 /* draws_table.h -- inside draws.c: the files of an ensemble. */
-#ifndef ENSEMBLE_DRAWS_TABLE_H
-#define ENSEMBLE_DRAWS_TABLE_H
+#pragma once
 
 #include "draws.h"
 
@@ -16,5 +15,3 @@ MUST_CHECK enum status draws_read_samples(struct draws *d,
 MUST_CHECK enum status draws_read_covariance(struct draws *d,
                                              const struct scene *scene,
                                              struct fault *why);
-
-#endif

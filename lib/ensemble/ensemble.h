@@ -16,8 +16,7 @@
  * Memory holds a block of draws, however many there are.  All of it is the same
  * at any number of threads.
  */
-#ifndef ENSEMBLE_ENSEMBLE_H
-#define ENSEMBLE_ENSEMBLE_H
+#pragma once
 
 #include "batch.h"
 #include "fate.h"
@@ -74,5 +73,3 @@ bool ensemble_is_asked(const struct scene *scene);
 
 /* A second call is harmless. */
 void ensemble_free(struct ensemble *e);
-
-#endif

@@ -1,6 +1,5 @@
 /* ensemble_tolerance.h -- the tunable numbers of lib/ensemble. */
-#ifndef ENSEMBLE_ENSEMBLE_TOLERANCE_H
-#define ENSEMBLE_ENSEMBLE_TOLERANCE_H
+#pragma once
 
 /* Draws that a thread takes at a time (batch.c): enough that what it sets up
  * for itself costs nothing, and few enough that it listens a hundred times a
@@ -33,5 +32,3 @@
 #define SHARE_BINS  64
 #define SHARE_CUBE  8
 #define SHARE_LEAST 4
-
-#endif

@@ -1,6 +1,5 @@
 /* kick.h -- the state that a push leads to. */
-#ifndef ENSEMBLE_KICK_H
-#define ENSEMBLE_KICK_H
+#pragma once
 
 #include "scene.h"
 #include "slider.h"
@@ -10,5 +9,3 @@
  * rate.  False, and why (static), where there is none. */
 bool kick_state(const struct slider *s, const struct scene_push *p,
                 struct scene_start *out, const char **reason);
-
-#endif

@@ -1,8 +1,5 @@
 /* normal.h -- the quantile function of the normal law. */
-#ifndef ENSEMBLE_NORMAL_H
-#define ENSEMBLE_NORMAL_H
+#pragma once
 
 /* z with P(Z < z) = p, 0 < p < 1, to 1e-15 of it. */
 double normal_quantile(double p);
-
-#endif

@@ -7,8 +7,7 @@
  * so on: eight passes, whatever the number of ranks (radix selection: Knuth,
  * TAOCP 3, sec. 5.2.5, used on a file).
  */
-#ifndef ENSEMBLE_QUANTILE_H
-#define ENSEMBLE_QUANTILE_H
+#pragma once
 
 #include "spool.h"
 
@@ -22,5 +21,3 @@ MUST_CHECK enum status quantile_find(const struct spool *s,
                                      enum spool_kind kind, size_t k,
                                      const double p[], size_t n, double out[],
                                      struct fault *why);
-
-#endif

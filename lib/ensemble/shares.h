@@ -18,8 +18,7 @@
  * points scatter less between bins than independent ones do, between not at all
  * and as much: half of that is taken, and the other half is in the error.
  */
-#ifndef ENSEMBLE_SHARES_H
-#define ENSEMBLE_SHARES_H
+#pragma once
 
 #include "spool.h"
 #include "tally.h"
@@ -30,5 +29,3 @@
 MUST_CHECK enum status shares_find(const struct spool *s, const struct draws *d,
                                    size_t number, double center,
                                    struct estimate share[], struct fault *why);
-
-#endif

@@ -12,8 +12,7 @@
  * O(log(n)^(d-1)/n^3) for smooth ones (Owen, Ann. Statist. 25 (1997)
  * 1541-1562).  The random bits are a hash of seed, dimension and digits.
  */
-#ifndef ENSEMBLE_SOBOL_H
-#define ENSEMBLE_SOBOL_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -40,5 +39,3 @@ double sobol_at(const struct sobol *s, size_t point, size_t dimension,
 /* A hash of two words, and a number in (0, 1) of 52 random bits. */
 uint64_t sobol_hash(uint64_t a, uint64_t b);
 double sobol_unit(uint64_t bits);
-
-#endif

@@ -3,8 +3,7 @@
  * by block and column by column within a block: memory holds one block, however
  * many there are, and what is computed stays whenever the run is killed.
  */
-#ifndef ENSEMBLE_SPOOL_H
-#define ENSEMBLE_SPOOL_H
+#pragma once
 
 #include "sweep_journal.h"
 #include "sweep_options.h"
@@ -61,5 +60,3 @@ MUST_CHECK enum status spool_read(const struct spool *s, size_t block,
 
 /* Closes the file, which stays if it has a path.  A second call is harmless. */
 void spool_close(struct spool *s);
-
-#endif

@@ -7,8 +7,7 @@
  * (ENSEMBLE_STUDENT).  A share of the draws has no error below
  * ENSEMBLE_NEVER/n.  A grid has none that could be told.
  */
-#ifndef ENSEMBLE_TALLY_H
-#define ENSEMBLE_TALLY_H
+#pragma once
 
 #include <stddef.h>
 
@@ -41,5 +40,3 @@ double tally_variance(const struct tally *t);
 /* The mean of so many values of the repeats, each of an equal weight, with its
  * error over them; no error where one of them is NaN. */
 struct estimate tally_repeats(const double value[ENSEMBLE_REPEATS]);
-
-#endif

@@ -6,8 +6,7 @@
  * weights from the noisy values themselves would pull the curve down; and the
  * part is estimated from what is left over.
  */
-#ifndef FIT_LEAST_H
-#define FIT_LEAST_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -58,5 +57,3 @@ MUST_CHECK enum status least_line(const struct measured *m,
 
 /* Whether so many (at most LEAST_MAX + 1) values of x differ. */
 bool least_has_places(const struct measured *m, size_t places);
-
-#endif

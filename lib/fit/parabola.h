@@ -11,8 +11,7 @@
  * lopsided, without an end where the data set none, and common to both roots
  * where they cannot be told apart.
  */
-#ifndef FIT_PARABOLA_H
-#define FIT_PARABOLA_H
+#pragma once
 
 #include <stdint.h>
 
@@ -43,5 +42,3 @@ extern const struct record_type record_parabola;
  * STATUS_NO_CONVERGENCE, STATUS_NO_MEMORY: *out is untouched. */
 MUST_CHECK enum status parabola_fit(const struct measured *m,
                                     struct parabola *out);
-
-#endif

@@ -7,8 +7,7 @@
  *
  * whose straight part (31) gives both: slope -eta L/(b - a), zero at mu_half.
  */
-#ifndef FIT_PERSISTENCE_H
-#define FIT_PERSISTENCE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -34,5 +33,3 @@ extern const struct record_type record_persistence;
 MUST_CHECK enum status persistence_fit(const struct measured *m, double eta,
                                        double b_minus_a,
                                        struct persistence *out);
-
-#endif

@@ -5,8 +5,7 @@
  *
  * the derivative taken on a smoothing spline through the data.
  */
-#ifndef FIT_SLIP_CURVE_H
-#define FIT_SLIP_CURVE_H
+#pragma once
 
 #include "least.h"
 #include "record.h"
@@ -45,5 +44,3 @@ MUST_CHECK enum status slip_curve_fit(const struct measured *m, double K,
 
 /* A second call is harmless. */
 void slip_curve_free(struct slip_curve *c);
-
-#endif

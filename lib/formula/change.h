@@ -2,8 +2,7 @@
  * change.h -- f(k + u) - f(k) without cancellation, and the slope of f at
  * k + u, for the steps of a tape; SCALAR and FN as in scalar.h.
  */
-#ifndef FORMULA_CHANGE_H
-#define FORMULA_CHANGE_H
+#pragma once
 
 #include "scalar.h"
 
@@ -94,5 +93,3 @@ static inline SCALAR change_asinh(SCALAR k, SCALAR u)
         return FN(asinh)(w) - FN(asinh)(k);
     return FN(asinh)(change_cross(k, u, change_length(k), change_length(w)));
 }
-
-#endif

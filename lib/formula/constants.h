@@ -1,8 +1,7 @@
 /*
  * constants.h -- what does not change in a graph, as numbers.
  */
-#ifndef FORMULA_CONSTANTS_H
-#define FORMULA_CONSTANTS_H
+#pragma once
 
 #include "formula.h"
 
@@ -29,5 +28,3 @@ void formula_again(const struct formula *f, const short node[], int count,
                    formula_real value[]);
 void formula_long_again(const struct formula *f, const short node[], int count,
                         long double value[]);
-
-#endif

@@ -9,8 +9,7 @@
  * multiplied out.  Wherever the rates are defined, the equations vanish where
  * the rates do, and nowhere else.
  */
-#ifndef FORMULA_EQUATIONS_H
-#define FORMULA_EQUATIONS_H
+#pragma once
 
 #include "formula.h"
 
@@ -27,5 +26,3 @@ struct equations {
 bool equations_make(struct equations *e, const struct formula *f,
                     const int state[2], const int rate[2],
                     const formula_real value[]);
-
-#endif

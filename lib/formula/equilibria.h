@@ -11,8 +11,7 @@
  * what is said to be proved is, for the decimals as typed.  The work is
  * bounded: a whole curve of equilibria ends within a second or so as boxes.
  */
-#ifndef FORMULA_EQUILIBRIA_H
-#define FORMULA_EQUILIBRIA_H
+#pragma once
 
 #include "system.h"
 
@@ -84,5 +83,3 @@ struct system_plane {
 MUST_CHECK enum status system_plane_equilibria(
     const struct system_plane *p, const struct system_window *window,
     struct system_equilibria *out, struct fault *why);
-
-#endif

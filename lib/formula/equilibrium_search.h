@@ -1,7 +1,6 @@
 /* equilibrium_search.h -- the parts of equilibria.c: boxes, and what is in
  * them. */
-#ifndef FORMULA_EQUILIBRIUM_SEARCH_H
-#define FORMULA_EQUILIBRIUM_SEARCH_H
+#pragma once
 
 #include "equations.h"
 #include "equilibria.h"
@@ -38,5 +37,3 @@ MUST_CHECK enum status search_boxes(struct equilibrium_search *s);
 bool search_settle(struct equilibrium_search *s,
                    const struct interval unique[2],
                    const struct interval place[2]);
-
-#endif

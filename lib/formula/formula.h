@@ -14,8 +14,7 @@
  *
  * A graph that is full goes on with zeros and says so in `full`.
  */
-#ifndef FORMULA_FORMULA_H
-#define FORMULA_FORMULA_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -102,5 +101,3 @@ void formula_complete(const struct formula *f, bool needed[]);
 /* Writes u under this name, unless u has one or is a number, or the name is
  * too long or another node's (capitals do not count). */
 void formula_name(struct formula *f, int u, const char *name);
-
-#endif

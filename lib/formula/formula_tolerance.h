@@ -1,6 +1,5 @@
 /* formula_tolerance.h -- what the room's algorithms stop at. */
-#ifndef FORMULA_TOLERANCE_H
-#define FORMULA_TOLERANCE_H
+#pragma once
 
 /* A box of a search is widened by this part of its sides, so that a zero on its
  * edge is inside; default 0.05, any in (0, 0.5): K < X of the wider box. */
@@ -24,5 +23,3 @@
 /* A side is parted for what it changes in the equations where that differs by
  * more than this, of 2 in all, from what the other changes. */
 #define TOL_BOX_DECIDES 0.25
-
-#endif

@@ -5,8 +5,7 @@
  * min and if(..)then(..)else(..) and nothing more, to some units of a double's
  * last digit.
  */
-#ifndef FORMULA_FUNCTION_H
-#define FORMULA_FUNCTION_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -64,5 +63,3 @@ bool function_is_called(const char *text, const char *name);
 
 /* Adds to needed[] those that the needed ones call. */
 void function_complete(bool needed[FUNCTIONS]);
-
-#endif

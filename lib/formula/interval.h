@@ -8,8 +8,7 @@
  * before it was kept in 113 bits, and what has no state is enclosed in 113
  * bits first.
  */
-#ifndef FORMULA_INTERVAL_H
-#define FORMULA_INTERVAL_H
+#pragma once
 
 #include "formula.h"
 #include "status.h"
@@ -80,5 +79,3 @@ struct interval_quad interval_divide_quad(struct interval_quad u,
                                           struct interval_quad w);
 /* Of what of u is not below 0; its lower end is 0 if there is none. */
 struct interval_quad interval_sqrt_quad(struct interval_quad u);
-
-#endif

@@ -8,8 +8,7 @@
  *     interval_graph_run(&g, &why);       again after each change of a leaf
  *     interval_graph_get(&g, node);
  */
-#ifndef FORMULA_INTERVAL_GRAPH_H
-#define FORMULA_INTERVAL_GRAPH_H
+#pragma once
 
 #include <mpfi.h>
 
@@ -43,5 +42,3 @@ struct interval interval_graph_get(const struct interval_graph *g, int node);
 
 /* The doubles around an interval. */
 struct interval interval_of_mpfi(mpfi_srcptr u);
-
-#endif

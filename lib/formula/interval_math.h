@@ -5,8 +5,7 @@
  *
  * An end that is not finite says nothing; intervals are never empty.
  */
-#ifndef FORMULA_INTERVAL_MATH_H
-#define FORMULA_INTERVAL_MATH_H
+#pragma once
 
 #include <math.h>
 
@@ -91,5 +90,3 @@ struct interval interval_mixed_slope(struct interval k, struct interval q,
 
 /* asinh(e^(k + u)/2) - asinh(e^k/2) */
 struct interval interval_friction(struct interval k, struct interval u);
-
-#endif

@@ -2,8 +2,7 @@
  * interval_step.h -- for interval_tape.c only: the steps of a tape, as series
  * over intervals.
  */
-#ifndef FORMULA_INTERVAL_STEP_H
-#define FORMULA_INTERVAL_STEP_H
+#pragma once
 
 #include "interval_tape.h"
 
@@ -33,5 +32,3 @@ void interval_exponential(size_t n, const struct interval u[],
 
 void interval_product(const struct interval_run *r, const struct interval u[],
                       const struct interval w[], struct interval out[]);
-
-#endif

@@ -9,8 +9,7 @@
  * Only quotients of rates of one call mean anything: all have the same factor
  * e^-log_scale, which the call chooses.
  */
-#ifndef FORMULA_INTERVAL_TAPE_H
-#define FORMULA_INTERVAL_TAPE_H
+#pragma once
 
 #include "interval_graph.h"
 #include "jet.h"
@@ -52,5 +51,3 @@ void interval_tape_jet(struct interval_tape *t, size_t n,
 /* How much value 0 of the tape is at a box above what it is at the anchor. */
 struct interval interval_tape_change(struct interval_tape *t, struct interval x,
                                      struct interval y);
-
-#endif

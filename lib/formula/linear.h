@@ -2,8 +2,7 @@
  * linear.h -- linear forms in the registers of a tape that is being made;
  * their coefficients are nodes.
  */
-#ifndef FORMULA_LINEAR_H
-#define FORMULA_LINEAR_H
+#pragma once
 
 #include "tape.h"
 
@@ -49,5 +48,3 @@ int linear_scaled(struct forms *s, const struct linear *u);
 /* node + the step of u alone; the node where u does not change. */
 struct linear linear_function(struct forms *s, enum step_kind kind,
                               const struct linear *u, int k, int q, int node);
-
-#endif

@@ -4,8 +4,7 @@
  * is written down with the formulas of its constants, so that parameters keep
  * their names and can be changed in the other program.
  */
-#ifndef FORMULA_LINES_H
-#define FORMULA_LINES_H
+#pragma once
 
 #include "tape.h"
 
@@ -38,5 +37,3 @@ void text_of_tape(struct formula *f, const struct tape *t, const int offset[2],
  * too many. */
 MUST_CHECK bool text_write(struct formula *f, const int result[], int results,
                            struct text_lines *out);
-
-#endif

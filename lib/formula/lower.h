@@ -1,8 +1,7 @@
 /*
  * lower.h -- the linear forms of nodes, for tape.c.
  */
-#ifndef FORMULA_LOWER_H
-#define FORMULA_LOWER_H
+#pragma once
 
 #include "linear.h"
 
@@ -31,5 +30,3 @@ struct linear lower_log(struct lowering *L, int i);
 bool lower_apart(struct lowering *L, const struct formula_node *n, int *less);
 /* The sum of both. */
 struct linear lower_both(struct lowering *L, const struct formula_node *n);
-
-#endif

@@ -1,7 +1,6 @@
 /* number.h -- numbers as users write and read them: decimal, with a point,
  * whatever the locale. */
-#ifndef FORMULA_NUMBER_H
-#define FORMULA_NUMBER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -36,5 +35,3 @@ struct number_bar {
     struct number_text value, error;
 };
 struct number_bar number_with_bar(double value, double error);
-
-#endif

@@ -11,8 +11,7 @@
  * leaves and named nodes of the graph; `pi` is one unless there is a leaf.
  * Functions are those of function.h, log10 and abs2, which is the square.
  */
-#ifndef FORMULA_PARSE_H
-#define FORMULA_PARSE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -54,5 +53,3 @@ formula_real formula_pi(void);
 enum status formula_blame(struct formula_place at, struct fault *why,
                           const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-
-#endif

@@ -3,8 +3,7 @@
  * clang has the type and can link the library but does not find <quadmath.h>,
  * so the few functions used are declared here.
  */
-#ifndef FORMULA_QUAD_H
-#define FORMULA_QUAD_H
+#pragma once
 
 __extension__ typedef __float128 quad;
 
@@ -30,5 +29,3 @@ quad sqrtq(quad x);
 quad strtoflt128(const char *text, char **end);
 quad tanhq(quad x);
 quad tanq(quad x);
-
-#endif

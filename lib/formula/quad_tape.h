@@ -2,8 +2,7 @@
  * quad_tape.h -- a tape in 113 bits: its constants as numbers, and what it
  * computes at offsets from the anchor.
  */
-#ifndef FORMULA_QUAD_TAPE_H
-#define FORMULA_QUAD_TAPE_H
+#pragma once
 
 #include "constants.h"
 #include "quad.h"
@@ -20,5 +19,3 @@
 /* Rates of the chart, rate[i] exp(scale); value 0 of the tape in *value. */
 void quad_tape_field(const struct quad_tape *t, quad X, quad Y, quad rate[2],
                      quad *scale, quad *value);
-
-#endif

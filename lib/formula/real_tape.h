@@ -2,8 +2,7 @@
  * real_tape.h -- a tape in doubles: its constants, made in long double or
  * more and rounded, and what it computes at offsets from the anchor.
  */
-#ifndef FORMULA_REAL_TAPE_H
-#define FORMULA_REAL_TAPE_H
+#pragma once
 
 #include "tape.h"
 
@@ -18,5 +17,3 @@
 #undef TAPE_SCALAR
 #undef TAPE_CONSTANT
 #undef TAPE_KIND
-
-#endif

@@ -4,8 +4,7 @@
  *     SCALAR   the scalar type,
  *     FN(f)    the mathematical function f for this type (FN(exp), ...).
  */
-#ifndef FORMULA_SCALAR_H
-#define FORMULA_SCALAR_H
+#pragma once
 
 static inline SCALAR scalar_larger(SCALAR u, SCALAR w)
 {
@@ -129,5 +128,3 @@ static inline SCALAR scalar_friction_slope(SCALAR w)
     return w > 0 ? 1 / FN(sqrt)(1 + 4 * FN(exp)(-2 * w))
                  : FN(exp)(w) / FN(sqrt)(FN(exp)(2 * w) + 4);
 }
-
-#endif

@@ -2,8 +2,7 @@
  * slope.h -- how what a graph computes changes with one of its leaves: no
  * differences are taken, and nothing is left out.
  */
-#ifndef FORMULA_SLOPE_H
-#define FORMULA_SLOPE_H
+#pragma once
 
 #include "formula.h"
 
@@ -13,5 +12,3 @@ void formula_slopes(const struct formula *f, const short node[], int count,
                     const formula_real value[], formula_real slope[]);
 void formula_long_slopes(const struct formula *f, const short node[], int count,
                          const long double value[], long double slope[]);
-
-#endif

@@ -17,8 +17,7 @@
  * system is as it was.  It is a plain value without pointers: large (not for
  * the stack), copied by =.
  */
-#ifndef FORMULA_SYSTEM_H
-#define FORMULA_SYSTEM_H
+#pragma once
 
 #include "formula.h"
 #include "parse.h"
@@ -133,5 +132,3 @@ int formula_system_find_parameter(const struct formula_system *s,
 /* The entry's formula as typed. */
 const char *formula_system_text(const struct formula_system *s,
                                 const struct system_entry *e);
-
-#endif

@@ -6,8 +6,7 @@
  *     system_plane_at(&l, true, false, anchor, &t, why);  about an equilibrium
  *     struct planar p = tape_planar(&t);
  */
-#ifndef FORMULA_SYSTEM_PLANE_H
-#define FORMULA_SYSTEM_PLANE_H
+#pragma once
 
 #include "system.h"
 #include "tape_plane.h"
@@ -33,5 +32,3 @@ MUST_CHECK enum status system_plane_at(const struct system_lowered *l,
                                        const formula_real anchor[2],
                                        struct tape_plane *out,
                                        struct fault *why);
-
-#endif

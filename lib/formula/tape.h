@@ -16,8 +16,7 @@
  * All constants are formulas of the parameters and of the anchor: what is 0 at
  * the anchor for every value of the parameters is 0 exactly.
  */
-#ifndef FORMULA_TAPE_H
-#define FORMULA_TAPE_H
+#pragma once
 
 #include "formula.h"
 #include "status.h"
@@ -110,5 +109,3 @@ MUST_CHECK enum status tape_lower(struct tape *t, struct formula *f,
 /* Puts the anchor of state i at a constant: its logarithm, or itself. */
 MUST_CHECK enum status tape_anchor(struct formula *f, struct plane_formulas *p,
                                    int i, int node, struct fault *why);
-
-#endif

@@ -2,8 +2,7 @@
  * tape_course.h -- for the files of tape_jet.c only: how an order of the series
  * is made, and where things stand in the workspace.
  */
-#ifndef FORMULA_TAPE_COURSE_H
-#define FORMULA_TAPE_COURSE_H
+#pragma once
 
 #include "tape_plane.h"
 
@@ -67,5 +66,3 @@ static inline bool is_mean(const struct real_tape *t,
 {
     return r->sinh >= 0 && !is_joined(t, r->sinh);
 }
-
-#endif

@@ -6,8 +6,7 @@
  * values, the rarer branch is skipped unless a lane needs it, and chosen lane
  * by lane.
  */
-#ifndef FORMULA_TAPE_LANES_H
-#define FORMULA_TAPE_LANES_H
+#pragma once
 
 #include "lanes.h"
 #include "real_tape.h"
@@ -360,5 +359,3 @@ static inline void tape_lanes_field(const struct real_tape *t, const lanes x[],
         fy[p] = ry.mantissa[p] * of_y * of_y;
     }
 }
-
-#endif

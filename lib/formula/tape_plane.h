@@ -10,8 +10,7 @@
  * The chart of a state is its logarithm if it is positive, itself if not;
  * offsets are measured from the anchor in it.
  */
-#ifndef FORMULA_TAPE_PLANE_H
-#define FORMULA_TAPE_PLANE_H
+#pragma once
 
 #include "constants.h"
 #include "planar.h"
@@ -132,5 +131,3 @@ bool tape_jet_wide(void);
 
 /* Hands out places; false where they are too many. */
 MUST_CHECK bool tape_jet_slots(struct tape_plane *t);
-
-#endif

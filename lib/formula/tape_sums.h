@@ -3,8 +3,7 @@
  * i], 0 < j < k, k > 0; width is even.  Neighbours never meet and nothing is
  * fused, so that wide registers give the same bits.
  */
-#ifndef FORMULA_TAPE_SUMS_H
-#define FORMULA_TAPE_SUMS_H
+#pragma once
 
 #include "jet.h"
 
@@ -81,5 +80,3 @@ SUMS_BY(sums_by_fours, four)
 #undef SUMS_BY
 #undef SUMS
 #undef ADD_ROW
-
-#endif

@@ -1,6 +1,5 @@
 /* xpp_lines.h -- the statements of an .ode file, for xpp_model.c. */
-#ifndef FORMULA_XPP_LINES_H
-#define FORMULA_XPP_LINES_H
+#pragma once
 
 #include "xpp_model.h"
 
@@ -38,5 +37,3 @@ MUST_CHECK enum status xpp_lines_read(const char *text, const char *name,
 /* The last option of this name, or of its other name; NULL: there is none. */
 const char *xpp_option(const struct xpp_lines *lines, const char *name,
                        const char *other);
-
-#endif

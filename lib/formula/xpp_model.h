@@ -12,8 +12,7 @@
  * delays, Volterra, tables, arrays, algebraic equations), not autonomous (t),
  * not a flow (maps, jumps, noise, Markov) or not analytic (if, heav, abs, ...).
  */
-#ifndef FORMULA_XPP_MODEL_H
-#define FORMULA_XPP_MODEL_H
+#pragma once
 
 #include "system.h"
 
@@ -33,5 +32,3 @@ MUST_CHECK enum status xpp_model_read(const char *text, const char *name,
 
 /* The model as a scene with `system:`, allocated; NULL without memory. */
 char *xpp_model_scene(const struct xpp_model *m, const char *title);
-
-#endif

@@ -3,8 +3,7 @@
  * a planar system in the chart x = ln v, y = ln psi (y = psi where psi is a
  * logarithm).  v in units of V*, psi as in law.h, time in L/V*.
  */
-#ifndef FRICTION_BLOCK_H
-#define FRICTION_BLOCK_H
+#pragma once
 
 #include "planar.h"
 #include "steady.h"
@@ -84,5 +83,3 @@ double block_mu(const struct block *b, struct vec2 z);
  * largest of its four terms: zero along every exact orbit. */
 double block_energy_defect(const struct block *b, double v0, double v1,
                            double slip, double work);
-
-#endif

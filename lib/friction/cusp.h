@@ -9,8 +9,7 @@
  *
  * which is c* = (1 + R)(b - a)^2/(4 a b) for the spinodal presets.
  */
-#ifndef FRICTION_CUSP_H
-#define FRICTION_CUSP_H
+#pragma once
 
 #include "law.h"
 
@@ -20,5 +19,3 @@ struct cusp {
 };
 
 struct cusp cusp_find(const struct law *law, const struct material *m);
-
-#endif

@@ -5,8 +5,7 @@
  * Dimensionless; angles in rad.  NaN stands for "no such root" and is the only
  * NaN here: the caller turns it into a reason.
  */
-#ifndef FRICTION_ESTIMATES_H
-#define FRICTION_ESTIMATES_H
+#pragma once
 
 #include "law.h"
 
@@ -58,5 +57,3 @@ struct estimates_strength estimates_strength_at(const struct material *m,
 
 /* (30) for any psi_sp. */
 double estimates_persistence(double eta, double psi_sp);
-
-#endif

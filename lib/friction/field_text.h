@@ -5,8 +5,7 @@
  * Parameters keep their names, so that they can be changed in the other
  * program; the anchor follows them, at any point lnv0 of the steady curve.
  */
-#ifndef FRICTION_FIELD_TEXT_H
-#define FRICTION_FIELD_TEXT_H
+#pragma once
 
 #include "block.h"
 #include "law_typed.h"
@@ -47,5 +46,3 @@ struct field_text {
 };
 
 void field_text(const struct law *law, struct field_text *out);
-
-#endif

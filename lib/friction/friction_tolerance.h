@@ -1,7 +1,6 @@
 /* friction_tolerance.h -- what is asked of laws of formulas, which say nothing
  * of themselves.  mu is of the order of 1. */
-#ifndef FRICTION_TOLERANCE_H
-#define FRICTION_TOLERANCE_H
+#pragma once
 
 /* ---- steady friction, law_extrema.c -------------------------------------- */
 
@@ -48,5 +47,3 @@
 #define TOL_INERTIA_LN 20.0
 /* Friction above this is past all bounds. */
 #define TOL_FRICTION_MOST 100.0
-
-#endif

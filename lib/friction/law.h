@@ -8,8 +8,7 @@
  * units of V_star; psi has none.  Adding a preset is one line of a table in
  * law.c; docs/new_law.md tells what a new component takes.
  */
-#ifndef FRICTION_LAW_H
-#define FRICTION_LAW_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -211,5 +210,3 @@ void law_formula(const struct law *law, char *text, size_t size);
  * infinite only where the limit exists; (44) needs psi_ss > 0. */
 MUST_CHECK enum status law_check(const struct law *law,
                                  const struct material *m, struct fault *why);
-
-#endif

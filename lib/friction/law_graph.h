@@ -3,8 +3,7 @@
  * one graph of x = ln v and the chart's y: of the presets and of those that
  * people type.
  */
-#ifndef FRICTION_LAW_GRAPH_H
-#define FRICTION_LAW_GRAPH_H
+#pragma once
 
 #include "formula.h"
 #include "law.h"
@@ -81,5 +80,3 @@ formula_real law_root_quad(struct law_quad *p, formula_real x);
 MUST_CHECK enum status law_root_check(const struct law *law,
                                       const struct material *m,
                                       struct fault *why);
-
-#endif

@@ -2,8 +2,7 @@
  * law_tape.h -- a block on a slope, (17), from the formulas of its law as
  * people type them, lowered to differences from a steady state (tape.h).
  */
-#ifndef FRICTION_LAW_TAPE_H
-#define FRICTION_LAW_TAPE_H
+#pragma once
 
 #include "law.h"
 #include "tape_plane.h"
@@ -47,5 +46,3 @@ MUST_CHECK enum status law_tape_observed(const struct law *law,
 const struct tape_lowered *law_tape_kept(const struct law *law,
                                          bool equilibrium,
                                          struct tape_lowered *room);
-
-#endif

@@ -4,8 +4,7 @@
  * friction.  They may use v, psi, what came before them (d = psi - psi_ss), the
  * material's mu_star a b c R V_c and names of their own.
  */
-#ifndef FRICTION_LAW_TYPED_H
-#define FRICTION_LAW_TYPED_H
+#pragma once
 
 #include "law_graph.h"
 #include "law_tape.h"
@@ -56,5 +55,3 @@ size_t law_typed_extrema(const struct law *law, const struct material *m,
 /* The largest range of x around the middle in which psi_ss and mu_ss are. */
 void law_typed_range(const struct law *law, const struct material *m,
                      long double *lo, long double *hi);
-
-#endif

@@ -2,8 +2,7 @@
  * parameter.h -- how the block's vector field (17) changes with the parameters
  * of the model, at a fixed point (v, psi).
  */
-#ifndef FRICTION_PARAMETER_H
-#define FRICTION_PARAMETER_H
+#pragma once
 
 #include "block.h"
 
@@ -28,5 +27,3 @@ const char *parameter_missing(const struct law *law, const struct material *m,
  * points to; f: the field there.  Zero where the law does not use p. */
 void parameter_field(const void *ctx, struct vec2 z,
                      const struct planar_field *f, struct vec2 out[PARAMETERS]);
-
-#endif

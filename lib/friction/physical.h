@@ -1,6 +1,5 @@
 /* physical.h -- between the dimensionless state psi and the physical phi. */
-#ifndef FRICTION_PHYSICAL_H
-#define FRICTION_PHYSICAL_H
+#pragma once
 
 #include "law.h"
 #include "unit.h"
@@ -22,5 +21,3 @@ const char *physical_unit(const struct law *law);
 /* In which to tell numbers: the SI, or as they are. */
 struct unit_system physical_units(const struct law *law,
                                   const struct material *m, bool si);
-
-#endif

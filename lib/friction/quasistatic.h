@@ -9,8 +9,7 @@
  * steady.h, but of any size: rates are logarithms, and what e^X underflows to
  * is its limit.
  */
-#ifndef FRICTION_QUASISTATIC_H
-#define FRICTION_QUASISTATIC_H
+#pragma once
 
 #include "block.h"
 
@@ -48,5 +47,3 @@ struct block_end quasistatic_typed_end(const struct block *b);
 struct vec2 quasistatic_typed_steep(const struct block *b);
 bool quasistatic_typed_is_linear(const struct block *b);
 bool quasistatic_typed_traps(const struct block *b);
-
-#endif

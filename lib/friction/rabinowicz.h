@@ -6,8 +6,7 @@
  *
  * Lengths in one unit, whichever; the friction laws' are in units of L.
  */
-#ifndef FRICTION_RABINOWICZ_H
-#define FRICTION_RABINOWICZ_H
+#pragma once
 
 #include "law.h"
 
@@ -31,5 +30,3 @@ double rabinowicz_factor(const struct law *law, const struct material *m,
 /* l_k of (33): factor (mu_s - tan alpha)(mu_half - tan alpha)/tan alpha. */
 double rabinowicz_release_33(double factor, double mu_s, double mu_half,
                              double tan_alpha);
-
-#endif

@@ -3,8 +3,7 @@
  * steady sliding, from the law's formulas and in long double: near an extremum
  * of mu_ss every digit counts.
  */
-#ifndef FRICTION_RESPONSE_H
-#define FRICTION_RESPONSE_H
+#pragma once
 
 #include "law.h"
 
@@ -21,5 +20,3 @@ struct response {
 /* x below steady_x_max(law) (steady.h). */
 struct response response_at(const struct law *law, const struct material *m,
                             long double x);
-
-#endif

@@ -21,8 +21,7 @@
  * ' and _v by the dimensional V.  Below k_c: stick-slip.  Where mu_ss' >= 0 no
  * spring is soft enough.  For `dieterich` and m = 0: sigma (b - a)/L.
  */
-#ifndef FRICTION_SPRING_BLOCK_H
-#define FRICTION_SPRING_BLOCK_H
+#pragma once
 
 #include "law.h"
 
@@ -41,5 +40,3 @@ struct spring_limit {
 struct spring_limit spring_block_limit(const struct spring_block *block,
                                        const struct law *law,
                                        const struct material *m, long double x);
-
-#endif

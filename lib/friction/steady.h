@@ -2,8 +2,7 @@
  * steady.h -- steady-state friction, its extrema and the anchors on it, in
  * long double: near a fold every digit counts.
  */
-#ifndef FRICTION_STEADY_H
-#define FRICTION_STEADY_H
+#pragma once
 
 #include "law.h"
 #include "tape_plane.h"
@@ -64,5 +63,3 @@ void steady_anchor(const struct law *law, const struct material *m,
 bool steady_plane(const struct law *law, const struct material *m,
                   long double tan_alpha, long double x, bool equilibrium,
                   struct tape_plane *plane);
-
-#endif

@@ -1,8 +1,7 @@
 /* auto07p.h -- the system as input of AUTO-07p: equations in C, NAME.c, files
  * of constants, and a script.  Parameters have their names in AUTO's output,
  * too. */
-#ifndef INTERCHANGE_AUTO07P_H
-#define INTERCHANGE_AUTO07P_H
+#pragma once
 
 #include "interchange.h"
 
@@ -18,5 +17,3 @@ void auto07p_write_folds(FILE *out, const struct interchange *x);
 
 /* NAME.auto: runs both and saves what they find, for `auto-07p NAME.auto`. */
 void auto07p_write_script(FILE *out, const struct interchange *x);
-
-#endif

@@ -3,8 +3,7 @@
  * steady states or integrate in time.  Coordinates are absolute, in the chart
  * (ln v, ln psi) [(ln v, psi) where psi is a logarithm]; time in L/V_star.
  */
-#ifndef INTERCHANGE_INTERCHANGE_H
-#define INTERCHANGE_INTERCHANGE_H
+#pragma once
 
 #include <stdio.h>
 
@@ -38,5 +37,3 @@ void interchange_remark(FILE *out, const char *before, const char *text);
 
 /* What a parameter is: "slope angle (rad)". */
 void interchange_meaning(FILE *out, enum text_parameter p);
-
-#endif

@@ -1,6 +1,5 @@
 /* xppaut.h -- the system as an .ode file of XPPAUT. */
-#ifndef INTERCHANGE_XPPAUT_H
-#define INTERCHANGE_XPPAUT_H
+#pragma once
 
 #include "interchange.h"
 
@@ -15,5 +14,3 @@ enum xppaut_form {
  * branches. */
 void xppaut_write(FILE *out, const struct interchange *x,
                   enum xppaut_form form);
-
-#endif

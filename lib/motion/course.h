@@ -2,8 +2,7 @@
  * course.h -- what the orbits of a run (transient.h) share, and one of them:
  * until it leaves a window, comes to rest, or its side matters.
  */
-#ifndef MOTION_COURSE_H
-#define MOTION_COURSE_H
+#pragma once
 
 #include "rest_left.h"
 #include "transient.h"
@@ -38,5 +37,3 @@ bool course_rests(const struct course *c, const struct orbit *o,
 MUST_CHECK enum status course_follow(struct course *c, double rtol,
                                      const struct monitor *monitor,
                                      struct drift *drift, struct orbit *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* crest.h -- the largest value of a function that has few maxima. */
-#ifndef MOTION_CREST_H
-#define MOTION_CREST_H
+#pragma once
 
 /* Between lo and hi, where it has one maximum, by golden section (Kiefer, Proc.
  * AMS 4, 1953, 502-506), to the width in t: it errs by the square of that. */
@@ -11,5 +10,3 @@ double crest_between(double (*value)(const void *ctx, double t),
  * TOL_CREST_WIDTH; *at (may be NULL): where, as nearly. */
 double crest_of(double (*value)(const void *ctx, double t), const void *ctx,
                 double *at);
-
-#endif

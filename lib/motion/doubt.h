@@ -4,8 +4,7 @@
  * errors of the state make of it.  Where the function goes through zero at a
  * rate that is the error over the rate; a flat turn has a long one.
  */
-#ifndef MOTION_DOUBT_H
-#define MOTION_DOUBT_H
+#pragma once
 
 #include "event.h"
 
@@ -23,5 +22,3 @@ struct doubt {
 struct doubt doubt_find(const struct slider *s, const struct event *e,
                         const struct event_hit *hit, const struct curve *c,
                         double off, double level);
-
-#endif

@@ -3,8 +3,7 @@
  * far it slips meanwhile and how long that takes, by one L-stable integration
  * of its forward orbit (orbit.h).
  */
-#ifndef MOTION_FATE_H
-#define MOTION_FATE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -83,5 +82,3 @@ struct quantity fate_mean_friction(const struct slider *s, double v0, double v1,
  * part of what the finer one changes. */
 struct quantity fate_compare(const struct quantity *coarse,
                              const struct quantity *fine);
-
-#endif

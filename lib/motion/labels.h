@@ -11,8 +11,7 @@
  *
  * Coordinates are offsets from the saddle, in the chart (block_offset).
  */
-#ifndef MOTION_LABELS_H
-#define MOTION_LABELS_H
+#pragma once
 
 #include "branch.h"
 #include "fate.h"
@@ -55,5 +54,3 @@ MUST_CHECK enum status labels_find_one(const struct slider *s, struct vec2 z,
 
 /* A second call is harmless. */
 void labels_free(struct labels *l);
-
-#endif

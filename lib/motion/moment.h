@@ -2,8 +2,7 @@
  * moment.h -- what is looked out for along the orbit of a block: events of
  * event.h, each a function of the state that vanishes there.
  */
-#ifndef MOTION_MOMENT_H
-#define MOTION_MOMENT_H
+#pragma once
 
 #include "equilibrium.h"
 #include "event.h"
@@ -80,5 +79,3 @@ const struct equilibrium *moment_node_at(const struct slider *s, struct vec2 z,
 /* d ln v/dt and d ln psi/dt (dpsi/dt where psi is a logarithm), per t*; may be
  * infinite.  u: of the orbit. */
 struct vec2 moment_rates(const struct slider *s, const double u[]);
-
-#endif

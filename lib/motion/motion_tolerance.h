@@ -1,6 +1,5 @@
 /* motion_tolerance.h -- the tunable numbers of lib/motion. */
-#ifndef MOTION_MOTION_TOLERANCE_H
-#define MOTION_MOTION_TOLERANCE_H
+#pragma once
 
 #include "numbers_tolerance.h"
 
@@ -136,5 +135,3 @@
 
 /* What part of the change by a tenfold tolerance a bar holds at least. */
 #define TOL_FATE_CHANGE 0.2
-
-#endif

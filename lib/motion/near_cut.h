@@ -1,8 +1,7 @@
 /*
  * near_cut.h -- how far the orbit of a state beside the separatrix is known.
  */
-#ifndef MOTION_NEAR_CUT_H
-#define MOTION_NEAR_CUT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -16,5 +15,3 @@ bool near_cut_is_due(const struct orbit *o);
 
 /* Takes the last piece back, with what happens on it. */
 void near_cut_back(struct orbit *o);
-
-#endif

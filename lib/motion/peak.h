@@ -1,8 +1,7 @@
 /*
  * peak.h -- the largest slip rate and the largest friction along an orbit.
  */
-#ifndef MOTION_PEAK_H
-#define MOTION_PEAK_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -27,5 +26,3 @@ struct peaks {
  * be missed.  Errors as fate_find; *out untouched. */
 MUST_CHECK enum status peaks_find(const struct slider *s, struct vec2 z,
                                   double rtol, size_t steps, struct peaks *out);
-
-#endif

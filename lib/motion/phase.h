@@ -7,8 +7,7 @@
  *      for good, where the block slides on);
  *   3  below v_minus, to the psi-nullcline, rest or creep.
  */
-#ifndef MOTION_PHASE_H
-#define MOTION_PHASE_H
+#pragma once
 
 #include "record.h"
 
@@ -26,5 +25,3 @@ extern const struct record_type record_phase;
 /* Of a run whose events, time and slip are known. */
 void phase_find(const struct slider *s, const struct transient *t,
                 struct phase out[PHASES]);
-
-#endif

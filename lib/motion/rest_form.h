@@ -20,8 +20,7 @@
  * holds v above 0.  The slip of the others, int v dpsi/(dpsi/dt), has a limit
  * where v falls like an exponential, like t^-q with q > 1, or faster.
  */
-#ifndef MOTION_REST_FORM_H
-#define MOTION_REST_FORM_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -42,5 +41,3 @@ struct rest_form {
 struct rest_form rest_form_of(const struct law *law, const struct material *m);
 /* Of any law; block_ask has looked at one of formulas. */
 struct rest_form rest_form_at(const struct block *b);
-
-#endif

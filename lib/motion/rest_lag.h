@@ -6,8 +6,7 @@
  *
  * x and y: offsets from the system's origin.
  */
-#ifndef MOTION_REST_LAG_H
-#define MOTION_REST_LAG_H
+#pragma once
 
 struct slider;
 
@@ -22,5 +21,3 @@ struct rest_lag rest_lag_at(const struct slider *s, double x);
 
 /* -1/(d ln v/dt) anywhere: eps^2 v/(cos(alpha) mu - sin(alpha)). */
 double rest_lag_slowness(const struct slider *s, double x, double y);
-
-#endif

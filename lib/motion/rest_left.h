@@ -10,8 +10,7 @@
  * and where only inertia slows it (rest_lag.h) the same over ln v, from there
  * to -inf.  Both go on beyond what doubles hold of v and psi.
  */
-#ifndef MOTION_REST_LEFT_H
-#define MOTION_REST_LEFT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -40,5 +39,3 @@ struct vec2 rest_left_section(const struct slider *s);
 /* What goes by where only inertia slows it, while ln v falls by h from the
  * offset x. */
 struct rest_left rest_left_between(const struct slider *s, double x, double h);
-
-#endif

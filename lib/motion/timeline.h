@@ -3,8 +3,7 @@
  * turns that are only rounding are dropped, and each event gets a bar from a
  * second orbit at another tolerance.
  */
-#ifndef MOTION_TIMELINE_H
-#define MOTION_TIMELINE_H
+#pragma once
 
 #include "transient.h"
 
@@ -17,5 +16,3 @@ MUST_CHECK enum status timeline_find(const struct slider *s,
                                      const struct orbit *fine,
                                      struct transient_event **event,
                                      size_t *count);
-
-#endif

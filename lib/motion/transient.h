@@ -5,8 +5,7 @@
  *
  * v in units of V_star, psi as the law's (law.h), slip in L, time in L/V_star.
  */
-#ifndef MOTION_TRANSIENT_H
-#define MOTION_TRANSIENT_H
+#pragma once
 
 #include "fate.h"
 #include "labels.h"
@@ -96,5 +95,3 @@ MUST_CHECK enum status transient_find(const struct slider *s,
 
 /* A second call is harmless. */
 void transient_free(struct transient *t);
-
-#endif

@@ -5,8 +5,7 @@
  * of an orbit is that of the quadrant it enters.  Shares nothing with the
  * separatrix but the field: the independent check of basin maps.
  */
-#ifndef MOTION_TRAP_H
-#define MOTION_TRAP_H
+#pragma once
 
 #include "fate.h"
 
@@ -36,5 +35,3 @@ MUST_CHECK enum status trap_label(const struct trap *t, struct vec2 z,
 MUST_CHECK enum status trap_pass(const struct trap *t, struct vec2 z,
                                  int8_t *label, double *near,
                                  size_t *evaluations);
-
-#endif

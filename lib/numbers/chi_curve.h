@@ -1,8 +1,7 @@
 /* chi_curve.h -- chi(v), (34): the slope d ln psi/d ln v of the direction field
  * on the line psi = psi_sp0, for several slope angles (Fig 10).  Where chi = 1,
  * the paper looks for the knees of the saddle's stable manifold. */
-#ifndef NUMBERS_CHI_CURVE_H
-#define NUMBERS_CHI_CURVE_H
+#pragma once
 
 #include "law.h"
 #include "record.h"
@@ -46,5 +45,3 @@ MUST_CHECK enum status chi_curves_find(const struct law *law,
 
 /* A second call is harmless. */
 void chi_curves_free(struct chi_curves *c);
-
-#endif

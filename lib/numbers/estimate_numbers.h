@@ -1,7 +1,6 @@
 /* estimate_numbers.h -- the paper's estimates (friction/estimates.h) as
  * numbers with errors or reasons. */
-#ifndef NUMBERS_ESTIMATE_NUMBERS_H
-#define NUMBERS_ESTIMATE_NUMBERS_H
+#pragma once
 
 #include "numbers.h"
 
@@ -29,5 +28,3 @@ struct estimate_numbers {
 struct estimate_numbers numbers_estimates(const struct block *b,
                                           const double xi[], size_t xi_count,
                                           const struct critical_numbers *c);
-
-#endif

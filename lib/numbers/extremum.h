@@ -1,7 +1,6 @@
 /* extremum.h -- the extrema of steady-state friction: where steady states
  * appear and vanish in pairs as the slope changes, (15), (16). */
-#ifndef NUMBERS_EXTREMUM_H
-#define NUMBERS_EXTREMUM_H
+#pragma once
 
 #include "law.h"
 #include "record.h"
@@ -28,5 +27,3 @@ size_t extremum_find(const struct law *law, const struct material *m,
 
 /* atan mu, the slope on which mu balances; none where mu <= 0. */
 struct quantity extremum_angle(const struct quantity *mu);
-
-#endif

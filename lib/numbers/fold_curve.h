@@ -1,8 +1,7 @@
 /* fold_curve.h -- both folds of the steady states in the plane of slope angle
  * and c, to the cusp where they meet (Fig 4).  Between them, three steady
  * states: the block may creep or slide. */
-#ifndef NUMBERS_FOLD_CURVE_H
-#define NUMBERS_FOLD_CURVE_H
+#pragma once
 
 #include "extremum.h"
 #include "status.h"
@@ -39,5 +38,3 @@ MUST_CHECK enum status fold_curve_find(const struct law *law,
 
 /* A second call is harmless. */
 void fold_curve_free(struct fold_curve *f);
-
-#endif

@@ -5,8 +5,7 @@
  * members.
  * Dimensionless; eigenvalues per t* = L/V_star.
  */
-#ifndef NUMBERS_NUMBERS_H
-#define NUMBERS_NUMBERS_H
+#pragma once
 
 #include "block.h"
 #include "grow.h"
@@ -97,5 +96,3 @@ struct critical_numbers numbers_none(const char *reason);
 void numbers_knees(const struct block *b, const struct planar *sys,
                    const struct branch *upper, const struct branch *lower,
                    struct critical_numbers *out);
-
-#endif

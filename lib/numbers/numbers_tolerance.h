@@ -1,6 +1,5 @@
 /* numbers_tolerance.h -- the tunable numbers of lib/numbers. */
-#ifndef NUMBERS_NUMBERS_TOLERANCE_H
-#define NUMBERS_NUMBERS_TOLERANCE_H
+#pragma once
 
 #include "tolerance.h"
 
@@ -48,5 +47,3 @@
  * as little as mu_ss: TOL_EXTREMUM_REACH. */
 #define TOL_PLACE_POWER 8.0
 #define TOL_PLACE_FINE  1e-3
-
-#endif

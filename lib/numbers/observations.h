@@ -7,8 +7,7 @@
  * refused, for one that is misspelt would else be missed; an empty cell is a
  * measurement that was not made.
  */
-#ifndef NUMBERS_OBSERVATIONS_H
-#define NUMBERS_OBSERVATIONS_H
+#pragma once
 
 #include "least.h"
 #include "table.h"
@@ -38,5 +37,3 @@ static inline struct measured series_measured(const struct series *s)
 {
     return (struct measured){ s->tan_alpha, s->value, s->error, s->count };
 }
-
-#endif

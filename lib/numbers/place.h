@@ -3,8 +3,7 @@
  * the numbers at it: numbers N(x) of a saddle at x = ln v whose x is off by d
  * are off by |N'(x)| d, with N' along the place at one slope.
  */
-#ifndef NUMBERS_PLACE_H
-#define NUMBERS_PLACE_H
+#pragma once
 
 #include "numbers.h"
 
@@ -17,5 +16,3 @@ bool place_is_felt(const struct block *b);
 /* Adds |N'| d to the bars of *out, the numbers at b's anchor; knees are left
  * out. */
 void place_spread(const struct block *b, struct critical_numbers *out);
-
-#endif

@@ -3,8 +3,7 @@
  * d ln v_plus/d p and d ln v_minus/d p, exactly linearised along the branches
  * (variation.h), each with its error.
  */
-#ifndef NUMBERS_SENSITIVITY_H
-#define NUMBERS_SENSITIVITY_H
+#pragma once
 
 #include "numbers.h"
 #include "parameter.h"
@@ -29,5 +28,3 @@ MUST_CHECK enum status sensitivity_find(const struct block *b,
                                         const struct critical_numbers *c,
                                         double rtol, struct sensitivities *out,
                                         size_t *evaluations);
-
-#endif

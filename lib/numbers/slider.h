@@ -2,8 +2,7 @@
  * slider.h -- a block that slides on a slope under rate-and-state friction,
  * (17), with the phase plane of its motion.
  */
-#ifndef NUMBERS_SLIDER_H
-#define NUMBERS_SLIDER_H
+#pragma once
 
 #include "block.h"
 #include "curve.h"
@@ -63,5 +62,3 @@ double slider_rounding(const struct slider *s, struct vec2 z);
 struct quantity slider_mean_friction(const struct slider *s, double v0,
                                      double v1, double v1_part,
                                      const struct quantity *slip);
-
-#endif

@@ -1,7 +1,6 @@
 /* spring_curve.h -- the stick-slip boundary of a block pulled through a spring,
  * over the speed of pulling (spring_block.h, Fig 1(b)). */
-#ifndef NUMBERS_SPRING_CURVE_H
-#define NUMBERS_SPRING_CURVE_H
+#pragma once
 
 #include "extremum.h"
 #include "spring_block.h"
@@ -34,5 +33,3 @@ MUST_CHECK enum status spring_curve_find(const struct spring_block *block,
 
 /* A second call is harmless. */
 void spring_curve_free(struct spring_curve *c);
-
-#endif

@@ -3,8 +3,7 @@
  * the slope it takes with its stability, the bifurcation diagram (Fig 3).
  * Explicit in v, so nothing is continued: mu = mu_ss(v), alpha = atan mu.
  */
-#ifndef NUMBERS_STEADY_CURVE_H
-#define NUMBERS_STEADY_CURVE_H
+#pragma once
 
 #include "extremum.h"
 #include "status.h"
@@ -39,5 +38,3 @@ MUST_CHECK enum status steady_curve_find(const struct law *law,
 
 /* A second call is harmless. */
 void steady_curve_free(struct steady_curve *c);
-
-#endif

@@ -1,6 +1,5 @@
 /* contour.h -- lines along which a map has one value. */
-#ifndef PLOT_CONTOUR_H
-#define PLOT_CONTOUR_H
+#pragma once
 
 #include "keep.h"
 #include "layer.h"
@@ -19,5 +18,3 @@ MUST_CHECK enum status contour_trace(const struct figure_raster *r,
 enum { CONTOUR_CLEAR = 5 };
 bool contour_place(const struct stroke *s, struct vec2 size,
                    const struct keep *keep, uint8_t own, struct vec2 *at);
-
-#endif

@@ -3,8 +3,7 @@
  * another that was there before, it is not drawn, so that many orbits that
  * come together are seen to join, and never are a stripe.
  */
-#ifndef PLOT_CROWD_H
-#define PLOT_CROWD_H
+#pragma once
 
 #include <stdint.h>
 
@@ -31,5 +30,3 @@ void crowd_take(struct crowd *c, const struct line *l);
  * broken by NaN, those of less than six cells are left out, points are added
  * between others.  Then others keep away from what is left. */
 void crowd_cut(struct crowd *c, struct line *l);
-
-#endif

@@ -1,6 +1,5 @@
 /* draw.h -- a figure into a file. */
-#ifndef PLOT_DRAW_H
-#define PLOT_DRAW_H
+#pragma once
 
 #include "figure.h"
 
@@ -31,5 +30,3 @@ enum { FIGURES_MAX = 8 };
 MUST_CHECK enum status figures_write(const struct figure f[],
                                      const char *const path[], size_t count,
                                      bool keep_script, struct fault *fault);
-
-#endif

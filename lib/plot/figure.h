@@ -16,8 +16,7 @@
  * A figure remembers its first failure, after which nothing is added, and
  * figure_write returns it: what builds one need not ask.
  */
-#ifndef PLOT_FIGURE_H
-#define PLOT_FIGURE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -207,5 +206,3 @@ void figure_add_map(struct figure *f, const struct figure_map *m);
 
 /* Leaves FIGURE_EMPTY, so a second call is harmless. */
 void figure_free(struct figure *f);
-
-#endif

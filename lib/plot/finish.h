@@ -1,7 +1,6 @@
 /* finish.h -- what gnuplot cannot say of its files: how large they are on
  * paper; and what it should not say: when it drew them. */
-#ifndef PLOT_FINISH_H
-#define PLOT_FINISH_H
+#pragma once
 
 #include "script.h"
 
@@ -17,5 +16,3 @@ MUST_CHECK enum status finish_pdf(const char *path,
 /* The resolution in dots per inch: a pHYs chunk (PNG, 2nd edition, 11.3.5.3).
  */
 MUST_CHECK enum status finish_png(const char *path, double dpi);
-
-#endif

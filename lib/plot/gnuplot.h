@@ -1,6 +1,5 @@
 /* gnuplot.h -- runs gnuplot as a program, without a shell. */
-#ifndef PLOT_GNUPLOT_H
-#define PLOT_GNUPLOT_H
+#pragma once
 
 #include "status.h"
 
@@ -10,5 +9,3 @@
  * then holds what it complained about first. */
 MUST_CHECK enum status gnuplot_run(const char *folder, const char *script,
                                    struct fault *fault);
-
-#endif

@@ -1,6 +1,5 @@
 /* hatch.h -- what has no value, told from every tint also in grey. */
-#ifndef PLOT_HATCH_H
-#define PLOT_HATCH_H
+#pragma once
 
 #include <stdio.h>
 
@@ -10,5 +9,3 @@
  * that of its `set arrow`: "back", "front". */
 void hatch_write(FILE *out, const struct layout *p, struct box b,
                  const char *layer);
-
-#endif

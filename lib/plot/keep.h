@@ -1,7 +1,6 @@
 /* keep.h -- where in the axes' box labels must not stand: cells of a grid that
  * curves cross, that marks or other labels cover, or that have no value. */
-#ifndef PLOT_KEEP_H
-#define PLOT_KEEP_H
+#pragma once
 
 #include <stdint.h>
 
@@ -31,5 +30,3 @@ bool keep_is_free(const struct keep *k, struct vec2 at, struct vec2 half,
 
 /* A second call is harmless. */
 void keep_free(struct keep *k);
-
-#endif

@@ -1,6 +1,5 @@
 /* key.h -- the legend drawn: texts and samples of what they name. */
-#ifndef PLOT_KEY_H
-#define PLOT_KEY_H
+#pragma once
 
 #include <stdio.h>
 
@@ -8,5 +7,3 @@
 
 /* Commands that stand before the plot command. */
 void key_write(FILE *out, const struct layout *p, const struct legend *l);
-
-#endif

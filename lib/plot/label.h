@@ -1,8 +1,7 @@
 /* label.h -- a text on its way into a gnuplot script.  Whatever the text
  * holds, it comes out as one inert string constant; only the marks of mark.h
  * mean something. */
-#ifndef PLOT_LABEL_H
-#define PLOT_LABEL_H
+#pragma once
 
 #include <stdio.h>
 
@@ -40,5 +39,3 @@ void label_comment(FILE *out, const char *text);
 /* A file name of the current folder in single quotes, as "./NAME", so that
  * neither a leading '|' nor '<' can mean a pipe. */
 void label_write_path(FILE *out, const char *name);
-
-#endif

@@ -1,6 +1,5 @@
 /* layer.h -- how a figure keeps a raster; for lib/plot only. */
-#ifndef PLOT_LAYER_H
-#define PLOT_LAYER_H
+#pragma once
 
 #include "figure.h"
 
@@ -18,5 +17,3 @@ struct figure_raster {
 
 /* Whether cells of a map lack a value and have an entry that says so. */
 bool figure_raster_hatched(const struct figure_raster *r);
-
-#endif

@@ -1,7 +1,6 @@
 /* layout.h -- the page: which formats there are, where the plot, the legend and
  * the texts go, in pixels from the lower left corner. */
-#ifndef PLOT_LAYOUT_H
-#define PLOT_LAYOUT_H
+#pragma once
 
 #include "label.h"
 #include "legend.h"
@@ -60,5 +59,3 @@ double layout_side_by_side(const struct scale *s);
 /* As fractions of what gnuplot draws. */
 double layout_across(const struct layout *p, double x);
 double layout_up(const struct layout *p, double y);
-
-#endif

@@ -1,7 +1,6 @@
 /* legend.h -- the lines of a figure's legend, each text once, and where they
  * stand. */
-#ifndef PLOT_LEGEND_H
-#define PLOT_LEGEND_H
+#pragma once
 
 #include "label.h"
 #include "layer.h"
@@ -42,5 +41,3 @@ void legend_arrange(struct legend *l, double width, size_t most);
  * corner, in px from the lower left one of the plot. */
 struct vec2 legend_corner(const struct figure *f, const struct scale *x,
                           const struct scale *y, struct vec2 size);
-
-#endif

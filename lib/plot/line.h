@@ -1,6 +1,5 @@
 /* line.h -- points on their way to a layer of a figure, as many as come. */
-#ifndef PLOT_LINE_H
-#define PLOT_LINE_H
+#pragma once
 
 #include "figure.h"
 
@@ -31,5 +30,3 @@ void range_grow(double range[2], const double *value, size_t count);
     {                                                                          \
         HUGE_VAL, -HUGE_VAL                                                    \
     }
-
-#endif

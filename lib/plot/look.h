@@ -1,6 +1,5 @@
 /* look.h -- a line's and a mark's look in gnuplot's words. */
-#ifndef PLOT_LOOK_H
-#define PLOT_LOOK_H
+#pragma once
 
 #include <stdio.h>
 
@@ -16,5 +15,3 @@ int look_type(enum figure_mark mark);
 /* "pt ... ps ... lw ... lc ..." */
 void look_mark(FILE *out, const struct device *d,
                const struct figure_layer *layer);
-
-#endif

@@ -3,8 +3,7 @@
  * figure: italic quantities, subscripts, superscripts.  A mark is a control
  * character, which no user's text can hold when it comes here (figure.h).
  */
-#ifndef PLOT_MARK_H
-#define PLOT_MARK_H
+#pragma once
 
 #include <stddef.h>
 
@@ -24,5 +23,3 @@ void mark_name(char *out, size_t size, const char *name);
 /* The text with its marks and what they raise or lower written plainly: mu_ss,
  * 10^-8. */
 void mark_plain(const char *text, char *out, size_t size);
-
-#endif

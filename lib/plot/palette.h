@@ -1,6 +1,5 @@
 /* palette.h -- roles to paint. */
-#ifndef PLOT_PALETTE_H
-#define PLOT_PALETTE_H
+#pragma once
 
 #include "figure.h"
 
@@ -19,5 +18,3 @@ struct paint paint_of(struct figure_style style);
 /* Tints of a map from lo to hi, equally far apart. */
 enum { PALETTE_TINTS = 17 };
 extern const char palette_map[FIGURE_COLOURS][PALETTE_TINTS][8];
-
-#endif

@@ -1,7 +1,6 @@
 /* pen.h -- the layers: a block of data and a line of the plot command for each.
  */
-#ifndef PLOT_PEN_H
-#define PLOT_PEN_H
+#pragma once
 
 #include <stdio.h>
 
@@ -20,5 +19,3 @@ size_t pen_cells(size_t cells);
 
 /* Writes the whole plot command, without the line's end. */
 MUST_CHECK enum status pen_draw(struct pen *pen, const struct figure *f);
-
-#endif

@@ -1,6 +1,5 @@
 /* scale.h -- an axis laid on the page: values <-> pixels from its lower end. */
-#ifndef PLOT_SCALE_H
-#define PLOT_SCALE_H
+#pragma once
 
 #include "figure.h"
 
@@ -22,5 +21,3 @@ double scale_value(const struct scale *s, double pixel);
 
 /* Pixels per unit of the value (of its natural logarithm if is_log). */
 double scale_rate(const struct scale *s);
-
-#endif

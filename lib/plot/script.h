@@ -1,6 +1,5 @@
 /* script.h -- a figure as a gnuplot script and the data it draws. */
-#ifndef PLOT_SCRIPT_H
-#define PLOT_SCRIPT_H
+#pragma once
 
 #include <stdio.h>
 
@@ -25,5 +24,3 @@ MUST_CHECK enum status script_write(const struct figure *f,
                                     const struct script_names *names,
                                     FILE *script, FILE *data,
                                     struct script_size *size);
-
-#endif

@@ -1,7 +1,6 @@
 /* stroke.h -- lines in pixels of the axes' box [0, w] x [0, h], clipped,
  * thinned and given arrowheads, so that gnuplot only has to connect points. */
-#ifndef PLOT_STROKE_H
-#define PLOT_STROKE_H
+#pragma once
 
 #include "plane.h"
 #include "scale.h"
@@ -47,5 +46,3 @@ void stroke_barb(struct vec2 tail, struct vec2 tip, struct vec2 head[3]);
 
 /* Leaves STROKE_EMPTY. */
 void stroke_free(struct stroke *s);
-
-#endif

@@ -1,6 +1,5 @@
 /* ticks.h -- where an axis has ticks and what they say. */
-#ifndef PLOT_TICKS_H
-#define PLOT_TICKS_H
+#pragma once
 
 #include <stdio.h>
 
@@ -30,5 +29,3 @@ void ticks_put(FILE *out, const char *text, double script);
 
 /* Upper estimate of the widest label in units of the font size. */
 double ticks_width(const struct scale *s, double spacing);
-
-#endif

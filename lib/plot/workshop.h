@@ -1,7 +1,6 @@
 /* workshop.h -- a temporary folder beside the target, in which a figure is
  * made before it is moved into place. */
-#ifndef PLOT_WORKSHOP_H
-#define PLOT_WORKSHOP_H
+#pragma once
 
 #include <stdio.h>
 
@@ -36,5 +35,3 @@ MUST_CHECK enum status workshop_deliver(const struct workshop *w,
 
 /* Removes the folder with what is still in it; leaves WORKSHOP_EMPTY. */
 void workshop_close(struct workshop *w);
-
-#endif

@@ -15,8 +15,7 @@
  * where p = sum coef[k] theta^k is the dependent offset, the independent one is
  * start + step theta, start and step doubles taken exactly.
  */
-#ifndef PROOF_PROOF_H
-#define PROOF_PROOF_H
+#pragma once
 
 #include "block.h"
 #include "grow.h"
@@ -87,5 +86,3 @@ MUST_CHECK enum status proof_along(const struct block *b,
                                    struct proof *out);
 
 void proof_free(struct proof *p);
-
-#endif

@@ -11,8 +11,7 @@
  * which is compared with the radius on the whole part: if it is smaller, it
  * holds.
  */
-#ifndef PROOF_PROOF_CELL_H
-#define PROOF_PROOF_CELL_H
+#pragma once
 
 #include "proof.h"
 
@@ -30,5 +29,3 @@ struct proof_front {
 bool proof_cells(struct proof_law *p, const struct proof_piece *piece,
                  double from, struct interval to, struct proof_front *front,
                  struct proof_branch *out, enum status *status);
-
-#endif

@@ -9,8 +9,7 @@
  * reach; so one that starts there stays for ever (Wazewski), tends to the
  * saddle and is the stable manifold.
  */
-#ifndef PROOF_PROOF_CONE_H
-#define PROOF_PROOF_CONE_H
+#pragma once
 
 #include "proof_cell.h"
 
@@ -21,5 +20,3 @@ bool proof_is_saddle(struct proof_law *p, struct proof_saddle *out);
  * *front: what is proved at its end. */
 bool proof_cone(struct proof_law *p, const struct proof_piece *piece,
                 struct proof_cone *out, struct proof_front *front);
-
-#endif

@@ -6,8 +6,7 @@
  * - psi_ss(v); F = cos(alpha)/eps^2, so that d ln v/dt = -(F/v) (mu -
  * tan(alpha)).
  */
-#ifndef PROOF_PROOF_END_H
-#define PROOF_PROOF_END_H
+#pragma once
 
 #include "proof_cell.h"
 
@@ -34,5 +33,3 @@ bool proof_tail_psi(struct proof_law *p, const struct proof_place *at,
 /* psi settles as v runs to 0. */
 bool proof_tail_v(struct proof_law *p, const struct law *law,
                   const struct proof_place *at, struct proof_tail *out);
-
-#endif

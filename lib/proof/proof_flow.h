@@ -2,8 +2,7 @@
  * proof_flow.h -- the field along a polynomial, over intervals; polynomials of
  * intervals.
  */
-#ifndef PROOF_PROOF_FLOW_H
-#define PROOF_PROOF_FLOW_H
+#pragma once
 
 #include "interval_math.h"
 #include "proof_law.h"
@@ -46,5 +45,3 @@ double proof_size(const struct interval u[], size_t first, size_t last,
 /* Upward: u + w and u w of numbers >= 0. */
 double proof_up_sum(double u, double w);
 double proof_up_times(double u, double w);
-
-#endif

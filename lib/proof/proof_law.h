@@ -7,8 +7,7 @@
  * change of h between two points proves a root between them, and det J < 0 for
  * any of them (proof.c) that it is one and a saddle.
  */
-#ifndef PROOF_PROOF_LAW_H
-#define PROOF_PROOF_LAW_H
+#pragma once
 
 #include "block.h"
 #include "interval_graph.h"
@@ -56,5 +55,3 @@ void proof_law_free(struct proof_law *p);
 /* psi_ss and 1/T at x = ln v; false where one has no finite enclosure. */
 bool proof_law_steady(struct proof_law *p, struct interval x,
                       struct interval *psi_ss, struct interval *rate);
-
-#endif

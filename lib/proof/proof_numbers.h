@@ -2,8 +2,7 @@
  * proof_numbers.h -- what a proof says of the numbers of a slope (numbers.h):
  * an enclosure, or why there is none.
  */
-#ifndef PROOF_PROOF_NUMBERS_H
-#define PROOF_PROOF_NUMBERS_H
+#pragma once
 
 #include "proof.h"
 
@@ -22,5 +21,3 @@ struct proof_numbers {
 
 /* Borrows reasons from p. */
 struct proof_numbers proof_numbers_of(const struct proof *p);
-
-#endif

@@ -2,8 +2,7 @@
  * proof_tolerance.h -- the knobs of lib/proof.  None of them can make a proof
  * wrong: they decide what is tried, never what is concluded.
  */
-#ifndef PROOF_PROOF_TOLERANCE_H
-#define PROOF_PROOF_TOLERANCE_H
+#pragma once
 
 /* Bits of constants at the saddle: 100 more than a double's, so that its place
  * is known to 2^-53 of itself where mu_ss' is 2^-60 (alpha a rounding away from
@@ -53,5 +52,3 @@
  * a number that is smaller than any that matters. */
 #define PROOF_END_TRIES 40
 #define PROOF_END_LEAST 1e-290
-
-#endif

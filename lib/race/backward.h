@@ -4,8 +4,7 @@
  * backward in time (orbit.h), from so near to the saddle that its stable
  * eigenvector is the curve, to another end.
  */
-#ifndef RACE_BACKWARD_H
-#define RACE_BACKWARD_H
+#pragma once
 
 #include "branch.h"
 #include "monitor.h"
@@ -35,5 +34,3 @@ MUST_CHECK enum status backward_branch(const struct planar *sys,
                                        const struct equilibrium *e, int side,
                                        const struct backward_options *o,
                                        struct branch *out);
-
-#endif

@@ -2,8 +2,7 @@
  * backward_end.h -- where a curve may stop being followed because what is left
  * of it is negligible: a limit of one coordinate while the other one grows.
  */
-#ifndef RACE_BACKWARD_END_H
-#define RACE_BACKWARD_END_H
+#pragma once
 
 #include "local.h"
 
@@ -48,5 +47,3 @@ bool backward_end_near(const struct backward_way *g,
                        const struct backward_heading *earlier,
                        const struct backward_heading *now, const double total[],
                        double part, struct backward_rest *rest);
-
-#endif

@@ -1,6 +1,5 @@
 /* backward_tolerance.h -- the tunable numbers of the second route. */
-#ifndef RACE_BACKWARD_TOLERANCE_H
-#define RACE_BACKWARD_TOLERANCE_H
+#pragma once
 
 #include "tolerance.h"
 
@@ -21,5 +20,3 @@
 /* Strides along the asymptote, as a part of the way there: as a power of it,
  * slopes then change by little. */
 #define TOL_BACKWARD_STRIDE 0.05
-
-#endif

@@ -5,8 +5,7 @@
  * Each follows u' = rates(u), one accepted step after another, with the error
  * of a step held below tol (1 + |u_i|) in each component.
  */
-#ifndef RACE_METHOD_H
-#define RACE_METHOD_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -57,5 +56,3 @@ const char *method_sundials_version(void);
 bool method_rates(struct method_system *system, const double u[], double du[]);
 bool method_jacobian(struct method_system *system, const double u[],
                      double J[]);
-
-#endif

@@ -3,8 +3,7 @@
  * (law_tape.h).  Same chart, same meaning of every argument as in block.h; x =
  * ln v.
  */
-#ifndef RACE_QUAD_BLOCK_H
-#define RACE_QUAD_BLOCK_H
+#pragma once
 
 #include "block.h"
 #include "quad_tape.h"
@@ -42,5 +41,3 @@ quad quad_block_rate(const struct law *law, const struct quad_anchor *at,
 /* mu(v, psi) there. */
 quad quad_block_mu(const struct law *law, const struct quad_anchor *at, quad X,
                    quad Y);
-
-#endif

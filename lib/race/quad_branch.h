@@ -3,8 +3,7 @@
  * the bars of manifold/ are held to.  Slow (some 10^4 field evaluations), by
  * another method from another start to another end.
  */
-#ifndef RACE_QUAD_BRANCH_H
-#define RACE_QUAD_BRANCH_H
+#pragma once
 
 #include "quad_block.h"
 #include "quad_knee.h"
@@ -40,5 +39,3 @@ struct quad_branch {
  * saddle. */
 bool quad_branch_grow(const struct law *law, const struct quad_anchor *at,
                       int side, double tol, struct quad_branch *out);
-
-#endif

@@ -2,8 +2,7 @@
  * quad_course.h -- a 113-bit orbit on its way: clock, steps, and steps taken
  * again to a part of themselves.  For quad_orbit.c.
  */
-#ifndef RACE_QUAD_COURSE_H
-#define RACE_QUAD_COURSE_H
+#pragma once
 
 #include "quad_orbit.h"
 #include "rescaled.h"
@@ -51,5 +50,3 @@ bool quad_course_part(const struct quad_course *c,
 /* Moves to the end of the step w, which was `excess` of what is allowed. */
 void quad_course_move(struct quad_course *c, const struct quad_radau *w,
                       const quad to[QUAD_DIM], double excess);
-
-#endif

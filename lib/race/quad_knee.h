@@ -1,7 +1,6 @@
 /* quad_knee.h -- where d ln psi/d ln v passes through 1 on a branch, in 113
  * bits: what the bars of manifold/knee.h are held to. */
-#ifndef RACE_QUAD_KNEE_H
-#define RACE_QUAD_KNEE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -30,5 +29,3 @@ struct quad_arc {
 
 /* Adds the crossings on the arc, to the last bits. */
 void quad_knee_add(const struct quad_arc *arc, struct quad_knees *out);
-
-#endif

@@ -3,8 +3,7 @@
  * by the steps of quad_radau.h with offsets from the saddle, to arrest as
  * cells.h has it.  What bars of slip, time and friction are held to.
  */
-#ifndef RACE_QUAD_ORBIT_H
-#define RACE_QUAD_ORBIT_H
+#pragma once
 
 #include "cells.h"
 #include "quad_block.h"
@@ -45,5 +44,3 @@ void quad_orbit_find(const struct quad_slope *q, quad x, quad y, double tol,
  * undefined, where it is not followed to there. */
 bool quad_orbit_at(const struct quad_slope *q, quad x, quad y, quad time,
                    double tol, quad z[2]);
-
-#endif

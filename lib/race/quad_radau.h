@@ -2,8 +2,7 @@
  * quad_radau.h -- one step of the Radau IIA method with QUAD_STAGES stages in
  * 113 bits: order 2 QUAD_STAGES - 1, L-stable, stiffly accurate.
  */
-#ifndef RACE_QUAD_RADAU_H
-#define RACE_QUAD_RADAU_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -57,5 +56,3 @@ quad quad_radau_gain(const struct quad_radau *w, int k, quad theta);
 
 /* The size of the last coefficients of component k's polynomial. */
 quad quad_radau_tail(const struct quad_radau *w, int k);
-
-#endif

@@ -1,7 +1,6 @@
 /* quad_rest.h -- the slip that is left to a block that only fades, and the time
  * and slip that are left to one that stops. */
-#ifndef RACE_QUAD_REST_H
-#define RACE_QUAD_REST_H
+#pragma once
 
 #include "quad_course.h"
 
@@ -12,5 +11,3 @@ enum quad_left { QUAD_LEFT_TIME, QUAD_LEFT_SLIP };
  * that can be seen. */
 bool quad_rest_left(const struct quad_course *c, enum quad_left what,
                     quad *left, quad *error);
-
-#endif

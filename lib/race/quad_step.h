@@ -1,6 +1,5 @@
 /* quad_step.h -- one step of an ordinary differential equation in 113 bits. */
-#ifndef RACE_QUAD_STEP_H
-#define RACE_QUAD_STEP_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -29,5 +28,3 @@ struct quad_step quad_step(quad_rates *f, const void *ctx, quad s, quad h,
 /* What to multiply the step by, when its error is `error` of what is allowed:
  * that grows like the step to the power 2 columns - 1. */
 double quad_step_factor(const struct quad_step *step, double error);
-
-#endif

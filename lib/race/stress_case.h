@@ -2,8 +2,7 @@
  * stress_case.h -- the catalogue of stiff and extreme cases.  A case is a
  * scene that anyone can run: `settings` are the options that make it.
  */
-#ifndef RACE_STRESS_CASE_H
-#define RACE_STRESS_CASE_H
+#pragma once
 
 #include "scene.h"
 
@@ -51,5 +50,3 @@ void stress_list_free(struct stress_list *list);
 
 /* Whether a name holds the pattern. */
 bool stress_matches(const char *name, const char *pattern);
-
-#endif

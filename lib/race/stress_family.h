@@ -2,8 +2,7 @@
  * stress_family.h -- the compact table behind the catalogue: a family is a
  * list of laws, a parameter with its extreme values and a list of slopes.
  */
-#ifndef RACE_STRESS_FAMILY_H
-#define RACE_STRESS_FAMILY_H
+#pragma once
 
 #include "stress_case.h"
 #include "stress_place.h"
@@ -63,5 +62,3 @@ bool stress_material(const struct law *law, enum stress_knob knob, double value,
 /* alpha of the slope; false where there is none in (0, pi/2). */
 bool stress_alpha(const struct law *law, const struct material *m,
                   enum stress_slope slope, double at, double *alpha);
-
-#endif

@@ -1,7 +1,6 @@
 /* stress_field.h -- fate, slip, time, friction and peaks of a cell, beside an
  * orbit in 113 bits. */
-#ifndef RACE_STRESS_FIELD_H
-#define RACE_STRESS_FIELD_H
+#pragma once
 
 #include "cells.h"
 #include "quad_orbit.h"
@@ -16,5 +15,3 @@ struct stress_cell {
 };
 void stress_field_judge(const struct stress_cell *c, const struct quad_orbit *o,
                         struct stress_row *row);
-
-#endif

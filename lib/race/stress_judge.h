@@ -2,8 +2,7 @@
  * stress_judge.h -- what a case came to: the program's numbers beside those
  * of the 113-bit oracle.
  */
-#ifndef RACE_STRESS_JUDGE_H
-#define RACE_STRESS_JUDGE_H
+#pragma once
 
 #include "stress_row.h"
 #include "stress_truth.h"
@@ -45,5 +44,3 @@ void stress_judge(const struct stress_truth *t, const struct stress_answer *a,
 /* Digits of an estimate of `truth`, of conditioning k: 0...STRESS_DIGITS. */
 double stress_digits(double value, quad truth);
 double stress_digits_allowed(double conditioning);
-
-#endif

@@ -1,7 +1,6 @@
 /* stress_oracle.h -- the truths of slopes, found once for neighbouring cases of
  * one slope. */
-#ifndef RACE_STRESS_ORACLE_H
-#define RACE_STRESS_ORACLE_H
+#pragma once
 
 #include "scene.h"
 #include "stress_row.h"
@@ -22,5 +21,3 @@ struct stress_oracle {
 const struct stress_truth *stress_oracle_ask(struct stress_oracle *oracle,
                                              const struct scene *scene,
                                              struct stress_row *row);
-
-#endif

@@ -1,7 +1,6 @@
 /* stress_place.h -- where fields are looked at: beside the saddle and beside
  * points of its stable manifold. */
-#ifndef RACE_STRESS_PLACE_H
-#define RACE_STRESS_PLACE_H
+#pragma once
 
 #include "law.h"
 #include "status.h"
@@ -23,5 +22,3 @@ MUST_CHECK enum status stress_place_find(const struct law *law,
                                          const struct material *m, double alpha,
                                          double along,
                                          struct stress_centre *out);
-
-#endif

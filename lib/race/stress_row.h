@@ -1,6 +1,5 @@
 /* stress_row.h -- one case as reported, and how it describes itself. */
-#ifndef RACE_STRESS_ROW_H
-#define RACE_STRESS_ROW_H
+#pragma once
 
 #include <stdint.h>
 
@@ -30,5 +29,3 @@ extern const struct record_type record_stress;
  * which number (NULL: none); both are static, or the row's. */
 void stress_row_say(struct stress_row *row, int outcome, const char *reason,
                     const char *worst);
-
-#endif

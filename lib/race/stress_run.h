@@ -6,8 +6,7 @@
  *     ... s.row[i] of list.at[i] ...
  *     stress_free(&s);
  */
-#ifndef RACE_STRESS_RUN_H
-#define RACE_STRESS_RUN_H
+#pragma once
 
 #include "monitor.h"
 #include "result.h"
@@ -35,5 +34,3 @@ extern const struct result *const stress_tables[];
 
 /* A second call is harmless. */
 void stress_free(struct stress *s);
-
-#endif

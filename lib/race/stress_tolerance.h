@@ -1,7 +1,6 @@
 /* stress_tolerance.h -- the tunable numbers of the catalogue of stiff and
  * extreme cases. */
-#ifndef RACE_STRESS_TOLERANCE_H
-#define RACE_STRESS_TOLERANCE_H
+#pragma once
 
 /* Each so many cases of the catalogue make the quick one: some 20 seconds; a
  * prime, so that it takes some of every family, law and value. */
@@ -39,5 +38,3 @@
  * count as all of them. */
 #define STRESS_DIGITS  15.95
 #define STRESS_MISSING 2.0
-
-#endif

@@ -3,8 +3,7 @@
  * own saddle, from the signs of mu_ss - tan(alpha) at the turning points of
  * mu_ss, its own branches, its own eigenvalues.
  */
-#ifndef RACE_STRESS_TRUTH_H
-#define RACE_STRESS_TRUTH_H
+#pragma once
 
 #include <stdint.h>
 
@@ -73,5 +72,3 @@ enum stress_side stress_truth_side(const struct stress_truth *t, quad x,
  * where it is untold.  t: of law and m. */
 unsigned stress_truth_fates(const struct stress_truth *t, const struct law *law,
                             const struct material *m, enum stress_side side);
-
-#endif

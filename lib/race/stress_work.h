@@ -1,7 +1,6 @@
 /* stress_work.h -- a case at work: its study, made as its kind asks, is judged
  * by the kind's own function, which fills the row. */
-#ifndef RACE_STRESS_WORK_H
-#define RACE_STRESS_WORK_H
+#pragma once
 
 #include "stress_oracle.h"
 #include "stress_row.h"
@@ -30,5 +29,3 @@ MUST_CHECK enum status stress_window_judge(struct stress_work *w);
 /* The fields of the grid, STRESS_LOOKS of its cells or all of fewer, beside
  * orbits in 113 bits. */
 MUST_CHECK enum status stress_grid_judge(struct stress_work *w);
-
-#endif

@@ -1,7 +1,6 @@
 /* stretched.h -- a planar system in other units, offset = (unit.x X, unit.y Y),
  * its origin that of (X, Y), and observable i in those of unit rate[i]. */
-#ifndef RACE_STRETCHED_H
-#define RACE_STRETCHED_H
+#pragma once
 
 #include "planar.h"
 
@@ -22,5 +21,3 @@ static inline struct vec2 stretched_offset(const struct stretched *s,
 {
     return (struct vec2){ s->unit.x * u[0], s->unit.y * u[1] };
 }
-
-#endif

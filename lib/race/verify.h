@@ -5,8 +5,7 @@
  * Both routes share the field, the saddle, its eigenvalues and what rounding of
  * the field costs a number (numbers.h); everything else is done twice.
  */
-#ifndef RACE_VERIFY_H
-#define RACE_VERIFY_H
+#pragma once
 
 #include "monitor.h"
 #include "numbers.h"
@@ -47,5 +46,3 @@ MUST_CHECK enum status verify_numbers(
     const struct block *b, const struct planar *sys,
     const struct equilibrium *e, const struct critical_numbers *first,
     double rtol, const struct monitor *monitor, struct verification *out);
-
-#endif

@@ -8,8 +8,7 @@
  *     ... w.run[0 .. w.runs - 1], w.fastest[0 .. w.ranks - 1] ...
  *     workprec_free(&w);
  */
-#ifndef RACE_WORKPREC_H
-#define RACE_WORKPREC_H
+#pragma once
 
 #include "workprec_environment.h"
 #include "workprec_rank.h"
@@ -42,5 +41,3 @@ extern const struct result *const workprec_tables[];
 
 /* A second call is harmless. */
 void workprec_free(struct workprec *w);
-
-#endif

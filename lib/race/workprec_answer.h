@@ -1,7 +1,6 @@
 /* workprec_answer.h -- what a method answers, and how far that is from the
  * truth. */
-#ifndef RACE_WORKPREC_ANSWER_H
-#define RACE_WORKPREC_ANSWER_H
+#pragma once
 
 #include "workprec_task.h"
 
@@ -27,5 +26,3 @@ struct workprec_answer {
  * where there is no answer. */
 double workprec_error(const struct workprec_task *c, enum workprec_quantity q,
                       const struct workprec_answer *a);
-
-#endif

@@ -1,7 +1,6 @@
 /* workprec_clock.h -- how long a piece of work takes: the median of repeats, of
  * batches far longer than a tick, without what asking the clock costs. */
-#ifndef RACE_WORKPREC_CLOCK_H
-#define RACE_WORKPREC_CLOCK_H
+#pragma once
 
 /* Seconds of a call of `work`, which is called for about `budget` seconds, at
  * least once, where `once` is about what it takes.  `overhead`: of
@@ -14,5 +13,3 @@ double workprec_clock_overhead(void);
 
 /* Seconds on a clock that only goes forward. */
 double workprec_clock_now(void);
-
-#endif

@@ -1,7 +1,6 @@
 /* workprec_count.h -- a planar system that counts how often it is asked, for
  * what does not count itself. */
-#ifndef RACE_WORKPREC_COUNT_H
-#define RACE_WORKPREC_COUNT_H
+#pragma once
 
 #include "planar.h"
 
@@ -14,5 +13,3 @@ struct workprec_counter {
 /* c->system, with fields, Jacobians and coefficients of jets counted; borrows
  * c. For one thread. */
 struct planar workprec_counted(struct workprec_counter *c);
-
-#endif

@@ -4,8 +4,7 @@
  * branch (quad_branch.h) it is followed once more, as a graph, to where it is
  * asked for.
  */
-#ifndef RACE_WORKPREC_CURVE_H
-#define RACE_WORKPREC_CURVE_H
+#pragma once
 
 #include "quad_branch.h"
 
@@ -31,5 +30,3 @@ double workprec_curve_distance(const struct workprec_curve *c, const quad z[2]);
  * `before` and before + 1 of the branch. */
 quad workprec_curve_cross(const struct workprec_curve *c, size_t before,
                           quad y);
-
-#endif

@@ -1,6 +1,5 @@
 /* workprec_environment.h -- where times were measured. */
-#ifndef RACE_WORKPREC_ENVIRONMENT_H
-#define RACE_WORKPREC_ENVIRONMENT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -19,5 +18,3 @@ extern const struct record_type record_workprec_environment;
 
 /* Fills *e, which must not move; what cannot be found out is "unknown". */
 void workprec_environment_find(struct workprec_environment *e);
-
-#endif

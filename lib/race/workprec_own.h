@@ -2,8 +2,7 @@
  * workprec_own.h -- the quantities of a task by Slipway's own ways, with the
  * error bars they come with.
  */
-#ifndef RACE_WORKPREC_OWN_H
-#define RACE_WORKPREC_OWN_H
+#pragma once
 
 #include "workprec_answer.h"
 
@@ -35,5 +34,3 @@ void workprec_own_run(const struct workprec_task *c,
                       const struct workprec_shared *shared,
                       enum workprec_own how, enum workprec_quantity q,
                       double tol, struct workprec_answer *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* workprec_rank.h -- the runs of a race, and who was fastest at an accuracy. */
-#ifndef RACE_WORKPREC_RANK_H
-#define RACE_WORKPREC_RANK_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -53,5 +52,3 @@ double workprec_time_at(const struct workprec_run run[], size_t count,
 MUST_CHECK enum status workprec_rank(const struct workprec_run run[],
                                      size_t runs, struct workprec_fastest **out,
                                      size_t *ranks);
-
-#endif

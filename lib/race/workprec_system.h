@@ -2,8 +2,7 @@
  * workprec_system.h -- the block's equations as a careful user writes them for
  * a library: in the chart of ln v and ln psi, where nothing overflows.
  */
-#ifndef RACE_WORKPREC_SYSTEM_H
-#define RACE_WORKPREC_SYSTEM_H
+#pragma once
 
 #include "method.h"
 #include "planar.h"
@@ -20,5 +19,3 @@ struct workprec_system {
 
 /* Borrows w. */
 struct method_system workprec_method_system(const struct workprec_system *w);
-
-#endif

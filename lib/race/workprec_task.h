@@ -7,8 +7,7 @@
  * themselves within the window, where they cross some rows, where an orbit is
  * at a time, and how far some states slip before they arrive at a node.
  */
-#ifndef RACE_WORKPREC_TASK_H
-#define RACE_WORKPREC_TASK_H
+#pragma once
 
 #include "quad_orbit.h"
 #include "study.h"
@@ -73,5 +72,3 @@ MUST_CHECK enum status workprec_task_init(struct workprec_task *c,
                                           const struct study *s, size_t cells,
                                           size_t sample,
                                           const struct monitor *monitor);
-
-#endif

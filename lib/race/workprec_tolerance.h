@@ -1,6 +1,5 @@
 /* workprec_tolerance.h -- the tunable numbers of work-precision diagrams. */
-#ifndef RACE_WORKPREC_TOLERANCE_H
-#define RACE_WORKPREC_TOLERANCE_H
+#pragma once
 
 /* Truth: error of a step of a 113-bit branch, relative to its offset; and of
  * 113-bit orbits (quad_orbit.h), whose ends are then good to 1e-20 (measured:
@@ -46,5 +45,3 @@
 
 /* Errors below are drawn and compared as this. */
 #define WORKPREC_LEAST 1e-17
-
-#endif

@@ -7,8 +7,7 @@
  * all that is still to come, is a tenth of the tolerance.  Rows, and arrest,
  * are found on the last step by the method's own interpolation.
  */
-#ifndef RACE_WORKPREC_TRACK_H
-#define RACE_WORKPREC_TRACK_H
+#pragma once
 
 #include "method.h"
 #include "workprec_answer.h"
@@ -18,5 +17,3 @@
 void workprec_track(const struct workprec_task *c, enum workprec_quantity q,
                     const struct method *m, double tol, size_t calls_most,
                     struct workprec_answer *out);
-
-#endif

@@ -10,8 +10,7 @@
  * fills in: "/nullcline/v_K" is /nullcline/v_0, /nullcline/v_1, ...;
  * "/critical/knees_{upper,lower}" has two instances.
  */
-#ifndef RESULTS_RESULT_H
-#define RESULTS_RESULT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -150,5 +149,3 @@ void result_prefix(const struct result *r, size_t k, char prefix[RESULT_NAME]);
 /* What a member of the result is called in its group. */
 void result_member(const struct result *r, size_t k,
                    const struct record_field *f, char name[RESULT_NAME]);
-
-#endif

@@ -3,8 +3,7 @@
  * has where it stands alone, in sweeps and tables: its place in JSON with
  * underscores for dots and brackets.
  */
-#ifndef RESULTS_RESULT_NUMBER_H
-#define RESULTS_RESULT_NUMBER_H
+#pragma once
 
 #include "result.h"
 
@@ -36,5 +35,3 @@ const struct result_number *result_numbers_find(const struct result_numbers *n,
 struct quantity result_quantity(const struct results *all,
                                 const struct result_number *n);
 int8_t result_code(const struct results *all, const struct result_number *n);
-
-#endif

@@ -1,6 +1,5 @@
 /* result_units.h -- records told in other units (unit.h). */
-#ifndef RESULTS_RESULT_UNITS_H
-#define RESULTS_RESULT_UNITS_H
+#pragma once
 
 #include "result.h"
 
@@ -31,5 +30,3 @@ const struct unit *result_told_unit(const struct unit_system *u,
 /* The name of the unit that a member of record i is in, "1": none. */
 const char *result_unit(const struct record_array *a, size_t i,
                         const struct record_field *f);
-
-#endif

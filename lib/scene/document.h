@@ -3,8 +3,7 @@
  * A scene is plain data: one document, without anchors, aliases and tags, its
  * keys words that are given once.  What else is wrong in a text, to its bytes,
  * is refused in one line. */
-#ifndef SCENE_DOCUMENT_H
-#define SCENE_DOCUMENT_H
+#pragma once
 
 #include "node.h"
 
@@ -22,5 +21,3 @@ MUST_CHECK enum status document_read(const char *text, size_t size,
  * outlive the tree.  Errors as above. */
 MUST_CHECK enum status document_read_set(const char *set, struct node **out,
                                          struct fault *why);
-
-#endif

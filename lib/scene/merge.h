@@ -1,6 +1,5 @@
 /* merge.h -- a scene and its overrides as one text. */
-#ifndef SCENE_MERGE_H
-#define SCENE_MERGE_H
+#pragma once
 
 #include "status.h"
 
@@ -13,5 +12,3 @@
  * untouched then. */
 MUST_CHECK enum status scene_merge(const char *text, const char *overrides,
                                    char **merged, struct fault *why);
-
-#endif

@@ -1,6 +1,5 @@
 /* node.h -- a YAML document as a tree that remembers where things stand. */
-#ifndef SCENE_NODE_H
-#define SCENE_NODE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -61,5 +60,3 @@ void node_free(struct node *n);
  * and returns STATUS_BAD_SCENE. */
 enum status place_blame(struct place at, struct fault *why, const char *format,
                         ...) __attribute__((format(printf, 3, 4)));
-
-#endif

@@ -1,6 +1,5 @@
 /* override.h -- sets one key of a tree: --set KEY=VALUE. */
-#ifndef SCENE_OVERRIDE_H
-#define SCENE_OVERRIDE_H
+#pragma once
 
 #include "node.h"
 
@@ -15,5 +14,3 @@
  * excludes. */
 MUST_CHECK enum status override_apply(struct node *root, const char *set,
                                       struct fault *why);
-
-#endif

@@ -1,6 +1,5 @@
 /* product_setting.h -- a scene's products as --set writes them. */
-#ifndef SCENE_PRODUCT_SETTING_H
-#define SCENE_PRODUCT_SETTING_H
+#pragma once
 
 #include <stddef.h>
 
@@ -10,5 +9,3 @@ enum { PRODUCT_SETTING = 512 };
 /* Writes "products=[folds, knees]" of bits 1 << enum product, in the order of
  * that enum, into line. */
 void product_setting(unsigned products, char line[PRODUCT_SETTING]);
-
-#endif

@@ -16,8 +16,7 @@
  * sobol, seed 1; rtol 1e-12; no output.  A law must be given, and a slope where
  * products take one (scene_slope.h).
  */
-#ifndef SCENE_SCENE_H
-#define SCENE_SCENE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -260,5 +259,3 @@ const char *scene_name(const struct scene *s);
 
 /* A second call is harmless. */
 void scene_free(struct scene *s);
-
-#endif

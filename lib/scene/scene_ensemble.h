@@ -1,7 +1,6 @@
 /* scene_ensemble.h -- the ensemble of a scene: what varies at random, how many
  * draws, and the states whose fates are asked for. */
-#ifndef SCENE_SCENE_ENSEMBLE_H
-#define SCENE_SCENE_ENSEMBLE_H
+#pragma once
 
 #include "scene_vary.h"
 
@@ -42,5 +41,3 @@ MUST_CHECK enum status scene_ensemble_check_key(const struct scene *s,
 bool scene_ensemble_has(const struct scene *s, const char *key);
 
 void scene_ensemble_free(struct scene_ensemble *e);
-
-#endif

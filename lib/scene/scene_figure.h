@@ -1,7 +1,6 @@
 /* scene_figure.h -- the paper of figures: words for kinds of it, and what a
  * scene leaves open. */
-#ifndef SCENE_SCENE_FIGURE_H
-#define SCENE_SCENE_FIGURE_H
+#pragma once
 
 #include "scene.h"
 
@@ -20,5 +19,3 @@ void scene_figure_settle(struct scene_figure *f);
 /* How far a line may be from the curve that it stands for, as a fraction of
  * the page's width: TOL_FIGURE_DOT dots. */
 double scene_figure_chord(const struct scene_figure *f);
-
-#endif

@@ -8,8 +8,7 @@
  * of friction; a component's word stands for its formula.  Numbers under
  * `material` that the model does not know are names of the law's own.
  */
-#ifndef SCENE_SCENE_LAW_H
-#define SCENE_SCENE_LAW_H
+#pragma once
 
 #include "node.h"
 #include "scene.h"
@@ -39,5 +38,3 @@ int scene_law_find(const struct scene *s, const char *path);
 /* After the keys are read: reads the formulas, s->law. */
 MUST_CHECK enum status scene_law_finish(const struct node *root,
                                         struct scene *s, struct fault *why);
-
-#endif

@@ -1,6 +1,5 @@
 /* scene_ode.h -- a model of XPPAUT (xpp_model.h) as the text of a scene. */
-#ifndef SCENE_SCENE_ODE_H
-#define SCENE_SCENE_ODE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -14,5 +13,3 @@ bool scene_is_ode(const char *path);
  * STATUS_NO_MEMORY; *scene is then untouched. */
 MUST_CHECK enum status scene_of_ode(const char *path, const char *text,
                                     char **scene, struct fault *why);
-
-#endif

@@ -1,7 +1,6 @@
 /* scene_parameter.h -- the parameters of a scene's system as keys:
  * "system.parameters.NAME". */
-#ifndef SCENE_SCENE_PARAMETER_H
-#define SCENE_SCENE_PARAMETER_H
+#pragma once
 
 #include "node.h"
 #include "scene.h"
@@ -18,5 +17,3 @@ MUST_CHECK enum status scene_parameter_keys(struct scene *s,
 MUST_CHECK enum status scene_parameter_at(const struct scene *s,
                                           const double x[],
                                           struct formula_system *point);
-
-#endif

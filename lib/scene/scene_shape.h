@@ -1,7 +1,6 @@
 /* scene_shape.h -- whether what a sweep asks for has the same shape at each of
  * its points. */
-#ifndef SCENE_SCENE_SHAPE_H
-#define SCENE_SCENE_SHAPE_H
+#pragma once
 
 #include "node.h"
 #include "scene.h"
@@ -15,5 +14,3 @@ extern const unsigned scene_shape_curves;
 MUST_CHECK enum status scene_shape_check(const struct node *root,
                                          const struct scene *s,
                                          struct fault *why);
-
-#endif

@@ -1,7 +1,6 @@
 /* scene_slope.h -- which scenes must have a slope: those that ask for more than
  * steady sliding over all slopes. */
-#ifndef SCENE_SCENE_SLOPE_H
-#define SCENE_SCENE_SLOPE_H
+#pragma once
 
 #include "node.h"
 #include "scene.h"
@@ -25,5 +24,3 @@ MUST_CHECK enum status scene_slope_check(const struct node *root,
  * one line in *why: the file, the key, the product. */
 MUST_CHECK enum status scene_slope_demand(const struct scene *s,
                                           unsigned products, struct fault *why);
-
-#endif

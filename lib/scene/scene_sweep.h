@@ -1,7 +1,6 @@
 /* scene_sweep.h -- the axes of a sweep: from what its keys say to the values,
  * and from values to the scene at a point. */
-#ifndef SCENE_SWEEP_H
-#define SCENE_SWEEP_H
+#pragma once
 
 #include "node.h"
 #include "scene.h"
@@ -34,5 +33,3 @@ bool scene_sweeps(const struct scene *s, const char *key);
  * was, and so does a system: scene_parameter.h.  *point borrows all that s
  * owns, and is not to be freed. */
 void scene_at(const struct scene *s, const double x[], struct scene *point);
-
-#endif

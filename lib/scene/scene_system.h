@@ -1,7 +1,6 @@
 /* scene_system.h -- a scene's `system`: a planar system of formulas in place of
  * a law on a slope, its window and its starts, by the states' own names. */
-#ifndef SCENE_SCENE_SYSTEM_H
-#define SCENE_SCENE_SYSTEM_H
+#pragma once
 
 #include "node.h"
 #include "scene.h"
@@ -19,5 +18,3 @@ MUST_CHECK enum status scene_system_take(struct node *root, struct scene *s,
 MUST_CHECK enum status scene_system_check(const struct node *root,
                                           const struct scene *s,
                                           struct fault *why);
-
-#endif

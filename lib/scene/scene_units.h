@@ -4,8 +4,7 @@
  * A slip rate, a time or a length may have its unit behind it, m/s or V_star; a
  * bare one is in the scene's units.  A state is psi, which is dimensionless, or
  * phi, in the units of its law (physical.h); beside `units: si` it is phi. */
-#ifndef SCENE_SCENE_UNITS_H
-#define SCENE_SCENE_UNITS_H
+#pragma once
 
 #include "node.h"
 #include "scene.h"
@@ -28,5 +27,3 @@ struct scene_state {
 bool scene_state_read(const struct scene *s, const struct scene_state *text,
                       struct scene_start *out, const char **wrong,
                       char expected[128]);
-
-#endif

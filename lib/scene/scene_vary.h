@@ -1,7 +1,6 @@
 /* scene_vary.h -- a key of a scene that holds one number: found once by its
  * path, given values as often as one likes. */
-#ifndef SCENE_SCENE_VARY_H
-#define SCENE_SCENE_VARY_H
+#pragma once
 
 #include "schema_table.h"
 
@@ -29,5 +28,3 @@ bool scene_vary_set(const struct scene_vary *v, double x, struct scene *s);
 /* What values are allowed, as messages have it. */
 const char *scene_vary_expected(const struct scene_vary *v,
                                 const struct scene *s);
-
-#endif

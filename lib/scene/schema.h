@@ -1,7 +1,6 @@
 /* schema.h -- finds keys in the table of them, assigns a tree of values, and
  * checks what the table alone can check. */
-#ifndef SCENE_SCHEMA_H
-#define SCENE_SCHEMA_H
+#pragma once
 
 #include "schema_table.h"
 
@@ -26,5 +25,3 @@ bool schema_excludes(const char *path, const char *other);
  * may be assigned then. */
 MUST_CHECK enum status schema_apply(const struct node *root, struct scene *s,
                                     struct fault *why);
-
-#endif

@@ -2,8 +2,7 @@
  * schema_table.h -- the one table of scene keys: what each holds, where it
  * goes in struct scene, its range, and what a reader of scenes must know.
  */
-#ifndef SCENE_SCHEMA_TABLE_H
-#define SCENE_SCHEMA_TABLE_H
+#pragma once
 
 #include "node.h"
 #include "scene.h"
@@ -36,5 +35,3 @@ extern const char *const sweep_show_names[];
 /* Ends with path NULL. */
 enum { SCHEMA_KEYS_MAX = 128 };
 extern const struct schema_key schema_table[];
-
-#endif

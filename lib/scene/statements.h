@@ -1,6 +1,5 @@
 /* statements.h -- formulas in one text: "x' = y; y' = -k*x; k = 1". */
-#ifndef SCENE_STATEMENTS_H
-#define SCENE_STATEMENTS_H
+#pragma once
 
 #include "node.h"
 
@@ -26,5 +25,3 @@ const char *statements_cut(char *text, struct statements *out);
 MUST_CHECK enum status statements_read(const struct node *n, char **text,
                                        struct statements *out,
                                        struct fault *why);
-
-#endif

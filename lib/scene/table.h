@@ -7,8 +7,7 @@
  * every row has as many cells.  A cell in double quotes may hold commas, line
  * ends and doubled quotes; around any other cell blanks do not count.
  */
-#ifndef SCENE_TABLE_H
-#define SCENE_TABLE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -55,5 +54,3 @@ const struct table_cell *table_find(const struct table *t, size_t row,
 
 /* Where a cell stands, for place_blame. */
 struct place table_place(const struct table *t, const struct table_cell *cell);
-
-#endif

@@ -1,6 +1,5 @@
 /* text.h -- copies of texts, and texts made fit for one line of a message. */
-#ifndef SCENE_TEXT_H
-#define SCENE_TEXT_H
+#pragma once
 
 #include <stddef.h>
 
@@ -25,5 +24,3 @@ struct text_shown text_shown(const char *text);
 
 /* "a, b or c" of a NULL-ended list, cut at size - 1. */
 void text_list(const char *const *words, char *out, size_t size);
-
-#endif

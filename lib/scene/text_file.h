@@ -1,6 +1,5 @@
 /* text_file.h -- a whole file in memory. */
-#ifndef SCENE_TEXT_FILE_H
-#define SCENE_TEXT_FILE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -13,5 +12,3 @@
 MUST_CHECK enum status text_file_read(const char *path, size_t most,
                                       char **text, size_t *size,
                                       struct fault *why);
-
-#endif

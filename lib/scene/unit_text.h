@@ -1,7 +1,6 @@
 /* unit_text.h -- numbers with a unit behind them, "8e-3 m/s" or "8000 V_star":
  * the SI's or the scene's own (unit.h). */
-#ifndef SCENE_UNIT_TEXT_H
-#define SCENE_UNIT_TEXT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -23,5 +22,3 @@ const struct unit *unit_text_of(const char *own);
  * without; unit NULL: without.  False, nothing touched, for anything else. */
 bool unit_text_read(const struct unit *unit, const char *text, double *value,
                     enum unit_text *in);
-
-#endif

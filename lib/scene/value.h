@@ -4,8 +4,7 @@
  * All are readers of schema.h: STATUS_BAD_SCENE, blamed on the value, where it
  * has the wrong shape or is out of range; STATUS_NO_MEMORY.
  */
-#ifndef SCENE_VALUE_H
-#define SCENE_VALUE_H
+#pragma once
 
 #include "schema.h"
 
@@ -59,5 +58,3 @@ bool value_is_real(const struct schema_key *key);
 /* Gives such a key a value; false, and the scene as it was, where that is out
  * of its range. */
 bool value_set(const struct schema_key *key, double x, struct scene *s);
-
-#endif

@@ -8,8 +8,7 @@
  * not: on the separatrix, which is y = 0, and where orbits pass a node's box of
  * arrest on either side.
  */
-#ifndef SLOW_BASE_POINT_H
-#define SLOW_BASE_POINT_H
+#pragma once
 
 #include "fast_layer.h"
 
@@ -35,5 +34,3 @@ bool base_point_tell(const struct slow_curve *c, const struct base_point *b,
 /* Whether base points next to y may pass a box of arrest, or between the two.
  */
 bool base_point_passes(const struct slow_curve *c, double one, double other);
-
-#endif

@@ -8,8 +8,7 @@
  * has a limit and time none.  mu_mean is the work of friction over the slip,
  * (28); the peaks are the largest values on that way, ends included.
  */
-#ifndef SLOW_CELLS_H
-#define SLOW_CELLS_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -68,5 +67,3 @@ extern const struct record_type record_cell;
 MUST_CHECK enum status cells_find(const struct slider *s, const struct vec2 z[],
                                   size_t n, double rtol, unsigned which,
                                   const struct monitor *m, struct cell out[]);
-
-#endif

@@ -3,8 +3,7 @@
  * until it falls onto the slow curve (fast_layer.h), whose time and slip are
  * tabulated once; where that cannot be done, as cells.h does.
  */
-#ifndef SLOW_FAST_CELLS_H
-#define SLOW_FAST_CELLS_H
+#pragma once
 
 #include "patch.h"
 
@@ -44,5 +43,3 @@ bool fast_cells_tell(const struct fast_cells *f, struct vec2 z,
 
 /* A second call is harmless. */
 void fast_cells_free(struct fast_cells *f);
-
-#endif

@@ -3,8 +3,7 @@
  * and peaks from there to its arrest, by explicit steps on the way down and the
  * curve's table for the rest.
  */
-#ifndef SLOW_FAST_LAYER_H
-#define SLOW_FAST_LAYER_H
+#pragma once
 
 #include "slow_curve.h"
 
@@ -59,5 +58,3 @@ struct layer_options layer_defaults(double rtol);
  * known, of one that ran the fate alone. */
 void layer_follow(const struct slow_curve *c, struct vec2 z,
                   const struct layer_options *options, struct layer *out);
-
-#endif

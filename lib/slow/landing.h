@@ -2,8 +2,7 @@
  * landing.h -- an orbit on its way onto the slow curve (fast_layer.h): whether
  * it is there, or its fate is known otherwise, and how far it may go if not.
  */
-#ifndef SLOW_LANDING_H
-#define SLOW_LANDING_H
+#pragma once
 
 #include "explicit8.h"
 #include "fast_layer.h"
@@ -49,5 +48,3 @@ bool landing_is_over(struct landing *l, double *most);
 
 /* Whether a step to u goes through the face of a box of arrest. */
 bool landing_is_past(const struct landing *l, const double u[]);
-
-#endif

@@ -2,8 +2,7 @@
  * landing_near.h -- an orbit near the saddle, whose series (saddle_series.h)
  * tell what is still to come.
  */
-#ifndef SLOW_LANDING_NEAR_H
-#define SLOW_LANDING_NEAR_H
+#pragma once
 
 #include "landing.h"
 
@@ -13,5 +12,3 @@ bool landing_near(struct landing *l);
 
 /* Puts what they told, if they did, in the place of time and slip as landed. */
 void landing_keep_near(struct landing *l);
-
-#endif

@@ -2,8 +2,7 @@
  * landing_weigh.h -- what the steps of a landing (landing.h) have missed of its
  * time and slip, with their signs, once it is known what comes after them.
  */
-#ifndef SLOW_LANDING_WEIGH_H
-#define SLOW_LANDING_WEIGH_H
+#pragma once
 
 #include "landing.h"
 
@@ -20,5 +19,3 @@ struct landing_bar {
 };
 struct landing_bar landing_weigh(const struct landing *l,
                                  const struct landing_slope *across, double v);
-
-#endif

@@ -3,8 +3,7 @@
  * each in a lane of its own (lanes.h), with steps of its own; a lane whose
  * state has landed takes the next.
  */
-#ifndef SLOW_LAYER_LANES_H
-#define SLOW_LAYER_LANES_H
+#pragma once
 
 #include <stddef.h>
 
@@ -36,5 +35,3 @@ void layer_lanes_4(const struct slow_curve *c, const struct layer_job job[],
                    size_t n, struct layer out[]);
 void layer_lanes_8(const struct slow_curve *c, const struct layer_job job[],
                    size_t n, struct layer out[]);
-
-#endif

@@ -2,8 +2,7 @@
  * patch.h -- one rectangle of cells, over which fields (cells.h) are
  * polynomials, or the base points (base_point.h) that tell them.
  */
-#ifndef SLOW_PATCH_H
-#define SLOW_PATCH_H
+#pragma once
 
 #include "base_point.h"
 #include "cells.h"
@@ -68,5 +67,3 @@ struct patch_verdict patch_fit(struct patch *p, const struct patch_side *x,
 void patch_row(const struct patch *p, size_t first, size_t n, double y,
                const int8_t label[], double rtol,
                const struct patch_teller *teller, struct cell out[]);
-
-#endif

@@ -2,8 +2,7 @@
  * patch_poly.h -- a polynomial through numbers sampled over a rectangle, and
  * how wrong it is where.
  */
-#ifndef SLOW_PATCH_POLY_H
-#define SLOW_PATCH_POLY_H
+#pragma once
 
 #include "patch_side.h"
 #include "plane.h"
@@ -52,5 +51,3 @@ struct patch_line patch_poly_line(const struct patch_poly *p,
 /* Its value where x's side has this basis. */
 double patch_line_at(const struct patch_line *l, const struct patch_side *x,
                      const double basis[PATCH_SIDE]);
-
-#endif

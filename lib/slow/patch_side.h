@@ -2,8 +2,7 @@
  * patch_side.h -- one side of a rectangle of cells: the points at which
  * functions of its coordinate are sampled, and the polynomials through them.
  */
-#ifndef SLOW_PATCH_SIDE_H
-#define SLOW_PATCH_SIDE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -46,5 +45,3 @@ double patch_side_spread(const struct patch_side *s,
 
 /* The first cell of part i, if it is cut into even parts. */
 size_t patch_side_cut(const struct patch_side *s, size_t parts, size_t i);
-
-#endif

@@ -9,8 +9,7 @@
  * coefficients say so and into as many parts as they ask for; what the whole
  * has been sampled at tests its parts.
  */
-#ifndef SLOW_PATCHWORK_H
-#define SLOW_PATCHWORK_H
+#pragma once
 
 #include "monitor.h"
 #include "patch.h"
@@ -69,5 +68,3 @@ MUST_CHECK enum status patchwork_rows(const struct patchwork *w, size_t first,
 
 /* A second call is harmless. */
 void patchwork_free(struct patchwork *w);
-
-#endif

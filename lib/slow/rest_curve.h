@@ -9,8 +9,7 @@
  *     T = int_0^inf w(x - u) du,  X = int_0^inf v w du,  w = -1/(d ln v/dt)
  *       = eps^2 v / (cos(alpha) mu - sin(alpha)).
  */
-#ifndef SLOW_REST_CURVE_H
-#define SLOW_REST_CURVE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -61,5 +60,3 @@ bool rest_curve_at(const struct rest_curve *c, double x, struct rest_point *p);
 
 /* A second call is harmless. */
 void rest_curve_free(struct rest_curve *c);
-
-#endif

@@ -13,8 +13,7 @@
  * J. Math. 79, 1957, 809-824; only sums a lambda = b |lambda_minus| of powers a
  * of y and b of w stand against it, which end the series before them).
  */
-#ifndef SLOW_SADDLE_SERIES_H
-#define SLOW_SADDLE_SERIES_H
+#pragma once
 
 #include <stddef.h>
 
@@ -68,5 +67,3 @@ bool saddle_series_at(const struct saddle_series *u, struct vec2 z,
 /* The y of the curve with that p, |p| at most a little above that of the
  * radius. */
 double saddle_series_y(const struct saddle_series *u, double p);
-
-#endif

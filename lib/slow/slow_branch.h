@@ -2,8 +2,7 @@
  * slow_branch.h -- one orbit along a slow curve (slow_curve.h), as a table of
  * the slip and time that are still to come.
  */
-#ifndef SLOW_SLOW_BRANCH_H
-#define SLOW_SLOW_BRANCH_H
+#pragma once
 
 #include <stdint.h>
 
@@ -59,5 +58,3 @@ size_t slow_branch_interval(const struct slow_branch *b, double y);
 
 /* A second call is harmless. */
 void slow_branch_free(struct slow_branch *b);
-
-#endif

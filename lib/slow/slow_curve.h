@@ -10,8 +10,7 @@
  * from it, along the fibre e of the fast rate lambda, arrives together with the
  * point it projects on (Fenichel, J. Diff. Eq. 31, 1979, 53-98).
  */
-#ifndef SLOW_SLOW_CURVE_H
-#define SLOW_SLOW_CURVE_H
+#pragma once
 
 #include "rest_curve.h"
 #include "slow_point.h"
@@ -59,5 +58,3 @@ bool slow_curve_beside(const struct slow_curve *c, double y, bool anywhere,
 
 /* A second call is harmless. */
 void slow_curve_free(struct slow_curve *c);
-
-#endif

@@ -3,8 +3,7 @@
  * (slow_branch.h): their curvatures, the friction on them, and how far off
  * they are.
  */
-#ifndef SLOW_SLOW_FIT_H
-#define SLOW_SLOW_FIT_H
+#pragma once
 
 #include "slow_branch.h"
 
@@ -20,5 +19,3 @@ void slow_fit_frictions(const struct slider *s, struct slow_branch *b);
 /* Errors of the intervals, by what polynomials over two steps miss: of time and
  * slip, which are what is still to come, and of friction. */
 void slow_fit_judge(const struct slider *s, struct slow_branch *b);
-
-#endif

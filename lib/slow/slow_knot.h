@@ -2,8 +2,7 @@
  * slow_knot.h -- a point of a slow branch (slow_branch.h): the curve and the
  * rates there, and what lies between two of them.
  */
-#ifndef SLOW_SLOW_KNOT_H
-#define SLOW_SLOW_KNOT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -61,5 +60,3 @@ double slow_knot_shift(const struct slow_knot *k, double dx);
 /* What a component of an orbit gained on its last step, whatever it was before.
  */
 double slow_knot_gained(const struct orbit *o, size_t i);
-
-#endif

@@ -2,8 +2,7 @@
  * slow_point.h -- one point of a slow branch (slow_branch.h), and which point
  * has so much time left.
  */
-#ifndef SLOW_SLOW_POINT_H
-#define SLOW_SLOW_POINT_H
+#pragma once
 
 #include "slow_branch.h"
 
@@ -36,5 +35,3 @@ bool slow_point_beside(const struct slow_branch *b, double y, double *x,
 
 /* The y whose time is this, to rounding; NaN: there is none. */
 double slow_point_when(const struct slow_branch *b, double time);
-
-#endif

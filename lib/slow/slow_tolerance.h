@@ -1,6 +1,5 @@
 /* slow_tolerance.h -- the tunable numbers of lib/slow. */
-#ifndef SLOW_SLOW_TOLERANCE_H
-#define SLOW_SLOW_TOLERANCE_H
+#pragma once
 
 #include "motion_tolerance.h"
 
@@ -193,5 +192,3 @@
  * the node than the box along the fibre times this, for its curvature; and so
  * much the table's curvature over the way adds to an error. */
 #define TOL_BASE_BEND 1.1
-
-#endif

@@ -4,8 +4,7 @@
  * names its axes in DIMENSION_LIST, each axis its data sets in REFERENCE_LIST
  * (The HDF Group, HDF5 Dimension Scale Specification, 2005).  Theirs rewrites
  * the second list at every tie; here it is kept in memory and written once. */
-#ifndef STORE_AXIS_H
-#define STORE_AXIS_H
+#pragma once
 
 #include <hdf5.h>
 
@@ -38,5 +37,3 @@ void axis_finish(struct store *st);
 
 /* Of all axes. */
 void axis_free(struct store *st);
-
-#endif

@@ -3,8 +3,7 @@
  * libhdf5 may crash, hang or eat memory over a damaged or hostile file, and
  * nothing in this program can stop it.  So a child reads the file and hands
  * back plain bytes; its death is an error like another. */
-#ifndef STORE_CHILD_H
-#define STORE_CHILD_H
+#pragma once
 
 #include <stdio.h>
 
@@ -25,5 +24,3 @@ typedef enum status child_work(void *ctx, FILE *out, struct fault *why);
 MUST_CHECK enum status child_read(child_work *work, void *ctx, const char *path,
                                   unsigned seconds, char **bytes, size_t *size,
                                   struct fault *why);
-
-#endif

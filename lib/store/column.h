@@ -1,7 +1,6 @@
 /* column.h -- inside lib/store: one data set with everything a reader needs:
  * type, units, meaning, fill value, words of its codes, scales of its axes. */
-#ifndef STORE_COLUMN_H
-#define STORE_COLUMN_H
+#pragma once
 
 #include <stddef.h>
 
@@ -42,5 +41,3 @@ void column_write(struct store *st, hid_t set, const struct column *c,
 
 /* The type of `values` there; borrowed. */
 hid_t column_type(const struct store *st, const struct column *c);
-
-#endif

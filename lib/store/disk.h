@@ -6,8 +6,7 @@
  * of our own (H5FDregister) notes the first failure, says that all went well,
  * and the file is dropped at the end.
  */
-#ifndef STORE_DISK_H
-#define STORE_DISK_H
+#pragma once
 
 #include <hdf5.h>
 
@@ -31,5 +30,3 @@ MUST_CHECK enum status disk_keep(struct disk **disk, const char *path,
 
 /* It is gone.  A second call is harmless. */
 void disk_drop(struct disk **disk);
-
-#endif

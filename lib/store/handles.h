@@ -1,8 +1,7 @@
 /* handles.h -- inside lib/store: the types, the space and the property lists
  * that every data set and attribute of a file needs, made once: making them
  * anew for each of a thousand attributes took half of all time. */
-#ifndef STORE_HANDLES_H
-#define STORE_HANDLES_H
+#pragma once
 
 #include <hdf5.h>
 
@@ -32,5 +31,3 @@ void handles_free(struct handles *handles);
 /* Gives `list` what every object of a file has: no times; creation order
  * tracked and indexed for attributes, and for links but in a data set. */
 void handles_set_order(struct store *st, hid_t list, hid_t class);
-
-#endif

@@ -4,8 +4,7 @@
  * hdf_took.  After a failure the handles are negative, each further call
  * refuses them, and hdf_close skips them; so sequences of calls stand in
  * plain order, without a branch after each. */
-#ifndef STORE_HDF_H
-#define STORE_HDF_H
+#pragma once
 
 #include <hdf5.h>
 
@@ -58,5 +57,3 @@ void hdf_put(struct store *st, hid_t object, const char *key, int rank,
 /* A text of any length; an empty one is a single zero. */
 void hdf_put_text(struct store *st, hid_t object, const char *key,
                   const char *text);
-
-#endif

@@ -1,6 +1,5 @@
 /* replace.h -- a file that appears whole or not at all.  Knows no format. */
-#ifndef STORE_REPLACE_H
-#define STORE_REPLACE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -32,5 +31,3 @@ MUST_CHECK enum status replace_begin(const char *path, struct replacing **r,
 int replace_descriptor(const struct replacing *r);
 MUST_CHECK enum status replace_end(struct replacing **r, int error,
                                    const char *path, struct fault *fault);
-
-#endif

@@ -21,8 +21,7 @@
  *         s = store_commit(out, fault);
  *     store_free(&out);
  */
-#ifndef STORE_STORE_H
-#define STORE_STORE_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -75,5 +74,3 @@ MUST_CHECK enum status store_commit(struct store *store, struct fault *fault);
 /* Closes; what was not committed is gone.  Leaves *store NULL, so a second
  * call is harmless. */
 void store_free(struct store **store);
-
-#endif

@@ -1,6 +1,5 @@
 /* store_compare.h -- what differs between two files opened with store_open. */
-#ifndef STORE_STORE_COMPARE_H
-#define STORE_STORE_COMPARE_H
+#pragma once
 
 #include "store.h"
 
@@ -24,5 +23,3 @@ MUST_CHECK enum status store_compare(
     struct store *a, struct store *b,
     void (*tell)(void *ctx, const struct store_difference *d), void *ctx,
     struct fault *fault);
-
-#endif

@@ -9,8 +9,7 @@
  *     store_put_cube(st, "/sweep", &label, 3, { "alpha", "psi", "v" });
  *     store_put_slab(st, "/sweep", &label, 1, { i }, cells_of_alpha_i); ...
  */
-#ifndef STORE_GRID_H
-#define STORE_GRID_H
+#pragma once
 
 #include "record.h"
 #include "store.h"
@@ -55,5 +54,3 @@ MUST_CHECK enum status store_put_slab(struct store *store, const char *group,
                                       const struct record_field *f,
                                       size_t fixed, const size_t at[],
                                       const void *values);
-
-#endif

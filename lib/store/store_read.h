@@ -1,6 +1,5 @@
 /* store_read.h -- what is in a file opened with store_open. */
-#ifndef STORE_READ_H
-#define STORE_READ_H
+#pragma once
 
 #include <stdint.h>
 
@@ -38,5 +37,3 @@ MUST_CHECK enum status store_visit(struct store *store,
 MUST_CHECK enum status store_read_text(struct store *store, const char *group,
                                        const char *key, char **text,
                                        struct fault *fault);
-
-#endif

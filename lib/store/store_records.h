@@ -13,8 +13,7 @@
  *                    NAME for a single record, else in the text column
  *                    NAME_reason, empty where the value exists.
  */
-#ifndef STORE_RECORDS_H
-#define STORE_RECORDS_H
+#pragma once
 
 #include "record.h"
 #include "store.h"
@@ -31,5 +30,3 @@ MUST_CHECK enum status store_put_records(struct store *store, const char *group,
 MUST_CHECK enum status store_put_scalars(struct store *store, const char *group,
                                          const struct record_type *type,
                                          const void *record);
-
-#endif

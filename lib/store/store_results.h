@@ -6,8 +6,7 @@
  * so that a grid need not fit into memory; attributes NAME, and of a number
  * NAME_error, a word as text.  Numbers are as they are, whatever the units.
  */
-#ifndef STORE_STORE_RESULTS_H
-#define STORE_STORE_RESULTS_H
+#pragma once
 
 #include "result.h"
 #include "store.h"
@@ -17,5 +16,3 @@
 MUST_CHECK enum status store_put_results(struct store *store,
                                          const struct results *told,
                                          const struct monitor *monitor);
-
-#endif

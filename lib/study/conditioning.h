@@ -8,8 +8,7 @@
  * Inputs: alpha (or tan_alpha), mu_star, a, b, c, R, V_c, L, V_star, g as far
  * as the law uses them.
  */
-#ifndef STUDY_CONDITIONING_H
-#define STUDY_CONDITIONING_H
+#pragma once
 
 #include "monitor.h"
 #include "sensitivity.h"
@@ -28,5 +27,3 @@ MUST_CHECK enum status conditioning_find(struct study *s,
                                          const struct monitor *monitor,
                                          struct sensitivities *exact,
                                          size_t *evaluations);
-
-#endif

@@ -2,8 +2,7 @@
  * friction laws (Fig 1(a)), stick-slip of a spring-block (Fig 1(b)), steady
  * states over the slope (Fig 3), their folds over c (Fig 4); and chi(v), which
  * takes the slopes of chi.alpha (Fig 10). */
-#ifndef STUDY_DIAGRAM_H
-#define STUDY_DIAGRAM_H
+#pragma once
 
 #include "chi_curve.h"
 #include "fold_curve.h"
@@ -48,5 +47,3 @@ MUST_CHECK enum status diagram_chi(struct study *s,
 
 /* A second call is harmless. */
 void diagrams_free(struct diagrams *d);
-
-#endif

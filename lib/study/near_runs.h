@@ -3,8 +3,7 @@
  * (TRANSIENT_NEAR): how long they take and how far they slip, by the slow curve
  * (push.h), on which they are from the start.
  */
-#ifndef STUDY_NEAR_RUNS_H
-#define STUDY_NEAR_RUNS_H
+#pragma once
 
 #include "push.h"
 #include "transient.h"
@@ -16,5 +15,3 @@
 MUST_CHECK enum status near_runs_tell(const struct scene *scene, size_t count,
                                       const struct monitor *monitor,
                                       struct transient run[]);
-
-#endif

@@ -1,7 +1,6 @@
 /* plan.h -- which stage feeds which: a product runs the stages it needs and
  * nothing else. */
-#ifndef STUDY_PLAN_H
-#define STUDY_PLAN_H
+#pragma once
 
 #include <stddef.h>
 
@@ -61,5 +60,3 @@ static inline int plan_has(unsigned stages, enum stage s)
 {
     return (stages >> s) & 1u;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* plane_answer.h -- whereto one state of a plane goes. */
-#ifndef STUDY_PLANE_ANSWER_H
-#define STUDY_PLANE_ANSWER_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -16,5 +15,3 @@ struct plane_answer {
 MUST_CHECK enum status plane_answer_at(const struct plane_study *s,
                                        const double state[2],
                                        struct plane_answer *out);
-
-#endif

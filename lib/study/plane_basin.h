@@ -3,8 +3,7 @@
  * stable manifolds of all saddles and the cycles that repel, each labelled by
  * orbits, and the share of each attractor.
  */
-#ifndef STUDY_PLANE_BASIN_H
-#define STUDY_PLANE_BASIN_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -30,5 +29,3 @@ double plane_basin_cell(const struct plane_study *s, int axis, size_t i,
 
 /* A second call is harmless. */
 void plane_basin_free(struct plane_basin *b);
-
-#endif

@@ -1,7 +1,6 @@
 /* plane_beyond.h -- whereto orbits go that leave the window for good: which of
  * these ends are the same. */
-#ifndef STUDY_PLANE_BEYOND_H
-#define STUDY_PLANE_BEYOND_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -29,5 +28,3 @@ MUST_CHECK enum status plane_beyond_add(struct plane_study *s,
 /* Adds the two of which nothing is known where nothing agrees with them, and
  * words.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status plane_beyond_finish(struct plane_study *s);
-
-#endif

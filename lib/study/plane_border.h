@@ -1,6 +1,5 @@
 /* plane_border.h -- the curves between the basins of a plane. */
-#ifndef STUDY_PLANE_BORDER_H
-#define STUDY_PLANE_BORDER_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -15,5 +14,3 @@ bool plane_border_is_weak(const struct plane_study *s);
 
 /* Fills s->basin.border and cuts.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status plane_border_find(struct plane_study *s);
-
-#endif

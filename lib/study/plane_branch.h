@@ -1,7 +1,6 @@
 /* plane_branch.h -- the manifolds of all saddles of a plane of formulas, and
  * whereto they go. */
-#ifndef STUDY_PLANE_BRANCH_H
-#define STUDY_PLANE_BRANCH_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -9,5 +8,3 @@
  * STATUS_STOPPED. */
 MUST_CHECK enum status plane_branch_grow(struct plane_study *s,
                                          const struct monitor *monitor);
-
-#endif

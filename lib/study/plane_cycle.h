@@ -1,7 +1,6 @@
 /* plane_cycle.h -- the list of closed orbits that curves of a plane wind on to.
  */
-#ifndef STUDY_PLANE_CYCLE_H
-#define STUDY_PLANE_CYCLE_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -14,5 +13,3 @@ size_t plane_cycle_find(const struct plane_study *s, const struct winding *w,
 MUST_CHECK enum status plane_cycle_add(struct plane_study *s,
                                        const struct winding *w, bool stable,
                                        size_t *index);
-
-#endif

@@ -1,8 +1,7 @@
 /* plane_defined.h -- whether orbits get on all along a curve, by intervals: a
  * step may jump over a pole, or, outside the window, over an equilibrium that
  * is not known. */
-#ifndef STUDY_PLANE_DEFINED_H
-#define STUDY_PLANE_DEFINED_H
+#pragma once
 
 #include "interval.h"
 #include "plane_study.h"
@@ -36,5 +35,3 @@ bool plane_defined_in(struct interval_plan *plan, const struct plane_study *s,
 /* At all places as near to an absolute point as rounding. */
 bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,
                         struct vec2 z);
-
-#endif

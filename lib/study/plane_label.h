@@ -1,8 +1,7 @@
 /* plane_label.h -- which attractor each region of a plane goes to: the
  * equilibria that attract, what is beyond the window, the cycles that attract,
  * in this order. */
-#ifndef STUDY_PLANE_LABEL_H
-#define STUDY_PLANE_LABEL_H
+#pragma once
 
 #include "plane_patch.h"
 
@@ -21,5 +20,3 @@ size_t plane_label_beyond(const struct plane_study *s);
 /* Whether the goal is what the label says, as far as both are known. */
 bool plane_label_allows(const struct plane_study *s, int8_t label,
                         const struct plane_goal *goal);
-
-#endif

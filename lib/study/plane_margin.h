@@ -1,7 +1,6 @@
 /* plane_margin.h -- how far the states of a plane are from another fate, along
  * rows and along columns of the window. */
-#ifndef STUDY_PLANE_MARGIN_H
-#define STUDY_PLANE_MARGIN_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -20,5 +19,3 @@ MUST_CHECK enum status plane_margin_fill(const struct plane_study *s,
                                          size_t columns, size_t rows,
                                          size_t first, size_t count,
                                          struct plane_margins out[]);
-
-#endif

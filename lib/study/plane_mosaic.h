@@ -9,8 +9,7 @@
  * TOL_PLANE_CELL: a border that bends no more sharply than cells are wide does
  * not go unseen.
  */
-#ifndef STUDY_PLANE_MOSAIC_H
-#define STUDY_PLANE_MOSAIC_H
+#pragma once
 
 #include "plane_patch.h"
 
@@ -38,5 +37,3 @@ int8_t plane_mosaic_at(const struct plane_study *s, size_t region,
 void plane_mosaic_areas(const struct plane_study *s, struct patches *p,
                         size_t k, struct measure m, struct area sum[],
                         size_t others);
-
-#endif

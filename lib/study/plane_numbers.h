@@ -1,8 +1,7 @@
 /* plane_numbers.h -- the numbers of a plane study that stand alone, in sweeps
  * and tables of checks: how many equilibria, cycles and attractors there are,
  * and the share of each equilibrium. */
-#ifndef STUDY_PLANE_NUMBERS_H
-#define STUDY_PLANE_NUMBERS_H
+#pragma once
 
 #include "plane_study.h"
 #include "result.h"
@@ -29,5 +28,3 @@ void plane_numbers_free(struct plane_study *frame);
  * STATUS_NO_MEMORY leaves *n empty. */
 MUST_CHECK enum status plane_numbers(struct result_numbers *n,
                                      const struct plane_study *frame);
-
-#endif

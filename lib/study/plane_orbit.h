@@ -1,6 +1,5 @@
 /* plane_orbit.h -- whereto orbits of a plane of formulas go. */
-#ifndef STUDY_PLANE_ORBIT_H
-#define STUDY_PLANE_ORBIT_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -21,5 +20,3 @@ MUST_CHECK enum status plane_orbit(const struct plane_study *s, struct vec2 z,
                                    bool backward,
                                    const struct plane_guide *guide,
                                    struct plane_goal *out);
-
-#endif

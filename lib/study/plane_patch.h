@@ -1,7 +1,6 @@
 /* plane_patch.h -- which regions (region.h) are one: neighbouring bands share a
  * part of the row between them. */
-#ifndef STUDY_PLANE_PATCH_H
-#define STUDY_PLANE_PATCH_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -27,5 +26,3 @@ bool plane_patch_is_door(const struct plane_study *s, const struct band *band);
 
 /* Fills p->of. */
 void plane_patch_join(struct patches *p);
-
-#endif

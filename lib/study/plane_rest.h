@@ -1,6 +1,5 @@
 /* plane_rest.h -- the equilibria of a system of formulas in its window. */
-#ifndef STUDY_PLANE_REST_H
-#define STUDY_PLANE_REST_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -8,5 +7,3 @@
  * STATUS_BAD_ARGUMENT. */
 MUST_CHECK enum status plane_rest_find(struct plane_study *s,
                                        struct fault *why);
-
-#endif

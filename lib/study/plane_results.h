@@ -1,7 +1,6 @@
 /* plane_results.h -- what a plane study computed, described (result.h): tables
  * made for the run, whose members have the names of its states. */
-#ifndef STUDY_PLANE_RESULTS_H
-#define STUDY_PLANE_RESULTS_H
+#pragma once
 
 #include "plane_study.h"
 #include "result.h"
@@ -18,5 +17,3 @@ extern const struct result plane_basin_results[];
 void plane_results_map(const struct plane_study *s, struct plane_table *t);
 
 void plane_results_free(struct plane_table *t);
-
-#endif

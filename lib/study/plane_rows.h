@@ -1,6 +1,5 @@
 /* plane_rows.h -- the curves of a plane study as points, by states. */
-#ifndef STUDY_PLANE_ROWS_H
-#define STUDY_PLANE_ROWS_H
+#pragma once
 
 #include "plane_study.h"
 #include "rows.h"
@@ -39,5 +38,3 @@ MUST_CHECK enum status plane_rows_trajectory(const struct plane_study *s,
                                              size_t k, struct rows *r);
 MUST_CHECK enum status plane_rows_arrows(const struct plane_study *s,
                                          struct rows *r);
-
-#endif

@@ -1,7 +1,6 @@
 /* plane_sensitivity.h -- how the equilibria of a plane and their eigenvalues
  * answer to the parameters, and what rounding of the parameters costs them. */
-#ifndef STUDY_PLANE_SENSITIVITY_H
-#define STUDY_PLANE_SENSITIVITY_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -18,5 +17,3 @@
  * STATUS_NO_MEMORY, STATUS_STOPPED. */
 MUST_CHECK enum status plane_sensitivity_find(struct plane_study *s,
                                               const struct monitor *monitor);
-
-#endif

@@ -6,8 +6,7 @@
  * Points are absolute in the chart, where positive states are logarithms;
  * curves are offsets from their origin.
  */
-#ifndef STUDY_PLANE_STUDY_H
-#define STUDY_PLANE_STUDY_H
+#pragma once
 
 #include "arrival.h"
 #include "branch.h"
@@ -260,5 +259,3 @@ struct box plane_study_box(const struct plane_study *s);
 /* A coordinate of the chart as the state that it is, and the way back. */
 double plane_state(const struct plane_study *s, int axis, double z);
 double plane_chart(const struct plane_study *s, int axis, double state);
-
-#endif

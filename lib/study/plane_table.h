@@ -1,7 +1,6 @@
 /* plane_table.h -- tables of results in the making, whose names are known at
  * run time only. */
-#ifndef STUDY_PLANE_TABLE_H
-#define STUDY_PLANE_TABLE_H
+#pragma once
 
 #include "plane_study.h"
 #include "result.h"
@@ -48,5 +47,3 @@ const struct record_type *plane_table_type(struct plane_table *t, size_t first,
 struct result *plane_table_result(struct plane_table *t,
                                   const struct record_type *type,
                                   uint64_t needs);
-
-#endif

@@ -1,8 +1,7 @@
 /* plane_weak.h -- where rounding decides which way an orbit goes on: near
  * equilibria that are not hyperbolic, and near where some may be that are not
  * told apart. */
-#ifndef STUDY_PLANE_WEAK_H
-#define STUDY_PLANE_WEAK_H
+#pragma once
 
 #include "plane_study.h"
 
@@ -15,5 +14,3 @@ bool plane_weak_at(const struct plane_study *s, struct vec2 z, double near);
 bool plane_weak_along(const struct plane_study *s, const struct curve *c,
                       size_t piece, struct vec2 origin, double near,
                       double *theta);
-
-#endif

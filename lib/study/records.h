@@ -1,7 +1,6 @@
 /* records.h -- the tables by which a study's results describe themselves:
  * they drive the HDF5 file, the JSON and the documentation. */
-#ifndef STUDY_RECORDS_H
-#define STUDY_RECORDS_H
+#pragma once
 
 #include "estimate_numbers.h"
 #include "numbers.h"
@@ -43,5 +42,3 @@ extern const struct record_type record_steady, record_folds, record_saddle,
 
 /* "psi_inf", "open", "psi_0", "v_0", "truncated": by enum end_code. */
 extern const char *const end_names[];
-
-#endif

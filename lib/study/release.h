@@ -8,8 +8,7 @@
  *     ... read r ...
  *     release_free(&r);
  */
-#ifndef STUDY_RELEASE_H
-#define STUDY_RELEASE_H
+#pragma once
 
 #include "observations.h"
 #include "parabola.h"
@@ -73,5 +72,3 @@ extern const struct result *const release_tables[];
 
 /* A second call is harmless. */
 void release_free(struct release *r);
-
-#endif

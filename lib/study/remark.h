@@ -1,7 +1,6 @@
 /* remark.h -- what is missing from a study's results, and how its orbits ended,
  * in plain words. */
-#ifndef STUDY_REMARK_H
-#define STUDY_REMARK_H
+#pragma once
 
 #include "study.h"
 
@@ -11,5 +10,3 @@ size_t study_remarks(const struct study *s, const char *text[], size_t room);
 
 /* Why a trajectory ended, in one word: "arrived", "left_window", ... */
 const char *study_end_name(const struct trajectory *t);
-
-#endif

@@ -1,6 +1,5 @@
 /* rows.h -- a study's curves as tables of points, for files and figures. */
-#ifndef STUDY_ROWS_H
-#define STUDY_ROWS_H
+#pragma once
 
 #include "result.h"
 #include "study.h"
@@ -55,5 +54,3 @@ extern const struct record_type record_run_end;
 
 MUST_CHECK enum status rows_lend_end(struct result_view *out,
                                      struct run_end end);
-
-#endif

@@ -2,8 +2,7 @@
  * sample.h -- points of a run (transient.h) at given times or slips, from the
  * dense output of its orbit, which is as good as its steps.
  */
-#ifndef STUDY_SAMPLE_H
-#define STUDY_SAMPLE_H
+#pragma once
 
 #include "records.h"
 #include "transient.h"
@@ -26,5 +25,3 @@ void sample_linear_slip(const struct slider *s, const struct transient *t,
                         size_t n, struct trajectory_row row[]);
 void sample_log_time(const struct slider *s, const struct transient *t,
                      size_t n, struct trajectory_row row[]);
-
-#endif

@@ -6,8 +6,7 @@
  *     ... read s.run[0 .. s.runs - 1] ...
  *     simulation_free(&s);
  */
-#ifndef STUDY_SIMULATION_H
-#define STUDY_SIMULATION_H
+#pragma once
 
 #include "result.h"
 #include "study.h"
@@ -40,5 +39,3 @@ extern const struct result *const simulation_tables[];
 
 /* A second call is harmless. */
 void simulation_free(struct simulation *s);
-
-#endif

@@ -1,7 +1,6 @@
 /* start_numbers.h -- a run (transient.h) in numbers of one shape: those of the
  * whole, its phases, and of each kind of event the first. */
-#ifndef STUDY_START_NUMBERS_H
-#define STUDY_START_NUMBERS_H
+#pragma once
 
 #include "study.h"
 #include "transient.h"
@@ -22,5 +21,3 @@ MUST_CHECK enum status start_numbers_find(const struct study *s,
                                           struct scene_start start,
                                           const struct monitor *monitor,
                                           struct start_numbers *out);
-
-#endif

@@ -11,8 +11,7 @@
  * others stays empty.  Coordinates as in block.h; curves are offsets from
  * system.origin.
  */
-#ifndef STUDY_STUDY_H
-#define STUDY_STUDY_H
+#pragma once
 
 #include "basin_map.h"
 #include "diagram.h"
@@ -89,5 +88,3 @@ struct window study_frame(const struct study *s);
 
 /* Sum over the stages. */
 struct stage_cost study_cost(const struct study *s);
-
-#endif

@@ -1,8 +1,7 @@
 /*
  * study_proof.h -- what is proved of a study's numbers, beside their bars.
  */
-#ifndef STUDY_STUDY_PROOF_H
-#define STUDY_STUDY_PROOF_H
+#pragma once
 
 #include "record.h"
 #include "status.h"
@@ -23,5 +22,3 @@ struct study_proof {
  * and for the doubles that they are read as: STATUS_NO_CONVERGENCE, with the
  * number's name in *why.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status study_prove(struct study *s, struct fault *why);
-
-#endif

@@ -1,7 +1,6 @@
 /* study_results.h -- what a study computed, described (result.h): the tables of
  * all that a scene may ask for, in the order in which files hold them. */
-#ifndef STUDY_STUDY_RESULTS_H
-#define STUDY_STUDY_RESULTS_H
+#pragma once
 
 #include "result_number.h"
 #include "study.h"
@@ -36,5 +35,3 @@ MUST_CHECK enum status study_numbers(struct result_numbers *n, uint64_t bits);
 /* Makes what the tables say how to make (result.h), as far as it needs nothing
  * but these stages.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status study_keep(struct study *s, uint64_t bits);
-
-#endif

@@ -1,6 +1,5 @@
 /* study_tolerance.h -- the tunable numbers of what a scene asks for. */
-#ifndef STUDY_STUDY_TOLERANCE_H
-#define STUDY_STUDY_TOLERANCE_H
+#pragma once
 
 #include "basin_tolerance.h"
 
@@ -76,5 +75,3 @@
  * the window. */
 #define TOL_PLANE_MOVED  0x1p-30
 #define TOL_PLANE_NEARBY 1e-5
-
-#endif

@@ -7,8 +7,7 @@
  *
  * and how far it converges.  v in units of V_star, psi as the law's (law.h).
  */
-#ifndef STUDY_TAYLOR_SERIES_H
-#define STUDY_TAYLOR_SERIES_H
+#pragma once
 
 #include "jet.h"
 #include "record.h"
@@ -46,5 +45,3 @@ MUST_CHECK enum status taylor_series_find(const struct study *s,
 /* The sum up to `order` < t->terms. */
 double taylor_series_at(const struct taylor_series *t, size_t order, double v,
                         double v_sp);
-
-#endif

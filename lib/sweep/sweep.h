@@ -20,8 +20,7 @@
  *
  * so that memory grows with the numbers of the points, but not with their maps.
  */
-#ifndef SWEEP_SWEEP_H
-#define SWEEP_SWEEP_H
+#pragma once
 
 #include "monitor.h"
 #include "scene.h"
@@ -106,5 +105,3 @@ int sweep_entry_code(const struct sweep *s, int column, size_t point,
  * with one line in *why where the side file cannot be read. */
 MUST_CHECK enum status sweep_read(const struct sweep *s, size_t k, size_t point,
                                   void *out, struct fault *why);
-
-#endif

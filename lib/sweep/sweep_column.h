@@ -20,8 +20,7 @@
  * and rabinowicz_l_k, ... of a scene with an experiment.  The steady states by
  * number come last.
  */
-#ifndef SWEEP_SWEEP_COLUMN_H
-#define SWEEP_SWEEP_COLUMN_H
+#pragma once
 
 #include "result_number.h"
 #include "sweep_dim.h"
@@ -67,5 +66,3 @@ struct quantity sweep_column_quantity(const struct sweep_column *c,
                                       size_t entry);
 int8_t sweep_column_code(const struct sweep_column *c,
                          const struct sweep_point *p, size_t entry);
-
-#endif

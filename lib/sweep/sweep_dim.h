@@ -1,7 +1,6 @@
 /* sweep_dim.h -- what a number of a sweep is given along beside the keys: the
  * starts of the scene, phases of sliding, the cells of a map. */
-#ifndef SWEEP_SWEEP_DIM_H
-#define SWEEP_SWEEP_DIM_H
+#pragma once
 
 #include "scene.h"
 #include "status.h"
@@ -45,5 +44,3 @@ size_t sweep_dims_of(const char *axis, const char *path,
 
 /* A second call is harmless. */
 void sweep_dims_free(struct sweep_dims *d);
-
-#endif

@@ -1,6 +1,5 @@
 /* sweep_finish.h -- inside sweep.c: what is done when all rows are there. */
-#ifndef SWEEP_SWEEP_FINISH_H
-#define SWEEP_SWEEP_FINISH_H
+#pragma once
 
 #include "sweep.h"
 
@@ -9,5 +8,3 @@
  * columns of steady states that no point has; counts failures.
  * STATUS_NO_MEMORY. */
 MUST_CHECK enum status sweep_finish(struct sweep *s);
-
-#endif

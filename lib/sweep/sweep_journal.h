@@ -7,8 +7,7 @@
  * next free code of sweep_reason.h.  Each record ends in a checksum (FNV-1a, 64
  * bits); what follows the first wrong one was torn off and is dropped.
  */
-#ifndef SWEEP_SWEEP_JOURNAL_H
-#define SWEEP_SWEEP_JOURNAL_H
+#pragma once
 
 #include <sys/types.h>
 
@@ -72,5 +71,3 @@ MUST_CHECK enum status sweep_journal_read(const struct sweep_journal *j,
 
 /* Closes the file, which stays.  A second call is harmless. */
 void sweep_journal_close(struct sweep_journal *j);
-
-#endif

@@ -1,7 +1,6 @@
 /* sweep_key.h -- what the keys of a scene are, for axes of files and figures.
  */
-#ifndef SWEEP_SWEEP_KEY_H
-#define SWEEP_SWEEP_KEY_H
+#pragma once
 
 #include "scene.h"
 
@@ -17,5 +16,3 @@ struct sweep_key sweep_key_of(const char *path);
 /* A checksum (sweep_journal.h) of all that a scene says but where its results
  * go, and of the program's version (NULL: none). */
 uint64_t sweep_key_sum(const struct scene *c, const char *version);
-
-#endif

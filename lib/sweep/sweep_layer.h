@@ -10,8 +10,7 @@
  * the fate of the cell's own orbit, says why (cells.h).  At points that failed
  * all are NaN or -1.
  */
-#ifndef SWEEP_SWEEP_LAYER_H
-#define SWEEP_SWEEP_LAYER_H
+#pragma once
 
 #include "result.h"
 #include "sweep_dim.h"
@@ -54,5 +53,3 @@ MUST_CHECK enum status sweep_layers_fill(const struct sweep_layers *l,
                                          const struct sweep_point *p,
                                          const struct monitor *monitor,
                                          char *block);
-
-#endif

@@ -2,8 +2,7 @@
  * sweep_left.h -- the points of a sweep that earlier runs, or runs of other
  * shares of it, have left in side files.
  */
-#ifndef SWEEP_SWEEP_LEFT_H
-#define SWEEP_SWEEP_LEFT_H
+#pragma once
 
 #include "sweep.h"
 
@@ -16,5 +15,3 @@ MUST_CHECK enum status sweep_left_open(struct sweep *s,
                                        const struct sweep_options *o,
                                        struct sweep_rows *left,
                                        struct fault *why);
-
-#endif

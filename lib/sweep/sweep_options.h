@@ -2,8 +2,7 @@
  * sweep_options.h -- how a sweep, or an ensemble, is run: by one process, or
  * shared by several that know each other's side files.
  */
-#ifndef SWEEP_SWEEP_OPTIONS_H
-#define SWEEP_SWEEP_OPTIONS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -27,5 +26,3 @@ struct sweep_options {
     size_t others;
     bool join; /* and what is in them is copied to the own one */
 };
-
-#endif

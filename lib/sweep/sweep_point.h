@@ -2,8 +2,7 @@
  * sweep_point.h -- all that is computed at a point of a sweep: the study of its
  * scene, and what else the products ask for.
  */
-#ifndef SWEEP_SWEEP_POINT_H
-#define SWEEP_SWEEP_POINT_H
+#pragma once
 
 #include "plane_study.h"
 #include "release.h"
@@ -44,5 +43,3 @@ MUST_CHECK enum status sweep_point_run(struct sweep_point *p,
 
 /* A second call is harmless. */
 void sweep_point_free(struct sweep_point *p);
-
-#endif

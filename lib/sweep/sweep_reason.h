@@ -1,6 +1,5 @@
 /* sweep_reason.h -- why numbers are missing, as small codes with words. */
-#ifndef SWEEP_SWEEP_REASON_H
-#define SWEEP_SWEEP_REASON_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -35,5 +34,3 @@ static inline const char *const *sweep_reasons_words(
 
 /* A second call is harmless. */
 void sweep_reasons_free(struct sweep_reasons *r);
-
-#endif

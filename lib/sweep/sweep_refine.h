@@ -16,8 +16,7 @@
  * the axis, so that a curve that happens to be flat there ends in the right
  * place.  Spans where no curve is are left alone.
  */
-#ifndef SWEEP_SWEEP_REFINE_H
-#define SWEEP_SWEEP_REFINE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -58,5 +57,3 @@ MUST_CHECK enum status sweep_refine_next(struct sweep_refine *f,
 
 /* A second call is harmless. */
 void sweep_refine_free(struct sweep_refine *f);
-
-#endif

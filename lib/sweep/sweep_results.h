@@ -1,7 +1,6 @@
 /* sweep_results.h -- what a point of a sweep has beside the numbers of its
  * study, described (result.h). */
-#ifndef SWEEP_SWEEP_RESULTS_H
-#define SWEEP_SWEEP_RESULTS_H
+#pragma once
 
 #include "result.h"
 #include "scene.h"
@@ -15,5 +14,3 @@ extern const struct result *const point_tables[];
 
 /* The bits (study_results.h) of the scene's products, and of these tables. */
 uint64_t sweep_asked(const struct scene *scene);
-
-#endif

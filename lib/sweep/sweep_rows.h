@@ -4,8 +4,7 @@
  * conditioning) of every entry of every column; a code for every entry.  A row
  * is the same bytes in memory and in the side file.
  */
-#ifndef SWEEP_SWEEP_ROWS_H
-#define SWEEP_SWEEP_ROWS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -65,5 +64,3 @@ size_t sweep_rows_find(const struct sweep_rows *r, const double x[2]);
 
 /* A second call is harmless. */
 void sweep_rows_free(struct sweep_rows *r);
-
-#endif
