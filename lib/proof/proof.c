@@ -295,6 +295,8 @@ enum status proof_at(const struct block *b, const struct proof_inputs *in,
     struct branch curve[2] = { { .curve = CURVE_EMPTY(2) },
                                { .curve = CURVE_EMPTY(2) } };
     const enum status grown = grow(b, curve);
+
+    *out = (struct proof){ 0 };
     const enum status s =
         grown == STATUS_NO_MEMORY ? grown : proof_along(b, in, curve, out);
 

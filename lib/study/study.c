@@ -429,6 +429,7 @@ void study_free(struct study *s)
         orbit_free(&s->unstable[i]);
     }
     result_keep_free(&s->kept);
+    study_proof_free(&s->proof);
     basin_map_free(&s->basins);
     fields_free(&s->fields);
     diagrams_free(&s->diagrams);

@@ -1,6 +1,7 @@
 #include "study_proof.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "proof_numbers.h"
 #include "study.h"
@@ -120,22 +121,30 @@ enum status study_prove(struct study *s, struct fault *why)
     };
     const size_t n = sizeof pair / sizeof *pair;
     size_t beside = 0; /* as many hold all that are */
-    struct proof proof;
 
     if (slider_saddle(&s->slider) < 0)
         return STATUS_OK;
-    enum status status = find(s, true, true, &proof);
-    if (status == STATUS_OK) {
-        const struct proof_numbers numbers = proof_numbers_of(&proof);
-        s->proof.not_proved = proof.not_proved;
-        for (size_t i = 0; i < n; i++) {
-            tell(&s->proof, &pair[i], &proof, &numbers);
-            if (contradicts(pair[i].number, number_of(&numbers, &pair[i])))
-                beside = i < SADDLE_NUMBERS ? SADDLE_NUMBERS : n;
-        }
-        copy_to_steady(s);
+    struct proof *proof = s->proof.exact = malloc(sizeof *proof);
+    if (proof == NULL)
+        return STATUS_NO_MEMORY;
+    const enum status status = find(s, true, true, proof);
+    if (status != STATUS_OK)
+        return status;
+    const struct proof_numbers numbers = proof_numbers_of(proof);
+    s->proof.not_proved = proof->not_proved;
+    for (size_t i = 0; i < n; i++) {
+        tell(&s->proof, &pair[i], proof, &numbers);
+        if (contradicts(pair[i].number, number_of(&numbers, &pair[i])))
+            beside = i < SADDLE_NUMBERS ? SADDLE_NUMBERS : n;
     }
-    proof_free(&proof);
-    return status == STATUS_OK && beside > 0 ? judge(s, pair, beside, why)
-                                             : status;
+    copy_to_steady(s);
+    return beside > 0 ? judge(s, pair, beside, why) : STATUS_OK;
+}
+
+void study_proof_free(struct study_proof *p)
+{
+    if (p->exact)
+        proof_free(p->exact);
+    free(p->exact);
+    p->exact = NULL;
 }

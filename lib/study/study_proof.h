@@ -8,10 +8,13 @@
 
 struct study;
 
+struct proof;
+
 enum { STUDY_PROVED = 24 };
 
 /* Numbers point into `of`. */
 struct study_proof {
+    struct proof *exact; /* of the inputs as decimals; owned, NULL: none */
     struct proved of[STUDY_PROVED];
     size_t count;
     struct fault not_proved; /* why the saddle is not */
@@ -22,3 +25,4 @@ struct study_proof {
  * and for the doubles that they are read as: STATUS_NO_CONVERGENCE, with the
  * number's name in *why.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status study_prove(struct study *s, struct fault *why);
+void study_proof_free(struct study_proof *p);
