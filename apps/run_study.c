@@ -175,6 +175,8 @@ static enum exit_code judge_audit(const struct basin_map *m)
 /* Likewise: a bar and a proof cannot both be right. */
 static enum exit_code judge_proof(const struct fault *lie)
 {
+    if (lie->text[0] == '\0')
+        return EXIT_DONE;
     fprintf(stderr, "slipway: %s\n", lie->text);
     return EXIT_CHECK;
 }
@@ -184,7 +186,7 @@ static enum exit_code run(const struct options *o, const struct shortcut *how)
     const struct command *other;
     struct scene scene;
     struct study study;
-    struct fault why = { "" }, lie = { "" };
+    struct fault why = { "" };
     enum exit_code code;
 
     enum status s = read_scene(o, how, &scene, &other, &why);
@@ -207,20 +209,14 @@ static enum exit_code run(const struct options *o, const struct shortcut *how)
         scene_free(&scene);
         return command_fail(s, why.text);
     }
-    s = scene.proved ? study_prove(&study, &lie) : STATUS_OK;
-    if (s != STATUS_OK && s != STATUS_NO_CONVERGENCE) {
-        study_free(&study);
-        scene_free(&scene);
-        return command_fail(s, status_text(s));
-    }
     s = write_files(&study, o, how, &why);
     progress_end();
     code = s == STATUS_OK ? print_results(&study, o, how)
                           : command_fail(s, why.text);
     if (code == EXIT_DONE)
         code = judge_audit(&study.basins);
-    if (code == EXIT_DONE && lie.text[0])
-        code = judge_proof(&lie);
+    if (code == EXIT_DONE)
+        code = judge_proof(&study.proof.lie);
     study_free(&study);
     scene_free(&scene);
     return code;

@@ -54,6 +54,8 @@ const struct stage_info stage_table[STAGES] = {
                             "a millisecond", 0, ASKED(FOLD_CURVES) },
     [STAGE_CHI] = { "chi", "chi(v) of (34) for some slopes", "a millisecond", 0,
                     ASKED(CHI) },
+    [STAGE_PROOF] = { "proof", "enclosures of the saddle and its manifold",
+                      "some tenths of a second", BIT(STEADY), 0 },
 };
 
 unsigned plan_stages(unsigned products)
@@ -86,7 +88,8 @@ unsigned plan_products(unsigned stages)
 
 unsigned plan_scene(const struct scene *scene)
 {
-    const unsigned steady = scene_has_slope(scene) ? BIT(STEADY) : 0;
+    const unsigned of_slope = BIT(STEADY) | (scene->proved ? BIT(PROOF) : 0);
 
-    return plan_stages(scene->products) | steady;
+    return plan_stages(scene->products) |
+           (scene_has_slope(scene) ? of_slope : 0);
 }

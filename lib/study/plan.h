@@ -27,6 +27,7 @@ enum stage {
     STAGE_BIFURCATION,   /* Fig 3, */
     STAGE_FOLD_CURVES,   /* Fig 4 */
     STAGE_CHI,           /* chi(v), Fig 10 */
+    STAGE_PROOF,         /* enclosures of the others' numbers */
     STAGES
 };
 
@@ -52,7 +53,7 @@ unsigned plan_close(unsigned stages);
 unsigned plan_products(unsigned stages);
 
 /* Those that a scene's study runs: of its products, and with a slope its steady
- * states. */
+ * states and, where the scene asks for proofs, those. */
 unsigned plan_scene(const struct scene *scene);
 
 /* Whether a stage is among these bits. */

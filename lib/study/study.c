@@ -338,6 +338,13 @@ static enum status run_fields(struct study *s, const struct monitor *monitor,
     return fields_prepare(&s->fields, &s->basins, monitor, why);
 }
 
+static enum status run_proof(struct study *s, const struct monitor *monitor,
+                             struct fault *why)
+{
+    (void) monitor, (void) why;
+    return study_prove(s);
+}
+
 /* ---- running ---------------------------------------------------------- */
 
 typedef enum status stage_function(struct study *s,
@@ -364,6 +371,7 @@ static stage_function *const stage_run[STAGES] = {
     [STAGE_BIFURCATION] = diagram_bifurcation,
     [STAGE_FOLD_CURVES] = diagram_fold_curves,
     [STAGE_CHI] = diagram_chi,
+    [STAGE_PROOF] = run_proof,
 };
 
 static double seconds(void)

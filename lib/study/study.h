@@ -59,7 +59,7 @@ struct study {
     struct diagrams diagrams; /* owned */
 
     struct result_keep kept;  /* owned; what tables say how to make */
-    struct study_proof proof; /* of study_prove; else clear */
+    struct study_proof proof; /* owned */
 
     struct stage_cost cost[STAGES];
 };

@@ -49,7 +49,7 @@ static bool contradicts(const struct quantity *q, const struct proof_number *p)
 }
 
 static void tell(struct study_proof *k, const struct pair *pair,
-                 const struct proof *proof, const struct proof_numbers *n)
+                 const struct proof_numbers *n)
 {
     const struct proof_number *p = number_of(n, pair);
     struct proved *out = &k->of[k->count++];
@@ -58,31 +58,26 @@ static void tell(struct study_proof *k, const struct pair *pair,
     if (p->not_proved == NULL) {
         out->lo = p->value.lo;
         out->hi = p->value.hi;
-    } else if (!p->absent) { /* one reason goes with the proof */
-        out->not_proved = p->not_proved == proof->not_proved.text
-                              ? k->not_proved.text
-                              : p->not_proved;
+    } else if (!p->absent) {
+        out->not_proved = p->not_proved;
     }
     pair->number->proved = out;
 }
 
 /* The first `n` numbers, some of which are beside, again with the doubles
  * themselves: rounding the inputs may have moved them. */
-static enum status judge(struct study *s, const struct pair pair[], size_t n,
-                         struct fault *why)
+static enum status judge(struct study *s, const struct pair pair[], size_t n)
 {
     struct proof exact;
     enum status status = find(s, false, n > SADDLE_NUMBERS, &exact);
 
     if (status == STATUS_OK) {
         const struct proof_numbers numbers = proof_numbers_of(&exact);
-        for (size_t i = 0; i < n && status == STATUS_OK; i++)
-            if (contradicts(pair[i].number, number_of(&numbers, &pair[i]))) {
-                snprintf(why->text, sizeof why->text,
+        for (size_t i = 0; i < n && s->proof.lie.text[0] == '\0'; i++)
+            if (contradicts(pair[i].number, number_of(&numbers, &pair[i])))
+                snprintf(s->proof.lie.text, sizeof s->proof.lie.text,
                          "%s: what is proved contradicts the error bar",
                          pair[i].name);
-                status = STATUS_NO_CONVERGENCE;
-            }
     }
     proof_free(&exact);
     return status;
@@ -99,7 +94,7 @@ static void copy_to_steady(struct study *s)
     to->lambda_plus.proved = s->saddle_numbers.lambda_plus.proved;
 }
 
-enum status study_prove(struct study *s, struct fault *why)
+enum status study_prove(struct study *s)
 {
     struct critical_numbers *c = &s->slider.critical;
     const struct pair pair[] = {
@@ -131,14 +126,13 @@ enum status study_prove(struct study *s, struct fault *why)
     if (status != STATUS_OK)
         return status;
     const struct proof_numbers numbers = proof_numbers_of(proof);
-    s->proof.not_proved = proof->not_proved;
     for (size_t i = 0; i < n; i++) {
-        tell(&s->proof, &pair[i], proof, &numbers);
+        tell(&s->proof, &pair[i], &numbers);
         if (contradicts(pair[i].number, number_of(&numbers, &pair[i])))
             beside = i < SADDLE_NUMBERS ? SADDLE_NUMBERS : n;
     }
     copy_to_steady(s);
-    return beside > 0 ? judge(s, pair, beside, why) : STATUS_OK;
+    return beside > 0 ? judge(s, pair, beside) : STATUS_OK;
 }
 
 void study_proof_free(struct study_proof *p)

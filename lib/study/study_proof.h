@@ -17,12 +17,14 @@ struct study_proof {
     struct proof *exact; /* of the inputs as decimals; owned, NULL: none */
     struct proved of[STUDY_PROVED];
     size_t count;
-    struct fault not_proved; /* why the saddle is not */
+    struct fault lie; /* which number contradicts it; empty: none */
 };
 
 /* Proves the numbers that were found, of the saddle and of its stable manifold:
  * their `proved` is set.  Where what is proved is beside a bar, for decimals
- * and for the doubles that they are read as: STATUS_NO_CONVERGENCE, with the
- * number's name in *why.  STATUS_NO_MEMORY. */
-MUST_CHECK enum status study_prove(struct study *s, struct fault *why);
+ * and for the doubles that they are read as, s->proof.lie says so.
+ * STATUS_NO_MEMORY. */
+MUST_CHECK enum status study_prove(struct study *s);
+
+/* A second call is harmless. */
 void study_proof_free(struct study_proof *p);
