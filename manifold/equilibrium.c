@@ -13,21 +13,20 @@ const char *const equilibrium_type_names[] = { "saddle",      "stable_node",
 
 /* Next to a fold the balance all but vanishes at one end of the bracket, where
  * secants crawl: newton.h bisects in time. */
-static long double root_of(const struct planar *sys, long double lo,
-                           long double hi)
+static long double root_of(const struct planar_steady *s, const void *ctx,
+                           long double lo, long double hi)
 {
     struct newton_root_long root = { .x = lo };
-    const enum status s =
-        newton_find_long(sys->steady->balance, sys->ctx, lo, hi, 0, &root);
+    const enum status status =
+        newton_find_long(s->balance, ctx, lo, hi, 0, &root);
 
-    return s == STATUS_OK ? root.x : lo;
+    return status == STATUS_OK ? root.x : lo;
 }
 
-size_t equilibrium_find(const struct planar *sys,
+size_t equilibrium_find(const struct planar_steady *s, const void *ctx,
                         struct steady_root root[EQUILIBRIA_MAX])
 {
-    const struct planar_steady *s = sys->steady;
-    long double lo = s->lo, at_lo = s->balance(sys->ctx, lo);
+    long double lo = s->lo, at_lo = s->balance(ctx, lo);
     size_t n = 0;
 
     for (size_t i = 0; i <= s->turnings; i++) {
@@ -35,11 +34,12 @@ size_t equilibrium_find(const struct planar *sys,
         if (!last && !(s->turning[i] > s->lo && s->turning[i] < s->hi))
             continue;
         const long double hi = last ? s->hi : s->turning[i];
-        const long double at_hi = s->balance(sys->ctx, hi);
+        const long double at_hi = s->balance(ctx, hi);
         if (at_hi == 0 && !last)
-            root[n++] = (struct steady_root){ hi, true };
+            root[n++] = (struct steady_root){ hi, true, false };
         else if (at_lo != 0 && (at_lo < 0) != (at_hi < 0))
-            root[n++] = (struct steady_root){ root_of(sys, lo, hi), false };
+            root[n++] = (struct steady_root){ root_of(s, ctx, lo, hi), false,
+                                              at_lo < 0 };
         lo = hi;
         at_lo = at_hi;
     }

@@ -29,13 +29,14 @@ struct equilibrium {
 /* A zero of the balance along the steady curve. */
 struct steady_root {
     long double x;
-    bool fold; /* a turning point that just touches zero */
+    bool fold;  /* a turning point that just touches zero */
+    bool rises; /* the balance, as it does at a saddle */
 };
 
-/* Every zero of sys->steady->balance in [lo, hi], ascending: one in each
- * monotone piece whose ends differ in sign, to the last bit of a long double.
- * Returns their number, at most EQUILIBRIA_MAX.  sys->steady is not NULL. */
-size_t equilibrium_find(const struct planar *sys,
+/* Every zero of the curve's balance in [lo, hi], ascending: one in each
+ * monotone piece whose ends differ in sign, to the last bit of a long double;
+ * ctx is the balance's.  Returns their number, at most EQUILIBRIA_MAX. */
+size_t equilibrium_find(const struct planar_steady *s, const void *ctx,
                         struct steady_root root[EQUILIBRIA_MAX]);
 
 /* Linear type of the equilibrium at sys->origin.  `fold`: one eigenvalue is

@@ -95,7 +95,7 @@ static inline enum status solve(struct solved *s, const struct law *law,
     s->numbers = numbers_no_critical();
     block_init(&s->block, law, m, tan_alpha);
     s->system = block_planar(&s->block);
-    const size_t n = equilibrium_find(&s->system, root);
+    const size_t n = equilibrium_find(s->system.steady, s->system.ctx, root);
     for (size_t i = 0; i < n && !s->has_saddle; i++) {
         block_anchor(&s->block, root[i].x, true);
         s->system = block_planar(&s->block);

@@ -28,18 +28,23 @@ void slider_init(struct slider *s, const struct law *law,
 {
     struct steady_root root[EQUILIBRIA_MAX];
     struct equilibrium e[EQUILIBRIA_MAX];
+    struct planar system;
 
     block_init(&s->block, law, m, tan_alpha);
-    struct planar system = anchor_at(s, 0.0L, false);
-    const size_t n = equilibrium_find(&system, root);
-    for (size_t i = 0; i < n; i++) {
-        system = anchor_at(s, root[i].x, true);
-        equilibrium_at(&system, root[i].fold, &e[i]);
-        s->steady[i] = numbers_steady(&s->block, &e[i]);
-    }
-    system = n > 0
-                 ? anchor_at(s, root[home_among(e, n)].x, true)
-                 : anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
+    const size_t n = equilibrium_find(&s->block.steady, &s->block, root);
+    size_t at = n;
+    for (int rises = 0; rises < 2; rises++) /* a saddle comes last */
+        for (size_t i = n; i-- > 0;)
+            if (root[i].rises == rises) {
+                system = anchor_at(s, root[i].x, true);
+                equilibrium_at(&system, root[i].fold, &e[i]);
+                s->steady[i] = numbers_steady(&s->block, &e[i]);
+                at = i;
+            }
+    if (n == 0)
+        system = anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
+    else if (home_among(e, n) != at)
+        system = anchor_at(s, root[home_among(e, n)].x, true);
     s->plane = phase_plane_of(&system, e, n);
     block_ask(&s->block);
     const char *none = slider_no_manifolds(s);

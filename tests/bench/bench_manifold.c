@@ -26,7 +26,7 @@ static struct answer our_answer(struct block *b, double rtol, bool all)
     struct equilibrium e;
     struct local_series u;
 
-    if (equilibrium_find(&sys, root) == 0)
+    if (equilibrium_find(sys.steady, sys.ctx, root) == 0)
         return none;
     block_anchor(b, root[0].x, true);
     sys = block_planar(b);

@@ -78,7 +78,7 @@ static void compare(const struct law *law, const struct material *m,
 
     block_init(&b, law, m, tan_alpha);
     const struct planar sys = block_planar(&b);
-    const size_t all = equilibrium_find(&sys, root);
+    const size_t all = equilibrium_find(sys.steady, sys.ctx, root);
     int expected = 0;
     for (size_t i = 0; i < all; i++) {
         const double y =

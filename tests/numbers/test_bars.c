@@ -423,7 +423,8 @@ static void a_saddle_beside_a_fold_is_known_to_its_bar(void **state)
             continue;
         block_init(&b, &d.law, &d.m, d.tan_alpha);
         const struct planar sys = block_planar(&b);
-        for (size_t i = 0, n = equilibrium_find(&sys, root); i < n; i++) {
+        for (size_t i = 0, n = equilibrium_find(sys.steady, sys.ctx, root);
+             i < n; i++) {
             struct equilibrium e;
             block_anchor(&b, root[i].x, true);
             const struct planar at = block_planar(&b);

@@ -337,7 +337,7 @@ static void no_steady_state_is_ever_a_focus(void **state)
         const double alpha = check_uniform(&rng, 0.01, 1.5);
         block_init(&b, &law, &m, tanl((long double) alpha));
         struct planar sys = block_planar(&b);
-        const size_t n = equilibrium_find(&sys, root);
+        const size_t n = equilibrium_find(sys.steady, sys.ctx, root);
         for (size_t k = 0; k < n; k++) {
             struct equilibrium e;
             block_anchor(&b, root[k].x, true);
