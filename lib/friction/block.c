@@ -11,8 +11,7 @@
 static long double balance(const void *ctx, long double x)
 {
     const struct block *b = ctx;
-    return steady_tau(&b->law, &b->material, b->tan_alpha) -
-           steady_mu_log(&b->law, &b->material, x);
+    return b->tau - steady_mu_log(&b->law, &b->material, x);
 }
 
 static long double steady_curve(const void *ctx, long double x)
@@ -36,7 +35,7 @@ void block_init(struct block *b, const struct law *law,
 
     b->law = *law; /* what is large is not cleared: block_anchor fills it */
     b->material = *m;
-    b->tan_alpha = tan_alpha;
+    block_lean(b, tan_alpha);
     b->at = (struct anchor){ 0 };
     b->x = b->y = 0.0L;
     b->steep = (struct vec2){ m->a, m->b };
@@ -54,11 +53,17 @@ void block_init(struct block *b, const struct law *law,
         law_typed_range(law, m, &b->steady.lo, &b->steady.hi);
 }
 
+void block_lean(struct block *b, long double tan_alpha)
+{
+    b->tan_alpha = tan_alpha;
+    b->tau = steady_tau(&b->law, &b->material, tan_alpha);
+}
+
 void block_anchor(struct block *b, long double x, bool equilibrium)
 {
-    steady_anchor(&b->law, &b->material, b->tan_alpha, x, equilibrium, &b->at);
     b->x = x;
-    b->y = steady_y(&b->law, &b->material, x);
+    b->y = steady_anchor(&b->law, &b->material, b->tan_alpha, x, equilibrium,
+                         &b->at);
     if (!steady_plane(&b->law, &b->material, b->tan_alpha, x, equilibrium,
                       &b->plane))
         b->at.force0 = NAN;

@@ -39,9 +39,9 @@ struct block {
                                 has one of these */
     struct law law;
     struct material material;
-    long double tan_alpha;
-    struct anchor at; /* set by block_anchor */
-    long double x, y; /* its place, to all digits that are known */
+    long double tan_alpha, tau; /* set by block_lean; tau: steady_tau */
+    struct anchor at;           /* set by block_anchor */
+    long double x, y;           /* its place, to all digits that are known */
     struct planar_steady steady;
     struct vec2 steep;    /* about the largest |d mu/dx| and |d mu/dy| */
     bool waits;           /* far above psi_ss psi has hardly a rate of its
@@ -56,6 +56,9 @@ struct block {
  * have passed law_check. */
 void block_init(struct block *b, const struct law *law,
                 const struct material *m, long double tan_alpha);
+
+/* Another slope; the anchor stays as it is until block_anchor. */
+void block_lean(struct block *b, long double tan_alpha);
 
 /* Puts the anchor on the steady-state curve at x = ln v.  `equilibrium`: x is
  * a root of the force balance, which then vanishes there exactly. */

@@ -59,6 +59,8 @@ const struct law_graph *law_graph_kept(const struct law *law,
     /* At any state, and where psi stands still; NaN where it does nowhere. */ \
     T law_##K##_at(struct law_##K *p, T x, T y, enum law_number what);         \
     T law_##K##_steady(struct law_##K *p, T x, enum law_number what);          \
+    /* Something else there. */                                                \
+    T law_##K##_also(struct law_##K *p, enum law_number what);                 \
     /* How what was asked for last changes there with a leaf; y stays. */      \
     T law_##K##_by(struct law_##K *p, enum law_number what, int leaf);         \
     /* d/dx along the steady curve: that of y; of what was asked for last. */  \

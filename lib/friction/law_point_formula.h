@@ -25,12 +25,20 @@ void KIND(init)(struct POINT *p, const struct law *law,
         p->slope[i] = 0;
 }
 
+SCALAR KIND(also)(struct POINT *p, enum law_number what)
+{
+    const struct law_graph *g = p->g;
+    const struct law_steps *then = &g->then[what];
+
+    VALUES(&g->f, then->node, then->count, p->value);
+    return p->value[g->node[what]];
+}
+
 /* At the steady state if y is NULL. */
 static SCALAR KIND(run)(struct POINT *p, SCALAR x, const SCALAR *y,
                         enum law_number what)
 {
     const struct law_graph *g = p->g;
-    const struct law_steps *then = &g->then[what];
     SCALAR *value = p->value;
 
     value[g->x] = x;
@@ -39,8 +47,7 @@ static SCALAR KIND(run)(struct POINT *p, SCALAR x, const SCALAR *y,
     value[g->psi] = y == NULL        ? value[g->psi_ss]
                     : g->psi == g->y ? *y
                                      : FN(exp)(*y);
-    VALUES(&g->f, then->node, then->count, value);
-    return value[g->node[what]];
+    return KIND(also)(p, what);
 }
 
 SCALAR KIND(at)(struct POINT *p, SCALAR x, SCALAR y, enum law_number what)

@@ -35,8 +35,7 @@ double quasistatic_x(const struct block *b, double Y, double *slope)
     *slope *= -at->b / at->a;
     if (at->force0 == 0.0)
         return -at->b / at->a * theta;
-    const long double tau = steady_tau(&b->law, &b->material, b->tan_alpha);
-    return (double) (tau / (long double) at->a) - at->w0 -
+    return (double) (b->tau / (long double) at->a) - at->w0 -
            at->b / at->a * theta;
 }
 

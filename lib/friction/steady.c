@@ -215,17 +215,17 @@ size_t steady_extrema(const struct law *law, const struct material *m,
 }
 
 /* w0 of a law of formulas is that of a friction of this size. */
-void steady_anchor(const struct law *law, const struct material *m,
-                   long double tan_alpha, long double x, bool equilibrium,
-                   struct anchor *at)
+long double steady_anchor(const struct law *law, const struct material *m,
+                          long double tan_alpha, long double x,
+                          bool equilibrium, struct anchor *at)
 {
     struct law_long p;
 
     law_long_init(&p, law, m, tan_alpha);
     const long double y = law_long_steady(&p, x, LAW_AT_Y),
-                      psi = law_long_steady(&p, x, LAW_AT_PSI),
-                      mu_ss = law_long_steady(&p, x, LAW_AT_MU),
-                      mu_log = law_long_steady(&p, x, LAW_AT_MU_LOG),
+                      psi = law_long_also(&p, LAW_AT_PSI),
+                      mu_ss = law_long_also(&p, LAW_AT_MU),
+                      mu_log = law_long_also(&p, LAW_AT_MU_LOG),
                       mu = equilibrium ? tan_alpha : mu_ss;
     const long double a = (long double) m->a, v = expl(x), c = offset(law, m);
     const long double V = m->V_star, gL = (long double) m->g * m->L;
@@ -247,6 +247,7 @@ void steady_anchor(const struct law *law, const struct material *m,
                               (law_psi_is_log(law) ? 0 : y)),
         .w0 = (double) (law_text(law, LAW_MU) ? logl(mu_ss / a) : mu_log / a),
     };
+    return y;
 }
 
 /* A root in 113 bits, for the tape's constants are made of it. */

@@ -53,11 +53,11 @@ struct anchor {
     double w0;          /* asinh form: mu_log/a */
 };
 
-/* That at x.  `equilibrium`: the force balance is zero there by construction,
- * not by subtraction. */
-void steady_anchor(const struct law *law, const struct material *m,
-                   long double tan_alpha, long double x, bool equilibrium,
-                   struct anchor *at);
+/* That at x, where the chart's y is the result.  `equilibrium`: the force
+ * balance is zero there by construction, not by subtraction. */
+long double steady_anchor(const struct law *law, const struct material *m,
+                          long double tan_alpha, long double x,
+                          bool equilibrium, struct anchor *at);
 
 /* The field around it; false where a formula has no value there. */
 bool steady_plane(const struct law *law, const struct material *m,

@@ -24,7 +24,7 @@ double place_bar(const struct block *b)
     const double slope = (double) fabsl((above - below) / (2 * h));
     const double bend = (double) fabsl(
         (above - 2 * steady_mu_log(law, m, x) + below) / (h * h));
-    const double tau = (double) steady_tau(law, m, b->tan_alpha);
+    const double tau = (double) b->tau;
     const double ax = b->at.a * b->at.x0;
     const double size = fabs(tau) + fabs(m->mu_star) + fabs(ax) +
                         fabs(tau - m->mu_star - ax) + b->at.b;

@@ -62,7 +62,7 @@ static void set_type(struct block *b, long double x, bool fold,
     if (!quantity_exists(&p->alpha) ||
         !(fabsl(steady_y(law, m, x)) <= (long double) top))
         return;
-    b->tan_alpha = steady_mu(law, m, x);
+    block_lean(b, steady_mu(law, m, x));
     block_anchor(b, x, true);
     const struct planar sys = block_planar(b);
     equilibrium_at(&sys, fold, &e);
