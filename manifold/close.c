@@ -13,6 +13,7 @@
  */
 #include "close.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "tolerance.h"
@@ -63,6 +64,7 @@ struct approach {
     const struct carry *carry;
     int ind, toward;
     struct vec2 z;
+    const struct tail_most *most;
     struct tail_point first, kappa; /* rates at z, and how fast they decay */
     double stiffness;               /* |d slope/d dep| at z */
 };
@@ -157,20 +159,30 @@ struct rules {
     struct tail_point fine, middle, coarse, at_0;
 };
 
-static void all_rules(const struct approach *a, double kappa, struct rules *r)
+/* *sum, and the rates at the nodes. */
+static void rule(const struct approach *a, size_t n, const double node[],
+                 const double weight[], double kappa, struct tail_point p[],
+                 struct tail_point *sum)
+{
+    for (size_t k = 0; k < n; k++)
+        rates_beyond(a, node[k] / kappa, &p[k]);
+    sum_up(a, n, weight, p, kappa, sum);
+}
+
+static void fine_rule(const struct approach *a, double kappa, struct rules *r)
 {
     struct tail_point p[FINE];
 
-    for (size_t k = 0; k < FINE; k++)
-        rates_beyond(a, fine_node[k] / kappa, &p[k]);
-    sum_up(a, FINE, fine_weight, p, kappa, &r->fine);
+    rule(a, FINE, fine_node, fine_weight, kappa, p, &r->fine);
     sum_up(a, FIRST, at_0_weight, p, 1.0, &r->at_0);
-    for (size_t k = 0; k < MIDDLE; k++)
-        rates_beyond(a, middle_node[k] / kappa, &p[k]);
-    sum_up(a, MIDDLE, middle_weight, p, kappa, &r->middle);
-    for (size_t k = 0; k < COARSE; k++)
-        rates_beyond(a, coarse_node[k] / kappa, &p[k]);
-    sum_up(a, COARSE, coarse_weight, p, kappa, &r->coarse);
+}
+
+static void other_rules(const struct approach *a, double kappa, struct rules *r)
+{
+    struct tail_point p[MIDDLE];
+
+    rule(a, MIDDLE, middle_node, middle_weight, kappa, p, &r->middle);
+    rule(a, COARSE, coarse_node, coarse_weight, kappa, p, &r->coarse);
 }
 
 static double miss(double fine, double middle, double coarse, double at_0,
@@ -180,47 +192,68 @@ static double miss(double fine, double middle, double coarse, double at_0,
            fabs(at_0 - first) * fine_node[0] / kappa;
 }
 
+/* Whether `miss` is more than most, whatever the fine rule says: it is not less
+ * than |middle - coarse|, but for three roundings. */
+static bool misses(double middle, double coarse, double most)
+{
+    return fabs(middle - coarse) * (1.0 - 4.0 * DBL_EPSILON) > most;
+}
+
 /* Integral i and its error by the rules. */
 static void take_integral(const struct approach *a, double kappa,
                           const struct rules *r, size_t i, struct tail *t)
 {
     t->integral[i] = r->fine.integral[i];
-    t->integral_error[i] =
-        miss(r->fine.integral[i], r->middle.integral[i], r->coarse.integral[i],
-             r->at_0.integral[i], a->first.integral[i], kappa);
+    if (a->most)
+        t->integral_error[i] = miss(r->fine.integral[i], r->middle.integral[i],
+                                    r->coarse.integral[i], r->at_0.integral[i],
+                                    a->first.integral[i], kappa);
 }
 
 /* Integral i by itself. */
-static void close_integral(const struct approach *a, size_t i, struct tail *t)
+static bool close_integral(const struct approach *a, size_t i, struct tail *t)
 {
     const double kappa = a->kappa.integral[i];
     struct rules r;
 
     t->integral[i] = t->integral_error[i] = 0.0;
     if (kappa == HUGE_VAL)
-        return;
+        return true;
     if (!(kappa > TOL_LIMIT_DECAY)) {
         t->integral_error[i] = HUGE_VAL;
-        return;
+        return true;
     }
-    all_rules(a, kappa, &r);
+    if (a->most)
+        other_rules(a, kappa, &r);
+    if (a->most && misses(r.middle.integral[i], r.coarse.integral[i],
+                          a->most->integral[i]))
+        return false;
+    fine_rule(a, kappa, &r);
     take_integral(a, kappa, &r, i, t);
+    return true;
 }
 
 /* The dependent coordinate, and the integrals that decay as it does. */
-static void close_unknown(const struct approach *a, struct tail *t)
+static bool close_unknown(const struct approach *a, struct tail *t)
 {
     const double kappa = a->kappa.unknown;
     struct rules r;
 
-    all_rules(a, kappa, &r);
+    if (a->most)
+        other_rules(a, kappa, &r);
+    if (a->most && misses(r.middle.unknown, r.coarse.unknown, a->most->unknown))
+        return false;
+    fine_rule(a, kappa, &r);
     t->unknown = r.fine.unknown;
     const double off = fabs(r.fine.unknown - a->first.unknown / kappa);
-    t->unknown_error = miss(r.fine.unknown, r.middle.unknown, r.coarse.unknown,
-                            r.at_0.unknown, a->first.unknown, kappa) +
-                       off * a->stiffness / kappa;
+    if (a->most)
+        t->unknown_error =
+            miss(r.fine.unknown, r.middle.unknown, r.coarse.unknown,
+                 r.at_0.unknown, a->first.unknown, kappa) +
+            off * a->stiffness / kappa;
     for (size_t i = 0; i < a->carry->count; i++)
         take_integral(a, kappa, &r, i, t);
+    return true;
 }
 
 static bool is_alike(double kappa, double other)
@@ -228,22 +261,43 @@ static bool is_alike(double kappa, double other)
     return kappa < 1.5 * other && other < 1.5 * kappa;
 }
 
-bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
-                const struct carry *carry, struct tail *t)
+static bool is_within(double error, double most)
 {
-    struct approach a = {
-        .sys = sys, .carry = carry, .ind = ind, .toward = toward, .z = z
-    };
+    return error <= most || most == HUGE_VAL;
+}
+
+static bool holds(const struct approach *a, const struct tail *t)
+{
+    bool holds = isfinite(t->unknown);
+
+    if (a->most == NULL)
+        return holds;
+    holds &= is_within(t->unknown_error, a->most->unknown);
+    for (size_t i = 0; i < a->carry->count; i++)
+        holds &= is_within(t->integral_error[i], a->most->integral[i]);
+    return holds;
+}
+
+bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
+                const struct carry *carry, const struct tail_most *most,
+                struct tail *t)
+{
+    struct approach a = { .sys = sys,
+                          .carry = carry,
+                          .ind = ind,
+                          .toward = toward,
+                          .z = z,
+                          .most = most };
 
     *t = (struct tail){ 0 };
     look(&a);
     const double kappa = a.kappa.unknown;
-    if (!(kappa > TOL_LIMIT_DECAY))
+    if (!(kappa > TOL_LIMIT_DECAY) ||
+        (kappa < HUGE_VAL && !close_unknown(&a, t)))
         return false;
-    if (kappa < HUGE_VAL)
-        close_unknown(&a, t);
     for (size_t i = 0; i < carry->count; i++)
-        if (kappa == HUGE_VAL || !is_alike(kappa, a.kappa.integral[i]))
-            close_integral(&a, i, t);
-    return isfinite(t->unknown);
+        if ((kappa == HUGE_VAL || !is_alike(kappa, a.kappa.integral[i])) &&
+            !close_integral(&a, i, t))
+            return false;
+    return holds(&a, t);
 }

@@ -10,8 +10,17 @@ struct tail {
     double integral_error[LOCAL_CARRY_MAX]; /* infinite where it diverges */
 };
 
+/* Errors that are more than these make a tail useless; infinite: none does. */
+struct tail_most {
+    double unknown;
+    double integral[LOCAL_CARRY_MAX];
+};
+
 /* The dependent coordinate and the carried integrals from z to ind ->
  * toward * infinity, where the slope d dep/d ind decays at least
- * exponentially.  False, with *t undefined, where it does not decay. */
+ * exponentially.  False, with *t undefined, where it does not decay, or where
+ * an error is more than `most`, which a part of the work may tell.  most NULL:
+ * errors are not asked for and left 0. */
 bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
-                const struct carry *carry, struct tail *t);
+                const struct carry *carry, const struct tail_most *most,
+                struct tail *t);

@@ -45,23 +45,26 @@ bool grow_end_is_open(const struct grower *g)
                          grower_coordinate(g->z, 1 - g->ind));
 }
 
-/* Whether the tail adds little to the bars; at the latest where it adds little
- * to the numbers. */
-static bool tail_holds(const struct grower *g, const struct tail *t)
+/* The tail adds little to the bars; at the latest where it adds little to the
+ * numbers. */
+static struct tail_most most_of(const struct grower *g)
 {
+    const bool late = hardly_changes(g, TOL_TAIL);
     const double part = TOL_TAYLOR_STEP * g->o->rtol;
     const double unknown = fabs(grower_coordinate(g->z, 1 - g->ind));
-    bool holds = t->unknown_error <= part * fmin(1.0, unknown);
+    struct tail_most most = { .unknown =
+                                  late ? HUGE_VAL : part * fmin(1.0, unknown) };
 
     for (size_t i = 0; i < g->o->carry.count; i++)
-        if (g->b->from_saddle[i])
-            holds &= t->integral_error[i] <= part * fabs(g->total[i]);
-    return holds || hardly_changes(g, TOL_TAIL);
+        most.integral[i] =
+            late || !g->b->from_saddle[i] ? HUGE_VAL : part * fabs(g->total[i]);
+    return most;
 }
 
-static bool close_at(const struct grower *g, struct vec2 z, struct tail *t)
+static bool close_at(const struct grower *g, struct vec2 z,
+                     const struct tail_most *most, struct tail *t)
 {
-    return close_tail(g->sys, g->ind, g->toward, z, &g->o->carry, t);
+    return close_tail(g->sys, g->ind, g->toward, z, &g->o->carry, most, t);
 }
 
 /* What the tail makes of dep's error: by the tail beside it. */
@@ -74,7 +77,7 @@ static bool carry_over_tail(struct grower *g, const struct tail *t)
     double drift[LOCAL_CARRY_MAX];
     struct tail beside;
 
-    if (!close_at(g, z, &beside))
+    if (!close_at(g, z, NULL, &beside))
         return false;
     for (size_t i = 0; i < g->o->carry.count; i++)
         drift[i] = (beside.integral[i] - t->integral[i]) / aside;
@@ -86,7 +89,10 @@ bool grow_end_close(struct grower *g)
 {
     struct tail t;
 
-    if (!may_close(g) || !close_at(g, g->z, &t) || !tail_holds(g, &t) ||
+    if (!may_close(g))
+        return false;
+    const struct tail_most most = most_of(g);
+    if (!close_at(g, g->z, &most, &t) ||
         !limit_exists(g->sys, g->ind, g->toward,
                       grower_coordinate(g->z, 1 - g->ind)) ||
         !carry_over_tail(g, &t))
