@@ -10,6 +10,7 @@
 #include "output.h"
 #include "progress.h"
 #include "replace.h"
+#include "scene_scatter.h"
 #include "tolerance.h"
 
 /* ---- checking ------------------------------------------------------------ */
@@ -165,7 +166,9 @@ static enum status record_scene(const struct options *o, const char *path,
     enum status s = scene_read(&scene, path, o->set, o->sets, why);
     if (s != STATUS_OK)
         return s;
-    s = baseline_add(b, scene_name(&scene), &scene, why);
+    s = scene_scatter_refuse(&scene, "check", why);
+    if (s == STATUS_OK)
+        s = baseline_add(b, scene_name(&scene), &scene, why);
     scene_free(&scene);
     return s;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "progress.h"
+#include "scene_scatter.h"
 #include "text.h"
 
 enum exit_code command_run(const struct command *c, const struct options *o)
@@ -41,13 +42,16 @@ enum status command_read(const struct options *o, char *const more[],
 {
     static const unsigned makers = COMMAND_LIST(COMMAND_MAKE_BIT);
     static const unsigned planes = COMMAND_LIST(COMMAND_PLANE_BIT);
+    static const unsigned scatters = COMMAND_LIST(COMMAND_STUDY_BIT) +
+                                     (1u << COMMAND_ENSEMBLE) +
+                                     (1u << COMMAND_MERGE);
     char *set[OPTIONS_SETS + COMMAND_MORE];
     const size_t sets = o->sets + count;
 
     memcpy(set, o->set, o->sets * sizeof *set);
     for (size_t i = 0; i < count; i++)
         set[o->sets + i] = more[i];
-    const enum status s =
+    enum status s =
         scene_read(scene, o->files ? o->file[0] : NULL, set, sets, why);
     if (s == STATUS_OK && scene->system &&
         !(planes >> command_id(o->command) & 1u)) {
@@ -57,6 +61,10 @@ enum status command_read(const struct options *o, char *const more[],
                               "law on a slope",
                               o->command->name);
     }
+    if (s == STATUS_OK && !(scatters >> command_id(o->command) & 1u))
+        s = scene_scatter_refuse(scene, o->command->name, why);
+    if (s != STATUS_OK)
+        scene_free(scene); /* a second time, perhaps */
     if (s != STATUS_OK || makers >> command_id(o->command) & 1u)
         return s;
     drop(&scene->hdf5, "hdf5", set, sets);

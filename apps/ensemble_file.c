@@ -307,10 +307,8 @@ static enum status put_head(const struct file *f)
 static enum status put_all(const struct file *f)
 {
     const struct ensemble *e = f->e;
-    enum status status = provenance_put("ensemble", e->scene, f->out);
+    enum status status = put_head(f);
 
-    if (status == STATUS_OK)
-        status = put_head(f);
     if (status == STATUS_OK)
         status = e->draws.id >= 0
                      ? put_samples(f)
@@ -331,19 +329,29 @@ static enum status put_all(const struct file *f)
     return status;
 }
 
+enum status ensemble_file_put(const struct ensemble *e, struct store *out,
+                              struct fault *why)
+{
+    struct file f = { e, out, malloc(SPOOL_DRAWS * sizeof(double)), why };
+    const enum status status = f.values ? put_all(&f) : STATUS_NO_MEMORY;
+
+    free(f.values);
+    return status;
+}
+
 enum status ensemble_file_write(const struct ensemble *e, const char *path,
                                 struct fault *why)
 {
-    struct file f = { .e = e, .why = why };
-    enum status status = result_file_begin_large(&f.out, path, e->scene,
+    struct store *out;
+    enum status status = result_file_begin_large(&out, path, e->scene,
                                                  e->scene->law.preset, why);
 
     if (status != STATUS_OK)
         return status;
-    f.values = malloc(SPOOL_DRAWS * sizeof(double));
-    status = f.values ? put_all(&f) : STATUS_NO_MEMORY;
-    free(f.values);
-    return result_file_end(&f.out, path, status, why);
+    status = provenance_put("ensemble", e->scene, out);
+    if (status == STATUS_OK)
+        status = ensemble_file_put(e, out, why);
+    return result_file_end(&out, path, status, why);
 }
 
 /* ---- for the reference --------------------------------------------------- */

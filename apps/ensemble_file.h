@@ -4,6 +4,7 @@
 
 #include "ensemble.h"
 #include "result.h"
+#include "store.h"
 
 /* For the reference pages. */
 extern const struct result *const ensemble_tables[];
@@ -15,3 +16,7 @@ extern const struct result *const ensemble_tables[];
  * result_file_write. */
 MUST_CHECK enum status ensemble_file_write(const struct ensemble *e,
                                            const char *path, struct fault *why);
+
+/* The same groups, in a file of more. */
+MUST_CHECK enum status ensemble_file_put(const struct ensemble *e,
+                                         struct store *out, struct fault *why);

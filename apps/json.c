@@ -55,9 +55,10 @@ json_t *json_quantity(const struct quantity *q)
         return with_proof(json_pack("{s:n, s:s}", "value", "reason", q->reason),
                           q->proved);
     return with_proof(
-        json_pack("{s:o, s:o, s:o*}", "value", json_number(q->value), "error",
-                  json_number(q->error), "conditioning",
-                  isnan(q->conditioning) ? NULL : json_number(q->conditioning)),
+        json_pack("{s:o, s:o, s:o*, s:o*}", "value", json_number(q->value),
+                  "error", json_number(q->error), "conditioning",
+                  isnan(q->conditioning) ? NULL : json_number(q->conditioning),
+                  "spread", isnan(q->spread) ? NULL : json_number(q->spread)),
         q->proved);
 }
 

@@ -113,12 +113,14 @@ void output_tell(const struct options *o, const char *path)
 
 enum status output_write(const struct options *o, const char *command,
                          const struct results *all, const struct scene *scene,
-                         const char *untitled, struct fault *why)
+                         const struct ensemble *drawn, const char *untitled,
+                         struct fault *why)
 {
     if (scene->hdf5 == NULL)
         return STATUS_OK;
-    const enum status s = result_file_write(
-        command, all, scene, untitled, scene->hdf5, progress_monitor(o), why);
+    const enum status s =
+        result_file_write(command, all, scene, drawn, untitled, scene->hdf5,
+                          progress_monitor(o), why);
     if (s == STATUS_OK)
         output_tell(o, scene->hdf5);
     return s;

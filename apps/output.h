@@ -6,6 +6,8 @@
 #include "draw.h"
 #include "result.h"
 
+struct ensemble;
+
 enum { PANEL_PATH = 4096 };
 _Static_assert((int) PANELS_MAX == (int) FIGURES_MAX, "drawn together");
 
@@ -31,12 +33,14 @@ MUST_CHECK enum status output_check(const struct options *o,
                                     const char *const panel[],
                                     struct fault *why);
 
-/* Writes the scene's HDF5 file, if it names one, and says so.  command: which
+/* Writes the scene's HDF5 file, if it names one, with its ensemble (drawn.h;
+ * NULL: none), and says so.  command: which
  * makes it again.  Errors as of result_file.h. */
 MUST_CHECK enum status output_write(const struct options *o,
                                     const char *command,
                                     const struct results *all,
                                     const struct scene *scene,
+                                    const struct ensemble *drawn,
                                     const char *untitled, struct fault *why);
 
 /* Whether -o names standard output, "-": the text that a file would hold then

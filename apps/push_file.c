@@ -83,6 +83,6 @@ enum status push_file_write(const struct scene *scene,
     const struct results all = { .table = push_tables, .run = answers };
 
     return is_csv(path) ? write_csv(scene, answers, path, why)
-                        : result_file_write("push", &all, scene,
+                        : result_file_write("push", &all, scene, NULL,
                                             scene->law.preset, path, NULL, why);
 }

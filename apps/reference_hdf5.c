@@ -56,7 +56,11 @@ static const char head[] =
     "absolute error in its own unit; the code NAME_exists (absent, present);\n"
     "where some are absent, why: a text NAME_reason for each, or of a single\n"
     "number the attribute `comment` of NAME; with the product sensitivities\n"
-    "NAME_conditioning, the relative error from rounding the inputs.\n"
+    "NAME_conditioning, the relative error from rounding the inputs; of a "
+    "scene\n"
+    "with inputs X +- S NAME_spread, the standard deviation that their "
+    "scatter\n"
+    "makes of the number, to first order.\n"
     "\n"
     "This page is written by `slipway help --as hdf5`.\n";
 

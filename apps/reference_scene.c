@@ -25,7 +25,11 @@ static const char head[] =
     "with a point. Those in V_star, L or L/V_star below may have a unit "
     "behind\n"
     "them, `8e-3 m/s` or `8000 V_star`, `5 s` or `5 L/V_star`, `1e-6 m` or\n"
-    "`1 L`; one without is in m/s, m or s beside `units: si`.\n"
+    "`1 L`; one without is in m/s, m or s beside `units: si`. Those of\n"
+    "material and slope, and gravity, may have a scatter, `0.0349 +- 0.0005`,\n"
+    "a standard deviation: knees, portrait, study and basin tell what it "
+    "makes\n"
+    "of each number, `ensemble` draws them.\n"
     "\n"
     "This page is written by `slipway help --as scene`.\n";
 

@@ -5,6 +5,7 @@
 
 #include "json_results.h"
 #include "number.h"
+#include "report_ensemble.h"
 #include "result_units.h"
 #include "scene_slope.h"
 #include "scene_units.h"
@@ -68,7 +69,7 @@ static json_t *parameters_json(const struct study *s, json_t *units)
     return j;
 }
 
-json_t *report_json(const struct study *s)
+json_t *report_json(const struct study *s, const struct ensemble *drawn)
 {
     struct results all = study_results(s);
     const struct stage_cost total = study_cost(s);
@@ -85,6 +86,8 @@ json_t *report_json(const struct study *s)
         j, "units",
         json_pack("{s:s, s:o}", "alpha", "rad", "parameters", units));
     j = json_results(j, &all);
+    if (drawn)
+        json_object_set_new(j, "ensemble", report_ensemble_json(drawn));
     json_object_set_new(j, "cost",
                         json_pack("{s:I, s:o}", "field_evaluations",
                                   (json_int_t) total.field_evaluations,

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "ensemble.h"
 #include "json.h"
 #include "study.h"
 
@@ -10,5 +11,6 @@
  * printed. */
 MUST_CHECK enum status report_print(FILE *out, const struct study *s);
 
-/* The object of `knees --json`, as far as the study went. */
-json_t *report_json(const struct study *s);
+/* The object of `knees --json`, as far as the study went; with its ensemble
+ * (drawn.h; NULL: none). */
+json_t *report_json(const struct study *s, const struct ensemble *drawn);

@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "ensemble_file.h"
 #include "provenance.h"
 #include "store_results.h"
 
@@ -49,17 +50,22 @@ enum status result_file_end(struct store **out, const char *path, enum status s,
 }
 
 enum status result_file_write(const char *command, const struct results *all,
-                              const struct scene *scene, const char *untitled,
-                              const char *path, const struct monitor *monitor,
-                              struct fault *why)
+                              const struct scene *scene,
+                              const struct ensemble *drawn,
+                              const char *untitled, const char *path,
+                              const struct monitor *monitor, struct fault *why)
 {
     struct store *out;
-    enum status s = result_file_begin(&out, path, scene, untitled, why);
+    enum status s =
+        drawn ? result_file_begin_large(&out, path, scene, untitled, why)
+              : result_file_begin(&out, path, scene, untitled, why);
 
     if (s != STATUS_OK)
         return s;
     s = provenance_put(command, scene, out);
     if (s == STATUS_OK)
         s = store_put_results(out, all, monitor);
+    if (s == STATUS_OK && drawn)
+        s = ensemble_file_put(drawn, out, why);
     return result_file_end(&out, path, s, why);
 }

@@ -5,15 +5,16 @@
 #include "scene.h"
 #include "store.h"
 
+struct ensemble;
+
 /* All that was asked for of a run's results, after its provenance (that
- * command's), under that title.  Rows of layers are computed on the way;
- * `monitor` may be NULL. Errors of store_results.h, with one line in *why. */
-MUST_CHECK enum status result_file_write(const char *command,
-                                         const struct results *all,
-                                         const struct scene *scene,
-                                         const char *untitled, const char *path,
-                                         const struct monitor *monitor,
-                                         struct fault *why);
+ * command's), under that title; then its ensemble (drawn.h), unless NULL.  Rows
+ * of layers are computed on the way; `monitor` may be NULL. Errors of
+ * store_results.h, with one line in *why. */
+MUST_CHECK enum status result_file_write(
+    const char *command, const struct results *all, const struct scene *scene,
+    const struct ensemble *drawn, const char *untitled, const char *path,
+    const struct monitor *monitor, struct fault *why);
 
 /* Opens *out in path's place, titled as the scene is, or else `untitled`;
  * scene may be NULL.  Nothing to end where it fails. */

@@ -228,8 +228,8 @@ static enum status run(struct job *j, struct fault *why)
 static enum exit_code tell(const struct job *j)
 {
     if (j->options->json)
-        return json_print(report_json(&j->study)) ? EXIT_DONE
-                                                  : command_unwritten();
+        return json_print(report_json(&j->study, NULL)) ? EXIT_DONE
+                                                        : command_unwritten();
     for (size_t i = 0; i < j->files && !j->options->quiet; i++)
         if (!j->file[i].printed)
             printf("wrote %s\n", j->file[i].path);

@@ -85,7 +85,7 @@ static enum status write_files(const struct plane_study *s,
     const struct results all = plane_results(s);
     struct panels p = PANELS_EMPTY;
     const enum status status = output_write(o, o->command->name, &all, s->scene,
-                                            s->system[0].name, why);
+                                            NULL, s->system[0].name, why);
 
     if (status == STATUS_OK && figure)
         picture_plane(s, &p);

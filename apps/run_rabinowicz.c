@@ -37,8 +37,8 @@ static enum exit_code run(const struct options *o, const struct scene *c)
         s = release_run(&r, c, progress_monitor(o), &why);
     progress_end();
     if (s == STATUS_OK)
-        s = output_write(o, "rabinowicz", &all, c, "Rabinowicz's experiment",
-                         &why);
+        s = output_write(o, "rabinowicz", &all, c, NULL,
+                         "Rabinowicz's experiment", &why);
     if (s == STATUS_OK)
         s = draw(o, c, &r, &why);
     const enum exit_code code = s == STATUS_OK ? output_print(o, &all, NULL)

@@ -36,7 +36,7 @@ static enum status write_files(const struct simulation *s,
         s->scene.figure ? picture_simulation_check(s, why) : STATUS_OK;
 
     if (status == STATUS_OK)
-        status = output_write(o, "simulate", all, &s->scene,
+        status = output_write(o, "simulate", all, &s->scene, NULL,
                               s->study.slider.block.law.preset, why);
     if (status == STATUS_OK && s->scene.figure)
         picture_simulation(s, &p);

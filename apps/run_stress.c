@@ -115,8 +115,8 @@ static enum exit_code run(const struct options *o,
     progress_end();
     if (status == STATUS_OK && o->output)
         status =
-            result_file_write("stress", &all, NULL, "stiff and extreme cases",
-                              o->output, NULL, &why);
+            result_file_write("stress", &all, NULL, NULL,
+                              "stiff and extreme cases", o->output, NULL, &why);
     enum exit_code code = s.outcome[STRESS_LIE] > 0 ? EXIT_CHECK : EXIT_DONE;
     if (status != STATUS_OK)
         code = command_fail(status, why.text);

@@ -2,11 +2,13 @@
  * the file, draw the figure, print the numbers. */
 #include <string.h>
 
+#include "drawn.h"
 #include "picture.h"
 #include "product_setting.h"
 #include "progress.h"
 #include "remark.h"
 #include "report.h"
+#include "report_ensemble.h"
 #include "report_sweep.h"
 #include "run_plane.h"
 #include "scene_command.h"
@@ -127,7 +129,9 @@ static void print_remarks(const struct study *s)
         printf("note: %s\n", text[i]);
 }
 
-static enum status write_files(const struct study *s, const struct options *o,
+static enum status write_files(const struct study *s,
+                               const struct ensemble *drawn,
+                               const struct options *o,
                                const struct shortcut *how, struct fault *why)
 {
     const char *figure = figure_of(s->scene, how);
@@ -135,7 +139,7 @@ static enum status write_files(const struct study *s, const struct options *o,
     struct panels p = PANELS_EMPTY;
     /* the shortcuts are studies, but one of a scene with a sweep would sweep */
     const char *command = s->scene->sweep.axes > 0 ? o->command->name : "study";
-    const enum status status = output_write(o, command, &all, s->scene,
+    const enum status status = output_write(o, command, &all, s->scene, drawn,
                                             s->slider.block.law.preset, why);
 
     if (status == STATUS_OK && figure)
@@ -144,17 +148,21 @@ static enum status write_files(const struct study *s, const struct options *o,
 }
 
 static enum exit_code print_results(const struct study *s,
+                                    const struct ensemble *drawn,
                                     const struct options *o,
                                     const struct shortcut *how)
 {
     if (o->json)
-        return json_print(report_json(s)) ? EXIT_DONE : command_unwritten();
+        return json_print(report_json(s, drawn)) ? EXIT_DONE
+                                                 : command_unwritten();
     const enum status status =
         !o->quiet && how->print_numbers ? report_print(stdout, s) : STATUS_OK;
     if (status != STATUS_OK)
         return command_fail(status, status_text(status));
     if (!o->quiet)
         print_remarks(s);
+    if (!o->quiet && drawn)
+        report_ensemble_print(stdout, drawn);
     return EXIT_DONE;
 }
 
@@ -181,45 +189,62 @@ static enum exit_code judge_proof(const struct fault *lie)
     return EXIT_CHECK;
 }
 
+/* Writes, draws and prints what was found. */
+static enum exit_code tell(const struct study *study,
+                           const struct ensemble *drawn,
+                           const struct options *o, const struct shortcut *how)
+{
+    struct fault why = { "" };
+    const enum status s = write_files(study, drawn, o, how, &why);
+
+    progress_end();
+    enum exit_code code = s == STATUS_OK ? print_results(study, drawn, o, how)
+                                         : command_fail(s, why.text);
+    if (code == EXIT_DONE)
+        code = judge_audit(&study->basins);
+    return code == EXIT_DONE ? judge_proof(&study->proof.lie) : code;
+}
+
+static enum exit_code run_law(const struct options *o,
+                              const struct scene *scene,
+                              const struct shortcut *how)
+{
+    struct ensemble drawn = ENSEMBLE_EMPTY;
+    struct fault why = { "" };
+    struct study study;
+
+    enum status s = drawn_check(o, scene, &why);
+    if (s == STATUS_OK)
+        s = check_files(o, scene, how, &why);
+    if (s == STATUS_OK)
+        s = study_run(&study, scene, progress_monitor(o), &why);
+    progress_end();
+    if (s != STATUS_OK)
+        return command_fail(s, why.text);
+    s = drawn_run(o, scene, &drawn, &why);
+    const enum exit_code code = s == STATUS_OK
+                                    ? tell(&study, drawn_of(&drawn), o, how)
+                                    : command_fail(s, why.text);
+    ensemble_free(&drawn);
+    study_free(&study);
+    return code;
+}
+
 static enum exit_code run(const struct options *o, const struct shortcut *how)
 {
     const struct command *other;
     struct scene scene;
-    struct study study;
     struct fault why = { "" };
-    enum exit_code code;
 
-    enum status s = read_scene(o, how, &scene, &other, &why);
+    const enum status s = read_scene(o, how, &scene, &other, &why);
     if (s != STATUS_OK)
         return command_fail(s, why.text);
-    if (other) {
-        scene_free(&scene);
-        return command_run(other, o);
-    }
-    if (scene.system) {
-        code = plane_run(o, &scene, how->figure);
-        scene_free(&scene);
-        return code;
-    }
-    s = check_files(o, &scene, how, &why);
-    if (s == STATUS_OK)
-        s = study_run(&study, &scene, progress_monitor(o), &why);
-    progress_end();
-    if (s != STATUS_OK) {
-        scene_free(&scene);
-        return command_fail(s, why.text);
-    }
-    s = write_files(&study, o, how, &why);
-    progress_end();
-    code = s == STATUS_OK ? print_results(&study, o, how)
-                          : command_fail(s, why.text);
-    if (code == EXIT_DONE)
-        code = judge_audit(&study.basins);
-    if (code == EXIT_DONE)
-        code = judge_proof(&study.proof.lie);
-    study_free(&study);
+    const enum exit_code code = other ? EXIT_DONE
+                                : scene.system
+                                    ? plane_run(o, &scene, how->figure)
+                                    : run_law(o, &scene, how);
     scene_free(&scene);
-    return code;
+    return other ? command_run(other, o) : code;
 }
 
 enum exit_code command_study(const struct options *o)

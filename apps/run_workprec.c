@@ -95,7 +95,7 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
     progress_end();
     if (s != STATUS_OK)
         return command_fail(s, why.text);
-    s = output_write(o, "workprec", &all, scene, "error against run time",
+    s = output_write(o, "workprec", &all, scene, NULL, "error against run time",
                      &why);
     if (s == STATUS_OK && scene->figure)
         picture_workprec(&w, &p);

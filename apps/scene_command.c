@@ -2,8 +2,6 @@
 
 #include <stddef.h>
 
-#include "ensemble.h"
-
 static bool has_rabinowicz(const struct scene_rabinowicz *r)
 {
     return r->block_mass > 0.0 || r->ball_mass > 0.0 || r->restitution >= 0.0 ||
@@ -16,7 +14,8 @@ const char *scene_command(const struct scene *s)
         return "sweep";
     if (s->system)
         return "study";
-    if (ensemble_is_asked(s))
+    if (s->ensemble.parameters > s->ensemble.scattered || s->ensemble.samples ||
+        s->ensemble.covariance)
         return "ensemble";
     if (s->products == 0 && has_rabinowicz(&s->rabinowicz))
         return "rabinowicz";

@@ -36,6 +36,15 @@ static void print_proof(FILE *out, const struct proved *p)
                 number_outward(p->hi, true).text);
 }
 
+/* What the scatter of the inputs makes, where there is one. */
+static void print_spread(FILE *out, const struct quantity *q)
+{
+    if (isinf(q->spread))
+        fputs("  (spread not known)", out);
+    else if (!isnan(q->spread))
+        fprintf(out, "  (spread %.2g)", q->spread);
+}
+
 /* "name   value +- error unit" or "name   -   reason"; what rounding of the
  * inputs costs follows where it is known. */
 static void print_quantity(FILE *out, const char *name,
@@ -53,6 +62,7 @@ static void print_quantity(FILE *out, const char *name,
     print_unit(out, f);
     if (!isnan(q->conditioning))
         fprintf(out, "  (inputs +- %.1e)", q->conditioning * fabs(q->value));
+    print_spread(out, q);
     fputc('\n', out);
     print_proof(out, q->proved);
 }
@@ -127,6 +137,7 @@ static void print_pairs(FILE *out, const struct record_array *a,
                 fprintf(out, "%s %s = %s +- %s", k ? "," : "", f->name,
                         shown.value.text, shown.error.text);
                 print_unit(out, f);
+                print_spread(out, q);
             } else if (k == 0) {
                 fprintf(out, " -  (%s)", q->reason);
             }

@@ -124,6 +124,54 @@ def the_figure_has_three_panels(room):
         expect(words in room.read(name), name, words)
 
 
+SCATTER = ['--set', 'material.a=0.0349 +- 0.00005',
+           '--set', 'slope.alpha=0.34 +- 0.0002']
+
+
+def inputs_that_scatter_give_each_number_a_spread(room):
+    """to first order, and the same by draws; apart from the bar"""
+    plain = room.json('knees', *LAW)
+    found = room.json('knees', *LAW, *SCATTER, '--draws', '2048', '-o', 'a.h5')
+    drawn = room.json('ensemble', *LAW, *SCATTER, '--draws', '2048', '--set',
+                      'products=[equilibria, folds, knees, estimates]')
+    expect(found['ensemble'] == drawn, found['ensemble'], drawn)
+    for name in ('v_plus', 'ln_v_minus', 'x_excess', 'mu_s_num'):
+        number, q = found[name], drawn['numbers'][name]['quantiles']
+        expect(number['error'] == plain[name]['error'] and
+               'spread' not in plain[name], number, plain[name])
+        half = (q['0.84'] - q['0.16']) / 2
+        expect(abs(number['spread'] / half - 1) < 0.03, name, number, half)
+    expect(found['folds']['alpha_cM']['spread'] > 0 and
+           found['knees_upper'][0]['v']['spread'] > 0, found['folds'])
+    told = room.good('knees', *LAW, *SCATTER)
+    expect(f"(spread {found['v_plus']['spread']:.2g})" in told, told)
+    read = json.loads(room.reads(
+        'import h5py, json, sys; f = h5py.File(sys.argv[1])\n'
+        "print(json.dumps([float(f['critical/v_plus_spread'][()]),"
+        "float(f['critical/v_plus_error'][()]), len(f['ensemble/v_plus'])]))",
+        'a.h5'))
+    expect(read == [found['v_plus']['spread'], found['v_plus']['error'], 2048],
+           read)
+    said = room.good('info', '--rerun', 'a.h5')
+    expect('same' in said, said)
+
+
+def scatter_is_refused_where_it_says_nothing(room):
+    room.write('s.yaml', 'law: {preset: spinodal_gen}\nslope: {alpha: 0.34}\n'
+                         'material: {a: 0.0349 +- 0.0005}\n'
+                         'sweep: {key: slope.alpha, values: [0.33, 0.34]}\n')
+    for command, *more in [('push', '--v', '1', '--psi', '1'), ('sweep',),
+                           ('simulate', '--v', '1', '--psi', '1'),
+                           ('rabinowicz',), ('check', '--record'),
+                           ('export', '--as', 'auto'), ('workprec',)]:
+        refused(room.run(command, 's.yaml', *more), 2, 's.yaml:3:15: material.a',
+                f'{command} does not tell what +- makes')
+    refused(room.run('push', *LAW, *SCATTER, '--v', '1', '--psi', '1'), 2,
+            '--set material.a=0.0349 +- 5e-05', 'push')
+    refused(room.run('knees', *LAW, '--draws', '100'), 2, '--draws', 'X +- S')
+    expect(room.names() == ['s.yaml'], room.names())
+
+
 def what_is_wrong_is_one_line_and_nothing_is_written(room):
     room.write('cell.csv', 'id,material.a\nx,0.03\ny,0,03\n')
     room.write('word.csv', 'material.a,id\n0.03,1\nthin,2\n')
@@ -188,4 +236,6 @@ run_cases([
     pushes_may_be_all_that_is_asked,
     a_slope_may_be_among_what_is_drawn,
     draws_beyond_a_law_are_counted,
+    inputs_that_scatter_give_each_number_a_spread,
+    scatter_is_refused_where_it_says_nothing,
 ])

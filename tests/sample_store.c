@@ -31,8 +31,12 @@ static const struct record_type steady_type = { "steady", "a steady state",
                                                 steady_fields, 5,
                                                 sizeof(struct steady) };
 static struct steady steady_states[] = {
-    { 0, 7, 0.25, { 1.5, 1e-9, 2e-15, NULL, NULL }, "Gr\xc3\xbc\xc3\x9f" },
-    { -1, 8, 4.0, { NAN, NAN, NAN, "no window", NULL }, NULL },
+    { 0,
+      7,
+      0.25,
+      { 1.5, 1e-9, 2e-15, NULL, NULL, NAN, NAN },
+      "Gr\xc3\xbc\xc3\x9f" },
+    { -1, 8, 4.0, { NAN, NAN, NAN, "no window", NULL, NAN, NAN }, NULL },
 };
 const struct record_array sample_states = { &steady_type, steady_states, 2 };
 

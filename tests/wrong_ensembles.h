@@ -62,6 +62,29 @@ static const struct wrong wrong_ensembles[] = {
     { LAW SLOPE "units: si\nensemble: {pushes: [{v: 1, psi: 1}]}\n",
       "4:28: ensemble.pushes: psi: it could be psi or phi, expected phi beside "
       "units: si" },
+    { LAW SLOPE "material: {a: 0.0349 +-}\n",
+      "3:15: material.a: '0.0349 +-'" NOT "X +- S, two numbers, S > 0" },
+    { LAW SLOPE "material: {a: 0.0349 +- -0.001}\n",
+      "3:15: material.a: '0.0349 +- -0.001'" NOT "X +- S, two numbers, S > 0" },
+    { LAW SLOPE "material: {a: 0.0349 +- inf}\n",
+      "3:15: material.a: '0.0349 +- inf'" NOT "X +- S, two numbers, S > 0" },
+    { LAW SLOPE "material: {a: -1 +- 0.1}\n",
+      "3:15: material.a: '-1'" NOT "a number > 0" },
+    { LAW SLOPE "material: {R: 100 +- 1}\n",
+      "3:12: material.R: not used by this law (dieterich_gen), expected "
+      "mu_star, a, b, L or V_star" },
+    { LAW SLOPE "accuracy: {rtol: 1e-9 +- 1e-10}\n",
+      "3:18: accuracy.rtol: '1e-9 +- 1e-10'" NOT "a number from 1e-14 to 0.1" },
+    { LAW SLOPE "material: {a: 0.03 +- 0.001}\n"
+                "ensemble: {parameters: {material.a: {normal: [0.03, 1]}}}\n",
+      "4:25: ensemble.parameters: material.a has a scatter where it stands, "
+      "expected one of the two" },
+    { LAW "slope: {alpha: 0.3 +- 0.01}\n"
+          "ensemble: {parameters: {slope.tan_alpha: {normal: [0.3, 1]}}}\n",
+      "3:25: slope.tan_alpha beside slope.alpha, expected one of the two" },
+    { LAW SLOPE "material: {a: 0.03 +- 0.001}\nensemble: {samples: a.csv}\n",
+      "3:15: material.a: X +- S beside ensemble.samples, expected one of the "
+      "two" },
 };
 
 #endif

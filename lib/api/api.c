@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "room.h"
+#include "scene_scatter.h"
 #include "system.h"
 #include "unit.h"
 
@@ -43,7 +44,7 @@ const char *slipway_version(void)
 
 slipway_number api_number(const struct quantity *q)
 {
-    return (slipway_number){ q->value, q->error, q->reason };
+    return (slipway_number){ q->value, q->error, q->reason, q->spread };
 }
 
 bool api_is_number(const struct sweep_column *c)
@@ -141,6 +142,16 @@ slipway_status api_read(const slipway_scene *scene, struct scene *out,
     struct fault fault = { "" };
     const enum status s =
         scene_read(out, scene->path, scene->set, scene->sets, &fault);
+
+    return s == STATUS_OK ? SLIPWAY_OK
+                          : api_fault(why, api_status(s), fault.text);
+}
+
+slipway_status api_refuse_scatter(const struct scene *scene, const char *what,
+                                  slipway_fault *why)
+{
+    struct fault fault;
+    const enum status s = scene_scatter_refuse(scene, what, &fault);
 
     return s == STATUS_OK ? SLIPWAY_OK
                           : api_fault(why, api_status(s), fault.text);

@@ -20,6 +20,8 @@ slipway_status slipway_push_open(const slipway_scene *scene,
     if (p == NULL)
         return api_fault(why, SLIPWAY_NO_MEMORY, status_text(STATUS_NO_MEMORY));
     slipway_status s = api_read(scene, &p->scene, why);
+    if (s == SLIPWAY_OK)
+        s = api_refuse_scatter(&p->scene, "push", why);
     if (s == SLIPWAY_OK) {
         const struct monitor *m = api_monitor(monitor, &tell);
         enum status status = push_init(&p->push, &p->scene, m, &fault);

@@ -19,6 +19,8 @@ slipway_status slipway_sweep_run(const slipway_scene *scene,
     if (w == NULL)
         return api_fault(why, SLIPWAY_NO_MEMORY, status_text(STATUS_NO_MEMORY));
     slipway_status s = api_read(scene, &w->scene, why);
+    if (s == SLIPWAY_OK)
+        s = api_refuse_scatter(&w->scene, "sweep", why);
     if (s == SLIPWAY_OK && w->scene.sweep.axes == 0)
         s = api_fault(why, SLIPWAY_BAD_SCENE,
                       "the scene has no sweep, expected sweep.key and values");

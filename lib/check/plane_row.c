@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene_scatter.h"
+
 const char *const plane_row_columns[] = { "scene", "set", NULL };
 
 bool plane_row_is(const struct table *t)
@@ -50,6 +52,8 @@ enum status plane_row_read(const struct table *t, size_t row, unsigned products,
                              "a law on a slope, expected a system, or a table "
                              "of laws with columns law, alpha, ...");
     }
+    if (status == STATUS_OK)
+        status = scene_scatter_refuse(scene, "check", why);
     if (status == STATUS_OK)
         scene->products = products;
     return status;

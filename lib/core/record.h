@@ -26,6 +26,10 @@ struct quantity {
     double conditioning; /* relative; NaN where nobody asked */
     const char *reason;  /* borrowed, static; NULL when the value exists */
     const struct proved *proved; /* borrowed; NULL: nobody asked */
+    double spread;    /* the standard deviation that the scatter of the inputs
+                         makes, linear; NaN: nobody asked, infinite: it cannot
+                         be told */
+    double spread_si; /* the same of the number in the SI */
 };
 
 /* A count that there is not. */
@@ -113,7 +117,7 @@ static inline int quantity_exists(const struct quantity *q)
 static inline struct quantity quantity_none(const char *reason)
 {
     const double nan = (double) __builtin_nanf("");
-    return (struct quantity){ nan, nan, nan, reason, NULL };
+    return (struct quantity){ nan, nan, nan, reason, NULL, nan, nan };
 }
 
 /* A number whose bar is not finite is none. */
@@ -123,7 +127,7 @@ static inline struct quantity quantity_of(double value, double error)
 
     if (!__builtin_isfinite(value) || !__builtin_isfinite(error))
         return quantity_none("no bound on its error could be found");
-    return (struct quantity){ value, error, nan, NULL, NULL };
+    return (struct quantity){ value, error, nan, NULL, NULL, nan, nan };
 }
 
 /* The same for one whose bar grew since. */

@@ -176,6 +176,17 @@ static double conditioning_of(const struct unit *unit, double from, double to,
     return (c * fabs(from) + inputs) / fabs(to);
 }
 
+/* An angle's is linear, as the spread is; what V_star, L and phi_1 add is known
+ * to whoever found it. */
+static double spread_of(const struct unit_system *u, const struct unit *unit,
+                        double to, const struct quantity *q)
+{
+    if (unit->kind != UNIT_ANGLE)
+        return q->spread_si;
+    return q->spread *
+           (u->angle == ANGLE_TAN ? 1 + to * to : unit_scale(u, unit));
+}
+
 static const struct proved of_our_own = {
     .not_proved = "what is proved is the number in units of V_star and L, not "
                   "that in SI units"
@@ -191,8 +202,11 @@ struct quantity unit_quantity(const struct unit_system *u,
     const double error = bar_of(u, unit, to, q.error);
     if (!isfinite(to) || !isfinite(error))
         return quantity_none("in SI units it is beyond the largest double");
-    return (struct quantity){ to, error,
-                              conditioning_of(unit, q.value, to, q.conditioning,
-                                              u->psi_is_log),
-                              NULL, q.proved ? &of_our_own : NULL };
+    q.conditioning =
+        conditioning_of(unit, q.value, to, q.conditioning, u->psi_is_log);
+    q.spread = q.spread_si = spread_of(u, unit, to, &q);
+    q.proved = q.proved ? &of_our_own : NULL;
+    q.value = to;
+    q.error = error;
+    return q;
 }

@@ -261,9 +261,8 @@ enum status ensemble_run(struct ensemble *e, const struct scene *scene,
 {
     struct run r = { .e = e, .o = options, .monitor = monitor, .why = why };
 
-    *e = (struct ensemble){ .scene = scene,
-                            .draws = { .id = -1 },
-                            .spool = { .journal = { .file = -1 } } };
+    *e = ENSEMBLE_EMPTY;
+    e->scene = scene;
     why->text[0] = '\0';
     enum status status = begin(e, options, why);
     if (status == STATUS_OK)
@@ -289,6 +288,5 @@ void ensemble_free(struct ensemble *e)
     sweep_reasons_free(&e->reasons);
     batch_free(&e->batch);
     draws_free(&e->draws);
-    *e = (struct ensemble){ .draws = { .id = -1 },
-                            .spool = { .journal = { .file = -1 } } };
+    *e = ENSEMBLE_EMPTY;
 }

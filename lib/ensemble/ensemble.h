@@ -58,6 +58,11 @@ struct ensemble {
     bool replaced;  /* a side file was left, not asked for, and replaced */
 };
 
+/* Harmless to free. */
+#define ENSEMBLE_EMPTY                                                         \
+    ((struct ensemble){ .draws = { .id = -1 },                                 \
+                        .spool = { .journal = { .file = -1 } } })
+
 /* Runs scene->ensemble.  STATUS_BAD_SCENE: with the place of what is wrong, in
  * the scene or in a file that it names; the side file to resume is another's.
  * STATUS_STOPPED by the monitor: the side file stays.  STATUS_IO,

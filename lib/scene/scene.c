@@ -14,6 +14,7 @@
 #include "scene_figure.h"
 #include "scene_law.h"
 #include "scene_ode.h"
+#include "scene_scatter.h"
 #include "scene_slope.h"
 #include "scene_sweep.h"
 #include "scene_system.h"
@@ -337,6 +338,8 @@ static enum status fill(struct node *root, struct scene *s, struct fault *why)
                                               scene_sweep_check, NULL };
     enum status status = set_defaults(s);
 
+    if (status == STATUS_OK)
+        status = scene_scatter_take(root, s, why);
     if (status == STATUS_OK)
         status = take_system(root, s, why);
     if (status == STATUS_OK && s->system == NULL)

@@ -155,6 +155,8 @@ struct scene_spread {
     char *key; /* owned */
     enum spread_law law;
     double of[2]; /* in the scene's units */
+    bool is_set;  /* of those that are scattered: where */
+    size_t line, column;
 };
 
 /* A number that is asked for, and where. */
@@ -178,6 +180,9 @@ enum ensemble_method { ENSEMBLE_SOBOL, ENSEMBLE_RANDOM, ENSEMBLE_GRID };
 struct scene_ensemble {
     struct scene_spread *parameter; /* owned */
     size_t parameters;
+    size_t scattered; /* the first of them are inputs that stand as X +- S at
+                         their keys: scene_scatter.h */
+    bool is_drawn;    /* `draws` is given */
     char *samples, *covariance; /* owned: paths of CSV files; NULL: none */
     size_t draws;
     enum ensemble_method method;

@@ -7,6 +7,7 @@
 
 #include "law_typed.h"
 #include "scene_law.h"
+#include "scene_scatter.h"
 #include "schema.h"
 #include "synonym.h"
 #include "text.h"
@@ -74,13 +75,20 @@ static enum status read_law(const struct node *n, struct scene_spread *p,
                        spread_expected[word]);
 }
 
-static void free_spreads(struct scene_ensemble *e)
+struct scene_spread *scene_ensemble_add(struct scene_ensemble *e,
+                                        const char *key)
 {
-    for (size_t i = 0; i < e->parameters; i++)
-        free(e->parameter[i].key);
-    free(e->parameter);
-    e->parameter = NULL;
-    e->parameters = 0;
+    const size_t size = (e->parameters + 1) * sizeof *e->parameter;
+    struct scene_spread *p = realloc(e->parameter, size);
+
+    if (p)
+        e->parameter = p;
+    char *copy = p ? text_copy(key, strlen(key)) : NULL;
+    if (copy == NULL)
+        return NULL;
+    p += e->parameters++;
+    *p = (struct scene_spread){ .key = copy };
+    return p;
 }
 
 enum status value_spreads(const struct schema_key *key, const struct node *n,
@@ -89,19 +97,12 @@ enum status value_spreads(const struct schema_key *key, const struct node *n,
     struct scene_ensemble *e = &s->ensemble;
     enum status status = STATUS_OK;
 
-    if (n->kind != NODE_MAP || n->count == 0 || n->count > SCENE_SPREADS)
+    if (n->kind != NODE_MAP || n->count == 0 ||
+        n->count + e->scattered > SCENE_SPREADS)
         return value_refuse(key, n, why);
-    free_spreads(e);
-    e->parameter = calloc(n->count, sizeof *e->parameter);
-    if (e->parameter == NULL)
-        return STATUS_NO_MEMORY;
     for (size_t i = 0; i < n->count && status == STATUS_OK; i++) {
-        struct scene_spread *p = &e->parameter[i];
-        p->key = text_copy(n->child[i]->key, strlen(n->child[i]->key));
-        if (p->key == NULL)
-            return STATUS_NO_MEMORY;
-        e->parameters++;
-        status = read_law(n->child[i], p, why);
+        struct scene_spread *p = scene_ensemble_add(e, n->child[i]->key);
+        status = p ? read_law(n->child[i], p, why) : STATUS_NO_MEMORY;
     }
     return status;
 }
@@ -341,25 +342,35 @@ enum status scene_ensemble_check_key(const struct scene *s, const char *path,
     return STATUS_OK;
 }
 
-static enum status check_parameter(const struct node *list,
+static enum status check_parameter(const struct node *root,
                                    const struct scene *s, size_t i,
                                    struct fault *why)
 {
     const struct scene_spread *p = &s->ensemble.parameter[i];
-    const struct place at = list->child[i]->key_at;
+    const size_t scattered = s->ensemble.scattered;
+    const struct node *n =
+        i < scattered
+            ? node_at(root, p->key)
+            : node_at(root, "ensemble.parameters")->child[i - scattered];
+    const struct place at = n->key_at;
     struct scene trial = *s; /* borrows */
     const enum status status = scene_ensemble_check_key(s, p->key, at, why);
 
     if (status != STATUS_OK)
         return status;
     for (size_t j = 0; j < i; j++)
-        if (schema_excludes(s->ensemble.parameter[j].key, p->key))
+        if (strcmp(s->ensemble.parameter[j].key, p->key) == 0)
+            return place_blame(at, why,
+                               "ensemble.parameters: %s has a scatter where "
+                               "it stands, expected one of the two",
+                               p->key);
+        else if (schema_excludes(s->ensemble.parameter[j].key, p->key))
             return place_blame(at, why, "%s beside %s, expected one of the two",
                                p->key, s->ensemble.parameter[j].key);
     const struct scene_vary vary = scene_vary_at(s, p->key);
     return scene_vary_set(&vary, scene_spread_median(p), &trial)
                ? STATUS_OK
-               : place_blame(list->child[i]->at, why,
+               : place_blame(n->at, why,
                              "ensemble.parameters: %s: its median %g is not "
                              "allowed, expected %s",
                              p->key, scene_spread_median(p),
@@ -369,17 +380,18 @@ static enum status check_parameter(const struct node *list,
 enum status scene_ensemble_check(const struct node *root, const struct scene *s,
                                  struct fault *why)
 {
-    const struct node *list = node_at(root, "ensemble.parameters");
-    enum status status = STATUS_OK;
+    enum status status = scene_scatter_check(root, s, why);
 
     for (size_t i = 0; i < s->ensemble.parameters && status == STATUS_OK; i++)
-        status = check_parameter(list, s, i, why);
+        status = check_parameter(root, s, i, why);
     return status;
 }
 
 void scene_ensemble_free(struct scene_ensemble *e)
 {
-    free_spreads(e);
+    for (size_t i = 0; i < e->parameters; i++)
+        free(e->parameter[i].key);
+    free(e->parameter);
     free_numbers(e);
     free(e->push);
     free(e->samples);

@@ -12,6 +12,10 @@ enum status value_numbers(const struct schema_key *key, const struct node *n,
 enum status value_pushes(const struct schema_key *key, const struct node *n,
                          struct scene *s, struct fault *why);
 
+/* One more parameter of that key, which is copied; NULL without memory. */
+struct scene_spread *scene_ensemble_add(struct scene_ensemble *e,
+                                        const char *key);
+
 /* Words of a parameter's law and of ensemble.method, by code; NULL-ended. */
 extern const char *const spread_names[], *const ensemble_method_names[];
 

@@ -1,6 +1,7 @@
 #include "store_records.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -145,22 +146,27 @@ static void put_reason(const struct sheet *sh, const struct record_field *f,
     hdf_close(put_texts(sh, &to.column, offset));
 }
 
-static void put_conditioning(const struct sheet *sh,
-                             const struct record_field *f)
+/* What is beside a number only where somebody asked: that member of it, which
+ * is infinite where it cannot be told, and missing here. */
+static void put_beside(const struct sheet *sh, const struct record_field *f,
+                       const char *name, const char *text, const char *unit,
+                       size_t member)
 {
+    double *value = hdf_memory(sh->st, sh->a->count, sizeof *value);
     struct companion to;
-    bool known = false;
+    bool asked = false;
 
-    for (size_t i = 0; i < sh->a->count; i++) {
-        const struct quantity *q = record_member(sh->a, i, f);
-        known |= q->conditioning == q->conditioning;
+    for (size_t i = 0; value != NULL && i < sh->a->count; i++) {
+        const char *q = record_member(sh->a, i, f);
+        value[i] = *(const double *) (const void *) (q + member);
+        asked |= !isnan(value[i]);
+        value[i] = isfinite(value[i]) ? value[i] : (double) NAN;
     }
-    if (!known)
-        return;
-    companion_of(&to, f, "conditioning",
-                 "relative error from rounding the inputs");
-    hdf_close(put_members(sh, &to.column,
-                          f->offset + offsetof(struct quantity, conditioning)));
+    companion_of(&to, f, name, text);
+    to.column.unit = unit;
+    if (asked)
+        hdf_close(put_values(sh, &to.column, value));
+    free(value);
 }
 
 static void put_quantity(const struct sheet *sh, const struct record_field *f,
@@ -173,7 +179,11 @@ static void put_quantity(const struct sheet *sh, const struct record_field *f,
     put_error(sh, f);
     if (put_existence(sh, f) < sh->a->count)
         put_reason(sh, f, set);
-    put_conditioning(sh, f);
+    put_beside(sh, f, "conditioning", "relative error from rounding the inputs",
+               "1", offsetof(struct quantity, conditioning));
+    put_beside(sh, f, "spread",
+               "standard deviation that the scatter of the inputs makes",
+               f->unit, offsetof(struct quantity, spread));
     hdf_close(set);
 }
 

@@ -8,7 +8,8 @@
  *                    words must hold no blanks (CF conventions, sec. 3.5)
  *   RECORD_TEXT      UTF-8 strings, empty for NULL
  *   RECORD_QUANTITY  float64 NAME and NAME_error, int8 NAME_exists (absent,
- *                    present), and NAME_conditioning where any is known; why
+ *                    present), and NAME_conditioning and NAME_spread where
+ *                    anybody asked (NaN: it cannot be told); why
  *                    a value is absent stands in the attribute `comment` of
  *                    NAME for a single record, else in the text column
  *                    NAME_reason, empty where the value exists.

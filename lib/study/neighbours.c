@@ -93,6 +93,8 @@ static enum status recompute(struct neighbours *f, neighbour_move *move,
     if (move && !move(ctx, nudge, c))
         return STATUS_OK;
     c->products = plan_products(f->s->stages & STUDY_NUMBERS);
+    c->ensemble.scattered = 0;
+    c->proved = false;
     n->units = scene_units(c);
     n->units.si = true;
     enum status status = study_run(&n->study, c, NULL, &why);

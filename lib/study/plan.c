@@ -27,6 +27,8 @@ const struct stage_info stage_table[STAGES] = {
                               "derivatives by the inputs, conditioning",
                               "about 20 times the stable manifold",
                               BIT(CRITICAL), ASKED(SENSITIVITIES) },
+    [STAGE_SPREAD] = { "spread", "what the scatter of inputs makes of numbers",
+                       "twice the numbers for each input", 0, 0 },
     [STAGE_NULLCLINES] = { "nullclines", "zero sets of dv/dt and dpsi/dt",
                            "some thousand field evaluations", BIT(STEADY),
                            ASKED(NULLCLINES) },
@@ -89,7 +91,8 @@ unsigned plan_products(unsigned stages)
 unsigned plan_scene(const struct scene *scene)
 {
     const unsigned of_slope = BIT(STEADY) | (scene->proved ? BIT(PROOF) : 0);
+    const unsigned spread = scene->ensemble.scattered > 0 ? BIT(SPREAD) : 0;
 
-    return plan_stages(scene->products) |
+    return plan_stages(scene->products) | spread |
            (scene_has_slope(scene) ? of_slope : 0);
 }

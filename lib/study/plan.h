@@ -17,6 +17,7 @@ enum stage {
     STAGE_TAYLOR,        /* the manifold's power series in v */
     STAGE_ESTIMATES,     /* the paper's formulas (29)-(42) */
     STAGE_SENSITIVITIES, /* derivatives by the inputs, conditioning */
+    STAGE_SPREAD,        /* what the scatter of inputs makes of the numbers */
     STAGE_NULLCLINES,    /* in the window */
     STAGE_ARROWS,        /* direction field in the window */
     STAGE_TRAJECTORIES,  /* forward orbits */
@@ -52,8 +53,9 @@ unsigned plan_close(unsigned stages);
 /* As few products as run these stages. */
 unsigned plan_products(unsigned stages);
 
-/* Those that a scene's study runs: of its products, and with a slope its steady
- * states and, where the scene asks for proofs, those. */
+/* Those that a scene's study runs: of its products, with a slope its steady
+ * states and, where the scene asks for proofs, those; with inputs that scatter
+ * the spread. */
 unsigned plan_scene(const struct scene *scene);
 
 /* Whether a stage is among these bits. */

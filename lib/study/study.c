@@ -9,6 +9,7 @@
 #include <time.h>
 
 #include "conditioning.h"
+#include "scatter.h"
 #include "scene_figure.h"
 #include "scene_slope.h"
 #include "study_results.h"
@@ -204,6 +205,13 @@ static enum status run_sensitivities(struct study *s,
                : conditioning_find(s, monitor, &s->sensitivities, evaluations);
 }
 
+static enum status run_spread(struct study *s, const struct monitor *monitor,
+                              struct fault *why)
+{
+    (void) why;
+    return scatter_find(s, monitor, &s->cost[STAGE_SPREAD].field_evaluations);
+}
+
 /* ---- portrait -------------------------------------------------------- */
 
 static enum status run_nullclines(struct study *s,
@@ -361,6 +369,7 @@ static stage_function *const stage_run[STAGES] = {
     [STAGE_TAYLOR] = run_taylor,
     [STAGE_ESTIMATES] = run_estimates,
     [STAGE_SENSITIVITIES] = run_sensitivities,
+    [STAGE_SPREAD] = run_spread,
     [STAGE_NULLCLINES] = run_nullclines,
     [STAGE_ARROWS] = run_arrows,
     [STAGE_TRAJECTORIES] = run_trajectories,

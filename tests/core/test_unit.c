@@ -79,7 +79,7 @@ static void a_bar_holds_what_it_held(void **state)
         const __float128 exact =
             (__float128) x + (check_bits(&rng) % 2 ? error : -error);
         const struct quantity q = unit_quantity(
-            &u, unit, (struct quantity){ x, error, 0, NULL, NULL });
+            &u, unit, (struct quantity){ .value = x, .error = error });
         if (!quantity_exists(&q))
             continue;
         const __float128 off = fabsq(told(&u, unit->own, exact) - q.value);
@@ -105,7 +105,7 @@ static void what_is_beyond_all_doubles_is_none(void **state)
     for (int i = 0; i < 2; i++) {
         const struct quantity q = unit_quantity(
             &u, unit_find(i ? "V_star" : "psi"),
-            (struct quantity){ i ? 1e306 : 800.0, 1e-9, 0, NULL, NULL });
+            (struct quantity){ .value = i ? 1e306 : 800.0, .error = 1e-9 });
         assert_false(quantity_exists(&q));
         assert_non_null(strstr(q.reason, "largest double"));
     }
@@ -117,14 +117,15 @@ static void what_is_beyond_all_doubles_is_none(void **state)
 static void numbers_as_they_are_keep_their_bits(void **state)
 {
     const struct unit_system own = { .V_star = 3e-6, .L = 4e-6, .phi_1 = 7.0 };
-    const struct quantity q = { 0.1, 1e-9, 1e-12, NULL, NULL };
+    const struct quantity q = { 0.1, 1e-9, 1e-12, NULL, NULL, 2e-9, 3e-9 };
 
     (void) state;
     for (int i = 0; i < KNOWN; i++) {
         const struct quantity same =
             unit_quantity(&own, unit_find(known[i]), q);
         assert_true(same.value == q.value && same.error == q.error &&
-                    same.conditioning == q.conditioning);
+                    same.conditioning == q.conditioning &&
+                    same.spread == q.spread);
         assert_true(unit_value(NULL, unit_find(known[i]), 0.1) == 0.1);
         assert_string_equal(unit_plain(known[i]),
                             strcmp(known[i], "rad") ? "1" : "rad");

@@ -39,7 +39,7 @@ static void *work(void *ctx)
     slipway_study *study = NULL;
     slipway_push *push = NULL;
     slipway_sweep *sweep = NULL;
-    slipway_number n = { 0, 0, NULL }, two[2];
+    slipway_number n = { 0, 0, NULL, 0 }, two[2];
     slipway_answer a = { .fate = SLIPWAY_UNDECIDED };
 
     memset(job->found, 0, sizeof job->found);

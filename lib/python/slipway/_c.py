@@ -56,7 +56,7 @@ def struct(name, /, **fields):
 
 real, size, text, byte = c.c_double, c.c_size_t, c.c_char_p, c.c_uint8
 Fault = struct('Fault', text=c.c_char * 512)
-CNumber = struct('CNumber', value=real, error=real, reason=text)
+CNumber = struct('CNumber', value=real, error=real, reason=text, spread=real)
 Label = struct('Label', name=text, unit=text, scale=text, text=text)
 Tell = c.CFUNCTYPE(c.c_int, c.c_void_p, text, c.c_uint64, c.c_uint64)
 Monitor = struct('Monitor', tell=Tell, ctx=c.c_void_p)

@@ -11,13 +11,16 @@ class Number(float):
     5.0
     >>> Number(float('nan'), float('nan'), 'it is not computed')
     none (it is not computed)
+
+    Of a study with inputs such as a='0.0349 +- 0.0005' `spread` is the standard
+    deviation that these make of it, to first order; else NaN.
     """
 
-    __slots__ = ('error', 'reason')
+    __slots__ = ('error', 'reason', 'spread')
 
-    def __new__(cls, value, error, reason=None):
+    def __new__(cls, value, error, reason=None, spread=float('nan')):
         self = super().__new__(cls, value)
-        self.error, self.reason = error, reason
+        self.error, self.reason, self.spread = error, reason, spread
         return self
 
     @property
@@ -29,7 +32,7 @@ class Number(float):
         return self.reason is None
 
     def __getnewargs__(self):
-        return self.value, self.error, self.reason
+        return self.value, self.error, self.reason, self.spread
 
     def __repr__(self):
         if not self.exists:
@@ -45,4 +48,5 @@ class Number(float):
 def number(told):
     """What the library tells."""
     reason = told.reason
-    return Number(told.value, told.error, reason and reason.decode())
+    return Number(told.value, told.error, reason and reason.decode(),
+                  told.spread)
