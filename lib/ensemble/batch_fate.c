@@ -12,17 +12,46 @@ void batch_fate_put(const struct batch_fates *f, size_t i, int8_t fate,
         f->reason[i] = reason;
 }
 
-static enum status find(const struct labels *l, const struct scene_push *p,
-                        size_t i, const struct monitor *monitor,
+/* Who tells the fates at a draw: the curve of its numbers, where there is one
+ * and it leaves no doubt, else one of their own, grown when it is needed. */
+struct teller {
+    const struct study *study;
+    const struct monitor *monitor;
+    struct labels lent, own;
+    bool has_own;
+};
+
+static enum status ask_own(struct teller *t, struct vec2 z,
+                           struct fate_told *told)
+{
+    enum status status = STATUS_OK;
+
+    if (!t->has_own)
+        status = labels_init(&t->own, &t->study->slider, t->study->scene->rtol,
+                             t->monitor);
+    t->has_own = status == STATUS_OK;
+    return status == STATUS_OK ? labels_find(&t->own, z, t->monitor, told)
+                               : status;
+}
+
+static enum status ask(struct teller *t, struct vec2 z, struct fate_told *told)
+{
+    *told = (struct fate_told){ .fate = FATE_UNDECIDED };
+    if (t->lent.lent)
+        told->fate = (int8_t) labels_side(&t->lent, z);
+    return told->fate == FATE_UNDECIDED ? ask_own(t, z, told) : STATUS_OK;
+}
+
+static enum status find(struct teller *t, const struct scene_push *p, size_t i,
                         const struct batch_fates *f)
 {
+    const struct slider *s = &t->study->slider;
     struct fate_told told = { .fate = -1 };
     struct scene_start at;
     enum status status = STATUS_OK;
 
-    if (kick_state(l->slider, p, &at, &told.reason))
-        status = labels_find(l, block_offset(&l->slider->block, at.v, at.psi),
-                             monitor, &told);
+    if (kick_state(s, p, &at, &told.reason))
+        status = ask(t, block_offset(&s->block, at.v, at.psi), &told);
     if (status == STATUS_OK)
         batch_fate_put(f, i, told.fate, told.reason);
     return status;
@@ -32,12 +61,15 @@ enum status batch_fate_find(const struct batch *b, const struct study *study,
                             size_t i, const struct monitor *monitor,
                             const struct batch_fates f[])
 {
-    struct labels labels;
-    enum status status =
-        labels_init(&labels, &study->slider, study->scene->rtol, monitor);
+    struct teller t = { .study = study, .monitor = monitor };
+    enum status status = STATUS_OK;
 
+    if (study->cost[STAGE_STABLE].ran && slider_has_manifolds(&study->slider))
+        status = labels_lend(&t.lent, &study->slider, study->stable);
     for (size_t k = 0; k < b->pushes && status == STATUS_OK; k++)
-        status = find(&labels, &b->push[k], i, monitor, &f[k]);
-    labels_free(&labels);
+        status = find(&t, &b->push[k], i, &f[k]);
+    labels_free(&t.lent);
+    if (t.has_own)
+        labels_free(&t.own);
     return status;
 }

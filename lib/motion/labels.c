@@ -106,18 +106,17 @@ static void label_all(struct labels *l)
         l->regions.region[0].label = (int8_t) all;
 }
 
-enum status labels_init(struct labels *l, const struct slider *s, double rtol,
-                        const struct monitor *monitor)
+/* By l->stable, if there is a manifold; lent ones only cross rows. */
+static enum status divide(struct labels *l)
 {
+    const struct slider *s = l->slider;
     const bool cut = slider_has_manifolds(s);
     enum status status = STATUS_OK;
 
-    *l = (struct labels){ .slider = s };
     for (int i = 0; i < 2; i++)
         l->along[i] = separatrix_empty(i, (struct vec2){ 0.0, 0.0 });
-    if (cut)
-        status = grow_stable(l, rtol, monitor);
-    for (int i = 0; i < 2 && status == STATUS_OK && cut; i++) {
+    for (int i = l->lent ? SEPARATRIX_Y : SEPARATRIX_X;
+         i < 2 && status == STATUS_OK && cut; i++) {
         l->along[i].slack = slack_of(s);
         status = separatrix_add(&l->along[i], &l->stable[0], &l->stable[1]);
     }
@@ -130,12 +129,48 @@ enum status labels_init(struct labels *l, const struct slider *s, double rtol,
     return status;
 }
 
+enum status labels_init(struct labels *l, const struct slider *s, double rtol,
+                        const struct monitor *monitor)
+{
+    *l = (struct labels){ .slider = s };
+    const enum status status =
+        slider_has_manifolds(s) ? grow_stable(l, rtol, monitor) : STATUS_OK;
+
+    return status == STATUS_OK ? divide(l) : status;
+}
+
+/* Beyond the last point; an asymptote along rows is none that they cross. */
+static void widen_end(struct branch *b)
+{
+    double last[CURVE_DIM_MAX];
+
+    if (b->curve.count == 0)
+        return;
+    curve_at(&b->curve, b->curve.count - 1, 1.0, last);
+    b->error.x += fabs(b->limit.x - last[0]);
+    b->limit.y = last[1];
+    if (b->end == BRANCH_LIMIT_Y)
+        b->end = BRANCH_STEPS;
+}
+
+enum status labels_lend(struct labels *l, const struct slider *s,
+                        const struct branch stable[2])
+{
+    *l = (struct labels){ .slider = s, .lent = true };
+    for (int i = 0; i < 2; i++) {
+        l->stable[i] = stable[i];
+        widen_end(&l->stable[i]);
+    }
+    return divide(l);
+}
+
 void labels_free(struct labels *l)
 {
     regions_free(&l->regions);
     for (int i = 0; i < 2; i++) {
         separatrix_free(&l->along[i]);
-        branch_free(&l->stable[i]);
+        if (!l->lent)
+            branch_free(&l->stable[i]);
     }
 }
 
@@ -221,6 +256,15 @@ enum status labels_find(const struct labels *l, struct vec2 z,
     *out =
         (struct fate_told){ fate, fate == FATE_UNDECIDED ? slow : NULL, false };
     return STATUS_OK;
+}
+
+enum fate labels_side(const struct labels *l, struct vec2 z)
+{
+    const int8_t side = l->regions.region[region_at(l, z)].label;
+
+    return side == REGION_UNLABELLED || meets(&l->along[SEPARATRIX_Y], z.y, z.x)
+               ? FATE_UNDECIDED
+               : (enum fate) side;
 }
 
 enum status labels_find_one(const struct slider *s, struct vec2 z, double rtol,

@@ -19,9 +19,12 @@
 
 struct labels {
     const struct slider *slider; /* borrowed */
-    struct branch stable[2];     /* owned; to the ends of the domain */
-    struct separatrix along[2];  /* owned; [0] crosses columns, [1] rows */
-    struct regions regions;      /* owned; unlabelled where no side is told */
+    struct branch stable[2];     /* owned; to the ends of the domain, but for
+                                    those that are lent */
+    bool lent;
+    struct separatrix along[2]; /* owned; [0] crosses columns, [1] rows;
+                                   with lent branches only rows */
+    struct regions regions;     /* owned; unlabelled where no side is told */
 };
 
 /* Follows the stable branches of s, to rtol, and labels
@@ -30,6 +33,12 @@ struct labels {
  * empty: STATUS_NO_MEMORY, STATUS_STOPPED, or as grow_branches. */
 MUST_CHECK enum status labels_init(struct labels *l, const struct slider *s,
                                    double rtol, const struct monitor *monitor);
+
+/* By stable branches that are there, grown as far as anybody liked; they must
+ * outlive l.  Beyond its end a branch is told by its limit, off by no more than
+ * what was left of the way there, for it approaches it from one side. */
+MUST_CHECK enum status labels_lend(struct labels *l, const struct slider *s,
+                                   const struct branch stable[2]);
 
 /* Of one state. */
 struct fate_told {
@@ -45,6 +54,10 @@ struct fate_told {
 MUST_CHECK enum status labels_find(const struct labels *l, struct vec2 z,
                                    const struct monitor *monitor,
                                    struct fate_told *out);
+
+/* What the sides alone tell of it, where its row meets the curve nowhere near
+ * it: an enum fate, else FATE_UNDECIDED. */
+enum fate labels_side(const struct labels *l, struct vec2 z);
 
 /* The same of one state alone; errors as labels_init and labels_find. */
 MUST_CHECK enum status labels_find_one(const struct slider *s, struct vec2 z,

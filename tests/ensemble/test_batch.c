@@ -187,6 +187,38 @@ static void test_fates_are_those_of_push(void **state)
     free(d);
 }
 
+/* Those that a curve of their own tells, too. */
+static void test_fates_are_the_same_without_numbers(void **state)
+{
+    static const char *const without[] = { "saddle_v" };
+    uint64_t rng = check_seed();
+    struct draws *d = calloc(1, sizeof *d), *by = calloc(1, sizeof *by);
+    struct scene scene, same;
+    struct batch b, c;
+    struct fault why;
+
+    (void) state;
+    draw(d, &rng);
+    rng = check_seed();
+    draw(by, &rng);
+    open_batch(&b, &scene, "dieterich_gen");
+    batch_push(&b, pushes, PUSHES);
+    run(&b, d, 2);
+    scene_set(&same, (const char *const[]){ "law.preset=dieterich_gen",
+                                            "slope.alpha=0.34", NULL });
+    assert_int_equal(batch_init(&c, &same, keys, KEYS, without, 1, &why),
+                     STATUS_OK);
+    batch_push(&c, pushes, PUSHES);
+    run(&c, by, 2);
+    assert_memory_equal(d->fate, by->fate, sizeof d->fate);
+    batch_free(&b);
+    batch_free(&c);
+    scene_free(&scene);
+    scene_free(&same);
+    free(d);
+    free(by);
+}
+
 static void test_threads_and_company_change_no_bit(void **state)
 {
     uint64_t rng = check_seed();
@@ -333,6 +365,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_draw_is_the_study_of_its_scene),
         cmocka_unit_test(test_fates_are_those_of_push),
+        cmocka_unit_test(test_fates_are_the_same_without_numbers),
         cmocka_unit_test(test_threads_and_company_change_no_bit),
         cmocka_unit_test(test_values_that_are_not_allowed_are_a_reason),
         cmocka_unit_test(test_what_does_not_exist_is_named),

@@ -104,6 +104,55 @@ static void random_states_are_on_the_side_that_113_bits_say(void **state)
     CHECK(certain > SLOPES * STATES / 2, "%zu", certain);
 }
 
+/* Beside the curve that was followed to the end of the plane, also where the
+ * numbers' has ended. */
+static struct vec2 beside_far(const struct labels *l, uint64_t *rng)
+{
+    const double size = pow(10.0, check_uniform(rng, -3.0, 2.5));
+    struct vec2 z = { size, check_bits(rng) & 1 ? size : -size };
+    struct crossing c[8];
+
+    if (separatrix_row(&l->along[SEPARATRIX_Y], z.y, c) > 0)
+        z.x = c[0].at;
+    const double shift = pow(10.0, check_uniform(rng, -13.0, 0.0));
+    z.x += check_bits(rng) & 1 ? shift : -shift;
+    return z;
+}
+
+static void curves_of_numbers_tell_no_other_side(void **state)
+{
+    enum { SLOPES = 60, STATES = 60 };
+    uint64_t rng = check_seed();
+    size_t told = 0;
+
+    (void) state;
+    for (int i = 0; i < SLOPES; i++) {
+        struct slope s;
+        struct labels own, lent;
+        random_slope(&s, &rng, "products=[knees]");
+        const struct slider *slider = &s.study.slider;
+        assert_int_equal(labels_init(&own, slider, s.scene.rtol, NULL),
+                         STATUS_OK);
+        assert_int_equal(labels_lend(&lent, slider, s.study.stable), STATUS_OK);
+        for (int k = 0; k < STATES; k++) {
+            const struct vec2 z = beside_far(&own, &rng);
+            const enum fate side = labels_side(&lent, z);
+            struct fate_told label;
+            assert_int_equal(labels_find(&own, z, NULL, &label), STATUS_OK);
+            told += side != FATE_UNDECIDED;
+            CHECK(side == FATE_UNDECIDED || label.fate == FATE_UNDECIDED ||
+                      label.fate == (int8_t) side,
+                  "%s at alpha = %.17g: (%g, %g) off the saddle: %s, not %s",
+                  slider->block.law.preset, s.scene.alpha, z.x, z.y,
+                  fate_names[side], fate_names[label.fate]);
+        }
+        labels_free(&lent);
+        labels_free(&own);
+        slope_free(&s);
+    }
+    CHECK(told > SLOPES * STATES / 2, "%zu told", told);
+}
+
 /* As `knees` prints it, and one unit in the last place beside it. */
 static void at_the_saddle_nothing_is_told(void **state)
 {
@@ -408,6 +457,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_states_are_on_the_side_that_113_bits_say),
+        cmocka_unit_test(curves_of_numbers_tell_no_other_side),
         cmocka_unit_test(at_the_saddle_nothing_is_told),
         cmocka_unit_test(random_maps_have_the_fates_of_their_orbits),
         cmocka_unit_test(maps_of_composed_laws_have_the_fates_of_their_orbits),
