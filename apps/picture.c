@@ -391,10 +391,13 @@ static void add_basins(struct picture *p)
                         : eigen
                             ? label_eigen(p, nx, ny, label)
                             : basin_map_raster(&p->s->basins, nx, ny, label);
+    if (p->figure->status == STATUS_OK && !eigen && p->s->label_proof.row)
+        p->figure->status = basin_proof_hide(p->s, nx, ny, label);
     if (p->figure->status == STATUS_OK)
-        figure_add_labels(
-            p->figure, &(struct figure_labels){ label, nx, ny, shade,
-                                                sizeof shade / sizeof *shade });
+        figure_add_labels(p->figure,
+                          &(struct figure_labels){ label, nx, ny, shade,
+                                                   sizeof shade / sizeof *shade,
+                                                   "not proved" });
     free(label);
 }
 

@@ -143,8 +143,9 @@ static void add_basins(const struct picture *p)
             count++;
         }
     if (p->figure->status == STATUS_OK && count > 0)
-        figure_add_labels(p->figure, &(struct figure_labels){
-                                         label, COLUMNS, ROWS, shade, count });
+        figure_add_labels(p->figure,
+                          &(struct figure_labels){ label, COLUMNS, ROWS, shade,
+                                                   count, NULL });
     free(label);
 }
 

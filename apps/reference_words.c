@@ -62,6 +62,13 @@ static const struct word_list {
         "far slower than both, and no rest to come",
         "could not be followed further",
         "next to the separatrix, nearer than numbers can be had" } },
+    { "proved",
+      "of a cell of `/basin`",
+      label_proof_names,
+      { "it has the label, which is a theorem",
+        "its row meets the stable manifold there, as far as that is proved, or "
+        "its label is undecided",
+        "its row meets the manifold beyond what is proved of it" } },
     { "what",
       "of an event of simulate",
       moment_names,

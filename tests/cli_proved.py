@@ -54,6 +54,24 @@ def a_scene_asks_for_it_too(room):
     expect('lo' in found['saddle']['v']['proved'], found['saddle'])
 
 
+def labels_are_proved_in_text_json_and_file(room):
+    grid = ['--alpha', '0.34', '--set', 'basins={cells: [40, 30], audit: 0}',
+            '--proved']
+    scene = ['--law', 'spinodal_gen', *grid]
+    found = room.json('basin', *scene, '-o', 'map.h5')
+    expect(found['basin']['proved'] == {'fraction': 1, 'near': 0, 'beyond': 0},
+           found['basin'])
+    expect('proved_fraction  1\n' in room.good('basin', *scene))
+    told = room.good('info', 'map.h5')
+    expect('proved                 30 x 40' in told, told)
+    found = room.json('basin', '--law', 'kato_tullis', '--set',
+                      'material.V_c=100', *grid)
+    expect(found['basin']['proved']['fraction'] == 0, found['basin'])
+    expect(found['basin']['proved']['reason'], found['basin'])
+    room.good('basin', *scene, '--figure', 'map.svg')
+    expect('not proved' not in room.read('map.svg'))
+
+
 def what_is_not_proved_is_refused_or_says_so(room):
     slope = ['--law', 'perrin', '--set', 'accuracy.proved=true']
     refused(room.run('sweep', *slope, '--set', 'sweep={key: slope.alpha, '
@@ -76,6 +94,7 @@ run_cases([
     the_reference_is_between_both_decimals,
     a_law_without_a_proof_says_why,
     a_scene_asks_for_it_too,
+    labels_are_proved_in_text_json_and_file,
     what_is_not_proved_is_refused_or_says_so,
     nothing_is_proved_where_nobody_asks,
 ])

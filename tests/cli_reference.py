@@ -46,6 +46,7 @@ MORE = [
     ('ensemble --law spinodal_gen --alpha 0.34',
      [products(NUMBERS), 'ensemble={samples: two.csv}']),
     ('knees --law kato_tullis --alpha 0.34', ['material.V_c=1e3']),
+    ('basin --proved --law kato_tullis --alpha 0.34', ['material.V_c=1e3', *SMALL]),
     ('push --law spinodal_gen --alpha 0.34 --v 1e3 --psi 10', []),
     ('workprec --quick --law ruina --alpha 0.34', []),
     ('stress --only laws/perrin/log/0.38', []),

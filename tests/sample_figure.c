@@ -63,7 +63,8 @@ static void add_basins(struct figure *f)
             const double Y = -3 + 5 * (j + 0.5) / NY;
             label[j * NX + i] = X - 0.6 * Y > 0;
         }
-    figure_add_labels(f, &(struct figure_labels){ label, NX, NY, shades, 2 });
+    figure_add_labels(
+        f, &(struct figure_labels){ label, NX, NY, shades, 2, NULL });
 }
 
 static void add_field(struct figure *f)

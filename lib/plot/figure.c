@@ -103,6 +103,7 @@ static void raster_free(struct figure_raster *r)
         return;
     for (size_t k = 0; k < FIGURE_SHADES_MAX; k++)
         free(r->entry[k]);
+    free(r->missing);
     figure_release(r->scale.label);
     free(r->value);
     free(r);
@@ -143,7 +144,7 @@ bool figure_raster_hatched(const struct figure_raster *r)
 
     for (size_t i = 0; i < r->nx * r->ny && !gap; i++)
         gap = !isfinite(r->value[i]);
-    return gap && r->shade_count == 0 && r->entry[0] != NULL;
+    return gap && r->missing != NULL;
 }
 
 static bool shades_copy(const struct figure_labels *l, struct figure_raster *r,
@@ -167,7 +168,8 @@ void figure_add_labels(struct figure *f, const struct figure_labels *l)
 {
     double index[256];
     struct figure_raster *r = raster_new(l->nx, l->ny);
-    const bool good = r && shades_copy(l, r, index);
+    const bool good =
+        r && shades_copy(l, r, index) && text_copy(l->missing, &r->missing);
 
     for (size_t k = 0; good && k < l->nx * l->ny; k++)
         r->value[k] = index[(uint8_t) l->label[k]];
@@ -196,7 +198,7 @@ void figure_add_map(struct figure *f, const struct figure_map *m)
 {
     struct figure_raster *r = raster_new(m->nx, m->ny);
     const bool good = r && axis_copy(&m->scale, &r->scale) &&
-                      text_copy(m->missing, &r->entry[0]);
+                      text_copy(m->missing, &r->missing);
 
     if (r)
         r->contours = m->contours;

@@ -151,7 +151,8 @@ struct figure_layer {
     const double *dx, *dy; /* arrows */
 };
 
-/* Which label of a raster gets which tint; labels not listed stay white. */
+/* Which label of a raster gets which tint; labels not listed stay white, or are
+ * hatched. */
 struct figure_shade {
     int8_t label;
     enum figure_role role;
@@ -166,7 +167,9 @@ struct figure_labels {
     const int8_t *label;
     size_t nx, ny;
     const struct figure_shade *shades;
-    size_t shade_count; /* 1 .. FIGURE_SHADES_MAX */
+    size_t shade_count;  /* 1 .. FIGURE_SHADES_MAX */
+    const char *missing; /* the legend's entry of cells without one, which are
+                            hatched; NULL: none */
 };
 
 /* Numbers as a tint, explained by a bar beside the legend; cells that are not

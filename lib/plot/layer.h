@@ -9,11 +9,11 @@ struct figure_raster {
     size_t nx, ny;
     size_t shade_count; /* 0: a map */
     enum figure_role role[FIGURE_SHADES_MAX];
-    char *entry[FIGURE_SHADES_MAX]; /* owned, NULL: none; of a map the first
-                                       is that of missing cells */
+    char *entry[FIGURE_SHADES_MAX]; /* owned, NULL: none */
+    char *missing;                  /* owned: that of cells without a value */
     bool contours;
     struct figure_axis scale; /* label owned */
 };
 
-/* Whether cells of a map lack a value and have an entry that says so. */
+/* Whether cells lack a value and have an entry that says so. */
 bool figure_raster_hatched(const struct figure_raster *r);

@@ -101,7 +101,7 @@ struct legend legend_of(const struct figure *f)
 
     add_layers(&l, f, false);
     if (f->raster && figure_raster_hatched(f->raster))
-        add_shade(&l, f->raster->entry[0], FIGURE_ABSENT);
+        add_shade(&l, f->raster->missing, FIGURE_ABSENT);
     for (size_t k = 0; f->raster && k < f->raster->shade_count; k++)
         if (has_shade(f->raster, k))
             add_shade(&l, f->raster->entry[k], f->raster->role[k]);

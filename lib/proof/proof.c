@@ -109,19 +109,6 @@ static bool join(struct proof_law *law, const struct proof_piece *p,
 
 /* ---- a branch ------------------------------------------------------------ */
 
-static struct proof_place place_of(const struct proof_piece *p,
-                                   struct interval theta, double error,
-                                   int side)
-{
-    const struct interval at =
-        interval_add(point(p->start), interval_times(point(p->step), theta));
-    const struct interval dep = interval_add(
-        proof_poly_at(p->degree, p->coef, theta), interval_within(error));
-
-    return p->ind == 0 ? (struct proof_place){ at, dep, side }
-                       : (struct proof_place){ dep, at, side };
-}
-
 static void fail(struct proof_branch *out, const char *why)
 {
     out->end = -1;
@@ -152,7 +139,8 @@ static bool close(struct proof_law *law, const struct law *of,
                   const struct proof_front *f, double *left)
 {
     const struct proof_piece *p = &out->piece[i];
-    const struct proof_place at = place_of(p, point(1), f->error, out->side);
+    const struct proof_place at =
+        proof_place_on(p, point(1), f->error, out->side);
     const bool psi = p->ind == 1;
     struct proof_tail t;
 
@@ -186,15 +174,17 @@ static bool is_open(struct proof_law *law, const struct proof_branch *b,
                     const struct proof_front *f)
 {
     const struct proof_place at =
-        place_of(&b->piece[0], point(b->cone.reach), f->error, b->side);
+        proof_place_on(&b->piece[0], point(b->cone.reach), f->error, b->side);
 
     return b->side > 0 && law->first_order && proof_is_outward(law, &at);
 }
 
 /* From the end of the cone on, to where what is left is nothing beside what is
- * not known, or to the last piece; the pieces beyond are let go. */
+ * not known, to the offset Y = far, or to the last piece; the pieces beyond are
+ * let go. */
 static enum status walk(struct proof_law *law, const struct law *of,
-                        struct proof_branch *out, struct proof_front *f)
+                        struct proof_branch *out, struct proof_front *f,
+                        double far)
 {
     enum status status = STATUS_OK;
 
@@ -214,6 +204,8 @@ static enum status walk(struct proof_law *law, const struct law *of,
             out->pieces = i + 1;
             return STATUS_OK;
         }
+        if (proof_place_on(&out->piece[i], to, f->error, out->side).Y.lo > far)
+            return STATUS_OK;
         if (next && !join(law, &out->piece[i], next, to, f)) {
             fail(out, "the tube was lost between two pieces");
             return STATUS_OK;
@@ -223,6 +215,7 @@ static enum status walk(struct proof_law *law, const struct law *of,
 }
 
 static enum status prove_branch(struct proof_law *law, const struct law *of,
+                                const struct proof_inputs *in,
                                 const struct branch *curve,
                                 struct proof_branch *out)
 {
@@ -236,12 +229,14 @@ static enum status prove_branch(struct proof_law *law, const struct law *of,
         fail(out, "no cone around the manifold at the saddle was proved");
         return STATUS_OK;
     }
-    if (is_open(law, out, &f)) {
-        fail(out, NULL);
-        out->end = END_OPEN;
-        return STATUS_OK;
-    }
-    return walk(law, of, out, &f);
+    if (!is_open(law, out, &f))
+        return walk(law, of, out, &f, HUGE_VAL);
+    if (in->far)
+        status = walk(law, of, out, &f,
+                      (law->is_log ? *in->far : log(*in->far)) - law->y.lo);
+    fail(out, NULL);
+    out->end = END_OPEN;
+    return status;
 }
 
 /* ---- all ----------------------------------------------------------------- */
@@ -261,7 +256,7 @@ enum status proof_along(const struct block *b, const struct proof_inputs *in,
         snprintf(out->not_proved.text, sizeof out->not_proved.text,
                  "the determinant of the Jacobian was not proved negative");
     for (int i = 0; i < 2 && s == STATUS_OK && !out->not_proved.text[0]; i++)
-        s = prove_branch(&out->law, &b->law, &curve[i], &out->branch[i]);
+        s = prove_branch(&out->law, &b->law, in, &curve[i], &out->branch[i]);
     return s == STATUS_BAD_ARGUMENT ? STATUS_OK : s;
 }
 

@@ -16,6 +16,11 @@ struct proof_place {
     int side;
 };
 
+/* On a piece, within `error` of its polynomial. */
+struct proof_place proof_place_on(const struct proof_piece *p,
+                                  struct interval theta, double error,
+                                  int side);
+
 /* Where d and mu - tan(alpha) both have the sign of `side`: what is said above
  * holds there and outward. */
 bool proof_is_outward(struct proof_law *p, const struct proof_place *at);

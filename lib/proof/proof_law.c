@@ -234,6 +234,22 @@ static enum status make_graphs(struct proof_law *p, const struct block *b)
     return s;
 }
 
+/* mu_ss falls on one interval of v at most (docs/proofs.md, 14): there is a
+ * node beyond it where friction at an end of the plane has a limit, as a ln v
+ * then goes on. */
+static void know_nodes(struct proof_law *p, const struct block *b)
+{
+    const bool plain = b->law.theta == THETA_PSI;
+    const bool ends = b->law.theta == THETA_LN_PSI || b->material.c <= 0;
+
+    p->node[0] = plain || !ends;
+    p->node[1] = p->form != PSI_SS_INVERSE;
+    if (p->form == PSI_SS_MINUS_LOG)
+        p->node[0] = p->node[1] = plain ? 0 : -1;
+    if (b->law.typed || p->form == PSI_SS_LAMBERT)
+        p->node[0] = p->node[1] = -1;
+}
+
 static void know(struct proof_law *p, const struct block *b)
 {
     const struct law *law = &b->law;
@@ -241,6 +257,7 @@ static void know(struct proof_law *p, const struct block *b)
     p->is_log = law_psi_is_log(law);
     p->first_order = law->kinetics == KINETICS_LINEAR;
     p->form = law->psi_ss;
+    know_nodes(p, b);
 }
 
 static struct interval value_at(const struct proof_law *p, int node)

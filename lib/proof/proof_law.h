@@ -22,6 +22,8 @@ struct proof_inputs {
     enum unit_angle slope_in;
     double slope;           /* as it was given */
     const char *slope_text; /* borrowed: its decimal; NULL: the shortest */
+    const double *far;      /* borrowed: psi to which an open branch's tube is
+                               followed; NULL: not at all */
 };
 
 struct proof_law {
@@ -39,6 +41,8 @@ struct proof_law {
     bool is_log;           /* psi is a logarithm */
     bool first_order;      /* K(d) = d, else sinh d */
     enum psi_ss form;      /* of psi_ss */
+    int node[2]; /* whether there is one above, below the saddle; -1: not known
+                  */
 };
 
 /* With the saddle near b's anchor.  Of a law of named components, which have

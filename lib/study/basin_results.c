@@ -98,6 +98,41 @@ static enum status margin_rows(const void *run, size_t first, size_t count,
     return s;
 }
 
+/* ---- proofs ---------------------------------------------------------------
+ */
+
+static const struct record_field proved_fields[] = {
+    { "proved", "1", "whether the label is proved", 0, RECORD_CODE,
+      label_proof_names, NULL },
+};
+static const struct record_type record_proved = {
+    "proved", "what is proved of labels", proved_fields, 1, sizeof(int8_t)
+};
+
+static enum status proved_rows(const void *run, size_t first, size_t count,
+                               const struct monitor *monitor, void *records)
+{
+    const enum status status = label_rows(run, first, count, monitor, records);
+
+    if (status == STATUS_OK)
+        basin_proof_rows(run, first, count, records);
+    return status;
+}
+
+static const struct record_field proof_fields[] = {
+    FIELD(basin_proof, REAL, fraction, "1",
+          "share of the cells whose label is proved"),
+    FIELD(basin_proof, COUNT, near, "1",
+          "cells whose row meets the manifold there, as far as is proved"),
+    FIELD(basin_proof, COUNT, beyond, "1",
+          "cells in rows that the manifold meets beyond what is proved of it"),
+    FIELD(basin_proof, TEXT, reason, "1", "why no label is proved"),
+};
+static const struct record_type record_proof =
+    RECORD_TYPE("proved", "labels that are proved", proof_fields, basin_proof);
+
+RESULT_VIEW(view_proof, study, &s->label_proof, 1)
+
 /* ---- fields of cells ----------------------------------------------------- */
 
 static enum status cell_rows(const void *run, size_t first, size_t count,
@@ -278,6 +313,9 @@ const struct result basin_results[] = {
       .needs = ASKED_BY(BASINS), .view = view_v },
     { "/basin", NULL, "product basins", RESULT_LAYERS, .axis = "psi, v",
       .type = &record_label, .needs = ASKED_BY(BASINS), .rows = label_rows },
+    { "/basin", NULL, "product basins with accuracy.proved", RESULT_LAYERS,
+      .axis = "psi, v", .type = &record_proved, .needs = ASKED_BY(SIDES),
+      .rows = proved_rows },
     { "/basin", NULL, "product margin", RESULT_LAYERS, .axis = "psi, v",
       .type = &record_margins, .needs = ASKED_AS(MARGIN),
       .rows = margin_rows },
@@ -304,6 +342,8 @@ const struct result basin_results[] = {
       .title = "", .needs = ASKED_BY(BASINS), .view = view_share },
     { "/basin", "basin.audit", NULL, RESULT_ATTRIBUTES, .member = "audit_*",
       .type = &record_audit, .title = "", .needs = ASKED_BY(BASINS), .view = view_audit },
+    { "/basin", "basin.proved", NULL, RESULT_ATTRIBUTES, .member = "proved_*",
+      .type = &record_proof, .title = "", .needs = ASKED_BY(SIDES), .view = view_proof },
     { NULL, "basin.fields", NULL, RESULT_COLUMNS, .type = &record_names,
       .title = "", .needs = ASKED_BY(BASINS), .view = view_fields },
     { NULL, NULL, NULL, RESULT_ATTRIBUTES, .type = &record_accuracy,

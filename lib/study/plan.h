@@ -29,6 +29,7 @@ enum stage {
     STAGE_FOLD_CURVES,   /* Fig 4 */
     STAGE_CHI,           /* chi(v), Fig 10 */
     STAGE_PROOF,         /* enclosures of the others' numbers */
+    STAGE_SIDES,         /* which labels of the grid are proved */
     STAGES
 };
 

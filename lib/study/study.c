@@ -353,6 +353,13 @@ static enum status run_proof(struct study *s, const struct monitor *monitor,
     return study_prove(s);
 }
 
+static enum status run_sides(struct study *s, const struct monitor *monitor,
+                             struct fault *why)
+{
+    (void) monitor, (void) why;
+    return basin_prove(s);
+}
+
 /* ---- running ---------------------------------------------------------- */
 
 typedef enum status stage_function(struct study *s,
@@ -381,6 +388,7 @@ static stage_function *const stage_run[STAGES] = {
     [STAGE_FOLD_CURVES] = diagram_fold_curves,
     [STAGE_CHI] = diagram_chi,
     [STAGE_PROOF] = run_proof,
+    [STAGE_SIDES] = run_sides,
 };
 
 static double seconds(void)
@@ -447,6 +455,7 @@ void study_free(struct study *s)
     }
     result_keep_free(&s->kept);
     study_proof_free(&s->proof);
+    basin_proof_free(&s->label_proof);
     basin_map_free(&s->basins);
     fields_free(&s->fields);
     diagrams_free(&s->diagrams);

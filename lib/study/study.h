@@ -14,6 +14,7 @@
 #pragma once
 
 #include "basin_map.h"
+#include "basin_proof.h"
 #include "diagram.h"
 #include "estimate_numbers.h"
 #include "fields.h"
@@ -58,8 +59,9 @@ struct study {
     struct fields fields;
     struct diagrams diagrams; /* owned */
 
-    struct result_keep kept;  /* owned; what tables say how to make */
-    struct study_proof proof; /* owned */
+    struct result_keep kept;        /* owned; what tables say how to make */
+    struct study_proof proof;       /* owned */
+    struct basin_proof label_proof; /* owned; of basins */
 
     struct stage_cost cost[STAGES];
 };

@@ -31,11 +31,21 @@ static enum status find(const struct study *s, bool decimal, bool manifold,
                         struct proof *out)
 {
     static const struct branch none[2];
-    const struct proof_inputs in = { decimal, s->scene->slope_in,
-                                     s->scene->slope_given, NULL };
+    const struct proof_inputs in = {
+        .decimal = decimal,
+        .slope_in = s->scene->slope_in,
+        .slope = s->scene->slope_given,
+        .far =
+            plan_has(s->stages, STAGE_BASINS) ? &s->scene->window.psi[1] : NULL,
+    };
 
     return manifold ? proof_at(&s->slider.block, &in, out)
                     : proof_along(&s->slider.block, &in, none, out);
+}
+
+enum status study_prove_doubles(const struct study *s, struct proof *out)
+{
+    return find(s, false, true, out);
 }
 
 /* Whether the bar is beside what is proved, or there is a number where none is

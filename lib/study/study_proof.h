@@ -26,5 +26,9 @@ struct study_proof {
  * STATUS_NO_MEMORY. */
 MUST_CHECK enum status study_prove(struct study *s);
 
+/* The same for the doubles that inputs are read as; proof_free either way. */
+MUST_CHECK enum status study_prove_doubles(const struct study *s,
+                                           struct proof *out);
+
 /* A second call is harmless. */
 void study_proof_free(struct study_proof *p);

@@ -146,7 +146,8 @@ static void legends_list_what_is_drawn_and_nothing_else(void **state)
     figure_init(&f, NULL, &sample_v, &sample_psi);
     add_each(&f, here, 10);
     add_each(&f, away, 1e9);
-    figure_add_labels(&f, &(struct figure_labels){ label, 2, 1, shades, 2 });
+    figure_add_labels(&f,
+                      &(struct figure_labels){ label, 2, 1, shades, 2, NULL });
     char *svg = drawn(&f, "p.svg");
     for (int k = 0; k < 3; k++)
         CHECK(strstr(svg, here[k]) && !strstr(svg, away[k]), "%s", away[k]);
@@ -174,6 +175,27 @@ static void a_map_without_gaps_has_no_entry_for_them(void **state)
         CHECK((strstr(script, "nohead back") != NULL) == gaps &&
                   (strstr(script, "nohead front") != NULL) == gaps,
               "hatching %d", gaps);
+        free(script);
+        figure_free(&f);
+    }
+}
+
+static void labels_without_a_shade_are_hatched_where_that_is_said(void **state)
+{
+    static const struct figure_shade shade = { 0, FIGURE_SHADE_1, "here" };
+
+    (void) state;
+    for (int said = 0; said < 2; said++) {
+        const int8_t label[] = { 0, -1 };
+        struct figure f;
+        figure_init(&f, NULL, &sample_v, &sample_psi);
+        figure_add_labels(&f,
+                          &(struct figure_labels){ label, 2, 1, &shade, 1,
+                                                   said ? "unknown" : NULL });
+        char *script = drawn(&f, "p.gp");
+        CHECK((strstr(script, "nohead back") != NULL) == said &&
+                  (strstr(script, "unknown") != NULL) == said,
+              "%d", said);
         free(script);
         figure_free(&f);
     }
@@ -229,6 +251,7 @@ int main(void)
         IN_FOLDER(curves_of_a_kind_differ_by_their_dash),
         IN_FOLDER(legends_list_what_is_drawn_and_nothing_else),
         IN_FOLDER(a_map_without_gaps_has_no_entry_for_them),
+        IN_FOLDER(labels_without_a_shade_are_hatched_where_that_is_said),
         cmocka_unit_test(lines_end_where_they_join_others),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

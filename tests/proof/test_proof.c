@@ -92,7 +92,7 @@ static void prove(const struct csv *c, const struct solved *s, bool decimal,
 {
     const struct proof_inputs in = { decimal, ANGLE_RAD,
                                      csv_number(c, "alpha", 0),
-                                     csv_text(c, "alpha") };
+                                     csv_text(c, "alpha"), NULL };
 
     const enum status status = proof_at(&s->block, &in, out);
     CHECK(status == STATUS_OK, "%s", status_text(status));
@@ -298,7 +298,7 @@ static void check_spoiled(const struct csv *c, double noise, uint64_t *rng,
                           struct tally *t)
 {
     const struct proof_inputs in = { true, ANGLE_RAD, csv_number(c, "alpha", 0),
-                                     csv_text(c, "alpha") };
+                                     csv_text(c, "alpha"), NULL };
     struct branch both[2];
     struct solved s;
     struct proof p;
@@ -384,7 +384,7 @@ static bool draw(struct solved *s, double *tan_alpha, uint64_t *rng)
 static void check_random(const struct solved *s, double tan_alpha,
                          struct tally *t)
 {
-    const struct proof_inputs in = { false, ANGLE_TAN, tan_alpha, NULL };
+    const struct proof_inputs in = { false, ANGLE_TAN, tan_alpha, NULL, NULL };
     struct proof p;
 
     assert_int_equal(proof_at(&s->block, &in, &p), STATUS_OK);

@@ -2,6 +2,7 @@
 #include "study_proof.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
@@ -73,12 +74,111 @@ static void a_number_that_is_proved_to_be_none_is_told_too(void **state)
     slope_free(&s);
 }
 
+/* ---- labels -------------------------------------------------------------- */
+
+static void map(struct slope *s, const char *law, const char *cells)
+{
+    const char *const more[] = { "products=[equilibria, basins]", cells,
+                                 "basins.audit=0", "accuracy.proved=true",
+                                 NULL };
+
+    slope_make(s, law, NULL, "0.34", more);
+}
+
+static void count_words(const struct study *s, size_t count[LABEL_PROOFS])
+{
+    const size_t n = s->basins.rows * s->basins.columns;
+    int8_t *word = calloc(n, 1);
+
+    assert_non_null(word);
+
+    assert_int_equal(basin_map_rows(&s->basins, 0, s->basins.rows, word),
+                     STATUS_OK);
+    basin_proof_rows(s, 0, s->basins.rows, word);
+    for (size_t i = 0; i < n; i++)
+        count[word[i]]++;
+    free(word);
+}
+
+static void every_label_away_from_the_manifold_is_proved(void **state)
+{
+    static const char *const laws[] = { "spinodal_gen", "dieterich", "perrin",
+                                        "dieterich_gen" };
+    static struct slope s;
+
+    (void) state;
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
+        size_t count[LABEL_PROOFS] = { 0 };
+        map(&s, laws[i], "basins.cells=[90, 70]");
+        const struct basin_proof *b = &s.study.label_proof;
+        assert_string_equal(s.study.proof.lie.text, "");
+        assert_null(b->reason);
+        assert_int_equal(b->near + b->beyond, 0);
+        CHECK(b->fraction >= 1, "%s: %g", laws[i], b->fraction);
+        count_words(&s.study, count);
+        assert_int_equal(count[LABEL_PROVED], 90 * 70);
+        slope_free(&s);
+    }
+}
+
+/* A tube that ends early, and a cell that is less than a unit of the last digit
+ * away from the manifold. */
+static void cells_beyond_or_beside_the_tube_are_not_proved(void **state)
+{
+    static struct slope s;
+    size_t count[LABEL_PROOFS] = { 0 };
+
+    (void) state;
+    map(&s, "spinodal_gen", "basins.cells=[90, 70]");
+    struct proof *p = s.study.proof.exact;
+    struct study_proof *k = &s.study.proof;
+    const struct proof_branch whole = p->branch[0];
+    p->branch[0].end = -1;
+    p->branch[0].pieces = 3;
+    basin_proof_free(&s.study.label_proof);
+    assert_int_equal(basin_prove(&s.study), STATUS_OK);
+    const int64_t beyond = s.study.label_proof.beyond;
+    CHECK(beyond > 90 && beyond < 90 * 35, "%lld", (long long) beyond);
+    p->branch[0] = whole;
+    for (size_t i = 0; i < p->branch[0].cells; i++)
+        p->branch[0].cell[i].radius = 0.1;
+    basin_proof_free(&s.study.label_proof);
+    assert_int_equal(basin_prove(&s.study), STATUS_OK);
+    CHECK(s.study.label_proof.near > 5 && s.study.label_proof.near < 300,
+          "%lld", (long long) s.study.label_proof.near);
+    count_words(&s.study, count);
+    assert_int_equal(count[LABEL_NEAR], s.study.label_proof.near);
+    assert_int_equal(count[LABEL_BEYOND], s.study.label_proof.beyond);
+    assert_string_equal(k->lie.text, "");
+    slope_free(&s);
+}
+
+static void a_label_that_is_proved_another_is_told(void **state)
+{
+    static struct slope s;
+
+    (void) state;
+    map(&s, "spinodal_gen", "basins.cells=[9, 7]");
+    struct regions *r = &s.study.basins.labels.regions;
+    for (size_t i = 0; i < r->count; i++)
+        if (r->region[i].label == FATE_CREEP)
+            r->region[i].label = FATE_REST_FINITE;
+    basin_proof_free(&s.study.label_proof);
+    assert_int_equal(basin_prove(&s.study), STATUS_OK);
+    CHECK(strstr(s.study.proof.lie.text, "basin: another label"), "%s",
+          s.study.proof.lie.text);
+    slope_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_bar_of_a_slope_meets_what_is_proved),
         cmocka_unit_test(a_bar_beside_what_is_proved_is_told_by_name),
         cmocka_unit_test(a_number_that_is_proved_to_be_none_is_told_too),
+        cmocka_unit_test(every_label_away_from_the_manifold_is_proved),
+        cmocka_unit_test(cells_beyond_or_beside_the_tube_are_not_proved),
+        cmocka_unit_test(a_label_that_is_proved_another_is_told),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
