@@ -2,6 +2,7 @@
  * the law's formulas (law_tape.h). */
 #include "block.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "law_typed.h"
@@ -59,11 +60,36 @@ void block_lean(struct block *b, long double tan_alpha)
     b->tau = steady_tau(&b->law, &b->material, tan_alpha);
 }
 
+/* By mu_ss's slope; next to a fold by its curvature, which leaves noise >=
+ * |mu_ss''| d^2/2; and where folds meet by the third derivative, which is never
+ * far below a + b. */
+static double bar_of_place(const struct block *b)
+{
+    const struct law *law = &b->law;
+    const struct material *m = &b->material;
+    const long double x = (long double) b->at.x0;
+    const long double h = fminl(1e-5L, (steady_x_max(law) - x) / 2);
+    const long double above = steady_mu_log(law, m, x + h);
+    const long double below = steady_mu_log(law, m, x - h);
+    const double slope = (double) fabsl((above - below) / (2 * h));
+    const double bend = (double) fabsl(
+        (above - 2 * steady_mu_log(law, m, x) + below) / (h * h));
+    const double tau = (double) b->tau;
+    const double ax = b->at.a * b->at.x0;
+    const double size = fabs(tau) + fabs(m->mu_star) + fabs(ax) +
+                        fabs(tau - m->mu_star - ax) + b->at.b;
+    const double noise = (double) LDBL_EPSILON * size;
+
+    return fmin(fmin(noise / slope, sqrt(2.0 * noise / bend)),
+                cbrt(6.0 * noise / (0.1 * (m->a + m->b))));
+}
+
 void block_anchor(struct block *b, long double x, bool equilibrium)
 {
     b->x = x;
     b->y = steady_anchor(&b->law, &b->material, b->tan_alpha, x, equilibrium,
                          &b->at);
+    b->bar = bar_of_place(b);
     if (!steady_plane(&b->law, &b->material, b->tan_alpha, x, equilibrium,
                       &b->plane))
         b->at.force0 = NAN;

@@ -42,6 +42,7 @@ struct block {
     long double tan_alpha, tau; /* set by block_lean; tau: steady_tau */
     struct anchor at;           /* set by block_anchor */
     long double x, y;           /* its place, to all digits that are known */
+    double bar; /* how far about x mu_ss stays within its noise of tan(alpha) */
     struct planar_steady steady;
     struct vec2 steep;    /* about the largest |d mu/dx| and |d mu/dy| */
     bool waits;           /* far above psi_ss psi has hardly a rate of its

@@ -27,7 +27,7 @@ double numbers_cancellation(const struct equilibrium *e)
 
 double numbers_floor(const struct block *b)
 {
-    return TOL_SLIDER_ROUNDING + place_bar(b);
+    return TOL_SLIDER_ROUNDING + b->bar;
 }
 
 /* The logarithm in mu = a asinh(e^w/2), as far as exp of it is what counts: its
@@ -52,7 +52,7 @@ struct steady_number numbers_steady(const struct block *b,
     const double digits =
         (b->law.typed ? 2.0 * DBL_EPSILON : TOL_SLIDER_ROUNDING) *
         fabs(b->at.psi0);
-    const double psi_floor = place_bar(b) * fabs(block_psi_slope(b)) + digits;
+    const double psi_floor = b->bar * fabs(block_psi_slope(b)) + digits;
     struct steady_number s = {
         .type = (int8_t) e->type,
         .v = quantity_of(b->at.v0, floor * b->at.v0),
@@ -207,7 +207,7 @@ static double integral_floor(const struct block *b, const struct equilibrium *e)
  * the saddle's place: what a power of it makes of that. */
 static double place_floor(const struct block *b)
 {
-    return place_is_felt(b) ? 0.0 : TOL_PLACE_POWER * place_bar(b);
+    return place_is_felt(b) ? 0.0 : TOL_PLACE_POWER * b->bar;
 }
 
 struct limit {
@@ -437,7 +437,7 @@ static struct knee_number knee_number(const struct block *b,
 /* In the chart, of the saddle. */
 static struct vec2 saddle_floor(const struct block *b)
 {
-    const double x = place_bar(b), psi = fabs(b->at.psi0);
+    const double x = b->bar, psi = fabs(b->at.psi0);
     const double slope = law_psi_is_log(&b->law)
                              ? fabs(block_psi_slope(b))
                              : fabs(block_psi_slope(b)) / psi;

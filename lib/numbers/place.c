@@ -10,33 +10,9 @@
 
 #include "numbers_tolerance.h"
 
-/* By mu_ss's slope; next to a fold by its curvature, which leaves noise >=
- * |mu_ss''| d^2/2; and where folds meet by the third derivative, which is never
- * far below a + b. */
-double place_bar(const struct block *b)
-{
-    const struct law *law = &b->law;
-    const struct material *m = &b->material;
-    const long double x = (long double) b->at.x0;
-    const long double h = fminl(1e-5L, (steady_x_max(law) - x) / 2);
-    const long double above = steady_mu_log(law, m, x + h);
-    const long double below = steady_mu_log(law, m, x - h);
-    const double slope = (double) fabsl((above - below) / (2 * h));
-    const double bend = (double) fabsl(
-        (above - 2 * steady_mu_log(law, m, x) + below) / (h * h));
-    const double tau = (double) b->tau;
-    const double ax = b->at.a * b->at.x0;
-    const double size = fabs(tau) + fabs(m->mu_star) + fabs(ax) +
-                        fabs(tau - m->mu_star - ax) + b->at.b;
-    const double noise = (double) LDBL_EPSILON * size;
-
-    return fmin(fmin(noise / slope, sqrt(2.0 * noise / bend)),
-                cbrt(6.0 * noise / (0.1 * (m->a + m->b))));
-}
-
 bool place_is_felt(const struct block *b)
 {
-    return TOL_PLACE_POWER * place_bar(b) > DBL_EPSILON;
+    return TOL_PLACE_POWER * b->bar > DBL_EPSILON;
 }
 
 /* Away from the nearer fold. */
@@ -120,8 +96,7 @@ void place_spread(const struct block *b, struct critical_numbers *out)
         const char *near = (const char *) &run[0] + member[i];
         const char *away = (const char *) &run[1] + member[i];
         char *at = (char *) out + member[i];
-        spread(place_bar(b) / far,
-               (const struct quantity *) (const void *) near,
+        spread(b->bar / far, (const struct quantity *) (const void *) near,
                (const struct quantity *) (const void *) away,
                (struct quantity *) (void *) at);
     }

@@ -1,14 +1,12 @@
 /*
  * place.h -- how well the place of a saddle is known, and what that makes of
  * the numbers at it: numbers N(x) of a saddle at x = ln v whose x is off by d
- * are off by |N'(x)| d, with N' along the place at one slope.
+ * are off by |N'(x)| d, d the bar of the block, with N' along the place at one
+ * slope.
  */
 #pragma once
 
 #include "numbers.h"
-
-/* d: how far mu_ss stays within its noise of tan(alpha) about b's anchor. */
-double place_bar(const struct block *b);
 
 /* Whether N' must be known, lest d be below the roundings of a number. */
 bool place_is_felt(const struct block *b);
