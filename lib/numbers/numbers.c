@@ -434,17 +434,6 @@ static struct knee_number knee_number(const struct block *b,
     };
 }
 
-/* In the chart, of the saddle. */
-static struct vec2 saddle_floor(const struct block *b)
-{
-    const double x = b->bar, psi = fabs(b->at.psi0);
-    const double slope = law_psi_is_log(&b->law)
-                             ? fabs(block_psi_slope(b))
-                             : fabs(block_psi_slope(b)) / psi;
-
-    return (struct vec2){ x, slope * x };
-}
-
 /* Those of one branch. */
 struct knee_list {
     struct knee_number *first, *all;
@@ -462,7 +451,7 @@ static void knees_of(const struct block *b, const struct planar *sys,
     const struct quantity none = quantity_none(never);
     const struct quantity unknown = quantity_none(undecided);
     const size_t n =
-        knee_find(sys, branch, saddle_floor(b), found, 2 * KNEES_MAX);
+        knee_find(sys, branch, place_bars(b), found, 2 * KNEES_MAX);
 
     *out->count = *out->crossings = 0;
     for (size_t i = 0; i < n && i < 2 * KNEES_MAX; i++) {

@@ -10,6 +10,15 @@
 
 #include "numbers_tolerance.h"
 
+struct vec2 place_bars(const struct block *b)
+{
+    const double x = b->bar, psi = fmax(fabs(b->at.psi0), DBL_MIN);
+    const double slope =
+        law_psi_is_log(&b->law) ? block_psi_slope(b) : block_psi_slope(b) / psi;
+
+    return (struct vec2){ x, slope * x };
+}
+
 bool place_is_felt(const struct block *b)
 {
     return TOL_PLACE_POWER * b->bar > DBL_EPSILON;

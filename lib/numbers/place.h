@@ -8,6 +8,9 @@
 
 #include "numbers.h"
 
+/* In the chart: d, and what follows for psi_ss or its logarithm. */
+struct vec2 place_bars(const struct block *b);
+
 /* Whether N' must be known, lest d be below the roundings of a number. */
 bool place_is_felt(const struct block *b);
 

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "numbers_tolerance.h"
+#include "place.h"
 
 static struct planar anchor_at(struct slider *s, long double x,
                                bool equilibrium)
@@ -45,6 +46,8 @@ void slider_init(struct slider *s, const struct law *law,
         system = anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
     else if (home_among(e, n) != at)
         system = anchor_at(s, root[home_among(e, n)].x, true);
+    const struct vec2 off = place_bars(&s->block);
+    s->place = n > 0 ? off.x + off.y : 0.0;
     s->plane = phase_plane_of(&system, e, n);
     block_ask(&s->block);
     const char *none = slider_no_manifolds(s);
@@ -97,8 +100,8 @@ double slider_rounding(const struct slider *s, struct vec2 z)
 {
     const struct vec2 o = s->plane.system.origin;
 
-    return TOL_SLIDER_ROUNDING *
-           (fabs(o.x) + fabs(o.y) + fabs(o.x + z.x) + fabs(o.y + z.y));
+    return s->place + TOL_SLIDER_ROUNDING * (fabs(o.x) + fabs(o.y) +
+                                             fabs(o.x + z.x) + fabs(o.y + z.y));
 }
 
 struct quantity slider_mean_friction(const struct slider *s, double v0,

@@ -15,6 +15,7 @@ struct slider {
                            one at a steady state, or without any somewhere on
                            the steady curve */
     struct phase_plane plane;
+    double place; /* how far off the plane's origin may be, by noise of mu_ss */
     struct steady_number steady[EQUILIBRIA_MAX]; /* of each steady state */
     struct critical_numbers critical; /* none, until somebody finds them */
 };
@@ -53,7 +54,8 @@ const char *slider_no_manifolds(const struct slider *s);
 double slider_energy_defect(const struct slider *s, const struct curve *c);
 
 /* What the digits of the state at the offset z and of the steady states hide of
- * a coordinate. */
+ * a coordinate, and how far the field is from its place with the origin: by
+ * s->place everywhere. */
 double slider_rounding(const struct slider *s, struct vec2 z);
 
 /* Mean friction over a known slip between two slip rates: by (27)

@@ -432,6 +432,13 @@ static const struct {
         1e-5 },
       { -2.0471439198992928e-06, -13.099064943995469 },
       "friction between knots whose curvatures are noise" },
+    { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
+        KINETICS_LINEAR, 0.6527477132126065, 0.0019819584195257599,
+        0.0020079098221206394, 0.00072699993910954586, 14369.164591146613,
+        0.0001317677549768603, 6.080188730358422e-07, 0.5783044855984133,
+        1e-6 },
+      { 0.054953240998228813, -0.054953240998917491 },
+      "the saddle's place, known worse than a state" },
 };
 
 static void states_that_random_ones_found_have_one_answer(void **state)
