@@ -126,7 +126,8 @@ static double carried(const struct drift *d, saddle_coefs u, size_t b, size_t a)
         for (size_t i = 0; i <= a + 1 && i + j <= a + b; i++) {
             if (i == a && j == b)
                 continue;
-            sum += (double) i * u[j][i] * d->g[b - j][a + 1 - i];
+            if (i > 0)
+                sum += (double) i * u[j][i] * d->g[b - j][a + 1 - i];
             if (i <= a && j > 0)
                 sum += (double) j * u[j][i] * d->h[b - j + 1][a - i];
         }
