@@ -269,19 +269,14 @@ static struct rest_form rest_of(const struct quad_course *c)
     return rest_form_at(b);
 }
 
-/* What is left of one that fades too slowly to be followed. */
-static void add_fade(struct quad_course *c)
+/* Where v falls for ever. */
+static bool is_falling(const struct quad_course *c)
 {
     const struct study *s = c->slope->study;
-    quad slip, error;
 
-    c->left[1] = HUGE_VAL;
-    if (!rest_of(c).has_slip ||
-        !quad_rest_left(c, QUAD_LEFT_SLIP, &slip, &error))
-        return;
-    c->u[QUAD_SLIP] += slip;
-    c->u[QUAD_WORK] += (quad) s->slider.block.tan_alpha * slip;
-    c->left[1] = error;
+    return slider_saddle(&s->slider) == 0
+               ? c->u[QUAD_X] < 0 && c->u[QUAD_Y] > 0
+               : s->slider.plane.equilibria == 0 && c->slope->at.force0 < 0;
 }
 
 /* What is left of one that stops but cannot be followed so far: psi and psi_ss
@@ -304,17 +299,16 @@ static void add_rest(struct quad_course *c)
     c->fate = FATE_REST_FINITE;
 }
 
-/* What is left of a block that stops, and its fate where that is nothing. */
+/* What is left of a block that stops, and its fate where that is nothing.  One
+ * that fades does so as psi grows, from when that shows. */
 static void find_rest(struct quad_course *c)
 {
     const struct study *s = c->slope->study;
     const struct rest_form rest = rest_of(c);
-    const bool falls =
-        slider_saddle(&s->slider) == 0
-            ? c->u[QUAD_X] < 0 && c->u[QUAD_Y] > 0
-            : s->slider.plane.equilibria == 0 && c->slope->at.force0 < 0;
+    const bool falls = is_falling(c);
     const quad v = expq(c->slope->at.x0 + c->u[QUAD_X]);
     const quad rate = -c->du[QUAD_X] / c->du[QUAD_TIME];
+    const quad grows = c->du[QUAD_Y] / c->du[QUAD_TIME];
 
     if (slider_saddle(&s->slider) > 0 || !(rate > 0))
         return;
@@ -323,12 +317,12 @@ static void find_rest(struct quad_course *c)
         c->left[1] = v * c->left[0];
         if (c->left[0] < (quad) soon * c->u[QUAD_TIME])
             c->fate = FATE_REST_FINITE;
-    } else if (falls) {
-        c->left[1] = v * c->u[QUAD_TIME];
+    } else if (falls && grows > 0) {
+        c->left[1] = v * (c->u[QUAD_TIME] + 1 / grows);
         c->is_over = c->left[1] < (quad) soon * c->u[QUAD_SLIP];
         if (!c->is_over && ++c->falls > FALLS) {
             c->is_over = true;
-            add_fade(c);
+            quad_rest_fade(c, rest.has_slip);
         }
         if (c->is_over && rest.fate == FATE_REST_ASYMPTOTIC)
             c->fate = rest.fate;
@@ -382,6 +376,10 @@ static void follow(const struct quad_slope *q, quad x, quad y, double tol,
         ;
     if (c->fate == FATE_UNDECIDED && !c->is_over)
         add_rest(c);
+    if (c->fate == FATE_UNDECIDED && !c->is_over && is_falling(c) &&
+        rest_of(c).fate == FATE_REST_ASYMPTOTIC &&
+        quad_rest_fade(c, rest_of(c).has_slip))
+        c->fate = FATE_REST_ASYMPTOTIC;
     if (c->fate == FATE_UNDECIDED && c->left[0] > 0 &&
         c->left[0] < (quad) at_all * c->u[QUAD_TIME])
         c->fate = FATE_REST_FINITE;

@@ -105,3 +105,16 @@ bool quad_rest_left(const struct quad_course *c, enum quad_left what,
     }
     return *error < sum;
 }
+
+bool quad_rest_fade(struct quad_course *c, bool has_slip)
+{
+    quad slip;
+
+    if (!has_slip || !quad_rest_left(c, QUAD_LEFT_SLIP, &slip, &c->left[1])) {
+        c->left[1] = HUGE_VAL;
+        return false;
+    }
+    c->u[QUAD_SLIP] += slip;
+    c->u[QUAD_WORK] += (quad) c->slope->study->slider.block.tan_alpha * slip;
+    return true;
+}

@@ -11,3 +11,7 @@ enum quad_left { QUAD_LEFT_TIME, QUAD_LEFT_SLIP };
  * that can be seen. */
 bool quad_rest_left(const struct quad_course *c, enum quad_left what,
                     quad *left, quad *error);
+
+/* Adds the slip that is left of one that fades; left[1] is its error, infinite
+ * with false where it is not known. */
+bool quad_rest_fade(struct quad_course *c, bool has_slip);

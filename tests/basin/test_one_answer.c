@@ -439,6 +439,13 @@ static const struct {
         1e-6 },
       { 0.054953240998228813, -0.054953240998917491 },
       "the saddle's place, known worse than a state" },
+    { { FRICTION_LOG, THETA_LN_C_PSI, PSI_SS_INVERSE, TIMESCALE_AGEING44,
+        KINETICS_LINEAR, 0.25300930229857654, 0.0059113995304208335,
+        0.0072357634905840648, 0.52135349067736003, 58930838.136952251,
+        1.5135912694215926e-05, 1.0508384660146301e-07, 0.2963063472914074,
+        1e-9 },
+      { 20.849206333540842, 41.82311788837626 },
+      "by 113 bits: a block that fades only once it has stopped" },
 };
 
 static void states_that_random_ones_found_have_one_answer(void **state)
