@@ -97,6 +97,8 @@ static void arrive(struct landing *l, const struct door *door, double closing,
     const struct landing_slope across = { late * du[LAYER_TIME],
                                           late * du[LAYER_SLIP] };
     const struct landing_bar bar = landing_weigh(l, &across, 0.0);
+    const struct vec2 at = { l->u[LAYER_X], l->u[LAYER_Y] };
+    const double level = TOL_SLOW_FACE * slider_rounding(s, at) / closing;
     struct layer *const out = l->out;
 
     out->end = LAYER_LANDED;
@@ -104,8 +106,8 @@ static void arrive(struct landing *l, const struct door *door, double closing,
     out->x_end = l->u[LAYER_X] + way * du[LAYER_X];
     out->time = l->u[LAYER_TIME] + way * du[LAYER_TIME];
     out->slip = l->u[LAYER_SLIP] + way * du[LAYER_SLIP];
-    out->time_error = bar.time;
-    out->slip_error = bar.slip;
+    out->time_error = bar.time + level * du[LAYER_TIME];
+    out->slip_error = bar.slip + level * du[LAYER_SLIP];
     out->x_end_error =
         fmin(l->across, 2.0 * TOL_ARREST) * fabs(du[!door->along]) / closing +
         slider_rounding(s, (struct vec2){ out->x_end, 0.0 });

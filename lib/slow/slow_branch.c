@@ -431,6 +431,7 @@ static enum status run(const struct slider *s, struct vec2 z,
         slow_fit_frictions(s, b);
         compare_bars(&o, b);
         look_back(b);
+        slow_fit_digits(b);
         slow_fit_judge(s, b);
         status = finish(s, &o, goals->fate[o.end_index], b);
         make_monotone(b);

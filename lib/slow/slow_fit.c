@@ -219,3 +219,18 @@ void slow_fit_judge(const struct slider *s, struct slow_branch *b)
     }
     judge_peaks(b);
 }
+
+void slow_fit_digits(struct slow_branch *b)
+{
+    double time = 0.0, slip = 0.0;
+
+    for (size_t i = 0; i < b->count; i++) {
+        const bool from_first = b->start == SLOW_FACE;
+        struct slow_knot *const k = &b->knot[from_first ? i : b->count - 1 - i];
+        const double off = slow_knot_digit(k);
+        k->time_bar += TOL_DRIFT_NOISE * time;
+        k->slip_bar += TOL_DRIFT_NOISE * slip;
+        time = hypot(time, k->time[1] * off);
+        slip = hypot(slip, k->slip[1] * off);
+    }
+}

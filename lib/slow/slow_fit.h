@@ -1,7 +1,7 @@
 /*
  * slow_fit.h -- the polynomials between the knots of a slow branch
- * (slow_branch.h): their curvatures, the friction on them, and how far off
- * they are.
+ * (slow_branch.h): their curvatures, the friction on them, how far off they
+ * are, and what rounding does.
  */
 #pragma once
 
@@ -19,3 +19,8 @@ void slow_fit_frictions(const struct slider *s, struct slow_branch *b);
 /* Errors of the intervals, by what polynomials over two steps miss: of time and
  * slip, which are what is still to come, and of friction. */
 void slow_fit_judge(const struct slider *s, struct slow_branch *b);
+
+/* Each step rounds the place where it ends, and what is to come with that: its
+ * errors, independent of each other, add up from the branch's end or from its
+ * face on. */
+void slow_fit_digits(struct slow_branch *b);

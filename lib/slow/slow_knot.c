@@ -135,6 +135,15 @@ double slow_knot_shift(const struct slow_knot *k, double dx)
     return fabs(k->fibre.y * dx / (k->fibre.x - k->fibre.y * k->x_slope));
 }
 
+double slow_knot_digit(const struct slow_knot *k)
+{
+    const bool along = isfinite(k->gap);
+    const double x = 0.5 * DBL_EPSILON * k->x, y = 0.5 * DBL_EPSILON * k->y;
+    const struct vec2 e = along ? k->fibre : (struct vec2){ 1.0, -k->x_slope };
+
+    return hypot(e.x * y, e.y * x) / fabs(e.x - e.y * k->x_slope);
+}
+
 double slow_knot_gained(const struct orbit *o, size_t i)
 {
     double sum = 0.0;

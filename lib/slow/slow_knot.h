@@ -57,6 +57,10 @@ double slow_quintic(const double f[3], const double g[3], double h,
  * curve that is off by dx. */
 double slow_knot_shift(const struct slow_knot *k, double dx);
 
+/* What rounding its place is along the curve, in y: along the fibre, or across
+ * the curve where rates are alike; at most a standard deviation. */
+double slow_knot_digit(const struct slow_knot *k);
+
 /* What a component of an orbit gained on its last step, whatever it was before.
  */
 double slow_knot_gained(const struct orbit *o, size_t i);

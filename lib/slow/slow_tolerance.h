@@ -54,8 +54,8 @@
 /* A point by its time: steps of Newton's method. */
 #define TOL_SLOW_NEWTON 60
 
-/* Roundings that the face of a box of arrest is known to: of its node, and of
- * the field's zero. */
+/* Roundings that the face of a box of arrest is known to: of its node and the
+ * origin, whose difference is rounded, and of the field's zero. */
 #define TOL_SLOW_FACE 2.0
 
 /* The fast layer (fast_layer.c, landing.c): tolerance for a promise of rtol,

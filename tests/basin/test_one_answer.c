@@ -470,12 +470,57 @@ static void states_that_random_ones_found_have_one_answer(void **state)
     CHECK(t.lies == 0, "%zu lies", t.lies);
 }
 
+/* Slip per rounding of a place beside the face where it ends is 1e-9 and 1e-3.
+ */
+static void slip_holds_what_rounding_does_beside_a_face(void **state)
+{
+    static const struct {
+        struct found slope;
+        long double tan_alpha;
+        struct vec2 z;
+    } of[] = {
+        { { FRICTION_ASINH, THETA_LN_C_1PR_PSI, PSI_SS_SPINODAL, TIMESCALE_SLIP,
+            KINETICS_SINH, 0.4035469199735896, 0.10108313584722665,
+            0.19403752308733591, 0.009520640690048706, 26.882066035064977,
+            0.00048885582302031212, 3.8917050796854153e-08, 0.8820829951261275,
+            1e-4 },
+          1.21480810544308444787L,
+          { -1.3652188881811844, 1.564100643909407 } },
+        { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+            KINETICS_LINEAR, 0.39661208036849571, 0.044735916554059958,
+            0.2230661753753071, 6.4589400724731902, HUGE_VAL,
+            3.5416963011374195e-07, 0.00020839613333400845, 0.9272042584089243,
+            1e-5 },
+          1.33308069843681531311L,
+          { 1.5893781303543708, -1.249652090809632 } },
+    };
+    enum { FACES = sizeof of / sizeof *of };
+    static struct draw d;
+    struct tally t = { 0 };
+
+    (void) state;
+    if (laws_emulated())
+        skip();
+    prepare(&t, FACES);
+    for (size_t i = 0; i < FACES; i++) {
+        found_scene(&of[i].slope, grid, &d.scene);
+        d.scene.tan_alpha = of[i].tan_alpha;
+        assert_true(make(&d));
+        snprintf(d.name, sizeof d.name, "face %zu", i);
+        check_state(&d, AT_CURVE, state_of(&d, of[i].z), true, EXACT_BOTH, &t);
+        release(&d);
+    }
+    finish(&t);
+    CHECK(t.lies == 0, "%zu lies", t.lies);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(maps_zoomed_on_to_the_saddle_are_right),
         cmocka_unit_test(states_beside_boxes_of_arrest_slip_to_their_faces),
         cmocka_unit_test(states_that_random_ones_found_have_one_answer),
+        cmocka_unit_test(slip_holds_what_rounding_does_beside_a_face),
         cmocka_unit_test(push_basin_simulate_and_113_bits_give_one_answer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
