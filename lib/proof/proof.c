@@ -132,15 +132,15 @@ static void settle(struct proof_branch *out, enum end_code end,
     out->excess = interval_add(excess, (struct interval){ 0, t->excess });
 }
 
-/* At the end of piece i, if that is possible; *left: what is beyond, over the
- * width of what is known. */
+/* At theta, the end of piece i, if that is possible; *left: what is beyond,
+ * over the width of what is known. */
 static bool close(struct proof_law *law, const struct law *of,
-                  struct proof_branch *out, size_t i,
+                  struct proof_branch *out, size_t i, struct interval theta,
                   const struct proof_front *f, double *left)
 {
     const struct proof_piece *p = &out->piece[i];
     const struct proof_place at =
-        proof_place_on(p, point(1), f->error, out->side);
+        proof_place_on(p, theta, f->error, out->side);
     const bool psi = p->ind == 1;
     struct proof_tail t;
 
@@ -198,7 +198,7 @@ static enum status walk(struct proof_law *law, const struct law *of,
             return status;
         }
         fail(out, "no bound on what is beyond the last piece was found");
-        if (close(law, of, out, i, f, &left) &&
+        if (close(law, of, out, i, to, f, &left) &&
             (next == NULL || left < PROOF_END_PART)) {
             out->not_proved = NULL;
             out->pieces = i + 1;

@@ -38,10 +38,12 @@ struct proof_cell {
     double from, to; /* theta */
     double defect, rate;
     double before, after, radius;
+    struct interval excess; /* integral of v - v_sp over time on it, inward */
 };
 
 struct proof_cone {
     double reach, slope; /* theta; |dep - p| <= slope theta */
+    struct interval excess;
 };
 
 /* place: the offset that settles - X where psi runs to its end, Y where v does;

@@ -242,12 +242,11 @@ static bool prove(struct cell *c, struct proof_front *front,
         DBL_MIN);
     if (!run_tube(c, out, &across))
         return false;
-    const struct interval more =
-        excess_of(c, proof_up_times(across, out->radius));
-    if (!interval_is_finite(more))
+    out->excess = excess_of(c, proof_up_times(across, out->radius));
+    if (!interval_is_finite(out->excess))
         return false;
     front->error = out->after;
-    front->excess = interval_add(front->excess, more);
+    front->excess = interval_add(front->excess, out->excess);
     return true;
 }
 

@@ -219,10 +219,11 @@ static bool cone_of(struct proof_law *p, const struct proof_piece *piece,
             return false;
         slope = 4 * defect / (1 - in.g.hi);
     }
-    *out = (struct proof_cone){ reach, slope };
+    *out = (struct proof_cone){ .reach = reach, .slope = slope };
+    out->excess = excess_of(piece, &f, &in, out, least);
     front->error = proof_up_times(slope, reach);
-    front->excess = excess_of(piece, &f, &in, out, least);
-    return interval_is_finite(front->excess);
+    front->excess = out->excess;
+    return interval_is_finite(out->excess);
 }
 
 /* From near the whole piece down, as long as that narrows the cone: what is
