@@ -73,7 +73,7 @@ struct options {
 
     /* As they were given, borrowed; NULL or 0: not given. */
     const char *output, *v, *psi, *phi, *from, *kick, *states, *state, *scenes,
-        *only, *form, *as, *shard, *draws;
+        *only, *form, *as, *shard, *draws, *certificate;
     const char *progress; /* or "bar": also of a command that is quiet */
     bool json, keep_script, quiet, tap, record, sensitivities, resume, quick;
     bool rerun, help, version;

@@ -2,6 +2,7 @@
  * the file, draw the figure, print the numbers. */
 #include <string.h>
 
+#include "certificate.h"
 #include "drawn.h"
 #include "picture.h"
 #include "product_setting.h"
@@ -139,9 +140,11 @@ static enum status write_files(const struct study *s,
     struct panels p = PANELS_EMPTY;
     /* the shortcuts are studies, but one of a scene with a sweep would sweep */
     const char *command = s->scene->sweep.axes > 0 ? o->command->name : "study";
-    const enum status status = output_write(o, command, &all, s->scene, drawn,
-                                            s->slider.block.law.preset, why);
+    enum status status = output_write(o, command, &all, s->scene, drawn,
+                                      s->slider.block.law.preset, why);
 
+    if (status == STATUS_OK)
+        status = certificate_write(o, s, why);
     if (status == STATUS_OK && figure)
         picture_study(s, progress_monitor(o), &p);
     return status ? status : output_draw(o, &s->scene->paper, &p, figure, why);
@@ -230,6 +233,18 @@ static enum exit_code run_law(const struct options *o,
     return code;
 }
 
+static enum exit_code run_scene(const struct options *o,
+                                const struct scene *scene,
+                                const struct shortcut *how)
+{
+    struct fault why = { "" };
+    const enum status s = certificate_check(o, scene, &why);
+
+    return s != STATUS_OK  ? command_fail(s, why.text)
+           : scene->system ? plane_run(o, scene, how->figure)
+                           : run_law(o, scene, how);
+}
+
 static enum exit_code run(const struct options *o, const struct shortcut *how)
 {
     const struct command *other;
@@ -239,10 +254,7 @@ static enum exit_code run(const struct options *o, const struct shortcut *how)
     const enum status s = read_scene(o, how, &scene, &other, &why);
     if (s != STATUS_OK)
         return command_fail(s, why.text);
-    const enum exit_code code = other ? EXIT_DONE
-                                : scene.system
-                                    ? plane_run(o, &scene, how->figure)
-                                    : run_law(o, &scene, how);
+    const enum exit_code code = other ? EXIT_DONE : run_scene(o, &scene, how);
     scene_free(&scene);
     return other ? command_run(other, o) : code;
 }

@@ -1,0 +1,183 @@
+#include "certificate.h"
+
+#include <stdlib.h>
+
+#include "command.h"
+#include "json.h"
+#include "number.h"
+#include "output.h"
+#include "proof_numbers.h"
+#include "records.h"
+#include "replace.h"
+
+enum { CERTIFICATE_VERSION = 1 };
+
+/* ---- inputs -------------------------------------------------------------- */
+
+static json_t *decimal(double x)
+{
+    return json_string(number_shortest(x).text);
+}
+
+static json_t *law_json(const struct law *law)
+{
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s}", "friction",
+                     friction_form_names[law->form], "theta",
+                     theta_names[law->theta], "psi_ss",
+                     psi_ss_names[law->psi_ss], "timescale",
+                     timescale_names[law->timescale], "kinetics",
+                     kinetics_names[law->kinetics], "chart",
+                     law_psi_is_log(law) ? "psi" : "ln_psi");
+}
+
+/* Those that can change anything. */
+static json_t *material_json(const struct block *b)
+{
+    struct material m = b->material;
+    json_t *j = json_object();
+
+    for (int i = 0; i < MATERIAL_KEYS; i++)
+        if (law_uses(&b->law, (enum material_key) i))
+            json_object_set_new(j, material_key_name((enum material_key) i),
+                                decimal(*material_member(&m, i)));
+    return j;
+}
+
+static json_t *slope_json(const struct scene *scene)
+{
+    static const char *const names[] = { "alpha", "alpha_deg", "tan_alpha" };
+
+    return json_pack("{s:o}", names[scene->slope_in],
+                     decimal(scene->slope_given));
+}
+
+/* ---- the proof ----------------------------------------------------------- */
+
+static json_t *interval_json(struct interval u)
+{
+    return json_pack("[f, f]", u.lo, u.hi);
+}
+
+static json_t *piece_json(const struct proof_branch *b,
+                          const struct proof_piece *p)
+{
+    json_t *coef = json_array(), *cells = json_array();
+
+    for (size_t k = 0; k <= p->degree; k++)
+        json_array_append_new(coef, json_real(p->coef[k]));
+    for (size_t k = p->first; k < p->first + p->cells; k++)
+        json_array_append_new(cells,
+                              json_pack("[f, f, f, o]", b->cell[k].to,
+                                        b->cell[k].radius, b->cell[k].after,
+                                        interval_json(b->cell[k].excess)));
+    return json_pack("{s:s, s:f, s:f, s:o, s:o}", "independent",
+                     p->ind == 0 ? "x" : "y", "start", p->start, "step",
+                     p->step, "coef", coef, "cells", cells);
+}
+
+/* Of an open branch the cone is all: it lies on the first piece. */
+static json_t *branch_json(const struct proof_branch *b)
+{
+    const bool open = b->end == END_OPEN;
+    json_t *pieces = json_array();
+
+    if (b->not_proved || b->end < 0)
+        return json_pack("{s:s}", "not_proved", b->not_proved);
+    for (size_t i = 0; i < (open ? 1 : b->pieces); i++)
+        json_array_append_new(pieces, piece_json(b, &b->piece[i]));
+    return json_pack("{s:{s:f, s:f, s:o}, s:o, s:s, s:o*, s:o*}", "cone",
+                     "reach", b->cone.reach, "slope", b->cone.slope, "excess",
+                     interval_json(b->cone.excess), "pieces", pieces, "end",
+                     end_names[b->end], "place",
+                     open ? NULL : interval_json(b->place), "excess",
+                     open ? NULL : interval_json(b->excess));
+}
+
+/* An interval, or "absent". */
+static json_t *numbers_json(const struct proof *p)
+{
+    const struct proof_numbers n = proof_numbers_of(p);
+    const struct {
+        const char *name;
+        const struct proof_number *number;
+    } all[] = {
+        { "v", &n.v },
+        { "psi", &n.psi },
+        { "lambda_minus", &n.lambda_minus },
+        { "lambda_plus", &n.lambda_plus },
+        { "v_plus", &n.v_plus },
+        { "ln_v_plus", &n.ln_v_plus },
+        { "v_minus", &n.v_minus },
+        { "ln_v_minus", &n.ln_v_minus },
+        { "psi_at_v0", &n.psi_at_v0 },
+        { "x_excess", &n.x_excess },
+        { "x_deficit", &n.x_deficit },
+        { "mu_s_num", &n.mu_s_num },
+        { "mu_s_mean", &n.mu_s_mean },
+        { "fracture_energy", &n.fracture_energy },
+    };
+    json_t *j = json_object();
+
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        if (all[i].number->absent)
+            json_object_set_new(j, all[i].name, json_string("absent"));
+        else if (all[i].number->not_proved == NULL)
+            json_object_set_new(j, all[i].name,
+                                interval_json(all[i].number->value));
+    return j;
+}
+
+static json_t *proof_json(const struct study *s)
+{
+    const struct proof *p = s->proof.exact;
+    const char *why = p == NULL               ? "there is no saddle"
+                      : p->not_proved.text[0] ? p->not_proved.text
+                                              : NULL;
+
+    if (why)
+        return json_pack("{s:i, s:s}", "slipway_certificate",
+                         CERTIFICATE_VERSION, "not_proved", why);
+    return json_pack(
+        "{s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "slipway_certificate",
+        CERTIFICATE_VERSION, "law", law_json(&s->slider.block.law), "material",
+        material_json(&s->slider.block), "slope", slope_json(s->scene), "upper",
+        branch_json(&p->branch[0]), "lower", branch_json(&p->branch[1]),
+        "numbers", numbers_json(p));
+}
+
+/* ---- the file ------------------------------------------------------------ */
+
+enum status certificate_check(const struct options *o,
+                              const struct scene *scene, struct fault *why)
+{
+    if (o->certificate == NULL)
+        return STATUS_OK;
+    if (!scene->proved || scene->system)
+        return command_refuse(why,
+                              "--certificate %s: nothing is proved, expected a "
+                              "slope and --proved",
+                              o->certificate);
+    return output_path_check(o, scene, o->certificate, why);
+}
+
+enum status certificate_write(const struct options *o, const struct study *s,
+                              struct fault *why)
+{
+    char *text = NULL;
+    size_t size = 0;
+
+    if (o->certificate == NULL)
+        return STATUS_OK;
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        return STATUS_NO_MEMORY;
+    const bool whole = json_write(proof_json(s), out);
+    enum status status =
+        fclose(out) == 0 && whole ? STATUS_OK : STATUS_NO_MEMORY;
+    if (status == STATUS_OK)
+        status = replace_file(o->certificate, text, size, why);
+    free(text);
+    if (status == STATUS_OK)
+        output_tell(o, o->certificate);
+    return status;
+}

@@ -1,0 +1,166 @@
+"""Truncated Taylor series whose coefficients are balls: (m[k] +- r[k]) 2^e with
+whole m and r >= 0 and one e, rounded to BITS, what that costs being in r.  Where
+the k-th coefficient holds the k-th derivative over k! of a function at every
+point of a piece, those of what is made of it do so, too.  Functions of numbers
+are those of mpmath's intervals.
+"""
+from operator import mul
+
+from mpmath import iv
+from mpmath.libmp import from_man_exp
+
+BITS = iv.prec = 160
+
+
+def ball(u):
+    """(m, r, e) of an interval."""
+    ends = [(-man if sign else man, exp) for sign, man, exp, _ in u._mpi_]
+    if any(man == 0 and exp for man, exp in ends):
+        raise ArithmeticError('an interval is not finite')
+    e = min([exp for man, exp in ends if man], default=0)
+    lo, hi = (man << (exp - e) if man else 0 for man, exp in ends)
+    return lo + hi, hi - lo, e - 1
+
+
+class Series:
+    def __init__(self, m, r, e):
+        extra = max(map(int.bit_length, m), default=0) - BITS
+        if extra > 0:
+            m = [x >> extra for x in m]
+            r = [(x >> extra) + 2 for x in r]
+            e += extra
+        self.m, self.r, self.e = m, r, e
+
+    def __len__(self):
+        return len(self.m)
+
+    def __getitem__(self, k):
+        m, r = self.m[k], self.r[k]
+        return iv.make_mpf((from_man_exp(m - r, self.e, BITS, 'f'),
+                            from_man_exp(m + r, self.e, BITS, 'c')))
+
+    def part(self, first, last):
+        return Series(self.m[first:last], self.r[first:last], self.e)
+
+    def at(self, e):
+        """m and r to that exponent, which is not larger."""
+        s = self.e - e
+        return [x << s for x in self.m], [x << s for x in self.r]
+
+    def __add__(self, other):
+        low, high = sorted((self, other), key=lambda u: u.e)
+        e = max(low.e, high.e - 4 * BITS)
+        s = e - low.e
+        m, r = high.at(e)
+        return Series([x + (y >> s) for x, y in zip(m, low.m)],
+                      [x + (y >> s) + 2 * (s > 0) for x, y in zip(r, low.r)], e)
+
+    def times(self, c):
+        """By a number, an interval."""
+        m, r, e = ball(c)
+        return Series([m * x for x in self.m],
+                      [r * abs(x) + (abs(m) + r) * y for x, y in zip(self.m, self.r)],
+                      e + self.e)
+
+    def plus(self, c):
+        return self + constant(c, len(self) - 1)
+
+    def __neg__(self):
+        return Series([-x for x in self.m], self.r, self.e)
+
+    def __sub__(self, other):
+        return self + -other
+
+    def __mul__(self, other):
+        n = len(self)
+        u, ru, w, rw = self.m, self.r, other.m[::-1], other.r[::-1]
+        au, aw = [abs(x) for x in u], [abs(x) + y for x, y in zip(w, rw)]
+        m = [sum(map(mul, u[:k + 1], w[n - 1 - k:])) for k in range(n)]
+        r = [sum(map(mul, au[:k + 1], rw[n - 1 - k:]))
+             + sum(map(mul, ru[:k + 1], aw[n - 1 - k:])) for k in range(n)]
+        return Series(m, r, self.e + other.e)
+
+    def __truediv__(self, other):
+        """out_k = (u_k - sum_{j>0} w_j out_{k-j})/w_0"""
+        w, rw, b = other.m, other.r, abs(other.m[0]) - other.r[0]
+        if b <= 0:
+            raise ArithmeticError('a quotient by what may be 0')
+        aw = [abs(x) + y for x, y in zip(w, rw)]
+        m, r = [], []
+        for k, (x, y) in enumerate(zip(self.m, self.r)):
+            mk, rk = m[::-1], r[::-1]
+            top = (x << BITS) - sum(map(mul, w[1:], mk))
+            wide = ((y << BITS) + sum(map(mul, aw[1:], rk))
+                    + sum(map(mul, rw[1:], map(abs, mk))))
+            m.append(top // w[0])
+            r.append((wide + (abs(m[-1]) + 1) * rw[0]) // b + 2)
+        return Series(m, r, self.e - other.e - BITS)
+
+    def slope(self):
+        """The derivative, one coefficient shorter."""
+        return Series([k * x for k, x in enumerate(self.m)][1:],
+                      [k * x for k, x in enumerate(self.r)][1:], self.e)
+
+    def rise(self, first):
+        """The antiderivative that is `first` at 0, one longer."""
+        e = self.e - BITS
+        out = series([first] + [iv.mpf(0)] * len(self))
+        return out + Series([0] + [(x << BITS) // k for k, x in enumerate(self.m, 1)],
+                            [0] + [(x << BITS) // k + 2 for k, x in enumerate(self.r, 1)],
+                            e)
+
+    def exp(self):
+        """k w_k = sum_{j>0} j u_j w_{k-j}"""
+        m0, r0, e = ball(iv.exp(self[0]))
+        keep = BITS - m0.bit_length()
+        first = Series([m0 << max(keep, 0)], [r0 << max(keep, 0)], e - max(keep, 0))
+        d = [k * x for k, x in enumerate(self.m)][1:]
+        rd = [k * x for k, x in enumerate(self.r)][1:]
+        ad = [abs(x) + y for x, y in zip(d, rd)]
+        m, r, up, down = first.m, first.r, max(self.e, 0), max(-self.e, 0)
+        for k in range(1, len(self)):
+            mk, rk = m[::-1], r[::-1]
+            top = sum(map(mul, d, mk)) << up >> down
+            wide = (sum(map(mul, ad, rk)) + sum(map(mul, rd, map(abs, mk)))) << up >> down
+            m.append(top // k)
+            r.append((wide + 1) // k + 2)
+        return Series(m, r, first.e)
+
+    def ln(self):
+        return (self.slope() / self.part(0, len(self) - 1)).rise(iv.log(self[0]))
+
+    def size(self, h):
+        """sup |sum u_k t^k| over |t| <= h"""
+        total = iv.mpf(0)
+        for k in reversed(range(len(self))):
+            total = abs(self[k]).b + h * total
+        return total.b
+
+    def shift(self, s):
+        """Coefficients of p(s + t) in t."""
+        m, r = list(self.m), list(self.r)
+        sm, sr, e = ball(s)
+        a = abs(sm) + sr
+        up, down = max(e, 0), max(-e, 0)
+        for i in range(len(m)):
+            for j in range(len(m) - 2, i - 1, -1):
+                x, y = m[j + 1], r[j + 1]
+                m[j] += x * sm << up >> down
+                r[j] += ((abs(x) * sr + y * a) << up >> down) + 1
+        return Series(m, r, self.e)
+
+
+def series(u):
+    """Of intervals."""
+    balls = [ball(x) for x in u]
+    e = max((e + m.bit_length() for m, _, e in balls if m), default=0) - BITS
+    m, r = [], []
+    for x, y, k in balls:
+        s = k - e
+        m.append(x << s if s >= 0 else x >> -s)
+        r.append(y << s if s >= 0 else (y >> -s) + 2)
+    return Series(m, r, e)
+
+
+def constant(c, n):
+    return series([c] + [iv.mpf(0)] * n)

@@ -1,0 +1,234 @@
+#!/usr/bin/env python3
+"""slipway --proved --certificate FILE: written whole or not at all, verified by
+check_certificate.py, and rejected by it with any digit changed that matters,
+TAMPERED times (TAP).
+
+usage: cli_certificate.py PATH_TO_SLIPWAY SOURCE_ROOT
+"""
+import json
+import os
+import random
+import sys
+
+from cli_room import READER, expect, refused, run_cases
+
+if os.path.realpath(sys.executable) != os.path.realpath(READER):
+    os.execv(READER, [READER, *sys.argv])  # Debian's, with mpmath
+
+from check_certificate import rejected  # noqa: E402
+
+SEED = int(os.environ.get('CHECK_SEED', 1))
+TAMPERED = int(os.environ.get('TAMPERED', 40))
+ENDS = {'dieterich_gen': ('psi_inf', 'psi_0'), 'ruina': ('open', 'v_0'),
+        'perrin': ('psi_inf', 'v_0'), 'spinodal': ('open', 'v_0')}
+
+
+def certificate(room, law, form='asinh'):
+    name = f'{law}-{form}.json'
+    if not os.path.exists(room.path(name)):
+        room.good('knees', '--law', law, '--friction', form, '--alpha', '0.34',
+                  '--proved', '--certificate', name)
+    return json.loads(room.read(name))
+
+
+def each_claim_of_a_certificate_follows(room):
+    for i, law in enumerate(ENDS):
+        found = certificate(room, law, ('asinh', 'log')[i % 2])
+        ends = found['upper']['end'], found['lower']['end']
+        expect(len(found['numbers']) == 14, law, found['numbers'])
+        expect(not rejected(found), law, rejected(found))
+        expect(ends == ENDS[law], law, ends)
+
+
+def its_numbers_are_those_of_the_answer(room):
+    found = certificate(room, 'perrin')['numbers']
+    told = room.json('knees', '--law', 'perrin', '--alpha', '0.34', '--proved')
+    for name in ('v_plus', 'psi_at_v0', 'x_excess', 'x_deficit', 'mu_s_num'):
+        proved = told[name]['proved']
+        expect(float(proved['lo']) <= found[name][0] <= found[name][1]
+               <= float(proved['hi']), name, proved, found[name])
+    expect(found['v_minus'] == 'absent', found['v_minus'])
+
+
+# ---- forgeries --------------------------------------------------------------
+
+def with_a_digit_changed(number, rng):
+    """A number and the place of the digit; a text stays one."""
+    text = number if isinstance(number, str) else repr(float(number))
+    at = rng.choice([i for i, c in enumerate(text) if c.isdigit()])
+    text = text[:at] + rng.choice('0123456789') + text[at + 1:]
+    return text if isinstance(number, str) else float(text)
+
+
+def changed(leaf, rng, matters):
+    for _ in range(200):
+        new = with_a_digit_changed(leaf, rng)
+        if float(new) != float(leaf) and matters(float(new), float(leaf)):
+            return new
+    return None
+
+
+def forge_bound(holder, key, rng):
+    holder[key] = changed(holder[key], rng, lambda new, old: 0 <= new < old / 300)
+    return holder[key] is not None
+
+
+def forge_interval(interval, rng):
+    """One end beyond the other, or both moved."""
+    lo, hi = interval
+    if rng.random() < 0.3:
+        k = rng.randrange(2)
+        interval[k] = changed(interval[k], rng, lambda new, _:
+                              new < lo if k else new > hi)
+        return interval[k] is not None
+    new = changed(lo, rng, lambda new, old: abs(new - old) > 2 * (hi - lo))
+    if new is None:
+        return False
+    interval[:] = [new, hi + (new - lo)]
+    return True
+
+
+def forge_polynomial(piece, rng):
+    """Further than its tube is wide."""
+    widest = max(c[1] for c in piece['cells'])
+    k = rng.randrange(len(piece['coef']))
+    new = changed(piece['coef'][k], rng,
+                  lambda new, old: abs(new - old) > 1000 * widest)
+    piece['coef'][k] = new
+    return new is not None
+
+
+def forge_place(piece, rng):
+    """The first digits of where it is."""
+    key = rng.choice(['start', 'step'])
+    new = changed(piece[key], rng, lambda new, old: abs(new - old) > abs(old) / 100)
+    piece[key] = new
+    return new is not None
+
+
+def forge_end(piece, rng):
+    """Cells out of order, or not to the end."""
+    cells = piece['cells']
+    k = rng.randrange(len(cells))
+    before = cells[k - 1][0] if k else 0
+    after = cells[k + 1][0] if k + 1 < len(cells) else cells[k][0]
+    new = changed(cells[k][0], rng, lambda new, _: new <= before or (
+        new >= after if k + 1 < len(cells) else new < after * 0.999))
+    cells[k][0] = new
+    return new is not None
+
+
+def forge_word(certificate, rng):
+    words = {'friction': ['asinh', 'log'], 'kinetics': ['linear', 'sinh'],
+             'theta': ['ln_psi', 'psi'], 'psi_ss': ['inverse', 'minus_log'],
+             'timescale': ['slip', 'slip45'], 'chart': ['psi', 'ln_psi']}
+    key = rng.choice(list(words))
+    old = certificate['law'][key]
+    certificate['law'][key] = rng.choice([w for w in words[key] if w != old])
+    return True
+
+
+def forge(certificate, rng):
+    """What was changed, or None where nothing of the kind was found to be."""
+    side = rng.choice(['upper', 'lower'])
+    branch = certificate[side]
+    if branch['end'] == 'open':
+        side, branch = 'lower', certificate['lower']
+    piece = rng.choice(branch['pieces'])
+    cell = rng.choice(piece['cells'])
+    numbers = [n for n in certificate['numbers'].values() if n != 'absent']
+    group = certificate[rng.choice(['material', 'material', 'slope'])]
+    name = rng.choice(list(group))
+    kinds = {
+        'parameter': lambda: set_text(group, name, rng),
+        'number': lambda: forge_interval(rng.choice(numbers), rng),
+        'polynomial': lambda: forge_polynomial(piece, rng),
+        'place of a piece': lambda: forge_place(piece, rng),
+        'end of a cell': lambda: forge_end(piece, rng),
+        'radius': lambda: forge_bound(cell, 1, rng),
+        'error': lambda: forge_bound(cell, 2, rng),
+        'integral': lambda: forge_interval(cell[3], rng),
+        'cone': lambda: forge_bound(branch['cone'], 'slope', rng),
+        'integral in the cone': lambda: forge_interval(branch['cone']['excess'], rng),
+        'place of the end': lambda: forge_interval(branch['place'], rng),
+        'whole integral': lambda: forge_interval(branch['excess'], rng),
+        'law': lambda: forge_word(certificate, rng),
+    }
+    kind = rng.choice(list(kinds))
+    return kind if kinds[kind]() else None
+
+
+def set_text(group, name, rng):
+    new = changed(group[name], rng, lambda new, _: new > 0)
+    group[name] = new
+    return new is not None
+
+
+def a_certificate_with_a_digit_changed_is_rejected(room):
+    rng = random.Random(SEED)
+    print(f'# seed {SEED}')
+    texts = [json.dumps(certificate(room, law, ('asinh', 'log')[i % 2]))
+             for i, law in enumerate(ENDS)]
+    count = {}
+    while sum(count.values()) < TAMPERED:
+        text = rng.choice(texts)
+        forged = json.loads(text)
+        kind = forge(forged, rng)
+        if kind is None:
+            continue
+        count[kind] = count.get(kind, 0) + 1
+        if rejected(forged):
+            continue
+        old = json.loads(text)
+        expect(False, kind, old['law'], difference(old, forged))
+    print(f'# rejected: {count}')
+
+
+def difference(old, new, path=''):
+    if isinstance(old, dict):
+        return [d for k in old for d in difference(old[k], new[k], f'{path}/{k}')]
+    if isinstance(old, list):
+        return [d for k, (u, w) in enumerate(zip(old, new))
+                for d in difference(u, w, f'{path}/{k}')]
+    return [] if old == new else [(path, old, new)]
+
+
+# ---- the file ---------------------------------------------------------------
+
+def a_certificate_needs_a_proof(room):
+    slope = ['--law', 'perrin', '--alpha', '0.34']
+    refused(room.run('knees', *slope, '--certificate', 'none.json'), 2,
+            '--certificate none.json', 'expected a slope and --proved')
+    refused(room.run('portrait', '--ode', "x' = y; y' = -x", '--window',
+                     'x=-1:1,y=-1:1', '--certificate', 'none.json'), 2,
+            'expected a slope and --proved')
+    room.write('file', '')
+    refused(room.run('knees', *slope, '--proved', '--certificate', 'file/x'), 4,
+            'file')
+    expect('none.json' not in room.names(), room.names())
+
+
+def a_scene_is_not_written_over_by_one(room):
+    text = 'law: {preset: perrin}\nslope: {alpha: 0.34}\naccuracy: {proved: true}\n'
+    room.write('p.yaml', text)
+    refused(room.run('study', 'p.yaml', '--certificate', 'p.yaml'), 2, 'is read')
+    expect(room.read('p.yaml') == text)
+    room.good('portrait', 'p.yaml', '--certificate', 'p.json')
+    expect(json.loads(room.read('p.json')) == certificate(room, 'perrin'))
+
+
+def a_slope_without_a_saddle_has_none(room):
+    room.good('knees', '--law', 'spinodal_gen', '--alpha', '0.6', '--proved',
+              '--certificate', 'why.json')
+    found = json.loads(room.read('why.json'))
+    expect(found['not_proved'] and 'nothing is claimed' in rejected(found), found)
+
+
+run_cases([
+    each_claim_of_a_certificate_follows,
+    its_numbers_are_those_of_the_answer,
+    a_certificate_with_a_digit_changed_is_rejected,
+    a_certificate_needs_a_proof,
+    a_scene_is_not_written_over_by_one,
+    a_slope_without_a_saddle_has_none,
+])
