@@ -47,7 +47,7 @@ const struct option option_table[] = {
     { "rtol", 0, "TOL", OPTION_TEXT, "accuracy.rtol", .commands = SCENES,
       .text = "relative accuracy [1e-12]" },
     { "proved", 0, NULL, OPTION_FLAG, "accuracy.proved", .commands = STUDIES,
-      .text = "enclose the numbers of a slope with proof" },
+      .text = "enclose the numbers and labels of a slope with proof" },
     { "certificate", 0, "FILE", OPTION_FILE, TO(certificate),
       .commands = STUDIES,
       .text = "write the proof as JSON, for others to verify" },

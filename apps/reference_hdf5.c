@@ -60,7 +60,14 @@ static const char head[] =
     "scene\n"
     "with inputs X +- S NAME_spread, the standard deviation that their "
     "scatter\n"
-    "makes of the number, to first order.\n"
+    "makes of the number, to first order. With accuracy.proved, of numbers of\n"
+    "the slope, the code NAME_proved (not_proved, enclosed; absent: that "
+    "there\n"
+    "is none is proved), the reals NAME_lo and NAME_hi between which the "
+    "number\n"
+    "is, and where some are not proved, why: a text NAME_not_proved for each, "
+    "or\n"
+    "of a single number the attribute `comment` of NAME_proved.\n"
     "\n"
     "This page is written by `slipway help --as hdf5`.\n";
 

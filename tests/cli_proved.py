@@ -3,6 +3,7 @@
 
 usage: cli_proved.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
+import json
 from decimal import Decimal
 
 from cli_room import expect, refused, run_cases
@@ -54,6 +55,27 @@ def a_scene_asks_for_it_too(room):
     expect('lo' in found['saddle']['v']['proved'], found['saddle'])
 
 
+READ = '''import h5py, json, sys
+at = h5py.File(sys.argv[1])['critical']
+print(json.dumps([[float(at[f'v_{end}_{what}'][()]) for what in
+                   ('lo', 'hi', 'proved')] for end in ('plus', 'minus')]
+                 + [at['v_plus_proved'].attrs.get('comment', b'').decode()]))'''
+
+
+def files_hold_what_is_proved(room):
+    slope = ['--alpha', '0.34', '--proved', '-o', 'p.h5']
+    plus = room.json('knees', '--law', 'perrin', *slope)['v_plus']['proved']
+    held, minus, why = json.loads(room.reads(READ, 'p.h5'))
+    expect(all(abs(float(plus[end]) - had) <= 2e-16 * had and had > 307
+               for end, had in zip(('lo', 'hi'), held)), plus, held)
+    expect(held[2] == 1 and minus[2] == 2 and minus[0] != minus[0] and why == '',
+           held, minus)
+    plus = room.json('knees', '--law', 'kato_tullis', '--set',
+                     'material.V_c=100', *slope)['v_plus']
+    held, _, why = json.loads(room.reads(READ, 'p.h5'))
+    expect(held[2] == 0 and why == plus['not_proved'], plus, held, why)
+
+
 def labels_are_proved_in_text_json_and_file(room):
     grid = ['--alpha', '0.34', '--set', 'basins={cells: [40, 30], audit: 0}',
             '--proved']
@@ -94,6 +116,7 @@ run_cases([
     the_reference_is_between_both_decimals,
     a_law_without_a_proof_says_why,
     a_scene_asks_for_it_too,
+    files_hold_what_is_proved,
     labels_are_proved_in_text_json_and_file,
     what_is_not_proved_is_refused_or_says_so,
     nothing_is_proved_where_nobody_asks,

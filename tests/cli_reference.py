@@ -47,6 +47,7 @@ MORE = [
      [products(NUMBERS), 'ensemble={samples: two.csv}']),
     ('knees --law kato_tullis --alpha 0.34', ['material.V_c=1e3']),
     ('basin --proved --law kato_tullis --alpha 0.34', ['material.V_c=1e3', *SMALL]),
+    ('knees --proved --law dieterich --alpha 0.34', []),
     ('push --law spinodal_gen --alpha 0.34 --v 1e3 --psi 10', []),
     ('workprec --quick --law ruina --alpha 0.34', []),
     ('stress --only laws/perrin/log/0.38', []),

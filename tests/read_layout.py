@@ -16,7 +16,13 @@ COMPANIONS = {'error': ('real', ': bound on the absolute error'),
               'exists': ('code', ': whether it exists'),
               'reason': ('text', ': why it is absent'),
               'conditioning': ('real',
-                               ': relative error from rounding the inputs')}
+                               ': relative error from rounding the inputs'),
+              'not_proved': ('text', ': why nothing is proved of it'),
+              'proved': ('code', ': what is proved'),
+              'lo': ('real', ': proved to be at least'),
+              'hi': ('real', ': proved to be at most')}
+WORDS = {'exists': ['absent', 'present'],
+         'proved': ['not_proved', 'enclosed', 'absent']}
 DTYPES = {'real': 'float64', 'count': 'int64', 'code': 'int8', 'text': 'object'}
 SETS, ATTRIBUTES = 0, 1
 DRAWN = ['/sweep', '/ensemble']  # reasons by their codes
@@ -119,17 +125,18 @@ class Reader:
         if e:
             return (e.kind.replace('number', 'real'), e.unit, e.along, e.text,
                     e.words)
-        base, _, suffix = name.rpartition('_')
-        e = suffix in COMPANIONS and self.page.find(SETS, group, base)
+        suffix = next((s for s in COMPANIONS if name.endswith('_' + s)), '')
+        base = name[:-len(suffix) - 1]
+        e = suffix and self.page.find(SETS, group, base)
         exact = group in DRAWN and suffix == 'exists' and e
         if not e or e.kind != 'number' and not (exact and e.kind == 'real'):
             return None
         kind, text = COMPANIONS[suffix]
-        unit = e.unit if suffix == 'error' else '' if kind == 'text' else '1'
+        unit = ('' if kind == 'text' else
+                e.unit if suffix in ('error', 'lo', 'hi') else '1')
         if suffix == 'exists' and group in DRAWN:
             text = ': whether it exists, or why not'
-        return kind, unit, e.along, e.text + text, ['absent', 'present'][
-            :2 * (kind == 'code')]
+        return kind, unit, e.along, e.text + text, WORDS.get(suffix, [])
 
     def described(self, path, dataset, kind, is_axis):
         wanted = {'long_name'} | ({'units'} if kind != 'text' else set())

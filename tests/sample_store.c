@@ -30,13 +30,19 @@ static const struct record_field steady_fields[] = {
 static const struct record_type steady_type = { "steady", "a steady state",
                                                 steady_fields, 5,
                                                 sizeof(struct steady) };
+static const struct proved steady_enclosure = { .lo = 1.25, .hi = 1.75 };
+static const struct proved steady_open = { .not_proved = "no tube" };
 static struct steady steady_states[] = {
     { 0,
       7,
       0.25,
-      { 1.5, 1e-9, 2e-15, NULL, NULL, NAN, NAN },
+      { 1.5, 1e-9, 2e-15, NULL, &steady_enclosure, NAN, NAN },
       "Gr\xc3\xbc\xc3\x9f" },
-    { -1, 8, 4.0, { NAN, NAN, NAN, "no window", NULL, NAN, NAN }, NULL },
+    { -1,
+      8,
+      4.0,
+      { NAN, NAN, NAN, "no window", &steady_open, NAN, NAN },
+      NULL },
 };
 const struct record_array sample_states = { &steady_type, steady_states, 2 };
 

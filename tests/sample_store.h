@@ -13,7 +13,7 @@ enum {
     SAMPLE_ROWS = 300,
     SAMPLE_COLUMNS = 20,
     SAMPLE_AXES = 6,  /* two n, two arc, psi, v */
-    SAMPLE_TIES = 42, /* of a data set to an axis */
+    SAMPLE_TIES = 46, /* of a data set to an axis */
 };
 
 extern const struct record_array sample_states; /* those of /equilibria */

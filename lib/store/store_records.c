@@ -17,6 +17,8 @@ struct sheet {
 };
 
 static const char *const existence[] = { "absent", "present", NULL };
+static const char *const outcome[] = { "not_proved", "enclosed", "absent",
+                                       NULL };
 
 static void store_records_gather(const struct record_array *a, size_t offset,
                                  size_t size, char *out)
@@ -169,6 +171,86 @@ static void put_beside(const struct sheet *sh, const struct record_field *f,
     free(value);
 }
 
+/* NULL: nobody asked. */
+static const struct proved *proved_at(const struct sheet *sh, size_t i,
+                                      const struct record_field *f)
+{
+    return ((const struct quantity *) record_member(sh->a, i, f))->proved;
+}
+
+/* What is proved: outcome[], -1 where nobody asked. */
+static int8_t outcome_of(const struct proved *p)
+{
+    return p == NULL ? -1 : p->not_proved ? 0 : p->absent ? 2 : 1;
+}
+
+static void put_bound(const struct sheet *sh, const struct record_field *f,
+                      const char *name, const char *text, size_t member)
+{
+    double *value = hdf_memory(sh->st, sh->a->count, sizeof *value);
+    struct companion to;
+
+    for (size_t i = 0; value != NULL && i < sh->a->count; i++) {
+        const struct proved *p = proved_at(sh, i, f);
+        value[i] =
+            outcome_of(p) == 1
+                ? *(const double *) (const void *) ((const char *) p + member)
+                : (double) NAN;
+    }
+    companion_of(&to, f, name, text);
+    to.column.unit = f->unit;
+    hdf_close(put_values(sh, &to.column, value));
+    free(value);
+}
+
+static void put_why(const struct sheet *sh, const struct record_field *f,
+                    hid_t set)
+{
+    const char **why =
+        (const char **) hdf_memory(sh->st, sh->a->count, sizeof *why);
+    struct companion to;
+
+    for (size_t i = 0; why != NULL && i < sh->a->count; i++) {
+        const struct proved *p = proved_at(sh, i, f);
+        why[i] = p && p->not_proved ? p->not_proved : "";
+    }
+    companion_of(&to, f, "not_proved", "why nothing is proved of it");
+    to.column.kind = RECORD_TEXT;
+    if (why != NULL && sh->a->count == 1)
+        hdf_put_text(sh->st, set, "comment", why[0]);
+    else
+        hdf_close(put_values(sh, &to.column, why));
+    free((void *) why);
+}
+
+/* Where somebody asked. */
+static void put_proof(const struct sheet *sh, const struct record_field *f)
+{
+    int8_t *code = hdf_memory(sh->st, sh->a->count, sizeof *code);
+    struct companion to;
+    bool asked = false, open = false;
+
+    for (size_t i = 0; code != NULL && i < sh->a->count; i++) {
+        code[i] = outcome_of(proved_at(sh, i, f));
+        asked |= code[i] >= 0;
+        open |= code[i] == 0;
+    }
+    if (asked) {
+        companion_of(&to, f, "proved", "what is proved");
+        to.column.kind = RECORD_CODE;
+        to.column.codes = outcome;
+        const hid_t set = put_values(sh, &to.column, code);
+        put_bound(sh, f, "lo", "proved to be at least",
+                  offsetof(struct proved, lo));
+        put_bound(sh, f, "hi", "proved to be at most",
+                  offsetof(struct proved, hi));
+        if (open)
+            put_why(sh, f, set);
+        hdf_close(set);
+    }
+    free(code);
+}
+
 static void put_quantity(const struct sheet *sh, const struct record_field *f,
                          struct column c)
 {
@@ -184,6 +266,7 @@ static void put_quantity(const struct sheet *sh, const struct record_field *f,
     put_beside(sh, f, "spread",
                "standard deviation that the scatter of the inputs makes",
                f->unit, offsetof(struct quantity, spread));
+    put_proof(sh, f);
     hdf_close(set);
 }
 

@@ -9,7 +9,10 @@
  *   RECORD_TEXT      UTF-8 strings, empty for NULL
  *   RECORD_QUANTITY  float64 NAME and NAME_error, int8 NAME_exists (absent,
  *                    present), and NAME_conditioning and NAME_spread where
- *                    anybody asked (NaN: it cannot be told); why
+ *                    anybody asked (NaN: it cannot be told), likewise int8
+ *                    NAME_proved (not_proved, enclosed, absent), float64
+ *                    NAME_lo and NAME_hi, and why nothing is proved as
+ *                    `comment` of NAME_proved or in NAME_not_proved; why
  *                    a value is absent stands in the attribute `comment` of
  *                    NAME for a single record, else in the text column
  *                    NAME_reason, empty where the value exists.

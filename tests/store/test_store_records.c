@@ -79,7 +79,8 @@ static void read_set(const char *name, hid_t type, void *values)
 static void columns_hold_what_the_records_held(void **state)
 {
     double v[2], lambda[2], error[2], conditioning[2], arc[SAMPLE_POINTS];
-    int8_t type[2], exists[2], scalar_type;
+    double lo[2], hi[2];
+    int8_t type[2], exists[2], proved[2], scalar_type;
     int64_t rank[2], n[2];
 
     (void) state;
@@ -90,6 +91,9 @@ static void columns_hold_what_the_records_held(void **state)
     read_set("/equilibria/lambda_conditioning", H5T_NATIVE_DOUBLE,
              conditioning);
     read_set("/equilibria/lambda_exists", H5T_NATIVE_INT8, exists);
+    read_set("/equilibria/lambda_lo", H5T_NATIVE_DOUBLE, lo);
+    read_set("/equilibria/lambda_hi", H5T_NATIVE_DOUBLE, hi);
+    read_set("/equilibria/lambda_proved", H5T_NATIVE_INT8, proved);
     read_set("/equilibria/type", H5T_NATIVE_INT8, type);
     read_set("/equilibria/rank", H5T_NATIVE_INT64, rank);
     read_set("/equilibria/n", H5T_NATIVE_INT64, n);
@@ -100,6 +104,8 @@ static void columns_hold_what_the_records_held(void **state)
     assert_true(error[0] == 1e-9 && isnan(error[1]));
     assert_true(conditioning[0] == 2e-15 && isnan(conditioning[1]));
     assert_true(exists[0] == 1 && exists[1] == 0);
+    assert_true(lo[0] == 1.25 && hi[0] == 1.75 && proved[0] == 1);
+    assert_true(isnan(lo[1]) && isnan(hi[1]) && proved[1] == 0);
     assert_true(type[0] == 0 && type[1] == -1 && scalar_type == -1);
     assert_true(rank[0] == 7 && rank[1] == 8 && n[0] == 0 && n[1] == 1);
     for (int i = 0; i < SAMPLE_POINTS; i++)
@@ -108,7 +114,7 @@ static void columns_hold_what_the_records_held(void **state)
 
 static void texts_are_stored_in_utf_8(void **state)
 {
-    char *note[2], *reason[2];
+    char *note[2], *reason[2], *why[2];
     hid_t type;
 
     (void) state;
@@ -118,11 +124,14 @@ static void texts_are_stored_in_utf_8(void **state)
     H5Tset_size(type, H5T_VARIABLE);
     read_set("/equilibria/note", type, note);
     read_set("/equilibria/lambda_reason", type, reason);
+    read_set("/equilibria/lambda_not_proved", type, why);
     H5Tclose(type);
     assert_string_equal(note[0], "Gr\xc3\xbc\xc3\x9f");
     assert_string_equal(note[1], "");
     assert_string_equal(reason[0], "");
     assert_string_equal(reason[1], "no window");
+    assert_string_equal(why[0], "");
+    assert_string_equal(why[1], "no tube");
     for (int i = 0; i < 2; i++) {
         H5free_memory(note[i]);
         H5free_memory(reason[i]);
