@@ -94,17 +94,40 @@ def labels_are_proved_in_text_json_and_file(room):
     expect('not proved' not in room.read('map.svg'))
 
 
-def what_is_not_proved_is_refused_or_says_so(room):
+def what_is_not_proved_is_refused(room):
     slope = ['--law', 'perrin', '--set', 'accuracy.proved=true']
     refused(room.run('sweep', *slope, '--set', 'sweep={key: slope.alpha, '
                      'values: [0.34]}'), 2, 'accuracy.proved', 'expected knees')
     refused(room.run('ensemble', *slope, '--alpha', '0.34', '--set',
                      'ensemble={parameters: {material.a: {uniform: [0.03, '
                      '0.04]}}, draws: 8}'), 2, 'accuracy.proved', 'expected knees')
-    found = room.json('knees', *slope, '--alpha', '0.34', '--set', 'units=si')
-    expect(found['v_plus']['proved'] is None
-           and 'not that in SI units' in found['v_plus']['not_proved'],
-           found['v_plus'])
+
+
+# In the SI, from reference numbers in units of V_star = 1e-6 m/s, L = 0.9e-6 m.
+PER = {'dieterich_gen': lambda psi: Decimal('0.9') * psi,
+       'perrin': lambda psi: 2 * Decimal('0.9') * psi.exp(),
+       'spinodal_gen': lambda psi: psi / 101}
+
+
+def in_si_units_the_reference_is_between_too(room):
+    for row in rows(room):
+        if row['law'] not in PER or row['form'] != 'asinh':
+            continue
+        found = room.json('knees', '--law', row['law'], '--alpha', '0.34',
+                          '--set', 'units=si', '--proved')
+        v_plus, psi = Decimal(row['v_plus']), Decimal(row['psi_sp'])
+        for number, exact in [
+                (found['v_plus'], v_plus / 10**6),
+                (found['ln_v_plus'], (v_plus / 10**6).ln()),
+                (found['x_excess'],
+                 Decimal(row['x_excess']) * Decimal('0.9e-6')),
+                (found['saddle']['lambda_plus'],
+                 Decimal(row['lambda_plus']) / Decimal('0.9')),
+                (found['mu_s_mean'], Decimal(row['mu_s_mean'])),
+                (found['saddle']['phi'], PER[row['law']](psi))]:
+            lo, hi = (Decimal(number['proved'][end]) for end in ('lo', 'hi'))
+            expect(lo <= exact <= hi and hi - lo < abs(exact) / 10**11, row['law'],
+                   exact, number)
 
 
 def nothing_is_proved_where_nobody_asks(room):
@@ -118,6 +141,7 @@ run_cases([
     a_scene_asks_for_it_too,
     files_hold_what_is_proved,
     labels_are_proved_in_text_json_and_file,
-    what_is_not_proved_is_refused_or_says_so,
+    what_is_not_proved_is_refused,
+    in_si_units_the_reference_is_between_too,
     nothing_is_proved_where_nobody_asks,
 ])

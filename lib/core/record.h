@@ -25,7 +25,8 @@ struct quantity {
     double error;
     double conditioning; /* relative; NaN where nobody asked */
     const char *reason;  /* borrowed, static; NULL when the value exists */
-    const struct proved *proved; /* borrowed; NULL: nobody asked */
+    const struct proved *proved; /* borrowed, two: of the number as it is, of
+                                    it in the SI; NULL: nobody asked */
     double spread;    /* the standard deviation that the scatter of the inputs
                          makes, linear; NaN: nobody asked, infinite: it cannot
                          be told */

@@ -187,11 +187,6 @@ static double spread_of(const struct unit_system *u, const struct unit *unit,
            (u->angle == ANGLE_TAN ? 1 + to * to : unit_scale(u, unit));
 }
 
-static const struct proved of_our_own = {
-    .not_proved = "what is proved is the number in units of V_star and L, not "
-                  "that in SI units"
-};
-
 struct quantity unit_quantity(const struct unit_system *u,
                               const struct unit *unit, struct quantity q)
 {
@@ -205,7 +200,7 @@ struct quantity unit_quantity(const struct unit_system *u,
     q.conditioning =
         conditioning_of(unit, q.value, to, q.conditioning, u->psi_is_log);
     q.spread = q.spread_si = spread_of(u, unit, to, &q);
-    q.proved = q.proved ? &of_our_own : NULL;
+    q.proved = q.proved && unit->kind != UNIT_ANGLE ? q.proved + 1 : NULL;
     q.value = to;
     q.error = error;
     return q;

@@ -4,20 +4,21 @@
 #include <stdlib.h>
 
 #include "proof_numbers.h"
+#include "proof_units.h"
 #include "study.h"
 
 /* A number and what is proved of it, for inputs as decimals and as doubles. */
 struct pair {
-    const char *name;
+    const char *name, *unit;
     struct quantity *number;
     size_t proof; /* of struct proof_numbers */
 };
 
 enum { SADDLE_NUMBERS = 4 }; /* come first */
 
-#define PAIR(name_, number_, proof_)                                           \
+#define PAIR(name_, unit_, number_, proof_)                                    \
     {                                                                          \
-        name_, &number_, offsetof(struct proof_numbers, proof_)                \
+        name_, unit_, &number_, offsetof(struct proof_numbers, proof_)         \
     }
 
 static const struct proof_number *number_of(const struct proof_numbers *n,
@@ -58,19 +59,24 @@ static bool contradicts(const struct quantity *q, const struct proof_number *p)
                                    p->value.lo <= q->value + q->error);
 }
 
+static struct proved outcome(const struct proof_number *p,
+                             struct interval value)
+{
+    if (p->not_proved)
+        return (struct proved){ .absent = p->absent,
+                                .not_proved =
+                                    p->absent ? NULL : p->not_proved };
+    return (struct proved){ .lo = value.lo, .hi = value.hi };
+}
+
 static void tell(struct study_proof *k, const struct pair *pair,
-                 const struct proof_numbers *n)
+                 const struct proof_numbers *n, const struct proof_units *units)
 {
     const struct proof_number *p = number_of(n, pair);
-    struct proved *out = &k->of[k->count++];
+    struct proved *out = k->of[k->count++];
 
-    *out = (struct proved){ .absent = p->absent };
-    if (p->not_proved == NULL) {
-        out->lo = p->value.lo;
-        out->hi = p->value.hi;
-    } else if (!p->absent) {
-        out->not_proved = p->not_proved;
-    }
+    out[0] = outcome(p, p->value);
+    out[1] = outcome(p, proof_in_si(units, pair->unit, p->value));
     pair->number->proved = out;
 }
 
@@ -108,21 +114,22 @@ enum status study_prove(struct study *s)
 {
     struct critical_numbers *c = &s->slider.critical;
     const struct pair pair[] = {
-        PAIR("saddle.v", s->saddle_numbers.v, v),
-        PAIR("saddle.psi", s->saddle_numbers.psi, psi),
-        PAIR("saddle.lambda_minus", s->saddle_numbers.lambda_minus,
+        PAIR("saddle.v", "V_star", s->saddle_numbers.v, v),
+        PAIR("saddle.psi", "psi", s->saddle_numbers.psi, psi),
+        PAIR("saddle.lambda_minus", "V_star/L", s->saddle_numbers.lambda_minus,
              lambda_minus),
-        PAIR("saddle.lambda_plus", s->saddle_numbers.lambda_plus, lambda_plus),
-        PAIR("v_plus", c->v_plus, v_plus),
-        PAIR("ln_v_plus", c->ln_v_plus, ln_v_plus),
-        PAIR("v_minus", c->v_minus, v_minus),
-        PAIR("ln_v_minus", c->ln_v_minus, ln_v_minus),
-        PAIR("psi_at_v0", c->psi_at_v0, psi_at_v0),
-        PAIR("x_excess", c->x_excess, x_excess),
-        PAIR("x_deficit", c->x_deficit, x_deficit),
-        PAIR("mu_s_num", c->mu_s_num, mu_s_num),
-        PAIR("mu_s_mean", c->mu_s_mean, mu_s_mean),
-        PAIR("fracture_energy", c->fracture_energy, fracture_energy),
+        PAIR("saddle.lambda_plus", "V_star/L", s->saddle_numbers.lambda_plus,
+             lambda_plus),
+        PAIR("v_plus", "V_star", c->v_plus, v_plus),
+        PAIR("ln_v_plus", "ln(V_star)", c->ln_v_plus, ln_v_plus),
+        PAIR("v_minus", "V_star", c->v_minus, v_minus),
+        PAIR("ln_v_minus", "ln(V_star)", c->ln_v_minus, ln_v_minus),
+        PAIR("psi_at_v0", "psi", c->psi_at_v0, psi_at_v0),
+        PAIR("x_excess", "L", c->x_excess, x_excess),
+        PAIR("x_deficit", "L", c->x_deficit, x_deficit),
+        PAIR("mu_s_num", "1", c->mu_s_num, mu_s_num),
+        PAIR("mu_s_mean", "1", c->mu_s_mean, mu_s_mean),
+        PAIR("fracture_energy", "L", c->fracture_energy, fracture_energy),
     };
     const size_t n = sizeof pair / sizeof *pair;
     size_t beside = 0; /* as many hold all that are */
@@ -136,8 +143,10 @@ enum status study_prove(struct study *s)
     if (status != STATUS_OK)
         return status;
     const struct proof_numbers numbers = proof_numbers_of(proof);
+    const struct proof_units units =
+        proof_units_of(&s->scene->law, &s->scene->material);
     for (size_t i = 0; i < n; i++) {
-        tell(&s->proof, &pair[i], &numbers);
+        tell(&s->proof, &pair[i], &numbers, &units);
         if (contradicts(pair[i].number, number_of(&numbers, &pair[i])))
             beside = i < SADDLE_NUMBERS ? SADDLE_NUMBERS : n;
     }

@@ -15,7 +15,7 @@ enum { STUDY_PROVED = 24 };
 /* Numbers point into `of`. */
 struct study_proof {
     struct proof *exact; /* of the inputs as decimals; owned, NULL: none */
-    struct proved of[STUDY_PROVED];
+    struct proved of[STUDY_PROVED][2]; /* as they are, in the SI */
     size_t count;
     struct fault lie; /* which number contradicts it; empty: none */
 };
