@@ -268,7 +268,7 @@ const struct picture_plane_look picture_plane_look[PLANE_TYPES] = {
 
 static void add_equilibria(const struct picture *p)
 {
-    for (size_t i = 0; i < p->s->rests; i++) {
+    for (size_t i = 0; i < p->s->listed; i++) {
         const struct plane_rest *r = &p->s->rest[i];
         const struct vec2 at = shown(p, r->z);
         figure_add(p->figure, &(struct figure_layer){

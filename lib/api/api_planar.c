@@ -31,10 +31,10 @@ static enum status fill_branches(slipway_plane *p)
     const struct plane_study *s = &p->study;
     enum status status = STATUS_OK;
 
-    p->branch = calloc(s->branches + 1, sizeof *p->branch);
+    p->branch = calloc(s->listed_branches + 1, sizeof *p->branch);
     if (p->branch == NULL)
         return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < s->branches && status == STATUS_OK; i++) {
+    for (size_t i = 0; i < s->listed_branches && status == STATUS_OK; i++) {
         p->branch[i] = rows_of(&type);
         status = plane_rows_branch(s, &s->branch[i], &p->branch[i]);
     }
@@ -108,7 +108,7 @@ void slipway_plane_free(slipway_plane *plane)
 {
     if (plane == NULL)
         return;
-    for (size_t i = 0; i < plane->study.branches && plane->branch; i++)
+    for (size_t i = 0; i < plane->study.listed_branches && plane->branch; i++)
         rows_free(&plane->branch[i]);
     free(plane->branch);
     plane_study_free(&plane->study);
@@ -128,7 +128,7 @@ size_t slipway_plane_equilibria(const slipway_plane *plane, slipway_rest out[],
 {
     const struct plane_study *s = &plane->study;
 
-    for (size_t i = 0; i < s->rests && i < room; i++) {
+    for (size_t i = 0; i < s->listed && i < room; i++) {
         const struct plane_rest *r = &s->rest[i];
         out[i] = (slipway_rest){ .name = r->name,
                                  .type = (slipway_rest_type) r->type,
@@ -141,7 +141,7 @@ size_t slipway_plane_equilibria(const slipway_plane *plane, slipway_rest out[],
     }
     if (complete)
         *complete = s->complete;
-    return s->rests;
+    return s->listed;
 }
 
 size_t slipway_plane_manifolds(const slipway_plane *plane,
@@ -149,7 +149,7 @@ size_t slipway_plane_manifolds(const slipway_plane *plane,
 {
     const struct plane_study *s = &plane->study;
 
-    for (size_t i = 0; i < s->branches && i < room; i++) {
+    for (size_t i = 0; i < s->listed_branches && i < room; i++) {
         const struct plane_branch *b = &s->branch[i];
         out[i] = (slipway_manifold){
             .saddle = b->rest,
@@ -161,13 +161,13 @@ size_t slipway_plane_manifolds(const slipway_plane *plane,
             .length = api_number(&b->length),
         };
     }
-    return s->branches;
+    return s->listed_branches;
 }
 
 const slipway_place *slipway_plane_points(const slipway_plane *plane,
                                           size_t which, size_t *count)
 {
-    const bool is = which < plane->study.branches;
+    const bool is = which < plane->study.listed_branches;
 
     *count = is ? plane->branch[which].count : 0;
     return is ? plane->branch[which].at : NULL;

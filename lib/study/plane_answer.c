@@ -20,9 +20,10 @@ enum status plane_answer_at(const struct plane_study *s, const double state[2],
     for (int i = 0; i < 2; i++)
         z[i] = scene_axis_is_log(s->scene, i) ? log(state[i]) : state[i];
     const struct vec2 at = { z[0], z[1] };
-    if (box_holds(s->window.box, at)) {
-        status = plane_basin_at(s, at, &label);
-    } else {
+    const bool inside = box_holds(s->window.box, at);
+    status = inside ? plane_basin_at(s, at, false, &label) : STATUS_OK;
+    if (status == STATUS_OK && label < 0 &&
+        !(inside && plane_basin_is_near(s, at))) {
         status = plane_orbit(s, at, false, &guide, &goal);
         label = plane_label_of(s, &goal);
     }

@@ -9,7 +9,8 @@ struct plane_answer {
 };
 
 /* Inside the window by the map of basins, in which a state may lie too near to
- * a boundary to tell; beyond it by the state's own orbit.  The basins are
+ * a boundary to tell; beyond it, and in regions whose boundaries are not known,
+ * by the state's own orbit.  The basins are
  * known; state[] as the formulas have it, finite, > 0 where it is positive.
  * STATUS_NO_MEMORY. */
 MUST_CHECK enum status plane_answer_at(const struct plane_study *s,

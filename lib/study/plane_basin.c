@@ -8,6 +8,7 @@
 
 #include "basin.h"
 #include "plane_border.h"
+#include "plane_branch.h"
 #include "plane_label.h"
 #include "plane_mosaic.h"
 #include "plane_orbit.h"
@@ -127,12 +128,12 @@ static enum status check_rests(const struct plane_study *s, size_t *asked,
 {
     enum status status = STATUS_OK;
 
-    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++) {
+    for (size_t i = 0; i < s->listed && status == STATUS_OK; i++) {
         const struct plane_goal goal = { .kind = PLANE_GOAL_REST, .index = i };
         int8_t label = -1;
         if (!(s->rest[i].trap[0].size > 0.0))
             continue;
-        status = plane_basin_at(s, s->rest[i].z, &label);
+        status = plane_basin_at(s, s->rest[i].z, true, &label);
         *asked += label >= 0;
         *wrong += label >= 0 && !plane_label_allows(s, label, &goal);
     }
@@ -159,7 +160,7 @@ static void audit_part(const struct plane_study *s, size_t first, size_t last,
             window_at(&s->window, vec2_spread(shift, (double) i + 1.0));
         struct plane_goal goal;
         int8_t label;
-        if (plane_basin_at(s, z, &label) != STATUS_OK ||
+        if (plane_basin_at(s, z, true, &label) != STATUS_OK ||
             (label >= 0 &&
              plane_orbit(s, z, false, NULL, &goal) != STATUS_OK)) {
             failed++;
@@ -245,7 +246,7 @@ static enum status mark_flats(struct plane_study *s)
             status = plane_basin_at(
                 s,
                 (struct vec2){ off_middle(from, to), f->w + (k ? off : -off) },
-                &side[k]);
+                true, &side[k]);
         s->basin.border[f->chain].divides |= side[0] != side[1];
     }
     return status;
@@ -266,10 +267,12 @@ static enum status list_boundary(struct plane_study *s)
             known = known || (b->border[k].of == of && b->border[k].divides);
         if (known)
             continue;
-        if (of >= s->branches)
-            b->boundary[b->boundaries++] =
-                (struct plane_boundary){ RECORD_COUNT_NONE,
-                                         s->cycle[of - s->branches].name };
+        if (of >= s->listed_branches)
+            b->boundary[b->boundaries++] = (struct plane_boundary){
+                RECORD_COUNT_NONE, of < s->branches
+                                       ? s->rest[s->branch[of].rest].name
+                                       : s->cycle[of - s->branches].name
+            };
         else
             for (size_t k = 0; k < 2; k++)
                 b->boundary[b->boundaries++] =
@@ -281,8 +284,7 @@ static enum status list_boundary(struct plane_study *s)
 
 /* ---- all ----------------------------------------------------------------- */
 
-static enum status work(struct plane_study *s, struct patches *p,
-                        const struct monitor *monitor)
+static enum status room_for_patches(struct patches *p)
 {
     const size_t room = p->r->most + 1, n = p->r->count + 1;
 
@@ -293,13 +295,46 @@ static enum status work(struct plane_study *s, struct patches *p,
     p->below = calloc(room, sizeof *p->below);
     p->above = calloc(room, sizeof *p->above);
     p->before = calloc(room, sizeof *p->before);
-    if (!p->of || !p->area || !p->part || !p->goal || !p->below || !p->above ||
-        !p->before)
-        return STATUS_NO_MEMORY;
-    regions_areas(p->r, s->window.box, measure_of(s), p->below, p->area);
-    enum status status = plane_label_all(s, p, monitor);
+    return p->of && p->area && p->part && p->goal && p->below && p->above &&
+                   p->before
+               ? STATUS_OK
+               : STATUS_NO_MEMORY;
+}
+
+static void free_patches(struct patches *p)
+{
+    free(p->of);
+    free(p->area);
+    free(p->part);
+    free(p->goal);
+    free(p->below);
+    free(p->above);
+    free(p->before);
+}
+
+/* Cuts the window by all borders that are known, and labels its regions. */
+static enum status cut(struct plane_study *s, struct patches *p,
+                       const struct monitor *monitor, bool *news)
+{
+    enum status status = plane_branch_grow_outside(s);
+
     if (status == STATUS_OK)
-        status = name_shares(s);
+        status = plane_border_find(s);
+    if (status == STATUS_OK)
+        status = regions_init(&s->basin.regions, &s->basin.cuts);
+    if (status == STATUS_OK)
+        status = room_for_patches(p);
+    if (status != STATUS_OK)
+        return status;
+    regions_areas(p->r, s->window.box, measure_of(s), p->below, p->area);
+    return plane_label_all(s, p, monitor, news);
+}
+
+static enum status share_and_audit(struct plane_study *s, struct patches *p,
+                                   const struct monitor *monitor)
+{
+    enum status status = name_shares(s);
+
     if (status != STATUS_OK)
         return status;
     mark_borders(p, s);
@@ -314,47 +349,53 @@ static enum status work(struct plane_study *s, struct patches *p,
 enum status plane_basin_find(struct plane_study *s,
                              const struct monitor *monitor)
 {
-    struct patches p = { .s = s, .r = &s->basin.regions };
+    struct patches p;
     enum status status = plane_border_look(s);
+    bool news = true;
 
-    if (status == STATUS_OK)
-        status = plane_border_find(s);
-    if (status == STATUS_OK)
-        status = regions_init(&s->basin.regions, &s->basin.cuts);
-    if (status == STATUS_OK)
-        status = work(s, &p, monitor);
-    free(p.of);
-    free(p.area);
-    free(p.part);
-    free(p.goal);
-    free(p.below);
-    free(p.above);
-    free(p.before);
+    while (news && status == STATUS_OK) {
+        plane_basin_free(&s->basin);
+        s->beyonds = 0;
+        p = (struct patches){ .s = s, .r = &s->basin.regions };
+        status = cut(s, &p, monitor, &news);
+        if (status == STATUS_OK && !news)
+            status = share_and_audit(s, &p, monitor);
+        free_patches(&p);
+    }
     return status;
 }
 
 /* ---- answers ------------------------------------------------------------- */
 
-enum status plane_basin_at(const struct plane_study *s, struct vec2 z,
-                           int8_t *label)
+bool plane_basin_is_near(const struct plane_study *s, struct vec2 z)
 {
-    const struct plane_basin *b = &s->basin;
-    struct crossing *c = calloc(b->regions.most + 1, sizeof *c);
+    const struct separatrix *cuts = &s->basin.cuts;
+    bool near = false;
     double lo, hi;
+
+    for (size_t i = 0; i < cuts->count; i++)
+        near = near || (separatrix_near(cuts, i, z.y, &lo, &hi) && z.x >= lo &&
+                        z.x <= hi);
+    for (size_t i = 0; i < cuts->flats; i++) {
+        const struct flat *f = &cuts->flat[i];
+        near = near || (fabs(z.y - f->w) <= f->error &&
+                        z.x >= f->from - f->error && z.x <= f->to + f->error);
+    }
+    return near;
+}
+
+enum status plane_basin_at(const struct plane_study *s, struct vec2 z,
+                           bool cells, int8_t *label)
+{
+    const struct regions *r = &s->basin.regions;
+    struct crossing *c = calloc(r->most + 1, sizeof *c);
 
     if (c == NULL)
         return STATUS_NO_MEMORY;
-    *label = plane_mosaic_at(s, regions_at(&b->regions, z, c), z, c);
-    for (size_t i = 0; i < b->cuts.count; i++)
-        if (separatrix_near(&b->cuts, i, z.y, &lo, &hi) && z.x >= lo &&
-            z.x <= hi)
-            *label = -1;
-    for (size_t i = 0; i < b->cuts.flats; i++) {
-        const struct flat *f = &b->cuts.flat[i];
-        if (fabs(z.y - f->w) <= f->error && z.x >= f->from - f->error &&
-            z.x <= f->to + f->error)
-            *label = -1;
-    }
+    const size_t region = regions_at(r, z, c);
+    *label = plane_basin_is_near(s, z) ? -1
+             : cells                   ? plane_mosaic_at(s, region, z, c)
+                                       : r->region[region].label;
     free(c);
     return STATUS_OK;
 }
@@ -391,7 +432,7 @@ enum status plane_basin_fill(const struct plane_study *s, size_t columns,
     for (size_t i = 0; i < columns * count && status == STATUS_OK; i++) {
         const struct vec2 z = { x[i % columns], y[i / columns] };
         if (out[i] < 0 && s->basin.mosaics > 0)
-            status = plane_basin_at(s, z, &out[i]);
+            status = plane_basin_at(s, z, true, &out[i]);
         if (out[i] < 0)
             out[i] = (int8_t) s->basin.labels;
     }

@@ -11,10 +11,14 @@
 MUST_CHECK enum status plane_basin_find(struct plane_study *s,
                                         const struct monitor *monitor);
 
-/* The label, a number of s->basin.share, of an absolute point; -1 where it may
- * lie on a boundary or is not known. */
+/* Whether an absolute point may lie on a curve that divides. */
+bool plane_basin_is_near(const struct plane_study *s, struct vec2 z);
+
+/* The label, a number of s->basin.share, of an absolute point; below 0 where it
+ * may lie on a boundary or is not known, or where only its cell
+ * (plane_mosaic.h) has one, unless cells. */
 MUST_CHECK enum status plane_basin_at(const struct plane_study *s,
-                                      struct vec2 z, int8_t *label);
+                                      struct vec2 z, bool cells, int8_t *label);
 
 /* Rows of the grid of the scene, or of another one over the window, where cells
  * are even in the drawing. */

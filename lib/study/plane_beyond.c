@@ -136,6 +136,17 @@ static void add_word(const struct plane_study *s, int axis,
              a->name, at);
 }
 
+void plane_beyond_name(const struct plane_study *s, struct plane_beyond *b)
+{
+    b->word[0] = '\0';
+    add_word(s, 0, b);
+    add_word(s, 1, b);
+    if (b->word[0] == '\0')
+        strcpy(b->word, b->breaks  ? "singularity"
+                        : b->rests ? "outside"
+                                   : "infinity");
+}
+
 enum status plane_beyond_finish(struct plane_study *s)
 {
     struct plane_beyond *more =
@@ -153,15 +164,7 @@ enum status plane_beyond_finish(struct plane_study *s)
         if (!known)
             s->beyond[s->beyonds++] = (struct plane_beyond){ .rests = rests };
     }
-    for (size_t i = 0; i < s->beyonds; i++) {
-        struct plane_beyond *b = &s->beyond[i];
-        b->word[0] = '\0';
-        add_word(s, 0, b);
-        add_word(s, 1, b);
-        if (b->word[0] == '\0')
-            strcpy(b->word, b->breaks  ? "singularity"
-                            : b->rests ? "outside"
-                                       : "infinity");
-    }
+    for (size_t i = 0; i < s->beyonds; i++)
+        plane_beyond_name(s, &s->beyond[i]);
     return STATUS_OK;
 }

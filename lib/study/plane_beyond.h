@@ -16,6 +16,9 @@ bool plane_beyond_agree(const struct plane_study *s,
                         const struct plane_beyond *a,
                         const struct plane_beyond *b);
 
+/* Its word. */
+void plane_beyond_name(const struct plane_study *s, struct plane_beyond *b);
+
 /* Keeps of *a what is known of both alike. */
 void plane_beyond_meet(const struct plane_study *s, struct plane_beyond *a,
                        const struct plane_beyond *b);

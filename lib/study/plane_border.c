@@ -18,7 +18,7 @@
 
 /* ---- cycles that repel --------------------------------------------------- */
 
-static enum status look_from(struct plane_study *s, struct vec2 z)
+enum status plane_border_look_from(struct plane_study *s, struct vec2 z)
 {
     struct plane_goal goal;
     size_t index;
@@ -34,9 +34,9 @@ static enum status look_beside(struct plane_study *s, struct vec2 z,
                                double part)
 {
     const struct vec2 d = { part * s->scale.side.x, 0.0 };
-    const enum status status = look_from(s, vec2_add(z, d));
+    const enum status status = plane_border_look_from(s, vec2_add(z, d));
 
-    return status ? status : look_from(s, vec2_sub(z, d));
+    return status ? status : plane_border_look_from(s, vec2_sub(z, d));
 }
 
 enum status plane_border_look(struct plane_study *s)
@@ -45,7 +45,7 @@ enum status plane_border_look(struct plane_study *s)
 
     for (size_t i = 0; i < s->rests && status == STATUS_OK; i++)
         if (s->rest[i].trap[0].size > 0.0)
-            status = look_from(
+            status = plane_border_look_from(
                 s, vec2_add(s->rest[i].z,
                             (struct vec2){ 0.1 * s->rest[i].trap[0].size *
                                                s->scale.side.x,
@@ -328,20 +328,33 @@ bool plane_border_is_weak(const struct plane_study *s)
     return weak;
 }
 
+/* A stable manifold is one chain; an unstable one, which crosses that at the
+ * saddle, two, which end there: the order of chains along rows changes only at
+ * their ends. */
+static enum status add_manifold(struct plane_study *s, size_t of)
+{
+    const struct plane_branch *b = &s->branch[of];
+    const struct plane_rest *r = &s->rest[b->rest];
+    const struct curve *const c[2] = { &b[0].curve.curve, &b[1].curve.curve },
+                              *const one[2] = { c[0], NULL },
+                              *const other[2] = { NULL, c[1] };
+    const double error = vec2_length(r->error);
+
+    if (b->kind == MANIFOLD_STABLE)
+        return add(s, c, 0, r->z, error, of);
+    const enum status status = add(s, one, 0, r->z, error, of);
+    return status ? status : add(s, other, 0, r->z, error, of);
+}
+
 enum status plane_border_find(struct plane_study *s)
 {
     const bool all = plane_border_is_weak(s);
     enum status status = STATUS_OK;
 
-    for (size_t i = 0; i + 1 < s->branches && status == STATUS_OK; i++) {
-        const struct plane_branch *b = &s->branch[i];
-        if ((b->kind != MANIFOLD_STABLE && !all) || b->branch != 0)
-            continue;
-        const struct curve *const c[2] = { &b[0].curve.curve,
-                                           &b[1].curve.curve };
-        status = add(s, c, 0, s->rest[b->rest].z,
-                     vec2_length(s->rest[b->rest].error), i);
-    }
+    for (size_t i = 0; i + 1 < s->branches && status == STATUS_OK; i++)
+        if (s->branch[i].branch == 0 &&
+            (s->branch[i].kind == MANIFOLD_STABLE || all))
+            status = add_manifold(s, i);
     for (size_t k = 0; k < s->cycles && status == STATUS_OK; k++)
         if (s->cycle[k].type == PLANE_CYCLE_UNSTABLE)
             status = add_cycle(s, k);

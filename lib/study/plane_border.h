@@ -7,6 +7,10 @@
  * and cycle.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status plane_border_look(struct plane_study *s);
 
+/* A cycle that repels, from an absolute point backward in time. */
+MUST_CHECK enum status plane_border_look_from(struct plane_study *s,
+                                              struct vec2 z);
+
 /* Whether something may neither attract nor repel, or both: around a centre
  * orbits are held in by unstable manifolds, too, which are borders then, and
  * half of what is next to a fold goes there. */

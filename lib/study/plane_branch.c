@@ -288,11 +288,13 @@ static enum status settle(struct plane_study *s, struct plane_branch *b,
     return status;
 }
 
-/* Both branches of one manifold; where it has no series they are empty. */
+/* Adds both branches of one manifold; where it has no series they are empty. */
 static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
-                        enum manifold_kind kind, struct vec2 *rests,
-                        const struct monitor *monitor)
+                        enum manifold_kind kind, const struct monitor *monitor)
 {
+    struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
+    struct plane_branch *more =
+        realloc(s->branch, (s->branches + 2) * sizeof *more);
     const struct plane_rest *r = &s->rest[rest];
     const int way = kind == MANIFOLD_STABLE ? 0 : 1;
     struct following f = { .s = s,
@@ -307,6 +309,13 @@ static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
     struct local_series u = { .ind = 0 };
     struct equilibrium e;
 
+    s->branch = more ? more : s->branch;
+    if (rests == NULL || more == NULL) {
+        free(rests);
+        return STATUS_NO_MEMORY;
+    }
+    for (size_t i = 0; i < s->rests; i++)
+        rests[i] = s->rest[i].z;
     f.half[0].end = f.half[1].end = -1;
     o.follower = &follower;
     o.monitor = monitor;
@@ -315,6 +324,7 @@ static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
                                   o.order, TOL_TAYLOR_STEP * o.rtol, &u);
     if (status == STATUS_OK)
         status = grow_branches(f.system, &u, &o, half);
+    free(rests);
     if (status == STATUS_NO_MEMORY || status == STATUS_STOPPED)
         return status;
     const bool turned = u.ind == 1 && u.c[1] < 0.0;
@@ -337,26 +347,33 @@ static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
 enum status plane_branch_grow(struct plane_study *s,
                               const struct monitor *monitor)
 {
-    struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
     enum status status = STATUS_OK;
     int64_t saddle = 0;
 
-    s->branch = calloc(4 * s->saddles + 1, sizeof *s->branch);
-    if (rests == NULL || s->branch == NULL)
-        status = STATUS_NO_MEMORY;
-    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++)
-        rests[i] = s->rest[i].z;
     for (size_t i = 0; i < s->rests && status == STATUS_OK; i++) {
         if (s->rest[i].type != PLANE_SADDLE)
             continue;
         if (monitor_tell(monitor, "saddles", (uint64_t) saddle, s->saddles))
             status = STATUS_STOPPED;
         if (status == STATUS_OK)
-            status = grow(s, saddle, i, MANIFOLD_STABLE, rests, monitor);
+            status = grow(s, saddle, i, MANIFOLD_STABLE, monitor);
         if (status == STATUS_OK)
-            status = grow(s, saddle, i, MANIFOLD_UNSTABLE, rests, monitor);
+            status = grow(s, saddle, i, MANIFOLD_UNSTABLE, monitor);
         saddle++;
     }
-    free(rests);
+    s->listed_branches = s->branches;
+    return status;
+}
+
+enum status plane_branch_grow_outside(struct plane_study *s)
+{
+    enum status status = STATUS_OK;
+    size_t first = s->listed;
+
+    if (s->branches > s->listed_branches)
+        first = s->branch[s->branches - 1].rest + 1;
+    for (size_t i = first; i < s->rests && status == STATUS_OK; i++)
+        if (s->rest[i].type == PLANE_SADDLE)
+            status = grow(s, RECORD_COUNT_NONE, i, MANIFOLD_STABLE, NULL);
     return status;
 }

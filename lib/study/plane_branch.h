@@ -8,3 +8,7 @@
  * STATUS_STOPPED. */
 MUST_CHECK enum status plane_branch_grow(struct plane_study *s,
                                          const struct monitor *monitor);
+
+/* Adds the stable manifolds of the saddles outside the window that have none
+ * yet.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status plane_branch_grow_outside(struct plane_study *s);

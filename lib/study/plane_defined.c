@@ -85,8 +85,20 @@ bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,
         plan, s, (struct box){ vec2_sub(z, room), vec2_add(z, room) });
 }
 
-/* Whether formulas have values, and no equilibrium is there, if that is not in
- * the window; nothing is asked where curves are not followed. */
+/* Whether a box holds no equilibrium but one that is known. */
+static bool is_known(const struct plane_study *s, struct vec2 lo,
+                     struct vec2 hi)
+{
+    size_t i = 0;
+
+    while (i < s->rests && !(box_holds(s->rest[i].alone, lo) &&
+                             box_holds(s->rest[i].alone, hi)))
+        i++;
+    return i < s->rests;
+}
+
+/* Whether formulas have values, and no equilibrium that is not known is there;
+ * nothing is asked where curves are not followed. */
 static bool is_moving(struct interval_plan *p, const struct plane_study *s,
                       const struct interval chart[2])
 {
@@ -94,7 +106,7 @@ static bool is_moving(struct interval_plan *p, const struct plane_study *s,
     const struct vec2 lo = { chart[0].lo, chart[1].lo },
                       hi = { chart[0].hi, chart[1].hi };
     const struct box far = s->system[0].domain;
-    bool moves = box_holds(w, lo) && box_holds(w, hi);
+    bool moves = (box_holds(w, lo) && box_holds(w, hi)) || is_known(s, lo, hi);
 
     if ((moves && s->entire) || hi.x < far.lo.x || hi.y < far.lo.y ||
         lo.x > far.hi.x || lo.y > far.hi.y)
@@ -106,6 +118,61 @@ static bool is_moving(struct interval_plan *p, const struct plane_study *s,
         moves = moves || rate.lo > 0.0 || rate.hi < 0.0;
     }
     return moves;
+}
+
+/* ---- the way out --------------------------------------------------------- */
+
+/* The signs of a rate all over a box of the chart: 1 or -1, or 0 where it may
+ * be either, or formulas may have no values. */
+static int sign_over(struct interval_plan *p, const struct plane_study *s,
+                     const struct interval chart[2], int axis)
+{
+    if (!is_whole(p, s, chart))
+        return 0;
+    const struct interval rate = p->of[p->result[axis]].value;
+    return rate.lo > 0.0 ? 1 : rate.hi < 0.0 ? -1 : 0;
+}
+
+/* Whether orbits come in, or run along, where box[axis] ends at `to`: way 1
+ * from above. */
+static bool closes(struct interval_plan *p, const struct plane_study *s,
+                   const struct interval box[2], int axis, double to, int way)
+{
+    struct interval face[] = { box[0], box[1] };
+
+    face[axis] = (struct interval){ to, to };
+    return isinf(to) || sign_over(p, s, face, axis) == way;
+}
+
+bool plane_defined_escapes(struct interval_plan *plan,
+                           const struct plane_study *s, struct vec2 z,
+                           bool backward)
+{
+    const double side[] = { s->scale.side.x, s->scale.side.y };
+    const int time = backward ? -1 : 1;
+
+    for (int i = 0; i < 2; i++) {
+        const double at = part_of(z, i), other = part_of(z, 1 - i);
+        const int way = at > part_of(s->window.box.hi, i)   ? 1
+                        : at < part_of(s->window.box.lo, i) ? -1
+                                                            : 0;
+        const struct interval beside[] = { { -HUGE_VAL, HUGE_VAL },
+                                           { other, HUGE_VAL },
+                                           { -HUGE_VAL, other },
+                                           { other - side[1 - i],
+                                             other + side[1 - i] } };
+        for (int k = 0; k < 4 && way != 0; k++) {
+            struct interval box[2];
+            box[i] = way > 0 ? (struct interval){ at, HUGE_VAL }
+                             : (struct interval){ -HUGE_VAL, at };
+            box[1 - i] = beside[k];
+            if (sign_over(plan, s, box, i) == way * time &&
+                closes(plan, s, box, 1 - i, beside[k].lo, time) &&
+                closes(plan, s, box, 1 - i, beside[k].hi, -time))
+                return true;
+        }
+    }
+    return false;
 }
 
 /* ---- pieces -------------------------------------------------------------- */

@@ -28,6 +28,13 @@ enum plane_defined plane_defined_along(struct interval_plan *plan,
                                        const struct curve *c, size_t piece,
                                        struct vec2 origin, double *theta);
 
+/* Whether the orbit from an absolute point outside the window is proved to
+ * leave all bounds: from there on, within bounds of the other coordinate that
+ * it does not cross, or anywhere, one coordinate only goes further out. */
+bool plane_defined_escapes(struct interval_plan *plan,
+                           const struct plane_study *s, struct vec2 z,
+                           bool backward);
+
 /* At all places of a box. */
 bool plane_defined_in(struct interval_plan *plan, const struct plane_study *s,
                       struct box b);

@@ -9,8 +9,10 @@
 #include "plane_beyond.h"
 #include "plane_border.h"
 #include "plane_cycle.h"
+#include "plane_edge.h"
 #include "plane_mosaic.h"
 #include "plane_orbit.h"
+#include "plane_rest.h"
 #include "study_tolerance.h"
 
 /* ---- goals --------------------------------------------------------------- */
@@ -53,10 +55,13 @@ int8_t plane_label_of(const struct plane_study *s, const struct plane_goal *g)
 /* Whether it is of something outside the window. */
 static bool is_outside(const struct plane_study *s, int8_t label)
 {
-    size_t n = plane_label_beyond(s);
+    size_t n = 0;
 
+    for (size_t i = 0; i < s->rests; i++)
+        if (s->rest[i].trap[0].size > 0.0 && n++ == (size_t) label)
+            return i >= s->listed;
     if (label < 0 || (size_t) label < n + s->beyonds)
-        return label >= 0 && (size_t) label >= n;
+        return label >= 0;
     n += s->beyonds;
     for (size_t k = 0; k < s->cycles; k++)
         if (s->cycle[k].type == PLANE_CYCLE_STABLE && n++ == (size_t) label)
@@ -77,14 +82,31 @@ bool plane_label_allows(const struct plane_study *s, int8_t label,
     return label == plane_label_of(s, g);
 }
 
+bool plane_label_is_same(const struct plane_study *s,
+                         const struct plane_goal *a, const struct plane_goal *b)
+{
+    if (a->kind != b->kind || a->kind == PLANE_GOAL_LEFT)
+        return a->kind == b->kind;
+    return a->kind == PLANE_GOAL_BEYOND
+               ? plane_beyond_agree(s, &a->beyond, &b->beyond)
+               : a->index == b->index;
+}
+
+/* Whether it is of something outside the window. */
+static bool is_beyond(const struct plane_study *s, const struct plane_goal *g)
+{
+    return g->kind == PLANE_GOAL_LEFT || g->kind == PLANE_GOAL_BEYOND ||
+           (g->kind == PLANE_GOAL_REST && g->index >= s->listed) ||
+           (g->kind == PLANE_GOAL_CYCLE &&
+            !box_holds(s->window.box, g->round.at[0]));
+}
+
 /* Whether both are one; *a then is what is known of it. */
 static bool meet(const struct plane_study *s, struct plane_goal *a,
                  const struct plane_goal *b)
 {
-    if (a->kind == PLANE_GOAL_LEFT && b->kind == PLANE_GOAL_BEYOND)
-        return true;
-    if (a->kind == PLANE_GOAL_BEYOND && b->kind == PLANE_GOAL_LEFT)
-        a->kind = PLANE_GOAL_LEFT;
+    if (b->kind == PLANE_GOAL_LEFT)
+        return is_beyond(s, a);
     if (a->kind != b->kind)
         return false;
     if (a->kind != PLANE_GOAL_BEYOND)
@@ -96,45 +118,91 @@ static bool meet(const struct plane_study *s, struct plane_goal *a,
     return true;
 }
 
+/* ---- curves that divide -------------------------------------------------- */
+
+static size_t borders_of(const struct plane_study *s)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < s->rests; i++)
+        n += s->rest[i].type == PLANE_SADDLE;
+    for (size_t k = 0; k < s->cycles; k++)
+        n += s->cycle[k].type == PLANE_CYCLE_UNSTABLE;
+    return n;
+}
+
 /* ---- what is known so far ------------------------------------------------ */
 
 /* Patches that have their goal, while others still get theirs. */
 struct labelling {
     struct patches *p;
     struct plane_study *s;
-    bool *done; /* by region, of patches */
-    bool tiny;  /* the patch is so small that rounding makes closed orbits */
+    bool *done;      /* by region, of patches */
+    struct vec2 *at; /* where the orbit began that told their goal */
+    bool tiny;    /* the patch is so small that rounding makes closed orbits */
+    int edges;    /* looked for in this window */
+    size_t known; /* curves that are borders, when it began */
 };
 
-/* Orbits cross no border: whereto the patch goes that it has come to.  Not
- * where the border is too near to tell. */
-static bool knows(void *ctx, struct vec2 z, struct plane_goal *out)
+/* The patch that an absolute point is in, if no border is too near to tell. */
+static bool patch_at(const struct labelling *l, struct vec2 z, size_t *patch)
 {
-    const struct labelling *l = ctx;
     const struct regions *r = l->p->r;
     struct crossing *c = l->p->below;
     const size_t region = regions_at(r, z, c);
     const struct band *band = regions_band(r, z.y);
-    const size_t k = region - band->first, patch = plane_patch_of(l->p, region);
+    const size_t k = region - band->first;
     const double far = TOL_SAME * l->s->scale.side.x;
 
-    if (!l->done[patch] || !box_holds(l->s->window.box, z) ||
-        (k > 0 && !(z.x - c[k - 1].at > far + c[k - 1].error)) ||
-        (k < band->strands && !(c[k].at - z.x > far + c[k].error)))
+    *patch = plane_patch_of(l->p, region);
+    return l->done[*patch] && box_holds(l->s->window.box, z) &&
+           !(k > 0 && !(z.x - c[k - 1].at > far + c[k - 1].error)) &&
+           !(k < band->strands && !(c[k].at - z.x > far + c[k].error));
+}
+
+/* Orbits cross no border: whereto the patch goes that it has come to. */
+static bool knows(void *ctx, struct vec2 z, struct plane_goal *out)
+{
+    const struct labelling *l = ctx;
+    size_t patch;
+
+    if (!patch_at(l, z, &patch))
         return false;
     *out = l->p->goal[patch];
     return out->kind != PLANE_GOAL_NONE;
 }
 
+static bool has_news(const struct labelling *l)
+{
+    return borders_of(l->s) > l->known;
+}
+
 /* ---- witnesses ----------------------------------------------------------- */
 
-static enum status follow(struct labelling *l, struct vec2 z, bool alone,
-                          struct plane_goal *goal)
+/* An equilibrium outside the window, by its number. */
+static enum status know_rest(struct plane_study *s, struct plane_goal *goal)
 {
-    const struct plane_guide guide = { .rounds = &l->s->rounds,
-                                       .knows = alone ? NULL : knows,
-                                       .ctx = l };
-    enum status status = plane_orbit(l->s, z, false, &guide, goal);
+    const struct plane_beyond *b = &goal->beyond;
+    size_t rest;
+
+    if (goal->kind != PLANE_GOAL_BEYOND || !b->rests || b->breaks ||
+        b->way[0] != PLANE_WAY_LIMIT || b->way[1] != PLANE_WAY_LIMIT)
+        return STATUS_OK;
+    const enum status status =
+        plane_rest_add(s, (struct vec2){ b->limit[0], b->limit[1] }, &rest);
+    if (status == STATUS_OK && rest < s->rests &&
+        s->rest[rest].trap[0].size > 0.0) {
+        goal->kind = PLANE_GOAL_REST;
+        goal->index = rest;
+    }
+    return status;
+}
+
+/* Counts the steps of an orbit and names its goal: equilibria and cycles that
+ * are new are added. */
+static enum status take(struct labelling *l, struct plane_goal *goal)
+{
+    enum status status = know_rest(l->s, goal);
 
     l->s->basin.steps += (int64_t) goal->steps;
     if (goal->kind == PLANE_GOAL_CYCLE && l->tiny &&
@@ -149,172 +217,15 @@ static enum status follow(struct labelling *l, struct vec2 z, bool alone,
     return status;
 }
 
-/* A region of a band, and rows of it. */
-struct inside {
-    const struct patches *p;
-    const struct band *band;
-    size_t k;
-};
-
-static struct inside region_of(const struct patches *p, size_t region)
+static enum status follow(struct labelling *l, struct vec2 z, bool alone,
+                          struct plane_goal *goal)
 {
-    size_t i = 0;
+    const struct plane_guide guide = { .rounds = &l->s->rounds,
+                                       .knows = alone ? NULL : knows,
+                                       .ctx = l };
+    const enum status status = plane_orbit(l->s, z, false, &guide, goal);
 
-    while (i + 1 < p->r->bands && p->r->band[i + 1].first <= region)
-        i++;
-    return (struct inside){ p, &p->r->band[i], region - p->r->band[i].first };
-}
-
-enum { ROWS = 16 };
-
-/* How wide it is in the window on row i of some, and where; 0: nowhere. */
-static double width_at(const struct inside *in, int i, double *y, double *lo)
-{
-    const struct patches *p = in->p;
-    const struct box w = p->s->window.box;
-    const double from = fmax(in->band->lo, w.lo.y),
-                 to = fmin(in->band->hi, w.hi.y);
-
-    *y = from + off_middle(i, i + 1) / ROWS * (to - from);
-    const size_t n = separatrix_row(p->r->separatrix, *y, p->below);
-    if (n != in->band->strands)
-        return 0.0;
-    *lo = plane_patch_end(p->s, p->below, n, in->k);
-    return fmax(plane_patch_end(p->s, p->below, n, in->k + 1) - *lo, 0.0);
-}
-
-/* This far from the left to the right, on the row where it is widest; false: it
- * is nowhere wide. */
-static bool place_in(const struct inside *in, double part, struct vec2 *z)
-{
-    double widest = 0.0, y, lo = 0.0;
-
-    for (int i = 0; i < ROWS; i++) {
-        const double width = width_at(in, i, &y, &lo);
-        if (!(width > widest))
-            continue;
-        widest = width;
-        *z = (struct vec2){ lo + part * width, y };
-    }
-    return widest > 0.0;
-}
-
-/* Whether orbits from all over the region go there: curves that are not known
- * may divide it, of what is outside the window. */
-static enum status look_around(struct labelling *l, const struct inside *in,
-                               struct plane_goal *goal)
-{
-    static const double part[] = { 0.03, 0.33, 0.67, 0.97 };
-    enum status status = STATUS_OK;
-    struct plane_goal other;
-    double y, lo = 0.0;
-
-    for (int i = 0; i < ROWS; i += 5)
-        for (size_t j = 0; j < sizeof part / sizeof *part; j++) {
-            const double width = width_at(in, i, &y, &lo);
-            if (!(width > 0.0) || goal->kind == PLANE_GOAL_NONE)
-                continue;
-            status = follow(l, (struct vec2){ lo + part[j] * width, y }, true,
-                            &other);
-            if (status != STATUS_OK)
-                return status;
-            if (!meet(l->s, goal, &other))
-                goal->kind = PLANE_GOAL_NONE;
-        }
-    return status;
-}
-
-/* Whereto the inside of a region goes; cycles that are new are added.  Of a
- * small one, where its orbit comes to another patch, whereto that goes. */
-static enum status follow_region(struct labelling *l, size_t region, bool small,
-                                 struct plane_goal *goal)
-{
-    const struct inside in = region_of(l->p, region);
-    struct vec2 z;
-
-    goal->kind = PLANE_GOAL_NONE;
-    if (!place_in(&in, off_middle(0.0, 1.0), &z))
-        return STATUS_OK;
-    enum status status = follow(l, z, !small, goal);
-    return status || small ? status : look_around(l, &in, goal);
-}
-
-/* ---- patches ------------------------------------------------------------- */
-
-enum { WITNESSES = 3 };
-
-/* The largest regions of a patch, by area, and the area of all. */
-struct witnesses {
-    size_t patch, count, region[WITNESSES];
-    double area;
-};
-
-static void add_witness(const struct patches *p, struct witnesses *w, size_t i)
-{
-    size_t k = w->count < WITNESSES ? w->count++ : WITNESSES;
-
-    w->area += p->area[i].value;
-    for (; k > 0 && p->area[w->region[k - 1]].value < p->area[i].value; k--)
-        if (k < WITNESSES)
-            w->region[k] = w->region[k - 1];
-    if (k < WITNESSES)
-        w->region[k] = i;
-}
-
-static int by_area(const void *a, const void *b)
-{
-    const struct witnesses *p = a, *q = b;
-
-    if (p->area != q->area)
-        return p->area > q->area ? -1 : 1;
-    return p->patch < q->patch ? -1 : p->patch > q->patch;
-}
-
-/* Whether the middles of all other regions go there, as far as these are large.
- */
-static enum status look_on(struct labelling *l, const struct witnesses *w,
-                           double least, struct plane_goal *goal)
-{
-    enum status status = STATUS_OK;
-    struct plane_goal other;
-    struct vec2 z;
-
-    for (size_t i = 0; i < l->p->r->count && status == STATUS_OK; i++) {
-        const struct inside in = region_of(l->p, i);
-        bool seen = goal->kind == PLANE_GOAL_NONE ||
-                    l->p->area[i].value < least ||
-                    plane_patch_of(l->p, i) != w->patch;
-        for (size_t k = 0; k < w->count; k++)
-            seen = seen || w->region[k] == i;
-        if (seen || !place_in(&in, off_middle(0.0, 1.0), &z))
-            continue;
-        status = follow(l, z, true, &other);
-        if (status == STATUS_OK && !meet(l->s, goal, &other))
-            goal->kind = PLANE_GOAL_NONE;
-    }
-    return status;
-}
-
-/* Of a patch, which is small if its area is less than the least. */
-static enum status find_goal(struct labelling *l, const struct witnesses *w,
-                             double least)
-{
-    const bool small = w->area < least;
-    struct plane_goal *goal = &l->p->goal[w->patch], other;
-    const size_t n = small && w->count > 1 ? 1 : w->count;
-    enum status status = STATUS_OK;
-
-    for (size_t k = 0; k < n && status == STATUS_OK; k++) {
-        status = follow_region(l, w->region[k], small, k == 0 ? goal : &other);
-        if (k > 0 && !meet(l->s, goal, &other))
-            goal->kind = PLANE_GOAL_NONE;
-    }
-    if (status == STATUS_OK)
-        status = look_on(l, w, least, goal);
-    l->done[w->patch] = true;
-    if (status == STATUS_OK && goal->kind == PLANE_GOAL_BEYOND)
-        status = plane_beyond_add(l->s, &goal->beyond);
-    return status;
+    return status ? status : take(l, goal);
 }
 
 static enum status ask(void *ctx, struct vec2 z, struct plane_goal *goal)
@@ -322,66 +233,220 @@ static enum status ask(void *ctx, struct vec2 z, struct plane_goal *goal)
     return follow(ctx, z, false, goal);
 }
 
-/* The large regions of patches that are not of one goal. */
-static enum status divide(struct labelling *l, const struct witnesses w[],
-                          double all, const struct monitor *monitor)
+static enum status ask_alone(void *ctx, struct vec2 z, struct plane_goal *goal)
+{
+    return follow(ctx, z, true, goal);
+}
+
+/* ---- patches ------------------------------------------------------------- */
+
+/* A patch, its area, and its largest region. */
+struct whole {
+    size_t patch, largest;
+    double area;
+};
+
+static int by_area(const void *a, const void *b)
+{
+    const struct whole *p = a, *q = b;
+
+    if (p->area != q->area)
+        return p->area > q->area ? -1 : 1;
+    return p->patch < q->patch ? -1 : p->patch > q->patch;
+}
+
+/* Those of this area first that are larger; their area. */
+static double sort_patches(const struct patches *p, struct whole w[])
+{
+    double all = 0.0;
+
+    for (size_t i = 0; i < p->r->count; i++) {
+        const double area = fmax(p->area[i].value, 0.0);
+        struct whole *to = &w[plane_patch_of(p, i)];
+        w[i].patch = i;
+        if (to->area == 0.0 || area > p->area[to->largest].value)
+            to->largest = i;
+        to->area += area;
+        all += area;
+    }
+    qsort(w, p->r->count, sizeof *w, by_area);
+    return all;
+}
+
+/* By an orbit from its inside; of a small patch, where that comes to another
+ * patch, whereto that goes. */
+static enum status find_goal(struct labelling *l, const struct whole *w,
+                             bool small)
+{
+    struct plane_goal *goal = &l->p->goal[w->patch];
+    struct vec2 *z = &l->at[w->patch];
+    enum status status = STATUS_OK;
+
+    if (plane_patch_place(l->p, w->largest, z))
+        status = follow(l, *z, !small, goal);
+    l->done[w->patch] = true;
+    return status;
+}
+
+/* ---- all over the window ------------------------------------------------- */
+
+enum { LOOKS = 32 };
+
+/* One state more of a patch: what it has in common with the others; if that is
+ * less, what divides them is looked for. */
+static enum status compare(struct labelling *l, size_t patch, struct vec2 z,
+                           const struct plane_goal *goal)
+{
+    enum { EDGES = 3 };
+    struct plane_goal *own = &l->p->goal[patch];
+    struct plane_edge e = { { l->at[patch], z }, { *own, *goal } };
+    const bool both =
+        own->kind != PLANE_GOAL_NONE && goal->kind != PLANE_GOAL_NONE;
+
+    const bool one = meet(l->s, own, goal);
+    const bool less = own->beyond.way[0] != e.goal[0].beyond.way[0] ||
+                      own->beyond.way[1] != e.goal[0].beyond.way[1];
+    if (!one)
+        own->kind = PLANE_GOAL_NONE;
+    return both && (!one || less) && l->edges++ < EDGES
+               ? plane_edge_find(l->s, &e, ask_alone, l)
+               : STATUS_OK;
+}
+
+/* Orbits from more states, which those of their patches must go along with. */
+static enum status look_from(struct labelling *l, const struct vec2 z[],
+                             size_t n)
+{
+    struct plane_goal goal[LOOKS];
+    size_t patch[LOOKS];
+    bool known[LOOKS], failed = false;
+    enum status status = STATUS_OK;
+
+    for (size_t i = 0; i < n; i++)
+        known[i] = patch_at(l, z[i], &patch[i]) &&
+                   l->p->goal[patch[i]].kind != PLANE_GOAL_NONE;
+#pragma omp parallel for schedule(dynamic, 1) reduction(|| : failed)
+    for (size_t i = 0; i < n; i++)
+        failed = (known[i] && plane_orbit(l->s, z[i], false, NULL, &goal[i]) !=
+                                  STATUS_OK) ||
+                 failed;
+    if (failed)
+        return STATUS_NO_MEMORY;
+    for (size_t i = 0; i < n && status == STATUS_OK; i++) {
+        if (known[i])
+            status = take(l, &goal[i]);
+        if (known[i] && status == STATUS_OK)
+            status = compare(l, patch[i], z[i], &goal[i]);
+    }
+    return status;
+}
+
+/* Places spread over the window, and the middles of large regions, until there
+ * is a curve that divides more. */
+static enum status look_over(struct labelling *l, double least,
+                             const struct monitor *monitor)
+{
+    const size_t regions = l->p->r->count, n = TOL_PLANE_LOOKS + regions;
+    enum status status = STATUS_OK;
+    struct vec2 z[LOOKS];
+    size_t count = 0;
+
+    for (size_t i = 0; i < n && status == STATUS_OK && !has_news(l) &&
+                       l->s->basin.steps < TOL_PLANE_WORK;
+         i++) {
+        if (i < regions) {
+            count += l->p->area[i].value >= least &&
+                     plane_patch_place(l->p, i, &z[count]);
+        } else {
+            z[count++] = window_at(&l->s->window,
+                                   vec2_spread(0.25, (double) (i - regions)));
+        }
+        if (count < LOOKS && i + 1 < n)
+            continue;
+        status = monitor_tell(monitor, "regions", i, n)
+                     ? STATUS_STOPPED
+                     : look_from(l, z, count);
+        count = 0;
+    }
+    return status;
+}
+
+/* Whether a region, which is `part` of the window, is of a patch that is not of
+ * one goal, and large. */
+static bool is_open(const struct patches *p, size_t region, double part)
+{
+    return part >= TOL_PLANE_LITTLE && p->area[region].value > 0.0 &&
+           p->goal[plane_patch_of(p, region)].kind == PLANE_GOAL_NONE;
+}
+
+/* Those regions, with work by their areas. */
+static enum status divide(struct labelling *l, double all,
+                          const struct monitor *monitor)
 {
     const struct patches *p = l->p;
     enum status status = STATUS_OK;
+    double left = 0.0;
 
-    l->tiny = false;
-    for (size_t k = 0; k < p->r->count && w[k].area >= TOL_PLANE_LITTLE * all;
-         k++)
-        for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
-            const double part = p->area[i].value / all;
-            if (plane_patch_of(p, i) != w[k].patch || part < TOL_PLANE_LITTLE ||
-                p->goal[w[k].patch].kind != PLANE_GOAL_NONE)
-                continue;
-            status = monitor_tell(monitor, "cells", i, p->r->count)
-                         ? STATUS_STOPPED
-                         : plane_mosaic_add(l->s, l->p, i, part, ask, l);
-        }
+    for (size_t i = 0; i < p->r->count; i++)
+        left += is_open(p, i, p->area[i].value / all) ? p->area[i].value : 0.0;
+    l->s->basin.steps = 0;
+    for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
+        const double area = p->area[i].value;
+        const int64_t done = l->s->basin.steps,
+                      more = (int64_t) ((double) (TOL_PLANE_WORK - done) *
+                                        area / left);
+        if (!is_open(p, i, area / all))
+            continue;
+        status = monitor_tell(monitor, "cells", i, p->r->count)
+                     ? STATUS_STOPPED
+                     : plane_mosaic_add(l->s, l->p, i, area / all, done + more,
+                                        ask, l);
+        left -= area;
+    }
     return status;
 }
 
 /* The large ones first, as long as work goes. */
-static enum status find_goals(struct labelling *l, struct witnesses w[],
+static enum status find_goals(struct labelling *l, struct whole w[],
                               const struct monitor *monitor)
 {
     const size_t n = l->p->r->count;
+    const double all = sort_patches(l->p, w), least = TOL_PLANE_LITTLE * all;
     enum status status = STATUS_OK;
-    double all = 0.0;
 
-    for (size_t i = 0; i < n; i++) {
-        w[i].patch = i;
-        if (l->p->area[i].value > 0.0)
-            add_witness(l->p, &w[plane_patch_of(l->p, i)], i);
-    }
-    qsort(w, n, sizeof *w, by_area);
-    for (size_t i = 0; i < n; i++)
-        all += w[i].area;
-    for (size_t i = 0; i < n && w[i].count > 0 && status == STATUS_OK &&
+    for (size_t i = 0; i < n && w[i].area > 0.0 && status == STATUS_OK &&
                        l->s->basin.steps < TOL_PLANE_WORK;
          i++) {
         l->tiny = w[i].area < TOL_SAME * all;
-        status = monitor_tell(monitor, "regions", i, n)
-                     ? STATUS_STOPPED
-                     : find_goal(l, &w[i], TOL_PLANE_LITTLE * all);
+        status = find_goal(l, &w[i], w[i].area < least);
     }
-    return status ? status : divide(l, w, all, monitor);
+    l->tiny = false;
+    if (status == STATUS_OK)
+        status = look_over(l, least, monitor);
+    if (status == STATUS_OK && !has_news(l))
+        status = divide(l, all, monitor);
+    for (size_t i = 0; i < n && status == STATUS_OK; i++)
+        if (l->p->goal[i].kind == PLANE_GOAL_BEYOND)
+            status = plane_beyond_add(l->s, &l->p->goal[i].beyond);
+    return status;
 }
 
 enum status plane_label_all(struct plane_study *s, struct patches *p,
-                            const struct monitor *monitor)
+                            const struct monitor *monitor, bool *news)
 {
-    struct witnesses *w = calloc(p->r->count + 1, sizeof *w);
-    struct labelling l = { p, s, calloc(p->r->count + 1, sizeof *l.done),
-                           false };
-    enum status status = w && l.done ? STATUS_OK : STATUS_NO_MEMORY;
+    const size_t n = p->r->count + 1;
+    struct whole *w = calloc(n, sizeof *w);
+    struct labelling l = { .p = p,
+                           .s = s,
+                           .done = calloc(n, sizeof *l.done),
+                           .at = calloc(n, sizeof *l.at),
+                           .known = borders_of(s) };
+    enum status status = w && l.done && l.at ? STATUS_OK : STATUS_NO_MEMORY;
 
     plane_patch_join(p);
     if (status == STATUS_OK)
         status = find_goals(&l, w, monitor);
+    *news = has_news(&l);
     if (status == STATUS_OK)
         status = plane_beyond_finish(s);
     for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
@@ -392,5 +457,6 @@ enum status plane_label_all(struct plane_study *s, struct patches *p,
         plane_mosaic_name(s);
     free(w);
     free(l.done);
+    free(l.at);
     return status;
 }

@@ -6,9 +6,21 @@
 #include "plane_patch.h"
 
 /* Labels all regions, whose areas are known; fills s->beyond, and adds cycles
- * that are new.  STATUS_NO_MEMORY, STATUS_STOPPED. */
+ * that are new, and equilibria outside the window that orbits go to.  *news:
+ * there are new borders instead (plane_edge.h), by which the window is to be
+ * cut anew.  STATUS_NO_MEMORY, STATUS_STOPPED. */
 MUST_CHECK enum status plane_label_all(struct plane_study *s, struct patches *p,
-                                       const struct monitor *monitor);
+                                       const struct monitor *monitor,
+                                       bool *news);
+
+/* Whereto an absolute point goes. */
+typedef enum status plane_ask(void *ctx, struct vec2 z,
+                              struct plane_goal *goal);
+
+/* Whether two goals may be one. */
+bool plane_label_is_same(const struct plane_study *s,
+                         const struct plane_goal *a,
+                         const struct plane_goal *b);
 
 /* The label of a goal; -1: it has none. */
 int8_t plane_label_of(const struct plane_study *s,

@@ -142,7 +142,7 @@ enum status plane_margin_at(const struct plane_study *s, struct vec2 z,
     const bool inside = box_holds(s->window.box, z);
     struct margin_line l;
     int8_t label = -1;
-    enum status status = plane_basin_at(s, z, &label);
+    enum status status = plane_basin_at(s, z, true, &label);
 
     if (status == STATUS_OK)
         status = margin_init(&l, &s->basin.cuts, &s->basin.columns);

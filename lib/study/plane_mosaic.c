@@ -17,16 +17,6 @@ enum { UNKNOWN = -1, OPEN = -2, GOALS_MOST = 120, LEAST = 2 };
 
 /* ---- goals --------------------------------------------------------------- */
 
-static bool is_same(const struct plane_study *s, const struct plane_goal *a,
-                    const struct plane_goal *b)
-{
-    if (a->kind != b->kind || a->kind == PLANE_GOAL_LEFT)
-        return a->kind == b->kind;
-    return a->kind == PLANE_GOAL_BEYOND
-               ? plane_beyond_agree(s, &a->beyond, &b->beyond)
-               : a->index == b->index;
-}
-
 /* The number of a goal among those of the basins, of which it keeps what all
  * have in common. */
 static enum status number_of(struct plane_study *s,
@@ -38,7 +28,7 @@ static enum status number_of(struct plane_study *s,
     *number = UNKNOWN;
     if (goal->kind == PLANE_GOAL_NONE)
         return STATUS_OK;
-    while (i < b->goals && !is_same(s, &b->goal[i], goal))
+    while (i < b->goals && !plane_label_is_same(s, &b->goal[i], goal))
         i++;
     if (i == GOALS_MOST)
         return STATUS_OK;
@@ -117,6 +107,7 @@ struct dividing {
     int8_t *middle[9]; /* of the cells of each level and those around; or OPEN
                         */
     int8_t *label;     /* borrowed: of the finest */
+    int64_t most;
     plane_ask *ask;
     void *ctx;
 };
@@ -140,7 +131,7 @@ static enum status ask_middle(struct dividing *d, int level, int i, int j,
     struct vec2 z;
     enum status status = STATUS_OK;
 
-    if (*known == OPEN && d->s->basin.steps < TOL_PLANE_WORK) {
+    if (*known == OPEN && d->s->basin.steps < d->most) {
         if (place_at(&d->square, part, d->p->above, &z))
             status = d->ask(d->ctx, z, &goal);
         if (status == STATUS_OK)
@@ -231,8 +222,8 @@ static int levels_to(double side, double part)
 }
 
 enum status plane_mosaic_add(struct plane_study *s, struct patches *p,
-                             size_t region, double part, plane_ask *ask,
-                             void *ctx)
+                             size_t region, double part, int64_t most,
+                             plane_ask *ask, void *ctx)
 {
     struct plane_basin *b = &s->basin;
     const int levels = levels_to(TOL_PLANE_CELL, fmin(part, 1.0));
@@ -241,6 +232,7 @@ enum status plane_mosaic_add(struct plane_study *s, struct patches *p,
                           .square = square_of(s, region),
                           .levels = levels,
                           .n = 1 << levels,
+                          .most = most,
                           .ask = ask,
                           .ctx = ctx };
     enum status status = ROOM_FOR(b->mosaic, b->mosaic_room, b->mosaics + 1);

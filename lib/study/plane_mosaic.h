@@ -11,17 +11,15 @@
  */
 #pragma once
 
-#include "plane_patch.h"
-
-/* Whereto an absolute point goes. */
-typedef enum status plane_ask(void *ctx, struct vec2 z,
-                              struct plane_goal *goal);
+#include "plane_label.h"
 
 /* Adds the mosaic of a region, which is `part` of the window; its labels are
- * those of s->basin.goal.  STATUS_NO_MEMORY, or what ask returns. */
+ * those of s->basin.goal; no orbits more once those of the basins have taken
+ * `most` steps.  STATUS_NO_MEMORY, or what ask returns. */
 MUST_CHECK enum status plane_mosaic_add(struct plane_study *s,
                                         struct patches *p, size_t region,
-                                        double part, plane_ask *ask, void *ctx);
+                                        double part, int64_t most,
+                                        plane_ask *ask, void *ctx);
 
 /* From numbers of s->basin.goal to labels (plane_label.h), when all are known.
  */

@@ -35,6 +35,9 @@ static struct quantity share_beyond(const struct plane_study *s, bool rests,
 {
     struct quantity sum = quantity_of(0.0, 0.0);
 
+    for (size_t i = s->listed; i < s->rests && rests && !breaks; i++)
+        if (s->rest[i].trap[0].size > 0.0)
+            sum = sum_of(sum, s->rest[i].share);
     for (size_t i = 0; i < s->beyonds; i++)
         if (s->beyond[i].rests == rests && s->beyond[i].breaks == breaks)
             sum =
@@ -114,11 +117,11 @@ void plane_numbers_fill(struct plane_study *s)
     for (size_t i = 0; i < s->branches; i++)
         fill_leaves(s, &s->branch[i]);
     s->count = (struct plane_count){
-        .equilibria = (int64_t) s->rests,
+        .equilibria = (int64_t) s->listed,
         .undecided = (int64_t) s->undecided_count,
         .saddles = (int64_t) s->saddles,
     };
-    for (size_t i = 0; i < s->rests; i++)
+    for (size_t i = 0; i < s->listed; i++)
         s->count.attractors += s->rest[i].trap[0].size > 0.0;
     for (size_t k = 0; k < s->cycles; k++) {
         s->count.cycles++;
@@ -136,7 +139,7 @@ RESULT_VIEW(view_elsewhere, plane_study, &s->basin.elsewhere, 1)
 
 static size_t count_rests(const void *run)
 {
-    return ((const struct plane_study *) run)->rests;
+    return ((const struct plane_study *) run)->listed;
 }
 
 static const struct record_field count_fields[] = {
@@ -195,7 +198,7 @@ enum status plane_numbers_frame(struct plane_study *frame,
     *frame = (struct plane_study){ .scene = scene,
                                    .products = scene->products |
                                                1u << PRODUCT_EQUILIBRIA,
-                                   .rests = PLANE_RESTS_ALONE };
+                                   .listed = PLANE_RESTS_ALONE };
     for (int i = 0; i < 2; i++)
         frame->system[0].axis[i].name = scene->system->state[i].name;
     return plane_results_make(frame);

@@ -52,7 +52,8 @@ static size_t cycle_ahead(const struct plane_study *s, const struct winding *w,
 
 struct walk {
     const struct plane_study *s;
-    const struct planar *system;
+    struct planar *system;
+    double far; /* how many windows far it is followed */
     bool backward, stiff, stopped;
     bool broken;     /* formulas may have no values on the last piece */
     bool lost;       /* it has come to where rounding decides: plane_weak.h */
@@ -250,10 +251,44 @@ static bool goes_on(struct walk *w, struct plane_goal *out)
 
 /* ---- an orbit ------------------------------------------------------------ */
 
-static bool has_left_domain(const struct walk *w)
+/* Whether the coordinate that is larger, in windows, grows no slower than the
+ * other one: else that is the larger one in time, and nothing is known. */
+static bool is_settled(const struct walk *w)
 {
-    return w->implicit.end == ORBIT_LEFT_DOMAIN ||
-           !box_holds(w->system->domain, place_of(w));
+    const struct vec2 side = w->s->scale.side;
+    const struct vec2 z = vec2_sub(place_of(w), w->s->system[0].origin);
+    struct planar_field f;
+
+    w->system->field(w->system->ctx, vec2_sub(place_of(w), w->system->origin),
+                     &f);
+    const double x = f.direction.x * z.y, y = f.direction.y * z.x;
+    const double more = fabs(z.x) / side.x > fabs(z.y) / side.y
+                            ? y / (z.x * z.y) - x / (z.x * z.y)
+                            : x / (z.x * z.y) - y / (z.x * z.y);
+    return !(more > TOL_SAME * fabs(x / (z.x * z.y)));
+}
+
+/* Whether it is beyond where orbits are followed, and does not come back: as is
+ * proved, or as it goes round and round, or as far as numbers tell. */
+static bool has_left(struct walk *w)
+{
+    const struct planar_axis *axis = w->system->axis;
+    const struct box d = w->system->domain;
+
+    if (w->implicit.end == ORBIT_LEFT_DOMAIN)
+        return true;
+    if (box_holds(d, place_of(w)))
+        return false;
+    if (w->escape.left || axis[0].is_log || axis[1].is_log ||
+        plane_defined_escapes(w->plan, w->s, place_of(w), w->backward))
+        return true;
+    w->far *= TOL_PLANE_FAR;
+    if (!(w->far <= TOL_PLANE_INFINITY)) {
+        w->lost = !is_settled(w);
+        return !w->lost;
+    }
+    w->system->domain = box_grow(d, TOL_PLANE_FAR);
+    return false;
 }
 
 /* Whether the orbit ends where it is now. */
@@ -267,10 +302,11 @@ static bool arrives(struct walk *w, struct plane_goal *out)
         return true;
     if (is_trapped(w->s, here, w->backward, &out->index)) {
         out->kind = PLANE_GOAL_REST;
-    } else if (plane_beyond_at(w->s, here, w->backward, has_left_domain(w),
-                               &end)) {
+    } else if (plane_beyond_at(w->s, here, w->backward, has_left(w), &end)) {
         out->kind = PLANE_GOAL_BEYOND;
         out->beyond = end;
+        for (int i = 0; i < 2 && w->escape.left && !end.rests; i++)
+            out->beyond.way[i] = PLANE_WAY_UNKNOWN;
     } else {
         return w->stopped || winding_is_closed(&w->winding, &w->s->scale);
     }
@@ -299,6 +335,7 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
     struct planar system = s->system[backward];
     struct walk w = { .s = s,
                       .system = &system,
+                      .far = TOL_PLANE_FAR,
                       .backward = backward,
                       .lost = plane_weak_at(s, z, TOL_PLANE_LITTLE),
                       .guide = guide,

@@ -7,6 +7,9 @@
 #include <stdlib.h>
 
 #include "equilibria.h"
+#include "plane_beyond.h"
+#include "study_tolerance.h"
+#include "tolerance.h"
 
 const char *const plane_type_names[] = { "saddle",
                                          "stable_node",
@@ -38,6 +41,8 @@ static enum status fill(const struct plane_study *s,
     r->type = (int8_t) e->type;
     r->z = (struct vec2){ x.value, y.value };
     r->error = (struct vec2){ x.error, y.error };
+    r->alone = (struct box){ { e->box[0][0], e->box[1][0] },
+                             { e->box[0][1], e->box[1][1] } };
     for (int i = 0; i < 2; i++) {
         r->state[i] = number(&e->state[i]);
         r->lambda[i].re = number(&e->eigenvalue[i].re);
@@ -107,6 +112,7 @@ static enum status keep(struct plane_study *s,
     }
     if (status != STATUS_OK)
         return status;
+    s->listed = s->rests;
     s->saddles = count[PLANE_SADDLE];
     for (size_t i = 0; i < s->undecided_count; i++)
         for (int k = 0; k < 2; k++) {
@@ -132,4 +138,98 @@ enum status plane_rest_find(struct plane_study *s, struct fault *why)
         status = keep(s, found, why);
     free(found);
     return status;
+}
+
+/* ---- outside the window ---------------------------------------------------
+ */
+
+static size_t known_at(const struct plane_study *s, struct vec2 z)
+{
+    size_t i = 0;
+
+    while (i < s->rests &&
+           vec2_length(arrival_from(&s->scale, z, s->rest[i].z)) > TOL_SAME)
+        i++;
+    return i;
+}
+
+/* Newton's steps from *z, within the place where curves are followed. */
+static bool settle(const struct plane_study *s, struct vec2 *z)
+{
+    enum { STEPS = 30 };
+    const struct planar *system = &s->system[0];
+    struct planar_jacobian J;
+
+    for (int i = 0; i < STEPS; i++) {
+        system->jacobian(system->ctx, vec2_sub(*z, system->origin), &J);
+        const struct vec2 f = J.field.direction;
+        const double det =
+            J.matrix.xx * J.matrix.yy - J.matrix.xy * J.matrix.yx;
+        const struct vec2 step = {
+            (J.matrix.yy * f.x - J.matrix.xy * f.y) / det,
+            (J.matrix.xx * f.y - J.matrix.yx * f.x) / det
+        };
+        *z = vec2_sub(*z, step);
+        if (!box_holds(system->domain, *z))
+            return false;
+        if (vec2_length(arrival_from(&s->scale, step, (struct vec2){ 0 })) <=
+            TOL_ROUNDED)
+            return true;
+    }
+    return false;
+}
+
+static enum status append(struct plane_study *s,
+                          const struct system_equilibrium *e, struct fault *why)
+{
+    struct plane_rest *more = realloc(s->rest, (s->rests + 1) * sizeof *more);
+    struct plane_beyond at = { .rests = true };
+
+    if (more == NULL)
+        return STATUS_NO_MEMORY;
+    s->rest = more;
+    struct plane_rest *r = &s->rest[s->rests];
+    *r = (struct plane_rest){ .name = NULL };
+    const enum status status = fill(s, e, r, why);
+    if (status != STATUS_OK) {
+        free(r->plane);
+        return status;
+    }
+    s->rests++;
+    at.limit[0] = r->z.x;
+    at.limit[1] = r->z.y;
+    at.way[0] = at.way[1] = PLANE_WAY_LIMIT;
+    plane_beyond_name(s, &at);
+    snprintf(r->word, sizeof r->word, "%s", at.word);
+    for (size_t i = 0; i < s->rests; i++) /* they may have moved */
+        s->rest[i].name = s->rest[i].word;
+    keep_apart(s);
+    return STATUS_OK;
+}
+
+enum status plane_rest_add(struct plane_study *s, struct vec2 z, size_t *index)
+{
+    struct system_equilibria *found;
+    struct fault why;
+    enum status status = STATUS_OK;
+
+    *index = s->rests;
+    if (!settle(s, &z))
+        return STATUS_OK;
+    *index = known_at(s, z);
+    if (*index < s->rests || box_holds(plane_study_box(s), z))
+        return STATUS_OK;
+    const struct vec2 near = vec2_scale(TOL_PLANE_NEARBY, s->scale.side);
+    const struct system_window w = { { z.x - near.x, z.y - near.y },
+                                     { z.x + near.x, z.y + near.y } };
+    found = malloc(sizeof *found);
+    if (found == NULL)
+        return STATUS_NO_MEMORY;
+    if (system_equilibria_find(s->scene->system, &w, found, &why) ==
+            STATUS_OK &&
+        found->count == 1 && found->complete &&
+        found->equilibrium[0].type != SYSTEM_NONHYPERBOLIC)
+        status = append(s, &found->equilibrium[0], &why);
+    free(found);
+    return status == STATUS_NO_MEMORY ? status : STATUS_OK;
 }

@@ -7,3 +7,9 @@
  * STATUS_BAD_ARGUMENT. */
 MUST_CHECK enum status plane_rest_find(struct plane_study *s,
                                        struct fault *why);
+
+/* The number of the equilibrium that Newton's steps from an absolute point
+ * outside the window come to; one that is new is added where it is proved and
+ * hyperbolic.  *index = s->rests: there is none.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status plane_rest_add(struct plane_study *s, struct vec2 z,
+                                      size_t *index);

@@ -15,7 +15,7 @@
 /* ---- equilibria ---------------------------------------------------------- */
 
 RESULT_VIEW(view_none, plane_study, s->rest, 0)
-RESULT_VIEW(view_rests, plane_study, s->rest, s->rests)
+RESULT_VIEW(view_rests, plane_study, s->rest, s->listed)
 RESULT_VIEW(view_rest, plane_study, &s->rest[k], 1)
 RESULT_VIEW(view_lambda, plane_study, s->rest[k].lambda, 2)
 RESULT_VIEW(view_no_box, plane_study, s->undecided, 0)
@@ -24,7 +24,7 @@ RESULT_VIEW(view_box_y, plane_study, s->undecided[k].range[1], 2)
 
 static size_t count_rests(const void *run)
 {
-    return ((const struct plane_study *) run)->rests;
+    return ((const struct plane_study *) run)->listed;
 }
 
 static size_t count_boxes(const void *run)
@@ -148,7 +148,7 @@ static size_t parameters_of(const struct plane_study *s)
 
 /* Those of one equilibrium, of all parameters; and of all equilibria. */
 RESULT_VIEW(view_slope, plane_study, s->slope + k * parameters_of(s), 1)
-RESULT_VIEW(view_slopes, plane_study, s->slope, s->rests)
+RESULT_VIEW(view_slopes, plane_study, s->slope, s->listed)
 
 /* By each parameter one result in JSON, one in files. */
 static void add_slopes(const struct plane_study *s, struct plane_table *t)
@@ -185,7 +185,7 @@ static void add_slopes(const struct plane_study *s, struct plane_table *t)
 
 static const char *const kind_names[] = { "stable", "unstable", NULL };
 
-RESULT_VIEW(view_branches, plane_study, s->branch, s->branches)
+RESULT_VIEW(view_branches, plane_study, s->branch, s->listed_branches)
 RESULT_VIEW(view_cycles, plane_study, s->cycle, s->cycles)
 
 static const struct record_field manifold_fields[] = {
@@ -242,7 +242,7 @@ static void add_manifolds(const struct plane_study *s, struct plane_table *t)
 
 static size_t count_branches(const void *run)
 {
-    return ((const struct plane_study *) run)->branches;
+    return ((const struct plane_study *) run)->listed_branches;
 }
 
 /* Points that are sampled for the view. */
@@ -263,14 +263,14 @@ static const char *branch_paths(const struct plane_study *s,
                                 struct plane_table *t)
 {
     enum { EACH = 48 };
-    char *end = t->paths = malloc(EACH * (s->branches + 1));
+    char *end = t->paths = malloc(EACH * (s->listed_branches + 1));
 
     if (end == NULL)
         return NULL;
-    if (s->branches == 0)
+    if (s->listed_branches == 0)
         return strcpy(t->paths, "/manifold/saddle_0/stable_0");
     end += sprintf(end, "/manifold/{");
-    for (size_t i = 0; i < s->branches; i++)
+    for (size_t i = 0; i < s->listed_branches; i++)
         end += sprintf(end, "%ssaddle_%d/%s_%d", i ? "," : "",
                        (int) s->branch[i].saddle, kind_names[s->branch[i].kind],
                        (int) s->branch[i].branch);

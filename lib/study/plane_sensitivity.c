@@ -155,12 +155,12 @@ enum status plane_sensitivity_find(struct plane_study *s,
                              .found = malloc(sizeof *d.found) };
     enum status status = STATUS_OK;
 
-    s->slope = calloc(s->rests * each + 1, sizeof *s->slope);
+    s->slope = calloc(s->listed * each + 1, sizeof *s->slope);
     if (d.system == NULL || d.found == NULL || s->slope == NULL)
         status = STATUS_NO_MEMORY;
-    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++) {
+    for (size_t i = 0; i < s->listed && status == STATUS_OK; i++) {
         d.rest = &s->rest[i];
-        if (monitor_tell(monitor, "sensitivities", i, s->rests))
+        if (monitor_tell(monitor, "sensitivities", i, s->listed))
             status = STATUS_STOPPED;
         for (int k = 0; k < f->parameters && status == STATUS_OK; k++)
             status = find_slopes(&d, k, &s->slope[i * each + (size_t) k]);

@@ -31,10 +31,12 @@ extern const char *const plane_type_names[];
 enum { PLANE_NAME = 24 };
 
 struct plane_rest {
-    char word[PLANE_NAME];
-    const char *name;     /* word: its type and its number among these */
+    char word[2 * PLANE_NAME + 48];
+    const char *name;     /* word: its type and its number among these; outside
+                             the window where it is, as of struct plane_beyond */
     int8_t type;          /* enum plane_type */
     struct vec2 z, error; /* bounds of each coordinate */
+    struct box alone;     /* there is no other within */
     struct quantity state[2];
     struct plane_lambda {
         struct quantity re, im;
@@ -214,15 +216,18 @@ struct plane_study {
     struct arrival_scale scale;
     double kappa; /* orbit.h */
 
-    struct plane_rest *rest; /* owned; ascending in x, then y */
-    size_t rests, saddles;
+    struct plane_rest *rest;     /* owned; those in the window, ascending in x,
+                                    then y; others that its basins need */
+    size_t rests, listed;        /* listed: in the window */
+    size_t saddles;              /* in the window */
     bool complete;               /* the window was proved to hold no others */
     struct plane_box *undecided; /* owned; where others may be */
     size_t undecided_count;
 
-    struct plane_branch *branch; /* owned; 4 a saddle: stable, unstable */
-    size_t branches;
-    struct plane_cycle *cycle; /* owned */
+    struct plane_branch *branch; /* owned; 4 a saddle: stable, unstable; of one
+                                    outside the window the stable ones */
+    size_t branches, listed_branches; /* listed: of saddles in the window */
+    struct plane_cycle *cycle;        /* owned */
     size_t cycles;
     struct plane_beyond *beyond; /* owned; no two agree, "infinity" and
                                     "outside" are last; with the basins */

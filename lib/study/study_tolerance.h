@@ -34,7 +34,8 @@
 #define TOL_TAYLOR_SETTLED 2.0
 
 /* Planes of formulas, distances in sides of the window.  Curves are followed
- * this many windows far, this many times round an angle (orbits to
+ * this many windows far, orbits of which nothing is proved so far, where
+ * series of doubles still move, this many times round an angle (orbits to
  * TOL_ORBIT_RTOL, which only has to find the right trap); a curve has left
  * its saddle; two cycles are the same; a state that changes no faster, of the
  * fastest rate, rests; orbits that are drawn end after so many steps; of the
@@ -45,6 +46,7 @@
 #define TOL_PLANE_PART       0.1
 #define TOL_PLANE_STEPS      4000
 #define TOL_PLANE_FAR        100.0
+#define TOL_PLANE_INFINITY 1e12
 #define TOL_PLANE_ROUND      1e4
 #define TOL_PLANE_LEFT       1e-2
 #define TOL_PLANE_LITTLE     1e-3
@@ -60,10 +62,13 @@
 #define TOL_PLANE_HELD_STEPS 64
 #define TOL_PLANE_NO_RETURN  1000
 
-/* Basins of such planes, of cycles that are kept to TOL_RTOL_DEFAULT: copies of
- * a curve of an angle; how much further than before a curve may go in a gap
+/* Basins of such planes, of cycles that are kept to TOL_RTOL_DEFAULT: states
+ * that are followed to look for curves that divide it: a part p of one label
+ * that goes elsewhere is missed with odds of about e^(-256 p); copies of a
+ * curve of an angle; how much further than before a curve may go in a gap
  * (plane_patch.c); sides of the first and of the last cells of a region that
  * is parted (plane_mosaic.h). */
+#define TOL_PLANE_LOOKS 256
 #define TOL_PLANE_TURNS 50.0
 #define TOL_PLANE_FLAT  16.0
 #define TOL_PLANE_CELLS 0x1p-4

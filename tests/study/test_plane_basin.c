@@ -238,10 +238,10 @@ static void rows_of_the_map_agree_with_single_states(void **state)
     for (size_t i = 0; i < 200; i++) {
         const struct vec2 z = { plane_basin_cell(&s, 0, i % 20, 20, true),
                                 plane_basin_cell(&s, 1, i / 20, 10, true) };
-        assert_int_equal(plane_basin_at(&s, z, &one), STATUS_OK);
+        assert_int_equal(plane_basin_at(&s, z, true, &one), STATUS_OK);
         assert_int_equal(one, map[i]);
     }
-    assert_int_equal(plane_basin_at(&s, (struct vec2){ 0.0, 0.0 }, &one),
+    assert_int_equal(plane_basin_at(&s, (struct vec2){ 0.0, 0.0 }, true, &one),
                      STATUS_OK);
     assert_int_equal(one, -1);
     plane_end(&s, &c);

@@ -50,7 +50,7 @@ static void borders_that_are_not_known_are_closed_in_on(void **state)
         for (size_t k = 0; k < 256; k++) {
             const struct vec2 z = { plane_basin_cell(&s, 0, k % 16, 16, true),
                                     plane_basin_cell(&s, 1, k / 16, 16, true) };
-            assert_int_equal(plane_basin_at(&s, z, &one), STATUS_OK);
+            assert_int_equal(plane_basin_at(&s, z, true, &one), STATUS_OK);
             assert_int_equal(one < 0 ? (int8_t) s.basin.labels : one, map[k]);
         }
         plane_end(&s, &c);

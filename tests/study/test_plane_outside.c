@@ -1,0 +1,178 @@
+/* Shares that curves and ends outside the window decide: by symmetry, as areas,
+ * and as the same states have it in a larger window. */
+#include "plane_answer.h"
+#include "plane_shares.h"
+
+#define WINDOW(x, y)                                                           \
+    "window={x: " x ", y: " y "}\nproducts=[basins]\nbasins.audit=100\n"
+
+/* Each with what goes to one end of two. */
+static void a_saddle_outside_the_window_divides_it(void **state)
+{
+    static const struct {
+        const char *ode, *window, *end[2];
+        double share;
+    } at[] = {
+        { "x' = x; y' = -y",
+          WINDOW("[-1, 1]", "[1, 2]"),
+          { "x_to_infinity", "x_to_-infinity" },
+          0.5 },
+        { "x' = x - x^3; y' = -y",
+          WINDOW("[-0.4, 0.8]", "[1, 2]"),
+          { "x_to_1_y_to_0", "x_to_-1_y_to_0" },
+          2.0 / 3.0 },
+        { "x' = 10/(1 + y^2) - x; y' = 10/(1 + x^2) - y",
+          WINDOW("[0, 1]", "[0, 1]"),
+          { "x_to_9.899_y_to_0.10102", "x_to_0.10102_y_to_9.899" },
+          0.5 },
+    };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (size_t i = 0; i < 3; i++) {
+        plane_run(&s, &c, at[i].ode, at[i].window);
+        has_share(&s, at[i].end[0], at[i].share, 1e-12);
+        has_share(&s, at[i].end[1], 1.0 - at[i].share, 1e-12);
+        plane_end(&s, &c);
+    }
+}
+
+/* r' = r (r^2 - 1): the disc's part in the window. */
+static void a_cycle_that_leaves_the_window_divides_it(void **state)
+{
+    const double disc = M_PI / 3.0 - sqrt(3.0) / 4.0;
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "g = x^2 + y^2 - 1; x' = x*g - y; y' = y*g + x",
+              WINDOW("[0.5, 2]", "[-1, 1]"));
+    has_share(&s, "x_to_0_y_to_0", disc / 3.0, 1e-11);
+    plane_end(&s, &c);
+}
+
+/* The place of the equilibrium that attracts with a label. */
+static struct vec2 rest_of(const struct plane_study *s, int8_t label)
+{
+    for (size_t i = 0; i < s->rests; i++)
+        if (strcmp(s->rest[i].name, s->basin.name[label]) == 0)
+            return s->rest[i].z;
+    CHECK(false, "%s is no equilibrium", s->basin.name[label]);
+    return (struct vec2){ 0 };
+}
+
+/* The saddle is outside, its manifold winds through the window fourteen times;
+ * and four saddles of a pendulum. */
+static void narrow_windows_know_what_wide_ones_do(void **state)
+{
+    static const struct {
+        const char *ode, *narrow, *wide;
+    } at[] = {
+        { "x' = y; y' = x - x^3 - 0.1*y", WINDOW("[0.5, 4]", "[-3, 3]"),
+          WINDOW("[-4, 4]", "[-4, 4]") },
+        { "x' = y; y' = -sin(x) - 0.2*y", WINDOW("[2, 7]", "[-2, 2]"),
+          WINDOW("[-8, 20]", "[-3, 3]") },
+    };
+    struct plane_study s, w;
+    struct scene c, d;
+
+    (void) state;
+    for (size_t i = 0; i < 2; i++) {
+        plane_run(&s, &c, at[i].ode, at[i].narrow);
+        plane_run(&w, &d, at[i].ode, at[i].wide);
+        has_share(&s, "undecided", 0.0, 1e-11);
+        for (int k = 0; k < 400; k++) {
+            const struct vec2 z = window_at(&s.window, vec2_spread(0.7, k));
+            int8_t a, b;
+            assert_int_equal(plane_basin_at(&s, z, true, &a), STATUS_OK);
+            assert_int_equal(plane_basin_at(&w, z, true, &b), STATUS_OK);
+            if (a < 0 || b < 0)
+                continue;
+            const struct vec2 off = vec2_sub(rest_of(&s, a), rest_of(&w, b));
+            CHECK(vec2_length(off) < 1e-9, "%g, %g: %s, but %s", z.x, z.y,
+                  s.basin.name[a], w.basin.name[b]);
+        }
+        plane_end(&s, &c);
+        plane_end(&w, &d);
+    }
+}
+
+/* The poles are on the window's edge: unstable manifolds may be borders, too,
+ * and cross the stable ones at the saddle. */
+static void curves_that_cross_at_a_saddle_share_out_the_window(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = 4/(1 + y^3) - x; y' = 4/(1 + x^3) - y",
+              WINDOW("[-1, 5]", "[-1, 5]"));
+    has_share(&s, "stable_node_0", 0.5, 1e-11);
+    has_share(&s, "stable_node_1", 0.5, 1e-11);
+    plane_end(&s, &c);
+}
+
+/* Tyson's Oregonator: the saddle is the window's corner, its manifolds leave
+ * there. */
+static void a_saddle_in_the_corner_has_manifolds(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c,
+              "x' = (x*(1 - x) - 1.4*y*(x - 0.002)/(x + 0.002))/0.04; "
+              "y' = x - y",
+              WINDOW("[0, 1]", "[0, 1]"));
+    has_share(&s, "cycle_0", 1.0, 1e-12);
+    plane_end(&s, &c);
+}
+
+/* Where y > 0 each orbit comes back, from -x beyond e^(1/y): none is said to
+ * go to infinity, and none where y < 0 to (0, 2). */
+static void what_comes_back_from_afar_is_not_told_infinity(void **state)
+{
+    static const char ode[] = "x' = x*(3 - x - 2*y); y' = y*(2 - x - y)";
+    struct plane_study s;
+    struct scene c;
+    struct plane_answer answer;
+    int8_t label;
+
+    (void) state;
+    plane_run(&s, &c, ode, WINDOW("[-2, -1]", "[-1, 0.5]"));
+    assert_int_equal(
+        plane_answer_at(&s, (const double[]){ -1.2, 0.1 }, &answer), STATUS_OK);
+    assert_string_equal(answer.attractor, "x_to_0_y_to_2");
+    assert_int_equal(
+        plane_answer_at(&s, (const double[]){ -1.2, -0.1 }, &answer),
+        STATUS_OK);
+    assert_string_equal(answer.attractor, "x_to_-infinity");
+    for (int k = 0; k < 400; k++) {
+        const struct vec2 z = window_at(&s.window, vec2_spread(0.7, k));
+        assert_int_equal(plane_basin_at(&s, z, true, &label), STATUS_OK);
+        if (label >= 0)
+            CHECK(strcmp(s.basin.name[label],
+                         z.y > 0.0 ? "x_to_0_y_to_2" : "x_to_-infinity") == 0,
+                  "%g, %g: %s", z.x, z.y, s.basin.name[label]);
+    }
+    CHECK(share_of(&s, "undecided")->fraction.value < 0.1, "much is undecided");
+    plane_end(&s, &c);
+}
+
+#define TEST(test)                                                             \
+    cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_saddle_outside_the_window_divides_it),
+        TEST(a_cycle_that_leaves_the_window_divides_it),
+        TEST(narrow_windows_know_what_wide_ones_do),
+        TEST(curves_that_cross_at_a_saddle_share_out_the_window),
+        TEST(a_saddle_in_the_corner_has_manifolds),
+        TEST(what_comes_back_from_afar_is_not_told_infinity),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
