@@ -67,7 +67,8 @@ static const char head[] =
     "number\n"
     "is, and where some are not proved, why: a text NAME_not_proved for each, "
     "or\n"
-    "of a single number the attribute `comment` of NAME_proved.\n"
+    "of a single number the attribute `comment` of NAME_proved. In a sweep\n"
+    "NAME_lo and NAME_hi are numbers of their own, with NAME_lo_exists.\n"
     "\n"
     "This page is written by `slipway help --as hdf5`.\n";
 

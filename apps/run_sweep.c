@@ -67,17 +67,23 @@ static enum status read_scene(const struct options *o, struct scene *scene,
         return complain(why, "the scene has none, expected 'sweep: {key: "
                              "slope.alpha, from: A, to: B, points: N}'");
     }
-    if (scene->proved) {
-        scene_free(scene);
-        return complain(why, "accuracy.proved: points of a sweep are not "
-                             "proved, expected knees, study or basin");
-    }
     const unsigned products = products_of(o, scene);
     if (products == scene->products)
         return STATUS_OK;
     scene_free(scene);
     product_setting(products, line);
     return read_settings(o, more, 1, scene, why);
+}
+
+/* A point's bar and its proof cannot both be right. */
+static enum exit_code judge_proofs(const struct sweep_reasons *r)
+{
+    for (size_t i = REASON_FIRST; i < r->count; i++)
+        if (strstr(r->text[i], STUDY_PROOF_LIE)) {
+            fprintf(stderr, "slipway: %s\n", r->text[i]);
+            return EXIT_CHECK;
+        }
+    return EXIT_DONE;
 }
 
 /* ---- files --------------------------------------------------------------- */
@@ -237,9 +243,11 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
         s = write_files(sweep, o, journal, &why);
     else
         print_share(sweep, o, journal);
-    const enum exit_code code = s != STATUS_OK ? command_fail(s, why.text)
-                                : whole ? print_results(sweep, o, journal)
-                                        : EXIT_DONE;
+    enum exit_code code = s != STATUS_OK ? command_fail(s, why.text)
+                          : whole        ? print_results(sweep, o, journal)
+                                         : EXIT_DONE;
+    if (code == EXIT_DONE)
+        code = judge_proofs(&sweep->reasons);
     sweep_free(sweep);
     free(journal);
     return code;

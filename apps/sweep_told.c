@@ -1,5 +1,6 @@
 #include "sweep_told.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -36,11 +37,22 @@ static const struct unit *column_unit(const struct sweep *s,
     return result_told_unit(u, c->number.of->type, c->number.field, c->unit);
 }
 
+/* Beyond the bar that telling it in this unit makes. */
+static struct quantity outward(struct quantity q, enum result_part part)
+{
+    const double way = part == RESULT_LO ? -q.error : q.error;
+
+    if (quantity_exists(&q) && q.error > 0)
+        q.value = nextafter(q.value + way, way * HUGE_VAL);
+    return q;
+}
+
 struct quantity sweep_told(const struct sweep *s, const struct unit_system *u,
                            int column, size_t point, size_t entry)
 {
-    return unit_quantity(u, column_unit(s, u, column),
-                         sweep_entry(s, column, point, entry));
+    return outward(unit_quantity(u, column_unit(s, u, column),
+                                 sweep_entry(s, column, point, entry)),
+                   s->columns.at[column].number.part);
 }
 
 const char *sweep_column_unit(const struct sweep *s,
@@ -61,11 +73,14 @@ struct sweep_name sweep_told_name(const struct sweep *s,
     struct sweep_name name;
 
     result_told_name(u, c->number.of->type, f, member);
-    const size_t size = strlen(c->name), end = strlen(f->name);
-    const bool ends = size >= end && strcmp(c->name + size - end, f->name) == 0;
-    snprintf(name.text, sizeof name.text, "%.*s%s",
+    static const char *const part[] = { "", "_lo", "_hi" };
+    const char *behind = part[c->number.part];
+    const size_t size = strlen(c->name) - strlen(behind), end = strlen(f->name);
+    const bool ends =
+        size >= end && strncmp(c->name + size - end, f->name, end) == 0;
+    snprintf(name.text, sizeof name.text, "%.*s%s%s",
              ends ? (int) (size - end) : (int) size, c->name,
-             ends ? member : "");
+             ends ? member : "", behind);
     return name;
 }
 

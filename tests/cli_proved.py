@@ -76,6 +76,37 @@ def files_hold_what_is_proved(room):
     expect(held[2] == 0 and why == plus['not_proved'], plus, held, why)
 
 
+SWEPT = '''import h5py, json, sys
+at = h5py.File(sys.argv[1])['sweep']
+print(json.dumps([at['v_plus_' + end][()].tolist() for end in ('lo', 'hi')]
+                 + [at['v_plus_lo_exists'][()].tolist()]))'''
+
+
+def sweeps_have_columns_for_what_is_proved(room):
+    sweep = ['--law', 'spinodal_gen', '--proved', '--set', 'products=[knees]', '--set',
+             'sweep={key: slope.alpha, values: [0.34, 0.5]}']
+    found = room.json('sweep', *sweep, '-o', 's.h5')
+    lo, hi, exists = json.loads(room.reads(SWEPT, 's.h5'))
+    alone = room.json('knees', '--law', 'spinodal_gen', '--alpha', '0.34', '--proved')
+    for number in ('v_plus', 'psi_at_v0', 'x_deficit', 'saddle_lambda_plus'):
+        at = alone['saddle']['lambda_plus'] if 'saddle' in number else alone[number]
+        for end in ('lo', 'hi'):
+            told = found['numbers'][f'{number}_{end}']
+            if 'absent' in at['proved']:
+                expect('none is proved' in found['reasons'][told['reason'][0]], told)
+                continue
+            had = float(at['proved'][end])
+            expect(abs(told['value'][0] - had) <= 2e-16 * abs(had), number, told)
+            expect('no saddle' in found['reasons'][told['reason'][1]], told)
+    expect(found['numbers']['v_plus_lo']['value'][0] == lo[0] < hi[0], lo, hi)
+    expect(exists[0] == 1 != exists[1], exists)
+    table = room.good('sweep', *sweep, '--set', 'units=si', '-o', '-').splitlines()
+    row = dict(zip(table[0].split(','), table[1].split(',')))
+    for end, own, side in (('lo', lo[0], 1), ('hi', hi[0], -1)):
+        beside = side * (Decimal(own) / 10**6 - Decimal(row[f'v_plus_{end} [m/s]']))
+        expect(0 < beside < Decimal(own) / 10**21, end, beside)
+
+
 def labels_are_proved_in_text_json_and_file(room):
     grid = ['--alpha', '0.34', '--set', 'basins={cells: [40, 30], audit: 0}',
             '--proved']
@@ -96,8 +127,6 @@ def labels_are_proved_in_text_json_and_file(room):
 
 def what_is_not_proved_is_refused(room):
     slope = ['--law', 'perrin', '--set', 'accuracy.proved=true']
-    refused(room.run('sweep', *slope, '--set', 'sweep={key: slope.alpha, '
-                     'values: [0.34]}'), 2, 'accuracy.proved', 'expected knees')
     refused(room.run('ensemble', *slope, '--alpha', '0.34', '--set',
                      'ensemble={parameters: {material.a: {uniform: [0.03, '
                      '0.04]}}, draws: 8}'), 2, 'accuracy.proved', 'expected knees')
@@ -140,6 +169,7 @@ run_cases([
     a_law_without_a_proof_says_why,
     a_scene_asks_for_it_too,
     files_hold_what_is_proved,
+    sweeps_have_columns_for_what_is_proved,
     labels_are_proved_in_text_json_and_file,
     what_is_not_proved_is_refused,
     in_si_units_the_reference_is_between_too,

@@ -115,6 +115,20 @@ static bool read_member(const struct results *all,
     return here;
 }
 
+static struct quantity bound_of(const struct quantity *q, enum result_part part)
+{
+    const struct proved *p = q->proved;
+
+    if (p == NULL)
+        return quantity_none(quantity_exists(q)
+                                 ? "nothing is proved of this number"
+                                 : q->reason);
+    if (p->not_proved || p->absent)
+        return quantity_none(p->absent ? "that there is none is proved"
+                                       : p->not_proved);
+    return quantity_of(part == RESULT_LO ? p->lo : p->hi, 0.0);
+}
+
 struct quantity result_quantity(const struct results *all,
                                 const struct result_number *n)
 {
@@ -133,7 +147,7 @@ struct quantity result_quantity(const struct results *all,
                                           : quantity_of((double) count, 0.0);
     if (n->field->kind == RECORD_QUANTITY)
         (void) read_member(all, n, &q, sizeof q);
-    return q;
+    return n->part == RESULT_VALUE ? q : bound_of(&q, n->part);
 }
 
 int8_t result_code(const struct results *all, const struct result_number *n)

@@ -7,10 +7,15 @@
 
 #include "result.h"
 
+/* What of it: its value and bar, or what is proved to be at most and at least
+ * it. */
+enum result_part { RESULT_VALUE, RESULT_LO, RESULT_HI };
+
 struct result_number {
     const struct result *of;
     size_t instance, row;             /* row: of columns; else 0 */
     const struct record_field *field; /* a quantity, a code or a count */
+    enum result_part part;            /* of a quantity */
     char name[RESULT_NAME];
 };
 

@@ -339,7 +339,7 @@ const struct schema_key schema_table[] = {
       TEXT("relative accuracy; numbers carry the error they have") },
     { "accuracy.proved", value_flag, AT(proved), .words = flag_names,
       IS("false"), TEXT("enclose the numbers of a slope with proof, inputs as "
-                        "decimals; by knees, portrait, study and basin") },
+                        "decimals; by knees, portrait, study, basin and sweep") },
 
     { "output.hdf5", value_path, AT(hdf5), .expected = "a path",
       TEXT("write results here; by portrait, study, basin, sweep and "

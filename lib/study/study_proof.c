@@ -92,8 +92,7 @@ static enum status judge(struct study *s, const struct pair pair[], size_t n)
         for (size_t i = 0; i < n && s->proof.lie.text[0] == '\0'; i++)
             if (contradicts(pair[i].number, number_of(&numbers, &pair[i])))
                 snprintf(s->proof.lie.text, sizeof s->proof.lie.text,
-                         "%s: what is proved contradicts the error bar",
-                         pair[i].name);
+                         "%s: " STUDY_PROOF_LIE, pair[i].name);
     }
     proof_free(&exact);
     return status;
@@ -152,6 +151,18 @@ enum status study_prove(struct study *s)
     }
     copy_to_steady(s);
     return beside > 0 ? judge(s, pair, beside) : STATUS_OK;
+}
+
+bool study_proves(const struct record_type *type)
+{
+    return type == &record_saddle || type == &record_critical;
+}
+
+void study_proof_withdraw(struct study_proof *p)
+{
+    for (size_t i = 0; i < p->count && p->lie.text[0]; i++)
+        p->of[i][0] = p->of[i][1] =
+            (struct proved){ .not_proved = p->lie.text };
 }
 
 void study_proof_free(struct study_proof *p)

@@ -12,6 +12,9 @@ struct proof;
 
 enum { STUDY_PROVED = 24 };
 
+/* What a contradiction is told by, behind the number's name. */
+#define STUDY_PROOF_LIE "what is proved contradicts the error bar"
+
 /* Numbers point into `of`. */
 struct study_proof {
     struct proof *exact; /* of the inputs as decimals; owned, NULL: none */
@@ -29,6 +32,12 @@ MUST_CHECK enum status study_prove(struct study *s);
 /* The same for the doubles that inputs are read as; proof_free either way. */
 MUST_CHECK enum status study_prove_doubles(const struct study *s,
                                            struct proof *out);
+
+/* Whether it does so for numbers of such records. */
+bool study_proves(const struct record_type *type);
+
+/* Lets go what contradicts the bars: the reason is that it does. */
+void study_proof_withdraw(struct study_proof *p);
 
 /* A second call is harmless. */
 void study_proof_free(struct study_proof *p);

@@ -41,6 +41,31 @@ static enum status add(struct sweep_columns *c, const struct sweep_dims *d,
     return STATUS_OK;
 }
 
+/* And one for each bound that is proved of it. */
+static enum status add_bounds(struct sweep_columns *c,
+                              const struct sweep_dims *d,
+                              const struct result_number *n)
+{
+    static const char *const text[] = { ": proved to be at least",
+                                        ": proved to be at most" };
+    enum status status = STATUS_OK;
+
+    for (int k = 0; k < 2 && status == STATUS_OK; k++) {
+        struct result_number bound = *n;
+        bound.part = k ? RESULT_HI : RESULT_LO;
+        strncat(bound.name, k ? "_hi" : "_lo",
+                sizeof bound.name - strlen(bound.name) - 1);
+        status = add(c, d, &bound, NULL, 0);
+        if (status != STATUS_OK)
+            break;
+        struct sweep_column *column = &c->at[c->count - 1];
+        column->kind = RECORD_REAL;
+        const size_t end = strlen(column->text);
+        snprintf(column->text + end, sizeof column->text - end, "%s", text[k]);
+    }
+    return status;
+}
+
 /* Of rows of columns, or the others. */
 static enum status add_numbers(struct sweep_columns *c,
                                const struct sweep_dims *d,
@@ -48,9 +73,15 @@ static enum status add_numbers(struct sweep_columns *c,
 {
     enum status status = STATUS_OK;
 
-    for (size_t i = 0; i < n->count && status == STATUS_OK; i++)
-        if ((n->at[i].of->shape == RESULT_COLUMNS) == columns)
-            status = add(c, d, &n->at[i], NULL, 0);
+    for (size_t i = 0; i < n->count && status == STATUS_OK; i++) {
+        const struct result_number *x = &n->at[i];
+        if ((x->of->shape == RESULT_COLUMNS) != columns)
+            continue;
+        status = add(c, d, x, NULL, 0);
+        if (status == STATUS_OK && c->proved &&
+            x->field->kind == RECORD_QUANTITY && study_proves(x->of->type))
+            status = add_bounds(c, d, x);
+    }
     return status;
 }
 
@@ -70,7 +101,9 @@ static enum status add_name(struct sweep_columns *c, const struct sweep_dims *d,
 
     result_prefix(r, k, prefix);
     for (size_t i = 0; i < r->type->count && status == STATUS_OK; i++) {
-        struct result_number n = { r, k, 0, &r->type->fields[i], "" };
+        struct result_number n = { .of = r,
+                                   .instance = k,
+                                   .field = &r->type->fields[i] };
         result_member(r, k, n.field, member);
         memcpy(n.name, prefix, sizeof n.name);
         strncat(n.name, member, sizeof n.name - strlen(n.name) - 1);
@@ -123,6 +156,7 @@ static enum status add_of_law(struct sweep_columns *c,
     struct result_numbers n;
 
     c->conditioning = (asked & ASKED_BY(SENSITIVITIES)) != 0;
+    c->proved = scene->proved;
     enum status status = study_numbers(&n, asked);
     if (status == STATUS_OK)
         status = add_all(c, scene, d, &n);

@@ -17,8 +17,9 @@
  *   taylor_series  along `order`: taylor_series_coefficient
  *   chi            along `chi_alpha`: chi_v_low, ...
  *
- * and rabinowicz_l_k, ... of a scene with an experiment.  The steady states by
- * number come last.
+ * with accuracy.proved v_plus_lo, v_plus_hi, ... of the saddle's and the
+ * manifold's numbers, and rabinowicz_l_k, ... of a scene with an experiment.
+ * The steady states by number come last.
  */
 #pragma once
 
@@ -49,6 +50,7 @@ struct sweep_columns {
                                   a law's */
     size_t entries;            /* of all columns */
     bool conditioning; /* of the quantities, where the scene asks for it */
+    bool proved;       /* with columns for what is proved, likewise */
 };
 
 /* The columns that the scene's products give; d: their dimensions.

@@ -109,6 +109,7 @@ static enum status run(struct sweep_point *p, bool starts,
 
     if (status != STATUS_OK)
         return status;
+    study_proof_withdraw(&p->study.proof);
     complete_steady(p);
     if (scene_sweep_releases(&p->scene))
         p->release = release_at(&p->study);

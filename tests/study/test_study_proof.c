@@ -52,6 +52,11 @@ static void a_bar_beside_what_is_proved_is_told_by_name(void **state)
     assert_int_equal(study_prove(&s.study), STATUS_OK);
     CHECK(strstr(s.study.proof.lie.text, "x_excess"), "%s",
           s.study.proof.lie.text);
+    const struct proved *p = s.study.slider.critical.v_plus.proved;
+    assert_true(p[0].lo > 307 && p[0].not_proved == NULL);
+    study_proof_withdraw(&s.study.proof);
+    assert_string_equal(p[0].not_proved, s.study.proof.lie.text);
+    assert_string_equal(p[1].not_proved, s.study.proof.lie.text);
     slope_free(&s);
     run(&s, "perrin");
     move(&s.study.saddle_numbers.lambda_plus);
