@@ -20,6 +20,7 @@
 #undef NAME
 #undef OWN
 #undef UNIT
+#undef PHI
 #undef LEAST
 #undef MOST
 #undef ENDLESS

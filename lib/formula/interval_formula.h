@@ -3,24 +3,33 @@
  * FN(f) its function f, NAME(x) and OWN(x) naming what others see and do not,
  * UNIT = 2^-52 or 2^-112, LEAST and MOST its least and largest positive number.
  *
- * Rounding outward: fl(r) is within UNIT |r|/2 of r or within LEAST, so that
- * fl(r) -+ (UNIT |fl(r)| + LEAST) bound it.  A sum that is 0 is exact.
- * Functions: Moore, Kearfott & Cloud, Introduction to Interval Analysis (2009),
- * ch. 5; derivatives go with the values as in automatic differentiation.
+ * Rounding outward: r is between the neighbours of c = fl(r), and c -+ (PHI |c|
+ * + LEAST), PHI = UNIT/2 (1 + UNIT), rounded, are these or farther (Rump,
+ * Zimmermann, Boldo & Melquiond, BIT 49 (2009) 419).  A sum is exact where it
+ * is 0, or where Knuth's error of it is. Functions: Moore, Kearfott & Cloud,
+ * Introduction to Interval Analysis (2009), ch. 5; derivatives go with the
+ * values as in automatic differentiation.
  */
 
 #define ENDLESS ((REAL) HUGE_VAL)
 
 typedef struct NAME(interval) OWN(range);
 
+#define PHI (UNIT / 2 * (1 + UNIT))
+
+static REAL OWN(room)(REAL r)
+{
+    return FN(fabs)(r) * PHI + LEAST;
+}
+
 static REAL OWN(below)(REAL r)
 {
-    return r > MOST ? MOST : r - (FN(fabs)(r) * UNIT + LEAST);
+    return r > MOST ? MOST : r - OWN(room)(r);
 }
 
 static REAL OWN(above)(REAL r)
 {
-    return r < -MOST ? -MOST : r + (FN(fabs)(r) * UNIT + LEAST);
+    return r < -MOST ? -MOST : r + OWN(room)(r);
 }
 
 static REAL OWN(smaller)(REAL a, REAL b)
@@ -50,12 +59,24 @@ static bool OWN(holds)(OWN(range) u, REAL x)
 
 /* ---- arithmetic ---------------------------------------------------------- */
 
+/* a + b less its rounded value, exactly; a NaN where that is not finite. */
+static REAL OWN(missed)(REAL a, REAL b, REAL sum)
+{
+    const REAL other = sum - a;
+
+    return (a - (sum - other)) + (b - other);
+}
+
 OWN(range) NAME(interval_add)(OWN(range) u, OWN(range) w)
 {
     const REAL lo = u.lo + w.lo, hi = u.hi + w.hi;
 
-    return (OWN(range)){ lo < 0 || lo > 0 ? OWN(below)(lo) : 0,
-                         hi < 0 || hi > 0 ? OWN(above)(hi) : 0 };
+    /* factors, for a branch here is guessed wrong as often as right */
+    const REAL down = !(OWN(missed)(u.lo, w.lo, lo) >= 0);
+    const REAL up = !(OWN(missed)(u.hi, w.hi, hi) <= 0);
+
+    return (OWN(range)){ lo > MOST ? MOST : lo - down * OWN(room)(lo),
+                         hi < -MOST ? -MOST : hi + up * OWN(room)(hi) };
 }
 
 static OWN(range) OWN(minus)(OWN(range) u)

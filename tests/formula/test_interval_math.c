@@ -1,6 +1,8 @@
 /* Functions of intervals against 113 bits, at random points of random boxes. */
 #include "interval_math.h"
 
+#include <float.h>
+
 #include "check.h"
 #include "quad.h"
 
@@ -98,6 +100,34 @@ static void a_point_has_a_value_as_thin_as_two_doubles(void **state)
     }
 }
 
+/* Sums and products of doubles are exact in 113 bits, and so is what a quotient
+ * gives times the divisor. */
+static void arithmetic_holds_what_is_exact_and_hardly_more(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int i = 0; i < POINTS; i++) {
+        const double a = check_uniform(&rng, -1, 1);
+        const double b = check_uniform(&rng, 0, 1) *
+                         pow(2, (double) (check_bits(&rng) % 50) - 25);
+        const struct interval u = interval_point(a), w = interval_point(b);
+        const formula_real x = a, y = b;
+        const struct interval of[] = { interval_add(u, w), interval_times(u, w),
+                                       interval_divide(u, w) };
+        const formula_real exact[] = { x + y, x * y, x }, by[] = { 1, 1, y };
+        static const double units[] = { 1, 2, 8 }; /* 1/w is rounded, too */
+        for (int k = 0; k < 3; k++) {
+            CHECK(of[k].lo * by[k] <= exact[k] && exact[k] <= of[k].hi * by[k],
+                  "%d of %.17g and %.17g", k, a, b);
+            CHECK(of[k].hi - of[k].lo <=
+                      units[k] * DBL_EPSILON * interval_most(of[k]),
+                  "%d of %.17g and %.17g: %g wide", k, a, b,
+                  of[k].hi - of[k].lo);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -105,6 +135,7 @@ int main(void)
         cmocka_unit_test(
             a_difference_over_a_box_holds_its_value_at_every_point),
         cmocka_unit_test(a_point_has_a_value_as_thin_as_two_doubles),
+        cmocka_unit_test(arithmetic_holds_what_is_exact_and_hardly_more),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
