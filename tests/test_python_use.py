@@ -172,6 +172,16 @@ def a_missing_library_is_said_in_one_line(room):
                last.startswith('ImportError: slipway: '), done.stderr)
 
 
+def proved_bounds_are_numbers_too(_):
+    s = slipway.Study(**SLOPE, **{'accuracy.proved': 'true'})
+    lo, hi = s.numbers['v_plus_lo'], s.numbers['v_plus_hi']
+    expect(lo.exists and lo.error == 0 and 2832.2233588 < lo < hi < 2832.2233589,
+           lo, hi)
+    none = s.numbers['psi_at_v0_lo']
+    expect(not none.exists and 'proved' in none.reason, none.reason)
+    expect('v_plus_lo' not in slipway.Study(**SLOPE).numbers, 'nobody asked')
+
+
 def studies_are_copied_and_shown(_):
     s = slipway.Study(**SLOPE)
     for one in (pickle.loads(pickle.dumps(s)), copy.copy(s), copy.deepcopy(s)):
@@ -324,6 +334,7 @@ run_cases([
     numbers_need_no_numpy,
     arrays_need_no_xarray,
     a_missing_library_is_said_in_one_line,
+    proved_bounds_are_numbers_too,
     studies_are_copied_and_shown,
     functions_are_declared_as_in_the_headers,
     structs_lie_as_in_the_headers,

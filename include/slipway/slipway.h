@@ -116,8 +116,10 @@ slipway_status slipway_study_run(const slipway_scene *scene,
 void slipway_study_free(slipway_study *study);
 
 /* A number by its name in JSON, with underscores for dots: "v_plus",
- * "saddle_v", "folds_alpha_cM", "equilibria_0_lambda_plus", ... ;
- * BAD_ARGUMENT: the products give none of that name. */
+ * "saddle_v", "folds_alpha_cM", "equilibria_0_lambda_plus", ... ; with the key
+ * "accuracy.proved" set to "true" "v_plus_lo" and "v_plus_hi", "saddle_v_lo",
+ * ..., between which the number is proved to lie, exact or with the reason why
+ * there are none.  BAD_ARGUMENT: the products give none of that name. */
 slipway_status slipway_study_number(const slipway_study *study,
                                     const char *name, slipway_number *out);
 
