@@ -153,6 +153,24 @@ static void stiff_orbits_arrive_too(void **state)
     plane_end(&s, &c);
 }
 
+/* Nearly along a straight line, in steps longer than a hundredth of the window:
+ * that the velocity hardly changes in them is no sign of a stiff field. */
+static void straight_ways_cost_little(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+    struct plane_goal goal;
+
+    (void) state;
+    plane_run(&s, &c, "x' = 1; y' = 0.002*cos(k*x); k = 20", WINDOW);
+    assert_int_equal(
+        plane_orbit(&s, (struct vec2){ 0.0, 0.0 }, false, NULL, &goal),
+        STATUS_OK);
+    assert_int_equal(goal.kind, PLANE_GOAL_BEYOND);
+    CHECK(goal.steps < 2000, "%zu steps", goal.steps);
+    plane_end(&s, &c);
+}
+
 /* A hundred rounds to where it is infinite, thousands of regions about the two
  * foci: the steps of all orbits are counted. */
 static void spirals_on_a_wide_window_cost_little(void **state)
@@ -207,6 +225,7 @@ int main(void)
         cmocka_unit_test(what_is_beyond_is_followed_where_it_is_asked_for),
         cmocka_unit_test(who_starts_far_away_arrives_too),
         cmocka_unit_test(stiff_orbits_arrive_too),
+        cmocka_unit_test(straight_ways_cost_little),
         cmocka_unit_test(spirals_on_a_wide_window_cost_little),
         cmocka_unit_test(rounding_makes_no_closed_orbits),
     };
