@@ -31,7 +31,8 @@ enum {
     ROW(MERGE, merge,                                                          \
         COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES | COMMAND_PLANES)        \
     ROW(ENSEMBLE, ensemble,                                                    \
-        COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES | COMMAND_SHARES)        \
+        COMMAND_READS | COMMAND_DRAWS | COMMAND_MAKES | COMMAND_PLANES |       \
+            COMMAND_SHARES)                                                    \
     ROW(PUSH, push, COMMAND_READS | COMMAND_PLANES)                            \
     ROW(SIMULATE, simulate, COMMAND_READS | COMMAND_DRAWS)                     \
     ROW(RABINOWICZ, rabinowicz, COMMAND_READS | COMMAND_DRAWS)                 \

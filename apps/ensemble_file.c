@@ -343,8 +343,9 @@ enum status ensemble_file_write(const struct ensemble *e, const char *path,
                                 struct fault *why)
 {
     struct store *out;
-    enum status status = result_file_begin_large(&out, path, e->scene,
-                                                 e->scene->law.preset, why);
+    enum status status = result_file_begin_large(
+        &out, path, e->scene,
+        e->scene->system ? "system" : e->scene->law.preset, why);
 
     if (status != STATUS_OK)
         return status;

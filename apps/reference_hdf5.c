@@ -303,34 +303,44 @@ static void put_dims(FILE *out, const struct sweep_dims *d)
                 d->of[i].name);
 }
 
-static enum status put_sweep(FILE *out)
+/* Those of all products, of one xi, one start and one chi. */
+static enum status find_columns(struct scene *all, double *xi,
+                                struct scene_start *start,
+                                struct sweep_dims *dims,
+                                struct sweep_columns *columns)
 {
-    double xi = 0.85;
-    struct scene_start start = { 1.0, 1.0 };
-    const struct scene all = {
+    *all = (struct scene){
         .law = *law_preset_find("spinodal_gen"),
         .material = material_bristol_board(),
         .alpha = 0.34,
         .tan_alpha = 0.35L,
         .window = { { 0.1, 10.0 }, { 0.1, 10.0 }, AXES_LOG },
         .products = ((1u << PRODUCTS) - 1) & ~scene_shape_curves,
-        .xi = &xi,
+        .xi = xi,
         .xi_count = 1,
-        .start = &start,
+        .start = start,
         .starts = 1,
         .cells = { 1, 1 },
         .audit = 1,
         .rabinowicz = { .restitution = 0.5 },
-        .chi_alpha = &xi,
+        .chi_alpha = xi,
         .chi_alphas = 1,
     };
-    struct sweep_dims dims;
-    struct sweep_columns columns = { .at = NULL };
-    struct sweep_layers layers = { .at = NULL };
-    enum status status = sweep_dims_init(&dims, &all);
+    *columns = (struct sweep_columns){ .at = NULL };
+    const enum status status = sweep_dims_init(dims, all);
+    return status ? status : sweep_columns_init(columns, all, dims);
+}
 
-    if (status == STATUS_OK)
-        status = sweep_columns_init(&columns, &all, &dims);
+static enum status put_sweep(FILE *out)
+{
+    double xi = 0.85;
+    struct scene_start start = { 1.0, 1.0 };
+    struct scene all;
+    struct sweep_dims dims;
+    struct sweep_columns columns;
+    struct sweep_layers layers = { .at = NULL };
+    enum status status = find_columns(&all, &xi, &start, &dims, &columns);
+
     if (status == STATUS_OK)
         status = sweep_layers_init(&layers, &all, &dims);
     fputs("\n## Columns of `/sweep`\n"
@@ -367,11 +377,13 @@ static enum status put_ensemble(FILE *out)
         .kind = RECORD_CODE,
         .codes = fate_names
     };
-    struct result_numbers n;
-    const enum status status = study_numbers(&n, STUDY_NUMBERS);
+    double xi = 0.85;
+    struct scene_start start = { 1.0, 1.0 };
+    struct scene all;
+    struct sweep_dims dims;
+    struct sweep_columns columns;
+    const enum status status = find_columns(&all, &xi, &start, &dims, &columns);
 
-    if (status != STATUS_OK)
-        return status;
     fputs(
         "\n## Columns of `/ensemble`\n"
         "\nAlong the draws: each parameter, named, with its unit and meaning, "
@@ -381,15 +393,17 @@ static enum status put_ensemble(FILE *out)
         out);
     put_sets_head(out);
     put_set(out, &push, "draw");
-    for (size_t i = 0; i < n.count; i++)
-        if (n.at[i].field->kind == RECORD_QUANTITY &&
-            n.at[i].of->shape == RESULT_SCALARS) {
-            struct record_field f = *n.at[i].field;
-            f.name = n.at[i].name;
-            put_set(out, &f, "draw");
-        }
-    result_numbers_free(&n);
-    return STATUS_OK;
+    for (size_t i = 0; i < columns.count; i++)
+        if (batch_draws(&columns.at[i]))
+            put_set(out,
+                    &(struct record_field){ .name = columns.at[i].name,
+                                            .unit = columns.at[i].unit,
+                                            .text = columns.at[i].text,
+                                            .kind = RECORD_QUANTITY },
+                    "draw");
+    sweep_columns_free(&columns);
+    sweep_dims_free(&dims);
+    return status;
 }
 
 /* ---- systems ------------------------------------------------------------- */

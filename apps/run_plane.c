@@ -1,10 +1,12 @@
 #include "run_plane.h"
 
+#include "drawn.h"
 #include "json_results.h"
 #include "margin.h"
 #include "picture_plane.h"
 #include "plane_results.h"
 #include "progress.h"
+#include "report_ensemble.h"
 #include "text_results.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
@@ -30,6 +32,7 @@ static bool are_lower_bounds(const struct plane_study *s)
 }
 
 static enum exit_code print_json(const struct plane_study *s,
+                                 const struct ensemble *drawn,
                                  const struct results *all)
 {
     json_t *j = json_results(NULL, all);
@@ -43,6 +46,8 @@ static enum exit_code print_json(const struct plane_study *s,
         json_object_set_new(j, "neutral_cycles",
                             json_integer((json_int_t) s->basin.neutral));
     }
+    if (j && drawn)
+        json_object_set_new(j, "ensemble", report_ensemble_json(drawn));
     return json_print(j) ? EXIT_DONE : command_unwritten();
 }
 
@@ -63,29 +68,33 @@ static void print_notes(const struct plane_study *s)
 }
 
 static enum exit_code print(const struct plane_study *s,
+                            const struct ensemble *drawn,
                             const struct options *o)
 {
     const struct results all = plane_results(s);
 
     if (o->json)
-        return print_json(s, &all);
+        return print_json(s, drawn, &all);
     if (o->quiet)
         return EXIT_DONE;
     const enum status status = text_results(stdout, &all);
     if (status != STATUS_OK)
         return command_fail(status, status_text(status));
     print_notes(s);
+    if (drawn)
+        report_ensemble_print(stdout, drawn);
     return EXIT_DONE;
 }
 
 static enum status write_files(const struct plane_study *s,
+                               const struct ensemble *drawn,
                                const struct options *o, const char *figure,
                                struct fault *why)
 {
     const struct results all = plane_results(s);
     struct panels p = PANELS_EMPTY;
     const enum status status = output_write(o, o->command->name, &all, s->scene,
-                                            NULL, s->system[0].name, why);
+                                            drawn, s->system[0].name, why);
 
     if (status == STATUS_OK && figure)
         picture_plane(s, &p);
@@ -111,21 +120,27 @@ enum exit_code plane_run(const struct options *o, const struct scene *scene,
     const char *draw = scene->figure ? scene->figure
                        : scene->hdf5 ? NULL
                                      : figure;
+    struct ensemble drawn = ENSEMBLE_EMPTY;
     struct plane_study s;
     struct fault why = { "" };
 
-    enum status status = output_check(o, scene, draw, panel, &why);
+    enum status status = drawn_check(o, scene, &why);
+    if (status == STATUS_OK)
+        status = output_check(o, scene, draw, panel, &why);
     if (status == STATUS_OK)
         status = plane_study_run(&s, scene, progress_monitor(o), &why);
     progress_end();
     if (status != STATUS_OK)
         return command_fail(status, why.text);
-    status = write_files(&s, o, draw, &why);
+    status = drawn_run(o, scene, &drawn, &why);
+    if (status == STATUS_OK)
+        status = write_files(&s, drawn_of(&drawn), o, draw, &why);
     progress_end();
-    enum exit_code code =
-        status == STATUS_OK ? print(&s, o) : command_fail(status, why.text);
+    enum exit_code code = status == STATUS_OK ? print(&s, drawn_of(&drawn), o)
+                                              : command_fail(status, why.text);
     if (code == EXIT_DONE && s.basin.disagreements > 0)
         code = judge(&s.basin);
+    ensemble_free(&drawn);
     plane_study_free(&s);
     return code;
 }

@@ -12,11 +12,11 @@ const char *scene_command(const struct scene *s)
 {
     if (s->sweep.axes > 0)
         return "sweep";
-    if (s->system)
-        return "study";
     if (s->ensemble.parameters > s->ensemble.scattered || s->ensemble.samples ||
         s->ensemble.covariance)
         return "ensemble";
+    if (s->system)
+        return "study";
     if (s->products == 0 && has_rabinowicz(&s->rabinowicz))
         return "rabinowicz";
     if (s->products == 0 && s->starts > 0 && s->spread == 0)

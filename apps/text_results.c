@@ -249,6 +249,30 @@ static void print_line(FILE *out, const struct record_array *a,
     fputc('\n', out);
 }
 
+/* Below a row, where any of its numbers has one. */
+static void print_spreads(FILE *out, const struct record_array *a, size_t row)
+{
+    const size_t n = a->type->count;
+    char text[CELL];
+    bool asked = false;
+
+    for (size_t k = 0; k < n; k++) {
+        const struct record_field *f = &a->type->fields[k];
+        const struct quantity *q = record_member(a, row, f);
+        asked |= f->kind == RECORD_QUANTITY && !isnan(q->spread);
+    }
+    for (size_t k = 0; k < n && asked; k++) {
+        const struct record_field *f = &a->type->fields[k];
+        const struct quantity *q = record_member(a, row, f);
+        strcpy(text, k ? "" : "(spread)");
+        if (f->kind == RECORD_QUANTITY && isfinite(q->spread))
+            snprintf(text, sizeof text, "%.2g", q->spread);
+        fprintf(out, "%s%-*s%s", k ? " " : "  ",
+                k + 1 < n ? width_of(a->type, f) : 0, text,
+                k + 1 < n ? "" : "\n");
+    }
+}
+
 /* Why a table has gaps, once for each reason in a row. */
 static void print_gaps(FILE *out, const struct record_array *a)
 {
@@ -276,6 +300,7 @@ static void print_table(FILE *out, const struct record_array *a)
     for (size_t i = 0; i < rows; i++) {
         const size_t at = rows > 1 ? i * (a->count - 1) / (rows - 1) : 0;
         print_line(out, a, &at);
+        print_spreads(out, a, at);
     }
     if (rows < a->count)
         fprintf(out, "  (%zu of %zu)\n", rows, a->count);

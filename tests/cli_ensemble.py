@@ -156,6 +156,88 @@ def inputs_that_scatter_give_each_number_a_spread(room):
     expect('same' in said, said)
 
 
+DUFFING = ('system: {parameters: {a: 0.5, c: 1}, '
+           'rates: {x: y, y: c*x - x^3 - a*y}}\n'
+           'window: {x: [-2, 2], y: [-1.5, 1.5]}\n'
+           'products: [equilibria, basins]\n'
+           'basins: {cells: [16, 16], audit: 0}\n')
+
+
+def a_system_is_drawn_over_its_parameters(room):
+    """a draw is what the study says; unless named, what the scene's has"""
+    room.write('d.yaml', DUFFING)
+    room.write('s.csv', 'system.parameters.a,system.parameters.c\n0.5,1\n'
+                        '0.7,1.3\n0.6,-0.5\n')
+    call = ['ensemble', 'd.yaml', '--set', 'ensemble.samples=s.csv']
+    found = room.json(*call, '-o', 'a.h5')
+    read = json.loads(room.reads(
+        'import h5py, json, sys; e = h5py.File(sys.argv[1])["ensemble"]\n'
+        'print(json.dumps({k: e[k][:].tolist() for k in e}))', 'a.h5'))
+    expect(set(found['numbers']) <= set(read) and
+           'equilibria_2_basin_fraction' in read, list(read))
+    for i, (a, c) in enumerate([(0.5, 1), (0.7, 1.3)]):
+        said = room.json('study', 'd.yaml', '--set',
+                         f'system.parameters.a={a}', '--set',
+                         f'system.parameters.c={c}')
+        for k, rest in enumerate(said['equilibria']):
+            for name, number in [('state_x', rest['state']['x']),
+                                 ('eigenvalues_0_re',
+                                  rest['eigenvalues'][0]['re'])]:
+                name = f'equilibria_{k}_{name}'
+                expect((read[name][i], read[name + '_error'][i]) ==
+                       (number['value'], number['error']), name, i, number)
+    expect(read['count_equilibria'] == [3, 3, 1], read['count_equilibria'])
+    exists = found['numbers']['equilibria_2_state_x']['exists']['value']
+    expect(abs(exists - 2 / 3) < 1e-15, exists)
+    one = room.json(*call, '--set', 'ensemble.numbers=[count_attractors]')
+    expect(list(one['numbers']) == ['count_attractors'], one)
+    refused(room.run(*call, '--set', 'ensemble.numbers=[v_plus]'), 2,
+            "v_plus: no number of this system's sweeps")
+    refused(room.run(*call, '--set', 'ensemble.pushes=[{v: 1, psi: 1}]'), 2,
+            'not for a system')
+    refused(room.run('ensemble', 'd.yaml', '--set',
+                     'ensemble.parameters={system.parameters.b: '
+                     '{normal: [1, 1]}}'), 2, 'system.parameters.NAME')
+
+
+def parameters_that_scatter_give_equilibria_a_spread(room):
+    """x = sqrt(c), and the real part is -a/2"""
+    room.write('d.yaml', DUFFING.replace('basins]', 'manifolds]'))
+    found = room.json('study', 'd.yaml', '--set',
+                      'system.parameters.a=0.5 +- 0.02', '--set',
+                      'system.parameters.c=1 +- 0.01', '--draws', '64')
+    rest = found['equilibria'][2]
+    expect(abs(rest['state']['x']['spread'] - 0.005) < 1e-9 and
+           abs(rest['eigenvalues'][0]['re']['spread'] - 0.01) < 1e-9 and
+           'conditioning' not in rest['state']['x'], rest)
+    drawn = found['ensemble']['numbers']['equilibria_2_state_x']['quantiles']
+    expect(abs((drawn['0.84'] - drawn['0.16']) / 0.01 - 1) < 0.1, drawn)
+
+
+def what_sweeps_have_by_name_is_drawn(room):
+    basins = ['--set', 'products=[basins]', '--set', 'basins.cells=[32, 32]',
+              '--set', 'basins.audit=0']
+    room.write('s.csv', 'material.a\n0.0349\n0.036\n')
+    found = room.json('ensemble', *LAW, *basins, '--set',
+                      'ensemble.samples=s.csv', '--set',
+                      'ensemble.numbers=[v_plus, basin_fraction_log_creep]',
+                      '--set', 'ensemble.pushes=[{v: 2500, psi: 10}]')
+    said = [room.json('basin', *LAW, *basins, '--set', f'material.a={a}',
+                      '--set', 'products=[basins, knees]')
+            for a in ('0.0349', '0.036')]
+    for name, numbers in [
+            ('v_plus', [s['v_plus'] for s in said]),
+            ('basin_fraction_log_creep',
+             [s['basin']['fractions']['creep']['log'] for s in said])]:
+        off = (found['numbers'][name]['mean']['value'] -
+               sum(n['value'] for n in numbers) / 2)
+        expect(abs(off) <= max(n['error'] for n in numbers), name, numbers, off)
+    expect(found['pushes'][0]['arrest']['value'] in (0, 0.5, 1), found)
+    refused(room.run('ensemble', *LAW, '--set', 'ensemble.samples=s.csv', '--set',
+                     'ensemble.numbers=[basin_fraction_log_creep]'), 2,
+            'no number of a study')
+
+
 def scatter_is_refused_where_it_says_nothing(room):
     room.write('s.yaml', 'law: {preset: spinodal_gen}\nslope: {alpha: 0.34}\n'
                          'material: {a: 0.0349 +- 0.0005}\n'
@@ -237,5 +319,8 @@ run_cases([
     a_slope_may_be_among_what_is_drawn,
     draws_beyond_a_law_are_counted,
     inputs_that_scatter_give_each_number_a_spread,
+    a_system_is_drawn_over_its_parameters,
+    parameters_that_scatter_give_equilibria_a_spread,
+    what_sweeps_have_by_name_is_drawn,
     scatter_is_refused_where_it_says_nothing,
 ])

@@ -73,8 +73,8 @@ static slipway_status run(slipway_study *study, const slipway_monitor *monitor,
     if (s == STATUS_OK)
         s = sweep_columns_init(&study->columns, scene, &study->dims);
     if (s == STATUS_OK)
-        s = sweep_point_run(&study->point, scene, NULL, scene->products,
-                            api_monitor(monitor, &tell));
+        s = sweep_point_at(&study->point, scene, NULL, scene->products,
+                           api_monitor(monitor, &tell));
     if (s == STATUS_OK && study->point.failed == NULL)
         s = fill_branches(study);
     if (s != STATUS_OK)

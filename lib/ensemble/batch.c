@@ -9,7 +9,9 @@
 #include <string.h>
 
 #include "batch_fate.h"
+#include "batch_points.h"
 #include "ensemble_tolerance.h"
+#include "scene_parameter.h"
 #include "scene_slope.h"
 #include "schema.h"
 #include "study_results.h"
@@ -23,13 +25,26 @@ static enum status blame(struct fault *why, const char *name, const char *what)
     return STATUS_BAD_ARGUMENT;
 }
 
+static bool is_parameter(const struct scene *s, const char *path)
+{
+    char *const *key = s->parameter_key;
+
+    while (*key && strcmp(*key, path) != 0)
+        key++;
+    return *key != NULL;
+}
+
 static enum status check_key(const struct batch *b, size_t k, struct fault *why)
 {
     const char *path = b->key[k].path;
 
-    if (!scene_vary_is(&b->key[k]))
+    if (b->scene->system ? !is_parameter(b->scene, path)
+                         : !scene_vary_is(&b->key[k]))
         return blame(why, path,
-                     "no key of a number, expected one such as material.a");
+                     b->scene->system
+                         ? "no parameter, expected system.parameters.NAME"
+                         : "no key of a number, expected one such as "
+                           "material.a");
     for (size_t i = 0; i < k; i++)
         if (strcmp(b->key[i].path, path) == 0 ||
             schema_excludes(b->key[i].path, path))
@@ -66,6 +81,8 @@ static enum status check_slope(const struct batch *b, struct fault *why)
     for (size_t k = 0; k < b->keys; k++)
         if (strncmp(b->key[k].path, "slope.", 6) == 0)
             return STATUS_OK;
+    if (b->scene->system)
+        return STATUS_OK;
     return scene_slope_demand(b->scene, 1u << PRODUCT_EQUILIBRIA, why);
 }
 
@@ -85,22 +102,70 @@ static const struct result_number *find(const struct result_numbers *all,
     return n && is_quantity(n) ? n : NULL;
 }
 
+static enum status begin_points(struct batch *b)
+{
+    if (b->points)
+        return STATUS_OK;
+    b->points = malloc(sizeof *b->points);
+    if (b->points == NULL)
+        return STATUS_NO_MEMORY;
+    return batch_points_init(b->points, b->scene);
+}
+
+/* The column of that name; NULL: none. */
+static const struct sweep_column *column_of(const struct batch_points *p,
+                                            const char *name)
+{
+    for (size_t k = 0; k < p->columns.count; k++)
+        if (strcmp(p->columns.at[k].name, name) == 0)
+            return batch_points_has(p, k) ? &p->columns.at[k] : NULL;
+    return NULL;
+}
+
+static void take_column(struct batch *b, const struct sweep_column *c)
+{
+    b->column[b->numbers] = c;
+    b->number[b->numbers++] = c->number;
+}
+
 static enum status take_named(struct batch *b, const struct result_numbers *all,
                               const char *const name[], size_t names,
                               struct fault *why)
 {
     for (size_t i = 0; i < names; i++) {
-        const struct result_number *n = find(all, name[i]);
-        if (n == NULL)
+        const struct result_number *n =
+            b->scene->system ? NULL : find(all, name[i]);
+        if (n) {
+            b->number[b->numbers++] = *n;
+            continue;
+        }
+        if (begin_points(b) != STATUS_OK)
+            return STATUS_NO_MEMORY;
+        const struct sweep_column *c = column_of(b->points, name[i]);
+        if (c == NULL)
             return blame(why, name[i],
-                         "no number of a study, expected one such as v_plus");
-        b->number[b->numbers++] = *n;
+                         b->scene->system
+                             ? "no number of this system's sweeps"
+                             : "no number of a study, expected one such as "
+                               "v_plus, or a single one of the products");
+        take_column(b, c);
     }
     return STATUS_OK;
 }
 
-/* What the products give, but steady states by number, of which draws have
- * different ones. */
+/* Steady states by number are not the same from draw to draw, and estimates by
+ * xi are many. */
+bool batch_draws(const struct sweep_column *c)
+{
+    const struct result *of = c->number.of;
+    const bool study = c->names == 0 && of->shape != RESULT_COLUMNS &&
+                       of->needs & (STUDY_NUMBERS | ASKED_BY(TAYLOR));
+
+    return c->kind == RECORD_QUANTITY && c->entries == 1 &&
+           (study || of->needs & ASKED_BY(BASINS));
+}
+
+/* What the products give. */
 static void take_products(struct batch *b, const struct result_numbers *all)
 {
     const unsigned products = b->scene->products;
@@ -113,20 +178,58 @@ static void take_products(struct batch *b, const struct result_numbers *all)
             b->number[b->numbers++] = all->at[i];
 }
 
+/* The same of points; of a system what its own study has. */
+static enum status take_points(struct batch *b)
+{
+    const struct batch_points *p = b->points;
+    const bool whole = b->scene->system != NULL;
+    bool *there = calloc(p->columns.count + 1, sizeof *there);
+    enum status status = there ? STATUS_OK : STATUS_NO_MEMORY;
+
+    if (status == STATUS_OK && whole)
+        status = batch_points_there(p, there);
+    for (size_t k = 0; k < p->columns.count && status == STATUS_OK; k++) {
+        const struct sweep_column *c = &p->columns.at[k];
+        const bool counts =
+            c->kind != RECORD_QUANTITY && c->number.of->shape == RESULT_COLUMNS;
+        if (whole ? there[k] && !counts : batch_draws(c))
+            take_column(b, c);
+    }
+    free(there);
+    return status;
+}
+
+/* Whether the products have numbers beyond those of a study. */
+static bool needs_points(const struct scene *s)
+{
+    const unsigned stages = plan_stages(sweep_point_products(s, false));
+
+    return s->system || plan_has(stages, STAGE_BASINS) ||
+           plan_has(stages, STAGE_TAYLOR);
+}
+
 static enum status take_numbers(struct batch *b, const char *const name[],
                                 size_t names, struct fault *why)
 {
+    const bool points = name == NULL && needs_points(b->scene);
     struct result_numbers all;
     enum status status = study_numbers(&all, STUDY_NUMBERS);
 
-    if (status != STATUS_OK)
-        return status;
-    b->number = calloc(all.count + names + 1, sizeof *b->number);
-    if (b->number == NULL)
-        status = STATUS_NO_MEMORY;
-    else if (name)
+    if (status == STATUS_OK && points)
+        status = begin_points(b);
+    if (status == STATUS_OK) {
+        const size_t room =
+            all.count + names + (points ? b->points->columns.count : 0) + 1;
+        b->number = calloc(room, sizeof *b->number);
+        b->column = calloc(room, sizeof *b->column);
+        if (b->number == NULL || b->column == NULL)
+            status = STATUS_NO_MEMORY;
+    }
+    if (status == STATUS_OK && name)
         status = take_named(b, &all, name, names, why);
-    else
+    else if (status == STATUS_OK && points)
+        status = take_points(b);
+    else if (status == STATUS_OK)
         take_products(b, &all);
     result_numbers_free(&all);
     return status;
@@ -146,19 +249,17 @@ static enum status begin(struct batch *b, const char *const key[], size_t keys,
                          const char *const name[], size_t names,
                          struct fault *why)
 {
-    if (b->scene->system) {
-        snprintf(why->text, sizeof why->text,
-                 "a system of formulas, expected a law");
-        return STATUS_BAD_SCENE;
-    }
     enum status status = take_keys(b, key, keys, why);
     if (status == STATUS_OK)
         status = check_slope(b, why);
     if (status == STATUS_OK)
         status = take_numbers(b, name, names, why);
     for (size_t i = 0; i < b->numbers; i++)
-        b->stages |= stage_of(&b->number[i]);
+        if (b->column[i] == NULL)
+            b->stages |= stage_of(&b->number[i]);
     b->stages = plan_close(b->stages | 1u << STAGE_STEADY);
+    if (b->points && b->scene->system == NULL)
+        b->points->scene.products |= plan_products(b->stages);
     return status;
 }
 
@@ -188,6 +289,10 @@ void batch_free(struct batch *b)
     free(b->beyond);
     free(b->key);
     free(b->number);
+    free(b->column);
+    if (b->points)
+        batch_points_free(b->points);
+    free(b->points);
     *b = (struct batch){ .scene = NULL };
 }
 
@@ -197,6 +302,7 @@ void batch_free(struct batch *b)
 struct worker {
     struct scene scene; /* borrows */
     struct study study;
+    struct sweep_point point;
 };
 
 /* What one call of batch_run works on. */
@@ -220,7 +326,8 @@ static const char *set_values(const struct task *t, size_t i,
                 !scene_vary_set(&b->key[k], t->column[k][i], scene))
                 return b->beyond[k];
     struct fault why;
-    return law_check(&scene->law, &scene->material, &why) == STATUS_OK
+    return scene->system ||
+                   law_check(&scene->law, &scene->material, &why) == STATUS_OK
                ? NULL
                : "the law does not allow this material";
 }
@@ -247,14 +354,19 @@ static void put_none(const struct task *t, size_t i, const char *reason)
         batch_fate_put(&t->fates[k], i, -1, reason);
 }
 
+/* study NULL: of a system; point NULL: there is none. */
 static enum status put_all(const struct task *t, size_t i,
                            const struct study *study,
+                           const struct sweep_point *point,
                            const struct monitor *monitor)
 {
-    const struct results all = study_results(study);
+    const struct results all =
+        study ? study_results(study) : (struct results){ .run = NULL };
 
     for (size_t k = 0; k < t->b->numbers; k++) {
-        const struct quantity q = result_quantity(&all, &t->b->number[k]);
+        const struct sweep_column *c = t->b->column[k];
+        const struct quantity q = c ? sweep_column_quantity(c, point, 0)
+                                    : result_quantity(&all, &t->b->number[k]);
         put(&t->out[k], i, &q);
     }
     return t->b->pushes == 0
@@ -262,20 +374,54 @@ static enum status put_all(const struct task *t, size_t i,
                : batch_fate_find(t->b, study, i, monitor, t->fates);
 }
 
+static enum status run_study(const struct task *t, size_t i, struct worker *w,
+                             const struct monitor *monitor)
+{
+    struct fault why;
+    enum status status =
+        study_run_stages(&w->study, &w->scene, t->b->stages, monitor, &why);
+
+    if (status == STATUS_OK) {
+        status = put_all(t, i, &w->study, NULL, monitor);
+        study_free(&w->study);
+    }
+    return status;
+}
+
+/* *reason: why there are no numbers. */
+static enum status run_point(const struct task *t, size_t i, struct worker *w,
+                             const struct monitor *monitor, const char **reason)
+{
+    const struct batch *b = t->b;
+    struct sweep_point *p = &w->point;
+    enum status status = sweep_point_begin(p, &w->scene);
+
+    for (size_t k = 0; p->system && k < b->keys && status == STATUS_OK; k++)
+        status =
+            scene_parameter_set(p->system, b->key[k].path, t->column[k][i]);
+    if (status != STATUS_OK) {
+        free(p->system);
+        return status;
+    }
+    status = sweep_point_run(p, b->points->scene.products, monitor);
+    if (status != STATUS_OK)
+        return status;
+    *reason = p->failed;
+    if (*reason == NULL)
+        status = put_all(t, i, p->system ? NULL : &p->study, p, monitor);
+    sweep_point_free(p);
+    return status;
+}
+
 static enum status compute(const struct task *t, size_t i, struct worker *w,
                            const struct monitor *monitor)
 {
-    struct fault why;
     const char *reason = set_values(t, i, &w->scene);
     enum status status = STATUS_OK;
 
     if (reason == NULL)
-        status =
-            study_run_stages(&w->study, &w->scene, t->b->stages, monitor, &why);
-    if (status == STATUS_OK && reason == NULL) {
-        status = put_all(t, i, &w->study, monitor);
-        study_free(&w->study);
-    }
+        status = t->b->points ? run_point(t, i, w, monitor, &reason)
+                              : run_study(t, i, w, monitor);
     if (status == STATUS_NO_MEMORY || status == STATUS_STOPPED)
         return status;
     if (status != STATUS_OK)
@@ -292,8 +438,9 @@ static enum status compute_some(const struct task *t, size_t first, size_t size)
     enum status status = w ? STATUS_OK : STATUS_NO_MEMORY;
 
     if (w) {
-        w->scene = *t->b->scene;
-        w->scene.products = plan_products(t->b->stages);
+        w->scene = t->b->points ? t->b->points->scene : *t->b->scene;
+        if (t->b->points == NULL)
+            w->scene.products = plan_products(t->b->stages);
     }
     for (size_t i = first; i < first + size && status == STATUS_OK; i++)
         status = compute(t, i, w, NULL);

@@ -9,13 +9,18 @@
  * Each draw is a study, as `knees --set KEY=VALUE ...` makes it: the same bits,
  * at any number of threads and in any company.  What does not change from draw
  * to draw is set up once: keys and numbers are found, and of the stages only
- * those run that the numbers named need.
+ * those run that the numbers named need.  Numbers of systems of formulas, and
+ * of what else a sweep has by name, such as basin_fraction_log_creep, are those
+ * of its points (batch_points.h).
  */
 #pragma once
 
 #include "monitor.h"
 #include "result_number.h"
 #include "scene_vary.h"
+
+struct batch_points;
+struct sweep_column;
 
 struct batch {
     const struct scene *scene; /* borrowed */
@@ -24,7 +29,10 @@ struct batch {
     size_t keys;
     struct result_number *number; /* owned */
     size_t numbers;
-    const struct scene_push *push; /* borrowed */
+    struct batch_points *points; /* owned; NULL: a study's first stages do */
+    const struct sweep_column **column; /* owned; with points by number: whose
+                                           it is; NULL: of a study */
+    const struct scene_push *push;      /* borrowed */
     size_t pushes;
     unsigned stages; /* bits of enum stage */
 };
@@ -42,14 +50,14 @@ struct batch_fates {
     const char **reason; /* why a fate is undecided or is none; else NULL */
 };
 
-/* Numbers of that scene's law, by name (result_number.h), over those keys, such
- * as "material.a"; name NULL: all that the scene's products give, and without
- * products those of the saddle's stable manifold.  Both the
- * arrays and the scene's own values of the keys may go afterwards; the scene
- * and the keys' texts must stay.  STATUS_BAD_ARGUMENT: *why names the key or
- * the number that does not exist, is twice there or excludes another;
- * STATUS_BAD_SCENE: a system of formulas, or no slope where one is needed;
- * STATUS_NO_MEMORY.  On error *b is empty. */
+/* Numbers of that scene, by name (result_number.h, sweep_column.h), over those
+ * keys, such as "material.a"; name NULL: all that the scene's products give,
+ * and without products those of the saddle's stable manifold; of a system those
+ * that its own study has.  Both the arrays and the scene's own values of the
+ * keys may go afterwards; the scene and the keys' texts must stay.
+ * STATUS_BAD_ARGUMENT: *why names the key or the number that does not exist, is
+ * twice there or excludes another; STATUS_BAD_SCENE: no slope where one is
+ * needed, or no numbers; STATUS_NO_MEMORY.  On error *b is empty. */
 MUST_CHECK enum status batch_init(struct batch *b, const struct scene *scene,
                                   const char *const key[], size_t keys,
                                   const char *const name[], size_t names,
@@ -69,6 +77,10 @@ MUST_CHECK enum status batch_run(const struct batch *b, size_t count,
                                  const struct monitor *monitor,
                                  const struct batch_column out[],
                                  const struct batch_fates fates[]);
+
+/* Whether a number of a law is drawn where none is named: once at a point, read
+ * off the folds, the manifold, estimates, power series or shares of basins. */
+bool batch_draws(const struct sweep_column *c);
 
 /* A second call is harmless. */
 void batch_free(struct batch *b);

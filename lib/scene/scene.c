@@ -292,11 +292,10 @@ static enum status check_all(scene_check *const check[],
 /* Sections that are for laws. */
 static enum status refuse_others(const struct node *root, struct fault *why)
 {
-    static const char *const known[] = {
-        "title",        "system", "window", "products",
-        "trajectories", "basins", "sweep",  "accuracy",
-        "output",       "figure", NULL
-    };
+    static const char *const known[] = { "title",    "system",       "window",
+                                         "products", "trajectories", "basins",
+                                         "sweep",    "ensemble",     "accuracy",
+                                         "output",   "figure",       NULL };
 
     for (size_t i = 0; i < root->count; i++) {
         const struct node *n = root->child[i];
@@ -335,7 +334,8 @@ static enum status fill(struct node *root, struct scene *s, struct fault *why)
         scene_sweep_check, scene_ensemble_check, NULL
     };
     static scene_check *const of_system[] = { scene_system_check,
-                                              scene_sweep_check, NULL };
+                                              scene_sweep_check,
+                                              scene_ensemble_check, NULL };
     enum status status = set_defaults(s);
 
     if (status == STATUS_OK)

@@ -312,6 +312,13 @@ enum status scene_ensemble_settle(const struct node *root, struct scene *s,
     return pushes ? settle_pushes(pushes, s, why) : STATUS_OK;
 }
 
+static bool is_among(const char *word, const char *const *words)
+{
+    while (*words && strcmp(*words, word) != 0)
+        words++;
+    return *words != NULL;
+}
+
 enum status scene_ensemble_check_key(const struct scene *s, const char *path,
                                      struct place at, struct fault *why)
 {
@@ -322,13 +329,17 @@ enum status scene_ensemble_check_key(const struct scene *s, const char *path,
     for (const struct schema_key *k = schema_table; k->path; k++)
         if (value_is_real(k))
             known[count++] = k->path;
-    if (!scene_vary_is(&vary)) {
-        const char *near = synonym_nearest(path, known);
+    if (s->system ? !is_among(path, (const char *const *) s->parameter_key)
+                  : !scene_vary_is(&vary)) {
+        const char *near = synonym_nearest(
+            path, s->system ? (const char *const *) s->parameter_key : known);
         return place_blame(at, why,
                            "'%s' is no key of a number, expected one such as "
-                           "material.a%s%s%s",
-                           text_shown(path).text, near ? " (did you mean " : "",
-                           near ? near : "", near ? "?)" : "");
+                           "%s%s%s%s",
+                           text_shown(path).text,
+                           s->system ? "system.parameters.NAME" : "material.a",
+                           near ? " (did you mean " : "", near ? near : "",
+                           near ? "?)" : "");
     }
     for (int k = 0; k < MATERIAL_G; k++) {
         const char *name = material_key_name((enum material_key) k);
@@ -342,20 +353,33 @@ enum status scene_ensemble_check_key(const struct scene *s, const char *path,
     return STATUS_OK;
 }
 
+/* Where the key of parameter i stands, and its value. */
+static void find_places(const struct node *root, const struct scene *s,
+                        size_t i, char set[SCENE_SCATTER_SET],
+                        struct place *key, struct place *value)
+{
+    const size_t scattered = s->ensemble.scattered;
+
+    if (i < scattered) {
+        *key = *value = scene_scatter_place(s, &s->ensemble.parameter[i], set);
+        return;
+    }
+    const struct node *list = node_at(root, "ensemble.parameters");
+    *key = list->child[i - scattered]->key_at;
+    *value = list->child[i - scattered]->at;
+}
+
 static enum status check_parameter(const struct node *root,
                                    const struct scene *s, size_t i,
                                    struct fault *why)
 {
     const struct scene_spread *p = &s->ensemble.parameter[i];
-    const size_t scattered = s->ensemble.scattered;
-    const struct node *n =
-        i < scattered
-            ? node_at(root, p->key)
-            : node_at(root, "ensemble.parameters")->child[i - scattered];
-    const struct place at = n->key_at;
     struct scene trial = *s; /* borrows */
-    const enum status status = scene_ensemble_check_key(s, p->key, at, why);
+    struct place at, value;
+    char set[SCENE_SCATTER_SET];
 
+    find_places(root, s, i, set, &at, &value);
+    const enum status status = scene_ensemble_check_key(s, p->key, at, why);
     if (status != STATUS_OK)
         return status;
     for (size_t j = 0; j < i; j++)
@@ -370,7 +394,7 @@ static enum status check_parameter(const struct node *root,
     const struct scene_vary vary = scene_vary_at(s, p->key);
     return scene_vary_set(&vary, scene_spread_median(p), &trial)
                ? STATUS_OK
-               : place_blame(n->at, why,
+               : place_blame(value, why,
                              "ensemble.parameters: %s: its median %g is not "
                              "allowed, expected %s",
                              p->key, scene_spread_median(p),
@@ -380,8 +404,13 @@ static enum status check_parameter(const struct node *root,
 enum status scene_ensemble_check(const struct node *root, const struct scene *s,
                                  struct fault *why)
 {
-    enum status status = scene_scatter_check(root, s, why);
+    const struct node *pushes = node_at(root, "ensemble.pushes");
+    enum status status = scene_scatter_check(s, why);
 
+    if (status == STATUS_OK && s->system && pushes)
+        return place_blame(pushes->key_at, why,
+                           "ensemble.pushes: for a law on a slope, not for a "
+                           "system");
     for (size_t i = 0; i < s->ensemble.parameters && status == STATUS_OK; i++)
         status = check_parameter(root, s, i, why);
     return status;

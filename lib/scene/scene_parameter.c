@@ -72,22 +72,16 @@ enum status scene_parameter_keys(struct scene *s, const struct node *of,
     return check_set(of, s, why);
 }
 
-enum status scene_parameter_at(const struct scene *s, const double x[],
-                               struct formula_system *point)
+enum status scene_parameter_set(struct formula_system *f, const char *key,
+                                double x)
 {
-    static const struct formula_place here = { "sweep", 0, 0 };
-    enum status status = STATUS_OK;
+    static const struct formula_place here = { "a parameter", 0, 0 };
+    formula_real value;
     struct fault why;
 
-    *point = *s->system;
-    for (size_t i = 0; i < s->sweep.axes && status == STATUS_OK; i++) {
-        formula_real value;
-        status = formula_parse_decimal(number_shortest(x[i]).text, here, &value,
+    const enum status status =
+        formula_parse_decimal(number_shortest(x).text, here, &value, &why);
+    return status ? status
+                  : formula_system_set(f, strrchr(key, '.') + 1, value, here,
                                        &why);
-        if (status == STATUS_OK)
-            status = formula_system_set(point,
-                                        strrchr(s->sweep.axis[i].key, '.') + 1,
-                                        value, here, &why);
-    }
-    return status;
 }

@@ -11,9 +11,8 @@ MUST_CHECK enum status scene_parameter_keys(struct scene *s,
                                             const struct node *n,
                                             struct fault *why);
 
-/* The scene's system with its sweep's keys at x[0 .. axes - 1], numbers as
- * their shortest decimals say: a study with --set KEY=DECIMAL has the same.
- * STATUS_BAD_SCENE where the formulas cannot be read with them. */
-MUST_CHECK enum status scene_parameter_at(const struct scene *s,
-                                          const double x[],
-                                          struct formula_system *point);
+/* Sets the parameter of that key, a number as its shortest decimal says: a
+ * study with --set KEY=DECIMAL has the same.  STATUS_BAD_SCENE where the
+ * formulas cannot be read with it. */
+MUST_CHECK enum status scene_parameter_set(struct formula_system *f,
+                                           const char *key, double x);

@@ -81,13 +81,23 @@ enum status scene_scatter_take(struct node *root, struct scene *s,
     return status;
 }
 
-enum status scene_scatter_check(const struct node *root, const struct scene *s,
-                                struct fault *why)
+struct place scene_scatter_place(const struct scene *s,
+                                 const struct scene_spread *p,
+                                 char set[SCENE_SCATTER_SET])
+{
+    snprintf(set, SCENE_SCATTER_SET, "%s=%s +- %s", p->key,
+             number_shortest(p->of[0]).text, number_shortest(p->of[1]).text);
+    return (struct place){ p->is_set ? set : s->file, p->is_set, p->line,
+                           p->column };
+}
+
+enum status scene_scatter_check(const struct scene *s, struct fault *why)
 {
     const struct scene_ensemble *e = &s->ensemble;
+    char set[SCENE_SCATTER_SET];
 
     return e->scattered > 0 && (e->samples || e->covariance)
-               ? place_blame(node_at(root, e->parameter[0].key)->at, why,
+               ? place_blame(scene_scatter_place(s, e->parameter, set), why,
                              "%s: X +- S beside ensemble.%s, expected one of "
                              "the two",
                              e->parameter[0].key,
@@ -99,16 +109,13 @@ enum status scene_scatter_refuse(const struct scene *s, const char *what,
                                  struct fault *why)
 {
     const struct scene_spread *p = s->ensemble.parameter;
-    char set[256];
+    char set[SCENE_SCATTER_SET];
 
-    if (s->ensemble.scattered == 0)
-        return STATUS_OK;
-    snprintf(set, sizeof set, "%s=%s +- %s", p->key,
-             number_shortest(p->of[0]).text, number_shortest(p->of[1]).text);
-    return place_blame((struct place){ p->is_set ? set : s->file, p->is_set,
-                                       p->line, p->column },
-                       why,
-                       "%s: %s does not tell what +- makes, expected a number, "
-                       "or knees, portrait, study, basin or ensemble",
-                       p->key, what);
+    return s->ensemble.scattered > 0
+               ? place_blame(scene_scatter_place(s, p, set), why,
+                             "%s: %s does not tell what +- makes, expected a "
+                             "number, or knees, portrait, study, basin or "
+                             "ensemble",
+                             p->key, what)
+               : STATUS_OK;
 }

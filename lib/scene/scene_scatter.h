@@ -12,9 +12,14 @@
 MUST_CHECK enum status scene_scatter_take(struct node *root, struct scene *s,
                                           struct fault *why);
 
+/* Where such an input stands, of an override as in `set`. */
+enum { SCENE_SCATTER_SET = 256 };
+struct place scene_scatter_place(const struct scene *s,
+                                 const struct scene_spread *p,
+                                 char set[SCENE_SCATTER_SET]);
+
 /* STATUS_BAD_SCENE: such inputs, beside draws that come from a file. */
-MUST_CHECK enum status scene_scatter_check(const struct node *root,
-                                           const struct scene *s,
+MUST_CHECK enum status scene_scatter_check(const struct scene *s,
                                            struct fault *why);
 
 /* STATUS_BAD_SCENE where there are such inputs, blamed on the first: `what`

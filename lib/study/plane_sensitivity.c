@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "equilibria.h"
 #include "study_tolerance.h"
@@ -133,13 +134,46 @@ static void set_conditioning(struct quantity *q, const struct plane_slope *by,
     q->conditioning = 0x1p-53 * sum / fabs(q->value);
 }
 
-static void set_all(struct plane_rest *r, const struct plane_slope *by,
-                    const struct formula_system *f)
+/* ---- what their scatter makes -------------------------------------------- */
+
+/* S of a parameter that is X +- S; 0: it is known. */
+static double scatter_of(const struct scene *s, const char *name)
 {
-    for (size_t i = 0; i < 2; i++) {
-        set_conditioning(&r->state[i], by, i, f);
-        set_conditioning(&r->lambda[i].re, by, 2 + 2 * i, f);
-        set_conditioning(&r->lambda[i].im, by, 3 + 2 * i, f);
+    const struct scene_ensemble *e = &s->ensemble;
+
+    for (size_t i = 0; i < e->scattered; i++)
+        if (strcmp(strrchr(e->parameter[i].key, '.') + 1, name) == 0)
+            return e->parameter[i].of[1];
+    return 0.0;
+}
+
+static void set_spread(struct quantity *q, const struct plane_slope *by,
+                       size_t i, const struct scene *s)
+{
+    double all = 0.0;
+
+    for (int k = 0; k < s->system->parameters && quantity_exists(q); k++) {
+        const double scatter = scatter_of(s, s->system->parameter[k].name);
+        if (scatter > 0.0)
+            all = hypot(all, quantity_exists(&by[k].by[i])
+                                 ? scatter * by[k].by[i].value
+                                 : HUGE_VAL);
+        q->spread = q->spread_si = all;
+    }
+}
+
+static void set_all(struct plane_rest *r, const struct plane_slope *by,
+                    const struct plane_study *s)
+{
+    struct quantity *q[] = { &r->state[0],     &r->state[1],
+                             &r->lambda[0].re, &r->lambda[0].im,
+                             &r->lambda[1].re, &r->lambda[1].im };
+
+    for (size_t i = 0; i < PLANE_SLOPES; i++) {
+        if (s->products & 1u << PRODUCT_SENSITIVITIES)
+            set_conditioning(q[i], by, i, s->scene->system);
+        if (s->scene->ensemble.scattered > 0)
+            set_spread(q[i], by, i, s->scene);
     }
 }
 
@@ -164,7 +198,7 @@ enum status plane_sensitivity_find(struct plane_study *s,
             status = STATUS_STOPPED;
         for (int k = 0; k < f->parameters && status == STATUS_OK; k++)
             status = find_slopes(&d, k, &s->slope[i * each + (size_t) k]);
-        set_all(&s->rest[i], s->slope + i * each, f);
+        set_all(&s->rest[i], s->slope + i * each, s);
     }
     free(d.system);
     free(d.found);

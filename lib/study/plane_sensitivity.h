@@ -14,6 +14,10 @@
  * the bar is all of it, and the bars of the four q over their steps: it holds
  * unless q''' changes by a factor of 3 within h = 2^-30 |p|.
  *
+ * Conditioning where the scene's products have sensitivities; where parameters
+ * scatter, "a: X +- S", the spread of the same numbers: spread^2 is the sum of
+ * (dq/da)^2 S^2.
+ *
  * STATUS_NO_MEMORY, STATUS_STOPPED. */
 MUST_CHECK enum status plane_sensitivity_find(struct plane_study *s,
                                               const struct monitor *monitor);

@@ -310,7 +310,7 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
         status = plane_basin_find(s, monitor);
     if (status != STATUS_OK)
         return status;
-    if (s->products & BIT(SENSITIVITIES))
+    if (s->products & BIT(SENSITIVITIES) || s->scene->ensemble.scattered > 0)
         status = plane_sensitivity_find(s, monitor);
     if (status != STATUS_OK)
         return status;

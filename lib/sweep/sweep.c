@@ -166,8 +166,8 @@ static enum status compute(struct run *r, size_t i)
     if (size && block == NULL)
         return STATUS_NO_MEMORY;
     enum status status =
-        sweep_point_run(&point, r->s->scene, sweep_rows_x(&r->s->rows, i),
-                        r->products, r->takes_long ? &monitor : NULL);
+        sweep_point_at(&point, r->s->scene, sweep_rows_x(&r->s->rows, i),
+                       r->products, r->takes_long ? &monitor : NULL);
     if (status == STATUS_OK) {
         status = keep(r, i, &point, block);
         sweep_point_free(&point);

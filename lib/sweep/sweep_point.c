@@ -118,42 +118,60 @@ static enum status run(struct sweep_point *p, bool starts,
     return status;
 }
 
-/* The same of a system of formulas. */
-static enum status run_plane(struct sweep_point *p, const struct scene *scene,
-                             const double x[], const struct monitor *monitor)
-{
-    struct fault why;
-
-    p->system = malloc(sizeof *p->system);
-    if (p->system == NULL)
-        return STATUS_NO_MEMORY;
-    p->scene.system = p->system;
-    const enum status status = scene_parameter_at(scene, x, p->system);
-    return status ? status
-                  : plane_study_run(&p->plane, &p->scene, monitor, &why);
-}
-
-enum status sweep_point_run(struct sweep_point *p, const struct scene *scene,
-                            const double x[], unsigned products,
-                            const struct monitor *monitor)
+enum status sweep_point_begin(struct sweep_point *p, const struct scene *scene)
 {
     p->start = NULL; /* what is large is not cleared twice */
     p->starts = 0;
     p->failed = NULL;
     p->system = NULL;
     p->plane = (struct plane_study){ .scene = NULL };
-    scene_at(scene, x, &p->scene);
-    p->scene.products = products;
-    const enum status status =
-        scene->system ? run_plane(p, scene, x, monitor)
-                      : run(p, scene->products & BIT(TRAJECTORIES), monitor);
-    if (status == STATUS_OK)
+    p->scene = *scene;
+    if (scene->system == NULL)
         return STATUS_OK;
+    p->scene.system = p->system = malloc(sizeof *p->system);
+    if (p->system == NULL)
+        return STATUS_NO_MEMORY;
+    *p->system = *scene->system;
+    return STATUS_OK;
+}
+
+/* What failed is a reason; others are errors. */
+static enum status note_failure(struct sweep_point *p, enum status status)
+{
     sweep_point_free(p);
     if (status == STATUS_NO_MEMORY || status == STATUS_STOPPED)
         return status;
     p->failed = status_text(status);
     return STATUS_OK;
+}
+
+enum status sweep_point_run(struct sweep_point *p, unsigned products,
+                            const struct monitor *monitor)
+{
+    const bool starts = p->scene.products & BIT(TRAJECTORIES);
+    struct fault why;
+
+    p->scene.products = products;
+    const enum status status =
+        p->system ? plane_study_run(&p->plane, &p->scene, monitor, &why)
+                  : run(p, starts, monitor);
+    return status ? note_failure(p, status) : STATUS_OK;
+}
+
+enum status sweep_point_at(struct sweep_point *p, const struct scene *scene,
+                           const double x[], unsigned products,
+                           const struct monitor *monitor)
+{
+    struct scene at;
+
+    scene_at(scene, x, &at);
+    enum status status = sweep_point_begin(p, &at);
+    if (status != STATUS_OK)
+        return status;
+    for (size_t i = 0; p->system && i < scene->sweep.axes && !status; i++)
+        status = scene_parameter_set(p->system, scene->sweep.axis[i].key, x[i]);
+    return status ? note_failure(p, status)
+                  : sweep_point_run(p, products, monitor);
 }
 
 void sweep_point_free(struct sweep_point *p)

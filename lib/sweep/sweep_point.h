@@ -33,13 +33,22 @@ struct sweep_point {
  * that are arrays over the window. */
 unsigned sweep_point_products(const struct scene *scene, bool maps);
 
-/* Runs the scene at x[0 .. axes - 1] with those products.  A computation that
- * fails is a reason in *p; STATUS_NO_MEMORY, and STATUS_STOPPED by the monitor,
- * are errors and leave *p empty.  *p must not move. */
-MUST_CHECK enum status sweep_point_run(struct sweep_point *p,
-                                       const struct scene *scene,
-                                       const double x[], unsigned products,
+/* p->scene is the scene, to be moved, and p->system a copy of its system.
+ * STATUS_NO_MEMORY leaves *p empty. */
+MUST_CHECK enum status sweep_point_begin(struct sweep_point *p,
+                                         const struct scene *scene);
+
+/* Runs p->scene with those products.  A computation that fails is a reason in
+ * *p; STATUS_NO_MEMORY, and STATUS_STOPPED by the monitor, are errors and leave
+ * *p empty.  *p must not move. */
+MUST_CHECK enum status sweep_point_run(struct sweep_point *p, unsigned products,
                                        const struct monitor *monitor);
+
+/* Both, of the scene at x[0 .. axes - 1] of its sweep. */
+MUST_CHECK enum status sweep_point_at(struct sweep_point *p,
+                                      const struct scene *scene,
+                                      const double x[], unsigned products,
+                                      const struct monitor *monitor);
 
 /* A second call is harmless. */
 void sweep_point_free(struct sweep_point *p);

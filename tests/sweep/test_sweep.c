@@ -33,7 +33,7 @@ static void check_point(const struct sweep *s, size_t i, const char *law,
     const char *const sets[] = { law, ALL, slope, set, NULL };
     scene_set(&scene, sets);
     assert_int_equal(
-        sweep_point_run(&point, &scene, nowhere, scene.products, NULL),
+        sweep_point_at(&point, &scene, nowhere, scene.products, NULL),
         STATUS_OK);
     for (size_t k = 0; k < s->columns.count; k++) {
         const struct sweep_column *c = &s->columns.at[k];

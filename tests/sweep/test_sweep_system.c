@@ -209,10 +209,12 @@ static void decimals_are_taken_as_typed(void **state)
     (void) state;
     scene_set(&scene, sets);
     for (size_t i = 0; i < 2; i++) {
-        const double x[] = { scene.sweep.axis[0].value[i], 0.0 };
+        const struct scene_axis *axis = &scene.sweep.axis[0];
         const struct formula_place here = { "", 0, 0 };
         formula_real value;
-        assert_int_equal(scene_parameter_at(&scene, x, &point), STATUS_OK);
+        point = *scene.system;
+        assert_int_equal(scene_parameter_set(&point, axis->key, axis->value[i]),
+                         STATUS_OK);
         assert_int_equal(
             formula_parse_decimal(i ? "0.3" : "0.1", here, &value, &why),
             STATUS_OK);
