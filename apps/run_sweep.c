@@ -3,16 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crew.h"
 #include "output.h"
 #include "picture_sweep.h"
 #include "product_setting.h"
-#include "replace.h"
 #include "report_sweep.h"
 #include "report_sweep_json.h"
 #include "scene_sweep.h"
 #include "shared.h"
-#include "side_file.h"
 #include "sweep_csv.h"
 #include "sweep_file.h"
 #include "tolerance.h"
@@ -75,54 +72,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     return read_settings(o, more, 1, scene, why);
 }
 
-/* A point's bar and its proof cannot both be right. */
-static enum exit_code judge_proofs(const struct sweep_reasons *r)
-{
-    for (size_t i = REASON_FIRST; i < r->count; i++)
-        if (strstr(r->text[i], STUDY_PROOF_LIE)) {
-            fprintf(stderr, "slipway: %s\n", r->text[i]);
-            return EXIT_CHECK;
-        }
-    return EXIT_DONE;
-}
-
-/* ---- files --------------------------------------------------------------- */
-
-static const char *const panel[] = { "", NULL };
-
-static enum status write_files(const struct sweep *s, const struct options *o,
-                               const char *journal, struct fault *why)
-{
-    const struct scene *c = s->scene;
-    struct panels p = PANELS_EMPTY;
-    enum status status = STATUS_OK;
-
-    if (c->hdf5)
-        status = sweep_file_write(s, c->hdf5, why);
-    if (status == STATUS_OK && c->hdf5) {
-        sweep_forget(journal);
-        output_tell(o, c->hdf5);
-    }
-    if (status == STATUS_OK && c->figure)
-        picture_sweep(s, panels_add(&p, panel[0]));
-    return status ? status : output_draw(o, &c->paper, &p, c->figure, why);
-}
-
 /* ---- results ------------------------------------------------------------- */
-
-static void print_notes(const struct sweep *s, const char *journal)
-{
-    if (s->replaced)
-        printf("note: %s of an interrupted sweep was replaced; --resume would "
-               "have gone on\n",
-               journal);
-    if (s->taken > 0)
-        printf("note: %zu of %zu points were there already\n", s->taken,
-               s->points);
-    if (s->unrefined)
-        printf("note: refinement stopped before its tolerance: too many "
-               "points, or as near to a fold as the key's digits allow\n");
-}
 
 /* How many points have an entry of that column beyond so many times rtol. */
 static size_t points_beyond(const struct sweep *s, const char *name,
@@ -167,10 +117,20 @@ static enum exit_code judge(const struct sweep *s)
     return EXIT_DONE;
 }
 
-static enum exit_code print_results(const struct sweep *s,
-                                    const struct options *o,
-                                    const char *journal)
+/* A point's bar and its proof cannot both be right. */
+static enum exit_code judge_proofs(const struct sweep_reasons *r)
 {
+    for (size_t i = REASON_FIRST; i < r->count; i++)
+        if (strstr(r->text[i], STUDY_PROOF_LIE)) {
+            fprintf(stderr, "slipway: %s\n", r->text[i]);
+            return EXIT_CHECK;
+        }
+    return EXIT_DONE;
+}
+
+static enum exit_code print_work(const void *work, const struct options *o)
+{
+    const struct sweep *s = work;
     const bool csv = output_is_standard(o);
 
     if (csv && sweep_csv(stdout, s) != STATUS_OK)
@@ -178,79 +138,60 @@ static enum exit_code print_results(const struct sweep *s,
     if ((o->json && !json_print(report_sweep_json(s))) ||
         (csv && fflush(stdout)))
         return command_unwritten();
-    if (!o->json && !o->quiet && !csv) {
+    if (!o->json && !o->quiet && !csv)
         report_sweep_print(stdout, s);
-        print_notes(s, journal);
-    }
-    return judge(s);
+    const enum exit_code code = judge(s);
+    return code == EXIT_DONE ? judge_proofs(&s->reasons) : code;
+}
+
+static void note_work(const void *work)
+{
+    const struct sweep *s = work;
+
+    if (s->unrefined)
+        printf("note: refinement stopped before its tolerance: too many "
+               "points, or as near to a fold as the key's digits allow\n");
 }
 
 /* ---- the whole ----------------------------------------------------------- */
 
-/* A sweep in the making. */
-struct work {
-    struct sweep sweep;
-    const struct scene *scene;
-};
-
-static enum status run_work(void *work, const struct sweep_options *how,
+static enum status run_work(void *work, const struct scene *scene,
+                            const struct sweep_options *how,
                             const struct monitor *monitor, struct fault *why)
 {
-    struct work *w = work;
-
-    return sweep_run(&w->sweep, w->scene, how, monitor, why);
+    return sweep_run(work, scene, how, monitor, why);
 }
 
 static void free_work(void *work)
 {
-    struct work *w = work;
-
-    sweep_free(&w->sweep);
+    sweep_free(work);
 }
 
-/* What a share tells. */
-static void print_share(const struct sweep *s, const struct options *o,
-                        const char *journal)
+static enum status write_work(const void *work, const char *path,
+                              struct fault *why)
 {
-    if (!o->quiet && o->shard)
-        printf("share %s: %zu of %zu points, beside %s; 'slipway merge' joins "
-               "all shares\n",
-               o->shard, s->rows.count - s->missing, s->rows.count, journal);
+    return sweep_file_write(work, path, why);
+}
+
+static enum status draw_work(const void *work, struct panels *p,
+                             struct fault *why)
+{
+    (void) why;
+    picture_sweep(work, panels_add(p, ""));
+    return STATUS_OK;
 }
 
 static enum exit_code run(const struct options *o, const struct scene *scene)
 {
-    struct fault why = { "" };
-    struct work work = { .scene = scene };
-    struct sweep *sweep = &work.sweep;
-    const struct shared_work shared = { run_work, free_work, &work,
-                                        &sweep->missing, &sweep->taken };
-    bool whole = true;
-    char *journal = side_file_of(scene);
-    enum status s =
-        scene->hdf5 && !journal
-            ? STATUS_NO_MEMORY
-            : side_file_check(o, scene, "sweep", journal, panel, &why);
+    static const char *const panel[] = { "", NULL };
+    struct sweep s = { .scene = NULL };
+    const struct shared_work work = { "sweep",    "points",      panel,
+                                      &s,         run_work,      free_work,
+                                      write_work, draw_work,     print_work,
+                                      note_work,  &s.rows.count, &s.missing,
+                                      &s.taken,   &s.replaced };
 
-    s = crew_agree(s, &why, NULL);
-    if (s == STATUS_OK)
-        s = shared_run(&shared, o, journal, &whole, &why);
-    if (s != STATUS_OK) {
-        free(journal);
-        return command_fail(s, why.text);
-    }
-    if (whole)
-        s = write_files(sweep, o, journal, &why);
-    else
-        print_share(sweep, o, journal);
-    enum exit_code code = s != STATUS_OK ? command_fail(s, why.text)
-                          : whole        ? print_results(sweep, o, journal)
-                                         : EXIT_DONE;
-    if (code == EXIT_DONE)
-        code = judge_proofs(&sweep->reasons);
-    sweep_free(sweep);
-    free(journal);
-    return code;
+    return shared_command(&work, o, scene);
 }
 
 enum exit_code command_sweep(const struct options *o)

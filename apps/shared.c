@@ -9,11 +9,14 @@
 #include "parts.h"
 #include "progress.h"
 #include "replace.h"
+#include "side_file.h"
+#include "sweep.h"
 
 /* What all ways of running it have in common. */
 struct shared {
     const struct shared_work *w;
     const struct options *o;
+    const struct scene *scene;
     const char *journal;
     bool resume;
     struct fault *why;
@@ -22,7 +25,7 @@ struct shared {
 static enum status run(const struct shared *h, const struct sweep_options *how)
 {
     const enum status status =
-        h->w->run(h->w->work, how, progress_monitor(h->o), h->why);
+        h->w->run(h->w->work, h->scene, how, progress_monitor(h->o), h->why);
 
     progress_end();
     return status;
@@ -200,19 +203,100 @@ static enum status run_somehow(struct shared *h)
     return h->o->shard ? run_share(h) : run_alone(h);
 }
 
-enum status shared_run(const struct shared_work *w, const struct options *o,
-                       const char *journal, bool *whole, struct fault *why)
+/* *whole: all is there, and it is for this process to write it; else the work
+ * has its share or, on another rank, nothing. */
+static enum status run_whole(struct shared *h, bool *whole)
 {
+    const struct options *o = h->o;
     const bool merged = command_id(o->command) == COMMAND_MERGE;
-    struct shared h = { w, o, journal, o->resume || merged, why };
 
-    if (journal == NULL && (merged || o->shard || crew_ranks() > 1))
-        return complain(&h, o->shard ? "--shard" : o->command->name);
-    const enum status status = run_somehow(&h);
-    if (status == STATUS_STOPPED && journal)
-        snprintf(why->text, sizeof why->text,
+    h->resume = o->resume || merged;
+    if (h->journal == NULL && (merged || o->shard || crew_ranks() > 1))
+        return complain(h, o->shard ? "--shard" : o->command->name);
+    const enum status status = run_somehow(h);
+    if (status == STATUS_STOPPED && h->journal)
+        snprintf(h->why->text, sizeof h->why->text,
                  "interrupted; what is computed stays in %.300s for --resume",
-                 journal);
+                 h->journal);
     *whole = crew_rank() == 0 && !o->shard;
     return status;
+}
+
+/* ---- what it leaves -------------------------------------------------------
+ */
+
+static enum status write_files(const struct shared *h)
+{
+    const struct scene *c = h->scene;
+    struct panels p = PANELS_EMPTY;
+    enum status status = STATUS_OK;
+
+    if (c->hdf5)
+        status = h->w->write(h->w->work, c->hdf5, h->why);
+    if (status == STATUS_OK && c->hdf5) {
+        sweep_forget(h->journal);
+        output_tell(h->o, c->hdf5);
+    }
+    if (status == STATUS_OK && c->figure)
+        status = h->w->draw(h->w->work, &p, h->why);
+    return status ? status
+                  : output_draw(h->o, &c->paper, &p, c->figure, h->why);
+}
+
+static void print_notes(const struct shared *h)
+{
+    const struct shared_work *w = h->w;
+
+    if (*w->replaced)
+        printf("note: %s of an interrupted %s was replaced; --resume would "
+               "have gone on\n",
+               h->journal, w->name);
+    if (*w->taken > 0)
+        printf("note: %zu of %zu %s were there already\n", *w->taken, *w->count,
+               w->tasks);
+    w->note(w->work);
+}
+
+static enum exit_code tell(const struct shared *h, bool whole)
+{
+    const struct shared_work *w = h->w;
+    const struct options *o = h->o;
+
+    if (!whole && !o->quiet && o->shard)
+        printf("share %s: %zu of %zu %s, beside %s; 'slipway merge' joins all "
+               "shares\n",
+               o->shard, *w->count - *w->missing, *w->count, w->tasks,
+               h->journal);
+    if (!whole)
+        return EXIT_DONE;
+    const enum status status = write_files(h);
+    if (status != STATUS_OK)
+        return command_fail(status, h->why->text);
+    const enum exit_code code = w->print(w->work, o);
+    if (!o->json && !o->quiet && !output_is_standard(o))
+        print_notes(h);
+    return code;
+}
+
+enum exit_code shared_command(const struct shared_work *w,
+                              const struct options *o,
+                              const struct scene *scene)
+{
+    struct fault why = { "" };
+    char *journal = side_file_of(scene);
+    struct shared h = { w, o, scene, journal, false, &why };
+    bool whole = true;
+    enum status s =
+        scene->hdf5 && !journal
+            ? STATUS_NO_MEMORY
+            : side_file_check(o, scene, w->name, journal, w->panel, &why);
+
+    s = crew_agree(s, &why, NULL);
+    if (s == STATUS_OK)
+        s = run_whole(&h, &whole);
+    const enum exit_code code =
+        s == STATUS_OK ? tell(&h, whole) : command_fail(s, why.text);
+    w->free(w->work);
+    free(journal);
+    return code;
 }

@@ -11,25 +11,34 @@
 #pragma once
 
 #include "monitor.h"
-#include "options.h"
-#include "status.h"
+#include "output.h"
 #include "sweep_options.h"
 
-/* What is run, of functions as sweep_run's. */
+/* A sweep or an ensemble in the making. */
 struct shared_work {
-    enum status (*run)(void *work, const struct sweep_options *how,
+    const char *name;         /* "sweep" */
+    const char *tasks;        /* "points" */
+    const char *const *panel; /* of its figure, as of panel_path */
+    void *work;
+    enum status (*run)(void *work, const struct scene *scene,
+                       const struct sweep_options *how,
                        const struct monitor *monitor, struct fault *why);
     void (*free)(void *work);
-    void *work;
-    const size_t *missing; /* members of *work after run: tasks of others, */
-    size_t *taken;         /* and those that were there already */
+    enum status (*write)(const void *work, const char *path, struct fault *why);
+    enum status (*draw)(const void *work, struct panels *p, struct fault *why);
+    /* Text or JSON; then what is to be noted of the run. */
+    enum exit_code (*print)(const void *work, const struct options *o);
+    void (*note)(const void *work);
+
+    /* Members of *work after run: tasks in all, those of others, those that
+     * were there already, and whether a side file was left and replaced. */
+    const size_t *count, *missing;
+    size_t *taken;
+    const bool *replaced;
 };
 
-/* journal: the side file of a run alone (parts.h), whose folder is made; NULL:
- * none.  *whole: all is there, and it is for this process to write it; else the
- * work has its share (missing) or, on another rank, nothing; it is to be freed
- * in any case.  Errors as those of run; STATUS_BAD_ARGUMENT, BAD_SCENE: shares
- * that are wrong or not there. */
-MUST_CHECK enum status shared_run(const struct shared_work *w,
-                                  const struct options *o, const char *journal,
-                                  bool *whole, struct fault *why);
+/* Runs it, writes its file and figure, prints it and frees it; of a share what
+ * there is of it.  Nothing is left beside a file that was written. */
+enum exit_code shared_command(const struct shared_work *w,
+                              const struct options *o,
+                              const struct scene *scene);
