@@ -281,25 +281,12 @@ bool scene_ensemble_has(const struct scene *s, const char *key)
     return e->samples || e->covariance;
 }
 
-/* Is there such a key, or another one in its place? */
-static bool is_given(const struct node *root, const char *path)
-{
-    const struct node *slope = node_find(root, "slope");
-
-    if (strncmp(path, "slope.", 6) == 0)
-        return slope && slope->count > 0;
-    return node_at(root, path) != NULL;
-}
-
 static void begin(const struct node *root, struct scene *s)
 {
     for (size_t i = 0; i < s->ensemble.parameters; i++) {
         const struct scene_spread *p = &s->ensemble.parameter[i];
         const struct scene_vary vary = scene_vary_at(s, p->key);
-        const bool needed = strncmp(p->key, "slope.", 6) == 0 ||
-                            strcmp(p->key, "material.V_c") == 0;
-        if (needed && scene_vary_is(&vary) && !is_given(root, p->key))
-            (void) scene_vary_set(&vary, scene_spread_median(p), s);
+        scene_vary_begin(&vary, root, scene_spread_median(p), s);
     }
 }
 
@@ -341,16 +328,7 @@ enum status scene_ensemble_check_key(const struct scene *s, const char *path,
                            near ? " (did you mean " : "", near ? near : "",
                            near ? "?)" : "");
     }
-    for (int k = 0; k < MATERIAL_G; k++) {
-        const char *name = material_key_name((enum material_key) k);
-        if (strncmp(path, "material.", 9) == 0 && strcmp(path + 9, name) == 0 &&
-            !law_uses(&s->law, (enum material_key) k))
-            return place_blame(at, why,
-                               "%s: not used by this law (%s), expected "
-                               "another key",
-                               path, s->law.preset);
-    }
-    return STATUS_OK;
+    return scene_vary_check_used(path, s, at, "", why);
 }
 
 /* Where the key of parameter i stands, and its value. */

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "law_typed.h"
 #include "number.h"
 #include "scene_law.h"
 #include "scene_shape.h"
@@ -186,24 +185,12 @@ static enum status check_pair(const struct node *second, const struct scene *s,
     return STATUS_OK;
 }
 
-/* Is there such a key, or another one in its place? */
-static bool is_given(const struct node *root, const char *path)
-{
-    const struct node *slope = node_find(root, "slope");
-
-    if (strncmp(path, "slope.", 6) == 0)
-        return slope && slope->count > 0;
-    return node_at(root, path) != NULL;
-}
-
 static void begin(const struct node *root, struct scene *s)
 {
     for (size_t i = 0; i < s->sweep.axes; i++) {
         const struct scene_axis *axis = &s->sweep.axis[i];
-        const bool needed = strncmp(axis->key, "slope.", 6) == 0 ||
-                            strcmp(axis->key, "material.V_c") == 0;
-        if (needed && !is_given(root, axis->key))
-            (void) value_set(schema_find(axis->key), axis->value[0], s);
+        const struct scene_vary vary = scene_vary_at(s, axis->key);
+        scene_vary_begin(&vary, root, axis->value[0], s);
     }
 }
 
@@ -232,25 +219,9 @@ enum status scene_sweep_fill(const struct node *root, struct scene *s,
 static enum status check_used(const struct node *root, const struct scene *s,
                               size_t i, struct fault *why)
 {
-    const char *path = s->sweep.axis[i].key;
-    const int own = scene_law_find(s, path);
-
-    if (own >= 0 && !law_uses_name(&s->law, s->typed->own[own].name))
-        return place_blame(place_of(section(root, i), "key"), why,
-                           "sweep.key: %s: no formula of the law has it, "
-                           "expected another key",
-                           path);
-
-    for (int k = 0; k < MATERIAL_G; k++) {
-        const char *name = material_key_name((enum material_key) k);
-        if (strncmp(path, "material.", 9) == 0 && strcmp(path + 9, name) == 0 &&
-            !law_uses(&s->law, (enum material_key) k))
-            return place_blame(place_of(section(root, i), "key"), why,
-                               "sweep.key: %s: not used by this law (%s), "
-                               "expected another key",
-                               path, s->law.preset);
-    }
-    return STATUS_OK;
+    return scene_vary_check_used(s->sweep.axis[i].key, s,
+                                 place_of(section(root, i), "key"),
+                                 "sweep.key: ", why);
 }
 
 bool scene_sweep_y_log(const struct scene_sweep *w)

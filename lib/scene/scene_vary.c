@@ -1,6 +1,7 @@
 #include "scene_vary.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "law_typed.h"
 #include "scene_law.h"
@@ -39,6 +40,49 @@ bool scene_vary_set(const struct scene_vary *v, double x, struct scene *s)
         return value_set(v->key, x, s);
     const struct unit_system units = scene_units(s);
     return value_set(v->key, x / unit_scale(&units, v->unit), s);
+}
+
+/* Is there such a key, or another one in its place? */
+static bool is_given(const struct node *root, const char *path)
+{
+    const struct node *slope = node_find(root, "slope");
+
+    if (strncmp(path, "slope.", 6) == 0)
+        return slope && slope->count > 0;
+    return node_at(root, path) != NULL;
+}
+
+void scene_vary_begin(const struct scene_vary *v, const struct node *root,
+                      double x, struct scene *s)
+{
+    const bool needed = strncmp(v->path, "slope.", 6) == 0 ||
+                        strcmp(v->path, "material.V_c") == 0;
+
+    if (needed && scene_vary_is(v) && !is_given(root, v->path))
+        (void) scene_vary_set(v, x, s);
+}
+
+enum status scene_vary_check_used(const char *path, const struct scene *s,
+                                  struct place at, const char *before,
+                                  struct fault *why)
+{
+    const int own = scene_law_find(s, path);
+
+    if (own >= 0 && !law_uses_name(&s->law, s->typed->own[own].name))
+        return place_blame(at, why,
+                           "%s%s: no formula of the law has it, expected "
+                           "another key",
+                           before, path);
+    for (int k = 0; k < MATERIAL_G; k++) {
+        const char *name = material_key_name((enum material_key) k);
+        if (strncmp(path, "material.", 9) == 0 && strcmp(path + 9, name) == 0 &&
+            !law_uses(&s->law, (enum material_key) k))
+            return place_blame(at, why,
+                               "%s%s: not used by this law (%s), expected "
+                               "another key",
+                               before, path, s->law.preset);
+    }
+    return STATUS_OK;
 }
 
 const char *scene_vary_expected(const struct scene_vary *v,

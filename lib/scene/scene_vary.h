@@ -2,6 +2,7 @@
  * path, given values as often as one likes. */
 #pragma once
 
+#include "node.h"
 #include "schema_table.h"
 
 struct scene_vary {
@@ -24,6 +25,19 @@ bool scene_vary_is(const struct scene_vary *v);
 /* Gives the key a value; false, and the scene as it was, where that is out of
  * its range. */
 bool scene_vary_set(const struct scene_vary *v, double x, struct scene *s);
+
+/* Gives the scene the key's value x where it needs one and the tree has none: a
+ * slope, V_c. */
+void scene_vary_begin(const struct scene_vary *v, const struct node *root,
+                      double x, struct scene *s);
+
+/* STATUS_BAD_SCENE, blamed on `at` after the words `before`: a key of the
+ * material, or a name of the law's own, that the law does not use. */
+MUST_CHECK enum status scene_vary_check_used(const char *path,
+                                             const struct scene *s,
+                                             struct place at,
+                                             const char *before,
+                                             struct fault *why);
 
 /* What values are allowed, as messages have it. */
 const char *scene_vary_expected(const struct scene_vary *v,
