@@ -45,6 +45,26 @@ static enum status check_unit(const struct scene *s, const char *path,
                        text_shown(unit).text, expected);
 }
 
+/* A cell's text as one more key, which goes with those before it. */
+static enum status add_key(struct draws *d, const struct scene *s,
+                           const struct table_cell *cell, struct fault *why)
+{
+    const struct place at = table_place(&d->table, cell);
+    const enum status status = scene_ensemble_check_key(s, cell->text, at, why);
+
+    if (status != STATUS_OK)
+        return status;
+    for (size_t k = 0; k < d->keys; k++)
+        if (strcmp(d->key[k], cell->text) == 0 ||
+            schema_excludes(d->key[k], cell->text))
+            return place_blame(at, why, "%s beside %s, expected one",
+                               cell->text, d->key[k]);
+    if (d->keys == SCENE_SPREADS)
+        return place_blame(at, why, "more than %d keys", SCENE_SPREADS);
+    d->key[d->keys++] = cell->text;
+    return STATUS_OK;
+}
+
 /* The header's cell as a key; its text is cut in the table's own copy. */
 static enum status take_key(struct draws *d, const struct scene *s,
                             size_t column, struct fault *why)
@@ -54,19 +74,8 @@ static enum status take_key(struct draws *d, const struct scene *s,
     const char *unit;
 
     split_header(d->table.bytes + (cell->text - d->table.bytes), &unit);
-    enum status status = scene_ensemble_check_key(s, cell->text, at, why);
-    if (status == STATUS_OK)
-        status = check_unit(s, cell->text, unit, at, why);
-    for (size_t k = 0; k < d->keys && status == STATUS_OK; k++)
-        if (strcmp(d->key[k], cell->text) == 0 ||
-            schema_excludes(d->key[k], cell->text))
-            status = place_blame(at, why, "column %s beside %s, expected one",
-                                 cell->text, d->key[k]);
-    if (status == STATUS_OK && d->keys == SCENE_SPREADS)
-        status = place_blame(at, why, "more than %d keys", SCENE_SPREADS);
-    if (status == STATUS_OK)
-        d->key[d->keys++] = cell->text;
-    return status;
+    const enum status status = add_key(d, s, cell, why);
+    return status ? status : check_unit(s, cell->text, unit, at, why);
 }
 
 static enum status blame_cell(const struct draws *d,
@@ -172,20 +181,8 @@ static enum status take_rows(struct draws *d, const struct scene *s,
     size_t column = 0;
     enum status status = find_column(d, "key", &column, why);
 
-    for (size_t row = 0; row < d->table.rows && status == STATUS_OK; row++) {
-        const struct table_cell *cell = table_at(&d->table, row, column);
-        const struct place at = table_place(&d->table, cell);
-        status = scene_ensemble_check_key(s, cell->text, at, why);
-        for (size_t k = 0; k < d->keys && status == STATUS_OK; k++)
-            if (strcmp(d->key[k], cell->text) == 0 ||
-                schema_excludes(d->key[k], cell->text))
-                status = place_blame(at, why, "%s beside %s, expected one",
-                                     cell->text, d->key[k]);
-        if (status == STATUS_OK && d->keys == SCENE_SPREADS)
-            status = place_blame(at, why, "more than %d keys", SCENE_SPREADS);
-        if (status == STATUS_OK)
-            d->key[d->keys++] = cell->text;
-    }
+    for (size_t row = 0; row < d->table.rows && status == STATUS_OK; row++)
+        status = add_key(d, s, table_at(&d->table, row, column), why);
     return status;
 }
 

@@ -259,7 +259,7 @@ static const struct {
       ":1:1: material.L: unit 'um', expected m" },
     { "samples", "material.V_c\n1\n", ":1:1: material.V_c: not used by this" },
     { "samples", "slope.alpha,slope.tan_alpha\n0.3,0.3\n",
-      ":1:13: column slope.tan_alpha beside slope.alpha, expected one" },
+      ":1:13: slope.tan_alpha beside slope.alpha, expected one" },
     { "samples", "id\n1\n", ":1:1: no column of a key" },
     { "samples", "id,material.a\n1\n", ":2:1: 1 cells, the header has 2" },
     { "covariance", "key,material.a\nmaterial.a,1e-6\n",
