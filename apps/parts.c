@@ -126,7 +126,7 @@ enum status parts_check(const struct parts *p, const char *path,
     if (p->count == 0)
         snprintf(why->text, sizeof why->text,
                  "%.300s: no share of it is there, expected %.40s.1-of-N and "
-                 "so on (slipway sweep --shard 1/N)",
+                 "so on (--shard 1/N)",
                  path, strrchr(path, '/') ? strrchr(path, '/') + 1 : path);
     else
         snprintf(why->text, sizeof why->text,

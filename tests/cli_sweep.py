@@ -437,7 +437,7 @@ def a_left_side_file_is_noted_or_refused(room):
     expect(room.names() == ['a.h5'], room.names())
     room.write('a.h5.part', 'a letter to my mother')
     refused(room.run('sweep', *line(3), '-o', 'a.h5'), 2,
-            'a.h5.part: not the side file of a sweep')
+            'a.h5.part: not a side file of slipway')
     expect(room.read('a.h5.part') == 'a letter to my mother', 'untouched')
 
 

@@ -21,8 +21,25 @@ struct slipway_batch {
 
 /* ---- opening ------------------------------------------------------------- */
 
+static bool is_slope(const char *key)
+{
+    return strcmp(key, "slope.alpha") == 0 ||
+           strcmp(key, "slope.alpha_deg") == 0 ||
+           strcmp(key, "slope.tan_alpha") == 0;
+}
+
+/* The first key that is a slope, or V_c; NULL: none. */
+static const char *first_of(const slipway_batch *b, bool slope)
+{
+    for (size_t k = 0; k < b->keys; k++)
+        if (slope ? is_slope(b->key[k])
+                  : strcmp(b->key[k], "material.V_c") == 0)
+            return b->key[k];
+    return NULL;
+}
+
 /* A scene must have a slope, and V_c where the law needs it, unless they are
- * swept over: the batch's keys stand in a sweep that nobody runs. */
+ * swept over: the batch's own stand in a sweep that nobody runs. */
 static slipway_status read_scene(slipway_batch *b, const slipway_scene *scene,
                                  slipway_fault *why)
 {
@@ -30,16 +47,12 @@ static slipway_status read_scene(slipway_batch *b, const slipway_scene *scene,
     char text[160], *end = text;
     const char *sep = "sweep=[";
 
-    for (size_t k = 0; k < b->keys; k++)
-        if (strcmp(b->key[k], "material.V_c") == 0 ||
-            strcmp(b->key[k], "slope.alpha") == 0 ||
-            strcmp(b->key[k], "slope.alpha_deg") == 0 ||
-            strcmp(b->key[k], "slope.tan_alpha") == 0) {
-            if (end + 60 > text + sizeof text)
-                break;
-            end += sprintf(end, "%s{key: %s, values: [0.5]}", sep, b->key[k]);
-            sep = ", ";
-        }
+    for (int slope = 0; slope < 2; slope++) {
+        const char *key = first_of(b, slope);
+        if (key)
+            end += sprintf(end, "%s{key: %s, values: [0.5]}", sep, key);
+        sep = key ? ", " : sep;
+    }
     if (end == text)
         return api_read(scene, &b->scene, why);
     strcpy(end, "]");
@@ -203,6 +216,10 @@ slipway_status slipway_batch_run(slipway_batch *batch, size_t count,
                       .count = count,
                       .threads = threads,
                       .monitor = monitor };
+    if (threads < 0)
+        return api_fault(why, SLIPWAY_BAD_ARGUMENT,
+                         "threads below 0, expected 0 for those of OpenMP, or "
+                         "how many");
     enum status status = prepare(&c);
 
     while (status == STATUS_OK && c.first < count)

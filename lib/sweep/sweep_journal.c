@@ -288,7 +288,7 @@ static enum status take_head(const struct sweep_journal *j,
     const size_t marked =
         (size_t) *size < sizeof mark ? (size_t) *size : sizeof mark;
     if (memcmp(head.mark, mark, marked) != 0)
-        return refuse(j, "not the side file of a sweep, expected no such file",
+        return refuse(j, "not a side file of slipway, expected no such file",
                       why);
     if (*whole && resume && memcmp(&head, own, sizeof head) != 0)
         return refuse(j,

@@ -348,12 +348,23 @@ static void batches(void)
              slipway_batch_reason(batch, 0) == NULL &&
              slipway_batch_reason(batch, 200) == NULL,
          "reasons are told");
+    told(good &&
+             slipway_batch_run(batch, 3, column, -1, NULL, out, &why) ==
+                 SLIPWAY_BAD_ARGUMENT &&
+             strstr(why.text, "threads"),
+         "fewer threads than none are refused");
     slipway_batch_free(batch);
     batch = NULL;
     told(slipway_batch_open(scene, keys, 2, keys, 1, &batch, &why) ==
                  SLIPWAY_BAD_ARGUMENT &&
              batch == NULL && strstr(why.text, "slope.alpha"),
          "a batch refuses what is no number");
+    static const char *const both[] = { "slope.alpha", "slope.alpha_deg" };
+    told(slipway_batch_open(scene, both, 2, names, 1, &batch, &why) ==
+                 SLIPWAY_BAD_ARGUMENT &&
+             strstr(why.text, "slope.alpha_deg") &&
+             strstr(why.text, "sweep") == NULL,
+         "and two keys that exclude one another");
     slipway_scene_free(scene);
 }
 

@@ -200,7 +200,7 @@ static void another_key_or_another_file_is_refused(void **state)
     file_write(own_path("a.part"), "my diary", 8);
     for (int resume = 0; resume < 2; resume++) {
         assert_int_equal(open_it(&f, KEY, resume), STATUS_BAD_SCENE);
-        assert_non_null(strstr(f.why.text, "not the side file of a sweep"));
+        assert_non_null(strstr(f.why.text, "not a side file of slipway"));
         leave(&f);
         file_holds(own_path("a.part"), "my diary");
     }
