@@ -278,6 +278,67 @@ def what_is_wrong_is_one_line_and_nothing_is_written(room):
     expect(room.names() == before, room.names())
 
 
+KEYS = ['id', 'material.a', 'material.b', 'material.L [m]', 'slope.alpha']
+WRONG_CELLS = [
+    '', ' ', 'thin', 'O.034', '-0.034', '0', 'nan', 'inf', '-inf', '1e400',
+    '0x1p-5', '0.034 m', '0.034%', '0.03.4', '1e', '1e-3e4', '.', '--1', '+-1',
+    '1/30', '1 2', '1_000', '\u00bd', '0.0349 +- 0.0005']
+WRONG_KEYS = [  # column, header, what is said of it
+    (1, 'material.q', 'no key of a number'), (1, 'a', 'no key of a number'),
+    (1, 'material.A', 'did you mean material.a?'), (0, 'name', 'no key'),
+    (1, '', 'without a name'), (2, 'material.a', 'two columns'),
+    (3, 'slope.tan_alpha', 'slope.alpha beside slope.tan_alpha'),
+    (3, 'material.L [mm]', "unit 'mm', expected m"),
+    (3, 'material.L [m', 'no key of a number'), (3, 'material.L [s]', "unit 's'"),
+    (1, 'material.a [m]', "unit 'm', expected 1"),
+    (1, 'material.V_c', 'not used by this law'),
+    (1, 'basins.exact', 'no key of a number')]
+WRONG_LINES = [  # what becomes of a line, where it is said, what
+    (lambda line: line.rsplit(',', 2)[0], 1, '3 cells, the header has 5'),
+    (lambda line: line + ',9', None, 'more cells than the header has'),
+    (lambda line: line.replace(',', ';'), 1, '1 cells, the header has 5'),
+    (lambda line: line.replace(',', '\t'), 1, '1 cells, the header has 5'),
+    (lambda line: line.replace('.', ','), None, 'more cells'),
+    (lambda line: '"' + line, 1, 'a quote that is never closed'),
+    (lambda line: line.replace(',', ',\0', 1), None, 'byte 0x00 is no text'),
+    (lambda line: ','.join(KEYS), None, "'material.a' is not allowed")]
+
+
+def one_wrong_place_of_ten_thousand_materials_is_named(room):
+    """file, line and column, and nothing is written"""
+    seed = int(os.environ.get('CHECK_SEED', '20240229'))
+    print(f'# CHECK_SEED={seed}')
+    draw = random.Random(seed)
+    rows = [[f'N{i}', f'{draw.uniform(0.033, 0.037):.5f}',
+             f'{draw.uniform(0.048, 0.051):.5f}',
+             f'{draw.uniform(8e-7, 1e-6):.3e}',
+             f'{draw.uniform(0.33, 0.35):.4f}'] for i in range(10000)]
+    lines = [','.join(row) for row in [KEYS] + rows]
+    room.write('s.csv', '\n'.join(lines) + '\n')
+    ask = ['ensemble', *LAW, '--set', 'ensemble.samples=s.csv', '--set',
+           'ensemble.numbers=[saddle_v]', '-o', 'a.h5', '--figure', 'a.svg']
+
+    def check(line, text, *words):
+        room.write('s.csv', '\n'.join(lines[:line - 1] + [text] + lines[line:]))
+        refused(room.run(*ask), 2, *words)
+        expect(room.names() == ['s.csv'], room.names())
+
+    for cell in WRONG_CELLS:
+        row, column = draw.randrange(10000), draw.randrange(1, 5)
+        cells = rows[row][:column] + [cell] + rows[row][column + 1:]
+        blanks = len(cell) if cell.isspace() else 0
+        at = len(','.join(cells[:column])) + 2 + blanks
+        check(row + 2, ','.join(cells), f's.csv:{row + 2}:{at}: ',
+              KEYS[column].split()[0], 'is not allowed, expected a')
+    for column, key, said in WRONG_KEYS:
+        keys = KEYS[:column] + [key] + KEYS[column + 1:]
+        check(1, ','.join(keys), 's.csv:1:', said)
+    for change, column, said in WRONG_LINES:
+        line = draw.randrange(2, 10002)
+        check(line, change(lines[line - 1]),
+              f's.csv:{line}:{"" if column is None else f"{column}:"}', said)
+
+
 def pushes_may_be_all_that_is_asked(room):
     none = ['--set', 'ensemble.numbers=[]', '--draws', '300']
     found = room.json(*call(*none, '-o', 'a.h5', '--figure', 'a.svg'))
@@ -315,6 +376,7 @@ run_cases([
     threads_and_stops_change_no_byte,
     the_figure_has_three_panels,
     what_is_wrong_is_one_line_and_nothing_is_written,
+    one_wrong_place_of_ten_thousand_materials_is_named,
     pushes_may_be_all_that_is_asked,
     a_slope_may_be_among_what_is_drawn,
     draws_beyond_a_law_are_counted,
