@@ -16,6 +16,7 @@ enum status batch_points_init(struct batch_points *p, const struct scene *scene)
     else
         p->scene.products &= ~scene_shape_curves;
     p->scene.ensemble.scattered = 0;
+    p->scene.proved = false;
     p->scene.products = sweep_point_products(&p->scene, false);
     enum status status = sweep_dims_init(&p->dims, &p->scene);
     if (status == STATUS_OK)
