@@ -130,16 +130,20 @@ static json_t *numbers_json(const struct proof *p)
 static json_t *proof_json(const struct study *s)
 {
     const struct proof *p = s->proof.exact;
+    const bool named = p && p->law.law.typed == NULL &&
+                       p->law.law.kinetics != KINETICS_COMPOSITE;
     const char *why = p == NULL               ? "there is no saddle"
                       : p->not_proved.text[0] ? p->not_proved.text
-                                              : NULL;
+                      : !named
+                          ? "certificates are of the named components' laws"
+                          : NULL;
 
     if (why)
         return json_pack("{s:i, s:s}", "slipway_certificate",
                          CERTIFICATE_VERSION, "not_proved", why);
     return json_pack(
         "{s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "slipway_certificate",
-        CERTIFICATE_VERSION, "law", law_json(&s->slider.block.law), "material",
+        CERTIFICATE_VERSION, "law", law_json(&p->law.law), "material",
         material_json(&s->slider.block), "slope", slope_json(s->scene), "upper",
         branch_json(&p->branch[0]), "lower", branch_json(&p->branch[1]),
         "numbers", numbers_json(p));

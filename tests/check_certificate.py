@@ -364,7 +364,8 @@ def turn(block, piece, following, error):
     raise Wrong('no box around a turn')
 
 
-# ---- the ends: theorems 6 to 11 ---------------------------------------------
+# ---- the ends: theorems 7 to 10, of named laws ------------------------------
+# ---X------------------------------------------
 
 class Place:
     """Where a branch is, and on which side: |mu - tan(alpha)| and |psi - psi_ss|."""
@@ -377,6 +378,8 @@ class Place:
         v, psi, psi_ss, rate, mu = [u[0] for u in block.state(constant(x, 1), constant(y, 1))]
         self.force, self.lag = side * (mu - block.tan), side * (psi - psi_ss)
         self.psi = psi
+        # with v and psi friction rises less where they are less
+        self.slopes = [block.state(line(x, dx, 1), line(y, 1 - dx, 1))[4][1] for dx in (ONE, ZERO)]
         claim(self.force > 0 and self.lag > 0, 'the branch does not end outward')
 
     def steady(self, x):
@@ -397,55 +400,59 @@ def settled(way_for):
 
 
 def tail_in_psi(p):
-    """Theorems 9 and 10: how far x goes, and the excess."""
-    block, d = p.block, p.lag.a
-    get = block.get
-    if p.side > 0 or block.is_log:
+    """Theorem 8: how far x goes, and the excess."""
+    block, get = p.block, p.block.get
+    if p.side > 0:
         claim(not block.first_order, 'psi runs away at first order')
-        e = iv.exp(-d)
-        weight = 2 * e / (1 - e * e)
-        more = get['b'] if block.is_log else get['b'] / p.psi.a
+        A, B, q = get['a'], get['b'], ONE if block.is_log else p.psi.a - 1
+        claim(q > 0, 'the rate of psi does not grow')
     else:
-        weight, more = p.psi.b / block.kinetics(constant(d, 1))[0], get['b']
+        claim(not (block.first_order and block.is_log), 'v settles not')
+        A, B, q = p.slopes[0].b, p.slopes[1].b, ONE
 
     def way_for(w):
-        least = p.X.a if p.side > 0 else p.X.a - w
-        x = block.at[0] + least
-        _, rate = p.steady(x.a)
-        m = p.force.b + get['a'] * w + more
-        change = expm1(p.X.b + w) if p.side > 0 else expm1(least)
-        return (block.force / iv.exp(x) / rate * m * weight,
-                abs(block.v * change).b * weight / rate)
+        x = block.at[0] + (p.X.a if p.side > 0 else p.X.a - w)
+        g = block.kinetics(constant(p.lag.a, 1))[0] * p.steady(x.a)[1]
+        under = q * (g if block.is_log else g / p.psi.b)
+        m = p.force.b + A * w + B / q
+        change = expm1(p.X.b + w) if p.side > 0 else expm1(p.X.a - w)
+        return block.force / iv.exp(x) * m / under, abs(block.v * change).b / under
     return settled(way_for)
 
 
-def growth_below(p, psi, v, rate):
-    """At least K(psi_ss - psi)/T from v down to 0 and from psi up."""
-    block = p.block
+def least_growth(block, psi, psi_ss, v):
+    """q <= d ln(v g)/dx for all less v; None where that is not known."""
     form, time = block.law['psi_ss'], block.law['timescale']
-    if form in ('spinodal', 'spinodal_unit'):
-        top = 1 + block.get['R'] if form == 'spinodal' else ONE
-        claim(top - psi > 0, 'psi_ss is not above psi as v falls to 0')
-        return block.kinetics(constant(top - psi, 1))[0] * rate
-    r = rate / v
-    claim(time == 'slip' or (time, form) in
-          (('ageing44', 'inverse'), ('slip45', 'minus_log')), '1/T is not r v')
+    d = psi_ss - psi
+    by_d = 1 / d if block.first_order else (1 + iv.exp(-2 * d)) / (1 - iv.exp(-2 * d))
+    by_v = time == 'slip' or (time, form) in (('ageing44', 'inverse'), ('slip45', 'minus_log'))
     if form == 'minus_log':
-        return r * iv.exp(-1 - psi) if block.first_order else r * iv.exp(-psi) / 2
-    claim(block.first_order, 'psi grows without bound as v falls to 0')
-    return r
+        return 1 + by_v - by_d
+    if form == 'inverse':
+        return 1 + by_v - psi_ss * by_d if block.first_order else None
+    at_v = block.get['R'] * v
+    return 1 + by_v - at_v / (1 + at_v) * (psi_ss * by_d)
 
 
 def tail_in_v(p):
-    """Theorem 11: how far y goes, and the excess."""
+    """Theorem 9: how far y goes, and the excess."""
     block = p.block
 
     def way_for(w):
         x, Y = (block.at[0] + p.X.b).b, p.Y.a - w
-        psi = block.psi + Y if block.is_log else block.psi * iv.exp(Y)
-        psi, v = psi.a, iv.exp(x)
+        psi = (block.psi + Y if block.is_log else block.psi * iv.exp(Y)).a
+        v = iv.exp(x)
+        psi_ss, rate = p.steady(x)
         time = v / (block.force * p.force.a)
-        way = growth_below(p, psi, v, p.steady(x)[1]) * time
+        q = least_growth(block, psi, psi_ss, v)
+        most = []
+        if q is not None and q > 0:
+            most.append(block.kinetics(constant(psi_ss - psi, 1))[0] * rate / q)
+        if 'spinodal' in block.law['psi_ss']:
+            top = 1 + block.get['R'] if block.law['psi_ss'] == 'spinodal' else ONE
+            most.append(block.kinetics(constant(top - psi, 1))[0] * rate)
+        claim(most, 'v dpsi/dt does not vanish with v')
+        way = min(most, key=lambda u: u.b) * time
         return way if block.is_log else way / psi, block.v * time
     return settled(way_for)
 

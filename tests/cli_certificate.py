@@ -217,6 +217,13 @@ def a_scene_is_not_written_over_by_one(room):
     expect(json.loads(room.read('p.json')) == certificate(room, 'perrin'))
 
 
+def a_law_of_formulas_has_none(room):
+    room.write('typed.yaml', 'law: {theta: ln(psi), psi_ss: 1/v, T: 1/v, K: sinh(d)}\n'
+               'slope: {alpha: 0.34}\n')
+    room.good('knees', 'typed.yaml', '--proved', '--certificate', 'typed.json')
+    expect('named components' in json.loads(room.read('typed.json'))['not_proved'])
+
+
 def a_slope_without_a_saddle_has_none(room):
     room.good('knees', '--law', 'spinodal_gen', '--alpha', '0.6', '--proved',
               '--certificate', 'why.json')
@@ -230,5 +237,6 @@ run_cases([
     a_certificate_with_a_digit_changed_is_rejected,
     a_certificate_needs_a_proof,
     a_scene_is_not_written_over_by_one,
+    a_law_of_formulas_has_none,
     a_slope_without_a_saddle_has_none,
 ])

@@ -381,3 +381,39 @@ void formula_define(struct formula *f, const char *name, int u)
     if (!f->node[u].moves)
         formula_name(f, u, name);
 }
+
+bool formula_take_out(struct formula *f, int u, int x, int *out)
+{
+    const struct formula_node n = f->node[u];
+    int part[2] = { n.of[0], n.of[1] };
+
+    *out = formula_number(f, 1);
+    if (u == x)
+        return true;
+    if (n.kind == FORMULA_CALL && n.function == FUNCTION_POWER &&
+        n.of[0] == x && f->node[n.of[1]].kind == FORMULA_NUMBER &&
+        f->node[n.of[1]].number >= 1) {
+        part[1] = formula_number(f, f->node[n.of[1]].number - 1);
+        *out = formula_is(f, part[1], 0.0) ? formula_number(f, 1)
+               : formula_is(f, part[1], 1.0)
+                   ? x
+                   : formula_call(f, FUNCTION_POWER, part);
+        return true;
+    }
+    if (n.kind == FORMULA_SUM) {
+        const bool both = formula_take_out(f, n.of[0], x, &part[0]) &&
+                          formula_take_out(f, n.of[1], x, &part[1]);
+        *out = formula_sum(f, part[0], part[1]);
+        return both;
+    }
+    if (n.kind == FORMULA_OVER && formula_take_out(f, n.of[0], x, &part[0])) {
+        *out = formula_over(f, part[0], n.of[1]);
+        return true;
+    }
+    for (int i = 0; i < 2 && n.kind == FORMULA_TIMES; i++)
+        if (formula_take_out(f, n.of[i], x, &part[i])) {
+            *out = formula_times(f, part[i], n.of[1 - i]);
+            return true;
+        }
+    return false;
+}

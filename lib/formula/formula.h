@@ -87,6 +87,10 @@ bool formula_is(const struct formula *f, int u, double number);
 /* The number c >= 0 or < 0 and the rest of u = c rest. */
 formula_real formula_factor(const struct formula *f, int u, int *rest);
 
+/* u = x out, where every term of u shows the factor x; false where one does
+ * not. */
+bool formula_take_out(struct formula *f, int u, int x, int *out);
+
 /* From here on `name` is u; constants are written under it, too. */
 void formula_define(struct formula *f, const char *name, int u);
 /* The leaf or the last definition of this name, -1 if there is none. */

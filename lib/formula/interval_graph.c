@@ -1,10 +1,16 @@
 #include "interval_graph.h"
 
+#include <float.h>
+#include <math.h>
 #include <mpfi_io.h>
 #include <quadmath.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* Newton's method doubles the digits, from one or so to 256 bits in eight, and
+ * falls by 1 at first where k < 0 is large, which nothing asks for. */
+enum { LAMBERT_STEPS = 16 };
 
 /* ---- numbers ------------------------------------------------------------- */
 
@@ -58,6 +64,54 @@ static void power(mpfi_ptr out, mpfi_srcptr u, mpfi_srcptr w)
     mpfi_clear(l);
 }
 
+/* ln W(e^-k), where w + e^w + k, which rises, goes through 0: w from Newton's
+ * method, moved as far as its sign needs. */
+static void ln_lambert(mpfr_ptr w, mpfr_srcptr k, mpfr_rnd_t to)
+{
+    const double away = to == MPFR_RNDD ? -1 : 1;
+    mpfr_t e, f, step;
+
+    mpfr_inits2(mpfr_get_prec(w), e, f, step, NULL);
+    mpfr_neg(w, k, MPFR_RNDN);
+    for (int i = 0; i < LAMBERT_STEPS; i++) {
+        mpfr_exp(e, w, MPFR_RNDN);
+        mpfr_add(f, w, e, MPFR_RNDN);
+        mpfr_add(f, f, k, MPFR_RNDN);
+        mpfr_add_ui(e, e, 1, MPFR_RNDN);
+        mpfr_div(f, f, e, MPFR_RNDN);
+        mpfr_sub(w, w, f, MPFR_RNDN);
+    }
+    mpfr_set_d(step, away, to);
+    mpfr_mul_2si(step, step, 8 - (long) mpfr_get_prec(w), to);
+    mpfr_fma(step, step, k, step, to); /* an ulp of w or k, and more */
+    for (int i = 0; i < LAMBERT_STEPS; i++) {
+        const mpfr_rnd_t from = to == MPFR_RNDD ? MPFR_RNDU : MPFR_RNDD;
+        mpfr_exp(e, w, from);
+        mpfr_add(f, w, e, from);
+        mpfr_add(f, f, k, from);
+        if (mpfr_sgn(f) * away >= 0)
+            break;
+        mpfr_add(w, w, step, to);
+        mpfr_mul_2ui(step, step, 1, to);
+        if (i + 1 == LAMBERT_STEPS)
+            mpfr_set_nan(w);
+    }
+    mpfr_clears(e, f, step, NULL);
+}
+
+/* W(e^-k) of k >= 0 falls. */
+static void lambert(mpfi_ptr out, mpfi_srcptr k)
+{
+    mpfr_t end[2];
+
+    mpfr_inits2(mpfi_get_prec(out), end[0], end[1], NULL);
+    ln_lambert(end[0], &k->right, MPFR_RNDD);
+    ln_lambert(end[1], &k->left, MPFR_RNDU);
+    mpfi_interv_fr(out, end[0], end[1]);
+    mpfi_exp(out, out);
+    mpfr_clears(end[0], end[1], NULL);
+}
+
 /* False: there is no rule. */
 static bool call(enum formula_function function, mpfi_ptr out, mpfi_srcptr u)
 {
@@ -73,9 +127,27 @@ static bool call(enum formula_function function, mpfi_ptr out, mpfi_srcptr u)
 
     if (function == FUNCTION_ASINHEXP)
         asinh_exp(out, u);
+    else if (function == FUNCTION_LAMBERT)
+        lambert(out, u);
     else if (by[function])
         by[function](out, u);
-    return function == FUNCTION_ASINHEXP || by[function];
+    else
+        return false;
+    return true;
+}
+
+struct interval interval_function(enum formula_function function,
+                                  struct interval u)
+{
+    struct interval out = { -HUGE_VAL, HUGE_VAL };
+    mpfi_t w;
+
+    mpfi_init2(w, DBL_MANT_DIG);
+    mpfi_interv_d(w, u.lo, u.hi);
+    if (call(function, w, w) && !mpfi_nan_p(w))
+        out = interval_of_mpfi(w);
+    mpfi_clear(w);
+    return out;
 }
 
 /* ---- nodes --------------------------------------------------------------- */

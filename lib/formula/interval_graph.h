@@ -40,5 +40,10 @@ MUST_CHECK enum status interval_graph_run(struct interval_graph *g,
 mpfi_srcptr interval_graph_value(const struct interval_graph *g, int node);
 struct interval interval_graph_get(const struct interval_graph *g, int node);
 
+/* A function of an interval of doubles, as far as it has a rule; infinite ends
+ * where it is not defined. */
+struct interval interval_function(enum formula_function function,
+                                  struct interval u);
+
 /* The doubles around an interval. */
 struct interval interval_of_mpfi(mpfi_srcptr u);

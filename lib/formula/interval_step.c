@@ -149,6 +149,17 @@ static void mixed(struct interval_run *r, const struct step *s,
     }
 }
 
+/* Orders above 0 of w with d w' = u'. */
+static void under(const struct interval_run *r, const struct interval u[],
+                  const struct interval d[], struct interval out[])
+{
+    for (size_t j = 1; j <= r->n; j++) {
+        const struct interval known =
+            interval_divide(chain_sum(out, d, j - 1, j), point((double) j));
+        out[j] = interval_divide(interval_less(u[j], known), d[0]);
+    }
+}
+
 /* ln(1 + u/k): (k + u) w' = u' */
 static void ln1p(struct interval_run *r, const struct step *s,
                  struct interval out[])
@@ -160,11 +171,7 @@ static void ln1p(struct interval_run *r, const struct step *s,
     memcpy(d, u, (r->n + 1) * sizeof *d);
     d[0] = interval_add(k, u[0]);
     out[0] = interval_ln1p(interval_divide(u[0], k));
-    for (size_t j = 1; j <= r->n; j++) {
-        const struct interval known =
-            interval_divide(chain_sum(out, d, j - 1, j), point((double) j));
-        out[j] = interval_divide(interval_less(u[j], known), d[0]);
-    }
+    under(r, u, d, out);
 }
 
 /* e^-|w| sinh w as s (1 - e^(-2 s w))/2 with the sign s of the middle of w,
@@ -211,6 +218,126 @@ static void friction(struct interval_run *r, const struct step *s,
         b[j] = interval_minus(sum(t, t, 0, j));
     }
 }
+
+/* ---- functions that are not made of exponentials ------------------------ */
+
+/* f(k + u) - f(k), also by its slope over all that is between: no digits are
+ * lost as u vanishes. */
+static struct interval change(enum formula_function f, struct interval k,
+                              struct interval u, struct interval slope)
+{
+    const struct interval w = interval_add(k, u);
+
+    return interval_both(
+        interval_less(interval_function(f, w), interval_function(f, k)),
+        interval_times(slope, u));
+}
+
+/* k (cos u - 1) + q sin u = -2 k sin^2(u/2) + q sin u; the sine S = k + that
+ * and its slope C: S' = C u', C' = -S u'. */
+static void sine(struct interval_run *r, const struct step *s,
+                 struct interval out[])
+{
+    const struct interval *u = r->reg[s->a].c, one = { -1, 1 };
+    const struct interval k = constant(r, s->k), q = constant(r, s->q);
+    const struct interval half =
+        interval_function(FUNCTION_SIN, interval_times(point(0.5), u[0]));
+    const struct interval sin = interval_function(FUNCTION_SIN, u[0]);
+    const struct interval cos = interval_function(FUNCTION_COS, u[0]);
+    struct interval *S = r->keep[0].c, *C = r->keep[1].c;
+
+    out[0] = interval_less(
+        interval_times(q, sin),
+        interval_times(k,
+                       interval_times(point(2), interval_times(half, half))));
+    S[0] = interval_both(interval_add(k, out[0]), one);
+    C[0] = interval_both(
+        interval_less(interval_times(q, cos), interval_times(k, sin)), one);
+    for (size_t j = 1; j <= r->n; j++) {
+        out[j] = S[j] = chain(u, C, j);
+        C[j] = interval_minus(chain(u, S, j));
+    }
+}
+
+/* C = cosh, S = sinh of k + u: C' = S u', S' = C u'. */
+static void cosine(struct interval_run *r, const struct step *s,
+                   struct interval out[])
+{
+    const struct interval *u = r->reg[s->a].c, k = constant(r, s->k);
+    const struct interval w = interval_add(k, u[0]);
+    struct interval *C = r->keep[0].c, *S = r->keep[1].c;
+
+    out[0] = change(FUNCTION_COSH, k, u[0], interval_sinh(interval_hull(k, w)));
+    C[0] = interval_function(FUNCTION_COSH, w);
+    S[0] = interval_sinh(w);
+    for (size_t j = 1; j <= r->n; j++) {
+        out[j] = C[j] = chain(u, S, j);
+        S[j] = chain(u, C, j);
+    }
+}
+
+/* Tangents t of k + u, t' = d u' with d = 1 + sign t^2, sign -1: hyperbolic. */
+static void tangent(struct interval_run *r, const struct step *s,
+                    enum formula_function f, double sign, struct interval out[])
+{
+    const struct interval *u = r->reg[s->a].c, k = constant(r, s->k);
+    const struct interval w = interval_add(k, u[0]);
+    const struct interval all = interval_function(f, interval_hull(k, w));
+    struct interval *t = r->keep[0].c, *d = r->keep[1].c;
+
+    t[0] = interval_function(f, w);
+    for (size_t j = 0; j <= r->n; j++) {
+        if (j > 0)
+            out[j] = t[j] = chain(u, d, j);
+        d[j] = interval_times(point(sign), sum(t, t, 0, j));
+        if (j == 0)
+            d[j] = interval_add(point(1), d[j]);
+    }
+    out[0] = change(
+        f, k, u[0],
+        interval_add(point(1),
+                     interval_times(point(sign), interval_times(all, all))));
+}
+
+/* 1 + sign w^2, or its root */
+static struct interval length(struct interval w, double sign, bool root)
+{
+    const struct interval most = point(interval_most(w)),
+                          least = point(interval_least(w));
+    const struct interval square = { interval_times(least, least).lo,
+                                     interval_times(most, most).hi };
+    const struct interval sum =
+        interval_add(point(1), interval_times(point(sign), square));
+
+    return root ? interval_sqrt(sum) : sum;
+}
+
+/* Inverse functions f of k + u: d f' = u' with d = 1 + w^2 of the arctangent,
+ * the root of 1 - w^2 or of 1 + w^2 of the others: d^2 = that. */
+static void arc(struct interval_run *r, const struct step *s,
+                enum formula_function f, double sign, struct interval out[])
+{
+    const bool root = f != FUNCTION_ATAN;
+    const struct interval *u = r->reg[s->a].c, k = constant(r, s->k);
+    struct interval *w = r->keep[0].c, *d = r->keep[1].c;
+
+    memcpy(w, u, (r->n + 1) * sizeof *w);
+    w[0] = interval_add(k, u[0]);
+    d[0] = length(w[0], sign, root);
+    for (size_t j = 1; j <= r->n; j++) {
+        d[j] = interval_times(point(sign), sum(w, w, 0, j));
+        for (size_t i = 1; root && i < j; i++)
+            d[j] = interval_less(d[j], interval_times(d[i], d[j - i]));
+        if (root)
+            d[j] = interval_divide(d[j], interval_times(point(2), d[0]));
+    }
+    out[0] = change(
+        f, k, u[0],
+        interval_divide(point(1), length(interval_hull(k, w[0]), sign, root)));
+    under(r, u, d, out);
+}
+
+/* ---- products, and forms with scales ------------------------------------- */
 
 void interval_product(const struct interval_run *r, const struct interval u[],
                       const struct interval w[], struct interval out[])
@@ -285,6 +412,35 @@ static void scaled(struct interval_run *r, const struct step *s, double scale,
     }
 }
 
+/* Those that are not made of exponentials. */
+static void function_step(struct interval_run *r, const struct step *s,
+                          struct interval out[])
+{
+    switch (s->kind) {
+        case STEP_SIN:
+            sine(r, s, out);
+            return;
+        case STEP_COSH:
+            cosine(r, s, out);
+            return;
+        case STEP_TAN:
+            tangent(r, s, FUNCTION_TAN, 1, out);
+            return;
+        case STEP_TANH:
+            tangent(r, s, FUNCTION_TANH, -1, out);
+            return;
+        case STEP_ASIN:
+            arc(r, s, FUNCTION_ASIN, -1, out);
+            return;
+        case STEP_ATAN:
+            arc(r, s, FUNCTION_ATAN, 1, out);
+            return;
+        default: /* STEP_ASINH */
+            arc(r, s, FUNCTION_ASINH, 1, out);
+            return;
+    }
+}
+
 void interval_step(struct interval_run *r, int i)
 {
     const struct step *s = &r->t->t->step[i];
@@ -329,6 +485,7 @@ void interval_step(struct interval_run *r, int i)
             scaled(r, s, r->scale[i + 2], out);
             return;
         default:
-            return; /* not used */
+            function_step(r, s, out);
+            return;
     }
 }

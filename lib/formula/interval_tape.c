@@ -1,6 +1,5 @@
 #include "interval_tape.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,20 +46,6 @@ static void need_parts(const struct tape *t, bool needed[])
     }
 }
 
-static bool has_rule(enum step_kind kind)
-{
-    static const enum step_kind known[] = {
-        STEP_LINEAR,   STEP_GROWTH, STEP_APART,    STEP_EXP,
-        STEP_MIXED,    STEP_SINH,   STEP_FRICTION, STEP_PRODUCT,
-        STEP_QUOTIENT, STEP_SCALED, STEP_LN1P
-    };
-
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (known[i] == kind)
-            return true;
-    return false;
-}
-
 /* The nearest whole number to a constant, and e^(what is left). */
 static void split(const struct interval_graph *g, int node, double *whole,
                   struct interval *part)
@@ -78,7 +63,7 @@ static void split(const struct interval_graph *g, int node, double *whole,
 
 enum status interval_tape_init(struct interval_tape *out, const struct tape *t,
                                const struct interval_graph *g, const int rate[],
-                               int rates, struct fault *why)
+                               int rates)
 {
     bool needed[INTERVAL_REGISTERS] = { false };
 
@@ -89,14 +74,8 @@ enum status interval_tape_init(struct interval_tape *out, const struct tape *t,
         need_rate(&t->rate[out->rate[i]], needed);
     need_linear(&t->value[0], needed);
     need_parts(t, needed);
-    for (int i = 0; i < t->steps; i++) {
+    for (int i = 0; i < t->steps; i++)
         out->used[i] = needed[i + 2];
-        if (needed[i + 2] && !has_rule(t->step[i].kind)) {
-            snprintf(why->text, sizeof why->text,
-                     "a function in the law's formulas has no rule for proofs");
-            return STATUS_BAD_ARGUMENT;
-        }
-    }
     for (int i = 0; i < g->nodes; i++)
         out->constant[g->node[i]] = interval_graph_get(g, g->node[i]);
     for (int i = 0; i < out->rates; i++)

@@ -33,13 +33,11 @@ struct interval_tape {
 };
 
 /* Constants of a graph that has been run, of which what t needs is known.
- * rate[]: of observables beyond those of the chart.  STATUS_BAD_ARGUMENT: a
- * step has no rule; STATUS_NO_MEMORY. */
+ * rate[]: of observables beyond those of the chart.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status interval_tape_init(struct interval_tape *out,
                                           const struct tape *t,
                                           const struct interval_graph *g,
-                                          const int rate[], int rates,
-                                          struct fault *why);
+                                          const int rate[], int rates);
 void interval_tape_free(struct interval_tape *t);
 
 /* Series to order n of the rates times e^-log_scale: out[0 .. rates - 1], the

@@ -56,46 +56,6 @@ static void copy_graph(struct formula *f, const struct formula *old,
     }
 }
 
-/* ---- a factor that all terms have ---------------------------------------- */
-
-/* u = x out, where every term of u shows the factor x; false where one does
- * not. */
-static bool take_out(struct formula *f, int u, int x, int *out)
-{
-    const struct formula_node n = f->node[u];
-    int part[2] = { n.of[0], n.of[1] };
-
-    *out = formula_number(f, 1);
-    if (u == x)
-        return true;
-    if (n.kind == FORMULA_CALL && n.function == FUNCTION_POWER &&
-        n.of[0] == x && f->node[n.of[1]].kind == FORMULA_NUMBER &&
-        f->node[n.of[1]].number >= 1) {
-        part[1] = formula_number(f, f->node[n.of[1]].number - 1);
-        *out = formula_is(f, part[1], 0.0) ? formula_number(f, 1)
-               : formula_is(f, part[1], 1.0)
-                   ? x
-                   : formula_call(f, FUNCTION_POWER, part);
-        return true;
-    }
-    if (n.kind == FORMULA_SUM) {
-        const bool both = take_out(f, n.of[0], x, &part[0]) &&
-                          take_out(f, n.of[1], x, &part[1]);
-        *out = formula_sum(f, part[0], part[1]);
-        return both;
-    }
-    if (n.kind == FORMULA_OVER && take_out(f, n.of[0], x, &part[0])) {
-        *out = formula_over(f, part[0], n.of[1]);
-        return true;
-    }
-    for (int i = 0; i < 2 && n.kind == FORMULA_TIMES; i++)
-        if (take_out(f, n.of[i], x, &part[i])) {
-            *out = formula_times(f, part[i], n.of[1 - i]);
-            return true;
-        }
-    return false;
-}
-
 /* The rate of a positive state, whose logarithm's is wanted: between terms that
  * vanish as the state does no digits are lost once it is taken out. */
 static int rate_of(struct formula *f, const struct formula_system *s, int i,
@@ -104,7 +64,8 @@ static int rate_of(struct formula *f, const struct formula_system *s, int i,
     const int rate = at[s->rate[i]], x = at[s->state[i].node];
     int rest;
 
-    return s->state[i].chart == CHART_POSITIVE && take_out(f, rate, x, &rest)
+    return s->state[i].chart == CHART_POSITIVE &&
+                   formula_take_out(f, rate, x, &rest)
                ? formula_times(f, x, rest)
                : rate;
 }

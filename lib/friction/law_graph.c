@@ -105,8 +105,11 @@ void law_graph_make(const struct law *law, struct law_graph *g)
     node[LAW_AT_DX] = part(f, "dx",
                            "(tan_alpha - mu)/"
                            "(v*eps2*sqrt(1 + tan_alpha*tan_alpha))");
-    node[LAW_AT_DY] =
-        law_psi_is_log(law) ? node[LAW_AT_GROWTH] : part(f, "dy", "dpsi/psi");
+    if (law_psi_is_log(law))
+        node[LAW_AT_DY] = node[LAW_AT_GROWTH];
+    else if (!formula_take_out(f, node[LAW_AT_GROWTH], g->psi,
+                               &node[LAW_AT_DY]))
+        node[LAW_AT_DY] = part(f, "dy", "dpsi/psi");
     order(g);
 }
 

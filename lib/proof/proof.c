@@ -132,27 +132,28 @@ static void settle(struct proof_branch *out, enum end_code end,
     out->excess = interval_add(excess, (struct interval){ 0, t->excess });
 }
 
-/* At theta, the end of piece i, if that is possible; *left: what is beyond,
- * over the width of what is known. */
-static bool close(struct proof_law *law, const struct law *of,
-                  struct proof_branch *out, size_t i, struct interval theta,
-                  const struct proof_front *f, double *left)
+/* At theta, the end of piece i, or why not; *left: what is beyond, over the
+ * width of what is known. */
+static const char *close(struct proof_law *law, struct proof_branch *out,
+                         size_t i, struct interval theta,
+                         const struct proof_front *f, double *left)
 {
     const struct proof_piece *p = &out->piece[i];
-    const struct proof_place at =
-        proof_place_on(p, theta, f->error, out->side);
+    const struct proof_place at = proof_place_on(p, theta, f->error, out->side);
     const bool psi = p->ind == 1;
     struct proof_tail t;
 
-    if (!(psi ? proof_tail_psi(law, &at, &t) : proof_tail_v(law, of, &at, &t)))
-        return false;
+    const char *why =
+        psi ? proof_tail_psi(law, &at, &t) : proof_tail_v(law, &at, &t);
+    if (why)
+        return why;
     *left = fmax(t.way / f->error, t.excess / (f->excess.hi - f->excess.lo));
     settle(out,
            !psi            ? END_V_0
            : out->side > 0 ? END_PSI_INF
                            : END_PSI_0,
            psi ? at.X : at.Y, &t, f);
-    return true;
+    return NULL;
 }
 
 /* The cells of one piece. */
@@ -169,22 +170,21 @@ static bool pass(struct proof_law *law, struct proof_branch *out, size_t i,
     return true;
 }
 
-/* Of first order, v has no limit where psi grows (docs/proofs.md). */
+/* Known from the end of the cone on. */
 static bool is_open(struct proof_law *law, const struct proof_branch *b,
                     const struct proof_front *f)
 {
     const struct proof_place at =
         proof_place_on(&b->piece[0], point(b->cone.reach), f->error, b->side);
 
-    return b->side > 0 && law->first_order && proof_is_outward(law, &at);
+    return proof_tail_open(law, &at) == NULL;
 }
 
 /* From the end of the cone on, to where what is left is nothing beside what is
  * not known, to the offset Y = far, or to the last piece; the pieces beyond are
  * let go. */
-static enum status walk(struct proof_law *law, const struct law *of,
-                        struct proof_branch *out, struct proof_front *f,
-                        double far)
+static enum status walk(struct proof_law *law, struct proof_branch *out,
+                        struct proof_front *f, double far)
 {
     enum status status = STATUS_OK;
 
@@ -197,13 +197,13 @@ static enum status walk(struct proof_law *law, const struct law *of,
             fail(out, "no tube around the manifold was proved");
             return status;
         }
-        fail(out, "no bound on what is beyond the last piece was found");
-        if (close(law, of, out, i, to, f, &left) &&
-            (next == NULL || left < PROOF_END_PART)) {
+        const char *why = close(law, out, i, to, f, &left);
+        if (why == NULL && (next == NULL || left < PROOF_END_PART)) {
             out->not_proved = NULL;
             out->pieces = i + 1;
             return STATUS_OK;
         }
+        fail(out, why);
         if (proof_place_on(&out->piece[i], to, f->error, out->side).Y.lo > far)
             return STATUS_OK;
         if (next && !join(law, &out->piece[i], next, to, f)) {
@@ -214,7 +214,7 @@ static enum status walk(struct proof_law *law, const struct law *of,
     return STATUS_OK;
 }
 
-static enum status prove_branch(struct proof_law *law, const struct law *of,
+static enum status prove_branch(struct proof_law *law,
                                 const struct proof_inputs *in,
                                 const struct branch *curve,
                                 struct proof_branch *out)
@@ -230,9 +230,9 @@ static enum status prove_branch(struct proof_law *law, const struct law *of,
         return STATUS_OK;
     }
     if (!is_open(law, out, &f))
-        return walk(law, of, out, &f, HUGE_VAL);
+        return walk(law, out, &f, HUGE_VAL);
     if (in->far)
-        status = walk(law, of, out, &f,
+        status = walk(law, out, &f,
                       (law->is_log ? *in->far : log(*in->far)) - law->y.lo);
     fail(out, NULL);
     out->end = END_OPEN;
@@ -256,7 +256,7 @@ enum status proof_along(const struct block *b, const struct proof_inputs *in,
         snprintf(out->not_proved.text, sizeof out->not_proved.text,
                  "the determinant of the Jacobian was not proved negative");
     for (int i = 0; i < 2 && s == STATUS_OK && !out->not_proved.text[0]; i++)
-        s = prove_branch(&out->law, &b->law, in, &curve[i], &out->branch[i]);
+        s = prove_branch(&out->law, in, &curve[i], &out->branch[i]);
     return s == STATUS_BAD_ARGUMENT ? STATUS_OK : s;
 }
 

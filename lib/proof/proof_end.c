@@ -18,6 +18,19 @@ static struct interval add(struct interval u, struct interval w)
     return interval_add(u, w);
 }
 
+static const char no_rule[] =
+    "a function of the law has no rule for boxes without end";
+static const char too_large[] =
+    "the bound on what is beyond the last piece is not finite";
+
+/* A box of the chart and, over it, the slopes of mu, g = dy/dt and its
+ * logarithm's slope by the coordinate that has no end. */
+struct strip {
+    struct interval at[2];
+    struct interval mu[2], rate;
+    struct growth g, g_by;
+};
+
 struct proof_place proof_place_on(const struct proof_piece *p,
                                   struct interval theta, double error, int side)
 {
@@ -30,7 +43,7 @@ struct proof_place proof_place_on(const struct proof_piece *p,
                        : (struct proof_place){ dep, at, side };
 }
 
-/* |mu - tan(alpha)| at the place, on its side. */
+/* m = |mu - tan(alpha)| at the place, on its side: a bound from below. */
 static struct interval force_at(struct proof_law *p,
                                 const struct proof_place *at)
 {
@@ -39,200 +52,182 @@ static struct interval force_at(struct proof_law *p,
     return at->side > 0 ? change : interval_minus(change);
 }
 
-static struct interval psi_at(const struct proof_law *p, struct interval Y)
+/* mu does not fall with v, nor with psi, on the strip: m does not fall on the
+ * way outward.  What is not so, or NULL. */
+static const char *look_along(struct proof_law *p, int endless, struct strip *s)
 {
-    return p->is_log ? add(p->psi, Y) : times(p->psi, interval_exp(Y));
-}
+    struct interval_growth *w = p->growth;
+    const int variable[] = { p->graph->x, p->graph->y };
 
-/* |psi - psi_ss(v)|, likewise. */
-static bool lag_at(struct proof_law *p, const struct proof_place *at,
-                   struct interval *lag, struct interval *rate)
-{
-    struct interval psi_ss;
-
-    if (!proof_law_steady(p, add(p->x, at->X), &psi_ss, rate))
-        return false;
-    const struct interval d = interval_less(psi_at(p, at->Y), psi_ss);
-    *lag = at->side > 0 ? d : interval_minus(d);
-    return true;
-}
-
-bool proof_is_outward(struct proof_law *p, const struct proof_place *at)
-{
-    struct interval lag, rate;
-
-    return force_at(p, at).lo > 0 && lag_at(p, at, &lag, &rate) && lag.lo > 0;
-}
-
-static struct interval kinetics(const struct proof_law *p, struct interval d)
-{
-    return p->first_order ? d : interval_sinh(d);
-}
-
-/* 2 e^-d/(1 - e^(-2 d)) >= integral_0^inf t^k/k!/sinh(d + t) dt, k = 0, 1, for
- * sinh(d + t) >= e^(d + t) (1 - e^(-2 d))/2. */
-static struct interval over_sinh(struct interval d)
-{
-    const struct interval e = interval_exp(interval_minus(d));
-
-    return interval_divide(times(point(2), e),
-                           interval_less(point(1), times(e, e)));
-}
-
-/* What the tails in psi have in common. */
-struct facts {
-    struct interval force;  /* |mu - tan(alpha)| at the place, its upper end */
-    double more;            /* of it where psi has settled the integral */
-    struct interval weight; /* integral of |d psi|/K over the tail */
-};
-
-/* Upper: x in [x1, x1 + w], psi >= Psi, d >= psi - psi_ss(v1) = D + psi - Psi,
- * mu - mu1 <= a w + b (psi - Psi)/Psi, or b (psi - Psi) if psi is a logarithm.
- * Lower: x in [x1 - w, x1], psi <= Psi, |d| >= psi_ss(v1) - psi >= D, and mu1 -
- * mu <= a w + b ln(Psi/psi), whose integral over 0 < psi <= Psi is b Psi; if
- * psi is a logarithm as above. */
-static bool facts_of(struct proof_law *p, const struct proof_place *at,
-                     struct interval lag, struct facts *out)
-{
-    const struct interval psi = psi_at(p, at->Y);
-    const struct interval d = interval_low(lag);
-
-    if (!(d.lo > 0))
-        return false;
-    out->force = interval_high(force_at(p, at));
-    if (at->side > 0 || p->is_log) {
-        if (p->first_order)
-            return false;
-        out->weight = over_sinh(d);
-        out->more =
-            p->is_log ? p->b.hi : interval_divide(p->b, interval_low(psi)).hi;
-    } else {
-        out->weight = interval_divide(interval_high(psi), kinetics(p, d));
-        out->more = p->b.hi;
+    for (int i = 0; i < 2; i++) {
+        const int by = i == 0 ? 1 - endless : endless; /* this one is kept */
+        if (!interval_growth_run(w, &p->state, variable, s->at, by))
+            return no_rule;
+        s->mu[by] = w->by[p->graph->node[LAW_AT_MU]].all;
     }
-    return interval_is_finite(out->weight) && isfinite(out->more);
+    s->rate = w->rate[p->graph->node[LAW_AT_DY]].all;
+    s->g = w->value[p->graph->node[LAW_AT_DY]];
+    s->g_by = w->by[p->graph->node[LAW_AT_DY]];
+    return !(s->mu[0].lo >= 0)
+               ? "beyond the last piece mu is not proved to rise with v"
+           : !(s->mu[1].lo >= 0)
+               ? "beyond the last piece mu is not proved to rise with psi"
+               : NULL;
 }
 
-/* |dx| <= F/(v rate) (m + a w + more) weight where v and rate are the least on
- * the way, of w at most. */
-static bool way_for(struct proof_law *p, const struct proof_place *at, double w,
-                    const struct facts *f, struct proof_tail *out)
+/* |g| on an edge of the strip, where y does not move inward. */
+static const char *look_at_edge(struct proof_law *p,
+                                const struct interval at[2], int side,
+                                struct interval *g)
 {
-    struct interval psi_ss, rate;
-    const struct interval least =
-        at->side > 0 ? interval_low(at->X)
-                     : interval_less(interval_low(at->X), point(w));
-    const struct interval x = add(p->x, least);
+    const int variable[] = { p->graph->x, p->graph->y };
 
-    if (!proof_law_steady(p, interval_low(x), &psi_ss, &rate))
-        return false;
-    const struct interval m =
-        add(f->force, add(times(p->a, point(w)), point(f->more)));
-    const struct interval per =
-        interval_divide(times(p->force, interval_exp(interval_minus(x))), rate);
-    const struct interval change = interval_expm1(
-        at->side > 0 ? add(interval_high(at->X), point(w)) : least);
-
-    out->way = times(times(per, m), f->weight).hi;
-    out->excess = interval_most(
-        times(times(p->v, change), interval_divide(f->weight, rate)));
-    return isfinite(out->way) && isfinite(out->excess);
+    if (!interval_growth_run(p->growth, &p->state, variable, at, 0))
+        return no_rule;
+    *g = p->growth->value[p->graph->node[LAW_AT_DY]].all;
+    if (side > 0)
+        *g = interval_minus(*g);
+    return g->lo >= 0 ? NULL : "psi is not proved to move outward";
 }
 
-bool proof_tail_psi(struct proof_law *p, const struct proof_place *at,
-                    struct proof_tail *out)
+/* [z, z + w] outward of the coordinate that settles, and all beyond of the
+ * other. */
+static struct interval outward(struct interval z, int side, double w)
 {
-    struct interval lag, rate;
-    struct facts f;
+    return side > 0 ? (struct interval){ z.lo, add(z, point(w)).hi }
+                    : (struct interval){ interval_less(z, point(w)).lo, z.hi };
+}
+
+static struct interval beyond(struct interval z, int side)
+{
+    return side > 0 ? (struct interval){ z.lo, HUGE_VAL }
+                    : (struct interval){ -HUGE_VAL, z.hi };
+}
+
+/* A bound w on the way holds if on a strip that is so wide the way is less. */
+typedef const char *tail_way(struct proof_law *p, const struct proof_place *at,
+                             double w, struct proof_tail *out);
+
+static const char *settle(struct proof_law *p, const struct proof_place *at,
+                          tail_way *way, struct proof_tail *out)
+{
     double w = 0;
 
-    if (!proof_is_outward(p, at) || !lag_at(p, at, &lag, &rate) ||
-        !facts_of(p, at, lag, &f))
-        return false;
+    if (!(force_at(p, at).lo > 0))
+        return "mu - tan(alpha) has no sign where the last piece ends";
     for (int i = 0; i < PROOF_END_TRIES && w < 1; i++) {
-        if (!way_for(p, at, w, &f, out))
-            return false;
+        const char *why = way(p, at, w, out);
+        if (why)
+            return why;
         if (out->way < w)
-            return true;
+            return NULL;
         w = 2 * out->way + PROOF_END_LEAST;
     }
-    return false;
+    return "no bound on what is beyond the last piece was found";
+}
+
+/* ---- psi runs to its end ------------------------------------------------- */
+
+/* With d ln|g|/dy >= q outward and |g| >= g1 where it begins, |g| >= g1 e^(q t)
+ * t on; m <= m1 + A w + B t: |dx| <= F/v (m1 + A w + B/q)/(q g1). */
+static const char *psi_way(struct proof_law *p, const struct proof_place *at,
+                           double w, struct proof_tail *out)
+{
+    const struct interval x = add(p->x, at->X), y = add(p->y, at->Y);
+    struct strip s = { .at = { outward(x, at->side, w), beyond(y, at->side) } };
+    const struct interval edge[] = { s.at[0], y };
+    struct interval g;
+    const char *why = look_along(p, 1, &s);
+
+    if (why == NULL)
+        why = look_at_edge(p, edge, at->side, &g);
+    if (why)
+        return why;
+    const double q = at->side > 0 ? s.rate.lo : -s.rate.hi;
+    if (!(q > 0))
+        return "the rate of psi is not proved to grow beyond the last piece";
+    const struct interval under = times(point(q), interval_low(g));
+    const struct interval per =
+        times(p->force, interval_exp(interval_minus(interval_low(s.at[0]))));
+    const struct interval m =
+        add(interval_high(force_at(p, at)),
+            add(times(interval_high(s.mu[0]), point(w)),
+                interval_divide(interval_high(s.mu[1]), point(q))));
+    const struct interval change = interval_expm1(interval_less(s.at[0], p->x));
+
+    out->way = interval_divide(times(per, m), under).hi;
+    out->excess = interval_most(interval_divide(times(p->v, change), under));
+    return isfinite(out->way) && isfinite(out->excess) ? NULL : too_large;
+}
+
+const char *proof_tail_psi(struct proof_law *p, const struct proof_place *at,
+                           struct proof_tail *out)
+{
+    return settle(p, at, psi_way, out);
 }
 
 /* ---- v = 0 --------------------------------------------------------------- */
 
-/* At least K(psi_ss(v) - psi)/T(v) for all v <= v1 and psi >= Psi:
- *   psi_ss bounded: K(psi_ss(0) - Psi)/T(v1);
- *   1/T = r v, psi_ss = -ln v: sinh(-ln v - Psi) v <= e^-Psi/2, and of first
- *   order (-ln v - Psi) v <= e^(-1 - Psi);
- *   1/T = r v, psi_ss = 1/v, of first order: (1/v - Psi) v <= 1 for Psi >= 0.
- */
-static bool growth_below(const struct proof_law *p, const struct law *law,
-                         struct interval psi, struct interval v,
-                         struct interval rate, struct interval *out)
+/* dt = -v dx/(F m): the time is at most v1/(F m1).  With d ln(v g)/dx >= q > 0,
+ * v g <= v1 g(x1, y) e^(q (x - x1)), so that |dy| <= v1 g(x1, y)/(q F m1); with
+ * 0 <= g <= G, |dy| <= v1 G/(F m1). */
+static const char *v_way(struct proof_law *p, const struct proof_place *at,
+                         double w, struct proof_tail *out)
 {
-    const struct interval low = interval_minus(interval_low(psi));
-    const struct interval r = interval_divide(rate, v);
-    const bool by_v =
-        law->timescale == TIMESCALE_SLIP ||
-        (law->timescale == TIMESCALE_AGEING44 && p->form == PSI_SS_INVERSE) ||
-        (law->timescale == TIMESCALE_SLIP45 && p->form == PSI_SS_MINUS_LOG);
+    const struct interval x = add(p->x, at->X), y = add(p->y, at->Y);
+    struct strip s = { .at = { beyond(x, -1), outward(y, -1, w) } };
+    const struct interval edge[] = { interval_high(x), s.at[1] };
+    struct interval g;
+    const char *why = look_along(p, 0, &s);
 
-    if (p->form == PSI_SS_SPINODAL || p->form == PSI_SS_SPINODAL_UNIT) {
-        const struct interval top =
-            p->form == PSI_SS_SPINODAL ? add(point(1), p->R) : point(1);
-        *out = times(kinetics(p, add(top, low)), rate);
-        return add(top, low).lo > 0;
-    }
-    if (!by_v)
-        return false;
-    if (p->form == PSI_SS_MINUS_LOG) {
-        *out = p->first_order ? times(r, interval_exp(add(low, point(-1))))
-                              : times(r, times(point(0.5), interval_exp(low)));
-        return true;
-    }
-    *out = r;
-    return p->first_order && p->form == PSI_SS_INVERSE;
-}
-
-/* |d psi| <= S e^x1/(F m) where psi >= Psi - w: d psi/dx = (K/T) v/(F |mu -
- * tan(alpha)|), and |mu - tan(alpha)| grows on the way. */
-static bool way_to_0(struct proof_law *p, const struct law *law,
-                     const struct proof_place *at, double w,
-                     struct proof_tail *out)
-{
-    const struct interval x = interval_high(add(p->x, interval_high(at->X)));
-    const struct interval Y = interval_less(interval_low(at->Y), point(w));
-    const struct interval v = interval_exp(x), psi = psi_at(p, Y);
-    const struct interval force = interval_low(force_at(p, at));
-    struct interval psi_ss, rate, most;
-
-    if (!proof_law_steady(p, x, &psi_ss, &rate) ||
-        !growth_below(p, law, psi, v, rate, &most))
-        return false;
+    if (why == NULL)
+        why = look_at_edge(p, edge, -1, &g);
+    if (why)
+        return why;
+    const struct interval q = add(point(1), interval_low(s.rate));
     const struct interval time =
-        interval_divide(v, times(p->force, force)); /* to v = 0, at most */
-    struct interval way = times(most, time);
-    if (!p->is_log)
-        way = interval_divide(way, interval_low(psi));
-    out->way = way.hi;
+        interval_divide(interval_exp(interval_high(x)),
+                        times(p->force, interval_low(force_at(p, at))));
+    const double by_value = s.g.all.lo >= 0 ? s.g.all.hi : HUGE_VAL;
+    const double by_rate =
+        q.lo > 0 ? interval_divide(interval_high(g), interval_low(q)).hi
+                 : HUGE_VAL;
+
+    if (!isfinite(fmin(by_value, by_rate)))
+        return "v dpsi/dt is not proved to vanish as v does";
+    out->way = times(point(fmin(by_value, by_rate)), time).hi;
     out->excess = times(p->v, time).hi;
-    return isfinite(out->way) && isfinite(out->excess);
+    return isfinite(out->way) && isfinite(out->excess) ? NULL : too_large;
 }
 
-bool proof_tail_v(struct proof_law *p, const struct law *law,
-                  const struct proof_place *at, struct proof_tail *out)
+const char *proof_tail_v(struct proof_law *p, const struct proof_place *at,
+                         struct proof_tail *out)
 {
-    double w = 0;
+    return at->side > 0 ? "the upper branch does not go to v = 0"
+                        : settle(p, at, v_way, out);
+}
 
-    if (at->side > 0 || !proof_is_outward(p, at))
-        return false;
-    for (int i = 0; i < PROOF_END_TRIES && w < 1; i++) {
-        if (!way_to_0(p, law, at, w, out))
-            return false;
-        if (out->way < w)
-            return true;
-        w = 2 * out->way + PROOF_END_LEAST;
-    }
-    return false;
+/* ---- open ---------------------------------------------------------------- */
+
+/* No bound of g, or of its slope by y, grows with y, whatever v is. */
+static bool is_level(struct growth u)
+{
+    return interval_is_finite(u.c) && u.power[1] <= 0;
+}
+
+const char *proof_tail_open(struct proof_law *p, const struct proof_place *at)
+{
+    struct strip s = { .at = { beyond(add(p->x, at->X), 1),
+                               beyond(add(p->y, at->Y), 1) } };
+
+    if (at->side < 0 || !(force_at(p, at).lo > 0))
+        return "mu - tan(alpha) is not proved positive";
+    const char *why = look_along(p, 1, &s);
+    if (why)
+        return why;
+    if (!(s.g.all.hi < 0))
+        return "psi is not proved to move outward";
+    return is_level(s.g) || is_level(s.g_by)
+               ? NULL
+               : "the rate of psi is not proved to grow no faster than ln psi";
 }

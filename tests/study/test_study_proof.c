@@ -36,6 +36,72 @@ static void each_bar_of_a_slope_meets_what_is_proved(void **state)
     }
 }
 
+/* A scene of scenes/, its equilibria and its manifold alone. */
+static void run_scene(struct slope *s, const char *name)
+{
+    char path[4096], sets[] = "products=[knees]";
+    char *set[] = { sets };
+    struct fault why;
+
+    snprintf(path, sizeof path, "%s/scenes/%s.yaml", getenv("SOURCE_ROOT"),
+             name);
+    CHECK(scene_read(&s->scene, path, set, 1, &why) == STATUS_OK, "%s",
+          why.text);
+    CHECK(study_run(&s->study, &s->scene, NULL, &why) == STATUS_OK, "%s",
+          why.text);
+    assert_int_equal(study_prove(&s->study), STATUS_OK);
+    assert_string_equal(s->study.proof.lie.text, "");
+}
+
+/* All that is there, to 1e-11, and that the others are not. */
+static void is_proved(const char *name, const char *what,
+                      const struct quantity *q)
+{
+    const struct proved *p = q->proved;
+
+    CHECK(p && p->not_proved == NULL && p->absent == !quantity_exists(q),
+          "%s: %s: %s", name, what, p ? p->not_proved : "");
+    CHECK(p->absent || p->hi - p->lo <= 1e-11 * fabs(q->value), "%s: %s: %g",
+          name, what, p->hi - p->lo);
+}
+
+static void laws_of_the_literature_are_proved(void **state)
+{
+    static const char *const names[] = { "okubo",       "prz",
+                                         "ageing_slip", "flash_heating",
+                                         "n_shaped",    "bowden_tabor" };
+    static struct slope s;
+
+    (void) state;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        run_scene(&s, names[i]);
+        const struct critical_numbers *c = &s.study.slider.critical;
+        is_proved(names[i], "v_plus", &c->v_plus);
+        is_proved(names[i], "v_minus", &c->v_minus);
+        is_proved(names[i], "psi_at_v0", &c->psi_at_v0);
+        is_proved(names[i], "x_excess", &c->x_excess);
+        is_proved(names[i], "x_deficit", &c->x_deficit);
+        is_proved(names[i], "lambda_plus", &s.study.saddle_numbers.lambda_plus);
+        slope_free(&s);
+    }
+}
+
+/* psi falls and rises beyond Nagata's: friction's own rate is in psi's. */
+static void what_a_law_does_not_have_is_said_and_nothing_proved(void **state)
+{
+    static struct slope s;
+
+    (void) state;
+    run_scene(&s, "nagata");
+    const struct proved *p = s.study.slider.critical.v_plus.proved;
+    assert_non_null(p);
+    CHECK(p->not_proved && strstr(p->not_proved, "psi is not proved"), "%s",
+          p->not_proved);
+    assert_false(p->absent);
+    assert_null(s.study.saddle_numbers.v.proved->not_proved);
+    slope_free(&s);
+}
+
 /* By 1e-9 of itself, which no bar here allows. */
 static void move(struct quantity *q)
 {
@@ -179,6 +245,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_bar_of_a_slope_meets_what_is_proved),
+        cmocka_unit_test(laws_of_the_literature_are_proved),
+        cmocka_unit_test(what_a_law_does_not_have_is_said_and_nothing_proved),
         cmocka_unit_test(a_bar_beside_what_is_proved_is_told_by_name),
         cmocka_unit_test(a_number_that_is_proved_to_be_none_is_told_too),
         cmocka_unit_test(every_label_away_from_the_manifold_is_proved),
