@@ -49,8 +49,9 @@ static void hold(const char *name)
 
 static void laws_of_the_literature_hold_in_113_bits(void **state)
 {
-    static const char *const names[] = { "okubo", "n_shaped", "bowden_tabor",
-                                         "prz" };
+    static const char *const names[] = { "okubo",         "n_shaped",
+                                         "bowden_tabor",  "prz",
+                                         "flash_heating", "ageing_slip" };
 
     (void) state;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
