@@ -1,5 +1,7 @@
 /* Formulas as planar systems: fields, gradients and Taylor series are those of
  * the formulas, and the same bits whoever asks. */
+#include "interval_math.h"
+#include "interval_tape.h"
 #include "made_plane.h"
 
 struct plane_case {
@@ -273,6 +275,118 @@ static void series_are_the_same_bits_on_registers_of_any_width(void **state)
     }
 }
 
+/* ---- over intervals ------------------------------------------------------ */
+
+enum { ORDER = 4 };
+
+static void set(struct interval_graph *g, const char *leaf, double x)
+{
+    mpfi_t value;
+
+    mpfi_init2(value, 160);
+    mpfi_set_d(value, x);
+    interval_graph_set(g, leaf, value);
+    mpfi_clear(value);
+}
+
+static void over_intervals(const struct plane_case *c, const double anchor[2],
+                           struct interval_graph *g, struct interval_tape *t)
+{
+    static const int observable[] = { 2 };
+    struct fault why = { "" };
+
+    CHECK(lower(c->rate, c->positive, c->observable, false, &why) == STATUS_OK,
+          "%s", why.text);
+    assert_int_equal(interval_graph_init(g, &lowered.f, lowered.t.needs, 160),
+                     STATUS_OK);
+    for (int i = 0; i < 2; i++) {
+        set(g, parameters[i].name, (double) parameters[i].value);
+        set(g, i ? "0 of y" : "0 of x", anchor[i]);
+    }
+    CHECK(interval_graph_run(g, &why) == STATUS_OK, "%s", why.text);
+    assert_int_equal(interval_tape_init(t, &lowered.t, g, observable, 1),
+                     STATUS_OK);
+}
+
+/* From z on along (1, rise), with a parameter in `box`. */
+static void line(struct interval_tape *t, const double z[2], double rise,
+                 struct interval box, struct interval_series out[3],
+                 struct interval *factor)
+{
+    struct interval x[ORDER + 1] = { { 0, 0 } }, y[ORDER + 1] = { { 0, 0 } };
+    double log_scale;
+
+    x[0] = interval_add(interval_point(z[0]), box);
+    y[0] = interval_add(interval_point(z[1]),
+                        interval_times(interval_point(rise), box));
+    x[1] = interval_point(1);
+    y[1] = interval_point(rise);
+    interval_tape_jet(t, ORDER, x, y, out, &log_scale);
+    *factor = interval_exp(interval_point(log_scale));
+}
+
+/* The same by tape_jet, times e^log_scale. */
+static void series_at(const double z[2], double rise, double out[3][ORDER + 1])
+{
+    static struct jet_work w;
+    jet_pair x[ORDER + 1] = { JET_PAIR(z[0]), JET_PAIR(1) };
+    jet_pair y[ORDER + 1] = { JET_PAIR(z[1]), JET_PAIR(rise) };
+    jet_pair f[3][ORDER + 1];
+
+    for (size_t k = 0; k <= ORDER; k++) {
+        tape_jet(&plane, &w, k, x, y, f[0], f[1]);
+        tape_jet_rate(&plane, 0, &w, k, x, y, f[2]);
+        for (int i = 0; i < 3; i++)
+            out[i][k] = f[i][k][0] * exp(w.log_scale[0]);
+    }
+}
+
+static void enclosures_hold_rates_and_series_at_every_point(void **state)
+{
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int n = 0; n < 40 * PLANES; n++) {
+        const struct plane_case *c = &planes[n % PLANES];
+        const double rise = check_uniform(&seed, -1, 1);
+        const double half = pow(10, check_uniform(&seed, -9, -1.5));
+        const double at = half * check_uniform(&seed, -1, 1);
+        struct interval_series wide[3], thin[3];
+        struct interval factor[2];
+        struct interval_graph g;
+        struct interval_tape t;
+        double anchor[2], to[2], exact[3][ORDER + 1];
+        draw(c, &seed, anchor);
+        draw(c, &seed, to);
+        over_intervals(c, anchor, &g, &t);
+        make(c->rate, c->positive, c->observable, false,
+             (const quad[]){ anchor[0], anchor[1] });
+        const double z[] = { to[0] - anchor[0], to[1] - anchor[1] };
+        line(&t, z, rise, interval_within(half), wide, &factor[0]);
+        line(&t, z, rise, interval_point(at), thin, &factor[1]);
+        series_at((const double[]){ z[0] + at, z[1] + rise * at }, rise, exact);
+        for (int i = 0; i < 3; i++)
+            for (int k = 0; k <= ORDER; k++) {
+                const struct interval u =
+                    interval_times(factor[0], wide[i].c[k]);
+                const struct interval w =
+                    interval_times(factor[1], thin[i].c[k]);
+                const double truth = exact[i][k];
+                const double off = 1e-10 * (1 + fabs(truth));
+                CHECK(u.lo <= truth + off && truth - off <= u.hi,
+                      "%s | %s, %d, order %d: [%g, %g] has no %g", c->rate[0],
+                      c->rate[1], i, k, u.lo, u.hi, truth);
+                CHECK(!interval_is_finite(w) ||
+                          (w.lo <= truth + off && truth - off <= w.hi &&
+                           w.hi - w.lo <= 1e-8 * (1 + interval_most(w))),
+                      "%s | %s, %d, order %d: [%.17g, %.17g] has no %.17g",
+                      c->rate[0], c->rate[1], i, k, w.lo, w.hi, truth);
+            }
+        interval_tape_free(&t);
+        interval_graph_free(&g);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -281,6 +395,7 @@ int main(void)
         cmocka_unit_test(what_is_not_known_is_not_one),
         cmocka_unit_test(a_series_adds_up_to_the_field_along_the_curve),
         cmocka_unit_test(series_are_the_same_bits_on_registers_of_any_width),
+        cmocka_unit_test(enclosures_hold_rates_and_series_at_every_point),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
