@@ -77,7 +77,7 @@ static void build(struct graph *g, const struct carry *carry,
 void local_integral_floor(size_t order, double along, double u[])
 {
     const double lost = TOL_ROUNDINGS * DBL_TRUE_MIN / fabs(along);
-    const bool nil = fabs(u[1]) <= TOL_INTEGRAL_NIL;
+    const bool nil = fmax(fabs(u[1]), lost) <= TOL_INTEGRAL_NIL;
 
     for (size_t k = order - 1; k <= order && !nil; k++)
         if (fabs(u[k]) < lost)

@@ -81,4 +81,15 @@ static const struct lie lie_far = {
     1.6845192694703358e-07
 };
 
+/* A lower branch whose integral, 6.4e-288, is made of numbers that vanish. */
+static const struct lie lie_small = {
+    FRICTION_ASINH,         THETA_LN_C_PSI,
+    PSI_SS_MINUS_LOG,       TIMESCALE_SLIP45,
+    KINETICS_SINH,          0.437953923486861511539L,
+    1.0025929650710506,     0.00015317652869261086,
+    0.00084997253179943354, 0.0,
+    20.389151785401364,     1e-6,
+    0.018756463217830078
+};
+
 #endif

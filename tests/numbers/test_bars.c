@@ -347,6 +347,22 @@ static void bars_hold_where_squares_overflow(void **state)
     }
 }
 
+static void bars_hold_what_vanishes_in_a_double(void **state)
+{
+    const struct draw d = draw_lie(&lie_small);
+    struct solved s;
+
+    (void) state;
+    if (laws_emulated())
+        skip();
+    assert_int_equal(solve(&s, &d.law, &d.m, d.tan_alpha, 1e-12), STATUS_OK);
+    const struct quantity *q = &s.numbers.x_deficit;
+    assert_true(quantity_exists(q));
+    CHECK(fabs(q->value - 6.4033198321841302e-288) <= q->error, "%g +- %g",
+          q->value, q->error);
+    solved_free(&s);
+}
+
 /* A law whose friction turns sharply: b up to a thousand times a. */
 static bool draw_kink(uint64_t *seed, struct draw *d)
 {
@@ -455,6 +471,7 @@ int main(void)
         cmocka_unit_test(bars_are_believed),
         cmocka_unit_test(bars_that_lied_once_lie_no_more),
         cmocka_unit_test(bars_hold_where_squares_overflow),
+        cmocka_unit_test(bars_hold_what_vanishes_in_a_double),
         cmocka_unit_test(bars_hold_where_friction_turns_sharply),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
