@@ -310,6 +310,7 @@ static void find_rest(struct quad_course *c)
     const quad rate = -c->du[QUAD_X] / c->du[QUAD_TIME];
     const quad grows = c->du[QUAD_Y] / c->du[QUAD_TIME];
 
+    c->left[0] = c->left[1] = 0;
     if (slider_saddle(&s->slider) > 0 || !(rate > 0))
         return;
     if (rest.fate == FATE_REST_FINITE) {
