@@ -1,6 +1,6 @@
 /* As onto the slow curve, x and y in each other's place.  psi settles by a sinh
  * of psi_ss - psi: linear rates hold for changes of psi up to one, which are
- * changes of ln psi up to v, about what the gap is. */
+ * changes of ln psi up to v, about what the curve moves while psi settles. */
 #include "landing_rest.h"
 
 #include <math.h>
@@ -34,7 +34,8 @@ static bool project(const struct landing *l, struct rest_point *p, double *off)
 static double bent_part(const struct landing *l, const struct rest_point *p,
                         double off)
 {
-    const double part = fabs(off) / p->gap + p->gap;
+    const double moves = fabs(p->y_slope / (p->time_slope * p->fast));
+    const double part = fabs(off) / moves + p->gap;
     const bool may_wait =
         l->curve->slider->block.waits && off * p->fibre.y * p->y_slope < 0.0;
 
