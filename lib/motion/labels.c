@@ -74,6 +74,20 @@ static bool is_beyond(const struct labels *l, const struct band *band)
     return false;
 }
 
+/* Whether rounding has a curve cross a row of the band in a quadrant that none
+ * enters (trap.h). */
+static bool strays(const struct labels *l, const struct band *band)
+{
+    const struct separatrix *s = &l->along[SEPARATRIX_Y];
+    const double y = 0.5 * (band->lo + band->hi);
+
+    for (size_t i = 0; i < s->count && isfinite(y); i++)
+        if (y >= s->strand[i].lo && y < s->strand[i].hi &&
+            separatrix_cross(s, i, y).at * y < 0.0)
+            return true;
+    return false;
+}
+
 static void label_band(struct labels *l, const struct band *band)
 {
     const struct slider *s = l->slider;
@@ -81,7 +95,8 @@ static void label_band(struct labels *l, const struct band *band)
     const size_t n = band->strands;
     const bool below = band->hi <= 0.0, above = band->lo >= 0.0;
 
-    if (is_beyond(l, band) || (!below && !above && n % 2 == 0))
+    if (is_beyond(l, band) || (!below && !above && n % 2 == 0) ||
+        strays(l, band))
         return;
     for (size_t k = 0; k <= n; k++) {
         const bool slow = below ? (n - k) % 2 == 1 : k % 2 == 0;
