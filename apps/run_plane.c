@@ -147,7 +147,17 @@ enum exit_code plane_run(const struct options *o, const struct scene *scene,
 
 /* ---- plan ---------------------------------------------------------------- */
 
-enum exit_code plane_plan(const struct options *o, const struct scene *scene)
+void plan_row(const struct options *o, json_t *list, const char *name,
+              const char *text, const char *work)
+{
+    json_array_append_new(list, json_pack("{s:s, s:s, s:s}", "stage", name,
+                                          "text", text, "work", work));
+    if (!o->json && !o->quiet)
+        printf("%-13s %-48s %s\n", name, text, work);
+}
+
+void plane_plan(const struct options *o, json_t *list,
+                const struct scene *scene)
 {
     static const struct {
         const char *name, *text, *work;
@@ -170,24 +180,8 @@ enum exit_code plane_plan(const struct options *o, const struct scene *scene)
         { "trajectories", "orbits, both ways in time",
           "some hundred steps each", BIT(TRAJECTORIES) },
     };
-    json_t *list = json_array();
 
-    for (size_t i = 0; i < sizeof stage / sizeof *stage; i++) {
-        if (!(scene->products & stage[i].products))
-            continue;
-        json_array_append_new(
-            list, json_pack("{s:s, s:s, s:s}", "stage", stage[i].name, "text",
-                            stage[i].text, "work", stage[i].work));
-        if (!o->json && !o->quiet)
-            printf("%-13s %-48s %s\n", stage[i].name, stage[i].text,
-                   stage[i].work);
-    }
-    if (o->json)
-        return json_print(list) ? EXIT_DONE : command_unwritten();
-    json_decref(list);
-    if (scene->hdf5 && !o->quiet)
-        printf("%-13s %s\n", "write", scene->hdf5);
-    if (scene->figure && !o->quiet)
-        printf("%-13s %s\n", "draw", scene->figure);
-    return EXIT_DONE;
+    for (size_t i = 0; i < sizeof stage / sizeof *stage; i++)
+        if (scene->products & stage[i].products)
+            plan_row(o, list, stage[i].name, stage[i].text, stage[i].work);
 }

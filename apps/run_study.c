@@ -274,40 +274,43 @@ enum exit_code command_knees(const struct options *o)
     return run(o, &knees_shortcut);
 }
 
-/* ---- plan ---------------------------------------------------------------- */
-
-static json_t *plan_json(const struct scene *scene, unsigned stages)
+enum exit_code command_basin(const struct options *o)
 {
-    json_t *list = json_array();
-    char text[256];
-
-    if (scene->sweep.axes > 0) {
-        const size_t points = report_sweep_plan(scene, text, sizeof text);
-        json_array_append_new(list, json_pack("{s:s, s:s, s:I}", "stage",
-                                              "sweep", "text", text, "points",
-                                              (json_int_t) points));
-    }
-    for (int i = 0; i < STAGES; i++)
-        if (plan_has(stages, (enum stage) i))
-            json_array_append_new(list, json_pack("{s:s, s:s, s:s}", "stage",
-                                                  stage_table[i].name, "text",
-                                                  stage_table[i].text, "work",
-                                                  stage_table[i].cost));
-    return list;
+    return run(o, &basin_shortcut);
 }
 
+/* ---- plan ---------------------------------------------------------------- */
+
 /* The points of a sweep, at each of which the stages run. */
-static void print_sweep(const struct scene *scene)
+static void plan_sweep(const struct options *o, json_t *list,
+                       const struct scene *scene)
 {
     char text[256];
     const size_t points = report_sweep_plan(scene, text, sizeof text);
 
-    printf("%-13s %zu points: %s\n", "sweep", points, text);
+    json_array_append_new(list,
+                          json_pack("{s:s, s:s, s:I}", "stage", "sweep", "text",
+                                    text, "points", (json_int_t) points));
+    if (!o->json && !o->quiet)
+        printf("%-13s %zu points: %s\n", "sweep", points, text);
 }
 
-enum exit_code command_basin(const struct options *o)
+/* Of a law; other: the command that the scene is for, or NULL. */
+static void plan_law(const struct options *o, json_t *list,
+                     const struct scene *scene, const struct command *other)
 {
-    return run(o, &basin_shortcut);
+    const bool sweeps = scene->sweep.axes > 0;
+    struct scene point = *scene; /* borrows */
+
+    if (sweeps)
+        point.products = sweep_point_products(scene, scene->hdf5 != NULL);
+    const unsigned stages = other && !sweeps ? 0 : plan_scene(&point);
+    if (other && !sweeps && !o->json && !o->quiet)
+        printf("%-13s %s\n", other->name, other->text);
+    for (int i = 0; i < STAGES; i++)
+        if (plan_has(stages, (enum stage) i))
+            plan_row(o, list, stage_table[i].name, stage_table[i].text,
+                     stage_table[i].cost);
 }
 
 enum exit_code command_plan(const struct options *o)
@@ -319,35 +322,20 @@ enum exit_code command_plan(const struct options *o)
 
     if (s != STATUS_OK)
         return command_fail(s, why.text);
-    if (scene.system) {
-        if (scene.sweep.axes > 0 && !o->json && !o->quiet)
-            print_sweep(&scene);
-        const enum exit_code done = plane_plan(o, &scene);
-        scene_free(&scene);
-        return done;
-    }
-    const bool sweeps = scene.sweep.axes > 0;
-    struct scene point = scene; /* borrows */
-    if (sweeps)
-        point.products = sweep_point_products(&scene, scene.hdf5 != NULL);
-    const unsigned stages = other && !sweeps ? 0 : plan_scene(&point);
-    const bool tell = !o->json && !o->quiet;
-    enum exit_code code = EXIT_DONE;
-    if (sweeps && tell)
-        print_sweep(&scene);
-    else if (other && tell)
-        printf("%-13s %s\n", other->name, other->text);
-    if (o->json)
-        code = json_print(plan_json(&scene, stages)) ? EXIT_DONE
-                                                     : command_unwritten();
-    for (int i = 0; i < STAGES && tell; i++)
-        if (plan_has(stages, (enum stage) i))
-            printf("%-13s %-48s %s\n", stage_table[i].name, stage_table[i].text,
-                   stage_table[i].cost);
-    if (tell && scene.hdf5)
+    json_t *list = json_array();
+    if (scene.sweep.axes > 0)
+        plan_sweep(o, list, &scene);
+    if (scene.system)
+        plane_plan(o, list, &scene);
+    else
+        plan_law(o, list, &scene, other);
+    if (!o->json && !o->quiet && scene.hdf5)
         printf("%-13s %s\n", "write", scene.hdf5);
-    if (tell && scene.figure)
+    if (!o->json && !o->quiet && scene.figure)
         printf("%-13s %s\n", "draw", scene.figure);
     scene_free(&scene);
-    return code;
+    if (o->json)
+        return json_print(list) ? EXIT_DONE : command_unwritten();
+    json_decref(list);
+    return EXIT_DONE;
 }
