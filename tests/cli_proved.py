@@ -97,7 +97,7 @@ def sweeps_have_columns_for_what_is_proved(room):
                 continue
             had = float(at['proved'][end])
             expect(abs(told['value'][0] - had) <= 2e-16 * abs(had), number, told)
-            expect('no saddle' in found['reasons'][told['reason'][1]], told)
+            expect('none is proved' in found['reasons'][told['reason'][1]], told)
     expect(found['numbers']['v_plus_lo']['value'][0] == lo[0] < hi[0], lo, hi)
     expect(exists[0] == 1 != exists[1], exists)
     table = room.good('sweep', *sweep, '--set', 'units=si', '-o', '-').splitlines()

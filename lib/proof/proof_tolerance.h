@@ -17,6 +17,12 @@
  * five, and slower at a fold. */
 #define PROOF_NEWTONS 12
 
+/* Half widths, in ln v, around an extremum of mu_ss that are tried, each four
+ * times the last: dtau/dx changes its sign on them by some 1e-2 times that, and
+ * is known to some 1e-16. */
+#define PROOF_FOLD_LEAST 0x1p-46
+#define PROOF_FOLD_MOST  0x1p-10
+
 /* Half widths of the saddle's ln v that are tried, times 256 each. */
 #define PROOF_PLACE_LEAST 0x1p-180
 #define PROOF_PLACE_MOST  0x1p-40

@@ -7,7 +7,7 @@
 #include "number.h"
 #include "unit.h"
 
-static struct interval decimal(double x)
+struct interval proof_decimal(double x)
 {
     const struct number_text text = number_shortest(x);
     MPFR_DECL_INIT(lo, DBL_MANT_DIG);
@@ -22,8 +22,8 @@ static struct interval decimal(double x)
 struct proof_units proof_units_of(const struct law *law,
                                   const struct material *m)
 {
-    const struct interval one = interval_point(1), V = decimal(m->V_star);
-    const struct interval L = decimal(m->L), time = interval_divide(L, V);
+    const struct interval one = interval_point(1), V = proof_decimal(m->V_star);
+    const struct interval L = proof_decimal(m->L), time = interval_divide(L, V);
     struct proof_units u = { V, L, one, law_psi_is_log(law) };
 
     if (law->theta == THETA_LN_PSI || u.psi_is_log)
@@ -31,7 +31,7 @@ struct proof_units proof_units_of(const struct law *law,
                       ? interval_add(time, time)
                       : time;
     else if (law->theta == THETA_LN_C_PSI && isfinite(m->R))
-        u.phi_1 = interval_divide(one, interval_add(one, decimal(m->R)));
+        u.phi_1 = interval_divide(one, interval_add(one, proof_decimal(m->R)));
     return u;
 }
 

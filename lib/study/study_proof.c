@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "proof_fold.h"
 #include "proof_numbers.h"
 #include "proof_units.h"
 #include "study.h"
@@ -27,23 +28,27 @@ static const struct proof_number *number_of(const struct proof_numbers *n,
     return (const void *) ((const char *) n + p->proof);
 }
 
-/* Of the saddle alone, or of its manifold, too. */
-static enum status find(const struct study *s, bool decimal, bool manifold,
-                        struct proof *out)
+static struct proof_inputs inputs_of(const struct study *s, bool decimal)
 {
-    static const struct branch none[2];
-    const struct proof_inputs in = {
+    return (struct proof_inputs){
         .decimal = decimal,
         .slope_in = s->scene->slope_in,
         .slope = s->scene->slope_given,
         .far =
             plan_has(s->stages, STAGE_BASINS) ? &s->scene->window.psi[1] : NULL,
     };
+}
+
+/* Of the saddle alone, or of its manifold, too. */
+static enum status find(const struct study *s, bool decimal, bool manifold,
+                        struct proof *out)
+{
+    static const struct branch none[2];
+    const struct proof_inputs in = inputs_of(s, decimal);
 
     return manifold ? proof_at(&s->slider.block, &in, out)
                     : proof_along(&s->slider.block, &in, none, out);
 }
-
 enum status study_prove_doubles(const struct study *s, struct proof *out)
 {
     return find(s, false, true, out);
@@ -78,6 +83,22 @@ static void tell(struct study_proof *k, const struct pair *pair,
     out[0] = outcome(p, p->value);
     out[1] = outcome(p, proof_in_si(units, pair->unit, p->value));
     pair->number->proved = out;
+}
+
+/* Of numbers that there are none of without a saddle. */
+static void tell_none(struct study *s, const struct pair pair[], size_t n)
+{
+    const struct proof_inputs in = inputs_of(s, true);
+    const struct proof_number none = {
+        .absent = proof_no_saddle(&s->scene->law, &s->scene->material, &in),
+        .not_proved = "that there is no saddle was not proved",
+    };
+
+    for (size_t i = 0; i < n; i++) {
+        struct proved *out = s->proof.of[s->proof.count++];
+        out[0] = out[1] = outcome(&none, none.value);
+        pair[i].number->proved = out;
+    }
 }
 
 /* The first `n` numbers, some of which are beside, again with the doubles
@@ -133,8 +154,10 @@ enum status study_prove(struct study *s)
     const size_t n = sizeof pair / sizeof *pair;
     size_t beside = 0; /* as many hold all that are */
 
-    if (slider_saddle(&s->slider) < 0)
+    if (slider_saddle(&s->slider) < 0) {
+        tell_none(s, pair, n);
         return STATUS_OK;
+    }
     struct proof *proof = s->proof.exact = malloc(sizeof *proof);
     if (proof == NULL)
         return STATUS_NO_MEMORY;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "proof_fold.h"
 #include "slope.h"
 
 /* The side - 1: fast, -1: slow - on which a state is proved to be; 0: none. */
@@ -252,6 +253,55 @@ static void nodes_are_where_theorem_14_says(void **state)
     CHECK(saddles > ALL, "%d", saddles);
 }
 
+/* ---- none ---------------------------------------------------------------- */
+
+/* At a slope that is drawn, or just beside a fold. */
+static double draw_slope(const struct law *law, const struct material *m,
+                         uint64_t *rng)
+{
+    long double x[4];
+    const size_t n = steady_extrema(law, m, x);
+    const double away = pow(10, check_uniform(rng, -11, -1));
+
+    if (n == 0 || check_bits(rng) % 3 == 0)
+        return m->mu_star * check_uniform(rng, 0.6, 1.4);
+    return (double) steady_mu(law, m, x[check_bits(rng) % n]) *
+           (check_bits(rng) % 2 ? 1 + away : 1 - away);
+}
+
+static void that_there_is_no_saddle_is_proved_where_there_is_none(void **state)
+{
+    enum { ALL = 2 * TIMESCALES * PSI_SS_LAMBERT * THETAS * FRICTION_FORMS };
+    uint64_t rng = check_seed();
+    static struct slider s;
+    int none = 0, proved_none = 0;
+    struct fault why;
+
+    (void) state;
+    for (size_t i = 0; i < 20 * (size_t) ALL; i++) {
+        const struct law law = composition(i % ALL);
+        const struct material m = draw_material(&rng);
+        const double tan_alpha = draw_slope(&law, &m, &rng);
+        const struct proof_inputs in = { .decimal = true,
+                                         .slope_in = ANGLE_TAN,
+                                         .slope = tan_alpha };
+        if (law_check(&law, &m, &why) != STATUS_OK || !(tan_alpha > 1e-3) ||
+            law.psi_ss == PSI_SS_MINUS_LOG)
+            continue;
+        slider_init(&s, &law, &m, (long double) tan_alpha);
+        const bool said = proof_no_saddle(&law, &m, &in);
+        CHECK(!said || slider_saddle(&s) < 0,
+              "%s %s %s a %.17g b %.17g c %.17g R %.17g tan_alpha %.17g",
+              friction_form_names[law.form], theta_names[law.theta],
+              psi_ss_names[law.psi_ss], m.a, m.b, m.c, m.R, tan_alpha);
+        none += slider_saddle(&s) < 0;
+        proved_none += said;
+    }
+    print_message("# %d of %d\n", proved_none, none);
+    CHECK(proved_none > 0.9 * none && none > ALL, "%d of %d", proved_none,
+          none);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -260,6 +310,7 @@ int main(void)
             states_beside_the_curve_are_on_the_side_that_is_computed),
         cmocka_unit_test(a_state_in_the_cone_or_the_tube_has_no_side),
         cmocka_unit_test(nodes_are_where_theorem_14_says),
+        cmocka_unit_test(that_there_is_no_saddle_is_proved_where_there_is_none),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
