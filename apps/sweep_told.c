@@ -37,12 +37,13 @@ static const struct unit *column_unit(const struct sweep *s,
     return result_told_unit(u, c->number.of->type, c->number.field, c->unit);
 }
 
-/* Beyond the bar that telling it in this unit makes. */
+/* What is proved of a number: beyond the bar that telling it in this unit
+ * makes. */
 static struct quantity outward(struct quantity q, enum result_part part)
 {
     const double way = part == RESULT_LO ? -q.error : q.error;
 
-    if (quantity_exists(&q) && q.error > 0)
+    if (part != RESULT_VALUE && quantity_exists(&q) && q.error > 0)
         q.value = nextafter(q.value + way, way * HUGE_VAL);
     return q;
 }
