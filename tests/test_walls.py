@@ -220,6 +220,17 @@ def seen_through_walls(root, folder, command):
         yield f'{folder} does not see its own headers'
 
 
+def foreign_libm(build):
+    """Test programs that take exp and log of the C library, not ours."""
+    folder = os.path.join(build, 'tests')
+    programs = [os.path.join(folder, name) for name in os.listdir(folder)
+                if re.fullmatch(r'test_\w+', name)]
+    listed = subprocess.run(['nm', '-A', *programs], capture_output=True,
+                            text=True, check=True).stdout
+    own = set(re.findall(r'^(.*?):.* T log1p$', listed, re.M))
+    return sorted(set(programs) - own) if programs else ['none is built']
+
+
 def main(root, build):
     results, tree = [], texts(root)
     for rule in RULES:
@@ -235,6 +246,8 @@ def main(root, build):
             complaints = seen_through_walls(root, folder, commands[folder])
             results.append((f'{folder} can include only what it may',
                             list(complaints)))
+    results.append(("tests compute with the program's own exp and log",
+                    foreign_libm(build)))
     print(f'1..{len(results)}')
     for number, (name, complaints) in enumerate(results, 1):
         print(f'{"not ok" if complaints else "ok"} {number} - {name}')
