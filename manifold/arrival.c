@@ -229,7 +229,7 @@ static bool closes(struct winding *w, const struct arrival_scale *s,
     if (w->count < 3 * turns + 1)
         return false;
     const double before = between(w, s, turns, 2 * turns);
-    const bool rounded = gap <= TOL_ROUNDED;
+    const bool rounded = gap <= fmax(TOL_ROUNDED, w->noise);
     const bool shrinks = gap <= TOL_WINDING_SHRINK * before || rounded;
     const double left = rounded ? gap : gap / (1.0 - gap / before);
     if (!(gap <= TOL_WINDING_GAP && shrinks && w->away >= TOL_WINDING_AFAR &&
@@ -257,7 +257,8 @@ bool winding_add(struct winding *w, const struct planar *sys,
     double at[CURVE_DIM_MAX], theta;
     struct vec2 z;
 
-    if (piece == 0) {
+    if (!w->begun) {
+        w->begun = true;
         curve_at(c, 0, 0.0, at);
         w->start = vec2_add(sys->origin, (struct vec2){ at[0], at[1] });
         w->near = HUGE_VAL;

@@ -52,7 +52,9 @@ enum { WINDING_KEPT = 16, WINDING_MOST = 4 };
 struct winding {
     struct vec2 at[WINDING_KEPT]; /* absolute, the last one first */
     size_t count;                 /* of all */
-    struct vec2 start;            /* of the curve */
+    double noise;                 /* what a round is off; given */
+    bool begun;
+    struct vec2 start;    /* of the curve; of the first, if others go on */
     double near, away;    /* how near to it this round has come, the last one */
     double extent, round; /* how far the curve has been from the last return,
                              and was between the last two */

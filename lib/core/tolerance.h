@@ -216,7 +216,8 @@
 
 /* Traps (arrival.h), in sides of a window: looked for from 2^-LEVELS up to 1/2,
  * LEAST levels or none.  Closed orbits: differences between rounds are at most
- * GAP, each less than the one before by SHRINK or no more than TOL_ROUNDED; the
+ * GAP, each less than the one before by SHRINK or no more than TOL_ROUNDED or
+ * a round is off; the
  * round is AFAR from where the curve started, and larger, and further from any
  * equilibrium, than TOL_SAME and ten times what such differences add up to.
  * After so many ROUNDS that come back to its start an orbit is closed by

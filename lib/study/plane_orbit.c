@@ -338,6 +338,7 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
                       .far = TOL_PLANE_FAR,
                       .backward = backward,
                       .lost = plane_weak_at(s, z, TOL_PLANE_LITTLE),
+                      .winding = { .noise = TOL_ORBIT_RTOL },
                       .guide = guide,
                       .plan = plane_defined_copy(s) };
     struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);

@@ -153,6 +153,22 @@ static void stiff_orbits_arrive_too(void **state)
     plane_end(&s, &c);
 }
 
+/* Its implicit steps are off by what the series of others are not. */
+static void stiff_orbits_close_on_their_cycle(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = 30*(x - x^3/3 - y); y' = x + 0.5 - 0.3*y",
+              "window={x: [-3, 3], y: [-2, 2]}\nproducts=[basins]\n"
+              "basins.audit=10\n");
+    assert_int_equal(s.cycles, 1);
+    CHECK(s.basin.elsewhere.undecided.value == 0.0, "%g",
+          s.basin.elsewhere.undecided.value);
+    plane_end(&s, &c);
+}
+
 /* Nearly along a straight line, in steps longer than a hundredth of the window:
  * that the velocity hardly changes in them is no sign of a stiff field. */
 static void straight_ways_cost_little(void **state)
@@ -225,6 +241,7 @@ int main(void)
         cmocka_unit_test(what_is_beyond_is_followed_where_it_is_asked_for),
         cmocka_unit_test(who_starts_far_away_arrives_too),
         cmocka_unit_test(stiff_orbits_arrive_too),
+        cmocka_unit_test(stiff_orbits_close_on_their_cycle),
         cmocka_unit_test(straight_ways_cost_little),
         cmocka_unit_test(spirals_on_a_wide_window_cost_little),
         cmocka_unit_test(rounding_makes_no_closed_orbits),
