@@ -136,7 +136,8 @@ def run_snippets(room, path):
 
 
 def do_page(room, path):
-    room.bring('scenes')
+    for folder in ('scenes', 'tests'):
+        room.bring(folder)
     room.make('outputs')
     reader, snippets = Reader(room, path), 0
     for block in blocks(path):
