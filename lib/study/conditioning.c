@@ -32,7 +32,7 @@ static bool multiply(const void *ctx, double nudge, struct scene *c)
     } else {
         *material_member(&c->material, (enum material_key) input) *= factor;
     }
-    return c->alpha < M_PI_2;
+    return input != INPUT_ALPHA || c->alpha < M_PI_2;
 }
 
 /* A slope given by its tangent has one that is a double, and an angle whose
