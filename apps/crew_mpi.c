@@ -6,6 +6,7 @@
 #include <math.h>
 #include <mpi.h>
 #include <omp.h>
+#include <signal.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <time.h>
@@ -95,6 +96,7 @@ int crew_end(int code)
 {
     if (!ends_with_all(code))
         MPI_Abort(MPI_COMM_WORLD, code);
+    signal(SIGTERM, SIG_IGN); /* mpirun's, to those who leave after a failure */
     MPI_Win_unlock_all(crew.window);
     MPI_Win_free(&crew.window);
     MPI_Comm_free(&crew.ending);
