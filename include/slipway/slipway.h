@@ -297,8 +297,8 @@ typedef struct slipway_column {
  * units; out[n] is number n of `name`.  Values that are not allowed, such as a
  * negative a, are a reason, not an error.  threads: 0 for as many as OpenMP
  * has; the numbers, and the reasons of a first run, are the same at any.
- * BAD_ARGUMENT: threads below 0.  STOPPED by the monitor, NO_MEMORY: the outputs
- * are undefined. */
+ * BAD_ARGUMENT: threads below 0.  STOPPED by the monitor, NO_MEMORY: the
+ * outputs are undefined. */
 slipway_status slipway_batch_run(slipway_batch *batch, size_t count,
                                  const double *const column[], int threads,
                                  const slipway_monitor *monitor,

@@ -46,7 +46,7 @@
 #define TOL_PLANE_PART       0.1
 #define TOL_PLANE_STEPS      4000
 #define TOL_PLANE_FAR        100.0
-#define TOL_PLANE_INFINITY 1e12
+#define TOL_PLANE_INFINITY   1e12
 #define TOL_PLANE_ROUND      1e4
 #define TOL_PLANE_LEFT       1e-2
 #define TOL_PLANE_LITTLE     1e-3
