@@ -11,12 +11,8 @@
 #include "proof_cone.h"
 #include "proof_end.h"
 #include "proof_flow.h"
+#include "proof_short.h"
 #include "proof_tolerance.h"
-
-static struct interval point(double x)
-{
-    return interval_point(x);
-}
 
 /* ---- pieces -------------------------------------------------------------- */
 

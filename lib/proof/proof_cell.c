@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "proof_flow.h"
+#include "proof_short.h"
 #include "proof_tolerance.h"
 
 struct cell {
@@ -18,11 +19,6 @@ struct cell {
     double defect, remainder;
     double beside; /* what Lagrange's remainder adds to the excess */
 };
-
-static struct interval point(double x)
-{
-    return interval_point(x);
-}
 
 static struct interval ind_at(const struct proof_piece *piece,
                               struct interval theta)

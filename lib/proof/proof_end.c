@@ -1,22 +1,8 @@
 #include "proof_end.h"
 
 #include "proof_flow.h"
+#include "proof_short.h"
 #include "proof_tolerance.h"
-
-static struct interval point(double x)
-{
-    return interval_point(x);
-}
-
-static struct interval times(struct interval u, struct interval w)
-{
-    return interval_times(u, w);
-}
-
-static struct interval add(struct interval u, struct interval w)
-{
-    return interval_add(u, w);
-}
 
 static const char no_rule[] =
     "a function of the law has no rule for boxes without end";

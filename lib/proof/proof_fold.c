@@ -3,24 +3,10 @@
  * least or largest, and near the value that is enclosed over all of them. */
 #include "proof_fold.h"
 
-#include <float.h>
-#include <mpfr.h>
-
 #include "interval_math.h"
-#include "number.h"
+#include "proof_short.h"
 #include "proof_tolerance.h"
-#include "proof_units.h"
 #include "steady.h"
-
-static struct interval add(struct interval u, struct interval w)
-{
-    return interval_add(u, w);
-}
-
-static struct interval times(struct interval u, struct interval w)
-{
-    return interval_times(u, w);
-}
 
 /* ---- tau ----------------------------------------------------------------- */
 
@@ -33,7 +19,7 @@ struct curve {
 static bool curve_of(const struct law *law, const struct material *m,
                      struct curve *c)
 {
-    const struct interval zero = interval_point(0), one = interval_point(1);
+    const struct interval zero = point(0), one = point(1);
     const struct interval more = add(one, proof_decimal(m->R));
     const bool unit = law->psi_ss == PSI_SS_SPINODAL_UNIT;
     const bool inverse = law->psi_ss == PSI_SS_INVERSE;
@@ -58,7 +44,7 @@ static bool curve_of(const struct law *law, const struct material *m,
     const struct interval fall = times(c->b, interval_less(ps, qr));
     c->A = times(c->a, times(c->plain ? c->s : c->q, c->s));
     c->C = times(c->a, times(c->plain ? c->r : c->p, c->r));
-    c->B = c->plain ? times(times(interval_point(2), c->a), times(c->r, c->s))
+    c->B = c->plain ? times(times(point(2), c->a), times(c->r, c->s))
                     : times(c->a, add(ps, qr));
     c->B = interval_less(c->B, fall);
     return true;
@@ -66,7 +52,7 @@ static bool curve_of(const struct law *law, const struct material *m,
 
 static struct interval slope_at(const struct curve *c, double x)
 {
-    const struct interval v = interval_exp(interval_point(x));
+    const struct interval v = interval_exp(point(x));
 
     return add(c->C, times(v, add(c->B, times(v, c->A))));
 }
@@ -83,30 +69,12 @@ static struct interval tau_over(const struct curve *c, struct interval x)
 
 /* ---- the slope ----------------------------------------------------------- */
 
-static double tangent(const struct proof_inputs *in, mpfr_rnd_t way)
-{
-    MPFR_DECL_INIT(x, PROOF_BITS);
-    MPFR_DECL_INIT(pi, PROOF_BITS);
-
-    mpfr_set_str(x, number_shortest(in->slope).text, 10, way);
-    if (in->slope_in == ANGLE_DEGREE) {
-        mpfr_const_pi(pi, way);
-        mpfr_mul(x, x, pi, way);
-        mpfr_div_ui(x, x, 180, way);
-    }
-    if (in->slope_in != ANGLE_TAN)
-        mpfr_tan(x, x, way);
-    return mpfr_get_d(x, way);
-}
-
 /* tau where mu_ss = tan(alpha): that, or by (4a) a ln(2 sinh(tan(alpha)/a)). */
 static struct interval level(const struct curve *c, const struct law *law,
                              const struct proof_inputs *in)
 {
-    const struct interval t = { tangent(in, MPFR_RNDD),
-                                tangent(in, MPFR_RNDU) };
-    const struct interval part =
-        times(interval_point(-2), interval_divide(t, c->a));
+    const struct interval t = proof_tangent(in);
+    const struct interval part = times(point(-2), interval_divide(t, c->a));
 
     return law->form == FRICTION_LOG
                ? t
@@ -140,7 +108,7 @@ bool proof_no_saddle(const struct law *law, const struct material *m,
 
     if (!in->decimal || !curve_of(law, m, &c))
         return false;
-    const struct interval four = times(interval_point(4), times(c.A, c.C));
+    const struct interval four = times(point(4), times(c.A, c.C));
     if (c.B.lo >= 0 || interval_less(four, times(c.B, c.B)).lo > 0)
         return true; /* mu_ss rises */
     const struct interval at = level(&c, law, in);

@@ -5,7 +5,8 @@
  */
 #pragma once
 
-#include "proof_law.h"
+#include "law.h"
+#include "proof_input.h"
 
 /* True: proved; else it was not. */
 bool proof_no_saddle(const struct law *law, const struct material *m,

@@ -7,40 +7,10 @@
 #include "interval_math.h"
 #include "law_tape.h"
 #include "law_typed.h"
-#include "number.h"
 #include "proof_root.h"
 #include "proof_tolerance.h"
 
 /* ---- inputs -------------------------------------------------------------- */
-
-/* The number as it is meant. */
-static void number(mpfi_ptr out, double x, bool decimal)
-{
-    if (decimal)
-        mpfi_set_str(out, number_shortest(x).text, 10);
-    else
-        mpfi_set_d(out, x);
-}
-
-static void slope(mpfi_ptr tan_alpha, const struct proof_inputs *in)
-{
-    mpfi_t pi;
-
-    if (in->decimal && in->slope_text)
-        mpfi_set_str(tan_alpha, in->slope_text, 10);
-    else
-        number(tan_alpha, in->slope, in->decimal);
-    if (in->slope_in == ANGLE_TAN)
-        return;
-    if (in->slope_in == ANGLE_DEGREE) {
-        mpfi_init2(pi, PROOF_BITS);
-        mpfi_const_pi(pi);
-        mpfi_mul(tan_alpha, tan_alpha, pi);
-        mpfi_div_ui(tan_alpha, tan_alpha, 180);
-        mpfi_clear(pi);
-    }
-    mpfi_tan(tan_alpha, tan_alpha);
-}
 
 /* y: where psi stands still over x, sought from `near`; in `all`, once it is
  * known over a place. */
@@ -60,11 +30,11 @@ static void set_both(struct proof_law *p, const char *leaf, mpfi_srcptr value)
 /* eps^2 = V_star^2/(g L) */
 static void set_eps2(struct given *g, const struct material *m, bool decimal)
 {
-    number(g->eps2, m->V_star, decimal);
+    proof_input(g->eps2, m->V_star, decimal);
     mpfi_sqr(g->eps2, g->eps2);
-    number(g->other, m->g, decimal);
+    proof_input(g->other, m->g, decimal);
     mpfi_div(g->eps2, g->eps2, g->other);
-    number(g->other, m->L, decimal);
+    proof_input(g->other, m->L, decimal);
     mpfi_div(g->eps2, g->eps2, g->other);
 }
 
@@ -84,7 +54,7 @@ static void set_leaves(struct proof_law *p, const struct block *b,
         { "V_c", m->V_c },
     };
 
-    slope(g->tan_alpha, in);
+    proof_slope(g->tan_alpha, in);
     set_eps2(g, m, in->decimal);
     set_both(p, "tan_alpha", g->tan_alpha);
     set_both(p, "eps2", g->eps2);
@@ -92,11 +62,11 @@ static void set_leaves(struct proof_law *p, const struct block *b,
     for (size_t i = 0; i < sizeof plain / sizeof *plain; i++) {
         if (!isfinite(plain[i].value))
             continue; /* not used, or refused before */
-        number(g->other, plain[i].value, in->decimal);
+        proof_input(g->other, plain[i].value, in->decimal);
         set_both(p, plain[i].leaf, g->other);
     }
     for (int i = 0; p->law.typed && i < p->law.typed->owns; i++) {
-        number(g->other, m->own[i], in->decimal);
+        proof_input(g->other, m->own[i], in->decimal);
         set_both(p, p->law.typed->own[i].name, g->other);
     }
 }

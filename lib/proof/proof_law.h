@@ -13,18 +13,7 @@
 #include "interval_growth.h"
 #include "interval_tape.h"
 #include "law_graph.h"
-#include "unit.h"
-
-/* What the numbers of a scene are taken for. */
-struct proof_inputs {
-    bool decimal; /* the shortest decimals that read as these doubles; else
-                     the doubles themselves */
-    enum unit_angle slope_in;
-    double slope;           /* as it was given */
-    const char *slope_text; /* borrowed: its decimal; NULL: the shortest */
-    const double *far;      /* borrowed: psi to which an open branch's tube is
-                               followed; NULL: not at all */
-};
+#include "proof_input.h"
 
 struct proof_law {
     struct law law;                     /* that of R = inf is the limit */

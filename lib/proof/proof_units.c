@@ -1,23 +1,8 @@
 #include "proof_units.h"
 
-#include <float.h>
-#include <mpfr.h>
-
 #include "interval_math.h"
-#include "number.h"
+#include "proof_input.h"
 #include "unit.h"
-
-struct interval proof_decimal(double x)
-{
-    const struct number_text text = number_shortest(x);
-    MPFR_DECL_INIT(lo, DBL_MANT_DIG);
-    MPFR_DECL_INIT(hi, DBL_MANT_DIG);
-
-    mpfr_set_str(lo, text.text, 10, MPFR_RNDD);
-    mpfr_set_str(hi, text.text, 10, MPFR_RNDU);
-    return (struct interval){ mpfr_get_d(lo, MPFR_RNDD),
-                              mpfr_get_d(hi, MPFR_RNDU) };
-}
 
 struct proof_units proof_units_of(const struct law *law,
                                   const struct material *m)

@@ -14,9 +14,6 @@ struct proof_units {
 struct proof_units proof_units_of(const struct law *law,
                                   const struct material *m);
 
-/* The doubles around that decimal. */
-struct interval proof_decimal(double x);
-
 /* unit_value of a number in this unit, no angle and no kick. */
 struct interval proof_in_si(const struct proof_units *u, const char *unit,
                             struct interval x);
