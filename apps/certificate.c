@@ -97,33 +97,16 @@ static json_t *branch_json(const struct proof_branch *b)
 static json_t *numbers_json(const struct proof *p)
 {
     const struct proof_numbers n = proof_numbers_of(p);
-    const struct {
-        const char *name;
-        const struct proof_number *number;
-    } all[] = {
-        { "v", &n.v },
-        { "psi", &n.psi },
-        { "lambda_minus", &n.lambda_minus },
-        { "lambda_plus", &n.lambda_plus },
-        { "v_plus", &n.v_plus },
-        { "ln_v_plus", &n.ln_v_plus },
-        { "v_minus", &n.v_minus },
-        { "ln_v_minus", &n.ln_v_minus },
-        { "psi_at_v0", &n.psi_at_v0 },
-        { "x_excess", &n.x_excess },
-        { "x_deficit", &n.x_deficit },
-        { "mu_s_num", &n.mu_s_num },
-        { "mu_s_mean", &n.mu_s_mean },
-        { "fracture_energy", &n.fracture_energy },
-    };
     json_t *j = json_object();
 
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        if (all[i].number->absent)
-            json_object_set_new(j, all[i].name, json_string("absent"));
-        else if (all[i].number->not_proved == NULL)
-            json_object_set_new(j, all[i].name,
-                                interval_json(all[i].number->value));
+    for (size_t i = 0; i < PROOF_NUMBERS; i++) {
+        const struct proof_number *x = &n.at[i];
+        json_t *told = x->absent       ? json_string("absent")
+                       : x->not_proved ? NULL
+                                       : interval_json(x->value);
+        if (told)
+            json_object_set_new(j, proof_number_names[i], told);
+    }
     return j;
 }
 

@@ -1,7 +1,18 @@
 #include "proof_numbers.h"
 
+#include <assert.h>
+
 #include "interval_math.h"
 #include "numbers.h"
+
+const char *const proof_number_names[PROOF_NUMBERS] = {
+    "v",         "psi",      "lambda_minus", "lambda_plus",    "v_plus",
+    "ln_v_plus", "v_minus",  "ln_v_minus",   "psi_at_v0",      "x_excess",
+    "x_deficit", "mu_s_num", "mu_s_mean",    "fracture_energy"
+};
+static_assert(sizeof(struct proof_numbers) ==
+                  PROOF_NUMBERS * sizeof(struct proof_number),
+              "a name for each number");
 
 static const char not_so[] = "the branch ends otherwise, which is proved";
 

@@ -12,12 +12,23 @@ struct proof_number {
     bool absent;            /* that there is none is proved */
 };
 
+enum { PROOF_NUMBERS = 14 };
+
+/* By name, or all in this order. */
 struct proof_numbers {
-    struct proof_number v, psi, lambda_minus, lambda_plus;
-    struct proof_number v_plus, ln_v_plus, v_minus, ln_v_minus, psi_at_v0;
-    struct proof_number x_excess, x_deficit;
-    struct proof_number mu_s_num, mu_s_mean, fracture_energy;
+    union {
+        struct {
+            struct proof_number v, psi, lambda_minus, lambda_plus;
+            struct proof_number v_plus, ln_v_plus, v_minus, ln_v_minus;
+            struct proof_number psi_at_v0, x_excess, x_deficit;
+            struct proof_number mu_s_num, mu_s_mean, fracture_energy;
+        };
+        struct proof_number at[PROOF_NUMBERS];
+    };
 };
+
+/* Those of the records of numbers.h. */
+extern const char *const proof_number_names[PROOF_NUMBERS];
 
 /* Borrows reasons from p. */
 struct proof_numbers proof_numbers_of(const struct proof *p);

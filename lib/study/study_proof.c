@@ -2,30 +2,49 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "proof_fold.h"
-#include "proof_numbers.h"
 #include "proof_units.h"
+#include "records.h"
 #include "study.h"
 
-/* A number and what is proved of it, for inputs as decimals and as doubles. */
+/* A number of the saddle or of its manifold, and which of PROOF_NUMBERS. */
 struct pair {
-    const char *name, *unit;
+    const struct record_field *field;
     struct quantity *number;
-    size_t proof; /* of struct proof_numbers */
+    size_t which;
 };
 
 enum { SADDLE_NUMBERS = 4 }; /* come first */
 
-#define PAIR(name_, unit_, number_, proof_)                                    \
-    {                                                                          \
-        name_, unit_, &number_, offsetof(struct proof_numbers, proof_)         \
-    }
-
-static const struct proof_number *number_of(const struct proof_numbers *n,
-                                            const struct pair *p)
+static size_t which_is(const char *name)
 {
-    return (const void *) ((const char *) n + p->proof);
+    size_t i = 0;
+
+    while (i < PROOF_NUMBERS && strcmp(proof_number_names[i], name) != 0)
+        i++;
+    return i;
+}
+
+/* How many. */
+static size_t pairs_of(struct study *s, struct pair out[PROOF_NUMBERS])
+{
+    const struct record_type *const type[] = { &record_saddle,
+                                               &record_critical };
+    void *const at[] = { &s->saddle_numbers, &s->slider.critical };
+    size_t n = 0;
+
+    for (int k = 0; k < 2; k++)
+        for (size_t i = 0; i < type[k]->count; i++) {
+            const struct record_field *f = &type[k]->fields[i];
+            const size_t which = which_is(f->name);
+            if (which < PROOF_NUMBERS)
+                out[n++] =
+                    (struct pair){ f, (void *) ((char *) at[k] + f->offset),
+                                   which };
+        }
+    return n;
 }
 
 static struct proof_inputs inputs_of(const struct study *s, bool decimal)
@@ -49,6 +68,7 @@ static enum status find(const struct study *s, bool decimal, bool manifold,
     return manifold ? proof_at(&s->slider.block, &in, out)
                     : proof_along(&s->slider.block, &in, none, out);
 }
+
 enum status study_prove_doubles(const struct study *s, struct proof *out)
 {
     return find(s, false, true, out);
@@ -77,11 +97,11 @@ static struct proved outcome(const struct proof_number *p,
 static void tell(struct study_proof *k, const struct pair *pair,
                  const struct proof_numbers *n, const struct proof_units *units)
 {
-    const struct proof_number *p = number_of(n, pair);
+    const struct proof_number *p = &n->at[pair->which];
     struct proved *out = k->of[k->count++];
 
     out[0] = outcome(p, p->value);
-    out[1] = outcome(p, proof_in_si(units, pair->unit, p->value));
+    out[1] = outcome(p, proof_in_si(units, pair->field->unit, p->value));
     pair->number->proved = out;
 }
 
@@ -111,9 +131,11 @@ static enum status judge(struct study *s, const struct pair pair[], size_t n)
     if (status == STATUS_OK) {
         const struct proof_numbers numbers = proof_numbers_of(&exact);
         for (size_t i = 0; i < n && s->proof.lie.text[0] == '\0'; i++)
-            if (contradicts(pair[i].number, number_of(&numbers, &pair[i])))
+            if (contradicts(pair[i].number, &numbers.at[pair[i].which]))
                 snprintf(s->proof.lie.text, sizeof s->proof.lie.text,
-                         "%s: " STUDY_PROOF_LIE, pair[i].name);
+                         "%s%s: " STUDY_PROOF_LIE,
+                         i < SADDLE_NUMBERS ? "saddle." : "",
+                         pair[i].field->name);
     }
     proof_free(&exact);
     return status;
@@ -132,26 +154,8 @@ static void copy_to_steady(struct study *s)
 
 enum status study_prove(struct study *s)
 {
-    struct critical_numbers *c = &s->slider.critical;
-    const struct pair pair[] = {
-        PAIR("saddle.v", "V_star", s->saddle_numbers.v, v),
-        PAIR("saddle.psi", "psi", s->saddle_numbers.psi, psi),
-        PAIR("saddle.lambda_minus", "V_star/L", s->saddle_numbers.lambda_minus,
-             lambda_minus),
-        PAIR("saddle.lambda_plus", "V_star/L", s->saddle_numbers.lambda_plus,
-             lambda_plus),
-        PAIR("v_plus", "V_star", c->v_plus, v_plus),
-        PAIR("ln_v_plus", "ln(V_star)", c->ln_v_plus, ln_v_plus),
-        PAIR("v_minus", "V_star", c->v_minus, v_minus),
-        PAIR("ln_v_minus", "ln(V_star)", c->ln_v_minus, ln_v_minus),
-        PAIR("psi_at_v0", "psi", c->psi_at_v0, psi_at_v0),
-        PAIR("x_excess", "L", c->x_excess, x_excess),
-        PAIR("x_deficit", "L", c->x_deficit, x_deficit),
-        PAIR("mu_s_num", "1", c->mu_s_num, mu_s_num),
-        PAIR("mu_s_mean", "1", c->mu_s_mean, mu_s_mean),
-        PAIR("fracture_energy", "L", c->fracture_energy, fracture_energy),
-    };
-    const size_t n = sizeof pair / sizeof *pair;
+    struct pair pair[PROOF_NUMBERS];
+    const size_t n = pairs_of(s, pair);
     size_t beside = 0; /* as many hold all that are */
 
     if (slider_saddle(&s->slider) < 0) {
@@ -169,7 +173,7 @@ enum status study_prove(struct study *s)
         proof_units_of(&s->scene->law, &s->scene->material);
     for (size_t i = 0; i < n; i++) {
         tell(&s->proof, &pair[i], &numbers, &units);
-        if (contradicts(pair[i].number, number_of(&numbers, &pair[i])))
+        if (contradicts(pair[i].number, &numbers.at[pair[i].which]))
             beside = i < SADDLE_NUMBERS ? SADDLE_NUMBERS : n;
     }
     copy_to_steady(s);

@@ -3,14 +3,11 @@
  */
 #pragma once
 
+#include "proof_numbers.h"
 #include "record.h"
 #include "status.h"
 
 struct study;
-
-struct proof;
-
-enum { STUDY_PROVED = 24 };
 
 /* What a contradiction is told by, behind the number's name. */
 #define STUDY_PROOF_LIE "what is proved contradicts the error bar"
@@ -18,7 +15,7 @@ enum { STUDY_PROVED = 24 };
 /* Numbers point into `of`. */
 struct study_proof {
     struct proof *exact; /* of the inputs as decimals; owned, NULL: none */
-    struct proved of[STUDY_PROVED][2]; /* as they are, in the SI */
+    struct proved of[PROOF_NUMBERS][2]; /* as they are, in the SI */
     size_t count;
     struct fault lie; /* which number contradicts it; empty: none */
 };
