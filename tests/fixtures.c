@@ -433,3 +433,20 @@ double fixture_implicit(const struct fixture *f, enum fixture_manifold kind,
     return f->base == FIXTURE_PARABOLA ? u.y - u.x * u.x / (2.0 * f->a + f->b)
                                        : u.y;
 }
+
+void fixture_each(int sheared,
+                  void (*check)(const struct fixture *f, double rtol))
+{
+    uint64_t rng = check_seed();
+    struct fixture f;
+
+    for (int base = 0; base < FIXTURE_BASES; base++) {
+        fixture_plain(&f, (enum fixture_base) base);
+        check(&f, 1e-12);
+        check(&f, 1e-6);
+    }
+    for (int i = 0; i < sheared; i++) {
+        fixture_random(&f, (enum fixture_base)(i % FIXTURE_BASES), &rng);
+        check(&f, 1e-12);
+    }
+}

@@ -74,6 +74,10 @@ void fixture_plain(struct fixture *f, enum fixture_base base);
  * origin at the saddle u = 0. */
 void fixture_random(struct fixture *f, enum fixture_base base, uint64_t *rng);
 
+/* All plain ones to rtol 1e-12 and 1e-6, then so many random ones to 1e-12. */
+void fixture_each(int sheared,
+                  void (*check)(const struct fixture *f, double rtol));
+
 /* Puts the origin at a base point, e.g. f->equilibrium[1].base, where the
  * field then vanishes exactly.  Also to be called after changing a, b, the
  * shears or the rate by hand. */

@@ -5,6 +5,7 @@
 
 #include "fault_alloc.h"
 #include "pushed.h"
+#include "stops.h"
 
 #define NOTHING ((const char *const[]){ NULL })
 
@@ -296,15 +297,9 @@ static void states_outside_the_domain_are_refused(void **state)
     pushed_free(&p);
 }
 
-static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
-{
-    (void) ctx, (void) stage, (void) done, (void) total;
-    return 1;
-}
-
 static void a_monitor_stops_it(void **state)
 {
-    const struct monitor monitor = { stop, NULL };
+    const struct monitor monitor = { stop_at_once, NULL };
     const struct push_state at = { 1e3, 1.0 };
     struct push_answer a;
     struct fault why;

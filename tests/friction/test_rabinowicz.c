@@ -11,6 +11,7 @@
 #include "numbers.h"
 #include "own_folder.h"
 #include "rabinowicz.h"
+#include "stops.h"
 #include "study.h"
 
 #define MASSES                                                                 \
@@ -283,15 +284,9 @@ static void a_missing_file_is_no_scene_s_fault(void **state)
     scene_free(&s);
 }
 
-static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
-{
-    (void) ctx, (void) stage, (void) done, (void) total;
-    return 1;
-}
-
 static void a_monitor_stops_it(void **state)
 {
-    const struct monitor monitor = { stop, NULL };
+    const struct monitor monitor = { stop_at_once, NULL };
     struct scene s =
         scene_of_lines("law.preset=dieterich_gen\nslope.alpha=0.34\n");
     struct release r;

@@ -5,6 +5,7 @@
 
 #include "check.h"
 #include "fixtures.h"
+#include "stops.h"
 
 /* Branches of a fixture's saddle at its origin. */
 static enum status branches_of(const struct planar *sys, double rtol,
@@ -87,27 +88,10 @@ static void check_fixture(const struct fixture *f, double rtol)
     }
 }
 
-static void plain_systems_have_their_exact_manifolds(void **state)
+static void systems_have_their_exact_manifolds(void **state)
 {
     (void) state;
-    for (int base = 0; base < FIXTURE_BASES; base++) {
-        struct fixture f;
-        fixture_plain(&f, (enum fixture_base) base);
-        check_fixture(&f, 1e-12);
-        check_fixture(&f, 1e-6);
-    }
-}
-
-static void sheared_systems_have_their_exact_manifolds(void **state)
-{
-    uint64_t rng = check_seed();
-
-    (void) state;
-    for (int i = 0; i < 400; i++) {
-        struct fixture f;
-        fixture_random(&f, (enum fixture_base)(i % FIXTURE_BASES), &rng);
-        check_fixture(&f, 1e-12);
-    }
+    fixture_each(400, check_fixture);
 }
 
 static void a_node_has_no_such_manifold(void **state)
@@ -170,13 +154,6 @@ static void unstable_series_lie_on_the_exact_manifold(void **state)
     }
 }
 
-static int stop_at_once(void *ctx, const char *stage, uint64_t done,
-                        uint64_t total)
-{
-    (void) ctx, (void) stage, (void) done, (void) total;
-    return 1;
-}
-
 static void the_monitor_can_stop_a_long_branch(void **state)
 {
     const struct monitor monitor = { stop_at_once, NULL };
@@ -201,8 +178,7 @@ static void the_monitor_can_stop_a_long_branch(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(plain_systems_have_their_exact_manifolds),
-        cmocka_unit_test(sheared_systems_have_their_exact_manifolds),
+        cmocka_unit_test(systems_have_their_exact_manifolds),
         cmocka_unit_test(a_node_has_no_such_manifold),
         cmocka_unit_test(a_system_without_jets_is_refused),
         cmocka_unit_test(unstable_series_lie_on_the_exact_manifold),

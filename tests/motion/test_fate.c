@@ -3,6 +3,7 @@
 
 #include "fault_alloc.h"
 #include "slope.h"
+#include "stops.h"
 #include "tolerance.h"
 
 static const char *const steady_only[] = { "products=[equilibria]", NULL };
@@ -232,12 +233,6 @@ static void what_does_not_stop_has_neither_slip_nor_time(void **state)
 
 /* ---- errors -------------------------------------------------------------- */
 
-static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
-{
-    (void) ctx, (void) stage, (void) done, (void) total;
-    return 1;
-}
-
 static void states_outside_the_domain_are_refused(void **state)
 {
     const struct vec2 outside[] = { { 700.0, 0.0 },
@@ -257,7 +252,7 @@ static void states_outside_the_domain_are_refused(void **state)
 
 static void a_monitor_stops_a_long_orbit(void **state)
 {
-    const struct monitor monitor = { stop, NULL };
+    const struct monitor monitor = { stop_at_once, NULL };
     struct fate_result r;
     struct slope s;
 

@@ -2,6 +2,7 @@
 #include "fault_alloc.h"
 #include "followed.h"
 #include "sample.h"
+#include "stops.h"
 
 static void make(struct slope *s, const char *law)
 {
@@ -283,15 +284,9 @@ static void starts_outside_the_domain_are_refused(void **state)
     slope_free(&s);
 }
 
-static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
-{
-    (void) ctx, (void) stage, (void) done, (void) total;
-    return 1;
-}
-
 static void a_monitor_stops_a_run(void **state)
 {
-    const struct monitor monitor = { .tell = stop };
+    const struct monitor monitor = { .tell = stop_at_once };
     struct slope s;
     struct transient t;
 

@@ -8,6 +8,7 @@
 #include "eigen_frame.h"
 #include "fault_alloc.h"
 #include "fixtures.h"
+#include "stops.h"
 
 /* ---- exact systems ------------------------------------------------------- */
 
@@ -97,27 +98,10 @@ static void check_fixture(const struct fixture *f, double rtol)
     }
 }
 
-static void plain_systems_have_their_exact_manifolds(void **state)
+static void systems_have_their_exact_manifolds(void **state)
 {
     (void) state;
-    for (int base = 0; base < FIXTURE_BASES; base++) {
-        struct fixture f;
-        fixture_plain(&f, (enum fixture_base) base);
-        check_fixture(&f, 1e-12);
-        check_fixture(&f, 1e-6);
-    }
-}
-
-static void sheared_systems_have_their_exact_manifolds(void **state)
-{
-    uint64_t rng = check_seed();
-
-    (void) state;
-    for (int i = 0; i < 200; i++) {
-        struct fixture f;
-        fixture_random(&f, (enum fixture_base)(i % FIXTURE_BASES), &rng);
-        check_fixture(&f, 1e-12);
-    }
+    fixture_each(200, check_fixture);
 }
 
 /* ---- coordinates --------------------------------------------------------- */
@@ -335,13 +319,6 @@ static void a_field_of_nan_is_no_endless_search(void **state)
     assert_int_equal(b.curve.count, 0);
 }
 
-static int stop_at_once(void *ctx, const char *stage, uint64_t done,
-                        uint64_t total)
-{
-    (void) ctx, (void) stage, (void) done, (void) total;
-    return 1;
-}
-
 static void the_monitor_can_stop_it(void **state)
 {
     const struct monitor monitor = { stop_at_once, NULL };
@@ -379,8 +356,7 @@ static void any_allocation_may_fail(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(plain_systems_have_their_exact_manifolds),
-        cmocka_unit_test(sheared_systems_have_their_exact_manifolds),
+        cmocka_unit_test(systems_have_their_exact_manifolds),
         cmocka_unit_test(the_curve_leaves_the_saddle_along_the_first_axis),
         cmocka_unit_test(a_limit_and_an_integral_are_inside_their_bars),
         cmocka_unit_test(a_branch_that_leaves_the_domain_says_so),

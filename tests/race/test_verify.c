@@ -9,6 +9,7 @@
 #include "laws.h"
 #include "records.h"
 #include "reference_rows.h"
+#include "stops.h"
 
 enum { SETS = 1000 };
 
@@ -381,13 +382,6 @@ static void numbers_that_do_not_exist_agree(void **state)
     assert_true(!quantity_exists(&v.number[0].second));
     assert_true(v.number[0].agree && isnan(v.number[0].difference));
     assert_true(v.field_evaluations > 1000);
-}
-
-static int stop_at_once(void *ctx, const char *stage, uint64_t done,
-                        uint64_t total)
-{
-    (void) ctx, (void) stage, (void) done, (void) total;
-    return 1;
 }
 
 static void the_monitor_can_stop_it(void **state)

@@ -7,6 +7,7 @@
 
 #include "fault_alloc.h"
 #include "slope.h"
+#include "stops.h"
 #include "tolerance.h"
 
 enum { ALL = (1 << CELL_FIELDS) - 1, MOST = 4000 };
@@ -196,15 +197,9 @@ static void states_beyond_the_slow_curve_take_their_whole_orbits(void **state)
     drop(&p);
 }
 
-static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
-{
-    (void) ctx, (void) stage, (void) done, (void) total;
-    return 1;
-}
-
 static void wrong_arguments_and_monitors_are_answered(void **state)
 {
-    const struct monitor monitor = { stop, NULL };
+    const struct monitor monitor = { stop_at_once, NULL };
     const struct vec2 good = { 1.0, 1.0 }, bad = { 700.0, 0.0 };
     struct place p;
     struct cell c;

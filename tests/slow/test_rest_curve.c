@@ -4,6 +4,7 @@
 #include "fast_layer.h"
 #include "fault_alloc.h"
 #include "slope.h"
+#include "stops.h"
 #include "tolerance.h"
 
 static const char *const steady_only[] = { "products=[equilibria]", NULL };
@@ -130,15 +131,9 @@ static void blocks_that_never_rest_have_none(void **state)
     drop(&c, &s);
 }
 
-static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
-{
-    (void) ctx, (void) stage, (void) done, (void) total;
-    return 1;
-}
-
 static void every_allocation_may_fail_and_monitors_stop_it(void **state)
 {
-    const struct monitor monitor = { stop, NULL };
+    const struct monitor monitor = { stop_at_once, NULL };
     enum status status = STATUS_NO_MEMORY;
     struct rest_curve r;
     struct slow_curve c;

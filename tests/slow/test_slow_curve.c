@@ -3,6 +3,7 @@
 
 #include "fault_alloc.h"
 #include "slope.h"
+#include "stops.h"
 #include "tolerance.h"
 
 static const char *const steady_only[] = { "products=[equilibria]", NULL };
@@ -165,15 +166,9 @@ static void it_leads_on_where_blocks_never_quite_stop(void **state)
     }
 }
 
-static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
-{
-    (void) ctx, (void) stage, (void) done, (void) total;
-    return 1;
-}
-
 static void a_monitor_stops_it(void **state)
 {
-    const struct monitor monitor = { stop, NULL };
+    const struct monitor monitor = { stop_at_once, NULL };
     struct slow_curve c;
     struct slope s;
 

@@ -5,8 +5,8 @@
 #include <math.h>
 
 #include "check.h"
-#include "fault_alloc.h"
 #include "reference_rows.h"
+#include "starved_study.h"
 #include "study.h"
 
 /* A study of one slope with sensitivities; the scene must not move. */
@@ -204,21 +204,11 @@ static void allocations_may_fail(void **state)
     const struct material m = material_bristol_board();
     struct scene scene;
     struct study s;
-    struct fault why;
-    enum status status = STATUS_NO_MEMORY;
 
     (void) state;
     study_of(&s, &scene, law, &m, 0.34);
     study_free(&s);
-    for (long k = 0; status != STATUS_OK; k += k < 50 ? 1 : 13) {
-        fault_alloc_at(k);
-        status = study_run(&s, &scene, NULL, &why);
-        fault_alloc_at(FAULT_ALLOC_NEVER);
-        CHECK(status == STATUS_OK || status == STATUS_NO_MEMORY, "%ld: %.400s",
-              k, why.text);
-        study_free(&s);
-        CHECK(k < 100000, "never succeeds");
-    }
+    starve_study(&scene, 50);
 }
 
 static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)

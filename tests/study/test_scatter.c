@@ -6,9 +6,9 @@
 #include <stdio.h>
 
 #include "check.h"
-#include "fault_alloc.h"
 #include "own_folder.h"
 #include "scene_units.h"
+#include "starved_study.h"
 #include "study.h"
 
 /* The scene of these lines, and its study; neither may move. */
@@ -149,23 +149,13 @@ static void allocations_may_fail(void **state)
 {
     struct scene scene;
     struct study s;
-    struct fault why;
-    enum status status = STATUS_NO_MEMORY;
 
     (void) state;
     study_of(&s, &scene,
              "law: {preset: dieterich_gen}\nproducts: [knees]\n"
              "slope: {alpha: 0.34}\nmaterial: {a: 0.0349 +- 0.0005}\n");
     study_free(&s);
-    for (long k = 0; status != STATUS_OK; k += k < 50 ? 1 : 13) {
-        fault_alloc_at(k);
-        status = study_run(&s, &scene, NULL, &why);
-        fault_alloc_at(FAULT_ALLOC_NEVER);
-        CHECK(status == STATUS_OK || status == STATUS_NO_MEMORY, "%ld: %.400s",
-              k, why.text);
-        study_free(&s);
-        CHECK(k < 100000, "never succeeds");
-    }
+    starve_study(&scene, 50);
     scene_free(&scene);
 }
 

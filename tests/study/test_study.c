@@ -1,14 +1,15 @@
 /* A study does what its scene asks for, no more; and what it does is right. */
 #include "study.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
 #include "check.h"
-#include "fault_alloc.h"
 #include "reference_rows.h"
 #include "remark.h"
 #include "rows.h"
+#include "starved_study.h"
 #include "study_tolerance.h"
 
 static char law_option[] = "law.preset=spinodal_gen";
@@ -86,23 +87,12 @@ static void every_allocation_of_a_study_may_fail(void **state)
                       "trajectories, field_arrows, knees, estimates]";
     char starts[] = "trajectories.starts=[{v: 1258.9, psi: 100}]";
     struct scene scene;
-    enum status status = STATUS_NO_MEMORY;
 
     (void) state;
     scene_of(&scene, products, NULL, starts);
     scene.spread = 2;
     scene.rtol = 1e-6;
-    for (long k = 0; status != STATUS_OK; k++) {
-        struct study s;
-        struct fault why;
-        fault_alloc_at(k);
-        status = study_run(&s, &scene, NULL, &why);
-        fault_alloc_at(FAULT_ALLOC_NEVER);
-        CHECK(status == STATUS_OK || status == STATUS_NO_MEMORY, "%ld: %.400s",
-              k, why.text);
-        study_free(&s);
-        CHECK(k < 100000, "never succeeds");
-    }
+    starve_study(&scene, LONG_MAX);
     scene_free(&scene);
 }
 
