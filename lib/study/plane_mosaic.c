@@ -56,13 +56,9 @@ struct square {
 
 static struct square square_of(const struct plane_study *s, size_t region)
 {
-    const struct regions *r = &s->basin.regions;
+    const struct band *b = plane_patch_band(&s->basin.regions, region);
     const struct box w = s->window.box;
-    size_t i = 0;
 
-    while (i + 1 < r->bands && r->band[i + 1].first <= region)
-        i++;
-    const struct band *b = &r->band[i];
     return (struct square){ s, b, region - b->first, fmax(b->lo, w.lo.y),
                             fmin(b->hi, w.hi.y) };
 }

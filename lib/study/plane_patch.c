@@ -154,47 +154,40 @@ void plane_patch_join(struct patches *p)
 
 /* ---- inside ------------------------------------------------------------- */
 
-/* A region of a band, and rows of it. */
-struct inside {
-    const struct patches *p;
-    const struct band *band;
-    size_t k;
-};
-
-static struct inside region_of(const struct patches *p, size_t region)
+const struct band *plane_patch_band(const struct regions *r, size_t region)
 {
     size_t i = 0;
 
-    while (i + 1 < p->r->bands && p->r->band[i + 1].first <= region)
+    while (i + 1 < r->bands && r->band[i + 1].first <= region)
         i++;
-    return (struct inside){ p, &p->r->band[i], region - p->r->band[i].first };
+    return &r->band[i];
 }
 
 enum { ROWS = 16 };
 
 /* How wide it is in the window on row i of some, and where; 0: nowhere. */
-static double width_at(const struct inside *in, int i, double *y, double *lo)
+static double width_at(const struct patches *p, size_t region, int i, double *y,
+                       double *lo)
 {
-    const struct patches *p = in->p;
+    const struct band *band = plane_patch_band(p->r, region);
+    const size_t k = region - band->first;
     const struct box w = p->s->window.box;
-    const double from = fmax(in->band->lo, w.lo.y),
-                 to = fmin(in->band->hi, w.hi.y);
+    const double from = fmax(band->lo, w.lo.y), to = fmin(band->hi, w.hi.y);
 
     *y = from + off_middle(i, i + 1) / ROWS * (to - from);
     const size_t n = separatrix_row(p->r->separatrix, *y, p->below);
-    if (n != in->band->strands)
+    if (n != band->strands)
         return 0.0;
-    *lo = plane_patch_end(p->s, p->below, n, in->k);
-    return fmax(plane_patch_end(p->s, p->below, n, in->k + 1) - *lo, 0.0);
+    *lo = plane_patch_end(p->s, p->below, n, k);
+    return fmax(plane_patch_end(p->s, p->below, n, k + 1) - *lo, 0.0);
 }
 
 bool plane_patch_place(const struct patches *p, size_t region, struct vec2 *z)
 {
-    const struct inside in = region_of(p, region);
     double widest = 0.0, y, lo = 0.0;
 
     for (int i = 0; i < ROWS; i++) {
-        const double width = width_at(&in, i, &y, &lo);
+        const double width = width_at(p, region, i, &y, &lo);
         if (!(width > widest))
             continue;
         widest = width;

@@ -17,6 +17,9 @@ struct patches {
 /* The first region of the patch that region i belongs to. */
 size_t plane_patch_of(const struct patches *p, size_t i);
 
+/* The band that holds a region. */
+const struct band *plane_patch_band(const struct regions *r, size_t region);
+
 /* The left and the right end of region k between n crossings, in the window. */
 double plane_patch_end(const struct plane_study *s, const struct crossing c[],
                        size_t n, size_t k);
