@@ -97,8 +97,8 @@ static void arrive(struct landing *l, const struct door *door, double closing,
     const struct landing_slope across = { late * du[LAYER_TIME],
                                           late * du[LAYER_SLIP] };
     const struct landing_bar bar = landing_weigh(l, &across, 0.0);
-    const struct vec2 at = { l->u[LAYER_X], l->u[LAYER_Y] };
-    const double level = TOL_SLOW_FACE * slider_rounding(s, at) / closing;
+    const double level =
+        TOL_SLOW_FACE * slider_rounding(s, landing_place(l)) / closing;
     struct layer *const out = l->out;
 
     out->end = LAYER_LANDED;
@@ -218,15 +218,14 @@ static double mu_to_come(const struct landing *l, const struct slow_point *p,
                          double y, double *aside)
 {
     const struct block *b = &l->curve->slider->block;
-    const struct vec2 on = { p->x, y }, z = { l->u[LAYER_X], l->u[LAYER_Y] };
+    const struct vec2 on = { p->x, y }, z = landing_place(l);
     const double way = p->time_slope < 0.0 ? 1.0 : -1.0;
     const double mu = block_mu(b, on);
     const bool rises = mu_rises(l, on, (struct vec2){ way * p->x_slope, way });
     const double most = fmax(rises ? fmax(mu, p->mu_near) : mu, p->mu_peak);
 
     *aside = 0.0;
-    if (most == mu &&
-        !mu_rises(l, z, (struct vec2){ l->du[LAYER_X], l->du[LAYER_Y] }))
+    if (most == mu && !mu_rises(l, z, landing_way(l)))
         return -HUGE_VAL;
     *aside = 2.0 * fabs(mu - block_mu(b, z));
     if (most + *aside <= l->out->mu_peak)

@@ -35,6 +35,16 @@ struct landing {
     struct layer *out;
 };
 
+static inline struct vec2 landing_place(const struct landing *l)
+{
+    return (struct vec2){ l->u[LAYER_X], l->u[LAYER_Y] };
+}
+
+static inline struct vec2 landing_way(const struct landing *l)
+{
+    return (struct vec2){ l->du[LAYER_X], l->du[LAYER_Y] };
+}
+
 /* At the offset z, with *out as of an orbit that is lost; du and step are the
  * caller's to fill.  least: what errors of time and slip are relative to at
  * least. */

@@ -112,7 +112,7 @@ static bool is_early(const struct landing *l, const struct saddle_point *at,
                      const struct layer *out)
 {
     const double wrong = at->p_error / fabs(at->p) / l->curve->near->lambda;
-    const struct vec2 to = { l->u[LAYER_X], l->u[LAYER_Y] };
+    const struct vec2 to = landing_place(l);
     const bool nears = to.x * l->du[LAYER_X] + to.y * l->du[LAYER_Y] < 0.0;
 
     const double whole = out->fate == FATE_REST_ASYMPTOTIC
@@ -126,7 +126,7 @@ static bool is_early(const struct landing *l, const struct saddle_point *at,
 bool landing_near(struct landing *l)
 {
     const struct saddle_series *u = l->curve->near;
-    const struct vec2 z = { l->u[LAYER_X], l->u[LAYER_Y] };
+    const struct vec2 z = landing_place(l);
     struct saddle_point at;
 
     if (l->near.is_near || u == NULL || !saddle_series_at(u, z, &at))
