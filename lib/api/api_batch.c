@@ -21,18 +21,11 @@ struct slipway_batch {
 
 /* ---- opening ------------------------------------------------------------- */
 
-static bool is_slope(const char *key)
-{
-    return strcmp(key, "slope.alpha") == 0 ||
-           strcmp(key, "slope.alpha_deg") == 0 ||
-           strcmp(key, "slope.tan_alpha") == 0;
-}
-
 /* The first key that is a slope, or V_c; NULL: none. */
 static const char *first_of(const slipway_batch *b, bool slope)
 {
     for (size_t k = 0; k < b->keys; k++)
-        if (slope ? is_slope(b->key[k])
+        if (slope ? strncmp(b->key[k], "slope.", 6) == 0
                   : strcmp(b->key[k], "material.V_c") == 0)
             return b->key[k];
     return NULL;

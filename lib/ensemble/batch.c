@@ -25,20 +25,11 @@ static enum status blame(struct fault *why, const char *name, const char *what)
     return STATUS_BAD_ARGUMENT;
 }
 
-static bool is_parameter(const struct scene *s, const char *path)
-{
-    char *const *key = s->parameter_key;
-
-    while (*key && strcmp(*key, path) != 0)
-        key++;
-    return *key != NULL;
-}
-
 static enum status check_key(const struct batch *b, size_t k, struct fault *why)
 {
     const char *path = b->key[k].path;
 
-    if (b->scene->system ? !is_parameter(b->scene, path)
+    if (b->scene->system ? !scene_parameter_is(b->scene, path)
                          : !scene_vary_is(&b->key[k]))
         return blame(why, path,
                      b->scene->system

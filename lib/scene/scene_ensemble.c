@@ -7,6 +7,7 @@
 
 #include "law_typed.h"
 #include "scene_law.h"
+#include "scene_parameter.h"
 #include "scene_scatter.h"
 #include "schema.h"
 #include "synonym.h"
@@ -299,13 +300,6 @@ enum status scene_ensemble_settle(const struct node *root, struct scene *s,
     return pushes ? settle_pushes(pushes, s, why) : STATUS_OK;
 }
 
-static bool is_among(const char *word, const char *const *words)
-{
-    while (*words && strcmp(*words, word) != 0)
-        words++;
-    return *words != NULL;
-}
-
 enum status scene_ensemble_check_key(const struct scene *s, const char *path,
                                      struct place at, struct fault *why)
 {
@@ -316,8 +310,7 @@ enum status scene_ensemble_check_key(const struct scene *s, const char *path,
     for (const struct schema_key *k = schema_table; k->path; k++)
         if (value_is_real(k))
             known[count++] = k->path;
-    if (s->system ? !is_among(path, (const char *const *) s->parameter_key)
-                  : !scene_vary_is(&vary)) {
+    if (s->system ? !scene_parameter_is(s, path) : !scene_vary_is(&vary)) {
         const char *near = synonym_nearest(
             path, s->system ? (const char *const *) s->parameter_key : known);
         return place_blame(at, why,

@@ -72,6 +72,15 @@ enum status scene_parameter_keys(struct scene *s, const struct node *of,
     return check_set(of, s, why);
 }
 
+bool scene_parameter_is(const struct scene *s, const char *key)
+{
+    char *const *known = s->parameter_key;
+
+    while (*known && strcmp(*known, key) != 0)
+        known++;
+    return *known != NULL;
+}
+
 enum status scene_parameter_set(struct formula_system *f, const char *key,
                                 double x)
 {

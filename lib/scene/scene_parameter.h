@@ -11,6 +11,9 @@ MUST_CHECK enum status scene_parameter_keys(struct scene *s,
                                             const struct node *n,
                                             struct fault *why);
 
+/* Whether that is the key of one; of a scene with a system. */
+bool scene_parameter_is(const struct scene *s, const char *key);
+
 /* Sets the parameter of that key, a number as its shortest decimal says: a
  * study with --set KEY=DECIMAL has the same.  STATUS_BAD_SCENE where the
  * formulas cannot be read with it. */
