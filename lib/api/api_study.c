@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "api.h"
-#include "rows.h"
+#include "curve_rows.h"
 #include "scene_slope.h"
 #include "sweep_column.h"
 
@@ -35,8 +35,8 @@ static enum status fill(const struct sweep_point *p, size_t which,
     const size_t side = which % SIDES;
 
     if (which < SLIPWAY_UNSTABLE_UPPER)
-        return rows_branch(&p->study, &p->study.stable[side], rows);
-    return rows_unstable(&p->study, &p->study.unstable[side], rows);
+        return curve_rows_branch(&p->study, &p->study.stable[side], rows);
+    return curve_rows_unstable(&p->study, &p->study.unstable[side], rows);
 }
 
 static enum status fill_branches(slipway_study *study)

@@ -26,7 +26,7 @@ struct plane_arrow {
 };
 
 /* What is shown of a branch, so dense that straight lines between the points
- * are within TOL_DRAWN of it.  Errors as rows_branch. */
+ * are within TOL_DRAWN of it.  Errors as curve_rows_branch. */
 MUST_CHECK enum status plane_rows_branch(const struct plane_study *s,
                                          const struct plane_branch *b,
                                          struct rows *r);

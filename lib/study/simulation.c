@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "curve_rows.h"
 #include "near_runs.h"
-#include "rows.h"
 #include "sample.h"
 
 static enum status run_all(struct simulation *s, const struct monitor *monitor)
@@ -90,8 +90,9 @@ static enum status view_curve(const void *run, size_t k,
     struct rows r = rows_of(&record_trajectory);
 
     return s->run[k].curve.count > 0
-               ? rows_lend(out, &r,
-                           rows_trajectory(&s->study, &s->run[k].curve, &r))
+               ? rows_lend(
+                     out, &r,
+                     curve_rows_trajectory(&s->study, &s->run[k].curve, &r))
                : STATUS_OK;
 }
 
@@ -142,10 +143,10 @@ static enum status view_end(const void *run, size_t k, struct result_view *out)
     const struct transient *t = &((const struct simulation *) run)->run[k];
     const struct transient_summary *sum = &t->sum;
 
-    return rows_lend_end(out,
-                         (struct run_end){ transient_end_names[sum->end],
-                                           fate_names[sum->fate], t->reason,
-                                           sum->energy_defect });
+    return curve_rows_lend_end(
+        out,
+        (struct run_end){ transient_end_names[sum->end], fate_names[sum->fate],
+                          t->reason, sum->energy_defect });
 }
 
 RESULT_VIEW(view_summary, simulation, &s->run[k].sum, 1)

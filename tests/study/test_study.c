@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "check.h"
+#include "curve_rows.h"
 #include "reference_rows.h"
 #include "remark.h"
-#include "rows.h"
 #include "starved_study.h"
 #include "study_tolerance.h"
 
@@ -231,7 +231,8 @@ static void stored_rows_interpolate_to_a_millionth(void **state)
     (void) state;
     scene_of(&scene, products, NULL, NULL);
     run(&s, &scene);
-    assert_int_equal(rows_branch(&s, &s.stable[SIDE_UPPER], &r), STATUS_OK);
+    assert_int_equal(curve_rows_branch(&s, &s.stable[SIDE_UPPER], &r),
+                     STATUS_OK);
     const struct branch_row *row = r.at;
     for (size_t i = 0; i < s.stable[SIDE_UPPER].curve.count; i++)
         for (int k = 1; k < 10; k++) {

@@ -1,37 +1,14 @@
 /* Curves sampled.  A piece is halved until the cubic Hermite interpolant that
  * a reader of the file would build agrees with the curve at the middle. */
-#include "rows.h"
+#include "curve_rows.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "remark.h"
-#include "room.h"
 #include "sample.h"
 #include "study_results.h"
 #include "study_tolerance.h"
-
-struct rows rows_of(const struct record_type *type)
-{
-    return (struct rows){ .type = type };
-}
-
-void rows_free(struct rows *r)
-{
-    free(r->at);
-    *r = rows_of(r->type);
-}
-
-enum status rows_push(struct rows *r, const void *row)
-{
-    const size_t size = r->type->size;
-    const enum status s = room_for(&r->at, &r->room, r->count + 1, size);
-
-    if (s == STATUS_OK)
-        memcpy((char *) r->at + r->count++ * size, row, size);
-    return s;
-}
 
 /* A point of a branch in the making: chart coordinates and all the rest. */
 struct sample {
@@ -188,8 +165,8 @@ static enum status add_asymptote(struct sampler *p)
     return add_branch_row(p, &t);
 }
 
-enum status rows_branch(const struct study *s, const struct branch *b,
-                        struct rows *r)
+enum status curve_rows_branch(const struct study *s, const struct branch *b,
+                              struct rows *r)
 {
     struct sampler p = { .s = s,
                          .curve = &b->curve,
@@ -208,8 +185,8 @@ enum status rows_branch(const struct study *s, const struct branch *b,
     return status == STATUS_OK ? add_asymptote(&p) : status;
 }
 
-enum status rows_unstable(const struct study *s, const struct orbit *o,
-                          struct rows *r)
+enum status curve_rows_unstable(const struct study *s, const struct orbit *o,
+                                struct rows *r)
 {
     struct sampler p = { .s = s,
                          .curve = &o->curve,
@@ -223,8 +200,8 @@ enum status rows_unstable(const struct study *s, const struct orbit *o,
     return sample_curve(&p);
 }
 
-enum status rows_nullcline(const struct study *s, const struct polyline *line,
-                           struct rows *r)
+enum status curve_rows_nullcline(const struct study *s,
+                                 const struct polyline *line, struct rows *r)
 {
     double arc = 0.0;
     enum status status = STATUS_OK;
@@ -257,8 +234,8 @@ static enum status push_later(struct rows *r, const struct trajectory_row *row,
     return rows_push(r, row);
 }
 
-enum status rows_trajectory(const struct study *s, const struct curve *c,
-                            struct rows *r)
+enum status curve_rows_trajectory(const struct study *s, const struct curve *c,
+                                  struct rows *r)
 {
     enum { PER_STEP = 3 };
     double at[CURVE_DIM_MAX];
@@ -275,7 +252,7 @@ enum status rows_trajectory(const struct study *s, const struct curve *c,
     return status;
 }
 
-enum status rows_arrows(const struct study *s, struct rows *r)
+enum status curve_rows_arrows(const struct study *s, struct rows *r)
 {
     const struct arrows *a = &s->portrait.arrows;
     enum status status = STATUS_OK;
@@ -297,17 +274,6 @@ enum status rows_arrows(const struct study *s, struct rows *r)
 
 /* ---- what a study says of its curves ------------------------------------- */
 
-enum status rows_lend(struct result_view *out, struct rows *r,
-                      enum status sampled)
-{
-    if (sampled != STATUS_OK) {
-        rows_free(r);
-        return sampled;
-    }
-    out->owned = r->at;
-    return result_lend(out, r->at, r->count);
-}
-
 /* stable_upper, unstable_upper, stable_lower, unstable_lower */
 static enum status view_branch(const void *run, size_t k,
                                struct result_view *out)
@@ -319,9 +285,10 @@ static enum status view_branch(const void *run, size_t k,
     if (!slider_has_manifolds(&s->slider))
         return STATUS_OK;
     if (k % 2 == 0)
-        return rows_lend(out, &r, rows_branch(s, &s->stable[side], &r));
+        return rows_lend(out, &r, curve_rows_branch(s, &s->stable[side], &r));
     return plan_has(s->stages, STAGE_UNSTABLE)
-               ? rows_lend(out, &r, rows_unstable(s, &s->unstable[side], &r))
+               ? rows_lend(out, &r,
+                           curve_rows_unstable(s, &s->unstable[side], &r))
                : STATUS_OK;
 }
 
@@ -354,7 +321,8 @@ static enum status view_nullcline(const struct study *s, int which, size_t k,
     struct rows r = rows_of(&record_nullcline);
 
     return rows_lend(
-        out, &r, rows_nullcline(s, &s->portrait.nullcline[which].piece[k], &r));
+        out, &r,
+        curve_rows_nullcline(s, &s->portrait.nullcline[which].piece[k], &r));
 }
 
 static enum status view_v(const void *run, size_t k, struct result_view *out)
@@ -373,7 +341,7 @@ static enum status view_arrows(const void *run, size_t k,
     struct rows r = rows_of(&record_arrow);
 
     (void) k;
-    return rows_lend(out, &r, rows_arrows(run, &r));
+    return rows_lend(out, &r, curve_rows_arrows(run, &r));
 }
 
 /* Number k of those with points: chosen starts, then spread ones; NULL. */
@@ -403,7 +371,8 @@ static enum status view_track(const void *run, size_t k,
 {
     struct rows r = rows_of(&record_trajectory);
 
-    return rows_lend(out, &r, rows_trajectory(run, &track(run, k)->curve, &r));
+    return rows_lend(out, &r,
+                     curve_rows_trajectory(run, &track(run, k)->curve, &r));
 }
 
 static const struct record_field end_fields[] = {
@@ -420,7 +389,7 @@ static const struct record_field end_fields[] = {
 const struct record_type record_run_end =
     RECORD_TYPE("run_end", "how an orbit ended", end_fields, run_end);
 
-enum status rows_lend_end(struct result_view *out, struct run_end end)
+enum status curve_rows_lend_end(struct result_view *out, struct run_end end)
 {
     struct run_end *copy = malloc(sizeof *copy);
 
@@ -435,7 +404,7 @@ static enum status view_end(const void *run, size_t k, struct result_view *out)
 {
     const struct trajectory *t = track(run, k);
 
-    return rows_lend_end(
+    return curve_rows_lend_end(
         out, (struct run_end){
                  .end = study_end_name(t),
                  .energy_defect = slider_energy_defect(
