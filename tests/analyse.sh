@@ -6,8 +6,7 @@ set -eu
 cd "$(dirname "$0")/.."
 build=build-analyse
 found=$build/found
-rooms='lib/core lib/friction lib/scene lib/fit lib/store lib/plot
-       lib/interchange manifold portrait lib/study lib/race apps'
+rooms="$(ls -d lib/*/*.c | xargs -n 1 dirname | sort -u) manifold portrait apps"
 
 # gcc 12 knows neither vectors nor arrays filled in loops, takes what a grown
 # array holds for lost, and does not see that of two conditions one holds only

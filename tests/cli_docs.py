@@ -116,7 +116,7 @@ def reasons_are_explained_and_none_is_invented(_):
     told = set(re.findall(r'^\| `([^`]+)` \|',
                           text_of(f'{SOURCE}/docs/reasons.md'), re.M))
     there, given = set(), set()
-    rooms = ('friction', 'fit', 'numbers', 'motion', 'slow', 'basin', 'study',
+    rooms = ('friction', 'fit', 'numbers', 'motion', 'slow', 'basin', 'plane', 'study',
              'sweep', 'check')
     for folder in [f'{room}/*.c' for room in rooms] + ['core/record.h',
                                                     'core/unit.c']:

@@ -108,11 +108,12 @@ MAY_SEE = {
     'lib/motion': LOW + ['lib/numbers'],
     'lib/slow': LOW + ['lib/numbers', 'lib/motion'],
     'lib/basin': LOW + ['lib/numbers', 'lib/motion', 'lib/slow'],
+    'lib/plane': LOW,
     'lib/study': LOW + ORBITS,
-    'lib/sweep': LOW + ORBITS + ['lib/study'],
-    'lib/ensemble': LOW + ORBITS + ['lib/study', 'lib/sweep'],
-    'lib/check': LOW + ORBITS + ['lib/study'],
-    'lib/api': LOW + ORBITS + ['lib/study', 'lib/sweep', 'lib/ensemble'],
+    'lib/sweep': LOW + ORBITS + ['lib/plane', 'lib/study'],
+    'lib/ensemble': LOW + ORBITS + ['lib/plane', 'lib/study', 'lib/sweep'],
+    'lib/check': LOW + ORBITS + ['lib/plane', 'lib/study'],
+    'lib/api': LOW + ORBITS + ['lib/plane', 'lib/study', 'lib/sweep', 'lib/ensemble'],
     'lib/race': LOW + ORBITS + ['lib/study'],
 }
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "basin_tolerance.h"
 #include "slider.h"
+#include "slow_tolerance.h"
 
 /* ---- the grid ------------------------------------------------------------ */
 

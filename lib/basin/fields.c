@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "basin_tolerance.h"
 #include "slider.h"
+#include "slow_tolerance.h"
 
 /* ---- the source of patches ----------------------------------------------- */
 

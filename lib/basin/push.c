@@ -9,10 +9,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "basin_tolerance.h"
 #include "margin.h"
 #include "rest_form.h"
 #include "scene_slope.h"
+#include "slow_tolerance.h"
 
 #define STATE(name_, unit_, text_)                                             \
     {                                                                          \

@@ -24,6 +24,8 @@
  * areas as of formulas that are the same: 2^-52 of some hundred terms that
  * cancel in part; where something is, it is larger by decades. */
 #define TOL_ROUNDED 1e-13
+/* Shares of a window are differences of areas, which round. */
+#define TOL_SHARE_ROUNDING 1e-14
 
 /* In sides of a window or of a drawing, in ln v, relative.  Places nearer to
  * each other than SAME are one, strips and regions smaller than it are none: a
@@ -34,6 +36,9 @@
 #define TOL_SAME  1e-6
 #define TOL_DRAWN 1e-4
 #define TOL_SEEN  1e-3
+
+/* Arrows of the direction field along each side of the window. */
+#define TOL_ARROWS 20
 
 /* How far beside a point, in ln v and ln psi, in sides of a window or in parts
  * of a way, its neighbour is whose difference tells a slope: curvature and

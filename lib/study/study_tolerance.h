@@ -1,7 +1,7 @@
 /* study_tolerance.h -- the tunable numbers of what a scene asks for. */
 #pragma once
 
-#include "basin_tolerance.h"
+#include "slow_tolerance.h"
 
 /* Stored rows of a branch: a reader's Hermite interpolation is this near the
  * curve, in ln v or ln psi; and the largest distance between two rows. */
@@ -10,9 +10,6 @@
 
 /* Curves run on beyond the window by this much of its width. */
 #define TOL_WINDOW_MARGIN 0.1
-
-/* Arrows of the direction field along each side of the window. */
-#define TOL_ARROWS 20
 
 /* Conditioning (conditioning.c), of numbers to TOL_RTOL_DEFAULT: the first
  * change of an input, relative, a fold further than ten times that away; how
@@ -32,51 +29,3 @@
 #define TOL_TAYLOR_AGREE   0.01
 #define TOL_TAYLOR_PLACE   1e-9
 #define TOL_TAYLOR_SETTLED 2.0
-
-/* Planes of formulas, distances in sides of the window.  Curves are followed
- * this many windows far, orbits of which nothing is proved so far, where
- * series of doubles still move, this many times round an angle (orbits to
- * TOL_ORBIT_RTOL, which only has to find the right trap); a curve has left
- * its saddle; two cycles are the same; a state that changes no faster, of the
- * fastest rate, rests; orbits that are drawn end after so many steps; of the
- * accuracy that is asked for, a branch gets this part. LITTLE: a curve with a
- * larger bar is lost, and so is an orbit so near to an equilibrium where
- * rounding decides; cycles are looked for from so far beside others; a region
- * with so much of the window is small. */
-#define TOL_PLANE_PART       0.1
-#define TOL_PLANE_STEPS      4000
-#define TOL_PLANE_FAR        100.0
-#define TOL_PLANE_INFINITY   1e12
-#define TOL_PLANE_ROUND      1e4
-#define TOL_PLANE_LEFT       1e-2
-#define TOL_PLANE_LITTLE     1e-3
-#define TOL_PLANE_SAME_CYCLE 1e-4
-#define TOL_PLANE_STILL      1e-9
-
-/* Orbits of such planes: series in time, or the implicit method once so many
- * steps in turn are HELD to less than that part of the window, and to where the
- * velocity changes by less than that part of itself, or so many did not bring
- * it round; steps of all orbits, for labels and for audits. */
-#define TOL_PLANE_WORK       200000
-#define TOL_PLANE_HELD       1e-2
-#define TOL_PLANE_HELD_STEPS 64
-#define TOL_PLANE_NO_RETURN  1000
-
-/* Basins of such planes, of cycles that are kept to TOL_RTOL_DEFAULT: states
- * that are followed to look for curves that divide it: a part p of one label
- * that goes elsewhere is missed with odds of about e^(-256 p); copies of a
- * curve of an angle; how much further than before a curve may go in a gap
- * (plane_patch.c); sides of the first and of the last cells of a region that
- * is parted (plane_mosaic.h). */
-#define TOL_PLANE_LOOKS 256
-#define TOL_PLANE_TURNS 50.0
-#define TOL_PLANE_FLAT  16.0
-#define TOL_PLANE_CELLS 0x1p-4
-#define TOL_PLANE_CELL  0x1p-8
-
-/* Sensitivities: parameters are moved by this part of themselves, so that a
- * difference is off by 1e-18 third derivatives and by 1e9 bars of numbers that
- * are known to 1e-28; the equilibrium is then looked for within this part of
- * the window. */
-#define TOL_PLANE_MOVED  0x1p-30
-#define TOL_PLANE_NEARBY 1e-5

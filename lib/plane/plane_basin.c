@@ -13,7 +13,7 @@
 #include "plane_mosaic.h"
 #include "plane_orbit.h"
 #include "plane_patch.h"
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 #include "tolerance.h"
 
 static struct measure measure_of(const struct plane_study *s)

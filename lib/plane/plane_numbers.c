@@ -7,7 +7,7 @@
 #include "plane_label.h"
 #include "plane_results.h"
 #include "plane_table.h"
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 
 #define ASKED(product) ((uint64_t) 1 << PRODUCT_##product)
 

@@ -8,8 +8,8 @@
 
 #include "plane_beyond.h"
 #include "plane_label.h"
+#include "plane_tolerance.h"
 #include "room.h"
-#include "study_tolerance.h"
 #include "tolerance.h"
 
 /* LEAST: levels of any region. */

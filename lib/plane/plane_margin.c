@@ -6,7 +6,7 @@
 #include "margin.h"
 #include "plane_basin.h"
 #include "plane_patch.h"
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 
 static double part_of(struct vec2 z, int axis)
 {

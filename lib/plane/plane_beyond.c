@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 
 static double part_of(struct vec2 z, int axis)
 {

@@ -10,8 +10,8 @@
 #include "plane_beyond.h"
 #include "plane_cycle.h"
 #include "plane_defined.h"
+#include "plane_tolerance.h"
 #include "plane_weak.h"
-#include "study_tolerance.h"
 #include "taylor_orbit.h"
 #include "tolerance.h"
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "equilibria.h"
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 
 /* The numbers of an equilibrium in the order of struct plane_slope. */
 static struct system_number number_at(const struct system_equilibrium *e,

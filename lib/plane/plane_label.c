@@ -13,7 +13,7 @@
 #include "plane_mosaic.h"
 #include "plane_orbit.h"
 #include "plane_rest.h"
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 
 /* ---- goals --------------------------------------------------------------- */
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "jet.h"
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 
 static double part_of(struct vec2 z, int axis)
 {

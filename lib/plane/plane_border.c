@@ -11,8 +11,8 @@
 #include "escape.h"
 #include "plane_cycle.h"
 #include "plane_orbit.h"
+#include "plane_tolerance.h"
 #include "room.h"
-#include "study_tolerance.h"
 #include "taylor_orbit.h"
 #include "tolerance.h"
 

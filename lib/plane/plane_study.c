@@ -13,8 +13,8 @@
 #include "plane_rest.h"
 #include "plane_results.h"
 #include "plane_sensitivity.h"
+#include "plane_tolerance.h"
 #include "scene_figure.h"
-#include "study_tolerance.h"
 #include "tolerance.h"
 
 #define BIT(p) (1u << PRODUCT_##p)

@@ -8,7 +8,7 @@
 
 #include "equilibria.h"
 #include "plane_beyond.h"
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 #include "tolerance.h"
 
 const char *const plane_type_names[] = { "saddle",

@@ -10,8 +10,8 @@
 #include "grow.h"
 #include "plane_cycle.h"
 #include "plane_defined.h"
+#include "plane_tolerance.h"
 #include "plane_weak.h"
-#include "study_tolerance.h"
 #include "tolerance.h"
 
 const char *const plane_end_names[] = { "equilibrium", "cycle", "saddle",

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "plane_defined.h"
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 
 size_t plane_patch_of(const struct patches *p, size_t i)
 {

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 
 /* ---- manifolds ----------------------------------------------------------- */
 

@@ -6,7 +6,7 @@
 #include "plane_border.h"
 #include "plane_orbit.h"
 #include "plane_rest.h"
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 
 /* ---- between two states -------------------------------------------------- */
 

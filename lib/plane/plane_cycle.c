@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "study_tolerance.h"
+#include "plane_tolerance.h"
 #include "taylor_orbit.h"
 #include "tolerance.h"
 
