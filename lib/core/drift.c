@@ -303,15 +303,6 @@ static double stretched(const struct drift *d, double bar)
     return bar > 0.0 ? stretch(d->late) * bar : bar;
 }
 
-double drift_off(const struct drift *d, const double du[], struct vec2 gradient,
-                 size_t i)
-{
-    const double speed = gradient.x * du[0] + gradient.y * du[1];
-
-    return d->e[i] -
-           du[i] / speed * (gradient.x * d->e[0] + gradient.y * d->e[1]);
-}
-
 double drift_bar(const struct drift *d, const double du[], struct vec2 gradient,
                  size_t i)
 {

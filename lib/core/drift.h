@@ -38,11 +38,9 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
  * earlier or later. */
 void drift_cross(struct drift *d, const double du[], size_t which, size_t dim);
 
-/* How far component i is off where a function of the chart with this gradient
- * has its value: what is off along the orbit only comes earlier or later.  du:
- * the rates there.  And a bound on that, with what rounding does. */
-double drift_off(const struct drift *d, const double du[], struct vec2 gradient,
-                 size_t i);
+/* A bound, with what rounding does, on how far component i is off where a
+ * function of the chart with this gradient has its value: what is off along the
+ * orbit only comes earlier or later.  du: the rates there. */
 double drift_bar(const struct drift *d, const double du[], struct vec2 gradient,
                  size_t i);
 

@@ -79,17 +79,19 @@ static void tell(struct slow_knot *k, double dt, double *folds)
         k->gap = HUGE_VAL;
 }
 
-/* Where a function with that gradient has its value: of time, slip and x. */
+/* How far x, time and slip are off where a function with that gradient has its
+ * value: what is off along the orbit only comes earlier or later, by the
+ * knot's rates, for the field's own may be all rounding. */
 static void note_drift(const struct orbit *o, struct vec2 gradient,
                        struct slow_knot *k)
 {
-    const struct drift *d = o->options.drift;
-    struct cascade_linear l;
+    const double *e = o->options.drift->e;
+    const double late = (gradient.x * e[0] + gradient.y * e[1]) /
+                        (gradient.x * k->x_slope + gradient.y);
 
-    rescaled_linear(&o->clock, (struct vec2){ o->u[0], o->u[1] }, &l);
-    k->time_bar = drift_off(d, l.du, gradient, 2);
-    k->slip_bar = drift_off(d, l.du, gradient, 3 + BLOCK_SLIP);
-    k->beside = drift_off(d, l.du, gradient, 0);
+    k->time_bar = e[2] + k->time[1] * late;
+    k->slip_bar = e[3 + BLOCK_SLIP] + k->slip[1] * late;
+    k->beside = e[0] - k->x_slope * late;
 }
 
 /* What a branch leads to: a node, v that fades for ever, or neither. */
@@ -189,16 +191,29 @@ static void count_from_face(struct slow_branch *b)
     }
 }
 
+/* The last knot, off as where the orbit meets the face of a box of arrest. */
+static struct slow_knot ending(const struct orbit *o,
+                               const struct slow_branch *b)
+{
+    struct slow_knot end = b->knot[b->count - 1];
+
+    if (o->end == ORBIT_ARRIVED)
+        note_drift(o,
+                   fate_face((struct vec2){ o->u[0], o->u[1] },
+                             o->options.target[o->end_index]),
+                   &end);
+    return end;
+}
+
 /* Of x where the orbit meets the face of a box of arrest. */
-static double x_error_at_face(const struct slider *s, const struct orbit *o)
+static double x_error_at_face(const struct slider *s, const struct orbit *o,
+                              const struct slow_branch *b)
 {
     const struct vec2 z = { o->u[0], o->u[1] };
     const struct vec2 face = fate_face(z, o->options.target[o->end_index]);
-    struct cascade_linear l;
-
-    rescaled_linear(&o->clock, z, &l);
-    const double off = fabs(drift_off(o->options.drift, l.du, face, 0));
     const double most = face.x != 0.0 ? 0.0 : TOL_ARREST;
+    const double off = fabs(ending(o, b).beside);
+
     return fmin(TOL_BAR_FIRST_ORDER * off, most) + slider_rounding(s, z);
 }
 
@@ -228,7 +243,7 @@ static enum status finish(const struct slider *s, const struct orbit *o,
     if (o->end == ORBIT_ARRIVED) {
         b->fate = node_fate;
         b->x_end = b->knot[b->count - 1].x;
-        b->x_end_error = x_error_at_face(s, o);
+        b->x_end_error = x_error_at_face(s, o, b);
         add_face(s, &b->knot[b->count - 1], b);
     } else if (b->start == SLOW_SADDLE) {
         return finish_rest(s, b);
@@ -240,26 +255,11 @@ static enum status finish(const struct slider *s, const struct orbit *o,
     return STATUS_OK;
 }
 
-/* Of the face of a box of arrest, or of the last knot. */
-static struct slow_knot ending(const struct orbit *o,
-                               const struct slow_knot *last)
-{
-    struct slow_knot end = *last;
-
-    if (o->end == ORBIT_ARRIVED)
-        note_drift(o,
-                   fate_face((struct vec2){ o->u[0], o->u[1] },
-                             o->options.target[o->end_index]),
-                   &end);
-    return end;
-}
-
 /* From how late it is at each knot to what it is off from there on. */
 static void compare_bars(const struct orbit *o, struct slow_branch *b)
 {
     struct slow_knot *const k = b->knot;
-    const struct slow_knot end =
-        b->start == SLOW_FACE ? k[0] : ending(o, &k[b->count - 1]);
+    const struct slow_knot end = b->start == SLOW_FACE ? k[0] : ending(o, b);
 
     for (size_t i = 0; i < b->count; i++) {
         const double beside = slow_knot_shift(&k[i], k[i].beside);
