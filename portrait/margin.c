@@ -48,9 +48,11 @@ void margin_find(struct margin_line *l, const struct regions *r,
 
     int8_t last = label_between(r, cuts, w, -HUGE_VAL,
                                 n > 0 ? l->at[0].at : HUGE_VAL, scratch);
+    l->untold = last == REGION_UNLABELLED;
     for (size_t k = 0; k < n; k++) {
         const double hi = k + 1 < n ? l->at[k + 1].at : HUGE_VAL;
         const int8_t next = label_between(r, cuts, w, l->at[k].at, hi, scratch);
+        l->untold = l->untold || next == REGION_UNLABELLED;
         if (next != last)
             l->at[kept++] = l->at[k];
         last = next;

@@ -13,6 +13,7 @@ bool margin_exists(const struct regions *r);
 struct margin_line {
     struct crossing *at; /* owned; ascending */
     size_t count, room;
+    bool untold; /* a part of it has no label */
 };
 
 /* Room for the lines of both separatrices; they may be NULL.
@@ -21,9 +22,8 @@ MUST_CHECK enum status margin_init(struct margin_line *l,
                                    const struct separatrix *one,
                                    const struct separatrix *other);
 
-/* The row y = w (cuts along y) or the column x = w (cuts along x), whose
- * regions must all be labelled: r's separatrix is along y, cuts is the same
- * curves along either. */
+/* The row y = w (cuts along y) or the column x = w (cuts along x): r's
+ * separatrix is along y, cuts is the same curves along either. */
 void margin_find(struct margin_line *l, const struct regions *r,
                  const struct separatrix *cuts, double w);
 

@@ -198,16 +198,18 @@ static struct quantity kick_from(const struct push *p,
                                  const struct margin_line *l, double at,
                                  bool is_log, const char *none)
 {
+    static const char untold[] = "not every fate along this line is known";
     double error;
     const double shift = margin_at(l, at, &error);
     const double rounding =
         TOL_ROUNDINGS_FEW * DBL_EPSILON * (1.0 + fabs(at) + fabs(shift));
     const double factor = exp(shift);
+    const char *traps = slider_no_traps(&p->slider);
 
     if (slider_saddle(&p->slider) < 0)
         return quantity_none("no saddle at this slope, hence one fate for all");
     if (isinf(shift))
-        return quantity_none(none);
+        return quantity_none(traps ? traps : l->untold ? untold : none);
     if (!is_log)
         return quantity_of(shift, error + rounding);
     if (isinf(factor) || factor == 0.0)

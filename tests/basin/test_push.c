@@ -4,6 +4,7 @@
 #include "push.h"
 
 #include "fault_alloc.h"
+#include "found.h"
 #include "pushed.h"
 #include "stops.h"
 
@@ -212,6 +213,38 @@ static void without_a_saddle_no_kick_helps(void **state)
     pushed_free(&p);
 }
 
+/* Its row lies within rounding of the saddle's: the curve crosses it in a
+ * quadrant that none enters. */
+static void a_row_that_tells_no_side_tells_no_kick_but_why(void **state)
+{
+    static const struct found slope = { FRICTION_LOG,
+                                        THETA_LN_PSI,
+                                        PSI_SS_INVERSE,
+                                        TIMESCALE_SLIP45,
+                                        KINETICS_SINH,
+                                        0.30679409801214763,
+                                        0.0015800980408836364,
+                                        0.002157697296548495,
+                                        0.090047195388733667,
+                                        152404.70346255755,
+                                        8.7351094293370717e-05,
+                                        3.7736697036127201e-08,
+                                        0.2971439,
+                                        1e-9 };
+    struct pushed p;
+    struct fault why;
+
+    (void) state;
+    found_scene(&slope, NOTHING, &p.scene);
+    p.scene.tan_alpha = 0.306187118747734496939L;
+    assert_int_equal(push_init(&p.push, &p.scene, NULL, &why), STATUS_OK);
+    const struct push_answer a =
+        answer(&p, exp(1.0508657316644456), exp(-1.0508657316645056));
+    assert_string_equal(a.v_kick.reason,
+                        "not every fate along this line is known");
+    pushed_free(&p);
+}
+
 static void a_shift_of_psi_is_told_where_psi_is_a_logarithm(void **state)
 {
     struct pushed p;
@@ -352,6 +385,7 @@ int main(void)
         cmocka_unit_test(far_left_the_boundary_is_where_the_branch_meets_rest),
         cmocka_unit_test(an_open_upper_branch_bounds_every_row),
         cmocka_unit_test(without_a_saddle_no_kick_helps),
+        cmocka_unit_test(a_row_that_tells_no_side_tells_no_kick_but_why),
         cmocka_unit_test(a_shift_of_psi_is_told_where_psi_is_a_logarithm),
         cmocka_unit_test(bars_hold_the_truth),
         cmocka_unit_test(hard_reference_states_are_told_apart_at_1e_9),
