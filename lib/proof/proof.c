@@ -1,107 +1,17 @@
 /* A proof walks along a branch as it was grown, piece by piece: cone, cells,
- * and from piece to piece over the gap that rounding leaves between them, or
- * round the corner where the other coordinate becomes the independent one. */
+ * and on to the next piece. */
 #include "proof.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "numbers.h"
-#include "proof_cone.h"
+#include "proof_cell.h"
 #include "proof_end.h"
 #include "proof_flow.h"
+#include "proof_join.h"
 #include "proof_short.h"
 #include "proof_tolerance.h"
-
-/* ---- pieces -------------------------------------------------------------- */
-
-static struct proof_piece piece_of(const struct branch *b, size_t i)
-{
-    const int ind = branch_graph(b, i);
-    const double *at = curve_component(&b->curve, i, (size_t) ind);
-    const double *dep = curve_component(&b->curve, i, (size_t) (1 - ind));
-    struct proof_piece p = { .ind = ind, .start = at[0], .step = at[1] };
-
-    p.degree = b->curve.piece[i].degree;
-    memcpy(p.coef, dep, (p.degree + 1) * sizeof *dep);
-    return p;
-}
-
-static enum status take_pieces(const struct branch *b, struct proof_branch *out)
-{
-    out->piece = malloc((b->curve.count + 1) * sizeof *out->piece);
-    if (out->piece == NULL)
-        return STATUS_NO_MEMORY;
-    for (; out->pieces < b->curve.count; out->pieces++)
-        out->piece[out->pieces] = piece_of(b, out->pieces);
-    return STATUS_OK;
-}
-
-/* ---- from one piece to the next ------------------------------------------ */
-
-/* The theta at which a piece ends: where the next one of its kind begins. */
-static struct interval end_of(const struct proof_piece *p,
-                              const struct proof_piece *next)
-{
-    if (next == NULL || next->ind != p->ind)
-        return point(1);
-    return interval_divide(interval_less(point(next->start), point(p->start)),
-                           point(p->step));
-}
-
-static double most_apart(struct interval u, double x)
-{
-    return interval_most(interval_less(u, point(x)));
-}
-
-/* Where dep = p(theta) +- error and the manifold rises, its ind at dep =
- * next->start is within (gap/m) of where it is now, gap bounding the change of
- * dep and m > 0 the slope on a box that is so large; and the excess on the way,
- * |v - v_sp|/|f_ind| times that. */
-static bool turn(struct proof_law *law, const struct proof_piece *p,
-                 const struct proof_piece *next, struct proof_front *f)
-{
-    const struct interval at = interval_add(point(p->start), point(p->step));
-    const struct interval from = interval_add(
-        proof_poly_at(p->degree, p->coef, point(1)), interval_within(f->error));
-    const struct interval dep = interval_hull(from, point(next->start));
-    const double gap = interval_less(point(dep.hi), point(dep.lo)).hi;
-    double way = 0;
-    struct proof_flow u;
-
-    for (int i = 0; i < PROOF_TURN_TRIES; i++) {
-        proof_flow_aside(law, p->ind, interval_add(at, interval_within(way)),
-                         dep, &u);
-        const struct interval slope = interval_divide(u.dep.c[0], u.ind.c[0]);
-        if (!(slope.lo > 0) || !interval_is_finite(u.ind.c[0]))
-            return false;
-        const double found =
-            interval_divide(point(gap), interval_low(slope)).hi;
-        if (found < way) {
-            const struct interval per =
-                interval_divide(u.excess.c[0], u.ind.c[0]);
-            const double more = proof_up_times(interval_most(per), way);
-            f->excess = interval_add(f->excess, interval_within(more));
-            f->error = proof_up_sum(way, most_apart(at, next->coef[0]));
-            return isfinite(more);
-        }
-        way = 2 * found + PROOF_END_LEAST;
-    }
-    return false;
-}
-
-/* On to the beginning of the next piece. */
-static bool join(struct proof_law *law, const struct proof_piece *p,
-                 const struct proof_piece *next, struct interval theta,
-                 struct proof_front *f)
-{
-    if (next->ind != p->ind)
-        return turn(law, p, next, f);
-    const struct interval dep = proof_poly_at(p->degree, p->coef, theta);
-    f->error = proof_up_sum(f->error, most_apart(dep, next->coef[0]));
-    return true;
-}
 
 /* ---- a branch ------------------------------------------------------------ */
 
@@ -160,7 +70,7 @@ static bool pass(struct proof_law *law, struct proof_branch *out, size_t i,
     struct proof_piece *p = &out->piece[i];
 
     p->first = out->cells;
-    if (!proof_cells(law, p, from, to, f, out, status))
+    if (!proof_cells(&law->tape, p, from, to, f, out, status))
         return false;
     p->cells = out->cells - p->first;
     return true;
@@ -187,7 +97,7 @@ static enum status walk(struct proof_law *law, struct proof_branch *out,
     for (size_t i = 0; i < out->pieces; i++) {
         const struct proof_piece *next =
             i + 1 < out->pieces ? &out->piece[i + 1] : NULL;
-        const struct interval to = end_of(&out->piece[i], next);
+        const struct interval to = proof_piece_end(&out->piece[i], next);
         double left = HUGE_VAL;
         if (!pass(law, out, i, i == 0 ? out->cone.reach : 0, to, f, &status)) {
             fail(out, "no tube around the manifold was proved");
@@ -202,7 +112,7 @@ static enum status walk(struct proof_law *law, struct proof_branch *out,
         fail(out, why);
         if (proof_place_on(&out->piece[i], to, f->error, out->side).Y.lo > far)
             return STATUS_OK;
-        if (next && !join(law, &out->piece[i], next, to, f)) {
+        if (next && !proof_join(&law->tape, &out->piece[i], next, to, f)) {
             fail(out, "the tube was lost between two pieces");
             return STATUS_OK;
         }
@@ -216,12 +126,12 @@ static enum status prove_branch(struct proof_law *law,
                                 struct proof_branch *out)
 {
     struct proof_front f = { 0 };
-    enum status status = take_pieces(curve, out);
+    enum status status = proof_pieces(curve, out);
 
     fail(out, "the manifold was not grown");
     if (status != STATUS_OK || out->pieces == 0)
         return status;
-    if (!proof_cone(law, &out->piece[0], &out->cone, &f)) {
+    if (!proof_cone(&law->tape, &out->piece[0], 1, &out->cone, &f)) {
         fail(out, "no cone around the manifold at the saddle was proved");
         return STATUS_OK;
     }
@@ -248,7 +158,7 @@ enum status proof_along(const struct block *b, const struct proof_inputs *in,
     s = proof_law_at(&out->law, b, in, &why);
     if (s == STATUS_BAD_ARGUMENT)
         out->not_proved = why;
-    else if (s == STATUS_OK && !proof_is_saddle(&out->law, &out->saddle))
+    else if (s == STATUS_OK && !proof_is_saddle(&out->law.tape, &out->saddle))
         snprintf(out->not_proved.text, sizeof out->not_proved.text,
                  "the determinant of the Jacobian was not proved negative");
     for (int i = 0; i < 2 && s == STATUS_OK && !out->not_proved.text[0]; i++)

@@ -8,7 +8,7 @@
 #include "proof_tolerance.h"
 
 struct cell {
-    struct proof_law *p;
+    struct interval_tape *tape;
     const struct proof_piece *piece;
     double from, to, half;       /* half: at least half its length */
     struct interval last;        /* where the last one ends, at its upper end */
@@ -52,9 +52,9 @@ static void expand(struct cell *c)
     proof_points(n, c->piece->coef, wide);
     proof_shift(n, wide, c->middle, c->dep);
     proof_shift(n, c->dep, interval_within(c->half), wide);
-    proof_flow_along(c->p, c->piece->ind, ind_at(c->piece, c->middle),
+    proof_flow_along(c->tape, c->piece->ind, ind_at(c->piece, c->middle),
                      c->piece->step, c->dep, n, &c->centre);
-    proof_flow_along(c->p, c->piece->ind, ind_at(c->piece, c->box),
+    proof_flow_along(c->tape, c->piece->ind, ind_at(c->piece, c->box),
                      c->piece->step, wide, n, &c->all);
 }
 
@@ -121,7 +121,7 @@ static bool bound_rate(const struct cell *c, double radius, struct part *t)
     const struct interval s = interval_less(t->theta, middle);
     for (size_t k = piece->degree + 1; k-- > 0;)
         dep = interval_add(p[k], interval_times(dep, s));
-    proof_flow_aside(c->p, piece->ind, ind_at(piece, t->theta),
+    proof_flow_aside(c->tape, piece->ind, ind_at(piece, t->theta),
                      interval_add(dep, interval_within(radius)), &f);
     if (!falls(c, &f))
         return false;
@@ -267,11 +267,11 @@ static bool cells(struct cell *c, double from, double to, int depth, int first,
            cells(c, half, to, depth + 1, first, front, out, status);
 }
 
-bool proof_cells(struct proof_law *p, const struct proof_piece *piece,
+bool proof_cells(struct interval_tape *t, const struct proof_piece *piece,
                  double from, struct interval to, struct proof_front *front,
                  struct proof_branch *out, enum status *status)
 {
-    struct cell c = { .p = p, .piece = piece, .last = to };
+    struct cell c = { .tape = t, .piece = piece, .last = to };
 
     return to.hi > from &&
            cells(&c, from, to.hi, 0, front->halvings, front, out, status);

@@ -13,19 +13,13 @@
  */
 #pragma once
 
-#include "proof.h"
-
-/* As far as a branch has been proved: at the current theta |dep - p| <= error,
- * and the integral of v - v_sp over time from there to the saddle. */
-struct proof_front {
-    double error;
-    struct interval excess;
-    int halvings; /* of the last cell: where the next piece begins to try */
-};
+#include "interval_tape.h"
+#include "proof_tube.h"
+#include "status.h"
 
 /* From theta = from to theta = to, anywhere in the thin interval `to`; the
  * cells are appended to out.  False where no cell short enough is proved;
  * STATUS_NO_MEMORY in *status. */
-bool proof_cells(struct proof_law *p, const struct proof_piece *piece,
+bool proof_cells(struct interval_tape *t, const struct proof_piece *piece,
                  double from, struct interval to, struct proof_front *front,
                  struct proof_branch *out, enum status *status);

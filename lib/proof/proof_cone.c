@@ -1,5 +1,7 @@
 #include "proof_cone.h"
 
+#include <float.h>
+
 #include "proof_flow.h"
 #include "proof_short.h"
 #include "proof_tolerance.h"
@@ -7,11 +9,11 @@
 /* ---- the saddle ---------------------------------------------------------- */
 
 /* lambda^2 - tr lambda + det = 0 with det < 0: the root away from 0 first. */
-bool proof_is_saddle(struct proof_law *p, struct proof_saddle *out)
+bool proof_is_saddle(struct interval_tape *t, struct proof_saddle *out)
 {
     struct proof_flow j[2];
 
-    proof_flow_slopes(p, 0, point(0), point(0), j);
+    proof_flow_slopes(t, 0, point(0), point(0), j);
     const struct interval xx = j[0].ind.c[1], xy = j[1].ind.c[1];
     const struct interval yx = j[0].dep.c[1], yy = j[1].dep.c[1];
     const struct interval det = interval_less(times(xx, yy), times(xy, yx));
@@ -48,7 +50,7 @@ static void divide_by_theta(size_t n, const struct proof_flow *centre,
 }
 
 /* Both flows have to have the same factor: one call's is taken for all. */
-static bool expand(struct proof_law *p, const struct proof_piece *piece,
+static bool expand(struct interval_tape *t, const struct proof_piece *piece,
                    double reach, struct along *out)
 {
     const size_t n = piece->degree;
@@ -58,8 +60,8 @@ static bool expand(struct proof_law *p, const struct proof_piece *piece,
 
     proof_points(n, piece->coef, c);
     proof_shift(n, c, box, wide);
-    proof_flow_along(p, piece->ind, point(0), piece->step, c, n, &centre);
-    proof_flow_along(p, piece->ind, times(box, point(piece->step)), piece->step,
+    proof_flow_along(t, piece->ind, point(0), piece->step, c, n, &centre);
+    proof_flow_along(t, piece->ind, times(box, point(piece->step)), piece->step,
                      wide, n, &all);
     const struct interval factor = interval_exp(
         interval_less(point(all.log_scale), point(centre.log_scale)));
@@ -112,8 +114,9 @@ struct inside {
 
 /* dep/theta = p/theta +- slope; differences from the saddle by mean values of
  * the Jacobian over the box [0, reach] x dep. */
-static bool look_inside(struct proof_law *p, const struct proof_piece *piece,
-                        double reach, double slope, struct inside *out)
+static bool look_inside(struct interval_tape *t,
+                        const struct proof_piece *piece, double reach,
+                        double slope, struct inside *out)
 {
     const struct interval box = { 0, reach };
     const struct interval step = point(piece->step);
@@ -122,7 +125,7 @@ static bool look_inside(struct proof_law *p, const struct proof_piece *piece,
             interval_within(slope));
     struct proof_flow j[2];
 
-    proof_flow_slopes(p, piece->ind, times(step, box), times(sigma, box), j);
+    proof_flow_slopes(t, piece->ind, times(step, box), times(sigma, box), j);
     if (!interval_is_finite(sigma) || j[0].log_scale < j[1].log_scale ||
         j[0].log_scale > j[1].log_scale)
         return false;
@@ -178,22 +181,22 @@ static struct interval excess_of(const struct proof_piece *piece,
     return add(sum, interval_within(aside));
 }
 
-static bool cone_of(struct proof_law *p, const struct proof_piece *piece,
+static bool cone_of(struct interval_tape *t, const struct proof_piece *piece,
                     double reach, struct proof_cone *out,
                     struct proof_front *front)
 {
     struct along f;
     struct inside in;
 
-    if (!expand(p, piece, reach, &f))
+    if (!expand(t, piece, reach, &f))
         return false;
     const double least = least_of(piece->degree, &f, reach);
     if (!(least > 0))
         return false;
     const double defect = defect_of(piece, &f, reach, least);
-    double slope = 2 * defect;
+    double slope = 2 * defect + DBL_MIN;
     for (int i = 0; i < 3; i++) {
-        if (!isfinite(slope) || !look_inside(p, piece, reach, slope, &in))
+        if (!isfinite(slope) || !look_inside(t, piece, reach, slope, &in))
             return false;
         const double room =
             interval_times(point(slope),
@@ -203,7 +206,7 @@ static bool cone_of(struct proof_law *p, const struct proof_piece *piece,
             break;
         if (i == 2 || !(in.g.hi < 1))
             return false;
-        slope = 4 * defect / (1 - in.g.hi);
+        slope = 4 * defect / (1 - in.g.hi) + DBL_MIN;
     }
     *out = (struct proof_cone){ .reach = reach, .slope = slope };
     out->excess = excess_of(piece, &f, &in, out, least);
@@ -212,18 +215,18 @@ static bool cone_of(struct proof_law *p, const struct proof_piece *piece,
     return interval_is_finite(out->excess);
 }
 
-/* From near the whole piece down, as long as that narrows the cone: what is
- * left then is rounding. */
-bool proof_cone(struct proof_law *p, const struct proof_piece *piece,
-                struct proof_cone *out, struct proof_front *front)
+/* From near that part of the piece down, as long as that narrows the cone: what
+ * is left then is rounding. */
+bool proof_cone(struct interval_tape *t, const struct proof_piece *piece,
+                double most, struct proof_cone *out, struct proof_front *front)
 {
-    double reach = PROOF_CONE_SHRINK;
+    double reach = PROOF_CONE_SHRINK * most;
     bool found = false;
 
     for (int i = 0; i < PROOF_CONE_TRIES; i++, reach *= PROOF_CONE_SHRINK) {
         struct proof_cone cone;
         struct proof_front f = { 0 };
-        if (!cone_of(p, piece, reach, &cone, &f))
+        if (!cone_of(t, piece, reach, &cone, &f))
             continue;
         if (found && !(cone.slope < PROOF_CONE_NARROWER * out->slope))
             break;

@@ -11,12 +11,18 @@
  */
 #pragma once
 
-#include "proof_cell.h"
+#include "interval_tape.h"
+#include "proof_tube.h"
+
+/* Eigenvalues per t*. */
+struct proof_saddle {
+    struct interval lambda_minus, lambda_plus;
+};
 
 /* Eigenvalues, and that the equilibrium is a saddle: det J < 0. */
-bool proof_is_saddle(struct proof_law *p, struct proof_saddle *out);
+bool proof_is_saddle(struct interval_tape *t, struct proof_saddle *out);
 
-/* The cone on a piece that starts at the saddle: the longest found, reach < 1.
- * *front: what is proved at its end. */
-bool proof_cone(struct proof_law *p, const struct proof_piece *piece,
-                struct proof_cone *out, struct proof_front *front);
+/* The cone on a piece that starts at the saddle: the longest found, reach <
+ * most <= 1.  *front: what is proved at its end. */
+bool proof_cone(struct interval_tape *t, const struct proof_piece *piece,
+                double most, struct proof_cone *out, struct proof_front *front);

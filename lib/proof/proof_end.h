@@ -5,7 +5,8 @@
  */
 #pragma once
 
-#include "proof_cell.h"
+#include "proof_law.h"
+#include "proof_tube.h"
 
 /* A place on a branch, and on which side of the saddle it is. */
 struct proof_place {

@@ -1,45 +1,48 @@
 #include "proof_flow.h"
 
+#include <assert.h>
 #include <string.h>
 
 static const struct interval zero = { 0, 0 }, one = { 1, 1 };
 
-static void flow(struct proof_law *p, int ind, const struct interval at[],
+static void flow(struct interval_tape *t, int ind, const struct interval at[],
                  const struct interval dep[], size_t n, struct proof_flow *out)
 {
     struct interval_series f[3];
 
-    interval_tape_jet(&p->tape, n, ind == 0 ? at : dep, ind == 0 ? dep : at, f,
+    assert(t->rates <= 3);
+    f[2] = (struct interval_series){ .c = { zero } };
+    interval_tape_jet(t, n, ind == 0 ? at : dep, ind == 0 ? dep : at, f,
                       &out->log_scale);
     out->ind = f[ind];
     out->dep = f[1 - ind];
     out->excess = f[2];
 }
 
-void proof_flow_along(struct proof_law *p, int ind, struct interval at,
+void proof_flow_along(struct interval_tape *t, int ind, struct interval at,
                       double step, const struct interval dep[], size_t n,
                       struct proof_flow *out)
 {
     struct interval line[JET_SIZE] = { at, interval_point(step) };
 
-    flow(p, ind, line, dep, n, out);
+    flow(t, ind, line, dep, n, out);
 }
 
-void proof_flow_aside(struct proof_law *p, int ind, struct interval at,
+void proof_flow_aside(struct interval_tape *t, int ind, struct interval at,
                       struct interval dep, struct proof_flow *out)
 {
     const struct interval x[] = { at, zero }, y[] = { dep, one };
 
-    flow(p, ind, x, y, 1, out);
+    flow(t, ind, x, y, 1, out);
 }
 
-void proof_flow_slopes(struct proof_law *p, int ind, struct interval at,
+void proof_flow_slopes(struct interval_tape *t, int ind, struct interval at,
                        struct interval dep, struct proof_flow out[2])
 {
     const struct interval x[] = { at, one }, y[] = { dep, zero };
 
-    flow(p, ind, x, y, 1, &out[0]);
-    proof_flow_aside(p, ind, at, dep, &out[1]);
+    flow(t, ind, x, y, 1, &out[0]);
+    proof_flow_aside(t, ind, at, dep, &out[1]);
 }
 
 void proof_shift(size_t n, const struct interval p[], struct interval s,

@@ -5,9 +5,10 @@
 #pragma once
 
 #include "interval_math.h"
-#include "proof_law.h"
+#include "interval_tape.h"
 
-/* f_ind, f_dep and the rate of excess slip, v - v_sp, times one factor. */
+/* f_ind, f_dep and what the tape has been asked for beside them - of a block
+ * the rate of excess slip, v - v_sp; else 0 -, times one factor. */
 struct proof_flow {
     struct interval_series ind, dep, excess;
     double log_scale; /* ln of 1 over that factor */
@@ -15,16 +16,16 @@ struct proof_flow {
 
 /* Series to order n along ind = at + step t, dep = sum dep[k] t^k, where at and
  * dep[] may be intervals as in interval_tape.h. */
-void proof_flow_along(struct proof_law *p, int ind, struct interval at,
+void proof_flow_along(struct interval_tape *t, int ind, struct interval at,
                       double step, const struct interval dep[], size_t n,
                       struct proof_flow *out);
 
 /* Values and derivatives over a box, by ind (coefficient 1 of out[0]) and by
  * dep (out[1]). */
-void proof_flow_slopes(struct proof_law *p, int ind, struct interval at,
+void proof_flow_slopes(struct interval_tape *t, int ind, struct interval at,
                        struct interval dep, struct proof_flow out[2]);
 /* Those by dep only. */
-void proof_flow_aside(struct proof_law *p, int ind, struct interval at,
+void proof_flow_aside(struct interval_tape *t, int ind, struct interval at,
                       struct interval dep, struct proof_flow *out);
 
 /* Coefficients of p(s + t) in t. */

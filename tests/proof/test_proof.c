@@ -257,8 +257,8 @@ static void check_cell(struct proof *p, const struct proof_piece *piece,
 
     for (size_t k = 1; k <= piece->degree; k++)
         slope[k - 1] = (double) k * piece->coef[k];
-    proof_flow_aside(&p->law, piece->ind, at, dep, &f);
-    proof_flow_aside(&p->law, piece->ind, at,
+    proof_flow_aside(&p->law.tape, piece->ind, at, dep, &f);
+    proof_flow_aside(&p->law.tape, piece->ind, at,
                      interval_add(dep, interval_point(aside)), &rim);
     const struct interval step = interval_point(piece->step);
     const struct interval rise =

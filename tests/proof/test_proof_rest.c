@@ -1,7 +1,7 @@
 /* What is left out of an integral is in its enclosure: of a series that is cut
  * early, in a cell and in the cone, and of a branch that is.  Enclosures of the
  * same number by longer series and branches, which are narrow, meet it. */
-#include "proof_cone.h"
+#include "proof.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,6 +9,7 @@
 
 #include "check.h"
 #include "interval_math.h"
+#include "proof_cell.h"
 #include "reference_rows.h"
 
 static const char *const presets[] = { "dieterich_gen", "perrin",
@@ -68,8 +69,8 @@ static struct interval straight(struct proof *p, struct interval known,
     piece.degree = degree;
     for (size_t k = 1; k <= degree; k++)
         piece.coef[k] = 0;
-    assert_true(proof_cells(&p->law, &piece, 0, interval_point(1), &front, &out,
-                            &status));
+    assert_true(proof_cells(&p->law.tape, &piece, 0, interval_point(1), &front,
+                            &out, &status));
     const struct interval sum = sum_of(&out, interval_point(0));
     free(out.cell);
     return sum;
@@ -102,10 +103,10 @@ static struct interval cone_and_cells(struct proof *p,
     struct proof_branch out = { .cells = 0 };
     enum status status = STATUS_OK;
 
-    assert_true(proof_cone(&p->law, piece, &cone, &front));
+    assert_true(proof_cone(&p->law.tape, piece, 1, &cone, &front));
     assert_true(cone.reach >= end ||
-                proof_cells(&p->law, piece, cone.reach, interval_point(end),
-                            &front, &out, &status));
+                proof_cells(&p->law.tape, piece, cone.reach,
+                            interval_point(end), &front, &out, &status));
     const struct interval sum = sum_of(&out, cone.excess);
     free(out.cell);
     return sum;
@@ -123,7 +124,7 @@ static void a_cone_holds_what_its_series_leaves_out(void **state)
         make(presets[i], &s, &p);
         struct proof_piece piece = p.branch[0].piece[0], low = piece;
         low.degree = DEGREE;
-        assert_true(proof_cone(&p.law, &low, &cone, &front));
+        assert_true(proof_cone(&p.law.tape, &low, 1, &cone, &front));
         /* theta = 0.7, where a cone is tried first, is where that one ends */
         const double unit = cone.reach / 0.7;
         piece.step *= unit;
