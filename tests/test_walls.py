@@ -96,7 +96,7 @@ MAY_SEE = {
     'lib/results': ['lib/core'],
     'lib/formula': ['lib/core'],
     'lib/friction': ['lib/core', 'lib/formula'],
-    'lib/scene': ['lib/core', 'lib/formula', 'lib/friction'],
+    'lib/scene': ['lib/core', 'lib/formula', 'lib/friction', 'lib/interchange'],
     'lib/fit': ['lib/core', 'lib/formula', 'lib/friction'],
     'lib/store': ['lib/core', 'lib/results'],
     'lib/plot': ['lib/core'],
