@@ -329,13 +329,15 @@ static enum status run(struct course *c, const struct transient_options *o,
 }
 
 /* Where the limit of a run that fades is not known yet, it is followed down to
- * where it is: v falls by twice as many powers of ten each time. */
+ * where it is: v falls by twice as many powers of ten each time, along an orbit
+ * that is finer each time, for a loose one may leave its slow curve. */
 static enum status deepen(struct course *c, const struct transient_options *o,
                           const struct monitor *monitor, struct transient *out)
 {
     const struct transient_summary start = { .v = out->sum.v,
                                              .psi = out->sum.psi };
     enum status s = STATUS_OK;
+    double rtol = finest(o->rtol);
 
     while (s == STATUS_OK && out->sum.end == TRANSIENT_FADED &&
            out->sum.slip.reason == limit_unknown &&
@@ -344,7 +346,8 @@ static enum status deepen(struct course *c, const struct transient_options *o,
         bool settled = false;
         c->depth *= 2;
         course_set(c, o, false);
-        s = run_at(c, finest(o->rtol), monitor, &deeper, &settled);
+        rtol = fmax(rtol / TOL_TRANSIENT_RETREAT, TOL_TRANSIENT_FINEST);
+        s = run_at(c, rtol, monitor, &deeper, &settled);
         if (s == STATUS_OK && settled && quantity_exists(&deeper.sum.slip)) {
             transient_free(out);
             *out = deeper;

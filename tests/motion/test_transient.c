@@ -217,6 +217,28 @@ static void a_fading_run_is_followed_down_to_its_limit(void **state)
     slope_free(&s);
 }
 
+/* 113 bits. */
+static void a_loose_run_that_fades_has_the_limit_of_a_fine_one(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "dieterich", NULL, "0.09528374374425069",
+               (const char *const[]){
+                   "products=[equilibria]", "material.a=0.0015099802368807108",
+                   "material.b=0.0019337108043160614",
+                   "material.L=2.3303960631004794e-07",
+                   "material.V_star=6.51499493974773e-08", NULL });
+    struct transient_options o = transient_defaults(&s.scene);
+    o.rtol = 1e-6;
+    struct transient t =
+        follow(&s, 0.00011562161277781637, 1.4331350146638147e-07, &o);
+    assert_int_equal(t.sum.end, TRANSIENT_FADED);
+    is_quantity(&t.sum.slip, 5.4556712001839188e-17, t.sum.slip.error);
+    transient_free(&t);
+    slope_free(&s);
+}
+
 static void a_start_at_a_node_goes_nowhere(void **state)
 {
     struct slope s;
@@ -448,6 +470,7 @@ int main(void)
         cmocka_unit_test(runs_end_where_they_are_told),
         cmocka_unit_test(slow_orbits_are_followed_far),
         cmocka_unit_test(a_fading_run_is_followed_down_to_its_limit),
+        cmocka_unit_test(a_loose_run_that_fades_has_the_limit_of_a_fine_one),
         cmocka_unit_test(a_start_at_a_node_goes_nowhere),
         cmocka_unit_test(samples_are_evenly_spaced_and_on_the_orbit),
         cmocka_unit_test(samples_of_a_leap_are_right),
