@@ -239,6 +239,20 @@ static bool step_to(const struct quad_course *c, const struct quad_radau *whole,
     return true;
 }
 
+/* Of who is in the node's box.  One that holds the saddle, too, arrests only
+ * what is in the saddle's quadrant of the node, which none leaves. */
+static enum fate fate_in(const struct quad_slope *q, size_t node,
+                         const quad u[])
+{
+    const quad *n = q->node[node], most = (quad) TOL_ARREST;
+    const bool shared = slider_saddle(&q->study->slider) >= 0 &&
+                        fabsq(n[0]) <= most && fabsq(n[1]) <= most;
+
+    return shared && !(u[QUAD_X] * n[0] > 0 && u[QUAD_Y] * n[1] > 0)
+               ? FATE_UNDECIDED
+               : q->fate[node];
+}
+
 /* The nodes' boxes: true where the step ends in one. */
 static bool find_arrival(struct quad_course *c, struct quad_radau *w,
                          quad to[QUAD_DIM])
@@ -256,8 +270,9 @@ static bool find_arrival(struct quad_course *c, struct quad_radau *w,
     if (first > 1)
         return false;
     const struct quad_radau whole = *w;
-    c->fate = step_to(c, &whole, &g, first, w, to) ? c->slope->fate[g.node]
-                                                   : FATE_UNDECIDED;
+    c->fate = step_to(c, &whole, &g, first, w, to)
+                  ? fate_in(c->slope, g.node, to)
+                  : FATE_UNDECIDED;
     return true;
 }
 
@@ -372,7 +387,7 @@ static void follow(const struct quad_slope *q, quad x, quad y, double tol,
     note_peaks(c, c->u);
     for (size_t i = 0; i < q->nodes; i++)
         if (missing(q, &(struct goal){ .node = i }, c->u) <= 0)
-            c->fate = q->fate[i];
+            c->fate = fate_in(q, i, c->u);
     while (c->fate == FATE_UNDECIDED && advance(c))
         ;
     if (c->fate == FATE_UNDECIDED && !c->is_over)
