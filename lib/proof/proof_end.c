@@ -17,18 +17,6 @@ struct strip {
     struct growth g, g_by;
 };
 
-struct proof_place proof_place_on(const struct proof_piece *p,
-                                  struct interval theta, double error, int side)
-{
-    const struct interval at =
-        add(point(p->start), times(point(p->step), theta));
-    const struct interval dep =
-        add(proof_poly_at(p->degree, p->coef, theta), interval_within(error));
-
-    return p->ind == 0 ? (struct proof_place){ at, dep, side }
-                       : (struct proof_place){ dep, at, side };
-}
-
 /* m = |mu - tan(alpha)| at the place, on its side: a bound from below. */
 static struct interval force_at(struct proof_law *p,
                                 const struct proof_place *at)

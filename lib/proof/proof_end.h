@@ -5,19 +5,8 @@
  */
 #pragma once
 
+#include "proof_join.h"
 #include "proof_law.h"
-#include "proof_tube.h"
-
-/* A place on a branch, and on which side of the saddle it is. */
-struct proof_place {
-    struct interval X, Y;
-    int side;
-};
-
-/* On a piece, within `error` of its polynomial. */
-struct proof_place proof_place_on(const struct proof_piece *p,
-                                  struct interval theta, double error,
-                                  int side);
 
 /* A bound on how far the settled coordinate still goes, outward, and on the
  * integral of |v - v_sp| over time out there. */

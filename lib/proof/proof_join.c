@@ -40,6 +40,18 @@ struct interval proof_piece_end(const struct proof_piece *p,
                            point(p->step));
 }
 
+struct proof_place proof_place_on(const struct proof_piece *p,
+                                  struct interval theta, double error, int side)
+{
+    const struct interval at =
+        add(point(p->start), times(point(p->step), theta));
+    const struct interval dep =
+        add(proof_poly_at(p->degree, p->coef, theta), interval_within(error));
+
+    return p->ind == 0 ? (struct proof_place){ at, dep, side }
+                       : (struct proof_place){ dep, at, side };
+}
+
 /* ---- from one to the next ------------------------------------------------ */
 
 static double most_apart(struct interval u, double x)
@@ -56,7 +68,7 @@ bool proof_reach(struct interval_tape *t, const struct proof_piece *p,
     const struct interval from = add(proof_poly_at(p->degree, p->coef, theta),
                                      interval_within(f->error));
     const struct interval dep = interval_hull(from, target);
-    const double gap = interval_less(point(dep.hi), point(dep.lo)).hi;
+    const double gap = interval_most(interval_less(target, from));
     struct proof_flow u;
 
     *way = 0;
@@ -70,8 +82,9 @@ bool proof_reach(struct interval_tape *t, const struct proof_piece *p,
         if (found < *way) {
             const struct interval per =
                 interval_divide(u.excess.c[0], u.ind.c[0]);
-            const double more = proof_up_times(interval_most(per), *way);
+            const double more = proof_up_times(interval_most(per), found);
             f->excess = add(f->excess, interval_within(more));
+            *way = found;
             return isfinite(more);
         }
         *way = 2 * found + PROOF_END_LEAST;

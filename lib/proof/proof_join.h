@@ -17,6 +17,17 @@ MUST_CHECK enum status proof_pieces(const struct branch *b,
 struct interval proof_piece_end(const struct proof_piece *p,
                                 const struct proof_piece *next);
 
+/* A place on a branch, and on which side of the saddle it is. */
+struct proof_place {
+    struct interval X, Y;
+    int side;
+};
+
+/* On a piece, within `error` of its polynomial. */
+struct proof_place proof_place_on(const struct proof_piece *p,
+                                  struct interval theta, double error,
+                                  int side);
+
 /* Where the branch has dep in `target`, ind is within *way of where it is at
  * theta: dep = p(theta) +- f->error there, and with |d dep/d ind| >= m > 0 on
  * the box of all places on the way dep comes to any number between after

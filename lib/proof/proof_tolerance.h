@@ -41,7 +41,7 @@
 #define PROOF_HALVINGS  12
 
 /* Parts of a cell on which the transverse rate is bounded. */
-#define PROOF_PARTS 2
+#define PROOF_PARTS 4
 
 /* A branch is closed as soon as what is left is below this part of the error,
  * and of the width of its integral, that are there. */
