@@ -99,7 +99,7 @@ static json_t *numbers_json(const struct proof *p)
     const struct proof_numbers n = proof_numbers_of(p);
     json_t *j = json_object();
 
-    for (size_t i = 0; i < PROOF_NUMBERS; i++) {
+    for (size_t i = 0; i < PROOF_NAMED; i++) {
         const struct proof_number *x = &n.at[i];
         json_t *told = x->absent       ? json_string("absent")
                        : x->not_proved ? NULL

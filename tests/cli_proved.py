@@ -37,7 +37,26 @@ def the_reference_is_between_both_decimals(room):
             expect(lo <= Decimal(row[column]) <= hi, row['law'], name, proved)
             expect(hi - lo <= Decimal('1e-11') * abs(hi), row['law'], name)
             compared += 1
-    expect(compared > 40, compared)
+        for side in ('up', 'lo'):
+            compared += compare_knee(found, row, side)
+    expect(compared > 60, compared)
+
+
+def compare_knee(found, row, side):
+    """How many numbers of it are proved."""
+    name = {'up': 'upper', 'lo': 'lower'}[side]
+    knee, listed = found[f'knee_{name}'], found[f'knees_{name}']
+    if row[f'knee_{side}_v'] == 'none':
+        for number in knee.values():
+            expect(number['proved'] == {'absent': True}, row['law'], name, number)
+        expect(listed == [], row['law'], listed)
+        return 0
+    expect(listed[0] == knee, row['law'], listed)
+    for key, number in knee.items():
+        lo, hi = (Decimal(number['proved'][end]) for end in ('lo', 'hi'))
+        expect(lo <= Decimal(row[f'knee_{side}_{key}']) <= hi, row['law'], name, key, number)
+        expect(hi - lo <= Decimal('1e-12') * abs(hi), row['law'], name, key)
+    return len(knee)
 
 
 def a_law_without_a_proof_says_why(room):
@@ -88,8 +107,10 @@ def sweeps_have_columns_for_what_is_proved(room):
     found = room.json('sweep', *sweep, '-o', 's.h5')
     lo, hi, exists = json.loads(room.reads(SWEPT, 's.h5'))
     alone = room.json('knees', '--law', 'spinodal_gen', '--alpha', '0.34', '--proved')
-    for number in ('v_plus', 'psi_at_v0', 'x_deficit', 'saddle_lambda_plus'):
-        at = alone['saddle']['lambda_plus'] if 'saddle' in number else alone[number]
+    for number in ('v_plus', 'psi_at_v0', 'x_deficit', 'saddle_lambda_plus',
+                   'knee_lower_psi'):
+        at = (alone['saddle']['lambda_plus'] if 'saddle' in number else
+              alone['knee_lower']['psi'] if 'knee' in number else alone[number])
         for end in ('lo', 'hi'):
             told = found['numbers'][f'{number}_{end}']
             if 'absent' in at['proved']:

@@ -5,11 +5,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "numbers.h"
 #include "proof_cell.h"
 #include "proof_end.h"
 #include "proof_flow.h"
 #include "proof_join.h"
+#include "proof_knee.h"
 #include "proof_short.h"
 #include "proof_tolerance.h"
 
@@ -18,7 +18,7 @@
 static void fail(struct proof_branch *out, const char *why)
 {
     out->end = -1;
-    out->not_proved = why;
+    out->not_proved = out->no_more = why;
 }
 
 /* The tail, outward: a coordinate goes on by 0 .. way. */
@@ -33,6 +33,7 @@ static void settle(struct proof_branch *out, enum end_code end,
         out->side > 0 ? f->excess : interval_minus(f->excess);
 
     out->end = (int) end;
+    out->beyond = t->slope;
     out->place = interval_add(from, way);
     out->strip = interval_hull(from, out->place);
     out->excess = interval_add(excess, (struct interval){ 0, t->excess });
@@ -86,11 +87,23 @@ static bool is_open(struct proof_law *law, const struct proof_branch *b,
     return proof_tail_open(law, &at) == NULL;
 }
 
+/* On an open branch: beyond the offset Y = far, and no knee follows. */
+static bool is_far(struct proof_law *law, struct proof_branch *out, size_t i,
+                   struct interval theta, const struct proof_front *f,
+                   double far)
+{
+    const struct proof_place at =
+        proof_place_on(&out->piece[i], theta, f->error, out->side);
+
+    out->beyond = proof_tail_steep(law, &at);
+    return out->beyond && at.Y.lo > far;
+}
+
 /* From the end of the cone on, to where what is left is nothing beside what is
- * not known, to the offset Y = far, or to the last piece; the pieces beyond are
- * let go. */
+ * not known, to the last piece, or on an open branch as far as is_far(*far);
+ * the pieces beyond the end are let go. */
 static enum status walk(struct proof_law *law, struct proof_branch *out,
-                        struct proof_front *f, double far)
+                        struct proof_front *f, const double *far)
 {
     enum status status = STATUS_OK;
 
@@ -103,15 +116,16 @@ static enum status walk(struct proof_law *law, struct proof_branch *out,
             fail(out, "no tube around the manifold was proved");
             return status;
         }
-        const char *why = close(law, out, i, to, f, &left);
-        if (why == NULL && (next == NULL || left < PROOF_END_PART)) {
+        if (far && is_far(law, out, i, to, f, *far))
+            return STATUS_OK;
+        const char *why = far ? NULL : close(law, out, i, to, f, &left);
+        if (far == NULL && why == NULL &&
+            (next == NULL || left < PROOF_END_PART)) {
             out->not_proved = NULL;
             out->pieces = i + 1;
             return STATUS_OK;
         }
         fail(out, why);
-        if (proof_place_on(&out->piece[i], to, f->error, out->side).Y.lo > far)
-            return STATUS_OK;
         if (next && !proof_join(&law->tape, &out->piece[i], next, to, f)) {
             fail(out, "the tube was lost between two pieces");
             return STATUS_OK;
@@ -135,13 +149,15 @@ static enum status prove_branch(struct proof_law *law,
         fail(out, "no cone around the manifold at the saddle was proved");
         return STATUS_OK;
     }
-    if (!is_open(law, out, &f))
-        return walk(law, out, &f, HUGE_VAL);
-    if (in->far)
-        status = walk(law, out, &f,
-                      (law->is_log ? *in->far : log(*in->far)) - law->y.lo);
-    fail(out, NULL);
-    out->end = END_OPEN;
+    const bool open = is_open(law, out, &f);
+    const double far =
+        in->far ? (law->is_log ? *in->far : log(*in->far)) - law->y.lo : 0;
+    status = walk(law, out, &f, open ? &far : NULL);
+    if (open) {
+        fail(out, NULL);
+        out->end = END_OPEN;
+    }
+    proof_knees(&law->tape, out);
     return status;
 }
 

@@ -11,6 +11,7 @@
 
 #include "block.h"
 #include "grow.h"
+#include "numbers.h"
 #include "proof_cone.h"
 #include "proof_law.h"
 

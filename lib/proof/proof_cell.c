@@ -111,16 +111,10 @@ struct part {
 static bool bound_rate(const struct cell *c, double radius, struct part *t)
 {
     const struct proof_piece *piece = c->piece;
-    const struct interval middle = point(interval_middle(t->theta));
-    struct interval p[JET_SIZE];
+    const struct interval dep =
+        proof_poly_over(piece->degree, piece->coef, t->theta);
     struct proof_flow f;
 
-    proof_points(piece->degree, piece->coef, p);
-    proof_shift(piece->degree, p, middle, p);
-    struct interval dep = { 0, 0 };
-    const struct interval s = interval_less(t->theta, middle);
-    for (size_t k = piece->degree + 1; k-- > 0;)
-        dep = interval_add(p[k], interval_times(dep, s));
     proof_flow_aside(c->tape, piece->ind, ind_at(piece, t->theta),
                      interval_add(dep, interval_within(radius)), &f);
     if (!falls(c, &f))

@@ -108,6 +108,7 @@ static double defect_of(const struct proof_piece *piece, const struct along *f,
  * in one factor. */
 struct inside {
     struct interval m;      /* f_ind/theta */
+    struct interval slope;  /* f_dep/f_ind */
     struct interval g;      /* theta d(step G)/d dep */
     struct interval across; /* theta d(step (v - v_sp)/f_ind)/d dep */
 };
@@ -132,7 +133,7 @@ static bool look_inside(struct interval_tape *t,
     out->m = add(times(step, j[0].ind.c[1]), times(sigma, j[1].ind.c[1]));
     if (!(times(out->m, step).hi < 0))
         return false;
-    const struct interval G = interval_divide(
+    const struct interval G = out->slope = interval_divide(
         add(times(step, j[0].dep.c[1]), times(sigma, j[1].dep.c[1])), out->m);
     const struct interval q = interval_divide(
         add(times(step, j[0].excess.c[1]), times(sigma, j[1].excess.c[1])),
@@ -144,6 +145,17 @@ static bool look_inside(struct interval_tape *t,
         times(step, interval_less(j[1].excess.c[1], times(q, j[1].ind.c[1]))),
         out->m);
     return interval_is_finite(out->g) && interval_is_finite(out->across);
+}
+
+struct interval proof_cone_slope(struct interval_tape *t,
+                                 const struct proof_piece *piece, double reach,
+                                 double slope)
+{
+    struct inside in;
+
+    return look_inside(t, piece, reach, slope, &in)
+               ? in.slope
+               : (struct interval){ -HUGE_VAL, HUGE_VAL };
 }
 
 /* The least |M| on p: M_0 and what the other terms can take from it. */

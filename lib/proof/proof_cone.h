@@ -22,6 +22,12 @@ struct proof_saddle {
 /* Eigenvalues, and that the equilibrium is a saddle: det J < 0. */
 bool proof_is_saddle(struct interval_tape *t, struct proof_saddle *out);
 
+/* d dep/d ind on 0 < theta <= reach, |dep - p| <= slope theta: finite, or all
+ * there is. */
+struct interval proof_cone_slope(struct interval_tape *t,
+                                 const struct proof_piece *piece, double reach,
+                                 double slope);
+
 /* The cone on a piece that starts at the saddle: the longest found, reach <
  * most <= 1.  *front: what is proved at its end. */
 bool proof_cone(struct interval_tape *t, const struct proof_piece *piece,

@@ -10,10 +10,10 @@ static const char too_large[] =
     "the bound on what is beyond the last piece is not finite";
 
 /* A box of the chart and, over it, the slopes of mu, g = dy/dt and its
- * logarithm's slope by the coordinate that has no end. */
+ * logarithm's. */
 struct strip {
     struct interval at[2];
-    struct interval mu[2], rate;
+    struct interval mu[2], rate[2];
     struct growth g, g_by;
 };
 
@@ -38,8 +38,8 @@ static const char *look_along(struct proof_law *p, int endless, struct strip *s)
         if (!interval_growth_run(w, &p->state, variable, s->at, by))
             return no_rule;
         s->mu[by] = w->by[p->graph->node[LAW_AT_MU]].all;
+        s->rate[by] = w->rate[p->graph->node[LAW_AT_DY]].all;
     }
-    s->rate = w->rate[p->graph->node[LAW_AT_DY]].all;
     s->g = w->value[p->graph->node[LAW_AT_DY]];
     s->g_by = w->by[p->graph->node[LAW_AT_DY]];
     return !(s->mu[0].lo >= 0)
@@ -117,7 +117,7 @@ static const char *psi_way(struct proof_law *p, const struct proof_place *at,
         why = look_at_edge(p, edge, at->side, &g);
     if (why)
         return why;
-    const double q = at->side > 0 ? s.rate.lo : -s.rate.hi;
+    const double q = at->side > 0 ? s.rate[1].lo : -s.rate[1].hi;
     if (!(q > 0))
         return "the rate of psi is not proved to grow beyond the last piece";
     const struct interval under = times(point(q), interval_low(g));
@@ -130,6 +130,7 @@ static const char *psi_way(struct proof_law *p, const struct proof_place *at,
     const struct interval change = interval_expm1(interval_less(s.at[0], p->x));
 
     out->way = interval_divide(times(per, m), under).hi;
+    out->slope = interval_divide(times(per, m), interval_low(g)).hi < 1 ? 1 : 0;
     out->excess = interval_most(interval_divide(times(p->v, change), under));
     return isfinite(out->way) && isfinite(out->excess) ? NULL : too_large;
 }
@@ -158,7 +159,7 @@ static const char *v_way(struct proof_law *p, const struct proof_place *at,
         why = look_at_edge(p, edge, -1, &g);
     if (why)
         return why;
-    const struct interval q = add(point(1), interval_low(s.rate));
+    const struct interval q = add(point(1), interval_low(s.rate[0]));
     const struct interval time =
         interval_divide(interval_exp(interval_high(x)),
                         times(p->force, interval_low(force_at(p, at))));
@@ -170,6 +171,10 @@ static const char *v_way(struct proof_law *p, const struct proof_place *at,
     if (!isfinite(fmin(by_value, by_rate)))
         return "v dpsi/dt is not proved to vanish as v does";
     out->way = times(point(fmin(by_value, by_rate)), time).hi;
+    out->slope =
+        times(point(fmin(by_value, q.lo > 0 ? g.hi : HUGE_VAL)), time).hi < 1
+            ? -1
+            : 0;
     out->excess = times(p->v, time).hi;
     return isfinite(out->way) && isfinite(out->excess) ? NULL : too_large;
 }
@@ -204,4 +209,24 @@ const char *proof_tail_open(struct proof_law *p, const struct proof_place *at)
     return is_level(s.g) || is_level(s.g_by)
                ? NULL
                : "the rate of psi is not proved to grow no faster than ln psi";
+}
+
+/* dy/dx = v |g|/(F m), the derivative of whose logarithm by x is at least 1 +
+ * r_x + r_y - (A + B)/m1 where it is 1: it does not fall through 1. */
+bool proof_tail_steep(struct proof_law *p, const struct proof_place *at)
+{
+    struct strip s = { .at = { beyond(add(p->x, at->X), 1),
+                               beyond(add(p->y, at->Y), 1) } };
+    const struct interval m = force_at(p, at);
+    struct proof_flow f;
+
+    if (at->side < 0 || !(m.lo > 0) || look_along(p, 1, &s) ||
+        !(s.g.all.hi < 0))
+        return false;
+    proof_flow_aside(&p->tape, 0, at->X, at->Y, &f);
+    const struct interval rise = interval_less(
+        add(point(1), add(interval_low(s.rate[0]), interval_low(s.rate[1]))),
+        interval_divide(add(interval_high(s.mu[0]), interval_high(s.mu[1])),
+                        interval_low(m)));
+    return interval_divide(f.dep.c[0], f.ind.c[0]).lo > 1 && rise.lo > 0;
 }

@@ -9,9 +9,11 @@
 #include "proof_law.h"
 
 /* A bound on how far the settled coordinate still goes, outward, and on the
- * integral of |v - v_sp| over time out there. */
+ * integral of |v - v_sp| over time out there; the sign of dy/dx - 1 there, 0
+ * where it is not proved. */
 struct proof_tail {
     double way, excess;
+    int slope;
 };
 
 /* Each returns NULL or which inequality is not proved. */
@@ -26,3 +28,6 @@ const char *proof_tail_v(struct proof_law *p, const struct proof_place *at,
 
 /* v has no limit (side 1). */
 const char *proof_tail_open(struct proof_law *p, const struct proof_place *at);
+
+/* Whether dy/dx > 1 from there on (side 1), whatever the end. */
+bool proof_tail_steep(struct proof_law *p, const struct proof_place *at);

@@ -70,6 +70,19 @@ struct interval proof_poly_at(size_t n, const double p[], struct interval s)
     return sum;
 }
 
+struct interval proof_poly_over(size_t n, const double p[], struct interval s)
+{
+    const struct interval middle = interval_point(interval_middle(s));
+    const struct interval way = interval_less(s, middle);
+    struct interval c[JET_SIZE], sum = zero;
+
+    proof_points(n, p, c);
+    proof_shift(n, c, middle, c);
+    for (size_t k = n + 1; k-- > 0;)
+        sum = interval_add(c[k], interval_times(sum, way));
+    return sum;
+}
+
 void proof_quotient(size_t n, const struct interval u[],
                     const struct interval w[], struct interval out[])
 {

@@ -33,6 +33,8 @@ void proof_shift(size_t n, const struct interval p[], struct interval s,
                  struct interval out[]);
 /* p(s) of a polynomial of doubles, and its coefficients as intervals. */
 struct interval proof_poly_at(size_t n, const double p[], struct interval s);
+/* The same over a box that is not thin: about its middle. */
+struct interval proof_poly_over(size_t n, const double p[], struct interval s);
 void proof_points(size_t n, const double p[], struct interval out[]);
 
 /* Coefficients of u/w to order n, and of the product u w to order n. */

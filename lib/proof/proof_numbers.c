@@ -3,16 +3,17 @@
 #include <assert.h>
 
 #include "interval_math.h"
-#include "numbers.h"
 
-const char *const proof_number_names[PROOF_NUMBERS] = {
+const char *const proof_number_names[PROOF_NAMED] = {
     "v",         "psi",      "lambda_minus", "lambda_plus",    "v_plus",
     "ln_v_plus", "v_minus",  "ln_v_minus",   "psi_at_v0",      "x_excess",
     "x_deficit", "mu_s_num", "mu_s_mean",    "fracture_energy"
 };
 static_assert(sizeof(struct proof_numbers) ==
                   PROOF_NUMBERS * sizeof(struct proof_number),
-              "a name for each number");
+              "none but numbers");
+
+static_assert((int) PROOF_KNEES_MAX == (int) KNEES_MAX, "as many as are told");
 
 static const char not_so[] = "the branch ends otherwise, which is proved";
 
@@ -36,6 +37,18 @@ static const char *missing(const struct proof *p, const struct proof_branch *b,
            : b->not_proved       ? b->not_proved
            : b->end != (int) end ? not_so
                                  : NULL;
+}
+
+/* v = v_sp e^X, and psi = psi_sp e^Y or psi_sp + Y. */
+static struct interval v_at(const struct proof *p, struct interval X)
+{
+    return interval_times(p->law.v, interval_exp(X));
+}
+
+static struct interval psi_at(const struct proof *p, struct interval Y)
+{
+    return p->law.is_log ? interval_add(p->law.psi, Y)
+                         : interval_times(p->law.psi, interval_exp(Y));
 }
 
 static void of_saddle(const struct proof *p, struct proof_numbers *out)
@@ -70,7 +83,7 @@ static void of_upper(const struct proof *p, struct proof_numbers *out)
     const struct interval mean =
         interval_times(part, interval_times(rise, rise));
 
-    out->v_plus = some(interval_times(v, interval_exp(X)));
+    out->v_plus = some(v_at(p, X));
     out->ln_v_plus = some(interval_add(p->law.x, X));
     out->x_excess = some(b->excess);
     out->fracture_energy = some(energy);
@@ -90,15 +103,28 @@ static void of_lower(const struct proof *p, struct proof_numbers *out)
     out->psi_at_v0 = none(none_at_0);
     out->x_deficit = none(why && none_at_0 ? why : NULL);
     if (why == NULL) {
-        out->v_minus = some(interval_times(p->law.v, interval_exp(b->place)));
+        out->v_minus = some(v_at(p, b->place));
         out->ln_v_minus = some(interval_add(p->law.x, b->place));
     }
     if (none_at_0 == NULL)
-        out->psi_at_v0 = some(
-            p->law.is_log ? interval_add(p->law.psi, b->place)
-                          : interval_times(p->law.psi, interval_exp(b->place)));
+        out->psi_at_v0 = some(psi_at(p, b->place));
     if (why == NULL || none_at_0 == NULL)
         out->x_deficit = some(b->excess);
+}
+
+static void of_knees(const struct proof *p, struct proof_numbers *out)
+{
+    for (size_t i = 0; i < 2 * KNEES_MAX; i++) {
+        const size_t side = i / KNEES_MAX, k = i % KNEES_MAX;
+        const struct proof_branch *b = &p->branch[side];
+        const char *why = p->not_proved.text[0] ? p->not_proved.text
+                          : b->no_more          ? b->no_more
+                                                : not_so;
+        const bool there = k < b->knees && !p->not_proved.text[0];
+        out->knee[side][k].v = there ? some(v_at(p, b->knee[k].X)) : none(why);
+        out->knee[side][k].psi =
+            there ? some(psi_at(p, b->knee[k].Y)) : none(why);
+    }
 }
 
 struct proof_numbers proof_numbers_of(const struct proof *p)
@@ -108,5 +134,6 @@ struct proof_numbers proof_numbers_of(const struct proof *p)
     of_saddle(p, &out);
     of_upper(p, &out);
     of_lower(p, &out);
+    of_knees(p, &out);
     return out;
 }

@@ -12,9 +12,10 @@ struct proof_number {
     bool absent;            /* that there is none is proved */
 };
 
-enum { PROOF_NUMBERS = 14 };
+enum { PROOF_NAMED = 14, PROOF_NUMBERS = PROOF_NAMED + 4 * KNEES_MAX };
 
-/* By name, or all in this order. */
+/* By name, or all in this order; the knees of the upper and the lower branch,
+ * those with a name as the records of numbers.h. */
 struct proof_numbers {
     union {
         struct {
@@ -22,13 +23,15 @@ struct proof_numbers {
             struct proof_number v_plus, ln_v_plus, v_minus, ln_v_minus;
             struct proof_number psi_at_v0, x_excess, x_deficit;
             struct proof_number mu_s_num, mu_s_mean, fracture_energy;
+            struct {
+                struct proof_number v, psi;
+            } knee[2][KNEES_MAX];
         };
         struct proof_number at[PROOF_NUMBERS];
     };
 };
 
-/* Those of the records of numbers.h. */
-extern const char *const proof_number_names[PROOF_NUMBERS];
+extern const char *const proof_number_names[PROOF_NAMED];
 
 /* Borrows reasons from p. */
 struct proof_numbers proof_numbers_of(const struct proof *p);

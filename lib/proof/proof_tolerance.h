@@ -47,6 +47,11 @@
  * and of the width of its integral, that are there. */
 #define PROOF_END_PART 0.02
 
+/* A part of a piece is halved where neither the slope over 1 nor its derivative
+ * has a sign, at most so often: at the saddle to the 2^-40 of the cone that the
+ * eigenvector is known to. */
+#define PROOF_KNEE_HALVINGS 40
+
 /* Boxes that are tried at a turn, each twice as wide as the last one needed. */
 #define PROOF_TURN_TRIES 8
 

@@ -42,6 +42,13 @@ struct proof_cone {
     struct interval excess;
 };
 
+/* Where dy/dx = 1: offsets. */
+struct proof_crossing {
+    struct interval X, Y;
+};
+
+enum { PROOF_KNEES_MAX = 8 };
+
 /* Of a block, place: the offset that settles - X where psi runs to its end, Y
  * where v does; strip: where it is from the last cell on. */
 struct proof_branch {
@@ -56,6 +63,11 @@ struct proof_branch {
     struct interval excess; /* integral of |v - v_sp| dt, where `end` is not
                                open */
     const char *not_proved; /* static; NULL: all of it is */
+    int beyond; /* sign of dy/dx - 1 beyond the last cell; 0: not known */
+    struct proof_crossing knee[PROOF_KNEES_MAX]; /* the first (proof_knee.h) */
+    size_t knees;
+    const char *no_more; /* static: why others are not proved; NULL: these are
+                            all */
 };
 
 /* As far as a branch has been proved: at the current theta |dep - p| <= error,

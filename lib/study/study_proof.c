@@ -9,9 +9,11 @@
 #include "records.h"
 #include "study.h"
 
-/* A number of the saddle or of its manifold, and which of PROOF_NUMBERS. */
+/* A number of the saddle, of its manifold, or of a knee, by what name, and
+ * which of PROOF_NUMBERS. */
 struct pair {
     const struct record_field *field;
+    const char *of;
     struct quantity *number;
     size_t which;
 };
@@ -22,13 +24,17 @@ static size_t which_is(const char *name)
 {
     size_t i = 0;
 
-    while (i < PROOF_NUMBERS && strcmp(proof_number_names[i], name) != 0)
+    while (i < PROOF_NAMED && strcmp(proof_number_names[i], name) != 0)
         i++;
     return i;
 }
 
-/* How many. */
-static size_t pairs_of(struct study *s, struct pair out[PROOF_NUMBERS])
+static struct quantity *member(void *record, const struct record_field *f)
+{
+    return (void *) ((char *) record + f->offset);
+}
+
+static size_t named_pairs(struct study *s, struct pair out[])
 {
     const struct record_type *const type[] = { &record_saddle,
                                                &record_critical };
@@ -39,11 +45,45 @@ static size_t pairs_of(struct study *s, struct pair out[PROOF_NUMBERS])
         for (size_t i = 0; i < type[k]->count; i++) {
             const struct record_field *f = &type[k]->fields[i];
             const size_t which = which_is(f->name);
-            if (which < PROOF_NUMBERS)
-                out[n++] =
-                    (struct pair){ f, (void *) ((char *) at[k] + f->offset),
-                                   which };
+            if (which < PROOF_NAMED)
+                out[n++] = (struct pair){ f, k ? "" : "saddle.",
+                                          member(at[k], f), which };
         }
+    return n;
+}
+
+static size_t knee_pairs(struct knee_number *k, size_t side, size_t which,
+                         struct pair out[])
+{
+    for (size_t i = 0; i < record_knee.count; i++)
+        out[i] =
+            (struct pair){ &record_knee.fields[i],
+                           side ? "knee_lower." : "knee_upper.",
+                           member(k, &record_knee.fields[i]),
+                           PROOF_NAMED + 2 * (side * KNEES_MAX + which) + i };
+    return record_knee.count;
+}
+
+/* The first one of a branch by its own name, too. */
+static size_t branch_pairs(struct study *s, size_t side, struct pair out[])
+{
+    struct critical_numbers *c = &s->slider.critical;
+    struct knee_number *all = side ? c->knees_lower : c->knees_upper;
+    const size_t count = side ? c->knees_lower_count : c->knees_upper_count;
+    size_t n = knee_pairs(side ? &c->knee_lower : &c->knee_upper, side, 0, out);
+
+    for (size_t k = 0; k < count; k++)
+        n += knee_pairs(&all[k], side, k, out + n);
+    return n;
+}
+
+/* How many. */
+static size_t pairs_of(struct study *s, struct pair out[STUDY_PROOFS])
+{
+    size_t n = named_pairs(s, out);
+
+    for (size_t side = 0; side < 2; side++)
+        n += branch_pairs(s, side, out + n);
     return n;
 }
 
@@ -133,8 +173,7 @@ static enum status judge(struct study *s, const struct pair pair[], size_t n)
         for (size_t i = 0; i < n && s->proof.lie.text[0] == '\0'; i++)
             if (contradicts(pair[i].number, &numbers.at[pair[i].which]))
                 snprintf(s->proof.lie.text, sizeof s->proof.lie.text,
-                         "%s%s: " STUDY_PROOF_LIE,
-                         i < SADDLE_NUMBERS ? "saddle." : "",
+                         "%s%s: " STUDY_PROOF_LIE, pair[i].of,
                          pair[i].field->name);
     }
     proof_free(&exact);
@@ -154,7 +193,7 @@ static void copy_to_steady(struct study *s)
 
 enum status study_prove(struct study *s)
 {
-    struct pair pair[PROOF_NUMBERS];
+    struct pair pair[STUDY_PROOFS];
     const size_t n = pairs_of(s, pair);
     size_t beside = 0; /* as many hold all that are */
 
@@ -182,7 +221,8 @@ enum status study_prove(struct study *s)
 
 bool study_proves(const struct record_type *type)
 {
-    return type == &record_saddle || type == &record_critical;
+    return type == &record_saddle || type == &record_critical ||
+           type == &record_knee;
 }
 
 void study_proof_withdraw(struct study_proof *p)

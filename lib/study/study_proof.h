@@ -12,10 +12,13 @@ struct study;
 /* What a contradiction is told by, behind the number's name. */
 #define STUDY_PROOF_LIE "what is proved contradicts the error bar"
 
+/* As many as are told: a branch's first knee twice. */
+enum { STUDY_PROOFS = PROOF_NUMBERS + 4 };
+
 /* Numbers point into `of`. */
 struct study_proof {
     struct proof *exact; /* of the inputs as decimals; owned, NULL: none */
-    struct proved of[PROOF_NUMBERS][2]; /* as they are, in the SI */
+    struct proved of[STUDY_PROOFS][2]; /* as they are, in the SI */
     size_t count;
     struct fault lie; /* which number contradicts it; empty: none */
 };

@@ -13,6 +13,7 @@
 struct tally {
     size_t asked, proved, rows;
     size_t bars, holding; /* that hold all of what is proved */
+    size_t none;          /* that there is none is proved */
 };
 
 /* Numbers of a table, of a proof and of the ordinary run. */
@@ -38,6 +39,10 @@ static const struct compared compared[] = {
     NUMBER(v_minus, v_minus, numbers.v_minus),
     NUMBER(psi_at_v0, psi_at_v0, numbers.psi_at_v0),
     NUMBER(x_deficit_lower, x_deficit, numbers.x_deficit),
+    NUMBER(knee_up_v, knee[0][0].v, numbers.knee_upper.v),
+    NUMBER(knee_up_psi, knee[0][0].psi, numbers.knee_upper.psi),
+    NUMBER(knee_lo_v, knee[1][0].v, numbers.knee_lower.v),
+    NUMBER(knee_lo_psi, knee[1][0].psi, numbers.knee_lower.psi),
 };
 
 static const struct proof_number *proved(const struct proof_numbers *n,
@@ -132,9 +137,12 @@ static void check_number(const struct csv *c, const struct solved *s,
     const struct quantity *q = computed(s, what);
     char row[200];
 
+    say_row(c, row, sizeof row);
+    CHECK(!p->absent || *text == '\0' || strcmp(text, "none") == 0,
+          "%s: %s = %s is proved to be none", row, what->column, text);
+    t->none += p->absent;
     if (*text == '\0' || strcmp(text, "none") == 0)
         return;
-    say_row(c, row, sizeof row);
     t->asked++;
     if (p->not_proved) {
         if (getenv("SAY"))
@@ -194,8 +202,8 @@ static void check_table(const char *name)
         if (is_meant(&c))
             check_row(&c, &t);
     print_message("# %s: %zu of %zu numbers of %zu rows are proved; %zu of %zu "
-                  "bars hold all of what is\n",
-                  name, t.proved, t.asked, t.rows, t.holding, t.bars);
+                  "bars hold all of what is; %zu are proved to be none\n",
+                  name, t.proved, t.asked, t.rows, t.holding, t.bars, t.none);
     CHECK(t.proved >= 0.95 * (double) t.asked, "%zu of %zu", t.proved, t.asked);
 }
 
@@ -321,7 +329,7 @@ static void check_spoiled(const struct csv *c, double noise, uint64_t *rng,
             continue;
         t->asked++;
         t->proved += q->not_proved == NULL;
-        CHECK(q->not_proved || holds(q->value, text),
+        CHECK(!q->absent && (q->not_proved || holds(q->value, text)),
               "%s with noise %.1e: %s = %s is not in [%.17g, %.17g]",
               csv_text(c, "law"), noise, compared[i].column, text, q->value.lo,
               q->value.hi);
