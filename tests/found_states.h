@@ -222,6 +222,15 @@ static const struct {
       { -4.7016153038190795, 1.5479060761534844 },
       EXACT_BOTH,
       "by 113 bits: a box of arrest that holds the saddle" },
+    { { FRICTION_LOG, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SLIP45,
+        KINETICS_LINEAR, 0.88144133879517583, 0.014960611858577329,
+        0.043844544075392913, 0.18897197935044355, 3550.1301807086757,
+        2.6706222690260496e-07, 9.5576783854404326e-05, 0.8081471615579042,
+        1e-7 },
+      1.04656534431470267944L,
+      { 13.784279198475229, 9.5922511139472935 },
+      EXACT_NONE,
+      "lateness at a saddle, of which slip at v 1e9 times larger is made" },
 };
 
 #endif

@@ -214,7 +214,8 @@ static double bound(double off, double noise)
            TOL_DRIFT_NOISE * sqrt(fmax(noise, 0.0));
 }
 
-/* Of e_i - late du_i, where late = row e, to first order. */
+/* Of e_i - late du_i, where late = row e, to first order.  Variances that all
+ * but cancel leave what rounding makes of them, unless they are the same. */
 static double first_order(const struct drift *d, double rate,
                           const double row[], size_t n, size_t i)
 {
@@ -226,8 +227,10 @@ static double first_order(const struct drift *d, double rate,
         for (size_t l = 0; l < n; l++)
             square += row[k] * row[l] * d->noise[k][l];
     }
-    const double noise = d->noise[i][i] + rate * (rate * square - 2.0 * cross);
-    return bound(off, noise);
+    const double own = d->noise[i][i], late = rate * rate * square;
+    const double noise = own + late - 2.0 * rate * cross;
+    const double lost = TOL_ROUNDINGS_FEW * DBL_EPSILON * fmax(own, late);
+    return bound(off, noise != 0.0 ? fmax(noise, lost) : 0.0);
 }
 
 /* Of time, where the orbit crosses a line across its way. */
