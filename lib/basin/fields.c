@@ -32,17 +32,63 @@ static bool passes(const void *ctx, double one, double other)
     return base_point_passes(&f->curve, one, other);
 }
 
+/* Those in which something that is asked for exists, as bits. */
+static unsigned fates_of(const struct fields *f)
+{
+    unsigned fates = 0;
+
+    for (unsigned k = 0; k < FATES; k++)
+        if (f->which & fast_cells_fields(f->map->slider, (enum fate) k))
+            fates |= 1u << k;
+    return fates;
+}
+
 static enum status plan(const struct fields *f,
                         const struct patchwork_grid *grid, double rtol,
                         const struct monitor *monitor, struct patchwork *w)
 {
     const struct patchwork_source source = {
-        find, sample, { tell, passes, &f->fast }, &f->fast
+        find, sample, { tell, passes, &f->fast }, fates_of(f), &f->fast
     };
     return patchwork_plan(w, grid, &source, rtol, f->which, monitor);
 }
 
 /* ---- the grid ------------------------------------------------------------ */
+
+/* Some rows at a time. */
+static enum status find_spans(const struct fields *f,
+                              struct patchwork_span span[])
+{
+    const struct basin_map *m = f->map;
+    int8_t *label = malloc(m->columns * PATCHWORK_TILE);
+    enum status status = label ? STATUS_OK : STATUS_NO_MEMORY;
+
+    for (size_t j = 0; j < m->rows && status == STATUS_OK; j++) {
+        const size_t k = j % PATCHWORK_TILE, left = m->rows - j;
+        if (k == 0)
+            status = basin_map_rows(
+                m, j, left < PATCHWORK_TILE ? left : PATCHWORK_TILE, label);
+        if (status == STATUS_OK)
+            span[j] = patchwork_span_of(label + k * m->columns, m->columns,
+                                        fates_of(f));
+    }
+    free(label);
+    return status;
+}
+
+static enum status plan_map(struct fields *f, const struct monitor *monitor)
+{
+    const struct basin_map *m = f->map;
+    struct patchwork_span *span = malloc(m->rows * sizeof *span);
+    const struct patchwork_grid grid = { m->x, m->y, m->columns, m->rows,
+                                         span };
+    enum status status = span ? find_spans(f, span) : STATUS_NO_MEMORY;
+
+    if (status == STATUS_OK)
+        status = plan(f, &grid, f->rtol, monitor, &f->patches);
+    free(span);
+    return status;
+}
 
 enum status fields_prepare(struct fields *f, const struct basin_map *m,
                            const struct monitor *monitor, struct fault *why)
@@ -63,10 +109,9 @@ enum status fields_prepare(struct fields *f, const struct basin_map *m,
             f->which |= asks[i].which;
     if (f->which == 0)
         return STATUS_OK;
-    const struct patchwork_grid grid = { m->x, m->y, m->columns, m->rows };
     enum status status = fast_cells_init(&f->fast, m->slider, monitor);
     if (status == STATUS_OK)
-        status = plan(f, &grid, f->rtol, monitor, &f->patches);
+        status = plan_map(f, monitor);
     if (status != STATUS_OK)
         snprintf(why->text, sizeof why->text, "the fields of the cells: %s",
                  status_text(status));
@@ -119,7 +164,7 @@ enum status fields_find(const struct fields *f, size_t first, size_t rows,
 static enum status fill_raster(const struct fields *f,
                                const struct patchwork_grid *grid,
                                const struct monitor *monitor, int8_t label[],
-                               struct cell out[])
+                               struct patchwork_span span[], struct cell out[])
 {
     struct patchwork w;
     enum status status =
@@ -127,6 +172,9 @@ static enum status fill_raster(const struct fields *f,
 
     if (status != STATUS_OK)
         return status;
+    for (size_t j = 0; j < grid->rows; j++)
+        span[j] = patchwork_span_of(label + j * grid->columns, grid->columns,
+                                    fates_of(f));
     status = plan(f, grid, TOL_SEEN, monitor, &w);
     if (status == STATUS_OK)
         status = patchwork_rows(&w, 0, grid->rows, label, out, NULL);
@@ -143,18 +191,20 @@ enum status fields_raster(const struct fields *f, size_t columns, size_t rows,
     double *x = malloc(columns * sizeof *x), *y = malloc(rows * sizeof *y);
     double *stored = malloc(longest * sizeof *stored);
     int8_t *label = malloc(columns * rows);
+    struct patchwork_span *span = malloc(rows * sizeof *span);
     enum status status = STATUS_NO_MEMORY;
 
-    if (x && y && stored && label) {
-        const struct patchwork_grid grid = { x, y, columns, rows };
+    if (x && y && stored && label && span) {
+        const struct patchwork_grid grid = { x, y, columns, rows, span };
         basin_map_axis(f->map->scene, BASIN_V, columns, x, stored);
         basin_map_axis(f->map->scene, BASIN_PSI, rows, y, stored);
-        status = fill_raster(f, &grid, monitor, label, out);
+        status = fill_raster(f, &grid, monitor, label, span, out);
     }
     free(x);
     free(y);
     free(stored);
     free(label);
+    free(span);
     return status;
 }
 

@@ -50,10 +50,12 @@ static void fill_integrals(const struct slider *s, double x,
                        rounding * (t + fabs(lost));
 }
 
-/* The fields that a block of that fate has (cells.h). */
-static unsigned fields_of(const struct slider *s, enum fate fate)
+unsigned fast_cells_fields(const struct slider *s, enum fate fate)
 {
     switch (fate) {
+        case FATE_RUNAWAY:
+        case FATE_UNDECIDED:
+            return 0;
         case FATE_REST_FINITE:
             return integrals | 1u << CELL_V_PEAK;
         case FATE_REST_ASYMPTOTIC:
@@ -138,7 +140,7 @@ static struct cell cell_of(const struct slider *s, struct vec2 z,
         if (which & peaks)
             fill_peaks(s, z, l, &c);
     }
-    keep_asked(which & fields_of(s, (enum fate) l->fate), &c);
+    keep_asked(which & fast_cells_fields(s, (enum fate) l->fate), &c);
     return c;
 }
 

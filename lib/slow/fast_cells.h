@@ -41,5 +41,8 @@ bool fast_cells_tell(const struct fast_cells *f, struct vec2 z,
                      const struct base_point *base, unsigned which,
                      struct cell *out);
 
+/* Bits of enum cell_field: those that states of a fate have (cells.h). */
+unsigned fast_cells_fields(const struct slider *s, enum fate fate);
+
 /* A second call is harmless. */
 void fast_cells_free(struct fast_cells *f);

@@ -21,6 +21,42 @@ struct pieces {
     size_t count, room;
 };
 
+struct patchwork_span patchwork_span_of(const int8_t label[], size_t n,
+                                        unsigned fates)
+{
+    struct patchwork_span s = { 0, n };
+
+    while (s.end > 0 && !(fates >> label[s.end - 1] & 1u))
+        s.end--;
+    while (s.first < s.end && !(fates >> label[s.first] & 1u))
+        s.first++;
+    return s;
+}
+
+/* What is left of it beside rows and columns of cells without fields; columns =
+ * 0: nothing. */
+static void trim(const struct patchwork_grid *g, struct piece *p)
+{
+    const size_t right = p->column + p->columns, above = p->row + p->rows;
+    size_t first = right, end = p->column, low = above, high = p->row;
+
+    for (size_t j = p->row; j < above; j++) {
+        const struct patchwork_span s = g->span[j];
+        const size_t from = s.first > p->column ? s.first : p->column;
+        const size_t to = s.end < right ? s.end : right;
+        if (from >= to)
+            continue;
+        first = from < first ? from : first;
+        end = to > end ? to : end;
+        low = j < low ? j : low;
+        high = j + 1;
+    }
+    p->column = first;
+    p->columns = end > first ? end - first : 0;
+    p->row = low;
+    p->rows = high > low ? high - low : 0;
+}
+
 /* One more, uninitialised; NULL: no memory. */
 static struct piece *new_piece(struct pieces *p)
 {
@@ -188,6 +224,7 @@ static void cut_out(const struct trial *t, const struct patchwork_grid *g,
     part->row = t->piece->row + y[0];
     part->columns = x[1] - x[0];
     part->rows = y[1] - y[0];
+    trim(g, part);
     part->tests = 0;
     for (size_t i = 0; i < t->count && part->tests < PATCH_TESTS; i++)
         if (lies_in(part, g, t->sample[i].z))
@@ -210,6 +247,7 @@ static enum status cut(const struct trial *t, const struct patchwork_grid *g,
             if (part == NULL)
                 return STATUS_NO_MEMORY;
             cut_out(t, g, x, y, part);
+            next->count -= part->columns == 0;
         }
     return STATUS_OK;
 }
@@ -269,9 +307,12 @@ static enum status run(struct patchwork *w, struct pieces *now,
     struct piece *const all = new_piece(now);
     enum status status = trial && all ? STATUS_OK : STATUS_NO_MEMORY;
 
-    if (all)
+    if (all) {
         *all =
             (struct piece){ .columns = w->grid.columns, .rows = w->grid.rows };
+        trim(&w->grid, all);
+        now->count -= all->columns == 0;
+    }
     while (status == STATUS_OK && now->count > 0) {
         next->count = 0;
         status = try_all(w, now, trial, next, monitor);
@@ -326,6 +367,17 @@ static void fill(const struct patchwork *w, const struct patch *p, size_t first,
     }
 }
 
+/* Cells of fates that have no field. */
+static void leave_bare(unsigned fates, const int8_t label[], size_t cells,
+                       struct cell out[])
+{
+    for (size_t i = 0; i < cells; i++)
+        if (!(fates >> label[i] & 1u)) {
+            out[i] = cell_unknown;
+            out[i].exit_reason = label[i];
+        }
+}
+
 /* Cells that no patch told, one by one. */
 static enum status find_left(const struct patchwork *w, size_t first,
                              size_t cells, struct cell out[], size_t *sampled)
@@ -367,5 +419,6 @@ enum status patchwork_rows(const struct patchwork *w, size_t first,
 #pragma omp parallel for schedule(dynamic)
     for (size_t i = 0; i < w->count; i++)
         fill(w, &w->patch[i], first, count, label, out);
+    leave_bare(w->source.fates, label, cells, out);
     return find_left(w, first, cells, out, sampled);
 }

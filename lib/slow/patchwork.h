@@ -17,10 +17,21 @@
 /* Rows that are best filled at a time. */
 enum { PATCHWORK_TILE = 64 };
 
+/* Columns first .. end - 1 of a row: those beside them have no field that is
+ * asked for; first = end: none has. */
+struct patchwork_span {
+    size_t first, end;
+};
+
+/* Of a row's n labels (enum fate): fates as of patchwork_source. */
+struct patchwork_span patchwork_span_of(const int8_t label[], size_t n,
+                                        unsigned fates);
+
 /* Cell centres, absolute chart points in ascending order. */
 struct patchwork_grid {
     const double *x, *y; /* borrowed */
     size_t columns, rows;
+    const struct patchwork_span *span; /* borrowed, for the plan: of each row */
 };
 
 /* How states are found. */
@@ -33,6 +44,9 @@ struct patchwork_source {
     enum status (*sample)(const void *ctx, struct patch_sample sample[],
                           size_t n, double rtol, unsigned which);
     struct patch_teller teller;
+    /* bits 1u << enum fate: states of others have no field that is asked for,
+     * and none is looked at */
+    unsigned fates;
     const void *ctx;
 };
 

@@ -92,6 +92,26 @@ static void a_raster_shows_the_window_of_the_grid(void **state)
     slope_free(&s);
 }
 
+/* Its slip grows without bound, and what runs away has none. */
+static void what_no_cell_has_costs_nothing(void **state)
+{
+    static struct cell cell[N];
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "ruina", NULL, "0.34", small);
+    CHECK(s.study.fields.patches.sampled == 0, "%zu states",
+          s.study.fields.patches.sampled);
+    assert_int_equal(fields_find(&s.study.fields, 0, ROWS, NULL, cell),
+                     STATUS_OK);
+    for (int i = 0; i < N; i++)
+        CHECK((cell[i].exit_reason == FATE_REST_ASYMPTOTIC ||
+               cell[i].exit_reason == FATE_RUNAWAY) &&
+                  isnan(cell[i].slip) && isnan(cell[i].mu_mean),
+              "cell %d: %g", i, cell[i].slip);
+    slope_free(&s);
+}
+
 static int stop(void *ctx, const char *stage, uint64_t done, uint64_t total)
 {
     int *calls = ctx;
@@ -142,6 +162,7 @@ int main(void)
         cmocka_unit_test(products_say_which_fields),
         cmocka_unit_test(a_cell_of_the_grid_is_that_of_its_centre),
         cmocka_unit_test(a_raster_shows_the_window_of_the_grid),
+        cmocka_unit_test(what_no_cell_has_costs_nothing),
         cmocka_unit_test(a_monitor_hears_of_the_whole_grid),
         cmocka_unit_test(allocations_may_fail),
     };

@@ -131,6 +131,7 @@ struct grid {
     double x[COLUMNS], y[ROWS], tightest;
     int8_t label[CELLS];
     size_t calls;
+    struct patchwork_span span[ROWS];
     struct patchwork_grid g;
     struct patchwork_source source;
 };
@@ -149,9 +150,11 @@ static void make_grid(struct grid *g, struct model *m)
         g->label[k] =
             truth(m, (struct vec2){ g->x[k % COLUMNS], g->y[k / COLUMNS] })
                 .exit_reason;
-    g->g = (struct patchwork_grid){ g->x, g->y, COLUMNS, ROWS };
+    for (int j = 0; j < ROWS; j++)
+        g->span[j] = (struct patchwork_span){ 0, COLUMNS };
+    g->g = (struct patchwork_grid){ g->x, g->y, COLUMNS, ROWS, g->span };
     g->source =
-        (struct patchwork_source){ find, sample, { tell, passes, m }, m };
+        (struct patchwork_source){ find, sample, { tell, passes, m }, ~0u, m };
 }
 
 /* Plans and fills; how many states that took. */
@@ -263,6 +266,39 @@ static void a_label_that_disagrees_is_looked_at_by_itself(void **state)
     CHECK(fill(&g, 1e-3, out) > CELLS, "not all");
 }
 
+static void ask_of(struct grid *g, unsigned fates)
+{
+    g->source.fates = fates;
+    for (int j = 0; j < ROWS; j++)
+        g->span[j] = patchwork_span_of(g->label + j * COLUMNS, COLUMNS, fates);
+}
+
+static void fates_without_fields_are_not_looked_at(void **state)
+{
+    static struct grid g;
+    static struct cell out[CELLS];
+    struct model m = { .bend = 1.2, .kink = 1.0, .noise = 0.5 };
+
+    (void) state;
+    make_grid(&g, &m);
+    const size_t all = fill(&g, 1e-6, out);
+    ask_of(&g, 1u << FATE_SLIDING);
+    const size_t some = fill(&g, 1e-6, out);
+    CHECK(some < 2 * all / 3, "%zu states of %zu", some, all);
+    for (int k = 0; k < CELLS; k++) {
+        struct cell t =
+            truth(&m, (struct vec2){ g.x[k % COLUMNS], g.y[k / COLUMNS] });
+        if (t.exit_reason == FATE_SLIDING)
+            check_cell(&out[k], &t, 1e-6, k);
+        else
+            CHECK(out[k].exit_reason == FATE_CREEP && isnan(out[k].slip) &&
+                      isnan(out[k].mu_mean) && isnan(out[k].slip_error),
+                  "cell %d: %g", k, out[k].slip);
+    }
+    ask_of(&g, 1u << FATE_REST_FINITE);
+    assert_int_equal(fill(&g, 1e-6, out), 0);
+}
+
 /* The same bits in any parts and at any number of threads. */
 static void rows_may_be_filled_in_any_parts(void **state)
 {
@@ -339,6 +375,7 @@ int main(void)
         cmocka_unit_test(next_to_a_separatrix_few_cells_are_looked_at),
         cmocka_unit_test(what_does_not_exist_is_not_interpolated),
         cmocka_unit_test(a_label_that_disagrees_is_looked_at_by_itself),
+        cmocka_unit_test(fates_without_fields_are_not_looked_at),
         cmocka_unit_test(rows_may_be_filled_in_any_parts),
         cmocka_unit_test(a_failure_is_passed_on),
     };
