@@ -14,9 +14,8 @@ enum { LAMBERT_STEPS = 16 };
 
 /* ---- numbers ------------------------------------------------------------- */
 
-/* A number of the graph, with all it may have been: 113 bits are the sum of
- * three doubles. */
-static void enclose(mpfi_ptr out, formula_real x)
+/* 113 bits are the sum of three doubles. */
+void interval_graph_decimal(mpfi_ptr out, formula_real x)
 {
     const struct interval_quad u = interval_decimal(x);
     const formula_real end[2] = { u.lo, u.hi };
@@ -167,7 +166,7 @@ static bool make(struct interval_graph *g, int node)
         case FORMULA_LEAF:
             return true;
         case FORMULA_NUMBER:
-            enclose(out, n->number);
+            interval_graph_decimal(out, n->number);
             return true;
         case FORMULA_SUM:
             mpfi_add(out, value_of(g, n->of[0]), value_of(g, n->of[1]));

@@ -45,5 +45,9 @@ struct interval interval_graph_get(const struct interval_graph *g, int node);
 struct interval interval_function(enum formula_function function,
                                   struct interval u);
 
+/* A number that was kept in 113 bits, with all it may have been
+ * (interval_decimal). */
+void interval_graph_decimal(mpfi_ptr out, formula_real x);
+
 /* The doubles around an interval. */
 struct interval interval_of_mpfi(mpfi_srcptr u);

@@ -55,6 +55,15 @@
 /* Boxes that are tried at a turn, each twice as wide as the last one needed. */
 #define PROOF_TURN_TRIES 8
 
+/* A line that is met before this theta of a piece is looked for beyond the end
+ * of the piece before. */
+#define PROOF_BEGINNING 0x1p-20
+
+/* Levels of a trap that are tried, each this part of the last: ellipses half as
+ * large, down to a millionth. */
+#define PROOF_TRAP_TRIES  20
+#define PROOF_TRAP_SHRINK 0.25
+
 /* What the curves are grown to, and where their first series ends. */
 #define PROOF_RTOL 1e-14
 #define PROOF_TERM 1e-16
