@@ -139,7 +139,12 @@ enum status certificate_check(const struct options *o,
 {
     if (o->certificate == NULL)
         return STATUS_OK;
-    if (!scene->proved || scene->system)
+    if (scene->system)
+        return command_refuse(why,
+                              "--certificate %s: not for a system of formulas, "
+                              "expected a law on a slope",
+                              o->certificate);
+    if (!scene->proved)
         return command_refuse(why,
                               "--certificate %s: nothing is proved, expected a "
                               "slope and --proved",

@@ -48,7 +48,7 @@ const struct option option_table[] = {
       .text = "relative accuracy [1e-12]" },
     { "proved", 0, NULL, OPTION_FLAG, "accuracy.proved",
       .commands = STUDIES | ON(SWEEP),
-      .text = "enclose the numbers and labels of a slope with proof" },
+      .text = "enclose numbers, and a slope's labels, with proof" },
     { "certificate", 0, "FILE", OPTION_FILE, TO(certificate),
       .commands = STUDIES,
       .text = "write the proof as JSON, for others to verify" },

@@ -113,6 +113,13 @@ static enum exit_code judge(const struct plane_basin *b)
     return command_fail(STATUS_NO_CONVERGENCE, text);
 }
 
+/* Likewise: a bar and a proof cannot both be right. */
+static enum exit_code judge_proof(const struct fault *lie)
+{
+    fprintf(stderr, "slipway: %s\n", lie->text);
+    return EXIT_CHECK;
+}
+
 enum exit_code plane_run(const struct options *o, const struct scene *scene,
                          const char *figure)
 {
@@ -140,6 +147,8 @@ enum exit_code plane_run(const struct options *o, const struct scene *scene,
                                               : command_fail(status, why.text);
     if (code == EXIT_DONE && s.basin.disagreements > 0)
         code = judge(&s.basin);
+    if (code == EXIT_DONE && s.proof.lie.text[0])
+        code = judge_proof(&s.proof.lie);
     ensemble_free(&drawn);
     plane_study_free(&s);
     return code;

@@ -121,7 +121,7 @@ static enum exit_code judge(const struct sweep *s)
 static enum exit_code judge_proofs(const struct sweep_reasons *r)
 {
     for (size_t i = REASON_FIRST; i < r->count; i++)
-        if (strstr(r->text[i], STUDY_PROOF_LIE)) {
+        if (strstr(r->text[i], PROVED_LIE)) {
             fprintf(stderr, "slipway: %s\n", r->text[i]);
             return EXIT_CHECK;
         }

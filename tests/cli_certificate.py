@@ -200,8 +200,8 @@ def a_certificate_needs_a_proof(room):
     refused(room.run('knees', *slope, '--certificate', 'none.json'), 2,
             '--certificate none.json', 'expected a slope and --proved')
     refused(room.run('portrait', '--ode', "x' = y; y' = -x", '--window',
-                     'x=-1:1,y=-1:1', '--certificate', 'none.json'), 2,
-            'expected a slope and --proved')
+                     'x=-1:1,y=-1:1', '--proved', '--certificate', 'none.json'), 2,
+            'not for a system of formulas, expected a law on a slope')
     room.write('file', '')
     refused(room.run('knees', *slope, '--proved', '--certificate', 'file/x'), 4,
             'file')

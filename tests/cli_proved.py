@@ -146,6 +146,38 @@ def labels_are_proved_in_text_json_and_file(room):
     expect('not proved' not in room.read('map.svg'))
 
 
+PLANE = '''import h5py, json, sys
+at = h5py.File(sys.argv[1])
+print(json.dumps([at['manifolds'][name][2].item() for name in
+                  ('leaves_y_lo', 'leaves_y_hi', 'leaves_y_proved', 'end_proved')]
+                 + [at['equilibria']['x_lo'][0].item()]))'''
+
+
+def systems_are_proved_in_text_json_file_and_sweep(room):
+    """y = 2 cos(x/2) at x = 1, of a pendulum's separatrix from (-pi, 0)."""
+    truth = Decimal('1.75516512378074543223256316520765930')
+    pi = Decimal('3.14159265358979323846264338327950288')
+    scene = ['--ode', "x' = y; y' = -k*sin(x); k = 1", '--window', 'x=-4:1,y=-3:3',
+             '--proved']
+    found = room.json('study', *scene, '-o', 'p.h5')
+    branch = found['manifolds'][2]
+    expect(branch['kind'] == 'unstable' and branch['end_proved'] == 'crosses' and
+           branch['not_proved'] is None, branch)
+    bounds = branch['leaves_y']['proved']
+    expect(Decimal(bounds['lo']) <= truth <= Decimal(bounds['hi']), bounds)
+    state = found['equilibria'][0]['state']['x']['proved']
+    expect(Decimal(state['lo']) <= -pi <= Decimal(state['hi']), state)
+    held = json.loads(room.reads(PLANE, 'p.h5'))
+    expect(held == [float(bounds['lo']), float(bounds['hi']), 1, 1, float(state['lo'])],
+           held, bounds, state)
+    expect('crosses' in room.good('study', *scene), scene)
+    swept = room.json('sweep', *scene, '--set',
+                      'sweep={key: system.parameters.k, values: [1, 4]}')['numbers']
+    for end in ('lo', 'hi'):
+        expect(swept[f'manifolds_2_leaves_y_{end}']['value'][0] == float(bounds[end]),
+               swept.keys())
+
+
 def what_is_not_proved_is_refused(room):
     slope = ['--law', 'perrin', '--set', 'accuracy.proved=true']
     refused(room.run('ensemble', *slope, '--alpha', '0.34', '--set',
@@ -192,6 +224,7 @@ run_cases([
     files_hold_what_is_proved,
     sweeps_have_columns_for_what_is_proved,
     labels_are_proved_in_text_json_and_file,
+    systems_are_proved_in_text_json_file_and_sweep,
     what_is_not_proved_is_refused,
     in_si_units_the_reference_is_between_too,
     nothing_is_proved_where_nobody_asks,

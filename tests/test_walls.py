@@ -108,7 +108,7 @@ MAY_SEE = {
     'lib/motion': LOW + ['lib/numbers'],
     'lib/slow': LOW + ['lib/numbers', 'lib/motion'],
     'lib/basin': LOW + ['lib/numbers', 'lib/motion', 'lib/slow'],
-    'lib/plane': LOW,
+    'lib/plane': LOW + ['lib/numbers', 'lib/proof'],
     'lib/study': LOW + ORBITS,
     'lib/sweep': LOW + ORBITS + ['lib/plane', 'lib/study'],
     'lib/ensemble': LOW + ORBITS + ['lib/plane', 'lib/study', 'lib/sweep'],

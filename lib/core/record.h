@@ -17,6 +17,8 @@ struct proved {
     bool absent;            /* there is none, or */
     const char *not_proved; /* why nothing is; borrowed, else NULL */
 };
+/* What a contradiction is told by, behind the number's name. */
+#define PROVED_LIE "what is proved contradicts the error bar"
 
 /* A computed number: either a value with a finite absolute error bound in its
  * own unit, or the reason (a plain sentence) why there is none. */

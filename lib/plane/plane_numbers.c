@@ -92,10 +92,17 @@ static void fill_leaves(const struct plane_study *s, struct plane_branch *b)
     curve_at(c, b->shown - 1, b->shown_to, at);
     curve_slope_at(c, b->shown - 1, b->shown_to, slope);
     const double z[] = { r->z.x + at[0], r->z.y + at[1] };
-    const double off[] = { fmin(z[0] - w.lo.x, w.hi.x - z[0]) / s->scale.side.x,
-                           fmin(z[1] - w.lo.y, w.hi.y - z[1]) /
-                               s->scale.side.y };
-    const int across = off[0] <= off[1] ? 0 : 1;
+    const double off[] = { (z[0] - w.lo.x) / s->scale.side.x,
+                           (w.hi.x - z[0]) / s->scale.side.x,
+                           (z[1] - w.lo.y) / s->scale.side.y,
+                           (w.hi.y - z[1]) / s->scale.side.y };
+    const double turns[] = { s->scale.period.x, s->scale.period.y };
+
+    b->edge = turns[0] > 0.0 ? 2 : 0; /* an angle has no edge */
+    for (int8_t i = 0; i < 4; i++)
+        if (!(turns[i / 2] > 0.0) && off[i] < off[b->edge])
+            b->edge = i;
+    const int across = b->edge / 2;
     const double along = fabs(slope[1 - across] / slope[across]);
     const double error =
         (c->piece[b->shown - 1].error + vec2_length(r->error)) * (1.0 + along);

@@ -39,6 +39,7 @@ static enum status fill(const struct plane_study *s,
     const struct quantity x = number(&e->chart[0]), y = number(&e->chart[1]);
 
     r->type = (int8_t) e->type;
+    r->exact = *e;
     r->z = (struct vec2){ x.value, y.value };
     r->error = (struct vec2){ x.error, y.error };
     r->alone = (struct box){ { e->box[0][0], e->box[1][0] },

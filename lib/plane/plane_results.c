@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "plane_numbers.h"
+#include "plane_proof.h"
 #include "plane_rows.h"
 #include "plane_table.h"
 
@@ -217,16 +218,31 @@ static const struct result manifold_results[] = {
     { .path = NULL },
 };
 
+static const struct record_field proved_fields[] = {
+    FIELD_CODE(plane_branch, end_proved, plane_proved_names,
+               "whether its end is proved"),
+    FIELD(plane_branch, TEXT, not_proved, "1", "why it is not"),
+};
+
+static void add_fields(struct plane_table *t, const struct record_field f[],
+                       size_t n)
+{
+    memcpy(&t->field[t->fields], f, n * sizeof *f);
+    t->fields += n;
+}
+
 /* With where they leave the window, by the states' names. */
 static void add_manifolds(const struct plane_study *s, struct plane_table *t)
 {
     const size_t first = t->fields;
 
-    for (size_t i = 0; i < sizeof manifold_fields / sizeof *manifold_fields;
-         i++)
-        t->field[t->fields++] = manifold_fields[i];
+    add_fields(t, manifold_fields,
+               sizeof manifold_fields / sizeof *manifold_fields);
     plane_table_states(s, t, "leaves_*", RECORD_QUANTITY,
                        offsetof(struct plane_branch, leaves));
+    if (s->scene->proved)
+        add_fields(t, proved_fields,
+                   sizeof proved_fields / sizeof *proved_fields);
     struct result *r = plane_table_result(
         t,
         plane_table_type(t, first, "manifold", "half of an invariant manifold",

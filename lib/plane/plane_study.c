@@ -10,6 +10,7 @@
 #include "plane_branch.h"
 #include "plane_defined.h"
 #include "plane_numbers.h"
+#include "plane_proof.h"
 #include "plane_rest.h"
 #include "plane_results.h"
 #include "plane_sensitivity.h"
@@ -315,7 +316,9 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
     if (status != STATUS_OK)
         return status;
     plane_numbers_fill(s);
-    return plane_results_make(s);
+    if (s->scene->proved)
+        status = plane_proof_find(s);
+    return status == STATUS_OK ? plane_results_make(s) : status;
 }
 
 enum status plane_study_run(struct plane_study *s, const struct scene *scene,
@@ -349,6 +352,7 @@ void plane_study_free(struct plane_study *s)
     free(s->undecided);
     free(s->cycle);
     free(s->slope);
+    plane_proof_free(&s->proof);
     free(s->beyond);
     portrait_free(&s->portrait);
     trajectory_free(&s->backward);

@@ -10,6 +10,7 @@
 
 #include "arrival.h"
 #include "branch.h"
+#include "equilibria.h"
 #include "portrait.h"
 #include "record.h"
 #include "region.h"
@@ -37,6 +38,7 @@ struct plane_rest {
     int8_t type;          /* enum plane_type */
     struct vec2 z, error; /* bounds of each coordinate */
     struct box alone;     /* there is no other within */
+    struct system_equilibrium exact; /* to all digits that are known */
     struct quantity state[2];
     struct plane_lambda {
         struct quantity re, im;
@@ -72,8 +74,11 @@ struct plane_branch {
                                where it last leaves the window */
     struct quantity leaves[2]; /* the state where it leaves the window for
                                   good; plane_numbers.h */
-    size_t shown;              /* pieces up to that place */
-    double shown_to;           /* theta there, on the last of them */
+    int8_t edge; /* by which: 0, 1 the first state's ends, 2, 3 the second's */
+    int8_t end_proved;      /* enum plane_proved, where it was asked for */
+    const char *not_proved; /* why its end is not; static, or NULL */
+    size_t shown;           /* pieces up to that place */
+    double shown_to;        /* theta there, on the last of them */
 };
 
 struct plane_cycle {
@@ -237,6 +242,11 @@ struct plane_study {
     struct trajectories backward; /* owned; from the same starts */
     struct plane_basin basin;     /* members owned */
     struct plane_count count;
+    struct plane_proof {
+        struct proved (*of)[2]; /* owned; numbers point into it */
+        size_t count;
+        struct fault lie; /* which number contradicts its bar; empty: none */
+    } proof;
     struct plane_slope *slope; /* owned; by equilibrium, then by parameter */
     struct plane_table *table; /* owned; plane_results.h */
 };

@@ -338,7 +338,7 @@ const struct schema_key schema_table[] = {
       .expected = "a number from 1e-14 to 0.1", IS("1e-12"),
       TEXT("relative accuracy; numbers carry the error they have") },
     { "accuracy.proved", value_flag, AT(proved), .words = flag_names,
-      IS("false"), TEXT("enclose the numbers of a slope with proof, inputs as "
+      IS("false"), TEXT("enclose numbers with proof, inputs as "
                         "decimals; by knees, portrait, study, basin and sweep") },
 
     { "output.hdf5", value_path, AT(hdf5), .expected = "a path",

@@ -9,9 +9,6 @@
 
 struct study;
 
-/* What a contradiction is told by, behind the number's name. */
-#define STUDY_PROOF_LIE "what is proved contradicts the error bar"
-
 /* As many as are told: a branch's first knee twice. */
 enum { STUDY_PROOFS = PROOF_NUMBERS + 4 };
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "plane_numbers.h"
+#include "plane_proof.h"
 #include "plane_results.h"
 #include "room.h"
 #include "study_results.h"
@@ -41,7 +42,7 @@ static enum status add(struct sweep_columns *c, const struct sweep_dims *d,
     return STATUS_OK;
 }
 
-/* And one for each bound that is proved of it. */
+/* And, if it is a quantity, one for each bound that is proved of it. */
 static enum status add_bounds(struct sweep_columns *c,
                               const struct sweep_dims *d,
                               const struct result_number *n)
@@ -50,14 +51,14 @@ static enum status add_bounds(struct sweep_columns *c,
                                         ": proved to be at most" };
     enum status status = STATUS_OK;
 
-    for (int k = 0; k < 2 && status == STATUS_OK; k++) {
+    for (int k = 0; k < 2 && n->field->kind == RECORD_QUANTITY; k++) {
         struct result_number bound = *n;
         bound.part = k ? RESULT_HI : RESULT_LO;
         strncat(bound.name, k ? "_hi" : "_lo",
                 sizeof bound.name - strlen(bound.name) - 1);
         status = add(c, d, &bound, NULL, 0);
         if (status != STATUS_OK)
-            break;
+            return status;
         struct sweep_column *column = &c->at[c->count - 1];
         column->kind = RECORD_REAL;
         const size_t end = strlen(column->text);
@@ -78,8 +79,7 @@ static enum status add_numbers(struct sweep_columns *c,
         if ((x->of->shape == RESULT_COLUMNS) != columns)
             continue;
         status = add(c, d, x, NULL, 0);
-        if (status == STATUS_OK && c->proved &&
-            x->field->kind == RECORD_QUANTITY && study_proves(x->of->type))
+        if (status == STATUS_OK && c->proved && study_proves(x->of->type))
             status = add_bounds(c, d, x);
     }
     return status;
@@ -177,8 +177,12 @@ static enum status add_of_system(struct sweep_columns *c,
     enum status status = plane_numbers_frame(c->frame, scene);
     if (status == STATUS_OK)
         status = plane_numbers(&n, c->frame);
-    for (size_t i = 0; i < n.count && status == STATUS_OK; i++)
+    for (size_t i = 0; i < n.count && status == STATUS_OK; i++) {
         status = add(c, d, &n.at[i], NULL, 0);
+        if (status == STATUS_OK && scene->proved &&
+            plane_proof_is_of(n.at[i].of, n.at[i].field))
+            status = add_bounds(c, d, &n.at[i]);
+    }
     result_numbers_free(&n);
     return status;
 }

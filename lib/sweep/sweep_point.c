@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "plane_proof.h"
 #include "scene_parameter.h"
 #include "scene_sweep.h"
 
@@ -155,6 +156,8 @@ enum status sweep_point_run(struct sweep_point *p, unsigned products,
     const enum status status =
         p->system ? plane_study_run(&p->plane, &p->scene, monitor, &why)
                   : run(p, starts, monitor);
+    if (status == STATUS_OK)
+        plane_proof_withdraw(&p->plane.proof);
     return status ? note_failure(p, status) : STATUS_OK;
 }
 

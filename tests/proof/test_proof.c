@@ -9,6 +9,7 @@
 #include "check.h"
 #include "proof_flow.h"
 #include "reference_rows.h"
+#include "spoiled.h"
 
 struct tally {
     size_t asked, proved, rows;
@@ -220,24 +221,6 @@ static void each_number_of_the_extreme_table_is_proved(void **state)
 }
 
 /* ---- spoiled curves ------------------------------------------------------ */
-
-/* Which coefficients of the dependent coordinate are multiplied: all but the
- * constants, those of theta, constants - of which the saddle's is 0 -, none. */
-enum spoil { SPOIL_ALL, SPOIL_SLOPE, SPOIL_PLACE, SPOIL_NONE, SPOILS };
-
-static void spoil(struct branch *b, enum spoil kind, double noise,
-                  uint64_t *rng)
-{
-    static const size_t first[] = { 1, 1, 0, 1 }, last[] = { 99, 1, 0, 0 };
-
-    for (size_t i = 0; i < b->curve.count; i++) {
-        const struct curve_piece *p = &b->curve.piece[i];
-        const size_t dep = (size_t) (1 - branch_graph(b, i));
-        double *coef = b->curve.coef + p->first + dep * (p->degree + 1);
-        for (size_t k = first[kind]; k <= p->degree && k <= last[kind]; k++)
-            coef[k] *= 1 + noise * check_uniform(rng, -1, 1);
-    }
-}
 
 /* To the end, to any accuracy and so of any order. */
 static void grow_for_proof(struct solved *s, const struct csv *c, double rtol)
