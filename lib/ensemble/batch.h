@@ -48,6 +48,7 @@ struct batch_column {
 struct batch_fates {
     int8_t *fate;        /* enum fate; -1: the draw has none */
     const char **reason; /* why a fate is undecided or is none; else NULL */
+    double *margin;      /* labels_margin of the state, infinite without one */
 };
 
 /* Numbers of that scene, by name (result_number.h, sweep_column.h), over those

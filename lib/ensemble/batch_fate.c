@@ -1,5 +1,7 @@
 #include "batch_fate.h"
 
+#include <math.h>
+
 #include "kick.h"
 #include "labels.h"
 
@@ -10,6 +12,8 @@ void batch_fate_put(const struct batch_fates *f, size_t i, int8_t fate,
         f->fate[i] = fate;
     if (f->reason)
         f->reason[i] = reason;
+    if (f->margin)
+        f->margin[i] = HUGE_VAL;
 }
 
 /* Who tells the fates at a draw: the curve of its numbers, where there is one
@@ -48,12 +52,17 @@ static enum status find(struct teller *t, const struct scene_push *p, size_t i,
     const struct slider *s = &t->study->slider;
     struct fate_told told = { .fate = -1 };
     struct scene_start at;
-    enum status status = STATUS_OK;
 
-    if (kick_state(s, p, &at, &told.reason))
-        status = ask(t, block_offset(&s->block, at.v, at.psi), &told);
+    if (!kick_state(s, p, &at, &told.reason)) {
+        batch_fate_put(f, i, told.fate, told.reason);
+        return STATUS_OK;
+    }
+    const struct vec2 z = block_offset(&s->block, at.v, at.psi);
+    const enum status status = ask(t, z, &told);
     if (status == STATUS_OK)
         batch_fate_put(f, i, told.fate, told.reason);
+    if (status == STATUS_OK && f->margin)
+        f->margin[i] = labels_margin(t->has_own ? &t->own : &t->lent, z);
     return status;
 }
 

@@ -119,8 +119,9 @@ static enum status prepare(struct run *r)
         good = r->out[k].reason != NULL;
     }
     for (size_t k = 0; k < b->pushes && good; k++) {
-        r->fates[k] = (struct batch_fates){ spool_column(s, SPOOL_FATE, k),
-                                            malloc(size) };
+        r->fates[k] =
+            (struct batch_fates){ spool_column(s, SPOOL_FATE, k), malloc(size),
+                                  spool_column(s, SPOOL_MARGIN, k) };
         good = r->fates[k].reason != NULL;
     }
     return good ? STATUS_OK : STATUS_NO_MEMORY;

@@ -12,14 +12,24 @@
 
 static size_t size_of(enum spool_kind kind)
 {
-    return kind <= SPOOL_ERROR ? sizeof(double) : sizeof(int8_t);
+    return kind <= SPOOL_MARGIN ? sizeof(double) : sizeof(int8_t);
 }
 
 static size_t columns_of(const struct spool_shape *s, enum spool_kind kind)
 {
-    return kind == SPOOL_KEY    ? s->keys
-           : kind <= SPOOL_CODE ? s->numbers
-                                : s->pushes;
+    switch (kind) {
+        case SPOOL_KEY:
+            return s->keys;
+        case SPOOL_VALUE:
+        case SPOOL_ERROR:
+        case SPOOL_CODE:
+            return s->numbers;
+        case SPOOL_MARGIN:
+        case SPOOL_FATE:
+        case SPOOL_FATE_REASON:
+            return s->pushes;
+    }
+    return 0;
 }
 
 /* In bytes from the start of a block; of the kind behind the last its size. */

@@ -13,6 +13,7 @@ enum spool_kind {
     SPOOL_KEY,        /* double */
     SPOOL_VALUE,      /* double, of a number */
     SPOOL_ERROR,      /* double */
+    SPOOL_MARGIN,     /* double, of a push: labels_margin, or infinite */
     SPOOL_CODE,       /* int8_t, of a number: sweep_reason.h */
     SPOOL_FATE,       /* int8_t, of a push: enum fate; -1: none */
     SPOOL_FATE_REASON /* int8_t: why it is none or undecided, or present */

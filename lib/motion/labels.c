@@ -282,6 +282,19 @@ enum fate labels_side(const struct labels *l, struct vec2 z)
                : (enum fate) side;
 }
 
+double labels_margin(const struct labels *l, struct vec2 z)
+{
+    const struct separatrix *s = &l->along[SEPARATRIX_Y];
+    double off = HUGE_VAL;
+
+    for (size_t i = 0; i < s->count; i++)
+        if (z.y >= s->strand[i].lo && z.y < s->strand[i].hi) {
+            const double to = z.x - separatrix_cross(s, i, z.y).at;
+            off = fabs(to) < fabs(off) ? to : off;
+        }
+    return off;
+}
+
 enum status labels_find_one(const struct slider *s, struct vec2 z, double rtol,
                             const struct monitor *monitor,
                             struct fate_told *out)

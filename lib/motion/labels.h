@@ -59,7 +59,11 @@ MUST_CHECK enum status labels_find(const struct labels *l, struct vec2 z,
  * it: an enum fate, else FATE_UNDECIDED. */
 enum fate labels_side(const struct labels *l, struct vec2 z);
 
-/* The same of one state alone; errors as labels_init and labels_find. */
+/* How far the state is from the curve along its row, in ln v, signed as v is
+ * above it; infinite where the row does not meet it. */
+double labels_margin(const struct labels *l, struct vec2 z);
+
+/* labels_find of one state alone; errors as labels_init and labels_find. */
 MUST_CHECK enum status labels_find_one(const struct slider *s, struct vec2 z,
                                        double rtol,
                                        const struct monitor *monitor,

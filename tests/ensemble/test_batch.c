@@ -48,7 +48,7 @@ static void draw(struct draws *d, uint64_t *rng)
         d->out[n] =
             (struct batch_column){ d->number[n], d->error[n], d->reason[n] };
     for (int p = 0; p < PUSHES; p++)
-        d->fates[p] = (struct batch_fates){ d->fate[p], NULL };
+        d->fates[p] = (struct batch_fates){ .fate = d->fate[p] };
 }
 
 static void open_batch(struct batch *b, struct scene *scene, const char *law)
