@@ -72,7 +72,9 @@ def the_file_holds_every_draw(room):
            found['names'])
     expect(found['draws'] == 1500, found['draws'])
     creep = found['fate'].count(0) / 1500
-    expect(abs(creep - said['pushes'][0]['creep']['value']) < 1e-12, creep)
+    told = said['pushes'][0]['creep']  # not the count, but nearer the truth
+    expect(0 < abs(creep - told['value']) < 0.01 and told['error'] < 0.006,
+           creep, told)
     expect(found['arrest'] == [p['arrest']['value'] for p in said['pushes']],
            found['arrest'])
     expect(found['median'][0] == said['numbers']['v_plus']['quantiles']['0.5'],
@@ -345,7 +347,11 @@ def pushes_may_be_all_that_is_asked(room):
     both = room.json(*call('--draws', '300'))
     every = room.json('ensemble', *LAW, '--set', SPREAD, '--draws', '10')
     expect({'v_plus', 'mu_s_num', 'x_excess'} <= set(every['numbers']), every)
-    expect(found['numbers'] == {} and found['pushes'] == both['pushes'], found)
+    expect(found['numbers'] == {}, found)
+    for alone, beside in zip(found['pushes'], both['pushes']):
+        # margins are of the push's own curve, not of the numbers', to rtol
+        expect(all(abs(alone[fate]['value'] - beside[fate]['value']) < 1e-7
+                   for fate in FATES), alone, beside)
     expect(room.names() == ['a.h5', 'a.svg', 'a_matrix.svg'], room.names())
     refused(room.run(*call(*none, '--set', 'ensemble.pushes=[]')), 2,
             'ensemble.numbers: none and no pushes')

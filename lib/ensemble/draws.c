@@ -135,10 +135,33 @@ void draws_fill(const struct draws *d, size_t first, size_t count,
     }
 }
 
+bool draws_is_scrambled(const struct draws *d)
+{
+    return d->method == ENSEMBLE_SOBOL && !d->is_sample;
+}
+
+static bool is_uniform(const struct draws *d, size_t k)
+{
+    return d->spread && d->spread[k].law == SPREAD_UNIFORM;
+}
+
+void draws_scores(const struct draws *d, size_t i, double z[])
+{
+    for (size_t k = 0; k < d->keys; k++) {
+        const double u = unit_at(d, i, k);
+        z[k] = is_uniform(d, k) ? 2.0 * u - 1.0 : normal_quantile(u);
+    }
+}
+
+double draws_below(const struct draws *d, size_t k, double z)
+{
+    return is_uniform(d, k) ? fmin(fmax(0.5 + 0.5 * z, 0.0), 1.0)
+                            : normal_below(z);
+}
+
 size_t draws_repeat(const struct draws *d, size_t i)
 {
-    return d->method == ENSEMBLE_SOBOL && !d->is_sample ? i / d->each
-                                                        : i % ENSEMBLE_REPEATS;
+    return draws_is_scrambled(d) ? i / d->each : i % ENSEMBLE_REPEATS;
 }
 
 const char *draws_id(const struct draws *d, size_t i)

@@ -45,6 +45,16 @@ MUST_CHECK enum status draws_init(struct draws *d, const struct scene *scene,
 void draws_fill(const struct draws *d, size_t first, size_t count,
                 double *const column[]);
 
+/* Whether repeats are scramblings. */
+bool draws_is_scrambled(const struct draws *d);
+
+/* The independent scores z[keys] that draw i is made of, drawn: normal ones,
+ * and of a uniform law one that is even in (-1, 1). */
+void draws_scores(const struct draws *d, size_t i, double z[]);
+
+/* The probability that score k is below z. */
+double draws_below(const struct draws *d, size_t k, double z);
+
 /* Which of ENSEMBLE_REPEATS parts a draw belongs to: scramblings, or else equal
  * parts without an order. */
 size_t draws_repeat(const struct draws *d, size_t i);

@@ -5,6 +5,7 @@
 
 #include "quantile.h"
 #include "shares.h"
+#include "variate.h"
 
 const double ensemble_quantile[ENSEMBLE_QUANTILES] = { 0.025, 0.16, 0.5, 0.84,
                                                        0.975 };
@@ -15,6 +16,7 @@ struct sums {
     int8_t code[SPOOL_DRAWS], reason[SPOOL_DRAWS];
     struct tally value_sum, error_sum, exists;
     struct tally fate[FATES + 1], arrest;
+    struct variate variate;
 };
 
 /* ---- numbers ------------------------------------------------------------- */
@@ -76,6 +78,22 @@ static bool fate_stops(int fate)
            fate == FATE_REST_ASYMPTOTIC;
 }
 
+/* One draw: whether its fate is f, less what is known to even out. */
+static void add_fate(const struct ensemble *e, struct sums *s, size_t i,
+                     int fate)
+{
+    const size_t r = draws_repeat(&e->draws, i);
+    double off[FATES + 1], stops = 0.0;
+
+    variate_at(&s->variate, i, off);
+    for (int f = 0; f <= (int) FATES; f++) {
+        const double one = (f == fate ? 1.0 : 0.0) - off[f];
+        tally_add(&s->fate[f], r, one);
+        stops += fate_stops(f) ? one : 0.0;
+    }
+    tally_add(&s->arrest, r, stops);
+}
+
 static enum status add_fates(struct ensemble *e, struct sums *s, size_t k,
                              size_t block, struct fault *why)
 {
@@ -87,32 +105,46 @@ static enum status add_fates(struct ensemble *e, struct sums *s, size_t k,
         status =
             spool_read(&e->spool, block, SPOOL_FATE_REASON, k, s->reason, why);
     for (size_t i = 0; i < spool_count(&e->spool, block) && !status; i++) {
-        const size_t r = draws_repeat(&e->draws, block * SPOOL_DRAWS + i);
         const int fate = s->code[i] < 0 ? (int) FATES : s->code[i];
-        for (int f = 0; f <= (int) FATES; f++)
-            tally_add(&s->fate[f], r, f == fate ? 1.0 : 0.0);
-        tally_add(&s->arrest, r, fate_stops(fate) ? 1.0 : 0.0);
+        add_fate(e, s, block * SPOOL_DRAWS + i, fate);
         p->count[fate]++;
         p->reason[s->reason[i]]++;
     }
     return status;
 }
 
+/* Estimates that add up to 1, as probabilities: none is below 0, by which
+ * those that are exceeded 1 otherwise. */
+static void tell_fates(struct ensemble_push *p, const struct sums *s,
+                       const struct draws *d)
+{
+    double beyond = 0.0;
+
+    p->arrest = tally_share(&s->arrest, d);
+    p->arrest.value = 0.0;
+    for (int f = 0; f <= (int) FATES; f++) {
+        p->fate[f] = tally_share(&s->fate[f], d);
+        beyond += fmax(-p->fate[f].value, 0.0);
+    }
+    for (int f = 0; f <= (int) FATES; f++) {
+        p->fate[f].value = fmax(p->fate[f].value, 0.0) / (1.0 + beyond);
+        p->arrest.value += fate_stops(f) ? p->fate[f].value : 0.0;
+    }
+}
+
 static enum status sum_push(struct ensemble *e, struct sums *s, size_t k,
                             struct fault *why)
 {
     struct ensemble_push *p = &e->push[k];
-    enum status status = STATUS_OK;
 
     *p = (struct ensemble_push){ .at = e->batch.push[k] };
     s->arrest = (struct tally){ 0 };
     for (int f = 0; f <= (int) FATES; f++)
         s->fate[f] = (struct tally){ 0 };
+    enum status status = variate_fit(&s->variate, &e->spool, &e->draws, k, why);
     for (size_t b = 0; b < spool_blocks(&e->spool) && !status; b++)
         status = add_fates(e, s, k, b, why);
-    for (int f = 0; f <= (int) FATES; f++)
-        p->fate[f] = tally_share(&s->fate[f], &e->draws);
-    p->arrest = tally_share(&s->arrest, &e->draws);
+    tell_fates(p, s, &e->draws);
     return status;
 }
 

@@ -32,3 +32,15 @@
 #define SHARE_BINS  64
 #define SHARE_CUBE  8
 #define SHARE_LEAST 4
+
+/* Terms of the polynomial of threshold.h: of four scores all to the fifth
+ * degree, for 2 terms^2 samples operations.  THRESHOLD_ROWS samples for each: a
+ * fit of exact values by p coefficients is within a factor of the best one
+ * where there are more than some p log p (Cohen, Davenport & Leviatan, Found.
+ * Comput. Math. 13 (2013) 819-834).  What it errs by biases nothing. */
+#define THRESHOLD_TERMS 128
+#define THRESHOLD_ROWS  4
+#define THRESHOLD_ROOM  (16 * THRESHOLD_TERMS)
+
+/* P(|Z| > NORMAL_FAR) < 2^-52: as far as 1 can tell. */
+#define NORMAL_FAR 8.3

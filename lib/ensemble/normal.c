@@ -6,6 +6,8 @@
 
 #include <math.h>
 
+#include "ensemble_tolerance.h"
+
 enum { TERMS = 8 };
 struct rational {
     double above[TERMS], below[TERMS];
@@ -63,4 +65,19 @@ double normal_quantile(double p)
     const double z = r <= 5.0 ? rational_at(&tail, r - 1.6)
                               : rational_at(&far_tail, r - 5.0);
     return q < 0.0 ? -z : z;
+}
+
+/* 1/2 + phi(z) (z + z^3/3 + z^5/(3 5) + ...): Marsaglia, J. Stat. Softw. 11
+ * (2004) no. 4. */
+double normal_below(double z)
+{
+    double sum = 0.0, term = z;
+
+    if (fabs(z) > NORMAL_FAR)
+        return z > 0.0 ? 1.0 : 0.0;
+    for (double k = 3.0; sum + term != sum; k += 2.0) {
+        sum += term;
+        term *= z * z / k;
+    }
+    return 0.5 + sum * exp(-0.5 * z * z) * 0.3989422804014326779;
 }

@@ -51,7 +51,6 @@ struct estimate tally_repeats(const double value[ENSEMBLE_REPEATS])
 struct estimate tally_mean(const struct tally *t, const struct draws *d)
 {
     const struct tally_part all = all_of(t);
-    const bool scrambled = !d->is_sample && d->method == ENSEMBLE_SOBOL;
     double mean[ENSEMBLE_REPEATS];
 
     if (all.count == 0.0)
@@ -61,7 +60,7 @@ struct estimate tally_mean(const struct tally *t, const struct draws *d)
     for (int r = 0; r < ENSEMBLE_REPEATS; r++)
         mean[r] = t->part[r].count > 0.0 ? t->part[r].mean : (double) NAN;
     return (struct estimate){
-        all.mean, scrambled
+        all.mean, draws_is_scrambled(d)
                       ? tally_repeats(mean).error
                       : ENSEMBLE_NORMAL * sqrt(tally_variance(t) / all.count)
     };
