@@ -233,7 +233,40 @@ static struct graph_miss own_dep(struct grower *g, const struct noise *noise,
     return own;
 }
 
-/* An integral's is that at the true end, which `dep_off` leads to. */
+/* How far the slope of integral i's series is off at s. */
+static double integral_off(const struct grower *g, size_t i, double s)
+{
+    const struct planar *sys = g->sys;
+    const double dep = jet_at(g->order, g->u.at[1 - g->ind], s);
+    const struct vec2 z =
+        local_point(g->ind, g->u.at[g->ind][0] + s * g->unit, dep);
+    struct planar_field f;
+    double rate;
+
+    sys->field(sys->ctx, z, &f);
+    sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z, &rate, NULL);
+    const double ind = g->ind == 0 ? f.direction.x : f.direction.y;
+    return fabs(g->unit * exp(-f.log_scale) * rate / ind -
+                jet_slope_at(g->order, g->u.integral[i], s));
+}
+
+/* The same over the whole step: between two looks no more than at the larger of
+ * all so far and the next, for what a series leaves out grows outwards. */
+static double integral_bar(const struct grower *g, size_t i)
+{
+    static const double part[] = { 0.5, 0.75, 0.9, 1.0 };
+    double bar = 0.0, most = 0.0, before = 0.0;
+
+    for (size_t k = 0; k < sizeof part / sizeof *part; k++) {
+        most = fmax(most, integral_off(g, i, part[k] * g->toward * g->h));
+        bar += (part[k] - before) * g->h * most;
+        before = part[k];
+    }
+    return bar;
+}
+
+/* An integral's is that at the true end, which `dep_off` leads to; where its
+ * terms do not fall, no more than its slope is off on the way. */
 static void add_integral(struct grower *g, size_t i, const struct noise *noise,
                          const struct outward *before, double dep_off)
 {
@@ -247,8 +280,10 @@ static void add_integral(struct grower *g, size_t i, const struct noise *noise,
 
     rate.change_noise +=
         fabs(g->unit / s * (by_dep - before->swift_d[i]) * dep_off);
-    const struct graph_miss own =
+    struct graph_miss own =
         graph_missing(u, g->order, s, &rate, g->kink == 0.0);
+    if (own.value == 0.0 && g->kink == 0.0 && g->b->from_saddle[i])
+        own.bar = fmin(own.bar, integral_bar(g, i));
 
     add(&g->total_miss[i], own, rounded);
     g->piece.total_bar[i] += own.bar;
