@@ -231,6 +231,15 @@ static const struct {
       { 13.784279198475229, 9.5922511139472935 },
       EXACT_NONE,
       "lateness at a saddle, of which slip at v 1e9 times larger is made" },
+    { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_INVERSE, TIMESCALE_AGEING44,
+        KINETICS_SINH, 0.54092086840513254, 0.19092236016881889,
+        0.2574899304622173, 1.0151288951008539, 40.453808770534472,
+        1.5452435070216674e-05, 6.0982149593797847e-07, 1.0972909601082026,
+        1e-5 },
+      1.95166264175608131747L,
+      { -21.192628258272443, 19.2262706879789 },
+      EXACT_NONE,
+      "a loose run, known to 1e7 times its time, for a witness" },
 };
 
 #endif

@@ -109,12 +109,15 @@ static double fill(const struct run *coarse, const struct run *fine,
     return worst;
 }
 
-/* Whether it was followed to its end: what arrests takes some time. */
+/* Whether it was followed to its end: what arrests takes some time, and one
+ * whose time is known to no more than itself says nothing of another's. */
 static bool is_whole(const struct run *r)
 {
+    const struct quantity *time = &r->of[CELL_TIME];
+
     return r->fate != FATE_UNDECIDED &&
            (r->fate == FATE_RUNAWAY || r->fate == FATE_REST_ASYMPTOTIC ||
-            quantity_exists(&r->of[CELL_TIME]));
+            (quantity_exists(time) && time->error <= time->value));
 }
 
 /* `label`: the fate as another method tells it, or FATE_UNDECIDED. */
