@@ -2,93 +2,29 @@
 
 #include <math.h>
 
+#include "graph_lanes.h"
 #include "tolerance.h"
 
-/* The series of both. */
-struct expansion {
-    const struct planar *sys;
-    const struct carry *carry;
-    const struct graph_start *start;
-    jet_pair unit;
-    jet_mask over_y; /* the lanes whose independent coordinate is y */
-    struct jet_work work;
-    jet_pair at[2][JET_SIZE], f[2][JET_SIZE];
-    jet_pair ind[JET_SIZE], dep[JET_SIZE]; /* f by the part each plays */
-    jet_pair slope[JET_SIZE];
-    jet_pair rate[LOCAL_CARRY_MAX][JET_SIZE];
-    jet_pair swift[LOCAL_CARRY_MAX][JET_SIZE]; /* d integral/d ind */
-    jet_pair integral[LOCAL_CARRY_MAX][JET_SIZE];
-};
-
-static void set_start(struct expansion *e)
+size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
+                    size_t order, size_t most, const struct graph_start start[],
+                    struct graph_series *const out[])
 {
-    for (int i = 0; i < JET_LANES; i++) {
-        const struct graph_start *start = &e->start[i];
-        e->at[0][0][i] = start->z.x;
-        e->at[1][0][i] = start->z.y;
-        e->unit[i] = start->unit;
-        e->over_y[i] = start->ind == 1 ? -1 : 0;
-    }
-    e->work.linear =
-        e->start[0].ind == e->start[1].ind ? e->at[e->start[0].ind] : NULL;
-    for (size_t i = 0; i < e->carry->count; i++)
-        e->integral[i][0] = JET_PAIR(0.0);
-}
+    const struct planar_many *many = most > 2 ? sys[0]->many : NULL;
+    size_t n = 1;
 
-/* Coefficient k + 1 of the unknowns from coefficient k of the field. */
-static void unknown_order(struct expansion *e, size_t k)
-{
-    const jet_pair ahead = k == 0 ? e->unit : JET_PAIR(0.0);
-
-    e->ind[k] = jet_choose(e->over_y, e->f[1][k], e->f[0][k]);
-    e->dep[k] = jet_choose(e->over_y, e->f[0][k], e->f[1][k]);
-    e->slope[k] = jet_quotient(k, e->dep, e->ind, e->slope);
-    const jet_pair next = e->slope[k] * (e->unit * jet_inverse[k + 1]);
-    e->at[0][k + 1] = jet_choose(e->over_y, next, ahead);
-    e->at[1][k + 1] = jet_choose(e->over_y, ahead, next);
-}
-
-static void carry_order(struct expansion *e, size_t i, size_t k)
-{
-    const jet_pair scale = e->work.log_scale;
-
-    if (e->carry->which[i] != CARRY_TIME)
-        e->sys->rate_jet(e->sys->ctx, (size_t) e->carry->which[i], &e->work, k,
-                         e->at[0], e->at[1], e->rate[i]);
-    else if (k == 0)
-        e->rate[i][0] = (jet_pair){ exp(-scale[0]), exp(-scale[1]) };
+    while (n < most && n < (many ? (size_t) JET_MANY : 2) &&
+           (many ? sys[n]->many == many && many->alike(sys[0]->ctx, sys[n]->ctx)
+                 : sys[n] == sys[0]))
+        n++;
+#ifdef HAVE_WIDE_LANES
+    if (many && many->width == 8)
+        graph_expand_8(sys, carry, order, n, start, out);
+    else if (many)
+        graph_expand_4(sys, carry, order, n, start, out);
     else
-        e->rate[i][k] = JET_PAIR(0.0);
-    e->swift[i][k] = jet_quotient(k, e->rate[i], e->ind, e->swift[i]);
-    e->integral[i][k + 1] = e->swift[i][k] * e->unit * jet_inverse[k + 1];
-}
-
-void graph_expand(const struct planar *sys, const struct carry *carry,
-                  size_t order, const struct graph_start start[2],
-                  struct graph_series out[2])
-{
-    struct expansion e;
-
-    e.sys = sys;
-    e.carry = carry;
-    e.start = start;
-    set_start(&e);
-    for (size_t k = 0; k < order; k++) {
-        sys->jet(sys->ctx, &e.work, k, e.at[0], e.at[1], e.f[0], e.f[1]);
-        unknown_order(&e, k);
-        for (size_t i = 0; i < carry->count; i++)
-            carry_order(&e, i, k);
-    }
-    for (int i = 0; i < JET_LANES; i++) {
-        jet_take(order, e.at[0], (size_t) i, out[i].at[0]);
-        jet_take(order, e.at[1], (size_t) i, out[i].at[1]);
-        for (size_t j = 0; j < carry->count; j++) {
-            jet_take(order, e.integral[j], (size_t) i, out[i].integral[j]);
-            local_integral_floor(order, e.ind[0][i] / e.unit[i],
-                                 out[i].integral[j]);
-        }
-        out[i].slope = e.slope[0][i];
-    }
+#endif
+        graph_expand_2(sys, carry, order, n, start, out);
+    return n;
 }
 
 double graph_reach(const double u[], size_t order, double scale, double tol)

@@ -1,5 +1,5 @@
 /*
- * graph.h -- Taylor series of two orbits, each as a graph over one coordinate,
+ * graph.h -- Taylor series of orbits, each as a graph over one coordinate,
  * expanded side by side (core/jet.h).
  */
 #pragma once
@@ -20,10 +20,12 @@ struct graph_series {
 };
 
 /* S = f_dep/f_ind and the integrals' rates over f_ind, order by order with the
- * graph itself (Jorba & Zou, Exp. Math. 14 (2005) 99-117). */
-void graph_expand(const struct planar *sys, const struct carry *carry,
-                  size_t order, const struct graph_start start[2],
-                  struct graph_series out[2]);
+ * graph itself (Jorba & Zou, Exp. Math. 14 (2005) 99-117).  Returns how many of
+ * the first ones of `most` > 0, each of its own plane, were expanded: 1 or 2 of
+ * one plane, or more where planes have jets for many. */
+size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
+                    size_t order, size_t most, const struct graph_start start[],
+                    struct graph_series *const out[]);
 
 /* The s at which the last two terms of u fall to tol * scale; infinite where
  * they are zero. */

@@ -8,8 +8,8 @@
  * that defect is the step's error; it is carried on by the linearised
  * equation, to the curve's end and into the integrals, so that the bar is
  * about the result; what remains of a branch that approaches an asymptote is
- * closed by quadrature (close.c) instead of being crawled along.  Both branches
- * step together, each with steps of its own length.
+ * closed by quadrature (close.c) instead of being crawled along.  Branches step
+ * together, also those of several systems, each with steps of its own length.
  */
 #include "grow.h"
 
@@ -33,6 +33,8 @@ struct grow_options grow_defaults(double rtol)
                                   .order = grow_order(rtol),
                                   .max_steps = TOL_BRANCH_STEPS };
 }
+
+enum { GROWERS = 2 * GROW_JOBS };
 
 /* As long as a long step, which powers of 2 keep. */
 static double unit_of(double step)
@@ -60,24 +62,37 @@ static void choose_graph(struct grower *g)
     grow_error_look(g, g->z);
 }
 
-/* The next step's series of each; one that is done stands in the other's
- * place. */
-static void expand(struct grower g[2])
+/* Whether both go by series of one order that carry the same. */
+static bool is_alike(const struct grow_options *a, const struct grow_options *b)
 {
-    const struct grower *const two[2] = { &g[g[0].done], &g[!g[1].done] };
-    const struct grow_options *o = g[0].o;
-    struct graph_start start[2];
-    struct graph_series u[2];
+    bool alike = a->order == b->order && a->carry.count == b->carry.count;
 
-    for (int i = 0; i < 2; i++)
-        start[i] = (struct graph_start){ two[i]->z, two[i]->ind, two[i]->unit };
-    graph_expand(g[0].sys, &o->carry, o->order, start, u);
-    for (int i = 0; i < 2; i++)
-        if (!g[i].done) {
-            g[i].u = u[i];
-            g[i].order = o->order;
-            g[i].b->evaluations++;
-        }
+    for (size_t i = 0; i < a->carry.count && alike; i++)
+        alike = a->carry.which[i] == b->carry.which[i];
+    return alike;
+}
+
+/* The next step's series of the first of n; of how many. */
+static size_t expand_some(struct grower *const g[], size_t n)
+{
+    const struct grow_options *o = g[0]->o;
+    const struct planar *sys[GROWERS];
+    struct graph_start start[GROWERS];
+    struct graph_series *u[GROWERS];
+    size_t most = 0;
+
+    for (; most < n && is_alike(o, g[most]->o); most++) {
+        sys[most] = g[most]->sys;
+        start[most] =
+            (struct graph_start){ g[most]->z, g[most]->ind, g[most]->unit };
+        u[most] = &g[most]->u;
+    }
+    most = graph_expand(sys, &o->carry, o->order, most, start, u);
+    for (size_t i = 0; i < most; i++) {
+        g[i]->order = o->order;
+        g[i]->b->evaluations++;
+    }
+    return most;
 }
 
 /* What an error of the unknown is measured against: y against the distance
@@ -333,62 +348,98 @@ static void finish(struct grower *g)
     }
 }
 
-static enum status grow(struct grower g[2], const struct local_series *start)
+/* The next step of all that are not done; returns how many these are. */
+static size_t step_all(struct grower g[], size_t n)
 {
-    enum status s = STATUS_OK;
+    struct grower *busy[GROWERS];
+    size_t count = 0;
 
-    for (int i = 0; i < 2; i++)
-        if (!g[i].done && s == STATUS_OK)
-            s = start_branch(&g[i], start, i == 0 ? 1 : -1);
-    while (s == STATUS_OK && !(g[0].done && g[1].done)) {
-        for (int i = 0; i < 2; i++)
-            if (!g[i].done)
-                choose_graph(&g[i]);
-        expand(g);
-        for (int i = 0; i < 2; i++)
-            if (!g[i].done && s == STATUS_OK)
-                s = step(&g[i]);
-    }
-    return s;
+    for (size_t i = 0; i < n; i++)
+        if (!g[i].done) {
+            choose_graph(&g[i]);
+            busy[count++] = &g[i];
+        }
+    for (size_t i = 0; i < count;)
+        i += expand_some(&busy[i], count - i);
+    for (size_t i = 0; i < count; i++)
+        busy[i]->failed = step(busy[i]);
+    return count;
 }
 
-static struct grower grower_of(const struct planar *sys,
-                               const struct grow_options *o, struct branch *out)
+static struct grower grower_of(const struct grow_job *job, int i)
 {
-    *out = (struct branch){ .curve = CURVE_EMPTY(2 + o->carry.count) };
-    return (struct grower){
-        .sys = sys, .o = o, .b = out, .tol = TOL_TAYLOR_STEP * o->rtol
-    };
+    const struct grow_options *o = job->options;
+
+    job->out[i] = (struct branch){ .curve = CURVE_EMPTY(2 + o->carry.count) };
+    return (struct grower){ .sys = job->sys,
+                            .o = o,
+                            .b = &job->out[i],
+                            .tol = TOL_TAYLOR_STEP * o->rtol };
+}
+
+/* A job's branches stop together. */
+static void stop_failed(struct grower g[2])
+{
+    for (int i = 0; i < 2; i++)
+        if (g[i].failed) {
+            g[0].done = g[1].done = true;
+            g[1 - i].failed = g[0].failed ? g[0].failed : g[1].failed;
+        }
+}
+
+static void start(struct grower g[2], const struct grow_job *job)
+{
+    for (int i = 0; i < 2; i++) {
+        g[i] = grower_of(job, i);
+        g[i].done = job->side * (i == 0 ? 1 : -1) < 0;
+    }
+    for (int i = 0; i < 2; i++)
+        if (!g[i].done)
+            g[i].failed = start_branch(&g[i], job->start, i == 0 ? 1 : -1);
+    stop_failed(g);
+}
+
+static enum status end(struct grower g[2], const struct grow_job *job)
+{
+    for (int i = 0; i < 2; i++)
+        if (g[i].failed || job->side * (i == 0 ? 1 : -1) < 0)
+            branch_free(g[i].b);
+        else
+            finish(&g[i]);
+    return g[0].failed;
+}
+
+void grow_jobs(struct grow_job job[], size_t n)
+{
+    struct grower g[GROWERS];
+
+    for (size_t i = 0; i < n; i++)
+        start(&g[2 * i], &job[i]);
+    while (step_all(g, 2 * n) > 0)
+        for (size_t i = 0; i < n; i++)
+            stop_failed(&g[2 * i]);
+    for (size_t i = 0; i < n; i++)
+        job[i].status = end(&g[2 * i], &job[i]);
 }
 
 enum status grow_branches(const struct planar *sys,
                           const struct local_series *start,
                           const struct grow_options *o, struct branch out[2])
 {
-    struct grower g[2] = { grower_of(sys, o, &out[0]),
-                           grower_of(sys, o, &out[1]) };
-    const enum status s = grow(g, start);
+    struct grow_job job = { sys, start, o, 0, out, STATUS_OK };
 
-    for (int i = 0; i < 2; i++) {
-        if (s == STATUS_OK)
-            finish(&g[i]);
-        else
-            branch_free(&out[i]);
-    }
-    return s;
+    grow_jobs(&job, 1);
+    return job.status;
 }
 
 enum status grow_branch(const struct planar *sys,
                         const struct local_series *start, int side,
                         const struct grow_options *o, struct branch *out)
 {
-    struct grower g[2] = { grower_of(sys, o, out), grower_of(sys, o, out) };
+    struct branch both[2];
+    struct grow_job job = { sys, start, o, side, both, STATUS_OK };
 
-    g[side > 0 ? 1 : 0].done = true;
-    const enum status s = grow(g, start);
-    if (s == STATUS_OK)
-        finish(&g[side > 0 ? 0 : 1]);
-    else
-        branch_free(out);
-    return s;
+    grow_jobs(&job, 1);
+    *out = both[side > 0 ? 0 : 1];
+    return job.status;
 }

@@ -45,6 +45,20 @@ MUST_CHECK enum status grow_branches(const struct planar *sys,
                                      const struct grow_options *o,
                                      struct branch out[2]);
 
+/* The same of several systems at once; each has the bits that it has alone. */
+enum { GROW_JOBS = 8 };
+struct grow_job {
+    const struct planar *sys;
+    const struct local_series *start;
+    const struct grow_options *options;
+    int side;           /* 0: both, +1 or -1: one; the other is empty */
+    struct branch *out; /* [2] */
+    enum status status; /* when it is done */
+};
+
+/* n <= GROW_JOBS. */
+void grow_jobs(struct grow_job job[], size_t n);
+
 /* One of them, +1 or -1, at the price of both; on error *out is empty. */
 MUST_CHECK enum status grow_branch(const struct planar *sys,
                                    const struct local_series *start, int side,

@@ -26,6 +26,7 @@ struct grower {
     const struct grow_options *o;
     struct branch *b;
     bool done;
+    enum status failed;
     double tol;    /* of a step, part of what it changes */
     int ind;       /* independent coordinate */
     int toward;    /* sign of its steps */

@@ -17,10 +17,17 @@ const double jet_inverse[JET_SIZE] = {
 };
 /* clang-format on */
 
-void jet_take(size_t order, const jet_pair u[], size_t lane, double out[])
+int jet_width(void)
 {
-    for (size_t k = 0; k <= order; k++)
-        out[k] = u[k][lane];
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx512f") &&
+        __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl"))
+        return 8;
+    if (__builtin_cpu_supports("avx2"))
+        return 4;
+#endif
+    return 2;
 }
 
 double jet_at(size_t order, const double u[], double s)

@@ -3,28 +3,41 @@
  * side by side: a processor does both at the price of one.
  *
  * A series is an array of JET_SIZE pairs, u(s) = sum u[k] s^k, lane by lane;
- * lanes never touch each other.  Each operation below computes coefficient k of
- * its result from coefficients 0..k of its arguments and 0..k-1 of itself and
- * of its helper series: calling it for k = 0, 1, 2, ... builds the whole series
- * at the cost of one convolution an operation (Moore 1966; Jorba & Zou, Exp.
- * Math. 14 (2005) 99-117, sec. 3).  Order 0 is evaluated by the same careful
- * scalar code as everywhere else.
+ * lanes never touch each other.  What is compiled for JET_MANY lanes has
+ * "pairs" of so many (planar.h), with the same bits in each.  Each operation
+ * below computes coefficient k of its result from coefficients 0..k of its
+ * arguments and 0..k-1 of itself and of its helper series: calling it for k =
+ * 0, 1, 2, ... builds the whole series at the cost of one convolution an
+ * operation (Moore 1966; Jorba & Zou, Exp. Math. 14 (2005) 99-117, sec. 3).
+ * Order 0 is evaluated by the same careful scalar code as everywhere else.
  */
 #pragma once
 
 #include <stddef.h>
 
+#ifndef JET_LANES
+#define JET_LANES 2
+#endif
+
 enum {
     JET_SIZE = 32,   /* coefficients 0..31 */
-    JET_SLOTS = 256, /* intermediate series of one field and its observables */
-    JET_LANES = 2
+    JET_SLOTS = 304, /* intermediate series of one field and its observables */
+    JET_MANY = 8
 };
 
 /* Coefficient k of both curves; [0] and [1] are doubles. */
-typedef double jet_pair __attribute__((vector_size(16)));
+typedef double jet_pair __attribute__((vector_size(8 * JET_LANES)));
 
 /* The same number in both lanes; a pair stays what it is. */
 #define JET_PAIR(p) ((jet_pair){ 0 } + (p))
+
+/* f(0), f(1), ... in their lanes. */
+#if JET_LANES == 2
+#define JET_EACH(f) ((jet_pair){ f(0), f(1) })
+#else
+#define JET_EACH(f)                                                            \
+    ((jet_pair){ f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7) })
+#endif
 
 /* Lanes of all bits or of none. */
 typedef __typeof__((jet_pair){ 0 } == (jet_pair){ 0 }) jet_mask;
@@ -41,10 +54,14 @@ static inline jet_pair jet_choose(jet_mask mask, jet_pair u, jet_pair v)
 struct jet_work {
     const jet_pair *linear; /* series known to end after s^1 in both lanes;
                                NULL if none */
+    int lanes;              /* of JET_MANY: those beyond are as the first */
     jet_pair log_scale;     /* set by the field at k = 0 */
     size_t used;            /* slots; for systems that hand them out */
     _Alignas(64) jet_pair slot[JET_SLOTS][JET_SIZE]; /* as a cache's lines */
 };
+
+/* How many doubles a register of this processor holds: 2, 4 or 8. */
+int jet_width(void);
 
 /* 0, 1, 2, ... and 0, 1, 1/2, 1/3, ... */
 extern const double jet_number[JET_SIZE], jet_inverse[JET_SIZE];
@@ -94,9 +111,16 @@ static inline jet_pair jet_quotient(size_t k, const jet_pair num[],
     return (num[k] - quotient[0] * den[k] - known) / den[0];
 }
 
-/* Of one curve: its series, taken out of a lane; sum_{k=0}^{order} u[k] s^k,
- * and its derivatives, the first and the second. */
-void jet_take(size_t order, const jet_pair u[], size_t lane, double out[]);
+/* The series of one curve, taken out of a lane. */
+static inline void jet_take(size_t order, const jet_pair u[], size_t lane,
+                            double out[])
+{
+    for (size_t k = 0; k <= order; k++)
+        out[k] = u[k][lane];
+}
+
+/* Of one curve: sum_{k=0}^{order} u[k] s^k, and its derivatives, the first and
+ * the second. */
 double jet_at(size_t order, const double u[], double s);
 double jet_slope_at(size_t order, const double u[], double s);
 double jet_bend_at(size_t order, const double u[], double s);

@@ -60,6 +60,19 @@ struct planar_steady {
 
 enum { PLANAR_OBSERVABLES_MAX = 6 };
 
+/* The jets of JET_MANY planes along a curve each, ctx[lane] their contexts: for
+ * files whose pairs have so many lanes. */
+struct planar_many {
+    int width; /* of the registers they are made for */
+    bool (*alike)(const void *ctx, const void *other); /* may they be so */
+    void (*jet)(const void *const ctx[], struct jet_work *w, size_t k,
+                const jet_pair x[], const jet_pair y[], jet_pair fx[],
+                jet_pair fy[]);
+    void (*rate_jet)(const void *const ctx[], size_t which, struct jet_work *w,
+                     size_t k, const jet_pair x[], const jet_pair y[],
+                     jet_pair rate[]);
+};
+
 struct planar {
     const char *name;
     struct planar_axis axis[2];
@@ -92,6 +105,7 @@ struct planar {
     void (*rate_jet)(const void *ctx, size_t which, struct jet_work *w,
                      size_t k, const jet_pair x[], const jet_pair y[],
                      jet_pair rate[]);
+    const struct planar_many *many; /* of jet and rate_jet; NULL: none */
 
     const struct planar_steady *steady; /* borrowed; NULL if none is known */
     const void *ctx;                    /* borrowed: outlives the system */

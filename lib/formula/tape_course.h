@@ -8,10 +8,11 @@
 
 /* Of order k. */
 struct course {
-    const struct tape_plane *p;
-    const struct real_tape *t;
-    jet_pair *reg, *keep; /* registers, what is kept of order 0 */
-    jet_pair *A, *B, *S;  /* rows k, sums */
+    const struct tape_plane *p; /* the first lane's */
+    const void *const *ctx;     /* each lane's */
+    jet_pair *reg, *keep;       /* registers, what is kept of order 0 */
+    jet_pair *constant;         /* coefficients of entries, two each */
+    jet_pair *A, *B, *S;        /* rows k, sums */
     double k, inverse;
     bool first; /* rows A end after the first */
 };

@@ -1,25 +1,29 @@
-/* A tape along two curves.  Every step that is not linear needs sums
- *     S_k = sum_{0 < j < k} A_j B_{k-j}
- * of rows that are known before order k: the sums of all steps are made at
- * once, as one rectangle of rows by slots, and what a step has left to do at an
- * order is a few operations (tape_orders.c).  The workspace is one array: rows
- * A and B of all parts (the chart's rates, and what an observable adds), their
- * sums, registers at this order, and what each step keeps of order 0.
+/* A tape along two curves, or many tapes along one each.  Every step that is
+ * not linear needs sums S_k = sum_{0 < j < k} A_j B_{k-j} of rows that are
+ * known before order k: the sums of all steps are made at once, as one
+ * rectangle of rows by slots, and what a step has left to do at an order is a
+ * few operations (tape_orders.c).  The workspace is one array: rows A and B of
+ * all parts (the chart's rates, and what an observable adds), their sums,
+ * registers at this order, and what each step keeps of order 0.
  *
  * Of a function w = f(u), k w_k is the convolution of j u_j with f'(u): one
  * slot; f' is made of w (Moore 1966, as in core/jet.h). */
+#include <string.h>
+
 #include "tape_course.h"
 #include "tape_sums.h"
 
-static void course_at(struct course *c, const struct tape_plane *p,
+static void course_at(struct course *c, const void *const ctx[],
                       struct jet_work *w, size_t k, int part)
 {
+    const struct tape_plane *p = ctx[0];
     const struct tape_part *of = &p->part[part];
     jet_pair *all = &w->slot[0][0], *rows = all + of->rows;
     const size_t width = (size_t) of->width;
 
     *c = (struct course){ .p = p,
-                          .t = &p->t,
+                          .ctx = ctx,
+                          .constant = all + p->constants,
                           .reg = all + p->registers,
                           .keep = all + p->keep,
                           .A = rows + k * width,
@@ -31,11 +35,12 @@ static void course_at(struct course *c, const struct tape_plane *p,
         c->A[width - 1] = c->B[width - 1] = JET_PAIR(0.0);
 }
 
-enum { NEXT = sizeof(jet_pair) };
+/* Places are in bytes of two lanes. */
+enum { NEXT = 2 * sizeof(double) };
 
 static inline jet_pair *at(jet_pair *base, unsigned bytes)
 {
-    return (jet_pair *) (void *) ((char *) base + bytes);
+    return (jet_pair *) (void *) ((char *) base + bytes * (JET_LANES / 2));
 }
 
 /* Coefficient of w where w' = u' v, d = k u_k, v0 of order 0; v is told. */
@@ -192,19 +197,21 @@ static inline __attribute__((always_inline)) jet_pair entry(
 #define U    (*at(c->reg, o->a))
 #define W    (*at(c->reg, o->b))
 #define KEPT at(c->keep, o->keep)
+    const jet_pair *C = c->constant + 2 * (o - c->p->op);
+
     switch ((enum jet_code) o->code) {
         case JET_NOTHING:
             return JET_PAIR(0.0);
         case JET_TIMES:
-            return o->c[0] * U;
+            return C[0] * U;
         case JET_SUM:
             return U + W;
         case JET_LESS:
             return U - W;
         case JET_ADD:
-            return U + o->c[0] * W;
+            return U + C[0] * W;
         case JET_TWO:
-            return o->c[0] * U + o->c[1] * W;
+            return C[0] * U + C[1] * W;
         case JET_FIXED:
             return U * *KEPT;
         case JET_CHOOSE:
@@ -235,9 +242,9 @@ static inline __attribute__((always_inline)) jet_pair entry(
             return quotient(c, o->slot, U, W, KEPT);
         case JET_RATE:
             return product(c, o->slot + NEXT, W,
-                           growth(c, o->c[0] * U, o->slot, KEPT[1]), KEPT);
+                           growth(c, C[0] * U, o->slot, KEPT[1]), KEPT);
         case JET_RATE_ALONE:
-            return KEPT[0] * growth(c, o->c[0] * U, o->slot, KEPT[1]);
+            return KEPT[0] * growth(c, C[0] * U, o->slot, KEPT[1]);
         case JET_ASIN:
         case JET_ATAN:
         case JET_ASINH:
@@ -259,70 +266,47 @@ static inline void sums_of_first(const struct course *c, size_t k, size_t width)
         c->S[i] = k > 1 ? a[i] * b[i] : JET_PAIR(0.0);
 }
 
-/* Entries from .. to of order k > 0 after their sums. */
-static inline __attribute__((always_inline)) void order(const struct course *c,
-                                                        size_t k, size_t width,
-                                                        bool wide, int from,
-                                                        int to)
-{
-    const struct course here = *c;
-    const jet_pair *a = c->A - k * width, *b = c->B - k * width;
+/* A part's entries of order k > 0 after their sums, of registers `each`. */
+#define ORDER(name, sums, target)                                              \
+    target static void name(const struct course *c, size_t k,                  \
+                            const struct tape_part *part)                      \
+    {                                                                          \
+        const size_t width = (size_t) part->width;                             \
+        const struct course here = *c;                                         \
+        const jet_pair *a = c->A - k * width, *b = c->B - k * width;           \
+                                                                               \
+        if (c->first)                                                          \
+            sums_of_first(c, k, width);                                        \
+        else                                                                   \
+            sums(k, width, a, b, c->S);                                        \
+        for (const struct jet_op *o = &c->p->op[part->op];                     \
+             o < &c->p->op[part->ops]; o++)                                    \
+            *at(here.reg, o->out) = entry(&here, o);                           \
+    }
 
-    if (c->first)
-        sums_of_first(c, k, width);
-    else if (wide)
-        sums_by_fours(k, width, a, b, c->S);
-    else
-        sums_by_pairs(k, width, a, b, c->S);
-    for (const struct jet_op *o = &c->p->op[from]; o < &c->p->op[to]; o++)
-        *at(here.reg, o->out) = entry(&here, o);
-}
+ORDER(order_plain, sums_by_pairs, )
 
-#ifdef __x86_64__
-__attribute__((target("avx2"))) static void order_wide(const struct course *c,
-                                                       size_t k, size_t width,
-                                                       int from, int to)
-{
-    order(c, k, width, true, from, to);
-}
-
-bool tape_jet_wide(void)
-{
-    return __builtin_cpu_supports("avx2");
-}
+#if defined __x86_64__ && JET_LANES == 2
+ORDER(order_wide, sums_by_fours, __attribute__((target("avx2"))))
 #else
 #define order_wide order_plain
-
-bool tape_jet_wide(void)
-{
-    return false;
-}
 #endif
-
-static void order_plain(const struct course *c, size_t k, size_t width,
-                        int from, int to)
-{
-    order(c, k, width, false, from, to);
-}
 
 static void run(const struct course *c, size_t k, int part)
 {
-    const struct tape_part *of = &c->p->part[part];
-    const size_t width = (size_t) of->width;
-
     if (c->p->wide)
-        order_wide(c, k, width, of->op, of->ops);
+        order_wide(c, k, &c->p->part[part]);
     else
-        order_plain(c, k, width, of->op, of->ops);
+        order_plain(c, k, &c->p->part[part]);
 }
 
 /* ---- order 0 ------------------------------------------------------------- */
 
 /* Steps of a part and then its rates; the chart's own fix the scale. */
-static void start_lane(const struct course *c, struct jet_work *w, int part,
-                       int l, struct tape_kept *v, double rate[])
+static void start_lane(const struct course *c, int part, int l,
+                       struct tape_kept *v, double *scale, double rate[])
 {
-    const struct tape_plane *p = c->p;
+    const struct tape_plane *p = c->ctx[l];
     const int from = part ? p->t.rate_steps : 0;
     double e[2];
 
@@ -333,17 +317,28 @@ static void start_lane(const struct course *c, struct jet_work *w, int part,
     for (int i = 0; i < (part ? 1 : 2); i++)
         e[i] = real_tape_exponent(&p->t, part ? part + 1 : i, v->reg);
     if (part == 0)
-        w->log_scale[l] = e[0] > e[1] ? e[0] : e[1];
+        *scale = e[0] > e[1] ? e[0] : e[1];
     for (int i = 0; i < (part ? 1 : 2); i++)
-        rate[i] =
-            tape_start_rate(v, part ? part + 1 : i, e[i] - w->log_scale[l]);
+        rate[i] = tape_start_rate(v, part ? part + 1 : i, e[i] - *scale);
 }
 
-static void keep_pairs(const struct course *c, const struct tape_kept v[],
-                       int from, int to)
+static void keep_pairs(const struct course *c,
+                       const struct tape_kept *const v[], int from, int to)
 {
+#define KEEP(l) v[l]->keep[i]
     for (int i = from; i < to; i++)
-        c->keep[i] = (jet_pair){ v[0].keep[i], v[1].keep[i] };
+        c->keep[i] = JET_EACH(KEEP);
+#undef KEEP
+}
+
+/* The coefficients of a part's entries. */
+static void start_entries(const struct course *c, const struct tape_part *part)
+{
+#define COEFFICIENT(l)                                                         \
+    ((const struct tape_plane *) c->ctx[l])->op[i / 2].c[i % 2]
+    for (int i = 2 * part->op; i < 2 * part->ops; i++)
+        c->constant[i] = JET_EACH(COEFFICIENT);
+#undef COEFFICIENT
 }
 
 /* In pairs: a lane that is written by itself stalls whoever reads the pair. */
@@ -351,33 +346,52 @@ static void start(const struct course *c, struct jet_work *w, int part)
 {
     const struct tape_plane *p = c->p;
     const bool *used = part ? p->t.used[part - 1] : NULL;
-    struct tape_kept v[JET_LANES];
-    double rate[JET_LANES][2];
+    const int lanes = JET_LANES == 2 ? 2 : w->lanes;
+    const struct tape_kept *v[JET_LANES];
+    struct tape_kept own[JET_LANES];
+    double rate[JET_LANES][2], scale[JET_LANES];
 
-    for (int l = 0; l < JET_LANES; l++)
-        start_lane(c, w, part, l, &v[l], rate[l]);
+    for (int l = 0; l < lanes; l++) {
+        v[l] = &own[l];
+        scale[l] = part ? w->log_scale[l] : 0.0;
+        start_lane(c, part, l, &own[l], &scale[l], rate[l]);
+    }
+    for (int l = lanes; l < JET_LANES; l++) {
+        v[l] = v[0];
+        scale[l] = scale[0];
+        memcpy(rate[l], rate[0], sizeof rate[0]);
+    }
+#define SCALE(l)    scale[l]
+#define REGISTER(l) v[l]->reg[i + 2]
+#define RATE(l)     rate[l][i]
+    w->log_scale = JET_EACH(SCALE);
+    start_entries(c, &p->part[part]);
     for (int i = part ? p->t.rate_steps : 0;
          i < (part ? p->t.steps : p->t.rate_steps); i++)
         if (used ? used[i] : !p->t.step[i].idle) {
-            c->reg[i + 2] = (jet_pair){ v[0].reg[i + 2], v[1].reg[i + 2] };
+            c->reg[i + 2] = JET_EACH(REGISTER);
             keep_pairs(c, v, p->kept[i], p->kept[i + 1]);
         }
     for (int i = 0; i < (part ? 1 : 2); i++) {
         const int r = part ? part + 1 : i;
         keep_pairs(c, v, p->rate_kept[r], p->rate_kept[r] + TAPE_KEPT);
-        c->reg[p->result[r]] = (jet_pair){ rate[0][i], rate[1][i] };
+        c->reg[p->result[r]] = JET_EACH(RATE);
     }
+#undef SCALE
+#undef REGISTER
+#undef RATE
 }
 
 /* ---- the contract -------------------------------------------------------- */
 
-void tape_jet(const void *ctx, struct jet_work *w, size_t k, const jet_pair x[],
-              const jet_pair y[], jet_pair fx[], jet_pair fy[])
+static void jet(const void *const ctx[], struct jet_work *w, size_t k,
+                const jet_pair x[], const jet_pair y[], jet_pair fx[],
+                jet_pair fy[])
 {
-    const struct tape_plane *p = ctx;
+    const struct tape_plane *p = ctx[0];
     struct course c;
 
-    course_at(&c, p, w, k, 0);
+    course_at(&c, ctx, w, k, 0);
     c.reg[0] = x[k];
     c.reg[1] = y[k];
     if (k > 0)
@@ -388,14 +402,15 @@ void tape_jet(const void *ctx, struct jet_work *w, size_t k, const jet_pair x[],
     fy[k] = c.reg[p->result[1]];
 }
 
-void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
-                   const jet_pair x[], const jet_pair y[], jet_pair rate[])
+static void jet_rate(const void *const ctx[], size_t which, struct jet_work *w,
+                     size_t k, const jet_pair x[], const jet_pair y[],
+                     jet_pair rate[])
 {
-    const struct tape_plane *p = ctx;
+    const struct tape_plane *p = ctx[0];
     const int part = 1 + (int) which;
     struct course c;
 
-    course_at(&c, p, w, k, part);
+    course_at(&c, ctx, w, k, part);
     c.first = w->linear && w->linear == (p->part[part].alone == 0   ? x
                                          : p->part[part].alone == 1 ? y
                                                                     : NULL);
@@ -405,3 +420,30 @@ void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
         start(&c, w, part);
     rate[k] = c.reg[p->result[2 + which]];
 }
+
+#if JET_LANES == 2
+
+bool tape_jet_wide(void)
+{
+    return jet_width() >= 4;
+}
+
+void tape_jet(const void *ctx, struct jet_work *w, size_t k, const jet_pair x[],
+              const jet_pair y[], jet_pair fx[], jet_pair fy[])
+{
+    jet((const void *[]){ ctx, ctx }, w, k, x, y, fx, fy);
+}
+
+void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
+                   const jet_pair x[], const jet_pair y[], jet_pair rate[])
+{
+    jet_rate((const void *[]){ ctx, ctx }, which, w, k, x, y, rate);
+}
+
+#else
+
+const struct planar_many TAPE_MANY = {
+    .width = JET_WIDTH, .alike = tape_alike, .jet = jet, .rate_jet = jet_rate
+};
+
+#endif

@@ -3,6 +3,7 @@
  * workspace.  Factors of 1 and -1 are left out, which changes no bit. */
 #include "tape_course.h"
 
+#include <stddef.h>
 #include <string.h>
 
 enum { ALL = JET_SLOTS * JET_SIZE, REGISTERS = TAPE_STEPS + 2 };
@@ -354,5 +355,28 @@ bool tape_jet_slots(struct tape_plane *p)
         add_part(&o, i, &used);
     p->registers = used;
     p->keep = used + o.free;
-    return p->ops <= TAPE_OPS && kept <= TAPE_KEEPS && p->keep + kept <= ALL;
+    p->constants = p->keep + kept;
+    return p->ops <= TAPE_OPS && kept <= TAPE_KEEPS &&
+           p->constants + 2 * p->ops <= ALL;
+}
+
+bool tape_alike(const void *ctx, const void *other)
+{
+    const struct tape_plane *p = ctx, *q = other;
+    const int rates = p->t.rates, steps = p->t.steps;
+    bool alike =
+        p->ops == q->ops && p->constants == q->constants &&
+        steps == q->t.steps && rates == q->t.rates &&
+        p->t.rate_steps == q->t.rate_steps &&
+        memcmp(p->kept, q->kept, (size_t) steps * sizeof *p->kept) == 0;
+
+    for (int i = 0; i < rates && alike; i++)
+        alike = p->result[i] == q->result[i];
+    for (int i = 0; i < rates - 1 && alike; i++)
+        alike = p->part[i].width == q->part[i].width &&
+                p->part[i].op == q->part[i].op &&
+                p->part[i].alone == q->part[i].alone;
+    for (int i = 0; i < p->ops && alike; i++)
+        alike = memcmp(&p->op[i], &q->op[i], offsetof(struct jet_op, c)) == 0;
+    return alike;
 }

@@ -231,6 +231,15 @@ struct vec2 tape_value_gradient(const struct tape_plane *p, struct vec2 z)
     return (struct vec2){ slope[0], slope[1] };
 }
 
+static const struct planar_many *many_of(int width)
+{
+#ifdef HAVE_WIDE_LANES
+    return width == 8 ? &tape_many_8 : width == 4 ? &tape_many_4 : NULL;
+#else
+    return NULL;
+#endif
+}
+
 struct planar tape_planar(const struct tape_plane *t)
 {
     return (struct planar){
@@ -241,6 +250,7 @@ struct planar tape_planar(const struct tape_plane *t)
         .observable_count = (size_t) (t->t.rates - 2),
         .rate_gradient = t->t.rates > 2 ? tape_rate : NULL,
         .rate_jet = t->t.rates > 2 ? tape_jet_rate : NULL,
+        .many = many_of(jet_width()),
         .ctx = t,
     };
 }

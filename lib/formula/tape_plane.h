@@ -84,7 +84,7 @@ struct tape_plane {
     short kept[TAPE_STEPS + 1], rate_kept[TAPE_RATES];
     double factor[TAPE_RATES];
     struct tape_part part[TAPE_PARTS];
-    int registers, keep;
+    int registers, keep, constants;
     bool wide; /* registers of four numbers: the same bits, sooner */
     struct jet_op op[TAPE_OPS];
     short result[TAPE_RATES]; /* registers */
@@ -128,6 +128,13 @@ struct vec2 tape_value_gradient(const struct tape_plane *t, struct vec2 z);
 
 /* Whether this processor has them. */
 bool tape_jet_wide(void);
+
+/* Whether series of both planes are made by the same entries, but for their
+ * coefficients. */
+bool tape_alike(const void *ctx, const void *other);
+
+/* tape_jet and tape_jet_rate of JET_MANY planes, for processors of a level. */
+extern const struct planar_many tape_many_4, tape_many_8;
 
 /* Hands out places; false where they are too many. */
 MUST_CHECK bool tape_jet_slots(struct tape_plane *t);

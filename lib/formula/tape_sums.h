@@ -7,9 +7,6 @@
 
 #include "jet.h"
 
-/* Four numbers where pairs stand. */
-typedef double four __attribute__((vector_size(32), aligned(16), may_alias));
-
 /* One product of n neighbours each, of a type. */
 #define ADD_ROW(type, n, j)                                                    \
     for (int i = 0; i < (n); i++)                                              \
@@ -75,7 +72,11 @@ typedef double four __attribute__((vector_size(32), aligned(16), may_alias));
     }
 
 SUMS_BY(sums_by_pairs, jet_pair)
+#if JET_LANES == 2
+/* Four numbers where pairs stand. */
+typedef double four __attribute__((vector_size(32), aligned(16), may_alias));
 SUMS_BY(sums_by_fours, four)
+#endif
 
 #undef SUMS_BY
 #undef SUMS

@@ -71,6 +71,7 @@ struct planar workprec_counted(struct workprec_counter *c)
     counted.field = field;
     counted.jacobian = jacobian;
     counted.jet = counted.jet ? jet : NULL;
+    counted.many = NULL;
     counted.rate_gradient = rate_gradient;
     counted.rate_jet = rate_jet;
     counted.ctx = c;

@@ -4,12 +4,9 @@
 int layer_lanes_width(int most)
 {
 #ifdef HAVE_WIDE_LANES
-    __builtin_cpu_init();
-    if (most >= 8 && __builtin_cpu_supports("avx512f") &&
-        __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
+    if (most >= 8 && jet_width() == 8)
         return 8;
-    if (most >= 4 && __builtin_cpu_supports("avx2"))
+    if (most >= 4 && jet_width() >= 4)
         return 4;
 #endif
     return most >= 2 ? 2 : 1;

@@ -5,7 +5,10 @@
 
 #include "check.h"
 #include "fixtures.h"
+#include "laws.h"
+#include "slider.h"
 #include "stops.h"
+#include "tape_plane.h"
 
 /* Branches of a fixture's saddle at its origin. */
 static enum status branches_of(const struct planar *sys, double rtol,
@@ -175,6 +178,123 @@ static void the_monitor_can_stop_a_long_branch(void **state)
     assert_int_equal(b.curve.count, 0);
 }
 
+/* What grows side by side. */
+struct company {
+    struct slider slider[GROW_JOBS];
+    struct local_series series[GROW_JOBS];
+    struct grow_options options[GROW_JOBS];
+    struct grow_job job[GROW_JOBS];
+    struct branch together[GROW_JOBS][2];
+};
+
+/* A block of a law, a little beside the preset; i tells how. */
+static void join(struct company *c, size_t i, uint64_t *rng)
+{
+    static const char *const law[] = { "spinodal_gen", "dieterich_gen" };
+    struct slider *s = &c->slider[i];
+    struct material m = { .mu_star = 0.369,
+                          .a = 0.0349,
+                          .b = 0.0489,
+                          .c = 1e-3,
+                          .R = 100.0,
+                          .L = 0.9e-6,
+                          .V_star = 1e-6,
+                          .V_c = 1.0,
+                          .g = 9.81 };
+
+    m.a *= check_uniform(rng, 0.95, 1.05);
+    m.b *= check_uniform(rng, 0.95, 1.05);
+    slider_init(s, law_preset_find(law[i % 3 == 2]), &m,
+                (long double) check_uniform(rng, 0.32, 0.36));
+    assert_true(slider_has_manifolds(s));
+    struct grow_options *o = &c->options[i];
+    *o = grow_defaults(i % 5 == 4 ? 1e-7 : 1e-9);
+    o->carry = (struct carry){ { BLOCK_EXCESS, CARRY_TIME }, 1 + i % 7 / 6 };
+    assert_int_equal(local_at(&s->plane.system, phase_plane_saddle(&s->plane),
+                              MANIFOLD_STABLE, &o->carry, o->order, 1e-11,
+                              &c->series[i]),
+                     STATUS_OK);
+    c->job[i] = (struct grow_job){ .sys = &s->plane.system,
+                                   .start = &c->series[i],
+                                   .options = o,
+                                   .out = c->together[i] };
+}
+
+static void check_same(const struct branch *a, const struct branch *b)
+{
+    const size_t n = a->curve.count, terms = a->curve.dim;
+
+    assert_int_equal(n, b->curve.count);
+    for (size_t i = 0; i < n; i++) {
+        double u[CURVE_DIM_MAX], v[CURVE_DIM_MAX];
+        curve_at(&a->curve, i, 0.7, u);
+        curve_at(&b->curve, i, 0.7, v);
+        assert_memory_equal(u, v, terms * sizeof *u);
+    }
+    assert_memory_equal(&a->limit, &b->limit, sizeof a->limit);
+    assert_memory_equal(&a->error, &b->error, sizeof a->error);
+    assert_memory_equal(a->total, b->total, sizeof a->total);
+    assert_memory_equal(a->total_error, b->total_error, sizeof a->total_error);
+    assert_int_equal(a->steps, b->steps);
+    assert_int_equal(a->end, b->end);
+}
+
+static void company_changes_no_bit_at_any_width(void **state)
+{
+    static const struct planar_many *const many[] = { NULL,
+#ifdef HAVE_WIDE_LANES
+                                                      &tape_many_4, &tape_many_8
+#endif
+    };
+    static struct company c;
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (size_t w = 0; w < sizeof many / sizeof *many; w++) {
+        if (many[w] && many[w]->width > jet_width())
+            continue;
+        for (size_t i = 0; i < GROW_JOBS; i++) {
+            join(&c, i, &rng);
+            c.slider[i].plane.system.many = many[w];
+        }
+        c.options[1].max_steps = 3;
+        grow_jobs(c.job, GROW_JOBS);
+        for (size_t i = 0; i < GROW_JOBS; i++) {
+            struct branch alone[2];
+            assert_int_equal(c.job[i].status, STATUS_OK);
+            assert_int_equal(grow_branches(c.job[i].sys, c.job[i].start,
+                                           c.job[i].options, alone),
+                             STATUS_OK);
+            for (int k = 0; k < 2; k++) {
+                check_same(&alone[k], &c.together[i][k]);
+                branch_free(&alone[k]);
+                branch_free(&c.together[i][k]);
+            }
+        }
+    }
+}
+
+static void a_branch_that_fails_takes_no_other_with_it(void **state)
+{
+    static struct company c;
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (size_t i = 0; i < 3; i++)
+        join(&c, i, &rng);
+    c.series[1].radius = c.series[1].c[1] = NAN;
+    grow_jobs(c.job, 3);
+    assert_int_equal(c.job[1].status, STATUS_NO_CONVERGENCE);
+    for (int k = 0; k < 2; k++) {
+        assert_int_equal(c.together[1][k].curve.count, 0);
+        for (size_t i = 0; i < 3; i += 2) {
+            assert_int_equal(c.job[i].status, STATUS_OK);
+            assert_int_equal(c.together[i][k].end == BRANCH_STEPS, false);
+            branch_free(&c.together[i][k]);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -183,6 +303,8 @@ int main(void)
         cmocka_unit_test(a_system_without_jets_is_refused),
         cmocka_unit_test(unstable_series_lie_on_the_exact_manifold),
         cmocka_unit_test(the_monitor_can_stop_a_long_branch),
+        cmocka_unit_test(company_changes_no_bit_at_any_width),
+        cmocka_unit_test(a_branch_that_fails_takes_no_other_with_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
