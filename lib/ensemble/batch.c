@@ -291,8 +291,8 @@ void batch_free(struct batch *b)
 
 /* What a thread works with. */
 struct worker {
-    struct scene scene; /* borrows */
-    struct study study;
+    struct scene scene[STUDY_JOBS]; /* borrow */
+    struct study study[STUDY_JOBS];
     struct sweep_point point;
 };
 
@@ -365,27 +365,13 @@ static enum status put_all(const struct task *t, size_t i,
                : batch_fate_find(t->b, study, i, monitor, t->fates);
 }
 
-static enum status run_study(const struct task *t, size_t i, struct worker *w,
-                             const struct monitor *monitor)
-{
-    struct fault why;
-    enum status status =
-        study_run_stages(&w->study, &w->scene, t->b->stages, monitor, &why);
-
-    if (status == STATUS_OK) {
-        status = put_all(t, i, &w->study, NULL, monitor);
-        study_free(&w->study);
-    }
-    return status;
-}
-
 /* *reason: why there are no numbers. */
 static enum status run_point(const struct task *t, size_t i, struct worker *w,
                              const struct monitor *monitor, const char **reason)
 {
     const struct batch *b = t->b;
     struct sweep_point *p = &w->point;
-    enum status status = sweep_point_begin(p, &w->scene);
+    enum status status = sweep_point_begin(p, &w->scene[0]);
 
     for (size_t k = 0; p->system && k < b->keys && status == STATUS_OK; k++)
         status =
@@ -404,15 +390,10 @@ static enum status run_point(const struct task *t, size_t i, struct worker *w,
     return status;
 }
 
-static enum status compute(const struct task *t, size_t i, struct worker *w,
-                           const struct monitor *monitor)
+/* What ends a draw but not the others. */
+static enum status settle(const struct task *t, size_t i, enum status status,
+                          const char *reason)
 {
-    const char *reason = set_values(t, i, &w->scene);
-    enum status status = STATUS_OK;
-
-    if (reason == NULL)
-        status = t->b->points ? run_point(t, i, w, monitor, &reason)
-                              : run_study(t, i, w, monitor);
     if (status == STATUS_NO_MEMORY || status == STATUS_STOPPED)
         return status;
     if (status != STATUS_OK)
@@ -422,19 +403,64 @@ static enum status compute(const struct task *t, size_t i, struct worker *w,
     return STATUS_OK;
 }
 
+static enum status compute_point(const struct task *t, size_t i,
+                                 struct worker *w)
+{
+    const char *reason = set_values(t, i, &w->scene[0]);
+    const enum status status =
+        reason ? STATUS_OK : run_point(t, i, w, NULL, &reason);
+
+    return settle(t, i, status, reason);
+}
+
+/* Draws first .. first + size - 1, size <= STUDY_JOBS, side by side. */
+static enum status compute_studies(const struct task *t, size_t first,
+                                   size_t size, struct worker *w)
+{
+    struct study_job job[STUDY_JOBS];
+    size_t draw[STUDY_JOBS], n = 0;
+    enum status status = STATUS_OK;
+
+    for (size_t i = first; i < first + size; i++) {
+        const char *reason = set_values(t, i, &w->scene[n]);
+        if (reason)
+            put_none(t, i, reason);
+        else
+            draw[n++] = i;
+    }
+    for (size_t k = 0; k < n; k++)
+        job[k] =
+            (struct study_job){ .study = &w->study[k], .scene = &w->scene[k] };
+    study_run_jobs(job, n, t->b->stages, NULL);
+    for (size_t k = 0; k < n; k++) {
+        enum status own = job[k].status;
+        if (own == STATUS_OK && status == STATUS_OK)
+            own = put_all(t, draw[k], &w->study[k], NULL, NULL);
+        if (job[k].status == STATUS_OK)
+            study_free(&w->study[k]);
+        if (status == STATUS_OK)
+            status = settle(t, draw[k], own, NULL);
+    }
+    return status;
+}
+
 /* Draws first .. first + size - 1 by one thread. */
 static enum status compute_some(const struct task *t, size_t first, size_t size)
 {
+    const size_t each = t->b->points ? 1 : STUDY_JOBS, end = first + size;
     struct worker *w = malloc(sizeof *w);
     enum status status = w ? STATUS_OK : STATUS_NO_MEMORY;
 
-    if (w) {
-        w->scene = t->b->points ? t->b->points->scene : *t->b->scene;
+    for (int k = 0; k < STUDY_JOBS && w; k++) {
+        w->scene[k] = t->b->points ? t->b->points->scene : *t->b->scene;
         if (t->b->points == NULL)
-            w->scene.products = plan_products(t->b->stages);
+            w->scene[k].products = plan_products(t->b->stages);
     }
-    for (size_t i = first; i < first + size && status == STATUS_OK; i++)
-        status = compute(t, i, w, NULL);
+    for (size_t i = first; i < end && status == STATUS_OK; i += each)
+        status =
+            t->b->points
+                ? compute_point(t, i, w)
+                : compute_studies(t, i, end - i < each ? end - i : each, w);
     free(w);
     return status;
 }

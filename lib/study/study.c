@@ -77,35 +77,73 @@ static enum status local_series(struct study *s, enum manifold_kind kind,
                     grow_order(s->scene->rtol), tol, u);
 }
 
-static enum status run_stable(struct study *s, const struct monitor *monitor,
-                              struct fault *why)
-{
-    struct grow_options o = grow_defaults(s->scene->rtol);
-    const struct box window = scene_box(s->scene);
+/* What the stable branches of a study grow from. */
+struct stable {
+    struct grow_options options;
+    struct box window;
+    struct local_series series;
     struct branch branch[SIDES];
-    struct local_series u;
+};
 
-    if (!slider_has_manifolds(&s->slider))
-        return STATUS_OK;
-    o.carry = carry_for(s->stages);
-    o.monitor = monitor;
-    o.reach =
+static enum status begin_stable(struct study *s, const struct monitor *monitor,
+                                struct stable *t, struct grow_job *job)
+{
+    struct grow_options *o = &t->options;
+
+    *o = grow_defaults(s->scene->rtol);
+    t->window = scene_box(s->scene);
+    o->carry = carry_for(s->stages);
+    o->monitor = monitor;
+    o->reach =
         plan_has(s->stages, STAGE_UNSTABLE) || plan_has(s->stages, STAGE_BASINS)
-            ? &window
+            ? &t->window
             : NULL;
-    enum status status = local_series(s, MANIFOLD_STABLE, &o.carry, &u);
-    if (status == STATUS_OK)
-        status = grow_branches(&s->slider.plane.system, &u, &o, branch);
-    for (int i = 0; i < SIDES && status == STATUS_OK; i++) {
-        s->stable[i] = branch[side_sign(&u, (enum side) i) > 0 ? 0 : 1];
+    *job = (struct grow_job){ .sys = &s->slider.plane.system,
+                              .start = &t->series,
+                              .options = o,
+                              .out = t->branch };
+    return local_series(s, MANIFOLD_STABLE, &o->carry, &t->series);
+}
+
+static void end_stable(struct study *s, const struct stable *t)
+{
+    for (int i = 0; i < SIDES; i++) {
+        s->stable[i] =
+            t->branch[side_sign(&t->series, (enum side) i) > 0 ? 0 : 1];
         s->cost[STAGE_STABLE].field_evaluations +=
-            s->stable[i].evaluations * o.order;
+            s->stable[i].evaluations * t->options.order;
     }
-    if (status != STATUS_OK)
-        snprintf(why->text, sizeof why->text,
-                 "the stable manifold of the saddle at v = %.6g: %s",
-                 s->slider.block.at.v0, status_text(status));
-    return status;
+}
+
+/* Of all studies without a failure, side by side. */
+static void run_stable(struct study_job job[], size_t n,
+                       const struct monitor *monitor)
+{
+    struct stable t[STUDY_JOBS];
+    struct grow_job grow[STUDY_JOBS];
+    struct study_job *of[STUDY_JOBS];
+    size_t count = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        struct study *s = job[i].study;
+        if (job[i].status != STATUS_OK || !slider_has_manifolds(&s->slider))
+            continue;
+        of[count] = &job[i];
+        job[i].status = begin_stable(s, monitor, &t[count], &grow[count]);
+        count += job[i].status == STATUS_OK;
+    }
+    grow_jobs(grow, count);
+    for (size_t i = 0; i < count; i++) {
+        of[i]->status = grow[i].status;
+        if (grow[i].status == STATUS_OK)
+            end_stable(of[i]->study, &t[i]);
+    }
+    for (size_t i = 0; i < n; i++)
+        if (job[i].status != STATUS_OK && job[i].why.text[0] == '\0')
+            snprintf(job[i].why.text, sizeof job[i].why.text,
+                     "the stable manifold of the saddle at v = %.6g: %s",
+                     job[i].study->slider.block.at.v0,
+                     status_text(job[i].status));
 }
 
 static enum status run_unstable(struct study *s, const struct monitor *monitor,
@@ -369,7 +407,6 @@ typedef enum status stage_function(struct study *s,
 static stage_function *const stage_run[STAGES] = {
     [STAGE_STEADY] = run_steady,
     [STAGE_FOLDS] = run_folds,
-    [STAGE_STABLE] = run_stable,
     [STAGE_UNSTABLE] = run_unstable,
     [STAGE_CRITICAL] = run_critical,
     [STAGE_KNEES] = run_knees,
@@ -399,17 +436,11 @@ static double seconds(void)
     return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
 }
 
-static enum status run_stage(struct study *s, enum stage stage,
+static enum status run_alone(struct study *s, enum stage stage,
                              const struct monitor *monitor, struct fault *why)
 {
-    const double start = seconds();
-    enum status status;
+    enum status status = stage_run[stage](s, monitor, why);
 
-    if (monitor_tell(monitor, stage_table[stage].name, 0, 0))
-        return STATUS_STOPPED;
-    status = stage_run[stage](s, monitor, why);
-    s->cost[stage].ran = true;
-    s->cost[stage].seconds = seconds() - start;
     if (status == STATUS_OK && stage == STAGE_STEADY) {
         const struct window window = study_frame(s);
         status = portrait_init(&s->portrait, &s->slider.plane.system, &window);
@@ -419,32 +450,79 @@ static enum status run_stage(struct study *s, enum stage stage,
     return status;
 }
 
+/* Of all jobs without a failure. */
+static void run_stage(struct study_job job[], size_t n, enum stage stage,
+                      const struct monitor *monitor)
+{
+    const double start = seconds();
+
+    if (monitor_tell(monitor, stage_table[stage].name, 0, 0))
+        for (size_t i = 0; i < n; i++)
+            job[i].status = STATUS_STOPPED;
+    if (stage == STAGE_STABLE)
+        run_stable(job, n, monitor);
+    for (size_t i = 0; i < n; i++) {
+        struct stage_cost *cost = &job[i].study->cost[stage];
+        if (job[i].status == STATUS_OK && stage != STAGE_STABLE)
+            job[i].status =
+                run_alone(job[i].study, stage, monitor, &job[i].why);
+        cost->ran = true;
+        cost->seconds = (seconds() - start) / (double) n;
+    }
+}
+
+static bool goes_on(const struct study_job job[], size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (job[i].status == STATUS_OK)
+            return true;
+    return false;
+}
+
+static void begin(struct study_job *job, unsigned stages)
+{
+    const struct scene *scene = job->scene;
+
+    job->why.text[0] = '\0';
+    *job->study = (struct study){ .scene = scene, .stages = stages };
+    job->status = scene_slope_demand(scene, scene->products, &job->why);
+    if (!plan_has(stages, STAGE_STEADY)) /* which begins with that */
+        block_init(&job->study->slider.block, &scene->law, &scene->material,
+                   scene->tan_alpha);
+}
+
+static void end(struct study_job *job)
+{
+    if (job->status == STATUS_OK)
+        job->status = study_keep(job->study, ~(uint64_t) 0);
+    if (job->status == STATUS_OK)
+        return;
+    if (job->why.text[0] == '\0')
+        snprintf(job->why.text, sizeof job->why.text, "%s",
+                 status_text(job->status));
+    study_free(job->study);
+}
+
+void study_run_jobs(struct study_job job[], size_t n, unsigned stages,
+                    const struct monitor *monitor)
+{
+    for (size_t i = 0; i < n; i++)
+        begin(&job[i], stages);
+    for (int k = 0; k < STAGES; k++)
+        if (plan_has(stages, (enum stage) k) && goes_on(job, n))
+            run_stage(job, n, (enum stage) k, monitor);
+    for (size_t i = 0; i < n; i++)
+        end(&job[i]);
+}
+
 enum status study_run(struct study *s, const struct scene *scene,
                       const struct monitor *monitor, struct fault *why)
 {
-    return study_run_stages(s, scene, plan_scene(scene), monitor, why);
-}
+    struct study_job job = { .study = s, .scene = scene };
 
-enum status study_run_stages(struct study *s, const struct scene *scene,
-                             unsigned stages, const struct monitor *monitor,
-                             struct fault *why)
-{
-    why->text[0] = '\0';
-    *s = (struct study){ .scene = scene, .stages = stages };
-    enum status status = scene_slope_demand(scene, scene->products, why);
-    if (!plan_has(stages, STAGE_STEADY)) /* which begins with that */
-        block_init(&s->slider.block, &scene->law, &scene->material,
-                   scene->tan_alpha);
-    for (int i = 0; i < STAGES && status == STATUS_OK; i++)
-        if (plan_has(s->stages, (enum stage) i))
-            status = run_stage(s, (enum stage) i, monitor, why);
-    status = status ? status : study_keep(s, ~(uint64_t) 0);
-    if (status == STATUS_OK)
-        return STATUS_OK;
-    if (why->text[0] == '\0')
-        snprintf(why->text, sizeof why->text, "%s", status_text(status));
-    study_free(s);
-    return status;
+    study_run_jobs(&job, 1, plan_scene(scene), monitor);
+    *why = job.why;
+    return job.status;
 }
 
 void study_free(struct study *s)

@@ -18,6 +18,7 @@
 #include "diagram.h"
 #include "estimate_numbers.h"
 #include "fields.h"
+#include "grow.h"
 #include "numbers.h"
 #include "orbit.h"
 #include "plan.h"
@@ -74,13 +75,20 @@ MUST_CHECK enum status study_run(struct study *s, const struct scene *scene,
                                  const struct monitor *monitor,
                                  struct fault *why);
 
-/* The same of these stages (bits, closed under what they need: plan.h) in place
- * of those that the scene's products ask for. */
-MUST_CHECK enum status study_run_stages(struct study *s,
-                                        const struct scene *scene,
-                                        unsigned stages,
-                                        const struct monitor *monitor,
-                                        struct fault *why);
+/* One of several studies. */
+enum { STUDY_JOBS = GROW_JOBS };
+struct study_job {
+    struct study *study;       /* borrowed */
+    const struct scene *scene; /* borrowed */
+    enum status status;        /* as of study_run, when it is done */
+    struct fault why;
+};
+
+/* n <= STUDY_JOBS studies side by side, each with the bits that it has alone:
+ * these stages (bits, closed under what they need: plan.h) in place of those
+ * that a scene's products ask for. */
+void study_run_jobs(struct study_job job[], size_t n, unsigned stages,
+                    const struct monitor *monitor);
 
 /* A second call is harmless. */
 void study_free(struct study *s);
