@@ -19,13 +19,14 @@ static struct interval determinant(struct interval xx, struct interval xy,
     return interval_less(times(xx, yy), square(xy));
 }
 
-/* The box of the ellipse: |x - x0|^2 <= level Q_yy/det Q, likewise y. */
+/* The box of the ellipse: |x - x0|^2 <= level Q_yy/det Q, likewise y; there is
+ * none if Q < 0. */
 static bool box_of(const struct proof_trap *p, struct interval box[2])
 {
     const struct interval xx = point(p->xx), yy = point(p->yy);
     const struct interval det = determinant(xx, point(p->xy), yy);
 
-    if (!(p->xx > 0 && det.lo > 0))
+    if (!(det.lo > 0))
         return false;
     for (int i = 0; i < 2; i++) {
         const struct interval part = interval_divide(i == 0 ? yy : xx, det);

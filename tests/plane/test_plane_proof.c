@@ -385,20 +385,30 @@ static void a_trap_is_of_what_attracts_and_no_larger_than_its_basin(
 }
 
 /* V falls along no orbit about a centre, and not along all about a saddle, nor
- * where Q is that of another matrix. */
+ * where Q is that of another matrix; where Q is not > 0 V < c is no place. */
 static void what_does_not_attract_has_no_trap(void **state)
 {
-    static const char *const ode[] = { "x' = y; y' = -x", "x' = x; y' = -y",
-                                       "x' = -x + 4*y; y' = -y" };
+    static const struct {
+        const char *ode;
+        double xx, xy, yy;
+    } at[] = {
+        { "x' = y; y' = -x", 1, 0, 1 },
+        { "x' = x; y' = -y", 1, 0, 1 },
+        { "x' = -x + 4*y; y' = -y", 1, 0, 1 },
+        { "x' = -x; y' = -y", -1, 0, -1 },
+        { "x' = x/8 + 3*y/8; y' = 3*x/8 + y/8", -1, 3, -1 }, /* Q A = 1 */
+    };
     struct plane_study s;
     struct scene c;
     struct proof_plane p;
 
     (void) state;
-    for (int i = 0; i < 3; i++) {
-        plane_run(&s, &c, ode[i], "window={x: [-1, 1], y: [-1, 1]}\n" MORE);
+    for (int i = 0; i < 5; i++) {
+        plane_run(&s, &c, at[i].ode, "window={x: [-1, 1], y: [-1, 1]}\n" MORE);
         for (int way = 0; way < 2; way++) {
-            struct proof_trap trap = { { { 0, 0 }, { 0, 0 } }, 1, 0, 1, 1e-6 };
+            struct proof_trap trap = {
+                { { 0, 0 }, { 0, 0 } }, at[i].xx, at[i].xy, at[i].yy, 1e-6
+            };
             about(&p, &s, 0, way == 1);
             assert_false(proof_trap_verify(&p.tape, &trap));
             proof_plane_free(&p);
