@@ -338,85 +338,6 @@ static void spoiled_curves_prove_nothing_wrong(void **state)
     assert_true(tally[1] > 0);
 }
 
-/* ---- traps --------------------------------------------------------------- */
-
-/* About equilibrium i, in the time in which what it attracts comes backward. */
-static void about(struct proof_plane *p, struct plane_study *s, size_t i,
-                  bool backward)
-{
-    struct fault why;
-
-    assert_int_equal(proof_plane_at(p, &s->lowered->way[1][backward],
-                                    s->lowered->value, s->rest[i].exact.chart,
-                                    &why),
-                     STATUS_OK);
-}
-
-/* x' = -x + x^3: all within |x| < 1 go to 0. */
-static void a_trap_is_of_what_attracts_and_no_larger_than_its_basin(
-    void **state)
-{
-    struct plane_study s;
-    struct scene c;
-    struct proof_plane p;
-    const struct interval nothing = { 0, 0 }, half = { 0, 0.5 }, one = { 1, 1 };
-
-    (void) state;
-    plane_run(&s, &c, "x' = -x + x^3; y' = -y",
-              "window={x: [-0.5, 0.5], y: [-1, 1]}\n" MORE);
-    about(&p, &s, 0, true);
-    struct proof_trap trap = { { nothing, nothing }, 1, 0, 1, 4 };
-    assert_true(proof_trap_verify(&p.tape, &trap));
-    assert_true(trap.level < 1 && trap.level > 0.01);
-    assert_false(proof_trap_holds(&trap, (struct interval[]){ one, nothing }));
-    trap.level = 0.26;
-    assert_true(proof_trap_holds(&trap, (struct interval[]){ half, nothing }));
-    assert_false(proof_trap_holds(&trap, (struct interval[]){ half, half }));
-    struct proof_trap none = { { nothing, nothing }, 1, 1.5, 1, 0.01 };
-    assert_false(proof_trap_verify(&p.tape, &none)); /* Q is no ellipse */
-    none = (struct proof_trap){ { nothing, nothing }, -1, 0, -1, 0.01 };
-    assert_false(proof_trap_verify(&p.tape, &none));
-    proof_plane_free(&p);
-    about(&p, &s, 0, false);
-    trap.level = 0.01;
-    assert_false(proof_trap_verify(&p.tape, &trap)); /* it repels */
-    proof_plane_free(&p);
-    plane_end(&s, &c);
-}
-
-/* V falls along no orbit about a centre, and not along all about a saddle, nor
- * where Q is that of another matrix; where Q is not > 0 V < c is no place. */
-static void what_does_not_attract_has_no_trap(void **state)
-{
-    static const struct {
-        const char *ode;
-        double xx, xy, yy;
-    } at[] = {
-        { "x' = y; y' = -x", 1, 0, 1 },
-        { "x' = x; y' = -y", 1, 0, 1 },
-        { "x' = -x + 4*y; y' = -y", 1, 0, 1 },
-        { "x' = -x; y' = -y", -1, 0, -1 },
-        { "x' = x/8 + 3*y/8; y' = 3*x/8 + y/8", -1, 3, -1 }, /* Q A = 1 */
-    };
-    struct plane_study s;
-    struct scene c;
-    struct proof_plane p;
-
-    (void) state;
-    for (int i = 0; i < 5; i++) {
-        plane_run(&s, &c, at[i].ode, "window={x: [-1, 1], y: [-1, 1]}\n" MORE);
-        for (int way = 0; way < 2; way++) {
-            struct proof_trap trap = {
-                { { 0, 0 }, { 0, 0 } }, at[i].xx, at[i].xy, at[i].yy, 1e-6
-            };
-            about(&p, &s, 0, way == 1);
-            assert_false(proof_trap_verify(&p.tape, &trap));
-            proof_plane_free(&p);
-        }
-        plane_end(&s, &c);
-    }
-}
-
 /* ---- what is told -------------------------------------------------------- */
 
 static void a_bar_beside_what_is_proved_is_told(void **state)
@@ -472,8 +393,6 @@ int main(void)
         TEST(duffings_loop_is_proved_at_any_line),
         TEST(random_shears_of_four_saddles_are_proved),
         TEST(spoiled_curves_prove_nothing_wrong),
-        TEST(a_trap_is_of_what_attracts_and_no_larger_than_its_basin),
-        TEST(what_does_not_attract_has_no_trap),
         TEST(a_bar_beside_what_is_proved_is_told),
         TEST(each_branch_without_a_proof_says_why),
     };
