@@ -1,11 +1,12 @@
-/* Arrivals and peaks are found on the polynomials of a step, which is then
- * taken again to just there.  An orbit is followed twice: the difference is the
+/* Arrivals are found on the polynomials of a step, which is then taken again to
+ * just there.  An orbit is followed twice: the difference is the
  * error. */
 #include "quad_orbit.h"
 
 #include <math.h>
 
 #include "quad_course.h"
+#include "quad_peak.h"
 #include "quad_rest.h"
 #include "rest_form.h"
 #include "tolerance.h"
@@ -69,82 +70,6 @@ void quad_slope_init(struct quad_slope *q, const struct study *s)
         q->fate[q->nodes++] =
             fate_of_node(&s->slider, &s->slider.plane.equilibrium[i]);
     }
-}
-
-/* ---- peaks --------------------------------------------------------------- */
-
-/* Rates of v and mu at a point, in doubles: to find where they vanish. */
-static void find_rise(const struct quad_course *c, const quad z[2],
-                      const quad du[], double rise[2])
-{
-    const struct planar *p = &c->slope->study->slider.plane.system;
-    const double v = c->slope->study->slider.block.at.v0 * exp((double) z[0]);
-    const struct vec2 at = { (double) z[0], (double) z[1] };
-    struct vec2 g;
-    double work;
-
-    p->rate_gradient(p->ctx, BLOCK_WORK, at, &work, &g);
-    rise[0] = (double) du[QUAD_X];
-    rise[1] =
-        ((g.x - work) * (double) du[QUAD_X] + g.y * (double) du[QUAD_Y]) / v;
-}
-
-/* Notes what is reached at u. */
-static void note_peaks(struct quad_course *c, const quad u[])
-{
-    const quad v = expq(c->slope->at.x0 + u[QUAD_X]);
-    const quad mu = quad_block_mu(&c->slope->study->slider.block.law,
-                                  &c->slope->at, u[QUAD_X], u[QUAD_Y]);
-
-    c->v_peak = c->steps == 0 || v > c->v_peak ? v : c->v_peak;
-    c->mu_peak = c->steps == 0 || mu > c->mu_peak ? mu : c->mu_peak;
-}
-
-/* The rate of v or mu between its values at two neighbouring stages vanishes
- * where a parabola's slope would, and then nearer. */
-static void polish_peak(struct quad_course *c, const struct quad_radau *w,
-                        int which, quad from, quad to)
-{
-    struct quad_radau part;
-    quad u[QUAD_DIM];
-
-    for (int i = 0; i < 8 * POLISH; i++) {
-        const quad theta = (from + to) / 2;
-        double rise[2];
-        quad du[QUAD_DIM];
-        const quad z[2] = { c->u[QUAD_X] + quad_radau_gain(w, QUAD_X, theta),
-                            c->u[QUAD_Y] + quad_radau_gain(w, QUAD_Y, theta) };
-        quad_course_field(c, z, du);
-        find_rise(c, z, du, rise);
-        *(rise[which] > 0.0 ? &from : &to) = theta;
-    }
-    if (quad_course_part(c, w, (from + to) / 2, &part, u))
-        note_peaks(c, u);
-}
-
-/* The largest v and mu up to the end of the step w, which begins at c->u. */
-static void find_peaks(struct quad_course *c, const struct quad_radau *w)
-{
-    const struct quad_method *m = &c->slope->method;
-    double before[2] = { c->rise[0], c->rise[1] }, rise[2];
-
-    for (int i = 0; i < QUAD_STAGES; i++) {
-        const quad z[2] = { c->u[QUAD_X] + w->z[i][0],
-                            c->u[QUAD_Y] + w->z[i][1] };
-        const quad from = i == 0 ? 0 : m->node[i - 1];
-        find_rise(c, z, w->du[i], rise);
-        for (int k = 0; k < 2; k++) {
-            const quad v = expq(c->slope->at.x0 + z[0]);
-            const quad mu = w->du[i][QUAD_WORK] / w->du[i][QUAD_SLIP];
-            const double near =
-                (double) (k == 0 ? v / c->v_peak : mu / c->mu_peak);
-            if (before[k] > 0.0 && rise[k] <= 0.0 && !(near < 0.9))
-                polish_peak(c, w, k, from, m->node[i]);
-            before[k] = rise[k];
-        }
-    }
-    c->rise[0] = rise[0];
-    c->rise[1] = rise[1];
 }
 
 /* ---- ends ---------------------------------------------------------------- */
@@ -373,9 +298,9 @@ static bool advance(struct quad_course *c)
     if (!quad_course_take(c, &w, to, &excess))
         return false;
     const bool arrived = find_arrival(c, &w, to);
-    find_peaks(c, &w);
+    quad_peak_step(c, &w);
     quad_course_move(c, &w, to, excess);
-    note_peaks(c, c->u);
+    quad_peak_note(c, c->u);
     return !arrived && !find_end(c);
 }
 
@@ -383,8 +308,7 @@ static void follow(const struct quad_slope *q, quad x, quad y, double tol,
                    struct quad_course *c)
 {
     quad_course_start(c, q, x, y, tol);
-    find_rise(c, c->u, c->du, c->rise);
-    note_peaks(c, c->u);
+    quad_peak_start(c);
     for (size_t i = 0; i < q->nodes; i++)
         if (missing(q, &(struct goal){ .node = i }, c->u) <= 0)
             c->fate = fate_in(q, i, c->u);
