@@ -142,6 +142,9 @@ def labels_are_proved_in_text_json_and_file(room):
                       'material.V_c=100', *grid)
     expect(found['basin']['proved']['fraction'] == 0, found['basin'])
     expect(found['basin']['proved']['reason'], found['basin'])
+    for alpha, fate in (('0.2', 'creep'), ('0.6', 'sliding')):
+        found = room.json('basin', *scene, '--alpha', alpha)['basin']
+        expect(found['proved']['fraction'] == 1 and fate in found['fractions'], found)
     room.good('basin', *scene, '--figure', 'map.svg')
     expect('not proved' not in room.read('map.svg'))
 

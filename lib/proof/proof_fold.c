@@ -85,7 +85,8 @@ static struct interval level(const struct curve *c, const struct law *law,
 /* ---- all ----------------------------------------------------------------- */
 
 /* Beside an extremum: largest below the level, or least above it. */
-static bool misses(const struct curve *c, double x, struct interval at)
+static enum proof_alone misses(const struct curve *c, double x,
+                               struct interval at)
 {
     for (double w = PROOF_FOLD_LEAST; w < PROOF_FOLD_MOST; w *= 4) {
         const struct interval place = { x - w, x + w };
@@ -93,28 +94,39 @@ static bool misses(const struct curve *c, double x, struct interval at)
         const struct interval behind = slope_at(c, place.hi);
         const struct interval tau = tau_over(c, place);
         if (before.lo > 0 && behind.hi < 0 && tau.hi < at.lo)
-            return true;
+            return PROOF_ALONE_FAST;
         if (before.hi < 0 && behind.lo > 0 && tau.lo > at.hi)
-            return true;
+            return PROOF_ALONE_SLOW;
     }
-    return false;
+    return PROOF_ALONE_NOT;
 }
 
-bool proof_no_saddle(const struct law *law, const struct material *m,
-                     const struct proof_inputs *in)
+enum proof_alone proof_no_saddle(const struct law *law,
+                                 const struct material *m,
+                                 const struct proof_inputs *in)
 {
+    enum proof_alone found = PROOF_ALONE_NOT;
     long double x[4];
     struct curve c;
 
     if (!in->decimal || !curve_of(law, m, &c))
-        return false;
+        return PROOF_ALONE_NOT;
     const struct interval four = times(point(4), times(c.A, c.C));
     if (c.B.lo >= 0 || interval_less(four, times(c.B, c.B)).lo > 0)
-        return true; /* mu_ss rises */
+        return PROOF_ALONE_RISING;
     const struct interval at = level(&c, law, in);
     const size_t n = steady_extrema(law, m, x);
-    for (size_t i = 0; i < n; i++)
-        if (misses(&c, (double) x[i], at))
-            return true;
-    return false;
+    for (size_t i = 0; i < n && found == PROOF_ALONE_NOT; i++)
+        found = misses(&c, (double) x[i], at);
+    return found;
+}
+
+bool proof_rises_through(const struct law *law, const struct material *m)
+{
+    struct curve c;
+
+    if (!curve_of(law, m, &c))
+        return false;
+    const bool steep = interval_less(c.a, c.b).lo > 0;
+    return (steep || c.r.lo > 0) && (steep || c.plain || c.q.lo > 0);
 }

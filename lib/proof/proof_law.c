@@ -204,22 +204,6 @@ static enum status make_graphs(struct proof_law *p)
     return s;
 }
 
-/* mu_ss falls on one interval of v at most (docs/proofs.md, 14): there is a
- * node beyond it where friction at an end of the plane has a limit, as a ln v
- * then goes on. */
-static void know_nodes(struct proof_law *p, const struct material *m)
-{
-    const bool plain = p->law.theta == THETA_PSI;
-    const bool ends = p->law.theta == THETA_LN_PSI || m->c <= 0;
-
-    p->node[0] = plain || !ends;
-    p->node[1] = p->law.psi_ss != PSI_SS_INVERSE;
-    if (p->law.psi_ss == PSI_SS_MINUS_LOG)
-        p->node[0] = p->node[1] = plain ? 0 : -1;
-    if (p->law.typed || p->law.psi_ss == PSI_SS_LAMBERT)
-        p->node[0] = p->node[1] = -1;
-}
-
 static struct interval value_at(const struct proof_law *p, int node)
 {
     return interval_graph_get(&p->at, node);
@@ -283,7 +267,6 @@ enum status proof_law_at(struct proof_law *p, const struct block *b,
 
     *p = (struct proof_law){ .law = limit_of(b),
                              .is_log = law_psi_is_log(&b->law) };
-    know_nodes(p, &b->material);
     enum status s = make_graphs(p);
     if (s != STATUS_OK)
         return s;

@@ -28,8 +28,6 @@ struct proof_law {
     struct interval x, y, v, psi;     /* the saddle: ln v, the chart's y */
     struct interval tan_alpha, force; /* cos(alpha)/eps^2 */
     bool is_log;                      /* psi is a logarithm */
-    int node[2]; /* whether there is one above, below the saddle; -1: not known
-                  */
 };
 
 /* With the saddle near b's anchor.  *why: a plain sentence where the answer is

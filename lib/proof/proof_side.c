@@ -125,7 +125,17 @@ enum status proof_rows(const struct proof *p, const double v[], size_t columns,
     return STATUS_OK;
 }
 
-int proof_has_node(const struct proof *p, int side)
+/* mu_ss falls on one interval of v at most (docs/proofs.md, 14): there is a
+ * node beyond it where friction at an end of the plane has a limit, as a ln v
+ * then goes on. */
+int proof_has_node(const struct law *law, const struct material *m, int side)
 {
-    return p->law.node[side < 0];
+    const bool plain = law->theta == THETA_PSI;
+    const bool ends = law->theta == THETA_LN_PSI || m->c <= 0;
+
+    if (law->typed || law->psi_ss == PSI_SS_LAMBERT)
+        return -1;
+    if (law->psi_ss == PSI_SS_MINUS_LOG)
+        return plain ? 0 : -1;
+    return side > 0 ? plain || !ends : law->psi_ss != PSI_SS_INVERSE;
 }

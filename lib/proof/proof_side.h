@@ -21,6 +21,7 @@ MUST_CHECK enum status proof_rows(const struct proof *p, const double v[],
                                   size_t columns, const double psi[],
                                   size_t rows, struct proof_row out[]);
 
-/* 1: all of a side - 1: fast, -1: slow - tends to a node that is there; 0: its
- * v tends to infinity, or 0; -1: neither is known. */
-int proof_has_node(const struct proof *p, int side);
+/* Of a side - 1: fast, -1: slow - 1: all of it tends to a node that is there;
+ * 0: its v tends to infinity, or 0; -1: neither is known.  A law of R = inf is
+ * its limit (proof_law.h). */
+int proof_has_node(const struct law *law, const struct material *m, int side);

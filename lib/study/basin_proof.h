@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "proof_fold.h"
 #include "proof_side.h"
 
 struct study;
@@ -17,10 +18,12 @@ enum label_proof {
 extern const char *const label_proof_names[];
 
 struct basin_proof {
-    struct proof_row *row; /* owned; of the grid; NULL: nothing is proved */
-    double fraction;       /* of the cells */
-    int64_t near, beyond;  /* cells */
-    const char *reason;    /* borrowed: why nothing is; else NULL */
+    struct proof_row *row;  /* owned; of the grid; NULL: nothing is proved */
+    unsigned may[2];        /* bits of enum fate: of the slow side, the fast */
+    enum proof_alone alone; /* without a saddle */
+    double fraction;        /* of the cells */
+    int64_t near, beyond;   /* cells */
+    const char *reason;     /* borrowed: why nothing is; else NULL */
 };
 
 /* Of the grid of s->basins; a cell that is proved to have another label is told

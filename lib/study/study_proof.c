@@ -87,15 +87,11 @@ static size_t pairs_of(struct study *s, struct pair out[STUDY_PROOFS])
     return n;
 }
 
-static struct proof_inputs inputs_of(const struct study *s, bool decimal)
+struct proof_inputs study_proof_inputs(const struct scene *scene)
 {
-    return (struct proof_inputs){
-        .decimal = decimal,
-        .slope_in = s->scene->slope_in,
-        .slope = s->scene->slope_given,
-        .far =
-            plan_has(s->stages, STAGE_BASINS) ? &s->scene->window.psi[1] : NULL,
-    };
+    return (struct proof_inputs){ .decimal = true,
+                                  .slope_in = scene->slope_in,
+                                  .slope = scene->slope_given };
 }
 
 /* Of the saddle alone, or of its manifold, too. */
@@ -103,8 +99,11 @@ static enum status find(const struct study *s, bool decimal, bool manifold,
                         struct proof *out)
 {
     static const struct branch none[2];
-    const struct proof_inputs in = inputs_of(s, decimal);
+    struct proof_inputs in = study_proof_inputs(s->scene);
 
+    in.decimal = decimal;
+    if (plan_has(s->stages, STAGE_BASINS))
+        in.far = &s->scene->window.psi[1];
     return manifold ? proof_at(&s->slider.block, &in, out)
                     : proof_along(&s->slider.block, &in, none, out);
 }
@@ -148,7 +147,7 @@ static void tell(struct study_proof *k, const struct pair *pair,
 /* Of numbers that there are none of without a saddle. */
 static void tell_none(struct study *s, const struct pair pair[], size_t n)
 {
-    const struct proof_inputs in = inputs_of(s, true);
+    const struct proof_inputs in = study_proof_inputs(s->scene);
     const struct proof_number none = {
         .absent = proof_no_saddle(&s->scene->law, &s->scene->material, &in),
         .not_proved = "that there is no saddle was not proved",

@@ -7,6 +7,7 @@
 #include "record.h"
 #include "status.h"
 
+struct scene;
 struct study;
 
 /* As many as are told: a branch's first knee twice. */
@@ -25,6 +26,9 @@ struct study_proof {
  * and for the doubles that they are read as, s->proof.lie says so.
  * STATUS_NO_MEMORY. */
 MUST_CHECK enum status study_prove(struct study *s);
+
+/* Those of the scene, as decimals. */
+struct proof_inputs study_proof_inputs(const struct scene *scene);
 
 /* The same for the doubles that inputs are read as; proof_free either way. */
 MUST_CHECK enum status study_prove_doubles(const struct study *s,

@@ -147,13 +147,19 @@ static void a_number_that_is_proved_to_be_none_is_told_too(void **state)
 
 /* ---- labels -------------------------------------------------------------- */
 
-static void map(struct slope *s, const char *law, const char *cells)
+static void map_at(struct slope *s, const char *law, const char *alpha,
+                   const char *cells)
 {
     const char *const more[] = { "products=[equilibria, basins]", cells,
                                  "basins.audit=0", "accuracy.proved=true",
                                  NULL };
 
-    slope_make(s, law, NULL, "0.34", more);
+    slope_make(s, law, NULL, alpha, more);
+}
+
+static void map(struct slope *s, const char *law, const char *cells)
+{
+    map_at(s, law, "0.34", cells);
 }
 
 static void count_words(const struct study *s, size_t count[LABEL_PROOFS])
@@ -241,6 +247,38 @@ static void a_label_that_is_proved_another_is_told(void **state)
     slope_free(&s);
 }
 
+/* At 1.56 the node is at v = 1e1000. */
+static void without_a_saddle_all_labels_are_proved_or_none(void **state)
+{
+    static const struct {
+        const char *law, *alpha;
+        double fraction;
+    } at[] = { { "spinodal_gen", "0.2", 1 },
+               { "spinodal", "0.6", 1 },
+               { "spinodal", "1.56", 0 } };
+    static struct slope s;
+
+    (void) state;
+    for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+        map_at(&s, at[i].law, at[i].alpha, "basins.cells=[9, 7]");
+        const struct basin_proof *b = &s.study.label_proof;
+        assert_string_equal(s.study.proof.lie.text, "");
+        CHECK(b->fraction == at[i].fraction && !b->reason == (b->fraction > 0),
+              "%s at %s: %g: %s", at[i].law, at[i].alpha, b->fraction,
+              b->reason ? b->reason : "");
+        slope_free(&s);
+    }
+    map_at(&s, "spinodal_gen", "0.2", "basins.cells=[9, 7]");
+    struct regions *r = &s.study.basins.labels.regions;
+    for (size_t i = 0; i < r->count; i++)
+        r->region[i].label = FATE_SLIDING;
+    basin_proof_free(&s.study.label_proof);
+    assert_int_equal(basin_prove(&s.study), STATUS_OK);
+    CHECK(strstr(s.study.proof.lie.text, "another label is proved of 63"), "%s",
+          s.study.proof.lie.text);
+    slope_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -252,6 +290,7 @@ int main(void)
         cmocka_unit_test(every_label_away_from_the_manifold_is_proved),
         cmocka_unit_test(cells_beyond_or_beside_the_tube_are_not_proved),
         cmocka_unit_test(a_label_that_is_proved_another_is_told),
+        cmocka_unit_test(without_a_saddle_all_labels_are_proved_or_none),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
