@@ -100,8 +100,8 @@ static bool is_far(struct proof_law *law, struct proof_branch *out, size_t i,
 }
 
 /* From the end of the cone on, to where what is left is nothing beside what is
- * not known, to the last piece, or on an open branch as far as is_far(*far);
- * the pieces beyond the end are let go. */
+ * not known, to the last piece or through PROOF_CELLS cells, or on an open
+ * branch as far as is_far(*far); the pieces beyond the end are let go. */
 static enum status walk(struct proof_law *law, struct proof_branch *out,
                         struct proof_front *f, const double *far)
 {
@@ -119,14 +119,16 @@ static enum status walk(struct proof_law *law, struct proof_branch *out,
         if (far && is_far(law, out, i, to, f, *far))
             return STATUS_OK;
         const char *why = far ? NULL : close(law, out, i, to, f, &left);
-        if (far == NULL && why == NULL &&
-            (next == NULL || left < PROOF_END_PART)) {
+        const bool last = next == NULL || out->cells > PROOF_CELLS;
+        if (far == NULL && why == NULL && (last || left < PROOF_END_PART)) {
             out->not_proved = NULL;
             out->pieces = i + 1;
             return STATUS_OK;
         }
         fail(out, why);
-        if (next && !proof_join(&law->tape, &out->piece[i], next, to, f)) {
+        if (last)
+            return STATUS_OK;
+        if (!proof_join(&law->tape, &out->piece[i], next, to, f)) {
             fail(out, "the tube was lost between two pieces");
             return STATUS_OK;
         }

@@ -40,6 +40,10 @@
 #define PROOF_FELT      0.01
 #define PROOF_HALVINGS  12
 
+/* A branch is followed no further through more cells: most have 100 to 250, of
+ * a millisecond each. */
+#define PROOF_CELLS 2048
+
 /* Parts of a cell on which the transverse rate is bounded. */
 #define PROOF_PARTS 4
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "proof_tolerance.h"
 #include "slope.h"
 
 static void run(struct slope *s, const char *law)
@@ -99,6 +100,26 @@ static void what_a_law_does_not_have_is_said_and_nothing_proved(void **state)
           p->not_proved);
     assert_false(p->absent);
     assert_null(s.study.saddle_numbers.v.proved->not_proved);
+    slope_free(&s);
+}
+
+/* Ruina's lower branch has no limit here, and 63,529 cells. */
+static void a_branch_without_an_end_is_followed_through_so_many_cells(
+    void **state)
+{
+    static struct slope s;
+
+    (void) state;
+    slope_make(&s, "ruina", NULL, "0.05", (const char *const[]){ NULL });
+    const struct proof_inputs in = study_proof_inputs(s.study.scene);
+    struct proof p;
+    assert_int_equal(proof_at(&s.study.slider.block, &in, &p), STATUS_OK);
+    CHECK(p.branch[1].cells > PROOF_CELLS &&
+              p.branch[1].cells <= PROOF_CELLS + (1 << PROOF_HALVINGS),
+          "%zu", p.branch[1].cells);
+    CHECK(strstr(p.branch[1].not_proved, "rate of psi"), "%s",
+          p.branch[1].not_proved);
+    proof_free(&p);
     slope_free(&s);
 }
 
@@ -285,6 +306,8 @@ int main(void)
         cmocka_unit_test(each_bar_of_a_slope_meets_what_is_proved),
         cmocka_unit_test(laws_of_the_literature_are_proved),
         cmocka_unit_test(what_a_law_does_not_have_is_said_and_nothing_proved),
+        cmocka_unit_test(
+            a_branch_without_an_end_is_followed_through_so_many_cells),
         cmocka_unit_test(a_bar_beside_what_is_proved_is_told_by_name),
         cmocka_unit_test(a_number_that_is_proved_to_be_none_is_told_too),
         cmocka_unit_test(every_label_away_from_the_manifold_is_proved),
