@@ -170,8 +170,11 @@ static bool corner(struct seeker *s, const struct proof_piece *last)
             interval_within(before->after));
     const struct patch w = { interval_hull(from, point(p->start)),
                              add(point(p->coef[0]), interval_within(after)) };
-    const int sign = sign_of(upright(s, over_one(s, &w)));
+    const struct interval over = over_one(s, &w);
+    const int sign = sign_of(upright(s, over));
 
+    if (!(over.lo > -1)) /* the slope is above 0 */
+        return false;
     if (sign)
         return pass(s, sign);
     add_place(s, &w);
