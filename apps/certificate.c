@@ -10,7 +10,7 @@
 #include "records.h"
 #include "replace.h"
 
-enum { CERTIFICATE_VERSION = 1 };
+enum { CERTIFICATE_VERSION = 2 };
 
 /* ---- inputs -------------------------------------------------------------- */
 
@@ -75,20 +75,36 @@ static json_t *piece_json(const struct proof_branch *b,
                      p->step, "coef", coef, "cells", cells);
 }
 
-/* Of an open branch the cone is all: it lies on the first piece. */
-static json_t *branch_json(const struct proof_branch *b)
+/* As many as are proved, and whether these are all. */
+static json_t *knees_json(const struct proof_numbers *n, size_t side,
+                          const struct proof_branch *b)
 {
+    json_t *at = json_array();
+
+    for (size_t k = 0; k < b->knees; k++)
+        json_array_append_new(
+            at, json_pack("{s:o, s:o}", "v",
+                          interval_json(n->knee[side][k].v.value), "psi",
+                          interval_json(n->knee[side][k].psi.value)));
+    return json_pack("{s:o, s:b}", "at", at, "all", b->no_more == NULL);
+}
+
+/* An open branch may have no cells, but the cone's piece. */
+static json_t *branch_json(const struct proof *p, size_t side)
+{
+    const struct proof_branch *b = &p->branch[side];
+    const struct proof_numbers n = proof_numbers_of(p);
     const bool open = b->end == END_OPEN;
     json_t *pieces = json_array();
 
     if (b->not_proved || b->end < 0)
         return json_pack("{s:s}", "not_proved", b->not_proved);
-    for (size_t i = 0; i < (open ? 1 : b->pieces); i++)
+    for (size_t i = 0; i < b->pieces && (i == 0 || b->piece[i].cells); i++)
         json_array_append_new(pieces, piece_json(b, &b->piece[i]));
-    return json_pack("{s:{s:f, s:f, s:o}, s:o, s:s, s:o*, s:o*}", "cone",
+    return json_pack("{s:{s:f, s:f, s:o}, s:o, s:o, s:s, s:o*, s:o*}", "cone",
                      "reach", b->cone.reach, "slope", b->cone.slope, "excess",
-                     interval_json(b->cone.excess), "pieces", pieces, "end",
-                     end_names[b->end], "place",
+                     interval_json(b->cone.excess), "pieces", pieces, "knees",
+                     knees_json(&n, side, b), "end", end_names[b->end], "place",
                      open ? NULL : interval_json(b->place), "excess",
                      open ? NULL : interval_json(b->excess));
 }
@@ -124,12 +140,12 @@ static json_t *proof_json(const struct study *s)
     if (why)
         return json_pack("{s:i, s:s}", "slipway_certificate",
                          CERTIFICATE_VERSION, "not_proved", why);
-    return json_pack(
-        "{s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "slipway_certificate",
-        CERTIFICATE_VERSION, "law", law_json(&p->law.law), "material",
-        material_json(&s->slider.block), "slope", slope_json(s->scene), "upper",
-        branch_json(&p->branch[0]), "lower", branch_json(&p->branch[1]),
-        "numbers", numbers_json(p));
+    return json_pack("{s:i, s:o, s:o, s:o, s:o, s:o, s:o}",
+                     "slipway_certificate", CERTIFICATE_VERSION, "law",
+                     law_json(&p->law.law), "material",
+                     material_json(&s->slider.block), "slope",
+                     slope_json(s->scene), "upper", branch_json(p, 0), "lower",
+                     branch_json(p, 1), "numbers", numbers_json(p));
 }
 
 /* ---- the file ------------------------------------------------------------ */

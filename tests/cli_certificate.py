@@ -38,6 +38,9 @@ def each_claim_of_a_certificate_follows(room):
         expect(len(found['numbers']) == 14, law, found['numbers'])
         expect(not rejected(found), law, rejected(found))
         expect(ends == ENDS[law], law, ends)
+        for side, count in (('upper', 1), ('lower', law == 'dieterich_gen')):
+            knees = found[side]['knees']
+            expect(knees['all'] and len(knees['at']) == count, law, knees)
 
 
 def its_numbers_are_those_of_the_answer(room):
@@ -118,6 +121,16 @@ def forge_end(piece, rng):
     return new is not None
 
 
+def forge_knees(knees, rng):
+    """One more, or one less and still all."""
+    at = knees['at']
+    if at and rng.random() < 0.5:
+        at.pop(rng.randrange(len(at)))
+    else:
+        at.append(at[0] if at else {'v': [0.5, 2], 'psi': [0.5, 2]})
+    return True
+
+
 def forge_word(certificate, rng):
     words = {'friction': ['asinh', 'log'], 'kinetics': ['linear', 'sinh'],
              'theta': ['ln_psi', 'psi'], 'psi_ss': ['inverse', 'minus_log'],
@@ -136,6 +149,8 @@ def forge(certificate, rng):
         side, branch = 'lower', certificate['lower']
     piece = rng.choice(branch['pieces'])
     cell = rng.choice(piece['cells'])
+    knees = [u for side in ('upper', 'lower') for k in certificate[side]['knees']['at']
+             for u in k.values()]
     numbers = [n for n in certificate['numbers'].values() if n != 'absent']
     group = certificate[rng.choice(['material', 'material', 'slope'])]
     name = rng.choice(list(group))
@@ -153,6 +168,8 @@ def forge(certificate, rng):
         'place of the end': lambda: forge_interval(branch['place'], rng),
         'whole integral': lambda: forge_interval(branch['excess'], rng),
         'law': lambda: forge_word(certificate, rng),
+        'knee': lambda: forge_interval(rng.choice(knees), rng),
+        'number of knees': lambda: forge_knees(branch['knees'], rng),
     }
     kind = rng.choice(list(kinds))
     return kind if kinds[kind]() else None
