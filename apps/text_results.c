@@ -21,12 +21,12 @@ static void print_unit(FILE *out, const struct record_field *f)
         fprintf(out, " %s", unit);
 }
 
-/* On a line of its own, in the number's unit. */
-static void print_proof(FILE *out, const struct proved *p)
+/* On a line of its own, in the number's unit; whose, if that is not clear. */
+static void print_proof(FILE *out, const char *whose, const struct proved *p)
 {
     if (p == NULL)
         return;
-    fprintf(out, "  %-16s ", "");
+    fprintf(out, "  %-16s ", whose);
     if (p->not_proved)
         fprintf(out, "not proved: %s\n", p->not_proved);
     else if (p->absent)
@@ -53,7 +53,7 @@ static void print_quantity(FILE *out, const char *name,
 {
     if (!quantity_exists(q)) {
         fprintf(out, "  %-16s -  (%s)\n", name, q->reason);
-        print_proof(out, q->proved);
+        print_proof(out, "", q->proved);
         return;
     }
     const struct number_bar shown = number_with_bar(q->value, q->error);
@@ -64,7 +64,7 @@ static void print_quantity(FILE *out, const char *name,
         fprintf(out, "  (inputs +- %.1e)", q->conditioning * fabs(q->value));
     print_spread(out, q);
     fputc('\n', out);
-    print_proof(out, q->proved);
+    print_proof(out, "", q->proved);
 }
 
 static void print_real(FILE *out, const char *name,
@@ -143,6 +143,11 @@ static void print_pairs(FILE *out, const struct record_array *a,
             }
         }
         fputc('\n', out);
+        for (size_t k = 0; k < a->type->count; k++) {
+            const struct record_field *f = &a->type->fields[k];
+            const struct quantity *q = record_member(a, i, f);
+            print_proof(out, f->name, q->proved);
+        }
     }
     if (a->count == 0)
         fprintf(out, "  %-16s -  (none)\n", name);
