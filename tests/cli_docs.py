@@ -116,8 +116,8 @@ def reasons_are_explained_and_none_is_invented(_):
     told = set(re.findall(r'^\| `([^`]+)` \|',
                           text_of(f'{SOURCE}/docs/reasons.md'), re.M))
     there, given = set(), set()
-    rooms = ('friction', 'fit', 'numbers', 'motion', 'slow', 'basin', 'plane', 'study',
-             'sweep', 'check')
+    rooms = ('friction', 'fit', 'numbers', 'motion', 'slow', 'basin', 'plane', 'proof',
+             'study', 'sweep', 'check')
     for folder in [f'{room}/*.c' for room in rooms] + ['core/record.h',
                                                     'core/unit.c']:
         for path in glob.glob(f'{SOURCE}/lib/{folder}'):
