@@ -295,6 +295,21 @@ static void print_gaps(FILE *out, const struct record_array *a)
         }
 }
 
+/* What is proved of a table's numbers. */
+static void print_proofs(FILE *out, const struct record_array *a)
+{
+    char of[CELL];
+
+    for (size_t i = 0; i < a->count; i++)
+        for (size_t k = 0; k < a->type->count; k++) {
+            const struct record_field *f = &a->type->fields[k];
+            const struct quantity *q = record_member(a, i, f);
+            snprintf(of, sizeof of, "%s in line %zu", f->name, i + 1);
+            if (f->kind == RECORD_QUANTITY)
+                print_proof(out, of, q->proved);
+        }
+}
+
 static void print_table(FILE *out, const struct record_array *a)
 {
     const enum record_kind first = a->type->fields[0].kind;
@@ -310,6 +325,7 @@ static void print_table(FILE *out, const struct record_array *a)
     if (rows < a->count)
         fprintf(out, "  (%zu of %zu)\n", rows, a->count);
     print_gaps(out, a);
+    print_proofs(out, a);
 }
 
 /* "name   a b c", if there are any. */

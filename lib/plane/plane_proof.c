@@ -130,11 +130,9 @@ static struct proof_trap trap_of(const struct plane_study *s,
 
 static const char *no_goal(const struct plane_branch *b)
 {
-    return b->end == PLANE_END_SADDLE
-               ? "that it comes to a saddle is not proved"
-           : b->end == PLANE_END_CYCLE
-               ? "that it winds on to a closed orbit is not proved"
-               : "its end is not known";
+    return b->end == PLANE_END_SADDLE  ? "it comes to a saddle"
+           : b->end == PLANE_END_CYCLE ? "it winds on to a closed orbit"
+                                       : "its end is not known";
 }
 
 static void tell_crossing(struct plane_study *s, struct plane_branch *b,
@@ -166,7 +164,7 @@ static enum status follow(struct plane_study *s, struct plane_branch *b,
         trap = trap_of(s, b);
         goal = (struct proof_goal){ .trap = &trap };
         if (!(trap.level > 0) || !proof_trap_verify(&p->tape, &trap)) {
-            b->not_proved = "no trap around the equilibrium was proved";
+            b->not_proved = "no trap was proved";
             return STATUS_OK;
         }
     }
@@ -182,29 +180,36 @@ static enum status follow(struct plane_study *s, struct plane_branch *b,
     return STATUS_OK;
 }
 
-static enum status prove_branch(struct plane_study *s, struct plane_branch *b)
+static enum status prove_goal(struct plane_study *s, struct plane_branch *b)
 {
-    const bool leaves = quantity_exists(&b->leaves[0]);
     const int way = b->kind == MANIFOLD_STABLE ? 0 : 1;
     struct proof_plane p;
     struct fault why;
+    enum status status =
+        proof_plane_at(&p, &s->lowered->way[1][way], s->lowered->value,
+                       s->rest[b->rest].exact.chart, &why);
+
+    if (status == STATUS_BAD_ARGUMENT)
+        b->not_proved = "a function has no rule";
+    else if (status == STATUS_OK)
+        status = follow(s, b, &p);
+    proof_plane_free(&p);
+    return status == STATUS_BAD_ARGUMENT ? STATUS_OK : status;
+}
+
+static enum status prove_branch(struct plane_study *s, struct plane_branch *b)
+{
+    const bool leaves = quantity_exists(&b->leaves[0]);
     enum status status = STATUS_OK;
 
     b->end_proved = PLANE_NOT_PROVED;
     b->not_proved = no_goal(b);
-    if (!leaves && b->end != PLANE_END_EQUILIBRIUM)
-        return STATUS_OK;
-    status = proof_plane_at(&p, &s->lowered->way[1][way], s->lowered->value,
-                            s->rest[b->rest].exact.chart, &why);
-    if (status == STATUS_BAD_ARGUMENT)
-        b->not_proved = "a function of the system has no rule for proofs";
-    else if (status == STATUS_OK)
-        status = follow(s, b, &p);
-    proof_plane_free(&p);
+    if (leaves || b->end == PLANE_END_EQUILIBRIUM)
+        status = prove_goal(s, b);
     for (int i = 0; i < 2 && leaves && b->not_proved; i++)
         *next_of(s, &b->leaves[i]) =
             (struct proved){ .not_proved = b->not_proved };
-    return status == STATUS_BAD_ARGUMENT ? STATUS_OK : status;
+    return status;
 }
 
 /* ---- all ----------------------------------------------------------------- */

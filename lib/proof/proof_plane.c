@@ -147,7 +147,7 @@ static bool comes_in(struct walk *w, size_t i)
  * reached, or why it cannot be. */
 static bool pass(struct walk *w, size_t i, struct interval crossing[2])
 {
-    static const char no_tube[] = "no tube around the manifold was proved";
+    static const char no_tube[] = "no tube was proved";
     struct proof_branch *out = w->out;
     struct proof_piece *p = &out->piece[i];
     const struct proof_piece *next = i + 1 < out->pieces ? p + 1 : NULL;
@@ -165,11 +165,11 @@ static bool pass(struct walk *w, size_t i, struct interval crossing[2])
     if (!tube)
         out->not_proved = no_tube;
     else if (is_last && !cross(w, p, to, crossing))
-        out->not_proved = "the slope has no sign where it crosses the edge";
+        out->not_proved = "its slope there has no sign";
     else if (!is_last && next == NULL)
-        out->not_proved = "it was not followed into a trap that is proved";
+        out->not_proved = "it does not come into a trap";
     else if (!is_last && !proof_join(w->tape, p, next, to, &w->front))
-        out->not_proved = "the tube was lost between two pieces";
+        out->not_proved = "the tube was lost at a corner";
     return is_last && !out->not_proved;
 }
 
@@ -192,8 +192,7 @@ enum status proof_plane_branch(struct proof_plane *p,
     const double most =
         goal->trap == NULL && w.goal.piece == 0 ? w.goal.theta : 1;
     if (!proof_cone(w.tape, out->piece, most, &out->cone, &w.front)) {
-        out->not_proved =
-            "no cone around the manifold at the saddle was proved";
+        out->not_proved = "no cone at the saddle is proved";
         return STATUS_OK;
     }
     out->not_proved = NULL;
