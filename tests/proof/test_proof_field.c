@@ -1,6 +1,6 @@
 /* Rates over boxes, of every composition of the laws: their quotient holds that
- * of 113 bits at every point, and their series over a box that at every point
- * of it. */
+ * of 113 bits at every point, their series over a box that at every point of
+ * it, and what few bits tell what more bits do. */
 #include "interval_tape.h"
 
 #include "check.h"
@@ -8,6 +8,7 @@
 #include "law_graph.h"
 #include "law_tape.h"
 #include "proof_law.h"
+#include "proof_tolerance.h"
 #include "quad.h"
 #include "slider.h"
 
@@ -141,11 +142,139 @@ static void a_series_over_a_box_holds_those_at_its_points(void **state)
     }
 }
 
+/* ---- bits ---------------------------------------------------------------- */
+
+enum { PRECISIONS = 3 };
+static const int bits[PRECISIONS] = { 53, 113, 160 };
+static const enum law_number asked[] = { LAW_AT_MU, LAW_AT_DX, LAW_AT_DY };
+
+static void copy_leaves(const struct interval_graph *from,
+                        struct interval_graph *to)
+{
+    for (int i = 0; i < from->nodes; i++) {
+        const struct formula_node *n = &from->f->node[from->node[i]];
+        if (n->kind == FORMULA_LEAF)
+            interval_graph_set(to, n->name,
+                               interval_graph_value(from, from->node[i]));
+    }
+}
+
+/* The law's formulas to so many bits, its parameters as they are known. */
+static void make_graph(const struct around *a, int precision,
+                       struct interval_graph *g)
+{
+    bool needed[FORMULA_NODES] = { false };
+
+    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++)
+        needed[a->law.graph->node[asked[i]]] = true;
+    assert_int_equal(
+        interval_graph_init(g, &a->law.graph->f, needed, precision), STATUS_OK);
+    copy_leaves(&a->law.at, g);
+    copy_leaves(&a->law.state, g);
+}
+
+/* At an offset from the saddle. */
+static void run_graph(const struct around *a, struct interval_graph *g,
+                      double X, double Y)
+{
+    const struct plane_formulas *p = &a->law.lowered->p;
+    struct fault why;
+    mpfi_t at;
+
+    mpfi_init2(at, PROOF_BITS);
+    mpfi_add_d(at, interval_graph_value(&a->law.at, p->chart[0]), X);
+    interval_graph_set(g, "lnv0", at);
+    mpfi_add_d(at, interval_graph_value(&a->law.at, p->chart[1]), Y);
+    interval_graph_set(g, "y0", at);
+    mpfi_clear(at);
+    CHECK(interval_graph_run(g, &why) == STATUS_OK, "%s", why.text);
+}
+
+static double width_of(mpfi_srcptr u)
+{
+    mpfr_t width;
+
+    mpfr_init2(width, 53);
+    mpfi_diam_abs(width, u);
+    const double out = mpfr_get_d(width, MPFR_RNDU);
+    mpfr_clear(width);
+    return out;
+}
+
+static void check_nesting(const struct around *a,
+                          const struct interval_graph g[PRECISIONS])
+{
+    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++)
+        for (int k = 0; k + 1 < PRECISIONS; k++) {
+            const int node = a->law.graph->node[asked[i]];
+            mpfi_srcptr wide = interval_graph_value(&g[k], node);
+            mpfi_srcptr thin = interval_graph_value(&g[k + 1], node);
+            CHECK(mpfi_is_inside(thin, wide) > 0,
+                  "%s: number %zu of %d bits is not in that of %d",
+                  a->slider.block.law.preset, i, bits[k + 1], bits[k]);
+            CHECK(!isfinite(width_of(wide)) ||
+                      width_of(thin) <=
+                          ldexp(width_of(wide), bits[k] - bits[k + 1] + 10),
+                  "%s: number %zu: %g of %d bits, %g of %d",
+                  a->slider.block.law.preset, i, width_of(wide), bits[k],
+                  width_of(thin), bits[k + 1]);
+        }
+}
+
+/* The quotient of the rates in doubles has all of that to the most bits. */
+static void check_tape(struct around *a, const struct interval_graph *most,
+                       double X, double Y)
+{
+    const struct interval x[] = { interval_point(X) },
+                          y[] = { interval_point(Y) };
+    struct interval_series out[3];
+    double log_scale;
+    mpfi_t exact;
+
+    interval_tape_jet(&a->law.tape, 0, x, y, out, &log_scale);
+    const struct interval q = interval_divide(out[1].c[0], out[0].c[0]);
+    mpfi_init2(exact, PROOF_BITS);
+    mpfi_div(exact, interval_graph_value(most, a->law.graph->node[LAW_AT_DY]),
+             interval_graph_value(most, a->law.graph->node[LAW_AT_DX]));
+    CHECK(mpfr_cmp_d(&exact->left, q.lo) >= 0 &&
+              mpfr_cmp_d(&exact->right, q.hi) <= 0,
+          "%s at (%g, %g): [%.17g, %.17g] has not all of %.17g",
+          a->slider.block.law.preset, X, Y, q.lo, q.hi, mpfi_get_d(exact));
+    mpfi_clear(exact);
+}
+
+static void intervals_nest_as_bits_grow(void **state)
+{
+    static struct around a;
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int i = 0; i < SLOPES / 2; i++) {
+        struct interval_graph g[PRECISIONS];
+        if (!make(&a, &rng))
+            continue;
+        for (int k = 0; k < PRECISIONS; k++)
+            make_graph(&a, bits[k], &g[k]);
+        for (int j = 0; j < POINTS; j++) {
+            const double X = check_uniform(&rng, -2, 2);
+            const double Y = check_uniform(&rng, -1, 1);
+            for (int k = 0; k < PRECISIONS; k++)
+                run_graph(&a, &g[k], X, Y);
+            check_nesting(&a, g);
+            check_tape(&a, &g[PRECISIONS - 1], X, Y);
+        }
+        for (int k = 0; k < PRECISIONS; k++)
+            interval_graph_free(&g[k]);
+        proof_law_free(&a.law);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_quotient_of_the_rates_is_that_of_113_bits),
         cmocka_unit_test(a_series_over_a_box_holds_those_at_its_points),
+        cmocka_unit_test(intervals_nest_as_bits_grow),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
