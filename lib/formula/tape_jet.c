@@ -284,7 +284,11 @@ static inline void sums_of_first(const struct course *c, size_t k, size_t width)
             *at(here.reg, o->out) = entry(&here, o);                           \
     }
 
+#if JET_LANES == 2 || defined __AVX512F__
 ORDER(order_plain, sums_by_pairs, )
+#else
+ORDER(order_plain, sums_by_fours, )
+#endif
 
 #if defined __x86_64__ && JET_LANES == 2
 ORDER(order_wide, sums_by_fours, __attribute__((target("avx2"))))

@@ -34,10 +34,10 @@
         size_t k, size_t width, const jet_pair *a, const jet_pair *b,          \
         jet_pair *sum)                                                         \
     {                                                                          \
-        const size_t each = sizeof(type) / sizeof(jet_pair);                   \
         size_t now;                                                            \
                                                                                \
-        for (size_t left = width / each; left > 0; left -= now) {              \
+        for (size_t left = width * sizeof(jet_pair) / sizeof(type); left > 0;  \
+             left -= now) {                                                    \
             now = left < 8 ? left : 8;                                         \
             switch (now) {                                                     \
                 case 8:                                                        \
@@ -65,15 +65,15 @@
                     SUMS(type, 1);                                             \
                     break;                                                     \
             }                                                                  \
-            a += each * now;                                                   \
-            b += each * now;                                                   \
-            sum += each * now;                                                 \
+            a = (const jet_pair *) ((const type *) a + now);                   \
+            b = (const jet_pair *) ((const type *) b + now);                   \
+            sum = (jet_pair *) ((type *) sum + now);                           \
         }                                                                      \
     }
 
 SUMS_BY(sums_by_pairs, jet_pair)
-#if JET_LANES == 2
-/* Four numbers where pairs stand. */
+#ifndef __AVX512F__
+/* Four numbers where pairs stand, or half of eight. */
 typedef double four __attribute__((vector_size(32), aligned(16), may_alias));
 SUMS_BY(sums_by_fours, four)
 #endif
