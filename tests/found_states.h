@@ -240,6 +240,15 @@ static const struct {
       { -21.192628258272443, 19.2262706879789 },
       EXACT_NONE,
       "a loose run, known to 1e7 times its time, for a witness" },
+    { { FRICTION_ASINH, THETA_LN_C_1PR_PSI, PSI_SS_MINUS_LOG, TIMESCALE_SLIP,
+        KINETICS_LINEAR, 0.40266016611054145, 0.1020036603348756,
+        0.043535882659824318, 1.2351880546747758e-06, 1145039.865981994,
+        1.3997055194386564e-07, 0.00013582251413208628, 0.05053632650303116,
+        1e-7 },
+      0.0505793924149831256173L,
+      { -1.2192358937529555e-05, -25.592778775104456 },
+      EXACT_BOTH,
+      "an orbit 1e-7 from a saddle, by the field 1e-6 beside it" },
 };
 
 #endif

@@ -202,19 +202,22 @@ static void look_ahead(const struct walk *w)
     l->out->mu_next = -HUGE_VAL;
 }
 
-/* What changes per unit to the left of the end of the walk. */
+/* What changes per unit to the left of the end of the walk: beside it by less
+ * than the way to the saddle, or the field there is that of other orbits. */
 static struct aside look_aside(const struct landing *l)
 {
     const double *du = l->du;
-    const double u[LAYER_DIM] = { l->u[LAYER_X] - TOL_ASIDE * du[LAYER_Y],
-                                  l->u[LAYER_Y] + TOL_ASIDE * du[LAYER_X] };
+    const double far =
+        TOL_ASIDE * fmin(fmax(fabs(l->u[LAYER_X]), fabs(l->u[LAYER_Y])), 1.0);
+    const double u[LAYER_DIM] = { l->u[LAYER_X] - far * du[LAYER_Y],
+                                  l->u[LAYER_Y] + far * du[LAYER_X] };
     double at[LAYER_DIM];
 
     along(l->curve->slider, 0.0, u, at);
     return (struct aside){
-        (du[LAYER_X] * at[LAYER_Y] - du[LAYER_Y] * at[LAYER_X]) / TOL_ASIDE,
-        (at[LAYER_TIME] - du[LAYER_TIME]) / TOL_ASIDE,
-        (at[LAYER_SLIP] - du[LAYER_SLIP]) / TOL_ASIDE,
+        (du[LAYER_X] * at[LAYER_Y] - du[LAYER_Y] * at[LAYER_X]) / far,
+        (at[LAYER_TIME] - du[LAYER_TIME]) / far,
+        (at[LAYER_SLIP] - du[LAYER_SLIP]) / far,
     };
 }
 

@@ -202,11 +202,14 @@ struct steps {
 /* What changes per unit to the left of u, as look_aside of fast_layer.c. */
 static void look_aside(const struct bundle b[], struct steps m[])
 {
-    lanes x[PAIR], y[PAIR], at[PAIR][LAYER_DIM], *to[PAIR];
+    lanes x[PAIR], y[PAIR], far[PAIR], at[PAIR][LAYER_DIM], *to[PAIR];
 
     for (int p = 0; p < PAIR; p++) {
-        x[p] = m[p].u[LAYER_X] - TOL_ASIDE * b[p].k[0][LAYER_Y];
-        y[p] = m[p].u[LAYER_Y] + TOL_ASIDE * b[p].k[0][LAYER_X];
+        const lanes size = lanes_larger(lanes_size(m[p].u[LAYER_X]),
+                                        lanes_size(m[p].u[LAYER_Y]));
+        far[p] = TOL_ASIDE * lanes_smaller(size, LANES_OF(1.0));
+        x[p] = m[p].u[LAYER_X] - far[p] * b[p].k[0][LAYER_Y];
+        y[p] = m[p].u[LAYER_Y] + far[p] * b[p].k[0][LAYER_X];
         to[p] = at[p];
     }
     along(b, x, y, true, to);
@@ -214,10 +217,10 @@ static void look_aside(const struct bundle b[], struct steps m[])
         const lanes *du = b[p].k[0];
         for (int i = 0; i < 2; i++)
             m[p].aside[i] =
-                (at[p][LAYER_TIME + i] - du[LAYER_TIME + i]) / TOL_ASIDE;
+                (at[p][LAYER_TIME + i] - du[LAYER_TIME + i]) / far[p];
         m[p].spread =
             (du[LAYER_X] * at[p][LAYER_Y] - du[LAYER_Y] * at[p][LAYER_X]) /
-            TOL_ASIDE;
+            far[p];
     }
 }
 
