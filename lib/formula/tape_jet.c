@@ -190,13 +190,13 @@ static inline jet_pair quotient(const struct course *c, unsigned slot,
     return q;
 }
 
-/* What entry o makes. */
-static inline __attribute__((always_inline)) jet_pair entry(
-    const struct course *c, const struct jet_op *o)
-{
+/* What entry o makes, from what is at its places. */
 #define U    (*at(c->reg, o->a))
 #define W    (*at(c->reg, o->b))
 #define KEPT at(c->keep, o->keep)
+static inline __attribute__((always_inline)) jet_pair entry(
+    const struct course *c, const struct jet_op *o)
+{
     const jet_pair *C = c->constant + 2 * (o - c->p->op);
 
     switch ((enum jet_code) o->code) {
@@ -252,9 +252,6 @@ static inline __attribute__((always_inline)) jet_pair entry(
         default:
             __builtin_unreachable();
     }
-#undef U
-#undef W
-#undef KEPT
 }
 
 /* The sums where rows A end after the first. */
@@ -265,6 +262,9 @@ static inline void sums_of_first(const struct course *c, size_t k, size_t width)
     for (size_t i = 0; i < width; i++)
         c->S[i] = k > 1 ? a[i] * b[i] : JET_PAIR(0.0);
 }
+#undef U
+#undef W
+#undef KEPT
 
 /* A part's entries of order k > 0 after their sums, of registers `each`. */
 #define ORDER(name, sums, target)                                              \
