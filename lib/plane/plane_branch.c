@@ -10,6 +10,7 @@
 #include "grow.h"
 #include "plane_cycle.h"
 #include "plane_defined.h"
+#include "plane_rest.h"
 #include "plane_tolerance.h"
 #include "plane_weak.h"
 #include "tolerance.h"
@@ -246,6 +247,104 @@ static void look_for_trap(const struct plane_study *s,
     }
 }
 
+/* ---- beyond the window --------------------------------------------------- */
+
+enum { LOOKS = 16 }; /* a piece */
+
+/* How fast the plane is at look n, of any curve: LOOKS a piece. */
+static double speed_at(const struct plane_study *s,
+                       const struct plane_branch *b, double look)
+{
+    const struct planar *system = &s->system[0];
+    const struct vec2 origin = s->rest[b->rest].z, side = s->scale.side;
+    const double piece =
+        fmin(floor(look / LOOKS), (double) b->curve.curve.count - 1.0);
+    struct planar_field f;
+
+    system->field(
+        system->ctx,
+        vec2_sub(point(b, origin, (size_t) piece, look / LOOKS - piece),
+                 system->origin),
+        &f);
+    return hypot(f.direction.x / side.x, f.direction.y / side.y) *
+           exp(f.log_scale);
+}
+
+/* The look at which it is slowest, within one of `look`. */
+static double slowest(const struct plane_study *s, const struct plane_branch *b,
+                      double look)
+{
+    double best = speed_at(s, b, look), width = 0.5;
+
+    for (int i = 0; i < 120; i++) {
+        const double at = look + (i % 2 ? width : -width);
+        const double speed = speed_at(s, b, at);
+        if (speed < best) {
+            best = speed;
+            look = at;
+        } else if (i % 2) {
+            width *= 0.5;
+        }
+    }
+    return look;
+}
+
+/* It ends where it comes to an equilibrium outside the window within its bar:
+ * there rounding decides which way it goes on. */
+static enum status look_at_slow(struct plane_study *s, struct plane_branch *b,
+                                double look, struct half *h)
+{
+    const struct vec2 origin = s->rest[b->rest].z, side = s->scale.side;
+    const double at = slowest(s, b, look);
+    const size_t piece = (size_t) (at / LOOKS);
+    size_t i;
+
+    const enum status status = plane_rest_add(
+        s, point(b, origin, piece, at / LOOKS - (double) piece), &i);
+    if (status != STATUS_OK || i == s->rests)
+        return status;
+    const struct plane_rest *r = &s->rest[i];
+    const double most = fmin(side.x, side.y);
+    const double near =
+        4.0 *
+        fmax((b->curve.curve.piece[piece].error + vec2_length(r->error)) / most,
+             TOL_TOUCH);
+    double theta;
+    const double d = arrival_nearest(&s->scale, &b->curve.curve, piece, origin,
+                                     r->z, near, &theta);
+    if (!(d <= near))
+        return STATUS_OK;
+    h->end = r->type == PLANE_SADDLE ? PLANE_END_SADDLE : PLANE_END_EQUILIBRIUM;
+    h->to = i;
+    h->theta = theta;
+    h->beyond = 2.0 * d * fmax(side.x, side.y) * turns_of(r);
+    b->curve.curve.count = piece + 1;
+    return STATUS_OK;
+}
+
+/* One is looked for where the plane is slow, and slower than beside. */
+static enum status look_outside(struct plane_study *s, struct plane_branch *b,
+                                struct half *h)
+{
+    const size_t looks = LOOKS * b->curve.curve.count;
+    double speed[3] = { 0.0, 0.0, 0.0 }, fastest = 0.0;
+    enum status status = STATUS_OK;
+
+    if (h->end >= 0 || h->broken ||
+        box_holds(plane_study_box(s), last_point(s, b)))
+        return STATUS_OK;
+    for (size_t n = 0; n < looks && h->end < 0 && status == STATUS_OK; n++) {
+        speed[0] = speed[1];
+        speed[1] = speed[2];
+        speed[2] = speed_at(s, b, (double) n);
+        fastest = fmax(fastest, speed[2]);
+        if (speed[1] < speed[0] && speed[1] < speed[2] &&
+            speed[1] < TOL_PLANE_LITTLE * fastest)
+            status = look_at_slow(s, b, (double) n - 1.0, h);
+    }
+    return status;
+}
+
 static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
                      struct half *h)
 {
@@ -266,13 +365,16 @@ static enum status settle(struct plane_study *s, struct plane_branch *b,
                           struct half *h)
 {
     size_t cycle;
-    enum status status = STATUS_OK;
+    enum status status = look_outside(s, b, h);
 
+    if (status != STATUS_OK)
+        return status;
     if (h->broken || h->end == PLANE_END_EQUILIBRIUM ||
         h->end == PLANE_END_SADDLE)
         cut(&b->curve.curve, h->theta);
     b->end = end_of(s, b, h);
-    b->to = b->end == PLANE_END_EQUILIBRIUM || b->end == PLANE_END_SADDLE
+    b->to = (b->end == PLANE_END_EQUILIBRIUM || b->end == PLANE_END_SADDLE) &&
+                    h->to < s->listed
                 ? (int64_t) h->to
                 : RECORD_COUNT_NONE;
     if (b->end == PLANE_END_CYCLE) {
@@ -350,7 +452,7 @@ enum status plane_branch_grow(struct plane_study *s,
     enum status status = STATUS_OK;
     int64_t saddle = 0;
 
-    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++) {
+    for (size_t i = 0; i < s->listed && status == STATUS_OK; i++) {
         if (s->rest[i].type != PLANE_SADDLE)
             continue;
         if (monitor_tell(monitor, "saddles", (uint64_t) saddle, s->saddles))

@@ -106,6 +106,30 @@ static void fronts_of_nagumo_join_two_saddles(void **state)
     }
 }
 
+static void a_front_into_a_saddle_beyond_the_window_ends_there(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c,
+              "u' = v; v' = (1 - 2*a)/sqrt(2)*v - u*(1 - u)*(u - a); a = 0.25",
+              "window={u: [-0.2, 0.8], v: [-0.5, 0.5]}\n"
+              "products=[manifolds]\n");
+    assert_int_equal(s.saddles, 1);
+    const struct plane_branch *out =
+        plane_branch_of(&s, 0, MANIFOLD_UNSTABLE, 0);
+    assert_int_equal(out->end, PLANE_END_SADDLE);
+    assert_int_equal(out->to, RECORD_COUNT_NONE);
+    CHECK(fabs(out->leaves[0].value - 0.8) <= out->leaves[0].error, "%.17g",
+          out->leaves[0].value);
+    CHECK(fabs(out->leaves[1].value - 0.16 / sqrt(2.0)) <=
+                  out->leaves[1].error &&
+              out->leaves[1].error < 1e-10,
+          "%.17g +- %.1e", out->leaves[1].value, out->leaves[1].error);
+    plane_end(&s, &c);
+}
+
 /* ---- random systems ------------------------------------------------------ */
 
 static double of_line(const void *ctx, double x, double y, double *steep)
@@ -342,6 +366,7 @@ int main(void)
         TEST(homoclinic_loops_of_duffing_are_known),
         TEST(an_angle_has_one_saddle_in_a_period),
         TEST(fronts_of_nagumo_join_two_saddles),
+        TEST(a_front_into_a_saddle_beyond_the_window_ends_there),
         TEST(linear_saddles_have_straight_manifolds),
         TEST(random_shears_move_manifolds_exactly),
         TEST(invariant_lines_end_at_the_first_equilibrium),
