@@ -255,19 +255,11 @@ enum { LOOKS = 16 }; /* a piece */
 static double speed_at(const struct plane_study *s,
                        const struct plane_branch *b, double look)
 {
-    const struct planar *system = &s->system[0];
-    const struct vec2 origin = s->rest[b->rest].z, side = s->scale.side;
     const double piece =
         fmin(floor(look / LOOKS), (double) b->curve.curve.count - 1.0);
-    struct planar_field f;
 
-    system->field(
-        system->ctx,
-        vec2_sub(point(b, origin, (size_t) piece, look / LOOKS - piece),
-                 system->origin),
-        &f);
-    return hypot(f.direction.x / side.x, f.direction.y / side.y) *
-           exp(f.log_scale);
+    return plane_study_speed(
+        s, point(b, s->rest[b->rest].z, (size_t) piece, look / LOOKS - piece));
 }
 
 /* The look at which it is slowest, within one of `look`. */

@@ -55,14 +55,9 @@ struct slow {
 static bool look(void *ctx, struct vec2 z, struct plane_goal *out)
 {
     struct slow *w = ctx;
-    const struct planar *system = &w->s->system[0];
-    const struct vec2 side = w->s->scale.side;
-    struct planar_field f;
+    const double speed = plane_study_speed(w->s, z);
 
     (void) out;
-    system->field(system->ctx, vec2_sub(z, system->origin), &f);
-    const double speed = hypot(f.direction.x / side.x, f.direction.y / side.y) *
-                         exp(f.log_scale);
     if (w->speed[0] < w->speed[1] && w->speed[0] < speed && w->count < SLOW)
         w->at[w->count++] = w->last;
     w->speed[1] = w->speed[0];

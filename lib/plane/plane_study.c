@@ -148,6 +148,17 @@ static double fastest(const struct plane_study *s)
     return isfinite(rate) && rate > 0.0 ? rate : 1.0;
 }
 
+double plane_study_speed(const struct plane_study *s, struct vec2 z)
+{
+    const struct planar *system = &s->system[0];
+    const struct vec2 side = s->scale.side;
+    struct planar_field f;
+
+    system->field(system->ctx, vec2_sub(z, system->origin), &f);
+    return hypot(f.direction.x / side.x, f.direction.y / side.y) *
+           exp(f.log_scale);
+}
+
 struct box plane_study_box(const struct plane_study *s)
 {
     struct box w = s->window.box;

@@ -268,6 +268,9 @@ MUST_CHECK enum status plane_study_about(
     const struct plane_study *s, bool equilibrium, const formula_real at[2],
     struct tape_plane plane[2], struct planar system[2], struct fault *why);
 
+/* How fast a state moves at an absolute point, in sides of the window. */
+double plane_study_speed(const struct plane_study *s, struct vec2 z);
+
 /* The window; an angle is in it wherever it is. */
 struct box plane_study_box(const struct plane_study *s);
 

@@ -172,8 +172,7 @@ static enum status judge(struct study *s, const struct pair pair[], size_t n)
         for (size_t i = 0; i < n && s->proof.lie.text[0] == '\0'; i++)
             if (contradicts(pair[i].number, &numbers.at[pair[i].which]))
                 snprintf(s->proof.lie.text, sizeof s->proof.lie.text,
-                         "%s%s: " PROVED_LIE, pair[i].of,
-                         pair[i].field->name);
+                         "%s%s: " PROVED_LIE, pair[i].of, pair[i].field->name);
     }
     proof_free(&exact);
     return status;

@@ -249,6 +249,15 @@ static void equilibria_hold(const struct model *m, const struct plane_study *s)
     }
 }
 
+static void run(const struct model *m, const char *product,
+                struct plane_study *s, struct scene *c)
+{
+    char more[120];
+
+    snprintf(more, sizeof more, "%s\nproducts=[%s]\n", m->window, product);
+    plane_run(s, c, m->ode, more);
+}
+
 static void every_equilibrium_is_held_to_113_bits(void **state)
 {
     size_t count = 0;
@@ -258,9 +267,7 @@ static void every_equilibrium_is_held_to_113_bits(void **state)
         const struct model *m = &models[i];
         struct plane_study s;
         struct scene c;
-        char more[120];
-        snprintf(more, sizeof more, "%s\nproducts=[equilibria]\n", m->window);
-        plane_run(&s, &c, m->ode, more);
+        run(m, "equilibria", &s, &c);
         CHECK(s.rests > 0, "%s has none", m->name);
         equilibria_hold(m, &s);
         count += s.rests;
@@ -463,9 +470,7 @@ static void every_branch_is_held_to_113_bits(void **state)
         const struct model *m = &models[i];
         struct plane_study s;
         struct scene c;
-        char more[120];
-        snprintf(more, sizeof more, "%s\nproducts=[manifolds]\n", m->window);
-        plane_run(&s, &c, m->ode, more);
+        run(m, "manifolds", &s, &c);
         for (size_t k = 0; k < s.branches; k++)
             branch_holds(m, &s, &s.branch[k], &points);
         branches += s.branches;
