@@ -7,7 +7,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "command.h"
 #include "litter.h"
 
 enum { BAR_WIDTH = 20 };

@@ -11,7 +11,6 @@
 #include "release.h"
 #include "scene_shape.h"
 #include "scene_system.h"
-#include "schema.h"
 #include "simulation.h"
 #include "stress_run.h"
 #include "study_results.h"

@@ -5,7 +5,6 @@
 
 #include "sweep_summary.h"
 #include "sweep_told.h"
-#include "system.h"
 
 /* ---- tables -------------------------------------------------------------- */
 

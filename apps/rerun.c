@@ -12,7 +12,6 @@
 #include "origin.h"
 #include "replace.h"
 #include "store_compare.h"
-#include "store_read.h"
 #include "text.h"
 #include "tolerance.h"
 

@@ -5,10 +5,8 @@
 #include "command.h"
 #include "output.h"
 #include "progress.h"
-#include "replace.h"
 #include "report_stress.h"
 #include "result_file.h"
-#include "text.h"
 
 static bool begins(const char *text, const char *with)
 {

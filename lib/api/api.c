@@ -6,7 +6,6 @@
 
 #include "room.h"
 #include "scene_scatter.h"
-#include "system.h"
 #include "unit.h"
 
 static const struct {

@@ -6,7 +6,6 @@
 
 #include <math.h>
 
-#include "quad.h"
 
 #define INLINE static inline __attribute__((always_inline))
 

@@ -1,6 +1,5 @@
 #include "law_graph.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>

@@ -6,7 +6,6 @@
 #include <math.h>
 
 #include "friction_tolerance.h"
-#include "law_typed.h"
 #include "newton.h"
 #include "tolerance.h"
 

@@ -6,7 +6,6 @@
 #include "plane_border.h"
 #include "plane_orbit.h"
 #include "plane_rest.h"
-#include "plane_tolerance.h"
 
 /* ---- between two states -------------------------------------------------- */
 

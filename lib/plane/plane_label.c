@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "plane_beyond.h"
-#include "plane_border.h"
 #include "plane_cycle.h"
 #include "plane_edge.h"
 #include "plane_mosaic.h"

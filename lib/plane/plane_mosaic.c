@@ -10,7 +10,6 @@
 #include "plane_label.h"
 #include "plane_tolerance.h"
 #include "room.h"
-#include "tolerance.h"
 
 /* LEAST: levels of any region. */
 enum { UNKNOWN = -1, OPEN = -2, GOALS_MOST = 120, LEAST = 2 };

@@ -3,10 +3,8 @@
 #include <float.h>
 #include <math.h>
 
-#include "plane_basin.h"
 #include "plane_label.h"
 #include "plane_results.h"
-#include "plane_table.h"
 #include "plane_tolerance.h"
 
 #define ASKED(product) ((uint64_t) 1 << PRODUCT_##product)

@@ -4,7 +4,6 @@
 #include <string.h>
 #include <strings.h>
 
-#include "layer.h"
 #include "ticks.h"
 #include "tolerance.h"
 

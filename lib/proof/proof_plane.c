@@ -6,7 +6,6 @@
 
 #include "proof_cell.h"
 #include "proof_cone.h"
-#include "proof_flow.h"
 #include "proof_short.h"
 #include "proof_tolerance.h"
 

@@ -9,7 +9,6 @@
 #include "fast_cells.h"
 #include "grow.h"
 #include "study_tolerance.h"
-#include "timeline.h"
 #include "tolerance.h"
 #include "workprec_count.h"
 

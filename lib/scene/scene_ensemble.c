@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "law_typed.h"
-#include "scene_law.h"
 #include "scene_parameter.h"
 #include "scene_scatter.h"
 #include "schema.h"

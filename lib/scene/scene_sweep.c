@@ -10,7 +10,6 @@
 #include "scene_vary.h"
 #include "schema.h"
 #include "tolerance.h"
-#include "value.h"
 
 #define BIT(p) (1u << PRODUCT_##p)
 

@@ -1,6 +1,5 @@
 #include "value.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +11,6 @@
 #include "scene_law.h"
 #include "synonym.h"
 #include "text.h"
-#include "tolerance.h"
 #include "unit_text.h"
 
 /* Whether it would do as an angle in degrees, where one in rad is asked for. */

@@ -7,7 +7,6 @@
 #include <math.h>
 
 #include "landing_weigh.h"
-#include "slider.h"
 #include "slow_tolerance.h"
 
 /* The branch on that side of the saddle; NULL: there is none. */

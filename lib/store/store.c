@@ -4,7 +4,6 @@
  * means other bytes in other versions of HDF5. */
 #include "store.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>

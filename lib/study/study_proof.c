@@ -6,7 +6,6 @@
 
 #include "proof_fold.h"
 #include "proof_units.h"
-#include "records.h"
 #include "study.h"
 
 /* A number of the saddle, of its manifold, or of a knee, by what name, and

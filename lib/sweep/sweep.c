@@ -8,7 +8,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "scene_sweep.h"
 #include "sweep_finish.h"
 #include "sweep_left.h"
 #include "sweep_refine.h"
