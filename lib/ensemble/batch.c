@@ -1,4 +1,4 @@
-/* Every thread has a scene and a study of its own, in which it changes what the
+/* Every thread has scenes and points of its own, in which it changes what the
  * keys change. */
 #include "batch.h"
 
@@ -292,8 +292,7 @@ void batch_free(struct batch *b)
 /* What a thread works with. */
 struct worker {
     struct scene scene[STUDY_JOBS]; /* borrow */
-    struct study study[STUDY_JOBS];
-    struct sweep_point point;
+    struct sweep_point point[STUDY_JOBS];
 };
 
 /* What one call of batch_run works on. */
@@ -345,24 +344,21 @@ static void put_none(const struct task *t, size_t i, const char *reason)
         batch_fate_put(&t->fates[k], i, -1, reason);
 }
 
-/* study NULL: of a system; point NULL: there is none. */
 static enum status put_all(const struct task *t, size_t i,
-                           const struct study *study,
-                           const struct sweep_point *point,
+                           const struct sweep_point *p,
                            const struct monitor *monitor)
 {
     const struct results all =
-        study ? study_results(study) : (struct results){ .run = NULL };
+        p->system ? (struct results){ .run = NULL } : study_results(&p->study);
 
     for (size_t k = 0; k < t->b->numbers; k++) {
         const struct sweep_column *c = t->b->column[k];
-        const struct quantity q = c ? sweep_column_quantity(c, point, 0)
+        const struct quantity q = c ? sweep_column_quantity(c, p, 0)
                                     : result_quantity(&all, &t->b->number[k]);
         put(&t->out[k], i, &q);
     }
-    return t->b->pushes == 0
-               ? STATUS_OK
-               : batch_fate_find(t->b, study, i, monitor, t->fates);
+    return t->b->pushes == 0 ? STATUS_OK
+                             : batch_fate_find(t->b, p, i, monitor, t->fates);
 }
 
 /* *reason: why there are no numbers. */
@@ -370,7 +366,7 @@ static enum status run_point(const struct task *t, size_t i, struct worker *w,
                              const struct monitor *monitor, const char **reason)
 {
     const struct batch *b = t->b;
-    struct sweep_point *p = &w->point;
+    struct sweep_point *p = &w->point[0];
     enum status status = sweep_point_begin(p, &w->scene[0]);
 
     for (size_t k = 0; p->system && k < b->keys && status == STATUS_OK; k++)
@@ -385,7 +381,7 @@ static enum status run_point(const struct task *t, size_t i, struct worker *w,
         return status;
     *reason = p->failed;
     if (*reason == NULL)
-        status = put_all(t, i, p->system ? NULL : &p->study, p, monitor);
+        status = put_all(t, i, p, monitor);
     sweep_point_free(p);
     return status;
 }
@@ -429,15 +425,15 @@ static enum status compute_studies(const struct task *t, size_t first,
             draw[n++] = i;
     }
     for (size_t k = 0; k < n; k++)
-        job[k] =
-            (struct study_job){ .study = &w->study[k], .scene = &w->scene[k] };
+        job[k] = (struct study_job){ .study = &w->point[k].study,
+                                     .scene = &w->scene[k] };
     study_run_jobs(job, n, t->b->stages, NULL);
     for (size_t k = 0; k < n; k++) {
         enum status own = job[k].status;
         if (own == STATUS_OK && status == STATUS_OK)
-            own = put_all(t, draw[k], &w->study[k], NULL, NULL);
+            own = put_all(t, draw[k], &w->point[k], NULL);
         if (job[k].status == STATUS_OK)
-            study_free(&w->study[k]);
+            study_free(&w->point[k].study);
         if (status == STATUS_OK)
             status = settle(t, draw[k], own, NULL);
     }
@@ -448,7 +444,7 @@ static enum status compute_studies(const struct task *t, size_t first,
 static enum status compute_some(const struct task *t, size_t first, size_t size)
 {
     const size_t each = t->b->points ? 1 : STUDY_JOBS, end = first + size;
-    struct worker *w = malloc(sizeof *w);
+    struct worker *w = calloc(1, sizeof *w);
     enum status status = w ? STATUS_OK : STATUS_NO_MEMORY;
 
     for (int k = 0; k < STUDY_JOBS && w; k++) {

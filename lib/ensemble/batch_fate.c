@@ -19,7 +19,8 @@ void batch_fate_put(const struct batch_fates *f, size_t i, int8_t fate,
 /* Who tells the fates at a draw: the curve of its numbers, where there is one
  * and it leaves no doubt, else one of their own, grown when it is needed. */
 struct teller {
-    const struct study *study;
+    const struct slider *slider;
+    double rtol;
     const struct monitor *monitor;
     struct labels lent, own;
     bool has_own;
@@ -31,8 +32,7 @@ static enum status ask_own(struct teller *t, struct vec2 z,
     enum status status = STATUS_OK;
 
     if (!t->has_own)
-        status = labels_init(&t->own, &t->study->slider, t->study->scene->rtol,
-                             t->monitor);
+        status = labels_init(&t->own, t->slider, t->rtol, t->monitor);
     t->has_own = status == STATUS_OK;
     return status == STATUS_OK ? labels_find(&t->own, z, t->monitor, told)
                                : status;
@@ -49,7 +49,7 @@ static enum status ask(struct teller *t, struct vec2 z, struct fate_told *told)
 static enum status find(struct teller *t, const struct scene_push *p, size_t i,
                         const struct batch_fates *f)
 {
-    const struct slider *s = &t->study->slider;
+    const struct slider *s = t->slider;
     struct fate_told told = { .fate = -1 };
     struct scene_start at;
 
@@ -66,15 +66,17 @@ static enum status find(struct teller *t, const struct scene_push *p, size_t i,
     return status;
 }
 
-enum status batch_fate_find(const struct batch *b, const struct study *study,
+enum status batch_fate_find(const struct batch *b, const struct sweep_point *p,
                             size_t i, const struct monitor *monitor,
                             const struct batch_fates f[])
 {
-    struct teller t = { .study = study, .monitor = monitor };
+    struct teller t = { .slider = &p->study.slider,
+                        .rtol = p->study.scene->rtol,
+                        .monitor = monitor };
     enum status status = STATUS_OK;
 
-    if (study->cost[STAGE_STABLE].ran && slider_has_manifolds(&study->slider))
-        status = labels_lend(&t.lent, &study->slider, study->stable);
+    if (p->study.cost[STAGE_STABLE].ran && slider_has_manifolds(t.slider))
+        status = labels_lend(&t.lent, t.slider, p->study.stable);
     for (size_t k = 0; k < b->pushes && status == STATUS_OK; k++)
         status = find(&t, &b->push[k], i, &f[k]);
     labels_free(&t.lent);
