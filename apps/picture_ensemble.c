@@ -98,7 +98,7 @@ static void add_quantiles(struct figure *f, const struct ensemble_number *n,
 static size_t shown_number(const struct ensemble *e)
 {
     for (size_t k = 0; k < e->batch.numbers; k++)
-        if (strcmp(e->number[k].of->name, "v_plus") == 0)
+        if (strcmp(e->number[k].name, "v_plus") == 0)
             return k;
     return 0;
 }
@@ -113,8 +113,7 @@ static enum status distribution(const struct ensemble *e, struct figure *f,
     const double range[2] = { isfinite(lo) ? lo - rim : 0.0,
                               isfinite(hi) ? hi + rim : 1.0 };
     const struct unit_system none = { .si = false };
-    const struct sheet_label label =
-        sheet_label(&none, n->of->name, n->of->field->unit);
+    const struct sheet_label label = sheet_label(&none, n->name, n->unit);
     double bar[BARS], top = 0.0;
     const enum status status = count_bars(e, k, range, bar, why);
 

@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-#include "ensemble_file.h"
+#include "batch.h"
+#include "ensemble_results.h"
 #include "markdown.h"
 #include "plane_numbers.h"
 #include "plane_results.h"

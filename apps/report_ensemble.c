@@ -3,15 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "scene_ensemble.h"
-
 /* ---- what both say ------------------------------------------------------- */
-
-static const char *method_of(const struct ensemble *e)
-{
-    return e->draws.is_sample ? "samples"
-                              : ensemble_method_names[e->draws.method];
-}
 
 /* Fates, and what is none of them. */
 static const char *fate_word(int fate)
@@ -43,9 +35,9 @@ static void print_reasons(FILE *out, const struct ensemble *e,
 static void print_number(FILE *out, const struct ensemble *e, size_t k)
 {
     const struct ensemble_number *n = &e->number[k];
-    const char *unit = n->of->field->unit;
+    const char *unit = n->unit;
 
-    fprintf(out, "  %s%s%s%s\n    mean ", n->of->name,
+    fprintf(out, "  %s%s%s%s\n    mean ", n->name,
             strcmp(unit, "1") ? " (" : "", strcmp(unit, "1") ? unit : "",
             strcmp(unit, "1") ? ")" : "");
     print_estimate(out, &n->mean);
@@ -72,8 +64,8 @@ static void print_push(FILE *out, const struct ensemble *e, size_t k)
     if (p->at.from_creep)
         fprintf(out, "  from creep, kick %.6g %s", p->at.v, rate);
     else
-        fprintf(out, "  v = %.6g %s, %s = %.6g", p->at.v, rate,
-                p->at.is_phi ? "phi" : "psi", p->at.psi);
+        fprintf(out, "  v = %.6g %s, %s = %.6g", p->at.v, rate, p->state,
+                p->at.psi);
     fputs(": arrest ", out);
     print_estimate(out, &p->arrest);
     for (int f = 0; f <= (int) FATES; f++)
@@ -87,7 +79,8 @@ static void print_push(FILE *out, const struct ensemble *e, size_t k)
 
 void report_ensemble_print(FILE *out, const struct ensemble *e)
 {
-    fprintf(out, "ensemble: %zu draws (%s) of", e->draws.count, method_of(e));
+    fprintf(out, "ensemble: %zu draws (%s) of", e->draws.count,
+            draws_method(&e->draws));
     for (size_t k = 0; k < e->draws.keys; k++)
         fprintf(out, "%s %s", k ? "," : "", e->draws.key[k]);
     fputs(e->batch.numbers > 0 ? "\nnumbers\n" : "\n", out);
@@ -128,9 +121,9 @@ static json_t *number_json(const struct ensemble *e,
         snprintf(name, sizeof name, "%g", ensemble_quantile[q]);
         json_object_set_new(quantiles, name, json_number(n->quantile[q]));
     }
-    return json_pack("{s:s, s:o, s:o, s:o, s:o}", "unit", n->of->field->unit,
-                     "quantiles", quantiles, "mean", estimate_json(&n->mean),
-                     "exists", estimate_json(&n->exists), "reasons",
+    return json_pack("{s:s, s:o, s:o, s:o, s:o}", "unit", n->unit, "quantiles",
+                     quantiles, "mean", estimate_json(&n->mean), "exists",
+                     estimate_json(&n->exists), "reasons",
                      reasons_json(e, n->reason));
 }
 
@@ -142,8 +135,7 @@ static json_t *push_json(const struct ensemble *e,
                     ? json_pack("{s:s, s:o, s:s}", "from", "creep", "kick",
                                 json_number(p->at.v), "unit", unit)
                     : json_pack("{s:o, s:o, s:s}", "v", json_number(p->at.v),
-                                p->at.is_phi ? "phi" : "psi",
-                                json_number(p->at.psi), "unit", unit);
+                                p->state, json_number(p->at.psi), "unit", unit);
 
     json_object_set_new(j, "arrest", estimate_json(&p->arrest));
     for (int f = 0; f <= (int) FATES; f++)
@@ -161,7 +153,7 @@ static json_t *sensitivity_json(const struct ensemble *e)
         for (size_t p = 0; p < e->draws.keys; p++)
             json_object_set_new(by, e->draws.key[p],
                                 estimate_json(&e->number[k].share[p]));
-        json_object_set_new(all, e->number[k].of->name, by);
+        json_object_set_new(all, e->number[k].name, by);
     }
     return all;
 }
@@ -174,12 +166,12 @@ json_t *report_ensemble_json(const struct ensemble *e)
     for (size_t k = 0; k < e->draws.keys; k++)
         json_array_append_new(keys, json_string(e->draws.key[k]));
     for (size_t k = 0; k < e->batch.numbers; k++)
-        json_object_set_new(numbers, e->number[k].of->name,
+        json_object_set_new(numbers, e->number[k].name,
                             number_json(e, &e->number[k]));
     for (size_t k = 0; k < e->batch.pushes; k++)
         json_array_append_new(pushes, push_json(e, &e->push[k]));
-    return json_pack("{s:I, s:s, s:o, s:o, s:o, s:o}", "draws",
-                     (json_int_t) e->draws.count, "method", method_of(e),
-                     "parameters", keys, "numbers", numbers, "pushes", pushes,
-                     "sensitivity", sensitivity_json(e));
+    return json_pack(
+        "{s:I, s:s, s:o, s:o, s:o, s:o}", "draws", (json_int_t) e->draws.count,
+        "method", draws_method(&e->draws), "parameters", keys, "numbers",
+        numbers, "pushes", pushes, "sensitivity", sensitivity_json(e));
 }

@@ -6,30 +6,15 @@
 #include "provenance.h"
 #include "store_results.h"
 
-static const char *title_of(const struct scene *scene, const char *untitled)
-{
-    return scene && scene->title[0] ? scene->title : untitled;
-}
-
 enum status result_file_begin(struct store **out, const char *path,
                               const struct scene *scene, const char *untitled,
-                              struct fault *why)
+                              bool large, struct fault *why)
 {
-    store_silence();
-    const enum status s =
-        store_create(path, title_of(scene, untitled), out, why);
-    if (s == STATUS_OK)
-        why->text[0] = '\0';
-    return s;
-}
+    const char *title = scene && scene->title[0] ? scene->title : untitled;
 
-enum status result_file_begin_large(struct store **out, const char *path,
-                                    const struct scene *scene,
-                                    const char *untitled, struct fault *why)
-{
     store_silence();
-    const enum status s =
-        store_create_on_disk(path, title_of(scene, untitled), out, why);
+    const enum status s = large ? store_create_on_disk(path, title, out, why)
+                                : store_create(path, title, out, why);
     if (s == STATUS_OK)
         why->text[0] = '\0';
     return s;
@@ -57,8 +42,7 @@ enum status result_file_write(const char *command, const struct results *all,
 {
     struct store *out;
     enum status s =
-        drawn ? result_file_begin_large(&out, path, scene, untitled, why)
-              : result_file_begin(&out, path, scene, untitled, why);
+        result_file_begin(&out, path, scene, untitled, drawn != NULL, why);
 
     if (s != STATUS_OK)
         return s;

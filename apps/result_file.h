@@ -17,18 +17,12 @@ MUST_CHECK enum status result_file_write(
     const struct monitor *monitor, struct fault *why);
 
 /* Opens *out in path's place, titled as the scene is, or else `untitled`;
- * scene may be NULL.  Nothing to end where it fails. */
+ * scene may be NULL; `large`: it may be larger than memory (store.h).  Nothing
+ * to end where it fails. */
 MUST_CHECK enum status result_file_begin(struct store **out, const char *path,
                                          const struct scene *scene,
-                                         const char *untitled,
+                                         const char *untitled, bool large,
                                          struct fault *why);
-
-/* The same of a file that may be larger than memory (store.h). */
-MUST_CHECK enum status result_file_begin_large(struct store **out,
-                                               const char *path,
-                                               const struct scene *scene,
-                                               const char *untitled,
-                                               struct fault *why);
 
 /* Path is the file now, if all was put (`s` OK); else it is what it was, and
  * *why keeps what was said already, or tells path and the status.  *out is

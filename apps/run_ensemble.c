@@ -1,7 +1,7 @@
 /* slipway ensemble: the numbers of many materials, and the fates of pushes. */
-#include "ensemble_file.h"
 #include "picture_ensemble.h"
 #include "report_ensemble.h"
+#include "result_file.h"
 #include "shared.h"
 
 static enum status read_scene(const struct options *o, struct scene *scene,
@@ -38,7 +38,12 @@ static void free_work(void *work)
 static enum status write_work(const void *work, const char *path,
                               struct fault *why)
 {
-    return ensemble_file_write(work, path, why);
+    static const struct result *const none[] = { NULL };
+    const struct ensemble *e = work;
+
+    return result_file_write(
+        "ensemble", &(struct results){ .table = none }, e->scene, e,
+        e->scene->system ? "system" : e->scene->law.preset, path, NULL, why);
 }
 
 static enum status draw_work(const void *work, struct panels *p,

@@ -313,7 +313,7 @@ enum status sweep_file_write(const struct sweep *s, const char *path,
     struct store *out;
     enum status status = result_file_begin(
         &out, path, s->scene,
-        s->scene->system ? "system" : s->scene->law.preset, why);
+        s->scene->system ? "system" : s->scene->law.preset, false, why);
 
     if (status == STATUS_OK)
         status = result_file_end(&out, path, put_all(s, out, why), why);

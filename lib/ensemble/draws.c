@@ -7,6 +7,7 @@
 #include "draws_table.h"
 #include "ensemble_tolerance.h"
 #include "normal.h"
+#include "scene_ensemble.h"
 
 /* ---- how many ------------------------------------------------------------ */
 
@@ -162,6 +163,11 @@ double draws_below(const struct draws *d, size_t k, double z)
 size_t draws_repeat(const struct draws *d, size_t i)
 {
     return draws_is_scrambled(d) ? i / d->each : i % ENSEMBLE_REPEATS;
+}
+
+const char *draws_method(const struct draws *d)
+{
+    return d->is_sample ? "samples" : ensemble_method_names[d->method];
 }
 
 const char *draws_id(const struct draws *d, size_t i)

@@ -59,6 +59,9 @@ double draws_below(const struct draws *d, size_t k, double z);
  * parts without an order. */
 size_t draws_repeat(const struct draws *d, size_t i);
 
+/* "sobol", "random", "grid", or "samples" of a file. */
+const char *draws_method(const struct draws *d);
+
 /* What the sample is called; NULL: samples have no names. */
 const char *draws_id(const struct draws *d, size_t i);
 

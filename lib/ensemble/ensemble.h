@@ -28,7 +28,7 @@ enum { ENSEMBLE_QUANTILES = 5 };
 extern const double ensemble_quantile[ENSEMBLE_QUANTILES];
 
 struct ensemble_number {
-    const struct result_number *of;      /* borrowed from the batch */
+    const char *name, *unit;             /* borrowed from the batch */
     double quantile[ENSEMBLE_QUANTILES]; /* of those that exist; NaN: none */
     struct estimate mean;                /* likewise; with their mean bar */
     struct estimate exists;              /* share of all draws */
@@ -37,7 +37,8 @@ struct ensemble_number {
 };
 
 struct ensemble_push {
-    struct scene_push at;
+    const char *from, *unit, *state; /* as files have them */
+    struct scene_push at;            /* psi NaN: from creep */
     struct estimate fate[FATES + 1]; /* of all draws; the last: none */
     struct estimate arrest;          /* creep or either rest */
     size_t count[FATES + 1];

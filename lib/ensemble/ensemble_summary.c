@@ -51,7 +51,8 @@ static enum status sum_number(struct ensemble *e, struct sums *s, size_t k,
     struct ensemble_number *n = &e->number[k];
     enum status status = STATUS_OK;
 
-    *n = (struct ensemble_number){ .of = &e->batch.number[k] };
+    *n = (struct ensemble_number){ .name = e->batch.number[k].name,
+                                   .unit = e->batch.number[k].field->unit };
     s->value_sum = s->error_sum = s->exists = (struct tally){ 0 };
     n->share = calloc(e->draws.keys + 1, sizeof *n->share);
     if (n->share == NULL)
@@ -138,6 +139,11 @@ static enum status sum_push(struct ensemble *e, struct sums *s, size_t k,
     struct ensemble_push *p = &e->push[k];
 
     *p = (struct ensemble_push){ .at = e->batch.push[k] };
+    p->from = p->at.from_creep ? "creep" : "";
+    p->unit = p->at.is_si ? "m s-1" : "V_star";
+    p->state = p->at.is_phi ? "phi" : "psi";
+    if (p->at.from_creep)
+        p->at.psi = (double) NAN;
     s->arrest = (struct tally){ 0 };
     for (int f = 0; f <= (int) FATES; f++)
         s->fate[f] = (struct tally){ 0 };

@@ -90,7 +90,7 @@ static void check_number(const struct ensemble *e, size_t k)
     for (int q = 0; q < ENSEMBLE_QUANTILES; q++) {
         const double rank = ceil(ensemble_quantile[q] * (double) count);
         CHECK(n->quantile[q] == value[(size_t) rank - 1], "%s %g: %.17g",
-              n->of->name, ensemble_quantile[q], n->quantile[q]);
+              n->name, ensemble_quantile[q], n->quantile[q]);
     }
     CHECK(fabs(n->mean.value / (sum / (double) count) - 1.0) < 1e-12, "%.17g",
           n->mean.value);
