@@ -165,6 +165,7 @@ static bool knows(void *ctx, struct vec2 z, struct plane_goal *out)
     const struct labelling *l = ctx;
     size_t patch;
 
+    l->s->basin.steps += plane_patch_work(l->p, 1);
     if (!patch_at(l, z, &patch))
         return false;
     *out = l->p->goal[patch];
@@ -405,26 +406,37 @@ static enum status divide(struct labelling *l, double all,
     return status;
 }
 
-/* The large ones first, as long as work goes. */
+/* The patches from *next on with so large an area, as long as work goes. */
+static enum status find_goals_of(struct labelling *l, const struct whole w[],
+                                 size_t *next, double area, double least)
+{
+    enum status status = STATUS_OK;
+
+    l->s->basin.steps = 0;
+    for (; *next < l->p->r->count && w[*next].area > area &&
+           status == STATUS_OK && l->s->basin.steps < TOL_PLANE_WORK;
+         ++*next)
+        status = find_goal(l, &w[*next], w[*next].area < least);
+    return status;
+}
+
+/* The large ones first; those that are tiny once no border is new. */
 static enum status find_goals(struct labelling *l, struct whole w[],
                               const struct monitor *monitor)
 {
-    const size_t n = l->p->r->count;
     const double all = sort_patches(l->p, w), least = TOL_PLANE_LITTLE * all;
-    enum status status = STATUS_OK;
+    size_t next = 0;
+    enum status status = find_goals_of(l, w, &next, TOL_SAME * all, least);
 
-    for (size_t i = 0; i < n && w[i].area > 0.0 && status == STATUS_OK &&
-                       l->s->basin.steps < TOL_PLANE_WORK;
-         i++) {
-        l->tiny = w[i].area < TOL_SAME * all;
-        status = find_goal(l, &w[i], w[i].area < least);
-    }
-    l->tiny = false;
     if (status == STATUS_OK)
         status = look_over(l, least, monitor);
+    l->tiny = true;
+    if (status == STATUS_OK && !has_news(l))
+        status = find_goals_of(l, w, &next, 0.0, least);
+    l->tiny = false;
     if (status == STATUS_OK && !has_news(l))
         status = divide(l, all, monitor);
-    for (size_t i = 0; i < n && status == STATUS_OK; i++)
+    for (size_t i = 0; i < l->p->r->count && status == STATUS_OK; i++)
         if (l->p->goal[i].kind == PLANE_GOAL_BEYOND)
             status = plane_beyond_add(l->s, &l->p->goal[i].beyond);
     return status;

@@ -165,6 +165,11 @@ const struct band *plane_patch_band(const struct regions *r, size_t region)
 
 enum { ROWS = 16 };
 
+int64_t plane_patch_work(const struct patches *p, int rows)
+{
+    return rows * (int64_t) p->r->separatrix->count / TOL_PLANE_CROSSINGS;
+}
+
 /* How wide it is in the window on row i of some, and where; 0: nowhere. */
 static double width_at(const struct patches *p, size_t region, int i, double *y,
                        double *lo)
@@ -186,6 +191,7 @@ bool plane_patch_place(const struct patches *p, size_t region, struct vec2 *z)
 {
     double widest = 0.0, y, lo = 0.0;
 
+    p->s->basin.steps += plane_patch_work(p, ROWS);
     for (int i = 0; i < ROWS; i++) {
         const double width = width_at(p, region, i, &y, &lo);
         if (!(width > widest))

@@ -30,6 +30,9 @@ bool plane_patch_is_door(const struct plane_study *s, const struct band *band);
 /* Fills p->of. */
 void plane_patch_join(struct patches *p);
 
+/* How many steps of orbits take as long as to find the crossings of rows. */
+int64_t plane_patch_work(const struct patches *p, int rows);
+
 /* An absolute point inside a region, on the row where it is widest of some;
  * false: it is nowhere wide. */
 bool plane_patch_place(const struct patches *p, size_t region, struct vec2 *z);

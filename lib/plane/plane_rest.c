@@ -164,8 +164,7 @@ static bool settle(const struct plane_study *s, struct vec2 *z)
     for (int i = 0; i < STEPS; i++) {
         system->jacobian(system->ctx, vec2_sub(*z, system->origin), &J);
         const struct vec2 f = J.field.direction;
-        const double det =
-            J.matrix.xx * J.matrix.yy - J.matrix.xy * J.matrix.yx;
+        const double det = mat2_det(J.matrix);
         const struct vec2 step = {
             (J.matrix.yy * f.x - J.matrix.xy * f.y) / det,
             (J.matrix.xx * f.y - J.matrix.yx * f.x) / det
@@ -178,6 +177,26 @@ static bool settle(const struct plane_study *s, struct vec2 *z)
             return true;
     }
     return false;
+}
+
+/* Whether the Jacobian determinant has one sign at the corners of a box about
+ * an absolute point: no curve of equilibria goes through. */
+static bool is_simple(const struct plane_study *s, struct vec2 z,
+                      struct vec2 near)
+{
+    const struct planar *system = &s->system[0];
+    bool positive[2] = { true, true };
+
+    for (int i = 0; i < 4; i++) {
+        const struct vec2 d = { i % 2 ? near.x : -near.x,
+                                i / 2 ? near.y : -near.y };
+        struct planar_jacobian J;
+        system->jacobian(system->ctx, vec2_sub(vec2_add(z, d), system->origin),
+                         &J);
+        positive[0] = positive[0] && mat2_det(J.matrix) > 0.0;
+        positive[1] = positive[1] && mat2_det(J.matrix) < 0.0;
+    }
+    return positive[0] || positive[1];
 }
 
 static enum status append(struct plane_study *s,
@@ -221,6 +240,10 @@ enum status plane_rest_add(struct plane_study *s, struct vec2 z, size_t *index)
     if (*index < s->rests || box_holds(plane_study_box(s), z))
         return STATUS_OK;
     const struct vec2 near = vec2_scale(TOL_PLANE_NEARBY, s->scale.side);
+    if (!is_simple(s, z, near)) {
+        *index = s->rests;
+        return STATUS_OK;
+    }
     const struct system_window w = { { z.x - near.x, z.y - near.y },
                                      { z.x + near.x, z.y + near.y } };
     found = malloc(sizeof *found);

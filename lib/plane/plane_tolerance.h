@@ -26,8 +26,10 @@
 /* Orbits of such planes: series in time, or the implicit method once so many
  * steps in turn are HELD to less than that part of the window, and to where the
  * velocity changes by less than that part of itself, or so many did not bring
- * it round; steps of all orbits, for labels and for audits. */
+ * it round; steps of all orbits, for labels and for audits, where so many
+ * crossings of rows with curves take as long as a step. */
 #define TOL_PLANE_WORK       200000
+#define TOL_PLANE_CROSSINGS  256
 #define TOL_PLANE_HELD       1e-2
 #define TOL_PLANE_HELD_STEPS 64
 #define TOL_PLANE_NO_RETURN  1000

@@ -160,6 +160,23 @@ static void what_comes_back_from_afar_is_not_told_infinity(void **state)
     plane_end(&s, &c);
 }
 
+/* x = 0 rests, all along: an orbit that comes there tells of no equilibrium
+ * that stands alone.  From x > 0, y > 0 all go to infinity. */
+static void a_line_that_rests_goes_on_beyond_the_window(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = x*y; y' = x*(1 - y)", WINDOW("[-1, 1]", "[-1, 2]"));
+    assert_int_equal(s.rests, 0);
+    CHECK(!s.complete, "all equilibria are known");
+    CHECK(share_of(&s, "x_to_infinity")->fraction.value <= 0.5 &&
+              s.basin.disagreements == 0,
+          "too much goes to infinity");
+    plane_end(&s, &c);
+}
+
 #define TEST(test)                                                             \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
@@ -172,6 +189,7 @@ int main(void)
         TEST(curves_that_cross_at_a_saddle_share_out_the_window),
         TEST(a_saddle_in_the_corner_has_manifolds),
         TEST(what_comes_back_from_afar_is_not_told_infinity),
+        TEST(a_line_that_rests_goes_on_beyond_the_window),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
