@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "command.h"
+#include "interval_math.h"
 #include "json.h"
 #include "number.h"
 #include "output.h"
@@ -55,7 +56,9 @@ static json_t *slope_json(const struct scene *scene)
 
 static json_t *interval_json(struct interval u)
 {
-    return json_pack("[f, f]", u.lo, u.hi);
+    const struct interval_double out = interval_outward(u);
+
+    return json_pack("[f, f]", out.lo, out.hi);
 }
 
 static json_t *piece_json(const struct proof_branch *b,
@@ -83,9 +86,12 @@ static json_t *knees_json(const struct proof_numbers *n, size_t side,
 
     for (size_t k = 0; k < b->knees; k++)
         json_array_append_new(
-            at, json_pack("{s:o, s:o}", "v",
-                          interval_json(n->knee[side][k].v.value), "psi",
-                          interval_json(n->knee[side][k].psi.value)));
+            at,
+            json_pack(
+                "{s:o, s:o}", "v",
+                interval_json(interval_of_double(n->knee[side][k].v.value)),
+                "psi",
+                interval_json(interval_of_double(n->knee[side][k].psi.value))));
     return json_pack("{s:o, s:b}", "at", at, "all", b->no_more == NULL);
 }
 
@@ -101,11 +107,13 @@ static json_t *branch_json(const struct proof *p, size_t side)
         return json_pack("{s:s}", "not_proved", b->not_proved);
     for (size_t i = 0; i < b->pieces && (i == 0 || b->piece[i].cells); i++)
         json_array_append_new(pieces, piece_json(b, &b->piece[i]));
-    return json_pack("{s:{s:f, s:f, s:o}, s:o, s:o, s:s, s:o*, s:o*}", "cone",
-                     "reach", b->cone.reach, "slope", b->cone.slope, "excess",
-                     interval_json(b->cone.excess), "pieces", pieces, "knees",
-                     knees_json(&n, side, b), "end", end_names[b->end], "place",
-                     open ? NULL : interval_json(b->place), "excess",
+    return json_pack("{s:{s:f, s:f, s:o}, s:o, s:o, s:o, s:s, s:o*, s:o*}",
+                     "cone", "reach", b->cone.reach, "slope", b->cone.slope,
+                     "excess", interval_json(b->cone.excess), "pieces", pieces,
+                     "until",
+                     isfinite(b->until) ? json_real(b->until) : json_null(),
+                     "knees", knees_json(&n, side, b), "end", end_names[b->end],
+                     "place", open ? NULL : interval_json(b->place), "excess",
                      open ? NULL : interval_json(b->excess));
 }
 
@@ -117,9 +125,10 @@ static json_t *numbers_json(const struct proof *p)
 
     for (size_t i = 0; i < PROOF_NAMED; i++) {
         const struct proof_number *x = &n.at[i];
-        json_t *told = x->absent       ? json_string("absent")
-                       : x->not_proved ? NULL
-                                       : interval_json(x->value);
+        json_t *told = x->absent ? json_string("absent")
+                       : x->not_proved
+                           ? NULL
+                           : interval_json(interval_of_double(x->value));
         if (told)
             json_object_set_new(j, proof_number_names[i], told);
     }

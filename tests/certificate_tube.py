@@ -279,6 +279,19 @@ def check_cone(block, piece, reach, slope, excess):
     claim(0 < reach <= 1 and slope > 0, 'the cone has no size')
     claim(piece.start == 0 and piece.coef[0] == 0, 'the cone is not at the saddle')
     g, across = sides(block, piece, between(0, reach), kappa)
+    error = (kappa * reach).b
+    beside = abs(across).b * error * UNIT
+    finest = reach
+    while not holds(excess, beside - piece.step * along(block, piece, reach, finest,
+                                                        kappa * (1 - g.b))):
+        finest /= 4
+        claim(finest * PARTS >= reach, 'the integral in the cone does not follow')
+    return error
+
+
+def along(block, piece, reach, finest, most):
+    """The integral over the cone, in parts that short or shorter where |D| < most
+    takes it."""
     total, parts = ZERO, [(0, reach)]
     while parts:
         a, b = parts.pop()
@@ -287,15 +300,12 @@ def check_cone(block, piece, reach, slope, excess):
             at, (defect, q, rest) = a, near_saddle(block, piece, b)
         else:
             at, (defect, q, rest, _) = middle, on_part(block, piece, a, b)
-        if defect < kappa * (1 - g.b):
+        if defect < most and b - a <= finest:
             total += integral(q, a - iv.mpf(at), b - iv.mpf(at)) + rest * (b - iv.mpf(a))
             continue
         claim(b - a > reach / 2 ** 20, '|D| < kappa (1 - g) fails in the cone')
         parts += [(a, middle), (middle, b)]
-    error = (kappa * reach).b
-    claim(holds(excess, abs(across).b * error * UNIT - piece.step * total),
-          'the integral in the cone does not follow')
-    return error
+    return total
 
 
 # ---- the tube: theorem 4 ----------------------------------------------------

@@ -36,8 +36,9 @@ def walk(block, pieces, branch):
     for i, (piece, j) in enumerate(zip(pieces, branch['pieces'])):
         following = pieces[i + 1] if i + 1 < len(pieces) else None
         turns = following is not None and following.ind != piece.ind
-        end = (ONE if turns else iv.mpf(j['cells'][-1][0]) if following is None else
-               (following.start - piece.start) / piece.step)
+        until = branch['until'] if following is None else following.start
+        end = (ONE if turns or until is None else
+               (iv.mpf(until) - piece.start) / piece.step)
         first = error
         for b, radius, after, excess in j['cells']:
             claim(a < b, 'cells are not in order')
@@ -167,7 +168,8 @@ def rejected(certificate):
     """Why; '': every claim holds."""
     try:
         check(certificate)
-    except (Wrong, LookupError, TypeError, ValueError, ArithmeticError) as wrong:
+    except (Wrong, LookupError, TypeError, ValueError, ArithmeticError,
+            MemoryError) as wrong:
         return f'{wrong}' or 'something is missing'
     return ''
 

@@ -146,7 +146,7 @@ static enum status search(struct equilibrium_search *s,
         return status;
     for (int k = 0; k < 2; k++)
         s->boxes.at[0].side[k] =
-            (struct interval){ s->window.lo[k], s->window.hi[k] };
+            (struct interval_double){ s->window.lo[k], s->window.hi[k] };
     s->boxes.count = 1;
     return search_boxes(s);
 }

@@ -15,56 +15,57 @@
 
 enum outcome { BOX_EMPTY, BOX_UNIQUE, BOX_OPEN };
 
-static double width(struct interval u)
+static double width(struct interval_double u)
 {
     return u.hi - u.lo;
 }
 
-static double middle(struct interval u)
+static double middle(struct interval_double u)
 {
     return 0.5 * u.lo + 0.5 * u.hi;
 }
 
-static bool holds_zero(struct interval u)
+static bool holds_zero(struct interval_double u)
 {
     return u.lo <= 0.0 && u.hi >= 0.0;
 }
 
-static struct interval point(double x)
+static struct interval_double point(double x)
 {
-    return (struct interval){ x, x };
+    return (struct interval_double){ x, x };
 }
 
-static struct interval meet(struct interval u, struct interval w)
+static struct interval_double meet(struct interval_double u,
+                                   struct interval_double w)
 {
-    return (struct interval){ fmax(u.lo, w.lo), fmin(u.hi, w.hi) };
+    return (struct interval_double){ fmax(u.lo, w.lo), fmin(u.hi, w.hi) };
 }
 
-static struct interval wider(struct interval u)
+static struct interval_double wider(struct interval_double u)
 {
     const double room = TOL_BOX_ROOM * width(u) +
                         0x1p-50 * fmax(fabs(u.lo), fabs(u.hi)) + 0x1p-1000;
 
-    return (struct interval){ u.lo - room, u.hi + room };
+    return (struct interval_double){ u.lo - room, u.hi + room };
 }
 
 /* ---- one box ------------------------------------------------------------- */
 
 /* What is known over a box: around its middle, and the slopes. */
 struct look {
-    struct interval side[2];
+    struct interval_double side[2];
     double c[2];
-    struct interval at_c[2], off[2]; /* F(c), X - c */
-    struct interval slope[2][2];
+    struct interval_double at_c[2], off[2]; /* F(c), X - c */
+    struct interval_double slope[2][2];
     double middle_slope[2][2];
 };
 
 /* Over the box, and at its middle. */
 static enum outcome look_at(struct equilibrium_search *s, struct look *l)
 {
-    struct interval_slope over[2], at[2];
+    struct interval_slope_double over[2], at[2];
     const enum interval_domain domain =
-        interval_over(&s->equation, l->side, over);
+        interval_over_double(&s->equation, l->side, over);
 
     if (domain == INTERVAL_NOWHERE || !holds_zero(over[0].value) ||
         !holds_zero(over[1].value))
@@ -73,16 +74,18 @@ static enum outcome look_at(struct equilibrium_search *s, struct look *l)
         return BOX_OPEN;
     for (int k = 0; k < 2; k++) {
         l->c[k] = middle(l->side[k]);
-        l->off[k] = interval_less(l->side[k], point(l->c[k]));
+        l->off[k] = interval_less_double(l->side[k], point(l->c[k]));
     }
-    interval_over(&s->equation,
-                  (struct interval[]){ point(l->c[0]), point(l->c[1]) }, at);
+    interval_over_double(
+        &s->equation,
+        (struct interval_double[]){ point(l->c[0]), point(l->c[1]) }, at);
     for (int i = 0; i < 2; i++) {
-        struct interval sum = l->at_c[i] = at[i].value;
+        struct interval_double sum = l->at_c[i] = at[i].value;
         for (int k = 0; k < 2; k++) {
             l->slope[i][k] = over[i].by[k];
             l->middle_slope[i][k] = middle(over[i].by[k]);
-            sum = interval_add(sum, interval_times(over[i].by[k], l->off[k]));
+            sum = interval_add_double(
+                sum, interval_times_double(over[i].by[k], l->off[k]));
         }
         if (!holds_zero(sum))
             return BOX_EMPTY;
@@ -91,25 +94,27 @@ static enum outcome look_at(struct equilibrium_search *s, struct look *l)
 }
 
 /* Row i of K. */
-static struct interval krawczyk_row(const struct look *l, int i,
-                                    const double inverse[2])
+static struct interval_double krawczyk_row(const struct look *l, int i,
+                                           const double inverse[2])
 {
-    struct interval sum = point(l->c[i]);
+    struct interval_double sum = point(l->c[i]);
 
     for (int k = 0; k < 2; k++)
-        sum = interval_less(sum, interval_times(point(inverse[k]), l->at_c[k]));
+        sum = interval_less_double(
+            sum, interval_times_double(point(inverse[k]), l->at_c[k]));
     for (int j = 0; j < 2; j++) {
-        struct interval left = point(i == j);
+        struct interval_double left = point(i == j);
         for (int k = 0; k < 2; k++)
-            left = interval_less(
-                left, interval_times(point(inverse[k]), l->slope[k][j]));
-        sum = interval_add(sum, interval_times(left, l->off[j]));
+            left = interval_less_double(
+                left, interval_times_double(point(inverse[k]), l->slope[k][j]));
+        sum = interval_add_double(sum, interval_times_double(left, l->off[j]));
     }
     return sum;
 }
 
 /* K in place[]; BOX_OPEN where there is none. */
-static enum outcome krawczyk(const struct look *l, struct interval place[2])
+static enum outcome krawczyk(const struct look *l,
+                             struct interval_double place[2])
 {
     const double(*m)[2] = l->middle_slope;
     const double det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
@@ -130,7 +135,7 @@ static enum outcome krawczyk(const struct look *l, struct interval place[2])
 
 /* Narrows the box; where it is unique, its zero is in l->side, in place[]. */
 static enum outcome narrow(struct equilibrium_search *s, struct search_box *box,
-                           struct look *l, struct interval place[2])
+                           struct look *l, struct interval_double place[2])
 {
     for (int round = 0; round < 30; round++) {
         bool gained = false;
@@ -145,7 +150,7 @@ static enum outcome narrow(struct equilibrium_search *s, struct search_box *box,
         if (krawczyk(l, place) == BOX_UNIQUE)
             return BOX_UNIQUE;
         for (int k = 0; k < 2; k++) {
-            const struct interval side = meet(box->side[k], place[k]);
+            const struct interval_double side = meet(box->side[k], place[k]);
             if (side.lo > side.hi)
                 return BOX_EMPTY;
             if (width(box->side[k]) <= s->least[k])
@@ -174,7 +179,7 @@ static bool is_small(const struct equilibrium_search *s,
                      const struct search_box *box)
 {
     for (int k = 0; k < 2; k++) {
-        const struct interval side = box->side[k];
+        const struct interval_double side = box->side[k];
         if (width(side) >
                 s->least[k] +
                     TOL_BOX_LEAST_PART * fmax(fabs(side.lo), fabs(side.hi)) &&
@@ -230,7 +235,7 @@ static enum status look_into(struct equilibrium_search *s,
                              struct search_box box)
 {
     struct look l = { .c = { 0, 0 } };
-    struct interval place[2];
+    struct interval_double place[2];
     const enum outcome found = narrow(s, &box, &l, place);
 
     if (found == BOX_EMPTY)

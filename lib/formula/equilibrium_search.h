@@ -7,7 +7,7 @@
 #include "interval.h"
 
 struct search_box {
-    struct interval side[2];
+    struct interval_double side[2];
 };
 
 struct search_boxes {
@@ -35,5 +35,5 @@ MUST_CHECK enum status search_boxes(struct equilibrium_search *s);
  * adds the equilibrium, unless it is outside the window or known.  False: it
  * could not be settled, or there is no room. */
 bool search_settle(struct equilibrium_search *s,
-                   const struct interval unique[2],
-                   const struct interval place[2]);
+                   const struct interval_double unique[2],
+                   const struct interval_double place[2]);

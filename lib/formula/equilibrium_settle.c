@@ -115,7 +115,7 @@ static bool krawczyk(struct equilibrium_search *s, const formula_real c[2],
 }
 
 static bool find_place(struct equilibrium_search *s,
-                       const struct interval start[2], range place[2])
+                       const struct interval_double start[2], range place[2])
 {
     formula_real c[2], step[2] = { 0, 0 }, inverse[2][2], r[2];
 
@@ -283,8 +283,8 @@ static void set_state(const struct equilibrium_search *s, int k,
 }
 
 bool search_settle(struct equilibrium_search *s,
-                   const struct interval unique[2],
-                   const struct interval start[2])
+                   const struct interval_double unique[2],
+                   const struct interval_double start[2])
 {
     struct system_equilibrium q = { .type = SYSTEM_NONHYPERBOLIC };
     range place[2];

@@ -1,5 +1,6 @@
 #include "interval.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,12 +10,30 @@
 
 #define REAL    double
 #define FN(f)   f
-#define NAME(x) x
+#define NAME(x) x##_double
 #define OWN(x)  x##_53
 #define UNIT    0x1p-52
 #define LEAST   0x1p-1074
 #define MOST    0x1.fffffffffffffp1023
 #include "interval_formula.h"
+#undef REAL
+#undef FN
+#undef NAME
+#undef OWN
+#undef UNIT
+#undef PHI
+#undef LEAST
+#undef MOST
+#undef ENDLESS
+
+#define REAL    long double
+#define FN(f)   f##l
+#define NAME(x) x
+#define OWN(x)  x##_64
+#define UNIT    0x1p-63L
+#define LEAST   0x1p-16445L
+#define MOST    LDBL_MAX
+#include "interval_sums.h"
 #undef REAL
 #undef FN
 #undef NAME
@@ -36,7 +55,7 @@
 
 struct interval interval_divide(struct interval u, struct interval w)
 {
-    return interval_times(u, inverse_53(w));
+    return interval_times(u, inverse_64(w));
 }
 
 struct interval_quad interval_divide_quad(struct interval_quad u,
@@ -63,12 +82,12 @@ struct interval_quad interval_decimal(formula_real x)
 /* ---- plans --------------------------------------------------------------- */
 
 /* Rounded outward to doubles. */
-static struct interval outward(struct interval_quad u)
+static struct interval_double outward(struct interval_quad u)
 {
     const double lo = (double) u.lo, hi = (double) u.hi;
 
-    return (struct interval){ lo > u.lo ? nextafter(lo, -HUGE_VAL) : lo,
-                              hi < u.hi ? nextafter(hi, HUGE_VAL) : hi };
+    return (struct interval_double){ lo > u.lo ? nextafter(lo, -HUGE_VAL) : lo,
+                                     hi < u.hi ? nextafter(hi, HUGE_VAL) : hi };
 }
 
 /* Marks what the results need. */
@@ -114,7 +133,8 @@ static const char *add_node(struct interval_plan *p, int i, formula_real value)
         p->effort += effort_of(n);
         return NULL;
     }
-    p->of[i] = (struct interval_slope){ outward(p->of_quad[i].value),
+    p->of_double[i] =
+        (struct interval_slope_double){ outward(p->of_quad[i].value),
                                         { { 0, 0 }, { 0, 0 } } };
     return domain == INTERVAL_WHOLE ? NULL : "of a constant is not defined";
 }

@@ -38,8 +38,8 @@ void interval_graph_decimal(mpfi_ptr out, formula_real x)
 
 struct interval interval_of_mpfi(mpfi_srcptr u)
 {
-    return (struct interval){ mpfr_get_d(&u->left, MPFR_RNDD),
-                              mpfr_get_d(&u->right, MPFR_RNDU) };
+    return (struct interval){ mpfr_get_ld(&u->left, MPFR_RNDD),
+                              mpfr_get_ld(&u->right, MPFR_RNDU) };
 }
 
 /* ---- functions ----------------------------------------------------------- */
@@ -141,8 +141,9 @@ struct interval interval_function(enum formula_function function,
     struct interval out = { -HUGE_VAL, HUGE_VAL };
     mpfi_t w;
 
-    mpfi_init2(w, DBL_MANT_DIG);
-    mpfi_interv_d(w, u.lo, u.hi);
+    mpfi_init2(w, LDBL_MANT_DIG);
+    mpfr_set_ld(&w->left, u.lo, MPFR_RNDD);
+    mpfr_set_ld(&w->right, u.hi, MPFR_RNDU);
     if (call(function, w, w) && !mpfi_nan_p(w))
         out = interval_of_mpfi(w);
     mpfi_clear(w);

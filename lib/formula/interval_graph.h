@@ -49,5 +49,5 @@ struct interval interval_function(enum formula_function function,
  * (interval_decimal). */
 void interval_graph_decimal(mpfi_ptr out, formula_real x);
 
-/* The doubles around an interval. */
+/* The numbers of 64 bits around an interval. */
 struct interval interval_of_mpfi(mpfi_srcptr u);

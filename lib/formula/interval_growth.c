@@ -6,7 +6,7 @@
 
 static const struct interval all = { -HUGE_VAL, HUGE_VAL };
 
-static struct interval point(double x)
+static struct interval point(long double x)
 {
     return interval_point(x);
 }
@@ -19,13 +19,14 @@ static struct growth number(struct interval c)
 /* ---- arithmetic ---------------------------------------------------------- */
 
 /* p x + q y */
-static struct interval form(const struct interval_growth *w, double p, double q)
+static struct interval form(const struct interval_growth *w, long double p,
+                            long double q)
 {
     return interval_add(interval_times(point(p), w->at[0]),
                         interval_times(point(q), w->at[1]));
 }
 
-static bool has(const double u[2])
+static bool has(const long double u[2])
 {
     return u[0] < 0 || u[0] > 0 || u[1] < 0 || u[1] > 0;
 }
@@ -49,9 +50,9 @@ static struct growth level(struct growth u)
     return has(u.slope) ? number(u.all) : u;
 }
 
-static bool is_exact(double u, double w)
+static bool is_exact(long double u, long double w)
 {
-    const double p = u * w, off = fma(u, w, -p);
+    const long double p = u * w, off = fmal(u, w, -p);
 
     return !(off < 0 || off > 0);
 }
@@ -127,18 +128,18 @@ static struct interval sum_of(struct interval u, struct interval v)
     struct interval out = interval_add(u, v);
 
     if (u.lo >= 0 && v.lo >= 0)
-        out.lo = fmax(out.lo, fmax(u.lo, v.lo));
+        out.lo = fmaxl(out.lo, fmaxl(u.lo, v.lo));
     if (u.hi <= 0 && v.hi <= 0)
-        out.hi = fmin(out.hi, fmin(u.hi, v.hi));
+        out.hi = fminl(out.hi, fminl(u.hi, v.hi));
     return out;
 }
 
 /* Whether u + v has no rounding: the parts of each that the other lacks. */
-static bool is_sum(const double u[2], const double v[2])
+static bool is_sum(const long double u[2], const long double v[2])
 {
     for (int i = 0; i < 2; i++) {
-        const double s = u[i] + v[i], b = s - u[i];
-        const double off = (u[i] - (s - b)) + (v[i] - b);
+        const long double s = u[i] + v[i], b = s - u[i];
+        const long double off = (u[i] - (s - b)) + (v[i] - b);
         if (off < 0 || off > 0)
             return false;
     }
@@ -158,8 +159,8 @@ static struct growth sum(const struct interval_growth *w, struct growth u,
         v = level(v);
     }
     for (int i = 0; i < 2; i++) {
-        out.power[i] = w->at[i].lo > -HUGE_VAL ? fmax(u.power[i], v.power[i])
-                                               : fmin(u.power[i], v.power[i]);
+        out.power[i] = w->at[i].lo > -HUGE_VAL ? fmaxl(u.power[i], v.power[i])
+                                               : fminl(u.power[i], v.power[i]);
         out.slope[i] = u.slope[i] + v.slope[i];
     }
     if (!is_sum(u.slope, v.slope))

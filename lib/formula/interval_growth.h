@@ -16,7 +16,7 @@
 
 /* Slopes only without powers. */
 struct growth {
-    double power[2], slope[2];
+    long double power[2], slope[2];
     struct interval c, all;
 };
 

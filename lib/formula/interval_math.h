@@ -1,5 +1,5 @@
 /*
- * interval_math.h -- functions of intervals of doubles with proof: each end is
+ * interval_math.h -- functions of intervals of 64 bits with proof: each end is
  * MPFR's, which is correctly rounded (Fousse et al., ACM Trans. Math. Softw.
  * 33 (2007) 13), outward.  No rounding mode is ever changed.
  *
@@ -11,31 +11,55 @@
 
 #include "interval.h"
 
-static inline struct interval interval_point(double x)
+static inline struct interval interval_point(long double x)
 {
     return (struct interval){ x, x };
 }
 
 /* [-r, r] of the larger |end| of u. */
-static inline double interval_most(struct interval u)
+static inline long double interval_most(struct interval u)
 {
-    return fmax(fabs(u.lo), fabs(u.hi));
+    return fmaxl(fabsl(u.lo), fabsl(u.hi));
 }
 
 /* The least |x| of u. */
-static inline double interval_least(struct interval u)
+static inline long double interval_least(struct interval u)
 {
     return u.lo > 0 ? u.lo : u.hi < 0 ? -u.hi : 0;
 }
 
-static inline struct interval interval_within(double r)
+static inline struct interval interval_within(long double r)
 {
     return (struct interval){ -r, r };
 }
 
+/* The doubles at it or beyond. */
+static inline double interval_up(long double x)
+{
+    const double d = (double) x;
+
+    return d < x ? nextafter(d, HUGE_VAL) : d;
+}
+
+static inline double interval_down(long double x)
+{
+    return -interval_up(-x);
+}
+
+static inline struct interval_double interval_outward(struct interval u)
+{
+    return (struct interval_double){ interval_down(u.lo), interval_up(u.hi) };
+}
+
+static inline struct interval interval_of_double(struct interval_double u)
+{
+    return (struct interval){ u.lo, u.hi };
+}
+
+/* About. */
 static inline double interval_middle(struct interval u)
 {
-    return u.lo / 2 + u.hi / 2;
+    return (double) (u.lo / 2 + u.hi / 2);
 }
 
 static inline bool interval_is_finite(struct interval u)
@@ -51,14 +75,14 @@ static inline struct interval interval_minus(struct interval u)
 static inline struct interval interval_hull(struct interval u,
                                             struct interval w)
 {
-    return (struct interval){ fmin(u.lo, w.lo), fmax(u.hi, w.hi) };
+    return (struct interval){ fminl(u.lo, w.lo), fmaxl(u.hi, w.hi) };
 }
 
 /* Of two enclosures of the same numbers. */
 static inline struct interval interval_both(struct interval u,
                                             struct interval w)
 {
-    return (struct interval){ fmax(u.lo, w.lo), fmin(u.hi, w.hi) };
+    return (struct interval){ fmaxl(u.lo, w.lo), fminl(u.hi, w.hi) };
 }
 
 static inline struct interval interval_low(struct interval u)
@@ -70,6 +94,10 @@ static inline struct interval interval_high(struct interval u)
 {
     return interval_point(u.hi);
 }
+
+/* sum over i < n of (1 + rise i) u[i] w[-i], w going down. */
+struct interval interval_sum(size_t n, int rise, const struct interval u[],
+                             const struct interval *w);
 
 struct interval interval_exp(struct interval u);
 struct interval interval_expm1(struct interval u);

@@ -7,34 +7,18 @@
 
 #include "interval_math.h"
 
-static struct interval point(double x)
+static struct interval point(long double x)
 {
     return interval_point(x);
 }
 
 /* ---- series -------------------------------------------------------------- */
 
-/* sum_{j=from}^{k} u_j w_{k-j} */
-static struct interval sum(const struct interval u[], const struct interval w[],
-                           size_t from, size_t k)
-{
-    struct interval s = { 0, 0 };
-
-    for (size_t j = from; j <= k; j++)
-        s = interval_add(s, interval_times(u[j], w[k - j]));
-    return s;
-}
-
 /* sum_{j=1}^{to} j u_j d_{k-j} */
 static struct interval chain_sum(const struct interval u[],
                                  const struct interval d[], size_t to, size_t k)
 {
-    struct interval s = { 0, 0 };
-
-    for (size_t j = 1; j <= to; j++)
-        s = interval_add(s, interval_times(interval_times(u[j], d[k - j]),
-                                           point((double) j)));
-    return s;
+    return interval_sum(to, 1, u + 1, d + k - 1);
 }
 
 /* Coefficient k > 0 of w with w' = d u'. */
@@ -87,7 +71,7 @@ static struct interval grown(const struct interval_run *r, const struct step *s)
                      : interval_add(constant(r, s->q), r->reg[s->a].c[0]);
 }
 
-static struct interval less(struct interval u, double x)
+static struct interval less(struct interval u, long double x)
 {
     return interval_less(u, point(x));
 }
@@ -215,7 +199,7 @@ static void friction(struct interval_run *r, const struct step *s,
     for (size_t j = 1; j <= r->n; j++) {
         out[j] = chain(u, t, j);
         t[j] = chain(out, b, j);
-        b[j] = interval_minus(sum(t, t, 0, j));
+        b[j] = interval_minus(interval_sum(j + 1, 0, t, t + j));
     }
 }
 
@@ -289,7 +273,7 @@ static void tangent(struct interval_run *r, const struct step *s,
     for (size_t j = 0; j <= r->n; j++) {
         if (j > 0)
             out[j] = t[j] = chain(u, d, j);
-        d[j] = interval_times(point(sign), sum(t, t, 0, j));
+        d[j] = interval_times(point(sign), interval_sum(j + 1, 0, t, t + j));
         if (j == 0)
             d[j] = interval_add(point(1), d[j]);
     }
@@ -325,7 +309,7 @@ static void arc(struct interval_run *r, const struct step *s,
     w[0] = interval_add(k, u[0]);
     d[0] = length(w[0], sign, root);
     for (size_t j = 1; j <= r->n; j++) {
-        d[j] = interval_times(point(sign), sum(w, w, 0, j));
+        d[j] = interval_times(point(sign), interval_sum(j + 1, 0, w, w + j));
         for (size_t i = 1; root && i < j; i++)
             d[j] = interval_less(d[j], interval_times(d[i], d[j - i]));
         if (root)
@@ -342,8 +326,9 @@ static void arc(struct interval_run *r, const struct step *s,
 void interval_product(const struct interval_run *r, const struct interval u[],
                       const struct interval w[], struct interval out[])
 {
-    for (size_t k = 0; k <= r->n; k++)
-        out[k] = sum(u, w, 0, k);
+    out[0] = interval_times(u[0], w[0]);
+    for (size_t k = 1; k <= r->n; k++)
+        out[k] = interval_sum(k + 1, 0, u, w + k);
 }
 
 /* u/(k + w) */
@@ -354,10 +339,8 @@ static void quotient(struct interval_run *r, const struct step *s,
     const struct interval under = interval_add(constant(r, s->k), w[0]);
 
     for (size_t k = 0; k <= r->n; k++) {
-        struct interval left = u[k];
-        for (size_t j = 0; j < k; j++)
-            left = interval_less(left, interval_times(out[j], w[k - j]));
-        out[k] = interval_divide(left, under);
+        const struct interval known = interval_sum(k, 0, out, w + k);
+        out[k] = interval_divide(interval_less(u[k], known), under);
     }
 }
 

@@ -19,24 +19,25 @@ static double part_of(struct vec2 z, int axis)
 
 /* Of the chart; infinite states are where no number is. */
 static bool is_whole(struct interval_plan *p, const struct plane_study *s,
-                     const struct interval chart[2])
+                     const struct interval_double chart[2])
 {
-    struct interval box[2];
-    struct interval_slope out[INTERVAL_RESULTS];
+    struct interval_double box[2];
+    struct interval_slope_double out[INTERVAL_RESULTS];
 
     for (int i = 0; i < 2; i++)
-        box[i] = (struct interval){ plane_state(s, i, chart[i].lo),
-                                    plane_state(s, i, chart[i].hi) };
-    return interval_over(p, box, out) == INTERVAL_WHOLE;
+        box[i] = (struct interval_double){ plane_state(s, i, chart[i].lo),
+                                           plane_state(s, i, chart[i].hi) };
+    return interval_over_double(p, box, out) == INTERVAL_WHOLE;
 }
 
 enum status plane_defined_plan(struct plane_study *s, struct fault *why)
 {
     const struct formula_system *f = s->scene->system;
-    const struct interval any = { -HUGE_VAL, HUGE_VAL }, all[] = { any, any };
+    const struct interval_double any = { -HUGE_VAL, HUGE_VAL },
+                                 all[] = { any, any };
     const struct box w = s->window.box;
-    const struct interval in_window[] = { { w.lo.x, w.hi.x },
-                                          { w.lo.y, w.hi.y } };
+    const struct interval_double in_window[] = { { w.lo.x, w.hi.x },
+                                                 { w.lo.y, w.hi.y } };
     formula_real *value = calloc(FORMULA_NODES, sizeof *value);
     int state[2];
 
@@ -71,7 +72,8 @@ struct interval_plan *plane_defined_copy(const struct plane_study *s)
 bool plane_defined_in(struct interval_plan *plan, const struct plane_study *s,
                       struct box b)
 {
-    const struct interval box[] = { { b.lo.x, b.hi.x }, { b.lo.y, b.hi.y } };
+    const struct interval_double box[] = { { b.lo.x, b.hi.x },
+                                           { b.lo.y, b.hi.y } };
 
     return s->entire || is_whole(plan, s, box);
 }
@@ -100,7 +102,7 @@ static bool is_known(const struct plane_study *s, struct vec2 lo,
 /* Whether formulas have values, and no equilibrium that is not known is there;
  * nothing is asked where curves are not followed. */
 static bool is_moving(struct interval_plan *p, const struct plane_study *s,
-                      const struct interval chart[2])
+                      const struct interval_double chart[2])
 {
     const struct box w = plane_study_box(s);
     const struct vec2 lo = { chart[0].lo, chart[1].lo },
@@ -114,7 +116,7 @@ static bool is_moving(struct interval_plan *p, const struct plane_study *s,
     if (!is_whole(p, s, chart))
         return false;
     for (int i = 0; i < 2; i++) {
-        const struct interval rate = p->of[p->result[i]].value;
+        const struct interval_double rate = p->of_double[p->result[i]].value;
         moves = moves || rate.lo > 0.0 || rate.hi < 0.0;
     }
     return moves;
@@ -125,22 +127,23 @@ static bool is_moving(struct interval_plan *p, const struct plane_study *s,
 /* The signs of a rate all over a box of the chart: 1 or -1, or 0 where it may
  * be either, or formulas may have no values. */
 static int sign_over(struct interval_plan *p, const struct plane_study *s,
-                     const struct interval chart[2], int axis)
+                     const struct interval_double chart[2], int axis)
 {
     if (!is_whole(p, s, chart))
         return 0;
-    const struct interval rate = p->of[p->result[axis]].value;
+    const struct interval_double rate = p->of_double[p->result[axis]].value;
     return rate.lo > 0.0 ? 1 : rate.hi < 0.0 ? -1 : 0;
 }
 
 /* Whether orbits come in, or run along, where box[axis] ends at `to`: way 1
  * from above. */
 static bool closes(struct interval_plan *p, const struct plane_study *s,
-                   const struct interval box[2], int axis, double to, int way)
+                   const struct interval_double box[2], int axis, double to,
+                   int way)
 {
-    struct interval face[] = { box[0], box[1] };
+    struct interval_double face[] = { box[0], box[1] };
 
-    face[axis] = (struct interval){ to, to };
+    face[axis] = (struct interval_double){ to, to };
     return isinf(to) || sign_over(p, s, face, axis) == way;
 }
 
@@ -156,15 +159,15 @@ bool plane_defined_escapes(struct interval_plan *plan,
         const int way = at > part_of(s->window.box.hi, i)   ? 1
                         : at < part_of(s->window.box.lo, i) ? -1
                                                             : 0;
-        const struct interval beside[] = { { -HUGE_VAL, HUGE_VAL },
-                                           { other, HUGE_VAL },
-                                           { -HUGE_VAL, other },
-                                           { other - side[1 - i],
-                                             other + side[1 - i] } };
+        const struct interval_double beside[] = { { -HUGE_VAL, HUGE_VAL },
+                                                  { other, HUGE_VAL },
+                                                  { -HUGE_VAL, other },
+                                                  { other - side[1 - i],
+                                                    other + side[1 - i] } };
         for (int k = 0; k < 4 && way != 0; k++) {
-            struct interval box[2];
-            box[i] = way > 0 ? (struct interval){ at, HUGE_VAL }
-                             : (struct interval){ -HUGE_VAL, at };
+            struct interval_double box[2];
+            box[i] = way > 0 ? (struct interval_double){ at, HUGE_VAL }
+                             : (struct interval_double){ -HUGE_VAL, at };
             box[1 - i] = beside[k];
             if (sign_over(plan, s, box, i) == way * time &&
                 closes(plan, s, box, 1 - i, beside[k].lo, time) &&
@@ -180,8 +183,8 @@ bool plane_defined_escapes(struct interval_plan *plan,
 /* What a coordinate may be from lo to hi, inside of 0 to 1, rounded outward:
  * the spread and the value are no further off than by twice the spread's bound.
  */
-static struct interval range_of(const double *coef, size_t degree, double lo,
-                                double hi)
+static struct interval_double range_of(const double *coef, size_t degree,
+                                       double lo, double hi)
 {
     const double m = 0.5 * (lo + hi), at = jet_at(degree, coef, m);
     double size = 0.0;
@@ -190,7 +193,7 @@ static struct interval range_of(const double *coef, size_t degree, double lo,
         size += fabs(coef[k]);
     const double off = jet_spread_at(degree, coef, m, 0.5 * (hi - lo)) +
                        (double) (4 * (degree + 1)) * DBL_EPSILON * size;
-    return (struct interval){ at - off, at + off };
+    return (struct interval_double){ at - off, at + off };
 }
 
 enum plane_defined plane_defined_along(struct interval_plan *plan,
@@ -203,13 +206,13 @@ enum plane_defined plane_defined_along(struct interval_plan *plan,
     double lo = 0.0, width = 1.0;
 
     for (int work = 0; lo < 1.0; work++) {
-        struct interval box[2];
+        struct interval_double box[2];
         for (int i = 0; i < 2; i++) {
             const double from = part_of(origin, i);
-            box[i] =
-                interval_add((struct interval){ from, from },
-                             range_of(curve_component(c, piece, (size_t) i),
-                                      degree, lo, lo + width));
+            box[i] = interval_add_double(
+                (struct interval_double){ from, from },
+                range_of(curve_component(c, piece, (size_t) i), degree, lo,
+                         lo + width));
         }
         *theta = lo;
         if (is_moving(plan, s, box)) {

@@ -26,13 +26,14 @@ static struct proved *next_of(struct plane_study *s, struct quantity *q)
 
 /* What it is of: an equilibrium, or where a branch leaves; which of its
  * numbers. */
-static void tell(struct plane_study *s, struct quantity *q, struct interval u,
-                 const char *whose, const char *number)
+static void tell(struct plane_study *s, struct quantity *q,
+                 struct interval wide, const char *whose, const char *number)
 {
+    const struct interval_double u = interval_outward(wide);
     struct proved *p = next_of(s, q);
 
     p[0] = p[1] =
-        interval_is_finite(u)
+        interval_is_finite(wide)
             ? (struct proved){ .lo = u.lo, .hi = u.hi }
             : (struct proved){ .not_proved = "its enclosure is not finite" };
     if (!quantity_exists(q) || s->proof.lie.text[0] ||

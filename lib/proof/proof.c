@@ -40,9 +40,9 @@ static void settle(struct proof_branch *out, enum end_code end,
 }
 
 /* At theta, the end of piece i, or why not; *left: what is beyond, over the
- * width of what is known. */
+ * width of what is known.  Nothing wider than `most` is looked for. */
 static const char *close(struct proof_law *law, struct proof_branch *out,
-                         size_t i, struct interval theta,
+                         size_t i, struct interval theta, double most,
                          const struct proof_front *f, double *left)
 {
     const struct proof_piece *p = &out->piece[i];
@@ -50,11 +50,12 @@ static const char *close(struct proof_law *law, struct proof_branch *out,
     const bool psi = p->ind == 1;
     struct proof_tail t;
 
-    const char *why =
-        psi ? proof_tail_psi(law, &at, &t) : proof_tail_v(law, &at, &t);
+    const char *why = psi ? proof_tail_psi(law, &at, most, &t)
+                          : proof_tail_v(law, &at, most, &t);
     if (why)
         return why;
-    *left = fmax(t.way / f->error, t.excess / (f->excess.hi - f->excess.lo));
+    *left = fmax(t.way / f->error,
+                 t.excess / (double) (f->excess.hi - f->excess.lo));
     settle(out,
            !psi            ? END_V_0
            : out->side > 0 ? END_PSI_INF
@@ -65,15 +66,17 @@ static const char *close(struct proof_law *law, struct proof_branch *out,
 
 /* The cells of one piece. */
 static bool pass(struct proof_law *law, struct proof_branch *out, size_t i,
-                 double from, struct interval to, struct proof_front *f,
-                 enum status *status)
+                 const struct proof_piece *next, struct interval to,
+                 struct proof_front *f, enum status *status)
 {
     struct proof_piece *p = &out->piece[i];
+    const double from = i == 0 ? out->cone.reach : 0;
 
     p->first = out->cells;
     if (!proof_cells(&law->tape, p, from, to, f, out, status))
         return false;
     p->cells = out->cells - p->first;
+    out->until = next && next->ind == p->ind ? next->start : HUGE_VAL;
     return true;
 }
 
@@ -108,18 +111,19 @@ static enum status walk(struct proof_law *law, struct proof_branch *out,
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i < out->pieces; i++) {
-        const struct proof_piece *next =
+        struct proof_piece *next =
             i + 1 < out->pieces ? &out->piece[i + 1] : NULL;
         const struct interval to = proof_piece_end(&out->piece[i], next);
         double left = HUGE_VAL;
-        if (!pass(law, out, i, i == 0 ? out->cone.reach : 0, to, f, &status)) {
+        if (!pass(law, out, i, next, to, f, &status)) {
             fail(out, "no tube around the manifold was proved");
             return status;
         }
         if (far && is_far(law, out, i, to, f, *far))
             return STATUS_OK;
-        const char *why = far ? NULL : close(law, out, i, to, f, &left);
         const bool last = next == NULL || out->cells > PROOF_CELLS;
+        const char *why =
+            far ? NULL : close(law, out, i, to, last ? 1 : f->error, f, &left);
         if (far == NULL && why == NULL && (last || left < PROOF_END_PART)) {
             out->not_proved = NULL;
             out->pieces = i + 1;
@@ -153,7 +157,8 @@ static enum status prove_branch(struct proof_law *law,
     }
     const bool open = is_open(law, out, &f);
     const double far =
-        in->far ? (law->is_log ? *in->far : log(*in->far)) - law->y.lo : 0;
+        in->far ? (law->is_log ? *in->far : log(*in->far)) - (double) law->y.lo
+                : 0;
     status = walk(law, out, &f, open ? &far : NULL);
     if (open) {
         fail(out, NULL);

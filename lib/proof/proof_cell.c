@@ -48,7 +48,7 @@ static void expand(struct cell *c)
     c->middle = point(c->from / 2 + c->to / 2);
     c->box = (struct interval){ c->from, c->to };
     const struct interval t = interval_less(c->box, c->middle);
-    c->half = interval_most(t);
+    c->half = interval_up(interval_most(t));
     proof_points(n, c->piece->coef, wide);
     proof_shift(n, wide, c->middle, c->dep);
     proof_shift(n, c->dep, interval_within(c->half), wide);
@@ -89,10 +89,11 @@ static bool bound_defect(struct cell *c)
 static bool is_coarse(const struct cell *c, const struct proof_front *front)
 {
     const double rest = (c->defect - c->remainder) * c->half;
-    const double felt = front->error + DBL_EPSILON * interval_most(c->dep[0]);
+    const long double felt =
+        front->error + LDBL_EPSILON * interval_most(c->dep[0]);
     const double made = c->remainder * c->half;
-    const double known = front->excess.hi - front->excess.lo +
-                         DBL_EPSILON * interval_most(front->excess);
+    const long double known = front->excess.hi - front->excess.lo +
+                              LDBL_EPSILON * interval_most(front->excess);
 
     return (made > PROOF_REMAINDER * rest && made > PROOF_FELT * felt) ||
            c->beside > PROOF_FELT * known;
@@ -126,8 +127,8 @@ static bool bound_rate(const struct cell *c, double radius, struct part *t)
     const struct interval dq = interval_divide(
         interval_less(f.excess.c[1], interval_times(q, f.ind.c[1])),
         f.ind.c[0]);
-    t->rate = step_times(c, dg).hi;
-    t->across = interval_most(step_times(c, dq));
+    t->rate = interval_up(step_times(c, dg).hi);
+    t->across = interval_up(interval_most(step_times(c, dq)));
     return isfinite(t->rate) && isfinite(t->across);
 }
 
@@ -137,7 +138,7 @@ static double grown(const struct part *t, double defect, double error,
 {
     const struct interval rise =
         interval_exp(interval_times(point(t->rate), t->length));
-    const double larger = t->rate > 0 ? rise.hi : 1;
+    const long double larger = t->rate > 0 ? rise.hi : 1;
     const double made =
         proof_up_times(proof_up_times(defect, t->length.hi), larger);
 
@@ -232,7 +233,8 @@ static bool prove(struct cell *c, struct proof_front *front,
         DBL_MIN);
     if (!run_tube(c, out, &across))
         return false;
-    out->excess = excess_of(c, proof_up_times(across, out->radius));
+    out->excess = interval_of_double(
+        interval_outward(excess_of(c, proof_up_times(across, out->radius))));
     if (!interval_is_finite(out->excess))
         return false;
     front->error = out->after;
@@ -267,6 +269,6 @@ bool proof_cells(struct interval_tape *t, const struct proof_piece *piece,
 {
     struct cell c = { .tape = t, .piece = piece, .last = to };
 
-    return to.hi > from &&
-           cells(&c, from, to.hi, 0, front->halvings, front, out, status);
+    return to.hi > from && cells(&c, from, interval_up(to.hi), 0,
+                                 front->halvings, front, out, status);
 }

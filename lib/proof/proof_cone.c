@@ -97,9 +97,10 @@ static double defect_of(const struct proof_piece *piece, const struct along *f,
         n_of[k] = times(point(piece->step), f->dep[k]);
     }
     residual(n, n_of, slope, f->ind, off);
-    return interval_divide(point(proof_size(off, 0, 2 * n - 2, reach)),
-                           point(least))
-        .hi;
+    return interval_up(
+        interval_divide(point(proof_size(off, 0, 2 * n - 2, reach)),
+                        point(least))
+            .hi);
 }
 
 /* ---- in the cone --------------------------------------------------------- */
@@ -163,7 +164,8 @@ static double least_of(size_t n, const struct along *f, double reach)
 {
     const double rest = proof_size(f->ind, 1, n - 1, reach);
 
-    return interval_less(point(interval_least(f->ind[0])), point(rest)).lo;
+    return interval_down(
+        interval_less(point(interval_least(f->ind[0])), point(rest)).lo);
 }
 
 /* The integral of q = step (v - v_sp)/(-f_ind) over the cone: a polynomial
@@ -210,7 +212,7 @@ static bool cone_of(struct interval_tape *t, const struct proof_piece *piece,
     for (int i = 0; i < 3; i++) {
         if (!isfinite(slope) || !look_inside(t, piece, reach, slope, &in))
             return false;
-        const double room =
+        const long double room =
             interval_times(point(slope),
                            interval_less(point(1), interval_high(in.g)))
                 .lo;
@@ -218,10 +220,11 @@ static bool cone_of(struct interval_tape *t, const struct proof_piece *piece,
             break;
         if (i == 2 || !(in.g.hi < 1))
             return false;
-        slope = 4 * defect / (1 - in.g.hi) + DBL_MIN;
+        slope = 4 * defect / (double) (1 - in.g.hi) + DBL_MIN;
     }
     *out = (struct proof_cone){ .reach = reach, .slope = slope };
-    out->excess = excess_of(piece, &f, &in, out, least);
+    out->excess = interval_of_double(
+        interval_outward(excess_of(piece, &f, &in, out, least)));
     front->error = proof_up_times(slope, reach);
     front->excess = out->excess;
     return interval_is_finite(out->excess);

@@ -83,13 +83,13 @@ typedef const char *tail_way(struct proof_law *p, const struct proof_place *at,
                              double w, struct proof_tail *out);
 
 static const char *settle(struct proof_law *p, const struct proof_place *at,
-                          tail_way *way, struct proof_tail *out)
+                          double most, tail_way *way, struct proof_tail *out)
 {
     double w = 0;
 
     if (!(force_at(p, at).lo > 0))
         return "mu - tan(alpha) has no sign where the last piece ends";
-    for (int i = 0; i < PROOF_END_TRIES && w < 1; i++) {
+    for (int i = 0; i < PROOF_END_TRIES && w < most; i++) {
         const char *why = way(p, at, w, out);
         if (why)
             return why;
@@ -117,7 +117,7 @@ static const char *psi_way(struct proof_law *p, const struct proof_place *at,
         why = look_at_edge(p, edge, at->side, &g);
     if (why)
         return why;
-    const double q = at->side > 0 ? s.rate[1].lo : -s.rate[1].hi;
+    const long double q = at->side > 0 ? s.rate[1].lo : -s.rate[1].hi;
     if (!(q > 0))
         return "the rate of psi is not proved to grow beyond the last piece";
     const struct interval under = times(point(q), interval_low(g));
@@ -129,16 +129,17 @@ static const char *psi_way(struct proof_law *p, const struct proof_place *at,
                 interval_divide(interval_high(s.mu[1]), point(q))));
     const struct interval change = interval_expm1(interval_less(s.at[0], p->x));
 
-    out->way = interval_divide(times(per, m), under).hi;
+    out->way = interval_up(interval_divide(times(per, m), under).hi);
+    out->excess =
+        interval_up(interval_most(interval_divide(times(p->v, change), under)));
     out->slope = interval_divide(times(per, m), interval_low(g)).hi < 1 ? 1 : 0;
-    out->excess = interval_most(interval_divide(times(p->v, change), under));
     return isfinite(out->way) && isfinite(out->excess) ? NULL : too_large;
 }
 
 const char *proof_tail_psi(struct proof_law *p, const struct proof_place *at,
-                           struct proof_tail *out)
+                           double most, struct proof_tail *out)
 {
-    return settle(p, at, psi_way, out);
+    return settle(p, at, most, psi_way, out);
 }
 
 /* ---- v = 0 --------------------------------------------------------------- */
@@ -163,27 +164,27 @@ static const char *v_way(struct proof_law *p, const struct proof_place *at,
     const struct interval time =
         interval_divide(interval_exp(interval_high(x)),
                         times(p->force, interval_low(force_at(p, at))));
-    const double by_value = s.g.all.lo >= 0 ? s.g.all.hi : HUGE_VAL;
-    const double by_rate =
+    const long double by_value = s.g.all.lo >= 0 ? s.g.all.hi : HUGE_VAL;
+    const long double by_rate =
         q.lo > 0 ? interval_divide(interval_high(g), interval_low(q)).hi
                  : HUGE_VAL;
 
-    if (!isfinite(fmin(by_value, by_rate)))
+    if (!isfinite(fminl(by_value, by_rate)))
         return "v dpsi/dt is not proved to vanish as v does";
-    out->way = times(point(fmin(by_value, by_rate)), time).hi;
+    out->way = interval_up(times(point(fminl(by_value, by_rate)), time).hi);
+    out->excess = interval_up(times(p->v, time).hi);
     out->slope =
-        times(point(fmin(by_value, q.lo > 0 ? g.hi : HUGE_VAL)), time).hi < 1
+        times(point(fminl(by_value, q.lo > 0 ? g.hi : HUGE_VALL)), time).hi < 1
             ? -1
             : 0;
-    out->excess = times(p->v, time).hi;
     return isfinite(out->way) && isfinite(out->excess) ? NULL : too_large;
 }
 
 const char *proof_tail_v(struct proof_law *p, const struct proof_place *at,
-                         struct proof_tail *out)
+                         double most, struct proof_tail *out)
 {
     return at->side > 0 ? "the upper branch does not go to v = 0"
-                        : settle(p, at, v_way, out);
+                        : settle(p, at, most, v_way, out);
 }
 
 /* ---- open ---------------------------------------------------------------- */

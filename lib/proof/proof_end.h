@@ -16,15 +16,16 @@ struct proof_tail {
     int slope;
 };
 
-/* Each returns NULL or which inequality is not proved. */
+/* Each returns NULL or which inequality is not proved; nothing wider than
+ * `most` is looked for. */
 
 /* v settles as psi runs to infinity (side 1) or to 0 or -infinity (side -1). */
 const char *proof_tail_psi(struct proof_law *p, const struct proof_place *at,
-                           struct proof_tail *out);
+                           double most, struct proof_tail *out);
 
 /* psi settles as v runs to 0. */
 const char *proof_tail_v(struct proof_law *p, const struct proof_place *at,
-                         struct proof_tail *out);
+                         double most, struct proof_tail *out);
 
 /* v has no limit (side 1). */
 const char *proof_tail_open(struct proof_law *p, const struct proof_place *at);

@@ -45,14 +45,27 @@ void proof_flow_slopes(struct interval_tape *t, int ind, struct interval at,
     proof_flow_aside(t, ind, at, dep, &out[1]);
 }
 
+/* out_i = sum_m (i + m)! p_{i+m} s^m/m! over i!: factorials to 25 are exact. */
 void proof_shift(size_t n, const struct interval p[], struct interval s,
                  struct interval out[])
 {
-    if (out != p)
-        memcpy(out, p, (n + 1) * sizeof *p);
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = n; j-- > i;)
-            out[j] = interval_add(out[j], interval_times(s, out[j + 1]));
+    struct interval large[JET_SIZE], power[JET_SIZE], factorial = one;
+
+    power[n] = one; /* downward */
+    for (size_t k = 0; k <= n; k++) {
+        large[k] = interval_times(p[k], factorial);
+        factorial = interval_times(factorial, interval_point((double) (k + 1)));
+        if (k < n)
+            power[n - k - 1] =
+                interval_divide(interval_times(power[n - k], s),
+                                interval_point((double) (k + 1)));
+    }
+    factorial = one;
+    for (size_t i = 0; i <= n; i++) {
+        out[i] = interval_divide(
+            interval_sum(n - i + 1, 0, large + i, power + n), factorial);
+        factorial = interval_times(factorial, interval_point((double) (i + 1)));
+    }
 }
 
 void proof_points(size_t n, const double p[], struct interval out[])
@@ -87,21 +100,19 @@ void proof_quotient(size_t n, const struct interval u[],
                     const struct interval w[], struct interval out[])
 {
     for (size_t k = 0; k <= n; k++) {
-        struct interval left = u[k];
-        for (size_t j = 0; j < k; j++)
-            left = interval_less(left, interval_times(out[j], w[k - j]));
-        out[k] = interval_divide(left, w[0]);
+        const struct interval known = interval_sum(k, 0, out, w + k);
+        out[k] = interval_divide(interval_less(u[k], known), w[0]);
     }
 }
 
-double proof_up_sum(double u, double w)
+double proof_up_sum(long double u, long double w)
 {
-    return interval_add(interval_point(u), interval_point(w)).hi;
+    return interval_up(interval_add(interval_point(u), interval_point(w)).hi);
 }
 
-double proof_up_times(double u, double w)
+double proof_up_times(long double u, long double w)
 {
-    return interval_times(interval_point(u), interval_point(w)).hi;
+    return interval_up(interval_times(interval_point(u), interval_point(w)).hi);
 }
 
 double proof_size(const struct interval u[], size_t first, size_t last,

@@ -45,6 +45,6 @@ void proof_quotient(size_t n, const struct interval u[],
 double proof_size(const struct interval u[], size_t first, size_t last,
                   double h);
 
-/* Upward: u + w and u w of numbers >= 0. */
-double proof_up_sum(double u, double w);
-double proof_up_times(double u, double w);
+/* To a double upward: u + w and u w of numbers >= 0. */
+double proof_up_sum(long double u, long double w);
+double proof_up_times(long double u, long double w);

@@ -50,7 +50,7 @@ static bool curve_of(const struct law *law, const struct material *m,
     return true;
 }
 
-static struct interval slope_at(const struct curve *c, double x)
+static struct interval slope_at(const struct curve *c, long double x)
 {
     const struct interval v = interval_exp(point(x));
 

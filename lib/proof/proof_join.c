@@ -54,7 +54,7 @@ struct proof_place proof_place_on(const struct proof_piece *p,
 
 /* ---- from one to the next ------------------------------------------------ */
 
-static double most_apart(struct interval u, double x)
+static long double most_apart(struct interval u, double x)
 {
     return interval_most(interval_less(u, point(x)));
 }
@@ -68,17 +68,18 @@ bool proof_reach(struct interval_tape *t, const struct proof_piece *p,
     const struct interval from = add(proof_poly_at(p->degree, p->coef, theta),
                                      interval_within(f->error));
     const struct interval dep = interval_hull(from, target);
-    const double gap = interval_most(interval_less(target, from));
+    const long double gap = interval_most(interval_less(target, from));
     struct proof_flow u;
 
     *way = 0;
     for (int i = 0; i < PROOF_TURN_TRIES; i++) {
         proof_flow_aside(t, p->ind, add(at, interval_within(*way)), dep, &u);
         const struct interval slope = interval_divide(u.dep.c[0], u.ind.c[0]);
-        const double least = interval_least(slope);
+        const long double least = interval_least(slope);
         if (!(least > 0) || !interval_is_finite(u.ind.c[0]))
             return false;
-        const double found = interval_divide(point(gap), point(least)).hi;
+        const double found =
+            interval_up(interval_divide(point(gap), point(least)).hi);
         if (found < *way) {
             const struct interval per =
                 interval_divide(u.excess.c[0], u.ind.c[0]);

@@ -122,8 +122,8 @@ static void narrow(struct seeker *s, double a, double b)
                            at = box_on(s, middle, middle);
         const struct interval to = interval_less(
             point(middle), interval_divide(over_one(s, &at), bend(s, &all)));
-        a = fmax(a, to.lo);
-        b = fmin(b, to.hi);
+        a = fmax(a, interval_down(to.lo));
+        b = fmin(b, interval_up(to.hi));
         if (!(a <= b)) /* nowhere */
             return;
         if (!(b - a < size / 2))

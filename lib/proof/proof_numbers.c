@@ -26,7 +26,7 @@ static struct proof_number some(struct interval value)
 {
     if (!interval_is_finite(value))
         return none("its enclosure is not finite");
-    return (struct proof_number){ value, NULL, false };
+    return (struct proof_number){ interval_outward(value), NULL, false };
 }
 
 /* Why what belongs to this end of the branch is not there; NULL: it is. */

@@ -7,7 +7,7 @@
 #include "proof.h"
 
 struct proof_number {
-    struct interval value;
+    struct interval_double value;
     const char *not_proved; /* NULL: value holds it */
     bool absent;            /* that there is none is proved */
 };

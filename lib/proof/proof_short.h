@@ -3,7 +3,7 @@
 
 #include "interval_math.h"
 
-static inline struct interval point(double x)
+static inline struct interval point(long double x)
 {
     return interval_point(x);
 }

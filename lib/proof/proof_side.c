@@ -64,14 +64,14 @@ static struct interval meet(const struct proof_branch *b, struct interval Y)
             const struct interval X = outward(b, at.X), y = outward(b, at.Y);
             const bool is_before = y.hi<Y.lo, is_beyond = y.lo> Y.hi;
             if (is_before)
-                out.lo = fmax(out.lo, X.lo);
+                out.lo = fmaxl(out.lo, X.lo);
             if (is_beyond)
-                out.hi = fmin(out.hi, X.hi);
+                out.hi = fminl(out.hi, X.hi);
             *(is_before || (!is_beyond && beyond) ? &lo : &hi) = t;
         }
     }
     if (b->end == (int) END_PSI_INF || b->end == (int) END_PSI_0)
-        out.hi = fmin(out.hi, strip.hi);
+        out.hi = fminl(out.hi, strip.hi);
     if (b->end == (int) END_V_0 && Y.lo > strip.hi)
         out.lo = HUGE_VAL;
     return out;
@@ -88,8 +88,8 @@ static struct interval cross(const struct proof *p, struct interval Y)
     if (Y.hi < 0)
         return interval_minus(meet(lower, interval_minus(Y)));
     return (struct interval){
-        -meet(lower, (struct interval){ 0, fmax(0, -Y.lo) }).hi,
-        meet(upper, (struct interval){ 0, fmax(0, Y.hi) }).hi
+        -meet(lower, (struct interval){ 0, fmaxl(0, -Y.lo) }).hi,
+        meet(upper, (struct interval){ 0, fmaxl(0, Y.hi) }).hi
     };
 }
 

@@ -30,7 +30,7 @@ static bool box_of(const struct proof_trap *p, struct interval box[2])
         return false;
     for (int i = 0; i < 2; i++) {
         const struct interval part = interval_divide(i == 0 ? yy : xx, det);
-        const double half = interval_sqrt(times(point(p->level), part)).hi;
+        const long double half = interval_sqrt(times(point(p->level), part)).hi;
         box[i] = add(p->at[i], interval_within(half));
     }
     return interval_is_finite(box[0]) && interval_is_finite(box[1]);

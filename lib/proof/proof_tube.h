@@ -8,7 +8,9 @@
  *              |dep - p(theta)| <= radius.
  *
  * where p = sum coef[k] theta^k is the dependent offset, the independent one is
- * start + step theta, start and step doubles taken exactly.
+ * start + step theta, start and step doubles taken exactly.  Errors, rates and
+ * integrals of cells and the cone are doubles, rounded outward, and it is these
+ * that are added up: what a certificate tells.
  */
 #pragma once
 
@@ -58,7 +60,9 @@ struct proof_branch {
     size_t pieces;
     struct proof_cell *cell; /* owned */
     size_t cells;
-    int end; /* enum end_code of numbers.h; -1: not_proved says why */
+    double until; /* independent offset where the last piece with cells ends;
+                     infinite: at theta = 1 */
+    int end;      /* enum end_code of numbers.h; -1: not_proved says why */
     struct interval place, strip;
     struct interval excess; /* integral of |v - v_sp| dt, where `end` is not
                                open */

@@ -27,9 +27,10 @@ static struct interval power(struct interval x, struct interval u, int exponent)
                           : x;
 }
 
-struct interval proof_in_si(const struct proof_units *u, const char *unit,
-                            struct interval x)
+struct interval_double proof_in_si(const struct proof_units *u,
+                                   const char *unit, struct interval_double x)
 {
+    const struct interval wide = interval_of_double(x);
     const struct unit *of = unit_find(unit);
     const bool state =
         of && (of->kind == UNIT_STATE || of->kind == UNIT_LN_STATE);
@@ -41,6 +42,7 @@ struct interval proof_in_si(const struct proof_units *u, const char *unit,
               : power(power(interval_point(1), u->V_star, of->rate), u->L,
                       of->length);
     if (of->kind == UNIT_LN || of->kind == UNIT_LN_STATE)
-        return interval_add(x, interval_ln(scale));
-    return interval_times(scale, state && u->psi_is_log ? interval_exp(x) : x);
+        return interval_outward(interval_add(wide, interval_ln(scale)));
+    return interval_outward(interval_times(
+        scale, state && u->psi_is_log ? interval_exp(wide) : wide));
 }

@@ -15,5 +15,5 @@ struct proof_units proof_units_of(const struct law *law,
                                   const struct material *m);
 
 /* unit_value of a number in this unit, no angle and no kick. */
-struct interval proof_in_si(const struct proof_units *u, const char *unit,
-                            struct interval x);
+struct interval_double proof_in_si(const struct proof_units *u,
+                                   const char *unit, struct interval_double x);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "interval_math.h"
 #include "proof_fold.h"
 #include "proof_units.h"
 #include "study.h"
@@ -123,7 +124,7 @@ static bool contradicts(const struct quantity *q, const struct proof_number *p)
 }
 
 static struct proved outcome(const struct proof_number *p,
-                             struct interval value)
+                             struct interval_double value)
 {
     if (p->not_proved)
         return (struct proved){ .absent = p->absent,

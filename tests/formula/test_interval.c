@@ -66,14 +66,14 @@ static const char *const formulas[] = { "x + y",
                                         "(x + 1/3)*(x - 1/3) - x*x",
                                         NULL };
 
-static formula_real between(uint64_t *seed, struct interval u)
+static formula_real between(uint64_t *seed, struct interval_double u)
 {
     const double t = check_uniform(seed, 0, 1);
 
     return t < 0.1 ? u.lo : t > 0.9 ? u.hi : u.lo + t * (u.hi - u.lo);
 }
 
-static bool is_in(formula_real x, struct interval u)
+static bool is_in(formula_real x, struct interval_double u)
 {
     return u.lo <= x && x <= u.hi;
 }
@@ -89,14 +89,14 @@ static void whatever_is_in_a_box_is_enclosed(void **state)
         open_graph(NULL);
         make_plan(formulas[i]);
         for (int run = 0; run < 400; run++) {
-            struct interval box[2];
-            struct interval_slope over;
+            struct interval_double box[2];
+            struct interval_slope_double over;
             for (int k = 0; k < 2; k++) {
                 const double size = exp(check_uniform(&seed, -35, 0.5));
                 box[k].lo = check_uniform(&seed, 0.1, 4);
                 box[k].hi = box[k].lo + size;
             }
-            if (interval_over(&plan, box, &over) != INTERVAL_WHOLE)
+            if (interval_over_double(&plan, box, &over) != INTERVAL_WHOLE)
                 continue;
             struct interval_quad at[2];
             struct interval_slope_quad here;
@@ -174,12 +174,12 @@ static void a_point_is_enclosed_to_all_digits(void **state)
 
 static enum interval_domain domain_of(const char *text, double x0, double x1)
 {
-    const struct interval box[2] = { { x0, x1 }, { 1, 2 } };
-    struct interval_slope over;
+    const struct interval_double box[2] = { { x0, x1 }, { 1, 2 } };
+    struct interval_slope_double over;
 
     open_graph(NULL);
     make_plan(text);
-    return interval_over(&plan, box, &over);
+    return interval_over_double(&plan, box, &over);
 }
 
 static void where_it_is_not_defined_is_told(void **state)
@@ -202,22 +202,22 @@ static void where_it_is_not_defined_is_told(void **state)
 /* Ends that overflow are infinite upward and finite inward. */
 static void nothing_is_lost_where_numbers_overflow(void **state)
 {
-    const struct interval box[2] = { { 0, 1000 }, { -1000, 1000 } };
-    struct interval_slope over;
+    const struct interval_double box[2] = { { 0, 1000 }, { -1000, 1000 } };
+    struct interval_slope_double over;
 
     (void) state;
     open_graph(NULL);
     make_plan("exp(x)*exp(y)");
-    assert_int_equal(interval_over(&plan, box, &over), INTERVAL_WHOLE);
+    assert_int_equal(interval_over_double(&plan, box, &over), INTERVAL_WHOLE);
     assert_true(over.value.lo <= 1e-300 && isinf(over.value.hi));
     make_plan("exp(x + 800)");
-    assert_int_equal(interval_over(&plan, box, &over), INTERVAL_WHOLE);
+    assert_int_equal(interval_over_double(&plan, box, &over), INTERVAL_WHOLE);
     assert_true(isfinite(over.value.lo) && isinf(over.value.hi));
     make_plan("exp(x) - exp(x)*a");
-    assert_int_equal(interval_over(&plan, box, &over), INTERVAL_WHOLE);
+    assert_int_equal(interval_over_double(&plan, box, &over), INTERVAL_WHOLE);
     assert_true(isinf(over.value.lo) && isinf(over.value.hi));
     make_plan("1/exp(x)");
-    assert_int_equal(interval_over(&plan, box, &over), INTERVAL_WHOLE);
+    assert_int_equal(interval_over_double(&plan, box, &over), INTERVAL_WHOLE);
     assert_true(over.value.lo == 0 && over.value.hi < 1.001);
 }
 

@@ -42,8 +42,8 @@ static void inside(const char *name, const struct sample *s,
     const formula_real room = fabsq(truth) * 0x1p-95L;
 
     CHECK(found.lo <= truth + room && truth - room <= found.hi,
-          "%s over [%.17g, %.17g]: [%.17g, %.17g] has no %.17g", name, s->u.lo,
-          s->u.hi, found.lo, found.hi, (double) truth);
+          "%s over [%.20Lg, %.20Lg]: [%.20Lg, %.20Lg] has no %.17g", name,
+          s->u.lo, s->u.hi, found.lo, found.hi, (double) truth);
 }
 
 static void a_function_over_a_box_holds_its_value_at_every_point(void **state)
@@ -58,8 +58,8 @@ static void a_function_over_a_box_holds_its_value_at_every_point(void **state)
         inside("sinh", &s, interval_sinh(s.u), sinhq(s.x));
         inside("asinh", &s, interval_asinh(s.u), asinhq(s.x));
         inside("asinh_exp", &s, interval_asinh_exp(s.u), scalar_asinh_exp(s.x));
-        s.u.lo = fabs(s.u.lo);
-        s.u.hi = fmax(fabs(s.u.hi), s.u.lo);
+        s.u.lo = fabsl(s.u.lo);
+        s.u.hi = fmaxl(fabsl(s.u.hi), s.u.lo);
         s.x = s.u.lo + (s.u.hi - (formula_real) s.u.lo) / 3;
         inside("ln", &s, interval_ln(s.u), logq(s.x));
         inside("ln1p", &s, interval_ln1p(s.u), log1pq(s.x));
@@ -88,7 +88,7 @@ static void a_difference_over_a_box_holds_its_value_at_every_point(void **state)
     }
 }
 
-static void a_point_has_a_value_as_thin_as_two_doubles(void **state)
+static void a_point_has_a_value_between_two_neighbours(void **state)
 {
     uint64_t rng = check_seed();
 
@@ -96,7 +96,7 @@ static void a_point_has_a_value_as_thin_as_two_doubles(void **state)
     for (int i = 0; i < POINTS; i++) {
         const double x = check_uniform(&rng, -700, 700);
         const struct interval e = interval_exp(interval_point(x));
-        CHECK(nextafter(e.lo, HUGE_VAL) >= e.hi, "exp(%.17g)", x);
+        CHECK(nextafterl(e.lo, HUGE_VALL) >= e.hi, "exp(%.17g)", x);
     }
 }
 
@@ -121,8 +121,8 @@ static void arithmetic_holds_what_is_exact_and_hardly_more(void **state)
             CHECK(of[k].lo * by[k] <= exact[k] && exact[k] <= of[k].hi * by[k],
                   "%d of %.17g and %.17g", k, a, b);
             CHECK(of[k].hi - of[k].lo <=
-                      units[k] * DBL_EPSILON * interval_most(of[k]),
-                  "%d of %.17g and %.17g: %g wide", k, a, b,
+                      units[k] * LDBL_EPSILON * interval_most(of[k]),
+                  "%d of %.17g and %.17g: %Lg wide", k, a, b,
                   of[k].hi - of[k].lo);
         }
     }
@@ -134,7 +134,7 @@ int main(void)
         cmocka_unit_test(a_function_over_a_box_holds_its_value_at_every_point),
         cmocka_unit_test(
             a_difference_over_a_box_holds_its_value_at_every_point),
-        cmocka_unit_test(a_point_has_a_value_as_thin_as_two_doubles),
+        cmocka_unit_test(a_point_has_a_value_between_two_neighbours),
         cmocka_unit_test(arithmetic_holds_what_is_exact_and_hardly_more),
     };
 

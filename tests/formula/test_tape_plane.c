@@ -374,12 +374,12 @@ static void enclosures_hold_rates_and_series_at_every_point(void **state)
                 const double truth = exact[i][k];
                 const double off = 1e-10 * (1 + fabs(truth));
                 CHECK(u.lo <= truth + off && truth - off <= u.hi,
-                      "%s | %s, %d, order %d: [%g, %g] has no %g", c->rate[0],
+                      "%s | %s, %d, order %d: [%Lg, %Lg] has no %g", c->rate[0],
                       c->rate[1], i, k, u.lo, u.hi, truth);
                 CHECK(!interval_is_finite(w) ||
                           (w.lo <= truth + off && truth - off <= w.hi &&
                            w.hi - w.lo <= 1e-8 * (1 + interval_most(w))),
-                      "%s | %s, %d, order %d: [%.17g, %.17g] has no %.17g",
+                      "%s | %s, %d, order %d: [%.20Lg, %.20Lg] has no %.17g",
                       c->rate[0], c->rate[1], i, k, w.lo, w.hi, truth);
             }
         interval_tape_free(&t);

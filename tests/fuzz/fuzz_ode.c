@@ -15,7 +15,7 @@ static struct interval_plan p;
 static struct system_equilibria found;
 static formula_real value[FORMULA_NODES];
 
-static bool holds(struct interval u, struct interval_quad w)
+static bool holds(struct interval_double u, struct interval_quad w)
 {
     return u.lo <= w.hi && w.lo <= u.hi;
 }
@@ -23,13 +23,13 @@ static bool holds(struct interval u, struct interval_quad w)
 /* The middle of a box is one of its points. */
 static void look_at_box(double x, double y, double size)
 {
-    const struct interval box[2] = { { x - size, x + size },
-                                     { y - size, y + size } };
+    const struct interval_double box[2] = { { x - size, x + size },
+                                            { y - size, y + size } };
     const struct interval_quad at[2] = { { x, x }, { y, y } };
-    struct interval_slope over[2];
+    struct interval_slope_double over[2];
     struct interval_slope_quad here[2];
 
-    if (interval_over(&p, box, over) != INTERVAL_WHOLE)
+    if (interval_over_double(&p, box, over) != INTERVAL_WHOLE)
         return;
     MUST(interval_over_quad(&p, at, here) != INTERVAL_NOWHERE);
     for (int i = 0; i < 2; i++) {

@@ -196,7 +196,7 @@ static void duffings_loop_is_proved_at_any_line(void **state)
         const long double y =
             (b->kind == MANIFOLD_STABLE ? -way : way) * 0.5L * sqrtl(0.875L);
         CHECK(at[1].lo <= y && y <= at[1].hi && at[1].hi - at[1].lo < 1e-14,
-              "[%.17g, %.17g]", at[1].lo, at[1].hi);
+              "[%.20Lg, %.20Lg]", at[1].lo, at[1].hi);
         free(tube.piece);
         free(tube.cell);
         proof_plane_free(&p);

@@ -69,7 +69,7 @@ static double printed(const char *text)
 }
 
 /* Whether the decimal may be inside. */
-static bool holds(struct interval u, const char *decimal)
+static bool holds(struct interval_double u, const char *decimal)
 {
     mpfr_t x, slack;
 
@@ -115,7 +115,7 @@ static double allowed(const struct csv *c)
 
 /* A bar that does not meet what is proved is a lie. */
 static void check_bar(const char *row, const char *name,
-                      const struct quantity *q, struct interval u,
+                      const struct quantity *q, struct interval_double u,
                       struct tally *t)
 {
     const double lo = q->value - q->error, hi = q->value + q->error;
@@ -151,8 +151,8 @@ static void check_number(const struct csv *c, const struct solved *s,
         return;
     }
     t->proved++;
-    const struct interval u = p->value;
-    const double width = (u.hi - u.lo) / interval_least(u);
+    const struct interval_double u = p->value;
+    const double width = (u.hi - u.lo) / fmin(fabs(u.lo), fabs(u.hi));
     CHECK(holds(u, text), "%s: %s = %s is not in [%.17g, %.17g]", row,
           what->column, text, u.lo, u.hi);
     if (getenv("SAY") && width > allowed(c))
@@ -243,17 +243,17 @@ static void check_cell(struct proof *p, const struct proof_piece *piece,
     const struct interval dep =
         proof_poly_at(piece->degree, piece->coef, interval_point(theta));
     const double aside = theta < cell->to ? cell->radius : -cell->radius;
-    double slope[JET_SIZE];
+    struct interval rise = { 0, 0 };
     struct proof_flow f, rim;
 
-    for (size_t k = 1; k <= piece->degree; k++)
-        slope[k - 1] = (double) k * piece->coef[k];
+    for (size_t k = piece->degree; k > 0; k--)
+        rise = interval_add(interval_times(rise, interval_point(theta)),
+                            interval_times(interval_point((double) k),
+                                           interval_point(piece->coef[k])));
     proof_flow_aside(&p->law.tape, piece->ind, at, dep, &f);
     proof_flow_aside(&p->law.tape, piece->ind, at,
                      interval_add(dep, interval_point(aside)), &rim);
     const struct interval step = interval_point(piece->step);
-    const struct interval rise =
-        proof_poly_at(piece->degree - 1, slope, interval_point(theta));
     const struct interval off = interval_less(
         interval_times(step, interval_divide(f.dep.c[0], f.ind.c[0])), rise);
     const struct interval g = interval_divide(rim.dep.c[0], rim.ind.c[0]);
@@ -261,12 +261,10 @@ static void check_cell(struct proof *p, const struct proof_piece *piece,
         step, interval_divide(
                   interval_less(rim.dep.c[1], interval_times(g, rim.ind.c[1])),
                   rim.ind.c[0]));
-    /* slope[] is rounded */
-    const double room = 0x1p-50 * interval_most(rise);
-    CHECK(interval_least(off) <= cell->defect + room,
-          "a defect of %g in a cell of %g, theta %g of %g .. %g",
+    CHECK(interval_least(off) <= cell->defect,
+          "a defect of %Lg in a cell of %g, theta %g of %g .. %g",
           interval_least(off), cell->defect, theta, cell->from, cell->to);
-    CHECK(rate.lo <= cell->rate, "a rate of %g in a cell of %g", rate.lo,
+    CHECK(rate.lo <= cell->rate, "a rate of %Lg in a cell of %g", rate.lo,
           cell->rate);
 }
 

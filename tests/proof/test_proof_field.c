@@ -78,12 +78,12 @@ static void the_quotient_of_the_rates_is_that_of_113_bits(void **state)
             /* the truth's saddle is that of a long double */
             const formula_real room = fabsq(truth) * 0x1p-40L;
             CHECK(q.lo <= truth + room && truth - room <= q.hi,
-                  "%s at (%g, %g): [%.17g, %.17g] has no %.17g",
+                  "%s at (%g, %g): [%.20Lg, %.20Lg] has no %.17g",
                   a.slider.block.law.preset, X, Y, q.lo, q.hi, (double) truth);
             CHECK(!(fabs(X) < 5 && fabs(Y) < 2) || !interval_is_finite(q) ||
                       q.hi - q.lo <= 1e-10 * interval_most(q) + 1e-300 ||
                       out[0].c[0].lo <= 0,
-                  "%s at (%g, %g): [%.17g, %.17g]", a.slider.block.law.preset,
+                  "%s at (%g, %g): [%.20Lg, %.20Lg]", a.slider.block.law.preset,
                   X, Y, q.lo, q.hi);
         }
         proof_law_free(&a.law);
@@ -120,8 +120,8 @@ static void check_line(struct around *a, uint64_t *rng)
             const struct interval wide = out[0][i].c[k];
             const struct interval thin = interval_times(out[1][i].c[k], scale);
             CHECK(wide.lo <= thin.hi && thin.lo <= wide.hi,
-                  "%s, rate %d, order %d, at (%g, %g) +- %g: [%g, %g] has "
-                  "no [%g, %g]",
+                  "%s, rate %d, order %d, at (%g, %g) +- %g: [%Lg, %Lg] has "
+                  "no [%Lg, %Lg]",
                   a->slider.block.law.preset, i, k, X, Y, half, wide.lo,
                   wide.hi, thin.lo, thin.hi);
         }
@@ -236,9 +236,9 @@ static void check_tape(struct around *a, const struct interval_graph *most,
     mpfi_init2(exact, PROOF_BITS);
     mpfi_div(exact, interval_graph_value(most, a->law.graph->node[LAW_AT_DY]),
              interval_graph_value(most, a->law.graph->node[LAW_AT_DX]));
-    CHECK(mpfr_cmp_d(&exact->left, q.lo) >= 0 &&
-              mpfr_cmp_d(&exact->right, q.hi) <= 0,
-          "%s at (%g, %g): [%.17g, %.17g] has not all of %.17g",
+    CHECK(mpfr_cmp_ld(&exact->left, q.lo) >= 0 &&
+              mpfr_cmp_ld(&exact->right, q.hi) <= 0,
+          "%s at (%g, %g): [%.20Lg, %.20Lg] has not all of %.17g",
           a->slider.block.law.preset, X, Y, q.lo, q.hi, mpfi_get_d(exact));
     mpfi_clear(exact);
 }

@@ -33,9 +33,10 @@ static double any_point(uint64_t *rng, struct interval u)
 {
     const double far = pow(10, check_uniform(rng, -3, 1.5));
 
-    return isinf(u.hi)   ? u.lo + far
-           : isinf(u.lo) ? u.hi - far
-                         : u.lo + (u.hi - u.lo) * check_uniform(rng, 0, 1);
+    return isinf(u.hi) ? (double) u.lo + far
+           : isinf(u.lo)
+               ? (double) u.hi - far
+               : (double) (u.lo + (u.hi - u.lo) * check_uniform(rng, 0, 1));
 }
 
 /* Where a value is lost to the truth's own rounding nothing is told. */
@@ -47,7 +48,7 @@ static void holds(const char *what, const struct law *law, struct interval u,
     if (!isfinite(truth) || !isfinite(size))
         return;
     CHECK(u.lo <= truth + room && truth - room <= u.hi,
-          "%s of %s: [%.17g, %.17g] has no %.17Lg", what, law->preset, u.lo,
+          "%s of %s: [%.20Lg, %.20Lg] has no %.20Lg", what, law->preset, u.lo,
           u.hi, truth);
 }
 

@@ -48,10 +48,10 @@ static struct interval sum_of(const struct proof_branch *b,
 static void meet(const char *preset, struct interval wide, struct interval thin)
 {
     CHECK(wide.lo <= thin.lo && thin.hi <= wide.hi,
-          "%s: [%.17g, %.17g] has no [%.17g, %.17g]", preset, wide.lo, wide.hi,
-          thin.lo, thin.hi);
+          "%s: [%.20Lg, %.20Lg] has no [%.20Lg, %.20Lg]", preset, wide.lo,
+          wide.hi, thin.lo, thin.hi);
     CHECK(thin.hi - thin.lo < 0.1 * (wide.hi - wide.lo),
-          "%s: [%.17g, %.17g] is no narrower than [%.17g, %.17g]", preset,
+          "%s: [%.20Lg, %.20Lg] is no narrower than [%.20Lg, %.20Lg]", preset,
           thin.lo, thin.hi, wide.lo, wide.hi);
 }
 
@@ -159,7 +159,7 @@ static void a_branch_that_is_cut_holds_what_it_has_lost(void **state)
                 const struct interval u = q.branch[side].excess;
                 const struct interval w = p.branch[side].excess;
                 CHECK(u.lo <= w.hi && w.lo <= u.hi,
-                      "%s: [%.17g, %.17g] is beside [%.17g, %.17g]",
+                      "%s: [%.20Lg, %.20Lg] is beside [%.20Lg, %.20Lg]",
                       presets[i / 2], u.lo, u.hi, w.lo, w.hi);
                 cuts++;
             }
