@@ -10,6 +10,7 @@
 #include "proof_flow.h"
 #include "proof_join.h"
 #include "proof_knee.h"
+#include "proof_polish.h"
 #include "proof_short.h"
 #include "proof_tolerance.h"
 
@@ -132,6 +133,7 @@ static enum status walk(struct proof_law *law, struct proof_branch *out,
         fail(out, why);
         if (last)
             return STATUS_OK;
+        proof_polish(&law->tape, &out->piece[i], to, next);
         if (!proof_join(&law->tape, &out->piece[i], next, to, f)) {
             fail(out, "the tube was lost between two pieces");
             return STATUS_OK;
