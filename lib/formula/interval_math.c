@@ -1,7 +1,8 @@
 #include "interval_math.h"
 
 #include <float.h>
-#include <mpfr.h>
+
+#include "interval_point.h"
 
 /* Beside which what underflows is nothing. */
 #define INTERVAL_SMALL 0x1p-16000L
@@ -48,33 +49,14 @@ struct interval interval_sum(size_t n, int rise, const struct interval u[],
     return (struct interval){ (sum - room) / 4, (sum + room) / 4 };
 }
 
-/* ---- MPFR's -------------------------------------------------------------- */
+/* ---- functions that rise ------------------------------------------------- */
 
-/* f(x) to the number below or above; *exact: it is that number. */
-static long double rounded(int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t),
-                           long double x, mpfr_rnd_t to, bool *exact)
-{
-    MPFR_DECL_INIT(t, LDBL_MANT_DIG);
-
-    mpfr_set_ld(t, x, to);
-    *exact = f(t, t, to) == 0 &&
-             mpfr_get_ld(t, MPFR_RNDU) <= mpfr_get_ld(t, MPFR_RNDD);
-    return mpfr_get_ld(t, to);
-}
-
-/* Of a function that does not fall: at a point the number above is the one
- * after that below. */
-static struct interval rising(int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t),
+static struct interval rising(struct interval (*at)(long double),
                               struct interval u)
 {
-    bool exact;
-    const long double lo = rounded(f, u.lo, MPFR_RNDD, &exact);
-    const long double hi = u.lo < u.hi ? rounded(f, u.hi, MPFR_RNDU, &exact)
-                           : exact     ? lo
-                                       : nextafterl(lo, HUGE_VALL);
+    const struct interval lo = at(u.lo);
 
-    return (struct interval){ lo < HUGE_VALL ? lo : LDBL_MAX,
-                              hi > -HUGE_VALL ? hi : -LDBL_MAX };
+    return (struct interval){ lo.lo, u.lo < u.hi ? at(u.hi).hi : lo.hi };
 }
 
 static struct interval all(void)
@@ -84,22 +66,22 @@ static struct interval all(void)
 
 struct interval interval_exp(struct interval u)
 {
-    return rising(mpfr_exp, u);
+    return rising(interval_exp_at, u);
 }
 
 struct interval interval_expm1(struct interval u)
 {
-    return rising(mpfr_expm1, u);
+    return rising(interval_expm1_at, u);
 }
 
 struct interval interval_ln(struct interval u)
 {
-    return u.lo >= 0 && u.hi > 0 ? rising(mpfr_log, u) : all();
+    return u.lo >= 0 && u.hi > 0 ? rising(interval_ln_at, u) : all();
 }
 
 struct interval interval_ln1p(struct interval u)
 {
-    return u.lo >= -1 && u.hi > -1 ? rising(mpfr_log1p, u) : all();
+    return u.lo >= -1 && u.hi > -1 ? rising(interval_ln1p_at, u) : all();
 }
 
 /* The processor's is correctly rounded (IEEE 754). */
@@ -111,18 +93,6 @@ struct interval interval_sqrt(struct interval u)
                               nextafterl(sqrtl(u.hi), HUGE_VALL) };
 }
 
-struct interval interval_sinh(struct interval u)
-{
-    return rising(mpfr_sinh, u);
-}
-
-struct interval interval_asinh(struct interval u)
-{
-    return rising(mpfr_asinh, u);
-}
-
-/* ---- made of them -------------------------------------------------------- */
-
 static struct interval plus(struct interval u, long double x)
 {
     return interval_add(u, interval_point(x));
@@ -132,6 +102,40 @@ static struct interval twice(struct interval u, long double factor)
 {
     return interval_times(u, interval_point(factor));
 }
+
+/* (e + e/(1 + e))/2, e = e^|x| - 1 */
+static struct interval sinh_at(long double x)
+{
+    const struct interval e = interval_expm1_at(fabsl(x));
+    const struct interval s =
+        twice(interval_add(e, interval_divide(e, plus(e, 1))), 0.5L);
+
+    return x < 0 ? interval_minus(s) : s;
+}
+
+/* ln(1 + z + z^2/(1 + sqrt(1 + z^2))), z = |x| */
+static struct interval asinh_at(long double x)
+{
+    const struct interval z = interval_point(fabsl(x));
+    const struct interval square = interval_times(z, z);
+    const struct interval under = plus(interval_sqrt(plus(square, 1)), 1);
+    const struct interval s =
+        interval_ln1p(interval_add(z, interval_divide(square, under)));
+
+    return x < 0 ? interval_minus(s) : s;
+}
+
+struct interval interval_sinh(struct interval u)
+{
+    return rising(sinh_at, u);
+}
+
+struct interval interval_asinh(struct interval u)
+{
+    return rising(asinh_at, u);
+}
+
+/* ---- made of them -------------------------------------------------------- */
 
 /* w + ln(1 + (sqrt(1 + 4 e^(-2 w)) - 1)/2), where e^w would be too large */
 static struct interval asinh_exp_large(struct interval w)

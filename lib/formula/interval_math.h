@@ -1,7 +1,6 @@
 /*
- * interval_math.h -- functions of intervals of 64 bits with proof: each end is
- * MPFR's, which is correctly rounded (Fousse et al., ACM Trans. Math. Softw.
- * 33 (2007) 13), outward.  No rounding mode is ever changed.
+ * interval_math.h -- functions of intervals of 64 bits with proof: made of
+ * interval_point.h's at their ends.  No rounding mode is ever changed.
  *
  * An end that is not finite says nothing; intervals are never empty.
  */

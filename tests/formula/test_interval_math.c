@@ -2,6 +2,7 @@
 #include "interval_math.h"
 
 #include <float.h>
+#include <mpfr.h>
 
 #include "check.h"
 #include "quad.h"
@@ -88,16 +89,96 @@ static void a_difference_over_a_box_holds_its_value_at_every_point(void **state)
     }
 }
 
-static void a_point_has_a_value_between_two_neighbours(void **state)
+/* Any mantissa; sizes from 2^-low to 2^high. */
+static long double any(uint64_t *rng, int low, int high)
 {
+    const long double part = (long double) (check_bits(rng) | 1ull << 63);
+    const int size = (int) check_uniform(rng, -low, high) - 63;
+
+    return ldexpl(check_bits(rng) % 2 ? part : -part, size);
+}
+
+/* Beside halves of ln 2, where e^x is reduced by another multiple, beside what
+ * is rare, or any. */
+static long double argument(uint64_t *rng)
+{
+    static const long double ends[] = { 0.35L, 0.5L, 1, 2, 11000, 0x1p15800L };
+    const long double sign = check_bits(rng) % 2 ? 1 : -1;
+
+    switch (check_bits(rng) % 4) {
+        case 0:
+            return sign * ((double) (check_bits(rng) % 31744) * 0.5L *
+                               0xb.17217f7d1cf79acp-4L +
+                           any(rng, 70, 0));
+        case 1:
+            return sign * ends[check_bits(rng) % 6] * (1 + any(rng, 70, 1));
+        case 2:
+            return sign * expm1l(any(rng, 70, 8));
+        default:
+            return any(rng, 16440, 16383);
+    }
+}
+
+static bool is_usual(long double x)
+{
+    return fabsl(x) < 0x1p15799L && fabsl(x) > 0x1p-15799L;
+}
+
+/* The ends are not beyond MPFR's, which are correctly rounded, but for a few
+ * units; an infinite one says nothing. */
+static void beside(const char *name, long double x, struct interval found,
+                   int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t))
+{
+    static const mpfr_rnd_t to[] = { MPFR_RNDD, MPFR_RNDU };
+    long double of[2];
+
+    for (int i = 0; i < 2; i++) {
+        MPFR_DECL_INIT(t, 64);
+        mpfr_set_ld(t, x, MPFR_RNDN);
+        f(t, t, to[i]);
+        of[i] = mpfr_get_ld(t, to[i]);
+    }
+    const long double room = 16 * LDBL_EPSILON * fabsl(of[0]) + 0x1p-16400L;
+    CHECK(found.lo <= of[0] && of[1] <= found.hi,
+          "%s(%La): [%La, %La] has not all of [%La, %La]", name, x, found.lo,
+          found.hi, of[0], of[1]);
+    CHECK(!(is_usual(x) && is_usual(of[0])) ||
+              (of[0] - found.lo <= room && found.hi - of[1] <= room),
+          "%s(%La): [%La, %La], and not [%La, %La]", name, x, found.lo,
+          found.hi, of[0], of[1]);
+}
+
+static void ends_are_beside_what_is_correctly_rounded(void **state)
+{
+    const char *asked = getenv("ARGUMENTS"); /* a million takes a minute */
+    const long count = asked ? atol(asked) : 4 * POINTS;
     uint64_t rng = check_seed();
 
     (void) state;
-    for (int i = 0; i < POINTS; i++) {
-        const double x = check_uniform(&rng, -700, 700);
-        const struct interval e = interval_exp(interval_point(x));
-        CHECK(nextafterl(e.lo, HUGE_VALL) >= e.hi, "exp(%.17g)", x);
+    for (long i = 0; i < count; i++) {
+        const long double x = argument(&rng), size = fabsl(x);
+        const struct interval u = interval_point(x);
+        beside("exp", x, interval_exp(u), mpfr_exp);
+        beside("expm1", x, interval_expm1(u), mpfr_expm1);
+        beside("ln", size, interval_ln(interval_point(size)), mpfr_log);
+        if (x > -1)
+            beside("ln1p", x, interval_ln1p(u), mpfr_log1p);
     }
+}
+
+static void what_is_0_or_1_is_exact(void **state)
+{
+    const struct interval zero = interval_point(0), one = interval_point(1);
+    const struct interval of[] = {
+        interval_expm1(zero), interval_ln1p(zero),
+        interval_ln(one),     interval_sinh(zero),
+        interval_asinh(zero), interval_less(interval_exp(zero), one)
+    };
+
+    (void) state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++)
+        CHECK(of[i].lo >= 0 && of[i].hi <= 0, "%zu: [%La, %La]", i, of[i].lo,
+              of[i].hi);
 }
 
 /* Sums and products of doubles are exact in 113 bits, and so is what a quotient
@@ -134,7 +215,8 @@ int main(void)
         cmocka_unit_test(a_function_over_a_box_holds_its_value_at_every_point),
         cmocka_unit_test(
             a_difference_over_a_box_holds_its_value_at_every_point),
-        cmocka_unit_test(a_point_has_a_value_between_two_neighbours),
+        cmocka_unit_test(ends_are_beside_what_is_correctly_rounded),
+        cmocka_unit_test(what_is_0_or_1_is_exact),
         cmocka_unit_test(arithmetic_holds_what_is_exact_and_hardly_more),
     };
 
