@@ -28,6 +28,18 @@ static enum plane_way way_of(const struct plane_study *s, int axis, double z)
                                : PLANE_WAY_UNKNOWN;
 }
 
+/* Whether a coordinate moves by little while the other one grows by itself: as
+ * a power of that it would come to something else. */
+static bool is_done(const struct plane_study *s, struct vec2 z,
+                    struct vec2 rate, int axis)
+{
+    const struct vec2 from = vec2_sub(z, s->system[0].origin);
+
+    return fabs(part_of(rate, axis) * part_of(from, 1 - axis)) <=
+           TOL_SAME * part_of(s->scale.side, axis) *
+               fabs(part_of(rate, 1 - axis));
+}
+
 bool plane_beyond_at(const struct plane_study *s, struct vec2 z, bool backward,
                      bool left, struct plane_beyond *out)
 {
@@ -46,7 +58,10 @@ bool plane_beyond_at(const struct plane_study *s, struct vec2 z, bool backward,
     *out = (struct plane_beyond){ .rests = !left };
     for (int i = 0; i < 2; i++) {
         out->limit[i] = part_of(z, i);
-        out->way[i] = still[i] ? PLANE_WAY_LIMIT : way_of(s, i, part_of(z, i));
+        out->way[i] =
+            still[i] && (still[1 - i] || is_done(s, z, f.direction, i))
+                ? PLANE_WAY_LIMIT
+                : way_of(s, i, part_of(z, i));
     }
     return true;
 }

@@ -6,8 +6,8 @@
 
 /* Whether an orbit that is at an absolute point, and has left the domain or
  * not, has come to such an end; and what is known of it.  A coordinate has a
- * limit where it hardly changes; it grows or falls where it is more than a
- * window beyond the window. */
+ * limit where it hardly changes, in time and while the other one grows; it
+ * grows or falls where it is more than a window beyond the window. */
 bool plane_beyond_at(const struct plane_study *s, struct vec2 z, bool backward,
                      bool left, struct plane_beyond *out);
 

@@ -21,10 +21,11 @@ const char *const plane_type_names[] = { "saddle",
 _Static_assert((int) PLANE_TYPES == (int) SYSTEM_EQUILIBRIUM_TYPES,
                "types are those of equilibria.h");
 
-/* The value as a double, whose rounding is in the bar. */
+/* The value as a double, whose rounding is in the bar; 0 where that may be. */
 static struct quantity number(const struct system_number *n)
 {
-    const double value = (double) n->value;
+    const double value =
+        fabs((double) n->value) <= n->error ? 0.0 : (double) n->value;
     const double left = (double) (n->value - (formula_real) value);
 
     return quantity_of(value, n->error + fabs(left));

@@ -226,6 +226,19 @@ static void ways_to_infinity_are_told_apart_where_they_differ(void **state)
     plane_end(&s, &c);
 }
 
+/* y comes to 1/x, more and more slowly, and 0 is where no orbit is seen. */
+static void what_falls_with_a_power_is_told_no_limit(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = 1/(1 + x^2); y' = 1/x - y",
+              "window={x: [1, 3], y: [0.1, 1]}\nproducts=[basins]\n");
+    has_share(&s, "x_to_infinity", 1.0, 1e-12);
+    plane_end(&s, &c);
+}
+
 static void rows_of_the_map_agree_with_single_states(void **state)
 {
     struct plane_study s;
@@ -286,6 +299,7 @@ int main(void)
         TEST(those_who_compete_share_alike),
         TEST(whoever_dies_out_is_followed_to_the_end),
         TEST(ways_to_infinity_are_told_apart_where_they_differ),
+        TEST(what_falls_with_a_power_is_told_no_limit),
         TEST(rows_of_the_map_agree_with_single_states),
         TEST(a_border_that_ends_flat_is_one),
     };
