@@ -16,9 +16,9 @@ struct patch_side patch_side_of(const double at[], size_t cells)
 /* cos(pi (i + 1/2)/PATCH_SIDE) */
 static const double chebyshev_point[PATCH_SIDE] = {
     0x1.f9b24942fe45cp-1,  0x1.c83201d3d2c6dp-1,  0x1.6a09e667f3bcdp-1,
-    0x1.d0e2e2b44de01p-2,  0x1.4060b67a85377p-3,  -0x1.4060b67a8536bp-3,
-    -0x1.d0e2e2b44ddffp-2, -0x1.6a09e667f3bccp-1, -0x1.c83201d3d2c6cp-1,
-    -0x1.f9b24942fe45bp-1
+    0x1.d0e2e2b44de01p-2,  0x1.4060b67a85375p-3,  -0x1.4060b67a85375p-3,
+    -0x1.d0e2e2b44de01p-2, -0x1.6a09e667f3bcdp-1, -0x1.c83201d3d2c6dp-1,
+    -0x1.f9b24942fe45cp-1
 };
 
 /* T_0(t), T_1(t), ... */
