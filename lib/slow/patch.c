@@ -330,16 +330,16 @@ struct row {
     struct patch_line field[CELL_FIELDS], base[PATCH_BASES];
 };
 
-/* A place on it. */
+/* A column, and what its polynomials leave out along it. */
 struct place {
-    double x, basis[PATCH_SIDE], left_out, spread;
+    double x, above[CELL_FIELDS], base_above[PATCH_BASES];
+    struct patch_point at;
 };
 
 static double line_at(const struct row *r, const struct patch_line *l,
-                      const struct place *at, double *bar)
+                      const struct place *at, double above, double *bar)
 {
-    *bar = l->bar + l->x * at->left_out + l->noise * at->spread;
-    return patch_line_at(l, &r->p->x, at->basis);
+    return patch_line_at(l, &r->p->x, &at->at, above, bar);
 }
 
 /* The fields that base points tell; false: they do not, or too widely. */
@@ -348,8 +348,10 @@ static bool tell(const struct row *r, const struct place *at, struct cell *c)
     const struct vec2 z = { at->x, r->y };
     struct base_point b = { .late = r->p->late };
 
-    b.y = line_at(r, &r->base[PATCH_BASE_Y], at, &b.y_error);
-    b.more = line_at(r, &r->base[PATCH_BASE_MORE], at, &b.more_error);
+    b.y = line_at(r, &r->base[PATCH_BASE_Y], at, at->base_above[PATCH_BASE_Y],
+                  &b.y_error);
+    b.more = line_at(r, &r->base[PATCH_BASE_MORE], at,
+                     at->base_above[PATCH_BASE_MORE], &b.more_error);
     if (!r->teller->tell(r->teller->ctx, z, &b, r->told, c))
         return false;
     for (int k = 0; k < CELL_FIELDS; k++)
@@ -370,7 +372,7 @@ static void add_plain(const struct row *r, const struct place *at,
         if (r->told >> k & 1u)
             continue;
         if (p->plain >> k & 1u && !isnan(p->bar[k])) {
-            value = line_at(r, &r->field[k], at, &error);
+            value = line_at(r, &r->field[k], at, at->above[k], &error);
             value = member[k].is_log ? exp(value) : value;
             error = member[k].is_log ? error * value : error;
         }
@@ -379,32 +381,64 @@ static void add_plain(const struct row *r, const struct place *at,
     }
 }
 
-void patch_row(const struct patch *p, size_t first, size_t n, double y,
-               const int8_t label[], double rtol,
-               const struct patch_teller *teller, struct cell out[])
+static struct place place_of(const struct patch *p, size_t column)
 {
-    const struct patch_level level = patch_level_at(&p->y, y);
+    struct place at = { .x = p->x.at[column] };
+
+    at.at = patch_side_point(&p->x, at.x);
+    for (int k = 0; k < CELL_FIELDS; k++)
+        if (p->plain >> k & 1u)
+            at.above[k] = patch_poly_above(&p->field[k], &p->x, &at.at);
+    for (int k = 0; k < PATCH_BASES && p->has_base; k++)
+        at.base_above[k] = patch_poly_above(&p->base[k], &p->x, &at.at);
+    return at;
+}
+
+static void set_row(struct row *r, double y)
+{
+    const struct patch *p = r->p;
+    const struct patch_point level = patch_side_point(&p->y, y);
+
+    r->y = y;
+    for (int k = 0; k < CELL_FIELDS; k++)
+        if (p->plain >> k & 1u)
+            r->field[k] = patch_poly_line(&p->field[k], &p->x, &p->y, &level);
+    for (int k = 0; k < PATCH_BASES && r->told; k++)
+        r->base[k] = patch_poly_line(&p->base[k], &p->x, &p->y, &level);
+}
+
+static void fill_cell(const struct row *r, const struct place *at, int8_t label,
+                      struct cell *c)
+{
+    c->exit_reason = r->p->exit_reason;
+    const bool is_told = !r->told || tell(r, at, c);
+    add_plain(r, at, c);
+    if (!is_told || c->exit_reason != label)
+        c->exit_reason = FATE_NONE;
+}
+
+void patch_rows(const struct patch *p, size_t first, size_t rows, size_t stride,
+                const int8_t label[], double rtol,
+                const struct patch_teller *teller, struct cell out[])
+{
+    enum { TOGETHER = 64 }; /* columns */
+    struct place place[TOGETHER];
     struct row r;
 
     r.p = p;
     r.teller = teller;
     r.told = p->which & ~p->plain;
     r.rtol = rtol;
-    r.y = y;
-    for (int k = 0; k < CELL_FIELDS; k++)
-        if (p->plain >> k & 1u)
-            r.field[k] = patch_poly_line(&p->field[k], &p->x, &p->y, &level);
-    for (int k = 0; k < PATCH_BASES && r.told; k++)
-        r.base[k] = patch_poly_line(&p->base[k], &p->x, &p->y, &level);
-    for (size_t i = 0; i < n; i++) {
-        struct place at = { .x = p->x.at[first + i] };
-        patch_side_basis(&p->x, at.x, at.basis);
-        at.left_out = patch_side_left_out(&p->x, at.basis);
-        at.spread = patch_side_spread(&p->x, at.basis);
-        out[i].exit_reason = p->exit_reason;
-        const bool is_told = !r.told || tell(&r, &at, &out[i]);
-        add_plain(&r, &at, &out[i]);
-        if (!is_told || out[i].exit_reason != label[i])
-            out[i].exit_reason = FATE_NONE;
+    for (size_t from = 0; from < p->x.cells; from += TOGETHER) {
+        const size_t left = p->x.cells - from;
+        const size_t n = left < TOGETHER ? left : TOGETHER;
+        for (size_t i = 0; i < n; i++)
+            place[i] = place_of(p, from + i);
+        for (size_t j = 0; j < rows; j++) {
+            const size_t at = j * stride + from;
+            set_row(&r, p->y.at[first + j]);
+            for (size_t i = 0; i < n; i++)
+                fill_cell(&r, &place[i], label[at + i], &out[at + i]);
+        }
     }
 }

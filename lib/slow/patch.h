@@ -61,9 +61,9 @@ struct patch_verdict patch_fit(struct patch *p, const struct patch_side *x,
                                const struct patch_sample sample[],
                                size_t count);
 
-/* The n cells of its side x from number first on, at y; those that it cannot
- * tell, or not as well as rtol, or other than labelled have exit_reason
- * FATE_NONE. */
-void patch_row(const struct patch *p, size_t first, size_t n, double y,
-               const int8_t label[], double rtol,
-               const struct patch_teller *teller, struct cell out[]);
+/* Its cells on rows first .. first + rows - 1 of side y, one row from the next
+ * `stride` apart in label and out; those that it cannot tell, or not as well as
+ * rtol, or other than labelled have exit_reason FATE_NONE. */
+void patch_rows(const struct patch *p, size_t first, size_t rows, size_t stride,
+                const int8_t label[], double rtol,
+                const struct patch_teller *teller, struct cell out[]);

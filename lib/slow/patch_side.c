@@ -70,43 +70,32 @@ bool patch_side_basis(const struct patch_side *s, double at,
     return is_known;
 }
 
-double patch_side_left_out(const struct patch_side *s,
-                           const double basis[PATCH_SIDE])
-{
-    return s->is_exact ? 0.0
-                       : fabs(2.0 * basis[1] * basis[PATCH_SIDE - 1] -
-                              basis[PATCH_SIDE - 2]);
-}
-
 /* l_i(t) = T_n(t) T_n'(t_i)^-1/(t - t_i), with n^2 (1 - t_i^2)^-1 the square of
  * that slope. */
-void patch_side_squares(const struct patch_side *s, double at,
-                        double square[PATCH_SIDE])
+struct patch_point patch_side_point(const struct patch_side *s, double at)
 {
-    double basis[PATCH_SIDE];
+    struct patch_point p = { .left_out = 0.0 };
 
-    patch_side_basis(s, at, basis);
-    const double T = patch_side_left_out(s, basis) / PATCH_SIDE;
+    patch_side_basis(s, at, p.basis);
+    if (!s->is_exact)
+        p.left_out = fabs(2.0 * p.basis[1] * p.basis[PATCH_SIDE - 1] -
+                          p.basis[PATCH_SIDE - 2]);
     for (int i = 0; i < s->nodes; i++) {
-        const double d = s->is_exact ? 0.0 : basis[1] - chebyshev_point[i];
-        const double l =
-            T / d * sqrt(1.0 - chebyshev_point[i] * chebyshev_point[i]);
-        square[i] = s->is_exact                   ? basis[i] * basis[i]
-                    : fabs(d) < sqrt(DBL_EPSILON) ? 1.0
-                                                  : l * l;
+        const double t = chebyshev_point[i], d = fabs(p.basis[1] - t);
+        p.weight[i] = s->is_exact ? p.basis[i]
+                      : d < sqrt(DBL_EPSILON)
+                          ? 1.0
+                          : p.left_out / PATCH_SIDE * sqrt(1.0 - t * t) / d;
     }
+    return p;
 }
 
-/* sum l_i^2 = (1 + 2 sum T_k^2)/n over 0 < k < n (Fejer, Math. Ann. 106, 1932,
- * 1-55). */
-double patch_side_spread(const struct patch_side *s,
-                         const double basis[PATCH_SIDE])
+/* (1/n) sum cot((2 k - 1) pi/(4 n)), at the ends. */
+double patch_side_weight(const struct patch_side *s)
 {
-    double sum = 0.0;
+    static const double of_chebyshev = 2.43;
 
-    for (int k = 0; k < PATCH_SIDE && !s->is_exact; k++)
-        sum += basis[k] * basis[k];
-    return s->is_exact ? 1.0 : sqrt((2.0 * sum - 1.0) / PATCH_SIDE);
+    return s->is_exact ? 1.0 : of_chebyshev;
 }
 
 size_t patch_side_cut(const struct patch_side *s, size_t parts, size_t i)

@@ -32,16 +32,15 @@ void patch_side_transform(const struct patch_side *s, double f[],
 bool patch_side_basis(const struct patch_side *s, double at,
                       double basis[PATCH_SIDE]);
 
-/* |T_n| there, the next of the basis; 0 on an exact side. */
-double patch_side_left_out(const struct patch_side *s,
-                           const double basis[PATCH_SIDE]);
+/* Such a point: the basis; the size |l_i| of what the value at each node is
+ * multiplied by; |T_n|, the next of the basis, 0 on an exact side. */
+struct patch_point {
+    double basis[PATCH_SIDE], weight[PATCH_SIDE], left_out;
+};
+struct patch_point patch_side_point(const struct patch_side *s, double at);
 
-/* The squares of what the value at each node is multiplied by at a point; and
- * the root of their sum, below sqrt(2). */
-void patch_side_squares(const struct patch_side *s, double at,
-                        double square[PATCH_SIDE]);
-double patch_side_spread(const struct patch_side *s,
-                         const double basis[PATCH_SIDE]);
+/* What sum |l_i| is at most. */
+double patch_side_weight(const struct patch_side *s);
 
 /* The first cell of part i, if it is cut into even parts. */
 size_t patch_side_cut(const struct patch_side *s, size_t parts, size_t i);

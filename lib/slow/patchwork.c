@@ -360,11 +360,11 @@ static void fill(const struct patchwork *w, const struct patch *p, size_t first,
     const size_t from = row > first ? row : first;
     const size_t last = row + p->y.cells, end = first + count;
 
-    for (size_t j = from; j < last && j < end; j++) {
-        const size_t at = (j - first) * n + column;
-        patch_row(p, 0, p->x.cells, w->grid.y[j], label + at, w->rtol,
-                  &w->source.teller, out + at);
-    }
+    const size_t to = last < end ? last : end;
+    const size_t at = (from - first) * n + column;
+    if (from < to)
+        patch_rows(p, from - row, to - from, n, label + at, w->rtol,
+                   &w->source.teller, out + at);
 }
 
 /* Cells of fates that have no field. */

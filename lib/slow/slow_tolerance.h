@@ -161,10 +161,9 @@
 
 /* Patches (patch_poly.c, patchwork.c).  Accuracy of the samples, as a part of
  * what is asked for: of a part that small bars can be had next to the
- * separatrix; how much of their bars, and of the largest miss at the tests, a
- * bar holds; and the slowest that coefficients fall, two by two. */
+ * separatrix; how much of the largest miss at the tests a bar holds; and the
+ * slowest that coefficients fall, two by two. */
 #define TOL_PATCH_SAMPLES 0.002
-#define TOL_PATCH_SPREAD  3.5
 #define TOL_PATCH_SLOWEST 0.9
 #define TOL_PATCH_TESTS   8.0
 

@@ -109,7 +109,7 @@ static void a_smooth_field_is_one_polynomial(void **state)
     assert_true(p.bar[CELL_SLIP] > 1e-9);
     label[3] = FATE_RUNAWAY;
     for (size_t j = 0; j < ROWS; j++) {
-        patch_row(&p, 0, COLUMNS, r.y[j], label, 1e-6, &teller, out);
+        patch_rows(&p, j, 1, COLUMNS, label, 1e-6, &teller, out);
         for (size_t i = 0; i < COLUMNS; i++) {
             const double t = slip_of(&f, (struct vec2){ r.x[i], r.y[j] });
             CHECK(fabs(out[i].slip - t) <= out[i].slip_error &&
@@ -171,7 +171,7 @@ static void base_points_tell_both_sides_of_a_separatrix(void **state)
     assert_true(p.has_base && p.plain == 0 && p.exit_reason == FATE_UNDECIDED);
     for (size_t i = 0; i < COLUMNS; i++)
         label[i] = r.x[i] > f.line ? FATE_SLIDING : FATE_CREEP;
-    patch_row(&p, 0, COLUMNS, r.y[7], label, 1e-6, &teller, out);
+    patch_rows(&p, 7, 1, COLUMNS, label, 1e-6, &teller, out);
     for (size_t i = 0; i < COLUMNS; i++) {
         const struct vec2 z = { r.x[i], r.y[7] };
         const struct patch_sample t = sample_of(&f, z);

@@ -69,6 +69,34 @@ static void polynomials_of_degree_7_are_reproduced(void **state)
     }
 }
 
+/* l_i is 1 at its node, 0 at the others; sum |l_i| at the ends. */
+static void weights_are_those_of_lagranges_polynomials(void **state)
+{
+    double at[CELLS];
+
+    (void) state;
+    for (int i = 0; i < CELLS; i++)
+        at[i] = -1.0 + 2.0 * i / (CELLS - 1);
+    const struct patch_side s = patch_side_of(at, CELLS);
+    for (double t = -1.0; t <= 1.0; t += 0x1p-6) {
+        const struct patch_point p = patch_side_point(&s, t);
+        double sum = 0.0;
+        for (int i = 0; i < PATCH_SIDE; i++) {
+            double l = 1.0;
+            for (int k = 0; k < PATCH_SIDE; k++)
+                if (k != i)
+                    l *= (t - patch_side_node(&s, k)) /
+                         (patch_side_node(&s, i) - patch_side_node(&s, k));
+            CHECK(fabs(p.weight[i] - fabs(l)) < 1e-13, "t %g, node %d: %g, %g",
+                  t, i, p.weight[i], l);
+            sum += fabs(l);
+        }
+        CHECK(sum <= patch_side_weight(&s), "t %g: %g", t, sum);
+        assert_true(fabs(t) < 1.0 || sum > 0.999 * patch_side_weight(&s));
+    }
+    assert_true(patch_side_point(&s, patch_side_node(&s, 3)).weight[3] == 1.0);
+}
+
 static void few_cells_have_a_value_each(void **state)
 {
     uint64_t rng = check_seed();
@@ -119,6 +147,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nodes_are_chebyshevs),
         cmocka_unit_test(polynomials_of_degree_7_are_reproduced),
+        cmocka_unit_test(weights_are_those_of_lagranges_polynomials),
         cmocka_unit_test(few_cells_have_a_value_each),
         cmocka_unit_test(parts_are_even_and_leave_nothing_out),
     };
