@@ -5,13 +5,14 @@
 #include "command.h"
 #include "interval_math.h"
 #include "json.h"
+#include "law_typed.h"
 #include "number.h"
 #include "output.h"
 #include "proof_numbers.h"
 #include "records.h"
 #include "replace.h"
 
-enum { CERTIFICATE_VERSION = 2 };
+enum { CERTIFICATE_VERSION = 3 };
 
 /* ---- inputs -------------------------------------------------------------- */
 
@@ -22,18 +23,21 @@ static json_t *decimal(double x)
 
 static json_t *law_json(const struct law *law)
 {
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s}", "friction",
-                     friction_form_names[law->form], "theta",
-                     theta_names[law->theta], "psi_ss",
-                     psi_ss_names[law->psi_ss], "timescale",
-                     timescale_names[law->timescale], "kinetics",
-                     kinetics_names[law->kinetics], "chart",
-                     law_psi_is_log(law) ? "psi" : "ln_psi");
+    json_t *formulas = json_object();
+
+    for (int i = 0; i < LAW_PARTS; i++)
+        if (law_text(law, (enum law_part) i))
+            json_object_set_new(formulas, law_part_names[i],
+                                json_string(law_text(law, (enum law_part) i)));
+    return json_pack(
+        "{s:s, s:s, s:o}", "friction", friction_form_names[law->form], "state",
+        law_psi_is_log(law) ? "real" : "positive", "formulas", formulas);
 }
 
 /* Those that can change anything. */
 static json_t *material_json(const struct block *b)
 {
+    const struct law_typed *typed = b->law.typed;
     struct material m = b->material;
     json_t *j = json_object();
 
@@ -41,6 +45,8 @@ static json_t *material_json(const struct block *b)
         if (law_uses(&b->law, (enum material_key) i))
             json_object_set_new(j, material_key_name((enum material_key) i),
                                 decimal(*material_member(&m, i)));
+    for (int i = 0; typed && i < typed->owns; i++)
+        json_object_set_new(j, typed->own[i].name, decimal(m.own[i]));
     return j;
 }
 
@@ -138,13 +144,9 @@ static json_t *numbers_json(const struct proof *p)
 static json_t *proof_json(const struct study *s)
 {
     const struct proof *p = s->proof.exact;
-    const bool named = p && p->law.law.typed == NULL &&
-                       p->law.law.kinetics != KINETICS_COMPOSITE;
     const char *why = p == NULL               ? "there is no saddle"
                       : p->not_proved.text[0] ? p->not_proved.text
-                      : !named
-                          ? "certificates are of the named components' laws"
-                          : NULL;
+                                              : NULL;
 
     if (why)
         return json_pack("{s:i, s:s}", "slipway_certificate",

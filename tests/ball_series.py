@@ -9,7 +9,10 @@ from operator import mul
 from mpmath import iv
 from mpmath.libmp import from_man_exp
 
+from certificate_formula import asinh, atan
+
 BITS = iv.prec = 160
+ONE = iv.mpf(1)
 
 
 def ball(u):
@@ -127,7 +130,55 @@ class Series:
         return Series(m, r, first.e)
 
     def ln(self):
-        return (self.slope() / self.part(0, len(self) - 1)).rise(iv.log(self[0]))
+        return self.over(self, iv.log(self[0]))
+
+    # functions of formulas (certificate_formula.py)
+    to_exp, to_ln = exp, ln
+
+    @staticmethod
+    def of(c, like):
+        return constant(c, len(like) - 1)
+
+    def over(self, w, first):
+        """The antiderivative of self'/w that is `first` at 0."""
+        return (self.slope() / w.part(0, len(w) - 1)).rise(first)
+
+    def to_sqrt(self):
+        return self.ln().times(iv.mpf(0.5)).exp()
+
+    def to_sinh(self):
+        return (self.exp() - (-self).exp()).times(iv.mpf(0.5))
+
+    def to_cosh(self):
+        return (self.exp() + (-self).exp()).times(iv.mpf(0.5))
+
+    def to_atan(self):
+        return self.over((self * self).plus(ONE), atan(self[0]))
+
+    def to_asinh(self):
+        return self.over((self * self).plus(ONE).to_sqrt(), asinh(self[0]))
+
+    def to_asinhexp(self):
+        """asinh(e^u/2)' = u'/sqrt(1 + 4 e^(-2 u))"""
+        z = iv.exp(self[0]) / 2
+        four = self.times(iv.mpf(-2)).exp().times(iv.mpf(4))
+        return self.over(four.plus(ONE).to_sqrt(), iv.log(z + iv.sqrt(z * z + 1)))
+
+    def to_sin(self):
+        return self.turned()[0]
+
+    def to_cos(self):
+        return self.turned()[1]
+
+    def turned(self):
+        """k s_k = sum_{j>0} j u_j c_{k-j}, k c_k = -sum_{j>0} j u_j s_{k-j}"""
+        u = list(self)
+        s, c = [iv.sin(u[0])], [iv.cos(u[0])]
+        for k in range(1, len(u)):
+            steps = [j * u[j] / k for j in range(1, k + 1)]
+            s.append(sum((d * w for d, w in zip(steps, c[::-1])), iv.mpf(0)))
+            c.append(-sum((d * w for d, w in zip(steps, s[k - 1::-1])), iv.mpf(0)))
+        return series(s), series(c)
 
     def size(self, h):
         """sup |sum u_k t^k| over |t| <= h"""
@@ -163,4 +214,6 @@ def series(u):
 
 
 def constant(c, n):
-    return series([c] + [iv.mpf(0)] * n)
+    m, r, e = ball(c)
+    s = max(BITS - m.bit_length(), 0)
+    return Series([m << s] + [0] * n, [r << s] + [0] * n, e - s)

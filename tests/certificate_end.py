@@ -1,30 +1,43 @@
-"""Theorems 7 to 10 and 17 of docs/proofs.md, of named laws: what is left of a
-branch beyond its last cell.
+"""Theorems 7 to 10 and 17 of docs/proofs.md: what is left of a branch beyond its
+last cell, by the law's formulas over strips that have no end.
 """
 from mpmath import iv
 
 from ball_series import constant
-from certificate_tube import ONE, ZERO, Wrong, claim, expm1, line, value, UNIT
+from certificate_growth import Jet, is_finite
+from certificate_tube import (ONE, UNIT, ZERO, Wrong, between, claim, expm1, line,
+                              value)
 
 
 class Place:
-    """Where a branch is, and on which side: |mu - tan(alpha)| and |psi - psi_ss|."""
+    """Where a branch is, on which side, and |mu - tan(alpha)|."""
 
     def __init__(self, block, piece, theta, error, side):
         at, dep = piece.at(theta), value(piece.coef, theta) + error * UNIT
         self.X, self.Y = (at, dep) if piece.ind == 0 else (dep, at)
+        self.x, self.y = block.at[0] + self.X, block.at[1] + self.Y
         self.block, self.side = block, side
-        x, y = block.at[0] + self.X, block.at[1] + self.Y
-        v, psi, psi_ss, rate, mu = [u[0] for u in block.state(constant(x, 1), constant(y, 1))]
-        self.force, self.lag = side * (mu - block.tan), side * (psi - psi_ss)
-        self.psi = psi
-        # with v and psi friction rises less where they are less
-        self.slopes = [block.state(line(x, dx, 1), line(y, 1 - dx, 1))[4][1] for dx in (ONE, ZERO)]
-        claim(self.force > 0 and self.lag > 0, 'the branch does not end outward')
+        mu, = block.at_state(constant(self.x, 1), constant(self.y, 1), 'mu')
+        self.force = side * (mu[0] - block.tan)
+        claim(self.force > 0, 'the branch does not end outward')
 
-    def steady(self, x):
-        v, _, psi_ss, rate, _ = [u[0] for u in self.block.state(constant(x, 1), constant(ONE, 1))]
-        return psi_ss, rate
+    def grow(self, x, y, by):
+        """mu and dy/dt over a box."""
+        at = [Jet.variable((x, y), k, by) for k in (0, 1)]
+        return self.block.at_state(*at, 'mu', 'by_y')
+
+    def strip(self, x, y):
+        """Bounds of the slopes of mu, dy/dt, and its logarithm's slopes."""
+        both = [self.grow(x, y, by) for by in (0, 1)]
+        slopes = [mu.by.all for mu, _ in both]
+        claim(slopes[0] >= 0 and slopes[1] >= 0, 'mu does not rise outward')
+        return slopes, [g for _, g in both], [g.rate.all for _, g in both]
+
+    def edge(self, x, y):
+        """|dy/dt| on an edge of the strip."""
+        g = -self.side * self.grow(x, y, 0)[1].value.all
+        claim(g >= 0, 'psi does not move outward')
+        return g
 
 
 def settled(way_for):
@@ -39,40 +52,28 @@ def settled(way_for):
     raise Wrong('what is beyond the last piece is not bounded')
 
 
+def outward(z, side, w):
+    return between(z.a, z.b + w) if side > 0 else between(z.a - w, z.b)
+
+
+def beyond(z, side):
+    return between(z.a, iv.inf) if side > 0 else between(-iv.inf, z.b)
+
+
 def tail_in_psi(p):
     """Theorem 8: how far x goes, and the excess."""
-    block, get = p.block, p.block.get
-    if p.side > 0:
-        claim(not block.first_order, 'psi runs away at first order')
-        A, B, q = get['a'], get['b'], ONE if block.is_log else p.psi.a - 1
-        claim(q > 0, 'the rate of psi does not grow')
-    else:
-        claim(not (block.first_order and block.is_log), 'v settles not')
-        A, B, q = p.slopes[0].b, p.slopes[1].b, ONE
+    block = p.block
 
     def way_for(w):
-        x = block.at[0] + (p.X.a if p.side > 0 else p.X.a - w)
-        g = block.kinetics(constant(p.lag.a, 1))[0] * p.steady(x.a)[1]
-        under = q * (g if block.is_log else g / p.psi.b)
-        m = p.force.b + A * w + B / q
-        change = expm1(p.X.b + w) if p.side > 0 else expm1(p.X.a - w)
-        way = block.force / iv.exp(x) * m / under
-        return way, abs(block.v * change).b / under, int(way * q < 1)
+        x = outward(p.x, p.side, w)
+        slopes, _, rate = p.strip(x, beyond(p.y, p.side))
+        q, g = (p.side * rate[1]).a, p.edge(x, p.y).a
+        claim(q > 0, 'the rate of psi does not grow')
+        m = p.force.b + slopes[0].b * w + slopes[1].b / q
+        change = expm1(x - block.at[0])
+        way = block.force / iv.exp(x.a) * m / (q * g)
+        return way, abs(block.v * change).b / (q * g), int(way * q < 1)
     return settled(way_for)
-
-
-def least_growth(block, psi, psi_ss, v):
-    """q <= d ln(v g)/dx for all less v; None where that is not known."""
-    form, time = block.law['psi_ss'], block.law['timescale']
-    d = psi_ss - psi
-    by_d = 1 / d if block.first_order else (1 + iv.exp(-2 * d)) / (1 - iv.exp(-2 * d))
-    by_v = time == 'slip' or (time, form) in (('ageing44', 'inverse'), ('slip45', 'minus_log'))
-    if form == 'minus_log':
-        return 1 + by_v - by_d
-    if form == 'inverse':
-        return 1 + by_v - psi_ss * by_d if block.first_order else None
-    at_v = block.get['R'] * v
-    return 1 + by_v - at_v / (1 + at_v) * (psi_ss * by_d)
 
 
 def tail_in_v(p):
@@ -80,38 +81,34 @@ def tail_in_v(p):
     block = p.block
 
     def way_for(w):
-        x, Y = (block.at[0] + p.X.b).b, p.Y.a - w
-        psi = (block.psi + Y if block.is_log else block.psi * iv.exp(Y)).a
-        v = iv.exp(x)
-        psi_ss, rate = p.steady(x)
-        time = v / (block.force * p.force.a)
-        q = least_growth(block, psi, psi_ss, v)
-        most, most_of_g = [], []
-        if q is not None and q > 0:
-            most_of_g.append(block.kinetics(constant(psi_ss - psi, 1))[0] * rate)
-            most.append(most_of_g[0] / q)
-        if 'spinodal' in block.law['psi_ss']:
-            top = 1 + block.get['R'] if block.law['psi_ss'] == 'spinodal' else ONE
-            most_of_g.append(block.kinetics(constant(top - psi, 1))[0] * rate)
-            most.append(most_of_g[-1])
-        claim(most, 'v dpsi/dt does not vanish with v')
-        way = min(most, key=lambda u: u.b) * time
-        steep = min(most_of_g, key=lambda u: u.b) * time
-        if not block.is_log:
-            way, steep = way / psi, steep / psi
+        x, y = beyond(p.x, -1), outward(p.y, -1, w)
+        _, both, rate = p.strip(x, y)
+        most = p.edge(p.x.b, y).b
+        time = iv.exp(p.x.b) / (block.force * p.force.a)
+        g, q = both[0].value.all, 1 + rate[0].a
+        ways = [(g.b, g.b)] if g >= 0 and is_finite(g) else []
+        if q > 0:
+            ways.append((most / q, most))
+        claim(ways, 'v dpsi/dt does not vanish with v')
+        way, steep = [min(column, key=lambda u: u.b) * time for column in zip(*ways)]
         return way, block.v * time, -int(steep < 1)
     return settled(way_for)
 
 
+def is_level(u):
+    return is_finite(u.c) and u.power[1] <= 0 and not any(u.slope)
+
+
+def stays_open(p):
+    """Theorem 10: v has no limit."""
+    _, (_, g), _ = p.strip(beyond(p.x, 1), beyond(p.y, 1))
+    claim(p.side > 0 and g.value.all < 0, 'psi does not move outward')
+    claim(is_level(g.value) or is_level(g.by), 'the branch is not open')
+
+
 def stays_steep(p):
-    """Theorem 17, of an open branch: dy/dx > 1 at the place and beyond.  d ln|g|/dx
-    is 1, R v/(1 + R v) or not negative, as psi_ss falls; d ln|g|/dy is not negative."""
-    block, get = p.block, p.block.get
-    theta = block.law['theta']
-    x = iv.exp(block.at[0] + p.X)
-    rise = {'slip': ONE, 'spinodal': 1 - 1 / (1 + get.get('R', ONE) * x.a)}
-    f = block.flow(0, line(p.X, ZERO, 1), line(p.Y, ONE, 1))
-    return (block.first_order and (theta == 'psi') == block.is_log
-            and (f[1] / f[0])[0] > 1
-            and 1 + rise.get(block.law['timescale'], ZERO)
-            > (get['a'] + get['b']) / p.force.a)
+    """Theorem 17, of an open branch: dy/dx > 1 at the place and beyond."""
+    slopes, (_, g), rate = p.strip(beyond(p.x, 1), beyond(p.y, 1))
+    f = p.block.flow(0, line(p.X, ZERO, 1), line(p.Y, ONE, 1))
+    return (g.value.all < 0 and (f[1] / f[0])[0] > 1
+            and 1 + rate[0].a + rate[1].a > (slopes[0].b + slopes[1].b) / p.force.a)

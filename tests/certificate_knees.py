@@ -3,7 +3,7 @@ of its derivative along the manifold, part by part.
 """
 from mpmath import iv
 
-from certificate_tube import (ONE, UNIT, ZERO, between, claim, hull, line,
+from certificate_tube import (ONE, UNIT, ZERO, attempt, between, claim, hull, line,
                               value)
 
 HALVINGS = 40
@@ -21,8 +21,17 @@ class Seeker:
         self.knees = []
 
     def over_one(self, piece, at, dep):
+        return self.aside(piece, at, dep)[0] - 1
+
+    def aside(self, piece, at, dep):
         f = self.block.flow(piece.ind, line(at, ZERO, 1), line(dep, ONE, 1))
-        return (f[1] / f[0])[0] - 1
+        return f[1] / f[0]
+
+    def at_point(self, piece, at, dep):
+        """By the mean value over dep."""
+        middle = iv.mpf(dep.mid)
+        return (self.over_one(piece, at, middle)
+                + self.aside(piece, at, dep)[1] * (dep - middle))
 
     def bend(self, piece, at, dep):
         slope = [(f[1] / f[0]) for f in (
@@ -52,7 +61,7 @@ class Seeker:
         """Newton's method over intervals."""
         for _ in range(12):
             m = (a + b) / 2
-            to = m - self.over_one(piece, *box(m, m)) / self.bend(piece, *box(a, b))
+            to = m - self.at_point(piece, *box(m, m)) / self.bend(piece, *box(a, b))
             size, a, b = b - a, max(iv.mpf(a).a, to.a), min(iv.mpf(b).b, to.b)
             if not a <= b:
                 return
@@ -61,12 +70,12 @@ class Seeker:
         self.add_place(piece, *box(a, b))
 
     def part(self, piece, box, a, b, cone=None, depth=0):
-        over = (self.at_saddle(piece, b, cone) if cone and a == 0 else
-                self.over_one(piece, *box(a, b)))
-        sign = sign_of(self.upright(piece, over))
+        over = (attempt(self.at_saddle, piece, b, cone) if cone and a == 0 else
+                attempt(self.over_one, piece, *box(a, b)))
+        sign = 0 if over is None else sign_of(self.upright(piece, over))
         if sign:
             return self.passes(sign)
-        rise = 0 if a == 0 and cone else sign_of(
+        rise = 0 if a == 0 and cone or over is None else sign_of(
             self.upright(piece, self.bend(piece, *box(a, b))))
         if rise:
             self.narrow(piece, box, a, b)

@@ -1,14 +1,11 @@
-"""The field of a block on a slope over balls and intervals, and the conditions of
-docs/proofs.md's theorems 1 to 5: the saddle, the cone, the tube, its joins.
-Equations of Putelat & Dawes (2015), (2)-(17), (44), (45).
+"""The conditions of docs/proofs.md's theorems 3 to 5: the cone, the tube, its joins.
 """
 import functools
 
-from mpmath import iv, mp
+from mpmath import iv
 
-from ball_series import BITS, Series, constant, series
+from ball_series import series
 
-mp.prec = BITS
 ORDER = 14        # of Taylor expansions
 PARTS = 64        # of a cell, at most
 ZERO, ONE, UNIT = iv.mpf(0), iv.mpf(1), iv.mpf([-1, 1])
@@ -21,6 +18,14 @@ class Wrong(Exception):
 def claim(holds, *what):
     if not holds:
         raise Wrong(' '.join(str(w) for w in what))
+
+
+def attempt(run, *of):
+    """None where a box is too large for an enclosure to be of use."""
+    try:
+        return run(*of)
+    except (Wrong, ArithmeticError, ValueError):
+        return None
 
 
 def between(lo, hi):
@@ -64,139 +69,6 @@ def integral(q, u, w):
 
 def line(at, step, n):
     return series([at, step] + [ZERO] * (n - 1))
-
-
-# ---- the block on a slope ---------------------------------------------------
-
-class Block:
-    """Equations (17) in the chart (x, y) = (ln v, ln psi) or (ln v, psi)."""
-
-    def __init__(self, law, material, slope):
-        self.law = law
-        get = {name: iv.mpf(text) for name, text in material.items()}
-        self.get = get
-        name, text = next(iter(slope.items()))
-        angle = iv.mpf(text)
-        if name == 'alpha_deg':
-            angle = angle * iv.pi / 180
-        self.tan = angle if name == 'tan_alpha' else iv.sin(angle) / iv.cos(angle)
-        eps2 = get['V_star'] ** 2 / (get['g'] * get['L'])
-        # cos(alpha)/eps^2
-        self.force = 1 / (eps2 * iv.sqrt(1 + self.tan ** 2))
-        self.is_log = law['chart'] == 'psi'
-        self.first_order = law['kinetics'] == 'linear'
-
-    def psi_ss(self, x, v):
-        form = self.law['psi_ss']
-        if form == 'inverse':
-            return (-x).exp()
-        if form == 'minus_log':
-            return -x
-        R = self.get['R']
-        top = 1 + R if form == 'spinodal' else ONE
-        return constant(top, len(v) - 1) / v.times(R).plus(ONE)
-
-    def rate(self, v, psi_ss):
-        """1/T"""
-        form = self.law['timescale']
-        if form == 'slip':
-            return v
-        R = self.get['R']
-        if form == 'spinodal':
-            return v.plus(1 / R)
-        if form == 'ageing44':
-            return constant(1 / R, len(v) - 1) / psi_ss
-        return (-psi_ss).exp().times(1 / R)
-
-    def theta(self, y, psi):
-        form, get = self.law['theta'], self.get
-        if form == 'psi':
-            return psi
-        if form == 'ln_psi':
-            return psi.ln() if self.is_log else y
-        factor = ONE if form == 'ln_c_psi' else 1 + get['R']
-        return psi.times(factor).plus(get['c']).ln()
-
-    def mu(self, x, theta):
-        """a m, m = asinh(e^w/2): m' = w'/sqrt(1 + 4 e^(-2 w))"""
-        a = self.get['a']
-        inside = theta.times(self.get['b']).plus(self.get['mu_star'])
-        if self.law['friction'] == 'log':
-            return x.times(a) + inside
-        w = x + inside.times(1 / a)
-        z = iv.exp(w[0]) / 2
-        four = w.times(iv.mpf(-2)).exp().times(iv.mpf(4))
-        t = four.plus(ONE).ln().times(iv.mpf(-0.5)).exp()
-        m = (t.part(0, len(t) - 1) * w.slope()).rise(iv.log(z + iv.sqrt(z * z + 1)))
-        return m.times(a)
-
-    def kinetics(self, d):
-        return d if self.first_order else (d.exp() - (-d).exp()).times(iv.mpf(0.5))
-
-    def state(self, x, y):
-        psi = y if self.is_log else y.exp()
-        v = x.exp()
-        psi_ss = self.psi_ss(x, v)
-        return v, psi, psi_ss, self.rate(v, psi_ss), self.mu(x, self.theta(y, psi))
-
-    def flow(self, ind, at, dep):
-        """By (ind, dep) from the saddle: both rates and v - v_sp, all times v (and
-        psi where y is ln psi)."""
-        both = at.plus(self.at[ind]), dep.plus(self.at[1 - ind])
-        v, psi, psi_ss, rate, mu = self.state(both[ind], both[1 - ind])
-        fx = (-mu).plus(self.tan).times(self.force)
-        fy = -(self.kinetics(psi - psi_ss) * (v * rate))
-        excess = v * v.plus(-self.v)
-        if not self.is_log:
-            fx, excess = fx * psi, excess * psi
-        return (fx, fy, excess) if ind == 0 else (fy, fx, excess)
-
-    def balance(self, x):
-        """mu_ss - tan(alpha) at x = ln v"""
-        x = constant(x, 1)
-        psi = self.psi_ss(x, x.exp())
-        y = psi if self.is_log else psi.ln()
-        return self.mu(x, self.theta(y, psi))[0] - self.tan
-
-    # -- the saddle: theorems 1 and 2
-
-    def find_saddle(self, near):
-        def h(x):
-            return mp.mpf(self.balance(iv.mpf(x)).mid)
-        x = [mp.log(near), mp.log(near) + mp.mpf(2) ** -40]
-        for _ in range(14):
-            g = [h(x[0]), h(x[1])]
-            if g[0] == g[1]:
-                break
-            x = [x[1], x[1] - g[1] * (x[1] - x[0]) / (g[1] - g[0])]
-        for bits in range(130, 40, -10):
-            r = mp.mpf(2) ** -bits
-            if (self.balance(iv.mpf(x[1] - r)) > 0
-                    and self.balance(iv.mpf(x[1] + r)) < 0):
-                return self.set_saddle(between(x[1] - r, x[1] + r))
-        raise Wrong('no sign change of mu_ss - tan(alpha) near the saddle')
-
-    def set_saddle(self, x):
-        self.v = iv.exp(x)
-        x = constant(x, 1)
-        self.psi = self.psi_ss(x, x.exp())[0]
-        self.at = x[0], self.psi if self.is_log else iv.log(self.psi)
-
-    def jacobian(self, ind, at, dep):
-        """Derivatives of the flow by ind and by dep over a box."""
-        return ([f[1] for f in self.flow(ind, line(at, ONE, 1), line(dep, ZERO, 1))],
-                [f[1] for f in self.flow(ind, line(at, ZERO, 1), line(dep, ONE, 1))])
-
-    def psi_at(self, Y):
-        return self.psi + Y if self.is_log else self.psi * iv.exp(Y)
-
-    def eigenvalues(self):
-        (xx, yx, _), (xy, yy, _) = self.jacobian(0, ZERO, ZERO)
-        unit = self.v if self.is_log else self.v * self.psi
-        det, trace = xx * yy - xy * yx, xx + yy
-        claim(det < 0 and trace < 0, 'det J < 0 at the saddle')
-        minus = (trace - iv.sqrt(trace ** 2 - 4 * det)) / 2
-        return minus / unit, det / minus / unit
 
 
 # ---- pieces -----------------------------------------------------------------
@@ -261,51 +133,60 @@ def on_part(block, piece, a, b):
 
 # ---- the cone: theorem 3 ----------------------------------------------------
 
-def sides(block, piece, box, kappa):
+def sides(block, piece, reach, kappa, count):
     """In the cone: g, and theta times the slope by dep of the excess per theta, by
-    mean values of the Jacobian from the saddle."""
-    step = piece.step
-    sigma = value(piece.coef[1:], box) + kappa * UNIT
-    by_ind, by_dep = block.jacobian(piece.ind, step * box, sigma * box)
-    m, d, e = [step * u + sigma * w for u, w in zip(by_ind, by_dep)]
-    claim(step * m < 0, 'theta does not fall in the cone')
-    return [step * (by_dep[k] - u / m * by_dep[0]) / m for k, u in ((1, d), (2, e))]
+    mean values of the Jacobian from the saddle: up to a part they are between those
+    up to the last one and the Jacobian on it."""
+    step, mean, found = piece.step, None, None
+    for i in range(count):
+        box = between(iv.mpf(reach) * i / count, iv.mpf(reach) * (i + 1) / count)
+        sigma = value(piece.coef[1:], box) + kappa * UNIT
+        here = block.jacobian(piece.ind, step * box, sigma * box)
+        far = here if i == 0 else [list(map(hull, *rows)) for rows in zip(mean, here)]
+        mean = here if i == 0 else [[(i * u + w) / (i + 1) for u, w in zip(*rows)]
+                                    for rows in zip(mean, here)]
+        m, d, e = [step * u + sigma * w for u, w in zip(*far)]
+        claim(step * m < 0, 'theta does not fall in the cone')
+        now = [step * (here[1][k] - u / m * here[1][0]) / m for k, u in ((1, d), (2, e))]
+        found = now if found is None else list(map(hull, found, now))
+    return found
 
 
 @functools.lru_cache(None)
 def check_cone(block, piece, reach, slope, excess):
     """Answers a bound of |dep - p| at its end."""
-    kappa = iv.mpf(slope)
     claim(0 < reach <= 1 and slope > 0, 'the cone has no size')
     claim(piece.start == 0 and piece.coef[0] == 0, 'the cone is not at the saddle')
-    g, across = sides(block, piece, between(0, reach), kappa)
-    error = (kappa * reach).b
-    beside = abs(across).b * error * UNIT
-    finest = reach
-    while not holds(excess, beside - piece.step * along(block, piece, reach, finest,
-                                                        kappa * (1 - g.b))):
-        finest /= 4
-        claim(finest * PARTS >= reach, 'the integral in the cone does not follow')
-    return error
+    for count in (1, 4, 16, PARTS):
+        found = attempt(cone_in_parts, block, piece, reach, slope, excess, count)
+        if found is not None:
+            return found
+    raise Wrong('the cone does not follow')
 
 
-def along(block, piece, reach, finest, most):
-    """The integral over the cone, in parts that short or shorter where |D| < most
-    takes it."""
+def cone_in_parts(block, piece, reach, slope, excess, count):
+    """At least so many."""
+    kappa = iv.mpf(slope)
+    g, across = sides(block, piece, reach, kappa, count)
+    claim(g < 1, 'g < 1 fails in the cone')
     total, parts = ZERO, [(0, reach)]
     while parts:
         a, b = parts.pop()
         middle = (a + b) / 2
         if a == 0:
-            at, (defect, q, rest) = a, near_saddle(block, piece, b)
+            at, found = a, attempt(near_saddle, block, piece, b)
         else:
-            at, (defect, q, rest, _) = middle, on_part(block, piece, a, b)
-        if defect < most and b - a <= finest:
-            total += integral(q, a - iv.mpf(at), b - iv.mpf(at)) + rest * (b - iv.mpf(a))
+            at, found = middle, attempt(on_part, block, piece, a, b)
+        if found is not None and found[0] < kappa * (1 - g.b) and b - a <= reach / count:
+            total += (integral(found[1], a - iv.mpf(at), b - iv.mpf(at))
+                      + found[2] * (b - iv.mpf(a)))
             continue
-        claim(b - a > reach / 2 ** 20, '|D| < kappa (1 - g) fails in the cone')
+        claim(b - a > reach / 2 ** 10, '|D| < kappa (1 - g) fails in the cone')
         parts += [(a, middle), (middle, b)]
-    return total
+    error = (kappa * reach).b
+    claim(holds(excess, abs(across).b * error * UNIT - piece.step * total),
+          'the integral in the cone does not follow')
+    return error
 
 
 # ---- the tube: theorem 4 ----------------------------------------------------
@@ -336,7 +217,7 @@ def check_cell(block, piece, a, b, end, error, radius, after, excess):
         borders = [a + (b - a) * i / count for i in range(count)] + [b]
         e, total, found = iv.mpf(error), ZERO, ()
         for u, w in zip(borders, borders[1:]):
-            found = part(block, piece, u, w, end, e, iv.mpf(radius))
+            found = attempt(part, block, piece, u, w, end, e, iv.mpf(radius))
             if found is None:
                 break
             e, total = found[0], total + found[1]

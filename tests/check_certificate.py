@@ -4,8 +4,8 @@
 usage: check_certificate.py FILE...
 
 docs/proofs.md has the theorems; here each of their conditions is evaluated with
-mpmath's intervals at 160 bits, from the inputs as decimals and the equations of
-Putelat & Dawes (2015), (2)-(17), (44), (45).  Read from the file are inputs,
+mpmath's intervals at 160 bits, from the inputs as decimals, the law's formulas as
+texts, and the equations (17) of Putelat & Dawes (2015).  Read from the file are inputs,
 polynomials, where their cells end, and claims; each claim has to follow.
 Exit status 0: all hold; 1: one does not, and its name.
 """
@@ -15,9 +15,10 @@ import sys
 
 from mpmath import iv
 
-from certificate_end import Place, stays_steep, tail_in_psi, tail_in_v
+from certificate_end import Place, stays_open, stays_steep, tail_in_psi, tail_in_v
+from certificate_field import Block
 from certificate_knees import find_knees
-from certificate_tube import (ONE, Block, Piece, Wrong, between, check_cell,
+from certificate_tube import (ONE, Piece, Wrong, between, check_cell,
                               check_cone, claim, expm1, holds, join, turn)
 
 
@@ -60,8 +61,7 @@ def walk(block, pieces, branch):
 def check_open(block, branch, pieces, side):
     """And its knees, as far as there are cells."""
     error, reach = begin(block, pieces, branch), iv.mpf(branch['cone']['reach'])
-    place = Place(block, pieces[0], reach, error, side)
-    claim(side > 0 and block.first_order, 'the branch is not open')
+    stays_open(Place(block, pieces[0], reach, error, side))
     if not branch['pieces'][0]['cells']:
         return claim(branch['knees'] == {'at': [], 'all': False}, 'knees beyond cells')
     theta, errors, _ = walk(block, pieces, branch)
@@ -136,17 +136,18 @@ def make_piece(*parts):
 @functools.lru_cache(None)
 def make_block(law, material, slope, near):
     block = Block(json.loads(law), json.loads(material), json.loads(slope))
-    block.find_saddle(near)
+    block.find_saddle(*near)
     return block
 
 
 def check(certificate):
     """Raises Wrong, or another error of what cannot be computed."""
-    claim(certificate['slipway_certificate'] == 2, 'not a certificate known here')
+    claim(certificate['slipway_certificate'] == 3, 'not a certificate known here')
     claim('not_proved' not in certificate, 'nothing is claimed')
     claims = certificate['numbers']
     block = make_block(*(json.dumps(certificate[k])
-                         for k in ('law', 'material', 'slope')), claims['v'][0])
+                         for k in ('law', 'material', 'slope')),
+                       (claims['v'][0], claims['psi'][0]))
     minus, plus_ = block.eigenvalues()
     found = {'v': block.v, 'psi': block.psi, 'lambda_minus': minus,
              'lambda_plus': plus_}
@@ -169,17 +170,28 @@ def rejected(certificate):
     try:
         check(certificate)
     except (Wrong, LookupError, TypeError, ValueError, ArithmeticError,
-            MemoryError) as wrong:
+            MemoryError, RecursionError, AttributeError) as wrong:
         return f'{wrong}' or 'something is missing'
     return ''
+
+
+def verified(certificate):
+    """What has been, in words."""
+    law, slope = certificate['law'], certificate['slope']
+    words = [f'{key} = {text}' for part in (law['formulas'], certificate['material'], slope)
+             for key, text in part.items()]
+    for side in ('upper', 'lower'):
+        words.append(f"{side} branch: {certificate[side].get('end', 'not proved')}")
+    return ', '.join(words + list(certificate['numbers']))
 
 
 def main(paths):
     failed = False
     for path in paths:
         with open(path, encoding='utf-8') as file:
-            why = rejected(json.load(file))
-        print(f"{path}: {why or 'every claim holds'}")
+            certificate = json.load(file)
+        why = rejected(certificate)
+        print(f"{path}: {why or 'every claim holds: ' + verified(certificate)}")
         failed = failed or why
     return 1 if failed else 0
 

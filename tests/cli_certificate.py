@@ -131,13 +131,21 @@ def forge_knees(knees, rng):
     return True
 
 
+WORDS = {'friction': ['asinh', 'log'], 'state': ['real', 'positive']}
+
+
 def forge_word(certificate, rng):
-    words = {'friction': ['asinh', 'log'], 'kinetics': ['linear', 'sinh'],
-             'theta': ['ln_psi', 'psi'], 'psi_ss': ['inverse', 'minus_log'],
-             'timescale': ['slip', 'slip45'], 'chart': ['psi', 'ln_psi']}
-    key = rng.choice(list(words))
-    old = certificate['law'][key]
-    certificate['law'][key] = rng.choice([w for w in words[key] if w != old])
+    """Another form, or a part of a formula."""
+    law = certificate['law']
+    key = rng.choice(list(WORDS) + 2 * list(law['formulas']))
+    if key in WORDS:
+        law[key] = WORDS[key][law[key] == WORDS[key][0]]
+        return 'mu' not in law['formulas'] or key != 'friction'
+    text = law['formulas'][key]
+    at = rng.choice([i for i, c in enumerate(text) if c in '+-*/'] or [0])
+    new = rng.choice([c for c in '+-*/' if c != text[at]])
+    law['formulas'][key] = (text[:at] + new + text[at + 1:] if text[at] in '+-*/' else
+                            f'({text})*1.001')
     return True
 
 
@@ -185,7 +193,7 @@ def a_certificate_with_a_digit_changed_is_rejected(room):
     rng = random.Random(SEED)
     print(f'# seed {SEED}')
     texts = [json.dumps(certificate(room, law, ('asinh', 'log')[i % 2]))
-             for i, law in enumerate(ENDS)]
+             for i, law in enumerate(ENDS)] + [json.dumps(typed(room))]
     count = {}
     while sum(count.values()) < TAMPERED:
         text = rng.choice(texts)
@@ -234,11 +242,23 @@ def a_scene_is_not_written_over_by_one(room):
     expect(json.loads(room.read('p.json')) == certificate(room, 'perrin'))
 
 
-def a_law_of_formulas_has_none(room):
-    room.write('typed.yaml', 'law: {theta: ln(psi), psi_ss: 1/v, T: 1/v, K: sinh(d)}\n'
-               'slope: {alpha: 0.34}\n')
-    room.good('knees', 'typed.yaml', '--proved', '--certificate', 'typed.json')
-    expect('named components' in json.loads(room.read('typed.json'))['not_proved'])
+def typed(room):
+    """A law with a parameter of its own, its rate typed whole."""
+    if 'typed.json' not in room.names():
+        room.write('typed.yaml', 'law: {theta: ln(psi), rate: "-sinh(psi*v/v_0 - 1)"}\n'
+                   'material: {v_0: 2}\nslope: {alpha: 0.34}\n')
+        room.good('knees', 'typed.yaml', '--proved', '--certificate', 'typed.json')
+    return json.loads(room.read('typed.json'))
+
+
+def a_law_of_formulas_has_one(room):
+    found = typed(room)
+    expect(found['law']['formulas'] == {'theta': 'ln(psi)',
+                                        'rate': '-sinh(psi*v/v_0 - 1)'}, found['law'])
+    expect(found['material']['v_0'] == '2' and 'v_plus' in found['numbers'], found)
+    expect(not rejected(found), rejected(found))
+    found['law']['formulas']['theta'] = 'ln(theta)'
+    expect(rejected(found), 'a formula of itself')
 
 
 def a_slope_without_a_saddle_has_none(room):
@@ -254,6 +274,6 @@ run_cases([
     a_certificate_with_a_digit_changed_is_rejected,
     a_certificate_needs_a_proof,
     a_scene_is_not_written_over_by_one,
-    a_law_of_formulas_has_none,
+    a_law_of_formulas_has_one,
     a_slope_without_a_saddle_has_none,
 ])

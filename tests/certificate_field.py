@@ -1,0 +1,116 @@
+"""The field of a block on a slope, (17) of Putelat & Dawes (2015), with the law's
+formulas as they are typed, and its saddle.
+"""
+from mpmath import iv, mp
+
+from ball_series import BITS, constant
+from certificate_formula import Formulas, combine
+from certificate_tube import ONE, UNIT, ZERO, claim, line
+
+mp.prec = BITS
+
+
+class Plane:
+    """A planar field by offsets from self.at: flow(ind, at, dep)."""
+
+    at = None
+
+    def jacobian(self, ind, at, dep):
+        """Derivatives of the flow by ind and by dep over a box."""
+        return ([f[1] for f in self.flow(ind, line(at, ONE, 1), line(dep, ZERO, 1))],
+                [f[1] for f in self.flow(ind, line(at, ZERO, 1), line(dep, ONE, 1))])
+
+    def inverse(self):
+        """About that of the Jacobian at self.at."""
+        (a, c, *_), (b, d, *_) = [[iv.mpf(u.mid) for u in row[:2]]
+                                  for row in self.jacobian(0, ZERO, ZERO)]
+        det = iv.mpf((a * d - b * c).mid)
+        return [[iv.mpf((u / det).mid) for u in row] for row in ((d, -b), (-c, a))]
+
+    def value(self):
+        return [f[0] for f in self.flow(0, constant(ZERO, 1), constant(ZERO, 1))[:2]]
+
+    def find(self, x, y):
+        """Newton's method, and Krawczyk's operator on a box around where it ends."""
+        self.at = iv.mpf(x), iv.mpf(y)
+        for _ in range(9):
+            C, f = self.inverse(), self.value()
+            self.at = tuple(iv.mpf((z - row[0] * f[0] - row[1] * f[1]).mid)
+                            for z, row in zip(self.at, C))
+        C, f = self.inverse(), self.value()
+        for bits in range(130, 20, -10):
+            r = iv.mpf(2) ** -bits
+            J = list(zip(*[row[:2] for row in self.jacobian(0, r * UNIT, r * UNIT)]))
+            to = []
+            for i in (0, 1):
+                moved = -C[i][0] * f[0] - C[i][1] * f[1]
+                for k in (0, 1):
+                    rest = int(i == k) - C[i][0] * J[0][k] - C[i][1] * J[1][k]
+                    moved += rest * r * UNIT
+                to.append(moved)
+            if all(abs(u) < r for u in to):
+                self.at = tuple(z + u for z, u in zip(self.at, to))
+                return
+        claim(False, 'no equilibrium is found near the one that is claimed')
+
+
+class Block(Plane):
+    """Equations (17) in the chart (x, y) = (ln v, ln psi) or (ln v, psi)."""
+
+    def __init__(self, law, material, slope):
+        self.known = {name: iv.mpf(text) for name, text in material.items()}
+        name, text = next(iter(slope.items()))
+        angle = iv.mpf(text)
+        if name == 'alpha_deg':
+            angle = angle * iv.pi / 180
+        self.tan = angle if name == 'tan_alpha' else iv.sin(angle) / iv.cos(angle)
+        eps2 = self.known['V_star'] ** 2 / (self.known['g'] * self.known['L'])
+        # cos(alpha)/eps^2
+        self.force = 1 / (eps2 * iv.sqrt(1 + self.tan ** 2))
+        self.is_log = law['state'] == 'real'
+        y = ('name', 'y')
+        self.formulas = Formulas({
+            'v': ('exp', ('name', 'x')), 'psi': y if self.is_log else ('exp', y),
+            'd': 'psi - psi_ss', 'mu': 'mu_star + a*ln(v) + b*theta', 'K': 'd',
+            'rate': '-K/T', **law['formulas']}, self.known)
+        tree = self.formulas.tree
+        mu, a = tree('mu'), ('name', 'a')
+        if 'mu' not in law['formulas'] and law['friction'] == 'asinh':
+            mu = '*', a, ('asinhexp', ('/', mu, a))
+        by_y = tree('rate') if self.is_log else self.formulas.less('rate', 'psi')
+        self.trees = {'v': tree('v'), 'psi': tree('psi'), 'mu': mu,
+                      'rate': tree('rate'), 'by_y': by_y}
+
+    def at_state(self, x, y, *names):
+        """Of trees, at x and y of any kind."""
+        known, memo = {'x': x, 'y': y}, {}
+        return [self.formulas.evaluate(self.trees[name], known, memo) for name in names]
+
+    def flow(self, ind, at, dep):
+        """By (ind, dep) from the saddle: both rates and v - v_sp, all times v (and
+        psi where y is ln psi)."""
+        both = at.plus(self.at[ind]), dep.plus(self.at[1 - ind])
+        v, psi, mu, rate = self.at_state(both[ind], both[1 - ind], 'v', 'psi', 'mu', 'rate')
+        fx = combine('-', self.tan, mu).times(self.force)
+        fy, excess = rate * v, v * v.plus(-self.v)
+        if not self.is_log:
+            fx, excess = fx * psi, excess * psi
+        return (fx, fy, excess) if ind == 0 else (fy, fx, excess)
+
+    def find_saddle(self, v, psi):
+        """Theorem 2, of the one equilibrium near there."""
+        self.v = v = iv.mpf(v)
+        self.find(iv.mpf(iv.log(v).mid), psi if self.is_log else iv.log(iv.mpf(psi)).mid)
+        self.v = iv.exp(self.at[0])
+        self.psi = self.at[1] if self.is_log else iv.exp(self.at[1])
+
+    def psi_at(self, Y):
+        return self.psi + Y if self.is_log else self.psi * iv.exp(Y)
+
+    def eigenvalues(self):
+        (xx, yx, _), (xy, yy, _) = self.jacobian(0, ZERO, ZERO)
+        unit = self.v if self.is_log else self.v * self.psi
+        det, trace = xx * yy - xy * yx, xx + yy
+        claim(det < 0 and trace < 0, 'det J < 0 at the saddle')
+        minus = (trace - iv.sqrt(trace ** 2 - 4 * det)) / 2
+        return minus / unit, det / minus / unit
