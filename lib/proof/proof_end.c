@@ -164,6 +164,7 @@ static const char *v_way(struct proof_law *p, const struct proof_place *at,
     const struct interval time =
         interval_divide(interval_exp(interval_high(x)),
                         times(p->force, interval_low(force_at(p, at))));
+    const struct interval change = interval_expm1(interval_less(s.at[0], p->x));
     const long double by_value = s.g.all.lo >= 0 ? s.g.all.hi : HUGE_VAL;
     const long double by_rate =
         q.lo > 0 ? interval_divide(interval_high(g), interval_low(q)).hi
@@ -172,7 +173,7 @@ static const char *v_way(struct proof_law *p, const struct proof_place *at,
     if (!isfinite(fminl(by_value, by_rate)))
         return "v dpsi/dt is not proved to vanish as v does";
     out->way = interval_up(times(point(fminl(by_value, by_rate)), time).hi);
-    out->excess = interval_up(times(p->v, time).hi);
+    out->excess = interval_up(interval_most(times(times(p->v, change), time)));
     out->slope =
         times(point(fminl(by_value, q.lo > 0 ? g.hi : HUGE_VALL)), time).hi < 1
             ? -1
