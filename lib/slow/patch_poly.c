@@ -42,15 +42,17 @@ static double left_out(const struct patch_tail *t, const double c[PATCH_LAST])
 /* With r the ratio in which coefficients fall and E what c_{n-2} is at most,
  * the pairs to come are at most r^2 E, r^4 E, ..., and with q = r^2
  *
- *     |f - p| <= |T_n| (3 q E + 4 q^2 E + ...) = |T_n| q E (3 + q)/(1 - q). */
+ *     |f - p| <= |T_n| (3 q E + 4 q^2 E + ...) = |T_n| q E (3 + q)/(1 - q).
+ *
+ * Of coefficients that are rounding nothing is said. */
 static struct patch_tail tail_of(const struct patch_side *s,
-                                 const double size[PATCH_SIDE])
+                                 const double size[PATCH_SIDE], double rounding)
 {
     const struct patch_tail none = { 0.0, 0.0 };
     double pair[PAIRS];
 
     for (int k = 0; k < PAIRS; k++)
-        pair[k] = larger(size[2 * k], size[2 * k + 1]);
+        pair[k] = fmax(larger(size[2 * k], size[2 * k + 1]) - rounding, 0.0);
     const double E = pair[PAIRS - 1];
     if (s->is_exact || E == 0.0)
         return none;
@@ -59,7 +61,7 @@ static struct patch_tail tail_of(const struct patch_side *s,
     return (struct patch_tail){ q * (3.0 + q) / (1.0 - q), sqrt(q) };
 }
 
-/* Of all coefficients along both sides: *size is the sum of their sizes. */
+/* Of all coefficients along both sides, which sum to *size. */
 static void find_tails(struct patch_poly *p, const struct patch_side *x,
                        const struct patch_side *y, double *size)
 {
@@ -73,25 +75,24 @@ static void find_tails(struct patch_poly *p, const struct patch_side *x,
             of_y[j] += c;
             *size += c;
         }
-    p->along_x = tail_of(x, of_x);
-    p->along_y = tail_of(y, of_y);
+    p->along_x = tail_of(x, of_x, DBL_EPSILON * *size);
+    p->along_y = tail_of(y, of_y, DBL_EPSILON * *size);
     p->x = left_out(&p->along_x, of_x + LAST);
     p->y = left_out(&p->along_y, of_y + LAST);
 }
 
 /* ---- fitting ------------------------------------------------------------- */
 
-/* The samples' bars and rounding; the largest. */
+/* The samples' bars; the largest. */
 static double find_noise(struct patch_poly *p, const struct patch_side *x,
-                         const struct patch_numbers *n, double rounding)
+                         const struct patch_numbers *n)
 {
     const size_t columns = (size_t) x->nodes;
     double most = 0.0;
 
     for (size_t i = 0; i < n->nodes; i++) {
-        const double noise = n->error[i] + rounding;
-        p->noise[i / columns][i % columns] = noise;
-        most = fmax(most, noise);
+        p->noise[i / columns][i % columns] = n->error[i];
+        most = fmax(most, n->error[i]);
     }
     return most;
 }
@@ -166,14 +167,14 @@ void patch_poly_fit(struct patch_poly *p, const struct patch_side *x,
     for (int i = 0; i < x->nodes; i++)
         patch_side_transform(y, &p->coef[0][i], PATCH_SIDE);
     find_tails(p, x, y, &size);
-    const double noise =
-        find_noise(p, x, n, TOL_ROUNDINGS_FEW * DBL_EPSILON * size);
+    p->rounding = TOL_ROUNDINGS_FEW * DBL_EPSILON * size;
+    const double noise = find_noise(p, x, n);
     look(p, x, y, n, &missed, &beyond);
     grow(p, fmax(1.0, TOL_PATCH_TESTS * missed));
     look(p, x, y, n, &missed, &beyond);
     add_noise(p, beyond);
     const double bar =
-        p->x + p->y +
+        p->x + p->y + p->rounding +
         patch_side_weight(x) * patch_side_weight(y) * (noise + beyond);
     p->bar = isfinite(bar) ? bar : HUGE_VAL;
 }
@@ -185,7 +186,7 @@ struct patch_line patch_poly_line(const struct patch_poly *p,
                                   const struct patch_side *y,
                                   const struct patch_point *level)
 {
-    struct patch_line l = { .y = level->left_out };
+    struct patch_line l = { .y = level->left_out, .rounding = p->rounding };
 
     for (int j = 0; j < y->nodes; j++)
         for (int i = 0; i < x->nodes; i++) {
@@ -210,7 +211,7 @@ double patch_poly_above(const struct patch_poly *p, const struct patch_side *x,
 double patch_line_at(const struct patch_line *l, const struct patch_side *x,
                      const struct patch_point *at, double above, double *bar)
 {
-    double sum = 0.0, noise = 0.0;
+    double sum = 0.0, noise = l->rounding;
 
     for (int i = 0; i < x->nodes; i++) {
         sum += l->coef[i] * at->basis[i];

@@ -32,23 +32,23 @@ struct patch_tail {
 /* It errs by at most
  *
  *     left_x |T_n(x)| E_x(y) + left_y |T_n(y)| E_y(x)
- *         + sum |l_i(x) l_j(y)| noise_ij,
+ *         + sum |l_i(x) l_j(y)| noise_ij + rounding,
  *
  * E_x of its coefficients along x at y, and nowhere by more than bar, where the
  * first two terms are at most x and y. */
 struct patch_poly {
     double coef[PATCH_SIDE][PATCH_SIDE], noise[PATCH_SIDE][PATCH_SIDE];
     struct patch_tail along_x, along_y; /* coef[y][x] */
-    double x, y, bar;
+    double x, y, rounding, bar;
 };
 
 void patch_poly_fit(struct patch_poly *p, const struct patch_side *x,
                     const struct patch_side *y, const struct patch_numbers *n);
 
 /* At a point of y's side, a polynomial of x alone, which errs by at most
- * x |T_n(x)| + y above(x) + sum |l_i(x)| noise_i. */
+ * x |T_n(x)| + y above(x) + sum |l_i(x)| noise_i + rounding. */
 struct patch_line {
-    double coef[PATCH_SIDE], noise[PATCH_SIDE], x, y;
+    double coef[PATCH_SIDE], noise[PATCH_SIDE], x, y, rounding;
 };
 struct patch_line patch_poly_line(const struct patch_poly *p,
                                   const struct patch_side *x,
