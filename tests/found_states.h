@@ -249,6 +249,15 @@ static const struct {
       { -1.2192358937529555e-05, -25.592778775104456 },
       EXACT_BOTH,
       "an orbit 1e-7 from a saddle, by the field 1e-6 beside it" },
+    { { FRICTION_ASINH, THETA_PSI, PSI_SS_SPINODAL_UNIT, TIMESCALE_SPINODAL,
+        KINETICS_SINH, 0.72374649134164371, 0.006060751121383324,
+        0.0019213540957000114, 0.14128054320825542, 14.763276834723895,
+        2.6152975220277862e-07, 0.00018971483986178424, 0.6535577939180083,
+        1e-8 },
+      0.765833528906710542564L,
+      { 16.724394049886957, 5.4303914429797571 },
+      EXACT_BOTH,
+      "ln v on steps on which it falls by less than its last digit" },
 };
 
 #endif

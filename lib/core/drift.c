@@ -208,10 +208,33 @@ static void spread(const struct transport *t, size_t dim,
                       t->gain[k][1] * half[i][1];
 }
 
+/* e -> e - (row e) du: what is off where the function with the gradient row,
+ * row du = 1, has its value. */
+static void project(struct drift *d, const double du[], const double row[],
+                    size_t n, size_t dim)
+{
+    double by[CURVE_DIM_MAX] = { 0.0 }, late = 0.0, lost = 0.0, square = 0.0;
+
+    for (size_t k = 0; k < n; k++) {
+        late += row[k] * d->e[k];
+        lost += row[k] * d->lost[k];
+        for (size_t i = 0; i < dim; i++)
+            by[i] += row[k] * d->noise[i][k];
+    }
+    for (size_t k = 0; k < n; k++)
+        square += row[k] * by[k];
+    for (size_t i = 0; i < dim; i++) {
+        d->e[i] -= late * du[i];
+        d->lost[i] -= lost * du[i];
+        for (size_t k = 0; k < dim; k++)
+            d->noise[i][k] +=
+                square * du[i] * du[k] - by[i] * du[k] - du[i] * by[k];
+    }
+}
+
 static double bound(double off, double noise)
 {
-    return TOL_BAR_FIRST_ORDER * fabs(off) +
-           TOL_DRIFT_NOISE * sqrt(fmax(noise, 0.0));
+    return TOL_BAR_FIRST_ORDER * off + TOL_DRIFT_NOISE * sqrt(fmax(noise, 0.0));
 }
 
 /* Of e_i - late du_i, where late = row e, to first order.  Variances that all
@@ -219,18 +242,20 @@ static double bound(double off, double noise)
 static double first_order(const struct drift *d, double rate,
                           const double row[], size_t n, size_t i)
 {
-    double off = d->e[i], cross = 0.0, square = 0.0;
+    double off = d->e[i], lost = d->lost[i], cross = 0.0, square = 0.0;
 
     for (size_t k = 0; k < n; k++) {
         off -= rate * row[k] * d->e[k];
+        lost -= rate * row[k] * d->lost[k];
         cross += row[k] * d->noise[i][k];
         for (size_t l = 0; l < n; l++)
             square += row[k] * row[l] * d->noise[k][l];
     }
     const double own = d->noise[i][i], late = rate * rate * square;
     const double noise = own + late - 2.0 * rate * cross;
-    const double lost = TOL_ROUNDINGS_FEW * DBL_EPSILON * fmax(own, late);
-    return bound(off, noise != 0.0 ? fmax(noise, lost) : 0.0);
+    const double least = TOL_ROUNDINGS_FEW * DBL_EPSILON * fmax(own, late);
+    return bound(fabs(off) + fabs(lost),
+                 noise != 0.0 ? fmax(noise, least) : 0.0);
 }
 
 /* Of time, where the orbit crosses a line across its way. */
@@ -242,10 +267,39 @@ static double lateness(const struct drift *d, const double du[])
     return square > 0.0 ? first_order(d, du[2], row, 2, 2) : 0.0;
 }
 
+/* How far the end u of the last piece was rounded from what it gained: steps
+ * short of a last digit are rounded to one side, all of them. */
+static void add_rounding(struct drift *d, const struct curve *c,
+                         const double u[])
+{
+    const struct curve_piece *p = &c->piece[c->count - 1];
+
+    for (size_t i = 0; i < c->dim; i++) {
+        const double *coef = curve_component(c, c->count - 1, i);
+        double gain = 0.0;
+        for (size_t j = p->degree; j > 0; j--)
+            gain += coef[j];
+        d->lost[i] += (u[i] - coef[0]) - gain;
+    }
+}
+
+/* What is off along the orbit leaves it where it is, but late: as much further
+ * on, and in no need of being carried.  It would be a rate's times as much of a
+ * sum whose rate grows, and cancel. */
+static void turn_across(struct drift *d, const double du[], size_t dim)
+{
+    const double square = du[0] * du[0] + du[1] * du[1];
+    const double row[2] = { du[0] / square, du[1] / square };
+
+    if (isfinite(row[0]) && isfinite(row[1]) && square > 0.0)
+        project(d, du, row, 2, dim);
+}
+
 void drift_carry(struct drift *d, const struct rescaled *clock,
                  const struct curve *c, double h, const double missed[])
 {
-    const double x = d->e[0], y = d->e[1];
+    const struct vec2 e = { d->e[0], d->e[1] };
+    const struct vec2 lost = { d->lost[0], d->lost[1] };
     struct piece p;
     struct transport t;
     double u[CURVE_DIM_MAX];
@@ -258,36 +312,33 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
             d->e[i] += copysign(missed[i], d->e[i]);
         return;
     }
-    for (size_t i = 0; i < c->dim; i++)
-        d->e[i] += t.more[i] + t.gain[i][0] * x + t.gain[i][1] * y;
+    for (size_t i = 0; i < c->dim; i++) {
+        const double *g = t.gain[i];
+        d->e[i] += t.more[i] + g[0] * e.x + g[1] * e.y;
+        d->lost[i] += g[0] * lost.x + g[1] * lost.y;
+    }
     spread(&t, c->dim, d->noise);
     curve_at(c, c->count - 1, 1.0, u);
+    add_rounding(d, c, u);
     const double part = TOL_DRIFT_UNSURE * fmax(rough / TOL_DRIFT_ROUGH, 1.0);
     for (size_t i = 0; i < c->dim; i++) {
         const double unsure = part * t.more[i];
         const double digit = 0.5 * DBL_EPSILON * u[i];
         d->noise[i][i] += unsure * unsure + digit * digit;
     }
-    if (d->rate > 0.0 && p.nearest < TOL_DRIFT_NEAR) {
-        curve_slope_at(c, c->count - 1, 1.0, u);
+    curve_slope_at(c, c->count - 1, 1.0, u);
+    if (d->rate > 0.0 && p.nearest < TOL_DRIFT_NEAR)
         d->late = fmax(d->late, d->rate * lateness(d, u));
-    }
+    turn_across(d, u, c->dim);
 }
 
 void drift_cross(struct drift *d, const double du[], size_t which, size_t dim)
 {
-    double by[CURVE_DIM_MAX];
-    const double late = d->e[which] / du[which];
+    double row[CURVE_DIM_MAX] = { 0.0 };
 
-    for (size_t i = 0; i < dim; i++)
-        by[i] = d->noise[i][which] / du[which];
-    for (size_t i = 0; i < dim; i++) {
-        d->e[i] -= late * du[i];
-        for (size_t k = 0; k < dim; k++)
-            d->noise[i][k] += by[which] / du[which] * du[i] * du[k] -
-                              by[i] * du[k] - du[i] * by[k];
-    }
-    d->e[which] = 0.0;
+    row[which] = 1.0 / du[which];
+    project(d, du, row, which + 1, dim);
+    d->e[which] = d->lost[which] = 0.0;
     for (size_t i = 0; i < dim; i++)
         d->noise[i][which] = d->noise[which][i] = 0.0;
 }
@@ -332,6 +383,7 @@ double drift_across(const struct drift *d, const double du[])
     const double(*n)[CURVE_DIM_MAX] = d->noise;
 
     return stretched(
-        d, bound(x * d->e[0] + y * d->e[1],
+        d, bound(fabs(x * d->e[0] + y * d->e[1]) +
+                     fabs(x * d->lost[0] + y * d->lost[1]),
                  x * x * n[0][0] + 2.0 * x * y * n[0][1] + y * y * n[1][1]));
 }

@@ -18,7 +18,8 @@ enum { DRIFT_CALLS = 6 };
  * with r = e/q, which is rate times the lateness to first order, bars are made
  * F(r) times as wide; infinite for r >= 1, for q may be nothing then. */
 struct drift {
-    double e[CURVE_DIM_MAX]; /* computed less true, to first order */
+    double e[CURVE_DIM_MAX]; /* computed less true, to first order, but for */
+    double lost[CURVE_DIM_MAX]; /* what rounding made of the ends of steps */
     double noise[CURVE_DIM_MAX][CURVE_DIM_MAX]; /* covariance */
     double rate, late; /* of the saddle at the origin; r, a bound on it */
 };

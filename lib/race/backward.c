@@ -229,6 +229,7 @@ static enum status change_units(struct route *r)
         const double part =
             k == 0 ? old.x / r->units.unit.x : old.y / r->units.unit.y;
         d->e[k] *= part;
+        d->lost[k] *= part;
         for (int i = 0; i < CURVE_DIM_MAX; i++) {
             d->noise[k][i] *= part;
             d->noise[i][k] *= part;

@@ -7,6 +7,7 @@
 #include "check.h"
 #include "fields_of.h"
 #include "orbit.h"
+#include "tolerance.h"
 
 static void run(struct orbit *o, struct drift *d, const struct planar *sys,
                 struct vec2 z, double rtol, double time)
@@ -47,14 +48,16 @@ static void errors_of_linear_orbits_are_known_with_their_signs(void **state)
         struct drift d;
         run(&o, &d, &sys, z, rtol, 3.0);
         const double t = o.u[2], a = x.p[0];
+        double du[CURVE_DIM_MAX];
+        curve_slope_at(&o.curve, o.curve.count - 1, 1.0, du);
         const double off[] = { o.u[0] - z.x * exp(a * t), 0.0, 0.0,
                                o.u[3] - z.x * expm1(a * t) / a };
         for (size_t k = 0; k < 4; k += 3) {
             const double seen = off_then(&o, &d, k);
             CHECK(fabs(seen - off[k]) <= 0.1 * fabs(off[k]) + 2e-14,
                   "%zu, %g: %g is seen as %g", k, stiff, off[k], seen);
-            CHECK(drift_bar_at(&d, o.du, 2, k) + 1e-15 >= fabs(off[k]),
-                  "%zu, %g", k, stiff);
+            CHECK(drift_bar_at(&d, du, 2, k) + 1e-15 >= fabs(off[k]), "%zu, %g",
+                  k, stiff);
         }
         orbit_free(&o);
     }
@@ -82,6 +85,22 @@ static void errors_across_an_orbit_are_what_its_energy_says(void **state)
               off, seen);
         orbit_free(&o);
     }
+}
+
+/* x loses less than half of its last digit on a step, and so nothing. */
+static void steps_short_of_a_last_digit_are_seen_to_be_lost(void **state)
+{
+    static const struct fixture fall = { linear, { -2e-16, -1.0 } };
+    const struct planar sys = planar_of(&fall, 1e3);
+    struct orbit o;
+    struct drift d;
+
+    (void) state;
+    run(&o, &d, &sys, (struct vec2){ 10.0, 10.0 }, TOL_FINEST, 30.0);
+    const double off = o.u[0] - 10.0 + 6e-14;
+    CHECK(off > 3e-14 && fabs(d.lost[0] - off) <= 0x1p-49, "%g is seen as %g",
+          off, d.lost[0]);
+    orbit_free(&o);
 }
 
 /* A start that is only known to `off` is told as well as it grows. */
@@ -146,6 +165,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(errors_of_linear_orbits_are_known_with_their_signs),
         cmocka_unit_test(errors_across_an_orbit_are_what_its_energy_says),
+        cmocka_unit_test(steps_short_of_a_last_digit_are_seen_to_be_lost),
         cmocka_unit_test(what_is_not_known_of_the_start_grows_with_the_orbit),
         cmocka_unit_test(crossing_a_place_changes_no_bar_there),
     };

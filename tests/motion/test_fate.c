@@ -2,6 +2,7 @@
 #include "fate.h"
 
 #include "fault_alloc.h"
+#include "found.h"
 #include "slope.h"
 #include "stops.h"
 #include "tolerance.h"
@@ -218,6 +219,34 @@ static void a_creep_node_is_reached_when_the_table_says(void **state)
     slope_free(&s);
 }
 
+/* Past a saddle that v leaves a thousandfold, slip by the lateness there. */
+static void a_single_orbit_is_no_further_off_than_its_bar(void **state)
+{
+    static const struct found f = {
+        FRICTION_LOG,           THETA_PSI,
+        PSI_SS_SPINODAL,        TIMESCALE_AGEING44,
+        KINETICS_SINH,          0.6877345343190937,
+        0.039329336430911181,   0.13321146233862499,
+        1.1057293844243979e-06, 538513.82719759853,
+        1.0832174286574756e-07, 9.1188336730034283e-06,
+        0.8405281862,           1e-6
+    };
+    const struct vec2 z = { -1.2807363725941099, 3.5992717819910207 };
+    struct fate_result fine, loose;
+    struct slider s;
+    struct scene scene;
+
+    (void) state;
+    found_scene(&f, steady_only, &scene);
+    slider_init(&s, &scene.law, &scene.material, 1.11682828029965442276L);
+    assert_int_equal(fate_find(&s, z, 1e-12, true, NULL, &fine), 0);
+    assert_int_equal(fate_find(&s, z, 1e-7, true, NULL, &loose), 0);
+    const double off = fabs(loose.slip.value - fine.slip.value);
+    CHECK(off > 1e-6 * fine.slip.value && off <= loose.slip.error, "%g over %g",
+          off, loose.slip.error);
+    scene_free(&scene);
+}
+
 static void what_does_not_stop_has_neither_slip_nor_time(void **state)
 {
     struct slope s;
@@ -298,6 +327,7 @@ int main(void)
         cmocka_unit_test(the_energy_lost_is_the_work_of_friction),
         cmocka_unit_test(a_rest_comes_when_the_table_says),
         cmocka_unit_test(a_creep_node_is_reached_when_the_table_says),
+        cmocka_unit_test(a_single_orbit_is_no_further_off_than_its_bar),
         cmocka_unit_test(what_does_not_stop_has_neither_slip_nor_time),
         cmocka_unit_test(states_outside_the_domain_are_refused),
         cmocka_unit_test(a_monitor_stops_a_long_orbit),
