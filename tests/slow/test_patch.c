@@ -137,6 +137,69 @@ static void the_side_to_blame_is_told(void **state)
     assert_true(r.across.is_exact && fit(&r, 1e-5, &p).holds);
 }
 
+/* sum 10^-k T_k(x) over the unit square's columns, without T_8. */
+static double series(const struct room *r, double x)
+{
+    const double lo = r->x[0], hi = r->x[COLUMNS - 1];
+    const double t = acos((2.0 * x - lo - hi) / (hi - lo));
+    double sum = 0.0;
+
+    for (int k = 0; k < 14; k++)
+        sum += k == 8 ? 0.0 : pow(10.0, -k) * cos(k * t);
+    return sum;
+}
+
+static void number_of(const struct room *r, double error,
+                      struct patch_numbers *n)
+{
+    *n = (struct patch_numbers){ .count = PATCH_NODES, .nodes = PATCH_NODES };
+    patch_nodes(&r->across, &r->up, n->z);
+    for (size_t i = 0; i < n->nodes; i++) {
+        n->value[i] = series(r, n->z[i].x);
+        n->error[i] = error;
+    }
+}
+
+static void a_coefficient_that_vanishes_leaves_the_bar(void **state)
+{
+    const struct field f = { 0.0, 0.0, 0.0 };
+    static struct patch_numbers n;
+    static struct room r;
+    struct patch_poly p;
+    double bar;
+
+    (void) state;
+    make(&r, &f, COLUMNS);
+    number_of(&r, 0.0, &n);
+    patch_poly_fit(&p, &r.across, &r.up, &n);
+    const struct patch_point level = patch_side_point(&r.up, r.y[4]);
+    const struct patch_line l = patch_poly_line(&p, &r.across, &r.up, &level);
+    for (int i = 0; i < COLUMNS; i++) {
+        const struct patch_point at = patch_side_point(&r.across, r.x[i]);
+        const double above = patch_poly_above(&p, &r.across, &at);
+        const double off = fabs(patch_line_at(&l, &r.across, &at, above, &bar) -
+                                series(&r, r.x[i]));
+        CHECK(off <= bar && bar <= p.bar, "%d: off %g, bar %g", i, off, bar);
+    }
+}
+
+static void what_a_test_cannot_tell_is_in_the_bar(void **state)
+{
+    const struct field f = { 0.0, 0.0, 0.0 };
+    static struct patch_numbers n;
+    static struct room r;
+    struct patch_poly p;
+
+    (void) state;
+    make(&r, &f, COLUMNS);
+    number_of(&r, 1e-6, &n);
+    n.z[n.count] = (struct vec2){ r.x[9], r.y[9] };
+    n.value[n.count] = series(&r, r.x[9]) + 5e-6;
+    n.error[n.count++] = 1e-5;
+    patch_poly_fit(&p, &r.across, &r.up, &n);
+    CHECK(p.bar > 1.5e-5, "%g", p.bar);
+}
+
 /* What nodes alone would not see. */
 static void a_test_that_misses_widens_the_bar(void **state)
 {
@@ -205,6 +268,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_smooth_field_is_one_polynomial),
         cmocka_unit_test(the_side_to_blame_is_told),
+        cmocka_unit_test(a_coefficient_that_vanishes_leaves_the_bar),
+        cmocka_unit_test(what_a_test_cannot_tell_is_in_the_bar),
         cmocka_unit_test(a_test_that_misses_widens_the_bar),
         cmocka_unit_test(base_points_tell_both_sides_of_a_separatrix),
         cmocka_unit_test(kinds_that_differ_say_where_to_cut),
