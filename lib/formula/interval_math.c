@@ -11,42 +11,45 @@
 
 static struct interval term_by_term(size_t n, int rise,
                                     const struct interval u[],
-                                    const struct interval *w)
+                                    const struct interval *w, long double over)
 {
     struct interval sum = { 0, 0 };
 
     for (size_t i = 0; i < n; i++) {
         const struct interval by =
             interval_point(1 + (long double) (i * (size_t) rise));
-        sum = interval_add(sum,
-                           interval_times(interval_times(u[i], *(w - i)), by));
+        if (!interval_is_zero(u[i]) && !interval_is_zero(*(w - i)))
+            sum = interval_add(
+                sum, interval_times(interval_times(u[i], *(w - i)), by));
     }
-    return sum;
+    return interval_is_zero(sum) ? sum
+                                 : interval_divide(sum, interval_point(over));
 }
 
 /* With 2 m the sum and 2 r the difference of the ends, a product is within |m|
- * s + r (|l| + s) of m l.  Of n terms of at most p and their sum each rounding
- * adds 2^-64 of the terms' sizes so far (Higham, Accuracy and Stability (2002),
- * ch. 3): n + 6 at most; what underflows less than 2^-16400 each. */
+ * s + r (|l| + s) of m l.  Of n terms of at most |m l| and their sum each
+ * rounding adds 2^-64 of the terms' sizes so far (Higham, Accuracy and
+ * Stability (2002), ch. 3): n + 7 at most, with the quotient's, where twice n +
+ * 12 are counted; what underflows less than 2^-16400 each. */
 struct interval interval_sum(size_t n, int rise, const struct interval u[],
-                             const struct interval *w)
+                             const struct interval *w, long double over)
 {
-    long double sum = 0, size = 0, beside = 0, by = 1;
+    const long double units = (long double) (n + 12) * LDBL_EPSILON;
+    long double sum = 0, beside = 0, by = 1;
 
     for (size_t i = 0; i < n; i++, by += rise) {
         const struct interval *v = w - i;
         const long double m = (u[i].lo + u[i].hi) * by, l = v->lo + v->hi;
         const long double r = (u[i].hi - u[i].lo) * by, s = v->hi - v->lo;
-        const long double p = m * l;
-        sum += p;
-        size += fabsl(p);
-        beside += fabsl(m) * s + r * (fabsl(l) + s);
+        const long double most = fabsl(l);
+        sum += m * l;
+        beside += fabsl(m) * (s + most * units) + r * (most + s);
     }
-    const long double units = (long double) (n + 12) * LDBL_EPSILON;
-    const long double room = beside + (size + beside) * units;
-    if (!(size + beside > INTERVAL_SMALL && room < HUGE_VALL))
-        return term_by_term(n, rise, u, w);
-    return (struct interval){ (sum - room) / 4, (sum + room) / 4 };
+    const long double room = beside * (1 + units);
+    if (!(room > INTERVAL_SMALL && room < HUGE_VALL))
+        return term_by_term(n, rise, u, w, over);
+    return (struct interval){ (sum - room) / (4 * over),
+                              (sum + room) / (4 * over) };
 }
 
 /* ---- functions that rise ------------------------------------------------- */

@@ -94,9 +94,15 @@ static inline struct interval interval_high(struct interval u)
     return interval_point(u.hi);
 }
 
-/* sum over i < n of (1 + rise i) u[i] w[-i], w going down. */
+static inline bool interval_is_zero(struct interval u)
+{
+    return u.lo >= 0 && u.hi <= 0;
+}
+
+/* sum over i < n of (1 + rise i) u[i] w[-i], w going down, over a number > 0.
+ */
 struct interval interval_sum(size_t n, int rise, const struct interval u[],
-                             const struct interval *w);
+                             const struct interval *w, long double over);
 
 struct interval interval_exp(struct interval u);
 struct interval interval_expm1(struct interval u);

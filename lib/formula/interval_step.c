@@ -14,18 +14,18 @@ static struct interval point(long double x)
 
 /* ---- series -------------------------------------------------------------- */
 
-/* sum_{j=1}^{to} j u_j d_{k-j} */
+/* sum_{j=1}^{to} j u_j d_{k-j} over k */
 static struct interval chain_sum(const struct interval u[],
                                  const struct interval d[], size_t to, size_t k)
 {
-    return interval_sum(to, 1, u + 1, d + k - 1);
+    return interval_sum(to, 1, u + 1, d + k - 1, (long double) k);
 }
 
 /* Coefficient k > 0 of w with w' = d u'. */
 static struct interval chain(const struct interval u[],
                              const struct interval d[], size_t k)
 {
-    return interval_divide(chain_sum(u, d, k, k), point((double) k));
+    return chain_sum(u, d, k, k);
 }
 
 static struct interval constant(const struct interval_run *r, int node)
@@ -39,10 +39,12 @@ void interval_terms(const struct interval_run *r, const struct linear *u,
 {
     for (size_t k = 0; k <= r->n; k++) {
         out[k] = point(0);
-        for (int i = 0; i < u->terms; i++)
-            out[k] = interval_add(out[k],
-                                  interval_times(constant(r, u->term[i].c),
-                                                 r->reg[u->term[i].reg].c[k]));
+        for (int i = 0; i < u->terms; i++) {
+            const struct interval w = r->reg[u->term[i].reg].c[k];
+            if (!interval_is_zero(w))
+                out[k] = interval_add(
+                    out[k], interval_times(constant(r, u->term[i].c), w));
+        }
     }
 }
 
@@ -138,8 +140,7 @@ static void under(const struct interval_run *r, const struct interval u[],
                   const struct interval d[], struct interval out[])
 {
     for (size_t j = 1; j <= r->n; j++) {
-        const struct interval known =
-            interval_divide(chain_sum(out, d, j - 1, j), point((double) j));
+        const struct interval known = chain_sum(out, d, j - 1, j);
         out[j] = interval_divide(interval_less(u[j], known), d[0]);
     }
 }
@@ -199,7 +200,7 @@ static void friction(struct interval_run *r, const struct step *s,
     for (size_t j = 1; j <= r->n; j++) {
         out[j] = chain(u, t, j);
         t[j] = chain(out, b, j);
-        b[j] = interval_minus(interval_sum(j + 1, 0, t, t + j));
+        b[j] = interval_minus(interval_sum(j + 1, 0, t, t + j, 1));
     }
 }
 
@@ -273,7 +274,7 @@ static void tangent(struct interval_run *r, const struct step *s,
     for (size_t j = 0; j <= r->n; j++) {
         if (j > 0)
             out[j] = t[j] = chain(u, d, j);
-        d[j] = interval_times(point(sign), interval_sum(j + 1, 0, t, t + j));
+        d[j] = interval_times(point(sign), interval_sum(j + 1, 0, t, t + j, 1));
         if (j == 0)
             d[j] = interval_add(point(1), d[j]);
     }
@@ -309,7 +310,7 @@ static void arc(struct interval_run *r, const struct step *s,
     w[0] = interval_add(k, u[0]);
     d[0] = length(w[0], sign, root);
     for (size_t j = 1; j <= r->n; j++) {
-        d[j] = interval_times(point(sign), interval_sum(j + 1, 0, w, w + j));
+        d[j] = interval_times(point(sign), interval_sum(j + 1, 0, w, w + j, 1));
         for (size_t i = 1; root && i < j; i++)
             d[j] = interval_less(d[j], interval_times(d[i], d[j - i]));
         if (root)
@@ -328,7 +329,7 @@ void interval_product(const struct interval_run *r, const struct interval u[],
 {
     out[0] = interval_times(u[0], w[0]);
     for (size_t k = 1; k <= r->n; k++)
-        out[k] = interval_sum(k + 1, 0, u, w + k);
+        out[k] = interval_sum(k + 1, 0, u, w + k, 1);
 }
 
 /* u/(k + w) */
@@ -339,7 +340,7 @@ static void quotient(struct interval_run *r, const struct step *s,
     const struct interval under = interval_add(constant(r, s->k), w[0]);
 
     for (size_t k = 0; k <= r->n; k++) {
-        const struct interval known = interval_sum(k, 0, out, w + k);
+        const struct interval known = interval_sum(k, 0, out, w + k, 1);
         out[k] = interval_divide(interval_less(u[k], known), under);
     }
 }

@@ -94,6 +94,16 @@ static bool OWN(is_point)(OWN(range) u, REAL x)
     return u.lo >= x && u.hi <= x;
 }
 
+/* Of u >= 0. */
+static OWN(range) OWN(multiple)(OWN(range) u, OWN(range) w)
+{
+    const REAL lo = OWN(below)(OWN(end)(w.lo < 0 ? u.hi : u.lo, w.lo));
+    const REAL hi = OWN(above)(OWN(end)(w.hi > 0 ? u.hi : u.lo, w.hi));
+
+    return (OWN(range)){ w.lo >= 0 ? OWN(larger)(lo, 0) : lo,
+                         w.hi <= 0 ? OWN(smaller)(hi, 0) : hi };
+}
+
 OWN(range) NAME(interval_times)(OWN(range) u, OWN(range) w)
 {
     if (OWN(is_point)(u, 0) || OWN(is_point)(w, 0))
@@ -104,17 +114,18 @@ OWN(range) NAME(interval_times)(OWN(range) u, OWN(range) w)
         return u;
     if (OWN(is_point)(u, -1))
         return OWN(minus)(w);
-    const REAL p = OWN(end)(u.lo, w.lo), q = OWN(end)(u.lo, w.hi);
-    const REAL r = OWN(end)(u.hi, w.lo), s = OWN(end)(u.hi, w.hi);
-    OWN(range)
-    product = { OWN(below)(
-                    OWN(smaller)(OWN(smaller)(p, q), OWN(smaller)(r, s))),
-                OWN(above)(OWN(larger)(OWN(larger)(p, q), OWN(larger)(r, s))) };
-    if ((u.lo >= 0 && w.lo >= 0) || (u.hi <= 0 && w.hi <= 0))
-        product.lo = OWN(larger)(product.lo, 0);
-    else if ((u.lo >= 0 && w.hi <= 0) || (u.hi <= 0 && w.lo >= 0))
-        product.hi = OWN(smaller)(product.hi, 0);
-    return product;
+    if (u.lo >= 0)
+        return OWN(multiple)(u, w);
+    if (w.lo >= 0)
+        return OWN(multiple)(w, u);
+    if (u.hi <= 0)
+        return OWN(minus)(OWN(multiple)(OWN(minus)(u), w));
+    if (w.hi <= 0)
+        return OWN(minus)(OWN(multiple)(OWN(minus)(w), u));
+    const REAL p = u.lo * w.lo, q = u.lo * w.hi;
+    const REAL r = u.hi * w.lo, s = u.hi * w.hi;
+    return (OWN(range)){ OWN(below)(OWN(smaller)(q, r)),
+                         OWN(above)(OWN(larger)(p, s)) };
 }
 
 /* Where w is not 0. */

@@ -84,19 +84,21 @@ static bool bound_defect(struct cell *c)
     return isfinite(c->defect) && isfinite(c->beside);
 }
 
-/* Whether shorter cells would have a smaller defect, or remainder of the
- * excess, that would be felt. */
-static bool is_coarse(const struct cell *c, const struct proof_front *front)
+/* Whether cells shorter than this one, or than one of twice its length if that
+ * multiplies remainders by `growth`, would have a smaller defect, or remainder
+ * of the excess, that would be felt. */
+static bool is_coarse(const struct cell *c, const struct proof_front *front,
+                      double growth)
 {
     const double rest = (c->defect - c->remainder) * c->half;
     const long double felt =
         front->error + LDBL_EPSILON * interval_most(c->dep[0]);
-    const double made = c->remainder * c->half;
+    const double made = c->remainder * growth * c->half;
     const long double known = front->excess.hi - front->excess.lo +
                               LDBL_EPSILON * interval_most(front->excess);
 
     return (made > PROOF_REMAINDER * rest && made > PROOF_FELT * felt) ||
-           c->beside > PROOF_FELT * known;
+           c->beside * growth > PROOF_FELT * known;
 }
 
 /* ---- the tube ------------------------------------------------------------ */
@@ -112,8 +114,8 @@ struct part {
 static bool bound_rate(const struct cell *c, double radius, struct part *t)
 {
     const struct proof_piece *piece = c->piece;
-    const struct interval dep =
-        proof_poly_over(piece->degree, piece->coef, t->theta);
+    const struct interval dep = proof_poly_of(
+        piece->degree, c->dep, interval_less(t->theta, c->middle));
     struct proof_flow f;
 
     proof_flow_aside(c->tape, piece->ind, ind_at(piece, t->theta),
@@ -242,7 +244,7 @@ static bool prove(struct cell *c, struct proof_front *front,
     return true;
 }
 
-static bool cells(struct cell *c, double from, double to, int depth, int first,
+static bool cells(struct cell *c, double from, double to, int depth,
                   struct proof_front *front, struct proof_branch *out,
                   enum status *status)
 {
@@ -250,17 +252,18 @@ static bool cells(struct cell *c, double from, double to, int depth, int first,
 
     c->from = from;
     c->to = to;
-    const bool bounded = depth + 1 >= first && bound_defect(c);
-    if (bounded && (!is_coarse(c, front) || depth == PROOF_HALVINGS) &&
+    const bool bounded = depth >= front->halvings && bound_defect(c);
+    if (bounded && (!is_coarse(c, front, 1) || depth == PROOF_HALVINGS) &&
         prove(c, front, &cell)) {
-        front->halvings = depth;
+        const double twice = ldexp(1, (int) c->piece->degree);
+        front->halvings = depth - !is_coarse(c, front, twice);
         *status = keep(out, &cell);
         return *status == STATUS_OK;
     }
     const double half = from / 2 + to / 2;
     return depth < PROOF_HALVINGS && half > from && half < to &&
-           cells(c, from, half, depth + 1, first, front, out, status) &&
-           cells(c, half, to, depth + 1, first, front, out, status);
+           cells(c, from, half, depth + 1, front, out, status) &&
+           cells(c, half, to, depth + 1, front, out, status);
 }
 
 bool proof_cells(struct interval_tape *t, const struct proof_piece *piece,
@@ -269,6 +272,6 @@ bool proof_cells(struct interval_tape *t, const struct proof_piece *piece,
 {
     struct cell c = { .tape = t, .piece = piece, .last = to };
 
-    return to.hi > from && cells(&c, from, interval_up(to.hi), 0,
-                                 front->halvings, front, out, status);
+    return to.hi > from &&
+           cells(&c, from, interval_up(to.hi), 0, front, out, status);
 }

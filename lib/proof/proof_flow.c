@@ -57,13 +57,12 @@ void proof_shift(size_t n, const struct interval p[], struct interval s,
         factorial = interval_times(factorial, interval_point((double) (k + 1)));
         if (k < n)
             power[n - k - 1] =
-                interval_divide(interval_times(power[n - k], s),
-                                interval_point((double) (k + 1)));
+                interval_sum(1, 0, &power[n - k], &s, (long double) (k + 1));
     }
     factorial = one;
     for (size_t i = 0; i <= n; i++) {
         out[i] = interval_divide(
-            interval_sum(n - i + 1, 0, large + i, power + n), factorial);
+            interval_sum(n - i + 1, 0, large + i, power + n, 1), factorial);
         factorial = interval_times(factorial, interval_point((double) (i + 1)));
     }
 }
@@ -83,24 +82,31 @@ struct interval proof_poly_at(size_t n, const double p[], struct interval s)
     return sum;
 }
 
+struct interval proof_poly_of(size_t n, const struct interval p[],
+                              struct interval s)
+{
+    struct interval sum = zero;
+
+    for (size_t k = n + 1; k-- > 0;)
+        sum = interval_add(p[k], interval_times(sum, s));
+    return sum;
+}
+
 struct interval proof_poly_over(size_t n, const double p[], struct interval s)
 {
     const struct interval middle = interval_point(interval_middle(s));
-    const struct interval way = interval_less(s, middle);
-    struct interval c[JET_SIZE], sum = zero;
+    struct interval c[JET_SIZE];
 
     proof_points(n, p, c);
     proof_shift(n, c, middle, c);
-    for (size_t k = n + 1; k-- > 0;)
-        sum = interval_add(c[k], interval_times(sum, way));
-    return sum;
+    return proof_poly_of(n, c, interval_less(s, middle));
 }
 
 void proof_quotient(size_t n, const struct interval u[],
                     const struct interval w[], struct interval out[])
 {
     for (size_t k = 0; k <= n; k++) {
-        const struct interval known = interval_sum(k, 0, out, w + k);
+        const struct interval known = interval_sum(k, 0, out, w + k, 1);
         out[k] = interval_divide(interval_less(u[k], known), w[0]);
     }
 }
