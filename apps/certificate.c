@@ -8,7 +8,9 @@
 #include "law_typed.h"
 #include "number.h"
 #include "output.h"
+#include "proof_fold.h"
 #include "proof_numbers.h"
+#include "proof_side.h"
 #include "records.h"
 #include "replace.h"
 
@@ -141,22 +143,54 @@ static json_t *numbers_json(const struct proof *p)
     return j;
 }
 
+/* Theorems 15 and 20; NULL: it is not proved. */
+static json_t *alone_json(const struct scene *scene)
+{
+    static const char *const tau[] = { NULL, "below", "above", "rises" };
+    static const char *const end[2][2] = { { "v_0", "node" },
+                                           { "v_infinity", "node" } };
+    const struct proof_inputs in = study_proof_inputs(scene);
+    const struct law *law = &scene->law;
+    double window[2] = { 0 };
+    const enum proof_alone found =
+        proof_no_saddle(law, &scene->material, &in, window);
+    const bool fast = found == PROOF_ALONE_FAST;
+    const int node = proof_has_node(law, &scene->material, fast ? 1 : -1);
+    const char *fate =
+        found == PROOF_ALONE_RISING
+            ? proof_rises_through(law, &scene->material) ? "node" : NULL
+        : node >= 0 ? end[fast][node]
+                    : NULL;
+
+    if (found == PROOF_ALONE_NOT)
+        return NULL;
+    return json_pack("{s:s, s:o*, s:s*}", "tau", tau[found], "window",
+                     found == PROOF_ALONE_RISING
+                         ? NULL
+                         : json_pack("[f, f]", window[0], window[1]),
+                     "fate", fate);
+}
+
 static json_t *proof_json(const struct study *s)
 {
+    json_t *alone = s->proof.exact ? NULL : alone_json(s->scene);
+
     const struct proof *p = s->proof.exact;
-    const char *why = p == NULL               ? "there is no saddle"
+    const char *why = alone       ? NULL
+                      : p == NULL ? "that there is no saddle was not proved"
                       : p->not_proved.text[0] ? p->not_proved.text
                                               : NULL;
 
     if (why)
         return json_pack("{s:i, s:s}", "slipway_certificate",
                          CERTIFICATE_VERSION, "not_proved", why);
-    return json_pack("{s:i, s:o, s:o, s:o, s:o, s:o, s:o}",
-                     "slipway_certificate", CERTIFICATE_VERSION, "law",
-                     law_json(&p->law.law), "material",
-                     material_json(&s->slider.block), "slope",
-                     slope_json(s->scene), "upper", branch_json(p, 0), "lower",
-                     branch_json(p, 1), "numbers", numbers_json(p));
+    return json_pack(
+        "{s:i, s:o, s:o, s:o, s:o*, s:o*, s:o*, s:o*}", "slipway_certificate",
+        CERTIFICATE_VERSION, "law", law_json(p ? &p->law.law : &s->scene->law),
+        "material", material_json(&s->slider.block), "slope",
+        slope_json(s->scene), "no_saddle", alone, "upper",
+        p ? branch_json(p, 0) : NULL, "lower", p ? branch_json(p, 1) : NULL,
+        "numbers", p ? numbers_json(p) : NULL);
 }
 
 /* ---- the file ------------------------------------------------------------ */

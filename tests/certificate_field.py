@@ -80,6 +80,8 @@ class Block(Plane):
         by_y = tree('rate') if self.is_log else self.formulas.less('rate', 'psi')
         self.trees = {'v': tree('v'), 'psi': tree('psi'), 'mu': mu,
                       'rate': tree('rate'), 'by_y': by_y}
+        if 'rate' not in law['formulas']:
+            self.trees['psi_ss'] = tree('psi_ss')
 
     def at_state(self, x, y, *names):
         """Of trees, at x and y of any kind."""
@@ -99,8 +101,11 @@ class Block(Plane):
 
     def find_saddle(self, v, psi):
         """Theorem 2, of the one equilibrium near there."""
-        self.v = v = iv.mpf(v)
-        self.find(iv.mpf(iv.log(v).mid), psi if self.is_log else iv.log(iv.mpf(psi)).mid)
+        self.v = iv.mpf(v)
+        x, psi = iv.mpf(iv.log(self.v).mid), iv.mpf(psi)
+        if 'psi_ss' in self.trees:
+            psi, = self.at_state(x, None, 'psi_ss')
+        self.find(x, (psi if self.is_log else iv.log(psi)).mid)
         self.v = iv.exp(self.at[0])
         self.psi = self.at[1] if self.is_log else iv.exp(self.at[1])
 

@@ -18,6 +18,7 @@ from mpmath import iv
 from certificate_end import Place, stays_open, stays_steep, tail_in_psi, tail_in_v
 from certificate_field import Block
 from certificate_knees import find_knees
+from certificate_steady import check_alone
 from certificate_tube import (ONE, Piece, Wrong, between, check_cell,
                               check_cone, claim, expm1, holds, join, turn)
 
@@ -136,7 +137,8 @@ def make_piece(*parts):
 @functools.lru_cache(None)
 def make_block(law, material, slope, near):
     block = Block(json.loads(law), json.loads(material), json.loads(slope))
-    block.find_saddle(*near)
+    if near:
+        block.find_saddle(*near)
     return block
 
 
@@ -144,10 +146,12 @@ def check(certificate):
     """Raises Wrong, or another error of what cannot be computed."""
     claim(certificate['slipway_certificate'] == 3, 'not a certificate known here')
     claim('not_proved' not in certificate, 'nothing is claimed')
+    inputs = [json.dumps(certificate[k]) for k in ('law', 'material', 'slope')]
+    if 'no_saddle' in certificate:
+        return check_alone(make_block(*inputs, None), certificate['law'],
+                           certificate['no_saddle'])
     claims = certificate['numbers']
-    block = make_block(*(json.dumps(certificate[k])
-                         for k in ('law', 'material', 'slope')),
-                       (claims['v'][0], claims['psi'][0]))
+    block = make_block(*inputs, (claims['v'][0], claims['psi'][0]))
     minus, plus_ = block.eigenvalues()
     found = {'v': block.v, 'psi': block.psi, 'lambda_minus': minus,
              'lambda_plus': plus_}
@@ -180,6 +184,9 @@ def verified(certificate):
     law, slope = certificate['law'], certificate['slope']
     words = [f'{key} = {text}' for part in (law['formulas'], certificate['material'], slope)
              for key, text in part.items()]
+    if 'no_saddle' in certificate:
+        fate = certificate['no_saddle'].get('fate')
+        return ', '.join(words + ['no saddle'] + [f'all states to {fate}'] * bool(fate))
     for side in ('upper', 'lower'):
         words.append(f"{side} branch: {certificate[side].get('end', 'not proved')}")
     return ', '.join(words + list(certificate['numbers']))

@@ -261,11 +261,69 @@ def a_law_of_formulas_has_one(room):
     expect(rejected(found), 'a formula of itself')
 
 
-def a_slope_without_a_saddle_has_none(room):
-    room.good('knees', '--law', 'spinodal_gen', '--alpha', '0.6', '--proved',
-              '--certificate', 'why.json')
+def alone(room, law, *where):
+    """Of a slope without a saddle."""
+    name = f'{law}-{"-".join(where)}.json'.replace('=', '-')
+    if name not in room.names():
+        room.good('knees', '--law', law, *where, '--proved', '--certificate', name)
+    return json.loads(room.read(name))
+
+
+ALONE = [('spinodal_gen', '--alpha', '0.6'), ('spinodal', '--alpha', '0.1'),
+         ('dieterich_gen', '--alpha', '0.35', '--set', 'material.b=0.03')]
+
+
+def a_slope_without_a_saddle_has_one(room):
+    for where, tau in zip(ALONE, ('below', 'above', 'rises')):
+        found = alone(room, *where)
+        expect(found['no_saddle']['tau'] == tau, found)
+        expect(found['no_saddle']['fate'] == 'node' and not rejected(found),
+               rejected(found), found)
+
+
+def what_cannot_be_shown_claims_nothing(room):
+    room.good('knees', *['--law', 'perrin', '--alpha', '0.34', '--set', 'material.b=0.03'],
+              '--proved', '--certificate', 'why.json')
     found = json.loads(room.read('why.json'))
     expect(found['not_proved'] and 'nothing is claimed' in rejected(found), found)
+
+
+def forge_alone(certificate, rng):
+    """A digit of an input, another word, or an end of the window."""
+    claimed, names = certificate['no_saddle'], certificate['law']['formulas']
+    kind = rng.choice(['window', 'tau', 'fate', 'law', 'slope'])
+    if kind == 'window' and 'window' in claimed:
+        k = rng.randrange(2)
+        old = list(claimed['window'])
+        claimed['window'][k] = changed(old[k], rng, lambda new, _:
+                                       new > old[1] if k == 0 else new < old[0])
+        return kind
+    if kind in ('tau', 'fate'):
+        words = {'tau': ['below', 'above', 'rises'], 'fate': ['node', 'v_0', 'v_infinity']}
+        old = claimed[kind]
+        claimed[kind] = rng.choice([w for w in words[kind] if w != old])
+        return kind
+    if kind == 'law':
+        key = rng.choice(list(names))
+        names[key] = f'({names[key]})*1.001'
+        return kind
+    name = next(iter(certificate['slope']))
+    inside = '0.34' if 'window' in claimed else None
+    certificate['slope'][name] = inside
+    return inside and kind
+
+
+def a_saddle_that_is_there_is_not_denied(room):
+    rng = random.Random(SEED)
+    texts, count = [json.dumps(alone(room, *where)) for where in ALONE], {}
+    while sum(count.values()) < max(TAMPERED // 8, 20):
+        text = rng.choice(texts)
+        forged = json.loads(text)
+        kind = forge_alone(forged, rng)
+        if kind:
+            count[kind] = count.get(kind, 0) + 1
+            expect(rejected(forged), kind, difference(json.loads(text), forged))
+    print(f'# rejected: {count}')
 
 
 run_cases([
@@ -275,5 +333,7 @@ run_cases([
     a_certificate_needs_a_proof,
     a_scene_is_not_written_over_by_one,
     a_law_of_formulas_has_one,
-    a_slope_without_a_saddle_has_none,
+    a_slope_without_a_saddle_has_one,
+    what_cannot_be_shown_claims_nothing,
+    a_saddle_that_is_there_is_not_denied,
 ])

@@ -86,10 +86,12 @@ static struct interval level(const struct curve *c, const struct law *law,
 
 /* Beside an extremum: largest below the level, or least above it. */
 static enum proof_alone misses(const struct curve *c, double x,
-                               struct interval at)
+                               struct interval at, double window[2])
 {
     for (double w = PROOF_FOLD_LEAST; w < PROOF_FOLD_MOST; w *= 4) {
-        const struct interval place = { x - w, x + w };
+        window[0] = x - w;
+        window[1] = x + w;
+        const struct interval place = { window[0], window[1] };
         const struct interval before = slope_at(c, place.lo);
         const struct interval behind = slope_at(c, place.hi);
         const struct interval tau = tau_over(c, place);
@@ -103,7 +105,8 @@ static enum proof_alone misses(const struct curve *c, double x,
 
 enum proof_alone proof_no_saddle(const struct law *law,
                                  const struct material *m,
-                                 const struct proof_inputs *in)
+                                 const struct proof_inputs *in,
+                                 double window[2])
 {
     enum proof_alone found = PROOF_ALONE_NOT;
     long double x[4];
@@ -117,7 +120,7 @@ enum proof_alone proof_no_saddle(const struct law *law,
     const struct interval at = level(&c, law, in);
     const size_t n = steady_extrema(law, m, x);
     for (size_t i = 0; i < n && found == PROOF_ALONE_NOT; i++)
-        found = misses(&c, (double) x[i], at);
+        found = misses(&c, (double) x[i], at, window);
     return found;
 }
 

@@ -17,9 +17,12 @@ enum proof_alone {
     PROOF_ALONE_RISING /* mu_ss rises: at most one steady state */
 };
 
+/* window: x = ln v between which mu_ss is largest, or least, unless it rises.
+ */
 enum proof_alone proof_no_saddle(const struct law *law,
                                  const struct material *m,
-                                 const struct proof_inputs *in);
+                                 const struct proof_inputs *in,
+                                 double window[2]);
 
 /* Where mu_ss rises: whether it does from -infinity to infinity, so that all
  * states go to one node; else that is not proved. */

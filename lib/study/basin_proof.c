@@ -64,8 +64,9 @@ static const char *know_alone(struct basin_proof *b, const struct study *s)
     const struct law *law = &s->scene->law;
     const struct material *m = &s->scene->material;
     const struct proof_inputs in = study_proof_inputs(s->scene);
+    double window[2];
 
-    b->alone = proof_no_saddle(law, m, &in);
+    b->alone = proof_no_saddle(law, m, &in, window);
     if (b->alone == PROOF_ALONE_NOT)
         return "that there is no saddle was not proved";
     if (b->alone == PROOF_ALONE_RISING) {

@@ -148,8 +148,10 @@ static void tell(struct study_proof *k, const struct pair *pair,
 static void tell_none(struct study *s, const struct pair pair[], size_t n)
 {
     const struct proof_inputs in = study_proof_inputs(s->scene);
+    double window[2];
     const struct proof_number none = {
-        .absent = proof_no_saddle(&s->scene->law, &s->scene->material, &in),
+        .absent =
+            proof_no_saddle(&s->scene->law, &s->scene->material, &in, window),
         .not_proved = "that there is no saddle was not proved",
     };
 

@@ -309,7 +309,8 @@ static void that_there_is_no_saddle_is_proved_where_there_is_none(void **state)
             law.psi_ss == PSI_SS_MINUS_LOG)
             continue;
         slider_init(&s, &law, &m, (long double) tan_alpha);
-        const enum proof_alone said = proof_no_saddle(&law, &m, &in);
+        double window[2];
+        const enum proof_alone said = proof_no_saddle(&law, &m, &in, window);
         CHECK(!said || (slider_saddle(&s) < 0 && goes_so(&s, &law, &m, said)),
               "%s %s %s a %.17g b %.17g c %.17g R %.17g tan_alpha %.17g: %d, "
               "%s",
