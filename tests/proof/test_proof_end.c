@@ -182,16 +182,17 @@ static void draw(struct made *f, int side, uint64_t *rng)
     }
 }
 
-/* Where psi moves fast at once, and friction is nearly even with gravity but
- * grows with v. */
+/* Where friction is nearly even with gravity but grows with v, on which the
+ * rate of psi, fast at once, hardly depends. */
 static void draw_even(struct made *f, uint64_t *rng)
 {
     const double u = some(rng, -1.5, -0.5);
 
     draw(f, 1, rng);
     f->shape = check_bits(rng) % 2 ? SINH : EXP;
-    f->r = f->s = 0;
+    f->s = 0;
     f->k = plain(some(rng, 0.5, 0.8) / u);
+    f->r = -f->k;
     f->A = plain(some(rng, -0.5, 0.5));
     f->B = plain(f->A * (1 + some(rng, -3, -1)) + 0x1p-20);
     f->p = -1;
