@@ -398,6 +398,32 @@ static bool does_move(const struct interval_growth *w, int i)
     return i == w->variable[0] || i == w->variable[1];
 }
 
+/* What it is above what it is where the graph was run. */
+static struct interval change_of(const struct interval_growth *w, int i)
+{
+    const struct formula_node *n = &w->g->f->node[i];
+    const int a = n->of[0], b = n->of[1];
+    const struct interval u = w->change[a];
+    struct interval out = all;
+
+    if (n->kind == FORMULA_CALL) {
+        if (n->function == FUNCTION_EXP)
+            out =
+                interval_times(interval_graph_get(w->g, i), interval_expm1(u));
+    } else if (n->kind == FORMULA_SUM) {
+        out = interval_add(u, w->change[b]);
+    } else if (n->kind == FORMULA_TIMES) {
+        out = interval_add(interval_times(u, interval_graph_get(w->g, b)),
+                           interval_times(w->value[a].all, w->change[b]));
+    } else {
+        out = interval_divide(
+            interval_less(
+                u, interval_times(interval_graph_get(w->g, i), w->change[b])),
+            w->value[b].all);
+    }
+    return out.lo <= out.hi ? out : all;
+}
+
 /* What has no bound of its own by what is as large. */
 static struct growth better(const struct interval_growth *w, struct growth u,
                             struct growth v)
@@ -418,30 +444,41 @@ static void keep(struct interval_growth *w, int i, struct jet1 u)
     w->rate[i] = u.rate;
 }
 
+/* A leaf that moves. */
+static struct jet1 variable_of(const struct interval_growth *w, int j, int by)
+{
+    struct jet1 u = { .value = number(w->at[j]), .by = number(point(j == by)) };
+
+    u.value.c = point(0);
+    u.value.slope[j] = 1;
+    u.rate = over(w, u.by, u.value);
+    return u;
+}
+
 bool interval_growth_run(struct interval_growth *w,
                          const struct interval_graph *g, const int variable[2],
-                         const struct interval at[2], int by)
+                         const struct interval offset[2], int by)
 {
     w->g = g;
-    for (int i = 0; i < 2; i++) {
-        w->variable[i] = variable[i];
-        w->at[i] = at[i];
+    for (int j = 0; j < 2; j++) {
+        w->variable[j] = variable[j];
+        w->offset[j] = offset[j];
+        w->at[j] = interval_add(interval_graph_get(g, variable[j]), offset[j]);
     }
     for (int k = 0; k < g->nodes; k++) {
         const int i = g->node[k];
-        struct jet1 u = fixed(w, i);
+        const int leaf = i == variable[0] ? 0 : i == variable[1] ? 1 : -1;
+        struct jet1 u = leaf >= 0 ? variable_of(w, leaf, by) : fixed(w, i);
         w->moves[i] = does_move(w, i);
-        for (int j = 0; j < 2; j++)
-            if (i == variable[j]) {
-                u.value = number(at[j]);
-                u.value.c = point(0);
-                u.value.slope[j] = 1;
-                u.by = number(point(j == by));
-                u.rate = over(w, u.by, u.value);
-            }
-        if (w->moves[i] && i != variable[0] && i != variable[1] &&
-            !make(w, i, &u))
-            return false;
+        w->change[i] = leaf >= 0 ? offset[leaf] : point(0);
+        if (w->moves[i] && leaf < 0) {
+            if (!make(w, i, &u))
+                return false;
+            w->change[i] = change_of(w, i);
+            u.value.all = interval_both(
+                u.value.all,
+                interval_add(interval_graph_get(g, i), w->change[i]));
+        }
         keep(w, i, u);
     }
     return true;

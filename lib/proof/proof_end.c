@@ -9,7 +9,7 @@ static const char no_rule[] =
 static const char too_large[] =
     "the bound on what is beyond the last piece is not finite";
 
-/* A box of the chart and, over it, the slopes of mu, g = dy/dt and its
+/* A box of offsets and, over it, the slopes of mu, g = dy/dt and its
  * logarithm's. */
 struct strip {
     struct interval at[2];
@@ -107,7 +107,7 @@ static const char *settle(struct proof_law *p, const struct proof_place *at,
 static const char *psi_way(struct proof_law *p, const struct proof_place *at,
                            double w, struct proof_tail *out)
 {
-    const struct interval x = add(p->x, at->X), y = add(p->y, at->Y);
+    const struct interval x = at->X, y = at->Y;
     struct strip s = { .at = { outward(x, at->side, w), beyond(y, at->side) } };
     const struct interval edge[] = { s.at[0], y };
     struct interval g;
@@ -122,12 +122,13 @@ static const char *psi_way(struct proof_law *p, const struct proof_place *at,
         return "the rate of psi is not proved to grow beyond the last piece";
     const struct interval under = times(point(q), interval_low(g));
     const struct interval per =
-        times(p->force, interval_exp(interval_minus(interval_low(s.at[0]))));
+        times(p->force,
+              interval_exp(interval_minus(interval_low(add(p->x, s.at[0])))));
     const struct interval m =
         add(interval_high(force_at(p, at)),
             add(times(interval_high(s.mu[0]), point(w)),
                 interval_divide(interval_high(s.mu[1]), point(q))));
-    const struct interval change = interval_expm1(interval_less(s.at[0], p->x));
+    const struct interval change = interval_expm1(s.at[0]);
 
     out->way = interval_up(interval_divide(times(per, m), under).hi);
     out->excess =
@@ -150,7 +151,7 @@ const char *proof_tail_psi(struct proof_law *p, const struct proof_place *at,
 static const char *v_way(struct proof_law *p, const struct proof_place *at,
                          double w, struct proof_tail *out)
 {
-    const struct interval x = add(p->x, at->X), y = add(p->y, at->Y);
+    const struct interval x = at->X, y = at->Y;
     struct strip s = { .at = { beyond(x, -1), outward(y, -1, w) } };
     const struct interval edge[] = { interval_high(x), s.at[1] };
     struct interval g;
@@ -162,9 +163,9 @@ static const char *v_way(struct proof_law *p, const struct proof_place *at,
         return why;
     const struct interval q = add(point(1), interval_low(s.rate[0]));
     const struct interval time =
-        interval_divide(interval_exp(interval_high(x)),
+        interval_divide(interval_exp(interval_high(add(p->x, x))),
                         times(p->force, interval_low(force_at(p, at))));
-    const struct interval change = interval_expm1(interval_less(s.at[0], p->x));
+    const struct interval change = interval_expm1(s.at[0]);
     const long double by_value = s.g.all.lo >= 0 ? s.g.all.hi : HUGE_VAL;
     const long double by_rate =
         q.lo > 0 ? interval_divide(interval_high(g), interval_low(q)).hi
@@ -198,8 +199,7 @@ static bool is_level(struct growth u)
 
 const char *proof_tail_open(struct proof_law *p, const struct proof_place *at)
 {
-    struct strip s = { .at = { beyond(add(p->x, at->X), 1),
-                               beyond(add(p->y, at->Y), 1) } };
+    struct strip s = { .at = { beyond(at->X, 1), beyond(at->Y, 1) } };
 
     if (at->side < 0 || !(force_at(p, at).lo > 0))
         return "mu - tan(alpha) is not proved positive";
@@ -217,8 +217,7 @@ const char *proof_tail_open(struct proof_law *p, const struct proof_place *at)
  * r_x + r_y - (A + B)/m1 where it is 1: it does not fall through 1. */
 bool proof_tail_steep(struct proof_law *p, const struct proof_place *at)
 {
-    struct strip s = { .at = { beyond(add(p->x, at->X), 1),
-                               beyond(add(p->y, at->Y), 1) } };
+    struct strip s = { .at = { beyond(at->X, 1), beyond(at->Y, 1) } };
     const struct interval m = force_at(p, at);
     struct proof_flow f;
 

@@ -130,7 +130,8 @@ static bool is_function(struct given *g, mpfi_srcptr place)
     struct proof_law *p = g->p;
     const int variable[] = { p->graph->x, p->graph->y };
     const int node = p->graph->node[LAW_AT_GROWTH];
-    struct interval at[2];
+    static const struct interval none[2];
+    struct fault why;
     mpfr_t end;
     mpfi_t h;
     bool ok;
@@ -140,9 +141,10 @@ static bool is_function(struct given *g, mpfi_srcptr place)
         return false;
     mpfi_set(g->all, g->y);
     g->within = true;
-    at[0] = interval_of_mpfi(place);
-    at[1] = interval_of_mpfi(g->all);
-    if (!interval_growth_run(p->growth, &p->state, variable, at, 1) ||
+    interval_graph_set(&p->state, "lnv0", place);
+    interval_graph_set(&p->state, "y0", g->all);
+    if (interval_graph_run(&p->state, &why) != STATUS_OK ||
+        !interval_growth_run(p->growth, &p->state, variable, none, 1) ||
         !(p->growth->by[node].all.hi < 0))
         return false;
     mpfr_init2(end, PROOF_BITS);

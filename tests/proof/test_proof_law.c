@@ -84,9 +84,11 @@ static void check_boxes(struct proof_law *p, const struct solved *s,
                   s->block.tan_alpha);
     for (int i = 0; i < BOXES; i++) {
         const struct interval at[] = { any_range(rng, 8), any_range(rng, 4) };
+        const struct interval offset[] = { interval_less(at[0], p->x),
+                                           interval_less(at[1], p->y) };
         const int by = (int) (check_bits(rng) % 2);
         assert_true(
-            interval_growth_run(p->growth, &p->state, variable, at, by));
+            interval_growth_run(p->growth, &p->state, variable, offset, by));
         for (int k = 0; k < POINTS; k++) {
             const double z[] = { any_point(rng, at[0]), any_point(rng, at[1]) };
             check_point(p, &truth, z, by);
@@ -235,10 +237,11 @@ static void bars_of_random_laws_meet_what_is_proved(void **state)
 /* ---- in other words ------------------------------------------------------ */
 
 static struct proof_numbers prove(struct solved *s, const struct law *law,
-                                  const struct material *m, double tan_alpha,
-                                  struct proof *p)
+                                  const struct material *m, bool decimal,
+                                  double tan_alpha, struct proof *p)
 {
-    const struct proof_inputs in = { true, ANGLE_TAN, tan_alpha, NULL, NULL };
+    const struct proof_inputs in = { decimal, ANGLE_TAN, tan_alpha, NULL,
+                                     NULL };
 
     assert_int_equal(solve(s, law, m, (long double) tan_alpha, 1e-10),
                      STATUS_OK);
@@ -256,7 +259,7 @@ static void check_same(const char *words, const struct law *law[2],
     struct proof_numbers n[2];
 
     for (int k = 0; k < 2; k++)
-        n[k] = prove(&s[k], law[k], &m[k], tan_alpha, &p[k]);
+        n[k] = prove(&s[k], law[k], &m[k], true, tan_alpha, &p[k]);
     for (size_t i = 0; i < PAIRS; i++) {
         const struct proof_number *u = proved(&n[0], i), *w = proved(&n[1], i);
         CHECK((u->not_proved == NULL) == (w->not_proved == NULL) &&
@@ -330,8 +333,10 @@ static void an_infinite_R_is_the_limit_of_the_law(void **state)
     m[1].R = 1e6; /* and not that of any other R */
     static struct solved s[2];
     struct proof p[2];
-    const struct proof_numbers a = prove(&s[0], both[0], &m[0], 0.35, &p[0]);
-    const struct proof_numbers b = prove(&s[1], both[1], &m[1], 0.35, &p[1]);
+    const struct proof_numbers a =
+        prove(&s[0], both[0], &m[0], true, 0.35, &p[0]);
+    const struct proof_numbers b =
+        prove(&s[1], both[1], &m[1], true, 0.35, &p[1]);
     CHECK(a.v_plus.value.hi < b.v_plus.value.lo ||
               b.v_plus.value.hi < a.v_plus.value.lo,
           "%.17g and %.17g", a.v_plus.value.lo, b.v_plus.value.lo);
@@ -341,12 +346,34 @@ static void an_infinite_R_is_the_limit_of_the_law(void **state)
     }
 }
 
+/* psi - psi_ss, some 1, is a difference of numbers of 3e20. */
+static void all_is_proved_where_psi_is_3e20_at_the_saddle(void **state)
+{
+    struct material m = material_bristol_board();
+    static struct solved s;
+    struct tally t = { 0 };
+    struct proof p;
+
+    (void) state;
+    m.R = INFINITY;
+    const struct proof_numbers n =
+        prove(&s, law_preset_find("spinodal_gen"), &m, false, tan(0.8), &p);
+    CHECK(n.psi.value.lo > 3e20, "%g", n.psi.value.lo);
+    check_bars(&s, &n, &t);
+    CHECK(t.asked > 8 && t.proved == t.asked, "%zu of %zu", t.proved, t.asked);
+    const double lo = n.x_excess.value.lo, hi = n.x_excess.value.hi;
+    CHECK(hi - lo < 1e-12 * lo, "[%g, %g]", lo, hi);
+    proof_free(&p);
+    solved_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bars_of_random_laws_meet_what_is_proved),
         cmocka_unit_test(a_law_that_is_typed_is_proved_as_its_preset_is),
         cmocka_unit_test(an_infinite_R_is_the_limit_of_the_law),
+        cmocka_unit_test(all_is_proved_where_psi_is_3e20_at_the_saddle),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
