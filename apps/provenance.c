@@ -25,31 +25,20 @@ struct provenance {
         .kind = RECORD_REAL                                                    \
     }
 
-static const struct record_field provenance_fields[] = {
+static const struct record_type record_provenance = RECORD(
+    provenance, "provenance", "how a file came to be",
     TEXT(command, "that makes the file again"),
     TEXT(scene, "the text of the scene; empty without one"),
     TEXT(overrides, "what options set, KEY=VALUE, one a line"),
-    TEXT(version, "of Slipway"),
-    TEXT(compiler, "that compiled it"),
-    TEXT(libraries, "and their versions"),
-    TEXT(law, "its name, or composed"),
+    TEXT(version, "of Slipway"), TEXT(compiler, "that compiled it"),
+    TEXT(libraries, "and their versions"), TEXT(law, "its name, or composed"),
     TEXT(friction, "asinh or log"),
-    TEXT(formula, "the law's formulas, or the system's"),
-    KEY(mu_star, "1"),
-    KEY(a, "1"),
-    KEY(b, "1"),
-    KEY(c, "1"),
-    KEY(R, "1"),
-    KEY(V_c, "V_star"),
-    KEY(L, "m"),
-    KEY(V_star, "m/s"),
-    KEY(g, "m/s^2"),
+    TEXT(formula, "the law's formulas, or the system's"), KEY(mu_star, "1"),
+    KEY(a, "1"), KEY(b, "1"), KEY(c, "1"), KEY(R, "1"), KEY(V_c, "V_star"),
+    KEY(L, "m"), KEY(V_star, "m/s"), KEY(g, "m/s^2"),
     FIELD(provenance, REAL, alpha, "rad",
           "slope angle, where the scene has one"),
-    FIELD(provenance, REAL, eps2, "1", "eps^2 = V_star^2/(g L)"),
-};
-static const struct record_type record_provenance = RECORD_TYPE(
-    "provenance", "how a file came to be", provenance_fields, provenance);
+    FIELD(provenance, REAL, eps2, "1", "eps^2 = V_star^2/(g L)"));
 
 /* What store_create writes. */
 static const struct record_field root_fields[] = {

@@ -152,3 +152,14 @@ static inline void record_settle(const struct record_type *type, void *at,
             quantity_settle((struct quantity *) (void *) (record + f->offset));
     }
 }
+
+/* The type of structs with those lines; RECORD_TYPE where others need the
+ * table, too. */
+#define RECORD(struct_, name_, text_, ...)                                     \
+    {                                                                          \
+        .name = name_, .text = text_,                                          \
+        .fields = (const struct record_field[]){ __VA_ARGS__ },                \
+        .count = sizeof((const struct record_field[]){ __VA_ARGS__ }) /        \
+                 sizeof(struct record_field),                                  \
+        .size = sizeof(struct struct_)                                         \
+    }

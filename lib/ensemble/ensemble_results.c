@@ -22,12 +22,11 @@ struct head {
     char *keys; /* owned by its view */
     const char *method;
 };
-static const struct record_field head_fields[] = {
-    FIELD(head, TEXT, keys, "1", "the keys that vary, in their order"),
-    FIELD(head, TEXT, method, "1", "sobol, random, grid, or samples of a file"),
-};
 static const struct record_type record_head =
-    RECORD_TYPE("head", "ensemble", head_fields, head);
+    RECORD(head, "head", "ensemble",
+           FIELD(head, TEXT, keys, "1", "the keys that vary, in their order"),
+           FIELD(head, TEXT, method, "1",
+                 "sobol, random, grid, or samples of a file"));
 
 static enum status view_head(const void *run, size_t k, struct result_view *out)
 {
@@ -51,12 +50,10 @@ struct sample {
     int64_t draw;
     const char *id;
 };
-static const struct record_field sample_fields[] = {
-    FIELD(sample, COUNT, draw, "1", "number of the draw"),
-    FIELD(sample, TEXT, id, "1", "what the sample is called"),
-};
 static const struct record_type record_sample =
-    RECORD_TYPE("sample", "the draws", sample_fields, sample);
+    RECORD(sample, "sample", "the draws",
+           FIELD(sample, COUNT, draw, "1", "number of the draw"),
+           FIELD(sample, TEXT, id, "1", "what the sample is called"));
 
 static enum status view_samples(const void *run, size_t k,
                                 struct result_view *out)
@@ -75,7 +72,8 @@ static enum status view_samples(const void *run, size_t k,
 
 /* ---- what they say together ---------------------------------------------- */
 
-static const struct record_field number_fields[] = {
+static const struct record_type record_number_row = RECORD(
+    ensemble_number, "number_row", "numbers",
     FIELD(ensemble_number, TEXT, name, "1", "which number"),
     FIELD(ensemble_number, TEXT, unit, "1",
           "its unit, and that of what follows"),
@@ -86,10 +84,7 @@ static const struct record_field number_fields[] = {
     REAL(ensemble_number, "quantile_16", quantile[1], "quantile 0.16"),
     REAL(ensemble_number, "quantile_50", quantile[2], "median"),
     REAL(ensemble_number, "quantile_84", quantile[3], "quantile 0.84"),
-    REAL(ensemble_number, "quantile_975", quantile[4], "quantile 0.975"),
-};
-static const struct record_type record_number_row =
-    RECORD_TYPE("number_row", "numbers", number_fields, ensemble_number);
+    REAL(ensemble_number, "quantile_975", quantile[4], "quantile 0.975"));
 
 RESULT_VIEW(view_numbers, ensemble, s->number, s->batch.numbers)
 
@@ -98,14 +93,12 @@ struct share_row {
     const char *name, *key;
     struct estimate share;
 };
-static const struct record_field share_fields[] = {
-    FIELD(share_row, TEXT, name, "1", "which number"),
-    FIELD(share_row, TEXT, key, "1", "of which parameter"),
-    ESTIMATE(share_row, "share", share, "first-order share of the variance",
-             "that"),
-};
 static const struct record_type record_share_row =
-    RECORD_TYPE("share_row", "shares of variance", share_fields, share_row);
+    RECORD(share_row, "share_row", "shares of variance",
+           FIELD(share_row, TEXT, name, "1", "which number"),
+           FIELD(share_row, TEXT, key, "1", "of which parameter"),
+           ESTIMATE(share_row, "share", share,
+                    "first-order share of the variance", "that"));
 
 static enum status view_shares(const void *run, size_t k,
                                struct result_view *out)
@@ -125,7 +118,8 @@ static enum status view_shares(const void *run, size_t k,
 
 #define FATE(code, word)                                                       \
     ESTIMATE(ensemble_push, word, fate[code], "probability of that", "that")
-static const struct record_field push_fields[] = {
+static const struct record_type record_push_row_of_draws = RECORD(
+    ensemble_push, "push_row", "pushes",
     FIELD(ensemble_push, TEXT, from, "1", "creep: v is added to that state's"),
     FIELD(ensemble_push, TEXT, unit, "1", "of v"),
     FIELD(ensemble_push, TEXT, state, "1", "psi or phi, as the scene has it"),
@@ -133,16 +127,11 @@ static const struct record_field push_fields[] = {
     REAL(ensemble_push, "psi", at.psi, "interfacial state"),
     ESTIMATE(ensemble_push, "arrest", arrest,
              "probability that it creeps or rests", "that"),
-    FATE(FATE_CREEP, "creep"),
-    FATE(FATE_SLIDING, "sliding"),
+    FATE(FATE_CREEP, "creep"), FATE(FATE_SLIDING, "sliding"),
     FATE(FATE_REST_FINITE, "rest_finite"),
     FATE(FATE_REST_ASYMPTOTIC, "rest_asymptotic"),
-    FATE(FATE_RUNAWAY, "runaway"),
-    FATE(FATE_UNDECIDED, "undecided"),
-    FATE(FATES, "none"),
-};
-static const struct record_type record_push_row_of_draws =
-    RECORD_TYPE("push_row", "pushes", push_fields, ensemble_push);
+    FATE(FATE_RUNAWAY, "runaway"), FATE(FATE_UNDECIDED, "undecided"),
+    FATE(FATES, "none"));
 
 static enum status view_pushes(const void *run, size_t k,
                                struct result_view *out)

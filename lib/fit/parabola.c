@@ -8,7 +8,8 @@
 
 #include "tolerance.h"
 
-static const struct record_field parabola_fields[] = {
+const struct record_type record_parabola = RECORD(
+    parabola, "parabola", "fit of (33) to critical release distances",
     FIELD(parabola, QUANTITY, mu_s, "1",
           "static friction, the larger root of (33) (95 %)"),
     FIELD(parabola, REAL, mu_s_low, "1",
@@ -44,11 +45,7 @@ static const struct record_field parabola_fields[] = {
     FIELD(parabola, REAL, scatter, "1",
           "relative standard deviation of one l_k"),
     FIELD(parabola, REAL, chance, "1", "chance of a chi2 as large or larger"),
-    FIELD(parabola, TEXT, warning, "1", "what the data cannot tell"),
-};
-const struct record_type record_parabola =
-    RECORD_TYPE("parabola", "fit of (33) to critical release distances",
-                parabola_fields, parabola);
+    FIELD(parabola, TEXT, warning, "1", "what the data cannot tell"));
 
 /* ---- the curve ----------------------------------------------------------- */
 

@@ -5,7 +5,8 @@
 #include "estimates.h"
 #include "tolerance.h"
 
-static const struct record_field persistence_fields[] = {
+const struct record_type record_persistence = RECORD(
+    persistence, "persistence", "fit of (30) to persistence lengths",
     FIELD(persistence, QUANTITY, L, "m", "memory length (95 %)"),
     FIELD(persistence, REAL, L_low, "m", "lower end of the 95 % interval of L"),
     FIELD(persistence, REAL, L_high, "m",
@@ -27,11 +28,7 @@ static const struct record_field persistence_fields[] = {
           "relative standard deviation of one x_k"),
     FIELD(persistence, REAL, chance, "1",
           "chance of a chi2 as large or larger"),
-    FIELD(persistence, TEXT, warning, "1", "what the data cannot tell"),
-};
-const struct record_type record_persistence =
-    RECORD_TYPE("persistence", "fit of (30) to persistence lengths",
-                persistence_fields, persistence);
+    FIELD(persistence, TEXT, warning, "1", "what the data cannot tell"));
 
 enum { LENGTH, MU_STAR, PARAMETERS };
 

@@ -16,20 +16,18 @@
 
 #include "tolerance.h"
 
-static const struct record_field slip_fields[] = {
-    FIELD(slip_point, REAL, mu, "1", "friction coefficient = tan alpha"),
-    FIELD(slip_point, REAL, release, "m", "l_k tan alpha, smoothed"),
-    FIELD(slip_point, REAL, release_error, "m",
-          "95 % bound on the error of release"),
-    FIELD(slip_point, REAL, gradient, "m",
-          "-d(l_k tan alpha)/d(tan alpha) = s_k/K"),
-    FIELD(slip_point, REAL, gradient_error, "m",
-          "95 % bound on the error of gradient"),
-    FIELD(slip_point, QUANTITY, s_k, "m",
-          "slip (25) at which friction is mu (95 %)"),
-};
 const struct record_type record_slip_point =
-    RECORD_TYPE("slip", "friction against slip, (25)", slip_fields, slip_point);
+    RECORD(slip_point, "slip", "friction against slip, (25)",
+           FIELD(slip_point, REAL, mu, "1", "friction coefficient = tan alpha"),
+           FIELD(slip_point, REAL, release, "m", "l_k tan alpha, smoothed"),
+           FIELD(slip_point, REAL, release_error, "m",
+                 "95 % bound on the error of release"),
+           FIELD(slip_point, REAL, gradient, "m",
+                 "-d(l_k tan alpha)/d(tan alpha) = s_k/K"),
+           FIELD(slip_point, REAL, gradient_error, "m",
+                 "95 % bound on the error of gradient"),
+           FIELD(slip_point, QUANTITY, s_k, "m",
+                 "slip (25) at which friction is mu (95 %)"));
 
 enum { ORDER = 4, PIECES = 16, COEFFICIENTS = PIECES + ORDER - 1 };
 

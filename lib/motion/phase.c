@@ -5,16 +5,14 @@
 #include "motion_tolerance.h"
 #include "transient.h"
 
-static const struct record_field phase_fields[] = {
+const struct record_type record_phase = RECORD(
+    phase, "phase", "phases of sliding, section 4.4",
     FIELD(phase, QUANTITY, start_time, "L/V_star",
           "time of its start in units of L/V_star"),
     FIELD(phase, QUANTITY, end_time, "L/V_star",
           "time of its end in units of L/V_star"),
     FIELD(phase, QUANTITY, start_slip, "L", "slip at its start in units of L"),
-    FIELD(phase, QUANTITY, end_slip, "L", "slip at its end in units of L"),
-};
-const struct record_type record_phase =
-    RECORD_TYPE("phase", "phases of sliding, section 4.4", phase_fields, phase);
+    FIELD(phase, QUANTITY, end_slip, "L", "slip at its end in units of L"));
 
 /* A moment between two phases. */
 struct border {

@@ -9,7 +9,8 @@ const char *const transient_end_names[] = {
 
 /* ---- records ------------------------------------------------------------- */
 
-static const struct record_field summary_fields[] = {
+const struct record_type record_transient = RECORD(
+    transient_summary, "transient", "a run from a start",
     FIELD(transient_summary, REAL, v, "V_star",
           "slip rate at the start in units of V_star"),
     FIELD(transient_summary, REAL, psi, "psi",
@@ -30,28 +31,22 @@ static const struct record_field summary_fields[] = {
           "relative defect of the balance of energy (27)"),
     FIELD(transient_summary, COUNT, steps, "1", "steps of the finer orbit"),
     FIELD(transient_summary, COUNT, field_evaluations, "1",
-          "field evaluations of both orbits"),
-};
-const struct record_type record_transient = RECORD_TYPE(
-    "transient", "a run from a start", summary_fields, transient_summary);
+          "field evaluations of both orbits"));
 
-static const struct record_field event_fields[] = {
-    FIELD_CODE(transient_event, what, moment_names, "what happens"),
-    { .name = "level",
-      .unit = "1",
-      .text = "the value that v, psi, |mu - tan(alpha)| takes",
-      .offset = offsetof(struct transient_event, level),
-      .kind = RECORD_REAL,
-      .units = moment_units },
-    FIELD(transient_event, QUANTITY, time, "L/V_star",
-          "time since the start in units of L/V_star"),
-    FIELD(transient_event, QUANTITY, slip, "L",
-          "slip since the start in units of L"),
-    FIELD(transient_event, QUANTITY, v, "V_star",
-          "slip rate in units of V_star"),
-    FIELD(transient_event, QUANTITY, psi, "psi", "interfacial state"),
-    FIELD(transient_event, QUANTITY, mu, "1", "friction coefficient"),
-};
 const struct record_type record_transient_event =
-    RECORD_TYPE("transient_event", "what happens along a run", event_fields,
-                transient_event);
+    RECORD(transient_event, "transient_event", "what happens along a run",
+           FIELD_CODE(transient_event, what, moment_names, "what happens"),
+           { .name = "level",
+             .unit = "1",
+             .text = "the value that v, psi, |mu - tan(alpha)| takes",
+             .offset = offsetof(struct transient_event, level),
+             .kind = RECORD_REAL,
+             .units = moment_units },
+           FIELD(transient_event, QUANTITY, time, "L/V_star",
+                 "time since the start in units of L/V_star"),
+           FIELD(transient_event, QUANTITY, slip, "L",
+                 "slip since the start in units of L"),
+           FIELD(transient_event, QUANTITY, v, "V_star",
+                 "slip rate in units of V_star"),
+           FIELD(transient_event, QUANTITY, psi, "psi", "interfacial state"),
+           FIELD(transient_event, QUANTITY, mu, "1", "friction coefficient"));

@@ -10,17 +10,15 @@
 #include "estimate_numbers.h"
 #include "numbers_tolerance.h"
 
-static const struct record_field fields[] = {
-    FIELD(chi_slope, REAL, alpha, "rad", "slope angle"),
-    FIELD(chi_slope, QUANTITY, v_sp0, "V_star",
-          "slip rate of the saddle, (29)"),
-    FIELD(chi_slope, QUANTITY, v_low, "V_star",
-          "lower root of chi(v) = 1, (34)"),
-    FIELD(chi_slope, QUANTITY, v_high, "V_star",
-          "upper root of chi(v) = 1, (34)"),
-};
 const struct record_type record_chi_slope =
-    RECORD_TYPE("chi", "chi(v) of (34), Fig 10", fields, chi_slope);
+    RECORD(chi_slope, "chi", "chi(v) of (34), Fig 10",
+           FIELD(chi_slope, REAL, alpha, "rad", "slope angle"),
+           FIELD(chi_slope, QUANTITY, v_sp0, "V_star",
+                 "slip rate of the saddle, (29)"),
+           FIELD(chi_slope, QUANTITY, v_low, "V_star",
+                 "lower root of chi(v) = 1, (34)"),
+           FIELD(chi_slope, QUANTITY, v_high, "V_star",
+                 "upper root of chi(v) = 1, (34)"));
 
 /* ---- one slope ----------------------------------------------------------- */
 

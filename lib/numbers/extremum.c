@@ -12,17 +12,15 @@
 
 const char *const extremum_names[] = { "maximum", "minimum", NULL };
 
-static const struct record_field fields[] = {
+const struct record_type record_extremum = RECORD(
+    extremum, "extrema", "extrema of steady-state friction",
     FIELD_CODE(extremum, kind, extremum_names, "which kind of extremum"),
     FIELD(extremum, QUANTITY, v, "V_star", "slip rate in units of V_star"),
     FIELD(extremum, QUANTITY, psi, "psi", "interfacial state"),
     FIELD(extremum, QUANTITY, mu, "1",
           "steady-state friction coefficient mu_ss(v)"),
     FIELD(extremum, QUANTITY, alpha, "rad",
-          "slope angle atan mu of the fold, (16)"),
-};
-const struct record_type record_extremum = RECORD_TYPE(
-    "extrema", "extrema of steady-state friction", fields, extremum);
+          "slope angle atan mu of the fold, (16)"));
 
 struct quantity extremum_angle(const struct quantity *mu)
 {

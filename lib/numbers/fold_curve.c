@@ -10,7 +10,8 @@
 #include "numbers_tolerance.h"
 #include "steady.h"
 
-static const struct record_field fields[] = {
+const struct record_type record_fold_curve = RECORD(
+    fold_point, "fold_curves", "folds of the steady states over c, Fig 4",
     FIELD(fold_point, REAL, c, "1", "residual strength c"),
     FIELD(fold_point, QUANTITY, alpha_cm, "rad",
           "slope angle of the fold at the minimum of mu_ss, (16)"),
@@ -22,21 +23,15 @@ static const struct record_field fields[] = {
           "slip rate at the maximum of mu_ss"),
     FIELD(fold_point, QUANTITY, mu_m, "1", "mu_ss at its minimum"),
     FIELD(fold_point, QUANTITY, mu_M, "1",
-          "mu_ss at its maximum: static friction, (15)"),
-};
-const struct record_type record_fold_curve =
-    RECORD_TYPE("fold_curves", "folds of the steady states over c, Fig 4",
-                fields, fold_point);
+          "mu_ss at its maximum: static friction, (15)"));
 
-static const struct record_field cusp_fields[] = {
-    FIELD(cusp_numbers, QUANTITY, c, "1", "c at which both folds meet"),
-    FIELD(cusp_numbers, QUANTITY, v, "V_star", "slip rate there"),
-    FIELD(cusp_numbers, QUANTITY, psi, "psi", "interfacial state there"),
-    FIELD(cusp_numbers, QUANTITY, mu, "1", "friction coefficient there"),
-    FIELD(cusp_numbers, QUANTITY, alpha, "rad", "slope angle there"),
-};
 const struct record_type record_cusp =
-    RECORD_TYPE("cusp", "where both folds meet", cusp_fields, cusp_numbers);
+    RECORD(cusp_numbers, "cusp", "where both folds meet",
+           FIELD(cusp_numbers, QUANTITY, c, "1", "c at which both folds meet"),
+           FIELD(cusp_numbers, QUANTITY, v, "V_star", "slip rate there"),
+           FIELD(cusp_numbers, QUANTITY, psi, "psi", "interfacial state there"),
+           FIELD(cusp_numbers, QUANTITY, mu, "1", "friction coefficient there"),
+           FIELD(cusp_numbers, QUANTITY, alpha, "rad", "slope angle there"));
 
 /* ---- the cusp ------------------------------------------------------------ */
 

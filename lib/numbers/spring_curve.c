@@ -7,16 +7,14 @@
 #include "numbers_tolerance.h"
 #include "steady.h"
 
-static const struct record_field fields[] = {
-    FIELD(spring_point, REAL, v, "V_star",
-          "speed of pulling in units of V_star"),
-    FIELD(spring_point, QUANTITY, k, "Pa/m",
-          "stiffness below which the block sticks and slips"),
-    FIELD(spring_point, QUANTITY, k_quasistatic, "Pa/m",
-          "the same for a block without mass"),
-};
-const struct record_type record_spring = RECORD_TYPE(
-    "spring_block", "stick-slip boundary, Fig 1(b)", fields, spring_point);
+const struct record_type record_spring =
+    RECORD(spring_point, "spring_block", "stick-slip boundary, Fig 1(b)",
+           FIELD(spring_point, REAL, v, "V_star",
+                 "speed of pulling in units of V_star"),
+           FIELD(spring_point, QUANTITY, k, "Pa/m",
+                 "stiffness below which the block sticks and slips"),
+           FIELD(spring_point, QUANTITY, k_quasistatic, "Pa/m",
+                 "the same for a block without mass"));
 
 static struct spring_point point_at(const struct spring_block *block,
                                     const struct law *law,

@@ -16,31 +16,20 @@
     FIELD(steady_point, QUANTITY, mu, "1",                                     \
           "steady-state friction coefficient mu_ss(v)")
 
-static const struct record_field friction_fields[] = {
-    V,
-    PSI,
-    MU,
-    FIELD(steady_point, QUANTITY, slope, "1", "d mu_ss/d ln v"),
-};
-const struct record_type record_friction =
-    RECORD_TYPE("friction_law", "friction in steady sliding, Fig 1(a)",
-                friction_fields, steady_point);
+const struct record_type record_friction = RECORD(
+    steady_point, "friction_law", "friction in steady sliding, Fig 1(a)", V,
+    PSI, MU, FIELD(steady_point, QUANTITY, slope, "1", "d mu_ss/d ln v"));
 
-static const struct record_field bifurcation_fields[] = {
-    V,
+const struct record_type record_bifurcation = RECORD(
+    steady_point, "bifurcation", "steady states over all slopes, Fig 3", V,
     FIELD(steady_point, QUANTITY, alpha, "rad",
           "slope angle on which the block slides steadily"),
     FIELD_CODE(steady_point, type, equilibrium_type_names, "linear type there"),
-    PSI,
-    MU,
+    PSI, MU,
     FIELD(steady_point, QUANTITY, lambda_minus, "V_star/L",
           "smaller eigenvalue, per L/V_star"),
     FIELD(steady_point, QUANTITY, lambda_plus, "V_star/L",
-          "larger eigenvalue, per L/V_star"),
-};
-const struct record_type record_bifurcation =
-    RECORD_TYPE("bifurcation", "steady states over all slopes, Fig 3",
-                bifurcation_fields, steady_point);
+          "larger eigenvalue, per L/V_star"));
 
 /* ---- one steady state ---------------------------------------------------- */
 

@@ -12,27 +12,21 @@ RESULT_VIEW(view_shares, plane_study, s->basin.share, s->basin.shares)
 RESULT_VIEW(view_boundary, plane_study, s->basin.boundary, s->basin.boundaries)
 RESULT_VIEW(view_audit, plane_study, &s->basin, 1)
 
-static const struct record_field share_fields[] = {
-    FIELD(plane_share, TEXT, attractor, "1", "whereto"),
-    FIELD(plane_share, QUANTITY, fraction, "1",
-          "of the window, by area as it is drawn"),
-};
 static const struct record_type record_share =
-    RECORD_TYPE("share", "shares of the window", share_fields, plane_share);
+    RECORD(plane_share, "share", "shares of the window",
+           FIELD(plane_share, TEXT, attractor, "1", "whereto"),
+           FIELD(plane_share, QUANTITY, fraction, "1",
+                 "of the window, by area as it is drawn"));
 
-static const struct record_field boundary_fields[] = {
+static const struct record_type record_boundary = RECORD(
+    plane_boundary, "boundary", "curves between basins",
     FIELD(plane_boundary, COUNT, manifold, "1", "number among the manifolds"),
-    FIELD(plane_boundary, TEXT, of, "1", "its saddle, or the cycle itself"),
-};
-static const struct record_type record_boundary = RECORD_TYPE(
-    "boundary", "curves between basins", boundary_fields, plane_boundary);
+    FIELD(plane_boundary, TEXT, of, "1", "its saddle, or the cycle itself"));
 
-static const struct record_field audit_fields[] = {
+static const struct record_type record_audit = RECORD(
+    plane_basin, "audit", "map against orbits",
     FIELD(plane_basin, COUNT, cells, "1", "states followed forward in time"),
-    FIELD(plane_basin, COUNT, disagreements, "1", "those that go elsewhere"),
-};
-static const struct record_type record_audit =
-    RECORD_TYPE("audit", "map against orbits", audit_fields, plane_basin);
+    FIELD(plane_basin, COUNT, disagreements, "1", "those that go elsewhere"));
 
 const struct result plane_basin_results[] = {
     { .path = "/shares",

@@ -147,38 +147,31 @@ static size_t count_rests(const void *run)
     return ((const struct plane_study *) run)->listed;
 }
 
-static const struct record_field count_fields[] = {
+static const struct record_type record_count = RECORD(
+    plane_count, "count", "how many there are",
     FIELD(plane_count, COUNT, equilibria, "1", "found in the window"),
     FIELD(plane_count, COUNT, undecided, "1", "boxes that may hold others"),
     FIELD(plane_count, COUNT, saddles, "1", "among the equilibria"),
     FIELD(plane_count, COUNT, cycles, "1", "closed orbits that were met"),
-    FIELD(plane_count, COUNT, attractors, "1", "equilibria and cycles"),
-};
-static const struct record_type record_count =
-    RECORD_TYPE("count", "how many there are", count_fields, plane_count);
+    FIELD(plane_count, COUNT, attractors, "1", "equilibria and cycles"));
 
-static const struct record_field share_fields[] = {
-    { .name = "fraction",
-      .unit = "1",
-      .text = "of the window, by area as it is drawn",
-      .offset = offsetof(struct plane_rest, share),
-      .kind = RECORD_QUANTITY },
-};
-static const struct record_type record_share = RECORD_TYPE(
-    "share", "the basin of an equilibrium", share_fields, plane_rest);
+static const struct record_type record_share =
+    RECORD(plane_rest, "share", "the basin of an equilibrium",
+           { .name = "fraction",
+             .unit = "1",
+             .text = "of the window, by area as it is drawn",
+             .offset = offsetof(struct plane_rest, share),
+             .kind = RECORD_QUANTITY });
 
-static const struct record_field elsewhere_fields[] = {
+static const struct record_type record_elsewhere = RECORD(
+    plane_elsewhere, "elsewhere", "shares that are no equilibrium's",
     FIELD(plane_elsewhere, QUANTITY, infinity, "1", "goes beyond all bounds"),
     FIELD(plane_elsewhere, QUANTITY, outside, "1",
           "comes to rest outside the window"),
     FIELD(plane_elsewhere, QUANTITY, singularity, "1",
           "ends where the formulas have no values"),
     FIELD(plane_elsewhere, QUANTITY, cycles, "1", "goes to closed orbits"),
-    FIELD(plane_elsewhere, QUANTITY, undecided, "1", "is not known"),
-};
-static const struct record_type record_elsewhere =
-    RECORD_TYPE("elsewhere", "shares that are no equilibrium's",
-                elsewhere_fields, plane_elsewhere);
+    FIELD(plane_elsewhere, QUANTITY, undecided, "1", "is not known"));
 
 const struct result plane_number_results[] = {
     { .name = "count", .type = &record_count, .view = view_count },

@@ -200,12 +200,10 @@ static const struct record_field manifold_fields[] = {
     FIELD(plane_branch, QUANTITY, length, "1",
           "in the chart, to its end or where it leaves the window"),
 };
-static const struct record_field cycle_fields[] = {
+static const struct record_type record_cycle = RECORD(
+    plane_cycle, "cycle", "closed orbits that curves wind on to",
     FIELD(plane_cycle, TEXT, name, "1", "its name"),
-    FIELD_CODE(plane_cycle, type, plane_cycle_types, "whether it attracts"),
-};
-static const struct record_type record_cycle = RECORD_TYPE(
-    "cycle", "closed orbits that curves wind on to", cycle_fields, plane_cycle);
+    FIELD_CODE(plane_cycle, type, plane_cycle_types, "whether it attracts"));
 
 static const struct result manifold_results[] = {
     { .path = "/cycles",

@@ -16,7 +16,8 @@ void stress_row_say(struct stress_row *row, int outcome, const char *reason,
 
 static const char *const agreement_names[] = { "no", "yes", NULL };
 
-static const struct record_field fields[] = {
+const struct record_type record_stress = RECORD(
+    stress_row, "stress", "stiff and extreme cases",
     FIELD(stress_row, TEXT, name, "1", "name of the case"),
     FIELD(stress_row, TEXT, law, "1", "friction law"),
     FIELD_CODE(stress_row, form, friction_form_names, "friction form"),
@@ -40,8 +41,4 @@ static const struct record_field fields[] = {
           "field evaluations of the oracle, or steps of its orbits"),
     FIELD_CODE(stress_row, agree, agreement_names,
                "whether the two routes agree"),
-    FIELD(stress_row, TEXT, reason, "1", "why the case is not exact"),
-};
-
-const struct record_type record_stress =
-    RECORD_TYPE("stress", "stiff and extreme cases", fields, stress_row);
+    FIELD(stress_row, TEXT, reason, "1", "why the case is not exact"));

@@ -161,18 +161,13 @@ _Static_assert(sizeof(size_t) == sizeof(int64_t), "counts of record.h");
         .offset = offsetof(struct stress, outcome[code]), .kind = RECORD_COUNT \
     }
 
-static const struct record_field outcome_fields[] = {
-    OUTCOME("exact", STRESS_EXACT),
-    OUTCOME("degraded", STRESS_DEGRADED),
-    OUTCOME("none", STRESS_NONE),
-    OUTCOME("failed", STRESS_FAILED),
-    OUTCOME("lie", STRESS_LIE),
+static const struct record_type record_outcomes = RECORD(
+    stress, "outcomes", "how many came to what", OUTCOME("exact", STRESS_EXACT),
+    OUTCOME("degraded", STRESS_DEGRADED), OUTCOME("none", STRESS_NONE),
+    OUTCOME("failed", STRESS_FAILED), OUTCOME("lie", STRESS_LIE),
     FIELD(stress, COUNT, counted, "1", "cases with a number to judge"),
     FIELD(stress, COUNT, full, "1",
-          "those with all digits that conditioning allows"),
-};
-static const struct record_type record_outcomes =
-    RECORD_TYPE("outcomes", "how many came to what", outcome_fields, stress);
+          "those with all digits that conditioning allows"));
 
 RESULT_VIEW(view_cases, stress, s->row, s->count)
 RESULT_VIEW(view_outcomes, stress, s, 1)

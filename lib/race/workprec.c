@@ -266,17 +266,12 @@ void workprec_free(struct workprec *w)
         .kind = RECORD_TEXT                                                    \
     }
 
-static const struct record_field missing_fields[] = {
-    MISSING("v_plus", WORKPREC_V_PLUS),
+static const struct record_type record_missing = RECORD(
+    workprec, "reasons", "what is missing", MISSING("v_plus", WORKPREC_V_PLUS),
     MISSING("v_minus", WORKPREC_V_MINUS),
-    MISSING("x_excess", WORKPREC_X_EXCESS),
-    MISSING("curve", WORKPREC_CURVE),
+    MISSING("x_excess", WORKPREC_X_EXCESS), MISSING("curve", WORKPREC_CURVE),
     MISSING("transient", WORKPREC_TRANSIENT),
-    MISSING("basin_rows", WORKPREC_ROWS),
-    MISSING("slip", WORKPREC_SLIP),
-};
-static const struct record_type record_missing =
-    RECORD_TYPE("reasons", "what is missing", missing_fields, workprec);
+    MISSING("basin_rows", WORKPREC_ROWS), MISSING("slip", WORKPREC_SLIP));
 
 RESULT_VIEW(view_runs, workprec, s->run, s->runs)
 RESULT_VIEW(view_missing, workprec, s, 1)

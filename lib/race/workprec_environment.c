@@ -7,7 +7,8 @@
 #include "method.h"
 #include "workprec_clock.h"
 
-static const struct record_field fields[] = {
+const struct record_type record_workprec_environment = RECORD(
+    workprec_environment, "workprec_environment", "where times were measured",
     FIELD(workprec_environment, TEXT, cpu, "1", "processor"),
     FIELD(workprec_environment, TEXT, system, "1", "operating system"),
     FIELD(workprec_environment, TEXT, compiler, "1", "compiler"),
@@ -15,11 +16,7 @@ static const struct record_field fields[] = {
     FIELD(workprec_environment, TEXT, gsl, "1", "version of GSL"),
     FIELD(workprec_environment, TEXT, sundials, "1", "version of SUNDIALS"),
     FIELD(workprec_environment, REAL, clock_overhead, "s",
-          "taken off every time measured"),
-};
-const struct record_type record_workprec_environment =
-    RECORD_TYPE("workprec_environment", "where times were measured", fields,
-                workprec_environment);
+          "taken off every time measured"));
 
 /* The value of the first line "KEY : value"; false where there is none. */
 static bool read_value(FILE *in, const char *key, char out[WORKPREC_TEXT])

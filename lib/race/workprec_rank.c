@@ -13,7 +13,8 @@ static const char *const foreign_names[] = { "own", "foreign", NULL };
 static const double accuracies[] = { 1e-3, 1e-6, 1e-9, 1e-12 };
 enum { ACCURACIES = sizeof accuracies / sizeof *accuracies };
 
-static const struct record_field run_fields[] = {
+const struct record_type record_workprec_run = RECORD(
+    workprec_run, "workprec_run", "a method on a quantity at a tolerance",
     FIELD_CODE(workprec_run, quantity, workprec_quantity_names,
                "what is computed"),
     FIELD(workprec_run, TEXT, method, "1", "by which method"),
@@ -27,13 +28,11 @@ static const struct record_field run_fields[] = {
     FIELD(workprec_run, COUNT, field_evaluations, "1",
           "evaluations of the field; 0: not counted"),
     FIELD(workprec_run, COUNT, steps, "1", "accepted steps; 0: not counted"),
-    FIELD_CODE(workprec_run, status, workprec_status_names, "how the run went"),
-};
-const struct record_type record_workprec_run =
-    RECORD_TYPE("workprec_run", "a method on a quantity at a tolerance",
-                run_fields, workprec_run);
+    FIELD_CODE(workprec_run, status, workprec_status_names,
+               "how the run went"));
 
-static const struct record_field rank_fields[] = {
+const struct record_type record_workprec_fastest = RECORD(
+    workprec_fastest, "workprec_fastest", "who is fastest at an accuracy",
     FIELD_CODE(workprec_fastest, quantity, workprec_quantity_names,
                "what is computed"),
     FIELD(workprec_fastest, REAL, accuracy, "1", "true error"),
@@ -44,11 +43,7 @@ static const struct record_field rank_fields[] = {
     FIELD(workprec_fastest, TEXT, foreign, "1", "the fastest of others"),
     FIELD(workprec_fastest, REAL, foreign_seconds, "s", "its time"),
     FIELD(workprec_fastest, REAL, ratio_to_best_foreign, "1",
-          "time of the fastest of others over that of the fastest of ours"),
-};
-const struct record_type record_workprec_fastest =
-    RECORD_TYPE("workprec_fastest", "who is fastest at an accuracy",
-                rank_fields, workprec_fastest);
+          "time of the fastest of others over that of the fastest of ours"));
 
 static bool counts(const struct workprec_run *r)
 {

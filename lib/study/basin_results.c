@@ -14,17 +14,13 @@ struct v_at {
     double v;
 };
 
-static const struct record_field psi_fields[] = {
-    FIELD(psi_at, REAL, psi, "psi", "interfacial state"),
-};
 static const struct record_type record_psi =
-    RECORD_TYPE("psi", "rows of the grid", psi_fields, psi_at);
+    RECORD(psi_at, "psi", "rows of the grid",
+           FIELD(psi_at, REAL, psi, "psi", "interfacial state"));
 
-static const struct record_field v_fields[] = {
-    FIELD(v_at, REAL, v, "V_star", "slip rate in units of V_star"),
-};
 static const struct record_type record_v =
-    RECORD_TYPE("v", "columns of the grid", v_fields, v_at);
+    RECORD(v_at, "v", "columns of the grid",
+           FIELD(v_at, REAL, v, "V_star", "slip rate in units of V_star"));
 
 RESULT_VIEW(view_psi, study, s->basins.psi, s->basins.rows)
 RESULT_VIEW(view_v, study, s->basins.v, s->basins.columns)
@@ -41,22 +37,18 @@ struct margins {
     double margin, margin_psi;
 };
 
-static const struct record_field label_fields[] = {
-    FIELD_CODE(label, label, fate_names, "fate of the state"),
-};
 static const struct record_type record_label =
-    RECORD_TYPE("label", "a map of fates", label_fields, label);
+    RECORD(label, "label", "a map of fates",
+           FIELD_CODE(label, label, fate_names, "fate of the state"));
 
-static const struct record_field margin_fields[] = {
+static const struct record_type record_margins = RECORD(
+    margins, "margin", "how far another fate is",
     FIELD(margins, REAL, margin, "1",
           "ln of the factor on v to the nearest other fate; missing: there is "
           "none"),
     FIELD(margins, REAL, margin_psi, "1",
           "shift of ln psi (of psi where it is a logarithm) to the nearest "
-          "other fate; missing: there is none"),
-};
-static const struct record_type record_margins =
-    RECORD_TYPE("margin", "how far another fate is", margin_fields, margins);
+          "other fate; missing: there is none"));
 
 static enum status label_rows(const void *run, size_t first, size_t count,
                               const struct monitor *monitor, void *records)
@@ -119,17 +111,15 @@ static enum status proved_rows(const void *run, size_t first, size_t count,
     return status;
 }
 
-static const struct record_field proof_fields[] = {
+static const struct record_type record_proof = RECORD(
+    basin_proof, "proved", "labels that are proved",
     FIELD(basin_proof, REAL, fraction, "1",
           "share of the cells whose label is proved"),
     FIELD(basin_proof, COUNT, near, "1",
           "cells whose row meets the manifold there, as far as is proved"),
     FIELD(basin_proof, COUNT, beyond, "1",
           "cells in rows that the manifold meets beyond what is proved of it"),
-    FIELD(basin_proof, TEXT, reason, "1", "why no label is proved"),
-};
-static const struct record_type record_proof =
-    RECORD_TYPE("proved", "labels that are proved", proof_fields, basin_proof);
+    FIELD(basin_proof, TEXT, reason, "1", "why no label is proved"));
 
 RESULT_VIEW(view_proof, study, &s->label_proof, 1)
 
@@ -148,13 +138,11 @@ struct accuracy {
     double cell_rtol, cell_arrest;
 };
 
-static const struct record_field accuracy_fields[] = {
+const struct record_type record_accuracy = RECORD(
+    accuracy, "accuracy", "what cells are computed to",
     FIELD(accuracy, REAL, cell_rtol, "1", "basins.rtol"),
     FIELD(accuracy, REAL, cell_arrest, "1",
-          "a state has arrived this near to a node, in ln v and in ln psi"),
-};
-const struct record_type record_accuracy = RECORD_TYPE(
-    "accuracy", "what cells are computed to", accuracy_fields, accuracy);
+          "a state has arrived this near to a node, in ln v and in ln psi"));
 
 static enum status view_accuracy(const void *run, size_t k,
                                  struct result_view *out)
@@ -172,14 +160,12 @@ static enum status view_accuracy(const void *run, size_t k,
 
 /* ---- shares and audit ---------------------------------------------------- */
 
-static const struct record_field share_fields[] = {
+const struct record_type record_share = RECORD(
+    basin_fraction, "fractions", "shares of the window",
     FIELD(basin_fraction, QUANTITY, log, "1",
           "share of the window with this fate, by area in (ln v, ln psi)"),
     FIELD(basin_fraction, QUANTITY, linear, "1",
-          "share of the window with this fate, by area in (v, psi)"),
-};
-const struct record_type record_share = RECORD_TYPE(
-    "fractions", "shares of the window", share_fields, basin_fraction);
+          "share of the window with this fate, by area in (v, psi)"));
 
 static enum status view_share(const void *run, size_t k,
                               struct result_view *out)
@@ -192,12 +178,10 @@ static enum status view_share(const void *run, size_t k,
 
 _Static_assert(sizeof(size_t) == sizeof(int64_t), "counts of record.h");
 
-static const struct record_field audit_fields[] = {
+const struct record_type record_audit = RECORD(
+    basin_audit, "audit", "map against orbits",
     FIELD(basin_audit, COUNT, cells, "1", "cells followed forward in time"),
-    FIELD(basin_audit, COUNT, disagreements, "1", "those with another fate"),
-};
-const struct record_type record_audit =
-    RECORD_TYPE("audit", "map against orbits", audit_fields, basin_audit);
+    FIELD(basin_audit, COUNT, disagreements, "1", "those with another fate"));
 
 RESULT_VIEW(view_audit, study, &s->basins.audit, 1)
 
@@ -206,13 +190,11 @@ struct disagreement {
     double v, psi;
 };
 
-static const struct record_field disagreement_fields[] = {
+static const struct record_type record_disagreement = RECORD(
+    disagreement, "disagreement",
+    "cells whose orbit has another fate than the map says",
     FIELD(disagreement, REAL, v, "V_star", "slip rate in units of V_star"),
-    FIELD(disagreement, REAL, psi, "psi", "interfacial state"),
-};
-static const struct record_type record_disagreement = RECORD_TYPE(
-    "disagreement", "cells whose orbit has another fate than the map says",
-    disagreement_fields, disagreement);
+    FIELD(disagreement, REAL, psi, "psi", "interfacial state"));
 
 static enum status view_disagreement(const void *run, size_t k,
                                      struct result_view *out)

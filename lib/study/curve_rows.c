@@ -375,7 +375,8 @@ static enum status view_track(const void *run, size_t k,
                      curve_rows_trajectory(run, &track(run, k)->curve, &r));
 }
 
-static const struct record_field end_fields[] = {
+const struct record_type record_run_end = RECORD(
+    run_end, "run_end", "how an orbit ended",
     FIELD(run_end, TEXT, end, "1",
           "why it ends: arrived, left_window, left_domain, limit, event, "
           "given_up; of simulate a word of transient_end"),
@@ -384,10 +385,7 @@ static const struct record_field end_fields[] = {
     FIELD(run_end, TEXT, comment, "1",
           "simulate: why it is undecided or lost, if it is"),
     FIELD(run_end, REAL, energy_defect, "1",
-          "relative defect of the balance (27)"),
-};
-const struct record_type record_run_end =
-    RECORD_TYPE("run_end", "how an orbit ended", end_fields, run_end);
+          "relative defect of the balance (27)"));
 
 enum status curve_rows_lend_end(struct result_view *out, struct run_end end)
 {

@@ -157,22 +157,18 @@ static enum status view_stiffest(const void *run, size_t k,
     return top ? result_lend(out, top, 1) : STATUS_OK;
 }
 
-static const struct record_field block_fields[] = {
-    FIELD(spring_block, REAL, sigma, "Pa", "normal stress"),
-    FIELD(spring_block, REAL, mass, "kg/m^2", "of the block"),
-};
 static const struct record_type record_block =
-    RECORD_TYPE("spring_block", "the block", block_fields, spring_block);
+    RECORD(spring_block, "spring_block", "the block",
+           FIELD(spring_block, REAL, sigma, "Pa", "normal stress"),
+           FIELD(spring_block, REAL, mass, "kg/m^2", "of the block"));
 
-static const struct record_field comment_fields[] = {
-    { .name = "comment",
-      .unit = "1",
-      .text = "why there is no curve, if there is none",
-      .offset = offsetof(struct fold_curve, reason),
-      .kind = RECORD_TEXT },
-};
 static const struct record_type record_comment =
-    RECORD_TYPE("comment", "why there is no curve", comment_fields, fold_curve);
+    RECORD(fold_curve, "comment", "why there is no curve",
+           { .name = "comment",
+             .unit = "1",
+             .text = "why there is no curve, if there is none",
+             .offset = offsetof(struct fold_curve, reason),
+             .kind = RECORD_TEXT });
 
 /* Of the axis v, and of a layer. */
 struct rate {
@@ -182,18 +178,13 @@ struct chi_cell {
     double ln_chi, ln_chi_error;
 };
 
-static const struct record_field rate_fields[] = {
-    FIELD(rate, REAL, v, "V_star", "slip rate"),
-};
-static const struct record_type record_rate =
-    RECORD_TYPE("rate", "slip rates", rate_fields, rate);
+static const struct record_type record_rate = RECORD(
+    rate, "rate", "slip rates", FIELD(rate, REAL, v, "V_star", "slip rate"));
 
-static const struct record_field chi_fields[] = {
-    FIELD(chi_cell, REAL, ln_chi, "1", "ln chi(v), (34)"),
-    FIELD(chi_cell, REAL, ln_chi_error, "1", "error bound of ln_chi"),
-};
 static const struct record_type record_chi =
-    RECORD_TYPE("chi", "chi(v)", chi_fields, chi_cell);
+    RECORD(chi_cell, "chi", "chi(v)",
+           FIELD(chi_cell, REAL, ln_chi, "1", "ln chi(v), (34)"),
+           FIELD(chi_cell, REAL, ln_chi_error, "1", "error bound of ln_chi"));
 
 static enum status chi_rows(const void *run, size_t first, size_t count,
                             const struct monitor *monitor, void *records)

@@ -5,7 +5,8 @@
 const char *const end_names[] = { "psi_inf", "open",      "psi_0",
                                   "v_0",     "truncated", NULL };
 
-static const struct record_field steady_fields[] = {
+const struct record_type record_steady = RECORD(
+    steady_number, "equilibria", "steady states",
     FIELD_CODE(steady_number, type, equilibrium_type_names, "linear type"),
     FIELD(steady_number, QUANTITY, v, "V_star", "slip rate in units of V_star"),
     FIELD(steady_number, QUANTITY, psi, "psi", "interfacial state"),
@@ -13,12 +14,10 @@ static const struct record_field steady_fields[] = {
     FIELD(steady_number, QUANTITY, lambda_minus, "V_star/L",
           "smaller eigenvalue, per L/V_star"),
     FIELD(steady_number, QUANTITY, lambda_plus, "V_star/L",
-          "larger eigenvalue, per L/V_star"),
-};
-const struct record_type record_steady =
-    RECORD_TYPE("equilibria", "steady states", steady_fields, steady_number);
+          "larger eigenvalue, per L/V_star"));
 
-static const struct record_field fold_fields[] = {
+const struct record_type record_folds = RECORD(
+    fold_numbers, "folds", "extrema of steady-state friction",
     FIELD(fold_numbers, QUANTITY, alpha_cm, "rad",
           "slope angle of the fold at the minimum of mu_ss, (16)"),
     FIELD(fold_numbers, QUANTITY, alpha_cM, "rad",
@@ -34,24 +33,20 @@ static const struct record_field fold_fields[] = {
     FIELD(fold_numbers, QUANTITY, c_cusp, "1",
           "c at which both folds meet, Fig 4"),
     FIELD(fold_numbers, QUANTITY, alpha_cusp, "rad",
-          "slope angle of that cusp"),
-};
-const struct record_type record_folds = RECORD_TYPE(
-    "folds", "extrema of steady-state friction", fold_fields, fold_numbers);
+          "slope angle of that cusp"));
 
-static const struct record_field saddle_fields[] = {
+const struct record_type record_saddle = RECORD(
+    saddle_numbers, "saddle", "the saddle",
     FIELD(saddle_numbers, QUANTITY, v, "V_star", "slip rate at the saddle"),
     FIELD(saddle_numbers, QUANTITY, psi, "psi",
           "interfacial state at the saddle"),
     FIELD(saddle_numbers, QUANTITY, lambda_minus, "V_star/L",
           "stable eigenvalue, per L/V_star"),
     FIELD(saddle_numbers, QUANTITY, lambda_plus, "V_star/L",
-          "unstable eigenvalue, per L/V_star"),
-};
-const struct record_type record_saddle =
-    RECORD_TYPE("saddle", "the saddle", saddle_fields, saddle_numbers);
+          "unstable eigenvalue, per L/V_star"));
 
-static const struct record_field critical_fields[] = {
+const struct record_type record_critical = RECORD(
+    critical_numbers, "critical", "what the saddle's stable manifold implies",
     FIELD_CODE(critical_numbers, upper_end, end_names,
                "how the upper branch ends"),
     FIELD_CODE(critical_numbers, lower_end, end_names,
@@ -75,20 +70,15 @@ static const struct record_field critical_fields[] = {
     FIELD(critical_numbers, QUANTITY, mu_s_mean, "1",
           "mean friction along the upper branch, weight v - v_sp"),
     FIELD(critical_numbers, QUANTITY, fracture_energy, "L",
-          "(mu_s_num - tan(alpha)) x_excess"),
-};
-const struct record_type record_critical =
-    RECORD_TYPE("critical", "what the saddle's stable manifold implies",
-                critical_fields, critical_numbers);
+          "(mu_s_num - tan(alpha)) x_excess"));
 
-static const struct record_field knee_fields[] = {
+const struct record_type record_knee = RECORD(
+    knee_number, "knee", "where the slope rises through 1",
     FIELD(knee_number, QUANTITY, v, "V_star", "slip rate at the knee"),
-    FIELD(knee_number, QUANTITY, psi, "psi", "interfacial state at the knee"),
-};
-const struct record_type record_knee = RECORD_TYPE(
-    "knee", "where the slope rises through 1", knee_fields, knee_number);
+    FIELD(knee_number, QUANTITY, psi, "psi", "interfacial state at the knee"));
 
-static const struct record_field branch_fields[] = {
+const struct record_type record_branch = RECORD(
+    branch_row, "branch", "one branch of an invariant manifold of the saddle",
     FIELD(branch_row, REAL, arc, "1",
           "arc length from the saddle in (ln v, ln psi)"),
     FIELD(branch_row, REAL, v, "V_star", "slip rate in units of V_star"),
@@ -104,46 +94,37 @@ static const struct record_field branch_fields[] = {
     FIELD(branch_row, REAL, excess, "L",
           "slip in excess of v_sp, units of L, from the saddle"),
     FIELD(branch_row, REAL, error, "1",
-          "bound on the distance to the exact curve in (ln v, ln psi)"),
-};
-const struct record_type record_branch =
-    RECORD_TYPE("branch", "one branch of an invariant manifold of the saddle",
-                branch_fields, branch_row);
+          "bound on the distance to the exact curve in (ln v, ln psi)"));
 
-static const struct record_field nullcline_fields[] = {
+const struct record_type record_nullcline = RECORD(
+    nullcline_row, "nullcline", "a piece of nullcline",
     FIELD(nullcline_row, REAL, arc, "1", "arc length in (ln v, ln psi)"),
     FIELD(nullcline_row, REAL, v, "V_star", "slip rate in units of V_star"),
-    FIELD(nullcline_row, REAL, psi, "psi", "interfacial state"),
-};
-const struct record_type record_nullcline = RECORD_TYPE(
-    "nullcline", "a piece of nullcline", nullcline_fields, nullcline_row);
+    FIELD(nullcline_row, REAL, psi, "psi", "interfacial state"));
 
-static const struct record_field trajectory_fields[] = {
+const struct record_type record_trajectory = RECORD(
+    trajectory_row, "trajectory", "one forward orbit",
     FIELD(trajectory_row, REAL, time, "L/V_star", "time in L/V_star"),
     FIELD(trajectory_row, REAL, v, "V_star", "slip rate in units of V_star"),
     FIELD(trajectory_row, REAL, psi, "psi", "interfacial state"),
     FIELD(trajectory_row, REAL, slip, "L", "slip in units of L"),
     FIELD(trajectory_row, REAL, mu, "1", "friction coefficient"),
     FIELD(trajectory_row, REAL, work, "L",
-          "frictional work per unit normal force, units of L"),
-};
-const struct record_type record_trajectory = RECORD_TYPE(
-    "trajectory", "one forward orbit", trajectory_fields, trajectory_row);
+          "frictional work per unit normal force, units of L"));
 
-static const struct record_field arrow_fields[] = {
-    FIELD(arrow_row, REAL, v, "V_star", "slip rate in units of V_star"),
-    FIELD(arrow_row, REAL, psi, "psi", "interfacial state"),
-    FIELD(arrow_row, REAL, direction_v, "1",
-          "unit direction as drawn, along v"),
-    FIELD(arrow_row, REAL, direction_psi, "1",
-          "unit direction as drawn, along psi"),
-    FIELD(arrow_row, REAL, log10_speed, "log10(V_star/L)",
-          "log10 of the speed in (ln v, ln psi) per L/V_star"),
-};
 const struct record_type record_arrow =
-    RECORD_TYPE("field_arrows", "direction field", arrow_fields, arrow_row);
+    RECORD(arrow_row, "field_arrows", "direction field",
+           FIELD(arrow_row, REAL, v, "V_star", "slip rate in units of V_star"),
+           FIELD(arrow_row, REAL, psi, "psi", "interfacial state"),
+           FIELD(arrow_row, REAL, direction_v, "1",
+                 "unit direction as drawn, along v"),
+           FIELD(arrow_row, REAL, direction_psi, "1",
+                 "unit direction as drawn, along psi"),
+           FIELD(arrow_row, REAL, log10_speed, "log10(V_star/L)",
+                 "log10 of the speed in (ln v, ln psi) per L/V_star"));
 
-static const struct record_field estimate_fields[] = {
+const struct record_type record_estimates = RECORD(
+    estimate_numbers, "estimates", "the analytic estimates of section 4",
     FIELD(estimate_numbers, QUANTITY, v_sp0, "V_star",
           "slip rate at the saddle, (29)"),
     FIELD(estimate_numbers, QUANTITY, psi_sp0, "psi",
@@ -156,21 +137,15 @@ static const struct record_field estimate_fields[] = {
           "static friction (41) with the exact saddle and v_plus"),
     FIELD(estimate_numbers, QUANTITY, alpha_f, "rad", "friction angle (42)"),
     FIELD(estimate_numbers, QUANTITY, tan_alpha_f, "1",
-          "its tangent; (43) prints the arctangent"),
-};
-const struct record_type record_estimates =
-    RECORD_TYPE("estimates", "the analytic estimates of section 4",
-                estimate_fields, estimate_numbers);
+          "its tangent; (43) prints the arctangent"));
 
-static const struct record_field xi_fields[] = {
+const struct record_type record_xi = RECORD(
+    xi_number, "xi", "the eigen-coordinate estimate",
     FIELD(xi_number, REAL, xi, "1", "coefficient xi of (38)"),
     FIELD(xi_number, QUANTITY, v_minus, "V_star", "critical slip rate (39)"),
     FIELD(xi_number, QUANTITY, v_plus, "V_star", "critical slip rate (39)"),
     FIELD(xi_number, QUANTITY, mu_s, "1", "static friction (41)"),
-    FIELD(xi_number, QUANTITY, G, "L", "fracture energy (32)"),
-};
-const struct record_type record_xi =
-    RECORD_TYPE("xi", "the eigen-coordinate estimate", xi_fields, xi_number);
+    FIELD(xi_number, QUANTITY, G, "L", "fracture energy (32)"));
 
 #define BY(parameter, name_, unit_, text_)                                     \
     {                                                                          \
@@ -180,18 +155,16 @@ const struct record_type record_xi =
         .kind = RECORD_QUANTITY                                                \
     }
 
-static const struct record_field sensitivity_fields[] = {
+const struct record_type record_sensitivity = RECORD(
+    sensitivity_numbers, "sensitivities",
+    "how a critical slip rate answers to the parameters",
     BY(ALPHA, "alpha", "1/rad", "derivative of ln v by the slope angle"),
     BY(A, "a", "1", "derivative of ln v by a"),
     BY(B, "b", "1", "derivative of ln v by b"),
     BY(MU_STAR, "mu_star", "1", "derivative of ln v by mu_star"),
     BY(C, "c", "1", "derivative of ln v by c"),
     BY(R, "R", "1", "derivative of ln v by R"),
-    BY(EPS2, "eps2", "1", "derivative of ln v by eps^2 = V_star^2/(g L)"),
-};
-const struct record_type record_sensitivity = RECORD_TYPE(
-    "sensitivities", "how a critical slip rate answers to the parameters",
-    sensitivity_fields, sensitivity_numbers);
+    BY(EPS2, "eps2", "1", "derivative of ln v by eps^2 = V_star^2/(g L)"));
 
 /* ---- what a study says of its numbers ------------------------------------ */
 
@@ -279,12 +252,10 @@ static const struct record_type record_root = { "roots", "roots of chi",
         .offset = offsetof(struct estimate_numbers, member),                   \
         .kind = RECORD_QUANTITY                                                \
     }
-static const struct record_field chi_fields[] = {
-    ROOT("v_minus", chi_v_minus, "root of chi(v) = 1 below v_sp, (34)"),
-    ROOT("v_plus", chi_v_plus, "root of chi(v) = 1 above v_sp, (34)"),
-};
-static const struct record_type record_chi = RECORD_TYPE(
-    "chi", "roots of chi on both sides", chi_fields, estimate_numbers);
+static const struct record_type record_chi =
+    RECORD(estimate_numbers, "chi", "roots of chi on both sides",
+           ROOT("v_minus", chi_v_minus, "root of chi(v) = 1 below v_sp, (34)"),
+           ROOT("v_plus", chi_v_plus, "root of chi(v) = 1 above v_sp, (34)"));
 
 static const char estimate_note[] =
     "  note: x_k neglects psi_ss, so (41) diverges near alpha_f where "

@@ -11,7 +11,8 @@
 
 /* ---- what the results are called ----------------------------------------- */
 
-static const struct record_field row_fields[] = {
+const struct record_type record_release = RECORD(
+    release_row, "release", "critical release distances",
     FIELD(release_row, REAL, tan_alpha, "1", "tangent of the slope angle"),
     FIELD(release_row, REAL, alpha, "rad", "slope angle"),
     FIELD(release_row, QUANTITY, v_k, "m/s",
@@ -25,12 +26,11 @@ static const struct record_field row_fields[] = {
           "static friction of (41) with the exact v_plus"),
     FIELD(release_row, QUANTITY, s_k, "m",
           "persistence length, exact excess slip"),
-    FIELD(release_row, QUANTITY, s_k_30, "m", "persistence length of (30)"),
-};
-const struct record_type record_release = RECORD_TYPE(
-    "release", "critical release distances", row_fields, release_row);
+    FIELD(release_row, QUANTITY, s_k_30, "m", "persistence length of (30)"));
 
-static const struct record_field material_fields[] = {
+const struct record_type record_release_material = RECORD(
+    release_material, "release_material",
+    "the material that the fit of (33) means",
     FIELD(release_material, QUANTITY, L, "m",
           "memory length, factor K (b - a)/eta (95 %)"),
     FIELD(release_material, REAL, L_low, "m",
@@ -45,11 +45,7 @@ static const struct record_field material_fields[] = {
           "upper end of the 95 % interval"),
     FIELD(release_material, REAL, L_deviation, "m", "standard deviation of L"),
     FIELD(release_material, REAL, mu_star_deviation, "1",
-          "standard deviation of mu_star"),
-};
-const struct record_type record_release_material =
-    RECORD_TYPE("release_material", "the material that the fit of (33) means",
-                material_fields, release_material);
+          "standard deviation of mu_star"));
 
 /* ---- forward ------------------------------------------------------------- */
 

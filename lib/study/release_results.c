@@ -9,29 +9,23 @@ struct point {
     double tan_alpha, value, error;
 };
 
-static const struct record_field point_fields[] = {
-    FIELD(point, REAL, tan_alpha, "1", "tangent of the slope angle"),
-    FIELD(point, REAL, value, "m", "measured"),
-    FIELD(point, REAL, error, "m", "one standard deviation, as given"),
-};
 static const struct record_type record_measured =
-    RECORD_TYPE("measured", "measurements", point_fields, point);
+    RECORD(point, "measured", "measurements",
+           FIELD(point, REAL, tan_alpha, "1", "tangent of the slope angle"),
+           FIELD(point, REAL, value, "m", "measured"),
+           FIELD(point, REAL, error, "m", "one standard deviation, as given"));
 
-static const struct record_field impact_fields[] = {
-    FIELD(release, QUANTITY, K, "1",
-          "of (22), where masses and restitution are known"),
-};
 static const struct record_type record_impact =
-    RECORD_TYPE("impact", "the impact", impact_fields, release);
+    RECORD(release, "impact", "the impact",
+           FIELD(release, QUANTITY, K, "1",
+                 "of (22), where masses and restitution are known"));
 
-static const struct record_field spline_fields[] = {
+static const struct record_type record_spline = RECORD(
+    slip_curve, "spline", "the smoothing spline",
     FIELD(slip_curve, REAL, smoothing, "1", "as given, or found from the data"),
     FIELD(slip_curve, REAL, freedom, "1", "parameters that the curve spends"),
     FIELD(slip_curve, TEXT, reason, "1",
-          "instead of all this: why there is no curve"),
-};
-static const struct record_type record_spline =
-    RECORD_TYPE("spline", "the smoothing spline", spline_fields, slip_curve);
+          "instead of all this: why there is no curve"));
 
 RESULT_VIEW(view_rows, release, s->row, s->rows)
 RESULT_VIEW(view_impact, release, s, 1)

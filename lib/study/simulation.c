@@ -153,11 +153,9 @@ RESULT_VIEW(view_summary, simulation, &s->run[k].sum, 1)
 RESULT_VIEW(view_events, simulation, s->run[k].event, s->run[k].events)
 RESULT_VIEW(view_phases, simulation, s->run[k].phase, PHASES)
 
-static const struct record_field reason_fields[] = {
-    FIELD(transient, TEXT, reason, "1", "why it is undecided or lost"),
-};
 static const struct record_type record_reason =
-    RECORD_TYPE("reason", "what went wrong", reason_fields, transient);
+    RECORD(transient, "reason", "what went wrong",
+           FIELD(transient, TEXT, reason, "1", "why it is undecided or lost"));
 
 RESULT_VIEW(view_reason, simulation, &s->run[k], 1)
 

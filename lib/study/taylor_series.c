@@ -15,26 +15,20 @@
 
 enum { LAST = JET_SIZE - 1 };
 
-static const struct record_field term_fields[] = {
+const struct record_type record_taylor_term = RECORD(
+    taylor_term, "taylor_term", "power series of the stable manifold",
     FIELD(taylor_term, COUNT, order, "1", "power of w = (v - v_sp)/v_sp"),
     FIELD(taylor_term, QUANTITY, coefficient, "1",
-          "coefficient of w^order in psi"),
-};
-const struct record_type record_taylor_term =
-    RECORD_TYPE("taylor_term", "power series of the stable manifold",
-                term_fields, taylor_term);
+          "coefficient of w^order in psi"));
 
-static const struct record_field series_fields[] = {
+const struct record_type record_taylor = RECORD(
+    taylor_series, "taylor_series", "power series of the stable manifold in v",
     FIELD(taylor_series, QUANTITY, radius, "V_star",
           "radius of convergence, in v, around v_sp"),
     FIELD(taylor_series, QUANTITY, agrees_from, "V_star",
           "least v where order 14 is within 1 % of the curve"),
     FIELD(taylor_series, QUANTITY, agrees_to, "V_star",
-          "largest v where order 14 is within 1 % of the curve"),
-};
-const struct record_type record_taylor =
-    RECORD_TYPE("taylor_series", "power series of the stable manifold in v",
-                series_fields, taylor_series);
+          "largest v where order 14 is within 1 % of the curve"));
 
 /* ---- series ------------------------------------------------------------ */
 

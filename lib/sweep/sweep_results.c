@@ -45,22 +45,20 @@ RESULT_VIEW(view_chi, sweep_point, s->study.diagrams.chi.slope,
 RESULT_VIEW(view_share, sweep_point, &s->study.basins.fraction[k], 1)
 RESULT_VIEW(view_audit, sweep_point, &s->study.basins.audit, 1)
 
-static const struct record_field arrow_fields[] = {
-    { .name = "direction_v",
-      .unit = "1",
-      .text = "unit direction as drawn, along v",
-      .offset = offsetof(struct arrow, direction.x),
-      .kind = RECORD_REAL },
-    { .name = "direction_psi",
-      .unit = "1",
-      .text = "unit direction as drawn, along psi",
-      .offset = offsetof(struct arrow, direction.y),
-      .kind = RECORD_REAL },
-    FIELD(arrow, REAL, log10_speed, "log10(V_star/L)",
-          "log10 of the speed in (ln v, ln psi) per L/V_star"),
-};
 static const struct record_type record_arrow_cell =
-    RECORD_TYPE("arrow", "direction field", arrow_fields, arrow);
+    RECORD(arrow, "arrow", "direction field",
+           { .name = "direction_v",
+             .unit = "1",
+             .text = "unit direction as drawn, along v",
+             .offset = offsetof(struct arrow, direction.x),
+             .kind = RECORD_REAL },
+           { .name = "direction_psi",
+             .unit = "1",
+             .text = "unit direction as drawn, along psi",
+             .offset = offsetof(struct arrow, direction.y),
+             .kind = RECORD_REAL },
+           FIELD(arrow, REAL, log10_speed, "log10(V_star/L)",
+                 "log10 of the speed in (ln v, ln psi) per L/V_star"));
 
 static enum status arrow_rows(const void *run, size_t first, size_t count,
                               const struct monitor *monitor, void *records)
@@ -76,29 +74,24 @@ static enum status arrow_rows(const void *run, size_t first, size_t count,
 
 /* ---- steady states by what they are -------------------------------------- */
 
-static const struct record_field kind_fields[] = {
+static const struct record_type record_kind = RECORD(
+    kind_numbers, "kind", "a steady state by what it is",
     FIELD(kind_numbers, QUANTITY, v, "V_star", "slip rate in units of V_star"),
     FIELD(kind_numbers, QUANTITY, psi, "psi", "interfacial state"),
     FIELD(kind_numbers, QUANTITY, lambda_minus, "V_star/L",
           "smaller eigenvalue, per L/V_star"),
     FIELD(kind_numbers, QUANTITY, lambda_plus, "V_star/L",
-          "larger eigenvalue, per L/V_star"),
-};
-static const struct record_type record_kind = RECORD_TYPE(
-    "kind", "a steady state by what it is", kind_fields, kind_numbers);
+          "larger eigenvalue, per L/V_star"));
 
-static const struct record_field ln_v_fields[] = {
-    FIELD(kind_numbers, QUANTITY, ln_v, "ln(V_star)", "natural logarithm of v"),
-};
 static const struct record_type record_ln_v =
-    RECORD_TYPE("ln_v", "its slip rate", ln_v_fields, kind_numbers);
+    RECORD(kind_numbers, "ln_v", "its slip rate",
+           FIELD(kind_numbers, QUANTITY, ln_v, "ln(V_star)",
+                 "natural logarithm of v"));
 
-static const struct record_field ln_psi_fields[] = {
-    FIELD(kind_numbers, QUANTITY, ln_psi, "ln(psi)",
-          "natural logarithm of psi"),
-};
 static const struct record_type record_ln_psi =
-    RECORD_TYPE("ln_psi", "its state", ln_psi_fields, kind_numbers);
+    RECORD(kind_numbers, "ln_psi", "its state",
+           FIELD(kind_numbers, QUANTITY, ln_psi, "ln(psi)",
+                 "natural logarithm of psi"));
 
 RESULT_VIEW(view_kind, sweep_point, &s->kind[k], 1)
 RESULT_VIEW(view_node, sweep_point,
@@ -106,25 +99,21 @@ RESULT_VIEW(view_node, sweep_point,
 
 /* ---- runs ---------------------------------------------------------------- */
 
-static const struct record_field defect_fields[] = {
-    FIELD(transient_summary, REAL, energy_defect, "1",
-          "relative defect of the balance of energy (27)"),
-};
-static const struct record_type record_defect = RECORD_TYPE(
-    "energy", "balance of energy", defect_fields, transient_summary);
+static const struct record_type record_defect =
+    RECORD(transient_summary, "energy", "balance of energy",
+           FIELD(transient_summary, REAL, energy_defect, "1",
+                 "relative defect of the balance of energy (27)"));
 
-static const struct record_field moment_fields[] = {
-    FIELD(transient_event, QUANTITY, time, "L/V_star",
-          "time since the start in units of L/V_star"),
-    FIELD(transient_event, QUANTITY, slip, "L",
-          "slip since the start in units of L"),
-    FIELD(transient_event, QUANTITY, v, "V_star",
-          "slip rate in units of V_star"),
-    FIELD(transient_event, QUANTITY, psi, "psi", "interfacial state"),
-    FIELD(transient_event, QUANTITY, mu, "1", "friction coefficient"),
-};
 static const struct record_type record_moment =
-    RECORD_TYPE("moment", "an event of a run", moment_fields, transient_event);
+    RECORD(transient_event, "moment", "an event of a run",
+           FIELD(transient_event, QUANTITY, time, "L/V_star",
+                 "time since the start in units of L/V_star"),
+           FIELD(transient_event, QUANTITY, slip, "L",
+                 "slip since the start in units of L"),
+           FIELD(transient_event, QUANTITY, v, "V_star",
+                 "slip rate in units of V_star"),
+           FIELD(transient_event, QUANTITY, psi, "psi", "interfacial state"),
+           FIELD(transient_event, QUANTITY, mu, "1", "friction coefficient"));
 
 /* Those that have a name of their own, in the order of the words below. */
 static const enum moment firsts[] = {
