@@ -127,8 +127,8 @@ enum status orbit_init(struct orbit *o, const struct planar *system,
     if (!is_good(system, z, options))
         return STATUS_BAD_ARGUMENT;
     o->options = *options;
-    if (!(fabs(options->reach[0]) <= TOL_TIME_MAX))
-        o->options.reach[0] = options->backward ? -TOL_TIME_MAX : TOL_TIME_MAX;
+    if (!(fabs(options->reach[0]) <= TOL_RANGE))
+        o->options.reach[0] = options->backward ? -TOL_RANGE : TOL_RANGE;
     o->clock =
         (struct rescaled){ system, options->kappa, options->observables };
     o->curve = CURVE_EMPTY(3 + options->observables);
@@ -434,7 +434,7 @@ static bool is_beyond(const struct orbit *o)
 
     for (size_t i = 3; i < o->curve.dim; i++)
         most = fmax(most, fabs(o->u[i]));
-    return most > TOL_TIME_MAX;
+    return most > TOL_RANGE;
 }
 
 /* Whether in so many steps it has gone no further than a walk at random, in no

@@ -45,7 +45,7 @@ enum orbit_end {
     ORBIT_LEFT_DOMAIN,
     ORBIT_LEFT_WINDOW,
     ORBIT_ARRIVED, /* within reach of target number end_index */
-    ORBIT_REACHED, /* reach[end_index]; |t| = TOL_TIME_MAX counts as [0] */
+    ORBIT_REACHED, /* reach[end_index]; |t| = TOL_RANGE counts as [0] */
     ORBIT_EVENT,   /* a stop event, number end_index */
 };
 
@@ -90,7 +90,7 @@ MUST_CHECK enum status orbit_init(struct orbit *o, const struct planar *system,
  * stop fired and o->end is set.  Afterwards does nothing.
  * STATUS_NO_CONVERGENCE: no step however short is accepted, e.g. where the
  * field is NaN, it goes to and fro in no time, where the field is nothing but
- * rounding, or an integral is above TOL_TIME_MAX; STATUS_TOO_MANY_STEPS;
+ * rounding, or an integral is above TOL_RANGE; STATUS_TOO_MANY_STEPS;
  * STATUS_NO_MEMORY.  After an error the curve up to o->u is valid. */
 MUST_CHECK enum status orbit_step(struct orbit *o);
 

@@ -45,13 +45,14 @@
  * rounding over it, 2^-53, are both below 1e-6 of it. */
 #define TOL_ASIDE 1e-6
 
-/* Range of v (and of psi where it is positive), dimensionless: ln of 1e300. */
-#define TOL_LN_RANGE 690.7755278982137
-/* Range of psi where psi is itself a logarithm: down to LEAST, for friction
- * only fades there; up to ROOM above the anchor, where e^psi has passed all
- * that it is compared with. */
-#define TOL_PSI_LEAST -1e300
-#define TOL_PSI_ROOM  700.0
+/* As far as doubles go, dimensionless: v (and psi where it is positive), both
+ * ways, of the laws and of scenes; times, at which an orbit at rest ends. */
+#define TOL_RANGE    1e300
+#define TOL_LN_RANGE 690.7755278982137 /* its logarithm */
+/* Range of psi where psi is itself a logarithm: down to -TOL_RANGE, for
+ * friction only fades there; up to ROOM above the anchor, where e^psi has
+ * passed all that it is compared with. */
+#define TOL_PSI_ROOM 700.0
 
 /* Trajectories, relative error per unit of ln v, ln psi: three digits more
  * cost twice the time; figures and energy balances to nine digits are
@@ -179,8 +180,6 @@
 /* Steps in no time, to and fro, after which it is: more than an orbit takes for
  * all of a fast motion there and back. */
 #define TOL_ORBIT_STILL 1000
-/* An orbit at rest ends here, dimensionless: as far as a double goes. */
-#define TOL_TIME_MAX 1e300
 
 /* Straight lines stay this near to the curve that they stand for, in dots of
  * the page, where those of SVG and PDF are taken to be as small as this many to
@@ -270,9 +269,6 @@
 #define SCENE_XI 64
 /* Values of chi.alpha: each is one curve of a figure. */
 #define SCENE_CHI 64
-/* Start values and windows lie where the laws are computed, v (and psi > 0)
- * within 1/SCENE_RANGE..SCENE_RANGE: TOL_LN_RANGE as a factor. */
-#define SCENE_RANGE 1e300
 
 /* Tables (CSV).  Bytes of a file, bytes of a cell, columns: far more than a
  * table of numbers needs, so that a wrong file is refused at once. */
@@ -416,10 +412,6 @@
 #define SCENE_SYSTEM_AUDIT 200
 #define SCENE_FOLD_LEAST   1e-14
 #define SCENE_FOLD_MOST    10.0
-
-/* The xi estimate, in ln(v/v_sp0): nearer than this the manifold is a vertical
- * wall, and the equation says nothing; beyond 1 over this v is no number. */
-#define TOL_XI_NEAREST 1e-6
 
 /* Files of others, read by a child (child.h).  Seconds to list one, and to
  * compare two, where 32768 x 32768 cells may have to be unpacked; bytes of

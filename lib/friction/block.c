@@ -117,7 +117,7 @@ struct vec2 block_offset(const struct block *b, double v, double psi)
 struct planar block_planar(const struct block *b)
 {
     const bool is_log = law_psi_is_log(&b->law);
-    const double bottom = is_log ? TOL_PSI_LEAST : -TOL_LN_RANGE;
+    const double bottom = is_log ? -TOL_RANGE : -TOL_LN_RANGE;
     const double top =
         is_log ? fmax(b->at.y0, 0.0) + TOL_PSI_ROOM : TOL_LN_RANGE;
 

@@ -198,12 +198,13 @@ static double log_xi_ratio(const void *ctx, double x)
 
 static double xi_root(const struct root_context *c, int side)
 {
-    double near = TOL_XI_NEAREST, far = 1.0;
+    /* nearer, the manifold is a vertical wall, and the equation says nothing;
+       beyond 1 over it v is no number */
+    double near = TOL_SAME, far = 1.0;
 
     if (!(log_xi_ratio(c, side * near) > 0.0))
         return (double) NAN;
-    for (; log_xi_ratio(c, side * far) > 0.0 && far < 1.0 / TOL_XI_NEAREST;
-         far *= 2)
+    for (; log_xi_ratio(c, side * far) > 0.0 && far < 1.0 / TOL_SAME; far *= 2)
         near = far;
     return root_between(log_xi_ratio, c, fmin(side * near, side * far),
                         fmax(side * near, side * far));

@@ -55,7 +55,7 @@ static enum transient_end end_of(const struct course *c, const struct orbit *o)
         return TRANSIENT_ARREST;
     if (course_rests(c, o, &left))
         return TRANSIENT_REST;
-    if (o->end == ORBIT_REACHED && fabs(o->u[2]) < TOL_TIME_MAX)
+    if (o->end == ORBIT_REACHED && fabs(o->u[2]) < TOL_RANGE)
         return o->end_index == 0 ? TRANSIENT_UNTIL_TIME : TRANSIENT_UNTIL_SLIP;
     if (o->end == ORBIT_LEFT_WINDOW && c->fate == FATE_RUNAWAY)
         return TRANSIENT_RUNAWAY;

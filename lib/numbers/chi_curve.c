@@ -115,7 +115,7 @@ static void fill_row(const struct law *law, const struct material *m,
 
 static enum status make_room(struct chi_curves *c, size_t slopes)
 {
-    *c = (struct chi_curves){ .slopes = slopes, .points = STUDY_CHI_POINTS };
+    *c = (struct chi_curves){ .slopes = slopes, .points = STUDY_CURVE_POINTS };
     c->slope = malloc(slopes * sizeof *c->slope);
     c->v = malloc(c->points * sizeof *c->v);
     c->ln_chi = malloc(slopes * c->points * sizeof *c->ln_chi);
@@ -128,13 +128,13 @@ static enum status make_room(struct chi_curves *c, size_t slopes)
 
 void chi_curves_points(const double range[2], double v[])
 {
-    const double last = STUDY_CHI_POINTS - 1;
+    const double last = STUDY_CURVE_POINTS - 1;
     const double length = log(range[1]) - log(range[0]);
 
-    for (size_t i = 0; i < STUDY_CHI_POINTS; i++)
+    for (size_t i = 0; i < STUDY_CURVE_POINTS; i++)
         v[i] = exp(log(range[0]) + (double) i / last * length);
     v[0] = range[0];
-    v[STUDY_CHI_POINTS - 1] = range[1];
+    v[STUDY_CURVE_POINTS - 1] = range[1];
 }
 
 enum status chi_curves_find(const struct law *law, const struct material *m,

@@ -26,8 +26,8 @@ struct chi_curves {
     const char *reason; /* static: why there is no curve; NULL if there is */
 };
 
-/* The points v[STUDY_CHI_POINTS] of the curves, evenly in ln v from range[0] to
- * range[1]. */
+/* The points v[STUDY_CURVE_POINTS] of the curves, evenly in ln v from range[0]
+ * to range[1]. */
 void chi_curves_points(const double range[2], double v[]);
 
 /*

@@ -103,7 +103,7 @@ static void fill(const struct law *law, const struct material *m,
                  struct fold_curve *f)
 {
     const bool to_cusp = !cusp->reason && cusp->c <= (long double) c[1];
-    const int last = STUDY_FOLD_POINTS - 1;
+    const int last = STUDY_CURVE_POINTS - 1;
     const long double from = logl((long double) c[0]);
     const long double to = to_cusp ? logl(cusp->c) : logl((long double) c[1]);
 
@@ -123,7 +123,7 @@ enum status fold_curve_find(const struct law *law, const struct material *m,
     const struct cusp cusp = cusp_find(law, m);
 
     *f = (struct fold_curve){ .cusp = cusp_of(law, m, &cusp) };
-    f->at = malloc(STUDY_FOLD_POINTS * sizeof *f->at);
+    f->at = malloc(STUDY_CURVE_POINTS * sizeof *f->at);
     if (f->at == NULL)
         return STATUS_NO_MEMORY;
     if (law_uses(law, MATERIAL_C))

@@ -20,30 +20,26 @@
 #define TOL_VARIATION_OPEN  1e-9
 #define TOL_VARIATION_PLACE 0.1
 
-/* Curves of steady states (steady_curve.c, spring_curve.c, fold_curve.c).
+/* Curves of steady states (steady_curve.c, spring_curve.c, fold_curve.c),
+ * and chi over the window (chi_curve.c).
  * Points: more than there are 2 px on an axis of 600, most of them where one
  * sees them; an even step from 1e-4 to 1e4 has its decades among them.  Apart
  * in ln v for a second derivative of mu_ss, which changes over distances of
  * one. */
-#define STUDY_STEADY_POINTS 401
+#define STUDY_CURVE_POINTS  401
 #define STUDY_SPRING_POINTS 801
-#define STUDY_FOLD_POINTS   401
 #define TOL_EXTREMUM_REACH  1e-3L
 
-/* A branch that ends within this part of the least psi (TOL_PSI_LEAST) ends
+/* A branch that ends within this part of the least psi (-TOL_RANGE) ends
  * there. */
 #define TOL_NUMBERS_PSI_EDGE 0.999
-
-/* Points of chi(v) over the window (chi_curve.c): as of the steady curves. */
-#define STUDY_CHI_POINTS 401
 
 /* What rounding does to a coordinate, per unit of it: half a unit of its last
  * digit, and a bit more of a logarithm. */
 #define TOL_SLIDER_ROUNDING 0x1.4p-53
 
 /* The saddle's place (place.c).  Numbers go like powers of v_sp, below this one
- * but where places are not known to a rounding; and the tolerance of both runs,
- * as a part of the way from the first place to the second, over which they bend
- * as little as mu_ss: TOL_EXTREMUM_REACH. */
+ * but where places are not known to a rounding.  The tolerance of both runs is
+ * TOL_EXTREMUM_REACH of the way from the first place to the second, over which
+ * they bend as little as mu_ss. */
 #define TOL_PLACE_POWER 8.0
-#define TOL_PLACE_FINE  1e-3

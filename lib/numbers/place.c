@@ -96,7 +96,7 @@ void place_spread(const struct block *b, struct critical_numbers *out)
     struct critical_numbers run[2] = { none, none };
     const long double step = step_of(b);
     const double far = (double) fabsl(step);
-    const double rtol = fmax(TOL_PLACE_FINE * far, TOL_FINEST);
+    const double rtol = fmax((double) TOL_EXTREMUM_REACH * far, TOL_FINEST);
 
     for (int i = 0; i < 2; i++)
         if (run_at(b, b->x + i * step, rtol, &run[i]) != STATUS_OK)

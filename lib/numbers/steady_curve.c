@@ -41,7 +41,7 @@ static void set_type(struct block *b, long double x, bool fold,
 {
     const struct law *law = &b->law;
     const struct material *m = &b->material;
-    const double top = law_psi_is_log(law) ? -TOL_PSI_LEAST : TOL_LN_RANGE;
+    const double top = law_psi_is_log(law) ? TOL_RANGE : TOL_LN_RANGE;
     struct equilibrium e;
 
     p->type = -1;
@@ -95,8 +95,8 @@ static bool clip(const struct law *law, const double v[2], double out[2])
 {
     const long double top = steady_x_max(law); /* psi = -ln v > 0: v < 1 */
 
-    out[0] = fmax(v[0], 1.0 / SCENE_RANGE);
-    out[1] = fmin(v[1], SCENE_RANGE);
+    out[0] = fmax(v[0], 1.0 / TOL_RANGE);
+    out[1] = fmin(v[1], TOL_RANGE);
     if (logl((long double) out[1]) >= top)
         out[1] = (double) expl(top) * (1.0 - TOL_ASIDE);
     return out[0] < out[1];
@@ -116,7 +116,7 @@ static void append(struct block *b, double v, bool fold, struct steady_curve *c)
 static void fill(const struct law *law, const struct material *m,
                  const double v[2], struct steady_curve *c)
 {
-    const int last = STUDY_STEADY_POINTS - 1;
+    const int last = STUDY_CURVE_POINTS - 1;
     const long double ratio = logl((long double) v[1] / (long double) v[0]);
     size_t next = 0;
     struct block b;
@@ -140,7 +140,7 @@ enum status steady_curve_find(const struct law *law, const struct material *m,
     double reach[2];
 
     *c = (struct steady_curve){ .at = NULL };
-    c->at = malloc((STUDY_STEADY_POINTS + EXTREMA_MAX) * sizeof *c->at);
+    c->at = malloc((STUDY_CURVE_POINTS + EXTREMA_MAX) * sizeof *c->at);
     if (c->at == NULL)
         return STATUS_NO_MEMORY;
     c->extrema = extremum_find(law, m, c->extremum);

@@ -149,7 +149,7 @@ static enum status begin(struct route *r)
     o.drift = &r->drift;
     o.max_steps = r->options->max_steps;
     for (size_t i = 0; i <= o.observables; i++)
-        o.least[i] = TOL_TIME_MAX; /* of those that nobody asked for */
+        o.least[i] = TOL_RANGE; /* of those that nobody asked for */
     for (size_t i = 0; i < r->way.carry->count; i++)
         o.least[component(r, i) - 2] =
             fabs(r->first[i]) / unit_of(r, component(r, i));

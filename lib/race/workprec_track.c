@@ -276,7 +276,7 @@ static bool slip_of(struct track *t, struct vec2 z, double *slip)
     double u[METHOD_DIM];
 
     while (good && outside(t, NULL, t->u) > 0.0)
-        good = advance(t, TOL_TIME_MAX);
+        good = advance(t, TOL_RANGE);
     good = good && locate(t, outside, NULL, u);
     if (good)
         *slip = u[2];

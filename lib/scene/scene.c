@@ -195,8 +195,8 @@ static enum status check_composition(const struct node *root,
 static bool psi_in_range(const struct law *law, double psi)
 {
     if (law_psi_is_log(law))
-        return fabs(psi) <= SCENE_RANGE;
-    return psi >= 1.0 / SCENE_RANGE && psi <= SCENE_RANGE;
+        return fabs(psi) <= TOL_RANGE;
+    return psi >= 1.0 / TOL_RANGE && psi <= TOL_RANGE;
 }
 
 static const char *psi_expected(const struct law *law)
@@ -232,7 +232,7 @@ static enum status check_starts(const struct node *root, const struct scene *s,
         const struct node *psi = node_find(list->child[i], "psi");
         if (psi == NULL)
             psi = node_find(list->child[i], "phi");
-        if (!(z.v >= 1.0 / SCENE_RANGE && z.v <= SCENE_RANGE))
+        if (!(z.v >= 1.0 / TOL_RANGE && z.v <= TOL_RANGE))
             return place_blame(v->at, why,
                                "trajectories.starts: v: %s is not allowed, "
                                "expected v/V_star from 1e-300 to 1e300",

@@ -299,8 +299,8 @@ static bool is_state(const struct node *n, enum formula_chart chart, double *x)
     double read;
 
     if (n == NULL || n->kind != NODE_SCALAR || !number_read(n->text, &read) ||
-        !(fabs(read) <= SCENE_RANGE) ||
-        (chart == CHART_POSITIVE && read < 1 / SCENE_RANGE))
+        !(fabs(read) <= TOL_RANGE) ||
+        (chart == CHART_POSITIVE && read < 1 / TOL_RANGE))
         return false;
     *x = read;
     return true;

@@ -116,7 +116,7 @@ static enum status refine(struct sampler *p, size_t piece,
 {
     const struct sample m = sample_at(p, piece, 0.5 * (a->theta + b->theta));
     const double distance = vec2_length(vec2_sub(b->z, a->z));
-    const bool fine = hermite_defect(a, &m, b) <= 0.2 * TOL_HERMITE &&
+    const bool fine = hermite_defect(a, &m, b) <= 0.2 * TOL_SAME &&
                       distance <= TOL_ROW_SPACING;
 
     if (fine || depth == 0)

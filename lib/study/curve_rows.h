@@ -7,7 +7,7 @@
 
 /* Points of a stable branch (struct branch_row), so dense that cubic Hermite
  * interpolation with the stored slopes (of ln psi over ln v where |slope| < 1,
- * of ln v over ln psi elsewhere) is within TOL_HERMITE of the curve.  Rows are
+ * of ln v over ln psi elsewhere) is within TOL_SAME of the curve.  Rows are
  * added to *r; on error *r holds what fitted. */
 MUST_CHECK enum status curve_rows_branch(const struct study *s,
                                          const struct branch *b,

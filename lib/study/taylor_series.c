@@ -230,7 +230,7 @@ static struct quantity leaves(const struct comparison *q)
                 *(gap < TOL_TAYLOR_AGREE ? &lo : &hi) = middle;
             }
             const double v = v_at(q, i, hi, &gap);
-            return quantity_of(v, TOL_TAYLOR_PLACE * v);
+            return quantity_of(v, TOL_ORBIT_RTOL * v);
         }
     return quantity_none("order 14 agrees with the curve to its end");
 }

@@ -130,12 +130,12 @@ static enum status add_grids(struct sweep_dims *d, const struct scene *scene,
 
 static enum status add_chi(struct sweep_dims *d, const struct scene *scene)
 {
-    double v[STUDY_CHI_POINTS];
+    double v[STUDY_CURVE_POINTS];
     const enum status status =
         copy(d, DIM_CHI_ALPHA, scene->chi_alpha, scene->chi_alphas);
 
     chi_curves_points(scene->window.v, v);
-    return status ? status : copy(d, DIM_CHI_V, v, STUDY_CHI_POINTS);
+    return status ? status : copy(d, DIM_CHI_V, v, STUDY_CURVE_POINTS);
 }
 
 enum status sweep_dims_init(struct sweep_dims *d, const struct scene *scene)

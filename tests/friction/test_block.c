@@ -86,7 +86,7 @@ static void axes_and_observables_say_what_they_are(void **state)
     block_anchor(&b, 1.0L, false);
     const struct planar q = block_planar(&b);
     assert_false(q.axis[1].is_log);
-    assert_true(q.domain.lo.y == TOL_PSI_LEAST);
+    assert_true(q.domain.lo.y == -TOL_RANGE);
     assert_true(q.domain.hi.y == TOL_PSI_ROOM); /* y0 = -1 */
 }
 

@@ -135,7 +135,7 @@ static size_t scan(equation *f, const struct sample *s, int side,
 
 static void check_xi(const struct sample *s, int side, double x, size_t *roots)
 {
-    const long double near = TOL_XI_NEAREST;
+    const long double near = TOL_SAME;
     long double size;
     const long double first = log_xi(s, side * near, &size);
     struct found root[8];

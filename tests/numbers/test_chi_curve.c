@@ -20,7 +20,7 @@ static struct chi_curves curves_of(const struct law *law,
 
     assert_int_equal(chi_curves_find(law, m, alpha, slopes, v, &c), STATUS_OK);
     assert_int_equal(c.slopes, slopes);
-    assert_int_equal(c.points, STUDY_CHI_POINTS);
+    assert_int_equal(c.points, STUDY_CURVE_POINTS);
     return c;
 }
 
@@ -168,7 +168,7 @@ static void points_are_even_in_ln_v_and_rows_belong_to_slopes(void **state)
     const struct material m = material_bristol_board();
     struct chi_curves both = curves_of(law, &m, alpha, 2, 1e-300, 1e300);
     struct chi_curves one = curves_of(law, &m, &alpha[1], 1, 1e-300, 1e300);
-    const double step = log(1e300) / (STUDY_CHI_POINTS - 1) * 2;
+    const double step = log(1e300) / (STUDY_CURVE_POINTS - 1) * 2;
 
     (void) state;
     assert_true(both.v[0] == 1e-300 && both.reason == NULL);
