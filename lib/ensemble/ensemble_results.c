@@ -133,15 +133,8 @@ static const struct record_type record_push_row_of_draws = RECORD(
     FATE(FATE_RUNAWAY, "runaway"), FATE(FATE_UNDECIDED, "undecided"),
     FATE(FATES, "none"));
 
-static enum status view_pushes(const void *run, size_t k,
-                               struct result_view *out)
-{
-    const struct ensemble *e = run;
-
-    (void) k;
-    return e->batch.pushes == 0 ? STATUS_OK
-                                : result_lend(out, e->push, e->batch.pushes);
-}
+RESULT_VIEW_IF(view_pushes, ensemble, s->batch.pushes > 0,
+               result_lend(out, s->push, s->batch.pushes))
 
 /* ---- the table ----------------------------------------------------------- */
 

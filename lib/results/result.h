@@ -95,15 +95,15 @@ static inline enum status result_lend(struct result_view *out, const void *at,
     return STATUS_OK;
 }
 
-/* A view of a struct *s, the run: `count` records from `first` on, both of
- * which may depend on k. */
-#define RESULT_VIEW(function, struct_, first, count)                           \
+/* A view of a struct *s, the run, where it is here: what lends from it, which
+ * may depend on k. */
+#define RESULT_VIEW_IF(function, struct_, here_, lends)                        \
     static enum status function(const void *run, size_t k,                     \
                                 struct result_view *out)                       \
     {                                                                          \
         const struct struct_ *s = run;                                         \
         (void) k;                                                              \
-        return result_lend(out, first, count);                                 \
+        return (here_) ? lends : STATUS_OK;                                    \
     }
 
 /* Whether the run was asked for it. */
@@ -149,3 +149,7 @@ void result_prefix(const struct result *r, size_t k, char prefix[RESULT_NAME]);
 /* What a member of the result is called in its group. */
 void result_member(const struct result *r, size_t k,
                    const struct record_field *f, char name[RESULT_NAME]);
+
+/* Always: `count` records from `first` on. */
+#define RESULT_VIEW(function, struct_, first, count)                           \
+    RESULT_VIEW_IF(function, struct_, true, result_lend(out, first, count))

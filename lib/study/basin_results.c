@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "rows.h"
 #include "study_results.h"
 #include "tolerance.h"
 
@@ -147,15 +148,12 @@ const struct record_type record_accuracy = RECORD(
 static enum status view_accuracy(const void *run, size_t k,
                                  struct result_view *out)
 {
-    struct accuracy *a = malloc(sizeof *a);
+    const double rtol = ((const struct study *) run)->fields.rtol;
+    struct rows r = rows_of(&record_accuracy);
 
     (void) k;
-    if (a == NULL)
-        return STATUS_NO_MEMORY;
-    *a = (struct accuracy){ ((const struct study *) run)->fields.rtol,
-                            TOL_ARREST };
-    out->owned = a;
-    return result_lend(out, a, 1);
+    return rows_lend(out, &r,
+                     rows_push(&r, &(struct accuracy){ rtol, TOL_ARREST }));
 }
 
 /* ---- shares and audit ---------------------------------------------------- */
@@ -167,14 +165,8 @@ const struct record_type record_share = RECORD(
     FIELD(basin_fraction, QUANTITY, linear, "1",
           "share of the window with this fate, by area in (v, psi)"));
 
-static enum status view_share(const void *run, size_t k,
-                              struct result_view *out)
-{
-    const struct basin_fraction *f =
-        &((const struct study *) run)->basins.fraction[k];
-
-    return f->log.value > 0.0 ? result_lend(out, f, 1) : STATUS_OK;
-}
+RESULT_VIEW_IF(view_share, study, s->basins.fraction[k].log.value > 0.0,
+               result_lend(out, &s->basins.fraction[k], 1))
 
 _Static_assert(sizeof(size_t) == sizeof(int64_t), "counts of record.h");
 
@@ -201,17 +193,14 @@ static enum status view_disagreement(const void *run, size_t k,
 {
     const struct basin_map *m = &((const struct study *) run)->basins;
     const size_t n = m->audit.disagreements;
-    struct disagreement *row = n > 0 ? calloc(n, sizeof *row) : NULL;
+    struct rows r = rows_of(&record_disagreement);
+    enum status status = STATUS_OK;
 
-    (void) k;
-    if (row == NULL)
-        return n > 0 ? STATUS_NO_MEMORY : STATUS_OK;
-    for (size_t i = 0; i < n; i++)
-        row[i] =
-            (struct disagreement){ m->v[m->audit.wrong[i] % m->columns],
-                                   m->psi[m->audit.wrong[i] / m->columns] };
-    out->owned = row;
-    return result_lend(out, row, n);
+    for (k = 0; k < n && status == STATUS_OK; k++)
+        status = rows_push(&r, &(struct disagreement){
+                                   m->v[m->audit.wrong[k] % m->columns],
+                                   m->psi[m->audit.wrong[k] / m->columns] });
+    return n > 0 ? rows_lend(out, &r, status) : STATUS_OK;
 }
 
 /* ---- what stands for the layers where there is no room for them -----------

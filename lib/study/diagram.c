@@ -121,25 +121,13 @@ RESULT_VIEW(view_slopes, study, s->diagrams.chi.slope, s->diagrams.chi.slopes)
 RESULT_VIEW(view_rates, study, s->diagrams.chi.v, s->diagrams.chi.points)
 
 /* Dieterich's curves, where there are any. */
-static enum status view_friction_beside(const void *run, size_t k,
-                                        struct result_view *out)
-{
-    const struct study *s = run;
-    const struct steady_curve *c = &s->diagrams.friction_law[DIAGRAM_DIETERICH];
-
-    (void) k;
-    return c->count > 0 ? result_lend(out, c->at, c->count) : STATUS_OK;
-}
-
-static enum status view_spring_beside(const void *run, size_t k,
-                                      struct result_view *out)
-{
-    const struct study *s = run;
-    const struct spring_curve *c = &s->diagrams.spring_block[DIAGRAM_DIETERICH];
-
-    (void) k;
-    return c->count > 0 ? result_lend(out, c->at, c->count) : STATUS_OK;
-}
+#define BESIDE(diagram) s->diagrams.diagram[DIAGRAM_DIETERICH]
+RESULT_VIEW_IF(view_friction_beside, study, BESIDE(friction_law).count > 0,
+               result_lend(out, BESIDE(friction_law).at,
+                           BESIDE(friction_law).count))
+RESULT_VIEW_IF(view_spring_beside, study, BESIDE(spring_block).count > 0,
+               result_lend(out, BESIDE(spring_block).at,
+                           BESIDE(spring_block).count))
 
 /* Where the stiffest spring still sticks and slips, if any does. */
 static enum status view_stiffest(const void *run, size_t k,

@@ -1,8 +1,8 @@
 /* What an experiment says, either way. */
 #include <math.h>
-#include <stdlib.h>
 
 #include "release.h"
+#include "rows.h"
 
 /* A measurement as stored. */
 struct point {
@@ -32,37 +32,31 @@ RESULT_VIEW(view_impact, release, s, 1)
 
 static enum status view_series(const struct series *s, struct result_view *out)
 {
-    struct point *point = calloc(s->count + 1, sizeof *point);
+    struct rows r = rows_of(&record_measured);
+    enum status status = STATUS_OK;
 
-    if (point == NULL)
-        return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < s->count; i++)
-        point[i] = (struct point){ s->tan_alpha[i], s->value[i],
-                                   s->error ? s->error[i] : (double) NAN };
-    out->owned = point;
-    return result_lend(out, point, s->count);
+    for (size_t i = 0; i < s->count && status == STATUS_OK; i++)
+        status = rows_push(
+            &r, &(struct point){ s->tan_alpha[i], s->value[i],
+                                 s->error ? s->error[i] : (double) NAN });
+    return rows_lend(out, &r, status);
 }
 
-/* A part that only data give. */
-#define VIEW_IF(function, here_, view_)                                        \
-    static enum status function(const void *run, size_t k,                     \
-                                struct result_view *out)                       \
-    {                                                                          \
-        const struct release *r = run;                                         \
-        (void) k;                                                              \
-        return (here_) ? view_ : STATUS_OK;                                    \
-    }
-#define FITTED (r->parabola.points > 0)
+/* Parts that only data give. */
+#define FITTED (s->parabola.points > 0)
 
-VIEW_IF(view_l_k, FITTED, view_series(&r->observed.l_k, out))
-VIEW_IF(view_parabola, FITTED, result_lend(out, &r->parabola, 1))
-VIEW_IF(view_material, FITTED, result_lend(out, &r->material, 1))
-VIEW_IF(view_slip, FITTED && !r->slip.reason,
-        result_lend(out, r->slip.at, r->slip.count))
-VIEW_IF(view_spline, FITTED, result_lend(out, &r->slip, 1))
-VIEW_IF(view_x_k, r->persistence.points > 0, view_series(&r->observed.x_k, out))
-VIEW_IF(view_persistence, r->persistence.points > 0,
-        result_lend(out, &r->persistence, 1))
+RESULT_VIEW_IF(view_l_k, release, FITTED, view_series(&s->observed.l_k, out))
+RESULT_VIEW_IF(view_parabola, release, FITTED,
+               result_lend(out, &s->parabola, 1))
+RESULT_VIEW_IF(view_material, release, FITTED,
+               result_lend(out, &s->material, 1))
+RESULT_VIEW_IF(view_slip, release, FITTED && !s->slip.reason,
+               result_lend(out, s->slip.at, s->slip.count))
+RESULT_VIEW_IF(view_spline, release, FITTED, result_lend(out, &s->slip, 1))
+RESULT_VIEW_IF(view_x_k, release, s->persistence.points > 0,
+               view_series(&s->observed.x_k, out))
+RESULT_VIEW_IF(view_persistence, release, s->persistence.points > 0,
+               result_lend(out, &s->persistence, 1))
 
 /* clang-format off */
 static const struct result release_results[] = {
