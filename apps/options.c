@@ -174,7 +174,8 @@ const struct option option_table[] = {
 _Static_assert(sizeof option_table / sizeof *option_table <= 64,
                "options.given has a bit for each");
 
-bool option_is_common(const struct option *o)
+/* Whether so many commands take it that they are not worth listing. */
+static bool option_is_common(const struct option *o)
 {
     return __builtin_popcount(o->commands) > COMMANDS / 2;
 }

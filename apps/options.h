@@ -44,9 +44,6 @@ static inline bool option_concerns(const struct option *o,
     return o->commands >> command_id(c) & 1u;
 }
 
-/* Whether so many commands take it that they are not worth listing. */
-bool option_is_common(const struct option *o);
-
 /* "push, simulate" of one that is not; else "". */
 void option_commands(const struct option *o, char *text, size_t size);
 

@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-double measure_at(const struct measure *m, int axis, double c)
+/* c itself, or e^c in units. */
+static double measure_at(const struct measure *m, int axis, double c)
 {
     return m->exponential[axis] ? exp(c - m->log_unit[axis]) : c;
 }

@@ -10,9 +10,6 @@ struct measure {
                            overflow: the top of what is measured */
 };
 
-/* c itself, or e^c in units. */
-double measure_at(const struct measure *m, int axis, double c);
-
 /* From lo to hi, to rounding of the result. */
 double measure_between(const struct measure *m, int axis, double lo, double hi);
 

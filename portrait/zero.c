@@ -12,7 +12,8 @@ static double component(int which, struct vec2 v)
     return which == 0 ? v.x : v.y;
 }
 
-double zero_sign_safe(double c)
+/* What zero_value makes of a component. */
+static double zero_sign_safe(double c)
 {
     return c == 0.0 ? copysign(DBL_TRUE_MIN, c) : c;
 }
@@ -37,7 +38,9 @@ static double plain_value(const struct zero *q, struct vec2 u)
     return component(q->which, f.direction);
 }
 
-double zero_value(struct zero *q, struct vec2 u)
+/* Never 0 and never overflowing: where the component is 0, or has underflowed,
+ * the smallest number of its sign.  Constant beyond the domain. */
+static double zero_value(struct zero *q, struct vec2 u)
 {
     q->calls++;
     return zero_sign_safe(plain_value(q, u));

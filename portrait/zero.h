@@ -17,13 +17,6 @@ struct zero {
     size_t calls; /* of field and jacobian */
 };
 
-/* Never 0 and never overflowing: where the component is 0, or has underflowed,
- * the smallest number of its sign.  Constant beyond the domain. */
-double zero_value(struct zero *q, struct vec2 u);
-
-/* What zero_value makes of a component. */
-double zero_sign_safe(double component);
-
 /* A zero between a and b, to the last digit.  False: both have the same sign,
  * a value is NaN, or the sign changes for lack of digits only. */
 bool zero_between(struct zero *q, struct vec2 a, struct vec2 b, struct vec2 *u);

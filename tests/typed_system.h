@@ -83,9 +83,7 @@ static inline const struct system_equilibrium *at_place(double x, double y,
 static inline void is_type(const struct system_equilibrium *q,
                            enum system_equilibrium_type type)
 {
-    CHECK(q->type == type, "%s is no %s",
-          system_equilibrium_type_names[q->type],
-          system_equilibrium_type_names[type]);
+    CHECK(q->type == type, "type %d is not %d", (int) q->type, (int) type);
 }
 
 static inline void near(const struct system_number *n, double value,

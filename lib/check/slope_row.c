@@ -23,9 +23,11 @@ static const struct table_cell *some_cell(const struct table *t, size_t row,
     return cell ? cell : table_at(t, row, 0);
 }
 
-enum status slope_row_number(const struct table *t,
-                             const struct table_cell *cell, const char *name,
-                             double *value, struct fault *why)
+/* The number in a cell; STATUS_BAD_SCENE blames the column `name`. */
+static enum status slope_row_number(const struct table *t,
+                                    const struct table_cell *cell,
+                                    const char *name, double *value,
+                                    struct fault *why)
 {
     const bool minus = strcmp(cell->text, "-inf") == 0;
 

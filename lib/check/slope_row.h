@@ -30,12 +30,6 @@ extern const char *const slope_row_columns[];
 MUST_CHECK enum status slope_row_read(const struct table *t, size_t row,
                                       struct slope_row *s, struct fault *why);
 
-/* The number in a cell; STATUS_BAD_SCENE blames the column `name`. */
-MUST_CHECK enum status slope_row_number(const struct table *t,
-                                        const struct table_cell *cell,
-                                        const char *name, double *value,
-                                        struct fault *why);
-
 /* A scene of the row's law number k, with default window; owns nothing and
  * needs no scene_free. */
 struct scene slope_row_scene(const struct slope_row *s, size_t k, double rtol,

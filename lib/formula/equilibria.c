@@ -9,15 +9,6 @@
 #include "formula_tolerance.h"
 #include "room.h"
 
-const char *const system_equilibrium_type_names[SYSTEM_EQUILIBRIUM_TYPES] = {
-    [SYSTEM_SADDLE] = "saddle",
-    [SYSTEM_STABLE_NODE] = "stable_node",
-    [SYSTEM_STABLE_FOCUS] = "stable_focus",
-    [SYSTEM_UNSTABLE_NODE] = "unstable_node",
-    [SYSTEM_UNSTABLE_FOCUS] = "unstable_focus",
-    [SYSTEM_NONHYPERBOLIC] = "nonhyperbolic",
-};
-
 /* ---- what is undecided --------------------------------------------------- */
 
 static struct system_window window_of(const struct search_box *b)

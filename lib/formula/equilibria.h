@@ -29,10 +29,6 @@ enum system_equilibrium_type {
     SYSTEM_EQUILIBRIUM_TYPES
 };
 
-/* "saddle", "stable_node", ... */
-extern const char
-    *const system_equilibrium_type_names[SYSTEM_EQUILIBRIUM_TYPES];
-
 /* What it is lies within error of value. */
 struct system_number {
     formula_real value;

@@ -73,14 +73,15 @@ static double digits_of(double part)
                       : STRESS_DIGITS;
 }
 
-double stress_digits(double value, quad truth)
+/* Digits of an estimate of `truth`, of conditioning k: 0...STRESS_DIGITS. */
+static double stress_digits(double value, quad truth)
 {
     const quad off = fabsq((quad) value - truth);
 
     return digits_of(off == 0 ? 0.0 : (double) (off / fabsq(truth)));
 }
 
-double stress_digits_allowed(double conditioning)
+static double stress_digits_allowed(double conditioning)
 {
     return digits_of(fmax(conditioning, 0x1p-53));
 }

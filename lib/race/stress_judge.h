@@ -40,7 +40,3 @@ const struct quantity *stress_answer_number(const struct stress_answer *a,
  * the row, whose routes agree or not. */
 void stress_judge(const struct stress_truth *t, const struct stress_answer *a,
                   struct stress_row *row);
-
-/* Digits of an estimate of `truth`, of conditioning k: 0...STRESS_DIGITS. */
-double stress_digits(double value, quad truth);
-double stress_digits_allowed(double conditioning);

@@ -37,7 +37,9 @@ static bool is_law(const struct scene_spread *p)
     return false;
 }
 
-double scene_spread_median(const struct scene_spread *p)
+/* The value of a parameter that is exceeded with probability 1/2, in the
+ * scene's units. */
+static double scene_spread_median(const struct scene_spread *p)
 {
     return p->law == SPREAD_UNIFORM ? 0.5 * p->of[0] + 0.5 * p->of[1]
                                     : p->of[0];

@@ -19,10 +19,6 @@ struct scene_spread *scene_ensemble_add(struct scene_ensemble *e,
 /* Words of a parameter's law and of ensemble.method, by code; NULL-ended. */
 extern const char *const spread_names[], *const ensemble_method_names[];
 
-/* The value of a parameter that is exceeded with probability 1/2, in the
- * scene's units. */
-double scene_spread_median(const struct scene_spread *p);
-
 /* What only the whole tree can tell: pushes in their units, and a slope or V_c
  * that the scene leaves out begins with its median.  Errors as scene_read. */
 MUST_CHECK enum status scene_ensemble_settle(const struct node *root,

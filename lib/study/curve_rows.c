@@ -3,7 +3,6 @@
 #include "curve_rows.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "remark.h"
 #include "sample.h"
@@ -200,8 +199,10 @@ enum status curve_rows_unstable(const struct study *s, const struct orbit *o,
     return sample_curve(&p);
 }
 
-enum status curve_rows_nullcline(const struct study *s,
-                                 const struct polyline *line, struct rows *r)
+/* A piece of nullcline (struct nullcline_row). */
+static enum status curve_rows_nullcline(const struct study *s,
+                                        const struct polyline *line,
+                                        struct rows *r)
 {
     double arc = 0.0;
     enum status status = STATUS_OK;
@@ -252,7 +253,8 @@ enum status curve_rows_trajectory(const struct study *s, const struct curve *c,
     return status;
 }
 
-enum status curve_rows_arrows(const struct study *s, struct rows *r)
+/* The direction field (struct arrow_row). */
+static enum status curve_rows_arrows(const struct study *s, struct rows *r)
 {
     const struct arrows *a = &s->portrait.arrows;
     enum status status = STATUS_OK;
@@ -389,13 +391,9 @@ const struct record_type record_run_end = RECORD(
 
 enum status curve_rows_lend_end(struct result_view *out, struct run_end end)
 {
-    struct run_end *copy = malloc(sizeof *copy);
+    struct rows r = rows_of(&record_run_end);
 
-    if (copy == NULL)
-        return STATUS_NO_MEMORY;
-    *copy = end;
-    out->owned = copy;
-    return result_lend(out, copy, 1);
+    return rows_lend(out, &r, rows_push(&r, &end));
 }
 
 static enum status view_end(const void *run, size_t k, struct result_view *out)

@@ -18,19 +18,11 @@ MUST_CHECK enum status curve_rows_unstable(const struct study *s,
                                            const struct orbit *o,
                                            struct rows *r);
 
-/* A piece of nullcline (struct nullcline_row). */
-MUST_CHECK enum status curve_rows_nullcline(const struct study *s,
-                                            const struct polyline *line,
-                                            struct rows *r);
-
 /* A trajectory (struct trajectory_row), a few points a step, of those with one
  * time only one: times grow from row to row. */
 MUST_CHECK enum status curve_rows_trajectory(const struct study *s,
                                              const struct curve *c,
                                              struct rows *r);
-
-/* The direction field (struct arrow_row). */
-MUST_CHECK enum status curve_rows_arrows(const struct study *s, struct rows *r);
 
 /* How an orbit ended; what is not known of it is NULL. */
 struct run_end {

@@ -40,7 +40,8 @@ static enum status run_folds(struct study *s, const struct monitor *monitor,
     return STATUS_OK;
 }
 
-struct window study_frame(const struct study *s)
+/* The scene's window as drawn. */
+static struct window study_frame(const struct study *s)
 {
     return (struct window){ .box = scene_box(s->scene),
                             .exponential = {

@@ -93,8 +93,5 @@ void study_run_jobs(struct study_job job[], size_t n, unsigned stages,
 /* A second call is harmless. */
 void study_free(struct study *s);
 
-/* The scene's window as drawn. */
-struct window study_frame(const struct study *s);
-
 /* Sum over the stages. */
 struct stage_cost study_cost(const struct study *s);
