@@ -114,7 +114,9 @@ const struct command command_table[COMMANDS] = {
     [COMMAND_STRESS] = { "stress", 1, "[SCENE.yaml]",
       "stiff and extreme cases, held to 113 bits",
       "Runs a catalogue of stiff and extreme cases and holds every error bar "
-      "to the same number computed in 113 bits.",
+      "to the same number computed in 113 bits. Of a system of formulas the "
+      "cases are itself and its parameters times random factors of 2/3 to "
+      "3/2.",
       "slipway stress --quick" },
     [COMMAND_LAWS] = { "laws", 1, "[NAME]",
       "the friction laws and their formulas",

@@ -41,7 +41,7 @@ enum {
     ROW(GALLERY, gallery, COMMAND_READS)                                       \
     ROW(CHECK, check, COMMAND_READS | COMMAND_PLANES)                          \
     ROW(WORKPREC, workprec, COMMAND_READS | COMMAND_DRAWS)                     \
-    ROW(STRESS, stress, COMMAND_READS)                                         \
+    ROW(STRESS, stress, COMMAND_READS | COMMAND_PLANES)                        \
     ROW(LAWS, laws, 0)                                                         \
     ROW(INFO, info, 0)                                                         \
     ROW(HELP, help, 0)

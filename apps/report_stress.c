@@ -5,6 +5,7 @@
 
 #include "json_results.h"
 #include "stress_tolerance.h"
+#include "system.h"
 
 static const char *agreement(int8_t agree)
 {
@@ -82,6 +83,12 @@ static json_t *parameters_json(const struct scene *c)
     json_t *j = json_object();
     struct material m = c->material;
 
+    for (int p = 0; c->system && p < c->system->parameters; p++)
+        json_object_set_new(
+            j, c->system->parameter[p].name,
+            json_number((double) c->system->parameter[p].value));
+    if (c->system)
+        return j;
     for (int key = 0; key < MATERIAL_KEYS; key++) {
         const enum material_key which = (enum material_key) key;
         if (law_uses(&c->law, which))

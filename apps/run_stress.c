@@ -7,6 +7,7 @@
 #include "progress.h"
 #include "report_stress.h"
 #include "result_file.h"
+#include "stress_plane.h"
 
 static bool begins(const char *text, const char *with)
 {
@@ -19,8 +20,8 @@ static bool has_scene(const struct options *o)
     bool given = o->files > 0;
 
     for (size_t i = 0; i < o->sets; i++)
-        given =
-            given || begins(o->set[i], "law.") || begins(o->set[i], "slope.");
+        given = given || begins(o->set[i], "law.") ||
+                begins(o->set[i], "slope.") || begins(o->set[i], "system.");
     return given;
 }
 
@@ -55,29 +56,63 @@ static void describe(const struct options *o, char *text, size_t size)
                                    n > 0 ? " " : "", o->set[i]);
 }
 
+/* The scene as number k of its cases; of a system `more` sets its parameters.
+ */
 static enum status add_scene(const struct options *o, struct stress_list *list,
+                             int k, char *more, struct scene *scene,
                              struct fault *why)
 {
-    struct scene scene;
-    enum status s = command_read(o, NULL, 0, &scene, why);
+    enum status s = command_read(o, &more, k > 0, scene, why);
+    char settings[sizeof list->at->settings], name[sizeof list->at->name];
 
     if (s != STATUS_OK)
         return s;
-    char settings[sizeof list->at->settings];
     describe(o, settings, sizeof settings);
-    if (stress_matches(scene_name(&scene), o->only))
-        s = stress_list_add(list, scene_name(&scene), settings, &scene);
-    scene_free(&scene);
+    if (k > 0)
+        snprintf(settings + strlen(settings),
+                 sizeof settings - strlen(settings), " --set '%s'", more);
+    snprintf(name, sizeof name, k > 0 ? "%.80s/%d" : "%.80s", scene_name(scene),
+             k);
+    if (stress_matches(name, o->only))
+        s = stress_list_add(list, name, settings, scene);
+    return s;
+}
+
+/* A system, and as often as that with other parameters. */
+static enum status add_system(const struct options *o, struct stress_list *list,
+                              const struct scene *first, struct fault *why)
+{
+    const int count = o->quick ? STRESS_PLANE_CASES / 4 : STRESS_PLANE_CASES;
+    char more[sizeof list->at->settings] = "";
+    enum status s = STATUS_OK;
+
+    for (int k = 0; k <= count && s == STATUS_OK; k++) {
+        struct scene scene;
+        if (k > 0 && !stress_plane_setting(first, k, more, sizeof more / 2))
+            break;
+        s = add_scene(o, list, k, more, &scene, why);
+        if (s == STATUS_OK)
+            scene_free(&scene);
+    }
     return s;
 }
 
 static enum status make_list(const struct options *o, struct stress_list *list,
                              struct fault *why)
 {
-    enum status s = stress_list_init(list, o->only, o->quick, why);
+    struct scene scene = { .title = NULL };
+    enum status s =
+        has_scene(o) ? command_read(o, NULL, 0, &scene, why) : STATUS_OK;
 
-    if (s == STATUS_OK && has_scene(o))
-        s = add_scene(o, list, why);
+    if (s == STATUS_OK && scene.system) {
+        s = add_system(o, list, &scene, why);
+    } else if (s == STATUS_OK) {
+        scene_free(&scene);
+        s = stress_list_init(list, o->only, o->quick, why);
+        if (s == STATUS_OK && has_scene(o))
+            s = add_scene(o, list, 0, NULL, &scene, why);
+    }
+    scene_free(&scene);
     if (s == STATUS_OK && list->count == 0)
         s = command_refuse(why,
                            "stress: --only %s: no case has that in its name",

@@ -53,6 +53,21 @@ def the_quick_catalogue_has_no_lie(room):
             [OUTCOMES.index(case['outcome']) for case in cases], 0], read)
 
 
+def a_system_is_held_to_113_bits_with_its_and_other_parameters(room):
+    ode = ['--ode', "x' = a*x*(3 - x - 2*y); y' = y*(2 - x - y); a = 1; b = 7",
+           '--window', 'x=-1:4,y=-1:3']
+    found = json.loads(room.good('stress', '--quick', *ode, '--json'))
+    cases = found['cases']
+    expect(len(cases) == 4 and
+           all((case['kind'], case['law'], case['outcome'], case['reason']) ==
+               ('system', 'system', 'exact', None) for case in cases), cases)
+    expect(all(case['bar'] <= 1 and case['digits'] > 12 and case['steps'] > 20
+               for case in cases), cases)
+    expect(cases[0]['parameters'] == {'a': 1, 'b': 7}, cases[0])
+    expect(all(2 / 3 < case['parameters']['a'] < 3 / 2 and
+               case['parameters']['b'] == 7 for case in cases[1:]), cases)
+
+
 def a_pattern_picks_cases_and_the_table_says_how_to_repeat_them(room):
     said = room.good('stress', *FEW)
     names = re.findall(r'^eps2/dieterich_gen/log/1e-09/\S+', said, re.M)
@@ -121,5 +136,6 @@ run_cases([
     fields_are_looked_at_beside_the_saddle,
     each_case_is_a_test_of_tap,
     a_scene_is_one_more_case,
+    a_system_is_held_to_113_bits_with_its_and_other_parameters,
     wrong_uses_are_refused,
 ])

@@ -114,7 +114,7 @@ MAY_SEE = {
     'lib/ensemble': LOW + ORBITS + ['lib/plane', 'lib/study', 'lib/sweep'],
     'lib/check': LOW + ORBITS + ['lib/plane', 'lib/study'],
     'lib/api': LOW + ORBITS + ['lib/plane', 'lib/study', 'lib/sweep', 'lib/ensemble'],
-    'lib/race': LOW + ORBITS + ['lib/study'],
+    'lib/race': LOW + ORBITS + ['lib/plane', 'lib/study'],
 }
 
 

@@ -14,8 +14,8 @@
 #include "stress_family.h"
 #include "stress_tolerance.h"
 
-const char *const stress_kind_names[] = { "slope", "start", "window", "field",
-                                          NULL };
+const char *const stress_kind_names[] = { "slope", "start",  "window",
+                                          "field", "system", NULL };
 
 bool stress_matches(const char *name, const char *pattern)
 {
@@ -49,7 +49,8 @@ static enum stress_kind kind_of(const struct scene *scene)
     const unsigned fields = 1u << PRODUCT_SLIP | 1u << PRODUCT_TIME |
                             1u << PRODUCT_FRICTION | 1u << PRODUCT_PEAK;
 
-    return scene->starts                            ? STRESS_START
+    return scene->system                            ? STRESS_SYSTEM
+           : scene->starts                          ? STRESS_START
            : scene->products & fields               ? STRESS_FIELD
            : scene->products >> PRODUCT_BASINS & 1u ? STRESS_WINDOW
                                                     : STRESS_SLOPE;

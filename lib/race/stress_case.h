@@ -12,6 +12,7 @@ enum stress_kind {
     STRESS_START,  /* the fate of a state */
     STRESS_WINDOW, /* the labels of a grid */
     STRESS_FIELD,  /* slip, time, friction and peaks on a grid */
+    STRESS_SYSTEM, /* of formulas: equilibria, branches, labels */
     STRESS_KINDS
 };
 extern const char *const stress_kind_names[];
@@ -36,8 +37,8 @@ MUST_CHECK enum status stress_list_init(struct stress_list *list,
                                         const char *pattern, bool quick,
                                         struct fault *why);
 
-/* Adds a user's scene, which becomes the list's: *scene is then empty.  Its
- * first start, if any, makes it a STRESS_START, else a field of its products a
+/* Adds a user's scene, which becomes the list's: *scene is then empty.  A
+ * system of formulas makes it a STRESS_SYSTEM, else its first start, if any, makes it a STRESS_START, else a field of its products a
  * STRESS_FIELD, else basins a STRESS_WINDOW;
  * `settings`: what makes it, for people.  STATUS_NO_MEMORY, with nothing
  * changed. */

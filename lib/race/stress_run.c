@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "stress_plane.h"
 #include "stress_tolerance.h"
 #include "stress_work.h"
 #include "workprec_clock.h"
@@ -21,9 +22,7 @@ static const struct {
     [STRESS_FIELD] = { ASKS(BASINS), stress_grid_judge },
 };
 
-/* Only STATUS_NO_MEMORY is an error. */
-static enum status judge_case(const struct stress_case *c,
-                              struct stress_work *w)
+static enum status judge_law(const struct stress_case *c, struct stress_work *w)
 {
     const double start = workprec_clock_now();
 
@@ -36,6 +35,17 @@ static enum status judge_case(const struct stress_case *c,
     if (s == STATUS_OK)
         s = kinds[c->kind].judge(w);
     study_free(&w->study);
+    return s;
+}
+
+/* Only STATUS_NO_MEMORY is an error. */
+static enum status judge_case(const struct stress_case *c,
+                              struct stress_work *w)
+{
+    const enum status s = c->kind == STRESS_SYSTEM
+                              ? stress_plane_judge(&c->scene, w->row)
+                              : judge_law(c, w);
+
     if (s == STATUS_OK || s == STATUS_NO_MEMORY)
         return s;
     stress_row_say(w->row, STRESS_FAILED, w->row->fault.text, NULL);
@@ -49,7 +59,8 @@ static enum status run_case(const struct stress_case *c,
     const double none = (double) NAN;
 
     *row = (struct stress_row){ .name = c->name,
-                                .law = c->scene.law.preset,
+                                .law = c->scene.system ? "system"
+                                                       : c->scene.law.preset,
                                 .settings = c->settings,
                                 .kind = (int8_t) c->kind,
                                 .form = (int8_t) c->scene.law.form,

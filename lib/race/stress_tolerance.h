@@ -38,3 +38,16 @@
  * count as all of them. */
 #define STRESS_DIGITS  15.95
 #define STRESS_MISSING 2.0
+
+/* Systems of formulas, in windows: steps of branches and of orbits that only
+ * have to arrive; a way begins so far from its saddle, off its branch by the
+ * square of that, and is compared from so far on; their equilibria are known in 113 bits to so much, of the
+ * fastest rate their eigenvalues (differences of 2^-38); an orbit has gone for
+ * good. */
+#define STRESS_WAY_STEP  1e-22
+#define STRESS_ARRIVED   1e-14
+#define STRESS_WAY_LEFT  1e-11
+#define STRESS_WAY_NEAR  1e-10
+#define STRESS_WAY_TOL   1e-25
+#define STRESS_SLOPE_TOL 1e-17
+#define STRESS_GONE      1e3

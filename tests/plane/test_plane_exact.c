@@ -4,19 +4,18 @@
 #include <math.h>
 
 #include "formulas.h"
-#include "quad.h"
-
-typedef void field(const quad z[2], quad out[2]);
+#include "quad_way.h"
 
 struct model {
     const char *name, *ode, *window;
-    field *field;
+    quad_rates *rates;
 };
 
 #define RATES(f, first, second)                                                \
-    static void f(const quad z[2], quad out[2])                                \
+    static void f(const void *ctx, quad t, const quad z[2], quad out[2])       \
     {                                                                          \
         const quad x = z[0], y = z[1];                                         \
+        (void) ctx, (void) t;                                                  \
         out[0] = first;                                                        \
         out[1] = second;                                                       \
     }
@@ -172,46 +171,20 @@ enum { MODELS = sizeof models / sizeof *models };
 
 /* ---- 113 bits ------------------------------------------------------------ */
 
-/* Columns by central differences, of relative error 1e-20 or so. */
-static void jacobian(field *f, const quad z[2], quad j[2][2])
+static struct quad_way way_at(const struct model *m,
+                              const struct plane_study *s,
+                              const struct plane_rest *r)
 {
-    const quad h = (quad) 0x1p-33;
+    struct quad_way w = { .rates = m->rates,
+                          .side = { s->scale.side.x, s->scale.side.y },
+                          .accuracy = 1e-22,
+                          .most = 0.01,
+                          .z = { r->exact.state[0].value,
+                                 r->exact.state[1].value } };
 
-    for (int k = 0; k < 2; k++) {
-        quad up[2] = { z[0], z[1] }, down[2] = { z[0], z[1] }, a[2], b[2];
-        up[k] += h;
-        down[k] -= h;
-        f(up, a);
-        f(down, b);
-        for (int i = 0; i < 2; i++)
-            j[i][k] = (a[i] - b[i]) / (2 * h);
-    }
-}
-
-/* The root of the field beside z. */
-static void settle(field *f, quad z[2])
-{
-    for (int n = 0; n < 8; n++) {
-        quad j[2][2], r[2];
-        jacobian(f, z, j);
-        f(z, r);
-        const quad d = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-        z[0] -= (r[0] * j[1][1] - r[1] * j[0][1]) / d;
-        z[1] -= (r[1] * j[0][0] - r[0] * j[1][0]) / d;
-    }
-}
-
-/* re of both in rising order, and im >= 0. */
-static void eigenvalues(quad j[2][2], quad re[2], quad *im)
-{
-    const quad half = (j[0][0] + j[1][1]) / 2;
-    const quad d =
-        (j[0][0] - j[1][1]) * (j[0][0] - j[1][1]) / 4 + j[0][1] * j[1][0];
-    const quad root = sqrtq(fabsq(d));
-
-    re[0] = d > 0 ? half - root : half;
-    re[1] = d > 0 ? half + root : half;
-    *im = d > 0 ? 0 : root;
+    if (r->type != PLANE_NONHYPERBOLIC) /* its Jacobian may be singular */
+        quad_way_settle(&w);
+    return w;
 }
 
 /* A bar that is the rounding of its value is a double as well. */
@@ -227,14 +200,13 @@ static void equilibria_hold(const struct model *m, const struct plane_study *s)
 {
     for (size_t i = 0; i < s->rests; i++) {
         const struct plane_rest *r = &s->rest[i];
-        quad z[2] = { r->exact.state[0].value, r->exact.state[1].value };
-        quad j[2][2], re[2], im;
+        const struct quad_way w = way_at(m, s, r);
+        const quad *z = w.z;
+        quad re[2], im;
 
         if (r->type == PLANE_NONHYPERBOLIC)
-            continue; /* its Jacobian may be singular */
-        settle(m->field, z);
-        jacobian(m->field, z, j);
-        eigenvalues(j, re, &im);
+            continue;
+        quad_way_eigenvalues(&w, re, &im);
         for (int k = 0; k < 2; k++) {
             CHECK(fabsq(r->exact.state[k].value - z[k]) <=
                       r->exact.state[k].error + (quad) 1e-28,
@@ -278,167 +250,7 @@ static void every_equilibrium_is_held_to_113_bits(void **state)
 
 /* ---- branches ------------------------------------------------------------ */
 
-enum { COLUMNS = 8, STEPS = 4000, POINTS = 6 };
-
-/* A way along the field, forward or backward. */
-struct way {
-    field *f;
-    int sign;
-    quad z[2], step;
-};
-
-static void rates(const struct way *w, const quad z[2], quad out[2])
-{
-    w->f(z, out);
-    out[0] *= w->sign;
-    out[1] *= w->sign;
-}
-
-/* The modified midpoint rule in n parts. */
-static void midpoint(const struct way *w, quad h, int n, quad out[2])
-{
-    quad r[2], was[2] = { w->z[0], w->z[1] }, at[2];
-
-    rates(w, was, r);
-    for (int k = 0; k < 2; k++)
-        at[k] = was[k] + r[k] * h / n;
-    for (int i = 1; i < n; i++) {
-        rates(w, at, r);
-        for (int k = 0; k < 2; k++) {
-            const quad next = was[k] + r[k] * 2 * h / n;
-            was[k] = at[k];
-            at[k] = next;
-        }
-    }
-    rates(w, at, r);
-    for (int k = 0; k < 2; k++)
-        out[k] = (at[k] + was[k] + r[k] * h / n) / 2;
-}
-
-/* Gragg, Bulirsch and Stoer: extrapolated to n = infinity; how far the last two
- * columns are apart. */
-static quad extrapolated(const struct way *w, quad h, quad out[2])
-{
-    quad t[COLUMNS][2], last = 0;
-
-    for (int j = 0; j < COLUMNS; j++) {
-        midpoint(w, h, 2 * (j + 1), t[j]);
-        for (int i = j; i-- > 0;) {
-            const quad ratio = (quad) (j + 1) / (i + 1);
-            last = 0;
-            for (int k = 0; k < 2; k++) {
-                const quad off = (t[i + 1][k] - t[i][k]) / (ratio * ratio - 1);
-                t[i][k] = t[i + 1][k] + off;
-                last += fabsq(off);
-            }
-        }
-    }
-    out[0] = t[0][0];
-    out[1] = t[0][1];
-    return last;
-}
-
-/* A step of an error below 1e-22 or so. */
-static void go_on(struct way *w, quad out[2])
-{
-    quad off = extrapolated(w, w->step, out);
-
-    while (!(off <= (quad) 1e-22) && w->step > 1e-9) {
-        w->step /= 2;
-        off = extrapolated(w, w->step, out);
-    }
-}
-
-/* How far p is behind z, along the way. */
-static quad behind(const struct way *w, const double p[2], const quad z[2],
-                   quad *speed)
-{
-    quad r[2];
-
-    rates(w, z, r);
-    *speed = hypotq(r[0], r[1]);
-    return ((z[0] - p[0]) * r[0] + (z[1] - p[1]) * r[1]) / *speed;
-}
-
-/* From w->z, a step before p or less: how far the way passes it by. */
-static quad passes(const struct way *w, const double p[2])
-{
-    quad z[2] = { w->z[0], w->z[1] }, time = 0, speed;
-
-    for (int n = 0; n < 8; n++) {
-        const quad off = behind(w, p, z, &speed);
-        time -= off / speed;
-        extrapolated(w, time, z);
-    }
-    return hypotq(z[0] - p[0], z[1] - p[1]);
-}
-
-/* How far p is off the way where z has just come by it; else infinite. */
-static quad off_at(const struct way *w, const struct plane_point *p,
-                   const quad z[2])
-{
-    quad speed;
-    const bool by =
-        behind(w, p->at, z, &speed) >= 0 &&
-        hypotq(z[0] - p->at[0], z[1] - p->at[1]) < 2 * speed * w->step;
-
-    return by ? passes(w, p->at) : (quad) HUGE_VAL;
-}
-
-/* How many points the way comes by within their bars, one after another, at
- * about the arc lengths that they are told to be at. */
-static size_t follow(struct way *w, const struct plane_point p[], size_t count,
-                     const char *model)
-{
-    size_t held = 0;
-    quad z[2], arc = 0, least = (quad) HUGE_VAL;
-
-    for (int n = 0; n < STEPS && held < count && w->step > 1e-9; n++) {
-        go_on(w, z);
-        const quad size = hypotq(z[0] - w->z[0], z[1] - w->z[1]);
-        arc += size;
-        for (quad off; held < count &&
-                       (off = off_at(w, &p[held], z)) < (quad) HUGE_VAL;) {
-            least = off < least ? off : least;
-            if (!(off <= p[held].error + (quad) 1e-20))
-                break;
-            least = (quad) HUGE_VAL;
-            held++;
-        }
-        CHECK(held == count || arc < p[held].arc * 1.1 + 0.2,
-              "%s: %.17g, %.17g (arc %g) is off by %g, bar %g", model,
-              p[held].at[0], p[held].at[1], p[held].arc, (double) least,
-              p[held].error);
-        w->z[0] = z[0];
-        w->z[1] = z[1];
-        w->step *= size < (quad) 0.05 ? (quad) 1.25 : 1;
-    }
-    return held;
-}
-
-/* 1e-11 from the saddle, off its branch by the square of that. */
-static struct way leave(const struct model *m, const struct plane_rest *r,
-                        bool stable, const struct plane_point *to)
-{
-    struct way w = { m->field,
-                     stable ? -1 : 1,
-                     { r->exact.state[0].value, r->exact.state[1].value },
-                     (quad) 0.01 };
-    quad j[2][2], re[2], im, d[2];
-
-    settle(m->field, w.z);
-    jacobian(m->field, w.z, j);
-    eigenvalues(j, re, &im);
-    const quad rate = re[stable ? 0 : 1];
-    const bool first =
-        hypotq(j[0][1], rate - j[0][0]) > hypotq(rate - j[1][1], j[1][0]);
-    d[0] = first ? j[0][1] : rate - j[1][1];
-    d[1] = first ? rate - j[0][0] : j[1][0];
-    const quad side = (to->at[0] - w.z[0]) * d[0] + (to->at[1] - w.z[1]) * d[1];
-    for (int k = 0; k < 2; k++)
-        w.z[k] += copysignq((quad) 1e-11, side) * d[k] / hypotq(d[0], d[1]);
-    return w;
-}
+enum { POINTS = 6 };
 
 /* Some points of a branch, from the saddle on. */
 static void branch_holds(const struct model *m, const struct plane_study *s,
@@ -447,16 +259,22 @@ static void branch_holds(const struct model *m, const struct plane_study *s,
     const struct record_type type = { .size = sizeof(struct plane_point) };
     struct plane_point some[POINTS];
     struct rows r = rows_of(&type);
+    quad off[POINTS];
+    bool lost;
 
     assert_int_equal(plane_rows_branch(s, b, &r), STATUS_OK);
     const struct plane_point *all = (const struct plane_point *) r.at;
     CHECK(r.count > POINTS, "%s: %zu points", m->name, r.count);
     for (size_t i = 0; i < POINTS; i++)
         some[i] = all[(i + 1) * (r.count - 1) / (POINTS + 1)];
-    struct way w =
-        leave(m, &s->rest[b->rest], b->kind == MANIFOLD_STABLE, &all[1]);
-    const size_t held = follow(&w, some, POINTS, m->name);
-    CHECK(held > 0, "%s: no point of a branch is met", m->name);
+    struct quad_way w = way_at(m, s, &s->rest[b->rest]);
+    w.step = b->kind == MANIFOLD_STABLE ? -1 : 1;
+    quad_way_leave(&w, all[1].at);
+    const size_t held = quad_way_follow(&w, some, POINTS, 1e-20, off, &lost);
+    CHECK(held == POINTS,
+          "%s: %.17g, %.17g (arc %g) is off by %g, bar %g, or not come to",
+          m->name, some[held].at[0], some[held].at[1], some[held].arc,
+          (double) off[held], some[held].error);
     *points += held;
     rows_free(&r);
 }
