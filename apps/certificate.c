@@ -143,24 +143,52 @@ static json_t *numbers_json(const struct proof *p)
     return j;
 }
 
+/* What becomes of a side; NULL: it is not known. */
+static const char *fate_of(const struct law *law, const struct material *m,
+                           bool fast)
+{
+    const int node = proof_has_node(law, m, fast ? 1 : -1);
+
+    return node > 0 ? "node" : node < 0 ? NULL : fast ? "v_infinity" : "v_0";
+}
+
+/* Of each row the columns before the first number are on the slow side, those
+ * from the second on on the fast one; NULL: no labels are proved. */
+static json_t *labels_json(const struct study *s, const struct law *law)
+{
+    const struct material *m = &s->scene->material;
+    const struct basin_map *map = &s->basins;
+    const struct proof_row *row = s->label_proof.row;
+
+    if (row == NULL)
+        return NULL;
+    json_t *v = json_array(), *psi = json_array(), *rows = json_array();
+    for (size_t i = 0; i < map->columns; i++)
+        json_array_append_new(v, json_real(map->v[i]));
+    for (size_t j = 0; j < map->rows; j++) {
+        json_array_append_new(psi, json_real(map->psi[j]));
+        json_array_append_new(
+            rows, json_pack("[i, i]", (int) row[j].slow, (int) row[j].fast));
+    }
+    return json_pack("{s:s, s:s, s:o, s:o, s:o}", "slow",
+                     fate_of(law, m, false), "fast", fate_of(law, m, true), "v",
+                     v, "psi", psi, "rows", rows);
+}
+
 /* Theorems 15 and 20; NULL: it is not proved. */
 static json_t *alone_json(const struct scene *scene)
 {
     static const char *const tau[] = { NULL, "below", "above", "rises" };
-    static const char *const end[2][2] = { { "v_0", "node" },
-                                           { "v_infinity", "node" } };
     const struct proof_inputs in = study_proof_inputs(scene);
     const struct law *law = &scene->law;
     double window[2] = { 0 };
     const enum proof_alone found =
         proof_no_saddle(law, &scene->material, &in, window);
-    const bool fast = found == PROOF_ALONE_FAST;
-    const int node = proof_has_node(law, &scene->material, fast ? 1 : -1);
     const char *fate =
-        found == PROOF_ALONE_RISING
-            ? proof_rises_through(law, &scene->material) ? "node" : NULL
-        : node >= 0 ? end[fast][node]
-                    : NULL;
+        found != PROOF_ALONE_RISING
+            ? fate_of(law, &scene->material, found == PROOF_ALONE_FAST)
+        : proof_rises_through(law, &scene->material) ? "node"
+                                                     : NULL;
 
     if (found == PROOF_ALONE_NOT)
         return NULL;
@@ -173,9 +201,8 @@ static json_t *alone_json(const struct scene *scene)
 
 static json_t *proof_json(const struct study *s)
 {
-    json_t *alone = s->proof.exact ? NULL : alone_json(s->scene);
-
     const struct proof *p = s->proof.exact;
+    json_t *alone = p ? NULL : alone_json(s->scene);
     const char *why = alone       ? NULL
                       : p == NULL ? "that there is no saddle was not proved"
                       : p->not_proved.text[0] ? p->not_proved.text
@@ -185,12 +212,13 @@ static json_t *proof_json(const struct study *s)
         return json_pack("{s:i, s:s}", "slipway_certificate",
                          CERTIFICATE_VERSION, "not_proved", why);
     return json_pack(
-        "{s:i, s:o, s:o, s:o, s:o*, s:o*, s:o*, s:o*}", "slipway_certificate",
-        CERTIFICATE_VERSION, "law", law_json(p ? &p->law.law : &s->scene->law),
-        "material", material_json(&s->slider.block), "slope",
-        slope_json(s->scene), "no_saddle", alone, "upper",
-        p ? branch_json(p, 0) : NULL, "lower", p ? branch_json(p, 1) : NULL,
-        "numbers", p ? numbers_json(p) : NULL);
+        "{s:i, s:o, s:o, s:o, s:o*, s:o*, s:o*, s:o*, s:o*}",
+        "slipway_certificate", CERTIFICATE_VERSION, "law",
+        law_json(p ? &p->law.law : &s->scene->law), "material",
+        material_json(&s->slider.block), "slope", slope_json(s->scene),
+        "no_saddle", alone, "upper", p ? branch_json(p, 0) : NULL, "lower",
+        p ? branch_json(p, 1) : NULL, "numbers", p ? numbers_json(p) : NULL,
+        "labels", p ? labels_json(s, &p->law.law) : NULL);
 }
 
 /* ---- the file ------------------------------------------------------------ */

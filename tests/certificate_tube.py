@@ -210,9 +210,8 @@ def part(block, piece, a, b, end, error, radius):
 
 
 @functools.lru_cache(None)
-def check_cell(block, piece, a, b, end, error, radius, after, excess):
-    """On a cell, in as many parts as the claims take."""
-    count = 1
+def check_cell(block, piece, a, b, end, error, radius, after, excess, count):
+    """On a cell, in as many parts as the claims take, which is answered."""
     while count <= PARTS:
         borders = [a + (b - a) * i / count for i in range(count)] + [b]
         e, total, found = iv.mpf(error), ZERO, ()
@@ -222,7 +221,7 @@ def check_cell(block, piece, a, b, end, error, radius, after, excess):
                 break
             e, total = found[0], total + found[1]
         if found and e <= iv.mpf(after) and holds(excess, total):
-            return
+            return count
         count *= 2
     raise Wrong(f'theta {a} .. {b}: tube and integral do not follow')
 

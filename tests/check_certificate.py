@@ -18,6 +18,7 @@ from mpmath import iv
 from certificate_end import Place, stays_open, stays_steep, tail_in_psi, tail_in_v
 from certificate_field import Block
 from certificate_knees import find_knees
+from certificate_sides import Branch, check_labels
 from certificate_steady import check_alone
 from certificate_tube import (ONE, Piece, Wrong, between, check_cell,
                               check_cone, claim, expm1, holds, join, turn)
@@ -34,7 +35,7 @@ def walk(block, pieces, branch):
     """Along the cells: where they end, the errors at the beginning and the end of each
     piece, and the integral."""
     error, a = begin(block, pieces, branch), branch['cone']['reach']
-    total, errors = iv.mpf(branch['cone']['excess']), []
+    total, errors, parts = iv.mpf(branch['cone']['excess']), [], 1
     for i, (piece, j) in enumerate(zip(pieces, branch['pieces'])):
         following = pieces[i + 1] if i + 1 < len(pieces) else None
         turns = following is not None and following.ind != piece.ind
@@ -44,7 +45,8 @@ def walk(block, pieces, branch):
         first = error
         for b, radius, after, excess in j['cells']:
             claim(a < b, 'cells are not in order')
-            check_cell(block, piece, a, b, end, error, radius, after, tuple(excess))
+            parts = check_cell(block, piece, a, b, end, error, radius, after,
+                               tuple(excess), max(1, parts // 2))
             a, error, total = b, iv.mpf(after), total + iv.mpf(excess)
         claim(iv.mpf(a) >= end.b, 'a piece is not covered by its cells')
         errors.append((first, error))
@@ -81,10 +83,14 @@ def check_knees(block, branch, pieces, errors, beyond):
         claim(holds(knee['psi'], block.psi_at(Y)), 'psi of a knee')
 
 
+def pieces_of(branch):
+    return [make_piece(j['independent'], j['start'], j['step'], tuple(j['coef']))
+            for j in branch['pieces']]
+
+
 def check_branch(block, branch, side):
     """Where it settles and the excess; None: it is open."""
-    pieces = [make_piece(j['independent'], j['start'], j['step'], tuple(j['coef']))
-              for j in branch['pieces']]
+    pieces = pieces_of(branch)
     last, end = pieces[-1], branch['end']
     if end == 'open':
         return check_open(block, branch, pieces, side)
@@ -99,6 +105,11 @@ def check_branch(block, branch, side):
     claim(holds(branch['excess'], total), 'the integral along the branch')
     check_knees(block, branch, pieces, errors, sign)
     return settles, total
+
+
+def sides_of(block, branch, side):
+    settles = check_branch(block, branch, side)
+    return Branch(pieces_of(branch), branch, settles and settles[0], side > 0)
 
 
 # ---- the numbers ------------------------------------------------------------
@@ -160,6 +171,10 @@ def check(certificate):
     upper, lower = certificate['upper'], certificate['lower']
     if 'not_proved' not in upper:
         found.update(upper_numbers(block, check_branch(block, upper, 1)))
+    if 'labels' in certificate:
+        sides = [sides_of(block, certificate[name], side)
+                 for name, side in (('upper', 1), ('lower', -1))]
+        check_labels(block, certificate['law'], certificate['labels'], *sides)
     if 'not_proved' not in lower:
         found.update(lower_numbers(block, check_branch(block, lower, -1),
                                    lower['end']))
@@ -189,6 +204,8 @@ def verified(certificate):
         return ', '.join(words + ['no saddle'] + [f'all states to {fate}'] * bool(fate))
     for side in ('upper', 'lower'):
         words.append(f"{side} branch: {certificate[side].get('end', 'not proved')}")
+    if 'labels' in certificate:
+        words.append(f"sides of {len(certificate['labels']['psi'])} rows of cells")
     return ', '.join(words + list(certificate['numbers']))
 
 

@@ -326,6 +326,36 @@ def a_saddle_that_is_there_is_not_denied(room):
     print(f'# rejected: {count}')
 
 
+def labelled(room):
+    room.good('basin', '--law', 'ruina', '--friction', 'log', '--alpha', '0.34', '--proved',
+              '--set', 'basins.cells=[40,40]', '-o', 'labels.h5', '--certificate', 'labels.json')
+    return json.loads(room.read('labels.json'))
+
+
+def forge_labels(claimed, rng):
+    """A row's border moved by a cell, or what becomes of a side."""
+    if rng.random() < 0.2:
+        side = rng.choice(['slow', 'fast'])
+        claimed[side] = rng.choice([w for w in ('node', 'v_0', 'v_infinity')
+                                    if w != claimed[side]])
+        return
+    k = rng.randrange(len(claimed['rows']))
+    step = rng.choice([-1, 1])
+    claimed['rows'][k] = [column + step for column in claimed['rows'][k]]
+
+
+def labels_have_one_and_no_cell_changes_its_side(room):
+    found, rng = labelled(room), random.Random(SEED)
+    rows = found['labels']['rows']
+    expect(len(rows) == 40 and all(u == w for u, w in rows) and rows[0] != rows[-1], rows)
+    expect((found['labels']['slow'], found['labels']['fast']) == ('v_0', 'v_infinity'))
+    expect(not rejected(found), rejected(found))
+    for _ in range(max(TAMPERED // 8, 20)):
+        forged = json.loads(json.dumps(found))
+        forge_labels(forged['labels'], rng)
+        expect(rejected(forged), difference(found, forged))
+
+
 run_cases([
     each_claim_of_a_certificate_follows,
     its_numbers_are_those_of_the_answer,
@@ -336,4 +366,5 @@ run_cases([
     a_slope_without_a_saddle_has_one,
     what_cannot_be_shown_claims_nothing,
     a_saddle_that_is_there_is_not_denied,
+    labels_have_one_and_no_cell_changes_its_side,
 ])
