@@ -20,8 +20,12 @@ def ball(u):
     ends = [(-man if sign else man, exp) for sign, man, exp, _ in u._mpi_]
     if any(man == 0 and exp for man, exp in ends):
         raise ArithmeticError('an interval is not finite')
-    e = min([exp for man, exp in ends if man], default=0)
-    lo, hi = (man << (exp - e) if man else 0 for man, exp in ends)
+    exps = [exp for man, exp in ends if man] or [0]
+    # what is far below the larger end is rounded outward
+    e = max(min(exps), max(exps) - 4 * BITS)
+    lo, hi = (man << (exp - e) if exp >= e or man == 0 else man >> min(e - exp, 8 * BITS)
+              for man, exp in ends)
+    hi += ends[1][0] != 0 and ends[1][1] < e
     return lo + hi, hi - lo, e - 1
 
 
