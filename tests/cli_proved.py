@@ -194,6 +194,14 @@ PER = {'dieterich_gen': lambda psi: Decimal('0.9') * psi,
        'spinodal_gen': lambda psi: psi / 101}
 
 
+def no_end_is_open_where_psi_runs_away(room):
+    """In a finite time: dpsi/dt = -d - d^2, by which v stays finite."""
+    room.write('square.yaml', 'law: {mu: "mu_star + a*ln(v) + b*asinh(psi)", psi_ss: -ln(v), '
+               'T: "1", K: d + d^2, state: real}\nslope: {tan_alpha: 0.3689}\n')
+    found = room.json('knees', 'square.yaml', '--proved')['v_plus']
+    expect(found['proved'] is None, found)
+
+
 def in_si_units_the_reference_is_between_too(room):
     for row in rows(room):
         if row['law'] not in PER or row['form'] != 'asinh':
@@ -229,6 +237,7 @@ run_cases([
     labels_are_proved_in_text_json_and_file,
     systems_are_proved_in_text_json_file_and_sweep,
     what_is_not_proved_is_refused,
+    no_end_is_open_where_psi_runs_away,
     in_si_units_the_reference_is_between_too,
     nothing_is_proved_where_nobody_asks,
 ])

@@ -194,7 +194,8 @@ const char *proof_tail_v(struct proof_law *p, const struct proof_place *at,
 /* No bound of g, or of its slope by y, grows with y, whatever v is. */
 static bool is_level(struct growth u)
 {
-    return interval_is_finite(u.c) && u.power[1] <= 0;
+    return interval_is_finite(u.c) && u.power[1] <= 0 &&
+           !(u.slope[1] < 0 || u.slope[1] > 0);
 }
 
 const char *proof_tail_open(struct proof_law *p, const struct proof_place *at)
