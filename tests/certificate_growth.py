@@ -205,6 +205,10 @@ class Jet:
             coth = (1 + e) / (1 - e) * (1 if u > 0 else -1)
         return self.function((up - down) / 2, (up + down) / 2, coth)
 
+    def to_asinh(self):
+        """Of a slope between 0 and 1."""
+        return self.function(asinh(self.value.all), PART, None)
+
     def to_asinhexp(self):
         """asinh(e^u/2)"""
         u = self.value.all
