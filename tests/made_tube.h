@@ -172,6 +172,43 @@ static inline double perhaps(uint64_t *rng, double lo, double hi)
     return check_bits(rng) % 2 ? u : 0;
 }
 
+/* One term beside a constant A: an E that falls, an L that has its largest
+ * value inside or at the rim, or the order of A that a remainder has to hold.
+ */
+static inline void draw_few(struct made *f, double size, uint64_t *rng)
+{
+    const size_t last = f->piece.degree + check_bits(rng) % 2;
+    const double L = check_uniform(rng, 1, 4);
+    const struct made few = {
+        .cone = f->cone,
+        .by_dep = f->by_dep,
+        .piece = f->piece,
+        .A = { size },
+        .E = { 1 },
+        .obs = { 1 },
+    };
+
+    *f = few;
+    if (!f->cone) {
+        f->A[last] +=
+            size * check_uniform(rng, 0, 0.5) * (check_bits(rng) % 2 ? 1 : 60);
+        return;
+    }
+    f->L[0] = -0.02;
+    switch (check_bits(rng) % 3) {
+        case 0:
+            f->E[1] = -check_uniform(rng, 1.2, 1.42);
+            break;
+        case 1:
+            f->L[1] = 5 * L;
+            f->L[2] = -f->L[1] * check_uniform(rng, 1.3, 1.5);
+            break;
+        default:
+            f->L[1] = L;
+            f->L[2] = -L / 1.4;
+    }
+}
+
 static inline void draw(struct made *f, bool cone, uint64_t *rng)
 {
     const double size = pow(10, check_uniform(rng, -4, -0.5));
@@ -211,6 +248,8 @@ static inline void draw(struct made *f, bool cone, uint64_t *rng)
         f->L[2] = -f->L[1] * perhaps(rng, 0.5, 1.5);
         f->E[1] = plain_E ? 0 : perhaps(rng, -1.4, 0.3);
     }
+    if (check_bits(rng) % 4 == 0)
+        draw_few(f, sign * size, rng);
 }
 
 /* How near to their bounds things were. */
