@@ -6,7 +6,6 @@
 
 #include <math.h>
 
-
 #define INLINE static inline __attribute__((always_inline))
 
 #define SCALAR double

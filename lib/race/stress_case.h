@@ -38,10 +38,10 @@ MUST_CHECK enum status stress_list_init(struct stress_list *list,
                                         struct fault *why);
 
 /* Adds a user's scene, which becomes the list's: *scene is then empty.  A
- * system of formulas makes it a STRESS_SYSTEM, else its first start, if any, makes it a STRESS_START, else a field of its products a
- * STRESS_FIELD, else basins a STRESS_WINDOW;
- * `settings`: what makes it, for people.  STATUS_NO_MEMORY, with nothing
- * changed. */
+ * system of formulas makes it a STRESS_SYSTEM, else its first start, if any,
+ * makes it a STRESS_START, else a field of its products a STRESS_FIELD, else
+ * basins a STRESS_WINDOW; `settings`: what makes it, for people.
+ * STATUS_NO_MEMORY, with nothing changed. */
 MUST_CHECK enum status stress_list_add(struct stress_list *list,
                                        const char *name, const char *settings,
                                        struct scene *scene);

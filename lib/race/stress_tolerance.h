@@ -41,9 +41,9 @@
 
 /* Systems of formulas, in windows: steps of branches and of orbits that only
  * have to arrive; a way begins so far from its saddle, off its branch by the
- * square of that, and is compared from so far on; their equilibria are known in 113 bits to so much, of the
- * fastest rate their eigenvalues (differences of 2^-38); an orbit has gone for
- * good. */
+ * square of that, and is compared from so far on; their equilibria are known in
+ * 113 bits to so much, of the fastest rate their eigenvalues (differences of
+ * 2^-38); an orbit has gone for good. */
 #define STRESS_WAY_STEP  1e-22
 #define STRESS_ARRIVED   1e-14
 #define STRESS_WAY_LEFT  1e-11
