@@ -74,7 +74,7 @@ RULES = [
            r'|\b(stdin|stdout|stderr)\b', everywhere_but('apps', 'tests'),
      'lib/plot/planted.c', 'void p(void) { fputs("done", stderr); }'),
     ('only those who run a study know all of it',
-     CODE, r'\bstruct\s+study\b',
+     CODE, r'\bstruct\s+study',
      everywhere_but('lib/study', 'lib/sweep', 'lib/check', 'lib/race', 'apps',
                     'tests'),
      'lib/api/planted.c', 'void p(const struct study *s);'),

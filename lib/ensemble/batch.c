@@ -413,9 +413,8 @@ static enum status compute_point(const struct task *t, size_t i,
 static enum status compute_studies(const struct task *t, size_t first,
                                    size_t size, struct worker *w)
 {
-    struct study_job job[STUDY_JOBS];
+    enum status ran[STUDY_JOBS], status = STATUS_OK;
     size_t draw[STUDY_JOBS], n = 0;
-    enum status status = STATUS_OK;
 
     for (size_t i = first; i < first + size; i++) {
         const char *reason = set_values(t, i, &w->scene[n]);
@@ -424,15 +423,12 @@ static enum status compute_studies(const struct task *t, size_t first,
         else
             draw[n++] = i;
     }
-    for (size_t k = 0; k < n; k++)
-        job[k] = (struct study_job){ .study = &w->point[k].study,
-                                     .scene = &w->scene[k] };
-    study_run_jobs(job, n, t->b->stages, NULL);
+    sweep_points_study(w->point, w->scene, n, t->b->stages, ran);
     for (size_t k = 0; k < n; k++) {
-        enum status own = job[k].status;
+        enum status own = ran[k];
         if (own == STATUS_OK && status == STATUS_OK)
             own = put_all(t, draw[k], &w->point[k], NULL);
-        if (job[k].status == STATUS_OK)
+        if (ran[k] == STATUS_OK)
             study_free(&w->point[k].study);
         if (status == STATUS_OK)
             status = settle(t, draw[k], own, NULL);

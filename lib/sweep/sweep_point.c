@@ -177,6 +177,18 @@ enum status sweep_point_at(struct sweep_point *p, const struct scene *scene,
                   : sweep_point_run(p, products, monitor);
 }
 
+void sweep_points_study(struct sweep_point p[], const struct scene scene[],
+                        size_t n, unsigned stages, enum status status[])
+{
+    struct study_job job[STUDY_JOBS];
+
+    for (size_t k = 0; k < n; k++)
+        job[k] = (struct study_job){ .study = &p[k].study, .scene = &scene[k] };
+    study_run_jobs(job, n, stages, NULL);
+    for (size_t k = 0; k < n; k++)
+        status[k] = job[k].status;
+}
+
 void sweep_point_free(struct sweep_point *p)
 {
     free(p->start);

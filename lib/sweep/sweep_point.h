@@ -50,5 +50,10 @@ MUST_CHECK enum status sweep_point_at(struct sweep_point *p,
                                       const double x[], unsigned products,
                                       const struct monitor *monitor);
 
+/* p[k].study of scene[k], k < n <= STUDY_JOBS, by these stages and no more, as
+ * study_run_jobs; it is empty where status[k] is not STATUS_OK. */
+void sweep_points_study(struct sweep_point p[], const struct scene scene[],
+                        size_t n, unsigned stages, enum status status[]);
+
 /* A second call is harmless. */
 void sweep_point_free(struct sweep_point *p);
