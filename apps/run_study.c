@@ -2,7 +2,7 @@
  * the file, draw the figure, print the numbers. */
 #include <string.h>
 
-#include "certificate.h"
+#include "certificate_file.h"
 #include "drawn.h"
 #include "picture.h"
 #include "product_setting.h"
@@ -14,6 +14,7 @@
 #include "run_plane.h"
 #include "scene_command.h"
 #include "scene_slope.h"
+#include "study_certificate.h"
 #include "study_results.h"
 #include "sweep_point.h"
 
@@ -143,8 +144,8 @@ static enum status write_files(const struct study *s,
     enum status status = output_write(o, command, &all, s->scene, drawn,
                                       s->slider.block.law.preset, why);
 
-    if (status == STATUS_OK)
-        status = certificate_write(o, s, why);
+    if (status == STATUS_OK && o->certificate)
+        status = certificate_write(o, study_certificate(s), why);
     if (status == STATUS_OK && figure)
         picture_study(s, progress_monitor(o), &p);
     return status ? status : output_draw(o, &s->scene->paper, &p, figure, why);
