@@ -104,6 +104,17 @@ void basin_fill(const struct basin *b, size_t first, size_t count, int8_t out[])
         fill_row(b, first + j, out + j * columns);
 }
 
+bool basin_is_near(const struct basin *b, size_t row, size_t column)
+{
+    const size_t strands = b->regions->separatrix->count;
+    const size_t *doubt = b->doubt + 2 * row * strands;
+    bool near = false;
+
+    for (size_t i = 0; i < strands && !near; i++)
+        near = column >= doubt[2 * i] && column < doubt[2 * i + 1];
+    return near;
+}
+
 void basin_free(struct basin *b)
 {
     free(b->cut);

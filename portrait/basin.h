@@ -34,5 +34,8 @@ MUST_CHECK enum status basin_init(struct basin *b,
 void basin_fill(const struct basin *b, size_t first, size_t count,
                 int8_t out[]);
 
+/* Whether a cell may lie on a separatrix: then it has no label. */
+bool basin_is_near(const struct basin *b, size_t row, size_t column);
+
 /* A second call is harmless. */
 void basin_free(struct basin *b);

@@ -66,6 +66,7 @@ struct walk {
     struct winding winding;
     struct escape escape;
     const struct plane_guide *guide; /* borrowed; or NULL */
+    size_t due;                      /* the step at which it is asked next */
     struct plane_rounds own;
     struct interval_plan *plan; /* owned */
 };
@@ -291,14 +292,32 @@ static bool has_left(struct walk *w)
     return false;
 }
 
+static size_t steps_of(const struct walk *w)
+{
+    return w->series.curve.count + w->implicit.steps + w->implicit.rejected;
+}
+
+/* Whether the guide knows where it is now: asked so seldom that a long orbit is
+ * no more than an eighth longer for it, and an answer costs no more than that.
+ */
+static bool is_known(struct walk *w, struct plane_goal *out)
+{
+    const struct plane_guide *g = w->guide;
+    const size_t steps = steps_of(w);
+
+    if (g == NULL || g->knows == NULL || steps < w->due)
+        return false;
+    w->due = steps + 1 + steps / 8;
+    return g->knows(g->ctx, place_of(w), out);
+}
+
 /* Whether the orbit ends where it is now. */
 static bool arrives(struct walk *w, struct plane_goal *out)
 {
     const struct vec2 here = place_of(w);
-    const struct plane_guide *g = w->guide;
     struct plane_beyond end;
 
-    if (w->broken || w->lost || (g && g->knows && g->knows(g->ctx, here, out)))
+    if (w->broken || w->lost || is_known(w, out))
         return true;
     if (is_trapped(w->s, here, w->backward, &out->index)) {
         out->kind = PLANE_GOAL_REST;
@@ -362,7 +381,7 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
         !plane_defined_near(w.plan, s, place_of(&w)))
         break_off(out);
     keep_rounds(&w, out);
-    out->steps = w.series.curve.count + w.implicit.steps + w.implicit.rejected;
+    out->steps = steps_of(&w);
     taylor_orbit_free(&w.series);
     orbit_free(&w.implicit);
     free(w.plan);
