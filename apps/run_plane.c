@@ -51,11 +51,26 @@ static enum exit_code print_json(const struct plane_study *s,
     return json_print(j) ? EXIT_DONE : command_unwritten();
 }
 
+static void print_incomplete(const struct plane_study *s)
+{
+    const struct plane_box *b = s->undecided;
+    const size_t n = s->undecided_count;
+
+    printf("note: that there are no other equilibria in the window was not "
+           "proved");
+    if (n > 0)
+        printf("; %zu box%s may hold some%s: %s = %.9g .. %.9g, %s = %.9g .. "
+               "%.9g",
+               n, n > 1 ? "es" : "", n > 1 ? ", as" : "",
+               s->system[0].axis[0].name, b->range[0][0], b->range[0][1],
+               s->system[0].axis[1].name, b->range[1][0], b->range[1][1]);
+    putchar('\n');
+}
+
 static void print_notes(const struct plane_study *s)
 {
     if (!s->complete)
-        printf("note: that there are no other equilibria in the window was "
-               "not proved\n");
+        print_incomplete(s);
     if (are_lower_bounds(s))
         printf("note: shares are lower bounds: each may have up to %.3g more, "
                "which is undecided\n",

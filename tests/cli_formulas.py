@@ -35,6 +35,17 @@ def json_is_as_the_interface_says(room):
                      (0, 'unstable', 1, 'equilibrium', 0)], kinds)
 
 
+def where_others_may_be_is_told(room):
+    system = ['--ode', "x' = x^2 - y^2; y' = -2*x*y", '--window',
+              'x=-1:1,y=-1:1']
+    said = room.good('study', *system)
+    box, = room.json('study', *system)['undecided']
+    expect('1 box may hold some: x = ' in said, said)
+    for name in 'xy':
+        lo, hi = box[name]
+        expect(lo < 0 < hi and f'{name} = {lo:.9g} .. {hi:.9g}' in said, said)
+
+
 def shares_are_halves(room):
     found = room.json('basin', *DUFFING, *AUDIT)
     shares = {s['attractor']: s['fraction'] for s in found['shares']}
@@ -226,6 +237,7 @@ def names_of_a_law_s_own_are_set_swept_exported_and_recorded(room):
 
 run_cases([names_of_a_law_s_own_are_set_swept_exported_and_recorded,
            json_is_as_the_interface_says, shares_are_halves,
+           where_others_may_be_is_told,
            shares_beside_what_is_undecided_are_lower_bounds,
            parameters_are_set, one_state_or_many_are_pushed,
            files_and_figures_have_the_names_of_states,
