@@ -130,6 +130,13 @@ void event_trim(struct event_log *log, struct curve *c, double end)
         log->hit[i].theta = fmin(log->hit[i].theta / end, 1.0);
 }
 
+void event_drop(struct event_log *log, struct curve *c)
+{
+    c->coefs = c->piece[--c->count].first;
+    while (log->count > 0 && log->hit[log->count - 1].piece == c->count)
+        log->count--;
+}
+
 void event_free(struct event_log *log)
 {
     free(log->hit);

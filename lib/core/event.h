@@ -56,5 +56,8 @@ MUST_CHECK enum status event_scan(struct event_log *log, const struct event *e,
  * also in the hits on that piece. */
 void event_trim(struct event_log *log, struct curve *c, double end);
 
+/* Drops the last piece of c and the hits on it. */
+void event_drop(struct event_log *log, struct curve *c);
+
 /* Leaves *log empty, so a second call is harmless. */
 void event_free(struct event_log *log);

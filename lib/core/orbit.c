@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "passage.h"
+#include "orbit_stop.h"
 #include "tolerance.h"
 
 /* ORDER: the error estimate goes as h^ORDER. */
@@ -31,17 +31,6 @@ struct orbit_options orbit_defaults(const struct planar *system, double kappa)
     return o;
 }
 
-/* From absolute coordinates to offsets. */
-static struct box offsets(struct box b, struct vec2 origin)
-{
-    return (struct box){ vec2_sub(b.lo, origin), vec2_sub(b.hi, origin) };
-}
-
-static struct box around(struct vec2 z, double r)
-{
-    return (struct box){ { z.x - r, z.y - r }, { z.x + r, z.y + r } };
-}
-
 static bool is_good(const struct planar *system, struct vec2 z,
                     const struct orbit_options *o)
 {
@@ -51,28 +40,12 @@ static bool is_good(const struct planar *system, struct vec2 z,
                 o->observables <= PLANAR_OBSERVABLES_MAX &&
                 o->events <= EVENT_COUNT_MAX && isfinite(z.x) &&
                 isfinite(z.y) &&
-                box_holds(offsets(system->domain, system->origin), z);
+                box_holds(box_from(system->domain, system->origin), z);
 
     for (size_t i = 0; i <= o->observables; i++)
         good = good && (o->reach[i] < 0.0 || o->reach[i] > 0.0) &&
                o->least[i] >= 0.0 && isfinite(o->least[i]);
     return good;
-}
-
-/* Stops that hold at the start. */
-static void judge_start(struct orbit *o, struct vec2 z)
-{
-    const struct orbit_options *p = &o->options;
-    const struct vec2 origin = o->clock.system->origin;
-
-    if (p->window && !box_holds(offsets(*p->window, origin), z))
-        o->end = ORBIT_LEFT_WINDOW;
-    for (size_t i = p->targets; i-- > 0;) {
-        if (box_holds(around(p->target[i], p->arrival), z)) {
-            o->end = ORBIT_ARRIVED;
-            o->end_index = i;
-        }
-    }
 }
 
 static struct vec2 place(const struct orbit *o)
@@ -136,7 +109,7 @@ enum status orbit_init(struct orbit *o, const struct planar *system,
     o->u[1] = z.y;
     begin(o);
     event_begin(&o->log, options->event, options->events, 0.0, o->u);
-    judge_start(o, z);
+    orbit_stop_at(o, z);
     return STATUS_OK;
 }
 
@@ -191,38 +164,6 @@ static double error_ratio(const struct orbit *o, const struct attempt *a)
     return worst;
 }
 
-/* Keeps the earlier of two stops. */
-static void stop_at(struct orbit *o, double *end, double theta,
-                    enum orbit_end why, size_t index)
-{
-    if (theta > 1.0 || (o->end != ORBIT_RUNNING && theta >= *end))
-        return;
-    *end = fmax(theta, DBL_EPSILON);
-    o->end = why;
-    o->end_index = index;
-}
-
-/* The first of the built-in stops on the last piece. */
-static void find_stop(struct orbit *o, double *end)
-{
-    const struct orbit_options *p = &o->options;
-    const struct planar *sys = o->clock.system;
-    const struct curve *c = &o->curve;
-
-    for (size_t i = 0; i < p->targets; i++)
-        stop_at(o, end, passage_into(c, around(p->target[i], p->arrival)),
-                ORBIT_ARRIVED, i);
-    for (size_t i = 0; i <= p->observables; i++)
-        if (isfinite(p->reach[i]))
-            stop_at(o, end, passage_beyond(c, 2 + i, p->reach[i]),
-                    ORBIT_REACHED, i);
-    if (p->window)
-        stop_at(o, end, passage_out_of(c, offsets(*p->window, sys->origin)),
-                ORBIT_LEFT_WINDOW, 0);
-    stop_at(o, end, passage_out_of(c, offsets(sys->domain, sys->origin)),
-            ORBIT_LEFT_DOMAIN, 0);
-}
-
 /* Adds the step's errors to those so far, and hands them to its hits. */
 static void add_errors(struct orbit *o, const double error[])
 {
@@ -248,21 +189,10 @@ static void carry(struct orbit *o, struct drift *d, double h,
                 fmax(fabs(error[0]), fabs(error[1]));
 }
 
-/* Stops and events on the piece just pushed; moves to its end. */
-static enum status advance(struct orbit *o, double h, const double u1[],
-                           const double error[])
+/* Moves to where the last piece ends. */
+static void advance(struct orbit *o, double end, double h, const double u1[],
+                    const double error[])
 {
-    const struct orbit_options *p = &o->options;
-    double end = 1.0;
-    size_t stop;
-
-    find_stop(o, &end);
-    const enum status s = event_scan(&o->log, p->event, p->events, &o->curve,
-                                     o->tau, h, &end, &stop);
-    if (stop < p->events) {
-        o->end = ORBIT_EVENT;
-        o->end_index = stop;
-    }
     o->steps++;
     o->tau += end * h;
     o->mark.way += hypot(u1[0] - o->u[0], u1[1] - o->u[1]);
@@ -276,7 +206,6 @@ static enum status advance(struct orbit *o, double h, const double u1[],
     add_errors(o, error);
     if (o->options.drift)
         carry(o, o->options.drift, end * h, error);
-    return s;
 }
 
 /* The stages as the last step suggests, where it reaches so far. */
@@ -391,24 +320,69 @@ static void keep_pace(struct orbit *o, double fastest)
     o->last.h *= pace;
 }
 
-/* Appends an accepted step. */
-static enum status accept(struct orbit *o, const struct attempt *a,
-                          double ratio)
+/* The shortest step. */
+static double least_step(const struct orbit *o)
 {
-    double *coef;
-    const enum status s = curve_push(&o->curve, RADAU_DEGREE, &coef);
+    return fmax(TOL_STEP_MIN,
+                TOL_ORBIT_STALL * fmax(fabs(o->u[0]), fabs(o->u[1])));
+}
+
+/* Within a step the polynomial is off by some orders of h more than at its
+ * end, by what may vanish just where it is cut while its next order does not:
+ * an orbit that is asked how far it is off takes its last step again to just
+ * there, and further by what the step may be off, lest it end before.  (Events
+ * are where the polynomial has them.)  The part of h to take; 1: what there is
+ * will do. */
+static double part_again(const struct orbit *o, const struct attempt *a,
+                         double end)
+{
+    const double *e = a->error;
+    const double way = hypot(a->u1[0] - o->u[0], a->u1[1] - o->u[1]);
+    const double late = fabs(e[2] / (a->u1[2] - o->u[2]));
+    const double part = end + fmax(hypot(e[0], e[1]) / way, late);
+    const bool is_cut = o->end != ORBIT_RUNNING && o->end != ORBIT_EVENT &&
+                        part < 1.0 && part * fabs(a->h) > least_step(o);
+
+    return o->options.drift && is_cut && !o->cut ? part : 1.0;
+}
+
+/* Drops the last piece and what was found on it. */
+static void take_back(struct orbit *o)
+{
+    const struct orbit_options *p = &o->options;
+
+    event_drop(&o->log, &o->curve);
+    event_begin(&o->log, p->event, p->events, o->tau, o->u);
+    o->end = ORBIT_RUNNING;
+    o->cut = true;
+}
+
+/* Appends an accepted step, unless it is to be taken again. */
+static enum status accept(struct orbit *o, const struct attempt *a,
+                          double ratio, bool *accepted)
+{
+    double *coef, end = 1.0;
+    enum status s = curve_push(&o->curve, RADAU_DEGREE, &coef);
 
     if (s != STATUS_OK)
         return s;
     memcpy(coef, a->coef, o->curve.dim * COEFS * sizeof *coef);
+    s = orbit_stop_find(o, a->h, &end);
+    const double part = part_again(o, a, end);
+    if (part < 1.0) {
+        take_back(o);
+        o->h = part * fabs(a->h);
+        *accepted = false;
+        return s;
+    }
     memcpy(o->du, a->radau.du[RADAU_STAGES - 1], sizeof o->du);
     o->h = fabs(a->h) * longer(o, a, ratio);
     o->last.h = a->h;
     o->last.ratio = fmax(ratio, TOL_STEP_ERROR_FLOOR);
     o->refused = 0;
-    const enum status done = advance(o, a->h, a->u1, a->error);
+    advance(o, end, a->h, a->u1, a->error);
     keep_pace(o, a->fastest);
-    return done;
+    return s;
 }
 
 /* One attempt at a step of signed size h. */
@@ -420,7 +394,8 @@ static enum status attempt(struct orbit *o, double h, bool *accepted)
 
     *accepted = ratio <= 1.0;
     if (*accepted)
-        return accept(o, &a, ratio);
+        return accept(o, &a, ratio, accepted);
+    o->cut = false;
     o->h = fabs(h) * (solved ? shorter(ratio) : TOL_ORBIT_RETREAT);
     o->refused++;
     o->rejected++;
@@ -455,8 +430,7 @@ static bool stands_still(struct orbit *o)
 
 enum status orbit_step(struct orbit *o)
 {
-    const double size = fmax(fabs(o->u[0]), fabs(o->u[1]));
-    const double least = fmax(TOL_STEP_MIN, TOL_ORBIT_STALL * size);
+    const double least = least_step(o);
     bool accepted = o->end != ORBIT_RUNNING;
 
     while (!accepted) {

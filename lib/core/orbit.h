@@ -70,6 +70,8 @@ struct orbit {
         double h, ratio; /* signed size; error over what is allowed */
     } last;              /* accepted step; h = 0: there is none */
     int refused;         /* attempts in a row that were */
+    bool cut;            /* the last attempt went beyond a stop; the next one is
+                            to end there */
     struct {
         double x, y, t; /* some steps ago, at step number */
         size_t steps;
@@ -87,7 +89,9 @@ MUST_CHECK enum status orbit_init(struct orbit *o, const struct planar *system,
                                   const struct orbit_options *options);
 
 /* One accepted step, appended as a piece; the last one is cut where the first
- * stop fired and o->end is set.  Afterwards does nothing.
+ * stop fired and o->end is set; with options.drift it is taken again to just
+ * there, unless that is an event, for the polynomial's errors are the method's
+ * at a step's end only.  Afterwards does nothing.
  * STATUS_NO_CONVERGENCE: no step however short is accepted, e.g. where the
  * field is NaN, it goes to and fro in no time, where the field is nothing but
  * rounding, or an integral is above TOL_RANGE; STATUS_TOO_MANY_STEPS;

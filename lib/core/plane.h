@@ -37,6 +37,12 @@ static inline bool box_holds(struct box b, struct vec2 z)
     return z.x >= b.lo.x && z.x <= b.hi.x && z.y >= b.lo.y && z.y <= b.hi.y;
 }
 
+/* The box as offsets from z. */
+static inline struct box box_from(struct box b, struct vec2 z)
+{
+    return (struct box){ vec2_sub(b.lo, z), vec2_sub(b.hi, z) };
+}
+
 /* The box with `part` of its width added on every side. */
 static inline struct box box_grow(struct box b, double part)
 {

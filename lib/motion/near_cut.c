@@ -20,11 +20,6 @@ bool near_cut_is_due(const struct orbit *o)
 
 void near_cut_back(struct orbit *o)
 {
-    struct curve *c = &o->curve;
-    struct event_log *log = &o->log;
-
-    curve_at(c, c->count - 1, 0.0, o->u);
-    c->count--;
-    while (log->count > 0 && log->hit[log->count - 1].piece == c->count)
-        log->count--;
+    curve_at(&o->curve, o->curve.count - 1, 0.0, o->u);
+    event_drop(&o->log, &o->curve);
 }

@@ -184,7 +184,7 @@ enum status workprec_task_init(struct workprec_task *c, const struct study *s,
     const struct vec2 o = s->slider.plane.system.origin;
 
     *c = (struct workprec_task){ .study = s, .most = cells, .sample = sample };
-    c->reach = (struct box){ vec2_sub(w.lo, o), vec2_sub(w.hi, o) };
+    c->reach = box_from(w, o);
     for (int q = 0; q < WORKPREC_QUANTITIES; q++)
         if (slider_saddle(&s->slider) < 0)
             c->reason[q] = "there is no saddle at this slope";

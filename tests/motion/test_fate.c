@@ -247,6 +247,27 @@ static void a_single_orbit_is_no_further_off_than_its_bar(void **state)
     scene_free(&scene);
 }
 
+/* The polynomial of the step that goes into the box of arrest is 2000 times
+ * further off inside the step than at its end, but crosses the true orbit. */
+static void an_orbit_ends_at_the_end_of_a_step(void **state)
+{
+    const struct vec2 z = { -12.30443909068693, 0.03125 };
+    struct fate_result fine, loose;
+    struct slider s;
+    struct scene scene;
+
+    (void) state;
+    slope_scene(&scene, "perrin", "asinh", "0.407864", steady_only);
+    scene.material.b = 0.0342615;
+    slider_init(&s, &scene.law, &scene.material, scene.tan_alpha);
+    assert_int_equal(fate_find(&s, z, 1e-12, true, NULL, &fine), 0);
+    assert_int_equal(fate_find(&s, z, 3.56e-7, true, NULL, &loose), 0);
+    const double off = fabs(loose.slip.value - fine.slip.value);
+    CHECK(off <= loose.slip.error && off < 1e-8 * fine.slip.value,
+          "%g over %g of %g", off, loose.slip.error, fine.slip.value);
+    scene_free(&scene);
+}
+
 static void what_does_not_stop_has_neither_slip_nor_time(void **state)
 {
     struct slope s;
@@ -328,6 +349,7 @@ int main(void)
         cmocka_unit_test(a_rest_comes_when_the_table_says),
         cmocka_unit_test(a_creep_node_is_reached_when_the_table_says),
         cmocka_unit_test(a_single_orbit_is_no_further_off_than_its_bar),
+        cmocka_unit_test(an_orbit_ends_at_the_end_of_a_step),
         cmocka_unit_test(what_does_not_stop_has_neither_slip_nor_time),
         cmocka_unit_test(states_outside_the_domain_are_refused),
         cmocka_unit_test(a_monitor_stops_a_long_orbit),
