@@ -4,12 +4,28 @@
 
 #include "tolerance.h"
 
-bool limit_exists(const struct planar *sys, int ind, int toward, double dep)
+static double way_to_edge(const struct planar *sys, int ind, int toward)
 {
     const struct vec2 to = toward > 0 ? sys->domain.hi : sys->domain.lo;
-    const double way = ind == 0 ? to.x - sys->origin.x : to.y - sys->origin.y;
+
+    return ind == 0 ? to.x - sys->origin.x : to.y - sys->origin.y;
+}
+
+bool limit_exists(const struct planar *sys, int ind, int toward, double dep)
+{
+    const double way = way_to_edge(sys, ind, toward);
     const double middle = local_slope(sys, ind, local_point(ind, way / 2, dep));
     const double edge = local_slope(sys, ind, local_point(ind, way, dep));
 
     return edge == 0.0 || log(middle / edge) > TOL_LIMIT_DECAY * fabs(way / 2);
+}
+
+bool limit_is_none(const struct planar *sys, int ind, int toward, double dep)
+{
+    const double way = way_to_edge(sys, ind, toward);
+    const double far = sys->axis[ind].is_log ? 1.0 : TOL_LIMIT_FAR;
+    const double middle = local_slope(sys, ind, local_point(ind, way / 2, dep));
+    const double edge = local_slope(sys, ind, local_point(ind, way * far, dep));
+
+    return 2.0 * far * edge / middle >= TOL_LIMIT_KEPT;
 }

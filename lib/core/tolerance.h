@@ -342,6 +342,11 @@
 /* A slope that decays faster than this, per unit of ln v or ln psi, has a
  * limit: those of laws decay at a rate of 1 at least, or do not. */
 #define TOL_LIMIT_DECAY 0.2
+/* One that falls like 1/Y has none: Y times it keeps this part, which a pole
+ * beside the origin costs, up to FAR times as far, which a square of it is
+ * still a number at. */
+#define TOL_LIMIT_KEPT 0.9
+#define TOL_LIMIT_FAR  1e150
 
 /* Fields of a basin map, relative accuracy where the scene does not say: four
  * digits more than arrest is defined to. */

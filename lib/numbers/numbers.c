@@ -12,6 +12,7 @@
 
 #include "cusp.h"
 #include "knee.h"
+#include "limit.h"
 #include "numbers_tolerance.h"
 #include "place.h"
 #include "tolerance.h"
@@ -234,18 +235,28 @@ struct builder {
     struct critical_numbers *out;
 };
 
+static enum end_code upper_code(const struct block *b, const struct branch *u)
+{
+    const struct planar sys = block_planar(b);
+    const bool goes_on = u->end == BRANCH_DOMAIN && u->limit.y > 0.0;
+
+    return u->end == BRANCH_LIMIT_X && u->sign > 0            ? END_PSI_INF
+           : goes_on && limit_is_none(&sys, 1, 1, u->limit.x) ? END_OPEN
+                                                              : END_TRUNCATED;
+}
+
 static void upper_numbers(struct builder *n)
 {
     const struct branch *u = n->upper;
     const struct block *b = n->b;
     struct critical_numbers *out = n->out;
 
-    out->upper_end = u->end == BRANCH_LIMIT_X && u->sign > 0 ? END_PSI_INF
-                     : u->end == BRANCH_DOMAIN               ? END_OPEN
-                                                             : END_TRUNCATED;
+    out->upper_end = (int8_t) upper_code(b, u);
     if (out->upper_end != END_PSI_INF) {
         const struct quantity none = quantity_none(
-            "the upper branch is open: v has no limit as psi grows");
+            out->upper_end == END_OPEN
+                ? "the upper branch is open: v has no limit as psi grows"
+                : "whether v has a limit as psi grows is undecided");
         out->v_plus = out->ln_v_plus = none;
         out->x_excess = out->mu_s_num = out->mu_s_mean = none;
         out->fracture_energy = none;
