@@ -16,6 +16,7 @@ struct proof_inputs {
     const char *slope_text; /* borrowed: its decimal; NULL: the shortest */
     const double *far;      /* borrowed: psi to which an open branch's tube is
                                followed; NULL: not at all */
+    bool skip[2];           /* upper, lower: the branch is not asked for */
 };
 
 /* To the precision of `out`. */

@@ -127,6 +127,15 @@ static void of_knees(const struct proof *p, struct proof_numbers *out)
     }
 }
 
+int proof_number_side(size_t which)
+{
+    static const signed char side[PROOF_NAMED] = { -1, -1, -1, -1, 0, 0, 1,
+                                                   1,  1,  0,  1,  0, 0, 0 };
+
+    return which < PROOF_NAMED ? side[which]
+                               : (int) ((which - PROOF_NAMED) / 2 / KNEES_MAX);
+}
+
 struct proof_numbers proof_numbers_of(const struct proof *p)
 {
     struct proof_numbers out;

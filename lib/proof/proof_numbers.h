@@ -33,5 +33,8 @@ struct proof_numbers {
 
 extern const char *const proof_number_names[PROOF_NAMED];
 
+/* Of which branch it is: 0 upper, 1 lower, -1 of the saddle. */
+int proof_number_side(size_t which);
+
 /* Borrows reasons from p. */
 struct proof_numbers proof_numbers_of(const struct proof *p);

@@ -18,8 +18,6 @@ struct pair {
     size_t which;
 };
 
-enum { SADDLE_NUMBERS = 4 }; /* come first */
-
 static size_t which_is(const char *name)
 {
     size_t i = 0;
@@ -94,23 +92,22 @@ struct proof_inputs study_proof_inputs(const struct scene *scene)
                                   .slope = scene->slope_given };
 }
 
-/* Of the saddle alone, or of its manifold, too. */
-static enum status find(const struct study *s, bool decimal, bool manifold,
+/* Of the saddle and of the branches that are not skipped. */
+static enum status find(const struct study *s, bool decimal, const bool skip[2],
                         struct proof *out)
 {
-    static const struct branch none[2];
     struct proof_inputs in = study_proof_inputs(s->scene);
 
     in.decimal = decimal;
+    memcpy(in.skip, skip, sizeof in.skip);
     if (plan_has(s->stages, STAGE_BASINS))
         in.far = &s->scene->window.psi[1];
-    return manifold ? proof_at(&s->slider.block, &in, out)
-                    : proof_along(&s->slider.block, &in, none, out);
+    return proof_at(&s->slider.block, &in, out);
 }
 
 enum status study_prove_doubles(const struct study *s, struct proof *out)
 {
-    return find(s, false, true, out);
+    return find(s, false, (const bool[2]){ false }, out);
 }
 
 /* Whether the bar is beside what is proved, or there is a number where none is
@@ -162,12 +159,13 @@ static void tell_none(struct study *s, const struct pair pair[], size_t n)
     }
 }
 
-/* The first `n` numbers, some of which are beside, again with the doubles
- * themselves: rounding the inputs may have moved them. */
-static enum status judge(struct study *s, const struct pair pair[], size_t n)
+/* The numbers, some of which are beside, again with the doubles themselves:
+ * rounding the inputs may have moved them. */
+static enum status judge(struct study *s, const struct pair pair[], size_t n,
+                         const bool skip[2])
 {
     struct proof exact;
-    enum status status = find(s, false, n > SADDLE_NUMBERS, &exact);
+    enum status status = find(s, false, skip, &exact);
 
     if (status == STATUS_OK) {
         const struct proof_numbers numbers = proof_numbers_of(&exact);
@@ -195,7 +193,7 @@ enum status study_prove(struct study *s)
 {
     struct pair pair[STUDY_PROOFS];
     const size_t n = pairs_of(s, pair);
-    size_t beside = 0; /* as many hold all that are */
+    bool beside = false, skip[2] = { false };
 
     if (slider_saddle(&s->slider) < 0) {
         tell_none(s, pair, n);
@@ -204,19 +202,24 @@ enum status study_prove(struct study *s)
     struct proof *proof = s->proof.exact = malloc(sizeof *proof);
     if (proof == NULL)
         return STATUS_NO_MEMORY;
-    const enum status status = find(s, true, true, proof);
+    const enum status status = find(s, true, skip, proof);
     if (status != STATUS_OK)
         return status;
     const struct proof_numbers numbers = proof_numbers_of(proof);
     const struct proof_units units =
         proof_units_of(&s->scene->law, &s->scene->material);
+    skip[0] = skip[1] = true;
     for (size_t i = 0; i < n; i++) {
+        const int side = proof_number_side(pair[i].which);
         tell(&s->proof, &pair[i], &numbers, &units);
-        if (contradicts(pair[i].number, &numbers.at[pair[i].which]))
-            beside = i < SADDLE_NUMBERS ? SADDLE_NUMBERS : n;
+        if (!contradicts(pair[i].number, &numbers.at[pair[i].which]))
+            continue;
+        beside = true;
+        if (side >= 0)
+            skip[side] = false;
     }
     copy_to_steady(s);
-    return beside > 0 ? judge(s, pair, beside) : STATUS_OK;
+    return beside ? judge(s, pair, n, skip) : STATUS_OK;
 }
 
 bool study_proves(const struct record_type *type)
