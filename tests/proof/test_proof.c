@@ -96,9 +96,10 @@ static void say_row(const struct csv *c, char text[], size_t size)
 static void prove(const struct csv *c, const struct solved *s, bool decimal,
                   struct proof *out)
 {
-    const struct proof_inputs in = { decimal, ANGLE_RAD,
-                                     csv_number(c, "alpha", 0),
-                                     csv_text(c, "alpha"), NULL };
+    const struct proof_inputs in = {
+        decimal, ANGLE_RAD, csv_number(c, "alpha", 0), csv_text(c, "alpha"),
+        NULL,    { 0 }
+    };
 
     const enum status status = proof_at(&s->block, &in, out);
     CHECK(status == STATUS_OK, "%s", status_text(status));
@@ -286,8 +287,10 @@ static void check_cells(struct proof *p)
 static void check_spoiled(const struct csv *c, double noise, uint64_t *rng,
                           struct tally *t)
 {
-    const struct proof_inputs in = { true, ANGLE_RAD, csv_number(c, "alpha", 0),
-                                     csv_text(c, "alpha"), NULL };
+    const struct proof_inputs in = {
+        true, ANGLE_RAD, csv_number(c, "alpha", 0), csv_text(c, "alpha"),
+        NULL, { 0 }
+    };
     struct branch both[2];
     struct solved s;
     struct proof p;
@@ -373,7 +376,8 @@ static bool draw(struct solved *s, double *tan_alpha, uint64_t *rng)
 static void check_random(const struct solved *s, double tan_alpha,
                          struct tally *t)
 {
-    const struct proof_inputs in = { false, ANGLE_TAN, tan_alpha, NULL, NULL };
+    const struct proof_inputs in = { .slope_in = ANGLE_TAN,
+                                     .slope = tan_alpha };
     struct proof p;
 
     assert_int_equal(proof_at(&s->block, &in, &p), STATUS_OK);

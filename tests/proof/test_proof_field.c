@@ -27,7 +27,8 @@ static bool make(struct around *a, uint64_t *rng)
     const size_t presets = 7;
     struct law law = *law_preset_at(check_bits(rng) % presets);
     const double alpha = check_uniform(rng, 0.2, 0.4);
-    const struct proof_inputs in = { false, ANGLE_TAN, tan(alpha), NULL, NULL };
+    const struct proof_inputs in = { .slope_in = ANGLE_TAN,
+                                     .slope = tan(alpha) };
     struct fault why;
 
     law.form = check_bits(rng) % 2 ? FRICTION_LOG : FRICTION_ASINH;

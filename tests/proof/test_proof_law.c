@@ -218,8 +218,8 @@ static void bars_of_random_laws_meet_what_is_proved(void **state)
         struct proof p;
         if (!draw(&s, &tan_alpha, &rng))
             continue;
-        const struct proof_inputs in = { false, ANGLE_TAN, tan_alpha, NULL,
-                                         NULL };
+        const struct proof_inputs in = { .slope_in = ANGLE_TAN,
+                                         .slope = tan_alpha };
         assert_int_equal(proof_at(&s.block, &in, &p), STATUS_OK);
         const struct proof_numbers n = proof_numbers_of(&p);
         check_bars(&s, &n, &t);
@@ -240,8 +240,8 @@ static struct proof_numbers prove(struct solved *s, const struct law *law,
                                   const struct material *m, bool decimal,
                                   double tan_alpha, struct proof *p)
 {
-    const struct proof_inputs in = { decimal, ANGLE_TAN, tan_alpha, NULL,
-                                     NULL };
+    const struct proof_inputs in = { decimal, ANGLE_TAN, tan_alpha,
+                                     NULL,    NULL,      { 0 } };
 
     assert_int_equal(solve(s, law, m, (long double) tan_alpha, 1e-10),
                      STATUS_OK);
