@@ -45,7 +45,7 @@ static double way_to_limit(const struct planar *sys, const struct branch *b)
     struct vec2 z = b->limit;
     double way = 0.0;
 
-    while (way < TOL_LN_RANGE && slope_at(sys, running, z) > EXCHANGE_FLAT) {
+    while (way < LN_RANGE && slope_at(sys, running, z) > EXCHANGE_FLAT) {
         way += EXCHANGE_STRIDE;
         *(running == 1 ? &z.y : &z.x) += b->sign * EXCHANGE_STRIDE;
     }

@@ -116,7 +116,7 @@ static void choose_step(struct grower *g)
 
     for (size_t i = 0; i < g->o->carry.count; i++) {
         const double scale = fabs(g->total[i]) + fabs(g->u.integral[i][1]) * h;
-        if (scale > TOL_INTEGRAL_NIL)
+        if (scale > INTEGRAL_NIL)
             h = fmin(h, graph_reach(g->u.integral[i], order, scale, g->tol));
     }
     g->h = h;
@@ -343,8 +343,7 @@ static void finish(struct grower *g)
     for (size_t i = 0; i < g->o->carry.count; i++) {
         b->total[i] = g->total[i];
         b->total_off[i] = g->total_miss[i].off;
-        b->total_error[i] =
-            grow_error_bound(&g->total_miss[i]) + TOL_INTEGRAL_NIL;
+        b->total_error[i] = grow_error_bound(&g->total_miss[i]) + INTEGRAL_NIL;
     }
 }
 

@@ -77,7 +77,7 @@ static void build(struct graph *g, const struct carry *carry,
 void local_integral_floor(size_t order, double along, double u[])
 {
     const double lost = TOL_ROUNDINGS * DBL_TRUE_MIN / fabs(along);
-    const bool nil = fmax(fabs(u[1]), lost) <= TOL_INTEGRAL_NIL;
+    const bool nil = fmax(fabs(u[1]), lost) <= INTEGRAL_NIL;
 
     for (size_t k = order - 1; k <= order && !nil; k++)
         if (fabs(u[k]) < lost)
@@ -177,7 +177,7 @@ static enum status find_radius(const struct planar *sys,
     double radius = radius_of(u->c, u->order, tol);
 
     for (size_t i = 0; i < carry->count; i++)
-        if (u->converges[i] && fabs(u->integral[i][1]) > TOL_INTEGRAL_NIL)
+        if (u->converges[i] && fabs(u->integral[i][1]) > INTEGRAL_NIL)
             radius = fmin(radius, radius_of(u->integral[i], u->order, tol));
     radius = fmin(0.9 * radius, TOL_SERIES_RADIUS_MAX);
     for (int i = 0; i < 60; i++, radius *= 0.5) {

@@ -40,7 +40,7 @@ static inline bool set_anchor(struct setting *s, double x,
     block_anchor(&s->b, s->x, equilibrium);
     quad_block_anchor(&s->law, &s->m, s->exact_tan, s->x, equilibrium, &s->at);
     s->hand = exact_anchor_at(&s->law, &s->m, s->exact_tan, s->x, equilibrium);
-    return fabs(s->b.at.y0) < TOL_LN_RANGE || /* or friction of 1e30 */
+    return fabs(s->b.at.y0) < LN_RANGE || /* or friction of 1e30 */
            (law_psi_is_log(&s->law) && fabs(s->b.at.y0) < 1e30);
 }
 

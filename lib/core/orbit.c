@@ -225,7 +225,7 @@ static void guess(const struct orbit *o, struct attempt *a)
 static bool solve(struct orbit *o, struct attempt *a)
 {
     const struct cascade system = rescaled_cascade(&o->clock);
-    const double tol = TOL_ORBIT_SOLVED * o->options.rtol;
+    const double tol = TOL_PART * o->options.rtol;
     struct cascade_linear at;
 
     guess(o, a);

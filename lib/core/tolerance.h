@@ -12,6 +12,10 @@
  * by 2^-52, then err by no more. */
 #define TOL_FINEST 3e-14
 
+/* What a result is made from, steps, solved equations, a finer run, is as
+ * accurate as this part of what is asked of it. */
+#define TOL_PART 0.03
+
 /* Roundings, in units of roundoff (2^-52), of a number made by so many of them,
  * where no part is larger than the whole: n operations err by n/2 (Higham,
  * Accuracy and Stability, 2002, lemma 3.1).  Few: an expression of a field;
@@ -24,6 +28,8 @@
  * areas as of formulas that are the same: 2^-52 of some hundred terms that
  * cancel in part; where something is, it is larger by decades. */
 #define TOL_ROUNDED 1e-13
+/* e-folds after which what fades is below rounding, ln 2^52. */
+#define TOL_SETTLED 36.0
 /* Shares of a window are differences of areas, which round. */
 #define TOL_SHARE_ROUNDING 1e-14
 
@@ -47,8 +53,8 @@
 
 /* As far as doubles go, dimensionless: v (and psi where it is positive), both
  * ways, of the laws and of scenes; times, at which an orbit at rest ends. */
-#define TOL_RANGE    1e300
-#define TOL_LN_RANGE 690.7755278982137 /* its logarithm */
+#define TOL_RANGE 1e300
+#define LN_RANGE  690.7755278982137 /* its logarithm */
 /* Range of psi where psi is itself a logarithm: down to -TOL_RANGE, for
  * friction only fades there; up to ROOM above the anchor, where e^psi has
  * passed all that it is compared with. */
@@ -62,6 +68,10 @@
 /* Steps that an orbit may take, of any system: ten times what an accurate one
  * to a node needs. */
 #define TOL_ORBIT_STEPS 60000
+
+/* Steps before an orbit that has not come to its end is left to the implicit
+ * method. */
+#define TOL_EXPLICIT_STEPS 1000
 
 /* An orbit has arrived when it is this near an equilibrium, in both ln v and
  * ln psi: one per cent is what friction experiments resolve. */
@@ -99,7 +109,7 @@
 #define TOL_BRANCH_STEPS 5000
 /* Integrals below this have no digits in a double: the smallest normal number
  * over its roundoff. */
-#define TOL_INTEGRAL_NIL 1e-292
+#define INTEGRAL_NIL 1e-292
 /* Never a series start further than this from the saddle, in ln v or ln psi:
  * beyond, the defect at the two ends no longer speaks for the middle. */
 #define TOL_SERIES_RADIUS_MAX 2.0
@@ -328,13 +338,11 @@
 #define TOL_RADAU_NIL        1e-3
 #define TOL_RADAU_ROUNDING   32.0
 
-/* Steps of an orbit.  Its equations are solved to this part of the tolerance;
- * stages are guessed from the step before when they lie this far ahead of it,
- * in its lengths, and so a trend lengthens no step by more; an iteration
- * should leave this part of the error (measured: longer steps cost more
- * iterations than they save), and steps retreat by this factor at a time from
- * where it does not. */
-#define TOL_ORBIT_SOLVED  0.03
+/* Steps of an orbit.  Its equations are solved to TOL_PART; stages are guessed
+ * from the step before when they lie this far ahead of it, in its lengths, and
+ * so a trend lengthens no step by more; an iteration should leave this part of
+ * the error (measured: longer steps cost more iterations than they save), and
+ * steps retreat by this factor at a time from where it does not. */
 #define TOL_ORBIT_EXTEND  3.0
 #define TOL_ORBIT_RATE    0.1
 #define TOL_ORBIT_RETREAT 0.5

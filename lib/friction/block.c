@@ -47,9 +47,8 @@ void block_init(struct block *b, const struct law *law,
     b->steady.balance = balance;
     b->steady.y = steady_curve;
     b->steady.turnings = steady_extrema(law, m, b->steady.turning);
-    b->steady.lo = -(long double) TOL_LN_RANGE;
-    b->steady.hi =
-        top < (long double) TOL_LN_RANGE ? top : (long double) TOL_LN_RANGE;
+    b->steady.lo = -(long double) LN_RANGE;
+    b->steady.hi = top < (long double) LN_RANGE ? top : (long double) LN_RANGE;
     if (law->typed)
         law_typed_range(law, m, &b->steady.lo, &b->steady.hi);
 }
@@ -117,9 +116,8 @@ struct vec2 block_offset(const struct block *b, double v, double psi)
 struct planar block_planar(const struct block *b)
 {
     const bool is_log = law_psi_is_log(&b->law);
-    const double bottom = is_log ? -TOL_RANGE : -TOL_LN_RANGE;
-    const double top =
-        is_log ? fmax(b->at.y0, 0.0) + TOL_PSI_ROOM : TOL_LN_RANGE;
+    const double bottom = is_log ? -TOL_RANGE : -LN_RANGE;
+    const double top = is_log ? fmax(b->at.y0, 0.0) + TOL_PSI_ROOM : LN_RANGE;
 
     struct planar s = tape_planar(&b->plane);
     s.name = b->law.preset;
@@ -127,7 +125,7 @@ struct planar block_planar(const struct block *b)
                                       "slip rate in units of V_star", true };
     s.axis[1] =
         (struct planar_axis){ "psi", "psi", "interfacial state", !is_log };
-    s.domain = (struct box){ { -TOL_LN_RANGE, bottom }, { TOL_LN_RANGE, top } };
+    s.domain = (struct box){ { -LN_RANGE, bottom }, { LN_RANGE, top } };
     s.origin = (struct vec2){ b->at.x0, b->at.y0 };
     s.observables = observables;
     s.steady = &b->steady;

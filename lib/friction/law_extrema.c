@@ -36,7 +36,7 @@ static long double last_there(struct curve *c, long double in, long double out)
 
 static void range(struct curve *c, long double *lo, long double *hi)
 {
-    const long double far = (long double) TOL_LN_RANGE;
+    const long double far = (long double) LN_RANGE;
     long double in = 0;
 
     for (int i = 1; i < 40 && !is_there(c, in); i++)

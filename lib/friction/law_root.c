@@ -32,7 +32,7 @@ static long double find(const struct at *at, long double guess)
 
     if (first == 0 || isnan(first))
         return first == 0 ? guess : first;
-    for (long double step = 0.5L; step < 4 * (long double) TOL_LN_RANGE;
+    for (long double step = 0.5L; step < 4 * (long double) LN_RANGE;
          step *= 2) {
         const long double far = guess + side * step, there = rate(at, far);
         if (isnan(there))

@@ -32,11 +32,6 @@
  * a few steps, not magnified. */
 #define TOL_TRAP_SIDE 30.0
 
-/* First step in the chart, and steps before an orbit is followed to its end
- * by the L-stable method instead. */
-#define TOL_TRAP_STEP  1.0
-#define TOL_TRAP_STEPS 1000
-
 /* One state (push.c).  Its orbit is run at two tolerances, TOL_ORBIT_RTOL and
  * one finer by TOL_CELLS_FINER; where their fates differ, finer ones, down to
  * TOL_FINEST.  Where the table's bars are wider than such a part it is
@@ -95,9 +90,8 @@
 #define TOL_TRANSIENT_REACH    2.0
 #define TOL_TRANSIENT_DEEP     (-25.4)
 
-/* The curve along which a block comes to rest (rest_curve.c): no knots are kept
- * below this ln v; and apart in ln v, or in ln psi, for differences. */
-#define TOL_REST_BOTTOM     (-36.0)
+/* Along the curve of a block that comes to rest (rest_curve.c; to a ln v of
+ * -TOL_SETTLED): apart in ln v, or in ln psi, for differences. */
 #define TOL_REST_DIFFERENCE 0.01
 
 /* What is left of a rest (rest_left.c, rest_lag.c).  Rounds of an iteration at

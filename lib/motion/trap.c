@@ -71,14 +71,14 @@ static int follow(const struct trap *t, struct vec2 z, double rtol,
 {
     const struct ode ode = { 2, unit_speed, t->slider };
     const double atol[2] = { rtol, rtol };
-    double u[2] = { z.x, z.y }, u1[2], error[2], h = TOL_TRAP_STEP, factor;
+    double u[2] = { z.x, z.y }, u1[2], error[2], h = 1.0, factor;
     struct control control = CONTROL_INIT(8.0);
     struct explicit8 work;
     double near = vec2_length(z);
 
     *certain = false;
     unit_speed(t->slider, 0.0, u, work.k[0]);
-    for (int n = 0; n < TOL_TRAP_STEPS; n++) {
+    for (int n = 0; n < TOL_EXPLICIT_STEPS; n++) {
         const double off =
             explicit8_try(&work, &ode, 0.0, u, h, atol, 0.0, u1, error);
         const bool accepted = control_judge(&control, off, &factor);

@@ -79,7 +79,7 @@ size_t extremum_find(const struct law *law, const struct material *m,
     size_t n = 0;
 
     for (size_t i = 0; i < all; i++)
-        if (fabsl(x[i]) <= (long double) TOL_LN_RANGE)
+        if (fabsl(x[i]) <= (long double) LN_RANGE)
             out[n++] = extremum_at(law, m, x[i], reach(x, all, i));
     return n;
 }

@@ -305,7 +305,7 @@ static void static_friction(struct builder *n)
 
     out->x_excess = quantity_of(excess, u->total_error[0] + excess * floor);
     out->fracture_energy = quantity_of(energy, energy * (rise * dX + rest));
-    if (!(excess > TOL_INTEGRAL_NIL && excess > 2.0 * u->total_error[0])) {
+    if (!(excess > INTEGRAL_NIL && excess > 2.0 * u->total_error[0])) {
         out->mu_s_num = out->mu_s_mean =
             quantity_none("x_excess is too small for a double to divide by");
         return;

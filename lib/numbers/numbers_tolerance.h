@@ -3,11 +3,10 @@
 
 #include "tolerance.h"
 
-/* Sensitivities (sensitivity.c).  Tolerance of the finer run, as a part of what
- * is asked for, down to TOL_FINEST (the coarser one's is TOL_RTOL_DEFAULT at
+/* Sensitivities (sensitivity.c).  The finer run's is TOL_PART of what is asked
+ * for, down to TOL_FINEST (the coarser one's is TOL_RTOL_DEFAULT at
  * least, lest the two be the same run); Gauss points a piece of the two
  * (measured: 8 leave 1e-13). */
-#define TOL_VARIATION_FINE  0.03
 #define TOL_VARIATION_NODES 10
 #define TOL_VARIATION_FEWER 7
 

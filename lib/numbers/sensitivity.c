@@ -107,7 +107,7 @@ enum status sensitivity_find(const struct block *b, const struct equilibrium *e,
 {
     const struct planar sys = block_planar(b);
     struct run fine = {
-        .rtol = fmax(TOL_VARIATION_FINE * rtol, TOL_FINEST),
+        .rtol = fmax(TOL_PART * rtol, TOL_FINEST),
         .nodes = TOL_VARIATION_NODES,
     };
     struct run coarse = { .rtol = fmax(rtol, TOL_RTOL_DEFAULT),

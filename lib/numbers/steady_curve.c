@@ -41,7 +41,7 @@ static void set_type(struct block *b, long double x, bool fold,
 {
     const struct law *law = &b->law;
     const struct material *m = &b->material;
-    const double top = law_psi_is_log(law) ? TOL_RANGE : TOL_LN_RANGE;
+    const double top = law_psi_is_log(law) ? TOL_RANGE : LN_RANGE;
     struct equilibrium e;
 
     p->type = -1;

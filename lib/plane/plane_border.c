@@ -52,7 +52,7 @@ enum status plane_border_look(struct plane_study *s)
                                            0.0 }));
     for (size_t k = 0; k < s->cycles && status == STATUS_OK; k++)
         if (s->cycle[k].type == PLANE_CYCLE_STABLE)
-            status = look_beside(s, s->cycle[k].round.at[0], TOL_PLANE_LITTLE);
+            status = look_beside(s, s->cycle[k].round.at[0], TOL_SEEN);
     return status;
 }
 

@@ -111,7 +111,7 @@ static bool branch_ends(void *ctx, const struct branch *b, struct vec2 z,
     const struct vec2 away =
         arrival_from(&f->s->scale, vec2_add(f->from->z, z), f->from->z);
 
-    if (!(bar <= TOL_PLANE_LITTLE))
+    if (!(bar <= TOL_SEEN))
         return true;
     break_off(f, h, b, bar);
     for (size_t i = 0; i < f->s->rests; i++)
@@ -331,7 +331,7 @@ static enum status look_outside(struct plane_study *s, struct plane_branch *b,
         speed[2] = speed_at(s, b, (double) n);
         fastest = fmax(fastest, speed[2]);
         if (speed[1] < speed[0] && speed[1] < speed[2] &&
-            speed[1] < TOL_PLANE_LITTLE * fastest)
+            speed[1] < TOL_SEEN * fastest)
             status = look_at_slow(s, b, (double) n - 1.0, h);
     }
     return status;

@@ -70,7 +70,7 @@ static bool divergence_round(const struct plane_study *s,
 
     sum[0] = sum[1] = 0.0;
     while (turns < w->turns && follows) {
-        follows = o.curve.count < TOL_PLANE_NO_RETURN &&
+        follows = o.curve.count < TOL_EXPLICIT_STEPS &&
                   taylor_orbit_step(&o) == STATUS_OK;
         if (!follows)
             break;

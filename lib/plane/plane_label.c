@@ -375,7 +375,7 @@ static enum status look_over(struct labelling *l, double least,
  * one goal, and large. */
 static bool is_open(const struct patches *p, size_t region, double part)
 {
-    return part >= TOL_PLANE_LITTLE && p->area[region].value > 0.0 &&
+    return part >= TOL_SEEN && p->area[region].value > 0.0 &&
            p->goal[plane_patch_of(p, region)].kind == PLANE_GOAL_NONE;
 }
 
@@ -424,7 +424,7 @@ static enum status find_goals_of(struct labelling *l, const struct whole w[],
 static enum status find_goals(struct labelling *l, struct whole w[],
                               const struct monitor *monitor)
 {
-    const double all = sort_patches(l->p, w), least = TOL_PLANE_LITTLE * all;
+    const double all = sort_patches(l->p, w), least = TOL_SEEN * all;
     size_t next = 0;
     enum status status = find_goals_of(l, w, &next, TOL_SAME * all, least);
 

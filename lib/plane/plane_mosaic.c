@@ -110,7 +110,7 @@ struct dividing {
 /* Inside the square. */
 static double inside(double part)
 {
-    return fmin(fmax(part, TOL_PLANE_LITTLE), 1.0 - TOL_PLANE_LITTLE);
+    return fmin(fmax(part, TOL_SEEN), 1.0 - TOL_SEEN);
 }
 
 /* Whereto the middle of a cell goes; of one beside the square, its edge. */

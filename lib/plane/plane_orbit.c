@@ -113,7 +113,7 @@ static enum status step(struct walk *w)
                           vec2_length(way) < TOL_PLANE_HELD;
         w->held = held ? w->held + 1 : 0;
         if (status == STATUS_NO_CONVERGENCE || w->held > TOL_PLANE_HELD_STEPS ||
-            before > w->returned + TOL_PLANE_NO_RETURN)
+            before > w->returned + TOL_EXPLICIT_STEPS)
             return be_implicit(w) == STATUS_NO_MEMORY ? STATUS_NO_MEMORY
                                                       : STATUS_OK;
     }
@@ -246,7 +246,7 @@ static bool goes_on(struct walk *w, struct plane_goal *out)
     if (d == PLANE_DEFINED_RESTS)
         come_to_rest(w, theta, out);
     w->lost = plane_weak_along(w->s, c, c->count - 1, w->system->origin,
-                               TOL_PLANE_LITTLE, &theta);
+                               TOL_SEEN, &theta);
     return d == PLANE_DEFINED && !w->lost;
 }
 
@@ -356,7 +356,7 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
                       .system = &system,
                       .far = TOL_PLANE_FAR,
                       .backward = backward,
-                      .lost = plane_weak_at(s, z, TOL_PLANE_LITTLE),
+                      .lost = plane_weak_at(s, z, TOL_SEEN),
                       .winding = { .noise = TOL_ORBIT_RTOL },
                       .guide = guide,
                       .plan = plane_defined_copy(s) };

@@ -361,7 +361,7 @@ static void report(const struct route *r)
         b->total[i] = total_at(r, i) + r->rest.total[i];
         b->total_error[i] =
             bar(r, component(r, i), r->rest.total[i], b->total[i]) + r->off[i] +
-            TOL_INTEGRAL_NIL;
+            INTEGRAL_NIL;
     }
 }
 

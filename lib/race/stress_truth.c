@@ -33,7 +33,7 @@ static void put(struct stress_truth *t, enum stress_number which, quad value,
 static size_t find_pieces(const struct finder *f, long double edge[6])
 {
     const long double top = steady_x_max(f->law);
-    const long double far = (long double) TOL_LN_RANGE;
+    const long double far = (long double) LN_RANGE;
     long double turning[4];
     size_t n = 0;
 

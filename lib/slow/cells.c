@@ -137,7 +137,7 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
 {
     const struct slider *s = t->slider;
     const double loosest = fmin(TOL_CELLS_START * rtol, TOL_CELLS_COARSEST);
-    double tol = fmax(loosest, TOL_CELLS_FINEST / TOL_CELLS_FINER);
+    double tol = fmax(loosest, TOL_RTOL_DEFAULT / TOL_CELLS_FINER);
     double worst = HUGE_VAL, before = HUGE_VAL;
     struct run coarse, fine;
     int8_t label = FATE_UNDECIDED;
@@ -149,7 +149,7 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
             trap_label(t, vec2_sub(z, s->plane.system.origin), &label, NULL);
     while (status == STATUS_OK && worst > rtol &&
            !(worst > TOL_CELLS_GAIN * before) &&
-           tol * TOL_CELLS_FINER >= TOL_CELLS_FINEST) {
+           tol * TOL_CELLS_FINER >= TOL_RTOL_DEFAULT) {
         tol *= TOL_CELLS_FINER;
         before = worst;
         status = follow(s, z, tol, which, &fine);

@@ -243,7 +243,7 @@ static void find_by_curve(struct batch *b, size_t n)
         follow(b->fast, b->which, b->job, b->open, b->layer);
         for (size_t i = 0; i < b->open; i++) {
             const double tol = b->job[i].options.promise * finer(b, i);
-            if (tol >= TOL_CELLS_FINEST)
+            if (tol >= TOL_RTOL_DEFAULT)
                 set_again(b, open++, i, tol);
         }
         b->open = open;
@@ -376,7 +376,7 @@ static enum status sample_some(const struct fast_cells *f,
 
     for (size_t i = 0; i < n; i++) {
         job[i].z = vec2_sub(s[i].z, origin);
-        job[i].options = layer_defaults(fmax(rtol, TOL_CELLS_FINEST));
+        job[i].options = layer_defaults(fmax(rtol, TOL_RTOL_DEFAULT));
         job[i].options.peaks = false;
         job[i].options.through = true;
     }

@@ -22,9 +22,8 @@ struct layer_options layer_defaults(double rtol)
 {
     return (struct layer_options){
         .promise = rtol,
-        .rtol = TOL_LAYER_PART * rtol,
-        .landing =
-            rtol < TOL_LAYER_PLAIN ? TOL_LAYER_CLOSER : TOL_LAYER_LANDING,
+        .rtol = TOL_PART * rtol,
+        .landing = rtol < TOL_CELLS_RTOL ? TOL_LAYER_CLOSER : TOL_LAYER_LANDING,
         .peaks = true,
     };
 }
@@ -353,7 +352,7 @@ static void account(struct walk *w, const double u1[], const double unit[])
     carry(w, before, m);
     miss(w, u0, unit, m, &place);
     m->digits = digit_x * dy + digit_y * dx +
-                TOL_LAYER_TERMS * digits * fabs(w->h) * dx * dy;
+                TOL_SLOW_TERMS * digits * fabs(w->h) * dx * dy;
     l->across = m->left * l->across + largest(m->across) + m->digits;
     l->time_error += time + l->du[LAYER_TIME] * on;
     l->slip_error += slip + l->du[LAYER_SLIP] * on;
@@ -404,7 +403,7 @@ static bool advance(struct walk *w, double most)
             factor = TOL_ORBIT_RETREAT; /* or it sees peaks beyond */
         }
         w->h *= factor;
-        if (!(fabs(w->h) > TOL_LAYER_SHORTEST))
+        if (!(fabs(w->h) > TOL_TOUCH))
             return false;
     }
     if (l->options.peaks)

@@ -81,8 +81,7 @@ static struct door door_at(const struct landing *l, const double u[])
 
 bool landing_is_past(const struct landing *l, const double u[])
 {
-    return door_at(l, l->u).way > 0.0 &&
-           door_at(l, u).way < -TOL_LAYER_SHORTEST;
+    return door_at(l, l->u).way > 0.0 && door_at(l, u).way < -TOL_TOUCH;
 }
 
 /* `way` of its own from the face, towards which it closes at this rate: what
@@ -98,7 +97,7 @@ static void arrive(struct landing *l, const struct door *door, double closing,
                                           late * du[LAYER_SLIP] };
     const struct landing_bar bar = landing_weigh(l, &across, 0.0);
     const double level =
-        TOL_SLOW_FACE * slider_rounding(s, landing_place(l)) / closing;
+        TOL_SLOW_TERMS * slider_rounding(s, landing_place(l)) / closing;
     struct layer *const out = l->out;
 
     out->end = LAYER_LANDED;
@@ -127,10 +126,10 @@ static bool enters(struct landing *l, const struct door *door, double *most)
     if (!(closing > TOL_LAYER_HEAD_ON) ||
         fabs(aside) > TOL_ARREST - TOL_LAYER_CORNER * wrong) {
         *most = TOL_STEP_SAFETY * door->way;
-        return !(door->way > TOL_LAYER_TOUCH + TOL_LAYER_CORNER * wrong);
+        return !(door->way > TOL_SAME + TOL_LAYER_CORNER * wrong);
     }
     *most = door->way / closing;
-    if (fabs(*most) > TOL_LAYER_SHORTEST) {
+    if (fabs(*most) > TOL_TOUCH) {
         if (l->options.peaks && door->way > 0.0)
             *most *= TOL_LAYER_SHORT; /* or it sees peaks beyond */
         return false;
@@ -367,7 +366,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
         (TOL_LAYER_BENT * l->options.promise);
     if (is_vague(l, p, off, bend))
         *excess = fmax(*excess, 1.0 / TOL_LAYER_RISE);
-    if (*excess > 1.0 && fabs(off) > TOL_LAYER_TOUCH)
+    if (*excess > 1.0 && fabs(off) > TOL_SAME)
         return false;
     if (!is_clear(l, p, y))
         return false;

@@ -98,7 +98,7 @@ static void tell_bars(const struct slow_branch *b,
     const struct slow_knot *k = b->knot;
     const double fold = log(b->first.p / at->p) / u->lambda;
     const double wrong =
-        (blur_of(at) * (1.0 + blur_of(at)) + TOL_SADDLE) / u->lambda +
+        (blur_of(at) * (1.0 + blur_of(at)) + TOL_ROUNDED) / u->lambda +
         u->lambda_error * fabs(fold);
 
     out->time_error = bar->time + k->time_bar + wrong;
@@ -119,7 +119,7 @@ static bool is_early(const struct landing *l, const struct saddle_point *at,
                              : out->time;
 
     return nears && wrong > TOL_LAYER_BENT * l->options.promise * whole &&
-           hypot(to.x, to.y) > TOL_LAYER_TOUCH;
+           hypot(to.x, to.y) > TOL_SAME;
 }
 
 bool landing_near(struct landing *l)

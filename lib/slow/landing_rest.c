@@ -63,7 +63,7 @@ static bool land(struct landing *l, const struct rest_point *p, double off,
 
     *excess = bend * fmax(late / time, far / slip) /
               (TOL_LAYER_BENT * l->options.promise);
-    if (*excess > 1.0 && fabs(off) > TOL_LAYER_TOUCH)
+    if (*excess > 1.0 && fabs(off) > TOL_SAME)
         return false;
     out->end = LAYER_LANDED;
     out->fate = FATE_REST_FINITE;

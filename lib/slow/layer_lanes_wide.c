@@ -286,7 +286,7 @@ static void account(struct bundle *b, struct steps *m)
     carry(b, m);
     miss(b, m);
     m->digits = digit_x * dy + digit_y * dx +
-                TOL_LAYER_TERMS * digits * lanes_size(b->h) * dx * dy;
+                TOL_SLOW_TERMS * digits * lanes_size(b->h) * dx * dy;
     const lanes across = m->left * b->across + m->most + m->digits;
     const lanes place = m->place + digits;
     for (int i = 0; i < 2; i++) {
@@ -392,7 +392,7 @@ static bool is_over(struct bundle *b, int l)
     double most;
 
     if (!b->asks[l])
-        return !(fabs(b->h[l]) > TOL_LAYER_SHORTEST);
+        return !(fabs(b->h[l]) > TOL_TOUCH);
     for (int i = 0; i < LAYER_DIM; i++) {
         at->u[i] = b->u[i][l];
         at->du[i] = b->k[0][i][l];

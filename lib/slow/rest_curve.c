@@ -151,7 +151,7 @@ static enum status extend(struct rest_curve *c)
     enum status status = STATUS_OK;
 
     while (status == STATUS_OK &&
-           c->knot[c->count - 1].at.x > TOL_REST_BOTTOM - s->block.at.x0) {
+           c->knot[c->count - 1].at.x > -TOL_SETTLED - s->block.at.x0) {
         const struct rest_knot *last = &c->knot[c->count - 1];
         const struct rest_left gone = rest_left_between(s, last->at.x, h);
         const double x = last->at.x - h;

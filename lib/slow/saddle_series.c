@@ -150,12 +150,12 @@ static void solve(const struct drift *d, saddle_coefs slip,
 
 /* ---- how far they hold --------------------------------------------------- */
 
-/* Where a term of order k is TOL_SADDLE of size r^(k - less). */
+/* Where a term of order k is TOL_ROUNDED of size r^(k - less). */
 static double limit(double radius, double term, double size, size_t k,
                     size_t less)
 {
     return term == 0.0 ? radius
-                       : fmin(radius, pow(TOL_SADDLE * size / fabs(term),
+                       : fmin(radius, pow(TOL_ROUNDED * size / fabs(term),
                                           1.0 / (double) (k - less)));
 }
 
@@ -237,7 +237,7 @@ enum status saddle_series_find(const struct slider *s,
     struct drift d;
     const enum status status =
         local_over(&s->plane.system, e, MANIFOLD_UNSTABLE, 1, &none,
-                   SADDLE_ORDER, TOL_SADDLE, &local);
+                   SADDLE_ORDER, TOL_ROUNDED, &local);
 
     if (status != STATUS_OK)
         return status;

@@ -75,7 +75,7 @@ static double slope_of(const struct orbit *o)
 static void tell(struct slow_knot *k, double dt, double *folds)
 {
     *folds = k->gap < 1.0 ? *folds + k->fast * (1.0 - k->gap) * dt : 0.0;
-    if (!(*folds >= TOL_SLOW_SETTLED && k->gap < TOL_SLOW_GAP))
+    if (!(*folds >= TOL_SETTLED && k->gap < TOL_SLOW_GAP))
         k->gap = HUGE_VAL;
 }
 
@@ -165,8 +165,8 @@ static enum status finish_rest(const struct slider *s, struct slow_branch *b)
     const struct quantity slip = rest_form_at(&s->block).has_slip
                                      ? fate_compare(&coarse.slip, &fine.slip)
                                      : none;
-    if (!(time.error <= TOL_SLOW_REST * time.value) ||
-        !(slip.error <= TOL_SLOW_REST * slip.value))
+    if (!(time.error <= TOL_CELLS_RTOL * time.value) ||
+        !(slip.error <= TOL_CELLS_RTOL * slip.value))
         return status;
     b->fate = (int8_t) fine.fate;
     b->x_end = -HUGE_VAL;
@@ -222,7 +222,7 @@ static double x_error_at_face(const struct slider *s, const struct orbit *o,
 static void add_face(const struct slider *s, const struct slow_knot *k,
                      struct slow_branch *b)
 {
-    const double level = TOL_SLOW_FACE *
+    const double level = TOL_SLOW_TERMS *
                          slider_rounding(s, (struct vec2){ k->x, k->y }) /
                          fmax(fabs(k->x_slope), 1.0);
     const double time = fabs(k->time[1]) * level;

@@ -30,8 +30,7 @@ static void split(const struct planar_jacobian *J, double speed,
 /* Whether a rounding of y, by which the curve is told, shows in x. */
 static bool is_too_steep(const struct slow_knot *k)
 {
-    return slow_knot_is_fast_y(k) &&
-           fabs(k->x_slope) * DBL_EPSILON > TOL_SLOW_STEEP;
+    return slow_knot_is_fast_y(k) && fabs(k->x_slope) * DBL_EPSILON > TOL_TOUCH;
 }
 
 bool slow_knot_is_fast_y(const struct slow_knot *k)

@@ -66,7 +66,7 @@ static void near(const struct slow_branch *b, double y, struct slow_point *p)
     p->slip = k->slip[0] + u->v * fold + at.q - b->first.q;
     p->time_slope = -(at.p_y + at.p_x * at.x_slope) / (at.p * u->lambda);
     p->slip_slope = u->v * p->time_slope + at.q_y + at.q_x * at.x_slope;
-    const double error = (at.p_error / fabs(at.p) + TOL_SADDLE) / u->lambda +
+    const double error = (at.p_error / fabs(at.p) + TOL_ROUNDED) / u->lambda +
                          u->lambda_error * fabs(fold);
     p->time_error += error;
     p->slip_error += u->v * error + at.q_error;

@@ -4,14 +4,13 @@
 #include "motion_tolerance.h"
 
 /* The slow curve (slow_curve.c), whose orbit is as accurate as that of a rest,
- * TOL_REST_WRONG.  To what one that is coarser by TOL_CELLS_FINER must agree on
- * what is left of a rest; steps, in
+ * TOL_REST_WRONG; to TOL_CELLS_RTOL one that is coarser by TOL_CELLS_FINER must
+ * agree on what is left of a rest.  Steps, in
  * e-folds of the slow rate and in ln psi, that polynomials of degree 5 bear to
  * 1e-11, at most TOL_BRANCH_STEPS; how much of what twice the step misses one
  * step may, but for rounding; the ratio of the slow rate to the fast one below
  * which slopes are mostly noise, where curvatures come from knots not nearer
  * than such a part of an interval; and the largest ratio. */
-#define TOL_SLOW_REST    1e-6
 #define TOL_SLOW_STEP    0.035
 #define TOL_SLOW_LONGEST 0.1
 #define TOL_SLOW_MISSED  0.05
@@ -21,26 +20,22 @@
 #define TOL_SLOW_GAP     0.1
 
 /* Beyond a node: nearest and furthest start in ln psi, growth of the
- * steps to it, and e-folds after which any orbit is on
- * it to rounding; the ratio of rates it may start at; what a rounding of y may
- * do to x where y settles first, and the ratios below which rounding in x or y,
- * being the fast one, shows in the other; and how near the end of a branch none
- * lands, arriving first. */
+ * steps to it, on which any orbit is after TOL_SETTLED; the ratio of rates it
+ * may start at; the ratios below which rounding in x or y, being the fast one,
+ * shows in the other; and how near the end of a branch none lands, arriving
+ * first. */
 #define TOL_SLOW_NEAREST     0.02
 #define TOL_SLOW_FURTHEST    15.0
-#define TOL_SLOW_STEEP       1e-12
 #define TOL_SLOW_GAP_LEAST_X 1e-14
 #define TOL_SLOW_GAP_LEAST_Y 1e-11
 #define TOL_SLOW_CLEAR       0.003
 #define TOL_SLOW_GAP_START   0.5
 #define TOL_SLOW_STRIDE      1.1
-#define TOL_SLOW_SETTLED     36.0
 
-/* Series at the saddle (saddle_series.c): what their last terms are of the
- * first where they end, at most this far out, or this part of the way to a box
- * of arrest; and how near to 1 orders, in units of the ratio of the
+/* Series at the saddle (saddle_series.c): their last terms are TOL_ROUNDED
+ * of the first where they end, at most this far out, or this part of the way to
+ * a box of arrest; and how near to 1 orders, in units of the ratio of the
  * eigenvalues, may come to a resonance. */
-#define TOL_SADDLE       1e-13
 #define TOL_SADDLE_MOST  0.1
 #define TOL_SADDLE_ROOM  0.3
 #define TOL_SADDLE_APART 0.8
@@ -54,28 +49,26 @@
 /* A point by its time: steps of Newton's method. */
 #define TOL_SLOW_NEWTON 60
 
-/* Roundings that the face of a box of arrest is known to: of its node and the
- * origin, whose difference is rounded, and of the field's zero. */
-#define TOL_SLOW_FACE 2.0
+/* Terms that round: of the field (a coordinate by TOL_SLIDER_ROUNDING); and of
+ * the face of a box of arrest, its node and the origin, whose difference is
+ * rounded, and the field's zero. */
+#define TOL_SLOW_TERMS 2.0
 
-/* The fast layer (fast_layer.c, landing.c): tolerance for a promise of rtol,
- * landing distance from it on, and closer for a finer one; how far beyond the
+/* The fast layer (fast_layer.c, landing.c): landing distance, and closer
+ * for what is finer than TOL_CELLS_RTOL; how far beyond the
  * distance a step aims; size of a box of arrest that must not be between; how
  * much later or earlier at most a box is entered for what is then left of the
- * distance, in what is left; steps, the first of a landing's distance; the
- * shortest; the least error that tells anything on the next step.  Bars: what
- * the fibre's curvature and the slow rates change of what it corrects
- * (measured: errors are 0.5 of that at most, half of them 0.1), and of places
- * of peaks. */
-#define TOL_LAYER_PART      0.03
-#define TOL_LAYER_PLAIN     1e-6
+ * distance, in what is left; steps, the first of a landing's distance and
+ * none below TOL_TOUCH; the least error that tells anything on the next step.
+ * Bars: what the fibre's curvature and the slow rates change of what it
+ * corrects (measured: errors are 0.5 of that at most, half of them 0.1), and of
+ * places of peaks. */
 #define TOL_LAYER_LANDING   0.1
 #define TOL_LAYER_CLOSER    0.01
 #define TOL_LAYER_AIM       0.7
 #define TOL_LAYER_ARREST    1.001
 #define TOL_LAYER_FORGET    4.0
 #define TOL_LAYER_STEPS     500
-#define TOL_LAYER_SHORTEST  1e-12
 #define TOL_LAYER_FLOOR     1e-8
 #define TOL_LAYER_GROWTH    2.0
 #define TOL_LAYER_BEND      3.0
@@ -97,16 +90,14 @@
 
 /* It lands only where the fibre's part of the bar is within this part of what
  * was promised (finer tries aim at it, too), and its place as well known as
- * TOL_LAYER_SIDE of the way to it; or this near, for friction too this near;
- * nearer by this factor at most at once.
- */
+ * TOL_LAYER_SIDE of the way to it; or TOL_SAME near, for friction this near;
+ * nearer by this factor at most at once. */
 #define TOL_LAYER_BENT     0.3
-#define TOL_LAYER_TOUCH    1e-6
 #define TOL_LAYER_MU_TOUCH 1e-9
 #define TOL_LAYER_DIVE     1e-3
 
 /* A box of arrest is come nearer by TOL_STEP_SAFETY of the way.  Nearer than
- * BESIDE its face is aimed at; reached within the shortest step, and only by an
+ * BESIDE its face is aimed at; reached within TOL_TOUCH, and only by an
  * orbit that closes at this rate or faster, so many of its errors from every
  * corner (what is as far is surely there); others are let pass until they touch
  * it; and where nothing beyond the face may be seen the part of the way that is
@@ -121,9 +112,6 @@
  * bars grow, where it is more. */
 #define TOL_LAYER_SAFETY 0.8
 
-/* Terms of the field that round (a coordinate by TOL_SLIDER_ROUNDING). */
-#define TOL_LAYER_TERMS 2.0
-
 /* A side of the saddle is told from this much of the distance on; what is left
  * of the distance by a step towards a peak beside the curve. */
 #define TOL_LAYER_SIDE 0.5
@@ -135,7 +123,7 @@
 /* Many states by the slow curve (fast_cells.c).  How much finer the next try of
  * one is at most whose bars are too wide; above what part of its bars a try has
  * left one is tried as fine as that, and then no more, for they are the table's
- * (TOL_CELLS_GAIN), down to TOL_CELLS_FINEST; and the least bar of a peak, in
+ * (TOL_CELLS_GAIN), down to TOL_RTOL_DEFAULT; and the least bar of a peak, in
  * its logarithm. */
 #define TOL_FAST_FINER 0.01
 #define TOL_FAST_LEAST 2e-11
@@ -152,11 +140,10 @@
 /* Cells run to their fates (cells.c).  Orbits are first followed to this part
  * of the accuracy asked for, at most this (looser ones miss where a block
  * rests), then finer by this factor (a single state's, too: push.c), down to
- * the finest that doubles hold, as long as bars shrink to this part. */
+ * TOL_RTOL_DEFAULT, as long as bars shrink to this part. */
 #define TOL_CELLS_START    0.05
 #define TOL_CELLS_COARSEST 1e-5
 #define TOL_CELLS_FINER    0.1
-#define TOL_CELLS_FINEST   1e-12
 #define TOL_CELLS_GAIN     0.7
 
 /* Patches (patch_poly.c, patchwork.c).  Accuracy of the samples, as a part of

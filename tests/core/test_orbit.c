@@ -265,14 +265,14 @@ static void recorded_events_do_not_stop(void **state)
 static void rest_in_finite_time_leaves_the_domain(void **state)
 {
     const struct fixture x = { stream, { -1.0, 0.0, 0.0, -1.0 } };
-    const struct planar sys = planar_of(&x, TOL_LN_RANGE);
+    const struct planar sys = planar_of(&x, LN_RANGE);
     const struct orbit_options p = orbit_defaults(&sys, 1.0);
     struct orbit o;
 
     (void) state;
     run(&o, &sys, (struct vec2){ 0.0, 0.0 }, &p, ORBIT_LEFT_DOMAIN);
-    CHECK(o.u[0] == -TOL_LN_RANGE || fabs(o.u[0] + TOL_LN_RANGE) < 1e-12,
-          "x = %.17g", o.u[0]);
+    CHECK(o.u[0] == -LN_RANGE || fabs(o.u[0] + LN_RANGE) < 1e-12, "x = %.17g",
+          o.u[0]);
     CHECK(fabs(o.u[2] - 1.0) < 1e-7, "t off by %g", o.u[2] - 1.0);
     /* The integral of ln(1 - t). */
     CHECK(fabs(o.u[3] + 1.0) < 1e-7, "integral off by %g", o.u[3] + 1.0);

@@ -75,8 +75,7 @@ static void axes_and_observables_say_what_they_are(void **state)
     assert_string_equal(p.axis[0].name, "v");
     assert_string_equal(p.axis[1].name, "psi");
     assert_true(p.axis[0].is_log && p.axis[1].is_log);
-    assert_true(p.domain.hi.x == TOL_LN_RANGE &&
-                p.domain.lo.y == -TOL_LN_RANGE);
+    assert_true(p.domain.hi.x == LN_RANGE && p.domain.lo.y == -LN_RANGE);
     assert_int_equal(p.observable_count, BLOCK_OBSERVABLES);
     assert_string_equal(p.observables[BLOCK_SLIP].name, "slip");
     assert_string_equal(p.observables[BLOCK_WORK].name, "work");
