@@ -36,8 +36,17 @@ void interval_graph_decimal(mpfi_ptr out, formula_real x)
         mpfr_clear(sum[i]);
 }
 
+bool interval_has_64_bits(void)
+{
+    const volatile long double one = 1;
+
+    return one + 0x1p-63L > one;
+}
+
 struct interval interval_of_mpfi(mpfi_srcptr u)
 {
+    if (!interval_has_64_bits())
+        return (struct interval){ -HUGE_VAL, HUGE_VAL };
     return (struct interval){ mpfr_get_ld(&u->left, MPFR_RNDD),
                               mpfr_get_ld(&u->right, MPFR_RNDU) };
 }

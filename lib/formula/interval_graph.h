@@ -49,5 +49,9 @@ struct interval interval_function(enum formula_function function,
  * (interval_decimal). */
 void interval_graph_decimal(mpfi_ptr out, formula_real x);
 
-/* The numbers of 64 bits around an interval. */
+/* Whether sums of long doubles have the 64 bits that all of interval_math.h
+ * rests on: the processor can be told to round to 53, and valgrind does. */
+bool interval_has_64_bits(void);
+
+/* The numbers of 64 bits around an interval; without these bits all numbers. */
 struct interval interval_of_mpfi(mpfi_srcptr u);

@@ -269,6 +269,11 @@ enum status proof_law_at(struct proof_law *p, const struct block *b,
 
     *p = (struct proof_law){ .law = limit_of(b),
                              .is_log = law_psi_is_log(&b->law) };
+    if (!interval_has_64_bits()) {
+        snprintf(why->text, sizeof why->text,
+                 "numbers of 64 bits are rounded to fewer here");
+        return STATUS_BAD_ARGUMENT;
+    }
     enum status s = make_graphs(p);
     if (s != STATUS_OK)
         return s;

@@ -7,6 +7,7 @@
 #include "check.h"
 #include "interval_growth.h"
 #include "law_typed.h"
+#include "proof_fold.h"
 #include "reference_rows.h"
 
 /* ---- formulas over boxes ------------------------------------------------- */
@@ -367,6 +368,47 @@ static void all_is_proved_where_psi_is_3e20_at_the_saddle(void **state)
     solved_free(&s);
 }
 
+/* ---- fewer bits ---------------------------------------------------------- */
+
+/* The precision of the processor's stack: 3 for 64 bits, 2 for 53. */
+static void round_to(unsigned bits)
+{
+    unsigned short word;
+
+    __asm__ volatile("fnstcw %0" : "=m"(word));
+    word = (unsigned short) ((word & ~0x300u) | bits << 8);
+    __asm__ volatile("fldcw %0" : : "m"(word));
+}
+
+static void nothing_is_proved_where_64_bits_are_rounded_to_53(void **state)
+{
+    const struct material m = material_bristol_board();
+    const struct law *law = law_preset_find("perrin");
+    const struct proof_inputs steep = { true, ANGLE_TAN, 3, NULL, NULL, { 0 } };
+    static struct solved s;
+    struct proof p;
+    double window[2];
+
+    (void) state;
+    assert_null(prove(&s, law, &m, true, tan(0.34), &p).v_plus.not_proved);
+    proof_free(&p);
+    solved_free(&s);
+    const struct law *other = law_preset_find("spinodal");
+    assert_int_equal(proof_no_saddle(other, &m, &steep, window),
+                     PROOF_ALONE_FAST);
+    round_to(2);
+    const struct proof_numbers n = prove(&s, law, &m, true, tan(0.34), &p);
+    const enum proof_alone alone = proof_no_saddle(other, &m, &steep, window);
+    round_to(3);
+    for (size_t i = 0; i < PROOF_NUMBERS; i++)
+        CHECK(n.at[i].not_proved && !n.at[i].absent &&
+                  strstr(n.at[i].not_proved, "64 bits"),
+              "%zu: %s", i, n.at[i].not_proved);
+    assert_int_equal(alone, PROOF_ALONE_NOT);
+    proof_free(&p);
+    solved_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -374,6 +416,7 @@ int main(void)
         cmocka_unit_test(a_law_that_is_typed_is_proved_as_its_preset_is),
         cmocka_unit_test(an_infinite_R_is_the_limit_of_the_law),
         cmocka_unit_test(all_is_proved_where_psi_is_3e20_at_the_saddle),
+        cmocka_unit_test(nothing_is_proved_where_64_bits_are_rounded_to_53),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
