@@ -258,6 +258,15 @@ static const struct {
       { 16.724394049886957, 5.4303914429797571 },
       EXACT_BOTH,
       "ln v on steps on which it falls by less than its last digit" },
+    { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SLIP45,
+        KINETICS_SINH, 0.70149622364420872, 0.021747026575147838,
+        0.015665394131907318, 0.037302055182364922, 8.0807597014273611,
+        1.0318001734647847e-06, 1.4411044353271146e-07, 0.6120271783208214,
+        1e-9 },
+      0.701940577427806881893L,
+      { -4.3942353041618016, -2.4847749432048607 },
+      EXACT_BOTH,
+      "friction on the curve before where it is met" },
 };
 
 #endif

@@ -218,10 +218,9 @@ static double mu_to_come(const struct landing *l, const struct slow_point *p,
 {
     const struct block *b = &l->curve->slider->block;
     const struct vec2 on = { p->x, y }, z = landing_place(l);
-    const double way = p->time_slope < 0.0 ? 1.0 : -1.0;
     const double mu = block_mu(b, on);
-    const bool rises = mu_rises(l, on, (struct vec2){ way * p->x_slope, way });
-    const double most = fmax(rises ? fmax(mu, p->mu_near) : mu, p->mu_peak);
+    const bool is_ahead = (p->mu_y - y) * p->time_slope < 0.0;
+    const double most = fmax(is_ahead ? fmax(mu, p->mu_near) : mu, p->mu_peak);
 
     *aside = 0.0;
     if (most == mu && !mu_rises(l, z, landing_way(l)))

@@ -132,12 +132,18 @@ void slow_fit_frictions(const struct slider *s, struct slow_branch *b)
     struct slow_knot *const k = b->knot;
     const struct start start = { &s->block, b->near, k->y };
 
-    if (b->near)
-        k->mu = crest_of(mu_near, &start, NULL);
+    double at;
+
+    if (b->near) {
+        k->mu = crest_of(mu_near, &start, &at);
+        k->mu_y = at * k->y;
+    }
     for (size_t i = 1; i < b->count; i++) {
         const struct between c = { &s->block, &k[i - 1], &k[i] };
-        if (isfinite(k[i - 1].gap) && isfinite(k[i].gap))
-            k[i].mu = crest_of(mu_between, &c, NULL);
+        if (isfinite(k[i - 1].gap) && isfinite(k[i].gap)) {
+            k[i].mu = crest_of(mu_between, &c, &at);
+            k[i].mu_y = c.from->y + at * (c.to->y - c.from->y);
+        }
     }
 }
 

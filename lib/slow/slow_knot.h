@@ -23,6 +23,7 @@ struct slow_knot {
     double gap;          /* the slow rate over it; HUGE_VAL: not to land on */
     struct vec2 fibre;   /* unit */
     double mu, mu_error; /* largest on the way to this knot */
+    double mu_y;         /* where that is */
     double x_peak, mu_peak, mu_peak_error; /* from here on */
 };
 

@@ -29,6 +29,7 @@ static struct slow_point common(const struct slow_branch *b,
         .x_peak = next->x_peak,
         .mu_peak = next->mu_peak,
         .mu_near = next->mu,
+        .mu_y = next->mu_y,
         .mu_error = fmax(next->mu_error, next->mu_peak_error),
     };
 }

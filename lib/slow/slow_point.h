@@ -21,8 +21,8 @@ struct slow_point {
     double x_end, x_end_error;     /* at arrest; -HUGE_VAL at rest */
     double end_slope;              /* time_slope there; 0 at rest */
     double x_peak, mu_peak;        /* largest from some later point on */
-    double mu_near;                /* largest on the interval around it */
-    double mu_error;               /* of both */
+    double mu_near, mu_y; /* largest on the interval around it; where */
+    double mu_error;      /* of both */
 };
 
 /* The branch's point at the offset y.  False: y is not on the branch, nor
