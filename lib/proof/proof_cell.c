@@ -103,17 +103,22 @@ static bool is_coarse(const struct cell *c, const struct proof_front *front,
 
 /* ---- the tube ------------------------------------------------------------ */
 
-/* |d/d dep| of the excess per theta, step (v - v_sp)/(-f_ind): (e' - q f')/f;
- * so is step dG/d dep. */
-static bool bound_rate(const struct cell *c, double radius, double *rate,
-                       double *across)
+/* A part of the cell: of theta, its length, and what it found. */
+struct part {
+    struct interval theta, length;
+    double rate;   /* step dG/d dep <= rate */
+    double across; /* |d/d dep| of the excess per theta */
+};
+
+/* step (v - v_sp)/(-f_ind), the excess per theta, by dep: (e' - q f')/f. */
+static bool bound_rate(const struct cell *c, double radius, struct part *t)
 {
     const struct proof_piece *piece = c->piece;
-    const struct interval dep =
-        proof_poly_of(piece->degree, c->dep, interval_less(c->box, c->middle));
+    const struct interval dep = proof_poly_of(
+        piece->degree, c->dep, interval_less(t->theta, c->middle));
     struct proof_flow f;
 
-    proof_flow_aside(c->tape, piece->ind, ind_at(piece, c->box),
+    proof_flow_aside(c->tape, piece->ind, ind_at(piece, t->theta),
                      interval_add(dep, interval_within(radius)), &f);
     if (!falls(c, &f))
         return false;
@@ -124,33 +129,54 @@ static bool bound_rate(const struct cell *c, double radius, double *rate,
     const struct interval dq = interval_divide(
         interval_less(f.excess.c[1], interval_times(q, f.ind.c[1])),
         f.ind.c[0]);
-    *rate = interval_up(step_times(c, dg).hi);
-    *across = interval_up(interval_most(step_times(c, dq)));
-    return isfinite(*rate) && isfinite(*across);
+    t->rate = interval_up(step_times(c, dg).hi);
+    t->across = interval_up(interval_most(step_times(c, dq)));
+    return isfinite(t->rate) && isfinite(t->across);
 }
 
-/* The error at the end of the cell, and whether the largest on it is within
- * the radius; what the tube adds to the excess. */
-static bool run_tube(const struct cell *c, struct proof_cell *out,
-                     double *aside)
+/* The error after the part, and the largest on it. */
+static double grown(const struct part *t, double defect, double error,
+                    double *most)
 {
-    const struct interval length = interval_less(
-        c->to < c->last.hi ? point(c->to) : c->last, point(c->from));
-    double across;
-
-    if (!(length.lo >= 0) || !bound_rate(c, out->radius, &out->rate, &across))
-        return false;
     const struct interval rise =
-        interval_exp(interval_times(point(out->rate), length));
-    const long double larger = out->rate > 0 ? rise.hi : 1;
-    const double drift = proof_up_times(c->defect, length.hi);
-    const double most =
-        proof_up_times(proof_up_sum(out->before, drift), larger);
+        interval_exp(interval_times(point(t->rate), t->length));
+    const long double larger = t->rate > 0 ? rise.hi : 1;
+    const double made =
+        proof_up_times(proof_up_times(defect, t->length.hi), larger);
 
-    out->after = proof_up_sum(proof_up_times(out->before, rise.hi),
-                              proof_up_times(drift, larger));
-    *aside = proof_up_times(proof_up_times(across, length.hi), out->radius);
-    return most <= out->radius && out->after <= out->radius;
+    *most = proof_up_times(
+        proof_up_sum(error, proof_up_times(defect, t->length.hi)), larger);
+    return proof_up_sum(proof_up_times(error, rise.hi), made);
+}
+
+/* Runs the parts one after another in a tube of the given radius. */
+static bool run_tube(const struct cell *c, struct proof_cell *out,
+                     double *across)
+{
+    double at = c->from, error = out->before; /* at theta = at */
+
+    *across = 0;
+    out->rate = -HUGE_VAL;
+    for (int i = 1; i <= PROOF_PARTS; i++) {
+        const double next = i == PROOF_PARTS
+                                ? c->to
+                                : c->from + (c->to - c->from) * i / PROOF_PARTS;
+        struct part t = { .theta = { at, next } };
+        double most;
+
+        t.length =
+            interval_less(next < c->last.hi ? point(next) : c->last, point(at));
+        if (!(t.length.lo >= 0) || !bound_rate(c, out->radius, &t))
+            return false;
+        error = grown(&t, c->defect, error, &most);
+        if (!(most <= out->radius && error <= out->radius))
+            return false;
+        *across = proof_up_sum(*across, proof_up_times(t.across, t.length.hi));
+        out->rate = fmax(out->rate, t.rate);
+        at = next;
+    }
+    out->after = error;
+    return true;
 }
 
 /* ---- the integral -------------------------------------------------------- */
@@ -198,7 +224,7 @@ static enum status keep(struct proof_branch *out, const struct proof_cell *cell)
 static bool prove(struct cell *c, struct proof_front *front,
                   struct proof_cell *out)
 {
-    double aside;
+    double across;
 
     *out = (struct proof_cell){ .from = c->from,
                                 .to = c->to,
@@ -207,9 +233,10 @@ static bool prove(struct cell *c, struct proof_front *front,
     out->radius = proof_up_sum(
         2 * proof_up_sum(front->error, proof_up_times(c->defect, 2 * c->half)),
         DBL_MIN);
-    if (!run_tube(c, out, &aside))
+    if (!run_tube(c, out, &across))
         return false;
-    out->excess = interval_of_double(interval_outward(excess_of(c, aside)));
+    out->excess = interval_of_double(
+        interval_outward(excess_of(c, proof_up_times(across, out->radius))));
     if (!interval_is_finite(out->excess))
         return false;
     front->error = out->after;

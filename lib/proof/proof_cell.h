@@ -5,11 +5,11 @@
  * Along ind = start + step theta the manifold satisfies
  *     d dep/d theta = step G,   G = f_dep/f_ind,
  * and w = dep - p(theta) satisfies w' = D + l w with D = step G(p) - p' and
- * l = step dG/d dep somewhere between.  With |D| <= defect and l <= rate on the
- * cell where |dep - p| <= radius,
+ * l = step dG/d dep somewhere between.  With |D| <= defect on the cell, l <=
+ * rate on every part of it and |dep - p| <= radius,
  *     |w(t)| <= e^(rate t) |w(0)| + defect t max(1, e^(rate t)),
- * and |w| <= (|w(0)| + defect t) max(1, e^(rate t)) on the way, which is
- * compared with the radius: if it is not larger, it holds.
+ * which is compared with the radius on the whole part: if it is smaller, it
+ * holds.
  */
 #pragma once
 

@@ -44,6 +44,9 @@
  * a millisecond each. */
 #define PROOF_CELLS 2048
 
+/* Parts of a cell on which the transverse rate is bounded. */
+#define PROOF_PARTS 4
+
 /* A branch is closed as soon as what is left is below this part of the error,
  * and of the width of its integral, that are there. */
 #define PROOF_END_PART 0.02

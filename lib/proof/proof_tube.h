@@ -29,7 +29,7 @@ struct proof_piece {
                               piece's begin at the end of the cone */
 };
 
-/* What Gronwall's inequality needs and gives on a cell of a piece:
+/* What Gronwall's inequality needs and gives on a part of a piece:
  *     |D| <= defect,  d(step G)/d dep <= rate,  G = f_dep/f_ind,
  *     |dep - p| <= before at `from`, <= after at `to`, <= radius between. */
 struct proof_cell {
