@@ -327,23 +327,35 @@ static double least_step(const struct orbit *o)
                 TOL_ORBIT_STALL * fmax(fabs(o->u[0]), fabs(o->u[1])));
 }
 
+/* The part of a step by which what stopped it may be misplaced, by the step's
+ * own estimates and rounding. */
+static double unsure_of(const struct orbit *o, const struct attempt *a)
+{
+    const double *e = a->error, *u = a->u1;
+    const size_t i = 2 + o->end_index;
+
+    if (o->end == ORBIT_REACHED)
+        return (fabs(e[i]) + TOL_ORBIT_STALL * fabs(u[i])) /
+               fabs(u[i] - o->u[i]);
+    return (hypot(e[0], e[1]) +
+            TOL_ORBIT_STALL * fmax(fabs(u[0]), fabs(u[1]))) /
+           hypot(u[0] - o->u[0], u[1] - o->u[1]);
+}
+
 /* Within a step the polynomial is off by some orders of h more than at its
  * end, by what may vanish just where it is cut while its next order does not:
  * an orbit that is asked how far it is off takes its last step again to just
- * there, and further by what the step may be off, lest it end before.  (Events
- * are where the polynomial has them.)  The part of h to take; 1: what there is
- * will do. */
+ * there, and further by what it is unsure of, lest it end before.  (Events are
+ * where the polynomial has them.)  The part of h to take; 1: what there is will
+ * do. */
 static double part_again(const struct orbit *o, const struct attempt *a,
                          double end)
 {
-    const double *e = a->error;
-    const double way = hypot(a->u1[0] - o->u[0], a->u1[1] - o->u[1]);
-    const double late = fabs(e[2] / (a->u1[2] - o->u[2]));
-    const double part = end + fmax(hypot(e[0], e[1]) / way, late);
-    const bool is_cut = o->end != ORBIT_RUNNING && o->end != ORBIT_EVENT &&
-                        part < 1.0 && part * fabs(a->h) > least_step(o);
+    const bool may = o->options.drift && !o->cut && o->end != ORBIT_RUNNING &&
+                     o->end != ORBIT_EVENT;
+    const double part = may ? end + unsure_of(o, a) : 1.0;
 
-    return o->options.drift && is_cut && !o->cut ? part : 1.0;
+    return part < 1.0 && part * fabs(a->h) > least_step(o) ? part : 1.0;
 }
 
 /* Drops the last piece and what was found on it. */
