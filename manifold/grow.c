@@ -39,7 +39,7 @@ enum { GROWERS = 2 * GROW_JOBS };
 /* As long as a long step, which powers of 2 keep. */
 static double unit_of(double step)
 {
-    return step > TOL_STEP_LONG ? ldexp(1.0, ilogb(step)) : 1.0;
+    return step > 1.0 / TOL_SERIES_NEAR ? ldexp(1.0, ilogb(step)) : 1.0;
 }
 
 /* y(x) or x(y)?  Keeps the outward sense across a change. */

@@ -32,7 +32,7 @@ static bool is_inside_reach(const struct grower *g)
 static bool may_close(const struct grower *g)
 {
     if (is_inside_reach(g))
-        return hardly_changes(g, TOL_TAIL_NIL);
+        return hardly_changes(g, TOL_NOTHING);
     return hardly_changes(
         g, fmin(TOL_TAIL_PART * sqrt(g->o->rtol), TOL_TAIL_MOST));
 }

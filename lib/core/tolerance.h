@@ -28,6 +28,8 @@
  * areas as of formulas that are the same: 2^-52 of some hundred terms that
  * cancel in part; where something is, it is larger by decades. */
 #define TOL_ROUNDED 1e-13
+/* Below this part of itself no double changes any more. */
+#define TOL_NOTHING 1e-18
 /* e-folds after which what fades is below rounding, ln 2^52. */
 #define TOL_SETTLED 36.0
 /* Shares of a window are differences of areas, which round. */
@@ -114,7 +116,8 @@
  * beyond, the defect at the two ends no longer speaks for the middle. */
 #define TOL_SERIES_RADIUS_MAX 2.0
 /* Where a field changes over less than this, in ln v or ln psi, series are in
- * a smaller unit: the thirtieth power of a smaller length overflows. */
+ * a smaller unit, and in a larger one where steps are longer than its
+ * inverse: thirtieth powers overflow. */
 #define TOL_SERIES_NEAR 1e-6
 /* A step is kept when the series' slope agrees with the field's at its end to
  * this many times its tolerance: a derivative loses a factor of the order. */
@@ -146,13 +149,8 @@
  * cost 1.1 of it, once in 50 000), what defects make of a branch (five Gauss
  * points see them to a few per cent), what steps make of an orbit. */
 #define TOL_BAR_FIRST_ORDER 2.0
-/* Below this no double changes any more: the branch is its asymptote. */
-#define TOL_TAIL_NIL 1e-18
-/* Longest Taylor step, in the independent coordinate, where that is less; and
- * series are in a larger unit where steps are longer than LONG, the thirtieth
- * power of which all but overflows. */
-#define TOL_STEP_MAX  50.0
-#define TOL_STEP_LONG 1e9
+/* Longest Taylor step, in the independent coordinate, where that is less. */
+#define TOL_STEP_MAX 50.0
 
 /* Step control of flow.h and orbit.h.  Safety: aim for an error of about half
  * the tolerance, since a rejected step costs more than a short one. */

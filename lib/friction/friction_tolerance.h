@@ -7,10 +7,11 @@
 /* |d mu_ss/d ln v| below this is none: 2^-112 times terms of up to 1e13, which
  * cancel where a law does not weaken with v at all. */
 #define TOL_SLOPE_LEAST 1e-20
-/* ln v: by so much the slope at a step's end may be of the wrong sign: rounding
- * of the slope over its curvature; and so far inside the end of its range mu_ss
- * is looked at. */
-#define TOL_EXTREMUM_ROOM 1e-3
+/* ln v, small beside the distances of one over which mu_ss changes: apart for a
+ * second derivative of it; by so much the slope at a step's end may be of the
+ * wrong sign, rounding of the slope over its curvature; and so far inside the
+ * end of its range mu_ss is looked at. */
+#define TOL_EXTREMUM_REACH 1e-3L
 /* ln v: how near long doubles find an extremum, or 113 bits look further. */
 #define TOL_EXTREMUM_ASIDE 5e-7
 

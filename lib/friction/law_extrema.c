@@ -170,7 +170,7 @@ static void look_between(struct extrema *e, long double lo, long double hi)
 {
     const int steps = (int) ceill(hi - lo);
     const long double h = (hi - lo) / (long double) steps;
-    const long double off = (long double) TOL_EXTREMUM_ROOM;
+    const long double off = TOL_EXTREMUM_REACH;
     long double at, slope[3] = { 0, 0, 0 };
 
     for (int i = 0; i <= steps; i++) {
@@ -205,7 +205,7 @@ size_t law_typed_extrema(const struct law *law, const struct material *m,
 {
     struct curve c;
     enum { STEP = 3 };
-    const long double edge = (long double) TOL_EXTREMUM_ROOM;
+    const long double edge = TOL_EXTREMUM_REACH;
     struct extrema e = { &c, x, 0 };
     long double lo, hi, done, from = NAN, mu[3] = { 0, 0, 0 };
 

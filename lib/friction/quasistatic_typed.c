@@ -300,8 +300,7 @@ static bool is_inertial(const struct block *b, const struct way *w)
 static long double last_friction(const struct block *b)
 {
     const bool is_low = b->steady.lo <= -(long double) LN_RANGE;
-    const long double x =
-        b->steady.lo + (is_low ? 0 : (long double) TOL_EXTREMUM_ROOM);
+    const long double x = b->steady.lo + (is_low ? 0 : TOL_EXTREMUM_REACH);
     const long double mu = steady_mu(&b->law, &b->material, x);
 
     return is_low || mu > (long double) TOL_FRICTION_MOST ? mu

@@ -66,8 +66,7 @@ static bool is_deep(const struct course *c, const struct orbit *o)
     const struct block *b = &c->slider->block;
 
     return c->slider->plane.system.origin.x + o->u[0] < TOL_TRANSIENT_DEEP ||
-           (o->curve.count > 0 &&
-            end_rate(o) * TOL_REST_NOTHING * o->u[2] > 1.0) ||
+           (o->curve.count > 0 && end_rate(o) * TOL_NOTHING * o->u[2] > 1.0) ||
            (law_psi_is_log(&b->law) && rest_form_at(b).inertial);
 }
 

@@ -64,7 +64,7 @@ static double slow_time(const struct slider *s, double x)
         for (int k = 0; k < 2; k++)
             slowest =
                 fmax(slowest, 1.0 / fabs(s->plane.equilibrium[i].lambda[k]));
-    return fmin(slowest, TOL_FATE_TIME_MAX);
+    return fmin(slowest, TOL_RANGE / TOL_FATE_LATE);
 }
 
 /* Of a block that stops, or all but does: a law's matter. */

@@ -56,7 +56,7 @@ static bool is_complete(const struct labels *l, const struct branch *b)
     const double edge = fmin(x - d.lo.x, d.hi.x - x);
 
     return b->end == BRANCH_LIMIT_X || b->end == BRANCH_LIMIT_Y ||
-           (b->end == BRANCH_DOMAIN && edge <= TOL_LABELS_EDGE);
+           (b->end == BRANCH_DOMAIN && edge <= TOL_SAME);
 }
 
 /* Whether the band lies beyond an end from which the curve may go on. */

@@ -5,28 +5,25 @@
 
 /* An orbit that has not arrived after so many times the slowest scale of the
  * steady states has left every scale; below this power of time it has not. */
-#define TOL_FATE_LATE     1e30
-#define TOL_FATE_TIME_MAX 1e200
-#define TOL_FATE_POWER    0.1
+#define TOL_FATE_LATE  1e30
+#define TOL_FATE_POWER 0.1
 
 /* The last part of the time that it is told from. */
 #define TOL_FATE_PART 0.01
-
-/* How far from the edge of the domain in ln v a branch may end and yet have
- * left it there, not through psi: far more than rounding, far less than a step.
- */
-#define TOL_LABELS_EDGE 1e-9
 
 /* A double beside the one that a number is told in, relative: 3/2 units of its
  * last digit. */
 #define TOL_LABELS_BESIDE 0x1.8p-52
 
-/* Labels by forward integration (trap.c): how much finer each attempt is, from
- * TOL_TRANSIENT_COARSEST to TOL_TRANSIENT_FINEST; and the distance from the
+/* A next try of an orbit or a cell is so many times finer, or looser, at most.
+ */
+#define TOL_RETRY 100.0
+
+/* Labels by forward integration (trap.c), from TOL_TRANSIENT_COARSEST to
+ * TOL_TRANSIENT_FINEST: the distance from the
  * saddle, in tolerances, at which a label is certain: errors of a few hundred
  * steps, grown a hundredfold on the way. */
-#define TOL_TRAP_FINER 1e-3
-#define TOL_TRAP_FAR   1e4
+#define TOL_TRAP_FAR 1e4
 
 /* The same for the distance from the stable manifold where an orbit is caught:
  * a few steps, not magnified. */
@@ -76,15 +73,14 @@
 /* Orbits of transients: tolerance as a part of what is asked for (their events
  * are good to a hundredth of it), and that of the second orbit, to compare
  * with, as a part of that; the finest that helps and the coarsest that still
- * follows the curve; how much looser, then finer, the next attempt is where
- * TOL_ORBIT_STEPS do not suffice; where a block runs away or fades, as
+ * follows the curve (looser, then finer, where
+ * TOL_ORBIT_STEPS do not suffice); where a block runs away or fades, as
  * factors on v; where arrest is looked for at the end of a run that was
  * arrested, in units of its distance; and the ln v (1e-11) down to which a
- * block that rests is followed, at least, or until TOL_REST_NOTHING is left. */
+ * block that rests is followed, at least, or until TOL_NOTHING is left. */
 #define TOL_TRANSIENT_FINEST   3e-13
 #define TOL_TRANSIENT_COARSEST 1e-6
 #define TOL_TRANSIENT_RATIO    10.0
-#define TOL_TRANSIENT_RETREAT  100.0
 #define TOL_TRANSIENT_FAST     1e6
 #define TOL_TRANSIENT_SLOW     1e-8
 #define TOL_TRANSIENT_REACH    2.0
@@ -104,7 +100,7 @@
  * before it lands (landing.c): v would reach zero, and psi infinity, and power
  * laws are far above it.  Panels: the first, in
  * ln psi or ln v, and their number; what both rules may differ by, and the
- * factor before that is raised to 3/2 for a bar; what is nothing; and how much
+ * factor before that is raised to 3/2 for a bar; and how much
  * better a panel is that is followed by one twice as long. */
 #define TOL_REST_ROUNDS   12
 #define TOL_REST_SETTLED  1e-9
@@ -118,7 +114,6 @@
 #define TOL_REST_PANEL    0.25
 #define TOL_REST_PANELS   100
 #define TOL_REST_SUM      1e-12
-#define TOL_REST_NOTHING  1e-17
 #define TOL_REST_EASY     1e-3
 #define TOL_REST_QUADPACK 200.0
 

@@ -235,7 +235,7 @@ static bool sum_up(const struct way *w, int first, double sum[PARTS])
             sum[k] = all[k];
         for (int k = TIME; k <= SLIP; k++)
             sum[TIME_WRONG + k] += panel_error(missed[k], all[k]);
-        if (part_of(more, sum, first) < TOL_REST_NOTHING)
+        if (part_of(more, sum, first) < TOL_NOTHING)
             return true;
         at += h;
         if (error < fmax(TOL_REST_SUM * TOL_REST_EASY, noise))

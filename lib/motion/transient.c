@@ -302,8 +302,8 @@ static enum status run_at(struct course *c, double rtol,
 static double next_rtol(enum fate fate, double first, double rtol)
 {
     if (rtol >= first && rtol < TOL_TRANSIENT_COARSEST)
-        return fmin(TOL_TRANSIENT_RETREAT * rtol, TOL_TRANSIENT_COARSEST);
-    const double finer = fmin(rtol, first) / TOL_TRANSIENT_RETREAT;
+        return fmin(TOL_RETRY * rtol, TOL_TRANSIENT_COARSEST);
+    const double finer = fmin(rtol, first) / TOL_RETRY;
     return fate == FATE_REST_FINITE && finer >= TOL_TRANSIENT_FINEST ? finer
                                                                      : 0.0;
 }
@@ -346,7 +346,7 @@ static enum status deepen(struct course *c, const struct transient_options *o,
         bool settled = false;
         c->depth *= 2;
         course_set(c, o, false);
-        rtol = fmax(rtol / TOL_TRANSIENT_RETREAT, TOL_TRANSIENT_FINEST);
+        rtol = fmax(rtol / TOL_RETRY, TOL_TRANSIENT_FINEST);
         s = run_at(c, rtol, monitor, &deeper, &settled);
         if (s == STATUS_OK && settled && quantity_exists(&deeper.sum.slip)) {
             transient_free(out);

@@ -128,7 +128,7 @@ enum status trap_pass(const struct trap *t, struct vec2 z, int8_t *label,
     }
     *near = t->set ? fabs(t->across.x * z.x + t->across.y * z.y) : HUGE_VAL;
     for (double rtol = TOL_TRANSIENT_COARSEST;
-         !certain && rtol >= TOL_TRANSIENT_FINEST; rtol *= TOL_TRAP_FINER)
+         !certain && rtol >= TOL_TRANSIENT_FINEST; rtol /= TOL_RETRY)
         caught = follow(t, z, rtol, &certain, near, &spent);
     if (caught < TRAPS)
         *label = t->fate[caught];

@@ -328,7 +328,7 @@ static const char *why_open(const struct block *b, const struct branch *l)
 {
     const double y = b->at.y0 + l->limit.y;
 
-    return law_psi_is_log(&b->law) && y <= -TOL_NUMBERS_PSI_EDGE * TOL_RANGE
+    return law_psi_is_log(&b->law) && y <= -(1.0 - TOL_SAME) * TOL_RANGE
                ? "the lower branch leaves psi > -1e300 while v > 0"
                : "the lower branch leaves [1e-300, 1e300] without a limit";
 }

@@ -1,6 +1,7 @@
 /* numbers_tolerance.h -- the tunable numbers of lib/numbers. */
 #pragma once
 
+#include "friction_tolerance.h"
 #include "tolerance.h"
 
 /* Sensitivities (sensitivity.c).  The finer run's is TOL_PART of what is asked
@@ -22,16 +23,9 @@
 /* Curves of steady states (steady_curve.c, spring_curve.c, fold_curve.c),
  * and chi over the window (chi_curve.c).
  * Points: more than there are 2 px on an axis of 600, most of them where one
- * sees them; an even step from 1e-4 to 1e4 has its decades among them.  Apart
- * in ln v for a second derivative of mu_ss, which changes over distances of
- * one. */
+ * sees them; an even step from 1e-4 to 1e4 has its decades among them. */
 #define STUDY_CURVE_POINTS  401
 #define STUDY_SPRING_POINTS 801
-#define TOL_EXTREMUM_REACH  1e-3L
-
-/* A branch that ends within this part of the least psi (-TOL_RANGE) ends
- * there. */
-#define TOL_NUMBERS_PSI_EDGE 0.999
 
 /* What rounding does to a coordinate, per unit of it: half a unit of its last
  * digit, and a bit more of a logarithm. */

@@ -201,7 +201,7 @@ static struct trajectory_options orbits(const struct plane_study *s,
     o.orbit.arrival = TOL_SEEN * fmin(s->scale.side.x, s->scale.side.y);
     o.orbit.observables = s->system[0].observable_count;
     o.orbit.rtol = fmax(c->rtol, TOL_ORBIT_RTOL);
-    o.orbit.max_steps = TOL_PLANE_STEPS;
+    o.orbit.max_steps = TOL_CURVE_STEPS;
     o.seed = c->seed;
     o.monitor = monitor;
     if (c->until_time > 0.0)

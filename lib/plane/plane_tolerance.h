@@ -8,13 +8,12 @@
  * series of doubles still move, this many times round an angle (orbits to
  * TOL_ORBIT_RTOL, which only has to find the right trap); a curve has left
  * its saddle; two cycles are the same; a state that changes no faster, of the
- * fastest rate, rests; orbits that are drawn end after so many steps; of the
+ * fastest rate, rests; of the
  * accuracy that is asked for, a branch gets this part.  What is below TOL_SEEN
  * is not seen: a curve with a larger bar is lost, and so is an orbit so near to
  * an equilibrium where rounding decides; cycles are looked for from so far
  * beside others; a region with so much of the window is small. */
 #define TOL_PLANE_PART       0.1
-#define TOL_PLANE_STEPS      4000
 #define TOL_PLANE_FAR        100.0
 #define TOL_PLANE_INFINITY   1e12
 #define TOL_PLANE_ROUND      1e4

@@ -192,7 +192,7 @@ static double finer(struct batch *b, size_t i)
     if (l->end == LAYER_LOST)
         return 0.0;
     if (l->end == LAYER_UNSURE)
-        return TOL_FAST_FINER;
+        return 1.0 / TOL_RETRY;
     b->found[k] = true;
     b->out[k] = cell_of(b->fast->slider, b->z[k], b->which, l);
     const double before = b->excess[k];
@@ -202,8 +202,8 @@ static double finer(struct batch *b, size_t i)
         return 0.0;
     b->excess[k] = excess;
     b->vain[k] = vain;
-    return vain ? TOL_FAST_FINER
-                : fmax(TOL_FAST_FINER, TOL_LAYER_BENT / excess);
+    return vain ? 1.0 / TOL_RETRY
+                : fmax(1.0 / TOL_RETRY, TOL_LAYER_BENT / excess);
 }
 
 static void set_job(struct batch *b, size_t i, size_t k, double tol)

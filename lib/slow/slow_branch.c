@@ -370,7 +370,7 @@ static enum status comes_to_rest(const struct slider *s, struct vec2 z,
                              z.y + s->plane.system.origin.y };
     struct fate_result r;
     const enum status status =
-        fate_find(s, at, TOL_CELLS_COARSEST, false, NULL, &r);
+        fate_find(s, at, TOL_TRANSIENT_COARSEST, false, NULL, &r);
 
     *is = status == STATUS_OK && rests(r.fate);
     if (*is && r.fate == FATE_REST_ASYMPTOTIC)

@@ -120,12 +120,11 @@
 /* Looks for a peak on a step (fast_layer.c). */
 #define TOL_LAYER_TOPS 12
 
-/* Many states by the slow curve (fast_cells.c).  How much finer the next try of
- * one is at most whose bars are too wide; above what part of its bars a try has
- * left one is tried as fine as that, and then no more, for they are the table's
+/* Many states by the slow curve (fast_cells.c).  One whose bars are too wide
+ * is tried finer; above what part of its bars a try has left one
+ * TOL_RETRY times, and then no more, for they are the table's
  * (TOL_CELLS_GAIN), down to TOL_RTOL_DEFAULT; and the least bar of a peak, in
  * its logarithm. */
-#define TOL_FAST_FINER 0.01
 #define TOL_FAST_LEAST 2e-11
 
 /* What rounding does to a logarithm and to its exponential, per unit of it.
@@ -138,13 +137,12 @@
 #define TOL_FAST_LOOSE 10.0
 
 /* Cells run to their fates (cells.c).  Orbits are first followed to this part
- * of the accuracy asked for, at most this (looser ones miss where a block
- * rests), then finer by this factor (a single state's, too: push.c), down to
- * TOL_RTOL_DEFAULT, as long as bars shrink to this part. */
-#define TOL_CELLS_START    0.05
-#define TOL_CELLS_COARSEST 1e-5
-#define TOL_CELLS_FINER    0.1
-#define TOL_CELLS_GAIN     0.7
+ * of the accuracy asked for, at most TOL_TRANSIENT_COARSEST (looser ones miss
+ * where a block rests), then finer by this factor (a single state's, too:
+ * push.c), down to TOL_RTOL_DEFAULT, as long as bars shrink to this part. */
+#define TOL_CELLS_START 0.05
+#define TOL_CELLS_FINER 0.1
+#define TOL_CELLS_GAIN  0.7
 
 /* Patches (patch_poly.c, patchwork.c).  Accuracy of the samples, as a part of
  * what is asked for: of a part that small bars can be had next to the
