@@ -113,9 +113,12 @@ static enum status step(struct walk *w)
                           vec2_length(way) < TOL_PLANE_HELD;
         w->held = held ? w->held + 1 : 0;
         if (status == STATUS_NO_CONVERGENCE || w->held > TOL_PLANE_HELD_STEPS ||
-            before > w->returned + TOL_EXPLICIT_STEPS)
-            return be_implicit(w) == STATUS_NO_MEMORY ? STATUS_NO_MEMORY
-                                                      : STATUS_OK;
+            before > w->returned + TOL_EXPLICIT_STEPS) {
+            w->stopped = !plane_defined_near(w->plan, w->s, place_of(w));
+            return !w->stopped && be_implicit(w) == STATUS_NO_MEMORY
+                       ? STATUS_NO_MEMORY
+                       : STATUS_OK;
+        }
     }
     if (status == STATUS_NO_MEMORY)
         return status;

@@ -169,6 +169,24 @@ static void where_the_field_ends_is_not_infinity(void **state)
     }
 }
 
+/* Both poles repel on one side and attract on the other; orbits that run into
+ * one are not followed along it until there is no work for others. */
+static void orbits_that_end_at_a_pole_leave_work_for_the_others(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = 4/(1+y^3) - x; y' = 4/(1+x^3) - y",
+              "window={x: [-2, 5], y: [-2, 5]}\nproducts=[basins]\n"
+              "basins.audit=200\n");
+    CHECK(s.basin.disagreements == 0, "%lld of %lld go elsewhere",
+          (long long) s.basin.disagreements, (long long) s.basin.cells);
+    CHECK(s.basin.elsewhere.undecided.value < 0.02, "%g undecided",
+          s.basin.elsewhere.undecided.value);
+    plane_end(&s, &c);
+}
+
 /* Its own end, and the length to there; beside the pole that repels, which is
  * no border, cells are asked. */
 static void manifolds_do_not_cross_poles(void **state)
@@ -279,6 +297,7 @@ int main(void)
         TEST(orbits_do_not_step_across_what_is_degenerate),
         TEST(orbits_about_a_centre_do_not_leave),
         TEST(where_the_field_ends_is_not_infinity),
+        TEST(orbits_that_end_at_a_pole_leave_work_for_the_others),
         TEST(manifolds_do_not_cross_poles),
         TEST(manifolds_end_at_what_comes_first),
         TEST(outside_the_window_nothing_passes_an_equilibrium),
