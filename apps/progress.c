@@ -7,6 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "clock.h"
 #include "litter.h"
 
 enum { BAR_WIDTH = 20 };
@@ -86,18 +87,10 @@ static void listen(void)
         sigaction(SIGHUP, &action, NULL);
 }
 
-static double now(void)
-{
-    struct timespec t;
-
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
-}
-
 /* Notes that it is time for another line of this stage. */
 static bool is_due(const char *stage, uint64_t done, uint64_t total)
 {
-    const double t = now();
+    const double t = clock_seconds();
     const bool same = shown.stage && strcmp(shown.stage, stage) == 0;
 
     if (same && t - shown.last < rest && !(total > 0 && done >= total))

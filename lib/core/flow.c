@@ -10,15 +10,6 @@
 
 enum { COEFS = EXPLICIT8_DEGREE + 1 };
 
-static bool all_finite(const double u[], size_t n)
-{
-    double sum = 0.0;
-
-    for (size_t i = 0; i < n; i++)
-        sum += 0.0 * u[i];
-    return sum == 0.0;
-}
-
 /* Root mean square of d over the error weights at u. */
 static double norm(const struct flow *f, const double d[])
 {
@@ -58,7 +49,7 @@ enum status flow_init(struct flow *f, const struct ode *ode, double s,
     const size_t size = ode->dim * sizeof *u;
     bool good = options->rtol > 0.0 && options->first_step >= 0.0 &&
                 options->events <= EVENT_COUNT_MAX && ode->dim > 0 &&
-                ode->dim <= CURVE_DIM_MAX && all_finite(u, ode->dim);
+                ode->dim <= CURVE_DIM_MAX && ode_all_finite(u, ode->dim);
 
     for (size_t i = 0; i < ode->dim && good; i++)
         good = options->atol[i] >= 0.0;
@@ -73,7 +64,7 @@ enum status flow_init(struct flow *f, const struct ode *ode, double s,
     f->control = CONTROL_INIT(8.0);
     ode->rhs(ode->ctx, s, u, f->work.k[0]);
     f->calls = 1;
-    if (!all_finite(f->work.k[0], ode->dim))
+    if (!ode_all_finite(f->work.k[0], ode->dim))
         return STATUS_NO_CONVERGENCE;
     event_begin(&f->log, options->event, options->events, s, u);
     return STATUS_OK;
@@ -123,7 +114,7 @@ static enum status attempt(struct flow *f, double h, bool *accepted)
     if (ratio <= 1.0) {
         explicit8_dense(&f->work, f->ode, f->s, f->u, h, u1, coef);
         f->calls += EXPLICIT8_DENSE_CALLS;
-        if (!all_finite(coef, f->ode->dim * COEFS))
+        if (!ode_all_finite(coef, f->ode->dim * COEFS))
             ratio = INFINITY;
     }
     *accepted = control_judge(&f->control, ratio, &factor);

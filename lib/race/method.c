@@ -2,6 +2,8 @@
 
 #include <gsl/gsl_version.h>
 
+#include "ode.h"
+
 const struct method *method_at(size_t i)
 {
     static const struct method *const table[] = { method_flow, method_gsl,
@@ -19,21 +21,12 @@ const char *method_gsl_version(void)
     return gsl_version;
 }
 
-static bool all_finite(const double u[], size_t n)
-{
-    double sum = 0.0;
-
-    for (size_t i = 0; i < n; i++)
-        sum += 0.0 * u[i];
-    return sum == 0.0;
-}
-
 bool method_rates(struct method_system *system, const double u[], double du[])
 {
     if (++system->calls > system->calls_most)
         return false;
     system->rates(system->ctx, u, du);
-    return all_finite(du, system->dim);
+    return ode_all_finite(du, system->dim);
 }
 
 bool method_jacobian(struct method_system *system, const double u[], double J[])
@@ -41,5 +34,5 @@ bool method_jacobian(struct method_system *system, const double u[], double J[])
     if (++system->calls > system->calls_most)
         return false;
     system->jacobian(system->ctx, u, J);
-    return all_finite(J, system->dim * system->dim);
+    return ode_all_finite(J, system->dim * system->dim);
 }

@@ -5,10 +5,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "clock.h"
 #include "stress_judge.h"
 #include "stress_tolerance.h"
 #include "stress_work.h"
-#include "workprec_clock.h"
 
 static struct stress_number_told {
     double value, error;
@@ -137,16 +137,16 @@ static enum status judge_rows(struct grid *g)
          j += PATCHWORK_TILE) {
         const size_t some =
             m->rows - j < PATCHWORK_TILE ? m->rows - j : PATCHWORK_TILE;
-        double start = workprec_clock_now();
+        double start = clock_seconds();
         status = basin_map_rows(m, j, some, g->label);
         if (status == STATUS_OK)
             status = fields_find(&s->fields, j, some, NULL, g->cell);
-        row->seconds += workprec_clock_now() - start;
-        start = workprec_clock_now();
+        row->seconds += clock_seconds() - start;
+        start = clock_seconds();
         for (size_t i = 0; i < some * m->columns && status == STATUS_OK; i++)
             if ((j * m->columns + i) % stride == 0)
                 judge_cell(g, j, i);
-        row->oracle_seconds += workprec_clock_now() - start;
+        row->oracle_seconds += clock_seconds() - start;
     }
     return status;
 }

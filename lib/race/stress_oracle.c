@@ -1,7 +1,8 @@
 #include "stress_oracle.h"
-#include "workprec_clock.h"
 
 #include <string.h>
+
+#include "clock.h"
 
 static bool is_same_law(const struct law *u, const struct law *w)
 {
@@ -22,7 +23,7 @@ const struct stress_truth *stress_oracle_ask(struct stress_oracle *oracle,
                                              const struct scene *scene,
                                              struct stress_row *row)
 {
-    const double start = workprec_clock_now();
+    const double start = clock_seconds();
 
     if (!is_last_asked(oracle, scene)) {
         oracle->asked = true;
@@ -32,7 +33,7 @@ const struct stress_truth *stress_oracle_ask(struct stress_oracle *oracle,
         stress_truth_find(&scene->law, &scene->material, scene->tan_alpha,
                           &oracle->truth);
     }
-    row->oracle_seconds = workprec_clock_now() - start;
+    row->oracle_seconds = clock_seconds() - start;
     row->oracle_evaluations = (int64_t) oracle->truth.evaluations;
     return &oracle->truth;
 }

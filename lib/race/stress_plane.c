@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clock.h"
 #include "plane_basin.h"
 #include "plane_study.h"
 #include "quad_way.h"
 #include "stress_judge.h"
 #include "stress_tolerance.h"
-#include "workprec_clock.h"
 
 /* What its rates are made of. */
 static void find_needed(const struct formula_system *s,
@@ -281,7 +281,7 @@ static enum status judge(const struct plane_study *s, struct stress_row *row,
                          struct formulas *f)
 {
     struct judging j = { s, way_of(s, f), row };
-    const double start = workprec_clock_now();
+    const double start = clock_seconds();
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i < s->listed; i++)
@@ -296,7 +296,7 @@ static enum status judge(const struct plane_study *s, struct stress_row *row,
     if (!s->complete)
         stress_row_say(row, STRESS_DEGRADED,
                        "equilibria are not proved complete", NULL);
-    row->oracle_seconds = workprec_clock_now() - start;
+    row->oracle_seconds = clock_seconds() - start;
     row->oracle_evaluations = f->scratch->evaluations;
     return status;
 }
@@ -309,13 +309,13 @@ enum status stress_plane_judge(const struct scene *scene,
     struct formulas f = { NULL, NULL };
     enum status status =
         s ? formulas_init(&f, scene->system) : STATUS_NO_MEMORY;
-    const double start = workprec_clock_now();
+    const double start = clock_seconds();
 
     all.products = 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_MANIFOLDS |
                    1u << PRODUCT_BASINS;
     if (status == STATUS_OK)
         status = plane_study_run(s, &all, NULL, &row->fault);
-    row->seconds = workprec_clock_now() - start;
+    row->seconds = clock_seconds() - start;
     if (status == STATUS_OK) {
         status = judge(s, row, &f);
         plane_study_free(s);

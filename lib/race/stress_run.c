@@ -3,10 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "clock.h"
 #include "stress_plane.h"
 #include "stress_tolerance.h"
 #include "stress_work.h"
-#include "workprec_clock.h"
 
 #define ASKS(product) (1u << PRODUCT_##product)
 static const struct {
@@ -24,14 +24,14 @@ static const struct {
 
 static enum status judge_law(const struct stress_case *c, struct stress_work *w)
 {
-    const double start = workprec_clock_now();
+    const double start = clock_seconds();
 
     w->scene = c->scene;
     w->scene.products = kinds[c->kind].products;
     if (c->kind == STRESS_FIELD)
         w->scene.products |= c->scene.products;
     enum status s = study_run(&w->study, &w->scene, NULL, &w->row->fault);
-    w->row->seconds = workprec_clock_now() - start;
+    w->row->seconds = clock_seconds() - start;
     if (s == STATUS_OK)
         s = kinds[c->kind].judge(w);
     study_free(&w->study);

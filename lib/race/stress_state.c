@@ -4,12 +4,12 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "clock.h"
 #include "push.h"
 #include "stress_judge.h"
 #include "stress_work.h"
 #include "study_tolerance.h"
 #include "transient.h"
-#include "workprec_clock.h"
 
 static void say(struct stress_row *row, enum stress_outcome outcome,
                 const char *reason)
@@ -111,11 +111,11 @@ enum status stress_start_judge(struct stress_work *w)
 
     if (r == NULL)
         return STATUS_NO_MEMORY;
-    const double start = workprec_clock_now();
+    const double start = clock_seconds();
     enum status s = push_init(&r->push, &w->scene, NULL, &w->row->fault);
     if (s == STATUS_OK)
         s = find_fates(w, r, fate);
-    w->row->seconds += workprec_clock_now() - start;
+    w->row->seconds += clock_seconds() - start;
     if (s == STATUS_OK)
         judge_fates(w, fate, fabs(r->transient.sum.energy_defect));
     else if (s == STATUS_BAD_ARGUMENT)

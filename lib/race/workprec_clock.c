@@ -2,19 +2,11 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
+#include "clock.h"
 #include "workprec_tolerance.h"
 
 enum { QUESTIONS = 501 };
-
-double workprec_clock_now(void)
-{
-    struct timespec t;
-
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
-}
 
 static int compare(const void *a, const void *b)
 {
@@ -34,8 +26,8 @@ double workprec_clock_overhead(void)
     double gap[QUESTIONS];
 
     for (int i = 0; i < QUESTIONS; i++) {
-        const double before = workprec_clock_now();
-        gap[i] = workprec_clock_now() - before;
+        const double before = clock_seconds();
+        gap[i] = clock_seconds() - before;
     }
     return median(gap, QUESTIONS);
 }
@@ -49,10 +41,10 @@ double workprec_clock_time(void (*work)(void *ctx), void *ctx, double once,
     double seconds[WORKPREC_REPEATS];
 
     for (size_t i = 0; i < repeats; i++) {
-        const double start = workprec_clock_now();
+        const double start = clock_seconds();
         for (size_t k = 0; k < (size_t) batch; k++)
             work(ctx);
-        seconds[i] = (workprec_clock_now() - start - overhead) / batch;
+        seconds[i] = (clock_seconds() - start - overhead) / batch;
     }
     return median(seconds, repeats);
 }

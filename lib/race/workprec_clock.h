@@ -10,6 +10,3 @@ double workprec_clock_time(void (*work)(void *ctx), void *ctx, double once,
 
 /* Seconds between two questions to the clock: their median. */
 double workprec_clock_overhead(void);
-
-/* Seconds on a clock that only goes forward. */
-double workprec_clock_now(void);

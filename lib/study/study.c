@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "clock.h"
 #include "conditioning.h"
 #include "scatter.h"
 #include "scene_figure.h"
@@ -295,14 +295,6 @@ static stage_function *const stage_run[STAGES] = {
     [STAGE_SIDES] = run_sides,
 };
 
-static double seconds(void)
-{
-    struct timespec t;
-
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
-}
-
 static enum status run_alone(struct study *s, enum stage stage,
                              const struct monitor *monitor, struct fault *why)
 {
@@ -321,7 +313,7 @@ static enum status run_alone(struct study *s, enum stage stage,
 static void run_stage(struct study_job job[], size_t n, enum stage stage,
                       const struct monitor *monitor)
 {
-    const double start = seconds();
+    const double start = clock_seconds();
 
     if (monitor_tell(monitor, stage_table[stage].name, 0, 0))
         for (size_t i = 0; i < n; i++)
@@ -334,7 +326,7 @@ static void run_stage(struct study_job job[], size_t n, enum stage stage,
             job[i].status =
                 run_alone(job[i].study, stage, monitor, &job[i].why);
         cost->ran = true;
-        cost->seconds = (seconds() - start) / (double) n;
+        cost->seconds = (clock_seconds() - start) / (double) n;
     }
 }
 
