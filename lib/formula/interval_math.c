@@ -4,8 +4,8 @@
 
 #include "interval_point.h"
 
-/* Beside which what underflows is nothing. */
-#define INTERVAL_SMALL 0x1p-16000L
+/* Sizes beside which what underflows as a double is nothing, to one over it. */
+#define INTERVAL_NEAR 0x1p-900L
 
 /* ---- sums of products ---------------------------------------------------- */
 
@@ -26,30 +26,94 @@ static struct interval term_by_term(size_t n, int rise,
                                  : interval_divide(sum, interval_point(over));
 }
 
-/* With 2 m the sum and 2 r the difference of the ends, a product is within |m|
- * s + r (|l| + s) of m l.  Of n terms of at most |m l| and their sum each
- * rounding adds 2^-64 of the terms' sizes so far (Higham, Accuracy and
- * Stability (2002), ch. 3): n + 7 at most, with the quotient's, where twice n +
- * 12 are counted; what underflows less than 2^-16400 each. */
-struct interval interval_sum(size_t n, int rise, const struct interval u[],
-                             const struct interval *w, long double over)
+/* Sizes being above 2^-900, high + low is m but where the half is 2^170 times
+ * what it is beside. */
+void interval_row_take(struct interval_row *r, size_t k)
 {
-    const long double units = (long double) (n + 12) * LDBL_EPSILON;
-    long double sum = 0, beside = 0, by = 1;
+    const struct interval u = r->c[k];
+    const long double m = u.lo + u.hi, w = u.hi - u.lo;
+    const long double size = fabsl(m) + w;
+
+    r->high[k] = (double) m;
+    r->low[k] = (double) (m - r->high[k]);
+    r->half[k] = 0;
+    if (interval_is_zero(u))
+        return;
+    r->half[k] = (double) w * (1 + 2 * DBL_EPSILON);
+    if (!(size > INTERVAL_NEAR && size < 1 / INTERVAL_NEAR))
+        r->high[k] = NAN;
+}
+
+struct interval_row interval_row_of(const struct interval c[], size_t n)
+{
+    struct interval_row r;
+
+    r.c = c;
+    for (size_t k = 0; k <= n; k++)
+        interval_row_take(&r, k);
+    return r;
+}
+
+/* With 2 m and 2 l of two rows and 2 r, 2 s their halves, a product is within
+ * |m| s + r (|l| + s) of m l.  Of n terms of at most |m l| and their sum each
+ * rounding adds 2^-64 of the terms' sizes so far (Higham, Accuracy and
+ * Stability (2002), ch. 3): n + 7 at most, with the quotient's and the middles'
+ * own, where twice n + 12 are counted.  Halves, which are not negative, and the
+ * sizes |m|, |l| are summed in doubles with n + 8 roundings by 2^-53, for which
+ * n + 12 of 2^-51 are added; what underflows is nothing beside 2^-900. */
+struct interval interval_sum(size_t n, int rise, const struct interval_row *u,
+                             size_t first, const struct interval_row *w,
+                             size_t top, long double over)
+{
+    const double units = (double) (n + 12) * (double) LDBL_EPSILON;
+    const double grown = 1 + (double) (n + 12) * 2 * DBL_EPSILON;
+    long double all = 0;
+    double beside = 0, by = 1;
 
     for (size_t i = 0; i < n; i++, by += rise) {
-        const struct interval *v = w - i;
-        const long double m = (u[i].lo + u[i].hi) * by, l = v->lo + v->hi;
-        const long double r = (u[i].hi - u[i].lo) * by, s = v->hi - v->lo;
-        const long double most = fabsl(l);
-        sum += m * l;
-        beside += fabsl(m) * (s + most * units) + r * (most + s);
+        const size_t j = first + i, k = top - i;
+        const double m = fabs(u->high[j]), l = fabs(w->high[k]);
+        const double r = u->half[j], s = w->half[k];
+        all += ((long double) u->high[j] + u->low[j]) * by *
+               ((long double) w->high[k] + w->low[k]);
+        beside += by * (m * (s + l * units) + r * (l + s));
     }
-    const long double room = beside * (1 + units);
-    if (!(room > INTERVAL_SMALL && room < HUGE_VALL))
-        return term_by_term(n, rise, u, w, over);
-    return (struct interval){ (sum - room) / (4 * over),
-                              (sum + room) / (4 * over) };
+    const long double room = (long double) beside * grown;
+    if (!(room > INTERVAL_NEAR && room < HUGE_VAL))
+        return term_by_term(n, rise, u->c + first, w->c + top, over);
+    return (struct interval){ (all - room) / (4 * over),
+                              (all + room) / (4 * over) };
+}
+
+/* sum_{j=1}^{k} j u_j d_{k-j} over k */
+struct interval interval_chain(const struct interval_row *u,
+                               const struct interval_row *d, size_t k)
+{
+    return interval_sum(k, 1, u, 1, d, k - 1, (long double) k);
+}
+
+void interval_exponential(size_t n, const struct interval u[],
+                          struct interval e0, struct interval out[])
+{
+    const struct interval_row by = interval_row_of(u, n);
+    struct interval_row made = { .c = out };
+
+    out[0] = e0;
+    for (size_t k = 1; k <= n; k++) {
+        interval_row_take(&made, k - 1);
+        out[k] = interval_chain(&by, &made, k);
+    }
+}
+
+void interval_product(size_t n, const struct interval u[],
+                      const struct interval w[], struct interval out[])
+{
+    const struct interval_row U = interval_row_of(u, n);
+    const struct interval_row W = interval_row_of(w, n);
+
+    out[0] = interval_times(u[0], w[0]);
+    for (size_t k = 1; k <= n; k++)
+        out[k] = interval_sum(k + 1, 0, &U, 0, &W, k, 1);
 }
 
 /* ---- functions that rise ------------------------------------------------- */

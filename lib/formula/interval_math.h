@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "interval.h"
+#include "jet.h"
 
 static inline struct interval interval_point(long double x)
 {
@@ -99,10 +100,32 @@ static inline bool interval_is_zero(struct interval u)
     return u.lo >= 0 && u.hi <= 0;
 }
 
-/* sum over i < n of (1 + rise i) u[i] w[-i], w going down, over a number > 0.
- */
-struct interval interval_sum(size_t n, int rise, const struct interval u[],
-                             const struct interval *w, long double over);
+/* Intervals and what sums of products need of them, in doubles, which are read
+ * four times as fast: of c[k] twice the middle is within half[k] of high + low,
+ * as twice half its width. */
+struct interval_row {
+    const struct interval *c; /* borrowed */
+    double high[JET_SIZE], low[JET_SIZE], half[JET_SIZE];
+};
+
+/* Takes c[k], and all from 0 to n. */
+void interval_row_take(struct interval_row *r, size_t k);
+struct interval_row interval_row_of(const struct interval c[], size_t n);
+
+/* sum over i < n of (1 + rise i) u[first + i] w[top - i], over a number > 0. */
+struct interval interval_sum(size_t n, int rise, const struct interval_row *u,
+                             size_t first, const struct interval_row *w,
+                             size_t top, long double over);
+
+/* Coefficient k > 0 of w with w' = d u'. */
+struct interval interval_chain(const struct interval_row *u,
+                               const struct interval_row *d, size_t k);
+
+/* Series to order n: e^u of what is e0 at order 0, and u w. */
+void interval_exponential(size_t n, const struct interval u[],
+                          struct interval e0, struct interval out[]);
+void interval_product(size_t n, const struct interval u[],
+                      const struct interval w[], struct interval out[]);
 
 struct interval interval_exp(struct interval u);
 struct interval interval_expm1(struct interval u);

@@ -12,21 +12,7 @@ static struct interval point(long double x)
     return interval_point(x);
 }
 
-/* ---- series -------------------------------------------------------------- */
-
-/* sum_{j=1}^{to} j u_j d_{k-j} over k */
-static struct interval chain_sum(const struct interval u[],
-                                 const struct interval d[], size_t to, size_t k)
-{
-    return interval_sum(to, 1, u + 1, d + k - 1, (long double) k);
-}
-
-/* Coefficient k > 0 of w with w' = d u'. */
-static struct interval chain(const struct interval u[],
-                             const struct interval d[], size_t k)
-{
-    return chain_sum(u, d, k, k);
-}
+/* ---- series ------------------------------------------------------------- */
 
 static struct interval constant(const struct interval_run *r, int node)
 {
@@ -53,15 +39,6 @@ void interval_linear(const struct interval_run *r, const struct linear *u,
 {
     interval_terms(r, u, out);
     out[0] = interval_add(out[0], constant(r, u->constant));
-}
-
-/* e^u to order n of what is e0 at order 0 */
-void interval_exponential(size_t n, const struct interval u[],
-                          struct interval e0, struct interval out[])
-{
-    out[0] = e0;
-    for (size_t k = 1; k <= n; k++)
-        out[k] = chain(u, out, k);
 }
 
 /* ---- steps --------------------------------------------------------------- */
@@ -128,10 +105,16 @@ static void mixed(struct interval_run *r, const struct step *s,
     out[0] = interval_mixed(k, q, u[0]);
     p[0] = interval_mixed_slope(k, q, u[0]);
     rest[0] = interval_mixed_slope(q, k, interval_minus(u[0]));
+    const struct interval_row U = interval_row_of(u, r->n);
+    struct interval_row P = interval_row_of(p, 0), W = interval_row_of(out, 0),
+                        R = interval_row_of(rest, 0);
     for (size_t j = 1; j <= r->n; j++) {
-        out[j] = chain(u, p, j);
-        p[j] = chain(out, rest, j);
+        out[j] = interval_chain(&U, &P, j);
+        interval_row_take(&W, j);
+        p[j] = interval_chain(&W, &R, j);
         rest[j] = interval_minus(p[j]);
+        interval_row_take(&P, j);
+        interval_row_take(&R, j);
     }
 }
 
@@ -139,9 +122,14 @@ static void mixed(struct interval_run *r, const struct step *s,
 static void under(const struct interval_run *r, const struct interval u[],
                   const struct interval d[], struct interval out[])
 {
+    const struct interval_row D = interval_row_of(d, r->n);
+    struct interval_row W = interval_row_of(out, 0);
+
     for (size_t j = 1; j <= r->n; j++) {
-        const struct interval known = chain_sum(out, d, j - 1, j);
+        const struct interval known =
+            interval_sum(j - 1, 1, &W, 1, &D, j - 1, (long double) j);
         out[j] = interval_divide(interval_less(u[j], known), d[0]);
+        interval_row_take(&W, j);
     }
 }
 
@@ -172,9 +160,12 @@ static void sinh_less(struct interval_run *r, const struct step *s,
     const struct interval v = interval_times(point(-2 * *sign), w);
     e[0] = interval_exp(v);
     out[0] = interval_times(point(-*sign / 2), interval_expm1(v));
+    const struct interval_row U = interval_row_of(u, r->n);
+    struct interval_row E = interval_row_of(e, 0);
     for (size_t j = 1; j <= r->n; j++) {
-        out[j] = chain(u, e, j);
+        out[j] = interval_chain(&U, &E, j);
         e[j] = interval_times(point(-2 * *sign), out[j]);
+        interval_row_take(&E, j);
     }
 }
 
@@ -197,10 +188,16 @@ static void friction(struct interval_run *r, const struct step *s,
                                  interval_sqrt(interval_add(point(4), e2)));
     b[0] = interval_divide(one,
                            interval_add(one, interval_times(point(0.25), e2)));
+    const struct interval_row U = interval_row_of(u, r->n);
+    struct interval_row T = interval_row_of(t, 0), M = interval_row_of(out, 0),
+                        B = interval_row_of(b, 0);
     for (size_t j = 1; j <= r->n; j++) {
-        out[j] = chain(u, t, j);
-        t[j] = chain(out, b, j);
-        b[j] = interval_minus(interval_sum(j + 1, 0, t, t + j, 1));
+        out[j] = interval_chain(&U, &T, j);
+        interval_row_take(&M, j);
+        t[j] = interval_chain(&M, &B, j);
+        interval_row_take(&T, j);
+        b[j] = interval_minus(interval_sum(j + 1, 0, &T, 0, &T, j, 1));
+        interval_row_take(&B, j);
     }
 }
 
@@ -216,6 +213,22 @@ static struct interval change(enum formula_function f, struct interval k,
     return interval_both(
         interval_less(interval_function(f, w), interval_function(f, k)),
         interval_times(slope, u));
+}
+
+/* Orders above 0 of a and b with a' = b u', b' = sign a u'. */
+static void turn(const struct interval_run *r, const struct interval u[],
+                 double sign, struct interval a[], struct interval b[],
+                 struct interval out[])
+{
+    const struct interval_row U = interval_row_of(u, r->n);
+    struct interval_row A = interval_row_of(a, 0), B = interval_row_of(b, 0);
+
+    for (size_t j = 1; j <= r->n; j++) {
+        out[j] = a[j] = interval_chain(&U, &B, j);
+        b[j] = interval_times(point(sign), interval_chain(&U, &A, j));
+        interval_row_take(&A, j);
+        interval_row_take(&B, j);
+    }
 }
 
 /* k (cos u - 1) + q sin u = -2 k sin^2(u/2) + q sin u; the sine S = k + that
@@ -238,10 +251,7 @@ static void sine(struct interval_run *r, const struct step *s,
     S[0] = interval_both(interval_add(k, out[0]), one);
     C[0] = interval_both(
         interval_less(interval_times(q, cos), interval_times(k, sin)), one);
-    for (size_t j = 1; j <= r->n; j++) {
-        out[j] = S[j] = chain(u, C, j);
-        C[j] = interval_minus(chain(u, S, j));
-    }
+    turn(r, u, -1, S, C, out);
 }
 
 /* C = cosh, S = sinh of k + u: C' = S u', S' = C u'. */
@@ -255,10 +265,7 @@ static void cosine(struct interval_run *r, const struct step *s,
     out[0] = change(FUNCTION_COSH, k, u[0], interval_sinh(interval_hull(k, w)));
     C[0] = interval_function(FUNCTION_COSH, w);
     S[0] = interval_sinh(w);
-    for (size_t j = 1; j <= r->n; j++) {
-        out[j] = C[j] = chain(u, S, j);
-        S[j] = chain(u, C, j);
-    }
+    turn(r, u, 1, C, S, out);
 }
 
 /* Tangents t of k + u, t' = d u' with d = 1 + sign t^2, sign -1: hyperbolic. */
@@ -271,12 +278,17 @@ static void tangent(struct interval_run *r, const struct step *s,
     struct interval *t = r->keep[0].c, *d = r->keep[1].c;
 
     t[0] = interval_function(f, w);
+    const struct interval_row U = interval_row_of(u, r->n);
+    struct interval_row T = { .c = t }, D = { .c = d };
     for (size_t j = 0; j <= r->n; j++) {
         if (j > 0)
-            out[j] = t[j] = chain(u, d, j);
-        d[j] = interval_times(point(sign), interval_sum(j + 1, 0, t, t + j, 1));
+            out[j] = t[j] = interval_chain(&U, &D, j);
+        interval_row_take(&T, j);
+        d[j] = interval_times(point(sign),
+                              interval_sum(j + 1, 0, &T, 0, &T, j, 1));
         if (j == 0)
             d[j] = interval_add(point(1), d[j]);
+        interval_row_take(&D, j);
     }
     out[0] = change(
         f, k, u[0],
@@ -309,8 +321,10 @@ static void arc(struct interval_run *r, const struct step *s,
     memcpy(w, u, (r->n + 1) * sizeof *w);
     w[0] = interval_add(k, u[0]);
     d[0] = length(w[0], sign, root);
+    const struct interval_row W = interval_row_of(w, r->n);
     for (size_t j = 1; j <= r->n; j++) {
-        d[j] = interval_times(point(sign), interval_sum(j + 1, 0, w, w + j, 1));
+        d[j] = interval_times(point(sign),
+                              interval_sum(j + 1, 0, &W, 0, &W, j, 1));
         for (size_t i = 1; root && i < j; i++)
             d[j] = interval_less(d[j], interval_times(d[i], d[j - i]));
         if (root)
@@ -324,14 +338,6 @@ static void arc(struct interval_run *r, const struct step *s,
 
 /* ---- products, and forms with scales ------------------------------------- */
 
-void interval_product(const struct interval_run *r, const struct interval u[],
-                      const struct interval w[], struct interval out[])
-{
-    out[0] = interval_times(u[0], w[0]);
-    for (size_t k = 1; k <= r->n; k++)
-        out[k] = interval_sum(k + 1, 0, u, w + k, 1);
-}
-
 /* u/(k + w) */
 static void quotient(struct interval_run *r, const struct step *s,
                      struct interval out[])
@@ -339,9 +345,12 @@ static void quotient(struct interval_run *r, const struct step *s,
     const struct interval *u = r->reg[s->a].c, *w = r->reg[s->b].c;
     const struct interval under = interval_add(constant(r, s->k), w[0]);
 
+    const struct interval_row W = interval_row_of(w, r->n);
+    struct interval_row made = { .c = out };
     for (size_t k = 0; k <= r->n; k++) {
-        const struct interval known = interval_sum(k, 0, out, w + k, 1);
+        const struct interval known = interval_sum(k, 0, &made, 0, &W, k, 1);
         out[k] = interval_divide(interval_less(u[k], known), under);
+        interval_row_take(&made, k);
     }
 }
 
@@ -459,7 +468,7 @@ void interval_step(struct interval_run *r, int i)
             friction(r, s, out);
             return;
         case STEP_PRODUCT:
-            interval_product(r, r->reg[s->a].c, r->reg[s->b].c, out);
+            interval_product(r->n, r->reg[s->a].c, r->reg[s->b].c, out);
             return;
         case STEP_QUOTIENT:
             quotient(r, s, out);

@@ -25,10 +25,3 @@ void interval_linear(const struct interval_run *r, const struct linear *u,
                      struct interval out[]);
 void interval_terms(const struct interval_run *r, const struct linear *u,
                     struct interval out[]);
-
-/* e^u to order n of what is e0 at order 0. */
-void interval_exponential(size_t n, const struct interval u[],
-                          struct interval e0, struct interval out[]);
-
-void interval_product(const struct interval_run *r, const struct interval u[],
-                      const struct interval w[], struct interval out[]);

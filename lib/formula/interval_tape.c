@@ -172,7 +172,7 @@ void interval_tape_jet(struct interval_tape *t, size_t n,
                            interval_exp(interval_add(e[i].c[0], whole)));
         interval_linear(&r, &t->t->rate[t->rate[i]].mantissa, m);
         interval_exponential(n, e[i].c, e0, power);
-        interval_product(&r, m, power, out[i].c);
+        interval_product(n, m, power, out[i].c);
     }
 }
 

@@ -57,12 +57,15 @@ void proof_shift(size_t n, const struct interval p[], struct interval s,
         factorial = interval_times(factorial, interval_point((double) (k + 1)));
         if (k < n)
             power[n - k - 1] =
-                interval_sum(1, 0, &power[n - k], &s, (long double) (k + 1));
+                interval_divide(interval_times(power[n - k], s),
+                                interval_point((double) (k + 1)));
     }
+    const struct interval_row up = interval_row_of(large, n);
+    const struct interval_row down = interval_row_of(power, n);
     factorial = one;
     for (size_t i = 0; i <= n; i++) {
         out[i] = interval_divide(
-            interval_sum(n - i + 1, 0, large + i, power + n, 1), factorial);
+            interval_sum(n - i + 1, 0, &up, i, &down, n, 1), factorial);
         factorial = interval_times(factorial, interval_point((double) (i + 1)));
     }
 }
@@ -105,9 +108,13 @@ struct interval proof_poly_over(size_t n, const double p[], struct interval s)
 void proof_quotient(size_t n, const struct interval u[],
                     const struct interval w[], struct interval out[])
 {
+    const struct interval_row by = interval_row_of(w, n);
+    struct interval_row made = { .c = out };
+
     for (size_t k = 0; k <= n; k++) {
-        const struct interval known = interval_sum(k, 0, out, w + k, 1);
+        const struct interval known = interval_sum(k, 0, &made, 0, &by, k, 1);
         out[k] = interval_divide(interval_less(u[k], known), w[0]);
+        interval_row_take(&made, k);
     }
 }
 

@@ -209,6 +209,69 @@ static void arithmetic_holds_what_is_exact_and_hardly_more(void **state)
     }
 }
 
+/* ---- sums of products ---------------------------------------------------- */
+
+/* Of any size, and the corner of a box or a point in it: 1, one end; -1, the
+ * other one. */
+static formula_real draw_factor(uint64_t *rng, double size, int corner,
+                                struct interval *u)
+{
+    const long double at =
+        check_uniform(rng, -1, 1) * powl(10, size + check_uniform(rng, -3, 3));
+    const long double width =
+        check_bits(rng) % 3 ? fabsl(at) * powl(10, check_uniform(rng, -20, 0.5))
+                            : 0;
+
+    *u = (struct interval){ at, at + width };
+    if (check_bits(rng) % 16 == 0)
+        *u = interval_point(0);
+    if (corner)
+        return corner > 0 ? u->hi : u->lo;
+    return u->lo + ((formula_real) u->hi - u->lo) *
+                       (formula_real) check_uniform(rng, 0, 1);
+}
+
+static void a_sum_of_products_holds_it_and_is_hardly_wider(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int i = 0; i < POINTS; i++) {
+        const size_t n = 1 + check_bits(&rng) % (JET_SIZE - 1);
+        const int rise = (int) (check_bits(&rng) % 2);
+        const int corner = (int) (check_bits(&rng) % 3) - 1;
+        const double far = check_bits(&rng) % 4 ? 3 : 500;
+        const double a = check_uniform(&rng, -far, far),
+                     b = check_uniform(&rng, -far, far);
+        struct interval u[JET_SIZE], w[JET_SIZE];
+        formula_real x[JET_SIZE], sum = 0, sizes = 0, halves = 0;
+        for (size_t k = 0; k < n; k++)
+            x[k] = draw_factor(&rng, a, corner, &u[k]);
+        for (size_t k = n; k-- > 0;) {
+            const formula_real y = draw_factor(&rng, b, corner, &w[k]);
+            const formula_real by = 1 + rise * (formula_real) (n - 1 - k);
+            const struct interval v = u[n - 1 - k];
+            const long double m = interval_most(v);
+            const long double l = interval_most(w[k]);
+            sum += by * x[n - 1 - k] * y;
+            sizes += by * (formula_real) m * l;
+            halves += by * (m * ((formula_real) w[k].hi - w[k].lo) +
+                            l * ((formula_real) v.hi - v.lo));
+        }
+        const struct interval_row of_u = interval_row_of(u, n - 1);
+        const struct interval_row of_w = interval_row_of(w, n - 1);
+        const struct interval found =
+            interval_sum(n, rise, &of_u, 0, &of_w, n - 1, 3);
+        const formula_real room = sizes * 0x1p-104L;
+        CHECK(found.lo * 3 <= sum + room && sum - room <= found.hi * 3,
+              "%zu, %d of 1e%g, 1e%g: [%.20Lg, %.20Lg] has no %.20Lg", n, rise,
+              a, b, found.lo, found.hi, (long double) (sum / 3));
+        CHECK(3 * (found.hi - found.lo) <= 3 * halves + sizes * 0x1p-57L,
+              "%zu, %d of 1e%g, 1e%g: [%.20Lg, %.20Lg] of %.3Lg", n, rise, a, b,
+              found.lo, found.hi, (long double) halves);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -217,6 +280,7 @@ int main(void)
             a_difference_over_a_box_holds_its_value_at_every_point),
         cmocka_unit_test(ends_are_beside_what_is_correctly_rounded),
         cmocka_unit_test(what_is_0_or_1_is_exact),
+        cmocka_unit_test(a_sum_of_products_holds_it_and_is_hardly_wider),
         cmocka_unit_test(arithmetic_holds_what_is_exact_and_hardly_more),
     };
 
