@@ -279,7 +279,9 @@ static void add_rounding(struct drift *d, const struct curve *c,
         double gain = 0.0;
         for (size_t j = p->degree; j > 0; j--)
             gain += coef[j];
-        d->lost[i] += (u[i] - coef[0]) - gain;
+        const double lost = (u[i] - coef[0]) - gain;
+        d->lost[i] += lost;
+        d->rounded += i < 2 ? fabs(lost) : 0.0;
     }
 }
 

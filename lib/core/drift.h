@@ -20,6 +20,7 @@ enum { DRIFT_CALLS = 6 };
 struct drift {
     double e[CURVE_DIM_MAX]; /* computed less true, to first order, but for */
     double lost[CURVE_DIM_MAX]; /* what rounding made of the ends of steps */
+    double rounded;             /* sum of its sizes in the chart */
     double noise[CURVE_DIM_MAX][CURVE_DIM_MAX]; /* covariance */
     double rate, late; /* of the saddle at the origin; r, a bound on it */
 };

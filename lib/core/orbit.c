@@ -177,7 +177,8 @@ static void add_errors(struct orbit *o, const double error[])
 }
 
 /* How far beside the true orbit the last piece is: what is carried, no more
- * than what steps estimate one by one, and what it misses between its ends. */
+ * than what steps estimate and are rounded by one by one, and what it misses
+ * between its ends. */
 static void carry(struct orbit *o, struct drift *d, double h,
                   const double error[])
 {
@@ -185,7 +186,8 @@ static void carry(struct orbit *o, struct drift *d, double h,
 
     drift_carry(d, &o->clock, &o->curve, h, error);
     o->jacobian_calls += DRIFT_CALLS;
-    p->across = fmin(drift_across(d, o->du), fmax(o->error[0], o->error[1])) +
+    p->across = fmin(drift_across(d, o->du),
+                     fmax(o->error[0], o->error[1]) + d->rounded) +
                 fmax(fabs(error[0]), fabs(error[1]));
 }
 

@@ -160,11 +160,35 @@ static void crossing_a_place_changes_no_bar_there(void **state)
     }
 }
 
+/* x loses less than half of its last digit on a step: all leave it where it
+ * is, which no step's own estimate tells. */
+static void what_is_beside_an_orbit_counts_rounding_to_one_side(void **state)
+{
+    const struct fixture fall = { linear, { -2e-16, -1.0 } };
+    const struct planar sys = planar_of(&fall, 1e6);
+    struct orbit_options p = orbit_defaults(&sys, 1.0);
+    struct drift d;
+    struct orbit o;
+
+    (void) state;
+    drift_start(&d, 0.0, 0.0);
+    p.drift = &d;
+    p.reach[0] = 10.0;
+    p.rtol = TOL_FINEST;
+    assert_int_equal(orbit_init(&o, &sys, (struct vec2){ 1e5, 10.0 }, &p), 0);
+    assert_int_equal(orbit_run(&o, NULL), 0);
+    const double off = fabs(o.u[0] - 1e5 + 2e-10);
+    const double across = o.curve.piece[o.curve.count - 1].across;
+    CHECK(off > 2e-11 && across >= off, "%g over %g", off, across);
+    orbit_free(&o);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(errors_of_linear_orbits_are_known_with_their_signs),
         cmocka_unit_test(errors_across_an_orbit_are_what_its_energy_says),
+        cmocka_unit_test(what_is_beside_an_orbit_counts_rounding_to_one_side),
         cmocka_unit_test(steps_short_of_a_last_digit_are_seen_to_be_lost),
         cmocka_unit_test(what_is_not_known_of_the_start_grows_with_the_orbit),
         cmocka_unit_test(crossing_a_place_changes_no_bar_there),
