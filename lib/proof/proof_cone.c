@@ -22,7 +22,7 @@ bool proof_is_saddle(struct interval_tape *t, struct proof_saddle *out)
         interval_sqrt(interval_less(times(trace, trace), times(four, det)));
     const struct interval unit = interval_exp(point(j[0].log_scale));
 
-    if (!(det.hi < 0 && trace.hi < 0) || !interval_is_finite(root))
+    if (!(det.hi < 0) || !interval_is_finite(root))
         return false;
     const struct interval minus = times(point(0.5), interval_less(trace, root));
     out->lambda_minus = times(unit, minus);

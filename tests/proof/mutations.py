@@ -13,6 +13,7 @@ should be given to it.
 import csv
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 
@@ -68,4 +69,6 @@ def main(build, *words):
 
 
 if __name__ == '__main__':
+    for ending in signal.SIGTERM, signal.SIGHUP:
+        signal.signal(ending, lambda *_: sys.exit('ended by a signal'))
     sys.exit(main(os.path.abspath(sys.argv[1]), *sys.argv[2:]))
