@@ -52,6 +52,17 @@ struct transient_summary {
 };
 extern const struct record_type record_transient, record_transient_event;
 
+/* Fields of where an event is, in each record of one. */
+#define TRANSIENT_EVENT_NUMBERS                                                \
+    FIELD(transient_event, QUANTITY, time, "L/V_star",                         \
+          "time since the start in units of L/V_star"),                        \
+        FIELD(transient_event, QUANTITY, slip, "L",                            \
+              "slip since the start in units of L"),                           \
+        FIELD(transient_event, QUANTITY, v, "V_star",                          \
+              "slip rate in units of V_star"),                                 \
+        FIELD(transient_event, QUANTITY, psi, "psi", "interfacial state"),     \
+        FIELD(transient_event, QUANTITY, mu, "1", "friction coefficient")
+
 struct transient {
     struct transient_summary sum;
     const char *reason;            /* static; why undecided or lost, or NULL */

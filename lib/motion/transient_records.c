@@ -42,11 +42,4 @@ const struct record_type record_transient_event =
              .offset = offsetof(struct transient_event, level),
              .kind = RECORD_REAL,
              .units = moment_units },
-           FIELD(transient_event, QUANTITY, time, "L/V_star",
-                 "time since the start in units of L/V_star"),
-           FIELD(transient_event, QUANTITY, slip, "L",
-                 "slip since the start in units of L"),
-           FIELD(transient_event, QUANTITY, v, "V_star",
-                 "slip rate in units of V_star"),
-           FIELD(transient_event, QUANTITY, psi, "psi", "interfacial state"),
-           FIELD(transient_event, QUANTITY, mu, "1", "friction coefficient"));
+           TRANSIENT_EVENT_NUMBERS);

@@ -203,6 +203,6 @@ enum status neighbours_rates(struct neighbours *f, neighbour_move *move,
         if (status != STATUS_OK)
             return status;
     } while (!find_rates(f, nudge, rate) &&
-             (nudge *= TOL_CONDITION_SHRINK) >= TOL_RTOL_DEFAULT);
+             (nudge *= 1.0 / TOL_RETRY) >= TOL_RTOL_DEFAULT);
     return STATUS_OK;
 }

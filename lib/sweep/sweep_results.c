@@ -104,16 +104,8 @@ static const struct record_type record_defect =
            FIELD(transient_summary, REAL, energy_defect, "1",
                  "relative defect of the balance of energy (27)"));
 
-static const struct record_type record_moment =
-    RECORD(transient_event, "moment", "an event of a run",
-           FIELD(transient_event, QUANTITY, time, "L/V_star",
-                 "time since the start in units of L/V_star"),
-           FIELD(transient_event, QUANTITY, slip, "L",
-                 "slip since the start in units of L"),
-           FIELD(transient_event, QUANTITY, v, "V_star",
-                 "slip rate in units of V_star"),
-           FIELD(transient_event, QUANTITY, psi, "psi", "interfacial state"),
-           FIELD(transient_event, QUANTITY, mu, "1", "friction coefficient"));
+static const struct record_type record_moment = RECORD(
+    transient_event, "moment", "an event of a run", TRANSIENT_EVENT_NUMBERS);
 
 /* Those that have a name of their own, in the order of the words below. */
 static const enum moment firsts[] = {
