@@ -11,15 +11,10 @@ enum status certificate_check(const struct options *o,
 {
     if (o->certificate == NULL)
         return STATUS_OK;
-    if (scene->system)
-        return command_refuse(why,
-                              "--certificate %s: not for a system of formulas, "
-                              "expected a law on a slope",
-                              o->certificate);
     if (!scene->proved)
         return command_refuse(why,
                               "--certificate %s: nothing is proved, expected a "
-                              "slope and --proved",
+                              "slope or a system, and --proved",
                               o->certificate);
     return output_path_check(o, scene, o->certificate, why);
 }

@@ -1,9 +1,11 @@
 #include "run_plane.h"
 
+#include "certificate_file.h"
 #include "drawn.h"
 #include "json_results.h"
 #include "margin.h"
 #include "picture_plane.h"
+#include "plane_certificate.h"
 #include "plane_results.h"
 #include "progress.h"
 #include "report_ensemble.h"
@@ -108,9 +110,11 @@ static enum status write_files(const struct plane_study *s,
 {
     const struct results all = plane_results(s);
     struct panels p = PANELS_EMPTY;
-    const enum status status = output_write(o, o->command->name, &all, s->scene,
-                                            drawn, s->system[0].name, why);
+    enum status status = output_write(o, o->command->name, &all, s->scene,
+                                      drawn, s->system[0].name, why);
 
+    if (status == STATUS_OK && o->certificate)
+        status = certificate_write(o, plane_certificate(s), why);
     if (status == STATUS_OK && figure)
         picture_plane(s, &p);
     return status ? status : output_draw(o, &s->scene->paper, &p, figure, why);

@@ -29,12 +29,17 @@ def ball(u):
     return lo + hi, hi - lo, e - 1
 
 
+def lost(bits, *parts):
+    """By dropping so many bits of (m, r): nothing where these are 0."""
+    return 2 if bits > 0 and any(x & ((1 << bits) - 1) for x in parts) else 0
+
+
 class Series:
     def __init__(self, m, r, e):
         extra = max(map(int.bit_length, m), default=0) - BITS
         if extra > 0:
+            r = [(y >> extra) + lost(extra, x, y) for x, y in zip(m, r)]
             m = [x >> extra for x in m]
-            r = [(x >> extra) + 2 for x in r]
             e += extra
         self.m, self.r, self.e = m, r, e
 
@@ -60,7 +65,8 @@ class Series:
         s = e - low.e
         m, r = high.at(e)
         return Series([x + (y >> s) for x, y in zip(m, low.m)],
-                      [x + (y >> s) + 2 * (s > 0) for x, y in zip(r, low.r)], e)
+                      [x + (z >> s) + lost(s, y, z)
+                       for x, y, z in zip(r, low.m, low.r)], e)
 
     def times(self, c):
         """By a number, an interval."""
@@ -100,7 +106,7 @@ class Series:
             wide = ((y << BITS) + sum(map(mul, aw[1:], rk))
                     + sum(map(mul, rw[1:], map(abs, mk))))
             m.append(top // w[0])
-            r.append((wide + (abs(m[-1]) + 1) * rw[0]) // b + 2)
+            r.append((wide + (abs(m[-1]) + bool(top)) * rw[0]) // b + 2 * bool(top or wide))
         return Series(m, r, self.e - other.e - BITS)
 
     def slope(self):
@@ -113,8 +119,8 @@ class Series:
         e = self.e - BITS
         out = series([first] + [iv.mpf(0)] * len(self))
         return out + Series([0] + [(x << BITS) // k for k, x in enumerate(self.m, 1)],
-                            [0] + [(x << BITS) // k + 2 for k, x in enumerate(self.r, 1)],
-                            e)
+                            [0] + [(y << BITS) // k + 2 * bool(x or y) for k, (x, y) in
+                                   enumerate(zip(self.m, self.r), 1)], e)
 
     def exp(self):
         """k w_k = sum_{j>0} j u_j w_{k-j}"""
@@ -127,10 +133,10 @@ class Series:
         m, r, up, down = first.m, first.r, max(self.e, 0), max(-self.e, 0)
         for k in range(1, len(self)):
             mk, rk = m[::-1], r[::-1]
-            top = sum(map(mul, d, mk)) << up >> down
-            wide = (sum(map(mul, ad, rk)) + sum(map(mul, rd, map(abs, mk)))) << up >> down
-            m.append(top // k)
-            r.append((wide + 1) // k + 2)
+            top = sum(map(mul, d, mk))
+            wide = sum(map(mul, ad, rk)) + sum(map(mul, rd, map(abs, mk)))
+            m.append((top << up >> down) // k)
+            r.append(((wide << up >> down) + bool(top)) // k + 2 * bool(top or wide))
         return Series(m, r, first.e)
 
     def ln(self):
@@ -200,8 +206,9 @@ class Series:
         for i in range(len(m)):
             for j in range(len(m) - 2, i - 1, -1):
                 x, y = m[j + 1], r[j + 1]
-                m[j] += x * sm << up >> down
-                r[j] += ((abs(x) * sr + y * a) << up >> down) + 1
+                to, wide = x * sm << up, (abs(x) * sr + y * a) << up
+                m[j] += to >> down
+                r[j] += (wide >> down) + lost(down, to, wide)
         return Series(m, r, self.e)
 
 
@@ -213,7 +220,7 @@ def series(u):
     for x, y, k in balls:
         s = k - e
         m.append(x << s if s >= 0 else x >> -s)
-        r.append(y << s if s >= 0 else (y >> -s) + 2)
+        r.append(y << s if s >= 0 else (y >> -s) + lost(-s, x, y))
     return Series(m, r, e)
 
 

@@ -13,7 +13,7 @@ mp.prec = BITS
 class Plane:
     """A planar field by offsets from self.at: flow(ind, at, dep)."""
 
-    at = None
+    at, rises = None, False
 
     def jacobian(self, ind, at, dep):
         """Derivatives of the flow by ind and by dep over a box."""
@@ -39,23 +39,33 @@ class Plane:
                             for z, row in zip(self.at, C))
         C, f = self.inverse(), self.value()
         for bits in range(130, 20, -10):
-            r = iv.mpf(2) ** -bits
-            J = list(zip(*[row[:2] for row in self.jacobian(0, r * UNIT, r * UNIT)]))
-            to = []
-            for i in (0, 1):
-                moved = -C[i][0] * f[0] - C[i][1] * f[1]
-                for k in (0, 1):
-                    rest = int(i == k) - C[i][0] * J[0][k] - C[i][1] * J[1][k]
-                    moved += rest * r * UNIT
-                to.append(moved)
-            if all(abs(u) < r for u in to):
-                self.at = tuple(z + u for z, u in zip(self.at, to))
-                return
-        claim(False, 'no equilibrium is found near the one that is claimed')
+            r = [iv.mpf(2) ** -bits] * 2
+            to = self.krawczyk(C, f, r)
+            if all(abs(u) < w for u, w in zip(to, r)):
+                break
+        else:
+            claim(False, 'no equilibrium is found near the one that is claimed')
+        for _ in range(20):
+            to = self.krawczyk(C, f, [iv.mpf(abs(u).b) for u in to])
+        self.at = tuple(z + u for z, u in zip(self.at, to))
+
+    def krawczyk(self, C, f, r):
+        """Where the equilibrium is that lies within r, as an offset."""
+        J = list(zip(*[row[:2] for row in self.jacobian(0, r[0] * UNIT, r[1] * UNIT)]))
+        to = []
+        for i in (0, 1):
+            moved = -C[i][0] * f[0] - C[i][1] * f[1]
+            for k in (0, 1):
+                rest = int(i == k) - C[i][0] * J[0][k] - C[i][1] * J[1][k]
+                moved += rest * r[k] * UNIT
+            to.append(moved)
+        return to
 
 
 class Block(Plane):
     """Equations (17) in the chart (x, y) = (ln v, ln psi) or (ln v, psi)."""
+
+    rises = True  # does the manifold
 
     def __init__(self, law, material, slope):
         self.known = {name: iv.mpf(text) for name, text in material.items()}

@@ -232,19 +232,63 @@ def join(piece, following, end, error):
     return (error + abs(value(piece.coef, end) - following.coef[0]).b).b
 
 
-def turn(block, piece, following, error):
-    """Where dep = following.start: the error of ind, and the excess on the way."""
-    at = piece.at(ONE)
-    dep = value(piece.coef, ONE) + error * UNIT
-    gap = abs(following.start - dep).b
-    dep = hull(dep, following.start)
-    way = ZERO
+def reach(block, piece, theta, target, error):
+    """From theta to where dep is in `target`: how far ind goes, and the excess."""
+    at, dep = piece.at(theta), value(piece.coef, theta) + error * UNIT
+    gap = abs(target - dep).b
+    dep, way = hull(dep, target), ZERO
     for _ in range(20):
         G, q = aside(block, piece, at + way * UNIT, dep)
-        claim(G[0] > 0, 'the manifold does not rise at a turn')
-        found = (gap / G[0].a).b
+        claim(G[0] > 0 or G[0] < 0 and not block.rises, 'the slope has no sign at a turn')
+        found = (gap / abs(G[0]).a).b
         if found < way:
-            return ((found + abs(at - following.coef[0]).b).b,
-                    abs(q[0]).b * found * UNIT)
+            return found, abs(q[0]).b * found * UNIT
         way = 2 * found + iv.mpf('1e-290')
     raise Wrong('no box around a turn')
+
+
+# ---- along a branch ---------------------------------------------------------
+
+def begin(block, pieces, branch):
+    c = branch['cone']
+    return check_cone(block, pieces[0], c['reach'], c['slope'], tuple(c['excess']))
+
+
+def walk(block, pieces, branch, last):
+    """Along the cells, of the last piece up to theta = last: the errors at the
+    beginning and the end of each piece, and the integral."""
+    error, a = begin(block, pieces, branch), branch['cone']['reach']
+    total, errors, parts = iv.mpf(branch['cone']['excess']), [], 1
+    for i, (piece, j) in enumerate(zip(pieces, branch['pieces'])):
+        following = pieces[i + 1] if i + 1 < len(pieces) else None
+        turns = following is not None and following.ind != piece.ind
+        end = (last if following is None else ONE if turns else
+               (following.start - piece.start) / piece.step)
+        first = error
+        for b, radius, after, excess in j['cells']:
+            claim(a < b, 'cells are not in order')
+            parts = check_cell(block, piece, a, b, end, error, radius, after,
+                               tuple(excess), max(1, parts // 2))
+            a, error, total = b, iv.mpf(after), total + iv.mpf(excess)
+        claim(iv.mpf(a) >= end.b, 'a piece is not covered by its cells')
+        errors.append((first, error))
+        if following is None:
+            return errors, total
+        a = 0.0
+        if turns:
+            way, more = reach(block, piece, ONE, following.start, error)
+            error = (way + abs(piece.at(ONE) - following.coef[0]).b).b
+            total += more
+        else:
+            error = join(piece, following, end, error)
+    raise Wrong('a branch without pieces')
+
+
+def pieces_of(branch):
+    return [make_piece(j['independent'], j['start'], j['step'], tuple(j['coef']))
+            for j in branch['pieces']]
+
+
+@functools.lru_cache(None)
+def make_piece(*parts):
+    return Piece(*parts)

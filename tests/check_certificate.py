@@ -18,47 +18,19 @@ from mpmath import iv
 from certificate_end import Place, stays_open, stays_steep, tail_in_psi, tail_in_v
 from certificate_field import Block
 from certificate_knees import find_knees
+from certificate_plane import check_system, verified_system
 from certificate_sides import Branch, check_labels
 from certificate_steady import check_alone
-from certificate_tube import (ONE, Piece, Wrong, between, check_cell,
-                              check_cone, claim, expm1, holds, join, turn)
+from certificate_tube import (ONE, Wrong, begin, between, claim, expm1, holds,
+                              pieces_of, walk)
 
 
 # ---- a branch ---------------------------------------------------------------
 
-def begin(block, pieces, branch):
-    c = branch['cone']
-    return check_cone(block, pieces[0], c['reach'], c['slope'], tuple(c['excess']))
-
-
-def walk(block, pieces, branch):
-    """Along the cells: where they end, the errors at the beginning and the end of each
-    piece, and the integral."""
-    error, a = begin(block, pieces, branch), branch['cone']['reach']
-    total, errors, parts = iv.mpf(branch['cone']['excess']), [], 1
-    for i, (piece, j) in enumerate(zip(pieces, branch['pieces'])):
-        following = pieces[i + 1] if i + 1 < len(pieces) else None
-        turns = following is not None and following.ind != piece.ind
-        until = branch['until'] if following is None else following.start
-        end = (ONE if turns or until is None else
-               (iv.mpf(until) - piece.start) / piece.step)
-        first = error
-        for b, radius, after, excess in j['cells']:
-            claim(a < b, 'cells are not in order')
-            parts = check_cell(block, piece, a, b, end, error, radius, after,
-                               tuple(excess), max(1, parts // 2))
-            a, error, total = b, iv.mpf(after), total + iv.mpf(excess)
-        claim(iv.mpf(a) >= end.b, 'a piece is not covered by its cells')
-        errors.append((first, error))
-        if following is None:
-            return end, errors, total
-        a = 0.0
-        if turns:
-            error, more = turn(block, piece, following, error)
-            total += more
-        else:
-            error = join(piece, following, end, error)
-    raise Wrong('a branch without pieces')
+def until(branch, piece):
+    """theta, where its last piece ends."""
+    u = branch['until']
+    return ONE if u is None else (iv.mpf(u) - piece.start) / piece.step
 
 
 def check_open(block, branch, pieces, side):
@@ -67,7 +39,8 @@ def check_open(block, branch, pieces, side):
     stays_open(Place(block, pieces[0], reach, error, side))
     if not branch['pieces'][0]['cells']:
         return claim(branch['knees'] == {'at': [], 'all': False}, 'knees beyond cells')
-    theta, errors, _ = walk(block, pieces, branch)
+    theta = until(branch, pieces[-1])
+    errors, _ = walk(block, pieces, branch, theta)
     place = Place(block, pieces[-1], theta, errors[-1][1], side)
     return check_knees(block, branch, pieces, errors, int(stays_steep(place)))
 
@@ -83,18 +56,14 @@ def check_knees(block, branch, pieces, errors, beyond):
         claim(holds(knee['psi'], block.psi_at(Y)), 'psi of a knee')
 
 
-def pieces_of(branch):
-    return [make_piece(j['independent'], j['start'], j['step'], tuple(j['coef']))
-            for j in branch['pieces']]
-
-
 def check_branch(block, branch, side):
     """Where it settles and the excess; None: it is open."""
     pieces = pieces_of(branch)
     last, end = pieces[-1], branch['end']
     if end == 'open':
         return check_open(block, branch, pieces, side)
-    theta, errors, total = walk(block, pieces, branch)
+    theta = until(branch, last)
+    errors, total = walk(block, pieces, branch, theta)
     place = Place(block, last, theta, errors[-1][1], side)
     claim((end, last.ind, side) in (('psi_inf', 1, 1), ('psi_0', 1, -1),
                                     ('v_0', 0, -1)), end, 'is no such end')
@@ -141,11 +110,6 @@ def lower_numbers(block, found, end):
 
 
 @functools.lru_cache(None)
-def make_piece(*parts):
-    return Piece(*parts)
-
-
-@functools.lru_cache(None)
 def make_block(law, material, slope, near):
     block = Block(json.loads(law), json.loads(material), json.loads(slope))
     if near:
@@ -157,6 +121,8 @@ def check(certificate):
     """Raises Wrong, or another error of what cannot be computed."""
     claim(certificate['slipway_certificate'] == 3, 'not a certificate known here')
     claim('not_proved' not in certificate, 'nothing is claimed')
+    if 'system' in certificate:
+        return check_system(certificate)
     inputs = [json.dumps(certificate[k]) for k in ('law', 'material', 'slope')]
     if 'no_saddle' in certificate:
         return check_alone(make_block(*inputs, None), certificate['law'],
@@ -196,6 +162,8 @@ def rejected(certificate):
 
 def verified(certificate):
     """What has been, in words."""
+    if 'system' in certificate:
+        return verified_system(certificate)
     law, slope = certificate['law'], certificate['slope']
     words = [f'{key} = {text}' for part in (law['formulas'], certificate['material'], slope)
              for key, text in part.items()]

@@ -92,11 +92,12 @@ def forge_interval(interval, rng):
 
 
 def forge_polynomial(piece, rng):
-    """Further than its tube is wide."""
+    """Further than its tube is wide where that ends."""
     widest = max(c[1] for c in piece['cells'])
     k = rng.randrange(len(piece['coef']))
+    most = min(piece['cells'][-1][0], 1) ** k
     new = changed(piece['coef'][k], rng,
-                  lambda new, old: abs(new - old) > 1000 * widest)
+                  lambda new, old: abs(new - old) * most > 1000 * widest)
     piece['coef'][k] = new
     return new is not None
 
@@ -149,6 +150,17 @@ def forge_word(certificate, rng):
     return True
 
 
+def tube_kinds(branch, piece, rng):
+    cell = rng.choice(piece['cells'])
+    return {
+        'polynomial': lambda: forge_polynomial(piece, rng),
+        'place of a piece': lambda: forge_place(piece, rng),
+        'radius': lambda: forge_bound(cell, 1, rng),
+        'error': lambda: forge_bound(cell, 2, rng),
+        'cone': lambda: forge_bound(branch['cone'], 'slope', rng),
+    }
+
+
 def forge(certificate, rng):
     """What was changed, or None where nothing of the kind was found to be."""
     side = rng.choice(['upper', 'lower'])
@@ -156,7 +168,6 @@ def forge(certificate, rng):
     if branch['end'] == 'open':
         side, branch = 'lower', certificate['lower']
     piece = rng.choice(branch['pieces'])
-    cell = rng.choice(piece['cells'])
     knees = [u for side in ('upper', 'lower') for k in certificate[side]['knees']['at']
              for u in k.values()]
     numbers = [n for n in certificate['numbers'].values() if n != 'absent']
@@ -165,13 +176,9 @@ def forge(certificate, rng):
     kinds = {
         'parameter': lambda: set_text(group, name, rng),
         'number': lambda: forge_interval(rng.choice(numbers), rng),
-        'polynomial': lambda: forge_polynomial(piece, rng),
-        'place of a piece': lambda: forge_place(piece, rng),
+        **tube_kinds(branch, piece, rng),
         'end of a cell': lambda: forge_end(piece, rng),
-        'radius': lambda: forge_bound(cell, 1, rng),
-        'error': lambda: forge_bound(cell, 2, rng),
-        'integral': lambda: forge_interval(cell[3], rng),
-        'cone': lambda: forge_bound(branch['cone'], 'slope', rng),
+        'integral': lambda: forge_interval(rng.choice(piece['cells'])[3], rng),
         'integral in the cone': lambda: forge_interval(branch['cone']['excess'], rng),
         'place of the end': lambda: forge_interval(branch['place'], rng),
         'whole integral': lambda: forge_interval(branch['excess'], rng),
@@ -223,10 +230,10 @@ def difference(old, new, path=''):
 def a_certificate_needs_a_proof(room):
     slope = ['--law', 'perrin', '--alpha', '0.34']
     refused(room.run('knees', *slope, '--certificate', 'none.json'), 2,
-            '--certificate none.json', 'expected a slope and --proved')
+            '--certificate none.json', 'expected a slope or a system, and --proved')
     refused(room.run('portrait', '--ode', "x' = y; y' = -x", '--window',
-                     'x=-1:1,y=-1:1', '--proved', '--certificate', 'none.json'), 2,
-            'not for a system of formulas, expected a law on a slope')
+                     'x=-1:1,y=-1:1', '--certificate', 'none.json'), 2,
+            'expected a slope or a system, and --proved')
     room.write('file', '')
     refused(room.run('knees', *slope, '--proved', '--certificate', 'file/x'), 4,
             'file')
@@ -356,6 +363,107 @@ def labels_have_one_and_no_cell_changes_its_side(room):
         expect(rejected(forged), difference(found, forged))
 
 
+# ---- systems ----------------------------------------------------------------
+
+POSITIVE = ['--set', 'system.state={u: positive, v: positive}']
+SYSTEMS = {  # equilibria, and how many branches cross the edge and are trapped
+    'pendulum': (2, 4, 0, "x' = y; y' = -sin(x)", 'x=-4:1,y=-3:3'),
+    'turns': (2, 2, 2, "x' = y; y' = -sin(x) - d*y; d = 0.6", 'x=-4:2.25,y=-3:3',
+              '--set', 'system.state={x: angle, y: real}'),
+    'nagumo': (1, 4, 0, "u' = v; v' = (1 - 2*a)/sqrt(2)*v - u*(1 - u)*(u - a); a = 0.25",
+               'u=-0.2:0.2,v=-0.5:0.5'),
+    'duffing': (3, 2, 2, "x' = y; y' = x - x^3 - 0.9*y", 'x=-2:2,y=-2:2'),
+    'linear': (1, 4, 0, "x' = x; y' = -2*y", 'x=-1:1,y=-1:1'),
+    'toggle': (3, 2, 2, "u' = a/hold - u; v' = a/(1 + u^n) - v; hold = 1 + v^n; a = 3; n = 2",
+               'u=0.05:10,v=0.05:10', *POSITIVE),
+}
+
+
+def certificate_of(room, name, ode, window, *more):
+    file = f'{name}.json'
+    if file not in room.names():
+        room.good('study', '--ode', ode, '--window', window, *more, '--proved',
+                  '--certificate', file)
+    return json.loads(room.read(file))
+
+
+def systems_have_certificates(room):
+    for name, (rests, crosses, trapped, *of) in SYSTEMS.items():
+        found = certificate_of(room, name, *of)
+        ends = [b.get('end') for b in found['branches']]
+        told = len(found['equilibria']), ends.count('crosses'), ends.count('trapped')
+        expect(told == (rests, crosses, trapped), name, told)
+        expect(not rejected(found), name, rejected(found))
+
+
+def random_shears_have_certificates(room):
+    """Of x' = x - x^3, y' = -0.7 y, by (x + q y, y + p x)."""
+    rng = random.Random(SEED)
+    for i in range(3):
+        p, q = round(rng.uniform(-0.6, 0.6), 2), round(rng.uniform(-0.4, 0.4), 2)
+        found = certificate_of(
+            room, f'shear{i}', f"p = {p}; q = {q}; X = x - q*y; Y = y - p*X; dX = X - X^3;"
+            " dY = -0.7*Y; dy = dY + p*dX; x' = dX + q*dy; y' = dy", 'x=-3:3,y=-2.5:2.5')
+        expect(any('end' in b for b in found['branches']), p, q, found['branches'])
+        expect(not rejected(found), p, q, rejected(found))
+
+
+def move(interval):
+    """By ten of its widths."""
+    lo, hi = interval
+    step = 10 * max(hi - lo, 1e-15 * abs(lo), 1e-300)
+    interval[:] = [lo + step, hi + step]
+    return True
+
+
+def replace(holder, key, new):
+    old, holder[key] = holder[key], new
+    return new != old
+
+
+def forge_system(certificate, rng):
+    """As forge(); of the branches one is kept."""
+    branch = rng.choice([b for b in certificate['branches'] if 'end' in b])
+    certificate['branches'] = [branch]
+    system, rests = certificate['system'], certificate['equilibria']
+    rest = rng.choice(rests)
+    numbers = rest['state'] + [u for pair in rest['eigenvalues'] for u in pair]
+    rate = rng.choice(list(system['rates']))
+    kinds = {
+        **tube_kinds(branch, rng.choice(branch['pieces']), rng),
+        'equilibrium': lambda: move(rng.choice(numbers)),
+        'kind': lambda: replace(branch, 'kind', {'stable': 'unstable',
+                                                 'unstable': 'stable'}[branch['kind']]),
+        'formula': lambda: replace(system['rates'], rate, f"({system['rates'][rate]})*1.001"),
+        'saddle': lambda: replace(branch, 'saddle', rng.randrange(len(rests))),
+    }
+    if branch['end'] == 'crosses':
+        kinds['leaves'] = lambda: move(rng.choice(branch['leaves']))
+        kinds['edge'] = lambda: set_text(branch, 'at', rng)
+    else:
+        form = branch['form']
+        kinds['level'] = lambda: replace(branch, 'level', branch['level'] * 1e-9)
+        kinds['form'] = lambda: replace(form, 1, 2 * (form[0] * form[2]) ** 0.5)
+        kinds['to'] = lambda: replace(branch, 'to', branch['saddle'])
+        kinds['turns'] = lambda: replace(branch, 'turns', [0.5, 0])
+    kind = rng.choice(list(kinds))
+    return kind if kinds[kind]() else None
+
+
+def a_forged_certificate_of_a_system_is_rejected(room):
+    rng, count = random.Random(SEED), {}
+    texts = {name: json.dumps(certificate_of(room, name, *of))
+             for name, (_, _, _, *of) in SYSTEMS.items() if name != 'linear'}
+    while sum(count.values()) < max(TAMPERED // 2, 20):
+        name = rng.choice(list(texts))
+        forged = json.loads(texts[name])
+        kind = forge_system(forged, rng)
+        if kind:
+            count[kind] = count.get(kind, 0) + 1
+            expect(rejected(forged), name, kind, forged['branches'][0].get('end'))
+    print(f'# rejected: {count}')
+
+
 run_cases([
     each_claim_of_a_certificate_follows,
     its_numbers_are_those_of_the_answer,
@@ -366,5 +474,8 @@ run_cases([
     a_slope_without_a_saddle_has_one,
     what_cannot_be_shown_claims_nothing,
     a_saddle_that_is_there_is_not_denied,
+    systems_have_certificates,
+    random_shears_have_certificates,
+    a_forged_certificate_of_a_system_is_rejected,
     labels_have_one_and_no_cell_changes_its_side,
 ])

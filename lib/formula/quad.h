@@ -5,6 +5,8 @@
  */
 #pragma once
 
+#include <stddef.h>
+
 __extension__ typedef __float128 quad;
 
 quad asinhq(quad x);
@@ -26,6 +28,7 @@ quad powq(quad x, quad y);
 quad sinhq(quad x);
 quad sinq(quad x);
 quad sqrtq(quad x);
+int quadmath_snprintf(char *text, size_t size, const char *format, ...);
 quad strtoflt128(const char *text, char **end);
 quad tanhq(quad x);
 quad tanq(quad x);

@@ -65,21 +65,19 @@ static struct interval place_of(const struct plane_rest *r, int axis)
     return proof_plane_number(&r->exact.chart[axis]);
 }
 
-/* The edge that the branch leaves the window by, a decimal. */
-static struct interval edge_of(const struct plane_study *s,
-                               const struct plane_branch *b)
+double plane_proof_edge(const struct plane_study *s,
+                        const struct plane_branch *b)
 {
     const struct scene_window *w = &s->scene->window;
-    const double *ends = b->edge / 2 == 0 ? w->v : w->psi;
 
-    return proof_decimal(ends[b->edge % 2]);
+    return (b->edge / 2 == 0 ? w->v : w->psi)[b->edge % 2];
 }
 
 static struct proof_goal goal_of_edge(const struct plane_study *s,
                                       const struct plane_branch *b)
 {
     const int axis = b->edge / 2;
-    const struct interval edge = edge_of(s, b);
+    const struct interval edge = proof_decimal(plane_proof_edge(s, b));
     const struct interval at =
         scene_axis_is_log(s->scene, axis) ? interval_ln(edge) : edge;
 
@@ -91,40 +89,42 @@ static struct proof_goal goal_of_edge(const struct plane_study *s,
     };
 }
 
-/* So many turns of an angle is the end of the branch from its equilibrium. */
-static struct interval turns_of(const struct plane_study *s,
-                                const struct plane_branch *b, int axis)
+/* Of an angle, from the equilibrium to the end of the branch. */
+static double turns_of(const struct plane_study *s,
+                       const struct plane_branch *b, int axis)
 {
-    const struct system_number period = { s->scene->system->state[axis].period,
-                                          0 };
+    const double period = (double) s->scene->system->state[axis].period;
     const struct plane_rest *from = &s->rest[b->rest], *to = &s->rest[b->to];
     double end[CURVE_DIM_MAX];
 
-    if (!(period.value > 0))
-        return point(0);
+    if (!(period > 0))
+        return 0;
     curve_at(&b->curve.curve, b->curve.curve.count - 1, 1.0, end);
-    const double apart =
-        axis == 0 ? end[0] + from->z.x - to->z.x : end[1] + from->z.y - to->z.y;
-    return times(point(rint(apart / (double) period.value)),
-                 proof_plane_number(&period));
+    return rint((axis == 0 ? end[0] + from->z.x - to->z.x
+                           : end[1] + from->z.y - to->z.y) /
+                period);
 }
 
 /* The ellipse of arrival.h, in the chart. */
-static struct proof_trap trap_of(const struct plane_study *s,
-                                 const struct plane_branch *b)
+static void set_trap(const struct plane_study *s, const struct plane_branch *b,
+                     struct plane_tube *u)
 {
     const struct plane_rest *from = &s->rest[b->rest], *to = &s->rest[b->to];
     const struct trap_form *t = &to->trap[b->kind == MANIFOLD_STABLE];
     const struct vec2 side = s->scale.side;
-    struct proof_trap out = { .xx = t->pxx / (side.x * side.x),
-                              .xy = t->pxy / (side.x * side.y),
-                              .yy = t->pyy / (side.y * side.y),
-                              .level = t->size * t->size };
 
-    for (int i = 0; i < 2; i++)
-        out.at[i] = add(interval_less(place_of(to, i), place_of(from, i)),
-                        turns_of(s, b, i));
-    return out;
+    u->trap = (struct proof_trap){ .xx = t->pxx / (side.x * side.x),
+                                   .xy = t->pxy / (side.x * side.y),
+                                   .yy = t->pyy / (side.y * side.y),
+                                   .level = t->size * t->size };
+    for (int i = 0; i < 2; i++) {
+        const struct system_number period = { s->scene->system->state[i].period,
+                                              0 };
+        u->turns[i] = turns_of(s, b, i);
+        u->trap.at[i] =
+            add(interval_less(place_of(to, i), place_of(from, i)),
+                times(point(u->turns[i]), proof_plane_number(&period)));
+    }
 }
 
 /* ---- a branch ------------------------------------------------------------ */
@@ -143,36 +143,32 @@ static void tell_crossing(struct plane_study *s, struct plane_branch *b,
     const struct plane_rest *r = &s->rest[b->rest];
     const struct interval at = add(place_of(r, other), crossing[other]);
 
-    tell(s, &b->leaves[axis], edge_of(s, b), r->name, "leaves");
+    tell(s, &b->leaves[axis], proof_decimal(plane_proof_edge(s, b)), r->name,
+         "leaves");
     tell(s, &b->leaves[other],
          scene_axis_is_log(s->scene, other) ? interval_exp(at) : at, r->name,
          "leaves");
 }
 
 static enum status follow(struct plane_study *s, struct plane_branch *b,
-                          struct proof_plane *p)
+                          struct proof_plane *p, struct plane_tube *u)
 {
     const bool leaves = quantity_exists(&b->leaves[0]);
-    struct proof_branch tube = { .not_proved = NULL };
-    struct proof_goal goal;
-    struct proof_trap trap;
+    struct proof_goal goal = { .trap = &u->trap };
     struct interval crossing[2];
     enum status status = STATUS_OK;
 
     if (leaves) {
         goal = goal_of_edge(s, b);
     } else {
-        trap = trap_of(s, b);
-        goal = (struct proof_goal){ .trap = &trap };
-        if (!(trap.level > 0) || !proof_trap_verify(&p->tape, &trap)) {
+        set_trap(s, b, u);
+        if (!(u->trap.level > 0) || !proof_trap_verify(&p->tape, &u->trap)) {
             b->not_proved = "no trap was proved";
             return STATUS_OK;
         }
     }
-    status = proof_plane_branch(p, &b->curve, &goal, &tube, crossing);
-    free(tube.piece);
-    free(tube.cell);
-    b->not_proved = tube.not_proved;
+    status = proof_plane_branch(p, &b->curve, &goal, &u->tube, crossing);
+    b->not_proved = u->tube.not_proved;
     if (status != STATUS_OK || b->not_proved)
         return status;
     b->end_proved = leaves ? PLANE_CROSSES : PLANE_TRAPPED;
@@ -181,7 +177,8 @@ static enum status follow(struct plane_study *s, struct plane_branch *b,
     return STATUS_OK;
 }
 
-static enum status prove_goal(struct plane_study *s, struct plane_branch *b)
+static enum status prove_goal(struct plane_study *s, struct plane_branch *b,
+                              struct plane_tube *u)
 {
     const int way = b->kind == MANIFOLD_STABLE ? 0 : 1;
     struct proof_plane p;
@@ -193,12 +190,13 @@ static enum status prove_goal(struct plane_study *s, struct plane_branch *b)
     if (status == STATUS_BAD_ARGUMENT)
         b->not_proved = "a function has no rule";
     else if (status == STATUS_OK)
-        status = follow(s, b, &p);
+        status = follow(s, b, &p, u);
     proof_plane_free(&p);
     return status == STATUS_BAD_ARGUMENT ? STATUS_OK : status;
 }
 
-static enum status prove_branch(struct plane_study *s, struct plane_branch *b)
+static enum status prove_branch(struct plane_study *s, struct plane_branch *b,
+                                struct plane_tube *u)
 {
     const bool leaves = quantity_exists(&b->leaves[0]);
     enum status status = STATUS_OK;
@@ -206,7 +204,7 @@ static enum status prove_branch(struct plane_study *s, struct plane_branch *b)
     b->end_proved = PLANE_NOT_PROVED;
     b->not_proved = no_goal(b);
     if (leaves || b->end == PLANE_END_EQUILIBRIUM)
-        status = prove_goal(s, b);
+        status = prove_goal(s, b, u);
     for (int i = 0; i < 2 && leaves && b->not_proved; i++)
         *next_of(s, &b->leaves[i]) =
             (struct proved){ .not_proved = b->not_proved };
@@ -222,12 +220,14 @@ enum status plane_proof_find(struct plane_study *s)
     enum status status = STATUS_OK;
 
     s->proof.of = calloc(most + 1, sizeof *s->proof.of);
-    if (s->proof.of == NULL)
+    s->proof.tube = calloc(s->listed_branches + 1, sizeof *s->proof.tube);
+    if (s->proof.of == NULL || s->proof.tube == NULL)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < s->listed; i++)
         tell_rest(s, &s->rest[i]);
-    for (size_t i = 0; i < s->listed_branches && status == STATUS_OK; i++)
-        status = prove_branch(s, &s->branch[i]);
+    for (size_t *i = &s->proof.tubes;
+         *i < s->listed_branches && status == STATUS_OK; ++*i)
+        status = prove_branch(s, &s->branch[*i], &s->proof.tube[*i]);
     return status;
 }
 
@@ -251,6 +251,11 @@ void plane_proof_withdraw(struct plane_proof *p)
 
 void plane_proof_free(struct plane_proof *p)
 {
+    for (size_t i = 0; i < p->tubes; i++) {
+        free(p->tube[i].tube.piece);
+        free(p->tube[i].tube.cell);
+    }
+    free(p->tube);
     free(p->of);
-    p->of = NULL;
+    *p = (struct plane_proof){ .of = NULL };
 }

@@ -19,6 +19,10 @@ extern const char *const plane_proved_names[];
  * STATUS_NO_MEMORY. */
 MUST_CHECK enum status plane_proof_find(struct plane_study *s);
 
+/* The edge that a branch leaves the window by, a decimal. */
+double plane_proof_edge(const struct plane_study *s,
+                        const struct plane_branch *b);
+
 /* Whether numbers of this field are among them. */
 bool plane_proof_is_of(const struct result *r, const struct record_field *f);
 

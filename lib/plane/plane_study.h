@@ -12,6 +12,8 @@
 #include "branch.h"
 #include "equilibria.h"
 #include "portrait.h"
+#include "proof_trap.h"
+#include "proof_tube.h"
 #include "record.h"
 #include "region.h"
 #include "scene.h"
@@ -192,6 +194,13 @@ struct plane_basin {
     struct plane_elsewhere elsewhere;
 };
 
+/* What proves the end of a branch: its tube, and where it comes in. */
+struct plane_tube {
+    struct proof_branch tube; /* pieces and cells owned */
+    struct proof_trap trap;
+    double turns[2]; /* of angles, from the equilibrium to the trap */
+};
+
 /* Derivatives of an equilibrium's numbers: its state, re and im of both
  * eigenvalues. */
 enum { PLANE_SLOPES = 6 };
@@ -245,6 +254,8 @@ struct plane_study {
     struct plane_proof {
         struct proved (*of)[2]; /* owned; numbers point into it */
         size_t count;
+        struct plane_tube *tube; /* owned; of the listed branches */
+        size_t tubes;
         struct fault lie; /* which number contradicts its bar; empty: none */
     } proof;
     struct plane_slope *slope; /* owned; by equilibrium, then by parameter */
