@@ -14,6 +14,18 @@ NAME = re.compile(r'[A-Za-z_]\w*$', re.ASCII)
 INTERVAL = type(ONE)
 
 
+def sane(function):
+    """For mpmath takes for ever over what a forged formula can make."""
+    def run(u):
+        if iv.mpf(2) ** 200 < abs(iv.mpf(u)).b < iv.inf:
+            raise ArithmeticError('a number beyond reason')
+        return function(u)
+    return run
+
+
+iv.exp, iv.sin, iv.cos = map(sane, (iv.exp, iv.sin, iv.cos))
+
+
 class Reader:
     """Trees: ('name', NAME), ('number', TEXT), (OPERATION, tree, ...)."""
 
