@@ -192,6 +192,8 @@ def what_is_wrong_costs_one_line(room):
             (['study', *DUFFING, '--set', 'products=[knees]'], 'knees'),
             (['study', *DUFFING, '--set', 'system.parameters.e=1'],
              'no formula has it'),
+            (['study', '--ode', "x' = y; y' = -x*drag; drog = 1; drag = 2",
+              *DUFFING[2:]], 'drog: no formula has it (did you mean drag?)'),
             (['sweep', *DUFFING], 'the scene has none'),
             (['sweep', *DUFFING, *SWEEP, '--set', 'sweep.key=slope.alpha'],
              'expected system.parameters.NAME'),

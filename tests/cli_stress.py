@@ -54,7 +54,7 @@ def the_quick_catalogue_has_no_lie(room):
 
 
 def a_system_is_held_to_113_bits_with_its_and_other_parameters(room):
-    ode = ['--ode', "x' = a*x*(3 - x - 2*y); y' = y*(2 - x - y); a = 1; b = 7",
+    ode = ['--ode', "x' = a*x*(3 - x - 2*y); y' = y*(2 - x - y); a = 1; b = 7; w = b*x",
            '--window', 'x=-1:4,y=-1:3']
     found = json.loads(room.good('stress', '--quick', *ode, '--json'))
     cases = found['cases']

@@ -328,6 +328,24 @@ enum status formula_system_finish(const struct formula_system *s,
     return STATUS_OK;
 }
 
+static bool is_part(char c)
+{
+    return isalnum((unsigned char) c) || c == '_';
+}
+
+bool formula_system_uses(const struct formula_system *s, const char *name)
+{
+    const size_t size = strlen(name);
+
+    for (int i = 0; i < s->entries; i++) {
+        const char *text = formula_system_text(s, &s->entry[i]);
+        for (const char *at = text; (at = strstr(at, name)); at++)
+            if ((at == text || !is_part(at[-1])) && !is_part(at[size]))
+                return true;
+    }
+    return false;
+}
+
 /* ---- other values -------------------------------------------------------- */
 
 const char *formula_system_text(const struct formula_system *s,

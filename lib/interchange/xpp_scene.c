@@ -50,10 +50,14 @@ char *xpp_model_scene(const struct xpp_model *m, const char *title)
             fputc(*c, out);
     fprintf(out, "\"\nsystem:\n");
     write_states(out, s);
-    if (s->parameters)
-        fprintf(out, "  parameters:\n");
-    for (int i = 0; i < s->parameters; i++)
-        fprintf(out, "    %s: %s\n", s->parameter[i].name, m->decimal[i]);
+    bool used = false;
+    for (int i = 0; i < s->parameters; i++) {
+        if (!formula_system_uses(s, s->parameter[i].name))
+            continue;
+        fprintf(out, "%s    %s: %s\n", used ? "" : "  parameters:\n",
+                s->parameter[i].name, m->decimal[i]);
+        used = true;
+    }
     write_entries(out, s, "define", ENTRY_DEFINE);
     write_entries(out, s, "rates", ENTRY_RATE);
     fprintf(out, "window: {%s: [%.15g, %.15g], %s: [%.15g, %.15g]}\n",

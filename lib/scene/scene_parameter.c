@@ -1,6 +1,5 @@
 #include "scene_parameter.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,50 +10,33 @@
 
 enum { KEY = FORMULA_NAME + 20 };
 
-static bool is_part(char c)
+/* One that no formula has is another's name, mistyped. */
+static enum status expect_uses(const struct node *n, const struct node *ode,
+                               const struct formula_system *f,
+                               struct fault *why)
 {
-    return isalnum((unsigned char) c) || c == '_';
-}
-
-/* Whether a formula has the name. */
-static bool is_used(const struct formula_system *f, const char *name)
-{
-    const size_t size = strlen(name);
-
-    for (int i = 0; i < f->entries; i++) {
-        const char *text = formula_system_text(f, &f->entry[i]);
-        for (const char *at = text; (at = strstr(at, name)); at++)
-            if ((at == text || !is_part(at[-1])) && !is_part(at[size]))
-                return true;
-    }
-    return false;
-}
-
-static enum status check_set(const struct node *n, const struct scene *s,
-                             struct fault *why)
-{
-    const struct formula_system *f = s->system;
     const char *used[SYSTEM_PARAMETERS + 1] = { NULL };
     size_t count = 0;
 
     for (int i = 0; i < f->parameters; i++)
-        if (is_used(f, f->parameter[i].name))
+        if (formula_system_uses(f, f->parameter[i].name))
             used[count++] = f->parameter[i].name;
-    for (size_t i = 0; n && i < n->count; i++) {
-        const struct node *p = n->child[i];
-        if (!p->key_at.is_set || is_used(f, p->key))
+    for (int i = 0; i < f->parameters; i++) {
+        const char *name = f->parameter[i].name;
+        const struct node *p = node_find(n, name);
+        if (formula_system_uses(f, name))
             continue;
-        const char *near = spell_nearest(p->key, used);
-        return place_blame(
-            p->key_at, why, "system.parameters.%s: no formula has it%s%s%s",
-            text_shown(p->key).text, near ? " (did you mean " : "",
-            near ? near : "", near ? "?)" : "");
+        const char *near = spell_nearest(name, used);
+        return place_blame(p ? p->key_at : ode->at, why,
+                           "system.parameters.%s: no formula has it%s%s%s",
+                           name, near ? " (did you mean " : "",
+                           near ? near : "", near ? "?)" : "");
     }
     return STATUS_OK;
 }
 
 enum status scene_parameter_keys(struct scene *s, const struct node *of,
-                                 struct fault *why)
+                                 const struct node *ode, struct fault *why)
 {
     const struct formula_system *f = s->system;
     const size_t n = (size_t) f->parameters;
@@ -69,7 +51,7 @@ enum status scene_parameter_keys(struct scene *s, const struct node *of,
     }
     key[n] = NULL;
     s->parameter_key = key;
-    return check_set(of, s, why);
+    return expect_uses(of, ode, f, why);
 }
 
 bool scene_parameter_is(const struct scene *s, const char *key)

@@ -5,10 +5,12 @@
 #include "node.h"
 #include "scene.h"
 
-/* Those of s->system into s->parameter_key, owned by *s.  STATUS_BAD_SCENE: an
- * override sets a parameter (below n) that no formula has; STATUS_NO_MEMORY. */
+/* Those of s->system into s->parameter_key, owned by *s.  STATUS_BAD_SCENE:
+ * one, below n or else in the statements, is in no formula; STATUS_NO_MEMORY.
+ */
 MUST_CHECK enum status scene_parameter_keys(struct scene *s,
                                             const struct node *n,
+                                            const struct node *ode,
                                             struct fault *why);
 
 /* Whether that is the key of one; of a scene with a system. */

@@ -439,7 +439,8 @@ enum status scene_system_take(struct node *root, struct scene *s,
     s->audit = SCENE_SYSTEM_AUDIT;
     enum status status = read_system(&r);
     if (status == STATUS_OK)
-        status = scene_parameter_keys(s, section(&r, "parameters"), why);
+        status =
+            scene_parameter_keys(s, section(&r, "parameters"), r.ode_node, why);
     if (status == STATUS_OK)
         status = take_window(root, s, why);
     if (status == STATUS_OK)

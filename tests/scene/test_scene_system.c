@@ -88,6 +88,8 @@ static const struct {
     { "system: {parameters: {a: b}, rates: {x: y, y: x}}\n",
       "1:26: system.parameters.a: 'b' is not allowed, expected a number" },
     { "system: {ode: \"x' = x\"}\n", "1:9: 1 state, expected two" },
+    { "system: {parameters: {a: 1, b: 2}, rates: {x: a*y, y: x}}\n",
+      "1:29: system.parameters.b: no formula has it" },
     { "system: {state: {x: real, time: real}, rates: {x: 1, time: x}}\n",
       "1:33: state time: results have time of their own" },
     { "system: {ode: \"x' y\"}\n",
