@@ -379,30 +379,30 @@ double atanh(double x)
 /* sin(x + quarters pi/2) of |x| < 2^30, x != 0, to less than 2^-60 of itself in
  * 64 bits, of which a double is rounded if that decides it; false: it does not.
  * k pi/2 goes in three parts, the first two of 33 bits, so that what is lost is
- * 2^-64 of what is left. */
+ * 2^-64 of what is left, and k 2^-132. */
 static bool round_sin(double x, int quarters, double *out)
 {
-    static const long double factorial[] = {
-        2.0L,
-        6.0L,
-        24.0L,
-        120.0L,
-        720.0L,
-        5040.0L,
-        40320.0L,
-        362880.0L,
-        3628800.0L,
-        39916800.0L,
-        479001600.0L,
-        6227020800.0L,
-        87178291200.0L,
-        1307674368000.0L,
-        20922789888000.0L,
-        355687428096000.0L,
-        6402373705728000.0L,
-        121645100408832000.0L,
-        2432902008176640000.0L,
-        51090942171709440000.0L,
+    static const long double part[] = {
+        -1.0L / 2.0L,
+        -1.0L / 6.0L,
+        1.0L / 24.0L,
+        1.0L / 120.0L,
+        -1.0L / 720.0L,
+        -1.0L / 5040.0L,
+        1.0L / 40320.0L,
+        1.0L / 362880.0L,
+        -1.0L / 3628800.0L,
+        -1.0L / 39916800.0L,
+        1.0L / 479001600.0L,
+        1.0L / 6227020800.0L,
+        -1.0L / 87178291200.0L,
+        -1.0L / 1307674368000.0L,
+        1.0L / 20922789888000.0L,
+        1.0L / 355687428096000.0L,
+        -1.0L / 6402373705728000.0L,
+        -1.0L / 121645100408832000.0L,
+        1.0L / 2432902008176640000.0L,
+        1.0L / 51090942171709440000.0L,
     };
     const double k = rint(x * 0x1.45f306dc9c883p-1);
     const long double r = ((x - k * 0x1921fb544p-32L) - k * 0x10b4611a6p-66L) -
@@ -413,12 +413,12 @@ static bool round_sin(double x, int quarters, double *out)
     long double sum = 0.0L;
 
     for (int i = 18 + sine; i >= 0; i -= 2)
-        sum = square * ((i / 2 % 2 ? 1.0L : -1.0L) / factorial[i] + sum);
+        sum = square * (part[i] + sum);
     sum = sine ? r + r * sum : 1.0L + sum;
     sum = turn / 2 % 2 ? -sum : sum;
     *out = (double) (sum - 0x1p-60L * sum);
     return *out == (double) (sum + 0x1p-60L * sum) &&
-           (k == 0.0 || fabsl(r) > 0x1p-20L);
+           (!sine || fabsl(r) >= 0x1p-70L * fabs(k));
 }
 
 static double sine(double x)

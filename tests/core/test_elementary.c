@@ -72,11 +72,19 @@ static void each_function_holds_its_claim(void **state)
     }
 }
 
-/* As far as a double is decided by fewer bits, which is then the same. */
+/* As far as a double is decided by fewer bits, which is then the same; also at
+ * those next to multiples of pi/2, by continued fractions. */
 static void sines_are_those_rounded_from_113_bits(void **state)
 {
+    static const double next[] = { 0x1.b951f1572eba5p+23, 0x1.b951f1572eba5p+29,
+                                   0x1.55202aefde314p+29,
+                                   0x1.e1dcc9111b506p+27 };
     (void) state;
 
+    for (int i = 0; i < 4; i++)
+        CHECK(sin(next[i]) == (double) sinq(next[i]) &&
+                  cos(next[i]) == (double) cosq(next[i]),
+              "x = %a", next[i]);
     for (int i = 0; i < 200000; i++) {
         const double quarter = floor(check_uniform(&seed, -1e3, 1e3)) * M_PI_2,
                      off = any_number(1e-18, 1.0);
