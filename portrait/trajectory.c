@@ -59,7 +59,7 @@ static enum status run_batch(const struct plan *p, struct trajectories *out,
 {
     if (monitor_tell(p->options->monitor, "trajectories", from, out->count))
         return STATUS_STOPPED;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (to - from > 1)
     for (size_t i = from; i < to; i++)
         run_one(p->system, &p->orbit, &out->at[i]);
     for (size_t i = from; i < to; i++) {

@@ -78,29 +78,20 @@ static enum status put_view(struct store *st, const struct result *r, size_t k,
                : store_put_records(st, group, a, r->axis);
 }
 
-/* All instances; made on all threads first, for sampling a curve takes a third
- * of the time of writing it. */
+/* All instances. */
 static enum status put_result(struct store *st, const struct result *r,
                               const struct results *all)
 {
     const size_t n = result_count(r, all->run);
-    struct result_view *view = calloc(n + 1, sizeof *view);
-    enum status status = view ? STATUS_OK : STATUS_NO_MEMORY;
-    bool made = true;
+    enum status status = STATUS_OK;
 
-#pragma omp parallel for schedule(dynamic, 1) if (n > 1)
-    for (size_t k = 0; k < n; k++)
-        if (view && result_open(all, r, k, &view[k]) != STATUS_OK) {
-#pragma omp atomic write
-            made = false;
-        }
-    if (!made)
-        status = STATUS_NO_MEMORY;
-    for (size_t k = 0; k < n && status == STATUS_OK; k++)
-        status = put_view(st, r, k, n, &view[k]);
-    for (size_t k = 0; k < n && view; k++)
-        result_close(&view[k]);
-    free(view);
+    for (size_t k = 0; k < n && status == STATUS_OK; k++) {
+        struct result_view view;
+        status = result_open(all, r, k, &view);
+        if (status == STATUS_OK)
+            status = put_view(st, r, k, n, &view);
+        result_close(&view);
+    }
     return status;
 }
 
