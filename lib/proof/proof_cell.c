@@ -14,6 +14,7 @@ struct cell {
     struct interval last;        /* where the last one ends, at its upper end */
     struct interval middle, box; /* of theta */
     struct interval dep[JET_SIZE];   /* about the middle */
+    struct interval over;            /* p over the cell */
     struct proof_flow centre, all;   /* at the middle, over the cell */
     struct interval slope[JET_SIZE]; /* step G at the middle; then of all */
     double defect, remainder;
@@ -32,12 +33,6 @@ static struct interval step_times(const struct cell *c, struct interval u)
     return interval_times(point(c->piece->step), u);
 }
 
-/* On the way back to the saddle theta falls. */
-static bool falls(const struct cell *c, const struct proof_flow *f)
-{
-    return step_times(c, f->ind.c[0]).hi < 0;
-}
-
 /* ---- the defect ---------------------------------------------------------- */
 
 static void expand(struct cell *c)
@@ -52,6 +47,7 @@ static void expand(struct cell *c)
     proof_points(n, c->piece->coef, wide);
     proof_shift(n, wide, c->middle, c->dep);
     proof_shift(n, c->dep, interval_within(c->half), wide);
+    c->over = wide[0];
     proof_flow_along(c->tape, c->piece->ind, ind_at(c->piece, c->middle),
                      c->piece->step, c->dep, n, &c->centre);
     proof_flow_along(c->tape, c->piece->ind, ind_at(c->piece, c->box),
@@ -66,8 +62,6 @@ static bool bound_defect(struct cell *c)
     struct interval g[JET_SIZE], off[JET_SIZE];
 
     expand(c);
-    if (!falls(c, &c->all) || !falls(c, &c->centre))
-        return false;
     proof_quotient(n, c->centre.dep.c, c->centre.ind.c, g);
     for (size_t k = 0; k < n; k++)
         off[k] = interval_less(
@@ -84,44 +78,36 @@ static bool bound_defect(struct cell *c)
     return isfinite(c->defect) && isfinite(c->beside);
 }
 
-/* Whether cells shorter than this one, or than one of twice its length if that
- * multiplies remainders by `growth`, would have a smaller defect, or remainder
- * of the excess, that would be felt. */
-static bool is_coarse(const struct cell *c, const struct proof_front *front,
-                      double growth)
+/* What remainders add to the error, or to the integral, over what of it may be
+ * felt: where that is above 1 a shorter cell would be better. */
+static double coarseness(const struct cell *c, const struct proof_front *front)
 {
-    const double rest = (c->defect - c->remainder) * c->half;
-    const long double felt =
-        front->error + LDBL_EPSILON * interval_most(c->dep[0]);
-    const double made = c->remainder * growth * c->half;
+    const long double error =
+        front->error + LDBL_EPSILON * interval_most(c->dep[0]) + DBL_MIN;
     const long double known = front->excess.hi - front->excess.lo +
-                              LDBL_EPSILON * interval_most(front->excess);
+                              LDBL_EPSILON * interval_most(front->excess) +
+                              DBL_MIN;
 
-    return (made > PROOF_REMAINDER * rest && made > PROOF_FELT * felt) ||
-           c->beside * growth > PROOF_FELT * known;
+    return (double) fmaxl(c->remainder * c->half / error, c->beside / known) /
+           PROOF_FELT;
 }
 
 /* ---- the tube ------------------------------------------------------------ */
 
-/* A part of the cell: of theta, its length, and what it found. */
-struct part {
-    struct interval theta, length;
+/* What holds in the tube. */
+struct tube {
     double rate;   /* step dG/d dep <= rate */
     double across; /* |d/d dep| of the excess per theta */
 };
 
 /* step (v - v_sp)/(-f_ind), the excess per theta, by dep: (e' - q f')/f. */
-static bool bound_rate(const struct cell *c, double radius, struct part *t)
+static bool bound_rate(const struct cell *c, double radius, struct tube *t)
 {
     const struct proof_piece *piece = c->piece;
-    const struct interval dep = proof_poly_of(
-        piece->degree, c->dep, interval_less(t->theta, c->middle));
     struct proof_flow f;
 
-    proof_flow_aside(c->tape, piece->ind, ind_at(piece, t->theta),
-                     interval_add(dep, interval_within(radius)), &f);
-    if (!falls(c, &f))
-        return false;
+    proof_flow_aside(c->tape, piece->ind, ind_at(piece, c->box),
+                     interval_add(c->over, interval_within(radius)), &f);
     const struct interval g = interval_divide(f.dep.c[0], f.ind.c[0]);
     const struct interval q = interval_divide(f.excess.c[0], f.ind.c[0]);
     const struct interval dg = interval_divide(
@@ -134,49 +120,27 @@ static bool bound_rate(const struct cell *c, double radius, struct part *t)
     return isfinite(t->rate) && isfinite(t->across);
 }
 
-/* The error after the part, and the largest on it. */
-static double grown(const struct part *t, double defect, double error,
-                    double *most)
-{
-    const struct interval rise =
-        interval_exp(interval_times(point(t->rate), t->length));
-    const long double larger = t->rate > 0 ? rise.hi : 1;
-    const double made =
-        proof_up_times(proof_up_times(defect, t->length.hi), larger);
-
-    *most = proof_up_times(
-        proof_up_sum(error, proof_up_times(defect, t->length.hi)), larger);
-    return proof_up_sum(proof_up_times(error, rise.hi), made);
-}
-
-/* Runs the parts one after another in a tube of the given radius. */
+/* With r = e^(rate length), |dep - p| <= max(1, r) (before + defect length) as
+ * long as that is within the radius, which is twice that sum: it is, if r <= 2.
+ * *aside: what the tube adds to the excess. */
 static bool run_tube(const struct cell *c, struct proof_cell *out,
-                     double *across)
+                     double *aside)
 {
-    double at = c->from, error = out->before; /* at theta = at */
+    const struct interval length = interval_less(
+        c->to < c->last.hi ? point(c->to) : c->last, point(c->from));
+    struct tube t;
 
-    *across = 0;
-    out->rate = -HUGE_VAL;
-    for (int i = 1; i <= PROOF_PARTS; i++) {
-        const double next = i == PROOF_PARTS
-                                ? c->to
-                                : c->from + (c->to - c->from) * i / PROOF_PARTS;
-        struct part t = { .theta = { at, next } };
-        double most;
+    if (!(length.lo >= 0) || !bound_rate(c, out->radius, &t))
+        return false;
+    const struct interval rise =
+        interval_exp(interval_times(point(t.rate), length));
+    const double made = proof_up_times(c->defect, length.hi);
 
-        t.length =
-            interval_less(next < c->last.hi ? point(next) : c->last, point(at));
-        if (!(t.length.lo >= 0) || !bound_rate(c, out->radius, &t))
-            return false;
-        error = grown(&t, c->defect, error, &most);
-        if (!(most <= out->radius && error <= out->radius))
-            return false;
-        *across = proof_up_sum(*across, proof_up_times(t.across, t.length.hi));
-        out->rate = fmax(out->rate, t.rate);
-        at = next;
-    }
-    out->after = error;
-    return true;
+    out->rate = t.rate;
+    out->after = proof_up_sum(proof_up_times(out->before, rise.hi),
+                              proof_up_times(made, t.rate > 0 ? rise.hi : 1));
+    *aside = proof_up_times(proof_up_times(t.across, length.hi), out->radius);
+    return rise.hi <= 2;
 }
 
 /* ---- the integral -------------------------------------------------------- */
@@ -220,11 +184,11 @@ static enum status keep(struct proof_branch *out, const struct proof_cell *cell)
     return STATUS_OK;
 }
 
-/* In a tube twice as wide as error and defect are: *front moves on. */
+/* In a tube twice as wide as what error and defect come to: *front moves on. */
 static bool prove(struct cell *c, struct proof_front *front,
                   struct proof_cell *out)
 {
-    double across;
+    double aside;
 
     *out = (struct proof_cell){ .from = c->from,
                                 .to = c->to,
@@ -233,10 +197,9 @@ static bool prove(struct cell *c, struct proof_front *front,
     out->radius = proof_up_sum(
         2 * proof_up_sum(front->error, proof_up_times(c->defect, 2 * c->half)),
         DBL_MIN);
-    if (!run_tube(c, out, &across))
+    if (!run_tube(c, out, &aside))
         return false;
-    out->excess = interval_of_double(
-        interval_outward(excess_of(c, proof_up_times(across, out->radius))));
+    out->excess = interval_of_double(interval_outward(excess_of(c, aside)));
     if (!interval_is_finite(out->excess))
         return false;
     front->error = out->after;
@@ -244,34 +207,50 @@ static bool prove(struct cell *c, struct proof_front *front,
     return true;
 }
 
-static bool cells(struct cell *c, double from, double to, int depth,
-                  struct proof_front *front, struct proof_branch *out,
-                  enum status *status)
+/* What the next cell, or this one again, is to have of theta: remainders grow
+ * with the power n + 1 of it. */
+static double fitting(const struct cell *c, double coarse)
 {
-    struct proof_cell cell;
+    const double power = 1 / ((double) c->piece->degree + 1);
 
-    c->from = from;
-    c->to = to;
-    const bool bounded = depth >= front->halvings && bound_defect(c);
-    if (bounded && (!is_coarse(c, front, 1) || depth == PROOF_HALVINGS) &&
-        prove(c, front, &cell)) {
-        const double twice = ldexp(1, (int) c->piece->degree);
-        front->halvings = depth - !is_coarse(c, front, twice);
-        *status = keep(out, &cell);
-        return *status == STATUS_OK;
-    }
-    const double half = from / 2 + to / 2;
-    return depth < PROOF_HALVINGS && half > from && half < to &&
-           cells(c, from, half, depth + 1, front, out, status) &&
-           cells(c, half, to, depth + 1, front, out, status);
+    return fmin(PROOF_CELL_MOST,
+                (c->to - c->from) * fmax(0.5, pow(coarse / PROOF_AIM, -power)));
+}
+
+/* Cells of one size to the end, at most `length`: where the first one ends. */
+static double next_end(double from, double end, double length)
+{
+    const double parts = ceil((end - from) / length);
+
+    return parts > 1 ? from + (end - from) / parts : end;
 }
 
 bool proof_cells(struct interval_tape *t, const struct proof_piece *piece,
                  double from, struct interval to, struct proof_front *front,
                  struct proof_branch *out, enum status *status)
 {
-    struct cell c = { .tape = t, .piece = piece, .last = to };
+    const double end = interval_up(to.hi);
+    struct cell c = { .tape = t, .piece = piece, .from = from, .last = to };
+    double length = front->length > 0 ? front->length : PROOF_CELL_MOST;
+    struct proof_cell cell;
 
-    return to.hi > from &&
-           cells(&c, from, interval_up(to.hi), 0, front, out, status);
+    while (c.from < end && *status == STATUS_OK) {
+        c.to = next_end(c.from, end, length);
+        const double size = c.to - c.from;
+        const bool least = size <= PROOF_CELL_LEAST;
+        const double coarse =
+            bound_defect(&c) ? coarseness(&c, front) : HUGE_VAL;
+        const bool fine = coarse <= (least ? DBL_MAX : 1);
+        length = fitting(&c, coarse);
+        if (fine && prove(&c, front, &cell)) {
+            *status = keep(out, &cell);
+            c.from = c.to;
+        } else if (least) {
+            return false;
+        } else if (fine) {
+            length = size / 2;
+        }
+    }
+    front->length = length;
+    return to.hi > from && *status == STATUS_OK;
 }

@@ -33,19 +33,18 @@
 #define PROOF_CONE_TRIES    60
 #define PROOF_CONE_NARROWER 0.5
 
-/* A cell is halved where Lagrange's remainder is above this part of the rest of
- * the defect, and what it adds above this part of the error that is there, at
- * most so often. */
-#define PROOF_REMAINDER 0.5
-#define PROOF_FELT      0.01
-#define PROOF_HALVINGS  12
+/* A cell is shortened where what Lagrange's remainder adds to the error, or to
+ * the integral, is above this part of what is not known of it; others are made
+ * so long that it would be this part of that, between these lengths of theta:
+ * on a longer one the transverse rate differs much from its bound. */
+#define PROOF_FELT       0.001
+#define PROOF_AIM        0.1
+#define PROOF_CELL_LEAST 0x1p-12
+#define PROOF_CELL_MOST  0.5
 
 /* A branch is followed no further through more cells: most have 100 to 250, of
  * a millisecond each. */
 #define PROOF_CELLS 2048
-
-/* Parts of a cell on which the transverse rate is bounded. */
-#define PROOF_PARTS 4
 
 /* A branch is closed as soon as what is left is below this part of the error,
  * and of the width of its integral, that are there. */

@@ -79,5 +79,5 @@ struct proof_branch {
 struct proof_front {
     double error;
     struct interval excess;
-    int halvings; /* of the last cell: where the next piece begins to try */
+    double length; /* of theta: what the next cell is tried with; 0: all */
 };

@@ -115,7 +115,7 @@ static void a_branch_without_an_end_is_followed_through_so_many_cells(
     struct proof p;
     assert_int_equal(proof_at(&s.study.slider.block, &in, &p), STATUS_OK);
     CHECK(p.branch[1].cells > PROOF_CELLS &&
-              p.branch[1].cells <= PROOF_CELLS + (1 << PROOF_HALVINGS),
+              p.branch[1].cells <= PROOF_CELLS + 2 / PROOF_CELL_LEAST,
           "%zu", p.branch[1].cells);
     CHECK(strstr(p.branch[1].not_proved, "rate of psi"), "%s",
           p.branch[1].not_proved);
