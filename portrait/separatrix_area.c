@@ -132,7 +132,7 @@ static double integrate_all(const struct patch *q, double a, double b,
 
     for (int i = 0; i < 3; i++)
         if (at[i] != at[i + 1])
-            sum += integrate(q, at[i], at[i + 1], TOL_AREA_DEPTH, error);
+            sum += integrate(q, at[i], at[i + 1], TOL_ITERATIONS, error);
     return sum;
 }
 

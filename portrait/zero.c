@@ -84,7 +84,7 @@ bool zero_between(struct zero *q, struct vec2 a, struct vec2 b, struct vec2 *u)
     struct newton_root root;
 
     if (newton_find(value_along, &line, 0.0, 1.0,
-                    TOL_NULLCLINE_ROOT / vec2_length(line.step),
+                    0.5 * DBL_EPSILON / vec2_length(line.step),
                     &root) != STATUS_OK)
         return false;
     q->calls += root.calls;

@@ -1,5 +1,6 @@
 #include "basin_map.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -99,7 +100,7 @@ static struct quantity share(const struct regions *r, const struct area area[],
             sum.error += area[i].error;
     }
     return quantity_of(sum.value / whole,
-                       sum.error / whole + TOL_SHARE_ROUNDING);
+                       sum.error / whole + TOL_ROUNDINGS_MANY * DBL_EPSILON);
 }
 
 /* The window as offsets. */

@@ -105,8 +105,8 @@ static enum status follow(const struct push *p, struct vec2 z,
     enum status s = fate_find(&p->slider, z, rtol, true, monitor, &coarse);
 
     while (s == STATUS_OK && !agree && coarse.reason == NULL &&
-           rtol * TOL_CELLS_FINER >= TOL_FINEST) {
-        rtol *= TOL_CELLS_FINER;
+           rtol * TOL_FINER >= TOL_FINEST) {
+        rtol *= TOL_FINER;
         s = fate_find(&p->slider, z, rtol, true, monitor, &fine);
         agree = (int8_t) coarse.fate == out->fate && fine.fate == coarse.fate;
         if (!agree)

@@ -24,16 +24,19 @@
 #define TOL_ROUNDINGS_FEW  4.0
 #define TOL_ROUNDINGS      16.0
 #define TOL_ROUNDINGS_MANY 64.0
+/* What rounding does to a coordinate, a logarithm or its exponential, per unit
+ * of it: half a unit of its last digit, and as much again of a logarithm. */
+#define TOL_ROUNDING 0x1.8p-53
 /* Relative: less than this is rounding and says nothing, of slopes, sums and
  * areas as of formulas that are the same: 2^-52 of some hundred terms that
  * cancel in part; where something is, it is larger by decades. */
 #define TOL_ROUNDED 1e-13
+/* What errs by the square of it is known to rounding: the root of 2^-53. */
+#define TOL_ROOT 1e-8
 /* Below this part of itself no double changes any more. */
 #define TOL_NOTHING 1e-18
 /* e-folds after which what fades is below rounding, ln 2^52. */
 #define TOL_SETTLED 36.0
-/* Shares of a window are differences of areas, which round. */
-#define TOL_SHARE_ROUNDING 1e-14
 
 /* In sides of a window or of a drawing, in ln v, relative.  Places nearer to
  * each other than SAME are one, strips and regions smaller than it are none: a
@@ -58,9 +61,7 @@
 #define TOL_RANGE 1e300
 #define LN_RANGE  690.7755278982137 /* its logarithm */
 /* Range of psi where psi is itself a logarithm: down to -TOL_RANGE, for
- * friction only fades there; up to ROOM above the anchor, where e^psi has
- * passed all that it is compared with. */
-#define TOL_PSI_ROOM 700.0
+ * friction only fades there; up to LN_RANGE above the anchor. */
 
 /* Trajectories, relative error per unit of ln v, ln psi: three digits more
  * cost twice the time; figures and energy balances to nine digits are
@@ -81,6 +82,10 @@
 
 /* Bound on the steps of any one integration: a hang is worse than an error. */
 #define TOL_MAX_STEPS 1000000
+/* Iterations of Newton's method, halvings, searches beside a corner: each
+ * gains a binary digit at least, so that none is ended by this that converges.
+ */
+#define TOL_ITERATIONS 60
 
 /* Taylor series along a manifold: order = base - per digit * log10(rtol), 22
  * at 1e-12 (16 to 28 tie in speed) and 14 at 1e-6; and the tolerance of one
@@ -147,8 +152,11 @@
 /* A bar is this many times what it is made of, where that is known to first
  * order: the difference of two quadratures (measured: a kink beyond a branch
  * cost 1.1 of it, once in 50 000), what defects make of a branch (five Gauss
- * points see them to a few per cent), what steps make of an orbit. */
+ * points see them to a few per cent), what steps make of an orbit.  And so many
+ * times the difference of two runs, or the largest miss of some tests, which
+ * may be small by chance. */
 #define TOL_BAR_FIRST_ORDER 2.0
+#define TOL_BAR_CHANCE      8.0
 /* Longest Taylor step, in the independent coordinate, where that is less. */
 #define TOL_STEP_MAX 50.0
 
@@ -170,8 +178,8 @@
 /* Steps between two calls of a monitor. */
 #define TOL_MONITOR_STEPS 64
 
-/* Samples of each event function on a piece: polynomials of degree at most 7
- * seldom turn more often than this resolves. */
+/* Samples of each event function, and of friction, on a piece: polynomials of
+ * degree at most 7 seldom turn more often than this resolves. */
 #define TOL_EVENT_SAMPLES 8
 /* Shortest stride, in theta, of the walk to a passage: what stays beyond for
  * less grazes by less than a thousandth of the way a piece can make. */
@@ -183,7 +191,7 @@
 /* An orbit whose steps shrink below this times |z| is stuck: z + h = z, as
  * where the field ends in NaN. */
 #define TOL_ORBIT_STALL 1e-15
-/* A log scale of the field from which e^-L is near the end of the doubles. */
+/* Logarithms from which e^-L is near the end of the doubles. */
 #define TOL_RESCALED_FAR 500.0
 /* Steps in no time, to and fro, after which it is: more than an orbit takes for
  * all of a fast motion there and back. */
@@ -212,8 +220,6 @@
 #define TOL_NULLCLINE_ANGLE    0.3
 /* Steps aim at this fraction of the tolerance: a refused one costs more. */
 #define TOL_NULLCLINE_SAFETY 0.7
-/* Width at which roots are closed: the rounding of a number below 1. */
-#define TOL_NULLCLINE_ROOT 1e-16
 /* A step is smooth when the curve is this near the cubic through its ends and
  * tangents, as a fraction of the cubic's height: a circle is off by 0.01 at
  * the largest angle allowed, a change to a crossing piece by more than 0.1.
@@ -294,9 +300,8 @@
  * is that near the truth. */
 #define CHECK_RECORDED_BARS 2.0
 
-/* Areas beside a separatrix: how often a piece is halved around a kink, and how
- * many are halved at all before their differences stand as errors. */
-#define TOL_AREA_DEPTH  40
+/* Areas beside a separatrix: how many pieces are halved around kinks before
+ * their differences stand as errors. */
 #define TOL_AREA_PANELS 4000
 
 /* From so many rows of a basin map on, threads pay. */

@@ -17,9 +17,6 @@
 
 /* ---- friction as psi grows, quasistatic_typed.c -------------------------- */
 
-/* ln v: up to this a friction in excess is taken along the tangent, off by
- * d^2, and not by a difference of mu, off by 1e-16/d. */
-#define TOL_TANGENT 1e-7
 /* dpsi/dt is linear where its second difference is below this part of it: 2^-52
  * times a condition of 1e5. */
 #define TOL_LINEAR 1e-10

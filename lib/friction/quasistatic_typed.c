@@ -106,7 +106,7 @@ double quasistatic_typed_above(const struct block *b, double X, double Y,
 
     run_at(b, X, Y, &r);
     const double d = excess / gradient_of(b, &r).x;
-    return d < TOL_TANGENT || !isfinite(d) ? d : solve(&s, X + d) - X;
+    return d < TOL_ROOT || !isfinite(d) ? d : solve(&s, X + d) - X;
 }
 
 double quasistatic_log_rate(const struct block *b, double X, double Y)

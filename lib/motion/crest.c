@@ -51,9 +51,8 @@ double crest_of(double (*value)(const void *ctx, double t), const void *ctx,
         where = here > best ? i * stride : where;
         best = fmax(best, here);
     }
-    const double top =
-        between(value, ctx, fmax(where - stride, 0.0),
-                fmin(where + stride, 1.0), TOL_CREST_WIDTH, &nearer);
+    const double top = between(value, ctx, fmax(where - stride, 0.0),
+                               fmin(where + stride, 1.0), TOL_ROOT, &nearer);
     if (at)
         *at = top > best ? nearer : where;
     return fmax(best, top);

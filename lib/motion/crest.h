@@ -7,6 +7,6 @@ double crest_between(double (*value)(const void *ctx, double t),
                      const void *ctx, double lo, double hi, double width);
 
 /* On [0, 1]: of samples (TOL_EVENT_SAMPLES), then beside the best one, to
- * TOL_CREST_WIDTH; *at (may be NULL): where, as nearly. */
+ * TOL_ROOT; *at (may be NULL): where, as nearly. */
 double crest_of(double (*value)(const void *ctx, double t), const void *ctx,
                 double *at);

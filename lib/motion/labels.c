@@ -39,8 +39,8 @@ static double slack_of(const struct slider *s)
     const struct quantity *v = &saddle->v;
     const struct quantity *psi = &saddle->psi;
     const double scale = s->plane.system.axis[1].is_log ? psi->value : 1.0;
-    const double dv = v->error + TOL_LABELS_BESIDE * v->value;
-    const double dpsi = psi->error + TOL_LABELS_BESIDE * fabs(psi->value);
+    const double dv = v->error + 2.0 * TOL_ROUNDING * v->value;
+    const double dpsi = psi->error + 2.0 * TOL_ROUNDING * fabs(psi->value);
 
     return dv / v->value + dpsi / scale;
 }

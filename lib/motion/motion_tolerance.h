@@ -11,13 +11,10 @@
 /* The last part of the time that it is told from. */
 #define TOL_FATE_PART 0.01
 
-/* A double beside the one that a number is told in, relative: 3/2 units of its
- * last digit. */
-#define TOL_LABELS_BESIDE 0x1.8p-52
-
-/* A next try of an orbit or a cell is so many times finer, or looser, at most.
- */
+/* A next try of an orbit or a cell is so many times finer, looser or nearer, at
+ * most; a run to compare with is finer, or looser, by FINER. */
 #define TOL_RETRY 100.0
+#define TOL_FINER 0.1
 
 /* Labels by forward integration (trap.c), from TOL_TRANSIENT_COARSEST to
  * TOL_TRANSIENT_FINEST: the distance from the
@@ -30,20 +27,15 @@
 #define TOL_TRAP_SIDE 30.0
 
 /* One state (push.c).  Its orbit is run at two tolerances, TOL_ORBIT_RTOL and
- * one finer by TOL_CELLS_FINER; where their fates differ, finer ones, down to
+ * one finer by TOL_FINER; where their fates differ, finer ones, down to
  * TOL_FINEST.  Where the table's bars are wider than such a part it is
  * followed, too. */
 #define TOL_PUSH_WIDE 1e-7
 
-/* Peaks along an orbit (peak.c).  Samples of a step; the part of the distance
- * between three samples at which a peak is found: it errs by the square.  The
- * steps around it are followed again as finely as doubles allow.  Friction has
- * faded where it has so little of its most left over gravity: v falls like a
- * power of time, and it like the square. */
-#define TOL_PEAK_SAMPLES 4
-#define TOL_PEAK_WIDTH   1e-8
-#define TOL_PEAK_FINEST  1e-13
-#define TOL_PEAK_FADED   0.01
+/* Peaks along an orbit (peak.c).  Friction has faded where it has so little of
+ * its most left over gravity: v falls like a power of time, and it like the
+ * square. */
+#define TOL_PEAK_FADED 0.01
 
 /* Moments (moment.c).  Below this component of a direction mu is compared with
  * tan(alpha) itself; and how far, on a piece, one looks to both sides of an
@@ -52,12 +44,10 @@
 #define TOL_MOMENT_ASIDE     0.05
 
 /* A turn of ln v, ln psi or mu along an orbit is one when it is as high as the
- * orbit's tolerance (rounding makes turns a tenth of it high); bars in units of
- * what the coarser orbit changes, for two may agree by chance; and what
+ * orbit's tolerance (rounding makes turns a tenth of it high); what
  * rounding does to numbers along an orbit, in units of roundoff, at once and
  * with each step (measured at the finest tolerances: 120 roundings of the time
  * at most). */
-#define TOL_TIMELINE_BAR      8.0
 #define TOL_TIMELINE_ROUNDING 128.0
 #define TOL_TIMELINE_STEP     0.02
 
@@ -66,13 +56,8 @@
  * by more along the way). */
 #define TOL_PHASE_NEAR 0.01
 
-/* A maximum on a step (crest.c), between TOL_EVENT_SAMPLES samples: the part of
- * it it is found to. */
-#define TOL_CREST_WIDTH 1e-5
-
-/* Orbits of transients: tolerance as a part of what is asked for (their events
- * are good to a hundredth of it), and that of the second orbit, to compare
- * with, as a part of that; the finest that helps and the coarsest that still
+/* Orbits of transients (whose events are good to a hundredth of what is asked
+ * of them): the finest that helps and the coarsest that still
  * follows the curve (looser, then finer, where
  * TOL_ORBIT_STEPS do not suffice); where a block runs away or fades, as
  * factors on v; where arrest is looked for at the end of a run that was
@@ -80,7 +65,6 @@
  * block that rests is followed, at least, or until TOL_NOTHING is left. */
 #define TOL_TRANSIENT_FINEST   3e-13
 #define TOL_TRANSIENT_COARSEST 1e-6
-#define TOL_TRANSIENT_RATIO    10.0
 #define TOL_TRANSIENT_FAST     1e6
 #define TOL_TRANSIENT_SLOW     1e-8
 #define TOL_TRANSIENT_REACH    2.0
@@ -90,27 +74,23 @@
  * -TOL_SETTLED): apart in ln v, or in ln psi, for differences. */
 #define TOL_REST_DIFFERENCE 0.01
 
-/* What is left of a rest (rest_left.c, rest_lag.c).  Rounds of an iteration at
- * most, and the change, as a part, that the last may leave; what the curve may
- * be off, relative, or by rounding beside the time so far, and an orbit from it
- * in ln v, or in psi where that is the faster one, unless it is below this ln
- * v; the least part of psi_ss that psi is, behind it, the ln v below which that
- * is looked for, and the v below which it is known by one round; bars, beside
+/* What is left of a rest (rest_left.c, rest_lag.c).  The change, as a part,
+ * that the last round of an iteration may leave; what the curve may be off,
+ * relative, or by rounding beside the time so far, and an orbit from it in ln
+ * v, or in psi where that is the faster one; the least part of psi_ss that psi
+ * is, behind it, and the ln v below which that is looked for; bars, beside
  * all time and slip, and the part of the time so far within which a state rests
  * before it lands (landing.c): v would reach zero, and psi infinity, and power
  * laws are far above it.  Panels: the first, in
  * ln psi or ln v, and their number; what both rules may differ by, and the
  * factor before that is raised to 3/2 for a bar; and how much
  * better a panel is that is followed by one twice as long. */
-#define TOL_REST_ROUNDS   12
 #define TOL_REST_SETTLED  1e-9
 #define TOL_REST_WRONG    1e-11
 #define TOL_REST_BESIDE   1e-3
-#define TOL_REST_EDGE     (-600.0)
 #define TOL_REST_BEHIND   0.5
 #define TOL_REST_SLOW     (-3.0)
 #define TOL_REST_GOOD     1e-10
-#define TOL_REST_STRAIGHT 1e-8
 #define TOL_REST_PANEL    0.25
 #define TOL_REST_PANELS   100
 #define TOL_REST_SUM      1e-12

@@ -53,11 +53,11 @@ static double value_at(const void *ctx, double at)
 /* Where the largest sample is; the curve is not empty. */
 static double top_sample(const struct along *a)
 {
-    const size_t samples = a->curve->count * TOL_PEAK_SAMPLES;
+    const size_t samples = a->curve->count * TOL_EVENT_SAMPLES;
     double best = value_at(a, 0.0), at = 0.0;
 
     for (size_t i = 1; i <= samples; i++) {
-        const double here = (double) i / TOL_PEAK_SAMPLES;
+        const double here = (double) i / TOL_EVENT_SAMPLES;
         const double value = value_at(a, here);
         at = value > best ? here : at;
         best = fmax(best, value);
@@ -73,22 +73,22 @@ static double most_elsewhere(const struct along *a, double part, size_t first,
     double most = -HUGE_VAL;
 
     for (size_t k = 0; k < a->curve->count; k++)
-        for (int i = 0; i <= TOL_PEAK_SAMPLES && !(k >= first && k <= last);
+        for (int i = 0; i <= TOL_EVENT_SAMPLES && !(k >= first && k <= last);
              i++)
             most = fmax(
-                most, value_at(a, (double) k + (double) i / TOL_PEAK_SAMPLES) +
+                most, value_at(a, (double) k + (double) i / TOL_EVENT_SAMPLES) +
                           part * a->curve->piece[k].across);
     return most;
 }
 
 static double top_of(const struct along *a)
 {
-    const double at = top_sample(a), step = 1.0 / TOL_PEAK_SAMPLES;
+    const double at = top_sample(a), step = 1.0 / TOL_EVENT_SAMPLES;
     const double lo = fmax(at - step, 0.0);
     const double hi = fmin(at + step, (double) a->curve->count);
 
     return fmax(value_at(a, at),
-                crest_between(value_at, a, lo, hi, TOL_PEAK_WIDTH * (hi - lo)));
+                crest_between(value_at, a, lo, hi, TOL_ROOT * (hi - lo)));
 }
 
 /* How far off a curve is at most on some of its pieces. */
@@ -120,7 +120,7 @@ static enum status sharpen(const struct along *a, size_t first, size_t last,
         return STATUS_OK;
     drift_start(&drift, 0.0, phase_plane_leaving_rate(&s->plane));
     options.drift = &drift;
-    options.rtol = TOL_PEAK_FINEST;
+    options.rtol = TOL_FINEST;
     options.observables = 0;
     options.reach[0] = to[2] - from[2];
     enum status status = orbit_init(
@@ -198,7 +198,7 @@ static enum status peak_of(const struct slider *s, const struct orbit *o,
     else
         status = sharpen(&a, first, last, top, &place);
     if (!(*top > start)) /* it rises by less than is seen of it */
-        place = fmax(place, TOL_PEAK_WIDTH * first_slope(&o->curve));
+        place = fmax(place, TOL_ROOT * first_slope(&o->curve));
     *top = fmax(start, *top);
     *error = fmax(part * place, most_elsewhere(&a, part, first, last) - *top);
     return status;

@@ -22,7 +22,7 @@ struct peaks {
 /* Along the orbit that fate_find(s, z, rtol, true, ...) follows in `steps`
  * steps (its result says how many), both ends included, and after its end if it
  * fades; the errors bound what that orbit and rounding leave.  Of several
- * maxima between neighbouring samples (TOL_PEAK_SAMPLES a step) all but one may
- * be missed.  Errors as fate_find; *out untouched. */
+ * maxima between neighbouring samples (TOL_EVENT_SAMPLES a step) all but one
+ * may be missed.  Errors as fate_find; *out untouched. */
 MUST_CHECK enum status peaks_find(const struct slider *s, struct vec2 z,
                                   double rtol, size_t steps, struct peaks *out);

@@ -38,7 +38,7 @@ static double lag_at(const struct slider *s, double x, double bend)
         log1p(bend * exp((double) ln_v));
     double lag = 0.0, last = HUGE_VAL;
 
-    for (int i = 0; i < TOL_REST_ROUNDS && lag != last; i++) {
+    for (int i = 0; i < TOL_ITERATIONS && lag != last; i++) {
         const double late = rest_lag_slowness(s, x, y_behind(s, x, lag));
         const double rate = -log(late) - clock;
         last = lag;
@@ -129,7 +129,7 @@ struct rest_lag rest_lag_at(const struct slider *s, double x)
     const double first = lag_at(s, x, 0.0);
     double bend = 0.0, lag = first;
 
-    if (v > TOL_REST_STRAIGHT) {
+    if (v > TOL_ROOT) {
         bend = (lag_at(s, x + h, 0.0) - lag_at(s, x - h, 0.0)) / (2.0 * h);
         lag = lag_at(s, x, bend);
     }

@@ -22,7 +22,7 @@ static double lift(const struct block *b, double Y, double x, double slope)
     const double least = 0x1p-52, nothing = 0x1p-60;
     double d = 0.0, change = HUGE_VAL;
 
-    for (int i = 0; i < TOL_REST_ROUNDS && fabs(change) > least * (d + nothing);
+    for (int i = 0; i < TOL_ITERATIONS && fabs(change) > least * (d + nothing);
          i++) {
         const double rate = quasistatic_log_rate(b, x + d, Y);
         const double force = exp(x + d - b->at.log_inertia + rate);
@@ -86,7 +86,7 @@ static bool is_bound(const struct slider *s, struct vec2 z)
 static bool is_on(const struct slider *s, struct vec2 z, const struct point *p)
 {
     const bool falls =
-        z.x > p->x && s->plane.system.origin.x + z.x < TOL_REST_EDGE;
+        z.x > p->x && s->plane.system.origin.x + z.x < -TOL_RESCALED_FAR;
 
     return p->wrong < TOL_REST_WRONG && isfinite(p->log_rate) &&
            (falls || fabs(z.x - p->x) < TOL_REST_WRONG);

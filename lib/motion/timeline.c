@@ -171,7 +171,7 @@ static double rounding_along(const struct orbit *o)
 static struct quantity compare(const struct orbit *o, double coarse,
                                double fine)
 {
-    return quantity_of(fine, TOL_TIMELINE_BAR * fabs(fine - coarse) +
+    return quantity_of(fine, TOL_BAR_CHANCE * fabs(fine - coarse) +
                                  rounding_along(o) * fabs(fine));
 }
 

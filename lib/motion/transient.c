@@ -33,7 +33,7 @@ struct transient_options transient_defaults(const struct scene *c)
 
 static double finest(double rtol)
 {
-    return fmin(fmax(TOL_TRANSIENT_RATIO * rtol, TOL_TRANSIENT_FINEST),
+    return fmin(fmax(rtol / TOL_FINER, TOL_TRANSIENT_FINEST),
                 TOL_TRANSIENT_COARSEST);
 }
 
@@ -275,8 +275,8 @@ static enum status run_at(struct course *c, double rtol,
 {
     struct orbit coarse = { .steps = 0 }, fine = { .steps = 0 };
     struct drift drift[2];
-    enum status s = course_follow(c, TOL_TRANSIENT_RATIO * rtol, monitor,
-                                  &drift[0], &coarse);
+    enum status s =
+        course_follow(c, rtol / TOL_FINER, monitor, &drift[0], &coarse);
 
     if (s == STATUS_OK)
         s = course_follow(c, rtol, monitor, &drift[1], &fine);

@@ -28,7 +28,7 @@ double numbers_cancellation(const struct equilibrium *e)
 
 double numbers_floor(const struct block *b)
 {
-    return TOL_SLIDER_ROUNDING + b->bar;
+    return TOL_ROUNDING + b->bar;
 }
 
 /* The logarithm in mu = a asinh(e^w/2), as far as exp of it is what counts: its
@@ -51,8 +51,7 @@ struct steady_number numbers_steady(const struct block *b,
                             ? floor * (1.0 + fabs(b->at.psi0))
                             : floor;
     const double digits =
-        (b->law.typed ? 2.0 * DBL_EPSILON : TOL_SLIDER_ROUNDING) *
-        fabs(b->at.psi0);
+        (b->law.typed ? 2.0 * DBL_EPSILON : TOL_ROUNDING) * fabs(b->at.psi0);
     const double psi_floor = b->bar * fabs(block_psi_slope(b)) + digits;
     struct steady_number s = {
         .type = (int8_t) e->type,
@@ -223,8 +222,8 @@ static struct limit limit_of(long double at, long double ln, double X,
     const double log = (double) (ln + (long double) X);
 
     return (struct limit){
-        quantity_of(value, value * (expm1(error) + TOL_SLIDER_ROUNDING)),
-        quantity_of(log, error + TOL_SLIDER_ROUNDING * fabs(log)),
+        quantity_of(value, value * (expm1(error) + TOL_ROUNDING)),
+        quantity_of(log, error + TOL_ROUNDING * fabs(log)),
     };
 }
 

@@ -11,11 +11,9 @@
 #define TOL_VARIATION_NODES 10
 #define TOL_VARIATION_FEWER 7
 
-/* Bars: this many times the finer run's tolerance, for two runs may agree by
- * chance; e-folds that what is left at the end may take to decay; above this
+/* Bars: e-folds that what is left at the end may take to decay; above this
  * part of the value it never does; and the part of the bar of the saddle's
  * place that is felt (measured: 1/4000). */
-#define TOL_VARIATION_BAR   5.0
 #define TOL_VARIATION_REST  10.0
 #define TOL_VARIATION_OPEN  1e-9
 #define TOL_VARIATION_PLACE 0.1
@@ -26,10 +24,6 @@
  * sees them; an even step from 1e-4 to 1e4 has its decades among them. */
 #define STUDY_CURVE_POINTS  401
 #define STUDY_SPRING_POINTS 801
-
-/* What rounding does to a coordinate, per unit of it: half a unit of its last
- * digit, and a bit more of a logarithm. */
-#define TOL_SLIDER_ROUNDING 0x1.4p-53
 
 /* The saddle's place (place.c).  Numbers go like powers of v_sp, below this one
  * but where places are not known to a rounding.  The tolerance of both runs is

@@ -113,7 +113,7 @@ enum status sensitivity_find(const struct block *b, const struct equilibrium *e,
     struct run coarse = { .rtol = fmax(rtol, TOL_RTOL_DEFAULT),
                           .nodes = TOL_VARIATION_FEWER };
     const double relative =
-        TOL_VARIATION_BAR * fine.rtol + TOL_ROUNDINGS_MANY * DBL_EPSILON +
+        TOL_BAR_CHANCE * fine.rtol + TOL_ROUNDINGS_MANY * DBL_EPSILON +
         TOL_VARIATION_PLACE * numbers_floor(b) * numbers_cancellation(e);
 
     enum status status = run_both(&sys, e, &fine);

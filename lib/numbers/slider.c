@@ -100,8 +100,8 @@ double slider_rounding(const struct slider *s, struct vec2 z)
 {
     const struct vec2 o = s->plane.system.origin;
 
-    return s->place + TOL_SLIDER_ROUNDING * (fabs(o.x) + fabs(o.y) +
-                                             fabs(o.x + z.x) + fabs(o.y + z.y));
+    return s->place + TOL_ROUNDING * (fabs(o.x) + fabs(o.y) + fabs(o.x + z.x) +
+                                      fabs(o.y + z.y));
 }
 
 struct quantity slider_mean_friction(const struct slider *s, double v0,

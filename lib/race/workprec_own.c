@@ -288,8 +288,7 @@ static enum status find_state(const struct maker *m)
     const double rtol = fmax(m->tol, TOL_TRANSIENT_FINEST);
 
     enum status s =
-        bars ? follow(m, TOL_TRANSIENT_RATIO * rtol, &drift[0], &coarse)
-             : STATUS_OK;
+        bars ? follow(m, rtol / TOL_FINER, &drift[0], &coarse) : STATUS_OK;
     if (s == STATUS_OK)
         s = follow(m, rtol, bars ? &drift[1] : NULL, &fine);
     a->success = s == STATUS_OK && fine.end == ORBIT_REACHED;

@@ -136,8 +136,8 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
                         unsigned which, struct cell *out)
 {
     const struct slider *s = t->slider;
-    const double loosest = fmin(TOL_CELLS_START * rtol, TOL_TRANSIENT_COARSEST);
-    double tol = fmax(loosest, TOL_RTOL_DEFAULT / TOL_CELLS_FINER);
+    const double loosest = fmin(TOL_PART * rtol, TOL_TRANSIENT_COARSEST);
+    double tol = fmax(loosest, TOL_RTOL_DEFAULT / TOL_FINER);
     double worst = HUGE_VAL, before = HUGE_VAL;
     struct run coarse, fine;
     int8_t label = FATE_UNDECIDED;
@@ -149,8 +149,8 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
             trap_label(t, vec2_sub(z, s->plane.system.origin), &label, NULL);
     while (status == STATUS_OK && worst > rtol &&
            !(worst > TOL_CELLS_GAIN * before) &&
-           tol * TOL_CELLS_FINER >= TOL_RTOL_DEFAULT) {
-        tol *= TOL_CELLS_FINER;
+           tol * TOL_FINER >= TOL_RTOL_DEFAULT) {
+        tol *= TOL_FINER;
         before = worst;
         status = follow(s, z, tol, which, &fine);
         if (status != STATUS_OK)

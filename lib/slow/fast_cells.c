@@ -32,7 +32,7 @@ static void fill_integrals(const struct slider *s, double x,
                            const struct layer *l, struct cell *c)
 {
     const double t = (double) s->block.tan_alpha;
-    const double rounding = TOL_FAST_ROUNDING;
+    const double rounding = TOL_ROUNDING;
     const double v0 = exp(x), v1 = exp(s->block.at.x0 + l->x_end);
     const double per =
         0.5 * material_eps2(&s->block.material) * hypot(1.0, t) / l->slip;
@@ -76,8 +76,8 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
     const double x = s->block.at.x0 + l->x_peak;
     const double place = TOL_LAYER_TRANSPORT * l->place_error;
     const double least = TOL_FAST_LEAST * (1.0 + fabs(x));
-    const double rounding = TOL_FAST_ROUNDING * (1.0 + fabs(z.x) + fabs(z.y) +
-                                                 fabs(o.x) + fabs(o.y));
+    const double rounding =
+        TOL_ROUNDING * (1.0 + fabs(z.x) + fabs(z.y) + fabs(o.x) + fabs(o.y));
     const bool fastest = l->falls[0] && l->x_peak == from.x;
     const bool hardest = l->falls[1] &&
                          l->mu_peak == block_mu(&s->block, from) &&
@@ -85,7 +85,7 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
 
     c->v_peak = exp(fastest ? z.x : x);
     c->v_peak_error =
-        c->v_peak * (fastest ? TOL_FAST_ROUNDING : place + least + l->x_error);
+        c->v_peak * (fastest ? TOL_ROUNDING : place + least + l->x_error);
     c->mu_peak = l->mu_peak;
     c->mu_peak_error = (m.x + m.y) * (hardest ? rounding : place) +
                        l->mu_error +

@@ -131,7 +131,7 @@ static double top_of(const struct walk *w, point_value *value,
     *doubt = 0.0;
     memcpy(u, l->u, sizeof u);
     memcpy(end, u1, sizeof end);
-    for (int i = 0; i < TOL_LAYER_TOPS; i++) {
+    for (int i = 0; i < TOL_ITERATIONS; i++) {
         explicit8_dense(&work, &w->ode, 0.0, u, h, end, a.coef);
         const double top = crest_of(on_arc, &a, &t);
         if (!(top > best)) {
@@ -336,8 +336,8 @@ static void account(struct walk *w, const double u1[], const double unit[])
 {
     struct landing *const l = &w->at;
     struct landing_step *const m = &l->step[l->out->steps];
-    const double digit_x = TOL_SLIDER_ROUNDING * fabs(u1[LAYER_X]);
-    const double digit_y = TOL_SLIDER_ROUNDING * fabs(u1[LAYER_Y]);
+    const double digit_x = TOL_ROUNDING * fabs(u1[LAYER_X]);
+    const double digit_y = TOL_ROUNDING * fabs(u1[LAYER_Y]);
     const double digits = digit_x + digit_y;
     const double time = digits * fabs(u1[LAYER_TIME] - l->u[LAYER_TIME]);
     const double slip = digits * fabs(u1[LAYER_SLIP] - l->u[LAYER_SLIP]);

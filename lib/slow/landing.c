@@ -456,7 +456,7 @@ static bool lands(struct landing *l, double d, double *aim)
     if (project(l, &y, &p, &off) && land(l, y, &p, off, &excess))
         return true;
     *aim = fabs(d) *
-           fmin(TOL_LAYER_RISE, fmax(TOL_LAYER_DIVE, TOL_LAYER_RISE / excess));
+           fmin(TOL_LAYER_RISE, fmax(1.0 / TOL_RETRY, TOL_LAYER_RISE / excess));
     return false;
 }
 

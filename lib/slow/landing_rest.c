@@ -87,7 +87,7 @@ bool landing_rests(struct landing *l, double *most)
         if (project(l, &p, &off) && land(l, &p, off, &excess))
             return true;
         aim = fabs(d) * fmin(TOL_LAYER_RISE,
-                             fmax(TOL_LAYER_DIVE, TOL_LAYER_RISE / excess));
+                             fmax(1.0 / TOL_RETRY, TOL_LAYER_RISE / excess));
     }
     const double closing = l->du[LAYER_Y] - y_slope * l->du[LAYER_X];
     if (d * closing < 0.0)

@@ -278,8 +278,8 @@ static void account(struct bundle *b, struct steps *m)
     const lanes *u = m->u, *du = b->k[0];
     const lanes good = m->good, none = LANES_OF(0.0);
     const lanes dx = lanes_size(du[LAYER_X]), dy = lanes_size(du[LAYER_Y]);
-    const lanes digit_x = TOL_SLIDER_ROUNDING * lanes_size(u[LAYER_X]);
-    const lanes digit_y = TOL_SLIDER_ROUNDING * lanes_size(u[LAYER_Y]);
+    const lanes digit_x = TOL_ROUNDING * lanes_size(u[LAYER_X]);
+    const lanes digit_y = TOL_ROUNDING * lanes_size(u[LAYER_Y]);
     const lanes digits = digit_x + digit_y;
     const lanes moved = digit_x * dx + digit_y * dy;
 

@@ -170,7 +170,7 @@ void patch_poly_fit(struct patch_poly *p, const struct patch_side *x,
     p->rounding = TOL_ROUNDINGS_FEW * DBL_EPSILON * size;
     const double noise = find_noise(p, x, n);
     look(p, x, y, n, &missed, &beyond);
-    grow(p, fmax(1.0, TOL_PATCH_TESTS * missed));
+    grow(p, fmax(1.0, TOL_BAR_CHANCE * missed));
     look(p, x, y, n, &missed, &beyond);
     add_noise(p, beyond);
     const double bar =

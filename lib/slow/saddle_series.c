@@ -342,7 +342,7 @@ double saddle_series_y(const struct saddle_series *u, double p)
 {
     double y = p;
 
-    for (int i = 0; i < TOL_SLOW_NEWTON; i++) {
+    for (int i = 0; i < TOL_ITERATIONS; i++) {
         const double before = y, s = y / u->unit;
         const double at = u->unit * jet_at(u->order, u->p[0], s);
         y -= (at - p) / jet_slope_at(u->order, u->p[0], s);

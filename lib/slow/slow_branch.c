@@ -155,8 +155,8 @@ static enum status finish_rest(const struct slider *s, struct slow_branch *b)
         return STATUS_OK;
     enum status status = fate_find(s, z, TOL_REST_WRONG, true, NULL, &fine);
     if (status == STATUS_OK)
-        status = fate_find(s, z, TOL_REST_WRONG / TOL_CELLS_FINER, true, NULL,
-                           &coarse);
+        status =
+            fate_find(s, z, TOL_REST_WRONG / TOL_FINER, true, NULL, &coarse);
     if (status != STATUS_OK || !rests(fine.fate) || coarse.fate != fine.fate)
         return status;
     const struct quantity time = fine.fate == FATE_REST_FINITE

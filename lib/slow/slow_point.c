@@ -193,7 +193,7 @@ static double solve(const struct slow_knot *f, double time)
     const double h = g->y - f->y;
     double lo = 0.0, hi = 1.0, t = 0.5, slope;
 
-    for (int i = 0; i < TOL_SLOW_NEWTON; i++) {
+    for (int i = 0; i < TOL_ITERATIONS; i++) {
         const double off = slow_quintic(f->time, g->time, h, t, &slope) - time;
         const double next = t - off / (slope * h);
         if (fabs(off) <= TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(time) ||
@@ -216,7 +216,7 @@ static double solve_at_node(const struct slow_branch *b, double time)
     const double rest = k->time[1] + 1.0 / (b->grows * whole);
     double y = k->y;
 
-    for (int i = 0; i < TOL_SLOW_NEWTON; i++) {
+    for (int i = 0; i < TOL_ITERATIONS; i++) {
         const double before = y;
         const double left = time - k->time[0] - rest * (y - k->y);
         y = b->centre + whole * exp(-b->grows * left);

@@ -4,7 +4,7 @@
 #include "motion_tolerance.h"
 
 /* The slow curve (slow_curve.c), whose orbit is as accurate as that of a rest,
- * TOL_REST_WRONG; to TOL_CELLS_RTOL one that is coarser by TOL_CELLS_FINER must
+ * TOL_REST_WRONG; to TOL_CELLS_RTOL one that is coarser by TOL_FINER must
  * agree on what is left of a rest.  Steps, in
  * e-folds of the slow rate and in ln psi, that polynomials of degree 5 bear to
  * 1e-11, at most TOL_BRANCH_STEPS; how much of what twice the step misses one
@@ -46,10 +46,7 @@
 #define TOL_SLOW_INSIDE 1e-5
 #define TOL_SLOW_AWAY   2.0
 
-/* A point by its time: steps of Newton's method. */
-#define TOL_SLOW_NEWTON 60
-
-/* Terms that round: of the field (a coordinate by TOL_SLIDER_ROUNDING); and of
+/* Terms that round: of the field (a coordinate by TOL_ROUNDING); and of
  * the face of a box of arrest, its node and the origin, whose difference is
  * rounded, and the field's zero. */
 #define TOL_SLOW_TERMS 2.0
@@ -91,10 +88,9 @@
 /* It lands only where the fibre's part of the bar is within this part of what
  * was promised (finer tries aim at it, too), and its place as well known as
  * TOL_LAYER_SIDE of the way to it; or TOL_SAME near, for friction this near;
- * nearer by this factor at most at once. */
+ * nearer by TOL_RETRY at most at once. */
 #define TOL_LAYER_BENT     0.3
 #define TOL_LAYER_MU_TOUCH 1e-9
-#define TOL_LAYER_DIVE     1e-3
 
 /* A box of arrest is come nearer by TOL_STEP_SAFETY of the way.  Nearer than
  * BESIDE its face is aimed at; reached within TOL_TOUCH, and only by an
@@ -117,9 +113,6 @@
 #define TOL_LAYER_SIDE 0.5
 #define TOL_LAYER_RISE 0.3
 
-/* Looks for a peak on a step (fast_layer.c). */
-#define TOL_LAYER_TOPS 12
-
 /* Many states by the slow curve (fast_cells.c).  One whose bars are too wide
  * is tried finer; above what part of its bars a try has left one
  * TOL_RETRY times, and then no more, for they are the table's
@@ -127,30 +120,22 @@
  * its logarithm. */
 #define TOL_FAST_LEAST 2e-11
 
-/* What rounding does to a logarithm and to its exponential, per unit of it.
- */
-#define TOL_FAST_ROUNDING 0x1.8p-53
-
 /* Peaks are sampled for patches no finer than this, with bars so many times as
  * wide. */
 #define TOL_FAST_PEAKS 1e-8
 #define TOL_FAST_LOOSE 10.0
 
-/* Cells run to their fates (cells.c).  Orbits are first followed to this part
- * of the accuracy asked for, at most TOL_TRANSIENT_COARSEST (looser ones miss
- * where a block rests), then finer by this factor (a single state's, too:
- * push.c), down to TOL_RTOL_DEFAULT, as long as bars shrink to this part. */
-#define TOL_CELLS_START 0.05
-#define TOL_CELLS_FINER 0.1
-#define TOL_CELLS_GAIN  0.7
+/* Cells run to their fates (cells.c).  Orbits are first followed to TOL_PART of
+ * the accuracy asked for, at most TOL_TRANSIENT_COARSEST (looser ones miss
+ * where a block rests), then finer by TOL_FINER, down to TOL_RTOL_DEFAULT, as
+ * long as bars shrink to this part. */
+#define TOL_CELLS_GAIN 0.7
 
 /* Patches (patch_poly.c, patchwork.c).  Accuracy of the samples, as a part of
  * what is asked for: of a part that small bars can be had next to the
- * separatrix; how much of the largest miss at the tests a bar holds; and the
- * slowest that coefficients fall, two by two. */
+ * separatrix; and the slowest that coefficients fall, two by two. */
 #define TOL_PATCH_SAMPLES 0.002
 #define TOL_PATCH_SLOWEST 0.9
-#define TOL_PATCH_TESTS   8.0
 
 /* A patch holds where no more cells than it has nodes are left for being too
  * near the separatrix; the excess of most samples, not all, says how far it
