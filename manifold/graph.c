@@ -58,12 +58,12 @@ static double fall_of(const double u[], size_t order, double h, double last,
     const double pairs = sqrt(last / two_terms(u, order - 2, h));
     const double single = h * sqrt(fabs(u[order] / u[order - 2]));
     const double step = end / (before + end) + next / last;
-    const double ratio = TOL_STEP_FALL * fmax(pairs, next / last);
+    const double ratio = TOL_AS_BEFORE * fmax(pairs, next / last);
 
     if (ratio > TOL_STEP_SMOOTH)
         return ratio;
     return fmax(ratio,
-                fmin(TOL_STEP_FALL * fmax(single, step), TOL_STEP_SMOOTH));
+                fmin(TOL_AS_BEFORE * fmax(single, step), TOL_STEP_SMOOTH));
 }
 
 /* Where terms fall, by `ratio`, from `last` on: what the slope and its change

@@ -39,7 +39,7 @@ enum { GROWERS = 2 * GROW_JOBS };
 /* As long as a long step, which powers of 2 keep. */
 static double unit_of(double step)
 {
-    return step > 1.0 / TOL_SERIES_NEAR ? ldexp(1.0, ilogb(step)) : 1.0;
+    return step > 1.0 / TOL_SAME ? ldexp(1.0, ilogb(step)) : 1.0;
 }
 
 /* y(x) or x(y)?  Keeps the outward sense across a change. */
@@ -112,7 +112,7 @@ static void choose_step(struct grower *g)
     const double free =
         graph_reach(g->u.at[1 - g->ind], order, scale_of_unknown(g), g->tol);
     const double far = fabs(g->u.at[g->ind][0]) / g->unit;
-    double h = fmin(free, fmax(TOL_STEP_MAX, far)); /* where it is flat */
+    double h = fmin(free, fmax(TOL_STEP_MOST, far)); /* where it is flat */
 
     for (size_t i = 0; i < g->o->carry.count; i++) {
         const double scale = fabs(g->total[i]) + fabs(g->u.integral[i][1]) * h;
@@ -152,7 +152,7 @@ static bool is_doubtful(const struct grower *g, double field)
 {
     const double slope = fabs(g->u.slope);
 
-    return fabs(field) < TOL_SLOPE_FADED * slope ||
+    return fabs(field) < TOL_FAR_BELOW * slope ||
            slope < TOL_SLOPE_LITTLE * slope_allowed(g) ||
            g->unit * g->h > TOL_STEP_LEAP * g->last;
 }
@@ -175,7 +175,7 @@ static bool step_holds(struct grower *g, struct vec2 end)
         const struct vec2 z = step_end(g, part[i] * s);
         holds =
             slope_holds(g, part[i] * s, local_slope(g->sys, g->ind, z), &off);
-        if (off > TOL_STEP_KINK * at_end)
+        if (off > TOL_CLEARLY * at_end)
             g->kink = fmax(g->kink, off);
     }
     return holds;

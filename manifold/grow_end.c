@@ -33,13 +33,12 @@ static bool may_close(const struct grower *g)
 {
     if (is_inside_reach(g))
         return hardly_changes(g, TOL_NOTHING);
-    return hardly_changes(
-        g, fmin(TOL_TAIL_PART * sqrt(g->o->rtol), TOL_TAIL_MOST));
+    return hardly_changes(g, fmin(TOL_TAIL_PART * sqrt(g->o->rtol), TOL_SEEN));
 }
 
 bool grow_end_is_open(const struct grower *g)
 {
-    return !is_inside_reach(g) && hardly_changes(g, TOL_TAIL_MOST) &&
+    return !is_inside_reach(g) && hardly_changes(g, TOL_SEEN) &&
            g->toward * g->out.slope_d <= 0.0 &&
            !limit_exists(g->sys, g->ind, g->toward,
                          grower_coordinate(g->z, 1 - g->ind));
@@ -49,7 +48,7 @@ bool grow_end_is_open(const struct grower *g)
  * numbers. */
 static struct tail_most most_of(const struct grower *g)
 {
-    const bool late = hardly_changes(g, TOL_TAIL);
+    const bool late = hardly_changes(g, TOL_ROOT);
     const double part = TOL_TAYLOR_STEP * g->o->rtol;
     const double unknown = fabs(grower_coordinate(g->z, 1 - g->ind));
     struct tail_most most = { .unknown =

@@ -177,8 +177,8 @@ static void carry_over(struct grower *g, const struct outward *before)
 
     grow_rate(g, turn, turn * before->slope_d, turn * g->out.slope_d, &rate,
               &off);
-    const double mean = fmin(rate, TOL_STEP_GROWTH_MOST);
-    const double more = exp(fmin(off, TOL_STEP_GROWTH_MOST));
+    const double mean = fmin(rate, TOL_STEP_MOST);
+    const double more = exp(fmin(off, TOL_STEP_MOST));
     const struct factor grown = { exp(mean), exp(mean) * more };
     struct factor drift[LOCAL_CARRY_MAX];
 

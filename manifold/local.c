@@ -213,7 +213,7 @@ static void expand(const struct planar *sys, const struct carry *carry,
                    const struct equilibrium *e, enum manifold_kind kind,
                    double slope, struct local_series *u)
 {
-    const double near = TOL_SERIES_NEAR;
+    const double near = TOL_SAME;
     struct graph g;
     int least = DBL_MIN_EXP, most = 0, exponent = 0;
 

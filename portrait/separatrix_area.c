@@ -156,7 +156,7 @@ double separatrix_area(const struct separatrix *s, size_t i, double from,
     const double base = strand_along(s, s->origin);
     const double height = measure_between(&m, 1 - s->along, lo, hi);
     const double whole = measure_between(&m, s->along, from, to) * height;
-    int left = TOL_AREA_PANELS;
+    int left = TOL_BRANCH_STEPS;
     double sum = 0.0;
 
     *error = 0.0;

@@ -275,12 +275,11 @@ static enum landing step(const struct trace *t, const struct station *a,
     if (l == LANDED_NOWHERE)
         return l;
     mark(t, a, out);
-    const double wish = TOL_NULLCLINE_SAFETY * t->chord;
+    const double wish = TOL_AIM * t->chord;
     const double slope =
         fmax(fabs(out->cubic.slope[0]), fabs(out->cubic.slope[1]));
-    *h *=
-        fmin(fmin(2.0, sqrt(wish / fmax(out->deviation, DBL_MIN))),
-             TOL_NULLCLINE_SAFETY * TOL_NULLCLINE_ANGLE / fmax(slope, DBL_MIN));
+    *h *= fmin(fmin(2.0, sqrt(wish / fmax(out->deviation, DBL_MIN))),
+               TOL_AIM * TOL_NULLCLINE_ANGLE / fmax(slope, DBL_MIN));
     *h = fmin(*h, TOL_NULLCLINE_STEP_MAX);
     return l;
 }

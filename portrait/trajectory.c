@@ -14,7 +14,7 @@ struct trajectory_options trajectory_defaults(const struct planar *system,
 {
     struct trajectory_options o = {
         .orbit = orbit_defaults(system, kappa),
-        .margin = TOL_PORTRAIT_MARGIN,
+        .margin = TOL_MARGIN,
     };
 
     o.orbit.max_steps = TOL_CURVE_STEPS;

@@ -22,9 +22,8 @@ bool control_judge(struct control *c, double error, double *factor)
         c->rejected = true;
         return false;
     }
-    const double f =
-        TOL_STEP_SAFETY * pow(floored(error), -0.7 / c->order) *
-        pow(fmax(c->previous, TOL_STEP_ERROR_SMALL), 0.4 / c->order);
+    const double f = TOL_STEP_SAFETY * pow(floored(error), -0.7 / c->order) *
+                     pow(fmax(c->previous, TOL_FAR_BELOW), 0.4 / c->order);
 
     *factor =
         fmin(fmax(f, TOL_STEP_SHRINK), c->rejected ? 1.0 : TOL_STEP_GROWTH);

@@ -39,7 +39,7 @@ static double first_step(struct flow *f, double way)
     for (size_t i = 0; i < dim; i++)
         change[i] = (change[i] - du[i]) / probe;
     const double rate = fmax(norm(f, du), norm(f, change));
-    const double h = pow(TOL_STEP_FIRST / rate, 1.0 / f->control.order);
+    const double h = pow(TOL_LITTLE / rate, 1.0 / f->control.order);
     return h > 0.0 && h < fabs(way) ? h : fabs(way);
 }
 

@@ -23,7 +23,7 @@ struct orbit_options orbit_defaults(const struct planar *system, double kappa)
         .rtol = TOL_ORBIT_RTOL,
         .observables = system->observable_count,
         .arrival = TOL_ARREST,
-        .max_steps = TOL_MAX_STEPS,
+        .max_steps = TOL_ORBIT_STEPS,
     };
 
     for (size_t i = 0; i <= PLANAR_OBSERVABLES_MAX; i++)
@@ -294,7 +294,7 @@ static bool is_pace(const struct orbit *o, double kappa)
 {
     const double ratio = kappa / o->clock.kappa;
 
-    return ratio <= TOL_ORBIT_PACE_STEP && ratio >= 1.0 / TOL_ORBIT_PACE_STEP;
+    return TOL_FAR_BELOW * ratio <= 1.0 && ratio >= TOL_FAR_BELOW;
 }
 
 /* Where the field changes far faster than kappa, rounding alone moves an orbit
@@ -432,10 +432,10 @@ static bool stands_still(struct orbit *o)
 {
     const double x = o->u[0] - o->mark.x, y = o->u[1] - o->mark.y;
     const double late = fabs(o->u[2]) - fabs(o->mark.t);
-    const bool is_due = o->steps >= o->mark.steps + TOL_ORBIT_STILL;
-    const bool is_still = is_due &&
-                          hypot(x, y) * sqrt(TOL_ORBIT_STILL) < o->mark.way &&
-                          late <= DBL_EPSILON * fabs(o->u[2]);
+    const bool is_due = o->steps >= o->mark.steps + TOL_EXPLICIT_STEPS;
+    const bool is_still =
+        is_due && hypot(x, y) * sqrt(TOL_EXPLICIT_STEPS) < o->mark.way &&
+        late <= DBL_EPSILON * fabs(o->u[2]);
 
     if (is_due)
         set_mark(o);

@@ -105,7 +105,7 @@ static double search(struct walk *w, double a, double b)
 
 static double first(struct walk *w)
 {
-    w->budget = TOL_PASSAGE_HALVINGS;
+    w->budget = TOL_ORBIT_STEPS;
     return is_passed(w, to_go(w, 0.0)) ? 0.0 : search(w, 0.0, 1.0);
 }
 

@@ -13,7 +13,7 @@
 /* Each returns the first theta in [0, 1] to the last digit, 0 if it holds at
  * the start already.  Only a dip for less than TOL_PASSAGE_STEP of the piece
  * may be missed, for passage_into one shorter than TOL_PASSAGE_CHORD of the
- * box, whose width must be positive.  Work is bounded (TOL_PASSAGE_HALVINGS)
+ * box, whose width must be positive.  Work is bounded (TOL_ORBIT_STEPS)
  * whatever the coefficients. */
 
 /* First inside b, edges included. */

@@ -31,6 +31,24 @@
  * areas as of formulas that are the same: 2^-52 of some hundred terms that
  * cancel in part; where something is, it is larger by decades. */
 #define TOL_ROUNDED 1e-13
+/* Parts of a whole, of which only the order counts.  LITTLE: of no weight
+ * beside it.  FAR_BELOW: of two, as rates, slopes or shares, one goes its way
+ * without the other.  SHARE: what one of three causes of a bar may take of it,
+ * or a stride of a way.  CLEARLY: the larger or nearer one of two is told by
+ * it. AIM: of what is allowed, steps and parts aim at it, for a refused one
+ * costs more.  AS_BEFORE: what goes on as it did exceeds it by no more than
+ * this. MARGIN: beyond the sides of a box, in sides, so that nothing ends on
+ * them. */
+#define TOL_LITTLE    0.01
+#define TOL_FAR_BELOW 0.1
+#define TOL_SHARE     0.3
+#define TOL_CLEARLY   0.5
+#define TOL_AIM       0.7
+#define TOL_AS_BEFORE 1.1
+#define TOL_MARGIN    0.05
+/* A way in ln v or ln psi along which laws are as good as their series. */
+#define TOL_NEARBY 0.1
+
 /* What errs by the square of it is known to rounding: the root of 2^-53. */
 #define TOL_ROOT 1e-8
 /* Below this part of itself no double changes any more. */
@@ -42,7 +60,9 @@
  * each other than SAME are one, strips and regions smaller than it are none: a
  * thousand times what curves are off.  Curves that are only looked at are off
  * by DRAWN, which is less than a px, and may end SEEN beside where they go.
- * TOUCH: as near as computing with doubles comes to a place. */
+ * TOUCH: as near as computing with doubles comes to a place.  Where a field
+ * changes over less than SAME, series are in a smaller unit, and in a larger
+ * one where steps are longer than its inverse: thirtieth powers overflow. */
 #define TOL_TOUCH 1e-12
 #define TOL_SAME  1e-6
 #define TOL_DRAWN 1e-4
@@ -68,20 +88,20 @@
  * plenty. */
 #define TOL_ORBIT_RTOL 1e-9
 
-/* Steps that an orbit may take, of any system: ten times what an accurate one
- * to a node needs. */
+/* Steps that an orbit may take, of any system, and halvings on a way to a
+ * passage: ten times what an accurate one to a node needs, and a hang is worse
+ * than an error. */
 #define TOL_ORBIT_STEPS 60000
 
 /* Steps before an orbit that has not come to its end is left to the implicit
- * method. */
+ * method, or has stopped, where they take no time, to and fro: more than it
+ * takes for all of a fast motion there and back. */
 #define TOL_EXPLICIT_STEPS 1000
 
 /* An orbit has arrived when it is this near an equilibrium, in both ln v and
  * ln psi: one per cent is what friction experiments resolve. */
 #define TOL_ARREST 0.01
 
-/* Bound on the steps of any one integration: a hang is worse than an error. */
-#define TOL_MAX_STEPS 1000000
 /* Iterations of Newton's method, halvings, searches beside a corner: each
  * gains a binary digit at least, so that none is ended by this that converges.
  */
@@ -95,12 +115,12 @@
 #define TOL_ORDER_PER_DIGIT 1.35
 #define TOL_TAYLOR_STEP     0.02
 /* What a step leaves out is its first missing term where terms fall at least
- * like powers of SMOOTH; they may fall more slowly than the last ones by FALL.
+ * like powers of SMOOTH; they may fall more slowly than the last ones by
+ * TOL_AS_BEFORE.
  * Else its bar is so many times that term and the last ones; the first one is
  * no more than NEXT of the last ones, but what roundings make of it (beside a
  * kink terms may be small by chance). */
 #define TOL_STEP_SMOOTH   0.8
-#define TOL_STEP_FALL     1.1
 #define TOL_STEP_BAR_NEXT 4.0
 #define TOL_STEP_BAR_LAST 0.4
 /* Roundings of all steps together, each with a sign of its own, are so many
@@ -108,11 +128,12 @@
 #define TOL_ROUNDING_BAR 2.5
 /* Errors travel over a step by the mean of their rates at its ends, which is
  * off by no more than this part of the difference (an exponential's is, up to
- * thirtyfold); and the most one grows, as an exponent: beyond nothing is
- * known. */
-#define TOL_STEP_BEND        0.25
-#define TOL_STEP_GROWTH_MOST 50.0
-/* Most need some fifty; down to psi of -1e300 some five a unit of ln |psi|. */
+ * thirtyfold); and the most one grows, as an exponent, beyond which nothing is
+ * known, as the longest step that is not short beside the way so far. */
+#define TOL_STEP_BEND 0.25
+#define TOL_STEP_MOST 50.0
+/* Steps of a branch, of which most need some fifty, and down to psi of -1e300
+ * some five a unit of ln |psi|; pieces that a sum is halved into, at most. */
 #define TOL_BRANCH_STEPS 5000
 /* Integrals below this have no digits in a double: the smallest normal number
  * over its roundoff. */
@@ -120,17 +141,12 @@
 /* Never a series start further than this from the saddle, in ln v or ln psi:
  * beyond, the defect at the two ends no longer speaks for the middle. */
 #define TOL_SERIES_RADIUS_MAX 2.0
-/* Where a field changes over less than this, in ln v or ln psi, series are in
- * a smaller unit, and in a larger one where steps are longer than its
- * inverse: thirtieth powers overflow. */
-#define TOL_SERIES_NEAR 1e-6
 /* A step is kept when the series' slope agrees with the field's at its end to
  * this many times its tolerance: a derivative loses a factor of the order. */
 #define TOL_SLOPE_CHECK 300.0
-/* A step's end says little where the slope is below FADED of that at its start,
+/* A step's end says little where the slope is far below that at its start,
  * where that is below LITTLE times what is allowed, and where the step is LEAP
  * times as long as the one before: by chance its last terms may vanish. */
-#define TOL_SLOPE_FADED  0.1
 #define TOL_SLOPE_LITTLE 100.0
 #define TOL_STEP_LEAP    1.5
 /* Slope |dy/dx| above which x becomes the unknown, and below which y does
@@ -140,15 +156,10 @@
 /* Further from the saddle than this in y, as a logarithmic psi may be, slopes
  * are counted relative to y: by less than y itself it hardly moves. */
 #define TOL_SLOPE_FAR 1e3
-/* What a smooth series leaves out grows outwards: on the way it is off by no
- * more than this part of what it is off at the end. */
-#define TOL_STEP_KINK 0.5
 /* What is left of a branch is tried by quadrature when it changes by less than
- * PART sqrt(rtol) and MOST a unit, relative to min(1, unknown), and taken when
- * the quadrature's error is small, at the latest below TOL_TAIL. */
+ * PART sqrt(rtol) and TOL_SEEN a unit, relative to min(1, unknown), and taken
+ * when the quadrature's error is small, at the latest below TOL_ROOT. */
 #define TOL_TAIL_PART 10.0
-#define TOL_TAIL_MOST 1e-3
-#define TOL_TAIL      1e-8
 /* A bar is this many times what it is made of, where that is known to first
  * order: the difference of two quadratures (measured: a kink beyond a branch
  * cost 1.1 of it, once in 50 000), what defects make of a branch (five Gauss
@@ -157,8 +168,6 @@
  * may be small by chance. */
 #define TOL_BAR_FIRST_ORDER 2.0
 #define TOL_BAR_CHANCE      8.0
-/* Longest Taylor step, in the independent coordinate, where that is less. */
-#define TOL_STEP_MAX 50.0
 
 /* Step control of flow.h and orbit.h.  Safety: aim for an error of about half
  * the tolerance, since a rejected step costs more than a short one. */
@@ -168,14 +177,10 @@
 #define TOL_STEP_GROWTH 5.0
 /* Errors below this fraction of the tolerance count as this in the control. */
 #define TOL_STEP_ERROR_FLOOR 1e-4
-/* And below this, as the error before: it damps only steps that matter. */
-#define TOL_STEP_ERROR_SMALL 0.1
 /* Shorter steps are no steps: reached after some fifty rejections, as where
  * a field is NaN. */
 #define TOL_STEP_MIN 1e-30
-/* First step: error aimed at, as a fraction of the tolerance. */
-#define TOL_STEP_FIRST 0.01
-/* Steps between two calls of a monitor. */
+/* Steps between two calls of a monitor, or looks at how an orbit goes on. */
 #define TOL_MONITOR_STEPS 64
 
 /* Samples of each event function, and of friction, on a piece: polynomials of
@@ -185,17 +190,13 @@
  * less grazes by less than a thousandth of the way a piece can make. */
 #define TOL_PASSAGE_STEP 0x1p-10
 /* The same into a box, as a fraction of its width, far below what an orbit is
- * off, and in theta, where rounding is all that moves; and halvings at most. */
-#define TOL_PASSAGE_CHORD    0x1p-40
-#define TOL_PASSAGE_HALVINGS 65536
+ * off, and in theta, where rounding is all that moves. */
+#define TOL_PASSAGE_CHORD 0x1p-40
 /* An orbit whose steps shrink below this times |z| is stuck: z + h = z, as
  * where the field ends in NaN. */
 #define TOL_ORBIT_STALL 1e-15
 /* Logarithms from which e^-L is near the end of the doubles. */
 #define TOL_RESCALED_FAR 500.0
-/* Steps in no time, to and fro, after which it is: more than an orbit takes for
- * all of a fast motion there and back. */
-#define TOL_ORBIT_STILL 1000
 
 /* Straight lines stay this near to the curve that they stand for, in dots of
  * the page, where those of SVG and PDF are taken to be as small as this many to
@@ -218,8 +219,6 @@
 #define TOL_NULLCLINE_STEP_MAX 0x1p-5
 #define TOL_NULLCLINE_STEP_MIN 1e-7
 #define TOL_NULLCLINE_ANGLE    0.3
-/* Steps aim at this fraction of the tolerance: a refused one costs more. */
-#define TOL_NULLCLINE_SAFETY 0.7
 /* A step is smooth when the curve is this near the cubic through its ends and
  * tangents, as a fraction of the cubic's height: a circle is off by 0.01 at
  * the largest angle allowed, a change to a crossing piece by more than 0.1.
@@ -256,10 +255,9 @@
 #define TOL_STREAMLINE_STEP   0.05
 #define TOL_STREAMLINE_LENGTH 8.0
 
-/* Trajectories of a portrait: how far beyond the window they go, so that no end
- * shows; candidates for each start; spacing of the points that stand for a
- * curve when the next starts are chosen (fractions of the window). */
-#define TOL_PORTRAIT_MARGIN     0.05
+/* Trajectories of a portrait: candidates for each start; spacing of the points
+ * that stand for a curve when the next starts are chosen (fractions of the
+ * window). */
 #define TOL_PORTRAIT_CANDIDATES 16
 #define TOL_PORTRAIT_SPACING    0.02
 
@@ -300,10 +298,6 @@
  * is that near the truth. */
 #define CHECK_RECORDED_BARS 2.0
 
-/* Areas beside a separatrix: how many pieces are halved around kinks before
- * their differences stand as errors. */
-#define TOL_AREA_PANELS 4000
-
 /* From so many rows of a basin map on, threads pay. */
 #define BASIN_PARALLEL_ROWS 4096
 
@@ -315,10 +309,8 @@
 
 /* The clock of an orbit: this part of the field's largest rate, so that its
  * rounding, 1e-15 of it, stays far below, and the stages of a step, which start
- * as far as this from a slow curve, are solved without slowing the clock;
- * changed by no less than this factor. */
-#define TOL_ORBIT_PACE      1e-6
-#define TOL_ORBIT_PACE_STEP 10.0
+ * as far as this from a slow curve, are solved without slowing the clock. */
+#define TOL_ORBIT_PACE 1e-6
 
 /* What is carried along an orbit (drift.h).  The bar, beside the error to first
  * order: standard deviations of the rest; what part of a step's error is not
@@ -333,12 +325,11 @@
 
 /* Steps of radau.h.  Iterations, at most; how much less sure a rate is that was
  * measured on the step before, and the least such rate (a lucky one says
- * nothing); changes that are nothing: this part of the tolerance, or so many
- * roundings of the coordinates. */
+ * nothing); changes that are nothing: the same part of the tolerance, or so
+ * many roundings of the coordinates. */
 #define TOL_RADAU_ITERATIONS 10
 #define TOL_RADAU_DISTRUST   10.0
 #define TOL_RADAU_LEAST      1e-3
-#define TOL_RADAU_NIL        1e-3
 #define TOL_RADAU_ROUNDING   32.0
 
 /* Steps of an orbit.  Its equations are solved to TOL_PART; stages are guessed

@@ -43,7 +43,7 @@ static struct interval_double meet(struct interval_double u,
 
 static struct interval_double wider(struct interval_double u)
 {
-    const double room = TOL_BOX_ROOM * width(u) +
+    const double room = TOL_MARGIN * width(u) +
                         0x1p-50 * fmax(fabs(u.lo), fabs(u.hi)) + 0x1p-1000;
 
     return (struct interval_double){ u.lo - room, u.hi + room };

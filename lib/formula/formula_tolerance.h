@@ -1,9 +1,7 @@
 /* formula_tolerance.h -- what the room's algorithms stop at. */
 #pragma once
 
-/* A box of a search is widened by this part of its sides, so that a zero on its
- * edge is inside; default 0.05, any in (0, 0.5): K < X of the wider box. */
-#define TOL_BOX_ROOM 0.05
+#include "tolerance.h"
 
 /* Boxes are not parted once their sides are below TOL_BOX_LEAST of the window's
  * plus TOL_BOX_LEAST_PART of their place: where two zeros meet, f ~ s^2 drowns

@@ -2,6 +2,8 @@
  * of themselves.  mu is of the order of 1. */
 #pragma once
 
+#include "tolerance.h"
+
 /* ---- steady friction, law_extrema.c -------------------------------------- */
 
 /* |d mu_ss/d ln v| below this is none: 2^-112 times terms of up to 1e13, which
@@ -25,15 +27,13 @@
 #define TOL_SIGN 1e-12
 
 /* p = -dh/d ln psi of an integral of e^h dpsi, by the last three doublings p,
- * q, r.  It has settled where |p - q| <= TOL_POWER_SETTLED max(1, |p|) and this
- * falls, to TOL_POWER_FALL of |q - r| or less, but for TOL_POWER_NOISE; it
+ * q, r.  It has settled where |p - q| <= TOL_LITTLE max(1, |p|) and this
+ * falls, to TOL_POWER_FALL of |q - r| or less, but for TOL_SAME; it
  * grows where each is TOL_POWER_GROWTH times the one before and |p| is
  * TOL_POWER_LARGE. */
-#define TOL_POWER_SETTLED 0.01
-#define TOL_POWER_FALL    0.75
-#define TOL_POWER_NOISE   1e-6
-#define TOL_POWER_GROWTH  1.3
-#define TOL_POWER_LARGE   2.0
+#define TOL_POWER_FALL   0.75
+#define TOL_POWER_GROWTH 1.3
+#define TOL_POWER_LARGE  2.0
 /* The integral ends if p > 1: surely where |p - 1| is above this; else
  * e^h = 1/(psi ln^s psi), which ends if s > 1: surely where |s - 1| is above
  * TOL_POWER_LOG. */

@@ -242,9 +242,8 @@ static enum sum sum_of(const double h[], int n)
     const bool grows = fabs(p) > TOL_POWER_GROWTH * fabs(q) &&
                        fabs(q) > TOL_POWER_GROWTH * fabs(r) &&
                        (p > 0) == (q > 0) && fabs(p) > TOL_POWER_LARGE;
-    const bool settled =
-        fabs(p - q) <= TOL_POWER_SETTLED * fmax(1.0, fabs(p)) &&
-        fabs(p - q) <= TOL_POWER_FALL * fabs(q - r) + TOL_POWER_NOISE;
+    const bool settled = fabs(p - q) <= TOL_LITTLE * fmax(1.0, fabs(p)) &&
+                         fabs(p - q) <= TOL_POWER_FALL * fabs(q - r) + TOL_SAME;
 
     if (!grows && !settled)
         return SUM_UNKNOWN;

@@ -41,7 +41,6 @@ void course_set(struct course *c, const struct transient_options *o, bool rest)
     c->options.window = &c->window;
     c->options.event = c->watches.event;
     c->options.events = c->watches.count;
-    c->options.max_steps = TOL_ORBIT_STEPS;
     if (o->until_time > 0.0)
         c->options.reach[0] = o->until_time;
     if (o->until_slip > 0.0)

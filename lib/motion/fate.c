@@ -115,7 +115,7 @@ static double power_of_time(const struct orbit *o)
 
     for (size_t i = o->curve.count; i-- > 0;) {
         curve_at(&o->curve, i, 0.0, u);
-        if (u[2] <= TOL_FATE_PART * o->u[2])
+        if (u[2] <= TOL_LITTLE * o->u[2])
             return o->u[2] > DBL_MIN
                        ? (o->u[0] - u[0]) / log(o->u[2] / fmax(u[2], DBL_MIN))
                        : (double) NAN;
@@ -129,9 +129,9 @@ static enum fate fate_beyond(const struct slider *s, const struct orbit *o)
 {
     const double power = power_of_time(o);
 
-    return power > TOL_FATE_POWER    ? FATE_RUNAWAY
-           : power < -TOL_FATE_POWER ? fate_at_rest(s)
-                                     : FATE_UNDECIDED;
+    return power > TOL_FAR_BELOW    ? FATE_RUNAWAY
+           : power < -TOL_FAR_BELOW ? fate_at_rest(s)
+                                    : FATE_UNDECIDED;
 }
 
 /* What becomes of it does not hang on how far it was followed. */
@@ -311,7 +311,7 @@ void fate_least(const struct slider *s, struct vec2 z, double least[])
                           fate_at_rest(s) == FATE_REST_FINITE;
     const double v = s->block.at.v0 * exp(z.x);
     const double eps2 = material_eps2(&s->block.material);
-    const double stop = may_rest ? TOL_FATE_LEAST * eps2 * v : 0.0;
+    const double stop = may_rest ? TOL_LITTLE * eps2 * v : 0.0;
 
     least[0] = fmin(stop, DBL_MAX);
     least[1 + BLOCK_SLIP] = fmin(stop * v, DBL_MAX);
@@ -334,7 +334,6 @@ static enum status follow(const struct slider *s, struct vec2 z, double rtol,
     options.target = goals.at;
     options.targets = goals.count;
     options.arrival = TOL_ARREST;
-    options.max_steps = TOL_ORBIT_STEPS;
     options.reach[0] = TOL_FATE_LATE * slow_time(s, z.x);
     options.drift = observe ? &past.drift : NULL;
     drift_start(&past.drift, slider_rounding(s, z),

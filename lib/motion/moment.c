@@ -211,7 +211,7 @@ void moment_watch_all(struct moment_watches *w, const struct slider *s,
     add(w, s, MOMENT_ARREST, none, 0.0);
     w->event[w->count - 1].direction = -1;
     w->event[w->count - 1].stop = stop;
-    const double near = TOL_PHASE_NEAR * (double) s->block.tan_alpha;
+    const double near = TOL_ARREST * (double) s->block.tan_alpha;
     add(w, s, MOMENT_MU_NEARS, near, near);
     for (size_t i = 0; i < levels && i < MOMENT_LEVELS_MAX; i++)
         add_level(w, s, &level[i]);

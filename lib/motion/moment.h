@@ -57,7 +57,7 @@ struct moment_watches {
 enum { MOMENT_LEVELS_MAX = 7 };
 
 /* Everything that exists in s, whose critical numbers are known, the nearness
- * that phases go by (TOL_PHASE_NEAR tan(alpha)), and the levels; but rest,
+ * that phases go by (TOL_ARREST tan(alpha)), and the levels; but rest,
  * which nothing vanishes at (rest_left.h).  Orbits stop at arrest where `stop`
  * is true. */
 void moment_watch_all(struct moment_watches *w, const struct slider *s,

@@ -4,12 +4,9 @@
 #include "numbers_tolerance.h"
 
 /* An orbit that has not arrived after so many times the slowest scale of the
- * steady states has left every scale; below this power of time it has not. */
-#define TOL_FATE_LATE  1e30
-#define TOL_FATE_POWER 0.1
-
-/* The last part of the time that it is told from. */
-#define TOL_FATE_PART 0.01
+ * steady states has left every scale; below TOL_FAR_BELOW as a power of time it
+ * has not. */
+#define TOL_FATE_LATE 1e30
 
 /* A next try of an orbit or a cell is so many times finer, looser or nearer, at
  * most; a run to compare with is finer, or looser, by FINER. */
@@ -32,11 +29,6 @@
  * followed, too. */
 #define TOL_PUSH_WIDE 1e-7
 
-/* Peaks along an orbit (peak.c).  Friction has faded where it has so little of
- * its most left over gravity: v falls like a power of time, and it like the
- * square. */
-#define TOL_PEAK_FADED 0.01
-
 /* Moments (moment.c).  Below this component of a direction mu is compared with
  * tan(alpha) itself; and how far, on a piece, one looks to both sides of an
  * event to see which way it goes. */
@@ -50,11 +42,6 @@
  * at most). */
 #define TOL_TIMELINE_ROUNDING 128.0
 #define TOL_TIMELINE_STEP     0.02
-
-/* Phases of sliding: a block is on the v-nullcline where mu is this near to
- * tan(alpha), relative (inertia takes it there at once, friction laws change
- * by more along the way). */
-#define TOL_PHASE_NEAR 0.01
 
 /* Orbits of transients (whose events are good to a hundredth of what is asked
  * of them): the finest that helps and the coarsest that still
@@ -77,30 +64,19 @@
 /* What is left of a rest (rest_left.c, rest_lag.c).  The change, as a part,
  * that the last round of an iteration may leave; what the curve may be off,
  * relative, or by rounding beside the time so far, and an orbit from it in ln
- * v, or in psi where that is the faster one; the least part of psi_ss that psi
- * is, behind it, and the ln v below which that is looked for; bars, beside
+ * v; the ln v below which psi is looked for behind psi_ss; bars, beside
  * all time and slip, and the part of the time so far within which a state rests
  * before it lands (landing.c): v would reach zero, and psi infinity, and power
- * laws are far above it.  Panels: the first, in
- * ln psi or ln v, and their number; what both rules may differ by, and the
- * factor before that is raised to 3/2 for a bar; and how much
- * better a panel is that is followed by one twice as long. */
+ * laws are far above it.  Panels: the first, in ln psi or ln v; the factor
+ * before what both rules differ by that is raised to 3/2 for a bar; and how
+ * much better a panel is that is followed by one twice as long. */
 #define TOL_REST_SETTLED  1e-9
 #define TOL_REST_WRONG    1e-11
-#define TOL_REST_BESIDE   1e-3
-#define TOL_REST_BEHIND   0.5
 #define TOL_REST_SLOW     (-3.0)
 #define TOL_REST_GOOD     1e-10
 #define TOL_REST_PANEL    0.25
-#define TOL_REST_PANELS   100
-#define TOL_REST_SUM      1e-12
 #define TOL_REST_EASY     1e-3
 #define TOL_REST_QUADPACK 200.0
-
-/* An orbit to a rest needs no digits of a time below this part of eps^2 v, the
- * time in which a friction of 1 stops it: where psi leaps first, by a sinh of
- * psi_ss - psi, time grows from 1e-300, and its rate is rounding. */
-#define TOL_FATE_LEAST 0.01
 
 /* What part of the change by a tenfold tolerance a bar holds at least. */
 #define TOL_FATE_CHANGE 0.2

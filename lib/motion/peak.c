@@ -214,7 +214,7 @@ static bool is_to_peak(const struct slider *s, const struct orbit *o,
     const double now = friction(s, (struct vec2){ o->u[0], o->u[1] });
 
     return rest_form_at(&s->block).fate == FATE_REST_ASYMPTOTIC &&
-           o->du[0] < 0.0 && !(now - t < TOL_PEAK_FADED * (most - t));
+           o->du[0] < 0.0 && !(now - t < TOL_LITTLE * (most - t));
 }
 
 /* Whether v still rises where nothing holds it above 0 (fate.c): an orbit's
@@ -258,7 +258,6 @@ enum status peaks_find(const struct slider *s, struct vec2 z, double rtol,
     options.target = goal;
     options.targets = phase_plane_goals(&s->plane, goal);
     options.arrival = TOL_ARREST;
-    options.max_steps = TOL_ORBIT_STEPS;
     options.drift = &drift;
     drift_start(&drift, rounding, phase_plane_leaving_rate(&s->plane));
     fate_least(s, start, options.least);

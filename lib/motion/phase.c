@@ -38,7 +38,7 @@ static struct phase none(const char *why)
 
 static double nearness(const struct slider *s)
 {
-    return TOL_PHASE_NEAR * (double) s->block.tan_alpha;
+    return TOL_ARREST * (double) s->block.tan_alpha;
 }
 
 /* The first event of this kind, at this level if it is one of nearness, after

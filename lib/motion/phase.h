@@ -1,7 +1,7 @@
 /*
  * phase.h -- the phases of sliding of Putelat & Dawes 2015, section 4.4:
  *   1  the fast smoothing of the interface, from the start until the state is
- *      on the v-nullcline, |mu - tan(alpha)| <= TOL_PHASE_NEAR tan(alpha);
+ *      on the v-nullcline, |mu - tan(alpha)| <= TOL_ARREST tan(alpha);
  *   2  along the v-nullcline, where the block slows while the interface
  *      roughens, until v falls below v_minus (or friction leaves tan(alpha)
  *      for good, where the block slides on);

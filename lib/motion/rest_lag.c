@@ -143,7 +143,7 @@ struct rest_lag rest_lag_at(const struct slider *s, double x)
     l.slowness = rest_lag_slowness(s, x, l.y);
     l.wrong = fabs(
         rest_lag_slowness(s, x, y_behind(s, x, lag + off)) / l.slowness - 1.0);
-    if (!(psi_v > TOL_REST_BEHIND && part < 1.0))
+    if (!(psi_v > TOL_CLEARLY && part < 1.0))
         l.wrong = (double) NAN;
     return l;
 }

@@ -104,8 +104,7 @@ static bool is_behind(const struct slider *s, struct vec2 z, double time)
     const struct rest_lag l = rest_lag_at(s, z.x);
 
     return s->plane.system.origin.x + z.x < TOL_REST_SLOW &&
-           is_small(l.wrong, l.slowness, time) &&
-           fabs(z.y - l.y) < TOL_REST_BESIDE;
+           is_small(l.wrong, l.slowness, time) && fabs(z.y - l.y) < TOL_SEEN;
 }
 
 static bool is_there(const struct slider *s, struct vec2 z, double time)
@@ -220,14 +219,14 @@ static bool sum_up(const struct way *w, int first, double sum[PARTS])
 
     for (int k = 0; k < PARTS; k++)
         sum[k] = 0.0;
-    for (int i = 0; i < TOL_REST_PANELS; i++) {
+    for (int i = 0; i < TOL_BRANCH_STEPS; i++) {
         double more[PARTS], missed[PARTS], all[PARTS];
         sum_panel(w, at, h, more, missed);
         for (int k = 0; k < PARTS; k++)
             all[k] = sum[k] + more[k];
         const double error = part_of(missed, all, first);
         const double noise = part_of(more + TIME_WRONG, all, first);
-        if (!(error < fmax(TOL_REST_SUM, noise))) {
+        if (!(error < fmax(TOL_RTOL_DEFAULT, noise))) {
             h *= 0.5;
             continue;
         }
@@ -238,7 +237,7 @@ static bool sum_up(const struct way *w, int first, double sum[PARTS])
         if (part_of(more, sum, first) < TOL_NOTHING)
             return true;
         at += h;
-        if (error < fmax(TOL_REST_SUM * TOL_REST_EASY, noise))
+        if (error < fmax(TOL_RTOL_DEFAULT * TOL_REST_EASY, noise))
             h *= 2.0;
     }
     return false;

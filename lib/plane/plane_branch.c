@@ -118,7 +118,7 @@ static bool branch_ends(void *ctx, const struct branch *b, struct vec2 z,
         look_at(f, h, b, i, bar);
     if (h->end >= 0 || h->broken)
         return true;
-    h->left = h->left || vec2_length(away) > TOL_PLANE_LEFT;
+    h->left = h->left || vec2_length(away) > TOL_LITTLE;
     if (winding_add(&h->winding, f->system, &f->s->scale, &b->curve,
                     b->curve.count - 1, f->rests, f->s->rests)) {
         h->end = PLANE_END_CYCLE;

@@ -17,9 +17,8 @@ size_t plane_cycle_find(const struct plane_study *s, const struct winding *w,
         const struct plane_cycle *c = &s->cycle[k];
         for (size_t i = 0; i < c->round.turns; i++)
             if ((c->type == PLANE_CYCLE_STABLE) == stable &&
-                vec2_length(
-                    arrival_from(&s->scale, w->at[0], c->round.at[i])) <=
-                    TOL_PLANE_SAME_CYCLE)
+                vec2_length(arrival_from(&s->scale, w->at[0],
+                                         c->round.at[i])) <= TOL_DRAWN)
                 return k;
     }
     return s->cycles;

@@ -109,10 +109,10 @@ static enum status step(struct walk *w)
     } else {
         status = taylor_orbit_step(&w->series);
         const struct vec2 way = arrival_from(&w->s->scale, place_of(w), from);
-        const bool held = w->series.bent < TOL_PLANE_HELD &&
-                          vec2_length(way) < TOL_PLANE_HELD;
+        const bool held =
+            w->series.bent < TOL_LITTLE && vec2_length(way) < TOL_LITTLE;
         w->held = held ? w->held + 1 : 0;
-        if (status == STATUS_NO_CONVERGENCE || w->held > TOL_PLANE_HELD_STEPS ||
+        if (status == STATUS_NO_CONVERGENCE || w->held > TOL_MONITOR_STEPS ||
             before > w->returned + TOL_EXPLICIT_STEPS) {
             w->stopped = !plane_defined_near(w->plan, w->s, place_of(w));
             return !w->stopped && be_implicit(w) == STATUS_NO_MEMORY

@@ -6,30 +6,25 @@
 /* Planes of formulas, distances in sides of the window.  Curves are followed
  * this many windows far, orbits of which nothing is proved so far, where
  * series of doubles still move, this many times round an angle (orbits to
- * TOL_ORBIT_RTOL, which only has to find the right trap); a curve has left
- * its saddle; two cycles are the same; a state that changes no faster, of the
- * fastest rate, rests; of the
- * accuracy that is asked for, a branch gets this part.  What is below TOL_SEEN
- * is not seen: a curve with a larger bar is lost, and so is an orbit so near to
- * an equilibrium where rounding decides; cycles are looked for from so far
- * beside others; a region with so much of the window is small. */
-#define TOL_PLANE_PART       0.1
-#define TOL_PLANE_FAR        100.0
-#define TOL_PLANE_INFINITY   1e12
-#define TOL_PLANE_ROUND      1e4
-#define TOL_PLANE_LEFT       1e-2
-#define TOL_PLANE_SAME_CYCLE 1e-4
-#define TOL_PLANE_STILL      1e-9
+ * TOL_ORBIT_RTOL, which only has to find the right trap); a state that changes
+ * no faster, of the fastest rate, rests; of the accuracy that is asked for, a
+ * branch gets this part.  What is below TOL_SEEN is not seen: a curve with a
+ * larger bar is lost, and so is an orbit so near to an equilibrium where
+ * rounding decides; cycles are looked for from so far beside others; a region
+ * with so much of the window is small. */
+#define TOL_PLANE_PART     0.1
+#define TOL_PLANE_FAR      100.0
+#define TOL_PLANE_INFINITY 1e12
+#define TOL_PLANE_ROUND    1e4
+#define TOL_PLANE_STILL    1e-9
 
 /* Orbits of such planes: series in time, or the implicit method once so many
- * steps in turn are HELD to less than that part of the window, and to where the
- * velocity changes by less than that part of itself, or TOL_EXPLICIT_STEPS did
+ * steps in turn (TOL_MONITOR_STEPS) are held to little of the window, and to
+ * where the velocity changes by little of itself, or TOL_EXPLICIT_STEPS did
  * not bring it round; steps of all orbits, for labels and for audits, where so
  * many crossings of rows with curves take as long as a step. */
-#define TOL_PLANE_WORK       200000
-#define TOL_PLANE_CROSSINGS  256
-#define TOL_PLANE_HELD       1e-2
-#define TOL_PLANE_HELD_STEPS 64
+#define TOL_PLANE_WORK      200000
+#define TOL_PLANE_CROSSINGS 256
 
 /* Basins of such planes, of cycles that are kept to TOL_RTOL_DEFAULT: states
  * that are followed to look for curves that divide it: a part p of one label

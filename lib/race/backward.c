@@ -306,7 +306,7 @@ static enum status step(struct route *r, struct backward_heading *now,
     note_errors(r, 1 - (size_t) now->ind, missed);
     const bool edge = r->orbit.end != ORBIT_RUNNING;
     const double part =
-        edge ? TOL_BACKWARD_EDGE : TOL_BACKWARD_REST * r->options->rtol;
+        edge ? TOL_BACKWARD_EDGE : TOL_LITTLE * r->options->rtol;
     const int sign = now->at > earlier.at ? 1 : -1;
     *done = settle(r, &earlier, now, part) || edge ||
             (now->ind == earlier.ind && runs_on(r, now, sign));

@@ -7,11 +7,10 @@
  * grown by this: its errors are then carried by gradients that compare, and
  * stay far from where squares overflow. */
 #define TOL_BACKWARD_UNITS 0x1p10
-/* A branch has ended when what is left is below this part of rtol, so that
+/* A branch has ended when what is left is below TOL_LITTLE of rtol, so that
  * the end never dominates the error; at the edge of the domain, which is only
  * where doubles end, this part will do (TOL_LIMIT_DECAY tells whether it
  * ends). */
-#define TOL_BACKWARD_REST 0.01
 #define TOL_BACKWARD_EDGE 1e-3
 /* A branch without a limit is left where its slope is this slight, and is so
  * this far ahead of it. */

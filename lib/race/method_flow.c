@@ -36,7 +36,7 @@ static void *open(const struct method *m, struct method_system *system,
     struct run *r = calloc(1, sizeof *r);
     struct flow_options o = { .rtol = tol,
                               .first_step = h,
-                              .max_steps = TOL_MAX_STEPS };
+                              .max_steps = 16 * TOL_ORBIT_STEPS };
 
     (void) m;
     if (r == NULL)

@@ -248,7 +248,6 @@ static enum status follow(const struct maker *m, double rtol,
     options.rtol = rtol;
     options.observables = 0;
     options.reach[0] = m->c->until;
-    options.max_steps = TOL_ORBIT_STEPS;
     enum status status =
         orbit_init(o, &s->slider.plane.system, m->c->start, &options);
     if (status == STATUS_OK)

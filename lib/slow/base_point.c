@@ -40,7 +40,7 @@ static double reach_of(const struct slow_branch *inside)
     const struct vec2 e = k->fibre;
     const double det = fabs(e.x - e.y * k->x_slope);
 
-    return TOL_BASE_BEND * TOL_ARREST * (fabs(e.x) + fabs(e.y)) / det;
+    return TOL_AS_BEFORE * TOL_ARREST * (fabs(e.x) + fabs(e.y)) / det;
 }
 
 /* A state that falls from y to y1 may meet a box that y is not near. */
@@ -127,9 +127,9 @@ bool base_point_tell(const struct slow_curve *c, const struct base_point *b,
     out->time = p.time;
     out->slip = p.slip + b->more;
     out->time_error =
-        TOL_BASE_BEND * fabs(p.time_slope) * b->y_error + p.time_error;
-    out->slip_error = TOL_BASE_BEND * fabs(p.slip_slope) * b->y_error +
+        TOL_AS_BEFORE * fabs(p.time_slope) * b->y_error + p.time_error;
+    out->slip_error = TOL_AS_BEFORE * fabs(p.slip_slope) * b->y_error +
                       b->more_error + p.slip_error;
     return (slider_saddle(c->slider) < 0 || room < fabs(b->y)) &&
-           !passes(c, b->y - room, b->y + room, TOL_BASE_BEND * b->late);
+           !passes(c, b->y - room, b->y + room, TOL_AS_BEFORE * b->late);
 }

@@ -75,7 +75,7 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
     const struct vec2 o = s->plane.system.origin, from = vec2_sub(z, o);
     const double x = s->block.at.x0 + l->x_peak;
     const double place = TOL_LAYER_TRANSPORT * l->place_error;
-    const double least = TOL_FAST_LEAST * (1.0 + fabs(x));
+    const double least = TOL_BAR_FIRST_ORDER * TOL_REST_WRONG * (1.0 + fabs(x));
     const double rounding =
         TOL_ROUNDING * (1.0 + fabs(z.x) + fabs(z.y) + fabs(o.x) + fabs(o.y));
     const bool fastest = l->falls[0] && l->x_peak == from.x;
@@ -202,8 +202,7 @@ static double finer(struct batch *b, size_t i)
         return 0.0;
     b->excess[k] = excess;
     b->vain[k] = vain;
-    return vain ? 1.0 / TOL_RETRY
-                : fmax(1.0 / TOL_RETRY, TOL_LAYER_BENT / excess);
+    return vain ? 1.0 / TOL_RETRY : fmax(1.0 / TOL_RETRY, TOL_SHARE / excess);
 }
 
 static void set_job(struct batch *b, size_t i, size_t k, double tol)

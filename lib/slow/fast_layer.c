@@ -23,7 +23,7 @@ struct layer_options layer_defaults(double rtol)
     return (struct layer_options){
         .promise = rtol,
         .rtol = TOL_PART * rtol,
-        .landing = rtol < TOL_CELLS_RTOL ? TOL_LAYER_CLOSER : TOL_LAYER_LANDING,
+        .landing = rtol < TOL_CELLS_RTOL ? TOL_LAYER_CLOSER : TOL_NEARBY,
         .peaks = true,
     };
 }
@@ -227,7 +227,7 @@ static double parting(double h, double one, double other)
 {
     const double most = h * fmax(one, other), mean = 0.5 * h * (one + other);
 
-    return fmin(fmax(fmin(most, 0.0), mean), TOL_STEP_GROWTH_MOST);
+    return fmin(fmax(fmin(most, 0.0), mean), TOL_STEP_MOST);
 }
 
 /* What the step to the end of the walk makes of what was across at its start,
@@ -422,7 +422,7 @@ void layer_follow(const struct slow_curve *c, struct vec2 z,
     struct landing_step step[TOL_LAYER_STEPS];
     struct walk w = { .at.step = step,
                       .ode = { LAYER_DIM, along, c->slider },
-                      .h = TOL_LAYER_LANDING,
+                      .h = TOL_NEARBY,
                       .previous = 1.0 };
     double most;
 

@@ -121,9 +121,9 @@ static bool enters(struct landing *l, const struct door *door, double *most)
     const double aside = door->along ? door->x : door->y;
     const double wrong = l->across + l->out->place_error;
 
-    if (door->way < -TOL_LAYER_BESIDE)
+    if (door->way < -TOL_SEEN)
         return true;
-    if (!(closing > TOL_LAYER_HEAD_ON) ||
+    if (!(closing > TOL_FAR_BELOW) ||
         fabs(aside) > TOL_ARREST - TOL_LAYER_CORNER * wrong) {
         *most = TOL_STEP_SAFETY * door->way;
         return !(door->way > TOL_SAME + TOL_LAYER_CORNER * wrong);
@@ -245,11 +245,10 @@ static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
     struct layer *const out = l->out;
     double aside;
     const double most = mu_to_come(l, p, y, &aside);
-    const double allowed =
-        TOL_LAYER_BENT * l->options.promise * fabs(out->mu_peak);
+    const double allowed = TOL_SHARE * l->options.promise * fabs(out->mu_peak);
     const double below = x_below(out, p);
     const double much =
-        fmax(aside / allowed, below / (TOL_LAYER_BENT * l->options.promise));
+        fmax(aside / allowed, below / (TOL_SHARE * l->options.promise));
 
     *excess = fmax(*excess, much);
     if (much > 1.0 && fabs(off) > TOL_LAYER_MU_TOUCH)
@@ -307,7 +306,7 @@ static double turning(const struct landing *l, const struct slow_point *p)
 static bool is_vague(const struct landing *l, const struct slow_point *p,
                      double off, double bend)
 {
-    return bend > TOL_LAYER_SIDE * fabs(off) ||
+    return bend > TOL_CLEARLY * fabs(off) ||
            (may_wait(l, p, off) && fabs(off) > fmin(p->gap, TOL_LAYER_CLOSER));
 }
 
@@ -362,9 +361,9 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
 
     *excess =
         (l->options.through ? bend : fmax(lateness, (long_ + waste) / slip)) /
-        (TOL_LAYER_BENT * l->options.promise);
+        (TOL_SHARE * l->options.promise);
     if (is_vague(l, p, off, bend))
-        *excess = fmax(*excess, 1.0 / TOL_LAYER_RISE);
+        *excess = fmax(*excess, 1.0 / TOL_SHARE);
     if (*excess > 1.0 && fabs(off) > TOL_SAME)
         return false;
     if (!is_clear(l, p, y))
@@ -376,7 +375,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const struct landing_bar bar =
         landing_weigh(l, &across, p->slip_slope / p->time_slope);
     out->end = LAYER_LANDED;
-    if (slider_saddle(s) >= 0 && !(wrong < TOL_LAYER_SIDE * fabs(y)))
+    if (slider_saddle(s) >= 0 && !(wrong < TOL_CLEARLY * fabs(y)))
         out->end = LAYER_UNSURE;
     out->fate = p->fate;
     out->x_end = p->x_end;
@@ -448,15 +447,14 @@ static bool lands(struct landing *l, double d, double *aim)
     double y, off, excess = 1.0;
 
     if (is_rising(l)) {
-        *aim = fmin(*aim, TOL_LAYER_RISE * fabs(d));
+        *aim = fmin(*aim, TOL_SHARE * fabs(d));
         return false;
     }
     if (!(fabs(d) < *aim))
         return false;
     if (project(l, &y, &p, &off) && land(l, y, &p, off, &excess))
         return true;
-    *aim = fabs(d) *
-           fmin(TOL_LAYER_RISE, fmax(1.0 / TOL_RETRY, TOL_LAYER_RISE / excess));
+    *aim = fabs(d) * fmin(TOL_SHARE, fmax(1.0 / TOL_RETRY, TOL_SHARE / excess));
     return false;
 }
 
@@ -475,11 +473,11 @@ static bool is_over(struct landing *l, double *most)
     const double d = l->u[LAYER_X] - x;
     if (beside && door.way > 0.0 && lands(l, d, &aim))
         return true;
-    if (door.way < TOL_LAYER_BESIDE)
+    if (door.way < TOL_SEEN)
         return enters(l, &door, most);
     const double closing = l->du[LAYER_X] - x_slope * l->du[LAYER_Y];
     if (beside && d * closing < 0.0)
-        *most = fmin(*most, (fabs(d) - TOL_LAYER_AIM * aim) / fabs(closing));
+        *most = fmin(*most, (fabs(d) - TOL_AIM * aim) / fabs(closing));
     return landing_rests(l, most);
 }
 

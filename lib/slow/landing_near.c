@@ -80,7 +80,7 @@ static void tell(const struct landing *l, const struct slow_branch *b,
     const double fold = log(b->first.p / at->p) / u->lambda;
 
     out->end = b == &l->curve->away ? LAYER_RAN : LAYER_LANDED;
-    if (!(doubt < TOL_LAYER_SIDE))
+    if (!(doubt < TOL_CLEARLY))
         out->end = LAYER_UNSURE;
     out->fate = b->fate;
     out->x_end = b->x_end;
@@ -118,7 +118,7 @@ static bool is_early(const struct landing *l, const struct saddle_point *at,
                              ? out->slip / l->curve->near->v
                              : out->time;
 
-    return nears && wrong > TOL_LAYER_BENT * l->options.promise * whole &&
+    return nears && wrong > TOL_SHARE * l->options.promise * whole &&
            hypot(to.x, to.y) > TOL_SAME;
 }
 

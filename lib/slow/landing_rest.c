@@ -61,8 +61,8 @@ static bool land(struct landing *l, const struct rest_point *p, double off,
     const struct landing_bar bar = landing_weigh(l, &across, 0.0);
     struct layer *const out = l->out;
 
-    *excess = bend * fmax(late / time, far / slip) /
-              (TOL_LAYER_BENT * l->options.promise);
+    *excess =
+        bend * fmax(late / time, far / slip) / (TOL_SHARE * l->options.promise);
     if (*excess > 1.0 && fabs(off) > TOL_SAME)
         return false;
     out->end = LAYER_LANDED;
@@ -86,11 +86,11 @@ bool landing_rests(struct landing *l, double *most)
     if (fabs(d) < aim && !(l->du[LAYER_X] > 0.0)) {
         if (project(l, &p, &off) && land(l, &p, off, &excess))
             return true;
-        aim = fabs(d) * fmin(TOL_LAYER_RISE,
-                             fmax(1.0 / TOL_RETRY, TOL_LAYER_RISE / excess));
+        aim = fabs(d) *
+              fmin(TOL_SHARE, fmax(1.0 / TOL_RETRY, TOL_SHARE / excess));
     }
     const double closing = l->du[LAYER_Y] - y_slope * l->du[LAYER_X];
     if (d * closing < 0.0)
-        *most = fmin(*most, (fabs(d) - TOL_LAYER_AIM * aim) / fabs(closing));
+        *most = fmin(*most, (fabs(d) - TOL_AIM * aim) / fabs(closing));
     return false;
 }

@@ -231,9 +231,8 @@ static void carry(struct bundle *b, struct steps *m)
     const lanes none = LANES_OF(0.0), one = LANES_OF(1.0);
     const lanes most = b->h * lanes_larger(m->spread, b->spread);
     const lanes half = 0.5 * b->h * (m->spread + b->spread);
-    const lanes grows =
-        lanes_smaller(lanes_larger(lanes_smaller(most, none), half),
-                      LANES_OF(TOL_STEP_GROWTH_MOST));
+    const lanes grows = lanes_smaller(
+        lanes_larger(lanes_smaller(most, none), half), LANES_OF(TOL_STEP_MOST));
     const lanes turn =
         du0[LAYER_X] * du1[LAYER_Y] - du0[LAYER_Y] * du1[LAYER_X];
 
@@ -373,7 +372,7 @@ static void take(struct bundle *b, int l, const struct layer_job *job,
     landing_start(&b->at[l], b->curve, job->z, &options, out, least);
     for (int i = 0; i < LAYER_DIM; i++)
         b->u[i][l] = b->at[l].u[i];
-    b->h[l] = TOL_LAYER_LANDING;
+    b->h[l] = TOL_NEARBY;
     b->tol[l] = options.rtol;
     b->least[0][l] = least[0];
     b->least[1][l] = least[1];

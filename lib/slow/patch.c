@@ -166,7 +166,7 @@ static size_t judge_base(const struct patch *p, const struct patch_teller *t,
 static struct patch_verdict judge_tails(const struct patch *p, double most,
                                         double most_by_y)
 {
-    const bool y = most_by_y > TOL_PATCH_CAUSE * most || isinf(most);
+    const bool y = most_by_y > TOL_CLEARLY * most || isinf(most);
     const struct patch_poly *cause =
         &p->base[y ? PATCH_BASE_Y : PATCH_BASE_MORE];
     const double scale = fmin(most, TOL_PATCH_EXCESS) / cause->bar;
@@ -235,7 +235,7 @@ static bool has_box(const struct patch_teller *t, const struct numbers *n)
         lo = fmin(lo, isnan(y) ? lo : y);
         hi = fmax(hi, isnan(y) ? hi : y);
     }
-    const double more = TOL_PATCH_BEYOND * (hi - lo);
+    const double more = TOL_MARGIN * (hi - lo);
     return lo <= hi && t->passes(t->ctx, lo - more, hi + more);
 }
 

@@ -183,15 +183,15 @@ static size_t parts_of(const struct patch_side *s, double excess, double other,
                        bool is_smooth)
 {
     const double part =
-        pow(excess / TOL_PATCH_SHARE, 1.0 / (double) (PATCH_SIDE - 1));
+        pow(excess / TOL_SHARE, 1.0 / (double) (PATCH_SIDE - 1));
     size_t parts = 2;
 
     if (!is_smooth)
         return excess > 0.0 && s->cells > 1 ? 2 : 1;
-    if (s->is_exact || !(excess > TOL_PATCH_SHARE) ||
+    if (s->is_exact || !(excess > TOL_SHARE) ||
         excess < TOL_PATCH_ASIDE * other)
         return 1;
-    while ((double) parts < TOL_PATCH_PARTS * part && parts < PATCH_SIDE &&
+    while ((double) parts < TOL_AIM * part && parts < PATCH_SIDE &&
            s->cells > PATCH_SIDE * parts)
         parts *= 2;
     return parts;

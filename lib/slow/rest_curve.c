@@ -79,7 +79,7 @@ static bool knot_at(const struct slider *s, const struct orbit *o,
         .slip_bend = (1.0 - *bend) * v * late,
     };
     return e.im == 0.0 && e.re[0] < 0.0 && d.x < 0.0 &&
-           k->at.gap < TOL_SLOW_GAP &&
+           k->at.gap < TOL_FAR_BELOW &&
            fabs(k->at.fibre.y) > fabs(k->at.fibre.x);
 }
 
@@ -105,7 +105,7 @@ static enum status keep(struct rest_curve *c, const struct orbit *o,
 /* Steps that polynomials bear. */
 static void hold_back(struct orbit *o, double bend)
 {
-    const double most = fmin(TOL_SLOW_STEP / fabs(bend), TOL_SLOW_LONGEST);
+    const double most = fmin(TOL_SLOW_STEP / fabs(bend), TOL_NEARBY);
     const double speed = fabs(o->du[0]);
 
     if (speed * o->h > most)
@@ -147,7 +147,7 @@ static enum status descend(struct rest_curve *c, struct orbit *o,
 static enum status extend(struct rest_curve *c)
 {
     const struct slider *s = c->slider;
-    const double h = TOL_SLOW_LONGEST, d = TOL_REST_DIFFERENCE;
+    const double h = TOL_NEARBY, d = TOL_REST_DIFFERENCE;
     enum status status = STATUS_OK;
 
     while (status == STATUS_OK &&

@@ -191,13 +191,13 @@ static void find_reach(struct saddle_series *u, double most)
 /* Away from boxes of arrest, in units. */
 static double room(const struct slider *s, const struct saddle_series *u)
 {
-    double most = TOL_SADDLE_MOST;
+    double most = TOL_NEARBY;
 
     for (size_t i = 0; i < s->plane.equilibria; i++) {
         const struct vec2 e = phase_plane_offset(&s->plane, i);
         const double way = fmax(fabs(e.x), fabs(e.y)) - TOL_ARREST;
         if ((int) i != slider_saddle(s))
-            most = fmin(most, TOL_SADDLE_ROOM * way);
+            most = fmin(most, TOL_SHARE * way);
     }
     return most / u->unit;
 }

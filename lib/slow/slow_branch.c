@@ -53,7 +53,7 @@ static struct slow_knot *push(struct slow_branch *b)
 static void hold_back(struct orbit *o, double bend)
 {
     const double speed = fabs(o->du[1]);
-    const double most = fmin(TOL_SLOW_STEP / bend, TOL_SLOW_LONGEST);
+    const double most = fmin(TOL_SLOW_STEP / bend, TOL_NEARBY);
 
     if (speed * o->h > most)
         o->h = most / speed;
@@ -75,7 +75,7 @@ static double slope_of(const struct orbit *o)
 static void tell(struct slow_knot *k, double dt, double *folds)
 {
     *folds = k->gap < 1.0 ? *folds + k->fast * (1.0 - k->gap) * dt : 0.0;
-    if (!(*folds >= TOL_SETTLED && k->gap < TOL_SLOW_GAP))
+    if (!(*folds >= TOL_SETTLED && k->gap < TOL_FAR_BELOW))
         k->gap = HUGE_VAL;
 }
 
@@ -103,7 +103,8 @@ static enum status follow(const struct slider *s, struct orbit *o,
                           enum ahead ahead, const struct monitor *monitor,
                           struct slow_branch *b)
 {
-    const double far = b->start == SLOW_RUNAWAY ? TOL_SLOW_AWAY : HUGE_VAL;
+    const double far =
+        b->start == SLOW_RUNAWAY ? TOL_SERIES_RADIUS_MAX : HUGE_VAL;
     double folds = b->start == SLOW_BESIDE ? 0.0 : HUGE_VAL;
     enum status status = STATUS_OK;
 
@@ -472,7 +473,7 @@ bool slow_branch_may_start(const struct slider *s, int fast, struct vec2 z)
     struct slow_knot k;
 
     (void) slow_knot_at(s, u, 0.0, &k);
-    return k.gap < TOL_SLOW_GAP_START && !slow_knot_is_noisy(&k) &&
+    return k.gap < TOL_CLEARLY && !slow_knot_is_noisy(&k) &&
            slow_knot_is_fast_y(&k) == (fast == 1);
 }
 

@@ -33,7 +33,7 @@ struct slow_curve {
 
 /* Of s, whose steady states are known.  Branches that do not end at a node or
  * at rest are left out, and so are parts where the rates are too much alike
- * (TOL_SLOW_GAP); there may be none at all.  STATUS_NO_MEMORY,
+ * (TOL_FAR_BELOW); there may be none at all.  STATUS_NO_MEMORY,
  * STATUS_STOPPED: *c is empty. */
 MUST_CHECK enum status slow_curve_init(struct slow_curve *c,
                                        const struct slider *s,

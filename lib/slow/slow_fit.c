@@ -30,7 +30,7 @@ static struct around look_around(const struct slow_branch *b, size_t i)
     const struct slow_knot *const k = b->knot;
     const double y = k[i].y;
     const double least =
-        TOL_SLOW_AROUND * fmax(fabs(k[i + 1].y - y), fabs(y - k[i - 1].y));
+        TOL_SHARE * fmax(fabs(k[i + 1].y - y), fabs(y - k[i - 1].y));
     struct around a = { .at = &k[i] };
     size_t f = i, g = i;
 

@@ -5,64 +5,53 @@
 
 /* The slow curve (slow_curve.c), whose orbit is as accurate as that of a rest,
  * TOL_REST_WRONG; to TOL_CELLS_RTOL one that is coarser by TOL_FINER must
- * agree on what is left of a rest.  Steps, in
- * e-folds of the slow rate and in ln psi, that polynomials of degree 5 bear to
- * 1e-11, at most TOL_BRANCH_STEPS; how much of what twice the step misses one
- * step may, but for rounding; the ratio of the slow rate to the fast one below
- * which slopes are mostly noise, where curvatures come from knots not nearer
- * than such a part of an interval; and the largest ratio. */
-#define TOL_SLOW_STEP    0.035
-#define TOL_SLOW_LONGEST 0.1
-#define TOL_SLOW_MISSED  0.05
-#define TOL_SLOW_NOISY   1e-5
-#define TOL_SLOW_AROUND  0.3
-#define TOL_SLOW_ALONG   1e-8
-#define TOL_SLOW_GAP     0.1
+ * agree on what is left of a rest.  Steps, in e-folds of the slow rate (and
+ * TOL_NEARBY in ln psi), that polynomials of degree 5 bear to 1e-11, at most
+ * TOL_BRANCH_STEPS; how much of what twice the step misses one step may, but
+ * for rounding; the ratio of the slow rate to the fast one below which slopes
+ * are mostly noise, where curvatures come from knots not nearer than TOL_SHARE
+ * of an interval, and below which they are those of the eigenvector. */
+#define TOL_SLOW_STEP   0.035
+#define TOL_SLOW_MISSED 0.05
+#define TOL_SLOW_NOISY  1e-5
+#define TOL_SLOW_ALONG  1e-8
 
 /* Beyond a node: nearest and furthest start in ln psi, growth of the
- * steps to it, on which any orbit is after TOL_SETTLED; the ratio of rates it
- * may start at; the ratios below which rounding in x or y, being the fast one,
- * shows in the other; and how near the end of a branch none lands, arriving
- * first. */
+ * steps to it, on which any orbit is after TOL_SETTLED; the ratios below which
+ * rounding in x or y, being the fast one, shows in the other; and how near the
+ * end of a branch none lands, arriving first. */
 #define TOL_SLOW_NEAREST     0.02
 #define TOL_SLOW_FURTHEST    15.0
 #define TOL_SLOW_GAP_LEAST_X 1e-14
 #define TOL_SLOW_GAP_LEAST_Y 1e-11
 #define TOL_SLOW_CLEAR       0.003
-#define TOL_SLOW_GAP_START   0.5
 #define TOL_SLOW_STRIDE      1.1
 
 /* Series at the saddle (saddle_series.c): their last terms are TOL_ROUNDED
- * of the first where they end, at most this far out, or this part of the way to
- * a box of arrest; and how near to 1 orders, in units of the ratio of the
+ * of the first where they end, at most TOL_NEARBY out, or TOL_SHARE of the way
+ * to a box of arrest; how near to 1 orders, in units of the ratio of the
  * eigenvalues, may come to a resonance. */
-#define TOL_SADDLE_MOST  0.1
-#define TOL_SADDLE_ROOM  0.3
 #define TOL_SADDLE_APART 0.8
 
 /* Inside a box of arrest it is run to here, where the node is as good as
- * linear; and a runaway this far in ln psi: fields next to the separatrix need
- * no more. */
+ * linear (and a runaway TOL_SERIES_RADIUS_MAX far in ln psi: fields next to the
+ * separatrix need no more). */
 #define TOL_SLOW_INSIDE 1e-5
-#define TOL_SLOW_AWAY   2.0
 
 /* Terms that round: of the field (a coordinate by TOL_ROUNDING); and of
  * the face of a box of arrest, its node and the origin, whose difference is
  * rounded, and the field's zero. */
 #define TOL_SLOW_TERMS 2.0
 
-/* The fast layer (fast_layer.c, landing.c): landing distance, and closer
- * for what is finer than TOL_CELLS_RTOL; how far beyond the
- * distance a step aims; size of a box of arrest that must not be between; how
- * much later or earlier at most a box is entered for what is then left of the
- * distance, in what is left; steps, the first of a landing's distance and
- * none below TOL_TOUCH; the least error that tells anything on the next step.
- * Bars: what the fibre's curvature and the slow rates change of what it
- * corrects (measured: errors are 0.5 of that at most, half of them 0.1), and of
- * places of peaks. */
-#define TOL_LAYER_LANDING   0.1
+/* The fast layer (fast_layer.c, landing.c): landing distance, TOL_NEARBY, and
+ * closer for what is finer than TOL_CELLS_RTOL; size of a box of arrest that
+ * must not be between; how much later or earlier at most a box is entered for
+ * what is then left of the distance, in what is left; steps, the first of a
+ * landing's distance and none below TOL_TOUCH; the least error that tells
+ * anything on the next step. Bars: what the fibre's curvature and the slow
+ * rates change of what it corrects (measured: errors are 0.5 of that at most,
+ * half of them 0.1), and of places of peaks. */
 #define TOL_LAYER_CLOSER    0.01
-#define TOL_LAYER_AIM       0.7
 #define TOL_LAYER_ARREST    1.001
 #define TOL_LAYER_FORGET    4.0
 #define TOL_LAYER_STEPS     500
@@ -85,40 +74,32 @@
  * of what it changes. */
 #define TOL_LAYER_BLUR 0.3
 
-/* It lands only where the fibre's part of the bar is within this part of what
- * was promised (finer tries aim at it, too), and its place as well known as
- * TOL_LAYER_SIDE of the way to it; or TOL_SAME near, for friction this near;
- * nearer by TOL_RETRY at most at once. */
-#define TOL_LAYER_BENT     0.3
+/* It lands only where the fibre's part of the bar is within TOL_SHARE of what
+ * was promised (finer tries aim at it, too), and its place is clearly known
+ * beside the way to it; or TOL_SAME near, for friction this near; nearer by
+ * TOL_RETRY at most at once, and by TOL_SHARE towards a peak beside the
+ * curve. */
 #define TOL_LAYER_MU_TOUCH 1e-9
 
 /* A box of arrest is come nearer by TOL_STEP_SAFETY of the way.  Nearer than
- * BESIDE its face is aimed at; reached within TOL_TOUCH, and only by an
- * orbit that closes at this rate or faster, so many of its errors from every
- * corner (what is as far is surely there); others are let pass until they touch
- * it; and where nothing beyond the face may be seen the part of the way that is
- * gone at once (a step that went through is taken again, shorter by
+ * TOL_SEEN its face is aimed at; reached within TOL_TOUCH, and only by an
+ * orbit that does not pass far along it as it closes, so many of its errors
+ * from every corner (what is as far is surely there); others are let pass until
+ * they touch it; and where nothing beyond the face may be seen the part of the
+ * way that is gone at once (a step that went through is taken again, shorter by
  * TOL_ORBIT_RETREAT). */
-#define TOL_LAYER_BESIDE  1e-3
-#define TOL_LAYER_SHORT   0.97
-#define TOL_LAYER_HEAD_ON 0.1
-#define TOL_LAYER_CORNER  10.0
+#define TOL_LAYER_SHORT  0.97
+#define TOL_LAYER_CORNER 10.0
 
 /* What part of the step that its error allows is taken: more are refused, and
  * bars grow, where it is more. */
 #define TOL_LAYER_SAFETY 0.8
 
-/* A side of the saddle is told from this much of the distance on; what is left
- * of the distance by a step towards a peak beside the curve. */
-#define TOL_LAYER_SIDE 0.5
-#define TOL_LAYER_RISE 0.3
-
 /* Many states by the slow curve (fast_cells.c).  One whose bars are too wide
  * is tried finer; above what part of its bars a try has left one
  * TOL_RETRY times, and then no more, for they are the table's
- * (TOL_CELLS_GAIN), down to TOL_RTOL_DEFAULT; and the least bar of a peak, in
- * its logarithm. */
-#define TOL_FAST_LEAST 2e-11
+ * (TOL_CELLS_GAIN), down to TOL_RTOL_DEFAULT.  The least bar of a peak, in its
+ * logarithm, is the table's, TOL_BAR_FIRST_ORDER TOL_REST_WRONG. */
 
 /* Peaks are sampled for patches no finer than this, with bars so many times as
  * wide. */
@@ -139,25 +120,14 @@
 
 /* A patch holds where no more cells than it has nodes are left for being too
  * near the separatrix; the excess of most samples, not all, says how far it
- * is from that (and no more than this is believed); what is left of the slip is
- * to blame where bars are less than this part without it.  Base points of a
- * patch reach a little beyond those of its samples, in their range. */
+ * is from that (and no more than this is believed). */
 #define TOL_PATCH_MOST   0.7
 #define TOL_PATCH_EXCESS 1e9
-#define TOL_PATCH_CAUSE  0.5
-#define TOL_PATCH_BEYOND 0.05
 
 /* Cuts: pieces of so many cells a node are too small; tests at least; a side
- * whose tail has this share of the bound is cut, but not if it is this far
- * below the other's; and fewer parts than the tails ask for, for they decay the
- * faster the shorter a side is. */
+ * whose tail has TOL_SHARE of the bound is cut, but not if it is this far below
+ * the other's, into fewer parts than the tails ask for (TOL_AIM), for they
+ * decay the faster the shorter a side is. */
 #define TOL_PATCH_SMALLEST    1.5
 #define TOL_PATCH_LEAST_TESTS 6
-#define TOL_PATCH_SHARE       0.3
 #define TOL_PATCH_ASIDE       1e-3
-#define TOL_PATCH_PARTS       0.7
-
-/* Base points (base_point.c).  What meets a box of arrest is no further from
- * the node than the box along the fibre times this, for its curvature; and so
- * much the table's curvature over the way adds to an error. */
-#define TOL_BASE_BEND 1.1

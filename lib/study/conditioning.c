@@ -80,7 +80,7 @@ static const struct {
 static void hold_against(struct quantity *exact, double p, double rate)
 {
     const double off = fabs(exact->value - rate / p);
-    const double trust = TOL_CONDITION_TRUST * (1.0 + fabs(rate)) / fabs(p);
+    const double trust = TOL_LITTLE * (1.0 + fabs(rate)) / fabs(p);
 
     if (quantity_exists(exact) && off > exact->error + trust)
         exact->error = off;

@@ -149,7 +149,7 @@ static bool rate_of(const struct quantity *q, const struct quantity *up,
     const double second = up->value - 2.0 * q->value + down->value;
     const double noise = 10.0 * TOL_RTOL_DEFAULT * fabs(q->value);
     *rate = first / (2.0 * nudge);
-    return fabs(second) <= TOL_CONDITION_BEND * fabs(first) + noise;
+    return fabs(second) <= TOL_FAR_BELOW * fabs(first) + noise;
 }
 
 /* Number i, in the SI. */

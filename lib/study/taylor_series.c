@@ -173,14 +173,13 @@ static struct quantity radius_of(const power e, double bound)
 
     if (!isfinite(root) || root == 0.0)
         return quantity_none("the last coefficients vanish: no test applies");
-    const bool settled =
-        line > root / TOL_TAYLOR_SETTLED && line < root * TOL_TAYLOR_SETTLED;
+    const bool settled = line > TOL_CLEARLY * root && TOL_CLEARLY * line < root;
     const double value = fmin(settled ? line : root, bound);
     double error = fabs(root - value);
     if (settled)
         error = fmax(error, fmax(fabs(ratio - value), fabs(line - value)));
     else
-        error = fmax(error, (1.0 - 1.0 / TOL_TAYLOR_SETTLED) * value);
+        error = fmax(error, (1.0 - TOL_CLEARLY) * value);
     if (isfinite(bound))
         error = fmax(error, bound - value);
     return quantity_of(value, error);
@@ -210,7 +209,7 @@ static double v_at(const struct comparison *q, size_t piece, double theta,
     return v;
 }
 
-/* Where the gap first reaches TOL_TAYLOR_AGREE, outward from the saddle. */
+/* Where the gap first reaches TOL_LITTLE, outward from the saddle. */
 static struct quantity leaves(const struct comparison *q)
 {
     enum { PER_PIECE = 16, HALVINGS = 40 };
@@ -220,14 +219,14 @@ static struct quantity leaves(const struct comparison *q)
         for (int k = 1; k <= PER_PIECE; k++) {
             double hi = (double) k / PER_PIECE;
             v_at(q, i, hi, &gap);
-            if (gap < TOL_TAYLOR_AGREE) {
+            if (gap < TOL_LITTLE) {
                 lo = hi;
                 continue;
             }
             for (int n = 0; n < HALVINGS; n++) {
                 const double middle = 0.5 * (lo + hi);
                 v_at(q, i, middle, &gap);
-                *(gap < TOL_TAYLOR_AGREE ? &lo : &hi) = middle;
+                *(gap < TOL_LITTLE ? &lo : &hi) = middle;
             }
             const double v = v_at(q, i, hi, &gap);
             return quantity_of(v, TOL_ORBIT_RTOL * v);

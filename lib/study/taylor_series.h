@@ -30,7 +30,7 @@ struct taylor_series {
      * and of the place v_minus where the curve itself ends, which no power
      * series can pass. */
     struct quantity radius;
-    /* v up to where the sum of order TAYLOR_PAPER is within TOL_TAYLOR_AGREE
+    /* v up to where the sum of order TAYLOR_PAPER is within TOL_LITTLE
      * of the curve, relative in psi (in e^psi where psi is a logarithm). */
     struct quantity agrees_from, agrees_to;
 };
