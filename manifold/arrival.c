@@ -194,15 +194,17 @@ static double rate_of_y(const struct planar *sys, const struct curve *c,
 }
 
 /* Where the piece goes from up to down: seen from any side, in either
- * direction of time. */
+ * direction of time; *up: what the field said where it began, then where it
+ * ends. */
 static bool returns(const struct planar *sys, const struct curve *c,
-                    size_t piece, struct vec2 *z)
+                    size_t piece, bool *up, struct vec2 *z)
 {
     double lo = 0.0, hi = 1.0, along[CURVE_DIM_MAX];
-    const bool first = rate_of_y(sys, c, piece, lo, z) > 0.0;
+    const bool first = *up;
 
+    *up = rate_of_y(sys, c, piece, hi, z) > 0.0;
     curve_slope_at(c, piece, lo, along);
-    if ((rate_of_y(sys, c, piece, hi, z) > 0.0) == first || !(along[1] > 0.0))
+    if (*up == first || !(along[1] > 0.0))
         return false;
     for (int i = 0; i < 52; i++) {
         const double middle = 0.5 * (lo + hi);
@@ -260,6 +262,7 @@ bool winding_add(struct winding *w, const struct planar *sys,
     if (!w->begun) {
         w->begun = true;
         curve_at(c, 0, 0.0, at);
+        w->up = rate_of_y(sys, c, piece, 0.0, &z) > 0.0;
         w->start = vec2_add(sys->origin, (struct vec2){ at[0], at[1] });
         w->near = HUGE_VAL;
     } else {
@@ -271,7 +274,7 @@ bool winding_add(struct winding *w, const struct planar *sys,
     z = vec2_add(sys->origin, (struct vec2){ at[0], at[1] });
     if (w->count > 0)
         w->extent = fmax(w->extent, vec2_length(arrival_from(s, z, w->at[0])));
-    if (!returns(sys, c, piece, &z))
+    if (!returns(sys, c, piece, &w->up, &z))
         return false;
     w->round = w->extent;
     w->extent = 0.0;

@@ -53,7 +53,7 @@ struct winding {
     struct vec2 at[WINDING_KEPT]; /* absolute, the last one first */
     size_t count;                 /* of all */
     double noise;                 /* what a round is off; given */
-    bool begun;
+    bool begun, up;               /* up: as the field says at the end */
     struct vec2 start;    /* of the curve; of the first, if others go on */
     double near, away;    /* how near to it this round has come, the last one */
     double extent, round; /* how far the curve has been from the last return,
