@@ -33,6 +33,16 @@ static bool are_lower_bounds(const struct plane_study *s)
     return s->basin.share && q.value > q.error;
 }
 
+static json_t *json_reasons(const struct plane_study *s)
+{
+    json_t *all = json_array();
+
+    for (int i = 0; i < PLANE_UNKNOWNS && are_lower_bounds(s); i++)
+        if (s->basin.unknown[i])
+            json_array_append_new(all, json_string(plane_unknown_texts[i]));
+    return all;
+}
+
 static enum exit_code print_json(const struct plane_study *s,
                                  const struct ensemble *drawn,
                                  const struct results *all)
@@ -45,6 +55,7 @@ static enum exit_code print_json(const struct plane_study *s,
     if (j && s->products & BIT(BASINS)) {
         json_object_set_new(j, "shares_are_lower_bounds",
                             json_boolean(are_lower_bounds(s)));
+        json_object_set_new(j, "undecided_reasons", json_reasons(s));
         json_object_set_new(j, "neutral_cycles",
                             json_integer((json_int_t) s->basin.neutral));
     }
@@ -77,9 +88,9 @@ static void print_notes(const struct plane_study *s)
         printf("note: shares are lower bounds: each may have up to %.3g more, "
                "which is undecided\n",
                s->basin.elsewhere.undecided.value);
-    if (s->basin.neutral > 0)
-        printf("note: closed orbits that attract none beside them are "
-               "undecided, as where something is conserved\n");
+    for (int i = 0; i < PLANE_UNKNOWNS && are_lower_bounds(s); i++)
+        if (s->basin.unknown[i])
+            printf("note: undecided: %s\n", plane_unknown_texts[i]);
     if (s->scene->products & BIT(MARGIN) && !margin_exists(&s->basin.regions))
         printf("note: no margins to draw: all states have the same fate\n");
 }

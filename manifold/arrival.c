@@ -248,8 +248,8 @@ static bool closes(struct winding *w, const struct arrival_scale *s,
 
 bool winding_is_closed(const struct winding *w, const struct arrival_scale *s)
 {
-    return w->count >= TOL_WINDING_ROUNDS &&
-           between(w, s, 0, 1) <= TOL_WINDING_GAP && w->away < TOL_WINDING_AFAR;
+    return w->count > 2 && between(w, s, 0, 1) <= w->off &&
+           between(w, s, 1, 2) <= w->off && w->away < TOL_WINDING_AFAR;
 }
 
 bool winding_add(struct winding *w, const struct planar *sys,
@@ -271,6 +271,7 @@ bool winding_add(struct winding *w, const struct planar *sys,
                                           TOL_WINDING_AFAR, &theta));
     }
     curve_at(c, piece, 1.0, at);
+    w->more += w->noise * (1.0 + hypot(at[0] / s->side.x, at[1] / s->side.y));
     z = vec2_add(sys->origin, (struct vec2){ at[0], at[1] });
     if (w->count > 0)
         w->extent = fmax(w->extent, vec2_length(arrival_from(s, z, w->at[0])));
@@ -278,6 +279,8 @@ bool winding_add(struct winding *w, const struct planar *sys,
         return false;
     w->round = w->extent;
     w->extent = 0.0;
+    w->off = w->more;
+    w->more = 0.0;
     w->away = w->near;
     w->near = HUGE_VAL;
     memmove(w->at + 1, w->at, (WINDING_KEPT - 1) * sizeof *w->at);

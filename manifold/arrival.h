@@ -52,12 +52,14 @@ enum { WINDING_KEPT = 16, WINDING_MOST = 4 };
 struct winding {
     struct vec2 at[WINDING_KEPT]; /* absolute, the last one first */
     size_t count;                 /* of all */
-    double noise;                 /* what a round is off; given */
-    bool begun, up;               /* up: as the field says at the end */
+    double noise;         /* what a piece is off, of 1 + |offset|; given */
+    bool begun, up;       /* up: as the field says at the end */
     struct vec2 start;    /* of the curve; of the first, if others go on */
     double near, away;    /* how near to it this round has come, the last one */
     double extent, round; /* how far the curve has been from the last return,
                              and was between the last two */
+    double more, off;     /* what pieces are off since the last return, and
+                             between the last two */
     size_t turns;         /* returns in one round, once it is closed */
     double gap;
 };
@@ -68,6 +70,6 @@ bool winding_add(struct winding *w, const struct planar *sys,
                  const struct arrival_scale *s, const struct curve *c,
                  size_t piece, const struct vec2 equilibrium[], size_t n);
 
-/* Whether it has been round so often without coming any nearer that it is one
- * of many closed orbits. */
+/* Whether it comes back to its start, and twice to where it was up to what
+ * the round is off: it is one of many closed orbits, as far as numbers tell. */
 bool winding_is_closed(const struct winding *w, const struct arrival_scale *s);

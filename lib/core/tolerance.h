@@ -236,14 +236,11 @@
  * GAP, each less than the one before by SHRINK or no more than TOL_ROUNDED or
  * a round is off; the
  * round is AFAR from where the curve started, and larger, and further from any
- * equilibrium, than TOL_SAME and ten times what such differences add up to.
- * After so many ROUNDS that come back to its start an orbit is closed by
- * itself. */
+ * equilibrium, than TOL_SAME and ten times what such differences add up to. */
 #define TOL_TRAP_LEVELS    30
 #define TOL_TRAP_LEAST     8
 #define TOL_WINDING_GAP    1e-7
 #define TOL_WINDING_AFAR   1e-5
-#define TOL_WINDING_ROUNDS 40
 #define TOL_WINDING_SHRINK 0.99
 
 /* A curve between places that follow each other is straight up to this

@@ -103,8 +103,9 @@ static struct vec2 limit_of(const struct plane_study *s,
  * from 0 where it is less than a small part of what it is the difference of.
  * At a distance d it is ln m + O(d); or, where returns differ by c d^p, p > 1,
  * -p c d^(p-1), which at the limit that a constant factor would give, d/p, is
- * at most half of that: m is 1.  True where series are held back: what is so
- * stiff attracts. */
+ * at most half of that: m is 1.  What is left, gap/(1 - m), is half of a round
+ * where that is of a spiral into an equilibrium.  True where series are held
+ * back: what is so stiff attracts. */
 static bool attracts(const struct plane_study *s, const struct winding *w,
                      bool stable)
 {
@@ -112,7 +113,8 @@ static bool attracts(const struct plane_study *s, const struct winding *w,
 
     if (!divergence_round(s, w, w->at[0], stable, beside))
         return true;
-    if (!(beside[0] < -TOL_SAME * beside[1]))
+    if (!(beside[0] < -TOL_SAME * beside[1] &&
+          w->round > 10.0 * fmax(w->gap, w->off) / -expm1(beside[0])))
         return false;
     return !divergence_round(s, w, limit_of(s, w, beside[0]), stable, on) ||
            (on[0] < -TOL_SAME * on[1] && on[0] < 0.75 * beside[0]);

@@ -136,8 +136,8 @@ static size_t borders_of(const struct plane_study *s)
 struct labelling {
     struct patches *p;
     struct plane_study *s;
-    bool *done;      /* by region, of patches */
-    struct vec2 *at; /* where the orbit began that told their goal */
+    bool *done, *seen; /* by region, of patches: asked once; and once more */
+    struct vec2 *at;   /* where the orbit began that told their goal */
     bool tiny;    /* the patch is so small that rounding makes closed orbits */
     int edges;    /* looked for in this window */
     size_t known; /* curves that are borders, when it began */
@@ -205,15 +205,15 @@ static enum status take(struct labelling *l, struct plane_goal *goal)
     enum status status = know_rest(l->s, goal);
 
     l->s->basin.steps += (int64_t) goal->steps;
-    if (goal->kind == PLANE_GOAL_CYCLE && l->tiny &&
-        goal->index == l->s->cycles)
-        goal->kind = PLANE_GOAL_NONE;
-    if (status == STATUS_OK && goal->kind == PLANE_GOAL_CYCLE)
+    if (status == STATUS_OK && goal->kind == PLANE_GOAL_CYCLE && !l->tiny)
         status = plane_cycle_add(l->s, &goal->round, true, &goal->index);
     if (goal->kind == PLANE_GOAL_CYCLE && goal->index == l->s->cycles) {
         goal->kind = PLANE_GOAL_NONE;
-        l->s->basin.neutral++;
+        goal->why = PLANE_UNKNOWN_CLOSED;
+        l->s->basin.neutral += !l->tiny;
     }
+    if (goal->kind == PLANE_GOAL_NONE)
+        l->s->basin.unknown[goal->why] = true;
     return status;
 }
 
@@ -333,27 +333,37 @@ static enum status look_from(struct labelling *l, const struct vec2 z[],
     if (failed)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < n && status == STATUS_OK; i++) {
-        if (known[i])
-            status = take(l, &goal[i]);
-        if (known[i] && status == STATUS_OK)
+        if (!known[i])
+            continue;
+        l->seen[patch[i]] = true;
+        status = take(l, &goal[i]);
+        if (status == STATUS_OK)
             status = compare(l, patch[i], z[i], &goal[i]);
     }
     return status;
 }
 
+/* Whether work for labels is left; that it is not is a reason. */
+static bool has_work(struct labelling *l)
+{
+    const bool work = l->s->basin.steps < TOL_PLANE_WORK;
+
+    l->s->basin.unknown[PLANE_UNKNOWN_WORK] |= !work;
+    return work;
+}
+
 /* Places spread over the window, and the middles of large regions, until there
- * is a curve that divides more. */
+ * is a curve that divides more.  Of a patch that work did not go as far as,
+ * what one orbit told is not known of all of it. */
 static enum status look_over(struct labelling *l, double least,
                              const struct monitor *monitor)
 {
     const size_t regions = l->p->r->count, n = TOL_PLANE_LOOKS + regions;
     enum status status = STATUS_OK;
     struct vec2 z[LOOKS];
-    size_t count = 0;
+    size_t count = 0, i = 0;
 
-    for (size_t i = 0; i < n && status == STATUS_OK && !has_news(l) &&
-                       l->s->basin.steps < TOL_PLANE_WORK;
-         i++) {
+    for (; i < n && status == STATUS_OK && !has_news(l) && has_work(l); i++) {
         if (i < regions) {
             count += l->p->area[i].value >= least &&
                      plane_patch_place(l->p, i, &z[count]);
@@ -368,6 +378,9 @@ static enum status look_over(struct labelling *l, double least,
                      : look_from(l, z, count);
         count = 0;
     }
+    for (size_t k = 0; k < regions && i < n; k++)
+        if (!l->seen[k])
+            l->p->goal[k].kind = PLANE_GOAL_NONE;
     return status;
 }
 
@@ -412,9 +425,8 @@ static enum status find_goals_of(struct labelling *l, const struct whole w[],
 {
     enum status status = STATUS_OK;
 
-    l->s->basin.steps = 0;
     for (; *next < l->p->r->count && w[*next].area > area &&
-           status == STATUS_OK && l->s->basin.steps < TOL_PLANE_WORK;
+           status == STATUS_OK && has_work(l);
          ++*next)
         status = find_goal(l, &w[*next], w[*next].area < least);
     return status;
@@ -428,6 +440,7 @@ static enum status find_goals(struct labelling *l, struct whole w[],
     size_t next = 0;
     enum status status = find_goals_of(l, w, &next, TOL_SAME * all, least);
 
+    l->s->basin.steps = 0;
     if (status == STATUS_OK)
         status = look_over(l, least, monitor);
     l->tiny = true;
@@ -450,9 +463,11 @@ enum status plane_label_all(struct plane_study *s, struct patches *p,
     struct labelling l = { .p = p,
                            .s = s,
                            .done = calloc(n, sizeof *l.done),
+                           .seen = calloc(n, sizeof *l.seen),
                            .at = calloc(n, sizeof *l.at),
                            .known = borders_of(s) };
-    enum status status = w && l.done && l.at ? STATUS_OK : STATUS_NO_MEMORY;
+    enum status status =
+        w && l.done && l.seen && l.at ? STATUS_OK : STATUS_NO_MEMORY;
 
     plane_patch_join(p);
     if (status == STATUS_OK)
@@ -468,6 +483,7 @@ enum status plane_label_all(struct plane_study *s, struct patches *p,
         plane_mosaic_name(s);
     free(w);
     free(l.done);
+    free(l.seen);
     free(l.at);
     return status;
 }

@@ -126,6 +126,8 @@ static enum status ask_middle(struct dividing *d, int level, int i, int j,
     struct vec2 z;
     enum status status = STATUS_OK;
 
+    d->s->basin.unknown[PLANE_UNKNOWN_WORK] |=
+        *known == OPEN && d->s->basin.steps >= d->most;
     if (*known == OPEN && d->s->basin.steps < d->most) {
         if (place_at(&d->square, part, d->p->above, &z))
             status = d->ask(d->ctx, z, &goal);
@@ -199,8 +201,10 @@ static enum status close_cells(struct dividing *d)
     enum status status = STATUS_OK;
 
     for (int i = 0; i < d->n * d->n; i++) {
-        if (d->label[i] == OPEN)
+        if (d->label[i] == OPEN) {
             d->label[i] = UNKNOWN;
+            d->s->basin.unknown[PLANE_UNKNOWN_CELLS] = true;
+        }
         if (d->label[i] >= 0)
             used[d->label[i]] = true;
     }

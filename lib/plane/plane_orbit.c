@@ -15,6 +15,15 @@
 #include "taylor_orbit.h"
 #include "tolerance.h"
 
+const char *const plane_unknown_texts[] = {
+    "closed orbits attract none beside them, as where something is conserved",
+    "orbits come so near to an equilibrium that is not hyperbolic, to a box "
+    "that may hold one, to a closed orbit, or to where formulas may have no "
+    "values, that rounding decides",
+    "orbits are not at an end after all the steps that they may take",
+    "the work for labels was spent", NULL
+};
+
 /* ---- where it ends ------------------------------------------------------- */
 
 /* The equilibrium whose trap holds the end of the orbit. */
@@ -384,6 +393,9 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
         !plane_defined_near(w.plan, s, place_of(&w)))
         break_off(out);
     keep_rounds(&w, out);
+    out->why = w.broken || w.lost                         ? PLANE_UNKNOWN_LOST
+               : winding_is_closed(&w.winding, &s->scale) ? PLANE_UNKNOWN_CLOSED
+                                                          : PLANE_UNKNOWN_STEPS;
     out->steps = steps_of(&w);
     taylor_orbit_free(&w.series);
     orbit_free(&w.implicit);

@@ -110,6 +110,18 @@ struct plane_beyond {
     char word[2 * PLANE_NAME + 48];
 };
 
+/* Why that is not known of an orbit, or was not asked: what texts say in this
+ * order; NULL-ended. */
+enum plane_unknown {
+    PLANE_UNKNOWN_CLOSED,
+    PLANE_UNKNOWN_LOST,
+    PLANE_UNKNOWN_STEPS,
+    PLANE_UNKNOWN_WORK,
+    PLANE_UNKNOWN_CELLS,
+    PLANE_UNKNOWNS
+};
+extern const char *const plane_unknown_texts[];
+
 /* Whereto an orbit goes. */
 struct plane_goal {
     enum plane_goal_kind {
@@ -119,6 +131,7 @@ struct plane_goal {
         PLANE_GOAL_CYCLE,
         PLANE_GOAL_BEYOND
     } kind;
+    enum plane_unknown why; /* of none */
     size_t index;         /* of the rest, of the cycle; cycles: one not known */
     struct winding round; /* of a cycle */
     struct plane_beyond beyond;
@@ -190,7 +203,8 @@ struct plane_basin {
     size_t boundaries;
     int64_t cells, disagreements; /* of the audit */
     int64_t neutral; /* closed orbits met that attract none beside them */
-    int64_t steps;   /* of all orbits: TOL_PLANE_WORK ends labels and audit */
+    bool unknown[PLANE_UNKNOWNS]; /* reasons met for what is undecided */
+    int64_t steps; /* of all orbits: TOL_PLANE_WORK ends labels and audit */
     struct plane_elsewhere elsewhere;
 };
 

@@ -287,6 +287,29 @@ static void closed_orbits_of_a_well_attract_nothing(void **state)
     }
 }
 
+static void what_is_undecided_has_its_reasons(void **state)
+{
+    static const struct {
+        const char *ode;
+        enum plane_unknown why;
+    } at[] = {
+        { "x' = y; y' = -x", PLANE_UNKNOWN_CLOSED },
+        { "x' = x^2; y' = -y", PLANE_UNKNOWN_LOST },
+    };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        plane_run(&s, &c, at[i].ode, WINDOW);
+        for (int k = 0; k < PLANE_UNKNOWN_CELLS; k++)
+            CHECK(s.basin.unknown[k] == (k == (int) at[i].why), "%s: %d",
+                  at[i].ode, k);
+        CHECK(s.basin.unknown[PLANE_UNKNOWN_CELLS] == (i > 0), "%s", at[i].ode);
+        plane_end(&s, &c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -302,6 +325,7 @@ int main(void)
         TEST(manifolds_end_at_what_comes_first),
         TEST(outside_the_window_nothing_passes_an_equilibrium),
         TEST(closed_orbits_of_a_well_attract_nothing),
+        TEST(what_is_undecided_has_its_reasons),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,5 @@
 /* Orbits of systems whose first integrals, limits and ways out are known. */
+#include "plane_cycle.h"
 #include "plane_orbit.h"
 
 #include <math.h>
@@ -233,6 +234,30 @@ static void rounding_makes_no_closed_orbits(void **state)
     }
 }
 
+/* Into the well at 8 pi, in rounds that are a hundredth smaller each, down to
+ * where steps are off by as much: that is no closed orbit. */
+static void slow_spirals_are_no_cycles(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+    struct plane_goal goal;
+    size_t index;
+
+    (void) state;
+    plane_run(&s, &c, "x' = y; y' = -sin(x) - 0.003*y",
+              "window={x: [-6, 6], y: [-3, 3]}\nproducts=[equilibria]\n");
+    const struct plane_guide guide = { .rounds = &s.rounds };
+    for (int i = 0; i < 4; i++) {
+        const struct vec2 z = { -0.1548, 2.04813 + 0.1 * i };
+        assert_int_equal(plane_orbit(&s, z, false, &guide, &goal), STATUS_OK);
+        if (goal.kind == PLANE_GOAL_CYCLE)
+            assert_int_equal(plane_cycle_add(&s, &goal.round, true, &index),
+                             STATUS_OK);
+        CHECK(s.cycles == 0, "from y = %g", z.y);
+    }
+    plane_end(&s, &c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -245,6 +270,7 @@ int main(void)
         cmocka_unit_test(straight_ways_cost_little),
         cmocka_unit_test(spirals_on_a_wide_window_cost_little),
         cmocka_unit_test(rounding_makes_no_closed_orbits),
+        cmocka_unit_test(slow_spirals_are_no_cycles),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
