@@ -5,7 +5,6 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "crest.h"
 #include "rest_form.h"
@@ -94,6 +93,29 @@ static void note_drift(const struct orbit *o, struct vec2 gradient,
     k->beside = e[0] - k->x_slope * late;
 }
 
+/* A point that y does not go on from, or stands still at, is no knot: its way
+ * is the next one's. */
+static void make_monotone(struct slow_branch *b)
+{
+    struct slow_knot *const k = b->knot;
+    const double way = k[b->count - 1].y - k[0].y;
+    size_t kept = 0;
+
+    for (size_t i = 0; i < b->count; i++) {
+        struct slow_knot next = k[i];
+        for (; kept > 0; kept--) {
+            const struct slow_knot *last = &k[kept - 1];
+            if ((next.y - last->y) * way > 0.0 && isfinite(last->time[1]))
+                break;
+            next.time[0] += last->time[0];
+            next.slip[0] += last->slip[0];
+            next.mu = fmax(next.mu, last->mu);
+        }
+        k[kept++] = next;
+    }
+    b->count = kept;
+}
+
 /* What a branch leads to: a node, v that fades for ever, or neither. */
 enum ahead { AHEAD_NEITHER, AHEAD_FADING, AHEAD_NODE };
 
@@ -132,6 +154,7 @@ static enum status follow(const struct slider *s, struct orbit *o,
             monitor_tell(monitor, "slow curve", o->steps, 0))
             status = STATUS_STOPPED;
     }
+    make_monotone(b);
     return status == STATUS_NO_CONVERGENCE || status == STATUS_TOO_MANY_STEPS
                ? STATUS_OK
                : status;
@@ -293,28 +316,6 @@ static void look_back(struct slow_branch *b)
     }
 }
 
-/* Drops knots at the end far from the saddle, or from the face, where rounding
- * moves y back. */
-static void make_monotone(struct slow_branch *b)
-{
-    const struct slow_knot *k = b->knot;
-    size_t first = 0, last = b->count - 1;
-    const bool from_first = b->start != SLOW_BESIDE;
-    const double way = from_first ? k[1].y - k[0].y : k[last].y - k[last - 1].y;
-
-    if (from_first) {
-        for (last = 0; last + 1 < b->count; last++)
-            if (!((k[last + 1].y - k[last].y) * way > 0.0))
-                break;
-    } else {
-        for (first = last; first > 0; first--)
-            if (!((k[first].y - k[first - 1].y) * way > 0.0))
-                break;
-    }
-    b->count = last + 1 - first;
-    memmove(b->knot, b->knot + first, b->count * sizeof *k);
-}
-
 /* ---- looking up ---------------------------------------------------------- */
 
 /* Where y lies between the ends, in even parts. */
@@ -435,7 +436,6 @@ static enum status run(const struct slider *s, struct vec2 z,
         slow_fit_digits(b);
         slow_fit_judge(s, b);
         status = finish(s, &o, goals->fate[o.end_index], b);
-        make_monotone(b);
     }
     if (status == STATUS_OK && b->count > 2)
         status = fill_bins(b);

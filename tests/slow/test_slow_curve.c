@@ -2,6 +2,7 @@
 #include "slow_curve.h"
 
 #include "fault_alloc.h"
+#include "found.h"
 #include "slope.h"
 #include "stops.h"
 #include "tolerance.h"
@@ -166,6 +167,50 @@ static void it_leads_on_where_blocks_never_quite_stop(void **state)
     }
 }
 
+static double sum_of(const struct slow_knot *k)
+{
+    return k->x_slope + k->x_bend + k->bend_noise + k->time[0] + k->time[1] +
+           k->time[2] + k->slip[0] + k->slip[1] + k->slip[2] + k->time_error +
+           k->slip_error + k->time_bar + k->slip_bar + k->mu + k->mu_error +
+           k->mu_y + k->mu_peak_error;
+}
+
+/* On the one y is at first and for some steps where it settles, on the other
+ * the last steps move it by a rounding or none. */
+static void a_knot_has_no_number_that_is_none(void **state)
+{
+    static const struct found slope[] = {
+        { FRICTION_LOG, THETA_LN_C_PSI, PSI_SS_SPINODAL_UNIT,
+          TIMESCALE_SPINODAL, KINETICS_LINEAR, 0.77250489137791722,
+          0.012459248966764744, 0.0075101084564656107, 2.1869897249117582,
+          46168107.389127016, 3.553363310529728e-05, 0.00035694015686807981,
+          0.62503, 1e-6 },
+        { FRICTION_ASINH, THETA_PSI, PSI_SS_INVERSE, TIMESCALE_AGEING44,
+          KINETICS_LINEAR, 0.49670396127136351, 0.0020312913416408954,
+          0.010106930211383695, 0.00010194818157225821, 0.26984268255216171,
+          7.1628063734379712e-05, 1.6547842487386447e-08, 0.548, 1e-6 },
+    };
+    static const long double tangent[] = { 0.721693387347940588667L,
+                                           0.610933354951786344964L };
+    struct slow_curve c;
+    struct slider s;
+    struct scene scene;
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        found_scene(&slope[i], steady_only, &scene);
+        slider_init(&s, &scene.law, &scene.material, tangent[i]);
+        assert_int_equal(slow_curve_init(&c, &s, NULL), STATUS_OK);
+        assert_true(c.branches > 0);
+        for (size_t k = 0; k < c.branches; k++)
+            for (size_t j = 0; j < c.branch[k].count; j++)
+                CHECK(isfinite(sum_of(&c.branch[k].knot[j])), "knot %zu of %zu",
+                      j, c.branch[k].count);
+        slow_curve_free(&c);
+        scene_free(&scene);
+    }
+}
+
 static void a_monitor_stops_it(void **state)
 {
     const struct monitor monitor = { stop_at_once, NULL };
@@ -207,6 +252,7 @@ int main(void)
         cmocka_unit_test(beside_the_saddle_time_grows_like_a_logarithm),
         cmocka_unit_test(beside_the_saddle_slip_grows_evenly),
         cmocka_unit_test(it_leads_on_where_blocks_never_quite_stop),
+        cmocka_unit_test(a_knot_has_no_number_that_is_none),
         cmocka_unit_test(a_monitor_stops_it),
         cmocka_unit_test(every_allocation_may_fail),
     };
