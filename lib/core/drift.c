@@ -2,7 +2,8 @@
  * e' = Dg(p) e + d.  Collocation with one stage more (Radau IIA, six stages,
  * order 11) sees of d, which vanishes at the stages of the step and is
  * orthogonal to low powers, all but two orders less; stiff components it
- * follows like the method itself. */
+ * follows like the method itself.  It is made on each half of a step, for much
+ * of d cancels on long ones, and, to tell how well, on all of it. */
 #include "drift.h"
 
 #include <float.h>
@@ -11,13 +12,7 @@
 
 #include "tolerance.h"
 
-enum { STAGES = DRIFT_CALLS, UNKNOWNS = 2 * STAGES, SIDES = 3 };
-
-/* Stages of a step (radau.h), but the last. */
-static const double step_node[RADAU_STAGES - 1] = { 0.0571041961145176822,
-                                                    0.276843013638123828,
-                                                    0.58359043236891682,
-                                                    0.860240135656219448 };
+enum { STAGES = DRIFT_CALLS / 3, UNKNOWNS = 2 * STAGES, SIDES = 3 };
 
 static const double node[STAGES] = {
     0.0398098570514687423, 0.198013417873608173, 0.437974810247386144,
@@ -56,44 +51,26 @@ struct piece {
     double defect[STAGES][CURVE_DIM_MAX];
 };
 
-/* How rough component i of the field is on the step.  The defect over the
- * polynomial that vanishes at the step's own stages is smooth where these
- * resolve the field; it is its fourth difference that errors are made of, over
- * its size. */
-static double roughness(const struct piece *p, size_t i)
-{
-    double part[STAGES], most = 0.0;
-
-    for (int j = 0; j < STAGES - 1; j++) {
-        double M = 1.0 - node[j];
-        for (int k = 0; k < RADAU_STAGES - 1; k++)
-            M *= node[j] - step_node[k];
-        part[j] = p->defect[j][i] / M;
-        most = fmax(most, fabs(part[j]));
-    }
-    for (int k = 1; k < STAGES - 1; k++)
-        for (int j = STAGES - 2; j >= k; j--)
-            part[j] = (part[j] - part[j - 1]) / (node[j] - node[j - k]);
-    return most > 0.0 ? fabs(part[STAGES - 2]) / most : 0.0;
-}
-
+/* The part of the last piece between these thetas. */
 static void look_at(const struct rescaled *clock, const struct curve *c,
-                    double h, struct piece *p)
+                    double h, double from, double to, struct piece *p)
 {
     const size_t last = c->count - 1;
+    const double part = to - from;
     double u[CURVE_DIM_MAX], du[CURVE_DIM_MAX];
     struct cascade_linear l;
 
     p->dim = c->dim;
     p->nearest = HUGE_VAL;
     for (int j = 0; j < STAGES; j++) {
-        curve_at(c, last, node[j], u);
-        curve_slope_at(c, last, node[j], du);
+        const double theta = from + part * node[j];
+        curve_at(c, last, theta, u);
+        curve_slope_at(c, last, theta, du);
         p->nearest = fmin(p->nearest, hypot(u[0], u[1]));
         rescaled_linear(clock, (struct vec2){ u[0], u[1] }, &l);
         for (size_t i = 0; i < c->dim; i++) {
-            p->slope[j][i] = vec2_scale(h, l.slope[i]);
-            p->defect[j][i] = du[i] - h * l.du[i];
+            p->slope[j][i] = vec2_scale(part * h, l.slope[i]);
+            p->defect[j][i] = part * (du[i] - h * l.du[i]);
         }
     }
 }
@@ -112,15 +89,18 @@ static void eliminate(double A[UNKNOWNS][UNKNOWNS + SIDES])
             A[k][j] = A[best][j];
             A[best][j] = swap;
         }
-        for (size_t i = 0; i < UNKNOWNS; i++) {
-            const double part = i == k ? 0.0 : A[i][k] / A[k][k];
-            for (size_t j = k; j < all && part != 0.0; j++)
+        for (size_t i = k + 1; i < UNKNOWNS; i++) {
+            const double part = A[i][k] / A[k][k];
+            for (size_t j = k + 1; j < all && part != 0.0; j++)
                 A[i][j] -= part * A[k][j];
         }
     }
-    for (size_t k = 0; k < UNKNOWNS; k++)
-        for (size_t j = UNKNOWNS; j < all; j++)
+    for (size_t k = UNKNOWNS; k-- > 0;)
+        for (size_t j = UNKNOWNS; j < all; j++) {
+            for (size_t i = k + 1; i < UNKNOWNS; i++)
+                A[k][j] -= A[k][i] * A[i][j];
             A[k][j] /= A[k][k];
+        }
 }
 
 /* A component that settles at once does so at any larger rate, too: rows that
@@ -167,20 +147,32 @@ static void solve(const struct piece *p, double E[UNKNOWNS][SIDES])
 struct transport {
     double more[CURVE_DIM_MAX];
     double gain[CURVE_DIM_MAX][2];
+    double nearest;                   /* to the origin on the way */
+    struct vec2 slope[CURVE_DIM_MAX]; /* at the end, over the whole piece */
+    double defect[CURVE_DIM_MAX];
 };
 
-static bool find_transport(const struct piece *p, struct transport *t)
+/* Over the part of the last piece between these thetas; false: not finite. */
+static bool find_transport(const struct rescaled *clock, const struct curve *c,
+                           double h, double from, double to,
+                           struct transport *t)
 {
     double E[UNKNOWNS][SIDES];
     bool is_finite = true;
+    struct piece p;
 
-    solve(p, E);
-    for (size_t i = 0; i < p->dim; i++) {
+    look_at(clock, c, h, from, to, &p);
+    scale_rows(&p);
+    solve(&p, E);
+    t->nearest = p.nearest;
+    for (size_t i = 0; i < p.dim; i++) {
+        t->slope[i] = vec2_scale(1.0 / (to - from), p.slope[STAGES - 1][i]);
+        t->defect[i] = p.defect[STAGES - 1][i] / (to - from);
         double sum[SIDES] = { 0.0 };
         for (size_t j = 0; j < STAGES; j++) {
-            const struct vec2 g = p->slope[j][i];
+            const struct vec2 g = p.slope[j][i];
             const double w = weight[STAGES - 1][j];
-            sum[0] += w * p->defect[j][i];
+            sum[0] += w * p.defect[j][i];
             for (int k = 0; k < SIDES; k++)
                 sum[k] += w * (g.x * E[2 * j][k] + g.y * E[2 * j + 1][k]);
         }
@@ -190,6 +182,25 @@ static bool find_transport(const struct piece *p, struct transport *t)
         is_finite = is_finite && isfinite(sum[0] + sum[1] + sum[2]);
     }
     return is_finite;
+}
+
+/* Of what `next` makes of what t makes. */
+static void append(struct transport *t, const struct transport *next,
+                   size_t dim)
+{
+    const struct transport first = *t;
+    const double *m = first.more;
+    const double(*g)[2] = first.gain;
+
+    for (size_t i = 0; i < dim; i++) {
+        const double *n = next->gain[i];
+        t->more[i] += next->more[i] + n[0] * m[0] + n[1] * m[1];
+        for (int k = 0; k < 2; k++)
+            t->gain[i][k] += n[k] + n[0] * g[0][k] + n[1] * g[1][k];
+    }
+    t->nearest = fmin(t->nearest, next->nearest);
+    memcpy(t->slope, next->slope, sizeof t->slope);
+    memcpy(t->defect, next->defect, sizeof t->defect);
 }
 
 /* M C M^T with M = 1 + gain. */
@@ -210,9 +221,9 @@ static void spread(const struct transport *t, size_t dim,
 
 /* e -> e - (row e) du: what is off where the function with the gradient row,
  * row du = 1, has its value. */
-static void project(struct drift *d, const double du[], const double row[],
-                    size_t n, size_t dim)
+static void project(struct drift *d, const double row[], size_t n, size_t dim)
 {
+    const double *du = d->du;
     double by[CURVE_DIM_MAX] = { 0.0 }, late = 0.0, lost = 0.0, square = 0.0;
 
     for (size_t k = 0; k < n; k++) {
@@ -259,8 +270,9 @@ static double first_order(const struct drift *d, double rate,
 }
 
 /* Of time, where the orbit crosses a line across its way. */
-static double lateness(const struct drift *d, const double du[])
+static double lateness(const struct drift *d)
 {
+    const double *du = d->du;
     const double square = du[0] * du[0] + du[1] * du[1];
     const double row[2] = { du[0] / square, du[1] / square };
 
@@ -285,16 +297,29 @@ static void add_rounding(struct drift *d, const struct curve *c,
     }
 }
 
+/* Those of the true orbit, beside the end of the piece: a polynomial's, less
+ * what its error grows by. */
+static void find_rates(struct drift *d, const struct curve *c,
+                       const struct transport *t)
+{
+    curve_slope_at(c, c->count - 1, 1.0, d->du);
+    for (size_t i = 0; i < c->dim; i++)
+        d->du[i] -=
+            t->defect[i] + t->slope[i].x * d->e[0] + t->slope[i].y * d->e[1];
+}
+
 /* What is off along the orbit leaves it where it is, but late: as much further
  * on, and in no need of being carried.  It would be a rate's times as much of a
- * sum whose rate grows, and cancel. */
-static void turn_across(struct drift *d, const double du[], size_t dim)
+ * sum whose rate grows, and cancel.  (But where that is later than the step is
+ * long, for the orbit may turn: the fast coordinate settles.) */
+static void turn_across(struct drift *d, size_t dim)
 {
+    const double *du = d->du;
     const double square = du[0] * du[0] + du[1] * du[1];
     const double row[2] = { du[0] / square, du[1] / square };
 
-    if (isfinite(row[0]) && isfinite(row[1]) && square > 0.0)
-        project(d, du, row, 2, dim);
+    if (fabs(row[0] * d->e[0] + row[1] * d->e[1]) < 1.0)
+        project(d, row, 2, dim);
 }
 
 void drift_carry(struct drift *d, const struct rescaled *clock,
@@ -302,18 +327,18 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
 {
     const struct vec2 e = { d->e[0], d->e[1] };
     const struct vec2 lost = { d->lost[0], d->lost[1] };
-    struct piece p;
-    struct transport t;
+    struct transport whole, t, half;
     double u[CURVE_DIM_MAX];
 
-    look_at(clock, c, h, &p);
-    const double rough = fmax(roughness(&p, 0), roughness(&p, 1));
-    scale_rows(&p);
-    if (!find_transport(&p, &t)) {
+    if (!find_transport(clock, c, h, 0.0, 1.0, &whole) ||
+        !find_transport(clock, c, h, 0.0, 0.5, &t) ||
+        !find_transport(clock, c, h, 0.5, 1.0, &half)) {
         for (size_t i = 0; i < c->dim; i++)
             d->e[i] += copysign(missed[i], d->e[i]);
+        curve_slope_at(c, c->count - 1, 1.0, d->du);
         return;
     }
+    append(&t, &half, c->dim);
     for (size_t i = 0; i < c->dim; i++) {
         const double *g = t.gain[i];
         d->e[i] += t.more[i] + g[0] * e.x + g[1] * e.y;
@@ -322,24 +347,24 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
     spread(&t, c->dim, d->noise);
     curve_at(c, c->count - 1, 1.0, u);
     add_rounding(d, c, u);
-    const double part = TOL_DRIFT_UNSURE * fmax(rough / TOL_DRIFT_ROUGH, 1.0);
     for (size_t i = 0; i < c->dim; i++) {
-        const double unsure = part * t.more[i];
+        const double cruder = t.more[i] - whole.more[i];
+        const double unsure = TOL_DRIFT_UNSURE * t.more[i];
         const double digit = 0.5 * DBL_EPSILON * u[i];
-        d->noise[i][i] += unsure * unsure + digit * digit;
+        d->noise[i][i] += cruder * cruder + unsure * unsure + digit * digit;
     }
-    curve_slope_at(c, c->count - 1, 1.0, u);
-    if (d->rate > 0.0 && p.nearest < TOL_DRIFT_NEAR)
-        d->late = fmax(d->late, d->rate * lateness(d, u));
-    turn_across(d, u, c->dim);
+    find_rates(d, c, &t);
+    if (d->rate > 0.0 && t.nearest < TOL_DRIFT_NEAR)
+        d->late = fmax(d->late, d->rate * lateness(d));
+    turn_across(d, c->dim);
 }
 
-void drift_cross(struct drift *d, const double du[], size_t which, size_t dim)
+void drift_cross(struct drift *d, size_t which, size_t dim)
 {
     double row[CURVE_DIM_MAX] = { 0.0 };
 
-    row[which] = 1.0 / du[which];
-    project(d, du, row, which + 1, dim);
+    row[which] = 1.0 / d->du[which];
+    project(d, row, which + 1, dim);
     d->e[which] = d->lost[which] = 0.0;
     for (size_t i = 0; i < dim; i++)
         d->noise[i][which] = d->noise[which][i] = 0.0;
@@ -359,26 +384,26 @@ static double stretched(const struct drift *d, double bar)
     return bar > 0.0 ? stretch(d->late) * bar : bar;
 }
 
-double drift_bar(const struct drift *d, const double du[], struct vec2 gradient,
-                 size_t i)
+double drift_bar(const struct drift *d, struct vec2 gradient, size_t i)
 {
+    const double *du = d->du;
     const double speed = gradient.x * du[0] + gradient.y * du[1];
     const double row[2] = { gradient.x / speed, gradient.y / speed };
 
     return stretched(d, first_order(d, du[i], row, 2, i));
 }
 
-double drift_bar_at(const struct drift *d, const double du[], size_t which,
-                    size_t i)
+double drift_bar_at(const struct drift *d, size_t which, size_t i)
 {
     double row[CURVE_DIM_MAX] = { 0.0 };
 
-    row[which] = 1.0 / du[which];
-    return stretched(d, first_order(d, du[i], row, which + 1, i));
+    row[which] = 1.0 / d->du[which];
+    return stretched(d, first_order(d, d->du[i], row, which + 1, i));
 }
 
-double drift_across(const struct drift *d, const double du[])
+double drift_across(const struct drift *d)
 {
+    const double *du = d->du;
     const double size = hypot(du[0], du[1]);
     const double x = size > 0.0 ? -du[1] / size : 1.0;
     const double y = size > 0.0 ? du[0] / size : 1.0;

@@ -10,7 +10,7 @@
 #include "rescaled.h"
 
 /* Evaluations of the field and its gradients by drift_carry. */
-enum { DRIFT_CALLS = 6 };
+enum { DRIFT_CALLS = 18 };
 
 /* First order is not enough at a saddle.  An orbit that passes it at q along
  * the unstable direction and is off by e there leaves it late by
@@ -23,6 +23,8 @@ struct drift {
     double rounded;             /* sum of its sizes in the chart */
     double noise[CURVE_DIM_MAX][CURVE_DIM_MAX]; /* covariance */
     double rate, late; /* of the saddle at the origin; r, a bound on it */
+    double du[CURVE_DIM_MAX]; /* rates of the true orbit where e is, in some
+                                 unit of time */
 };
 
 /* At the start, whose coordinates are known to within `rounding`; `rate`: the
@@ -36,20 +38,17 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
                  const struct curve *c, double h, const double missed[]);
 
 /* Leaves of *d what an orbit with `dim` components is off where component
- * `which` has its value; du: its rates there.  Along its way it only comes
- * earlier or later. */
-void drift_cross(struct drift *d, const double du[], size_t which, size_t dim);
+ * `which` has its value.  Along its way it only comes earlier or later. */
+void drift_cross(struct drift *d, size_t which, size_t dim);
 
 /* A bound, with what rounding does, on how far component i is off where a
  * function of the chart with this gradient has its value: what is off along the
- * orbit only comes earlier or later.  du: the rates there. */
-double drift_bar(const struct drift *d, const double du[], struct vec2 gradient,
-                 size_t i);
+ * orbit only comes earlier or later. */
+double drift_bar(const struct drift *d, struct vec2 gradient, size_t i);
 
 /* The bound where component `which` has its value. */
-double drift_bar_at(const struct drift *d, const double du[], size_t which,
-                    size_t i);
+double drift_bar_at(const struct drift *d, size_t which, size_t i);
 
-/* The bound on how far the orbit is from the true one in the chart, across the
- * direction of du. */
-double drift_across(const struct drift *d, const double du[]);
+/* The bound on how far the orbit is from the true one in the chart, across its
+ * way. */
+double drift_across(const struct drift *d);

@@ -186,9 +186,9 @@ static void carry(struct orbit *o, struct drift *d, double h,
 
     drift_carry(d, &o->clock, &o->curve, h, error);
     o->jacobian_calls += DRIFT_CALLS;
-    p->across = fmin(drift_across(d, o->du),
-                     fmax(o->error[0], o->error[1]) + d->rounded) +
-                fmax(fabs(error[0]), fabs(error[1]));
+    p->across =
+        fmin(drift_across(d), fmax(o->error[0], o->error[1]) + d->rounded) +
+        fmax(fabs(error[0]), fabs(error[1]));
 }
 
 /* Moves to where the last piece ends. */

@@ -310,13 +310,12 @@
 #define TOL_ORBIT_PACE 1e-6
 
 /* What is carried along an orbit (drift.h).  The bar, beside the error to first
- * order: standard deviations of the rest; what part of a step's error is not
- * known, more where the field is this rough or rougher; how many times as fast
- * one component may settle as the other; and how near to the saddle it passes
- * it, in the chart. */
+ * order: standard deviations of the rest; what part of a step's error is of
+ * higher order, beside what two halves of the step see of it and the whole does
+ * not; how many times as fast one component may settle as the other; and how
+ * near to the saddle it passes it, in the chart. */
 #define TOL_DRIFT_NOISE  4.0
-#define TOL_DRIFT_UNSURE 0.5
-#define TOL_DRIFT_ROUGH  40.0
+#define TOL_DRIFT_UNSURE 0.25
 #define TOL_DRIFT_STIFF  1e7
 #define TOL_DRIFT_NEAR   1.0
 

@@ -203,11 +203,10 @@ static const char *why_endless(const struct slider *s, const struct orbit *o,
 }
 
 /* Where an orbit ends: a face of a box of arrest, known to its rounding, or
- * somewhere along its way.  Rates are the last step's: those of the field may
- * be rounding there. */
+ * somewhere along its way. */
 struct ending {
-    double du[CURVE_DIM_MAX], level;
     struct vec2 gradient;
+    double level;
     const struct drift *drift;
 };
 
@@ -219,7 +218,6 @@ static struct ending end_of(const struct slider *s, const struct orbit *o,
 
     if (o->curve.count == 0)
         return e;
-    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, e.du);
     e.gradient = rest_left_section(s);
     if (o->end != ORBIT_ARRIVED)
         return e;
@@ -231,12 +229,12 @@ static struct ending end_of(const struct slider *s, const struct orbit *o,
 /* Bar of a component where the orbit ends. */
 static double bar_at(const struct ending *e, size_t i)
 {
-    const double speed = e->gradient.x * e->du[0] + e->gradient.y * e->du[1];
+    const double *du = e->drift->du;
+    const double speed = e->gradient.x * du[0] + e->gradient.y * du[1];
 
     if (speed == 0.0) /* it did not move */
         return 0.0;
-    return drift_bar(e->drift, e->du, e->gradient, i) +
-           fabs(e->du[i] / speed) * e->level;
+    return drift_bar(e->drift, e->gradient, i) + fabs(du[i] / speed) * e->level;
 }
 
 /* A sum along the orbit, with what is left. */

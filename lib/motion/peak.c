@@ -143,11 +143,9 @@ static double end_error(const struct orbit *o)
 {
     const struct vec2 face = fate_face((struct vec2){ o->u[0], o->u[1] },
                                        o->options.target[o->end_index]);
-    double du[CURVE_DIM_MAX];
 
-    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, du);
-    return fmax(drift_bar(o->options.drift, du, face, 0),
-                drift_bar(o->options.drift, du, face, 1));
+    return fmax(drift_bar(o->options.drift, face, 0),
+                drift_bar(o->options.drift, face, 1));
 }
 
 /* Of ln v and of psi's coordinate, per piece, at the start. */

@@ -86,21 +86,20 @@ static double bar_of(const struct course *c, const struct orbit *o,
     const struct vec2 z = { o->u[0], o->u[1] };
     const struct equilibrium *node =
         moment_node_at(c->slider, z, TOL_TRANSIENT_REACH * TOL_ARREST);
-    double du[CURVE_DIM_MAX];
+    const double *du = d->du;
 
     if (o->curve.count == 0)
         return 0.0;
-    curve_slope_at(&o->curve, o->curve.count - 1, 1.0, du);
     if (end == TRANSIENT_UNTIL_TIME)
-        return drift_bar_at(d, du, 2, i);
+        return drift_bar_at(d, 2, i);
     if (end == TRANSIENT_UNTIL_SLIP)
-        return drift_bar_at(d, du, 3 + BLOCK_SLIP, i);
+        return drift_bar_at(d, 3 + BLOCK_SLIP, i);
     if (end != TRANSIENT_ARREST || node == NULL)
-        return drift_bar(d, du, rest_left_section(c->slider), i);
+        return drift_bar(d, rest_left_section(c->slider), i);
     const struct vec2 at = vec2_sub(node->z, c->slider->plane.system.origin);
     const struct vec2 face = fate_face(z, at);
     const double closing = face.x * du[0] + face.y * du[1];
-    return drift_bar(d, du, face, i) +
+    return drift_bar(d, face, i) +
            fabs(du[i] / closing) * slider_rounding(c->slider, z);
 }
 

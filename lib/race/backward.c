@@ -283,8 +283,8 @@ static void note_errors(struct route *r, size_t dep, const double missed[])
     const double unit = unit_of(r, dep), before = r->beside;
     const double slope = fabs(o->du[dep] / o->du[ind]);
 
-    drift_cross(&r->drift, o->du, ind, o->curve.dim);
-    r->beside = unit * drift_bar_at(&r->drift, o->du, ind, dep);
+    drift_cross(&r->drift, ind, o->curve.dim);
+    r->beside = unit * drift_bar_at(&r->drift, ind, dep);
     p->error = fmax(before, r->beside) +
                unit * (o->error[dep] - missed[dep] +
                        slope * (o->error[ind] - missed[ind]));
@@ -341,8 +341,7 @@ static enum status follow(struct route *r)
 /* Of a number at the end: what was carried there, what is left, a rounding. */
 static double bar(const struct route *r, size_t i, double rest, double value)
 {
-    return unit_of(r, i) *
-               drift_bar_at(&r->drift, r->orbit.du, (size_t) r->ind, i) +
+    return unit_of(r, i) * drift_bar_at(&r->drift, (size_t) r->ind, i) +
            TOL_BAR_FIRST_ORDER * fabs(rest) +
            TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(value);
 }

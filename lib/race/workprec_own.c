@@ -267,10 +267,8 @@ static double bar_of(const struct orbit *coarse, const struct orbit *fine,
 
     for (int k = 0; k < 2; k++) {
         const struct orbit *o = both[k];
-        struct cascade_linear l;
-        rescaled_linear(&o->clock, (struct vec2){ o->u[0], o->u[1] }, &l);
         q[k] = quantity_of(o->u[i],
-                           drift_bar_at(o->options.drift, l.du, 2, (size_t) i) +
+                           drift_bar_at(o->options.drift, 2, (size_t) i) +
                                TOL_ROUNDINGS * DBL_EPSILON * fabs(o->u[i]));
     }
     return fate_compare(&q[0], &q[1]).error;

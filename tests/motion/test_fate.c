@@ -268,6 +268,40 @@ static void an_orbit_ends_at_the_end_of_a_step(void **state)
     scene_free(&scene);
 }
 
+/* The step away from the saddle is a factor of 22 long: what is off on it all
+ * but cancels between its ends. */
+static void a_long_step_is_no_further_off_than_its_bar(void **state)
+{
+    static const struct found f = { FRICTION_LOG,
+                                    THETA_LN_PSI,
+                                    PSI_SS_INVERSE,
+                                    TIMESCALE_SLIP,
+                                    KINETICS_LINEAR,
+                                    0.369,
+                                    0.030360493155306822,
+                                    0.0489,
+                                    0.00011093377628493074,
+                                    283.3840119741688,
+                                    7.6622466375976848e-06,
+                                    1e-6,
+                                    0.494,
+                                    1e-6 };
+    const struct vec2 z = { -9.0908428202773788, 9.122197218042599 };
+    struct fate_result fine, loose;
+    struct slider s;
+    struct scene scene;
+
+    (void) state;
+    found_scene(&f, steady_only, &scene);
+    slider_init(&s, &scene.law, &scene.material, 0.538108777585805432954L);
+    assert_int_equal(fate_find(&s, z, 1e-12, true, NULL, &fine), 0);
+    assert_int_equal(fate_find(&s, z, 1e-4, true, NULL, &loose), 0);
+    const double off = fabs(loose.slip.value - fine.slip.value);
+    CHECK(off <= loose.slip.error && loose.slip.error < 10.0 * off,
+          "%g over %g", off, loose.slip.error);
+    scene_free(&scene);
+}
+
 static void what_does_not_stop_has_neither_slip_nor_time(void **state)
 {
     struct slope s;
@@ -350,6 +384,7 @@ int main(void)
         cmocka_unit_test(a_creep_node_is_reached_when_the_table_says),
         cmocka_unit_test(a_single_orbit_is_no_further_off_than_its_bar),
         cmocka_unit_test(an_orbit_ends_at_the_end_of_a_step),
+        cmocka_unit_test(a_long_step_is_no_further_off_than_its_bar),
         cmocka_unit_test(what_does_not_stop_has_neither_slip_nor_time),
         cmocka_unit_test(states_outside_the_domain_are_refused),
         cmocka_unit_test(a_monitor_stops_a_long_orbit),
