@@ -353,17 +353,17 @@ static bool has_work(struct labelling *l)
 }
 
 /* Places spread over the window, and the middles of large regions, until there
- * is a curve that divides more.  Of a patch that work did not go as far as,
- * what one orbit told is not known of all of it. */
+ * is a curve that divides more. */
 static enum status look_over(struct labelling *l, double least,
                              const struct monitor *monitor)
 {
     const size_t regions = l->p->r->count, n = TOL_PLANE_LOOKS + regions;
     enum status status = STATUS_OK;
     struct vec2 z[LOOKS];
-    size_t count = 0, i = 0;
+    size_t count = 0;
 
-    for (; i < n && status == STATUS_OK && !has_news(l) && has_work(l); i++) {
+    for (size_t i = 0;
+         i < n && status == STATUS_OK && !has_news(l) && has_work(l); i++) {
         if (i < regions) {
             count += l->p->area[i].value >= least &&
                      plane_patch_place(l->p, i, &z[count]);
@@ -378,9 +378,6 @@ static enum status look_over(struct labelling *l, double least,
                      : look_from(l, z, count);
         count = 0;
     }
-    for (size_t k = 0; k < regions && i < n; k++)
-        if (!l->seen[k])
-            l->p->goal[k].kind = PLANE_GOAL_NONE;
     return status;
 }
 
@@ -432,19 +429,26 @@ static enum status find_goals_of(struct labelling *l, const struct whole w[],
     return status;
 }
 
-/* The large ones first; those that are tiny once no border is new. */
+/* The large ones first; those that are tiny once no border is new, if there was
+ * work for the large ones. */
 static enum status find_goals(struct labelling *l, struct whole w[],
                               const struct monitor *monitor)
 {
     const double all = sort_patches(l->p, w), least = TOL_SEEN * all;
     size_t next = 0;
     enum status status = find_goals_of(l, w, &next, TOL_SAME * all, least);
+    const bool all_large = has_work(l);
 
     l->s->basin.steps = 0;
     if (status == STATUS_OK)
         status = look_over(l, least, monitor);
+    for (size_t k = 0; k < l->p->r->count && w[k].area >= least && !has_work(l);
+         k++)
+        if (!l->seen[w[k].patch]) /* one orbit's goal is not all of its */
+            l->p->goal[w[k].patch].kind = PLANE_GOAL_NONE;
     l->tiny = true;
-    if (status == STATUS_OK && !has_news(l))
+    l->s->basin.steps = 0;
+    if (status == STATUS_OK && !has_news(l) && all_large)
         status = find_goals_of(l, w, &next, 0.0, least);
     l->tiny = false;
     if (status == STATUS_OK && !has_news(l))
