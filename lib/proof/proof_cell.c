@@ -207,6 +207,13 @@ static bool prove(struct cell *c, struct proof_front *front,
     return true;
 }
 
+/* Whether the integral is near the largest of doubles, so that only ever
+ * shorter cells bound it. */
+static bool is_endless(const struct cell *c)
+{
+    return isfinite(c->defect) && !isfinite(c->beside);
+}
+
 /* What the next cell, or this one again, is to have of theta: remainders grow
  * with the power n + 1 of it. */
 static double fitting(const struct cell *c, double coarse)
@@ -245,7 +252,7 @@ bool proof_cells(struct interval_tape *t, const struct proof_piece *piece,
         if (fine && prove(&c, front, &cell)) {
             *status = keep(out, &cell);
             c.from = c.to;
-        } else if (least) {
+        } else if (least || is_endless(&c)) {
             return false;
         } else if (fine) {
             length = size / 2;

@@ -135,6 +135,19 @@ static void narrow(struct seeker *s, double a, double b)
 
 /* ---- the way ------------------------------------------------------------- */
 
+/* d dep/d ind - 1 on [a, b] with the derivative `bend`, by the mean value
+ * theorem. */
+static struct interval over_by_mean(const struct seeker *s, double a, double b,
+                                    struct interval bend)
+{
+    const double middle = a / 2 + b / 2;
+    const struct patch at = box_on(s, middle, middle);
+
+    return add(
+        over_one(s, &at),
+        times(bend, interval_less((struct interval){ a, b }, point(middle))));
+}
+
 static bool part(struct seeker *s, double a, double b, int depth)
 {
     const double middle = a / 2 + b / 2;
@@ -145,15 +158,19 @@ static bool part(struct seeker *s, double a, double b, int depth)
                                                    s->b->cone.slope),
                                   point(1))
                   : over_one(s, &w);
-    const int sign = sign_of(upright(s, over));
-    const int rise = sign || at_saddle ? 0 : sign_of(upright(s, bend(s, &w)));
+    int sign = sign_of(upright(s, over));
 
+    if (!sign && !at_saddle) {
+        const struct interval by = bend(s, &w);
+        const int rise = sign_of(upright(s, by));
+        if (rise) {
+            narrow(s, a, b);
+            return turn(s, rise);
+        }
+        sign = sign_of(upright(s, over_by_mean(s, a, b, by)));
+    }
     if (sign)
         return pass(s, sign);
-    if (rise) {
-        narrow(s, a, b);
-        return turn(s, rise);
-    }
     return depth < PROOF_KNEE_HALVINGS && middle > a && middle < b &&
            part(s, a, middle, depth + 1) && part(s, middle, b, depth + 1);
 }

@@ -5,14 +5,15 @@
 
 Each line of mutations.tsv is a place of a file and what stands there instead.
 The file is changed, its tests are built in the build folder BUILD and run, the
-one beside it first, until one fails, and the file is put back.  Only lines that
-have one of the words.  It takes an hour; nothing but a copy of the sources
-should be given to it.
+one beside it first, until one fails or takes a minute, and the file is put
+back.  Only lines that have one of the words.  It takes an hour; nothing but a
+copy of the sources should be given to it.
 """
 
 import csv
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import sys
@@ -36,12 +37,16 @@ def tests_of(file):
     return ['test_proof' + (t and '_' + t) for t in names]
 
 
+def limit():
+    resource.setrlimit(resource.RLIMIT_CPU, (60, 60))
+
+
 def seen_by(build, file):
     for test in tests_of(file):
         made = subprocess.run(['ninja', '-C', build, 'tests/' + test], capture_output=True)
         if made.returncode:
             return 'does not build'
-        run = subprocess.run([f'{build}/tests/{test}'], capture_output=True, cwd=ROOT,
+        run = subprocess.run([f'{build}/tests/{test}'], capture_output=True, cwd=ROOT, preexec_fn=limit,
                              env=os.environ | {'SOURCE_ROOT': str(ROOT)})
         if run.returncode:
             return test
