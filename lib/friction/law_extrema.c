@@ -115,20 +115,21 @@ static void narrow(struct extrema *e, long double *lo, long double *hi)
     *hi = fminl(*hi, root.x + aside);
 }
 
-/* By false position, the older end's slope halved (Illinois). */
-static void between(struct extrema *e, long double lo, long double hi)
+/* By false position, the older end's slope halved (Illinois); false where there
+ * is none, for the slope has one sign at both ends. */
+static bool between(struct extrema *e, long double lo, long double hi)
 {
     long double near = lo, far = hi;
     quad at_lo, at_hi;
 
     if (e->n == 4)
-        return;
+        return true;
     narrow(e, &near, &far);
     if (turns(e, near, far, &at_lo, &at_hi)) {
         lo = near;
         hi = far;
     } else if (!turns(e, lo, hi, &at_lo, &at_hi)) {
-        return;
+        return false;
     }
     long double x = lo, before = hi;
     for (int i = 0; i < 60 && fabsl(x - before) > LDBL_EPSILON * (1 + fabsl(x));
@@ -146,6 +147,7 @@ static void between(struct extrema *e, long double lo, long double hi)
         at_hi = at_x;
     }
     e->x[e->n++] = x;
+    return true;
 }
 
 /* Whether the slope, of one sign at lo and hi, has the other between. */
@@ -177,13 +179,14 @@ static void look_between(struct extrema *e, long double lo, long double hi)
         const long double here = lo + h * i;
         slope[2] = rough(e->c, here);
         if (i > 0 && (slope[1] > 0) != (slope[2] > 0)) {
-            between(e, here - h - off, here + off);
+            if (!between(e, here - h, here)) /* a sign at its ends is wrong */
+                (void) between(e, here - h - off, here + off);
         } else if (i > 1 && (slope[0] > 0) == (slope[1] > 0) &&
                    fabsl(slope[1]) < fabsl(slope[0]) &&
                    fabsl(slope[1]) < fabsl(slope[2]) &&
                    dips(e, here - 2 * h, here, slope[1] > 0, &at)) {
-            between(e, here - 2 * h, at);
-            between(e, at, here);
+            (void) between(e, here - 2 * h, at);
+            (void) between(e, at, here);
         }
         slope[0] = slope[1];
         slope[1] = slope[2];
