@@ -43,11 +43,11 @@ static SCALAR KIND(slope_by)(SCALAR c, SCALAR s)
     return s == 0 ? 0 : c * s;
 }
 
+/* du, dw: those of the arguments. */
 static SCALAR KIND(slope_at)(const struct formula_node *n, SCALAR here,
-                             const SCALAR value[], const SCALAR slope[])
+                             const SCALAR value[], SCALAR du, SCALAR dw)
 {
     const SCALAR u = value[n->of[0]], w = value[n->of[1]];
-    const SCALAR du = slope[n->of[0]], dw = slope[n->of[1]];
 
     switch (n->kind) {
         case FORMULA_NUMBER:
@@ -69,7 +69,9 @@ static SCALAR KIND(slope_at)(const struct formula_node *n, SCALAR here,
 void KIND(slopes)(const struct formula *f, const short node[], int count,
                   const SCALAR value[], SCALAR slope[])
 {
-    for (int i = 0; i < count; i++)
-        slope[node[i]] =
-            KIND(slope_at)(&f->node[node[i]], value[node[i]], value, slope);
+    for (int i = 0; i < count; i++) {
+        const struct formula_node *n = &f->node[node[i]];
+        slope[node[i]] = KIND(slope_at)(n, value[node[i]], value,
+                                        slope[n->of[0]], slope[n->of[1]]);
+    }
 }

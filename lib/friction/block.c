@@ -77,7 +77,8 @@ static double bar_of_place(const struct block *b)
     const double ax = b->at.a * b->at.x0;
     const double size = fabs(tau) + fabs(m->mu_star) + fabs(ax) +
                         fabs(tau - m->mu_star - ax) + b->at.b;
-    const double noise = (double) LDBL_EPSILON * size;
+    const double noise =
+        (double) LDBL_EPSILON * size + (double) steady_mu_log_off(law, m, x);
 
     return fmin(fmin(noise / slope, sqrt(2.0 * noise / bend)),
                 cbrt(6.0 * noise / (0.1 * (m->a + m->b))));

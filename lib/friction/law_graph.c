@@ -1,5 +1,6 @@
 #include "law_graph.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -158,3 +159,43 @@ const struct law_graph *law_graph_kept(const struct law *law,
 #define SLOPES  formula_slopes
 #define ROOT    law_root_quad
 #include "law_point_formula.h"
+
+/* ---- rounding ------------------------------------------------------------ */
+
+/* Where the growth of psi is 0: its own rounding over its slope there, and that
+ * of y. */
+static void round_root(struct law_long *p)
+{
+    const struct law_graph *g = p->g;
+    const struct law_steps *growth = &g->then[LAW_AT_GROWTH];
+    const int node = g->node[LAW_AT_GROWTH];
+
+    (void) law_long_also(p, LAW_AT_GROWTH);
+    const long double y = p->value[g->y],
+                      slope = law_long_by(p, LAW_AT_GROWTH, g->y);
+    p->slope[g->psi] = LDBL_EPSILON * p->value[g->psi];
+    formula_long_roundings(&g->f, growth->node, growth->count, p->value,
+                           p->slope);
+    p->slope[g->y] =
+        p->slope[node] / fabsl(slope) + LDBL_EPSILON * (1 + fabsl(y));
+    p->slope[g->psi] = p->slope[g->y] * (g->psi == g->y ? 1 : p->value[g->psi]);
+}
+
+long double law_long_rounding(struct law_long *p, enum law_number what)
+{
+    const struct law_graph *g = p->g;
+    const struct law_steps *then = &g->then[what];
+
+    formula_long_roundings(&g->f, g->steady.node, g->steady.count, p->value,
+                           p->slope);
+    if (g->psi_ss < 0) {
+        round_root(p);
+    } else {
+        p->slope[g->y] = p->slope[g->y_ss];
+        p->slope[g->psi] = p->slope[g->psi_ss];
+    }
+    formula_long_roundings(&g->f, then->node, then->count, p->value, p->slope);
+    const long double off = p->slope[g->node[what]];
+    p->slope[g->y] = 0;
+    return off;
+}

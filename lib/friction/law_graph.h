@@ -70,6 +70,10 @@ const struct law_graph *law_graph_kept(const struct law *law,
 LAW_POINT(long double, long);
 LAW_POINT(formula_real, quad);
 
+/* How far what law_long_steady and law_long_also have just found is off for its
+ * arithmetic is rounded, to first order (formula_long_roundings). */
+long double law_long_rounding(struct law_long *p, enum law_number what);
+
 /* Of a law that is typed as dpsi/dt alone, psi_ss(v), where that is 0: the
  * chart's y at x = ln v; NaN where it is 0 at no psi. */
 long double law_root(struct law_long *p, long double x);

@@ -3,6 +3,7 @@
  * d mu_log/dx = 0 is a quadratic for every composition. */
 #include "steady.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "law_graph.h"
@@ -12,13 +13,33 @@
 #define SCALAR long double
 #include "scalar.h"
 
+/* Formulas that people type may cancel as they like: in 113 bits where long
+ * double does not tell the value to 1/32 of a double's last place, an ln psi to
+ * that of 1.  *off: what rounding leaves (law_long_rounding). */
+static long double typed(struct law_long *p, long double x,
+                         enum law_number what, long double *off)
+{
+    const bool is_log = what == LAW_AT_Y && !law_psi_is_log(p->law);
+    const long double value = law_long_steady(p, x, what);
+    const long double size = fabsl(value) + (is_log ? 1 : 0);
+    struct law_quad fine;
+
+    *off = law_long_rounding(p, what);
+    if (32 * *off <= (long double) DBL_EPSILON * size)
+        return value;
+    *off = LDBL_EPSILON * size + 0x1p-49L * *off;
+    law_quad_init(&fine, p->law, p->m, 0);
+    return (long double) law_quad_steady(&fine, x, what);
+}
+
 static long double steady(const struct law *law, const struct material *m,
                           long double x, enum law_number what)
 {
+    long double off;
     struct law_long p;
 
     law_long_init(&p, law, m, 0);
-    return law_long_steady(&p, x, what);
+    return law->typed ? typed(&p, x, what, &off) : law_long_steady(&p, x, what);
 }
 
 long double steady_mu(const struct law *law, const struct material *m,
@@ -31,6 +52,18 @@ long double steady_mu_log(const struct law *law, const struct material *m,
                           long double x)
 {
     return steady(law, m, x, LAW_AT_MU_LOG);
+}
+
+long double steady_mu_log_off(const struct law *law, const struct material *m,
+                              long double x)
+{
+    long double off = 0;
+    struct law_long p;
+
+    law_long_init(&p, law, m, 0);
+    if (law->typed)
+        (void) typed(&p, x, LAW_AT_MU_LOG, &off);
+    return off;
 }
 
 long double steady_y(const struct law *law, const struct material *m,
@@ -219,13 +252,9 @@ long double steady_anchor(const struct law *law, const struct material *m,
                           long double tan_alpha, long double x,
                           bool equilibrium, struct anchor *at)
 {
-    struct law_long p;
-
-    law_long_init(&p, law, m, tan_alpha);
-    const long double y = law_long_steady(&p, x, LAW_AT_Y),
-                      psi = law_long_also(&p, LAW_AT_PSI),
-                      mu_ss = law_long_also(&p, LAW_AT_MU),
-                      mu_log = law_long_also(&p, LAW_AT_MU_LOG),
+    const long double y = steady_y(law, m, x), psi = steady_psi(law, m, x),
+                      mu_ss = steady_mu(law, m, x),
+                      mu_log = steady_mu_log(law, m, x),
                       mu = equilibrium ? tan_alpha : mu_ss;
     const long double a = (long double) m->a, v = expl(x), c = offset(law, m);
     const long double V = m->V_star, gL = (long double) m->g * m->L;

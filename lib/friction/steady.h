@@ -13,6 +13,11 @@ long double steady_mu(const struct law *law, const struct material *m,
 long double steady_mu_log(const struct law *law, const struct material *m,
                           long double x);
 
+/* What rounding leaves of the latter of a law of formulas, beside what rounds
+ * the terms of (2) themselves; 0 of others. */
+long double steady_mu_log_off(const struct law *law, const struct material *m,
+                              long double x);
+
 /* The chart's y at psi_ss(v); psi_ss(v) itself. */
 long double steady_y(const struct law *law, const struct material *m,
                      long double x);

@@ -8,6 +8,7 @@
 #include "block.h"
 #include "check.h"
 #include "cusp.h"
+#include "equilibrium.h"
 #include "laws.h"
 #include "response.h"
 
@@ -253,6 +254,58 @@ static void series_are_those_of_the_components(void **state)
     }
 }
 
+static long double less(long double v, int i)
+{
+    return i == 0   ? expm1l(v)
+           : i == 1 ? log1pl(v)
+           : i == 2 ? 2 * v / (sqrtl(1 + 2 * v) + 1)
+                    : 2 * v * v / ((v + 1) * (v + 1) + 1 - v * v);
+}
+
+/* Of 1 beside v: some in all digits, and where the block slides as far off as
+ * the bar says. */
+static void formulas_that_cancel_keep_their_digits(void **state)
+{
+    static const char *const text[] = { "1/(exp(v) - 1)", "1/ln(1 + v)",
+                                        "1/(sqrt(1 + 2*v) - 1)",
+                                        "((v + 1)^2 + 1 - v^2)/(2*v^2)" };
+    uint64_t seed = check_seed() + 5;
+
+    (void) state;
+    for (int i = 0; i < 400; i++) {
+        enum law_part wrong;
+        struct fault why = { "" };
+        struct steady_root root[EQUILIBRIA_MAX];
+        struct block b;
+        struct material m = material_bristol_board();
+        law_typed_of_preset(law_preset_find("dieterich"), &typed);
+        strcpy(typed.text[LAW_PSI_SS], text[i % 4]);
+        assert_int_equal(law_typed_make(&typed, &wrong, &why), STATUS_OK);
+        const struct law law = law_of_typed(&typed);
+        const long double x = check_uniform(&seed, i % 8 < 4 ? -30 : -40, -2);
+        const long double psi = 1 / less(expl(x), i % 4);
+        const long double found = steady_psi(&law, &m, x),
+                          y = steady_y(&law, &m, x);
+        CHECK(i % 8 > 3 || (is_near(found, psi, 0x1p-56L) &&
+                            fabsl(y - logl(psi)) < 0x1p-56L * (1 + fabsl(y))),
+              "%s at %Lg: %.20Lg, not %.20Lg", text[i % 4], x, found, psi);
+        block_init(&b, &law, &m,
+                   steady_mu(&law, &m, x) * (1 + 1e-6L * (i % 7)));
+        if (equilibrium_find(&b.steady, &b, root) == 0)
+            continue;
+        block_anchor(&b, root[0].x, true);
+        const long double v = expl(root[0].x), h = 1e-4L;
+        const long double lost =
+            b.tau - (m.mu_star + m.a * root[0].x - m.b * logl(less(v, i % 4)));
+        const long double slope = (steady_mu_log(&law, &m, root[0].x + h) -
+                                   steady_mu_log(&law, &m, root[0].x - h)) /
+                                  (2 * h);
+        CHECK(fabsl(lost / slope) < 1.1L * b.bar,
+              "%s at %Lg: off by %Lg, not %g", text[i % 4], root[0].x,
+              fabsl(lost / slope), b.bar);
+    }
+}
+
 static void a_law_that_lacks_a_part_or_has_a_wrong_one_says_so(void **state)
 {
     static const struct {
@@ -293,6 +346,7 @@ int main(void)
         cmocka_unit_test(an_extremum_beside_the_end_of_mu_ss_is_found),
         cmocka_unit_test(the_field_is_that_of_the_components),
         cmocka_unit_test(series_are_those_of_the_components),
+        cmocka_unit_test(formulas_that_cancel_keep_their_digits),
         cmocka_unit_test(a_law_that_lacks_a_part_or_has_a_wrong_one_says_so),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
