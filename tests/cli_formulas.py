@@ -64,6 +64,19 @@ def shares_beside_what_is_undecided_are_lower_bounds(room):
         expect(('up to 0.5 more' in said) is lower, said)
 
 
+def spent_steps_are_a_reason_and_no_end(room):
+    many = 'takes more steps than the bound allows'
+    room.bring('scenes')
+    found = room.json('knees', 'scenes/nagata.yaml')
+    expect(found['v_minus']['reason'] == 'the lower branch ' + many, found['v_minus'])
+    found = room.json('portrait', '--ode', "x' = y; y' = x - x^3 - 1e-5*y", '--window',
+                      'x=-2:2,y=-2:2')
+    expect('steps' in [one['end'] for one in found['manifolds']], found['manifolds'])
+    found = room.json('basin', '--ode', "x' = y; y' = -x", '--window', 'x=-1:1,y=-1:1')
+    expect(len(found['undecided_reasons']) == 1
+           and 'closed orbits' in found['undecided_reasons'][0], found)
+
+
 def parameters_are_set(room):
     found = room.json('study', *DUFFING, '--set', 'system.parameters.d=3')
     expect(found['equilibria'][0]['type'] == 'stable_node', found)
@@ -241,7 +254,8 @@ run_cases([names_of_a_law_s_own_are_set_swept_exported_and_recorded,
            json_is_as_the_interface_says, shares_are_halves,
            where_others_may_be_is_told,
            shares_beside_what_is_undecided_are_lower_bounds,
-           parameters_are_set, one_state_or_many_are_pushed,
+           spent_steps_are_a_reason_and_no_end, parameters_are_set,
+           one_state_or_many_are_pushed,
            files_and_figures_have_the_names_of_states,
            margins_have_figures_where_there_are_two_fates,
            a_parameter_is_swept, tables_hold_systems,

@@ -255,6 +255,8 @@ static void upper_numbers(struct builder *n)
         const struct quantity none = quantity_none(
             out->upper_end == END_OPEN
                 ? "the upper branch is open: v has no limit as psi grows"
+            : u->end == BRANCH_STEPS
+                ? "the upper branch takes more steps than the bound allows"
                 : "whether v has a limit as psi grows is undecided");
         out->v_plus = out->ln_v_plus = none;
         out->x_excess = out->mu_s_num = out->mu_s_mean = none;
@@ -327,6 +329,8 @@ static const char *why_open(const struct block *b, const struct branch *l)
 {
     const double y = b->at.y0 + l->limit.y;
 
+    if (l->end == BRANCH_STEPS)
+        return "the lower branch takes more steps than the bound allows";
     return law_psi_is_log(&b->law) && y <= -(1.0 - TOL_SAME) * TOL_RANGE
                ? "the lower branch leaves psi > -1e300 while v > 0"
                : "the lower branch leaves [1e-300, 1e300] without a limit";

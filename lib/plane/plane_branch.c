@@ -17,7 +17,7 @@
 
 const char *const plane_end_names[] = { "equilibrium", "cycle", "saddle",
                                         "infinity",    "edge",  "singularity",
-                                        NULL };
+                                        "steps",       NULL };
 
 /* ---- a branch in the making ---------------------------------------------- */
 
@@ -349,8 +349,9 @@ static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
         return h->end;
     if (b->curve.end == BRANCH_DOMAIN)
         return PLANE_END_INFINITY;
-    return box_holds(plane_study_box(s), last_point(s, b)) ? -1
-                                                           : PLANE_END_EDGE;
+    return !box_holds(plane_study_box(s), last_point(s, b)) ? PLANE_END_EDGE
+           : b->curve.end == BRANCH_STEPS                   ? PLANE_END_STEPS
+                                                            : -1;
 }
 
 static enum status settle(struct plane_study *s, struct plane_branch *b,

@@ -78,13 +78,15 @@ static void fill_shares(struct plane_study *s)
  * the curve goes along the edge where it goes one across. */
 static void fill_leaves(const struct plane_study *s, struct plane_branch *b)
 {
-    static const char stays[] = "it does not leave the window";
     const struct curve *c = &b->curve.curve;
     const struct plane_rest *r = &s->rest[b->rest];
     const struct box w = s->window.box;
     double at[CURVE_DIM_MAX], slope[CURVE_DIM_MAX];
 
-    b->leaves[0] = b->leaves[1] = quantity_none(stays);
+    b->leaves[0] = b->leaves[1] =
+        quantity_none(b->end < 0 || b->end == PLANE_END_STEPS
+                          ? "where it ends is not known"
+                          : "it does not leave the window");
     if (b->shown == 0 || (b->shown == c->count && b->shown_to == 1.0))
         return;
     curve_at(c, b->shown - 1, b->shown_to, at);

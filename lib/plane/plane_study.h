@@ -60,6 +60,7 @@ enum plane_end {
     PLANE_END_INFINITY,    /* it has left TOL_PLANE_FAR windows */
     PLANE_END_EDGE,        /* outside the window as far as it was followed */
     PLANE_END_SINGULARITY, /* formulas have no values there */
+    PLANE_END_STEPS,       /* in the window, as far as steps go */
     PLANE_END_UNKNOWN      /* as codes go, -1 */
 };
 extern const char *const plane_end_names[];
