@@ -26,6 +26,14 @@ class Place:
         at = [Jet.variable((x, y), k, by) for k in (0, 1)]
         return self.block.at_state(*at, 'mu', 'by_y')
 
+    def rise(self, mu):
+        """d ln m at most: the slope of mu over m_1, and that of ln mu times mu/m."""
+        m = between(self.force.a, self.force.a)
+        bounds = [mu.by.all / m]
+        if self.block.tan > 0:
+            bounds.append(mu.rate.all * (1 + self.block.tan / m))
+        return min(u.b for u in bounds)
+
     def strip(self, x, y):
         """Bounds of the slopes of mu, dy/dt, and its logarithm's slopes."""
         both = [self.grow(x, y, by) for by in (0, 1)]
@@ -108,7 +116,8 @@ def stays_open(p):
 
 def stays_steep(p):
     """Theorem 17, of an open branch: dy/dx > 1 at the place and beyond."""
-    slopes, (_, g), rate = p.strip(beyond(p.x, 1), beyond(p.y, 1))
+    _, (_, g), rate = p.strip(x := beyond(p.x, 1), y := beyond(p.y, 1))
     f = p.block.flow(0, line(p.X, ZERO, 1), line(p.Y, ONE, 1))
+    rises = [p.rise(p.grow(x, y, by)[0]) for by in (0, 1)]
     return (g.value.all < 0 and (f[1] / f[0])[0] > 1
-            and 1 + rate[0].a + rate[1].a > (slopes[0].b + slopes[1].b) / p.force.a)
+            and 1 + rate[0].a + rate[1].a > rises[0] + rises[1])

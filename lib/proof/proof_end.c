@@ -9,11 +9,11 @@ static const char no_rule[] =
 static const char too_large[] =
     "the bound on what is beyond the last piece is not finite";
 
-/* A box of offsets and, over it, the slopes of mu, g = dy/dt and its
- * logarithm's. */
+/* A box of offsets and, over it, the slopes of mu, g = dy/dt and of their
+ * logarithms. */
 struct strip {
     struct interval at[2];
-    struct interval mu[2], rate[2];
+    struct interval mu[2], mu_rate[2], rate[2];
     struct growth g, g_by;
 };
 
@@ -38,6 +38,7 @@ static const char *look_along(struct proof_law *p, int endless, struct strip *s)
         if (!interval_growth_run(w, &p->state, variable, s->at, by))
             return no_rule;
         s->mu[by] = w->by[p->graph->node[LAW_AT_MU]].all;
+        s->mu_rate[by] = w->rate[p->graph->node[LAW_AT_MU]].all;
         s->rate[by] = w->rate[p->graph->node[LAW_AT_DY]].all;
     }
     s->g = w->value[p->graph->node[LAW_AT_DY]];
@@ -214,12 +215,25 @@ const char *proof_tail_open(struct proof_law *p, const struct proof_place *at)
                : "the rate of psi is not proved to grow no faster than ln psi";
 }
 
+/* d ln m/dx or d ln m/dy <= the slope of mu over m1, and that of ln mu times
+ * mu/m <= 1 + tan(alpha)/m1. */
+static struct interval rise_of(const struct proof_law *p, const struct strip *s,
+                               int by, struct interval m1)
+{
+    const struct interval slope = interval_divide(s->mu[by], m1);
+    const struct interval rate =
+        times(s->mu_rate[by], add(point(1), interval_divide(p->tan_alpha, m1)));
+
+    return point(fminl(slope.hi, p->tan_alpha.lo > 0 ? rate.hi : HUGE_VALL));
+}
+
 /* dy/dx = v |g|/(F m), the derivative of whose logarithm by x is at least 1 +
- * r_x + r_y - (A + B)/m1 where it is 1: it does not fall through 1. */
+ * r_x + r_y - d ln m/dx - d ln m/dy where it is 1: it does not fall through 1.
+ */
 bool proof_tail_steep(struct proof_law *p, const struct proof_place *at)
 {
     struct strip s = { .at = { beyond(at->X, 1), beyond(at->Y, 1) } };
-    const struct interval m = force_at(p, at);
+    const struct interval m = interval_low(force_at(p, at));
     struct proof_flow f;
 
     if (at->side < 0 || !(m.lo > 0) || look_along(p, 1, &s) ||
@@ -228,7 +242,6 @@ bool proof_tail_steep(struct proof_law *p, const struct proof_place *at)
     proof_flow_aside(&p->tape, 0, at->X, at->Y, &f);
     const struct interval rise = interval_less(
         add(point(1), add(interval_low(s.rate[0]), interval_low(s.rate[1]))),
-        interval_divide(add(interval_high(s.mu[0]), interval_high(s.mu[1])),
-                        interval_low(m)));
+        add(rise_of(p, &s, 0, m), rise_of(p, &s, 1, m)));
     return interval_divide(f.dep.c[0], f.ind.c[0]).lo > 1 && rise.lo > 0;
 }
