@@ -4,7 +4,7 @@ formulas as they are typed, and its saddle.
 from mpmath import iv, mp
 
 from ball_series import BITS, constant
-from certificate_formula import Formulas, combine
+from certificate_formula import Formulas, combine, read
 from certificate_tube import ONE, UNIT, ZERO, claim, line
 
 mp.prec = BITS
@@ -75,20 +75,21 @@ class Block(Plane):
             angle = angle * iv.pi / 180
         self.tan = angle if name == 'tan_alpha' else iv.sin(angle) / iv.cos(angle)
         eps2 = self.known['V_star'] ** 2 / (self.known['g'] * self.known['L'])
+        self.known.update(tan_alpha=self.tan, eps2=eps2)
         # cos(alpha)/eps^2
         self.force = 1 / (eps2 * iv.sqrt(1 + self.tan ** 2))
         self.is_log = law['state'] == 'real'
-        y = ('name', 'y')
+        y, a = ('name', 'y'), ('name', 'a')
+        mu = read('mu_star + a*ln(v) + b*theta')
+        if law['friction'] == 'asinh':
+            mu = '*', a, ('asinhexp', ('/', mu, a))
         self.formulas = Formulas({
             'v': ('exp', ('name', 'x')), 'psi': y if self.is_log else ('exp', y),
-            'd': 'psi - psi_ss', 'mu': 'mu_star + a*ln(v) + b*theta', 'K': 'd',
+            'd': 'psi - psi_ss', 'mu': mu, 'K': 'd',
             'rate': '-K/T', **law['formulas']}, self.known)
         tree = self.formulas.tree
-        mu, a = tree('mu'), ('name', 'a')
-        if 'mu' not in law['formulas'] and law['friction'] == 'asinh':
-            mu = '*', a, ('asinhexp', ('/', mu, a))
         by_y = tree('rate') if self.is_log else self.formulas.less('rate', 'psi')
-        self.trees = {'v': tree('v'), 'psi': tree('psi'), 'mu': mu,
+        self.trees = {'v': tree('v'), 'psi': tree('psi'), 'mu': tree('mu'),
                       'rate': tree('rate'), 'by_y': by_y}
         if 'rate' not in law['formulas']:
             self.trees['psi_ss'] = tree('psi_ss')
