@@ -6,7 +6,7 @@ from mpmath import iv
 
 from ball_series import series
 
-ORDER = 14        # of Taylor expansions
+ORDER = 14       
 PARTS = 64        # of a cell, at most
 ZERO, ONE, UNIT = iv.mpf(0), iv.mpf(1), iv.mpf([-1, 1])
 
@@ -61,9 +61,10 @@ def value(p, s):
 
 def integral(q, u, w):
     """Of the series q from u to w."""
-    total = ZERO
+    total, to, below = ZERO, w, u
     for j in range(len(q)):
-        total += q[j] * (w ** (j + 1) - u ** (j + 1)) / (j + 1)
+        total += q[j] * (to - below) / (j + 1)
+        to, below = to * w, below * u
     return total
 
 
@@ -200,9 +201,10 @@ def part(block, piece, a, b, end, error, radius):
     rise = iv.exp((piece.step * G[1]).b * length).b
     made = (defect * length).b
     larger = max(ONE, rise)
-    beside = abs(across[1]).b * radius
-    if not (error + made) * larger <= radius:
+    most = (error + made) * larger
+    if not most <= radius:
         return None
+    beside = abs(across[1]).b * most.b
     middle = iv.mpf((a + b) / 2)
     total = integral(q, a - middle, a + length - middle)
     total += (rest + beside * UNIT) * length

@@ -53,6 +53,20 @@ def its_numbers_are_those_of_the_answer(room):
     expect(found['v_minus'] == 'absent', found['v_minus'])
 
 
+def laws_of_the_literature_have_one(room):
+    """Nagata's names the slope in a formula; of the N-shaped one psi grows for ever,
+    v, too, and the proof ends where dy/dx stays above 1."""
+    for name, ends in (('nagata', (None, None)), ('n_shaped', ('open', 'v_0'))):
+        room.good('knees', f'{room.source}/scenes/{name}.yaml', '--proved',
+                  '--certificate', f'{name}.json')
+        found = json.loads(room.read(f'{name}.json'))
+        sides = found['upper'], found['lower']
+        expect(tuple(side.get('end') for side in sides) == ends, name, ends)
+        expect(not rejected(found), name, rejected(found))
+    expect([(len(side['knees']['at']), side['knees']['all']) for side in sides]
+           == [(1, True), (0, True)], sides[0]['knees'])
+
+
 # ---- forgeries --------------------------------------------------------------
 
 def with_a_digit_changed(number, rng):
@@ -467,6 +481,7 @@ def a_forged_certificate_of_a_system_is_rejected(room):
 run_cases([
     each_claim_of_a_certificate_follows,
     its_numbers_are_those_of_the_answer,
+    laws_of_the_literature_have_one,
     a_certificate_with_a_digit_changed_is_rejected,
     a_certificate_needs_a_proof,
     a_scene_is_not_written_over_by_one,
