@@ -4,7 +4,7 @@ the k-th coefficient holds the k-th derivative over k! of a function at every
 point of a piece, those of what is made of it do so, too.  Functions of numbers
 are those of mpmath's intervals.
 """
-from operator import mul
+from operator import add, mul
 
 from mpmath import iv
 from mpmath.libmp import from_man_exp
@@ -29,16 +29,11 @@ def ball(u):
     return lo + hi, hi - lo, e - 1
 
 
-def lost(bits, *parts):
-    """By dropping so many bits of (m, r): nothing where these are 0."""
-    return 2 if bits > 0 and any(x & ((1 << bits) - 1) for x in parts) else 0
-
-
 class Series:
     def __init__(self, m, r, e):
         extra = max(map(int.bit_length, m), default=0) - BITS
         if extra > 0:
-            r = [(y >> extra) + lost(extra, x, y) for x, y in zip(m, r)]
+            r = [(y >> extra) + 2 if x or y else 0 for x, y in zip(m, r)]
             m = [x >> extra for x in m]
             e += extra
         self.m, self.r, self.e = m, r, e
@@ -65,8 +60,9 @@ class Series:
         s = e - low.e
         m, r = high.at(e)
         return Series([x + (y >> s) for x, y in zip(m, low.m)],
-                      [x + (z >> s) + lost(s, y, z)
-                       for x, y, z in zip(r, low.m, low.r)], e)
+                      [x + (z >> s) + 2 if y or z else x
+                       for x, y, z in zip(r, low.m, low.r)], e) if s else Series(
+                           list(map(add, m, low.m)), list(map(add, r, low.r)), e)
 
     def times(self, c):
         """By a number, an interval."""
@@ -192,10 +188,11 @@ class Series:
 
     def size(self, h):
         """sup |sum u_k t^k| over |t| <= h"""
-        total = iv.mpf(0)
-        for k in reversed(range(len(self))):
-            total = abs(self[k]).b + h * total
-        return total.b
+        m, r, e = ball(iv.mpf([0, abs(h).b]))
+        total, step, s = 0, (abs(m) + r) << max(e, 0), max(-e, 0)
+        for x, y in zip(reversed(self.m), reversed(self.r)):
+            total = abs(x) + y + (total * step >> s) + 1
+        return iv.make_mpf((from_man_exp(total, self.e, BITS, 'c'),) * 2)
 
     def shift(self, s):
         """Coefficients of p(s + t) in t."""
@@ -208,7 +205,7 @@ class Series:
                 x, y = m[j + 1], r[j + 1]
                 to, wide = x * sm << up, (abs(x) * sr + y * a) << up
                 m[j] += to >> down
-                r[j] += (wide >> down) + lost(down, to, wide)
+                r[j] += (wide >> down) + 2 if to or wide else 0
         return Series(m, r, self.e)
 
 
@@ -220,7 +217,7 @@ def series(u):
     for x, y, k in balls:
         s = k - e
         m.append(x << s if s >= 0 else x >> -s)
-        r.append(y << s if s >= 0 else (y >> -s) + lost(-s, x, y))
+        r.append(y << s if s >= 0 else (y >> -s) + 2 if x or y else 0)
     return Series(m, r, e)
 
 
