@@ -234,7 +234,7 @@ static bool closes(struct winding *w, const struct arrival_scale *s,
     const bool rounded = gap <= fmax(TOL_ROUNDED, w->noise);
     const bool shrinks = gap <= TOL_WINDING_SHRINK * before || rounded;
     const double left = rounded ? gap : gap / (1.0 - gap / before);
-    if (!(gap <= TOL_WINDING_GAP && shrinks && w->away >= TOL_WINDING_AFAR &&
+    if (!(gap <= TOL_WITHIN && shrinks && w->away >= TOL_BESIDE &&
           w->round > TOL_SAME + 10.0 * left))
         return false;
     for (size_t i = 0; i < n; i++)
@@ -249,7 +249,7 @@ static bool closes(struct winding *w, const struct arrival_scale *s,
 bool winding_is_closed(const struct winding *w, const struct arrival_scale *s)
 {
     return w->count > 2 && between(w, s, 0, 1) <= w->off &&
-           between(w, s, 1, 2) <= w->off && w->away < TOL_WINDING_AFAR;
+           between(w, s, 1, 2) <= w->off && w->away < TOL_BESIDE;
 }
 
 bool winding_add(struct winding *w, const struct planar *sys,
@@ -266,9 +266,8 @@ bool winding_add(struct winding *w, const struct planar *sys,
         w->start = vec2_add(sys->origin, (struct vec2){ at[0], at[1] });
         w->near = HUGE_VAL;
     } else {
-        w->near =
-            fmin(w->near, arrival_nearest(s, c, piece, sys->origin, w->start,
-                                          TOL_WINDING_AFAR, &theta));
+        w->near = fmin(w->near, arrival_nearest(s, c, piece, sys->origin,
+                                                w->start, TOL_BESIDE, &theta));
     }
     curve_at(c, piece, 1.0, at);
     w->more += w->noise * (1.0 + hypot(at[0] / s->side.x, at[1] / s->side.y));

@@ -81,7 +81,7 @@ static bool cubic_holds(struct zero *q, const struct cubic *c, double s,
         const struct vec2 u = vec2_add(vec2_add(c->a, vec2_scale(at, c->chord)),
                                        vec2_scale(cubic_at(c, at), up));
         double width;
-        holds = zero_within(q, u, up, TOL_NULLCLINE_STEP_MIN, tol, &width);
+        holds = zero_within(q, u, up, TOL_WITHIN, tol, &width);
     }
     return holds;
 }
@@ -89,7 +89,7 @@ static bool cubic_holds(struct zero *q, const struct cubic *c, double s,
 /* How far from its cubic a smooth curve may be. */
 static double cubic_tolerance(const struct cubic *c)
 {
-    return TOL_NULLCLINE_STEP_MIN + TOL_NULLCLINE_SMOOTH * c->height;
+    return TOL_WITHIN + TOL_NULLCLINE_SMOOTH * c->height;
 }
 
 /* Whether the zeros a and b lie on one smooth curve, which the cubic between
@@ -109,7 +109,7 @@ static bool smooth(struct zero *q, const struct station *a,
 /* Whether the cubic leaves the window between its ends. */
 static bool cubic_bulges(const struct cubic *c)
 {
-    const double length = sqrt(c->length2), tol = TOL_NULLCLINE_STEP_MIN;
+    const double length = sqrt(c->length2), tol = TOL_WITHIN;
     const struct vec2 up = { -c->chord.y / length, c->chord.x / length };
     const struct box b = { { -tol, -tol }, { 1.0 + tol, 1.0 + tol } };
     bool out = false;
@@ -192,7 +192,7 @@ static bool passes(const struct trace *t, const struct station *a,
     const double length = sqrt(c->length2);
     const struct vec2 d = vec2_sub(u, a->at);
     const struct vec2 forward = vec2_scale(1.0 / length, c->chord);
-    const double near = TOL_NULLCLINE_NEAR * length + TOL_NULLCLINE_STEP_MIN;
+    const double near = TOL_NULLCLINE_NEAR * length + TOL_WITHIN;
     const double ahead = dot(d, forward), tol = 4.0 * cubic_tolerance(c);
     struct station at = { .at = u };
     struct cubic unused;
@@ -200,8 +200,8 @@ static bool passes(const struct trace *t, const struct station *a,
     if (!(fabs(cross(forward, d)) <= near && ahead >= -near &&
           ahead <= length + near))
         return false;
-    if (vec2_length(d) <= TOL_NULLCLINE_STEP_MIN ||
-        vec2_length(vec2_sub(u, step->to.at)) <= TOL_NULLCLINE_STEP_MIN)
+    if (vec2_length(d) <= TOL_WITHIN ||
+        vec2_length(vec2_sub(u, step->to.at)) <= TOL_WITHIN)
         return true;
     return zero_tangent(t->zero, u, forward, &at.tangent) &&
            smooth(t->zero, a, &at, tol, &unused) &&
@@ -267,7 +267,7 @@ static enum landing step(const struct trace *t, const struct station *a,
 {
     enum landing l = LANDED_NOWHERE;
 
-    while (l == LANDED_NOWHERE && *h > TOL_NULLCLINE_STEP_MIN) {
+    while (l == LANDED_NOWHERE && *h > TOL_WITHIN) {
         l = try_step(t, a, *h, out);
         if (l == LANDED_NOWHERE)
             *h *= 0.5;

@@ -163,7 +163,8 @@ static bool take_cell(const struct push *p, const struct cell *c,
 /* Whether a number is known worse than whole orbits may know it. */
 static bool is_wide(const struct quantity *q)
 {
-    return quantity_exists(q) && q->error > TOL_PUSH_WIDE * fabs(q->value);
+    return quantity_exists(q) &&
+           q->error > TOL_FAR_BELOW * TOL_COARSEST * fabs(q->value);
 }
 
 static void keep_narrower(struct quantity *q, double value, double error)

@@ -58,15 +58,18 @@
 
 /* In sides of a window or of a drawing, in ln v, relative.  Places nearer to
  * each other than SAME are one, strips and regions smaller than it are none: a
- * thousand times what curves are off.  Curves that are only looked at are off
+ * thousand times what curves are off; WITHIN is surely nearer, BESIDE surely
+ * further than that.  Curves that are only looked at are off
  * by DRAWN, which is less than a px, and may end SEEN beside where they go.
  * TOUCH: as near as computing with doubles comes to a place.  Where a field
  * changes over less than SAME, series are in a smaller unit, and in a larger
  * one where steps are longer than its inverse: thirtieth powers overflow. */
-#define TOL_TOUCH 1e-12
-#define TOL_SAME  1e-6
-#define TOL_DRAWN 1e-4
-#define TOL_SEEN  1e-3
+#define TOL_TOUCH  1e-12
+#define TOL_WITHIN 1e-7
+#define TOL_SAME   1e-6
+#define TOL_BESIDE 1e-5
+#define TOL_DRAWN  1e-4
+#define TOL_SEEN   1e-3
 
 /* Arrows of the direction field along each side of the window. */
 #define TOL_ARROWS 20
@@ -212,12 +215,11 @@
  * signs are looked at, cells a side: what is smaller than a cell, or two pieces
  * nearer than one, may be missed. */
 #define TOL_NULLCLINE_CELLS 64
-/* Longest and shortest step, and the tangent of the largest angle between the
- * chord and the tangents at its ends: beyond, the step may have changed over
- * to another piece; shorter than the shortest, the curve has a cusp, and zeros
+/* Longest step, and the tangent of the largest angle between the chord and the
+ * tangents at its ends: beyond, the step may have changed over to another
+ * piece; of a step shorter than TOL_WITHIN, the curve has a cusp, and zeros
  * nearer to each other are one (roots are closed far below). */
 #define TOL_NULLCLINE_STEP_MAX 0x1p-5
-#define TOL_NULLCLINE_STEP_MIN 1e-7
 #define TOL_NULLCLINE_ANGLE    0.3
 /* A step is smooth when the curve is this near the cubic through its ends and
  * tangents, as a fraction of the cubic's height: a circle is off by 0.01 at
@@ -233,14 +235,12 @@
 
 /* Traps (arrival.h), in sides of a window: looked for from 2^-LEVELS up to 1/2,
  * LEAST levels or none.  Closed orbits: differences between rounds are at most
- * GAP, each less than the one before by SHRINK or no more than TOL_ROUNDED or
- * a round is off; the
- * round is AFAR from where the curve started, and larger, and further from any
- * equilibrium, than TOL_SAME and ten times what such differences add up to. */
+ * TOL_WITHIN, each less than the one before by SHRINK or no more than
+ * TOL_ROUNDED or a round is off; the round is TOL_BESIDE from where the curve
+ * started, and larger, and further from any equilibrium, than TOL_SAME and ten
+ * times what such differences add up to. */
 #define TOL_TRAP_LEVELS    30
 #define TOL_TRAP_LEAST     8
-#define TOL_WINDING_GAP    1e-7
-#define TOL_WINDING_AFAR   1e-5
 #define TOL_WINDING_SHRINK 0.99
 
 /* A curve between places that follow each other is straight up to this
@@ -346,9 +346,10 @@
 #define TOL_LIMIT_KEPT 0.9
 #define TOL_LIMIT_FAR  1e150
 
-/* Fields of a basin map, relative accuracy where the scene does not say: four
- * digits more than arrest is defined to. */
-#define TOL_CELLS_RTOL 1e-6
+/* The coarsest relative accuracy that still follows slow curves, and that of
+ * the fields of a basin map where the scene does not say: four digits more than
+ * arrest is defined to. */
+#define TOL_COARSEST 1e-6
 
 /* Relative defect of the balance of energy of a transient that is wrong, in
  * units of rtol (measured: 1e-3). */

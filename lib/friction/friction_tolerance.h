@@ -29,11 +29,10 @@
 /* p = -dh/d ln psi of an integral of e^h dpsi, by the last three doublings p,
  * q, r.  It has settled where |p - q| <= TOL_LITTLE max(1, |p|) and this
  * falls, to TOL_POWER_FALL of |q - r| or less, but for TOL_SAME; it
- * grows where each is TOL_POWER_GROWTH times the one before and |p| is
- * TOL_POWER_LARGE. */
+ * grows where each is TOL_POWER_GROWTH times the one before and |p| is clearly
+ * above 1. */
 #define TOL_POWER_FALL   0.75
 #define TOL_POWER_GROWTH 1.3
-#define TOL_POWER_LARGE  2.0
 /* The integral ends if p > 1: surely where |p - 1| is above this; else
  * e^h = 1/(psi ln^s psi), which ends if s > 1: surely where |s - 1| is above
  * TOL_POWER_LOG. */

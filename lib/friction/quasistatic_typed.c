@@ -241,7 +241,7 @@ static enum sum sum_of(const double h[], int n)
     const double p = power(h, n, 0), q = power(h, n, 1), r = power(h, n, 2);
     const bool grows = fabs(p) > TOL_POWER_GROWTH * fabs(q) &&
                        fabs(q) > TOL_POWER_GROWTH * fabs(r) &&
-                       (p > 0) == (q > 0) && fabs(p) > TOL_POWER_LARGE;
+                       (p > 0) == (q > 0) && TOL_CLEARLY * fabs(p) > 1.0;
     const bool settled = fabs(p - q) <= TOL_LITTLE * fmax(1.0, fabs(p)) &&
                          fabs(p - q) <= TOL_POWER_FALL * fabs(q - r) + TOL_SAME;
 

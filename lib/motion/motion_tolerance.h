@@ -13,21 +13,15 @@
 #define TOL_RETRY 100.0
 #define TOL_FINER 0.1
 
-/* Labels by forward integration (trap.c), from TOL_TRANSIENT_COARSEST to
- * TOL_TRANSIENT_FINEST: the distance from the
- * saddle, in tolerances, at which a label is certain: errors of a few hundred
- * steps, grown a hundredfold on the way. */
+/* Labels by forward integration (trap.c), from TOL_COARSEST to
+ * TOL_TRANSIENT_FINEST: the distance from the saddle, in tolerances, at which a
+ * label is certain: errors of a few hundred steps, grown a hundredfold on the
+ * way. */
 #define TOL_TRAP_FAR 1e4
 
 /* The same for the distance from the stable manifold where an orbit is caught:
  * a few steps, not magnified. */
 #define TOL_TRAP_SIDE 30.0
-
-/* One state (push.c).  Its orbit is run at two tolerances, TOL_ORBIT_RTOL and
- * one finer by TOL_FINER; where their fates differ, finer ones, down to
- * TOL_FINEST.  Where the table's bars are wider than such a part it is
- * followed, too. */
-#define TOL_PUSH_WIDE 1e-7
 
 /* Moments (moment.c).  Below this component of a direction mu is compared with
  * tan(alpha) itself; and how far, on a piece, one looks to both sides of an
@@ -44,18 +38,17 @@
 #define TOL_TIMELINE_STEP     0.02
 
 /* Orbits of transients (whose events are good to a hundredth of what is asked
- * of them): the finest that helps and the coarsest that still
- * follows the curve (looser, then finer, where
- * TOL_ORBIT_STEPS do not suffice); where a block runs away or fades, as
- * factors on v; where arrest is looked for at the end of a run that was
- * arrested, in units of its distance; and the ln v (1e-11) down to which a
- * block that rests is followed, at least, or until TOL_NOTHING is left. */
-#define TOL_TRANSIENT_FINEST   3e-13
-#define TOL_TRANSIENT_COARSEST 1e-6
-#define TOL_TRANSIENT_FAST     1e6
-#define TOL_TRANSIENT_SLOW     1e-8
-#define TOL_TRANSIENT_REACH    2.0
-#define TOL_TRANSIENT_DEEP     (-25.4)
+ * of them): the finest that helps (looser ones up to TOL_COARSEST, then finer
+ * ones are tried where TOL_ORBIT_STEPS do not suffice); where a block runs away
+ * or fades, as factors on v; where arrest is looked for at the end of a run
+ * that was arrested, in units of its distance; and the ln v (1e-11) down to
+ * which a block that rests is followed, at least, or until TOL_NOTHING is left.
+ */
+#define TOL_TRANSIENT_FINEST 3e-13
+#define TOL_TRANSIENT_FAST   1e6
+#define TOL_TRANSIENT_SLOW   1e-8
+#define TOL_TRANSIENT_REACH  2.0
+#define TOL_TRANSIENT_DEEP   (-25.4)
 
 /* Along the curve of a block that comes to rest (rest_curve.c; to a ln v of
  * -TOL_SETTLED): apart in ln v, or in ln psi, for differences. */

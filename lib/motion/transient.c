@@ -33,8 +33,7 @@ struct transient_options transient_defaults(const struct scene *c)
 
 static double finest(double rtol)
 {
-    return fmin(fmax(rtol / TOL_FINER, TOL_TRANSIENT_FINEST),
-                TOL_TRANSIENT_COARSEST);
+    return fmin(fmax(rtol / TOL_FINER, TOL_TRANSIENT_FINEST), TOL_COARSEST);
 }
 
 /* Whether the fate is a rest, for all that is known: between the points of a
@@ -300,8 +299,8 @@ static enum status run_at(struct course *c, double rtol,
  * that.  0: there is no other. */
 static double next_rtol(enum fate fate, double first, double rtol)
 {
-    if (rtol >= first && rtol < TOL_TRANSIENT_COARSEST)
-        return fmin(TOL_RETRY * rtol, TOL_TRANSIENT_COARSEST);
+    if (rtol >= first && rtol < TOL_COARSEST)
+        return fmin(TOL_RETRY * rtol, TOL_COARSEST);
     const double finer = fmin(rtol, first) / TOL_RETRY;
     return fate == FATE_REST_FINITE && finer >= TOL_TRANSIENT_FINEST ? finer
                                                                      : 0.0;

@@ -106,7 +106,7 @@ static enum status to_the_end(const struct trap *t, struct vec2 z,
     const struct vec2 at = vec2_add(t->slider->plane.system.origin, z);
     struct fate_result r;
     const enum status s =
-        fate_find(t->slider, at, TOL_TRANSIENT_COARSEST, false, NULL, &r);
+        fate_find(t->slider, at, TOL_COARSEST, false, NULL, &r);
 
     *label = (int8_t) r.fate;
     *evaluations += r.field_evaluations;
@@ -127,8 +127,8 @@ enum status trap_pass(const struct trap *t, struct vec2 z, int8_t *label,
         return STATUS_OK;
     }
     *near = t->set ? fabs(t->across.x * z.x + t->across.y * z.y) : HUGE_VAL;
-    for (double rtol = TOL_TRANSIENT_COARSEST;
-         !certain && rtol >= TOL_TRANSIENT_FINEST; rtol /= TOL_RETRY)
+    for (double rtol = TOL_COARSEST; !certain && rtol >= TOL_TRANSIENT_FINEST;
+         rtol /= TOL_RETRY)
         caught = follow(t, z, rtol, &certain, near, &spent);
     if (caught < TRAPS)
         *label = t->fate[caught];

@@ -185,7 +185,7 @@ static bool has_slipped_past(struct walk *w)
     if (w->winding.count == 2)
         w->first = w->least = gap;
     w->least = fmin(w->least, gap);
-    return w->least <= TOL_WINDING_GAP && 2.0 * w->least < w->first &&
+    return w->least <= TOL_WITHIN && 2.0 * w->least < w->first &&
            2.0 * w->least < gap;
 }
 

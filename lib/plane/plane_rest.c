@@ -240,7 +240,7 @@ enum status plane_rest_add(struct plane_study *s, struct vec2 z, size_t *index)
     *index = known_at(s, z);
     if (*index < s->rests || box_holds(plane_study_box(s), z))
         return STATUS_OK;
-    const struct vec2 near = vec2_scale(TOL_PLANE_NEARBY, s->scale.side);
+    const struct vec2 near = vec2_scale(TOL_BESIDE, s->scale.side);
     if (!is_simple(s, z, near)) {
         *index = s->rests;
         return STATUS_OK;

@@ -36,8 +36,8 @@ static bool find_near(struct differences *d, struct system_equilibrium *out)
     int near = 0;
 
     for (int k = 0; k < 2; k++) {
-        w.lo[k] = z[k] - TOL_PLANE_NEARBY * side[k];
-        w.hi[k] = z[k] + TOL_PLANE_NEARBY * side[k];
+        w.lo[k] = z[k] - TOL_BESIDE * side[k];
+        w.hi[k] = z[k] + TOL_BESIDE * side[k];
     }
     if (system_equilibria_find(d->system, &w, d->found, &why) != STATUS_OK)
         return false;
@@ -48,7 +48,7 @@ static bool find_near(struct differences *d, struct system_equilibrium *out)
             const double off = (double) e->chart[k].value - z[k];
             inside = inside &&
                      fabs(period[k] > 0.0 ? remainder(off, period[k]) : off) <=
-                         TOL_PLANE_NEARBY * side[k];
+                         TOL_BESIDE * side[k];
         }
         if (inside)
             *out = *e;

@@ -40,7 +40,5 @@
 
 /* Sensitivities: parameters are moved by this part of themselves, so that a
  * difference is off by 1e-18 third derivatives and by 1e9 bars of numbers that
- * are known to 1e-28; the equilibrium is then looked for within this part of
- * the window. */
-#define TOL_PLANE_MOVED  0x1p-30
-#define TOL_PLANE_NEARBY 1e-5
+ * are known to 1e-28; the equilibrium is then looked for TOL_BESIDE. */
+#define TOL_PLANE_MOVED 0x1p-30

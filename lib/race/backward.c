@@ -264,11 +264,11 @@ static bool settle(struct route *r, const struct backward_heading *earlier,
 static bool runs_on(const struct route *r, const struct backward_heading *c,
                     int sign)
 {
-    const double ahead = c->dep + copysign(TOL_BACKWARD_AHEAD, sign * c->slope);
+    const double ahead = c->dep + copysign(TOL_NEARBY, sign * c->slope);
     const struct backward_heading there =
         backward_heading_at(&r->way, c->ind, local_point(c->ind, c->at, ahead));
 
-    return fabs(c->slope) <= TOL_BACKWARD_SLIGHT * fmin(1.0, fabs(c->dep)) &&
+    return fabs(c->slope) <= TOL_DRAWN * fmin(1.0, fabs(c->dep)) &&
            fabs(there.slope) <= fabs(c->slope) &&
            !limit_exists(r->way.sys, c->ind, sign, c->dep);
 }
@@ -305,8 +305,7 @@ static enum status step(struct route *r, struct backward_heading *now,
     r->ind = now->ind;
     note_errors(r, 1 - (size_t) now->ind, missed);
     const bool edge = r->orbit.end != ORBIT_RUNNING;
-    const double part =
-        edge ? TOL_BACKWARD_EDGE : TOL_LITTLE * r->options->rtol;
+    const double part = edge ? TOL_SEEN : TOL_LITTLE * r->options->rtol;
     const int sign = now->at > earlier.at ? 1 : -1;
     *done = settle(r, &earlier, now, part) || edge ||
             (now->ind == earlier.ind && runs_on(r, now, sign));

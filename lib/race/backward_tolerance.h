@@ -9,13 +9,9 @@
 #define TOL_BACKWARD_UNITS 0x1p10
 /* A branch has ended when what is left is below TOL_LITTLE of rtol, so that
  * the end never dominates the error; at the edge of the domain, which is only
- * where doubles end, this part will do (TOL_LIMIT_DECAY tells whether it
- * ends). */
-#define TOL_BACKWARD_EDGE 1e-3
-/* A branch without a limit is left where its slope is this slight, and is so
- * this far ahead of it. */
-#define TOL_BACKWARD_SLIGHT 1e-4
-#define TOL_BACKWARD_AHEAD  0.1
+ * where doubles end, TOL_SEEN will do (TOL_LIMIT_DECAY tells whether it ends).
+ * One without a limit is left where its slope is slight, TOL_DRAWN, and is so
+ * TOL_NEARBY ahead of it. */
 /* Strides along the asymptote, as a part of the way there: as a power of it,
  * slopes then change by little. */
 #define TOL_BACKWARD_STRIDE 0.05

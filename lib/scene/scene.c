@@ -70,7 +70,7 @@ static enum status set_defaults(struct scene *s)
     s->seed = 1;
     s->cells[0] = s->cells[1] = 512;
     s->audit = 1000;
-    s->cell_rtol = TOL_CELLS_RTOL;
+    s->cell_rtol = TOL_COARSEST;
     s->rabinowicz.restitution = -1.0;
     s->spring_block.sigma = SCENE_SIGMA;
     s->spring_block.mass = s->spring_block.v[0] = NAN;

@@ -136,7 +136,7 @@ static enum status find(const struct trap *t, struct vec2 z, double rtol,
                         unsigned which, struct cell *out)
 {
     const struct slider *s = t->slider;
-    const double loosest = fmin(TOL_PART * rtol, TOL_TRANSIENT_COARSEST);
+    const double loosest = fmin(TOL_PART * rtol, TOL_COARSEST);
     double tol = fmax(loosest, TOL_RTOL_DEFAULT / TOL_FINER);
     double worst = HUGE_VAL, before = HUGE_VAL;
     struct run coarse, fine;

@@ -23,7 +23,7 @@ struct layer_options layer_defaults(double rtol)
     return (struct layer_options){
         .promise = rtol,
         .rtol = TOL_PART * rtol,
-        .landing = rtol < TOL_CELLS_RTOL ? TOL_LAYER_CLOSER : TOL_NEARBY,
+        .landing = rtol < TOL_COARSEST ? TOL_LAYER_CLOSER : TOL_NEARBY,
         .peaks = true,
     };
 }

@@ -150,7 +150,7 @@ static bool is_clear(const struct landing *l, const struct slow_point *p,
                      double y)
 {
     const struct slider *s = l->curve->slider;
-    const double size = TOL_LAYER_ARREST * TOL_ARREST;
+    const double size = (1.0 + TOL_SEEN) * TOL_ARREST;
 
     for (size_t i = 0; i < s->plane.equilibria && !l->options.through; i++) {
         const struct vec2 e = phase_plane_offset(&s->plane, i);

@@ -189,8 +189,8 @@ static enum status finish_rest(const struct slider *s, struct slow_branch *b)
     const struct quantity slip = rest_form_at(&s->block).has_slip
                                      ? fate_compare(&coarse.slip, &fine.slip)
                                      : none;
-    if (!(time.error <= TOL_CELLS_RTOL * time.value) ||
-        !(slip.error <= TOL_CELLS_RTOL * slip.value))
+    if (!(time.error <= TOL_COARSEST * time.value) ||
+        !(slip.error <= TOL_COARSEST * slip.value))
         return status;
     b->fate = (int8_t) fine.fate;
     b->x_end = -HUGE_VAL;
@@ -371,8 +371,7 @@ static enum status comes_to_rest(const struct slider *s, struct vec2 z,
     const struct vec2 at = { z.x + s->plane.system.origin.x,
                              z.y + s->plane.system.origin.y };
     struct fate_result r;
-    const enum status status =
-        fate_find(s, at, TOL_TRANSIENT_COARSEST, false, NULL, &r);
+    const enum status status = fate_find(s, at, TOL_COARSEST, false, NULL, &r);
 
     *is = status == STATUS_OK && rests(r.fate);
     if (*is && r.fate == FATE_REST_ASYMPTOTIC)

@@ -4,7 +4,7 @@
 #include "motion_tolerance.h"
 
 /* The slow curve (slow_curve.c), whose orbit is as accurate as that of a rest,
- * TOL_REST_WRONG; to TOL_CELLS_RTOL one that is coarser by TOL_FINER must
+ * TOL_REST_WRONG; to TOL_COARSEST one that is coarser by TOL_FINER must
  * agree on what is left of a rest.  Steps, in e-folds of the slow rate (and
  * TOL_NEARBY in ln psi), that polynomials of degree 5 bear to 1e-11, at most
  * TOL_BRANCH_STEPS; how much of what twice the step misses one step may, but
@@ -44,15 +44,14 @@
 #define TOL_SLOW_TERMS 2.0
 
 /* The fast layer (fast_layer.c, landing.c): landing distance, TOL_NEARBY, and
- * closer for what is finer than TOL_CELLS_RTOL; size of a box of arrest that
- * must not be between; how much later or earlier at most a box is entered for
- * what is then left of the distance, in what is left; steps, the first of a
+ * closer for what is finer than TOL_COARSEST (no box of arrest, and TOL_SEEN
+ * of it, must be between); how much later or earlier at most a box is entered
+ * for what is then left of the distance, in what is left; steps, the first of a
  * landing's distance and none below TOL_TOUCH; the least error that tells
  * anything on the next step. Bars: what the fibre's curvature and the slow
  * rates change of what it corrects (measured: errors are 0.5 of that at most,
  * half of them 0.1), and of places of peaks. */
 #define TOL_LAYER_CLOSER    0.01
-#define TOL_LAYER_ARREST    1.001
 #define TOL_LAYER_FORGET    4.0
 #define TOL_LAYER_STEPS     500
 #define TOL_LAYER_FLOOR     1e-8
@@ -107,7 +106,7 @@
 #define TOL_FAST_LOOSE 10.0
 
 /* Cells run to their fates (cells.c).  Orbits are first followed to TOL_PART of
- * the accuracy asked for, at most TOL_TRANSIENT_COARSEST (looser ones miss
+ * the accuracy asked for, at most TOL_COARSEST (looser ones miss
  * where a block rests), then finer by TOL_FINER, down to TOL_RTOL_DEFAULT, as
  * long as bars shrink to this part. */
 #define TOL_CELLS_GAIN 0.7
