@@ -172,7 +172,7 @@
 #define TOL_BAR_FIRST_ORDER 2.0
 #define TOL_BAR_CHANCE      8.0
 
-/* Step control of flow.h and orbit.h.  Safety: aim for an error of about half
+/* Step control (control.h, orbit.h).  Safety: aim for an error of about half
  * the tolerance, since a rejected step costs more than a short one. */
 #define TOL_STEP_SAFETY 0.9
 /* The step never changes by more than this: an estimate is local. */

@@ -6,7 +6,7 @@
 
 const struct method *method_at(size_t i)
 {
-    static const struct method *const table[] = { method_flow, method_gsl,
+    static const struct method *const table[] = { method_explicit, method_gsl,
                                                   method_sundials };
 
     for (size_t k = 0; k < sizeof table / sizeof *table; k++)

@@ -1,6 +1,6 @@
 /*
  * method.h -- integrators of others and our own explicit one behind one table,
- * for races: GSL's steppers, SUNDIALS' where it was found, lib/core's flow.
+ * for races: GSL's steppers, SUNDIALS' where it was found, lib/core's explicit8.
  *
  * Each follows u' = rates(u), one accepted step after another, with the error
  * of a step held below tol (1 + |u_i|) in each component.
@@ -42,7 +42,7 @@ struct method {
 /* Tables, each ended by a method without a name: ours; GSL's steppers, used as
  * its manual has it, a driver with the error of y controlled and stepped by
  * hand; CVODE and ARKODE where they were found. */
-extern const struct method method_flow[], method_gsl[], method_sundials[];
+extern const struct method method_explicit[], method_gsl[], method_sundials[];
 
 /* The methods that are there, numbered from 0; NULL beyond the last. */
 const struct method *method_at(size_t i);
