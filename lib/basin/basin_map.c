@@ -1,6 +1,5 @@
 #include "basin_map.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,7 +99,7 @@ static struct quantity share(const struct regions *r, const struct area area[],
             sum.error += area[i].error;
     }
     return quantity_of(sum.value / whole,
-                       sum.error / whole + TOL_ROUNDINGS_MANY * DBL_EPSILON);
+                       sum.error / whole + TOL_FAR_BELOW * TOL_ROUNDED);
 }
 
 /* The window as offsets. */

@@ -29,7 +29,8 @@
 #define TOL_ROUNDING 0x1.8p-53
 /* Relative: less than this is rounding and says nothing, of slopes, sums and
  * areas as of formulas that are the same: 2^-52 of some hundred terms that
- * cancel in part; where something is, it is larger by decades. */
+ * cancel in part; where something is, it is larger by decades.  Shares of a
+ * window, where nothing cancels, round by far less, TOL_FAR_BELOW of it. */
 #define TOL_ROUNDED 1e-13
 /* Parts of a whole, of which only the order counts.  LITTLE: of no weight
  * beside it.  FAR_BELOW: of two, as rates, slopes or shares, one goes its way

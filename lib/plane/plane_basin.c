@@ -2,7 +2,6 @@
  * anywhere then audit the map. */
 #include "plane_basin.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,9 +112,9 @@ static enum status share_out(struct plane_study *s, struct patches *p)
     missing =
         fabs(1.0 - sum) + flat_error(s) + thin_part(s, area) / all + b->shut;
     for (size_t k = 0; k < b->shares; k++)
-        b->share[k].fraction = quantity_of(
-            fmax(part[k].value / all, 0.0),
-            part[k].error / all + missing + TOL_ROUNDINGS_MANY * DBL_EPSILON);
+        b->share[k].fraction = quantity_of(fmax(part[k].value / all, 0.0),
+                                           part[k].error / all + missing +
+                                               TOL_FAR_BELOW * TOL_ROUNDED);
     free(part);
     return STATUS_OK;
 }

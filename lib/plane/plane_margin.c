@@ -1,7 +1,6 @@
 /* Borders are known in the window only: a change of fate beyond it is none. */
 #include "plane_margin.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "margin.h"
@@ -123,7 +122,7 @@ static struct quantity kick_of(const struct plane_study *s, int axis,
 {
     double error;
     const double shift = shift_in_window(s, axis, l, z, &error);
-    const double bar = error + 4.0 * TOL_ROUNDINGS_MANY * DBL_EPSILON *
+    const double bar = error + 4.0 * TOL_FAR_BELOW * TOL_ROUNDED *
                                    (1.0 + fabs(part_of(z, axis)) + fabs(shift));
 
     if (isnan(shift))

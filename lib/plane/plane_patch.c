@@ -1,6 +1,5 @@
 #include "plane_patch.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "plane_defined.h"
@@ -88,7 +87,7 @@ static bool is_open(struct patches *p, struct box door)
 
     if (plane_defined_in(s->plan, s, taller(door, reach)))
         return true;
-    while (reach > TOL_ROUNDINGS_MANY * DBL_EPSILON * s->scale.side.y &&
+    while (reach > TOL_FAR_BELOW * TOL_ROUNDED * s->scale.side.y &&
            !plane_defined_in(s->plan, s, taller(door, 0.5 * reach)))
         reach *= 0.5;
     door = taller(door, reach);
@@ -104,9 +103,8 @@ static void join_bands(struct patches *p, const struct band *lower,
 {
     const struct separatrix *c = p->r->separatrix;
     const double least = TOL_SAME * p->s->scale.side.x;
-    const double gap =
-        fmax(upper->lo - lower->hi,
-             TOL_ROUNDINGS_MANY * DBL_EPSILON * p->s->scale.side.y);
+    const double gap = fmax(upper->lo - lower->hi,
+                            TOL_FAR_BELOW * TOL_ROUNDED * p->s->scale.side.y);
     const size_t m =
         row_at_door(p, nextafter(lower->hi, -HUGE_VAL), -gap, p->below);
     const size_t n = row_at_door(p, upper->lo, gap, p->above);
