@@ -28,7 +28,7 @@ static inline bool draw_is_in_range(const struct draw *d, long double x)
     const long double psi = steady_psi(&d->law, &d->m, x);
 
     return !(law_psi_is_log(&d->law) || law_freezes(&d->law)) ||
-           fabsl(psi) < 0.5L * (long double) LN_RANGE;
+           fabsl(psi) < 0.5L * (long double) TOL_PSI_ROOM;
 }
 
 /* The slope whose saddle is at x, if there is one there; friction must fall

@@ -85,7 +85,9 @@
 #define TOL_RANGE 1e300
 #define LN_RANGE  690.7755278982137 /* its logarithm */
 /* Range of psi where psi is itself a logarithm: down to -TOL_RANGE, for
- * friction only fades there; up to LN_RANGE above the anchor. */
+ * friction only fades there; up to ROOM above the anchor, where e^psi has
+ * passed all that it is compared with. */
+#define TOL_PSI_ROOM 700.0
 
 /* Trajectories, relative error per unit of ln v, ln psi: three digits more
  * cost twice the time; figures and energy balances to nine digits are

@@ -118,7 +118,7 @@ struct planar block_planar(const struct block *b)
 {
     const bool is_log = law_psi_is_log(&b->law);
     const double bottom = is_log ? -TOL_RANGE : -LN_RANGE;
-    const double top = is_log ? fmax(b->at.y0, 0.0) + LN_RANGE : LN_RANGE;
+    const double top = is_log ? fmax(b->at.y0, 0.0) + TOL_PSI_ROOM : LN_RANGE;
 
     struct planar s = tape_planar(&b->plane);
     s.name = b->law.preset;

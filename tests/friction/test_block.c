@@ -86,7 +86,7 @@ static void axes_and_observables_say_what_they_are(void **state)
     const struct planar q = block_planar(&b);
     assert_false(q.axis[1].is_log);
     assert_true(q.domain.lo.y == -TOL_RANGE);
-    assert_true(q.domain.hi.y == LN_RANGE); /* y0 = -1 */
+    assert_true(q.domain.hi.y == TOL_PSI_ROOM); /* y0 = -1 */
 }
 
 /* The balance changes sign only at the steady states the bisection between
