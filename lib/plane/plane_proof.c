@@ -133,7 +133,9 @@ static const char *no_goal(const struct plane_branch *b)
 {
     return b->end == PLANE_END_SADDLE  ? "it comes to a saddle"
            : b->end == PLANE_END_CYCLE ? "it winds on to a closed orbit"
-                                       : "its end is not known";
+           : b->end == PLANE_END_EQUILIBRIUM
+               ? "it comes to an equilibrium outside the window"
+               : "its end is not known";
 }
 
 static void tell_crossing(struct plane_study *s, struct plane_branch *b,
@@ -203,7 +205,8 @@ static enum status prove_branch(struct plane_study *s, struct plane_branch *b,
 
     b->end_proved = PLANE_NOT_PROVED;
     b->not_proved = no_goal(b);
-    if (leaves || b->end == PLANE_END_EQUILIBRIUM)
+    if (leaves ||
+        (b->end == PLANE_END_EQUILIBRIUM && b->to != RECORD_COUNT_NONE))
         status = prove_goal(s, b, u);
     for (int i = 0; i < 2 && leaves && b->not_proved; i++)
         *next_of(s, &b->leaves[i]) =

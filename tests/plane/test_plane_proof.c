@@ -386,6 +386,32 @@ static void each_branch_without_a_proof_says_why(void **state)
     }
 }
 
+static void an_equilibrium_without_a_number_has_no_trap(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+    int trapped = 0;
+
+    (void) state;
+    plane_run(&s, &c, "x' = y; y' = x - x^3 - y/2",
+              "window={x: [-2, 2], y: [-2, 2]}\n" MORE);
+    for (size_t k = 0; k < s.branches; k++)
+        if (s.branch[k].end_proved == PLANE_TRAPPED) {
+            s.branch[k].to = RECORD_COUNT_NONE;
+            trapped++;
+        }
+    assert_int_equal(trapped, 2);
+    prove_again(&s);
+    for (size_t k = 0; k < s.branches; k++)
+        if (s.branch[k].end == PLANE_END_EQUILIBRIUM) {
+            assert_true(s.branch[k].end_proved == PLANE_NOT_PROVED);
+            assert_string_equal(
+                s.branch[k].not_proved,
+                "it comes to an equilibrium outside the window");
+        }
+    plane_end(&s, &c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -395,6 +421,7 @@ int main(void)
         TEST(spoiled_curves_prove_nothing_wrong),
         TEST(a_bar_beside_what_is_proved_is_told),
         TEST(each_branch_without_a_proof_says_why),
+        TEST(an_equilibrium_without_a_number_has_no_trap),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
