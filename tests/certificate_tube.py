@@ -6,7 +6,7 @@ from mpmath import iv
 
 from ball_series import series
 
-ORDER = 14       
+ORDER = 20        # of Taylor expansions
 PARTS = 64        # of a cell, at most
 ZERO, ONE, UNIT = iv.mpf(0), iv.mpf(1), iv.mpf([-1, 1])
 
