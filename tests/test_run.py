@@ -144,6 +144,17 @@ def build_errors_are_shown(new):
             and tests.stdout == 'no test ran\n0 passed, 0 failed\n')
 
 
+def warnings_are_errors_but_nothing_is_built_twice(new):
+    room = new()
+    room.run('laws')
+    room.run('tests')
+    later = room.calls('meson')
+    shutil.rmtree(room.path('tree/build'))
+    room.run('tests')
+    return (later and not any('werror' in call for call in later)
+            and any('-Dwerror=true' in call for call in room.calls('meson')))
+
+
 def last_line_counts_cases(new):
     room = new()
     room.write('log', '\n'.join([
@@ -195,6 +206,7 @@ CASES = [
     without_root_or_sudo_missing_packages_are_named,
     a_failed_installation_is_shown,
     build_errors_are_shown,
+    warnings_are_errors_but_nothing_is_built_twice,
     last_line_counts_cases,
     quick_leaves_the_slow_ones_and_nothing_else_is_known,
     failures_count_and_so_do_crashes,
