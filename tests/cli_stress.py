@@ -66,6 +66,9 @@ def a_system_is_held_to_113_bits_with_its_and_other_parameters(room):
     expect(cases[0]['parameters'] == {'a': 1, 'b': 7}, cases[0])
     expect(all(2 / 3 < case['parameters']['a'] < 3 / 2 and
                case['parameters']['b'] == 7 for case in cases[1:]), cases)
+    said = room.good('stress', '--quick', *ode).splitlines()[-1]
+    expect(re.fullmatch(r'held to 113 bits: the worst error is [0-9.e-]+ of its bar',
+                        said), said)
 
 
 def a_pattern_picks_cases_and_the_table_says_how_to_repeat_them(room):
