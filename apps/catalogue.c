@@ -109,7 +109,8 @@ const struct command command_table[COMMANDS] = {
     [COMMAND_WORKPREC] = { "workprec", 1, "[SCENE.yaml]",
       "error against run time, ours and others'",
       "Races the manifold's Taylor steps against other methods: error against "
-      "run time and evaluations.",
+      "run time and evaluations. Of a system of formulas it races the stable "
+      "branches of a saddle.",
       "slipway workprec --quick" },
     [COMMAND_STRESS] = { "stress", 1, "[SCENE.yaml]",
       "stiff and extreme cases, held to 113 bits",

@@ -40,7 +40,7 @@ enum {
     ROW(IMPORT, import, 0)                                                     \
     ROW(GALLERY, gallery, COMMAND_READS)                                       \
     ROW(CHECK, check, COMMAND_READS | COMMAND_PLANES)                          \
-    ROW(WORKPREC, workprec, COMMAND_READS | COMMAND_DRAWS)                     \
+    ROW(WORKPREC, workprec, COMMAND_READS | COMMAND_DRAWS | COMMAND_PLANES)    \
     ROW(STRESS, stress, COMMAND_READS | COMMAND_PLANES)                        \
     ROW(LAWS, laws, 0)                                                         \
     ROW(INFO, info, 0)                                                         \

@@ -24,6 +24,8 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     char *more[COMMAND_MORE];
     size_t count = 0;
 
+    if (has_section(o, "system"))
+        return command_read(o, NULL, 0, scene, why);
     if (o->files == 0 && !has_section(o, "law"))
         more[count++] = law;
     if (o->files == 0 && !has_section(o, "slope"))
@@ -73,7 +75,11 @@ static void print_head(FILE *out, const void *run)
 {
     const struct workprec *w = run;
 
-    fprintf(out, "%s at alpha = %.10g\n", w->scene.law.preset, w->scene.alpha);
+    if (w->scene.system)
+        fprintf(out, "stable manifold of a saddle\n");
+    else
+        fprintf(out, "%s at alpha = %.10g\n", w->scene.law.preset,
+                w->scene.alpha);
     print_failures(out, w, WORKPREC_FAILED, "runs that failed:");
     print_failures(out, w, WORKPREC_SILENT_FAILURE,
                    "runs that failed silently:");

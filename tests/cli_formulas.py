@@ -215,7 +215,7 @@ def what_is_wrong_costs_one_line(room):
         refused(room.run(*words), 2, said)
     room.write('a.yaml', 'system: {rates: {x: y, y: -x}}\n'
                          'window: {x: [-1, 1], y: [-1, 1]}\n')
-    for command in ('knees', 'simulate', 'rabinowicz', 'workprec'):
+    for command in ('knees', 'simulate', 'rabinowicz'):
         refused(room.run(command, 'a.yaml'), 2,
                 f'{command}: not for a system of formulas')
     for words in (['basin', 'a.yaml', '--exact'],):

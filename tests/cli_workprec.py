@@ -114,6 +114,22 @@ def no_saddle_is_an_answer(room):
     expect(set(found['missing']) == set(QUANTITIES), found['missing'])
 
 
+def of_a_system_both_stable_branches_of_a_saddle_are_raced(room):
+    window = ['--window', 'x=-2:2,y=-2:2']
+    found = room.json('workprec', '--quick', '--ode', "x' = y; y' = x - x^3 - 0.4*y",
+                      *window, '-o', 'p.h5')
+    for run in found['runs']:
+        check_run(run)
+    own = [run for run in found['runs'] if run['method'] == 'slipway']
+    expect(len(own) == 4 and {run['quantity'] for run in found['runs']} == {'curve'}, own)
+    expect(own[-1]['true_error'] <= 1e-11 and len(found['fastest']) == 4, own[-1])
+    expect(any(run['foreign'] == 'foreign' and run['status'] == 'done'
+               and run['true_error'] < 1e-8 for run in found['runs']), found['runs'])
+    expect(set(found['missing']) == set(QUANTITIES) - {'curve'}, found['missing'])
+    found = room.json('workprec', '--quick', '--ode', "x' = -x; y' = -y", *window)
+    expect(found['runs'] == [] and 'saddle' in found['missing']['curve'], found)
+
+
 def what_cannot_be_done_is_refused(room):
     refused(room.run('workprec', '--quick', '--law', 'none'), 2, 'none')
     refused(room.run('workprec', '--quick', '-o', '/dev/null/a.h5'), 4,
@@ -128,5 +144,6 @@ if __name__ == '__main__':
         everything_is_raced_and_ours_does_not_lie,
         people_read_who_is_fastest_and_what_failed,
         no_saddle_is_an_answer,
+        of_a_system_both_stable_branches_of_a_saddle_are_raced,
         what_cannot_be_done_is_refused,
     ])

@@ -8,19 +8,9 @@
 #include "clock.h"
 #include "plane_basin.h"
 #include "plane_study.h"
-#include "quad_way.h"
+#include "quad_formulas.h"
 #include "stress_judge.h"
 #include "stress_tolerance.h"
-
-/* What its rates are made of. */
-static void find_needed(const struct formula_system *s,
-                        bool needed[FORMULA_NODES])
-{
-    memset(needed, 0, FORMULA_NODES * sizeof *needed);
-    for (int k = 0; k < 2; k++)
-        needed[s->rate[k]] = true;
-    formula_complete(&s->graph, needed);
-}
 
 bool stress_plane_setting(const struct scene *scene, int k, char text[],
                           size_t size)
@@ -29,7 +19,7 @@ bool stress_plane_setting(const struct scene *scene, int k, char text[],
     size_t n = (size_t) snprintf(text, size, "system.parameters={");
     bool needed[FORMULA_NODES], any = false;
 
-    find_needed(f, needed);
+    quad_formulas_needed(f, needed);
     for (int p = 0; p < f->parameters && n < size; p++) {
         const double u = vec2_spread(0.5, k * (p + 1.0)).x,
                      value = (double) f->parameter[p].value;
@@ -43,58 +33,6 @@ bool stress_plane_setting(const struct scene *scene, int k, char text[],
     if (n < size)
         n += (size_t) snprintf(text + n, size - n, "}");
     return any && n < size;
-}
-
-/* ---- the formulas in 113 bits -------------------------------------------- */
-
-struct formulas {
-    const struct formula_system *system; /* borrowed */
-    struct scratch {
-        formula_real value[FORMULA_NODES];
-        short node[FORMULA_NODES];
-        int count;
-        int64_t evaluations;
-    } * scratch; /* owned */
-};
-
-static enum status formulas_init(struct formulas *f,
-                                 const struct formula_system *s)
-{
-    bool needed[FORMULA_NODES];
-
-    *f = (struct formulas){ s, calloc(1, sizeof *f->scratch) };
-    if (f->scratch == NULL)
-        return STATUS_NO_MEMORY;
-    find_needed(s, needed);
-    for (int i = 0; i < s->graph.nodes; i++) {
-        const struct formula_node *n = &s->graph.node[i];
-        if (n->kind == FORMULA_NUMBER)
-            f->scratch->value[i] = n->number;
-        else if (needed[i] && n->kind != FORMULA_LEAF)
-            f->scratch->node[f->scratch->count++] = (short) i;
-    }
-    for (int i = 0; i < s->parameters; i++)
-        f->scratch->value[s->parameter[i].node] = s->parameter[i].value;
-    return STATUS_OK;
-}
-
-/* Of the chart. */
-static void rates(const void *ctx, quad time, const quad z[2], quad out[2])
-{
-    const struct formulas *f = ctx;
-    const struct formula_system *s = f->system;
-    formula_real *value = f->scratch->value;
-
-    (void) time;
-    for (int k = 0; k < 2; k++)
-        value[s->state[k].node] =
-            s->state[k].chart == CHART_POSITIVE ? expq(z[k]) : z[k];
-    formula_again(&s->graph, f->scratch->node, f->scratch->count, value);
-    for (int k = 0; k < 2; k++)
-        out[k] =
-            value[s->rate[k]] /
-            (s->state[k].chart == CHART_POSITIVE ? value[s->state[k].node] : 1);
-    f->scratch->evaluations++;
 }
 
 /* ---- numbers ------------------------------------------------------------- */
@@ -119,26 +57,6 @@ static void hold(const struct judging *j, quad off, double error, double slack,
         stress_row_say(row, STRESS_LIE, "further off than its bar", what);
 }
 
-static struct quad_way way_of(const struct plane_study *s,
-                              const struct formulas *f)
-{
-    return (struct quad_way){
-        .rates = rates,
-        .ctx = f,
-        .side = { s->scale.side.x, s->scale.side.y },
-        .period = { s->scale.period.x, s->scale.period.y },
-        .accuracy = STRESS_WAY_STEP,
-        .most = 0.01,
-    };
-}
-
-static void place(struct quad_way *w, const struct plane_rest *r)
-{
-    for (int k = 0; k < 2; k++)
-        w->z[k] = r->exact.chart[k].value;
-    quad_way_settle(w);
-}
-
 static void judge_rest(struct judging *j, const struct plane_rest *r)
 {
     const double error[] = { r->error.x, r->error.y },
@@ -147,7 +65,7 @@ static void judge_rest(struct judging *j, const struct plane_rest *r)
 
     if (r->type == PLANE_NONHYPERBOLIC)
         return; /* its Jacobian may be singular */
-    place(&j->way, r);
+    quad_formulas_place(&j->way, r);
     quad_way_eigenvalues(&j->way, re, &im);
     const double rate = (double) hypotq(re[0], re[1]) + (double) im;
     for (int k = 0; k < 2; k++) {
@@ -199,7 +117,7 @@ static enum status judge_branch(struct judging *j, const struct plane_branch *b)
         const double *at = ((const struct plane_point *) all.at)[1].at,
                      first[] = { plane_chart(j->s, 0, at[0]),
                                  plane_chart(j->s, 1, at[1]) };
-        place(&w, &j->s->rest[b->rest]);
+        quad_formulas_place(&w, &j->s->rest[b->rest]);
         w.step = b->kind == MANIFOLD_STABLE ? -1 : 1;
         quad_way_leave(&w, first);
         const size_t held =
@@ -278,9 +196,9 @@ static enum status judge_labels(struct judging *j)
 /* ---- a case -------------------------------------------------------------- */
 
 static enum status judge(const struct plane_study *s, struct stress_row *row,
-                         struct formulas *f)
+                         struct quad_formulas *f)
 {
-    struct judging j = { s, way_of(s, f), row };
+    struct judging j = { s, quad_formulas_way(s, f), row };
     const double start = clock_seconds();
     enum status status = STATUS_OK;
 
@@ -306,9 +224,9 @@ enum status stress_plane_judge(const struct scene *scene,
 {
     struct plane_study *s = malloc(sizeof *s);
     struct scene all = *scene;
-    struct formulas f = { NULL, NULL };
+    struct quad_formulas f = { NULL, NULL };
     enum status status =
-        s ? formulas_init(&f, scene->system) : STATUS_NO_MEMORY;
+        s ? quad_formulas_init(&f, scene->system) : STATUS_NO_MEMORY;
     const double start = clock_seconds();
 
     all.products = 1u << PRODUCT_EQUILIBRIA | 1u << PRODUCT_MANIFOLDS |
@@ -320,7 +238,7 @@ enum status stress_plane_judge(const struct scene *scene,
         status = judge(s, row, &f);
         plane_study_free(s);
     }
-    free(f.scratch);
+    quad_formulas_free(&f);
     free(s);
     return status;
 }

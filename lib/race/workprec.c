@@ -213,14 +213,18 @@ static enum status run(struct workprec *w, const struct rules *r,
                        const struct monitor *monitor)
 {
     struct workprec_shared shared = { NULL };
+    enum status s = STATUS_OK;
 
-    enum status s =
-        workprec_task_init(&w->task, &w->study, r->cells, r->sample, monitor);
-    if (s != STATUS_OK || slider_saddle(&w->study.slider) < 0)
+    if (w->scene.system == NULL)
+        s = workprec_task_init(&w->task, &w->study, r->cells, r->sample,
+                               monitor);
+    if (s != STATUS_OK || w->task.saddle == NULL)
         return s;
     w->run =
         calloc(WORKPREC_QUANTITIES * ENTRANTS_MOST * r->rungs, sizeof *w->run);
-    s = w->run ? workprec_shared_init(&shared, &w->task) : STATUS_NO_MEMORY;
+    s = w->run ? STATUS_OK : STATUS_NO_MEMORY;
+    if (s == STATUS_OK && w->task.plane == NULL)
+        s = workprec_shared_init(&shared, &w->task);
     if (s == STATUS_OK)
         s = race_all(w, r, &shared, monitor);
     workprec_shared_free(&shared);
@@ -236,7 +240,10 @@ enum status workprec_run(struct workprec *w, const struct scene *scene,
     *w = (struct workprec){ .scene = *scene };
     w->scene.products = 1u << PRODUCT_EQUILIBRIA;
     workprec_environment_find(&w->environment);
-    enum status s = study_run(&w->study, &w->scene, monitor, why);
+    enum status s = scene->system
+                        ? workprec_plane_init(&w->plane, scene, r.sample,
+                                              &w->study, &w->task, monitor, why)
+                        : study_run(&w->study, &w->scene, monitor, why);
     if (s != STATUS_OK)
         return s;
     s = run(w, &r, monitor);
@@ -255,6 +262,7 @@ void workprec_free(struct workprec *w)
     w->fastest = NULL;
     w->runs = w->ranks = 0;
     study_free(&w->study);
+    workprec_plane_free(&w->plane);
 }
 
 /* ---- what it says -------------------------------------------------------- */

@@ -11,14 +11,16 @@
 #pragma once
 
 #include "workprec_environment.h"
+#include "workprec_plane.h"
 #include "workprec_rank.h"
 #include "workprec_task.h"
 
 #include "result.h"
 
 struct workprec {
-    struct scene scene; /* borrowed members */
-    struct study study; /* owned: the steady states */
+    struct scene scene;          /* borrowed members */
+    struct study study;          /* owned: the steady states */
+    struct workprec_plane plane; /* owned: of a system of formulas instead */
     struct workprec_task task;
     struct workprec_run *run; /* owned; by quantity, method, tolerance */
     size_t runs;

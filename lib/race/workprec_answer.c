@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "workprec_plane.h"
+
 static double relative(double value, quad truth)
 {
     return fabs((double) ((value - truth) / truth));
@@ -23,6 +25,8 @@ static double curve_error(const struct workprec_task *c, int side,
     const size_t sample = n < c->sample ? n : c->sample;
     double worst = n > 0 ? 0.0 : HUGE_VAL;
 
+    if (c->plane)
+        return workprec_plane_error(c->plane, a->point[side], n, sample);
     for (size_t k = 0; k < sample; k++) {
         const struct vec2 p = a->point[side][(k + 1) * n / sample - 1];
         const quad z[2] = { (quad) o.x + p.x - t->slope.at.x0,

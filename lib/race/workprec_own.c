@@ -349,7 +349,8 @@ void workprec_own_run(const struct workprec_task *c,
                       enum workprec_own how, enum workprec_quantity q,
                       double tol, struct workprec_answer *out)
 {
-    const struct box window = scene_box(c->study->scene);
+    const struct box window = c->plane ? c->study->slider.plane.system.domain
+                                       : scene_box(c->study->scene);
     struct maker m = { .c = c, .how = how, .tol = tol, .out = out };
     enum status s;
 

@@ -63,6 +63,8 @@ struct workprec_task {
     struct vec2 target[EQUILIBRIA_MAX];    /* nodes, as offsets */
     size_t targets;
     size_t sample; /* points of a curve that are looked at, each branch */
+    const struct workprec_plane *plane; /* borrowed; of a system of formulas,
+                                           which has no `truth`; or NULL */
     struct workprec_truth truth;
 };
 
