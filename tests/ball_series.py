@@ -33,7 +33,8 @@ class Series:
     def __init__(self, m, r, e):
         extra = max(map(int.bit_length, m), default=0) - BITS
         if extra > 0:
-            r = [(y >> extra) + 2 if x or y else 0 for x, y in zip(m, r)]
+            below = (1 << extra) - 1  # nothing is lost where these bits are 0
+            r = [(y >> extra) + 2 * ((x | y) & below != 0) for x, y in zip(m, r)]
             m = [x >> extra for x in m]
             e += extra
         self.m, self.r, self.e = m, r, e
@@ -58,9 +59,10 @@ class Series:
         low, high = sorted((self, other), key=lambda u: u.e)
         e = max(low.e, high.e - 4 * BITS)
         s = e - low.e
+        below = (1 << s) - 1
         m, r = high.at(e)
         return Series([x + (y >> s) for x, y in zip(m, low.m)],
-                      [x + (z >> s) + 2 if y or z else x
+                      [x + (z >> s) + 2 * ((y | z) & below != 0)
                        for x, y, z in zip(r, low.m, low.r)], e) if s else Series(
                            list(map(add, m, low.m)), list(map(add, r, low.r)), e)
 
@@ -191,7 +193,7 @@ class Series:
         m, r, e = ball(iv.mpf([0, abs(h).b]))
         total, step, s = 0, (abs(m) + r) << max(e, 0), max(-e, 0)
         for x, y in zip(reversed(self.m), reversed(self.r)):
-            total = abs(x) + y + (total * step >> s) + 1
+            total = abs(x) + y - (-total * step >> s)  # upward
         return iv.make_mpf((from_man_exp(total, self.e, BITS, 'c'),) * 2)
 
     def shift(self, s):
@@ -200,12 +202,13 @@ class Series:
         sm, sr, e = ball(s)
         a = abs(sm) + sr
         up, down = max(e, 0), max(-e, 0)
+        below = (1 << down) - 1
         for i in range(len(m)):
             for j in range(len(m) - 2, i - 1, -1):
                 x, y = m[j + 1], r[j + 1]
                 to, wide = x * sm << up, (abs(x) * sr + y * a) << up
                 m[j] += to >> down
-                r[j] += (wide >> down) + 2 if to or wide else 0
+                r[j] += (wide >> down) + 2 * ((to | wide) & below != 0)
         return Series(m, r, self.e)
 
 
@@ -217,7 +220,7 @@ def series(u):
     for x, y, k in balls:
         s = k - e
         m.append(x << s if s >= 0 else x >> -s)
-        r.append(y << s if s >= 0 else (y >> -s) + 2 if x or y else 0)
+        r.append(y << s if s >= 0 else (y >> -s) + 2 * ((x | y) & ((1 << -s) - 1) != 0))
     return Series(m, r, e)
 
 
