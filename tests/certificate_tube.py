@@ -7,7 +7,7 @@ from mpmath import iv
 from ball_series import series
 
 ORDER = 20        # of Taylor expansions
-PARTS = 64        # of a cell, at most
+PARTS = 16        # of a cell, at most
 ZERO, ONE, UNIT = iv.mpf(0), iv.mpf(1), iv.mpf([-1, 1])
 
 
@@ -158,7 +158,7 @@ def check_cone(block, piece, reach, slope, excess):
     """Answers a bound of |dep - p| at its end."""
     claim(0 < reach <= 1 and slope > 0, 'the cone has no size')
     claim(piece.start == 0 and piece.coef[0] == 0, 'the cone is not at the saddle')
-    for count in (1, 4, 16, PARTS):
+    for count in (1, 4, 16, 64):
         found = attempt(cone_in_parts, block, piece, reach, slope, excess, count)
         if found is not None:
             return found
