@@ -203,7 +203,7 @@ const char *proof_tail_open(struct proof_law *p, const struct proof_place *at)
 {
     struct strip s = { .at = { beyond(at->X, 1), beyond(at->Y, 1) } };
 
-    if (at->side < 0 || !(force_at(p, at).lo > 0))
+    if (!(force_at(p, at).lo > 0))
         return "mu - tan(alpha) is not proved positive";
     const char *why = look_along(p, 1, &s);
     if (why)
@@ -236,8 +236,7 @@ bool proof_tail_steep(struct proof_law *p, const struct proof_place *at)
     const struct interval m = interval_low(force_at(p, at));
     struct proof_flow f;
 
-    if (at->side < 0 || !(m.lo > 0) || look_along(p, 1, &s) ||
-        !(s.g.all.hi < 0))
+    if (!(m.lo > 0) || look_along(p, 1, &s))
         return false;
     proof_flow_aside(&p->tape, 0, at->X, at->Y, &f);
     const struct interval rise = interval_less(

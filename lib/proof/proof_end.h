@@ -27,8 +27,9 @@ const char *proof_tail_psi(struct proof_law *p, const struct proof_place *at,
 const char *proof_tail_v(struct proof_law *p, const struct proof_place *at,
                          double most, struct proof_tail *out);
 
-/* v has no limit (side 1). */
+/* v has no limit; NULL only where the strip beyond, to larger v and psi, has no
+ * equilibrium: on the upper branch. */
 const char *proof_tail_open(struct proof_law *p, const struct proof_place *at);
 
-/* Whether dy/dx > 1 from there on (side 1), whatever the end. */
+/* Whether dy/dx > 1 from there on, whatever the end; only there, too. */
 bool proof_tail_steep(struct proof_law *p, const struct proof_place *at);

@@ -75,11 +75,8 @@ bool proof_reach(struct interval_tape *t, const struct proof_piece *p,
     for (int i = 0; i < PROOF_TURN_TRIES; i++) {
         proof_flow_aside(t, p->ind, add(at, interval_within(*way)), dep, &u);
         const struct interval slope = interval_divide(u.dep.c[0], u.ind.c[0]);
-        const long double least = interval_least(slope);
-        if (!(least > 0) || !interval_is_finite(u.ind.c[0]))
-            return false;
-        const double found =
-            interval_up(interval_divide(point(gap), point(least)).hi);
+        const double found = interval_up(
+            interval_divide(point(gap), point(interval_least(slope))).hi);
         if (found < *way) {
             const struct interval per =
                 interval_divide(u.excess.c[0], u.ind.c[0]);

@@ -200,6 +200,51 @@ static void draw_even(struct made *f, uint64_t *rng)
     f->Y = u - f->X;
 }
 
+/* Where friction is nearly even with gravity below the saddle, and psi may turn
+ * on the way. */
+static void draw_slow(struct made *f, uint64_t *rng)
+{
+    const double part = check_uniform(rng, 0, 0.6);
+
+    *f = (struct made){ .side = -1, .F = 1 };
+    f->k = plain(some(rng, -0.7, -0.2));
+    f->r = plain(signed_or_0(rng, -1, -0.3));
+    f->s = check_bits(rng) % 2 ? 0 : plain(some(rng, -0.3, 0.5));
+    f->shape = f->s > 0 ? EXP : check_bits(rng) % 2 ? SINH : PLAIN;
+    f->p = -plain(some(rng, -0.3, 0));
+    f->B = plain(some(rng, -1, 0.3));
+    f->A = plain(-f->B * f->p * part);
+    f->X = f->s > 0 ? check_uniform(rng, 0, 0.3) - 1 / f->s
+                    : check_uniform(rng, -4, -1);
+    f->Y = -(f->A * f->X + f->B * some(rng, -2, 0)) / f->B;
+}
+
+/* Where psi moves inward above the saddle and friction is below gravity, but
+ * not farther on. */
+static void draw_inside(struct made *f, uint64_t *rng)
+{
+    const double part = check_uniform(rng, 0, 0.5);
+
+    draw_slow(f, rng);
+    f->side = 1;
+    f->s = -plain(some(rng, -0.5, 0.3));
+    f->A = plain(-f->B * f->p * part);
+    f->X = check_uniform(rng, 0.05, 1) - 1 / f->s;
+    f->Y = f->p * f->X * check_uniform(rng, part, 1);
+}
+
+/* A place whose strip to larger v and psi has the saddle, if it is below. */
+static void draw_on(struct made *f, uint64_t *rng)
+{
+    draw(f, check_bits(rng) % 4 ? 1 : -1, rng);
+    if (check_bits(rng) % 8 == 0)
+        draw_inside(f, rng);
+    if (f->side < 0) {
+        f->X = -fabs(f->X);
+        f->Y = -fabs(f->Y);
+    }
+}
+
 /* A box around where the way is to begin, which is then put at a corner. */
 static struct proof_place place_of(struct made *f, uint64_t *rng)
 {
@@ -336,7 +381,10 @@ static void what_psi_goes_on_by_is_below_its_bound(void **state)
         struct made f;
         struct proof_law p;
         struct proof_tail tail;
-        draw(&f, check_bits(&rng) % 8 ? -1 : 1, &rng);
+        if (n % 2)
+            draw(&f, check_bits(&rng) % 8 ? -1 : 1, &rng);
+        else
+            draw_slow(&f, &rng);
         f.F = some(&rng, -0.5, 1) * exp(f.X) *
               fabs((double) (growth_at(&f, f.X, f.Y) / force_at(&f, f.X, f.Y)));
         law_at(&p, &f);
@@ -370,7 +418,7 @@ static void only_an_open_branch_is_proved_to_be(void **state)
     for (int n = 0; n < DRAWS; n++) {
         struct made f;
         struct proof_law p;
-        draw(&f, check_bits(&rng) % 4 ? 1 : -1, &rng);
+        draw_on(&f, &rng);
         if (check_bits(&rng) % 2)
             f.shape = PLAIN;
         law_at(&p, &f);
@@ -398,7 +446,7 @@ static void where_the_slope_is_proved_to_stay_above_1_it_does(void **state)
     for (int n = 0; n < DRAWS; n++) {
         struct made f;
         struct proof_law p;
-        draw(&f, check_bits(&rng) % 4 ? 1 : -1, &rng);
+        draw_on(&f, &rng);
         const double slope = (double) slope_at(&f, f.X, f.Y);
         f.F = fabs(slope) / some(&rng, -0.3, 0.3);
         law_at(&p, &f);
