@@ -1,18 +1,23 @@
 """Truncated Taylor series whose coefficients are balls: (m[k] +- r[k]) 2^e with
-whole m and r >= 0 and one e, rounded to BITS, what that costs being in r.  Where
+whole m and r >= 0 and one e, rounded to BITS (set_bits), what that costs being in r.  Where
 the k-th coefficient holds the k-th derivative over k! of a function at every
 point of a piece, those of what is made of it do so, too.  Functions of numbers
 are those of mpmath's intervals.
 """
 from operator import add, mul
 
-from mpmath import iv
+from mpmath import iv, mp
 from mpmath.libmp import from_man_exp
 
 from certificate_formula import asinh, atan
 
-BITS = iv.prec = 160
+BITS = iv.prec = mp.prec = 160
 ONE = iv.mpf(1)
+
+
+def set_bits(bits):
+    global BITS
+    BITS = iv.prec = mp.prec = bits
 
 
 def ball(u):

@@ -1,13 +1,11 @@
 """The field of a block on a slope, (17) of Putelat & Dawes (2015), with the law's
 formulas as they are typed, and its saddle.
 """
-from mpmath import iv, mp
+from mpmath import iv
 
-from ball_series import BITS, constant
+from ball_series import constant
 from certificate_formula import Formulas, combine, read
 from certificate_tube import ONE, UNIT, ZERO, claim, line
-
-mp.prec = BITS
 
 
 class Plane:
@@ -38,7 +36,7 @@ class Plane:
             self.at = tuple(iv.mpf((z - row[0] * f[0] - row[1] * f[1]).mid)
                             for z, row in zip(self.at, C))
         C, f = self.inverse(), self.value()
-        for bits in range(130, 20, -10):
+        for bits in range(iv.prec - 30, 20, -10):
             r = [iv.mpf(2) ** -bits] * 2
             to = self.krawczyk(C, f, r)
             if all(abs(u) < w for u, w in zip(to, r)):

@@ -67,6 +67,17 @@ def laws_of_the_literature_have_one(room):
            == [(1, True), (0, True)], sides[0]['knees'])
 
 
+def where_psi_is_large_the_checker_takes_more_bits(room):
+    room.good('knees', '--law', 'dieterich_gen', '--alpha', '0.9', '--proved',
+              '--certificate', 'large.json')
+    found = json.loads(room.read('large.json'))
+    expect(found['numbers']['psi'][0] > 1e10, found['numbers']['psi'])
+    found.update(dict.fromkeys(('upper', 'lower'), {'not_proved': ''}))
+    for name in list(found['numbers'])[4:]:
+        del found['numbers'][name]
+    expect(not rejected(found), rejected(found))
+
+
 # ---- forgeries --------------------------------------------------------------
 
 def with_a_digit_changed(number, rng):
@@ -482,6 +493,7 @@ run_cases([
     each_claim_of_a_certificate_follows,
     its_numbers_are_those_of_the_answer,
     laws_of_the_literature_have_one,
+    where_psi_is_large_the_checker_takes_more_bits,
     a_certificate_with_a_digit_changed_is_rejected,
     a_certificate_needs_a_proof,
     a_scene_is_not_written_over_by_one,
