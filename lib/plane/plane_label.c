@@ -255,13 +255,19 @@ static int by_area(const void *a, const void *b)
     return p->patch < q->patch ? -1 : p->patch > q->patch;
 }
 
-/* Those of this area first that are larger; their area. */
+/* Those of this area first that are larger; their area.  In a thin band a curve
+ * may end: what lies beside it there is not known, and its regions have no
+ * area. */
 static double sort_patches(const struct patches *p, struct whole w[])
 {
     double all = 0.0;
 
-    for (size_t i = 0; i < p->r->count; i++) {
-        const double area = fmax(p->area[i].value, 0.0);
+    for (size_t b = 0, i = 0; i < p->r->count; i++) {
+        while (b + 1 < p->r->bands && p->r->band[b + 1].first <= i)
+            b++;
+        const double area = plane_patch_is_door(p->s, &p->r->band[b])
+                                ? fmax(p->area[i].value, 0.0)
+                                : 0.0;
         struct whole *to = &w[plane_patch_of(p, i)];
         w[i].patch = i;
         if (to->area == 0.0 || area > p->area[to->largest].value)

@@ -310,6 +310,33 @@ static void what_is_undecided_has_its_reasons(void **state)
     }
 }
 
+/* Two branches come to the node that repels from above and from below; on the
+ * row through it, between their ends, both sides are beside nothing. */
+static void a_row_through_the_ends_of_two_branches_has_no_label(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+    int8_t label;
+
+    (void) state;
+    plane_run(&s, &c,
+              "x' = -sin(2*x)*cos(y) - 0.2*x;"
+              "y' = -cos(2*x)*sin(y)/2 - 0.2*y",
+              "window={x: [-4, 4], y: [-4, 4]}\nproducts=[basins]\n"
+              "basins.audit=100\n");
+    assert_int_equal(s.basin.disagreements, 0);
+    for (int i = -39; i < 40; i++) {
+        assert_int_equal(
+            plane_basin_at(&s, (struct vec2){ 0.1 * i, 0.0 }, true, &label),
+            STATUS_OK);
+        CHECK(label < 0 || label == (abs(i) < 18 ? 1
+                                     : i < 0     ? 0
+                                                 : 2),
+              "x = %g: %d", 0.1 * i, label);
+    }
+    plane_end(&s, &c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -326,6 +353,7 @@ int main(void)
         TEST(outside_the_window_nothing_passes_an_equilibrium),
         TEST(closed_orbits_of_a_well_attract_nothing),
         TEST(what_is_undecided_has_its_reasons),
+        TEST(a_row_through_the_ends_of_two_branches_has_no_label),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
