@@ -195,7 +195,10 @@ static inline void draw_few(struct made *f, double size, uint64_t *rng)
         return;
     }
     f->L[0] = -0.02;
-    switch (check_bits(rng) % 3) {
+    switch (check_bits(rng) % 4) {
+        case 3: /* a node, of whose branches one comes in with a slope */
+            f->L[0] = check_uniform(rng, 0.5, 0.75);
+            break;
         case 0:
             f->E[1] = -check_uniform(rng, 1.2, 1.42);
             break;

@@ -8,6 +8,7 @@
 #include "interval_growth.h"
 #include "law_typed.h"
 #include "proof_fold.h"
+#include "proof_root.h"
 #include "reference_rows.h"
 
 /* ---- formulas over boxes ------------------------------------------------- */
@@ -409,6 +410,48 @@ static void nothing_is_proved_where_64_bits_are_rounded_to_53(void **state)
     solved_free(&s);
 }
 
+/* ---- where a function falls through 0 --------------------------------------
+ */
+
+/* (1/3 - x)^kind, -(1/3 - x)^-kind where kind < 0. */
+static bool power_at(void *ctx, mpfr_srcptr x, mpfi_ptr out)
+{
+    const int *kind = ctx;
+    mpfi_t off;
+
+    mpfi_init2(off, mpfi_get_prec(out));
+    mpfi_set_ui(off, 1);
+    mpfi_div_ui(off, off, 3);
+    mpfi_sub_fr(off, off, x);
+    mpfi_set(out, off);
+    for (int i = 1; i < abs(*kind); i++)
+        mpfi_mul(out, out, off);
+    if (*kind < 0)
+        mpfi_neg(out, out);
+    mpfi_clear(off);
+    return true;
+}
+
+static void only_where_a_function_falls_through_0_it_has_a_root(void **state)
+{
+    mpfi_t place;
+
+    (void) state;
+    mpfi_init2(place, 256);
+    for (int kind = -2; kind <= 2; kind++) {
+        int power = kind;
+        const bool falls = kind == 1;
+        if (kind == 0)
+            continue;
+        CHECK(proof_root(power_at, &power, 0.33L, place) == falls, "%d", kind);
+        if (falls) {
+            mpfi_mul_ui(place, place, 3);
+            CHECK(mpfi_is_inside_ui(1, place), "%d", kind);
+        }
+    }
+    mpfi_clear(place);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -416,6 +459,7 @@ int main(void)
         cmocka_unit_test(a_law_that_is_typed_is_proved_as_its_preset_is),
         cmocka_unit_test(an_infinite_R_is_the_limit_of_the_law),
         cmocka_unit_test(all_is_proved_where_psi_is_3e20_at_the_saddle),
+        cmocka_unit_test(only_where_a_function_falls_through_0_it_has_a_root),
         cmocka_unit_test(nothing_is_proved_where_64_bits_are_rounded_to_53),
     };
 

@@ -325,9 +325,39 @@ static void that_there_is_no_saddle_is_proved_where_there_is_none(void **state)
           none);
 }
 
+/* As v -> 0 or infinity tau is (a - b) ln v, but where psi_ss or theta(psi_ss)
+ * is bounded. */
+static void tau_rises_from_end_to_end_only_where_it_has_no_end(void **state)
+{
+    static const struct {
+        enum theta theta;
+        enum psi_ss psi_ss;
+        double a, b;
+        bool rises;
+    } at[] = {
+        { THETA_LN_PSI, PSI_SS_INVERSE, 0.25, 0.25, false },
+        { THETA_LN_PSI, PSI_SS_INVERSE, 0.5, 0.25, true },
+        { THETA_LN_C_PSI, PSI_SS_INVERSE, 0.25, 0.25, false },
+        { THETA_LN_PSI, PSI_SS_SPINODAL, 0.25, 0.25, false },
+        { THETA_LN_PSI, PSI_SS_SPINODAL, 0.5, 0.25, true },
+        { THETA_LN_C_PSI, PSI_SS_SPINODAL, 0.25, 0.5, true },
+        { THETA_PSI, PSI_SS_SPINODAL, 0.25, 0.5, true },
+    };
+
+    (void) state;
+    for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+        const struct law law = { .theta = at[i].theta, .psi_ss = at[i].psi_ss };
+        struct material m = material_bristol_board();
+        m.a = at[i].a;
+        m.b = at[i].b;
+        CHECK(proof_rises_through(&law, &m) == at[i].rises, "%zu", i);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tau_rises_from_end_to_end_only_where_it_has_no_end),
         cmocka_unit_test(each_state_of_the_basin_table_is_on_its_side),
         cmocka_unit_test(
             states_beside_the_curve_are_on_the_side_that_is_computed),
