@@ -8,6 +8,7 @@
 #include "parse.h"
 #include "quad.h"
 
+#define LINK
 #define REAL    double
 #define FN(f)   f
 #define NAME(x) x##_double
@@ -26,24 +27,6 @@
 #undef MOST
 #undef ENDLESS
 
-#define REAL    long double
-#define FN(f)   f##l
-#define NAME(x) x
-#define OWN(x)  x##_64
-#define UNIT    0x1p-63L
-#define LEAST   0x1p-16445L
-#define MOST    LDBL_MAX
-#include "interval_sums.h"
-#undef REAL
-#undef FN
-#undef NAME
-#undef OWN
-#undef UNIT
-#undef PHI
-#undef LEAST
-#undef MOST
-#undef ENDLESS
-
 #define REAL    formula_real
 #define FN(f)   f##q
 #define NAME(x) x##_quad
@@ -52,11 +35,6 @@
 #define LEAST   ((formula_real) 0x1p-16400L)
 #define MOST    ((formula_real) 0x1.fffffffffffffffep16383L)
 #include "interval_formula.h"
-
-struct interval interval_divide(struct interval u, struct interval w)
-{
-    return interval_times(u, inverse_64(w));
-}
 
 struct interval_quad interval_divide_quad(struct interval_quad u,
                                           struct interval_quad w)

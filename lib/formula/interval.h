@@ -70,11 +70,8 @@ enum interval_domain interval_over_quad(struct interval_plan *p,
 /* What a decimal may have been. */
 struct interval_quad interval_decimal(formula_real x);
 
-/* Sums, differences, products and quotients (over what is not 0). */
-struct interval interval_add(struct interval u, struct interval w);
-struct interval interval_less(struct interval u, struct interval w);
-struct interval interval_times(struct interval u, struct interval w);
-struct interval interval_divide(struct interval u, struct interval w);
+/* Sums, differences, products and quotients (over what is not 0); those of 64
+ * bits are in interval_long.h. */
 struct interval_double interval_add_double(struct interval_double u,
                                            struct interval_double w);
 struct interval_double interval_less_double(struct interval_double u,

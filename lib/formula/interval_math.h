@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "interval.h"
+#include "interval_long.h"
 #include "jet.h"
 
 static inline struct interval interval_point(long double x)

@@ -1,8 +1,8 @@
 /*
  * interval_sums.h -- interval.h's arithmetic for one kind of number: REAL, with
  * FN(f) its function f, NAME(x) and OWN(x) naming what others see and do not,
- * UNIT = 2^-52, 2^-63 or 2^-112, LEAST and MOST its least and largest positive
- * number.
+ * LINK before those, UNIT = 2^-52, 2^-63 or 2^-112, LEAST and MOST its least
+ * and largest positive number.
  *
  * Rounding outward: r is between the neighbours of c = fl(r), and c -+ (PHI |c|
  * + LEAST), PHI = UNIT/2 (1 + UNIT), rounded, are these or farther (Rump,
@@ -16,37 +16,37 @@ typedef struct NAME(interval) OWN(range);
 
 #define PHI (UNIT / 2 * (1 + UNIT))
 
-static REAL OWN(room)(REAL r)
+static inline REAL OWN(room)(REAL r)
 {
     return FN(fabs)(r) * PHI + LEAST;
 }
 
-static REAL OWN(below)(REAL r)
+static inline REAL OWN(below)(REAL r)
 {
     return r > MOST ? MOST : r - OWN(room)(r);
 }
 
-static REAL OWN(above)(REAL r)
+static inline REAL OWN(above)(REAL r)
 {
     return r < -MOST ? -MOST : r + OWN(room)(r);
 }
 
-static REAL OWN(smaller)(REAL a, REAL b)
+static inline REAL OWN(smaller)(REAL a, REAL b)
 {
     return a < b ? a : b;
 }
 
-static REAL OWN(larger)(REAL a, REAL b)
+static inline REAL OWN(larger)(REAL a, REAL b)
 {
     return a > b ? a : b;
 }
 
-static OWN(range) OWN(point)(REAL x)
+static inline OWN(range) OWN(point)(REAL x)
 {
     return (OWN(range)){ x, x };
 }
 
-static OWN(range) OWN(all)(void)
+static inline OWN(range) OWN(all)(void)
 {
     return (OWN(range)){ -ENDLESS, ENDLESS };
 }
@@ -54,14 +54,14 @@ static OWN(range) OWN(all)(void)
 /* ---- arithmetic ---------------------------------------------------------- */
 
 /* a + b less its rounded value, exactly; a NaN where that is not finite. */
-static REAL OWN(missed)(REAL a, REAL b, REAL sum)
+static inline REAL OWN(missed)(REAL a, REAL b, REAL sum)
 {
     const REAL other = sum - a;
 
     return (a - (sum - other)) + (b - other);
 }
 
-OWN(range) NAME(interval_add)(OWN(range) u, OWN(range) w)
+LINK OWN(range) NAME(interval_add)(OWN(range) u, OWN(range) w)
 {
     const REAL lo = u.lo + w.lo, hi = u.hi + w.hi;
 
@@ -73,29 +73,29 @@ OWN(range) NAME(interval_add)(OWN(range) u, OWN(range) w)
                          hi < -MOST ? -MOST : hi + up * OWN(room)(hi) };
 }
 
-static OWN(range) OWN(minus)(OWN(range) u)
+static inline OWN(range) OWN(minus)(OWN(range) u)
 {
     return (OWN(range)){ -u.hi, -u.lo };
 }
 
-OWN(range) NAME(interval_less)(OWN(range) u, OWN(range) w)
+LINK OWN(range) NAME(interval_less)(OWN(range) u, OWN(range) w)
 {
     return NAME(interval_add)(u, OWN(minus)(w));
 }
 
 /* An end is 0 times infinity only where the other factor is 0. */
-static REAL OWN(end)(REAL a, REAL b)
+static inline REAL OWN(end)(REAL a, REAL b)
 {
     return a < 0 || a > 0 ? (b < 0 || b > 0 ? a * b : 0) : 0;
 }
 
-static bool OWN(is_point)(OWN(range) u, REAL x)
+static inline bool OWN(is_point)(OWN(range) u, REAL x)
 {
     return u.lo >= x && u.hi <= x;
 }
 
 /* Of u >= 0. */
-static OWN(range) OWN(multiple)(OWN(range) u, OWN(range) w)
+static inline OWN(range) OWN(multiple)(OWN(range) u, OWN(range) w)
 {
     const REAL lo = OWN(below)(OWN(end)(w.lo < 0 ? u.hi : u.lo, w.lo));
     const REAL hi = OWN(above)(OWN(end)(w.hi > 0 ? u.hi : u.lo, w.hi));
@@ -104,7 +104,7 @@ static OWN(range) OWN(multiple)(OWN(range) u, OWN(range) w)
                          w.hi <= 0 ? OWN(smaller)(hi, 0) : hi };
 }
 
-OWN(range) NAME(interval_times)(OWN(range) u, OWN(range) w)
+LINK OWN(range) NAME(interval_times)(OWN(range) u, OWN(range) w)
 {
     if (OWN(is_point)(u, 0) || OWN(is_point)(w, 0))
         return OWN(point)(0);
@@ -129,7 +129,7 @@ OWN(range) NAME(interval_times)(OWN(range) u, OWN(range) w)
 }
 
 /* Where w is not 0. */
-static OWN(range) OWN(inverse)(OWN(range) w)
+static inline OWN(range) OWN(inverse)(OWN(range) w)
 {
     if (w.lo < 0 && w.hi > 0)
         return OWN(all)();

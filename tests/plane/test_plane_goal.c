@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "formulas.h"
+#include "interval_long.h"
 #include "proof_cell.h"
 
 #define TEST(test)                                                             \

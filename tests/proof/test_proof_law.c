@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "interval_growth.h"
+#include "interval_long.h"
 #include "law_typed.h"
 #include "proof_fold.h"
 #include "proof_root.h"
