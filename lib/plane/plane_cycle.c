@@ -26,10 +26,9 @@ size_t plane_cycle_find(const struct plane_study *s, const struct winding *w,
 
 /* ---- whether it attracts ------------------------------------------------- */
 
-/* The integrals of the divergence and of its size over time, on a piece up to
- * theta: dt is the way over the velocity.  Five Gauss points. */
-static void add_divergence(const struct planar *sys, const struct curve *c,
-                           size_t piece, double theta, double sum[2])
+/* dt is the way over the velocity.  Five Gauss points. */
+void plane_cycle_divergence(const struct planar *sys, const struct curve *c,
+                            size_t piece, double theta, double sum[2])
 {
     static const double node[] = { 0.0, 0.5384693101056831, -0.5384693101056831,
                                    0.9061798459386640, -0.9061798459386640 };
@@ -80,7 +79,7 @@ static bool divergence_round(const struct plane_study *s,
         if (turns == w->turns)
             (void) arrival_nearest(&s->scale, &o.curve, piece, sys->origin, z,
                                    HUGE_VAL, &theta);
-        add_divergence(sys, &o.curve, piece, theta, sum);
+        plane_cycle_divergence(sys, &o.curve, piece, theta, sum);
     }
     taylor_orbit_free(&o);
     return follows;

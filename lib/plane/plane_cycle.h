@@ -13,3 +13,8 @@ size_t plane_cycle_find(const struct plane_study *s, const struct winding *w,
 MUST_CHECK enum status plane_cycle_add(struct plane_study *s,
                                        const struct winding *w, bool stable,
                                        size_t *index);
+
+/* Adds the integrals of the divergence and of its size over time, on a piece up
+ * to theta. */
+void plane_cycle_divergence(const struct planar *sys, const struct curve *c,
+                            size_t piece, double theta, double sum[2]);

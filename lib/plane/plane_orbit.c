@@ -64,12 +64,13 @@ struct walk {
     struct planar *system;
     double far; /* how many windows far it is followed */
     bool backward, stiff, stopped;
-    bool broken;     /* formulas may have no values on the last piece */
-    bool lost;       /* it has come to where rounding decides: plane_weak.h */
-    int held;        /* steps in turn in which it hardly moved, and its velocity
-                        hardly changed */
-    size_t returned; /* the piece on which it returned last */
-    double first, least; /* differences of returns: the first, the least */
+    bool broken; /* formulas may have no values on the last piece */
+    bool lost;   /* it has come to where rounding decides: plane_weak.h */
+    int held;    /* steps in turn in which it hardly moved, and its velocity
+                    hardly changed */
+    size_t returned, before; /* after the piece on which it returned last, and
+                                the time before that */
+    double first, least;     /* differences of returns: the first, the least */
     struct taylor_orbit series;
     struct orbit implicit; /* once it is stiff */
     struct winding winding;
@@ -189,6 +190,67 @@ static bool has_slipped_past(struct walk *w)
            2.0 * w->least < gap;
 }
 
+/* ---- rotations ----------------------------------------------------------- */
+
+/* The divergence along the piece before number `after`, up to where it returned
+ * to z. */
+static void divergence_to(const struct walk *w, size_t after, struct vec2 z,
+                          double sum[2])
+{
+    double theta;
+
+    (void) arrival_nearest(&w->s->scale, curve_of(w), after - 1,
+                           w->system->origin, z, HUGE_VAL, &theta);
+    plane_cycle_divergence(w->system, curve_of(w), after - 1, theta, sum);
+}
+
+static bool is_periodic(const struct walk *w, struct vec2 z, struct vec2 period)
+{
+    struct planar_field f[2];
+
+    for (int i = 0; i < 2; i++)
+        w->system->field(w->system->ctx, i ? vec2_add(z, period) : z, &f[i]);
+    const double off = hypot(f[1].direction.x - f[0].direction.x,
+                             f[1].direction.y - f[0].direction.y);
+    return f[0].log_scale == f[1].log_scale &&
+           off <= TOL_SAME * hypot(f[0].direction.x, f[0].direction.y);
+}
+
+/* Whether each round brings it as far as the one before, by a period of the
+ * field: modulo that it winds on to a closed orbit, as that attracts. */
+static bool rotates(const struct walk *w, struct plane_goal *out)
+{
+    const struct vec2 *at = w->winding.at, by = vec2_sub(at[0], at[1]);
+    const struct arrival_scale *s = &w->s->scale;
+    const double gap = vec2_length(arrival_from(s, by, vec2_sub(at[1], at[2]))),
+                 far = vec2_length(arrival_from(s, at[0], at[1]));
+    double sum[2] = { 0.0, 0.0 }, start[2] = { 0.0, 0.0 }, z[CURVE_DIM_MAX];
+
+    if (w->stiff || w->winding.count < 3 || w->before == 0 ||
+        !(gap <= TOL_WITHIN && far > TOL_SEEN))
+        return false;
+    for (size_t i = w->before - 1; i + 1 < w->returned; i++) {
+        curve_at(curve_of(w), i, 0.0, z);
+        if (!is_periodic(w, (struct vec2){ z[0], z[1] }, by))
+            return false;
+        plane_cycle_divergence(w->system, curve_of(w), i, 1.0, sum);
+    }
+    divergence_to(w, w->returned, at[0], sum);
+    divergence_to(w, w->before, at[1], start);
+    const double log_factor = sum[0] - start[0];
+    if (!(log_factor < -TOL_SAME * sum[1] &&
+          far > 10.0 * fmax(gap, w->winding.off) / -expm1(log_factor)))
+        return false;
+    *out = (struct plane_goal){ .kind = PLANE_GOAL_BEYOND };
+    for (int i = 0; i < 2; i++) {
+        const double d = i ? by.y / s->side.y : by.x / s->side.x;
+        out->beyond.way[i] = d > TOL_SEEN    ? PLANE_WAY_UP
+                             : d < -TOL_SEEN ? PLANE_WAY_DOWN
+                                             : PLANE_WAY_UNKNOWN;
+    }
+    return true;
+}
+
 /* What the last piece tells. */
 static void look(struct walk *w, const struct vec2 rests[],
                  struct plane_goal *out)
@@ -205,8 +267,11 @@ static void look(struct walk *w, const struct vec2 rests[],
         return;
     }
     if (w->winding.count > returns) {
+        w->before = returns > 0 ? w->returned : 0;
         w->returned = c->count;
         w->lost = has_slipped_past(w);
+        if (rotates(w, out))
+            return;
     }
     const size_t ahead = cycle_ahead(s, &w->winding, !w->backward);
     if (ahead < s->cycles)
