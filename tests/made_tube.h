@@ -189,6 +189,16 @@ static inline void draw_few(struct made *f, double size, uint64_t *rng)
     };
 
     *f = few;
+    if (!f->cone && check_bits(rng) % 2) { /* w grows as fast as it may */
+        f->A[0] = 0;
+        f->error = size;
+        f->L[0] = check_uniform(rng, -2, 2);
+        f->L[1] = perhaps(rng, 0, 3);
+        f->C = perhaps(rng, 0, 2) / size;
+        f->across = perhaps(rng, -0.2, 0.2);
+        f->obs_across = check_uniform(rng, -1, 1);
+        return;
+    }
     if (!f->cone) {
         f->A[last] +=
             size * check_uniform(rng, 0, 0.5) * (check_bits(rng) % 2 ? 1 : 60);
