@@ -73,7 +73,7 @@
 #define TOL_SEEN   1e-3
 
 /* Arrows of the direction field along each side of the window. */
-#define TOL_ARROWS 20
+#define PORTRAIT_ARROWS 20
 
 /* How far beside a point, in ln v and ln psi, in sides of a window or in parts
  * of a way, its neighbour is whose difference tells a slope: curvature and

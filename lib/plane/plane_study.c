@@ -280,7 +280,8 @@ static enum status find_portrait(struct plane_study *s,
         status = portrait_find_nullclines(&s->portrait,
                                           scene_figure_chord(&s->scene->paper));
     if (status == STATUS_OK && s->products & BIT(FIELD_ARROWS))
-        status = portrait_find_arrows(&s->portrait, TOL_ARROWS, TOL_ARROWS);
+        status = portrait_find_arrows(&s->portrait, PORTRAIT_ARROWS,
+                                      PORTRAIT_ARROWS);
     if (status == STATUS_OK && s->products & BIT(TRAJECTORIES))
         status = find_trajectories(s, monitor, why);
     return status;

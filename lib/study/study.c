@@ -137,7 +137,7 @@ static enum status run_arrows(struct study *s, const struct monitor *monitor,
 {
     (void) monitor, (void) why;
     const enum status status =
-        portrait_find_arrows(&s->portrait, TOL_ARROWS, TOL_ARROWS);
+        portrait_find_arrows(&s->portrait, PORTRAIT_ARROWS, PORTRAIT_ARROWS);
     s->cost[STAGE_ARROWS].field_evaluations = s->portrait.arrows.evaluations;
     return status;
 }

@@ -105,9 +105,10 @@ static enum status add_map(struct sweep_dims *d, const struct study *s)
 static enum status add_arrows(struct sweep_dims *d, const struct study *s)
 {
     const enum status status =
-        add_cells(d, DIM_ARROW_PSI, s, BASIN_PSI, TOL_ARROWS);
+        add_cells(d, DIM_ARROW_PSI, s, BASIN_PSI, PORTRAIT_ARROWS);
 
-    return status ? status : add_cells(d, DIM_ARROW_V, s, BASIN_V, TOL_ARROWS);
+    return status ? status
+                  : add_cells(d, DIM_ARROW_V, s, BASIN_V, PORTRAIT_ARROWS);
 }
 
 /* The window in the chart of the scene's law, wherever the saddle is. */
