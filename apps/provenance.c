@@ -41,19 +41,9 @@ static const struct record_type record_provenance = RECORD(
     FIELD(provenance, REAL, eps2, "1", "eps^2 = V_star^2/(g L)"));
 
 /* What store_create writes. */
-static const struct record_field root_fields[] = {
-    { .name = "Conventions",
-      .unit = "1",
-      .text = "CF-1.10",
-      .kind = RECORD_TEXT },
-    { .name = "title",
-      .unit = "1",
-      .text = "the scene's title, or the name of its law",
-      .kind = RECORD_TEXT },
-};
-static const struct record_type record_root = { .name = "root",
-                                                .fields = root_fields,
-                                                .count = 2 };
+static const struct record_type record_root = RECORD_OF(
+    char *, "root", NULL, FIELD_OF(TEXT, "Conventions", "1", "CF-1.10"),
+    FIELD_OF(TEXT, "title", "1", "the scene's title, or the name of its law"));
 
 RESULT_VIEW(view_provenance, provenance, s, 1)
 

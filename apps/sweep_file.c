@@ -200,33 +200,15 @@ static enum status put_dims(const struct cube *c)
     return status;
 }
 
-static const struct record_field start_field[] = {
-    { .name = "start_v",
-      .unit = "V_star",
-      .text = "slip rate at the start in units of V_star",
-      .kind = RECORD_REAL },
-    { .name = "start_psi",
-      .unit = "psi",
-      .text = "interfacial state at the start",
-      .kind = RECORD_REAL },
-};
-static const struct record_type record_start = {
-    .name = "start", .text = "starts", .fields = start_field, .count = 2
-};
-
-static const struct record_field key_field[] = {
-    { .name = "keys",
-      .unit = "1",
-      .text = "the keys of the axes, in their order",
-      .kind = RECORD_TEXT },
-    { .name = "refine",
-      .unit = "1",
-      .text = "sweep.refine, where the scene has it",
-      .kind = RECORD_REAL },
-};
-static const struct record_type record_keys = {
-    .name = "keys", .text = "keys", .fields = key_field, .count = 2
-};
+static const struct record_type record_start = RECORD_OF(
+    double, "start", "starts",
+    FIELD_OF(REAL, "start_v", "V_star",
+             "slip rate at the start in units of V_star"),
+    FIELD_OF(REAL, "start_psi", "psi", "interfacial state at the start"));
+static const struct record_type record_keys = RECORD_OF(
+    char *, "keys", "keys",
+    FIELD_OF(TEXT, "keys", "1", "the keys of the axes, in their order"),
+    FIELD_OF(REAL, "refine", "1", "sweep.refine, where the scene has it"));
 
 static const struct result sweep_results[] = {
     { "/sweep", NULL,
@@ -253,11 +235,11 @@ static enum status put_starts(const struct cube *c)
     for (int k = 0; k < 2 && n > 0 && status == STATUS_OK; k++) {
         for (size_t i = 0; i < n; i++)
             c->real[i] = k == 0 ? scene->start[i].v : scene->start[i].psi;
-        status = store_put_cube(c->out, group, &start_field[k], 1,
+        status = store_put_cube(c->out, group, &record_start.fields[k], 1,
                                 &c->s->dims.of[DIM_START].name);
         if (status == STATUS_OK)
-            status = store_put_slab(c->out, group, &start_field[k], 0, NULL,
-                                    c->real);
+            status = store_put_slab(c->out, group, &record_start.fields[k], 0,
+                                    NULL, c->real);
     }
     return status;
 }

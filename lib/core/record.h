@@ -88,6 +88,21 @@ struct record_type {
         .count = sizeof table / sizeof *table, .size = sizeof(struct struct_)  \
     }
 
+/* A line that is no member of a struct; and the type of values that are all of
+ * a record, or of records that are only described (void). */
+#define FIELD_OF(kind_, name_, unit_, text_)                                   \
+    {                                                                          \
+        .name = name_, .unit = unit_, .text = text_, .kind = RECORD_##kind_    \
+    }
+#define RECORD_OF(type_, name_, text_, ...)                                    \
+    {                                                                          \
+        .name = name_, .text = text_,                                          \
+        .fields = (const struct record_field[]){ __VA_ARGS__ },                \
+        .count = sizeof((const struct record_field[]){ __VA_ARGS__ }) /        \
+                 sizeof(struct record_field),                                  \
+        .size = sizeof(type_)                                                  \
+    }
+
 /* `count` structs of one type, one after another; borrowed. */
 struct record_array {
     const struct record_type *type;
@@ -156,10 +171,4 @@ static inline void record_settle(const struct record_type *type, void *at,
 /* The type of structs with those lines; RECORD_TYPE where others need the
  * table, too. */
 #define RECORD(struct_, name_, text_, ...)                                     \
-    {                                                                          \
-        .name = name_, .text = text_,                                          \
-        .fields = (const struct record_field[]){ __VA_ARGS__ },                \
-        .count = sizeof((const struct record_field[]){ __VA_ARGS__ }) /        \
-                 sizeof(struct record_field),                                  \
-        .size = sizeof(struct struct_)                                         \
-    }
+    RECORD_OF(struct struct_, name_, text_, __VA_ARGS__)

@@ -239,24 +239,12 @@ static enum status view_fields(const void *run, size_t k,
     return result_lend(out, (const void *) name, n);
 }
 
-static const struct record_field count_fields[] = {
-    { .name = "cells",
-      .unit = "1",
-      .text = "columns and rows",
-      .kind = RECORD_COUNT },
-};
-static const struct record_type record_cells = { "cells", "size of the grid",
-                                                 count_fields, 1,
-                                                 sizeof(int64_t) };
-static const struct record_field name_fields[] = {
-    { .name = "fields",
-      .unit = "1",
-      .text = "a field of the cells",
-      .kind = RECORD_TEXT },
-};
-static const struct record_type record_names = {
-    "fields", "fields of each cell", name_fields, 1, sizeof(char *)
-};
+static const struct record_type record_cells =
+    RECORD_OF(int64_t, "cells", "size of the grid",
+              FIELD_OF(COUNT, "cells", "1", "columns and rows"));
+static const struct record_type record_names =
+    RECORD_OF(char *, "fields", "fields of each cell",
+              FIELD_OF(TEXT, "fields", "1", "a field of the cells"));
 
 /* ---- the table ----------------------------------------------------------- */
 

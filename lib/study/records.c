@@ -237,15 +237,9 @@ RESULT_VIEW(view_estimates, study, &s->estimates, 1)
 RESULT_VIEW(view_roots, study, s->estimates.chi_root, s->estimates.chi_roots)
 RESULT_VIEW(view_xi, study, s->estimates.xi, s->estimates.xi_count)
 
-static const struct record_field root_fields[] = {
-    { .name = "roots",
-      .unit = "V_star",
-      .text = "root of chi(v) = 1, (34)",
-      .kind = RECORD_QUANTITY },
-};
-static const struct record_type record_root = { "roots", "roots of chi",
-                                                root_fields, 1,
-                                                sizeof(struct quantity) };
+static const struct record_type record_root = RECORD_OF(
+    struct quantity, "roots", "roots of chi",
+    FIELD_OF(QUANTITY, "roots", "V_star", "root of chi(v) = 1, (34)"));
 #define ROOT(name_, member, text_)                                             \
     {                                                                          \
         .name = name_, .unit = "V_star", .text = text_,                        \
