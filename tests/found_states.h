@@ -276,6 +276,15 @@ static const struct {
       { -1.9122880739276695, -20.212231795385925 },
       EXACT_BOTH,
       "a slow curve whose last two knots are one" },
+    { { FRICTION_LOG, THETA_PSI, PSI_SS_INVERSE, TIMESCALE_SPINODAL,
+        KINETICS_LINEAR, 0.81409538855561936, 0.030073960898867668,
+        0.0078580442802172017, 0.00062957633228607427, INFINITY,
+        1.6393609930599754e-07, 0.00036463563973195316, 18643.103053851184,
+        1e-5 },
+      1.00567477669034935816L,
+      { -3.6463701337836896, 38.335261321867996 },
+      EXACT_BOTH,
+      "v beside the saddle that rises by less than the orbit is off later" },
 };
 
 #endif

@@ -65,30 +65,38 @@ static double top_sample(const struct along *a)
     return at;
 }
 
-/* What the largest value may be on all pieces but first .. last, for how far
- * off each is; `part` of that is what it makes of a value. */
-static double most_elsewhere(const struct along *a, double part, size_t first,
-                             size_t last)
+/* The largest value beside a sample that is not less than its neighbours. */
+static double crest_beside(const struct along *a, double at)
 {
-    double most = -HUGE_VAL;
-
-    for (size_t k = 0; k < a->curve->count; k++)
-        for (int i = 0; i <= TOL_EVENT_SAMPLES && !(k >= first && k <= last);
-             i++)
-            most = fmax(
-                most, value_at(a, (double) k + (double) i / TOL_EVENT_SAMPLES) +
-                          part * a->curve->piece[k].across);
-    return most;
-}
-
-static double top_of(const struct along *a)
-{
-    const double at = top_sample(a), step = 1.0 / TOL_EVENT_SAMPLES;
+    const double step = 1.0 / TOL_EVENT_SAMPLES;
     const double lo = fmax(at - step, 0.0);
     const double hi = fmin(at + step, (double) a->curve->count);
 
     return fmax(value_at(a, at),
                 crest_between(value_at, a, lo, hi, TOL_ROOT * (hi - lo)));
+}
+
+/* What the largest value may be on all pieces but first .. last, for how far
+ * off each is; `part` of that is what it makes of a value.  *top becomes the
+ * largest value there if it is less. */
+static double most_elsewhere(const struct along *a, double part, size_t first,
+                             size_t last, double *top)
+{
+    const double samples = TOL_EVENT_SAMPLES;
+    double most = -HUGE_VAL, best = *top, where = -1.0;
+
+    for (size_t k = 0; k < a->curve->count; k++)
+        for (int i = 0; i <= TOL_EVENT_SAMPLES && !(k >= first && k <= last);
+             i++) {
+            const double at = (double) k + i / samples, here = value_at(a, at);
+            most = fmax(most, here + part * a->curve->piece[k].across);
+            where = here > best ? at : where;
+            best = fmax(best, here);
+        }
+    if (where < 0.0)
+        return most;
+    *top = crest_beside(a, where);
+    return most + (*top - best);
 }
 
 /* How far off a curve is at most on some of its pieces. */
@@ -130,7 +138,7 @@ static enum status sharpen(const struct along *a, size_t first, size_t last,
     status = orbit_run(&o, NULL);
     const struct along fine = { s, &o.curve, a->value };
     if (status == STATUS_OK && o.curve.count > 0) {
-        *top = top_of(&fine);
+        *top = crest_beside(&fine, top_sample(&fine));
         *error = (first > 0 ? a->curve->piece[first - 1].across : 0.0) +
                  worst_of(&o.curve, 0, o.curve.count);
     }
@@ -181,13 +189,13 @@ static enum status peak_of(const struct slider *s, const struct orbit *o,
     *error = 0.0;
     if (count == 0)
         return STATUS_OK;
-    const double at = top_sample(&a), start = *top, peak = top_of(&a);
+    const double at = top_sample(&a), start = *top, peak = crest_beside(&a, at);
     const size_t piece = (size_t) fmin(at, (double) count - 1.0);
     const size_t first = piece > 0 ? piece - 1 : 0;
     const size_t last = piece + 1 < count ? piece + 1 : piece;
     *top = fmax(start, peak);
     if (peak <= start && !is_rising(s, z, value)) {
-        *error = fmax(most_elsewhere(&a, part, first, last) - *top, 0.0);
+        *error = fmax(most_elsewhere(&a, part, first, last, top) - start, 0.0);
         return STATUS_OK;
     }
     if (o->end == ORBIT_ARRIVED && peak > start &&
@@ -198,7 +206,8 @@ static enum status peak_of(const struct slider *s, const struct orbit *o,
     if (!(*top > start)) /* it rises by less than is seen of it */
         place = fmax(place, TOL_ROOT * first_slope(&o->curve));
     *top = fmax(start, *top);
-    *error = fmax(part * place, most_elsewhere(&a, part, first, last) - *top);
+    const double most = most_elsewhere(&a, part, first, last, top);
+    *error = fmax(part * place, most - *top);
     return status;
 }
 
