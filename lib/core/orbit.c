@@ -275,7 +275,7 @@ static double longer(const struct orbit *o, const struct attempt *a,
     }
     if (a->radau.iterations > 1)
         f = fmin(f,
-                 fmax(sqrt(TOL_ORBIT_RATE / a->radau.rate), TOL_ORBIT_RETREAT));
+                 fmax(sqrt(TOL_FAR_BELOW / a->radau.rate), TOL_ORBIT_RETREAT));
     return fmin(fmax(f, TOL_STEP_SHRINK), most);
 }
 

@@ -333,11 +333,10 @@
 
 /* Steps of an orbit.  Its equations are solved to TOL_PART; stages are guessed
  * from the step before when they lie this far ahead of it, in its lengths, and
- * so a trend lengthens no step by more; an iteration should leave this part of
- * the error (measured: longer steps cost more iterations than they save), and
- * steps retreat by this factor at a time from where it does not. */
+ * so a trend lengthens no step by more; an iteration should leave TOL_FAR_BELOW
+ * of the error (measured: longer steps cost more iterations than they save),
+ * and steps retreat by this factor at a time from where it does not. */
 #define TOL_ORBIT_EXTEND  3.0
-#define TOL_ORBIT_RATE    0.1
 #define TOL_ORBIT_RETREAT 0.5
 
 /* A slope that decays faster than this, per unit of ln v or ln psi, has a

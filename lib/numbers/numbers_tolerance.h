@@ -12,11 +12,10 @@
 #define TOL_VARIATION_FEWER 7
 
 /* Bars: e-folds that what is left at the end may take to decay; above this
- * part of the value it never does; and the part of the bar of the saddle's
- * place that is felt (measured: 1/4000). */
-#define TOL_VARIATION_REST  10.0
-#define TOL_VARIATION_OPEN  1e-9
-#define TOL_VARIATION_PLACE 0.1
+ * part of the value it never does.  Of the bar of the saddle's place
+ * TOL_FAR_BELOW is felt (measured: 1/4000). */
+#define TOL_VARIATION_REST 10.0
+#define TOL_VARIATION_OPEN 1e-9
 
 /* Curves of steady states (steady_curve.c, spring_curve.c, fold_curve.c),
  * and chi over the window (chi_curve.c).

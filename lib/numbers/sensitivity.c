@@ -114,7 +114,7 @@ enum status sensitivity_find(const struct block *b, const struct equilibrium *e,
                           .nodes = TOL_VARIATION_FEWER };
     const double relative =
         TOL_BAR_CHANCE * fine.rtol + TOL_ROUNDINGS_MANY * DBL_EPSILON +
-        TOL_VARIATION_PLACE * numbers_floor(b) * numbers_cancellation(e);
+        TOL_FAR_BELOW * numbers_floor(b) * numbers_cancellation(e);
 
     enum status status = run_both(&sys, e, &fine);
     if (status == STATUS_OK)
