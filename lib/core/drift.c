@@ -298,14 +298,20 @@ static void add_rounding(struct drift *d, const struct curve *c,
 }
 
 /* Those of the true orbit, beside the end of the piece: a polynomial's, less
- * what its error grows by. */
+ * what its error grows by, where there is a transport and to first order this
+ * tells.  Only their ratios count: the larger of the first two is about 1. */
 static void find_rates(struct drift *d, const struct curve *c,
                        const struct transport *t)
 {
+    const bool tells = t && hypot(d->e[0], d->e[1]) < 1.0;
+
     curve_slope_at(c, c->count - 1, 1.0, d->du);
-    for (size_t i = 0; i < c->dim; i++)
+    for (size_t i = 0; tells && i < c->dim; i++)
         d->du[i] -=
             t->defect[i] + t->slope[i].x * d->e[0] + t->slope[i].y * d->e[1];
+    const double most = fmax(fabs(d->du[0]), fabs(d->du[1]));
+    for (size_t i = 0; most > 0.0 && i < c->dim; i++)
+        d->du[i] = ldexp(d->du[i], -ilogb(most));
 }
 
 /* What is off along the orbit leaves it where it is, but late: as much further
@@ -335,7 +341,7 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
         !find_transport(clock, c, h, 0.5, 1.0, &half)) {
         for (size_t i = 0; i < c->dim; i++)
             d->e[i] += copysign(missed[i], d->e[i]);
-        curve_slope_at(c, c->count - 1, 1.0, d->du);
+        find_rates(d, c, NULL);
         return;
     }
     append(&t, &half, c->dim);
