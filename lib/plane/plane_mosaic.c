@@ -201,10 +201,9 @@ static enum status close_cells(struct dividing *d)
     enum status status = STATUS_OK;
 
     for (int i = 0; i < d->n * d->n; i++) {
-        if (d->label[i] == OPEN) {
+        d->s->basin.unknown[PLANE_UNKNOWN_CELLS] |= d->label[i] == OPEN;
+        if (d->label[i] == OPEN)
             d->label[i] = UNKNOWN;
-            d->s->basin.unknown[PLANE_UNKNOWN_CELLS] = true;
-        }
         if (d->label[i] >= 0)
             used[d->label[i]] = true;
     }

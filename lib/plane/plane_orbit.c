@@ -15,13 +15,20 @@
 #include "taylor_orbit.h"
 #include "tolerance.h"
 
-const char *const plane_unknown_texts[] = {
-    "closed orbits attract none beside them, as where something is conserved",
-    "orbits come so near to an equilibrium that is not hyperbolic, to a box "
-    "that may hold one, to a closed orbit, or to where formulas may have no "
-    "values, that rounding decides",
-    "orbits are not at an end after all the steps that they may take",
-    "the work for labels was spent", NULL
+const char *const plane_unknown_texts[PLANE_UNKNOWNS] = {
+    [PLANE_UNKNOWN_CLOSED] =
+        "closed orbits attract none beside them, as where something is "
+        "conserved",
+    [PLANE_UNKNOWN_LOST] =
+        "orbits come so near to an equilibrium that is not hyperbolic, to a "
+        "box that may hold one, to a closed orbit, or to where formulas may "
+        "have no values, that rounding decides",
+    [PLANE_UNKNOWN_STEPS] =
+        "orbits are not at an end after all the steps that they may take",
+    [PLANE_UNKNOWN_WORK] = "the work for labels was spent",
+    [PLANE_UNKNOWN_CELLS] =
+        "cells lie beside others that go elsewhere, where no curve that parts "
+        "them is known",
 };
 
 /* ---- where it ends ------------------------------------------------------- */

@@ -111,8 +111,7 @@ struct plane_beyond {
     char word[2 * PLANE_NAME + 48];
 };
 
-/* Why that is not known of an orbit, or was not asked: what texts say in this
- * order; NULL-ended. */
+/* Why that is not known of an orbit, or was not asked. */
 enum plane_unknown {
     PLANE_UNKNOWN_CLOSED,
     PLANE_UNKNOWN_LOST,
@@ -121,7 +120,7 @@ enum plane_unknown {
     PLANE_UNKNOWN_CELLS,
     PLANE_UNKNOWNS
 };
-extern const char *const plane_unknown_texts[];
+extern const char *const plane_unknown_texts[PLANE_UNKNOWNS];
 
 /* Whereto an orbit goes. */
 struct plane_goal {

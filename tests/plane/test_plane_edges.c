@@ -307,6 +307,8 @@ static void what_is_undecided_has_its_reasons(void **state)
             CHECK(s.basin.unknown[k] == (k == (int) at[i].why), "%s: %d",
                   at[i].ode, k);
         CHECK(s.basin.unknown[PLANE_UNKNOWN_CELLS] == (i > 0), "%s", at[i].ode);
+        for (int k = 0; k < PLANE_UNKNOWNS; k++)
+            CHECK(plane_unknown_texts[k] != NULL, "%d", k);
         plane_end(&s, &c);
     }
 }
