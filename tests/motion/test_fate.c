@@ -219,6 +219,19 @@ static void a_creep_node_is_reached_when_the_table_says(void **state)
     slope_free(&s);
 }
 
+/* How far off a looser orbit's slip is. */
+static double looser_slip(const struct scene *scene, long double tan_alpha,
+                          struct vec2 z, double rtol, struct fate_result *fine,
+                          struct fate_result *loose)
+{
+    struct slider s;
+
+    slider_init(&s, &scene->law, &scene->material, tan_alpha);
+    assert_int_equal(fate_find(&s, z, 1e-12, true, NULL, fine), 0);
+    assert_int_equal(fate_find(&s, z, rtol, true, NULL, loose), 0);
+    return fabs(loose->slip.value - fine->slip.value);
+}
+
 /* Past a saddle that v leaves a thousandfold, slip by the lateness there. */
 static void a_single_orbit_is_no_further_off_than_its_bar(void **state)
 {
@@ -233,15 +246,12 @@ static void a_single_orbit_is_no_further_off_than_its_bar(void **state)
     };
     const struct vec2 z = { -1.2807363725941099, 3.5992717819910207 };
     struct fate_result fine, loose;
-    struct slider s;
     struct scene scene;
 
     (void) state;
     found_scene(&f, steady_only, &scene);
-    slider_init(&s, &scene.law, &scene.material, 1.11682828029965442276L);
-    assert_int_equal(fate_find(&s, z, 1e-12, true, NULL, &fine), 0);
-    assert_int_equal(fate_find(&s, z, 1e-7, true, NULL, &loose), 0);
-    const double off = fabs(loose.slip.value - fine.slip.value);
+    const double off =
+        looser_slip(&scene, 1.11682828029965442276L, z, 1e-7, &fine, &loose);
     CHECK(off > 1e-6 * fine.slip.value && off <= loose.slip.error, "%g over %g",
           off, loose.slip.error);
     scene_free(&scene);
@@ -253,16 +263,13 @@ static void an_orbit_ends_at_the_end_of_a_step(void **state)
 {
     const struct vec2 z = { -12.30443909068693, 0.03125 };
     struct fate_result fine, loose;
-    struct slider s;
     struct scene scene;
 
     (void) state;
     slope_scene(&scene, "perrin", "asinh", "0.407864", steady_only);
     scene.material.b = 0.0342615;
-    slider_init(&s, &scene.law, &scene.material, scene.tan_alpha);
-    assert_int_equal(fate_find(&s, z, 1e-12, true, NULL, &fine), 0);
-    assert_int_equal(fate_find(&s, z, 3.56e-7, true, NULL, &loose), 0);
-    const double off = fabs(loose.slip.value - fine.slip.value);
+    const double off =
+        looser_slip(&scene, scene.tan_alpha, z, 3.56e-7, &fine, &loose);
     CHECK(off <= loose.slip.error && off < 1e-8 * fine.slip.value,
           "%g over %g of %g", off, loose.slip.error, fine.slip.value);
     scene_free(&scene);
@@ -288,15 +295,12 @@ static void a_long_step_is_no_further_off_than_its_bar(void **state)
                                     1e-6 };
     const struct vec2 z = { -9.0908428202773788, 9.122197218042599 };
     struct fate_result fine, loose;
-    struct slider s;
     struct scene scene;
 
     (void) state;
     found_scene(&f, steady_only, &scene);
-    slider_init(&s, &scene.law, &scene.material, 0.538108777585805432954L);
-    assert_int_equal(fate_find(&s, z, 1e-12, true, NULL, &fine), 0);
-    assert_int_equal(fate_find(&s, z, 1e-4, true, NULL, &loose), 0);
-    const double off = fabs(loose.slip.value - fine.slip.value);
+    const double off =
+        looser_slip(&scene, 0.538108777585805432954L, z, 1e-4, &fine, &loose);
     CHECK(off <= loose.slip.error && loose.slip.error < 10.0 * off,
           "%g over %g", off, loose.slip.error);
     scene_free(&scene);
