@@ -17,15 +17,8 @@
 #define LEAST   0x1p-1074
 #define MOST    0x1.fffffffffffffp1023
 #include "interval_formula.h"
-#undef REAL
-#undef FN
-#undef NAME
-#undef OWN
-#undef UNIT
-#undef PHI
-#undef LEAST
-#undef MOST
-#undef ENDLESS
+
+#include "interval_done.h"
 
 #define REAL    formula_real
 #define FN(f)   f##q
@@ -35,6 +28,8 @@
 #define LEAST   ((formula_real) 0x1p-16400L)
 #define MOST    ((formula_real) 0x1.fffffffffffffffep16383L)
 #include "interval_formula.h"
+
+#include "interval_done.h"
 
 struct interval_quad interval_divide_quad(struct interval_quad u,
                                           struct interval_quad w)

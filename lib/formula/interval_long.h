@@ -18,15 +18,8 @@
 #define LEAST   0x1p-16445L
 #define MOST    LDBL_MAX
 #include "interval_sums.h"
-#undef REAL
-#undef FN
-#undef NAME
-#undef OWN
-#undef UNIT
-#undef PHI
-#undef LEAST
-#undef MOST
-#undef ENDLESS
+
+#include "interval_done.h"
 #undef LINK
 
 static inline struct interval interval_divide(struct interval u,
