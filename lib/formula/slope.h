@@ -15,8 +15,11 @@ void formula_long_slopes(const struct formula *f, const short node[], int count,
 
 /* How far value[i] is off, to first order, if each operation is right to one
  * unit in the last place:
- *     off[i] = LDBL_EPSILON |value[i]| + sum over arguments |d i/d arg|
- * off[arg]; off[] is there for leaves and for what else they are made of. */
+ *
+ *     off[i] = LDBL_EPSILON |value[i]| + |d i/d u| off[u] + |d i/d w| off[w],
+ *
+ * u and w its arguments; off[] is there for leaves and for what else they are
+ * made of. */
 void formula_long_roundings(const struct formula *f, const short node[],
                             int count, const long double value[],
                             long double off[]);

@@ -84,7 +84,7 @@ struct law {
     enum kinetics kinetics;
     /* Borrowed, or NULL.  Its formulas then count; theta still tells whether
      * psi is a logarithm and form the mu if none is given, the other components
-     * are placeholders. */
+     * say nothing. */
     const struct law_typed *typed;
 };
 

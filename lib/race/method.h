@@ -1,6 +1,6 @@
 /*
  * method.h -- integrators of others and our own explicit one behind one table,
- * for races: GSL's steppers, SUNDIALS' where it was found, lib/core's explicit8.
+ * for races: GSL's steppers, SUNDIALS' where it was found, explicit8.h's.
  *
  * Each follows u' = rates(u), one accepted step after another, with the error
  * of a step held below tol (1 + |u_i|) in each component.

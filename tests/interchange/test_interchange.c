@@ -97,7 +97,8 @@ static void remarks_stay_remarks(void **state)
 
 /* ---- C ------------------------------------------------------------------- */
 
-static const char stub[] = "typedef int integer;\ntypedef double doublereal;\n";
+static const char f2c_types[] =
+    "typedef int integer;\ntypedef double doublereal;\n";
 
 /* NUMBER.c, with functions of its own names. */
 static void write_system(const struct law *law, size_t number)
@@ -122,7 +123,7 @@ static void *compile(void)
 {
     char command[1024];
 
-    file_write(own_path("auto_f2c.h"), stub, sizeof stub - 1);
+    file_write(own_path("auto_f2c.h"), f2c_types, sizeof f2c_types - 1);
     snprintf(command, sizeof command,
              "cd '%s' && ${CC:-cc} -std=gnu17 -O1 -Wall -Werror "
              "-ffp-contract=off -fPIC -shared -I. -o all.so *.c -lm",
