@@ -43,13 +43,12 @@ static inline SCALAR change_tanh_slope(SCALAR w)
     return 4 * e / ((1 + e) * (1 + e));
 }
 
-/* sinh u/(cosh k cosh(k + u)) */
+/* sinh u/(cosh k cosh(k + u)); |u| - |k| - |k + u| is 0 or -2 |the smaller| */
 static inline SCALAR change_tanh(SCALAR k, SCALAR u)
 {
-    const SCALAR w = k + u;
-    const SCALAR size = FN(fabs)(u) - FN(fabs)(k) - FN(fabs)(w);
-    const SCALAR cosh2 =
-        (1 + FN(exp)(-2 * FN(fabs)(k))) * (1 + FN(exp)(-2 * FN(fabs)(w)));
+    const SCALAR w = k + u, a = FN(fabs)(k), b = FN(fabs)(w);
+    const SCALAR cosh2 = (1 + FN(exp)(-2 * a)) * (1 + FN(exp)(-2 * b));
+    const SCALAR size = (k < 0) == (w < 0) ? -2 * (a < b ? a : b) : 0;
     return 4 * scalar_sinh(u) * FN(exp)(size) / cosh2;
 }
 

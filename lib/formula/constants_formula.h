@@ -87,7 +87,8 @@ static void KIND(again)(const struct formula *f, const short node[], int count,
 }
 
 /* Whether value[i] has lost more than eight bits that its arguments had: a sum
- * that cancels, a function that is small where its argument is not. */
+ * that cancels, a function that is small where its argument is not, or is
+ * steep. */
 static bool KIND(loses)(const struct formula_node *n, const SCALAR value[],
                         SCALAR out)
 {
@@ -96,9 +97,21 @@ static bool KIND(loses)(const struct formula_node *n, const SCALAR value[],
 
     if (n->kind == FORMULA_SUM)
         return size < part * (u > w ? u : w);
-    return n->kind == FORMULA_CALL && n->function != FUNCTION_EXP &&
-           n->function != FUNCTION_LAMBERT &&
-           size < part * (n->function == FUNCTION_LN ? 1 : u) && size > 0;
+    if (n->kind != FORMULA_CALL)
+        return false;
+    switch (n->function) {
+        case FUNCTION_EXP:
+        case FUNCTION_LAMBERT:
+            return false;
+        case FUNCTION_LN:
+            return size < part;
+        case FUNCTION_ASIN:
+            return 1 - u < part * part;
+        case FUNCTION_TAN:
+            return size < part * u || part * size > 1;
+        default:
+            return size < part * u && size > 0;
+    }
 }
 
 /* False where something that is needed loses digits. */

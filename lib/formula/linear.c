@@ -171,3 +171,54 @@ int linear_value(struct forms *s, const struct linear *u)
 {
     return emit_form(s, STEP_LINEAR, u, u->constant);
 }
+
+/* ---- products ------------------------------------------------------------ */
+
+/* u0 w0 + w0 du + u0 dw + du dw */
+struct linear linear_product(struct forms *s, const struct linear *u,
+                             const struct linear *w)
+{
+    struct linear du = *u, dw = *w,
+                  out = linear_constant(
+                      formula_times(s->f, u->constant, w->constant));
+
+    du.constant = dw.constant = 0;
+    linear_add(s, &out, w->constant, &du);
+    linear_add(s, &out, u->constant, &dw);
+    if (du.terms && dw.terms) {
+        const struct linear more =
+            linear_one(s,
+                       linear_step(s, STEP_PRODUCT, linear_reg(s, &du),
+                                   linear_reg(s, &dw), 0, 0),
+                       0);
+        linear_add_times(s, &out, 1, &more);
+    }
+    return out;
+}
+
+/* q + (u - q w)/w with q = u0/w0 */
+struct linear linear_quotient(struct forms *s, const struct linear *u,
+                              const struct linear *w)
+{
+    struct linear du = *u, dw = *w;
+
+    if (w->terms == 0)
+        return linear_over(s, u, w->constant);
+    const int q = formula_over(s->f, u->constant, w->constant);
+    linear_add(s, &du, formula_less(s->f, 0, q), w);
+    du.constant = dw.constant = 0;
+    return linear_one(s,
+                      linear_step(s, STEP_QUOTIENT, linear_reg(s, &du),
+                                  linear_reg(s, &dw), w->constant, 0),
+                      q);
+}
+
+/* By squares. */
+struct linear linear_power(struct forms *s, const struct linear *u, int p)
+{
+    if (p == 1)
+        return *u;
+    const struct linear half = linear_power(s, u, p / 2),
+                        square = linear_product(s, &half, &half);
+    return p % 2 ? linear_product(s, &square, u) : square;
+}

@@ -48,3 +48,10 @@ int linear_scaled(struct forms *s, const struct linear *u);
 /* node + the step of u alone; the node where u does not change. */
 struct linear linear_function(struct forms *s, enum step_kind kind,
                               const struct linear *u, int k, int q, int node);
+
+/* u w, u/w and u^p, p = 1, 2, ... */
+struct linear linear_product(struct forms *s, const struct linear *u,
+                             const struct linear *w);
+struct linear linear_quotient(struct forms *s, const struct linear *u,
+                              const struct linear *w);
+struct linear linear_power(struct forms *s, const struct linear *u, int p);

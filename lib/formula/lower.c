@@ -6,6 +6,7 @@
 #include <string.h>
 
 static int value_of(struct lowering *L, int i);
+static struct linear whole(struct lowering *L, int i);
 
 /* ---- logarithms ---------------------------------------------------------- */
 
@@ -44,10 +45,7 @@ static struct linear log_of_sum(struct lowering *L, int i, int p, int q)
 
 static struct linear log_by_plain(struct lowering *L, int i)
 {
-    const struct formula_node n = L->s.f->node[i];
-    int less;
-    const struct linear u =
-        lower_apart(L, &n, &less) ? lower_both(L, &n) : lower_plain(L, i);
+    const struct linear u = whole(L, i);
 
     return linear_function(&L->s, STEP_LN1P, &u, u.constant, 0,
                            ln(L, u.constant));
@@ -105,46 +103,6 @@ static struct linear make_log(struct lowering *L, int i)
 }
 
 /* ---- themselves ---------------------------------------------------------- */
-
-/* u0 w0 + w0 du + u0 dw + du dw */
-static struct linear product(struct lowering *L, const struct linear *u,
-                             const struct linear *w)
-{
-    struct linear du = *u, dw = *w,
-                  out = linear_constant(
-                      formula_times(L->s.f, u->constant, w->constant));
-
-    du.constant = dw.constant = 0;
-    linear_add(&L->s, &out, w->constant, &du);
-    linear_add(&L->s, &out, u->constant, &dw);
-    if (du.terms && dw.terms) {
-        const struct linear more =
-            linear_one(&L->s,
-                       linear_step(&L->s, STEP_PRODUCT, linear_reg(&L->s, &du),
-                                   linear_reg(&L->s, &dw), 0, 0),
-                       0);
-        linear_add_times(&L->s, &out, 1, &more);
-    }
-    return out;
-}
-
-/* q + (u - q w)/w with q = u0/w0 */
-static struct linear quotient(struct lowering *L, const struct linear *u,
-                              const struct linear *w)
-{
-    struct formula *f = L->s.f;
-    struct linear du = *u, dw = *w;
-
-    if (w->terms == 0)
-        return linear_over(&L->s, u, w->constant);
-    const int q = formula_over(f, u->constant, w->constant);
-    linear_add(&L->s, &du, formula_less(f, 0, q), w);
-    du.constant = dw.constant = 0;
-    return linear_one(&L->s,
-                      linear_step(&L->s, STEP_QUOTIENT, linear_reg(&L->s, &du),
-                                  linear_reg(&L->s, &dw), w->constant, 0),
-                      q);
-}
 
 static struct linear growth(struct lowering *L, int i)
 {
@@ -235,28 +193,27 @@ static struct linear plain_sinh(struct lowering *L, int argument)
     return out;
 }
 
-/* By squares. */
-static struct linear whole_power(struct lowering *L, const struct linear *u,
-                                 int p)
+/* As lower_plain; a constant that is not the value at the anchor is not taken
+ * apart from the rest, with which it may all but vanish. */
+static struct linear factor(struct lowering *L, int i)
 {
-    if (p == 1)
-        return *u;
-    const struct linear half = whole_power(L, u, p / 2),
-                        square = product(L, &half, &half);
-    return p % 2 ? product(L, &square, u) : square;
+    const struct linear u = lower_plain(L, i);
+
+    return L->away[i] && u.constant
+               ? linear_one(&L->s, linear_value(&L->s, &u), 0)
+               : u;
 }
 
 static struct linear plain_power(struct lowering *L, int i,
                                  const struct formula_node *n)
 {
     const formula_real p = L->s.f->node[n->of[1]].number;
-    const bool whole = L->s.f->node[n->of[1]].kind == FORMULA_NUMBER && p > 1 &&
-                       p < 1000 && (formula_real) (int) p >= p;
 
-    if (!whole)
+    if (L->s.f->node[n->of[1]].kind != FORMULA_NUMBER || !(p > 1) ||
+        p >= 1000 || p > (formula_real) (int) p)
         return growth(L, i);
-    const struct linear u = lower_plain(L, n->of[0]);
-    return whole_power(L, &u, (int) p);
+    const struct linear u = factor(L, n->of[0]);
+    return linear_power(&L->s, &u, (int) p);
 }
 
 /* sin(u0 + du) - sin u0, or of the cosine: value and slope at u0 */
@@ -317,32 +274,74 @@ static struct linear plain_call(struct lowering *L, int i,
     }
 }
 
-static struct linear make_plain(struct lowering *L, int i)
+static struct linear plain_of(struct lowering *L, int i,
+                              const struct formula_node *n)
 {
-    const struct formula_node n = L->s.f->node[i];
     struct linear u, w;
 
-    if (!n.moves)
+    if (!n->moves)
         return linear_constant(i);
-    if (n.natural)
+    if (n->natural)
         return growth(L, i);
-    switch (n.kind) {
+    switch (n->kind) {
         case FORMULA_LEAF:
             for (int k = 0; k < 2; k++)
                 if (L->p->state[k] == i)
                     return linear_one(&L->s, k, L->p->at[k]);
             return linear_fail(&L->s, "a state is not of this plane");
         case FORMULA_SUM:
-            return plain_sum(L, &n);
+            return plain_sum(L, n);
         case FORMULA_TIMES:
         case FORMULA_OVER:
-            u = lower_plain(L, n.of[0]);
-            w = lower_plain(L, n.of[1]);
-            return n.kind == FORMULA_TIMES ? product(L, &u, &w)
-                                           : quotient(L, &u, &w);
+            u = factor(L, n->of[0]);
+            w = n->kind == FORMULA_TIMES ? factor(L, n->of[1])
+                                         : whole(L, n->of[1]);
+            return n->kind == FORMULA_TIMES ? linear_product(&L->s, &u, &w)
+                                            : linear_quotient(&L->s, &u, &w);
         default:
-            return plain_call(L, i, &n);
+            return plain_call(L, i, n);
     }
+}
+
+/* Whether the plain form has differences of two products in it, whose constant
+ * is 0 whatever they are at the anchor. */
+static bool is_away(struct lowering *L, const struct formula_node *n)
+{
+    int less;
+
+    if (!n->moves || n->natural || n->kind == FORMULA_LEAF)
+        return false;
+    if (n->kind == FORMULA_CALL)
+        return n->function != FUNCTION_LN && L->away[n->of[0]];
+    return (n->kind == FORMULA_SUM && lower_apart(L, n, &less)) ||
+           L->away[n->of[0]] || L->away[n->of[1]];
+}
+
+static struct linear make_plain(struct lowering *L, int i)
+{
+    const struct formula_node n = L->s.f->node[i];
+    const struct linear u = plain_of(L, i, &n);
+
+    L->away[i] = is_away(L, &n);
+    return u;
+}
+
+/* As lower_plain, but that the constant is the value at the anchor: of such
+ * differences both parts. */
+static struct linear make_whole(struct lowering *L, int i)
+{
+    const struct formula_node n = L->s.f->node[i];
+
+    if (n.kind == FORMULA_CALL)
+        return lower_plain(L, i);
+    struct linear u = whole(L, n.of[0]);
+    const struct linear w = whole(L, n.of[1]);
+    if (n.kind == FORMULA_TIMES)
+        return linear_product(&L->s, &u, &w);
+    if (n.kind == FORMULA_OVER)
+        return linear_quotient(&L->s, &u, &w);
+    linear_add_times(&L->s, &u, 1, &w);
+    return u;
 }
 
 /* ---- made once ----------------------------------------------------------- */
@@ -374,37 +373,38 @@ static void name_definitions(struct lowering *L, int i, const struct linear *u,
             name_after(L, L->s.f->definition[k].name, u, logarithm);
 }
 
-static struct linear keep(struct lowering *L, short *place, int i,
-                          const struct linear *u, bool logarithm)
+static struct linear once(struct lowering *L, short *place, int i,
+                          struct linear (*make)(struct lowering *L, int i),
+                          bool logarithm)
 {
-    if (L->s.failed || L->s.f->full)
+    if (*place)
+        return L->form[*place - 1];
+    if (L->s.failed)
+        return linear_constant(0);
+    const struct linear u = make(L, i);
+    if (L->s.failed || L->s.f->full || L->forms == LOWER_FORMS)
         return linear_fail(&L->s, "it has too many parts");
-    if (L->forms == LOWER_FORMS)
-        return linear_fail(&L->s, "it has too many parts");
-    name_definitions(L, i, u, logarithm);
-    L->form[L->forms++] = *u;
+    name_definitions(L, i, &u, logarithm);
+    L->form[L->forms++] = u;
     *place = (short) L->forms;
-    return *u;
+    return u;
 }
 
 struct linear lower_plain(struct lowering *L, int i)
 {
-    if (L->plain[i])
-        return L->form[L->plain[i] - 1];
-    if (L->s.failed)
-        return linear_constant(0);
-    const struct linear u = make_plain(L, i);
-    return keep(L, &L->plain[i], i, &u, false);
+    return once(L, &L->plain[i], i, make_plain, false);
 }
 
 struct linear lower_log(struct lowering *L, int i)
 {
-    if (L->log[i])
-        return L->form[L->log[i] - 1];
-    if (L->s.failed)
-        return linear_constant(0);
-    const struct linear u = make_log(L, i);
-    return keep(L, &L->log[i], i, &u, true);
+    return once(L, &L->log[i], i, make_log, true);
+}
+
+static struct linear whole(struct lowering *L, int i)
+{
+    const struct linear plain = lower_plain(L, i);
+
+    return L->away[i] ? once(L, &L->whole[i], i, make_whole, false) : plain;
 }
 
 static int value_of_call(struct lowering *L, int i,
@@ -434,7 +434,7 @@ static int make_value(struct lowering *L, int i)
     if (n.moves && n.kind == FORMULA_CALL)
         return value_of_call(L, i, &n);
     if (!n.moves || !n.positive)
-        return lower_plain(L, i).constant;
+        return whole(L, i).constant;
     switch (n.kind) {
         case FORMULA_LEAF:
             return L->p->at[i == L->p->state[1]];
@@ -461,6 +461,8 @@ void lower_start(struct lowering *L, struct formula *f, struct tape *t,
     L->p = p;
     L->forms = 0;
     memset(L->plain, 0, sizeof L->plain);
+    memset(L->away, 0, sizeof L->away);
+    memset(L->whole, 0, sizeof L->whole);
     memset(L->log, 0, sizeof L->log);
     memset(L->value, 0, sizeof L->value);
     t->steps = 0;

@@ -14,7 +14,10 @@ struct lowering {
     int forms;
     /* by node: places in form[] plus one of it and of its logarithm, and its
      * value at the anchor plus one; 0: not yet */
-    short plain[FORMULA_NODES], log[FORMULA_NODES], value[FORMULA_NODES];
+    short plain[FORMULA_NODES], whole[FORMULA_NODES], log[FORMULA_NODES],
+        value[FORMULA_NODES];
+    bool away[FORMULA_NODES]; /* by node: the constant of its plain form is not
+                                 its value at the anchor */
 };
 
 /* Nothing is made yet, nor any step of t; borrows all three. */
