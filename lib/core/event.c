@@ -23,7 +23,8 @@ static double value_along(const void *ctx, double theta)
     double u[CURVE_DIM_MAX];
 
     curve_at(a->curve, a->curve->count - 1, theta, u);
-    return a->event->value(a->event->ctx, a->s0 + theta * a->h, u);
+    return a->event->value(a->event->ctx, a->s0 + theta * a->h, u) -
+           a->event->level;
 }
 
 static bool crosses(const struct event *e, double from, double to)
@@ -32,6 +33,19 @@ static bool crosses(const struct event *e, double from, double to)
     const bool falling = from > 0.0 && to <= 0.0;
 
     return (rising && e->direction >= 0) || (falling && e->direction <= 0);
+}
+
+/* value[i] of event i < count at u, above its level. */
+static void values_at(const struct event *e, size_t count, double s,
+                      const double u[], double value[])
+{
+    double own = 0.0;
+
+    for (size_t i = 0; i < count; i++) {
+        if (i == 0 || e[i].value != e[i - 1].value || e[i].ctx != e[i - 1].ctx)
+            own = e[i].value(e[i].ctx, s, u);
+        value[i] = own - e[i].level;
+    }
 }
 
 /* Where on [lo, hi] the sign changes; lo where it had changed already. */
@@ -45,7 +59,7 @@ static double locate(const struct along *a, double lo, double hi)
 
 /* Inserts in ascending theta among the hits from `first` on. */
 static enum status insert(struct event_log *log, size_t first, size_t which,
-                          double theta, const struct along *a)
+                          bool rising, double theta, const struct along *a)
 {
     const enum status s = ROOM_FOR(log->hit, log->room, log->count + 1);
     if (s != STATUS_OK)
@@ -55,6 +69,7 @@ static enum status insert(struct event_log *log, size_t first, size_t which,
     for (; i > first && log->hit[i - 1].theta > theta; i--)
         log->hit[i] = log->hit[i - 1];
     log->hit[i] = (struct event_hit){ .which = which,
+                                      .rising = rising,
                                       .piece = a->curve->count - 1,
                                       .theta = theta,
                                       .s = a->s0 + theta * a->h };
@@ -69,15 +84,15 @@ static enum status scan_part(struct event_log *log, const struct event *e,
 {
     const size_t first = log->count;
     enum status s = STATUS_OK;
-    double u[CURVE_DIM_MAX];
+    double u[CURVE_DIM_MAX], to[EVENT_COUNT_MAX];
 
     curve_at(a->curve, a->curve->count - 1, hi, u);
+    values_at(e, count, a->s0 + hi * a->h, u, to);
     for (size_t i = 0; i < count && s == STATUS_OK; i++) {
         a->event = &e[i];
-        const double to = e[i].value(e[i].ctx, a->s0 + hi * a->h, u);
-        if (crosses(&e[i], log->last[i], to))
-            s = insert(log, first, i, locate(a, lo, hi), a);
-        log->last[i] = to;
+        if (crosses(&e[i], log->last[i], to[i]))
+            s = insert(log, first, i, log->last[i] < 0.0, locate(a, lo, hi), a);
+        log->last[i] = to[i];
     }
     return s;
 }
@@ -85,8 +100,7 @@ static enum status scan_part(struct event_log *log, const struct event *e,
 void event_begin(struct event_log *log, const struct event *e, size_t count,
                  double s, const double u[])
 {
-    for (size_t i = 0; i < count; i++)
-        log->last[i] = e[i].value(e[i].ctx, s, u);
+    values_at(e, count, s, u, log->last);
 }
 
 enum status event_scan(struct event_log *log, const struct event *e,

@@ -1,5 +1,5 @@
 /*
- * event.h -- sign changes of functions along a curve: found between samples
+ * event.h -- where functions along a curve pass levels: found between samples
  * of a polynomial piece, located on it by root finding.
  */
 #pragma once
@@ -8,19 +8,22 @@
 
 #include "curve.h"
 
-enum { EVENT_COUNT_MAX = 16 };
+enum { EVENT_COUNT_MAX = 24 };
 
-/* Happens where value(s, u) changes sign along a curve u(s).  Arriving at
- * zero counts, leaving it does not: a start on the section is no event. */
+/* Happens where value(s, u) passes the level along a curve u(s).  Arriving at
+ * it counts, leaving it does not: a start on the section is no event.  Events
+ * of one function that follow each other share its values. */
 struct event {
     double (*value)(const void *ctx, double s, const double u[]);
     const void *ctx; /* borrowed */
-    int direction;   /* > 0: rising only; < 0: falling only; 0: both */
-    bool stop;       /* the curve ends here; otherwise only recorded */
+    double level;
+    int direction; /* > 0: rising only; < 0: falling only; 0: both */
+    bool stop;     /* the curve ends here; otherwise only recorded */
 };
 
 struct event_hit {
     size_t which; /* index of the event */
+    bool rising;  /* through the level */
     size_t piece; /* of the curve */
     double theta; /* on that piece */
     double s;     /* independent variable */
@@ -29,7 +32,8 @@ struct event_hit {
                                     curve's maker knows; else 0 */
 };
 
-/* Hits in the order of the curve, and where its last piece left each sign. */
+/* Hits in the order of the curve, and by how much its last piece ended
+ * above each level. */
 struct event_log {
     struct event_hit *hit; /* owned */
     size_t count, room;
@@ -44,8 +48,8 @@ void event_begin(struct event_log *log, const struct event *e, size_t count,
 
 /* Appends the hits on the last piece of c for 0 < theta <= *end, where
  * s = s0 + theta h.  A stop event sets *end to its theta and *stop to its
- * index; later hits are dropped.  Without one *stop = count.  Two sign
- * changes between neighbouring samples (TOL_EVENT_SAMPLES a piece) are
+ * index; later hits are dropped.  Without one *stop = count.  There
+ * and back between neighbouring samples (TOL_EVENT_SAMPLES a piece) is
  * missed.  STATUS_NO_MEMORY: hits so far are kept. */
 MUST_CHECK enum status event_scan(struct event_log *log, const struct event *e,
                                   size_t count, const struct curve *c,

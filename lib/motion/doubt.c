@@ -20,7 +20,7 @@ struct watched {
 
 static double value_at(const struct watched *w, const double u[])
 {
-    return w->event->value(w->event->ctx, w->s, u);
+    return w->event->value(w->event->ctx, w->s, u) - w->event->level;
 }
 
 static void state_at(const struct watched *w, double at, double u[])

@@ -48,26 +48,21 @@ double moment_excess_friction(const struct slider *s, struct vec2 z)
     return block_mu(&s->block, z) - (double) s->block.tan_alpha;
 }
 
-static double v_level(const void *ctx, double s, const double u[])
+static double ln_v(const void *ctx, double s, const double u[])
 {
-    const struct moment_watch *w = ctx;
-
-    (void) s;
-    return u[0] - w->at;
+    (void) ctx, (void) s;
+    return u[0];
 }
 
-static double psi_level(const void *ctx, double s, const double u[])
+static double psi(const void *ctx, double s, const double u[])
 {
-    const struct moment_watch *w = ctx;
-
-    (void) s;
-    return u[1] - w->at;
+    (void) ctx, (void) s;
+    return u[1];
 }
 
 static double psi_rate(const void *ctx, double s, const double u[])
 {
-    const struct moment_watch *w = ctx;
-    const struct planar *sys = &w->slider->plane.system;
+    const struct planar *sys = &((const struct slider *) ctx)->plane.system;
     struct planar_field f;
 
     (void) s;
@@ -78,8 +73,7 @@ static double psi_rate(const void *ctx, double s, const double u[])
 /* dmu along the field's direction; the gradient of mu from that of mu v. */
 static double mu_rate(const void *ctx, double s, const double u[])
 {
-    const struct moment_watch *w = ctx;
-    const struct planar *sys = &w->slider->plane.system;
+    const struct planar *sys = &((const struct slider *) ctx)->plane.system;
     const struct vec2 z = place(u);
     struct planar_field f;
     struct vec2 work;
@@ -92,20 +86,11 @@ static double mu_rate(const void *ctx, double s, const double u[])
     return (work.x - mu_v) / v * f.direction.x + work.y / v * f.direction.y;
 }
 
-static double v_rate(const void *ctx, double s, const double u[])
+/* Against dv/dt. */
+static double excess(const void *ctx, double s, const double u[])
 {
-    const struct moment_watch *w = ctx;
-
     (void) s;
-    return -moment_excess_friction(w->slider, place(u));
-}
-
-static double nearness(const void *ctx, double s, const double u[])
-{
-    const struct moment_watch *w = ctx;
-
-    (void) s;
-    return fabs(moment_excess_friction(w->slider, place(u))) - w->at;
+    return moment_excess_friction(ctx, place(u));
 }
 
 static double distance(const struct slider *s, size_t i, struct vec2 z)
@@ -127,14 +112,14 @@ const struct equilibrium *moment_node_at(const struct slider *s, struct vec2 z,
 
 static double node_distance(const void *ctx, double s, const double u[])
 {
-    const struct moment_watch *w = ctx;
+    const struct slider *of = ctx;
     double least = HUGE_VAL;
 
     (void) s;
-    for (size_t i = 0; i < w->slider->plane.equilibria; i++)
-        if (w->slider->plane.equilibrium[i].type == EQUILIBRIUM_STABLE_NODE)
-            least = fmin(least, distance(w->slider, i, place(u)));
-    return least - TOL_ARREST;
+    for (size_t i = 0; i < of->plane.equilibria; i++)
+        if (of->plane.equilibrium[i].type == EQUILIBRIUM_STABLE_NODE)
+            least = fmin(least, distance(of, i, place(u)));
+    return least;
 }
 
 /* direction * exp(log_scale), either of which may leave the doubles. */
@@ -156,33 +141,44 @@ struct vec2 moment_rates(const struct slider *s, const double u[])
 
 static double (*const watched[MOMENTS])(const void *, double,
                                         const double[]) = {
-    [MOMENT_V_SP] = v_level,      [MOMENT_V_MINUS] = v_level,
-    [MOMENT_V_PLUS] = v_level,    [MOMENT_V] = v_level,
-    [MOMENT_PSI] = psi_level,     [MOMENT_PSI_MIN] = psi_rate,
-    [MOMENT_MU_MIN] = mu_rate,    [MOMENT_V_MIN] = v_rate,
-    [MOMENT_MU_NEARS] = nearness, [MOMENT_ARREST] = node_distance,
+    [MOMENT_V_SP] = ln_v,       [MOMENT_V_MINUS] = ln_v,
+    [MOMENT_V_PLUS] = ln_v,     [MOMENT_V] = ln_v,
+    [MOMENT_PSI] = psi,         [MOMENT_PSI_MIN] = psi_rate,
+    [MOMENT_MU_MIN] = mu_rate,  [MOMENT_V_MIN] = excess,
+    [MOMENT_MU_NEARS] = excess, [MOMENT_ARREST] = node_distance,
 };
 
+/* at: what is watched when it happens, an offset in the chart. */
 static void add(struct moment_watches *w, const struct slider *s,
                 enum moment what, double level, double at)
 {
     const size_t i = w->count++;
 
-    w->watch[i] = (struct moment_watch){ s, what, level, at };
-    w->event[i] = (struct event){ .value = watched[what], .ctx = &w->watch[i] };
+    w->watch[i] = (struct moment_watch){ what, level };
+    w->event[i] =
+        (struct event){ .value = watched[what], .ctx = s, .level = at };
+}
+
+/* From above and from below: friction may pass both between two samples. */
+static void add_nearness(struct moment_watches *w, const struct slider *s,
+                         double level)
+{
+    add(w, s, MOMENT_MU_NEARS, level, level);
+    add(w, s, MOMENT_MU_NEARS, level, -level);
 }
 
 static void add_level(struct moment_watches *w, const struct slider *s,
                       const struct moment_level *l)
 {
     const bool psi_is_log = !s->plane.system.axis[1].is_log;
-    double at = l->value;
 
-    if (l->what == MOMENT_V)
-        at = log(l->value) - s->plane.system.origin.x;
-    else if (l->what == MOMENT_PSI)
-        at = (psi_is_log ? l->value : log(l->value)) - s->plane.system.origin.y;
-    add(w, s, l->what, l->value, at);
+    if (l->what == MOMENT_MU_NEARS)
+        add_nearness(w, s, l->value);
+    else if (l->what == MOMENT_V)
+        add(w, s, l->what, l->value, log(l->value) - s->plane.system.origin.x);
+    else
+        add(w, s, l->what, l->value,
+            (psi_is_log ? l->value : log(l->value)) - s->plane.system.origin.y);
 }
 
 /* A critical velocity by its logarithm. */
@@ -207,33 +203,21 @@ void moment_watch_all(struct moment_watches *w, const struct slider *s,
     add_critical(w, s, MOMENT_V_PLUS, &s->critical.ln_v_plus);
     add(w, s, MOMENT_PSI_MIN, none, 0.0);
     add(w, s, MOMENT_MU_MIN, none, 0.0);
-    add(w, s, MOMENT_V_MIN, none, 0.0);
-    add(w, s, MOMENT_ARREST, none, 0.0);
+    add(w, s, MOMENT_ARREST, none, TOL_ARREST);
     w->event[w->count - 1].direction = -1;
     w->event[w->count - 1].stop = stop;
-    const double near = TOL_ARREST * (double) s->block.tan_alpha;
-    add(w, s, MOMENT_MU_NEARS, near, near);
+    add(w, s, MOMENT_V_MIN, none, 0.0);
+    add_nearness(w, s, TOL_ARREST * (double) s->block.tan_alpha);
     for (size_t i = 0; i < levels && i < MOMENT_LEVELS_MAX; i++)
         add_level(w, s, &level[i]);
 }
 
-/* Whether the watched function rises through its zero at the hit. */
-static bool rises(const struct moment_watch *w, const struct event *e,
-                  const struct event_hit *hit, const struct curve *c)
-{
-    double before[CURVE_DIM_MAX], after[CURVE_DIM_MAX];
-
-    curve_at(c, hit->piece, fmax(hit->theta - TOL_MOMENT_ASIDE, 0.0), before);
-    curve_at(c, hit->piece, fmin(hit->theta + TOL_MOMENT_ASIDE, 1.0), after);
-    return e->value(w, hit->s, after) > e->value(w, hit->s, before);
-}
-
 enum moment moment_of(const struct moment_watches *w,
-                      const struct event_hit *hit, const struct curve *c)
+                      const struct event_hit *hit)
 {
-    const struct moment_watch *watch = &w->watch[hit->which];
-    const bool leaves = watch->what == MOMENT_MU_NEARS &&
-                        rises(watch, &w->event[hit->which], hit, c);
+    const enum moment what = w->watch[hit->which].what;
+    const bool above = w->event[hit->which].level > 0.0;
 
-    return leaves ? MOMENT_MU_LEAVES : watch->what;
+    return what == MOMENT_MU_NEARS && hit->rising == above ? MOMENT_MU_LEAVES
+                                                           : what;
 }

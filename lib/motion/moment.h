@@ -40,16 +40,14 @@ struct moment_level {
     double value;
 };
 
-/* The functions watched along one orbit; must not move, nor its slider. */
+/* The functions watched along one orbit, of a slider that must not move. */
 struct moment_watch {
-    const struct slider *slider; /* borrowed */
     enum moment what; /* of a pair that differs in direction, the first */
     double level;     /* as given; NaN: none */
-    double at;        /* offset in the chart, or level */
 };
 struct moment_watches {
     struct moment_watch watch[EVENT_COUNT_MAX];
-    struct event event[EVENT_COUNT_MAX]; /* their ctx: the watch */
+    struct event event[EVENT_COUNT_MAX]; /* their ctx: the slider */
     size_t count;
 };
 
@@ -64,9 +62,9 @@ void moment_watch_all(struct moment_watches *w, const struct slider *s,
                       const struct moment_level *level, size_t levels,
                       bool stop);
 
-/* What a hit on the curve c means; of a turn, that it is one: *_MIN. */
+/* What a hit means; of a turn, that it is one: *_MIN. */
 enum moment moment_of(const struct moment_watches *w,
-                      const struct event_hit *hit, const struct curve *c);
+                      const struct event_hit *hit);
 
 /* mu - tan(alpha) at the offset z, exact to rounding of the difference. */
 double moment_excess_friction(const struct slider *s, struct vec2 z);

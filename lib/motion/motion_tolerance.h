@@ -24,10 +24,8 @@
 #define TOL_TRAP_SIDE 30.0
 
 /* Moments (moment.c).  Below this component of a direction mu is compared with
- * tan(alpha) itself; and how far, on a piece, one looks to both sides of an
- * event to see which way it goes. */
+ * tan(alpha) itself. */
 #define TOL_MOMENT_DIRECTION 1e-100
-#define TOL_MOMENT_ASIDE     0.05
 
 /* A turn of ln v, ln psi or mu along an orbit is one when it is as high as the
  * orbit's tolerance (rounding makes turns a tenth of it high); what

@@ -120,7 +120,7 @@ static enum status collect(const struct slider *s,
         return STATUS_NO_MEMORY;
     for (m->count = 0; m->count < o->log.count; m->count++) {
         const struct event_hit *hit = &o->log.hit[m->count];
-        const enum moment what = moment_of(w, hit, &o->curve);
+        const enum moment what = moment_of(w, hit);
         m->at[m->count] = (struct mark){ hit, what, !is_turn(what) };
     }
     for (size_t i = 0; i < w->count && o->curve.count > 0; i++)

@@ -345,64 +345,6 @@ static void every_failing_allocation_is_reported(void **state)
     slope_free(&s);
 }
 
-/* ---- bars ---------------------------------------------------------------- */
-
-static void holds(const char *what, const struct quantity *q,
-                  const struct quantity *tight)
-{
-    const double off = fabs(q->value - tight->value);
-
-    if (quantity_exists(q) && quantity_exists(tight))
-        CHECK(off <= q->error + tight->error,
-              "%s = %.17g +- %.2g is off by %.2g", what, q->value, q->error,
-              off);
-}
-
-static bool is_turn(int what)
-{
-    return what >= MOMENT_PSI_MIN && what <= MOMENT_V_MAX;
-}
-
-/* Each event of t that the tight run has as well; turns are flat, and when
- * they are is a matter of rounding. */
-static int events_hold(const struct transient *t, const struct transient *tight)
-{
-    int compared = 0;
-
-    for (size_t i = 0; i < t->events && t->events == tight->events; i++) {
-        const struct transient_event *e = &t->event[i], *f = &tight->event[i];
-        if (e->what != f->what || is_turn(e->what))
-            continue;
-        holds(moment_names[e->what], &e->time, &f->time);
-        holds("slip", &e->slip, &f->slip);
-        holds("v", &e->v, &f->v);
-        holds("psi", &e->psi, &f->psi);
-        holds("mu", &e->mu, &f->mu);
-        compared++;
-    }
-    return compared;
-}
-
-static int run_holds(const struct slope *s, double v, double psi, double rtol)
-{
-    struct transient_options o = transient_defaults(&s->scene);
-
-    o.rtol = 1e-14;
-    struct transient tight = follow(s, v, psi, &o);
-    o.rtol = rtol;
-    struct transient t = follow(s, v, psi, &o);
-    int compared = 0;
-    if (t.sum.end == tight.sum.end) {
-        holds("time", &t.sum.time, &tight.sum.time);
-        holds("slip", &t.sum.slip, &tight.sum.slip);
-        holds("mu_mean", &t.sum.mu_mean, &tight.sum.mu_mean);
-        compared = events_hold(&t, &tight);
-    }
-    transient_free(&t);
-    transient_free(&tight);
-    return compared;
-}
-
 /* While v waits d = psi - psi_ss falls by (26): tanh(d/2) by e^(-t/T). */
 static void samples_of_a_leap_are_right(void **state)
 {
@@ -437,27 +379,6 @@ static void samples_of_a_leap_are_right(void **state)
     slope_free(&s);
 }
 
-static void bars_hold_what_a_tight_orbit_finds(void **state)
-{
-    static const char *const law[] = { "dieterich_gen", "spinodal",
-                                       "spinodal_gen" };
-    uint64_t seed = check_seed() + 1;
-    int compared = 0;
-
-    (void) state;
-    for (int i = 0; i < 3; i++) {
-        struct slope s;
-        make(&s, law[i]);
-        for (int k = 0; k < 10; k++) {
-            const double v = exp(check_uniform(&seed, -3, 7));
-            const double psi = exp(check_uniform(&seed, -1, 4));
-            compared += run_holds(&s, v, psi, k % 2 ? 1e-9 : 1e-11);
-        }
-        slope_free(&s);
-    }
-    CHECK(compared > 150, "%d events compared", compared);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -474,7 +395,6 @@ int main(void)
         cmocka_unit_test(a_start_at_a_node_goes_nowhere),
         cmocka_unit_test(samples_are_evenly_spaced_and_on_the_orbit),
         cmocka_unit_test(samples_of_a_leap_are_right),
-        cmocka_unit_test(bars_hold_what_a_tight_orbit_finds),
         cmocka_unit_test(starts_outside_the_domain_are_refused),
         cmocka_unit_test(a_monitor_stops_a_run),
         cmocka_unit_test(every_failing_allocation_is_reported),
