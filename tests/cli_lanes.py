@@ -10,7 +10,7 @@ import re
 from cli_reference import DATA, MORE, SAMPLES, settings, small_scene
 from cli_room import LAWS, expect, run_cases
 
-FIELDS = ['products=[slip, time, friction]', 'basins={cells: [24, 18], audit: 3}']
+FIELDS = ['products=[slip, time, friction, peak]', 'basins={cells: [24, 18], audit: 3}']
 WIDTHS = ['1', '2', '4', '8']
 
 

@@ -5,7 +5,6 @@
 #include <float.h>
 #include <math.h>
 
-#include "layer_lanes.h"
 #include "rest_form.h"
 #include "slider.h"
 #include "slow_tolerance.h"
@@ -17,7 +16,7 @@ static const unsigned integrals =
 enum status fast_cells_init(struct fast_cells *f, const struct slider *s,
                             const struct monitor *monitor)
 {
-    *f = (struct fast_cells){ .slider = s, .lanes = layer_lanes_width(8) };
+    *f = (struct fast_cells){ .slider = s, .lanes = layer_width(8) };
     return slow_curve_init(&f->curve, s, monitor);
 }
 
@@ -172,17 +171,6 @@ struct batch {
     struct layer layer[TOGETHER];
 };
 
-static void follow(const struct fast_cells *f, unsigned which,
-                   const struct layer_job job[], size_t n, struct layer out[])
-{
-    if (!(which & peaks)) {
-        layer_lanes_follow(&f->curve, f->lanes, job, n, out);
-        return;
-    }
-    for (size_t i = 0; i < n; i++)
-        layer_follow(&f->curve, job[i].z, &job[i].options, &out[i]);
-}
-
 /* How much finer to follow what job i left to wish for; 0: not again. */
 static double finer(struct batch *b, size_t i)
 {
@@ -205,13 +193,17 @@ static double finer(struct batch *b, size_t i)
     return vain ? 1.0 / TOL_RETRY : fmax(1.0 / TOL_RETRY, TOL_SHARE / excess);
 }
 
+static struct layer_job job_of(const struct fast_cells *f, struct vec2 z,
+                               struct layer_options options)
+{
+    return (struct layer_job){ vec2_sub(z, f->slider->plane.system.origin),
+                               options };
+}
+
 static void set_job(struct batch *b, size_t i, size_t k, double tol)
 {
-    const struct vec2 origin = b->fast->slider->plane.system.origin;
-
     b->of[i] = k;
-    b->job[i].z = vec2_sub(b->z[k], origin);
-    b->job[i].options = layer_defaults(tol);
+    b->job[i] = job_of(b->fast, b->z[k], layer_defaults(tol));
     b->job[i].options.peaks = (b->which & peaks) != 0;
 }
 
@@ -239,7 +231,8 @@ static void find_by_curve(struct batch *b, size_t n)
     }
     while (b->open > 0) {
         size_t open = 0;
-        follow(b->fast, b->which, b->job, b->open, b->layer);
+        layer_follow(&b->fast->curve, b->fast->lanes, b->job, b->open,
+                     b->layer);
         for (size_t i = 0; i < b->open; i++) {
             const double tol = b->job[i].options.promise * finer(b, i);
             if (tol >= TOL_RTOL_DEFAULT)
@@ -339,20 +332,15 @@ static void take_sample(const struct fast_cells *f, const struct layer *l,
     s->cell = cell_of(f->slider, s->z, which & integrals, &seen);
 }
 
-/* Peaks have no base points, and one orbit more: a second one only where its
- * bars are far too wide. */
-static enum status add_peaks(const struct fast_cells *f, struct patch_sample *s,
-                             double rtol, unsigned which)
+/* Those whose bars are far too wide are followed once more. */
+static enum status take_peaks(const struct fast_cells *f, const struct layer *l,
+                              double tol, unsigned which,
+                              struct patch_sample *s)
 {
-    const struct vec2 z = vec2_sub(s->z, f->slider->plane.system.origin);
-    const double tol = fmax(rtol, TOL_FAST_PEAKS);
-    const struct layer_options options = layer_defaults(tol);
+    struct cell c = cell_of(f->slider, s->z, which & peaks, l);
     enum status status = STATUS_OK;
-    struct layer l;
 
-    layer_follow(&f->curve, z, &options, &l);
-    struct cell c = cell_of(f->slider, s->z, which & peaks, &l);
-    if (l.end == LAYER_LOST || l.end == LAYER_UNSURE ||
+    if (l->end == LAYER_LOST || l->end == LAYER_UNSURE ||
         worst_of(&c, which & peaks) > TOL_FAST_LOOSE * tol)
         status =
             fast_cells_find(f, &s->z, 1, tol, which & peaks, NULL, &c, NULL);
@@ -363,32 +351,54 @@ static enum status add_peaks(const struct fast_cells *f, struct patch_sample *s,
     return status;
 }
 
+/* Peaks have no base points, and one orbit more, but for those that were found
+ * whole. */
+static enum status add_peaks(const struct fast_cells *f,
+                             struct patch_sample s[], const bool whole[],
+                             size_t n, double rtol, unsigned which)
+{
+    const double tol = fmax(rtol, TOL_FAST_PEAKS);
+    enum status status = STATUS_OK;
+    struct layer_job job[FEWEST];
+    struct layer layer[FEWEST];
+    size_t open = 0;
+
+    for (size_t i = 0; i < n; i++)
+        if (!whole[i])
+            job[open++] = job_of(f, s[i].z, layer_defaults(tol));
+    layer_follow(&f->curve, f->lanes, job, open, layer);
+    open = 0;
+    for (size_t i = 0; i < n && status == STATUS_OK; i++)
+        if (!whole[i])
+            status = take_peaks(f, &layer[open++], tol, which, &s[i]);
+    return status;
+}
+
 /* n states, n <= FEWEST: none is followed twice. */
 static enum status sample_some(const struct fast_cells *f,
                                struct patch_sample s[], size_t n, double rtol,
                                unsigned which)
 {
-    const struct vec2 origin = f->slider->plane.system.origin;
-    struct layer_job job[FEWEST] = { { .z = origin } };
+    struct layer_options options = layer_defaults(fmax(rtol, TOL_RTOL_DEFAULT));
+    struct layer_job job[FEWEST];
     struct layer layer[FEWEST];
+    bool whole[FEWEST];
     enum status status = STATUS_OK;
 
-    for (size_t i = 0; i < n; i++) {
-        job[i].z = vec2_sub(s[i].z, origin);
-        job[i].options = layer_defaults(fmax(rtol, TOL_RTOL_DEFAULT));
-        job[i].options.peaks = false;
-        job[i].options.through = true;
-    }
-    follow(f, 0, job, n, layer);
+    options.peaks = false;
+    options.through = true;
+    for (size_t i = 0; i < n; i++)
+        job[i] = job_of(f, s[i].z, options);
+    layer_follow(&f->curve, f->lanes, job, n, layer);
     for (size_t i = 0; i < n && status == STATUS_OK; i++) {
-        if (layer[i].end == LAYER_LOST) {
+        whole[i] = layer[i].end == LAYER_LOST;
+        if (whole[i])
             status = sample_whole(f, &s[i], rtol, which);
-            continue;
-        }
-        take_sample(f, &layer[i], which, &s[i]);
-        if (which & peaks)
-            status = add_peaks(f, &s[i], rtol, which);
+        else
+            take_sample(f, &layer[i], which, &s[i]);
     }
+    if (status == STATUS_OK && which & peaks)
+        status = add_peaks(f, s, whole, n, rtol, which);
     return status;
 }
 

@@ -10,7 +10,7 @@
 struct fast_cells {
     const struct slider *slider; /* borrowed */
     struct slow_curve curve;     /* owned */
-    int lanes; /* as of layer_lanes_width; peaks go one by one */
+    int lanes;                   /* as of layer_width */
 };
 
 /* The table for a slider, and as many lanes as the

@@ -1,9 +1,13 @@
 /*
- * fast_layer.h -- a state falls onto the slow curve (slow_curve.h): slip, time
- * and peaks from there to its arrest, by explicit steps on the way down and the
- * curve's table for the rest.
+ * fast_layer.h -- states fall onto the slow curve (slow_curve.h): slip, time
+ * and peaks from there to their arrest, by explicit steps on the way down and
+ * the curve's table for the rest.  Many states go side by side, each in a lane
+ * of its own (lanes.h), with steps of its own; a lane whose state has landed
+ * takes the next.
  */
 #pragma once
+
+#include <stddef.h>
 
 #include "slow_curve.h"
 
@@ -53,8 +57,19 @@ struct layer {
 
 struct layer_options layer_defaults(double rtol);
 
-/* From the offset z of the curve's system.  Never fails: *out says whether it
- * landed; of one that is lost nothing else is
- * known, of one that ran the fate alone. */
-void layer_follow(const struct slow_curve *c, struct vec2 z,
-                  const struct layer_options *options, struct layer *out);
+/* One state: its offset in the curve's system, and how to follow it. */
+struct layer_job {
+    struct vec2 z;
+    struct layer_options options;
+};
+
+/* How many lanes at once: 8 or 4 where the processor has them, else 2, or 1; at
+ * most `most`. */
+int layer_width(int most);
+
+/* job[i] into out[i]; `width`: as of layer_width.  Never fails: out[i] says
+ * whether it landed; of one that is lost nothing else is known, of one that ran
+ * the fate alone.  It is the same to the bit at any width and whatever the
+ * other jobs are. */
+void layer_follow(const struct slow_curve *c, int width,
+                  const struct layer_job job[], size_t n, struct layer out[]);

@@ -47,7 +47,7 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
     *out = (struct layer){ .end = LAYER_LOST, .x_peak = z.x, .y = NAN };
     l->start = l->across = slider_rounding(c->slider, z);
     if (options->peaks)
-        out->mu_peak = block_mu(&c->slider->block, z);
+        l->mu = out->mu_peak = block_mu(&c->slider->block, z);
     choose_least(l, least);
 }
 

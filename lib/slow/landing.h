@@ -31,6 +31,7 @@ struct landing {
     double start_time, start_slip;      /* by as much along it */
     double across; /* how far off the orbit it is by now, at most */
     double time_error, slip_error; /* rounding of what it gained */
+    double mu;         /* friction where it is, if peaks are asked for */
     struct layer near; /* what the saddle's series told, if is_near */
     struct layer *out;
 };

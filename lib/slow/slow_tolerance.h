@@ -43,7 +43,7 @@
  * rounded, and the field's zero. */
 #define TOL_SLOW_TERMS 2.0
 
-/* The fast layer (fast_layer.c, landing.c): landing distance, TOL_NEARBY, and
+/* The fast layer (layer_lanes.c, landing.c): landing distance, TOL_NEARBY, and
  * closer for what is finer than TOL_COARSEST (no box of arrest, and TOL_SEEN
  * of it, must be between); how much later or earlier at most a box is entered
  * for what is then left of the distance, in what is left; steps, the first of a
@@ -59,7 +59,7 @@
 #define TOL_LAYER_BEND      3.0
 #define TOL_LAYER_TRANSPORT 6.0
 
-/* What a step of order 8 misses (fast_layer.c): this times its term of order 6
+/* What a step of order 8 misses (layer_lanes.c): this times its term of order 6
  * times r^3 + r^4 + r^5, r the ratio in which terms fall (measured on 40,000
  * steps: 1.2e-4 in the mean, less than 4e-3 for 998 of 1000; integrals of
  * powers have 2.4e-4).  The least r^2, over the term of order 6 by those from

@@ -14,7 +14,7 @@
 #include "cell_grid.h"
 #include "cvode_cell.h"
 #include "fast_cells.h"
-#include "layer_lanes.h"
+#include "fast_layer.h"
 #include "plain.h"
 #include "study.h"
 
@@ -217,7 +217,7 @@ static double whole_seconds(struct sample *s, double rtol)
 static void compare(struct sample *s, double rtol, const struct rival *r)
 {
     static const int lanes[] = { 1, 2, 4, 8 };
-    const int widest = layer_lanes_width(8);
+    const int widest = layer_width(8);
     size_t whole = 0;
     double worst, us = 0.0;
 

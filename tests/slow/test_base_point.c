@@ -9,12 +9,12 @@
 static struct base_point base_of(const struct place *p, struct vec2 z,
                                  double promise)
 {
-    struct layer_options options = layer_defaults(promise);
+    struct layer_job job = { z, layer_defaults(promise) };
     struct layer l;
 
-    options.peaks = false;
-    options.through = true;
-    layer_follow(&p->c, z, &options, &l);
+    job.options.peaks = false;
+    job.options.through = true;
+    layer_follow(&p->c, layer_width(8), &job, 1, &l);
     return base_point_of(&p->c, &l);
 }
 

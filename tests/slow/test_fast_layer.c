@@ -4,13 +4,20 @@
 #include "place.h"
 #include "tolerance.h"
 
+static struct layer_job job_at(const struct place *p, struct vec2 z,
+                               double rtol)
+{
+    return (struct layer_job){
+        vec2_sub(z, p->s.study.slider.plane.system.origin), layer_defaults(rtol)
+    };
+}
+
 static struct layer follow(const struct place *p, struct vec2 z, double rtol)
 {
-    const struct layer_options options = layer_defaults(rtol);
+    const struct layer_job job = job_at(p, z, rtol);
     struct layer l;
 
-    layer_follow(&p->c, vec2_sub(z, p->s.study.slider.plane.system.origin),
-                 &options, &l);
+    layer_follow(&p->c, layer_width(8), &job, 1, &l);
     return l;
 }
 
@@ -81,7 +88,6 @@ static void most_states_land_in_a_few_steps(void **state)
     place_drop(&p);
 }
 
-/* Nearer the separatrix bars grow like 1/distance, and never too little. */
 /* At 1e-14 a step, over a hundred e-folds. */
 static void what_patches_are_sampled_with_lands(void **state)
 {
@@ -94,18 +100,18 @@ static void what_patches_are_sampled_with_lands(void **state)
     for (int k = 0; k < 200; k++) {
         const struct vec2 z = { check_uniform(&seed, -13.8, 13.8),
                                 check_uniform(&seed, -6.9, 4.6) };
-        struct layer_options options = layer_defaults(2e-12);
+        struct layer_job job = job_at(&p, z, 2e-12);
         struct layer l;
-        options.peaks = false;
-        options.through = true;
-        layer_follow(&p.c, vec2_sub(z, p.s.study.slider.plane.system.origin),
-                     &options, &l);
+        job.options.peaks = false;
+        job.options.through = true;
+        layer_follow(&p.c, layer_width(8), &job, 1, &l);
         landed += l.end != LAYER_LOST;
     }
     CHECK(landed >= 198, "%zu of 200", landed);
     place_drop(&p);
 }
 
+/* Nearer the separatrix bars grow like 1/distance, and never too little. */
 static void bars_grow_towards_the_separatrix(void **state)
 {
     struct place p;
@@ -175,6 +181,74 @@ static void a_runaway_is_known_at_once(void **state)
     place_drop(&p);
 }
 
+/* ---- side by side -------------------------------------------------------- */
+
+enum { N = 150 };
+
+/* Of a third peaks are asked for as well. */
+static void make_jobs(const struct place *p, uint64_t *seed,
+                      struct layer_job job[])
+{
+    for (int i = 0; i < N; i++) {
+        const struct vec2 z = { check_uniform(seed, -6, 9),
+                                check_uniform(seed, -6, 6) };
+        job[i] = job_at(p, z, i % 2 ? 1e-6 : 1e-4);
+        job[i].options.peaks = i % 3 == 0;
+    }
+}
+
+static void check_same(const struct layer *a, const struct layer *b)
+{
+    assert_int_equal(a->end, b->end);
+    assert_int_equal(a->steps, b->steps);
+    assert_memory_equal(&a->time, &b->time, 4 * sizeof(double));
+    assert_memory_equal(&a->x_peak, &b->x_peak, 5 * sizeof(double));
+}
+
+static void the_bits_of_a_state_do_not_depend_on_the_others(void **state)
+{
+    static struct layer all[N], some[N];
+    static struct layer_job job[N];
+    const int width = layer_width(8);
+    uint64_t seed = check_seed();
+    struct place p;
+
+    (void) state;
+    place_make(&p, "spinodal_gen", "0.34");
+    make_jobs(&p, &seed, job);
+    layer_follow(&p.c, width, job, N, all);
+    layer_follow(&p.c, width, job + 40, 37, some);
+    for (int i = 0; i < 37; i++)
+        check_same(&all[40 + i], &some[i]);
+    layer_follow(&p.c, width, job, 0, some);
+    layer_follow(&p.c, width, job + 3, 1, some);
+    check_same(&all[3], &some[0]);
+    place_drop(&p);
+}
+
+static void the_bits_of_a_state_do_not_depend_on_the_width(void **state)
+{
+    static const char *const law[] = { "spinodal_gen", "spinodal",
+                                       "dieterich_gen", "spinodal_phi_gen" };
+    static struct layer one[N], wide[N];
+    static struct layer_job job[N];
+    uint64_t seed = check_seed();
+    struct place p;
+
+    (void) state;
+    for (int k = 0; k < 4; k++) {
+        place_make(&p, law[k], "0.34");
+        make_jobs(&p, &seed, job);
+        layer_follow(&p.c, 1, job, N, one);
+        for (int most = 2; most <= 8; most *= 2) {
+            layer_follow(&p.c, layer_width(most), job, N, wide);
+            for (int i = 0; i < N; i++)
+                check_same(&one[i], &wide[i]);
+        }
+        place_drop(&p);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -185,6 +259,8 @@ int main(void)
         cmocka_unit_test(bars_hold_what_loose_steps_miss),
         cmocka_unit_test(a_box_of_arrest_may_be_entered_before_landing),
         cmocka_unit_test(a_runaway_is_known_at_once),
+        cmocka_unit_test(the_bits_of_a_state_do_not_depend_on_the_others),
+        cmocka_unit_test(the_bits_of_a_state_do_not_depend_on_the_width),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -95,7 +95,7 @@ static void the_table_has_no_end(void **state)
 
 static void states_fall_onto_it(void **state)
 {
-    struct layer_options options = layer_defaults(1e-6);
+    struct layer_job job = { .options = layer_defaults(1e-6) };
     struct slow_curve c;
     struct fate_result r;
     struct layer l;
@@ -105,8 +105,9 @@ static void states_fall_onto_it(void **state)
     make(&c, &s, "dieterich_gen", "0.34");
     const struct vec2 z = { -6.0, -6.0 },
                       o = s.study.slider.plane.system.origin;
-    options.peaks = false;
-    layer_follow(&c, vec2_sub(z, o), &options, &l);
+    job.z = vec2_sub(z, o);
+    job.options.peaks = false;
+    layer_follow(&c, layer_width(8), &job, 1, &l);
     assert_int_equal(l.end, LAYER_LANDED);
     assert_int_equal(l.fate, FATE_REST_FINITE);
     assert_int_equal(fate_find(&s.study.slider, z, 1e-10, true, NULL, &r),

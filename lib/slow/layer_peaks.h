@@ -1,0 +1,16 @@
+/*
+ * layer_peaks.h -- the largest ln v and friction on the way onto the slow curve
+ * (landing.h), step by step, into *l->out.
+ */
+#pragma once
+
+#include "landing.h"
+
+/* At the start, where the way on is known. */
+void layer_peaks_start(struct landing *l);
+
+/* On the step of length h from where it is to u1, which goes on along du1;
+ * stages: of explicit8_try. */
+void layer_peaks_step(struct landing *l, double h,
+                      const struct explicit8 *stages, const double u1[],
+                      const double du1[]);
