@@ -32,75 +32,53 @@ bool proof_is_saddle(struct interval_tape *t, struct proof_saddle *out)
 
 /* ---- on the polynomial --------------------------------------------------- */
 
-/* f_ind/theta, f_dep/theta and (v - v_sp)/theta along p, polynomials of degree
- * n - 1 whose last coefficient is Lagrange's: f = 0 at the saddle. */
+/* The field along p, at the saddle and over all of [0, reach]. */
 struct along {
-    struct interval ind[JET_SIZE], dep[JET_SIZE], excess[JET_SIZE];
+    struct proof_flow centre, all;
 };
 
-static void divide_by_theta(size_t n, const struct proof_flow *centre,
-                            const struct proof_flow *all, struct along *out)
-{
-    for (size_t k = 0; k < n; k++) {
-        const struct proof_flow *f = k + 1 < n ? centre : all;
-        out->ind[k] = f->ind.c[k + 1];
-        out->dep[k] = f->dep.c[k + 1];
-        out->excess[k] = f->excess.c[k + 1];
-    }
-}
-
-/* Both flows have to have the same factor: one call's is taken for all. */
-static bool expand(struct interval_tape *t, const struct proof_piece *piece,
+static void expand(struct interval_tape *t, const struct proof_piece *piece,
                    double reach, struct along *out)
 {
     const size_t n = piece->degree;
     const struct interval box = { 0, reach };
     struct interval c[JET_SIZE], wide[JET_SIZE];
-    struct proof_flow centre, all;
 
     proof_points(n, piece->coef, c);
     proof_shift(n, c, box, wide);
-    proof_flow_along(t, piece->ind, point(0), piece->step, c, n, &centre);
+    proof_flow_along(t, piece->ind, point(0), piece->step, c, n, &out->centre);
     proof_flow_along(t, piece->ind, times(box, point(piece->step)), piece->step,
-                     wide, n, &all);
-    const struct interval factor = interval_exp(
-        interval_less(point(all.log_scale), point(centre.log_scale)));
-    all.ind.c[n] = times(all.ind.c[n], factor);
-    all.dep.c[n] = times(all.dep.c[n], factor);
-    all.excess.c[n] = times(all.excess.c[n], factor);
-    divide_by_theta(n, &centre, &all, out);
-    return interval_is_finite(factor);
+                     wide, n, &out->all);
 }
 
-/* u - q w: coefficients to order 2 (n - 1) of polynomials of n terms. */
-static void residual(size_t n, const struct interval u[],
-                     const struct interval q[], const struct interval w[],
-                     struct interval out[])
-{
-    for (size_t k = 0; k < 2 * n - 1; k++) {
-        struct interval sum = k < n ? u[k] : point(0);
-        for (size_t j = k < n ? 0 : k - n + 1; j <= k && j < n; j++)
-            sum = interval_less(sum, times(q[j], w[k - j]));
-        out[k] = sum;
-    }
-}
-
-/* sup |step f_dep/f_ind - p'| = sup |step N - p' M|/inf |M|. */
-static double defect_of(const struct proof_piece *piece, const struct along *f,
-                        double reach, double least)
+/* Terms 0 .. n - 1 of step u/f_ind, the last one Lagrange's: f and u are 0 at
+ * the saddle, and the k-th derivative of f/theta over k! is a mean of that of
+ * order k + 1 of f. */
+static void terms_of(const struct proof_piece *piece, const struct along *f,
+                     const struct interval centre[],
+                     const struct interval all[], struct interval out[])
 {
     const size_t n = piece->degree;
-    struct interval slope[JET_SIZE], n_of[JET_SIZE], off[2 * JET_SIZE];
+    struct interval wide[JET_SIZE];
 
-    for (size_t k = 0; k < n; k++) {
-        slope[k] = times(point((double) (k + 1)), point(piece->coef[k + 1]));
-        n_of[k] = times(point(piece->step), f->dep[k]);
-    }
-    residual(n, n_of, slope, f->ind, off);
-    return interval_up(
-        interval_divide(point(proof_size(off, 0, 2 * n - 2, reach)),
-                        point(least))
-            .hi);
+    proof_quotient(n - 1, centre + 1, f->centre.ind.c + 1, out);
+    proof_quotient(n - 1, all + 1, f->all.ind.c + 1, wide);
+    out[n - 1] = wide[n - 1];
+    for (size_t k = 0; k < n; k++)
+        out[k] = times(point(piece->step), out[k]);
+}
+
+/* sup |step f_dep/f_ind - p'| */
+static double defect_of(const struct proof_piece *piece, const struct along *f,
+                        double reach)
+{
+    struct interval off[JET_SIZE];
+
+    terms_of(piece, f, f->centre.dep.c, f->all.dep.c, off);
+    for (size_t k = 0; k < piece->degree; k++)
+        off[k] = interval_less(
+            off[k], times(point((double) (k + 1)), point(piece->coef[k + 1])));
+    return proof_size(off, 0, piece->degree - 1, reach);
 }
 
 /* ---- in the cone --------------------------------------------------------- */
@@ -128,9 +106,6 @@ static bool look_inside(struct interval_tape *t,
     struct proof_flow j[2];
 
     proof_flow_slopes(t, piece->ind, times(step, box), times(sigma, box), j);
-    if (!interval_is_finite(sigma) || j[0].log_scale < j[1].log_scale ||
-        j[0].log_scale > j[1].log_scale)
-        return false;
     out->m = add(times(step, j[0].ind.c[1]), times(sigma, j[1].ind.c[1]));
     if (!(times(out->m, step).hi < 0))
         return false;
@@ -159,39 +134,23 @@ struct interval proof_cone_slope(struct interval_tape *t,
                : (struct interval){ -HUGE_VAL, HUGE_VAL };
 }
 
-/* The least |M| on p: M_0 and what the other terms can take from it. */
-static double least_of(size_t n, const struct along *f, double reach)
-{
-    const double rest = proof_size(f->ind, 1, n - 1, reach);
-
-    return interval_down(
-        interval_less(point(interval_least(f->ind[0])), point(rest)).lo);
-}
-
-/* The integral of q = step (v - v_sp)/(-f_ind) over the cone: a polynomial
- * quotient, its residual over inf |M|, and |dep - p| <= slope theta. */
+/* The integral of q = step (v - v_sp)/(-f_ind) over the cone: that on p, and
+ * |dep - p| <= slope theta. */
 static struct interval excess_of(const struct proof_piece *piece,
                                  const struct along *f, const struct inside *in,
-                                 const struct proof_cone *cone, double least)
+                                 const struct proof_cone *cone)
 {
-    const size_t n = piece->degree;
     const struct interval r = point(cone->reach);
-    struct interval q[JET_SIZE], off[2 * JET_SIZE], sum = { 0, 0 }, power = r;
+    struct interval q[JET_SIZE], sum = { 0, 0 }, power = r;
 
-    proof_quotient(n - 2, f->excess, f->ind, q);
-    q[n - 1] = point(0);
-    residual(n, f->excess, q, f->ind, off);
-    for (size_t k = 0; k + 1 < n; k++) {
-        sum = add(sum,
-                  interval_divide(times(q[k], power), point((double) (k + 1))));
+    terms_of(piece, f, f->centre.excess.c, f->all.excess.c, q);
+    for (size_t k = 0; k < piece->degree; k++) {
+        sum = interval_less(
+            sum, interval_divide(times(q[k], power), point((double) (k + 1))));
         power = times(power, r);
     }
-    const struct interval beside = interval_divide(
-        point(proof_size(off, 0, 2 * n - 2, cone->reach)), point(least));
     const double aside = proof_up_times(
         proof_up_times(cone->slope, interval_most(in->across)), cone->reach);
-    sum = add(sum, interval_within(proof_up_times(beside.hi, cone->reach)));
-    sum = times(point(-piece->step), sum);
     return add(sum, interval_within(aside));
 }
 
@@ -202,12 +161,8 @@ static bool cone_of(struct interval_tape *t, const struct proof_piece *piece,
     struct along f;
     struct inside in;
 
-    if (!expand(t, piece, reach, &f))
-        return false;
-    const double least = least_of(piece->degree, &f, reach);
-    if (!(least > 0))
-        return false;
-    const double defect = defect_of(piece, &f, reach, least);
+    expand(t, piece, reach, &f);
+    const double defect = defect_of(piece, &f, reach);
     double slope = 2 * defect + DBL_MIN;
     for (int i = 0; i < 3; i++) {
         if (!isfinite(slope) || !look_inside(t, piece, reach, slope, &in))
@@ -223,8 +178,8 @@ static bool cone_of(struct interval_tape *t, const struct proof_piece *piece,
         slope = 4 * defect / (double) (1 - in.g.hi) + DBL_MIN;
     }
     *out = (struct proof_cone){ .reach = reach, .slope = slope };
-    out->excess = interval_of_double(
-        interval_outward(excess_of(piece, &f, &in, out, least)));
+    out->excess =
+        interval_of_double(interval_outward(excess_of(piece, &f, &in, out)));
     front->error = proof_up_times(slope, reach);
     front->excess = out->excess;
     return interval_is_finite(out->excess);

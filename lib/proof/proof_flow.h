@@ -21,7 +21,7 @@ void proof_flow_along(struct interval_tape *t, int ind, struct interval at,
                       struct proof_flow *out);
 
 /* Values and derivatives over a box, by ind (coefficient 1 of out[0]) and by
- * dep (out[1]). */
+ * dep (out[1]); both have one factor, which values alone choose. */
 void proof_flow_slopes(struct interval_tape *t, int ind, struct interval at,
                        struct interval dep, struct proof_flow out[2]);
 /* Those by dep only. */

@@ -37,7 +37,7 @@
  * the integral, is above this part of what is not known of it; others are made
  * so long that it would be this part of that, between these lengths of theta:
  * on a longer one the transverse rate differs much from its bound. */
-#define PROOF_FELT       0.001
+#define PROOF_FELT       0.005
 #define PROOF_AIM        0.1
 #define PROOF_CELL_LEAST 0x1p-12
 #define PROOF_CELL_MOST  0.5

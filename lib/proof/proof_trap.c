@@ -47,8 +47,6 @@ static bool falls(struct interval_tape *t, const struct proof_trap *p)
     if (!box_of(p, box))
         return false;
     proof_flow_slopes(t, 0, box[0], box[1], j);
-    if (j[0].log_scale < j[1].log_scale || j[0].log_scale > j[1].log_scale)
-        return false;
     const struct interval fx_x = j[0].ind.c[1], fx_y = j[1].ind.c[1];
     const struct interval fy_x = j[0].dep.c[1], fy_y = j[1].dep.c[1];
     const struct interval sxx =

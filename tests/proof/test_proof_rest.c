@@ -1,5 +1,5 @@
 /* What is left out of an integral is in its enclosure: of a series that is cut
- * early, in a cell and in the cone, and of a branch that is.  Enclosures of the
+ * early, in a cell, and of a branch that is.  Enclosures of the
  * same number by longer series and branches, which are narrow, meet it. */
 #include "proof.h"
 
@@ -93,49 +93,6 @@ static void a_cell_holds_what_its_series_leaves_out(void **state)
     }
 }
 
-/* The cone of a longer piece, and cells on to theta = end. */
-static struct interval cone_and_cells(struct proof *p,
-                                      const struct proof_piece *piece,
-                                      double end)
-{
-    struct proof_cone cone;
-    struct proof_front front;
-    struct proof_branch out = { .cells = 0 };
-    enum status status = STATUS_OK;
-
-    assert_true(proof_cone(&p->law.tape, piece, 1, &cone, &front));
-    assert_true(cone.reach >= end ||
-                proof_cells(&p->law.tape, piece, cone.reach,
-                            interval_point(end), &front, &out, &status));
-    const struct interval sum = sum_of(&out, cone.excess);
-    free(out.cell);
-    return sum;
-}
-
-static void a_cone_holds_what_its_series_leaves_out(void **state)
-{
-    struct solved s;
-    struct proof p;
-
-    (void) state;
-    for (int i = 0; i < PRESETS; i++) {
-        struct proof_cone cone;
-        struct proof_front front;
-        make(presets[i], &s, &p);
-        struct proof_piece piece = p.branch[0].piece[0], low = piece;
-        low.degree = DEGREE;
-        assert_true(proof_cone(&p.law.tape, &low, 1, &cone, &front));
-        /* theta = 0.7, where a cone is tried first, is where that one ends */
-        const double unit = cone.reach / 0.7;
-        piece.step *= unit;
-        for (size_t k = 0; k <= piece.degree; k++)
-            piece.coef[k] *= pow(unit, (double) k);
-        meet(presets[i], cone.excess, cone_and_cells(&p, &piece, 0.7));
-        proof_free(&p);
-        solved_free(&s);
-    }
-}
-
 /* Without its last pieces, as long as the end is proved. */
 static void a_branch_that_is_cut_holds_what_it_has_lost(void **state)
 {
@@ -178,7 +135,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_cell_holds_what_its_series_leaves_out),
-        cmocka_unit_test(a_cone_holds_what_its_series_leaves_out),
         cmocka_unit_test(a_branch_that_is_cut_holds_what_it_has_lost),
     };
 
