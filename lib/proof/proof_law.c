@@ -12,11 +12,11 @@
 
 /* ---- inputs -------------------------------------------------------------- */
 
-/* y: where psi stands still over x, sought from `near`; in `all`, once it is
- * known over a place. */
+/* y: where psi stands still over x, sought from `near`; or within `all`, once
+ * it is known over a place, by the slope of dpsi/dt there. */
 struct given {
     struct proof_law *p;
-    mpfi_t tan_alpha, eps2, x, y, all, other;
+    mpfi_t tan_alpha, eps2, x, y, all, slope, other;
     long double near;
     bool within;
 };
@@ -90,6 +90,20 @@ static bool growth(void *ctx, mpfr_srcptr y, mpfi_ptr out)
     return true;
 }
 
+/* y = m - dpsi/dt(m)/slope, m the middle of `all` (mean value theorem). */
+static bool stand_within(struct given *g)
+{
+    mpfr_t m;
+
+    mpfr_init2(m, PROOF_BITS);
+    mpfi_mid(m, g->all);
+    const bool found = growth(g, m, g->other);
+    mpfi_div(g->other, g->other, g->slope);
+    mpfi_fr_sub(g->y, m, g->other);
+    mpfr_clear(m);
+    return found;
+}
+
 /* The steady state over g->x: constants at the anchor. */
 static bool stand(struct given *g)
 {
@@ -97,11 +111,8 @@ static bool stand(struct given *g)
     struct fault why;
 
     if (p->graph->psi_ss < 0) {
-        if (!proof_root(growth, g, g->near, g->y))
-            return false;
-        if (g->within) /* dpsi/dt has both signs at the ends of both */
-            mpfi_intersect(g->y, g->y, g->all);
-        if (mpfi_is_empty(g->y) > 0)
+        if (!(g->within ? stand_within(g)
+                        : proof_root(growth, NULL, g, g->near, g->y)))
             return false;
         interval_graph_set(&p->at, "y0", g->y);
     }
@@ -123,39 +134,31 @@ static bool balance(void *ctx, mpfr_srcptr x, mpfi_ptr h)
     return true;
 }
 
-/* Where psi_ss has no formula it is one function over the place if d(dpsi/dt)/
- * d psi < 0 there, and h has a root if its ends are still what they were. */
-static bool is_function(struct given *g, mpfi_srcptr place)
+/* Where psi_ss has no formula: over all of the place dpsi/dt falls through 0 in
+ * `all`; y_ss is one function where its slope is not 0. */
+static bool know_psi_ss(void *ctx, mpfi_srcptr place)
 {
+    struct given *g = ctx;
     struct proof_law *p = g->p;
     const int variable[] = { p->graph->x, p->graph->y };
-    const int node = p->graph->node[LAW_AT_GROWTH];
     static const struct interval none[2];
     struct fault why;
-    mpfr_t end;
-    mpfi_t h;
-    bool ok;
 
+    g->within = false;
     mpfi_set(g->x, place);
     if (!stand(g))
         return false;
     mpfi_set(g->all, g->y);
-    g->within = true;
     interval_graph_set(&p->state, "lnv0", place);
     interval_graph_set(&p->state, "y0", g->all);
     if (interval_graph_run(&p->state, &why) != STATUS_OK ||
-        !interval_growth_run(p->growth, &p->state, variable, none, 1) ||
-        !(p->growth->by[node].all.hi < 0))
+        !interval_growth_run(p->growth, &p->state, variable, none, 1))
         return false;
-    mpfr_init2(end, PROOF_BITS);
-    mpfi_init2(h, PROOF_BITS);
-    mpfi_get_left(end, place);
-    ok = balance(g, end, h) && mpfi_is_strictly_pos(h) > 0;
-    mpfi_get_right(end, place);
-    ok = ok && balance(g, end, h) && mpfi_is_strictly_neg(h) > 0;
-    mpfr_clear(end);
-    mpfi_clear(h);
-    return ok;
+    const struct interval by = p->growth->by[p->graph->node[LAW_AT_GROWTH]].all;
+    mpfr_set_ld(&g->slope->left, by.lo, MPFR_RNDD);
+    mpfr_set_ld(&g->slope->right, by.hi, MPFR_RNDU);
+    g->within = true;
+    return true;
 }
 
 static enum status settle(struct given *g, const struct block *b,
@@ -165,12 +168,12 @@ static enum status settle(struct given *g, const struct block *b,
 
     mpfi_init2(place, PROOF_BITS);
     g->near = b->y;
-    bool found = proof_root(balance, g, b->x, place) &&
-                 (g->p->graph->psi_ss >= 0 || is_function(g, place));
+    const bool found = proof_root(
+        balance, g->p->graph->psi_ss < 0 ? know_psi_ss : NULL, g, b->x, place);
     mpfi_set(g->x, place);
     mpfi_clear(place);
-    found = found && stand(g);
-    if (found)
+    g->within = false;
+    if (found && stand(g))
         return STATUS_OK;
     snprintf(why->text, sizeof why->text,
              "no sign change of mu_ss - tan(alpha) was found at the saddle");
@@ -282,6 +285,7 @@ enum status proof_law_at(struct proof_law *p, const struct block *b,
     mpfi_init2(g.x, PROOF_BITS);
     mpfi_init2(g.y, PROOF_BITS);
     mpfi_init2(g.all, PROOF_BITS);
+    mpfi_init2(g.slope, PROOF_BITS);
     mpfi_init2(g.other, PROOF_BITS);
     s = make(p, b, in, &g, why);
     mpfi_clear(g.tan_alpha);
@@ -289,6 +293,7 @@ enum status proof_law_at(struct proof_law *p, const struct block *b,
     mpfi_clear(g.x);
     mpfi_clear(g.y);
     mpfi_clear(g.all);
+    mpfi_clear(g.slope);
     mpfi_clear(g.other);
     return s;
 }

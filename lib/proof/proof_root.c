@@ -7,7 +7,7 @@ struct secant {
     proof_function *f;
     void *ctx;
     mpfr_t x[2], h[2], step;
-    mpfi_t value;
+    mpfi_t value, place;
 };
 
 static void secant_init(struct secant *s, proof_function *f, void *ctx)
@@ -16,12 +16,14 @@ static void secant_init(struct secant *s, proof_function *f, void *ctx)
     s->ctx = ctx;
     mpfr_inits2(PROOF_BITS, s->x[0], s->x[1], s->h[0], s->h[1], s->step, NULL);
     mpfi_init2(s->value, PROOF_BITS);
+    mpfi_init2(s->place, PROOF_BITS);
 }
 
 static void secant_free(struct secant *s)
 {
     mpfr_clears(s->x[0], s->x[1], s->h[0], s->h[1], s->step, NULL);
     mpfi_clear(s->value);
+    mpfi_clear(s->place);
 }
 
 /* Towards the root; nothing here needs to be right. */
@@ -48,16 +50,15 @@ static void approach(struct secant *s, long double near)
     }
 }
 
-/* Whether f has the sign at x + r. */
-static bool has_sign(struct secant *s, double r, int sign)
+static bool has_sign(struct secant *s, mpfr_srcptr x, int sign)
 {
-    mpfr_add_d(s->x[0], s->x[1], r, MPFR_RNDN);
-    return s->f(s->ctx, s->x[0], s->value) &&
+    return s->f(s->ctx, x, s->value) &&
            (sign > 0 ? mpfi_is_strictly_pos(s->value) > 0
                      : mpfi_is_strictly_neg(s->value) > 0);
 }
 
-bool proof_root(proof_function *f, void *ctx, long double near, mpfi_ptr out)
+bool proof_root(proof_function *f, proof_over *over, void *ctx,
+                long double near, mpfi_ptr out)
 {
     struct secant s;
     bool found = false;
@@ -68,12 +69,14 @@ bool proof_root(proof_function *f, void *ctx, long double near, mpfi_ptr out)
         mpfr_set_ld(s.x[1], near, MPFR_RNDN);
     for (double r = PROOF_PLACE_LEAST; r < PROOF_PLACE_MOST && !found;
          r *= 256) {
-        found = has_sign(&s, -r, 1) && has_sign(&s, r, -1);
-        if (found) {
-            mpfi_interv_d(s.value, -r, r);
-            mpfi_add_fr(out, s.value, s.x[1]);
-        }
+        mpfi_interv_d(s.place, -r, r);
+        mpfi_add_fr(s.place, s.place, s.x[1]);
+        found = (!over || over(ctx, s.place)) &&
+                has_sign(&s, &s.place->left, 1) &&
+                has_sign(&s, &s.place->right, -1);
     }
+    if (found)
+        mpfi_set(out, s.place);
     secant_free(&s);
     return found;
 }
