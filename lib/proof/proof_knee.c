@@ -16,9 +16,8 @@ struct seeker {
     const struct proof_piece *piece;
     const struct proof_cell *cell; /* NULL: in the cone */
     int sign; /* of dy/dx - 1, the last that is proved; 0: none is */
-    int turn; /* of its derivative outward on all parts since; 0: no parts */
     bool found;
-    struct patch at; /* x and y where it is 0 on those parts, if it is: found */
+    struct patch at; /* x and y where it is 0 since, if it is: found */
 };
 
 static int sign_of(struct interval u)
@@ -26,10 +25,10 @@ static int sign_of(struct interval u)
     return u.lo > 0 ? 1 : u.hi < 0 ? -1 : 0;
 }
 
-/* Of d dep/d ind - 1 or of its derivative: that of dy/dx - 1. */
-static struct interval upright(const struct seeker *s, struct interval u)
+/* Of dy/dx - 1, from d dep/d ind - 1. */
+static int sign_on(const struct seeker *s, struct interval over)
 {
-    return s->piece->ind == 0 ? u : interval_minus(u);
+    return s->piece->ind == 0 ? sign_of(over) : -sign_of(over);
 }
 
 /* The part [a, b] of the piece. */
@@ -74,22 +73,16 @@ static struct interval bend(const struct seeker *s, const struct patch *w)
 
 /* ---- what follows from a part -------------------------------------------- */
 
-/* A part with a sign; false: signs do not tell how it came to that. */
-static bool pass(struct seeker *s, int sign)
+/* A part with a sign: where that is another one, it was 0 once since the last,
+ * as its derivative has had no other sign since. */
+static void pass(struct seeker *s, int sign)
 {
     struct proof_branch *b = s->b;
 
-    if (s->sign && sign != s->sign) {
-        if (s->turn != sign || !s->found)
-            return false;
-        if (sign > 0 && b->knees < PROOF_KNEES_MAX)
-            b->knee[b->knees++] =
-                (struct proof_crossing){ s->at.ind, s->at.dep };
-    }
+    if (s->sign < 0 && sign > 0 && b->knees < PROOF_KNEES_MAX)
+        b->knee[b->knees++] = (struct proof_crossing){ s->at.ind, s->at.dep };
     s->sign = sign;
-    s->turn = 0;
     s->found = false;
-    return true;
 }
 
 /* It may be 0 in this box. */
@@ -102,15 +95,6 @@ static void add_place(struct seeker *s, const struct patch *w)
                                        interval_hull(s->at.dep, at.dep) }
                      : at;
     s->found = true;
-}
-
-/* A part on which the derivative has a sign. */
-static bool turn(struct seeker *s, int rise)
-{
-    if (s->sign == 0 || (s->turn && s->turn != rise))
-        return false;
-    s->turn = rise;
-    return true;
 }
 
 /* Newton's method over intervals, on [a, b]: where it is 0, if it is. */
@@ -158,21 +142,21 @@ static bool part(struct seeker *s, double a, double b, int depth)
                                                    s->b->cone.slope),
                                   point(1))
                   : over_one(s, &w);
-    int sign = sign_of(upright(s, over));
+    int sign = sign_on(s, over);
 
     if (!sign && !at_saddle) {
         const struct interval by = bend(s, &w);
-        const int rise = sign_of(upright(s, by));
-        if (rise) {
+        if (sign_of(by)) {
             narrow(s, a, b);
-            return turn(s, rise);
+            return true;
         }
-        sign = sign_of(upright(s, over_by_mean(s, a, b, by)));
+        sign = sign_on(s, over_by_mean(s, a, b, by));
     }
     if (sign)
-        return pass(s, sign);
-    return depth < PROOF_KNEE_HALVINGS && middle > a && middle < b &&
-           part(s, a, middle, depth + 1) && part(s, middle, b, depth + 1);
+        pass(s, sign);
+    return sign ||
+           (depth < PROOF_KNEE_HALVINGS && middle > a && middle < b &&
+            part(s, a, middle, depth + 1) && part(s, middle, b, depth + 1));
 }
 
 /* Between the last piece and this one, along the other axis. */
@@ -188,15 +172,15 @@ static bool corner(struct seeker *s, const struct proof_piece *last)
     const struct patch w = { interval_hull(from, point(p->start)),
                              add(point(p->coef[0]), interval_within(after)) };
     const struct interval over = over_one(s, &w);
-    const int sign = sign_of(upright(s, over));
+    const int sign = sign_on(s, over);
 
     if (!(over.lo > -1)) /* the slope is above 0 */
         return false;
     if (sign)
-        return pass(s, sign);
-    add_place(s, &w);
-    const int rise = sign_of(upright(s, bend(s, &w)));
-    return rise && turn(s, rise);
+        pass(s, sign);
+    else
+        add_place(s, &w);
+    return sign || sign_of(bend(s, &w));
 }
 
 static bool pass_cells(struct seeker *s)
@@ -231,12 +215,13 @@ void proof_knees(struct interval_tape *tape, struct proof_branch *b)
     struct seeker s = { .tape = tape, .b = b };
 
     b->knees = 0;
+    b->no_more = NULL;
     if (!pass_all(&s))
         b->no_more = "the slope is not proved to pass through 1, nor not to";
-    else if (b->beyond == 0 || !pass(&s, b->beyond))
+    else if (b->beyond)
+        pass(&s, b->beyond);
+    else
         b->no_more = b->not_proved
                          ? b->not_proved
                          : "beyond the tube the slope may rise through 1";
-    else
-        b->no_more = NULL;
 }
