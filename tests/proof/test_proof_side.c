@@ -172,6 +172,24 @@ static void a_state_in_the_cone_or_the_tube_has_no_side(void **state)
     slope_free(&s);
 }
 
+/* The lower branch of spinodal ends there. */
+static void a_row_in_the_strip_where_v_vanishes_may_meet_the_branch(
+    void **state)
+{
+    static struct slope s;
+
+    (void) state;
+    run(&s, "spinodal", NULL, "0.34");
+    struct proof_branch *b = &s.study.proof.exact->branch[1];
+    const struct proof_piece *p = &b->piece[b->pieces / 2];
+    assert_int_equal(b->end, END_V_0);
+    for (size_t i = 0; i < b->cells; i++)
+        b->cell[i].radius = 3;
+    b->strip = (struct interval){ 2 * b->strip.lo, 0 };
+    assert_int_equal(above(&s, p, 0.5), 0);
+    slope_free(&s);
+}
+
 /* ---- nodes --------------------------------------------------------------- */
 
 static struct law composition(size_t i)
@@ -362,6 +380,8 @@ int main(void)
         cmocka_unit_test(
             states_beside_the_curve_are_on_the_side_that_is_computed),
         cmocka_unit_test(a_state_in_the_cone_or_the_tube_has_no_side),
+        cmocka_unit_test(
+            a_row_in_the_strip_where_v_vanishes_may_meet_the_branch),
         cmocka_unit_test(nodes_are_where_theorem_14_says),
         cmocka_unit_test(that_there_is_no_saddle_is_proved_where_there_is_none),
     };
