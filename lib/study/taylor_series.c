@@ -194,44 +194,83 @@ struct comparison {
     const struct curve *c;
 };
 
-static double v_at(const struct comparison *q, size_t piece, double theta,
-                   double *gap)
-{
-    const struct block *b = &q->s->slider.block;
-    double at[CURVE_DIM_MAX];
+/* A point of the curve: v, how far the sum is from it, and how much of that
+ * may be the sum's error and the curve's, which is that of either coordinate at
+ * the other: in y no more than max(1, |dy/dx|) times as much. */
+struct gap {
+    double v, size, share;
+};
 
-    curve_at(q->c, piece, theta, at);
-    const double v = b->at.v0 * exp(at[0]);
-    const double sum = taylor_series_at(q->t, TAYLOR_PAPER, v, b->at.v0);
-    const double psi =
-        law_psi_is_log(&b->law) ? b->at.y0 + at[1] : b->at.psi0 * exp(at[1]);
-    *gap = fabs(law_psi_is_log(&b->law) ? sum - psi : sum / psi - 1.0);
-    return v;
+/* Of the sum, with its rounding. */
+static double doubt_of(const struct taylor_series *t, double w)
+{
+    double sum = 0.0;
+
+    for (int k = TAYLOR_PAPER; k >= 0; k--) {
+        const struct quantity *c = &t->term[k].coefficient;
+        sum = sum * fabs(w) + c->error +
+              TOL_ROUNDINGS * DBL_EPSILON * fabs(c->value);
+    }
+    return sum;
 }
 
-/* Where the gap first reaches TOL_LITTLE, outward from the saddle. */
-static struct quantity leaves(const struct comparison *q)
+static struct gap gap_at(const struct comparison *q, size_t piece, double theta)
 {
-    enum { PER_PIECE = 16, HALVINGS = 40 };
-    double gap, lo = 0.0;
+    const struct block *b = &q->s->slider.block;
+    const bool is_log = law_psi_is_log(&b->law);
+    const struct curve_piece *p = &q->c->piece[piece];
+    double at[CURVE_DIM_MAX], by[CURVE_DIM_MAX];
+
+    curve_at(q->c, piece, theta, at);
+    curve_slope_at(q->c, piece, theta, by);
+    const double v = b->at.v0 * exp(at[0]);
+    const double psi = is_log ? 1.0 : b->at.psi0 * exp(at[1]);
+    const double off = is_log ? b->at.y0 + at[1] : psi;
+    const double sum = taylor_series_at(q->t, TAYLOR_PAPER, v, b->at.v0);
+    const double across = p->error * fmax(1.0, fabs(by[1] / by[0]));
+    const double own = doubt_of(q->t, (v - b->at.v0) / b->at.v0) / psi;
+    return (struct gap){ v, fabs(sum - off) / psi,
+                         own + across * (is_log ? 1.0 : sum / psi) };
+}
+
+/* Where the gap first reaches `level`, outward from the saddle; whether it
+ * does before the curve ends, which *at is then. */
+static bool reaches(const struct comparison *q, double level, struct gap *at)
+{
+    enum { PER_PIECE = 16, HALVINGS = DBL_MANT_DIG };
+    double lo = 0.0;
 
     for (size_t i = 0; i < q->c->count; i++, lo = 0.0)
         for (int k = 1; k <= PER_PIECE; k++) {
             double hi = (double) k / PER_PIECE;
-            v_at(q, i, hi, &gap);
-            if (gap < TOL_LITTLE) {
+            *at = gap_at(q, i, hi);
+            if (at->size < level) {
                 lo = hi;
                 continue;
             }
             for (int n = 0; n < HALVINGS; n++) {
                 const double middle = 0.5 * (lo + hi);
-                v_at(q, i, middle, &gap);
-                *(gap < TOL_LITTLE ? &lo : &hi) = middle;
+                *(gap_at(q, i, middle).size < level ? &lo : &hi) = middle;
             }
-            const double v = v_at(q, i, hi, &gap);
-            return quantity_of(v, TOL_ORBIT_RTOL * v);
+            *at = gap_at(q, i, hi);
+            return true;
         }
-    return quantity_none("order 14 agrees with the curve to its end");
+    return false;
+}
+
+/* Where the gap is TOL_LITTLE: between where it is that less and more its share
+ * that may be the curve's error. */
+static struct quantity leaves(const struct comparison *q)
+{
+    const double level = TOL_LITTLE;
+    struct gap at, early, late;
+
+    if (!reaches(q, level, &at))
+        return quantity_none("order 14 agrees with the curve to its end");
+    reaches(q, level - at.share, &early);
+    reaches(q, level + at.share, &late);
+    return quantity_of(at.v, fmax(fabs(early.v - at.v), fabs(late.v - at.v)) +
+                                 TOL_ROUNDINGS * DBL_EPSILON * at.v);
 }
 
 static struct taylor_series no_series(void)

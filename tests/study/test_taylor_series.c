@@ -7,6 +7,7 @@
 
 #include "asked.h"
 #include "quad.h"
+#include "random_slope.h"
 #include "study_tolerance.h"
 
 enum { MANY = 200 };
@@ -201,6 +202,36 @@ static void order_14_leaves_the_curve_before_the_upper_knee(void **state)
     asked_free(&a);
 }
 
+static void is_held(const struct slope *s, const struct quantity *q,
+                    const struct quantity *tight)
+{
+    if (quantity_exists(q) && quantity_exists(tight))
+        CHECK(fabs(q->value - tight->value) <= q->error + tight->error,
+              "alpha %.17g, rtol %g: %.17g +- %.2g, not %.17g", s->scene.alpha,
+              s->scene.rtol, q->value, q->error, tight->value);
+}
+
+static void places_of_a_loose_curve_are_those_of_a_tight_one(void **state)
+{
+    const char *const more[] = { "products=[taylor_series]", NULL };
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (size_t i = 0; i < 40; i++) {
+        static struct slope s;
+        struct fault why;
+        random_slope_of(&s, i % random_presets(), &rng, more);
+        const struct taylor_series tight = s.study.taylor;
+        study_free(&s.study);
+        s.scene.rtol = random_power(&rng, -9, -3);
+        const enum status status = study_run(&s.study, &s.scene, NULL, &why);
+        CHECK(status == STATUS_OK, "%s", why.text);
+        is_held(&s, &s.study.taylor.agrees_from, &tight.agrees_from);
+        is_held(&s, &s.study.taylor.agrees_to, &tight.agrees_to);
+        slope_free(&s);
+    }
+}
+
 static void without_a_saddle_there_is_a_reason(void **state)
 {
     static struct asked a;
@@ -221,6 +252,7 @@ int main(void)
         cmocka_unit_test(the_radius_is_within_its_bar),
         cmocka_unit_test(near_the_saddle_the_sum_is_the_curve),
         cmocka_unit_test(order_14_leaves_the_curve_before_the_upper_knee),
+        cmocka_unit_test(places_of_a_loose_curve_are_those_of_a_tight_one),
         cmocka_unit_test(without_a_saddle_there_is_a_reason),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
