@@ -1,7 +1,7 @@
 /*
  * explicit8_table.h -- the coefficients of explicit8.h: Hairer, Norsett &
  * Wanner (1993), the pair 8(5,3) of sec. II.5 and the stages of its dense
- * output of sec. II.6; test_flow.c checks the order conditions.
+ * output of sec. II.6; tests/core/test_explicit8.c checks the orders.
  */
 #pragma once
 

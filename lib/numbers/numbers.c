@@ -181,7 +181,7 @@ static double stable_cancellation(const struct equilibrium *e)
 }
 
 /* What rounding of the anchor's numbers does to an offset of size |z| on a
- * branch, absolute: the ratio of both rates is kept to the last bit (anchor.h),
+ * branch, absolute: the ratio of both rates is kept to the last bit (steady.h),
  * the logarithm of friction is not. */
 static double branch_floor(const struct block *b, const struct equilibrium *e,
                            double z)

@@ -100,7 +100,7 @@ static enum status translate_row(struct sweep *s, struct sweep_rows *rows,
     return status;
 }
 
-/* What sweep_left_take does, of a file that is open. */
+/* Appends the rows of an open side file, in the sweep's own words, to *left. */
 static enum status take_rows(struct sweep *s, const struct sweep_journal *from,
                              struct sweep_rows *rows,
                              const struct sweep_reasons *reasons, bool copied,
