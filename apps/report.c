@@ -1,6 +1,5 @@
 #include "report.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "json_results.h"

@@ -1,7 +1,6 @@
 /* Given starts are independent: each thread fills the slots it is given. */
 #include "trajectory.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 /* A study is one point of a sweep over no key: so its numbers have the names
  * of a sweep's columns. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

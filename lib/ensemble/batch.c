@@ -2,7 +2,6 @@
  * keys change. */
 #include "batch.h"
 
-#include <math.h>
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>

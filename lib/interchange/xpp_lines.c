@@ -1,7 +1,6 @@
 #include "xpp_lines.h"
 
 #include <ctype.h>
-#include <stdio.h>
 #include <string.h>
 
 struct scanner {

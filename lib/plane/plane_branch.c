@@ -3,7 +3,6 @@
 #include "plane_branch.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "escape.h"

@@ -1,7 +1,6 @@
 #include "plane_edge.h"
 
 #include <float.h>
-#include <math.h>
 
 #include "plane_border.h"
 #include "plane_orbit.h"

@@ -7,7 +7,6 @@
  */
 #include "quad_branch.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "quad_step.h"

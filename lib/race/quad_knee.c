@@ -7,8 +7,6 @@
  */
 #include "quad_knee.h"
 
-#include <math.h>
-
 enum { PARTS = 16, ROOT_STEPS = 200, VERTEX_STEPS = 12 };
 
 static const double near_one = 0.3;    /* closer than this, look closely */

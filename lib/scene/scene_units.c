@@ -1,6 +1,5 @@
 #include "scene_units.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

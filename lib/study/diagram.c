@@ -1,7 +1,5 @@
 #include "diagram.h"
 
-#include <stdlib.h>
-
 #include "study_results.h"
 
 /* Dieterich's law in the form of the scene's. */
