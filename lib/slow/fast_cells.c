@@ -5,6 +5,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "layer_peaks.h"
 #include "rest_form.h"
 #include "slider.h"
 #include "slow_tolerance.h"
@@ -72,25 +73,22 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
 {
     const struct vec2 m = s->block.steep;
     const struct vec2 o = s->plane.system.origin, from = vec2_sub(z, o);
-    const double x = s->block.at.x0 + l->x_peak;
-    const double place = TOL_LAYER_TRANSPORT * l->place_error;
+    const double x = s->block.at.x0 + l->x.value;
     const double least = TOL_BAR_FIRST_ORDER * TOL_REST_WRONG * (1.0 + fabs(x));
     const double rounding =
         TOL_ROUNDING * (1.0 + fabs(z.x) + fabs(z.y) + fabs(o.x) + fabs(o.y));
-    const bool fastest = l->falls[0] && l->x_peak == from.x;
+    const bool fastest = l->falls[0] && l->x.value == from.x;
     const bool hardest = l->falls[1] &&
-                         l->mu_peak == block_mu(&s->block, from) &&
-                         l->mu_next < l->mu_peak - TOL_ASIDE * (m.x + m.y);
+                         l->mu.value == block_mu(&s->block, from) &&
+                         l->mu_next < l->mu.value - TOL_ASIDE * (m.x + m.y);
 
     c->v_peak = exp(fastest ? z.x : x);
-    c->v_peak_error =
-        c->v_peak * (fastest ? TOL_ROUNDING : place + least + l->x_error);
-    c->mu_peak = l->mu_peak;
-    c->mu_peak_error = (m.x + m.y) * (hardest ? rounding : place) +
-                       l->mu_error +
-                       TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(l->mu_peak);
-    if (!hardest)
-        c->mu_peak_error += (m.x + m.y) * least;
+    c->v_peak_error = c->v_peak * (layer_peak_error(&l->x) +
+                                   (fastest ? TOL_ROUNDING : least));
+    c->mu_peak = l->mu.value;
+    c->mu_peak_error = (m.x + m.y) * (hardest ? rounding : least) +
+                       (hardest ? 0.0 : layer_peak_error(&l->mu)) +
+                       TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(l->mu.value);
 }
 
 /* The largest error of those asked for, relative. */

@@ -32,6 +32,12 @@ struct layer_options {
                      slip are then negative inside a box */
 };
 
+/* The largest value of an orbit: that of a point known to within `error`; all
+ * others are at most `most`. */
+struct layer_peak {
+    double value, error, most;
+};
+
 /* Values as of struct cell; errors absolute. */
 struct layer {
     enum layer_end end;
@@ -47,10 +53,9 @@ struct layer {
      * point is, and `more` its slip beyond that of y, with way_slip_error */
     bool is_near;
     double y_error, more;
-    double x_peak, mu_peak;   /* with the error of a point of the orbit: */
-    double place_error;       /* in ln v and ln psi */
-    double x_error, mu_error; /* more, of one of them alone */
-    bool falls[2];            /* ln v and mu do at the start */
+    struct layer_peak x, mu; /* of ln(v/v0) and friction */
+    double place_error;      /* of a point of the orbit, in ln v and ln psi */
+    bool falls[2];           /* ln v and mu do at the start */
     double mu_next; /* the largest mu at an end of a step, but for the start */
     size_t steps, calls;
 };

@@ -9,6 +9,7 @@
 #include "landing_near.h"
 #include "landing_rest.h"
 #include "landing_weigh.h"
+#include "layer_peaks.h"
 #include "slider.h"
 #include "slow_tolerance.h"
 
@@ -44,10 +45,10 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
         .u = { z.x, z.y, 0.0, 0.0 },
         .out = out,
     };
-    *out = (struct layer){ .end = LAYER_LOST, .x_peak = z.x, .y = NAN };
+    *out = (struct layer){ LAYER_LOST, .x = { z.x, 0.0, z.x }, .y = NAN };
     l->start = l->across = slider_rounding(c->slider, z);
     if (options->peaks)
-        l->mu = out->mu_peak = block_mu(&c->slider->block, z);
+        l->mu = out->mu.value = out->mu.most = block_mu(&c->slider->block, z);
     choose_least(l, least);
 }
 
@@ -200,10 +201,11 @@ static bool project(const struct landing *l, double *y, struct slow_point *p,
     return true;
 }
 
-/* Whether friction rises from z on along dz. */
-static bool mu_rises(const struct landing *l, struct vec2 z, struct vec2 dz)
+/* Whether friction rises from here on. */
+static bool mu_rises(const struct landing *l)
 {
     const struct block *b = &l->curve->slider->block;
+    const struct vec2 z = landing_place(l), dz = landing_way(l);
     const struct vec2 ahead = { z.x + TOL_ASIDE * dz.x,
                                 z.y + TOL_ASIDE * dz.y };
 
@@ -212,30 +214,35 @@ static bool mu_rises(const struct landing *l, struct vec2 z, struct vec2 dz)
 
 /* The largest friction to come, which is the curve's but for *aside.  What sets
  * friction here apart from that on the curve only decays: where friction falls
- * by now, and along the curve, there is none to come. */
+ * by now, and along the curve, there is none to come; and of a peak beyond the
+ * next knot, higher than all before it can be, only what is left by then. */
 static double mu_to_come(const struct landing *l, const struct slow_point *p,
                          double y, double *aside)
 {
     const struct block *b = &l->curve->slider->block;
-    const struct vec2 on = { p->x, y }, z = landing_place(l);
-    const double mu = block_mu(b, on);
+    const double mu = block_mu(b, (struct vec2){ p->x, y });
     const bool is_ahead = (p->mu_y - y) * p->time_slope < 0.0;
-    const double most = fmax(is_ahead ? fmax(mu, p->mu_near) : mu, p->mu_peak);
+    const double near = is_ahead ? fmax(mu, p->mu_near) : mu;
+    const double apart = fabs(mu - block_mu(b, landing_place(l)));
+    const double wide = 2.0 * apart + TOL_LAYER_TRANSPORT * l->across *
+                                          (b->steep.x + b->steep.y);
 
-    *aside = 0.0;
-    if (most == mu && !mu_rises(l, z, landing_way(l)))
-        return -HUGE_VAL;
-    *aside = 2.0 * fabs(mu - block_mu(b, z));
-    if (most + *aside <= l->out->mu_peak)
-        *aside = 0.0;
-    return most;
+    *aside = near + wide < p->mu_peak
+                 ? TOL_LAYER_FORGET * apart * exp(-p->mu_folds)
+                 : wide;
+    return near == mu && !(p->mu_peak > mu) && !mu_rises(l)
+               ? -HUGE_VAL
+               : fmax(near, p->mu_peak);
 }
 
-/* How much faster the block may still become: as fast as on the curve at the
- * most, where that leads down from here. */
-static double x_below(const struct layer *out, const struct slow_point *p)
+/* How much faster the block may become than is known: as fast as on the curve,
+ * where that leads down from here; else by what is left beside its peak. */
+static double x_below(const struct layer *out, const struct slow_point *p,
+                      double off)
 {
-    return p->x_peak > p->x ? 0.0 : fmax(p->x - out->x_peak, 0.0);
+    return p->x_peak > p->x
+               ? TOL_LAYER_FORGET * fabs(off * p->fibre.x) * exp(-p->x_folds)
+               : fmax(p->x - out->x.value, 0.0);
 }
 
 /* The peaks to come.  False: nearer to the curve they would be known better. */
@@ -245,21 +252,18 @@ static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
     struct layer *const out = l->out;
     double aside;
     const double most = mu_to_come(l, p, y, &aside);
-    const double allowed = TOL_SHARE * l->options.promise * fabs(out->mu_peak);
-    const double below = x_below(out, p);
-    const double much =
-        fmax(aside / allowed, below / (TOL_SHARE * l->options.promise));
+    const double part = TOL_SHARE * l->options.promise;
+    const double below = x_below(out, p, off);
+    const double unsure = most + aside > out->mu.value ? aside : 0.0;
+    const double much = fmax(unsure / fabs(out->mu.value), below) / part;
 
     *excess = fmax(*excess, much);
     if (much > 1.0 && fabs(off) > TOL_LAYER_MU_TOUCH)
         return false;
-    out->x_peak = fmax(out->x_peak, fmax(p->x, p->x_peak));
-    out->x_error += below;
-    if (most + p->mu_error > out->mu_peak)
-        out->mu_error += p->mu_error;
-    out->mu_peak = fmax(out->mu_peak, most);
+    layer_peak_raise(&out->x, p->x, below + TOL_LAYER_TRANSPORT * l->across);
+    layer_peak_raise(&out->x, p->x_peak, below);
+    layer_peak_raise(&out->mu, most, aside + p->mu_error);
     out->mu_next = fmax(out->mu_next, most);
-    out->mu_error += aside;
     return true;
 }
 

@@ -307,7 +307,8 @@ static void of_lane(const lanes from[], int l, double to[])
 }
 
 /* The peaks on lane l's step, which is good. */
-static void find_peaks(struct bundle *b, int l, const struct steps *m)
+static void find_peaks(struct bundle *b, int l, const struct steps *m,
+                       double across)
 {
     struct explicit8 stages;
     double u1[LAYER_DIM], du1[LAYER_DIM];
@@ -317,7 +318,7 @@ static void find_peaks(struct bundle *b, int l, const struct steps *m)
         of_lane(b->k[j], l, stages.k[j]);
     of_lane(b->u, l, u1);
     of_lane(b->k[0], l, du1);
-    layer_peaks_step(&b->at[l], b->h[l], &stages, u1, du1);
+    layer_peaks_step(&b->at[l], b->h[l], across, &stages, u1, du1);
 }
 
 /* Keeps what lane l's step was. */
@@ -326,12 +327,14 @@ static void keep(struct bundle *b, int l, const struct steps *m)
     struct landing *at = &b->at[l];
     struct landing_step *to = &at->step[at->out->steps++];
 
-    at->across = m->left[l] * at->across + m->most[l] + m->digits[l];
+    const double before = at->across, missed = m->most[l] + m->digits[l];
+
+    at->across = m->left[l] * before + missed;
     at->time_error += m->rounds[0][l];
     at->slip_error += m->rounds[1][l];
     at->out->place_error += m->place[l];
     if (at->options.peaks)
-        find_peaks(b, l, m);
+        find_peaks(b, l, m, fmax(m->left[l], 1.0) * before + missed);
     *to = (struct landing_step){
         .digits = m->digits[l],
         .left = m->left[l],

@@ -74,12 +74,12 @@ static bool is_rising(const struct arc *a, const double u[], const double du[])
     return at_point(a, ahead) > at_point(a, u);
 }
 
-/* The largest value on the step to u1, if above what is known already; *doubt:
- * what it may lack.  At corners polynomials are worse than steps: a shorter
- * step to their peak tells, and on which side of it to look again. */
-static double top_of(const struct landing *l, double h,
+/* The largest value on the step to u1, whose places err by as much as `error`
+ * of it.  At corners polynomials are worse than steps: a shorter step to their
+ * peak tells, and on which side of it to look again. */
+static void raise_on(const struct landing *l, double h,
                      const struct explicit8 *stages, point_value *value,
-                     const double u1[], double known, double *doubt)
+                     const double u1[], double error_of, struct layer_peak *p)
 {
     const struct slider *slider = l->curve->slider;
     const struct ode ode = { LAYER_DIM, along, slider };
@@ -87,23 +87,23 @@ static double top_of(const struct landing *l, double h,
     struct explicit8 work = *stages;
     struct arc a = { &slider->block, value, { 0.0 } };
     double u[LAYER_DIM], end[LAYER_DIM], mid[LAYER_DIM], error[LAYER_DIM];
-    double t, best = fmax(known, at_point(&a, u1));
+    double t, doubt = 0.0, seen = at_point(&a, u1);
 
-    *doubt = 0.0;
     memcpy(u, l->u, sizeof u);
     memcpy(end, u1, sizeof end);
     for (int i = 0; i < TOL_ITERATIONS; i++) {
         explicit8_dense(&work, &ode, 0.0, u, h, end, a.coef);
         const double top = crest_of(on_arc, &a, &t);
-        if (!(top > best)) {
-            *doubt = 0.0;
+        if (!(top > fmax(p->value, seen))) {
+            layer_peak_raise(p, top, error_of);
+            doubt = 0.0;
             break;
         }
         explicit8_try(&work, &ode, 0.0, u, t * h, atol, tol, mid, error);
         const double here = at_point(&a, mid);
-        best = fmax(best, here);
-        *doubt = fabs(here - top);
-        if (*doubt <= tol)
+        seen = fmax(seen, here);
+        doubt = fabs(here - top);
+        if (doubt <= tol)
             break;
         along(slider, 0.0, mid, work.k[LAST]);
         if (is_rising(&a, mid, work.k[LAST])) {
@@ -116,7 +116,7 @@ static double top_of(const struct landing *l, double h,
             h *= t;
         }
     }
-    return best;
+    layer_peak_raise(p, seen, error_of + doubt);
 }
 
 /* The most that friction, from mu0 to mu1, can be on an arc of length h: it
@@ -137,26 +137,38 @@ void layer_peaks_start(struct landing *l)
     l->out->mu_next = -HUGE_VAL;
 }
 
+void layer_peak_raise(struct layer_peak *p, double value, double error)
+{
+    if (value > p->value) {
+        p->value = value;
+        p->error = error;
+    }
+    p->most = fmax(p->most, value + error);
+}
+
+double layer_peak_error(const struct layer_peak *p)
+{
+    return fmax(p->error, p->most - p->value);
+}
+
 /* v has a peak where it rises at first and falls at last, mu may have one
  * anywhere. */
-void layer_peaks_step(struct landing *l, double h,
+void layer_peaks_step(struct landing *l, double h, double across,
                       const struct explicit8 *stages, const double u1[],
                       const double du1[])
 {
     const struct block *block = &l->curve->slider->block;
     struct layer *const out = l->out;
     const double mu0 = l->mu;
-    double doubt;
+    const double x_error = TOL_LAYER_TRANSPORT * across;
+    const double mu_error = (block->steep.x + block->steep.y) * x_error;
 
     l->mu = block_mu(block, (struct vec2){ u1[LAYER_X], u1[LAYER_Y] });
-    out->x_peak = fmax(out->x_peak, u1[LAYER_X]);
+    layer_peak_raise(&out->x, u1[LAYER_X], x_error);
     out->mu_next = fmax(out->mu_next, l->mu);
-    if (l->du[LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0) {
-        out->x_peak = top_of(l, h, stages, x_of, u1, out->x_peak, &doubt);
-        out->place_error += doubt;
-    }
-    if (most_on(block, mu0, l->mu, h) > out->mu_peak) {
-        out->mu_peak = top_of(l, h, stages, mu_of, u1, out->mu_peak, &doubt);
-        out->mu_error = fmax(out->mu_error, doubt);
-    }
+    layer_peak_raise(&out->mu, l->mu, mu_error);
+    if (l->du[LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0)
+        raise_on(l, h, stages, x_of, u1, x_error, &out->x);
+    if (most_on(block, mu0, l->mu, h) > out->mu.most)
+        raise_on(l, h, stages, mu_of, u1, mu_error, &out->mu);
 }

@@ -296,10 +296,10 @@ static void compare_bars(const struct orbit *o, struct slow_branch *b)
     }
 }
 
-/* From each step's to all to come, and the peaks to come. */
+/* From each step's to all to come. */
 static void look_back(struct slow_branch *b)
 {
-    double time = 0.0, slip = 0.0, x_peak = -HUGE_VAL, mu_peak = -HUGE_VAL;
+    double time = 0.0, slip = 0.0;
 
     for (size_t i = b->count; i-- > 0;) {
         struct slow_knot *k = &b->knot[i];
@@ -308,9 +308,6 @@ static void look_back(struct slow_branch *b)
         k->slip[0] = slip;
         k->time_bar += TOL_ROUNDINGS_MANY * DBL_EPSILON * time;
         k->slip_bar += TOL_ROUNDINGS_MANY * DBL_EPSILON * slip;
-        k->x_peak = x_peak = fmax(x_peak, k->x);
-        k->mu_peak = mu_peak;
-        mu_peak = fmax(mu_peak, k->mu);
         time += dt;
         slip += dx;
     }

@@ -127,6 +127,29 @@ static double mu_near(const void *ctx, double theta)
                     (struct vec2){ saddle_series_x(c->near, y, &ignored), y });
 }
 
+/* The peaks to come, and what settles on the way to them. */
+static void look_for_peaks(struct slow_branch *b)
+{
+    double x = -HUGE_VAL, mu = -HUGE_VAL, to_x = 0.0, to_mu = 0.0;
+
+    for (size_t i = b->count; i-- > 0;) {
+        struct slow_knot *k = &b->knot[i];
+        const double folds =
+            i > 0 ? -k->time[0] * fmin(k[-1].fast, k->fast) : 0.0;
+        if (k->x > x) {
+            x = k->x;
+            to_x = 0.0;
+        }
+        k->x_peak = x;
+        k->x_folds = to_x;
+        k->mu_peak = mu;
+        k->mu_folds = to_mu;
+        to_x += folds;
+        to_mu = k->mu > mu ? 0.0 : to_mu + folds;
+        mu = fmax(mu, k->mu);
+    }
+}
+
 void slow_fit_frictions(const struct slider *s, struct slow_branch *b)
 {
     struct slow_knot *const k = b->knot;
@@ -145,6 +168,7 @@ void slow_fit_frictions(const struct slider *s, struct slow_branch *b)
             k[i].mu_y = c.from->y + at * (c.to->y - c.from->y);
         }
     }
+    look_for_peaks(b);
 }
 
 /* Of the largest friction to come, by that of each interval that may hold it.

@@ -11,9 +11,9 @@
  * a knot are still what its step gained, negative. */
 void slow_fit_smooth(struct slow_branch *b);
 
-/* The largest friction on the way to each knot.  Where steps are short the
- * curve is better than what they say between their ends, off it, where friction
- * balances gravity. */
+/* The largest friction on the way to each knot, and the peaks to come.  Where
+ * steps are short the curve is better than what they say between their ends,
+ * off it, where friction balances gravity. */
 void slow_fit_frictions(const struct slider *s, struct slow_branch *b);
 
 /* Errors of the intervals, by what polynomials over two steps miss: of time and

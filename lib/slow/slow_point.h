@@ -21,6 +21,7 @@ struct slow_point {
     double x_end, x_end_error;     /* at arrest; -HUGE_VAL at rest */
     double end_slope;              /* time_slope there; 0 at rest */
     double x_peak, mu_peak;        /* largest from some later point on */
+    double x_folds, mu_folds;      /* integrals of fast from there to them */
     double mu_near, mu_y; /* largest on the interval around it; where */
     double mu_error;      /* of both */
 };

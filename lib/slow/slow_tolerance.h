@@ -50,7 +50,8 @@
  * landing's distance and none below TOL_TOUCH; the least error that tells
  * anything on the next step. Bars: what the fibre's curvature and the slow
  * rates change of what it corrects (measured: errors are 0.5 of that at most,
- * half of them 0.1), and of places of peaks. */
+ * half of them 0.1), and how far off an orbit its peaks are, of what is known
+ * of it at the ends of a step (a corner of the orbit is within one). */
 #define TOL_LAYER_CLOSER    0.01
 #define TOL_LAYER_FORGET    4.0
 #define TOL_LAYER_STEPS     500

@@ -136,7 +136,7 @@ static void check_whole(const char *law, const char *alpha, uint64_t *seed)
     CHECK(wide <= N / 10, "%s at %s: %d bars too wide", law, alpha, wide);
     const size_t tops =
         find(&p, z, N, 1e-6, 1u << CELL_V_PEAK | 1u << CELL_MU_PEAK, c);
-    CHECK(tops <= N / 20, "%s at %s: %zu whole orbits for peaks", law, alpha,
+    CHECK(tops <= N / 30, "%s at %s: %zu whole orbits for peaks", law, alpha,
           tops);
     drop(&p);
 }
