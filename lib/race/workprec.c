@@ -66,7 +66,7 @@ struct rules {
 
 static struct rules rules_of(bool quick)
 {
-    struct rules r = { .rungs = quick ? 4 : 11,
+    struct rules r = { .rungs = quick ? 4 : 12,
                        .cells = quick ? 1 : WORKPREC_CELLS_MOST,
                        .sample = quick ? 3 : 12,
                        .calls = quick ? WORKPREC_CALLS_QUICK : WORKPREC_CALLS,
@@ -74,7 +74,8 @@ static struct rules rules_of(bool quick)
                            quick ? WORKPREC_SECONDS_QUICK : WORKPREC_SECONDS };
 
     for (size_t i = 0; i < r.rungs; i++)
-        r.rtol[i] = pow(10.0, -3.0 - (quick ? 3.0 : 1.0) * (double) i);
+        r.rtol[i] =
+            pow(10.0, quick ? -3.0 - 3.0 * (double) i : -2.0 - (double) i);
     return r;
 }
 
