@@ -69,8 +69,8 @@ struct reading {
     struct fault *why;
 };
 
-/* The node, defined under the name; 0 after a failure. */
-static int define(struct reading *r, const char *name, const char *text)
+/* The node; 0 after a failure. */
+static int read_as(struct reading *r, const char *name, const char *text)
 {
     int node = 0;
 
@@ -78,7 +78,15 @@ static int define(struct reading *r, const char *name, const char *text)
         return 0;
     *r->name = name;
     r->status = formula_parse(r->f, text, &node, r->why);
-    if (r->status == STATUS_OK)
+    return node;
+}
+
+/* And defined under the name. */
+static int define(struct reading *r, const char *name, const char *text)
+{
+    const int node = read_as(r, name, text);
+
+    if (r->status == STATUS_OK && text)
         formula_define(r->f, name, node);
     return node;
 }
@@ -92,13 +100,13 @@ static void anchor(struct reading *r, const struct law *law,
 
     p->chart[0] = formula_find(f, "lnv0", 4);
     p->at[0] = formula_of(f, FUNCTION_EXP, p->chart[0]);
-    formula_define(f, "v0", p->at[0]);
+    formula_name(f, p->at[0], "v0");
     formula_define(f, "v", p->at[0]);
     const int y0 = formula_find(f, "y0", 2);
-    const int psi0 = psi_ss                ? define(r, "psi0", psi_ss)
+    const int psi0 = psi_ss                ? read_as(r, "psi_ss", psi_ss)
                      : law_psi_is_log(law) ? y0
                                            : formula_of(f, FUNCTION_EXP, y0);
-    *r->name = "psi_ss";
+    formula_name(f, psi0, "psi0");
     if (r->status == STATUS_OK && f->node[psi0].moves) {
         snprintf(r->why->text, sizeof r->why->text,
                  "psi stands in it, expected a formula of v");
@@ -132,9 +140,11 @@ static void name_plane(struct reading *r, const struct law *law,
 /* In the order of enum block_observable (block.h). */
 static void observe(struct reading *r, struct plane_formulas *p)
 {
-    p->observable[0] = define(r, "slip", "v");
-    p->observable[1] = define(r, "work", "mu*v");
-    p->observable[2] = define(r, "excess", "v - v0");
+    const int v = p->state[0];
+
+    p->observable[0] = v;
+    p->observable[1] = formula_times(r->f, p->value[0], v);
+    p->observable[2] = formula_less(r->f, v, p->at[0]);
     p->observables = 3;
 }
 

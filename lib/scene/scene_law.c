@@ -64,9 +64,8 @@ bool scene_law_may_own(const char *path)
 static bool is_name(const char *text)
 {
     static const char *const taken[] = {
-        "v",    "psi", "v0",   "psi0",      "theta",  "psi_ss", "d",
-        "T",    "K",   "mu",   "tan_alpha", "eps2",   "lnv0",   "dv",
-        "dpsi", "pi",  "slip", "work",      "excess", "y0",
+        "v",         "psi",  "theta", "psi_ss", "d",    "T",  "K",  "mu",
+        "tan_alpha", "eps2", "lnv0",  "dv",     "dpsi", "pi", "y0",
     };
 
     for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)

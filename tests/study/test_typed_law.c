@@ -92,29 +92,32 @@ static void a_preset_by_its_rate_alone_gives_its_numbers(void **state)
 
 /* ---- what no preset says ------------------------------------------------- */
 
-/* theta = ln psi with a velocity cut-off under the state, v_0 its own: the
- * extrema of mu_ss where a/v = b/(v + v_0). */
+/* theta = ln psi with a velocity cut-off under the state, v0 its own, and
+ * names that the program uses within: the extrema of mu_ss where a/v = b/(v +
+ * v0). */
 static void a_law_with_names_of_its_own_has_its_folds(void **state)
 {
     static struct study study;
     struct fault why;
     struct scene s = scene_made(
-        "law: {theta: ln(psi), psi_ss: 1/v + 1/v_0, T: 1/v, K: d}\n"
-        "material: {a: 0.03, b: 0.04, v_0: 50}\nslope: {alpha: 0.34}\n"
+        "law: {theta: ln(psi), psi_ss: slip/v + work/v0, T: psi0/v, K: d}\n"
+        "material: {a: 0.03, b: 0.04, slip: 1, work: 1, psi0: 1, v0: 50}"
+        "\nslope: {alpha: 0.34}\n"
         "products: [folds]\n",
         "");
 
     (void) state;
     struct scene set = scene_made(
-        "law: {theta: ln(psi), psi_ss: 1/v + 1/v_0, T: 1/v, K: d}\n"
-        "material: {a: 0.03, b: 0.04, v_0: 7}\nslope: {alpha: 0.34}\n"
+        "law: {theta: ln(psi), psi_ss: slip/v + work/v0, T: psi0/v, K: d}\n"
+        "material: {a: 0.03, b: 0.04, slip: 1, work: 1, psi0: 1, v0: 7}"
+        "\nslope: {alpha: 0.34}\n"
         "products: [folds]\n",
-        "material.v_0=50\n");
+        "material.v0=50\n");
     assert_true(scene_same(&s, &set));
     scene_free(&set);
-    assert_int_equal(s.typed->owns, 1);
+    assert_int_equal(s.typed->owns, 4);
     assert_int_equal(study_run(&study, &s, NULL, &why), STATUS_OK);
-    /* b v_0/(v + v_0) = a at v = v_0 (b - a)/a */
+    /* b v0/(v + v0) = a at v = v0 (b - a)/a */
     const double v = 50 * (0.04 - 0.03) / 0.03;
     const struct quantity *found = &study.folds.v_m;
     CHECK(fabs(found->value - v) <= found->error + 1e-15 * v &&
