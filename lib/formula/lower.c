@@ -193,8 +193,9 @@ static struct linear plain_sinh(struct lowering *L, int argument)
     return out;
 }
 
-/* As lower_plain; a constant that is not the value at the anchor is not taken
- * apart from the rest, with which it may all but vanish. */
+/* As lower_plain, of what is multiplied or called with: a constant that is not
+ * the value at the anchor is not taken apart from the rest, with which it may
+ * all but vanish. */
 static struct linear factor(struct lowering *L, int i)
 {
     const struct linear u = lower_plain(L, i);
@@ -216,27 +217,30 @@ static struct linear plain_power(struct lowering *L, int i,
     return linear_power(&L->s, &u, (int) p);
 }
 
-/* sin(u0 + du) - sin u0, or of the cosine: value and slope at u0 */
-static struct linear plain_sin(struct lowering *L, const struct formula_node *n)
+/* f(u0 + du) - f(u0) by a step of its own; 0: it has none */
+static const enum step_kind step_of[FUNCTIONS] = {
+    [FUNCTION_SIN] = STEP_SIN,   [FUNCTION_COS] = STEP_SIN,
+    [FUNCTION_COSH] = STEP_COSH, [FUNCTION_TAN] = STEP_TAN,
+    [FUNCTION_TANH] = STEP_TANH, [FUNCTION_ASIN] = STEP_ASIN,
+    [FUNCTION_ATAN] = STEP_ATAN, [FUNCTION_ASINH] = STEP_ASINH,
+};
+
+/* Of the sine and the cosine: value and slope at u0. */
+static struct linear by_step(struct lowering *L, enum formula_function function,
+                             const struct linear *u)
 {
-    const struct linear u = lower_plain(L, n->of[0]);
-    const int sine = formula_of(L->s.f, FUNCTION_SIN, u.constant),
-              cosine = formula_of(L->s.f, FUNCTION_COS, u.constant);
+    struct formula *f = L->s.f;
+    const int there = formula_of(f, function, u->constant);
 
-    return n->function == FUNCTION_SIN
-               ? linear_function(&L->s, STEP_SIN, &u, sine, cosine, sine)
-               : linear_function(&L->s, STEP_SIN, &u, cosine,
-                                 formula_less(L->s.f, 0, sine), cosine);
-}
-
-/* f(u0 + du) - f(u0) by a step of its own */
-static struct linear plain_change(struct lowering *L, enum step_kind kind,
-                                  const struct formula_node *n)
-{
-    const struct linear u = lower_plain(L, n->of[0]);
-
-    return linear_function(&L->s, kind, &u, u.constant, 0,
-                           formula_of(L->s.f, n->function, u.constant));
+    if (function == FUNCTION_SIN)
+        return linear_function(&L->s, STEP_SIN, u, there,
+                               formula_of(f, FUNCTION_COS, u->constant), there);
+    if (function == FUNCTION_COS)
+        return linear_function(
+            &L->s, STEP_SIN, u, there,
+            formula_less(f, 0, formula_of(f, FUNCTION_SIN, u->constant)),
+            there);
+    return linear_function(&L->s, step_of[function], u, u->constant, 0, there);
 }
 
 static struct linear plain_call(struct lowering *L, int i,
@@ -245,10 +249,6 @@ static struct linear plain_call(struct lowering *L, int i,
     switch (n->function) {
         case FUNCTION_LN:
             return lower_log(L, n->of[0]);
-        case FUNCTION_ASINH:
-            return L->s.f->node[n->of[0]].natural
-                       ? plain_asinh(L, n->of[0])
-                       : plain_change(L, STEP_ASINH, n);
         case FUNCTION_SINH:
             return plain_sinh(L, n->of[0]);
         case FUNCTION_POWER:
@@ -256,22 +256,15 @@ static struct linear plain_call(struct lowering *L, int i,
         case FUNCTION_EXP:
         case FUNCTION_SQRT:
             return growth(L, i);
-        case FUNCTION_SIN:
-        case FUNCTION_COS:
-            return plain_sin(L, n);
-        case FUNCTION_COSH:
-            return plain_change(L, STEP_COSH, n);
-        case FUNCTION_TAN:
-            return plain_change(L, STEP_TAN, n);
-        case FUNCTION_TANH:
-            return plain_change(L, STEP_TANH, n);
-        case FUNCTION_ASIN:
-            return plain_change(L, STEP_ASIN, n);
-        case FUNCTION_ATAN:
-            return plain_change(L, STEP_ATAN, n);
         default:
-            return linear_fail(&L->s, "lambert is for parameters only");
+            break;
     }
+    if (n->function == FUNCTION_ASINH && L->s.f->node[n->of[0]].natural)
+        return plain_asinh(L, n->of[0]);
+    if (!step_of[n->function])
+        return linear_fail(&L->s, "lambert is for parameters only");
+    const struct linear u = factor(L, n->of[0]);
+    return by_step(L, n->function, &u);
 }
 
 static struct linear plain_of(struct lowering *L, int i,
@@ -332,9 +325,11 @@ static struct linear make_whole(struct lowering *L, int i)
 {
     const struct formula_node n = L->s.f->node[i];
 
-    if (n.kind == FORMULA_CALL)
+    if (n.kind == FORMULA_CALL && !step_of[n.function])
         return lower_plain(L, i);
     struct linear u = whole(L, n.of[0]);
+    if (n.kind == FORMULA_CALL)
+        return by_step(L, n.function, &u);
     const struct linear w = whole(L, n.of[1]);
     if (n.kind == FORMULA_TIMES)
         return linear_product(&L->s, &u, &w);
