@@ -326,7 +326,6 @@ static void keep(struct bundle *b, int l, const struct steps *m)
 {
     struct landing *at = &b->at[l];
     struct landing_step *to = &at->step[at->out->steps++];
-
     const double before = at->across, missed = m->most[l] + m->digits[l];
 
     at->across = m->left[l] * before + missed;
@@ -348,25 +347,21 @@ static void keep(struct bundle *b, int l, const struct steps *m)
     }
 }
 
-/* A step into a box of arrest is taken again, or it sees peaks beyond. */
-static void retreat(struct bundle *b, int l, struct steps *m)
+/* To where the steps that are good end; one into a box of arrest is taken
+ * again. */
+static void go_on(struct bundle *b, struct steps *m)
 {
     double u1[LAYER_DIM];
 
-    of_lane(b->u1, l, u1);
-    if (m->good[l] > 0.0 && landing_is_past(&b->at[l], u1)) {
-        m->good[l] = b->fresh[l] = 0.0;
-        m->factor[l] = TOL_ORBIT_RETREAT;
-    }
-}
-
-/* To where the steps that are good end. */
-static void go_on(struct bundle *b, struct steps *m)
-{
     m->good = judge(b, finish(b), &m->factor);
-    for (int l = 0; l < LANES; l++)
-        if (b->busy[l] && b->at[l].options.peaks)
-            retreat(b, l, m);
+    for (int l = 0; l < LANES; l++) {
+        of_lane(b->u1, l, u1);
+        if (b->busy[l] && b->at[l].options.peaks && m->good[l] > 0.0 &&
+            landing_is_past(&b->at[l], u1)) { /* it would see peaks beyond */
+            m->good[l] = b->fresh[l] = 0.0;
+            m->factor[l] = TOL_ORBIT_RETREAT;
+        }
+    }
     for (int i = 0; i < 2; i++)
         m->gained[i] = lanes_size(b->u1[LAYER_TIME + i] - b->u[LAYER_TIME + i]);
     for (int i = 0; i < LAYER_DIM; i++)
