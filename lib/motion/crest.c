@@ -51,8 +51,12 @@ double crest_of(double (*value)(const void *ctx, double t), const void *ctx,
         where = here > best ? i * stride : where;
         best = fmax(best, here);
     }
-    const double top = between(value, ctx, fmax(where - stride, 0.0),
-                               fmin(where + stride, 1.0), TOL_ROOT, &nearer);
+    /* an end that is approached uphill is the only maximum beside it */
+    const double inside = fmin(fmax(where, TOL_ROOT), 1.0 - TOL_ROOT);
+    double top = value(ctx, inside);
+    if (inside == where || !(top < best))
+        top = between(value, ctx, fmax(where - stride, 0.0),
+                      fmin(where + stride, 1.0), TOL_ROOT, &nearer);
     if (at)
         *at = top > best ? nearer : where;
     return fmax(best, top);

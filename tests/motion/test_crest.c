@@ -24,6 +24,22 @@ static void a_maximum_anywhere_is_found(void **state)
     }
 }
 
+static double counted(const void *ctx, double t)
+{
+    ++**(int *const *) ctx;
+    return exp(t);
+}
+
+static void an_end_that_is_approached_uphill_takes_few_looks(void **state)
+{
+    int looks = 0, *const count = &looks;
+    double where;
+
+    (void) state;
+    assert_true(crest_of(counted, &count, &where) == exp(1.0) && where == 1.0);
+    CHECK(looks <= 10, "%d", looks);
+}
+
 static double two_hills(const void *ctx, double t)
 {
     (void) ctx;
@@ -43,6 +59,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_maximum_anywhere_is_found),
+        cmocka_unit_test(an_end_that_is_approached_uphill_takes_few_looks),
         cmocka_unit_test(of_two_the_higher_is_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
