@@ -417,7 +417,7 @@ static int value_of_call(struct lowering *L, int i,
             return formula_of(f, FUNCTION_EXP,
                               lower_plain(L, n->of[0]).constant);
         default:
-            return lower_plain(L, i).constant;
+            return whole(L, i).constant;
     }
 }
 

@@ -1,6 +1,8 @@
 /* The functions of number_tape.h, for TAPE_SCALAR, TAPE_CONSTANT, TAPE_KIND and
  * FN; CONSTANT_FN(f) is f for constants. */
 
+#include <float.h>
+
 #include "change.h"
 
 /* ---- constants ----------------------------------------------------------- */
@@ -64,6 +66,20 @@ static void TAPE_KIND(need_parts)(const struct tape *t, bool needed[])
 
 /* ---- making -------------------------------------------------------------- */
 
+/* k (e^u - e^(w + q)) as -k e^q (e^w - e^(u - q)) where k has no digits. */
+static void TAPE_KIND(turn)(struct TAPE_KIND(tape_entry) * e, TAPE_CONSTANT k,
+                            TAPE_CONSTANT q)
+{
+    const struct TAPE_KIND(tape_entry) old = *e;
+
+    if (!(old.k < DBL_MIN && old.k > -DBL_MIN && old.q > 0))
+        return;
+    e->a = old.b;
+    e->b = old.a;
+    e->k = (TAPE_SCALAR) (-k * CONSTANT_FN(exp)(q));
+    e->q = -old.q;
+}
+
 static void TAPE_KIND(step_at)(struct TAPE_KIND(making) * m,
                                const struct step *s)
 {
@@ -78,6 +94,8 @@ static void TAPE_KIND(step_at)(struct TAPE_KIND(making) * m,
         (TAPE_SCALAR) (s->kind == STEP_FRICTION ? 4 * CONSTANT_FN(exp)(-2 * k)
                        : s->kind == STEP_TAN    ? CONSTANT_FN(sin)(k)
                                                 : m->constant[s->q]);
+    if (s->kind == STEP_APART)
+        TAPE_KIND(turn)(out, k, m->constant[s->q]);
     TAPE_KIND(linear_at)(m, &s->form, &out->form);
 }
 
