@@ -10,6 +10,16 @@ static const struct {
     struct vec2 z;
     const char *once; /* what was wrong */
 } found[] = {
+    { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+        KINETICS_SINH, 0.369, 0.0349, 0.0489, 0.001, 100.0, 9e-07, 1e-6, 0.34,
+        1e-6 },
+      { 1.1243132302523475, -1.1176043920215837 },
+      "slip next to the saddle, at the rate of the table's first knot" },
+    { { FRICTION_ASINH, THETA_PSI, PSI_SS_MINUS_LOG, TIMESCALE_SPINODAL,
+        KINETICS_SINH, 0.369, 0.0349, 0.0489, 0.001, 100.0, 9e-07, 1e-6, 0.34,
+        1e-6 },
+      { 0.0, 2.0 },
+      "time to rest, by orbits that followed noise" },
     { { FRICTION_LOG, THETA_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
         KINETICS_SINH, 0.48482161422022907, 0.0014286286554424344,
         0.0015960336171659596, 9.3854707273630734e-05, 33.924940774215052,
