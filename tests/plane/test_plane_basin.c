@@ -284,6 +284,35 @@ static void a_border_that_ends_flat_is_one(void **state)
     plane_end(&s, &c);
 }
 
+/* Some 150 bands that the separatrices of two wells wind between them, more
+ * than there is work for: of those that one orbit alone came to no label is
+ * told, and whoever has one is opposite to the other well's. */
+static void what_no_second_orbit_came_to_has_no_label(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+    int8_t map[16 * 16];
+    int told = 0;
+
+    (void) state;
+    plane_run(&s, &c, "x' = y; y' = x - x^3 - 0.01*y",
+              "window={x: [-2, 2], y: [-2, 2]}\nproducts=[basins]\n"
+              "basins.audit=50\n");
+    assert_true(s.basin.unknown[PLANE_UNKNOWN_WORK]);
+    CHECK(s.basin.elsewhere.undecided.value > 0.3, "%g undecided",
+          s.basin.elsewhere.undecided.value);
+    assert_int_equal(s.basin.disagreements, 0);
+    assert_int_equal(plane_basin_fill(&s, 16, 16, 0, 16, map), STATUS_OK);
+    for (int k = 0; k < 128; k++) {
+        const int8_t here = map[k], there = map[255 - k];
+        const bool both = here < 2 && there < 2;
+        told += both;
+        CHECK(!both || here != there, "cell %d: %d, too", k, here);
+    }
+    CHECK(told > 20, "%d pairs", told);
+    plane_end(&s, &c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -302,6 +331,7 @@ int main(void)
         TEST(what_falls_with_a_power_is_told_no_limit),
         TEST(rows_of_the_map_agree_with_single_states),
         TEST(a_border_that_ends_flat_is_one),
+        TEST(what_no_second_orbit_came_to_has_no_label),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
