@@ -216,15 +216,16 @@ const char *proof_tail_open(struct proof_law *p, const struct proof_place *at)
 }
 
 /* d ln m/dx or d ln m/dy <= the slope of mu over m1, and that of ln mu times
- * mu/m <= 1 + tan(alpha)/m1. */
+ * mu/m <= 1 + max(tan(alpha), 0)/m1. */
 static struct interval rise_of(const struct proof_law *p, const struct strip *s,
                                int by, struct interval m1)
 {
+    const struct interval level = point(fmaxl(p->tan_alpha.hi, 0));
     const struct interval slope = interval_divide(s->mu[by], m1);
     const struct interval rate =
-        times(s->mu_rate[by], add(point(1), interval_divide(p->tan_alpha, m1)));
+        times(s->mu_rate[by], add(point(1), interval_divide(level, m1)));
 
-    return point(fminl(slope.hi, p->tan_alpha.lo > 0 ? rate.hi : HUGE_VALL));
+    return point(fminl(slope.hi, rate.hi));
 }
 
 /* dy/dx = v |g|/(F m), the derivative of whose logarithm by x is at least 1 +

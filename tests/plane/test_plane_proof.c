@@ -6,16 +6,12 @@
 
 #include "formulas.h"
 #include "proof_plane.h"
+#include "proof_short.h"
 #include "spoiled.h"
 
 #define TEST(test)                                                             \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 #define MORE "products=[manifolds]\naccuracy.proved=true\n"
-
-static double uniform(uint64_t *rng, double lo, double hi)
-{
-    return check_uniform(rng, lo, hi);
-}
 
 /* ---- closed forms -------------------------------------------------------- */
 
@@ -60,6 +56,12 @@ static long double axis(const void *ctx, long double x, long double y)
 {
     (void) ctx;
     return x * y;
+}
+
+/* y = x - 0.1, where x is 1e-7 beside 0.1 as decimals. */
+static long double beside(const void *ctx, long double x, long double y)
+{
+    return ctx ? x : fabsl(y) - 1e-7L;
 }
 
 /* v^2 = u^2 - u^3 2/3 + C: a saddle-node's homoclinic loop, outside of it. */
@@ -129,6 +131,9 @@ static void closed_forms_are_in_what_is_proved(void **state)
           4, 0, 1e-13 },
         { "x' = x; y' = -y", "window={x: [-1, 1], y: [-2, 2]}\n" MORE, axis,
           OF_STABLE | OF_UNSTABLE, 4, 0, 1e-300 },
+        { "x' = x - 0.1; y' = 3*(x - 0.1) - 2*y",
+          "window={x: [0.0999999, 0.1000001], y: [-1, 1]}\n" MORE, beside,
+          OF_UNSTABLE, 4, 0, 1e-19 },
         { "x' = y; y' = x + x^2", "window={x: [-0.5, 1], y: [-1, 1]}\n" MORE,
           fish, OF_STABLE | OF_UNSTABLE, 2, 0, 1e-13 },
         { "x' = y; y' = x - x^3 - 0.1*y",
@@ -157,23 +162,42 @@ static void closed_forms_are_in_what_is_proved(void **state)
         check_known(&known[i]);
 }
 
+/* Where it crosses a given line, or why that, or a trap, is not proved. */
+static const char *prove_given(const struct plane_study *s,
+                               const struct plane_branch *b,
+                               const struct proof_goal *goal,
+                               struct interval at[2])
+{
+    const struct plane_rest *r = &s->rest[b->rest];
+    struct proof_plane p;
+    struct proof_branch tube;
+    struct fault why;
+
+    assert_int_equal(
+        proof_plane_at(&p, &s->lowered->way[1][b->kind != MANIFOLD_STABLE],
+                       s->lowered->value, r->exact.chart, &why),
+        STATUS_OK);
+    assert_int_equal(proof_plane_branch(&p, &b->curve, goal, &tube, at),
+                     STATUS_OK);
+    free(tube.piece);
+    free(tube.cell);
+    proof_plane_free(&p);
+    return tube.not_proved;
+}
+
 /* A line that is given: half of y = x sqrt(1 - x^2/2), on the way back to the
  * saddle it comes from. */
 static void duffings_loop_is_proved_at_any_line(void **state)
 {
     struct plane_study s;
     struct scene c;
-    struct fault why;
 
     (void) state;
     plane_run(&s, &c, "x' = y; y' = x - x^3",
               "window={x: [-2, 2], y: [-2, 2]}\n" MORE);
     for (size_t i = 0; i < s.branches; i++) {
         const struct plane_branch *b = &s.branch[i];
-        const struct plane_rest *r = &s.rest[b->rest];
         const double way = b->branch == 0 ? 1 : -1;
-        struct proof_plane p;
-        struct proof_branch tube;
         struct interval at[2];
         struct proof_goal goal = { .axis = 0, .at = { 0.5 * way, 0.5 * way } };
         double z[CURVE_DIM_MAX] = { 0 };
@@ -186,20 +210,48 @@ static void duffings_loop_is_proved_at_any_line(void **state)
             curve_at(&b->curve.curve, goal.piece, goal.theta + h, z);
             goal.theta += fabs(z[0]) < 0.5 ? h : 0;
         }
-        assert_int_equal(
-            proof_plane_at(&p, &s.lowered->way[1][b->kind != MANIFOLD_STABLE],
-                           s.lowered->value, r->exact.chart, &why),
-            STATUS_OK);
-        assert_int_equal(proof_plane_branch(&p, &b->curve, &goal, &tube, at),
-                         STATUS_OK);
-        CHECK(tube.not_proved == NULL, "%s", tube.not_proved);
+        const char *why = prove_given(&s, b, &goal, at);
+        CHECK(why == NULL, "%s", why);
         const long double y =
             (b->kind == MANIFOLD_STABLE ? -way : way) * 0.5L * sqrtl(0.875L);
         CHECK(at[1].lo <= y && y <= at[1].hi && at[1].hi - at[1].lo < 1e-14,
               "[%.20Lg, %.20Lg]", at[1].lo, at[1].hi);
-        free(tube.piece);
-        free(tube.cell);
-        proof_plane_free(&p);
+    }
+    plane_end(&s, &c);
+}
+
+/* One that is nowhere near, and one around where a curve that is off by 1e-6
+ * ends its first piece. */
+static void what_passes_beside_a_trap_does_not_come_into_it(void **state)
+{
+    const struct system_number n = { 0.5, 0.25 };
+    const struct interval u = proof_plane_number(&n);
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    assert_true(u.lo <= 0.25L && 0.75L <= u.hi);
+    plane_run(&s, &c, "x' = y; y' = x - x^3 - y",
+              "window={x: [-2, 2], y: [-2, 2]}\n" MORE);
+    for (size_t i = 0; i < s.branches; i++) {
+        const struct plane_branch *b = &s.branch[i];
+        const size_t dep = (size_t) (1 - branch_graph(&b->curve, 0));
+        const struct curve *curve = &b->curve.curve;
+        struct proof_trap trap = {
+            .xx = 1, .yy = 1, .level = 1e-16, .at = { { 9, 9 }, { 9, 9 } }
+        };
+        const struct proof_goal goal = { .trap = &trap };
+        double z[CURVE_DIM_MAX] = { 0 };
+        struct interval at[2];
+
+        if (b->end_proved == PLANE_TRAPPED)
+            assert_string_equal(prove_given(&s, b, &goal, at),
+                                "it does not come into a trap");
+        curve->coef[dep * (curve->piece[0].degree + 1) + 1] += 1e-6;
+        curve_at(curve, 0, 1, z);
+        trap.at[0] = point(z[0]);
+        trap.at[1] = point(z[1]);
+        assert_non_null(prove_given(&s, b, &goal, at));
     }
     plane_end(&s, &c);
 }
@@ -286,19 +338,38 @@ static void prove_again(struct plane_study *s)
     assert_int_equal(plane_proof_find(s), STATUS_OK);
 }
 
+/* One of its pieces is lost, best one before a turn. */
+static void lose(struct plane_branch *b, uint64_t *rng)
+{
+    struct curve *c = &b->curve.curve;
+
+    if (b->shown < 3)
+        return;
+    size_t i = 1 + check_bits(rng) % (b->shown - 2);
+    for (size_t k = 1; k + 1 < b->shown; k++)
+        if (branch_graph(&b->curve, k) != branch_graph(&b->curve, k + 1))
+            i = k;
+    struct curve_piece *p = c->piece + i;
+    c->count--;
+    memmove(p, p + 1, (c->count - i) * sizeof *p);
+    b->shown--;
+}
+
 /* Curves off by so much; half of them are said to come to another equilibrium
  * than they do. */
 static void check_spoiled(struct plane_study *s, const struct moved *m,
                           double noise, uint64_t *rng, size_t tally[2])
 {
     int64_t to[64];
-    const bool elsewhere = check_bits(rng) % 2;
+    const bool elsewhere = check_bits(rng) % 2, gap = check_bits(rng) % 2;
     const enum spoil kind = (enum spoil)(check_bits(rng) % SPOILS);
 
     for (size_t k = 0; k < s->branches && k < 64; k++) {
         struct plane_branch *b = &s->branch[k];
         to[k] = b->to;
         spoil(&b->curve, kind, noise, rng);
+        if (gap)
+            lose(b, rng);
         if (b->end == PLANE_END_EQUILIBRIUM && elsewhere)
             b->to = (int64_t) (check_bits(rng) % s->rests);
     }
@@ -318,8 +389,7 @@ static void check_spoiled(struct plane_study *s, const struct moved *m,
 
 static void spoiled_curves_prove_nothing_wrong(void **state)
 {
-    const char *asked = getenv("SPOILED");
-    const int runs = asked ? atoi(asked) : 12;
+    const int runs = getenv("SPOILED") ? atoi(getenv("SPOILED")) : 12;
     uint64_t rng = check_seed();
     size_t tally[2] = { 0, 0 };
 
@@ -329,7 +399,8 @@ static void spoiled_curves_prove_nothing_wrong(void **state)
         struct plane_study s;
         struct scene c;
         run_moved(&s, &c, &m, i % 2 == 0);
-        check_spoiled(&s, &m, pow(10, uniform(&rng, -12, -2)), &rng, tally);
+        check_spoiled(&s, &m, pow(10, check_uniform(&rng, -12, -2)), &rng,
+                      tally);
         plane_end(&s, &c);
     }
     print_message("# %zu ends proved along %d systems' spoiled curves, %zu "
@@ -417,6 +488,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(closed_forms_are_in_what_is_proved),
         TEST(duffings_loop_is_proved_at_any_line),
+        TEST(what_passes_beside_a_trap_does_not_come_into_it),
         TEST(random_shears_of_four_saddles_are_proved),
         TEST(spoiled_curves_prove_nothing_wrong),
         TEST(a_bar_beside_what_is_proved_is_told),

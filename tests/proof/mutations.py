@@ -5,10 +5,9 @@
 
 Each line of mutations.tsv is a place of a file and what stands there instead.
 The file is copied, changed and compiled, and the tests of the build folder
-BUILD, whose libraries are up to date, are linked with that and run, the one
-beside it first, then the faster ones, until one fails or takes a minute; two
-lines at a time.  Only lines that have one of the words.  Sources are not
-touched; all of it takes some twenty minutes.
+BUILD that are meant to see it are linked with that and run, until one fails or
+takes a minute; two lines at a time.  Only lines that have one of the words.
+Sources are not touched.
 """
 
 import concurrent.futures
@@ -26,11 +25,14 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-BESIDE = {'proof_cone': ['proof_cone', 'proof_cell'], 'proof_flow': ['proof_cone'],
-          'proof_fold': ['proof_side'], 'proof_root': ['proof_law'],
-          'proof_plane': ['plane_proof'], 'proof_trap': ['plane_proof']}
-TESTS = ['proof_field', 'proof_join', 'proof_cone', 'proof_rest', 'proof_side', 'proof_cell',
-         'proof_law', 'study_proof', 'proof', 'plane_proof', 'proof_end']
+BESIDE = {  # else the test of its own name
+    'interval': ['interval_math', 'proof_field', 'proof_cone', 'proof_cell'],
+    'plane_proof': ['plane_proof'], 'proof_plane': ['plane_proof'],
+    'proof_trap': ['proof_trap', 'plane_proof'], 'proof_cell': ['proof_cell', 'proof'],
+    'proof_flow': ['proof_cone', 'proof_cell'], 'proof_fold': ['proof_side'],
+    'proof_input': ['proof'], 'proof_knee': ['proof_knee', 'proof'], 'proof_law': ['proof_root', 'proof_law'],
+    'proof_numbers': ['proof', 'study_proof'], 'proof': ['proof_rest', 'proof_root', 'proof'],
+}
 
 
 def rows():
@@ -46,8 +48,7 @@ def ninja(build, *args):
 
 def tests_of(file):
     own = pathlib.Path(file).stem
-    first = [t for t in BESIDE.get(own, [own]) if t in TESTS]
-    return first + [t for t in TESTS if t not in first]
+    return BESIDE.get(own.split('_')[0] if own.startswith('interval') else own, [own])
 
 
 def sources_of(build, file):
@@ -85,6 +86,7 @@ def compile_in(build, folder, row):
 
 def limit():
     resource.setrlimit(resource.RLIMIT_CPU, (60, 60))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
 def seen_by(build, links, row):
@@ -97,7 +99,8 @@ def seen_by(build, links, row):
             subprocess.run(args, cwd=build, capture_output=True, check=True)
             run = subprocess.run([f'{folder}/test'], capture_output=True, cwd=ROOT,
                                  preexec_fn=limit,
-                                 env=os.environ | {'SOURCE_ROOT': str(ROOT)})
+                                 env=os.environ | {'SOURCE_ROOT': str(ROOT),
+                                                   'CMOCKA_TEST_ABORT': '1'})
             if run.returncode:
                 return test
     return 'ESCAPES' if objects else 'DOES NOT BUILD'
@@ -109,9 +112,10 @@ def main(build, *words):
     for line, row in wanted:
         if (ROOT / row['file']).read_text(encoding='utf-8').count(row['text']) == 0:
             sys.exit(f'{line}: {row["text"]!r} is not there')
-    ninja(build, *[f'tests/test_{t}' for t in TESTS])
+    tests = {t for _, row in wanted for t in tests_of(row['file'])}
+    ninja(build, *[f'tests/test_{t}' for t in tests])
     links = {t: ninja(build, '-t', 'commands', f'tests/test_{t}').splitlines()[-1]
-             for t in TESTS}
+             for t in tests}
     count = {}
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         found = pool.map(lambda w: seen_by(build, links, w[1]), wanted)

@@ -123,6 +123,10 @@ static void check_bar(const char *row, const char *name,
 
     t->bars++;
     t->holding += lo <= u.lo && u.hi <= hi;
+    if (getenv("SAY") && !(lo <= u.lo && u.hi <= hi))
+        print_message("# %s: %s: the bar of %.17g +- %.17g is not all around "
+                      "[%.17g, %.17g]\n",
+                      row, name, q->value, q->error, u.lo, u.hi);
     CHECK(lo <= u.hi && u.lo <= hi,
           "%s: %s: the bar of %.17g +- %.1e is beside [%.17g, %.17g]", row,
           name, q->value, q->error, u.lo, u.hi);
