@@ -104,19 +104,26 @@ static struct linear make_log(struct lowering *L, int i)
 
 /* ---- themselves ---------------------------------------------------------- */
 
+/* e^u, at the anchor `value` */
+static struct linear grown(struct lowering *L, const struct linear *u,
+                           int value)
+{
+    const struct linear far = linear_grown(&L->s, u);
+
+    if (u->terms == 0)
+        return linear_constant(value);
+    const int b = far.constant == u->constant ? -1 : linear_value(&L->s, &far);
+    return linear_one(&L->s,
+                      linear_step(&L->s, STEP_GROWTH, linear_reg(&L->s, u), b,
+                                  value, u->constant),
+                      value);
+}
+
 static struct linear growth(struct lowering *L, int i)
 {
-    const struct linear u = lower_log(L, i), grown = linear_grown(&L->s, &u);
-    const int value = value_of(L, i);
+    const struct linear u = lower_log(L, i);
 
-    if (u.terms == 0)
-        return linear_constant(value);
-    const int b =
-        grown.constant == u.constant ? -1 : linear_value(&L->s, &grown);
-    return linear_one(&L->s,
-                      linear_step(&L->s, STEP_GROWTH, linear_reg(&L->s, &u), b,
-                                  value, u.constant),
-                      value);
+    return grown(L, &u, value_of(L, i));
 }
 
 static struct linear apart(struct lowering *L, int k, const struct linear *u,
@@ -193,6 +200,25 @@ static struct linear plain_sinh(struct lowering *L, int argument)
     return out;
 }
 
+/* Whether the plain form has differences of two products in it, whose constant
+ * is 0 whatever they are at the anchor. */
+static bool is_away(struct lowering *L, int i)
+{
+    const struct formula_node n = L->s.f->node[i];
+    bool away = false;
+    int less;
+
+    if (!n.moves || n.kind == FORMULA_LEAF)
+        return false;
+    if (L->away[i])
+        return L->away[i] > 1;
+    for (int k = 0; k < (n.kind == FORMULA_CALL ? n.arguments : 2); k++)
+        away = is_away(L, n.of[k]) || away;
+    away = away || (n.kind == FORMULA_SUM && lower_apart(L, &n, &less));
+    L->away[i] = away ? 2 : 1;
+    return away;
+}
+
 /* As lower_plain, of what is multiplied or called with: a constant that is not
  * the value at the anchor is not taken apart from the rest, with which it may
  * all but vanish. */
@@ -200,21 +226,31 @@ static struct linear factor(struct lowering *L, int i)
 {
     const struct linear u = lower_plain(L, i);
 
-    return L->away[i] && u.constant
+    return u.constant && is_away(L, i)
                ? linear_one(&L->s, linear_value(&L->s, &u), 0)
                : u;
+}
+
+/* 0: it is no such power. */
+static int whole_exponent(const struct lowering *L,
+                          const struct formula_node *n)
+{
+    if (n->kind != FORMULA_CALL || n->function != FUNCTION_POWER ||
+        L->s.f->node[n->of[1]].kind != FORMULA_NUMBER)
+        return 0;
+    const formula_real p = L->s.f->node[n->of[1]].number;
+    return p > 1 && p < 1000 && (formula_real) (int) p >= p ? (int) p : 0;
 }
 
 static struct linear plain_power(struct lowering *L, int i,
                                  const struct formula_node *n)
 {
-    const formula_real p = L->s.f->node[n->of[1]].number;
+    const int p = whole_exponent(L, n);
 
-    if (L->s.f->node[n->of[1]].kind != FORMULA_NUMBER || !(p > 1) ||
-        p >= 1000 || p > (formula_real) (int) p)
+    if (!p)
         return growth(L, i);
     const struct linear u = factor(L, n->of[0]);
-    return linear_power(&L->s, &u, (int) p);
+    return linear_power(&L->s, &u, p);
 }
 
 /* f(u0 + du) - f(u0) by a step of its own; 0: it has none */
@@ -296,27 +332,11 @@ static struct linear plain_of(struct lowering *L, int i,
     }
 }
 
-/* Whether the plain form has differences of two products in it, whose constant
- * is 0 whatever they are at the anchor. */
-static bool is_away(struct lowering *L, const struct formula_node *n)
-{
-    int less;
-
-    if (!n->moves || n->natural || n->kind == FORMULA_LEAF)
-        return false;
-    if (n->kind == FORMULA_CALL)
-        return n->function != FUNCTION_LN && L->away[n->of[0]];
-    return (n->kind == FORMULA_SUM && lower_apart(L, n, &less)) ||
-           L->away[n->of[0]] || L->away[n->of[1]];
-}
-
 static struct linear make_plain(struct lowering *L, int i)
 {
     const struct formula_node n = L->s.f->node[i];
-    const struct linear u = plain_of(L, i, &n);
 
-    L->away[i] = is_away(L, &n);
-    return u;
+    return plain_of(L, i, &n);
 }
 
 /* As lower_plain, but that the constant is the value at the anchor: of such
@@ -324,10 +344,16 @@ static struct linear make_plain(struct lowering *L, int i)
 static struct linear make_whole(struct lowering *L, int i)
 {
     const struct formula_node n = L->s.f->node[i];
+    const int p = whole_exponent(L, &n);
 
-    if (n.kind == FORMULA_CALL && !step_of[n.function])
+    if (n.kind == FORMULA_CALL && !step_of[n.function] && !p &&
+        n.function != FUNCTION_EXP)
         return lower_plain(L, i);
     struct linear u = whole(L, n.of[0]);
+    if (p)
+        return linear_power(&L->s, &u, p);
+    if (n.kind == FORMULA_CALL && n.function == FUNCTION_EXP)
+        return grown(L, &u, formula_of(L->s.f, FUNCTION_EXP, u.constant));
     if (n.kind == FORMULA_CALL)
         return by_step(L, n.function, &u);
     const struct linear w = whole(L, n.of[1]);
@@ -399,7 +425,7 @@ static struct linear whole(struct lowering *L, int i)
 {
     const struct linear plain = lower_plain(L, i);
 
-    return L->away[i] ? once(L, &L->whole[i], i, make_whole, false) : plain;
+    return is_away(L, i) ? once(L, &L->whole[i], i, make_whole, false) : plain;
 }
 
 static int value_of_call(struct lowering *L, int i,

@@ -16,8 +16,9 @@ struct lowering {
      * value at the anchor plus one; 0: not yet */
     short plain[FORMULA_NODES], whole[FORMULA_NODES], log[FORMULA_NODES],
         value[FORMULA_NODES];
-    bool away[FORMULA_NODES]; /* by node: the constant of its plain form is not
-                                 its value at the anchor */
+    /* by node: 2, the constant of its plain form is not its value at the
+     * anchor; 1, it is; 0, not known yet */
+    char away[FORMULA_NODES];
 };
 
 /* Nothing is made yet, nor any step of t; borrows all three. */
