@@ -8,7 +8,6 @@
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
-#include <time.h>
 
 #include "plain.h"
 #include "scene_sweep.h"
@@ -58,20 +57,14 @@ static double v_plus_at(double alpha)
     return v_plus;
 }
 
-/* Seconds of the processor: what else runs on the machine does not matter. */
-static double worked(void)
-{
-    return (double) clock() / CLOCKS_PER_SEC;
-}
-
-/* Those, and a sum that no compiler may leave out. */
+/* Seconds of the processor, and a sum that no compiler may leave out. */
 static double single(const struct scene *scene, double *sum)
 {
-    const double begun = worked();
+    const double begun = plain_worked();
 
     for (int i = 0; i < POINTS; i++)
         *sum += v_plus_at(scene->sweep.axis[0].value[i]);
-    return worked() - begun;
+    return plain_worked() - begun;
 }
 
 /* Seconds of `now`. */
@@ -107,7 +100,7 @@ int main(void)
         return 1;
     for (int i = 0; i < REPEATS; i++) {
         alone = fmin(alone, single(&scene, &sum[0]));
-        work = fmin(work, swept(&scene, 1, worked, &sum[1]));
+        work = fmin(work, swept(&scene, 1, plain_worked, &sum[1]));
         one = fmin(one, swept(&scene, 1, plain_now, &sum[2]));
         two = fmin(two, swept(&scene, 2, plain_now, &sum[3]));
     }

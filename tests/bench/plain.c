@@ -14,6 +14,11 @@ double plain_now(void)
     return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
 }
 
+double plain_worked(void)
+{
+    return (double) clock() / CLOCKS_PER_SEC;
+}
+
 struct plain plain_of(const struct block *b, const struct equilibrium *e)
 {
     const bool log_form = b->law.form == FRICTION_LOG;

@@ -34,4 +34,7 @@ struct plain_answer plain_branches(struct plain *p, double tol);
 /* Seconds on a clock that only goes forward. */
 double plain_now(void);
 
+/* Seconds of the processor: what else runs on the machine matters little. */
+double plain_worked(void);
+
 #endif
