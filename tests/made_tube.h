@@ -251,7 +251,7 @@ static inline void draw(struct made *f, bool cone, uint64_t *rng)
         f->E[k] = k == 0 ? 1 : !plain_E && k < 4 ? perhaps(rng, -0.3, 0.3) : 0;
         f->obs[k] = perhaps(rng, -1, 1);
     }
-    f->C = sign * perhaps(rng, -0.5, cone ? 3 : 0.5) / size;
+    f->C = sign * perhaps(rng, -0.5, cone ? 30 : 0.5) / size;
     f->across = plain_E ? 0 : perhaps(rng, -0.2, 0.2);
     f->rise = plain_E ? 0 : perhaps(rng, -1, 1);
     f->common = perhaps(rng, -30, 30);

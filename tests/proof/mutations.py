@@ -6,8 +6,8 @@
 Each line of mutations.tsv is a place of a file and what stands there instead.
 The file is copied, changed and compiled, and the tests of the build folder
 BUILD that are meant to see it are linked with that and run, until one fails or
-takes a minute; two lines at a time.  Only lines that have one of the words.
-Sources are not touched.
+takes 20 s of processor; two lines at a time.  Only lines that have one of the
+words.  Sources are not touched.
 """
 
 import concurrent.futures
@@ -85,7 +85,7 @@ def compile_in(build, folder, row):
 
 
 def limit():
-    resource.setrlimit(resource.RLIMIT_CPU, (60, 60))
+    resource.setrlimit(resource.RLIMIT_CPU, (20, 20))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
