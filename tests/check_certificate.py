@@ -62,6 +62,13 @@ def check_knees(block, branch, pieces, errors, beyond):
 
 def check_branch(block, branch, side):
     """Where it settles and the excess; None: it is open."""
+    return check_text(block, json.dumps(branch), side)
+
+
+@functools.lru_cache(None)
+def check_text(block, text, side):
+    """Once, however often that branch is claimed."""
+    branch = json.loads(text)
     pieces = pieces_of(branch)
     last, end = pieces[-1], branch['end']
     if end == 'open':

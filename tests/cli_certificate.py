@@ -23,12 +23,16 @@ ENDS = {'dieterich_gen': ('psi_inf', 'psi_0'), 'ruina': ('open', 'v_0'),
         'perrin': ('psi_inf', 'v_0'), 'spinodal': ('open', 'v_0')}
 
 
-def certificate(room, law, form='asinh'):
-    name = f'{law}-{form}.json'
-    if not os.path.exists(room.path(name)):
-        room.good('knees', '--law', law, '--friction', form, '--alpha', '0.34',
-                  '--proved', '--certificate', name)
+def made(room, name, *args):
+    """The one of that name, which is made once."""
+    if name not in room.names():
+        room.good(*args, '--proved', '--certificate', name)
     return json.loads(room.read(name))
+
+
+def certificate(room, law, form='asinh'):
+    return made(room, f'{law}-{form}.json', 'knees', '--law', law, '--friction', form,
+                '--alpha', '0.34')
 
 
 def each_claim_of_a_certificate_follows(room):
@@ -57,9 +61,7 @@ def laws_of_the_literature_have_one(room):
     """Nagata's names the slope in a formula; of the N-shaped one psi grows for ever,
     v, too, and the proof ends where dy/dx stays above 1."""
     for name, ends in (('nagata', (None, None)), ('n_shaped', ('open', 'v_0'))):
-        room.good('knees', f'{room.source}/scenes/{name}.yaml', '--proved',
-                  '--certificate', f'{name}.json')
-        found = json.loads(room.read(f'{name}.json'))
+        found = made(room, f'{name}.json', 'knees', f'{room.source}/scenes/{name}.yaml')
         sides = found['upper'], found['lower']
         expect(tuple(side.get('end') for side in sides) == ends, name, ends)
         expect(not rejected(found), name, rejected(found))
@@ -68,9 +70,7 @@ def laws_of_the_literature_have_one(room):
 
 
 def where_psi_is_large_the_checker_takes_more_bits(room):
-    room.good('knees', '--law', 'dieterich_gen', '--alpha', '0.9', '--proved',
-              '--certificate', 'large.json')
-    found = json.loads(room.read('large.json'))
+    found = made(room, 'large.json', 'knees', '--law', 'dieterich_gen', '--alpha', '0.9')
     expect(found['numbers']['psi'][0] > 1e10, found['numbers']['psi'])
     found.update(dict.fromkeys(('upper', 'lower'), {'not_proved': ''}))
     for name in list(found['numbers'])[4:]:
@@ -276,11 +276,9 @@ def a_scene_is_not_written_over_by_one(room):
 
 def typed(room):
     """A law with a parameter of its own, its rate typed whole."""
-    if 'typed.json' not in room.names():
-        room.write('typed.yaml', 'law: {theta: ln(psi), rate: "-sinh(psi*v/v_0 - 1)"}\n'
-                   'material: {v_0: 2}\nslope: {alpha: 0.34}\n')
-        room.good('knees', 'typed.yaml', '--proved', '--certificate', 'typed.json')
-    return json.loads(room.read('typed.json'))
+    room.write('typed.yaml', 'law: {theta: ln(psi), rate: "-sinh(psi*v/v_0 - 1)"}\n'
+               'material: {v_0: 2}\nslope: {alpha: 0.34}\n')
+    return made(room, 'typed.json', 'knees', 'typed.yaml')
 
 
 def a_law_of_formulas_has_one(room):
@@ -295,10 +293,8 @@ def a_law_of_formulas_has_one(room):
 
 def alone(room, law, *where):
     """Of a slope without a saddle."""
-    name = f'{law}-{"-".join(where)}.json'.replace('=', '-')
-    if name not in room.names():
-        room.good('knees', '--law', law, *where, '--proved', '--certificate', name)
-    return json.loads(room.read(name))
+    return made(room, f'{law}-{"-".join(where)}.json'.replace('=', '-'), 'knees', '--law',
+                law, *where)
 
 
 ALONE = [('spinodal_gen', '--alpha', '0.6'), ('spinodal', '--alpha', '0.1'),
@@ -314,9 +310,8 @@ def a_slope_without_a_saddle_has_one(room):
 
 
 def what_cannot_be_shown_claims_nothing(room):
-    room.good('knees', *['--law', 'perrin', '--alpha', '0.34', '--set', 'material.b=0.03'],
-              '--proved', '--certificate', 'why.json')
-    found = json.loads(room.read('why.json'))
+    found = made(room, 'why.json', 'knees', '--law', 'perrin', '--alpha', '0.34', '--set',
+                 'material.b=0.03')
     expect(found['not_proved'] and 'nothing is claimed' in rejected(found), found)
 
 
@@ -359,9 +354,8 @@ def a_saddle_that_is_there_is_not_denied(room):
 
 
 def labelled(room):
-    room.good('basin', '--law', 'ruina', '--friction', 'log', '--alpha', '0.34', '--proved',
-              '--set', 'basins.cells=[40,40]', '-o', 'labels.h5', '--certificate', 'labels.json')
-    return json.loads(room.read('labels.json'))
+    return made(room, 'labels.json', 'basin', '--law', 'ruina', '--friction', 'log', '--alpha',
+                '0.34', '--set', 'basins.cells=[40,40]', '-o', 'labels.h5')
 
 
 def forge_labels(claimed, rng):
@@ -405,11 +399,7 @@ SYSTEMS = {  # equilibria, and how many branches cross the edge and are trapped
 
 
 def certificate_of(room, name, ode, window, *more):
-    file = f'{name}.json'
-    if file not in room.names():
-        room.good('study', '--ode', ode, '--window', window, *more, '--proved',
-                  '--certificate', file)
-    return json.loads(room.read(file))
+    return made(room, f'{name}.json', 'study', '--ode', ode, '--window', window, *more)
 
 
 def systems_have_certificates(room):
