@@ -30,7 +30,8 @@ BESIDE = {  # else the test of its own name
     'plane_proof': ['plane_proof'], 'proof_plane': ['plane_proof'],
     'proof_trap': ['proof_trap', 'plane_proof'], 'proof_cell': ['proof_cell', 'proof'],
     'proof_flow': ['proof_cone', 'proof_cell'], 'proof_fold': ['proof_side'],
-    'proof_input': ['proof'], 'proof_knee': ['proof_knee', 'proof'], 'proof_law': ['proof_root', 'proof_law'],
+    'proof_input': ['proof'], 'proof_knee': ['proof_knee', 'proof'],
+    'proof_law': ['proof_root', 'proof_law'],
     'proof_numbers': ['proof', 'study_proof'], 'proof': ['proof_rest', 'proof_root', 'proof'],
 }
 
