@@ -212,7 +212,10 @@ static bool is_away(struct lowering *L, int i)
         return false;
     if (L->away[i])
         return L->away[i] > 1;
-    for (int k = 0; k < (n.kind == FORMULA_CALL ? n.arguments : 2); k++)
+    const bool logs = n.kind == FORMULA_CALL && n.function == FUNCTION_LN &&
+                      !L->s.f->node[n.of[0]].natural; /* of the whole */
+    for (int k = 0; !logs && k < (n.kind == FORMULA_CALL ? n.arguments : 2);
+         k++)
         away = is_away(L, n.of[k]) || away;
     away = away || (n.kind == FORMULA_SUM && lower_apart(L, &n, &less));
     L->away[i] = away ? 2 : 1;
