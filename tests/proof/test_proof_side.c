@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "law_typed.h"
 #include "proof_fold.h"
 #include "slope.h"
 
@@ -271,6 +272,21 @@ static void nodes_are_where_theorem_14_says(void **state)
     CHECK(saddles > ALL, "%d", saddles);
 }
 
+static void of_a_law_of_formulas_nothing_is_said_of_nodes(void **state)
+{
+    const struct material m = material_bristol_board();
+    static const struct law_typed formulas;
+    struct law typed = *law_preset_find("spinodal_gen");
+
+    (void) state;
+    typed.typed = &formulas;
+    for (int side = -1; side < 2; side += 2) {
+        assert_int_equal(proof_has_node(&typed, &m, side), -1);
+        assert_int_equal(
+            proof_has_node(law_preset_find("kato_tullis"), &m, side), -1);
+    }
+}
+
 /* ---- none ---------------------------------------------------------------- */
 
 /* At a slope that is drawn, or just beside a fold. */
@@ -383,6 +399,7 @@ int main(void)
         cmocka_unit_test(
             a_row_in_the_strip_where_v_vanishes_may_meet_the_branch),
         cmocka_unit_test(nodes_are_where_theorem_14_says),
+        cmocka_unit_test(of_a_law_of_formulas_nothing_is_said_of_nodes),
         cmocka_unit_test(that_there_is_no_saddle_is_proved_where_there_is_none),
     };
 
