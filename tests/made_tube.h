@@ -194,7 +194,7 @@ static inline void draw_few(struct made *f, double size, uint64_t *rng)
         f->error = size;
         f->L[0] = check_uniform(rng, -2, 2);
         f->L[1] = perhaps(rng, 0, 3);
-        f->L[2] = perhaps(rng, 0, 10); /* least inside of a cell */
+        f->L[2] = f->by_dep ? 10 : 0; /* least inside of a cell */
         f->C = perhaps(rng, 0, 2) / size;
         f->across = perhaps(rng, -0.2, 0.2);
         f->obs_across = check_uniform(rng, -1, 1);
