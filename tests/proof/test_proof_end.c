@@ -360,7 +360,7 @@ static void draw_tail(struct made *f, bool by_y, int n, uint64_t *rng)
     else if (n % 2)
         draw(f, check_bits(rng) % 8 ? -1 : 1, rng);
     else
-        n % 8 ? draw_slow(f, rng) : draw_brief(f, rng);
+        n % 16 ? draw_slow(f, rng) : draw_brief(f, rng);
     const double g = fabs((double) growth_at(f, f->X, f->Y));
     const double m = by_y ? (fabs(f->A) + fabs(f->B)) / f->k
                           : fabs((double) force_at(f, f->X, f->Y));
