@@ -306,40 +306,33 @@ static struct linear plain_call(struct lowering *L, int i,
     return by_step(L, n->function, &u);
 }
 
-static struct linear plain_of(struct lowering *L, int i,
-                              const struct formula_node *n)
+static struct linear make_plain(struct lowering *L, int i)
 {
+    const struct formula_node n = L->s.f->node[i];
     struct linear u, w;
 
-    if (!n->moves)
+    if (!n.moves)
         return linear_constant(i);
-    if (n->natural)
+    if (n.natural)
         return growth(L, i);
-    switch (n->kind) {
+    switch (n.kind) {
         case FORMULA_LEAF:
             for (int k = 0; k < 2; k++)
                 if (L->p->state[k] == i)
                     return linear_one(&L->s, k, L->p->at[k]);
             return linear_fail(&L->s, "a state is not of this plane");
         case FORMULA_SUM:
-            return plain_sum(L, n);
+            return plain_sum(L, &n);
         case FORMULA_TIMES:
         case FORMULA_OVER:
-            u = factor(L, n->of[0]);
-            w = n->kind == FORMULA_TIMES ? factor(L, n->of[1])
-                                         : whole(L, n->of[1]);
-            return n->kind == FORMULA_TIMES ? linear_product(&L->s, &u, &w)
-                                            : linear_quotient(&L->s, &u, &w);
+            u = factor(L, n.of[0]);
+            w = n.kind == FORMULA_TIMES ? factor(L, n.of[1])
+                                        : whole(L, n.of[1]);
+            return n.kind == FORMULA_TIMES ? linear_product(&L->s, &u, &w)
+                                           : linear_quotient(&L->s, &u, &w);
         default:
-            return plain_call(L, i, n);
+            return plain_call(L, i, &n);
     }
-}
-
-static struct linear make_plain(struct lowering *L, int i)
-{
-    const struct formula_node n = L->s.f->node[i];
-
-    return plain_of(L, i, &n);
 }
 
 /* As lower_plain, but that the constant is the value at the anchor: of such
