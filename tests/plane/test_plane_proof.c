@@ -162,100 +162,6 @@ static void closed_forms_are_in_what_is_proved(void **state)
         check_known(&known[i]);
 }
 
-/* Where it crosses a given line, or why that, or a trap, is not proved. */
-static const char *prove_given(const struct plane_study *s,
-                               const struct plane_branch *b,
-                               const struct proof_goal *goal,
-                               struct interval at[2])
-{
-    const struct plane_rest *r = &s->rest[b->rest];
-    struct proof_plane p;
-    struct proof_branch tube;
-    struct fault why;
-
-    assert_int_equal(
-        proof_plane_at(&p, &s->lowered->way[1][b->kind != MANIFOLD_STABLE],
-                       s->lowered->value, r->exact.chart, &why),
-        STATUS_OK);
-    assert_int_equal(proof_plane_branch(&p, &b->curve, goal, &tube, at),
-                     STATUS_OK);
-    free(tube.piece);
-    free(tube.cell);
-    proof_plane_free(&p);
-    return tube.not_proved;
-}
-
-/* A line that is given: half of y = x sqrt(1 - x^2/2), on the way back to the
- * saddle it comes from. */
-static void duffings_loop_is_proved_at_any_line(void **state)
-{
-    struct plane_study s;
-    struct scene c;
-
-    (void) state;
-    plane_run(&s, &c, "x' = y; y' = x - x^3",
-              "window={x: [-2, 2], y: [-2, 2]}\n" MORE);
-    for (size_t i = 0; i < s.branches; i++) {
-        const struct plane_branch *b = &s.branch[i];
-        const double way = b->branch == 0 ? 1 : -1;
-        struct interval at[2];
-        struct proof_goal goal = { .axis = 0, .at = { 0.5 * way, 0.5 * way } };
-        double z[CURVE_DIM_MAX] = { 0 };
-
-        assert_int_equal(b->end_proved, PLANE_NOT_PROVED);
-        for (; fabs(z[0]) < 0.5; goal.piece++)
-            curve_at(&b->curve.curve, goal.piece, 1, z);
-        goal.piece--;
-        for (double h = 0.5; h > 1e-17; h /= 2) {
-            curve_at(&b->curve.curve, goal.piece, goal.theta + h, z);
-            goal.theta += fabs(z[0]) < 0.5 ? h : 0;
-        }
-        const char *why = prove_given(&s, b, &goal, at);
-        CHECK(why == NULL, "%s", why);
-        const long double y =
-            (b->kind == MANIFOLD_STABLE ? -way : way) * 0.5L * sqrtl(0.875L);
-        CHECK(at[1].lo <= y && y <= at[1].hi && at[1].hi - at[1].lo < 1e-14,
-              "[%.20Lg, %.20Lg]", at[1].lo, at[1].hi);
-    }
-    plane_end(&s, &c);
-}
-
-/* One that is nowhere near, and one around where a curve that is off by 1e-6
- * ends its first piece. */
-static void what_passes_beside_a_trap_does_not_come_into_it(void **state)
-{
-    const struct system_number n = { 0.5, 0.25 };
-    const struct interval u = proof_plane_number(&n);
-    struct plane_study s;
-    struct scene c;
-
-    (void) state;
-    assert_true(u.lo <= 0.25L && 0.75L <= u.hi);
-    plane_run(&s, &c, "x' = y; y' = x - x^3 - y",
-              "window={x: [-2, 2], y: [-2, 2]}\n" MORE);
-    for (size_t i = 0; i < s.branches; i++) {
-        const struct plane_branch *b = &s.branch[i];
-        const size_t dep = (size_t) (1 - branch_graph(&b->curve, 0));
-        const struct curve *curve = &b->curve.curve;
-        struct proof_trap trap = {
-            .xx = 1, .yy = 1, .level = 1e-16, .at = { { 9, 9 }, { 9, 9 } }
-        };
-        const struct proof_goal goal = { .trap = &trap };
-        double z[CURVE_DIM_MAX] = { 0 };
-        struct interval at[2];
-
-        if (b->end_proved == PLANE_TRAPPED)
-            assert_string_equal(prove_given(&s, b, &goal, at),
-                                "it does not come into a trap");
-        curve->coef[dep * (curve->piece[0].degree + 1) + 1] += 1e-6;
-        curve_at(curve, 0, 1, z);
-        trap.at[0] = point(z[0]);
-        trap.at[1] = point(z[1]);
-        assert_non_null(prove_given(&s, b, &goal, at));
-    }
-    plane_end(&s, &c);
-}
-
 /* ---- random shears ------------------------------------------------------- */
 
 /* y = Y + p X + r X^2, then x = X + q y + t y^2, of X' = X - X^3 and Y' = Y -
@@ -487,8 +393,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(closed_forms_are_in_what_is_proved),
-        TEST(duffings_loop_is_proved_at_any_line),
-        TEST(what_passes_beside_a_trap_does_not_come_into_it),
         TEST(random_shears_of_four_saddles_are_proved),
         TEST(spoiled_curves_prove_nothing_wrong),
         TEST(a_bar_beside_what_is_proved_is_told),
