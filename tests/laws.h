@@ -44,7 +44,7 @@ static inline double laws_long_epsilon(void)
     return one + LDBL_EPSILON > one ? (double) LDBL_EPSILON : DBL_EPSILON;
 }
 
-/* libquadmath, too, leans on the digits and the range of long double. */
+/* Those of 113 bits, too, lean on the digits and the range of long double. */
 static inline bool laws_emulated(void)
 {
     return laws_long_epsilon() > (double) LDBL_EPSILON;

@@ -157,7 +157,7 @@ static inline quad line_atom(struct line_reader *r)
     }
     if (!isdigit((unsigned char) *r->at))
         return line_word(r);
-    value = strtoflt128(r->at, &end);
+    value = strtof128(r->at, &end);
     r->at = end;
     return value;
 }

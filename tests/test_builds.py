@@ -33,12 +33,11 @@ def ran(*command):
 def objects(room, compiler, level):
     with open(f'{BUILD}/compile_commands.json', encoding='utf-8') as file:
         entries = [e for e in json.load(file) if AGAIN.fullmatch(e['file'])]
-    quadmath = ran('gcc', '-print-file-name=include').strip()
     for i, entry in enumerate(entries):
         out = room.path(f'{i}.o')
         flags = [word for word in shlex.split(entry['command'])
                  if re.match('-I|-D|-std|-f(fp-contract|no-math-errno)', word)]
-        ran(compiler, *flags, level, '-w', '-idirafter', quadmath, '-c', entry['file'], '-o', out)
+        ran(compiler, *flags, level, '-w', '-c', entry['file'], '-o', out)
         yield out
 
 

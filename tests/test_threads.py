@@ -28,7 +28,7 @@ def main():
                 ['sh', '-c', 'cc -fsanitize=thread -I "$0/include" '
                  '"$0/tests/outside/eight_threads.c" b/lib/libslipway.a -o e '
                  '$(pkg-config --libs gsl yaml-0.1) -lmpfi -lmpfr -lgmp -fopenmp '
-                 '-lquadmath -lm', SOURCE]):
+                 '-lm', SOURCE]):
             done = ran(command, folder)
             if done.returncode:
                 print(f'Bail out! {command}: {done.stdout}{done.stderr}')

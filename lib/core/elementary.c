@@ -12,10 +12,11 @@
  * others 0.501.
  */
 #include <math.h>
-#include <quadmath.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
+
+#include "quad.h"
 
 static uint64_t bits_of(double x)
 {

@@ -3,7 +3,7 @@
  * wherever two leaves are in given intervals.
  *
  * Nothing is left out: every operation rounds outward by a unit of its last
- * digit, every function by eight (those of lib/core and libquadmath are right
+ * digit, every function by eight (those of lib/core and of 113 bits are right
  * to four), a decimal of up to 30 digits counts with all it may have been
  * before it was kept in 113 bits, and what has no state is enclosed in 113
  * bits first.

@@ -3,10 +3,11 @@
 #include <float.h>
 #include <math.h>
 #include <mpfi_io.h>
-#include <quadmath.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "quad.h"
 
 /* Newton's method doubles the digits, from one or so to 256 bits in eight, and
  * falls by 1 at first where k < 0 is large, which nothing asks for. */

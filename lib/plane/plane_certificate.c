@@ -12,12 +12,13 @@
 /* The shortest decimal that reads as x. */
 static json_t *decimal(formula_real x)
 {
-    char text[64];
+    char text[64], format[8];
     int digits = 0;
 
-    do
-        quadmath_snprintf(text, sizeof text, "%.*Qg", ++digits, x);
-    while (digits < 36 && strtoflt128(text, NULL) != x);
+    do {
+        snprintf(format, sizeof format, "%%.%dg", ++digits);
+        strfromf128(text, sizeof text, format, x);
+    } while (digits < 36 && strtof128(text, NULL) != x);
     return json_string(text);
 }
 

@@ -3,11 +3,9 @@
  * the last place, over all that doubles hold; their special cases.
  */
 #include <math.h>
-#include <quadmath.h>
 
 #include "check.h"
-
-typedef __float128 quad;
+#include "quad.h"
 
 static uint64_t seed;
 

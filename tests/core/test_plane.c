@@ -4,9 +4,7 @@
 #include <math.h>
 
 #include "check.h"
-
-/* 113 bits: products of doubles are exact. */
-__extension__ typedef __float128 quad;
+#include "quad.h" /* products of doubles are exact */
 
 static quad det_reference(struct mat2 A)
 {

@@ -2,10 +2,10 @@
 #include "unit.h"
 
 #include <math.h>
-#include <quadmath.h>
 #include <string.h>
 
 #include "check.h"
+#include "quad.h"
 
 static const char *const known[] = {
     "rad",        "V_star",          "L",   "L/V_star", "V_star/L",

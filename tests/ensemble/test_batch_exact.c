@@ -2,9 +2,9 @@
 #include "batch.h"
 
 #include <math.h>
-#include <quadmath.h>
 
 #include "laws.h"
+#include "quad.h"
 #include "stress_truth.h"
 #include "sweeps.h"
 

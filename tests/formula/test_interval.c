@@ -153,7 +153,7 @@ static void slopes_are_those_of_differences(void **state)
     }
 }
 
-/* 113 bits, told from libquadmath's own arithmetic. */
+/* 113 bits, told from the compiler's own arithmetic. */
 static void a_point_is_enclosed_to_all_digits(void **state)
 {
     const formula_real x = (formula_real) 7 / 11, y = (formula_real) 5 / 13;

@@ -84,9 +84,9 @@ static void check_fold(const struct csv *c, const struct law *law,
                        const char *const names[3])
 {
     const double cost = 4 * (m->a + m->b) / (m->b - m->a) * 0x1p-53;
-    const quad v = strtoflt128(csv_text(c, names[0]), NULL);
-    const quad mu = strtoflt128(csv_text(c, names[1]), NULL);
-    const quad alpha = strtoflt128(csv_text(c, names[2]), NULL);
+    const quad v = strtof128(csv_text(c, names[0]), NULL);
+    const quad mu = strtof128(csv_text(c, names[1]), NULL);
+    const quad alpha = strtof128(csv_text(c, names[2]), NULL);
     const long double found = steady_mu(law, m, x);
     const double off_v = fabs((double) (expq(x) / v - 1));
     const double off_mu = fabs((double) (found / mu - 1));
