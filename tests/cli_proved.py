@@ -23,6 +23,11 @@ def rows(room):
             yield row
 
 
+def in_bar(number, exact):
+    off = abs(Decimal(number['value']) - exact)
+    expect(off <= Decimal(number['error']), number, exact)
+
+
 def the_reference_is_between_both_decimals(room):
     compared = 0
     for row in rows(room):
@@ -35,6 +40,7 @@ def the_reference_is_between_both_decimals(room):
                 continue
             lo, hi = Decimal(proved['lo']), Decimal(proved['hi'])
             expect(lo <= Decimal(row[column]) <= hi, row['law'], name, proved)
+            in_bar(found[name], Decimal(row[column]))
             expect(hi - lo <= Decimal('1e-11') * abs(hi), row['law'], name)
             compared += 1
         for side in ('up', 'lo'):
@@ -222,6 +228,7 @@ def in_si_units_the_reference_is_between_too(room):
             lo, hi = (Decimal(number['proved'][end]) for end in ('lo', 'hi'))
             expect(lo <= exact <= hi and hi - lo < abs(exact) / 10**11, row['law'],
                    exact, number)
+            in_bar(number, exact)
 
 
 def nothing_is_proved_where_nobody_asks(room):

@@ -178,15 +178,26 @@ static enum status judge(struct study *s, const struct pair pair[], size_t n,
     return status;
 }
 
-/* A copy of a saddle's number has its proof, too. */
+/* To the bar, which is of the doubles, what reading the decimals costs: it
+ * holds all that is proved of these. */
+static void reach(struct quantity *q, const struct proof_number *p)
+{
+    const struct interval off =
+        interval_less(interval_of_double(p->value), interval_point(q->value));
+
+    if (quantity_exists(q) && !p->not_proved)
+        q->error = fmax(q->error, interval_up(interval_most(off)));
+}
+
+/* A copy of a saddle's number has its proof and its bar, too. */
 static void copy_to_steady(struct study *s)
 {
     struct steady_number *to = &s->slider.steady[slider_saddle(&s->slider)];
 
-    to->v.proved = s->saddle_numbers.v.proved;
-    to->psi.proved = s->saddle_numbers.psi.proved;
-    to->lambda_minus.proved = s->saddle_numbers.lambda_minus.proved;
-    to->lambda_plus.proved = s->saddle_numbers.lambda_plus.proved;
+    to->v = s->saddle_numbers.v;
+    to->psi = s->saddle_numbers.psi;
+    to->lambda_minus = s->saddle_numbers.lambda_minus;
+    to->lambda_plus = s->saddle_numbers.lambda_plus;
 }
 
 enum status study_prove(struct study *s)
@@ -202,7 +213,7 @@ enum status study_prove(struct study *s)
     struct proof *proof = s->proof.exact = malloc(sizeof *proof);
     if (proof == NULL)
         return STATUS_NO_MEMORY;
-    const enum status status = find(s, true, skip, proof);
+    enum status status = find(s, true, skip, proof);
     if (status != STATUS_OK)
         return status;
     const struct proof_numbers numbers = proof_numbers_of(proof);
@@ -218,8 +229,12 @@ enum status study_prove(struct study *s)
         if (side >= 0)
             skip[side] = false;
     }
+    if (beside)
+        status = judge(s, pair, n, skip);
+    for (size_t i = 0; i < n && s->proof.lie.text[0] == '\0'; i++)
+        reach(pair[i].number, &numbers.at[pair[i].which]);
     copy_to_steady(s);
-    return beside ? judge(s, pair, n, skip) : STATUS_OK;
+    return status;
 }
 
 bool study_proves(const struct record_type *type)

@@ -37,6 +37,58 @@ static void each_bar_of_a_slope_meets_what_is_proved(void **state)
     }
 }
 
+/* How many numbers of a record are proved: each in its bar. */
+static int in_bars(const struct record_type *type, const void *record,
+                   const char *at)
+{
+    const struct record_array one = { type, record, 1 };
+    int proved = 0;
+
+    for (size_t i = 0; i < type->count; i++) {
+        const struct record_field *f = &type->fields[i];
+        const struct quantity *q = record_member(&one, 0, f);
+        if (f->kind != RECORD_QUANTITY || !q->proved || q->proved->absent ||
+            q->proved->not_proved)
+            continue;
+        const long double v = q->value, e = q->error;
+        CHECK(v - e <= q->proved->lo && q->proved->hi <= v + e,
+              "%s: %s: %.17Lg +- %.17Lg", at, f->name, v, e);
+        proved++;
+    }
+    return proved;
+}
+
+/* Where rounding alpha moves numbers by more than they are computed to. */
+static void bars_of_the_decimals_hold_what_is_proved_at_folds(void **state)
+{
+    static const char *const laws[] = { "spinodal_gen", "spinodal_phi_gen" };
+    static struct slope s;
+    char alpha[40];
+
+    (void) state;
+    for (int i = 0; i < 8; i++) {
+        const char *law = laws[i % 2];
+        run(&s, law);
+        const struct fold_numbers folds = s.study.folds;
+        slope_free(&s);
+        snprintf(alpha, sizeof alpha, "%.17g",
+                 i / 2 % 2 ? folds.alpha_cM.value - (i / 4 ? 1e-10 : 1e-12)
+                           : folds.alpha_cm.value + (i / 4 ? 1e-10 : 1e-12));
+        slope_make(&s, law, NULL, alpha,
+                   (const char *const[]){ "products=[knees]", NULL });
+        const double computed = s.study.saddle_numbers.v.error;
+        assert_int_equal(study_prove(&s.study), STATUS_OK);
+        assert_string_equal(s.study.proof.lie.text, "");
+        const int proved =
+            in_bars(&record_saddle, &s.study.saddle_numbers, alpha) +
+            in_bars(&record_steady, &s.study.slider.steady[1], alpha) +
+            in_bars(&record_critical, &s.study.slider.critical, alpha);
+        CHECK(proved >= 15 && s.study.saddle_numbers.v.error > computed,
+              "%s at %s: %d", law, alpha, proved);
+        slope_free(&s);
+    }
+}
+
 /* A scene of scenes/, its equilibria and its manifold alone. */
 static void run_scene(struct slope *s, const char *name)
 {
@@ -304,6 +356,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_bar_of_a_slope_meets_what_is_proved),
+        cmocka_unit_test(bars_of_the_decimals_hold_what_is_proved_at_folds),
         cmocka_unit_test(laws_of_the_literature_are_proved),
         cmocka_unit_test(what_a_law_does_not_have_is_said_and_nothing_proved),
         cmocka_unit_test(
