@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal.h"
+
 /* No double has more digits that matter: 767 and an exponent. */
 enum { LETTERS = 800 };
 
@@ -41,6 +43,8 @@ bool number_read(const char *text, double *value)
         *value = (double) INFINITY;
         return true;
     }
+    if (decimal_read(text, value))
+        return true;
     if (size == 0 || size > LETTERS || strspn(text, "+-.0123456789eE") != size)
         return false;
     const struct local local = local_of(text);
@@ -79,8 +83,10 @@ static struct number_text number_digits(int digits, double value)
 {
     struct number_text shown;
 
-    snprintf(shown.text, sizeof shown.text, "%.*g", digits, value);
-    put_point(&shown);
+    if (!decimal_write(value, digits, shown.text)) {
+        snprintf(shown.text, sizeof shown.text, "%.*g", digits, value);
+        put_point(&shown);
+    }
     return shown;
 }
 

@@ -101,6 +101,8 @@ static void a_decimal_comma_of_the_locale_changes_nothing(void **state)
     is_read_as("1.5e-3", 1.5e-3);
     is_read_as(".5", 0.5);
     is_read_as("12", 12.0);
+    is_read_as("1.5e-300", 1.5e-300);
+    assert_string_equal(number_shortest(1.5e-300).text, "1.5e-300");
     assert_false(number_read("0,34", &x));
     assert_false(number_read("1.5.2", &x));
     comma_locale_use(false);
