@@ -20,7 +20,9 @@ void formula_long_roundings(const struct formula *f, const short node[],
     for (int i = 0; i < count; i++) {
         const struct formula_node *n = &f->node[node[i]];
         const long double here = value[node[i]];
-        off[node[i]] = LDBL_EPSILON * fabsl(here);
+        const bool exact =
+            n->kind == FORMULA_NUMBER && n->number == (formula_real) here;
+        off[node[i]] = exact ? 0 : LDBL_EPSILON * fabsl(here);
         for (int k = 0; k < 2; k++)
             off[node[i]] += fabsl(formula_long_slope_at(
                 n, here, value, k == 0 ? off[n->of[0]] : 0,

@@ -18,7 +18,8 @@ void formula_long_slopes(const struct formula *f, const short node[], int count,
  *
  *     off[i] = LDBL_EPSILON |value[i]| + |d i/d u| off[u] + |d i/d w| off[w],
  *
- * u and w its arguments; off[] is there for leaves and for what else they are
+ * u and w its arguments; of a number that is whole 0, for u^3 of u < 0 has no
+ * slope by the exponent; off[] is there for leaves and for what else they are
  * made of. */
 void formula_long_roundings(const struct formula *f, const short node[],
                             int count, const long double value[],

@@ -306,6 +306,29 @@ static void formulas_that_cancel_keep_their_digits(void **state)
     }
 }
 
+/* (ln v)^3 of v < 1, whose exponent is exact. */
+static void whole_powers_of_what_is_negative_are_known(void **state)
+{
+    const struct material m = material_bristol_board();
+    enum law_part wrong;
+    struct fault why = { "" };
+
+    (void) state;
+    law_typed_of_preset(law_preset_find("dieterich"), &typed);
+    strcpy(typed.text[LAW_MU], "mu_star + a*ln(v) + ln(v)^3/1024 + b*ln(psi)");
+    assert_int_equal(law_typed_make(&typed, &wrong, &why), STATUS_OK);
+    const struct law law = law_of_typed(&typed);
+    for (int i = 1; i < 40; i++) {
+        const long double x = -i / 4.0L, most = 1 + x * x * x / 1024;
+        const long double exact =
+            m.mu_star + ((long double) m.a - m.b) * x + x * x * x / 1024;
+        const long double off = steady_mu_log_off(&law, &m, x);
+        CHECK(fabsl(steady_mu_log(&law, &m, x) - exact) <= off + 0x1p-60L &&
+                  off < 0x1p-54L * fabsl(most),
+              "at %Lg: off by %Lg", x, off);
+    }
+}
+
 static void a_law_that_lacks_a_part_or_has_a_wrong_one_says_so(void **state)
 {
     static const struct {
@@ -347,6 +370,7 @@ int main(void)
         cmocka_unit_test(the_field_is_that_of_the_components),
         cmocka_unit_test(series_are_those_of_the_components),
         cmocka_unit_test(formulas_that_cancel_keep_their_digits),
+        cmocka_unit_test(whole_powers_of_what_is_negative_are_known),
         cmocka_unit_test(a_law_that_lacks_a_part_or_has_a_wrong_one_says_so),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
